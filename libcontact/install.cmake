@@ -1,0 +1,26 @@
+# Headers, library, find_package(contact) and pkg-config file.
+install(TARGETS contact EXPORT contact-targets
+  LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
+  ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+foreach(header IN LISTS public_headers)
+  get_filename_component(folder ${header} DIRECTORY)
+  install(FILES ${header}
+    DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/libcontact/${folder})
+endforeach()
+install(EXPORT contact-targets NAMESPACE contact::
+  DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/contact)
+configure_package_config_file(
+  ${PROJECT_SOURCE_DIR}/cmake/contactConfig.cmake.in
+  ${PROJECT_BINARY_DIR}/contactConfig.cmake
+  INSTALL_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/contact)
+write_basic_package_version_file(
+  ${PROJECT_BINARY_DIR}/contactConfigVersion.cmake
+  COMPATIBILITY SameMinorVersion)
+install(FILES
+  ${PROJECT_BINARY_DIR}/contactConfig.cmake
+  ${PROJECT_BINARY_DIR}/contactConfigVersion.cmake
+  DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/contact)
+configure_file(${PROJECT_SOURCE_DIR}/cmake/contact.pc.in
+  ${PROJECT_BINARY_DIR}/contact.pc @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/contact.pc
+  DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)

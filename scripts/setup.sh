@@ -1,0 +1,38 @@
+#!/usr/bin/env bash
+# Installs what the project needs and the machine lacks (Debian, Ubuntu).
+# Says what it will install before it does; does nothing when all is there.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+mapfile -t packages < scripts/packages.txt
+
+if ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then
+  [ "${CONTACT_SKIP_SETUP:-}" = 1 ] && exit 0
+  cat >&2 <<EOF
+setup: this script installs packages with apt, which this system lacks.
+Install the equivalents of these Debian packages, then run the command again
+with CONTACT_SKIP_SETUP=1 in the environment:
+$(printf '  %s\n' "${packages[@]}")
+EOF
+  exit 1
+fi
+
+missing=()
+for package in "${packages[@]}"; do
+  status=$(dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null || true)
+  [ "$status" = installed ] || missing+=("$package")
+done
+[ ${#missing[@]} -eq 0 ] && exit 0
+
+as_root=()
+if [ "$(id -u)" -ne 0 ]; then
+  if ! command -v sudo >/dev/null; then
+    echo "setup: not root and no sudo; install these: ${missing[*]}" >&2
+    exit 1
+  fi
+  as_root=(sudo)
+fi
+echo "setup: installing with apt-get: ${missing[*]}"
+"${as_root[@]}" apt-get update -q
+"${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
+  apt-get install -q -y --no-install-recommends "${missing[@]}"
