@@ -39,24 +39,29 @@ struct SlipAxis {
 /// One quantity for each of the three roles: the friction force (the paper's
 /// I, chi), the sliding moment about Y (J, sigma_Y) and the spinning moment
 /// about Z (K, sigma_Z).
-struct FrictionTriple {
-  double force;
-  double sliding;
-  double spinning;
+template <class Real>
+struct BasicFrictionTriple {
+  Real force;
+  Real sliding;
+  Real spinning;
 };
+using FrictionTriple = BasicFrictionTriple<double>;
 
 /// What a method of this library returns for one contact and slip axis;
-/// everything is dimensionless.
-struct FrictionIntegrals {
+/// everything is dimensionless. In double, except where a method is offered
+/// at higher precision.
+template <class Real>
+struct BasicFrictionIntegrals {
   /// I_n, integral of the pressure shape's normal component, (3.2), (3.4).
-  double normal;
+  Real normal;
   /// I, J, K with weight cos(theta) - cos(theta0) (superscript 0 in (3.9)).
-  FrictionTriple pressure;
+  BasicFrictionTriple<Real> pressure;
   /// I, J, K with weight 1 (the primed integrals of (3.7), (3.8)).
-  FrictionTriple area;
+  BasicFrictionTriple<Real> area;
   /// chi, sigma_Y, sigma_Z = pressure / normal, (3.9), with their limits at
   /// theta0 = 0: 0 for sigma_Z; 1 for the others, or 0 if a = +-90 deg.
-  FrictionTriple coefficient;
+  BasicFrictionTriple<Real> coefficient;
 };
+using FrictionIntegrals = BasicFrictionIntegrals<double>;
 
 }  // namespace contact

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <string>
+
+namespace contact::test {
+
+/// |computed - expected| / |expected|, computed in Real. Where the expected
+/// value is 0 only 0 is right; NaN is never right. Both give infinity.
+template <class Real>
+double relative_error(const Real& computed, const Real& expected) {
+  if (computed == expected) return 0;
+  Real difference = computed - expected;
+  if (difference < 0) difference = -difference;
+  const Real size = expected < 0 ? Real(-expected) : expected;
+  const double error = static_cast<double>(Real(difference / size));
+  return error >= 0 ? error : std::numeric_limits<double>::infinity();
+}
+
+/// Collects the errors of one quantity over a table and holds them against a
+/// written budget.
+class AccuracyReport {
+ public:
+  /// @param quantity  what is compared, as printed
+  /// @param budget    largest relative error allowed; write beside it, in the
+  ///                  test, where it comes from
+  AccuracyReport(std::string quantity, double budget)
+      : quantity_(std::move(quantity)), budget_(budget) {}
+
+  /// One row by its relative error; the label names the row.
+  template <class Real>
+  void add(const Real& computed, const Real& expected,
+           const std::string& label) {
+    add_error(relative_error(computed, expected), label);
+  }
+
+  /// One row by an error measured in the caller's own way. NaN counts as
+  /// infinite.
+  void add_error(double error, const std::string& label);
+
+  double max() const { return max_; }
+  double rms() const;
+  std::size_t size() const { return count_; }
+  const std::string& worst() const { return worst_; }
+
+  /// Prints one line (quantity, rows, max, RMS, budget, worst row), records
+  /// the two numbers as properties of the running test and fails it if the
+  /// budget is exceeded or no row was added.
+  void check() const;
+
+ private:
+  std::string quantity_;
+  double budget_;
+  double max_ = 0;
+  double sum_of_squares_ = 0;
+  std::size_t count_ = 0;
+  std::string worst_;
+};
+
+}  // namespace contact::test

@@ -1,0 +1,74 @@
+#include "support/friction_reference.hpp"
+
+#include <algorithm>
+
+#include "libcontact/units.hpp"
+#include "support/accuracy_report.hpp"
+#include "support/reference_table.hpp"
+
+namespace contact::test {
+
+const std::vector<FrictionReference>& friction_reference() {
+  static const std::vector<FrictionReference> rows = [] {
+    const ReferenceTable table("friction_integrals.csv");
+    std::vector<FrictionReference> result;
+    for (std::size_t i = 0; i < table.size(); ++i) {
+      const auto number = [&](const char* column) {
+        return table.value(i, column);
+      };
+      const double theta0_deg = number("theta0_deg");
+      const double alpha_deg = number("alpha_deg");
+      result.push_back({theta0_deg,
+                        alpha_deg,
+                        theta0_deg * degree,
+                        SlipAxis::from_degrees(alpha_deg),
+                        {number("I_normal"),
+                         {number("I_p"), number("J_p"), number("K_p")},
+                         {number("I_a"), number("J_a"), number("K_a")},
+                         {number("chi"), number("sigma_Y"), number("sigma_Z")}},
+                        table.label(i)});
+    }
+    return result;
+  }();
+  return rows;
+}
+
+const std::vector<FrictionQuantity>& friction_quantities() {
+  using F = FrictionIntegrals;
+  static const std::vector<FrictionQuantity> quantities = {
+      {"I_normal", [](const F& f) { return f.normal; }},
+      {"I_p", [](const F& f) { return f.pressure.force; }},
+      {"J_p", [](const F& f) { return f.pressure.sliding; }},
+      {"K_p", [](const F& f) { return f.pressure.spinning; }},
+      {"I_a", [](const F& f) { return f.area.force; }},
+      {"J_a", [](const F& f) { return f.area.sliding; }},
+      {"K_a", [](const F& f) { return f.area.spinning; }},
+      {"chi", [](const F& f) { return f.coefficient.force; }},
+      {"sigma_Y", [](const F& f) { return f.coefficient.sliding; }},
+      {"sigma_Z", [](const F& f) { return f.coefficient.spinning; }}};
+  return quantities;
+}
+
+double check_friction_accuracy(const FrictionMethod& method, double budget,
+                               const FrictionFilter& filter) {
+  std::vector<AccuracyReport> reports;
+  for (const FrictionQuantity& quantity : friction_quantities()) {
+    reports.emplace_back(quantity.column, budget);
+  }
+  for (const FrictionReference& row : friction_reference()) {
+    if (!filter(row)) continue;
+    const FrictionIntegrals result = method(row.half_angle, row.axis);
+    for (std::size_t i = 0; i < reports.size(); ++i) {
+      const auto of = friction_quantities()[i].of;
+      reports[i].add(of(result), of(row.expected), row.label);
+    }
+  }
+  double largest = 0;
+  for (const AccuracyReport& report : reports) {
+    report.check();
+    largest = std::max(largest, report.max());
+  }
+  return largest;
+}
+
+}  // namespace contact::test

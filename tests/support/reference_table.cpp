@@ -1,0 +1,85 @@
+#include "support/reference_table.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <fstream>
+
+#include "libcontact/error.hpp"
+
+namespace contact::test {
+namespace {
+
+std::vector<std::string> split(const std::string& line) {
+  std::vector<std::string> cells;
+  std::size_t begin = 0;
+  while (true) {
+    const std::size_t end = line.find(',', begin);
+    cells.push_back(line.substr(begin, end - begin));
+    if (end == std::string::npos) return cells;
+    begin = end + 1;
+  }
+}
+
+}  // namespace
+
+ReferenceTable::ReferenceTable(const std::filesystem::path& path)
+    : name_(path.string()) {
+  std::ifstream file(std::filesystem::path(CONTACT_DATA_DIR) / "reference" /
+                     path);
+  if (!file) throw Error(name_ + ": cannot be read");
+  std::string line;
+  for (int number = 1; std::getline(file, line); ++number) {
+    if (line.ends_with('\r')) line.pop_back();
+    if (line.empty() || line.front() == '#') continue;
+    if (columns_.empty()) {
+      columns_ = split(line);
+      continue;
+    }
+    rows_.push_back(split(line));
+    lines_.push_back(number);
+    if (rows_.back().size() != columns_.size()) {
+      throw Error(name_ + ":" + std::to_string(number) + ": " +
+                  std::to_string(rows_.back().size()) + " cells, need " +
+                  std::to_string(columns_.size()));
+    }
+  }
+  if (rows_.empty()) throw Error(name_ + ": holds no rows");
+}
+
+const std::string& ReferenceTable::text(std::size_t row,
+                                        std::string_view column) const {
+  const auto found = std::find(columns_.begin(), columns_.end(), column);
+  if (found == columns_.end()) {
+    throw Error(name_ + ": has no column " + std::string(column));
+  }
+  return rows_.at(row)[found - columns_.begin()];
+}
+
+bool ReferenceTable::has(std::string_view column) const {
+  return std::find(columns_.begin(), columns_.end(), column) != columns_.end();
+}
+
+std::string ReferenceTable::label(std::size_t row) const {
+  std::string result = name_ + ":" + std::to_string(lines_.at(row)) + ":";
+  for (std::size_t i = 0; i < std::min<std::size_t>(2, columns_.size()); ++i) {
+    result += (i == 0 ? " " : ", ") + columns_[i] + "=" + rows_[row][i];
+  }
+  return result;
+}
+
+template <>
+double ReferenceTable::value<double>(std::size_t row,
+                                     std::string_view column) const {
+  const std::string& cell = text(row, column);
+  double number = 0;
+  // from_chars rounds to nearest: the double nearest to the printed decimal.
+  const auto [end, error] =
+      std::from_chars(cell.data(), cell.data() + cell.size(), number);
+  if (error != std::errc() || end != cell.data() + cell.size()) {
+    throw Error(label(row) + ": " + std::string(column) + " is \"" + cell +
+                "\", not a number");
+  }
+  return number;
+}
+
+}  // namespace contact::test
