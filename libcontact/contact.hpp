@@ -2,10 +2,13 @@
 
 /// libcontact, all of it, in physics order: each stage includes only earlier
 /// ones.
+// clang-format off
 #include "libcontact/error.hpp"
 #include "libcontact/units.hpp"
-// material, joint geometry, friction law
-// half-angle
-// pressure
-// friction integrals
+#include "libcontact/material.hpp"
+#include "libcontact/joint_geometry.hpp"
+#include "libcontact/friction_law.hpp"
+#include "libcontact/half_angle.hpp"
+#include "libcontact/pressure.hpp"
 #include "libcontact/friction_integrals.hpp"
+// clang-format on

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string_view>
+
+namespace contact::detail {
+
+/// Throws contact::Error "PLACE: NAME = VALUE: allowed: ALLOWED" unless
+/// `valid`. Write `valid` so that NaN makes it false.
+void require(bool valid, std::string_view place, std::string_view name,
+             double value, std::string_view allowed);
+
+}  // namespace contact::detail

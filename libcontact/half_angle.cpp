@@ -1,0 +1,309 @@
+#include "libcontact/half_angle.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <boost/math/policies/policy.hpp>
+#include <boost/math/tools/toms748_solve.hpp>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <numbers>
+
+#include "libcontact/detail/check.hpp"
+#include "libcontact/units.hpp"
+
+namespace contact {
+namespace {
+
+constexpr double half_pi = std::numbers::pi / 2;
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+// The limit-angle formulas are made for this Poisson's ratio; a difference up
+// to the tolerance moves the limit by less than 0.7 %, their own error
+// (docs/half_angle.md).
+constexpr double formula_poissons_ratio = 0.3;
+constexpr double poissons_ratio_tolerance = 0.01;
+
+// The pairs (g, inverse) of the laws in xi = x/theta0*, with 1 - g(xi) where
+// a caller needs it without cancellation.
+double arctan_shape(double xi) { return std::atan(half_pi * xi) / half_pi; }
+double arctan_rest(double xi) {
+  return std::atan(1 / (half_pi * xi)) / half_pi;
+}
+double arctan_inverse(double ratio, double complement) {
+  return ratio <= 0.5 ? std::tan(half_pi * ratio) / half_pi
+                      : 1 / (half_pi * std::tan(half_pi * complement));
+}
+
+double tanh_rest(double xi) { return 2 / (std::exp(2 * xi) + 1); }
+double tanh_inverse(double ratio, double complement) {
+  return std::log1p(2 * ratio / complement) / 2;
+}
+
+}  // namespace
+
+LimitHalfAngle LimitHalfAngle::given(double half_angle) {
+  detail::require(half_angle > 0 && half_angle < std::numbers::pi,
+                  "half-angle law", "limit_half_angle", half_angle,
+                  "above 0, below pi rad");
+  return {half_angle, false};
+}
+
+LimitHalfAngle LimitHalfAngle::arctan_formula(double modulus_ratio) {
+  detail::require(modulus_ratio >= 0, "limit half-angle", "modulus_ratio",
+                  modulus_ratio, "0 to inf");
+  const double value_deg =
+      modulus_ratio <= 1
+          ? 84.85 + 4.89 * std::atan(0.436 * (1 / modulus_ratio - 1))
+          : 84.85 - 2.88 * std::atan(0.711 * (modulus_ratio - 1));
+  return {value_deg * degree, true};
+}
+
+LimitHalfAngle LimitHalfAngle::linear_formula(double modulus_ratio) {
+  detail::require(modulus_ratio >= 0.5 && modulus_ratio <= 2,
+                  "linear limit half-angle", "modulus_ratio", modulus_ratio,
+                  "0.5 to 2");
+  const double value_deg = modulus_ratio <= 1
+                               ? 84.85 + 2 * (1 / modulus_ratio - 1)
+                               : 84.85 - 2 * (modulus_ratio - 1);
+  return {value_deg * degree, true};
+}
+
+std::vector<std::string> LimitHalfAngle::validity_notes(
+    JointKind kind, const ElasticPair& pair) const {
+  if (!from_formula_) return {};
+  std::vector<std::string> notes;
+  const auto add = [&notes](const char* body, const Material& material) {
+    // A rigid body's Poisson's ratio has no influence.
+    if (std::isinf(material.youngs_modulus)) return;
+    const double nu = material.poissons_ratio;
+    if (std::abs(nu - formula_poissons_ratio) <= poissons_ratio_tolerance) {
+      return;
+    }
+    notes.push_back(
+        fmt::format("the limit half-angle is a formula for Poisson's ratio "
+                    "0.3; the {} body has {:.4g}",
+                    body, nu));
+  };
+  add("inner", pair.inner());
+  add("outer", pair.outer());
+  if (kind == JointKind::spherical) {
+    notes.push_back(
+        "the limit half-angle is that of a pin; a ball's is up to 4 % larger");
+  }
+  return notes;
+}
+
+HalfAngleResult HertzLaw::half_angle(double load_parameter) const noexcept {
+  if (!(load_parameter >= 0)) return {nan, Status::out_of_range};
+  // (2.1) as atan2(x, sqrt(1 - x^2)), 1 - x^2 from the load itself: arcsin
+  // would lose digits near x = 1.
+  const double x = x_from_load_parameter(joint_kind(), load_parameter);
+  const double rest = joint_kind() == JointKind::spherical
+                          ? (1 - load_parameter) * (1 + x) / (1 + x + x * x)
+                          : 1 - 4 * load_parameter;
+  if (!(rest >= 0)) return {nan, Status::out_of_range};
+  return {std::atan2(x, std::sqrt(rest)), Status::ok};
+}
+
+LoadParameterResult HertzLaw::load_parameter(double half_angle) const noexcept {
+  if (!(half_angle >= 0 && half_angle <= half_pi)) {
+    return {nan, Status::out_of_range};
+  }
+  return {load_parameter_from_x(joint_kind(), std::sin(half_angle)),
+          Status::ok};
+}
+
+double HertzLaw::limit_half_angle() const noexcept { return half_pi; }
+
+std::vector<std::string> HertzLaw::validity_notes(const ElasticPair&) const {
+  return {};
+}
+
+SaturatingLaw::SaturatingLaw(JointKind kind, LimitHalfAngle limit,
+                             double initial_slope)
+    : HalfAngleLaw(kind), limit_(limit), initial_slope_(initial_slope) {
+  detail::require(initial_slope > 0 && std::isfinite(initial_slope),
+                  "half-angle law", "initial_slope", initial_slope,
+                  "above 0, finite");
+}
+
+HalfAngleResult SaturatingLaw::half_angle(
+    double load_parameter) const noexcept {
+  if (!(load_parameter >= 0)) return {nan, Status::out_of_range};
+  const double limit = limit_.value();
+  const double x = x_from_load_parameter(joint_kind(), load_parameter);
+  return {limit * shape(initial_slope_ * x / limit), Status::ok};
+}
+
+LoadParameterResult SaturatingLaw::load_parameter(
+    double half_angle) const noexcept {
+  const double limit = limit_.value();
+  if (!(half_angle >= 0 && half_angle <= limit)) {
+    return {nan, Status::out_of_range};
+  }
+  if (half_angle == 0) return {0, Status::ok};
+  if (half_angle == limit) return {infinity, Status::ok};
+  const InverseResult inverse =
+      inverse_shape(half_angle / limit, (limit - half_angle) / limit);
+  return {
+      load_parameter_from_x(joint_kind(), inverse.xi * limit / initial_slope_),
+      inverse.status};
+}
+
+std::vector<std::string> SaturatingLaw::validity_notes(
+    const ElasticPair& pair) const {
+  return limit_.validity_notes(joint_kind(), pair);
+}
+
+double ArctanLaw::shape(double xi) const noexcept { return arctan_shape(xi); }
+
+SaturatingLaw::InverseResult ArctanLaw::inverse_shape(
+    double ratio, double complement) const noexcept {
+  return {arctan_inverse(ratio, complement), Status::ok};
+}
+
+double TanhLaw::shape(double xi) const noexcept { return std::tanh(xi); }
+
+SaturatingLaw::InverseResult TanhLaw::inverse_shape(
+    double ratio, double complement) const noexcept {
+  return {tanh_inverse(ratio, complement), Status::ok};
+}
+
+BlendLaw::BlendLaw(JointKind kind, LimitHalfAngle limit, double arctan_share,
+                   double initial_slope)
+    : SaturatingLaw(kind, limit, initial_slope), arctan_share_(arctan_share) {
+  detail::require(arctan_share >= 0 && arctan_share <= 1, "blend law", "k",
+                  arctan_share, "0 to 1");
+}
+
+std::string BlendLaw::name() const {
+  return fmt::format("blend:{}", arctan_share_);
+}
+
+std::vector<std::string> BlendLaw::validity_notes(
+    const ElasticPair& pair) const {
+  std::vector<std::string> notes = SaturatingLaw::validity_notes(pair);
+  if (joint_kind() == JointKind::spherical) {
+    if (arctan_share_ != 0) {
+      notes.push_back("a blend is recommended for pins only; tanh for balls");
+    }
+  } else if (!(pair.modulus_ratio() > 0.5 && pair.modulus_ratio() < 2)) {
+    notes.push_back(
+        fmt::format("a blend is recommended for modulus ratios between 0.5 "
+                    "and 2; this pair has {:.4g}",
+                    pair.modulus_ratio()));
+  }
+  return notes;
+}
+
+double BlendLaw::shape(double xi) const noexcept {
+  const double k = arctan_share_;
+  return k * arctan_shape(xi) + (1 - k) * std::tanh(xi);
+}
+
+SaturatingLaw::InverseResult BlendLaw::inverse_shape(
+    double ratio, double complement) const noexcept {
+  const double k = arctan_share_;
+  // atan(pi xi/2)/(pi/2) < tanh(xi): the inverses of the two bracket the root.
+  const double low = tanh_inverse(ratio, complement);
+  const double high = arctan_inverse(ratio, complement);
+  // Small ratios: g(xi) - r in xi. Large ones: (1 - g) - (1 - r) in 1/xi,
+  // where 1 - g is nearly linear and keeps its digits.
+  const bool saturated = ratio > 0.5;
+  const auto residual = [&](double v) {
+    if (!saturated) return shape(v) - ratio;
+    const double xi = 1 / v;
+    return k * arctan_rest(xi) + (1 - k) * tanh_rest(xi) - complement;
+  };
+  const double start = saturated ? 1 / high : low;
+  const double end = saturated ? 1 / low : high;
+  const auto result = [&](double v, Status status) {
+    return InverseResult{saturated ? 1 / v : v, status};
+  };
+  // Both increase from start to end; the ends are roots, up to rounding, for
+  // k = 0 or 1 and for small ratios.
+  const double residual_start = residual(start);
+  const double residual_end = residual(end);
+  if (!(residual_start < 0)) return result(start, Status::ok);
+  if (!(residual_end > 0)) return result(end, Status::ok);
+
+  namespace policies = boost::math::policies;
+  using NoThrow =
+      policies::policy<policies::domain_error<policies::ignore_error>,
+                       policies::evaluation_error<policies::ignore_error>>;
+  // Brackets shrink to 4 epsilon in some 5 to 8 steps; 100 is never reached.
+  constexpr std::uintmax_t step_limit = 100;
+  std::uintmax_t steps = step_limit;
+  const auto [a, b] = boost::math::tools::toms748_solve(
+      residual, start, end, residual_start, residual_end,
+      boost::math::tools::eps_tolerance<double>(53), steps, NoThrow());
+  return result(a + (b - a) / 2,
+                steps < step_limit ? Status::ok : Status::not_converged);
+}
+
+const std::vector<std::string>& half_angle_law_names() {
+  static const std::vector<std::string> names = {"hertz", "arctan", "tanh",
+                                                 "blend", "paper"};
+  return names;
+}
+
+namespace {
+
+LimitHalfAngle limit_of(const ElasticPair& pair,
+                        const HalfAngleOptions& options) {
+  if (options.limit_half_angle) {
+    return LimitHalfAngle::given(*options.limit_half_angle);
+  }
+  return options.linear_limit
+             ? LimitHalfAngle::linear_formula(pair.modulus_ratio())
+             : LimitHalfAngle::arctan_formula(pair.modulus_ratio());
+}
+
+// The K of "blend:K".
+double parse_share(std::string_view text) {
+  double share = nan;
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, share);
+  if (error != std::errc() || stop != end) {
+    throw Error(
+        fmt::format("half-angle law blend:{}: allowed: blend:K with K "
+                    "a number from 0 to 1",
+                    text));
+  }
+  return share;
+}
+
+}  // namespace
+
+std::unique_ptr<HalfAngleLaw> make_half_angle_law(
+    std::string_view name, JointKind kind, const ElasticPair& pair,
+    const HalfAngleOptions& options) {
+  if (name == "paper") {
+    name = kind == JointKind::spherical ? "tanh" : "blend";
+  }
+  const double slope = options.initial_slope;
+  const auto blend = [&](double share) {
+    return std::make_unique<BlendLaw>(kind, limit_of(pair, options), share,
+                                      slope);
+  };
+  constexpr std::string_view blend_prefix = "blend:";
+  if (name == "hertz") return std::make_unique<HertzLaw>(kind);
+  if (name == "arctan") {
+    return std::make_unique<ArctanLaw>(kind, limit_of(pair, options), slope);
+  }
+  if (name == "tanh") {
+    return std::make_unique<TanhLaw>(kind, limit_of(pair, options), slope);
+  }
+  if (name == "blend") return blend(BlendLaw::recommended_arctan_share(kind));
+  if (name.starts_with(blend_prefix)) {
+    return blend(parse_share(name.substr(blend_prefix.size())));
+  }
+  throw Error(fmt::format("half-angle law {}: allowed: {}", name,
+                          fmt::join(half_angle_law_names(), ", ")));
+}
+
+}  // namespace contact

@@ -1,0 +1,261 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "libcontact/error.hpp"
+#include "libcontact/joint_geometry.hpp"
+#include "libcontact/material.hpp"
+
+/// Half-angle theta0 of the contact against load, in both directions.
+///
+/// The load parameter is mu (spherical) or lambda (cylindrical), see
+/// LoadScale; x is cbrt(mu) or 2 sqrt(lambda). Angles in radians.
+namespace contact {
+
+/// A half-angle and how it was found.
+struct HalfAngleResult {
+  double half_angle;  ///< theta0, rad; NaN if out_of_range
+  Status status;
+};
+
+/// A load parameter and how it was found.
+struct LoadParameterResult {
+  double load_parameter;  ///< mu or lambda; NaN if out_of_range
+  Status status;
+};
+
+/// A law theta0(load) for one joint: fixed constants inside, both directions
+/// as a pair of const functions. They do not allocate and do not throw.
+class HalfAngleLaw {
+ public:
+  virtual ~HalfAngleLaw() = default;
+
+  /// Name by which make_half_angle_law() makes it.
+  virtual std::string name() const = 0;
+
+  /// theta0 at a load.
+  /// @param load_parameter  mu or lambda, [0, infinity]
+  /// @return theta0, rad; 0 at 0, limit_half_angle() at infinity. NaN with
+  ///         out_of_range for NaN, for a negative load and where the law has
+  ///         no value.
+  virtual HalfAngleResult half_angle(double load_parameter) const noexcept = 0;
+
+  /// Inverse of half_angle().
+  /// @param half_angle  theta0, rad, [0, limit_half_angle()]
+  /// @return mu or lambda; 0 at 0. NaN with out_of_range for NaN and outside
+  ///         the interval.
+  virtual LoadParameterResult load_parameter(
+      double half_angle) const noexcept = 0;
+
+  /// Largest half-angle of the law, rad.
+  virtual double limit_half_angle() const noexcept = 0;
+
+  /// Where the law is used outside the range for which its source states it:
+  /// one sentence each, empty if it is inside. Programs print them as
+  /// warnings.
+  /// @param pair  the materials of the joint
+  virtual std::vector<std::string> validity_notes(
+      const ElasticPair& pair) const = 0;
+
+  JointKind joint_kind() const noexcept { return kind_; }
+
+ protected:
+  explicit HalfAngleLaw(JointKind kind) : kind_(kind) {}
+
+ private:
+  JointKind kind_;
+};
+
+/// theta0*, to which theta0 tends as the load grows, of a pin in a hole.
+class LimitHalfAngle {
+ public:
+  /// Any value, (0, pi) rad.
+  /// @throws Error if out of range.
+  static LimitHalfAngle given(double half_angle);
+
+  /// The paper's formula for nu1 = nu2 = 0.3, in degrees
+  ///
+  ///     84.85 + 4.89 atan(0.436 (1/Ebar - 1))    Ebar <= 1
+  ///     84.85 - 2.88 atan(0.711 (Ebar - 1))      Ebar >= 1
+  ///
+  /// from 92.53 (Ebar = 0) to 80.33 (infinity). Against exact solutions it is
+  /// within 0.7 % (docs/half_angle.md); computed to 3e-16 relative
+  /// (half_angle_test.cpp).
+  /// @param modulus_ratio  Ebar, [0, infinity]
+  /// @throws Error if out of range.
+  static LimitHalfAngle arctan_formula(double modulus_ratio);
+
+  /// The paper's short form for nu1 = nu2 = 0.3 and 0.5 <= Ebar <= 2:
+  /// 84.85 + 2 (1/Ebar - 1) or 84.85 - 2 (Ebar - 1) degrees; within 0.3 % of
+  /// arctan_formula().
+  /// @throws Error if Ebar is out of that range.
+  static LimitHalfAngle linear_formula(double modulus_ratio);
+
+  /// theta0*, rad.
+  double value() const { return value_; }
+
+  /// Sentences on the use of a formula outside its range: another Poisson's
+  /// ratio than 0.3 in a body that deforms, or a ball. Empty for given().
+  std::vector<std::string> validity_notes(JointKind kind,
+                                          const ElasticPair& pair) const;
+
+ private:
+  LimitHalfAngle(double value, bool from_formula)
+      : value_(value), from_formula_(from_formula) {}
+
+  double value_;
+  bool from_formula_;
+};
+
+/// Hertz: theta0 = arcsin x (2.1), for x <= 1; beyond it NaN, out_of_range.
+///
+/// Exact as the load tends to 0; already 5 % too small at lambda = 0.03.
+/// Accuracy: relative error at most 1e-15 both ways, x -> 1 included
+/// (half_angle_test.cpp, against 50-digit arithmetic).
+class HertzLaw : public HalfAngleLaw {
+ public:
+  explicit HertzLaw(JointKind kind) : HalfAngleLaw(kind) {}
+
+  std::string name() const override { return "hertz"; }
+  HalfAngleResult half_angle(double load_parameter) const noexcept override;
+  LoadParameterResult load_parameter(double half_angle) const noexcept override;
+  double limit_half_angle() const noexcept override;
+  std::vector<std::string> validity_notes(
+      const ElasticPair& pair) const override;
+};
+
+/// The laws that depend on x/theta0* alone: theta0 = theta0* g(m x/theta0*),
+/// g(xi) = xi + O(xi^3), g -> 1.
+///
+/// The initial slope m = dtheta0/dx is 1 (Hertz). The paper prints its laws in
+/// degrees with 57.3 for 180/pi and computed its examples so: m = 57.3 deg =
+/// 1.00007 rad repeats its numbers to their last digits.
+///
+/// At infinite load theta0 is theta0*, whose inverse is infinity. Close to
+/// theta0* a rounding of theta0 changes the load much; the inverse is
+/// accurate for the theta0 that it is given.
+class SaturatingLaw : public HalfAngleLaw {
+ public:
+  HalfAngleResult half_angle(double load_parameter) const noexcept final;
+  LoadParameterResult load_parameter(double half_angle) const noexcept final;
+  double limit_half_angle() const noexcept final { return limit_.value(); }
+  std::vector<std::string> validity_notes(
+      const ElasticPair& pair) const override;
+
+ protected:
+  struct InverseResult {
+    double xi;
+    Status status;
+  };
+
+  SaturatingLaw(JointKind kind, LimitHalfAngle limit, double initial_slope);
+
+ private:
+  // g(xi), 0 <= xi <= infinity.
+  virtual double shape(double xi) const noexcept = 0;
+  // xi for a ratio r = theta0/theta0* in (0, 1), given with 1 - r.
+  virtual InverseResult inverse_shape(double ratio,
+                                      double complement) const noexcept = 0;
+
+  LimitHalfAngle limit_;
+  double initial_slope_;
+};
+
+/// theta0 = C atan(x/C), C = 2 theta0*/pi (2.3).
+///
+/// Accuracy: relative error at most 1e-15 forward, 3e-15 inverse
+/// (half_angle_test.cpp, against 50-digit arithmetic).
+class ArctanLaw final : public SaturatingLaw {
+ public:
+  /// @throws Error if initial_slope is not positive and finite.
+  ArctanLaw(JointKind kind, LimitHalfAngle limit, double initial_slope = 1)
+      : SaturatingLaw(kind, limit, initial_slope) {}
+  std::string name() const override { return "arctan"; }
+
+ private:
+  double shape(double xi) const noexcept override;
+  InverseResult inverse_shape(double ratio,
+                              double complement) const noexcept override;
+};
+
+/// theta0 = theta0* tanh(x/theta0*) (2.4); the paper's choice for balls.
+///
+/// Accuracy: relative error at most 1e-15 forward, 3e-15 inverse
+/// (half_angle_test.cpp, against 50-digit arithmetic). In double precision
+/// theta0 reaches theta0* near x = 19 theta0*.
+class TanhLaw final : public SaturatingLaw {
+ public:
+  /// @throws Error if initial_slope is not positive and finite.
+  TanhLaw(JointKind kind, LimitHalfAngle limit, double initial_slope = 1)
+      : SaturatingLaw(kind, limit, initial_slope) {}
+  std::string name() const override { return "tanh"; }
+
+ private:
+  double shape(double xi) const noexcept override;
+  InverseResult inverse_shape(double ratio,
+                              double complement) const noexcept override;
+};
+
+/// theta0 = k arctan law + (1 - k) tanh law. The paper recommends k = 1/2 for
+/// pins with 0.5 < Ebar < 2 (within 3 %) and k = 0 for balls.
+///
+/// The inverse is a bracketed root between those of the two laws.
+/// Accuracy: relative error at most 1e-15 forward, 1e-14 inverse
+/// (half_angle_test.cpp, against 50-digit arithmetic).
+class BlendLaw final : public SaturatingLaw {
+ public:
+  /// @param arctan_share  k, [0, 1]
+  /// @throws Error if k is out of range or initial_slope is not positive and
+  ///         finite.
+  BlendLaw(JointKind kind, LimitHalfAngle limit, double arctan_share,
+           double initial_slope = 1);
+
+  /// The paper's k: 1/2 for a pin, 0 for a ball.
+  static double recommended_arctan_share(JointKind kind) {
+    return kind == JointKind::cylindrical ? 0.5 : 0.0;
+  }
+
+  /// "blend:K".
+  std::string name() const override;
+  double arctan_share() const { return arctan_share_; }
+  std::vector<std::string> validity_notes(
+      const ElasticPair& pair) const override;
+
+ private:
+  double shape(double xi) const noexcept override;
+  InverseResult inverse_shape(double ratio,
+                              double complement) const noexcept override;
+
+  double arctan_share_;
+};
+
+/// How make_half_angle_law() finds theta0* of the laws that need one.
+struct HalfAngleOptions {
+  /// theta0*, rad, instead of a formula.
+  std::optional<double> limit_half_angle = {};
+  /// LimitHalfAngle::linear_formula() instead of arctan_formula().
+  bool linear_limit = false;
+  /// dtheta0/dx at x = 0 of arctan, tanh and blend; 57.3 * degree for the
+  /// paper's own digits.
+  double initial_slope = 1;
+};
+
+/// Names that make_half_angle_law() knows, in the order of the sources:
+/// hertz, arctan, tanh, blend, paper.
+const std::vector<std::string>& half_angle_law_names();
+
+/// A law by its name.
+///
+/// @param name  "hertz", "arctan", "tanh", "blend" (the paper's k for the
+///              kind of joint), "blend:K" with K in [0, 1], or "paper" (what
+///              the paper recommends: blend:0.5 for a pin, tanh for a ball)
+/// @throws Error if the name is not known or an option is out of range.
+std::unique_ptr<HalfAngleLaw> make_half_angle_law(
+    std::string_view name, JointKind kind, const ElasticPair& pair,
+    const HalfAngleOptions& options = {});
+
+}  // namespace contact

@@ -1,0 +1,82 @@
+#include "libcontact/joint_geometry.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "libcontact/detail/check.hpp"
+
+namespace contact {
+namespace {
+
+// The theory is of first order in eps/rho1; beyond this its error is no
+// longer small beside that of the half-angle laws (2 to 10 %).
+constexpr double largest_relative_clearance = 0.05;
+
+}  // namespace
+
+std::string to_string(JointKind kind) {
+  return kind == JointKind::spherical ? "spherical" : "cylindrical";
+}
+
+JointGeometry::JointGeometry(JointKind kind, double radius,
+                             double radial_clearance, double length,
+                             JointBody inner_body)
+    : kind_(kind),
+      radius_(radius),
+      radial_clearance_(radial_clearance),
+      length_(length),
+      inner_body_(inner_body) {
+  const std::string place = to_string(kind) + " joint";
+  detail::require(radius > 0 && std::isfinite(radius), place, "radius", radius,
+                  "above 0 m, finite");
+  detail::require(radial_clearance > 0 && radial_clearance < radius, place,
+                  "radial_clearance", radial_clearance,
+                  fmt::format("above 0 m, below the radius {} m", radius));
+  if (kind == JointKind::cylindrical) {
+    detail::require(length > 0 && std::isfinite(length), place, "length",
+                    length, "above 0 m, finite");
+  }
+}
+
+JointGeometry JointGeometry::ball(double radius, double radial_clearance,
+                                  JointBody inner_body) {
+  return {JointKind::spherical, radius, radial_clearance,
+          std::numeric_limits<double>::quiet_NaN(), inner_body};
+}
+
+JointGeometry JointGeometry::pin(double radius, double radial_clearance,
+                                 double length, JointBody inner_body) {
+  return {JointKind::cylindrical, radius, radial_clearance, length, inner_body};
+}
+
+std::vector<std::string> JointGeometry::validity_notes() const {
+  if (relative_clearance() <= largest_relative_clearance) return {};
+  return {
+      fmt::format("relative clearance {:.3g} exceeds {}: the theory is of "
+                  "first order in it",
+                  relative_clearance(), largest_relative_clearance)};
+}
+
+LoadScale::LoadScale(const JointGeometry& geometry, const ElasticPair& pair) {
+  // ebar rho1 = eps
+  const double eps_E = geometry.radial_clearance() * pair.reduced_modulus();
+  unit_load_ = geometry.kind() == JointKind::spherical
+                   ? 2 * eps_E * geometry.radius() / 3
+                   : eps_E * (std::numbers::pi / 2);
+}
+
+double x_from_load_parameter(JointKind kind, double load_parameter) {
+  return kind == JointKind::spherical ? std::cbrt(load_parameter)
+                                      : 2 * std::sqrt(load_parameter);
+}
+
+double load_parameter_from_x(JointKind kind, double x) {
+  if (kind == JointKind::spherical) return x * x * x;
+  const double half = x / 2;
+  return half * half;
+}
+
+}  // namespace contact

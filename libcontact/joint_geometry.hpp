@@ -1,0 +1,127 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "libcontact/material.hpp"
+
+/// Shape of a joint: a ball or pin of radius rho1 in a seat or hole of radius
+/// rho1 + eps.
+namespace contact {
+
+enum class JointKind {
+  spherical,    ///< ball in a seat
+  cylindrical,  ///< pin in a hole
+};
+
+/// "spherical" or "cylindrical".
+std::string to_string(JointKind kind);
+
+/// The two bodies that a joint connects. Friction is reported as it acts on
+/// the load.
+enum class JointBody { carrier, load };
+
+/// A ball or pin joint, validated once. Lengths in m.
+class JointGeometry {
+ public:
+  /// Ball in a seat.
+  ///
+  /// @param radius            rho1, m, > 0
+  /// @param radial_clearance  eps = rho2 - rho1, m, > 0, below radius; the
+  ///                          difference of the radii, not of the diameters
+  /// @param inner_body        the body that has the ball
+  /// @throws Error if an argument is out of range.
+  static JointGeometry ball(double radius, double radial_clearance,
+                            JointBody inner_body = JointBody::carrier);
+
+  /// Pin in a hole.
+  ///
+  /// @param length  of the contact along the axis, m, > 0
+  /// @throws Error if an argument is out of range; the others as for ball().
+  static JointGeometry pin(double radius, double radial_clearance,
+                           double length,
+                           JointBody inner_body = JointBody::carrier);
+
+  JointKind kind() const { return kind_; }
+  /// rho1, m: of the ball or pin.
+  double radius() const { return radius_; }
+  /// eps = rho2 - rho1, m.
+  double radial_clearance() const { return radial_clearance_; }
+  /// ebar = eps/rho1.
+  double relative_clearance() const { return radial_clearance_ / radius_; }
+  /// Length of a pin, m; NaN for a ball.
+  double length() const { return length_; }
+  /// The body that has the ball or pin.
+  JointBody inner_body() const { return inner_body_; }
+
+  /// The load of the half-angle laws that belongs to a compressive force:
+  /// R_n itself (N) for a ball, P = R_n/length (N/m) for a pin.
+  double load_from_force(double force) const {
+    return kind_ == JointKind::spherical ? force : force / length_;
+  }
+  /// Inverse of load_from_force().
+  double force_from_load(double load) const {
+    return kind_ == JointKind::spherical ? load : load * length_;
+  }
+  /// The unit of dimensionless pressures, Pa: R_n/rho1^2 for a ball, P/rho1
+  /// for a pin.
+  /// @param load  R_n, N (ball) or P, N/m (pin)
+  double pressure_unit(double load) const {
+    return kind_ == JointKind::spherical ? load / radius_ / radius_
+                                         : load / radius_;
+  }
+
+  /// Where the joint leaves the range of the theory, one sentence each; empty
+  /// if it does not. The theory is of first order in eps/rho1: a note above
+  /// 0.05.
+  std::vector<std::string> validity_notes() const;
+
+ private:
+  JointGeometry(JointKind kind, double radius, double radial_clearance,
+                double length, JointBody inner_body);
+
+  JointKind kind_;
+  double radius_;
+  double radial_clearance_;
+  double length_;
+  JointBody inner_body_;
+};
+
+/// Ties the load of a joint to its dimensionless load parameter.
+///
+/// | joint | load | load parameter |
+/// |---|---|---|
+/// | spherical | R_n, N | mu = 3 R_n/(2 ebar rho1^2 E) |
+/// | cylindrical | P, N/m | lambda = 2 P/(pi ebar rho1 E) |
+///
+/// E is the reduced modulus of the paper (twice E*), ebar = eps/rho1.
+/// Accuracy: relative error at most 1e-15 both ways
+/// (joint_geometry_test.cpp, against 50-digit arithmetic).
+/// NaN passes through. Source: the paper, section 2.
+class LoadScale {
+ public:
+  LoadScale(const JointGeometry& geometry, const ElasticPair& pair);
+
+  /// @param load  R_n, N, or P, N/m
+  double load_parameter(double load) const { return load / unit_load_; }
+  /// @param load_parameter  mu or lambda
+  double load(double load_parameter) const {
+    return load_parameter * unit_load_;
+  }
+  /// The load at which the load parameter is 1, N or N/m.
+  double unit_load() const { return unit_load_; }
+
+ private:
+  double unit_load_;
+};
+
+/// The variable x in which the half-angle laws are written: cbrt(mu) for a
+/// ball, 2 sqrt(lambda) for a pin. Relative error at most 4e-16
+/// (joint_geometry_test.cpp). Negative lambda gives NaN.
+double x_from_load_parameter(JointKind kind, double load_parameter);
+
+/// Inverse of x_from_load_parameter(): x^3 for a ball, x^2/4 for a pin.
+/// Relative error at most 4e-16 (joint_geometry_test.cpp).
+double load_parameter_from_x(JointKind kind, double x);
+
+}  // namespace contact

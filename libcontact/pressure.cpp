@@ -1,0 +1,110 @@
+#include "libcontact/pressure.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "libcontact/detail/cancellation.hpp"
+#include "libcontact/error.hpp"
+
+namespace contact {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+bool is_half_angle(double half_angle) {
+  return half_angle >= 0 && half_angle <= pi;
+}
+
+// (theta0 - s c)/theta0^3, from x - sin x at x = 2 theta0.
+double pin_integral_over_cube(double half_angle) {
+  return 4 * detail::x_minus_sin_over_cube(2 * half_angle);
+}
+
+// 2 + c = 3 - 2 sin^2(theta0/2)
+double two_plus_cosine(double h) { return 3 - 2 * h * h; }
+
+}  // namespace
+
+void PressureLaw::slopes(double half_angle, std::span<const double> theta,
+                         std::span<double> out) const noexcept {
+  for (std::size_t i = 0; i < theta.size(); ++i) {
+    out[i] = slope(theta[i], half_angle);
+  }
+}
+
+double PressureLaw::mean(double half_angle) const noexcept {
+  const double force = force_ratio(half_angle);
+  if (kind_ == JointKind::cylindrical) return force / (2 * half_angle);
+  const double h = std::sin(half_angle / 2);
+  return force / (4 * pi) / h / h;
+}
+
+double CosinePressure::peak(double half_angle) const noexcept {
+  if (!is_half_angle(half_angle)) return nan;
+  const double h = std::sin(half_angle / 2);
+  if (joint_kind() == JointKind::spherical) {
+    return 3 / (2 * pi * two_plus_cosine(h)) / h / h;
+  }
+  const double ratio = half_angle == 0 ? 0.5 : h / half_angle;
+  return 2 * ratio * ratio / pin_integral_over_cube(half_angle) / half_angle;
+}
+
+double CosinePressure::pressure(double theta,
+                                double half_angle) const noexcept {
+  if (std::isnan(theta) || !is_half_angle(half_angle)) return nan;
+  const double t = std::abs(theta);
+  if (t > half_angle) return 0;
+  if (t == 0) return peak(half_angle);
+  // (cos t - c)/(1 - c) = sin((theta0 + t)/2) sin((theta0 - t)/2)/h^2
+  const double h = std::sin(half_angle / 2);
+  return peak(half_angle) * (std::sin((half_angle + t) / 2) / h) *
+         (std::sin((half_angle - t) / 2) / h);
+}
+
+double CosinePressure::slope(double theta, double half_angle) const noexcept {
+  if (std::isnan(theta) || !is_half_angle(half_angle)) return nan;
+  if (theta == 0 || std::abs(theta) > half_angle) return 0;
+  // p0 sin t, p0 = peak/(2 h^2)
+  const double h = std::sin(half_angle / 2);
+  return peak(half_angle) * (std::sin(theta) / h) / (2 * h);
+}
+
+double CosinePressure::force_ratio(double half_angle) const noexcept {
+  if (!is_half_angle(half_angle)) return nan;
+  if (joint_kind() == JointKind::spherical) {
+    return 3 / two_plus_cosine(std::sin(half_angle / 2));
+  }
+  return 2 * detail::sin_minus_x_cos_over_cube(half_angle) /
+         pin_integral_over_cube(half_angle);
+}
+
+double CosinePressure::largest_half_angle() const noexcept { return pi; }
+
+double cosine_normal_integral(JointKind kind, double half_angle) {
+  if (!is_half_angle(half_angle)) return nan;
+  if (kind == JointKind::spherical) {
+    const double h = std::sin(half_angle / 2);
+    const double square = 2 * h * h;  // 1 - c
+    return pi / 3 * square * square * two_plus_cosine(h);
+  }
+  return half_angle * half_angle * half_angle *
+         pin_integral_over_cube(half_angle);
+}
+
+const std::vector<std::string>& pressure_law_names() {
+  static const std::vector<std::string> names = {"cosine"};
+  return names;
+}
+
+std::unique_ptr<PressureLaw> make_pressure_law(std::string_view name,
+                                               JointKind kind) {
+  if (name == "cosine") return std::make_unique<CosinePressure>(kind);
+  throw Error(fmt::format("pressure law {}: allowed: {}", name,
+                          fmt::join(pressure_law_names(), ", ")));
+}
+
+}  // namespace contact
