@@ -10,5 +10,7 @@
 #include "libcontact/friction_law.hpp"
 #include "libcontact/half_angle.hpp"
 #include "libcontact/pressure.hpp"
+#include "libcontact/instruction_set.hpp"
 #include "libcontact/friction_integrals.hpp"
+#include "libcontact/friction_exact.hpp"
 // clang-format on

@@ -1,0 +1,19 @@
+#include "libcontact/detail/cap_kernel.hpp"
+
+namespace contact::detail {
+
+extern const CapKernel cap_kernel_baseline;
+#if defined(__x86_64__)
+extern const CapKernel cap_kernel_avx2;
+extern const CapKernel cap_kernel_avx512;
+#endif
+
+const CapKernel& cap_kernel([[maybe_unused]] InstructionSet set) {
+#if defined(__x86_64__)
+  if (set == InstructionSet::avx512) return cap_kernel_avx512;
+  if (set == InstructionSet::avx2) return cap_kernel_avx2;
+#endif
+  return cap_kernel_baseline;
+}
+
+}  // namespace contact::detail

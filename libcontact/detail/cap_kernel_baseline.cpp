@@ -1,0 +1,8 @@
+#include "libcontact/detail/cap_kernel_impl.hpp"
+
+namespace contact::detail {
+
+extern const CapKernel cap_kernel_baseline;
+constinit const CapKernel cap_kernel_baseline{one, group};
+
+}  // namespace contact::detail

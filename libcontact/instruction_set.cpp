@@ -1,0 +1,45 @@
+#include "libcontact/instruction_set.hpp"
+
+#include <initializer_list>
+
+namespace contact {
+
+bool is_supported(InstructionSet set) {
+#if defined(__x86_64__)
+  switch (set) {
+    case InstructionSet::baseline:
+      return true;
+    case InstructionSet::avx2:
+      return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+    case InstructionSet::avx512:
+      return __builtin_cpu_supports("avx512f") &&
+             __builtin_cpu_supports("avx512dq") &&
+             __builtin_cpu_supports("avx512vl") &&
+             __builtin_cpu_supports("avx512bw");
+  }
+  return false;
+#else
+  return set == InstructionSet::baseline;
+#endif
+}
+
+InstructionSet best_instruction_set() {
+  for (const InstructionSet set :
+       {InstructionSet::avx512, InstructionSet::avx2}) {
+    if (is_supported(set)) return set;
+  }
+  return InstructionSet::baseline;
+}
+
+const char* name(InstructionSet set) {
+  switch (set) {
+    case InstructionSet::avx512:
+      return "avx512";
+    case InstructionSet::avx2:
+      return "avx2";
+    default:
+      return "baseline";
+  }
+}
+
+}  // namespace contact
