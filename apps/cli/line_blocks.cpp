@@ -1,0 +1,97 @@
+#include "cli/line_blocks.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+
+#include "libcontact/error.hpp"
+
+namespace cli {
+namespace {
+
+// Large against the cost of a system call and of passing a block between
+// threads, small enough for the cache: some 3,000 lines.
+constexpr std::size_t block_size = 1 << 16;
+constexpr std::size_t longest_line = 1'000'000;
+
+}  // namespace
+
+std::string_view next_line(std::string_view& text) {
+  const std::size_t end = text.find('\n');
+  std::string_view line = text.substr(0, end);
+  text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+  if (line.ends_with('\r')) line.remove_suffix(1);
+  return line;
+}
+
+LineReader::LineReader(const std::string& path)
+    : name_(path == "-" ? "standard input" : path),
+      descriptor_(path == "-" ? STDIN_FILENO
+                              : open(path.c_str(), O_RDONLY | O_CLOEXEC)) {
+  if (descriptor_ < 0) {
+    throw contact::Error(
+        fmt::format("cannot open {}: {}", name_, std::strerror(errno)));
+  }
+}
+
+LineReader::~LineReader() {
+  if (descriptor_ > STDERR_FILENO) close(descriptor_);
+}
+
+bool LineReader::fill(std::string& text) {
+  if (at_end_) return false;
+  const std::size_t size = text.size();
+  text.resize(size + block_size);
+  ssize_t count = 0;
+  do {
+    count = read(descriptor_, text.data() + size, block_size);
+  } while (count < 0 && errno == EINTR);
+  text.resize(size + static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
+  if (count < 0) {
+    throw contact::Error(
+        fmt::format("cannot read {}: {}", name_, std::strerror(errno)));
+  }
+  at_end_ = count == 0;
+  return !at_end_;
+}
+
+std::optional<std::string> LineReader::line() {
+  while (rest_.find('\n') == std::string::npos) {
+    if (rest_.size() > longest_line || !fill(rest_)) break;
+  }
+  if (rest_.empty()) return std::nullopt;
+  std::string_view text = rest_;
+  const std::string line(next_line(text));
+  rest_.erase(0, rest_.size() - text.size());
+  ++next_number_;
+  return line;
+}
+
+bool LineReader::next(LineBlock& block) {
+  block.first_line = next_number_;
+  block.text.swap(rest_);
+  rest_.clear();
+  std::size_t end = 0;
+  do {
+    if (!fill(block.text)) {
+      end = block.text.size();
+      break;
+    }
+    end = block.text.rfind('\n') + 1;
+    if (end == 0 && block.text.size() > longest_line) {
+      throw contact::Error(fmt::format("{}, line {}: longer than {} characters",
+                                       name_, next_number_, longest_line));
+    }
+  } while (end == 0);
+  rest_.assign(block.text, end);
+  block.text.resize(end);
+  next_number_ += static_cast<std::size_t>(
+      std::count(block.text.begin(), block.text.end(), '\n'));
+  return end > 0;
+}
+
+}  // namespace cli

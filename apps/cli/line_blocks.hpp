@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace cli {
+
+/// Some whole lines of a text.
+struct LineBlock {
+  std::string text;
+  /// Number of the first of them, from 1.
+  std::size_t first_line = 1;
+};
+
+/// Takes the first line off `text`: without its end ("\n" or "\r\n").
+std::string_view next_line(std::string_view& text);
+
+/// Reads a file or standard input in blocks of whole lines; memory stays at
+/// one block however long the input is.
+class LineReader {
+ public:
+  /// @param path  file name, "-" for standard input
+  /// Throws contact::Error if it cannot be opened.
+  explicit LineReader(const std::string& path);
+  ~LineReader();
+  LineReader(const LineReader&) = delete;
+  LineReader& operator=(const LineReader&) = delete;
+
+  /// The next line alone (a header), no value at the end.
+  std::optional<std::string> line();
+  /// Number of the line that comes next, from 1.
+  std::size_t next_number() const { return next_number_; }
+  /// The next lines; false at the end. Throws contact::Error if the input
+  /// cannot be read or has a line of more than a million characters.
+  bool next(LineBlock& block);
+
+  /// "points.csv" or "standard input", for messages.
+  const std::string& name() const { return name_; }
+
+ private:
+  bool fill(std::string& text);
+
+  std::string name_;
+  int descriptor_;
+  bool at_end_ = false;
+  std::string rest_;  ///< read, not yet handed out
+  std::size_t next_number_ = 1;
+};
+
+}  // namespace cli

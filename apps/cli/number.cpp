@@ -1,0 +1,53 @@
+#include "cli/number.hpp"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+
+namespace cli {
+
+std::string Allowed::text() const {
+  const std::string interval = number_text(min) + " to " + number_text(max);
+  return unit.empty() ? interval : interval + ' ' + std::string(unit);
+}
+
+std::optional<double> parse_number(std::string_view text) {
+  while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) {
+    text.remove_prefix(1);
+  }
+  while (!text.empty() && (text.back() == ' ' || text.back() == '\t')) {
+    text.remove_suffix(1);
+  }
+  // from_chars knows no plus sign; "+-1" stays wrong.
+  if (text.size() > 1 && text[0] == '+' && text[1] != '-') {
+    text.remove_prefix(1);
+  }
+  double value = 0;
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  if (error != std::errc() || stop != end) return std::nullopt;
+  return value;
+}
+
+char* write_number(char* to, double value) {
+  return std::to_chars(to, to + longest_number, value).ptr;
+}
+
+std::string number_text(double value) {
+  char buffer[longest_number];
+  return {buffer, write_number(buffer, value)};
+}
+
+std::string rounded_text(double value, int digits) {
+  if (std::isnan(value)) return "-";
+  std::array<char, 64> buffer;
+  // printf's '#' keeps trailing zeros, and a point that ends the number.
+  const int length =
+      std::snprintf(buffer.data(), buffer.size(), "%#.*g", digits, value);
+  std::string text(buffer.data(), static_cast<std::size_t>(length));
+  if (text.ends_with('.')) text.pop_back();
+  return text;
+}
+
+}  // namespace cli

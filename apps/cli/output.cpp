@@ -1,0 +1,137 @@
+#include "cli/output.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+#include <atomic>
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <mutex>
+
+#include "libcontact/error.hpp"
+
+namespace cli {
+namespace {
+
+// Files to remove when a signal ends the program: the table and a picture
+// are the most that are under way at once.
+struct Unfinished {
+  std::array<char, 4096> name;
+  std::atomic<bool> used;
+};
+std::array<Unfinished, 4> unfinished;
+
+extern "C" void remove_unfinished(int signal) {
+  for (auto& file : unfinished) {
+    if (file.used) unlink(file.name.data());
+  }
+  // The handler was reset on entry (SA_RESETHAND): end as the signal would.
+  raise(signal);
+}
+
+void remember(const std::string& name) {
+  static std::once_flag installed;
+  std::call_once(installed, [] {
+    struct sigaction action = {};
+    action.sa_handler = remove_unfinished;
+    action.sa_flags = static_cast<int>(SA_RESETHAND | SA_NODEFER);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGPIPE, SIGXFSZ}) {
+      struct sigaction before = {};
+      sigaction(signal, nullptr, &before);
+      if (before.sa_handler != SIG_IGN) sigaction(signal, &action, nullptr);
+    }
+  });
+  for (auto& file : unfinished) {
+    if (file.used || name.size() >= file.name.size()) continue;
+    std::memcpy(file.name.data(), name.c_str(), name.size() + 1);
+    file.used = true;
+    return;
+  }
+}
+
+void forget(const std::string& name) {
+  for (auto& file : unfinished) {
+    if (file.used && name == file.name.data()) file.used = false;
+  }
+}
+
+// Permissions that a new file gets here.
+mode_t new_file_mode() {
+  const mode_t mask = umask(0);
+  umask(mask);
+  return 0666 & ~mask;
+}
+
+}  // namespace
+
+Output::Output(const std::string& path) {
+  if (path.empty() || path == "-") {
+    descriptor_ = STDOUT_FILENO;
+    return;
+  }
+  std::error_code ignored;
+  // Through symbolic links, so that a link stays a link.
+  path_ = std::filesystem::weakly_canonical(path, ignored);
+  if (path_.empty()) path_ = path;
+  const auto status = std::filesystem::status(path_, ignored);
+  if (std::filesystem::exists(status) &&
+      !std::filesystem::is_regular_file(status)) {
+    descriptor_ = open(path_.c_str(), O_WRONLY | O_CLOEXEC);
+    if (descriptor_ < 0) fail("cannot open");
+    return;
+  }
+  std::string name =
+      path_.parent_path() / ("." + path_.filename().string() + ".XXXXXX");
+  descriptor_ = mkostemp(name.data(), O_CLOEXEC);
+  if (descriptor_ < 0) fail("cannot create");
+  temporary_ = name;
+  remember(name);
+  // The mode of the file that is replaced, or a new file's.
+  fchmod(descriptor_, std::filesystem::exists(status)
+                          ? static_cast<mode_t>(status.permissions())
+                          : new_file_mode());
+}
+
+Output::~Output() { discard(); }
+
+void Output::discard() {
+  if (!temporary_.empty()) {
+    unlink(temporary_.c_str());
+    forget(temporary_);
+    temporary_.clear();
+  }
+  if (descriptor_ > STDERR_FILENO) close(descriptor_);
+  descriptor_ = -1;
+}
+
+void Output::write(std::string_view text) {
+  while (!text.empty()) {
+    const ssize_t count = ::write(descriptor_, text.data(), text.size());
+    if (count < 0 && errno != EINTR) fail("cannot write");
+    if (count > 0) text.remove_prefix(static_cast<std::size_t>(count));
+  }
+}
+
+void Output::commit() {
+  if (descriptor_ > STDERR_FILENO) {
+    const int closed = close(descriptor_);
+    descriptor_ = -1;
+    if (closed != 0) fail("cannot write");
+  }
+  if (temporary_.empty()) return;
+  if (rename(temporary_.c_str(), path_.c_str()) != 0) fail("cannot rename to");
+  forget(temporary_);
+  temporary_.clear();
+}
+
+void Output::fail(std::string_view what) const {
+  throw contact::Error(fmt::format(
+      "{} {}: {}", what, path_.empty() ? "standard output" : path_.native(),
+      std::strerror(errno)));
+}
+
+}  // namespace cli

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace cli {
+
+/// Where a program's result goes: standard output, or a file that appears
+/// under its name when it is complete and not at all otherwise. Until
+/// `commit` the text is in a file with a temporary name in the same folder,
+/// which is removed on errors, interrupts and termination.
+///
+/// Something that is there and is not a regular file (/dev/null, a pipe) is
+/// written directly.
+class Output {
+ public:
+  /// @param path  file name; empty or "-" for standard output
+  /// Throws contact::Error if the file cannot be made.
+  explicit Output(const std::string& path);
+  ~Output();
+  Output(const Output&) = delete;
+  Output& operator=(const Output&) = delete;
+
+  /// Throws contact::Error if the text could not be written.
+  void write(std::string_view text);
+  /// Gives the complete file its name. Throws contact::Error if it cannot.
+  void commit();
+
+  /// Where the text is until `commit`: for other programs that write it.
+  const std::filesystem::path& temporary() const { return temporary_; }
+
+ private:
+  void discard();
+  [[noreturn]] void fail(std::string_view what) const;
+
+  std::filesystem::path path_;
+  std::filesystem::path temporary_;
+  int descriptor_ = -1;
+};
+
+}  // namespace cli

@@ -1,0 +1,130 @@
+#include "cli/plot.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cstdlib>
+
+#include "cli/number.hpp"
+#include "cli/output.hpp"
+#include "cli/plot_style.hpp"
+
+namespace cli {
+namespace {
+
+// Kinds of pictures: gnuplot's terminal, and its options. Sizes and fonts
+// keep text readable when the picture is shown at a third of its width.
+struct Kind {
+  std::string_view suffix;
+  std::string_view terminal;
+  std::string_view options;
+};
+constexpr std::array<Kind, 3> kinds = {{
+    {".svg", "svg", "size 840,560 font 'sans,18' background 'white'"},
+    {".png", "pngcairo", "size 1260,840 font 'sans,20' linewidth 1.5"},
+    {".pdf", "pdfcairo", "size 7in,4.67in font 'sans,14'"},
+}};
+
+const Kind* kind_of(std::string_view file) {
+  for (const Kind& kind : kinds) {
+    if (file.size() > kind.suffix.size() && file.ends_with(kind.suffix)) {
+      return &kind;
+    }
+  }
+  return nullptr;
+}
+
+bool shell(const std::string& command) {
+  return std::system(command.c_str()) == 0;
+}
+
+std::string shell_text(std::string_view text) {
+  std::string quoted = "'";
+  for (const char c : text) {
+    if (c == '\'') {
+      quoted += "'\\''";
+    } else {
+      quoted += c;
+    }
+  }
+  return quoted + '\'';
+}
+
+std::string why_not(const Kind& kind) {
+  if (!shell("command -v gnuplot >/dev/null 2>&1")) {
+    return "gnuplot is not installed";
+  }
+  if (!shell(fmt::format("gnuplot -e 'set terminal {}' >/dev/null 2>&1",
+                         kind.terminal))) {
+    return fmt::format("this gnuplot has no terminal \"{}\" for {} files",
+                       kind.terminal, kind.suffix);
+  }
+  return {};
+}
+
+}  // namespace
+
+bool is_picture_name(std::string_view file) { return kind_of(file) != nullptr; }
+
+std::string gnuplot_text(std::string_view text) {
+  std::string quoted = "'";
+  for (const char c : text) {
+    quoted += c;
+    if (c == '\'') quoted += c;
+  }
+  return quoted + '\'';
+}
+
+std::string draw_script(std::string_view script, const std::string& file) {
+  const Kind& kind = *kind_of(file);
+  const std::string reason = why_not(kind);
+  if (!reason.empty()) return "no picture " + file + ": " + reason;
+
+  Output picture(file);
+  // Never committed: the script goes when this function ends.
+  Output commands(file + ".gp");
+  commands.write(fmt::format(
+      "set encoding utf8\nset terminal {} noenhanced {}\nset output {}\n{}\n",
+      kind.terminal, kind.options,
+      gnuplot_text(picture.temporary().empty() ? file
+                                               : picture.temporary().native()),
+      plot_style));
+  commands.write(script);
+  if (!shell("gnuplot " + shell_text(commands.temporary().native()))) {
+    return "no picture " + file + ": gnuplot failed";
+  }
+  picture.commit();
+  return {};
+}
+
+std::string draw(const LinePlot& plot, const std::string& file) {
+  std::string script;
+  std::string lines;
+  for (std::size_t i = 0; i < plot.curves.size(); ++i) {
+    const Curve& curve = plot.curves[i];
+    script += fmt::format("$curve{} << END\n", i);
+    for (std::size_t j = 0; j < curve.x.size(); ++j) {
+      script += number_text(curve.x[j]) + ' ' + number_text(curve.y[j]) + '\n';
+    }
+    script += "END\n";
+    // Up to seven curves have the style's line colours; more are a family,
+    // coloured in order from the palette.
+    const std::string colour =
+        plot.curves.size() <= 7
+            ? fmt::format("lt {}", i + 1)
+            : fmt::format("lw 2.5 lc palette frac {:.3f}",
+                          static_cast<double>(i) /
+                              static_cast<double>(plot.curves.size() - 1));
+    lines += fmt::format("{}$curve{} using 1:2 with lines {} dt {} title {}",
+                         lines.empty() ? "" : ", \\\n  ", i, colour,
+                         curve.dashed ? 2 : 1, gnuplot_text(curve.label));
+  }
+  script += fmt::format("set title {}\nset xlabel {}\nset ylabel {}\n",
+                        gnuplot_text(plot.title), gnuplot_text(plot.x_label),
+                        gnuplot_text(plot.y_label));
+  if (plot.logarithmic_x) script += "set logscale x\nset format x '%g'\n";
+  script += "unset colorbox\nplot " + lines + '\n';
+  return draw_script(script, file);
+}
+
+}  // namespace cli

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace cli {
+
+/// Whether a picture of this name can be drawn: .svg, .png or .pdf.
+bool is_picture_name(std::string_view file);
+
+/// One line of a line plot.
+struct Curve {
+  std::string label;
+  std::vector<double> x;
+  std::vector<double> y;  ///< NaN leaves a gap
+  bool dashed = false;
+};
+
+/// A line plot with a legend beside it.
+struct LinePlot {
+  std::string title;
+  std::string x_label;  ///< with its unit
+  std::string y_label;
+  bool logarithmic_x = false;
+  std::vector<Curve> curves;
+};
+
+/// Draws a line plot with gnuplot, in the style of plots/style.gp.
+/// @param file  name of the picture; appears when it is complete
+/// @return "" or why there is no picture: gnuplot or the terminal that it
+///         needs for this kind of file is missing, or drawing failed
+std::string draw(const LinePlot& plot, const std::string& file);
+
+/// Draws what a gnuplot script says. The style is loaded, the terminal and
+/// the output are set before it.
+/// @return as for `draw`
+std::string draw_script(std::string_view script, const std::string& file);
+
+/// Quoted for gnuplot: 'it''s'
+std::string gnuplot_text(std::string_view text);
+
+}  // namespace cli

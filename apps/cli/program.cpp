@@ -1,0 +1,87 @@
+#include "cli/program.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cstdio>
+#include <exception>
+
+#include "cli/choice.hpp"
+#include "cli/plot.hpp"
+#include "libcontact/error.hpp"
+
+namespace cli {
+namespace {
+
+constexpr std::array<Choice<Format>, 4> formats = {
+    {{"csv", Format::csv},
+     {"json", Format::json},
+     {"markdown", Format::markdown},
+     {"latex", Format::latex}}};
+
+void complain(const CLI::App& app, std::string_view message) {
+  fmt::print(stderr, "{}: {}\n", app.get_name(), message);
+}
+
+}  // namespace
+
+void add_output_options(CLI::App& app, OutputOptions& options) {
+  app.add_option_function<std::string>(
+         "--format",
+         [&options](const std::string& name) {
+           options.format = choice("--format", name, formats);
+         },
+         "csv (default), json, markdown, latex")
+      ->type_name("NAME")
+      ->group("Output");
+  app.add_option("--output", options.output,
+                 "file to write; default standard output")
+      ->type_name("FILE")
+      ->group("Output");
+  app.add_option_function<std::string>(
+         "--plot",
+         [&options](const std::string& file) {
+           if (!is_picture_name(file)) {
+             throw contact::Error("--plot " + file +
+                                  ": allowed names end in .svg, .png, .pdf");
+           }
+           options.plot = file;
+         },
+         "picture to draw: .svg, .png or .pdf")
+      ->type_name("FILE")
+      ->group("Output");
+}
+
+void add_jobs_option(CLI::App& app, OutputOptions& options) {
+  app.add_option("--jobs", options.jobs, "threads, 1 (default) to 256")
+      ->type_name("N")
+      ->check(CLI::Range(1, 256))
+      ->group("Output");
+}
+
+int run_program(CLI::App& app, int argc, char** argv,
+                const std::function<ExitStatus()>& body) {
+  app.set_version_flag("--version",
+                       app.get_name() + " (libcontact) " CONTACT_VERSION,
+                       "print the version");
+  app.set_help_flag("--help", "print this help");
+  app.get_formatter()->column_width(26);
+  try {
+    app.parse(argc, argv);
+    return body();
+  } catch (const CLI::Success& request) {
+    return app.exit(request);  // --help, --version
+  } catch (const CLI::ParseError& error) {
+    complain(app,
+             fmt::format("{} (see {} --help)", error.what(), app.get_name()));
+  } catch (const std::exception& error) {
+    complain(app, error.what());
+  }
+  return failed;
+}
+
+void note(const CLI::App& app, std::string_view message) {
+  complain(app, fmt::format("note: {}", message));
+}
+
+}  // namespace cli

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <string>
+#include <string_view>
+
+#include "cli/table.hpp"
+
+namespace cli {
+
+/// Exit statuses of every program. Wrong options, unreadable or wrong files
+/// and results that cannot be written end a program with `failed`: one
+/// message, and no output file.
+enum ExitStatus { all_good = 0, some_bad = 1, failed = 2 };
+
+/// What every program's --help says about them; goes into its footer.
+inline constexpr std::string_view exit_status_help =
+    "Exit status: 0 all computed; 1 a line of the input, a point or the\n"
+    "picture failed and the rest is there; 2 bad option or file, no result.\n";
+
+/// Options that every program has.
+struct OutputOptions {
+  std::string output;  ///< file name, "" for standard output
+  Format format = Format::csv;
+  std::string plot;  ///< file name, "" for none
+  int jobs = 1;
+};
+
+/// Adds --output, --format and --plot to a program.
+void add_output_options(CLI::App& app, OutputOptions& options);
+/// Adds --jobs.
+void add_jobs_option(CLI::App& app, OutputOptions& options);
+
+/// Sets up --help and --version, reads the command line and runs `body`,
+/// which returns an ExitStatus; turns exceptions into the one message
+/// "NAME: ..." on standard error and `failed`.
+int run_program(CLI::App& app, int argc, char** argv,
+                const std::function<ExitStatus()>& body);
+
+/// A message that is no error: "NAME: note: ..." on standard error.
+void note(const CLI::App& app, std::string_view message);
+
+}  // namespace cli

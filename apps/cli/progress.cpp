@@ -1,0 +1,38 @@
+#include "cli/progress.hpp"
+
+#include <unistd.h>
+
+#include <cstdio>
+
+namespace cli {
+
+Progress::Progress(std::string what, std::size_t total)
+    : what_(std::move(what)),
+      total_(total),
+      terminal_(isatty(STDERR_FILENO) == 1),
+      next_(Clock::now() + std::chrono::seconds(1)) {}
+
+Progress::~Progress() { clear(); }
+
+void Progress::add(std::size_t count) {
+  done_ += count;
+  if (!terminal_ || Clock::now() < next_) return;
+  next_ = Clock::now() + std::chrono::milliseconds(200);
+  shown_ = true;
+  if (total_ > 0) {
+    std::fprintf(stderr, "\r%zu of %zu %s (%d %%) ", done_, total_,
+                 what_.c_str(),
+                 static_cast<int>(100.0 * static_cast<double>(done_) /
+                                  static_cast<double>(total_)));
+  } else {
+    std::fprintf(stderr, "\r%zu %s ", done_, what_.c_str());
+  }
+}
+
+void Progress::clear() {
+  // Back to the start of the line, and erase it (ECMA-48 EL).
+  if (shown_) std::fputs("\r\033[K", stderr);
+  shown_ = false;
+}
+
+}  // namespace cli

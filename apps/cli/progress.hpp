@@ -1,0 +1,35 @@
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <string>
+
+namespace cli {
+
+/// Says on standard error how far a long run is, when that is a terminal and
+/// the run takes more than a second; silent otherwise.
+class Progress {
+ public:
+  /// @param what   "rows"
+  /// @param total  number of them, 0 if not known
+  Progress(std::string what, std::size_t total);
+  ~Progress();
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+
+  /// `count` more are done.
+  void add(std::size_t count);
+  /// Removes the message, so that a line of text can be printed.
+  void clear();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  std::string what_;
+  std::size_t total_;
+  std::size_t done_ = 0;
+  bool shown_ = false;
+  bool terminal_;
+  Clock::time_point next_;
+};
+
+}  // namespace cli

@@ -1,0 +1,159 @@
+#include "cli/sweep.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "libcontact/error.hpp"
+
+namespace cli {
+namespace {
+
+// More values than anyone tabulates; a mistyped step is caught instead.
+constexpr double most_values = 1e9;
+
+[[noreturn]] void fail(std::string_view option, std::string_view text,
+                       std::string_view why) {
+  throw contact::Error(fmt::format("{} {}: {}", option, text, why));
+}
+
+// Splits at every `separator`.
+std::vector<std::string_view> split(std::string_view text, char separator) {
+  std::vector<std::string_view> parts;
+  for (;;) {
+    const std::size_t at = text.find(separator);
+    parts.push_back(text.substr(0, at));
+    if (at == std::string_view::npos) return parts;
+    text.remove_prefix(at + 1);
+  }
+}
+
+// Whether value is a decimal with as many digits as 10^-k, 1/scale = 10^-k:
+// the division of two exact integers is rounded as the decimal text was.
+bool is_decimal(double value, double scale) {
+  const double integer = std::nearbyint(value * scale);
+  return std::abs(integer) <= 0x1p52 && integer / scale == value;
+}
+
+}  // namespace
+
+double Sweep::Piece::value(std::size_t i) const {
+  if (i == 0) return first;
+  if (i + 1 == count) return last;
+  const double x = (start + static_cast<double>(i) * step) / scale;
+  return kind == Kind::linear ? x : std::pow(10, x);
+}
+
+Sweep::Piece Sweep::linear(double start, double stop, double step) {
+  double scale = 1;
+  bool exact = false;
+  // Up to 15 decimals: more do not fit a double.
+  for (int k = 0; k <= 15 && !exact; ++k) {
+    if (k > 0) scale *= 10;
+    exact = is_decimal(start, scale) && is_decimal(stop, scale) &&
+            is_decimal(step, scale);
+  }
+  if (!exact) scale = 1;
+  Piece piece;
+  piece.start = exact ? std::nearbyint(start * scale) : start;
+  piece.step = exact ? std::nearbyint(step * scale) : step;
+  piece.scale = scale;
+
+  const double span =
+      exact ? std::nearbyint(stop * scale) - piece.start : stop - start;
+  // Without exact decimals: rounding of the inputs and the quotient, in steps.
+  const double slack =
+      exact ? 0
+            : 2 * std::numeric_limits<double>::epsilon() *
+                  ((std::abs(start) + std::abs(stop)) / std::abs(step));
+  const double steps = std::floor(
+      (span - (exact ? std::fmod(span, piece.step) : 0)) / piece.step + slack);
+  piece.count = static_cast<std::size_t>(std::min(steps, most_values)) + 1;
+  piece.first = start;
+  piece.last = (piece.start + steps * piece.step) / scale;
+  return piece;
+}
+
+Sweep::Piece Sweep::logarithmic(double start, double stop, double count) {
+  Piece piece;
+  piece.kind = Kind::logarithmic;
+  // Scaled so that the exponents of round powers of ten are exact.
+  piece.start = std::log10(start) * (count - 1);
+  piece.step = std::log10(stop) - std::log10(start);
+  piece.scale = count - 1;
+  piece.first = start;
+  piece.last = stop;
+  piece.count = static_cast<std::size_t>(std::min(count, 2 * most_values));
+  return piece;
+}
+
+Sweep::Piece Sweep::parse_piece(std::string_view option,
+                                std::string_view text) {
+  const auto parts = split(text, ':');
+  const bool is_log = parts.size() == 3 && parts[2].starts_with("log");
+  std::array<double, 3> numbers{};
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const auto number =
+        parse_number(i == 2 && is_log ? parts[2].substr(3) : parts[i]);
+    if (!number || parts.size() == 2 || parts.size() > 3) {
+      fail(option, text,
+           "expected a value, a list a,b,c, start:stop:step or "
+           "start:stop:logN");
+    }
+    numbers[i] = *number;
+  }
+  const auto [start, stop, step] = numbers;
+  if (parts.size() == 1) {
+    Piece value;
+    value.first = value.last = start;
+    return value;
+  }
+  if (!std::isfinite(start) || !std::isfinite(stop) || !std::isfinite(step)) {
+    fail(option, text, "a range needs finite numbers");
+  }
+  if (is_log) {
+    if (!(start > 0 && stop > 0)) {
+      fail(option, text, "the ends of a logarithmic range must be above 0");
+    }
+    if (step < 2 || step != std::floor(step)) {
+      fail(option, text, "logN needs a whole number of values, 2 or more");
+    }
+    return logarithmic(start, stop, step);
+  }
+  if (step == 0 || (stop - start) / step < 0) {
+    fail(option, text, "the step must lead from the start to the stop");
+  }
+  return linear(start, stop, step);
+}
+
+Sweep::Sweep(std::string_view option, std::string_view text,
+             const Allowed& allowed) {
+  std::size_t end = 0;
+  for (const std::string_view item : split(text, ',')) {
+    Piece piece = parse_piece(option, item);
+    if (static_cast<double>(end + piece.count) > most_values) {
+      fail(option, text, "more than 1e9 values");
+    }
+    for (const double value : {piece.first, piece.last}) {
+      if (!allowed.contains(value)) {
+        fail(option, text,
+             fmt::format("{} is outside the allowed {}", number_text(value),
+                         allowed.text()));
+      }
+    }
+    piece.end = end += piece.count;
+    pieces_.push_back(piece);
+  }
+}
+
+double Sweep::operator[](std::size_t index) const {
+  const auto piece =
+      std::upper_bound(pieces_.begin(), pieces_.end(), index,
+                       [](std::size_t i, const Piece& p) { return i < p.end; });
+  return piece->value(index - (piece->end - piece->count));
+}
+
+}  // namespace cli

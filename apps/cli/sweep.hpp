@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "cli/number.hpp"
+
+namespace cli {
+
+/// The values of an option that takes a value, a comma list, start:stop:step
+/// or start:stop:logN (items of a list may be ranges). Values are computed
+/// when asked for, so a long sweep takes no memory.
+///
+/// start:stop:step includes the stop when it lies on a step. Decimal inputs
+/// are stepped as exact decimals, so 0:1:0.1 holds 0.3 and not
+/// 0.30000000000000004. start:stop:logN gives N values in equal ratios, both
+/// ends included, round powers of ten exactly.
+class Sweep {
+ public:
+  /// @param option   name for messages, such as "--theta0"
+  /// @param text     what the user wrote
+  /// @param allowed  interval that every value must lie in
+  /// Throws contact::Error for a bad text or a value that is not allowed.
+  Sweep(std::string_view option, std::string_view text, const Allowed& allowed);
+
+  std::size_t size() const { return pieces_.back().end; }
+  /// Value number `index`, from 0 to size() - 1.
+  double operator[](std::size_t index) const;
+  /// Whether all of it is one start:stop:logN range: a logarithmic axis.
+  bool is_logarithmic() const {
+    return pieces_.size() == 1 && pieces_[0].kind == Kind::logarithmic;
+  }
+
+ private:
+  enum class Kind { linear, logarithmic };
+  /// x_i = (start + i step)/scale or 10^x_i, i = 0, 1, ... count - 1; both
+  /// ends as given.
+  struct Piece {
+    Kind kind = Kind::linear;
+    double start = 0;
+    double step = 0;
+    double scale = 1;
+    double first = 0;
+    double last = 0;
+    std::size_t count = 1;
+    std::size_t end = 0;  ///< number of values up to the end of this piece
+    double value(std::size_t i) const;
+  };
+  static Piece parse_piece(std::string_view option, std::string_view text);
+  static Piece linear(double start, double stop, double step);
+  static Piece logarithmic(double start, double stop, double count);
+
+  std::vector<Piece> pieces_;
+};
+
+}  // namespace cli

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstddef>
+#include <cstring>
+#include <string_view>
+#include <vector>
+
+/// Plumbing shared by the programs: options, numbers, tables, files, plots.
+namespace cli {
+
+/// Growing text that is written by pointer: what a block of rows is built in.
+/// Its memory is kept from block to block, so rows allocate nothing.
+class Text {
+ public:
+  /// Room for `count` more characters; returns where they go. Call `end_at`
+  /// with the end of what was written.
+  char* reserve(std::size_t count) {
+    if (buffer_.size() - size_ < count) {
+      buffer_.resize(2 * (size_ + count));
+    }
+    return buffer_.data() + size_;
+  }
+  void end_at(const char* end) { size_ = end - buffer_.data(); }
+
+  void append(std::string_view text) {
+    std::memcpy(reserve(text.size()), text.data(), text.size());
+    size_ += text.size();
+  }
+  void append(char c) { append(std::string_view(&c, 1)); }
+
+  std::string_view view() const { return {buffer_.data(), size_}; }
+  bool empty() const { return size_ == 0; }
+  void clear() { size_ = 0; }
+
+ private:
+  std::vector<char> buffer_ = std::vector<char>(256);
+  std::size_t size_ = 0;
+};
+
+}  // namespace cli

@@ -1,0 +1,348 @@
+// Plumbing of the programs: sweeps, numbers, CSV, tables, files, threads.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <random>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "cli/choice.hpp"
+#include "cli/csv.hpp"
+#include "cli/line_blocks.hpp"
+#include "cli/number.hpp"
+#include "cli/ordered_blocks.hpp"
+#include "cli/output.hpp"
+#include "cli/sweep.hpp"
+#include "cli/table.hpp"
+#include "libcontact/error.hpp"
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr cli::Allowed angles{-90, 120, "deg"};
+constexpr cli::Allowed any{-infinity, infinity, ""};
+
+std::vector<double> values(const std::string& text,
+                           const cli::Allowed& allowed = any) {
+  const cli::Sweep sweep("--theta0", text, allowed);
+  std::vector<double> all;
+  for (std::size_t i = 0; i < sweep.size(); ++i) all.push_back(sweep[i]);
+  return all;
+}
+
+std::string sweep_error(const std::string& text) {
+  try {
+    const cli::Sweep sweep("--theta0", text, angles);
+  } catch (const contact::Error& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST(Sweep, ValuesAndLists) {
+  EXPECT_EQ(values("45"), std::vector<double>{45});
+  EXPECT_EQ(values(" 1e1,+2.5,-3"), (std::vector<double>{10, 2.5, -3}));
+  EXPECT_EQ(values("0,inf"), (std::vector<double>{0, infinity}));
+  EXPECT_EQ(values("5,0:2:1,7"), (std::vector<double>{5, 0, 1, 2, 7}));
+}
+
+TEST(Sweep, DecimalStepsAreTheNearestDoubles) {
+  const auto tenths = values("0:1:0.1");
+  ASSERT_EQ(tenths.size(), 11U);
+  for (int i = 0; i <= 10; ++i) EXPECT_EQ(tenths[i], i / 10.0);
+  const auto fine = values("0:95:0.0001");
+  ASSERT_EQ(fine.size(), 950001U);
+  for (int i = 0; i <= 950000; ++i) ASSERT_EQ(fine[i], i / 10000.0);
+  EXPECT_EQ(values("0:1:0.3"), (std::vector<double>{0, 0.3, 0.6, 0.9}));
+  EXPECT_EQ(values("90:-90:-7.5").size(), 25U);
+  EXPECT_EQ(values("3:3:1"), std::vector<double>{3});
+}
+
+TEST(Sweep, StopIsIncludedDespiteRounding) {
+  // 1/3 and 1e-17 are no decimals of 15 digits: the floating-point route.
+  const auto thirds = values("0:1:0.33333333333333331");
+  ASSERT_EQ(thirds.size(), 4U);
+  EXPECT_DOUBLE_EQ(thirds[3], 1);
+  EXPECT_EQ(values("0:1e-16:1e-17").size(), 11U);
+}
+
+TEST(Sweep, LogarithmicEndsAndDecadesAreExact) {
+  EXPECT_EQ(values("0.01:100:log5"),
+            (std::vector<double>{0.01, 0.1, 1, 10, 100}));
+  const auto loads = values("0.3:7e5:log40");
+  ASSERT_EQ(loads.size(), 40U);
+  EXPECT_EQ(loads.front(), 0.3);
+  EXPECT_EQ(loads.back(), 7e5);
+  for (int i = 2; i < 40; ++i) {
+    // 4e-15: a few roundings of exponents below 6 by pow(10, x).
+    EXPECT_NEAR(loads[i] / loads[i - 1], loads[1] / loads[0], 4e-15 * 10);
+  }
+  EXPECT_TRUE(cli::Sweep("--x", "1:2:log3", any).is_logarithmic());
+  EXPECT_FALSE(cli::Sweep("--x", "1:2:0.5", any).is_logarithmic());
+}
+
+TEST(Sweep, MessagesNameOptionValueAndRange) {
+  EXPECT_EQ(sweep_error("200"),
+            "--theta0 200: 200 is outside the allowed -90 to 120 deg");
+  EXPECT_EQ(sweep_error("0:125:5"),
+            "--theta0 0:125:5: 125 is outside the allowed -90 to 120 deg");
+  EXPECT_EQ(sweep_error("nan"),
+            "--theta0 nan: nan is outside the allowed -90 to 120 deg");
+  for (const char* text : {"", "abc", "1:2", "1:2:3:4", "1,,2", "1:2:logx",
+                           "1e999", "0x10", "1 2"}) {
+    EXPECT_NE(sweep_error(text).find("expected a value, a list"),
+              std::string::npos)
+        << text;
+  }
+  for (const char* text : {"0:10:0", "0:10:-1", "10:0:1"}) {
+    EXPECT_NE(sweep_error(text).find("step must lead"), std::string::npos);
+  }
+  EXPECT_NE(sweep_error("0:inf:1").find("finite"), std::string::npos);
+  EXPECT_NE(sweep_error("0:10:log5").find("above 0"), std::string::npos);
+  EXPECT_NE(sweep_error("1:10:log1").find("2 or more"), std::string::npos);
+  EXPECT_NE(sweep_error("1:10:log2.5").find("whole number"), std::string::npos);
+  EXPECT_NE(sweep_error("0:1:1e-12").find("1e9"), std::string::npos);
+  EXPECT_NE(sweep_error("1:10:log1e12").find("1e9"), std::string::npos);
+}
+
+TEST(Number, ReadsBackTheSameDouble) {
+  std::mt19937_64 random(1);
+  for (int i = 0; i < 100000; ++i) {
+    const auto value = std::bit_cast<double>(random());
+    if (std::isnan(value)) continue;
+    ASSERT_EQ(cli::parse_number(cli::number_text(value)), value);
+  }
+}
+
+TEST(Number, Rounded) {
+  EXPECT_EQ(cli::rounded_text(0.8, 4), "0.8000");
+  EXPECT_EQ(cli::rounded_text(0, 4), "0.000");
+  EXPECT_EQ(cli::rounded_text(12.3456, 4), "12.35");
+  EXPECT_EQ(cli::rounded_text(1234.5, 4), "1234");  // half to even
+  EXPECT_EQ(cli::rounded_text(1.2344e-7, 4), "1.234e-07");
+  EXPECT_EQ(cli::rounded_text(nan, 4), "-");
+}
+
+TEST(Choice, NamesWhatIsAllowed) {
+  constexpr std::array<cli::Choice<int>, 2> words = {{{"one", 1}, {"two", 2}}};
+  EXPECT_EQ(cli::choice("--count", "two", words), 2);
+  try {
+    cli::choice("--count", "three", words);
+    FAIL();
+  } catch (const contact::Error& error) {
+    EXPECT_STREQ(error.what(), "--count three: allowed one, two");
+  }
+}
+
+TEST(Csv, SplitsAndKeepsRawText) {
+  std::vector<std::string_view> fields;
+  EXPECT_EQ(cli::split_record(R"(1,"a, ""b""", x ,)", fields), "");
+  ASSERT_EQ(fields.size(), 4U);
+  EXPECT_EQ(fields[1], R"("a, ""b""")");
+  EXPECT_EQ(cli::field_value(fields[1]), R"(a, "b")");
+  EXPECT_EQ(fields[2], " x ");
+  EXPECT_EQ(fields[3], "");
+  EXPECT_EQ(cli::split_record("", fields), "");
+  EXPECT_EQ(fields.size(), 1U);
+  EXPECT_EQ(cli::split_record(R"(1,"open)", fields), "a quote is left open");
+  EXPECT_EQ(cli::split_record(R"(1,"a"b)", fields),
+            "text after a closing quote");
+}
+
+TEST(Csv, RawFieldReadsBack) {
+  std::vector<std::string_view> fields;
+  for (const std::string value : {"", "plain", "a,b", "\"", "x\"y\"", "\"\""}) {
+    const std::string raw = cli::raw_field(value);
+    ASSERT_EQ(cli::split_record(raw, fields), "");
+    ASSERT_EQ(fields.size(), 1U);
+    EXPECT_EQ(cli::field_value(fields[0]), value);
+  }
+}
+
+// The whole text of a table with one text column and one number column.
+std::string table_text(cli::Format format) {
+  const cli::Table table(format, {"name", "p_Pa"});
+  cli::Text rows;
+  cli::RowWriter row(table, rows);
+  for (const double value : {0.1, 1e-7, nan, infinity}) {
+    row.text("a_\"|,");
+    row.number(value);
+    row.end();
+  }
+  std::string_view all = rows.view();
+  if (format == cli::Format::json) all.remove_prefix(1);
+  return table.header() + std::string(all) + table.footer();
+}
+
+TEST(Table, Csv) {
+  EXPECT_EQ(table_text(cli::Format::csv),
+            "name,p_Pa\n"
+            "\"a_\"\"|,\",0.1\n\"a_\"\"|,\",1e-07\n"
+            "\"a_\"\"|,\",\n\"a_\"\"|,\",inf\n");
+}
+
+TEST(Table, JsonParses) {
+  const auto json = nlohmann::json::parse(table_text(cli::Format::json));
+  ASSERT_EQ(json.size(), 4U);
+  EXPECT_EQ(json[0]["name"], "a_\"|,");
+  EXPECT_EQ(json[1]["p_Pa"], 1e-7);
+  EXPECT_TRUE(json[2]["p_Pa"].is_null());
+  EXPECT_TRUE(json[3]["p_Pa"].is_null());
+}
+
+TEST(Table, Print) {
+  EXPECT_EQ(table_text(cli::Format::markdown),
+            "|   name |   p_Pa |\n"
+            "| -----: | -----: |\n"
+            "| a_\"\\|, | 0.1000 |\n"
+            "| a_\"\\|, | 1.000e-07 |\n"
+            "| a_\"\\|, |      - |\n"
+            "| a_\"\\|, |    inf |\n");
+  EXPECT_EQ(table_text(cli::Format::latex),
+            "\\begin{tabular}{rr}\n\\hline\n"
+            "name & p\\_Pa \\\\\n\\hline\n"
+            "a\\_\"|, & $0.1000$ \\\\\n"
+            "a\\_\"|, & $1.000\\cdot10^{-7}$ \\\\\n"
+            "a\\_\"|, & - \\\\\n"
+            "a\\_\"|, & $\\infty$ \\\\\n"
+            "\\hline\n\\end{tabular}\n");
+}
+
+TEST(Table, DistinctNames) {
+  EXPECT_EQ(cli::distinct_names({"a", "chi", "a"}, {"chi", "chi_in"}),
+            (std::vector<std::string>{"a", "chi_in_in", "a_in"}));
+}
+
+class OutputFile : public testing::Test {
+ protected:
+  OutputFile() { std::filesystem::create_directory(folder_); }
+  ~OutputFile() override { std::filesystem::remove_all(folder_); }
+
+  std::string read(const std::string& name) const {
+    std::ostringstream text;
+    text << std::ifstream(folder_ / name).rdbuf();
+    return text.str();
+  }
+  std::size_t files() const {
+    std::size_t count = 0;
+    for ([[maybe_unused]] const auto& entry :
+         std::filesystem::directory_iterator(folder_)) {
+      ++count;
+    }
+    return count;
+  }
+
+  const std::filesystem::path folder_ =
+      std::filesystem::temp_directory_path() /
+      ("contact_cli_test_" + std::to_string(getpid()));
+};
+
+TEST_F(OutputFile, AppearsOnlyWhenComplete) {
+  const std::string name = folder_ / "table.csv";
+  {
+    cli::Output output(name);
+    output.write("half");
+    EXPECT_FALSE(std::filesystem::exists(name));
+  }
+  EXPECT_EQ(files(), 0U);
+  {
+    cli::Output output(name);
+    output.write("whole");
+    output.commit();
+  }
+  EXPECT_EQ(read("table.csv"), "whole");
+  {
+    cli::Output output(name);
+    output.write("lost");
+  }
+  EXPECT_EQ(read("table.csv"), "whole");
+  EXPECT_EQ(files(), 1U);
+}
+
+TEST_F(OutputFile, KeepsLinksAndSpecialFiles) {
+  std::ofstream(folder_ / "real.csv") << "old";
+  std::filesystem::create_symlink("real.csv", folder_ / "link.csv");
+  cli::Output output(folder_ / "link.csv");
+  output.write("new");
+  output.commit();
+  EXPECT_TRUE(std::filesystem::is_symlink(folder_ / "link.csv"));
+  EXPECT_EQ(read("real.csv"), "new");
+
+  cli::Output null("/dev/null");
+  null.write("gone");
+  null.commit();
+  EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));
+}
+
+TEST_F(OutputFile, Errors) {
+  EXPECT_THROW(cli::Output(folder_ / "no" / "where.csv"), contact::Error);
+  cli::Output full("/dev/full");
+  EXPECT_THROW(full.write("x"), contact::Error);
+}
+
+TEST_F(OutputFile, LineBlocksGiveEveryLineOnce) {
+  const std::string name = folder_ / "lines.txt";
+  std::string text;
+  for (int i = 0; i < 40000; ++i) text += std::to_string(i) + "\r\n";
+  std::ofstream(name) << text << "last";
+
+  cli::LineReader reader(name);
+  EXPECT_EQ(reader.line(), "0");
+  cli::LineBlock block;
+  std::size_t number = 2;
+  std::size_t blocks = 0;
+  while (reader.next(block)) {
+    ++blocks;
+    EXPECT_EQ(block.first_line, number);
+    for (std::string_view rest = block.text; !rest.empty(); ++number) {
+      ASSERT_EQ(cli::next_line(rest),
+                number <= 40000 ? std::to_string(number - 1) : "last");
+    }
+  }
+  EXPECT_EQ(number, 40002U);
+  EXPECT_GT(blocks, 2U);
+  EXPECT_FALSE(reader.next(block));
+}
+
+TEST_F(OutputFile, LineTooLong) {
+  std::ofstream(folder_ / "long.txt") << std::string(3'000'000, 'x');
+  cli::LineReader reader(folder_ / "long.txt");
+  cli::LineBlock block;
+  EXPECT_THROW(reader.next(block), contact::Error);
+  EXPECT_THROW(cli::LineReader(folder_ / "none.txt"), contact::Error);
+}
+
+TEST(OrderedBlocks, KeepOrder) {
+  for (const int jobs : {1, 2, 7}) {
+    int last = 0;
+    std::vector<int> written;
+    cli::ordered_blocks<int>(
+        jobs, [&](int& block) { return (block = ++last) <= 1000; },
+        [](int& block) { block *= 2; },
+        [&](const int& block) { written.push_back(block); });
+    ASSERT_EQ(written.size(), 1000U);
+    for (int i = 0; i < 1000; ++i) ASSERT_EQ(written[i], 2 * (i + 1));
+  }
+}
+
+TEST(OrderedBlocks, ErrorsComeOut) {
+  for (const int jobs : {1, 4}) {
+    int last = 0;
+    EXPECT_THROW(cli::ordered_blocks<int>(
+                     jobs, [&](int& block) { return (block = ++last) < 100; },
+                     [](int& block) {
+                       if (block == 50) throw contact::Error("block 50");
+                     },
+                     [](const int&) {}),
+                 contact::Error);
+  }
+}
+
+}  // namespace
