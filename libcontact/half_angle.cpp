@@ -21,11 +21,11 @@ constexpr double half_pi = std::numbers::pi / 2;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-// The limit-angle formulas are made for this Poisson's ratio; a difference up
-// to the tolerance moves the limit by less than 0.7 %, their own error
-// (docs/half_angle.md).
+// The limit-angle formulas are made for this Poisson's ratio. 0.29 and 0.31
+// pass: they move the limit by less than 0.9 % (a rigid seat, the worst
+// case), which is the size of the formula's own error.
 constexpr double formula_poissons_ratio = 0.3;
-constexpr double poissons_ratio_tolerance = 0.01;
+constexpr double poissons_ratio_tolerance = 0.01 + 1e-12;
 
 // The pairs (g, inverse) of the laws in xi = x/theta0*, with 1 - g(xi) where
 // a caller needs it without cancellation.
@@ -92,7 +92,7 @@ std::vector<std::string> LimitHalfAngle::validity_notes(
   add("outer", pair.outer());
   if (kind == JointKind::spherical) {
     notes.push_back(
-        "the limit half-angle is that of a pin; a ball's is up to 4 % larger");
+        "the limit half-angle is that of a pin; a ball's is up to 5 % larger");
   }
   return notes;
 }
@@ -235,7 +235,8 @@ SaturatingLaw::InverseResult BlendLaw::inverse_shape(
   using NoThrow =
       policies::policy<policies::domain_error<policies::ignore_error>,
                        policies::evaluation_error<policies::ignore_error>>;
-  // Brackets shrink to 4 epsilon in some 5 to 8 steps; 100 is never reached.
+  // The bracket shrinks to 4 epsilon in 3 to 5 steps on average, in 14 at
+  // k = 1e-12; 100 is never reached.
   constexpr std::uintmax_t step_limit = 100;
   std::uintmax_t steps = step_limit;
   const auto [a, b] = boost::math::tools::toms748_solve(

@@ -83,7 +83,7 @@ class LimitHalfAngle {
   ///     84.85 - 2.88 atan(0.711 (Ebar - 1))      Ebar >= 1
   ///
   /// from 92.53 (Ebar = 0) to 80.33 (infinity). Against exact solutions it is
-  /// within 0.7 % (docs/half_angle.md); computed to 3e-16 relative
+  /// within 0.7 % (docs/half_angle.md); computed to 4e-16 relative
   /// (half_angle_test.cpp).
   /// @param modulus_ratio  Ebar, [0, infinity]
   /// @throws Error if out of range.
@@ -167,7 +167,7 @@ class SaturatingLaw : public HalfAngleLaw {
 
 /// theta0 = C atan(x/C), C = 2 theta0*/pi (2.3).
 ///
-/// Accuracy: relative error at most 1e-15 forward, 3e-15 inverse
+/// Accuracy: relative error at most 1e-15 forward, 2e-15 inverse
 /// (half_angle_test.cpp, against 50-digit arithmetic).
 class ArctanLaw final : public SaturatingLaw {
  public:
@@ -184,7 +184,7 @@ class ArctanLaw final : public SaturatingLaw {
 
 /// theta0 = theta0* tanh(x/theta0*) (2.4); the paper's choice for balls.
 ///
-/// Accuracy: relative error at most 1e-15 forward, 3e-15 inverse
+/// Accuracy: relative error at most 1e-15 forward, 2e-15 inverse
 /// (half_angle_test.cpp, against 50-digit arithmetic). In double precision
 /// theta0 reaches theta0* near x = 19 theta0*.
 class TanhLaw final : public SaturatingLaw {
@@ -204,7 +204,7 @@ class TanhLaw final : public SaturatingLaw {
 /// pins with 0.5 < Ebar < 2 (within 3 %) and k = 0 for balls.
 ///
 /// The inverse is a bracketed root between those of the two laws.
-/// Accuracy: relative error at most 1e-15 forward, 1e-14 inverse
+/// Accuracy: relative error at most 1e-15 forward, 3e-15 inverse
 /// (half_angle_test.cpp, against 50-digit arithmetic).
 class BlendLaw final : public SaturatingLaw {
  public:

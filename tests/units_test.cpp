@@ -14,9 +14,9 @@ using Real = boost::multiprecision::cpp_bin_float_50;
 TEST(Units, SineCosineDegreesToFullRelativeAccuracy) {
   const Real degree = boost::math::constants::pi<Real>() / 180;
   double largest = 0;
-  for (const double x : {1e-300, 1e-9, 0.01, 14.9, 29.5, 45.0, 60.1, 89.5,
-                         89.99, 90 - 1e-13, 90 + 1e-13, 179.999, 359.9, -1e-7,
-                         -89.999, -45.0, -150.0, 720.25}) {
+  for (const double x :
+       {1e-300, 1e-9, 0.01, 14.9, 29.5, 45.0, 60.1, 89.5, 89.99, 90 - 1e-13,
+        90 + 1e-13, 179.999, 359.9, -1e-7, -89.999, -45.0, -150.0, 720.25}) {
     const contact::SineCosine result = contact::sine_cosine_deg(x);
     const Real s = sin(Real(x) * degree);
     const Real c = cos(Real(x) * degree);

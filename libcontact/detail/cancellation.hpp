@@ -2,7 +2,7 @@
 
 namespace contact::detail {
 
-/// (x - sin x)/x^3, 1/6 at 0; even. |x| <= 2 pi. Relative error at most 1e-15
+/// (x - sin x)/x^3, 1/6 at 0; even. |x| <= 2 pi. Relative error at most 4e-16
 /// (pressure_test.cpp).
 double x_minus_sin_over_cube(double x);
 

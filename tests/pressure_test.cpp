@@ -1,0 +1,343 @@
+#include "libcontact/pressure.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <boost/math/constants/constants.hpp>
+#include <boost/math/quadrature/gauss_kronrod.hpp>
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "libcontact/detail/cancellation.hpp"
+#include "libcontact/units.hpp"
+#include "support/accuracy_report.hpp"
+#include "support/allocation_count.hpp"
+#include "support/error_message.hpp"
+#include "support/reference_table.hpp"
+
+namespace {
+
+using contact::CosinePressure;
+using contact::degree;
+using contact::JointKind;
+using contact::test::AccuracyReport;
+using contact::test::error_message;
+using contact::test::ReferenceTable;
+using Real = boost::multiprecision::cpp_bin_float_100;
+// The formulas of (3.2) to (3.4) as they stand lose five times the digits of
+// theta0: 100 digits leave 50 down to 1e-10 rad, 800 down to 1e-150 rad.
+using LongReal =
+    boost::multiprecision::number<boost::multiprecision::cpp_bin_float<800>>;
+constexpr double smallest_for_real = 1e-10;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr JointKind kinds[] = {JointKind::spherical, JointKind::cylindrical};
+constexpr double pi = 3.14159265358979323846;
+
+std::vector<double> half_angles() {
+  std::vector<double> values;
+  for (double angle = 1e-150; angle < 1e-4; angle *= 3e7) {
+    values.push_back(angle);
+  }
+  for (double angle_deg = 0.01; angle_deg < 5; angle_deg *= 1.6) {
+    values.push_back(angle_deg * degree);
+  }
+  for (double angle_deg = 5; angle_deg <= 170; angle_deg += 2.5) {
+    values.push_back(angle_deg * degree);
+  }
+  // Both sides of the switches from series to closed form: x^2 = 4 at
+  // x = 2 theta0 and x^2 = 2 at x = theta0.
+  for (const double angle : {1.0, std::sqrt(2.0)}) {
+    values.push_back(std::nextafter(angle, 0));
+    values.push_back(angle);
+    values.push_back(std::nextafter(angle, 2));
+  }
+  return values;
+}
+
+std::string label(JointKind kind, double half_angle, double theta = 0) {
+  std::ostringstream text;
+  text.precision(17);
+  text << to_string(kind) << " theta0 = " << half_angle
+       << " rad, theta = " << theta;
+  return text.str();
+}
+
+// The reports of one run over all half-angles.
+struct Reports {
+  // Up to 12 roundings of 1.1e-16, among them sines of 1 ulp. Near the edge
+  // pressure() multiplies six factors: measured 1.6e-15, the others 8e-16.
+  AccuracyReport integral{"cosine_normal_integral", 1e-15};
+  AccuracyReport peak{"peak", 1e-15};
+  AccuracyReport mean{"mean", 1e-15};
+  AccuracyReport force{"force_ratio", 1e-15};
+  AccuracyReport pressure{"pressure", 2e-15};
+  AccuracyReport slope{"slope", 1e-15};
+};
+
+// One half-angle against the formulas as the theory writes them.
+template <class R>
+void compare(Reports& reports, const CosinePressure& law, double half_angle) {
+  const JointKind kind = law.joint_kind();
+  const bool ball = kind == JointKind::spherical;
+  const R pi_ = boost::math::constants::pi<R>();
+  const R t0 = half_angle;
+  const R c = cos(t0);
+  const R normal =
+      ball ? R(pi_ / 3 * (1 - c) * (1 - c) * (2 + c)) : R(t0 - sin(t0) * c);
+  const R force = ball ? R(pi_ * (1 - c) * (1 - c) / normal)
+                       : R(2 * (sin(t0) - t0 * c) / normal);
+  const R area = ball ? R(2 * pi_ * (1 - c)) : R(2 * t0);
+  const std::string row = label(kind, half_angle);
+  if (half_angle > 1e-70) {  // else below the smallest normal number
+    reports.integral.add(R(contact::cosine_normal_integral(kind, half_angle)),
+                         normal, row);
+  }
+  reports.peak.add(R(law.peak(half_angle)), R((1 - c) / normal), row);
+  reports.mean.add(R(law.mean(half_angle)), R(force / area), row);
+  reports.force.add(R(law.force_ratio(half_angle)), force, row);
+  for (const double share : {0.0, 1e-9, 0.25, 0.9, 0.999999, 1 - 1e-15}) {
+    const double theta = share * half_angle;
+    const R t = theta;
+    const std::string point = label(kind, half_angle, theta);
+    reports.pressure.add(R(law.pressure(theta, half_angle)),
+                         R((cos(t) - c) / normal), point);
+    if (half_angle < 1e-100) continue;  // the slope overflows
+    reports.slope.add(R(law.slope(theta, half_angle)), R(sin(t) / normal),
+                      point);
+  }
+}
+
+TEST(CosinePressure, AgreesWithTheFormulasInHighPrecision) {
+  Reports reports;
+  for (const JointKind kind : kinds) {
+    const CosinePressure law(kind);
+    for (const double half_angle : half_angles()) {
+      if (half_angle < smallest_for_real) {
+        compare<LongReal>(reports, law, half_angle);
+      } else {
+        compare<Real>(reports, law, half_angle);
+      }
+    }
+  }
+  reports.integral.check();
+  reports.peak.check();
+  reports.mean.check();
+  reports.force.check();
+  reports.pressure.check();
+  reports.slope.check();
+}
+
+TEST(Cancellation, SeriesAndClosedFormsAgreeWithHighPrecision) {
+  AccuracyReport sine("x_minus_sin_over_cube", 4e-16);
+  AccuracyReport cosine("sin_minus_x_cos_over_cube", 4e-16);
+  for (double x = 1e-100; x < 1e-6; x *= 1e11) {
+    const LongReal y = x;
+    sine.add(LongReal(contact::detail::x_minus_sin_over_cube(x)),
+             LongReal((y - sin(y)) / (y * y * y)), std::to_string(x));
+    cosine.add(LongReal(contact::detail::sin_minus_x_cos_over_cube(x)),
+               LongReal((sin(y) - y * cos(y)) / (y * y * y)),
+               std::to_string(x));
+  }
+  for (double x = 0.01; x <= 2 * pi; x += 0.0137) {
+    const Real y = x;
+    sine.add(Real(contact::detail::x_minus_sin_over_cube(x)),
+             Real((y - sin(y)) / (y * y * y)), std::to_string(x));
+    if (x > pi) continue;
+    cosine.add(Real(contact::detail::sin_minus_x_cos_over_cube(x)),
+               Real((sin(y) - y * cos(y)) / (y * y * y)), std::to_string(x));
+  }
+  sine.check();
+  cosine.check();
+  EXPECT_EQ(contact::detail::x_minus_sin_over_cube(0), 1.0 / 6);
+  EXPECT_EQ(contact::detail::sin_minus_x_cos_over_cube(0), 1.0 / 3);
+  EXPECT_TRUE(std::isnan(contact::detail::x_minus_sin_over_cube(nan)));
+  EXPECT_TRUE(std::isnan(contact::detail::sin_minus_x_cos_over_cube(nan)));
+}
+
+// By quadrature of the definition, so that the formulas themselves are
+// checked: every pressure law has to pass this.
+TEST(CosinePressure, CarriesTheLoad) {
+  using Rule = boost::math::quadrature::gauss_kronrod<double, 31>;
+  for (const double half_angle : {1e-3, 0.4, 1.2, 1.6, 2.09}) {
+    const CosinePressure ball(JointKind::spherical);
+    const CosinePressure pin(JointKind::cylindrical);
+    const double ball_load = Rule::integrate(
+        [&](double t) {
+          return 2 * pi * ball.pressure(t, half_angle) * std::cos(t) *
+                 std::sin(t);
+        },
+        0.0, half_angle);
+    const double pin_load = Rule::integrate(
+        [&](double t) { return pin.pressure(t, half_angle) * std::cos(t); },
+        -half_angle, half_angle);
+    const double ball_force = Rule::integrate(
+        [&](double t) {
+          return 2 * pi * ball.pressure(t, half_angle) * std::sin(t);
+        },
+        0.0, half_angle);
+    const double pin_force =
+        Rule::integrate([&](double t) { return pin.pressure(t, half_angle); },
+                        -half_angle, half_angle);
+    const double falls = Rule::integrate(
+        [&](double t) { return ball.slope(t, half_angle); }, 0.0, half_angle);
+    // 31 nodes are exact here to rounding, summed up over 31 terms.
+    EXPECT_NEAR(ball_load, 1, 4e-15);
+    EXPECT_NEAR(pin_load, 1, 4e-15);
+    EXPECT_NEAR(ball_force / ball.force_ratio(half_angle), 1, 4e-15);
+    EXPECT_NEAR(pin_force / pin.force_ratio(half_angle), 1, 4e-15);
+    EXPECT_NEAR(falls / ball.peak(half_angle), 1, 4e-15);
+  }
+}
+
+TEST(CosinePressure, PeakIsNotTheAmplitude) {
+  // theory: at 5 deg the two differ 260 times: 1/(1 - cos 5 deg) = 262.8.
+  const double half_angle = 5 * degree;
+  for (const JointKind kind : kinds) {
+    const double amplitude =
+        1 / contact::cosine_normal_integral(kind, half_angle);
+    const double peak = CosinePressure(kind).peak(half_angle);
+    EXPECT_NEAR(amplitude / peak, 262.8, 0.05);
+  }
+}
+
+TEST(CosinePressure, AgreesWithTheTabulatedProfiles) {
+  // Angles are printed to 1e-4 deg: 5e-5 deg, 8.7e-7 rad, of both theta and
+  // theta0 times a slope of at most 1 peak per rad there.
+  AccuracyReport report("pressure against profiles, over the peak", 1.8e-6);
+  const ReferenceTable table("conforming/pressure_profiles.csv");
+  for (std::size_t row = 0; row < table.size(); ++row) {
+    const bool ball = table.text(row, "joint") == "sphere";
+    const CosinePressure law(ball ? JointKind::spherical
+                                  : JointKind::cylindrical);
+    const double half_angle = table.value(row, "theta0_deg") * degree;
+    const double p =
+        law.pressure(table.value(row, "theta_deg") * degree, half_angle);
+    const double difference = p - table.value(row, "p_paper_3.3");
+    report.add_error(std::abs(difference) / law.peak(half_angle),
+                     table.label(row));
+  }
+  report.check();
+}
+
+TEST(CosinePressure, ForceRatioAndPeakOfTheTable) {
+  const ReferenceTable table("conforming/pressure_friction.csv");
+  for (std::size_t row = 0; row < table.size(); ++row) {
+    const bool ball = table.text(row, "joint") == "sphere";
+    const CosinePressure law(ball ? JointKind::spherical
+                                  : JointKind::cylindrical);
+    const double half_angle = table.value(row, "theta0_deg") * degree;
+    // Last printed digit: 6 decimals.
+    EXPECT_NEAR(law.force_ratio(half_angle), table.value(row, "S_paper3.3"),
+                6e-7)
+        << table.label(row);
+    EXPECT_NEAR(law.peak(half_angle), table.value(row, "pmax_paper3.3"), 6e-7)
+        << table.label(row);
+  }
+}
+
+TEST(CosinePressure, SmallContacts) {
+  // theta0 -> 0: I_n -> (pi/4) theta0^4 and (2/3) theta0^3, a paraboloid of
+  // pressure with peak 2 (ball) and 1.5 (pin) times its mean.
+  const double t = 1e-40;
+  const CosinePressure ball(JointKind::spherical);
+  const CosinePressure pin(JointKind::cylindrical);
+  EXPECT_DOUBLE_EQ(ball.peak(t) * pi * t * t, 2);
+  EXPECT_DOUBLE_EQ(pin.peak(t) * t, 0.75);
+  EXPECT_DOUBLE_EQ(ball.peak(t) / ball.mean(t), 2);
+  EXPECT_DOUBLE_EQ(pin.peak(t) / pin.mean(t), 1.5);
+  EXPECT_DOUBLE_EQ(ball.pressure(t / 2, t) / ball.peak(t), 0.75);
+  EXPECT_DOUBLE_EQ(
+      contact::cosine_normal_integral(JointKind::spherical, t) / t / t / t / t,
+      pi / 4);
+  EXPECT_DOUBLE_EQ(
+      contact::cosine_normal_integral(JointKind::cylindrical, t) / t / t / t,
+      2.0 / 3);
+  for (const CosinePressure& law : {ball, pin}) {
+    EXPECT_EQ(law.peak(0), infinity);
+    EXPECT_EQ(law.mean(0), infinity);
+    EXPECT_EQ(law.pressure(0, 0), infinity);
+    EXPECT_EQ(law.pressure(1e-300, 0), 0);
+    EXPECT_EQ(law.slope(0, 0), 0);
+    EXPECT_DOUBLE_EQ(law.force_ratio(0), 1);
+    EXPECT_EQ(contact::cosine_normal_integral(law.joint_kind(), 0), 0);
+  }
+}
+
+TEST(CosinePressure, SymmetryAndEdge) {
+  for (const JointKind kind : kinds) {
+    const CosinePressure law(kind);
+    for (const double half_angle : {1e-5, 0.7, 2.0}) {
+      const double theta = 0.6 * half_angle;
+      EXPECT_EQ(law.pressure(-theta, half_angle),
+                law.pressure(theta, half_angle));
+      EXPECT_EQ(law.slope(-theta, half_angle), -law.slope(theta, half_angle));
+      EXPECT_EQ(law.pressure(0, half_angle), law.peak(half_angle));
+      EXPECT_EQ(law.pressure(half_angle, half_angle), 0);
+      EXPECT_GT(law.slope(half_angle, half_angle), 0);
+      const double outside = std::nextafter(half_angle, 4);
+      EXPECT_EQ(law.pressure(outside, half_angle), 0);
+      EXPECT_EQ(law.slope(outside, half_angle), 0);
+      EXPECT_EQ(law.slope(-outside, half_angle), 0);
+    }
+  }
+}
+
+TEST(PressureLaw, SlopesAreSlopeAtEachAngle) {
+  const CosinePressure law(JointKind::spherical);
+  const std::array<double, 4> theta = {0, 0.1, -0.5, 0.9};
+  std::array<double, 4> out{};
+  law.slopes(0.8, theta, out);
+  for (std::size_t i = 0; i < theta.size(); ++i) {
+    EXPECT_EQ(out[i], law.slope(theta[i], 0.8));
+  }
+}
+
+TEST(PressureLaw, NanAndWhatIsOutOfRange) {
+  for (const JointKind kind : kinds) {
+    const CosinePressure law(kind);
+    for (const double half_angle :
+         {nan, -1e-300, -1.0, 3.1415926535897936, infinity}) {
+      EXPECT_TRUE(std::isnan(law.pressure(0.1, half_angle)));
+      EXPECT_TRUE(std::isnan(law.slope(0.1, half_angle)));
+      EXPECT_TRUE(std::isnan(law.peak(half_angle)));
+      EXPECT_TRUE(std::isnan(law.mean(half_angle)));
+      EXPECT_TRUE(std::isnan(law.force_ratio(half_angle)));
+      EXPECT_TRUE(
+          std::isnan(contact::cosine_normal_integral(kind, half_angle)));
+    }
+    EXPECT_TRUE(std::isnan(law.pressure(nan, 1)));
+    EXPECT_TRUE(std::isnan(law.slope(nan, 1)));
+  }
+}
+
+TEST(PressureLaw, DoesNotAllocate) {
+  const auto law = contact::make_pressure_law("cosine", JointKind::cylindrical);
+  const std::size_t before = contact::test::allocation_count();
+  double sum = 0;
+  for (double t = 0; t < 1; t += 0.1) {
+    sum += law->pressure(t, 1) + law->slope(t, 1) + law->mean(1) +
+           law->peak(1) + law->force_ratio(1);
+  }
+  EXPECT_EQ(contact::test::allocation_count(), before);
+  EXPECT_GT(sum, 0);
+}
+
+TEST(MakePressureLaw, KnowsItsNames) {
+  for (const std::string& name : contact::pressure_law_names()) {
+    const auto law = contact::make_pressure_law(name, JointKind::cylindrical);
+    EXPECT_EQ(law->name(), name);
+    EXPECT_EQ(law->joint_kind(), JointKind::cylindrical);
+  }
+  EXPECT_EQ(error_message([] {
+              contact::make_pressure_law("flat", JointKind::spherical);
+            }),
+            "pressure law flat: allowed: cosine");
+}
+
+}  // namespace

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+
+#include "libcontact/error.hpp"
+
+namespace contact::test {
+
+/// What contact::Error says when `call` runs; "(no error)" if it does not
+/// throw one.
+template <class Call>
+std::string error_message(const Call& call) {
+  try {
+    call();
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "(no error)";
+}
+
+}  // namespace contact::test
