@@ -2,16 +2,47 @@
 
 #include "libcontact/detail/cap_kernel.hpp"
 #include "libcontact/detail/cap_point.hpp"
-#include "libcontact/detail/cap_rule.hpp"
+#include "libcontact/error.hpp"
+#include "libcontact/friction_batch.hpp"
 
 namespace contact {
 
 FrictionIntegrals exact_friction_integrals(double half_angle, SlipAxis axis) {
-  static const detail::CapKernel& kernel =
-      detail::cap_kernel(best_instruction_set());
-  const detail::PreparedCap cap = detail::prepare(half_angle, axis);
-  return detail::assemble(cap, kernel.one(cap.point, detail::cap_rule(cap.rule),
-                                          cap.pole_inside, cap.range));
+  using namespace detail;
+  static const CapKernel& kernel = cap_kernel(best_instruction_set());
+  const PreparedCap<double> cap = prepare(half_angle, axis.sin, axis.cos);
+  const CapRule& rule = cap_rule(cap_rule_index()(cap.point.m));
+  const CapResult<double> r = assemble(
+      cap,
+      kernel.one(cap.point, rule, cap.pole_inside, arc_range(cap.point.c)));
+  return {r.normal,
+          {r.force_pressure, r.sliding_pressure, r.spinning_pressure},
+          {r.force_area, r.sliding_area, r.spinning_area},
+          {r.force, r.sliding, r.spinning}};
+}
+
+void exact_friction_integrals(const FrictionBatchInput& in,
+                              const FrictionBatchOutput& out,
+                              InstructionSet set) {
+  const std::size_t size = in.half_angle.size();
+  if (in.axis_sin.size() != size || in.axis_cos.size() != size) {
+    throw Error("exact_friction_integrals: input arrays differ in length");
+  }
+  for (const std::span<double> result :
+       {out.normal, out.force_pressure, out.sliding_pressure,
+        out.spinning_pressure, out.force_area, out.sliding_area,
+        out.spinning_area, out.force, out.sliding, out.spinning}) {
+    if (!result.empty() && result.size() != size) {
+      throw Error(
+          "exact_friction_integrals: an output array is neither empty nor as "
+          "long as the input");
+    }
+  }
+  if (!is_supported(set)) {
+    throw Error(std::string("exact_friction_integrals: this machine lacks ") +
+                name(set));
+  }
+  detail::cap_kernel(set).batch(in, out);
 }
 
 }  // namespace contact

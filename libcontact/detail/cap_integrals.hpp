@@ -17,26 +17,29 @@ template <class V>
 struct CapPoint {
   V s, c;   ///< sine and cosine of the half-angle, c >= 0
   V sa, q;  ///< sine and cosine of the slip axis angle, q >= 0
-  V k2, m;  ///< modulus squared, min(z, 1/z)^2 with z = s/q, and 1 - k2
+  V k, m;   ///< modulus min(z, 1/z) with z = s/q, and 1 - k^2
 };
 
 /// Sums over the nodes, freed of their leading powers of s and q: the
-/// integrals are these times scales(); s = 0 is an ordinary argument.
+/// integrals follow by assemble(); s = 0 is an ordinary argument.
 template <class V>
 struct CapSums {
-  V force_pressure{}, sliding_pressure{}, spinning_pressure{};
-  V force_area{}, sliding_area{}, spinning_area{};
+  V force_pressure = 0.0, sliding_pressure = 0.0, spinning_pressure = 0.0;
+  V force_area = 0.0, sliding_area = 0.0, spinning_area = 0.0;
 };
 
 /// Which series serves h: by the cosine c of the half-angle, since all arcs
 /// have cos d in [c, 1].
 enum class ArcRange { small, medium, large };
-inline constexpr double small_range_cosine = arc_h_short.lower;
-inline constexpr double medium_range_cosine = arc_h_medium.lower;
+[[gnu::always_inline]] inline ArcRange arc_range(double c) {
+  return c >= arc_h_short.lower    ? ArcRange::small
+         : c >= arc_h_medium.lower ? ArcRange::medium
+                                   : ArcRange::large;
+}
 
 /// Even and odd powers side by side: half the latency of Horner's rule.
 template <class V, int n>
-V evaluate(const ArcPolynomial<n>& p, V x) {
+[[gnu::always_inline]] inline V evaluate(const ArcPolynomial<n>& p, V x) {
   const V y = x - p.centre;
   const V y2 = y * y;
   constexpr int top_even = (n - 1) / 2 * 2;
@@ -54,80 +57,88 @@ V evaluate(const ArcPolynomial<n>& p, V x) {
   return even + y * odd;
 }
 
-/// Quantities of the point that the nodes share.
-template <ArcRange range, class V>
-struct CapConstants {
-  explicit CapConstants(const CapPoint<V>& p)
-      : k2(p.k2),
-        m(p.m),
-        s2(p.s * p.s),
-        c(p.c),
-        c2(p.c * p.c),
-        q2(p.q * p.q),
-        sa2(p.sa * p.sa),
-        inverse(1.0 / (range == ArcRange::large ? s2 : c)) {}
-  V k2, m, s2, c, c2, q2, sa2;
-  V inverse;  // the only reciprocal the range needs; never of a small number
+/// 1/sqrt of both; instruction sets that have a faster way overload it.
+template <class V>
+struct InverseRoots {
+  V first, second;
 };
-
-/// Adds one node: arc through the colatitude pole of the slip axis at the
-/// longitude phi. Outside: sin phi = k sin chi; inside: phi = chi.
-template <bool pole_inside, ArcRange range, class V>
-void add_node(const CapConstants<range, V>& p, V cos_chi, V sin2_chi, V weight,
-              CapSums<V>& sum) {
+template <class V>
+[[gnu::always_inline]] inline InverseRoots<V> inverse_roots(const V& x,
+                                                            const V& y) {
   using std::sqrt;
-  const V cos2_chi = cos_chi * cos_chi;
-  const V delta = sqrt(p.m + p.k2 * cos2_chi);
-  const V r2 =
-      pole_inside ? V(p.sa2 + p.q2 * cos2_chi) : V(p.c2 + p.s2 * cos2_chi);
-  const V r = sqrt(r2);
-  // D = s d_over_s; d chi = weight, d phi = w.
-  V inverse_r, d_over_s, cos2_phi, sin2_phi, w;
-  if constexpr (pole_inside) {
-    inverse_r = 1.0 / r;
-    d_over_s = delta;
-    cos2_phi = cos2_chi;
-    sin2_phi = sin2_chi;
-    w = weight;
-  } else {
-    const V inverse = 1.0 / (r * delta);
-    inverse_r = inverse * delta;
-    d_over_s = cos_chi;
-    cos2_phi = delta * delta;
-    sin2_phi = p.k2 * sin2_chi;
-    w = weight * cos_chi * (inverse * r);
-  }
-  const V sd = d_over_s * inverse_r;  // sin d / s
-  const V cd = p.c * inverse_r;
-  const V sd2 = sd * sd;
-  const V sd3 = sd2 * sd;
-  const V sd3_23 = sd3 * (2.0 / 3.0);
-  V f;   // f / s^3
-  V hs;  // h / s^3
-  V h;   // h / s^5
-  if constexpr (range == ArcRange::large) {
-    // h = (2/3) sd^3 - cd f: what cancels here is small beside the nodes
-    // with long arcs.
-    f = sd3 * evaluate(arc_f_long, cd);
-    hs = sd3_23 - cd * f;
-    h = hs * p.inverse;
-  } else {
-    if constexpr (range == ArcRange::small) {
-      h = sd2 * sd3 * evaluate(arc_h_short, cd);
-    } else {
-      h = sd2 * sd3 * evaluate(arc_h_medium, cd);
-    }
-    hs = p.s2 * h;
-    f = (sd3_23 - hs) * (r * p.inverse);
-  }
-  const V slide = cos2_phi * sd * inverse_r;
-  sum.force_area += w * slide;
-  sum.sliding_area += w * (p.s2 * f + 2.0 * slide * cd * inverse_r);
-  sum.spinning_area += w * f;
-  sum.force_pressure += w * (cos2_phi * f);
-  sum.sliding_pressure +=
-      w * inverse_r * (cos2_phi * (hs + sd3_23) + p.sa2 * sin2_phi * hs);
-  sum.spinning_pressure += w * (r * h);
+  const V root_x = sqrt(x);
+  const V root_y = sqrt(y);
+  const V inverse = 1.0 / (root_x * root_y);
+  return {inverse * root_y, inverse * root_x};
 }
+
+/// The sum over nodes for one point, or one point per lane.
+///
+/// A node is the arc through the pole of the slip axis at the longitude phi;
+/// outside sin phi = k sin chi, inside phi = chi. With D = s d, u = 1/R and
+/// e = d^2 u^2 (so sin d = s sqrt(e), cos d = c u) every integrand is a
+/// product of d, e, u^2 and the one polynomial.
+template <bool pole_inside, ArcRange range, class V>
+class NodeSum {
+ public:
+  explicit NodeSum(const CapPoint<V>& p)
+      : c_(p.c),
+        m_(p.m),
+        k2_(p.k * p.k),
+        s2_(p.s * p.s),
+        r2_constant_(pole_inside ? V(p.sa * p.sa) : V(p.c * p.c)),
+        r2_cosine_(pole_inside ? V(p.q * p.q) : s2_),
+        sine_factor_(pole_inside ? V(p.sa * p.sa) : V(p.sa * p.sa * k2_)) {}
+
+  /// @param cos2, sin2  of chi;  @param weight  d chi
+  [[gnu::always_inline]] void add(V cos2, V sin2, V weight) {
+    const V delta2 = m_ + k2_ * cos2;
+    const V r2 = r2_constant_ + r2_cosine_ * cos2;
+    const auto [u, inverse_delta] = inverse_roots(r2, delta2);
+    const V u2 = u * u;
+    const V e = u2 * (pole_inside ? delta2 : cos2);
+    const V cos2_phi = pole_inside ? cos2 : delta2;
+    // d phi times d.
+    const V w = (weight * (pole_inside ? delta2 : cos2)) * inverse_delta;
+    const V we = w * e;
+    V f;   // c f/(d e s^3), but f/(d e s^3) in the large range
+    V h;   // R h/(d e s^5), but R h/(d e s^3) in the large range
+    V hs;  // R h/(d e s^3)
+    V g;   // R g/(d e s^3), g = h + (2/3) sin^3 d
+    if constexpr (range == ArcRange::large) {
+      // h = (2/3) sin^3 d - f cos d: what cancels here is small beside the
+      // nodes with long arcs.
+      const V x = c_ * u;
+      const V arc = evaluate(arc_f_long, x);
+      f = u * arc;
+      h = 2.0 / 3 - x * arc;
+      hs = h;
+    } else {
+      if constexpr (range == ArcRange::small) {
+        h = e * evaluate(arc_h_short, V(c_ * u));
+      } else {
+        h = e * evaluate(arc_h_medium, V(c_ * u));
+      }
+      hs = s2_ * h;
+      f = 2.0 / 3 - hs;
+    }
+    g = 2.0 / 3 + hs;
+    const V wf = we * f;
+    const V slide = (w * cos2_phi) * u2;
+    sum_.force_area += slide;
+    sum_.sliding_area += slide * u2;
+    sum_.spinning_area += wf;
+    sum_.force_pressure += cos2_phi * wf;
+    sum_.sliding_pressure +=
+        (we * u2) * (cos2_phi * g + (sine_factor_ * sin2) * hs);
+    sum_.spinning_pressure += we * h;
+  }
+
+  const CapSums<V>& sums() const { return sum_; }
+
+ private:
+  V c_, m_, k2_, s2_, r2_constant_, r2_cosine_, sine_factor_;
+  CapSums<V> sum_;
+};
 
 }  // namespace contact::detail

@@ -3,6 +3,6 @@
 namespace contact::detail {
 
 extern const CapKernel cap_kernel_avx2;
-constinit const CapKernel cap_kernel_avx2{one, group};
+constinit const CapKernel cap_kernel_avx2{one, batch};
 
 }  // namespace contact::detail

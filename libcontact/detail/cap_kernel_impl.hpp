@@ -1,12 +1,15 @@
 #pragma once
 
 // Included once by each cap_kernel_*.cpp, which is compiled for its own
-// instruction set: native_simd is a different type in each of them.
+// instruction set: Lanes is a different type in each of them.
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <experimental/simd>
 
 #include "libcontact/detail/cap_kernel.hpp"
+#include "libcontact/detail/cap_point.hpp"
 
 namespace contact::detail {
 namespace {
@@ -16,53 +19,7 @@ using Lanes = stdx::native_simd<double>;
 constexpr int width = static_cast<int>(Lanes::size());
 static_assert(CapRule::lanes % width == 0);
 
-template <bool pole_inside, ArcRange range>
-CapSums<double> sum_nodes(const CapPoint<double>& point, const CapRule& rule) {
-  const CapConstants<range, Lanes> p(
-      CapPoint<Lanes>{point.s, point.c, point.sa, point.q, point.k2, point.m});
-  CapSums<Lanes> sum;
-  for (int i = 0; i < rule.padded_size; i += width) {
-    const auto load = [i](const double* x) {
-      return Lanes(x + i, stdx::element_aligned);
-    };
-    add_node<pole_inside, range>(p, load(rule.cosine), load(rule.sine_squared),
-                                 load(rule.weight), sum);
-  }
-  return {
-      stdx::reduce(sum.force_pressure),    stdx::reduce(sum.sliding_pressure),
-      stdx::reduce(sum.spinning_pressure), stdx::reduce(sum.force_area),
-      stdx::reduce(sum.sliding_area),      stdx::reduce(sum.spinning_area)};
-}
-
-template <bool pole_inside, ArcRange range>
-void sum_group(const CapGroup& group) {
-  for (int first = 0; first < group.count; first += width) {
-    const int used = std::min(width, group.count - first);
-    // Lanes beyond the end repeat the last point; they are not stored.
-    const auto gather = [&](double CapPoint<double>::*member) {
-      return Lanes([&](auto lane) {
-        const int i = std::min<int>(lane, used - 1);
-        return group.points[group.order[first + i]].*member;
-      });
-    };
-    const CapConstants<range, Lanes> p(CapPoint<Lanes>{
-        gather(&CapPoint<double>::s), gather(&CapPoint<double>::c),
-        gather(&CapPoint<double>::sa), gather(&CapPoint<double>::q),
-        gather(&CapPoint<double>::k2), gather(&CapPoint<double>::m)});
-    CapSums<Lanes> sum;
-    for (int i = 0; i < group.rule->size; ++i) {
-      add_node<pole_inside, range>(p, Lanes(group.rule->cosine[i]),
-                                   Lanes(group.rule->sine_squared[i]),
-                                   Lanes(group.rule->weight[i]), sum);
-    }
-    for (int lane = 0; lane < used; ++lane) {
-      group.sums[group.order[first + lane]] = {
-          sum.force_pressure[lane],    sum.sliding_pressure[lane],
-          sum.spinning_pressure[lane], sum.force_area[lane],
-          sum.sliding_area[lane],      sum.spinning_area[lane]};
-    }
-  }
-}
+Lanes load(const double* x) { return Lanes(x, stdx::element_aligned); }
 
 /// Calls f.template operator()<pole_inside, range>().
 template <class F>
@@ -81,6 +38,20 @@ auto with_branches(bool pole_inside, ArcRange range, F f) {
                      : with_range.template operator()<false>();
 }
 
+template <bool pole_inside, ArcRange range>
+CapSums<double> sum_nodes(const CapPoint<double>& point, const CapRule& rule) {
+  NodeSum<pole_inside, range, Lanes> nodes(
+      CapPoint<Lanes>{point.s, point.c, point.sa, point.q, point.k, point.m});
+  for (int i = 0; i < rule.padded_size; i += width) {
+    nodes.add(load(rule.cosine_squared + i), load(rule.sine_squared + i),
+              load(rule.weight + i));
+  }
+  const CapSums<Lanes>& sum = nodes.sums();
+  return {reduce(sum.force_pressure),    reduce(sum.sliding_pressure),
+          reduce(sum.spinning_pressure), reduce(sum.force_area),
+          reduce(sum.sliding_area),      reduce(sum.spinning_area)};
+}
+
 CapSums<double> one(const CapPoint<double>& point, const CapRule& rule,
                     bool pole_inside, ArcRange range) {
   return with_branches(pole_inside, range, [&]<bool inside, ArcRange arc>() {
@@ -88,10 +59,155 @@ CapSums<double> one(const CapPoint<double>& point, const CapRule& rule,
   });
 }
 
-void group(const CapGroup& g) {
-  with_branches(g.pole_inside, g.range, [&]<bool inside, ArcRange arc>() {
-    sum_group<inside, arc>(g);
-  });
+/// Points of a block, sorted by what they share: rule, side of the pole, arc
+/// range. Only then can lanes run over points without waste.
+class Block {
+ public:
+  static constexpr int capacity = 2048;
+
+  Block(const FrictionBatchInput& in, const FrictionBatchOutput& out,
+        std::size_t offset)
+      : out_(out),
+        offset_(offset),
+        count_(static_cast<int>(
+            std::min<std::size_t>(capacity, in.half_angle.size() - offset))) {
+    for (int i = 0; i < count_; i += width) {
+      // The last lanes may run over the end: they repeat the last point.
+      const int last = count_ - 1 - i;
+      const auto take = [&](std::span<const double> x) {
+        const double* const start = x.data() + offset + i;
+        if (last >= width - 1) return load(start);
+        return Lanes([&](auto lane) {
+          return start[std::min(static_cast<int>(lane), last)];
+        });
+      };
+      prepare_lanes(i, prepare(take(in.half_angle), take(in.axis_sin),
+                               take(in.axis_cos)));
+    }
+    sort();
+  }
+
+  void evaluate() const {
+    for (int key = 0, first = 0; key < keys; ++key) {
+      const int end = ends_[key];
+      if (first == end) continue;
+      const CapRule& rule = cap_rule(key / branches);
+      with_branches(key % branches >= ranges,
+                    static_cast<ArcRange>(key % ranges),
+                    [&]<bool inside, ArcRange arc>() {
+                      sum_group<inside, arc>(first, end, rule);
+                    });
+      first = end;
+    }
+  }
+
+ private:
+  static constexpr int ranges = 3;
+  static constexpr int branches = 2 * ranges;
+  static constexpr int keys = cap_rule_count * branches;
+  using Array = std::array<double, capacity>;
+
+  void prepare_lanes(int i, const PreparedCap<Lanes>& cap) {
+    const auto store = [i](const Lanes& x, Array& array) {
+      x.copy_to(array.data() + i, stdx::element_aligned);
+    };
+    store(cap.point.s, s_);
+    store(cap.point.c, c_);
+    store(cap.point.sa, sa_);
+    store(cap.point.q, q_);
+    store(cap.point.k, k_);
+    store(cap.point.m, m_);
+    // Branches as numbers, arithmetic instead of lane-wise decisions.
+    const auto one_if = [](const auto& mask) {
+      return select(mask, Lanes(1.0), Lanes(0.0));
+    };
+    store(one_if(cap.beyond_hemisphere), beyond_);
+    store(static_cast<double>(ranges) * one_if(cap.pole_inside) +
+              one_if(!(cap.point.c >= arc_h_short.lower)) +
+              one_if(!(cap.point.c >= arc_h_medium.lower)),
+          branch_);
+  }
+
+  /// Counting sort by key.
+  void sort() {
+    const CapRuleIndex& index = cap_rule_index();
+    for (int i = 0; i < count_; ++i) {
+      const int key = index(m_[i]) * branches + static_cast<int>(branch_[i]);
+      key_[i] = static_cast<short>(key);
+      ++ends_[key];
+    }
+    int start = 0;
+    for (int& end : ends_) {
+      const int size = end;
+      end = start;
+      start += size;
+    }
+    for (int i = 0; i < count_; ++i) {
+      order_[ends_[key_[i]]++] = static_cast<short>(i);
+    }
+  }
+
+  template <bool pole_inside, ArcRange range>
+  void sum_group(int first, int end, const CapRule& rule) const {
+    for (int i = first; i < end; i += width) {
+      const int used = std::min(width, end - i);
+      std::array<int, width> at;
+      for (int lane = 0; lane < width; ++lane) {
+        at[lane] = order_[i + std::min(lane, used - 1)];
+      }
+      const auto gather = [&](const auto& array) {
+        return Lanes([&](auto lane) {
+          return array[at[static_cast<std::size_t>(lane)]];
+        });
+      };
+      const PreparedCap<Lanes> cap{{gather(s_), gather(c_), gather(sa_),
+                                    gather(q_), gather(k_), gather(m_)},
+                                   mask_of<Lanes>(pole_inside),
+                                   gather(beyond_) != 0.0};
+      NodeSum<pole_inside, range, Lanes> nodes(cap.point);
+      for (int node = 0; node < rule.size; ++node) {
+        nodes.add(Lanes(rule.cosine_squared[node]),
+                  Lanes(rule.sine_squared[node]), Lanes(rule.weight[node]));
+      }
+      scatter(i, used, assemble(cap, nodes.sums()));
+    }
+  }
+
+  void scatter(int i, int used, const CapResult<Lanes>& r) const {
+    const auto store = [&](const Lanes& x, std::span<double> to) {
+      if (to.empty()) return;
+      std::array<double, width> lanes;
+      x.copy_to(lanes.data(), stdx::element_aligned);
+      double* const start = to.data() + offset_;
+      for (int lane = 0; lane < used; ++lane) {
+        start[order_[i + lane]] = lanes[lane];
+      }
+    };
+    store(r.normal, out_.normal);
+    store(r.force_pressure, out_.force_pressure);
+    store(r.sliding_pressure, out_.sliding_pressure);
+    store(r.spinning_pressure, out_.spinning_pressure);
+    store(r.force_area, out_.force_area);
+    store(r.sliding_area, out_.sliding_area);
+    store(r.spinning_area, out_.spinning_area);
+    store(r.force, out_.force);
+    store(r.sliding, out_.sliding);
+    store(r.spinning, out_.spinning);
+  }
+
+  const FrictionBatchOutput& out_;
+  std::size_t offset_;
+  int count_;
+  Array s_, c_, sa_, q_, k_, m_, beyond_, branch_;
+  std::array<short, capacity> key_;
+  std::array<short, capacity> order_;
+  std::array<int, keys> ends_{};  // after sort(): end of each key's points
+};
+
+void batch(const FrictionBatchInput& in, const FrictionBatchOutput& out) {
+  for (std::size_t i = 0; i < in.half_angle.size(); i += Block::capacity) {
+    Block(in, out, i).evaluate();
+  }
 }
 
 }  // namespace

@@ -1,97 +1,117 @@
 #pragma once
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "libcontact/detail/cap_integrals.hpp"
-#include "libcontact/friction_integrals.hpp"
+#include "libcontact/detail/select.hpp"
 
+/// What the exact method does before and after its sum over nodes, for V a
+/// lane type or double.
 namespace contact::detail {
 
-/// One contact and slip axis, ready for the kernel.
+/// A contact and slip axis with the branches it takes.
+template <class V>
 struct PreparedCap {
-  CapPoint<double> point;
-  int rule;
-  bool pole_inside;
-  bool beyond_hemisphere;  ///< half-angle above 90 degrees: reflected
-  ArcRange range;
+  CapPoint<V> point;
+  mask_of<V> pole_inside;
+  mask_of<V> beyond_hemisphere;  ///< theta0 above 90 degrees: reflected
 };
 
-inline PreparedCap prepare(double half_angle, SlipAxis axis) {
-  PreparedCap cap;
+template <class V>
+PreparedCap<V> prepare(V half_angle, V axis_sin, V axis_cos) {
+  using std::abs, std::cos, std::sin;
   // NaN compares false: outside [0, pi] everything becomes NaN.
-  const double theta0 = half_angle >= 0 && half_angle <= std::numbers::pi
-                            ? half_angle
-                            : std::nan("");
-  const double s = std::sin(theta0);
-  const double cosine = std::cos(theta0);
-  const double c = std::abs(cosine);
-  const double sa = std::abs(axis.sin);
-  const double q = axis.cos;
+  const V theta0 =
+      select(half_angle >= 0.0 && half_angle <= std::numbers::pi, half_angle,
+             V(std::numeric_limits<double>::quiet_NaN()));
+  const V s = sin(theta0);
+  const V cosine = cos(theta0);
+  const V c = abs(cosine);
+  const V sa = abs(axis_sin);
+  const V q = axis_cos;
   // q^2 - s^2 without cancellation: by the smaller pair of legs.
-  const double difference =
-      c < 0.7 && sa < 0.7 ? (c - sa) * (c + sa) : (q - s) * (q + s);
-  const bool inside = difference <= 0;
-  const double numerator = inside ? q : s;
-  const double denominator = inside ? s : q;
-  // A contact of no size: theta0 = 0 with any axis.
-  const double inverse = denominator == 0 ? 0.0 : 1 / denominator;
-  const double k = numerator * inverse;
-  const double m =
-      denominator == 0 ? 1.0 : std::abs(difference) * inverse * inverse;
-  cap.point = {s, c, axis.sin, q, k * k, m};
-  cap.rule = cap_rule_index(m);
-  cap.pole_inside = inside;
-  cap.beyond_hemisphere = cosine < 0;
-  cap.range = c >= small_range_cosine    ? ArcRange::small
-              : c >= medium_range_cosine ? ArcRange::medium
-                                         : ArcRange::large;
-  return cap;
+  const V difference =
+      select(c < 0.7 && sa < 0.7, V((c - sa) * (c + sa)), V((q - s) * (q + s)));
+  const auto inside = difference <= 0.0;
+  const V larger = select(inside, s, q);
+  // A contact of no size seen along its own normal has z = 0/0: take z = 0.
+  const auto empty = larger == 0.0;
+  const V inverse = 1.0 / select(empty, V(1.0), larger);
+  const V k = select(inside, q, s) * inverse;
+  const V m = select(empty, V(1.0), V(abs(difference) * (inverse * inverse)));
+  return {{s, c, axis_sin, q, k, m}, inside, cosine < 0.0};
 }
 
-/// Puts back the powers of s and q, reflects half-angles above 90 degrees.
-inline FrictionIntegrals assemble(const PreparedCap& cap,
-                                  const CapSums<double>& sum) {
+/// The ten numbers of FrictionIntegrals, in its order.
+template <class V>
+struct CapResult {
+  V normal;
+  V force_pressure, sliding_pressure, spinning_pressure;
+  V force_area, sliding_area, spinning_area;
+  V force, sliding, spinning;
+};
+
+/// Puts back the powers of s, q and c that NodeSum left out; reflects
+/// half-angles above 90 degrees.
+template <class V>
+CapResult<V> assemble(const PreparedCap<V>& cap, const CapSums<V>& sum) {
   constexpr double pi = std::numbers::pi;
-  const CapPoint<double>& p = cap.point;
-  const double k = std::sqrt(p.k2);
-  // q min(1, z)/s and |sin a| min(1, z): the ranges of phi end at asin z.
-  const double along = cap.pole_inside ? k : 1.0;
-  const double across = p.sa * (cap.pole_inside ? 1.0 : k);
-  const double s2 = p.s * p.s;
-  const double s4 = s2 * s2;
-  // I_n = s^4 normal, (3.2): (1 - c)^2 = s^4/(1 + c)^2.
-  const double normal = pi / 3 * (2 + p.c) / ((1 + p.c) * (1 + p.c));
-  FrictionIntegrals result;
-  const FrictionTriple scaled{2 * along * sum.force_pressure,
-                              2 * along * sum.sliding_pressure,
-                              2 * across * p.s * sum.spinning_pressure};
-  result.area = {4 * along * s2 * sum.force_area,
-                 2 * along * s2 * sum.sliding_area,
-                 2 * across * s2 * p.s * sum.spinning_area};
-  if (!cap.beyond_hemisphere) {
-    const double inverse = 1 / normal;
-    result.normal = s4 * normal;
-    result.pressure = {s4 * scaled.force, s4 * scaled.sliding,
-                       s4 * scaled.spinning};
-    result.coefficient = {inverse * scaled.force, inverse * scaled.sliding,
-                          inverse * scaled.spinning};
-    return result;
+  const CapPoint<V>& p = cap.point;
+  const V s2 = p.s * p.s;
+  const V s4 = s2 * s2;
+  // What the arc ranges left out of f and h.
+  const auto large = p.c < arc_h_medium.lower;
+  const V reciprocal = 1.0 / select(large, s2, p.c);
+  const V f_factor = select(large, V(1.0), reciprocal);
+  const V h_factor = select(large, reciprocal, V(1.0));
+  // The powers of q and sin a that survive: q/s inside, where phi runs to
+  // pi/2; outside it runs to asin(z), which brings another factor z = k.
+  const V along = 2.0 * select(cap.pole_inside, p.k, V(1.0));
+  const V across = 2.0 * p.s * select(cap.pole_inside, p.sa, V(p.sa * p.k));
+  // I_n = s^4 normal, (3.2), by (1 - c)^2 = s^4/(1 + c)^2.
+  const V one_plus_c = 1.0 + p.c;
+  const V normal = pi / 3 * (2.0 + p.c);
+  const V opened = one_plus_c * one_plus_c;
+  CapResult<V> r;
+  const V f_area = f_factor * sum.spinning_area;
+  r.force = along * (f_factor * sum.force_pressure);
+  r.sliding = along * sum.sliding_pressure;
+  r.spinning = across * (h_factor * sum.spinning_pressure);
+  r.force_area = 2.0 * along * s2 * sum.force_area;
+  r.sliding_area = along * s2 * (s2 * f_area + 2.0 * p.c * sum.sliding_area);
+  r.spinning_area = across * s2 * f_area;
+  r.force_pressure = s4 * r.force;
+  r.sliding_pressure = s4 * r.sliding;
+  r.spinning_pressure = s4 * r.spinning;
+  V inverse = opened / normal;
+  r.normal = s4 * normal / opened;
+  if (any(cap.beyond_hemisphere)) {
+    // The cap is the whole sphere less the opposite cap.
+    constexpr double pi2 = pi * pi;
+    const auto beyond = cap.beyond_hemisphere;
+    const V pc = pi2 * p.c;
+    r.normal = select(beyond, V(pi / 3 * opened * (2.0 - p.c)), r.normal);
+    r.sliding_area =
+        select(beyond, V(pi2 * p.q - r.sliding_area), r.sliding_area);
+    r.spinning_area =
+        select(beyond, V(pi2 * p.sa - r.spinning_area), r.spinning_area);
+    r.force_pressure =
+        select(beyond, V(pi2 / 2 * p.q - r.force_pressure), r.force_pressure);
+    r.sliding_pressure =
+        select(beyond, V(pc * p.q + r.sliding_pressure), r.sliding_pressure);
+    r.spinning_pressure =
+        select(beyond, V(pc * p.sa + r.spinning_pressure), r.spinning_pressure);
+    r.force = select(beyond, r.force_pressure, r.force);
+    r.sliding = select(beyond, r.sliding_pressure, r.sliding);
+    r.spinning = select(beyond, r.spinning_pressure, r.spinning);
+    inverse = select(beyond, V(1.0 / r.normal), inverse);
   }
-  // The cap is the hemisphere's double less the opposite cap.
-  const double one_minus_cos = 1 + p.c;
-  result.normal = pi / 3 * one_minus_cos * one_minus_cos * (2 - p.c);
-  constexpr double pi2 = pi * pi;
-  result.area.sliding = pi2 * p.q - result.area.sliding;
-  result.area.spinning = pi2 * p.sa - result.area.spinning;
-  result.pressure = {pi2 / 2 * p.q - s4 * scaled.force,
-                     pi2 * p.c * p.q + s4 * scaled.sliding,
-                     pi2 * p.c * p.sa + s4 * scaled.spinning};
-  const double inverse = 1 / result.normal;
-  result.coefficient = {inverse * result.pressure.force,
-                        inverse * result.pressure.sliding,
-                        inverse * result.pressure.spinning};
-  return result;
+  r.force *= inverse;
+  r.sliding *= inverse;
+  r.spinning *= inverse;
+  return r;
 }
 
 }  // namespace contact::detail

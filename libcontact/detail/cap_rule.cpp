@@ -17,11 +17,12 @@ using Real = long double;
 /// one more or less counts, then octaves. Below 2^-54 the modulus no longer
 /// differs from 1 in double precision.
 constexpr int octaves = 54;
-std::vector<Real> lower_bounds() {
-  std::vector<Real> bounds{0.875L, 0.625L, 0.5L, 0.375L, 0.25L};
-  for (int e = 3; e <= octaves; ++e) bounds.push_back(std::ldexp(1.0L, -e));
+constexpr std::array<Real, cap_rule_count> lower_bounds = [] {
+  std::array<Real, cap_rule_count> bounds{0.875L, 0.625L, 0.5L, 0.375L, 0.25L};
+  for (std::size_t i = 5; i < bounds.size(); ++i) bounds[i] = bounds[i - 1] / 2;
   return bounds;
-}
+}();
+static_assert(lower_bounds.back() == 1 / Real(1LL << octaves));
 
 /// Amplitude am(u, k) by the descending Landen transformation on the
 /// arithmetic-geometric mean (Abramowitz and Stegun 16.4, 17.6).
@@ -60,31 +61,23 @@ class Rules {
  public:
   Rules() {
     Real upper = 1;
-    for (const Real lower : lower_bounds()) {
+    for (const Real lower : lower_bounds) {
       append(lower, upper);
       upper = lower;
     }
     // Addresses are taken when the store no longer grows.
     for (std::size_t i = 0; i < rules_.size(); ++i) {
       double* const start = store_.data() + offsets_[i];
-      rules_[i].cosine = start;
+      rules_[i].cosine_squared = start;
       rules_[i].sine_squared = start + rules_[i].padded_size;
       rules_[i].weight = start + 2 * rules_[i].padded_size;
     }
     fill_index();
   }
   const CapRule& rule(int index) const { return rules_[index]; }
-  int count() const { return static_cast<int>(rules_.size()); }
-
-  int index(double m) const {
-    // Steps of a quarter of an octave: exponent and two mantissa bits.
-    const std::int64_t step = (one_bits - std::bit_cast<std::int64_t>(m)) >> 50;
-    return index_[std::clamp<std::int64_t>(step, 0, index_.size() - 1)];
-  }
+  const CapRuleIndex& index() const { return index_; }
 
  private:
-  static constexpr std::int64_t one_bits = std::bit_cast<std::int64_t>(1.0);
-
   void append(Real lower, Real upper) {
     // The rule's k'^2 sits low in its range, so that no integrand of the
     // range has a singularity nearer than K'. The count was found by
@@ -105,7 +98,7 @@ class Rules {
       const Real phi = am(k * (std::min(i, n - 1) + 0.5L) / n);
       const Real s = std::sin(phi);
       const Real c = std::cos(phi);
-      store_[start + i] = static_cast<double>(c);
+      store_[start + i] = static_cast<double>(c * c);
       store_[start + padded + i] = static_cast<double>(s * s);
       if (i < n) {
         store_[start + 2 * padded + i] =
@@ -115,22 +108,21 @@ class Rules {
   }
 
   void fill_index() {
-    const std::vector<Real> bounds = lower_bounds();
-    for (std::size_t step = 0; step < index_.size(); ++step) {
-      // The smallest number of the step (one_bits itself is in step 0).
-      const double m = std::bit_cast<double>(
-          one_bits - (static_cast<std::int64_t>(step) << 50) -
-          ((std::int64_t{1} << 50) - 1));
+    constexpr std::int64_t width = std::int64_t{1} << CapRuleIndex::shift;
+    for (int step = 0; step < CapRuleIndex::steps; ++step) {
+      // The smallest number of the step.
+      const double m =
+          std::bit_cast<double>(CapRuleIndex::one - (step + 1) * width + 1);
       std::size_t i = 0;
-      while (i + 1 < bounds.size() && m < bounds[i]) ++i;
-      index_[step] = static_cast<std::uint8_t>(i);
+      while (i + 1 < lower_bounds.size() && m < lower_bounds[i]) ++i;
+      index_.rule_of_step[step] = static_cast<std::uint8_t>(i);
     }
   }
 
   std::vector<CapRule> rules_;
   std::vector<std::size_t> offsets_;
   std::vector<double> store_;
-  std::array<std::uint8_t, 4 * octaves + 1> index_{};
+  CapRuleIndex index_{};
 };
 
 const Rules& rules() {
@@ -140,10 +132,7 @@ const Rules& rules() {
 
 }  // namespace
 
-int cap_rule_index(double complementary_modulus_squared) {
-  return rules().index(complementary_modulus_squared);
-}
-int cap_rule_count() { return rules().count(); }
 const CapRule& cap_rule(int index) { return rules().rule(index); }
+const CapRuleIndex& cap_rule_index() { return rules().index(); }
 
 }  // namespace contact::detail

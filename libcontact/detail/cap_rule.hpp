@@ -1,5 +1,10 @@
 #pragma once
 
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+
 namespace contact::detail {
 
 /// Nodes and weights of the midpoint rule in the Jacobi variable u,
@@ -11,17 +16,32 @@ struct CapRule {
   static constexpr int lanes = 8;
   int size;
   int padded_size;
-  const double* cosine;        ///< cos am(u_i, k)
-  const double* sine_squared;  ///< sin^2 am(u_i, k)
-  const double* weight;        ///< K/n dn(u_i, k)
+  const double* cosine_squared;  ///< cos^2 am(u_i, k)
+  const double* sine_squared;    ///< sin^2 am(u_i, k)
+  const double* weight;          ///< K/n dn(u_i, k)
 };
 
-/// Number of rules, and the rule that serves complementary modulus squared
-/// k'^2 in [0, 1] (any other value, NaN too, gives some rule). One rule
-/// serves a range of moduli: k only steers the nodes, the integrand has its
-/// own modulus.
-int cap_rule_index(double complementary_modulus_squared);
-int cap_rule_count();
+/// One rule serves a range of moduli: k only steers the nodes, the integrand
+/// has its own modulus.
+inline constexpr int cap_rule_count = 57;
 const CapRule& cap_rule(int index);
+
+/// From the complementary modulus squared k'^2 in [0, 1] to the index of the
+/// rule that serves it; any other value, NaN too, gives some rule.
+struct CapRuleIndex {
+  /// Steps of a quarter of an octave: exponent and two mantissa bits.
+  static constexpr int shift = 50;
+  static constexpr int steps = 217;
+  static constexpr std::int64_t one = std::bit_cast<std::int64_t>(1.0);
+  std::array<std::uint8_t, steps> rule_of_step;
+
+  [[gnu::always_inline]] int operator()(double m) const {
+    const std::int64_t step = (one - std::bit_cast<std::int64_t>(m)) >> shift;
+    return rule_of_step[static_cast<std::size_t>(step < 0        ? 0
+                                                 : step >= steps ? steps - 1
+                                                                 : step)];
+  }
+};
+const CapRuleIndex& cap_rule_index();
 
 }  // namespace contact::detail
