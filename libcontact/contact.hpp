@@ -13,4 +13,5 @@
 #include "libcontact/instruction_set.hpp"
 #include "libcontact/friction_integrals.hpp"
 #include "libcontact/friction_exact.hpp"
+#include "libcontact/friction_batch.hpp"
 // clang-format on

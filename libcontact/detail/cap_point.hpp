@@ -31,16 +31,19 @@ PreparedCap<V> prepare(V half_angle, V axis_sin, V axis_cos) {
   const V c = abs(cosine);
   const V sa = abs(axis_sin);
   const V q = axis_cos;
-  // q^2 - s^2 without cancellation: by the smaller pair of legs.
-  const V difference =
-      select(c < 0.7 && sa < 0.7, V((c - sa) * (c + sa)), V((q - s) * (q + s)));
+  // q^2 - s^2 = (q - s)(q + s) = (c - sa)(c + sa), without cancellation by
+  // the smaller pair of legs.
+  const auto near_corner = c < 0.7 && sa < 0.7;
+  const V difference = select(near_corner, V(c - sa), V(q - s));
+  const V sum = select(near_corner, V(c + sa), V(q + s));
   const auto inside = difference <= 0.0;
   const V larger = select(inside, s, q);
   // A contact of no size seen along its own normal has z = 0/0: take z = 0.
   const auto empty = larger == 0.0;
   const V inverse = 1.0 / select(empty, V(1.0), larger);
   const V k = select(inside, q, s) * inverse;
-  const V m = select(empty, V(1.0), V(abs(difference) * (inverse * inverse)));
+  const V m =
+      select(empty, V(1.0), V(abs(difference * inverse) * (sum * inverse)));
   return {{s, c, axis_sin, q, k, m}, inside, cosine < 0.0};
 }
 
