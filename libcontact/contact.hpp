@@ -11,6 +11,7 @@
 #include "libcontact/half_angle.hpp"
 #include "libcontact/pressure.hpp"
 #include "libcontact/instruction_set.hpp"
+#include "libcontact/elliptic.hpp"
 #include "libcontact/friction_integrals.hpp"
 #include "libcontact/friction_exact.hpp"
 #include "libcontact/friction_batch.hpp"

@@ -1,0 +1,91 @@
+#pragma once
+
+/// Complete elliptic integrals, the only place of the library that calls
+/// Boost's elliptic functions (docs/elliptic.md).
+///
+/// Everything takes the complementary parameter x = 1 - k^2 and, for the
+/// third kind, the complementary characteristic p = 1 - n, because that is
+/// where the digits are: K has a logarithmic singularity at x = 0. With
+/// Delta = sqrt(1 - k^2 sin^2 phi) and integrals over 0 <= phi <= pi/2:
+///
+///     K = int 1/Delta            = cosine part + sine part
+///     E = int Delta
+///     Pi = int 1/((1 - n sin^2 phi) Delta) = cosine part + sine part
+///
+/// where the cosine part has cos^2 phi, the sine part sin^2 phi in its
+/// numerator. The parts are what the friction integrals are made of: each is
+/// positive, and they stay accurate where K - E or Pi - K have lost their
+/// digits (x -> 1, n -> 0). Fukushima calls the parts of K B and D (Math.
+/// Comp. 80 (2011) 1725-1743). All reduce to Carlson's symmetric integrals,
+/// DLMF 19.25.
+///
+/// Arguments: x >= 0 (x > 1 is an imaginary modulus), p >= 0. K, Pi and the
+/// sine parts are +infinity at x = 0, Pi and its sine part also at p = 0.
+/// Arguments outside, infinite or NaN give NaN; nothing throws.
+///
+/// Accuracy: largest relative error 1e-15 on x in [1e-300, 1e3] and
+/// p in [1e-12, 1e3] (elliptic_test.cpp, data/reference/elliptic.csv).
+/// For other real types include elliptic_real.hpp.
+namespace contact {
+
+/// Complete elliptic integral of the first kind K.
+double elliptic_k(double x);
+/// Complete elliptic integral of the second kind E.
+double elliptic_e(double x);
+/// Complete elliptic integral of the third kind Pi.
+double elliptic_pi(double p, double x);
+
+/// Cosine part of K, (E - x K)/k^2; 1 at x = 0, pi/4 at x = 1.
+double elliptic_k_cosine(double x);
+/// Sine part of K, (K - E)/k^2; pi/4 at x = 1.
+double elliptic_k_sine(double x);
+/// Cosine part of Pi, (K - p Pi)/n. At p = 0 it equals K, at p = 1 the
+/// cosine part of K.
+double elliptic_pi_cosine(double p, double x);
+/// Sine part of Pi, (Pi - K)/n. At p = 1 it equals the sine part of K.
+double elliptic_pi_sine(double p, double x);
+
+/// The engineering approximation of the paper (section 3, after (3.9)),
+///     K = 1.3863 + 0.1845 x - (0.5 + 0.0879 x) ln x,  0 < x <= 1.
+/// Largest relative error 1.1e-3 (elliptic_test.cpp).
+double elliptic_k_chebyshev(double x);
+/// The paper's
+///     E = 1 + 0.5708 x - 0.1948 x ln x,  0 <= x <= 1.
+/// Largest relative error 2.7e-3 (elliptic_test.cpp).
+double elliptic_e_chebyshev(double x);
+
+/// Approximations of K and E by two polynomials and one logarithm,
+///
+///     P(x) - Q(x) ln x,   0 < x <= 1,   P and Q of the given order,
+///
+/// whose coefficients minimise the largest relative error on (0, 1] and
+/// whose first terms are exact (P(0) = ln 4 and Q(0) = 1/2 for K, 1 and 0 for
+/// E), so that the error vanishes at x -> 0. Each order gains a factor of
+/// about 40; order 9 is exact to rounding. Hastings and Cody gave such forms
+/// for a few orders (Abramowitz and Stegun 17.3.33 to 17.3.36); the
+/// coefficients here come from reference/elliptic_fit.hpp.
+class EllipticLogForm {
+ public:
+  static constexpr int max_order = 9;
+
+  /// @param order  degree of P and Q, 1 to max_order; otherwise throws Error
+  explicit EllipticLogForm(int order);
+
+  /// @param x  complementary parameter, (0, 1]; NaN gives NaN
+  /// @return K(x), relative error at most error_k()
+  double k(double x) const;
+  /// @param x  complementary parameter, [0, 1]; NaN gives NaN
+  /// @return E(x), relative error at most error_e()
+  double e(double x) const;
+
+  /// Largest relative error of k on (0, 1]: the fit's plus rounding
+  /// (elliptic_test.cpp).
+  double error_k() const;
+  /// The same of e.
+  double error_e() const;
+
+ private:
+  int order_;
+};
+
+}  // namespace contact
