@@ -5,11 +5,13 @@
 // clang-format off
 #include "libcontact/error.hpp"
 #include "libcontact/units.hpp"
+#include "libcontact/toml_reader.hpp"
 #include "libcontact/material.hpp"
 #include "libcontact/joint_geometry.hpp"
 #include "libcontact/friction_law.hpp"
 #include "libcontact/half_angle.hpp"
 #include "libcontact/pressure.hpp"
+#include "libcontact/joint_file.hpp"
 #include "libcontact/instruction_set.hpp"
 #include "libcontact/elliptic.hpp"
 #include "libcontact/friction_integrals.hpp"

@@ -244,6 +244,9 @@ struct HalfAngleOptions {
   double initial_slope = 1;
 };
 
+/// The law of joints and programs that name none.
+inline constexpr std::string_view default_half_angle_law = "paper";
+
 /// Names that make_half_angle_law() knows, in the order of the sources:
 /// hertz, arctan, tanh, blend, paper.
 const std::vector<std::string>& half_angle_law_names();

@@ -109,6 +109,9 @@ class CosinePressure final : public PressureLaw {
 ///         is a normal number.
 double cosine_normal_integral(JointKind kind, double half_angle);
 
+/// The law of joints and programs that name none.
+inline constexpr std::string_view default_pressure_law = "cosine";
+
 /// Names that make_pressure_law() knows: cosine.
 const std::vector<std::string>& pressure_law_names();
 

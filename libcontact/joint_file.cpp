@@ -1,0 +1,188 @@
+#include "libcontact/joint_file.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "libcontact/error.hpp"
+#include "libcontact/units.hpp"
+
+namespace contact {
+namespace {
+
+// From foams to above diamond (1.1e12 Pa): outside it a unit was mistaken.
+constexpr Interval youngs_modulus_range{
+    .low = 1e3, .high = 1e13, .or_infinity = true};
+constexpr Interval poissons_ratio_range{0, 0.5};
+// 180/pi is 57.2958; the paper rounds it to 57.3.
+constexpr Interval degrees_per_radian_range{57, 58};
+
+Material material_from_table(const TomlTable& table) {
+  const std::string name = table.optional_text("name").value_or("");
+  const double modulus =
+      table.number("youngs_modulus", youngs_modulus_range, Dimension::stress);
+  // A rigid body's Poisson's ratio has no influence.
+  const double ratio =
+      std::isinf(modulus)
+          ? table.optional_number("poissons_ratio", poissons_ratio_range)
+                .value_or(0)
+          : table.number("poissons_ratio", poissons_ratio_range);
+  return {modulus, ratio, name};
+}
+
+ElasticPair pair_from_table(const TomlTable& table) {
+  const Material inner = material_from_table(table.table("inner"));
+  const TomlTable outer_table = table.table("outer");
+  const Material outer = material_from_table(outer_table);
+  if (std::isinf(inner.youngs_modulus) && std::isinf(outer.youngs_modulus)) {
+    outer_table.fail("youngs_modulus",
+                     "the inner body is rigid too: allowed: at most one");
+  }
+  return ElasticPair(inner, outer);
+}
+
+std::optional<FrictionLaw> friction_from_table(const TomlTable& table) {
+  const auto friction = table.optional_table("friction");
+  if (!friction) return {};
+  const double coefficient =
+      friction->number("coefficient", Interval::non_negative());
+  return FrictionLaw(coefficient,
+                     friction
+                         ->optional_number("adhesion", Interval::non_negative(),
+                                           Dimension::stress)
+                         .value_or(0));
+}
+
+MaterialPair material_pair_from_table(const TomlTable& table) {
+  MaterialPair pair{table.text("name"), pair_from_table(table),
+                    friction_from_table(table)};
+  table.refuse_unknown_keys();
+  return pair;
+}
+
+JointGeometry geometry_from_table(const TomlTable& joint) {
+  const bool ball = joint.choice("kind", {"spherical", "cylindrical"}) == 0;
+  const JointBody inner_body =
+      joint.optional_choice("inner_body", {"carrier", "load"}).value_or(0) == 0
+          ? JointBody::carrier
+          : JointBody::load;
+  const TomlTable table = joint.table("geometry");
+  const double radius =
+      table.number("radius", Interval::positive(), Dimension::length);
+  const auto relative =
+      table.optional_number("relative_clearance", {0, 1, true, true});
+  if (relative && table.has("radial_clearance", Dimension::length)) {
+    table.fail("relative_clearance",
+               "allowed: not together with radial_clearance");
+  }
+  const double clearance =
+      relative ? *relative * radius
+               : table.number("radial_clearance", {0, radius, true, true},
+                              Dimension::length);
+  if (ball) return JointGeometry::ball(radius, clearance, inner_body);
+  const double length =
+      table.number("length", Interval::positive(), Dimension::length);
+  return JointGeometry::pin(radius, clearance, length, inner_body);
+}
+
+// [materials]: pair = "FILE", or [materials.inner] and [materials.outer].
+MaterialPair materials_from_table(const TomlTable& joint) {
+  const TomlTable table = joint.table("materials");
+  const auto file = table.optional_text("pair");
+  if (!file) return {"", pair_from_table(table), {}};
+  if (table.has("inner") || table.has("outer")) {
+    table.fail("pair", "allowed: not together with [inner] and [outer]");
+  }
+  try {
+    return read_material_pair(table.folder() / *file);
+  } catch (const Error& error) {
+    table.fail("pair", error.what());
+  }
+}
+
+}  // namespace
+
+MaterialPair read_material_pair(const std::filesystem::path& path) {
+  return material_pair_from_table(TomlTable::from_file(path));
+}
+
+MaterialPair parse_material_pair(std::string_view text,
+                                 const std::string& source) {
+  return material_pair_from_table(TomlTable::from_text(text, source));
+}
+
+std::unique_ptr<HalfAngleLaw> Joint::make_half_angle_law() const {
+  return contact::make_half_angle_law(half_angle_law, geometry.kind(), pair,
+                                      half_angle_options);
+}
+
+std::unique_ptr<PressureLaw> Joint::make_pressure_law() const {
+  return contact::make_pressure_law(pressure_law, geometry.kind());
+}
+
+std::vector<std::string> Joint::validity_notes() const {
+  std::vector<std::string> notes = geometry.validity_notes();
+  for (std::string& note : make_half_angle_law()->validity_notes(pair)) {
+    notes.push_back(std::move(note));
+  }
+  return notes;
+}
+
+Joint joint_from_table(const TomlTable& table) {
+  std::string name = table.text("name");
+  const JointGeometry geometry = geometry_from_table(table);
+  MaterialPair materials = materials_from_table(table);
+  Joint joint{.name = std::move(name),
+              .geometry = geometry,
+              .pair = std::move(materials.elastic),
+              .friction = friction_from_table(table),
+              .half_angle_law = std::string(default_half_angle_law),
+              .half_angle_options = {},
+              .pressure_law = std::string(default_pressure_law)};
+  if (!joint.friction) joint.friction = materials.friction;
+
+  if (const auto half_angle = table.optional_table("half_angle")) {
+    HalfAngleOptions& options = joint.half_angle_options;
+    joint.half_angle_law =
+        half_angle->optional_text("law").value_or(joint.half_angle_law);
+    options.limit_half_angle = half_angle->optional_number(
+        "limit_half_angle", {0, std::numbers::pi, true, true},
+        Dimension::angle);
+    options.linear_limit =
+        half_angle->optional_choice("limit_formula", {"arctan", "linear"})
+            .value_or(0) == 1;
+    const auto degrees = half_angle->optional_number("degrees_per_radian",
+                                                     degrees_per_radian_range);
+    if (degrees) options.initial_slope = *degrees * degree;
+    try {
+      joint.make_half_angle_law();
+    } catch (const Error& error) {
+      half_angle->fail("law", error.what());
+    }
+  }
+  if (const auto pressure = table.optional_table("pressure")) {
+    joint.pressure_law = pressure->text("law");
+    try {
+      joint.make_pressure_law();
+    } catch (const Error& error) {
+      pressure->fail("law", error.what());
+    }
+  }
+  return joint;
+}
+
+Joint read_joint(const std::filesystem::path& path) {
+  const TomlTable table = TomlTable::from_file(path);
+  Joint joint = joint_from_table(table);
+  table.refuse_unknown_keys();
+  return joint;
+}
+
+Joint parse_joint(std::string_view text, const std::string& source) {
+  const TomlTable table = TomlTable::from_text(text, source);
+  Joint joint = joint_from_table(table);
+  table.refuse_unknown_keys();
+  return joint;
+}
+
+}  // namespace contact

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "libcontact/friction_law.hpp"
+#include "libcontact/half_angle.hpp"
+#include "libcontact/joint_geometry.hpp"
+#include "libcontact/material.hpp"
+#include "libcontact/pressure.hpp"
+#include "libcontact/toml_reader.hpp"
+
+/// Material pairs and joints from TOML files (keys: docs/joint_file.md).
+///
+/// Every reader throws contact::Error with one line that names file, line,
+/// key, value and what is allowed; unknown keys are refused.
+namespace contact {
+
+/// A material pair file.
+struct MaterialPair {
+  std::string name;
+  ElasticPair elastic;
+  /// [friction], if the file has it.
+  std::optional<FrictionLaw> friction;
+};
+
+MaterialPair read_material_pair(const std::filesystem::path& path);
+/// @param source  what messages call the text
+MaterialPair parse_material_pair(std::string_view text,
+                                 const std::string& source);
+
+/// A joint file: all that is known of one joint.
+struct Joint {
+  std::string name;
+  JointGeometry geometry;
+  ElasticPair pair;
+  /// [friction] of the joint, else of its material pair file.
+  std::optional<FrictionLaw> friction;
+  /// [half_angle], for make_half_angle_law().
+  std::string half_angle_law;
+  HalfAngleOptions half_angle_options;
+  /// [pressure], for make_pressure_law().
+  std::string pressure_law;
+
+  std::unique_ptr<HalfAngleLaw> make_half_angle_law() const;
+  std::unique_ptr<PressureLaw> make_pressure_law() const;
+  /// Load from and to load parameter.
+  LoadScale load_scale() const { return {geometry, pair}; }
+  /// Notes of the geometry and of the half-angle law.
+  std::vector<std::string> validity_notes() const;
+};
+
+Joint read_joint(const std::filesystem::path& path);
+/// @param source  what messages call the text
+Joint parse_joint(std::string_view text, const std::string& source);
+/// A joint that is part of a larger file; leaves refuse_unknown_keys() to the
+/// caller. Paths are relative to the folder of the table's file.
+Joint joint_from_table(const TomlTable& table);
+
+}  // namespace contact

@@ -1,0 +1,545 @@
+#include "libcontact/joint_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "libcontact/units.hpp"
+#include "support/error_message.hpp"
+
+namespace {
+
+namespace fs = std::filesystem;
+using contact::degree;
+using contact::Dimension;
+using contact::Interval;
+using contact::Joint;
+using contact::JointBody;
+using contact::JointKind;
+using contact::parse_joint;
+using contact::parse_material_pair;
+using contact::TomlTable;
+using contact::test::error_message;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// A joint file line by line, so that a test can exchange one.
+const std::vector<std::string> good_lines = {
+    "name = \"test joint\"",         // 1
+    "kind = \"spherical\"",          // 2
+    "[geometry]",                    // 3
+    "radius_mm = 50",                // 4
+    "radial_clearance_um = 50",      // 5
+    "[materials.inner]",             // 6
+    "name = \"steel\"",              // 7
+    "youngs_modulus_GPa = 200",      // 8
+    "poissons_ratio = 0.3",          // 9
+    "[materials.outer]",             // 10
+    "youngs_modulus = 1.1e11",       // 11
+    "poissons_ratio = 0.34",         // 12
+    "[friction]",                    // 13
+    "coefficient = 0.1",             // 14
+    "adhesion_MPa = 40",             // 15
+    "[half_angle]",                  // 16
+    "law = \"tanh\"",                // 17
+    "limit_half_angle_deg = 84.85",  // 18
+    "[pressure]",                    // 19
+    "law = \"cosine\"",              // 20
+};
+
+std::string text_of(std::vector<std::string> lines) {
+  std::string text;
+  for (const std::string& line : lines) text += line + '\n';
+  return text;
+}
+
+// The good file with line `number` (from 1) exchanged.
+std::string with_line(int number, const std::string& line) {
+  std::vector<std::string> lines = good_lines;
+  lines[number - 1] = line;
+  return text_of(lines);
+}
+
+// What reading the good file with one line exchanged says.
+std::string message_with_line(int number, const std::string& line) {
+  return error_message([&] { parse_joint(with_line(number, line), "j.toml"); });
+}
+
+TEST(JointFile, ReadsEverything) {
+  const Joint joint = parse_joint(text_of(good_lines), "j.toml");
+  EXPECT_EQ(joint.name, "test joint");
+  EXPECT_EQ(joint.geometry.kind(), JointKind::spherical);
+  EXPECT_EQ(joint.geometry.inner_body(), JointBody::carrier);
+  // Units by exact powers of ten: the doubles nearest to the decimals.
+  EXPECT_EQ(joint.geometry.radius(), 0.05);
+  EXPECT_EQ(joint.geometry.radial_clearance(), 50e-6);
+  EXPECT_EQ(joint.pair.inner().name, "steel");
+  EXPECT_EQ(joint.pair.inner().youngs_modulus, 2e11);
+  EXPECT_EQ(joint.pair.outer().youngs_modulus, 1.1e11);
+  EXPECT_EQ(joint.pair.outer().poissons_ratio, 0.34);
+  EXPECT_EQ(joint.friction->coefficient(), 0.1);
+  EXPECT_EQ(joint.friction->adhesion(), 4e7);
+  EXPECT_EQ(joint.half_angle_law, "tanh");
+  EXPECT_EQ(joint.make_half_angle_law()->name(), "tanh");
+  EXPECT_EQ(joint.make_half_angle_law()->limit_half_angle(), 84.85 * degree);
+  EXPECT_EQ(joint.make_pressure_law()->name(), "cosine");
+  EXPECT_TRUE(joint.validity_notes().empty());
+}
+
+TEST(JointFile, DefaultsAndOtherSpellings) {
+  const Joint joint = parse_joint(R"(
+      name = "pin"
+      kind = "cylindrical"
+      inner_body = "load"
+      [geometry]
+      radius = 0.01
+      relative_clearance = 0.002
+      length_m = 0.03
+      [materials.inner]
+      youngs_modulus_MPa = 210_000
+      poissons_ratio = 0.3
+      [materials.outer]
+      youngs_modulus = inf
+      [half_angle]
+      limit_formula = "arctan"
+      degrees_per_radian = 57.3
+      )",
+                                  "pin.toml");
+  EXPECT_EQ(joint.geometry.kind(), JointKind::cylindrical);
+  EXPECT_EQ(joint.geometry.inner_body(), JointBody::load);
+  EXPECT_EQ(joint.geometry.radial_clearance(), 0.002 * 0.01);
+  EXPECT_EQ(joint.geometry.length(), 0.03);
+  EXPECT_EQ(joint.pair.inner().youngs_modulus, 2.1e11);
+  EXPECT_EQ(joint.pair.modulus_ratio(), 0);
+  EXPECT_FALSE(joint.friction.has_value());
+  EXPECT_EQ(joint.half_angle_law, contact::default_half_angle_law);
+  EXPECT_EQ(joint.pressure_law, contact::default_pressure_law);
+  EXPECT_EQ(joint.half_angle_options.initial_slope, 57.3 * degree);
+  EXPECT_EQ(joint.validity_notes().size(), 1u);  // a blend, modulus ratio 0
+}
+
+TEST(JointFile, NamesFileLineKeyValueAndRange) {
+  EXPECT_EQ(message_with_line(1, ""),
+            "j.toml:1: name is missing: allowed: name");
+  EXPECT_EQ(message_with_line(1, "name = \"\""),
+            "j.toml:1: name = \"\": allowed: a string, not empty");
+  EXPECT_EQ(message_with_line(1, "name = 3"),
+            "j.toml:1: name = 3: allowed: a string, not empty");
+  EXPECT_EQ(message_with_line(2, "kind = \"ball\""),
+            "j.toml:2: kind = \"ball\": allowed: \"spherical\", "
+            "\"cylindrical\"");
+  EXPECT_EQ(message_with_line(2, "kind = true"),
+            "j.toml:2: kind = true: allowed: \"spherical\", \"cylindrical\"");
+  EXPECT_EQ(message_with_line(4, "radius_mm = -50"),
+            "j.toml:4: geometry.radius_mm = -50: allowed: above 0 mm");
+  EXPECT_EQ(message_with_line(4, "radius_mm = 0.0"),
+            "j.toml:4: geometry.radius_mm = 0: allowed: above 0 mm");
+  EXPECT_EQ(message_with_line(4, "radius_mm = nan"),
+            "j.toml:4: geometry.radius_mm = nan: allowed: above 0 mm");
+  EXPECT_EQ(message_with_line(4, "radius_mm = inf"),
+            "j.toml:4: geometry.radius_mm = inf: allowed: above 0 mm");
+  EXPECT_EQ(message_with_line(4, "radius_mm = \"50\""),
+            "j.toml:4: geometry.radius_mm = \"50\": allowed: a number");
+  EXPECT_EQ(message_with_line(4, "radius_mm = [50]"),
+            "j.toml:4: geometry.radius_mm = an array: allowed: a number");
+  EXPECT_EQ(message_with_line(4, "radius_mm = 2024-05-01"),
+            "j.toml:4: geometry.radius_mm = a date or time: allowed: a number");
+  EXPECT_EQ(message_with_line(5, "radial_clearance_mm = 50"),
+            "j.toml:5: geometry.radial_clearance_mm = 50: allowed: above 0, "
+            "below 50 mm");
+  EXPECT_EQ(message_with_line(5, "relative_clearance = 1"),
+            "j.toml:5: geometry.relative_clearance = 1: allowed: above 0, "
+            "below 1");
+  EXPECT_EQ(message_with_line(8, "youngs_modulus = 200"),
+            "j.toml:8: materials.inner.youngs_modulus = 200: allowed: 1000 to "
+            "1e+13 Pa, or inf");
+  EXPECT_EQ(message_with_line(8, "youngs_modulus_GPa = 2e11"),
+            "j.toml:8: materials.inner.youngs_modulus_GPa = 200000000000: "
+            "allowed: 1e-06 to 10000 GPa, or inf");
+  EXPECT_EQ(message_with_line(8, "youngs_modulus_GPa = -inf"),
+            "j.toml:8: materials.inner.youngs_modulus_GPa = -inf: allowed: "
+            "1e-06 to 10000 GPa, or inf");
+  EXPECT_EQ(message_with_line(12, "poissons_ratio = 0.6"),
+            "j.toml:12: materials.outer.poissons_ratio = 0.6: allowed: 0 to "
+            "0.5");
+  EXPECT_EQ(message_with_line(14, "coefficient = -0.1"),
+            "j.toml:14: friction.coefficient = -0.1: allowed: 0 or above");
+  EXPECT_EQ(message_with_line(15, "adhesion_kPa = -1"),
+            "j.toml:15: friction.adhesion_kPa = -1: allowed: 0 kPa or above");
+  EXPECT_EQ(message_with_line(18, "limit_half_angle_deg = 180"),
+            "j.toml:18: half_angle.limit_half_angle_deg = 180: allowed: above "
+            "0, below 180 deg");
+  EXPECT_EQ(message_with_line(18, "degrees_per_radian = 59"),
+            "j.toml:18: half_angle.degrees_per_radian = 59: allowed: 57 to "
+            "58");
+}
+
+TEST(JointFile, MissingKeysAndTables) {
+  EXPECT_EQ(message_with_line(4, ""),
+            "j.toml:3: geometry.radius is missing: allowed: radius (in m), "
+            "radius_m, radius_mm, radius_um, radius_km");
+  EXPECT_EQ(message_with_line(4, "raduis_mm = 50"),
+            "j.toml:3: geometry.radius is missing: allowed: radius (in m), "
+            "radius_m, radius_mm, radius_um, radius_km (is it raduis_mm in "
+            "line 4?)");
+  EXPECT_EQ(message_with_line(9, ""),
+            "j.toml:6: materials.inner.poissons_ratio is missing: allowed: "
+            "poissons_ratio");
+  EXPECT_EQ(message_with_line(14, ""),
+            "j.toml:13: friction.coefficient is missing: allowed: coefficient");
+  EXPECT_EQ(message_with_line(3, "[geometrie]"),
+            "j.toml:1: the table [geometry] is missing");
+  EXPECT_EQ(message_with_line(10, "[materials.seat]"),
+            "j.toml:6: the table [materials.outer] is missing");
+  EXPECT_EQ(message_with_line(2, "kind = \"cylindrical\""),
+            "j.toml:3: geometry.length is missing: allowed: length (in m), "
+            "length_m, length_mm, length_um, length_km");
+  EXPECT_EQ(error_message([] { parse_joint("", "j.toml"); }),
+            "j.toml:1: name is missing: allowed: name");
+}
+
+TEST(JointFile, UnknownKeysAreRefusedWithTheNearest) {
+  EXPECT_EQ(message_with_line(15, "adhesion_Mpa = 40"),
+            "j.toml:15: friction.adhesion_Mpa: unknown key: did you mean "
+            "adhesion_MPa?");
+  EXPECT_EQ(message_with_line(15, "adehsion = 40"),
+            "j.toml:15: friction.adehsion: unknown key: did you mean "
+            "adhesion?");
+  EXPECT_EQ(message_with_line(15, "temperature = 300"),
+            "j.toml:15: friction.temperature: unknown key: allowed: adhesion, "
+            "coefficient");
+  EXPECT_EQ(message_with_line(13, "[frictoin]"),
+            "j.toml:13: frictoin: unknown key: did you mean friction?");
+  EXPECT_EQ(message_with_line(3, "[geometry]\nlength_mm = 3"),
+            "j.toml:4: geometry.length_mm: unknown key: allowed: "
+            "radial_clearance, radius, relative_clearance");
+  EXPECT_EQ(message_with_line(16, "[half_angle]\n\"odd \\n key\" = 1"),
+            "j.toml:17: half_angle.\"odd \\x0a key\": unknown key: allowed: "
+            "degrees_per_radian, law, limit_formula, limit_half_angle");
+  // The first line of several.
+  EXPECT_EQ(
+      message_with_line(5, "radial_clearance_um = 50\nzeta = 1\nbeta = 2"),
+      "j.toml:6: geometry.zeta: unknown key: allowed: radial_clearance, "
+      "radius, relative_clearance");
+}
+
+TEST(JointFile, OneKeyInTwoUnits) {
+  EXPECT_EQ(message_with_line(5, "radial_clearance_um = 50\nradius = 0.05"),
+            "j.toml:4: geometry.radius_mm: allowed: not together with radius "
+            "in line 6");
+  EXPECT_EQ(
+      message_with_line(5,
+                        "radial_clearance_um = 50\n"
+                        "relative_clearance = 0.001"),
+      "j.toml:6: geometry.relative_clearance = 0.001: allowed: not together "
+      "with radial_clearance");
+}
+
+TEST(JointFile, LawsAreChecked) {
+  EXPECT_EQ(message_with_line(17, "law = \"tan\""),
+            "j.toml:17: half_angle.law = \"tan\": half-angle law tan: allowed: "
+            "hertz, arctan, tanh, blend, paper");
+  EXPECT_EQ(message_with_line(17, "law = \"blend:2\""),
+            "j.toml:17: half_angle.law = \"blend:2\": blend law: k = 2: "
+            "allowed: 0 to 1");
+  EXPECT_EQ(message_with_line(20, "law = \"flat\""),
+            "j.toml:20: pressure.law = \"flat\": pressure law flat: allowed: "
+            "cosine");
+  EXPECT_EQ(message_with_line(18, "limit_formula = \"cubic\""),
+            "j.toml:18: half_angle.limit_formula = \"cubic\": allowed: "
+            "\"arctan\", \"linear\"");
+  std::string text = with_line(18, "limit_formula = \"linear\"");
+  EXPECT_EQ(error_message([&] { parse_joint(text, "j.toml"); }), "(no error)");
+  text.replace(text.find("1.1e11"), 6, "2.0e10");
+  EXPECT_EQ(error_message([&] { parse_joint(text, "j.toml"); }),
+            "j.toml:17: half_angle.law = \"tanh\": linear limit half-angle: "
+            "modulus_ratio = 10: allowed: 0.5 to 2");
+}
+
+TEST(JointFile, RigidBodies) {
+  std::vector<std::string> lines = good_lines;
+  lines[7] = "youngs_modulus_GPa = inf";
+  lines[8] = "";
+  EXPECT_EQ(parse_joint(text_of(lines), "j.toml").pair.modulus_ratio(),
+            infinity);
+  lines[10] = "youngs_modulus = inf";
+  EXPECT_EQ(error_message([&] { parse_joint(text_of(lines), "j.toml"); }),
+            "j.toml:11: materials.outer.youngs_modulus = inf: the inner body "
+            "is rigid too: allowed: at most one");
+}
+
+TEST(JointFile, SyntaxErrorsHaveTheirLine) {
+  const std::string message = message_with_line(4, "radius_mm = = 50");
+  EXPECT_EQ(message.substr(0, 10), "j.toml:4: ") << message;
+  EXPECT_EQ(message.find('\n'), message.npos);
+  // The same key twice is a syntax error of TOML.
+  const std::string twice = message_with_line(5, "radius_mm = 50");
+  EXPECT_EQ(twice.substr(0, 10), "j.toml:5: ") << twice;
+  const std::string utf8 = message_with_line(1, "name = \"\xff\"");
+  EXPECT_EQ(utf8.substr(0, 10), "j.toml:1: ") << utf8;
+}
+
+// --- Material pair files ----------------------------------------------------
+
+const char* const pair_text =
+    "name = \"pair\"\n"
+    "[inner]\nyoungs_modulus_GPa = 200\npoissons_ratio = 0.3\n"
+    "[outer]\nyoungs_modulus_GPa = 100\npoissons_ratio = 0.34\n"
+    "[friction]\ncoefficient = 0.25\n";
+
+TEST(MaterialPairFile, ReadsAndRefuses) {
+  const auto pair = parse_material_pair(pair_text, "p.toml");
+  EXPECT_EQ(pair.name, "pair");
+  EXPECT_EQ(pair.elastic.modulus_ratio(), 2);
+  EXPECT_EQ(pair.friction->coefficient(), 0.25);
+  const std::string text = std::string(pair_text) + "adhesion_GPa = -3\n";
+  EXPECT_EQ(error_message([&] { parse_material_pair(text, "p.toml"); }),
+            "p.toml:10: friction.adhesion_GPa = -3: allowed: 0 GPa or above");
+  const std::string more = std::string(pair_text) + "[third]\n";
+  EXPECT_EQ(error_message([&] { parse_material_pair(more, "p.toml"); }),
+            "p.toml:10: third: unknown key: allowed: friction, inner, name, "
+            "outer");
+}
+
+// A folder of its own for each test, removed at its end.
+class JointFolder : public testing::Test {
+ protected:
+  void SetUp() override {
+    const auto* info = testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = fs::path(testing::TempDir()) /
+              (std::string("contact_joint_file_") + info->name());
+    fs::create_directories(folder_ / "materials");
+    fs::create_directories(folder_ / "joints");
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  std::string write(const std::string& name, const std::string& text) const {
+    std::ofstream(folder_ / name) << text;
+    return (folder_ / name).string();
+  }
+  static std::string joint_text(const std::string& materials) {
+    return "name = \"j\"\nkind = \"spherical\"\n[geometry]\nradius = 0.05\n"
+           "relative_clearance = 1e-3\n" +
+           materials;
+  }
+
+  fs::path folder_;
+};
+
+TEST_F(JointFolder, PairFileByRelativePath) {
+  const std::string pair = write("materials/p.toml", pair_text);
+  const std::string pair_line = "[materials]\npair = \"../materials/p.toml\"\n";
+  const Joint joint =
+      contact::read_joint(write("joints/j.toml", joint_text(pair_line)));
+  EXPECT_EQ(joint.pair.modulus_ratio(), 2);
+  // Friction comes from the pair unless the joint has its own.
+  EXPECT_EQ(joint.friction->coefficient(), 0.25);
+  const Joint own = contact::read_joint(
+      write("joints/own.toml",
+            joint_text(pair_line + "[friction]\ncoefficient = 0.5\n")));
+  EXPECT_EQ(own.friction->coefficient(), 0.5);
+  const Joint absolute = contact::read_joint(
+      write("joints/absolute.toml",
+            joint_text("[materials]\npair = \"" + pair + "\"\n")));
+  EXPECT_EQ(absolute.pair.modulus_ratio(), 2);
+}
+
+TEST_F(JointFolder, ErrorsOfThePairFileNameBothFiles) {
+  const std::string materials = "[materials]\npair = \"../materials/p.toml\"\n";
+  const std::string joint = write("joints/j.toml", joint_text(materials));
+  const std::string pair =
+      (folder_ / "joints" / "../materials/p.toml").string();
+  const auto message = [&] {
+    return error_message([&] { contact::read_joint(joint); });
+  };
+  const std::string place =
+      joint + ":7: materials.pair = \"../materials/p.toml\": ";
+  EXPECT_EQ(message(),
+            place + pair + ": cannot be read: No such file or directory");
+  write("materials/p.toml", std::string(pair_text) + "adhesion = true\n");
+  EXPECT_EQ(message(),
+            place + pair + ":10: friction.adhesion = true: allowed: a number");
+  write("joints/j.toml",
+        joint_text(materials + "[materials.inner]\nyoungs_modulus = inf\n"));
+  EXPECT_EQ(message(),
+            place + "allowed: not together with [inner] and [outer]");
+}
+
+TEST_F(JointFolder, FilesThatCannotBeRead) {
+  const auto message = [](const fs::path& path) {
+    return error_message([&] { contact::read_joint(path); });
+  };
+  EXPECT_EQ(message(folder_ / "none.toml"),
+            (folder_ / "none.toml").string() +
+                ": cannot be read: No such file or directory");
+  EXPECT_EQ(message(folder_),
+            folder_.string() + ": cannot be read: not a file");
+  EXPECT_EQ(message("/dev/zero"), "/dev/zero: cannot be read: not a file");
+}
+
+// Every file that comes with the library can be read and used.
+TEST(DataFiles, MaterialsAndJoints) {
+  std::size_t pairs = 0;
+  for (const auto& entry :
+       fs::directory_iterator(fs::path(CONTACT_DATA_DIR) / "materials")) {
+    const auto pair = contact::read_material_pair(entry.path());
+    EXPECT_TRUE(pair.elastic.contact_modulus() > 0) << entry.path();
+    ++pairs;
+  }
+  EXPECT_EQ(pairs, 6u);
+  std::size_t joints = 0;
+  for (const auto& entry :
+       fs::directory_iterator(fs::path(CONTACT_DATA_DIR) / "joints")) {
+    const Joint joint = contact::read_joint(entry.path());
+    ASSERT_TRUE(joint.friction.has_value()) << entry.path();
+    const auto result = joint.make_half_angle_law()->half_angle(0.1);
+    EXPECT_EQ(result.status, contact::Status::ok) << entry.path();
+    EXPECT_TRUE(joint.geometry.validity_notes().empty()) << entry.path();
+    ++joints;
+  }
+  EXPECT_EQ(joints, 5u);
+}
+
+// The paper's examples as files: section 5, recomputed values.
+TEST(DataFiles, PaperExamples) {
+  const fs::path folder = fs::path(CONTACT_DATA_DIR) / "joints";
+  const Joint one = contact::read_joint(folder / "paper_example_1.toml");
+  const double load = one.load_scale().load_parameter(2e5);
+  EXPECT_NEAR(load, 0.5460, 5e-5);
+  EXPECT_NEAR(one.make_half_angle_law()->half_angle(load).half_angle / degree,
+              42.593, 5e-4);
+  EXPECT_EQ(one.friction->coefficient(), 0.1);
+  EXPECT_DOUBLE_EQ(one.friction->adhesion() / 0.1, 4e8);
+  EXPECT_TRUE(one.validity_notes().empty());
+
+  const Joint two = contact::read_joint(folder / "paper_example_2.toml");
+  const double load_two = two.load_scale().load_parameter(2.5214e5);
+  EXPECT_NEAR(
+      two.make_half_angle_law()->half_angle(load_two).half_angle / degree,
+      45.34, 5e-3);
+  EXPECT_EQ(two.friction->coefficient(), 0.25);
+  EXPECT_DOUBLE_EQ(two.friction->adhesion() / 0.25, 1e9);
+}
+
+// --- The reader itself ------------------------------------------------------
+
+TEST(TomlTable, EveryUnit) {
+  const auto value = [](const std::string& key, Dimension dimension) {
+    const auto table = TomlTable::from_text("q" + key + " = 3", "t.toml");
+    return table.number("q", Interval::any(), dimension);
+  };
+  const auto expect =
+      [&](Dimension dimension,
+          const std::vector<std::pair<std::string, double>>& expected) {
+        EXPECT_EQ(value("", dimension), expected.front().second);
+        for (const auto& [ending, si] : expected) {
+          EXPECT_DOUBLE_EQ(value("_" + ending, dimension), si) << ending;
+        }
+      };
+  const double pi = std::acos(-1.0);
+  expect(Dimension::length,
+         {{"m", 3}, {"mm", 3e-3}, {"um", 3e-6}, {"km", 3e3}});
+  expect(Dimension::stress,
+         {{"Pa", 3}, {"kPa", 3e3}, {"MPa", 3e6}, {"GPa", 3e9}});
+  expect(Dimension::force, {{"N", 3}, {"kN", 3e3}, {"MN", 3e6}});
+  expect(Dimension::line_force,
+         {{"N_per_m", 3}, {"kN_per_m", 3e3}, {"N_per_mm", 3e3}});
+  expect(Dimension::moment, {{"N_m", 3}, {"kN_m", 3e3}, {"N_mm", 3e-3}});
+  expect(Dimension::angle, {{"rad", 3}, {"deg", pi / 60}});
+  expect(Dimension::angular_velocity,
+         {{"rad_per_s", 3}, {"deg_per_s", pi / 60}, {"rpm", pi / 10}});
+  expect(Dimension::angular_acceleration,
+         {{"rad_per_s2", 3}, {"deg_per_s2", pi / 60}});
+  expect(Dimension::velocity,
+         {{"m_per_s", 3}, {"mm_per_s", 3e-3}, {"km_per_h", 3 / 3.6}});
+  expect(Dimension::acceleration, {{"m_per_s2", 3}});
+  expect(Dimension::time, {{"s", 3}, {"ms", 3e-3}});
+  expect(Dimension::mass, {{"kg", 3}, {"g", 3e-3}, {"t", 3e3}});
+  expect(Dimension::inertia, {{"kg_m2", 3}});
+  EXPECT_EQ(value("", Dimension::number), 3);
+}
+
+TEST(TomlTable, ArraysMatricesIntegersFlags) {
+  const auto table = TomlTable::from_text(
+      "v_mm = [1, 2.5, -3]\n"
+      "m_kg_m2 = [[1, 2], [3, 4]]\n"
+      "n = 7\nflag = true\nword = \"b\"\n"
+      "[[item]]\nx = 1\n[[item]]\nx = 2\n",
+      "t.toml");
+  EXPECT_EQ(table.numbers("v", 3, Interval::any(), Dimension::length),
+            (std::vector<double>{1e-3, 2.5e-3, -3e-3}));
+  EXPECT_EQ(table.matrix("m", 2, 2, Interval::any(), Dimension::inertia),
+            (std::vector<double>{1, 2, 3, 4}));
+  EXPECT_EQ(table.integer("n", 0, 7), 7);
+  EXPECT_TRUE(table.boolean("flag"));
+  EXPECT_EQ(table.choice("word", {"a", "b"}), 1u);
+  const auto items = table.tables("item");
+  ASSERT_EQ(items.size(), 2u);
+  EXPECT_EQ(items[1].number("x", Interval::any()), 2);
+  EXPECT_TRUE(table.tables("none").empty());
+  EXPECT_EQ(error_message([&] { table.refuse_unknown_keys(); }),
+            "t.toml:7: item[1].x: unknown key: allowed: ");
+  EXPECT_EQ(items[0].number("x", Interval::any()), 1);
+  EXPECT_EQ(error_message([&] { table.refuse_unknown_keys(); }), "(no error)");
+
+  EXPECT_EQ(error_message([&] {
+              table.numbers("v", 2, Interval::any(), Dimension::length);
+            }),
+            "t.toml:1: v_mm = an array of 3: allowed: an array of 2 numbers");
+  EXPECT_EQ(error_message([&] {
+              table.numbers("v", 3, Interval::positive(), Dimension::length);
+            }),
+            "t.toml:1: v_mm = -3: allowed: above 0 mm");
+  EXPECT_EQ(error_message([&] {
+              table.matrix("m", 3, 3, Interval::any(), Dimension::inertia);
+            }),
+            "t.toml:2: m_kg_m2 = an array: allowed: an array of 3 arrays of 3 "
+            "numbers");
+  EXPECT_EQ(error_message([&] { table.integer("n", 0, 6); }),
+            "t.toml:3: n = 7: allowed: an integer, 0 to 6");
+  EXPECT_EQ(error_message([&] { table.boolean("n"); }),
+            "t.toml:3: n = 7: allowed: true or false");
+  EXPECT_EQ(error_message([&] { table.integer("flag", 0, 6); }),
+            "t.toml:4: flag = true: allowed: an integer, 0 to 6");
+  EXPECT_EQ(error_message([&] { table.tables("n"); }),
+            "t.toml:3: n = 7: allowed: an array of tables");
+  EXPECT_EQ(error_message([&] { table.table("n"); }),
+            "t.toml:3: n = 7: allowed: a table");
+  EXPECT_EQ(error_message([&] { items[1].fail("x", "too many"); }),
+            "t.toml:9: item[2].x = 2: too many");
+  EXPECT_EQ(error_message([&] { items[1].fail("y", "no y"); }),
+            "t.toml:8: item[2].y: no y");
+}
+
+TEST(TomlTable, RangesReadAsSentences) {
+  const auto table = TomlTable::from_text("x = nan", "t");
+  const auto allowed = [&](const Interval& interval) {
+    const std::string message =
+        error_message([&] { table.number("x", interval); });
+    return message.substr(message.find("allowed: ") + 9);
+  };
+  EXPECT_EQ(allowed(Interval::any()), "a finite number");
+  EXPECT_EQ(allowed(Interval::positive()), "above 0");
+  EXPECT_EQ(allowed(Interval::non_negative()), "0 or above");
+  EXPECT_EQ(allowed({1, 2}), "1 to 2");
+  EXPECT_EQ(allowed({1, 2, true, true}), "above 1, below 2");
+  EXPECT_EQ(allowed({1, 2, true, false}), "above 1, up to 2");
+  EXPECT_EQ(allowed({1, 2, false, true}), "from 1, below 2");
+  EXPECT_EQ(allowed({-Interval::largest, 2}), "up to 2");
+  EXPECT_EQ(allowed({-Interval::largest, 2, false, true}), "below 2");
+}
+
+TEST(TomlTable, OutlivesItsParent) {
+  const TomlTable inner = [] {
+    return TomlTable::from_text("[a]\nx = 1", "t").table("a");
+  }();
+  EXPECT_EQ(inner.number("x", Interval::any()), 1);
+  EXPECT_EQ(inner.source(), "t");
+}
+
+}  // namespace
