@@ -7,7 +7,7 @@ namespace contact {
 /// Friction integrals and coefficients of a spherical joint with the cosine
 /// pressure (3.3), by the exact method: great-circle arcs through the slip
 /// axis, every integrand non-negative, a midpoint rule in the Jacobi variable
-/// (docs/friction.md). Nothing cancels, so each of the ten numbers has its
+/// (docs/exact_method.md). Nothing cancels, so each of the ten numbers has its
 /// own relative accuracy, the pole on the contact's edge included.
 ///
 /// @param half_angle  theta0, rad, [0, pi]; the limits at theta0 = 0

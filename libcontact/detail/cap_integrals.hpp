@@ -5,7 +5,7 @@
 #include "libcontact/detail/arc_polynomials.hpp"
 #include "libcontact/detail/cap_rule.hpp"
 
-/// The arithmetic of the exact method (docs/friction.md, "The exact method"),
+/// The arithmetic of the exact method (docs/exact_method.md),
 /// for a number type V: a lane type or double. Letters as on that page.
 ///
 /// Each translation unit instantiates it with the lane type of its own
