@@ -1,0 +1,40 @@
+# Installs a build tree into an empty folder, then builds and runs the outside
+# project against it twice: by find_package and by pkg-config.
+# -D BUILD=tree -D SOURCE=outside project -D WORK=folder -D COMPILER=...
+# -D FLAGS=...
+function(run)
+  execute_process(COMMAND ${ARGN} RESULT_VARIABLE status
+    OUTPUT_VARIABLE output ERROR_VARIABLE output)
+  if(NOT status EQUAL 0)
+    list(JOIN ARGN " " command)
+    message(FATAL_ERROR "${command}\nfailed (${status}):\n${output}")
+  endif()
+  set(output "${output}" PARENT_SCOPE)
+endfunction()
+
+file(REMOVE_RECURSE ${WORK})
+set(prefix ${WORK}/prefix)
+run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${prefix})
+
+file(GLOB_RECURSE private ${prefix}/include/*detail*)
+if(private)
+  message(FATAL_ERROR "private headers installed: ${private}")
+endif()
+
+run(${CMAKE_COMMAND} -S ${SOURCE} -B ${WORK}/build
+  -D CMAKE_PREFIX_PATH=${prefix} -D CMAKE_CXX_COMPILER=${COMPILER}
+  -D "CMAKE_CXX_FLAGS=${FLAGS}" -D CMAKE_BUILD_TYPE=Release)
+run(${CMAKE_COMMAND} --build ${WORK}/build)
+run(${WORK}/build/outside)
+message(STATUS "find_package: ${output}")
+
+file(GLOB_RECURSE pc ${prefix}/*/contact.pc)
+get_filename_component(pc_folder ${pc} DIRECTORY)
+set(ENV{PKG_CONFIG_PATH} ${pc_folder})
+run(pkg-config --cflags --libs --define-prefix contact)
+separate_arguments(pc_flags UNIX_COMMAND "${output}")
+separate_arguments(flags UNIX_COMMAND "${FLAGS}")
+run(${COMPILER} -std=c++20 ${flags} ${SOURCE}/main.cpp
+  -o ${WORK}/by_pkg_config ${pc_flags})
+run(${WORK}/by_pkg_config)
+message(STATUS "pkg-config: ${output}")
