@@ -27,9 +27,10 @@ struct FrictionBatchOutput {
 ///
 /// @param in, out  arrays of equal length; they must not overlap
 /// @param set      instruction set, by default the widest of the machine
-/// @return in `out`, the same numbers as the scalar call to rounding: largest
-///         relative error 1.7e-15 on data/reference (friction_batch_test.cpp).
-///         NaN and out-of-range arguments give NaN in their own places.
+/// The results are the same numbers as the scalar call's to rounding: largest
+/// relative error 1.7e-15 on data/reference (friction_batch_test.cpp). NaN and
+/// out-of-range arguments give NaN in their own places.
+///
 /// @throws Error if lengths differ or the machine lacks `set`.
 ///
 /// Works in blocks with its scratch memory on the stack; allocates nothing.
