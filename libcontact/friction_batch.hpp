@@ -23,17 +23,16 @@ struct FrictionBatchOutput {
   std::span<double> force, sliding, spinning;
 };
 
-/// exact_friction_integrals() for many points, vectorised over points.
+/// exact_friction_integrals() for many points, vectorised over points: the
+/// same numbers as the scalar call's to rounding, largest relative error
+/// 1.7e-15 on data/reference (friction_batch_test.cpp). NaN and out-of-range
+/// arguments give NaN in their own places. Works in blocks with its scratch
+/// memory on the stack; allocates nothing.
 ///
-/// @param in, out  arrays of equal length; they must not overlap
-/// @param set      instruction set, by default the widest of the machine
-/// The results are the same numbers as the scalar call's to rounding: largest
-/// relative error 1.7e-15 on data/reference (friction_batch_test.cpp). NaN and
-/// out-of-range arguments give NaN in their own places.
-///
+/// @param in   arguments
+/// @param out  results; must not overlap the arguments
+/// @param set  instruction set, by default the widest of the machine
 /// @throws Error if lengths differ or the machine lacks `set`.
-///
-/// Works in blocks with its scratch memory on the stack; allocates nothing.
 void exact_friction_integrals(const FrictionBatchInput& in,
                               const FrictionBatchOutput& out,
                               InstructionSet set = best_instruction_set());
