@@ -32,11 +32,11 @@ void add_output_options(CLI::App& app, OutputOptions& options) {
            options.format = choice("--format", name, formats);
          },
          "csv (default), json, markdown, latex")
-      ->type_name("NAME")
+      ->option_text("NAME")
       ->group("Output");
   app.add_option("--output", options.output,
                  "file to write; default standard output")
-      ->type_name("FILE")
+      ->option_text("FILE")
       ->group("Output");
   app.add_option_function<std::string>(
          "--plot",
@@ -48,13 +48,13 @@ void add_output_options(CLI::App& app, OutputOptions& options) {
            options.plot = file;
          },
          "picture to draw: .svg, .png or .pdf")
-      ->type_name("FILE")
+      ->option_text("FILE")
       ->group("Output");
 }
 
 void add_jobs_option(CLI::App& app, OutputOptions& options) {
   app.add_option("--jobs", options.jobs, "threads, 1 (default) to 256")
-      ->type_name("N")
+      ->option_text("N")
       ->check(CLI::Range(1, 256))
       ->group("Output");
 }
