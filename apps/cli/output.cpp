@@ -84,9 +84,8 @@ Output::Output(const std::string& path) {
     if (descriptor_ < 0) fail("cannot open");
     return;
   }
-  std::string name =
-      path_.parent_path() /
-      fmt::format(".{}.XXXXXX", path_.filename().string());
+  std::string name = path_.parent_path() /
+                     fmt::format(".{}.XXXXXX", path_.filename().string());
   descriptor_ = mkostemp(name.data(), O_CLOEXEC);
   if (descriptor_ < 0) fail("cannot create");
   temporary_ = name;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdlib>
 
@@ -20,7 +21,7 @@ struct Kind {
   std::string_view options;
 };
 constexpr std::array<Kind, 3> kinds = {{
-    {".svg", "svg", "size 840,560 font 'sans,18' background 'white'"},
+    {".svg", "svg", "size 840,560 font 'sans,19' linewidth 1.2 background 'white'"},
     {".png", "pngcairo", "size 1260,840 font 'sans,20' linewidth 1.5"},
     {".pdf", "pdfcairo", "size 7in,4.67in font 'sans,14'"},
 }};
@@ -107,14 +108,14 @@ std::string draw(const LinePlot& plot, const std::string& file) {
       script += number_text(curve.x[j]) + ' ' + number_text(curve.y[j]) + '\n';
     }
     script += "END\n";
-    // Up to seven curves have the style's line colours; more are a family,
-    // coloured in order from the palette.
     const std::string colour =
-        plot.curves.size() <= 7
-            ? fmt::format("lt {}", i + 1)
-            : fmt::format("lw 2.5 lc palette frac {:.3f}",
+        plot.family
+            ? fmt::format("lw 2.5 lc palette frac {:.3f}",
                           static_cast<double>(i) /
-                              static_cast<double>(plot.curves.size() - 1));
+                              static_cast<double>(
+                                  std::max<std::size_t>(
+                                      plot.curves.size() - 1, 1)))
+            : fmt::format("lt {}", i + 1);
     lines += fmt::format("{}$curve{} using 1:2 with lines {} dt {} title {}",
                          lines.empty() ? "" : ", \\\n  ", i, colour,
                          curve.dashed ? 2 : 1, gnuplot_text(curve.label));

@@ -23,6 +23,8 @@ struct LinePlot {
   std::string x_label;  ///< with its unit
   std::string y_label;
   bool logarithmic_x = false;
+  /// The curves are one family in order, coloured from dark to light.
+  bool family = false;
   std::vector<Curve> curves;
 };
 

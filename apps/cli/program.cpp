@@ -80,8 +80,8 @@ int run_program(CLI::App& app, int argc, char** argv,
   return failed;
 }
 
-void note(const CLI::App& app, std::string_view message) {
-  complain(app, fmt::format("note: {}", message));
+void warn(const CLI::App& app, std::string_view message) {
+  complain(app, fmt::format("warning: {}", message));
 }
 
 }  // namespace cli

@@ -38,7 +38,7 @@ void add_jobs_option(CLI::App& app, OutputOptions& options);
 int run_program(CLI::App& app, int argc, char** argv,
                 const std::function<ExitStatus()>& body);
 
-/// A message that is no error: "NAME: note: ..." on standard error.
-void note(const CLI::App& app, std::string_view message);
+/// A message that is no error: "NAME: warning: ..." on standard error.
+void warn(const CLI::App& app, std::string_view message);
 
 }  // namespace cli

@@ -42,7 +42,8 @@ Columns, all without units but the angles:
                         friction force, sliding and spinning moment
 CSV and JSON have the shortest numbers that read back as the same double.
 markdown and latex are for print, with 4 significant digits: of a grid a
-two-way table of one --quantity, of --points a list.
+two-way table of one --quantity, of --points a list. A picture shows one
+--quantity over alpha, a curve for each theta0, at most 12 of them.
 
 A file of points is CSV with a header that names theta0_deg and alpha_deg.
 Other columns are handed on behind sigma_Z, unchanged ("_in" is added to a
@@ -111,7 +112,7 @@ class PointsRun {
         },
         [&](const PointBlock& block) {
           writer.write(block.rows.view());
-          progress.add(block.results.size());
+          progress.add(block.size());
           if (block.bad_lines == 0) return;
           bad_lines += block.bad_lines;
           progress.clear();
@@ -216,9 +217,7 @@ class GridRun {
       block.rows.clear();
       cli::RowWriter row(table, block.rows);
       row.text(cli::number_text(block.theta0_deg[0]));
-      for (const auto& result : block.results) {
-        row.number(hinge_table::values(result)[quantity_]);
-      }
+      for (const double value : block.results[quantity_]) row.number(value);
       row.end();
     });
   }
@@ -228,7 +227,7 @@ class GridRun {
     block.theta0_deg = {theta0_deg};
     block.alpha_deg = {alpha_deg};
     compute(method_, block);
-    return hinge_table::values(block.results[0])[quantity_];
+    return block.results[quantity_][0];
   }
 
   const Options& options_;
@@ -250,8 +249,8 @@ std::vector<std::size_t> spread(std::size_t count, std::size_t most) {
 
 std::string GridRun::draw() const {
   // A curve for each theta0 over alpha; over theta0 if there is one alpha.
-  // What a picture of some 1,000 dots across can show, however long the
-  // table is.
+  // The numbers: what a picture of some 1,000 dots across can show, however
+  // long the table is.
   constexpr std::size_t most_curves = 12;
   constexpr std::size_t most_points = 1000;
   const bool over_alpha = alpha_.size() > 1 || theta0_.size() == 1;
@@ -264,6 +263,7 @@ std::string GridRun::draw() const {
       over_alpha ? "slip axis angle α, deg" : "contact half-angle θ₀, deg";
   plot.y_label = options_.quantity;
   plot.logarithmic_x = x.is_logarithmic();
+  plot.family = true;
   for (const std::size_t i : spread(family.size(), most_curves)) {
     cli::Curve curve;
     curve.label = fmt::format("{} = {}°", over_alpha ? "θ₀" : "α", family[i]);
@@ -295,7 +295,7 @@ cli::ExitStatus run(const CLI::App& app, const Options& options) {
   if (options.output.plot.empty()) return cli::all_good;
   const std::string problem = grid.draw();
   if (problem.empty()) return cli::all_good;
-  cli::note(app, problem);
+  cli::warn(app, problem);
   return cli::some_bad;
 }
 

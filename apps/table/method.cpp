@@ -1,29 +1,31 @@
 #include "table/method.hpp"
 
 #include "cli/choice.hpp"
-#include "libcontact/friction_exact.hpp"
+#include "libcontact/friction_batch.hpp"
+#include "libcontact/friction_integrals.hpp"
 
 namespace hinge_table {
 namespace {
 
-// A method that takes one point at a time.
-template <class Function>
-Method pointwise(Function function) {
-  return [function](std::span<const double> half_angles,
-                    std::span<const contact::SlipAxis> axes,
-                    std::span<contact::FrictionIntegrals> results) {
-    for (std::size_t i = 0; i < results.size(); ++i) {
-      results[i] = function(half_angles[i], axes[i]);
-    }
-  };
+void exact(const Points& points, const Columns& columns) {
+  const auto& [normal, i_p, j_p, k_p, i_a, j_a, k_a, chi, sigma_y, sigma_z] =
+      columns;
+  contact::exact_friction_integrals(
+      {points.half_angle, points.axis_sin, points.axis_cos},
+      {normal, i_p, j_p, k_p, i_a, j_a, k_a, chi, sigma_y, sigma_z});
 }
 
-}  // namespace
-
-std::array<double, quantities.size()> values(
-    const contact::FrictionIntegrals& integrals) {
-  const auto& [normal, p, a, coefficient] = integrals;
-  return {normal,
+// A method that takes one point at a time.
+template <class Function>
+Method pointwise(const Function& function) {
+  return [function](const Points& points, const Columns& columns) {
+    for (std::size_t i = 0; i < points.half_angle.size(); ++i) {
+      const contact::FrictionIntegrals result =
+          function(points.half_angle[i],
+                   contact::SlipAxis{points.axis_sin[i], points.axis_cos[i]});
+      const auto& [normal, p, a, coefficient] = result;
+      const std::array<double, quantities.size()> values = {
+          normal,
           p.force,
           p.sliding,
           p.spinning,
@@ -33,11 +35,17 @@ std::array<double, quantities.size()> values(
           coefficient.force,
           coefficient.sliding,
           coefficient.spinning};
+      for (std::size_t j = 0; j < values.size(); ++j) {
+        columns[j][i] = values[j];
+      }
+    }
+  };
 }
 
+}  // namespace
+
 Method find_method(const std::string& name, double /*tolerance*/) {
-  const std::array<cli::Choice<Method>, 1> methods = {
-      {{"exact", pointwise(contact::exact_friction_integrals)}}};
+  const std::array<cli::Choice<Method>, 1> methods = {{{"exact", exact}}};
   return cli::choice("--method", name, methods);
 }
 

@@ -6,24 +6,26 @@
 #include <string>
 #include <string_view>
 
-#include "libcontact/friction_integrals.hpp"
-
 /// The parts of the program hinge-table.
 namespace hinge_table {
 
-/// Columns of a table after theta0_deg and alpha_deg, in the order of
-/// `values`.
+/// Columns of a table after theta0_deg and alpha_deg.
 inline constexpr std::array<std::string_view, 10> quantities = {
     "I_normal", "I_p", "J_p", "K_p",     "I_a",
     "J_a",      "K_a", "chi", "sigma_Y", "sigma_Z"};
-std::array<double, quantities.size()> values(
-    const contact::FrictionIntegrals& integrals);
 
-/// A method of the library over many points: half-angles (rad), slip axes,
-/// results.
-using Method = std::function<void(std::span<const double>,
-                                  std::span<const contact::SlipAxis>,
-                                  std::span<contact::FrictionIntegrals>)>;
+/// Many points: half-angles (rad), sine and cosine of the slip axis angle.
+struct Points {
+  std::span<const double> half_angle;
+  std::span<const double> axis_sin;
+  std::span<const double> axis_cos;
+};
+
+/// Results of as many points, for each of the quantities.
+using Columns = std::array<std::span<double>, quantities.size()>;
+
+/// A method of the library over many points.
+using Method = std::function<void(const Points&, const Columns&)>;
 
 /// The method of that name. Throws contact::Error with the names there are.
 /// @param tolerance  relative, of the method quadrature

@@ -131,29 +131,36 @@ void read_points(const PointColumns& columns, PointBlock& block) {
 }
 
 void compute(const Method& method, PointBlock& block) {
-  const std::size_t count = block.theta0_deg.size();
-  block.half_angles.resize(count);
-  block.axes.resize(count);
-  block.results.resize(count);
+  const std::size_t count = block.size();
+  block.half_angle.resize(count);
+  block.axis_sin.resize(count);
+  block.axis_cos.resize(count);
   for (std::size_t i = 0; i < count; ++i) {
-    block.half_angles[i] = block.theta0_deg[i] * contact::degree;
-    block.axes[i] = contact::SlipAxis::from_degrees(block.alpha_deg[i]);
+    block.half_angle[i] = block.theta0_deg[i] * contact::degree;
+    const auto [sin, cos] = contact::sine_cosine_deg(block.alpha_deg[i]);
+    block.axis_sin[i] = sin;
+    block.axis_cos[i] = cos;
   }
-  method(block.half_angles, block.axes, block.results);
+  Columns columns;
+  for (std::size_t j = 0; j < columns.size(); ++j) {
+    block.results[j].resize(count);
+    columns[j] = block.results[j];
+  }
+  method({block.half_angle, block.axis_sin, block.axis_cos}, columns);
 }
 
 void write_rows(const cli::Table& table, PointBlock& block) {
   block.rows.clear();
   cli::RowWriter row(table, block.rows);
   const std::size_t riding = table.columns() - 2 - quantities.size();
-  for (std::size_t i = 0; i < block.results.size(); ++i) {
+  for (std::size_t i = 0; i < block.size(); ++i) {
     if (std::isnan(block.theta0_deg[i])) {
       row.text("ERROR");
       for (std::size_t j = 0; j <= quantities.size(); ++j) row.empty();
     } else {
       row.number(block.theta0_deg[i]);
       row.number(block.alpha_deg[i]);
-      for (const double value : values(block.results[i])) row.number(value);
+      for (const auto& column : block.results) row.number(column[i]);
     }
     for (std::size_t j = 0; j < riding; ++j) {
       row.field(block.riding[i * riding + j]);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <string>
 #include <string_view>
@@ -34,6 +35,7 @@ struct PointColumns {
 struct PointBlock {
   cli::LineBlock lines;  ///< for points from a file
 
+  std::size_t size() const { return theta0_deg.size(); }
   std::vector<double> theta0_deg;  ///< NaN for a bad line
   std::vector<double> alpha_deg;
   /// Raw fields of the riding columns, point after point.
@@ -41,9 +43,10 @@ struct PointBlock {
   std::string messages;  ///< of bad lines
   std::size_t bad_lines = 0;
 
-  std::vector<double> half_angles;
-  std::vector<contact::SlipAxis> axes;
-  std::vector<contact::FrictionIntegrals> results;
+  std::vector<double> half_angle;
+  std::vector<double> axis_sin;
+  std::vector<double> axis_cos;
+  std::array<std::vector<double>, quantities.size()> results;
   std::vector<std::string_view> fields;
   cli::Text rows;
 };

@@ -1,0 +1,339 @@
+// The program hinge-table, run as its users run it.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "cli/number.hpp"
+#include "libcontact/friction_exact.hpp"
+#include "libcontact/units.hpp"
+#include "support/accuracy_report.hpp"
+#include "support/friction_reference.hpp"
+#include "support/program.hpp"
+
+namespace {
+
+using contact::test::csv_column;
+using contact::test::csv_rows;
+using contact::test::ProgramFolder;
+using contact::test::ProgramResult;
+
+constexpr const char* header =
+    "theta0_deg,alpha_deg,I_normal,I_p,J_p,K_p,I_a,J_a,K_a,chi,sigma_Y,"
+    "sigma_Z";
+
+// The library's values of a row, in the order of the columns.
+std::vector<double> library_row(double theta0_deg, double alpha_deg) {
+  const auto exact = contact::exact_friction_integrals(
+      theta0_deg * contact::degree, contact::SlipAxis::from_degrees(alpha_deg));
+  std::vector<double> row = {theta0_deg, alpha_deg, exact.normal};
+  for (const auto& triple : {exact.pressure, exact.area, exact.coefficient}) {
+    row.insert(row.end(), {triple.force, triple.sliding, triple.spinning});
+  }
+  return row;
+}
+
+TEST(HingeTable, GridHasTheLibrarysValuesToTheLastDigit) {
+  const ProgramResult result =
+      ProgramFolder().run("hinge-table --theta0 0:120:15 --alpha -90:90:22.5");
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_EQ(result.err, "");
+  const auto rows = csv_rows(result.out);
+  EXPECT_EQ(result.out.substr(0, result.out.find('\n')), header);
+  ASSERT_EQ(rows.size(), 1U + 9 * 9);
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    const double theta0_deg = 15.0 * static_cast<double>((i - 1) / 9);
+    const double alpha_deg = -90 + 22.5 * static_cast<double>((i - 1) % 9);
+    const auto expected = library_row(theta0_deg, alpha_deg);
+    ASSERT_EQ(rows[i].size(), expected.size());
+    for (std::size_t j = 0; j < expected.size(); ++j) {
+      // Errors that the batch (in the program) and the single call state:
+      // 1.7e-15 and 1.6e-15.
+      const double value = cli::parse_number(rows[i][j]).value();
+      EXPECT_LE(contact::test::relative_error(value, expected[j]), 3.3e-15)
+          << "row " << i << " column " << j;
+    }
+  }
+}
+
+TEST(HingeTable, PointsOfTheReferenceTable) {
+  // The table's own columns ride along and are compared in place.
+  const ProgramResult result = ProgramFolder().run(
+      "hinge-table --points data/reference/friction_integrals.csv");
+  EXPECT_EQ(result.status, 0) << result.err;
+  const auto rows = csv_rows(result.out);
+  ASSERT_EQ(rows.size(), 1 + contact::test::friction_reference().size());
+  for (const char* name : {"I_p", "J_p", "K_p", "I_a", "J_a", "K_a", "chi",
+                           "sigma_Y", "sigma_Z"}) {
+    const auto computed = csv_column(rows, name);
+    const auto expected = csv_column(rows, std::string(name) + "_in");
+    // The bar of the exact method on its reference data.
+    contact::test::AccuracyReport report(name, 1e-14);
+    for (std::size_t i = 0; i < computed.size(); ++i) {
+      report.add(std::stod(computed[i]), std::stod(expected[i]),
+                 rows[i + 1][0] + ", " + rows[i + 1][1]);
+    }
+    report.check();
+  }
+}
+
+TEST(HingeTable, ColumnsRideAlongUnchanged) {
+  const ProgramFolder folder;
+  folder.write("points.csv",
+               "# made by hand\n"
+               "note,alpha_deg,chi,\"theta0_deg\",mass\r\n"
+               "\"a, \"\"b\"\"\",30,x,45,1.50\r\n"
+               "\n"
+               " plain ,\"+6e1\",, 20,007\n");
+  const ProgramResult result = folder.run("hinge-table --points points.csv");
+  EXPECT_EQ(result.status, 0) << result.err;
+  std::string expected = std::string(header) + ",note,chi_in,mass\n";
+  const auto add = [&](double theta0_deg, double alpha_deg,
+                       const std::string& rest) {
+    for (const double value : library_row(theta0_deg, alpha_deg)) {
+      expected += cli::number_text(value) + ',';
+    }
+    expected += rest + '\n';
+  };
+  add(45, 30, "\"a, \"\"b\"\"\",x,1.50");
+  add(20, 60, " plain ,,007");
+  // Numbers may differ in their last digits between batch and single call,
+  // so compare all else character by character.
+  const auto rows = csv_rows(result.out);
+  const auto wanted = csv_rows(expected);
+  ASSERT_EQ(rows.size(), wanted.size());
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    ASSERT_EQ(rows[i].size(), wanted[i].size());
+    for (std::size_t j = 0; j < rows[i].size(); ++j) {
+      if (i > 0 && j >= 2 && j < 12) {
+        EXPECT_NEAR(std::stod(rows[i][j]), std::stod(wanted[i][j]), 1e-14);
+      } else {
+        EXPECT_EQ(rows[i][j], wanted[i][j]);
+      }
+    }
+  }
+}
+
+TEST(HingeTable, BadLinesAreAnsweredInTheirPlace) {
+  const ProgramFolder folder;
+  folder.write("points.csv",
+               "theta0_deg,alpha_deg,note\n"
+               "10,20,good\n"
+               "121,20,theta0\n"
+               "10,-91,alpha\n"
+               "ten,20,text\n"
+               ",20,empty\n"
+               "nan,20,nan\n"
+               "10,inf,inf\n"
+               "10,20\n"
+               "10,20,\"open\n"
+               "10,20,\"closed\"x\n"
+               "20,30,good");
+  for (const char* jobs : {"1", "3"}) {
+    const ProgramResult result = folder.run(
+        std::string("hinge-table --points - --jobs ") + jobs + " < points.csv");
+    EXPECT_EQ(result.status, 1);
+    EXPECT_EQ(
+        result.err,
+        "ERROR: line 3: theta0_deg = 121: outside the range, allowed 0 to "
+        "120 deg\n"
+        "ERROR: line 4: alpha_deg = -91: outside the range, allowed -90 to "
+        "90 deg\n"
+        "ERROR: line 5: theta0_deg = ten: not a number, allowed 0 to 120 "
+        "deg\n"
+        "ERROR: line 6: theta0_deg = : not a number, allowed 0 to 120 deg\n"
+        "ERROR: line 7: theta0_deg = nan: outside the range, allowed 0 to "
+        "120 deg\n"
+        "ERROR: line 8: alpha_deg = inf: outside the range, allowed -90 to "
+        "90 deg\n"
+        "ERROR: line 9: 2 fields where the header has 3\n"
+        "ERROR: line 10: a quote is left open\n"
+        "ERROR: line 11: text after a closing quote\n");
+    const auto rows = csv_rows(result.out);
+    ASSERT_EQ(rows.size(), 12U);
+    const std::vector<std::string> notes = {
+        "theta0", "alpha", "text", "empty", "nan", "inf", "", "", ""};
+    for (std::size_t i = 0; i < notes.size(); ++i) {
+      std::vector<std::string> expected(13);
+      expected.front() = "ERROR";
+      expected.back() = notes[i];
+      EXPECT_EQ(rows[i + 2], expected);
+    }
+    EXPECT_EQ(rows[1].back(), "good");
+    EXPECT_EQ(rows[11].back(), "good");
+    EXPECT_EQ(rows[11].front(), "20");
+  }
+}
+
+TEST(HingeTable, ManyPointsInOrderByAnyNumberOfJobs) {
+  const ProgramFolder folder;
+  std::string points = "theta0_deg,alpha_deg,n\n";
+  for (int i = 0; i < 20000; ++i) {
+    points += std::to_string(i % 120) + ',' + std::to_string(i % 90) + ',' +
+              std::to_string(i) + '\n';
+  }
+  folder.write("points.csv", points);
+  const ProgramResult one = folder.run("hinge-table --points points.csv");
+  const ProgramResult four =
+      folder.run("hinge-table --points points.csv --jobs 4");
+  EXPECT_EQ(one.status, 0);
+  EXPECT_EQ(one.out, four.out);
+  const auto numbers = csv_column(csv_rows(one.out), "n");
+  ASSERT_EQ(numbers.size(), 20000U);
+  for (int i = 0; i < 20000; ++i) ASSERT_EQ(numbers[i], std::to_string(i));
+
+  const std::string grid = "hinge-table --theta0 0:100:1 --alpha 0:90:0.5 ";
+  EXPECT_EQ(folder.run(grid).out, folder.run(grid + "--jobs 3").out);
+}
+
+TEST(HingeTable, BadOptionsSayWhatIsAllowedAndLeaveNoFile) {
+  struct Case {
+    std::string arguments;
+    std::string message;
+  };
+  const std::vector<Case> cases = {
+      {"--theta0 200 --alpha 0",
+       "--theta0 200: 200 is outside the allowed 0 to 120 deg"},
+      {"--theta0 0:95:5 --alpha 0:100:5",
+       "--alpha 0:100:5: 100 is outside the allowed -90 to 90 deg"},
+      {"--theta0 5:x:1 --alpha 0", "--theta0 5:x:1: expected a value"},
+      {"--theta0 45 --alpha 30 --method fast", "--method fast: allowed exact"},
+      {"--theta0 45 --alpha 30 --quantity mu",
+       "--quantity mu: allowed I_normal, I_p,"},
+      {"--theta0 45 --alpha 30 --format xml",
+       "--format xml: allowed csv, json, markdown, latex"},
+      {"--theta0 45 --alpha 30 --plot picture.gif",
+       "--plot picture.gif: allowed names end in .svg, .png, .pdf"},
+      {"--theta0 45 --alpha 30 --jobs 0", "--jobs"},
+      {"--theta0 45 --alpha 30 --wrong 1", "--wrong"},
+      {"--theta0 45 --points points.csv", "--theta0"},
+      {"--theta0 45", "needs --theta0 and --alpha, or --points"},
+      {"--points none.csv", "cannot open none.csv: No such file"},
+      {"--points empty.csv", "empty.csv: no header line"},
+      {"--points wrong.csv",
+       "wrong.csv, line 2: no column alpha_deg; the header must name"},
+      {"--points twice.csv",
+       "twice.csv, line 1: column alpha_deg occurs twice"},
+      {"--points points.csv --plot a.svg", "--plot: needs a grid"},
+  };
+  const ProgramFolder folder;
+  folder.write("empty.csv", "");
+  folder.write("points.csv", "theta0_deg,alpha_deg\n1,2\n");
+  folder.write("wrong.csv", "# comment\ntheta0_deg,alpha\n1,2\n");
+  folder.write("twice.csv", "alpha_deg,theta0_deg,alpha_deg\n1,2,3\n");
+  folder.write("table.csv", "old");
+  const auto before = folder.files();
+  for (const auto& [arguments, message] : cases) {
+    const ProgramResult result =
+        folder.run("hinge-table " + arguments + " --output table.csv");
+    EXPECT_EQ(result.status, 2) << arguments;
+    EXPECT_EQ(result.out, "") << arguments;
+    EXPECT_EQ(result.err.rfind("hinge-table: ", 0), 0U) << result.err;
+    EXPECT_NE(result.err.find(message), std::string::npos) << result.err;
+    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1);
+    EXPECT_EQ(folder.files(), before) << arguments;
+    EXPECT_EQ(folder.read("table.csv"), "old") << arguments;
+  }
+}
+
+TEST(HingeTable, OutputThatCannotBeWritten) {
+  const ProgramFolder folder;
+  const ProgramResult full = folder.run(
+      "hinge-table --theta0 0:95:1 --alpha 0:90:1 --output /dev/full");
+  EXPECT_EQ(full.status, 2);
+  EXPECT_NE(full.err.find("No space left"), std::string::npos);
+  const ProgramResult none =
+      folder.run("hinge-table --theta0 1 --alpha 1 --output no/where.csv");
+  EXPECT_EQ(none.status, 2);
+  EXPECT_NE(none.err.find("no/where.csv"), std::string::npos);
+}
+
+TEST(HingeTable, InterruptedRunLeavesNoFile) {
+  const ProgramFolder folder;
+  const ProgramResult result = folder.run(
+      "hinge-table --theta0 0:120:0.001 --alpha 0:90:0.001 --output table.csv "
+      "& program=$!\n"
+      "while ! ls .table.csv.* >/dev/null 2>&1; do sleep 0.01; done\n"
+      "kill -TERM $program; wait $program");
+  EXPECT_EQ(result.status, 128 + 15);
+  EXPECT_TRUE(folder.files().empty());
+}
+
+TEST(HingeTable, JsonParses) {
+  const ProgramFolder folder;
+  folder.write("points.csv",
+               "theta0_deg,alpha_deg,note\n"
+               "45,30,\"quote \"\" and \xC3\xA4 and \xFF\"\n"
+               "200,30,bad\n");
+  const ProgramResult result =
+      folder.run("hinge-table --points points.csv --format json");
+  EXPECT_EQ(result.status, 1);
+  const auto json = nlohmann::ordered_json::parse(result.out);
+  ASSERT_EQ(json.size(), 2U);
+  std::string names;
+  for (const auto& [name, value] : json[0].items()) names += name + ',';
+  EXPECT_EQ(names, std::string(header) + ",note,");
+  EXPECT_NEAR(json[0]["chi"], library_row(45, 30)[9], 1e-15);
+  EXPECT_EQ(json[0]["note"], "quote \" and \xC3\xA4 and \xEF\xBF\xBD");
+  EXPECT_EQ(json[1]["theta0_deg"], "ERROR");
+  EXPECT_TRUE(json[1]["chi"].is_null());
+}
+
+TEST(HingeTable, TwoWayTables) {
+  const ProgramFolder folder;
+  const std::string grid =
+      "hinge-table --theta0 45,90 --alpha 0,90 --quantity sigma_Z ";
+  EXPECT_EQ(folder.run(grid + "--format markdown").out,
+            "| sigma_Z: theta0_deg, alpha_deg |      0 |     90 |\n"
+            "| -----------------------------: | -----: | -----: |\n"
+            "|                             45 |  0.000 | 0.4379 |\n"
+            "|                             90 |  0.000 |  1.000 |\n");
+  EXPECT_EQ(folder.run(grid + "--format latex").out,
+            "\\begin{tabular}{rrr}\n\\hline\n"
+            "sigma\\_Z: theta0\\_deg, alpha\\_deg & 0 & 90 \\\\\n\\hline\n"
+            "45 & $0.000$ & $0.4379$ \\\\\n"
+            "90 & $0.000$ & $1.000$ \\\\\n"
+            "\\hline\n\\end{tabular}\n");
+}
+
+TEST(HingeTable, Plots) {
+  const ProgramFolder folder;
+  if (folder.run("command -v gnuplot").status != 0) {
+    GTEST_SKIP() << "gnuplot is not installed";
+  }
+  const ProgramResult result = folder.run(
+      "for kind in svg png pdf; do\n"
+      "hinge-table --theta0 5:95:15 --alpha 0:90:1 --plot \"it's.$kind\" "
+      ">table.csv || exit 1\ndone");
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_EQ(result.err, "");
+  EXPECT_EQ(folder.files(),
+            (std::vector<std::string>{"it's.pdf", "it's.png", "it's.svg",
+                                      "table.csv"}));
+  EXPECT_NE(folder.read("it's.svg").find("</svg>"), std::string::npos);
+  EXPECT_EQ(folder.read("it's.png").rfind("\x89PNG", 0), 0U);
+  EXPECT_EQ(folder.read("it's.pdf").rfind("%PDF", 0), 0U);
+}
+
+TEST(HingeTable, SaysSoWithoutGnuplot) {
+  const ProgramFolder folder;
+  // A PATH on which only the program is found.
+  const ProgramResult result = folder.run(
+      "ln -s \"$(command -v hinge-table)\" hinge-table; PATH=.; "
+      "hinge-table --theta0 45 --alpha 0,30 --plot a.svg --output table.csv");
+  EXPECT_EQ(result.status, 1);
+  EXPECT_EQ(
+      result.err,
+      "hinge-table: warning: no picture a.svg: gnuplot is not installed\n");
+  EXPECT_EQ(csv_rows(folder.read("table.csv")).size(), 3U);
+}
+
+TEST(HingeTable, Version) {
+  const ProgramResult result = ProgramFolder().run("hinge-table --version");
+  EXPECT_EQ(result.status, 0);
+  EXPECT_EQ(result.out.rfind("hinge-table (libcontact) ", 0), 0U);
+}
+
+}  // namespace

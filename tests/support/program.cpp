@@ -1,0 +1,113 @@
+#include "support/program.hpp"
+
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+
+#include "libcontact/error.hpp"
+
+namespace contact::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string contents(const fs::path& file) {
+  std::ostringstream text;
+  text << std::ifstream(file).rdbuf();
+  return text.str();
+}
+
+fs::path new_folder() {
+  std::string name = fs::temp_directory_path() / "contact_test_XXXXXX";
+  if (mkdtemp(name.data()) == nullptr) throw Error("cannot create " + name);
+  return name;
+}
+
+}  // namespace
+
+ProgramFolder::ProgramFolder() : path_(new_folder()), streams_(new_folder()) {
+  fs::create_directory_symlink(CONTACT_DATA_DIR, path_ / "data");
+}
+
+ProgramFolder::~ProgramFolder() {
+  fs::remove_all(path_);
+  fs::remove_all(streams_);
+}
+
+ProgramResult ProgramFolder::run(const std::string& command) const {
+  const std::string line = "cd '" + path_.native() + "' && PATH='" +
+                           CONTACT_BIN_DIR "':\"$PATH\" && { " + command +
+                           "\n} >'" + (streams_ / "out").native() + "' 2>'" +
+                           (streams_ / "err").native() + "'";
+  const int status = std::system(line.c_str());
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1,
+          contents(streams_ / "out"), contents(streams_ / "err")};
+}
+
+void ProgramFolder::write(const std::string& name,
+                          std::string_view text) const {
+  std::ofstream(path_ / name) << text;
+}
+
+std::string ProgramFolder::read(const std::string& name) const {
+  return contents(path_ / name);
+}
+
+bool ProgramFolder::has(const std::string& name) const {
+  return fs::exists(path_ / name);
+}
+
+std::vector<std::string> ProgramFolder::files() const {
+  std::vector<std::string> names;
+  for (const auto& entry : fs::directory_iterator(path_)) {
+    if (entry.path().filename() != "data") {
+      names.push_back(entry.path().filename());
+    }
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+std::vector<std::string> help_examples(const std::string& program) {
+  std::istringstream help(ProgramFolder().run(program + " --help").out);
+  std::vector<std::string> examples;
+  std::string line;
+  while (std::getline(help, line) && line != "Examples:") {
+  }
+  while (std::getline(help, line) && line.starts_with("  ")) {
+    examples.push_back(line.substr(2));
+  }
+  return examples;
+}
+
+std::vector<std::vector<std::string>> csv_rows(std::string_view text) {
+  std::vector<std::vector<std::string>> rows;
+  std::istringstream lines{std::string(text)};
+  for (std::string line; std::getline(lines, line);) {
+    auto& row = rows.emplace_back();
+    std::size_t start = 0;
+    for (std::size_t end = 0; end != std::string::npos; start = end + 1) {
+      end = line.find(',', start);
+      row.push_back(line.substr(start, end - start));
+    }
+  }
+  return rows;
+}
+
+std::vector<std::string> csv_column(
+    const std::vector<std::vector<std::string>>& rows, std::string_view name) {
+  if (rows.empty()) throw Error("no header");
+  const auto& header = rows.front();
+  const auto found = std::find(header.begin(), header.end(), name);
+  if (found == header.end()) throw Error("no column " + std::string(name));
+  std::vector<std::string> column;
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    column.push_back(rows[i].at(found - header.begin()));
+  }
+  return column;
+}
+
+}  // namespace contact::test
