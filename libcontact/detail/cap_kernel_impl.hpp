@@ -106,6 +106,7 @@ class Block {
   static constexpr int branches = 2 * ranges;
   static constexpr int keys = cap_rule_count * branches;
   using Array = std::array<double, capacity>;
+  using LaneIndex = std::array<int, width>;
 
   void prepare_lanes(int i, const PreparedCap<Lanes>& cap) {
     const auto store = [i](const Lanes& x, Array& array) {
@@ -150,10 +151,10 @@ class Block {
   template <bool pole_inside, ArcRange range>
   void sum_group(int first, int end, const CapRule& rule) const {
     for (int i = first; i < end; i += width) {
-      const int used = std::min(width, end - i);
-      std::array<int, width> at;
+      // Lanes beyond the end repeat the last point.
+      LaneIndex at;
       for (int lane = 0; lane < width; ++lane) {
-        at[lane] = order_[i + std::min(lane, used - 1)];
+        at[lane] = order_[std::min(i + lane, end - 1)];
       }
       const auto gather = [&](const auto& array) {
         return Lanes([&](auto lane) {
@@ -169,19 +170,17 @@ class Block {
         nodes.add(Lanes(rule.cosine_squared[node]),
                   Lanes(rule.sine_squared[node]), Lanes(rule.weight[node]));
       }
-      scatter(i, used, assemble(cap, nodes.sums()));
+      scatter(at, assemble(cap, nodes.sums()));
     }
   }
 
-  void scatter(int i, int used, const CapResult<Lanes>& r) const {
+  void scatter(const LaneIndex& at, const CapResult<Lanes>& r) const {
     const auto store = [&](const Lanes& x, std::span<double> to) {
       if (to.empty()) return;
       std::array<double, width> lanes;
       x.copy_to(lanes.data(), stdx::element_aligned);
       double* const start = to.data() + offset_;
-      for (int lane = 0; lane < used; ++lane) {
-        start[order_[i + lane]] = lanes[lane];
-      }
+      for (int lane = 0; lane < width; ++lane) start[at[lane]] = lanes[lane];
     };
     store(r.normal, out_.normal);
     store(r.force_pressure, out_.force_pressure);
