@@ -17,4 +17,5 @@
 #include "libcontact/friction_integrals.hpp"
 #include "libcontact/friction_exact.hpp"
 #include "libcontact/friction_batch.hpp"
+#include "libcontact/friction_models.hpp"
 // clang-format on
