@@ -1,0 +1,16 @@
+#include "libcontact/friction_elliptic.hpp"
+
+#include "libcontact/friction_elliptic_real.hpp"
+
+namespace contact {
+
+FrictionIntegrals elliptic_friction_integrals(double half_angle,
+                                              SlipAxis axis) {
+  return elliptic_friction_integrals<double>(half_angle, axis.sin, axis.cos);
+}
+
+double slip_speed_integral(double half_angle, SlipAxis axis) {
+  return slip_speed_integral<double>(half_angle, axis.sin, axis.cos);
+}
+
+}  // namespace contact
