@@ -1,0 +1,81 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/table.hpp"
+#include "libcontact/half_angle.hpp"
+#include "libcontact/joint_geometry.hpp"
+#include "libcontact/material.hpp"
+#include "libcontact/pressure.hpp"
+
+/// The parts of the program hinge-angle.
+namespace hinge_angle {
+
+/// What is known of a joint: without its geometry only dimensionless loads
+/// and pressures.
+struct Setup {
+  contact::JointKind kind;
+  contact::ElasticPair pair;
+  std::optional<contact::JointGeometry> geometry = {};
+  contact::HalfAngleOptions half_angle_options = {};
+  std::vector<std::string> half_angle_laws = {"paper"};
+  std::string pressure_law = "cosine";
+};
+
+/// In what the load is given.
+enum class LoadVariable { load, load_parameter, x };
+
+/// A half-angle law under the name by which it was asked for.
+struct NamedLaw {
+  std::string name;
+  std::unique_ptr<contact::HalfAngleLaw> law;
+};
+
+/// How often a law had no value.
+struct Failures {
+  std::size_t out_of_range = 0;
+  std::size_t not_converged = 0;
+};
+
+/// Columns and rows of the half-angles of one joint by several laws.
+class AngleTable {
+ public:
+  /// @param setup     must outlive the table, as must the others
+  /// @param laws      for the joint's kind and pair
+  /// @param pressure  for the peak pressure
+  AngleTable(const Setup& setup, const std::vector<NamedLaw>& laws,
+             const contact::PressureLaw& pressure);
+
+  /// load (if the joint has a geometry), load_parameter, x, then for each law
+  /// theta0_LAW_deg and p_peak_LAW_Pa or p_peak_LAW_over_mean.
+  std::vector<std::string> columns() const;
+  /// @param load      in terms of `variable`, [0, infinity]
+  /// @param failures  for each law; added to
+  void write_row(LoadVariable variable, double load, cli::RowWriter& row,
+                 std::vector<Failures>& failures) const;
+
+  /// theta0_deg, then for each law load_LAW (if the joint has a geometry),
+  /// load_parameter_LAW, x_LAW and the peak pressure.
+  std::vector<std::string> inverse_columns() const;
+  void write_inverse_row(double theta0_deg, cli::RowWriter& row,
+                         std::vector<Failures>& failures) const;
+
+  /// A load in terms of another variable; `load` needs a geometry.
+  double convert(LoadVariable from, double load, LoadVariable to) const;
+
+ private:
+  std::string peak_column(const NamedLaw& law) const;
+  // Pa, or in pressure units (R_n/rho1^2, P/rho1) without a geometry.
+  double peak_pressure(double half_angle, double load_parameter) const;
+
+  const Setup& setup_;
+  const std::vector<NamedLaw>& laws_;
+  const contact::PressureLaw& pressure_;
+  std::optional<contact::LoadScale> scale_;
+};
+
+}  // namespace hinge_angle

@@ -1,0 +1,231 @@
+#include "angle/options.hpp"
+
+#include <fmt/format.h>
+
+#include <limits>
+
+#include "cli/number.hpp"
+#include "cli/quantity.hpp"
+#include "libcontact/error.hpp"
+#include "libcontact/joint_file.hpp"
+#include "libcontact/units.hpp"
+
+namespace hinge_angle {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+constexpr std::string_view help = R"(
+The joint is one of
+  --joint FILE.toml           a joint file
+  --joint sphere|cylinder --pair FILE.toml --radius R --clearance EPS
+  --joint sphere|cylinder --pair FILE.toml              dimensionless
+  --joint sphere|cylinder --modulus-ratio E1/E2         dimensionless
+with body 1 the ball or pin and body 2 the seat or hole. Lengths are in m or
+carry a unit: 50mm, 25um. The clearance is the difference of the radii. A
+modulus ratio of 0 is a rigid seat, inf a rigid ball or pin.
+
+The load is one of
+  --load            compressive force, N (sphere) or N/m of length (cylinder)
+  --load-parameter  mu = 3 R_n/(2 ebar rho1^2 E) (sphere) or
+                    lambda = 2 P/(pi ebar rho1 E) (cylinder), with
+                    E = 2/((1-nu1^2)/E1 + (1-nu2^2)/E2), ebar = EPS/R
+  --x               cbrt(mu) or 2 sqrt(lambda)
+Each takes a value, a list a,b,c, a range start:stop:step, or
+start:stop:logN for N values in equal ratios.
+
+Laws: hertz, arctan, tanh, blend, blend:K (K arctan + (1-K) tanh), paper
+(blend:0.5 for a cylinder, tanh for a sphere), or all.
+Limit half-angle of the laws but hertz: formula, linear (0.5 <= E1/E2 <= 2),
+or a value in degrees. A joint file may name the law, the limit half-angle
+and the pressure law; options go before it.
+
+Columns: load (N or N/m; not in dimensionless runs), load_parameter, x, then
+for each law
+  theta0_LAW_deg          half-angle of the contact, degrees
+  p_peak_LAW_Pa           peak pressure, Pa, or in dimensionless runs
+  p_peak_LAW_over_mean    over the mean R_n/R^2 (sphere) or P/R (cylinder)
+With --inverse: theta0_deg, then for each law load_LAW, load_parameter_LAW,
+x_LAW and the peak pressure. Where a law has no value (hertz for x > 1) the
+cell is empty, in JSON null.
+
+Examples:
+  hinge-angle --joint cylinder --modulus-ratio 1 --load-parameter 0.001:10:log9 --law hertz,arctan,tanh,blend
+  hinge-angle --joint sphere --pair data/materials/steel_bronze.toml --radius 50mm --clearance 50um --load 1e4:1e6:log5
+  hinge-angle --joint sphere --modulus-ratio 0 --limit-angle 92.5 --x 0:2:0.5 --law tanh --format markdown
+  hinge-angle --joint data/joints/paper_example_1.toml --load 1e4:1e6:log9 --law hertz,arctan,tanh
+  hinge-angle --joint cylinder --modulus-ratio 1 --inverse --theta0 0:80:20 --format json
+
+)";
+
+// A number with the name of its option in every message.
+double number(std::string_view option, const std::string& text,
+              const cli::Allowed& allowed) {
+  const auto value = cli::parse_number(text);
+  if (!value || !allowed.contains(*value)) {
+    throw contact::Error(
+        fmt::format("{} {}: allowed {}", option, text, allowed.text()));
+  }
+  return *value;
+}
+
+}  // namespace
+
+void add_options(CLI::App& app, Options& options) {
+  app.add_option("--joint", options.joint, "sphere, cylinder or a joint file")
+      ->option_text("KIND|FILE")
+      ->required()
+      ->group("Joint");
+  auto* pair = app.add_option("--pair", options.pair,
+                              "materials of the two bodies, a TOML file")
+                   ->option_text("FILE")
+                   ->group("Joint");
+  auto* radius = app.add_option("--radius", options.radius,
+                                "of the ball or pin, m or with a unit")
+                     ->option_text("LENGTH")
+                     ->needs(pair)
+                     ->group("Joint");
+  auto* clearance = app.add_option("--clearance", options.clearance,
+                                   "radial, m or with a unit")
+                        ->option_text("LENGTH")
+                        ->needs(radius)
+                        ->group("Joint");
+  radius->needs(clearance);
+  auto* ratio = app.add_option("--modulus-ratio", options.modulus_ratio,
+                               "E1/E2, 0 to inf")
+                    ->option_text("NUMBER")
+                    ->excludes(pair)
+                    ->group("Joint");
+  app.add_option("--poisson1", options.poisson1,
+                 "of the ball or pin; default 0.3")
+      ->option_text("NUMBER")
+      ->needs(ratio)
+      ->group("Joint");
+  app.add_option("--poisson2", options.poisson2,
+                 "of the seat or hole; default 0.3")
+      ->option_text("NUMBER")
+      ->needs(ratio)
+      ->group("Joint");
+
+  app.add_option("--load", options.load, "N, or N/m for a cylinder")
+      ->option_text("VALUES")
+      ->group("Load");
+  app.add_option("--load-parameter", options.load_parameter, "mu or lambda")
+      ->option_text("VALUES")
+      ->group("Load");
+  app.add_option("--x", options.x, "cbrt(mu) or 2 sqrt(lambda)")
+      ->option_text("VALUES")
+      ->group("Load");
+  auto* inverse = app.add_flag("--inverse", options.inverse,
+                               "from half-angles to loads, with --theta0")
+                      ->group("Load");
+  auto* theta0 = app.add_option("--theta0", options.theta0,
+                                "half-angles, deg, 0 to 180")
+                     ->option_text("ANGLES")
+                     ->needs(inverse)
+                     ->group("Load");
+  inverse->needs(theta0);
+
+  app.add_option("--law", options.laws, "a comma list; default paper")
+      ->delimiter(',')
+      ->option_text("NAMES")
+      ->group("Law");
+  app.add_option("--limit-angle", options.limit_angle,
+                 "formula, linear, or degrees; default formula")
+      ->option_text("NAME|ANGLE")
+      ->group("Law");
+  app.add_option("--pressure", options.pressure,
+                 "pressure law; default cosine")
+      ->option_text("NAME")
+      ->group("Law");
+  cli::add_output_options(app, options.output);
+  cli::add_jobs_option(app, options.output);
+  app.footer(std::string(help) + std::string(cli::exit_status_help));
+}
+
+namespace {
+
+Setup setup_from_file(const Options& options) {
+  if (!options.joint.ends_with(".toml")) {
+    throw contact::Error(
+        fmt::format("--joint {}: allowed sphere, cylinder or a .toml file",
+                    options.joint));
+  }
+  if (!options.pair.empty() || !options.modulus_ratio.empty()) {
+    throw contact::Error(
+        fmt::format("--joint {}: the file has the materials; not with --pair "
+                    "or --modulus-ratio",
+                    options.joint));
+  }
+  const contact::Joint joint = contact::read_joint(options.joint);
+  return {joint.geometry.kind(),
+          joint.pair,
+          joint.geometry,
+          joint.half_angle_options,
+          {joint.half_angle_law},
+          joint.pressure_law};
+}
+
+Setup dimensionless_setup(const Options& options, contact::JointKind kind) {
+  constexpr cli::Allowed poisson{0, 0.5, ""};
+  return {kind, contact::ElasticPair::from_modulus_ratio(
+                    number("--modulus-ratio", options.modulus_ratio,
+                           {0, infinity, ""}),
+                    number("--poisson1", options.poisson1, poisson),
+                    number("--poisson2", options.poisson2, poisson))};
+}
+
+Setup setup_from_pair(const Options& options, contact::JointKind kind) {
+  Setup setup{kind, contact::read_material_pair(options.pair).elastic};
+  if (options.radius.empty()) return setup;
+  const double radius = cli::parse_length("--radius", options.radius);
+  const double clearance =
+      cli::parse_length("--clearance", options.clearance);
+  // Loads of a pin are per unit length, so its length does not matter.
+  setup.geometry = kind == contact::JointKind::spherical
+                       ? contact::JointGeometry::ball(radius, clearance)
+                       : contact::JointGeometry::pin(radius, clearance, 1);
+  return setup;
+}
+
+Setup setup_of_joint(const Options& options) {
+  if (options.joint != "sphere" && options.joint != "cylinder") {
+    return setup_from_file(options);
+  }
+  const contact::JointKind kind = options.joint == "sphere"
+                                      ? contact::JointKind::spherical
+                                      : contact::JointKind::cylindrical;
+  if (!options.modulus_ratio.empty()) {
+    return dimensionless_setup(options, kind);
+  }
+  if (options.pair.empty()) {
+    throw contact::Error(fmt::format(
+        "--joint {}: needs --pair or --modulus-ratio", options.joint));
+  }
+  return setup_from_pair(options, kind);
+}
+
+}  // namespace
+
+Setup make_setup(const Options& options) {
+  Setup setup = setup_of_joint(options);
+  auto& limit = setup.half_angle_options;
+  if (!options.limit_angle.empty()) {
+    limit.limit_half_angle.reset();
+    limit.linear_limit = options.limit_angle == "linear";
+    if (options.limit_angle != "linear" && options.limit_angle != "formula") {
+      limit.limit_half_angle =
+          number("--limit-angle", options.limit_angle, {0, 180, "deg"}) *
+          contact::degree;
+    }
+  }
+  if (!options.laws.empty()) setup.half_angle_laws = options.laws;
+  if (setup.half_angle_laws == std::vector<std::string>{"all"}) {
+    setup.half_angle_laws = contact::half_angle_law_names();
+    std::erase(setup.half_angle_laws, "paper");  // one of the others
+  }
+  if (!options.pressure.empty()) setup.pressure_law = options.pressure;
+  return setup;
+}
+
+}  // namespace hinge_angle
