@@ -22,6 +22,6 @@ TEST_P(HelpExamples, Run) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Programs, HelpExamples,
-                         testing::Values("hinge-table"));
+                         testing::Values("hinge-table", "hinge-angle"));
 
 }  // namespace

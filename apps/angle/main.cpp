@@ -35,9 +35,9 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 std::vector<NamedLaw> make_laws(const Setup& setup) {
   std::vector<NamedLaw> laws;
   for (const std::string& name : setup.half_angle_laws) {
-    laws.push_back({name, contact::make_half_angle_law(
-                              name, setup.kind, setup.pair,
-                              setup.half_angle_options)});
+    laws.push_back(
+        {name, contact::make_half_angle_law(name, setup.kind, setup.pair,
+                                            setup.half_angle_options)});
   }
   return laws;
 }
@@ -50,10 +50,10 @@ struct Input {
 };
 
 Input make_input(const Options& options, const Setup& setup) {
-  if (options.inverse) {
-    if (!options.load.empty() || !options.load_parameter.empty() ||
-        !options.x.empty()) {
-      throw contact::Error("--inverse: takes --theta0 and no load");
+  if (options.inverse || !options.theta0.empty()) {
+    if (!options.inverse || options.theta0.empty() || !options.load.empty() ||
+        !options.load_parameter.empty() || !options.x.empty()) {
+      throw contact::Error("--inverse and --theta0: belong together, no load");
     }
     // Curves are drawn over the load where there is one.
     return {setup.geometry ? LoadVariable::load : LoadVariable::load_parameter,

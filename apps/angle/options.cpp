@@ -116,15 +116,12 @@ void add_options(CLI::App& app, Options& options) {
   app.add_option("--x", options.x, "cbrt(mu) or 2 sqrt(lambda)")
       ->option_text("VALUES")
       ->group("Load");
-  auto* inverse = app.add_flag("--inverse", options.inverse,
-                               "from half-angles to loads, with --theta0")
-                      ->group("Load");
-  auto* theta0 = app.add_option("--theta0", options.theta0,
-                                "half-angles, deg, 0 to 180")
-                     ->option_text("ANGLES")
-                     ->needs(inverse)
-                     ->group("Load");
-  inverse->needs(theta0);
+  app.add_flag("--inverse", options.inverse,
+               "from half-angles to loads, with --theta0")
+      ->group("Load");
+  app.add_option("--theta0", options.theta0, "half-angles, deg, 0 to 180")
+      ->option_text("ANGLES")
+      ->group("Load");
 
   app.add_option("--law", options.laws, "a comma list; default paper")
       ->delimiter(',')
@@ -134,8 +131,7 @@ void add_options(CLI::App& app, Options& options) {
                  "formula, linear, or degrees; default formula")
       ->option_text("NAME|ANGLE")
       ->group("Law");
-  app.add_option("--pressure", options.pressure,
-                 "pressure law; default cosine")
+  app.add_option("--pressure", options.pressure, "pressure law; default cosine")
       ->option_text("NAME")
       ->group("Law");
   cli::add_output_options(app, options.output);
@@ -147,9 +143,8 @@ namespace {
 
 Setup setup_from_file(const Options& options) {
   if (!options.joint.ends_with(".toml")) {
-    throw contact::Error(
-        fmt::format("--joint {}: allowed sphere, cylinder or a .toml file",
-                    options.joint));
+    throw contact::Error(fmt::format(
+        "--joint {}: allowed sphere, cylinder or a .toml file", options.joint));
   }
   if (!options.pair.empty() || !options.modulus_ratio.empty()) {
     throw contact::Error(
@@ -158,12 +153,9 @@ Setup setup_from_file(const Options& options) {
                     options.joint));
   }
   const contact::Joint joint = contact::read_joint(options.joint);
-  return {joint.geometry.kind(),
-          joint.pair,
-          joint.geometry,
-          joint.half_angle_options,
-          {joint.half_angle_law},
-          joint.pressure_law};
+  return {joint.geometry.kind(),  joint.pair,
+          joint.geometry,         joint.half_angle_options,
+          {joint.half_angle_law}, joint.pressure_law};
 }
 
 Setup dimensionless_setup(const Options& options, contact::JointKind kind) {
@@ -179,8 +171,7 @@ Setup setup_from_pair(const Options& options, contact::JointKind kind) {
   Setup setup{kind, contact::read_material_pair(options.pair).elastic};
   if (options.radius.empty()) return setup;
   const double radius = cli::parse_length("--radius", options.radius);
-  const double clearance =
-      cli::parse_length("--clearance", options.clearance);
+  const double clearance = cli::parse_length("--clearance", options.clearance);
   // Loads of a pin are per unit length, so its length does not matter.
   setup.geometry = kind == contact::JointKind::spherical
                        ? contact::JointGeometry::ball(radius, clearance)

@@ -1,0 +1,367 @@
+// The program hinge-angle, run as its users run it.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "cli/number.hpp"
+#include "libcontact/half_angle.hpp"
+#include "libcontact/joint_file.hpp"
+#include "libcontact/pressure.hpp"
+#include "libcontact/units.hpp"
+#include "support/program.hpp"
+
+namespace {
+
+using contact::JointKind;
+using contact::test::csv_column;
+using contact::test::csv_rows;
+using contact::test::ProgramFolder;
+using contact::test::ProgramResult;
+
+std::string first_line(const std::string& text) {
+  return text.substr(0, text.find('\n'));
+}
+
+// Rows as numbers; an empty cell is NaN.
+std::vector<std::vector<double>> numbers(const std::string& csv) {
+  std::vector<std::vector<double>> table;
+  auto rows = csv_rows(csv);
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    auto& row = table.emplace_back();
+    for (const std::string& cell : rows[i]) {
+      row.push_back(cli::parse_number(cell).value_or(NAN));
+    }
+  }
+  return table;
+}
+
+TEST(HingeAngle, DimensionlessRowsAreTheLibrarys) {
+  for (const std::string joint : {"sphere", "cylinder"}) {
+    const JointKind kind =
+        joint == "sphere" ? JointKind::spherical : JointKind::cylindrical;
+    const ProgramResult result = ProgramFolder().run(
+        "hinge-angle --modulus-ratio 0.5 --poisson1 0.25 --poisson2 0.3 "
+        "--x 0,0.25:3:0.25,inf --law hertz,arctan,tanh,blend,blend:0.3,paper "
+        "--joint " +
+        joint);
+    EXPECT_EQ(result.status, 0) << result.err;
+    EXPECT_EQ(first_line(result.out),
+              "load_parameter,x,theta0_hertz_deg,p_peak_hertz_over_mean,"
+              "theta0_arctan_deg,p_peak_arctan_over_mean,theta0_tanh_deg,"
+              "p_peak_tanh_over_mean,theta0_blend_deg,p_peak_blend_over_mean,"
+              "theta0_blend:0.3_deg,p_peak_blend:0.3_over_mean,"
+              "theta0_paper_deg,p_peak_paper_over_mean");
+    const auto pair = contact::ElasticPair::from_modulus_ratio(0.5, 0.25, 0.3);
+    const contact::CosinePressure pressure(kind);
+    const auto rows = numbers(result.out);
+    ASSERT_EQ(rows.size(), 14U);
+    for (const auto& row : rows) {
+      ASSERT_EQ(row.size(), 14U);
+      EXPECT_EQ(row[0], contact::load_parameter_from_x(kind, row[1]));
+      std::size_t column = 2;
+      for (const char* name :
+           {"hertz", "arctan", "tanh", "blend", "blend:0.3", "paper"}) {
+        const auto law = contact::make_half_angle_law(name, kind, pair);
+        const auto [half_angle, status] = law->half_angle(row[0]);
+        if (status == contact::Status::ok) {
+          // The numbers read back as the same doubles.
+          EXPECT_EQ(row[column], half_angle / contact::degree) << name;
+          EXPECT_EQ(row[column + 1], pressure.peak(half_angle)) << name;
+        } else {
+          EXPECT_TRUE(std::isnan(row[column])) << name;
+          EXPECT_TRUE(std::isnan(row[column + 1])) << name;
+        }
+        column += 2;
+      }
+    }
+  }
+}
+
+TEST(HingeAngle, DimensionalRowsAreTheLibrarys) {
+  for (const std::string file :
+       {"joints/pin_joint.toml", "joints/hip_cocr_uhmwpe.toml"}) {
+    const contact::Joint joint =
+        contact::read_joint(std::string(CONTACT_DATA_DIR) + '/' + file);
+    const ProgramResult result = ProgramFolder().run(
+        "hinge-angle --law tanh --load 0,100:1e6:log7 --joint data/" + file);
+    EXPECT_EQ(result.status, 0) << result.err;
+    EXPECT_EQ(first_line(result.out),
+              "load,load_parameter,x,theta0_tanh_deg,p_peak_tanh_Pa");
+    const auto law = contact::make_half_angle_law(
+        "tanh", joint.geometry.kind(), joint.pair, joint.half_angle_options);
+    const contact::CosinePressure pressure(joint.geometry.kind());
+    const auto rows = numbers(result.out);
+    ASSERT_EQ(rows.size(), 8U);
+    for (const auto& row : rows) {
+      EXPECT_EQ(row[1], joint.load_scale().load_parameter(row[0]));
+      const double half_angle = law->half_angle(row[1]).half_angle;
+      EXPECT_EQ(row[3], half_angle / contact::degree);
+      const double peak = row[0] == 0
+                              ? 0
+                              : pressure.peak(half_angle) *
+                                    joint.geometry.pressure_unit(row[0]);
+      // The order of three multiplications is the program's own.
+      EXPECT_NEAR(row[4], peak, 1e-15 * peak);
+    }
+  }
+}
+
+TEST(HingeAngle, PaperExample1) {
+  // Section 5.1 of the paper as recomputed: mu 0.5460, theta0 42.593 deg.
+  const ProgramResult result = ProgramFolder().run(
+      "hinge-angle --joint data/joints/paper_example_1.toml --load 2e5");
+  EXPECT_EQ(result.err, "");
+  const auto rows = numbers(result.out);
+  EXPECT_NEAR(rows.at(0).at(1), 0.5460, 5e-5);
+  EXPECT_NEAR(rows.at(0).at(3), 42.593, 5e-4);
+}
+
+TEST(HingeAngle, WaysToGiveAJointAgree) {
+  const ProgramFolder folder;
+  folder.write("joint.toml",
+               "name = \"test\"\nkind = \"spherical\"\ninner_body = \"load\"\n"
+               "[geometry]\nradius_mm = 50\nradial_clearance_um = 25\n"
+               "[materials]\npair = \"data/materials/steel_steel.toml\"\n");
+  const std::string rest = " --load 1e3:1e6:log4 --law arctan";
+  const std::string pair =
+      "hinge-angle --joint sphere --pair data/materials/steel_steel.toml ";
+  const std::string expected =
+      folder.run("hinge-angle --joint joint.toml" + rest).out;
+  ASSERT_EQ(csv_rows(expected).size(), 5U);
+  for (const char* lengths :
+       {"--radius 50mm --clearance 25um", "--radius 0.05 --clearance 25e-6",
+        "--radius 0.05m --clearance 0.025mm"}) {
+    EXPECT_EQ(folder.run(pair + lengths + rest).out, expected) << lengths;
+  }
+  // The same materials without the geometry: the same angles over x.
+  const auto x = csv_column(csv_rows(expected), "x");
+  const auto theta0 = csv_column(csv_rows(expected), "theta0_arctan_deg");
+  const auto rows =
+      csv_rows(folder.run(pair + "--law arctan --x " + x[0] + ',' + x[3]).out);
+  // cbrt and cube: a few roundings.
+  EXPECT_NEAR(std::stod(csv_column(rows, "theta0_arctan_deg")[0]),
+              std::stod(theta0[0]), 1e-13);
+  EXPECT_NEAR(std::stod(csv_column(rows, "theta0_arctan_deg")[1]),
+              std::stod(theta0[3]), 1e-13);
+}
+
+TEST(HingeAngle, LoadIsPrintedAsGiven) {
+  const auto rows =
+      csv_rows(ProgramFolder()
+                   .run("hinge-angle --joint data/joints/pin_joint.toml --load "
+                        "0.1:2000:0.1")
+                   .out);
+  ASSERT_EQ(rows.size(), 20001U);
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    ASSERT_EQ(std::stod(rows[i][0]), static_cast<double>(i) / 10);
+  }
+}
+
+TEST(HingeAngle, LimitAngle) {
+  const ProgramFolder folder;
+  const auto limit = [&](const std::string& options) {
+    const ProgramResult result = folder.run(
+        "hinge-angle --joint cylinder --x inf --law tanh " + options);
+    EXPECT_EQ(result.status, 0) << result.err;
+    return numbers(result.out).at(0).at(2);
+  };
+  // Largest rounding of degrees to radians and back: 2 ulp.
+  EXPECT_NEAR(limit("--modulus-ratio 1"), 84.85, 3e-14);
+  EXPECT_NEAR(limit("--modulus-ratio 1 --limit-angle formula"), 84.85, 3e-14);
+  EXPECT_NEAR(limit("--modulus-ratio 2 --limit-angle linear"), 82.85, 3e-14);
+  EXPECT_NEAR(limit("--modulus-ratio 2 --limit-angle 91.5"), 91.5, 3e-14);
+  // Rigid seat, rigid pin: the formula's ends, printed to two decimals.
+  EXPECT_NEAR(limit("--modulus-ratio 0"), 92.53, 5e-3);
+  EXPECT_NEAR(limit("--modulus-ratio inf"), 80.33, 5e-3);
+}
+
+TEST(HingeAngle, HertzBeyondItsRange) {
+  const ProgramFolder folder;
+  const std::string command =
+      "hinge-angle --joint sphere --modulus-ratio 1 --x 0.5,1,1.0000001,2,3 "
+      "--limit-angle 85 --law hertz ";
+  for (const char* jobs : {"", "--jobs 3"}) {
+    const ProgramResult result = folder.run(command + jobs);
+    EXPECT_EQ(result.status, 0);
+    EXPECT_EQ(result.err,
+              "hinge-angle: warning: law hertz: no value for 3 of 5 rows, "
+              "which are outside its range\n");
+    const auto cells = csv_column(csv_rows(result.out), "theta0_hertz_deg");
+    EXPECT_EQ(cells[1], "90");
+    EXPECT_EQ(cells[2], "");
+    EXPECT_EQ(cells[4], "");
+  }
+  const auto json =
+      nlohmann::json::parse(folder.run(command + "--format json").out);
+  EXPECT_EQ(json.at(1).at("theta0_hertz_deg"), 90);
+  EXPECT_TRUE(json.at(2).at("theta0_hertz_deg").is_null());
+  EXPECT_TRUE(json.at(2).at("p_peak_hertz_over_mean").is_null());
+}
+
+TEST(HingeAngle, InverseGoesBack) {
+  const ProgramFolder folder;
+  for (const std::string joint : {"pin_joint", "spherical_plain_bearing"}) {
+    const std::string start =
+        "hinge-angle --joint data/joints/" + joint + ".toml ";
+    for (const std::string law : {"hertz", "arctan", "tanh", "blend:0.4"}) {
+      const auto there =
+          csv_rows(folder.run(start + "--x 0.1:0.9:0.1 --law " + law).out);
+      const auto angles = csv_column(there, "theta0_" + law + "_deg");
+      std::string list;
+      for (const auto& angle : angles) {
+        list += (list.empty() ? "" : ",") + angle;
+      }
+      const auto back = csv_rows(
+          folder.run(start + "--inverse --theta0 " + list + " --law " + law)
+              .out);
+      for (const std::string name : {"load", "load_parameter", "x"}) {
+        const auto expected = csv_column(there, name);
+        const auto found = csv_column(back, name + "_" + law);
+        ASSERT_EQ(found.size(), 9U);
+        for (std::size_t i = 0; i < 9; ++i) {
+          // Errors of 1e-14 of a law and its inverse, times the slope of the
+          // inverse: at most 10 for these x.
+          const double value = std::stod(expected[i]);
+          EXPECT_NEAR(std::stod(found[i]), value, 1e-13 * value)
+              << law << ' ' << name;
+        }
+      }
+      const auto peak = csv_column(there, "p_peak_" + law + "_Pa");
+      const auto peak_back = csv_column(back, "p_peak_" + law + "_Pa");
+      EXPECT_NEAR(std::stod(peak[8]), std::stod(peak_back[8]),
+                  1e-12 * std::stod(peak[8]));
+    }
+  }
+}
+
+TEST(HingeAngle, InverseBeyondTheLimitHasNoValue) {
+  const ProgramResult result = ProgramFolder().run(
+      "hinge-angle --joint cylinder --modulus-ratio 1 --inverse --theta0 "
+      "84,86 --law tanh");
+  EXPECT_EQ(result.status, 0);
+  EXPECT_EQ(first_line(result.out),
+            "theta0_deg,load_parameter_tanh,x_tanh,p_peak_tanh_over_mean");
+  EXPECT_EQ(csv_rows(result.out)[2],
+            (std::vector<std::string>{"86", "", "", ""}));
+  EXPECT_NE(result.err.find("law tanh: no value for 1 of 2 rows"),
+            std::string::npos);
+}
+
+TEST(HingeAngle, WarnsOncePerReason) {
+  const ProgramResult result = ProgramFolder().run(
+      "hinge-angle --joint sphere --modulus-ratio 1 --poisson2 0.4 --x 0:1:0.1 "
+      "--law arctan,tanh");
+  EXPECT_EQ(result.status, 0);
+  EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 2);
+  EXPECT_NE(result.err.find("warning: law arctan, tanh: the limit half-angle "
+                            "is a formula for Poisson's ratio 0.3"),
+            std::string::npos)
+      << result.err;
+}
+
+TEST(HingeAngle, AllLaws) {
+  const ProgramResult result = ProgramFolder().run(
+      "hinge-angle --joint cylinder --modulus-ratio 1 --x 0.5 --law all");
+  EXPECT_EQ(result.status, 0);
+  for (const std::string& name : contact::half_angle_law_names()) {
+    EXPECT_EQ(result.out.find("theta0_" + name + "_deg") != std::string::npos,
+              name != "paper");
+  }
+}
+
+TEST(HingeAngle, BadOptionsSayWhatIsAllowedAndLeaveNoFile) {
+  struct Case {
+    std::string arguments;
+    std::string message;
+  };
+  const std::string ratio = "--joint sphere --modulus-ratio 1 ";
+  const std::string pair =
+      "--joint sphere --pair data/materials/steel_steel.toml ";
+  const std::vector<Case> cases = {
+      {"--x 1", "--joint is required"},
+      {"--joint cube --x 1",
+       "--joint cube: allowed sphere, cylinder or a .toml file"},
+      {"--joint none.toml --x 1", "none.toml"},
+      {"--joint sphere --x 1", "needs --pair or --modulus-ratio"},
+      {"--joint data/joints/pin_joint.toml --modulus-ratio 1 --x 1",
+       "the file has the materials"},
+      {"--joint sphere --modulus-ratio -1 --x 1",
+       "--modulus-ratio -1: allowed 0 to inf"},
+      {"--joint sphere --modulus-ratio nan --x 1",
+       "--modulus-ratio nan: allowed 0 to inf"},
+      {ratio + "--poisson1 0.6 --x 1", "--poisson1 0.6: allowed 0 to 0.5"},
+      {ratio + "--x -1", "--x -1: -1 is outside the allowed 0 to inf"},
+      {ratio + "--x nan", "--x nan: nan is outside the allowed 0 to inf"},
+      {ratio + "--load 100", "--load: a dimensionless joint takes"},
+      {ratio + "--x 1 --load-parameter 1", "needs one of --load"},
+      {ratio, "needs one of --load"},
+      {ratio + "--x 1 --law cheese", "cheese"},
+      {ratio + "--x 1 --pressure cheese", "cheese"},
+      {ratio + "--x 1 --limit-angle flat", "--limit-angle flat: allowed"},
+      {ratio + "--x 1 --inverse", "--inverse and --theta0"},
+      {ratio + "--theta0 10", "--inverse and --theta0"},
+      {ratio + "--inverse --theta0 200",
+       "--theta0 200: 200 is outside the allowed 0 to 180 deg"},
+      {pair + "--radius 50mm --load 1", "--clearance"},
+      {pair + "--radius 50in --clearance 1um --load 1",
+       "--radius 50in: allowed a length above 0"},
+      {pair + "--radius 50mm --clearance 60mm --load 1", "clearance"},
+      {pair + "--radius 50mm --clearance 60um --load 0:1e3:x",
+       "--load 0:1e3:x: expected a value"},
+      {"--joint sphere --pair none.toml --x 1", "none.toml"},
+  };
+  const ProgramFolder folder;
+  folder.write("table.csv", "old");
+  for (const auto& [arguments, message] : cases) {
+    const ProgramResult result =
+        folder.run("hinge-angle " + arguments + " --output table.csv");
+    EXPECT_EQ(result.status, 2) << arguments;
+    EXPECT_EQ(result.out, "") << arguments;
+    EXPECT_EQ(result.err.rfind("hinge-angle: ", 0), 0U) << result.err;
+    EXPECT_NE(result.err.find(message), std::string::npos) << arguments << '\n'
+                                                           << result.err;
+    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1)
+        << result.err;
+    EXPECT_EQ(folder.files(), std::vector<std::string>{"table.csv"});
+    EXPECT_EQ(folder.read("table.csv"), "old") << arguments;
+  }
+}
+
+TEST(HingeAngle, JobsDoNotChangeTheOutput) {
+  const ProgramFolder folder;
+  const std::string command =
+      "hinge-angle --joint sphere --modulus-ratio 1 --x 0:2:0.0005 --law all "
+      "--format json ";
+  const ProgramResult one = folder.run(command);
+  EXPECT_EQ(nlohmann::json::parse(one.out).size(), 4001U);
+  EXPECT_EQ(one.out, folder.run(command + "--jobs 4").out);
+}
+
+TEST(HingeAngle, Plots) {
+  const ProgramFolder folder;
+  if (folder.run("command -v gnuplot").status != 0) {
+    GTEST_SKIP() << "gnuplot is not installed";
+  }
+  const ProgramResult result = folder.run(
+      "hinge-angle --joint data/joints/hip_cocr_uhmwpe.toml --load "
+      "10:5000:log50 --law hertz,arctan,tanh --plot hip.svg --output hip.csv");
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_EQ(folder.files(), (std::vector<std::string>{"hip.csv", "hip.svg"}));
+  const std::string picture = folder.read("hip.svg");
+  for (const char* text : {"hertz", "arctan", "tanh", "compressive force, N",
+                           "contact half-angle θ₀, deg", "</svg>"}) {
+    EXPECT_NE(picture.find(text), std::string::npos) << text;
+  }
+  EXPECT_EQ(folder
+                .run("hinge-angle --joint cylinder --modulus-ratio 1 "
+                     "--inverse --theta0 1:80:1 --law tanh --plot back.png")
+                .status,
+            0);
+  EXPECT_EQ(folder.read("back.png").rfind("\x89PNG", 0), 0U);
+}
+
+}  // namespace
