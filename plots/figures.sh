@@ -55,9 +55,9 @@ exact sphere_theta0.csv 0 4 >figure5_exact.csv
 
 # Figures 8 and 9: coefficients and area integrals against the slip axis
 # angle, exact and by the planar sliding-spinning model.
-for method in exact exact; do
+for method in exact planar; do
   "$programs/hinge-table" --theta0 15:90:15 --alpha 0:90:0.5 \
-    --method $method --output figure8_$method.csv; cp figure8_exact.csv figure8_planar.csv
+    --method $method --output figure8_$method.csv
 done
 
 for figure in 3 4 5 8 9; do

@@ -3,6 +3,7 @@
 #include "cli/choice.hpp"
 #include "libcontact/friction_batch.hpp"
 #include "libcontact/friction_integrals.hpp"
+#include "libcontact/friction_models.hpp"
 
 namespace hinge_table {
 namespace {
@@ -45,7 +46,12 @@ Method pointwise(const Function& function) {
 }  // namespace
 
 Method find_method(const std::string& name, double /*tolerance*/) {
-  const std::array<cli::Choice<Method>, 1> methods = {{{"exact", exact}}};
+  const std::array<cli::Choice<Method>, 4> methods = {{
+      {"exact", exact},
+      {"planar", pointwise(contact::planar_friction_integrals)},
+      {"viscous", pointwise(contact::viscous_friction_integrals)},
+      {"cosine", pointwise(contact::cosine_friction_integrals)},
+  }};
   return cli::choice("--method", name, methods);
 }
 
