@@ -79,8 +79,9 @@ double planar_by_definition(double theta0, SlipAxis a, Role role,
 TEST(PlanarFriction, AgreesWithItsDefinition) {
   // The two nested adaptive quadratures are asked for 1e-12.
   AccuracyReport report("planar against definition", 2e-11);
-  for (const double theta0_deg : {0.5, 30.0, 60.0, 85.0, 110.0}) {
-    for (const double a_deg : {0.0, 10.0, 45.0, 59.0, 80.0, 89.9, 90.0}) {
+  // At (90, 50) a node of the outer rule is rounded to the pole's circle.
+  for (const double theta0_deg : {0.5, 30.0, 60.0, 85.0, 90.0, 110.0}) {
+    for (const double a_deg : {0.0, 10.0, 45.0, 50.0, 59.0, 80.0, 89.9, 90.0}) {
       const double theta0 = theta0_deg * contact::degree;
       const SlipAxis axis = SlipAxis::from_degrees(a_deg);
       const FrictionIntegrals r =
