@@ -6,6 +6,7 @@
 
 #include "libcontact/detail/cap_integrals.hpp"
 #include "libcontact/detail/select.hpp"
+#include "libcontact/detail/sine_cosine.hpp"
 
 /// What the exact method does before and after its sum over nodes, for V a
 /// lane type or double.
@@ -21,13 +22,12 @@ struct PreparedCap {
 
 template <class V>
 PreparedCap<V> prepare(V half_angle, V axis_sin, V axis_cos) {
-  using std::abs, std::cos, std::sin;
+  using std::abs;
   // NaN compares false: outside [0, pi] everything becomes NaN.
   const V theta0 =
       select(half_angle >= 0.0 && half_angle <= std::numbers::pi, half_angle,
              V(std::numeric_limits<double>::quiet_NaN()));
-  const V s = sin(theta0);
-  const V cosine = cos(theta0);
+  const auto [s, cosine] = sine_cosine(theta0);
   const V c = abs(cosine);
   const V sa = abs(axis_sin);
   const V q = axis_cos;
