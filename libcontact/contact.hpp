@@ -17,6 +17,7 @@
 #include "libcontact/friction_integrals.hpp"
 #include "libcontact/friction_exact.hpp"
 #include "libcontact/friction_elliptic.hpp"
+#include "libcontact/friction_special.hpp"
 #include "libcontact/friction_batch.hpp"
 #include "libcontact/friction_models.hpp"
 // clang-format on
