@@ -20,4 +20,7 @@
 #include "libcontact/friction_special.hpp"
 #include "libcontact/friction_batch.hpp"
 #include "libcontact/friction_models.hpp"
+#include "libcontact/joint_contact.hpp"
+#include "libcontact/joint_solution.hpp"
+#include "libcontact/spherical_joint.hpp"
 // clang-format on

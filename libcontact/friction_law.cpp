@@ -15,4 +15,13 @@ FrictionLaw::FrictionLaw(double coefficient, double adhesion)
                   "adhesion", adhesion, "0 Pa or above, finite");
 }
 
+ViscousLaw::ViscousLaw(double constant, double pressure_slope)
+    : constant_(constant), pressure_slope_(pressure_slope) {
+  detail::require(constant >= 0 && std::isfinite(constant), "viscous law",
+                  "constant", constant, "0 Pa s/m or above, finite");
+  detail::require(pressure_slope >= 0 && std::isfinite(pressure_slope),
+                  "viscous law", "pressure_slope", pressure_slope,
+                  "0 s/m or above, finite");
+}
+
 }  // namespace contact

@@ -1,6 +1,9 @@
 #pragma once
 
-/// Dry friction whose coefficient depends on the contact pressure.
+#include <variant>
+
+/// Friction of the contact surface: dry, with a coefficient that depends on
+/// the contact pressure, or viscous.
 namespace contact {
 
 /// f(p) = f0 + A/p, that is the friction stress f p = f0 p + A.
@@ -35,5 +38,36 @@ class FrictionLaw {
   double coefficient_;
   double adhesion_;
 };
+
+/// Lubricated contact: friction stress (k0 + k1 p) v, v = sliding speed.
+///
+/// It vanishes with the speed: a joint with this friction has no rest set.
+/// Source: the paper, section 3.1 (k constant, or growing with the pressure).
+class ViscousLaw {
+ public:
+  /// @param constant  k0, Pa s/m, [0, infinity)
+  /// @param pressure_slope  k1, s/m, [0, infinity)
+  /// @throws Error if an argument is out of range.
+  explicit ViscousLaw(double constant, double pressure_slope = 0);
+
+  /// k0, Pa s/m
+  double constant() const { return constant_; }
+  /// k1, s/m
+  double pressure_slope() const { return pressure_slope_; }
+
+  /// Friction stress (k0 + k1 p) v, Pa.
+  /// @param pressure  p, Pa, >= 0
+  /// @param speed     v, m/s, >= 0
+  double stress_at(double pressure, double speed) const {
+    return (constant_ + pressure_slope_ * pressure) * speed;
+  }
+
+ private:
+  double constant_;
+  double pressure_slope_;
+};
+
+/// The friction of a joint.
+using FrictionModel = std::variant<FrictionLaw, ViscousLaw>;
 
 }  // namespace contact

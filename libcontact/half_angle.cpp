@@ -27,9 +27,15 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double formula_poissons_ratio = 0.3;
 constexpr double poissons_ratio_tolerance = 0.01 + 1e-12;
 
+// dln(x)/dln(load)
+double load_exponent(JointKind kind) {
+  return kind == JointKind::spherical ? 1.0 / 3 : 0.5;
+}
+
 // The pairs (g, inverse) of the laws in xi = x/theta0*, with 1 - g(xi) where
 // a caller needs it without cancellation.
 double arctan_shape(double xi) { return std::atan(half_pi * xi) / half_pi; }
+double arctan_slope(double xi) { return 1 / (1 + half_pi * half_pi * xi * xi); }
 double arctan_rest(double xi) {
   return std::atan(1 / (half_pi * xi)) / half_pi;
 }
@@ -38,6 +44,7 @@ double arctan_inverse(double ratio, double complement) {
                       : 1 / (half_pi * std::tan(half_pi * complement));
 }
 
+double tanh_slope(double value) { return (1 - value) * (1 + value); }
 double tanh_rest(double xi) { return 2 / (std::exp(2 * xi) + 1); }
 double tanh_inverse(double ratio, double complement) {
   return std::log1p(2 * ratio / complement) / 2;
@@ -106,7 +113,10 @@ HalfAngleResult HertzLaw::half_angle(double load_parameter) const noexcept {
                           ? (1 - load_parameter) * (1 + x) / (1 + x + x * x)
                           : 1 - 4 * load_parameter;
   if (!(rest >= 0)) return {nan, Status::out_of_range};
-  return {std::atan2(x, std::sqrt(rest)), Status::ok};
+  const double cosine = std::sqrt(rest);
+  const double half_angle = std::atan2(x, cosine);
+  const double slope = x == 0 ? 1 : x / (cosine * half_angle);
+  return {half_angle, Status::ok, load_exponent(joint_kind()) * slope};
 }
 
 LoadParameterResult HertzLaw::load_parameter(double half_angle) const noexcept {
@@ -136,7 +146,13 @@ HalfAngleResult SaturatingLaw::half_angle(
   if (!(load_parameter >= 0)) return {nan, Status::out_of_range};
   const double limit = limit_.value();
   const double x = x_from_load_parameter(joint_kind(), load_parameter);
-  return {limit * shape(initial_slope_ * x / limit), Status::ok};
+  const double xi = initial_slope_ * x / limit;
+  const Shape g = shape(xi);
+  // xi g'/g tends to 1 and 0 at the ends, as 0/0 and infinity times 0.
+  const double slope = xi == 0          ? 1
+                       : std::isinf(xi) ? 0
+                                        : xi * g.slope / g.value;
+  return {limit * g.value, Status::ok, load_exponent(joint_kind()) * slope};
 }
 
 LoadParameterResult SaturatingLaw::load_parameter(
@@ -159,14 +175,19 @@ std::vector<std::string> SaturatingLaw::validity_notes(
   return limit_.validity_notes(joint_kind(), pair);
 }
 
-double ArctanLaw::shape(double xi) const noexcept { return arctan_shape(xi); }
+SaturatingLaw::Shape ArctanLaw::shape(double xi) const noexcept {
+  return {arctan_shape(xi), arctan_slope(xi)};
+}
 
 SaturatingLaw::InverseResult ArctanLaw::inverse_shape(
     double ratio, double complement) const noexcept {
   return {arctan_inverse(ratio, complement), Status::ok};
 }
 
-double TanhLaw::shape(double xi) const noexcept { return std::tanh(xi); }
+SaturatingLaw::Shape TanhLaw::shape(double xi) const noexcept {
+  const double value = std::tanh(xi);
+  return {value, tanh_slope(value)};
+}
 
 SaturatingLaw::InverseResult TanhLaw::inverse_shape(
     double ratio, double complement) const noexcept {
@@ -200,9 +221,11 @@ std::vector<std::string> BlendLaw::validity_notes(
   return notes;
 }
 
-double BlendLaw::shape(double xi) const noexcept {
+SaturatingLaw::Shape BlendLaw::shape(double xi) const noexcept {
   const double k = arctan_share_;
-  return k * arctan_shape(xi) + (1 - k) * std::tanh(xi);
+  const double tanh = std::tanh(xi);
+  return {k * arctan_shape(xi) + (1 - k) * tanh,
+          k * arctan_slope(xi) + (1 - k) * tanh_slope(tanh)};
 }
 
 SaturatingLaw::InverseResult BlendLaw::inverse_shape(
@@ -215,7 +238,7 @@ SaturatingLaw::InverseResult BlendLaw::inverse_shape(
   // where 1 - g is nearly linear and keeps its digits.
   const bool saturated = ratio > 0.5;
   const auto residual = [&](double v) {
-    if (!saturated) return shape(v) - ratio;
+    if (!saturated) return shape(v).value - ratio;
     const double xi = 1 / v;
     return k * arctan_rest(xi) + (1 - k) * tanh_rest(xi) - complement;
   };

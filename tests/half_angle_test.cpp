@@ -329,6 +329,52 @@ TEST(HertzLaw, BothWaysAgreeWithFiftyDigits) {
   back.check();
 }
 
+// dln(theta0)/dln(load) = power xi g'/g, g' of the two laws in closed form.
+TEST(SaturatingLaws, LogSlopeAgreesWithFiftyDigits) {
+  // A slope and a ratio with some roundings each; absolute, since tanh's
+  // slope is 1 - g^2 with g near 1.
+  AccuracyReport report("dln(theta0)/dln(load), absolute", 1e-15);
+  for (const JointKind kind : kinds) {
+    const double power = kind == JointKind::spherical ? 1.0 / 3 : 0.5;
+    for (const double limit : limits()) {
+      for (const auto& [k, law] :
+           saturating_laws(kind, LimitHalfAngle::given(limit))) {
+        for (const double load : loads()) {
+          const Real xi = x_of(kind, load) / limit;
+          const Real cosine = cosh(xi);
+          const Real slope = k / (1 + real_pi * real_pi / 4 * xi * xi) +
+                             (1 - k) / (cosine * cosine);
+          const Real expected = power * xi * slope / ratio_of(k, xi);
+          report.add_error(
+              double(abs(law->half_angle(load).log_slope - expected)),
+              label(*law, load));
+        }
+        EXPECT_EQ(law->half_angle(0).log_slope, power);
+        EXPECT_EQ(law->half_angle(infinity).log_slope, 0);
+        EXPECT_TRUE(std::isnan(law->half_angle(nan).log_slope));
+      }
+    }
+  }
+  report.check();
+}
+
+TEST(HertzLaw, LogSlopeAgreesWithFiftyDigits) {
+  AccuracyReport report("hertz dln(theta0)/dln(load)", 2e-15);
+  for (const JointKind kind : kinds) {
+    const HertzLaw law(kind);
+    const Real power = kind == JointKind::spherical ? Real(1) / 3 : Real(0.5);
+    const double largest = kind == JointKind::spherical ? 1 : 0.25;
+    for (double load = 1e-200; load < largest; load *= 1.7) {
+      const Real x = x_of(kind, load);
+      const Real expected = power * x / (sqrt((1 - x) * (1 + x)) * asin(x));
+      report.add(Real(law.half_angle(load).log_slope), expected,
+                 label(law, load));
+    }
+    EXPECT_EQ(law.half_angle(largest).log_slope, infinity);
+  }
+  report.check();
+}
+
 TEST(HertzLaw, EndsAtXOne) {
   for (const JointKind kind : kinds) {
     const HertzLaw law(kind);

@@ -1,0 +1,225 @@
+#include "libcontact/detail/joint_solver.hpp"
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <limits>
+
+#include "libcontact/detail/slip_solver.hpp"
+
+namespace contact::detail {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+// A vector as length and direction; NaN if it has none. No overflow.
+struct Polar {
+  double length;
+  Vector3d direction;
+
+  explicit Polar(const Vector3d& v) : length(v.norm()) {
+    constexpr double safe = 1e140;
+    if (!(length > 1 / safe && length < safe)) {
+      const double largest = v.cwiseAbs().maxCoeff();
+      const Vector3d scaled = v / largest;
+      length = largest * scaled.norm();
+      direction = scaled / scaled.norm();
+      if (v.isZero(0)) length = 0;
+    } else {
+      direction = v / length;
+    }
+  }
+};
+
+// +1 if the carrier has the ball or pin, -1 if the load has it.
+double side(const JointContact& contact) {
+  return contact.geometry().inner_body() == JointBody::carrier ? 1.0 : -1.0;
+}
+
+JointSolution not_a_number(Status status, const Vector3d& reaction) {
+  const Vector3d none = Vector3d::Constant(nan);
+  JointSolution s;
+  s.status = status;
+  s.residual = nan;
+  s.reaction = reaction;
+  s.normal = s.friction_force = s.friction_moment = s.slip_velocity = none;
+  s.reaction_direction = s.friction_direction = {nan, nan};
+  s.slip_axis = {nan, nan};
+  s.compressive_force = s.power = nan;
+  s.force_coefficient = s.sliding_coefficient = s.spinning_coefficient = nan;
+  s.adhesion_number = s.load_parameter = s.half_angle = nan;
+  s.peak_pressure = s.contact_area = nan;
+  return s;
+}
+
+// What depends on R_n and theta0 alone.
+void set_contact(JointSolution& s, const JointContact& contact, double force,
+                 double half_angle, JointContact::Strength strength) {
+  s.compressive_force = force;
+  s.load_parameter = contact.load_parameter(force);
+  s.half_angle = half_angle;
+  s.contact_area = contact.area(half_angle);
+  s.peak_pressure = force > 0 ? contact.peak_pressure(force, half_angle) : 0;
+  s.adhesion_number =
+      strength.area_part == 0
+          ? 0
+          : strength.area_part / (strength.pressure_part * force);
+}
+
+// No relative motion: the reaction alone.
+JointSolution at_rest(const JointContact& contact, const Vector3d& reaction,
+                      const Polar& force) {
+  const bool loaded = force.length > 0;
+  const HalfAngleResult half_angle = contact.half_angle(force.length);
+  if (half_angle.status != Status::ok) {
+    return not_a_number(half_angle.status, reaction);
+  }
+  JointSolution s;
+  s.status = Status::ok;
+  s.state = loaded ? JointState::resting : JointState::unloaded;
+  s.reaction = reaction;
+  s.normal = loaded ? force.direction : Vector3d(Vector3d::Zero());
+  s.friction_force = s.friction_moment = s.slip_velocity = Vector3d::Zero();
+  s.power = 0;
+  s.reaction_direction = {1, 0};
+  s.friction_direction = {0, 1};
+  s.slip_axis = {0, 1};
+  s.force_coefficient = s.sliding_coefficient = s.spinning_coefficient = 0;
+  set_contact(s, contact, force.length, half_angle.half_angle,
+              contact.strength(0));
+  return s;
+}
+
+// The contact in the plane that Dw sees along itself: d is the direction of
+// the part of n normal to w, and R_t lies along -+ t = w x d.
+struct SlipFrame {
+  Vector3d w;
+  Vector3d d;
+  Vector3d t;
+};
+
+void set_vectors(JointSolution& s, const JointContact& contact,
+                 const SlipFrame& frame, double speed, double friction_force) {
+  const double rho = contact.geometry().radius();
+  const double swap = side(contact);
+  const double sin_a = s.slip_axis.sin;
+  const double cos_a = s.slip_axis.cos;
+  s.normal = sin_a * frame.w + cos_a * frame.d;
+  s.friction_force = -swap * friction_force * frame.t;
+  s.slip_velocity = swap * rho * speed * cos_a * frame.t;
+  // (3.8) with j = w cos a - d sin a, n = w sin a + d cos a.
+  const double scale = rho * s.compressive_force;
+  const double along =
+      s.sliding_coefficient * cos_a + s.spinning_coefficient * sin_a;
+  const double across =
+      s.spinning_coefficient * cos_a - s.sliding_coefficient * sin_a;
+  s.friction_moment = -scale * (along * frame.w + across * frame.d);
+  s.power = -scale * along * speed;
+}
+
+}  // namespace
+
+JointSolution solve_reaction(const JointContact& contact,
+                             const Vector3d& reaction, const Vector3d& rate,
+                             const JointSolution* last,
+                             const SolveOptions& options) noexcept {
+  const Polar force(reaction);
+  const Polar spin(rate);
+  if (!(force.length < infinity && spin.length < infinity)) {
+    return not_a_number(Status::out_of_range, reaction);
+  }
+  if (force.length == 0 || spin.length == 0) {
+    return at_rest(contact, reaction, force);
+  }
+  const Vector3d& w = spin.direction;
+  const Vector3d& e = force.direction;
+  // The frame of w: e = w cos b + p sin b, q = w x p.
+  const Vector3d cross = w.cross(e);
+  const double sin_b = cross.norm();
+  const double cos_b = w.dot(e);
+  const Vector3d q = sin_b > 0 ? Vector3d(cross / sin_b) : w.unitOrthogonal();
+  const Vector3d p = q.cross(w);
+
+  const JointContact::Strength strength = contact.strength(spin.length);
+  const SlipEquation equation(contact, strength, force.length,
+                              {sin_b, std::abs(cos_b)});
+  const SlipRoot root =
+      solve_slip(equation, last ? last->memory : SlipMemory{}, options);
+  if (root.status == Status::out_of_range) {
+    return not_a_number(root.status, reaction);
+  }
+
+  JointSolution s;
+  s.status = root.status;
+  s.state = JointState::sliding;
+  s.evaluations = root.evaluations;
+  s.residual = root.residual;
+  s.memory = root.memory;
+  s.reaction = reaction;
+  const SlipTriangle& t = root.point.triangle;
+  const double sin_g = sin_b * t.sin_psi;
+  s.reaction_direction = {sin_b, cos_b};
+  s.friction_direction = {sin_g, t.cos_g};
+  s.slip_axis = {std::copysign(t.axis.sin, cos_b), t.axis.cos};
+  s.force_coefficient = sin_g / t.cos_g;
+  s.sliding_coefficient = root.point.sliding;
+  s.spinning_coefficient = std::copysign(root.point.spinning, cos_b);
+  set_contact(s, contact, root.point.compressive_force,
+              root.point.half_angle.half_angle, strength);
+  const double turn = side(contact) * t.sin_psi;
+  const SlipFrame frame = {w, t.cos_psi * p + turn * q,
+                           t.cos_psi * q - turn * p};
+  set_vectors(s, contact, frame, spin.length, force.length * sin_g);
+  return s;
+}
+
+JointSolution solve_contact(const JointContact& contact,
+                            const Vector3d& compressive_force,
+                            const Vector3d& rate) noexcept {
+  const Polar force(compressive_force);
+  const Polar spin(rate);
+  if (!(force.length < infinity && spin.length < infinity)) {
+    return not_a_number(Status::out_of_range, compressive_force);
+  }
+  if (force.length == 0 || spin.length == 0) {
+    return at_rest(contact, compressive_force, force);
+  }
+  const HalfAngleResult half_angle = contact.half_angle(force.length);
+  if (half_angle.status != Status::ok) {
+    return not_a_number(half_angle.status, compressive_force);
+  }
+  const Vector3d& w = spin.direction;
+  const Vector3d cross = w.cross(force.direction);
+  const double cos_a = cross.norm();
+  const Vector3d t = cos_a > 0 ? Vector3d(cross / cos_a) : w.unitOrthogonal();
+
+  JointSolution s;
+  s.status = Status::ok;
+  s.state = JointState::sliding;
+  s.evaluations = 1;
+  s.slip_axis = {w.dot(force.direction), cos_a};
+  const JointContact::Strength strength = contact.strength(spin.length);
+  const FrictionIntegrals i =
+      contact.integrals(half_angle.half_angle, s.slip_axis);
+  const double area = strength.area_part / force.length;
+  const auto coefficient = [&](double pressure_part, double area_part) {
+    return strength.pressure_part * pressure_part + area * area_part;
+  };
+  s.force_coefficient = coefficient(i.coefficient.force, i.area.force);
+  s.sliding_coefficient = coefficient(i.coefficient.sliding, i.area.sliding);
+  s.spinning_coefficient = coefficient(i.coefficient.spinning, i.area.spinning);
+  const double f = s.force_coefficient;
+  const double hypotenuse_f = std::hypot(1, f);
+  s.friction_direction = {f / hypotenuse_f, 1 / hypotenuse_f};
+  set_contact(s, contact, force.length, half_angle.half_angle, strength);
+  set_vectors(s, contact, {w, t.cross(w), t}, spin.length, f * force.length);
+  s.reaction = compressive_force + s.friction_force;
+  // cos b = sin a cos g; sin b is the length of what R has normal to w.
+  s.reaction_direction = {s.friction_direction.cos * std::hypot(cos_a, f),
+                          s.friction_direction.cos * s.slip_axis.sin};
+  return s;
+}
+
+}  // namespace contact::detail

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "libcontact/joint_contact.hpp"
+#include "libcontact/joint_solution.hpp"
+
+/// Vectors of a joint around its scalar equation. What is said of a ball
+/// holds for a pin with R normal to Dw.
+namespace contact::detail {
+
+/// From the reaction R.
+/// @param last  an earlier solution of the same joint to start from, or null
+JointSolution solve_reaction(const JointContact& contact,
+                             const Eigen::Vector3d& reaction,
+                             const Eigen::Vector3d& rate,
+                             const JointSolution* last,
+                             const SolveOptions& options) noexcept;
+
+/// From the compressive force R_n n: no equation to solve.
+JointSolution solve_contact(const JointContact& contact,
+                            const Eigen::Vector3d& compressive_force,
+                            const Eigen::Vector3d& rate) noexcept;
+
+}  // namespace contact::detail

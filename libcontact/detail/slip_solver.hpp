@@ -1,0 +1,71 @@
+#pragma once
+
+#include "libcontact/detail/slip_triangle.hpp"
+#include "libcontact/joint_contact.hpp"
+#include "libcontact/joint_solution.hpp"
+
+namespace contact::detail {
+
+/// The contact at one trial value of tan psi.
+struct SlipPoint {
+  double tangent = 0;
+  SlipTriangle triangle = {};
+  double compressive_force = 0;  ///< R_n
+  HalfAngleResult half_angle = {};
+  double friction = 0;  ///< f/cos a
+  /// Moments over rho R_n, with a >= 0.
+  double sliding = 0;
+  double spinning = 0;
+  double residual = 0;  ///< ln(tangent/friction), increasing with tangent
+};
+
+/// The one scalar equation of a joint: tan psi = f/cos a, f the friction
+/// coefficient at R_n = R cos g and a (docs/joint.md).
+class SlipEquation {
+ public:
+  /// @param reaction_force  R > 0
+  /// @param reaction        sine and cosine of b, both >= 0
+  SlipEquation(const JointContact& contact, JointContact::Strength strength,
+               double reaction_force, SineCosine reaction)
+      : contact_(contact),
+        strength_(strength),
+        reaction_force_(reaction_force),
+        reaction_(reaction) {}
+
+  /// The contact at a trial value, [0, 1e150].
+  SlipPoint at(double tangent) const;
+  /// Moves a point to a trial value close to another point: the half-angle
+  /// follows the law's tangent line where that is exact to rounding.
+  void move(SlipPoint& point, double tangent, const SlipPoint& near) const;
+  /// f/cos a of any contact.
+  double friction(double compressive_force, SlipAxis axis) const;
+
+  /// Puts another trial value into a point, and what it says of R_n and a.
+  void set_triangle(SlipPoint& point, double tangent) const;
+
+  double reaction_force() const { return reaction_force_; }
+  SineCosine reaction() const { return reaction_; }
+
+ private:
+  void set_friction(SlipPoint& point) const;
+
+  const JointContact& contact_;
+  JointContact::Strength strength_;
+  double reaction_force_;
+  SineCosine reaction_;
+};
+
+struct SlipRoot {
+  SlipPoint point = {};
+  Status status = Status::not_converged;
+  int evaluations = 0;
+  double residual = 0;
+  SlipMemory memory = {};
+};
+
+/// Solves the equation. Starts from `last` if that is valid; falls back on
+/// bracketing where quasi-Newton steps do not settle at once.
+SlipRoot solve_slip(const SlipEquation& equation, const SlipMemory& last,
+                    const SolveOptions& options);
+
+}  // namespace contact::detail

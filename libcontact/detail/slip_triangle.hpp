@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cmath>
+
+#include "libcontact/friction_integrals.hpp"
+#include "libcontact/units.hpp"
+
+namespace contact::detail {
+
+/// The right spherical triangle of slip axis, compressive force and reaction
+/// (unit vectors w, n, e; right angle at n).
+///
+/// Its sides are b (hypotenuse), g and pi/2 - a; psi is the angle at w. Seen
+/// along w the force triangle is that of a pin: R sin b is its hypotenuse,
+/// R_t and R_n cos a are its legs, so that
+///
+///     tan psi = f/cos a,  sin g = sin b sin psi,  cot a = tan b cos psi
+///
+/// psi runs over [0, pi/2], whatever b. Where g -> b and a -> pi/2, cos psi
+/// carries what is left of both; nothing here cancels.
+struct SlipTriangle {
+  double sin_psi = 0;
+  double cos_psi = 1;
+  double cos_g = 1;
+  SlipAxis axis = {0, 1};  ///< a >= 0
+
+  SlipTriangle() = default;
+  /// @param tangent    tan psi, [0, 1e150]
+  /// @param reaction   sine and cosine of b, both >= 0
+  SlipTriangle(double tangent, SineCosine reaction) {
+    // cos^2 g = cos^2 b + sin^2 b cos^2 psi = s^2 cos^2 psi
+    const double r = std::sqrt(1 + tangent * tangent);
+    const double leg = reaction.cos * tangent;
+    const double s = std::sqrt(1 + leg * leg);
+    cos_psi = 1 / r;
+    sin_psi = tangent / r;
+    cos_g = s / r;
+    axis = {reaction.cos * (r / s), reaction.sin / s};
+  }
+};
+
+}  // namespace contact::detail

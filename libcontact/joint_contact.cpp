@@ -1,0 +1,98 @@
+#include "libcontact/joint_contact.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+#include "libcontact/error.hpp"
+#include "libcontact/friction_exact.hpp"
+
+namespace contact {
+namespace {
+
+void check_kind(JointKind joint, JointKind law, const char* what) {
+  if (joint == law) return;
+  throw Error(fmt::format("{} joint: {} law for a {} joint: allowed: {}",
+                          to_string(joint), what, to_string(law),
+                          to_string(joint)));
+}
+
+}  // namespace
+
+JointContact::JointContact(JointGeometry geometry, ElasticPair pair,
+                           FrictionModel friction,
+                           std::shared_ptr<const HalfAngleLaw> half_angle_law,
+                           std::shared_ptr<const PressureLaw> pressure_law)
+    : geometry_(std::move(geometry)),
+      pair_(std::move(pair)),
+      friction_(friction),
+      half_angle_law_(std::move(half_angle_law)),
+      pressure_law_(std::move(pressure_law)) {
+  const JointKind kind = geometry_.kind();
+  if (!half_angle_law_ || !pressure_law_) {
+    throw Error(to_string(kind) + " joint: half-angle or pressure law missing");
+  }
+  check_kind(kind, half_angle_law_->joint_kind(), "half-angle");
+  check_kind(kind, pressure_law_->joint_kind(), "pressure");
+  if (kind == JointKind::spherical && pressure_law_->name() != "cosine") {
+    throw Error(fmt::format(
+        "spherical joint: no friction integrals for pressure law {}: "
+        "allowed: cosine",
+        pressure_law_->name()));
+  }
+  if (kind == JointKind::spherical && is_viscous()) {
+    throw Error("spherical joint: no friction integrals for viscous friction");
+  }
+  unit_force_ =
+      geometry_.force_from_load(LoadScale(geometry_, pair_).unit_load());
+  unit_pressure_area_ =
+      geometry_.force_from_load(1) / geometry_.pressure_unit(1);
+}
+
+std::vector<std::string> JointContact::validity_notes() const {
+  std::vector<std::string> notes = geometry_.validity_notes();
+  for (std::string& note : half_angle_law_->validity_notes(pair_)) {
+    notes.push_back(std::move(note));
+  }
+  return notes;
+}
+
+FrictionIntegrals JointContact::integrals(double half_angle,
+                                          SlipAxis axis) const noexcept {
+  if (geometry_.kind() == JointKind::spherical) {
+    return exact_friction_integrals(half_angle, axis);
+  }
+  const double span = 2 * geometry_.length() / geometry_.radius();
+  FrictionIntegrals pin;
+  pin.coefficient = {1, pressure_law_->force_ratio(half_angle), 0};
+  pin.area = {span * std::sin(half_angle), span * half_angle, 0};
+  // A pin's integrals are normalised to carry the force.
+  pin.normal = 1;
+  pin.pressure = pin.coefficient;
+  return pin;
+}
+
+JointContact::Strength JointContact::strength(double speed) const noexcept {
+  const double rho = geometry_.radius();
+  if (const auto* dry = std::get_if<FrictionLaw>(&friction_)) {
+    return {dry->coefficient(), dry->adhesion() * rho * rho};
+  }
+  const auto& viscous = std::get<ViscousLaw>(friction_);
+  const double scale = rho * speed;
+  return {viscous.pressure_slope() * scale,
+          viscous.constant() * rho * rho * scale};
+}
+
+double JointContact::area(double half_angle) const noexcept {
+  const double rho = geometry_.radius();
+  if (geometry_.kind() == JointKind::cylindrical) {
+    return 2 * rho * geometry_.length() * half_angle;
+  }
+  const double h = rho * std::sin(half_angle / 2);
+  return 4 * std::numbers::pi * h * h;
+}
+
+}  // namespace contact

@@ -1,0 +1,95 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "libcontact/friction_integrals.hpp"
+#include "libcontact/friction_law.hpp"
+#include "libcontact/half_angle.hpp"
+#include "libcontact/joint_geometry.hpp"
+#include "libcontact/material.hpp"
+#include "libcontact/pressure.hpp"
+
+namespace contact {
+
+/// The contact of a joint's two halves: everything that is fixed about it
+/// (geometry, elastic pair, friction, laws of half-angle and pressure),
+/// validated once, and the friction of a contact whose compressive force and
+/// slip axis are known.
+///
+/// Friction force, sliding and spinning moment of a contact are
+///
+///     pressure_part R_n c + area_part a                         (3.7), (3.8)
+///
+/// (moments: times rho) with the coefficients c and the area integrals a of
+/// integrals() and the strength() of the friction: (f0, A rho^2) if dry,
+/// (k1 rho |Dw|, k0 rho^3 |Dw|) if viscous. So one solver serves both, and
+/// pins as well as balls: a pin's friction is that of integrals
+///
+///     c = {1, S, 0},  a = (l/rho) {2 sin theta0, 2 theta0, 0}
+///
+/// at any slip axis, with S of PressureLaw::force_ratio().
+class JointContact {
+ public:
+  /// @throws Error if the kinds of joint differ, a law is missing, or there
+  ///         are no friction integrals for a ball with this pressure law.
+  JointContact(JointGeometry geometry, ElasticPair pair, FrictionModel friction,
+               std::shared_ptr<const HalfAngleLaw> half_angle_law,
+               std::shared_ptr<const PressureLaw> pressure_law);
+
+  const JointGeometry& geometry() const { return geometry_; }
+  const ElasticPair& pair() const { return pair_; }
+  const FrictionModel& friction() const { return friction_; }
+  const HalfAngleLaw& half_angle_law() const { return *half_angle_law_; }
+  const PressureLaw& pressure_law() const { return *pressure_law_; }
+  bool is_viscous() const {
+    return std::holds_alternative<ViscousLaw>(friction_);
+  }
+
+  /// Notes of geometry and half-angle law on use outside their range.
+  std::vector<std::string> validity_notes() const;
+
+  /// mu or lambda.
+  /// @param compressive_force  R_n, N, >= 0
+  double load_parameter(double compressive_force) const noexcept {
+    return compressive_force / unit_force_;
+  }
+  /// theta0 of the half-angle law.
+  HalfAngleResult half_angle(double compressive_force) const noexcept {
+    return half_angle_law_->half_angle(load_parameter(compressive_force));
+  }
+
+  /// Friction integrals for this joint's kind, friction and pressure law.
+  /// @param half_angle  theta0, rad
+  /// @param axis        slip axis; without influence for a pin
+  FrictionIntegrals integrals(double half_angle, SlipAxis axis) const noexcept;
+
+  /// What the integrals are multiplied with.
+  struct Strength {
+    double pressure_part;  ///< f0 or k1 rho |Dw|
+    double area_part;      ///< A rho^2 or k0 rho^3 |Dw|, N
+  };
+  /// @param speed  |Dw|, rad/s; without influence for dry friction
+  Strength strength(double speed) const noexcept;
+
+  /// Area of the contact, m^2: 4 pi rho^2 sin^2(theta0/2) or 2 rho l theta0.
+  double area(double half_angle) const noexcept;
+  /// Peak pressure, Pa.
+  double peak_pressure(double compressive_force,
+                       double half_angle) const noexcept {
+    return pressure_law_->peak(half_angle) * compressive_force /
+           unit_pressure_area_;
+  }
+
+ private:
+  JointGeometry geometry_;
+  ElasticPair pair_;
+  FrictionModel friction_;
+  std::shared_ptr<const HalfAngleLaw> half_angle_law_;
+  std::shared_ptr<const PressureLaw> pressure_law_;
+  double unit_force_;          // R_n at load parameter 1
+  double unit_pressure_area_;  // rho^2 or rho l
+};
+
+}  // namespace contact

@@ -1,0 +1,136 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cmath>
+
+#include "libcontact/error.hpp"
+#include "libcontact/friction_integrals.hpp"
+#include "libcontact/units.hpp"
+
+/// What the joint solvers return. All vectors are in the frame of the given
+/// reaction; forces and moments act on the load (the opposite ones on the
+/// carrier); Dw is the angular velocity of the load relative to the carrier.
+namespace contact {
+
+/// What the two halves of a joint do.
+enum class JointState {
+  sliding,   ///< they turn against each other
+  resting,   ///< relative angular velocity exactly 0: no friction
+  unloaded,  ///< no reaction: no contact, no friction
+};
+
+/// When the solvers stop.
+struct SolveOptions {
+  /// Stop when |f/tan g - 1| is estimated to be at most this; f is the
+  /// friction coefficient of the contact, g the friction angle.
+  double tolerance = 1e-13;
+  /// Largest number of contact evaluations.
+  int evaluation_limit = 200;
+};
+
+/// Where a solution was found and how it changes with R and Dw: lets the next
+/// solve start close by. Travels inside JointSolution; no user's business.
+struct SlipMemory {
+  bool valid = false;
+  double reaction_force = 0;     ///< R
+  SineCosine reaction = {0, 1};  ///< of min(b, pi - b)
+  double tangent = 0;            ///< tan psi
+  double compressive_force = 0;  ///< R_n
+  double cosine = 0;             ///< cos a
+  double friction = 0;           ///< f/cos a
+  /// dln(f/cos a) over dln R_n and dln cos^2 a.
+  double force_slope = 0;
+  double cosine_slope = 0;
+  /// d(residual) over dln tan psi; dln tan psi over dln R and db.
+  double residual_slope = 1;
+  double force_response = 0;
+  double angle_response = 0;
+};
+
+/// Friction of one joint.
+///
+/// At rest (resting) and without load the friction is 0 and the slip axis
+/// {0, 1} has no meaning; n = R/|R| at rest, 0 without load. If the status is
+/// out_of_range all numbers are NaN.
+struct JointSolution {
+  Status status = Status::out_of_range;
+  JointState state = JointState::sliding;
+  /// Evaluations of the contact's friction that were needed.
+  int evaluations = 0;
+  /// Estimate of |f/tan g - 1| that is left.
+  double residual = 0;
+
+  /// R = R_n n + R_t, N.
+  Eigen::Vector3d reaction;
+  /// n, unit vector along the compressive force.
+  Eigen::Vector3d normal;
+  /// R_n, N.
+  double compressive_force;
+  /// R_t, N; normal to n and to Dw.
+  Eigen::Vector3d friction_force;
+  /// M_t about the joint's centre, N m.
+  Eigen::Vector3d friction_moment;
+  /// Of the load's half against the carrier's at the contact's centre, m/s.
+  Eigen::Vector3d slip_velocity;
+  /// M_t . Dw, W; never positive.
+  double power;
+
+  /// Sine and cosine of b, the angle between R and Dw, [0, pi].
+  SineCosine reaction_direction;
+  /// Sine and cosine of the friction angle g, tan g = R_t/R_n.
+  SineCosine friction_direction;
+  /// Sine and cosine of the slip axis angle a.
+  SlipAxis slip_axis;
+
+  /// R_t/R_n = f = tan g.
+  double force_coefficient;
+  /// Moment about the part of Dw normal to n, over -rho R_n.
+  double sliding_coefficient;
+  /// Moment about n, over -rho R_n; of the sign of the spin Dw . n.
+  double spinning_coefficient;
+  /// Abar = A rho^2/(f0 R_n): adhesion against pressure (viscous:
+  /// k0 rho^2/(k1 R_n)); infinite without the latter.
+  double adhesion_number;
+
+  /// mu or lambda.
+  double load_parameter;
+  /// theta0, rad.
+  double half_angle;
+  /// Pa.
+  double peak_pressure;
+  /// m^2.
+  double contact_area;
+
+  SlipMemory memory;
+
+  /// b, rad, [0, pi].
+  double reaction_angle() const {
+    return std::atan2(reaction_direction.sin, reaction_direction.cos);
+  }
+  /// g, rad, [0, pi/2].
+  double friction_angle() const {
+    return std::atan2(friction_direction.sin, friction_direction.cos);
+  }
+  /// min(b, pi - b) - g, rad, to full relative accuracy however strong the
+  /// friction: what is left of the range of g.
+  double friction_angle_margin() const {
+    // sin^2 b - sin^2 g = cos^2 g cos^2 a
+    const SineCosine b = reaction_direction;
+    const SineCosine g = friction_direction;
+    const double cb = std::abs(b.cos);
+    const double leg = g.cos * slip_axis.cos;
+    if (leg == 0) return 0;
+    return std::atan2(leg * (leg / (b.sin * g.cos + cb * g.sin)),
+                      cb * g.cos + b.sin * g.sin);
+  }
+  /// a, rad, [-pi/2, pi/2].
+  double slip_axis_angle() const {
+    return std::atan2(slip_axis.sin, slip_axis.cos);
+  }
+  /// pi/2 - |a|, rad, to full relative accuracy.
+  double slip_axis_complement() const {
+    return std::atan2(slip_axis.cos, std::abs(slip_axis.sin));
+  }
+};
+
+}  // namespace contact

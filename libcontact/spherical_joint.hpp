@@ -1,0 +1,99 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <span>
+#include <utility>
+
+#include "libcontact/joint_contact.hpp"
+#include "libcontact/joint_solution.hpp"
+
+namespace contact {
+
+/// One step of the paper's inner loop, (4.1) to (4.3).
+struct FixedPointStep {
+  int step;                     ///< from 1
+  double friction_angle;        ///< g, rad
+  double slip_axis_angle;       ///< a, rad
+  double compressive_force;     ///< R_n = R cos g, N
+  double adhesion_number;       ///< Abar
+  double load_parameter;        ///< mu
+  double half_angle;            ///< theta0, rad
+  double friction_coefficient;  ///< f, of which the next g is the arctangent
+};
+
+/// How the inner loop ended.
+struct FixedPointResult {
+  /// ok; not_converged at the step limit; out_of_range where a step leaves
+  /// g <= min(b, pi - b), so that (4.2) has no a.
+  Status status;
+  int steps;
+  /// |f/tan g - 1| at the last step.
+  double residual;
+};
+
+/// Friction of a ball in a seat under a known reaction.
+///
+/// The reaction R is the sum of the compressive force R_n n and the friction
+/// force R_t normal to it; n, R_n, the half-angle theta0 and the friction
+/// coefficient depend on each other. docs/joint.md has the equations.
+///
+/// Frame: any, the same for all vectors. R, R_t, M_t act on the load; Dw is
+/// the angular velocity of the load relative to the carrier. If the carrier
+/// has the ball, n points from the joint's centre to the contact's; if the
+/// load has it, away from it. Either way R_n n is the push on the load.
+///
+/// Const functions do not allocate and do not throw. NaN or infinity in R or
+/// Dw: NaN with out_of_range.
+class SphericalJoint {
+ public:
+  /// @throws Error if an argument does not fit a ball joint
+  ///         (JointContact::JointContact).
+  explicit SphericalJoint(JointContact contact);
+  SphericalJoint(JointGeometry geometry, ElasticPair pair,
+                 FrictionModel friction,
+                 std::shared_ptr<const HalfAngleLaw> half_angle_law,
+                 std::shared_ptr<const PressureLaw> pressure_law)
+      : SphericalJoint(JointContact(std::move(geometry), std::move(pair),
+                                    friction, std::move(half_angle_law),
+                                    std::move(pressure_law))) {}
+
+  const JointContact& contact() const { return contact_; }
+
+  /// Friction under the reaction R while the halves turn with Dw.
+  ///
+  /// @param reaction  R on the load, N; 0 gives JointState::unloaded
+  /// @param rate      Dw, rad/s; exactly 0 gives JointState::resting: whether
+  ///                  a joint rests is the caller's to say, see utilisation()
+  JointSolution solve(const Eigen::Vector3d& reaction,
+                      const Eigen::Vector3d& rate,
+                      const SolveOptions& options = {}) const noexcept;
+  /// The same, starting from a solution for a similar R and Dw.
+  JointSolution solve(const Eigen::Vector3d& reaction,
+                      const Eigen::Vector3d& rate, const JointSolution& last,
+                      const SolveOptions& options = {}) const noexcept;
+
+  /// Friction under a known compressive force: nothing to solve. With R in
+  /// its place it is the traditional estimate of friction.
+  ///
+  /// @param compressive_force  R_n n on the load, N
+  /// @param rate               Dw, rad/s
+  JointSolution solve_contact(const Eigen::Vector3d& compressive_force,
+                              const Eigen::Vector3d& rate) const noexcept;
+
+  /// The paper's inner loop (section 4): g_1 = 0, then a, R_n, theta0, f and
+  /// g = atan f in turn. It may crawl or fail where solve() does not.
+  ///
+  /// @param trace      filled with the steps, as many as it has room for
+  /// @param tolerance  stop when |f/tan g - 1| <= tolerance
+  FixedPointResult fixed_point(const Eigen::Vector3d& reaction,
+                               const Eigen::Vector3d& rate,
+                               std::span<FixedPointStep> trace,
+                               double tolerance = 1e-12,
+                               int step_limit = 1000) const noexcept;
+
+ private:
+  JointContact contact_;
+};
+
+}  // namespace contact

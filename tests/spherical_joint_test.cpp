@@ -1,0 +1,637 @@
+#include "libcontact/spherical_joint.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "libcontact/friction_exact.hpp"
+#include "libcontact/joint_file.hpp"
+#include "support/accuracy_report.hpp"
+#include "support/allocation_count.hpp"
+#include "support/error_message.hpp"
+#include "support/random_slip.hpp"
+
+namespace {
+
+using contact::degree;
+using contact::ElasticPair;
+using contact::FixedPointStep;
+using contact::FrictionLaw;
+using contact::HalfAngleOptions;
+using contact::JointBody;
+using contact::JointGeometry;
+using contact::JointKind;
+using contact::JointSolution;
+using contact::JointState;
+using contact::SlipAxis;
+using contact::SphericalJoint;
+using contact::Status;
+using contact::test::AccuracyReport;
+using contact::test::RandomSlip;
+using contact::test::RandomSlips;
+using Eigen::Vector3d;
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double pi = std::numbers::pi;
+
+SphericalJoint from_file(const std::string& name) {
+  const contact::Joint joint = contact::read_joint(
+      std::filesystem::path(CONTACT_DATA_DIR) / "joints" / (name + ".toml"));
+  return {joint.geometry, joint.pair, *joint.friction,
+          joint.make_half_angle_law(), joint.make_pressure_law()};
+}
+
+SphericalJoint steel_joint(double f0, double adhesion,
+                           JointBody inner = JointBody::carrier,
+                           double limit_deg = 84.85) {
+  const ElasticPair pair({2e11, 0.3}, {2e11, 0.3});
+  HalfAngleOptions options;
+  options.limit_half_angle = limit_deg * degree;
+  return {
+      JointGeometry::ball(0.05, 0.05e-3, inner), pair,
+      FrictionLaw(f0, adhesion),
+      contact::make_half_angle_law("tanh", JointKind::spherical, pair, options),
+      contact::make_pressure_law("cosine", JointKind::spherical)};
+}
+
+// R at the angle b from Dw = speed z.
+Vector3d reaction_at(double force, double b) {
+  return {force * std::sin(b), 0, force * std::cos(b)};
+}
+
+// |f/tan g - 1| from the contact that the solution names: the definition of
+// a solution, by the friction integrals alone.
+double true_residual(const SphericalJoint& joint, const JointSolution& s) {
+  const auto& friction = std::get<FrictionLaw>(joint.contact().friction());
+  const double rho = joint.contact().geometry().radius();
+  const double force = s.compressive_force;
+  const double half_angle = joint.contact().half_angle(force).half_angle;
+  const auto i = contact::exact_friction_integrals(half_angle, s.slip_axis);
+  const double adhesion = friction.adhesion() * rho * rho / force;
+  const double f =
+      friction.coefficient() * i.coefficient.force + adhesion * i.area.force;
+  return f == s.force_coefficient ? 0 : std::abs(f / s.force_coefficient - 1);
+}
+
+// Every digit that was recomputed for example 1, by another program in
+// 30-digit arithmetic: half a unit of the last digit.
+TEST(PaperExamples, ExampleOneForward) {
+  const SphericalJoint joint = from_file("paper_example_1");
+  const double a = 30 * degree;
+  const JointSolution s =
+      joint.solve_contact({0, 0, 2e5}, {0, std::cos(a), std::sin(a)});
+  EXPECT_NEAR(s.load_parameter, 0.5460, 0.5e-4);
+  EXPECT_NEAR(s.half_angle / degree, 42.593, 0.5e-3);
+  EXPECT_NEAR(s.adhesion_number, 5, 1e-12);
+  EXPECT_NEAR(s.force_coefficient, 0.85097, 0.5e-5);
+  EXPECT_NEAR(s.friction_force.norm(), 1.7019e5, 0.5e1);
+  EXPECT_NEAR(s.friction_angle() / degree, 40.397, 0.5e-3);
+  EXPECT_NEAR(s.reaction.norm(), 2.6261e5, 0.5e1);
+  EXPECT_NEAR(s.reaction_angle() / degree, 67.618, 0.5e-3);
+}
+
+TEST(PaperExamples, ExampleOneFixedPoint) {
+  const SphericalJoint joint = from_file("paper_example_1");
+  std::vector<FixedPointStep> trace(100);
+  const auto result =
+      joint.fixed_point(reaction_at(2.63e5, 67.6 * degree), {0, 0, 1}, trace);
+  ASSERT_EQ(result.status, Status::ok);
+  struct Row {
+    double g_deg, a_deg, force, adhesion_number, mu, theta0_deg;
+  };
+  const std::array<Row, 3> rows = {{
+      {0, 22.40, 2.63e5, 3.802, 0.718, 45.85},
+      {37.17, 28.57, 2.096e5, 4.771, 0.572, 43.14},
+      {39.86, 29.77, 2.019e5, 4.954, 0.551, 42.70},
+  }};
+  // Half a unit of the last digit that was printed.
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    EXPECT_EQ(trace[i].step, static_cast<int>(i) + 1);
+    EXPECT_NEAR(trace[i].friction_angle / degree, rows[i].g_deg, 0.5e-2);
+    EXPECT_NEAR(trace[i].slip_axis_angle / degree, rows[i].a_deg, 0.5e-2);
+    EXPECT_NEAR(trace[i].compressive_force, rows[i].force, 0.5e2);
+    EXPECT_NEAR(trace[i].adhesion_number, rows[i].adhesion_number, 0.5e-3);
+    EXPECT_NEAR(trace[i].load_parameter, rows[i].mu, 0.5e-3);
+    EXPECT_NEAR(trace[i].half_angle / degree, rows[i].theta0_deg, 0.5e-2);
+  }
+  EXPECT_NEAR(trace[result.steps - 1].friction_angle / degree, 40.37, 0.5e-2);
+}
+
+// The outer loop of example 2: R_y falls with the friction moment of the two
+// joints, (5.1). Each row is one outer step.
+TEST(PaperExamples, ExampleTwo) {
+  const SphericalJoint joint = from_file("paper_example_2");
+  struct Outer {
+    double force, moment, braking;
+  };
+  std::vector<Outer> outer;
+  double moment = 0;
+  JointSolution s;
+  for (int step = 0; step < 40; ++step) {
+    const Vector3d reaction(1.122e6, 3.23e5 - 0.026 * moment, 0);
+    if (step == 0) {
+      EXPECT_NEAR(reaction.norm(), 1.1676e6, 0.5e2);
+      std::vector<FixedPointStep> trace(10);
+      joint.fixed_point(reaction, {0, 0, 1}, trace);
+      EXPECT_EQ(trace[0].friction_angle, 0);
+      EXPECT_NEAR(trace[0].compressive_force, 1.168e6, 0.5e3);
+      EXPECT_NEAR(trace[0].adhesion_number, 2.141, 0.5e-3);
+      EXPECT_NEAR(trace[0].load_parameter, 3.187, 0.5e-3);
+      EXPECT_NEAR(trace[0].half_angle / degree, 64.40, 0.5e-2);
+      EXPECT_NEAR(trace[3].friction_angle / degree, 74.72, 0.5e-2);
+      EXPECT_NEAR(trace[3].compressive_force, 3.077e5, 0.5e2);
+      EXPECT_NEAR(trace[3].adhesion_number, 8.126, 0.5e-3);
+      EXPECT_NEAR(trace[3].load_parameter, 0.840, 0.5e-3);
+      EXPECT_NEAR(trace[3].half_angle / degree, 47.77, 0.5e-2);
+      // Friction taken from R: about twice too much.
+      const JointSolution traditional =
+          joint.solve_contact(reaction, {0, 0, 1});
+      EXPECT_NEAR(2 * traditional.friction_moment.norm(), 2.26e5, 0.5e3);
+    }
+    s = joint.solve(reaction, {0, 0, 1});
+    moment = 2 * s.friction_moment.norm();
+    outer.push_back({s.compressive_force, moment, -6.5e-6 * moment});
+  }
+  EXPECT_NEAR(s.compressive_force, 2.5214e5, 0.5e1);
+  EXPECT_NEAR(s.friction_angle() / degree, 77.52, 0.5e-2);
+  EXPECT_NEAR(s.half_angle / degree, 45.34, 0.5e-2);
+  // 114915.01: at the tie between 1.1491 and 1.1492.
+  EXPECT_NEAR(moment, 1.1491e5, 0.51e1);
+  EXPECT_NEAR(outer.back().braking, -0.747, 0.5e-3);
+}
+
+// Everything that a solution states about itself, on one random input.
+struct Check {
+  AccuracyReport residual{"f/tan g - 1 of the named contact", 2e-13};
+  // Directions and sums of a few products: some roundings each.
+  AccuracyReport reaction{"R - R_n n - R_t over R", 1e-12};
+  AccuracyReport directions{"n, R_t, w: right angles, lengths", 4e-15};
+  AccuracyReport power{"M_t . Dw against power, over rho R |Dw|", 4e-15};
+
+  void add(const RandomSlip& input, const JointSolution& s,
+           const std::string& label) {
+    ASSERT_EQ(s.status, Status::ok) << label;
+    const double force = input.reaction.norm();
+    const Vector3d w = input.rate.normalized();
+    residual.add_error(true_residual(input.joint, s), label);
+    reaction.add_error(
+        (s.compressive_force * s.normal + s.friction_force - input.reaction)
+                .norm() /
+            force,
+        label);
+    directions.add_error(std::abs(s.normal.norm() - 1), label);
+    directions.add_error(std::abs(s.normal.dot(w) - s.slip_axis.sin), label);
+    directions.add_error(std::abs(s.friction_force.dot(w)) / force, label);
+    directions.add_error(std::abs(s.friction_force.dot(s.normal)) / force,
+                         label);
+    directions.add_error(std::abs(s.friction_force.norm() -
+                                  s.force_coefficient * s.compressive_force) /
+                             force,
+                         label);
+    const double moment_unit =
+        input.joint.contact().geometry().radius() *
+        (force * input.rate.norm() *
+         (1 + s.sliding_coefficient + std::abs(s.spinning_coefficient)));
+    power.add_error(
+        std::abs(s.friction_moment.dot(input.rate) - s.power) / moment_unit,
+        label);
+    EXPECT_LE(s.power, 0) << label;
+    EXPECT_LE(s.friction_force.dot(s.slip_velocity), 0) << label;
+    const double b = s.reaction_angle();
+    // g by atan2 and b by atan2 round once each.
+    EXPECT_LE(s.friction_angle(), std::min(b, pi - b) + 4e-16) << label;
+    EXPECT_GE(s.friction_angle_margin(), 0) << label;
+  }
+  void check() const {
+    residual.check();
+    reaction.check();
+    directions.check();
+    power.check();
+  }
+};
+
+TEST(SphericalJoint, RandomInputsColdAndWarm) {
+  RandomSlips random(1);
+  Check cold;
+  Check warm;
+  for (int i = 0; i < 3000; ++i) {
+    RandomSlip input = random.next();
+    const std::string label = "input " + std::to_string(i);
+    const JointSolution s = input.joint.solve(input.reaction, input.rate);
+    cold.add(input, s, label);
+    // Moved by a thousandth, and anywhere at all.
+    for (const double move : {1e-3, 1.0}) {
+      RandomSlip moved = input;
+      moved.reaction += move * input.reaction.norm() * random.direction();
+      moved.rate += move * input.rate.norm() * random.direction();
+      const JointSolution t = moved.joint.solve(moved.reaction, moved.rate, s);
+      warm.add(moved, t, label + " moved");
+    }
+  }
+  cold.check();
+  warm.check();
+}
+
+// The directions as in the paper's geometry, tan g/tan b and all: another
+// way to the same vectors.
+TEST(SphericalJoint, DirectionsFromFrictionAngle) {
+  RandomSlips random(2);
+  AccuracyReport normal("n by g and b", 1e-11);
+  AccuracyReport moment("M_t by n", 1e-11);
+  for (int i = 0; i < 2000; ++i) {
+    const RandomSlip input = random.next();
+    const JointSolution s = input.joint.solve(input.reaction, input.rate);
+    const double b = s.reaction_angle();
+    const double side =
+        input.joint.contact().geometry().inner_body() == JointBody::carrier
+            ? 1
+            : -1;
+    // The closed form loses digits at the ends of b and where g -> b.
+    if (std::sin(b) < 1e-3 || s.friction_angle_margin() < 1e-3) continue;
+    const Vector3d e = input.reaction.normalized();
+    const Vector3d w = input.rate.normalized();
+    const Vector3d wp = (w - e * std::cos(b)) / std::sin(b);
+    const double ratio = s.force_coefficient / std::tan(b);
+    const Vector3d m =
+        ratio * wp - side * std::sqrt((1 - ratio) * (1 + ratio)) * e.cross(wp);
+    const double g = s.friction_angle();
+    const Vector3d n = e * std::cos(g) + m * std::sin(g);
+    normal.add_error((n - s.normal).norm(), "input " + std::to_string(i));
+    const JointSolution forward =
+        input.joint.solve_contact(s.compressive_force * n, input.rate);
+    if (s.power == 0) continue;  // no friction
+    moment.add_error((forward.friction_moment - s.friction_moment).norm() /
+                         s.friction_moment.norm(),
+                     "input " + std::to_string(i));
+  }
+  normal.check();
+  moment.check();
+}
+
+// Largest change of the parts of a solution over their sizes.
+double difference(const JointSolution& s, const JointSolution& t) {
+  const auto part = [](const Vector3d& a, const Vector3d& b) {
+    return a == b ? 0 : (a - b).stableNorm() / a.stableNorm();
+  };
+  return std::max(
+      {(s.normal - t.normal).norm(),
+       (s.friction_force - t.friction_force).norm() / s.reaction.norm(),
+       part(s.friction_moment, t.friction_moment),
+       std::abs(s.compressive_force - t.compressive_force) /
+           s.reaction.norm()});
+}
+
+TEST(SphericalJoint, TurningRAndDwTurnsTheResult) {
+  RandomSlips random(3);
+  // Turning rounds R and Dw. Where the result depends on them more than in
+  // proportion (adhesion near b = 90 deg, tiny contacts near a = 90 deg), the
+  // rounding grows by that factor, which is measured beside it.
+  AccuracyReport plain("turned result, condition below 10", 1e-13);
+  AccuracyReport scaled("turned result over condition", 1e-14);
+  for (int i = 0; i < 3000; ++i) {
+    const RandomSlip input = random.next();
+    const JointSolution s = input.joint.solve(input.reaction, input.rate);
+    const Eigen::Matrix3d turn =
+        Eigen::AngleAxisd(pi * random.uniform(), random.direction())
+            .toRotationMatrix();
+    JointSolution t =
+        input.joint.solve(turn * input.reaction, turn * input.rate);
+    for (Vector3d* v : {&t.normal, &t.friction_force, &t.friction_moment}) {
+      *v = turn.transpose() * *v;
+    }
+    double condition = 1;
+    for (int k = 0; k < 3; ++k) {
+      constexpr double move = 1e-12;
+      const Vector3d moved =
+          input.reaction + move * input.reaction.norm() * random.direction();
+      condition =
+          std::max(condition,
+                   difference(s, input.joint.solve(moved, input.rate)) / move);
+    }
+    const std::string label = "input " + std::to_string(i);
+    if (condition < 10) plain.add_error(difference(s, t), label);
+    scaled.add_error(difference(s, t) / condition, label);
+  }
+  plain.check();
+  scaled.check();
+  EXPECT_GT(plain.size(), 1000u);
+}
+
+// Swapping the ball mirrors n, R_t and M_t in the plane of R and Dw.
+TEST(SphericalJoint, BallOnLoadMirrorsBallOnCarrier) {
+  RandomSlips random(4);
+  for (int i = 0; i < 200; ++i) {
+    const Vector3d reaction = random.log_uniform(1, 1e7) * random.direction();
+    const Vector3d rate = random.direction();
+    const double f0 = random.uniform();
+    const double adhesion = random.log_uniform(1e3, 1e10);
+    const JointSolution s =
+        steel_joint(f0, adhesion, JointBody::carrier).solve(reaction, rate);
+    const JointSolution t =
+        steel_joint(f0, adhesion, JointBody::load).solve(reaction, rate);
+    const Vector3d plane = reaction.cross(rate).normalized();
+    const Eigen::Matrix3d mirror =
+        Eigen::Matrix3d::Identity() - 2 * plane * plane.transpose();
+    // Some roundings of the directions.
+    EXPECT_LE((mirror * s.normal - t.normal).norm(), 1e-14);
+    EXPECT_LE((mirror * s.friction_force - t.friction_force).norm(),
+              1e-14 * reaction.norm());
+    EXPECT_LE((mirror * s.friction_moment - t.friction_moment).norm(),
+              1e-14 * s.friction_moment.norm());
+    EXPECT_EQ(s.compressive_force, t.compressive_force);
+    EXPECT_EQ(s.power, t.power);
+  }
+}
+
+TEST(SphericalJoint, OppositeRateOpposesMoment) {
+  RandomSlips random(5);
+  for (int i = 0; i < 200; ++i) {
+    const RandomSlip input = random.next();
+    const JointSolution s = input.joint.solve(input.reaction, input.rate);
+    const JointSolution t = input.joint.solve(input.reaction, -input.rate);
+    // Turning R and Dw by pi about R x Dw maps one state on the other's
+    // mirror: the sizes agree, up to the rounding of the solve.
+    EXPECT_NEAR(t.compressive_force / s.compressive_force, 1, 1e-12);
+    if (s.power < 0) {
+      EXPECT_NEAR(t.power / s.power, 1, 1e-12);
+    }
+    EXPECT_EQ(t.slip_axis.sin, -s.slip_axis.sin);
+  }
+}
+
+// The margin b - g against long double, where that has digits left.
+TEST(SphericalJoint, MarginKeepsItsDigits) {
+  RandomSlips random(6);
+  AccuracyReport margin("min(b, pi - b) - g", 1e-12);
+  int small = 0;
+  for (int i = 0; i < 4000; ++i) {
+    const RandomSlip input = random.next();
+    const JointSolution s = input.joint.solve(input.reaction, input.rate);
+    // sin g = sin b sin psi and the solver's own tan psi, in 64 bits.
+    const long double t = s.memory.tangent;
+    const long double sb = s.memory.reaction.sin;
+    const long double cb = s.memory.reaction.cos;
+    const long double b = std::atan2(sb, cb);
+    const long double g =
+        std::atan2(sb * t, std::sqrt(cb * cb * (1 + t * t) + sb * sb));
+    const long double expected = b - g;
+    if (!(expected > 1e-6L * b) || t == 0) continue;
+    small += expected < 1e-3L * b;
+    margin.add_error(
+        static_cast<double>(std::abs(s.friction_angle_margin() / expected - 1)),
+        "input " + std::to_string(i));
+  }
+  margin.check();
+  EXPECT_GT(small, 20);  // the case that the test is for occurs
+}
+
+// theta0 -> 0, A = 0, a = 0: Coulomb friction of a point, M = rho R_t.
+TEST(SphericalJoint, TinyContactIsCoulombs) {
+  for (const double f : {1e-3, 0.1, 1.0, 5.0}) {
+    const SphericalJoint joint = steel_joint(f, 0);
+    const double force = 1e-9;  // theta0 = 1e-5 rad: its square is rounding
+    const JointSolution s = joint.solve({force, 0, 0}, {0, 0, 1});
+    const double expected = 0.05 * force * f / std::sqrt(1 + f * f);
+    EXPECT_NEAR(s.friction_moment.norm() / expected, 1, 1e-9);
+    EXPECT_NEAR(s.force_coefficient / f, 1, 1e-9);
+  }
+}
+
+TEST(SphericalJoint, RestIsAStateOfItsOwn) {
+  const SphericalJoint joint = steel_joint(0.2, 1e8);
+  const Vector3d reaction(3e4, -4e4, 0);
+  const JointSolution s = joint.solve(reaction, Vector3d::Zero());
+  EXPECT_EQ(s.status, Status::ok);
+  EXPECT_EQ(s.state, JointState::resting);
+  EXPECT_EQ(s.friction_force, Vector3d::Zero());
+  EXPECT_EQ(s.friction_moment, Vector3d::Zero());
+  EXPECT_EQ(s.power, 0);
+  EXPECT_DOUBLE_EQ(s.compressive_force, 5e4);
+  EXPECT_TRUE(s.normal.isApprox(Vector3d(0.6, -0.8, 0), 1e-15));
+  EXPECT_EQ(s.half_angle,
+            joint.contact().half_angle(s.compressive_force).half_angle);
+  EXPECT_GT(s.peak_pressure, 0);
+  // However slow, sliding is not rest: friction does not depend on speed.
+  const Vector3d rate(0, 0.3, 0.7);
+  const JointSolution fast = joint.solve(reaction, rate);
+  const JointSolution slow = joint.solve(reaction, 1e-300 * rate);
+  EXPECT_EQ(slow.state, JointState::sliding);
+  EXPECT_LE((slow.friction_moment - fast.friction_moment).norm(),
+            1e-14 * fast.friction_moment.norm());
+}
+
+TEST(SphericalJoint, NoReactionNoContact) {
+  const SphericalJoint joint = steel_joint(0.2, 1e8);
+  const JointSolution s = joint.solve(Vector3d::Zero(), {1, 2, 3});
+  EXPECT_EQ(s.status, Status::ok);
+  EXPECT_EQ(s.state, JointState::unloaded);
+  EXPECT_EQ(s.compressive_force, 0);
+  EXPECT_EQ(s.half_angle, 0);
+  EXPECT_EQ(s.contact_area, 0);
+  EXPECT_EQ(s.peak_pressure, 0);
+  EXPECT_EQ(s.friction_moment, Vector3d::Zero());
+}
+
+// R -> 0 with adhesion: theta0 falls as cbrt(R_n), so adhesion wins, g -> b
+// and M_t -> 0; every decade solves.
+TEST(SphericalJoint, FallingReaction) {
+  const SphericalJoint joint = steel_joint(0.1, 1e7);
+  double last_moment = infinity;
+  for (int decade = 6; decade >= -280; --decade) {
+    const JointSolution s =
+        joint.solve(reaction_at(std::pow(10.0, decade), 1.0), {0, 0, 1});
+    ASSERT_EQ(s.status, Status::ok) << decade;
+    const double moment = s.friction_moment.stableNorm();
+    EXPECT_LT(moment, last_moment) << decade;
+    EXPECT_GT(moment, 0) << decade;
+    last_moment = moment;
+    if (decade < -20) {
+      EXPECT_NEAR(s.friction_angle(), 1.0, 1e-9) << decade;
+    }
+  }
+}
+
+TEST(SphericalJoint, SpinningAboutTheReaction) {
+  const SphericalJoint joint = steel_joint(0.2, 1e8);
+  for (const double sign : {1.0, -1.0}) {
+    const JointSolution s = joint.solve({0, 0, 1e5}, {0, 0, sign});
+    EXPECT_EQ(s.status, Status::ok);
+    EXPECT_EQ(s.normal, Vector3d(0, 0, 1));
+    EXPECT_EQ(s.compressive_force, 1e5);
+    EXPECT_EQ(s.friction_force.norm(), 0);
+    EXPECT_EQ(s.slip_axis.cos, 0);
+    EXPECT_EQ(s.slip_axis.sin, sign);
+    EXPECT_EQ(s.slip_velocity.norm(), 0);
+    // M_t = -rho (f0 R_n sigma_Z + A rho^2 K[1]) about the axis.
+    const auto i =
+        contact::exact_friction_integrals(s.half_angle, SlipAxis{1, 0});
+    const double expected = 0.05 * (0.2 * 1e5 * i.coefficient.spinning +
+                                    1e8 * 0.05 * 0.05 * i.area.spinning);
+    EXPECT_NEAR(s.friction_moment.z(), -sign * expected, 1e-14 * expected);
+    // The neighbours go over into it.
+    const JointSolution near = joint.solve({1e-9, 0, 1e5}, {0, 0, sign});
+    EXPECT_LE((near.friction_moment - s.friction_moment).norm(),
+              1e-12 * expected);
+  }
+}
+
+TEST(SphericalJoint, WithoutFriction) {
+  const SphericalJoint joint = steel_joint(0, 0);
+  const Vector3d reaction(1e4, 2e4, -3e4);
+  const JointSolution s = joint.solve(reaction, {1, 0, 1});
+  EXPECT_EQ(s.status, Status::ok);
+  EXPECT_LE((s.normal - reaction.normalized()).norm(), 1e-15);
+  EXPECT_EQ(s.friction_force.norm(), 0);
+  EXPECT_EQ(s.friction_moment.norm(), 0);
+  EXPECT_EQ(s.power, 0);
+  EXPECT_EQ(s.friction_angle(), 0);
+  EXPECT_NEAR(s.compressive_force, reaction.norm(), 1e-11);
+}
+
+TEST(SphericalJoint, ContactDataFitTheContact) {
+  const SphericalJoint joint = steel_joint(0.1, 0);
+  const JointSolution s = joint.solve_contact({0, 0, 2e5}, {0, 1, 0});
+  // Mean of the normal component of p over the contact's projection is R_n.
+  const double c = std::cos(s.half_angle);
+  EXPECT_NEAR(s.contact_area, 2 * pi * 0.05 * 0.05 * (1 - c), 1e-15);
+  const double amplitude =
+      3 * 2e5 / (pi * (1 - c) * (1 - c) * (2 + c)) / (0.05 * 0.05);
+  EXPECT_NEAR(s.peak_pressure / (amplitude * (1 - c)), 1, 1e-13);
+  EXPECT_TRUE(s.slip_velocity.isApprox(
+      0.05 * Vector3d(0, 1, 0).cross(Vector3d(0, 0, 1)), 1e-15));
+  EXPECT_NEAR(s.power, -s.sliding_coefficient * 0.05 * 2e5, 1e-9);
+}
+
+TEST(SphericalJoint, FixedPointAgreesWhereItConverges) {
+  RandomSlips random(7);
+  int compared = 0;
+  for (int i = 0; i < 500; ++i) {
+    const RandomSlip input = random.next();
+    std::vector<FixedPointStep> trace(500);
+    const auto result =
+        input.joint.fixed_point(input.reaction, input.rate, trace, 1e-13, 500);
+    if (result.status != Status::ok) continue;
+    const JointSolution s = input.joint.solve(input.reaction, input.rate);
+    const FixedPointStep& last = trace[result.steps - 1];
+    // Contraction q leaves tolerance q/(1 - q), q < 0.95 within 500 steps.
+    EXPECT_NEAR(last.compressive_force / s.compressive_force, 1, 1e-11) << i;
+    ++compared;
+  }
+  EXPECT_GT(compared, 50);
+}
+
+TEST(SphericalJoint, FixedPointReportsWhereItFails) {
+  // g grows past b: (4.2) has no a.
+  const SphericalJoint joint = steel_joint(3, 0);
+  std::vector<FixedPointStep> trace(10);
+  const Vector3d reaction = reaction_at(1e5, 50 * degree);
+  EXPECT_EQ(joint.fixed_point(reaction, {0, 0, 1}, trace).status,
+            Status::out_of_range);
+  EXPECT_EQ(joint.solve(reaction, {0, 0, 1}).status, Status::ok);
+  // A short limit.
+  EXPECT_EQ(steel_joint(0.1, 4e7)
+                .fixed_point(reaction, {0, 0, 1}, trace, 1e-12, 3)
+                .status,
+            Status::not_converged);
+}
+
+// Hertz's law ends at a load: friction can bring R_n below it.
+TEST(SphericalJoint, HalfAngleLawWithAnEnd) {
+  const ElasticPair pair({2e11, 0.3}, {2e11, 0.3});
+  const auto make = [&](double f0) {
+    return SphericalJoint(
+        JointGeometry::ball(0.05, 0.05e-3), pair, FrictionLaw(f0),
+        contact::make_half_angle_law("hertz", JointKind::spherical, pair),
+        contact::make_pressure_law("cosine", JointKind::spherical));
+  };
+  const double end = 1 / make(1).contact().load_parameter(1);
+  const Vector3d rate(0, 0, 1);
+  const JointSolution inside = make(1).solve({1.2 * end, 0, 0}, rate);
+  EXPECT_EQ(inside.status, Status::ok);
+  EXPECT_LT(inside.compressive_force, end);
+  EXPECT_LE(true_residual(make(1), inside), 2e-13);
+  const JointSolution outside = make(0.1).solve({1.2 * end, 0, 0}, rate);
+  EXPECT_EQ(outside.status, Status::out_of_range);
+  EXPECT_TRUE(std::isnan(outside.friction_moment.x()));
+}
+
+TEST(SphericalJoint, NanAndInfinityGiveNan) {
+  const SphericalJoint joint = steel_joint(0.2, 1e8);
+  const JointSolution last = joint.solve({1e4, 2e4, 0}, {0, 1, 1});
+  for (const double bad : {nan, infinity, -infinity}) {
+    for (int i = 0; i < 3; ++i) {
+      Vector3d reaction(1e4, 2e4, 0);
+      Vector3d rate(0, 1, 1);
+      reaction[i] = bad;
+      for (const JointSolution& s :
+           {joint.solve(reaction, rate), joint.solve(reaction, rate, last),
+            joint.solve_contact(reaction, rate), joint.solve(rate, reaction),
+            joint.solve(reaction, {0, 0, 0})}) {
+        EXPECT_EQ(s.status, Status::out_of_range);
+        EXPECT_TRUE(std::isnan(s.compressive_force));
+        EXPECT_TRUE(s.friction_moment.hasNaN());
+        EXPECT_TRUE(std::isnan(s.power));
+      }
+      std::vector<FixedPointStep> trace(5);
+      EXPECT_EQ(joint.fixed_point(reaction, rate, trace).status,
+                Status::out_of_range);
+    }
+  }
+  // A spoilt solution is no start, and does no harm.
+  const JointSolution bad = joint.solve({nan, 0, 0}, {0, 1, 1});
+  EXPECT_EQ(joint.solve({1e4, 2e4, 0}, {0, 1, 1}, bad).status, Status::ok);
+}
+
+TEST(SphericalJoint, KernelsDoNotAllocate) {
+  RandomSlips random(8);
+  std::vector<RandomSlip> inputs;
+  for (int i = 0; i < 50; ++i) inputs.push_back(random.next());
+  std::vector<FixedPointStep> trace(20);
+  inputs[0].joint.solve(inputs[0].reaction, inputs[0].rate);
+  const std::size_t before = contact::test::allocation_count();
+  for (const RandomSlip& input : inputs) {
+    const JointSolution s = input.joint.solve(input.reaction, input.rate);
+    input.joint.solve(1.001 * input.reaction, input.rate, s);
+    input.joint.solve_contact(input.reaction, input.rate);
+    input.joint.fixed_point(input.reaction, input.rate, trace, 1e-12, 20);
+  }
+  EXPECT_EQ(contact::test::allocation_count(), before);
+}
+
+TEST(SphericalJoint, RefusesWhatDoesNotFit) {
+  using contact::test::error_message;
+  const ElasticPair pair({2e11, 0.3}, {2e11, 0.3});
+  const auto ball = JointGeometry::ball(0.05, 0.05e-3);
+  const auto pin = JointGeometry::pin(0.05, 0.05e-3, 0.1);
+  const auto make = [&](const JointGeometry& geometry, JointKind law,
+                        JointKind pressure) {
+    return error_message([&] {
+      SphericalJoint(geometry, pair, FrictionLaw(0.1),
+                     contact::make_half_angle_law("tanh", law, pair),
+                     contact::make_pressure_law("cosine", pressure));
+    });
+  };
+  using enum JointKind;
+  EXPECT_EQ(make(pin, cylindrical, cylindrical),
+            "spherical joint: geometry of a cylindrical joint");
+  EXPECT_EQ(make(ball, cylindrical, spherical),
+            "spherical joint: half-angle law for a cylindrical joint: "
+            "allowed: spherical");
+  EXPECT_EQ(make(ball, spherical, cylindrical),
+            "spherical joint: pressure law for a cylindrical joint: "
+            "allowed: spherical");
+  EXPECT_EQ(error_message([&] {
+              SphericalJoint(ball, pair, FrictionLaw(0.1), nullptr, nullptr);
+            }),
+            "spherical joint: half-angle or pressure law missing");
+}
+
+}  // namespace

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <random>
+
+#include "libcontact/spherical_joint.hpp"
+
+namespace contact::test {
+
+/// One spherical joint with a reaction and an angular velocity.
+struct RandomSlip {
+  SphericalJoint joint;
+  Eigen::Vector3d reaction;
+  Eigen::Vector3d rate;
+};
+
+/// Random inputs over all that a joint can meet: f0 from 0 to 5, A rho^2/R
+/// from 0 to 1e4 (f0 = 0 with A > 0 too), b from 0 to 180 deg, its ends, 90
+/// deg and their neighbourhoods included, reactions from 1e-12 to 1e12 N,
+/// clearances from 1e-5 to 1e-2, half-angle laws tanh, arctan and blend with
+/// limits from 30 to 115 deg, the ball on either side.
+class RandomSlips {
+ public:
+  explicit RandomSlips(std::uint64_t seed) : random_(seed) {}
+
+  RandomSlip next();
+
+  /// Uniform in [0, 1).
+  double uniform() { return uniform_(random_); }
+  /// Uniform on the unit sphere.
+  Eigen::Vector3d direction();
+  /// Uniform in the logarithm.
+  double log_uniform(double low, double high);
+
+ private:
+  double angle();
+
+  std::mt19937_64 random_;
+  std::uniform_real_distribution<double> uniform_{0, 1};
+};
+
+}  // namespace contact::test
