@@ -9,6 +9,7 @@
 
 #include "libcontact/error.hpp"
 #include "libcontact/friction_exact.hpp"
+#include "libcontact/friction_models.hpp"
 
 namespace contact {
 namespace {
@@ -43,9 +44,6 @@ JointContact::JointContact(JointGeometry geometry, ElasticPair pair,
         "allowed: cosine",
         pressure_law_->name()));
   }
-  if (kind == JointKind::spherical && is_viscous()) {
-    throw Error("spherical joint: no friction integrals for viscous friction");
-  }
   unit_force_ =
       geometry_.force_from_load(LoadScale(geometry_, pair_).unit_load());
   unit_pressure_area_ =
@@ -63,7 +61,8 @@ std::vector<std::string> JointContact::validity_notes() const {
 FrictionIntegrals JointContact::integrals(double half_angle,
                                           SlipAxis axis) const noexcept {
   if (geometry_.kind() == JointKind::spherical) {
-    return exact_friction_integrals(half_angle, axis);
+    return is_viscous() ? viscous_friction_integrals(half_angle, axis)
+                        : exact_friction_integrals(half_angle, axis);
   }
   const double span = 2 * geometry_.length() / geometry_.radius();
   FrictionIntegrals pin;
