@@ -1,0 +1,275 @@
+#include "libcontact/conforming/ball.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+
+#include "libcontact/detail/back_displacement.hpp"
+#include "libcontact/detail/ball_kernel.hpp"
+#include "libcontact/detail/check.hpp"
+#include "libcontact/detail/gauss_legendre.hpp"
+#include "libcontact/detail/half_angle_root.hpp"
+#include "libcontact/detail/legendre_galerkin.hpp"
+
+// Letters as in docs/conforming.md: h(f) is the Abel transform of the
+// pressure, H_n its moment with cos((n + 1/2) f).
+namespace contact {
+namespace {
+
+using detail::LegendreGalerkin;
+
+constexpr double pi = std::numbers::pi;
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+constexpr int max_unknowns = BallContact::max_unknowns;
+static_assert(max_unknowns == LegendreGalerkin::max_unknowns);
+
+template <int columns>
+using Columns =
+    Eigen::Matrix<double, Eigen::Dynamic, columns, 0, max_unknowns, columns>;
+using Vector = Columns<1>;
+using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0,
+                             max_unknowns, max_unknowns>;
+template <int max>
+using Buffer = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, max, 1>;
+
+// cos(3f/2) - cos(f/2)
+double cosine_difference(double f) {
+  return -2 * std::sin(f) * std::sin(f / 2);
+}
+
+// h'(v)/v from the series of h and the term that it converges slowly for.
+// Near the edge h = s (1 - v) + (A theta0/(2 pi)) s (1 - v)^2 ln(1 - v) + ...:
+// the logarithm is what the kernel -A ln|x| makes of the linear term. The
+// term is taken out of the series as chi(v) = ((1 - v^2)^2/4) ln(1 - v^2) and
+// put back whole.
+class EdgeCorrectedSlope {
+ public:
+  // log_coefficient: A theta0.
+  EdgeCorrectedSlope(const Vector& h, const LegendreGalerkin& galerkin,
+                     double log_coefficient)
+      : edge_(log_coefficient / (2 * pi) * edge_slope(h)),
+        smooth_(without_edge_term(h, galerkin, edge_)) {}
+
+  // At v, given with 1 - v^2.
+  double operator()(double v, double rest) const {
+    return smooth_(v) - edge_ * rest * (std::log(rest) + 0.5);
+  }
+
+ private:
+  // s = -h'(1), P_n'(1) = n (n + 1)/2.
+  static double edge_slope(const Vector& h) {
+    double sum = 0;
+    for (int j = 1; j < h.size(); ++j) sum -= j * (2 * j + 1) * h(j);
+    return sum;
+  }
+  static detail::EvenLegendreSlope without_edge_term(
+      const Vector& h, const LegendreGalerkin& galerkin, double edge) {
+    const Vector smooth = h - edge * galerkin.edge_term;
+    return detail::EvenLegendreSlope(
+        {smooth.data(), static_cast<std::size_t>(smooth.size())});
+  }
+
+  double edge_;
+  detail::EvenLegendreSlope smooth_;
+};
+
+}  // namespace
+
+struct BallContact::Tables {
+  Tables(const ElasticPair& pair, InnerLoading loading, int unknowns)
+      : kernel({pair.inner_compliance_share(), pair.inner().poissons_ratio,
+                pair.outer_compliance_share(), pair.outer().poissons_ratio}),
+        galerkin(LegendreGalerkin::table(unknowns)),
+        // R_n = 2 pi rho^2 H_1 is twice the resultant that it is made for.
+        back_factor(2 * pair.inner_compliance_share()) {
+    if (loading.is_back() && back_factor > 0) {
+      back.emplace(pair.inner().poissons_ratio, loading.patch_half_angle());
+    }
+  }
+
+  double back_displacement(double f) const {
+    return back ? back_factor * (*back)(f) : 0;
+  }
+
+  detail::BallKernel kernel;
+  const LegendreGalerkin& galerkin;
+  double back_factor;
+  std::optional<detail::BackDisplacement> back;
+};
+
+// The equation at one half-angle in v = f/theta0, ready for any number of
+// unknowns up to that of the tables.
+struct BallContact::Galerkin {
+  Galerkin(const Tables& tables, double theta0);
+  Solution solve(int unknowns) const;
+
+  Matrix system;
+  // Columns: right sides cos(f/2), cos(3f/2) - cos(f/2), back displacement.
+  Columns<3> right;
+  Eigen::Matrix<double, 3, 1> right_at_edge;
+  Vector edge;          // (theta0/pi) ∫ kappa(theta0 (1 - v)) P_2i dv
+  Vector mean_moment;   // H_0 of P_2i
+  Vector force_moment;  // H_1 of P_2i
+};
+
+// Scaled so that H_1 = 1: R_n = 2 pi rho^2.
+struct BallContact::Solution {
+  Vector h;           // of P_2i(f/theta0)
+  double reciprocal;  // 1/mu
+  double force_ratio;
+};
+
+BallContact::Galerkin::Galerkin(const Tables& tables, double theta0) {
+  const LegendreGalerkin& g = tables.galerkin;
+  const auto n = g.edge.rows();
+  const auto nodes = g.node.size();
+
+  Buffer<LegendreGalerkin::max_nodes> x = theta0 * g.node;
+  Buffer<LegendreGalerkin::max_nodes> kappa(nodes);
+  tables.kernel.evaluate({x.data(), static_cast<std::size_t>(nodes)},
+                         {kappa.data(), static_cast<std::size_t>(nodes)});
+  kappa *= theta0 / pi;
+  Buffer<max_unknowns*(max_unknowns + 1) / 2> packed(g.correlation.rows());
+  packed.noalias() = g.correlation * kappa;
+  edge.noalias() = g.edge * kappa;
+  system.resize(n, n);
+  for (int i = 0, row = 0; i < n; ++i) {
+    for (int j = 0; j <= i; ++j, ++row) system(i, j) = packed(row);
+    system(i, i) += 2.0 / (4 * i + 1);
+  }
+
+  const auto count = g.projection_node.size();
+  Eigen::Matrix<double, Eigen::Dynamic, 3, 0,
+                LegendreGalerkin::max_projection_nodes, 3>
+      given(count, 3);
+  for (int k = 0; k < count; ++k) {
+    const double f = theta0 * g.projection_node(k);
+    given.row(k) << std::cos(f / 2), cosine_difference(f),
+        tables.back_displacement(f);
+  }
+  right.noalias() = g.projection * given;
+  right_at_edge << std::cos(theta0 / 2), cosine_difference(theta0),
+      tables.back_displacement(theta0);
+  mean_moment = theta0 / 2 * right.col(0);
+  force_moment = theta0 / 2 * (right.col(0) + right.col(1));
+}
+
+BallContact::Solution BallContact::Galerkin::solve(int n) const {
+  // d_n > -1 makes the system positive definite.
+  const Matrix leading = system.topLeftCorner(n, n);
+  const Columns<3> u = leading.llt().solve(right.topRows(n));
+  // Values at the edge from the equation itself, not from the series: twice
+  // its order.
+  const Eigen::Matrix<double, 3, 1> at_edge =
+      right_at_edge - u.transpose() * edge.head(n);
+  const Eigen::Matrix<double, 3, 1> force =
+      u.transpose() * force_moment.head(n);
+  // h = D u_1 + delta u_0 - u_2 with h(theta0) = 0, H_1 = 1; delta = D - ebar
+  // and D are in units of 2 pi/E.
+  const double ratio = at_edge(1) / at_edge(0);
+  const double shift = at_edge(2) / at_edge(0);
+  const double approach =
+      (1 + force(2) - shift * force(0)) / (force(1) - ratio * force(0));
+  const double delta = shift - approach * ratio;
+  Solution result;
+  result.h = approach * u.col(1) + delta * u.col(0) - u.col(2);
+  result.reciprocal = 2.0 / 3 * (approach - delta);
+  result.force_ratio = mean_moment.head(n).dot(result.h);
+  return result;
+}
+
+BallContact::BallContact(const ElasticPair& pair, InnerLoading loading,
+                         int unknowns)
+    : unknowns_(unknowns) {
+  detail::require(unknowns >= 8 && unknowns <= max_unknowns, "ball contact",
+                  "unknowns", unknowns, "8 to 32");
+  tables_ = std::make_shared<const Tables>(pair, loading, unknowns);
+  largest_ = largest_half_angle;
+  if (loading.is_back()) {
+    // The edge of the contact must not touch that of the loaded patch.
+    largest_ = std::min(largest_, pi - loading.patch_half_angle() - 1e-3);
+  }
+}
+
+double BallContact::reciprocal_load(double half_angle) const noexcept {
+  if (!(half_angle > 0 && half_angle <= largest_)) return nan;
+  return Galerkin(*tables_, half_angle).solve(unknowns_).reciprocal;
+}
+
+ExactLoad BallContact::load_parameter(double half_angle) const noexcept {
+  if (half_angle == 0) return {0, Status::ok, 0};
+  if (!(half_angle > 0 && half_angle <= largest_)) {
+    return {nan, Status::out_of_range, nan};
+  }
+  const Galerkin galerkin(*tables_, half_angle);
+  const double reciprocal = galerkin.solve(unknowns_).reciprocal;
+  if (!(reciprocal >= 0)) return {nan, Status::out_of_range, nan};
+  const double coarse = galerkin.solve(unknowns_ - 4).reciprocal;
+  return {1 / reciprocal, Status::ok, std::abs(reciprocal - coarse)};
+}
+
+ExactHalfAngle BallContact::half_angle(double load_parameter) const noexcept {
+  if (!(load_parameter >= 0)) return {nan, Status::out_of_range, nan, 0};
+  if (load_parameter == 0) return {0, Status::ok, 0, 0};
+  return detail::half_angle_root(
+      [this](double theta) { return reciprocal_load(theta); },
+      1 / load_parameter, std::cbrt(load_parameter), 3, largest_);
+}
+
+ExactHalfAngle BallContact::limit_half_angle() const noexcept {
+  return half_angle(infinity);
+}
+
+ContactPressure BallContact::pressure(double half_angle) const noexcept {
+  // p(t) = -(1/sqrt 2) ∫_t^theta0 h'(f)/sqrt(cos t - cos f) df. With
+  // f^2 = t^2 + (theta0^2 - t^2) s^2 the integrand is smooth in s on [0, 1],
+  // but for a faint logarithm at s = 1.
+  constexpr int nodes = 32;
+  static const detail::GaussLegendre rule(nodes);
+  constexpr int terms = ContactPressure::max_terms;
+  std::array<double, terms> coefficients;
+  if (!(half_angle > 0 && half_angle <= largest_)) {
+    coefficients.fill(nan);
+    return {nan, nan, coefficients};
+  }
+  const double theta0 = half_angle;
+  const Solution solution = Galerkin(*tables_, theta0).solve(unknowns_);
+  const EdgeCorrectedSlope slope(solution.h, tables_->galerkin,
+                                 theta0 * tables_->kernel.log_coefficient());
+  const double b = std::tan(theta0 / 2);
+  coefficients.fill(0);
+  for (int i = 0; i < terms; ++i) {
+    // t at cos phi = tan(t/2)/b; theta0 - t without cancellation.
+    const double phi = (i + 0.5) * pi / (2 * terms);
+    const double half_sine = std::sin(phi / 2);
+    const double cosine = std::cos(phi);
+    const double t = 2 * std::atan(b * cosine);
+    const double rest =
+        2 * std::atan(2 * b * half_sine * half_sine / (1 + b * b * cosine));
+    const double square = rest * (theta0 + t);  // theta0^2 - t^2
+    double p = 0;
+    for (int k = 0; k < nodes; ++k) {
+      const double s = (1 + rule.node(k)) / 2;
+      const double part = square * s * s;  // f^2 - t^2
+      const double f = std::sqrt(t * t + part);
+      const double difference = part / (f + t);  // f - t
+      p -= rule.weight(k) / 2 *
+           slope(f / theta0, square * (1 - s) * (1 + s) / (theta0 * theta0)) *
+           std::sqrt(part /
+                     (2 * std::sin((f + t) / 2) * std::sin(difference / 2)));
+    }
+    // In units of R_n/rho^2 = 2 pi H_1.
+    p *= std::sqrt(square / 2) / (2 * pi * theta0 * theta0);
+    for (int k = 0; k < terms; ++k) {
+      coefficients[k] += 2 * p / terms * std::sin((2 * k + 1) * phi);
+    }
+  }
+  return {theta0, solution.force_ratio, coefficients};
+}
+
+}  // namespace contact

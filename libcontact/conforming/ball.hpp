@@ -1,0 +1,74 @@
+#pragma once
+
+#include <memory>
+
+#include "libcontact/conforming/contact_pressure.hpp"
+#include "libcontact/conforming/loading.hpp"
+#include "libcontact/material.hpp"
+
+namespace contact {
+
+/// Exact contact of a ball in a seat, for any elastic pair: Legendre-Galerkin
+/// solution of the Abel-transformed equation of docs/conforming.md. One object
+/// per pair and loading; copies share its tables. Const functions that do not
+/// allocate and do not throw.
+///
+/// Axial symmetry, no friction, first order in the clearance, outer body
+/// infinite. The load parameter is mu = 3 R_n/(2 ebar rho1^2 E).
+///
+/// Accuracy (conforming_ball_test.cpp): with 16 unknowns the relative error of
+/// 1/mu, times mu or 1 whichever is less, is below 1e-8 for theta0 <= 120 deg
+/// and any pair, which is 1e-6 deg in theta0 at most; with 8 unknowns it is
+/// below 1e-6.
+class BallContact {
+ public:
+  static constexpr int default_unknowns = 16;
+  static constexpr int max_unknowns = 32;
+  /// 175 deg.
+  static constexpr double largest_half_angle = 3.0543261909900767;
+
+  /// @param pair      elastic constants, ball inner
+  /// @param loading   how the ball is loaded
+  /// @param unknowns  truncation, [8, max_unknowns]
+  /// @throws Error if unknowns is out of range.
+  explicit BallContact(const ElasticPair& pair,
+                       InnerLoading loading = InnerLoading::centre(),
+                       int unknowns = default_unknowns);
+
+  /// 1/mu: > 0 below the limit angle, 0 there, < 0 beyond.
+  /// @param half_angle  theta0, rad, (0, largest()]; NaN outside
+  double reciprocal_load(double half_angle) const noexcept;
+
+  /// mu at theta0 in (0, limit], with an estimate of its error; mu = 0 at
+  /// theta0 = 0.
+  ExactLoad load_parameter(double half_angle) const noexcept;
+
+  /// theta0 at mu in [0, infinity]. not_converged if theta0 exceeds
+  /// largest().
+  ExactHalfAngle half_angle(double load_parameter) const noexcept;
+
+  /// theta0*, to which theta0 tends as the load grows.
+  ExactHalfAngle limit_half_angle() const noexcept;
+
+  /// Pressure at theta0 in (0, largest()], in units of R_n/rho^2. Beyond the
+  /// limit angle it is the pressure of a ball with interference.
+  ///
+  /// Accuracy: 5e-7 of the peak with 16 unknowns for theta0 <= 120 deg
+  /// (conforming_ball_test.cpp).
+  ContactPressure pressure(double half_angle) const noexcept;
+
+  /// Largest theta0 of this object: largest_half_angle, and less than
+  /// pi - psi when loaded from the back.
+  double largest() const noexcept { return largest_; }
+
+ private:
+  struct Tables;
+  struct Solution;
+  struct Galerkin;
+
+  std::shared_ptr<const Tables> tables_;
+  int unknowns_;
+  double largest_;
+};
+
+}  // namespace contact

@@ -1,0 +1,19 @@
+#include "libcontact/conforming/loading.hpp"
+
+#include <numbers>
+
+#include "libcontact/detail/check.hpp"
+
+namespace contact {
+
+InnerLoading InnerLoading::centre() { return {false, 0}; }
+
+InnerLoading InnerLoading::back(double patch_half_angle) {
+  detail::require(
+      patch_half_angle >= 0 && patch_half_angle <= std::numbers::pi / 2,
+      "loading through the back", "patch_half_angle", patch_half_angle,
+      "0 to pi/2 rad");
+  return {true, patch_half_angle};
+}
+
+}  // namespace contact

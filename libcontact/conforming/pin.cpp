@@ -1,0 +1,241 @@
+#include "libcontact/conforming/pin.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "libcontact/detail/check.hpp"
+#include "libcontact/detail/half_angle_root.hpp"
+
+// Letters as in docs/conforming.md: b = tan(theta0/2), q = tan(theta0/4).
+namespace contact {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+constexpr int max_unknowns = PinContact::max_unknowns;
+constexpr int pressure_terms = ContactPressure::max_terms;
+constexpr int max_terms = std::max(max_unknowns, pressure_terms);
+
+template <int max>
+using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, max, 1>;
+using Unknowns = Vector<max_unknowns>;
+using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0,
+                             max_unknowns, max_unknowns>;
+
+// m_i = ∫ T_{2i}(s)/(1 + b^2 s^2) ds over [-1, 1], i < count. They satisfy
+//   b^2 (m_{i-1} + 2 m_i + m_{i+1}) + 4 m_i = 4 ∫ T_{2i} ds.
+// Forward recursion is unstable; as a diagonally dominant system, closed far
+// out by the asymptotic value, it is not.
+class ChebyshevMoments {
+ public:
+  ChebyshevMoments(double b2, int count) {
+    // What the closure leaves at index `count` is q^(4 extra_rows) of its own
+    // error: below 1e-15 for theta0 < 140 deg, 1e-9 at 165 deg.
+    constexpr int extra_rows = 24;
+    const int n = count + extra_rows;
+    const auto right_side = [](int i) { return 2 / (1 - 4.0 * i * i); };
+    const double order = 2.0 * n;
+    const double end =
+        right_side(n) / (1 + b2) * (1 - 6 * b2 / (1 + b2) / (order * order));
+    std::array<double, max_rows> ratio;
+    double diagonal = 2 * b2 + 4;
+    double above = 2 * b2;  // row 0: m_{-1} = m_1
+    moments_[0] = 4 * right_side(0) / diagonal;
+    for (int i = 1; i < n; ++i) {
+      ratio[i - 1] = above / diagonal;
+      diagonal = 2 * b2 + 4 - b2 * ratio[i - 1];
+      moments_[i] = (4 * right_side(i) - b2 * moments_[i - 1]) / diagonal;
+      above = b2;
+    }
+    moments_[n - 1] -= b2 * end / diagonal;
+    for (int i = n - 2; i >= 0; --i) {
+      moments_[i] -= ratio[i] * moments_[i + 1];
+    }
+  }
+
+  // K_jk = ∫ (1 - s^2) U_{2j} U_{2k}/(1 + b^2 s^2) ds.
+  double matrix_element(int j, int k) const {
+    return 0.5 * (moments_[std::abs(j - k)] - moments_[j + k + 1]);
+  }
+
+  static constexpr int max_count = max_unknowns + pressure_terms;
+
+ private:
+  static constexpr int max_rows = max_count + 24;
+  std::array<double, max_rows> moments_;
+};
+
+// ∫ sqrt(1 - s^2) U_{2k} g/(1 + b^2 s^2) ds, k < count, for the functions g
+// on the right of the equation.
+struct RightSides {
+  RightSides(double half_angle, const PinConstants& constants,
+             InnerLoading loading, int count)
+      : constant(count), cosine(count), load(count) {
+    const double q = std::tan(half_angle / 4);
+    const double q2 = q * q;
+    double term = pi / 2 * (1 - q2);
+    for (int k = 0; k < count; ++k) {
+      constant(k) = term;
+      cosine(k) = term * (2 * k + 1) * (1 - q2) / (1 + q2);
+      term *= -q2;
+    }
+    load = (1 + constants.beta) * cosine;
+    if (loading.is_back()) add_back(half_angle, constants, loading);
+  }
+
+  Vector<max_terms> constant;  // g = 1: what C multiplies
+  Vector<max_terms> cosine;    // g = cos t
+  Vector<max_terms> load;      // all that p_1 multiplies
+
+ private:
+  void add_back(double half_angle, const PinConstants& constants,
+                InnerLoading loading) {
+    const double half_patch = loading.patch_half_angle() / 2;
+    const double c = std::tan(half_angle / 2) * std::tan(half_patch);
+    const double root = std::sqrt((1 - c) * (1 + c));
+    const double r2 = (1 - root) / (1 + root);
+    const double cosine_patch = std::cos(half_patch);
+    double term = constants.inner_share * pi / (1 + root) /
+                  (4 * cosine_patch * cosine_patch);
+    load -= constants.inner_share * (1 - constants.inner_beta_part) * cosine;
+    for (int k = 0; k < load.size(); ++k) {
+      load(k) += term;
+      term *= r2;
+    }
+  }
+};
+
+}  // namespace
+
+// Solution with p_1 = 1: the pressure is p = b sum y_k sin((2k+1) phi).
+struct PinContact::Solution {
+  Unknowns y;
+  double constant;    // C = ebar E/4 + w_2 p_0
+  double mean;        // p_0
+  double reciprocal;  // 1/lambda
+};
+
+PinContact::PinContact(const ElasticPair& pair, InnerLoading loading,
+                       int unknowns)
+    : PinContact(
+          [&pair] {
+            const double nu = pair.inner().poissons_ratio;
+            return PinConstants{
+                pair.outer_compliance_share(), pair.dundurs_beta(),
+                pair.inner_compliance_share(), (1 - 2 * nu) / (2 * (1 - nu))};
+          }(),
+          loading, unknowns) {}
+
+PinContact PinContact::from_dundurs(double outer_compliance_share,
+                                    double dundurs_beta, int unknowns) {
+  detail::require(outer_compliance_share >= 0 && outer_compliance_share <= 1,
+                  "pin contact", "outer_compliance_share",
+                  outer_compliance_share, "0 to 1");
+  detail::require(dundurs_beta >= -0.5 && dundurs_beta <= 0.5, "pin contact",
+                  "dundurs_beta", dundurs_beta, "-0.5 to 0.5");
+  return {PinConstants{outer_compliance_share, dundurs_beta, nan, nan},
+          InnerLoading::centre(), unknowns};
+}
+
+PinContact::PinContact(PinConstants constants, InnerLoading loading,
+                       int unknowns)
+    : constants_(constants), loading_(loading), unknowns_(unknowns) {
+  detail::require(unknowns >= 8 && unknowns <= max_unknowns, "pin contact",
+                  "unknowns", unknowns, "8 to 32");
+  largest_ = 4 * std::atan(std::pow(10, -2.0 / unknowns));
+  if (loading.is_back()) {
+    // The edge of the contact must not touch that of the loaded patch.
+    largest_ = std::min(largest_, pi - loading.patch_half_angle() - 1e-3);
+  }
+}
+
+PinContact::Solution PinContact::solve(double half_angle,
+                                       int unknowns) const noexcept {
+  const int n = unknowns;
+  const double b = std::tan(half_angle / 2);
+  const double b2 = b * b;
+  const double beta = constants_.beta;
+  const RightSides given(half_angle, constants_, loading_, n);
+  const ChebyshevMoments moments(b2, 2 * n);
+
+  Matrix system(n, n);
+  for (int k = 0; k < n; ++k) {
+    for (int j = 0; j <= k; ++j) {
+      system(j, k) = system(k, j) = beta * b * moments.matrix_element(j, k);
+    }
+    system(k, k) += (2 * k + 1) * pi / 4;
+  }
+  Eigen::Matrix<double, Eigen::Dynamic, 2, 0, max_unknowns, 2> right(n, 2);
+  right << given.constant, given.load;
+  // Not definite for beta < 0 and wide contacts: LU.
+  const decltype(right) solved = system.partialPivLu().solve(right);
+
+  // p_0 = (b/pi) ∫ sqrt(1 - s^2) sum a_k U_2k/(1 + b^2 s^2) ds, a = b y;
+  // p_1 = 1 fixes C.
+  const double scale = 2 * b2 / pi;
+  Solution result;
+  result.constant = (1 - scale * given.cosine.dot(solved.col(1))) /
+                    (scale * given.cosine.dot(solved.col(0)));
+  result.y = result.constant * solved.col(0) + solved.col(1);
+  result.mean = b2 / pi * given.constant.dot(result.y);
+  result.reciprocal =
+      2 * (result.constant - constants_.outer_share * result.mean);
+  return result;
+}
+
+double PinContact::reciprocal_load(double half_angle) const noexcept {
+  if (!(half_angle > 0 && half_angle <= largest_)) return nan;
+  return solve(half_angle, unknowns_).reciprocal;
+}
+
+ExactLoad PinContact::load_parameter(double half_angle) const noexcept {
+  if (half_angle == 0) return {0, Status::ok, 0};
+  const double reciprocal = reciprocal_load(half_angle);
+  if (!(reciprocal >= 0)) return {nan, Status::out_of_range, nan};
+  const double coarse = solve(half_angle, unknowns_ - 4).reciprocal;
+  return {1 / reciprocal, Status::ok, std::abs(reciprocal - coarse)};
+}
+
+ExactHalfAngle PinContact::half_angle(double load_parameter) const noexcept {
+  if (!(load_parameter >= 0)) return {nan, Status::out_of_range, nan, 0};
+  if (load_parameter == 0) return {0, Status::ok, 0, 0};
+  return detail::half_angle_root(
+      [this](double theta) { return solve(theta, unknowns_).reciprocal; },
+      1 / load_parameter, 2 * std::sqrt(load_parameter), 2, largest_);
+}
+
+ExactHalfAngle PinContact::limit_half_angle() const noexcept {
+  return half_angle(infinity);
+}
+
+ContactPressure PinContact::pressure(double half_angle) const noexcept {
+  std::array<double, pressure_terms> coefficients;
+  if (!(half_angle > 0 && half_angle <= largest_)) {
+    coefficients.fill(nan);
+    return {nan, nan, coefficients};
+  }
+  const Solution solution = solve(half_angle, unknowns_);
+  const double b = std::tan(half_angle / 2);
+  const RightSides given(half_angle, constants_, loading_, pressure_terms);
+  const ChebyshevMoments moments(b * b, unknowns_ + pressure_terms);
+  // One step of iteration through the equation, whose singular part is
+  // diagonal, doubles the order of the coefficients and reaches beyond the
+  // unknowns.
+  for (int k = 0; k < pressure_terms; ++k) {
+    double right = solution.constant * given.constant(k) + given.load(k);
+    for (int j = 0; j < unknowns_; ++j) {
+      right -=
+          constants_.beta * b * moments.matrix_element(j, k) * solution.y(j);
+    }
+    // p/pi because P = pi rho p_1.
+    coefficients[k] = 4 * b * right / (pi * pi * (2 * k + 1));
+  }
+  return {half_angle, 2 * solution.mean, coefficients};
+}
+
+}  // namespace contact

@@ -1,0 +1,89 @@
+#pragma once
+
+#include "libcontact/conforming/contact_pressure.hpp"
+#include "libcontact/conforming/loading.hpp"
+#include "libcontact/material.hpp"
+
+namespace contact {
+
+/// The elastic constants that PinContact needs.
+struct PinConstants {
+  double outer_share;      ///< w_2 = (1 + alpha)/2
+  double beta;             ///< Dundurs' beta
+  double inner_share;      ///< w_1; for back loading only
+  double inner_beta_part;  ///< k_1 = (1 - 2 nu_1)/(2 (1 - nu_1)); likewise
+};
+
+/// Exact contact of a pin in a hole, for any elastic pair: Chebyshev-Galerkin
+/// solution of the Prandtl equation of docs/conforming.md. One object per
+/// pair and loading; const functions that do not allocate and do not throw.
+///
+/// Plane strain, no friction, first order in the clearance, outer body
+/// infinite. The load parameter is lambda = 2 P/(pi ebar rho1 E).
+///
+/// Accuracy (conforming_pin_test.cpp): with 16 unknowns the relative error of
+/// 1/lambda, times lambda or 1 whichever is less, is below 1e-9 for
+/// theta0 <= 120 deg and any pair; theta0 is within 1e-9 deg of the closed
+/// form where that exists. The error falls as the sixth power of the number
+/// of unknowns, for beta = 0 like tan(theta0/4)^(4 unknowns).
+class PinContact {
+ public:
+  static constexpr int default_unknowns = 16;
+  static constexpr int max_unknowns = 32;
+  /// @param pair      elastic constants, pin inner
+  /// @param loading   how the pin is loaded
+  /// @param unknowns  truncation, [8, max_unknowns]
+  /// @throws Error if unknowns is out of range.
+  explicit PinContact(const ElasticPair& pair,
+                      InnerLoading loading = InnerLoading::centre(),
+                      int unknowns = default_unknowns);
+
+  /// By Dundurs' parameters of plane strain, loaded at the centre.
+  /// @param outer_compliance_share  w_2 = (1 + alpha)/2, [0, 1]
+  /// @param dundurs_beta            [-0.5, 0.5]
+  /// @throws Error if an argument is out of range.
+  static PinContact from_dundurs(double outer_compliance_share,
+                                 double dundurs_beta,
+                                 int unknowns = default_unknowns);
+
+  /// 1/lambda: > 0 below the limit angle, 0 there, < 0 beyond.
+  /// @param half_angle  theta0, rad, (0, largest()]; NaN outside
+  double reciprocal_load(double half_angle) const noexcept;
+
+  /// lambda at theta0 in (0, limit], with an estimate of its error; lambda = 0
+  /// at theta0 = 0.
+  ExactLoad load_parameter(double half_angle) const noexcept;
+
+  /// theta0 at lambda in [0, infinity]. not_converged if theta0 exceeds
+  /// largest().
+  ExactHalfAngle half_angle(double load_parameter) const noexcept;
+
+  /// theta0*, to which theta0 tends as the load grows.
+  ExactHalfAngle limit_half_angle() const noexcept;
+
+  /// Pressure at theta0 in (0, largest()], in units of P/rho. Beyond the
+  /// limit angle it is the pressure of a pin with interference.
+  ///
+  /// Accuracy: 1e-7 of the peak for theta0 <= 120 deg
+  /// (conforming_pin_test.cpp).
+  ContactPressure pressure(double half_angle) const noexcept;
+
+  /// Largest theta0 of this object, rad: 4 atan(10^(-2/unknowns)), where the
+  /// truncation error tan(theta0/4)^(4 unknowns) is 1e-8 (147 deg for 16
+  /// unknowns, 163 deg for 32), and less than pi - psi when loaded from the
+  /// back.
+  double largest() const noexcept { return largest_; }
+
+ private:
+  struct Solution;
+
+  PinContact(PinConstants constants, InnerLoading loading, int unknowns);
+  Solution solve(double half_angle, int unknowns) const noexcept;
+
+  PinConstants constants_;
+  InnerLoading loading_;
+  int unknowns_;
+  double largest_;
+};
+
+}  // namespace contact

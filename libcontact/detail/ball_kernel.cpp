@@ -1,0 +1,162 @@
+#include "libcontact/detail/ball_kernel.hpp"
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <boost/math/constants/constants.hpp>
+#include <boost/math/special_functions/zeta.hpp>
+#include <cmath>
+#include <numbers>
+
+namespace contact::detail {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+// N s(N) - 1 as a fraction, N = n + 1/2, with g = 2 (1 - nu):
+//   ((1-2nu)^2 N^2 + a N + 9g/8) / (g (N - 3/2)(N^2 + 2 nu N + 3/4))
+// The cavity has N e(N) = (-N) s(-N).
+struct Fraction {
+  explicit Fraction(double nu)
+      : g(2 * (1 - nu)),
+        numerator{9 * g / 8, nu - 0.5 - g * (0.75 - 3 * nu),
+                  (1 - 2 * nu) * (1 - 2 * nu)},
+        denominator{-9.0 / 8, 0.75 - 3 * nu, 2 * nu - 1.5, 1} {}
+
+  double operator()(double n) const {
+    return ((numerator[2] * n + numerator[1]) * n + numerator[0]) /
+           (g *
+            (((n + denominator[2]) * n + denominator[1]) * n + denominator[0]));
+  }
+
+  // Coefficients of N^-1, N^-2, ... for large N: long division.
+  template <std::size_t count>
+  std::array<double, count> expansion() const {
+    std::array<double, count> q{};
+    for (std::size_t k = 0; k < count; ++k) {
+      q[k] = k < 3 ? numerator[2 - k] / g : 0;
+      for (std::size_t j = 1; j <= std::min<std::size_t>(k, 3); ++j) {
+        q[k] -= denominator[3 - j] * q[k - j];
+      }
+    }
+    return q;
+  }
+
+  double g;
+  std::array<double, 3> numerator;    // powers 0 to 2 of N
+  std::array<double, 4> denominator;  // powers 0 to 3 of N
+};
+
+// sum_{n >= 0} (n + 1/2)^-s, continued to s <= 1; s != 1.
+double half_zeta(int s) {
+  return std::expm1(s * std::numbers::ln2) *
+         boost::math::zeta(static_cast<double>(s));
+}
+
+// Real part of i^k.
+double real_power_of_i(int k) { return k % 2 != 0 ? 0 : (k % 4 == 0 ? 1 : -1); }
+
+}  // namespace
+
+double ball_compliance(int harmonic, double nu) {
+  const double n = harmonic;
+  const double g = 2 * (1 - nu);
+  return ((g * n + nu) * n - 1 + 2 * nu) /
+         (g * (n - 1) * ((n + 1) * n + 1 + nu * (2 * n + 1)));
+}
+
+double cavity_compliance(int harmonic, double nu) {
+  const double n = harmonic;
+  const double g = 2 * (1 - nu);
+  return ((g * n + 4 - 5 * nu) * n + 1 - nu) /
+         (g * (n + 2) * ((n + 1) * n + 1 - nu * (2 * n + 1)));
+}
+
+BallKernel::BallKernel(const BallConstants& constants) {
+  const Fraction inner(constants.inner_poisson);
+  const Fraction outer(constants.outer_poisson);
+  const auto inner_expansion = inner.expansion<powers>();
+  const auto outer_expansion = outer.expansion<powers>();
+  std::array<double, powers> q;
+  double sign = -1;
+  for (int k = 0; k < powers; ++k) {
+    q[k] = constants.inner_share * inner_expansion[k] +
+           sign * constants.outer_share * outer_expansion[k];
+    sign = -sign;
+  }
+
+  for (int n = 0; n < direct_terms; ++n) {
+    const double order = n + 0.5;
+    double closed = 0;
+    for (int k = powers - 1; k >= 0; --k) closed = (closed + q[k]) / order;
+    // n = 1 is a rigid motion: any d_1 will do, the approach takes it up.
+    direct_[n] = (n == 1 ? 0
+                         : constants.inner_share * inner(order) +
+                               constants.outer_share * outer(-order)) -
+                 closed;
+  }
+
+  // sum cos(N x)/N^(m+1) is the real part of (Erdelyi, Higher Transcendental
+  // Functions, 1.11 (8))
+  //   (ix)^m/m! (H_m + 2 ln 2 - ln(-ix)) + sum_{k != m} zeta(m+1-k, 1/2)
+  //   (ix)^k/k!,  -ln(-ix) = -ln x + i pi/2.
+  double harmonic = 0;
+  double factorial_m = 1;
+  for (int m = 0; m < powers; ++m) {
+    if (m > 0) {
+      harmonic += 1.0 / m;
+      factorial_m *= m;
+    }
+    const double leading = q[m] / factorial_m;
+    if (m % 2 == 0) {
+      const double c = leading * real_power_of_i(m);
+      even_[m / 2] += c * (harmonic + 2 * std::numbers::ln2);
+      logarithmic_[m / 2] = -c;
+    } else {
+      odd_[m / 2] = leading * real_power_of_i(m + 1) * pi / 2;
+    }
+    double factorial_k = 1;
+    for (int j = 0; j < series_terms; ++j) {
+      const int k = 2 * j;
+      if (k > 0) factorial_k *= k * (k - 1.0);
+      if (k == m) continue;
+      even_[j] +=
+          q[m] * half_zeta(m + 1 - k) * real_power_of_i(k) / factorial_k;
+    }
+  }
+}
+
+void BallKernel::evaluate(std::span<const double> x,
+                          std::span<double> kappa) const {
+  // Lanes over nodes: enough of them to hide the latency of the recurrence.
+  constexpr int lanes = 16;
+  using Lanes = Eigen::Array<double, lanes, 1>;
+  const auto horner = [](const auto& coefficients, const Lanes& y2) {
+    Lanes sum = Lanes::Constant(coefficients.back());
+    for (int k = static_cast<int>(coefficients.size()) - 2; k >= 0; --k) {
+      sum = sum * y2 + coefficients[k];
+    }
+    return sum;
+  };
+  for (std::size_t first = 0; first < x.size(); first += lanes) {
+    const std::size_t used = std::min<std::size_t>(lanes, x.size() - first);
+    Lanes given = Lanes::Constant(x[first]);
+    std::copy_n(x.begin() + first, used, given.begin());
+    // kappa(2 pi - x) = -kappa(x).
+    const Lanes y = given.min(2 * pi - given);
+    const Lanes y2 = y * y;
+    const Lanes c = 2 * y.cos();
+    Lanes b0 = Lanes::Zero();
+    Lanes b1 = Lanes::Zero();
+    for (int n = direct_terms - 1; n >= 0; --n) {
+      const Lanes next = c * b0 - b1 + direct_[n];
+      b1 = b0;
+      b0 = next;
+    }
+    const Lanes sum = horner(even_, y2) + horner(logarithmic_, y2) * y.log() +
+                      horner(odd_, y2) * y + (b0 - b1) * (y / 2).cos();
+    const Lanes result = (given > pi).select(-sum, sum);
+    std::copy_n(result.begin(), used, kappa.begin() + first);
+  }
+}
+
+}  // namespace contact::detail

@@ -1,0 +1,166 @@
+// Exact conforming contact: std::tanh (the paper's law for balls) and one
+// Boost set of complete elliptic integrals (K, E, Pi) are the units; beside
+// every time stands the error of the method where one is known.
+
+#include <benchmark/benchmark.h>
+
+#include <boost/math/special_functions/ellint_1.hpp>
+#include <boost/math/special_functions/ellint_2.hpp>
+#include <boost/math/special_functions/ellint_3.hpp>
+#include <cmath>
+#include <vector>
+
+#include "libcontact/conforming/ball.hpp"
+#include "libcontact/conforming/pin.hpp"
+#include "libcontact/conforming/pin_closed_form.hpp"
+#include "libcontact/units.hpp"
+
+namespace {
+
+using contact::BallContact;
+using contact::ElasticPair;
+using contact::InnerLoading;
+using contact::PinClosedForm;
+using contact::PinContact;
+
+constexpr std::size_t count = 256;
+
+// (i mod count)/count.
+double fraction(std::size_t i) {
+  return static_cast<double>(i % count) / count;
+}
+
+// Loads from 1e-3 to 1e3, evenly spaced in the logarithm.
+std::vector<double> loads() {
+  std::vector<double> result;
+  for (std::size_t i = 0; i < count; ++i) {
+    result.push_back(std::pow(10, -3 + 6 * fraction(i)));
+  }
+  return result;
+}
+
+// Pairs of unequal materials, all different.
+std::vector<ElasticPair> pairs() {
+  std::vector<ElasticPair> result;
+  for (std::size_t i = 0; i < count; ++i) {
+    result.push_back(ElasticPair::from_modulus_ratio(
+        std::pow(10, -2 + 4 * fraction(i)), 0.2 + 0.25 * fraction(i), 0.3));
+  }
+  return result;
+}
+
+void tanh_law(benchmark::State& state) {
+  const std::vector<double> load = loads();
+  std::size_t i = 0;
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(std::tanh(load[i++ % count]));
+  }
+}
+
+void boost_set(benchmark::State& state) {
+  using Policy = boost::math::policies::policy<
+      boost::math::policies::promote_double<false>>;
+  std::size_t i = 0;
+  for (auto _ : state) {
+    const double k = fraction(i++) + 0.5 / count;
+    benchmark::DoNotOptimize(boost::math::ellint_1(k, Policy()));
+    benchmark::DoNotOptimize(boost::math::ellint_2(k, Policy()));
+    benchmark::DoNotOptimize(boost::math::ellint_3(k, 0.5, Policy()));
+  }
+}
+
+void pin_closed_form_half_angle(benchmark::State& state) {
+  const std::vector<double> load = loads();
+  const PinClosedForm pin(0.5);
+  std::size_t i = 0;
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(pin.half_angle(load[i++ % count]));
+  }
+}
+
+void pin_setup_and_half_angle(benchmark::State& state) {
+  const std::vector<double> load = loads();
+  const std::vector<ElasticPair> pair = pairs();
+  std::size_t i = 0;
+  double evaluations = 0;
+  for (auto _ : state) {
+    const PinContact pin(pair[i % count]);
+    const auto result = pin.half_angle(load[i % count]);
+    evaluations += result.evaluations;
+    benchmark::DoNotOptimize(result);
+    ++i;
+  }
+  state.counters["evaluations"] = evaluations / static_cast<double>(i);
+  double largest = 0;
+  for (const double lambda : load) {
+    largest = std::max(
+        largest,
+        std::abs(
+            PinContact::from_dundurs(0.5, 0).half_angle(lambda).half_angle -
+            PinClosedForm(0.5).half_angle(lambda).half_angle));
+  }
+  state.counters["max_error_deg"] = largest / contact::degree;
+}
+
+void pin_pressure(benchmark::State& state) {
+  const std::vector<ElasticPair> pair = pairs();
+  std::size_t i = 0;
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(PinContact(pair[i++ % count]).pressure(1.0));
+  }
+}
+
+// A pair not seen before; the tables of the method itself exist.
+void ball_setup_and_half_angle(benchmark::State& state) {
+  const std::vector<double> load = loads();
+  const std::vector<ElasticPair> pair = pairs();
+  std::size_t i = 0;
+  for (auto _ : state) {
+    const BallContact ball(pair[i % count]);
+    benchmark::DoNotOptimize(ball.half_angle(load[i % count]));
+    ++i;
+  }
+}
+
+void ball_further_half_angle(benchmark::State& state, InnerLoading loading) {
+  const std::vector<double> load = loads();
+  const ElasticPair pair = ElasticPair::from_modulus_ratio(0.3, 0.2, 0.35);
+  const BallContact ball(pair, loading);
+  const BallContact fine(pair, loading, BallContact::max_unknowns);
+  std::size_t i = 0;
+  double evaluations = 0;
+  for (auto _ : state) {
+    const auto result = ball.half_angle(load[i++ % count]);
+    evaluations += result.evaluations;
+    benchmark::DoNotOptimize(result);
+  }
+  state.counters["evaluations"] = evaluations / static_cast<double>(i);
+  double largest = 0;
+  for (std::size_t k = 0; k < count; k += 8) {
+    largest = std::max(largest, std::abs(ball.half_angle(load[k]).half_angle -
+                                         fine.half_angle(load[k]).half_angle));
+  }
+  state.counters["max_error_deg"] = largest / contact::degree;
+}
+
+void ball_pressure(benchmark::State& state) {
+  const BallContact ball(ElasticPair::from_modulus_ratio(0.3, 0.2, 0.35));
+  std::size_t i = 0;
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(ball.pressure(0.5 + 0.9 * fraction(i++)));
+  }
+}
+
+BENCHMARK(tanh_law);
+BENCHMARK(boost_set);
+BENCHMARK(pin_closed_form_half_angle);
+BENCHMARK(pin_setup_and_half_angle);
+BENCHMARK(pin_pressure);
+BENCHMARK(ball_setup_and_half_angle);
+BENCHMARK_CAPTURE(ball_further_half_angle, centre, InnerLoading::centre());
+BENCHMARK_CAPTURE(ball_further_half_angle, back, InnerLoading::back(0.5));
+BENCHMARK(ball_pressure);
+
+}  // namespace
+
+BENCHMARK_MAIN();

@@ -1,0 +1,506 @@
+#include "libcontact/conforming/pin.hpp"
+
+#include <gtest/gtest.h>
+
+#include <boost/math/constants/constants.hpp>
+#include <boost/math/quadrature/gauss_kronrod.hpp>
+#include <boost/math/special_functions/ellint_1.hpp>
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "libcontact/conforming/pin_closed_form.hpp"
+#include "libcontact/units.hpp"
+#include "support/accuracy_report.hpp"
+#include "support/reference_table.hpp"
+
+namespace {
+
+using namespace contact;
+using contact::test::AccuracyReport;
+using contact::test::ReferenceTable;
+using Real = boost::multiprecision::cpp_bin_float_50;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double pi = std::numbers::pi;
+
+// The tables hold "inf" as Ebar and load.
+double number(const ReferenceTable& table, std::size_t row,
+              const char* column) {
+  return table.text(row, column) == "inf" ? infinity : table.value(row, column);
+}
+
+// 10^(k/10) for a k, of which the argument is a rounded print.
+double decade_tenth(double printed) {
+  return std::pow(10, std::round(10 * std::log10(printed)) / 10);
+}
+
+Real closed_reciprocal(double outer_share, double half_angle) {
+  const Real b2 = pow(tan(Real(half_angle) / 2), 2);
+  return (1 - outer_share * (log(1 + b2) + 2 * b2 * b2)) / (b2 * (1 + b2));
+}
+
+TEST(PinClosedForm, FollowsItsFormula) {
+  // Two roundings each of tan, square, log1p and their combination; where
+  // 1 - w_2 (...) cancels, near the limit angle, the error is measured
+  // against the two terms.
+  AccuracyReport load("1/lambda", 2e-15);
+  AccuracyReport ratio("S", 2e-15);
+  AccuracyReport inverse("theta0", 1e-15);
+  for (const double share : {0.0, 0.25, 0.5, 1.0}) {
+    const PinClosedForm pin(share);
+    for (const double theta0_deg :
+         {1e-6, 0.01, 1.0, 20.0, 45.0, 60.0, 70.0, 72.0}) {
+      const double theta0 = theta0_deg * degree;
+      const std::string label = "w2 = " + std::to_string(share) +
+                                ", theta0_deg = " + std::to_string(theta0_deg);
+      const Real b2 = pow(tan(Real(theta0) / 2), 2);
+      const Real expected = closed_reciprocal(share, theta0);
+      const Real size = 1 / (b2 * (1 + b2));
+      load.add_error(double(abs(pin.reciprocal_load(theta0) - expected) / size),
+                     label);
+      if (theta0_deg >= 0.01) {
+        ratio.add(Real(PinClosedForm::force_ratio(theta0)),
+                  Real((log(1 + b2) + 2 * b2 * b2) / (b2 * (1 + b2))), label);
+      }
+      const ExactHalfAngle result = pin.half_angle(double(1 / expected));
+      EXPECT_EQ(result.status, Status::ok) << label;
+      inverse.add(result.half_angle, theta0, label);
+    }
+  }
+  load.check();
+  ratio.check();
+  inverse.check();
+}
+
+TEST(PinClosedForm, PressureFollowsItsFormula) {
+  AccuracyReport report("p / peak", 4e-15);  // rounding of some ten operations
+  for (const double theta0_deg : {1e-4, 5.0, 60.0, 90.0, 150.0}) {
+    for (const double share : {0.0, 0.3, 0.9, 0.999}) {
+      const double theta0 = theta0_deg * degree;
+      const double theta = share * theta0;
+      const Real b2 = pow(tan(Real(theta0) / 2), 2);
+      const Real y2 = pow(tan(Real(theta) / 2), 2);
+      const auto formula = [&b2](const Real& y2_) -> Real {
+        const Real s1 = sqrt(b2 + 1);
+        const Real s2 = sqrt(b2 - y2_);
+        const Real pi50 = boost::math::constants::pi<Real>();
+        return 2 / (pi50 * s1) * s2 / (1 + y2_) +
+               log((s1 + s2) / (s1 - s2)) / (2 * pi50 * b2 * (1 + b2));
+      };
+      report.add_error(
+          double(abs(PinClosedForm::pressure(theta, theta0) - formula(y2)) /
+                 formula(0)),
+          "theta0_deg = " + std::to_string(theta0_deg) +
+              ", theta/theta0 = " + std::to_string(share));
+    }
+  }
+  report.check();
+}
+
+TEST(PinClosedForm, LimitsAndBadArguments) {
+  EXPECT_EQ(PinClosedForm(0).limit_half_angle(), pi);
+  const PinClosedForm pin(0.5);
+  // Identical materials: the figure of the literature, to its digits.
+  EXPECT_NEAR(pin.limit_half_angle() / degree, 84.828, 5e-4);
+  EXPECT_EQ(pin.half_angle(infinity).half_angle, pin.limit_half_angle());
+  EXPECT_EQ(pin.half_angle(0).half_angle, 0);
+  EXPECT_EQ(pin.load_parameter(pin.limit_half_angle()).load_parameter,
+            infinity);
+  EXPECT_EQ(pin.load_parameter(0).load_parameter, 0);
+  EXPECT_EQ(pin.load_parameter(1.6).status, Status::out_of_range);
+  for (const double bad : {nan, -1.0}) {
+    EXPECT_TRUE(std::isnan(pin.half_angle(bad).half_angle));
+    EXPECT_EQ(pin.half_angle(bad).status, Status::out_of_range);
+    EXPECT_TRUE(std::isnan(pin.reciprocal_load(bad)));
+    EXPECT_TRUE(std::isnan(pin.load_parameter(bad).load_parameter));
+    EXPECT_TRUE(std::isnan(PinClosedForm::pressure(0, bad)));
+    EXPECT_TRUE(std::isnan(PinClosedForm::force_ratio(bad)));
+    EXPECT_THROW(PinClosedForm{bad}, Error);
+  }
+  EXPECT_THROW(PinClosedForm(1.1), Error);
+  EXPECT_EQ(PinClosedForm::force_ratio(0), 1);
+  EXPECT_EQ(PinClosedForm::pressure(1, 1), 0);
+  EXPECT_EQ(PinClosedForm::pressure(-0.5, 1), PinClosedForm::pressure(0.5, 1));
+}
+
+TEST(PinContact, MatchesTheClosedForm) {
+  // For beta = 0 the truncation error is far below rounding; the root finder
+  // stops at 3e-14 of theta0.
+  AccuracyReport angle("theta0, deg", 1e-11);
+  AccuracyReport pressure("p / peak", 1e-13);
+  AccuracyReport ratio("S", 1e-13);
+  for (const double share : {0.0, 0.25, 0.5, 1.0}) {
+    const PinContact pin = PinContact::from_dundurs(share, 0);
+    const PinClosedForm closed(share);
+    for (const double lambda :
+         {1e-12, 1e-6, 1e-3, 0.1, 1.0, 10.0, 1e4, 1e8, infinity}) {
+      const ExactHalfAngle expected = closed.half_angle(lambda);
+      // w_2 = 0 runs to 180 deg.
+      if (expected.half_angle > 120 * degree) continue;
+      const std::string label = "w2 = " + std::to_string(share) +
+                                ", lambda = " + std::to_string(lambda);
+      const ExactHalfAngle result = pin.half_angle(lambda);
+      EXPECT_EQ(result.status, Status::ok) << label;
+      EXPECT_LE(result.evaluations, 14) << label;
+      angle.add_error(
+          std::abs(result.half_angle - expected.half_angle) / degree, label);
+      const double theta0 = expected.half_angle;
+      const ContactPressure p = pin.pressure(theta0);
+      ratio.add(p.force_ratio(), PinClosedForm::force_ratio(theta0), label);
+      for (const double t : {0.0, 0.2, 0.5, 0.8, 0.95, 0.999}) {
+        pressure.add_error(
+            std::abs(p.pressure(t * theta0) -
+                     PinClosedForm::pressure(t * theta0, theta0)) /
+                p.peak(),
+            label + ", theta/theta0 = " + std::to_string(t));
+      }
+    }
+  }
+  angle.check();
+  pressure.check();
+  ratio.check();
+}
+
+// Error of 1/lambda with n unknowns, relative to 1/lambda or to 1.
+double truncation_error(double beta, double half_angle, int unknowns,
+                        double exact) {
+  const double coarse =
+      PinContact::from_dundurs(0.5, beta, unknowns).reciprocal_load(half_angle);
+  return std::abs(coarse - exact) / std::max(exact, 1.0);
+}
+
+TEST(PinContact, ConvergesSpectrallyForBetaZero) {
+  // The solution is analytic but for poles at s = +-i/b: the error of 1/lambda
+  // is tan(theta0/4)^(4 n) times a power of n.
+  for (const double theta0_deg : {100.0, 115.0}) {
+    const double theta0 = theta0_deg * degree;
+    const double exact = PinClosedForm(0.5).reciprocal_load(theta0);
+    const double e8 = truncation_error(0, theta0, 8, exact);
+    const double e10 = truncation_error(0, theta0, 10, exact);
+    const double e12 = truncation_error(0, theta0, 12, exact);
+    const double rate = std::pow(std::tan(theta0 / 4), 8);  // per 2 unknowns
+    // The power of n: (10/8)^4 at most.
+    EXPECT_LT(e10, e8 * rate * 2.5) << theta0_deg;
+    EXPECT_LT(e12, e10 * rate * 2.5) << theta0_deg;
+    EXPECT_GT(e8, 1e-10) << "too small to show a rate";
+  }
+}
+
+TEST(PinContact, ConvergesWithSixthOrderOtherwise) {
+  // A term (1 - s)^(3/2) ln(1 - s) at the edge: coefficients fall like k^-4,
+  // the error of 1/lambda like n^-6.
+  for (const double beta : {-0.5, -0.25, 0.25, 0.5}) {
+    for (const double theta0_deg : {30.0, 60.0, 90.0}) {
+      const double theta0 = theta0_deg * degree;
+      const double exact =
+          PinContact::from_dundurs(0.5, beta, 32).reciprocal_load(theta0);
+      double before = truncation_error(beta, theta0, 8, exact);
+      for (const int n : {12, 16, 20}) {
+        const double now = truncation_error(beta, theta0, n, exact);
+        // Order 6 with a margin for the small powers beside it: (n/(n-4))^5.
+        EXPECT_LT(now, before * std::pow((n - 4.0) / n, 5))
+            << beta << " " << theta0_deg << " " << n;
+        before = now;
+      }
+      // The documented accuracy, against twice the unknowns.
+      EXPECT_LT(truncation_error(beta, theta0, 16, exact), 1e-9);
+    }
+  }
+}
+
+TEST(PinContact, ErrorEstimateIsAnUpperBound) {
+  for (const double beta : {-0.5, -0.2, 0.3}) {
+    for (const double theta0_deg : {1.0, 30.0, 70.0, 110.0}) {
+      const double theta0 = theta0_deg * degree;
+      const ExactLoad load =
+          PinContact::from_dundurs(0.1, beta).load_parameter(theta0);
+      if (load.status != Status::ok) continue;
+      const double exact =
+          PinContact::from_dundurs(0.1, beta, 32).reciprocal_load(theta0);
+      // Rounding: 1e-14 of 1/lambda.
+      EXPECT_LE(std::abs(1 / load.load_parameter - exact),
+                load.reciprocal_error + 1e-14 * exact)
+          << beta << " " << theta0_deg;
+    }
+  }
+}
+
+TEST(PinContact, ReproducesTheFunctionsAandB) {
+  const ReferenceTable table("conforming/cylinder_ab.csv");
+  // 1/(2 lambda) = a - w_2 b. The table has ten digits: 5e-10 of the leading
+  // one at most. a passes through 0: with 16 unknowns its error is measured
+  // against 0.1 there.
+  AccuracyReport a_report("a, 32 unknowns", 1e-9);
+  AccuracyReport a_default("a, 16 unknowns", 1e-9);
+  AccuracyReport b_report("b", 1e-9);
+  for (std::size_t row = 0; row < table.size(); ++row) {
+    const double theta0 = table.value(row, "theta0_deg") * degree;
+    const double beta = table.value(row, "beta");
+    const double expected = table.value(row, "a");
+    const std::string label = table.label(row);
+    const double a =
+        PinContact::from_dundurs(0, beta, 32).reciprocal_load(theta0) / 2;
+    a_report.add(a, expected, label);
+    const double a16 =
+        PinContact::from_dundurs(0, beta).reciprocal_load(theta0) / 2;
+    a_default.add_error(std::abs(a16 - expected) / std::max(expected, 0.1),
+                        label);
+    // b = p_0/p_1 = S/2, and by the definition.
+    const ContactPressure p =
+        PinContact::from_dundurs(0.7, beta).pressure(theta0);
+    b_report.add(p.force_ratio() / 2, table.value(row, "b"), label);
+    const double difference =
+        a16 - PinContact::from_dundurs(1, beta).reciprocal_load(theta0) / 2;
+    EXPECT_NEAR(difference, p.force_ratio() / 2, 1e-14 * std::max(a, 10.0));
+  }
+  a_default.check();
+  a_report.check();
+  b_report.check();
+}
+
+TEST(PinContact, ReproducesTheHalfAngles) {
+  const ReferenceTable table("conforming/cylinder_theta0.csv");
+  // The loads are tenths of decades, printed with six digits. theta0 has five
+  // decimals.
+  AccuracyReport report("theta0, deg", 1e-5);
+  for (std::size_t row = 0; row < table.size(); ++row) {
+    const PinContact pin(
+        ElasticPair::from_modulus_ratio(table.value(row, "Ebar"), 0.3, 0.3));
+    const ExactHalfAngle result =
+        pin.half_angle(decade_tenth(number(table, row, "lambda")));
+    EXPECT_EQ(result.status, Status::ok) << table.label(row);
+    report.add_error(
+        std::abs(result.half_angle / degree - table.value(row, "theta0_deg")),
+        table.label(row));
+  }
+  report.check();
+}
+
+TEST(PinContact, ReproducesTheLimitAngles) {
+  const ReferenceTable table("conforming/cylinder_limit_angle.csv");
+  AccuracyReport report("theta0*, deg", 5.1e-5);  // four decimals
+  for (std::size_t row = 0; row < table.size(); ++row) {
+    const PinContact pin(ElasticPair::from_modulus_ratio(
+        number(table, row, "Ebar"), table.value(row, "nu1"),
+        table.value(row, "nu2")));
+    report.add_error(std::abs(pin.limit_half_angle().half_angle / degree -
+                              table.value(row, "theta_lim_exact_deg")),
+                     table.label(row));
+  }
+  report.check();
+}
+
+TEST(PinContact, ReproducesThePressures) {
+  const ReferenceTable table("conforming/pressure_profiles.csv");
+  AccuracyReport report("p / peak", 1e-6);  // asked for
+  for (std::size_t row = 0; row < table.size(); ++row) {
+    if (table.text(row, "joint") != "cylinder") continue;
+    const PinContact pin(
+        ElasticPair::from_modulus_ratio(number(table, row, "Ebar"), 0.3, 0.3));
+    // The last profile of each pair is at the limit angle, printed with four
+    // decimals of a degree like its angles.
+    double theta0 = table.value(row, "theta0_deg") * degree;
+    const double limit = pin.limit_half_angle().half_angle;
+    double tolerance = 0;
+    if (std::abs(theta0 - limit) < 1e-4 * degree) {
+      theta0 = limit;
+      tolerance = 5e-5 * degree;  // times the slope
+    }
+    const double theta = table.value(row, "theta_deg") * degree;
+    const ContactPressure p = pin.pressure(theta0);
+    const double expected =
+        table.value(row, "p_exact*rho^2/Rn (sphere) or p*rho/P (cyl)");
+    // At the edge itself the slope is infinite and p is 0.
+    if (theta > 0.9999 * theta0) continue;
+    const double error = std::abs(p.pressure(theta) - expected);
+    report.add_error(
+        std::max(0.0, error - tolerance * p.slope(theta)) / p.peak(),
+        table.label(row));
+  }
+  report.check();
+}
+
+TEST(PinContact, ReproducesSAndThePeakPressure) {
+  const ReferenceTable table("conforming/pressure_friction.csv");
+  AccuracyReport ratio("S", 1e-6);    // six decimals of 1
+  AccuracyReport peak("peak", 2e-6);  // six decimals of 0.6 to 7
+  for (std::size_t row = 0; row < table.size(); ++row) {
+    if (table.text(row, "joint") != "cylinder") continue;
+    const double nu = table.value(row, "nu");
+    const PinContact pin(
+        ElasticPair::from_modulus_ratio(number(table, row, "Ebar"), nu, nu));
+    const ContactPressure p =
+        pin.pressure(table.value(row, "theta0_deg") * degree);
+    ratio.add(p.force_ratio(), table.value(row, "S_exact"), table.label(row));
+    peak.add(p.peak(), table.value(row, "pmax_exact"), table.label(row));
+  }
+  ratio.check();
+  peak.check();
+}
+
+// ∫ f over the contact; sin substitution against the square-root edge.
+template <class F>
+double integrate_contact(const F& f, double half_angle) {
+  return boost::math::quadrature::gauss_kronrod<double, 61>::integrate(
+      [&](double u) {
+        return f(half_angle * std::sin(u)) * half_angle * std::cos(u);
+      },
+      -pi / 2, pi / 2, 5, 1e-12);
+}
+
+TEST(ContactPressure, CarriesTheLoadAndKnowsItsSumAndSlope) {
+  for (const double beta : {-0.4, 0.0, 0.3}) {
+    for (const double theta0_deg : {1e-3, 20.0, 80.0, 115.0}) {
+      const double theta0 = theta0_deg * degree;
+      const ContactPressure p =
+          PinContact::from_dundurs(0.5, beta).pressure(theta0);
+      const double force = integrate_contact(
+          [&p](double t) { return p.pressure(t) * std::cos(t); }, theta0);
+      const double sum =
+          integrate_contact([&p](double t) { return p.pressure(t); }, theta0);
+      // Truncation of the coefficients beyond the 32nd.
+      EXPECT_NEAR(force, 1, 1e-9) << beta << " " << theta0_deg;
+      EXPECT_NEAR(sum, p.force_ratio(), 1e-9) << beta << " " << theta0_deg;
+      for (const double share : {0.1, 0.5, 0.9}) {
+        const double t = share * theta0;
+        const double h = 1e-4 * theta0;
+        const double difference =
+            (p.pressure(t - h) - p.pressure(t + h)) / (2 * h);
+        // Central difference: h^2/6 times the third derivative.
+        EXPECT_NEAR(difference, p.slope(t), 1e-6 * p.slope(t));
+      }
+      EXPECT_EQ(p.pressure(-0.3 * theta0), p.pressure(0.3 * theta0));
+      EXPECT_EQ(p.slope(-0.3 * theta0), -p.slope(0.3 * theta0));
+      EXPECT_EQ(p.pressure(theta0), 0);
+      EXPECT_EQ(p.pressure(std::nextafter(theta0, 4)), 0);
+      EXPECT_EQ(p.slope(std::nextafter(theta0, 4)), 0);
+      EXPECT_GT(p.pressure(std::nextafter(theta0, 0)), 0);
+      EXPECT_EQ(p.slope(0), 0);
+      EXPECT_EQ(p.peak(), p.pressure(0));
+      EXPECT_TRUE(std::isnan(p.pressure(nan)));
+      EXPECT_TRUE(std::isnan(p.slope(nan)));
+    }
+  }
+}
+
+TEST(PinContact, TendsToHertz) {
+  // theta0 -> x, and the pressure to an ellipse with the peak 2/(pi theta0).
+  for (const double beta : {-0.5, 0.0, 0.5}) {
+    const PinContact pin = PinContact::from_dundurs(0.5, beta);
+    for (const double lambda : {1e-16, 1e-12, 1e-8}) {
+      const double x = 2 * std::sqrt(lambda);
+      const double theta0 = pin.half_angle(lambda).half_angle;
+      // The next term is of the order beta x: 0.5 x at most, and rounding.
+      EXPECT_NEAR(theta0, x, 0.6 * x * x + 1e-13 * x) << beta << " " << lambda;
+      const ContactPressure p = pin.pressure(theta0);
+      for (const double share : {0.0, 0.6, 0.99}) {
+        const double hertz =
+            2 / (pi * theta0) * std::sqrt((1 - share) * (1 + share));
+        EXPECT_NEAR(p.pressure(share * theta0) / hertz, 1, theta0 + 1e-12);
+      }
+    }
+  }
+}
+
+TEST(PinContact, ReachesTheExtremes) {
+  // Rigid and nearly rigid bodies, Poisson's ratio from end to end, loads up
+  // to 1e8, half-angles from 1e-4 deg to 1e-3 deg from the limit: there and
+  // back again.
+  for (const double ratio : {0.0, 1e-6, 1.0, 1e6, infinity}) {
+    for (const double nu1 : {0.0, 0.3, 0.5}) {
+      for (const double nu2 : {0.0, 0.3, 0.5}) {
+        const PinContact pin(ElasticPair::from_modulus_ratio(ratio, nu1, nu2));
+        const std::string label = std::to_string(ratio) + " " +
+                                  std::to_string(nu1) + " " +
+                                  std::to_string(nu2);
+        const ExactHalfAngle limit = pin.limit_half_angle();
+        if (ratio <= 1e-6 && nu1 == 0.5) {
+          // An incompressible pin in a rigid hole: the limit is 180 deg, and
+          // with Ebar = 1e-6 still beyond what 16 unknowns resolve.
+          EXPECT_EQ(limit.status, Status::not_converged) << label;
+          EXPECT_EQ(limit.half_angle, pin.largest()) << label;
+          continue;
+        }
+        EXPECT_EQ(limit.status, Status::ok) << label;
+        for (const double theta0 :
+             {1e-4 * degree, 1.0, limit.half_angle - 1e-3 * degree}) {
+          const ExactLoad load = pin.load_parameter(theta0);
+          ASSERT_EQ(load.status, Status::ok) << label;
+          const ExactHalfAngle back = pin.half_angle(load.load_parameter);
+          EXPECT_EQ(back.status, Status::ok) << label;
+          // The root's own tolerance.
+          EXPECT_NEAR(back.half_angle, theta0, 1e-13 * theta0) << label;
+        }
+        const double theta8 = pin.half_angle(1e8).half_angle;
+        EXPECT_LT(theta8, limit.half_angle) << label;
+        // theta0* - theta0 goes like 1/lambda, by less than 1 rad.
+        EXPECT_GT(theta8, limit.half_angle - 1e-8) << label;
+      }
+    }
+  }
+}
+
+TEST(PinContact, LoadThroughTheBack) {
+  const ElasticPair pair = ElasticPair::from_modulus_ratio(0, 0.3, 0.3);
+  const PinContact centre(pair);
+  // A pin that does not deform cannot tell.
+  const ElasticPair rigid = ElasticPair::from_modulus_ratio(infinity, 0.3, 0.3);
+  EXPECT_EQ(PinContact(rigid, InnerLoading::back(0.5)).reciprocal_load(1),
+            PinContact(rigid).reciprocal_load(1));
+  for (const double lambda : {0.01, 1.0, 100.0}) {
+    // The pin is flattened: the contact is wider than under a centre force,
+    // and the wider the smaller the patch.
+    double before = centre.half_angle(lambda).half_angle;
+    for (const double psi : {1.2, 0.8, 0.4, 0.1, 0.0}) {
+      const PinContact pin(pair, InnerLoading::back(psi));
+      const double theta0 = pin.half_angle(lambda).half_angle;
+      EXPECT_GT(theta0, before) << lambda << " " << psi;
+      before = theta0;
+      // The pressure still carries the load.
+      const ContactPressure p = pin.pressure(theta0);
+      EXPECT_NEAR(
+          integrate_contact(
+              [&p](double t) { return p.pressure(t) * std::cos(t); }, theta0),
+          1, 1e-9);
+    }
+    // A point force is the limit of small patches, quadratic in psi.
+    const double tiny = PinContact(pair, InnerLoading::back(1e-6))
+                            .half_angle(lambda)
+                            .half_angle;
+    EXPECT_NEAR(tiny, before, 1e-11);
+  }
+  const PinContact wide(pair, InnerLoading::back(pi / 2));
+  EXPECT_LT(wide.largest(), pi / 2);
+  EXPECT_TRUE(std::isnan(wide.reciprocal_load(pi / 2)));
+  for (const double bad : {-0.1, 1.6, nan}) {
+    EXPECT_THROW(InnerLoading::back(bad), Error);
+  }
+}
+
+TEST(PinContact, BadArguments) {
+  EXPECT_THROW(PinContact::from_dundurs(0.5, 0, 7), Error);
+  EXPECT_THROW(PinContact::from_dundurs(0.5, 0, 33), Error);
+  EXPECT_THROW(PinContact::from_dundurs(-0.1, 0), Error);
+  EXPECT_THROW(PinContact::from_dundurs(0.5, 0.51), Error);
+  EXPECT_THROW(PinContact::from_dundurs(nan, 0), Error);
+  EXPECT_THROW(PinContact::from_dundurs(0, nan), Error);
+  const PinContact pin = PinContact::from_dundurs(0.5, 0.1);
+  EXPECT_EQ(pin.half_angle(0).half_angle, 0);
+  EXPECT_EQ(pin.load_parameter(0).load_parameter, 0);
+  const double limit = pin.limit_half_angle().half_angle;
+  EXPECT_EQ(pin.load_parameter(limit + 1e-6).status, Status::out_of_range);
+  for (const double bad : {nan, -1.0}) {
+    EXPECT_EQ(pin.half_angle(bad).status, Status::out_of_range);
+    EXPECT_TRUE(std::isnan(pin.half_angle(bad).half_angle));
+    EXPECT_EQ(pin.load_parameter(bad).status, Status::out_of_range);
+    EXPECT_TRUE(std::isnan(pin.load_parameter(bad).load_parameter));
+    EXPECT_TRUE(std::isnan(pin.reciprocal_load(bad)));
+    EXPECT_TRUE(std::isnan(pin.pressure(bad).peak()));
+    EXPECT_TRUE(std::isnan(pin.pressure(bad).force_ratio()));
+  }
+}
+
+}  // namespace

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <Eigen/Dense>
+
+#include "libcontact/joint_geometry.hpp"
+#include "libcontact/material.hpp"
+
+namespace contact::test {
+
+/// Frictionless contact of a pin or a ball on its whole circumference as a
+/// complementarity problem, without an assumption on the half-angle: at every
+/// node p >= 0, gap >= 0, p gap = 0. Pressure and displacement are expanded
+/// in all harmonics that the nodes carry (cosines; Legendre polynomials), the
+/// compliances of body 1 and 2 are those of a disc, a hole, a ball and a
+/// cavity, written down one by one. Shares nothing with libcontact/conforming
+/// but the elastic constants.
+struct UnilateralContact {
+  Eigen::VectorXd theta;     ///< nodes, rad, increasing, within (0, pi)
+  Eigen::VectorXd pressure;  ///< in units of P/rho or R_n/rho^2
+  Eigen::VectorXd gap;       ///< in units of the radial clearance
+  /// Where p^2, nearly linear at the edge, is extrapolated to 0 from the last
+  /// two nodes in contact, rad.
+  double half_angle;
+  int iterations;
+  bool converged;
+};
+
+/// @param load_parameter    lambda or mu
+/// @param nodes             number of nodes and of harmonics
+/// @param patch_half_angle  psi of loading through the back, rad; negative
+///                          for a force at the centre
+UnilateralContact solve_unilateral(JointKind kind, const ElasticPair& pair,
+                                   double load_parameter, int nodes,
+                                   double patch_half_angle = -1);
+
+}  // namespace contact::test
