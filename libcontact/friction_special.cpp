@@ -25,12 +25,17 @@ FrictionTriple over(const FrictionTriple& f, double normal) {
 }
 
 /// ∫ f(y) dy, 0 <= y <= 1, for functions with a logarithmic singularity at
-/// `middle`, if that lies inside.
+/// `middle`, if that lies inside. The rule always sees [0, 1], whose nodes
+/// are never rounded to an end.
 template <class Function>
 double integrate(Function f, double middle) {
   thread_local boost::math::quadrature::tanh_sinh<double> rule;
   if (!(middle < 1)) return rule.integrate(f, 0.0, 1.0);
-  return rule.integrate(f, 0.0, middle) + rule.integrate(f, middle, 1.0);
+  const double rest = 1 - middle;
+  return middle *
+             rule.integrate([&](double u) { return f(middle * u); }, 0.0, 1.0) +
+         rest * rule.integrate([&](double u) { return f(middle + rest * u); },
+                               0.0, 1.0);
 }
 
 /// s - d c - s^3/3, s = sin d, c = cos d: (2/15) d^5 as d -> 0.

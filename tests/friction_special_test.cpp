@@ -131,6 +131,20 @@ TEST(FrictionSpecial, LimitsOfSmallContacts) {
   EXPECT_EQ(spinning_friction_integrals(0).normal, 0);
 }
 
+TEST(FrictionSpecial, NoJumpAtTheHemisphere) {
+  // The quadrature is split above 90 deg: neighbouring doubles, 1e-15 each.
+  const double right_angle = pi / 2;
+  const auto below = sliding_friction_integrals(right_angle);
+  double theta0 = right_angle;
+  for (int i = 0; i < 8; ++i) {
+    theta0 = std::nextafter(theta0, 2.0);
+    const auto above = sliding_friction_integrals(theta0);
+    EXPECT_NEAR(above.pressure.force / below.pressure.force, 1, 4e-15);
+    EXPECT_NEAR(above.pressure.sliding / below.pressure.sliding, 1, 4e-15);
+    EXPECT_NEAR(above.area.sliding / below.area.sliding, 1, 4e-15);
+  }
+}
+
 TEST(FrictionSpecial, WholeSphereAndCornersOfTheHemisphere) {
   // A closed uniform contact: no force but pi^2 of moment either way.
   EXPECT_NEAR(sliding_friction_integrals(pi).area.sliding, pi * pi, 3e-14);
