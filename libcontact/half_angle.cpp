@@ -12,6 +12,7 @@
 #include <numbers>
 
 #include "libcontact/detail/check.hpp"
+#include "libcontact/detail/text.hpp"
 #include "libcontact/units.hpp"
 
 namespace contact {
@@ -326,7 +327,8 @@ std::unique_ptr<HalfAngleLaw> make_half_angle_law(
   if (name.starts_with(blend_prefix)) {
     return blend(parse_share(name.substr(blend_prefix.size())));
   }
-  throw Error(fmt::format("half-angle law {}: allowed: {}", name,
+  throw Error(fmt::format("half-angle law {}: allowed: {}",
+                          detail::printable(name),
                           fmt::join(half_angle_law_names(), ", ")));
 }
 

@@ -79,6 +79,10 @@ JointGeometry geometry_from_table(const TomlTable& joint) {
       relative ? *relative * radius
                : table.number("radial_clearance", {0, radius, true, true},
                               Dimension::length);
+  // A relative clearance and a radius near 5e-324 may round to either end.
+  if (!(clearance > 0 && clearance < radius)) {
+    table.fail("relative_clearance", "the clearance rounds to 0 or the radius");
+  }
   if (ball) return JointGeometry::ball(radius, clearance, inner_body);
   const double length =
       table.number("length", Interval::positive(), Dimension::length);

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "libcontact/detail/cancellation.hpp"
+#include "libcontact/detail/text.hpp"
 #include "libcontact/error.hpp"
 
 namespace contact {
@@ -103,7 +104,8 @@ const std::vector<std::string>& pressure_law_names() {
 std::unique_ptr<PressureLaw> make_pressure_law(std::string_view name,
                                                JointKind kind) {
   if (name == "cosine") return std::make_unique<CosinePressure>(kind);
-  throw Error(fmt::format("pressure law {}: allowed: {}", name,
+  throw Error(fmt::format("pressure law {}: allowed: {}",
+                          detail::printable(name),
                           fmt::join(pressure_law_names(), ", ")));
 }
 

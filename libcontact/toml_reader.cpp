@@ -35,6 +35,9 @@ struct Unit {
   double from_si(double value) const { return value * divide / multiply; }
 };
 
+// Of paths and of what the parser says.
+constexpr std::size_t longest_line = 300;
+
 constexpr double rpm = std::numbers::pi / 30;
 
 std::span<const Unit> units(Dimension dimension) {
@@ -240,8 +243,12 @@ struct TomlTable::Entry {
     }
     result = unit->to_si(result);
     if (!allowed.contains(result)) {
-      throw Error(fmt::format("{} = {}: allowed: {}", place, value_text(value),
-                              allowed_text(allowed, *unit)));
+      const bool says_so = allowed.low == -Interval::largest ||
+                           allowed.high != Interval::largest;
+      throw Error(
+          fmt::format("{} = {}: allowed: {}{}", place, value_text(value),
+                      allowed_text(allowed, *unit),
+                      std::isinf(result) && !says_so ? ", finite" : ""));
     }
     return result;
   }
@@ -269,8 +276,11 @@ TomlTable::TomlTable(std::shared_ptr<File> file, const void* table,
 
 TomlTable TomlTable::from_file(const std::filesystem::path& path) {
   const auto refuse = [&path](const std::string& why) {
-    throw Error(fmt::format("{}: cannot be read: {}", path.string(), why));
+    throw Error(fmt::format("{}: cannot be read: {}",
+                            detail::printable(path.string(), longest_line),
+                            why));
   };
+  if (path.native().find('\0') != path.native().npos) refuse("not a file");
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
   if (error) refuse(error.message());
@@ -299,9 +309,9 @@ TomlTable TomlTable::parse(std::string_view text, const std::string& source,
   try {
     file->root = toml::parse(text);
   } catch (const toml::parse_error& error) {
-    throw Error(fmt::format("{}:{}: {}", source,
-                            unsigned(error.source().begin.line),
-                            detail::printable(error.description())));
+    throw Error(
+        fmt::format("{}:{}: {}", source, unsigned(error.source().begin.line),
+                    detail::printable(error.description(), longest_line)));
   }
   const void* root = &file->root;
   return TomlTable(std::move(file), root, "");

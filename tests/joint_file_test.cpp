@@ -142,7 +142,7 @@ TEST(JointFile, NamesFileLineKeyValueAndRange) {
   EXPECT_EQ(message_with_line(4, "radius_mm = nan"),
             "j.toml:4: geometry.radius_mm = nan: allowed: above 0 mm");
   EXPECT_EQ(message_with_line(4, "radius_mm = inf"),
-            "j.toml:4: geometry.radius_mm = inf: allowed: above 0 mm");
+            "j.toml:4: geometry.radius_mm = inf: allowed: above 0 mm, finite");
   EXPECT_EQ(message_with_line(4, "radius_mm = \"50\""),
             "j.toml:4: geometry.radius_mm = \"50\": allowed: a number");
   EXPECT_EQ(message_with_line(4, "radius_mm = [50]"),

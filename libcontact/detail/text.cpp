@@ -9,7 +9,6 @@
 namespace contact::detail {
 namespace {
 
-constexpr std::size_t longest_shown = 60;
 constexpr std::size_t longest_compared = 63;
 
 bool is_control(char c) {
@@ -45,10 +44,10 @@ std::size_t slips(std::string_view a, std::string_view b) {
 
 }  // namespace
 
-std::string printable(std::string_view text) {
+std::string printable(std::string_view text, std::size_t longest) {
   std::string shown;
   for (std::size_t i = 0; i < text.size(); ++i) {
-    if (shown.size() >= longest_shown && !is_continuation(text[i])) {
+    if (shown.size() >= longest && !is_continuation(text[i])) {
       return shown + "...";
     }
     if (is_control(text[i])) {

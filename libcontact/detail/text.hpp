@@ -1,13 +1,14 @@
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <string>
 #include <string_view>
 
 namespace contact::detail {
 
-/// `text` on one line: control characters as \xNN, cut to some 60 characters.
-std::string printable(std::string_view text);
+/// `text` on one line: control characters as \xNN, cut to some `longest` bytes.
+std::string printable(std::string_view text, std::size_t longest = 60);
 
 /// The candidate that is at most two slips (a letter more, less, other, or two
 /// exchanged) from `word`, fewer than half of its letters; empty if none is.
