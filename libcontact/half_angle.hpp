@@ -118,7 +118,7 @@ class LimitHalfAngle {
 
 /// Hertz: theta0 = arcsin x (2.1), for x <= 1; beyond it NaN, out_of_range.
 ///
-/// Exact as the load tends to 0; already 5 % too small at lambda = 0.03.
+/// Exact as the load tends to 0; already 5 % too large at lambda = 0.03.
 /// Accuracy: relative error at most 1e-15 both ways, x -> 1 included
 /// (half_angle_test.cpp, against 50-digit arithmetic).
 class HertzLaw : public HalfAngleLaw {

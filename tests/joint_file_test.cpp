@@ -5,6 +5,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <limits>
 #include <string>
 #include <vector>
@@ -403,6 +404,21 @@ TEST(DataFiles, MaterialsAndJoints) {
     ++joints;
   }
   EXPECT_EQ(joints, 5u);
+}
+
+TEST(DataFiles, LedgerNamesEveryFile) {
+  const fs::path data = CONTACT_DATA_DIR;
+  std::ifstream stream(data / "README.md");
+  const std::string ledger{std::istreambuf_iterator<char>(stream), {}};
+  for (const char* folder : {"materials", "joints", "reference"}) {
+    for (const auto& entry : fs::recursive_directory_iterator(data / folder)) {
+      const std::string extension = entry.path().extension().string();
+      if (extension != ".toml" && extension != ".csv") continue;
+      const std::string name =
+          fs::relative(entry.path(), data / folder).generic_string();
+      EXPECT_NE(ledger.find(name), ledger.npos) << entry.path();
+    }
+  }
 }
 
 // The paper's examples as files: section 5, recomputed values.

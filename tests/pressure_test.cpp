@@ -241,6 +241,27 @@ TEST(CosinePressure, ForceRatioAndPeakOfTheTable) {
   }
 }
 
+TEST(CosinePressure, OverstatesThePeak) {
+  // docs/pressure.md: against exact peaks, by joint.
+  const ReferenceTable table("conforming/pressure_friction.csv");
+  double least[2] = {1, 1};
+  double most[2] = {0, 0};
+  for (std::size_t row = 0; row < table.size(); ++row) {
+    const bool ball = table.text(row, "joint") == "sphere";
+    const CosinePressure law(ball ? JointKind::spherical
+                                  : JointKind::cylindrical);
+    const double half_angle = table.value(row, "theta0_deg") * degree;
+    const double excess =
+        law.peak(half_angle) / table.value(row, "pmax_exact") - 1;
+    least[ball] = std::min(least[ball], excess);
+    most[ball] = std::max(most[ball], excess);
+  }
+  EXPECT_NEAR(most[true], 0.33, 0.005);
+  EXPECT_NEAR(least[true], 0.10, 0.005);
+  EXPECT_NEAR(most[false], 0.18, 0.005);
+  EXPECT_NEAR(least[false], 0.07, 0.005);
+}
+
 TEST(CosinePressure, SmallContacts) {
   // theta0 -> 0: I_n -> (pi/4) theta0^4 and (2/3) theta0^3, a paraboloid of
   // pressure with peak 2 (ball) and 1.5 (pin) times its mean.
