@@ -40,10 +40,12 @@ FrictionIntegrals planar_friction_integrals(double half_angle, SlipAxis axis);
 /// Exactly proportional to cos a (force, sliding) and sin a (spinning). With
 /// u = 1 - cos theta0:
 ///
-///     I[1] = pi sin^2(theta0) cos a        chi = cos a
-///     J[1] = pi (2u - u^2 + u^3/3) cos a   J[p] = pi u^2 (1 - u/3 + u^2/12)
-///     cos a K[1] = 2 pi (u^2 - u^3/3) sin a      K[p] = 2 pi u^3 (1/3 - u/12)
-///     sin a
+///     I[1] = pi sin^2(theta0) cos a
+///     J[1] = pi (2u - u^2 + u^3/3) cos a
+///     K[1] = 2 pi (u^2 - u^3/3) sin a
+///     I[p] = I_n cos a
+///     J[p] = pi u^2 (1 - u/3 + u^2/12) cos a
+///     K[p] = 2 pi u^3 (1/3 - u/12) sin a
 ///
 /// Relative error at most 1e-15 (friction_models_test.cpp, 100 digits).
 FrictionIntegrals viscous_friction_integrals(double half_angle, SlipAxis axis);
