@@ -8,8 +8,8 @@
 #include <boost/math/special_functions/ellint_1.hpp>
 #include <boost/math/special_functions/ellint_2.hpp>
 #include <boost/math/special_functions/ellint_3.hpp>
-#include <chrono>
 #include <cmath>
+#include <ctime>
 #include <numbers>
 #include <random>
 #include <vector>
@@ -136,6 +136,13 @@ void exact_batch(benchmark::State& state, InstructionSet set, bool at_edge) {
   });
 }
 
+double cpu_seconds() {
+  timespec now;
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) +
+         1e-9 * static_cast<double>(now.tv_nsec);
+}
+
 /// GSL adaptive quadrature of the six double integrals; the time reported is
 /// the median over points.
 void gsl_quadrature(benchmark::State& state) {
@@ -143,11 +150,10 @@ void gsl_quadrature(benchmark::State& state) {
   std::size_t i = 0;
   std::vector<double> seconds;
   for (auto _ : state) {
-    const auto start = std::chrono::steady_clock::now();
+    const double start = cpu_seconds();
     benchmark::DoNotOptimize(contact::reference::quadrature_friction_integrals(
         p.half_angle[i % count], p.axis(i % count), 1e-10));
-    const auto end = std::chrono::steady_clock::now();
-    seconds.push_back(std::chrono::duration<double>(end - start).count());
+    seconds.push_back(cpu_seconds() - start);
     ++i;
   }
   std::nth_element(seconds.begin(), seconds.begin() + seconds.size() / 2,
