@@ -58,10 +58,10 @@ void AngleTable::write_row(LoadVariable variable, double load,
   row.number(parameter);
   row.number(convert(variable, load, LoadVariable::x));
   for (std::size_t i = 0; i < laws_.size(); ++i) {
-    const auto [half_angle, status] = laws_[i].law->half_angle(parameter);
-    count(status, failures[i]);
-    row.number(half_angle / contact::degree);
-    row.number(peak_pressure(half_angle, parameter));
+    const auto found = laws_[i].law->half_angle(parameter);
+    count(found.status, failures[i]);
+    row.number(found.half_angle / contact::degree);
+    row.number(peak_pressure(found.half_angle, parameter));
   }
   row.end();
 }
