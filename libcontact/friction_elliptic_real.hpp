@@ -135,10 +135,13 @@ Real slip_speed_integral(const Cap<Real>& cap) {
                                   boost::math::constants::half_pi<Real>());
 }
 
+/// False for NaN. Sine and cosine may exceed 1 by the rounding of unit
+/// vectors.
 template <class Real>
 bool valid(const Real& half_angle, const Real& sin_a, const Real& cos_a) {
+  const Real limit = 1.000001;
   return half_angle >= 0 && half_angle <= boost::math::constants::pi<Real>() &&
-         sin_a >= -1 && sin_a <= 1 && cos_a >= 0 && cos_a <= 1;
+         sin_a >= -limit && sin_a <= limit && cos_a >= 0 && cos_a <= limit;
 }
 
 }  // namespace elliptic_form

@@ -13,6 +13,7 @@
 
 #include "libcontact/elliptic.hpp"
 #include "libcontact/friction_elliptic_real.hpp"
+#include "libcontact/friction_exact.hpp"
 #include "libcontact/units.hpp"
 #include "support/accuracy_report.hpp"
 #include "support/friction_reference.hpp"
@@ -157,6 +158,36 @@ TEST(EllipticForm, EdgeIsReachedContinuously) {
             << quantity.column << ' ' << theta0_deg;
       }
     }
+  }
+}
+
+TEST(EllipticForm, NoJumpAcrossTheSwitches) {
+  // x = 1/2, pole outside and inside, and the hemisphere: at neighbouring
+  // doubles both sides agree with the exact method within the loss.
+  const auto check = [](double theta0, SlipAxis axis) {
+    const FrictionIntegrals f = elliptic_friction_integrals(theta0, axis);
+    const FrictionIntegrals exact = exact_friction_integrals(theta0, axis);
+    const double s = std::sin(theta0);
+    for (const auto& quantity : test::friction_quantities()) {
+      EXPECT_LE(test::relative_error(quantity.of(f), quantity.of(exact)),
+                2e-15 + loss(quantity.column, s, std::max(s, axis.cos)))
+          << quantity.column << ' ' << theta0 << ' ' << axis.cos;
+    }
+  };
+  for (const double ratio : {std::sqrt(0.5), std::sqrt(2.0)}) {
+    double theta0 = 0.6;
+    const double q = std::sin(theta0) / ratio;
+    const SlipAxis axis{std::sqrt((1 - q) * (1 + q)), q};
+    for (int i = 0; i < 6; ++i) theta0 = std::nextafter(theta0, 0.0);
+    for (int i = 0; i < 12; ++i) {
+      check(theta0, axis);
+      theta0 = std::nextafter(theta0, 1.0);
+    }
+  }
+  for (const double theta0 :
+       {std::nextafter(pi / 2, 0.0), pi / 2, std::nextafter(pi / 2, 2.0)}) {
+    check(theta0, SlipAxis::from_degrees(30));
+    check(theta0, SlipAxis::from_degrees(0));
   }
 }
 

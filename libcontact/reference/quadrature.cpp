@@ -149,8 +149,11 @@ QuadratureResult quadrature_friction_integrals(double half_angle, SlipAxis axis,
   use_gsl_return_codes();
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const FrictionTriple none{nan, nan, nan}, zero{0, 0, 0};
+  // Sine and cosine may exceed 1 by the rounding of unit vectors.
+  constexpr double limit = 1.000001;
   if (!(half_angle >= 0 && half_angle <= pi && axis.cos >= 0 &&
-        std::abs(axis.sin) <= 1 && tolerance >= 1e-13 && tolerance <= 1e-2)) {
+        axis.cos <= limit && std::abs(axis.sin) <= limit &&
+        tolerance >= 1e-13 && tolerance <= 1e-2)) {
     return {{nan, none, none, none},
             {nan, none, none, none},
             Status::out_of_range,
