@@ -6,7 +6,7 @@ name3 = "K', spinning moment"
 column1 = 7
 column2 = 8
 column3 = 9
-top1 = 5
-top2 = 5
-top3 = 5
+top1 = 5.5
+top2 = 5.5
+top3 = 5.5
 load plots.'/panels.gp'

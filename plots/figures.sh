@@ -56,7 +56,7 @@ exact sphere_theta0.csv 0 4 >figure5_exact.csv
 # Figures 8 and 9: coefficients and area integrals against the slip axis
 # angle, exact and by the planar sliding-spinning model.
 for method in exact planar; do
-  "$programs/hinge-table" --theta0 15:90:15 --alpha 0:90:0.5 \
+  "$programs/hinge-table" --theta0 20:80:20 --alpha 0:90:1 \
     --method $method --output figure8_$method.csv
 done
 
@@ -68,10 +68,10 @@ for figure in 3 4 5 8 9; do
   else
     svg="size 840,560 font 'sans,19'" png="size 1260,840 font 'sans,21'"
   fi
-  gnuplot -e "set terminal svg $svg linewidth 1.2 background 'white'" \
+  gnuplot -e "set terminal svg $svg rounded linewidth 1.2 background 'white'" \
     -e "set output 'figure$figure.svg'; plots = '$plots'" \
     "$plots/style.gp" "$plots/figure$figure.gp"
-  gnuplot -e "set terminal pngcairo $png linewidth 1.7" \
+  gnuplot -e "set terminal pngcairo $png rounded linewidth 1.7" \
     -e "set output 'figure$figure.png'; plots = '$plots'" \
     "$plots/style.gp" "$plots/figure$figure.gp"
 done

@@ -21,9 +21,10 @@ struct Kind {
   std::string_view options;
 };
 constexpr std::array<Kind, 3> kinds = {{
-    {".svg", "svg", "size 840,560 font 'sans,19' linewidth 1.2 background 'white'"},
-    {".png", "pngcairo", "size 1260,840 font 'sans,20' linewidth 1.5"},
-    {".pdf", "pdfcairo", "size 7in,4.67in font 'sans,14'"},
+    {".svg", "svg",
+     "size 840,560 font 'sans,19' rounded linewidth 1.2 background 'white'"},
+    {".png", "pngcairo", "size 1260,840 font 'sans,20' rounded linewidth 1.5"},
+    {".pdf", "pdfcairo", "size 7in,4.67in font 'sans,14' rounded"},
 }};
 
 const Kind* kind_of(std::string_view file) {
@@ -109,13 +110,11 @@ std::string draw(const LinePlot& plot, const std::string& file) {
     }
     script += "END\n";
     const std::string colour =
-        plot.family
-            ? fmt::format("lw 2.5 lc palette frac {:.3f}",
-                          static_cast<double>(i) /
-                              static_cast<double>(
-                                  std::max<std::size_t>(
-                                      plot.curves.size() - 1, 1)))
-            : fmt::format("lt {}", i + 1);
+        plot.family ? fmt::format("lw 2.5 lc palette frac {:.3f}",
+                                  static_cast<double>(i) /
+                                      static_cast<double>(std::max<std::size_t>(
+                                          plot.curves.size() - 1, 1)))
+                    : fmt::format("lt {}", i + 1);
     lines += fmt::format("{}$curve{} using 1:2 with lines {} dt {} title {}",
                          lines.empty() ? "" : ", \\\n  ", i, colour,
                          curve.dashed ? 2 : 1, gnuplot_text(curve.label));

@@ -1,0 +1,54 @@
+#!/usr/bin/env bash
+# Set-up, build, and the main job: friction-coefficient tables, half-angle
+# curves of real joints and the paper's figures, in demo-output/.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+scripts/setup.sh
+cmake --preset release
+cmake --build --preset release --target hinge-table hinge-angle
+
+out=demo-output
+mkdir -p "$out"
+PATH="$PWD/build/bin:$PATH"
+
+echo "Friction coefficients of a ball joint"
+grid=(--theta0 0:95:5 --alpha 0:90:7.5)
+hinge-table "${grid[@]}" --output "$out/friction_table.csv"
+{
+  echo "# Friction coefficients of a ball joint"
+  echo
+  echo "theta0_deg down: half-angle of the contact. alpha_deg across: slip"
+  echo "axis angle, 0 is pure sliding, 90 pure spinning."
+  for quantity in chi sigma_Y sigma_Z; do
+    echo
+    hinge-table "${grid[@]}" --quantity $quantity --format markdown
+  done
+} >"$out/friction_table.md"
+
+# Pictures need gnuplot; the tables are there without it.
+picture() {
+  if command -v gnuplot >/dev/null; then echo "--plot=$out/$1.svg"; fi
+}
+hinge-table --theta0 10:90:10 --alpha 0:90:1 --quantity sigma_Z \
+  --output "$out/sigma_Z.csv" $(picture sigma_Z)
+
+echo "Half-angles of real joints"
+half_angle() { # NAME LOADS
+  hinge-angle --joint "data/joints/$1.toml" --load "$2" \
+    --law hertz,arctan,tanh,blend \
+    --output "$out/half_angle_$1.csv" $(picture "half_angle_$1")
+}
+half_angle hip_cocr_uhmwpe 1:5000:log100
+half_angle spherical_plain_bearing 10:1e6:log100
+half_angle pin_joint 1e3:1e8:log100
+hinge-angle --joint sphere --pair data/materials/steel_bronze.toml \
+  --radius 50mm --clearance 50um --load 1e3:1e7:log100 \
+  --output "$out/half_angle_steel_bronze.csv" \
+  $(picture half_angle_steel_bronze)
+
+if command -v gnuplot >/dev/null; then
+  echo "Figures 3, 4, 5, 8 and 9 of the paper"
+  plots/figures.sh build "$out/figures"
+fi
+echo "Results are in $PWD/$out:"
+ls -R "$out"
