@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <vector>
+#include "angle/setup.hpp"
 
 #include "cli/table.hpp"
 #include "libcontact/half_angle.hpp"
@@ -14,17 +15,6 @@
 
 /// The parts of the program hinge-angle.
 namespace hinge_angle {
-
-/// What is known of a joint: without its geometry only dimensionless loads
-/// and pressures.
-struct Setup {
-  contact::JointKind kind;
-  contact::ElasticPair pair;
-  std::optional<contact::JointGeometry> geometry = {};
-  contact::HalfAngleOptions half_angle_options = {};
-  std::vector<std::string> half_angle_laws = {"paper"};
-  std::string pressure_law = "cosine";
-};
 
 /// In what the load is given.
 enum class LoadVariable { load, load_parameter, x };

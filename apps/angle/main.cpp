@@ -1,254 +1,124 @@
 // hinge-angle: half-angle of the contact against load.
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
-#include <limits>
-#include <map>
-#include <memory>
+#include <CLI/CLI.hpp>
 #include <string>
-#include <vector>
+#include <string_view>
 
-#include "angle/angle_table.hpp"
-#include "angle/options.hpp"
-#include "cli/ordered_blocks.hpp"
-#include "cli/output.hpp"
-#include "cli/plot.hpp"
+#include "angle/run.hpp"
 #include "cli/program.hpp"
-#include "cli/progress.hpp"
-#include "cli/sweep.hpp"
-#include "cli/table.hpp"
-#include "libcontact/error.hpp"
-#include "libcontact/units.hpp"
 
 namespace {
 
-using hinge_angle::AngleTable;
-using hinge_angle::Failures;
-using hinge_angle::LoadVariable;
-using hinge_angle::NamedLaw;
 using hinge_angle::Options;
-using hinge_angle::Setup;
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr std::string_view help = R"(
+The joint is one of
+  --joint FILE.toml           a joint file
+  --joint sphere|cylinder --pair FILE.toml --radius R --clearance EPS
+  --joint sphere|cylinder --pair FILE.toml              dimensionless
+  --joint sphere|cylinder --modulus-ratio E1/E2         dimensionless
+with body 1 the ball or pin and body 2 the seat or hole. Lengths are in m or
+carry a unit: 50mm, 25um. The clearance is the difference of the radii. A
+modulus ratio of 0 is a rigid seat, inf a rigid ball or pin.
 
-std::vector<NamedLaw> make_laws(const Setup& setup) {
-  std::vector<NamedLaw> laws;
-  for (const std::string& name : setup.half_angle_laws) {
-    laws.push_back(
-        {name, contact::make_half_angle_law(name, setup.kind, setup.pair,
-                                            setup.half_angle_options)});
-  }
-  return laws;
-}
+The load is one of
+  --load            compressive force, N (sphere) or N/m of length (cylinder)
+  --load-parameter  mu = 3 R_n/(2 ebar rho1^2 E) (sphere) or
+                    lambda = 2 P/(pi ebar rho1 E) (cylinder), with
+                    E = 2/((1-nu1^2)/E1 + (1-nu2^2)/E2), ebar = EPS/R
+  --x               cbrt(mu) or 2 sqrt(lambda)
+Each takes a value, a list a,b,c, a range start:stop:step, or
+start:stop:logN for N values in equal ratios.
 
-// What is swept: a load in one of its variables, or the half-angle.
-struct Input {
-  LoadVariable variable;
-  bool inverse;
-  cli::Sweep values;
-};
+Laws: hertz, arctan, tanh, blend, blend:K (K arctan + (1-K) tanh), paper
+(blend:0.5 for a cylinder, tanh for a sphere), or all.
+Limit half-angle of the laws but hertz: formula, linear (0.5 <= E1/E2 <= 2),
+or a value in degrees. A joint file may name the law, the limit half-angle
+and the pressure law; options go before it.
 
-Input make_input(const Options& options, const Setup& setup) {
-  if (options.inverse || !options.theta0.empty()) {
-    if (!options.inverse || options.theta0.empty() || !options.load.empty() ||
-        !options.load_parameter.empty() || !options.x.empty()) {
-      throw contact::Error("--inverse and --theta0: belong together, no load");
-    }
-    // Curves are drawn over the load where there is one.
-    return {setup.geometry ? LoadVariable::load : LoadVariable::load_parameter,
-            true, cli::Sweep("--theta0", options.theta0, {0, 180, "deg"})};
-  }
-  const bool sphere = setup.kind == contact::JointKind::spherical;
-  struct Source {
-    std::string_view option;
-    const std::string& text;
-    LoadVariable variable;
-    std::string_view unit;
-  };
-  const std::array<Source, 3> sources = {{
-      {"--load", options.load, LoadVariable::load, sphere ? "N" : "N/m"},
-      {"--load-parameter", options.load_parameter, LoadVariable::load_parameter,
-       ""},
-      {"--x", options.x, LoadVariable::x, ""},
-  }};
-  const auto given = [](const Source& source) { return !source.text.empty(); };
-  if (std::count_if(sources.begin(), sources.end(), given) != 1) {
-    throw contact::Error(
-        "needs one of --load, --load-parameter, --x, or --inverse with "
-        "--theta0 (see hinge-angle --help)");
-  }
-  const Source& source = *std::find_if(sources.begin(), sources.end(), given);
-  if (source.variable == LoadVariable::load && !setup.geometry) {
-    throw contact::Error(
-        "--load: a dimensionless joint takes --load-parameter or --x; a load "
-        "needs --radius and --clearance");
-  }
-  return {source.variable, false,
-          cli::Sweep(source.option, source.text, {0, infinity, source.unit})};
-}
+Columns: load (N or N/m; not in dimensionless runs), load_parameter, x, then
+for each law
+  theta0_LAW_deg          half-angle of the contact, degrees
+  p_peak_LAW_Pa           peak pressure, Pa, or in dimensionless runs
+  p_peak_LAW_over_mean    over the mean R_n/R^2 (sphere) or P/R (cylinder)
+With --inverse: theta0_deg, then for each law load_LAW, load_parameter_LAW,
+x_LAW and the peak pressure. Where a law has no value (hertz for x > 1) the
+cell is empty, in JSON null.
 
-// Some rows on their way through the program.
-struct Block {
-  std::size_t first;
-  std::size_t last;
-  cli::Text rows;
-  std::vector<Failures> failures;
-};
+Examples:
+  hinge-angle --joint cylinder --modulus-ratio 1 --load-parameter 0.001:10:log9 --law hertz,arctan,tanh,blend
+  hinge-angle --joint sphere --pair data/materials/steel_bronze.toml --radius 50mm --clearance 50um --load 1e4:1e6:log5
+  hinge-angle --joint sphere --modulus-ratio 0 --limit-angle 92.5 --x 0:2:0.5 --law tanh --format markdown
+  hinge-angle --joint data/joints/paper_example_1.toml --load 1e4:1e6:log9 --law hertz,arctan,tanh
+  hinge-angle --joint cylinder --modulus-ratio 1 --inverse --theta0 0:80:20 --format json
 
-// Writes the table; returns what the laws could not give.
-std::vector<Failures> write_table(const AngleTable& angles, const Input& input,
-                                  std::size_t laws,
-                                  const cli::OutputOptions& options) {
-  constexpr std::size_t block_rows = 256;
-  cli::Output output(options.output);
-  const cli::Table table(options.format, input.inverse
-                                             ? angles.inverse_columns()
-                                             : angles.columns());
-  cli::TableWriter writer(output, table);
-  cli::Progress progress("rows", input.values.size());
-  std::vector<Failures> failures(laws);
-  std::size_t taken = 0;
-  cli::ordered_blocks<Block>(
-      options.jobs,
-      [&](Block& block) {
-        block.first = taken;
-        block.last = taken = std::min(taken + block_rows, input.values.size());
-        return block.first < block.last;
-      },
-      [&](Block& block) {
-        block.rows.clear();
-        block.failures.assign(laws, {});
-        cli::RowWriter row(table, block.rows);
-        for (std::size_t i = block.first; i < block.last; ++i) {
-          if (input.inverse) {
-            angles.write_inverse_row(input.values[i], row, block.failures);
-          } else {
-            angles.write_row(input.variable, input.values[i], row,
-                             block.failures);
-          }
-        }
-      },
-      [&](const Block& block) {
-        writer.write(block.rows.view());
-        progress.add(block.last - block.first);
-        for (std::size_t i = 0; i < laws; ++i) {
-          failures[i].out_of_range += block.failures[i].out_of_range;
-          failures[i].not_converged += block.failures[i].not_converged;
-        }
-      });
-  writer.finish();
-  output.commit();
-  return failures;
-}
+)";
 
-std::string load_label(LoadVariable variable, contact::JointKind kind) {
-  const bool sphere = kind == contact::JointKind::spherical;
-  switch (variable) {
-    case LoadVariable::load:
-      return sphere ? "compressive force, N" : "force per unit length, N/m";
-    case LoadVariable::x:
-      return sphere ? "x = cbrt(μ)" : "x = 2 sqrt(λ)";
-    case LoadVariable::load_parameter:
-      break;
-  }
-  return sphere ? "load parameter μ" : "load parameter λ";
-}
+void add_options(CLI::App& app, Options& options) {
+  app.add_option("--joint", options.joint, "sphere, cylinder or a joint file")
+      ->option_text("KIND|FILE")
+      ->required()
+      ->group("Joint");
+  auto* pair = app.add_option("--pair", options.pair,
+                              "materials of the two bodies, a TOML file")
+                   ->option_text("FILE")
+                   ->group("Joint");
+  auto* radius = app.add_option("--radius", options.radius,
+                                "of the ball or pin, m or with a unit")
+                     ->option_text("LENGTH")
+                     ->needs(pair)
+                     ->group("Joint");
+  auto* clearance = app.add_option("--clearance", options.clearance,
+                                   "radial, m or with a unit")
+                        ->option_text("LENGTH")
+                        ->needs(radius)
+                        ->group("Joint");
+  radius->needs(clearance);
+  auto* ratio = app.add_option("--modulus-ratio", options.modulus_ratio,
+                               "E1/E2, 0 to inf")
+                    ->option_text("NUMBER")
+                    ->excludes(pair)
+                    ->group("Joint");
+  app.add_option("--poisson1", options.poisson1,
+                 "of the ball or pin; default 0.3")
+      ->option_text("NUMBER")
+      ->needs(ratio)
+      ->group("Joint");
+  app.add_option("--poisson2", options.poisson2,
+                 "of the seat or hole; default 0.3")
+      ->option_text("NUMBER")
+      ->needs(ratio)
+      ->group("Joint");
 
-// Half-angle of every law over the load.
-std::string draw(const AngleTable& angles, const Input& input,
-                 const Setup& setup, const std::vector<NamedLaw>& laws,
-                 const std::string& file) {
-  // What a picture of some 1,000 dots across can show.
-  constexpr std::size_t most_points = 1000;
-  const std::size_t count = input.values.size();
-  const std::size_t points = std::min(count, most_points);
+  app.add_option("--load", options.load, "N, or N/m for a cylinder")
+      ->option_text("VALUES")
+      ->group("Load");
+  app.add_option("--load-parameter", options.load_parameter, "mu or lambda")
+      ->option_text("VALUES")
+      ->group("Load");
+  app.add_option("--x", options.x, "cbrt(mu) or 2 sqrt(lambda)")
+      ->option_text("VALUES")
+      ->group("Load");
+  app.add_flag("--inverse", options.inverse,
+               "from half-angles to loads, with --theta0")
+      ->group("Load");
+  app.add_option("--theta0", options.theta0, "half-angles, deg, 0 to 180")
+      ->option_text("ANGLES")
+      ->group("Load");
 
-  cli::LinePlot plot;
-  plot.title = fmt::format("{} joint", to_string(setup.kind));
-  plot.x_label = load_label(input.variable, setup.kind);
-  plot.y_label = "contact half-angle θ₀, deg";
-  plot.logarithmic_x = input.values.is_logarithmic();
-  for (const NamedLaw& law : laws) {
-    cli::Curve curve{law.name, {}, {}, false};
-    for (std::size_t i = 0; i < points; ++i) {
-      const std::size_t index =
-          points == 1 ? 0 : i * (count - 1) / (points - 1);
-      const double value = input.values[index];
-      if (input.inverse) {
-        curve.x.push_back(angles.convert(
-            LoadVariable::load_parameter,
-            law.law->load_parameter(value * contact::degree).load_parameter,
-            input.variable));
-        curve.y.push_back(value);
-      } else {
-        curve.x.push_back(value);
-        curve.y.push_back(
-            law.law
-                ->half_angle(angles.convert(input.variable, value,
-                                            LoadVariable::load_parameter))
-                .half_angle /
-            contact::degree);
-      }
-    }
-    plot.curves.push_back(std::move(curve));
-  }
-  return cli::draw(plot, file);
-}
-
-// Warns of the use of the joint and the laws outside their ranges, once for
-// each reason.
-void print_validity(const CLI::App& app, const Setup& setup,
-                    const std::vector<NamedLaw>& laws) {
-  if (setup.geometry) {
-    for (const std::string& text : setup.geometry->validity_notes()) {
-      cli::warn(app, text);
-    }
-  }
-  std::map<std::string, std::string> laws_by_reason;
-  for (const NamedLaw& law : laws) {
-    for (const std::string& text : law.law->validity_notes(setup.pair)) {
-      std::string& names = laws_by_reason[text];
-      names += (names.empty() ? "" : ", ") + law.name;
-    }
-  }
-  for (const auto& [text, names] : laws_by_reason) {
-    cli::warn(app, fmt::format("law {}: {}", names, text));
-  }
-}
-
-cli::ExitStatus run(const CLI::App& app, const Options& options) {
-  const Setup setup = make_setup(options);
-  const std::vector<NamedLaw> laws = make_laws(setup);
-  const auto pressure =
-      contact::make_pressure_law(setup.pressure_law, setup.kind);
-  const AngleTable angles(setup, laws, *pressure);
-  const Input input = make_input(options, setup);
-  print_validity(app, setup, laws);
-
-  const auto failures = write_table(angles, input, laws.size(), options.output);
-  cli::ExitStatus status = cli::all_good;
-  for (std::size_t i = 0; i < laws.size(); ++i) {
-    const auto [out_of_range, not_converged] = failures[i];
-    if (out_of_range > 0) {
-      cli::warn(app,
-                fmt::format("law {}: no value for {} of {} rows, which "
-                            "are outside its range",
-                            laws[i].name, out_of_range, input.values.size()));
-    }
-    if (not_converged > 0) {
-      cli::warn(app,
-                fmt::format("law {}: {} of {} rows have not converged",
-                            laws[i].name, not_converged, input.values.size()));
-      status = cli::some_bad;
-    }
-  }
-  if (options.output.plot.empty()) return status;
-  const std::string problem =
-      draw(angles, input, setup, laws, options.output.plot);
-  if (problem.empty()) return status;
-  cli::warn(app, problem);
-  return cli::some_bad;
+  app.add_option("--law", options.laws, "a comma list; default paper")
+      ->delimiter(',')
+      ->option_text("NAMES")
+      ->group("Law");
+  app.add_option("--limit-angle", options.limit_angle,
+                 "formula, linear, or degrees; default formula")
+      ->option_text("NAME|ANGLE")
+      ->group("Law");
+  app.add_option("--pressure", options.pressure, "pressure law; default cosine")
+      ->option_text("NAME")
+      ->group("Law");
+  cli::add_output_options(app, options.output);
+  cli::add_jobs_option(app, options.output);
+  app.footer(std::string(help) + std::string(cli::exit_status_help));
 }
 
 }  // namespace
@@ -257,6 +127,7 @@ int main(int argc, char** argv) {
   CLI::App app("Half-angle of the contact of a ball or pin joint against load",
                "hinge-angle");
   Options options;
-  hinge_angle::add_options(app, options);
-  return cli::run_program(app, argc, argv, [&] { return run(app, options); });
+  add_options(app, options);
+  return cli::run_program(app, argc, argv,
+                          [&] { return hinge_angle::run(options); });
 }

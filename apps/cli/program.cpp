@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
+
 #include <array>
 #include <cstdio>
 #include <exception>
@@ -19,8 +21,8 @@ constexpr std::array<Choice<Format>, 4> formats = {
      {"markdown", Format::markdown},
      {"latex", Format::latex}}};
 
-void complain(const CLI::App& app, std::string_view message) {
-  fmt::print(stderr, "{}: {}\n", app.get_name(), message);
+void complain(std::string_view program, std::string_view message) {
+  fmt::print(stderr, "{}: {}\n", program, message);
 }
 
 }  // namespace
@@ -72,16 +74,16 @@ int run_program(CLI::App& app, int argc, char** argv,
   } catch (const CLI::Success& request) {
     return app.exit(request);  // --help, --version
   } catch (const CLI::ParseError& error) {
-    complain(app,
+    complain(app.get_name(),
              fmt::format("{} (see {} --help)", error.what(), app.get_name()));
   } catch (const std::exception& error) {
-    complain(app, error.what());
+    complain(app.get_name(), error.what());
   }
   return failed;
 }
 
-void warn(const CLI::App& app, std::string_view message) {
-  complain(app, fmt::format("warning: {}", message));
+void warn(std::string_view program, std::string_view message) {
+  complain(program, fmt::format("warning: {}", message));
 }
 
 }  // namespace cli

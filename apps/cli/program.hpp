@@ -1,11 +1,14 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <functional>
 #include <string>
 #include <string_view>
 
 #include "cli/table.hpp"
+
+namespace CLI {
+class App;
+}
 
 namespace cli {
 
@@ -38,7 +41,7 @@ void add_jobs_option(CLI::App& app, OutputOptions& options);
 int run_program(CLI::App& app, int argc, char** argv,
                 const std::function<ExitStatus()>& body);
 
-/// A message that is no error: "NAME: warning: ..." on standard error.
-void warn(const CLI::App& app, std::string_view message);
+/// A message that is no error: "PROGRAM: warning: ..." on standard error.
+void warn(std::string_view program, std::string_view message);
 
 }  // namespace cli

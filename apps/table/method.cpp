@@ -2,6 +2,7 @@
 
 #include "cli/choice.hpp"
 #include "libcontact/friction_batch.hpp"
+#include "libcontact/friction_elliptic.hpp"
 #include "libcontact/friction_integrals.hpp"
 #include "libcontact/friction_models.hpp"
 
@@ -46,8 +47,9 @@ Method pointwise(const Function& function) {
 }  // namespace
 
 Method find_method(const std::string& name, double /*tolerance*/) {
-  const std::array<cli::Choice<Method>, 4> methods = {{
+  const std::array<cli::Choice<Method>, 5> methods = {{
       {"exact", exact},
+      {"elliptic", pointwise(contact::elliptic_friction_integrals)},
       {"planar", pointwise(contact::planar_friction_integrals)},
       {"viscous", pointwise(contact::viscous_friction_integrals)},
       {"cosine", pointwise(contact::cosine_friction_integrals)},

@@ -1,13 +1,15 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
-#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "angle/angle_table.hpp"
 #include "cli/program.hpp"
+#include "libcontact/half_angle.hpp"
+#include "libcontact/joint_geometry.hpp"
+#include "libcontact/material.hpp"
 
+/// The parts of the program hinge-angle.
 namespace hinge_angle {
 
 /// The command line of hinge-angle as it was written.
@@ -33,8 +35,16 @@ struct Options {
   cli::OutputOptions output;
 };
 
-/// Adds the options and the help text to the program.
-void add_options(CLI::App& app, Options& options);
+/// What is known of a joint: without its geometry only dimensionless loads
+/// and pressures.
+struct Setup {
+  contact::JointKind kind;
+  contact::ElasticPair pair;
+  std::optional<contact::JointGeometry> geometry = {};
+  contact::HalfAngleOptions half_angle_options = {};
+  std::vector<std::string> half_angle_laws = {"paper"};
+  std::string pressure_law = "cosine";
+};
 
 /// The joint, laws and limit angle that the options describe. Throws
 /// contact::Error if they do not fit together or a value is not allowed.

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+
+#include "cli/program.hpp"
+
+namespace hinge_table {
+
+/// The command line of hinge-table as it was written.
+struct Options {
+  std::string theta0;
+  std::string alpha;
+  std::string points;
+  std::string method = "exact";
+  std::string quantity = "chi";
+  double tolerance = 1e-10;
+  cli::OutputOptions output;
+};
+
+/// The whole program. Throws contact::Error for options that are wrong.
+cli::ExitStatus run(const Options& options);
+
+}  // namespace hinge_table
