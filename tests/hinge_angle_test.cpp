@@ -66,9 +66,9 @@ TEST(HingeAngle, DimensionlessRowsAreTheLibrarys) {
       for (const char* name :
            {"hertz", "arctan", "tanh", "blend", "blend:0.3", "paper"}) {
         const auto law = contact::make_half_angle_law(name, kind, pair);
-        const auto found = law->half_angle(row[0]);
-        const double half_angle = found.half_angle;
-        if (found.status == contact::Status::ok) {
+        const auto expected = law->half_angle(row[0]);
+        const double half_angle = expected.half_angle;
+        if (expected.status == contact::Status::ok) {
           // The numbers read back as the same doubles.
           EXPECT_EQ(row[column], half_angle / contact::degree) << name;
           EXPECT_EQ(row[column + 1], pressure.peak(half_angle)) << name;

@@ -7,7 +7,10 @@
 #include <vector>
 
 #include "cli/number.hpp"
+#include "libcontact/friction_elliptic.hpp"
 #include "libcontact/friction_exact.hpp"
+#include "libcontact/friction_models.hpp"
+#include "libcontact/reference/quadrature.hpp"
 #include "libcontact/units.hpp"
 #include "support/accuracy_report.hpp"
 #include "support/friction_reference.hpp"
@@ -25,14 +28,20 @@ constexpr const char* header =
     "sigma_Z";
 
 // The library's values of a row, in the order of the columns.
-std::vector<double> library_row(double theta0_deg, double alpha_deg) {
-  const auto exact = contact::exact_friction_integrals(
-      theta0_deg * contact::degree, contact::SlipAxis::from_degrees(alpha_deg));
-  std::vector<double> row = {theta0_deg, alpha_deg, exact.normal};
-  for (const auto& triple : {exact.pressure, exact.area, exact.coefficient}) {
+std::vector<double> row_of(double theta0_deg, double alpha_deg,
+                           const contact::FrictionIntegrals& values) {
+  std::vector<double> row = {theta0_deg, alpha_deg, values.normal};
+  for (const auto& triple :
+       {values.pressure, values.area, values.coefficient}) {
     row.insert(row.end(), {triple.force, triple.sliding, triple.spinning});
   }
   return row;
+}
+std::vector<double> library_row(double theta0_deg, double alpha_deg) {
+  return row_of(theta0_deg, alpha_deg,
+                contact::exact_friction_integrals(
+                    theta0_deg * contact::degree,
+                    contact::SlipAxis::from_degrees(alpha_deg)));
 }
 
 TEST(HingeTable, GridHasTheLibrarysValuesToTheLastDigit) {
@@ -56,6 +65,53 @@ TEST(HingeTable, GridHasTheLibrarysValuesToTheLastDigit) {
           << "row " << i << " column " << j;
     }
   }
+}
+
+TEST(HingeTable, EveryMethodIsTheLibrarys) {
+  using Function = contact::FrictionIntegrals (*)(double, contact::SlipAxis);
+  const std::vector<std::pair<std::string, Function>> methods = {
+      {"elliptic", contact::elliptic_friction_integrals},
+      {"planar", contact::planar_friction_integrals},
+      {"viscous", contact::viscous_friction_integrals},
+      {"cosine", contact::cosine_friction_integrals},
+      {"quadrature", [](double half_angle, contact::SlipAxis axis) {
+         return contact::reference::quadrature_friction_integrals(half_angle,
+                                                                  axis, 1e-6)
+             .value;
+       }}};
+  const ProgramFolder folder;
+  for (const auto& [name, function] : methods) {
+    const ProgramResult result = folder.run(
+        "hinge-table --theta0 0,20,95 --alpha -90:90:30 --tolerance 1e-6 "
+        "--method " +
+        name);
+    EXPECT_EQ(result.status, 0) << result.err;
+    const auto rows = csv_rows(result.out);
+    ASSERT_EQ(rows.size(), 22U);
+    for (std::size_t i = 1; i < rows.size(); ++i) {
+      const double theta0_deg = std::stod(rows[i][0]);
+      const double alpha_deg = std::stod(rows[i][1]);
+      const auto expected =
+          row_of(theta0_deg, alpha_deg,
+                 function(theta0_deg * contact::degree,
+                          contact::SlipAxis::from_degrees(alpha_deg)));
+      for (std::size_t j = 0; j < expected.size(); ++j) {
+        EXPECT_EQ(cli::parse_number(rows[i][j]), expected[j])
+            << name << " row " << i << " column " << j;
+      }
+    }
+  }
+}
+
+TEST(HingeTable, SaysWhichPointsMissTheTolerance) {
+  // K is a small difference here: the quadrature loses its digits.
+  const ProgramResult result = ProgramFolder().run(
+      "hinge-table --theta0 0.01,45 --alpha 0.1 --method quadrature");
+  EXPECT_EQ(result.status, 1);
+  EXPECT_EQ(result.err,
+            "hinge-table: warning: points that missed the tolerance: 1; their "
+            "rows have the best values found\n");
+  EXPECT_EQ(csv_rows(result.out).size(), 3U);
 }
 
 TEST(HingeTable, PointsOfTheReferenceTable) {
@@ -199,7 +255,11 @@ TEST(HingeTable, BadOptionsSayWhatIsAllowedAndLeaveNoFile) {
       {"--theta0 0:95:5 --alpha 0:100:5",
        "--alpha 0:100:5: 100 is outside the allowed -90 to 90 deg"},
       {"--theta0 5:x:1 --alpha 0", "--theta0 5:x:1: expected a value"},
-      {"--theta0 45 --alpha 30 --method fast", "--method fast: allowed exact"},
+      {"--theta0 45 --alpha 30 --method fast",
+       "--method fast: allowed exact, elliptic, quadrature, planar, "
+       "viscous, cosine"},
+      {"--theta0 45 --alpha 30 --tolerance 1e-15",
+       "--tolerance 1e-15: allowed 1e-13 to 0.01"},
       {"--theta0 45 --alpha 30 --quantity mu",
        "--quantity mu: allowed I_normal, I_p,"},
       {"--theta0 45 --alpha 30 --format xml",

@@ -58,10 +58,10 @@ void AngleTable::write_row(LoadVariable variable, double load,
   row.number(parameter);
   row.number(convert(variable, load, LoadVariable::x));
   for (std::size_t i = 0; i < laws_.size(); ++i) {
-    const auto found = laws_[i].law->half_angle(parameter);
-    count(found.status, failures[i]);
-    row.number(found.half_angle / contact::degree);
-    row.number(peak_pressure(found.half_angle, parameter));
+    const contact::HalfAngleResult result = laws_[i].law->half_angle(parameter);
+    count(result.status, failures[i]);
+    row.number(result.half_angle / contact::degree);
+    row.number(peak_pressure(result.half_angle, parameter));
   }
   row.end();
 }
@@ -71,8 +71,10 @@ void AngleTable::write_inverse_row(double theta0_deg, cli::RowWriter& row,
   const double half_angle = theta0_deg * contact::degree;
   row.number(theta0_deg);
   for (std::size_t i = 0; i < laws_.size(); ++i) {
-    const auto [parameter, status] = laws_[i].law->load_parameter(half_angle);
-    count(status, failures[i]);
+    const contact::LoadParameterResult result =
+        laws_[i].law->load_parameter(half_angle);
+    const double parameter = result.load_parameter;
+    count(result.status, failures[i]);
     if (scale_) row.number(scale_->load(parameter));
     row.number(parameter);
     row.number(contact::x_from_load_parameter(setup_.kind, parameter));

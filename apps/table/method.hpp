@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <functional>
 #include <span>
 #include <string>
@@ -24,11 +25,14 @@ struct Points {
 /// Results of as many points, for each of the quantities.
 using Columns = std::array<std::span<double>, quantities.size()>;
 
-/// A method of the library over many points.
-using Method = std::function<void(const Points&, const Columns&)>;
+/// A method of the library over many points; returns how many of them missed
+/// the tolerance of an iteration.
+using Method = std::function<std::size_t(const Points&, const Columns&)>;
 
-/// The method of that name. Throws contact::Error with the names there are.
-/// @param tolerance  relative, of the method quadrature
+/// The method of that name. Throws contact::Error with the names there are:
+/// exact, elliptic, quadrature (if contact::reference is built), planar,
+/// viscous, cosine.
+/// @param tolerance  relative, of quadrature; [1e-13, 1e-2]
 Method find_method(const std::string& name, double tolerance);
 
 }  // namespace hinge_table

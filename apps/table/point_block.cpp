@@ -146,7 +146,8 @@ void compute(const Method& method, PointBlock& block) {
     block.results[j].resize(count);
     columns[j] = block.results[j];
   }
-  method({block.half_angle, block.axis_sin, block.axis_cos}, columns);
+  block.inaccurate =
+      method({block.half_angle, block.axis_sin, block.axis_cos}, columns);
 }
 
 void write_rows(const cli::Table& table, PointBlock& block) {

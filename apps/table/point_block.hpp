@@ -42,6 +42,7 @@ struct PointBlock {
   std::vector<std::string_view> riding;
   std::string messages;  ///< of bad lines
   std::size_t bad_lines = 0;
+  std::size_t inaccurate = 0;  ///< points that missed the method's tolerance
 
   std::vector<double> half_angle;
   std::vector<double> axis_sin;
