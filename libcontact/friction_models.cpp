@@ -8,6 +8,7 @@
 
 #include "libcontact/elliptic.hpp"
 #include "libcontact/friction_exact.hpp"
+#include "libcontact/pressure.hpp"
 
 namespace contact {
 namespace {
@@ -20,9 +21,6 @@ double one_minus_cosine(double theta) {
   const double s = std::sin(theta / 2);
   return 2 * s * s;
 }
-
-/// I_n = (pi/3) u^2 (3 - u), (3.2), with u = 1 - cos theta0.
-double normal_integral(double u) { return pi / 3 * u * u * (3 - u); }
 
 /// Gr(p, b) of the header, the first argument's component of the unit
 /// vectors averaged over a ring; p, b >= 0.
@@ -82,7 +80,6 @@ FrictionIntegrals planar_friction_integrals(double half_angle, SlipAxis axis) {
     result.coefficient = {along, along, 0};
     return result;
   }
-  const double u0 = one_minus_cosine(half_angle);
   const double pole = sa > q ? std::asin(q / sa) : pi / 2;
   const auto slide = [&](double t) {
     return ring(q, sa * std::sin(t)) * std::sin(t);
@@ -96,7 +93,7 @@ FrictionIntegrals planar_friction_integrals(double half_angle, SlipAxis axis) {
     return 2 * std::sin((half_angle + t) / 2) * std::sin((half_angle - t) / 2);
   };
   const auto over = [&](auto f) { return integrate(f, half_angle, pole); };
-  result.normal = normal_integral(u0);
+  result.normal = cosine_normal_integral(JointKind::spherical, half_angle);
   result.area = {over(slide),
                  over([&](double t) { return slide(t) * std::cos(t); }),
                  std::copysign(over(spin), axis.sin)};
@@ -120,7 +117,7 @@ FrictionIntegrals viscous_friction_integrals(double half_angle, SlipAxis axis) {
   const FrictionTriple coefficient{1, 3 * (1 - u / 3 + u * u / 12) / (3 - u),
                                    u * (2 - u / 2) / (3 - u)};
   FrictionIntegrals result;
-  result.normal = normal_integral(u);
+  result.normal = cosine_normal_integral(JointKind::spherical, half_angle);
   result.area = times(area, axis.cos, axis.sin);
   result.coefficient = times(coefficient, axis.cos, axis.sin);
   result.pressure = times(result.coefficient, result.normal, result.normal);
