@@ -27,5 +27,6 @@
 #include "libcontact/friction_models.hpp"
 #include "libcontact/joint_contact.hpp"
 #include "libcontact/joint_solution.hpp"
+#include "libcontact/moment_set.hpp"
 #include "libcontact/spherical_joint.hpp"
 // clang-format on

@@ -7,6 +7,7 @@
 
 #include "libcontact/joint_contact.hpp"
 #include "libcontact/joint_solution.hpp"
+#include "libcontact/moment_set.hpp"
 
 namespace contact {
 
@@ -20,6 +21,23 @@ struct FixedPointStep {
   double load_parameter;        ///< mu
   double half_angle;            ///< theta0, rad
   double friction_coefficient;  ///< f, of which the next g is the arctangent
+};
+
+/// What a resting joint holds, see SphericalJoint::utilisation().
+struct RestSolution {
+  /// As the slip's; not_converged if no slip direction was found.
+  Status status = Status::out_of_range;
+  /// tau: the joint holds if it is <= 1. Infinite if there is no friction to
+  /// hold a moment, NaN if out_of_range.
+  double utilisation = 0;
+  /// u, unit vector: the direction in which the joint would begin to slide;
+  /// 0 if M = 0.
+  Eigen::Vector3d direction = Eigen::Vector3d::Zero();
+  /// The sliding about u (|Dw| = 1 rad/s) whose moment is M/tau: n, R_n,
+  /// theta0. JointState::resting if M = 0.
+  JointSolution slip;
+  /// Sliding solutions that were needed.
+  int solves = 0;
 };
 
 /// How the inner loop ended.
@@ -80,6 +98,42 @@ class SphericalJoint {
   /// @param rate               Dw, rad/s
   JointSolution solve_contact(const Eigen::Vector3d& compressive_force,
                               const Eigen::Vector3d& rate) const noexcept;
+
+  /// Whether the joint rests under R while holding the moment M, and how near
+  /// it is to sliding.
+  ///
+  /// While a joint rests n is not known. Consistent with sliding, it holds
+  ///
+  ///     H(R) = { tau M_t(R, u) : |u| = 1, 0 <= tau <= 1 },
+  ///
+  /// M_t(R, u) the moment of solve(): the onset of slip and the limit of slow
+  /// sliding agree. For a needed moment, M = tau M_t(R, u) is solved: by the
+  /// symmetry about R one equation in the angle b of u and R. Were there
+  /// several u, the smallest tau of those that 16 intervals of b tell apart
+  /// is returned (none of 10,000 random joints had more than one). A viscous
+  /// joint holds no moment.
+  ///
+  /// @param reaction  R on the load, N
+  /// @param moment    M on the load that friction has to supply, N m
+  /// @return slip.friction_moment = M/tau, to 1e-12 of |M|/tau
+  ///         (spherical_joint_rest_test.cpp)
+  RestSolution utilisation(const Eigen::Vector3d& reaction,
+                           const Eigen::Vector3d& moment,
+                           const SolveOptions& options = {}) const noexcept;
+  /// The same, starting from an answer for a similar R and M; looks for one
+  /// u only, the one close to the last.
+  RestSolution utilisation(const Eigen::Vector3d& reaction,
+                           const Eigen::Vector3d& moment,
+                           const RestSolution& last,
+                           const SolveOptions& options = {}) const noexcept;
+
+  /// The moments that the contact of a solution holds at fixed n, R_n and
+  /// theta0: what a solver of several bodies iterates on. The set refers to
+  /// this joint and must not outlive it.
+  MomentSet moment_set(const JointSolution& solution) const noexcept {
+    return {contact_, solution.normal, solution.compressive_force,
+            solution.half_angle};
+  }
 
   /// The paper's inner loop (section 4): g_1 = 0, then a, R_n, theta0, f and
   /// g = atan f in turn. It may crawl or fail where solve() does not.

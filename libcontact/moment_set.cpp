@@ -1,0 +1,220 @@
+#include "libcontact/moment_set.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <boost/math/policies/policy.hpp>
+#include <boost/math/tools/toms748_solve.hpp>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+namespace contact {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+// A vector about n: length and direction of its part normal to n (any such
+// direction where it has none), and its part along n.
+struct Split {
+  double across;
+  Vector3d direction;
+  double along;
+
+  Split(const Vector3d& v, const Vector3d& n) : along(v.dot(n)) {
+    // At right angles to n even where little but rounding is left.
+    const Vector3d cross = n.cross(v);
+    across = cross.norm();
+    direction =
+        across > 0 ? Vector3d(cross.cross(n) / across) : n.unitOrthogonal();
+  }
+};
+
+SlipAxis axis_of(const Split& rate) {
+  const double length = std::hypot(rate.across, rate.along);
+  return {rate.along / length, rate.across / length};
+}
+
+SlipAxis from_cotangent(double cotangent) {
+  const double length = std::hypot(1, cotangent);
+  return {1 / length, cotangent / length};
+}
+
+}  // namespace
+
+MomentSet::MomentSet(const JointContact& contact, const Vector3d& normal,
+                     double compressive_force, double half_angle) noexcept
+    : contact_(&contact), normal_(normal), half_angle_(half_angle) {
+  const double rho = contact.geometry().radius();
+  const JointContact::Strength strength = contact.strength(0);
+  pressure_part_ = rho * strength.pressure_part * compressive_force;
+  area_part_ = rho * strength.area_part;
+  most_sliding_ = edge({0, 1}).sliding;
+  most_spinning_ = edge({1, 0}).spinning;
+}
+
+MomentSet::Edge MomentSet::edge(SlipAxis axis) const noexcept {
+  const FrictionIntegrals i = contact_->integrals(half_angle_, axis);
+  return {
+      pressure_part_ * i.coefficient.sliding + area_part_ * i.area.sliding,
+      pressure_part_ * i.coefficient.spinning + area_part_ * i.area.spinning};
+}
+
+double MomentSet::support(const Vector3d& rate) const noexcept {
+  if (rate.isZero(0)) return 0;
+  const SlipAxis axis = axis_of(Split(rate, normal_));
+  const Edge e = edge(axis);
+  return rate.norm() * (e.sliding * axis.cos + e.spinning * axis.sin);
+}
+
+Vector3d MomentSet::moment(const Vector3d& rate) const noexcept {
+  if (rate.isZero(0)) return Vector3d::Constant(nan);
+  const Split split(rate, normal_);
+  const Edge e = edge(axis_of(split));
+  return -e.sliding * split.direction - e.spinning * normal_;
+}
+
+// The slip axis whose point of the edge lies in the direction of a moment,
+// both parts >= 0 and not both 0. sliding/spinning of the edge grows with
+// cot a, since the set is convex.
+SlipAxis MomentSet::axis_of_moment(double sliding,
+                                   double spinning) const noexcept {
+  if (spinning == 0) return {0, 1};
+  if (sliding == 0) return {1, 0};
+  const auto residual = [&](double cotangent) {
+    const Edge e = edge(from_cotangent(cotangent));
+    return e.sliding * spinning - e.spinning * sliding;
+  };
+  // Exact if the edge were an ellipse.
+  const double ratio = most_spinning_ / most_sliding_;
+  const double guess = sliding / spinning * ratio * ratio;
+  namespace policies = boost::math::policies;
+  using NoThrow =
+      policies::policy<policies::domain_error<policies::ignore_error>,
+                       policies::evaluation_error<policies::ignore_error>>;
+  constexpr double factor = 1.5;  // of the search for bounds
+  std::uintmax_t steps = 200;     // 10 on average
+  const auto [low, high] = boost::math::tools::bracket_and_solve_root(
+      residual, guess, factor, true,
+      boost::math::tools::eps_tolerance<double>(50), steps, NoThrow());
+  return from_cotangent(low + (high - low) / 2);
+}
+
+double MomentSet::utilisation(const Vector3d& moment) const noexcept {
+  if (moment.isZero(0)) return 0;
+  const Split m(moment, normal_);
+  const double spinning = std::abs(m.along);
+  if (!(std::isfinite(m.across) && std::isfinite(spinning))) return nan;
+  if (most_sliding_ == 0) return infinity;
+  const Edge e = edge(axis_of_moment(m.across, spinning));
+  // Along the moment: exact where one part of it is 0.
+  return (m.across * m.across + spinning * spinning) /
+         (e.sliding * m.across + e.spinning * spinning);
+}
+
+Vector3d MomentSet::project(const Vector3d& moment) const noexcept {
+  return -prox(Matrix3d::Identity(), moment).moment;
+}
+
+// Second derivative of Phi at a unit vector.
+Matrix3d MomentSet::curvature(const Vector3d& direction) const noexcept {
+  const Split split(direction, normal_);
+  const SlipAxis axis = axis_of(split);
+  const double sin_a = std::abs(axis.sin);
+  const double cos_a = std::max(axis.cos, 1e-100);
+  const Edge e = edge({sin_a, cos_a});
+  // Along the meridian by a difference, central in its middle; the edge
+  // changes over angles of cos a or theta0, whichever is larger.
+  const double step =
+      1e-5 * std::max(cos_a, std::min(1.0, std::abs(half_angle_)));
+  const double cosine = std::cos(step);
+  const double sine = std::sin(step);
+  const Edge next =
+      edge({sin_a * cosine - cos_a * sine, cos_a * cosine + sin_a * sine});
+  const double half_sine = std::sin(step / 2);
+  const double half_cosine = std::cos(step / 2);
+  const double meridian =
+      ((e.spinning - next.spinning) *
+           (cos_a * half_cosine + sin_a * half_sine) -
+       (e.sliding - next.sliding) * (sin_a * half_cosine - cos_a * half_sine)) /
+      step;
+  const double parallel = e.sliding / cos_a;
+  const Vector3d along = axis.cos * normal_ - axis.sin * split.direction;
+  const Vector3d across = normal_.cross(split.direction);
+  return meridian * along * along.transpose() +
+         parallel * across * across.transpose();
+}
+
+MomentProx MomentSet::prox(const Matrix3d& inertia,
+                           const Vector3d& free) const noexcept {
+  const Vector3d wanted = inertia * free;
+  const double size = wanted.norm();
+  if (!std::isfinite(size)) {
+    return {Vector3d::Constant(nan), Vector3d::Constant(nan),
+            Status::out_of_range, 0, nan};
+  }
+  if (size == 0 || utilisation(wanted) <= 1) {
+    return {Vector3d::Zero(), -wanted, Status::ok, 0, 0};
+  }
+  if (most_sliding_ == 0) {  // no friction
+    return {free, Vector3d::Zero(), Status::ok, 0, 0};
+  }
+  // Along a unit vector u the best length is r(u) = gain(u)/(u . W u), where
+  // gain = u . W free - Phi(u), and the function falls to -gain r/2. It is
+  // positive in the direction in which the set's edge opposes W free.
+  const Split split(wanted, normal_);
+  const SlipAxis start = axis_of_moment(split.across, std::abs(split.along));
+  Vector3d u = start.cos * split.direction +
+               std::copysign(start.sin, split.along) * normal_;
+  const auto gain_along = [&](const Vector3d& v) {
+    return v.dot(wanted) - support(v);
+  };
+  const auto value = [&](const Vector3d& v, double gain) {
+    return gain > 0 ? -gain * gain / (2 * v.dot(inertia * v)) : 0.0;
+  };
+  double gain = gain_along(u);
+  // On the edge, up to the rounding of its two parts: no motion.
+  const double rounding = 4 * std::numeric_limits<double>::epsilon() * size;
+  if (gain <= rounding) return {Vector3d::Zero(), -wanted, Status::ok, 0, 0};
+  double best = value(u, gain);
+
+  // Newton's method on the convex function, with halved steps where it does
+  // not fall; 3 to 6 steps.
+  constexpr int step_limit = 60;
+  constexpr double tolerance = 1e-13;
+  MomentProx result{};
+  for (result.iterations = 0;; ++result.iterations) {
+    const double r = gain / u.dot(inertia * u);
+    result.rate = r * u;
+    result.moment = moment(u);
+    const Vector3d gradient = inertia * (result.rate - free) - result.moment;
+    result.residual = gradient.norm() / size;
+    if (result.residual <= tolerance || result.iterations == step_limit) break;
+    const Matrix3d second = inertia + curvature(u) / r;
+    const Vector3d step = -second.llt().solve(gradient);
+    // Changes of the function below this are rounding.
+    const double unseen = -2 * best * rounding / gain;
+    bool moved = false;
+    for (double share = 1; share > 1e-10 && !moved; share /= 2) {
+      const Vector3d next = (result.rate + share * step).normalized();
+      const double next_gain = gain_along(next);
+      const double next_value = value(next, next_gain);
+      if (next_gain > 0 && next_value <= best + unseen) {
+        u = next;
+        gain = next_gain;
+        best = next_value;
+        moved = true;
+      }
+    }
+    if (!moved) break;
+  }
+  // What rounding of the moments leaves.
+  result.status = result.residual <= 1e-12 ? Status::ok : Status::not_converged;
+  return result;
+}
+
+}  // namespace contact

@@ -1,0 +1,95 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "libcontact/error.hpp"
+#include "libcontact/joint_contact.hpp"
+
+namespace contact {
+
+/// Answer of MomentSet::prox().
+struct MomentProx {
+  /// alpha: exactly 0 where the joint holds.
+  Eigen::Vector3d rate;
+  /// M_t = W (alpha - free), on the load; on the edge of the set where the
+  /// joint slides.
+  Eigen::Vector3d moment;
+  Status status;
+  /// Newton steps; 0 where the joint holds.
+  int iterations;
+  /// |W (alpha - free) - M_t| over |W free|.
+  double residual;
+};
+
+/// The friction moments of one contact whose n, R_n and theta0 are FIXED: a
+/// convex set C, even in M and round about n. Dry friction only; a viscous
+/// joint holds no moment and its set is {0}.
+///
+/// Its support function is the friction power
+///
+///     Phi(Dw) = rho |Dw| (f0 R_n A0/I_n + A rho^2 Afun)
+///             = max over M in C of M . Dw,   M_t = -dPhi/dDw
+///
+/// (A0, Afun: docs/friction.md). This potential exists at fixed n, R_n and
+/// theta0 only: under a fixed reaction R all three move with Dw, M_t has no
+/// potential, and what a resting joint holds is
+/// SphericalJoint::utilisation(), not this set with n = R/|R|.
+///
+/// A set refers to the joint that made it and must not outlive it. Const
+/// functions do not allocate and do not throw; NaN gives NaN.
+class MomentSet {
+ public:
+  /// @param normal             n, unit vector
+  /// @param compressive_force  R_n, N, >= 0
+  /// @param half_angle         theta0, rad
+  MomentSet(const JointContact& contact, const Eigen::Vector3d& normal,
+            double compressive_force, double half_angle) noexcept;
+
+  /// Phi, W for Dw in rad/s; 0 at 0.
+  double support(const Eigen::Vector3d& rate) const noexcept;
+  /// M_t = -dPhi/dDw, N m; the point of the set's edge where it opposes Dw
+  /// most. NaN at Dw = 0, where every moment of the set is possible.
+  Eigen::Vector3d moment(const Eigen::Vector3d& rate) const noexcept;
+
+  /// Smallest tau with M in tau C: the joint holds M if it is <= 1.
+  /// 0 at M = 0; infinite outside of a set without extent in that direction.
+  /// Relative error at most 1e-12 (moment_set_test.cpp).
+  double utilisation(const Eigen::Vector3d& moment) const noexcept;
+
+  /// The moment of the set nearest to M.
+  /// Error at most 1e-12 of |M| (moment_set_test.cpp).
+  Eigen::Vector3d project(const Eigen::Vector3d& moment) const noexcept;
+
+  /// The motion that friction leaves of a free one:
+  ///
+  ///     argmin over alpha of (alpha - free) . W (alpha - free)/2 + Phi(alpha)
+  ///
+  /// With W the inertia about the joint and `free` the relative angular
+  /// acceleration (or velocity) without friction, it is the one with
+  /// friction: 0 where C holds W free, else M_t(alpha) = W (alpha - free).
+  ///
+  /// @param inertia  W, symmetric and positive definite
+  /// @return residual at most 1e-12 (moment_set_test.cpp)
+  MomentProx prox(const Eigen::Matrix3d& inertia,
+                  const Eigen::Vector3d& free) const noexcept;
+
+ private:
+  /// A point of the edge: parts along the tangent plane and along n.
+  struct Edge {
+    double sliding;
+    double spinning;
+  };
+  Edge edge(SlipAxis axis) const noexcept;
+  SlipAxis axis_of_moment(double sliding, double spinning) const noexcept;
+  Eigen::Matrix3d curvature(const Eigen::Vector3d& direction) const noexcept;
+
+  const JointContact* contact_;
+  Eigen::Vector3d normal_;
+  double half_angle_;
+  double pressure_part_;  // rho f0 R_n
+  double area_part_;      // A rho^3
+  double most_sliding_;   // at a = 0
+  double most_spinning_;  // at a = 90 deg
+};
+
+}  // namespace contact

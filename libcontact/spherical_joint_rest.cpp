@@ -1,0 +1,207 @@
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <boost/math/policies/policy.hpp>
+#include <boost/math/tools/toms748_solve.hpp>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <numbers>
+
+#include "libcontact/spherical_joint.hpp"
+
+// What a joint at rest holds: H(R) by the sliding moments M_t(R, u).
+namespace contact {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double pi = std::numbers::pi;
+
+// The search for u in coordinates of its own: R along Z or against it, u in
+// the plane XOZ at the angle c from Z. -M_t turns from Z (c = 0) through the
+// plane normal to R (c = 90 deg) to -Z; Z is the side of -M, so that the root
+// is below 90 deg and keeps its digits near 0.
+class SlipSearch {
+ public:
+  // @param reaction  along Z, with its sign
+  // @param angle     between Z and the moment -M that u has to overcome
+  SlipSearch(const SphericalJoint& joint, double reaction, double angle,
+             const SolveOptions& options)
+      : joint_(joint),
+        reaction_(0, 0, reaction),
+        angle_(angle),
+        options_(options) {}
+
+  void start_from(const JointSolution& last) { last_ = last; }
+  const JointSolution& last() const { return last_; }
+  int solves() const { return solves_; }
+
+  // Angle between Z and -M_t(R, u), less what it has to be: rises with c.
+  double excess(double c) {
+    const Vector3d u(std::sin(c), 0, std::cos(c));
+    last_ = joint_.solve(reaction_, u, last_, options_);
+    ++solves_;
+    const Vector3d& m = last_.friction_moment;
+    const double value = std::atan2(std::hypot(m.x(), m.y()), -m.z()) - angle_;
+    // Of an angle of up to pi after a handful of operations.
+    constexpr double rounding = 2e-15;
+    return std::abs(value) <= rounding ? 0 : value;
+  }
+
+  // Secant steps from a start; NaN if they do not settle.
+  double near(double c) {
+    constexpr int step_limit = 8;
+    double slope = 1;
+    double value = excess(c);
+    for (int i = 0; i < step_limit; ++i) {
+      if (value == 0) return c;
+      const double next = std::clamp(c - value / slope, 0.0, pi);
+      if (next == c) return c;
+      const double next_value = excess(next);
+      slope = (next_value - value) / (next - c);
+      if (!(slope > 0)) return nan;
+      c = next;
+      value = next_value;
+    }
+    return nan;
+  }
+
+  // Calls visit(c) for the root in each interval of c that has one.
+  template <class Visit>
+  void all(const Visit& visit) {
+    constexpr int intervals = 16;
+    double low = 0;
+    double low_value = excess(low);
+    for (int i = 1; i <= intervals; ++i) {
+      const double high = pi * i / intervals;
+      const double high_value = excess(high);
+      if ((low_value <= 0 && high_value >= 0) ||
+          (low_value > 0 && high_value < 0)) {
+        visit(between(low, low_value, high, high_value));
+      }
+      low = high;
+      low_value = high_value;
+    }
+  }
+
+ private:
+  double between(double low, double low_value, double high, double high_value) {
+    // Small contacts turn their moment within angles of theta0^2.
+    constexpr double factor = 16;
+    while (low == 0 && low_value < 0 && high_value > 0) {
+      const double value = excess(high / factor);
+      if (value <= 0) {
+        low = high / factor;
+        low_value = value;
+      } else {
+        high /= factor;
+        high_value = value;
+      }
+    }
+    if (low_value == 0) return low;
+    if (high_value == 0) return high;
+    namespace policies = boost::math::policies;
+    using NoThrow =
+        policies::policy<policies::domain_error<policies::ignore_error>,
+                         policies::evaluation_error<policies::ignore_error>>;
+    std::uintmax_t steps = 100;  // some 8 are taken
+    const auto [a, b] = boost::math::tools::toms748_solve(
+        [this](double x) { return excess(x); }, low, high, low_value,
+        high_value, boost::math::tools::eps_tolerance<double>(52), steps,
+        NoThrow());
+    return a + (b - a) / 2;
+  }
+
+  const SphericalJoint& joint_;
+  Vector3d reaction_;
+  double angle_;
+  SolveOptions options_;
+  JointSolution last_;
+  int solves_ = 0;
+};
+
+RestSolution solve_rest(const SphericalJoint& joint, const Vector3d& reaction,
+                        const Vector3d& moment, const RestSolution* last,
+                        const SolveOptions& options) {
+  RestSolution rest;
+  rest.slip = joint.solve(reaction, Vector3d::Zero());
+  rest.status = rest.slip.status;
+  const double needed = moment.stableNorm();
+  if (rest.status != Status::ok || !moment.allFinite()) {
+    rest.status = Status::out_of_range;
+    rest.utilisation = nan;
+    rest.direction.setConstant(nan);
+    return rest;
+  }
+  if (needed == 0) return rest;
+  const JointContact::Strength strength = joint.contact().strength(0);
+  if (rest.slip.state == JointState::unloaded ||
+      (strength.pressure_part == 0 && strength.area_part == 0)) {
+    rest.utilisation = infinity;
+    return rest;
+  }
+
+  const double force = reaction.stableNorm();
+  const Vector3d m = moment / needed;
+  // Z: along R, on the side of -M.
+  const double sign = reaction.dot(m) > 0 ? -1 : 1;
+  const Vector3d z = sign * reaction / force;
+  const Vector3d cross = z.cross(m);
+  const double across = cross.norm();
+  SlipSearch search(joint, sign * force, std::atan2(across, -z.dot(m)),
+                    options);
+
+  // M in the plane of z and p; turns the search's X axis to where the found
+  // moment has the azimuth of M.
+  const Vector3d q = across > 0 ? Vector3d(cross / across) : z.unitOrthogonal();
+  const Vector3d p = q.cross(z);
+  const auto take = [&](double c) {
+    search.excess(c);
+    const Vector3d& found = search.last().friction_moment;
+    const double size = std::hypot(found.x(), found.y());
+    const Vector3d x =
+        size > 0 ? Vector3d((found.x() * p - found.y() * q) / size) : p;
+    Eigen::Matrix3d turn;
+    turn << x, z.cross(x), z;
+    const double tau = needed / search.last().friction_moment.stableNorm();
+    if (rest.utilisation > 0 && !(tau < rest.utilisation)) return;
+    rest.status = search.last().status;
+    rest.utilisation = tau;
+    rest.direction = turn * Vector3d(std::sin(c), 0, std::cos(c));
+    rest.slip = search.last();
+    rest.slip.reaction = reaction;
+    for (Vector3d* v : {&rest.slip.normal, &rest.slip.friction_force,
+                        &rest.slip.friction_moment, &rest.slip.slip_velocity}) {
+      *v = turn * *v;
+    }
+  };
+
+  rest.status = Status::not_converged;
+  if (last && last->utilisation > 0 && last->slip.status == Status::ok) {
+    search.start_from(last->slip);
+    const SineCosine b = last->slip.reaction_direction;
+    const double c = search.near(std::atan2(b.sin, sign * b.cos));
+    if (!std::isnan(c)) take(c);
+  }
+  if (rest.status != Status::ok) search.all(take);
+  rest.solves = search.solves();
+  return rest;
+}
+
+}  // namespace
+
+RestSolution SphericalJoint::utilisation(
+    const Vector3d& reaction, const Vector3d& moment,
+    const SolveOptions& options) const noexcept {
+  return solve_rest(*this, reaction, moment, nullptr, options);
+}
+
+RestSolution SphericalJoint::utilisation(
+    const Vector3d& reaction, const Vector3d& moment, const RestSolution& last,
+    const SolveOptions& options) const noexcept {
+  return solve_rest(*this, reaction, moment, &last, options);
+}
+
+}  // namespace contact

@@ -1,0 +1,262 @@
+#include "libcontact/moment_set.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "libcontact/spherical_joint.hpp"
+#include "support/accuracy_report.hpp"
+#include "support/allocation_count.hpp"
+#include "support/random_slip.hpp"
+
+namespace {
+
+using contact::JointSolution;
+using contact::MomentProx;
+using contact::MomentSet;
+using contact::SphericalJoint;
+using contact::Status;
+using contact::test::AccuracyReport;
+using contact::test::RandomSlip;
+using contact::test::RandomSlips;
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// Random contacts with friction, of all sizes. A set is flat, theta0 times as
+// thick along n as wide, and changes over angles of theta0: the rounding of n
+// and of vectors given to it counts 1/theta0 times.
+struct RandomSet {
+  RandomSlip input;
+  JointSolution solution;
+  MomentSet set() const { return input.joint.moment_set(solution); }
+  double thickness() const { return std::min(1.0, solution.half_angle); }
+};
+
+std::vector<RandomSet> random_sets(RandomSlips& random, int count) {
+  std::vector<RandomSet> sets;
+  while (static_cast<int>(sets.size()) < count) {
+    RandomSlip input = random.next();
+    const JointSolution s = input.joint.solve(input.reaction, input.rate);
+    // Sizes of moments whose squares are normal numbers.
+    const double moment = s.friction_moment.stableNorm();
+    if (!(moment > 1e-100 && moment < 1e100)) continue;
+    sets.push_back({std::move(input), s});
+  }
+  return sets;
+}
+
+// An inertia with principal moments up to 30 times apart.
+Matrix3d random_inertia(RandomSlips& random) {
+  const Matrix3d turn =
+      Eigen::Quaterniond::FromTwoVectors(random.direction(), random.direction())
+          .toRotationMatrix();
+  const Vector3d principal(1, random.log_uniform(1, 30),
+                           random.log_uniform(1, 30));
+  return random.log_uniform(1e-3, 1e3) * turn * principal.asDiagonal() *
+         turn.transpose();
+}
+
+TEST(MomentSet, AgreesWithTheSolutionThatMadeIt) {
+  RandomSlips random(1);
+  AccuracyReport moment("moment(Dw) against M_t, times theta0^2", 3e-14);
+  AccuracyReport power("-Phi(Dw) against power, times theta0", 1e-14);
+  for (const RandomSet& r : random_sets(random, 1000)) {
+    const MomentSet set = r.set();
+    const Vector3d m = set.moment(r.input.rate);
+    moment.add_error((m - r.solution.friction_moment).norm() / m.norm() *
+                         r.thickness() * r.thickness(),
+                     "");
+    power.add_error(std::abs(set.support(r.input.rate) / r.solution.power + 1) *
+                        r.thickness(),
+                    "");
+  }
+  moment.check();
+  power.check();
+}
+
+TEST(MomentSet, MomentIsMinusTheGradientOfSupport) {
+  RandomSlips random(2);
+  // Central differences with a step of 1e-5 of the smaller of 1 and theta0,
+  // the scale of the set's edge: truncation 1e-10, rounding 1e-15/1e-5.
+  AccuracyReport report("-grad Phi against M_t", 1e-8);
+  for (const RandomSet& r : random_sets(random, 300)) {
+    const MomentSet set = r.set();
+    if (r.solution.half_angle < 1e-2) continue;
+    const Vector3d u = random.direction();
+    const double h = 1e-5;
+    Vector3d gradient;
+    for (int i = 0; i < 3; ++i) {
+      const Vector3d step = h * Vector3d::Unit(i);
+      gradient[i] = (set.support(u + step) - set.support(u - step)) / (2 * h);
+    }
+    const Vector3d m = set.moment(u);
+    report.add_error((gradient + m).norm() / m.norm(), "");
+  }
+  report.check();
+}
+
+TEST(MomentSet, SupportIsConvexEvenAndHomogeneous) {
+  RandomSlips random(3);
+  for (const RandomSet& r : random_sets(random, 300)) {
+    const MomentSet set = r.set();
+    const Vector3d u = random.direction();
+    const Vector3d v = random.log_uniform(1e-3, 1e3) * random.direction();
+    const double sum = set.support(u) + set.support(v);
+    // The sum of two rounded values.
+    EXPECT_LE(set.support(u + v), sum * (1 + 1e-14));
+    EXPECT_NEAR(set.support(-u) / set.support(u), 1, 1e-14);
+    EXPECT_NEAR(set.support(3 * u) / set.support(u), 3, 1e-13);
+    // Maximal dissipation: no other moment of the edge opposes u more.
+    EXPECT_LE(-set.moment(v).dot(u), set.support(u) * (1 + 1e-14));
+  }
+  const RandomSet r = random_sets(random, 1)[0];
+  EXPECT_EQ(r.set().support(Vector3d::Zero()), 0);
+  EXPECT_TRUE(r.set().moment(Vector3d::Zero()).hasNaN());
+}
+
+TEST(MomentSet, UtilisationOfTheEdgeIsOne) {
+  RandomSlips random(4);
+  AccuracyReport report("utilisation of tau M_t(u), times theta0", 1e-14);
+  for (const RandomSet& r : random_sets(random, 1000)) {
+    const MomentSet set = r.set();
+    const double tau = random.log_uniform(1e-3, 1e3);
+    const Vector3d n = r.solution.normal;
+    for (const Vector3d& u :
+         {random.direction(), n, Vector3d(-n), n.unitOrthogonal(),
+          Vector3d(n + 1e-3 * r.solution.half_angle * random.direction())}) {
+      report.add_error(
+          std::abs(set.utilisation(tau * set.moment(u)) / tau - 1) *
+              r.thickness(),
+          "");
+    }
+    EXPECT_EQ(set.utilisation(Vector3d::Zero()), 0);
+  }
+  report.check();
+}
+
+// What makes a point the minimum: the moment is in the set and opposes the
+// motion with all that the set has, alpha . M = -Phi(alpha).
+TEST(MomentSet, ProxMeetsItsConditions) {
+  RandomSlips random(5);
+  AccuracyReport inside("utilisation less 1, times theta0", 1e-14);
+  AccuracyReport power("alpha . M + Phi(alpha), over |M| |alpha|", 1e-12);
+  AccuracyReport balance("W (alpha - free) - M, over |W free|", 1e-12);
+  int held = 0;
+  int slid = 0;
+  int most_steps = 0;
+  for (const RandomSet& r : random_sets(random, 3000)) {
+    const MomentSet set = r.set();
+    const Matrix3d inertia = random_inertia(random);
+    // From well inside to far outside of the set, and close to its edge.
+    const Vector3d u = random.direction();
+    const double tau = random.uniform() < 0.3
+                           ? 1 + random.log_uniform(1e-9, 1e-2)
+                           : random.log_uniform(0.1, 1e4);
+    const Vector3d wanted = -tau * set.moment(u);
+    const Vector3d free = inertia.llt().solve(wanted);
+    const MomentProx p = set.prox(inertia, free);
+    ASSERT_EQ(p.status, Status::ok)
+        << "tau " << tau << " theta0 " << r.solution.half_angle << " residual "
+        << p.residual << " steps " << p.iterations;
+    balance.add_error(
+        (inertia * (p.rate - free) - p.moment).norm() / wanted.norm(), "");
+    if (p.rate.isZero(0)) {
+      ++held;
+      EXPECT_LE(tau, 1 + 1e-14 / r.thickness());
+      continue;
+    }
+    ++slid;
+    most_steps = std::max(most_steps, p.iterations);
+    EXPECT_GE(tau, 1 - 1e-14 / r.thickness());
+    inside.add_error(
+        std::max(0.0, set.utilisation(p.moment) - 1) * r.thickness(), "");
+    power.add_error(std::abs(p.rate.dot(p.moment) + set.support(p.rate)) /
+                        (p.rate.norm() * p.moment.norm()),
+                    "");
+  }
+  inside.check();
+  power.check();
+  balance.check();
+  EXPECT_GT(held, 100);
+  EXPECT_GT(slid, 1000);
+  std::printf("prox: most Newton steps %d\n", most_steps);
+}
+
+TEST(MomentSet, ProjectionIsTheNearestPoint) {
+  RandomSlips random(6);
+  AccuracyReport idempotent("project(project(M)), over |M|", 1e-11);
+  for (const RandomSet& r : random_sets(random, 500)) {
+    const MomentSet set = r.set();
+    const double size = r.solution.friction_moment.norm();
+    const Vector3d m = size * random.log_uniform(0.1, 100) * random.direction();
+    const Vector3d p = set.project(m);
+    if (set.utilisation(m) <= 1) {
+      EXPECT_EQ(p, m);
+      continue;
+    }
+    EXPECT_NEAR(set.utilisation(p), 1, 1e-12 / r.thickness());
+    idempotent.add_error((set.project(p) - p).norm() / m.norm(), "");
+    // No point of the edge is nearer: (M - P) . (Q - P) <= 0.
+    for (int i = 0; i < 20; ++i) {
+      const Vector3d q = set.moment(random.direction());
+      EXPECT_LE((m - p).dot(q - p), 1e-11 * m.norm() * m.norm());
+    }
+    // Distances do not grow.
+    const Vector3d other = m + 0.1 * m.norm() * random.direction();
+    EXPECT_LE((set.project(other) - p).norm(),
+              (other - m).norm() * (1 + 1e-10));
+  }
+  idempotent.check();
+}
+
+TEST(MomentSet, WithoutFrictionOrLoadHoldsNothing) {
+  const contact::ElasticPair pair({2e11, 0.3}, {2e11, 0.3});
+  const auto make = [&](const contact::FrictionModel& friction) {
+    return SphericalJoint(
+        contact::JointGeometry::ball(0.05, 0.05e-3), pair, friction,
+        contact::make_half_angle_law("tanh", contact::JointKind::spherical,
+                                     pair),
+        contact::make_pressure_law("cosine", contact::JointKind::spherical));
+  };
+  const Vector3d m(1, 2, 3);
+  for (const SphericalJoint& joint :
+       {make(contact::FrictionLaw(0)), make(contact::ViscousLaw(1e6, 0.1))}) {
+    const JointSolution rest =
+        joint.solve(Vector3d(0, 0, 1e5), Vector3d::Zero());
+    const MomentSet set = joint.moment_set(rest);
+    EXPECT_EQ(set.support(m), 0);
+    EXPECT_EQ(set.utilisation(m), infinity);
+    EXPECT_EQ(set.utilisation(Vector3d::Zero()), 0);
+    EXPECT_EQ(set.project(m), Vector3d::Zero());
+    EXPECT_EQ(set.prox(Matrix3d::Identity(), m).rate, m);
+  }
+  const SphericalJoint dry = make(contact::FrictionLaw(0.3));
+  const JointSolution empty = dry.solve(Vector3d::Zero(), Vector3d::Zero());
+  EXPECT_EQ(dry.moment_set(empty).utilisation(m), infinity);
+}
+
+TEST(MomentSet, NanGivesNanAndNothingAllocates) {
+  RandomSlips random(7);
+  const RandomSet r = random_sets(random, 1)[0];
+  const MomentSet set = r.set();
+  const Vector3d bad(1, nan, 0);
+  const std::size_t before = contact::test::allocation_count();
+  EXPECT_TRUE(std::isnan(set.support(bad)));
+  EXPECT_TRUE(set.moment(bad).hasNaN());
+  EXPECT_TRUE(std::isnan(set.utilisation(bad)));
+  EXPECT_TRUE(set.project(bad).hasNaN());
+  const MomentProx p = set.prox(Matrix3d::Identity(), bad);
+  EXPECT_EQ(p.status, Status::out_of_range);
+  EXPECT_TRUE(p.rate.hasNaN());
+  set.project(1e3 * r.solution.friction_moment);
+  EXPECT_EQ(contact::test::allocation_count(), before);
+}
+
+}  // namespace
