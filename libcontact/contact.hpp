@@ -29,4 +29,6 @@
 #include "libcontact/joint_solution.hpp"
 #include "libcontact/moment_set.hpp"
 #include "libcontact/spherical_joint.hpp"
+#include "libcontact/cylindrical_joint.hpp"
+#include "libcontact/joint_node.hpp"
 // clang-format on

@@ -61,45 +61,45 @@ struct JointSolution {
   double residual = 0;
 
   /// R = R_n n + R_t, N.
-  Eigen::Vector3d reaction;
+  Eigen::Vector3d reaction = Eigen::Vector3d::Zero();
   /// n, unit vector along the compressive force.
-  Eigen::Vector3d normal;
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();
   /// R_n, N.
-  double compressive_force;
+  double compressive_force = 0;
   /// R_t, N; normal to n and to Dw.
-  Eigen::Vector3d friction_force;
+  Eigen::Vector3d friction_force = Eigen::Vector3d::Zero();
   /// M_t about the joint's centre, N m.
-  Eigen::Vector3d friction_moment;
+  Eigen::Vector3d friction_moment = Eigen::Vector3d::Zero();
   /// Of the load's half against the carrier's at the contact's centre, m/s.
-  Eigen::Vector3d slip_velocity;
+  Eigen::Vector3d slip_velocity = Eigen::Vector3d::Zero();
   /// M_t . Dw, W; never positive.
-  double power;
+  double power = 0;
 
   /// Sine and cosine of b, the angle between R and Dw, [0, pi].
-  SineCosine reaction_direction;
+  SineCosine reaction_direction = {0, 1};
   /// Sine and cosine of the friction angle g, tan g = R_t/R_n.
-  SineCosine friction_direction;
+  SineCosine friction_direction = {0, 1};
   /// Sine and cosine of the slip axis angle a.
-  SlipAxis slip_axis;
+  SlipAxis slip_axis = {0, 1};
 
   /// R_t/R_n = f = tan g.
-  double force_coefficient;
+  double force_coefficient = 0;
   /// Moment about the part of Dw normal to n, over -rho R_n.
-  double sliding_coefficient;
+  double sliding_coefficient = 0;
   /// Moment about n, over -rho R_n; of the sign of the spin Dw . n.
-  double spinning_coefficient;
+  double spinning_coefficient = 0;
   /// Abar = A rho^2/(f0 R_n): adhesion against pressure (viscous:
   /// k0 rho^2/(k1 R_n)); infinite without the latter.
-  double adhesion_number;
+  double adhesion_number = 0;
 
   /// mu or lambda.
-  double load_parameter;
+  double load_parameter = 0;
   /// theta0, rad.
-  double half_angle;
+  double half_angle = 0;
   /// Pa.
-  double peak_pressure;
+  double peak_pressure = 0;
   /// m^2.
-  double contact_area;
+  double contact_area = 0;
 
   SlipMemory memory;
 
@@ -131,6 +131,28 @@ struct JointSolution {
   double slip_axis_complement() const {
     return std::atan2(slip_axis.cos, std::abs(slip_axis.sin));
   }
+};
+
+/// One step of the paper's inner loop, (4.1) to (4.3).
+struct FixedPointStep {
+  int step;                     ///< from 1
+  double friction_angle;        ///< g, rad
+  double slip_axis_angle;       ///< a, rad
+  double compressive_force;     ///< R_n = R cos g, N
+  double adhesion_number;       ///< Abar
+  double load_parameter;        ///< mu
+  double half_angle;            ///< theta0, rad
+  double friction_coefficient;  ///< f, of which the next g is the arctangent
+};
+
+/// How the inner loop ended.
+struct FixedPointResult {
+  /// ok; not_converged at the step limit; out_of_range where a step leaves
+  /// g <= min(b, pi - b), so that (4.2) has no a.
+  Status status;
+  int steps;
+  /// |f/tan g - 1| at the last step.
+  double residual;
 };
 
 }  // namespace contact

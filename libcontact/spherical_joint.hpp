@@ -11,18 +11,6 @@
 
 namespace contact {
 
-/// One step of the paper's inner loop, (4.1) to (4.3).
-struct FixedPointStep {
-  int step;                     ///< from 1
-  double friction_angle;        ///< g, rad
-  double slip_axis_angle;       ///< a, rad
-  double compressive_force;     ///< R_n = R cos g, N
-  double adhesion_number;       ///< Abar
-  double load_parameter;        ///< mu
-  double half_angle;            ///< theta0, rad
-  double friction_coefficient;  ///< f, of which the next g is the arctangent
-};
-
 /// What a resting joint holds, see SphericalJoint::utilisation().
 struct RestSolution {
   /// As the slip's; not_converged if no slip direction was found.
@@ -38,16 +26,6 @@ struct RestSolution {
   JointSolution slip;
   /// Sliding solutions that were needed.
   int solves = 0;
-};
-
-/// How the inner loop ended.
-struct FixedPointResult {
-  /// ok; not_converged at the step limit; out_of_range where a step leaves
-  /// g <= min(b, pi - b), so that (4.2) has no a.
-  Status status;
-  int steps;
-  /// |f/tan g - 1| at the last step.
-  double residual;
 };
 
 /// Friction of a ball in a seat under a known reaction.

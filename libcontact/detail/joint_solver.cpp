@@ -38,6 +38,10 @@ double side(const JointContact& contact) {
   return contact.geometry().inner_body() == JointBody::carrier ? 1.0 : -1.0;
 }
 
+bool is_pin(const JointContact& contact) {
+  return contact.geometry().kind() == JointKind::cylindrical;
+}
+
 JointSolution not_a_number(Status status, const Vector3d& reaction) {
   const Vector3d none = Vector3d::Constant(nan);
   JointSolution s;
@@ -138,7 +142,8 @@ JointSolution solve_reaction(const JointContact& contact,
   // The frame of w: e = w cos b + p sin b, q = w x p.
   const Vector3d cross = w.cross(e);
   const double sin_b = cross.norm();
-  const double cos_b = w.dot(e);
+  // A pin's reaction is normal to its axis, rounding or not.
+  const double cos_b = is_pin(contact) ? 0 : w.dot(e);
   const Vector3d q = sin_b > 0 ? Vector3d(cross / sin_b) : w.unitOrthogonal();
   const Vector3d p = q.cross(w);
 
@@ -199,7 +204,7 @@ JointSolution solve_contact(const JointContact& contact,
   s.status = Status::ok;
   s.state = JointState::sliding;
   s.evaluations = 1;
-  s.slip_axis = {w.dot(force.direction), cos_a};
+  s.slip_axis = {is_pin(contact) ? 0 : w.dot(force.direction), cos_a};
   const JointContact::Strength strength = contact.strength(spin.length);
   const FrictionIntegrals i =
       contact.integrals(half_angle.half_angle, s.slip_axis);
@@ -220,6 +225,56 @@ JointSolution solve_contact(const JointContact& contact,
   s.reaction_direction = {s.friction_direction.cos * std::hypot(cos_a, f),
                           s.friction_direction.cos * s.slip_axis.sin};
   return s;
+}
+
+FixedPointResult fixed_point(const JointContact& contact,
+                             const Vector3d& reaction, const Vector3d& rate,
+                             std::span<FixedPointStep> trace, double tolerance,
+                             int step_limit) noexcept {
+  const double force = reaction.stableNorm();
+  const double speed = rate.stableNorm();
+  const double cos_b = (reaction / force).dot(rate / speed);
+  const JointContact::Strength strength = contact.strength(speed);
+  FixedPointResult result = {Status::not_converged, 0, 0};
+  double f = 0;  // g_1 = 0 (4.3)
+  while (result.steps < step_limit) {
+    const double g = std::atan(f);
+    const double cos_g = 1 / std::hypot(1, f);
+    const double sin_a = cos_b / cos_g;  // (4.2)
+    if (!(std::abs(sin_a) <= 1)) {
+      result.status = Status::out_of_range;
+      break;
+    }
+    const SlipAxis axis = {sin_a, std::sqrt((1 - sin_a) * (1 + sin_a))};
+    const double compressive_force = force * cos_g;  // (4.1)
+    const double half_angle = contact.half_angle(compressive_force).half_angle;
+    const FrictionIntegrals i = contact.integrals(half_angle, axis);
+    const double next = strength.pressure_part * i.coefficient.force +
+                        strength.area_part / compressive_force * i.area.force;
+    if (static_cast<std::size_t>(result.steps) < trace.size()) {
+      trace[result.steps] = {
+          result.steps + 1,
+          g,
+          std::atan2(axis.sin, axis.cos),
+          compressive_force,
+          strength.area_part / (strength.pressure_part * compressive_force),
+          contact.load_parameter(compressive_force),
+          half_angle,
+          next};
+    }
+    ++result.steps;
+    result.residual = next == f ? 0 : std::abs(next / f - 1);
+    if (result.residual <= tolerance) {
+      result.status = Status::ok;
+      break;
+    }
+    if (std::isnan(next)) {
+      result.status = Status::out_of_range;
+      break;
+    }
+    f = next;
+  }
+  return result;
 }
 
 }  // namespace contact::detail

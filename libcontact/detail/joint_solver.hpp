@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <span>
 
 #include "libcontact/joint_contact.hpp"
 #include "libcontact/joint_solution.hpp"
@@ -21,5 +22,12 @@ JointSolution solve_reaction(const JointContact& contact,
 JointSolution solve_contact(const JointContact& contact,
                             const Eigen::Vector3d& compressive_force,
                             const Eigen::Vector3d& rate) noexcept;
+
+/// The paper's inner loop.
+FixedPointResult fixed_point(const JointContact& contact,
+                             const Eigen::Vector3d& reaction,
+                             const Eigen::Vector3d& rate,
+                             std::span<FixedPointStep> trace, double tolerance,
+                             int step_limit) noexcept;
 
 }  // namespace contact::detail

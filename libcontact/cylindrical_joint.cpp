@@ -1,0 +1,70 @@
+#include "libcontact/cylindrical_joint.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include "libcontact/detail/joint_solver.hpp"
+#include "libcontact/error.hpp"
+
+namespace contact {
+namespace {
+
+using Eigen::Vector3d;
+
+Vector3d across(const Vector3d& force, const Vector3d& axis) {
+  return force - force.dot(axis) * axis;
+}
+
+}  // namespace
+
+CylindricalJoint::CylindricalJoint(JointContact contact)
+    : contact_(std::move(contact)) {
+  if (contact_.geometry().kind() != JointKind::cylindrical) {
+    throw Error("cylindrical joint: geometry of a spherical joint");
+  }
+}
+
+JointSolution CylindricalJoint::solve(
+    const Vector3d& reaction, const Vector3d& axis, double rate,
+    const SolveOptions& options) const noexcept {
+  return detail::solve_reaction(contact_, across(reaction, axis), rate * axis,
+                                nullptr, options);
+}
+
+JointSolution CylindricalJoint::solve(
+    const Vector3d& reaction, const Vector3d& axis, double rate,
+    const JointSolution& last, const SolveOptions& options) const noexcept {
+  return detail::solve_reaction(contact_, across(reaction, axis), rate * axis,
+                                &last, options);
+}
+
+JointSolution CylindricalJoint::solve_contact(const Vector3d& compressive_force,
+                                              const Vector3d& axis,
+                                              double rate) const noexcept {
+  return detail::solve_contact(contact_, across(compressive_force, axis),
+                               rate * axis);
+}
+
+FixedPointResult CylindricalJoint::fixed_point(const Vector3d& reaction,
+                                               const Vector3d& axis,
+                                               double rate,
+                                               std::span<FixedPointStep> trace,
+                                               double tolerance,
+                                               int step_limit) const noexcept {
+  return detail::fixed_point(contact_, across(reaction, axis), rate * axis,
+                             trace, tolerance, step_limit);
+}
+
+double CylindricalJoint::moment_limit(const Vector3d& reaction,
+                                      const Vector3d& axis) const noexcept {
+  if (contact_.is_viscous()) return 0;
+  return -solve(reaction, axis, 1).friction_moment.dot(axis);
+}
+
+double CylindricalJoint::utilisation(const Vector3d& reaction,
+                                     const Vector3d& axis,
+                                     double moment) const noexcept {
+  return moment == 0 ? 0 : std::abs(moment) / moment_limit(reaction, axis);
+}
+
+}  // namespace contact

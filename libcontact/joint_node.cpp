@@ -1,0 +1,213 @@
+#include "libcontact/joint_node.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "libcontact/detail/check.hpp"
+#include "libcontact/error.hpp"
+
+namespace contact {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr const char* place = "joint node";
+
+bool is_ball(const NodeJoint& joint) {
+  return std::holds_alternative<SphericalJoint>(joint.joint);
+}
+
+int count_balls(const std::vector<NodeJoint>& joints) {
+  return static_cast<int>(std::ranges::count_if(joints, is_ball));
+}
+
+const JointContact& contact_of(const NodeJoint& joint) {
+  return std::visit(
+      [](const auto& j) -> const JointContact& { return j.contact(); },
+      joint.joint);
+}
+
+void check_joints(const std::vector<NodeJoint>& joints) {
+  if (joints.size() < 2) {
+    throw Error(fmt::format(
+        "{}: {} joint: allowed: at least 2, to hold moments across the axis",
+        place, joints.size()));
+  }
+  if (count_balls(joints) == 0) {
+    throw Error(fmt::format(
+        "{}: no spherical joint takes the force along the axis", place));
+  }
+  std::vector<double> positions;
+  for (const NodeJoint& joint : joints) {
+    detail::require(std::isfinite(joint.position), place, "position",
+                    joint.position, "finite, m");
+    positions.push_back(joint.position);
+  }
+  std::ranges::sort(positions);
+  const auto twin = std::ranges::adjacent_find(positions);
+  if (twin != positions.end()) {
+    throw Error(fmt::format("{}: two joints at position {} m", place, *twin));
+  }
+}
+
+void check_rule(const SharingRule& rule, const std::vector<NodeJoint>& joints) {
+  if (rule.radial_stiffness.size() != joints.size() ||
+      rule.axial_share.size() != joints.size()) {
+    throw Error(
+        fmt::format("{}: sharing rule for {} and {} joints: allowed: "
+                    "one value for each of the {} joints",
+                    place, rule.radial_stiffness.size(),
+                    rule.axial_share.size(), joints.size()));
+  }
+  double sum = 0;
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    const double stiffness = rule.radial_stiffness[i];
+    const double share = rule.axial_share[i];
+    detail::require(stiffness > 0 && std::isfinite(stiffness), place,
+                    "radial_stiffness", stiffness, "above 0, finite");
+    detail::require(is_ball(joints[i]) ? share >= 0 : share == 0, place,
+                    "axial_share", share,
+                    is_ball(joints[i]) ? "0 or above" : "0 for a pin");
+    sum += share;
+  }
+  // Decimal shares such as 0.1 + 0.2 + 0.7.
+  detail::require(std::abs(sum - 1) < 1e-12, place, "sum of axial_share", sum,
+                  "1");
+}
+
+// The rule that statics gives.
+SharingRule determinate_rule(const std::vector<NodeJoint>& joints) {
+  if (joints.size() > 2) {
+    throw Error(
+        fmt::format("{}: {} joints share the force across the axis: statically "
+                    "indeterminate: allowed: 2 joints, or a sharing rule",
+                    place, joints.size()));
+  }
+  if (count_balls(joints) > 1) {
+    throw Error(fmt::format(
+        "{}: {} spherical joints share the force along the axis: statically "
+        "indeterminate: allowed: 1 spherical joint, or a sharing rule",
+        place, count_balls(joints)));
+  }
+  return SharingRule::equal(joints);
+}
+
+// The part of v normal to the unit vector u.
+Vector3d across(const Vector3d& v, const Vector3d& u) {
+  return v - v.dot(u) * u;
+}
+
+}  // namespace
+
+SharingRule SharingRule::equal(const std::vector<NodeJoint>& joints) {
+  SharingRule rule;
+  const int balls = count_balls(joints);
+  for (const NodeJoint& joint : joints) {
+    rule.radial_stiffness.push_back(1);
+    rule.axial_share.push_back(is_ball(joint) ? 1.0 / balls : 0.0);
+  }
+  return rule;
+}
+
+JointNode::JointNode(std::vector<NodeJoint> joints,
+                     std::optional<SharingRule> rule)
+    : joints_(std::move(joints)) {
+  check_joints(joints_);
+  if (!rule) rule = determinate_rule(joints_);
+  check_rule(*rule, joints_);
+  // Springs k_j under a rigid axis that shifts and tilts: R_j = k_j (shift +
+  // z_j tilt), about the springs' centre, where the two do not mix.
+  const std::vector<double>& k = rule->radial_stiffness;
+  double sum = 0;
+  double first = 0;
+  for (std::size_t i = 0; i < k.size(); ++i) {
+    sum += k[i];
+    first += k[i] * joints_[i].position;
+  }
+  const double centre = first / sum;
+  double second = 0;
+  for (std::size_t i = 0; i < k.size(); ++i) {
+    const double arm = joints_[i].position - centre;
+    second += k[i] * arm * arm;
+  }
+  for (std::size_t i = 0; i < k.size(); ++i) {
+    const double tilt = k[i] * (joints_[i].position - centre) / second;
+    shares_.push_back({k[i] / sum - tilt * centre, tilt, rule->axial_share[i]});
+  }
+}
+
+NodeSolution JointNode::make_solution() const {
+  NodeSolution solution;
+  solution.joints.resize(joints_.size());
+  return solution;
+}
+
+void JointNode::solve(const Vector3d& reaction, const Vector3d& moment,
+                      const Vector3d& axis, double rate,
+                      NodeSolution& solution) const noexcept {
+  // Friction moments count little in the balance (rho/distance), so a few
+  // rounds do; more only where joints are closer than their radii.
+  constexpr int round_limit = 100;
+  constexpr double tolerance = 1e-14;
+  const double axial = reaction.dot(axis);
+  const Vector3d radial = across(reaction, axis);
+  const Vector3d turned = moment.cross(axis);  // sum z_j R_j
+  NodeSolution& s = solution;
+  if (s.status != Status::ok) s.cross_moment.setZero();
+  s.status = Status::not_converged;
+  for (s.iterations = 1; s.iterations <= round_limit; ++s.iterations) {
+    const Vector3d held = turned - s.cross_moment.cross(axis);
+    double change = 0;
+    double largest = 0;
+    s.friction_moment = s.power = 0;
+    s.cross_moment.setZero();
+    for (std::size_t i = 0; i < joints_.size(); ++i) {
+      JointSolution& joint = s.joints[i];
+      const Shares& share = shares_[i];
+      const Vector3d force = share.force * radial + share.moment * held;
+      change = std::max(change, (force - across(joint.reaction, axis)).norm());
+      largest = std::max(largest, force.norm());
+      if (const auto* ball = std::get_if<SphericalJoint>(&joints_[i].joint)) {
+        joint =
+            ball->solve(force + share.axial * axial * axis, rate * axis, joint);
+      } else {
+        const auto& pin = std::get<CylindricalJoint>(joints_[i].joint);
+        joint = pin.solve(force, axis, rate, joint);
+      }
+      s.friction_moment += joint.friction_moment.dot(axis);
+      s.cross_moment += across(joint.friction_moment, axis);
+      s.power += joint.power;
+      if (joint.status != Status::ok) {
+        s.status = joint.status;
+        s.residual = joint.residual;
+        return;
+      }
+    }
+    s.residual = largest > 0 ? change / largest : 0;
+    // The first round compares with another reaction.
+    if (s.iterations > 1 && s.residual <= tolerance) {
+      s.status = Status::ok;
+      return;
+    }
+  }
+}
+
+double JointNode::utilisation(const Vector3d& reaction, const Vector3d& moment,
+                              const Vector3d& axis, double needed,
+                              NodeSolution& solution) const noexcept {
+  // Sliding that friction would oppose with the moment that is needed.
+  solve(reaction, moment, axis, needed > 0 ? -1 : 1, solution);
+  if (needed == 0) return 0;
+  double held = 0;
+  for (std::size_t i = 0; i < joints_.size(); ++i) {
+    if (contact_of(joints_[i]).is_viscous()) continue;
+    held += std::abs(solution.joints[i].friction_moment.dot(axis));
+  }
+  return std::abs(needed) / held;
+}
+
+}  // namespace contact

@@ -1,0 +1,110 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <variant>
+#include <vector>
+
+#include "libcontact/cylindrical_joint.hpp"
+#include "libcontact/spherical_joint.hpp"
+
+namespace contact {
+
+/// One joint of a node.
+struct NodeJoint {
+  std::variant<SphericalJoint, CylindricalJoint> joint;
+  /// Of its centre along the axis from the node's pole, m.
+  double position;
+};
+
+/// How the joints of a statically indeterminate node share its force: as a
+/// rigid axis on springs would make them.
+struct SharingRule {
+  /// For each joint, any unit, > 0: radial forces are those of springs of
+  /// this stiffness under a rigid axis.
+  std::vector<double> radial_stiffness;
+  /// For each joint, >= 0, 0 for a pin, of sum 1: share of the force along
+  /// the axis.
+  std::vector<double> axial_share;
+
+  /// Equal stiffnesses; the axial force shared equally by the balls.
+  static SharingRule equal(const std::vector<NodeJoint>& joints);
+};
+
+/// Friction of a node: the sum over its joints, and each of them.
+struct NodeSolution {
+  Status status = Status::out_of_range;
+  /// Rounds of distribution and friction; change of the joints' radial forces
+  /// in the last one, over the largest of them.
+  int iterations = 0;
+  double residual = 0;
+  /// Sum of the joints' friction moments about the axis, N m.
+  double friction_moment = 0;
+  /// Parts of them normal to the axis, N m: they load the node's moment
+  /// balance.
+  Eigen::Vector3d cross_moment = Eigen::Vector3d::Zero();
+  /// W, never positive.
+  double power = 0;
+  std::vector<JointSolution> joints;
+};
+
+/// Several joints on one axis.
+///
+/// Section 1.2 of the paper. The node passes a force R and a moment M normal
+/// to its axis on to the load; the pole of M is position 0. Each joint takes
+/// a force and no moment but that of friction:
+///
+///     R = sum R_j,  M = sum (z_j u x R_j + M_jt normal to u)
+///
+/// A ball takes any force, a pin forces normal to the axis u. Two joints, one
+/// of them a ball, are statically determinate. Friction moments of balls have
+/// parts normal to the axis, which depend on R_j: the distribution is
+/// repeated until it fits.
+class JointNode {
+ public:
+  /// @throws Error if there is no ball to take the axial force, fewer than
+  ///         two joints or two at one place, or if the node is statically
+  ///         indeterminate and no rule is given.
+  explicit JointNode(std::vector<NodeJoint> joints,
+                     std::optional<SharingRule> rule = {});
+
+  const std::vector<NodeJoint>& joints() const { return joints_; }
+
+  /// A solution with room for the joints: solve() then does not allocate.
+  NodeSolution make_solution() const;
+
+  /// Friction under R and M while the load turns about the axis.
+  ///
+  /// @param reaction  R on the load, N
+  /// @param moment    M on the load about the pole, N m; its part along the
+  ///                  axis is left out
+  /// @param axis      u, unit vector
+  /// @param rate      rad/s about the axis; exactly 0: all joints rest
+  /// @param solution  from make_solution() or an earlier call, which is then
+  ///                  the start
+  /// @return in `solution`: R and M reproduced to 1e-12 of |R| and
+  ///         |R| x distance (joint_node_test.cpp)
+  void solve(const Eigen::Vector3d& reaction, const Eigen::Vector3d& moment,
+             const Eigen::Vector3d& axis, double rate,
+             NodeSolution& solution) const noexcept;
+
+  /// |needed|/(the moment of sliding that opposes it): the node holds the
+  /// moment `needed` about its axis at rest if this is <= 1. Viscous joints
+  /// hold nothing.
+  /// @param solution  as for solve(); the incipient sliding
+  double utilisation(const Eigen::Vector3d& reaction,
+                     const Eigen::Vector3d& moment, const Eigen::Vector3d& axis,
+                     double needed, NodeSolution& solution) const noexcept;
+
+ private:
+  std::vector<NodeJoint> joints_;
+  // Radial force of a joint: force_share R + moment_share (M x u).
+  struct Shares {
+    double force;
+    double moment;
+    double axial;
+  };
+  std::vector<Shares> shares_;
+};
+
+}  // namespace contact

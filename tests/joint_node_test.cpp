@@ -1,0 +1,255 @@
+#include "libcontact/joint_node.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "support/accuracy_report.hpp"
+#include "support/allocation_count.hpp"
+#include "support/error_message.hpp"
+#include "support/random_slip.hpp"
+
+namespace {
+
+using contact::CylindricalJoint;
+using contact::ElasticPair;
+using contact::FrictionLaw;
+using contact::FrictionModel;
+using contact::JointGeometry;
+using contact::JointKind;
+using contact::JointNode;
+using contact::JointSolution;
+using contact::JointState;
+using contact::NodeJoint;
+using contact::NodeSolution;
+using contact::SharingRule;
+using contact::SphericalJoint;
+using contact::Status;
+using contact::test::AccuracyReport;
+using contact::test::error_message;
+using contact::test::RandomSlips;
+using Eigen::Vector3d;
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+const ElasticPair steel({2e11, 0.3}, {2e11, 0.3});
+
+NodeJoint ball(double position, const FrictionModel& friction) {
+  return {SphericalJoint(
+              JointGeometry::ball(0.05, 5e-5), steel, friction,
+              contact::make_half_angle_law("tanh", JointKind::spherical, steel),
+              contact::make_pressure_law("cosine", JointKind::spherical)),
+          position};
+}
+
+NodeJoint pin(double position, const FrictionModel& friction) {
+  return {
+      CylindricalJoint(
+          JointGeometry::pin(0.04, 4e-5, 0.08), steel, friction,
+          contact::make_half_angle_law("blend", JointKind::cylindrical, steel),
+          contact::make_pressure_law("cosine", JointKind::cylindrical)),
+      position};
+}
+
+// R and M of a node from its joints: the sums that they have to give.
+struct Sums {
+  Vector3d force = Vector3d::Zero();
+  Vector3d moment = Vector3d::Zero();
+  double friction = 0;
+  double power = 0;
+
+  Sums(const JointNode& node, const NodeSolution& solution,
+       const Vector3d& axis) {
+    for (std::size_t i = 0; i < node.joints().size(); ++i) {
+      const JointSolution& s = solution.joints[i];
+      force += s.reaction;
+      moment += node.joints()[i].position * axis.cross(s.reaction) +
+                s.friction_moment - s.friction_moment.dot(axis) * axis;
+      friction += s.friction_moment.dot(axis);
+      power += s.power;
+    }
+  }
+};
+
+TEST(JointNode, BallAndPinReproduceTheirForceAndMoment) {
+  RandomSlips random(1);
+  AccuracyReport force("sum of forces over R", 1e-12);
+  AccuracyReport moment("sum of moments over R x distance", 1e-12);
+  int most_rounds = 0;
+  for (int i = 0; i < 500; ++i) {
+    const FrictionLaw friction(random.uniform(), random.log_uniform(1e3, 1e8));
+    const double distance = random.log_uniform(0.2, 3);
+    const JointNode node(
+        {ball(0, friction),
+         pin(random.uniform() < 0.5 ? distance : -distance, friction)});
+    const Vector3d axis = random.direction();
+    const Vector3d reaction = random.log_uniform(1e3, 1e7) * random.direction();
+    const Vector3d given = reaction.norm() * distance * random.direction();
+    const Vector3d across = given - given.dot(axis) * axis;
+    NodeSolution solution = node.make_solution();
+    const double rate = random.uniform() - 0.5;
+    node.solve(reaction, given, axis, rate, solution);
+    const std::string label = "input " + std::to_string(i);
+    ASSERT_EQ(solution.status, Status::ok) << label;
+    most_rounds = std::max(most_rounds, solution.iterations);
+    const Sums sums(node, solution, axis);
+    force.add_error((sums.force - reaction).norm() / reaction.norm(), label);
+    moment.add_error(
+        (sums.moment - across).norm() / (reaction.norm() * distance), label);
+    EXPECT_DOUBLE_EQ(sums.friction, solution.friction_moment);
+    EXPECT_DOUBLE_EQ(sums.power, solution.power);
+    EXPECT_LT(solution.friction_moment * rate, 0);
+    EXPECT_NEAR(solution.friction_moment * rate / solution.power, 1, 1e-12);
+    // The pin takes nothing along the axis.
+    EXPECT_LE(std::abs(solution.joints[1].reaction.dot(axis)),
+              1e-15 * reaction.norm());
+    // A start from another state gives the same.
+    NodeSolution again = solution;
+    node.solve(1.01 * reaction, given, axis, rate, again);
+    node.solve(reaction, given, axis, rate, again);
+    EXPECT_NEAR(again.friction_moment / solution.friction_moment, 1, 1e-11);
+  }
+  force.check();
+  moment.check();
+  std::printf("most rounds %d\n", most_rounds);
+}
+
+// Without friction statics alone: R_2 = M x u / z_2.
+TEST(JointNode, LeverRule) {
+  const JointNode node({ball(0, FrictionLaw(0)), pin(2, FrictionLaw(0))});
+  NodeSolution s = node.make_solution();
+  node.solve({10, 0, 7}, {0, 6, 0}, {0, 0, 1}, 1, s);
+  EXPECT_LE((s.joints[0].reaction - Vector3d(7, 0, 7)).norm(), 1e-14);
+  EXPECT_LE((s.joints[1].reaction - Vector3d(3, 0, 0)).norm(), 1e-14);
+  EXPECT_EQ(s.friction_moment, 0);
+}
+
+// Two equal balls with a symmetric load: each as if it were alone.
+TEST(JointNode, TwoBallsShare) {
+  const FrictionLaw friction(0.25, 2.5e8);
+  const std::vector<NodeJoint> joints = {ball(-0.5, friction),
+                                         ball(0.5, friction)};
+  const JointNode node(joints, SharingRule::equal(joints));
+  const Vector3d reaction(1.122e6, 3.23e5, 0);
+  const Vector3d axis(0, 0, 1);
+  NodeSolution s = node.make_solution();
+  node.solve(2 * reaction, Vector3d::Zero(), axis, 0.1, s);
+  ASSERT_EQ(s.status, Status::ok);
+  const auto& alone = std::get<SphericalJoint>(joints[0].joint);
+  const JointSolution one = alone.solve(reaction, 0.1 * axis);
+  EXPECT_NEAR(s.friction_moment / (2 * one.friction_moment.z()), 1, 1e-13);
+  // Unequal springs and axial shares.
+  const JointNode uneven(joints, SharingRule{{1, 3}, {0.2, 0.8}});
+  NodeSolution t = uneven.make_solution();
+  const Vector3d oblique(2e5, 0, 1e5);
+  uneven.solve(oblique, Vector3d::Zero(), axis, 0, t);
+  EXPECT_NEAR(t.joints[0].reaction.z(), 0.2e5, 1e-9);
+  EXPECT_NEAR(t.joints[1].reaction.z(), 0.8e5, 1e-9);
+  // Determinate across the axis: stiffness has no influence.
+  EXPECT_NEAR(t.joints[0].reaction.x(), 1e5, 1e-9);
+}
+
+// Three supports under a rigid axis: the springs' reactions.
+TEST(JointNode, ThreeSupportsFollowTheirStiffness) {
+  const FrictionLaw none(0);
+  const std::vector<NodeJoint> joints = {ball(-1, none), pin(0, none),
+                                         pin(2, none)};
+  const JointNode node(joints, SharingRule{{2, 1, 3}, {1, 0, 0}});
+  NodeSolution s = node.make_solution();
+  // shift 5, tilt 2 of an axis along z, forces along x: k (5 + 2 z).
+  const double forces[] = {2 * 3.0, 1 * 5.0, 3 * 9.0};
+  const Vector3d reaction(6 + 5 + 27, 0, 0);
+  const Vector3d moment(0, -6 + 0 + 54, 0);
+  node.solve(reaction, moment, {0, 0, 1}, 0, s);
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_NEAR(s.joints[i].reaction.x(), forces[i], 1e-13) << i;
+  }
+}
+
+TEST(JointNode, RestAndUtilisation) {
+  const FrictionLaw friction(0.2, 1e7);
+  const JointNode node({ball(0, friction), pin(1, friction)});
+  const Vector3d reaction(1e5, 2e4, 3e4);
+  const Vector3d moment(4e4, -1e4, 0);
+  const Vector3d axis(0, 0, 1);
+  NodeSolution s = node.make_solution();
+  node.solve(reaction, moment, axis, 0, s);
+  EXPECT_EQ(s.status, Status::ok);
+  EXPECT_EQ(s.friction_moment, 0);
+  EXPECT_EQ(s.joints[0].state, JointState::resting);
+  NodeSolution slide = node.make_solution();
+  node.solve(reaction, moment, axis, -1e-6, slide);
+  EXPECT_NEAR(
+      node.utilisation(reaction, moment, axis, 0.3 * slide.friction_moment, s),
+      0.3, 1e-12);
+  EXPECT_EQ(node.utilisation(reaction, moment, axis, 0, s), 0);
+}
+
+TEST(JointNode, ViscousJointsGoThroughTheSameNode) {
+  const contact::ViscousLaw oil(1e6, 0.1);
+  const JointNode node({ball(0, oil), pin(1, oil)});
+  NodeSolution s = node.make_solution();
+  const Vector3d axis(0, 0, 1);
+  node.solve({1e5, 0, 0}, {0, 4e4, 0}, axis, 1, s);
+  ASSERT_EQ(s.status, Status::ok);
+  const double fast = s.friction_moment;
+  node.solve({1e5, 0, 0}, {0, 4e4, 0}, axis, 1e-6, s);
+  // Linear in the rate while friction does not move the contact.
+  EXPECT_NEAR(s.friction_moment / (1e-6 * fast), 1, 0.02);
+  EXPECT_EQ(node.utilisation({1e5, 0, 0}, {0, 4e4, 0}, axis, 1, s),
+            std::numeric_limits<double>::infinity());
+}
+
+TEST(JointNode, RefusesWhatStaticsDoesNotSettle) {
+  const FrictionLaw f(0.1);
+  const auto message = [](std::vector<NodeJoint> joints,
+                          std::optional<SharingRule> rule = {}) {
+    return error_message([&] { JointNode(joints, rule); });
+  };
+  EXPECT_EQ(message({ball(0, f)}),
+            "joint node: 1 joint: allowed: at least 2, to hold moments across "
+            "the axis");
+  EXPECT_EQ(message({pin(0, f), pin(1, f)}),
+            "joint node: no spherical joint takes the force along the axis");
+  EXPECT_EQ(message({ball(1, f), pin(1, f)}),
+            "joint node: two joints at position 1 m");
+  EXPECT_EQ(message({ball(0, f), pin(nan, f)}),
+            "joint node: position = nan: allowed: finite, m");
+  EXPECT_EQ(message({ball(0, f), pin(1, f), pin(2, f)}),
+            "joint node: 3 joints share the force across the axis: statically "
+            "indeterminate: allowed: 2 joints, or a sharing rule");
+  EXPECT_EQ(message({ball(0, f), ball(1, f)}),
+            "joint node: 2 spherical joints share the force along the axis: "
+            "statically indeterminate: allowed: 1 spherical joint, or a "
+            "sharing rule");
+  EXPECT_EQ(message({ball(0, f), ball(1, f)}, SharingRule{{1}, {1, 0}}),
+            "joint node: sharing rule for 1 and 2 joints: allowed: one value "
+            "for each of the 2 joints");
+  EXPECT_EQ(message({ball(0, f), pin(1, f)}, SharingRule{{1, 1}, {0.5, 0.5}}),
+            "joint node: axial_share = 0.5: allowed: 0 for a pin");
+  EXPECT_EQ(message({ball(0, f), ball(1, f)}, SharingRule{{1, 0}, {1, 0}}),
+            "joint node: radial_stiffness = 0: allowed: above 0, finite");
+  EXPECT_EQ(message({ball(0, f), ball(1, f)}, SharingRule{{1, 1}, {1, 1}}),
+            "joint node: sum of axial_share = 2: allowed: 1");
+}
+
+TEST(JointNode, NanGivesStatusAndNothingAllocates) {
+  const FrictionLaw friction(0.2, 1e7);
+  const JointNode node({ball(0, friction), pin(1, friction)});
+  NodeSolution s = node.make_solution();
+  const std::size_t before = contact::test::allocation_count();
+  node.solve({nan, 0, 0}, {0, 0, 0}, {0, 0, 1}, 1, s);
+  EXPECT_EQ(s.status, Status::out_of_range);
+  EXPECT_TRUE(std::isnan(s.friction_moment));
+  // And recovers.
+  node.solve({1e4, 0, 0}, {0, 0, 0}, {0, 0, 1}, 1, s);
+  EXPECT_EQ(s.status, Status::ok);
+  EXPECT_LT(s.friction_moment, 0);
+  EXPECT_EQ(contact::test::allocation_count(), before);
+}
+
+}  // namespace
