@@ -23,6 +23,16 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(" \t") + 1 - first);
 }
 
+// A field as a message shows it: on one line, without control characters.
+std::string shown(std::string_view raw) {
+  constexpr std::size_t longest = 40;
+  std::string text(trimmed(raw).substr(0, longest));
+  for (char& c : text) {
+    if (static_cast<unsigned char>(c) < ' ' || c == '\x7f') c = '?';
+  }
+  return trimmed(raw).size() > longest ? text + "..." : text;
+}
+
 // The angle in a field; NaN and a text in `why` if it is none.
 double angle(std::string_view name, std::string_view raw,
              const cli::Allowed& allowed, std::string& why) {
@@ -31,7 +41,7 @@ double angle(std::string_view name, std::string_view raw,
                          : cli::parse_number(raw);
   if (value && allowed.contains(*value)) return *value;
   why =
-      fmt::format("{} = {}: {}, allowed {}", name, trimmed(raw),
+      fmt::format("{} = {}: {}, allowed {}", name, shown(raw),
                   value ? "outside the range" : "not a number", allowed.text());
   return nan;
 }
