@@ -1,0 +1,38 @@
+#pragma once
+
+#include <vector>
+
+#include "multibody/linear3.hpp"
+
+namespace multibody {
+
+/// What acts on a load, load axes: active force and moment about the centre
+/// of mass, both without gravity, and the moment of friction in its joint
+/// (the opposite one acts on the carrier).
+template <class T>
+struct LoadForces {
+  Vec3<T> force{};     ///< F_ia, N
+  Vec3<T> moment{};    ///< N m
+  Vec3<T> friction{};  ///< M_it, N m; ignored while the joint is held
+};
+
+/// Everything given that acts on the bodies; uniform gravity is not part of
+/// it, since it moves all bodies alike.
+template <class T>
+struct Loading {
+  Vec3<T> carrier_force{};   ///< F_0a, carrier axes, N
+  Vec3<T> carrier_moment{};  ///< about the centre of mass, carrier axes, N m
+  std::vector<LoadForces<T>> loads;
+};
+
+/// Reaction on a load in its joint, load axes.
+template <class T>
+struct Reaction {
+  Vec3<T> force;   ///< R_i with the force of friction in it, N
+  /// About the hinge's centre, without the moment of friction, N m: zero in a
+  /// spherical joint, normal to the axis on an axis, and in a held joint the
+  /// moment that friction or a lock has to hold.
+  Vec3<T> moment;
+};
+
+}  // namespace multibody
