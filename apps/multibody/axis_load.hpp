@@ -116,10 +116,10 @@ class AxisLoad {
   }
   Reaction<T> reaction(const CarrierAcceleration<T>& carrier) const {
     // Angular acceleration less the part that K and a hold already.
-    const Vec3<T> w = transposed_times(c_, carrier.angular) +
-                      relative_acceleration(carrier);
-    Vec3<T> a = transposed_times(
-        c_, carrier.linear + cross(carrier.angular, k_.hinge));
+    const Vec3<T> w =
+        transposed_times(c_, carrier.angular) + relative_acceleration(carrier);
+    Vec3<T> a =
+        transposed_times(c_, carrier.linear + cross(carrier.angular, k_.hinge));
     a.y -= k_.arm * w.z;
     a.z += k_.arm * w.y;
     const Vec3<T> r = k_.mass * a - g_;

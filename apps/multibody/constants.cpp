@@ -16,16 +16,15 @@ struct Turning {
 
 /// The matrices of 1, cos t, sin t, cos 2t, sin 2t.
 struct Harmonics {
-  Matrix3d one = Matrix3d::Zero(), cos = one, sin = one, cos2 = one,
-           sin2 = one;
+  Matrix3d one = Matrix3d::Zero(), cos = one, sin = one, cos2 = one, sin2 = one;
 
   // += factor * a b^T
   void add(double factor, const Turning& a, const Turning& b) {
     const auto outer = [&](const Vector3d& u, const Vector3d& v) {
       return Matrix3d(factor * u * v.transpose());
     };
-    one += outer(a.one, b.one) +
-           0.5 * (outer(a.cos, b.cos) + outer(a.sin, b.sin));
+    one +=
+        outer(a.one, b.one) + 0.5 * (outer(a.cos, b.cos) + outer(a.sin, b.sin));
     cos += outer(a.one, b.cos) + outer(a.cos, b.one);
     sin += outer(a.one, b.sin) + outer(a.sin, b.one);
     cos2 += 0.5 * (outer(a.cos, b.cos) - outer(a.sin, b.sin));
@@ -98,11 +97,10 @@ AxisConstants<double> axis_constants(const Link& link) {
   const Turning y{none, c.col(1), -c.col(0)};
   const Turning z{c.col(2), none, none};
   const Turning com{link.hinge, -link.arm * x.cos, -link.arm * x.sin};
-  const Turning p{jzz * z.one,
-                  i(0, 2) * x.cos + i(1, 2) * y.cos -
-                      k.mass_arm * link.hinge.cross(y.cos),
-                  i(0, 2) * x.sin + i(1, 2) * y.sin -
-                      k.mass_arm * link.hinge.cross(y.sin)};
+  const Turning p{
+      jzz * z.one,
+      i(0, 2) * x.cos + i(1, 2) * y.cos - k.mass_arm * link.hinge.cross(y.cos),
+      i(0, 2) * x.sin + i(1, 2) * y.sin - k.mass_arm * link.hinge.cross(y.sin)};
   k.p_1 = vec3(p.one);
   k.p_cos = vec3(p.cos);
   k.p_sin = vec3(p.sin);
@@ -112,8 +110,7 @@ AxisConstants<double> axis_constants(const Link& link) {
   const Turning* axes[] = {&x, &y, &z};
   for (int row = 0; row < 3; ++row) {
     for (int col = 0; col < 3; ++col) {
-      f.add(i(std::min(row, col), std::max(row, col)), *axes[row],
-            *axes[col]);
+      f.add(i(std::min(row, col), std::max(row, col)), *axes[row], *axes[col]);
     }
   }
   Harmonics com_squared;
@@ -149,8 +146,7 @@ FreeConstants<double> free_constants(const Link& link) {
     inverse[i] = moment > 1e-14 * largest ? 1 / moment : 0;
   }
   const Matrix3d& v = eigen.eigenvectors();
-  return {sym3(link.inertia),
-          sym3(v * inverse.asDiagonal() * v.transpose())};
+  return {sym3(link.inertia), sym3(v * inverse.asDiagonal() * v.transpose())};
 }
 
 }  // namespace multibody

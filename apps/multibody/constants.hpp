@@ -19,15 +19,15 @@ template <class P>
 struct SphericalConstants {
   P inverse_mass;
   P arm;
-  P mass_arm;             ///< m arm
-  P ix, iy, spin;         ///< i_x, i_y, I_zz
-  P ux, uy;               ///< I_xz/I_zz, I_yz/I_zz
+  P mass_arm;      ///< m arm
+  P ix, iy, spin;  ///< i_x, i_y, I_zz
+  P ux, uy;        ///< I_xz/I_zz, I_yz/I_zz
   P inverse_dx, inverse_dy;
-  P kx, ky;               ///< m arm/d_x, m arm/d_y
-  P inverse_spin;         ///< 1/I_zz; 0 for a point mass, which has no spin
-  Vec3<P> n;              ///< diagonal of N_i
-  P n_xy, n_zy;           ///< n_x - n_y, n_z - n_y
-  Vec3<P> hinge;          ///< r_i0
+  P kx, ky;        ///< m arm/d_x, m arm/d_y
+  P inverse_spin;  ///< 1/I_zz; 0 for a point mass, which has no spin
+  Vec3<P> n;       ///< diagonal of N_i
+  P n_xy, n_zy;    ///< n_x - n_y, n_z - n_y
+  Vec3<P> hinge;   ///< r_i0
 };
 SphericalConstants<double> spherical_constants(const Link& link);
 
@@ -39,11 +39,11 @@ SphericalConstants<double> spherical_constants(const Link& link);
 template <class P>
 struct AxisConstants {
   P mass, arm, mass_arm;
-  P inverse_jzz;          ///< 1/(I_zz + m arm^2)
-  P k;                    ///< m arm/J_zz
-  Sym3<P> inertia;        ///< about the centre of mass
-  Mat3<P> zero;           ///< x, y, z
-  Vec3<P> hinge;          ///< foot of the perpendicular, carrier axes
+  P inverse_jzz;    ///< 1/(I_zz + m arm^2)
+  P k;              ///< m arm/J_zz
+  Sym3<P> inertia;  ///< about the centre of mass
+  Mat3<P> zero;     ///< x, y, z
+  Vec3<P> hinge;    ///< foot of the perpendicular, carrier axes
   Vec3<P> p_1, p_cos, p_sin;
   /// The load's part of F, (1.7): f_1 + f_c cos t + f_s sin t + ...
   Sym3<P> f_1, f_cos, f_sin, f_cos2, f_sin2;
@@ -59,7 +59,7 @@ struct HeldConstants {
   Sym3<P> inertia;
   Vec3<P> r;
   Vec3<P> hinge;
-  Mat3<P> zero;           ///< axis only: as in AxisConstants
+  Mat3<P> zero;  ///< axis only: as in AxisConstants
   P pole_offset;
 };
 HeldConstants<double> held_constants(const Link& link);

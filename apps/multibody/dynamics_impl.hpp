@@ -183,15 +183,13 @@ Vec3<T> Dynamics<T, P>::angular_acceleration(int load) const {
 
 template <class T, class P>
 Reaction<T> Dynamics<T, P>::reaction(int load) const {
-  return visit(load, Reaction<T>{}, [&](const auto& joint) {
-    return joint.reaction(carrier_);
-  });
+  return visit(load, Reaction<T>{},
+               [&](const auto& joint) { return joint.reaction(carrier_); });
 }
 
 template <class T, class P>
 Mat3<T> Dynamics<T, P>::axes(int load) const {
-  return visit(load, Mat3<T>{},
-               [](const auto& joint) { return joint.axes(); });
+  return visit(load, Mat3<T>{}, [](const auto& joint) { return joint.axes(); });
 }
 
 }  // namespace multibody

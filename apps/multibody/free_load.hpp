@@ -13,8 +13,8 @@ class FreeLoad {
 
   /// @param w  absolute angular velocity, load axes
   void set_motion(const Vec3<T>& w, const LoadForces<T>& forces) {
-    acceleration_ = k_.inverse_inertia *
-                    (forces.moment - cross(w, k_.inertia * w));
+    acceleration_ =
+        k_.inverse_inertia * (forces.moment - cross(w, k_.inertia * w));
   }
   const Vec3<T>& angular_acceleration() const { return acceleration_; }
 

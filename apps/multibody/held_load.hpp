@@ -65,8 +65,8 @@ class HeldLoad {
   Reaction<T> reaction(const CarrierAcceleration<T>& carrier) const {
     const Vec3<T> w = angular_acceleration(carrier);
     const Vec3<T> a =
-        transposed_times(c_, carrier.linear +
-                                 cross(carrier.angular, k_.hinge)) -
+        transposed_times(c_,
+                         carrier.linear + cross(carrier.angular, k_.hinge)) -
         cross(w, k_.r);
     const Vec3<T> r = k_.mass * a - g_;
     Vec3<T> m = k_.inertia * w - moment_ - cross(k_.r, r);

@@ -143,15 +143,14 @@ template <class T>
 Quaternion<T> quaternion_rate(const Quaternion<T>& q, const Vec3<T>& w) {
   const Vec3<T> h = 0.5 * w;
   return {-(q.x * h.x + q.y * h.y + q.z * h.z),
-          q.w * h.x + q.y * h.z - q.z * h.y,
-          q.w * h.y + q.z * h.x - q.x * h.z,
+          q.w * h.x + q.y * h.z - q.z * h.y, q.w * h.y + q.z * h.x - q.x * h.z,
           q.w * h.z + q.x * h.y - q.y * h.x};
 }
 
 /// Factors L D L^T of a symmetric positive definite matrix.
 template <class T>
 struct Factor3 {
-  T yx, zx, zy;        ///< below the diagonal of L
+  T yx, zx, zy;  ///< below the diagonal of L
   Vec3<T> inverse_d;
 
   Factor3() = default;

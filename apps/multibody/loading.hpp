@@ -28,7 +28,7 @@ struct Loading {
 /// Reaction on a load in its joint, load axes.
 template <class T>
 struct Reaction {
-  Vec3<T> force;   ///< R_i with the force of friction in it, N
+  Vec3<T> force;  ///< R_i with the force of friction in it, N
   /// About the hinge's centre, without the moment of friction, N m: zero in a
   /// spherical joint, normal to the axis on an axis, and in a held joint the
   /// moment that friction or a lock has to hold.

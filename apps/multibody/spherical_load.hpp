@@ -21,9 +21,7 @@ class SphericalLoad {
       : k_(constants) {}
 
   /// n_y E of N_i acts like a mass at the hinge.
-  CarrierMatrix<P> fixed_part() const {
-    return point_mass(k_.n.y, k_.hinge);
-  }
+  CarrierMatrix<P> fixed_part() const { return point_mass(k_.n.y, k_.hinge); }
 
   /// What follows from the motion alone.
   /// @param state  quaternion of C_i and relative angular velocity
@@ -64,12 +62,10 @@ class SphericalLoad {
     const auto entry = [](const T& x1, const T& x2, const T& z1, const T& z2) {
       return T(x1 * x2 + z1 * z2);
     };
-    const Sym3<T> n{entry(x.x, c_.x.x, z.x, c_.z.x),
-                    entry(x.y, c_.x.y, z.y, c_.z.y),
-                    entry(x.z, c_.x.z, z.z, c_.z.z),
-                    entry(x.x, c_.x.y, z.x, c_.z.y),
-                    entry(x.x, c_.x.z, z.x, c_.z.z),
-                    entry(x.y, c_.x.z, z.y, c_.z.z)};
+    const Sym3<T> n{
+        entry(x.x, c_.x.x, z.x, c_.z.x), entry(x.y, c_.x.y, z.y, c_.z.y),
+        entry(x.z, c_.x.z, z.z, c_.z.z), entry(x.x, c_.x.y, z.x, c_.z.y),
+        entry(x.x, c_.x.z, z.x, c_.z.z), entry(x.y, c_.x.z, z.y, c_.z.z)};
     // Rows of N' r~_0 are minus the cross products of r_0 with rows of N'.
     const Vec3<P>& r = k_.hinge;
     const Vec3<T> sx = cross(r, Vec3<T>{n.xx, n.xy, n.xz});
@@ -135,9 +131,9 @@ class SphericalLoad {
   Mat3<T> c_;
   Vec3<T> gyroscopic_;
   Vec3<T> friction_;
-  Vec3<T> a_;       ///< a for V' = w' = 0
+  Vec3<T> a_;  ///< a for V' = w' = 0
   T e_x_, e_y_;
-  T spin_;          ///< M_z/I_zz
+  T spin_;  ///< M_z/I_zz
 };
 
 }  // namespace multibody

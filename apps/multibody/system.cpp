@@ -43,13 +43,13 @@ Matrix3d checked_inertia(const Matrix3d& inertia, bool positive,
   }
   const Matrix3d symmetric = 0.5 * (inertia + inertia.transpose());
   const double smallest =
-      Eigen::SelfAdjointEigenSolver<Matrix3d>(symmetric,
-                                              Eigen::EigenvaluesOnly)
+      Eigen::SelfAdjointEigenSolver<Matrix3d>(symmetric, Eigen::EigenvaluesOnly)
           .eigenvalues()[0];
   if (positive ? smallest <= zero_inertia * scale
                : smallest < -zero_inertia * scale) {
     fail(place, fmt::format("smallest principal moment {} kg m^2, allowed is "
-                            "{} 0", smallest, positive ? "above" : "at least"));
+                            "{} 0",
+                            smallest, positive ? "above" : "at least"));
   }
   return symmetric;
 }
@@ -71,8 +71,8 @@ Matrix3d turn_about_z(double angle) {
 // free to turn, I_xy - j j^T/I_zz, is diagonal: then so is N of (1.3).
 Matrix3d axes_of_spherical(const Matrix3d& inertia, const Vector3d& r) {
   if (r.isZero(0)) {
-    Matrix3d axes = Eigen::SelfAdjointEigenSolver<Matrix3d>(inertia)
-                        .eigenvectors();
+    Matrix3d axes =
+        Eigen::SelfAdjointEigenSolver<Matrix3d>(inertia).eigenvectors();
     if (axes.determinant() < 0) axes.col(0) *= -1;
     return axes;
   }
@@ -94,8 +94,8 @@ Link spherical_link(const Load& load, const std::string& place) {
   link.hinge = load.hinge_from_carrier_com;
   const double scale = load.inertia.trace();
   const bool can_turn = link.arm * link.arm * load.mass > 0;
-  if (!can_turn && !(link.inertia.diagonal().minCoeff() >
-                     zero_inertia * scale)) {
+  if (!can_turn &&
+      !(link.inertia.diagonal().minCoeff() > zero_inertia * scale)) {
     fail(place + ".inertia_com",
          "no inertia about the joint, allowed is some inertia in every "
          "direction, or a joint away from the centre of mass");
@@ -157,8 +157,9 @@ Link make_link(Load load, const std::string& place) {
 }  // namespace
 
 Matrix3d checked_rotation(const Matrix3d& matrix, const std::string& place) {
-  const double error =
-      (matrix.transpose() * matrix - Matrix3d::Identity()).cwiseAbs().maxCoeff();
+  const double error = (matrix.transpose() * matrix - Matrix3d::Identity())
+                           .cwiseAbs()
+                           .maxCoeff();
   // Seven printed digits pass.
   if (!(error <= 1e-6) || matrix.determinant() < 0) {
     fail(place, "not a rotation matrix (orthogonal to 1e-6, right-handed)");

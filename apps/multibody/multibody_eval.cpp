@@ -1,0 +1,38 @@
+#include <string>
+
+#include "cli/output.hpp"
+#include "cli/program.hpp"
+#include "multibody/case_file.hpp"
+
+namespace {
+
+constexpr const char* description =
+    "Accelerations and reactions of a carrier with hinged loads at one "
+    "instant.\n\n"
+    "FILE is a case in the format of data/reference/multibody/README.md; the\n"
+    "result is a JSON object with the keys of its \"expected\", in the same\n"
+    "units and frames.";
+
+constexpr const char* footer =
+    "Example:\n"
+    "  multibody-eval data/reference/multibody/axes_18_balanced_rotors_L3.json"
+    "\n\nExit status: 0 computed; 2 bad option or file, no result.\n";
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app(description, "multibody-eval");
+  app.footer(footer);
+  std::string file;
+  std::string output;
+  app.add_option("FILE", file, "case to evaluate")->required();
+  app.add_option("--output", output, "file to write; default standard output")
+      ->type_name("FILE");
+  return cli::run_program(app, argc, argv, [&] {
+    const multibody::Case c = multibody::read_case(file);
+    cli::Output to(output);
+    to.write(multibody::evaluate(c).dump(2) + '\n');
+    to.commit();
+    return cli::all_good;
+  });
+}
