@@ -29,9 +29,10 @@ int main(int argc, char** argv) {
   app.add_option("--output", output, "file to write; default standard output")
       ->type_name("FILE");
   return cli::run_program(app, argc, argv, [&] {
-    const multibody::Case c = multibody::read_case(file);
+    const multibody::Instant instant = multibody::read_case(file);
+    const multibody::InstantResult result = multibody::evaluate(instant);
     cli::Output to(output);
-    to.write(multibody::evaluate(c).dump(2) + '\n');
+    to.write(multibody::to_json(instant, result).dump(2) + '\n');
     to.commit();
     return cli::all_good;
   });

@@ -1,0 +1,75 @@
+#include "multibody/json_node.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "libcontact/error.hpp"
+#include "multibody/system.hpp"
+
+namespace multibody {
+
+JsonNode JsonNode::operator[](const char* key) const {
+  if (!value_.is_object()) fail("an object");
+  const std::string place = place_.empty() ? key : place_ + "." + key;
+  if (!has(key)) throw contact::Error(place + ": missing");
+  return {value_[key], place};
+}
+
+JsonNode JsonNode::operator[](std::size_t i) const {
+  return {value_[i], fmt::format("{}[{}]", place_, i)};
+}
+
+std::size_t JsonNode::size() const {
+  if (!value_.is_array()) fail("an array");
+  return value_.size();
+}
+
+double JsonNode::number() const {
+  if (!value_.is_number() || !std::isfinite(value_.get<double>())) {
+    fail("a finite number");
+  }
+  return value_.get<double>();
+}
+
+bool JsonNode::boolean() const {
+  if (!value_.is_boolean()) fail("true or false");
+  return value_.get<bool>();
+}
+
+std::string JsonNode::string() const {
+  if (!value_.is_string()) fail("a string");
+  return value_.get<std::string>();
+}
+
+Eigen::Vector3d JsonNode::vector() const {
+  if (size() != 3) fail("an array of 3 numbers");
+  Eigen::Vector3d v;
+  for (std::size_t i = 0; i < 3; ++i) v[i] = (*this)[i].number();
+  return v;
+}
+
+Eigen::Vector3d JsonNode::vector_or_zero(const char* key) const {
+  return has(key) ? (*this)[key].vector() : Eigen::Vector3d::Zero();
+}
+
+Eigen::Matrix3d JsonNode::matrix() const {
+  if (size() != 3) fail("an array of 3 rows");
+  Eigen::Matrix3d m;
+  for (std::size_t i = 0; i < 3; ++i) m.row(i) = (*this)[i].vector();
+  return m;
+}
+
+Eigen::Matrix3d JsonNode::rotation() const {
+  return checked_rotation(matrix(), place_);
+}
+
+void JsonNode::fail(const std::string& allowed) const {
+  std::string text = value_.dump();
+  if (text.size() > 60) text = text.substr(0, 57) + "...";
+  throw contact::Error(fmt::format("{}: {}, allowed is {}",
+                                   place_.empty() ? "file" : place_, text,
+                                   allowed));
+}
+
+}  // namespace multibody

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstdint>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "multibody/instant.hpp"
+
+/// Carriers with random loads for tests and benchmarks: the same numbers from
+/// the same seed on every machine.
+namespace multibody::test {
+
+/// Uniform numbers, vectors and rotations.
+class Random {
+ public:
+  explicit Random(std::uint64_t seed) : engine_(seed) {}
+  double uniform(double low, double high) {
+    return low + (high - low) * static_cast<double>(engine_() >> 11) * 0x1p-53;
+  }
+  Eigen::Vector3d vector(double size);
+  Eigen::Matrix3d rotation();
+  /// Inertia of a body that could exist, moments around `size`.
+  Eigen::Matrix3d inertia(double size);
+
+ private:
+  std::mt19937_64 engine_;
+};
+
+/// What the loads of a random instant hang on.
+enum class Mix { spherical, axes, held, all };
+
+/// Loads of a few kilograms and decimetres on a carrier of twice that for
+/// each load; everything moves and is acted upon.
+Instant random_instant(Mix mix, int loads, std::uint64_t seed);
+
+}  // namespace multibody::test
