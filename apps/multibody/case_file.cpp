@@ -7,6 +7,7 @@
 
 #include "libcontact/error.hpp"
 #include "multibody/json_node.hpp"
+#include "multibody/prepared.hpp"
 
 namespace multibody {
 namespace {
@@ -127,7 +128,7 @@ ordered_json to_json(const LoadInstant& load, const LoadResult& result) {
   object["reaction_force"] = array(result.reaction_force);
   if (axis) {
     object["reaction_moment_hinge_xy"] = {result.reaction_moment_hinge.x(),
-                                        result.reaction_moment_hinge.y()};
+                                          result.reaction_moment_hinge.y()};
   }
   object["reaction_moment"] = array(result.reaction_moment);
   return object;

@@ -2,6 +2,8 @@
 
 #include <Eigen/Geometry>
 
+#include "multibody/prepared.hpp"
+
 namespace multibody {
 namespace {
 

@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "multibody/dynamics.hpp"
+#include "multibody/state_layout.hpp"
 
 /// One instant of a carrier with loads in the axes of whoever describes it:
 /// given load axes, friction moments on an axis in hinge axes. It is how
@@ -39,20 +39,6 @@ struct Instant {
   Eigen::Vector3d active_moment_com = Eigen::Vector3d::Zero();
   std::vector<LoadInstant> loads;
 };
-
-/// An instant in load axes, as Dynamics takes it.
-struct Prepared {
-  System system;
-  std::vector<JointMode> modes;
-  std::vector<double> state;  ///< StateLayout(system, modes)
-  Loading<double> loading;
-
-  /// Dynamics of the system with its joints in their modes.
-  Dynamics<double> dynamics() const;
-};
-
-/// @throws contact::Error, see System
-Prepared prepare(const Instant& instant);
 
 /// Accelerations and reaction of a load, given axes.
 struct LoadResult {

@@ -1,0 +1,102 @@
+// Compiled with assertions on, as the distribution compiled the library.
+#include "simbody_system.hpp"
+
+#include <Simbody.h>
+
+namespace multibody::bench {
+namespace {
+
+using SimTK::MobilizedBody;
+
+SimTK::Vec3 simtk(const Eigen::Vector3d& v) { return {v[0], v[1], v[2]}; }
+SimTK::Rotation simtk_rotation(const Eigen::Matrix3d& m) {
+  return SimTK::Rotation(SimTK::Mat33(m(0, 0), m(0, 1), m(0, 2), m(1, 0),
+                                      m(1, 1), m(1, 2), m(2, 0), m(2, 1),
+                                      m(2, 2)));
+}
+SimTK::Body::Rigid body(double mass, const Eigen::Matrix3d& i) {
+  return SimTK::Body::Rigid(SimTK::MassProperties(
+      mass, SimTK::Vec3(0),
+      SimTK::Inertia(i(0, 0), i(1, 1), i(2, 2), i(0, 1), i(0, 2), i(1, 2))));
+}
+Eigen::Vector3d eigen(const SimTK::Vec3& v) { return {v[0], v[1], v[2]}; }
+
+}  // namespace
+
+struct SimbodySystem::Parts {
+  SimTK::MultibodySystem system;
+  SimTK::SimbodyMatterSubsystem matter{system};
+  SimTK::GeneralForceSubsystem forces{system};
+  MobilizedBody carrier;
+  SimTK::State state;
+};
+
+SimbodySystem::SimbodySystem(const Instant& instant)
+    : parts_(std::make_unique<Parts>()) {
+  Parts& p = *parts_;
+  SimTK::Force::UniformGravity(p.forces, p.matter, simtk(instant.gravity));
+  MobilizedBody::Free carrier(
+      p.matter.Ground(), body(instant.carrier.mass, instant.carrier.inertia));
+  p.carrier = carrier;
+  std::vector<MobilizedBody> loads;
+  for (const LoadInstant& load : instant.loads) {
+    const Load& l = load.load;
+    const SimTK::Body::Rigid b = body(l.mass, l.inertia);
+    if (l.kind == JointKind::axis) {
+      loads.push_back(MobilizedBody::Pin(
+          carrier,
+          SimTK::Transform(simtk_rotation(l.hinge_to_carrier_zero),
+                           simtk(l.hinge_from_carrier_com)),
+          b,
+          SimTK::Transform(simtk_rotation(l.hinge_to_load),
+                           simtk(l.hinge_from_com))));
+    } else {
+      loads.push_back(MobilizedBody::Ball(
+          carrier, SimTK::Transform(simtk(l.hinge_from_carrier_com)), b,
+          SimTK::Transform(simtk(l.hinge_from_com))));
+    }
+  }
+  p.state = p.system.realizeTopology();
+  carrier.setQToFitTransform(p.state,
+                             SimTK::Transform(simtk_rotation(instant.rotation),
+                                              simtk(instant.position)));
+  p.system.realize(p.state, SimTK::Stage::Position);
+  carrier.setUToFitVelocity(
+      p.state,
+      SimTK::SpatialVec(simtk(instant.rotation * instant.angular_velocity),
+                        simtk(instant.velocity)));
+  for (std::size_t i = 0; i < loads.size(); ++i) {
+    const LoadInstant& load = instant.loads[i];
+    if (load.load.kind == JointKind::axis) {
+      loads[i].setOneQ(p.state, 0, load.angle);
+      loads[i].setOneU(p.state, 0, load.angle_rate);
+    } else {
+      loads[i].setQToFitRotation(p.state, simtk_rotation(load.rotation));
+      loads[i].setUToFitAngularVelocity(
+          p.state, simtk(load.rotation * load.relative_angular_velocity));
+    }
+  }
+}
+
+SimbodySystem::~SimbodySystem() = default;
+
+void SimbodySystem::evaluate() {
+  parts_->state.updQ();  // as if an integrator had written it
+  parts_->system.realize(parts_->state, SimTK::Stage::Acceleration);
+}
+
+Eigen::Vector3d SimbodySystem::carrier_acceleration() const {
+  const MobilizedBody& body = parts_->carrier;
+  const SimTK::State& state = parts_->state;
+  return eigen(~body.getBodyRotation(state) *
+               body.getBodyOriginAcceleration(state));
+}
+
+Eigen::Vector3d SimbodySystem::carrier_angular_acceleration() const {
+  const MobilizedBody& body = parts_->carrier;
+  const SimTK::State& state = parts_->state;
+  return eigen(~body.getBodyRotation(state) *
+               body.getBodyAngularAcceleration(state));
+}
+
+}  // namespace multibody::bench

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "multibody/instant.hpp"
+
+namespace multibody::bench {
+
+/// An instant (gravity only, loads on spherical joints and axes) in Simbody:
+/// bodies on Free, Ball and Pin mobilizers.
+class SimbodySystem {
+ public:
+  explicit SimbodySystem(const Instant& instant);
+  ~SimbodySystem();
+
+  /// State in, all accelerations out.
+  void evaluate();
+  /// Of evaluate(): the carrier's, carrier axes.
+  Eigen::Vector3d carrier_acceleration() const;
+  Eigen::Vector3d carrier_angular_acceleration() const;
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace multibody::bench

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <Eigen/Dense>
+#include <vector>
+
+#include "multibody/dynamics.hpp"
+
+namespace multibody::test {
+
+/// The traditional resolution made as fast as it reasonably gets, for
+/// benchmarks: all joints' conditions at once with the reactions as unknowns,
+/// Eigen's Cholesky factorisation, storage and everything constant prepared.
+/// Reactions in carrier axes, so that only what turns changes in the matrix.
+/// Loads on spherical joints or on axes, all turning.
+class DenseSolver {
+ public:
+  explicit DenseSolver(const System& system);
+
+  /// State and what acts as in Dynamics; accelerations of the carrier and
+  /// relative ones of the loads out.
+  void evaluate(const double* state, const Loading<double>& loading);
+  const Eigen::Vector3d& linear() const { return linear_; }
+  const Eigen::Vector3d& angular() const { return angular_; }
+  const Eigen::Vector3d& relative_acceleration(int load) const {
+    return loads_[load].relative;
+  }
+
+ private:
+  struct LoadPart {
+    bool axis;
+    int offset;  ///< in the state
+    int row;
+    double inverse_mass;
+    Eigen::Matrix3d inertia, inverse_inertia, zero;
+    Eigen::Vector3d r, r0;
+    Eigen::Matrix3d inverse_i0_r0;   ///< I_0^-1 r~_0
+    Eigen::Matrix3d hinge_mobility;  ///< E/m - r~ I^-1 r~
+    Eigen::Matrix3d turn_mobility;   ///< - r~ I^-1
+    // of one evaluation
+    Eigen::Matrix3d c;
+    Eigen::Vector3d w0, relative_w, free_linear, free_angular, relative;
+  };
+  void set_motion(LoadPart& load, const double* state,
+                  const LoadForces<double>& forces);
+  void fill_rows(std::size_t i);
+
+  double inverse_mass_;
+  Eigen::Matrix3d inertia_, inverse_inertia_;
+  std::vector<LoadPart> loads_;
+  Eigen::MatrixXd constant_, matrix_;
+  Eigen::VectorXd rhs_;
+  Eigen::Vector3d w0_, linear_, angular_;
+};
+
+}  // namespace multibody::test
