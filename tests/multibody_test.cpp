@@ -7,6 +7,7 @@
 #include <set>
 
 #include "multibody/case_file.hpp"
+#include "multibody/eigen_conversion.hpp"
 #include "multibody/prepared.hpp"
 #include "multibody_support/compare.hpp"
 #include "multibody_support/dense_reference.hpp"
@@ -79,7 +80,7 @@ TEST(Multibody, DenseSolverOfTheBenchmarkAgrees) {
     for (const int loads : {1, 4, 16}) {
       const Instant instant = random_instant(mix, loads, 7);
       const multibody::Prepared p = prepare(instant);
-      multibody::Dynamics<double> dynamics = p.dynamics();
+      multibody::Dynamics dynamics = p.dynamics();
       dynamics.evaluate(p.state.data(), p.loading);
       DenseSolver dense(p.system);
       dense.evaluate(p.state.data(), p.loading);

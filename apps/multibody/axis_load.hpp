@@ -5,6 +5,7 @@
 #include "multibody/carrier_equations.hpp"
 #include "multibody/constants.hpp"
 #include "multibody/loading.hpp"
+#include "multibody/state_layout.hpp"
 
 namespace multibody {
 
@@ -19,7 +20,18 @@ namespace multibody {
 template <class T, class P>
 class AxisLoad {
  public:
-  explicit AxisLoad(const AxisConstants<P>& constants) : k_(constants) {}
+  static constexpr int state_begin = 0;
+  static constexpr int state_size = 2;
+  static constexpr bool serves(JointKind kind, JointMode mode) {
+    return kind == JointKind::axis && mode == JointMode::turning;
+  }
+  static double constant(const SystemConstants& s, int load, std::size_t i) {
+    return number_of(s.axis(load), i);
+  }
+  template <class F>
+  void set_constants(F number) {
+    set_numbers(k_, number);
+  }
 
   CarrierMatrix<P> fixed_part() const {
     CarrierMatrix<P> m = point_mass(k_.mass, k_.hinge);
@@ -36,9 +48,7 @@ class AxisLoad {
     cos_ = cos(state[0]);
     sin_ = sin(state[0]);
     const T& rate = state[1];
-    c_.x = cos_ * k_.zero.x + sin_ * k_.zero.y;
-    c_.y = cos_ * k_.zero.y - sin_ * k_.zero.x;
-    c_.z = {T(k_.zero.z.x), T(k_.zero.z.y), T(k_.zero.z.z)};
+    c_ = turned_about_z(k_.zero, cos_, sin_);
     p_ = k_.p_1 + cos_ * k_.p_cos + sin_ * k_.p_sin;
 
     const Vec3<T> w0 = transposed_times(c_, carrier.w);

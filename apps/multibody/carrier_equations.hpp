@@ -29,7 +29,7 @@ struct CarrierMatrix {
   Sym3<T> f;
 
   template <class P>
-  void operator+=(const CarrierMatrix<P>& m) {
+  [[gnu::always_inline]] void operator+=(const CarrierMatrix<P>& m) {
     a += m.a;
     b_transposed.x += m.b_transposed.x;
     b_transposed.y += m.b_transposed.y;
@@ -41,7 +41,8 @@ struct CarrierMatrix {
 
 /// What a point mass fixed to the carrier adds to the matrix.
 template <class P>
-CarrierMatrix<P> point_mass(const P& mass, const Vec3<P>& at) {
+[[gnu::always_inline]] inline CarrierMatrix<P> point_mass(const P& mass,
+                                                          const Vec3<P>& at) {
   CarrierMatrix<P> m{};
   m.a.xx = m.a.yy = m.a.zz = mass;
   m.first_moment = mass * at;
@@ -59,8 +60,8 @@ struct CarrierForces {
 
   /// The opposite of a load's reaction: a force at a point and a moment.
   template <class P>
-  void subtract(const Vec3<T>& force, const Vec3<P>& at,
-                const Vec3<T>& moment) {
+  [[gnu::always_inline]] void subtract(const Vec3<T>& force, const Vec3<P>& at,
+                                       const Vec3<T>& moment) {
     a -= force;
     b -= moment + cross(at, force);
   }
@@ -74,7 +75,8 @@ template <class T>
 class CarrierSolver {
  public:
   CarrierSolver() = default;
-  explicit CarrierSolver(const CarrierMatrix<T>& m) : f_(m.f) {
+  [[gnu::always_inline]] explicit CarrierSolver(const CarrierMatrix<T>& m)
+      : f_(m.f) {
     const Mat3<T>& b = m.b_transposed;
     const Vec3<T>& c = m.first_moment;
     w_ = {f_.forward({b.x.x, b.x.y + c.z, b.x.z - c.y}),
@@ -83,7 +85,8 @@ class CarrierSolver {
     mass_ = Factor3<T>(reduced(m.a, w_, f_.inverse_d));
   }
 
-  CarrierAcceleration<T> solve(const CarrierForces<T>& forces) const {
+  [[gnu::always_inline]] CarrierAcceleration<T> solve(
+      const CarrierForces<T>& forces) const {
     const Vec3<T> y = scaled(f_.inverse_d, f_.forward(forces.b));
     const Vec3<T> v = mass_.backward(scaled(
         mass_.inverse_d, mass_.forward(forces.a - transposed_times(w_, y))));
@@ -92,7 +95,8 @@ class CarrierSolver {
 
  private:
   // M_0 = A - W^T D^-1 W with W = L^-1 B^T.
-  static Sym3<T> reduced(Sym3<T> a, const Mat3<T>& w, const Vec3<T>& d) {
+  [[gnu::always_inline]] static Sym3<T> reduced(Sym3<T> a, const Mat3<T>& w,
+                                                const Vec3<T>& d) {
     const Vec3<T> x = scaled(d, w.x);
     const Vec3<T> y = scaled(d, w.y);
     const Vec3<T> z = scaled(d, w.z);

@@ -3,6 +3,8 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 
+#include "multibody/eigen_conversion.hpp"
+
 namespace multibody {
 namespace {
 
@@ -40,16 +42,6 @@ struct Harmonics {
 };
 
 }  // namespace
-
-Vec3<double> vec3(const Vector3d& v) { return {v.x(), v.y(), v.z()}; }
-Vector3d vec3(const Vec3<double>& v) { return {v.x, v.y, v.z}; }
-Mat3<double> mat3(const Matrix3d& m) {
-  return {vec3(Vector3d(m.col(0))), vec3(Vector3d(m.col(1))),
-          vec3(Vector3d(m.col(2)))};
-}
-Sym3<double> sym3(const Matrix3d& m) {
-  return {m(0, 0), m(1, 1), m(2, 2), m(0, 1), m(0, 2), m(1, 2)};
-}
 
 SphericalConstants<double> spherical_constants(const Link& link) {
   SphericalConstants<double> k{};
@@ -147,6 +139,42 @@ FreeConstants<double> free_constants(const Link& link) {
   }
   const Matrix3d& v = eigen.eigenvectors();
   return {sym3(link.inertia), sym3(v * inverse.asDiagonal() * v.transpose())};
+}
+
+SystemConstants::SystemConstants(const System& system)
+    : carrier_mass_(system.carrier().mass),
+      carrier_inertia_(sym3(system.carrier().inertia)) {
+  loads_.reserve(system.links().size());
+  for (const Link& link : system.links()) {
+    LoadConstants& load = loads_.emplace_back();
+    load.kind = link.kind;
+    load.held = held_constants(link);
+    load.free = free_constants(link);
+    if (link.kind == JointKind::spherical) {
+      load.spherical = spherical_constants(link);
+    } else if (link.kind == JointKind::axis) {
+      load.axis = axis_constants(link);
+    }
+  }
+}
+
+int SystemConstants::size() const { return static_cast<int>(loads_.size()); }
+double SystemConstants::carrier_mass() const { return carrier_mass_; }
+const Sym3<double>& SystemConstants::carrier_inertia() const {
+  return carrier_inertia_;
+}
+JointKind SystemConstants::kind(int load) const { return loads_[load].kind; }
+const SphericalConstants<double>& SystemConstants::spherical(int load) const {
+  return loads_[load].spherical;
+}
+const AxisConstants<double>& SystemConstants::axis(int load) const {
+  return loads_[load].axis;
+}
+const HeldConstants<double>& SystemConstants::held(int load) const {
+  return loads_[load].held;
+}
+const FreeConstants<double>& SystemConstants::free(int load) const {
+  return loads_[load].free;
 }
 
 }  // namespace multibody

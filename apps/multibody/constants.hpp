@@ -1,7 +1,7 @@
 #pragma once
 
-#include <array>
-#include <bit>
+#include <cstddef>
+#include <vector>
 
 #include "multibody/linear3.hpp"
 #include "multibody/system.hpp"
@@ -72,20 +72,48 @@ struct FreeConstants {
 };
 FreeConstants<double> free_constants(const Link& link);
 
-/// The same constants in the type P, equal in all lanes.
-template <class P, template <class> class Constants>
-Constants<P> converted(const Constants<double>& constants) {
-  constexpr std::size_t n = sizeof(Constants<double>) / sizeof(double);
-  static_assert(sizeof(Constants<P>) == n * sizeof(P));
-  const auto from = std::bit_cast<std::array<double, n>>(constants);
-  std::array<P, n> to;
-  for (std::size_t i = 0; i < n; ++i) to[i] = P(from[i]);
-  return std::bit_cast<Constants<P>>(to);
-}
+/// All constants of a system.
+class SystemConstants {
+ public:
+  explicit SystemConstants(const System& system);
 
-Vec3<double> vec3(const Eigen::Vector3d& v);
-Eigen::Vector3d vec3(const Vec3<double>& v);
-Mat3<double> mat3(const Eigen::Matrix3d& m);
-Sym3<double> sym3(const Eigen::Matrix3d& m);
+  int size() const;
+  double carrier_mass() const;
+  const Sym3<double>& carrier_inertia() const;
+  JointKind kind(int load) const;
+  /// Of a load of that kind.
+  const SphericalConstants<double>& spherical(int load) const;
+  const AxisConstants<double>& axis(int load) const;
+  /// Of any load.
+  const HeldConstants<double>& held(int load) const;
+  const FreeConstants<double>& free(int load) const;
+
+ private:
+  struct LoadConstants {
+    JointKind kind;
+    SphericalConstants<double> spherical;
+    AxisConstants<double> axis;
+    HeldConstants<double> held;
+    FreeConstants<double> free;
+  };
+  double carrier_mass_;
+  Sym3<double> carrier_inertia_;
+  std::vector<LoadConstants> loads_;
+};
+
+/// The constants of a load are a row of numbers of one type.
+template <class Constants>
+double number_of(const Constants& constants, std::size_t i) {
+  return reinterpret_cast<const double*>(&constants)[i];
+}
+/// Sets them one by one: the i-th to number(i).
+template <class P, template <class> class Constants, class F>
+void set_numbers(Constants<P>& constants, F number) {
+  static_assert(sizeof(constants) % sizeof(P) == 0);
+  P* const to = reinterpret_cast<P*>(&constants);
+  for (std::size_t i = 0; i < sizeof(constants) / sizeof(P); ++i) {
+    to[i] = number(i);
+  }
+}
 
 }  // namespace multibody

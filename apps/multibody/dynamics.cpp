@@ -1,7 +1,64 @@
-#include "multibody/dynamics_impl.hpp"
+#include "multibody/dynamics.hpp"
+
+#include <cassert>
+
+#include "multibody/constants.hpp"
+#include "multibody/kernel/dynamics_kernel.hpp"
 
 namespace multibody {
 
-template class Dynamics<double>;
+Dynamics::Dynamics(const System& system, contact::InstructionSet set)
+    : constants_(std::make_unique<SystemConstants>(system)),
+      kernel_(detail::make_dynamics_kernel(*constants_, set)) {
+  for (const Link& link : system.links()) {
+    kinds_.push_back(link.kind);
+    modes_.push_back(link.kind == JointKind::none ? JointMode::released
+                                                  : JointMode::turning);
+  }
+  layout_ = StateLayout(kinds_, modes_);
+}
+
+Dynamics::~Dynamics() = default;
+Dynamics::Dynamics(Dynamics&&) noexcept = default;
+Dynamics& Dynamics::operator=(Dynamics&&) noexcept = default;
+
+void Dynamics::set_mode(int load, JointMode mode) {
+  assert(kinds_[load] != JointKind::none || mode == JointMode::released);
+  modes_[load] = mode;
+  layout_ = StateLayout(kinds_, modes_);
+  kernel_->set_mode(load, mode);
+}
+
+void Dynamics::evaluate(const double* state, const Loading<double>& loading) {
+  assert(static_cast<int>(loading.loads.size()) == size());
+  kernel_->evaluate(state, loading.carrier, loading.loads.data());
+}
+
+void Dynamics::evaluate_prescribed(const double* state,
+                                   const Loading<double>& loading,
+                                   const CarrierAcceleration<double>& carrier) {
+  assert(static_cast<int>(loading.loads.size()) == size());
+  kernel_->evaluate_prescribed(state, loading.loads.data(), carrier);
+}
+
+void Dynamics::add_friction(std::span<const Vec3<double>> change) {
+  assert(static_cast<int>(change.size()) == size());
+  kernel_->add_friction(change.data());
+}
+
+const CarrierAcceleration<double>& Dynamics::carrier() const {
+  return kernel_->carrier();
+}
+const Vec3<double>& Dynamics::relative_acceleration(int load) const {
+  return kernel_->relative_acceleration(load);
+}
+Vec3<double> Dynamics::angular_acceleration(int load) const {
+  return kernel_->angular_acceleration(load);
+}
+void Dynamics::reactions(std::span<Reaction<double>> to) const {
+  assert(static_cast<int>(to.size()) == size());
+  kernel_->reactions(to.data());
+}
+Mat3<double> Dynamics::axes(int load) const { return kernel_->axes(load); }
 
 }  // namespace multibody

@@ -1,22 +1,51 @@
 #pragma once
 
+#include "multibody/carrier_equations.hpp"
 #include "multibody/constants.hpp"
 #include "multibody/loading.hpp"
+#include "multibody/state_layout.hpp"
 
 namespace multibody {
 
-/// A body of its own: Euler's equations, load axes.
+/// A body of its own: Euler's equations, load axes. It takes no part in the
+/// carrier's equations.
 template <class T, class P>
 class FreeLoad {
  public:
-  explicit FreeLoad(const FreeConstants<P>& constants) : k_(constants) {}
+  static constexpr int state_begin = StateLayout::angular_velocity;
+  static constexpr int state_size = 3;
+  static constexpr bool serves(JointKind, JointMode mode) {
+    return mode == JointMode::released;
+  }
+  static double constant(const SystemConstants& s, int load, std::size_t i) {
+    return number_of(s.free(load), i);
+  }
+  template <class F>
+  void set_constants(F number) {
+    set_numbers(k_, number);
+  }
 
-  /// @param w  absolute angular velocity, load axes
-  void set_motion(const Vec3<T>& w, const LoadForces<T>& forces) {
+  CarrierMatrix<P> fixed_part() const { return {}; }
+  /// @param state  absolute angular velocity
+  void set_motion(const T* state, const CarrierMotion<T>&,
+                  const LoadForces<T>& forces) {
+    const Vec3<T> w{state[0], state[1], state[2]};
     acceleration_ =
         k_.inverse_inertia * (forces.moment - cross(w, k_.inertia * w));
   }
-  const Vec3<T>& angular_acceleration() const { return acceleration_; }
+  void add_to(CarrierForces<T>&) const {}
+  void add_to(CarrierMatrix<T>&) const {}
+  void add_friction(const Vec3<T>&, CarrierForces<T>&) {}
+
+  /// Absolute: there is nothing to be relative to.
+  Vec3<T> relative_acceleration(const CarrierAcceleration<T>&) const {
+    return acceleration_;
+  }
+  Vec3<T> angular_acceleration(const CarrierAcceleration<T>&) const {
+    return acceleration_;
+  }
+  Reaction<T> reaction(const CarrierAcceleration<T>&) const { return {}; }
+  Mat3<T> axes() const { return {}; }
 
  private:
   FreeConstants<P> k_;

@@ -1,41 +1,30 @@
 #pragma once
 
+#include <cmath>
+
 #include "multibody/carrier_equations.hpp"
 #include "multibody/constants.hpp"
 #include "multibody/loading.hpp"
+#include "multibody/state_layout.hpp"
 
 namespace multibody {
 
 /// One load that does not turn in its joint: the formulas of the axis with
 /// D = E, in which the load counts as one piece with the carrier and its
-/// moment M is what has to be held.
+/// moment M is what has to be held. A friction moment has no place here.
 template <class T, class P>
 class HeldLoad {
  public:
-  explicit HeldLoad(const HeldConstants<P>& constants) : k_(constants) {}
+  static double constant(const SystemConstants& s, int load, std::size_t i) {
+    return number_of(s.held(load), i);
+  }
+  template <class F>
+  void set_constants(F number) {
+    set_numbers(k_, number);
+  }
 
   CarrierMatrix<P> fixed_part() const {
     return {};  // everything depends on where the load was stopped
-  }
-
-  /// What follows from the motion alone. A friction moment has no place here.
-  /// @param state  quaternion of C_i
-  void set_motion_of_spherical(const T* state, const CarrierMotion<T>& carrier,
-                               const LoadForces<T>& forces) {
-    c_ = rotation(Quaternion<T>{state[0], state[1], state[2], state[3]});
-    set_motion(carrier, forces);
-  }
-  /// @param state  angle
-  void set_motion_of_axis(const T* state, const CarrierMotion<T>& carrier,
-                          const LoadForces<T>& forces) {
-    using std::cos;
-    using std::sin;
-    const T c = cos(state[0]);
-    const T s = sin(state[0]);
-    c_.x = c * k_.zero.x + s * k_.zero.y;
-    c_.y = c * k_.zero.y - s * k_.zero.x;
-    c_.z = {T(k_.zero.z.x), T(k_.zero.z.y), T(k_.zero.z.z)};
-    set_motion(carrier, forces);
   }
 
   void add_to(CarrierForces<T>& forces) const {
@@ -55,6 +44,8 @@ class HeldLoad {
     add_outer(matrix.f, y, c_.y);
     add_outer(matrix.f, z, c_.z);
   }
+
+  void add_friction(const Vec3<T>&, CarrierForces<T>&) {}
 
   Vec3<T> relative_acceleration(const CarrierAcceleration<T>&) const {
     return {T(0.0), T(0.0), T(0.0)};
@@ -77,9 +68,10 @@ class HeldLoad {
   /// Load axes to carrier axes.
   const Mat3<T>& axes() const { return c_; }
 
- private:
-  void set_motion(const CarrierMotion<T>& carrier,
+ protected:
+  void set_motion(const Mat3<T>& axes, const CarrierMotion<T>& carrier,
                   const LoadForces<T>& forces) {
+    c_ = axes;
     const Vec3<T> w = transposed_times(c_, carrier.w);
     const Vec3<T> a = transposed_times(c_, carrier.squared * k_.hinge) -
                       cross(w, cross(w, k_.r));
@@ -88,9 +80,49 @@ class HeldLoad {
   }
 
   HeldConstants<P> k_;
+
+ private:
   Mat3<T> c_;
   Vec3<T> g_;       ///< F - m a for V' = w' = 0
   Vec3<T> moment_;  ///< M_com - w x I w
+};
+
+/// Held in a spherical joint.
+template <class T, class P>
+class HeldSpherical : public HeldLoad<T, P> {
+ public:
+  static constexpr int state_begin = 0;
+  static constexpr int state_size = 4;
+  static constexpr bool serves(JointKind kind, JointMode mode) {
+    return kind == JointKind::spherical && mode == JointMode::held;
+  }
+  /// @param state  quaternion of C_i
+  void set_motion(const T* state, const CarrierMotion<T>& carrier,
+                  const LoadForces<T>& forces) {
+    HeldLoad<T, P>::set_motion(
+        rotation(Quaternion<T>{state[0], state[1], state[2], state[3]}),
+        carrier, forces);
+  }
+};
+
+/// Held on an axis.
+template <class T, class P>
+class HeldAxis : public HeldLoad<T, P> {
+ public:
+  static constexpr int state_begin = 0;
+  static constexpr int state_size = 1;
+  static constexpr bool serves(JointKind kind, JointMode mode) {
+    return kind == JointKind::axis && mode == JointMode::held;
+  }
+  /// @param state  angle
+  void set_motion(const T* state, const CarrierMotion<T>& carrier,
+                  const LoadForces<T>& forces) {
+    using std::cos;
+    using std::sin;
+    HeldLoad<T, P>::set_motion(
+        turned_about_z(this->k_.zero, cos(state[0]), sin(state[0])), carrier,
+        forces);
+  }
 };
 
 }  // namespace multibody

@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 
+#include "multibody/eigen_conversion.hpp"
 #include "multibody/prepared.hpp"
 
 namespace multibody {
@@ -66,9 +67,9 @@ Matrix3d friction_axes(const Link& link) {
 }
 
 LoadResult load_result(const LoadInstant& load, const Link& link,
-                       const Dynamics<double>& dynamics, int i) {
+                       const Dynamics& dynamics,
+                       const Reaction<double>& reaction, int i) {
   const Matrix3d& axes = link.axes;
-  const Reaction<double> reaction = dynamics.reaction(i);
   const Vector3d relative = vec3(dynamics.relative_acceleration(i));
   LoadResult result;
   result.angular_acceleration = axes * vec3(dynamics.angular_acceleration(i));
@@ -91,8 +92,8 @@ Matrix3d axis_rotation(const Load& load, double angle) {
          load.hinge_to_load.transpose();
 }
 
-Dynamics<double> Prepared::dynamics() const {
-  Dynamics<double> result(system);
+Dynamics Prepared::dynamics() const {
+  Dynamics result(system);
   for (int i = 0; i < result.size(); ++i) result.set_mode(i, modes[i]);
   return result;
 }
@@ -109,8 +110,8 @@ Prepared prepare(const Instant& instant) {
   p.state.resize(layout.size());
   put_body(instant.position, instant.velocity, instant.rotation,
            instant.angular_velocity, p.state.data());
-  p.loading.carrier_force = vec3(instant.active_force);
-  p.loading.carrier_moment = vec3(instant.active_moment_com);
+  p.loading.carrier.force = vec3(instant.active_force);
+  p.loading.carrier.moment = vec3(instant.active_moment_com);
   for (int i = 0; i < p.system.size(); ++i) {
     const LoadInstant& load = instant.loads[i];
     const Link& link = p.system.links()[i];
@@ -125,7 +126,7 @@ Prepared prepare(const Instant& instant) {
 
 InstantResult evaluate(const Instant& instant) {
   const Prepared p = prepare(instant);
-  Dynamics<double> dynamics = p.dynamics();
+  Dynamics dynamics = p.dynamics();
   dynamics.evaluate(p.state.data(), p.loading);
 
   const Vector3d gravity = instant.rotation.transpose() * instant.gravity;
@@ -133,9 +134,12 @@ InstantResult evaluate(const Instant& instant) {
   result.acceleration_minus_gravity = vec3(dynamics.carrier().linear);
   result.acceleration = result.acceleration_minus_gravity + gravity;
   result.angular_acceleration = vec3(dynamics.carrier().angular);
+  std::vector<Reaction<double>> reactions(p.system.size());
+  dynamics.reactions(reactions);
   for (int i = 0; i < p.system.size(); ++i) {
     const LoadInstant& load = instant.loads[i];
-    result.loads.push_back(load_result(load, p.system.links()[i], dynamics, i));
+    result.loads.push_back(
+        load_result(load, p.system.links()[i], dynamics, reactions[i], i));
     result.loads.back().acceleration +=
         relative_rotation(load).transpose() * gravity;
   }

@@ -1,10 +1,11 @@
 #pragma once
 
 /// Vectors, matrices and rotations of three dimensions for any scalar: a
-/// double, SIMD lanes over trajectories, a counting scalar. Mixed operands
-/// (constants in double, state in lanes) are allowed. Every function is
-/// written out, so that the compiler sees straight-line arithmetic and a
-/// counting scalar sees exactly the operations that are needed.
+/// double, SIMD lanes, a counting scalar. Mixed operands (constants in double,
+/// state in lanes) are allowed. Every function is written out, so that the
+/// compiler sees straight-line arithmetic and a counting scalar sees exactly
+/// the operations that are needed; and always inlined, so that files compiled
+/// for different instruction sets share none of them.
 namespace multibody {
 
 template <class T>
@@ -32,64 +33,69 @@ struct Quaternion {
 };
 
 template <class A, class B>
-auto operator+(const Vec3<A>& a, const Vec3<B>& b) {
+[[gnu::always_inline]] inline auto operator+(const Vec3<A>& a,
+                                             const Vec3<B>& b) {
   return Vec3{a.x + b.x, a.y + b.y, a.z + b.z};
 }
 template <class A, class B>
-auto operator-(const Vec3<A>& a, const Vec3<B>& b) {
+[[gnu::always_inline]] inline auto operator-(const Vec3<A>& a,
+                                             const Vec3<B>& b) {
   return Vec3{a.x - b.x, a.y - b.y, a.z - b.z};
 }
 template <class A, class B>
-auto operator*(const A& s, const Vec3<B>& v) {
+[[gnu::always_inline]] inline auto operator*(const A& s, const Vec3<B>& v) {
   return Vec3{s * v.x, s * v.y, s * v.z};
 }
 template <class A, class B>
-void operator+=(Vec3<A>& a, const Vec3<B>& b) {
+[[gnu::always_inline]] inline void operator+=(Vec3<A>& a, const Vec3<B>& b) {
   a.x += b.x;
   a.y += b.y;
   a.z += b.z;
 }
 template <class A, class B>
-void operator-=(Vec3<A>& a, const Vec3<B>& b) {
+[[gnu::always_inline]] inline void operator-=(Vec3<A>& a, const Vec3<B>& b) {
   a.x -= b.x;
   a.y -= b.y;
   a.z -= b.z;
 }
 template <class A, class B>
-auto dot(const Vec3<A>& a, const Vec3<B>& b) {
+[[gnu::always_inline]] inline auto dot(const Vec3<A>& a, const Vec3<B>& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 template <class A, class B>
-auto cross(const Vec3<A>& a, const Vec3<B>& b) {
+[[gnu::always_inline]] inline auto cross(const Vec3<A>& a, const Vec3<B>& b) {
   return Vec3{a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z,
               a.x * b.y - a.y * b.x};
 }
 /// Component by component: the product with a diagonal matrix.
 template <class A, class B>
-auto scaled(const Vec3<A>& d, const Vec3<B>& v) {
+[[gnu::always_inline]] inline auto scaled(const Vec3<A>& d, const Vec3<B>& v) {
   return Vec3{d.x * v.x, d.y * v.y, d.z * v.z};
 }
 
 template <class A, class B>
-auto operator*(const Mat3<A>& m, const Vec3<B>& v) {
+[[gnu::always_inline]] inline auto operator*(const Mat3<A>& m,
+                                             const Vec3<B>& v) {
   return Vec3{m.x.x * v.x + m.y.x * v.y + m.z.x * v.z,
               m.x.y * v.x + m.y.y * v.y + m.z.y * v.z,
               m.x.z * v.x + m.y.z * v.y + m.z.z * v.z};
 }
 /// m^T v: outer components into body ones.
 template <class A, class B>
-auto transposed_times(const Mat3<A>& m, const Vec3<B>& v) {
+[[gnu::always_inline]] inline auto transposed_times(const Mat3<A>& m,
+                                                    const Vec3<B>& v) {
   return Vec3{dot(m.x, v), dot(m.y, v), dot(m.z, v)};
 }
 
 template <class A, class B>
-auto operator*(const Sym3<A>& m, const Vec3<B>& v) {
+[[gnu::always_inline]] inline auto operator*(const Sym3<A>& m,
+                                             const Vec3<B>& v) {
   return Vec3{m.xx * v.x + m.xy * v.y + m.xz * v.z,
               m.xy * v.x + m.yy * v.y + m.yz * v.z,
               m.xz * v.x + m.yz * v.y + m.zz * v.z};
 }
 template <class A, class B>
-void operator+=(Sym3<A>& m, const Sym3<B>& n) {
+[[gnu::always_inline]] inline void operator+=(Sym3<A>& m, const Sym3<B>& n) {
   m.xx += n.xx;
   m.yy += n.yy;
   m.zz += n.zz;
@@ -99,7 +105,8 @@ void operator+=(Sym3<A>& m, const Sym3<B>& n) {
 }
 /// m += a b^T for vectors that make it symmetric.
 template <class T>
-void add_outer(Sym3<T>& m, const Vec3<T>& a, const Vec3<T>& b) {
+[[gnu::always_inline]] inline void add_outer(Sym3<T>& m, const Vec3<T>& a,
+                                             const Vec3<T>& b) {
   m.xx += a.x * b.x;
   m.yy += a.y * b.y;
   m.zz += a.z * b.z;
@@ -110,7 +117,7 @@ void add_outer(Sym3<T>& m, const Vec3<T>& a, const Vec3<T>& b) {
 
 /// The square of the cross-product matrix: squared_cross(w) * r = w x (w x r).
 template <class T>
-Sym3<T> squared_cross(const Vec3<T>& w) {
+[[gnu::always_inline]] inline Sym3<T> squared_cross(const Vec3<T>& w) {
   const T xx = w.x * w.x;
   const T yy = w.y * w.y;
   const T zz = w.z * w.z;
@@ -119,7 +126,7 @@ Sym3<T> squared_cross(const Vec3<T>& w) {
 
 /// Rotation matrix of q; orthogonal to rounding whatever the length of q.
 template <class T>
-Mat3<T> rotation(const Quaternion<T>& q) {
+[[gnu::always_inline]] inline Mat3<T> rotation(const Quaternion<T>& q) {
   const T s = 2.0 / (q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
   const T sx = s * q.x;
   const T sy = s * q.y;
@@ -138,9 +145,20 @@ Mat3<T> rotation(const Quaternion<T>& q) {
           {xz + wy, yz - wx, 1.0 - (xx + yy)}};
 }
 
+/// Axes m turned about their z by an angle given by cosine and sine.
+template <class A, class T>
+[[gnu::always_inline]] inline Mat3<T> turned_about_z(const Mat3<A>& m,
+                                                     const T& cos,
+                                                     const T& sin) {
+  return {cos * m.x + sin * m.y,
+          cos * m.y - sin * m.x,
+          {T(m.z.x), T(m.z.y), T(m.z.z)}};
+}
+
 /// dq/dt = q o (0, w)/2 for an angular velocity w in body axes.
 template <class T>
-Quaternion<T> quaternion_rate(const Quaternion<T>& q, const Vec3<T>& w) {
+[[gnu::always_inline]] inline Quaternion<T> quaternion_rate(
+    const Quaternion<T>& q, const Vec3<T>& w) {
   const Vec3<T> h = 0.5 * w;
   return {-(q.x * h.x + q.y * h.y + q.z * h.z),
           q.w * h.x + q.y * h.z - q.z * h.y, q.w * h.y + q.z * h.x - q.x * h.z,
@@ -154,7 +172,7 @@ struct Factor3 {
   Vec3<T> inverse_d;
 
   Factor3() = default;
-  explicit Factor3(const Sym3<T>& m) {
+  [[gnu::always_inline]] explicit Factor3(const Sym3<T>& m) {
     inverse_d.x = 1.0 / m.xx;
     yx = m.xy * inverse_d.x;
     zx = m.xz * inverse_d.x;
@@ -164,12 +182,12 @@ struct Factor3 {
     inverse_d.z = 1.0 / (m.zz - zx * m.xz - zy * zy_d);
   }
   /// L^-1 v
-  Vec3<T> forward(const Vec3<T>& v) const {
+  [[gnu::always_inline]] Vec3<T> forward(const Vec3<T>& v) const {
     const T y = v.y - yx * v.x;
     return {v.x, y, v.z - zx * v.x - zy * y};
   }
   /// L^-T v
-  Vec3<T> backward(const Vec3<T>& v) const {
+  [[gnu::always_inline]] Vec3<T> backward(const Vec3<T>& v) const {
     const T y = v.y - zy * v.z;
     return {v.x - yx * y - zx * v.z, y, v.z};
   }

@@ -16,12 +16,18 @@ struct LoadForces {
   Vec3<T> friction{};  ///< M_it, N m; ignored while the joint is held
 };
 
+/// What acts on the carrier, carrier axes, without gravity.
+template <class T>
+struct CarrierLoading {
+  Vec3<T> force{};   ///< F_0a, N
+  Vec3<T> moment{};  ///< about the centre of mass, N m
+};
+
 /// Everything given that acts on the bodies; uniform gravity is not part of
 /// it, since it moves all bodies alike.
 template <class T>
 struct Loading {
-  Vec3<T> carrier_force{};   ///< F_0a, carrier axes, N
-  Vec3<T> carrier_moment{};  ///< about the centre of mass, carrier axes, N m
+  CarrierLoading<T> carrier;
   std::vector<LoadForces<T>> loads;
 };
 

@@ -15,7 +15,7 @@ struct Prepared {
   Loading<double> loading;
 
   /// Dynamics of the system with its joints in their modes.
-  Dynamics<double> dynamics() const;
+  Dynamics dynamics() const;
 };
 
 /// @throws contact::Error, see System

@@ -3,6 +3,7 @@
 #include "multibody/carrier_equations.hpp"
 #include "multibody/constants.hpp"
 #include "multibody/loading.hpp"
+#include "multibody/state_layout.hpp"
 
 namespace multibody {
 
@@ -17,8 +18,18 @@ namespace multibody {
 template <class T, class P>
 class SphericalLoad {
  public:
-  explicit SphericalLoad(const SphericalConstants<P>& constants)
-      : k_(constants) {}
+  static constexpr int state_begin = 0;
+  static constexpr int state_size = 7;
+  static constexpr bool serves(JointKind kind, JointMode mode) {
+    return kind == JointKind::spherical && mode == JointMode::turning;
+  }
+  static double constant(const SystemConstants& s, int load, std::size_t i) {
+    return number_of(s.spherical(load), i);
+  }
+  template <class F>
+  void set_constants(F number) {
+    set_numbers(k_, number);
+  }
 
   /// n_y E of N_i acts like a mass at the hinge.
   CarrierMatrix<P> fixed_part() const { return point_mass(k_.n.y, k_.hinge); }

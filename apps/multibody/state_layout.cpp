@@ -16,9 +16,7 @@ StateLayout::StateLayout(const std::vector<JointKind>& kinds,
   offsets_.reserve(kinds.size());
   for (std::size_t i = 0; i < kinds.size(); ++i) {
     offsets_.push_back(size_);
-    size_ += modes[i] == JointMode::released ? body_size
-             : kinds[i] == JointKind::axis   ? 2
-                                             : 7;
+    size_ += load_size(kinds[i], modes[i]);
   }
 }
 

@@ -31,6 +31,12 @@ class StateLayout {
   static constexpr int body_size = 13;
 
   StateLayout() = default;
+  /// Numbers of one load.
+  static constexpr int load_size(JointKind kind, JointMode mode) {
+    return mode == JointMode::released ? body_size
+           : kind == JointKind::axis   ? 2
+                                       : 7;
+  }
   /// One kind and one mode for each load.
   StateLayout(const std::vector<JointKind>& kinds,
               const std::vector<JointMode>& modes);

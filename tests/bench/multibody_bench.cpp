@@ -28,7 +28,7 @@ Instant free_motion(Mix mix, int loads) {
 
 void two_step(benchmark::State& state, Mix mix) {
   const auto p = prepare(free_motion(mix, static_cast<int>(state.range(0))));
-  multibody::Dynamics<double> dynamics = p.dynamics();
+  multibody::Dynamics dynamics = p.dynamics();
   for (auto _ : state) {
     dynamics.evaluate(p.state.data(), p.loading);
     benchmark::DoNotOptimize(&dynamics.relative_acceleration(0));
@@ -38,7 +38,7 @@ void two_step(benchmark::State& state, Mix mix) {
 
 void increment(benchmark::State& state, Mix mix) {
   const auto p = prepare(free_motion(mix, static_cast<int>(state.range(0))));
-  multibody::Dynamics<double> dynamics = p.dynamics();
+  multibody::Dynamics dynamics = p.dynamics();
   dynamics.evaluate(p.state.data(), p.loading);
   const std::vector<multibody::Vec3<double>> change(dynamics.size(),
                                                     {1e-3, 2e-3, -1e-3});

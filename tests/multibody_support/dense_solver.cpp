@@ -131,8 +131,8 @@ void DenseSolver::fill_rows(std::size_t i) {
 void DenseSolver::evaluate(const double* state,
                            const Loading<double>& loading) {
   w0_ = Eigen::Map<const Vector3d>(state + StateLayout::angular_velocity);
-  linear_ = inverse_mass_ * eigen(loading.carrier_force);
-  angular_ = eigen(loading.carrier_moment) - w0_.cross(inertia_ * w0_);
+  linear_ = inverse_mass_ * eigen(loading.carrier.force);
+  angular_ = eigen(loading.carrier.moment) - w0_.cross(inertia_ * w0_);
   for (std::size_t i = 0; i < loads_.size(); ++i) {
     set_motion(loads_[i], state, loading.loads[i]);
   }

@@ -1,0 +1,49 @@
+#pragma once
+
+// Included by each dynamics_kernel_*.cpp, which is compiled for its own
+// instruction set and has lanes S of its own.
+
+#include "multibody/kernel/dynamics_kernel.hpp"
+#include "multibody/two_step.hpp"
+
+namespace multibody::detail {
+
+template <class S>
+class DynamicsKernelOf final : public DynamicsKernel {
+ public:
+  explicit DynamicsKernelOf(const SystemConstants* constants)
+      : two_step_(&constants) {}
+  void set_mode(int load, JointMode mode) override {
+    two_step_.set_mode(load, mode);
+  }
+  void evaluate(const double* state, const CarrierLoading<double>& carrier,
+                const LoadForces<double>* loads) override {
+    two_step_.evaluate(state, carrier, loads);
+  }
+  void evaluate_prescribed(
+      const double* state, const LoadForces<double>* loads,
+      const CarrierAcceleration<double>& carrier) override {
+    two_step_.evaluate_prescribed(state, loads, carrier);
+  }
+  void add_friction(const Vec3<double>* change) override {
+    two_step_.add_friction(change);
+  }
+  const CarrierAcceleration<double>& carrier() const override {
+    return two_step_.carrier();
+  }
+  const Vec3<double>& relative_acceleration(int load) const override {
+    return two_step_.relative_acceleration(load);
+  }
+  Vec3<double> angular_acceleration(int load) const override {
+    return two_step_.angular_acceleration(load);
+  }
+  Mat3<double> axes(int load) const override { return two_step_.axes(load); }
+  void reactions(Reaction<double>* to) const override {
+    two_step_.reactions(to);
+  }
+
+ private:
+  TwoStep<double, double, S> two_step_;
+};
+
+}  // namespace multibody::detail
