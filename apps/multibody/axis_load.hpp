@@ -91,7 +91,7 @@ class AxisLoad {
     matrix.b_transposed.x += y.x * p_;
     matrix.b_transposed.y += y.y * p_;
     matrix.b_transposed.z += y.z * p_;
-    matrix.first_moment -= k_.mass_arm * c_.x;
+    matrix.add_first_moment(-k_.mass_arm * c_.x);
     const auto entry = [&](auto m) {
       return cos_ * k_.f_cos.*m + sin_ * k_.f_sin.*m + cos2 * k_.f_cos2.*m +
              sin2 * k_.f_sin2.*m;

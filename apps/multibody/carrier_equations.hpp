@@ -19,13 +19,11 @@ struct CarrierMotion {
   Sym3<T> squared;  ///< cross-product matrix of w, squared
 };
 
-/// The symmetric matrix of (1.4): A V' + B w' = a, B^T V' + F w' = b, where
-/// B = b + skew part of a first mass moment c, -c~.
+/// The symmetric matrix of (1.4): A V' + B w' = a, B^T V' + F w' = b.
 template <class T>
 struct CarrierMatrix {
   Sym3<T> a;
-  Mat3<T> b_transposed;  ///< columns: the rows of b
-  Vec3<T> first_moment;
+  Mat3<T> b_transposed;  ///< columns: the rows of B
   Sym3<T> f;
 
   template <class P>
@@ -34,8 +32,17 @@ struct CarrierMatrix {
     b_transposed.x += m.b_transposed.x;
     b_transposed.y += m.b_transposed.y;
     b_transposed.z += m.b_transposed.z;
-    first_moment += m.first_moment;
     f += m.f;
+  }
+  /// A mass at a point, given as mass times point: B += -c~.
+  template <class P>
+  [[gnu::always_inline]] void add_first_moment(const Vec3<P>& c) {
+    b_transposed.x.y += c.z;
+    b_transposed.x.z -= c.y;
+    b_transposed.y.x -= c.z;
+    b_transposed.y.z += c.x;
+    b_transposed.z.x += c.y;
+    b_transposed.z.y -= c.x;
   }
 };
 
@@ -45,7 +52,7 @@ template <class P>
                                                           const Vec3<P>& at) {
   CarrierMatrix<P> m{};
   m.a.xx = m.a.yy = m.a.zz = mass;
-  m.first_moment = mass * at;
+  m.add_first_moment(mass * at);
   const Sym3<P> s = squared_cross(at);
   m.f = {-mass * s.xx, -mass * s.yy, -mass * s.zz,
          -mass * s.xy, -mass * s.xz, -mass * s.yz};
@@ -78,10 +85,7 @@ class CarrierSolver {
   [[gnu::always_inline]] explicit CarrierSolver(const CarrierMatrix<T>& m)
       : f_(m.f) {
     const Mat3<T>& b = m.b_transposed;
-    const Vec3<T>& c = m.first_moment;
-    w_ = {f_.forward({b.x.x, b.x.y + c.z, b.x.z - c.y}),
-          f_.forward({b.y.x - c.z, b.y.y, b.y.z + c.x}),
-          f_.forward({b.z.x + c.y, b.z.y - c.x, b.z.z})};
+    w_ = {f_.forward(b.x), f_.forward(b.y), f_.forward(b.z)};
     mass_ = Factor3<T>(reduced(m.a, w_, f_.inverse_d));
   }
 

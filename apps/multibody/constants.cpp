@@ -138,7 +138,8 @@ FreeConstants<double> free_constants(const Link& link) {
     inverse[i] = moment > 1e-14 * largest ? 1 / moment : 0;
   }
   const Matrix3d& v = eigen.eigenvectors();
-  return {sym3(link.inertia), sym3(v * inverse.asDiagonal() * v.transpose())};
+  return {1 / link.mass, sym3(link.inertia),
+          sym3(v * inverse.asDiagonal() * v.transpose())};
 }
 
 SystemConstants::SystemConstants(const System& system)

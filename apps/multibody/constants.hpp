@@ -67,6 +67,7 @@ HeldConstants<double> held_constants(const Link& link);
 /// A body of its own, load axes.
 template <class P>
 struct FreeConstants {
+  P inverse_mass;
   Sym3<P> inertia;
   Sym3<P> inverse_inertia;  ///< 0 in directions without inertia
 };

@@ -6,10 +6,24 @@
 #include "multibody/kernel/dynamics_kernel.hpp"
 
 namespace multibody {
+namespace {
+
+// Lanes that few loads cannot fill cost more than they bring (measured).
+contact::InstructionSet useful(contact::InstructionSet set,
+                               const SystemConstants& constants) {
+  using contact::InstructionSet;
+  if (set == InstructionSet::avx512 && constants.size() <= 4) {
+    set = InstructionSet::avx2;
+  }
+  return constants.size() <= 1 ? InstructionSet::baseline : set;
+}
+
+}  // namespace
 
 Dynamics::Dynamics(const System& system, contact::InstructionSet set)
     : constants_(std::make_unique<SystemConstants>(system)),
-      kernel_(detail::make_dynamics_kernel(*constants_, set)) {
+      kernel_(
+          detail::make_dynamics_kernel(*constants_, useful(set, *constants_))) {
   for (const Link& link : system.links()) {
     kinds_.push_back(link.kind);
     modes_.push_back(link.kind == JointKind::none ? JointMode::released
@@ -54,6 +68,10 @@ const Vec3<double>& Dynamics::relative_acceleration(int load) const {
 }
 Vec3<double> Dynamics::angular_acceleration(int load) const {
   return kernel_->angular_acceleration(load);
+}
+void Dynamics::rates(const double* state, const Vec3<double>& gravity,
+                     double* to) const {
+  kernel_->rates(state, gravity, to);
 }
 void Dynamics::reactions(std::span<Reaction<double>> to) const {
   assert(static_cast<int>(to.size()) == size());

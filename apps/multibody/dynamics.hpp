@@ -66,6 +66,11 @@ class Dynamics {
   const Vec3<double>& relative_acceleration(int load) const;
   /// Absolute angular acceleration of a load, load axes.
   Vec3<double> angular_acceleration(int load) const;
+  /// d(state)/dt after evaluate() of the same state.
+  /// @param gravity  inertial axes, m/s^2
+  /// @param to       layout().size() numbers
+  void rates(const double* state, const Vec3<double>& gravity,
+             double* to) const;
   /// Reactions in all joints; 0 where released.
   /// @param to  size() of them
   void reactions(std::span<Reaction<double>> to) const;

@@ -30,26 +30,29 @@ class FreeLoad {
   void set_motion(const T* state, const CarrierMotion<T>&,
                   const LoadForces<T>& forces) {
     const Vec3<T> w{state[0], state[1], state[2]};
-    acceleration_ =
-        k_.inverse_inertia * (forces.moment - cross(w, k_.inertia * w));
+    linear_ = k_.inverse_mass * forces.force;
+    angular_ = k_.inverse_inertia * (forces.moment - cross(w, k_.inertia * w));
   }
   void add_to(CarrierForces<T>&) const {}
   void add_to(CarrierMatrix<T>&) const {}
   void add_friction(const Vec3<T>&, CarrierForces<T>&) {}
 
+  /// Of the centre of mass without gravity, load axes.
+  const Vec3<T>& linear_acceleration() const { return linear_; }
   /// Absolute: there is nothing to be relative to.
   Vec3<T> relative_acceleration(const CarrierAcceleration<T>&) const {
-    return acceleration_;
+    return angular_;
   }
   Vec3<T> angular_acceleration(const CarrierAcceleration<T>&) const {
-    return acceleration_;
+    return angular_;
   }
   Reaction<T> reaction(const CarrierAcceleration<T>&) const { return {}; }
   Mat3<T> axes() const { return {}; }
 
  private:
   FreeConstants<P> k_;
-  Vec3<T> acceleration_;
+  Vec3<T> linear_;
+  Vec3<T> angular_;
 };
 
 }  // namespace multibody

@@ -46,15 +46,14 @@ struct Lanes {
     return {spread(c.linear), spread(c.angular)};
   }
   /// Numbers base[index * stride ...] of every lane; `empty` where the load is
-  /// negative.
-  template <int n>
+  /// negative. Base: a pointer to T, or anything that is indexed like one.
+  template <class Base, int n>
   [[gnu::always_inline]] static void read(const int (&load)[width],
-                                          const int (&index)[width],
-                                          const T* base, int stride,
-                                          const T* empty, S (&to)[n]) {
+                                          const int (&index)[width], Base base,
+                                          int stride, const double* empty,
+                                          S (&to)[n]) {
     if constexpr (width == 1) {
-      const T* const from = base + index[0] * stride;
-      for (int k = 0; k < n; ++k) to[k] = from[k];
+      for (int k = 0; k < n; ++k) to[k] = base[index[0] * stride + k];
     } else {
       const T* from[width];
       for (int lane = 0; lane < width; ++lane) {
@@ -88,7 +87,26 @@ struct Lanes {
   static auto sum(const CarrierMatrix<X>& m) {
     const Mat3<X>& b = m.b_transposed;
     return CarrierMatrix{sum(m.a), Mat3{sum(b.x), sum(b.y), sum(b.z)},
-                         sum(m.first_moment), sum(m.f)};
+                         sum(m.f)};
+  }
+  /// Lanes whose sum is t.
+  static S to_sum(const T& t) {
+    if constexpr (width == 1) {
+      return t;
+    } else {
+      return S([&](auto lane) { return lane == 0 ? t : T(0.0); });
+    }
+  }
+  static Vec3<S> to_sum(const Vec3<T>& v) {
+    return {to_sum(v.x), to_sum(v.y), to_sum(v.z)};
+  }
+  static Sym3<S> to_sum(const Sym3<T>& m) {
+    return {to_sum(m.xx), to_sum(m.yy), to_sum(m.zz),
+            to_sum(m.xy), to_sum(m.xz), to_sum(m.yz)};
+  }
+  static CarrierMatrix<S> to_sum(const CarrierMatrix<T>& m) {
+    const Mat3<T>& b = m.b_transposed;
+    return {to_sum(m.a), {to_sum(b.x), to_sum(b.y), to_sum(b.z)}, to_sum(m.f)};
   }
 };
 

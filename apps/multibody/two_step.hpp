@@ -18,7 +18,9 @@ namespace multibody {
 /// carrier's own six equations, then the loads. The work is proportional to
 /// the number of loads; no call but the constructor and set_mode allocates.
 ///
-/// Programs use Dynamics (one motion in double) or Batch (many motions).
+/// Programs use Dynamics (one motion in double) or LaneDynamics (several).
+/// States and forces are rows of numbers, as pointers to T or anything that is
+/// indexed like one.
 /// @tparam T, P, S  see Lanes
 template <class T, class P = double, class S = T>
 class TwoStep {
@@ -51,47 +53,45 @@ class TwoStep {
   /// Full evaluation. Positions, velocities of the centres of mass and the
   /// carrier's rotation do not matter here.
   /// @param state  StateLayout::size() numbers
-  /// @param loads  size() of them
-  void evaluate(const T* state, const CarrierLoading<T>& carrier,
-                const LoadForces<T>* loads) {
+  /// @param loads  size() times the 9 numbers of LoadForces
+  template <class State, class Forces>
+  void evaluate(State state, const CarrierLoading<T>& carrier, Forces loads) {
     const Vec3<T> w = set_motion(state, loads);
-    CarrierMatrix<S> matrix{};
-    CarrierForces<S> forces{};
+    CarrierMatrix<S> matrix = L::to_sum(fixed_);
+    CarrierForces<S> forces{L::to_sum(carrier.force),
+                            L::to_sum(carrier.moment - cross(w, inertia_ * w))};
     for_packets([&](auto& packet) {
       packet.kernel.add_to(matrix);
       packet.kernel.add_to(forces);
     });
-    CarrierMatrix<T> total = L::sum(matrix);
-    total += fixed_;
-    solver_ = CarrierSolver<T>(total);
-    forces_.a = carrier.force + L::sum(forces.a);
-    forces_.b = carrier.moment - cross(w, inertia_ * w) + L::sum(forces.b);
+    solver_ = CarrierSolver<T>(L::sum(matrix));
+    forces_ = {L::sum(forces.a), L::sum(forces.b)};
     carrier_ = solver_.solve(forces_);
     set_accelerations();
   }
 
   /// First step alone: the carrier's motion is prescribed.
-  void evaluate_prescribed(const T* state, const LoadForces<T>* loads,
+  template <class State, class Forces>
+  void evaluate_prescribed(State state, Forces loads,
                            const CarrierAcceleration<T>& carrier) {
     set_motion(state, loads);
     carrier_ = carrier;
     set_accelerations();
   }
 
-  /// After evaluate(): moments of friction changed by change[load], load axes,
-  /// ignored where a joint is held or released. Motion, matrices and factors
-  /// stay.
-  void add_friction(const Vec3<T>* change) {
-    [[maybe_unused]] static constexpr T none[3] = {};
-    const T* const base = reinterpret_cast<const T*>(change);
-    CarrierForces<S> forces{};
+  /// After evaluate(): moments of friction changed by `change`, load axes, 3
+  /// numbers for each load, ignored where a joint is held or released. Motion,
+  /// matrices and factors stay.
+  template <class Numbers>
+  void add_friction(Numbers change) {
+    [[maybe_unused]] static constexpr double none[3] = {};
+    CarrierForces<S> forces{L::to_sum(forces_.a), L::to_sum(forces_.b)};
     for_packets([&](auto& packet) {
       S m[3];
-      L::read(packet.load, packet.load, base, 3, none, m);
+      L::read(packet.load, packet.load, change, 3, none, m);
       packet.kernel.add_friction({m[0], m[1], m[2]}, forces);
     });
-    forces_.a += L::sum(forces.a);
-    forces_.b += L::sum(forces.b);
+    forces_ = {L::sum(forces.a), L::sum(forces.b)};
     carrier_ = solver_.solve(forces_);
     set_accelerations();
   }
@@ -112,6 +112,29 @@ class TwoStep {
     };
     return {column(&Mat3<S>::x), column(&Mat3<S>::y), column(&Mat3<S>::z)};
   }
+  /// d(state)/dt after an evaluation of the same state.
+  /// @param gravity  inertial axes
+  /// @param to       to[i] = number
+  template <class State, class Rates>
+  void rates(State state, const Vec3<T>& gravity, Rates to) const {
+    body_rates(state, 0, carrier_.linear, gravity, carrier_.angular, to);
+    int at = StateLayout::body_size;
+    for (const LoadInfo& load : loads_) {
+      const int n = StateLayout::load_size(load.kind, load.mode);
+      if (load.mode == JointMode::held) {
+        for (int k = 0; k < n; ++k) to[at + k] = T(0.0);
+      } else if (load.mode == JointMode::released) {
+        body_rates(state, at, load.linear, gravity, load.relative, to);
+      } else if (load.kind == JointKind::axis) {
+        to[at] = state[at + 1];
+        to[at + 1] = load.relative.z;
+      } else {
+        turn_rates(state, at, at + 4, load.relative, to);
+      }
+      at += n;
+    }
+  }
+
   /// Of all loads.
   void reactions(Reaction<T>* to) const {
     const CarrierAcceleration<S> carrier = L::spread(carrier_);
@@ -127,6 +150,42 @@ class TwoStep {
   }
 
  private:
+  // Quaternion at q and angular velocity at w, both in the state and in `to`.
+  template <class State, class Rates>
+  static void turn_rates(State state, int q, int w, const Vec3<T>& acceleration,
+                         Rates to) {
+    const Quaternion<T> rate = quaternion_rate(
+        Quaternion<T>{state[q], state[q + 1], state[q + 2], state[q + 3]},
+        Vec3<T>{state[w], state[w + 1], state[w + 2]});
+    to[q] = rate.w;
+    to[q + 1] = rate.x;
+    to[q + 2] = rate.y;
+    to[q + 3] = rate.z;
+    to[w] = acceleration.x;
+    to[w + 1] = acceleration.y;
+    to[w + 2] = acceleration.z;
+  }
+  // A body in inertial axes; accelerations in its own axes.
+  template <class State, class Rates>
+  static void body_rates(State state, int at, const Vec3<T>& linear,
+                         const Vec3<T>& gravity, const Vec3<T>& angular,
+                         Rates to) {
+    const int q = at + StateLayout::rotation;
+    const Vec3<T> a = rotation(Quaternion<T>{state[q], state[q + 1],
+                                             state[q + 2], state[q + 3]}) *
+                          linear +
+                      gravity;
+    const int v = at + StateLayout::velocity;
+    const int x = at + StateLayout::position;
+    to[x] = state[v];
+    to[x + 1] = state[v + 1];
+    to[x + 2] = state[v + 2];
+    to[v] = a.x;
+    to[v + 1] = a.y;
+    to[v + 2] = a.z;
+    turn_rates(state, q, at + StateLayout::angular_velocity, angular, to);
+  }
+
   template <template <class, class> class Kernel>
   using Group = LoadGroup<T, P, S, Kernel>;
   struct LoadInfo {
@@ -134,7 +193,8 @@ class TwoStep {
     JointMode mode;
     int packet;
     int lane;
-    Vec3<T> relative;
+    Vec3<T> relative;  ///< angular acceleration; absolute if released
+    Vec3<T> linear;    ///< if released: F/m
   };
 
   template <class F>
@@ -207,22 +267,22 @@ class TwoStep {
         return (&s.carrier_inertia().xx)[i];
       });
     }
-    fixed_.f = inertia_;
+    fixed_.f += inertia_;
   }
 
-  Vec3<T> set_motion(const T* state, const LoadForces<T>* loads) {
-    [[maybe_unused]] static constexpr T unturned[7] = {T(1.0)};
-    [[maybe_unused]] static constexpr T none[9] = {};
-    const T* const w = state + StateLayout::angular_velocity;
-    const Vec3<T> velocity{w[0], w[1], w[2]};
+  template <class State, class Forces>
+  Vec3<T> set_motion(State state, Forces loads) {
+    [[maybe_unused]] static constexpr double unturned[7] = {1};
+    [[maybe_unused]] static constexpr double none[9] = {};
+    constexpr int w = StateLayout::angular_velocity;
+    const Vec3<T> velocity{state[w], state[w + 1], state[w + 2]};
     const Vec3<S> spread = L::spread(velocity);
     const CarrierMotion<S> motion{spread, squared_cross(spread)};
-    const T* const forces = reinterpret_cast<const T*>(loads);
     for_packets([&](auto& packet) {
       S s[std::remove_reference_t<decltype(packet.kernel)>::state_size];
       S f[9];
       L::read(packet.load, packet.offset, state, 1, unturned, s);
-      L::read(packet.load, packet.load, forces, 9, none, f);
+      L::read(packet.load, packet.load, loads, 9, none, f);
       packet.kernel.set_motion(
           s, motion,
           {{f[0], f[1], f[2]}, {f[3], f[4], f[5]}, {f[6], f[7], f[8]}});
@@ -236,14 +296,19 @@ class TwoStep {
       const Vec3<S> a = packet.kernel.relative_acceleration(carrier);
       for (int lane = 0; lane < L::width; ++lane) {
         const int load = packet.load[lane];
-        if (load >= 0) loads_[load].relative = L::at(a, lane);
+        if (load < 0) continue;
+        loads_[load].relative = L::at(a, lane);
+        if constexpr (requires { packet.kernel.linear_acceleration(); }) {
+          loads_[load].linear =
+              L::at(packet.kernel.linear_acceleration(), lane);
+        }
       }
     });
   }
 
   const SystemConstants* systems_[L::systems];
   Sym3<P> inertia_;
-  CarrierMatrix<P> fixed_;  ///< what does not depend on the motion
+  CarrierMatrix<T> fixed_;  ///< what does not depend on the motion
   std::vector<LoadInfo> loads_;
   std::tuple<Group<SphericalLoad>, Group<AxisLoad>, Group<HeldSpherical>,
              Group<HeldAxis>, Group<FreeLoad>>

@@ -26,6 +26,8 @@ class DynamicsKernel {
   virtual const Vec3<double>& relative_acceleration(int load) const = 0;
   virtual Vec3<double> angular_acceleration(int load) const = 0;
   virtual Mat3<double> axes(int load) const = 0;
+  virtual void rates(const double* state, const Vec3<double>& gravity,
+                     double* to) const = 0;
   virtual void reactions(Reaction<double>* to) const = 0;
 };
 

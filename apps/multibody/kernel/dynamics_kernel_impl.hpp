@@ -18,15 +18,15 @@ class DynamicsKernelOf final : public DynamicsKernel {
   }
   void evaluate(const double* state, const CarrierLoading<double>& carrier,
                 const LoadForces<double>* loads) override {
-    two_step_.evaluate(state, carrier, loads);
+    two_step_.evaluate(state, carrier, numbers(loads));
   }
   void evaluate_prescribed(
       const double* state, const LoadForces<double>* loads,
       const CarrierAcceleration<double>& carrier) override {
-    two_step_.evaluate_prescribed(state, loads, carrier);
+    two_step_.evaluate_prescribed(state, numbers(loads), carrier);
   }
   void add_friction(const Vec3<double>* change) override {
-    two_step_.add_friction(change);
+    two_step_.add_friction(&change->x);
   }
   const CarrierAcceleration<double>& carrier() const override {
     return two_step_.carrier();
@@ -38,11 +38,20 @@ class DynamicsKernelOf final : public DynamicsKernel {
     return two_step_.angular_acceleration(load);
   }
   Mat3<double> axes(int load) const override { return two_step_.axes(load); }
+  void rates(const double* state, const Vec3<double>& gravity,
+             double* to) const override {
+    two_step_.rates(state, gravity, to);
+  }
   void reactions(Reaction<double>* to) const override {
     two_step_.reactions(to);
   }
 
  private:
+  static const double* numbers(const LoadForces<double>* loads) {
+    static_assert(sizeof(LoadForces<double>) == 9 * sizeof(double));
+    return reinterpret_cast<const double*>(loads);
+  }
+
   TwoStep<double, double, S> two_step_;
 };
 
