@@ -41,8 +41,9 @@ class AxisLoad {
 
   /// What follows from the motion alone.
   /// @param state  angle and its rate
-  void set_motion(const T* state, const CarrierMotion<T>& carrier,
-                  const LoadForces<T>& forces) {
+  [[gnu::always_inline]] void set_motion(const T* state,
+                                         const CarrierMotion<T>& carrier,
+                                         const LoadForces<T>& forces) {
     using std::cos;
     using std::sin;
     cos_ = cos(state[0]);

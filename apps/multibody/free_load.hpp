@@ -27,8 +27,9 @@ class FreeLoad {
 
   CarrierMatrix<P> fixed_part() const { return {}; }
   /// @param state  absolute angular velocity
-  void set_motion(const T* state, const CarrierMotion<T>&,
-                  const LoadForces<T>& forces) {
+  [[gnu::always_inline]] void set_motion(const T* state,
+                                         const CarrierMotion<T>&,
+                                         const LoadForces<T>& forces) {
     const Vec3<T> w{state[0], state[1], state[2]};
     linear_ = k_.inverse_mass * forces.force;
     angular_ = k_.inverse_inertia * (forces.moment - cross(w, k_.inertia * w));

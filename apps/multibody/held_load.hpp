@@ -69,8 +69,9 @@ class HeldLoad {
   const Mat3<T>& axes() const { return c_; }
 
  protected:
-  void set_motion(const Mat3<T>& axes, const CarrierMotion<T>& carrier,
-                  const LoadForces<T>& forces) {
+  [[gnu::always_inline]] void set_motion(const Mat3<T>& axes,
+                                         const CarrierMotion<T>& carrier,
+                                         const LoadForces<T>& forces) {
     c_ = axes;
     const Vec3<T> w = transposed_times(c_, carrier.w);
     const Vec3<T> a = transposed_times(c_, carrier.squared * k_.hinge) -
@@ -97,8 +98,9 @@ class HeldSpherical : public HeldLoad<T, P> {
     return kind == JointKind::spherical && mode == JointMode::held;
   }
   /// @param state  quaternion of C_i
-  void set_motion(const T* state, const CarrierMotion<T>& carrier,
-                  const LoadForces<T>& forces) {
+  [[gnu::always_inline]] void set_motion(const T* state,
+                                         const CarrierMotion<T>& carrier,
+                                         const LoadForces<T>& forces) {
     HeldLoad<T, P>::set_motion(
         rotation(Quaternion<T>{state[0], state[1], state[2], state[3]}),
         carrier, forces);
@@ -115,8 +117,9 @@ class HeldAxis : public HeldLoad<T, P> {
     return kind == JointKind::axis && mode == JointMode::held;
   }
   /// @param state  angle
-  void set_motion(const T* state, const CarrierMotion<T>& carrier,
-                  const LoadForces<T>& forces) {
+  [[gnu::always_inline]] void set_motion(const T* state,
+                                         const CarrierMotion<T>& carrier,
+                                         const LoadForces<T>& forces) {
     using std::cos;
     using std::sin;
     HeldLoad<T, P>::set_motion(

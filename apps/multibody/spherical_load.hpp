@@ -36,8 +36,9 @@ class SphericalLoad {
 
   /// What follows from the motion alone.
   /// @param state  quaternion of C_i and relative angular velocity
-  void set_motion(const T* state, const CarrierMotion<T>& carrier,
-                  const LoadForces<T>& forces) {
+  [[gnu::always_inline]] void set_motion(const T* state,
+                                         const CarrierMotion<T>& carrier,
+                                         const LoadForces<T>& forces) {
     c_ = rotation(Quaternion<T>{state[0], state[1], state[2], state[3]});
     const Vec3<T> relative{state[4], state[5], state[6]};
     const Vec3<T> w0 = transposed_times(c_, carrier.w);

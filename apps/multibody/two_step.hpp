@@ -56,10 +56,14 @@ class TwoStep {
   /// @param loads  size() times the 9 numbers of LoadForces
   template <class State, class Forces>
   void evaluate(State state, const CarrierLoading<T>& carrier, Forces loads) {
-    const Vec3<T> w = set_motion(state, loads);
+    const Vec3<T> w = angular_velocity(state);
+    const CarrierMotion<S> motion = spread_motion(w);
     CarrierMatrix<S> matrix = L::to_sum(fixed_);
     CarrierForces<S> forces{L::to_sum(carrier.force),
                             L::to_sum(carrier.moment - cross(w, inertia_ * w))};
+    // Two passes: one with everything in it runs out of registers.
+    for_packets(
+        [&](auto& packet) { set_motion(packet, state, motion, loads); });
     for_packets([&](auto& packet) {
       packet.kernel.add_to(matrix);
       packet.kernel.add_to(forces);
@@ -74,7 +78,9 @@ class TwoStep {
   template <class State, class Forces>
   void evaluate_prescribed(State state, Forces loads,
                            const CarrierAcceleration<T>& carrier) {
-    set_motion(state, loads);
+    const CarrierMotion<S> motion = spread_motion(angular_velocity(state));
+    for_packets(
+        [&](auto& packet) { set_motion(packet, state, motion, loads); });
     carrier_ = carrier;
     set_accelerations();
   }
@@ -270,24 +276,28 @@ class TwoStep {
     fixed_.f += inertia_;
   }
 
-  template <class State, class Forces>
-  Vec3<T> set_motion(State state, Forces loads) {
+  template <class State>
+  static Vec3<T> angular_velocity(State state) {
+    constexpr int w = StateLayout::angular_velocity;
+    return {state[w], state[w + 1], state[w + 2]};
+  }
+  static CarrierMotion<S> spread_motion(const Vec3<T>& w) {
+    const Vec3<S> spread = L::spread(w);
+    return {spread, squared_cross(spread)};
+  }
+  template <class Packet, class State, class Forces>
+  [[gnu::always_inline]] static void set_motion(Packet& packet, State state,
+                                                const CarrierMotion<S>& motion,
+                                                Forces loads) {
     [[maybe_unused]] static constexpr double unturned[7] = {1};
     [[maybe_unused]] static constexpr double none[9] = {};
-    constexpr int w = StateLayout::angular_velocity;
-    const Vec3<T> velocity{state[w], state[w + 1], state[w + 2]};
-    const Vec3<S> spread = L::spread(velocity);
-    const CarrierMotion<S> motion{spread, squared_cross(spread)};
-    for_packets([&](auto& packet) {
-      S s[std::remove_reference_t<decltype(packet.kernel)>::state_size];
-      S f[9];
-      L::read(packet.load, packet.offset, state, 1, unturned, s);
-      L::read(packet.load, packet.load, loads, 9, none, f);
-      packet.kernel.set_motion(
-          s, motion,
-          {{f[0], f[1], f[2]}, {f[3], f[4], f[5]}, {f[6], f[7], f[8]}});
-    });
-    return velocity;
+    S s[decltype(packet.kernel)::state_size];
+    S f[9];
+    L::read(packet.load, packet.offset, state, 1, unturned, s);
+    L::read(packet.load, packet.load, loads, 9, none, f);
+    packet.kernel.set_motion(
+        s, motion,
+        {{f[0], f[1], f[2]}, {f[3], f[4], f[5]}, {f[6], f[7], f[8]}});
   }
 
   void set_accelerations() {

@@ -1,7 +1,9 @@
 // One acceleration evaluation of a carrier with L loads: state in, all
-// accelerations out, kinematics included, frictionless, gravity only.
+// accelerations out, kinematics included, frictionless, gravity only. The
+// column `motion` is the time for one motion.
 #include <benchmark/benchmark.h>
 
+#include "multibody/lane_dynamics.hpp"
 #include "multibody/prepared.hpp"
 #include "multibody_support/dense_solver.hpp"
 #include "multibody_support/random_instant.hpp"
@@ -11,7 +13,11 @@
 
 namespace {
 
+using contact::InstructionSet;
+using multibody::Dynamics;
 using multibody::Instant;
+using multibody::LaneDynamics;
+using multibody::Prepared;
 using multibody::test::Mix;
 
 Instant free_motion(Mix mix, int loads) {
@@ -26,45 +32,92 @@ Instant free_motion(Mix mix, int loads) {
   return instant;
 }
 
-void two_step(benchmark::State& state, Mix mix) {
-  const auto p = prepare(free_motion(mix, static_cast<int>(state.range(0))));
-  multibody::Dynamics dynamics = p.dynamics();
+Prepared prepared(benchmark::State& state, Mix mix) {
+  return prepare(free_motion(mix, static_cast<int>(state.range(0))));
+}
+
+// Runs f(); `motions` of them in one call.
+template <class F>
+void measure(benchmark::State& state, int motions, F f) {
   for (auto _ : state) {
-    dynamics.evaluate(p.state.data(), p.loading);
-    benchmark::DoNotOptimize(&dynamics.relative_acceleration(0));
+    f();
     benchmark::ClobberMemory();
   }
+  state.counters["motion"] =
+      benchmark::Counter(static_cast<double>(motions),
+                         benchmark::Counter::kIsIterationInvariantRate |
+                             benchmark::Counter::kInvert);
+}
+
+void evaluate(benchmark::State& state, Mix mix, InstructionSet set) {
+  const Prepared p = prepared(state, mix);
+  Dynamics dynamics(p.system, set);
+  measure(state, 1, [&] { dynamics.evaluate(p.state.data(), p.loading); });
 }
 
 void increment(benchmark::State& state, Mix mix) {
-  const auto p = prepare(free_motion(mix, static_cast<int>(state.range(0))));
-  multibody::Dynamics dynamics = p.dynamics();
+  const Prepared p = prepared(state, mix);
+  Dynamics dynamics = p.dynamics();
   dynamics.evaluate(p.state.data(), p.loading);
   const std::vector<multibody::Vec3<double>> change(dynamics.size(),
                                                     {1e-3, 2e-3, -1e-3});
-  for (auto _ : state) {
-    dynamics.add_friction(change);
-    benchmark::DoNotOptimize(&dynamics.relative_acceleration(0));
-    benchmark::ClobberMemory();
+  measure(state, 1, [&] { dynamics.add_friction(change); });
+}
+
+void reactions(benchmark::State& state, Mix mix) {
+  const Prepared p = prepared(state, mix);
+  Dynamics dynamics = p.dynamics();
+  dynamics.evaluate(p.state.data(), p.loading);
+  std::vector<multibody::Reaction<double>> to(dynamics.size());
+  measure(state, 1, [&] { dynamics.reactions(to); });
+}
+
+struct LaneArrays {
+  LaneArrays(const Prepared& p, int lanes)
+      : state(p.state.size() * lanes),
+        loading((6 + 9 * p.loading.loads.size()) * lanes),
+        accelerations((6 + 3 * p.loading.loads.size()) * lanes),
+        change(3 * p.loading.loads.size() * lanes, 1e-3) {
+    for (std::size_t i = 0; i < state.size(); ++i) {
+      state[i] = p.state[i / lanes];
+    }
   }
+  std::vector<double> state, loading, accelerations, change;
+};
+
+void lanes(benchmark::State& state, Mix mix) {
+  const Prepared p = prepared(state, mix);
+  LaneDynamics dynamics(p.system);
+  LaneArrays arrays(p, dynamics.lanes());
+  measure(state, dynamics.lanes(), [&] {
+    dynamics.evaluate(arrays.state.data(), arrays.loading.data());
+    dynamics.accelerations(arrays.accelerations.data());
+  });
+}
+
+void lanes_increment(benchmark::State& state, Mix mix) {
+  const Prepared p = prepared(state, mix);
+  LaneDynamics dynamics(p.system);
+  LaneArrays arrays(p, dynamics.lanes());
+  dynamics.evaluate(arrays.state.data(), arrays.loading.data());
+  measure(state, dynamics.lanes(), [&] {
+    dynamics.add_friction(arrays.change.data());
+    dynamics.accelerations(arrays.accelerations.data());
+  });
 }
 
 void dense_cholesky(benchmark::State& state, Mix mix) {
-  const auto p = prepare(free_motion(mix, static_cast<int>(state.range(0))));
+  const Prepared p = prepared(state, mix);
   multibody::test::DenseSolver dense(p.system);
-  for (auto _ : state) {
-    dense.evaluate(p.state.data(), p.loading);
-    benchmark::DoNotOptimize(&dense.relative_acceleration(0));
-    benchmark::ClobberMemory();
-  }
+  measure(state, 1, [&] { dense.evaluate(p.state.data(), p.loading); });
 }
 
 #ifdef CONTACT_HAS_SIMBODY
 void simbody(benchmark::State& state, Mix mix) {
   const Instant instant = free_motion(mix, static_cast<int>(state.range(0)));
   multibody::bench::SimbodySystem system(instant);
-  for (auto _ : state) system.evaluate();
-  const multibody::InstantResult ours = evaluate(instant);
+  measure(state, 1, [&] { system.evaluate(); });
+  const multibody::InstantResult ours = multibody::evaluate(instant);
   state.counters["difference"] =
       (ours.acceleration - system.carrier_acceleration()).norm() /
           ours.acceleration.norm() +
@@ -83,8 +136,20 @@ void register_all(const std::string& name, Mix mix) {
       if (loads <= most) b->Arg(loads);
     }
   };
-  add("two_step", two_step, 256);
+  add(
+      "two_step",
+      [](auto& state, Mix m) {
+        evaluate(state, m, contact::best_instruction_set());
+      },
+      256);
+  add(
+      "two_step_scalar",
+      [](auto& state, Mix m) { evaluate(state, m, InstructionSet::baseline); },
+      256);
+  add("lanes", lanes, 256);
   add("increment", increment, 256);
+  add("lanes_increment", lanes_increment, 256);
+  add("reactions", reactions, 256);
   add("dense_cholesky", dense_cholesky, 64);
 #ifdef CONTACT_HAS_SIMBODY
   add("simbody", simbody, 256);

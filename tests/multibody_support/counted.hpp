@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cmath>
+
+/// A double that counts what is done with it.
+namespace multibody::test {
+
+struct OperationCount {
+  int multiplications = 0;
+  int additions = 0;
+  int divisions = 0;
+  int trigonometric = 0;
+  int total() const {
+    return multiplications + additions + divisions + trigonometric;
+  }
+};
+
+class Counted {
+ public:
+  Counted() = default;
+  Counted(double value) : value_(value) {}  // implicit, like a number
+
+  static OperationCount& count() {
+    static OperationCount instance;
+    return instance;
+  }
+  double value() const { return value_; }
+
+  /// Changes of sign are not counted: they cost nothing beside an addition.
+  Counted operator-() const { return -value_; }
+  friend Counted operator+(const Counted& a, const Counted& b) {
+    ++count().additions;
+    return a.value_ + b.value_;
+  }
+  friend Counted operator-(const Counted& a, const Counted& b) {
+    ++count().additions;
+    return a.value_ - b.value_;
+  }
+  friend Counted operator*(const Counted& a, const Counted& b) {
+    ++count().multiplications;
+    return a.value_ * b.value_;
+  }
+  friend Counted operator/(const Counted& a, const Counted& b) {
+    ++count().divisions;
+    return a.value_ / b.value_;
+  }
+  Counted& operator+=(const Counted& b) { return *this = *this + b; }
+  Counted& operator-=(const Counted& b) { return *this = *this - b; }
+  friend Counted sin(const Counted& a) {
+    ++count().trigonometric;
+    return std::sin(a.value_);
+  }
+  friend Counted cos(const Counted& a) {
+    ++count().trigonometric;
+    return std::cos(a.value_);
+  }
+
+ private:
+  double value_ = 0;
+};
+
+}  // namespace multibody::test
