@@ -1,0 +1,127 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "multibody/dynamics.hpp"
+#include "multibody/hinge_friction.hpp"
+
+namespace multibody {
+
+/// When the outer loop stops.
+struct CoupledOptions {
+  /// Stop when every hinge's |M_t - M_t(R)| <= tolerance (|M_t| + |M_t(R)|).
+  double tolerance = 1e-11;
+  int iteration_limit = 60;
+  /// A resting hinge begins to slide when its utilisation exceeds 1 by this:
+  /// above the rounding of tau, so that a moment right at the limit holds.
+  double slip_threshold = 1e-10;
+};
+
+/// How an instant with friction came out.
+enum class CoupledStatus {
+  ok,
+  /// The outer loop did not get there, and no search settled the matter.
+  not_converged,
+  /// There are no friction moments that fit the reactions they cause.
+  no_solution,
+  /// There are several; none is preferred.
+  several_solutions,
+  /// A number is not finite.
+  out_of_range,
+};
+
+/// One friction moment that fits the reaction it causes.
+struct CoupledSolution {
+  double moment;  ///< about the axis, N m
+};
+
+/// How an evaluation went.
+struct CoupledReport {
+  CoupledStatus status = CoupledStatus::ok;
+  int iterations = 0;   ///< friction of all hinges, then motion
+  double residual = 0;  ///< the largest |M_t - M_t(R)|/(|M_t| + |M_t(R)|)
+  /// Largest ratio of successive changes seen in the plain loop: an estimate
+  /// of kappa = |dM/dR||dR/dM|.
+  double contraction = 0;
+  int load = -1;  ///< where it failed, -1: nowhere in particular
+};
+
+/// A step of the outer loop.
+struct OuterStep {
+  int iteration;
+  double residual;
+};
+
+/// Accelerations, reactions and friction at one instant.
+///
+/// The friction moments M_i of the sliding hinges depend on the reactions R_i
+/// and these on all M_i: M = F(R(M)), the paper's outer loop (section 4). R(M)
+/// is affine, and only its changes are computed (Dynamics::add_friction). The
+/// loop starts from the last M; the plain step M <- F(R(M)) is accelerated
+/// over the last few (Anderson). Where it does not converge, or where
+/// kappa >= 1 so that there can be several solutions or none (Painleve), all
+/// solutions are looked for and the report says how many there are.
+///
+/// Everything is in load axes (Link::axes), as in Dynamics; friction
+/// solutions in given load axes. No evaluation allocates unless the search
+/// is needed.
+class CoupledDynamics {
+ public:
+  /// @param friction  one for each load
+  /// @throws contact::Error if friction and kind of hinge do not go together
+  CoupledDynamics(const System& system, std::vector<HingeFriction> friction,
+                  const CoupledOptions& options = {});
+  ~CoupledDynamics();
+  CoupledDynamics(CoupledDynamics&&) noexcept;
+  CoupledDynamics& operator=(CoupledDynamics&&) noexcept;
+
+  int size() const;
+  const Dynamics& dynamics() const;
+  const StateLayout& layout() const;
+  HingeMode mode(int load) const;
+  /// Resting and locked hinges are held, see Dynamics::set_mode().
+  void set_mode(int load, HingeMode mode);
+  /// Whether the hinge has friction that can hold it at rest.
+  bool can_rest(int load) const;
+
+  /// Direction of sliding where the state's relative velocity is exactly 0,
+  /// and on an axis always: its z is the sign. Unit vector, load axes.
+  void set_direction(int load, const Eigen::Vector3d& direction);
+  const Eigen::Vector3d& direction(int load) const;
+
+  /// The carrier's accelerations are given, or (nullopt) result.
+  void prescribe_carrier(
+      const std::optional<CarrierAcceleration<double>>& carrier);
+
+  /// @param loading  its friction moments are replaced by those found
+  const CoupledReport& evaluate(const double* state, Loading<double>& loading);
+  const CoupledReport& report() const;
+  /// Records the steps of the next evaluations; null: no longer.
+  void set_trace(std::vector<OuterStep>* trace);
+
+  /// After evaluate().
+  const Eigen::Vector3d& friction_moment(int load) const;
+  const Reaction<double>& reaction(int load) const;
+  /// tau of a resting hinge.
+  double utilisation(int load);
+  std::span<const contact::JointSolution> joints(int load) const;
+
+  /// Decides which of the hinges that are resting hold, and which begin to
+  /// slide and where to; `forced` slides in any case (-1: none). Then all is
+  /// evaluated.
+  const CoupledReport& resolve_rest(const double* state,
+                                    Loading<double>& loading, int forced = -1);
+
+  /// kappa_i = |dM_i/dR_i||dR_i/dM_i| of a sliding hinge, after evaluate().
+  double kappa(int load);
+
+ private:
+  class Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace multibody

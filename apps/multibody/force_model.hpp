@@ -1,0 +1,65 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <limits>
+#include <span>
+
+/// What an application says about the forces on its bodies.
+namespace multibody {
+
+/// A body on its way. Body 0 is the carrier, body 1 + i the load i.
+struct BodyMotion {
+  Eigen::Vector3d position;  ///< of the centre of mass, inertial axes, m
+  Eigen::Vector3d velocity;  ///< of the centre of mass, inertial axes, m/s
+  /// Given body axes to inertial axes.
+  Eigen::Matrix3d rotation;
+  Eigen::Vector3d angular_velocity;  ///< inertial axes, rad/s
+
+  /// Place of a point fixed to the body, inertial axes, m.
+  /// @param from_com  from the centre of mass, given body axes, m
+  Eigen::Vector3d point(const Eigen::Vector3d& from_com) const {
+    return position + rotation * from_com;
+  }
+  /// Its velocity, inertial axes, m/s.
+  Eigen::Vector3d point_velocity(const Eigen::Vector3d& from_com) const {
+    return velocity + angular_velocity.cross(rotation * from_com);
+  }
+};
+
+/// What acts on a body, inertial axes.
+struct BodyForce {
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();   ///< N
+  Eigen::Vector3d moment = Eigen::Vector3d::Zero();  ///< about the COM, N m
+
+  /// Adds a force whose line passes through a point.
+  /// @param point  inertial axes, m
+  void add_at(const BodyMotion& body, const Eigen::Vector3d& point,
+              const Eigen::Vector3d& applied) {
+    force += applied;
+    moment += (point - body.position).cross(applied);
+  }
+};
+
+/// Forces and moments given from outside: thrust, springs, pushers, air. Not
+/// uniform gravity (MotionOptions::gravity), reactions or hinge friction.
+///
+/// Called at every evaluation of the accelerations, also at trial states that
+/// a step then discards: it must be a function of its arguments, cheap, and
+/// must not allocate or throw. Smooth between the times of next_break().
+class ForceModel {
+ public:
+  virtual ~ForceModel() = default;
+
+  /// Adds to `forces`, one for each body, which come in as 0.
+  virtual void add_forces(double time, std::span<const BodyMotion> bodies,
+                          std::span<BodyForce> forces) const = 0;
+
+  /// Next time after `time` at which a force jumps or has a kink: steps end
+  /// there. Infinity: none.
+  virtual double next_break([[maybe_unused]] double time) const {
+    return std::numeric_limits<double>::infinity();
+  }
+};
+
+}  // namespace multibody

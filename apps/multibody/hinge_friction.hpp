@@ -1,0 +1,53 @@
+#pragma once
+
+#include <variant>
+
+#include "libcontact/cylindrical_joint.hpp"
+#include "libcontact/joint_node.hpp"
+#include "libcontact/spherical_joint.hpp"
+
+/// What friction sits in the hinge of a load.
+namespace multibody {
+
+/// Which force the friction is worked out from.
+enum class FrictionEstimate {
+  consistent,   ///< R_n, with R = R_n n + R_t: friction as it is
+  traditional,  ///< R in place of R_n, as is customary: too much friction
+};
+
+/// A ball joint on a spherical load (JointKind::spherical).
+struct BallFriction {
+  contact::SphericalJoint joint;
+  FrictionEstimate estimate = FrictionEstimate::consistent;
+};
+
+/// Several joints on the axis of an axis load (JointKind::axis); positions
+/// along the axis (z of the hinge axes) from the centre of the hinge.
+struct NodeFriction {
+  contact::JointNode node;
+};
+
+/// One pin on the axis of an axis load, which takes the radial force; the
+/// axial force and moments across the axis are taken by something without
+/// friction.
+struct PinFriction {
+  contact::CylindricalJoint joint;
+  FrictionEstimate estimate = FrictionEstimate::consistent;
+};
+
+/// std::monostate: an ideal hinge. It turns freely and never rests.
+using HingeFriction =
+    std::variant<std::monostate, BallFriction, NodeFriction, PinFriction>;
+
+/// What a hinge does.
+enum class HingeMode {
+  sliding,   ///< turns, or is about to
+  resting,   ///< relative velocity exactly 0, held by friction
+  locked,    ///< held by a lock
+  released,  ///< there is no hinge (any more)
+};
+
+/// "sliding", ...
+const char* to_string(HingeMode mode);
+
+}  // namespace multibody

@@ -1,0 +1,240 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "multibody/coupled_dynamics.hpp"
+#include "multibody/force_model.hpp"
+#include "multibody/hinge_friction.hpp"
+#include "multibody/system.hpp"
+
+namespace multibody {
+
+/// Where a load is at the start.
+struct LoadStart {
+  /// spherical: C, given load axes to carrier axes, and the relative angular
+  /// velocity, given load axes. Exactly 0: the hinge begins at rest if its
+  /// friction holds it.
+  Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
+  Eigen::Vector3d relative_angular_velocity = Eigen::Vector3d::Zero();
+  double angle = 0;       ///< axis, rad
+  double angle_rate = 0;  ///< axis, rad/s; 0 as above
+  /// A locked hinge does not move until unlock(); its rate has to be 0.
+  bool locked = false;
+  /// none: a body of its own.
+  BodyMotion body{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(),
+                  Eigen::Matrix3d::Identity(), Eigen::Vector3d::Zero()};
+};
+
+/// Where everything is at the start.
+struct MotionStart {
+  double time = 0;  ///< s
+  BodyMotion carrier{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(),
+                     Eigen::Matrix3d::Identity(), Eigen::Vector3d::Zero()};
+  std::vector<LoadStart> loads;  ///< one for each load
+};
+
+/// Motion of the carrier where it is prescribed.
+struct CarrierDrive {
+  Eigen::Vector3d acceleration = Eigen::Vector3d::Zero();  ///< inertial axes
+  Eigen::Vector3d angular_acceleration = Eigen::Vector3d::Zero();  ///< carrier
+};
+
+/// How to step through time.
+enum class Integrator {
+  adaptive,  ///< explicit Runge-Kutta with error control (SUNDIALS ARKODE)
+  rk4,       ///< the paper's: classical fourth order, fixed step
+};
+
+struct MotionOptions {
+  Eigen::Vector3d gravity = Eigen::Vector3d::Zero();  ///< inertial axes, m/s^2
+  Integrator integrator = Integrator::adaptive;
+  /// adaptive: the local error of every number y of the state is kept below
+  /// about relative_tolerance |y| + absolute_tolerance (SI).
+  double relative_tolerance = 1e-9;
+  double absolute_tolerance = 1e-10;
+  double step = 1e-3;  ///< rk4: step, s
+  /// adaptive: longest step, s.
+  double longest_step = std::numeric_limits<double>::infinity();
+  /// Step limit of one advance_to().
+  long step_limit = 100'000'000;
+  /// A sliding ball joint whose relative speed falls below this comes to
+  /// rest, rad/s; what is left of the motion is taken out with the momentum
+  /// kept and the energy booked. 0: 100 absolute_tolerance, or rk4: 1e-8.
+  double stop_speed = 0;
+  /// Set: the carrier moves as prescribed (zero: at rest or uniformly).
+  std::optional<CarrierDrive> carrier_drive;
+  CoupledOptions coupling;
+};
+
+/// What a hinge does at one time; given load axes.
+struct HingeSample {
+  HingeMode mode;
+  /// C: given load axes to carrier axes.
+  Eigen::Matrix3d rotation;
+  Eigen::Vector3d relative_angular_velocity;  ///< exactly 0 at rest, rad/s
+  double angle;                               ///< axis only, rad
+  double angle_rate;                          ///< axis only, rad/s
+  Eigen::Vector3d reaction_force;  ///< R, with the force of friction, N
+  /// About the hinge's centre; at rest and locked: all that is held, else
+  /// without friction_moment; N m.
+  Eigen::Vector3d reaction_moment;
+  Eigen::Vector3d friction_moment;  ///< sliding: M_t on the load, N m
+  /// resting: tau, the share of what friction can hold that is needed;
+  /// sliding with friction: 1; NaN otherwise.
+  double utilisation;
+  double dissipated;  ///< work of friction since the start, >= 0, J
+  /// Of each joint of the hinge, in the order of the node; empty without
+  /// friction or if locked or released. At rest: the sliding that is near.
+  std::span<const contact::JointSolution> joints;
+};
+
+/// Energies and works since the start, J.
+struct EnergyBook {
+  double kinetic;
+  double gravity;      ///< potential of uniform gravity, 0 at the origin
+  double active_work;  ///< done by the force model
+  double dissipated;   ///< by all hinges
+  /// kinetic + gravity - active_work + dissipated: stays what it was at the
+  /// start, while no carrier drive and no lock does work.
+  double balance() const {
+    return kinetic + gravity - active_work + dissipated;
+  }
+};
+
+/// A change of a hinge.
+struct HingeChange {
+  double time;
+  int load;
+  HingeMode from;
+  HingeMode to;
+};
+
+class Motion;
+
+/// The motion at one time, possibly in the middle of a step. Kinematics are
+/// there at once; forces are worked out when they are first asked for.
+class MotionSample {
+ public:
+  double time() const;
+  /// Carrier, then the loads.
+  std::span<const BodyMotion> bodies() const;
+  const BodyMotion& carrier() const { return bodies()[0]; }
+  const BodyMotion& load(int load) const { return bodies()[1 + load]; }
+  HingeMode mode(int load) const;
+  /// Of a load that hangs on the carrier, without any force: cheap.
+  double angle(int load) const;
+  /// Works out accelerations and reactions.
+  HingeSample hinge(int load) const;
+  /// Accelerations of a body (as in bodies()): of its centre of mass, gravity
+  /// included, and angular; inertial axes.
+  Eigen::Vector3d acceleration(int body) const;
+  Eigen::Vector3d angular_acceleration(int body) const;
+  EnergyBook energy() const;
+
+ private:
+  friend class Motion;
+  explicit MotionSample(Motion& motion) : motion_(&motion) {}
+  Motion* motion_;
+};
+
+/// An application's event: a function that crosses 0.
+struct MotionEvent {
+  enum class Crossing { rising, falling, either };
+  std::function<double(const MotionSample&)> function;
+  Crossing crossing = Crossing::either;
+};
+
+/// Why advance_to() came back.
+enum class Stop {
+  time,    ///< the time asked for
+  event,   ///< an application's event
+  failed,  ///< Motion::failure() says why
+};
+
+/// How a motion ended that cannot go on.
+struct MotionFailure {
+  CoupledStatus status;  ///< ok: the integrator gave up
+  double time;
+  int load;  ///< -1: none in particular
+  std::string message;
+};
+
+/// All that is needed to go on later: a value.
+struct MotionState {
+  double time = 0;
+  std::vector<double> numbers;
+  std::vector<HingeMode> modes;
+  std::vector<Eigen::Vector3d> directions;
+  std::vector<Eigen::Vector3d> friction;
+  double step = 0;
+};
+
+/// A carrier with loads moving through time.
+///
+/// All vectors come and go in given axes (system.hpp) or inertial axes. The
+/// hinges' rest and slip are found on the way: a resting hinge has relative
+/// velocity exactly 0 and stays where it is to the last bit.
+class Motion {
+ public:
+  /// @param friction  one for each load, or none at all
+  /// @param forces    may be null
+  /// @throws contact::Error for friction that does not fit the hinge and a
+  ///         start that does not fit the system
+  Motion(const System& system, std::vector<HingeFriction> friction,
+         std::shared_ptr<const ForceModel> forces, const MotionStart& start,
+         const MotionOptions& options = {});
+  ~Motion();
+  Motion(Motion&&) noexcept;
+  Motion& operator=(Motion&&) noexcept;
+
+  double time() const;
+  /// Moves on to `time`, or to the first event or failure before it. Each
+  /// event stops once at each crossing.
+  /// @param time  >= time()
+  Stop advance_to(double time);
+  /// Index of the event that stopped advance_to().
+  int event() const;
+  const MotionFailure& failure() const;
+
+  /// At time().
+  const MotionSample& sample() const;
+
+  /// From now on, at time(). A released load is a body of its own; a locked
+  /// one is held whatever the load on it (its relative velocity is taken out
+  /// with the momentum kept, the energy counts as dissipated).
+  void release(int load);
+  void lock(int load);
+  void unlock(int load);
+  void set_forces(std::shared_ptr<const ForceModel> forces);
+
+  /// Adds an event; its index.
+  int add_event(MotionEvent event);
+
+  /// Sticking, sliding, locking and releasing so far, in order.
+  const std::vector<HingeChange>& changes() const;
+
+  MotionState save() const;
+  void restore(const MotionState& state);
+
+  /// Evaluations of accelerations, steps taken, outer iterations so far.
+  struct Counts {
+    long evaluations = 0;
+    long steps = 0;
+    long outer_iterations = 0;
+  };
+  Counts counts() const;
+
+ private:
+  friend class MotionSample;
+  class Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace multibody
