@@ -13,6 +13,7 @@
 
 #include "libcontact/detail/check.hpp"
 #include "libcontact/detail/text.hpp"
+#include "libcontact/half_angle_exact.hpp"
 #include "libcontact/units.hpp"
 
 namespace contact {
@@ -272,7 +273,7 @@ SaturatingLaw::InverseResult BlendLaw::inverse_shape(
 
 const std::vector<std::string>& half_angle_law_names() {
   static const std::vector<std::string> names = {"hertz", "arctan", "tanh",
-                                                 "blend", "paper"};
+                                                 "blend", "paper",  "exact"};
   return names;
 }
 
@@ -324,6 +325,7 @@ std::unique_ptr<HalfAngleLaw> make_half_angle_law(
     return std::make_unique<TanhLaw>(kind, limit_of(pair, options), slope);
   }
   if (name == "blend") return blend(BlendLaw::recommended_arctan_share(kind));
+  if (name == "exact") return std::make_unique<ExactLaw>(kind, pair);
   if (name.starts_with(blend_prefix)) {
     return blend(parse_share(name.substr(blend_prefix.size())));
   }

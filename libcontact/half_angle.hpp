@@ -22,8 +22,8 @@ struct HalfAngleResult {
   double half_angle;  ///< theta0, rad; NaN if out_of_range
   Status status;
   /// dln(theta0)/dln(load): 1/3 (ball) or 1/2 (pin) at load 0. Absolute error
-  /// at most 1e-15 (half_angle_test.cpp; Hertz: relative). NaN where a law
-  /// does not know it.
+  /// at most 1e-15 (half_angle_test.cpp; Hertz: relative) unless a law says
+  /// otherwise. NaN where a law does not know it.
   double log_slope = std::numeric_limits<double>::quiet_NaN();
 };
 
@@ -257,14 +257,15 @@ struct HalfAngleOptions {
 inline constexpr std::string_view default_half_angle_law = "paper";
 
 /// Names that make_half_angle_law() knows, in the order of the sources:
-/// hertz, arctan, tanh, blend, paper.
+/// hertz, arctan, tanh, blend, paper, exact.
 const std::vector<std::string>& half_angle_law_names();
 
 /// A law by its name.
 ///
 /// @param name  "hertz", "arctan", "tanh", "blend" (the paper's k for the
 ///              kind of joint), "blend:K" with K in [0, 1], or "paper" (what
-///              the paper recommends: blend:0.5 for a pin, tanh for a ball)
+///              the paper recommends: blend:0.5 for a pin, tanh for a ball),
+///              "exact" (ExactLaw); the options concern the paper's laws only
 /// @throws Error if the name is not known or an option is out of range.
 std::unique_ptr<HalfAngleLaw> make_half_angle_law(
     std::string_view name, JointKind kind, const ElasticPair& pair,

@@ -30,8 +30,9 @@ Each takes a value, a list a,b,c, a range start:stop:step, or
 start:stop:logN for N values in equal ratios.
 
 Laws: hertz, arctan, tanh, blend, blend:K (K arctan + (1-K) tanh), paper
-(blend:0.5 for a cylinder, tanh for a sphere), or all.
-Limit half-angle of the laws but hertz: formula, linear (0.5 <= E1/E2 <= 2),
+(blend:0.5 for a cylinder, tanh for a sphere), exact (the theory of
+elasticity for this pair), or all.
+Limit half-angle of arctan, tanh and blend: formula, linear (0.5 <= E1/E2 <= 2),
 or a value in degrees. A joint file may name the law, the limit half-angle
 and the pressure law; options go before it.
 

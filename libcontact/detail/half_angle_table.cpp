@@ -1,0 +1,161 @@
+#include "libcontact/detail/half_angle_table.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace contact::detail {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+int power(JointKind kind) { return kind == JointKind::spherical ? 3 : 2; }
+
+// v^2 or v^3
+double raised(JointKind kind, double v) {
+  return kind == JointKind::spherical ? v * v * v : v * v;
+}
+
+// Terms that bring G to 1e-12: the closer theta0* comes to the singularity at
+// theta0 = pi, the more.
+int terms_for(JointKind kind, double largest) {
+  const bool pin = kind == JointKind::cylindrical;
+  if (largest < 1.65) return pin ? 18 : 28;  // 95 deg
+  if (largest < 2.4) return pin ? 30 : 40;   // 138 deg
+  return 64;
+}
+
+}  // namespace
+
+HalfAngleTable::HalfAngleTable(JointKind kind,
+                               const std::function<double(double)>& reciprocal,
+                               double largest, bool is_limit)
+    : kind_(kind),
+      terms_(terms_for(kind, largest)),
+      largest_(largest),
+      is_limit_(is_limit) {
+  const bool ball = kind == JointKind::spherical;
+  // x^power is mu or 4 lambda.
+  const double per_x = ball ? 1 : 4;
+  std::array<double, 4 * max_terms> cosine;  // cos(m pi/(2 terms))
+  for (int m = 0; m < 4 * terms_; ++m) {
+    cosine[m] = std::cos(pi / 2 * m / terms_);
+  }
+  for (int i = 0; i < terms_; ++i) {
+    // u = (1 + cos(phi))/2 at the Chebyshev points phi, 1 - u = sin^2(phi/2);
+    // theta0 = largest u (pin), largest u^2 (ball).
+    const double half_phi = pi / 2 * (i + 0.5) / terms_;
+    const double u = std::cos(half_phi) * std::cos(half_phi);
+    const double rest = std::sin(half_phi) * std::sin(half_phi);
+    const double half_angle = largest * (ball ? u * u : u);
+    const double complement = ball ? rest * (1 + u) : rest;
+    const double g = raised(kind, 2 * std::sin(half_angle / 2)) *
+                     reciprocal(half_angle) / per_x /
+                     (is_limit ? complement : 1);
+    // Discrete orthogonality: T_k at the point is cos(k phi).
+    for (int k = 0; k < terms_; ++k) {
+      coefficients_[k] += (k == 0 ? 1.0 : 2.0) / terms_ * g *
+                          cosine[k * (2 * i + 1) % (4 * terms_)];
+    }
+  }
+  // G(0) = 1 in truth.
+  coefficients_[0] += 1 - evaluate(0).value;
+}
+
+HalfAngleTable::Value HalfAngleTable::evaluate(
+    double half_angle) const noexcept {
+  const double share = half_angle / largest_;
+  const bool ball = kind_ == JointKind::spherical;
+  const double u = ball ? std::sqrt(share) : share;
+  // du/dtheta0; at theta0 = 0 of a ball G' vanishes with u.
+  const double du =
+      ball ? 0.5 / (largest_ * std::max(u, 1e-150)) : 1 / largest_;
+  // Clenshaw's recurrence for the series and its derivative in v = 2u - 1.
+  const double twice_v = 2 * (2 * u - 1);
+  double b0 = 0, b1 = 0, d0 = 0, d1 = 0;
+  for (int k = terms_ - 1; k > 0; --k) {
+    const double d = 2 * b0 + twice_v * d0 - d1;
+    d1 = d0;
+    d0 = d;
+    const double b = coefficients_[k] + twice_v * b0 - b1;
+    b1 = b0;
+    b0 = b;
+  }
+  const double g = coefficients_[0] + twice_v / 2 * b0 - b1;
+  const double slope = 2 * du * (b0 + twice_v / 2 * d0 - d1);
+  if (!is_limit_) return {g, slope};
+  const double complement = (largest_ - half_angle) / largest_;
+  return {complement * g, complement * slope - g / largest_};
+}
+
+// theta0 within 4 % for usual pairs: the direct law for identical materials
+// (pin) and nearly so (ball), on the limit of this pair.
+double HalfAngleTable::start(double x) const noexcept {
+  const double z = x / largest_ * (x / largest_);
+  const double n = kind_ == JointKind::spherical ? 0.45 : 1.17;
+  const double d = kind_ == JointKind::spherical ? 1.08 : 2.35;
+  // Divided by z where that is large.
+  return z < 1 ? x * std::sqrt((1 + n * z) / (1 + z * (d + n * z)))
+               : largest_ * std::sqrt((1 / z + n) / ((1 / z + d) / z + n));
+}
+
+HalfAngleResult HalfAngleTable::half_angle(
+    double load_parameter) const noexcept {
+  if (!(load_parameter >= 0)) return {nan, Status::out_of_range};
+  const double exponent = 1.0 / power(kind_);
+  if (load_parameter == 0) return {0, Status::ok, exponent};
+  const double x = x_from_load_parameter(kind_, load_parameter);
+  if (is_limit_ && std::isinf(x)) return {largest_, Status::ok, 0};
+  const double p = power(kind_);
+  if (!is_limit_ && !(raised(kind_, 2 * std::sin(largest_ / 2) / x) >=
+                      evaluate(largest_).value)) {
+    return {largest_, Status::not_converged, 0};
+  }
+  // Newton's method for F(theta0) - (2 sin(theta0/2)/x)^power; a step that
+  // leaves the bracket is replaced by halving it.
+  double low = 0;
+  double high = largest_;
+  double theta = std::min(start(x), largest_);
+  // Three to five steps; 60 halvings would do.
+  constexpr int step_limit = 60;
+  for (int step = 0; step < step_limit; ++step) {
+    const double sine = std::sin(theta / 2);
+    // Of ln(sin(theta0/2)^power).
+    const double sine_slope = p * std::cos(theta / 2) / (2 * sine);
+    const double load_term = raised(kind_, 2 * sine / x);
+    const Value f = evaluate(theta);
+    const double residual = f.value - load_term;
+    (residual > 0 ? low : high) = theta;
+    const double newton = theta + residual / (load_term * sine_slope - f.slope);
+    const double next =
+        newton >= low && newton <= high ? newton : low + (high - low) / 2;
+    const double change = next - theta;
+    theta = next;
+    // Quadratic: the next change is below rounding.
+    if (std::abs(change) <= 1e-9 * theta) {
+      // F'/F and the slope of (2b/x)^power at the root, F = (2b/x)^power.
+      const double log_slope =
+          f.value > 0 ? 1 / (theta * (sine_slope - f.slope / f.value)) : 0;
+      return {theta, Status::ok, log_slope};
+    }
+  }
+  return {largest_, Status::not_converged, 0};
+}
+
+LoadParameterResult HalfAngleTable::load_parameter(
+    double half_angle) const noexcept {
+  if (!(half_angle >= 0 && half_angle <= largest_)) {
+    return {nan, Status::out_of_range};
+  }
+  if (half_angle == 0) return {0, Status::ok};
+  if (is_limit_ && half_angle == largest_) return {infinity, Status::ok};
+  const double per_x = kind_ == JointKind::spherical ? 1 : 4;
+  return {raised(kind_, 2 * std::sin(half_angle / 2)) /
+              (per_x * evaluate(half_angle).value),
+          Status::ok};
+}
+
+}  // namespace contact::detail
