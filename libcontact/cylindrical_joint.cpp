@@ -49,10 +49,10 @@ FixedPointResult CylindricalJoint::fixed_point(const Vector3d& reaction,
                                                const Vector3d& axis,
                                                double rate,
                                                std::span<FixedPointStep> trace,
-                                               double tolerance,
-                                               int step_limit) const noexcept {
+                                               double tolerance, int step_limit,
+                                               double start) const noexcept {
   return detail::fixed_point(contact_, across(reaction, axis), rate * axis,
-                             trace, tolerance, step_limit);
+                             trace, tolerance, step_limit, start);
 }
 
 double CylindricalJoint::moment_limit(const Vector3d& reaction,

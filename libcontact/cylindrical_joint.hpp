@@ -71,8 +71,8 @@ class CylindricalJoint {
   FixedPointResult fixed_point(const Eigen::Vector3d& reaction,
                                const Eigen::Vector3d& axis, double rate,
                                std::span<FixedPointStep> trace,
-                               double tolerance = 1e-12,
-                               int step_limit = 1000) const noexcept;
+                               double tolerance = 1e-12, int step_limit = 1000,
+                               double start = 0) const noexcept;
 
   /// Largest moment about the axis that the joint holds at rest under R, N m:
   /// that of sliding. 0 for viscous friction. The moments it holds are the

@@ -36,10 +36,10 @@ JointSolution SphericalJoint::solve_contact(
 FixedPointResult SphericalJoint::fixed_point(const Vector3d& reaction,
                                              const Vector3d& rate,
                                              std::span<FixedPointStep> trace,
-                                             double tolerance,
-                                             int step_limit) const noexcept {
+                                             double tolerance, int step_limit,
+                                             double start) const noexcept {
   return detail::fixed_point(contact_, reaction, rate, trace, tolerance,
-                             step_limit);
+                             step_limit, start);
 }
 
 }  // namespace contact

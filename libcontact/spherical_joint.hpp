@@ -118,11 +118,13 @@ class SphericalJoint {
   ///
   /// @param trace      filled with the steps, as many as it has room for
   /// @param tolerance  stop when |f/tan g - 1| <= tolerance
+  /// @param start      tan g_1, instead of the paper's 0: the last f, when the
+  ///                   loop goes on under another reaction
   FixedPointResult fixed_point(const Eigen::Vector3d& reaction,
                                const Eigen::Vector3d& rate,
                                std::span<FixedPointStep> trace,
-                               double tolerance = 1e-12,
-                               int step_limit = 1000) const noexcept;
+                               double tolerance = 1e-12, int step_limit = 1000,
+                               double start = 0) const noexcept;
 
  private:
   JointContact contact_;

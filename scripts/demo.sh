@@ -5,7 +5,7 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 scripts/setup.sh
 cmake --preset release
-cmake --build --preset release --target hinge-table hinge-angle
+cmake --build --preset release --target hinge-table hinge-angle hinge-joint
 
 out=demo-output
 mkdir -p "$out"
@@ -45,6 +45,36 @@ hinge-angle --joint sphere --pair data/materials/steel_bronze.toml \
   --radius 50mm --clearance 50um --load 1e3:1e7:log100 \
   --output "$out/half_angle_steel_bronze.csv" \
   $(picture half_angle_steel_bronze)
+
+echo "Friction moment of a joint, and the paper's examples"
+hinge-joint --joint data/joints/paper_example_2.toml --beta 30,60,90 \
+  --reaction 1e4:2e6:1e4 --output "$out/friction_moment.csv" \
+  $(picture friction_moment)
+beside=(--beside data/reference/paper_examples.csv --format markdown)
+{
+  echo "# Examples of the paper beside its printed numbers"
+  echo
+  echo "Example 1: the contact"
+  echo
+  hinge-joint --joint data/joints/paper_example_1.toml --normal-force 2e5 \
+    --alpha 30 --summary "${beside[@]}"
+  echo
+  echo "Example 1: inner loop"
+  echo
+  hinge-joint --joint data/joints/paper_example_1.toml --reaction 2.63e5 \
+    --beta 67.6 --trace "${beside[@]}"
+  example_2=(--joint data/joints/paper_example_2.toml
+    --reaction-xyz 1.122e6,3.23e5,0 --rate-xyz 0,0,1 --outer 0,-0.026,0
+    --joints 2 --braking -6.5e-6 --inner-steps 4,3)
+  echo
+  echo "Example 2: outer loop"
+  echo
+  hinge-joint "${example_2[@]}" "${beside[@]}"
+  echo
+  echo "Example 2: inner loops"
+  echo
+  hinge-joint "${example_2[@]}" --trace "${beside[@]}"
+} >"$out/paper_examples.md"
 
 if command -v gnuplot >/dev/null; then
   echo "Figures 3, 4, 5, 8 and 9 of the paper"

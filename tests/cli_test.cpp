@@ -1,6 +1,7 @@
 // Plumbing of the programs: sweeps, numbers, CSV, tables, files, threads.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -10,6 +11,7 @@
 #include <random>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cli/choice.hpp"
@@ -18,11 +20,15 @@
 #include "cli/number.hpp"
 #include "cli/ordered_blocks.hpp"
 #include "cli/output.hpp"
+#include "cli/quantity.hpp"
 #include "cli/sweep.hpp"
 #include "cli/table.hpp"
 #include "libcontact/error.hpp"
+#include "support/error_message.hpp"
 
 namespace {
+
+using contact::test::error_message;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -213,6 +219,35 @@ TEST(Table, Print) {
             "a\\_\"|, & - \\\\\n"
             "a\\_\"|, & $\\infty$ \\\\\n"
             "\\hline\n\\end{tabular}\n");
+}
+
+TEST(Table, CountsAreWhole) {
+  for (const auto& [format, expected] :
+       {std::pair{cli::Format::csv, "123456\n"},
+        std::pair{cli::Format::json, ",\n{\"n\":123456}"},
+        std::pair{cli::Format::markdown, "| 123456 |\n"}}) {
+    const cli::Table table(format, {"n"});
+    cli::Text rows;
+    cli::RowWriter row(table, rows);
+    row.count(123456);
+    row.end();
+    EXPECT_EQ(rows.view(), expected);
+  }
+}
+
+TEST(Quantity, ValuesAndVectors) {
+  EXPECT_EQ(cli::parse_value("--x", "1e3", {0, 1e4, "N"}), 1000);
+  EXPECT_EQ(cli::parse_vector("--v", "1, -2.5,3e2", "in N"),
+            (std::array<double, 3>{1, -2.5, 300}));
+  EXPECT_EQ(error_message([] {
+              cli::parse_value("--x", "2", {0, 1, "N"});
+            }),
+            "--x 2: allowed 0 to 1 N");
+  for (const char* bad :
+       {"", "1,2", "1,2,3,4", "1,,3", "1,2,x", "1,2,nan", "1,2,inf"}) {
+    EXPECT_EQ(error_message([&] { cli::parse_vector("--v", bad, "in N"); }),
+              std::string("--v ") + bad + ": allowed X,Y,Z, in N");
+  }
 }
 
 TEST(Table, DistinctNames) {

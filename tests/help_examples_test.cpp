@@ -22,6 +22,7 @@ TEST_P(HelpExamples, Run) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Programs, HelpExamples,
-                         testing::Values("hinge-table", "hinge-angle"));
+                         testing::Values("hinge-table", "hinge-angle",
+                                         "hinge-joint"));
 
 }  // namespace

@@ -4,7 +4,6 @@
 
 #include <limits>
 
-#include "cli/number.hpp"
 #include "cli/quantity.hpp"
 #include "libcontact/error.hpp"
 #include "libcontact/joint_file.hpp"
@@ -14,17 +13,6 @@ namespace hinge_angle {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-// A number with the name of its option in every message.
-double number(std::string_view option, const std::string& text,
-              const cli::Allowed& allowed) {
-  const auto value = cli::parse_number(text);
-  if (!value || !allowed.contains(*value)) {
-    throw contact::Error(
-        fmt::format("{} {}: allowed {}", option, text, allowed.text()));
-  }
-  return *value;
-}
 
 Setup setup_from_file(const Options& options) {
   if (!options.joint.ends_with(".toml")) {
@@ -46,10 +34,10 @@ Setup setup_from_file(const Options& options) {
 Setup dimensionless_setup(const Options& options, contact::JointKind kind) {
   constexpr cli::Allowed poisson{0, 0.5, ""};
   return {kind, contact::ElasticPair::from_modulus_ratio(
-                    number("--modulus-ratio", options.modulus_ratio,
-                           {0, infinity, ""}),
-                    number("--poisson1", options.poisson1, poisson),
-                    number("--poisson2", options.poisson2, poisson))};
+                    cli::parse_value("--modulus-ratio", options.modulus_ratio,
+                                     {0, infinity, ""}),
+                    cli::parse_value("--poisson1", options.poisson1, poisson),
+                    cli::parse_value("--poisson2", options.poisson2, poisson))};
 }
 
 Setup setup_from_pair(const Options& options, contact::JointKind kind) {
@@ -91,7 +79,8 @@ Setup make_setup(const Options& options) {
     limit.linear_limit = options.limit_angle == "linear";
     if (options.limit_angle != "linear" && options.limit_angle != "formula") {
       limit.limit_half_angle =
-          number("--limit-angle", options.limit_angle, {0, 180, "deg"}) *
+          cli::parse_value("--limit-angle", options.limit_angle,
+                           {0, 180, "deg"}) *
           contact::degree;
     }
   }

@@ -110,11 +110,14 @@ std::string draw(const LinePlot& plot, const std::string& file) {
     }
     script += "END\n";
     const std::string colour =
-        plot.family ? fmt::format("lw 2.5 lc palette frac {:.3f}",
-                                  static_cast<double>(i) /
-                                      static_cast<double>(std::max<std::size_t>(
-                                          plot.curves.size() - 1, 1)))
-                    : fmt::format("lt {}", i + 1);
+        plot.family
+            ? fmt::format("lw 2.5 lc palette frac {:.3f}",
+                          static_cast<double>(i) /
+                              static_cast<double>(std::max<std::size_t>(
+                                  plot.curves.size() - 1, 1)))
+            : fmt::format("lt {}", curve.colour > 0
+                                       ? static_cast<std::size_t>(curve.colour)
+                                       : i + 1);
     lines += fmt::format("{}$curve{} using 1:2 with lines {} dt {} title {}",
                          lines.empty() ? "" : ", \\\n  ", i, colour,
                          curve.dashed ? 2 : 1, gnuplot_text(curve.label));

@@ -15,6 +15,7 @@ struct Curve {
   std::vector<double> x;
   std::vector<double> y;  ///< NaN leaves a gap
   bool dashed = false;
+  int colour = 0;  ///< curves of one number > 0 share a colour
 };
 
 /// A line plot with a legend beside it.

@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "cli/number.hpp"
 #include "libcontact/error.hpp"
 
 namespace cli {
@@ -19,6 +19,37 @@ struct Unit {
 constexpr std::array<Unit, 3> units = {{{"mm", 1e3}, {"um", 1e6}, {"m", 1}}};
 
 }  // namespace
+
+double parse_value(std::string_view option, std::string_view text,
+                   const Allowed& allowed) {
+  const auto value = parse_number(text);
+  if (!value || !allowed.contains(*value)) {
+    throw contact::Error(
+        fmt::format("{} {}: allowed {}", option, text, allowed.text()));
+  }
+  return *value;
+}
+
+std::array<double, 3> parse_vector(std::string_view option,
+                                   std::string_view text,
+                                   std::string_view what) {
+  std::array<double, 3> vector = {};
+  std::string_view rest = text;
+  bool good = std::count(text.begin(), text.end(), ',') == 2;
+  for (std::size_t i = 0; good && i < 3; ++i) {
+    const std::size_t comma = rest.find(',');
+    const auto number = parse_number(rest.substr(0, comma));
+    good = number && std::isfinite(*number);
+    if (good) vector[i] = *number;
+    rest.remove_prefix(comma == std::string_view::npos ? rest.size()
+                                                       : comma + 1);
+  }
+  if (!good) {
+    throw contact::Error(
+        fmt::format("{} {}: allowed X,Y,Z, {}", option, text, what));
+  }
+  return vector;
+}
 
 double parse_length(std::string_view option, std::string_view text) {
   std::string_view digits = text;

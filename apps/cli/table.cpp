@@ -163,6 +163,13 @@ void RowWriter::number(double value) {
   text_.end_at(write_number(to, value));
 }
 
+void RowWriter::count(std::size_t value) {
+  const std::string text = std::to_string(value);
+  if (table_.format_ >= Format::markdown) return printed(text);
+  text_.append(table_.before_[column_++]);
+  text_.append(text);
+}
+
 void RowWriter::empty() {
   if (table_.format_ >= Format::markdown) return printed("-");
   text_.append(table_.before_[column_++]);

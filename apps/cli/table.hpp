@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -42,6 +43,8 @@ class RowWriter {
   RowWriter(const Table& table, Text& text) : table_(table), text_(text) {}
 
   void number(double value);
+  /// A whole number, in full in every format.
+  void count(std::size_t value);
   /// No value: empty, null or a dash.
   void empty();
   void text(std::string_view value);

@@ -230,13 +230,13 @@ JointSolution solve_contact(const JointContact& contact,
 FixedPointResult fixed_point(const JointContact& contact,
                              const Vector3d& reaction, const Vector3d& rate,
                              std::span<FixedPointStep> trace, double tolerance,
-                             int step_limit) noexcept {
+                             int step_limit, double start) noexcept {
   const double force = reaction.stableNorm();
   const double speed = rate.stableNorm();
   const double cos_b = (reaction / force).dot(rate / speed);
   const JointContact::Strength strength = contact.strength(speed);
   FixedPointResult result = {Status::not_converged, 0, 0};
-  double f = 0;  // g_1 = 0 (4.3)
+  double f = start;  // 0: g_1 = 0 (4.3)
   while (result.steps < step_limit) {
     const double g = std::atan(f);
     const double cos_g = 1 / std::hypot(1, f);

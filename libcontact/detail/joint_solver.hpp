@@ -28,6 +28,6 @@ FixedPointResult fixed_point(const JointContact& contact,
                              const Eigen::Vector3d& reaction,
                              const Eigen::Vector3d& rate,
                              std::span<FixedPointStep> trace, double tolerance,
-                             int step_limit) noexcept;
+                             int step_limit, double start) noexcept;
 
 }  // namespace contact::detail

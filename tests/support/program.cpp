@@ -88,10 +88,15 @@ std::vector<std::vector<std::string>> csv_rows(std::string_view text) {
   std::istringstream lines{std::string(text)};
   for (std::string line; std::getline(lines, line);) {
     auto& row = rows.emplace_back();
-    std::size_t start = 0;
-    for (std::size_t end = 0; end != std::string::npos; start = end + 1) {
-      end = line.find(',', start);
-      row.push_back(line.substr(start, end - start));
+    row.emplace_back();
+    bool quoted = false;
+    for (const char c : line) {
+      if (c == '"') quoted = !quoted;
+      if (c == ',' && !quoted) {
+        row.emplace_back();
+      } else {
+        row.back() += c;
+      }
     }
   }
   return rows;

@@ -42,7 +42,8 @@ class ProgramFolder {
 /// The commands under "Examples:" in the --help of a program.
 std::vector<std::string> help_examples(const std::string& program);
 
-/// A CSV text as programs write it: rows of cells, the first one the header.
+/// A CSV text as programs write it: rows of cells, the first one the header;
+/// quotes stay.
 std::vector<std::vector<std::string>> csv_rows(std::string_view text);
 
 /// One column of csv_rows() below its header; throws contact::Error if there

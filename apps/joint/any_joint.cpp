@@ -1,0 +1,88 @@
+#include "joint/any_joint.hpp"
+
+namespace hinge_joint {
+namespace {
+
+using contact::CylindricalJoint;
+using contact::JointSolution;
+using contact::SphericalJoint;
+using Eigen::Vector3d;
+
+Vector3d direction(const Vector3d& v) {
+  return v.isZero(0) ? Vector3d::UnitZ() : v.stableNormalized();
+}
+
+std::variant<SphericalJoint, CylindricalJoint> make(
+    const contact::JointContact& contact) {
+  if (contact.geometry().kind() == contact::JointKind::spherical) {
+    return SphericalJoint(contact);
+  }
+  return CylindricalJoint(contact);
+}
+
+contact::RestSolution pin_utilisation(const CylindricalJoint& joint,
+                                      const Vector3d& reaction,
+                                      const Vector3d& moment) {
+  const Vector3d u = -direction(moment);
+  contact::RestSolution rest;
+  rest.utilisation = joint.utilisation(reaction, u, moment.dot(u));
+  rest.direction = moment.isZero(0) ? Vector3d(Vector3d::Zero()) : u;
+  rest.slip = joint.solve(reaction, u, moment.isZero(0) ? 0 : 1);
+  rest.status = rest.slip.status;
+  rest.solves = 1;
+  return rest;
+}
+
+}  // namespace
+
+AnyJoint::AnyJoint(const contact::JointContact& contact)
+    : joint_(make(contact)) {}
+
+const contact::JointContact& AnyJoint::contact() const {
+  return std::visit(
+      [](const auto& joint) -> const contact::JointContact& {
+        return joint.contact();
+      },
+      joint_);
+}
+
+JointSolution AnyJoint::solve(const Vector3d& reaction,
+                              const Vector3d& rate) const {
+  if (const auto* ball = std::get_if<SphericalJoint>(&joint_)) {
+    return ball->solve(reaction, rate);
+  }
+  return std::get<CylindricalJoint>(joint_).solve(reaction, direction(rate),
+                                                  rate.stableNorm());
+}
+
+JointSolution AnyJoint::solve_contact(const Vector3d& force,
+                                      const Vector3d& rate) const {
+  if (const auto* ball = std::get_if<SphericalJoint>(&joint_)) {
+    return ball->solve_contact(force, rate);
+  }
+  return std::get<CylindricalJoint>(joint_).solve_contact(
+      force, direction(rate), rate.stableNorm());
+}
+
+contact::RestSolution AnyJoint::utilisation(const Vector3d& reaction,
+                                            const Vector3d& moment) const {
+  if (const auto* ball = std::get_if<SphericalJoint>(&joint_)) {
+    return ball->utilisation(reaction, moment);
+  }
+  return pin_utilisation(std::get<CylindricalJoint>(joint_), reaction, moment);
+}
+
+contact::FixedPointResult AnyJoint::fixed_point(
+    const Vector3d& reaction, const Vector3d& rate,
+    std::span<contact::FixedPointStep> trace, double start) const {
+  constexpr double tolerance = 1e-12;
+  const int steps = static_cast<int>(trace.size());
+  if (const auto* ball = std::get_if<SphericalJoint>(&joint_)) {
+    return ball->fixed_point(reaction, rate, trace, tolerance, steps, start);
+  }
+  return std::get<CylindricalJoint>(joint_).fixed_point(
+      reaction, direction(rate), rate.stableNorm(), trace, tolerance, steps,
+      start);
+}
+
+}  // namespace hinge_joint

@@ -1,0 +1,112 @@
+#include "joint/input.hpp"
+
+#include <fmt/format.h>
+
+#include "cli/quantity.hpp"
+#include "libcontact/error.hpp"
+#include "libcontact/units.hpp"
+
+namespace hinge_joint {
+namespace {
+
+using Eigen::Vector3d;
+
+Vector3d vector(std::string_view option, std::string_view text,
+                std::string_view what) {
+  const auto v = cli::parse_vector(option, text, what);
+  return {v[0], v[1], v[2]};
+}
+
+[[noreturn]] void refuse(const std::string& message) {
+  throw contact::Error(message + " (see hinge-joint --help)");
+}
+
+// The angle of a sweep, which a pin does not have.
+cli::Sweep angle_sweep(std::string_view option, const std::string& text,
+                       std::string_view force, const cli::Allowed& allowed,
+                       bool pin, std::string_view pin_angle) {
+  if (pin) {
+    if (!text.empty()) {
+      refuse(fmt::format("{} {}: a cylinder has no such angle", option, text));
+    }
+    return {option, pin_angle, allowed};
+  }
+  if (text.empty()) refuse(fmt::format("{}: needs {} too", force, option));
+  return {option, text, allowed};
+}
+
+}  // namespace
+
+Input state_from_reaction(double reaction, double b_deg, double rate) {
+  const auto [sin, cos] = contact::sine_cosine_deg(b_deg);
+  return {{reaction * sin, 0, reaction * cos}, {0, 0, rate}};
+}
+
+Input state_from_contact(double normal_force, double a_deg, double rate) {
+  const auto [sin, cos] = contact::sine_cosine_deg(a_deg);
+  return {{0, 0, normal_force}, {0, rate * cos, rate * sin}};
+}
+
+Inputs::Inputs(const Options& options, bool pin) {
+  const bool xyz = !options.reaction_xyz.empty();
+  const bool reaction = !options.reaction.empty();
+  const bool contact = !options.normal_force.empty();
+  if (xyz + reaction + contact != 1) {
+    refuse("needs one of --reaction-xyz, --reaction, --normal-force, --points");
+  }
+  if (!options.beta.empty() && !reaction) refuse("--beta: needs --reaction");
+  if (!options.alpha.empty() && !contact) {
+    refuse("--alpha: needs --normal-force");
+  }
+  if (xyz) {
+    if (!options.rate.empty()) refuse("--rate: --reaction-xyz has --rate-xyz");
+    if (options.rate_xyz.empty() == options.moment_xyz.empty()) {
+      refuse("--reaction-xyz: needs --rate-xyz or, at rest, --moment-xyz");
+    }
+    vectors_.force =
+        vector("--reaction-xyz", options.reaction_xyz, "a force in N");
+    if (options.moment_xyz.empty()) {
+      vectors_.turn = vector("--rate-xyz", options.rate_xyz, "in rad/s");
+    } else {
+      question_ = Question::rest;
+      vectors_.turn =
+          vector("--moment-xyz", options.moment_xyz, "a moment in N m");
+    }
+    if (pin && vectors_.turn.isZero(0)) {
+      refuse(
+          "--rate-xyz, --moment-xyz 0,0,0: its direction is a cylinder's "
+          "axis");
+    }
+    return;
+  }
+  if (!options.rate_xyz.empty() || !options.moment_xyz.empty()) {
+    refuse("--rate-xyz, --moment-xyz: need --reaction-xyz");
+  }
+  if (!options.rate.empty()) {
+    rate_ = cli::parse_value("--rate", options.rate, allowed_rate);
+  }
+  if (reaction) {
+    forces_.emplace("--reaction", options.reaction, allowed_force);
+    angles_ = angle_sweep("--beta", options.beta, "--reaction", allowed_beta,
+                          pin, "90");
+  } else {
+    question_ = Question::contact;
+    forces_.emplace("--normal-force", options.normal_force, allowed_force);
+    angles_ = angle_sweep("--alpha", options.alpha, "--normal-force",
+                          allowed_alpha, pin, "0");
+  }
+}
+
+Input Inputs::operator[](std::size_t index) const {
+  if (!forces_) return vectors_;
+  return at((*forces_)[index / angles_->size()],
+            (*angles_)[index % angles_->size()]);
+}
+
+Input Inputs::at(double force, double angle_deg) const {
+  return question_ == Question::contact
+             ? state_from_contact(force, angle_deg, rate_)
+             : state_from_reaction(force, angle_deg, rate_);
+}
+
+}  // namespace hinge_joint

@@ -1,0 +1,180 @@
+// hinge-joint: friction of one ball or pin joint under a known reaction.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <string_view>
+
+#include "cli/program.hpp"
+#include "joint/run.hpp"
+#include "joint/solution_row.hpp"
+
+namespace {
+
+using hinge_joint::Options;
+
+constexpr std::string_view help = R"(
+The joint is one of
+  --joint FILE.toml           a joint file
+  --joint sphere --pair FILE.toml --radius R --clearance EPS
+  --joint cylinder --pair FILE.toml --radius R --clearance EPS --length L
+Lengths are in m or carry a unit: 50mm, 25um. The clearance is the difference
+of the radii. Friction, half-angle law and pressure law are those of the files
+unless options name others; of comma lists of laws every pair is computed.
+
+The state is one of
+  --reaction-xyz X,Y,Z --rate-xyz X,Y,Z    R on the load, N; angular velocity
+                                           Dw of the load against the carrier,
+                                           rad/s; 0,0,0: at rest
+  --reaction-xyz X,Y,Z --moment-xyz X,Y,Z  at rest: whether the joint holds
+                                           the moment M on the load, N m
+  --reaction R --beta B      R in N at B degrees from Dw; Dw along Z, R in the
+                             plane XOZ
+  --normal-force F --alpha A compressive force R_n in N, slip axis angle in
+                             degrees: 0 sliding, 90 spinning; R_n along Z, Dw
+                             in the plane YOZ
+A cylinder has no angles; its axis is the direction of Dw (of M). --reaction,
+--beta, --normal-force, --alpha take a value, a list a,b,c, a range
+start:stop:step, or start:stop:logN for N values in equal ratios; of two, all
+pairs are computed, angles running fastest.
+
+--trace prints the paper's inner loop step by step: step, g_deg, a_deg, R_n_N,
+Abar, load_parameter, theta0_deg, f (the next step's tan g).
+--outer X,Y,Z lets the reaction answer to the friction moment M about Dw of
+--joints equal joints: R = R0 + M (X,Y,Z). It prints, round by round, M, the
+braking C M with --braking C, R, and the contact that gave M. --inner-steps
+4,3 cuts the inner loop short after 4 steps in the first round, 3 in the
+others; with --trace all steps of the inner loops are printed.
+
+--beside FILE.csv shows printed or measured numbers beside the computed ones:
+columns joint (name in the joint file), table (solution, trace, outer, inner),
+row (from 1), column, value.
+
+Columns: law and pressure (names), state (sliding, resting, unloaded; with
+--moment-xyz holds or slips), status (ok, out_of_range, not_converged), then
+)";
+
+constexpr std::string_view examples = R"(
+Forces and moments act on the load. What has no meaning at rest or without
+load is empty, in JSON null. With --moment-xyz the last four are there too, and
+the others are those of the slip about u at 1 rad/s that would begin.
+--summary prints a line for each quantity instead. --plot draws the friction
+moment over the swept force or angle, dashed the traditional estimate from R.
+
+Examples:
+  hinge-joint --joint data/joints/paper_example_1.toml --reaction 2.63e5 --beta 67.6 --summary --format markdown
+  hinge-joint --joint data/joints/paper_example_1.toml --normal-force 2e5 --alpha 30 --summary --beside data/reference/paper_examples.csv
+  hinge-joint --joint data/joints/paper_example_1.toml --reaction 2.63e5 --beta 67.6 --trace --beside data/reference/paper_examples.csv
+  hinge-joint --joint data/joints/paper_example_2.toml --reaction-xyz 1.122e6,3.23e5,0 --rate-xyz 0,0,1 --outer 0,-0.026,0 --joints 2 --braking=-6.5e-6 --inner-steps 4,3 --beside data/reference/paper_examples.csv --format markdown
+  hinge-joint --joint data/joints/hip_cocr_uhmwpe.toml --law tanh --reaction 10:5000:log50 --beta 30,60,90 --output hip.csv
+  hinge-joint --joint sphere --pair data/materials/steel_bronze.toml --radius 50mm --clearance 50um --friction 0.15 --law tanh --reaction-xyz 1e5,2e4,0 --moment-xyz 300,0,500 --format json
+  hinge-joint --joint data/joints/pin_joint.toml --law hertz,blend --reaction 1e3,1e4
+
+)";
+
+std::string footer() {
+  std::string text(help);
+  for (const auto& quantity : hinge_joint::quantities(true)) {
+    text += quantity.meaning.empty()
+                ? fmt::format("  {}\n", quantity.name)
+                : fmt::format("  {:<19} {}\n", quantity.name, quantity.meaning);
+  }
+  return text + std::string(examples) + std::string(cli::exit_status_help);
+}
+
+void add_joint(CLI::App& app, Options& options) {
+  const auto text = [&app](const char* name, std::string& value,
+                           const char* what, const char* kind) {
+    app.add_option(name, value, what)->option_text(kind)->group("Joint");
+  };
+  app.add_option("--joint", options.joint, "sphere, cylinder or a joint file")
+      ->option_text("KIND|FILE")
+      ->required()
+      ->group("Joint");
+  text("--pair", options.pair, "materials of the two bodies, a TOML file",
+       "FILE");
+  text("--radius", options.radius, "of the ball or pin, m or with a unit",
+       "LENGTH");
+  text("--clearance", options.clearance, "radial, m or with a unit", "LENGTH");
+  text("--length", options.length, "of a cylinder, m or with a unit", "LENGTH");
+  text("--inner-body", options.inner_body,
+       "body with the ball or pin: carrier (default) or load", "NAME");
+  text("--friction", options.friction, "f0 of f = f0 + A/p", "NUMBER");
+  text("--adhesion", options.adhesion, "A of f = f0 + A/p, Pa; default 0",
+       "NUMBER");
+  text("--viscous", options.viscous,
+       "k0, Pa s/m, or k0,k1 (s/m): friction stress (k0 + k1 p) v", "NUMBERS");
+  app.add_option("--law", options.laws,
+                 "half-angle laws, a comma list; see hinge-angle")
+      ->delimiter(',')
+      ->option_text("NAMES")
+      ->group("Joint");
+  text("--limit-angle", options.limit_angle,
+       "limit half-angle: formula, linear, or degrees", "NAME|ANGLE");
+  app.add_option("--pressure", options.pressures,
+                 "pressure laws, a comma list; default cosine")
+      ->delimiter(',')
+      ->option_text("NAMES")
+      ->group("Joint");
+}
+
+void add_state(CLI::App& app, Options& options) {
+  const auto text = [&app](const char* name, std::string& value,
+                           const char* what, const char* kind) {
+    app.add_option(name, value, what)->option_text(kind)->group("State");
+  };
+  text("--reaction-xyz", options.reaction_xyz, "R on the load, N", "X,Y,Z");
+  text("--rate-xyz", options.rate_xyz, "Dw, rad/s", "X,Y,Z");
+  text("--moment-xyz", options.moment_xyz, "M to hold at rest, N m", "X,Y,Z");
+  text("--reaction", options.reaction, "R, N", "VALUES");
+  text("--beta", options.beta, "angle between R and Dw, deg, 0 to 180",
+       "ANGLES");
+  text("--normal-force", options.normal_force, "R_n, N", "VALUES");
+  text("--alpha", options.alpha, "slip axis angle, deg, -90 to 90", "ANGLES");
+  text("--rate", options.rate, "|Dw|, rad/s; default 1", "NUMBER");
+}
+
+void add_loops(CLI::App& app, Options& options) {
+  app.add_flag("--trace", options.trace, "the paper's inner loop")
+      ->group("Loops");
+  auto* outer = app.add_option("--outer", options.outer,
+                               "outer loop: change of R, N per N m of M")
+                    ->option_text("X,Y,Z")
+                    ->group("Loops");
+  const auto text = [&app, outer](const char* name, std::string& value,
+                                  const char* what, const char* kind) {
+    app.add_option(name, value, what)
+        ->option_text(kind)
+        ->needs(outer)
+        ->group("Loops");
+  };
+  text("--joints", options.joints, "M is that of so many joints; default 1",
+       "N");
+  text("--braking", options.braking,
+       "angular acceleration over M, deg/s^2 per N m", "NUMBER");
+  text("--inner-steps", options.inner_steps,
+       "steps of the inner loop in each round; default: until converged",
+       "LIST");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("Friction of a ball or pin joint under a known reaction",
+               "hinge-joint");
+  Options options;
+  add_joint(app, options);
+  add_state(app, options);
+  add_loops(app, options);
+  app.add_flag("--summary", options.summary,
+               "a line for each quantity instead of a column")
+      ->group("Output");
+  app.add_option("--beside", options.beside, "CSV file of numbers to compare")
+      ->option_text("FILE")
+      ->group("Output");
+  cli::add_output_options(app, options.output);
+  cli::add_jobs_option(app, options.output);
+  app.footer(footer());
+  return cli::run_program(app, argc, argv,
+                          [&] { return hinge_joint::run(options); });
+}

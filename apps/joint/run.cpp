@@ -1,0 +1,114 @@
+#include "joint/run.hpp"
+
+#include <fmt/format.h>
+
+#include <map>
+
+#include "joint/beside.hpp"
+#include "joint/input.hpp"
+#include "joint/loop_table.hpp"
+#include "joint/solution_table.hpp"
+#include "joint/torque_plot.hpp"
+#include "libcontact/error.hpp"
+
+namespace hinge_joint {
+namespace {
+
+// Warns of the use of the joint and the laws outside their ranges, once for
+// each reason.
+void print_validity(const Setup& setup) {
+  std::map<std::string, std::string> laws_by_reason;
+  for (const NamedJoint& named : setup.joints) {
+    for (const std::string& text : named.joint.contact().validity_notes()) {
+      std::string& names = laws_by_reason[text];
+      if (names.find(named.law) != std::string::npos) continue;
+      names += (names.empty() ? "" : ", ") + named.law;
+    }
+  }
+  for (const auto& [text, names] : laws_by_reason) {
+    cli::warn("hinge-joint", fmt::format("law {}: {}", names, text));
+  }
+}
+
+// The one state and pair of laws that a loop is run for.
+const NamedJoint& only_joint(const Setup& setup, const Inputs& inputs,
+                             std::string_view option) {
+  if (inputs.size() != 1 || setup.joints.size() != 1) {
+    throw contact::Error(fmt::format(
+        "{}: allowed for one state, one law and one pressure law", option));
+  }
+  const Input input = inputs[0];
+  if (inputs.question() != Question::reaction || input.force.isZero(0) ||
+      input.turn.isZero(0)) {
+    throw contact::Error(
+        fmt::format("{}: needs a reaction and a rate that are not 0", option));
+  }
+  return setup.joints[0];
+}
+
+cli::ExitStatus run_loops(const Options& options, const Setup& setup,
+                          const Inputs& inputs) {
+  const bool outer = !options.outer.empty();
+  if (options.summary || !options.output.plot.empty()) {
+    throw contact::Error("--trace, --outer: not with --summary or --plot");
+  }
+  const NamedJoint& joint =
+      only_joint(setup, inputs, outer ? "--outer" : "--trace");
+  const Beside beside(options.beside, setup.name,
+                      !outer          ? "trace"
+                      : options.trace ? "inner"
+                                      : "outer");
+  if (!outer) return write_trace(joint, inputs[0], beside, options.output);
+  return write_outer(joint, inputs[0], make_outer_law(options), options.trace,
+                     beside, options.output);
+}
+
+cli::ExitStatus report(const Problems& problems) {
+  if (problems.out_of_range > 0) {
+    cli::warn("hinge-joint",
+              fmt::format("rows without a value: {}; the half-angle law or "
+                          "the pressure law has none there",
+                          problems.out_of_range));
+  }
+  if (problems.not_converged > 0) {
+    cli::warn("hinge-joint", fmt::format("rows that have not converged: {}",
+                                         problems.not_converged));
+  }
+  return problems.out_of_range + problems.not_converged == 0 ? cli::all_good
+                                                             : cli::some_bad;
+}
+
+}  // namespace
+
+cli::ExitStatus run(const Options& options) {
+  const Setup setup = make_setup(options);
+  const Inputs inputs(options, setup.joints[0].joint.is_pin());
+  print_validity(setup);
+  if (options.trace || !options.outer.empty()) {
+    return run_loops(options, setup, inputs);
+  }
+  for (const auto* text :
+       {&options.joints, &options.braking, &options.inner_steps}) {
+    if (!text->empty()) {
+      throw contact::Error(
+          "--joints, --braking, --inner-steps: belong to --outer");
+    }
+  }
+  const bool plot = !options.output.plot.empty();
+  if (plot && (!inputs.forces() || inputs.size() == 1)) {
+    throw contact::Error(
+        "--plot: needs a range of --reaction, --normal-force, --beta or "
+        "--alpha");
+  }
+  const Beside beside(options.beside, setup.name, "solution");
+  cli::ExitStatus status = report(
+      options.summary ? write_summary(setup, inputs, beside, options.output)
+                      : write_solutions(setup, inputs, beside, options.output));
+  if (!plot) return status;
+  const std::string problem = draw_torque(setup, inputs, options.output.plot);
+  if (problem.empty()) return status;
+  cli::warn("hinge-joint", problem);
+  return cli::some_bad;
+}
+
+}  // namespace hinge_joint

@@ -1,0 +1,147 @@
+#include "joint/setup.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <limits>
+#include <memory>
+#include <optional>
+
+#include "cli/choice.hpp"
+#include "cli/quantity.hpp"
+#include "libcontact/error.hpp"
+#include "libcontact/joint_file.hpp"
+#include "libcontact/units.hpp"
+
+namespace hinge_joint {
+namespace {
+
+using contact::Joint;
+using contact::JointBody;
+using contact::JointGeometry;
+
+// Far above any friction coefficient, adhesion or viscosity.
+constexpr double largest = 1e30;
+
+Joint joint_from_file(const Options& options) {
+  if (!options.joint.ends_with(".toml")) {
+    throw contact::Error(fmt::format(
+        "--joint {}: allowed sphere, cylinder or a .toml file", options.joint));
+  }
+  for (const auto* text : {&options.pair, &options.radius, &options.clearance,
+                           &options.length, &options.inner_body}) {
+    if (!text->empty()) {
+      throw contact::Error(fmt::format(
+          "--joint {}: the file has materials and geometry; not with --pair, "
+          "--radius, --clearance, --length, --inner-body",
+          options.joint));
+    }
+  }
+  return contact::read_joint(options.joint);
+}
+
+JointGeometry geometry_from_options(const Options& options, bool sphere) {
+  constexpr std::array<cli::Choice<JointBody>, 2> bodies = {
+      {{"carrier", JointBody::carrier}, {"load", JointBody::load}}};
+  const JointBody inner =
+      options.inner_body.empty()
+          ? JointBody::carrier
+          : cli::choice("--inner-body", options.inner_body, bodies);
+  if (options.length.empty() != sphere) {
+    throw contact::Error("--length: a cylinder needs it, a sphere has none");
+  }
+  const double radius = cli::parse_length("--radius", options.radius);
+  const double clearance = cli::parse_length("--clearance", options.clearance);
+  if (sphere) return JointGeometry::ball(radius, clearance, inner);
+  return JointGeometry::pin(
+      radius, clearance, cli::parse_length("--length", options.length), inner);
+}
+
+Joint joint_from_options(const Options& options) {
+  if (options.pair.empty() || options.radius.empty() ||
+      options.clearance.empty()) {
+    throw contact::Error(fmt::format(
+        "--joint {}: needs --pair, --radius and --clearance", options.joint));
+  }
+  const contact::MaterialPair pair = contact::read_material_pair(options.pair);
+  return {.name = "",
+          .geometry = geometry_from_options(options, options.joint == "sphere"),
+          .pair = pair.elastic,
+          .friction = pair.friction,
+          .half_angle_law = std::string(contact::default_half_angle_law),
+          .half_angle_options = {},
+          .pressure_law = std::string(contact::default_pressure_law)};
+}
+
+contact::FrictionModel make_friction(const Options& options,
+                                     const Joint& joint) {
+  constexpr cli::Allowed strength{0, largest, ""};
+  if (!options.viscous.empty()) {
+    if (!options.friction.empty() || !options.adhesion.empty()) {
+      throw contact::Error("--viscous: not with --friction or --adhesion");
+    }
+    const std::size_t comma = options.viscous.find(',');
+    const std::string k1 =
+        comma == std::string::npos ? "0" : options.viscous.substr(comma + 1);
+    return contact::ViscousLaw(
+        cli::parse_value("--viscous", options.viscous.substr(0, comma),
+                         strength),
+        cli::parse_value("--viscous", k1, strength));
+  }
+  if (options.friction.empty() && !joint.friction) {
+    throw contact::Error(
+        "needs --friction: neither the joint nor its materials have one");
+  }
+  const double f0 =
+      options.friction.empty()
+          ? joint.friction->coefficient()
+          : cli::parse_value("--friction", options.friction, strength);
+  // A coefficient without an adhesion means none.
+  double adhesion = 0;
+  if (!options.adhesion.empty()) {
+    adhesion =
+        cli::parse_value("--adhesion", options.adhesion, {0, largest, "Pa"});
+  } else if (options.friction.empty()) {
+    adhesion = joint.friction->adhesion();
+  }
+  return contact::FrictionLaw(f0, adhesion);
+}
+
+void set_limit_angle(contact::HalfAngleOptions& limit,
+                     const std::string& text) {
+  if (text.empty()) return;
+  limit.limit_half_angle.reset();
+  limit.linear_limit = text == "linear";
+  if (text == "linear" || text == "formula") return;
+  limit.limit_half_angle =
+      cli::parse_value("--limit-angle", text, {0, 180, "deg"}) *
+      contact::degree;
+}
+
+}  // namespace
+
+Setup make_setup(const Options& options) {
+  const bool named = options.joint == "sphere" || options.joint == "cylinder";
+  Joint joint = named ? joint_from_options(options) : joint_from_file(options);
+  set_limit_angle(joint.half_angle_options, options.limit_angle);
+  const auto friction = make_friction(options, joint);
+  std::vector<std::string> laws = options.laws;
+  std::vector<std::string> pressures = options.pressures;
+  if (laws.empty()) laws = {joint.half_angle_law};
+  if (pressures.empty()) pressures = {joint.pressure_law};
+
+  Setup setup{joint.name, {}};
+  for (const std::string& law : laws) {
+    joint.half_angle_law = law;
+    for (const std::string& pressure : pressures) {
+      joint.pressure_law = pressure;
+      setup.joints.push_back(
+          {law, pressure,
+           AnyJoint({joint.geometry, joint.pair, friction,
+                     joint.make_half_angle_law(), joint.make_pressure_law()})});
+    }
+  }
+  return setup;
+}
+
+}  // namespace hinge_joint

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cli/program.hpp"
+#include "joint/any_joint.hpp"
+
+namespace hinge_joint {
+
+/// The command line of hinge-joint as it was written; "" for options that
+/// were not given.
+struct Options {
+  std::string joint;
+  std::string pair;
+  std::string radius;
+  std::string clearance;
+  std::string length;
+  std::string inner_body;
+  std::string friction;
+  std::string adhesion;
+  std::string viscous;
+  std::vector<std::string> laws;
+  std::string limit_angle;
+  std::vector<std::string> pressures;
+
+  std::string reaction_xyz;
+  std::string rate_xyz;
+  std::string moment_xyz;
+  std::string reaction;
+  std::string beta;
+  std::string normal_force;
+  std::string alpha;
+  std::string rate;
+  std::string points;
+
+  bool trace = false;
+  std::string outer;
+  std::string joints;
+  std::string braking;
+  std::string inner_steps;
+
+  bool summary = false;
+  std::string beside;
+  cli::OutputOptions output;
+};
+
+/// A joint with one half-angle law and one pressure law.
+struct NamedJoint {
+  std::string law;
+  std::string pressure;
+  AnyJoint joint;
+};
+
+/// The joint that is asked for, once for each pair of laws.
+struct Setup {
+  std::string name;  ///< of the joint file, or ""
+  std::vector<NamedJoint> joints;
+};
+
+/// Throws contact::Error if the options do not fit together or a value is not
+/// allowed.
+Setup make_setup(const Options& options);
+
+}  // namespace hinge_joint

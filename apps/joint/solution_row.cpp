@@ -1,0 +1,179 @@
+#include "joint/solution_row.hpp"
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "libcontact/units.hpp"
+
+namespace hinge_joint {
+namespace {
+
+using contact::degree;
+using contact::JointState;
+using Eigen::Vector3d;
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+// Directions and angles that rest and lack of load leave without meaning.
+double if_sliding(const Answer& a, double value) {
+  return a.solution.state == JointState::sliding ? value : nan;
+}
+
+// The last ones are those of rest.
+constexpr std::size_t rest_quantities = 4;
+constexpr std::array<Quantity, 44> all = {{
+    {"evaluations", "contacts that the solver evaluated",
+     [](const Answer& a) { return double(a.solution.evaluations); }},
+    {"residual", "estimate of |f/tan g - 1| that is left",
+     [](const Answer& a) { return a.solution.residual; }},
+    {"R_N", "reaction",
+     [](const Answer& a) { return a.solution.reaction.stableNorm(); }},
+    {"R_x_N", "reaction on the load",
+     [](const Answer& a) { return a.solution.reaction.x(); }},
+    {"R_y_N", "", [](const Answer& a) { return a.solution.reaction.y(); }},
+    {"R_z_N", "", [](const Answer& a) { return a.solution.reaction.z(); }},
+    {"w_x_rad_per_s", "angular velocity Dw, load against carrier",
+     [](const Answer& a) { return a.rate.x(); }},
+    {"w_y_rad_per_s", "", [](const Answer& a) { return a.rate.y(); }},
+    {"w_z_rad_per_s", "", [](const Answer& a) { return a.rate.z(); }},
+    {"b_deg", "angle between R and Dw",
+     [](const Answer& a) {
+       return if_sliding(a, a.solution.reaction_angle() / degree);
+     }},
+    {"g_deg", "friction angle, tan g = R_t/R_n",
+     [](const Answer& a) { return a.solution.friction_angle() / degree; }},
+    {"a_deg", "slip axis angle: 0 sliding, 90 spinning",
+     [](const Answer& a) {
+       return if_sliding(a, a.solution.slip_axis_angle() / degree);
+     }},
+    {"R_n_N", "compressive force",
+     [](const Answer& a) { return a.solution.compressive_force; }},
+    {"n_x", "its direction on the load",
+     [](const Answer& a) { return a.solution.normal.x(); }},
+    {"n_y", "", [](const Answer& a) { return a.solution.normal.y(); }},
+    {"n_z", "", [](const Answer& a) { return a.solution.normal.z(); }},
+    {"R_t_N", "friction force",
+     [](const Answer& a) { return a.solution.friction_force.stableNorm(); }},
+    {"R_t_x_N", "friction force on the load",
+     [](const Answer& a) { return a.solution.friction_force.x(); }},
+    {"R_t_y_N", "",
+     [](const Answer& a) { return a.solution.friction_force.y(); }},
+    {"R_t_z_N", "",
+     [](const Answer& a) { return a.solution.friction_force.z(); }},
+    {"M_t_N_m", "friction moment",
+     [](const Answer& a) { return a.solution.friction_moment.stableNorm(); }},
+    {"M_t_x_N_m", "friction moment on the load about the joint's centre",
+     [](const Answer& a) { return a.solution.friction_moment.x(); }},
+    {"M_t_y_N_m", "",
+     [](const Answer& a) { return a.solution.friction_moment.y(); }},
+    {"M_t_z_N_m", "",
+     [](const Answer& a) { return a.solution.friction_moment.z(); }},
+    {"M_traditional_N_m", "friction moment if R were the compressive force",
+     [](const Answer& a) { return a.traditional; }},
+    {"v_m_per_s", "slip velocity at the contact's centre",
+     [](const Answer& a) { return a.solution.slip_velocity.stableNorm(); }},
+    {"v_x_m_per_s", "of the load's half against the carrier's",
+     [](const Answer& a) { return a.solution.slip_velocity.x(); }},
+    {"v_y_m_per_s", "",
+     [](const Answer& a) { return a.solution.slip_velocity.y(); }},
+    {"v_z_m_per_s", "",
+     [](const Answer& a) { return a.solution.slip_velocity.z(); }},
+    {"power_W", "of friction, never positive",
+     [](const Answer& a) { return a.solution.power; }},
+    {"f", "effective coefficient R_t/R_n",
+     [](const Answer& a) { return a.solution.force_coefficient; }},
+    {"f_R", "effective coefficient R_t/R = sin g",
+     [](const Answer& a) { return a.solution.friction_direction.sin; }},
+    {"f_M", "effective coefficient M_t/(rho R)",
+     [](const Answer& a) { return a.moment_coefficient; }},
+    {"f_sliding", "sliding moment over rho R_n",
+     [](const Answer& a) { return a.solution.sliding_coefficient; }},
+    {"f_spinning", "spinning moment over rho R_n",
+     [](const Answer& a) { return a.solution.spinning_coefficient; }},
+    {"Abar", "adhesion number A rho^2/(f0 R_n)",
+     [](const Answer& a) { return a.solution.adhesion_number; }},
+    {"load_parameter", "mu of a sphere, lambda of a cylinder",
+     [](const Answer& a) { return a.solution.load_parameter; }},
+    {"theta0_deg", "half-angle of the contact",
+     [](const Answer& a) { return a.solution.half_angle / degree; }},
+    {"p_peak_Pa", "peak pressure",
+     [](const Answer& a) { return a.solution.peak_pressure; }},
+    {"contact_area_m2", "area of the contact",
+     [](const Answer& a) { return a.solution.contact_area; }},
+    {"utilisation", "tau, the share of M_t that M needs: holds if <= 1",
+     [](const Answer& a) { return a.utilisation; }},
+    {"u_x", "direction in which the joint would begin to slide",
+     [](const Answer& a) { return a.direction.x(); }},
+    {"u_y", "", [](const Answer& a) { return a.direction.y(); }},
+    {"u_z", "", [](const Answer& a) { return a.direction.z(); }},
+}};
+
+}  // namespace
+
+Answer answer(const NamedJoint& named, Question question, const Input& input) {
+  const AnyJoint& joint = named.joint;
+  Answer a{.rate = input.turn,
+           .solution = {},
+           .traditional = nan,
+           .moment_coefficient = nan,
+           .utilisation = nan,
+           .direction = Vector3d::Constant(nan)};
+  switch (question) {
+    case Question::reaction:
+      a.solution = joint.solve(input.force, input.turn);
+      break;
+    case Question::contact:
+      a.solution = joint.solve_contact(input.force, input.turn);
+      break;
+    case Question::rest: {
+      const auto rest = joint.utilisation(input.force, input.turn);
+      a.solution = rest.slip;
+      a.solution.status = rest.status;
+      a.utilisation = rest.utilisation;
+      a.direction = a.rate = rest.direction;
+      break;
+    }
+  }
+  const contact::JointSolution& s = a.solution;
+  const double force = s.reaction.stableNorm();
+  const double moment = s.friction_moment.stableNorm();
+  a.traditional =
+      joint.solve_contact(s.reaction, a.rate).friction_moment.stableNorm();
+  const double rho = joint.contact().geometry().radius();
+  a.moment_coefficient = force > 0 ? moment / (rho * force) : 0;
+  return a;
+}
+
+std::string_view state_text(const Answer& a) {
+  if (!std::isnan(a.utilisation)) {
+    return a.utilisation <= 1 ? "holds" : "slips";
+  }
+  switch (a.solution.state) {
+    case JointState::sliding:
+      return "sliding";
+    case JointState::resting:
+      return "resting";
+    case JointState::unloaded:
+      break;
+  }
+  return "unloaded";
+}
+
+std::string_view status_text(contact::Status status) {
+  switch (status) {
+    case contact::Status::ok:
+      return "ok";
+    case contact::Status::out_of_range:
+      return "out_of_range";
+    case contact::Status::not_converged:
+      break;
+  }
+  return "not_converged";
+}
+
+std::span<const Quantity> quantities(bool rest) {
+  return std::span(all).first(all.size() - (rest ? 0 : rest_quantities));
+}
+
+}  // namespace hinge_joint

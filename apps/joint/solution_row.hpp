@@ -1,0 +1,44 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+#include <string_view>
+
+#include "joint/input.hpp"
+#include "joint/setup.hpp"
+#include "libcontact/joint_solution.hpp"
+
+namespace hinge_joint {
+
+/// A joint's answer to one state.
+struct Answer {
+  Eigen::Vector3d rate;  ///< Dw; at rest u, with 1 rad/s
+  contact::JointSolution solution;
+  /// |M_t| that R would give as the compressive force, N m.
+  double traditional;
+  /// |M_t|/(rho R).
+  double moment_coefficient;
+  /// Of Question::rest: tau, u.
+  double utilisation;
+  Eigen::Vector3d direction;
+};
+
+Answer answer(const NamedJoint& joint, Question question, const Input& input);
+
+/// "sliding", "resting", "unloaded"; of Question::rest "holds" or "slips".
+std::string_view state_text(const Answer& a);
+/// "ok", "out_of_range", "not_converged".
+std::string_view status_text(contact::Status status);
+
+/// A number of an answer: its column, and what it is.
+struct Quantity {
+  std::string_view name;
+  std::string_view meaning;
+  double (*of)(const Answer&);
+};
+
+/// All of them in the order of the columns.
+/// @param rest  with those of Question::rest
+std::span<const Quantity> quantities(bool rest);
+
+}  // namespace hinge_joint

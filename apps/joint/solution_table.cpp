@@ -1,0 +1,140 @@
+#include "joint/solution_table.hpp"
+
+#include <algorithm>
+
+#include "cli/ordered_blocks.hpp"
+#include "cli/output.hpp"
+#include "cli/progress.hpp"
+#include "libcontact/error.hpp"
+
+namespace hinge_joint {
+namespace {
+
+// Some rows on their way through the program.
+struct Block {
+  std::size_t first;
+  std::size_t last;
+  cli::Text rows;
+  Problems problems;
+};
+
+bool is_rest(const Inputs& inputs) {
+  return inputs.question() == Question::rest;
+}
+
+}  // namespace
+
+void Problems::add(contact::Status status) {
+  if (status == contact::Status::out_of_range) ++out_of_range;
+  if (status == contact::Status::not_converged) ++not_converged;
+}
+
+std::vector<std::string> solution_columns(bool rest, const Beside& beside) {
+  std::vector<std::string> names = {"law", "pressure", "state", "status"};
+  for (const Quantity& quantity : quantities(rest)) {
+    names.emplace_back(quantity.name);
+  }
+  return with_beside(names, beside);
+}
+
+void write_cells(cli::RowWriter& to, const NamedJoint& joint, bool rest,
+                 const Answer& a, std::size_t row, const Beside& beside) {
+  to.text(joint.law);
+  to.text(joint.pressure);
+  to.text(state_text(a));
+  to.text(status_text(a.solution.status));
+  for (const Quantity& quantity : quantities(rest)) {
+    write_number(to, quantity.of(a), quantity.name, row, beside);
+  }
+}
+
+Problems write_solutions(const Setup& setup, const Inputs& inputs,
+                         const Beside& beside,
+                         const cli::OutputOptions& options) {
+  // Large against the cost of passing a block between threads.
+  constexpr std::size_t block_rows = 256;
+  const bool rest = is_rest(inputs);
+  const std::size_t size = inputs.size() * setup.joints.size();
+  cli::Output output(options.output);
+  const cli::Table table(options.format, solution_columns(rest, beside));
+  cli::TableWriter writer(output, table);
+  cli::Progress progress("rows", size);
+  Problems problems;
+  std::size_t taken = 0;
+  cli::ordered_blocks<Block>(
+      options.jobs,
+      [&](Block& block) {
+        block.first = taken;
+        block.last = taken = std::min(taken + block_rows, size);
+        return block.first < block.last;
+      },
+      [&](Block& block) {
+        block.rows.clear();
+        block.problems = {};
+        cli::RowWriter row(table, block.rows);
+        for (std::size_t i = block.first; i < block.last; ++i) {
+          const NamedJoint& joint = setup.joints[i % setup.joints.size()];
+          const Answer a =
+              answer(joint, inputs.question(), inputs[i / setup.joints.size()]);
+          block.problems.add(a.solution.status);
+          write_cells(row, joint, rest, a, i + 1, beside);
+          row.end();
+        }
+      },
+      [&](const Block& block) {
+        writer.write(block.rows.view());
+        progress.add(block.last - block.first);
+        problems.out_of_range += block.problems.out_of_range;
+        problems.not_converged += block.problems.not_converged;
+      });
+  writer.finish();
+  output.commit();
+  return problems;
+}
+
+Problems write_summary(const Setup& setup, const Inputs& inputs,
+                       const Beside& beside,
+                       const cli::OutputOptions& options) {
+  if (inputs.size() != 1 || setup.joints.size() != 1) {
+    throw contact::Error(
+        "--summary: allowed for one state, one law and one pressure law");
+  }
+  const NamedJoint& joint = setup.joints[0];
+  const Answer a = answer(joint, inputs.question(), inputs[0]);
+  std::vector<std::string> columns = {"quantity", "value"};
+  if (!beside.empty()) columns.emplace_back("value_printed");
+  columns.emplace_back("meaning");
+
+  cli::Output output(options.output);
+  const cli::Table table(options.format, columns);
+  cli::TableWriter writer(output, table);
+  cli::Text rows;
+  cli::RowWriter row(table, rows);
+  const auto text_row = [&](std::string_view name, std::string_view value,
+                            std::string_view meaning) {
+    row.text(name);
+    row.text(value);
+    if (!beside.empty()) row.empty();
+    row.text(meaning);
+    row.end();
+  };
+  text_row("law", joint.law, "half-angle law");
+  text_row("pressure", joint.pressure, "pressure law");
+  text_row("state", state_text(a), "");
+  text_row("status", status_text(a.solution.status), "of the solver");
+  for (const Quantity& quantity : quantities(is_rest(inputs))) {
+    row.text(quantity.name);
+    row.number(quantity.of(a) + 0.0);  // no -0
+    if (!beside.empty()) row.number(beside.at(1, quantity.name));
+    row.text(quantity.meaning);
+    row.end();
+  }
+  writer.write(rows.view());
+  writer.finish();
+  output.commit();
+  Problems problems;
+  problems.add(a.solution.status);
+  return problems;
+}
+
+}  // namespace hinge_joint

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "joint/beside.hpp"
+#include "joint/input.hpp"
+#include "joint/setup.hpp"
+#include "joint/solution_row.hpp"
+
+namespace hinge_joint {
+
+/// Answers that are no solutions.
+struct Problems {
+  std::size_t out_of_range = 0;
+  std::size_t not_converged = 0;
+
+  void add(contact::Status status);
+};
+
+/// A row for each state and pair of laws: law, pressure, state, status and
+/// the quantities().
+Problems write_solutions(const Setup& setup, const Inputs& inputs,
+                         const Beside& beside,
+                         const cli::OutputOptions& options);
+
+/// The only state and pair of laws: a row for each quantity.
+Problems write_summary(const Setup& setup, const Inputs& inputs,
+                       const Beside& beside, const cli::OutputOptions& options);
+
+/// Names of the columns of write_solutions().
+std::vector<std::string> solution_columns(bool rest, const Beside& beside);
+/// Cells of one row; ends it not.
+void write_cells(cli::RowWriter& to, const NamedJoint& joint, bool rest,
+                 const Answer& a, std::size_t row, const Beside& beside);
+
+}  // namespace hinge_joint

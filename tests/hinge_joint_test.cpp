@@ -1,0 +1,517 @@
+// The program hinge-joint, run as its users run it.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "cli/number.hpp"
+#include "libcontact/cylindrical_joint.hpp"
+#include "libcontact/joint_file.hpp"
+#include "libcontact/spherical_joint.hpp"
+#include "libcontact/units.hpp"
+#include "support/program.hpp"
+
+namespace {
+
+using contact::degree;
+using contact::test::csv_column;
+using contact::test::csv_rows;
+using contact::test::ProgramFolder;
+using contact::test::ProgramResult;
+using Eigen::Vector3d;
+
+const std::string example_1 =
+    "hinge-joint --joint data/joints/paper_example_1.toml ";
+const std::string example_2 =
+    "hinge-joint --joint data/joints/paper_example_2.toml "
+    "--reaction-xyz 1.122e6,3.23e5,0 --rate-xyz 0,0,1 ";
+const std::string outer_loop =
+    example_2 + "--outer 0,-0.026,0 --joints 2 --braking -6.5e-6 ";
+const std::string beside = " --beside data/reference/paper_examples.csv";
+
+// A table of numbers and texts by column; an empty cell is NaN.
+class Columns {
+ public:
+  explicit Columns(const std::string& csv) : rows_(csv_rows(csv)) {}
+  explicit Columns(const ProgramResult& result) : Columns(result.out) {
+    EXPECT_EQ(result.status, 0) << result.err;
+  }
+
+  std::size_t size() const { return rows_.size() - 1; }
+  const std::vector<std::string>& names() const { return rows_[0]; }
+  std::string text(std::size_t row, const std::string& column) const {
+    return csv_column(rows_, column).at(row - 1);
+  }
+  // Row from 1.
+  double at(std::size_t row, const std::string& column) const {
+    return cli::parse_number(text(row, column)).value_or(NAN);
+  }
+  Vector3d vector(std::size_t row, const std::string& begin,
+                  const std::string& end) const {
+    return {at(row, begin + "_x_" + end), at(row, begin + "_y_" + end),
+            at(row, begin + "_z_" + end)};
+  }
+
+ private:
+  std::vector<std::vector<std::string>> rows_;
+};
+
+contact::JointContact contact_of(const contact::Joint& joint,
+                                 const std::string& law) {
+  return {joint.geometry, joint.pair, *joint.friction,
+          contact::make_half_angle_law(law, joint.geometry.kind(), joint.pair,
+                                       joint.half_angle_options),
+          joint.make_pressure_law()};
+}
+
+contact::Joint joint_file(const std::string& name) {
+  return contact::read_joint(std::string(CONTACT_DATA_DIR) + "/joints/" + name +
+                             ".toml");
+}
+
+// The numbers read back as the library's own doubles.
+void expect_solution(const Columns& table, std::size_t row,
+                     const contact::JointSolution& s) {
+  EXPECT_EQ(table.text(row, "status"), "ok");
+  EXPECT_EQ(table.at(row, "evaluations"), s.evaluations);
+  EXPECT_EQ(table.at(row, "residual"), s.residual);
+  EXPECT_EQ(table.vector(row, "R", "N"), s.reaction);
+  EXPECT_EQ(table.at(row, "R_n_N"), s.compressive_force);
+  EXPECT_EQ(Vector3d(table.at(row, "n_x"), table.at(row, "n_y"),
+                     table.at(row, "n_z")),
+            s.normal);
+  EXPECT_EQ(table.vector(row, "R_t", "N"), s.friction_force);
+  EXPECT_EQ(table.vector(row, "M_t", "N_m"), s.friction_moment);
+  EXPECT_EQ(table.vector(row, "v", "m_per_s"), s.slip_velocity);
+  EXPECT_EQ(table.at(row, "power_W"), s.power);
+  EXPECT_EQ(table.at(row, "f"), s.force_coefficient);
+  EXPECT_EQ(table.at(row, "f_R"), s.friction_direction.sin);
+  EXPECT_EQ(table.at(row, "f_sliding"), s.sliding_coefficient);
+  EXPECT_EQ(table.at(row, "f_spinning"), s.spinning_coefficient);
+  EXPECT_EQ(table.at(row, "Abar"), s.adhesion_number);
+  EXPECT_EQ(table.at(row, "load_parameter"), s.load_parameter);
+  EXPECT_EQ(table.at(row, "theta0_deg"), s.half_angle / degree);
+  EXPECT_EQ(table.at(row, "p_peak_Pa"), s.peak_pressure);
+  EXPECT_EQ(table.at(row, "contact_area_m2"), s.contact_area);
+  EXPECT_EQ(table.at(row, "b_deg"), s.reaction_angle() / degree);
+  EXPECT_EQ(table.at(row, "g_deg"), s.friction_angle() / degree);
+  EXPECT_EQ(table.at(row, "a_deg"), s.slip_axis_angle() / degree);
+}
+
+TEST(HingeJoint, BallRowsAreTheLibrarys) {
+  const contact::Joint file = joint_file("paper_example_1");
+  const Columns table(
+      ProgramFolder().run(example_1 +
+                          "--law tanh,arctan --reaction-xyz 1e5,-2e4,3e4 "
+                          "--rate-xyz 0.1,0.2,-3"));
+  ASSERT_EQ(table.size(), 2U);
+  std::size_t row = 0;
+  for (const std::string law : {"tanh", "arctan"}) {
+    const contact::SphericalJoint joint(contact_of(file, law));
+    const Vector3d reaction(1e5, -2e4, 3e4);
+    const Vector3d rate(0.1, 0.2, -3);
+    const auto s = joint.solve(reaction, rate);
+    ++row;
+    EXPECT_EQ(table.text(row, "law"), law);
+    EXPECT_EQ(table.text(row, "pressure"), "cosine");
+    EXPECT_EQ(table.text(row, "state"), "sliding");
+    EXPECT_EQ(table.vector(row, "w", "rad_per_s"), rate);
+    expect_solution(table, row, s);
+    EXPECT_DOUBLE_EQ(table.at(row, "M_t_N_m"), s.friction_moment.norm());
+    EXPECT_DOUBLE_EQ(table.at(row, "f_M"),
+                     s.friction_moment.norm() / (0.05 * reaction.norm()));
+    EXPECT_DOUBLE_EQ(
+        table.at(row, "M_traditional_N_m"),
+        joint.solve_contact(reaction, rate).friction_moment.norm());
+  }
+}
+
+TEST(HingeJoint, PinRowsAreTheLibrarys) {
+  const contact::CylindricalJoint joint(
+      contact_of(joint_file("pin_joint"), "blend"));
+  const std::string program =
+      "hinge-joint --joint data/joints/pin_joint.toml --law blend ";
+  const Columns xyz(ProgramFolder().run(
+      program + "--reaction-xyz 1e3,2e3,3e3 --rate-xyz 0,4,0"));
+  expect_solution(xyz, 1, joint.solve({1e3, 2e3, 3e3}, {0, 1, 0}, 4));
+  const Columns sweep(
+      ProgramFolder().run(program + "--reaction 0:2e4:5e3 --rate 2"));
+  ASSERT_EQ(sweep.size(), 5U);
+  EXPECT_EQ(sweep.text(1, "state"), "unloaded");
+  EXPECT_EQ(sweep.text(1, "a_deg"), "");
+  for (std::size_t i = 2; i <= 5; ++i) {
+    const double force = 5e3 * static_cast<double>(i - 1);
+    expect_solution(sweep, i, joint.solve({force, 0, 0}, {0, 0, 1}, 2));
+  }
+}
+
+// R and b, R_n and a, and vectors describe the same states.
+TEST(HingeJoint, WaysToGiveAStateAgree) {
+  const ProgramFolder folder;
+  const Columns contact(
+      folder.run(example_1 + "--normal-force 1e4,2e5 --alpha -40,0,30,90"));
+  ASSERT_EQ(contact.size(), 8U);
+  for (std::size_t row = 1; row <= 8; ++row) {
+    EXPECT_EQ(contact.at(row, "R_n_N"), row <= 4 ? 1e4 : 2e5);
+    const Columns reaction(folder.run(example_1 + "--reaction " +
+                                      contact.text(row, "R_N") + " --beta " +
+                                      contact.text(row, "b_deg")));
+    const Columns xyz(folder.run(
+        example_1 + "--reaction-xyz " + contact.text(row, "R_x_N") + ',' +
+        contact.text(row, "R_y_N") + ',' + contact.text(row, "R_z_N") +
+        " --rate-xyz " + contact.text(row, "w_x_rad_per_s") + ',' +
+        contact.text(row, "w_y_rad_per_s") + ',' +
+        contact.text(row, "w_z_rad_per_s")));
+    for (const char* column : {"R_n_N", "M_t_N_m", "theta0_deg", "f_M"}) {
+      // b printed to a double loses a = 90 deg to sqrt(1e-16) at worst.
+      EXPECT_NEAR(reaction.at(1, column) / contact.at(row, column), 1, 1e-7);
+      EXPECT_NEAR(xyz.at(1, column) / contact.at(row, column), 1, 1e-12);
+    }
+    EXPECT_NEAR(xyz.at(1, "a_deg"), contact.at(row, "a_deg"), 1e-5);
+  }
+}
+
+TEST(HingeJoint, OptionsDescribeTheJointOfAFile) {
+  const ProgramFolder folder;
+  const std::string state = " --law tanh --reaction 1e4 --beta 50";
+  const std::string file =
+      folder.run("hinge-joint --joint data/joints/hip_cocr_uhmwpe.toml" + state)
+          .out;
+  EXPECT_EQ(csv_rows(file).size(), 2U);
+  EXPECT_EQ(folder
+                .run("hinge-joint --joint sphere --pair "
+                     "data/materials/cocr_uhmwpe.toml --radius 14mm "
+                     "--clearance 100um --inner-body load" +
+                     state)
+                .out,
+            file);
+  // Another friction: a coefficient alone has no adhesion.
+  const Columns changed(folder.run(example_1 + "--friction 0.2 --reaction 1e4 "
+                                               "--beta 50"));
+  EXPECT_EQ(changed.at(1, "Abar"), 0);
+  const Columns adhesive(
+      folder.run(example_1 + "--friction 0.2 --adhesion 1e6 --normal-force 1e4 "
+                             "--alpha 50"));
+  EXPECT_NEAR(adhesive.at(1, "Abar"), 1e6 * 0.0025 / (0.2 * 1e4), 1e-12);
+}
+
+// A viscous hinge: moments in proportion to the rate; no rest set.
+TEST(HingeJoint, ViscousFriction) {
+  const ProgramFolder folder;
+  const std::string program =
+      example_1 + "--viscous 1e5,1e-4 --normal-force 1e4 --alpha 20 --rate ";
+  const Columns slow(folder.run(program + "1"));
+  const Columns fast(folder.run(program + "10"));
+  EXPECT_GT(slow.at(1, "M_t_N_m"), 0);
+  EXPECT_NEAR(fast.at(1, "M_t_N_m") / slow.at(1, "M_t_N_m"), 10, 1e-12);
+  const Columns rest(folder.run(
+      example_1 + "--viscous 1e5 --reaction-xyz 1e4,0,0 --moment-xyz 1,0,0"));
+  EXPECT_EQ(rest.text(1, "utilisation"), "inf");
+  EXPECT_EQ(rest.text(1, "state"), "slips");
+}
+
+TEST(HingeJoint, RestIsTheLibrarys) {
+  const contact::SphericalJoint joint(
+      contact_of(joint_file("paper_example_1"), "tanh"));
+  const Vector3d reaction(1e5, 2e4, 0);
+  const Vector3d moment(300, 0, 500);
+  const auto rest = joint.utilisation(reaction, moment);
+  const ProgramFolder folder;
+  const Columns table(folder.run(
+      example_1 + "--reaction-xyz 1e5,2e4,0 --moment-xyz 300,0,500"));
+  EXPECT_EQ(table.text(1, "state"), "holds");
+  EXPECT_EQ(table.at(1, "utilisation"), rest.utilisation);
+  EXPECT_EQ(table.at(1, "u_x"), rest.direction.x());
+  EXPECT_EQ(table.at(1, "w_x_rad_per_s"), rest.direction.x());
+  EXPECT_EQ(table.at(1, "R_n_N"), rest.slip.compressive_force);
+  EXPECT_EQ(
+      folder.run(example_1 + "--reaction-xyz 1e5,2e4,0 --moment-xyz 3e5,0,0")
+          .out.find("holds"),
+      std::string::npos);
+  // A pin: |M| over the moment of sliding.
+  const Columns pin(
+      folder.run("hinge-joint --joint data/joints/pin_joint.toml --law blend "
+                 "--reaction-xyz 1e4,0,0 --moment-xyz 0,0,5"));
+  EXPECT_NEAR(pin.at(1, "utilisation"), 5 / pin.at(1, "M_t_N_m"), 1e-14);
+  EXPECT_NEAR(pin.at(1, "M_t_z_N_m"), pin.at(1, "M_t_N_m"), 1e-12);
+  // No turning at all.
+  const Columns still(
+      folder.run(example_1 + "--reaction-xyz 1e5,2e4,0 --rate-xyz 0,0,0"));
+  EXPECT_EQ(still.text(1, "state"), "resting");
+  EXPECT_EQ(still.at(1, "M_t_N_m"), 0);
+}
+
+TEST(HingeJoint, FormatsHoldTheSameNumbers) {
+  const ProgramFolder folder;
+  const std::string run = example_1 + "--reaction 1e4,2e5 --beta 20,90";
+  const Columns csv(folder.run(run));
+  const auto json =
+      nlohmann::json::parse(folder.run(run + " --format json --jobs 3").out);
+  ASSERT_EQ(json.size(), csv.size());
+  for (std::size_t i = 0; i < csv.size(); ++i) {
+    for (const std::string& name : csv.names()) {
+      const auto& cell = json[i].at(name);
+      if (cell.is_string()) {
+        EXPECT_EQ(cell, csv.text(i + 1, name));
+      } else {
+        EXPECT_EQ(cell, csv.at(i + 1, name)) << name;
+      }
+    }
+  }
+  const Columns summary(
+      folder.run(example_1 + "--reaction 1e4 --beta 20 --summary"));
+  ASSERT_EQ(summary.size(), csv.names().size());
+  for (std::size_t i = 0; i < summary.size(); ++i) {
+    EXPECT_EQ(summary.text(i + 1, "quantity"), csv.names()[i]);
+    EXPECT_EQ(summary.text(i + 1, "value"), csv.text(1, csv.names()[i]));
+  }
+  const std::string markdown = folder.run(run + " --format markdown").out;
+  EXPECT_EQ(csv_rows(markdown).size(), 2 + csv.size());
+}
+
+TEST(HingeJoint, DrawsTheMomentCurve) {
+  const ProgramFolder folder;
+  const ProgramResult result =
+      folder.run(example_1 +
+                 "--reaction 1e4:1e6:log20 --beta 30,90 --plot torque.svg "
+                 "--output torque.csv");
+  if (result.status == 0) {
+    EXPECT_NE(folder.read("torque.svg").find("from R"), std::string::npos);
+  } else {
+    EXPECT_NE(result.err.find("gnuplot"), std::string::npos);
+  }
+  EXPECT_EQ(csv_rows(folder.read("torque.csv")).size(), 41U);
+}
+
+// Every digit of the examples that was recomputed by another program in
+// 30-digit arithmetic: half a unit of its last digit.
+struct Digit {
+  std::size_t row;
+  const char* column;
+  double value;
+  double half_unit;
+};
+
+void expect_digits(const Columns& table, const std::vector<Digit>& digits) {
+  for (const Digit& digit : digits) {
+    EXPECT_NEAR(table.at(digit.row, digit.column), digit.value, digit.half_unit)
+        << digit.column << ", row " << digit.row;
+  }
+}
+
+TEST(PaperExamples, OneForward) {
+  expect_digits(
+      Columns(ProgramFolder().run(example_1 + "--normal-force 2e5 --alpha 30")),
+      {{1, "load_parameter", 0.5460, 0.5e-4},
+       {1, "theta0_deg", 42.593, 0.5e-3},
+       {1, "Abar", 5, 1e-12},
+       {1, "f", 0.85097, 0.5e-5},
+       {1, "R_t_N", 1.7019e5, 0.5e1},
+       {1, "g_deg", 40.397, 0.5e-3},
+       {1, "R_N", 2.6261e5, 0.5e1},
+       {1, "b_deg", 67.618, 0.5e-3}});
+}
+
+TEST(PaperExamples, OneInnerLoop) {
+  const Columns table(
+      ProgramFolder().run(example_1 + "--reaction 2.63e5 --beta 67.6 --trace"));
+  expect_digits(table, {{1, "g_deg", 0, 0},
+                        {1, "a_deg", 22.40, 0.5e-2},
+                        {1, "R_n_N", 2.63e5, 0.5e3},
+                        {1, "Abar", 3.802, 0.5e-3},
+                        {1, "load_parameter", 0.718, 0.5e-3},
+                        {1, "theta0_deg", 45.85, 0.5e-2},
+                        {2, "g_deg", 37.17, 0.5e-2},
+                        {2, "a_deg", 28.57, 0.5e-2},
+                        {2, "R_n_N", 2.096e5, 0.5e2},
+                        {2, "Abar", 4.771, 0.5e-3},
+                        {2, "load_parameter", 0.572, 0.5e-3},
+                        {2, "theta0_deg", 43.14, 0.5e-2},
+                        {3, "g_deg", 39.86, 0.5e-2},
+                        {3, "a_deg", 29.77, 0.5e-2},
+                        {3, "R_n_N", 2.019e5, 0.5e2},
+                        {3, "Abar", 4.954, 0.5e-3},
+                        {3, "load_parameter", 0.551, 0.5e-3},
+                        {3, "theta0_deg", 42.70, 0.5e-2},
+                        {table.size(), "g_deg", 40.37, 0.5e-2}});
+  EXPECT_EQ(table.at(table.size(), "step"), table.size());
+}
+
+TEST(PaperExamples, TwoInnerLoops) {
+  const Columns table(
+      ProgramFolder().run(outer_loop + "--inner-steps 4,3 --trace"));
+  expect_digits(table, {{1, "g_deg", 0, 0},
+                        {1, "R_n_N", 1.168e6, 0.5e3},
+                        {1, "Abar", 2.141, 0.5e-3},
+                        {1, "load_parameter", 3.187, 0.5e-3},
+                        {1, "theta0_deg", 64.40, 0.5e-2},
+                        {4, "step", 4, 0},
+                        {4, "g_deg", 74.72, 0.5e-2},
+                        {4, "R_n_N", 3.077e5, 0.5e2},
+                        {4, "Abar", 8.126, 0.5e-3},
+                        {4, "load_parameter", 0.840, 0.5e-3},
+                        {4, "theta0_deg", 47.77, 0.5e-2},
+                        {5, "round", 2, 0},
+                        {5, "step", 1, 0}});
+}
+
+TEST(PaperExamples, TwoOuterLoop) {
+  const ProgramFolder folder;
+  const Columns cut(folder.run(outer_loop + "--inner-steps 4,3"));
+  expect_digits(cut, {{1, "M_N_m", 0, 0},
+                      {1, "R_N", 1.1676e6, 0.5e2},
+                      {2, "R_n_N", 2.783e5, 0.5e2},
+                      {2, "M_N_m", 1.207e5, 0.5e2},
+                      {2, "braking_deg_per_s2", -0.784, 0.5e-3},
+                      {3, "R_n_N", 2.550e5, 0.5e2},
+                      {3, "M_N_m", 1.156e5, 0.5e2},
+                      {3, "braking_deg_per_s2", -0.751, 0.5e-3}});
+  // Either way to the same end. M is 114915.01: at the tie between 1.1491
+  // and 1.1492.
+  const Columns full(folder.run(outer_loop));
+  EXPECT_LT(full.size(), 10U);
+  for (const Columns* table : {&cut, &full}) {
+    const std::size_t last = table->size();
+    expect_digits(*table, {{last, "R_n_N", 2.5214e5, 0.5e1},
+                           {last, "g_deg", 77.52, 0.5e-2},
+                           {last, "theta0_deg", 45.34, 0.5e-2},
+                           {last, "M_N_m", 1.1491e5, 0.51e1},
+                           {last, "braking_deg_per_s2", -0.747, 0.5e-3}});
+  }
+  // Friction taken from R: about twice too much.
+  expect_digits(Columns(folder.run(example_2)),
+                {{1, "M_traditional_N_m", 2.26e5 / 2, 0.25e3}});
+}
+
+// The paper's printed numbers: beside the computed ones, and within the
+// tolerance that the file gives each.
+TEST(PaperExamples, BesidePrintedNumbers) {
+  const ProgramFolder folder;
+  const std::map<std::string, std::string> commands = {
+      {"\"paper, example 1\" solution",
+       example_1 + "--normal-force 2e5 --alpha 30"},
+      {"\"paper, example 1\" trace",
+       example_1 + "--reaction 2.63e5 --beta 67.6 --trace"},
+      {"\"paper, example 2\" outer", outer_loop + "--inner-steps 4,3"},
+      {"\"paper, example 2\" inner", outer_loop + "--inner-steps 4,3 --trace"}};
+  std::map<std::string, Columns> tables;
+  for (const auto& [name, command] : commands) {
+    tables.emplace(name, Columns(folder.run(command + beside)));
+  }
+  std::string text = folder.read("data/reference/paper_examples.csv");
+  while (text.starts_with('#')) text.erase(0, text.find('\n') + 1);
+  const Columns printed(text);
+  EXPECT_EQ(printed.size(), 59U);
+  for (std::size_t i = 1; i <= printed.size(); ++i) {
+    const Columns& table =
+        tables.at(printed.text(i, "joint") + ' ' + printed.text(i, "table"));
+    const auto row = static_cast<std::size_t>(printed.at(i, "row"));
+    const std::string column = printed.text(i, "column");
+    const double value = printed.at(i, "value");
+    EXPECT_EQ(table.at(row, column + "_printed"), value);
+    EXPECT_NEAR(table.at(row, column), value, printed.at(i, "tolerance"))
+        << printed.text(i, "joint") << ", " << printed.text(i, "table") << ' '
+        << row << ", " << column;
+  }
+  // Where nothing is printed the cell is empty.
+  EXPECT_EQ(tables.at("\"paper, example 1\" trace").text(4, "g_deg_printed"),
+            "");
+}
+
+TEST(HingeJoint, LoopsThatFailSaySo) {
+  const ProgramFolder folder;
+  const ProgramResult fails =
+      folder.run(example_1 + "--friction 3 --reaction 1e5 --beta 50 --trace");
+  EXPECT_EQ(fails.status, 1);
+  EXPECT_NE(fails.err.find("its g is above b"), std::string::npos);
+  EXPECT_EQ(
+      folder.run(example_1 + "--friction 3 --reaction 1e5 --beta 50").status,
+      0);
+  // Reaction that grows with the moment without end: no fixed point.
+  const ProgramResult runs_away =
+      folder.run(example_2 + "--outer 100,0,0 --joints 20");
+  EXPECT_EQ(runs_away.status, 1);
+  EXPECT_NE(runs_away.err.find("outer loop"), std::string::npos);
+}
+
+TEST(HingeJoint, RowsWithoutAValueSaySo) {
+  const ProgramResult result = ProgramFolder().run(
+      example_1 + "--law hertz --friction 0.1 --reaction 1e5,1e7 --beta 90");
+  EXPECT_EQ(result.status, 1);
+  const Columns table(result.out);
+  EXPECT_EQ(table.text(1, "status"), "ok");
+  EXPECT_EQ(table.text(2, "status"), "out_of_range");
+  EXPECT_EQ(table.text(2, "M_t_N_m"), "");
+  EXPECT_NE(result.err.find("rows without a value: 1"), std::string::npos);
+}
+
+TEST(HingeJoint, WrongInputIsOneMessage) {
+  const ProgramFolder folder;
+  folder.write("bad.csv", "joint,table,row,column,value\na,solution,0,f,1\n");
+  struct Case {
+    std::string options;
+    std::string message;
+  };
+  const std::string pin = "--joint data/joints/pin_joint.toml ";
+  const std::string ball = "--joint data/joints/paper_example_1.toml ";
+  const std::string state = ball + "--reaction 1e5 --beta 30 ";
+  for (const Case& c : std::vector<Case>{
+           {ball, "needs one of --reaction-xyz, --reaction, --normal-force"},
+           {ball + "--reaction 1", "--reaction: needs --beta too"},
+           {ball + "--reaction 1 --beta 200", "0 to 180 deg"},
+           {ball + "--reaction -1 --beta 20", "0 to 1e+100 N"},
+           {ball + "--normal-force 1 --alpha 91", "-90 to 90 deg"},
+           {ball + "--normal-force 1 --beta 9", "--beta: needs --reaction"},
+           {ball + "--reaction-xyz 1,2 --rate-xyz 0,0,1",
+            "--reaction-xyz 1,2: allowed X,Y,Z, a force in N"},
+           {ball + "--reaction-xyz 1,2,inf --rate-xyz 0,0,1", "1,2,inf"},
+           {ball + "--reaction-xyz 1,2,3",
+            "needs --rate-xyz or, at rest, --moment-xyz"},
+           {pin + "--reaction 1 --beta 3", "a cylinder has no such angle"},
+           {pin + "--reaction-xyz 1,2,3 --rate-xyz 0,0,0", "axis"},
+           {state + "--law foo", "half-angle law foo"},
+           {state + "--pressure foo", "pressure law foo"},
+           {state + "--friction -1", "--friction -1: allowed 0 to"},
+           {state + "--viscous 1,x", "--viscous x"},
+           {state + "--viscous 1 --friction 1", "not with --friction"},
+           {state + "--radius 3mm", "the file has materials and geometry"},
+           {state + "--limit-angle 181", "0 to 180 deg"},
+           {state + "--joints 2", "--joints requires --outer"},
+           {state + "--outer 0,0", "a change of R in N per N m"},
+           {state + "--outer 0,0,0 --joints 1.5", "whole number"},
+           {state + "--outer 0,0,0 --inner-steps 0", "1 to 1000"},
+           {state + "--outer 0,0,0 --plot a.svg", "not with"},
+           {ball + "--reaction 1,2 --beta 30 --trace", "one state"},
+           {ball + "--reaction 0 --beta 30 --trace", "not 0"},
+           {ball + "--reaction 1,2 --beta 30 --summary", "one state"},
+           {state + "--plot a.svg", "needs a range"},
+           {state + "--plot a.gif", ".svg, .png, .pdf"},
+           {state + "--beside none.csv", "cannot open none.csv"},
+           {state + "--beside bad.csv", "bad.csv, line 2: row 0"},
+           {state + "--beside data/reference/elliptic.csv", "no column"},
+           {pin + "--reaction 1 --law blend "
+                  "--beside data/reference/paper_examples.csv",
+            "nothing for joint"},
+           {"--joint none.toml --reaction 1 --beta 1", "none.toml"},
+           {"--joint cube --reaction 1 --beta 1", "sphere, cylinder"},
+           {"--joint sphere --reaction 1 --beta 1", "needs --pair"},
+           {"--joint cylinder --pair data/materials/steel_steel.toml "
+            "--radius 1mm --clearance 1um --friction 0.1 --reaction 1",
+            "--length"},
+           {"--joint sphere --pair data/materials/steel_steel.toml "
+            "--radius 1mm --clearance 1um --reaction 1 --beta 3",
+            "needs --friction"}}) {
+    const ProgramResult result =
+        folder.run("hinge-joint " + c.options + " --output result.csv");
+    EXPECT_EQ(result.status, 2) << c.options;
+    EXPECT_NE(result.err.find(c.message), std::string::npos)
+        << c.options << '\n'
+        << result.err;
+    EXPECT_FALSE(folder.has("result.csv")) << c.options;
+  }
+}
+
+}  // namespace
