@@ -34,9 +34,10 @@ enum class CoupledStatus {
   out_of_range,
 };
 
-/// One friction moment that fits the reaction it causes.
+/// Friction moments that fit the reactions they cause.
 struct CoupledSolution {
-  double moment;  ///< about the axis, N m
+  /// Of each load, load axes, N m; 0 where no friction is looked for.
+  std::vector<Eigen::Vector3d> moments;
 };
 
 /// How an evaluation went.
@@ -87,6 +88,7 @@ class CoupledDynamics {
   void set_mode(int load, HingeMode mode);
   /// Whether the hinge has friction that can hold it at rest.
   bool can_rest(int load) const;
+  bool has_friction(int load) const;
 
   /// Direction of sliding where the state's relative velocity is exactly 0,
   /// and on an axis always: its z is the sign. Unit vector, load axes.
@@ -105,16 +107,28 @@ class CoupledDynamics {
 
   /// After evaluate().
   const Eigen::Vector3d& friction_moment(int load) const;
+  /// Where the next evaluation starts from.
+  void set_friction_moment(int load, const Eigen::Vector3d& moment);
   const Reaction<double>& reaction(int load) const;
   /// tau of a resting hinge.
   double utilisation(int load);
   std::span<const contact::JointSolution> joints(int load) const;
+
+  /// What the search of the last evaluation found, if there was one.
+  std::span<const CoupledSolution> solutions() const;
 
   /// Decides which of the hinges that are resting hold, and which begin to
   /// slide and where to; `forced` slides in any case (-1: none). Then all is
   /// evaluated.
   const CoupledReport& resolve_rest(const double* state,
                                     Loading<double>& loading, int forced = -1);
+
+  /// After evaluate(): whether an implicit step of length `step` brings the
+  /// ball joint of a sliding hinge to rest: the convex problem of the contact
+  /// as it is (contact::MomentSet::prox()) with the inertia that the hinge
+  /// feels.
+  /// @param rate  relative angular velocity, load axes
+  bool stops_within(int load, const Eigen::Vector3d& rate, double step);
 
   /// kappa_i = |dM_i/dR_i||dR_i/dM_i| of a sliding hinge, after evaluate().
   double kappa(int load);

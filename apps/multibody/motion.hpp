@@ -116,7 +116,14 @@ struct HingeChange {
   HingeMode to;
 };
 
-class Motion;
+/// Work so far.
+struct MotionCounts {
+  long evaluations = 0;  ///< of accelerations
+  long steps = 0;
+  long outer_iterations = 0;
+};
+
+class MotionImpl;
 
 /// The motion at one time, possibly in the middle of a step. Kinematics are
 /// there at once; forces are worked out when they are first asked for.
@@ -139,9 +146,9 @@ class MotionSample {
   EnergyBook energy() const;
 
  private:
-  friend class Motion;
-  explicit MotionSample(Motion& motion) : motion_(&motion) {}
-  Motion* motion_;
+  friend class MotionImpl;
+  explicit MotionSample(MotionImpl* motion) : motion_(motion) {}
+  MotionImpl* motion_;
 };
 
 /// An application's event: a function that crosses 0.
@@ -201,7 +208,9 @@ class Motion {
   Stop advance_to(double time);
   /// Index of the event that stopped advance_to().
   int event() const;
-  const MotionFailure& failure() const;
+  /// Set if advance_to(), or anything else that changes the motion, failed.
+  /// Motion::restore() brings it back.
+  const std::optional<MotionFailure>& failure() const;
 
   /// At time().
   const MotionSample& sample() const;
@@ -223,18 +232,10 @@ class Motion {
   MotionState save() const;
   void restore(const MotionState& state);
 
-  /// Evaluations of accelerations, steps taken, outer iterations so far.
-  struct Counts {
-    long evaluations = 0;
-    long steps = 0;
-    long outer_iterations = 0;
-  };
-  Counts counts() const;
+  MotionCounts counts() const;
 
  private:
-  friend class MotionSample;
-  class Impl;
-  std::unique_ptr<Impl> impl_;
+  std::unique_ptr<MotionImpl> impl_;
 };
 
 }  // namespace multibody

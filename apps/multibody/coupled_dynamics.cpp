@@ -1,0 +1,404 @@
+#include "multibody/coupled_dynamics.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <utility>
+
+#include "libcontact/error.hpp"
+#include "multibody/coupled_impl.hpp"
+#include "multibody/eigen_conversion.hpp"
+
+namespace multibody {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+JointMode joint_mode(HingeMode mode) {
+  switch (mode) {
+    case HingeMode::sliding:
+      return JointMode::turning;
+    case HingeMode::released:
+      return JointMode::released;
+    default:
+      return JointMode::held;
+  }
+}
+
+// |dR/dM| on a fixed carrier: m arm over the least inertia about the hinge
+// of a turn that moves the centre of mass.
+double leverage_of(const Link& link) {
+  const double about = link.mass * link.arm * link.arm;
+  const double least = link.kind == JointKind::axis
+                           ? link.inertia(2, 2)
+                           : std::min(link.inertia(0, 0), link.inertia(1, 1));
+  return link.mass * link.arm / (least + about);
+}
+
+// A part of this size of the largest moment in the system counts as scale of
+// every hinge's moment: smaller ones vanish in the rounding of the reactions.
+constexpr double small_share = 1e-3;
+
+}  // namespace
+
+CoupledDynamics::Impl::Impl(const System& system,
+                            std::vector<HingeFriction> friction,
+                            const CoupledOptions& coupled_options)
+    : options(coupled_options), dynamics(system) {
+  if (friction.empty()) friction.resize(system.size());
+  if (static_cast<int>(friction.size()) != system.size()) {
+    throw contact::Error(
+        fmt::format("friction of {} hinges, allowed is one for each of the {} "
+                    "loads",
+                    friction.size(), system.size()));
+  }
+  for (int i = 0; i < system.size(); ++i) {
+    const Link& link = system.links()[i];
+    Hinge& hinge = hinges.emplace_back(std::move(friction[i]), link, i);
+    hinge.leverage = leverage_of(link);
+    if (link.kind == JointKind::none) hinge.mode = HingeMode::released;
+  }
+  reactions.resize(system.size());
+  change_.resize(system.size());
+  rows_.reserve(system.size());
+}
+
+void CoupledDynamics::Impl::set_mode(int load, HingeMode mode) {
+  Hinge& hinge = hinges[load];
+  if (joint_mode(hinge.mode) != joint_mode(mode)) {
+    dynamics.set_mode(load, joint_mode(mode));
+  }
+  hinge.mode = mode;
+  hinge.slope.setZero();
+  hinge.utilisation_known = false;
+}
+
+void CoupledDynamics::Impl::take_rates(const double* state) {
+  rows_.clear();
+  for (int i = 0; i < static_cast<int>(hinges.size()); ++i) {
+    Hinge& hinge = hinges[i];
+    hinge.utilisation_known = false;
+    if (!active(hinge)) continue;
+    rows_.push_back(i);
+    const double* s = state + dynamics.layout().offset(i);
+    const bool dry = hinge.solver.can_rest();
+    if (!hinge.solver.is_axis()) {
+      hinge.rate = Vector3d(s[4], s[5], s[6]);
+      if (dry && hinge.rate.isZero(0)) hinge.rate = hinge.direction;
+    } else {
+      // Beyond the end of its sliding, where a step may look, dry friction
+      // goes on as if it slid the way it did.
+      constexpr double least = 1e-100;
+      const double sign = hinge.direction.z();
+      const double rate = dry ? sign * std::max(sign * s[1], least) : s[1];
+      hinge.rate = Vector3d(0, 0, rate);
+    }
+  }
+}
+
+void CoupledDynamics::Impl::start(const double* state,
+                                  Loading<double>& loading) {
+  state_ = state;
+  loading_ = &loading;
+  for (std::size_t i = 0; i < hinges.size(); ++i) {
+    if (!active(hinges[i])) hinges[i].moment.setZero();
+    loading.loads[i].friction = vec3(hinges[i].moment);
+  }
+  if (prescribed) {
+    dynamics.evaluate_prescribed(state, loading, *prescribed);
+  } else {
+    dynamics.evaluate(state, loading);
+  }
+  dynamics.reactions(reactions);
+}
+
+void CoupledDynamics::Impl::apply_change() {
+  for (const int i : rows_) {
+    hinges[i].moment += vec3(change_[i]);
+    loading_->loads[i].friction = vec3(hinges[i].moment);
+  }
+  if (prescribed) {
+    dynamics.evaluate_prescribed(state_, *loading_, *prescribed);
+  } else {
+    dynamics.add_friction(change_);
+  }
+  dynamics.reactions(reactions);
+}
+
+double CoupledDynamics::Impl::residual_of(const Hinge& hinge) const {
+  const double miss = (hinge.answer - hinge.moment).norm();
+  return miss == 0 ? 0 : miss / (hinge.answer.norm() + hinge.moment.norm());
+}
+
+double CoupledDynamics::Impl::answer() {
+  double largest = 0;
+  for (const int i : rows_) {
+    Hinge& hinge = hinges[i];
+    hinge.answer = hinge.solver.slide(reactions[i], hinge.rate);
+    largest = std::max(largest, hinge.answer.norm());
+    if (!hinge.answer.allFinite()) report.load = i;
+  }
+  double residual = 0;
+  for (const int i : rows_) {
+    const Hinge& hinge = hinges[i];
+    const double miss = (hinge.answer - hinge.moment).norm();
+    if (miss == 0) continue;
+    // NaN counts as large.
+    const double own = miss / (hinge.answer.norm() + hinge.moment.norm() +
+                               small_share * largest);
+    if (!(own <= residual)) residual = own;
+  }
+  return residual;
+}
+
+// Newton's step of one hinge for itself, with a secant estimate of its slope
+// (Broyden's update).
+void CoupledDynamics::Impl::step_hinge(Hinge& hinge, bool first,
+                                       Vec3<double>& change) {
+  if (!first) {
+    const Vector3d dx = hinge.moment - hinge.last_moment;
+    const Vector3d dg = hinge.answer - hinge.last_answer;
+    const double length = dx.norm();
+    // Below this the differences are rounding.
+    if (length > 1e-13 * hinge.moment.norm()) {
+      hinge.slope +=
+          (dg - hinge.slope * dx) * dx.transpose() / (length * length);
+    }
+  }
+  const Vector3d miss = hinge.answer - hinge.moment;
+  const double slope = hinge.slope.norm();
+  Vector3d step = miss;
+  if (slope < 0.9) {
+    step = (Matrix3d::Identity() - hinge.slope).inverse() * miss;
+  } else if (hinge.solver.is_axis() && hinge.slope(2, 2) < 0) {
+    step = miss / (1 - hinge.slope(2, 2));
+  } else {
+    step *= 0.5;  // let it crawl; the search follows if it does not arrive
+  }
+  hinge.last_moment = hinge.moment;
+  hinge.last_answer = hinge.answer;
+  change = vec3(step);
+}
+
+// Change of all answers over change of all moments, each in units of its own
+// size.
+void CoupledDynamics::Impl::see_contraction() {
+  double dx = 0;
+  double dg = 0;
+  for (const int i : rows_) {
+    const Hinge& hinge = hinges[i];
+    const double size = hinge.answer.squaredNorm();
+    if (size == 0) continue;
+    dx += (hinge.moment - hinge.last_moment).squaredNorm() / size;
+    dg += (hinge.answer - hinge.last_answer).squaredNorm() / size;
+  }
+  constexpr double rounding = 1e-20;  // of squares
+  if (dx > rounding) {
+    report.contraction = std::max(report.contraction, std::sqrt(dg / dx));
+  }
+}
+
+void CoupledDynamics::Impl::loop() {
+  double best = std::numeric_limits<double>::infinity();
+  int stalled = 0;
+  for (report.iterations = 1;; ++report.iterations) {
+    report.residual = answer();
+    if (trace) trace->push_back({report.iterations, report.residual});
+    if (report.residual <= options.tolerance) return;
+    if (!std::isfinite(report.residual)) {
+      report.status = CoupledStatus::out_of_range;
+      return;
+    }
+    // Rounding of the reactions can be above the tolerance.
+    constexpr double rounding = 1e-9;
+    stalled = report.residual < 0.5 * best ? 0 : stalled + 1;
+    best = std::min(best, report.residual);
+    if (stalled >= 6 && best <= rounding) return;
+    if (report.iterations >= options.iteration_limit) {
+      report.status = CoupledStatus::not_converged;
+      return;
+    }
+    const bool first = report.iterations == 1;
+    if (!first) see_contraction();
+    for (const int i : rows_) step_hinge(hinges[i], first, change_[i]);
+    apply_change();
+  }
+}
+
+// Whether the moments found can be the only ones: kappa < 1.
+bool CoupledDynamics::Impl::converged_is_unique() {
+  // The friction moment grows about in proportion to R, so that the first
+  // number is about kappa; it is looked at closely where one of the two
+  // comes near 1.
+  constexpr double near_one = 0.5;
+  for (const int i : rows_) {
+    const Hinge& hinge = hinges[i];
+    const double force = vec3(reactions[i].force).norm();
+    const double rough =
+        force > 0 ? hinge.leverage * hinge.answer.norm() / force : 0;
+    if (rough < near_one && report.contraction < near_one) continue;
+    if (!(kappa(i) < 1)) {
+      report.load = i;
+      return false;
+    }
+  }
+  return true;
+}
+
+const CoupledReport& CoupledDynamics::Impl::evaluate(const double* state,
+                                                     Loading<double>& loading) {
+  report = {};
+  take_rates(state);
+  for (Vec3<double>& change : change_) change = {0, 0, 0};
+  start(state, loading);
+  if (rows_.empty()) return report;
+  loop();
+  if (report.status == CoupledStatus::out_of_range) {
+    // Not to start from again.
+    for (const int i : rows_) hinges[i].moment.setZero();
+  } else if (report.status != CoupledStatus::ok || !converged_is_unique()) {
+    search();
+  }
+  return report;
+}
+
+CoupledDynamics::Impl::Response CoupledDynamics::Impl::response(int load) {
+  Hinge& hinge = hinges[load];
+  const double size = std::max(hinge.moment.norm(), 1.0);
+  const auto alpha = [&] { return vec3(dynamics.relative_acceleration(load)); };
+  const Vector3d alpha0 = alpha();
+  const Vector3d force0 = vec3(reactions[load].force);
+  const Vector3d moment0 = vec3(reactions[load].moment);
+  Response r{Matrix3d::Zero(), Matrix3d::Zero(), Matrix3d::Zero()};
+  for (int k = hinge.solver.is_axis() ? 2 : 0; k < 3; ++k) {
+    for (Vec3<double>& change : change_) change = {0, 0, 0};
+    const Vector3d change = size * Vector3d::Unit(k);
+    change_[load] = vec3(change);
+    apply_change();
+    r.acceleration.col(k) = (alpha() - alpha0) / size;
+    r.force.col(k) = (vec3(reactions[load].force) - force0) / size;
+    r.moment.col(k) = (vec3(reactions[load].moment) - moment0) / size;
+    change_[load] = vec3(Vector3d(-change));
+    apply_change();
+  }
+  change_[load] = {0, 0, 0};
+  return r;
+}
+
+double CoupledDynamics::Impl::kappa(int load) {
+  Hinge& hinge = hinges[load];
+  const Response by_moment = response(load);
+  const Reaction<double> at = reactions[load];
+  const double force = vec3(at.force).norm();
+  if (!(force > 0)) return 0;
+  const Vector3d middle = hinge.solver.slide(at, hinge.rate);
+  // Forward differences, good to some 1e-6.
+  constexpr double share = 1e-6;
+  Matrix3d by_force;
+  Matrix3d by_held = Matrix3d::Zero();
+  for (int k = 0; k < 3; ++k) {
+    const double step = share * force;
+    Reaction<double> moved = at;
+    moved.force = vec3(Vector3d(vec3(at.force) + step * Vector3d::Unit(k)));
+    by_force.col(k) = (hinge.solver.slide(moved, hinge.rate) - middle) / step;
+    if (!hinge.solver.is_axis() || k == 2) continue;
+    moved = at;
+    moved.moment = vec3(Vector3d(vec3(at.moment) + step * Vector3d::Unit(k)));
+    by_held.col(k) = (hinge.solver.slide(moved, hinge.rate) - middle) / step;
+  }
+  hinge.solver.slide(at, hinge.rate);
+  return by_force.norm() * by_moment.force.norm() +
+         by_held.norm() * by_moment.moment.norm();
+}
+
+double CoupledDynamics::Impl::utilisation(int load) {
+  Hinge& hinge = hinges[load];
+  if (!hinge.utilisation_known) {
+    hinge.utilisation = hinge.solver.utilisation(reactions[load]);
+    hinge.utilisation_known = true;
+  }
+  return hinge.utilisation;
+}
+
+CoupledDynamics::CoupledDynamics(const System& system,
+                                 std::vector<HingeFriction> friction,
+                                 const CoupledOptions& options)
+    : impl_(std::make_unique<Impl>(system, std::move(friction), options)) {}
+CoupledDynamics::~CoupledDynamics() = default;
+CoupledDynamics::CoupledDynamics(CoupledDynamics&&) noexcept = default;
+CoupledDynamics& CoupledDynamics::operator=(CoupledDynamics&&) noexcept =
+    default;
+
+int CoupledDynamics::size() const { return impl_->dynamics.size(); }
+const Dynamics& CoupledDynamics::dynamics() const { return impl_->dynamics; }
+const StateLayout& CoupledDynamics::layout() const {
+  return impl_->dynamics.layout();
+}
+HingeMode CoupledDynamics::mode(int load) const {
+  return impl_->hinges[load].mode;
+}
+void CoupledDynamics::set_mode(int load, HingeMode mode) {
+  impl_->set_mode(load, mode);
+}
+bool CoupledDynamics::can_rest(int load) const {
+  return impl_->hinges[load].solver.can_rest();
+}
+bool CoupledDynamics::has_friction(int load) const {
+  return impl_->hinges[load].solver.has_friction();
+}
+void CoupledDynamics::set_direction(int load, const Vector3d& direction) {
+  impl_->hinges[load].direction = direction;
+}
+const Vector3d& CoupledDynamics::direction(int load) const {
+  return impl_->hinges[load].direction;
+}
+void CoupledDynamics::prescribe_carrier(
+    const std::optional<CarrierAcceleration<double>>& carrier) {
+  impl_->prescribed = carrier;
+}
+const CoupledReport& CoupledDynamics::evaluate(const double* state,
+                                               Loading<double>& loading) {
+  return impl_->evaluate(state, loading);
+}
+const CoupledReport& CoupledDynamics::report() const { return impl_->report; }
+void CoupledDynamics::set_trace(std::vector<OuterStep>* trace) {
+  impl_->trace = trace;
+}
+const Vector3d& CoupledDynamics::friction_moment(int load) const {
+  return impl_->hinges[load].moment;
+}
+void CoupledDynamics::set_friction_moment(int load, const Vector3d& moment) {
+  impl_->hinges[load].moment = moment;
+}
+const Reaction<double>& CoupledDynamics::reaction(int load) const {
+  return impl_->reactions[load];
+}
+double CoupledDynamics::utilisation(int load) {
+  return impl_->utilisation(load);
+}
+std::span<const contact::JointSolution> CoupledDynamics::joints(
+    int load) const {
+  return impl_->hinges[load].solver.joints();
+}
+std::span<const CoupledSolution> CoupledDynamics::solutions() const {
+  return impl_->solutions;
+}
+bool CoupledDynamics::stops_within(int load, const Vector3d& rate,
+                                   double step) {
+  const Impl::Felt felt = impl_->felt(load);
+  return impl_->hinges[load]
+      .solver.prox(felt.inertia, rate / step + felt.free)
+      .isZero(0);
+}
+double CoupledDynamics::kappa(int load) { return impl_->kappa(load); }
+const CoupledReport& CoupledDynamics::resolve_rest(const double* state,
+                                                   Loading<double>& loading,
+                                                   int forced) {
+  return impl_->resolve_rest(state, loading, forced);
+}
+
+}  // namespace multibody

@@ -1,0 +1,105 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+#include "multibody/coupled_dynamics.hpp"
+#include "multibody/hinge_solver.hpp"
+
+namespace multibody {
+
+/// The parts of CoupledDynamics: coupled_dynamics.cpp has the outer loop,
+/// coupled_search.cpp what follows where it fails, coupled_rest.cpp rest.
+class CoupledDynamics::Impl {
+ public:
+  Impl(const System& system, std::vector<HingeFriction> friction,
+       const CoupledOptions& options);
+
+  struct Hinge {
+    Hinge(HingeFriction friction, const Link& link, int load)
+        : solver(std::move(friction), link, load) {}
+    HingeSolver solver;
+    HingeMode mode = HingeMode::sliding;
+    Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();
+    /// M_t that the motion has been worked out with, and M_t(R) for it.
+    Eigen::Vector3d moment = Eigen::Vector3d::Zero();
+    Eigen::Vector3d answer = Eigen::Vector3d::Zero();
+    Eigen::Vector3d rate = Eigen::Vector3d::Zero();
+    /// Estimate of d(answer)/d(moment), kept from evaluation to evaluation.
+    Eigen::Matrix3d slope = Eigen::Matrix3d::Zero();
+    Eigen::Vector3d last_moment, last_answer;
+    double utilisation = 0;
+    bool utilisation_known = false;
+    /// m arm/J: |dR/dM| on a fixed carrier.
+    double leverage = 0;
+  };
+
+  // coupled_dynamics.cpp
+  void set_mode(int load, HingeMode mode);
+  /// Motion with the present moments.
+  void start(const double* state, Loading<double>& loading);
+  const CoupledReport& evaluate(const double* state, Loading<double>& loading);
+  bool active(const Hinge& hinge) const {
+    return hinge.mode == HingeMode::sliding && hinge.solver.has_friction();
+  }
+  /// Changes the moments by `change_` and follows with motion and reactions.
+  void apply_change();
+  /// Fills every active hinge's answer; the residual.
+  double answer();
+  double residual_of(const Hinge& hinge) const;
+  void take_rates(const double* state);
+  /// Response of a hinge's acceleration and reaction to its own moment.
+  struct Response {
+    Eigen::Matrix3d acceleration;
+    Eigen::Matrix3d force;
+    Eigen::Matrix3d moment;
+  };
+  Response response(int load);
+  double kappa(int load);
+  double utilisation(int load);
+
+  /// What a sliding ball joint feels: its acceleration without friction and
+  /// the inertia against which its friction works.
+  struct Felt {
+    Eigen::Matrix3d inertia;
+    Eigen::Vector3d free;
+  };
+  Felt felt(int load);
+
+  // coupled_search.cpp
+  void search();
+
+  // coupled_rest.cpp
+  const CoupledReport& resolve_rest(const double* state,
+                                    Loading<double>& loading, int forced);
+
+  CoupledOptions options;
+  Dynamics dynamics;
+  std::vector<Hinge> hinges;
+  std::optional<CarrierAcceleration<double>> prescribed;
+  CoupledReport report;
+  std::vector<OuterStep>* trace = nullptr;
+  std::vector<Reaction<double>> reactions;
+  std::vector<CoupledSolution> solutions;
+
+ private:
+  void loop();
+  void see_contraction();
+  void step_hinge(Hinge& hinge, bool first, Vec3<double>& change);
+  bool converged_is_unique();
+  void set_moments(const Eigen::VectorXd& x);
+  Eigen::VectorXd moments() const;
+  Eigen::VectorXd mismatch(const Eigen::VectorXd& x);
+  bool newton(Eigen::VectorXd& x);
+  std::vector<Eigen::VectorXd> scan_axis();
+  std::vector<Eigen::VectorXd> scan_starts();
+  bool settle_direction(int load);
+
+  std::vector<Vec3<double>> change_;
+  std::vector<int> rows_;  // active hinges
+  const double* state_ = nullptr;
+  Loading<double>* loading_ = nullptr;
+};
+
+}  // namespace multibody

@@ -1,0 +1,174 @@
+#include <Eigen/LU>
+#include <algorithm>
+#include <boost/math/tools/toms748_solve.hpp>
+#include <cmath>
+#include <cstdint>
+
+#include "multibody/coupled_impl.hpp"
+#include "multibody/eigen_conversion.hpp"
+
+// All friction moments that fit the reactions they cause, where the outer
+// loop does not settle the matter: rare, and allowed to allocate.
+namespace multibody {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+// Solutions nearer than this are one.
+constexpr double same = 1e-6;
+
+void add_new(std::vector<VectorXd>& found, const VectorXd& x) {
+  const auto is_same = [&](const VectorXd& y) {
+    return (x - y).norm() <= same * (x.norm() + y.norm());
+  };
+  if (std::ranges::none_of(found, is_same)) found.push_back(x);
+}
+
+}  // namespace
+
+VectorXd CoupledDynamics::Impl::moments() const {
+  VectorXd x(3 * rows_.size());
+  for (std::size_t k = 0; k < rows_.size(); ++k) {
+    x.segment<3>(3 * k) = hinges[rows_[k]].moment;
+  }
+  return x;
+}
+
+void CoupledDynamics::Impl::set_moments(const VectorXd& x) {
+  for (std::size_t k = 0; k < rows_.size(); ++k) {
+    change_[rows_[k]] =
+        vec3(Vector3d(x.segment<3>(3 * k) - hinges[rows_[k]].moment));
+  }
+  apply_change();
+}
+
+// M_t(R(x)) - x
+VectorXd CoupledDynamics::Impl::mismatch(const VectorXd& x) {
+  set_moments(x);
+  answer();
+  VectorXd f(x.size());
+  for (std::size_t k = 0; k < rows_.size(); ++k) {
+    f.segment<3>(3 * k) = hinges[rows_[k]].answer - x.segment<3>(3 * k);
+  }
+  return f;
+}
+
+// Newton's method with a Jacobian by differences and halved steps.
+bool CoupledDynamics::Impl::newton(VectorXd& x) {
+  VectorXd f = mismatch(x);
+  const double scale = x.norm() + (f + x).norm();
+  constexpr double tolerance = 1e-10;
+  constexpr int step_limit = 50;
+  for (int step = 0; step < step_limit; ++step) {
+    if (!f.allFinite()) return false;
+    if (f.norm() <= tolerance * (x.norm() + (f + x).norm())) return true;
+    MatrixXd jacobian(x.size(), x.size());
+    const double h = 1e-7 * (x.norm() + scale);
+    for (Eigen::Index k = 0; k < x.size(); ++k) {
+      VectorXd y = x;
+      y[k] += h;
+      jacobian.col(k) = (mismatch(y) - f) / h;
+    }
+    const VectorXd change = -jacobian.fullPivLu().solve(f);
+    bool moved = false;
+    for (double share = 1; share > 1e-6 && !moved; share /= 2) {
+      const VectorXd y = x + share * change;
+      const VectorXd g = mismatch(y);
+      if (g.norm() < f.norm()) {
+        x = y;
+        f = g;
+        moved = true;
+      }
+    }
+    if (!moved) return false;
+  }
+  return false;
+}
+
+// One axis: every change of sign of the mismatch over all moments that oppose
+// the sliding, from 0 to far beyond any that could fit.
+std::vector<VectorXd> CoupledDynamics::Impl::scan_axis() {
+  std::vector<VectorXd> found;
+  const double sign = -hinges[rows_[0]].rate.z();
+  const auto value = [&](double size) {
+    VectorXd x = VectorXd::Zero(3);
+    x[2] = std::copysign(size, sign);
+    const double f = mismatch(x)[2];
+    return sign > 0 ? f : -f;  // > 0: more friction than x
+  };
+  const double at_zero = value(0);
+  if (!(at_zero > 0)) {
+    if (at_zero == 0) found.push_back(VectorXd::Zero(3));
+    return found;
+  }
+  // The mismatch is that of a norm and a line, nearly: two roots at most,
+  // and far from 0 it is straight. 1 % apart, two roots between neighbours
+  // differ by less than that.
+  constexpr double factor = 1.01;
+  constexpr double furthest = 1e6;
+  double low = 0;
+  double low_value = at_zero;
+  for (double size = 1e-3 * at_zero; size < furthest * at_zero;
+       size *= factor) {
+    const double f = value(size);
+    if (!std::isfinite(f)) break;
+    if ((f <= 0) != (low_value <= 0)) {
+      std::uintmax_t steps = 100;
+      const auto [a, b] = boost::math::tools::toms748_solve(
+          value, low, size, low_value, f,
+          boost::math::tools::eps_tolerance<double>(50), steps);
+      VectorXd x = VectorXd::Zero(3);
+      x[2] = std::copysign(a + (b - a) / 2, sign);
+      found.push_back(x);
+    }
+    low = size;
+    low_value = f;
+  }
+  return found;
+}
+
+// Several hinges: Newton's method from moments of many sizes.
+std::vector<VectorXd> CoupledDynamics::Impl::scan_starts() {
+  std::vector<VectorXd> found;
+  const VectorXd zero = VectorXd::Zero(3 * rows_.size());
+  const VectorXd slid = mismatch(zero);
+  for (const double share : {0., 0.3, 1., 3., 10., 30., 100.}) {
+    VectorXd x = share * slid;
+    if (newton(x)) add_new(found, x);
+  }
+  return found;
+}
+
+void CoupledDynamics::Impl::search() {
+  const int at = report.load;
+  const VectorXd before = moments();
+  const bool converged = report.status == CoupledStatus::ok;
+  const bool one_axis = rows_.size() == 1 && hinges[rows_[0]].solver.is_axis();
+  std::vector<VectorXd> found = one_axis ? scan_axis() : scan_starts();
+  if (converged) add_new(found, before);
+
+  solutions.clear();
+  for (const VectorXd& x : found) {
+    CoupledSolution& s = solutions.emplace_back();
+    s.moments.assign(hinges.size(), Vector3d::Zero());
+    for (std::size_t k = 0; k < rows_.size(); ++k) {
+      s.moments[rows_[k]] = x.segment<3>(3 * k);
+    }
+  }
+  if (found.size() == 1) {
+    mismatch(found[0]);
+    report.status = CoupledStatus::ok;
+    report.residual = answer();
+    report.load = -1;
+    return;
+  }
+  report.status = found.empty() ? CoupledStatus::no_solution
+                                : CoupledStatus::several_solutions;
+  report.load = at >= 0 ? at : rows_[0];
+  // The next evaluation has to find its own way.
+  set_moments(VectorXd::Zero(3 * rows_.size()));
+}
+
+}  // namespace multibody

@@ -1,0 +1,207 @@
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <boost/math/tools/toms748_solve.hpp>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+#include "multibody/motion_impl.hpp"
+
+namespace multibody {
+
+using Kind = MotionImpl::Watch::Kind;
+
+double MotionImpl::value(const Watch& watch) {
+  const int i = watch.index;
+  switch (watch.kind) {
+    case Kind::slip_ends: {
+      const Eigen::Vector3d rate = rate_of(i, view_state.data());
+      return is_axis(i) ? rate.z() * coupled.direction(i).z()
+                        : rate.norm() - stop_speed;
+    }
+    case Kind::slip_turns:
+      return rate_of(i, view_state.data())
+          .dot(rate_of(i, stepper->begin_state().data()));
+    case Kind::rest_ends: {
+      if (!work_out()) return std::numeric_limits<double>::quiet_NaN();
+      // Without any reaction tau is infinite.
+      constexpr double most = 1e6;
+      return std::min(coupled.utilisation(i), most) - 1 -
+             options.coupling.slip_threshold;
+    }
+    case Kind::user:
+      return events[i].function(sample);
+  }
+  return 0;
+}
+
+double MotionImpl::locate(const Watch& watch, double low, double low_value,
+                          double high, double high_value) {
+  if (low_value == 0) return low;
+  if (high_value == 0) return high;
+  const auto at = [&](double time) {
+    stepper->interpolate(time, trial_);
+    look_at(time, trial_);
+    return value(watch);
+  };
+  std::uintmax_t steps = 100;
+  // To the rounding of time.
+  const auto [a, b] = boost::math::tools::toms748_solve(
+      at, low, high, low_value, high_value,
+      boost::math::tools::eps_tolerance<double>(50), steps);
+  // The far side, where it has happened.
+  return b;
+}
+
+// Fixed steps do not get shorter towards a stop: it comes where one implicit
+// step would end the motion.
+bool MotionImpl::stops_in_step(int load) {
+  const double h = stepper->end() - stepper->begin();
+  look_at(stepper->begin(), stepper->begin_state());
+  if (!work_out()) return false;
+  const Eigen::Vector3d rate = rate_of(load, view_state.data());
+  const Eigen::Vector3d alpha = relative_acceleration(load);
+  // What follows is some work.
+  constexpr double near = 10;
+  return rate.norm() < near * h * alpha.norm() &&
+         coupled.stops_within(load, rate, h);
+}
+
+std::optional<double> MotionImpl::crossing(const Watch& watch) {
+  const double t0 = stepper->begin();
+  const double t1 = stepper->end();
+  const auto at_begin = [&] {
+    look_at(t0, stepper->begin_state());
+    return value(watch);
+  };
+  const auto at_end = [&] {
+    look_at(t1, stepper->end_state());
+    return value(watch);
+  };
+  const double end = at_end();
+  switch (watch.kind) {
+    case Kind::slip_ends: {
+      if (options.integrator == Integrator::rk4 && !is_axis(watch.index) &&
+          stops_in_step(watch.index)) {
+        return t0;
+      }
+      if (!(end <= 0)) return {};
+      const double begin = at_begin();
+      if (begin > 0) return locate(watch, t0, begin, t1, end);
+      if (is_axis(watch.index)) return t0;  // it never got under way
+      // So slow all along: it stops where it does not become faster.
+      return end <= begin ? std::optional(t1) : std::nullopt;
+    }
+    case Kind::slip_turns: {
+      if (!(end < 0)) return {};
+      const double time = locate(watch, t0, at_begin(), t1, end);
+      const double before =
+          rate_of(watch.index, stepper->begin_state().data()).norm();
+      const double then = rate_of(watch.index, view_state.data()).norm();
+      // It may turn about without coming to a stop.
+      constexpr double stopped = 0.1;
+      return then <= stopped * before ? std::optional(time) : std::nullopt;
+    }
+    case Kind::rest_ends: {
+      if (!(end > 0)) return {};
+      const double begin = at_begin();
+      return begin > 0 ? t0 : locate(watch, t0, begin, t1, end);
+    }
+    case Kind::user: {
+      const double begin = user_values[watch.index];
+      const MotionEvent::Crossing way = events[watch.index].crossing;
+      const bool rises = begin < 0 && end >= 0;
+      const bool falls = begin > 0 && end <= 0;
+      if ((rises && way != MotionEvent::Crossing::falling) ||
+          (falls && way != MotionEvent::Crossing::rising)) {
+        // What is stored may be from just before a crossing already reported.
+        const double now_begin = at_begin();
+        if ((now_begin < 0) != (begin < 0)) return t0;
+        return locate(watch, t0, now_begin, t1, end);
+      }
+      return {};
+    }
+  }
+  return {};
+}
+
+std::optional<MotionImpl::Found> MotionImpl::find_event() {
+  trial_.resize(number_count());
+  std::optional<Found> first;
+  const auto look_for = [&](Kind kind, int index) {
+    const Watch watch{kind, index};
+    const std::optional<double> time = crossing(watch);
+    if (time && (!first || *time < first->time)) first = Found{*time, watch};
+  };
+  for (int i = 0; i < loads(); ++i) {
+    if (coupled.mode(i) == HingeMode::sliding && coupled.can_rest(i)) {
+      look_for(Kind::slip_ends, i);
+      if (!is_axis(i)) look_for(Kind::slip_turns, i);
+    } else if (coupled.mode(i) == HingeMode::resting) {
+      look_for(Kind::rest_ends, i);
+    }
+  }
+  for (int i = 0; i < static_cast<int>(events.size()); ++i) {
+    look_for(Kind::user, i);
+  }
+  return first;
+}
+
+void MotionImpl::note_user_values() {
+  for (std::size_t i = 0; i < events.size(); ++i) {
+    user_values[i] = events[i].function(sample);
+  }
+}
+
+// An event whose function jumped over 0 when a hinge changed.
+std::optional<int> MotionImpl::user_jump() {
+  for (std::size_t i = 0; i < events.size(); ++i) {
+    const double before = user_values[i];
+    const double after = events[i].function(sample);
+    user_values[i] = after;
+    const MotionEvent::Crossing way = events[i].crossing;
+    if ((before < 0 && after >= 0 && way != MotionEvent::Crossing::falling) ||
+        (before > 0 && after <= 0 && way != MotionEvent::Crossing::rising)) {
+      return static_cast<int>(i);
+    }
+  }
+  return {};
+}
+
+// True: an event of the application, or an end.
+bool MotionImpl::handle(const Found& found) {
+  now = found.time;
+  look_at(now, stepper->end_state());
+  const int i = found.watch.index;
+  if (found.watch.kind == Kind::user) {
+    // It counts as crossed from here on, whatever rounding says.
+    constexpr double tiny = std::numeric_limits<double>::min();
+    user_values[i] = user_values[i] < 0 ? tiny : -tiny;
+    event = i;
+    return true;
+  }
+  if (changes_time != now) changes_here = 0;
+  changes_time = now;
+  if (++changes_here > 8 * loads() + 16) {
+    set_failure(CoupledStatus::not_converged, now, i);
+    return true;
+  }
+  std::vector<double> state = view_state;
+  bool resolved;
+  if (found.watch.kind == Kind::rest_ends) {
+    resolved = resolve_rest(state, i);
+  } else {
+    stop_hinge(i, state);
+    changes.push_back({now, i, HingeMode::sliding, HingeMode::resting});
+    change_mode(i, HingeMode::resting);
+    resolved = resolve_rest(state, -1);
+  }
+  if (!resolved) return true;
+  restart(std::move(state));
+  const std::optional<int> jumped = user_jump();
+  if (!jumped) return false;
+  event = *jumped;
+  return true;
+}
+
+}  // namespace multibody

@@ -1,0 +1,126 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "multibody/motion.hpp"
+#include "multibody/stepper.hpp"
+
+namespace multibody {
+
+/// The parts of Motion: motion_rates.cpp has the right-hand side and what is
+/// seen of a state, motion_modes.cpp stops and changes of hinges,
+/// motion_events.cpp finds them, motion.cpp is the way through time.
+///
+/// Numbers of a state: those of StateLayout, then for each load the work that
+/// friction took, then the work of the force model.
+class MotionImpl {
+ public:
+  MotionImpl(const System& system, std::vector<HingeFriction> friction,
+             std::shared_ptr<const ForceModel> forces, const MotionStart& start,
+             const MotionOptions& options);
+
+  // motion.cpp
+  Stop advance_to(double time);
+  void go_to(double time);
+  void restart(std::vector<double> state);
+  MotionState save();
+  void restore(const MotionState& state);
+
+  // motion_rates.cpp
+  bool rates(double time, const double* state, double* to);
+  /// Makes a state the one that sample() shows.
+  void look_at(double time, std::span<const double> state);
+  /// Its accelerations and reactions, once.
+  bool work_out();
+  HingeSample hinge(int load);
+  EnergyBook energy() const;
+  Eigen::Vector3d acceleration(int body);
+  Eigen::Vector3d angular_acceleration(int body);
+
+  // motion_modes.cpp
+  void change_mode(int load, HingeMode mode);
+  void release(int load);
+  void lock(int load);
+  void unlock(int load);
+  /// Takes a hinge's relative velocity out of a state.
+  void stop_hinge(int load, std::vector<double>& state);
+  /// Which hinges hold from here on; false if that cannot be said.
+  bool resolve_rest(const std::vector<double>& state, int forced);
+
+  // motion_events.cpp
+  struct Watch {
+    enum class Kind { slip_ends, slip_turns, rest_ends, user } kind;
+    int index;
+  };
+  struct Found {
+    double time;
+    Watch watch;
+  };
+  double value(const Watch& watch);
+  /// The first crossing of the last step.
+  std::optional<Found> find_event();
+  bool stops_in_step(int load);
+  std::optional<double> crossing(const Watch& watch);
+  double locate(const Watch& watch, double low, double low_value, double high,
+                double high_value);
+  bool handle(const Found& found);
+  void note_user_values();
+  std::optional<int> user_jump();
+
+  int loads() const { return system.size(); }
+  bool is_axis(int load) const {
+    return system.links()[load].kind == JointKind::axis;
+  }
+  int dissipated_at(int load) const { return coupled.layout().size() + load; }
+  int work_at() const { return dissipated_at(loads()); }
+  int number_count() const { return work_at() + 1; }
+  Eigen::Vector3d relative_acceleration(int load) const {
+    const Vec3<double>& a = coupled.dynamics().relative_acceleration(load);
+    return {a.x, a.y, a.z};
+  }
+  Eigen::Vector3d rate_of(int load, const double* state) const;
+  void set_failure(CoupledStatus status, double time, int load);
+
+  System system;
+  MotionOptions options;
+  double stop_speed;
+  std::shared_ptr<const ForceModel> forces;
+  CoupledDynamics coupled;
+  Dynamics impulse;
+  std::vector<JointMode> joint_modes;
+  std::unique_ptr<Stepper> stepper;
+  std::vector<MotionEvent> events;
+  std::vector<double> user_values;
+  std::vector<HingeChange> changes;
+  std::optional<MotionFailure> failure;
+  std::optional<Found> pending;
+  CoupledReport failed_report;
+  double failed_time = 0;
+  double now = 0;
+  int event = -1;
+  int changes_here = 0;  ///< at one and the same time
+  double changes_time = 0;
+  MotionCounts counts;
+
+  // What sample() shows.
+  MotionSample sample;
+  double view_time = 0;
+  std::vector<double> view_state, view_rates;
+  std::vector<BodyMotion> bodies;
+  bool worked_out = false;
+  bool worked_well = false;
+
+ private:
+  std::vector<double> start_state(const MotionStart& start);
+  bool step();
+  bool redo_step_to(double time);
+
+  std::vector<BodyForce> body_forces_;
+  std::vector<BodyMotion> rate_bodies_;
+  Loading<double> loading_;
+  std::vector<double> trial_;
+};
+
+}  // namespace multibody

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <functional>
+#include <limits>
+#include <memory>
+#include <span>
+
+namespace multibody {
+
+/// d(state)/dt at a time; false if there is none.
+using RateFunction =
+    std::function<bool(double time, const double* state, double* rates)>;
+
+/// Steps through time, one at a time. One step lies between start and end.
+class Stepper {
+ public:
+  virtual ~Stepper() = default;
+  /// From here on, possibly with another number of unknowns.
+  virtual void restart(double time, std::span<const double> state) = 0;
+  /// One step, which ends at `limit` at the latest.
+  /// @return false if it cannot be made
+  virtual bool step(double limit) = 0;
+  virtual double begin() const = 0;
+  virtual double end() const = 0;
+  virtual std::span<const double> begin_state() const = 0;
+  virtual std::span<const double> end_state() const = 0;
+  /// In the last step, begin() <= time <= end().
+  virtual void interpolate(double time, std::span<double> state) = 0;
+  /// Length of the next step, s; for a later restart.
+  virtual double next_step() const = 0;
+  virtual void set_next_step(double step) = 0;
+};
+
+/// Classical Runge-Kutta of fourth order with a fixed step; between, the same
+/// formula with a shorter step.
+std::unique_ptr<Stepper> make_rk4_stepper(RateFunction rates, double step);
+
+struct AdaptiveOptions {
+  double relative_tolerance;
+  double absolute_tolerance;
+  double longest_step = std::numeric_limits<double>::infinity();
+};
+
+/// Explicit Runge-Kutta of order 5 with error control and dense output, by
+/// ARKODE of SUNDIALS.
+std::unique_ptr<Stepper> make_adaptive_stepper(RateFunction rates,
+                                               const AdaptiveOptions& options);
+
+}  // namespace multibody
