@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <cmath>
 #include <numbers>
 
@@ -174,6 +175,475 @@ TEST(Motion, BallJointStopsInFiniteTimeWithBoundedWork) {
       EXPECT_LT(motion.counts().evaluations, c.most_evaluations);
     }
   }
+}
+
+// Fixed carrier, a pin with strong friction (sin g = 0.97, rho = 0.15 m) and
+// kappa = rho sin g m r/J = 1.455: M = -rho sin g |(Rx, Ry + 10 M)|.
+struct PainleveCase {
+  double rx, ry;
+  std::vector<double> moments;
+};
+
+class Push : public ForceModel {
+ public:
+  explicit Push(const Vector3d& force) : force_(force) {}
+  void add_forces(double, std::span<const BodyMotion>,
+                  std::span<BodyForce> forces) const override {
+    forces[1].force += force_;
+  }
+
+ private:
+  Vector3d force_;
+};
+
+TEST(Motion, NoneOrSeveralFrictionMomentsAreReported) {
+  const double sine = 0.97, radius = 0.15, mass = 1, arm = 0.05;
+  const double inertia = mass * 2 * 0.05 * 0.05;  // J, about the joint
+  const double k = radius * sine;
+  const double d = mass * arm / inertia;
+  Load load{JointKind::axis, mass, Matrix3d::Zero()};
+  load.inertia.diagonal() << 1e-3, 1e-3, mass * 0.05 * 0.05;
+  load.hinge_from_com = Vector3d(arm, 0, 0);
+  const System system(heavy_carrier(), {load});
+  const auto friction = PinFriction{
+      pin_joint(FrictionLaw(sine / std::sqrt(1 - sine * sine)), radius)};
+  // Without motion R = -F + m a, a_y = F_y m arm^2/J/m.
+  const auto force_for = [&](double rx, double ry) {
+    return Vector3d(-rx, ry / (1 - mass * arm * arm / inertia), 0);
+  };
+  for (const bool two : {false, true}) {
+    const double rx = two ? 1 : 10, ry = two ? 10 : 3;
+    MotionOptions options;
+    options.carrier_drive = CarrierDrive{};
+    MotionStart start = start_of(1);
+    start.loads[0].angle_rate = 1e-9;
+    Motion motion(system, {friction}, std::make_shared<Push>(force_for(rx, ry)),
+                  start, options);
+    EXPECT_EQ(motion.advance_to(1), Stop::failed);
+    ASSERT_TRUE(motion.failure());
+    EXPECT_EQ(motion.failure()->time, 0);
+    EXPECT_EQ(motion.failure()->load, 0);
+    if (!two) {
+      EXPECT_EQ(motion.failure()->status,
+                multibody::CoupledStatus::no_solution);
+      continue;
+    }
+    EXPECT_EQ(motion.failure()->status,
+              multibody::CoupledStatus::several_solutions);
+    // M^2 = k^2 (rx^2 + (ry + d M)^2)
+    const double a = 1 - k * k * d * d, b = -k * k * ry * d,
+                 c = -k * k * (rx * rx + ry * ry);
+    const double root = std::sqrt(b * b - a * c);
+    const double expected[] = {(-b + root) / a, (-b - root) / a};
+    EXPECT_NEAR(expected[1], -0.60, 5e-3);
+    EXPECT_NEAR(expected[0], -3.19, 5e-3);
+    const auto& found = motion.failure()->solutions;
+    ASSERT_EQ(found.size(), 2u);
+    for (const double m : expected) {
+      double nearest = 1e9;
+      for (const auto& s : found) {
+        nearest = std::min(nearest, std::abs(s.moments[0].z() - m));
+      }
+      // The joint's half-angle is small, not 0: S = 1 + O(theta0^2).
+      EXPECT_LT(nearest, 1e-5 * std::abs(m));
+    }
+  }
+}
+
+// Momentum of all bodies about the origin, inertial axes.
+struct Momentum {
+  Vector3d linear = Vector3d::Zero();
+  Vector3d angular = Vector3d::Zero();
+};
+
+Momentum momentum_of(const multibody::MotionSample& sample,
+                     const Carrier& carrier, const std::vector<Load>& loads) {
+  Momentum p;
+  for (std::size_t i = 0; i <= loads.size(); ++i) {
+    const BodyMotion& body = sample.bodies()[i];
+    const double mass = i == 0 ? carrier.mass : loads[i - 1].mass;
+    const Matrix3d inertia = i == 0 ? carrier.inertia : loads[i - 1].inertia;
+    p.linear += mass * body.velocity;
+    p.angular += mass * body.position.cross(body.velocity) +
+                 body.rotation * inertia * body.rotation.transpose() *
+                     body.angular_velocity;
+  }
+  return p;
+}
+
+// A free carrier with loads of all kinds that move and come to rest on it.
+struct Mixed {
+  Carrier carrier;
+  std::vector<Load> loads;
+  std::vector<HingeFriction> friction;
+  MotionStart start;
+};
+
+Mixed mixed_system(std::uint64_t seed, bool friction) {
+  multibody::test::Random random(seed);
+  Mixed m{{50, random.inertia(5)}, {}, {}, start_of(4)};
+  const FrictionLaw law(0.15, 1e5);
+  for (int i = 0; i < 4; ++i) {
+    Load load{i % 2 ? JointKind::axis : JointKind::spherical,
+              random.uniform(3, 6), random.inertia(0.2)};
+    load.hinge_from_com = random.vector(0.3);
+    load.hinge_from_carrier_com = random.vector(0.6);
+    load.hinge_to_load = random.rotation();
+    load.hinge_to_carrier_zero = random.rotation();
+    m.loads.push_back(load);
+    LoadStart& start = m.start.loads[i];
+    start.rotation = random.rotation();
+    start.relative_angular_velocity = random.vector(2);
+    start.angle = random.uniform(-1, 1);
+    start.angle_rate = random.uniform(-2, 2);
+    if (!friction) {
+      m.friction.push_back({});
+    } else if (i % 2) {
+      m.friction.push_back(NodeFriction{ball_and_pin(law, 0.2)});
+    } else {
+      m.friction.push_back(BallFriction{ball_joint(law, 0.02)});
+    }
+  }
+  m.start.carrier.velocity = random.vector(1);
+  m.start.carrier.position = random.vector(1);
+  m.start.carrier.angular_velocity = random.vector(1.5);
+  return m;
+}
+
+TEST(Motion, EnergyWithDissipatedWorkAndMomentaStay) {
+  for (const bool friction : {false, true}) {
+    for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+      const Mixed m = mixed_system(seed, friction);
+      MotionOptions options;
+      options.relative_tolerance = 1e-10;
+      options.absolute_tolerance = 1e-11;
+      Motion motion(System(m.carrier, m.loads), m.friction, nullptr, m.start,
+                    options);
+      const double energy = motion.sample().energy().balance();
+      const Momentum p = momentum_of(motion.sample(), m.carrier, m.loads);
+      ASSERT_EQ(motion.advance_to(20), Stop::time) << motion.failure()->message;
+      const auto book = motion.sample().energy();
+      EXPECT_NEAR(book.balance(), energy, 1e-8 * energy);
+      const Momentum q = momentum_of(motion.sample(), m.carrier, m.loads);
+      EXPECT_LT((q.linear - p.linear).norm(), 1e-8 * p.linear.norm());
+      EXPECT_LT((q.angular - p.angular).norm(), 1e-8 * p.angular.norm());
+      std::printf(
+          "seed %d: %zu changes, dissipated %.3g of %.3g J, error "
+          "%.2g, %ld evaluations, %ld steps, %.2f outer\n",
+          static_cast<int>(seed), motion.changes().size(), book.dissipated,
+          energy, (book.balance() - energy) / energy,
+          motion.counts().evaluations, motion.counts().steps,
+          static_cast<double>(motion.counts().outer_iterations) /
+              static_cast<double>(motion.counts().evaluations));
+      if (friction) {
+        EXPECT_GT(book.dissipated, 0);
+      }
+    }
+  }
+}
+
+TEST(Motion, RestingHingeNeitherCreepsNorChatters) {
+  // A wheel with an eccentric mass that friction holds on a shaking carrier,
+  // a million steps.
+  Load load = wheel(20, 0.4);
+  load.hinge_from_com = Vector3d(0.002, -0.001, 0);
+  MotionOptions options = on_fixed_carrier();
+  options.integrator = Integrator::rk4;
+  options.step = 1e-3;
+  const auto joint = pin_joint(FrictionLaw(0.2, 1e4));
+  const double held =
+      joint.moment_limit(Vector3d(0, 20 * g, 0), Vector3d::UnitZ());
+  const auto torque = std::make_shared<Torque>(
+      [=](double t) { return 0.6 * held * std::sin(3 * t); });
+  MotionStart start = start_of(1);
+  start.loads[0].angle = 0.7;
+  Motion motion(System(heavy_carrier(), {load}), {PinFriction{joint}}, torque,
+                start, options);
+  ASSERT_EQ(motion.advance_to(1000), Stop::time);
+  EXPECT_GE(motion.counts().steps, 1'000'000);
+  EXPECT_TRUE(motion.changes().empty());
+  EXPECT_EQ(motion.sample().angle(0), 0.7);
+  EXPECT_EQ(motion.sample().hinge(0).angle_rate, 0);
+}
+
+// Stick-slip: a torque that swings beyond what friction holds. On each half
+// swing the wheel slides and sticks again, at times that a quadrature of its
+// own equation gives.
+TEST(Motion, SlidesAndSticksAgainAndAgain) {
+  const double mass = 20, about = 0.4, turns = 2;
+  const auto joint = pin_joint(FrictionLaw(0.2, 1e4));
+  const double held =
+      joint.moment_limit(Vector3d(0, mass * g, 0), Vector3d::UnitZ());
+  const auto torque = std::make_shared<Torque>(
+      [=](double t) { return 1.3 * held * std::sin(turns * t); });
+  Motion motion(System(heavy_carrier(), {wheel(mass, about)}),
+                {PinFriction{joint}}, torque, start_of(1), on_fixed_carrier());
+  const double period = 2 * std::numbers::pi / turns;
+  ASSERT_EQ(motion.advance_to(5 * period), Stop::time);
+  ASSERT_EQ(motion.changes().size(), 20u);
+  // Slides from sin = 1/1.3 until 1.3 (cos(begin) - cos(x)) = x - begin.
+  const double begin = std::asin(1 / 1.3);
+  double low = begin + 1, high = begin + 3;
+  for (int i = 0; i < 100; ++i) {
+    const double x = (low + high) / 2;
+    const double speed = 1.3 * (std::cos(begin) - std::cos(x)) - (x - begin);
+    (speed > 0 ? low : high) = x;
+  }
+  for (int i = 0; i < 20; ++i) {
+    const auto& change = motion.changes()[i];
+    const double phase =
+        std::numbers::pi * (i / 2) + (i % 2 == 0 ? begin : low);
+    EXPECT_EQ(change.to, i % 2 == 0 ? HingeMode::sliding : HingeMode::resting);
+    EXPECT_NEAR(change.time, phase / turns, 1e-8) << i;
+  }
+}
+
+TEST(Motion, BallJointsHoldAndLetGoTogether) {
+  // Four equal loads on ball joints about a carrier that is pushed harder
+  // and harder: by symmetry all begin to slide at the same time.
+  Carrier carrier{100, 50 * Matrix3d::Identity()};
+  std::vector<Load> loads;
+  std::vector<HingeFriction> friction;
+  MotionStart start = start_of(4);
+  for (int i = 0; i < 4; ++i) {
+    Load load{JointKind::spherical, 50, Matrix3d::Zero()};
+    load.inertia.diagonal() << 20, 20, 2;
+    load.hinge_from_com = Vector3d(0.05, 0, 1);
+    const Matrix3d turn =
+        Eigen::AngleAxisd(i * std::numbers::pi / 2, Vector3d::UnitZ())
+            .toRotationMatrix();
+    load.hinge_from_carrier_com = turn * Vector3d(-1, 0, 1);
+    start.loads[i].rotation = turn;
+    loads.push_back(load);
+    friction.push_back(BallFriction{ball_joint(FrictionLaw(0.3), 0.05)});
+  }
+  class Thrust : public ForceModel {
+   public:
+    void add_forces(double, std::span<const BodyMotion> bodies,
+                    std::span<BodyForce> forces) const override {
+      forces[0].force += 3000 * bodies[0].rotation.col(2);
+    }
+  };
+  Motion motion(System(carrier, loads), friction, std::make_shared<Thrust>(),
+                start);
+  // Thrust moment m a 0.05 m against f rho m a: it slides at once or never,
+  // whatever the thrust.
+  EXPECT_EQ(motion.sample().mode(0), HingeMode::sliding);
+  for (int i = 1; i < 4; ++i) {
+    EXPECT_EQ(motion.sample().mode(i), motion.sample().mode(0));
+  }
+  ASSERT_EQ(motion.advance_to(0.5), Stop::time);
+  const Vector3d first = motion.sample().hinge(0).relative_angular_velocity;
+  EXPECT_GT(first.norm(), 0.01);
+  for (int i = 1; i < 4; ++i) {
+    const Vector3d other = motion.sample().hinge(i).relative_angular_velocity;
+    EXPECT_LT((first - other).norm(), 1e-9 * first.norm());
+  }
+}
+
+// Mass on a thread of length l, from rest at 2 rad: a quarter period is
+// K(sin 1) sqrt(l/g).
+TEST(Motion, PendulumMeetsItsEllipticPeriod) {
+  const double l = 0.8, amplitude = 2;
+  const double quarter =
+      std::comp_ellint_1(std::sin(amplitude / 2)) * std::sqrt(l / g);
+  for (const JointKind kind : {JointKind::axis, JointKind::spherical}) {
+    Load load{kind, 3, Matrix3d::Zero()};
+    load.hinge_from_com = Vector3d(0, l, 0);
+    MotionStart start = start_of(1);
+    start.loads[0].angle = amplitude;
+    start.loads[0].rotation =
+        Eigen::AngleAxisd(amplitude, Vector3d::UnitZ()).toRotationMatrix();
+    MotionOptions options = on_fixed_carrier();
+    options.relative_tolerance = options.absolute_tolerance = 1e-11;
+    Motion motion(System(heavy_carrier(), {load}), {}, nullptr, start, options);
+    const int below =
+        motion.add_event({[](const multibody::MotionSample& s) {
+                            return s.load(0).position.x();
+                          },
+                          multibody::MotionEvent::Crossing::either});
+    for (int i = 0; i < 3; ++i) {
+      ASSERT_EQ(motion.advance_to(100), Stop::event);
+      EXPECT_EQ(motion.event(), below);
+      EXPECT_NEAR(motion.time(), (2 * i + 1) * quarter, 1e-9 * quarter * 6);
+    }
+  }
+}
+
+// Gyrostat: a free body with a balanced wheel. Without forces the wheel's
+// spin in space about its axis and the total momentum stay; the body's
+// precession is that of a symmetrical body with the wheel's momentum.
+TEST(Motion, GyrostatPrecessesAsItShould) {
+  const double across = 4, along = 6, wheel_along = 0.5, wheel_across = 0.3;
+  Carrier carrier{50, Matrix3d::Zero()};
+  carrier.inertia.diagonal() << across, across, along;
+  Load load{JointKind::axis, 5, Matrix3d::Zero()};
+  load.inertia.diagonal() << wheel_across, wheel_across, wheel_along;
+  MotionStart start = start_of(1);
+  const double spin = 40, tilt = 0.2, turn = 0.7;
+  start.loads[0].angle_rate = spin;
+  start.carrier.angular_velocity = Vector3d(tilt, 0, turn);
+  MotionOptions options;
+  options.relative_tolerance = options.absolute_tolerance = 1e-11;
+  Motion motion(System(carrier, {load}), {}, nullptr, start, options);
+  const double t = 10;
+  ASSERT_EQ(motion.advance_to(t), Stop::time);
+  // (I1 + J1) w_x' = -(h - (I1 + J1) w_z) w_y with h the momentum along z.
+  const double total = across + wheel_across;
+  const double h = along * turn + wheel_along * (turn + spin);
+  const double rate = h / total - turn;
+  const BodyMotion& body = motion.sample().carrier();
+  const Vector3d w = body.rotation.transpose() * body.angular_velocity;
+  EXPECT_NEAR(w.x(), tilt * std::cos(rate * t), 1e-8);
+  EXPECT_NEAR(w.y(), tilt * std::sin(rate * t), 1e-8);
+  EXPECT_NEAR(w.z(), turn, 1e-12);
+  EXPECT_NEAR(motion.sample().hinge(0).angle_rate, spin, 1e-9);
+}
+
+// Halving the step makes the error 16 times smaller.
+TEST(Motion, RungeKuttaIsOfFourthOrder) {
+  const Mixed m = mixed_system(7, false);
+  const auto end = [&](double step, Integrator integrator) {
+    MotionOptions options;
+    options.integrator = integrator;
+    options.step = step;
+    options.relative_tolerance = options.absolute_tolerance = 1e-13;
+    Motion motion(System(m.carrier, m.loads), m.friction, nullptr, m.start,
+                  options);
+    motion.advance_to(2);
+    return motion.sample().load(2).position;
+  };
+  const Vector3d exact = end(1, Integrator::adaptive);
+  double last = 0;
+  for (const double step : {0.02, 0.01, 0.005, 0.0025}) {
+    const double error = (end(step, Integrator::rk4) - exact).norm();
+    if (last > 0) {
+      const double order = std::log2(last / error);
+      std::printf("step %g: error %.3g, order %.3f\n", step, error, order);
+      EXPECT_NEAR(order, 4, 0.15);
+    }
+    last = error;
+  }
+}
+
+TEST(Motion, RotationsStayOrthogonalOverAMillionSteps) {
+  Load load{JointKind::spherical, 2, 0.1 * Matrix3d::Identity()};
+  load.hinge_from_com = Vector3d(0, 0.3, 0);
+  MotionStart start = start_of(1);
+  start.loads[0].relative_angular_velocity = Vector3d(3, 1, 5);
+  start.carrier.angular_velocity = Vector3d(0.3, 0.2, -0.5);
+  MotionOptions options;
+  options.integrator = Integrator::rk4;
+  options.step = 2e-3;
+  Motion motion(System(heavy_carrier(), {load}), {}, nullptr, start, options);
+  ASSERT_EQ(motion.advance_to(2000), Stop::time);
+  EXPECT_GE(motion.counts().steps, 1'000'000);
+  for (const BodyMotion& body : motion.sample().bodies()) {
+    const Matrix3d miss =
+        body.rotation.transpose() * body.rotation - Matrix3d::Identity();
+    EXPECT_LT(miss.cwiseAbs().maxCoeff(), 1e-12);
+    EXPECT_GT(body.rotation.determinant(), 0);
+  }
+}
+
+TEST(Motion, GoesOnFromASavedStateAsIfNothingHadHappened) {
+  const Mixed m = mixed_system(3, true);
+  const System system(m.carrier, m.loads);
+  MotionOptions options;
+  options.integrator = Integrator::rk4;
+  options.step = 5e-3;
+  Motion one(system, m.friction, nullptr, m.start, options);
+  one.advance_to(1);
+  const multibody::MotionState saved = one.save();
+  one.advance_to(2);
+  Motion other(system, m.friction, nullptr, m.start, options);
+  other.restore(saved);
+  EXPECT_EQ(other.time(), 1);
+  other.advance_to(2);
+  for (int i = 0; i <= 4; ++i) {
+    // The joint solvers start from elsewhere.
+    EXPECT_LT((one.sample().bodies()[i].position -
+               other.sample().bodies()[i].position)
+                  .norm(),
+              1e-9);
+  }
+}
+
+TEST(Motion, ReleasedLoadsGoOnAsFreeBodies) {
+  const Mixed m = mixed_system(5, true);
+  Motion motion(System(m.carrier, m.loads), m.friction, nullptr, m.start);
+  motion.advance_to(0.5);
+  motion.save();  // at a step's end, as release() does
+  const Momentum p = momentum_of(motion.sample(), m.carrier, m.loads);
+  const BodyMotion before = motion.sample().load(1);
+  motion.release(1);
+  EXPECT_EQ(motion.sample().mode(1), HingeMode::released);
+  EXPECT_LT((motion.sample().load(1).velocity - before.velocity).norm(), 1e-14);
+  EXPECT_LT((motion.sample().load(1).rotation - before.rotation).norm(), 1e-14);
+  motion.release(0);
+  motion.release(2);
+  motion.release(3);
+  ASSERT_EQ(motion.advance_to(1.5), Stop::time);
+  const Vector3d drifted = before.position + before.velocity;
+  EXPECT_LT((motion.sample().load(1).position - drifted).norm(), 1e-9);
+  const Momentum q = momentum_of(motion.sample(), m.carrier, m.loads);
+  EXPECT_LT((q.linear - p.linear).norm(), 1e-9 * p.linear.norm());
+  EXPECT_LT((q.angular - p.angular).norm(), 1e-8 * p.angular.norm());
+}
+
+TEST(Motion, LocksKeepMomentumAndHold) {
+  const Mixed m = mixed_system(6, true);
+  Motion motion(System(m.carrier, m.loads), m.friction, nullptr, m.start);
+  motion.advance_to(0.5);
+  motion.save();  // at a step's end, as lock() does
+  const Momentum p = momentum_of(motion.sample(), m.carrier, m.loads);
+  const double energy = motion.sample().energy().balance();
+  for (int i = 0; i < 4; ++i) motion.lock(i);
+  const Momentum q = momentum_of(motion.sample(), m.carrier, m.loads);
+  EXPECT_LT((q.linear - p.linear).norm(), 1e-12 * p.linear.norm());
+  EXPECT_LT((q.angular - p.angular).norm(), 1e-12 * p.angular.norm());
+  EXPECT_NEAR(motion.sample().energy().balance(), energy, 1e-9 * energy);
+  motion.advance_to(1);
+  EXPECT_EQ(motion.sample().hinge(2).relative_angular_velocity.norm(), 0);
+  EXPECT_EQ(motion.sample().mode(2), HingeMode::locked);
+  motion.unlock(2);
+  EXPECT_NE(motion.sample().mode(2), HingeMode::locked);
+}
+
+template <class F>
+std::string message_of(F f) {
+  try {
+    f();
+  } catch (const contact::Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Motion, BadInputIsRefusedByName) {
+  const System system(heavy_carrier(), {wheel(1, 1)});
+  const auto with = [&](std::vector<HingeFriction> friction, MotionStart start,
+                        MotionOptions options = {}) {
+    return message_of(
+        [&] { Motion(system, std::move(friction), nullptr, start, options); });
+  };
+  EXPECT_EQ(with({BallFriction{ball_joint(FrictionLaw(0.1))}}, start_of(1)),
+            "loads[0].friction: a ball joint alone, allowed on a spherical "
+            "hinge");
+  EXPECT_EQ(with({}, start_of(2)),
+            "start of 2 loads, allowed is one for each of the 1 loads");
+  MotionStart start = start_of(1);
+  start.loads[0].angle_rate = std::nan("");
+  EXPECT_EQ(with({}, start), "start.loads[0]: has a number that is not finite");
+  start.loads[0].angle_rate = 1;
+  start.loads[0].locked = true;
+  EXPECT_EQ(with({}, start),
+            "start.loads[0]: locked but moving, allowed is a "
+            "relative velocity of 0");
+  MotionOptions options;
+  options.step = 0;
+  EXPECT_EQ(with({}, start_of(1), options),
+            "motion: step 0, allowed is above 0");
 }
 
 }  // namespace

@@ -45,8 +45,7 @@ class AdaptiveStepper final : public Stepper {
     if (!vector_ || !other_ || !memory_) throw std::bad_alloc();
     ERKStepSetErrHandlerFn(memory_, silent, nullptr);
     ERKStepSetUserData(memory_, this);
-    ERKStepSStolerances(memory_, options_.relative_tolerance,
-                        options_.absolute_tolerance);
+    ERKStepWFtolerances(memory_, weights);
     ERKStepSetTableNum(memory_, table);
     ERKStepSetInterpolantType(memory_, ARK_INTERP_HERMITE);
     ERKStepSetInterpolantDegree(memory_, 5);
@@ -100,6 +99,21 @@ class AdaptiveStepper final : public Stepper {
     const bool done = stepper->rates_(time, N_VGetArrayPointer(state),
                                       N_VGetArrayPointer(to));
     return done ? 0 : 1;  // 1: try a shorter step
+  }
+
+  // Reciprocals of the tolerances.
+  static int weights(N_Vector state, N_Vector to, void* self) {
+    const auto* stepper = static_cast<AdaptiveStepper*>(self);
+    const AdaptiveOptions& o = stepper->options_;
+    const double* y = N_VGetArrayPointer(state);
+    double* w = N_VGetArrayPointer(to);
+    const auto size = static_cast<int>(stepper->to_.size());
+    for (int i = 0; i < size; ++i) {
+      w[i] = i < size - o.coarse ? 1 / (o.relative_tolerance * std::abs(y[i]) +
+                                        o.absolute_tolerance)
+                                 : 1 / o.coarse_tolerance;
+    }
+    return 0;
   }
 
   void forget() {

@@ -155,57 +155,66 @@ double CoupledDynamics::Impl::answer() {
   return residual;
 }
 
-// Newton's step of one hinge for itself, with a secant estimate of its slope
-// (Broyden's update).
-void CoupledDynamics::Impl::step_hinge(Hinge& hinge, bool first,
-                                       Vec3<double>& change) {
-  if (!first) {
-    const Vector3d dx = hinge.moment - hinge.last_moment;
-    const Vector3d dg = hinge.answer - hinge.last_answer;
-    const double length = dx.norm();
-    // Below this the differences are rounding.
-    if (length > 1e-13 * hinge.moment.norm()) {
-      hinge.slope +=
-          (dg - hinge.slope * dx) * dx.transpose() / (length * length);
-    }
-  }
-  const Vector3d miss = hinge.answer - hinge.moment;
-  const double slope = hinge.slope.norm();
-  Vector3d step = miss;
-  if (slope < 0.9) {
-    step = (Matrix3d::Identity() - hinge.slope).inverse() * miss;
-  } else if (hinge.solver.is_axis() && hinge.slope(2, 2) < 0) {
-    step = miss / (1 - hinge.slope(2, 2));
-  } else {
-    step *= 0.5;  // let it crawl; the search follows if it does not arrive
-  }
-  hinge.last_moment = hinge.moment;
-  hinge.last_answer = hinge.answer;
-  change = vec3(step);
-}
-
 // Change of all answers over change of all moments, each in units of its own
-// size.
-void CoupledDynamics::Impl::see_contraction() {
+// size; and the slopes of those hinges whose own moment changed notably, by
+// Broyden's update. The answers of others changed with their neighbours'.
+void CoupledDynamics::Impl::learn() {
   double dx = 0;
   double dg = 0;
+  double most = 0;
+  const auto change = [](const Hinge& hinge) {
+    const double size = hinge.answer.squaredNorm();
+    return size == 0 ? 0
+                     : (hinge.moment - hinge.last_moment).squaredNorm() / size;
+  };
   for (const int i : rows_) {
     const Hinge& hinge = hinges[i];
-    const double size = hinge.answer.squaredNorm();
-    if (size == 0) continue;
-    dx += (hinge.moment - hinge.last_moment).squaredNorm() / size;
-    dg += (hinge.answer - hinge.last_answer).squaredNorm() / size;
+    const double own = change(hinge);
+    if (own == 0) continue;
+    most = std::max(most, own);
+    dx += own;
+    dg += (hinge.answer - hinge.last_answer).squaredNorm() /
+          hinge.answer.squaredNorm();
   }
   constexpr double rounding = 1e-20;  // of squares
-  if (dx > rounding) {
-    report.contraction = std::max(report.contraction, std::sqrt(dg / dx));
+  if (!(dx > rounding)) return;
+  report.contraction = std::max(report.contraction, std::sqrt(dg / dx));
+  constexpr double notable = 0.1;  // of squares
+  for (const int i : rows_) {
+    Hinge& hinge = hinges[i];
+    if (change(hinge) < notable * most) continue;
+    const Vector3d by = hinge.moment - hinge.last_moment;
+    const Vector3d miss = hinge.answer - hinge.last_answer - hinge.slope * by;
+    hinge.slope += miss * by.transpose() / by.squaredNorm();
+  }
+}
+
+// Newton's step of every hinge for itself with the slope it has.
+void CoupledDynamics::Impl::set_steps() {
+  constexpr double strong = 0.9;
+  for (const int i : rows_) {
+    Hinge& hinge = hinges[i];
+    const Vector3d miss = hinge.answer - hinge.moment;
+    Vector3d step = miss;
+    if (hinge.slope.norm() < strong) {
+      step = (Matrix3d::Identity() - hinge.slope).inverse() * miss;
+    } else if (report.contraction < strong) {
+      hinge.slope.setZero();  // of another time
+    } else {
+      // Let it crawl; the search follows if it does not arrive.
+      step *= 0.5;
+    }
+    hinge.last_moment = hinge.moment;
+    hinge.last_answer = hinge.answer;
+    change_[i] = vec3(step);
   }
 }
 
 void CoupledDynamics::Impl::loop() {
-  double best = std::numeric_limits<double>::infinity();
+  double last = 0;
   int stalled = 0;
   for (report.iterations = 1;; ++report.iterations) {
+    const bool first = report.iterations == 1;
     report.residual = answer();
     if (trace) trace->push_back({report.iterations, report.residual});
     if (report.residual <= options.tolerance) return;
@@ -214,18 +223,25 @@ void CoupledDynamics::Impl::loop() {
       return;
     }
     // Rounding of the reactions can be above the tolerance.
-    constexpr double rounding = 1e-9;
-    stalled = report.residual < 0.5 * best ? 0 : stalled + 1;
-    best = std::min(best, report.residual);
-    if (stalled >= 6 && best <= rounding) return;
+    constexpr double rounding = 1e-8;
+    stalled = first || report.residual < 0.5 * last ? 0 : stalled + 1;
+    if (stalled >= 2 && report.residual <= rounding) return;
     if (report.iterations >= options.iteration_limit) {
       report.status = CoupledStatus::not_converged;
       return;
     }
-    const bool first = report.iterations == 1;
-    if (!first) see_contraction();
-    for (const int i : rows_) step_hinge(hinges[i], first, change_[i]);
+    if (!first) learn();
+    set_steps();
     apply_change();
+    // What this step leaves, if it gains as much as the one before.
+    constexpr double safety = 10;
+    const double gain = report.residual / last;
+    const double left = safety * gain * report.residual;
+    if (!first && gain < 0.1 && left <= options.tolerance) {
+      report.residual = left;
+      return;
+    }
+    last = report.residual;
   }
 }
 

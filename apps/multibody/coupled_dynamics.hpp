@@ -13,8 +13,9 @@ namespace multibody {
 
 /// When the outer loop stops.
 struct CoupledOptions {
-  /// Stop when every hinge's |M_t - M_t(R)| <= tolerance (|M_t| + |M_t(R)|).
-  double tolerance = 1e-11;
+  /// Stop when every hinge's |M_t - M_t(R)| <= tolerance (|M_t| + |M_t(R)|),
+  /// or is sure to be after the step that has been made.
+  double tolerance = 1e-10;
   int iteration_limit = 60;
   /// A resting hinge begins to slide when its utilisation exceeds 1 by this:
   /// above the rounding of tau, so that a moment right at the limit holds.

@@ -85,8 +85,8 @@ class CoupledDynamics::Impl {
 
  private:
   void loop();
-  void see_contraction();
-  void step_hinge(Hinge& hinge, bool first, Vec3<double>& change);
+  void learn();
+  void set_steps();
   bool converged_is_unique();
   void set_moments(const Eigen::VectorXd& x);
   Eigen::VectorXd moments() const;

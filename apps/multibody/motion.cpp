@@ -101,16 +101,17 @@ MotionImpl::MotionImpl(const System& motion_system,
   rate_bodies_.resize(1 + loads());
   body_forces_.resize(1 + loads());
   loading_.loads.resize(loads());
+  held_units_.resize(loads());
   const auto right_hand_side = [this](double time, const double* state,
                                       double* to) {
     return rates(time, state, to);
   };
-  stepper =
-      options.integrator == Integrator::rk4
-          ? make_rk4_stepper(right_hand_side, options.step)
-          : make_adaptive_stepper(right_hand_side, {options.relative_tolerance,
-                                                    options.absolute_tolerance,
-                                                    options.longest_step});
+  stepper = options.integrator == Integrator::rk4
+                ? make_rk4_stepper(right_hand_side, options.step)
+                : make_adaptive_stepper(
+                      right_hand_side,
+                      {options.relative_tolerance, options.absolute_tolerance,
+                       options.longest_step, loads()});
   const std::vector<double> state = start_state(start);
   // Whoever is at rest at the start has not come to rest.
   if (resolve_rest(state, -1)) restart(state);

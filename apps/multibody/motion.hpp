@@ -171,6 +171,8 @@ struct MotionFailure {
   double time;
   int load;  ///< -1: none in particular
   std::string message;
+  /// Of several_solutions: the friction moments, load axes.
+  std::vector<CoupledSolution> solutions;
 };
 
 /// All that is needed to go on later: a value.

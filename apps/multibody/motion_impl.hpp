@@ -13,8 +13,11 @@ namespace multibody {
 /// seen of a state, motion_modes.cpp stops and changes of hinges,
 /// motion_events.cpp finds them, motion.cpp is the way through time.
 ///
-/// Numbers of a state: those of StateLayout, then for each load the work that
-/// friction took, then the work of the force model.
+/// Numbers of a state: those of StateLayout; for each load the work that
+/// friction took; the work of the force model; for each load the integral of
+/// what a held hinge transmits, in units of its first value. The last are
+/// there for the error control alone: while hinges rest nothing else in the
+/// state tells it how fast the forces change that may end the rest.
 class MotionImpl {
  public:
   MotionImpl(const System& system, std::vector<HingeFriction> friction,
@@ -75,7 +78,10 @@ class MotionImpl {
   }
   int dissipated_at(int load) const { return coupled.layout().size() + load; }
   int work_at() const { return dissipated_at(loads()); }
-  int number_count() const { return work_at() + 1; }
+  int held_at(int load) const { return work_at() + 1 + load; }
+  int number_count() const { return held_at(loads()); }
+  double held_rate(int load) const;
+  void set_held_units();
   Eigen::Vector3d relative_acceleration(int load) const {
     const Vec3<double>& a = coupled.dynamics().relative_acceleration(load);
     return {a.x, a.y, a.z};
@@ -121,6 +127,11 @@ class MotionImpl {
   std::vector<BodyMotion> rate_bodies_;
   Loading<double> loading_;
   std::vector<double> trial_;
+  struct Unit {
+    double force = 1;
+    double moment = 1;
+  };
+  std::vector<Unit> held_units_;
 };
 
 }  // namespace multibody

@@ -36,7 +36,11 @@ const char* reason(CoupledStatus status) {
 void MotionImpl::set_failure(CoupledStatus status, double time, int load) {
   std::string message = fmt::format("at {} s: {}", time, reason(status));
   if (load >= 0) message += fmt::format(" (load {})", load);
-  failure = MotionFailure{status, time, load, std::move(message)};
+  failure = MotionFailure{status, time, load, std::move(message), {}};
+  if (status == CoupledStatus::several_solutions) {
+    failure->solutions.assign(coupled.solutions().begin(),
+                              coupled.solutions().end());
+  }
 }
 
 void MotionImpl::change_mode(int load, HingeMode mode) {
@@ -137,6 +141,7 @@ bool MotionImpl::resolve_rest(const std::vector<double>& state, int forced) {
     }
   }
   worked_out = false;
+  if (!failure) set_held_units();
   return !failure;
 }
 
@@ -160,8 +165,8 @@ void MotionImpl::release(int load) {
           StateLayout::load_size(system.links()[i].kind, joint_modes[i]), to);
     }
   }
-  std::copy_n(&from[before.size()], loads() + 1,
-              &state[coupled.layout().size()]);
+  std::copy(from.begin() + before.size(), from.end(),
+            state.begin() + coupled.layout().size());
   if (resolve_rest(state, -1)) restart(state);
 }
 

@@ -1,4 +1,5 @@
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -27,6 +28,30 @@ CarrierAcceleration<double> driven(const CarrierDrive& drive,
 Vector3d MotionImpl::rate_of(int load, const double* state) const {
   return relative_rate(system.links()[load],
                        state + coupled.layout().offset(load));
+}
+
+void MotionImpl::set_held_units() {
+  held_units_.assign(loads(), {});
+  double force = 0;
+  for (int i = 0; i < loads(); ++i) {
+    force = std::max(force, vec3(coupled.reaction(i).force).norm());
+  }
+  for (int i = 0; i < loads(); ++i) {
+    const Reaction<double>& r = coupled.reaction(i);
+    // What is tiny among the forces of the system need not be followed.
+    const double own = vec3(r.force).norm() + 1e-3 * force;
+    held_units_[i].force = own > 0 ? own : 1;
+    held_units_[i].moment =
+        vec3(r.moment).norm() +
+        1e-2 * held_units_[i].force * std::max(system.links()[i].arm, 1e-2);
+  }
+}
+
+double MotionImpl::held_rate(int load) const {
+  if (joint_modes[load] != JointMode::held) return 0;
+  const Reaction<double>& r = coupled.reaction(load);
+  return (r.force.x + r.force.y + r.force.z) / held_units_[load].force +
+         (r.moment.x + r.moment.y + r.moment.z) / held_units_[load].moment;
 }
 
 bool MotionImpl::rates(double time, const double* state, double* to) {
@@ -59,6 +84,7 @@ bool MotionImpl::rates(double time, const double* state, double* to) {
         coupled.mode(i) == HingeMode::sliding && coupled.has_friction(i);
     to[dissipated_at(i)] =
         slides ? -coupled.friction_moment(i).dot(rate_of(i, state)) : 0;
+    to[held_at(i)] = held_rate(i);
   }
   to[work_at()] = power;
   return true;
