@@ -16,6 +16,7 @@
 #include "libcontact/conforming/ball.hpp"
 #include "libcontact/half_angle.hpp"
 #include "libcontact/half_angle_exact.hpp"
+#include "libcontact/half_angle_fitted.hpp"
 #include "libcontact/pressure.hpp"
 #include "libcontact/joint_file.hpp"
 #include "libcontact/instruction_set.hpp"

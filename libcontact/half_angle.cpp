@@ -12,8 +12,10 @@
 #include <numbers>
 
 #include "libcontact/detail/check.hpp"
+#include "libcontact/detail/poisson_notes.hpp"
 #include "libcontact/detail/text.hpp"
 #include "libcontact/half_angle_exact.hpp"
+#include "libcontact/half_angle_fitted.hpp"
 #include "libcontact/units.hpp"
 
 namespace contact {
@@ -22,12 +24,6 @@ namespace {
 constexpr double half_pi = std::numbers::pi / 2;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
-// The limit-angle formulas are made for this Poisson's ratio. 0.29 and 0.31
-// pass: they move the limit by less than 0.9 % (a rigid seat, the worst
-// case), which is the size of the formula's own error.
-constexpr double formula_poissons_ratio = 0.3;
-constexpr double poissons_ratio_tolerance = 0.01 + 1e-12;
 
 // dln(x)/dln(load)
 double load_exponent(JointKind kind) {
@@ -84,21 +80,8 @@ LimitHalfAngle LimitHalfAngle::linear_formula(double modulus_ratio) {
 std::vector<std::string> LimitHalfAngle::validity_notes(
     JointKind kind, const ElasticPair& pair) const {
   if (!from_formula_) return {};
-  std::vector<std::string> notes;
-  const auto add = [&notes](const char* body, const Material& material) {
-    // A rigid body's Poisson's ratio has no influence.
-    if (std::isinf(material.youngs_modulus)) return;
-    const double nu = material.poissons_ratio;
-    if (std::abs(nu - formula_poissons_ratio) <= poissons_ratio_tolerance) {
-      return;
-    }
-    notes.push_back(
-        fmt::format("the limit half-angle is a formula for Poisson's ratio "
-                    "0.3; the {} body has {:.4g}",
-                    body, nu));
-  };
-  add("inner", pair.inner());
-  add("outer", pair.outer());
+  std::vector<std::string> notes =
+      detail::poisson_notes("the limit half-angle is a formula", pair);
   if (kind == JointKind::spherical) {
     notes.push_back(
         "the limit half-angle is that of a pin; a ball's is up to 5 % larger");
@@ -272,8 +255,9 @@ SaturatingLaw::InverseResult BlendLaw::inverse_shape(
 }
 
 const std::vector<std::string>& half_angle_law_names() {
-  static const std::vector<std::string> names = {"hertz", "arctan", "tanh",
-                                                 "blend", "paper",  "exact"};
+  static const std::vector<std::string> names = {"hertz",  "arctan", "tanh",
+                                                 "blend",  "paper",  "nominal",
+                                                 "fitted", "exact"};
   return names;
 }
 
@@ -325,6 +309,10 @@ std::unique_ptr<HalfAngleLaw> make_half_angle_law(
     return std::make_unique<TanhLaw>(kind, limit_of(pair, options), slope);
   }
   if (name == "blend") return blend(BlendLaw::recommended_arctan_share(kind));
+  if (name == "nominal") {
+    return std::make_unique<NominalLaw>(kind, pair.modulus_ratio());
+  }
+  if (name == "fitted") return std::make_unique<FittedLaw>(kind, pair);
   if (name == "exact") return std::make_unique<ExactLaw>(kind, pair);
   if (name.starts_with(blend_prefix)) {
     return blend(parse_share(name.substr(blend_prefix.size())));

@@ -257,7 +257,7 @@ struct HalfAngleOptions {
 inline constexpr std::string_view default_half_angle_law = "paper";
 
 /// Names that make_half_angle_law() knows, in the order of the sources:
-/// hertz, arctan, tanh, blend, paper, exact.
+/// hertz, arctan, tanh, blend, paper, nominal, fitted, exact.
 const std::vector<std::string>& half_angle_law_names();
 
 /// A law by its name.
@@ -265,7 +265,8 @@ const std::vector<std::string>& half_angle_law_names();
 /// @param name  "hertz", "arctan", "tanh", "blend" (the paper's k for the
 ///              kind of joint), "blend:K" with K in [0, 1], or "paper" (what
 ///              the paper recommends: blend:0.5 for a pin, tanh for a ball),
-///              "exact" (ExactLaw); the options concern the paper's laws only
+///              "nominal" (NominalLaw), "fitted" (FittedLaw), "exact"
+///              (ExactLaw); these three take none of the options
 /// @throws Error if the name is not known or an option is out of range.
 std::unique_ptr<HalfAngleLaw> make_half_angle_law(
     std::string_view name, JointKind kind, const ElasticPair& pair,

@@ -689,9 +689,11 @@ TEST(MakeHalfAngleLaw, RefusesWhatItDoesNotKnow) {
     });
   };
   EXPECT_EQ(message("tan"),
-            "half-angle law tan: allowed: hertz, arctan, tanh, blend, paper, exact");
+            "half-angle law tan: allowed: hertz, arctan, tanh, blend, paper, "
+            "nominal, fitted, exact");
   EXPECT_EQ(message(""),
-            "half-angle law : allowed: hertz, arctan, tanh, blend, paper, exact");
+            "half-angle law : allowed: hertz, arctan, tanh, blend, paper, "
+            "nominal, fitted, exact");
   EXPECT_EQ(message("blend:half"),
             "half-angle law blend:half: allowed: blend:K with K a number from "
             "0 to 1");

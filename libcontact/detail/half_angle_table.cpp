@@ -12,13 +12,6 @@ constexpr double pi = std::numbers::pi;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-int power(JointKind kind) { return kind == JointKind::spherical ? 3 : 2; }
-
-// v^2 or v^3
-double raised(JointKind kind, double v) {
-  return kind == JointKind::spherical ? v * v * v : v * v;
-}
-
 // Terms that bring G to 1e-12: the closer theta0* comes to the singularity at
 // theta0 = pi, the more.
 int terms_for(JointKind kind, double largest) {
@@ -38,8 +31,6 @@ HalfAngleTable::HalfAngleTable(JointKind kind,
       largest_(largest),
       is_limit_(is_limit) {
   const bool ball = kind == JointKind::spherical;
-  // x^power is mu or 4 lambda.
-  const double per_x = ball ? 1 : 4;
   std::array<double, 4 * max_terms> cosine;  // cos(m pi/(2 terms))
   for (int m = 0; m < 4 * terms_; ++m) {
     cosine[m] = std::cos(pi / 2 * m / terms_);
@@ -53,7 +44,7 @@ HalfAngleTable::HalfAngleTable(JointKind kind,
     const double half_angle = largest * (ball ? u * u : u);
     const double complement = ball ? rest * (1 + u) : rest;
     const double g = raised(kind, 2 * std::sin(half_angle / 2)) *
-                     reciprocal(half_angle) / per_x /
+                     reciprocal(half_angle) / power_per_load(kind) /
                      (is_limit ? complement : 1);
     // Discrete orthogonality: T_k at the point is cos(k phi).
     for (int k = 0; k < terms_; ++k) {
@@ -63,10 +54,12 @@ HalfAngleTable::HalfAngleTable(JointKind kind,
   }
   // G(0) = 1 in truth.
   coefficients_[0] += 1 - evaluate(0).value;
+  start_.emplace(
+      kind, [this](double theta, double, double) { return evaluate(theta); },
+      largest);
 }
 
-HalfAngleTable::Value HalfAngleTable::evaluate(
-    double half_angle) const noexcept {
+RelationValue HalfAngleTable::evaluate(double half_angle) const noexcept {
   const double share = half_angle / largest_;
   const bool ball = kind_ == JointKind::spherical;
   const double u = ball ? std::sqrt(share) : share;
@@ -91,58 +84,18 @@ HalfAngleTable::Value HalfAngleTable::evaluate(
   return {complement * g, complement * slope - g / largest_};
 }
 
-// theta0 within 4 % for usual pairs: the direct law for identical materials
-// (pin) and nearly so (ball), on the limit of this pair.
-double HalfAngleTable::start(double x) const noexcept {
-  const double z = x / largest_ * (x / largest_);
-  const double n = kind_ == JointKind::spherical ? 0.45 : 1.17;
-  const double d = kind_ == JointKind::spherical ? 1.08 : 2.35;
-  // Divided by z where that is large.
-  return z < 1 ? x * std::sqrt((1 + n * z) / (1 + z * (d + n * z)))
-               : largest_ * std::sqrt((1 / z + n) / ((1 / z + d) / z + n));
-}
-
 HalfAngleResult HalfAngleTable::half_angle(
     double load_parameter) const noexcept {
   if (!(load_parameter >= 0)) return {nan, Status::out_of_range};
-  const double exponent = 1.0 / power(kind_);
-  if (load_parameter == 0) return {0, Status::ok, exponent};
-  const double x = x_from_load_parameter(kind_, load_parameter);
-  if (is_limit_ && std::isinf(x)) return {largest_, Status::ok, 0};
-  const double p = power(kind_);
-  if (!is_limit_ && !(raised(kind_, 2 * std::sin(largest_ / 2) / x) >=
-                      evaluate(largest_).value)) {
+  if (load_parameter == 0) return {0, Status::ok, 1.0 / load_power(kind_)};
+  if (is_limit_) {
+    if (std::isinf(load_parameter)) return {largest_, Status::ok, 0};
+  } else if (load_parameter > this->load_parameter(largest_).load_parameter) {
     return {largest_, Status::not_converged, 0};
   }
-  // Newton's method for F(theta0) - (2 sin(theta0/2)/x)^power; a step that
-  // leaves the bracket is replaced by halving it.
-  double low = 0;
-  double high = largest_;
-  double theta = std::min(start(x), largest_);
-  // Three to five steps; 60 halvings would do.
-  constexpr int step_limit = 60;
-  for (int step = 0; step < step_limit; ++step) {
-    const double sine = std::sin(theta / 2);
-    // Of ln(sin(theta0/2)^power).
-    const double sine_slope = p * std::cos(theta / 2) / (2 * sine);
-    const double load_term = raised(kind_, 2 * sine / x);
-    const Value f = evaluate(theta);
-    const double residual = f.value - load_term;
-    (residual > 0 ? low : high) = theta;
-    const double newton = theta + residual / (load_term * sine_slope - f.slope);
-    const double next =
-        newton >= low && newton <= high ? newton : low + (high - low) / 2;
-    const double change = next - theta;
-    theta = next;
-    // Quadratic: the next change is below rounding.
-    if (std::abs(change) <= 1e-9 * theta) {
-      // F'/F and the slope of (2b/x)^power at the root, F = (2b/x)^power.
-      const double log_slope =
-          f.value > 0 ? 1 / (theta * (sine_slope - f.slope / f.value)) : 0;
-      return {theta, Status::ok, log_slope};
-    }
-  }
-  return {largest_, Status::not_converged, 0};
+  return solve_half_angle(
+      kind_, [this](double theta, double, double) { return evaluate(theta); },
+      *start_, largest_, load_parameter);
 }
 
 LoadParameterResult HalfAngleTable::load_parameter(
@@ -152,10 +105,10 @@ LoadParameterResult HalfAngleTable::load_parameter(
   }
   if (half_angle == 0) return {0, Status::ok};
   if (is_limit_ && half_angle == largest_) return {infinity, Status::ok};
-  const double per_x = kind_ == JointKind::spherical ? 1 : 4;
-  return {raised(kind_, 2 * std::sin(half_angle / 2)) /
-              (per_x * evaluate(half_angle).value),
-          Status::ok};
+  const auto relation = [this](double theta, double, double) {
+    return evaluate(theta);
+  };
+  return {load_at(kind_, relation, half_angle), Status::ok};
 }
 
 }  // namespace contact::detail

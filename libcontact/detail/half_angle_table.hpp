@@ -2,7 +2,9 @@
 
 #include <array>
 #include <functional>
+#include <optional>
 
+#include "libcontact/detail/half_angle_newton.hpp"
 #include "libcontact/half_angle.hpp"
 
 namespace contact::detail {
@@ -10,15 +12,13 @@ namespace contact::detail {
 /// A relation between load and half-angle, known point by point, as one
 /// Chebyshev series: the form in which an exact solution is fast.
 ///
-/// With power = 2 (pin) or 3 (ball) and x the variable of the half-angle laws,
+///     F(theta0) = (1 - theta0/theta0*) G(theta0),   G(0) = 1,
 ///
-///     F(theta0) = (2 sin(theta0/2)/x)^power = (1 - theta0/theta0*) G(theta0)
-///
-/// falls from 1 at theta0 = 0 to 0 at the limit half-angle theta0*. G is
-/// smooth: analytic for a pin, with a term theta0^3 ln(theta0) for a ball,
-/// which the variable sqrt(theta0) hides from the series. The factors
-/// theta0* - theta0 and sin(theta0/2) keep both ends to full relative
-/// precision. Const functions without allocation or exceptions.
+/// F as in half_angle_newton.hpp. G is smooth: analytic for a pin, with a term
+/// theta0^3 ln(theta0) for a ball, which the variable sqrt(theta0) hides from
+/// the series. The factors theta0* - theta0 and sin(theta0/2) keep both ends
+/// to full relative precision. Const functions without allocation or
+/// exceptions.
 class HalfAngleTable {
  public:
   /// @param kind         of the joint
@@ -39,12 +39,7 @@ class HalfAngleTable {
   bool reaches_limit() const noexcept { return is_limit_; }
 
  private:
-  struct Value {
-    double value;  // F
-    double slope;  // dF/dtheta0
-  };
-  Value evaluate(double half_angle) const noexcept;
-  double start(double x) const noexcept;
+  RelationValue evaluate(double half_angle) const noexcept;
 
   static constexpr int max_terms = 64;
 
@@ -53,6 +48,7 @@ class HalfAngleTable {
   double largest_;
   bool is_limit_;
   std::array<double, max_terms> coefficients_{};  // of G
+  std::optional<DirectStart> start_;
 };
 
 }  // namespace contact::detail

@@ -1,0 +1,9 @@
+#include <cstdio>
+
+#include "libcontact/reference/half_angle_fit.hpp"
+
+/// Prints libcontact/detail/half_angle_coefficients.hpp.
+int main() {
+  std::fputs(contact::reference::half_angle_coefficients_header().c_str(),
+             stdout);
+}

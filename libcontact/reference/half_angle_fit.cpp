@@ -1,0 +1,269 @@
+#include "libcontact/reference/half_angle_fit.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+#include "libcontact/detail/fitted_relation.hpp"
+#include "libcontact/half_angle_exact.hpp"
+#include "libcontact/units.hpp"
+
+namespace contact::reference {
+namespace {
+
+using Vector = Eigen::VectorXd;
+using Matrix = Eigen::MatrixXd;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// One exact half-angle and its load.
+struct Sample {
+  double half_angle;
+  double relation;  // F = (2 sin(theta0/2)/x)^power
+  // dln(theta0)/dF at the same load.
+  double weight;
+};
+
+// Chebyshev points of [0, theta0*]: crowded at both ends.
+std::vector<Sample> samples_of(JointKind kind, const ElasticPair& pair,
+                               int count) {
+  const ExactLaw law(kind, pair);
+  std::vector<Sample> samples;
+  for (int i = 0; i < count; ++i) {
+    const double phi = std::numbers::pi * (i + 0.5) / count;
+    const double half_angle =
+        law.limit_half_angle() * std::sin(phi / 2) * std::sin(phi / 2);
+    const double load = law.load_parameter(half_angle).load_parameter;
+    const double relation = detail::raised(kind, 2 * std::sin(half_angle / 2)) /
+                            (detail::power_per_load(kind) * load);
+    // At a given half-angle dF/F = -dload/load.
+    samples.push_back(
+        {half_angle, relation, law.half_angle(load).log_slope / relation});
+  }
+  return samples;
+}
+
+struct Fit {
+  Vector coefficients;
+  double largest_error;
+};
+
+// Lawson's iteration: rows with large errors gain weight. It does not fall
+// steadily; the best of the steps counts.
+template <class Equations>
+Fit lawson(const Equations& equations, int rows) {
+  constexpr int steps = 60;
+  Vector weight = Vector::Ones(rows);
+  Fit best{{}, infinity};
+  Vector coefficients;
+  for (int i = 0; i < steps; ++i) {
+    const auto [matrix, right] = equations(coefficients);
+    const Vector root = weight.cwiseSqrt();
+    coefficients = (root.asDiagonal() * matrix)
+                       .colPivHouseholderQr()
+                       .solve(root.cwiseProduct(right));
+    const Vector error = (matrix * coefficients - right).cwiseAbs();
+    const double largest = error.maxCoeff();
+    // The first step of a rational law has no denominator yet.
+    if (i > 0 && largest < best.largest_error) best = {coefficients, largest};
+    // The root damps the iteration, 0.05 keeps small errors in play.
+    weight = weight.cwiseProduct(
+        (error / largest + Vector::Constant(rows, 0.05)).cwiseSqrt());
+    weight /= weight.maxCoeff();
+  }
+  return best;
+}
+
+std::vector<ElasticPair> fit_pairs() {
+  std::vector<ElasticPair> pairs;
+  constexpr int steps = 5;  // of Poisson's ratio
+  for (const double ratio :
+       {0.0, 0.03, 0.1, 0.3, 0.6, 1.0, 1.7, 3.0, 10.0, 30.0, infinity}) {
+    for (int i = 0; i <= steps; ++i) {
+      for (int j = 0; j <= steps; ++j) {
+        // A rigid body's Poisson's ratio has no influence.
+        if ((ratio == 0 && j > 0) || (std::isinf(ratio) && i > 0)) continue;
+        pairs.push_back(ElasticPair::from_modulus_ratio(ratio, 0.5 * i / steps,
+                                                        0.5 * j / steps));
+      }
+    }
+  }
+  return pairs;
+}
+
+// al = (Ebar - 1)/(Ebar + 1)
+double ratio_of(double al) { return (1 + al) / (1 - al); }
+
+}  // namespace
+
+FittedCoefficients fit_fitted_law(JointKind kind) {
+  constexpr int count = 41;
+  constexpr int terms = detail::fitted_terms;
+  const std::vector<ElasticPair> pairs = fit_pairs();
+  const int features =
+      static_cast<int>(detail::fitted_features(kind, pairs[0]).size());
+  const int rows = count * static_cast<int>(pairs.size());
+  Matrix matrix(rows, features * terms);
+  Vector right(rows);
+  int row = 0;
+  for (const ElasticPair& pair : pairs) {
+    const double constant = detail::fitted_constant(kind, pair);
+    const std::vector<double> feature = detail::fitted_features(kind, pair);
+    for (const Sample& sample : samples_of(kind, pair, count)) {
+      const double sine = std::sin(sample.half_angle / 2);
+      const double cosine = std::cos(sample.half_angle / 2);
+      double power = sample.weight * detail::fitted_weight(kind, cosine);
+      for (int k = 0; k < terms; ++k) {
+        power *= sine;
+        for (int i = 0; i < features; ++i) {
+          matrix(row, i * terms + k) = feature[i] * power;
+        }
+      }
+      right(row) =
+          sample.weight * (sample.relation -
+                           detail::fitted_closed_form(
+                               kind, constant, sample.half_angle, sine, cosine)
+                               .value);
+      ++row;
+    }
+  }
+  const Fit fit = lawson(
+      [&](const Vector&) {
+        return std::pair<const Matrix&, const Vector&>(matrix, right);
+      },
+      rows);
+  FittedCoefficients result{{}, fit.largest_error};
+  for (int i = 0; i < features; ++i) {
+    const Vector part = fit.coefficients.segment(i * terms, terms);
+    result.rows.emplace_back(part.begin(), part.end());
+  }
+  return result;
+}
+
+NominalFit fit_nominal_law(JointKind kind) {
+  constexpr int pairs = 41;
+  constexpr int count = 41;
+  constexpr int orders = 3;    // of the quadratics in al
+  constexpr int unknowns = 4;  // n1, n2, d1, d2
+  std::vector<double> al;
+  Matrix limit_matrix(pairs, 4);
+  Vector limits(pairs);
+  std::vector<std::vector<Sample>> samples;
+  for (int i = 0; i < pairs; ++i) {
+    // Both ends exactly.
+    al.push_back(-std::cos(std::numbers::pi * i / (pairs - 1)));
+    const auto pair =
+        ElasticPair::from_modulus_ratio(ratio_of(al[i]), 0.3, 0.3);
+    limits(i) = ExactLaw(kind, pair).limit_half_angle() / degree;
+    limit_matrix.row(i) << 1, al[i], al[i] * al[i], al[i] * al[i] * al[i];
+    samples.push_back(samples_of(kind, pair, count));
+  }
+  const Vector limit_fit =
+      lawson(
+          [&](const Vector&) {
+            return std::pair<Matrix, Vector>(
+                limits.cwiseInverse().asDiagonal() * limit_matrix,
+                Vector::Ones(pairs));
+          },
+          pairs)
+          .coefficients;
+  const Vector fitted_limits = limit_matrix * limit_fit;
+
+  // r^2 (1 + d1 xi + d2 xi^2 + n1 xi^3 + n2 xi^4) = xi^2 (1 + n1 xi + n2 xi^2)
+  // divided by 2 r^2 times the last denominator: the relative error of r.
+  const auto equations = [&](const Vector& last) {
+    Matrix matrix(pairs * count, unknowns * orders);
+    Vector right(pairs * count);
+    int row = 0;
+    for (int i = 0; i < pairs; ++i) {
+      const double limit = fitted_limits(i) * degree;
+      for (const Sample& sample : samples[i]) {
+        const double x =
+            2 * std::sin(sample.half_angle / 2) *
+            std::pow(sample.relation, -1.0 / detail::load_power(kind));
+        // From 0 to 1 for all loads: xi/(1 + xi) powers, both sides over
+        // (1 + xi)^4.
+        const double xi = x / limit;
+        const double r2 = std::pow(sample.half_angle / limit, 2);
+        const double scale = std::pow(1 + xi, -4);
+        const double xi2 = xi * xi * scale;
+        const double basis[unknowns] = {(r2 - 1) * xi * xi2,
+                                        (r2 - 1) * xi2 * xi * xi,
+                                        r2 * xi * scale, r2 * xi2};
+        const double denominators[unknowns] = {xi * xi2, xi * xi * xi2,
+                                               xi * scale, xi2};
+        double denominator = scale;
+        double order = 1;
+        for (int k = 0; k < orders; ++k) {
+          for (int j = 0; j < unknowns; ++j) {
+            matrix(row, j * orders + k) = basis[j] * order;
+            if (last.size() > 0) {
+              denominator += last(j * orders + k) * denominators[j] * order;
+            }
+          }
+          order *= al[i];
+        }
+        if (last.size() == 0) denominator = 1;
+        matrix.row(row) /= 2 * r2 * denominator;
+        right(row) = (xi2 - r2 * scale) / (2 * r2 * denominator);
+        ++row;
+      }
+    }
+    return std::pair<Matrix, Vector>(std::move(matrix), std::move(right));
+  };
+  const Fit fit = lawson(equations, pairs * count);
+  NominalFit result{
+      {limit_fit.begin(), limit_fit.end()}, {}, fit.largest_error};
+  for (int j = 0; j < unknowns; ++j) {
+    const Vector part = fit.coefficients.segment(j * orders, orders);
+    result.rows.emplace_back(part.begin(), part.end());
+  }
+  return result;
+}
+
+std::string half_angle_coefficients_header() {
+  const auto list = [](const std::vector<double>& values) {
+    std::string cells;
+    for (const double v : values) {
+      cells += (cells.empty() ? "" : ", ") + fmt::format("{:.5f}", v);
+    }
+    return "{" + cells + "}";
+  };
+  std::string text = R"(#pragma once
+
+// clang-format off
+/// Made by the program fit-half-angle (reference/half_angle_fit.hpp); do not
+/// edit. Largest relative error of theta0 on the pairs of the fit above each.
+namespace contact::detail {
+
+struct NominalCoefficients {
+  double limit_deg[4];
+  double n1[3], n2[3], d1[3], d2[3];
+};
+)";
+  for (const JointKind kind : {JointKind::cylindrical, JointKind::spherical}) {
+    const char* joint = kind == JointKind::cylindrical ? "pin" : "ball";
+    const FittedCoefficients fitted = fit_fitted_law(kind);
+    text += fmt::format(
+        "\n// {:.2g} %\ninline constexpr double fitted_{}[{}][{}] = {{\n",
+        100 * fitted.largest_error, joint, fitted.rows.size(),
+        detail::fitted_terms);
+    for (const auto& row : fitted.rows) text += "    " + list(row) + ",\n";
+    text += "};\n";
+    const NominalFit nominal = fit_nominal_law(kind);
+    text += fmt::format(
+        "\n// {:.2g} %\ninline constexpr NominalCoefficients nominal_{} = {{\n"
+        "    {},\n",
+        100 * nominal.largest_error, joint, list(nominal.limit_deg));
+    for (const auto& row : nominal.rows) text += "    " + list(row) + ",\n";
+    text += "};\n";
+  }
+  return text + "\n}  // namespace contact::detail\n";
+}
+
+}  // namespace contact::reference

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "libcontact/joint_geometry.hpp"
+
+namespace contact::reference {
+
+/// Coefficients of FittedLaw for one kind of joint, fitted to ExactLaw.
+struct FittedCoefficients {
+  /// One row per feature, detail::fitted_terms columns.
+  std::vector<std::vector<double>> rows;
+  /// Largest relative error of theta0 at the same load on the pairs of the
+  /// fit, before rounding.
+  double largest_error;
+};
+
+/// Least squares weighted so that every residual is a relative error of
+/// theta0, then Lawson's iteration towards the smallest largest error. Pairs:
+/// Ebar from 0.03 to 30, 0 and infinity, both Poisson's ratios from 0 to 0.5;
+/// half-angles from 0.05 deg to the limit.
+FittedCoefficients fit_fitted_law(JointKind kind);
+
+/// Coefficients of NominalLaw: the limit half-angle in degrees as a cubic in
+/// al = (Ebar - 1)/(Ebar + 1); n1, n2, d1, d2 as quadratics.
+struct NominalFit {
+  std::vector<double> limit_deg;
+  std::vector<std::vector<double>> rows;
+  double largest_error;
+};
+
+/// As fit_fitted_law(); the law is linear in its coefficients once its
+/// denominator is multiplied out, and is weighted by that of the last
+/// iteration. Pairs: 41 modulus ratios from 0 to infinity, nu = 0.3.
+NominalFit fit_nominal_law(JointKind kind);
+
+/// The text of libcontact/detail/half_angle_coefficients.hpp; printed by the
+/// program fit-half-angle.
+std::string half_angle_coefficients_header();
+
+}  // namespace contact::reference

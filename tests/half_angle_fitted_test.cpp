@@ -1,0 +1,411 @@
+#include "libcontact/half_angle_fitted.hpp"
+
+#include <gtest/gtest.h>
+
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <random>
+#include <regex>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "libcontact/detail/fitted_relation.hpp"
+#include "libcontact/detail/half_angle_coefficients.hpp"
+#include "libcontact/half_angle_exact.hpp"
+#include "libcontact/reference/half_angle_fit.hpp"
+#include "libcontact/units.hpp"
+#include "support/accuracy_report.hpp"
+#include "support/error_message.hpp"
+
+namespace {
+
+using namespace contact;
+using contact::test::AccuracyReport;
+using contact::test::error_message;
+using Real = boost::multiprecision::cpp_bin_float_50;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+constexpr JointKind kinds[] = {JointKind::spherical, JointKind::cylindrical};
+
+struct Pair {
+  double ratio, nu1, nu2;
+  ElasticPair elastic() const {
+    return ElasticPair::from_modulus_ratio(ratio, nu1, nu2);
+  }
+};
+
+std::string label(JointKind kind, const Pair& pair, double load) {
+  std::ostringstream text;
+  text << to_string(kind) << ", Ebar " << pair.ratio << ", nu " << pair.nu1
+       << " " << pair.nu2 << ", load " << load;
+  return text.str();
+}
+
+// Pairs at random, none of them on the grid of the fit; every tenth with a
+// rigid body.
+std::vector<Pair> random_pairs(int count, double smallest_nu,
+                               double largest_nu) {
+  std::mt19937 generator(2005);
+  std::uniform_real_distribution<> uniform(0, 1);
+  std::vector<Pair> pairs;
+  for (int i = 0; i < count; ++i) {
+    const double ratio = std::pow(10, -2 + 4 * uniform(generator));
+    const double width = largest_nu - smallest_nu;
+    const double nu1 = smallest_nu + width * uniform(generator);
+    const double nu2 = smallest_nu + width * uniform(generator);
+    pairs.push_back({i % 20 == 0   ? 0
+                     : i % 20 == 1 ? infinity
+                                   : ratio,
+                     nu1, nu2});
+  }
+  return pairs;
+}
+
+// Tenths of decades from where Hertz holds to where the limit does.
+std::vector<double> loads() {
+  std::vector<double> values;
+  for (int i = -80; i <= 80; ++i) values.push_back(std::pow(10, i / 10.0));
+  values.push_back(infinity);
+  return values;
+}
+
+void compare(const HalfAngleLaw& law, const Pair& pair,
+             AccuracyReport& report) {
+  const JointKind kind = law.joint_kind();
+  const ExactLaw exact(kind, pair.elastic());
+  for (const double load : loads()) {
+    const HalfAngleResult result = law.half_angle(load);
+    ASSERT_EQ(result.status, Status::ok) << label(kind, pair, load);
+    report.add(result.half_angle, exact.half_angle(load).half_angle,
+               label(kind, pair, load));
+  }
+}
+
+// --- What the laws are worth ------------------------------------------------
+
+TEST(FittedLaw, AgainstExactOnPairsTheFitDidNotSee) {
+  // Budgets: the largest errors found, rounded up.
+  AccuracyReport pin("fitted pin, nu 0.2 to 0.49", 1.5e-4);
+  AccuracyReport ball("fitted ball, nu 0.2 to 0.49", 5e-4);
+  for (const Pair& pair : random_pairs(400, 0.2, 0.49)) {
+    compare(FittedLaw(JointKind::cylindrical, pair.elastic()), pair, pin);
+    compare(FittedLaw(JointKind::spherical, pair.elastic()), pair, ball);
+  }
+  pin.check();
+  ball.check();
+}
+
+TEST(FittedLaw, AgainstExactOnEveryPair) {
+  // nu from 0 to 0.5, and the corners of everything. The exact ball ends at
+  // 175 deg and the exact pin at 163 deg: there they are left out.
+  AccuracyReport pin("fitted pin, nu 0 to 0.5", 2.1e-4);
+  AccuracyReport ball("fitted ball, nu 0 to 0.5", 6.5e-4);
+  std::vector<Pair> pairs = random_pairs(200, 0, 0.5);
+  for (const double ratio : {0.0, 1e-6, 1e-2, 1.0, 1e2, 1e6, infinity}) {
+    for (const double nu1 : {0.0, 0.2, 0.3, 0.49, 0.5}) {
+      for (const double nu2 : {0.0, 0.2, 0.3, 0.49, 0.5}) {
+        pairs.push_back({ratio, nu1, nu2});
+      }
+    }
+  }
+  for (const Pair& pair : pairs) {
+    const ElasticPair elastic = pair.elastic();
+    for (const JointKind kind : kinds) {
+      if (!ExactLaw(kind, elastic).validity_notes(elastic).empty()) continue;
+      compare(FittedLaw(kind, elastic), pair,
+              kind == JointKind::cylindrical ? pin : ball);
+    }
+  }
+  pin.check();
+  ball.check();
+}
+
+TEST(FittedLaw, IsThePinsClosedFormForBetaZero) {
+  for (const Pair& pair : {Pair{1, 0.3, 0.3}, Pair{0.01, 0.5, 0.5}}) {
+    const FittedLaw law(JointKind::cylindrical, pair.elastic());
+    const ExactLaw exact(JointKind::cylindrical, pair.elastic());
+    for (const double load : loads()) {
+      EXPECT_NEAR(law.half_angle(load).half_angle,
+                  exact.half_angle(load).half_angle, 1e-14);
+    }
+  }
+  // 180 deg, where the contact closes up.
+  EXPECT_EQ(FittedLaw(JointKind::cylindrical, Pair{0, 0.5, 0.3}.elastic())
+                .limit_half_angle(),
+            180 * degree);
+}
+
+TEST(NominalLaw, AgainstExactForNuThreeTenths) {
+  AccuracyReport pin("nominal pin", 5e-4);
+  AccuracyReport ball("nominal ball", 9e-4);
+  // Between the modulus ratios of the fit, and the ends.
+  for (const double ratio : {0.0, 1e-6, 0.013, 0.047, 0.12, 0.33, 0.7, 1.0, 1.3,
+                             2.2, 4.7, 13.0, 77.0, 1e6, infinity}) {
+    const Pair pair{ratio, 0.3, 0.3};
+    compare(NominalLaw(JointKind::cylindrical, ratio), pair, pin);
+    compare(NominalLaw(JointKind::spherical, ratio), pair, ball);
+  }
+  pin.check();
+  ball.check();
+}
+
+// --- The coefficients -------------------------------------------------------
+
+std::vector<double> numbers_of(const std::string& text) {
+  std::vector<double> numbers;
+  const std::regex number(R"(-?\d+\.\d+)");
+  for (std::sregex_iterator i(text.begin(), text.end(), number), end; i != end;
+       ++i) {
+    numbers.push_back(std::stod(i->str()));
+  }
+  return numbers;
+}
+
+TEST(HalfAngleFit, ReproducesTheCommittedCoefficients) {
+  std::ifstream file(std::string(CONTACT_DATA_DIR) +
+                     "/../libcontact/detail/half_angle_coefficients.hpp");
+  std::stringstream committed;
+  committed << file.rdbuf();
+  const std::string made = reference::half_angle_coefficients_header();
+  const std::vector<double> expected = numbers_of(committed.str());
+  const std::vector<double> found = numbers_of(made);
+  // 2 x 5 and 4 x 5 of the fitted law, 2 x (4 + 4 x 3) of the nominal one, and
+  // the four errors in comments.
+  ASSERT_EQ(expected.size(), 66U);
+  ASSERT_EQ(found.size(), expected.size());
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    // The fits are ill-conditioned; another order of rounding (another
+    // instruction set) may move the last printed digits.
+    EXPECT_NEAR(found[i], expected[i], 1e-3 + 1e-4 * std::abs(expected[i]));
+  }
+  if (found == expected) {
+    EXPECT_EQ(made, committed.str());
+  }
+}
+
+// --- The code ---------------------------------------------------------------
+
+// Some of everything.
+constexpr Pair some_pairs[] = {
+    {1, 0.3, 0.3},   {0, 0.3, 0.3},    {infinity, 0.3, 0.25}, {0.01, 0.49, 0.2},
+    {100, 0.2, 0.4}, {0.5, 0.1, 0.45}, {0, 0.5, 0.3},         {1, 0, 0.5}};
+
+TEST(FittedLaw, ClosedFormsAgreeWithFiftyDigits) {
+  AccuracyReport report("closed forms of the fitted laws", 1e-14);
+  for (const double theta :
+       {1e-100, 1e-12, 1e-4, 0.01, 0.3, std::nextafter(0.5, 0), 0.5,
+        std::nextafter(0.5, 1), 0.7, 1.0, 1.5}) {
+    const Real t = theta;
+    const Real s = sin(t / 2);
+    const Real c = cos(t / 2) * cos(t / 2);
+    for (const double constant : {-1.0, -0.8, 0.0, 0.3, 1.0}) {
+      const auto value = [&](JointKind kind) {
+        return detail::fitted_closed_form(kind, constant, theta,
+                                          std::sin(theta / 2),
+                                          std::cos(theta / 2))
+            .value;
+      };
+      const std::string name =
+          std::to_string(theta) + " " + std::to_string(constant);
+      // Both kinds as docs/half_angle.md writes them; absolute where F
+      // changes its sign. Below 1e-12 fifty digits cancel as well.
+      const Real pin = c * c - constant * (2 * s * s * s * s - c * c * log(c));
+      report.add_error(double(abs(value(JointKind::cylindrical) - pin)), name);
+      if (theta < 1e-12) continue;
+      const Real pi = boost::math::constants::pi<Real>();
+      const Real disc = t - sin(t) * cos(t);
+      const Real h1 = disc / 2 + sin(t) * sin(t) * sin(t) / 3;
+      const Real h0 = disc / 2 + sin(t) - t * cos(t);
+      const Real ball = Real(16) / 3 * s * s * s / h1 *
+                        (2 * cos(t) - 1 - 2 / pi * constant * h0);
+      report.add_error(double(abs(value(JointKind::spherical) - ball)), name);
+    }
+  }
+  report.check();
+}
+
+// theta0 -> load -> theta0, close to both ends and at the switch of the
+// power series (0.5 rad).
+TEST(FittedLaw, RoundTrips) {
+  AccuracyReport report("fitted theta0 -> load -> theta0, over the limit",
+                        1e-14);
+  for (const JointKind kind : kinds) {
+    for (const Pair& pair : some_pairs) {
+      const FittedLaw law(kind, pair.elastic());
+      const double limit = law.limit_half_angle();
+      for (const double angle :
+           {1e-200, 1e-9, 1e-4 * degree, 0.01, 0.2, std::nextafter(0.5, 0), 0.5,
+            std::nextafter(0.5, 1), 1.0, 1.2, limit - 1e-3 * degree,
+            std::nextafter(limit, 0)}) {
+        // (At 180 deg F has a zero of fourth order and theta0 few digits.)
+        if (angle > limit || (limit > 3.1 && angle > 3.1)) continue;
+        const LoadParameterResult load = law.load_parameter(angle);
+        EXPECT_EQ(load.status, Status::ok);
+        if (!(load.load_parameter >= 1e-307)) continue;
+        report.add_error(
+            std::abs(law.half_angle(load.load_parameter).half_angle - angle) /
+                limit,
+            label(kind, pair, load.load_parameter));
+      }
+    }
+  }
+  report.check();
+}
+
+TEST(FittedLaw, LogSlopeIsTheDerivative) {
+  // Central difference over +-1e-4 in ln(load).
+  AccuracyReport report("dln(theta0)/dln(load), absolute", 1e-7);
+  for (const JointKind kind : kinds) {
+    for (const Pair& pair : some_pairs) {
+      const FittedLaw fitted(kind, pair.elastic());
+      const NominalLaw nominal(kind, pair.ratio);
+      for (const HalfAngleLaw* law :
+           {static_cast<const HalfAngleLaw*>(&fitted),
+            static_cast<const HalfAngleLaw*>(&nominal)}) {
+        // (Near 180 deg the third derivative is large.)
+        const double largest = law->limit_half_angle() < 3 ? 1e7 : 1e4;
+        for (double load = 1e-12; load < largest; load *= 5.3) {
+          const double h = 1e-4;
+          const auto log_angle = [&](double shift) {
+            return std::log(law->half_angle(load * std::exp(shift)).half_angle);
+          };
+          report.add_error(std::abs((log_angle(h) - log_angle(-h)) / (2 * h) -
+                                    law->half_angle(load).log_slope),
+                           law->name() + " " + label(kind, pair, load));
+        }
+      }
+    }
+  }
+  report.check();
+}
+
+TEST(FittedLaw, LimitsOfBothLaws) {
+  for (const JointKind kind : kinds) {
+    const double exponent = kind == JointKind::spherical ? 1.0 / 3 : 0.5;
+    for (const Pair& pair : some_pairs) {
+      const FittedLaw fitted(kind, pair.elastic());
+      const NominalLaw nominal(kind, pair.ratio);
+      EXPECT_TRUE(fitted.validity_notes(pair.elastic()).empty());
+      for (const HalfAngleLaw* law :
+           {static_cast<const HalfAngleLaw*>(&fitted),
+            static_cast<const HalfAngleLaw*>(&nominal)}) {
+        const double limit = law->limit_half_angle();
+        EXPECT_EQ(law->half_angle(0).half_angle, 0);
+        EXPECT_EQ(law->half_angle(0).log_slope, exponent);
+        EXPECT_EQ(law->load_parameter(0).load_parameter, 0);
+        EXPECT_EQ(law->half_angle(infinity).half_angle, limit);
+        EXPECT_EQ(law->half_angle(infinity).log_slope, 0);
+        EXPECT_EQ(law->load_parameter(limit).load_parameter, infinity);
+        // Hertz: theta0 = x (1 + O(x)).
+        for (const double load : {5e-324, 1e-200, 1e-40, 1e-12}) {
+          const double x = x_from_load_parameter(kind, load);
+          EXPECT_NEAR(law->half_angle(load).half_angle / x, 1, x + 8 * epsilon)
+              << law->name() << " " << label(kind, pair, load);
+        }
+        double last = 0;
+        for (double load = 1e-300; load < 1e300; load *= 1e3) {
+          const double angle = law->half_angle(load).half_angle;
+          // Rounding of F, a sum of terms up to 30, over its slope, which
+          // vanishes where the contact closes up.
+          const double slack = limit < 3 ? 1e-11 : 1e-2;
+          EXPECT_GE(angle, last - slack) << law->name();
+          EXPECT_LE(angle, limit);
+          last = angle;
+        }
+        EXPECT_NEAR(law->half_angle(1e300).half_angle, limit,
+                    limit < 3 ? 1e-11 : 1e-2);
+      }
+    }
+  }
+}
+
+// g^2 in fifty digits.
+Real nominal_ratio(const detail::NominalCoefficients& table, double al,
+                   const Real& xi) {
+  const auto at = [al](const double(&c)[3]) {
+    return Real(c[0] + al * (c[1] + al * c[2]));
+  };
+  const Real n1 = at(table.n1), n2 = at(table.n2), d1 = at(table.d1),
+             d2 = at(table.d2);
+  return xi * sqrt((1 + n1 * xi + n2 * xi * xi) /
+                   (1 + d1 * xi + d2 * xi * xi + n1 * xi * xi * xi +
+                    n2 * xi * xi * xi * xi));
+}
+
+TEST(NominalLaw, BothWaysAgreeWithFiftyDigits) {
+  AccuracyReport forward("nominal theta0(load)", 2e-15);
+  // The law at the load that the inverse gives is the angle: relative to the
+  // complement near the limit.
+  AccuracyReport back("nominal load(theta0)", 2e-14);
+  for (const JointKind kind : kinds) {
+    const auto& table = kind == JointKind::spherical ? detail::nominal_ball
+                                                     : detail::nominal_pin;
+    for (const double ratio : {0.0, 1.0, 3.0, infinity}) {
+      const double al = std::isinf(ratio) ? 1 : (ratio - 1) / (ratio + 1);
+      const NominalLaw law(kind, ratio);
+      const Real limit = law.limit_half_angle();
+      const auto xi_of = [&](double load) {
+        return Real((kind == JointKind::spherical
+                         ? Real(cbrt(Real(load)))
+                         : Real(2 * sqrt(Real(load)))) /
+                    limit);
+      };
+      for (double load = 1e-30; load < 1e30; load *= 3.7) {
+        forward.add(Real(law.half_angle(load).half_angle),
+                    Real(limit * nominal_ratio(table, al, xi_of(load))),
+                    label(kind, {ratio, 0.3, 0.3}, load));
+      }
+      for (int i = 1; i < 200; ++i) {
+        const double angle = law.limit_half_angle() * i / 200.0;
+        const LoadParameterResult load = law.load_parameter(angle);
+        EXPECT_EQ(load.status, Status::ok);
+        back.add(
+            Real(limit * nominal_ratio(table, al, xi_of(load.load_parameter))),
+            Real(angle), label(kind, {ratio, 0.3, 0.3}, angle));
+      }
+    }
+  }
+  forward.check();
+  back.check();
+}
+
+TEST(NominalLaw, NoJumpsAtItsSwitches) {
+  for (const JointKind kind : kinds) {
+    const NominalLaw law(kind, 2);
+    const double limit = law.limit_half_angle();
+    // xi = 1 forward, theta0 = theta0*/2 back.
+    const double load = load_parameter_from_x(kind, limit);
+    EXPECT_NEAR(law.half_angle(load * (1 - 4 * epsilon)).half_angle,
+                law.half_angle(load * (1 + 4 * epsilon)).half_angle, 2e-15);
+    EXPECT_NEAR(law.half_angle(load * (1 - 4 * epsilon)).log_slope,
+                law.half_angle(load * (1 + 4 * epsilon)).log_slope, 2e-15);
+    const double below =
+        law.load_parameter(std::nextafter(limit / 2, 0)).load_parameter;
+    const double above =
+        law.load_parameter(std::nextafter(limit / 2, 4)).load_parameter;
+    EXPECT_NEAR(below / above, 1, 1e-13);
+  }
+}
+
+TEST(NominalLaw, NotesAndErrors) {
+  using Notes = std::vector<std::string>;
+  const NominalLaw law(JointKind::spherical, 1);
+  EXPECT_EQ(law.validity_notes(Pair{1, 0.3, 0.31}.elastic()), Notes{});
+  EXPECT_EQ(law.validity_notes(Pair{0, 0.3, 0.45}.elastic()), Notes{});
+  EXPECT_EQ(law.validity_notes(Pair{1, 0.45, 0.3}.elastic()),
+            Notes{"the law is made for Poisson's ratio 0.3; the inner body has "
+                  "0.45"});
+  for (const double bad : {-0.1, nan}) {
+    EXPECT_EQ(error_message([&] {
+                NominalLaw(JointKind::spherical, bad);
+              }).rfind("nominal law: modulus_ratio = ", 0),
+              0U);
+  }
+}
+
+}  // namespace
