@@ -1,6 +1,7 @@
 #include "libcontact/detail/joint_solver.hpp"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -233,7 +234,9 @@ FixedPointResult fixed_point(const JointContact& contact,
                              int step_limit, double start) noexcept {
   const double force = reaction.stableNorm();
   const double speed = rate.stableNorm();
-  const double cos_b = (reaction / force).dot(rate / speed);
+  // Parallel vectors may round to more than 1.
+  const double cos_b =
+      std::clamp((reaction / force).dot(rate / speed), -1.0, 1.0);
   const JointContact::Strength strength = contact.strength(speed);
   FixedPointResult result = {Status::not_converged, 0, 0};
   double f = start;  // 0: g_1 = 0 (4.3)
