@@ -289,6 +289,11 @@ double parse_share(std::string_view text) {
 
 }  // namespace
 
+bool takes_half_angle_options(std::string_view name) {
+  return name == "arctan" || name == "tanh" || name == "paper" ||
+         name.starts_with("blend");
+}
+
 std::unique_ptr<HalfAngleLaw> make_half_angle_law(
     std::string_view name, JointKind kind, const ElasticPair& pair,
     const HalfAngleOptions& options) {

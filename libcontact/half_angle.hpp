@@ -254,11 +254,15 @@ struct HalfAngleOptions {
 };
 
 /// The law of joints and programs that name none.
-inline constexpr std::string_view default_half_angle_law = "paper";
+inline constexpr std::string_view default_half_angle_law = "fitted";
 
 /// Names that make_half_angle_law() knows, in the order of the sources:
 /// hertz, arctan, tanh, blend, paper, nominal, fitted, exact.
 const std::vector<std::string>& half_angle_law_names();
+
+/// Whether the law of this name heeds HalfAngleOptions: those of the paper
+/// but hertz.
+bool takes_half_angle_options(std::string_view name);
 
 /// A law by its name.
 ///

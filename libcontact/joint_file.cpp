@@ -163,6 +163,18 @@ Joint joint_from_table(const TomlTable& table) {
     } catch (const Error& error) {
       half_angle->fail("law", error.what());
     }
+    if (!takes_half_angle_options(joint.half_angle_law)) {
+      const auto refuse = [&](const char* key, Dimension dimension) {
+        if (!half_angle->has(key, dimension)) return;
+        half_angle->fail(key,
+                         "allowed: with the laws arctan, tanh, blend and "
+                         "paper; this joint has " +
+                             joint.half_angle_law);
+      };
+      refuse("limit_half_angle", Dimension::angle);
+      refuse("limit_formula", Dimension::number);
+      refuse("degrees_per_radian", Dimension::number);
+    }
   }
   if (const auto pressure = table.optional_table("pressure")) {
     joint.pressure_law = pressure->text("law");

@@ -663,6 +663,15 @@ TEST(MakeHalfAngleLaw, KnowsEveryName) {
   EXPECT_EQ(name("blend:1", JointKind::spherical), "blend:1");
   EXPECT_EQ(name("paper", JointKind::cylindrical), "blend:0.5");
   EXPECT_EQ(name("paper", JointKind::spherical), "tanh");
+  for (const char* law : {"nominal", "fitted", "exact"}) {
+    EXPECT_EQ(name(law, JointKind::spherical), law);
+    EXPECT_EQ(name(law, JointKind::cylindrical), law);
+    EXPECT_FALSE(contact::takes_half_angle_options(law));
+  }
+  for (const char* law : {"arctan", "tanh", "blend", "blend:0.2", "paper"}) {
+    EXPECT_TRUE(contact::takes_half_angle_options(law));
+  }
+  EXPECT_FALSE(contact::takes_half_angle_options("hertz"));
   EXPECT_EQ(
       make_half_angle_law("tanh", JointKind::spherical, pair)->joint_kind(),
       JointKind::spherical);

@@ -107,6 +107,7 @@ TEST(JointFile, DefaultsAndOtherSpellings) {
       [materials.outer]
       youngs_modulus = inf
       [half_angle]
+      law = "paper"
       limit_formula = "arctan"
       degrees_per_radian = 57.3
       )",
@@ -118,10 +119,24 @@ TEST(JointFile, DefaultsAndOtherSpellings) {
   EXPECT_EQ(joint.pair.inner().youngs_modulus, 2.1e11);
   EXPECT_EQ(joint.pair.modulus_ratio(), 0);
   EXPECT_FALSE(joint.friction.has_value());
-  EXPECT_EQ(joint.half_angle_law, contact::default_half_angle_law);
+  EXPECT_EQ(joint.half_angle_law, "paper");
   EXPECT_EQ(joint.pressure_law, contact::default_pressure_law);
   EXPECT_EQ(joint.half_angle_options.initial_slope, 57.3 * degree);
   EXPECT_EQ(joint.validity_notes().size(), 1u);  // a blend, modulus ratio 0
+}
+
+TEST(JointFile, LawThatHoldsForEveryPairUnlessNamed) {
+  const Joint joint = parse_joint(R"(
+      name = "ball"
+      kind = "spherical"
+      geometry = { radius_mm = 10, relative_clearance = 0.002 }
+      materials.inner = { youngs_modulus_GPa = 210, poissons_ratio = 0.3 }
+      materials.outer = { youngs_modulus_GPa = 3, poissons_ratio = 0.45 }
+      )",
+                                  "ball.toml");
+  EXPECT_EQ(joint.half_angle_law, contact::default_half_angle_law);
+  EXPECT_EQ(joint.make_half_angle_law()->name(), "fitted");
+  EXPECT_TRUE(joint.validity_notes().empty());
 }
 
 TEST(JointFile, NamesFileLineKeyValueAndRange) {
@@ -254,6 +269,15 @@ TEST(JointFile, LawsAreChecked) {
   EXPECT_EQ(message_with_line(18, "limit_formula = \"cubic\""),
             "j.toml:18: half_angle.limit_formula = \"cubic\": allowed: "
             "\"arctan\", \"linear\"");
+  // Half-angle options belong to the paper's laws.
+  const std::string only =
+      ": allowed: with the laws arctan, tanh, blend and paper; this joint has ";
+  EXPECT_EQ(
+      message_with_line(17, "law = \"exact\""),
+      "j.toml:18: half_angle.limit_half_angle_deg = 84.85" + only + "exact");
+  EXPECT_EQ(message_with_line(17, "limit_formula = \"arctan\""),
+            "j.toml:18: half_angle.limit_half_angle_deg = 84.85" + only +
+                std::string(contact::default_half_angle_law));
   std::string text = with_line(18, "limit_formula = \"linear\"");
   EXPECT_EQ(error_message([&] { parse_joint(text, "j.toml"); }), "(no error)");
   text.replace(text.find("1.1e11"), 6, "2.0e10");

@@ -30,8 +30,9 @@ Each takes a value, a list a,b,c, a range start:stop:step, or
 start:stop:logN for N values in equal ratios.
 
 Laws: hertz, arctan, tanh, blend, blend:K (K arctan + (1-K) tanh), paper
-(blend:0.5 for a cylinder, tanh for a sphere), exact (the theory of
-elasticity for this pair), or all.
+(blend:0.5 for a cylinder, tanh for a sphere), nominal (fitted to exact
+contacts, Poisson's ratio 0.3), fitted (the same for any pair; the default),
+exact (the theory of elasticity for this pair), or all.
 Limit half-angle of arctan, tanh and blend: formula, linear (0.5 <= E1/E2 <= 2),
 or a value in degrees. A joint file may name the law, the limit half-angle
 and the pressure law; options go before it.
@@ -106,7 +107,7 @@ void add_options(CLI::App& app, Options& options) {
       ->option_text("ANGLES")
       ->group("Load");
 
-  app.add_option("--law", options.laws, "a comma list; default paper")
+  app.add_option("--law", options.laws, "a comma list; default fitted")
       ->delimiter(',')
       ->option_text("NAMES")
       ->group("Law");

@@ -42,7 +42,8 @@ struct Setup {
   contact::ElasticPair pair;
   std::optional<contact::JointGeometry> geometry = {};
   contact::HalfAngleOptions half_angle_options = {};
-  std::vector<std::string> half_angle_laws = {"paper"};
+  std::vector<std::string> half_angle_laws = {
+      std::string(contact::default_half_angle_law)};
   std::string pressure_law = "cosine";
 };
 
