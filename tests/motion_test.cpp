@@ -501,6 +501,36 @@ TEST(Motion, GyrostatPrecessesAsItShould) {
 }
 
 // Halving the step makes the error 16 times smaller.
+// An event is looked for at the end of a step, which is then done again up to
+// it: what comes before the event must still be there at its own time.
+TEST(Motion, TimesBeforeAnEventInTheSameStepAreTheirOwn) {
+  const System system(heavy_carrier(), {wheel(20, 0.4)});
+  // Steps get shorter and shorter towards t = 1.
+  const auto torque = [](double t) { return 1 / (1.0625 - t); };
+  const auto run = [&](bool event) {
+    Motion motion(system, {}, std::make_shared<Torque>(torque), start_of(1),
+                  on_fixed_carrier());
+    int events = 0;
+    // Crossed from time to time.
+    motion.add_event({[&](const multibody::MotionSample& sample) {
+      return event ? std::sin(40 * sample.angle(0) + 1) : 1.0;
+    }});
+    std::vector<double> angles;
+    for (int i = 1; i <= 1000; ++i) {
+      while (motion.advance_to(1e-3 * i) == Stop::event) ++events;
+      angles.push_back(motion.sample().angle(0));
+    }
+    EXPECT_EQ(events > 0, event);
+    return angles;
+  };
+  const auto with = run(true);
+  const auto without = run(false);
+  for (std::size_t i = 0; i < with.size(); ++i) {
+    // The tolerances of the steps, and of what interpolates between them.
+    EXPECT_NEAR(with[i], without[i], 1e-7) << i;
+  }
+}
+
 TEST(Motion, RungeKuttaIsOfFourthOrder) {
   const Mixed m = mixed_system(7, false);
   const auto end = [&](double step, Integrator integrator) {

@@ -162,17 +162,19 @@ bool MotionImpl::redo_step_to(double time) {
   const double begin = stepper->begin();
   const std::vector<double> state(stepper->begin_state().begin(),
                                   stepper->begin_state().end());
+  // A single step, unless the error control wants several.
+  stepper->set_next_step(time - begin);
   stepper->restart(begin, state);
-  while (stepper->end() < time) {
-    if (!stepper->step(time)) return false;
-  }
-  return true;
+  return stepper->step(time);
 }
 
 // The state at a time of the last step by a step that ends there, so that no
 // interpolation gets into what follows.
 void MotionImpl::go_to(double time) {
   if (time != stepper->end()) redo_step_to(time);
+  while (stepper->end() < time) {
+    if (!stepper->step(time)) break;
+  }
   look_at(time, stepper->end_state());
   pending.reset();
 }
@@ -209,6 +211,14 @@ bool MotionImpl::step() {
   } else if (found.time < stepper->end() && !redo_step_to(found.time)) {
     set_failure(CoupledStatus::ok, stepper->end(), -1);
     return false;
+  }
+  // Several steps instead: what comes before the event may still be asked for,
+  // so they are taken one by one.
+  if (stepper->end() < found.time) {
+    pending.reset();
+    look_at(stepper->end(), stepper->end_state());
+    note_user_values();
+    return true;
   }
   pending = found;
   return true;
