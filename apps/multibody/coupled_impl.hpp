@@ -29,6 +29,11 @@ class CoupledDynamics::Impl {
     /// Estimate of d(answer)/d(moment), kept from evaluation to evaluation.
     Eigen::Matrix3d slope = Eigen::Matrix3d::Zero();
     Eigen::Vector3d last_moment, last_answer;
+    /// Beginning to slide: size of its accelerations.
+    double pace = 1;
+    /// Beginning to slide: what it could not hold, and where it gave way.
+    Eigen::Vector3d excess = Eigen::Vector3d::Zero();
+    Eigen::Vector3d first_direction = Eigen::Vector3d::UnitZ();
     double utilisation = 0;
     bool utilisation_known = false;
     /// m arm/J: |dR/dM| on a fixed carrier.
@@ -94,7 +99,11 @@ class CoupledDynamics::Impl {
   bool newton(Eigen::VectorXd& x);
   std::vector<Eigen::VectorXd> scan_axis();
   std::vector<Eigen::VectorXd> scan_starts();
-  bool settle_direction(int load);
+  bool across(const std::vector<int>& balls, const Eigen::MatrixXd& tangents,
+              Eigen::VectorXd& parts);
+  bool find_directions(const std::vector<int>& begun);
+  bool follow_excess(const std::vector<int>& balls);
+  bool settle_directions(const std::vector<int>& balls);
 
   std::vector<Vec3<double>> change_;
   std::vector<int> rows_;  // active hinges

@@ -23,8 +23,11 @@ struct BallFriction {
 
 /// Several joints on the axis of an axis load (JointKind::axis); positions
 /// along the axis (z of the hinge axes) from the centre of the hinge.
+/// The traditional estimate shares the forces among the joints as friction
+/// does, and takes each joint's friction from its whole force.
 struct NodeFriction {
   contact::JointNode node;
+  FrictionEstimate estimate = FrictionEstimate::consistent;
 };
 
 /// One pin on the axis of an axis load, which takes the radial force; the

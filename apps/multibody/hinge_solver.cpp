@@ -75,11 +75,34 @@ Vector3d HingeSolver::slide(const Reaction<double>& reaction,
     if (last.status != contact::Status::ok) return nan_vector();
     return {0, 0, last.friction_moment.dot(axis)};
   }
-  const contact::JointNode& node = std::get<NodeFriction>(friction_).node;
+  const auto& [node, estimate] = std::get<NodeFriction>(friction_);
   node.solve(force, axes_ * vec3(reaction.moment), axis, rate.z(), node_);
   std::ranges::copy(node_.joints, joints_.begin());
   if (node_.status != contact::Status::ok) return nan_vector();
-  return {0, 0, node_.friction_moment};
+  if (estimate == FrictionEstimate::consistent) {
+    return {0, 0, node_.friction_moment};
+  }
+  estimate_joints(node, rate.z());
+  double sum = 0;
+  for (const JointSolution& joint : joints_) {
+    sum += joint.friction_moment.dot(axis);
+  }
+  return {0, 0, sum};
+}
+
+// The traditional friction of a node's joints under the forces they have.
+void HingeSolver::estimate_joints(const contact::JointNode& node, double rate) {
+  const Vector3d axis = axes_.col(2);
+  for (std::size_t k = 0; k < joints_.size(); ++k) {
+    const Vector3d force = node_.joints[k].reaction;
+    if (const auto* ball =
+            std::get_if<contact::SphericalJoint>(&node.joints()[k].joint)) {
+      joints_[k] = ball->solve_contact(force, rate * axis);
+    } else {
+      joints_[k] = std::get<contact::CylindricalJoint>(node.joints()[k].joint)
+                       .solve_contact(force, axis, rate);
+    }
+  }
 }
 
 double HingeSolver::utilisation_of(const BallFriction& ball,
@@ -117,9 +140,17 @@ double HingeSolver::utilisation(const Reaction<double>& held) {
   const double sign = needed > 0 ? -1 : 1;
   slip_direction_ = Vector3d(0, 0, needed == 0 ? 0 : sign);
   if (const auto* node = std::get_if<NodeFriction>(&friction_)) {
-    const double tau =
-        node->node.utilisation(force, moment, axis, needed, node_);
+    double tau = node->node.utilisation(force, moment, axis, needed, node_);
     std::ranges::copy(node_.joints, joints_.begin());
+    if (node->estimate == FrictionEstimate::traditional && needed != 0) {
+      estimate_joints(node->node, sign);
+      double limit = 0;
+      for (std::size_t k = 0; k < joints_.size(); ++k) {
+        if (!is_dry(node->node.joints()[k])) continue;
+        limit += std::abs(joints_[k].friction_moment.dot(axis));
+      }
+      tau = std::abs(needed) / limit;
+    }
     return tau;
   }
   if (needed == 0) return 0;

@@ -47,6 +47,7 @@ class HingeSolver {
   std::span<const contact::JointSolution> joints() const { return joints_; }
 
  private:
+  void estimate_joints(const contact::JointNode& node, double rate);
   double utilisation_of(const BallFriction& ball, const Eigen::Vector3d& force,
                         const Eigen::Vector3d& moment);
 

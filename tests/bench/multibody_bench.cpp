@@ -3,9 +3,13 @@
 // column `motion` is the time for one motion.
 #include <benchmark/benchmark.h>
 
+#include <numbers>
+
 #include "multibody/lane_dynamics.hpp"
+#include "multibody/motion.hpp"
 #include "multibody/prepared.hpp"
 #include "multibody_support/dense_solver.hpp"
+#include "multibody_support/friction_parts.hpp"
 #include "multibody_support/random_instant.hpp"
 #ifdef CONTACT_HAS_SIMBODY
 #include "simbody_system.hpp"
@@ -112,6 +116,100 @@ void dense_cholesky(benchmark::State& state, Mix mix) {
   measure(state, 1, [&] { dense.evaluate(p.state.data(), p.loading); });
 }
 
+// A stretch of a run with friction: states half a step of 1 ms apart, as the
+// stages of the paper's Runge-Kutta steps see them, forth and back.
+struct Stretch {
+  Stretch(Mix mix, int loads)
+      : instant(free_motion(mix, loads)), prepared(prepare(instant)) {
+    const contact::FrictionLaw law(0.1, 1e5);
+    multibody::MotionStart start;
+    start.carrier = {instant.position, instant.velocity, instant.rotation,
+                     instant.rotation * instant.angular_velocity};
+    for (const multibody::LoadInstant& load : instant.loads) {
+      if (load.load.kind == multibody::JointKind::axis) {
+        friction.push_back(
+            multibody::NodeFriction{multibody::test::ball_and_pin(law, 0.2)});
+      } else {
+        friction.emplace_back(
+            multibody::BallFriction{multibody::test::ball_joint(law, 0.01)});
+      }
+      multibody::LoadStart& to = start.loads.emplace_back();
+      to.rotation = load.rotation;
+      to.relative_angular_velocity = load.relative_angular_velocity;
+      to.angle = load.angle;
+      to.angle_rate = load.angle_rate;
+    }
+    multibody::MotionOptions options;
+    options.gravity = instant.gravity;
+    options.integrator = multibody::Integrator::rk4;
+    options.step = 1e-3;
+    multibody::Motion motion(prepared.system, friction, nullptr, start,
+                             options);
+    for (int i = 0; i < 64; ++i) {
+      motion.advance_to(0.5e-3 * i);
+      states.push_back(motion.save().numbers);
+    }
+    for (int i = 62; i > 0; --i) states.push_back(std::vector(states[i]));
+  }
+
+  const double* next() {
+    at = (at + 1) % states.size();
+    return states[at].data();
+  }
+
+  Instant instant;
+  Prepared prepared;
+  std::vector<multibody::HingeFriction> friction;
+  std::vector<std::vector<double>> states;
+  std::size_t at = 0;
+};
+
+// Friction converged at every evaluation, rates of the state included.
+void with_friction(benchmark::State& state, Mix mix) {
+  Stretch run(mix, static_cast<int>(state.range(0)));
+  multibody::CoupledDynamics coupled(run.prepared.system, run.friction);
+  for (int i = 0; i < coupled.size(); ++i) {
+    const double* s = run.next() + coupled.layout().offset(i);
+    if (mix == Mix::axes) {
+      coupled.set_direction(i, {0, 0, s[1] > 0 ? 1.0 : -1.0});
+    }
+  }
+  std::vector<double> rates(run.states[0].size());
+  double evaluations = 0, iterations = 0;
+  measure(state, 1, [&] {
+    const double* s = run.next();
+    iterations += coupled.evaluate(s, run.prepared.loading).iterations;
+    evaluations += 1;
+    coupled.dynamics().rates(s, {}, rates.data());
+  });
+  state.counters["outer"] = iterations / evaluations;
+}
+
+void without_friction(benchmark::State& state, Mix mix) {
+  Stretch run(mix, static_cast<int>(state.range(0)));
+  Dynamics dynamics(run.prepared.system);
+  std::vector<double> rates(run.states[0].size());
+  measure(state, 1, [&] {
+    const double* s = run.next();
+    dynamics.evaluate(s, run.prepared.loading);
+    dynamics.rates(s, {}, rates.data());
+  });
+}
+
+// The same bodies without hinges.
+void unhinged(benchmark::State& state, Mix mix) {
+  Stretch run(mix, static_cast<int>(state.range(0)));
+  Dynamics dynamics(run.prepared.system);
+  for (int i = 0; i < dynamics.size(); ++i) {
+    dynamics.set_mode(i, multibody::JointMode::released);
+  }
+  std::vector<double> s(dynamics.layout().size(), 0.1), rates(s.size());
+  measure(state, 1, [&] {
+    dynamics.evaluate(s.data(), run.prepared.loading);
+    dynamics.rates(s.data(), {}, rates.data());
+  });
+}
+
 #ifdef CONTACT_HAS_SIMBODY
 void simbody(benchmark::State& state, Mix mix) {
   const Instant instant = free_motion(mix, static_cast<int>(state.range(0)));
@@ -150,6 +248,9 @@ void register_all(const std::string& name, Mix mix) {
   add("increment", increment, 256);
   add("lanes_increment", lanes_increment, 256);
   add("reactions", reactions, 256);
+  add("unhinged", unhinged, 64);
+  add("without_friction", without_friction, 64);
+  add("with_friction", with_friction, 64);
   add("dense_cholesky", dense_cholesky, 64);
 #ifdef CONTACT_HAS_SIMBODY
   add("simbody", simbody, 256);

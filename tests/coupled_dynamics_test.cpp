@@ -1,0 +1,240 @@
+#include "multibody/coupled_dynamics.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "multibody/eigen_conversion.hpp"
+#include "multibody/prepared.hpp"
+#include "multibody_support/friction_parts.hpp"
+#include "multibody_support/random_instant.hpp"
+#include "support/allocation_count.hpp"
+
+// Friction moments that fit the reactions they cause, and which of several
+// hinges hold at rest.
+namespace {
+
+using contact::FrictionLaw;
+using Eigen::Vector3d;
+using multibody::BallFriction;
+using multibody::CoupledDynamics;
+using multibody::CoupledReport;
+using multibody::CoupledStatus;
+using multibody::HingeFriction;
+using multibody::HingeMode;
+using multibody::Instant;
+using multibody::JointKind;
+using multibody::NodeFriction;
+using multibody::OuterStep;
+using multibody::PinFriction;
+using multibody::Prepared;
+using multibody::test::ball_and_pin;
+using multibody::test::ball_joint;
+using multibody::test::Mix;
+using multibody::test::pin_joint;
+using multibody::test::Random;
+
+struct Case {
+  Prepared prepared;
+  std::vector<HingeFriction> friction;
+};
+
+// A random carrier with loads in motion, or all at relative rest; friction
+// grows with `radius`.
+Case random_case(Mix mix, int loads, std::uint64_t seed, bool at_rest,
+                 double radius, double arms = 1) {
+  const FrictionLaw law(0.2, 1e4);
+  Instant instant = random_instant(mix, loads, seed);
+  std::vector<HingeFriction> friction;
+  for (multibody::LoadInstant& load : instant.loads) {
+    if (at_rest) {
+      load.relative_angular_velocity.setZero();
+      load.angle_rate = 0;
+      // So that some hinges hold.
+      load.load.hinge_from_com *= arms;
+      load.active_moment_com *= arms;
+      load.load.inertia *= arms;
+    }
+    if (load.load.kind == JointKind::axis) {
+      friction.emplace_back(PinFriction{pin_joint(law, radius)});
+    } else {
+      friction.emplace_back(BallFriction{ball_joint(law, radius)});
+    }
+  }
+  return {prepare(instant), std::move(friction)};
+}
+
+void set_signs(CoupledDynamics& coupled, const Case& c) {
+  for (int i = 0; i < coupled.size(); ++i) {
+    if (c.prepared.system.links()[i].kind != JointKind::axis) continue;
+    const double rate = c.prepared.state[coupled.layout().offset(i) + 1];
+    coupled.set_direction(i, Vector3d(0, 0, rate < 0 ? -1 : 1));
+  }
+}
+
+TEST(CoupledDynamics, FrictionFitsTheReactionsItCauses) {
+  long iterations = 0, cases = 0;
+  for (const Mix mix : {Mix::spherical, Mix::axes}) {
+    for (const int loads : {1, 4, 16}) {
+      for (std::uint64_t seed = 1; seed <= 30; ++seed) {
+        Case c = random_case(mix, loads, seed, false, 0.01);
+        CoupledDynamics coupled(c.prepared.system, c.friction);
+        set_signs(coupled, c);
+        const CoupledReport report =
+            coupled.evaluate(c.prepared.state.data(), c.prepared.loading);
+        ASSERT_EQ(report.status, CoupledStatus::ok);
+        iterations += report.iterations;
+        ++cases;
+        for (int i = 0; i < loads; ++i) {
+          // From nothing: the joint alone under this reaction.
+          const multibody::Link& link = c.prepared.system.links()[i];
+          const Vector3d force = link.axes * vec3(coupled.reaction(i).force);
+          const double* s = &c.prepared.state[coupled.layout().offset(i)];
+          Vector3d expected;
+          if (link.kind == JointKind::axis) {
+            const Vector3d axis = link.axes.col(2);
+            const auto joint = std::get<PinFriction>(c.friction[i]).joint;
+            const Vector3d radial = force - force.dot(axis) * axis;
+            expected = joint.solve(radial, axis, s[1]).friction_moment;
+          } else {
+            const auto joint = std::get<BallFriction>(c.friction[i]).joint;
+            const Vector3d rate = link.axes * Vector3d(s[4], s[5], s[6]);
+            expected = joint.solve(force, rate).friction_moment;
+          }
+          const Vector3d found = link.axes * coupled.friction_moment(i);
+          EXPECT_LT((found - expected).norm(), 1e-9 * expected.norm());
+        }
+      }
+    }
+  }
+  std::printf("%.2f outer iterations on average, from no friction\n",
+              static_cast<double>(iterations) / static_cast<double>(cases));
+}
+
+TEST(CoupledDynamics, NothingIsAllocatedOnTheWay) {
+  Case c = random_case(Mix::spherical, 4, 1, false, 0.01);
+  CoupledDynamics coupled(c.prepared.system, c.friction);
+  coupled.evaluate(c.prepared.state.data(), c.prepared.loading);
+  for (double& x : c.prepared.state) x *= 1.001;
+  const std::size_t before = contact::test::allocation_count();
+  coupled.evaluate(c.prepared.state.data(), c.prepared.loading);
+  EXPECT_EQ(contact::test::allocation_count(), before);
+}
+
+TEST(CoupledDynamics, TraceShowsTheOuterLoop) {
+  Case c = random_case(Mix::spherical, 4, 1, false, 0.01);
+  CoupledDynamics coupled(c.prepared.system, c.friction);
+  std::vector<OuterStep> trace;
+  coupled.set_trace(&trace);
+  const CoupledReport report =
+      coupled.evaluate(c.prepared.state.data(), c.prepared.loading);
+  ASSERT_EQ(static_cast<int>(trace.size()), report.iterations);
+  EXPECT_NEAR(trace[0].residual, 1, 1e-2);
+  for (std::size_t i = 1; i < trace.size(); ++i) {
+    EXPECT_EQ(trace[i].iteration, trace[i - 1].iteration + 1);
+    EXPECT_LT(trace[i].residual, trace[i - 1].residual);
+  }
+}
+
+// Of all ways in which the axes can hold, slide forwards or backwards, exactly
+// one is consistent, and it is the one that is found.
+TEST(CoupledDynamics, TheOnlyConsistentPatternOfRestIsFound) {
+  int sliding = 0, resting = 0;
+  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+    const double radius = seed % 3 == 0 ? 0.02 : seed % 3 == 1 ? 0.05 : 0.1;
+    Case c = random_case(Mix::axes, 3, seed, true, radius, 0.05);
+    const int loads = 3;
+    const auto evaluate = [&](CoupledDynamics& coupled) {
+      return coupled.evaluate(c.prepared.state.data(), c.prepared.loading)
+          .status;
+    };
+    std::vector<std::array<int, 3>> consistent;
+    for (int pattern = 0; pattern < 27; ++pattern) {
+      const std::array<int, 3> p = {pattern % 3 - 1, pattern / 3 % 3 - 1,
+                                    pattern / 9 - 1};
+      CoupledDynamics coupled(c.prepared.system, c.friction);
+      for (int i = 0; i < loads; ++i) {
+        if (p[i] == 0) {
+          coupled.set_mode(i, HingeMode::resting);
+        } else {
+          coupled.set_direction(i, Vector3d(0, 0, p[i]));
+        }
+      }
+      if (evaluate(coupled) != CoupledStatus::ok) continue;
+      bool fits = true;
+      for (int i = 0; i < loads; ++i) {
+        fits &= p[i] == 0
+                    ? coupled.utilisation(i) <= 1
+                    : coupled.dynamics().relative_acceleration(i).z * p[i] > 0;
+      }
+      if (fits) consistent.push_back(p);
+    }
+    ASSERT_EQ(consistent.size(), 1u) << seed;
+
+    CoupledDynamics coupled(c.prepared.system, c.friction);
+    for (int i = 0; i < loads; ++i) coupled.set_mode(i, HingeMode::resting);
+    ASSERT_EQ(coupled.resolve_rest(c.prepared.state.data(), c.prepared.loading)
+                  .status,
+              CoupledStatus::ok);
+    for (int i = 0; i < loads; ++i) {
+      const bool slides = coupled.mode(i) == HingeMode::sliding;
+      ++(slides ? sliding : resting);
+      ASSERT_EQ(slides, consistent[0][i] != 0) << seed;
+      if (slides) {
+        EXPECT_EQ(coupled.direction(i).z(), consistent[0][i]);
+      }
+    }
+  }
+  EXPECT_GT(sliding, 20);
+  EXPECT_GT(resting, 20);
+  std::printf("%d hinges begin to slide, %d hold\n", sliding, resting);
+}
+
+// Ball joints: those that begin to slide accelerate in the direction on which
+// their friction depends, the others need no more than they can hold.
+TEST(CoupledDynamics, BallJointsBeginToSlideWhereTheyAccelerate) {
+  int sliding = 0, resting = 0, reported = 0;
+  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+    const double radius = seed % 3 == 0 ? 0.05 : seed % 3 == 1 ? 0.2 : 0.5;
+    Case c = random_case(Mix::spherical, 4, seed, true, radius, 0.02);
+    CoupledDynamics coupled(c.prepared.system, c.friction);
+    for (int i = 0; i < 4; ++i) coupled.set_mode(i, HingeMode::resting);
+    const CoupledReport report =
+        coupled.resolve_rest(c.prepared.state.data(), c.prepared.loading);
+    if (report.status != CoupledStatus::ok) {
+      // Balls half a metre in radius on light loads: kappa up to 2.6, where
+      // there may be several answers or none. Said so, not guessed.
+      EXPECT_EQ(radius, 0.5) << seed;
+      ++reported;
+      continue;
+    }
+    for (int i = 0; i < 4; ++i) {
+      if (coupled.mode(i) == HingeMode::resting) {
+        ++resting;
+        EXPECT_LE(coupled.utilisation(i), 1 + 1e-9);
+        continue;
+      }
+      ++sliding;
+      const Vector3d alpha = vec3(coupled.dynamics().relative_acceleration(i));
+      EXPECT_LT((alpha.normalized() - coupled.direction(i)).norm(), 1e-6)
+          << seed;
+      const multibody::Link& link = c.prepared.system.links()[i];
+      const Vector3d expected =
+          std::get<BallFriction>(c.friction[i])
+              .joint
+              .solve(link.axes * vec3(coupled.reaction(i).force),
+                     link.axes * alpha)
+              .friction_moment;
+      EXPECT_LT((link.axes * coupled.friction_moment(i) - expected).norm(),
+                1e-5 * expected.norm())
+          << seed;
+    }
+  }
+  EXPECT_GT(sliding, 20);
+  EXPECT_GT(resting, 20);
+  EXPECT_LE(reported, 5);
+  std::printf("%d hinges begin to slide, %d hold, %d cases reported\n", sliding,
+              resting, reported);
+}
+
+}  // namespace
