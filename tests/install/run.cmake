@@ -27,6 +27,8 @@ run(${CMAKE_COMMAND} -S ${SOURCE} -B ${WORK}/build
 run(${CMAKE_COMMAND} --build ${WORK}/build)
 run(${WORK}/build/outside)
 message(STATUS "find_package: ${output}")
+run(${WORK}/build/pendulum)
+message(STATUS "docs/simulator.md: ${output}")
 
 file(GLOB_RECURSE pc ${prefix}/*/contact.pc)
 get_filename_component(pc_folder ${pc} DIRECTORY)

@@ -1,0 +1,48 @@
+// A pendulum on a ball joint with dry friction: swings, spins, stops, holds.
+#include <Eigen/Geometry>
+#include <cmath>
+#include <cstdio>
+#include <libcontact/contact.hpp>
+
+using Eigen::Vector3d;
+
+int main() {
+  const auto ball = contact::JointKind::spherical;
+  const contact::ElasticPair steel({2e11, 0.3}, {2e11, 0.3});  // Pa, 1
+  const contact::SphericalJoint joint(
+      contact::JointGeometry::ball(0.02, 20e-6), steel,  // radius, clearance
+      contact::FrictionLaw(0.15, 2e4),                   // f0, adhesion
+      contact::make_half_angle_law("tanh", ball, steel),
+      contact::make_pressure_law("cosine", ball));
+
+  const double m = 5, dt = 1e-3;
+  const Vector3d weight(0, 0, -9.81 * m), centre(0, 0, -0.4);  // body axes
+  const Vector3d inertia(0.9, 0.9, 0.02);  // about the joint, body axes
+  Eigen::Quaterniond attitude(Eigen::AngleAxisd(1.0, Vector3d::UnitX()));
+  Vector3d w(0, 1, 0.5);     // angular velocity against the carrier
+  Vector3d R = -weight;      // reaction on the pendulum
+  contact::JointSolution s;  // the last one is where the next solve starts
+  double time = 0, work = 0;
+  for (; time < 60; time += dt) {
+    const Eigen::Matrix3d A = attitude.toRotationMatrix();
+    const Eigen::Matrix3d J = A * inertia.asDiagonal() * A.transpose();
+    const Vector3d c = A * centre, torque = c.cross(weight);
+    if (w.isZero(0) && joint.utilisation(R, -torque).utilisation <= 1) break;
+    s = joint.solve(R, w, s);  // friction under this reaction
+    // One implicit step: where the joint holds the rate becomes exactly 0.
+    const Vector3d free = w + dt * J.inverse() * (torque - w.cross(J * w));
+    const auto next = joint.moment_set(s).prox(J / dt, free);
+    const Vector3d acceleration = (next.rate - w) / dt;
+    work += dt * next.moment.dot(next.rate);
+    R = m * (acceleration.cross(c) + w.cross(w.cross(c))) - weight;
+    w = next.rate;
+    const Vector3d step = 0.5 * dt * w;
+    attitude = Eigen::Quaterniond(1, step.x(), step.y(), step.z()) * attitude;
+    attitude.normalize();
+  }
+  const double tilt = (attitude * centre).normalized().dot(-Vector3d::UnitZ());
+  std::printf(
+      "rests after %.2f s, %.2f deg from the vertical; friction took "
+      "%.2f J\n",
+      time, std::acos(tilt) / contact::degree, -work);
+}
