@@ -184,7 +184,7 @@ TEST(HingeAngle, HertzBeyondItsRange) {
   const ProgramFolder folder;
   const std::string command =
       "hinge-angle --joint sphere --modulus-ratio 1 --x 0.5,1,1.0000001,2,3 "
-      "--limit-angle 85 --law hertz ";
+      "--law hertz ";
   for (const char* jobs : {"", "--jobs 3"}) {
     const ProgramResult result = folder.run(command + jobs);
     EXPECT_EQ(result.status, 0);
@@ -274,6 +274,105 @@ TEST(HingeAngle, AllLaws) {
   }
 }
 
+TEST(HingeAngle, FittedUnlessNamed) {
+  const ProgramFolder folder;
+  const std::string command = "hinge-angle --modulus-ratio 3 --x 1 --joint ";
+  for (const std::string joint : {"sphere", "cylinder"}) {
+    EXPECT_EQ(folder.run(command + joint).out.find("theta0_fitted_deg"),
+              std::string("load_parameter,x,").size());
+  }
+  EXPECT_EQ(folder
+                .run("hinge-angle --load 1e3 --joint "
+                     "data/joints/pin_joint.toml")
+                .err,
+            "");
+}
+
+// Every number of the comparison, recomputed at the load that it names, and
+// nothing worse anywhere else.
+TEST(HingeAngle, CompareFindsTheLargestErrors) {
+  for (const std::string joint : {"sphere", "cylinder"}) {
+    const JointKind kind =
+        joint == "sphere" ? JointKind::spherical : JointKind::cylindrical;
+    const ProgramResult result = ProgramFolder().run(
+        "hinge-angle --compare --modulus-ratio 0.4 --poisson1 0.25 --poisson2 "
+        "0.35 --load-parameter 0.01:20:log2 --joint " +
+        joint);
+    EXPECT_EQ(result.status, 0);
+    EXPECT_EQ(first_line(result.out),
+              "law,error_percent,load_parameter,theta0_exact_deg,"
+              "theta0_law_deg,cost_tanh,recommended");
+    const auto rows = csv_rows(result.out);
+    ASSERT_EQ(rows.size(), 8U);
+    const auto pair = contact::ElasticPair::from_modulus_ratio(0.4, 0.25, 0.35);
+    const auto exact = contact::make_half_angle_law("exact", kind, pair);
+    int recommended = 0;
+    for (std::size_t i = 1; i < rows.size(); ++i) {
+      const auto& row = rows[i];
+      const auto law = contact::make_half_angle_law(row[0], kind, pair);
+      const auto error = [&](double load) {
+        return 100 * std::abs(law->half_angle(load).half_angle /
+                                  exact->half_angle(load).half_angle -
+                              1);
+      };
+      const double load = std::stod(row[2]);
+      const double largest = std::stod(row[1]);
+      EXPECT_GE(load, 0.01 * (1 - 1e-15));
+      EXPECT_LE(load, 20 * (1 + 1e-15));
+      EXPECT_NEAR(exact->half_angle(load).half_angle / contact::degree,
+                  std::stod(row[3]), 1e-13);
+      if (row[0] == "hertz") {
+        EXPECT_EQ(row[1], "inf");
+        EXPECT_EQ(row[4], "");
+        EXPECT_GT(load, kind == JointKind::spherical ? 1 : 0.25);
+      } else {
+        EXPECT_NEAR(error(load), largest, 1e-12 + 1e-9 * largest);
+        // 400 steps in a range of 3.3 decades: the maximum of a curve as wide
+        // as a decade is missed by 1e-3 of it at most.
+        for (double other = 0.01; other < 20; other *= 1.003) {
+          EXPECT_LE(error(other), 1.001 * largest + 1e-10) << row[0];
+        }
+      }
+      if (row[6] == "yes") {
+        ++recommended;
+        // Not nominal: Poisson's ratios are not 0.3.
+        EXPECT_EQ(row[0], "fitted");
+      }
+    }
+    EXPECT_EQ(recommended, 1);
+  }
+}
+
+TEST(HingeAngle, CompareRecommendsTheCheapestWithinTheTolerance) {
+  const ProgramFolder folder;
+  const auto recommended = [&](const std::string& options) {
+    const auto rows = csv_rows(
+        folder.run("hinge-angle --compare --modulus-ratio 1 " + options).out);
+    const auto names = csv_column(rows, "law");
+    const auto yes = csv_column(rows, "recommended");
+    const auto found = std::find(yes.begin(), yes.end(), "yes");
+    return found == yes.end() ? "" : names[found - yes.begin()];
+  };
+  EXPECT_EQ(recommended("--joint cylinder"), "nominal");
+  EXPECT_EQ(recommended("--joint sphere --poisson1 0.4"), "fitted");
+  EXPECT_EQ(recommended("--joint sphere --tolerance 0.001"), "exact");
+  EXPECT_EQ(recommended("--joint sphere --tolerance 0.001 --law tanh,fitted"),
+            "");
+  // arctan is a little cheaper than the blend.
+  EXPECT_EQ(recommended("--joint cylinder --tolerance 10 --law arctan,blend"),
+            "arctan");
+  EXPECT_EQ(recommended("--joint cylinder --tolerance 2 --law arctan,blend"),
+            "blend");
+  // A joint with its geometry has the load as well.
+  const auto rows =
+      csv_rows(folder
+                   .run("hinge-angle --compare --load 1e5 --joint "
+                        "data/joints/pin_joint.toml")
+                   .out);
+  EXPECT_EQ(rows[0][2], "load");
+  EXPECT_NEAR(std::stod(rows[1][2]), 1e5, 1e-9);
+}
+
 TEST(HingeAngle, BadOptionsSayWhatIsAllowedAndLeaveNoFile) {
   struct Case {
     std::string arguments;
@@ -303,6 +402,13 @@ TEST(HingeAngle, BadOptionsSayWhatIsAllowedAndLeaveNoFile) {
       {ratio + "--x 1 --law cheese", "cheese"},
       {ratio + "--x 1 --pressure cheese", "cheese"},
       {ratio + "--x 1 --limit-angle flat", "--limit-angle flat: allowed"},
+      {ratio + "--x 1 --limit-angle 85",
+       "--limit-angle 85: allowed with the laws arctan, tanh, blend and paper"},
+      {ratio + "--compare --tolerance -1",
+       "--tolerance -1: allowed 0 to 100 %"},
+      {ratio + "--compare --inverse --theta0 10",
+       "--compare: takes a load, not --inverse"},
+      {ratio + "--compare --load 1", "--load: a dimensionless joint takes"},
       {ratio + "--x 1 --inverse", "--inverse and --theta0"},
       {ratio + "--theta0 10", "--inverse and --theta0"},
       {ratio + "--inverse --theta0 200",
@@ -363,6 +469,16 @@ TEST(HingeAngle, Plots) {
                 .status,
             0);
   EXPECT_EQ(folder.read("back.png").rfind("\x89PNG", 0), 0U);
+  // With exact among several laws: the errors below.
+  const ProgramResult errors = folder.run(
+      "hinge-angle --joint sphere --modulus-ratio 1 --x 0.1:10:log50 --law all "
+      "--plot errors.svg --output errors.csv");
+  EXPECT_EQ(errors.status, 0) << errors.err;
+  const std::string both = folder.read("errors.svg");
+  for (const char* text : {"exact", "fitted", "error, %", "</svg>"}) {
+    EXPECT_NE(both.find(text), std::string::npos) << text;
+  }
+  EXPECT_EQ(picture.find("error, %"), std::string::npos);
 }
 
 }  // namespace

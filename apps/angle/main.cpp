@@ -46,11 +46,22 @@ With --inverse: theta0_deg, then for each law load_LAW, load_parameter_LAW,
 x_LAW and the peak pressure. Where a law has no value (hertz for x > 1) the
 cell is empty, in JSON null.
 
+With --compare one row for each law (all unless --law names some), between the
+smallest and the largest load given, without one from 1e-6 to 1e8 of the load
+parameter: error_percent, the largest difference from the exact half-angle at
+the same load (inf if the law has no value); load, load_parameter,
+theta0_exact_deg and theta0_law_deg where that is; cost_tanh, one half-angle as
+a multiple of a std::tanh, roughly; recommended: yes for the cheapest law
+within --tolerance. The picture of --plot has the errors below the half-angles
+whenever exact is one of several laws.
+
 Examples:
   hinge-angle --joint cylinder --modulus-ratio 1 --load-parameter 0.001:10:log9 --law hertz,arctan,tanh,blend
   hinge-angle --joint sphere --pair data/materials/steel_bronze.toml --radius 50mm --clearance 50um --load 1e4:1e6:log5
   hinge-angle --joint sphere --modulus-ratio 0 --limit-angle 92.5 --x 0:2:0.5 --law tanh --format markdown
   hinge-angle --joint data/joints/paper_example_1.toml --load 1e4:1e6:log9 --law hertz,arctan,tanh
+  hinge-angle --compare --joint data/joints/hip_cocr_uhmwpe.toml --load 100:5000:log50 --format markdown
+  hinge-angle --joint sphere --modulus-ratio 2 --poisson1 0.4 --x 0.01:100:log200 --law all --output ball.csv --plot ball.svg
   hinge-angle --joint cylinder --modulus-ratio 1 --inverse --theta0 0:80:20 --format json
 
 )";
@@ -110,6 +121,13 @@ void add_options(CLI::App& app, Options& options) {
   app.add_option("--law", options.laws, "a comma list; default fitted")
       ->delimiter(',')
       ->option_text("NAMES")
+      ->group("Law");
+  app.add_flag("--compare", options.compare,
+               "how far each law is from exact over the range of the load")
+      ->group("Law");
+  app.add_option("--tolerance", options.tolerance,
+                 "percent of theta0 that --compare takes for good; default 0.1")
+      ->option_text("PERCENT")
       ->group("Law");
   app.add_option("--limit-angle", options.limit_angle,
                  "formula, linear, or degrees; default formula")

@@ -3,27 +3,24 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <limits>
 #include <map>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "angle/angle_plot.hpp"
 #include "angle/angle_table.hpp"
+#include "angle/compare.hpp"
+#include "angle/input.hpp"
 #include "cli/ordered_blocks.hpp"
 #include "cli/output.hpp"
-#include "cli/plot.hpp"
 #include "cli/progress.hpp"
-#include "cli/sweep.hpp"
 #include "cli/table.hpp"
 #include "libcontact/error.hpp"
 #include "libcontact/units.hpp"
 
 namespace hinge_angle {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 std::vector<NamedLaw> make_laws(const Setup& setup) {
   std::vector<NamedLaw> laws;
@@ -33,52 +30,6 @@ std::vector<NamedLaw> make_laws(const Setup& setup) {
                                             setup.half_angle_options)});
   }
   return laws;
-}
-
-// What is swept: a load in one of its variables, or the half-angle.
-struct Input {
-  LoadVariable variable;
-  bool inverse;
-  cli::Sweep values;
-};
-
-Input make_input(const Options& options, const Setup& setup) {
-  if (options.inverse || !options.theta0.empty()) {
-    if (!options.inverse || options.theta0.empty() || !options.load.empty() ||
-        !options.load_parameter.empty() || !options.x.empty()) {
-      throw contact::Error("--inverse and --theta0: belong together, no load");
-    }
-    // Curves are drawn over the load where there is one.
-    return {setup.geometry ? LoadVariable::load : LoadVariable::load_parameter,
-            true, cli::Sweep("--theta0", options.theta0, {0, 180, "deg"})};
-  }
-  const bool sphere = setup.kind == contact::JointKind::spherical;
-  struct Source {
-    std::string_view option;
-    const std::string& text;
-    LoadVariable variable;
-    std::string_view unit;
-  };
-  const std::array<Source, 3> sources = {{
-      {"--load", options.load, LoadVariable::load, sphere ? "N" : "N/m"},
-      {"--load-parameter", options.load_parameter, LoadVariable::load_parameter,
-       ""},
-      {"--x", options.x, LoadVariable::x, ""},
-  }};
-  const auto given = [](const Source& source) { return !source.text.empty(); };
-  if (std::count_if(sources.begin(), sources.end(), given) != 1) {
-    throw contact::Error(
-        "needs one of --load, --load-parameter, --x, or --inverse with "
-        "--theta0 (see hinge-angle --help)");
-  }
-  const Source& source = *std::find_if(sources.begin(), sources.end(), given);
-  if (source.variable == LoadVariable::load && !setup.geometry) {
-    throw contact::Error(
-        "--load: a dimensionless joint takes --load-parameter or --x; a load "
-        "needs --radius and --clearance");
-  }
-  return {source.variable, false,
-          cli::Sweep(source.option, source.text, {0, infinity, source.unit})};
 }
 
 // Some rows on their way through the program.
@@ -135,60 +86,6 @@ std::vector<Failures> write_table(const AngleTable& angles, const Input& input,
   return failures;
 }
 
-std::string load_label(LoadVariable variable, contact::JointKind kind) {
-  const bool sphere = kind == contact::JointKind::spherical;
-  switch (variable) {
-    case LoadVariable::load:
-      return sphere ? "compressive force, N" : "force per unit length, N/m";
-    case LoadVariable::x:
-      return sphere ? "x = cbrt(μ)" : "x = 2 sqrt(λ)";
-    case LoadVariable::load_parameter:
-      break;
-  }
-  return sphere ? "load parameter μ" : "load parameter λ";
-}
-
-// Half-angle of every law over the load.
-std::string draw(const AngleTable& angles, const Input& input,
-                 const Setup& setup, const std::vector<NamedLaw>& laws,
-                 const std::string& file) {
-  // What a picture of some 1,000 dots across can show.
-  constexpr std::size_t most_points = 1000;
-  const std::size_t count = input.values.size();
-  const std::size_t points = std::min(count, most_points);
-
-  cli::LinePlot plot;
-  plot.title = fmt::format("{} joint", to_string(setup.kind));
-  plot.x_label = load_label(input.variable, setup.kind);
-  plot.y_label = "contact half-angle θ₀, deg";
-  plot.logarithmic_x = input.values.is_logarithmic();
-  for (const NamedLaw& law : laws) {
-    cli::Curve curve{law.name, {}, {}, false};
-    for (std::size_t i = 0; i < points; ++i) {
-      const std::size_t index =
-          points == 1 ? 0 : i * (count - 1) / (points - 1);
-      const double value = input.values[index];
-      if (input.inverse) {
-        curve.x.push_back(angles.convert(
-            LoadVariable::load_parameter,
-            law.law->load_parameter(value * contact::degree).load_parameter,
-            input.variable));
-        curve.y.push_back(value);
-      } else {
-        curve.x.push_back(value);
-        curve.y.push_back(
-            law.law
-                ->half_angle(angles.convert(input.variable, value,
-                                            LoadVariable::load_parameter))
-                .half_angle /
-            contact::degree);
-      }
-    }
-    plot.curves.push_back(std::move(curve));
-  }
-  return cli::draw(plot, file);
-}
-
 // Warns of the use of the joint and the laws outside their ranges, once for
 // each reason.
 void print_validity(const Setup& setup, const std::vector<NamedLaw>& laws) {
@@ -209,18 +106,11 @@ void print_validity(const Setup& setup, const std::vector<NamedLaw>& laws) {
   }
 }
 
-}  // namespace
-
-cli::ExitStatus run(const Options& options) {
-  const Setup setup = make_setup(options);
-  const std::vector<NamedLaw> laws = make_laws(setup);
-  const auto pressure =
-      contact::make_pressure_law(setup.pressure_law, setup.kind);
-  const AngleTable angles(setup, laws, *pressure);
-  const Input input = make_input(options, setup);
-  print_validity(setup, laws);
-
-  const auto failures = write_table(angles, input, laws.size(), options.output);
+// The table; says what the laws could not give.
+cli::ExitStatus write_half_angles(const AngleTable& angles, const Input& input,
+                                  const std::vector<NamedLaw>& laws,
+                                  const cli::OutputOptions& options) {
+  const auto failures = write_table(angles, input, laws.size(), options);
   cli::ExitStatus status = cli::all_good;
   for (std::size_t i = 0; i < laws.size(); ++i) {
     const auto [out_of_range, not_converged] = failures[i];
@@ -236,6 +126,27 @@ cli::ExitStatus run(const Options& options) {
                             laws[i].name, not_converged, input.values.size()));
       status = cli::some_bad;
     }
+  }
+  return status;
+}
+
+}  // namespace
+
+cli::ExitStatus run(const Options& options) {
+  const Setup setup = make_setup(options);
+  const std::vector<NamedLaw> laws = make_laws(setup);
+  const auto pressure =
+      contact::make_pressure_law(setup.pressure_law, setup.kind);
+  const AngleTable angles(setup, laws, *pressure);
+  const Input input = make_input(options, setup);
+  print_validity(setup, laws);
+
+  cli::ExitStatus status = cli::all_good;
+  if (options.compare) {
+    write_comparison(compare(angles, input, setup, laws, setup.tolerance),
+                     angles, setup, options.output);
+  } else {
+    status = write_half_angles(angles, input, laws, options.output);
   }
   if (options.output.plot.empty()) return status;
   const std::string problem =

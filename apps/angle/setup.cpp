@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <limits>
 
 #include "cli/quantity.hpp"
@@ -73,6 +74,8 @@ Setup setup_of_joint(const Options& options) {
 
 Setup make_setup(const Options& options) {
   Setup setup = setup_of_joint(options);
+  setup.tolerance =
+      cli::parse_value("--tolerance", options.tolerance, {0, 100, "%"});
   auto& limit = setup.half_angle_options;
   if (!options.limit_angle.empty()) {
     limit.limit_half_angle.reset();
@@ -84,10 +87,22 @@ Setup make_setup(const Options& options) {
           contact::degree;
     }
   }
-  if (!options.laws.empty()) setup.half_angle_laws = options.laws;
+  if (!options.laws.empty()) {
+    setup.half_angle_laws = options.laws;
+  } else if (options.compare) {
+    setup.half_angle_laws = {"all"};
+  }
   if (setup.half_angle_laws == std::vector<std::string>{"all"}) {
     setup.half_angle_laws = contact::half_angle_law_names();
     std::erase(setup.half_angle_laws, "paper");  // one of the others
+  }
+  if (!options.limit_angle.empty() &&
+      std::none_of(setup.half_angle_laws.begin(), setup.half_angle_laws.end(),
+                   contact::takes_half_angle_options)) {
+    throw contact::Error(
+        fmt::format("--limit-angle {}: allowed with the laws arctan, tanh, "
+                    "blend and paper; none of them is asked for",
+                    options.limit_angle));
   }
   if (!options.pressure.empty()) setup.pressure_law = options.pressure;
   return setup;

@@ -27,6 +27,8 @@ struct Options {
   std::string x;
   bool inverse = false;
   std::string theta0;
+  bool compare = false;
+  std::string tolerance = "0.1";
 
   // Without these: what the joint file says, or the program's defaults.
   std::vector<std::string> laws;
@@ -45,6 +47,8 @@ struct Setup {
   std::vector<std::string> half_angle_laws = {
       std::string(contact::default_half_angle_law)};
   std::string pressure_law = "cosine";
+  /// Percent of theta0: what --compare calls good enough.
+  double tolerance = 0.1;
 };
 
 /// The joint, laws and limit angle that the options describe. Throws

@@ -99,35 +99,69 @@ std::string draw_script(std::string_view script, const std::string& file) {
   return {};
 }
 
-std::string draw(const LinePlot& plot, const std::string& file) {
-  std::string script;
+namespace {
+
+// The data of the curves, added to the script, and what `plot` says of them.
+std::string add_curves(std::string& script, const std::string& name,
+                       const std::vector<Curve>& curves, bool family) {
   std::string lines;
-  for (std::size_t i = 0; i < plot.curves.size(); ++i) {
-    const Curve& curve = plot.curves[i];
-    script += fmt::format("$curve{} << END\n", i);
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    const Curve& curve = curves[i];
+    script += fmt::format("${}{} << END\n", name, i);
     for (std::size_t j = 0; j < curve.x.size(); ++j) {
       script += number_text(curve.x[j]) + ' ' + number_text(curve.y[j]) + '\n';
     }
     script += "END\n";
     const std::string colour =
-        plot.family
+        family
             ? fmt::format("lw 2.5 lc palette frac {:.3f}",
                           static_cast<double>(i) /
-                              static_cast<double>(std::max<std::size_t>(
-                                  plot.curves.size() - 1, 1)))
+                              static_cast<double>(
+                                  std::max<std::size_t>(curves.size() - 1, 1)))
             : fmt::format("lt {}", curve.colour > 0
                                        ? static_cast<std::size_t>(curve.colour)
                                        : i + 1);
-    lines += fmt::format("{}$curve{} using 1:2 with lines {} dt {} title {}",
-                         lines.empty() ? "" : ", \\\n  ", i, colour,
+    lines += fmt::format("{}${}{} using 1:2 with lines {} dt {} title {}",
+                         lines.empty() ? "" : ", \\\n  ", name, i, colour,
                          curve.dashed ? 2 : 1, gnuplot_text(curve.label));
   }
-  script += fmt::format("set title {}\nset xlabel {}\nset ylabel {}\n",
-                        gnuplot_text(plot.title), gnuplot_text(plot.x_label),
-                        gnuplot_text(plot.y_label));
+  return lines;
+}
+
+// The upper panel's share and the room for text, as parts of the picture.
+constexpr std::string_view upper_panel =
+    "set multiplot\nset lmargin at screen 0.11\nset rmargin at screen 0.79\n"
+    "set tmargin at screen 0.92\nset bmargin at screen 0.46\n"
+    "set format x ''\n";
+constexpr std::string_view lower_panel =
+    "unset title\nunset key\nset tmargin at screen 0.42\n"
+    "set bmargin at screen 0.15\nset format x '%g'\n";
+
+}  // namespace
+
+std::string draw(const LinePlot& plot, const std::string& file) {
+  std::string script;
+  const std::string lines =
+      add_curves(script, "curve", plot.curves, plot.family);
+  script += fmt::format("set title {}\nset ylabel {}\nunset colorbox\n",
+                        gnuplot_text(plot.title), gnuplot_text(plot.y_label));
   if (plot.logarithmic_x) script += "set logscale x\nset format x '%g'\n";
-  script += "unset colorbox\nplot " + lines + '\n';
-  return draw_script(script, file);
+  const std::string x_label =
+      fmt::format("set xlabel {}\n", gnuplot_text(plot.x_label));
+  if (!plot.lower) {
+    return draw_script(script + x_label + "plot " + lines + '\n', file);
+  }
+  const std::string lower =
+      add_curves(script, "lower", plot.lower->curves, false);
+  script += upper_panel;
+  script += "plot " + lines + '\n';
+  script += lower_panel;
+  script += x_label;
+  script += fmt::format("set ylabel {}\nset yrange [{}:{}]\nplot {}\n",
+                        gnuplot_text(plot.lower->y_label),
+                        number_text(-plot.lower->half_range),
+                        number_text(plot.lower->half_range), lower);
+  return draw_script(script + "unset multiplot\n", file);
 }
 
 }  // namespace cli

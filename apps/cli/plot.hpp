@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,6 +19,13 @@ struct Curve {
   int colour = 0;  ///< curves of one number > 0 share a colour
 };
 
+/// A second, lower panel over the same x: errors of what is above.
+struct LowerPanel {
+  std::string y_label;
+  double half_range = 1;  ///< y from -half_range to half_range
+  std::vector<Curve> curves;
+};
+
 /// A line plot with a legend beside it.
 struct LinePlot {
   std::string title;
@@ -27,6 +35,7 @@ struct LinePlot {
   /// The curves are one family in order, coloured from dark to light.
   bool family = false;
   std::vector<Curve> curves;
+  std::optional<LowerPanel> lower = {};
 };
 
 /// Draws a line plot with gnuplot, in the style of plots/style.gp.

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "angle/angle_table.hpp"
+#include "angle/input.hpp"
+#include "angle/setup.hpp"
+
+namespace hinge_angle {
+
+/// A half-angle law against the exact one over a range of loads.
+struct LawComparison {
+  std::string name;
+  /// Largest |theta0/exact - 1| at the same load, percent; infinite if the law
+  /// has no value somewhere.
+  double error_percent;
+  double load_parameter;  ///< where
+  double exact;           ///< theta0 there, rad
+  double half_angle;      ///< of the law; NaN if it has none
+  /// One half-angle as a multiple of a std::tanh; roughly.
+  int cost;
+  bool recommended;
+};
+
+/// Compares the laws between the smallest and the largest load of the input,
+/// at 400 loads in equal ratios and at both ends. The cheapest law within the
+/// tolerance is recommended, exact if there is no other.
+std::vector<LawComparison> compare(const AngleTable& angles, const Input& input,
+                                   const Setup& setup,
+                                   const std::vector<NamedLaw>& laws,
+                                   double tolerance_percent);
+
+/// The comparison as a table: law, error_percent, load (if the joint has a
+/// geometry), load_parameter, theta0_exact_deg, theta0_law_deg, cost_tanh,
+/// recommended (yes or empty).
+void write_comparison(const std::vector<LawComparison>& laws,
+                      const AngleTable& angles, const Setup& setup,
+                      const cli::OutputOptions& options);
+
+}  // namespace hinge_angle
