@@ -225,6 +225,87 @@ void simbody(benchmark::State& state, Mix mix) {
 }
 #endif
 
+// A core with four boosters that turn about ball joints at their upper ends:
+// masses and sizes like those of a large launcher just before separation.
+Instant launcher() {
+  using Eigen::Matrix3d;
+  using Eigen::Vector3d;
+  Instant instant;
+  instant.carrier = {60000, Matrix3d::Zero()};
+  instant.carrier.inertia.diagonal() << 2.5e6, 2.5e6, 6e4;
+  instant.gravity = Vector3d(0, 0, -9.5);
+  instant.velocity = Vector3d(300, 0, 1500);
+  instant.angular_velocity = Vector3d(0.01, -0.02, 0.005);
+  for (int i = 0; i < 4; ++i) {
+    multibody::LoadInstant load;
+    const Matrix3d turn =
+        Eigen::AngleAxisd(i * std::numbers::pi / 2, Vector3d::UnitZ())
+            .toRotationMatrix();
+    load.load = {multibody::JointKind::spherical, 5000, Matrix3d::Zero()};
+    load.load.inertia.diagonal() << 1.2e5, 1.2e5, 6e3;
+    load.load.hinge_from_com = Vector3d(-0.5, 0, 9);
+    load.load.hinge_from_carrier_com = turn * Vector3d(1.3, 0, 4);
+    load.rotation = turn;
+    load.relative_angular_velocity = Vector3d(0.02 * i, -0.15, 0.03);
+    instant.loads.push_back(load);
+  }
+  return instant;
+}
+
+multibody::Motion motion_of(const Instant& instant, double tolerance) {
+  multibody::MotionStart start;
+  start.carrier = {instant.position, instant.velocity, instant.rotation,
+                   instant.rotation * instant.angular_velocity};
+  std::vector<multibody::Load> loads;
+  for (const multibody::LoadInstant& load : instant.loads) {
+    loads.push_back(load.load);
+    multibody::LoadStart& to = start.loads.emplace_back();
+    to.rotation = load.rotation;
+    to.relative_angular_velocity = load.relative_angular_velocity;
+  }
+  multibody::MotionOptions options;
+  options.gravity = instant.gravity;
+  options.relative_tolerance = options.absolute_tolerance = tolerance;
+  return {
+      multibody::System(instant.carrier, loads), {}, nullptr, start, options};
+}
+
+constexpr double flight = 10;  // s
+
+void our_flight(benchmark::State& state) {
+  const Instant instant = launcher();
+  for (auto _ : state) {
+    multibody::Motion motion = motion_of(instant, 1e-11);
+    motion.advance_to(flight);
+    benchmark::DoNotOptimize(motion.sample().bodies());
+  }
+}
+
+#ifdef CONTACT_HAS_SIMBODY
+// `difference`: largest distance between the two programs' centres of mass,
+// m, after 10 s in which they have gone some 15 km.
+void simbody_flight(benchmark::State& state) {
+  const Instant instant = launcher();
+  std::vector<Eigen::Vector3d> theirs;
+  for (auto _ : state) {
+    multibody::bench::SimbodySystem system(instant);
+    system.advance(flight, 1e-11);
+    theirs = system.positions();
+  }
+  multibody::Motion motion = motion_of(instant, 1e-13);
+  motion.advance_to(flight);
+  double difference = 0;
+  double moved = 0;
+  for (std::size_t i = 0; i < theirs.size(); ++i) {
+    const Eigen::Vector3d ours = motion.sample().bodies()[i].position;
+    difference = std::max(difference, (ours - theirs[i]).norm());
+    moved = std::max(moved, ours.norm());
+  }
+  state.counters["difference"] = difference;
+  state.counters["relative"] = difference / moved;
+}
+#endif
+
 void register_all(const std::string& name, Mix mix) {
   const auto add = [&](const char* method, auto function, int most) {
     auto* b = benchmark::RegisterBenchmark(
@@ -263,5 +344,9 @@ int main(int argc, char** argv) {
   benchmark::Initialize(&argc, argv);
   register_all("spherical", Mix::spherical);
   register_all("axes", Mix::axes);
+  benchmark::RegisterBenchmark("flight/ours", our_flight);
+#ifdef CONTACT_HAS_SIMBODY
+  benchmark::RegisterBenchmark("flight/simbody", simbody_flight);
+#endif
   benchmark::RunSpecifiedBenchmarks();
 }

@@ -28,6 +28,7 @@ struct SimbodySystem::Parts {
   SimTK::SimbodyMatterSubsystem matter{system};
   SimTK::GeneralForceSubsystem forces{system};
   MobilizedBody carrier;
+  std::vector<MobilizedBody> loads;
   SimTK::State state;
 };
 
@@ -38,7 +39,7 @@ SimbodySystem::SimbodySystem(const Instant& instant)
   MobilizedBody::Free carrier(
       p.matter.Ground(), body(instant.carrier.mass, instant.carrier.inertia));
   p.carrier = carrier;
-  std::vector<MobilizedBody> loads;
+  std::vector<MobilizedBody>& loads = p.loads;
   for (const LoadInstant& load : instant.loads) {
     const Load& l = load.load;
     const SimTK::Body::Rigid b = body(l.mass, l.inertia);
@@ -79,6 +80,27 @@ SimbodySystem::SimbodySystem(const Instant& instant)
 }
 
 SimbodySystem::~SimbodySystem() = default;
+
+void SimbodySystem::advance(double time, double accuracy) {
+  SimTK::RungeKuttaMersonIntegrator integrator(parts_->system);
+  integrator.setAccuracy(accuracy);
+  integrator.setConstraintTolerance(1e-12);
+  SimTK::TimeStepper stepper(parts_->system, integrator);
+  stepper.initialize(parts_->state);
+  stepper.stepTo(parts_->state.getTime() + time);
+  parts_->state = integrator.getState();
+  parts_->system.realize(parts_->state, SimTK::Stage::Position);
+}
+
+std::vector<Eigen::Vector3d> SimbodySystem::positions() const {
+  std::vector<Eigen::Vector3d> result;
+  const auto add = [&](const MobilizedBody& body) {
+    result.push_back(eigen(body.getBodyOriginLocation(parts_->state)));
+  };
+  add(parts_->carrier);
+  for (const MobilizedBody& body : parts_->loads) add(body);
+  return result;
+}
 
 void SimbodySystem::evaluate() {
   parts_->state.updQ();  // as if an integrator had written it

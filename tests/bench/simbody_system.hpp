@@ -14,6 +14,12 @@ class SimbodySystem {
   explicit SimbodySystem(const Instant& instant);
   ~SimbodySystem();
 
+  /// Moves on by `time` s, with Simbody's Runge-Kutta-Merson integrator.
+  /// @param accuracy  its relative accuracy
+  void advance(double time, double accuracy);
+  /// Places of the centres of mass, carrier and loads, inertial axes.
+  std::vector<Eigen::Vector3d> positions() const;
+
   /// State in, all accelerations out.
   void evaluate();
   /// Of evaluate(): the carrier's, carrier axes.

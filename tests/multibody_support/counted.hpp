@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <cmath>
 
 /// A double that counts what is done with it.
@@ -46,6 +47,8 @@ class Counted {
   }
   Counted& operator+=(const Counted& b) { return *this = *this + b; }
   Counted& operator-=(const Counted& b) { return *this = *this - b; }
+  Counted& operator*=(const Counted& b) { return *this = *this * b; }
+  Counted& operator/=(const Counted& b) { return *this = *this / b; }
   friend Counted sin(const Counted& a) {
     ++count().trigonometric;
     return std::sin(a.value_);
@@ -60,3 +63,21 @@ class Counted {
 };
 
 }  // namespace multibody::test
+
+/// So that it can be an element of a matrix.
+template <>
+struct Eigen::NumTraits<multibody::test::Counted>
+    : Eigen::GenericNumTraits<multibody::test::Counted> {
+  using Real = multibody::test::Counted;
+  using NonInteger = multibody::test::Counted;
+  using Nested = multibody::test::Counted;
+  enum {
+    IsComplex = 0,
+    IsInteger = 0,
+    IsSigned = 1,
+    RequireInitialization = 1,
+    ReadCost = 1,
+    AddCost = 1,
+    MulCost = 1
+  };
+};

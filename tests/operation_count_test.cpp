@@ -1,0 +1,175 @@
+// How many operations an evaluation takes, beside the paper's formulas.
+#include <gtest/gtest.h>
+
+#include "multibody/constants.hpp"
+#include "multibody/eigen_conversion.hpp"
+#include "multibody/prepared.hpp"
+#include "multibody/two_step.hpp"
+#include "multibody_support/counted.hpp"
+#include "multibody_support/plain_two_step.hpp"
+#include "multibody_support/random_instant.hpp"
+
+namespace {
+
+using multibody::CarrierLoading;
+using multibody::Instant;
+using multibody::JointKind;
+using multibody::Prepared;
+using multibody::SystemConstants;
+using multibody::TwoStep;
+using multibody::Vec3;
+using multibody::test::Counted;
+using multibody::test::Mix;
+using multibody::test::PlainTwoStep;
+
+// count = per_load L + fixed
+struct Line {
+  int per_load;
+  int fixed;
+};
+bool operator==(const Line& a, const Line& b) {
+  return a.per_load == b.per_load && a.fixed == b.fixed;
+}
+std::ostream& operator<<(std::ostream& out, const Line& line) {
+  return out << line.per_load << " L + " << line.fixed;
+}
+
+// From the counts at two numbers of loads; a third has to lie on the line.
+template <class F>
+Line line_of(F count) {
+  const int two = count(2), four = count(4);
+  const Line line{(four - two) / 2, two - (four - two)};
+  EXPECT_EQ(count(7), 7 * line.per_load + line.fixed);
+  return line;
+}
+
+template <class F>
+int counted(F f) {
+  Counted::count() = {};
+  f();
+  return Counted::count().total();
+}
+
+std::vector<Counted> numbers(const std::vector<double>& v) {
+  return {v.begin(), v.end()};
+}
+Vec3<Counted> counting(const Vec3<double>& v) { return {v.x, v.y, v.z}; }
+
+// The resolution that programs use: state in (quaternions, angles), all
+// accelerations out, with active forces and friction moments.
+struct Exploiting {
+  Exploiting(Mix mix, int loads)
+      : prepared(prepare(random_instant(mix, loads, 1))),
+        constants(prepared.system),
+        pointer(&constants),
+        two_step(&pointer),
+        state(numbers(prepared.state)),
+        change(3 * loads, Counted(1e-3)),
+        carrier{counting(prepared.loading.carrier.force),
+                counting(prepared.loading.carrier.moment)} {
+    for (const auto& load : prepared.loading.loads) {
+      for (const auto& v : {load.force, load.moment, load.friction}) {
+        for (const double x : {v.x, v.y, v.z}) forces.emplace_back(x);
+      }
+    }
+  }
+  int evaluate() {
+    return counted(
+        [&] { two_step.evaluate(state.data(), carrier, forces.data()); });
+  }
+  int increment() {
+    evaluate();
+    return counted([&] { two_step.add_friction(change.data()); });
+  }
+
+  Prepared prepared;
+  SystemConstants constants;
+  const SystemConstants* pointer;
+  TwoStep<Counted> two_step;
+  std::vector<Counted> state, forces, change;
+  CarrierLoading<Counted> carrier;
+};
+
+template <class T>
+typename PlainTwoStep<T>::Input plain_input(const Instant& instant) {
+  typename PlainTwoStep<T>::Input in;
+  in.w0 = instant.angular_velocity.cast<T>();
+  in.force = instant.active_force.cast<T>();
+  in.moment = instant.active_moment_com.cast<T>();
+  for (const multibody::LoadInstant& load : instant.loads) {
+    const bool axis = load.load.kind == JointKind::axis;
+    const Eigen::Matrix3d& b = load.load.hinge_to_load;
+    const Eigen::Matrix3d c =
+        axis ? axis_rotation(load.load, load.angle) : load.rotation;
+    const Eigen::Vector3d relative =
+        axis ? Eigen::Vector3d(load.angle_rate * b.col(2))
+             : load.relative_angular_velocity;
+    const Eigen::Vector3d friction =
+        axis ? Eigen::Vector3d(b * load.friction_moment) : load.friction_moment;
+    in.loads.push_back({c.cast<T>(), relative.cast<T>(),
+                        load.active_force.cast<T>(),
+                        load.active_moment_com.cast<T>(), friction.cast<T>()});
+  }
+  return in;
+}
+
+// The formulas as the paper writes them, rotations given.
+int plain(Mix mix, int loads) {
+  const Instant instant = random_instant(mix, loads, 1);
+  PlainTwoStep<Counted> two_step(instant);
+  const auto input = plain_input<Counted>(instant);
+  return counted([&] { two_step.evaluate(input); });
+}
+
+TEST(OperationCount, PlainFormulasAgreeWithTheResolution) {
+  for (const Mix mix : {Mix::spherical, Mix::axes}) {
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+      const Instant instant = random_instant(mix, 4, seed);
+      PlainTwoStep<double> two_step(instant);
+      two_step.evaluate(plain_input<double>(instant));
+      const multibody::InstantResult expected = evaluate(instant);
+      const auto error = [](const Eigen::Vector3d& a,
+                            const Eigen::Vector3d& b) {
+        return (a - b).norm() / (1 + b.norm());
+      };
+      EXPECT_LT(error(two_step.linear, expected.acceleration_minus_gravity),
+                1e-12);
+      EXPECT_LT(error(two_step.angular, expected.angular_acceleration), 1e-12);
+      for (int i = 0; i < 4; ++i) {
+        EXPECT_LT(error(two_step.relative(i),
+                        expected.loads[i].relative_angular_acceleration),
+                  1e-11);
+      }
+    }
+  }
+}
+
+// The table in apps/multibody/README.md.
+TEST(OperationCount, IsWhatTheReadmeSays) {
+  const auto evaluation = [](Mix mix) {
+    return line_of([=](int l) { return Exploiting(mix, l).evaluate(); });
+  };
+  const auto increment = [](Mix mix) {
+    return line_of([=](int l) { return Exploiting(mix, l).increment(); });
+  };
+  const auto as_written = [](Mix mix) {
+    return line_of([=](int l) { return plain(mix, l); });
+  };
+  EXPECT_EQ(evaluation(Mix::spherical), (Line{342, 196}));
+  EXPECT_EQ(evaluation(Mix::axes), (Line{309, 196}));
+  EXPECT_EQ(increment(Mix::spherical), (Line{116, 69}));
+  EXPECT_EQ(increment(Mix::axes), (Line{32, 69}));
+  EXPECT_EQ(as_written(Mix::spherical), (Line{495, 303}));
+  EXPECT_EQ(as_written(Mix::axes), (Line{805, 303}));
+}
+
+// Fewer than the paper's own counts (section 4), 456 L + 295 for spherical
+// joints and 837 L + 286 for axes, from one load on.
+TEST(OperationCount, IsBelowThePapers) {
+  for (int loads = 1; loads <= 8; ++loads) {
+    EXPECT_LT(Exploiting(Mix::spherical, loads).evaluate(), 456 * loads + 295);
+    EXPECT_LT(Exploiting(Mix::axes, loads).evaluate(), 837 * loads + 286);
+  }
+}
+
+}  // namespace
