@@ -1,10 +1,11 @@
 #!/usr/bin/env bash
-# Redraws figures 3, 4, 5, 8 and 9 of the paper from the programs' output:
+# Redraws figures 3, 4, 5, 8 and 9 of the paper from the programs' output, and
+# the limit half-angles of other materials:
 #   plots/figures.sh BUILD_DIR OUTPUT_DIR
-# leaves figureN.svg, figureN.png and the tables they show, as CSV.
+# leaves NAME.svg, NAME.png and the tables they show, as CSV.
 set -euo pipefail
 if [ $# -ne 2 ]; then
-  sed -n '2,4s/^# \{0,1\}//p' "$0" >&2
+  sed -n '2,5s/^# \{0,1\}//p' "$0" >&2
   exit 2
 fi
 plots=$(cd "$(dirname "$0")" && pwd)
@@ -17,41 +18,49 @@ if ! command -v gnuplot >/dev/null; then
 fi
 
 # Figure 3: limit half-angle against the modulus ratio, 10^-2 to 10^2 in 81
-# steps, and the short form where it holds.
-limit() { # FORM RATIO
-  "$programs/hinge-angle" --joint cylinder --modulus-ratio "$2" \
-    --limit-angle "$1" --law tanh --x inf | tail -n 1 | cut -d, -f3
+# steps, the short form where it holds, and the exact limits.
+limit() { # JOINT RATIO NU FORM LAWS: theta0 in deg, comma between laws
+  "$programs/hinge-angle" --joint "$1" --modulus-ratio "$2" --poisson1 "$3" \
+    --poisson2 "$3" ${4:+--limit-angle "$4"} --law "$5" --x inf 2>/dev/null |
+    tail -n 1 | cut -d, -f3,5
+}
+ratio() { # STEP STEPS_PER_DECADE
+  awk -v i="$1" -v n="$2" 'BEGIN { printf "%.9g", 10^(i / n) }'
 }
 {
-  echo modulus_ratio,theta0_limit_formula_deg,theta0_limit_linear_deg
+  echo modulus_ratio,theta0_limit_formula_deg,theta0_limit_linear_deg,\
+theta0_limit_exact_pin_deg,theta0_limit_exact_ball_deg
   for i in {-40..40}; do
-    ratio=$(awk -v i="$i" 'BEGIN { printf "%.9g", 10^(i / 20) }')
+    r=$(ratio "$i" 20)
+    IFS=, read -r formula pin < <(limit cylinder "$r" 0.3 formula tanh,exact)
     linear=
     # 10^(6/20) is the last of them below 2.
-    [ "${i#-}" -le 6 ] && linear=$(limit linear "$ratio")
-    echo "$ratio,$(limit formula "$ratio"),$linear"
+    [ "${i#-}" -le 6 ] && linear=$(limit cylinder "$r" 0.3 linear tanh)
+    echo "$r,$formula,$linear,$pin,$(limit sphere "$r" 0.3 '' exact)"
   done
 } >figure3.csv
-echo "rigid_seat_deg,rigid_pin_deg
-$(limit formula 0),$(limit formula inf)" >figure3_ends.csv
 
-# Figures 4 and 5: half-angle laws of a pin (equal materials) and of a ball
-# in a rigid seat, with the exact solutions of the reference tables.
-laws=hertz,arctan,tanh,blend:0.5
+# Figures 4 and 5: half-angle laws of a pin (equal materials) and of a ball in
+# a rigid seat, with the paper's limit half-angles.
+laws=hertz,arctan,tanh,blend:0.5,fitted,exact
 "$programs/hinge-angle" --joint cylinder --modulus-ratio 1 --law $laws \
   --limit-angle 84.85 --load-parameter 0:1:0.0025 --output figure4.csv \
   2>figure4.log
 "$programs/hinge-angle" --joint sphere --modulus-ratio 0 --law $laws \
   --limit-angle 92.5 --load-parameter 0:4:0.01 --output figure5.csv \
   2>figure5.log
-exact() { # FILE MODULUS_RATIO LARGEST_LOAD
-  echo load_parameter,theta0_deg
-  awk -F, -v ratio="$2" -v most="$3" \
-    '!/^#/ && $1 + 0 == ratio && $2 >= most / 200 && $2 <= most {
-      print $2 "," $3 }' "$plots/../data/reference/conforming/$1"
-}
-exact cylinder_theta0.csv 1 1 >figure4_exact.csv
-exact sphere_theta0.csv 0 4 >figure5_exact.csv
+
+# Limit half-angles of other materials.
+{
+  echo poissons_ratio,modulus_ratio,theta0_limit_pin_deg,theta0_limit_ball_deg
+  for nu in 0.2 0.3 0.4 0.45 0.49; do
+    for i in {-20..20}; do
+      r=$(ratio "$i" 10)
+      echo "$nu,$r,$(limit cylinder "$r" $nu '' exact),$(
+        limit sphere "$r" $nu '' exact)"
+    done
+  done
+} >limit_angles.csv
 
 # Figures 8 and 9: coefficients and area integrals against the slip axis
 # angle, exact and by the planar sliding-spinning model.
@@ -60,18 +69,22 @@ for method in exact planar; do
     --method $method --output figure8_$method.csv
 done
 
-for figure in 3 4 5 8 9; do
-  wide=0
-  [ $figure -ge 8 ] && wide=1
-  if [ $wide -eq 1 ]; then
-    svg="size 1260,460 font 'sans,17'" png="size 2100,766 font 'sans,22'"
-  else
-    svg="size 840,560 font 'sans,19'" png="size 1260,840 font 'sans,21'"
-  fi
-  gnuplot -e "set terminal svg $svg rounded linewidth 1.2 background 'white'" \
-    -e "set output 'figure$figure.svg'; plots = '$plots'" \
-    "$plots/style.gp" "$plots/figure$figure.gp"
-  gnuplot -e "set terminal pngcairo $png rounded linewidth 1.7" \
-    -e "set output 'figure$figure.png'; plots = '$plots'" \
-    "$plots/style.gp" "$plots/figure$figure.gp"
+# One picture: NAME SVG_SIZE PNG_SIZE
+draw() {
+  gnuplot -e "set terminal svg $2 rounded linewidth 1.2 background 'white'" \
+    -e "set output '$1.svg'; plots = '$plots'" \
+    "$plots/style.gp" "$plots/$1.gp"
+  gnuplot -e "set terminal pngcairo $3 rounded linewidth 1.7" \
+    -e "set output '$1.png'; plots = '$plots'" \
+    "$plots/style.gp" "$plots/$1.gp"
+}
+for figure in 3 4 5; do
+  draw figure$figure "size 840,760 font 'sans,19'" \
+    "size 1260,1140 font 'sans,21'"
 done
+for figure in 8 9; do
+  draw figure$figure "size 1260,460 font 'sans,17'" \
+    "size 2100,766 font 'sans,22'"
+done
+draw limit_angles "size 1080,520 font 'sans,18'" \
+  "size 1620,780 font 'sans,21'"

@@ -35,7 +35,7 @@ hinge-table --theta0 10:90:10 --alpha 0:90:1 --quantity sigma_Z \
 echo "Half-angles of real joints"
 half_angle() { # NAME LOADS
   hinge-angle --joint "data/joints/$1.toml" --load "$2" \
-    --law hertz,arctan,tanh,blend \
+    --law all \
     --output "$out/half_angle_$1.csv" $(picture "half_angle_$1")
 }
 half_angle hip_cocr_uhmwpe 1:5000:log100
@@ -77,7 +77,7 @@ beside=(--beside data/reference/paper_examples.csv --format markdown)
 } >"$out/paper_examples.md"
 
 if command -v gnuplot >/dev/null; then
-  echo "Figures 3, 4, 5, 8 and 9 of the paper"
+  echo "Figures 3, 4, 5, 8 and 9 of the paper, and limit half-angles"
   plots/figures.sh build "$out/figures"
 fi
 echo "Results are in $PWD/$out:"
