@@ -1,7 +1,6 @@
 #include "libcontact/detail/slip_solver.hpp"
 
 #include <algorithm>
-#include <array>
 #include <boost/math/policies/policy.hpp>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
@@ -30,6 +29,23 @@ constexpr double largest_jump = 1e-3;
 
 // ln(a/b) for a close to b.
 double log_move(double a, double b) { return 2 * (a - b) / (a + b); }
+
+// ln(a/b), by its series where a is close to b: sooner there than a
+// logarithm, and without loss of digits.
+double log_ratio(double a, double b) {
+  constexpr double small = 1e-4;  // leaves small^4/5 of it
+  const double x = (a - b) / (a + b);
+  if (!(std::abs(x) < small)) return std::log(a / b);
+  return 2 * x * (1 + x * x * (1.0 / 3));
+}
+
+// exp(x), by its series for small x.
+double exponential(double x) {
+  constexpr double small = 1e-3;  // leaves small^5/120
+  if (!(std::abs(x) < small)) return std::exp(x);
+  const double square = x * x;
+  return (1 + x) + square * ((1.0 / 2 + x * (1.0 / 6)) + square * (1.0 / 24));
+}
 
 // How the root answers to R and b, from the two slopes of ln(f/cos a) and
 //
@@ -108,7 +124,7 @@ void extrapolate(SlipPoint& point, const SlipPoint& before, double share,
   extend(point.friction, before.friction);
   extend(point.sliding, before.sliding);
   extend(point.spinning, before.spinning);
-  equation.set_triangle(point, point.tangent * (1 + step));
+  equation.shift_triangle(point, step);
 }
 
 struct Start {
@@ -124,21 +140,19 @@ SlipRoot polish(const SlipEquation& equation, Start start,
   // Longer steps leave the neighbourhood that is known.
   constexpr double largest_step = 4;
   SlipRoot root;
-  std::array<SlipPoint, 2> points;  // in turn
-  points[1] = equation.at(start.tangent);
+  SlipPoint& point = root.point;
+  SlipPoint before = equation.at(start.tangent);
   root.evaluations = 1;
-  double step = -points[1].residual / start.slope;
+  double step = -before.residual / start.slope;
   // The first point has none to extrapolate from: taken as it is.
-  root.residual = std::abs(points[1].residual);
+  root.residual = std::abs(before.residual);
   if (root.residual <= options.tolerance) {
     root.status = Status::ok;
-    root.point = points[1];
+    point = before;
     return root;
   }
-  while (root.evaluations < step_limit && std::abs(step) < largest_step) {
-    SlipPoint& point = points[root.evaluations % 2 == 0];
-    const SlipPoint& before = points[root.evaluations % 2];
-    equation.move(point, before.tangent * std::exp(step), before);
+  while (std::abs(step) < largest_step) {
+    equation.move(point, before.tangent * exponential(step), before);
     ++root.evaluations;
     const double slope = (point.residual - before.residual) / step;
     const double next = -point.residual / slope;
@@ -148,10 +162,13 @@ SlipRoot polish(const SlipEquation& equation, Start start,
     if (root.residual <= options.tolerance) {
       extrapolate(point, before, next / step, next, equation);
       root.status = Status::ok;
-      root.point = point;
       return root;
     }
-    if (std::abs(point.residual) > 0.5 * std::abs(before.residual)) break;
+    if (std::abs(point.residual) > 0.5 * std::abs(before.residual) ||
+        root.evaluations == step_limit) {
+      break;
+    }
+    before = point;
     step = next;
   }
   return root;
@@ -202,6 +219,25 @@ void SlipEquation::set_triangle(SlipPoint& point, double tangent) const {
   point.compressive_force = reaction_force_ * point.triangle.cos_g;
 }
 
+void SlipEquation::shift_triangle(SlipPoint& point, double step) const {
+  constexpr double small = 1e-8;  // leaves small^2
+  if (!(std::abs(step) < small)) {
+    return set_triangle(point, point.tangent * (1 + step));
+  }
+  SlipTriangle& t = point.triangle;
+  const double sine = t.sin_psi * t.sin_psi * step;
+  const double cosine = t.cos_psi * t.cos_psi * step;
+  const double axis_sine = sine * t.axis.sin * t.axis.sin;
+  const double axis_cosine = sine * t.axis.cos * t.axis.cos;
+  point.tangent *= 1 + step;
+  point.compressive_force *= 1 - axis_cosine;
+  t.sin_psi *= 1 + cosine;
+  t.cos_psi *= 1 - sine;
+  t.cos_g *= 1 - axis_cosine;
+  t.axis.sin *= 1 + axis_cosine;
+  t.axis.cos *= 1 - axis_sine;
+}
+
 void SlipEquation::set_friction(SlipPoint& p) const {
   const SlipAxis axis = {p.triangle.axis.sin, positive_cosine(p.triangle)};
   const FrictionIntegrals i = contact_.integrals(p.half_angle.half_angle, axis);
@@ -211,7 +247,7 @@ void SlipEquation::set_friction(SlipPoint& p) const {
       (pressure * i.coefficient.force + area * i.area.force) / axis.cos;
   p.sliding = pressure * i.coefficient.sliding + area * i.area.sliding;
   p.spinning = pressure * i.coefficient.spinning + area * i.area.spinning;
-  p.residual = std::log(p.tangent / p.friction);
+  p.residual = log_ratio(p.tangent, p.friction);
 }
 
 SlipPoint SlipEquation::at(double tangent) const {
@@ -260,9 +296,9 @@ SlipRoot solve_slip(const SlipEquation& equation, const SlipMemory& last,
         last.angle_response *
             (b.sin * last.reaction.cos - b.cos * last.reaction.sin);
     if (std::abs(move) < largest_move) {
-      SlipRoot root =
-          polish(equation, {last.tangent * std::exp(move), last.residual_slope},
-                 options);
+      SlipRoot root = polish(
+          equation, {last.tangent * exponential(move), last.residual_slope},
+          options);
       if (root.status == Status::ok) {
         root.memory = last;
         learn(root.memory, root.point);

@@ -42,6 +42,8 @@ class SlipEquation {
 
   /// Puts another trial value into a point, and what it says of R_n and a.
   void set_triangle(SlipPoint& point, double tangent) const;
+  /// The same for a step in ln tan psi: short ones by their differentials.
+  void shift_triangle(SlipPoint& point, double step) const;
 
   double reaction_force() const { return reaction_force_; }
   SineCosine reaction() const { return reaction_; }

@@ -32,10 +32,12 @@ struct SlipTriangle {
     const double r = std::sqrt(1 + tangent * tangent);
     const double leg = reaction.cos * tangent;
     const double s = std::sqrt(1 + leg * leg);
-    cos_psi = 1 / r;
-    sin_psi = tangent / r;
-    cos_g = s / r;
-    axis = {reaction.cos * (r / s), reaction.sin / s};
+    const double inverse = 1 / (r * s);
+    const double inverse_s = r * inverse;
+    cos_psi = s * inverse;
+    sin_psi = tangent * cos_psi;
+    cos_g = s * cos_psi;
+    axis = {reaction.cos * (r * inverse_s), reaction.sin * inverse_s};
   }
 };
 
