@@ -398,6 +398,62 @@ TEST(Motion, SlidesAndSticksAgainAndAgain) {
   }
 }
 
+// A viscous pin has no rest: a wheel's rate falls exponentially, as long as
+// friction is small beside the weight.
+TEST(Motion, ViscousHingeSlowsDownForEver) {
+  const double mass = 20, about = 0.4, w0 = 3;
+  const auto joint = pin_joint(contact::ViscousLaw(2e3));
+  const double per_rate =
+      -joint.solve(Vector3d(0, mass * g, 0), Vector3d::UnitZ(), 1)
+           .friction_moment.z();
+  ASSERT_GT(per_rate, 0);
+  MotionStart start = start_of(1);
+  start.loads[0].angle_rate = w0;
+  Motion motion(System(heavy_carrier(), {wheel(mass, about)}),
+                {PinFriction{joint}}, nullptr, start, on_fixed_carrier());
+  const double time = 3 * about / per_rate;
+  ASSERT_EQ(motion.advance_to(time), Stop::time);
+  EXPECT_TRUE(motion.changes().empty());
+  EXPECT_NEAR(motion.sample().hinge(0).angle_rate, w0 * std::exp(-3), 1e-8);
+  // At rest it stays there without being held.
+  start.loads[0].angle_rate = 0;
+  Motion still(System(heavy_carrier(), {wheel(mass, about)}),
+               {PinFriction{joint}}, nullptr, start, on_fixed_carrier());
+  still.advance_to(1);
+  EXPECT_EQ(still.sample().mode(0), HingeMode::sliding);
+  EXPECT_EQ(still.sample().hinge(0).angle_rate, 0);
+}
+
+// Friction from R in place of R_n stops a wheel sooner, by sqrt(1 + f^2).
+TEST(Motion, TraditionalEstimateBrakesTooHard) {
+  const double f = 0.8;
+  const auto stop = [&](multibody::FrictionEstimate estimate, bool node) {
+    std::vector<contact::NodeJoint> joints;
+    joints.push_back({ball_joint(FrictionLaw(f), 0.02), -0.1});
+    joints.push_back({pin_joint(FrictionLaw(f), 0.02), 0.1});
+    HingeFriction friction;
+    if (node) {
+      friction = NodeFriction{contact::JointNode(std::move(joints)), estimate};
+    } else {
+      friction = PinFriction{pin_joint(FrictionLaw(f), 0.02), estimate};
+    }
+    MotionStart start = start_of(1);
+    start.loads[0].angle_rate = 3;
+    Motion motion(System(heavy_carrier(), {wheel(20, 0.4)}), {friction},
+                  nullptr, start, on_fixed_carrier());
+    motion.advance_to(100);
+    return motion.changes().at(0).time;
+  };
+  for (const bool node : {false, true}) {
+    const double consistent =
+        stop(multibody::FrictionEstimate::consistent, node);
+    const double traditional =
+        stop(multibody::FrictionEstimate::traditional, node);
+    // The half-angle of R_n is a little smaller than that of R.
+    EXPECT_NEAR(consistent / traditional, std::hypot(1, f), 2e-3);
+  }
+}
+
 TEST(Motion, BallJointsHoldAndLetGoTogether) {
   // Four equal loads on ball joints about a carrier that is pushed harder
   // and harder: by symmetry all begin to slide at the same time.

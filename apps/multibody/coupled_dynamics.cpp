@@ -129,11 +129,6 @@ void CoupledDynamics::Impl::apply_change() {
   dynamics.reactions(reactions);
 }
 
-double CoupledDynamics::Impl::residual_of(const Hinge& hinge) const {
-  const double miss = (hinge.answer - hinge.moment).norm();
-  return miss == 0 ? 0 : miss / (hinge.answer.norm() + hinge.moment.norm());
-}
-
 double CoupledDynamics::Impl::answer() {
   double largest = 0;
   for (const int i : rows_) {

@@ -52,7 +52,6 @@ class CoupledDynamics::Impl {
   void apply_change();
   /// Fills every active hinge's answer; the residual.
   double answer();
-  double residual_of(const Hinge& hinge) const;
   void take_rates(const double* state);
   /// Response of a hinge's acceleration and reaction to its own moment.
   struct Response {

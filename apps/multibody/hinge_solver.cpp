@@ -21,6 +21,9 @@ Vector3d nan_vector() {
   return Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
 }
 
+// Of the joints' own iteration: well below what the outer loop asks for.
+constexpr contact::SolveOptions inner{.tolerance = 1e-12};
+
 bool is_dry(const contact::NodeJoint& joint) {
   return std::visit([](const auto& j) { return !j.contact().is_viscous(); },
                     joint.joint);
@@ -61,7 +64,7 @@ Vector3d HingeSolver::slide(const Reaction<double>& reaction,
   if (const auto* ball = std::get_if<BallFriction>(&friction_)) {
     const Vector3d turn = axes_ * rate;
     last = ball->estimate == FrictionEstimate::consistent
-               ? ball->joint.solve(force, turn, last)
+               ? ball->joint.solve(force, turn, last, inner)
                : ball->joint.solve_contact(force, turn);
     if (last.status != contact::Status::ok) return nan_vector();
     return axes_.transpose() * last.friction_moment;
@@ -70,7 +73,7 @@ Vector3d HingeSolver::slide(const Reaction<double>& reaction,
   if (const auto* pin = std::get_if<PinFriction>(&friction_)) {
     const Vector3d radial = force - force.dot(axis) * axis;
     last = pin->estimate == FrictionEstimate::consistent
-               ? pin->joint.solve(radial, axis, rate.z(), last)
+               ? pin->joint.solve(radial, axis, rate.z(), last, inner)
                : pin->joint.solve_contact(radial, axis, rate.z());
     if (last.status != contact::Status::ok) return nan_vector();
     return {0, 0, last.friction_moment.dot(axis)};
