@@ -121,7 +121,7 @@ std::unique_ptr<HalfAngleLaw> Joint::make_half_angle_law() const {
 }
 
 std::unique_ptr<PressureLaw> Joint::make_pressure_law() const {
-  return contact::make_pressure_law(pressure_law, geometry.kind());
+  return contact::make_pressure_law(pressure_law, geometry.kind(), pair);
 }
 
 std::vector<std::string> Joint::validity_notes() const {

@@ -9,6 +9,9 @@
 #include "libcontact/detail/cancellation.hpp"
 #include "libcontact/detail/text.hpp"
 #include "libcontact/error.hpp"
+#include "libcontact/pressure_exact.hpp"
+#include "libcontact/pressure_mixture.hpp"
+#include "libcontact/pressure_sqrt.hpp"
 
 namespace contact {
 namespace {
@@ -29,13 +32,6 @@ double pin_integral_over_cube(double half_angle) {
 double two_plus_cosine(double h) { return 3 - 2 * h * h; }
 
 }  // namespace
-
-void PressureLaw::slopes(double half_angle, std::span<const double> theta,
-                         std::span<double> out) const noexcept {
-  for (std::size_t i = 0; i < theta.size(); ++i) {
-    out[i] = slope(theta[i], half_angle);
-  }
-}
 
 double PressureLaw::mean(double half_angle) const noexcept {
   const double force = force_ratio(half_angle);
@@ -74,6 +70,21 @@ double CosinePressure::slope(double theta, double half_angle) const noexcept {
   return peak(half_angle) * (std::sin(theta) / h) / (2 * h);
 }
 
+void CosinePressure::edge_slopes(double half_angle,
+                                 std::span<const double> edge_variable,
+                                 std::span<double> out) const noexcept {
+  // p = peak x^2 C/(1 - h^2 x^2), C = cos^2(theta0/2)
+  const double h = std::sin(half_angle / 2);
+  const double c = std::cos(half_angle / 2);
+  const double scale =
+      is_half_angle(half_angle) ? 2 * peak(half_angle) * c * c : nan;
+  for (std::size_t i = 0; i < edge_variable.size(); ++i) {
+    const double x = edge_variable[i];
+    const double rest = (1 - h * x) * (1 + h * x);
+    out[i] = scale * x / (rest * rest);
+  }
+}
+
 double CosinePressure::force_ratio(double half_angle) const noexcept {
   if (!is_half_angle(half_angle)) return nan;
   if (joint_kind() == JointKind::spherical) {
@@ -97,13 +108,19 @@ double cosine_normal_integral(JointKind kind, double half_angle) {
 }
 
 const std::vector<std::string>& pressure_law_names() {
-  static const std::vector<std::string> names = {"cosine"};
+  static const std::vector<std::string> names = {
+      "cosine", "sqrt_tan", "sqrt_theta", "mixture", "exact"};
   return names;
 }
 
 std::unique_ptr<PressureLaw> make_pressure_law(std::string_view name,
-                                               JointKind kind) {
+                                               JointKind kind,
+                                               const ElasticPair& pair) {
   if (name == "cosine") return std::make_unique<CosinePressure>(kind);
+  if (name == "sqrt_tan") return std::make_unique<SqrtTanPressure>(kind);
+  if (name == "sqrt_theta") return std::make_unique<SqrtThetaPressure>(kind);
+  if (name == "mixture") return std::make_unique<MixturePressure>(kind, pair);
+  if (name == "exact") return std::make_unique<ExactPressure>(kind, pair);
   throw Error(fmt::format("pressure law {}: allowed: {}",
                           detail::printable(name),
                           fmt::join(pressure_law_names(), ", ")));

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "libcontact/joint_geometry.hpp"
+#include "libcontact/material.hpp"
 
 /// Contact pressure p(theta), theta = angle from the centre of the contact.
 ///
@@ -23,7 +24,12 @@ namespace contact {
 ///     pin:        ∫ p cos t dt = 1,  -theta0 <= t <= theta0
 ///
 /// and vanishes at the edge, which lets friction integrals over p be taken by
-/// parts from slope().
+/// parts (friction_pressure.hpp). The variable in which all laws are smooth
+/// up to the edge is the edge variable
+///
+///     x = sqrt(1 - tan^2(theta/2)/tan^2(theta0/2)),
+///
+/// 0 at the edge and 1 at the centre.
 class PressureLaw {
  public:
   virtual ~PressureLaw() = default;
@@ -37,15 +43,17 @@ class PressureLaw {
   virtual double pressure(double theta, double half_angle) const noexcept = 0;
 
   /// -dp/dtheta, pressure units per rad, >= 0 for theta in [0, theta0]; odd in
-  /// theta, 0 outside the contact.
+  /// theta, 0 outside the contact. Infinite at the edge where the law starts
+  /// like a square root.
   virtual double slope(double theta, double half_angle) const noexcept = 0;
 
-  /// slope() at many angles of one contact: laws with costs per half-angle
-  /// override it.
-  /// @param theta  angles, rad
-  /// @param out    as many slopes
-  virtual void slopes(double half_angle, std::span<const double> theta,
-                      std::span<double> out) const noexcept;
+  /// dp/dx of the edge variable at many points of one contact; finite.
+  /// @param half_angle  theta0, rad, (0, largest_half_angle()]
+  /// @param edge_variable  x, [0, 1]
+  /// @param out         as many slopes
+  virtual void edge_slopes(double half_angle,
+                           std::span<const double> edge_variable,
+                           std::span<double> out) const noexcept = 0;
 
   /// p(0), the largest pressure; infinite at theta0 = 0.
   virtual double peak(double half_angle) const noexcept = 0;
@@ -65,6 +73,10 @@ class PressureLaw {
 
  protected:
   explicit PressureLaw(JointKind kind) : kind_(kind) {}
+
+  bool has(double half_angle) const noexcept {
+    return half_angle >= 0 && half_angle <= largest_half_angle();
+  }
 
  private:
   JointKind kind_;
@@ -93,6 +105,8 @@ class CosinePressure final : public PressureLaw {
   std::string name() const override { return "cosine"; }
   double pressure(double theta, double half_angle) const noexcept override;
   double slope(double theta, double half_angle) const noexcept override;
+  void edge_slopes(double half_angle, std::span<const double> edge_variable,
+                   std::span<double> out) const noexcept override;
   double peak(double half_angle) const noexcept override;
   double force_ratio(double half_angle) const noexcept override;
   double largest_half_angle() const noexcept override;
@@ -112,12 +126,15 @@ double cosine_normal_integral(JointKind kind, double half_angle);
 /// The law of joints and programs that name none.
 inline constexpr std::string_view default_pressure_law = "cosine";
 
-/// Names that make_pressure_law() knows: cosine.
+/// Names that make_pressure_law() knows: cosine, sqrt_tan, sqrt_theta,
+/// mixture, exact.
 const std::vector<std::string>& pressure_law_names();
 
 /// A law by its name.
+/// @param pair  elastic constants, which mixture and exact depend on
 /// @throws Error if the name is not known.
 std::unique_ptr<PressureLaw> make_pressure_law(std::string_view name,
-                                               JointKind kind);
+                                               JointKind kind,
+                                               const ElasticPair& pair);
 
 }  // namespace contact

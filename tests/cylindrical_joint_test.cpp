@@ -41,7 +41,7 @@ CylindricalJoint steel_pin(const FrictionModel& friction,
   const ElasticPair pair({2e11, 0.3}, {2e11, 0.3});
   return {JointGeometry::pin(rho, 4e-5, length, inner), pair, friction,
           contact::make_half_angle_law("blend", JointKind::cylindrical, pair),
-          contact::make_pressure_law("cosine", JointKind::cylindrical)};
+          std::make_unique<contact::CosinePressure>(JointKind::cylindrical)};
 }
 
 // The closed forms at a known R_n, written out for the cosine pressure.
@@ -197,7 +197,7 @@ TEST(CylindricalJoint, RefusesABall) {
         CylindricalJoint(
             JointGeometry::ball(0.05, 5e-5), pair, FrictionLaw(0.1),
             contact::make_half_angle_law("tanh", JointKind::spherical, pair),
-            contact::make_pressure_law("cosine", JointKind::spherical));
+            std::make_unique<contact::CosinePressure>(JointKind::spherical));
       }),
       "cylindrical joint: geometry of a spherical joint");
 }

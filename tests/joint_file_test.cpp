@@ -265,7 +265,7 @@ TEST(JointFile, LawsAreChecked) {
             "allowed: 0 to 1");
   EXPECT_EQ(message_with_line(20, "law = \"flat\""),
             "j.toml:20: pressure.law = \"flat\": pressure law flat: allowed: "
-            "cosine");
+            "cosine, sqrt_tan, sqrt_theta, mixture, exact");
   EXPECT_EQ(message_with_line(18, "limit_formula = \"cubic\""),
             "j.toml:18: half_angle.limit_formula = \"cubic\": allowed: "
             "\"arctan\", \"linear\"");

@@ -42,7 +42,7 @@ NodeJoint ball(double position, const FrictionModel& friction) {
   return {SphericalJoint(
               JointGeometry::ball(0.05, 5e-5), steel, friction,
               contact::make_half_angle_law("tanh", JointKind::spherical, steel),
-              contact::make_pressure_law("cosine", JointKind::spherical)),
+              std::make_unique<contact::CosinePressure>(JointKind::spherical)),
           position};
 }
 
@@ -51,7 +51,7 @@ NodeJoint pin(double position, const FrictionModel& friction) {
       CylindricalJoint(
           JointGeometry::pin(0.04, 4e-5, 0.08), steel, friction,
           contact::make_half_angle_law("blend", JointKind::cylindrical, steel),
-          contact::make_pressure_law("cosine", JointKind::cylindrical)),
+          std::make_unique<contact::CosinePressure>(JointKind::cylindrical)),
       position};
 }
 

@@ -219,11 +219,12 @@ TEST(MomentSet, ProjectionIsTheNearestPoint) {
 TEST(MomentSet, WithoutFrictionOrLoadHoldsNothing) {
   const contact::ElasticPair pair({2e11, 0.3}, {2e11, 0.3});
   const auto make = [&](const contact::FrictionModel& friction) {
-    return SphericalJoint(
-        contact::JointGeometry::ball(0.05, 0.05e-3), pair, friction,
-        contact::make_half_angle_law("tanh", contact::JointKind::spherical,
-                                     pair),
-        contact::make_pressure_law("cosine", contact::JointKind::spherical));
+    return SphericalJoint(contact::JointGeometry::ball(0.05, 0.05e-3), pair,
+                          friction,
+                          contact::make_half_angle_law(
+                              "tanh", contact::JointKind::spherical, pair),
+                          std::make_unique<contact::CosinePressure>(
+                              contact::JointKind::spherical));
   };
   const Vector3d m(1, 2, 3);
   for (const SphericalJoint& joint :

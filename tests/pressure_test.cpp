@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
 #include <boost/math/constants/constants.hpp>
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <boost/multiprecision/cpp_bin_float.hpp>
@@ -15,8 +14,6 @@
 #include "libcontact/detail/cancellation.hpp"
 #include "libcontact/units.hpp"
 #include "support/accuracy_report.hpp"
-#include "support/allocation_count.hpp"
-#include "support/error_message.hpp"
 #include "support/reference_table.hpp"
 
 namespace {
@@ -25,7 +22,6 @@ using contact::CosinePressure;
 using contact::degree;
 using contact::JointKind;
 using contact::test::AccuracyReport;
-using contact::test::error_message;
 using contact::test::ReferenceTable;
 using Real = boost::multiprecision::cpp_bin_float_100;
 // The formulas of (3.2) to (3.4) as they stand lose five times the digits of
@@ -309,17 +305,7 @@ TEST(CosinePressure, SymmetryAndEdge) {
   }
 }
 
-TEST(PressureLaw, SlopesAreSlopeAtEachAngle) {
-  const CosinePressure law(JointKind::spherical);
-  const std::array<double, 4> theta = {0, 0.1, -0.5, 0.9};
-  std::array<double, 4> out{};
-  law.slopes(0.8, theta, out);
-  for (std::size_t i = 0; i < theta.size(); ++i) {
-    EXPECT_EQ(out[i], law.slope(theta[i], 0.8));
-  }
-}
-
-TEST(PressureLaw, NanAndWhatIsOutOfRange) {
+TEST(CosinePressure, NanAndWhatIsOutOfRange) {
   for (const JointKind kind : kinds) {
     const CosinePressure law(kind);
     for (const double half_angle :
@@ -335,30 +321,6 @@ TEST(PressureLaw, NanAndWhatIsOutOfRange) {
     EXPECT_TRUE(std::isnan(law.pressure(nan, 1)));
     EXPECT_TRUE(std::isnan(law.slope(nan, 1)));
   }
-}
-
-TEST(PressureLaw, DoesNotAllocate) {
-  const auto law = contact::make_pressure_law("cosine", JointKind::cylindrical);
-  const std::size_t before = contact::test::allocation_count();
-  double sum = 0;
-  for (double t = 0; t < 1; t += 0.1) {
-    sum += law->pressure(t, 1) + law->slope(t, 1) + law->mean(1) +
-           law->peak(1) + law->force_ratio(1);
-  }
-  EXPECT_EQ(contact::test::allocation_count(), before);
-  EXPECT_GT(sum, 0);
-}
-
-TEST(MakePressureLaw, KnowsItsNames) {
-  for (const std::string& name : contact::pressure_law_names()) {
-    const auto law = contact::make_pressure_law(name, JointKind::cylindrical);
-    EXPECT_EQ(law->name(), name);
-    EXPECT_EQ(law->joint_kind(), JointKind::cylindrical);
-  }
-  EXPECT_EQ(error_message([] {
-              contact::make_pressure_law("flat", JointKind::spherical);
-            }),
-            "pressure law flat: allowed: cosine");
 }
 
 }  // namespace

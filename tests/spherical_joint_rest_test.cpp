@@ -35,7 +35,7 @@ SphericalJoint steel_joint(const contact::FrictionModel& friction) {
   const contact::ElasticPair pair({2e11, 0.3}, {2e11, 0.3});
   return {contact::JointGeometry::ball(0.05, 0.05e-3), pair, friction,
           contact::make_half_angle_law("tanh", JointKind::spherical, pair),
-          contact::make_pressure_law("cosine", JointKind::spherical)};
+          std::make_unique<contact::CosinePressure>(JointKind::spherical)};
 }
 
 // Sliding about u needs just the moment that makes the joint slide about u.

@@ -59,7 +59,7 @@ SphericalJoint steel_joint(double f0, double adhesion,
       JointGeometry::ball(0.05, 0.05e-3, inner), pair,
       FrictionLaw(f0, adhesion),
       contact::make_half_angle_law("tanh", JointKind::spherical, pair, options),
-      contact::make_pressure_law("cosine", JointKind::spherical)};
+      std::make_unique<contact::CosinePressure>(JointKind::spherical)};
 }
 
 // R at the angle b from Dw = speed z.
@@ -550,7 +550,7 @@ TEST(SphericalJoint, HalfAngleLawWithAnEnd) {
     return SphericalJoint(
         JointGeometry::ball(0.05, 0.05e-3), pair, FrictionLaw(f0),
         contact::make_half_angle_law("hertz", JointKind::spherical, pair),
-        contact::make_pressure_law("cosine", JointKind::spherical));
+        std::make_unique<contact::CosinePressure>(JointKind::spherical));
   };
   const double end = 1 / make(1).contact().load_parameter(1);
   const Vector3d rate(0, 0, 1);
@@ -616,7 +616,7 @@ TEST(SphericalJoint, RefusesWhatDoesNotFit) {
     return error_message([&] {
       SphericalJoint(geometry, pair, FrictionLaw(0.1),
                      contact::make_half_angle_law("tanh", law, pair),
-                     contact::make_pressure_law("cosine", pressure));
+                     std::make_unique<contact::CosinePressure>(pressure));
     });
   };
   using enum JointKind;

@@ -136,7 +136,7 @@ cli::ExitStatus run(const Options& options) {
   const Setup setup = make_setup(options);
   const std::vector<NamedLaw> laws = make_laws(setup);
   const auto pressure =
-      contact::make_pressure_law(setup.pressure_law, setup.kind);
+      contact::make_pressure_law(setup.pressure_law, setup.kind, setup.pair);
   const AngleTable angles(setup, laws, *pressure);
   const Input input = make_input(options, setup);
   print_validity(setup, laws);

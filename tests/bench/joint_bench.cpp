@@ -72,7 +72,7 @@ States steel_states() {
         geometry, pair, contact::FrictionLaw(f0, adhesion),
         contact::make_half_angle_law("tanh", contact::JointKind::spherical,
                                      pair),
-        contact::make_pressure_law("cosine", contact::JointKind::spherical));
+        std::make_unique<contact::CosinePressure>(contact::JointKind::spherical));
     const double force = scale.load(random.log_uniform(0.005, 20));
     states.add({joint, force * random.direction(), random.direction()}, random);
   }

@@ -19,17 +19,18 @@ inline contact::SphericalJoint ball_joint(
   return {
       contact::JointGeometry::ball(radius, 1e-3 * radius), pair, friction,
       contact::make_half_angle_law("tanh", contact::JointKind::spherical, pair),
-      contact::make_pressure_law("cosine", contact::JointKind::spherical)};
+      std::make_unique<contact::CosinePressure>(contact::JointKind::spherical)};
 }
 
 inline contact::CylindricalJoint pin_joint(
     const contact::FrictionModel& friction, double radius = 0.05) {
   const contact::ElasticPair pair = steel_pair();
-  return {
-      contact::JointGeometry::pin(radius, 1e-3 * radius, 0.1), pair, friction,
-      contact::make_half_angle_law("tanh", contact::JointKind::cylindrical,
-                                   pair),
-      contact::make_pressure_law("cosine", contact::JointKind::cylindrical)};
+  return {contact::JointGeometry::pin(radius, 1e-3 * radius, 0.1), pair,
+          friction,
+          contact::make_half_angle_law("tanh", contact::JointKind::cylindrical,
+                                       pair),
+          std::make_unique<contact::CosinePressure>(
+              contact::JointKind::cylindrical)};
 }
 
 /// A ball and a pin, `distance` apart about the hinge's centre.

@@ -66,7 +66,7 @@ RandomSlip RandomSlips::next() {
       JointGeometry::ball(radius, clearance, inner), pair,
       FrictionLaw(f0, adhesion * force / (radius * radius)),
       make_half_angle_law(name, JointKind::spherical, pair, options),
-      make_pressure_law("cosine", JointKind::spherical));
+      std::make_unique<CosinePressure>(JointKind::spherical));
   const double b = angle();
   const double speed = log_uniform(1e-9, 1e3);
   const Vector3d w = direction();

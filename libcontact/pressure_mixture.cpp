@@ -1,0 +1,84 @@
+#include "libcontact/pressure_mixture.hpp"
+
+#include <cmath>
+
+#include "libcontact/detail/pressure_mixture_coefficients.hpp"
+
+namespace contact {
+namespace {
+
+// k (1 - 2 nu) of a ball's body, k of a pin's.
+double contrast_part(JointKind kind, double poissons_ratio) {
+  const double nu = poissons_ratio;
+  const double k = (1 - 2 * nu) / (2 * (1 - nu));
+  return kind == JointKind::cylindrical ? k : k * (1 - 2 * nu);
+}
+
+}  // namespace
+
+double pressure_contrast(JointKind kind, const ElasticPair& pair) {
+  return pair.outer_compliance_share() *
+             contrast_part(kind, pair.outer().poissons_ratio) -
+         pair.inner_compliance_share() *
+             contrast_part(kind, pair.inner().poissons_ratio);
+}
+
+MixturePressure::MixturePressure(JointKind kind, const ElasticPair& pair)
+    : PressureLaw(kind),
+      sqrt_tan_(kind),
+      cosine_(kind),
+      contrast_(pressure_contrast(kind, pair)) {}
+
+double MixturePressure::largest_half_angle() const noexcept {
+  return sqrt_tan_.largest_half_angle();
+}
+
+double MixturePressure::sqrt_tan_share(double half_angle) const noexcept {
+  const auto& c = joint_kind() == JointKind::spherical ? detail::ball_mixture
+                                                       : detail::pin_mixture;
+  const double h = std::sin(half_angle / 2);
+  double sum = 0;
+  for (int k = detail::mixture_terms - 1; k >= 0; --k) {
+    sum = (sum + c.equal[k] + contrast_ * c.contrast[k]) * h;
+  }
+  return 1 - sum;
+}
+
+double MixturePressure::mix(double half_angle, double sqrt_tan,
+                            double cosine) const noexcept {
+  const double w = sqrt_tan_share(half_angle);
+  return w * sqrt_tan + (1 - w) * cosine;
+}
+
+double MixturePressure::pressure(double theta,
+                                 double half_angle) const noexcept {
+  if (half_angle == 0) return sqrt_tan_.pressure(theta, 0);
+  return mix(half_angle, sqrt_tan_.pressure(theta, half_angle),
+             cosine_.pressure(theta, half_angle));
+}
+
+double MixturePressure::slope(double theta, double half_angle) const noexcept {
+  return mix(half_angle, sqrt_tan_.slope(theta, half_angle),
+             cosine_.slope(theta, half_angle));
+}
+
+void MixturePressure::edge_slopes(double half_angle,
+                                  std::span<const double> edge_variable,
+                                  std::span<double> out) const noexcept {
+  cosine_.edge_slopes(half_angle, edge_variable, out);
+  const double w = sqrt_tan_share(half_angle);
+  const double sqrt_tan = w * sqrt_tan_.peak(half_angle);
+  for (double& slope : out) slope = sqrt_tan + (1 - w) * slope;
+}
+
+double MixturePressure::peak(double half_angle) const noexcept {
+  if (half_angle == 0) return sqrt_tan_.peak(0);
+  return mix(half_angle, sqrt_tan_.peak(half_angle), cosine_.peak(half_angle));
+}
+
+double MixturePressure::force_ratio(double half_angle) const noexcept {
+  return mix(half_angle, sqrt_tan_.force_ratio(half_angle),
+             cosine_.force_ratio(half_angle));
+}
+
+}  // namespace contact

@@ -1,0 +1,192 @@
+#include "libcontact/pressure_sqrt.hpp"
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace contact {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double largest = 3.0543261909900767;  // 175 deg
+
+// M_2 and M_3 of SqrtTanPressure, M_n = ∫ x^2/(1 - h^2 x^2)^n dx.
+struct Moments {
+  double second;
+  double third;
+};
+
+Moments moments(double half_angle) {
+  const double h = std::sin(half_angle / 2);
+  const double h2 = h * h;
+  if (h2 < 0.25) {
+    // Power series: 4^-28 is below rounding.
+    constexpr int terms = 28;
+    Moments m{0, 0};
+    for (int k = terms - 1; k >= 0; --k) {
+      const double term = (k + 1.0) / (2 * k + 3);
+      m.second = m.second * h2 + term;
+      m.third = m.third * h2 + term * (k + 2) / 2;
+    }
+    return m;
+  }
+  const double c = std::cos(half_angle / 2);
+  const double inverse = 1 / (c * c);
+  const double logarithm = std::atanh(h) / h;
+  return {
+      (inverse - logarithm) / (2 * h2),
+      (inverse * inverse - inverse / 2 - logarithm / 2) / (4 * h2),
+  };
+}
+
+// H_1(z)/z^2 of Struve's function, z in [0, 2 pi): (2/pi)/3 at 0.
+double struve_over_square(double z) {
+  // Terms grow to 30 times the sum at z = 6; 24 of them leave 1e-17.
+  constexpr int terms = 24;
+  const double z2 = z * z;
+  double sum = 0;
+  for (int k = terms; k >= 1; --k) {
+    sum = (1 - sum) * z2 / ((2 * k + 1.0) * (2 * k + 3.0));
+  }
+  return 2 / (3 * pi) * (1 - sum);
+}
+
+// J_1(z)/z of Bessel's function, z in [0, pi]: 1/2 at 0.
+double bessel_over_argument(double z) {
+  constexpr int terms = 16;
+  const double quarter = z * z / 4;
+  double sum = 0;
+  for (int k = terms; k >= 1; --k) {
+    sum = (1 - sum) * quarter / (k * (k + 1.0));
+  }
+  return (1 - sum) / 2;
+}
+
+// Edge variable of an angle in [0, theta0].
+double edge_variable_of(double theta, double half_angle) {
+  return std::sqrt(std::sin((half_angle - theta) / 2) /
+                   std::sin(half_angle / 2)) *
+         std::sqrt(std::sin((half_angle + theta) / 2) /
+                   std::sin(half_angle / 2)) /
+         std::cos(theta / 2);
+}
+
+// sqrt(1 - (theta/theta0)^2)
+double circle(double theta, double half_angle) {
+  return std::sqrt((half_angle - theta) / half_angle *
+                   ((half_angle + theta) / half_angle));
+}
+
+}  // namespace
+
+double SqrtTanPressure::largest_half_angle() const noexcept { return largest; }
+
+double SqrtTanPressure::peak(double half_angle) const noexcept {
+  if (!has(half_angle)) return nan;
+  const double c = std::cos(half_angle / 2);
+  if (joint_kind() == JointKind::cylindrical) {
+    return 1 / (2 * pi * std::tan(half_angle / 4) * c);
+  }
+  const auto [second, third] = moments(half_angle);
+  const double h = std::sin(half_angle / 2);
+  return 1 / (8 * pi * c * c * (2 * c * c * third - second)) / h / h;
+}
+
+double SqrtTanPressure::force_ratio(double half_angle) const noexcept {
+  if (!has(half_angle)) return nan;
+  const double c = std::cos(half_angle / 2);
+  if (joint_kind() == JointKind::cylindrical) return 1 / c;
+  const auto [second, third] = moments(half_angle);
+  return second / (2 * c * c * third - second);
+}
+
+double SqrtTanPressure::pressure(double theta,
+                                 double half_angle) const noexcept {
+  if (std::isnan(theta) || !has(half_angle)) return nan;
+  const double t = std::abs(theta);
+  if (t > half_angle) return 0;
+  if (t == 0) return peak(half_angle);
+  return peak(half_angle) * edge_variable_of(t, half_angle);
+}
+
+double SqrtTanPressure::slope(double theta, double half_angle) const noexcept {
+  if (std::isnan(theta) || !has(half_angle)) return nan;
+  const double t = std::abs(theta);
+  if (theta == 0 || t > half_angle) return 0;
+  const double b = std::tan(half_angle / 2);
+  const double cosine = std::cos(t / 2);
+  return peak(half_angle) * (std::tan(theta / 2) / b) /
+         (2 * b * cosine * cosine * edge_variable_of(t, half_angle));
+}
+
+void SqrtTanPressure::edge_slopes(double half_angle, std::span<const double>,
+                                  std::span<double> out) const noexcept {
+  const double value = peak(half_angle);
+  for (double& slope : out) slope = value;
+}
+
+double SqrtThetaPressure::largest_half_angle() const noexcept {
+  return largest;
+}
+
+double SqrtThetaPressure::peak(double half_angle) const noexcept {
+  if (!has(half_angle)) return nan;
+  const double t = half_angle;
+  if (joint_kind() == JointKind::cylindrical) {
+    return 1 / (pi * bessel_over_argument(t)) / t;
+  }
+  return 1 / (pi * pi * struve_over_square(2 * t)) / t / t;
+}
+
+double SqrtThetaPressure::force_ratio(double half_angle) const noexcept {
+  if (!has(half_angle)) return nan;
+  if (joint_kind() == JointKind::cylindrical) {
+    return 1 / (2 * bessel_over_argument(half_angle));
+  }
+  return struve_over_square(half_angle) / struve_over_square(2 * half_angle);
+}
+
+double SqrtThetaPressure::pressure(double theta,
+                                   double half_angle) const noexcept {
+  if (std::isnan(theta) || !has(half_angle)) return nan;
+  const double t = std::abs(theta);
+  if (t > half_angle) return 0;
+  if (t == 0) return peak(half_angle);
+  return peak(half_angle) * circle(t, half_angle);
+}
+
+double SqrtThetaPressure::slope(double theta,
+                                double half_angle) const noexcept {
+  if (std::isnan(theta) || !has(half_angle)) return nan;
+  const double t = std::abs(theta);
+  if (theta == 0 || t > half_angle) return 0;
+  return peak(half_angle) * (theta / half_angle) /
+         (half_angle * circle(t, half_angle));
+}
+
+void SqrtThetaPressure::edge_slopes(double half_angle,
+                                    std::span<const double> edge_variable,
+                                    std::span<double> out) const noexcept {
+  // p = peak y, y = sqrt(1 - (t/theta0)^2), t = 2 atan(b s), s^2 + x^2 = 1:
+  // dp/dx = peak t/(theta0 s) 2b cos^2(t/2)/theta0 x/y.
+  const double b = std::tan(half_angle / 2);
+  const double scale = peak(half_angle) * 2 * b / half_angle;
+  for (std::size_t i = 0; i < edge_variable.size(); ++i) {
+    const double x = edge_variable[i];
+    const double s = std::sqrt((1 - x) * (1 + x));
+    const double bs = b * s;
+    const double t_over_s = s > 0 ? 2 * std::atan(bs) / s : 2 * b;
+    const double t = t_over_s * s;
+    // (theta0 - t)/x^2, from the tangent of half of it.
+    const double tangent = b / ((1 + s) * (1 + b * bs));
+    const double rest =
+        x > 0 ? 2 * std::atan(tangent * x * x) / (x * x) : 2 * tangent;
+    const double y_over_x =
+        std::sqrt(rest / half_angle * ((half_angle + t) / half_angle));
+    out[i] = scale * (t_over_s / half_angle) / (1 + bs * bs) / y_over_x;
+  }
+}
+
+}  // namespace contact

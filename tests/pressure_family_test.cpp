@@ -1,0 +1,480 @@
+// What every pressure law must do, and the members beside CosinePressure.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <boost/math/constants/constants.hpp>
+#include <boost/math/quadrature/gauss.hpp>
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "libcontact/conforming/ball.hpp"
+#include "libcontact/conforming/pin.hpp"
+#include "libcontact/conforming/pin_closed_form.hpp"
+#include "libcontact/detail/pressure_mixture_coefficients.hpp"
+#include "libcontact/half_angle_exact.hpp"
+#include "libcontact/pressure_exact.hpp"
+#include "libcontact/pressure_mixture.hpp"
+#include "libcontact/pressure_sqrt.hpp"
+#include "libcontact/reference/pressure_mixture_fit.hpp"
+#include "libcontact/units.hpp"
+#include "support/accuracy_report.hpp"
+#include "support/allocation_count.hpp"
+#include "support/error_message.hpp"
+#include "support/reference_table.hpp"
+
+namespace {
+
+using contact::degree;
+using contact::ElasticPair;
+using contact::ExactPressure;
+using contact::JointKind;
+using contact::MixturePressure;
+using contact::PressureLaw;
+using contact::test::AccuracyReport;
+using contact::test::ReferenceTable;
+using Real = boost::multiprecision::cpp_bin_float_50;
+
+constexpr double pi = 3.14159265358979323846;
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr JointKind kinds[] = {JointKind::spherical, JointKind::cylindrical};
+
+ElasticPair steel_in_polymer() {
+  return ElasticPair::from_modulus_ratio(7, 0.3, 0.4);
+}
+
+std::vector<std::unique_ptr<PressureLaw>> laws(JointKind kind) {
+  std::vector<std::unique_ptr<PressureLaw>> result;
+  for (const std::string& name : contact::pressure_law_names()) {
+    result.push_back(
+        contact::make_pressure_law(name, kind, steel_in_polymer()));
+  }
+  return result;
+}
+
+std::string label(const PressureLaw& law, double half_angle) {
+  return law.name() + " " + to_string(law.joint_kind()) +
+         ", theta0 = " + std::to_string(half_angle / degree) + " deg";
+}
+
+// ∫ f(t, p(t)) over [0, theta0] in the edge variable's angle phi, in which
+// every law is smooth.
+template <class F>
+double over_contact(const PressureLaw& law, double half_angle, F f) {
+  using Rule = boost::math::quadrature::gauss<double, 60>;
+  const double b = std::tan(half_angle / 2);
+  return Rule::integrate(
+      [&](double phi) {
+        const double s = std::cos(phi);
+        const double t = 2 * std::atan(b * s);
+        const double dt = 2 * b * std::sin(phi) / (1 + b * b * s * s);
+        return f(t, law.pressure(t, half_angle)) * dt;
+      },
+      0.0, pi / 2);
+}
+
+TEST(PressureLaw, CarriesTheLoadAndSumsUpToTheForceRatio) {
+  // The exact law interpolates between half-angles; the others: rounding of
+  // angles near the edge.
+  AccuracyReport load("load carried", 2e-12);
+  AccuracyReport sum("force_ratio", 1e-12);
+  for (const JointKind kind : kinds) {
+    for (const auto& law : laws(kind)) {
+      for (const double theta0_deg : {0.01, 3.0, 40.0, 77.0, 95.0, 119.0}) {
+        const double half_angle = theta0_deg * degree;
+        const bool ball = kind == JointKind::spherical;
+        const auto weight = [&](double t) {
+          return ball ? 2 * pi * std::sin(t) : 2.0;
+        };
+        load.add(over_contact(*law, half_angle,
+                              [&](double t, double p) {
+                                return p * std::cos(t) * weight(t);
+                              }),
+                 1.0, label(*law, half_angle));
+        sum.add(over_contact(*law, half_angle,
+                             [&](double t, double p) { return p * weight(t); }),
+                law->force_ratio(half_angle), label(*law, half_angle));
+      }
+    }
+  }
+  load.check();
+  sum.check();
+}
+
+TEST(PressureLaw, SlopesAreDerivativesOfThePressure) {
+  // Central differences with steps of 1e-4 of the distance from the edge.
+  AccuracyReport slope("slope", 1e-6);
+  AccuracyReport edge("edge_slopes", 1e-6);
+  for (const JointKind kind : kinds) {
+    for (const auto& law : laws(kind)) {
+      for (const double theta0_deg : {1.0, 30.0, 80.0, 110.0}) {
+        const double half_angle = theta0_deg * degree;
+        const double b = std::tan(half_angle / 2);
+        for (const double x : {0.1, 0.35, 0.8, 0.97}) {
+          const auto theta = [&](double edge_variable) {
+            return 2 * std::atan(b * std::sqrt((1 - edge_variable) *
+                                               (1 + edge_variable)));
+          };
+          const auto p = [&](double t) { return law->pressure(t, half_angle); };
+          const double t = theta(x);
+          const double h = 1e-4 * x * x * half_angle;
+          slope.add(law->slope(t, half_angle), (p(t - h) - p(t + h)) / (2 * h),
+                    label(*law, half_angle));
+          double found = 0;
+          law->edge_slopes(half_angle, {&x, 1}, {&found, 1});
+          edge.add(found, (p(theta(x + 1e-4)) - p(theta(x - 1e-4))) / 2e-4,
+                   label(*law, half_angle));
+        }
+      }
+    }
+  }
+  slope.check();
+  edge.check();
+}
+
+TEST(PressureLaw, EdgeSlopesAddUpToThePeak) {
+  using Rule = boost::math::quadrature::gauss<double, 60>;
+  AccuracyReport report("integral of edge_slopes", 1e-13);
+  for (const JointKind kind : kinds) {
+    for (const auto& law : laws(kind)) {
+      for (const double theta0_deg : {1e-6, 5.0, 60.0, 90.0, 119.0}) {
+        const double half_angle = theta0_deg * degree;
+        const double sum = Rule::integrate(
+            [&](double x) {
+              double value = 0;
+              law->edge_slopes(half_angle, {&x, 1}, {&value, 1});
+              return value;
+            },
+            0.0, 1.0);
+        report.add(sum, law->peak(half_angle), label(*law, half_angle));
+      }
+      // Both ends of the interval.
+      std::array<double, 2> ends{0, 1};
+      std::array<double, 2> out{};
+      law->edge_slopes(1, ends, out);
+      EXPECT_TRUE(std::isfinite(out[0]) && out[0] >= 0) << law->name();
+      EXPECT_TRUE(std::isfinite(out[1]) && out[1] >= 0) << law->name();
+    }
+  }
+  report.check();
+}
+
+TEST(PressureLaw, SymmetryEdgeAndNan) {
+  for (const JointKind kind : kinds) {
+    for (const auto& law : laws(kind)) {
+      for (const double half_angle : {1e-5, 0.7, 1.9}) {
+        const double t = 0.6 * half_angle;
+        EXPECT_EQ(law->pressure(-t, half_angle), law->pressure(t, half_angle));
+        EXPECT_EQ(law->slope(-t, half_angle), -law->slope(t, half_angle));
+        EXPECT_EQ(law->pressure(0, half_angle), law->peak(half_angle));
+        EXPECT_EQ(law->pressure(half_angle, half_angle), 0);
+        EXPECT_EQ(law->slope(0, half_angle), 0);
+        const double outside = std::nextafter(half_angle, 4);
+        EXPECT_EQ(law->pressure(outside, half_angle), 0) << law->name();
+        EXPECT_EQ(law->slope(outside, half_angle), 0) << law->name();
+      }
+      for (const double bad : {nan, -1e-300, 3.2, infinity}) {
+        EXPECT_TRUE(std::isnan(law->pressure(0.1, bad))) << law->name();
+        EXPECT_TRUE(std::isnan(law->slope(0.1, bad))) << law->name();
+        EXPECT_TRUE(std::isnan(law->peak(bad))) << law->name();
+        EXPECT_TRUE(std::isnan(law->mean(bad))) << law->name();
+        EXPECT_TRUE(std::isnan(law->force_ratio(bad))) << law->name();
+        const double x = 0.5;
+        double slope = 0;
+        law->edge_slopes(bad, {&x, 1}, {&slope, 1});
+        EXPECT_TRUE(std::isnan(slope)) << law->name();
+      }
+      EXPECT_TRUE(std::isnan(law->pressure(nan, 1)));
+      EXPECT_TRUE(std::isnan(law->slope(nan, 1)));
+      EXPECT_EQ(law->peak(0), infinity) << law->name();
+      EXPECT_NEAR(law->force_ratio(0), 1, 1e-11) << law->name();
+    }
+  }
+}
+
+TEST(PressureLaw, DoesNotAllocate) {
+  for (const JointKind kind : kinds) {
+    const auto members = laws(kind);
+    const std::size_t before = contact::test::allocation_count();
+    double sum = 0;
+    for (const auto& law : members) {
+      std::array<double, 3> x{0.1, 0.5, 0.9};
+      std::array<double, 3> out{};
+      law->edge_slopes(1, x, out);
+      sum += law->pressure(0.3, 1) + law->slope(0.3, 1) + law->mean(1) +
+             law->peak(1) + law->force_ratio(1) + out[0];
+    }
+    EXPECT_EQ(contact::test::allocation_count(), before);
+    EXPECT_GT(sum, 0);
+  }
+}
+
+TEST(MakePressureLaw, KnowsItsNames) {
+  for (const std::string& name : contact::pressure_law_names()) {
+    const auto law = contact::make_pressure_law(name, JointKind::cylindrical,
+                                                steel_in_polymer());
+    EXPECT_EQ(law->name(), name);
+    EXPECT_EQ(law->joint_kind(), JointKind::cylindrical);
+  }
+  EXPECT_EQ(contact::test::error_message([] {
+              contact::make_pressure_law("flat", JointKind::spherical,
+                                         steel_in_polymer());
+            }),
+            "pressure law flat: allowed: cosine, sqrt_tan, sqrt_theta, "
+            "mixture, exact");
+}
+
+// Normalisation by quadrature of the definition in 50 digits.
+struct Definition {
+  Real normal;
+  Real sum;
+};
+
+Definition definition(JointKind kind, bool tangent, double half_angle) {
+  using std::sqrt;
+  using Rule = boost::math::quadrature::gauss<Real, 100>;
+  const Real t0 = half_angle;
+  const Real b = tan(t0 / 2);
+  const bool ball = kind == JointKind::spherical;
+  // theta = theta0 cos(phi), or tan(theta/2) = b cos(phi).
+  const auto integral = [&](bool with_cosine) {
+    return Rule::integrate(
+        [&](const Real& phi) {
+          const Real s = cos(phi);
+          const Real x = sin(phi);
+          const Real t = tangent ? Real(2 * atan(b * s)) : Real(t0 * s);
+          const Real dt =
+              tangent ? Real(2 * b * x / (1 + b * b * s * s)) : Real(t0 * x);
+          const Real area =
+              ball ? Real(2 * boost::math::constants::pi<Real>() * sin(t))
+                   : Real(2);
+          return Real(x * dt * area * (with_cosine ? cos(t) : Real(1)));
+        },
+        Real(0), boost::math::constants::half_pi<Real>());
+  };
+  return {integral(true), integral(false)};
+}
+
+TEST(SqrtPressures, AgreeWithTheirDefinitionInHighPrecision) {
+  // Some 20 roundings; Struve's series loses a digit at 150 deg.
+  AccuracyReport peak("peak", 1e-14);
+  AccuracyReport force("force_ratio", 1e-14);
+  std::vector<double> angles_deg = {1e-8, 1e-3,     0.3, 5,  20,  45,  59.99999,
+                                    60.0, 60.00001, 75,  90, 105, 120, 150};
+  for (const JointKind kind : kinds) {
+    const contact::SqrtTanPressure sqrt_tan(kind);
+    const contact::SqrtThetaPressure sqrt_theta(kind);
+    for (const double theta0_deg : angles_deg) {
+      const double half_angle = theta0_deg * degree;
+      for (const PressureLaw* law :
+           std::initializer_list<const PressureLaw*>{&sqrt_tan, &sqrt_theta}) {
+        const Definition d = definition(kind, law == &sqrt_tan, half_angle);
+        peak.add(Real(law->peak(half_angle)), Real(1 / d.normal),
+                 label(*law, half_angle));
+        force.add(Real(law->force_ratio(half_angle)), Real(d.sum / d.normal),
+                  label(*law, half_angle));
+      }
+    }
+  }
+  peak.check();
+  force.check();
+}
+
+TEST(SqrtPressures, BecomeHertz) {
+  const double t = 1e-40;
+  for (const char* name : {"sqrt_tan", "sqrt_theta", "mixture", "exact"}) {
+    const auto ball = contact::make_pressure_law(name, JointKind::spherical,
+                                                 steel_in_polymer());
+    const auto pin = contact::make_pressure_law(name, JointKind::cylindrical,
+                                                steel_in_polymer());
+    // Peak 3/2 and 4/pi of the mean. The expansion of the exact pressure is
+    // off by 1e-11 at its end.
+    EXPECT_NEAR(ball->peak(t) * 2 * pi / 3 * t * t, 1, 1e-11) << name;
+    EXPECT_NEAR(pin->peak(t) * pi / 2 * t, 1, 1e-11) << name;
+    EXPECT_NEAR(ball->pressure(0.6 * t, t) / ball->peak(t), 0.8, 1e-11);
+    EXPECT_NEAR(pin->pressure(0.6 * t, t) / pin->peak(t), 0.8, 1e-11);
+  }
+}
+
+TEST(SqrtPressures, ForceRatiosAndPeaksOfTheTable) {
+  const ReferenceTable table("conforming/pressure_friction.csv");
+  for (std::size_t row = 0; row < table.size(); ++row) {
+    const JointKind kind = table.text(row, "joint") == "sphere"
+                               ? JointKind::spherical
+                               : JointKind::cylindrical;
+    const contact::SqrtTanPressure sqrt_tan(kind);
+    const contact::SqrtThetaPressure sqrt_theta(kind);
+    const double half_angle = table.value(row, "theta0_deg") * degree;
+    // Last printed digit, and half-angles printed to 1e-4 deg: 9e-7 rad.
+    const double digit = 2e-6;
+    EXPECT_NEAR(sqrt_tan.force_ratio(half_angle), table.value(row, "S_sqrt"),
+                digit);
+    EXPECT_NEAR(sqrt_tan.peak(half_angle), table.value(row, "pmax_sqrt"),
+                digit);
+    EXPECT_NEAR(sqrt_theta.force_ratio(half_angle),
+                table.value(row, "S_sqrt_theta"), digit);
+    EXPECT_NEAR(sqrt_theta.peak(half_angle),
+                table.value(row, "pmax_sqrt_theta"), digit);
+  }
+}
+
+// nu is 0.3 in the tables.
+ElasticPair table_pair(const ReferenceTable& table, std::size_t row) {
+  return ElasticPair::from_modulus_ratio(table.value(row, "Ebar"), 0.3, 0.3);
+}
+
+TEST(ExactPressure, AgreesWithTheTabulatedProfiles) {
+  // 1e-6 of the peak, and what half-angles printed to 1e-4 deg leave.
+  AccuracyReport report("exact pressure against profiles, over the peak", 3e-6);
+  const ReferenceTable table("conforming/pressure_profiles.csv");
+  std::unique_ptr<ExactPressure> law;
+  std::string last;
+  for (std::size_t row = 0; row < table.size(); ++row) {
+    const std::string key = table.text(row, "joint") + table.text(row, "Ebar");
+    if (key != last) {
+      law = std::make_unique<ExactPressure>(table.text(row, "joint") == "sphere"
+                                                ? JointKind::spherical
+                                                : JointKind::cylindrical,
+                                            table_pair(table, row));
+      last = key;
+    }
+    const double half_angle = table.value(row, "theta0_deg") * degree;
+    const double theta = table.value(row, "theta_deg") * degree;
+    const double difference =
+        law->pressure(theta, half_angle) -
+        table.value(row, "p_exact*rho^2/Rn (sphere) or p*rho/P (cyl)");
+    report.add_error(std::abs(difference) / law->peak(half_angle),
+                     table.label(row));
+  }
+  report.check();
+}
+
+TEST(ExactPressure, AgreesWithTheSolvers) {
+  // 24 terms of an edge with a logarithm, worst for a rigid body with nu = 0
+  // in the other one.
+  AccuracyReport ball("ball, over the peak", 1e-6);
+  AccuracyReport pin("pin, over the peak", 1e-6);
+  AccuracyReport force("force_ratio", 1e-7);
+  for (const auto& [ratio, inner, outer] : {std::array{1.0, 0.3, 0.3},
+                                            {0.0, 0.3, 0.3},
+                                            {infinity, 0.3, 0.3},
+                                            {0.0, 0.0, 0.3},
+                                            {infinity, 0.3, 0.0},
+                                            {0.02, 0.48, 0.2}}) {
+    const auto pair = ElasticPair::from_modulus_ratio(ratio, inner, outer);
+    const contact::BallContact ball_contact(pair);
+    const contact::PinContact pin_contact(pair, contact::InnerLoading::centre(),
+                                          32);
+    const ExactPressure ball_law(JointKind::spherical, pair);
+    const ExactPressure pin_law(JointKind::cylindrical, pair);
+    for (double theta0_deg = 0.05; theta0_deg < 120; theta0_deg *= 1.37) {
+      const double half_angle = theta0_deg * degree;
+      const auto compare = [&](const contact::ContactPressure& solved,
+                               const ExactPressure& law,
+                               AccuracyReport& report) {
+        for (double s = 0; s < 1; s += 0.037) {
+          report.add_error(std::abs(law.pressure(s * half_angle, half_angle) -
+                                    solved.pressure(s * half_angle)) /
+                               solved.peak(),
+                           label(law, half_angle));
+        }
+        force.add(law.force_ratio(half_angle), solved.force_ratio(),
+                  label(law, half_angle));
+      };
+      compare(ball_contact.pressure(half_angle), ball_law, ball);
+      compare(pin_contact.pressure(half_angle), pin_law, pin);
+    }
+  }
+  ball.check();
+  pin.check();
+  force.check();
+}
+
+TEST(ExactPressure, IsTheClosedFormOfAPinOfEqualMaterials) {
+  const ExactPressure law(JointKind::cylindrical,
+                          ElasticPair::from_modulus_ratio(1, 0.3, 0.3));
+  AccuracyReport report("against the closed form, over the peak", 5e-12);
+  for (const double theta0_deg : {0.1, 10.0, 50.0, 84.8, 119.0}) {
+    const double half_angle = theta0_deg * degree;
+    for (double s = 0; s < 1; s += 0.05) {
+      report.add_error(std::abs(law.pressure(s * half_angle, half_angle) -
+                                contact::PinClosedForm::pressure(s * half_angle,
+                                                                 half_angle)) /
+                           law.peak(half_angle),
+                       label(law, half_angle));
+    }
+  }
+  report.check();
+}
+
+TEST(ExactPressure, ReachesTheLimitOfNearlyIncompressibleBodies) {
+  for (const JointKind kind : kinds) {
+    const auto pair = ElasticPair::from_modulus_ratio(0, 0.49, 0.3);
+    const ExactPressure law(kind, pair);
+    const double limit = contact::ExactLaw(kind, pair).limit_half_angle();
+    EXPECT_GT(limit, 120 * degree);
+    EXPECT_DOUBLE_EQ(law.largest_half_angle(), limit);
+    EXPECT_GT(law.peak(limit), 0);
+  }
+}
+
+TEST(MixturePressure, IsWithinItsErrorsOfTheExactPressure) {
+  // Pairs that are not on the grid of the fit; docs/pressure.md.
+  AccuracyReport ball_sum("S, ball", 0.012);
+  AccuracyReport ball_peak("peak, ball", 0.04);
+  AccuracyReport pin_sum("S, pin", 0.001);
+  AccuracyReport pin_peak("peak, pin", 0.008);
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  const auto compare = [&](const ElasticPair& pair) {
+    for (const JointKind kind : kinds) {
+      const bool ball = kind == JointKind::spherical;
+      const ExactPressure exact(kind, pair);
+      const MixturePressure mixture(kind, pair);
+      const double limit = std::min(
+          contact::ExactLaw(kind, pair).limit_half_angle(), 120 * degree);
+      for (double share = 0.05; share <= 1; share += 0.05) {
+        const double half_angle = share * limit;
+        (ball ? ball_sum : pin_sum)
+            .add(mixture.force_ratio(half_angle), exact.force_ratio(half_angle),
+                 label(mixture, half_angle));
+        (ball ? ball_peak : pin_peak)
+            .add(mixture.peak(half_angle), exact.peak(half_angle),
+                 label(mixture, half_angle));
+      }
+    }
+  };
+  for (int i = 0; i < 200; ++i) {
+    // The first ones with a rigid body.
+    const double ratio = i < 10   ? 0
+                         : i < 20 ? infinity
+                                  : std::pow(10, 6 * uniform(random) - 3);
+    compare(ElasticPair::from_modulus_ratio(ratio, 0.5 * uniform(random),
+                                            0.5 * uniform(random)));
+  }
+  compare(ElasticPair::from_modulus_ratio(0, 0.5, 0.3));
+  ball_sum.check();
+  ball_peak.check();
+  pin_sum.check();
+  pin_peak.check();
+}
+
+TEST(MixturePressure, CoefficientsAreThoseOfTheFit) {
+  for (const JointKind kind : kinds) {
+    const auto fit = contact::reference::fit_pressure_mixture(kind);
+    const auto& c = kind == JointKind::spherical ? contact::detail::ball_mixture
+                                                 : contact::detail::pin_mixture;
+    // Printed to four decimals; another compiler's rounding of the fit.
+    for (int k = 0; k < contact::detail::mixture_terms; ++k) {
+      EXPECT_NEAR(c.equal[k], fit.equal[k], 1e-4);
+      EXPECT_NEAR(c.contrast[k], fit.contrast[k], 1e-4);
+    }
+  }
+}
+
+}  // namespace
