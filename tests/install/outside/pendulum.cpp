@@ -13,7 +13,7 @@ int main() {
       contact::JointGeometry::ball(0.02, 20e-6), steel,  // radius, clearance
       contact::FrictionLaw(0.15, 2e4),                   // f0, adhesion
       contact::make_half_angle_law("tanh", ball, steel),
-      contact::make_pressure_law("cosine", ball));
+      contact::make_pressure_law("cosine", ball, steel));
 
   const double m = 5, dt = 1e-3;
   const Vector3d weight(0, 0, -9.81 * m), centre(0, 0, -0.4);  // body axes
