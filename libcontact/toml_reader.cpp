@@ -457,6 +457,46 @@ std::vector<double> TomlTable::matrix(std::string_view key, std::size_t rows,
   return *std::move(values);
 }
 
+std::optional<std::vector<double>> TomlTable::optional_list(
+    std::string_view key, std::size_t least, const Interval& allowed,
+    Dimension dimension) const {
+  const auto entry = find(key, dimension);
+  if (!entry) return {};
+  const toml::array* array = entry->node->as_array();
+  if (array == nullptr || array->size() < least) {
+    entry->refuse(fmt::format("an array of {} or more numbers", least));
+  }
+  std::vector<double> result;
+  entry->numbers(*array, array->size(), allowed, result);
+  return result;
+}
+
+std::vector<double> TomlTable::list(std::string_view key, std::size_t least,
+                                    const Interval& allowed,
+                                    Dimension dimension) const {
+  auto values = optional_list(key, least, allowed, dimension);
+  if (!values) missing(key, dimension);
+  return *std::move(values);
+}
+
+std::vector<double> TomlTable::rows(std::string_view key, std::size_t least,
+                                    std::size_t columns,
+                                    const Interval& allowed,
+                                    Dimension dimension) const {
+  const auto entry = find(key, dimension);
+  if (!entry) missing(key, dimension);
+  const toml::array* array = entry->node->as_array();
+  if (array == nullptr || array->size() < least) {
+    entry->refuse(fmt::format("an array of {} or more arrays of {} numbers",
+                              least, columns));
+  }
+  std::vector<double> result;
+  for (const toml::node& row : *array) {
+    entry->numbers(row, columns, allowed, result);
+  }
+  return result;
+}
+
 std::optional<std::int64_t> TomlTable::optional_integer(
     std::string_view key, std::int64_t low, std::int64_t high) const {
   const auto entry = find(key);
@@ -504,6 +544,26 @@ std::string TomlTable::text(std::string_view key) const {
   auto value = optional_text(key);
   if (!value) missing(key, Dimension::number);
   return *std::move(value);
+}
+
+std::vector<std::string> TomlTable::texts(std::string_view key) const {
+  const auto entry = find(key);
+  if (!entry) return {};
+  std::vector<std::string> result;
+  const auto add = [&](const toml::node& node) {
+    const auto value = node.as_string();
+    if (value == nullptr || value->get().empty()) {
+      entry->refuse("a string or an array of strings, none empty");
+    }
+    result.push_back(value->get());
+  };
+  const toml::array* array = entry->node->as_array();
+  if (array == nullptr || array->empty()) {
+    add(*entry->node);
+  } else {
+    for (const toml::node& node : *array) add(node);
+  }
+  return result;
 }
 
 std::optional<std::size_t> TomlTable::optional_choice(

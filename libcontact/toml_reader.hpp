@@ -89,6 +89,18 @@ class TomlTable {
       std::string_view key, std::size_t rows, std::size_t columns,
       const Interval& allowed, Dimension dimension = Dimension::number) const;
 
+  /// An array of at least `least` numbers.
+  std::vector<double> list(std::string_view key, std::size_t least,
+                           const Interval& allowed,
+                           Dimension dimension = Dimension::number) const;
+  std::optional<std::vector<double>> optional_list(
+      std::string_view key, std::size_t least, const Interval& allowed,
+      Dimension dimension = Dimension::number) const;
+  /// An array of at least `least` arrays of `columns` numbers, row by row.
+  std::vector<double> rows(std::string_view key, std::size_t least,
+                           std::size_t columns, const Interval& allowed,
+                           Dimension dimension = Dimension::number) const;
+
   std::int64_t integer(std::string_view key, std::int64_t low,
                        std::int64_t high) const;
   std::optional<std::int64_t> optional_integer(std::string_view key,
@@ -100,6 +112,9 @@ class TomlTable {
   /// A string that is not empty.
   std::string text(std::string_view key) const;
   std::optional<std::string> optional_text(std::string_view key) const;
+  /// A string or an array of strings, none of them empty; none if the key is
+  /// missing.
+  std::vector<std::string> texts(std::string_view key) const;
   /// One of some words; returns its index.
   std::size_t choice(std::string_view key,
                      const std::vector<std::string>& words) const;
