@@ -50,6 +50,7 @@ class AdaptiveStepper final : public Stepper {
     ERKStepSetInterpolantType(memory_, ARK_INTERP_HERMITE);
     ERKStepSetInterpolantDegree(memory_, 5);
     ERKStepSetMaxNumSteps(memory_, -1);
+    ERKStepSetMaxErrTestFails(memory_, most_failures);
     if (std::isfinite(options_.longest_step)) {
       ERKStepSetMaxStep(memory_, options_.longest_step);
     }
@@ -93,6 +94,11 @@ class AdaptiveStepper final : public Stepper {
   // fewest evaluations at tolerances of 1e-6 to 1e-12 among those whose dense
   // output keeps up.
   static constexpr ARKODE_ERKTableID table = ARKODE_DORMAND_PRINCE_7_4_5;
+
+  // Of a step in a row. Where a lock opens the friction may turn about within
+  // microseconds, after steps of a tenth of a second; each failure makes the
+  // step a few times shorter.
+  static constexpr int most_failures = 60;
 
   static int rate(realtype time, N_Vector state, N_Vector to, void* self) {
     auto* stepper = static_cast<AdaptiveStepper*>(self);
