@@ -1,0 +1,287 @@
+#include "separation/case_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "libcontact/error.hpp"
+#include "multibody/system.hpp"
+#include "separation/body_reader.hpp"
+#include "separation/case_names.hpp"
+#include "separation/event_reader.hpp"
+#include "separation/force_reader.hpp"
+#include "separation/reading.hpp"
+#include "separation/system_of.hpp"
+
+namespace separation {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+using multibody::BodyMotion;
+using multibody::JointKind;
+
+// More rows than anyone looks at, and memory for them.
+constexpr double most_rows = 1e6;
+
+void read_run(const TomlTable& table, Case& c) {
+  auto& options = c.options;
+  c.end_time = table.number("end_time", Interval::positive(), Dimension::time);
+  c.output_step =
+      table
+          .optional_number("output_step", Interval::positive(), Dimension::time)
+          .value_or(c.end_time / 200);
+  if (c.end_time / c.output_step > most_rows) {
+    table.fail("output_step", fmt::format("allowed: {} rows at most",
+                                          static_cast<long>(most_rows)));
+  }
+  c.friction = static_cast<FrictionChoice>(
+      table.optional_choice("friction", {"full", "ideal", "traditional"})
+          .value_or(0));
+  options.integrator =
+      table.optional_choice("integrator", {"adaptive", "rk4"}).value_or(0) == 0
+          ? multibody::Integrator::adaptive
+          : multibody::Integrator::rk4;
+  const Interval tolerance{1e-14, 1e-2};
+  options.relative_tolerance =
+      table.optional_number("relative_tolerance", tolerance)
+          .value_or(options.relative_tolerance);
+  options.absolute_tolerance =
+      table.optional_number("absolute_tolerance", tolerance)
+          .value_or(options.absolute_tolerance);
+  options.step =
+      table.optional_number("step", Interval::positive(), Dimension::time)
+          .value_or(options.step);
+  options.longest_step =
+      table
+          .optional_number("longest_step", Interval::positive(),
+                           Dimension::time)
+          .value_or(options.longest_step);
+}
+
+// Of the carrier or of a body of its own.
+BodyMotion read_body_start(const std::optional<TomlTable>& table) {
+  BodyMotion start{Vector3d::Zero(), Vector3d::Zero(), Matrix3d::Identity(),
+                   Vector3d::Zero()};
+  if (!table) return start;
+  start.position = vector_or_zero(*table, "position", Dimension::length);
+  start.velocity = vector_or_zero(*table, "velocity", Dimension::velocity);
+  start.rotation =
+      optional_rotation(*table, "rotation").value_or(Matrix3d::Identity());
+  start.angular_velocity =
+      start.rotation *
+      vector_or_zero(*table, "angular_velocity", Dimension::angular_velocity);
+  return start;
+}
+
+multibody::LoadStart read_load_start(const std::optional<TomlTable>& table,
+                                     const Hinge& hinge) {
+  multibody::LoadStart start;
+  start.rotation = hinge.zero_rotation;
+  if (hinge.kind == JointKind::none) {
+    start.body = read_body_start(table);
+  } else if (table && hinge.kind == JointKind::axis) {
+    start.angle =
+        table->optional_number("angle", Interval::any(), Dimension::angle)
+            .value_or(0);
+    start.angle_rate = table
+                           ->optional_number("rate", Interval::any(),
+                                             Dimension::angular_velocity)
+                           .value_or(0);
+  } else if (table) {
+    start.rotation *=
+        optional_rotation(*table, "rotation").value_or(Matrix3d::Identity());
+    start.relative_angular_velocity =
+        vector_or_zero(*table, "angular_velocity", Dimension::angular_velocity);
+  }
+  return start;
+}
+
+std::optional<Lock> read_lock(const TomlTable& load, const Body& body,
+                              const Hinge& hinge) {
+  const auto table = load.optional_table("lock");
+  if (!table) return {};
+  if (hinge.kind == JointKind::none) {
+    load.fail("lock", "allowed: for a load with a hinge");
+  }
+  Lock lock{table->optional_text("name").value_or("lock"),
+            vector(*table, "load_point", Dimension::length) - body.com};
+  if (!((lock.load_point - hinge.load_point).norm() > 0)) {
+    table->fail("load_point", "allowed: a point apart from the hinge");
+  }
+  return lock;
+}
+
+// Copies of a load around an axis through the carrier's origin.
+struct Pattern {
+  int count = 1;
+  Vector3d axis = Vector3d::UnitX();
+  double first = 0;
+
+  Matrix3d turn(int copy) const {
+    return rotation_of((first + 2 * std::numbers::pi * copy / count) * axis);
+  }
+};
+
+Pattern read_pattern(const TomlTable& load, const Hinge& hinge) {
+  const auto table = load.optional_table("pattern");
+  if (!table) return {};
+  if (hinge.kind == JointKind::none) {
+    load.fail("pattern", "allowed: for a load with a hinge");
+  }
+  return {static_cast<int>(table->integer("count", 2, 1000)),
+          direction(*table, "axis"),
+          table->optional_number("first", Interval::any(), Dimension::angle)
+              .value_or(0)};
+}
+
+Load turned(Load load, const Matrix3d& turn, const Vector3d& carrier_com) {
+  Hinge& hinge = load.hinge;
+  hinge.carrier_point =
+      turn * (hinge.carrier_point + carrier_com) - carrier_com;
+  hinge.zero_rotation = turn * hinge.zero_rotation;
+  hinge.axis = turn * hinge.axis;
+  hinge.carrier_direction = turn * hinge.carrier_direction;
+  load.start.rotation = turn * load.start.rotation;
+  return load;
+}
+
+void read_load(const TomlTable& table, const JointLaws& laws, Case& c,
+               CaseNames& names) {
+  Load load;
+  load.body = read_body(table);
+  load.group = load.body.name;
+  if (!names.bodies(load.group).empty()) {
+    table.fail("name", "allowed: a name that no other body has");
+  }
+  load.hinge.kind = JointKind::none;
+  if (const auto hinge = table.optional_table("hinge")) {
+    load.hinge = read_hinge(*hinge, load.body, c.carrier, laws);
+  }
+  load.lock = read_lock(table, load.body, load.hinge);
+  const auto start = table.optional_table("start");
+  load.start = read_load_start(start, load.hinge);
+  load.start.locked = load.lock.has_value();
+  if (load.lock && (load.start.angle_rate != 0 ||
+                    load.start.relative_angular_velocity.norm() > 0)) {
+    start->fail(
+        load.hinge.kind == JointKind::axis ? "rate" : "angular_velocity",
+        "allowed: 0 while the load is locked");
+  }
+  const Pattern pattern = read_pattern(table, load.hinge);
+  for (int copy = 0; copy < pattern.count; ++copy) {
+    const Matrix3d turn =
+        pattern.count == 1 ? Matrix3d::Identity() : pattern.turn(copy);
+    c.loads.push_back(pattern.count == 1 ? load
+                                         : turned(load, turn, c.carrier.com));
+    names.turns.push_back(turn);
+    if (pattern.count > 1) {
+      c.loads.back().body.name = fmt::format("{} {}", load.group, copy + 1);
+    }
+  }
+}
+
+void read_events(const TomlTable& file, Case& c, CaseNames& names) {
+  const auto tables = file.tables("event");
+  for (const TomlTable& table : tables) {
+    const std::string name = table.text("name");
+    if (std::find(names.events.begin(), names.events.end(), name) !=
+        names.events.end()) {
+      table.fail("name", "allowed: a name that no other event has");
+    }
+    names.events.push_back(name);
+  }
+  for (const TomlTable& table : tables) {
+    c.events.push_back(read_event(table, names));
+  }
+}
+
+void read_clearance(const TomlTable& file, const CaseNames& names, Case& c) {
+  const auto tables = file.tables("clearance");
+  const auto add = [&](int a, int b) {
+    if (a == b) return;
+    c.clearance.push_back({std::min(a, b), std::max(a, b)});
+  };
+  const auto shaped = [&](const TomlTable& table, std::string_view key) {
+    const auto bodies = names.bodies_of(table, key);
+    if (c.body(bodies.front()).shapes.empty()) {
+      table.fail(key, "allowed: a body with shapes");
+    }
+    return bodies;
+  };
+  for (const TomlTable& table : tables) {
+    for (const int a : shaped(table, "a")) {
+      for (const int b : shaped(table, "b")) add(a, b);
+    }
+  }
+  if (tables.empty()) {
+    const int count = static_cast<int>(c.loads.size()) + 1;
+    for (int a = 0; a < count; ++a) {
+      for (int b = a + 1; b < count; ++b) {
+        if (!c.body(a).shapes.empty() && !c.body(b).shapes.empty()) add(a, b);
+      }
+    }
+  }
+  const auto order = [](const Case::Pair& p, const Case::Pair& q) {
+    return std::pair(p.a, p.b) < std::pair(q.a, q.b);
+  };
+  std::sort(c.clearance.begin(), c.clearance.end(), order);
+  c.clearance.erase(std::unique(c.clearance.begin(), c.clearance.end(),
+                                [](const Case::Pair& p, const Case::Pair& q) {
+                                  return p.a == q.a && p.b == q.b;
+                                }),
+                    c.clearance.end());
+}
+
+Case read(const TomlTable& file, const JointLaws& laws) {
+  Case c;
+  c.file = file.source();
+  c.name = file.text("name");
+  read_run(file.table("run"), c);
+  c.options.gravity = vector_or_zero(file, "gravity", Dimension::acceleration);
+  const TomlTable carrier = file.table("carrier");
+  c.carrier = read_body(carrier);
+  c.carrier_start = read_body_start(carrier.optional_table("start"));
+  if (const auto drive = carrier.optional_table("drive")) {
+    c.options.carrier_drive = {
+        vector_or_zero(*drive, "acceleration", Dimension::acceleration),
+        vector_or_zero(*drive, "angular_acceleration",
+                       Dimension::angular_acceleration)};
+  }
+  CaseNames names{c, {}, {}};
+  const auto loads = file.tables("load");
+  if (loads.empty()) {
+    file.fail("load", "is missing: allowed: one or more [[load]]");
+  }
+  for (const TomlTable& load : loads) read_load(load, laws, c, names);
+  read_events(file, c, names);
+  for (const TomlTable& table : file.tables("force")) {
+    for (Force& force : read_force(table, names)) {
+      c.forces.push_back(std::move(force));
+    }
+  }
+  read_clearance(file, names, c);
+  file.refuse_unknown_keys();
+  try {
+    system_of(c);
+  } catch (const contact::Error& error) {
+    throw contact::Error(fmt::format("{}: {}", c.file, error.what()));
+  }
+  return c;
+}
+
+}  // namespace
+
+Case read_case(const std::filesystem::path& path, const JointLaws& laws) {
+  return read(TomlTable::from_file(path), laws);
+}
+
+Case parse_case(std::string_view text, const std::string& source,
+                const JointLaws& laws) {
+  return read(TomlTable::from_text(text, source), laws);
+}
+
+}  // namespace separation

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <vector>
+
+#include "libcontact/toml_reader.hpp"
+#include "separation/case_names.hpp"
+
+namespace separation {
+
+/// One [[force]]: one for each body that it names.
+std::vector<Force> read_force(const contact::TomlTable& table,
+                              const CaseNames& names);
+
+}  // namespace separation

@@ -1,0 +1,102 @@
+// hinge-separation: a carrier and its loads come apart.
+#include <CLI/CLI.hpp>
+#include <string>
+#include <string_view>
+
+#include "cli/program.hpp"
+#include "separation/run.hpp"
+
+namespace {
+
+using separation::Options;
+
+constexpr std::string_view help = R"(
+The case file says what the bodies, hinges, forces and events are; its keys
+are in apps/separation/README.md, examples in data/cases.
+
+The summary (JSON, --output) has the events, for each load peak reactions,
+work of friction, time at rest, angle and rates at release, for each joint
+peak reaction, peak pressure and largest half-angle theta0, the smallest
+clearances and the energy balance. Peaks and clearances are those of the
+output times and of the instants before and after each event. Angles are in
+degrees, all else in SI units; the keys name the unit.
+
+Columns of the history: time_s; of each load with a hinge NAME.mode (sliding,
+resting, locked, released), .angle_deg, .rate_deg_per_s,
+.acceleration_deg_per_s2, .reaction_N, .lock_reaction_N, .friction_moment_N_m,
+.utilisation, .theta0_deg, .peak_pressure_Pa, .friction_work_J; of each body
+NAME.x_m to .z_m and .vx_m_per_s to .vz_m_per_s (centre of mass, inertial
+axes), .qw to .qz (body axes to inertial ones), .wx_rad_per_s to .wz_rad_per_s
+(body axes); clearance.A.B_m; energy.*_J.
+
+--compare runs the case with ideal joints, full friction and the traditional
+estimate (friction from the reaction instead of the compressive force).
+
+--plot NAME.svg draws NAME_angles.svg, NAME_rates.svg, NAME_reactions.svg and
+NAME_clearance.svg.
+
+Examples:
+  hinge-separation data/cases/soyuz.toml --history soyuz.csv --output soyuz.json
+  hinge-separation data/cases/two_stage_turn.toml --compare --format markdown
+  hinge-separation data/cases/flywheels.toml --friction ideal
+  hinge-separation data/cases/slosh.toml --history slosh.h5 --events slosh_events.csv
+  hinge-separation data/cases/platform.toml --checkpoint platform.cbor --checkpoint-every 2
+
+)";
+
+void add_options(CLI::App& app, Options& options) {
+  app.add_option("CASE.toml", options.case_file, "the case file")
+      ->required()
+      ->option_text(" ");
+  app.add_flag("--compare", options.compare,
+               "ideal, full and traditional friction side by side")
+      ->group("Run");
+  app.add_option("--friction", options.friction,
+                 "full, ideal or traditional; default: the case's")
+      ->option_text("NAME")
+      ->group("Run");
+  app.add_option("--law", options.half_angle_law,
+                 "half-angle law of all joints; default: the joints'")
+      ->option_text("NAME")
+      ->group("Run");
+  app.add_option("--pressure", options.pressure_law,
+                 "pressure law of all joints; default: the joints'")
+      ->option_text("NAME")
+      ->group("Run");
+  app.add_flag("--no-clearance", options.no_clearance,
+               "do not work out distances")
+      ->group("Run");
+  auto* checkpoint = app.add_option("--checkpoint", options.checkpoint,
+                                    "file to write on the way, for --resume")
+                         ->option_text("FILE")
+                         ->group("Run");
+  app.add_option("--checkpoint-every", options.checkpoint_every,
+                 "after as many seconds of the motion")
+      ->option_text("SECONDS")
+      ->check(CLI::PositiveNumber)
+      ->needs(checkpoint)
+      ->group("Run");
+  app.add_option("--resume", options.resume, "checkpoint to go on from")
+      ->option_text("FILE")
+      ->group("Run");
+  app.add_option("--history", options.history,
+                 "time history: .csv, or .h5 for HDF5")
+      ->option_text("FILE")
+      ->group("Output");
+  app.add_option("--events", options.events, "list of events, CSV")
+      ->option_text("FILE")
+      ->group("Output");
+  cli::add_output_options(app, options.output);
+  app.footer(std::string(help) + std::string(cli::exit_status_help));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("Separation of stages and motion of hinged loads",
+               "hinge-separation");
+  Options options;
+  add_options(app, options);
+  return cli::run_program(app, argc, argv,
+                          [&] { return separation::run(options); });
+}

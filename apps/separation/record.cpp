@@ -1,0 +1,301 @@
+#include "separation/record.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "libcontact/error.hpp"
+#include "libcontact/units.hpp"
+
+namespace separation {
+namespace {
+
+using contact::degree;
+using Eigen::Vector3d;
+using multibody::BodyMotion;
+using multibody::HingeMode;
+using multibody::HingeSample;
+using multibody::JointKind;
+
+constexpr const char* comes_to_rest = "comes to rest";
+
+std::vector<std::string> columns_of(const Case& c, bool clearance) {
+  std::vector<std::string> columns = {"time_s"};
+  const auto add = [&](const std::string& body,
+                       std::initializer_list<const char*> names) {
+    for (const char* name : names) columns.push_back(body + '.' + name);
+  };
+  for (std::size_t i = 0; i <= c.loads.size(); ++i) {
+    const std::string body = column_name(c.body(static_cast<int>(i)).name);
+    if (i > 0 && c.loads[i - 1].hinge.kind != JointKind::none) {
+      add(body,
+          {"mode", "angle_deg", "rate_deg_per_s", "acceleration_deg_per_s2",
+           "reaction_N", "lock_reaction_N", "friction_moment_N_m",
+           "utilisation", "theta0_deg", "peak_pressure_Pa", "friction_work_J"});
+    }
+    add(body,
+        {"x_m", "y_m", "z_m", "vx_m_per_s", "vy_m_per_s", "vz_m_per_s", "qw",
+         "qx", "qy", "qz", "wx_rad_per_s", "wy_rad_per_s", "wz_rad_per_s"});
+  }
+  if (clearance) {
+    for (const auto& [a, b] : c.clearance) {
+      columns.push_back(fmt::format("clearance.{}.{}_m",
+                                    column_name(c.body(a).name),
+                                    column_name(c.body(b).name)));
+    }
+  }
+  for (const char* name : {"kinetic_J", "gravity_J", "active_work_J",
+                           "dissipated_J", "balance_J"}) {
+    columns.push_back(std::string("energy.") + name);
+  }
+  return columns;
+}
+
+std::optional<Clearance> make_clearance(const Case& c, bool wanted) {
+  if (!wanted || c.clearance.empty()) return {};
+  std::vector<std::vector<Shape>> shapes;
+  for (std::size_t i = 0; i <= c.loads.size(); ++i) {
+    shapes.push_back(c.body(static_cast<int>(i)).shapes);
+  }
+  std::vector<Clearance::Pair> pairs;
+  for (const auto& [a, b] : c.clearance) pairs.push_back({a, b});
+  return Clearance(shapes, pairs);
+}
+
+// Rate of the angle: on an axis with its sign.
+double rate_of(const Hinge& hinge, const HingeSample& sample) {
+  return hinge.kind == JointKind::axis && sample.mode != HingeMode::released
+             ? sample.angle_rate
+             : sample.relative_angular_velocity.norm();
+}
+
+bool is_held(HingeMode mode) {
+  return mode == HingeMode::locked || mode == HingeMode::resting;
+}
+
+// Its derivative; of a ball joint |d(Dw)/dt| in load axes.
+double acceleration_of(const Simulation& simulation, int load) {
+  const Hinge& hinge = simulation.of().loads[load].hinge;
+  const auto& sample = simulation.sample();
+  if (is_held(sample.mode(load))) return 0;  // but for rounding
+  const BodyMotion& carrier = sample.carrier();
+  const BodyMotion& body = sample.load(load);
+  const Vector3d relative =
+      sample.angular_acceleration(1 + load) - sample.angular_acceleration(0) -
+      carrier.angular_velocity.cross(body.angular_velocity);
+  if (hinge.kind != JointKind::axis) return relative.norm();
+  return (carrier.rotation * hinge.axis).dot(relative);
+}
+
+void raise(double& peak, double& peak_time, double value, double time) {
+  if (!(value > peak)) return;
+  peak = value;
+  peak_time = time;
+}
+
+}  // namespace
+
+std::string column_name(const std::string& name) {
+  std::string result = name;
+  std::replace(result.begin(), result.end(), ' ', '_');
+  return result;
+}
+
+std::size_t Rows::column(const std::string& name) const {
+  const auto found = std::find(columns.begin(), columns.end(), name);
+  if (found == columns.end()) {
+    throw contact::Error("no column " + name);
+  }
+  return static_cast<std::size_t>(found - columns.begin());
+}
+
+Recorder::Recorder(const Case& c, bool rows, bool clearance)
+    : case_(c), keep_rows_(rows), clearance_(make_clearance(c, clearance)) {
+  memory_.rows.columns = columns_of(c, clearance_.has_value());
+  for (const Load& load : c.loads) {
+    memory_.loads.emplace_back();
+    memory_.loads.back().joints.resize(load.hinge.joints.size());
+  }
+  memory_.pairs.resize(c.clearance.size());
+}
+
+void Recorder::restore(Memory memory, const Simulation& simulation) {
+  memory_ = std::move(memory);
+  changes_seen_ = simulation.motion().changes().size();
+}
+
+void Recorder::add_body(const BodyMotion& body) {
+  const Vector3d w = body.rotation.transpose() * body.angular_velocity;
+  const Eigen::Quaterniond q(body.rotation);
+  for (const double x : body.position) add(x);
+  for (const double v : body.velocity) add(v);
+  for (const double x : {q.w(), q.x(), q.y(), q.z()}) add(x);
+  for (const double x : w) add(x);
+}
+
+void Recorder::look_at_load(const Simulation& simulation, int i, bool keep) {
+  const Load& load = case_.loads[i];
+  LoadRecord& record = memory_.loads[i];
+  const double time = simulation.time();
+  if (load.hinge.kind == JointKind::none) return;
+  const HingeSample hinge = simulation.sample().hinge(i);
+  const NodeReactions reactions = node_reactions(load, hinge);
+  const double reaction = reactions.hinge.norm();
+  const double lock = reactions.lock.norm();
+  raise(record.peak_reaction, record.peak_reaction_time, reaction, time);
+  raise(record.peak_lock, record.peak_lock_time, lock, time);
+  record.work = hinge.dissipated;
+  double half_angle = NAN;
+  double pressure = NAN;
+  for (std::size_t j = 0; j < hinge.joints.size(); ++j) {
+    const contact::JointSolution& joint = hinge.joints[j];
+    JointPeaks& peaks = record.joints[j];
+    raise(peaks.reaction, peaks.reaction_time, joint.reaction.norm(), time);
+    peaks.pressure = std::max(peaks.pressure, joint.peak_pressure);
+    peaks.half_angle = std::max(peaks.half_angle, joint.half_angle);
+    peaks.moment = std::max(peaks.moment, joint.friction_moment.norm());
+    half_angle = std::fmax(half_angle, joint.half_angle);
+    pressure = std::fmax(pressure, joint.peak_pressure);
+  }
+  if (!keep) return;
+  add(static_cast<double>(hinge.mode));
+  add(simulation.angle(i) / degree);
+  add(rate_of(load.hinge, hinge) / degree);
+  add(acceleration_of(simulation, i) / degree);
+  add(reaction);
+  add(lock);
+  add(hinge.friction_moment.norm());
+  add(hinge.utilisation);
+  add(half_angle / degree);
+  add(pressure);
+  add(hinge.dissipated);
+}
+
+// A load that turns back rests for no time at all: that is no news.
+void Recorder::note_change(const multibody::HingeChange& change) {
+  const std::string& load = case_.loads[change.load].body.name;
+  const bool rests = change.to == HingeMode::resting;
+  const auto same =
+      std::find_if(memory_.notes.rbegin(), memory_.notes.rend(),
+                   [&](const Note& note) { return note.load == load; });
+  if (!rests && same != memory_.notes.rend() && same->time == change.time &&
+      same->what == comes_to_rest) {
+    memory_.notes.erase(std::next(same).base());
+    return;
+  }
+  memory_.notes.push_back(
+      {change.time, load, rests ? comes_to_rest : "begins to slide"});
+}
+
+// Sticking and sliding, with the time at rest.
+void Recorder::look_at_changes(const Simulation& simulation) {
+  const double time = simulation.time();
+  const auto& changes = simulation.motion().changes();
+  const auto resting = static_cast<int>(HingeMode::resting);
+  if (!memory_.begun) {
+    memory_.begun = true;
+    memory_.last_time = time;
+    memory_.modes.clear();
+    for (std::size_t i = 0; i < case_.loads.size(); ++i) {
+      memory_.modes.push_back(
+          static_cast<int>(simulation.sample().mode(static_cast<int>(i))));
+    }
+    changes_seen_ = changes.size();
+    return;
+  }
+  std::vector<double> since(case_.loads.size(), memory_.last_time);
+  for (; changes_seen_ < changes.size(); ++changes_seen_) {
+    const auto& change = changes[changes_seen_];
+    if (memory_.modes[change.load] == resting) {
+      memory_.loads[change.load].rest_time += change.time - since[change.load];
+    }
+    since[change.load] = change.time;
+    memory_.modes[change.load] = static_cast<int>(change.to);
+    // Breaks are noted under the event's name.
+    if (change.to == HingeMode::released || change.from == HingeMode::locked) {
+      continue;
+    }
+    note_change(change);
+  }
+  for (std::size_t i = 0; i < case_.loads.size(); ++i) {
+    if (memory_.modes[i] == resting) {
+      memory_.loads[i].rest_time += time - since[i];
+    }
+  }
+  memory_.last_time = time;
+}
+
+void Recorder::look_at_distances(const Simulation& simulation) {
+  if (!clearance_) return;
+  const auto distances = clearance_->distances(simulation.sample().bodies());
+  const double time = simulation.time();
+  for (std::size_t i = 0; i < distances.size(); ++i) {
+    PairRecord& pair = memory_.pairs[i];
+    if (distances[i] < pair.smallest) {
+      pair.smallest = distances[i];
+      pair.time = time;
+    }
+    if (distances[i] <= 0) {
+      pair.overlap_from = std::min(pair.overlap_from, time);
+      pair.overlap_to = time;
+    }
+    if (keep_rows_) add(distances[i]);
+  }
+}
+
+void Recorder::look_at_energy(const Simulation& simulation) {
+  const multibody::EnergyBook book = simulation.sample().energy();
+  if (memory_.largest_energy == 0) memory_.first_balance = book.balance();
+  const double drift = std::abs(book.balance() - memory_.first_balance);
+  memory_.largest_drift = std::max(memory_.largest_drift, drift);
+  for (const double e :
+       {book.kinetic, book.gravity, book.active_work, book.dissipated}) {
+    memory_.largest_energy = std::max(memory_.largest_energy, std::abs(e));
+  }
+  if (!keep_rows_) return;
+  for (const double e : {book.kinetic, book.gravity, book.active_work,
+                         book.dissipated, book.balance()}) {
+    add(e);
+  }
+}
+
+void Recorder::look(const Simulation& simulation) {
+  look_at_changes(simulation);
+  const auto& sample = simulation.sample();
+  if (keep_rows_) {
+    add(simulation.time());
+    add_body(sample.carrier());
+  }
+  for (int i = 0; i < static_cast<int>(case_.loads.size()); ++i) {
+    look_at_load(simulation, i, keep_rows_);
+    if (keep_rows_) add_body(sample.load(i));
+  }
+  look_at_distances(simulation);
+  look_at_energy(simulation);
+}
+
+void Recorder::before(const Simulation& simulation,
+                      const std::vector<Happening>& happenings) {
+  const auto& sample = simulation.sample();
+  for (const Happening& h : happenings) {
+    const Event& event = case_.events[h.event];
+    const Load& load = case_.loads[h.load];
+    const bool hinge = event.action == Event::Action::break_hinge;
+    memory_.notes.push_back(
+        {simulation.time(), load.body.name,
+         fmt::format("{}: {} breaks", event.name,
+                     hinge ? load.hinge.name : load.lock->name)});
+    LoadRecord::Release& release = memory_.loads[h.load].release;
+    if (!hinge || release.time != History::not_yet) continue;
+    const HingeSample now = sample.hinge(h.load);
+    release = {simulation.time(), simulation.angle(h.load),
+               rate_of(load.hinge, now), now.relative_angular_velocity,
+               sample.carrier().rotation.transpose() *
+                   (sample.load(h.load).velocity - sample.carrier().velocity)};
+  }
+}
+
+}  // namespace separation

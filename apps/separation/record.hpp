@@ -1,0 +1,119 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "separation/clearance.hpp"
+#include "separation/simulation.hpp"
+
+namespace separation {
+
+/// A time history: rows of numbers under named columns. A column that ends in
+/// "mode" holds the number of a multibody::HingeMode.
+struct Rows {
+  std::vector<std::string> columns;
+  std::vector<double> numbers;  ///< row by row
+
+  std::size_t size() const { return numbers.size() / columns.size(); }
+  double at(std::size_t row, std::size_t column) const {
+    return numbers[row * columns.size() + column];
+  }
+  /// Throws contact::Error if there is none.
+  std::size_t column(const std::string& name) const;
+};
+
+/// Largest values of one joint at the times that were looked at.
+struct JointPeaks {
+  double reaction = 0;       ///< N
+  double reaction_time = 0;  ///< s
+  double pressure = 0;       ///< Pa
+  double half_angle = 0;     ///< theta0, rad
+  double moment = 0;         ///< of friction, N m
+};
+
+/// What has come of a load.
+struct LoadRecord {
+  double peak_reaction = 0;  ///< of the hinge, N
+  double peak_reaction_time = 0;
+  double peak_lock = 0;  ///< of the lock, N
+  double peak_lock_time = 0;
+  double work = 0;       ///< of friction, J
+  double rest_time = 0;  ///< s
+  std::vector<JointPeaks> joints;
+  /// At the release of the hinge; time infinite if there was none.
+  struct Release {
+    double time = History::not_yet;
+    double angle = 0;          ///< rad
+    double rate = 0;           ///< of the angle on an axis, else |Dw|, rad/s
+    Eigen::Vector3d rates;     ///< Dw, load axes, rad/s
+    Eigen::Vector3d velocity;  ///< of the centre of mass against the
+                               ///< carrier's, carrier axes, m/s
+  } release;
+};
+
+/// Something that happened, in words.
+struct Note {
+  double time;
+  std::string load;
+  std::string what;
+};
+
+/// The smallest distance of two bodies.
+struct PairRecord {
+  double smallest = History::not_yet;  ///< m
+  double time = 0;
+  double overlap_from = History::not_yet;  ///< first and last time of overlap
+  double overlap_to = 0;
+};
+
+/// Looks at a simulation from time to time and remembers.
+class Recorder {
+ public:
+  /// @param rows       keep the time history
+  /// @param clearance  work out distances
+  Recorder(const Case& c, bool rows, bool clearance);
+
+  /// Looks at it now.
+  void look(const Simulation& simulation);
+  /// What is about to happen: call it before Simulation::apply().
+  void before(const Simulation& simulation,
+              const std::vector<Happening>& happenings);
+  /// Everything that must survive an interruption.
+  struct Memory {
+    Rows rows;
+    std::vector<LoadRecord> loads;
+    std::vector<Note> notes;
+    std::vector<PairRecord> pairs;
+    std::vector<int> modes;  ///< of each load at the last look
+    double last_time = 0;
+    double first_balance = 0;
+    double largest_drift = 0;   ///< of the energy balance, J
+    double largest_energy = 0;  ///< scale of the drift, J
+    bool begun = false;
+  };
+  const Memory& memory() const { return memory_; }
+  /// Goes on with a simulation that was restored.
+  void restore(Memory memory, const Simulation& simulation);
+
+  const std::vector<Case::Pair>& pairs() const { return case_.clearance; }
+
+ private:
+  void look_at_load(const Simulation& simulation, int load, bool keep);
+  void look_at_changes(const Simulation& simulation);
+  void note_change(const multibody::HingeChange& change);
+  void look_at_distances(const Simulation& simulation);
+  void look_at_energy(const Simulation& simulation);
+  void add_body(const multibody::BodyMotion& body);
+  void add(double number) { memory_.rows.numbers.push_back(number); }
+
+  const Case& case_;
+  bool keep_rows_;
+  std::optional<Clearance> clearance_;
+  std::size_t changes_seen_ = 0;
+  Memory memory_;
+};
+
+/// The name of a body in a column: blanks become underscores.
+std::string column_name(const std::string& name);
+
+}  // namespace separation

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+
+#include "cli/program.hpp"
+
+namespace separation {
+
+/// The command line of hinge-separation.
+struct Options {
+  std::string case_file;
+  std::string history;  ///< file name, "" for none
+  std::string events;
+  bool compare = false;
+  std::string friction;  ///< "" for the case's
+  std::string half_angle_law;
+  std::string pressure_law;
+  bool no_clearance = false;
+  std::string checkpoint;
+  double checkpoint_every = 0;  ///< s
+  std::string resume;
+  cli::OutputOptions output;
+};
+
+/// The whole program. Throws contact::Error for options and files that are
+/// wrong.
+cli::ExitStatus run(const Options& options);
+
+}  // namespace separation

@@ -1,0 +1,118 @@
+#include "separation/run_case.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <optional>
+
+#include "cli/progress.hpp"
+#include "separation/checkpoint.hpp"
+
+namespace separation {
+namespace {
+
+// Times at which a run is looked at, 0 to count.
+class OutputTimes {
+ public:
+  OutputTimes(const Case& c, bool only_events)
+      : end_(c.end_time),
+        step_(only_events ? c.end_time : c.output_step),
+        // A last step of a rounding error's length is none.
+        count_(std::max(
+            1L, static_cast<long>(std::ceil(c.end_time / step_ - 1e-9)))) {}
+  long count() const { return count_; }
+  double operator[](long i) const {
+    return i >= count_ ? end_ : static_cast<double>(i) * step_;
+  }
+
+ private:
+  double end_;
+  double step_;
+  long count_;
+};
+
+// Moves on to `time` with all events on the way; false: message() says why.
+bool move_on(Simulation& simulation, Recorder& recorder, double time) {
+  for (;;) {
+    switch (simulation.advance_to(time)) {
+      case Simulation::Stop::time:
+        return true;
+      case Simulation::Stop::failed:
+        return false;
+      case Simulation::Stop::event:
+        recorder.look(simulation);
+        recorder.before(simulation, simulation.happenings());
+        if (!simulation.apply()) return false;
+        recorder.look(simulation);
+    }
+  }
+}
+
+// A motion with what is remembered of it.
+struct Run {
+  std::unique_ptr<Simulation> simulation;
+  Recorder recorder;
+  multibody::MotionCounts counts;  // of simulations that are gone
+
+  multibody::MotionCounts all_counts() const {
+    const multibody::MotionCounts now = simulation->motion().counts();
+    return {counts.evaluations + now.evaluations, counts.steps + now.steps,
+            counts.outer_iterations + now.outer_iterations};
+  }
+  // From now on as a new simulation that goes on from there: what a run does
+  // after a checkpoint does not depend on whether it was interrupted.
+  void go_on_from(const SimulationState& state, Recorder::Memory memory,
+                  const Case& c, FrictionChoice friction) {
+    if (simulation) counts = all_counts();
+    simulation = std::make_unique<Simulation>(c, friction);
+    simulation->restore(state);
+    recorder.restore(std::move(memory), *simulation);
+  }
+};
+
+}  // namespace
+
+Outcome run_case(const Case& c, const RunOptions& options) {
+  Run run{nullptr, Recorder(c, options.rows, options.clearance), {}};
+  const OutputTimes times(c, options.only_events);
+  long i = 1;
+  if (options.resume.empty()) {
+    run.simulation = std::make_unique<Simulation>(c, options.friction);
+    run.recorder.look(*run.simulation);
+  } else {
+    Checkpoint from = read_checkpoint(options.resume, options.identity);
+    run.go_on_from(from.simulation, std::move(from.memory), c,
+                   options.friction);
+    i = from.next_output;
+  }
+  std::optional<cli::Progress> progress;
+  if (options.progress) progress.emplace("output times", times.count());
+  double next_checkpoint = run.simulation->time() + options.checkpoint_every;
+  std::string failure;
+  for (; i <= times.count(); ++i) {
+    if (!move_on(*run.simulation, run.recorder, times[i])) {
+      failure = run.simulation->message();
+      break;
+    }
+    run.recorder.look(*run.simulation);
+    if (progress) progress->add(1);
+    if (options.checkpoint.empty() ||
+        run.simulation->time() < next_checkpoint) {
+      continue;
+    }
+    next_checkpoint += options.checkpoint_every;
+    const SimulationState state = run.simulation->save();
+    write_checkpoint(options.checkpoint,
+                     {options.identity, i + 1, state, run.recorder.memory()});
+    run.go_on_from(state, run.recorder.memory(), c, options.friction);
+  }
+  Outcome outcome{options.friction,       failure,
+                  run.simulation->time(), run.recorder.memory(),
+                  run.all_counts(),       {}};
+  for (int load = 0; load < static_cast<int>(c.loads.size()); ++load) {
+    outcome.modes.push_back(run.simulation->sample().mode(load));
+  }
+  return outcome;
+}
+
+}  // namespace separation

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <string>
+#include <vector>
+
+/// Stages, boosters and tanks as simple solids.
+namespace separation {
+
+enum class ShapeKind {
+  capsule,   ///< cylinder with half balls at both ends
+  cylinder,  ///< right circular, with flat ends
+  cone,      ///< right circular, with a flat base
+  hull,      ///< convex hull of points
+};
+
+/// A solid, body axes, m.
+struct Shape {
+  ShapeKind kind;
+  /// Centres of the end balls (capsule) or end faces (cylinder); centre of the
+  /// base and tip (cone). Not for a hull.
+  Eigen::Vector3d from = Eigen::Vector3d::Zero();
+  Eigen::Vector3d to = Eigen::Vector3d::Zero();
+  double radius = 0;
+  /// Corners of the hull and its triangles, counter-clockwise from outside.
+  std::vector<Eigen::Vector3d> points = {};
+  std::vector<std::array<int, 3>> faces = {};
+
+  void move(const Eigen::Vector3d& by);
+};
+
+/// The convex hull of points; its corners are those points that it needs.
+/// @throws contact::Error if the points are fewer than 4 or (nearly) in one
+///   plane
+Shape convex_hull(const std::vector<Eigen::Vector3d>& points);
+
+/// A solid of density 1 kg/m^3.
+struct SolidProperties {
+  double volume;             ///< m^3
+  Eigen::Vector3d centroid;  ///< body axes, m
+  Eigen::Matrix3d inertia;   ///< about the centroid, body axes, m^5
+};
+
+/// Exact formulas; relative error at most 1e-13 against integration over the
+/// solid (separation_parts_test.cpp).
+SolidProperties solid_properties(const Shape& shape);
+
+/// Of several solids together; where they overlap the density adds up.
+SolidProperties solid_properties(const std::vector<Shape>& shapes);
+
+}  // namespace separation

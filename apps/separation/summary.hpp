@@ -1,0 +1,20 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "separation/run_case.hpp"
+
+namespace separation {
+
+/// "full", "ideal", "traditional"
+const char* to_string(FrictionChoice choice);
+
+/// What a run came to (keys: README.md of this folder). Angles in degrees,
+/// all else in SI units.
+nlohmann::ordered_json summary(const Case& c, const Outcome& outcome);
+
+/// Events as a CSV table: time_s, load, what.
+std::string events_csv(const Outcome& outcome);
+
+}  // namespace separation
