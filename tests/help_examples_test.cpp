@@ -23,6 +23,6 @@ TEST_P(HelpExamples, Run) {
 
 INSTANTIATE_TEST_SUITE_P(Programs, HelpExamples,
                          testing::Values("hinge-table", "hinge-angle",
-                                         "hinge-joint"));
+                                         "hinge-joint", "hinge-separation"));
 
 }  // namespace

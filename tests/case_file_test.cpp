@@ -1,0 +1,288 @@
+// Case files: what a good one means, and the one message that every bad one
+// gives.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "libcontact/units.hpp"
+#include "separation/case_reader.hpp"
+#include "separation/system_of.hpp"
+#include "support/error_message.hpp"
+
+namespace {
+
+namespace fs = std::filesystem;
+using contact::degree;
+using contact::test::error_message;
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+using multibody::JointKind;
+using separation::Case;
+using separation::Event;
+using separation::parse_case;
+
+// A case line by line, so that a test can exchange one.
+const std::vector<std::string> good_lines = {
+    "name = \"test\"",                                        // 1
+    "gravity_m_per_s2 = [0, 0, -9.81]",                       // 2
+    "[run]",                                                  // 3
+    "end_time_s = 2",                                         // 4
+    "output_step_ms = 10",                                    // 5
+    "[carrier]",                                              // 6
+    "name = \"core\"",                                        // 7
+    "mass_t = 1",                                             // 8
+    "com_m = [1, 0, 0]",                                      // 9
+    "principal_inertia_kg_m2 = [1, 2, 2]",                    // 10
+    "[[load]]",                                               // 11
+    "name = \"arm\"",                                         // 12
+    "density_kg_per_m3 = 1000",                               // 13
+    "[[load.shape]]",                                         // 14
+    "kind = \"cylinder\"",                                    // 15
+    "from_m = [0, 0, 0]",                                     // 16
+    "to_m = [2, 0, 0]",                                       // 17
+    "radius_mm = 100",                                        // 18
+    "[load.pattern]",                                         // 19
+    "count = 2",                                              // 20
+    "axis = [1, 0, 0]",                                       // 21
+    "[load.hinge]",                                           // 22
+    "kind = \"axis\"",                                        // 23
+    "carrier_point_m = [3, 0.5, 0]",                          // 24
+    "axis = [0, 0, 2]",                                       // 25
+    "[[load.hinge.joint]]",                                   // 26
+    "file = \"" CONTACT_DATA_DIR "/joints/pin_joint.toml\"",  // 27
+    "[load.lock]",                                            // 28
+    "load_point_m = [2, 0, 0]",                               // 29
+    "[[event]]",                                              // 30
+    "name = \"open\"",                                        // 31
+    "time_s = 0.5",                                           // 32
+    "breaks = \"lock\"",                                      // 33
+    "[[event]]",                                              // 34
+    "name = \"off\"",                                         // 35
+    "angle_deg = 30",                                         // 36
+    "loads = [\"arm 2\"]",                                    // 37
+    "after = \"open\"",                                       // 38
+    "breaks = \"hinge\"",                                     // 39
+    "[[force]]",                                              // 40
+    "name = \"engine\"",                                      // 41
+    "body = \"arm\"",                                         // 42
+    "kind = \"thrust\"",                                      // 43
+    "point_m = [0, 0, 0]",                                    // 44
+    "direction = [1, 0, 0]",                                  // 45
+    "thrust_kN = 2",                                          // 46
+    "cutoff_at_event = \"open\"",                             // 47
+    "decay_s = 0.1",                                          // 48
+};
+
+std::string text_of(const std::vector<std::string>& lines) {
+  std::string text;
+  for (const std::string& line : lines) text += line + '\n';
+  return text;
+}
+
+// What reading the good case with line `number` (from 1) exchanged says.
+std::string message_with_line(int number, const std::string& line) {
+  std::vector<std::string> lines = good_lines;
+  lines[number - 1] = line;
+  return error_message([&] { parse_case(text_of(lines), "c.toml"); });
+}
+
+TEST(CaseFile, ReadsEverything) {
+  const Case c = parse_case(text_of(good_lines), "c.toml");
+  EXPECT_EQ(c.name, "test");
+  EXPECT_EQ(c.end_time, 2);
+  EXPECT_EQ(c.output_step, 0.01);
+  EXPECT_EQ(c.options.gravity, Vector3d(0, 0, -9.81));
+  EXPECT_EQ(c.carrier.mass, 1000);
+  ASSERT_EQ(c.loads.size(), 2U);
+  const separation::Load& load = c.loads[1];
+  EXPECT_EQ(load.body.name, "arm 2");
+  EXPECT_EQ(load.group, "arm");
+  // A cylinder of water; its middle is the centre of mass.
+  EXPECT_NEAR(load.body.mass, 1000 * std::numbers::pi * 0.01 * 2, 1e-12);
+  EXPECT_LE((load.body.com - Vector3d(1, 0, 0)).norm(), 1e-15);
+  EXPECT_NEAR(load.body.inertia(0, 0), load.body.mass * 0.01 / 2, 1e-12);
+  EXPECT_LE((load.body.shapes[0].from - Vector3d(-1, 0, 0)).norm(), 1e-15);
+  EXPECT_EQ(load.hinge.kind, JointKind::axis);
+  EXPECT_LE((load.hinge.load_point - Vector3d(-1, 0, 0)).norm(), 1e-15);
+  // The second copy is turned by 180 deg about x.
+  EXPECT_LE((load.hinge.carrier_point - Vector3d(2, -0.5, 0)).norm(), 1e-15);
+  EXPECT_LE((load.hinge.axis - Vector3d(0, 0, -1)).norm(), 1e-15);
+  EXPECT_TRUE(load.start.locked);
+  EXPECT_EQ(load.hinge.joints.size(), 1U);
+  ASSERT_EQ(c.events.size(), 2U);
+  EXPECT_EQ(c.events[0].loads, (std::vector<int>{0, 1}));
+  EXPECT_EQ(c.events[0].trigger, Event::Trigger::time);
+  EXPECT_EQ(c.events[1].loads, std::vector<int>{1});
+  EXPECT_EQ(c.events[1].after, 0);
+  EXPECT_NEAR(c.events[1].value, 30 * degree, 1e-15);
+  ASSERT_EQ(c.forces.size(), 2U);
+  const auto& thrust = std::get<separation::Thrust>(c.forces[1].what);
+  EXPECT_EQ(thrust.force, Vector3d(2000, 0, 0));
+  EXPECT_EQ(thrust.cutoff.event, 0);
+  // The carrier has no shape.
+  ASSERT_EQ(c.clearance.size(), 1U);
+  EXPECT_EQ(c.clearance[0].a, 1);
+  EXPECT_EQ(c.clearance[0].b, 2);
+}
+
+TEST(CaseFile, AnglesOfTheAxisComeBack) {
+  const Case c = parse_case(text_of(good_lines), "c.toml");
+  const separation::Hinge& hinge = c.loads[1].hinge;
+  for (const double angle : {-3.0, -0.5, 0.0, 1e-9, 2.0, 3.1}) {
+    const Matrix3d rotation =
+        Eigen::AngleAxisd(angle, hinge.axis).toRotationMatrix() *
+        hinge.zero_rotation;
+    EXPECT_NEAR(separation::hinge_angle(hinge, rotation), angle, 1e-15);
+  }
+}
+
+TEST(CaseFile, EveryBadLineHasItsMessage) {
+  EXPECT_EQ(message_with_line(2, "gravity = 9.81"),
+            "c.toml:2: gravity = 9.81: allowed: an array of 3 numbers");
+  EXPECT_EQ(message_with_line(4, "end_time_s = -1"),
+            "c.toml:4: run.end_time_s = -1: allowed: above 0 s");
+  EXPECT_EQ(message_with_line(4, ""),
+            "c.toml:3: run.end_time is missing: allowed: end_time (in s), "
+            "end_time_s, end_time_ms");
+  EXPECT_EQ(message_with_line(5, "output_step_s = 1e-9"),
+            "c.toml:5: run.output_step_s = 1e-09: allowed: 1000000 rows at "
+            "most");
+  EXPECT_EQ(message_with_line(5, "ouput_step_s = 0.1"),
+            "c.toml:5: run.ouput_step_s: unknown key: did you mean "
+            "output_step_s?");
+  EXPECT_EQ(message_with_line(8, "mass_t = nan"),
+            "c.toml:8: carrier.mass_t = nan: allowed: above 0 t");
+  EXPECT_EQ(message_with_line(10, "principal_inertia = [1, 2, 4]"),
+            "c.toml:10: carrier.principal_inertia = an array: allowed: "
+            "principal moments of a body: none negative, none above the sum "
+            "of the other two");
+  EXPECT_EQ(message_with_line(10, ""),
+            "c.toml:6: carrier.inertia: is missing, and there are no shapes "
+            "to take it from");
+  EXPECT_EQ(message_with_line(12, "name = \"core\""),
+            "c.toml:12: load[1].name = \"core\": allowed: a name that no "
+            "other body has");
+  EXPECT_EQ(message_with_line(12, "name = \"a.b\""),
+            "c.toml:12: load[1].name = \"a.b\": allowed: a name without . / "
+            ", \" and line ends");
+  EXPECT_EQ(message_with_line(15, "kind = \"box\""),
+            "c.toml:15: load[1].shape[1].kind = \"box\": allowed: "
+            "\"capsule\", \"cylinder\", \"cone\", \"hull\"");
+  EXPECT_EQ(message_with_line(17, "to_m = [0, 0, 0]"),
+            "c.toml:17: load[1].shape[1].to_m = an array: allowed: a point "
+            "apart from \"from\"");
+  EXPECT_EQ(message_with_line(20, "count = 1"),
+            "c.toml:20: load[1].pattern.count = 1: allowed: an integer, 2 to "
+            "1000");
+  EXPECT_EQ(message_with_line(23, "kind = \"spherical\""),
+            "c.toml:26: load[1].hinge.joint[1].kind: allowed: a ball joint on "
+            "a spherical hinge");
+  EXPECT_EQ(message_with_line(25, "axis = [0, 0, 0]"),
+            "c.toml:25: load[1].hinge.axis = an array: allowed: a vector that "
+            "is not 0");
+  EXPECT_EQ(message_with_line(27, "file = \"none.toml\""),
+            "c.toml:27: load[1].hinge.joint[1].file = \"none.toml\": "
+            "none.toml: cannot be read: No such file or directory");
+  EXPECT_EQ(message_with_line(29, "load_point_m = [0, 0, 0]"),
+            "c.toml:29: load[1].lock.load_point_m = an array: allowed: a "
+            "point apart from the hinge");
+  EXPECT_EQ(message_with_line(32, ""),
+            "c.toml:30: event[1].time: is missing: an event needs time, "
+            "angle, reaction or after");
+  EXPECT_EQ(message_with_line(32, "time_s = 1\nreaction_N = 3"),
+            "c.toml:33: event[1].reaction_N = 3: allowed: not together with "
+            "time");
+  EXPECT_EQ(message_with_line(33, "breaks = \"weld\""),
+            "c.toml:33: event[1].breaks = \"weld\": allowed: \"lock\", "
+            "\"hinge\"");
+  EXPECT_EQ(message_with_line(35, "name = \"open\""),
+            "c.toml:35: event[2].name = \"open\": allowed: a name that no "
+            "other event has");
+  EXPECT_EQ(message_with_line(37, "loads = [\"arm 3\"]"),
+            "c.toml:37: event[2].loads = an array: allowed: arm, arm 1, arm "
+            "2");
+  EXPECT_EQ(message_with_line(38, "after = \"opne\""),
+            "c.toml:38: event[2].after = \"opne\": allowed: open, off");
+  EXPECT_EQ(message_with_line(38, "after = \"off\""),
+            "c.toml:38: event[2].after = \"off\": allowed: another event");
+  EXPECT_EQ(message_with_line(42, "body = \"tank\""),
+            "c.toml:42: force[1].body = \"tank\": allowed: core, arm, arm 1, "
+            "arm 2");
+  EXPECT_EQ(message_with_line(43, "kind = \"glue\""),
+            "c.toml:43: force[1].kind = \"glue\": allowed: \"applied\", "
+            "\"thrust\", \"spring\", \"pusher\", \"motor\", \"aerodynamic\"");
+  EXPECT_EQ(message_with_line(47, "cutoff_at_s = 1\ncutoff_delay_s = 1"),
+            "c.toml:48: force[1].cutoff_delay_s = 1: allowed: with "
+            "cutoff_at_event");
+  EXPECT_EQ(message_with_line(47, ""),
+            "c.toml:48: force[1].decay_s = 0.1: allowed: with cutoff_at or "
+            "cutoff_at_event");
+  EXPECT_EQ(message_with_line(48, "decays = 0.1"),
+            "c.toml:48: force[1].decays: unknown key: did you mean decay?");
+}
+
+// Tables of other kinds of forces, in place of the engine.
+std::string message_of_force(const std::string& text) {
+  const std::vector<std::string> lines(good_lines.begin(),
+                                       good_lines.begin() + 40);
+  return error_message([&] { parse_case(text_of(lines) + text, "c.toml"); });
+}
+
+TEST(CaseFile, Forces) {
+  EXPECT_EQ(message_of_force("name = \"f\"\nbody = \"arm\"\n"
+                             "kind = \"applied\"\n"),
+            "c.toml:40: force[1].force: is missing, and there is no moment "
+            "either");
+  EXPECT_EQ(message_of_force("name = \"f\"\nbody = \"arm\"\n"
+                             "kind = \"applied\"\ntime_s = [0, 1]\n"
+                             "force_N = [1, 0, 0]\n"),
+            "c.toml:45: force[1].force_N = an array: allowed: an array of 2 "
+            "arrays of 3 numbers");
+  EXPECT_EQ(message_of_force("name = \"f\"\nbody = \"arm\"\n"
+                             "kind = \"applied\"\ntime_s = [1, 1]\n"
+                             "force_N = [[1, 0, 0], [0, 0, 0]]\n"),
+            "c.toml:44: force[1].time_s = an array: allowed: numbers that "
+            "grow from one to the next");
+  EXPECT_EQ(message_of_force("name = \"f\"\nbody = \"core\"\n"
+                             "kind = \"pusher\"\n"),
+            "c.toml:42: force[1].body = \"core\": allowed: a load");
+  EXPECT_EQ(message_of_force("name = \"f\"\nbody = \"core\"\n"
+                             "kind = \"motor\"\nmoment_N_m = 1\n"),
+            "c.toml:42: force[1].body = \"core\": allowed: a load on an axis");
+  EXPECT_EQ(
+      message_of_force("name = \"f\"\nbody = \"arm\"\nkind = \"aerodynamic\"\n"
+                       "axis = [1, 0, 0]\nreference_area_m2 = 1\n"
+                       "flow = [-1, 0, 0]\ndynamic_pressure_Pa = 10\n"
+                       "angle_deg = [0, 10]\nnormal = [0, 0.1, 0.2]\n"),
+      "c.toml:49: force[1].normal = an array of 3: allowed: an array of 2 "
+      "numbers");
+  EXPECT_EQ(
+      message_of_force("name = \"f\"\nbody = \"arm\"\nkind = \"spring\"\n"
+                       "point_m = [0, 0, 0]\ncarrier_point_m = [1, 0, 0]\n"
+                       "stiffness_N_per_m = 10\nfree_length_m = 0.1\n"),
+      "(no error)");
+}
+
+TEST(CaseFile, LawsOfTheCommandLineAreTaken) {
+  const Case c = parse_case(text_of(good_lines), "c.toml", {"tanh", ""});
+  EXPECT_EQ(c.loads[0].hinge.joints[0].joint.half_angle_law, "tanh");
+  EXPECT_NE(error_message([] {
+              parse_case(text_of(good_lines), "c.toml", {"tahn", ""});
+            }).find("tahn"),
+            std::string::npos);
+}
+
+TEST(CaseFile, AllCasesOfTheProjectAreGood) {
+  int count = 0;
+  for (const auto& file :
+       fs::directory_iterator(fs::path(CONTACT_DATA_DIR) / "cases")) {
+    EXPECT_NO_THROW(separation::read_case(file.path())) << file.path();
+    ++count;
+  }
+  EXPECT_GE(count, 5);
+}
+
+}  // namespace

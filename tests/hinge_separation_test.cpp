@@ -1,0 +1,549 @@
+// The program hinge-separation, run as its users run it.
+#include <gtest/gtest.h>
+#include <hdf5.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "cli/number.hpp"
+#include "support/program.hpp"
+
+namespace {
+
+using contact::test::csv_column;
+using contact::test::csv_rows;
+using contact::test::ProgramFolder;
+using contact::test::ProgramResult;
+using Eigen::Vector3d;
+using nlohmann::json;
+
+constexpr double degree = std::numbers::pi / 180;
+
+// A time history; no value is NaN.
+class History {
+ public:
+  explicit History(const std::string& csv) : rows_(csv_rows(csv)) {}
+
+  std::size_t size() const { return rows_.size() - 1; }
+  const std::vector<std::string>& columns() const { return rows_.front(); }
+  std::vector<std::string> words(const std::string& name) const {
+    return csv_column(rows_, name);
+  }
+  const std::vector<double>& operator[](const std::string& name) const {
+    auto& column = numbers_[name];
+    if (column.empty()) {
+      for (const std::string& cell : words(name)) {
+        column.push_back(cli::parse_number(cell).value_or(NAN));
+      }
+    }
+    return column;
+  }
+  Vector3d vector(const std::string& body, const char* x, const char* y,
+                  const char* z, std::size_t row) const {
+    return {(*this)[body + x][row], (*this)[body + y][row],
+            (*this)[body + z][row]};
+  }
+  Vector3d position(const std::string& body, std::size_t row) const {
+    return vector(body, ".x_m", ".y_m", ".z_m", row);
+  }
+  Vector3d velocity(const std::string& body, std::size_t row) const {
+    return vector(body, ".vx_m_per_s", ".vy_m_per_s", ".vz_m_per_s", row);
+  }
+  // I w about the centre of mass, inertial axes.
+  Vector3d spin(const std::string& body, const Vector3d& inertia,
+                std::size_t row) const {
+    const Eigen::Quaterniond q(
+        (*this)[body + ".qw"][row], (*this)[body + ".qx"][row],
+        (*this)[body + ".qy"][row], (*this)[body + ".qz"][row]);
+    const Vector3d w =
+        vector(body, ".wx_rad_per_s", ".wy_rad_per_s", ".wz_rad_per_s", row);
+    return q * inertia.cwiseProduct(w);
+  }
+
+ private:
+  std::vector<std::vector<std::string>> rows_;
+  mutable std::map<std::string, std::vector<double>> numbers_;
+};
+
+json run_json(const ProgramFolder& folder, const std::string& arguments) {
+  const ProgramResult result = folder.run("hinge-separation " + arguments);
+  EXPECT_EQ(result.status, 0) << arguments << '\n' << result.err;
+  return json::parse(result.out);
+}
+
+const std::vector<std::string> cases = {"soyuz", "two_stage_turn", "slosh",
+                                        "flywheels", "platform"};
+
+TEST(HingeSeparation, EveryCaseKeepsItsEnergyAndLeavesNothingBehind) {
+  for (const std::string& name : cases) {
+    const ProgramFolder folder;
+    const json j = run_json(
+        folder, "data/cases/" + name + ".toml --history h.csv --events e.csv");
+    EXPECT_FALSE(j.contains("failure")) << name;
+    EXPECT_EQ(folder.files(), (std::vector<std::string>{"e.csv", "h.csv"}))
+        << name;
+    const json& drift = j["energy"]["largest_drift_J"];
+    EXPECT_EQ(drift.is_null(), name == "two_stage_turn");  // driven carrier
+    if (drift.is_null()) continue;
+    // Steps at a relative tolerance of 1e-8 to 1e-9, some hundreds of them.
+    EXPECT_LT(drift.get<double>(),
+              1e-7 * j["energy"]["largest_J"].get<double>())
+        << name;
+    // Nothing touches anything.
+    for (const json& pair : j["clearance"]) {
+      EXPECT_GT(pair["smallest_m"].get<double>(), 0.05) << name;
+    }
+    const History h(folder.read("h.csv"));
+    EXPECT_EQ(h["time_s"].back(), j["end_time_s"].get<double>());
+    EXPECT_TRUE(std::is_sorted(h["time_s"].begin(), h["time_s"].end()));
+  }
+}
+
+TEST(HingeSeparation, BoostersComeOffAtTheAngleAskedForAndDriftClear) {
+  const ProgramFolder folder;
+  const json j = run_json(folder, "data/cases/soyuz.toml --history h.csv");
+  std::map<std::string, double> lower, upper;
+  for (const json& event : j["events"]) {
+    const std::string what = event["what"];
+    auto& times = what.starts_with("lower") ? lower : upper;
+    if (what.ends_with("breaks")) times[event["load"]] = event["time_s"];
+  }
+  EXPECT_EQ(lower.size(), 4U);
+  EXPECT_EQ(upper.size(), 4U);
+  for (const json& load : j["loads"]) {
+    const std::string name = load["name"];
+    EXPECT_EQ(lower[name], 0.5);
+    const json& release = load["at_release"];
+    EXPECT_EQ(release["time_s"], upper[name]);
+    // The root of the angle, to the tolerance of the steps.
+    EXPECT_NEAR(release["angle_deg"].get<double>(), 8, 1e-6);
+    EXPECT_GT(release["rate_deg_per_s"].get<double>(), 1);
+    EXPECT_EQ(load["mode_at_end"], "released");
+    EXPECT_GT(load["work_of_friction_J"].get<double>(), 0);
+  }
+  // Booster 3 is stronger, the others are each other's mirror images.
+  EXPECT_LT(upper["booster 3"], upper["booster 1"]);
+  EXPECT_NEAR(upper["booster 2"], upper["booster 4"], 1e-6);
+  const History h(folder.read("h.csv"));
+  for (const std::string& column : h.columns()) {
+    if (!column.starts_with("clearance.core")) continue;
+    EXPECT_GT(h[column].back(), 50) << column;
+  }
+  // While it is locked a booster does not move against the core.
+  const auto mode = h.words("booster_1.mode");
+  for (std::size_t i = 0; i < h.size() && mode[i] == "locked"; ++i) {
+    EXPECT_NEAR(h["booster_1.angle_deg"][i], 2.63, 1e-12);
+  }
+}
+
+// Two bodies that only push each other: nothing from outside.
+constexpr const char* alone = R"(
+name = "alone"
+[run]
+end_time_s = 3
+output_step_s = 0.05
+[carrier]
+name = "core"
+mass_kg = 100
+principal_inertia_kg_m2 = [10, 12, 14]
+start = { velocity_m_per_s = [1, 2, -0.5], angular_velocity_rad_per_s = [0.1, -0.2, 0.3] }
+[[load]]
+name = "tip"
+mass_kg = 20
+com_m = [0.2, 0.1, 0]
+principal_inertia_kg_m2 = [1, 2, 2.5]
+[load.hinge]
+kind = "spherical"
+carrier_point_m = [1, 0, 0]
+[[load.hinge.joint]]
+name = "ball"
+kind = "spherical"
+geometry = { radius_mm = 30, radial_clearance_um = 60 }
+materials.inner = { youngs_modulus_GPa = 200, poissons_ratio = 0.3 }
+materials.outer = { youngs_modulus_GPa = 200, poissons_ratio = 0.3 }
+friction = { coefficient = 0.2, adhesion_MPa = 1 }
+[load.lock]
+load_point_m = [0.5, 0, 0]
+[[event]]
+name = "lock opens"
+time_s = 0.4
+breaks = "lock"
+[[event]]
+name = "hinge breaks"
+after = "lock opens"
+delay_s = 0.7
+breaks = "hinge"
+[[force]]
+name = "pusher"
+kind = "pusher"
+body = "tip"
+point_m = [0.1, 0.3, 0]
+carrier_point_m = [1.1, 0.3, 0]
+direction = [-0.5, 1, 0.2]
+first_force_N = 200
+last_force_N = 50
+stroke_mm = 60
+[[force]]
+name = "spring"
+kind = "spring"
+body = "tip"
+point_m = [0, 0, 0.4]
+carrier_point_m = [0.5, 0.1, 0.5]
+stiffness_N_per_m = 300
+free_length_m = 0.9
+damping_N_s_per_m = 5
+)";
+
+TEST(HingeSeparation, MomentaStayBeforeAndAfterTheRelease) {
+  const ProgramFolder folder;
+  folder.write("c.toml", alone);
+  const json j = run_json(folder, "c.toml --history h.csv");
+  EXPECT_NEAR(j["loads"][0]["at_release"]["time_s"].get<double>(), 1.1, 1e-12);
+  EXPECT_GT(j["loads"][0]["work_of_friction_J"].get<double>(), 0);
+  // The pusher does push, and its stroke ends.
+  EXPECT_GT(j["energy"]["largest_J"].get<double>(), 0);
+  EXPECT_LT(j["energy"]["largest_drift_J"].get<double>(),
+            1e-7 * j["energy"]["largest_J"].get<double>());
+  const History h(folder.read("h.csv"));
+  const auto momentum = [&](std::size_t i) -> Vector3d {
+    return 100 * h.velocity("core", i) + 20 * h.velocity("tip", i);
+  };
+  const auto angular = [&](std::size_t i) -> Vector3d {
+    return h.spin("core", {10, 12, 14}, i) + h.spin("tip", {1, 2, 2.5}, i) +
+           100 * h.position("core", i).cross(h.velocity("core", i)) +
+           20 * h.position("tip", i).cross(h.velocity("tip", i));
+  };
+  const auto relative = [&](std::size_t i) {
+    return (h.velocity("tip", i) - h.velocity("core", i)).norm();
+  };
+  // 1e-9 of the steps' tolerance times some hundreds of steps.
+  for (std::size_t i = 0; i < h.size(); ++i) {
+    EXPECT_LE((momentum(i) - momentum(0)).norm(), 1e-7 * momentum(0).norm())
+        << i;
+    EXPECT_LE((angular(i) - angular(0)).norm(), 2e-7 * angular(0).norm()) << i;
+  }
+  EXPECT_GT(relative(h.size() - 1), 2 * relative(0));
+}
+
+// theory: example 2 of the paper, converged: R_n, M and the braking.
+TEST(HingeSeparation, TwoStageTurnBeginsAsExample2OfThePaper) {
+  struct Row {
+    double acceleration, moment, reaction, half_angle;
+  };
+  const auto first_row = [](const std::string& friction) {
+    const ProgramFolder folder;
+    run_json(folder,
+             "data/cases/two_stage_turn.toml --history h.csv "
+             "--friction " +
+                 friction);
+    const History h(folder.read("h.csv"));
+    return Row{h["load.acceleration_deg_per_s2"][0],
+               h["load.friction_moment_N_m"][0], h["load.reaction_N"][0],
+               h["load.theta0_deg"][0]};
+  };
+  const Row ideal = first_row("ideal");
+  const Row full = first_row("full");
+  const Row traditional = first_row("traditional");
+  // The file's numbers have 8 digits.
+  EXPECT_NEAR(ideal.acceleration, 8.67, 1e-6);
+  EXPECT_NEAR(ideal.reaction, 2 * std::hypot(1.122e6, 3.23e5), 1);
+  // Digits as the outer loop of example 2 gives them.
+  EXPECT_NEAR(full.moment, 1.1491e5, 10);
+  EXPECT_NEAR(full.half_angle, 45.34, 5e-3);
+  EXPECT_NEAR(full.acceleration - ideal.acceleration, -0.747, 5e-4);
+  EXPECT_NEAR(full.reaction,
+              2 * std::hypot(1.122e6, 3.23e5 - 0.026 * full.moment), 1);
+  // Friction from R instead of R_n: about twice.
+  EXPECT_NEAR(traditional.moment, 2.26e5, 5e2);
+}
+
+TEST(HingeSeparation, FrictionIsBetweenIdealAndTheTraditionalEstimate) {
+  for (const std::string name : {"two_stage_turn", "soyuz"}) {
+    const ProgramFolder folder;
+    const ProgramResult result =
+        folder.run("hinge-separation --compare data/cases/" + name + ".toml");
+    EXPECT_EQ(result.status, 0) << result.err;
+    const auto rows = csv_rows(result.out);
+    EXPECT_EQ(rows[0], (std::vector<std::string>{"load", "quantity", "ideal",
+                                                 "full", "traditional"}));
+    int compared = 0;
+    for (const auto& row : rows) {
+      if (row[1] != "rate_at_release_deg_per_s") continue;
+      ++compared;
+      const double ideal = *cli::parse_number(row[2]);
+      const double full = *cli::parse_number(row[3]);
+      const double traditional = *cli::parse_number(row[4]);
+      EXPECT_GT(ideal, full) << name << ' ' << row[0];
+      EXPECT_GT(full, traditional) << name << ' ' << row[0];
+    }
+    EXPECT_EQ(compared, name == "soyuz" ? 4 : 1);
+  }
+}
+
+// At a reaction level, at an angle already passed when it is armed, together.
+TEST(HingeSeparation, EventsOfAllKinds) {
+  const ProgramFolder folder;
+  const std::string head = R"(
+name = "pendulums"
+gravity_m_per_s2 = [0, -9.81, 0]
+[run]
+end_time_s = 4
+[carrier]
+name = "ceiling"
+mass_kg = 1000
+principal_inertia_kg_m2 = [1, 1, 1]
+drive = { acceleration_m_per_s2 = [0, 0, 0] }
+[[load]]
+name = "mass"
+mass_kg = 2
+com_m = [1, 0, 0]
+principal_inertia_kg_m2 = [0, 0, 0]
+[load.hinge]
+kind = "axis"
+carrier_point_m = [0, 0, 0]
+axis = [0, 0, -1]
+[load.pattern]
+count = 2
+axis = [0, 0, 1]
+)";
+  // From level, the thread's force is 3 m g sin(angle); the second pendulum,
+  // turned by 180 deg, swings the other way.
+  folder.write("reaction.toml", head + R"(
+[[event]]
+name = "tears"
+reaction_N = 30
+loads = "mass 1"
+breaks = "hinge"
+)");
+  const json torn = run_json(folder, "reaction.toml");
+  EXPECT_NEAR(torn["loads"][0]["at_release"]["angle_deg"].get<double>(),
+              std::asin(30 / (3 * 2 * 9.81)) / degree, 1e-5);
+  EXPECT_TRUE(torn["loads"][1]["at_release"].is_null());
+
+  folder.write("late.toml", head + R"(
+[[event]]
+name = "first"
+time_s = 0.3
+loads = "mass 2"
+breaks = "hinge"
+[[event]]
+name = "second"
+after = "first"
+angle_deg = 5
+loads = "mass 1"
+breaks = "hinge"
+)");
+  const json late = run_json(folder, "late.toml");
+  for (const json& load : late["loads"]) {
+    EXPECT_EQ(load["at_release"]["time_s"], 0.3) << load["name"];
+  }
+  // Opposite turns of equal size.
+  const double a = late["loads"][0]["at_release"]["angle_deg"];
+  EXPECT_GT(a, 5);
+  EXPECT_NEAR(late["loads"][1]["at_release"]["angle_deg"].get<double>(), -a,
+              1e-6);
+
+  folder.write("together.toml", head + R"(
+[[event]]
+name = "both"
+angle_deg = 60
+together = true
+breaks = "hinge"
+)");
+  const json both = run_json(folder, "together.toml");
+  EXPECT_EQ(both["loads"][0]["at_release"]["time_s"],
+            both["loads"][1]["at_release"]["time_s"]);
+  EXPECT_NEAR(both["loads"][0]["at_release"]["angle_deg"].get<double>(), 60,
+              1e-6);
+}
+
+TEST(HingeSeparation, LockTakesItsShareOfTheReaction) {
+  // A bar of 10 kg between hinge and lock, its middle at 3/4 of the way.
+  const ProgramFolder folder;
+  folder.write("c.toml", R"(
+name = "bar"
+gravity_m_per_s2 = [0, -10, 0]
+[run]
+end_time_s = 0.1
+[carrier]
+name = "wall"
+mass_kg = 1000
+principal_inertia_kg_m2 = [1, 1, 1]
+drive = { acceleration_m_per_s2 = [0, 0, 0] }
+[[load]]
+name = "bar"
+mass_kg = 10
+com_m = [1.5, 0, 0]
+principal_inertia_kg_m2 = [0, 1, 1]
+hinge = { kind = "axis", carrier_point_m = [0, 0, 0], axis = [0, 0, 1] }
+lock = { load_point_m = [2, 0, 0] }
+)");
+  const json j = run_json(folder, "c.toml");
+  EXPECT_NEAR(j["loads"][0]["peak_lock_reaction_N"].get<double>(), 75, 1e-9);
+  EXPECT_NEAR(j["loads"][0]["peak_reaction_N"].get<double>(), 25, 1e-9);
+  EXPECT_EQ(j["loads"][0]["mode_at_end"], "locked");
+}
+
+TEST(HingeSeparation, ResumedRunIsTheSame) {
+  const ProgramFolder folder;
+  // The last checkpoint is gone on from: wheels that slide and rest, arms that
+  // have come off and others, free boosters.
+  const auto compare = [&](const std::string& name, const char* every,
+                           const char* column) {
+    const std::string run = "hinge-separation data/cases/" + name + ".toml ";
+    const std::string checkpoint =
+        std::string(" --checkpoint-every ") + every + " --checkpoint ";
+    ASSERT_EQ(folder
+                  .run(run + "--history a.csv --events a.txt --output a.json" +
+                       checkpoint + "c.cbor")
+                  .status,
+              0);
+    const ProgramResult resumed =
+        folder.run(run +
+                   "--history b.csv --events b.txt --output b.json "
+                   "--resume c.cbor" +
+                   checkpoint + "d.cbor");
+    ASSERT_EQ(resumed.status, 0) << resumed.err;
+    // Byte by byte; too long to be printed.
+    EXPECT_TRUE(folder.read("a.csv") == folder.read("b.csv")) << name;
+    EXPECT_EQ(folder.read("a.txt"), folder.read("b.txt")) << name;
+    json a = json::parse(folder.read("a.json"));
+    json b = json::parse(folder.read("b.json"));
+    a.erase("counts");
+    b.erase("counts");
+    EXPECT_EQ(a, b) << name;
+    // Without a checkpoint: other steps, the same motion to their tolerance.
+    ASSERT_EQ(folder.run(run + "--history s.csv").status, 0);
+    const History with(folder.read("a.csv"));
+    const History without(folder.read("s.csv"));
+    ASSERT_EQ(with.size(), without.size()) << name;
+    const double last = without[column].back();
+    EXPECT_NEAR(with[column].back(), last, 1e-6 * std::abs(last)) << name;
+  };
+  compare("flywheels", "21", "wheel_x.angle_deg");
+  compare("platform", "2", "arm_2.friction_work_J");
+  compare("soyuz", "5", "booster_1.x_m");
+
+  const std::string run = "hinge-separation data/cases/soyuz.toml ";
+  const ProgramResult other =
+      folder.run("hinge-separation data/cases/slosh.toml --resume c.cbor");
+  EXPECT_EQ(other.status, 2);
+  EXPECT_EQ(other.err,
+            "hinge-separation: c.cbor: a checkpoint of a run of another case "
+            "file or with other options\n");
+  folder.write("bad.cbor", "nonsense");
+  EXPECT_EQ(folder.run(run + "--resume bad.cbor").err,
+            "hinge-separation: bad.cbor: not a checkpoint of "
+            "hinge-separation\n");
+}
+
+TEST(HingeSeparation, Hdf5HoldsWhatTheTableHolds) {
+  const ProgramFolder folder;
+  run_json(folder, "data/cases/slosh.toml --history h.csv");
+  run_json(folder, "data/cases/slosh.toml --history h.h5");
+  const History h(folder.read("h.csv"));
+  const hid_t file =
+      H5Fopen((folder.path() / "h.h5").c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+  ASSERT_GE(file, 0);
+  for (const char* column : {"time_s", "fuel.angle_deg", "tank.vx_m_per_s"}) {
+    std::string path = column;
+    std::replace(path.begin(), path.end(), '.', '/');
+    const hid_t data = H5Dopen2(file, path.c_str(), H5P_DEFAULT);
+    ASSERT_GE(data, 0) << path;
+    std::vector<double> values(h.size());
+    ASSERT_GE(H5Dread(data, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT,
+                      values.data()),
+              0);
+    EXPECT_EQ(values, h[column]) << path;
+    EXPECT_GT(H5Aexists(data, "unit"), 0) << path;
+    H5Dclose(data);
+  }
+  H5Fclose(file);
+}
+
+TEST(HingeSeparation, BadInputHasOneMessageAndLeavesNothing) {
+  const ProgramFolder folder;
+  folder.write("c.toml", "name = \"x\"\n[run]\nend_time_s = 0\n");
+  const auto message = [&](const std::string& arguments) {
+    const ProgramResult result = folder.run("hinge-separation " + arguments);
+    EXPECT_EQ(result.status, 2) << arguments;
+    EXPECT_EQ(result.out, "");
+    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1)
+        << result.err;
+    return result.err;
+  };
+  EXPECT_EQ(message("c.toml --history h.csv"),
+            "hinge-separation: c.toml:3: run.end_time_s = 0: allowed: above 0 "
+            "s\n");
+  EXPECT_EQ(message("none.toml"),
+            "hinge-separation: none.toml: cannot be read: No such file or "
+            "directory\n");
+  message("data/cases/soyuz.toml --friction wet");
+  message("data/cases/slosh.toml --compare --history h.csv");
+  message("data/cases/slosh.toml --checkpoint c.cbor");
+  message("data/cases/slosh.toml --checkpoint c.cbor --checkpoint-every 0");
+  message("data/cases/soyuz.toml --law tahn");
+  message("data/cases/slosh.toml --history /nowhere/h.csv");
+  message("data/cases/slosh.toml --plot h.bmp");
+  EXPECT_EQ(folder.files(), std::vector<std::string>{"c.toml"});
+}
+
+TEST(HingeSeparation, OverlapAndEarlyEndAreReported) {
+  const ProgramFolder folder;
+  std::string text = alone;
+  text += "[[clearance]]\na = \"core\"\nb = \"tip\"\n";
+  EXPECT_NE(text.find("com_m = [0.2, 0.1, 0]\n"), std::string::npos);
+  folder.write("c.toml", text);
+  const ProgramResult none = folder.run("hinge-separation c.toml");
+  EXPECT_EQ(none.status, 2);
+  EXPECT_NE(none.err.find("allowed: a body with shapes"), std::string::npos);
+  const std::string shape =
+      "[[%.shape]]\nkind = \"capsule\"\nfrom_m = [0, 0, 0]\n"
+      "to_m = [0.2, 0, 0]\nradius_m = 0.9\n";
+  const auto insert = [&](const std::string& before, const std::string& table) {
+    std::string piece = shape;
+    piece.replace(piece.find('%'), 1, table);
+    text.insert(text.find(before), piece);
+  };
+  insert("[[load]]", "carrier");
+  insert("[load.hinge]", "load");
+  folder.write("c.toml", text);
+  const ProgramResult overlap = folder.run("hinge-separation c.toml");
+  EXPECT_EQ(overlap.status, 0);
+  EXPECT_NE(overlap.err.find("core and tip overlap from t = 0 s to "),
+            std::string::npos)
+      << overlap.err;
+
+  // The hinge breaks while the lock holds.
+  text = alone;
+  text.replace(text.find("after = \"lock opens\"\ndelay_s = 0.7"), 34,
+               "time_s = 0.2");
+  folder.write("c.toml", text);
+  const ProgramResult early =
+      folder.run("hinge-separation c.toml --history h.csv");
+  EXPECT_EQ(early.status, 1);
+  EXPECT_NE(early.err.find("t = 0.2 s: event \"hinge breaks\": the hinge of "
+                           "\"tip\" breaks while its lock still holds"),
+            std::string::npos)
+      << early.err;
+  EXPECT_TRUE(json::parse(early.out).contains("failure"));
+  EXPECT_EQ(History(folder.read("h.csv"))["time_s"].back(), 0.2);
+}
+
+TEST(HingeSeparation, PicturesAreThere) {
+  const ProgramFolder folder;
+  if (folder.run("command -v gnuplot").status != 0) GTEST_SKIP();
+  run_json(folder, "data/cases/soyuz.toml --plot s.svg");
+  EXPECT_EQ(folder.files(),
+            (std::vector<std::string>{"s_angles.svg", "s_clearance.svg",
+                                      "s_rates.svg", "s_reactions.svg"}));
+}
+
+}  // namespace
