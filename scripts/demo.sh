@@ -1,11 +1,13 @@
 #!/usr/bin/env bash
 # Set-up, build, and the main job: friction-coefficient tables, half-angle
-# curves of real joints and the paper's figures, in demo-output/.
+# curves of real joints, a separation of stages and the paper's figures, in
+# demo-output/.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 scripts/setup.sh
 cmake --preset release
-cmake --build --preset release --target hinge-table hinge-angle hinge-joint
+cmake --build --preset release --target hinge-table hinge-angle hinge-joint \
+  hinge-separation
 
 out=demo-output
 mkdir -p "$out"
@@ -75,6 +77,17 @@ beside=(--beside data/reference/paper_examples.csv --format markdown)
   echo
   hinge-joint "${example_2[@]}" --trace "${beside[@]}"
 } >"$out/paper_examples.md"
+
+echo "Separation of four boosters"
+hinge-separation data/cases/soyuz.toml --output "$out/soyuz.json" \
+  --history "$out/soyuz.csv" --events "$out/soyuz_events.csv" $(picture soyuz)
+{
+  echo "# Ideal joints, friction, and the traditional estimate of friction"
+  for case in two_stage_turn soyuz; do
+    echo
+    hinge-separation "data/cases/$case.toml" --compare --format markdown
+  done
+} >"$out/separation_comparison.md"
 
 if command -v gnuplot >/dev/null; then
   echo "Figures 3, 4, 5, 8 and 9 of the paper, and limit half-angles"
