@@ -272,6 +272,64 @@ TEST(HingeJoint, FormatsHoldTheSameNumbers) {
   EXPECT_EQ(csv_rows(markdown).size(), 2 + csv.size());
 }
 
+// A line in, a line out; outputs of the program are inputs again.
+TEST(HingeJoint, PointsAreAFilter) {
+  const ProgramFolder folder;
+  folder.write("points.csv",
+               "note,R_N,b_deg\nfirst,1e5,67.6\n\"a, b\",2e5,200\n"
+               "third,x,1\nlast,2e5,90\n");
+  const ProgramResult result =
+      folder.run(example_1 + "--points points.csv --jobs 2");
+  EXPECT_EQ(result.status, 1);
+  EXPECT_EQ(result.err,
+            "ERROR: line 3: b_deg = 200: outside the range, allowed 0 to 180 "
+            "deg\nERROR: line 4: R_N = x: not a number, allowed 0 to 1e+100 "
+            "N\n");
+  const Columns table(result.out);
+  ASSERT_EQ(table.size(), 4U);
+  EXPECT_EQ(table.text(1, "note"), "first");
+  EXPECT_EQ(table.text(2, "law"), "ERROR");
+  EXPECT_EQ(table.text(2, "M_t_N_m"), "");
+  EXPECT_EQ(table.text(2, "note"), "\"a, b\"");
+  EXPECT_EQ(table.text(4, "note"), "last");
+  const Columns one(folder.run(example_1 + "--reaction 1e5 --beta 67.6"));
+  for (const std::string& name : one.names()) {
+    EXPECT_EQ(table.text(1, name), one.text(1, name));
+  }
+
+  folder.write("again.csv",
+               folder.run(example_1 + "--reaction 1e4,1e5 --beta 10,90").out);
+  const Columns again(folder.run(example_1 + "--points again.csv"));
+  ASSERT_EQ(again.size(), 4U);
+  for (std::size_t row = 1; row <= 4; ++row) {
+    for (const char* name : {"R_n_N", "M_t_N_m", "theta0_deg"}) {
+      EXPECT_EQ(again.text(row, name),
+                again.text(row, std::string(name) + "_in"));
+    }
+  }
+
+  folder.write("contact.csv", "a_deg,R_n_N\n30,2e5\n");
+  EXPECT_EQ(
+      Columns(folder.run(example_1 + "--points contact.csv")).text(1, "g_deg"),
+      Columns(folder.run(example_1 + "--normal-force 2e5 --alpha 30"))
+          .text(1, "g_deg"));
+  folder.write("rest.csv",
+               "R_x_N,R_y_N,R_z_N,M_x_N_m,M_y_N_m,M_z_N_m\n"
+               "1e5,2e4,0,300,0,500\n");
+  EXPECT_EQ(
+      Columns(folder.run(example_1 + "--points rest.csv"))
+          .text(1, "utilisation"),
+      Columns(folder.run(example_1 +
+                         "--reaction-xyz 1e5,2e4,0 --moment-xyz 300,0,500"))
+          .text(1, "utilisation"));
+  folder.write("pin.csv", "R_N\n1e4\n");
+  const std::string pin =
+      "hinge-joint --joint data/joints/pin_joint.toml "
+      "--law blend --rate 2 ";
+  EXPECT_EQ(folder.run(pin + "--points pin.csv").out,
+            folder.run(pin + "--reaction 1e4").out);
+}
+
 TEST(HingeJoint, DrawsTheMomentCurve) {
   const ProgramFolder folder;
   const ProgramResult result =
@@ -471,7 +529,11 @@ TEST(HingeJoint, WrongInputIsOneMessage) {
            {ball + "--reaction-xyz 1,2,3",
             "needs --rate-xyz or, at rest, --moment-xyz"},
            {pin + "--reaction 1 --beta 3", "a cylinder has no such angle"},
-           {pin + "--reaction-xyz 1,2,3 --rate-xyz 0,0,0", "axis"},
+           {ball + "--points none.csv", "cannot open none.csv"},
+           {ball + "--points bad.csv", "bad.csv, line 1: no state in the "},
+           {ball + "--points bad.csv --reaction 1", "--points: of the state"},
+           {ball + "--points bad.csv --summary", "--points: of the state"},
+           {ball + "--points bad.csv --law tanh,arctan", "one law"},
            {state + "--law foo", "half-angle law foo"},
            {state + "--pressure foo", "pressure law foo"},
            {state + "--friction -1", "--friction -1: allowed 0 to"},

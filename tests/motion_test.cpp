@@ -111,6 +111,33 @@ TEST(Motion, ConstantFrictionStopsAWheelAndItStays) {
   }
 }
 
+// A ball that spins about its reaction, or turns about an axis across it,
+// keeps its axis: its friction is constant.
+TEST(Motion, BallJointStopsAboutItsAxisWhenItShould) {
+  const double mass = 2000, about = 3, w0 = 2;
+  const auto joint = ball_joint(FrictionLaw(0.2, 1e4), 0.005);
+  Load load{JointKind::spherical, mass, about * Matrix3d::Identity()};
+  for (const Integrator integrator : {Integrator::adaptive, Integrator::rk4}) {
+    for (const Vector3d& axis : {Vector3d(0, 1, 0), Vector3d(0, 0, -1)}) {
+      const double friction =
+          joint.solve(Vector3d(0, mass * g, 0), axis).friction_moment.norm();
+      MotionOptions options = on_fixed_carrier();
+      options.integrator = integrator;
+      MotionStart start = start_of(1);
+      start.loads[0].relative_angular_velocity = w0 * axis;
+      Motion motion(System(heavy_carrier(), {load}), {BallFriction{joint}},
+                    nullptr, start, options);
+      const double stop = about * w0 / friction;
+      ASSERT_EQ(motion.advance_to(2 * stop), Stop::time);
+      ASSERT_EQ(motion.changes().size(), 1u);
+      EXPECT_NEAR(motion.changes()[0].time, stop, 1e-9 * stop);
+      EXPECT_EQ(motion.sample().mode(0), HingeMode::resting);
+      EXPECT_NEAR(motion.sample().hinge(0).dissipated, about * w0 * w0 / 2,
+                  1e-9 * about * w0 * w0);
+    }
+  }
+}
+
 TEST(Motion, RampedTorqueStartsSlidingAtTheRightInstant) {
   const double mass = 20, about = 0.4, slope = 1.7;
   const auto joint = pin_joint(FrictionLaw(0.2, 1e4));

@@ -1,5 +1,7 @@
 #include "joint/any_joint.hpp"
 
+#include <Eigen/Geometry>
+
 namespace hinge_joint {
 namespace {
 
@@ -8,8 +10,9 @@ using contact::JointSolution;
 using contact::SphericalJoint;
 using Eigen::Vector3d;
 
-Vector3d direction(const Vector3d& v) {
-  return v.isZero(0) ? Vector3d::UnitZ() : v.stableNormalized();
+Vector3d axis_of(const Vector3d& turn, const Vector3d& force) {
+  if (!turn.isZero(0)) return turn.stableNormalized();
+  return force.isZero(0) ? Vector3d(Vector3d::UnitZ()) : force.unitOrthogonal();
 }
 
 std::variant<SphericalJoint, CylindricalJoint> make(
@@ -23,7 +26,7 @@ std::variant<SphericalJoint, CylindricalJoint> make(
 contact::RestSolution pin_utilisation(const CylindricalJoint& joint,
                                       const Vector3d& reaction,
                                       const Vector3d& moment) {
-  const Vector3d u = -direction(moment);
+  const Vector3d u = -axis_of(moment, reaction);
   contact::RestSolution rest;
   rest.utilisation = joint.utilisation(reaction, u, moment.dot(u));
   rest.direction = moment.isZero(0) ? Vector3d(Vector3d::Zero()) : u;
@@ -51,8 +54,8 @@ JointSolution AnyJoint::solve(const Vector3d& reaction,
   if (const auto* ball = std::get_if<SphericalJoint>(&joint_)) {
     return ball->solve(reaction, rate);
   }
-  return std::get<CylindricalJoint>(joint_).solve(reaction, direction(rate),
-                                                  rate.stableNorm());
+  return std::get<CylindricalJoint>(joint_).solve(
+      reaction, axis_of(rate, reaction), rate.stableNorm());
 }
 
 JointSolution AnyJoint::solve_contact(const Vector3d& force,
@@ -61,7 +64,7 @@ JointSolution AnyJoint::solve_contact(const Vector3d& force,
     return ball->solve_contact(force, rate);
   }
   return std::get<CylindricalJoint>(joint_).solve_contact(
-      force, direction(rate), rate.stableNorm());
+      force, axis_of(rate, force), rate.stableNorm());
 }
 
 contact::RestSolution AnyJoint::utilisation(const Vector3d& reaction,
@@ -81,8 +84,8 @@ contact::FixedPointResult AnyJoint::fixed_point(
     return ball->fixed_point(reaction, rate, trace, tolerance, steps, start);
   }
   return std::get<CylindricalJoint>(joint_).fixed_point(
-      reaction, direction(rate), rate.stableNorm(), trace, tolerance, steps,
-      start);
+      reaction, axis_of(rate, reaction), rate.stableNorm(), trace, tolerance,
+      steps, start);
 }
 
 }  // namespace hinge_joint

@@ -11,7 +11,8 @@
 namespace hinge_joint {
 
 /// A ball or a pin joint behind one interface. A pin turns about the
-/// direction of the rate (at rest: of the moment).
+/// direction of the rate (at rest: of the moment); if that is 0 the axis is
+/// taken normal to the force.
 class AnyJoint {
  public:
   explicit AnyJoint(const contact::JointContact& contact);

@@ -72,11 +72,6 @@ Inputs::Inputs(const Options& options, bool pin) {
       vectors_.turn =
           vector("--moment-xyz", options.moment_xyz, "a moment in N m");
     }
-    if (pin && vectors_.turn.isZero(0)) {
-      refuse(
-          "--rate-xyz, --moment-xyz 0,0,0: its direction is a cylinder's "
-          "axis");
-    }
     return;
   }
   if (!options.rate_xyz.empty() || !options.moment_xyz.empty()) {

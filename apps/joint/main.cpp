@@ -33,10 +33,18 @@ The state is one of
   --normal-force F --alpha A compressive force R_n in N, slip axis angle in
                              degrees: 0 sliding, 90 spinning; R_n along Z, Dw
                              in the plane YOZ
+  --points FILE              a state in each line of a CSV file, by the columns
+                             of this program's output: R_N,b_deg or R_n_N,a_deg
+                             or R_x_N,R_y_N,R_z_N with w_x_rad_per_s,... or,
+                             at rest, M_x_N_m,M_y_N_m,M_z_N_m
 A cylinder has no angles; its axis is the direction of Dw (of M). --reaction,
 --beta, --normal-force, --alpha take a value, a list a,b,c, a range
 start:stop:step, or start:stop:logN for N values in equal ratios; of two, all
 pairs are computed, angles running fastest.
+
+Other columns of --points are handed on behind the results, unchanged ("_in"
+is added to a name that is taken). A bad line gives "ERROR: line N: ..." on
+standard error and in the table, in its place, a row with ERROR.
 
 --trace prints the paper's inner loop step by step: step, g_deg, a_deg, R_n_N,
 Abar, load_parameter, theta0_deg, f (the next step's tan g).
@@ -69,6 +77,7 @@ Examples:
   hinge-joint --joint data/joints/hip_cocr_uhmwpe.toml --law tanh --reaction 10:5000:log50 --beta 30,60,90 --output hip.csv
   hinge-joint --joint sphere --pair data/materials/steel_bronze.toml --radius 50mm --clearance 50um --friction 0.15 --law tanh --reaction-xyz 1e5,2e4,0 --moment-xyz 300,0,500 --format json
   hinge-joint --joint data/joints/pin_joint.toml --law hertz,blend --reaction 1e3,1e4
+  printf 'time_s,R_N,b_deg\n0,1e5,90\n0.1,2e5,80\n' | hinge-joint --joint data/joints/paper_example_1.toml --points -
 
 )";
 
@@ -131,6 +140,8 @@ void add_state(CLI::App& app, Options& options) {
        "ANGLES");
   text("--normal-force", options.normal_force, "R_n, N", "VALUES");
   text("--alpha", options.alpha, "slip axis angle, deg, -90 to 90", "ANGLES");
+  text("--points", options.points, "CSV file of states, - for standard input",
+       "FILE");
   text("--rate", options.rate, "|Dw|, rad/s; default 1", "NUMBER");
 }
 

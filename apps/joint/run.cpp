@@ -7,6 +7,7 @@
 #include "joint/beside.hpp"
 #include "joint/input.hpp"
 #include "joint/loop_table.hpp"
+#include "joint/point_table.hpp"
 #include "joint/solution_table.hpp"
 #include "joint/torque_plot.hpp"
 #include "libcontact/error.hpp"
@@ -64,6 +65,7 @@ cli::ExitStatus run_loops(const Options& options, const Setup& setup,
 }
 
 cli::ExitStatus report(const Problems& problems) {
+  // Bad lines have had their messages.
   if (problems.out_of_range > 0) {
     cli::warn("hinge-joint",
               fmt::format("rows without a value: {}; the half-angle law or "
@@ -74,14 +76,36 @@ cli::ExitStatus report(const Problems& problems) {
     cli::warn("hinge-joint", fmt::format("rows that have not converged: {}",
                                          problems.not_converged));
   }
-  return problems.out_of_range + problems.not_converged == 0 ? cli::all_good
-                                                             : cli::some_bad;
+  return problems.out_of_range + problems.not_converged + problems.bad_lines ==
+                 0
+             ? cli::all_good
+             : cli::some_bad;
+}
+
+// Points take the place of all options that give a state.
+cli::ExitStatus run_points(const Options& options, const Setup& setup) {
+  for (const auto* text :
+       {&options.reaction_xyz, &options.rate_xyz, &options.moment_xyz,
+        &options.reaction, &options.beta, &options.normal_force, &options.alpha,
+        &options.outer, &options.beside, &options.output.plot}) {
+    if (!text->empty() || options.trace || options.summary) {
+      throw contact::Error(
+          "--points: of the state only with --rate; not with --trace, --outer, "
+          "--summary, --beside, --plot");
+    }
+  }
+  if (setup.joints.size() != 1) {
+    throw contact::Error("--points: allowed one law and one pressure law");
+  }
+  print_validity(setup);
+  return report(write_points(setup.joints[0], options));
 }
 
 }  // namespace
 
 cli::ExitStatus run(const Options& options) {
   const Setup setup = make_setup(options);
+  if (!options.points.empty()) return run_points(options, setup);
   const Inputs inputs(options, setup.joints[0].joint.is_pin());
   print_validity(setup);
   if (options.trace || !options.outer.empty()) {

@@ -73,6 +73,7 @@ void CoupledDynamics::Impl::set_mode(int load, HingeMode mode) {
     dynamics.set_mode(load, joint_mode(mode));
   }
   hinge.mode = mode;
+  hinge.straight = false;
   hinge.slope.setZero();
   hinge.utilisation_known = false;
 }
@@ -88,7 +89,9 @@ void CoupledDynamics::Impl::take_rates(const double* state) {
     const bool dry = hinge.solver.can_rest();
     if (!hinge.solver.is_axis()) {
       hinge.rate = Vector3d(s[4], s[5], s[6]);
-      if (dry && hinge.rate.isZero(0)) hinge.rate = hinge.direction;
+      if (dry && (hinge.straight || hinge.rate.isZero(0))) {
+        hinge.rate = hinge.direction;
+      }
     } else {
       // Beyond the end of its sliding, where a step may look, dry friction
       // goes on as if it slid the way it did.
@@ -366,6 +369,12 @@ void CoupledDynamics::set_direction(int load, const Vector3d& direction) {
 }
 const Vector3d& CoupledDynamics::direction(int load) const {
   return impl_->hinges[load].direction;
+}
+void CoupledDynamics::slide_straight(int load, bool straight) {
+  impl_->hinges[load].straight = straight;
+}
+bool CoupledDynamics::slides_straight(int load) const {
+  return impl_->hinges[load].straight;
 }
 void CoupledDynamics::prescribe_carrier(
     const std::optional<CarrierAcceleration<double>>& carrier) {

@@ -99,6 +99,12 @@ class CoupledDynamics {
   void set_direction(int load, const Eigen::Vector3d& direction);
   const Eigen::Vector3d& direction(int load) const;
 
+  /// A ball joint about to stop: its dry friction keeps its direction(),
+  /// whatever the state says, so that it is smooth through the stop. Ends
+  /// with set_mode().
+  void slide_straight(int load, bool straight);
+  bool slides_straight(int load) const;
+
   /// The carrier's accelerations are given, or (nullopt) result.
   void prescribe_carrier(
       const std::optional<CarrierAcceleration<double>>& carrier);

@@ -22,6 +22,7 @@ class CoupledDynamics::Impl {
     HingeSolver solver;
     HingeMode mode = HingeMode::sliding;
     Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();
+    bool straight = false;
     /// M_t that the motion has been worked out with, and M_t(R) for it.
     Eigen::Vector3d moment = Eigen::Vector3d::Zero();
     Eigen::Vector3d answer = Eigen::Vector3d::Zero();

@@ -97,6 +97,7 @@ MotionImpl::MotionImpl(const System& motion_system,
       sample(this) {
   check_options(options);
   joint_modes.resize(loads());
+  straight_from.resize(loads());
   bodies.resize(1 + loads());
   rate_bodies_.resize(1 + loads());
   body_forces_.resize(1 + loads());
@@ -258,6 +259,8 @@ MotionState MotionImpl::save() {
     s.modes.push_back(coupled.mode(i));
     s.directions.push_back(coupled.direction(i));
     s.friction.push_back(coupled.friction_moment(i));
+    s.straight_from.push_back(coupled.slides_straight(i) ? straight_from[i]
+                                                         : 0);
   }
   s.step = stepper->next_step();
   return s;
@@ -270,6 +273,8 @@ void MotionImpl::restore(const MotionState& s) {
     change_mode(i, s.modes[i]);
     coupled.set_direction(i, s.directions[i]);
     coupled.set_friction_moment(i, s.friction[i]);
+    straight_from[i] = s.straight_from[i];
+    coupled.slide_straight(i, s.straight_from[i] > 0);
   }
   stepper->set_next_step(s.step);
   pending.reset();

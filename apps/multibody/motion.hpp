@@ -64,9 +64,11 @@ struct MotionOptions {
   double longest_step = std::numeric_limits<double>::infinity();
   /// Step limit of one advance_to().
   long step_limit = 100'000'000;
-  /// A sliding ball joint whose relative speed falls below this comes to
-  /// rest, rad/s; what is left of the motion is taken out with the momentum
-  /// kept and the energy booked. 0: 100 absolute_tolerance, or rk4: 1e-8.
+  /// A sliding ball joint whose relative speed falls below this slides
+  /// straight on until it stops, rad/s (rk4: also from where the next step
+  /// would stop it); what is left of the motion across is taken out with the
+  /// momentum kept and the energy booked. 0: 100 absolute_tolerance, or rk4:
+  /// 1e-8.
   double stop_speed = 0;
   /// Set: the carrier moves as prescribed (zero: at rest or uniformly).
   std::optional<CarrierDrive> carrier_drive;
@@ -135,7 +137,7 @@ class MotionSample {
   const BodyMotion& carrier() const { return bodies()[0]; }
   const BodyMotion& load(int load) const { return bodies()[1 + load]; }
   HingeMode mode(int load) const;
-  /// Of a load that hangs on the carrier, without any force: cheap.
+  /// Of a load on an axis, rad: cheap, nothing has to be worked out.
   double angle(int load) const;
   /// Works out accelerations and reactions.
   HingeSample hinge(int load) const;
@@ -182,6 +184,7 @@ struct MotionState {
   std::vector<HingeMode> modes;
   std::vector<Eigen::Vector3d> directions;
   std::vector<Eigen::Vector3d> friction;
+  std::vector<double> straight_from;  ///< of balls about to stop, else 0
   double step = 0;
 };
 

@@ -14,11 +14,12 @@ using Kind = MotionImpl::Watch::Kind;
 double MotionImpl::value(const Watch& watch) {
   const int i = watch.index;
   switch (watch.kind) {
-    case Kind::slip_ends: {
-      const Eigen::Vector3d rate = rate_of(i, view_state.data());
-      return is_axis(i) ? rate.z() * coupled.direction(i).z()
-                        : rate.norm() - stop_speed;
-    }
+    case Kind::slip_ends:
+      return rate_of(i, view_state.data()).dot(coupled.direction(i));
+    case Kind::slows_down:
+      return rate_of(i, view_state.data()).norm() - stop_speed;
+    case Kind::speeds_up:
+      return rate_of(i, view_state.data()).norm() - 2 * straight_from[i];
     case Kind::slip_turns:
       return rate_of(i, view_state.data())
           .dot(rate_of(i, stepper->begin_state().data()));
@@ -81,16 +82,25 @@ std::optional<double> MotionImpl::crossing(const Watch& watch) {
   const double end = at_end();
   switch (watch.kind) {
     case Kind::slip_ends: {
-      if (options.integrator == Integrator::rk4 && !is_axis(watch.index) &&
-          stops_in_step(watch.index)) {
+      if (!(end <= 0)) return {};
+      const double begin = at_begin();
+      // If begin is 0 it never got under way.
+      return begin > 0 ? locate(watch, t0, begin, t1, end) : t0;
+    }
+    case Kind::slows_down: {
+      if (options.integrator == Integrator::rk4 && stops_in_step(watch.index)) {
         return t0;
       }
       if (!(end <= 0)) return {};
       const double begin = at_begin();
       if (begin > 0) return locate(watch, t0, begin, t1, end);
-      if (is_axis(watch.index)) return t0;  // it never got under way
-      // So slow all along: it stops where it does not become faster.
+      // So slow all along: it counts when it does not become faster.
       return end <= begin ? std::optional(t1) : std::nullopt;
+    }
+    case Kind::speeds_up: {
+      if (!(end > 0)) return {};
+      const double begin = at_begin();
+      return begin > 0 ? t0 : locate(watch, t0, begin, t1, end);
     }
     case Kind::slip_turns: {
       if (!(end < 0)) return {};
@@ -135,8 +145,13 @@ std::optional<MotionImpl::Found> MotionImpl::find_event() {
   };
   for (int i = 0; i < loads(); ++i) {
     if (coupled.mode(i) == HingeMode::sliding && coupled.can_rest(i)) {
-      look_for(Kind::slip_ends, i);
-      if (!is_axis(i)) look_for(Kind::slip_turns, i);
+      if (is_axis(i) || coupled.slides_straight(i)) {
+        look_for(Kind::slip_ends, i);
+        if (!is_axis(i)) look_for(Kind::speeds_up, i);
+      } else {
+        look_for(Kind::slows_down, i);
+        look_for(Kind::slip_turns, i);
+      }
     } else if (coupled.mode(i) == HingeMode::resting) {
       look_for(Kind::rest_ends, i);
     }
@@ -187,14 +202,24 @@ bool MotionImpl::handle(const Found& found) {
     return true;
   }
   std::vector<double> state = view_state;
-  bool resolved;
-  if (found.watch.kind == Kind::rest_ends) {
-    resolved = resolve_rest(state, i);
-  } else {
-    stop_hinge(i, state);
-    changes.push_back({now, i, HingeMode::sliding, HingeMode::resting});
-    change_mode(i, HingeMode::resting);
-    resolved = resolve_rest(state, -1);
+  bool resolved = true;
+  switch (found.watch.kind) {
+    case Kind::slows_down:
+    case Kind::speeds_up: {
+      const Eigen::Vector3d rate = rate_of(i, state.data());
+      straight_from[i] = rate.norm();
+      coupled.set_direction(i, rate.normalized());
+      coupled.slide_straight(i, found.watch.kind == Kind::slows_down);
+      break;
+    }
+    case Kind::rest_ends:
+      resolved = resolve_rest(state, i);
+      break;
+    default:
+      stop_hinge(i, state);
+      changes.push_back({now, i, HingeMode::sliding, HingeMode::resting});
+      change_mode(i, HingeMode::resting);
+      resolved = resolve_rest(state, -1);
   }
   if (!resolved) return true;
   restart(std::move(state));

@@ -54,7 +54,18 @@ class MotionImpl {
 
   // motion_events.cpp
   struct Watch {
-    enum class Kind { slip_ends, slip_turns, rest_ends, user } kind;
+    enum class Kind {
+      /// Sliding about a known direction passes 0.
+      slip_ends,
+      /// A ball joint is about to stop: from here on it slides straight on.
+      slows_down,
+      /// It does not stop after all.
+      speeds_up,
+      /// It turns against itself within a step.
+      slip_turns,
+      rest_ends,
+      user
+    } kind;
     int index;
   };
   struct Found {
@@ -99,6 +110,8 @@ class MotionImpl {
   std::unique_ptr<Stepper> stepper;
   std::vector<MotionEvent> events;
   std::vector<double> user_values;
+  /// Speed at which a ball joint began to slide straight on.
+  std::vector<double> straight_from;
   std::vector<HingeChange> changes;
   std::optional<MotionFailure> failure;
   std::optional<Found> pending;

@@ -12,6 +12,7 @@
 #include "cli/ordered_blocks.hpp"
 #include "cli/output.hpp"
 #include "cli/plot.hpp"
+#include "cli/points.hpp"
 #include "cli/progress.hpp"
 #include "cli/sweep.hpp"
 #include "cli/table.hpp"
@@ -44,20 +45,11 @@ struct Problems {
   std::size_t inaccurate = 0;
 };
 
-PointColumns read_header(cli::LineReader& reader) {
-  for (;;) {
-    const std::string place =
-        fmt::format("{}, line {}", reader.name(), reader.next_number());
-    const auto line = reader.line();
-    if (!line) throw contact::Error(reader.name() + ": no header line");
-    if (!line->starts_with('#')) return {*line, place};
-  }
-}
-
 // A table of points from a file or standard input.
 Problems write_points(const Options& options, const Method& method) {
   cli::LineReader reader(options.points);
-  const PointColumns columns = read_header(reader);
+  const cli::PointHeader header = cli::read_header(reader);
+  const cli::PointColumns columns(header.line, point_columns, header.place);
   cli::Output output(options.output.output);
   const cli::Table table(options.output.format, column_names(columns.riding));
   cli::TableWriter writer(output, table);
@@ -67,9 +59,9 @@ Problems write_points(const Options& options, const Method& method) {
       options.output.jobs,
       [&](PointBlock& block) { return reader.next(block.lines); },
       [&](PointBlock& block) {
-        read_points(columns, block);
+        cli::read_points(columns, block);
         compute(method, block);
-        write_rows(table, block);
+        write_rows(columns, table, block);
       },
       [&](const PointBlock& block) {
         writer.write(block.rows.view());
@@ -156,7 +148,7 @@ Problems write_two_way(const Grid& grid, const Method& method,
                       [&](GridBlock& block) {
                         block.rows.clear();
                         cli::RowWriter row(table, block.rows);
-                        row.text(cli::number_text(block.theta0_deg[0]));
+                        row.text(cli::number_text(block.theta0_deg()[0]));
                         for (const double value : block.results[quantity])
                           row.number(value);
                         row.end();
@@ -197,8 +189,7 @@ std::string draw(const Grid& grid, const Method& method, std::size_t quantity,
     const std::vector<double> xs = spread(x, most_points);
     const std::vector<double> members(xs.size(), member);
     PointBlock block;
-    block.theta0_deg = over_alpha ? members : xs;
-    block.alpha_deg = over_alpha ? xs : members;
+    set_points(over_alpha ? members : xs, over_alpha ? xs : members, block);
     compute(method, block);
     plot.curves.push_back(
         {fmt::format("{} = {}°", over_alpha ? "θ₀" : "α", member), xs,
@@ -224,8 +215,8 @@ cli::ExitStatus run_grid(const Options& options, const Method& method) {
         "needs --theta0 and --alpha, or --points (see hinge-table --help)");
   }
   const std::size_t quantity = quantity_index(options.quantity);
-  const Grid grid{{"--theta0", options.theta0, allowed_theta0},
-                  {"--alpha", options.alpha, allowed_alpha}};
+  const Grid grid{{"--theta0", options.theta0, point_columns[0].allowed},
+                  {"--alpha", options.alpha, point_columns[1].allowed}};
   const bool two_way = options.output.format >= cli::Format::markdown;
   const cli::ExitStatus status =
       report(two_way ? write_two_way(grid, method, quantity, options.output)

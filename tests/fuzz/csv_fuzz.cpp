@@ -12,6 +12,7 @@
 
 #include "cli/csv.hpp"
 #include "cli/line_blocks.hpp"
+#include "cli/points.hpp"
 #include "cli/table.hpp"
 #include "libcontact/error.hpp"
 #include "table/method.hpp"
@@ -45,7 +46,7 @@ void check_record(std::string_view line) {
   check(joined == line);
 }
 
-std::string write(const hinge_table::PointColumns& columns, cli::Format format,
+std::string write(const cli::PointColumns& columns, cli::Format format,
                   hinge_table::PointBlock& block) {
   std::vector<std::string> names = {"theta0_deg", "alpha_deg"};
   names.insert(names.end(), hinge_table::quantities.begin(),
@@ -53,7 +54,7 @@ std::string write(const hinge_table::PointColumns& columns, cli::Format format,
   const auto riding = cli::distinct_names(columns.riding, names);
   names.insert(names.end(), riding.begin(), riding.end());
   const cli::Table table(format, names);
-  hinge_table::write_rows(table, block);
+  hinge_table::write_rows(columns, table, block);
   std::string_view rows = block.rows.view();
   if (format == cli::Format::json && !rows.empty()) rows.remove_prefix(1);
   return table.header() + std::string(rows) + table.footer();
@@ -67,11 +68,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
   try {
     const std::string header(cli::next_line(text));
     check_record(header);
-    const hinge_table::PointColumns columns(header, "fuzz");
+    const cli::PointColumns columns(header, hinge_table::point_columns, "fuzz");
 
     hinge_table::PointBlock block;
     block.lines = {std::string(text), 2};
-    hinge_table::read_points(columns, block);
+    cli::read_points(columns, block);
     hinge_table::compute(hinge_table::find_method("viscous", 1e-10), block);
     check(count(block.messages, '\n') == block.bad_lines);
     for (const char c : block.messages) {
@@ -99,7 +100,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
       }
       std::size_t column = 12;
       for (std::size_t i = 0; i < in.size(); ++i) {
-        if (i == columns.theta0 || i == columns.alpha) continue;
+        if (i == columns.at[0] || i == columns.at[1]) continue;
         check(out[column++] == in[i]);
       }
     }

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "cli/line_blocks.hpp"
+#include "cli/number.hpp"
+#include "cli/table.hpp"
+
+/// Points from a CSV file: the programs as filters, a line in, a line out.
+namespace cli {
+
+/// A column that a file of points needs.
+struct PointColumn {
+  std::string_view name;
+  Allowed allowed;
+};
+
+/// Columns of a file of points: the needed ones, and others that ride along.
+struct PointColumns {
+  /// Reads a header line. Throws contact::Error if a needed column is missing
+  /// or occurs twice.
+  /// @param place  "points.csv, line 1", for messages
+  PointColumns(std::string_view header, std::span<const PointColumn> needed,
+               const std::string& place);
+
+  std::vector<PointColumn> needed;
+  std::vector<std::size_t> at;  ///< field of each needed column
+  /// Fields of the columns that ride along, and their names.
+  std::vector<std::size_t> riding_at;
+  std::vector<std::string> riding;
+  std::size_t count;
+};
+
+/// A header line as PointColumns reads it, and where it stands.
+struct PointHeader {
+  std::string line;
+  std::string place;
+
+  /// Whether it names all of these columns.
+  bool has(std::span<const PointColumn> columns) const;
+};
+
+/// The first line that does not start with #. Throws contact::Error if there
+/// is none.
+PointHeader read_header(LineReader& reader);
+
+/// Some points on their way through a program; its memory is used again for
+/// the points that follow.
+struct PointLines {
+  LineBlock lines;
+
+  std::size_t size() const { return good.size(); }
+  std::vector<char> good;  ///< 0 for a bad line
+  /// Values of the needed columns, each point after point; NaN of bad lines.
+  std::vector<std::vector<double>> values;
+  /// Raw fields of the riding columns, point after point; empty where the line
+  /// could not be split.
+  std::vector<std::string_view> riding;
+  std::string messages;  ///< of bad lines
+  std::size_t bad_lines = 0;
+  std::vector<std::string_view> fields;
+};
+
+/// Points of `block.lines`, one for each line that is not blank.
+void read_points(const PointColumns& columns, PointLines& block);
+
+/// The riding fields of a point as the last cells of its row.
+void write_riding(const PointColumns& columns, const PointLines& block,
+                  std::size_t point, RowWriter& row);
+
+}  // namespace cli
