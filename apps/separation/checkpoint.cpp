@@ -33,26 +33,32 @@ std::vector<Vector3d> vectors_from(const json& numbers) {
   return vectors;
 }
 
+// By structured bindings, so that what is new in the state is not forgotten.
 json motion_json(const multibody::MotionState& s) {
-  std::vector<int> modes;
-  for (const auto mode : s.modes) modes.push_back(static_cast<int>(mode));
-  return {{"time", s.time},
-          {"numbers", s.numbers},
-          {"modes", modes},
-          {"directions", vectors_json(s.directions)},
-          {"friction", vectors_json(s.friction)},
-          {"step", s.step}};
+  const auto& [time, numbers, modes, directions, friction, straight_from,
+               step] = s;
+  json words = json::array();
+  for (const auto mode : modes) words.push_back(static_cast<int>(mode));
+  return {{"time", time},
+          {"numbers", numbers},
+          {"modes", words},
+          {"directions", vectors_json(directions)},
+          {"friction", vectors_json(friction)},
+          {"straight_from", straight_from},
+          {"step", step}};
 }
 multibody::MotionState motion_from(const json& j) {
   multibody::MotionState s;
-  s.time = j.at("time");
-  s.numbers = j.at("numbers").get<std::vector<double>>();
+  auto& [time, numbers, modes, directions, friction, straight_from, step] = s;
+  time = j.at("time");
+  numbers = j.at("numbers").get<std::vector<double>>();
   for (const int mode : j.at("modes")) {
-    s.modes.push_back(static_cast<multibody::HingeMode>(mode));
+    modes.push_back(static_cast<multibody::HingeMode>(mode));
   }
-  s.directions = vectors_from(j.at("directions"));
-  s.friction = vectors_from(j.at("friction"));
-  s.step = j.at("step");
+  directions = vectors_from(j.at("directions"));
+  friction = vectors_from(j.at("friction"));
+  straight_from = j.at("straight_from").get<std::vector<double>>();
+  step = j.at("step");
   return s;
 }
 
