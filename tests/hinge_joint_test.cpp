@@ -129,6 +129,15 @@ TEST(HingeJoint, BallRowsAreTheLibrarys) {
   }
 }
 
+TEST(HingeJoint, AllLaws) {
+  const Columns table(ProgramFolder().run(
+      "hinge-joint --joint data/joints/pin_joint.toml --law all "
+      "--pressure all --reaction 1e3"));
+  const std::size_t laws = contact::half_angle_law_names().size() - 1;
+  ASSERT_EQ(table.size(), laws * contact::pressure_law_names().size());
+  EXPECT_EQ(table.text(1, "law"), contact::half_angle_law_names()[0]);
+}
+
 TEST(HingeJoint, PinRowsAreTheLibrarys) {
   const contact::CylindricalJoint joint(
       contact_of(joint_file("pin_joint"), "blend"));
@@ -541,6 +550,7 @@ TEST(HingeJoint, WrongInputIsOneMessage) {
            {state + "--viscous 1 --friction 1", "not with --friction"},
            {state + "--radius 3mm", "the file has materials and geometry"},
            {state + "--limit-angle 181", "0 to 180 deg"},
+           {state + "--law fitted --limit-angle 80", "none of them"},
            {state + "--joints 2", "--joints requires --outer"},
            {state + "--outer 0,0", "a change of R in N per N m"},
            {state + "--outer 0,0,0 --joints 1.5", "whole number"},

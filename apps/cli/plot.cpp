@@ -146,6 +146,7 @@ std::string draw(const LinePlot& plot, const std::string& file) {
   script += fmt::format("set title {}\nset ylabel {}\nunset colorbox\n",
                         gnuplot_text(plot.title), gnuplot_text(plot.y_label));
   if (plot.logarithmic_x) script += "set logscale x\nset format x '%g'\n";
+  if (plot.logarithmic_y) script += "set logscale y\nset format y '%g'\n";
   const std::string x_label =
       fmt::format("set xlabel {}\n", gnuplot_text(plot.x_label));
   if (!plot.lower) {

@@ -32,6 +32,7 @@ struct LinePlot {
   std::string x_label;  ///< with its unit
   std::string y_label;
   bool logarithmic_x = false;
+  bool logarithmic_y = false;
   /// The curves are one family in order, coloured from dark to light.
   bool family = false;
   std::vector<Curve> curves;

@@ -156,4 +156,14 @@ double Sweep::operator[](std::size_t index) const {
   return piece->value(index - (piece->end - piece->count));
 }
 
+std::vector<double> spread(const Sweep& sweep, std::size_t most) {
+  const std::size_t size = std::min(sweep.size(), most);
+  std::vector<double> values;
+  for (std::size_t i = 0; i < size; ++i) {
+    values.push_back(
+        sweep[size == 1 ? 0 : i * (sweep.size() - 1) / (size - 1)]);
+  }
+  return values;
+}
+
 }  // namespace cli

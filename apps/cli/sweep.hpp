@@ -55,4 +55,8 @@ class Sweep {
   std::vector<Piece> pieces_;
 };
 
+/// At most `most` values of a sweep, evenly spread, the ends included: what a
+/// picture can show.
+std::vector<double> spread(const Sweep& sweep, std::size_t most);
+
 }  // namespace cli

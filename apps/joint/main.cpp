@@ -21,6 +21,8 @@ The joint is one of
 Lengths are in m or carry a unit: 50mm, 25um. The clearance is the difference
 of the radii. Friction, half-angle law and pressure law are those of the files
 unless options name others; of comma lists of laws every pair is computed.
+Half-angle laws as in hinge-angle: hertz, arctan, tanh, blend, blend:K, paper,
+nominal, fitted, exact, or all.
 
 The state is one of
   --reaction-xyz X,Y,Z --rate-xyz X,Y,Z    R on the load, N; angular velocity
@@ -114,14 +116,14 @@ void add_joint(CLI::App& app, Options& options) {
   text("--viscous", options.viscous,
        "k0, Pa s/m, or k0,k1 (s/m): friction stress (k0 + k1 p) v", "NUMBERS");
   app.add_option("--law", options.laws,
-                 "half-angle laws, a comma list; see hinge-angle")
+                 "half-angle laws, a comma list or all; default fitted")
       ->delimiter(',')
       ->option_text("NAMES")
       ->group("Joint");
   text("--limit-angle", options.limit_angle,
        "limit half-angle: formula, linear, or degrees", "NAME|ANGLE");
   app.add_option("--pressure", options.pressures,
-                 "pressure laws, a comma list; default cosine")
+                 "pressure laws, a comma list or all; default cosine")
       ->delimiter(',')
       ->option_text("NAMES")
       ->group("Joint");

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <limits>
 #include <memory>
@@ -128,7 +129,22 @@ Setup make_setup(const Options& options) {
   std::vector<std::string> laws = options.laws;
   std::vector<std::string> pressures = options.pressures;
   if (laws.empty()) laws = {joint.half_angle_law};
+  if (laws == std::vector<std::string>{"all"}) {
+    laws = contact::half_angle_law_names();
+    std::erase(laws, "paper");  // one of the others
+  }
+  if (!options.limit_angle.empty() &&
+      std::none_of(laws.begin(), laws.end(),
+                   contact::takes_half_angle_options)) {
+    throw contact::Error(
+        fmt::format("--limit-angle {}: allowed with the laws arctan, tanh, "
+                    "blend and paper; none of them is asked for",
+                    options.limit_angle));
+  }
   if (pressures.empty()) pressures = {joint.pressure_law};
+  if (pressures == std::vector<std::string>{"all"}) {
+    pressures = contact::pressure_law_names();
+  }
 
   Setup setup{joint.name, {}};
   for (const std::string& law : laws) {

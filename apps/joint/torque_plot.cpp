@@ -11,32 +11,74 @@
 namespace hinge_joint {
 namespace {
 
-// At most `most` values of a sweep, evenly spread, the ends included.
-std::vector<double> spread(const cli::Sweep& sweep, std::size_t most) {
-  const std::size_t size = std::min(sweep.size(), most);
-  std::vector<double> values;
-  for (std::size_t i = 0; i < size; ++i) {
-    values.push_back(
-        sweep[size == 1 ? 0 : i * (sweep.size() - 1) / (size - 1)]);
-  }
-  return values;
-}
-
 // A unit in which the largest value has few digits.
 struct Unit {
   double factor;
   const char* prefix;
 };
-Unit unit_for(double largest) {
-  if (largest >= 1e7) return {1e-6, "M"};
+Unit unit_for(double largest, bool logarithmic) {
+  if (logarithmic) return {1, ""};
+  if (largest >= 1e6) return {1e-6, "M"};
   if (largest >= 1e4) return {1e-3, "k"};
   return {1, ""};
 }
 
-std::string laws(const NamedJoint& joint, bool several) {
-  if (!several) return "";
-  return fmt::format(", {}, {}", joint.law, joint.pressure);
-}
+// What the curves of a plot have in common and in what they differ.
+class Labels {
+ public:
+  Labels(const Setup& setup, const Inputs& inputs, bool over_angle)
+      : reaction_(inputs.question() == Question::reaction),
+        over_angle_(over_angle),
+        member_(!setup.joints[0].joint.is_pin() || over_angle) {
+    const auto& first = setup.joints[0];
+    for (const NamedJoint& joint : setup.joints) {
+      laws_ |= joint.law != first.law;
+      pressures_ |= joint.pressure != first.pressure;
+    }
+    members_ = (over_angle ? inputs.forces() : inputs.angles())->size() > 1;
+  }
+
+  std::string title(const Setup& setup, double member) const {
+    std::string text = setup.name.empty() ? "friction moment" : setup.name;
+    const NamedJoint& first = setup.joints[0];
+    if (!members_ && member_) text += ", " + member_text(member);
+    if (!laws_) text += ", law " + first.law;
+    if (!pressures_) text += ", pressure " + first.pressure;
+    return text;
+  }
+  std::string curve(const NamedJoint& joint, double member) const {
+    std::string text;
+    const auto add = [&text](const std::string& part) {
+      text += (text.empty() ? "" : ", ") + part;
+    };
+    if (members_) add(member_text(member));
+    if (laws_) add(joint.law);
+    if (pressures_) add(joint.pressure);
+    return text;
+  }
+  std::string x(const Unit& unit) const {
+    if (over_angle_) {
+      return reaction_ ? "angle β between R and Δω, deg"
+                       : "slip axis angle α, deg";
+    }
+    return fmt::format(
+        "{}, {}N", reaction_ ? "reaction R" : "compressive force", unit.prefix);
+  }
+
+ private:
+  std::string member_text(double member) const {
+    return over_angle_
+               ? fmt::format("{} = {} N", reaction_ ? "R" : "Rₙ", member)
+               : fmt::format("{} = {}°", reaction_ ? "β" : "α", member);
+  }
+
+  bool reaction_;
+  bool over_angle_;
+  bool member_;  // worth naming: a pin has no angles
+  bool members_ = false;
+  bool laws_ = false;
+  bool pressures_ = false;
+};
 
 }  // namespace
 
@@ -50,34 +92,31 @@ std::string draw_torque(const Setup& setup, const Inputs& inputs,
       inputs.forces()->size() == 1 && inputs.angles()->size() > 1;
   const cli::Sweep& x = over_angle ? *inputs.angles() : *inputs.forces();
   const cli::Sweep& family = over_angle ? *inputs.forces() : *inputs.angles();
-  const bool several = setup.joints.size() > 1;
-  const bool pin = setup.joints[0].joint.is_pin();
+  const Labels labels(setup, inputs, over_angle);
 
   cli::LinePlot plot;
-  plot.title = setup.name.empty() ? "friction moment" : setup.name;
-  if (!several) {
-    plot.title += fmt::format(" (law {}, pressure {})", setup.joints[0].law,
-                              setup.joints[0].pressure);
-  }
-  plot.logarithmic_x = x.is_logarithmic();
+  plot.title = labels.title(setup, family[0]);
+  plot.logarithmic_x = plot.logarithmic_y = x.is_logarithmic();
   int colour = 0;
-  double largest_moment = 0;
+  double largest = 0;
   for (const NamedJoint& joint : setup.joints) {
-    for (const double member : spread(family, most_curves)) {
-      const std::string which =
-          over_angle ? fmt::format("{} = {} N", reaction ? "R" : "Rₙ", member)
-          : pin      ? std::string("pin")
-                     : fmt::format("{} = {}°", reaction ? "β" : "α", member);
-      const std::string label = which + laws(joint, several);
+    for (const double member : cli::spread(family, most_curves)) {
+      const std::string label = labels.curve(joint, member);
       ++colour;
-      cli::Curve solved{label, {}, {}, false, colour};
-      cli::Curve traditional{label + ", from R", {}, {}, true, colour};
-      for (const double value : spread(x, most_points)) {
-        const Input input =
-            over_angle ? inputs.at(member, value) : inputs.at(value, member);
-        const Answer a = answer(joint, inputs.question(), input);
+      cli::Curve solved{
+          label.empty() ? "solved" : label, {}, {}, false, colour};
+      cli::Curve traditional{
+          label.empty() ? "taken from R" : label + ", from R",
+          {},
+          {},
+          true,
+          colour};
+      for (const double value : cli::spread(x, most_points)) {
+        const Answer a = answer(
+            joint, inputs.question(),
+            over_angle ? inputs.at(member, value) : inputs.at(value, member));
         const double moment = a.solution.friction_moment.stableNorm();
-        largest_moment = std::max({largest_moment, moment, a.traditional});
+        largest = std::max({largest, moment, a.traditional});
         solved.x.push_back(value);
         solved.y.push_back(moment);
         traditional.x.push_back(value);
@@ -87,20 +126,14 @@ std::string draw_torque(const Setup& setup, const Inputs& inputs,
       if (reaction) plot.curves.push_back(std::move(traditional));
     }
   }
-  const double largest_x = x[x.size() - 1];
   const Unit force =
-      over_angle || plot.logarithmic_x ? Unit{1, ""} : unit_for(largest_x);
-  const Unit moment = unit_for(largest_moment);
+      over_angle ? Unit{1, ""} : unit_for(x[x.size() - 1], plot.logarithmic_x);
+  const Unit moment = unit_for(largest, plot.logarithmic_y);
   for (cli::Curve& curve : plot.curves) {
     for (double& value : curve.x) value *= force.factor;
     for (double& value : curve.y) value *= moment.factor;
   }
-  plot.x_label =
-      !over_angle ? fmt::format("{}, {}N",
-                                reaction ? "reaction R" : "compressive force",
-                                force.prefix)
-      : reaction  ? "angle β between R and Δω, deg"
-                  : "slip axis angle α, deg";
+  plot.x_label = labels.x(force);
   plot.y_label = fmt::format("friction moment, {}N m", moment.prefix);
   return cli::draw(plot, file);
 }

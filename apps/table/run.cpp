@@ -155,17 +155,6 @@ Problems write_two_way(const Grid& grid, const Method& method,
                       });
 }
 
-// At most `most` values of a sweep, evenly spread, the ends included.
-std::vector<double> spread(const cli::Sweep& sweep, std::size_t most) {
-  const std::size_t size = std::min(sweep.size(), most);
-  std::vector<double> values;
-  for (std::size_t i = 0; i < size; ++i) {
-    values.push_back(
-        sweep[size == 1 ? 0 : i * (sweep.size() - 1) / (size - 1)]);
-  }
-  return values;
-}
-
 // Draws one quantity: a curve over alpha for each theta0, or, if there is one
 // alpha, over theta0. Returns why there is no picture, or "".
 std::string draw(const Grid& grid, const Method& method, std::size_t quantity,
@@ -185,8 +174,8 @@ std::string draw(const Grid& grid, const Method& method, std::size_t quantity,
   plot.y_label = options.quantity;
   plot.logarithmic_x = x.is_logarithmic();
   plot.family = true;
-  for (const double member : spread(family, most_curves)) {
-    const std::vector<double> xs = spread(x, most_points);
+  for (const double member : cli::spread(family, most_curves)) {
+    const std::vector<double> xs = cli::spread(x, most_points);
     const std::vector<double> members(xs.size(), member);
     PointBlock block;
     set_points(over_alpha ? members : xs, over_alpha ? xs : members, block);
