@@ -26,7 +26,7 @@ class HalfAngleTable;
 /// Accuracy (half_angle_exact_test.cpp): theta0 against the solver itself
 /// within 1e-11 deg (pin) and 1e-8 deg (ball); against truth the solvers'
 /// own errors, 1e-9 deg and 1e-6 deg. Round trips to 1e-13 in theta0.
-/// log_slope within 1e-7. half_angle() to 1e-30 and up to infinite load;
+/// log_slope within 2e-7. half_angle() to 1e-30 and up to infinite load;
 /// load_parameter() keeps its relative accuracy, 1e-9, up to the double below
 /// theta0*.
 ///

@@ -76,8 +76,7 @@ HalfAngleResult FittedLaw::half_angle(double load_parameter) const noexcept {
     return {0, Status::ok, 1.0 / detail::load_power(joint_kind())};
   }
   if (std::isinf(load_parameter)) return {fit_->limit, Status::ok, 0};
-  return detail::solve_half_angle(joint_kind(), fit_->relation, fit_->start,
-                                  fit_->limit, load_parameter);
+  return fit_->relation.solve(fit_->start, fit_->limit, load_parameter);
 }
 
 LoadParameterResult FittedLaw::load_parameter(

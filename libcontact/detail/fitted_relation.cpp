@@ -141,25 +141,48 @@ FittedRelation::FittedRelation(JointKind kind, const ElasticPair& pair)
   }
 }
 
-RelationValue FittedRelation::operator()(double half_angle, double sine,
-                                         double cosine) const {
+template <JointKind kind>
+inline RelationValue FittedRelation::at(double half_angle, double sine,
+                                        double cosine) const {
   const RelationValue closed =
-      fitted_closed_form(kind_, constant_, half_angle, sine, cosine);
+      fitted_closed_form(kind, constant_, half_angle, sine, cosine);
   double sum = 0;
-  double slope = 0;
+  double slope = 0;  // d(sum)/dr, dr/dtheta0 = cosine/2
   for (int k = fitted_terms - 1; k >= 0; --k) {
     slope = slope * sine + sum;
     sum = sum * sine + coefficients_[k];
   }
   slope = slope * sine + sum;
   sum *= sine;
-  // slope is d(sum)/dr, dr/dtheta0 = cosine/2.
-  const double weight = fitted_weight(kind_, cosine);
+  const double weight = fitted_weight(kind, cosine);
   double total = weight * slope * cosine / 2;
-  if (kind_ == JointKind::spherical) {
+  if (kind == JointKind::spherical) {
     total -= 2 * sum * sine * cosine * cosine * cosine;
   }
   return {closed.value + weight * sum, closed.slope + total};
+}
+
+RelationValue FittedRelation::operator()(double half_angle, double sine,
+                                         double cosine) const {
+  return kind_ == JointKind::spherical
+             ? at<JointKind::spherical>(half_angle, sine, cosine)
+             : at<JointKind::cylindrical>(half_angle, sine, cosine);
+}
+
+HalfAngleResult FittedRelation::solve(const DirectStart& start, double limit,
+                                      double load_parameter) const {
+  // One loop for each kind, with everything inside it.
+  const auto with = [&]<JointKind kind>() {
+    return solve_half_angle(
+        kind,
+        [this](double theta, double sine, double cosine) {
+          return at<kind>(theta, sine, cosine);
+        },
+        start, limit, load_parameter);
+  };
+  return kind_ == JointKind::spherical
+             ? with.operator()<JointKind::spherical>()
+             : with.operator()<JointKind::cylindrical>();
 }
 
 }  // namespace contact::detail

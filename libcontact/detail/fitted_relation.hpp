@@ -41,8 +41,14 @@ class FittedRelation {
  public:
   FittedRelation(JointKind kind, const ElasticPair& pair);
   RelationValue operator()(double half_angle, double sine, double cosine) const;
+  /// solve_half_angle() of this relation.
+  HalfAngleResult solve(const DirectStart& start, double limit,
+                        double load_parameter) const;
 
  private:
+  template <JointKind kind>
+  RelationValue at(double half_angle, double sine, double cosine) const;
+
   JointKind kind_;
   double constant_;
   std::array<double, fitted_terms> coefficients_{};

@@ -1,0 +1,158 @@
+// The half-angle laws. One std::tanh is the unit: the counter `tanh` is the
+// time of a half-angle over that of a std::tanh, measured within the same
+// benchmark; error_percent is the law's largest error against exact.
+
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <ctime>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "libcontact/half_angle.hpp"
+#include "libcontact/half_angle_exact.hpp"
+
+namespace {
+
+using namespace contact;
+using Clock = std::chrono::steady_clock;
+
+constexpr std::size_t count = 256;
+
+// (i mod count)/count.
+double fraction(std::size_t i) {
+  return static_cast<double>(i % count) / count;
+}
+
+double nanoseconds_since(Clock::time_point start) {
+  return std::chrono::duration<double, std::nano>(Clock::now() - start).count();
+}
+
+// Time of the processor, which other programs on the machine do not disturb.
+double processor_nanoseconds() {
+  return 1e9 / CLOCKS_PER_SEC * static_cast<double>(std::clock());
+}
+
+// Loads from 1e-3 to 1e3, evenly spaced in the logarithm.
+std::vector<double> loads() {
+  std::vector<double> result;
+  for (std::size_t i = 0; i < count; ++i) {
+    result.push_back(std::pow(10, -3 + 6 * fraction(i)));
+  }
+  return result;
+}
+
+// The fastest of some passes: what it takes undisturbed.
+double tanh_nanoseconds(const std::vector<double>& load) {
+  double fastest = 1e300;
+  for (int pass = 0; pass < 20; ++pass) {
+    const Clock::time_point start = Clock::now();
+    for (int i = 0; i < 40; ++i) {
+      for (const double x : load) benchmark::DoNotOptimize(std::tanh(x));
+    }
+    fastest = std::min(fastest, nanoseconds_since(start) / (40.0 * count));
+  }
+  return fastest;
+}
+
+// Unequal materials.
+ElasticPair unequal_pair() {
+  return ElasticPair::from_modulus_ratio(0.3, 0.35, 0.25);
+}
+
+void half_angle(benchmark::State& state, const char* name, JointKind kind) {
+  const std::vector<double> load = loads();
+  const ElasticPair pair = unequal_pair();
+  const auto law = make_half_angle_law(name, kind, pair);
+  std::size_t i = 0;
+  const double start = processor_nanoseconds();
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(law->half_angle(load[i++ % count]));
+  }
+  const double each = (processor_nanoseconds() - start) /
+                      static_cast<double>(state.iterations());
+  state.counters["tanh"] = each / tanh_nanoseconds(load);
+  const ExactLaw exact(kind, pair);
+  double error = 0;
+  for (const double value : load) {
+    const double half_angle = law->half_angle(value).half_angle;
+    // (Hertz has no value beyond x = 1.)
+    if (std::isnan(half_angle)) continue;
+    error = std::max(
+        error, std::abs(half_angle / exact.half_angle(value).half_angle - 1));
+  }
+  state.counters["error_percent"] = 100 * error;
+}
+
+void load_parameter(benchmark::State& state, const char* name, JointKind kind) {
+  const auto law = make_half_angle_law(name, kind, unequal_pair());
+  const double limit = law->limit_half_angle();
+  std::size_t i = 0;
+  const double start = processor_nanoseconds();
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(
+        law->load_parameter(limit * fraction(i++)).load_parameter);
+  }
+  state.counters["tanh"] = (processor_nanoseconds() - start) /
+                           static_cast<double>(state.iterations()) /
+                           tanh_nanoseconds(loads());
+}
+
+// A law of a pair not seen before, and one half-angle.
+void set_up(benchmark::State& state, const char* name, JointKind kind) {
+  const std::vector<double> load = loads();
+  std::vector<ElasticPair> pairs;
+  for (std::size_t i = 0; i < count; ++i) {
+    pairs.push_back(ElasticPair::from_modulus_ratio(
+        std::pow(10, -2 + 4 * fraction(i)), 0.2 + 0.25 * fraction(i), 0.3));
+  }
+  std::size_t i = 0;
+  for (auto _ : state) {
+    const auto law = make_half_angle_law(name, kind, pairs[i % count]);
+    benchmark::DoNotOptimize(law->half_angle(load[i++ % count]));
+  }
+}
+
+void register_all() {
+  for (const JointKind kind : {JointKind::cylindrical, JointKind::spherical}) {
+    const std::string joint = kind == JointKind::cylindrical ? "pin" : "ball";
+    for (const char* name : {"hertz", "arctan", "tanh", "blend:0.5", "nominal",
+                             "fitted", "exact"}) {
+      benchmark::RegisterBenchmark((joint + "/half_angle/" + name).c_str(),
+                                   half_angle, name, kind);
+    }
+    for (const char* name :
+         {"tanh", "blend:0.5", "nominal", "fitted", "exact"}) {
+      benchmark::RegisterBenchmark((joint + "/load_parameter/" + name).c_str(),
+                                   load_parameter, name, kind);
+    }
+    for (const char* name : {"nominal", "fitted", "exact"}) {
+      benchmark::RegisterBenchmark((joint + "/set_up/" + name).c_str(), set_up,
+                                   name, kind);
+    }
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  // Before anything else: what the first exact ball of a program takes, the
+  // tables of the method included, and a further load of the same pair.
+  const Clock::time_point start = Clock::now();
+  const ExactLaw ball(JointKind::spherical, unequal_pair());
+  benchmark::DoNotOptimize(ball.half_angle(1));
+  const double first = nanoseconds_since(start);
+  const Clock::time_point again = Clock::now();
+  benchmark::DoNotOptimize(ball.half_angle(2));
+  benchmark::AddCustomContext("first_exact_ball_ms",
+                              std::to_string(1e-6 * first));
+  benchmark::AddCustomContext("further_load_us",
+                              std::to_string(1e-3 * nanoseconds_since(again)));
+  register_all();
+  benchmark::Initialize(&argc, argv);
+  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
+  benchmark::RunSpecifiedBenchmarks();
+}
