@@ -405,6 +405,51 @@ TEST(SphericalJoint, TinyContactIsCoulombs) {
   }
 }
 
+// Viscous friction of constant k through the same solver: force and moments
+// are closed forms in theta0 and a (section 3.1 of the paper).
+TEST(SphericalJoint, ViscousFrictionHasItsClosedForms) {
+  RandomSlips random(9);
+  const ElasticPair pair({2e11, 0.3}, {2e11, 0.3});
+  AccuracyReport force("R_t", 1e-12);
+  AccuracyReport moment("M_t", 1e-12);
+  AccuracyReport balance("R - R_n n - R_t over R", 1e-14);
+  for (int i = 0; i < 500; ++i) {
+    const double k0 = random.log_uniform(1e3, 1e9);
+    const SphericalJoint joint(
+        JointGeometry::ball(0.05, 0.05e-3), pair, contact::ViscousLaw(k0),
+        contact::make_half_angle_law("tanh", JointKind::spherical, pair),
+        contact::make_pressure_law("cosine", JointKind::spherical, pair));
+    const Vector3d reaction = random.log_uniform(1e2, 1e6) * random.direction();
+    const Vector3d rate = random.log_uniform(1e-3, 10) * random.direction();
+    const JointSolution cold = joint.solve(reaction, rate);
+    const JointSolution s = joint.solve(reaction, 1.001 * rate, cold);
+    ASSERT_EQ(s.status, Status::ok);
+    const double rho = 0.05;
+    const double c = std::cos(s.half_angle);
+    const double unit = k0 * rho * rho * rho * 1.001 * rate.norm();
+    const double sine = std::sin(s.half_angle);
+    const std::string label = "input " + std::to_string(i);
+    force.add(s.friction_force.norm(),
+              unit * pi * sine * sine * s.slip_axis.cos, label);
+    // j and n span what the moment lies in.
+    const double h = std::sin(s.half_angle / 2);
+    const double sliding = pi * (4.0 / 3 - c - c * c * c / 3) * s.slip_axis.cos;
+    // 2/3 - c + c^3/3 = (1 - c)^2 (2 + c)/3, 1 - c = 2 h^2
+    const double spinning =
+        2 * pi * 4 * h * h * h * h * (2 + c) / 3 * s.slip_axis.sin;
+    moment.add(s.friction_moment.norm(),
+               unit * rho * std::hypot(sliding, spinning), label);
+    balance.add_error(
+        (s.compressive_force * s.normal + s.friction_force - reaction).norm() /
+            reaction.norm(),
+        label);
+    EXPECT_LE(s.power, 0);
+  }
+  force.check();
+  moment.check();
+  balance.check();
+}
+
 TEST(SphericalJoint, RestIsAStateOfItsOwn) {
   const SphericalJoint joint = steel_joint(0.2, 1e8);
   const Vector3d reaction(3e4, -4e4, 0);
