@@ -75,6 +75,8 @@ void CoupledDynamics::Impl::set_mode(int load, HingeMode mode) {
   hinge.mode = mode;
   hinge.straight = false;
   hinge.slope.setZero();
+  hinge.guess.forget();
+  usual_contraction_ = usual_gain_ = 1;
   hinge.utilisation_known = false;
 }
 
@@ -177,6 +179,7 @@ void CoupledDynamics::Impl::learn() {
   constexpr double rounding = 1e-20;  // of squares
   if (!(dx > rounding)) return;
   report.contraction = std::max(report.contraction, std::sqrt(dg / dx));
+  usual_contraction_ = std::max(report.contraction, 0.7 * usual_contraction_);
   constexpr double notable = 0.1;  // of squares
   for (const int i : rows_) {
     Hinge& hinge = hinges[i];
@@ -208,18 +211,48 @@ void CoupledDynamics::Impl::set_steps() {
   }
 }
 
+// Moments that fit the reactions they cause if friction is what the hinges'
+// guesses say: what they miss, times the contraction for every round. Worth it
+// as long as that is small.
+bool CoupledDynamics::Impl::follow_guesses(int rounds) {
+  constexpr double strong = 0.2;  // contraction
+  if (!(usual_contraction_ < strong)) return false;
+  for (const int i : rows_) {
+    if (!hinges[i].guess.valid()) return false;
+    hinges[i].last_moment = hinges[i].moment;
+    hinges[i].last_answer = hinges[i].answer;
+  }
+  for (int round = 0; round < rounds; ++round) {
+    for (const int i : rows_) {
+      Hinge& hinge = hinges[i];
+      Vector3d moment;
+      if (!hinge.guess.predict(reactions[i], hinge.rate, moment)) return false;
+      change_[i] = vec3(Vector3d(moment - hinge.moment));
+    }
+    apply_change();
+  }
+  return true;
+}
+
 void CoupledDynamics::Impl::loop() {
+  // Now and then the gain of a step is looked at, whether it is needed or not.
+  constexpr int look_every = 8;
+  const bool look = ++loops_ % look_every == 0;
+  follow_guesses(1);
   double last = 0;
   int stalled = 0;
   for (report.iterations = 1;; ++report.iterations) {
     const bool first = report.iterations == 1;
     report.residual = answer();
     if (trace) trace->push_back({report.iterations, report.residual});
-    if (report.residual <= options.tolerance) return;
     if (!std::isfinite(report.residual)) {
       report.status = CoupledStatus::out_of_range;
       return;
     }
+    for (const int i : rows_) {
+      hinges[i].guess.learn(reactions[i], hinges[i].rate, hinges[i].answer);
+    }
+    if (report.residual <= options.tolerance) return;
     // Rounding of the reactions can be above the tolerance.
     constexpr double rounding = 1e-8;
     stalled = first || report.residual < 0.5 * last ? 0 : stalled + 1;
@@ -228,14 +261,18 @@ void CoupledDynamics::Impl::loop() {
       report.status = CoupledStatus::not_converged;
       return;
     }
-    if (!first) learn();
-    set_steps();
-    apply_change();
-    // What this step leaves, if it gains as much as the one before.
+    if (!first) {
+      learn();
+      usual_gain_ = std::max(report.residual / last, 0.7 * usual_gain_);
+    }
+    if (!follow_guesses(2)) {
+      set_steps();
+      apply_change();
+    }
+    // What this step leaves, if it gains what steps have gained lately.
     constexpr double safety = 10;
-    const double gain = report.residual / last;
-    const double left = safety * gain * report.residual;
-    if (!first && gain < 0.1 && left <= options.tolerance) {
+    const double left = safety * usual_gain_ * report.residual;
+    if (!(first && look) && left <= options.tolerance) {
       report.residual = left;
       return;
     }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "multibody/coupled_dynamics.hpp"
+#include "multibody/friction_guess.hpp"
 #include "multibody/hinge_solver.hpp"
 
 namespace multibody {
@@ -18,8 +19,9 @@ class CoupledDynamics::Impl {
 
   struct Hinge {
     Hinge(HingeFriction friction, const Link& link, int load)
-        : solver(std::move(friction), link, load) {}
+        : solver(std::move(friction), link, load), guess(solver.is_axis()) {}
     HingeSolver solver;
+    FrictionGuess guess;
     HingeMode mode = HingeMode::sliding;
     Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();
     bool straight = false;
@@ -90,6 +92,7 @@ class CoupledDynamics::Impl {
 
  private:
   void loop();
+  bool follow_guesses(int rounds);
   void learn();
   void set_steps();
   bool converged_is_unique();
@@ -107,6 +110,9 @@ class CoupledDynamics::Impl {
 
   std::vector<Vec3<double>> change_;
   std::vector<int> rows_;  // active hinges
+  double usual_contraction_ = 1;
+  double usual_gain_ = 1;  // residual after a step over that before
+  int loops_ = 0;
   const double* state_ = nullptr;
   Loading<double>* loading_ = nullptr;
 };

@@ -252,7 +252,9 @@ Instant launcher() {
   return instant;
 }
 
-multibody::Motion motion_of(const Instant& instant, double tolerance) {
+multibody::Motion motion_of(
+    const Instant& instant, double tolerance,
+    std::vector<multibody::HingeFriction> friction = {}) {
   multibody::MotionStart start;
   start.carrier = {instant.position, instant.velocity, instant.rotation,
                    instant.rotation * instant.angular_velocity};
@@ -279,6 +281,24 @@ void our_flight(benchmark::State& state) {
     motion.advance_to(flight);
     benchmark::DoNotOptimize(motion.sample().bodies());
   }
+}
+
+// With friction, at the tolerances that motions have unless told otherwise.
+void our_flight_with_friction(benchmark::State& state) {
+  const Instant instant = launcher();
+  const std::vector<multibody::HingeFriction> friction(
+      4, multibody::BallFriction{multibody::test::ball_joint(
+             contact::FrictionLaw(0.15, 1e5), 0.05)});
+  multibody::MotionCounts counts;
+  double hinge_changes = 0;
+  for (auto _ : state) {
+    multibody::Motion motion = motion_of(instant, 1e-9, friction);
+    motion.advance_to(flight);
+    counts = motion.counts();
+    hinge_changes = static_cast<double>(motion.changes().size());
+  }
+  state.counters["evaluations"] = static_cast<double>(counts.evaluations);
+  state.counters["changes"] = hinge_changes;
 }
 
 #ifdef CONTACT_HAS_SIMBODY
@@ -345,6 +365,8 @@ int main(int argc, char** argv) {
   register_all("spherical", Mix::spherical);
   register_all("axes", Mix::axes);
   benchmark::RegisterBenchmark("flight/ours", our_flight);
+  benchmark::RegisterBenchmark("flight/ours_with_friction",
+                               our_flight_with_friction);
 #ifdef CONTACT_HAS_SIMBODY
   benchmark::RegisterBenchmark("flight/simbody", simbody_flight);
 #endif
