@@ -491,6 +491,7 @@ TEST(HingeSeparation, BadInputHasOneMessageAndLeavesNothing) {
   message("data/cases/slosh.toml --checkpoint c.cbor --checkpoint-every 0");
   message("data/cases/soyuz.toml --law tahn");
   message("data/cases/slosh.toml --history /nowhere/h.csv");
+  message("data/cases/slosh.toml --history h.csv --output /nowhere/h.json");
   message("data/cases/slosh.toml --plot h.bmp");
   EXPECT_EQ(folder.files(), std::vector<std::string>{"c.toml"});
 }

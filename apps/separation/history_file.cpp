@@ -23,8 +23,7 @@ constexpr std::array<HingeMode, 4> modes = {
 
 bool is_mode(const std::string& column) { return column.ends_with(".mode"); }
 
-void write_csv(const Rows& rows, const std::string& file) {
-  cli::Output output(file);
+void write_csv(const Rows& rows, cli::Output& output) {
   const cli::Table table(cli::Format::csv, rows.columns);
   cli::TableWriter writer(output, table);
   cli::Text text;
@@ -43,7 +42,6 @@ void write_csv(const Rows& rows, const std::string& file) {
     text.clear();
   }
   writer.finish();
-  output.commit();
 }
 
 // An HDF5 object that closes itself. HDF5 answers with negative numbers.
@@ -138,34 +136,39 @@ void write_columns(const Rows& rows, hid_t file) {
   }
 }
 
-void write_hdf5(const Rows& rows, const std::string& file) {
-  cli::Output output(file);
-  if (output.temporary().empty()) {
-    throw contact::Error(file + ": an HDF5 file has to be a regular file");
-  }
+void write_hdf5(const Rows& rows, const cli::Output& output) {
   // Its own messages would go to standard error.
   check(H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr));
-  try {
-    const Handle h5(H5Fcreate(output.temporary().c_str(), H5F_ACC_TRUNC,
+  const Handle file(H5Fcreate(output.temporary().c_str(), H5F_ACC_TRUNC,
                               H5P_DEFAULT, H5P_DEFAULT),
                     H5Fclose);
-    write_columns(rows, h5);
-    check(H5Fflush(h5, H5F_SCOPE_GLOBAL));
-  } catch (const contact::Error& error) {
-    throw contact::Error(
-        fmt::format("cannot write {}: {}", file, error.what()));
-  }
-  output.commit();
+  write_columns(rows, file);
+  check(H5Fflush(file, H5F_SCOPE_GLOBAL));
 }
 
 }  // namespace
 
-void write_history(const Rows& rows, const std::string& file) {
-  if (file.ends_with(".h5") || file.ends_with(".hdf5")) {
-    write_hdf5(rows, file);
-  } else {
-    write_csv(rows, file);
+HistoryFile::HistoryFile(const std::string& name)
+    : name_(name),
+      hdf5_(name.ends_with(".h5") || name.ends_with(".hdf5")),
+      output_(name) {
+  if (hdf5_ && output_.temporary().empty()) {
+    throw contact::Error(name + ": an HDF5 file has to be a regular file");
   }
+}
+
+void HistoryFile::write(const Rows& rows) {
+  if (hdf5_) {
+    try {
+      write_hdf5(rows, output_);
+    } catch (const contact::Error& error) {
+      throw contact::Error(
+          fmt::format("cannot write {}: {}", name_, error.what()));
+    }
+  } else {
+    write_csv(rows, output_);
+  }
+  output_.commit();
 }
 
 }  // namespace separation

@@ -2,18 +2,29 @@
 
 #include <string>
 
+#include "cli/output.hpp"
 #include "separation/record.hpp"
 
 namespace separation {
 
-/// Writes a time history: HDF5 if the name ends in .h5 or .hdf5, else CSV;
+/// A time history's file: HDF5 if the name ends in .h5 or .hdf5, else CSV;
 /// whole or not at all.
 ///
 /// CSV: columns as named, modes as words, empty where there is no value.
 /// HDF5: one data set for each column, "BODY/QUANTITY" with its unit as
 /// attribute "unit" (time: "time_s"); modes as integers, their words in the
 /// attribute "words"; no value is NaN.
-/// @throws contact::Error if it cannot be written
-void write_history(const Rows& rows, const std::string& file);
+class HistoryFile {
+ public:
+  /// @throws contact::Error if the file cannot be made
+  explicit HistoryFile(const std::string& name);
+  /// @throws contact::Error if it cannot be written
+  void write(const Rows& rows);
+
+ private:
+  std::string name_;
+  bool hdf5_;
+  cli::Output output_;
+};
 
 }  // namespace separation

@@ -5,6 +5,7 @@
 #include <array>
 #include <fstream>
 #include <iterator>
+#include <optional>
 #include <set>
 #include <vector>
 
@@ -96,7 +97,7 @@ cli::ExitStatus compare(const Case& c, const Options& o) {
   return status;
 }
 
-cli::ExitStatus simulate(const Case& c, const Options& o) {
+RunOptions run_options(const Case& c, const Options& o) {
   RunOptions run;
   run.friction = o.friction.empty()
                      ? c.friction
@@ -109,20 +110,30 @@ cli::ExitStatus simulate(const Case& c, const Options& o) {
   run.identity = fmt::format(
       "{}\n{}\n{}\n{}\n{}", static_cast<int>(run.friction), run.clearance,
       o.half_angle_law, o.pressure_law, text_of(o.case_file));
-  const Outcome outcome = run_case(c, run);
+  return run;
+}
+
+cli::ExitStatus simulate(const Case& c, const Options& o) {
+  const RunOptions options = run_options(c, o);
+  // Before the run: files that cannot be made should not cost its result.
+  std::optional<HistoryFile> history;
+  if (!o.history.empty()) history.emplace(o.history);
+  std::optional<cli::Output> events;
+  if (!o.events.empty()) events.emplace(o.events);
+  cli::Output output(o.output.output);
+
+  const Outcome outcome = run_case(c, options);
   cli::ExitStatus status = cli::all_good;
   if (!outcome.failure.empty()) {
     cli::warn(program, "ended early: " + outcome.failure);
     status = cli::some_bad;
   }
   print_overlaps(c, outcome);
-  if (!o.history.empty()) write_history(outcome.memory.rows, o.history);
-  if (!o.events.empty()) {
-    cli::Output events(o.events);
-    events.write(events_csv(outcome));
-    events.commit();
+  if (history) history->write(outcome.memory.rows);
+  if (events) {
+    events->write(events_csv(outcome));
+    events->commit();
   }
-  cli::Output output(o.output.output);
   output.write(summary(c, outcome).dump(2) + '\n');
   output.commit();
   if (o.output.plot.empty()) return status;
