@@ -248,6 +248,55 @@ TEST(ExactLaw, EndsWhereTheSolverEnds) {
   }
 }
 
+// docs/half_angle.md, "The extremes": rigid bodies, nu from 0 to 0.5, Ebar from
+// 1e-6 to 1e6, half-angles from 1e-4 deg to 1e-3 deg from the limit, loads to
+// 1e8. Only nearly incompressible inner bodies in nearly rigid outer ones end
+// before their limit.
+TEST(ExactLaw, ReachesTheExtremes) {
+  // At 175 deg F is 1e-7, which leaves theta0 nine digits.
+  AccuracyReport report("extremes, theta0 -> load -> theta0", 1e-10);
+  int ends = 0;
+  for (const JointKind kind : kinds) {
+    for (const double ratio : {0.0, 1e-6, 1e-3, 1.0, 1e3, 1e6, infinity}) {
+      for (const double nu1 : {0.0, 0.3, 0.49, 0.5}) {
+        for (const double nu2 : {0.0, 0.3, 0.49, 0.5}) {
+          const Pair pair{ratio, nu1, nu2};
+          const ExactLaw law(kind, pair.elastic());
+          const bool ends_early = !law.validity_notes(pair.elastic()).empty();
+          ends += ends_early;
+          // A pin that closes up exactly (beta = 0) has its closed form.
+          const bool incompressible_in_rigid =
+              nu1 == 0.5 &&
+              (kind == JointKind::spherical ? ratio == 0
+                                            : ratio == 1e-6 && nu2 != 0.5);
+          EXPECT_EQ(ends_early, incompressible_in_rigid) << label(law, pair, 0);
+          const double limit = law.limit_half_angle();
+          for (const double angle :
+               {1e-4 * degree, 1.0, limit - 1e-3 * degree}) {
+            const LoadParameterResult load = law.load_parameter(angle);
+            ASSERT_EQ(load.status, Status::ok);
+            // A contact that closes up gets there at a load of 1e20 only,
+            // where theta0 has few digits.
+            if (load.load_parameter > 1e12) continue;
+            const HalfAngleResult back = law.half_angle(load.load_parameter);
+            EXPECT_EQ(back.status, Status::ok) << label(law, pair, angle);
+            report.add(back.half_angle, angle, label(law, pair, angle));
+          }
+          if (ends_early) continue;
+          const HalfAngleResult far = law.half_angle(1e8);
+          EXPECT_EQ(far.status, Status::ok);
+          EXPECT_LT(far.half_angle, limit);
+          // theta0* - theta0 falls like 1/load (where the contact closes up
+          // like its fourth root).
+          EXPECT_GT(far.half_angle, limit - (limit < 2.4 ? 1e-6 : 0.1));
+        }
+      }
+    }
+  }
+  EXPECT_EQ(ends, 7);
+  report.check();
+}
+
 TEST(ExactLaw, LoadThroughTheBack) {
   const ElasticPair pair = Pair{0, 0.3, 0.3}.elastic();
   const InnerLoading loading = InnerLoading::back(20 * degree);

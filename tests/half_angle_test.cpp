@@ -546,7 +546,8 @@ double largest_error(const char* file, const char* load_column,
   return largest;
 }
 
-// The table of docs/half_angle.md, percent.
+// The paper's laws in percent, on the loads of the reference tables;
+// docs/half_angle.md has more loads and laws (hinge_angle_test.cpp).
 struct LargestErrors {
   double modulus_ratio;
   double arctan;

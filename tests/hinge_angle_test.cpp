@@ -2,8 +2,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <fstream>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -341,6 +343,47 @@ TEST(HingeAngle, CompareFindsTheLargestErrors) {
     }
     EXPECT_EQ(recommended, 1);
   }
+}
+
+// The first table of "How good are the formulas" in docs/half_angle.md.
+TEST(HingeAngle, DocumentedErrorsAreMeasured) {
+  std::ifstream page(std::string(CONTACT_DATA_DIR) +
+                     "/../libcontact/docs/half_angle.md");
+  std::string line;
+  while (std::getline(page, line) && !line.starts_with("| Ebar | pin:")) {
+  }
+  std::getline(page, line);  // the rule
+  const ProgramFolder folder;
+  int rows = 0;
+  while (std::getline(page, line) && line.starts_with("| ")) {
+    std::vector<std::string> cells;
+    std::istringstream text(line.substr(1));
+    for (std::string cell; std::getline(text, cell, '|');) {
+      cells.push_back(cell.substr(1, cell.size() - 2));
+    }
+    ASSERT_EQ(cells.size(), 11U) << line;
+    for (int joint = 0; joint < 2; ++joint) {
+      const auto errors = csv_column(
+          csv_rows(folder
+                       .run(std::string("hinge-angle --compare --law "
+                                        "arctan,tanh,blend:0.5,nominal,fitted "
+                                        "--joint ") +
+                            (joint == 0 ? "cylinder" : "sphere") +
+                            " --modulus-ratio " + cells[0])
+                       .out),
+          "error_percent");
+      ASSERT_EQ(errors.size(), 5U);
+      for (std::size_t law = 0; law < 5; ++law) {
+        const double printed = std::stod(cells[1 + 5 * joint + law]);
+        // Half of the last of two digits; one decimal from 1 on.
+        EXPECT_NEAR(std::stod(errors[law]), printed,
+                    std::max(1e-6, printed < 1 ? 0.051 * printed : 0.051))
+            << line;
+      }
+    }
+    ++rows;
+  }
+  EXPECT_EQ(rows, 9);
 }
 
 TEST(HingeAngle, CompareRecommendsTheCheapestWithinTheTolerance) {
