@@ -481,6 +481,48 @@ TEST(Motion, TraditionalEstimateBrakesTooHard) {
   }
 }
 
+// All bodies fall alike under forces in proportion to their masses: hinges
+// carry nothing but rounding, whatever they do.
+class Fall : public ForceModel {
+ public:
+  explicit Fall(std::vector<double> masses) : masses_(std::move(masses)) {}
+  void add_forces(double, std::span<const BodyMotion>,
+                  std::span<BodyForce> forces) const override {
+    for (std::size_t i = 0; i < masses_.size(); ++i) {
+      forces[i].force += masses_[i] * Vector3d(0.1, -9.81, 3.3);
+    }
+  }
+
+ private:
+  std::vector<double> masses_;
+};
+
+TEST(Motion, RoundingMovesNoHinge) {
+  for (const bool sliding : {false, true}) {
+    for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+      Mixed m = mixed_system(seed, true);
+      std::vector<double> masses = {m.carrier.mass};
+      m.start.carrier.angular_velocity.setZero();
+      for (int i = 0; i < 4; ++i) {
+        masses.push_back(m.loads[i].mass);
+        if (i > 0 || !sliding) {
+          m.start.loads[i].relative_angular_velocity.setZero();
+          m.start.loads[i].angle_rate = 0;
+        } else {
+          // Balanced: it turns on without loading its hinge.
+          m.loads[i].hinge_from_com.setZero();
+          m.loads[i].inertia = 0.2 * Matrix3d::Identity();
+        }
+      }
+      Motion motion(System(m.carrier, m.loads), m.friction,
+                    std::make_shared<Fall>(masses), m.start);
+      ASSERT_EQ(motion.advance_to(100), Stop::time)
+          << motion.failure()->message;
+      EXPECT_TRUE(motion.changes().empty()) << seed;
+    }
+  }
+}
+
 TEST(Motion, BallJointsHoldAndLetGoTogether) {
   // Four equal loads on ball joints about a carrier that is pushed harder
   // and harder: by symmetry all begin to slide at the same time.

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "libcontact/error.hpp"
@@ -60,6 +61,8 @@ CoupledDynamics::Impl::Impl(const System& system,
     const Link& link = system.links()[i];
     Hinge& hinge = hinges.emplace_back(std::move(friction[i]), link, i);
     hinge.leverage = leverage_of(link);
+    hinge.mass = link.mass;
+    hinge.length = std::max(link.arm, link.hinge.norm());
     if (link.kind == JointKind::none) hinge.mode = HingeMode::released;
   }
   reactions.resize(system.size());
@@ -134,7 +137,34 @@ void CoupledDynamics::Impl::apply_change() {
   dynamics.reactions(reactions);
 }
 
-double CoupledDynamics::Impl::answer() {
+CoupledRounding CoupledDynamics::Impl::noise() const {
+  const auto size = [](const Vec3<double>& v) { return std::sqrt(dot(v, v)); };
+  const double* w = state_ + StateLayout::angular_velocity;
+  double rate = std::sqrt(w[0] * w[0] + w[1] * w[1] + w[2] * w[2]);
+  double force = size(loading_->carrier.force);
+  double moment = size(loading_->carrier.moment);
+  double mass = 0;
+  double length = 0;
+  for (std::size_t i = 0; i < hinges.size(); ++i) {
+    const Hinge& hinge = hinges[i];
+    if (hinge.mode == HingeMode::released) continue;
+    const double* s = state_ + dynamics.layout().offset(static_cast<int>(i));
+    rate =
+        std::max(rate, hinge.solver.is_axis() ? std::abs(s[1])
+                                              : std::hypot(s[4], s[5], s[6]));
+    force += size(loading_->loads[i].force);
+    moment += size(loading_->loads[i].moment);
+    mass += hinge.mass;
+    length = std::max(length, hinge.length);
+  }
+  if (prescribed) force += mass * size(prescribed->linear);
+  // Some tens of operations on each.
+  constexpr double rounding = 1e-14;
+  const double forces = rounding * (force + mass * length * rate * rate);
+  return {forces, rounding * moment + length * forces};
+}
+
+double CoupledDynamics::Impl::answer(double floor) {
   double largest = 0;
   for (const int i : rows_) {
     Hinge& hinge = hinges[i];
@@ -149,7 +179,7 @@ double CoupledDynamics::Impl::answer() {
     if (miss == 0) continue;
     // NaN counts as large.
     const double own = miss / (hinge.answer.norm() + hinge.moment.norm() +
-                               small_share * largest);
+                               small_share * largest + floor);
     if (!(own <= residual)) residual = own;
   }
   return residual;
@@ -241,9 +271,15 @@ void CoupledDynamics::Impl::loop() {
   follow_guesses(1);
   double last = 0;
   int stalled = 0;
+  double floor = 0;
   for (report.iterations = 1;; ++report.iterations) {
     const bool first = report.iterations == 1;
-    report.residual = answer();
+    // Where the loop takes long it may be rounding that it looks at.
+    constexpr int patience = 5;
+    if (report.iterations == patience) {
+      floor = noise().moment / options.tolerance;
+    }
+    report.residual = answer(floor);
     if (trace) trace->push_back({report.iterations, report.residual});
     if (!std::isfinite(report.residual)) {
       report.status = CoupledStatus::out_of_range;
@@ -286,12 +322,16 @@ bool CoupledDynamics::Impl::converged_is_unique() {
   // number is about kappa; it is looked at closely where one of the two
   // comes near 1.
   constexpr double near_one = 0.5;
+  // Too few digits to tell slopes.
+  constexpr double few = 1e6;
+  const double least = report.contraction < near_one ? 0 : few * noise().moment;
   for (const int i : rows_) {
     const Hinge& hinge = hinges[i];
     const double force = vec3(reactions[i].force).norm();
     const double rough =
         force > 0 ? hinge.leverage * hinge.answer.norm() / force : 0;
     if (rough < near_one && report.contraction < near_one) continue;
+    if (hinge.answer.norm() < least) continue;
     if (!(kappa(i) < 1)) {
       report.load = i;
       return false;
@@ -369,7 +409,13 @@ double CoupledDynamics::Impl::kappa(int load) {
 double CoupledDynamics::Impl::utilisation(int load) {
   Hinge& hinge = hinges[load];
   if (!hinge.utilisation_known) {
-    hinge.utilisation = hinge.solver.utilisation(reactions[load]);
+    // Rounding does not make a hinge slide.
+    const CoupledRounding rounding = noise();
+    const Reaction<double>& held = reactions[load];
+    hinge.utilisation = vec3(held.force).norm() <= rounding.force &&
+                                vec3(held.moment).norm() <= rounding.moment
+                            ? 0
+                            : hinge.solver.utilisation(held);
     hinge.utilisation_known = true;
   }
   return hinge.utilisation;
@@ -451,6 +497,7 @@ bool CoupledDynamics::stops_within(int load, const Vector3d& rate,
       .solver.prox(felt.inertia, rate / step + felt.free)
       .isZero(0);
 }
+CoupledRounding CoupledDynamics::rounding() const { return impl_->noise(); }
 double CoupledDynamics::kappa(int load) { return impl_->kappa(load); }
 const CoupledReport& CoupledDynamics::resolve_rest(const double* state,
                                                    Loading<double>& loading,

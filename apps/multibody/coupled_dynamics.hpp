@@ -52,6 +52,12 @@ struct CoupledReport {
   int load = -1;  ///< where it failed, -1: nowhere in particular
 };
 
+/// What rounding makes of reactions that cancel: an upper estimate.
+struct CoupledRounding {
+  double force;   ///< N
+  double moment;  ///< N m
+};
+
 /// A step of the outer loop.
 struct OuterStep {
   int iteration;
@@ -132,6 +138,10 @@ class CoupledDynamics {
   /// evaluated.
   const CoupledReport& resolve_rest(const double* state,
                                     Loading<double>& loading, int forced = -1);
+
+  /// Of the last evaluation. Reactions below it are taken for 0 where rest is
+  /// decided.
+  CoupledRounding rounding() const;
 
   /// After evaluate(): whether an implicit step of length `step` brings the
   /// ball joint of a sliding hinge to rest: the convex problem of the contact

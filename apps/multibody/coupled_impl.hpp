@@ -41,6 +41,8 @@ class CoupledDynamics::Impl {
     bool utilisation_known = false;
     /// m arm/J: |dR/dM| on a fixed carrier.
     double leverage = 0;
+    double mass = 0;
+    double length = 0;  ///< of the arms of its hinge
   };
 
   // coupled_dynamics.cpp
@@ -54,7 +56,9 @@ class CoupledDynamics::Impl {
   /// Changes the moments by `change_` and follows with motion and reactions.
   void apply_change();
   /// Fills every active hinge's answer; the residual.
-  double answer();
+  /// @param floor  moments below it, times the tolerance, are rounding
+  double answer(double floor = 0);
+  CoupledRounding noise() const;
   void take_rates(const double* state);
   /// Response of a hinge's acceleration and reaction to its own moment.
   struct Response {

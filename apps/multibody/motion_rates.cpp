@@ -36,10 +36,13 @@ void MotionImpl::set_held_units() {
   for (int i = 0; i < loads(); ++i) {
     force = std::max(force, vec3(coupled.reaction(i).force).norm());
   }
+  const CoupledRounding rounding = coupled.rounding();
   for (int i = 0; i < loads(); ++i) {
     const Reaction<double>& r = coupled.reaction(i);
-    // What is tiny among the forces of the system need not be followed.
-    const double own = vec3(r.force).norm() + 1e-3 * force;
+    // What is tiny among the forces of the system, or little but rounding,
+    // need not be followed.
+    const double own =
+        vec3(r.force).norm() + 1e-3 * force + 1e6 * rounding.force;
     held_units_[i].force = own > 0 ? own : 1;
     held_units_[i].moment =
         vec3(r.moment).norm() +
