@@ -1,0 +1,40 @@
+// Case files: any text either gives a case whose bodies make a system or one
+// contact::Error with a message of one line that starts with the file's name.
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <string>
+#include <string_view>
+
+#include "libcontact/error.hpp"
+#include "separation/case_forces.hpp"
+#include "separation/case_reader.hpp"
+#include "separation/system_of.hpp"
+
+namespace {
+
+void check(bool holds) {
+  if (!holds) std::abort();
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
+                                      std::size_t size) {
+  const std::string_view text(reinterpret_cast<const char*>(data), size);
+  try {
+    const separation::Case c = separation::parse_case(text, "fuzz");
+    check(separation::system_of(c).size() == static_cast<int>(c.loads.size()));
+    check(c.end_time > 0 && c.output_step > 0);
+    const separation::CaseForces forces(c, separation::History(c));
+    check(forces.next_break(0) > 0);
+    for (const auto& [a, b] : c.clearance) {
+      check(a < b && !c.body(a).shapes.empty() && !c.body(b).shapes.empty());
+    }
+  } catch (const contact::Error& error) {
+    const std::string message = error.what();
+    check(message.starts_with("fuzz:"));
+    check(message.find_first_of("\n\r") == message.npos);
+  }
+  return 0;
+}
