@@ -42,18 +42,20 @@ struct HingeJoint {
 /// The upper node: what a load turns on.
 struct Hinge {
   std::string name;
-  multibody::JointKind kind;
-  Eigen::Vector3d load_point;     ///< body axes of the load, m
-  Eigen::Vector3d carrier_point;  ///< body axes of the carrier, m
+  multibody::JointKind kind = multibody::JointKind::none;
+  /// Body axes of the load and of the carrier, m.
+  Eigen::Vector3d load_point = Eigen::Vector3d::Zero();
+  Eigen::Vector3d carrier_point = Eigen::Vector3d::Zero();
   /// Load axes to carrier axes at angle zero.
-  Eigen::Matrix3d zero_rotation;
-  Eigen::Vector3d axis;  ///< axis: unit, carrier axes
+  Eigen::Matrix3d zero_rotation = Eigen::Matrix3d::Identity();
+  /// axis: unit, carrier axes.
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();
   std::vector<HingeJoint> joints;
   /// axis: shares of an indeterminate node.
   std::optional<contact::SharingRule> sharing;
   /// Spherical: the angle is that between these.
-  Eigen::Vector3d load_direction;
-  Eigen::Vector3d carrier_direction;
+  Eigen::Vector3d load_direction = Eigen::Vector3d::UnitX();
+  Eigen::Vector3d carrier_direction = Eigen::Vector3d::UnitX();
 };
 
 /// The lower node: holds a load until it breaks.
@@ -100,9 +102,9 @@ enum class Variable { none, time, angle };
 
 /// A force and a moment given by the file.
 struct AppliedForce {
-  bool inertial;  ///< axes of force and moment: inertial, else the body's
-  Eigen::Vector3d point;
-  Variable variable;
+  bool inertial = false;  ///< axes of force and moment; else the body's
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();
+  Variable variable = Variable::none;
   Table<Eigen::Vector3d> force;
   Table<Eigen::Vector3d> moment;
 };
@@ -149,7 +151,7 @@ struct Aerodynamic {
   double length;
   /// Of the air past the body, unit, inertial axes; with a density instead of
   /// a dynamic pressure it follows from the velocity in the wind.
-  Eigen::Vector3d flow;
+  Eigen::Vector3d flow = Eigen::Vector3d::UnitX();
   Table<double> dynamic_pressure;  ///< Pa, over time; empty with a density
   double density = 0;              ///< kg/m^3
   Eigen::Vector3d wind = Eigen::Vector3d::Zero();

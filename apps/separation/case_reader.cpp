@@ -157,7 +157,6 @@ void read_load(const TomlTable& table, const JointLaws& laws, Case& c,
   if (!names.bodies(load.group).empty()) {
     table.fail("name", "allowed: a name that no other body has");
   }
-  load.hinge.kind = JointKind::none;
   if (const auto hinge = table.optional_table("hinge")) {
     load.hinge = read_hinge(*hinge, load.body, c.carrier, laws);
   }

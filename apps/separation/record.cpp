@@ -156,7 +156,10 @@ void Recorder::look_at_load(const Simulation& simulation, int i, bool keep) {
     raise(peaks.reaction, peaks.reaction_time, joint.reaction.norm(), time);
     peaks.pressure = std::max(peaks.pressure, joint.peak_pressure);
     peaks.half_angle = std::max(peaks.half_angle, joint.half_angle);
-    peaks.moment = std::max(peaks.moment, joint.friction_moment.norm());
+    // At rest the solution is that of the sliding that is near.
+    if (hinge.mode == HingeMode::sliding) {
+      peaks.moment = std::max(peaks.moment, joint.friction_moment.norm());
+    }
     half_angle = std::fmax(half_angle, joint.half_angle);
     pressure = std::fmax(pressure, joint.peak_pressure);
   }
@@ -246,9 +249,9 @@ void Recorder::look_at_distances(const Simulation& simulation) {
   }
 }
 
-void Recorder::look_at_energy(const Simulation& simulation) {
+void Recorder::look_at_energy(const Simulation& simulation, bool first) {
   const multibody::EnergyBook book = simulation.sample().energy();
-  if (memory_.largest_energy == 0) memory_.first_balance = book.balance();
+  if (first) memory_.first_balance = book.balance();
   const double drift = std::abs(book.balance() - memory_.first_balance);
   memory_.largest_drift = std::max(memory_.largest_drift, drift);
   for (const double e :
@@ -263,6 +266,7 @@ void Recorder::look_at_energy(const Simulation& simulation) {
 }
 
 void Recorder::look(const Simulation& simulation) {
+  const bool first = !memory_.begun;
   look_at_changes(simulation);
   const auto& sample = simulation.sample();
   if (keep_rows_) {
@@ -274,7 +278,7 @@ void Recorder::look(const Simulation& simulation) {
     if (keep_rows_) add_body(sample.load(i));
   }
   look_at_distances(simulation);
-  look_at_energy(simulation);
+  look_at_energy(simulation, first);
 }
 
 void Recorder::before(const Simulation& simulation,

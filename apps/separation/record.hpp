@@ -43,11 +43,12 @@ struct LoadRecord {
   /// At the release of the hinge; time infinite if there was none.
   struct Release {
     double time = History::not_yet;
-    double angle = 0;          ///< rad
-    double rate = 0;           ///< of the angle on an axis, else |Dw|, rad/s
-    Eigen::Vector3d rates;     ///< Dw, load axes, rad/s
-    Eigen::Vector3d velocity;  ///< of the centre of mass against the
-                               ///< carrier's, carrier axes, m/s
+    double angle = 0;  ///< rad
+    double rate = 0;   ///< of the angle on an axis, else |Dw|
+    /// Dw, load axes, rad/s.
+    Eigen::Vector3d rates = Eigen::Vector3d::Zero();
+    /// Of the centre of mass against the carrier's, carrier axes, m/s.
+    Eigen::Vector3d velocity = Eigen::Vector3d::Zero();
   } release;
 };
 
@@ -95,14 +96,12 @@ class Recorder {
   /// Goes on with a simulation that was restored.
   void restore(Memory memory, const Simulation& simulation);
 
-  const std::vector<Case::Pair>& pairs() const { return case_.clearance; }
-
  private:
   void look_at_load(const Simulation& simulation, int load, bool keep);
   void look_at_changes(const Simulation& simulation);
   void note_change(const multibody::HingeChange& change);
   void look_at_distances(const Simulation& simulation);
-  void look_at_energy(const Simulation& simulation);
+  void look_at_energy(const Simulation& simulation, bool first);
   void add_body(const multibody::BodyMotion& body);
   void add(double number) { memory_.rows.numbers.push_back(number); }
 

@@ -8,11 +8,6 @@ namespace separation {
 /// Carrier and loads of a case. Given load axes are its body axes.
 multibody::System system_of(const Case& c);
 
-/// Name of body i.
-inline const std::string& body_name(const Case& c, int i) {
-  return c.body(i).name;
-}
-
 /// Angle of a load from its rotation relative to the carrier: about the axis,
 /// (-pi, pi], or between the two directions of a spherical hinge, [0, pi].
 /// @param rotation  load axes to carrier axes
