@@ -1,6 +1,7 @@
 #include "multibody/friction_guess.hpp"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 
 #include "multibody/eigen_conversion.hpp"
@@ -16,7 +17,11 @@ void FrictionGuess::set_units(const Reaction<double>& reaction,
                               const Vector3d& rate) {
   const auto reciprocal = [](double x) { return x > 0 ? 1 / x : 1; };
   per_force_ = reciprocal(vec3(reaction.force).norm());
-  per_moment_ = reciprocal(vec3(reaction.moment).norm());
+  // Moments of smaller arms, m, are rounding.
+  constexpr double smallest_arm = 1e-6;
+  per_moment_ =
+      reciprocal(std::max(vec3(reaction.moment).norm(),
+                          smallest_arm * vec3(reaction.force).norm()));
   per_rate_ = reciprocal(rate.norm());
   slope_.setZero();
 }
@@ -51,7 +56,7 @@ bool FrictionGuess::predict(const Reaction<double>& reaction,
   Place at;
   if (!valid() || !place(reaction, rate, at)) return false;
   moment = at.size * (at.axes * (output_ + slope_ * (at.input - input_)));
-  return true;
+  return moment.allFinite();
 }
 
 void FrictionGuess::learn(const Reaction<double>& reaction,
