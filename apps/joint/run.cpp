@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <map>
+#include <string>
+#include <vector>
 
 #include "joint/beside.hpp"
 #include "joint/input.hpp"
@@ -18,16 +20,23 @@ namespace {
 // Warns of the use of the joint and the laws outside their ranges, once for
 // each reason.
 void print_validity(const Setup& setup) {
-  std::map<std::string, std::string> laws_by_reason;
+  const contact::JointContact& first = setup.joints[0].joint.contact();
+  for (const std::string& text : first.geometry().validity_notes()) {
+    cli::warn("hinge-joint", text);
+  }
+  std::map<std::string, std::vector<std::string>> laws_by_reason;
   for (const NamedJoint& named : setup.joints) {
-    for (const std::string& text : named.joint.contact().validity_notes()) {
-      std::string& names = laws_by_reason[text];
-      if (names.find(named.law) != std::string::npos) continue;
-      names += (names.empty() ? "" : ", ") + named.law;
+    const contact::JointContact& contact = named.joint.contact();
+    for (const std::string& text :
+         contact.half_angle_law().validity_notes(contact.pair())) {
+      // Each law comes with all pressure laws, one after the other.
+      std::vector<std::string>& laws = laws_by_reason[text];
+      if (laws.empty() || laws.back() != named.law) laws.push_back(named.law);
     }
   }
-  for (const auto& [text, names] : laws_by_reason) {
-    cli::warn("hinge-joint", fmt::format("law {}: {}", names, text));
+  for (const auto& [text, laws] : laws_by_reason) {
+    cli::warn("hinge-joint",
+              fmt::format("law {}: {}", fmt::join(laws, ", "), text));
   }
 }
 
@@ -84,15 +93,17 @@ cli::ExitStatus report(const Problems& problems) {
 
 // Points take the place of all options that give a state.
 cli::ExitStatus run_points(const Options& options, const Setup& setup) {
+  bool alone = !options.trace && !options.summary;
   for (const auto* text :
        {&options.reaction_xyz, &options.rate_xyz, &options.moment_xyz,
         &options.reaction, &options.beta, &options.normal_force, &options.alpha,
         &options.outer, &options.beside, &options.output.plot}) {
-    if (!text->empty() || options.trace || options.summary) {
-      throw contact::Error(
-          "--points: of the state only with --rate; not with --trace, --outer, "
-          "--summary, --beside, --plot");
-    }
+    alone = alone && text->empty();
+  }
+  if (!alone) {
+    throw contact::Error(
+        "--points: of the state only with --rate; not with --trace, --outer, "
+        "--summary, --beside, --plot");
   }
   if (setup.joints.size() != 1) {
     throw contact::Error("--points: allowed one law and one pressure law");
@@ -110,13 +121,6 @@ cli::ExitStatus run(const Options& options) {
   print_validity(setup);
   if (options.trace || !options.outer.empty()) {
     return run_loops(options, setup, inputs);
-  }
-  for (const auto* text :
-       {&options.joints, &options.braking, &options.inner_steps}) {
-    if (!text->empty()) {
-      throw contact::Error(
-          "--joints, --braking, --inner-steps: belong to --outer");
-    }
   }
   const bool plot = !options.output.plot.empty();
   if (plot && (!inputs.forces() || inputs.size() == 1)) {
