@@ -656,6 +656,38 @@ TEST(Motion, TimesBeforeAnEventInTheSameStepAreTheirOwn) {
   }
 }
 
+// A torque that jumps, at times that are no multiples of the step: the rate is
+// its integral.
+TEST(Motion, ForcesJumpWhereTheySay) {
+  class Pulse : public ForceModel {
+   public:
+    void add_forces(double time, std::span<const BodyMotion>,
+                    std::span<BodyForce> forces) const override {
+      if (time >= 0.25 && time < 0.7013) forces[1].moment.z() += 3;
+    }
+    double next_break(double time) const override {
+      return time < 0.25     ? 0.25
+             : time < 0.7013 ? 0.7013
+                             : std::numeric_limits<double>::infinity();
+    }
+  };
+  const double about = 0.4;
+  const System system(heavy_carrier(), {wheel(20, about)});
+  for (const Integrator integrator : {Integrator::adaptive, Integrator::rk4}) {
+    MotionOptions options = on_fixed_carrier();
+    options.integrator = integrator;
+    options.step = 0.01;
+    Motion motion(system, {}, std::make_shared<Pulse>(), start_of(1), options);
+    ASSERT_EQ(motion.advance_to(1), Stop::time);
+    const double rate = 3 * (0.7013 - 0.25) / about;
+    // Constant accelerations are integrated exactly, but for rounding.
+    EXPECT_NEAR(motion.sample().hinge(0).angle_rate, rate, 1e-12 * rate);
+    if (integrator == Integrator::adaptive) {
+      EXPECT_LT(motion.counts().steps, 30);
+    }
+  }
+}
+
 TEST(Motion, RungeKuttaIsOfFourthOrder) {
   const Mixed m = mixed_system(7, false);
   const auto end = [&](double step, Integrator integrator) {

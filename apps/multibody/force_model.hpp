@@ -56,7 +56,8 @@ class ForceModel {
                           std::span<BodyForce> forces) const = 0;
 
   /// Next time after `time` at which a force jumps or has a kink: steps end
-  /// there. Infinity: none.
+  /// there, and add_forces() at that time gives what is after it. Infinity:
+  /// none.
   virtual double next_break([[maybe_unused]] double time) const {
     return std::numeric_limits<double>::infinity();
   }

@@ -103,9 +103,11 @@ MotionImpl::MotionImpl(const System& motion_system,
   body_forces_.resize(1 + loads());
   loading_.loads.resize(loads());
   held_units_.resize(loads());
+  // A step that ends at a break of the forces sees those before it.
   const auto right_hand_side = [this](double time, const double* state,
                                       double* to) {
-    return rates(time, state, to);
+    const double before = std::nextafter(next_break, time - 1);
+    return rates(time < next_break ? time : before, state, to);
   };
   stepper = options.integrator == Integrator::rk4
                 ? make_rk4_stepper(right_hand_side, options.step)
@@ -180,11 +182,21 @@ void MotionImpl::go_to(double time) {
   pending.reset();
 }
 
+// After a break nothing of the step before it may be used.
+void MotionImpl::pass_break() {
+  const double next = forces ? forces->next_break(stepper->end())
+                             : std::numeric_limits<double>::infinity();
+  if (next == next_break) return;
+  next_break = next;
+  const std::vector<double> state(stepper->end_state().begin(),
+                                  stepper->end_state().end());
+  stepper->restart(stepper->end(), state);
+}
+
 bool MotionImpl::step() {
-  const double limit = forces ? forces->next_break(stepper->end())
-                              : std::numeric_limits<double>::infinity();
+  pass_break();
   const double from = stepper->end();
-  if (!stepper->step(limit)) {
+  if (!stepper->step(next_break)) {
     now = from;
     look_at(now, stepper->begin_state());
     // Why, if a coupled evaluation did not come out.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -118,6 +119,8 @@ class MotionImpl {
   CoupledReport failed_report;
   double failed_time = 0;
   double now = 0;
+  /// Of the forces, after the step under way.
+  double next_break = std::numeric_limits<double>::infinity();
   int event = -1;
   int changes_here = 0;  ///< at one and the same time
   double changes_time = 0;
@@ -133,6 +136,7 @@ class MotionImpl {
 
  private:
   std::vector<double> start_state(const MotionStart& start);
+  void pass_break();
   bool step();
   bool redo_step_to(double time);
 
