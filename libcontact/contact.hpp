@@ -29,6 +29,7 @@
 #include "libcontact/friction_elliptic.hpp"
 #include "libcontact/friction_special.hpp"
 #include "libcontact/friction_batch.hpp"
+#include "libcontact/friction_pressure.hpp"
 #include "libcontact/friction_models.hpp"
 #include "libcontact/joint_contact.hpp"
 #include "libcontact/joint_solution.hpp"

@@ -85,6 +85,10 @@ void CosinePressure::edge_slopes(double half_angle,
   }
 }
 
+PressureExpansion CosinePressure::expansion(double half_angle) const noexcept {
+  return {.cosine_share = is_half_angle(half_angle) ? 1 : nan};
+}
+
 double CosinePressure::force_ratio(double half_angle) const noexcept {
   if (!is_half_angle(half_angle)) return nan;
   if (joint_kind() == JointKind::spherical) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <memory>
 #include <span>
 #include <string>
@@ -14,6 +15,24 @@
 /// Every pressure here is in JointGeometry::pressure_unit(): R_n/rho^2 for a
 /// ball, P/rho for a pin; so it depends on the half-angle theta0 alone.
 namespace contact {
+
+/// A pressure as the sum of the cosine pressure and one that starts like a
+/// square root from the edge,
+///
+///     p = cosine_share p[cosine] + x sum_k c_k (2 x^2 - 1)^k,
+///
+/// x the edge variable of PressureLaw,
+/// to which the friction integrals have short ways.
+struct PressureExpansion {
+  static constexpr int max_terms = 16;
+  double cosine_share = 0;
+  int size = 0;
+  std::array<double, max_terms> coefficient = {};  ///< c_k, pressure units
+
+  std::span<const double> coefficients() const {
+    return std::span(coefficient).first(static_cast<std::size_t>(size));
+  }
+};
 
 /// A pressure law for one kind of joint. Const functions that do not allocate
 /// and do not throw; NaN gives NaN.
@@ -54,6 +73,10 @@ class PressureLaw {
   virtual void edge_slopes(double half_angle,
                            std::span<const double> edge_variable,
                            std::span<double> out) const noexcept = 0;
+
+  /// p as the friction integrals take it; half-angles up to 90 deg, NaN
+  /// beyond largest_half_angle() and where theta0 is NaN.
+  virtual PressureExpansion expansion(double half_angle) const noexcept = 0;
 
   /// p(0), the largest pressure; infinite at theta0 = 0.
   virtual double peak(double half_angle) const noexcept = 0;
@@ -107,6 +130,7 @@ class CosinePressure final : public PressureLaw {
   double slope(double theta, double half_angle) const noexcept override;
   void edge_slopes(double half_angle, std::span<const double> edge_variable,
                    std::span<double> out) const noexcept override;
+  PressureExpansion expansion(double half_angle) const noexcept override;
   double peak(double half_angle) const noexcept override;
   double force_ratio(double half_angle) const noexcept override;
   double largest_half_angle() const noexcept override;

@@ -8,6 +8,7 @@
 
 #include "libcontact/conforming/ball.hpp"
 #include "libcontact/conforming/pin.hpp"
+#include "libcontact/detail/edge_polynomial.hpp"
 #include "libcontact/detail/gauss_legendre.hpp"
 
 namespace contact {
@@ -100,27 +101,45 @@ void ExactPressure::tabulate(const Contact& contact) {
       const double factor = (j == 0 ? 1.0 : 2.0) / count * std::cos(j * phase);
       for (int k = 0; k <= terms; ++k) series_[j][k] += factor * value[k];
     }
+    // Far below the accuracy of the law; equal materials need few terms.
+    const double negligible = 1e-13 * std::abs(value[0]);
+    for (int k = size_; k < terms; ++k) {
+      if (std::abs(value[k]) > negligible) size_ = k + 1;
+    }
+  }
+  for (const Column& column : series_) {
+    std::array<double, terms> a;
+    std::copy_n(column.begin(), terms, a.begin());
+    std::fill(a.begin() + size_, a.end(), 0);
+    polynomials_.push_back(detail::edge_polynomial(a));
   }
 }
 
-ExactPressure::Column ExactPressure::evaluate(
-    double half_angle) const noexcept {
-  Column sum{};
-  if (!has(half_angle)) {
-    sum.fill(nan);
-    return sum;
-  }
+template <std::size_t size>
+void ExactPressure::chebyshev_sum(
+    const std::vector<std::array<double, size>>& series, double half_angle,
+    std::array<double, size>& sum) const noexcept {
   const double share = half_angle / largest_;
   const bool ball = joint_kind() == JointKind::spherical;
   const double v = 2 * (ball ? std::sqrt(share) : share) - 1;
   // T_{j+1} = 2 v T_j - T_{j-1}
   double last = v;  // T_{-1}
   double now = 1;
-  for (const Column& row : series_) {
-    for (int k = 0; k <= terms; ++k) sum[k] += now * row[k];
+  for (const auto& row : series) {
+    for (std::size_t k = 0; k < size; ++k) sum[k] += now * row[k];
     const double next = 2 * v * now - last;
     last = now;
     now = next;
+  }
+}
+
+ExactPressure::Column ExactPressure::evaluate(
+    double half_angle) const noexcept {
+  Column sum{};
+  if (has(half_angle)) {
+    chebyshev_sum(series_, half_angle, sum);
+  } else {
+    sum.fill(nan);
   }
   return sum;
 }
@@ -181,6 +200,18 @@ void ExactPressure::edge_slopes(double half_angle,
     }
     for (std::size_t i = 0; i < size; ++i) out[first + i] = b0[i] - b1[i];
   }
+}
+
+PressureExpansion ExactPressure::expansion(double half_angle) const noexcept {
+  PressureExpansion result{.size = size_};
+  if (!has(half_angle)) {
+    result.coefficient.fill(nan);
+    return result;
+  }
+  chebyshev_sum(polynomials_, half_angle, result.coefficient);
+  const double unit = in_pressure_units(1, half_angle);
+  for (double& c : result.coefficient) c *= unit;
+  return result;
 }
 
 double ExactPressure::peak(double half_angle) const noexcept {

@@ -22,9 +22,9 @@ namespace contact {
 /// solves the contact at 28 half-angles or more, some milliseconds for a ball:
 /// make one law per joint. Threads may share one.
 ///
-/// Accuracy (pressure_family_test.cpp), theta0 <= 120 deg: within 1e-6 of the
+/// Accuracy (pressure_family_test.cpp), theta0 <= 120 deg: within 5e-6 of the
 /// peak of the solver's own pressure, which the logarithm at the edge of
-/// unlike materials costs (2e-12 for equal ones); S within 1e-7. The load is
+/// unlike materials costs (3e-8 for equal ones); S within 1e-7. The load is
 /// carried to 2e-12.
 ///
 /// Half-angles beyond the pair's limit half-angle, which other half-angle laws
@@ -43,6 +43,7 @@ class ExactPressure final : public PressureLaw {
   double slope(double theta, double half_angle) const noexcept override;
   void edge_slopes(double half_angle, std::span<const double> edge_variable,
                    std::span<double> out) const noexcept override;
+  PressureExpansion expansion(double half_angle) const noexcept override;
   double peak(double half_angle) const noexcept override;
   double force_ratio(double half_angle) const noexcept override;
   double largest_half_angle() const noexcept override { return largest_; }
@@ -52,17 +53,23 @@ class ExactPressure final : public PressureLaw {
 
  private:
   /// Terms of p in phi.
-  static constexpr int terms = 24;
+  static constexpr int terms = PressureExpansion::max_terms;
   /// The a_k, times 2 sin(theta0/2) or its square, and S.
   using Column = std::array<double, terms + 1>;
 
   template <class Contact>
   void tabulate(const Contact& contact);
   Column evaluate(double half_angle) const noexcept;
+  template <std::size_t size>
+  void chebyshev_sum(const std::vector<std::array<double, size>>& series,
+                     double half_angle,
+                     std::array<double, size>& sum) const noexcept;
   double in_pressure_units(double value, double half_angle) const noexcept;
 
   double largest_;
+  int size_ = 0;  // terms that count
   std::vector<Column> series_;
+  std::vector<std::array<double, terms>> polynomials_;  // of expansion()
 };
 
 }  // namespace contact

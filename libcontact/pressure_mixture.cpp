@@ -71,6 +71,14 @@ void MixturePressure::edge_slopes(double half_angle,
   for (double& slope : out) slope = sqrt_tan + (1 - w) * slope;
 }
 
+PressureExpansion MixturePressure::expansion(double half_angle) const noexcept {
+  const double w = sqrt_tan_share(half_angle);
+  PressureExpansion result = sqrt_tan_.expansion(half_angle);
+  result.cosine_share = 1 - w;
+  result.coefficient[0] *= w;
+  return result;
+}
+
 double MixturePressure::peak(double half_angle) const noexcept {
   if (half_angle == 0) return sqrt_tan_.peak(0);
   return mix(half_angle, sqrt_tan_.peak(half_angle), cosine_.peak(half_angle));

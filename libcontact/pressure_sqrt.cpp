@@ -5,6 +5,8 @@
 #include <limits>
 #include <numbers>
 
+#include "libcontact/detail/edge_polynomial.hpp"
+
 namespace contact {
 namespace {
 
@@ -63,6 +65,60 @@ double bessel_over_argument(double z) {
   }
   return (1 - sum) / 2;
 }
+
+// sqrt(1 - (t/theta0)^2) = sum a_k sin((2k+1) phi) for theta0 <= 90 deg, as
+// an edge polynomial, its coefficients as Chebyshev series in theta0^2: both
+// converge like 6^-k.
+class CircleExpansion {
+ public:
+  static constexpr int terms = PressureExpansion::max_terms;
+
+  CircleExpansion() {
+    // More points than terms keep aliasing away.
+    constexpr int points = 2 * terms;
+    for (int i = 0; i < degrees; ++i) {
+      const double phase = pi * (i + 0.5) / degrees;
+      const double half_angle = pi / 2 * std::sqrt((1 + std::cos(phase)) / 2);
+      const double b = std::tan(half_angle / 2);
+      std::array<double, terms> a{};
+      for (int n = 0; n < points; ++n) {
+        const double phi = pi / 2 * (n + 0.5) / points;
+        const double t = 2 * std::atan(b * std::cos(phi));
+        const double y = std::sqrt((1 - t / half_angle) * (1 + t / half_angle));
+        for (int k = 0; k < terms; ++k) {
+          a[k] += 2 * y / points * std::sin((2 * k + 1) * phi);
+        }
+      }
+      const auto c = detail::edge_polynomial(a);
+      for (int j = 0; j < degrees; ++j) {
+        const double factor =
+            (j == 0 ? 1.0 : 2.0) / degrees * std::cos(j * phase);
+        for (int k = 0; k < terms; ++k) series_[j][k] += factor * c[k];
+      }
+    }
+  }
+
+  // c_k times a factor; NaN beyond 90 deg.
+  PressureExpansion operator()(double half_angle, double factor) const {
+    PressureExpansion result{.size = terms};
+    const double share = half_angle / (pi / 2);
+    const double v = share <= 1 ? 2 * share * share - 1 : nan;
+    double last = v;
+    double now = factor;
+    last *= factor;
+    for (const auto& row : series_) {
+      for (int k = 0; k < terms; ++k) result.coefficient[k] += now * row[k];
+      const double next = 2 * v * now - last;
+      last = now;
+      now = next;
+    }
+    return result;
+  }
+
+ private:
+  static constexpr int degrees = 20;
+  std::array<std::array<double, terms>, degrees> series_{};
+};
 
 // Edge variable of an angle in [0, theta0].
 double edge_variable_of(double theta, double half_angle) {
@@ -127,6 +183,12 @@ void SqrtTanPressure::edge_slopes(double half_angle, std::span<const double>,
   for (double& slope : out) slope = value;
 }
 
+PressureExpansion SqrtTanPressure::expansion(double half_angle) const noexcept {
+  PressureExpansion result{.size = 1};
+  result.coefficient[0] = peak(half_angle);
+  return result;
+}
+
 double SqrtThetaPressure::largest_half_angle() const noexcept {
   return largest;
 }
@@ -146,6 +208,12 @@ double SqrtThetaPressure::force_ratio(double half_angle) const noexcept {
     return 1 / (2 * bessel_over_argument(half_angle));
   }
   return struve_over_square(half_angle) / struve_over_square(2 * half_angle);
+}
+
+PressureExpansion SqrtThetaPressure::expansion(
+    double half_angle) const noexcept {
+  static const CircleExpansion circle_expansion;
+  return circle_expansion(half_angle, peak(half_angle));
 }
 
 double SqrtThetaPressure::pressure(double theta,

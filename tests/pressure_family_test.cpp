@@ -355,10 +355,10 @@ TEST(ExactPressure, AgreesWithTheTabulatedProfiles) {
 }
 
 TEST(ExactPressure, AgreesWithTheSolvers) {
-  // 24 terms of an edge with a logarithm, worst for a rigid body with nu = 0
-  // in the other one.
-  AccuracyReport ball("ball, over the peak", 1e-6);
-  AccuracyReport pin("pin, over the peak", 1e-6);
+  // 16 terms of an edge with a logarithm, worst for a rigid body on one with
+  // nu = 0.
+  AccuracyReport ball("ball, over the peak", 5e-6);
+  AccuracyReport pin("pin, over the peak", 5e-6);
   AccuracyReport force("force_ratio", 1e-7);
   for (const auto& [ratio, inner, outer] : {std::array{1.0, 0.3, 0.3},
                                             {0.0, 0.3, 0.3},
@@ -398,7 +398,8 @@ TEST(ExactPressure, AgreesWithTheSolvers) {
 TEST(ExactPressure, IsTheClosedFormOfAPinOfEqualMaterials) {
   const ExactPressure law(JointKind::cylindrical,
                           ElasticPair::from_modulus_ratio(1, 0.3, 0.3));
-  AccuracyReport report("against the closed form, over the peak", 5e-12);
+  // 16 terms, at 119 deg.
+  AccuracyReport report("against the closed form, over the peak", 3e-8);
   for (const double theta0_deg : {0.1, 10.0, 50.0, 84.8, 119.0}) {
     const double half_angle = theta0_deg * degree;
     for (double s = 0; s < 1; s += 0.05) {
@@ -469,10 +470,11 @@ TEST(MixturePressure, CoefficientsAreThoseOfTheFit) {
     const auto fit = contact::reference::fit_pressure_mixture(kind);
     const auto& c = kind == JointKind::spherical ? contact::detail::ball_mixture
                                                  : contact::detail::pin_mixture;
-    // Printed to four decimals; another compiler's rounding of the fit.
+    // Printed to four decimals. The powers of the sine are nearly dependent:
+    // a change of S by 1e-8 moves coefficients by 1e-3.
     for (int k = 0; k < contact::detail::mixture_terms; ++k) {
-      EXPECT_NEAR(c.equal[k], fit.equal[k], 1e-4);
-      EXPECT_NEAR(c.contrast[k], fit.contrast[k], 1e-4);
+      EXPECT_NEAR(c.equal[k], fit.equal[k], 1e-3);
+      EXPECT_NEAR(c.contrast[k], fit.contrast[k], 1e-3);
     }
   }
 }

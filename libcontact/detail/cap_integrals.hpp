@@ -141,4 +141,50 @@ class NodeSum {
   CapSums<V> sum_;
 };
 
+/// The area part of NodeSum alone.
+template <class V>
+struct AreaSums {
+  V force = 0.0, sliding = 0.0, spinning = 0.0;
+};
+template <bool pole_inside, ArcRange range, class V>
+class AreaNodeSum {
+ public:
+  explicit AreaNodeSum(const CapPoint<V>& p)
+      : c_(p.c),
+        m_(p.m),
+        k2_(p.k * p.k),
+        s2_(p.s * p.s),
+        r2_constant_(pole_inside ? V(p.sa * p.sa) : V(p.c * p.c)),
+        r2_cosine_(pole_inside ? V(p.q * p.q) : s2_) {}
+
+  /// @param cos2  of chi;  @param weight  d chi
+  [[gnu::always_inline]] void add(V cos2, V weight) {
+    const V delta2 = m_ + k2_ * cos2;
+    const V r2 = r2_constant_ + r2_cosine_ * cos2;
+    const auto [u, inverse_delta] = inverse_roots(r2, delta2);
+    const V u2 = u * u;
+    const V d2 = pole_inside ? delta2 : cos2;
+    const V e = u2 * d2;
+    const V w = (weight * d2) * inverse_delta;
+    V f;  // as in NodeSum
+    if constexpr (range == ArcRange::large) {
+      f = u * evaluate(arc_f_long, V(c_ * u));
+    } else if constexpr (range == ArcRange::medium) {
+      f = 2.0 / 3 - s2_ * e * evaluate(arc_h_medium, V(c_ * u));
+    } else {
+      f = 2.0 / 3 - s2_ * e * evaluate(arc_h_short, V(c_ * u));
+    }
+    const V slide = (w * (pole_inside ? cos2 : delta2)) * u2;
+    sum_.force += slide;
+    sum_.sliding += slide * u2;
+    sum_.spinning += w * e * f;
+  }
+
+  const AreaSums<V>& sums() const { return sum_; }
+
+ private:
+  V c_, m_, k2_, s2_, r2_constant_, r2_cosine_;
+  AreaSums<V> sum_;
+};
+
 }  // namespace contact::detail

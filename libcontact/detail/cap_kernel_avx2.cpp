@@ -3,6 +3,6 @@
 namespace contact::detail {
 
 extern const CapKernel cap_kernel_avx2;
-constinit const CapKernel cap_kernel_avx2{one, batch};
+constinit const CapKernel cap_kernel_avx2{one, batch, areas, root_pressure};
 
 }  // namespace contact::detail

@@ -32,6 +32,6 @@ template <>
 namespace contact::detail {
 
 extern const CapKernel cap_kernel_avx512;
-constinit const CapKernel cap_kernel_avx512{one, batch};
+constinit const CapKernel cap_kernel_avx512{one, batch, areas, root_pressure};
 
 }  // namespace contact::detail

@@ -5,8 +5,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <experimental/simd>
+#include <numbers>
+#include <span>
 
 #include "libcontact/detail/cap_kernel.hpp"
 #include "libcontact/detail/cap_point.hpp"
@@ -207,6 +210,166 @@ void batch(const FrictionBatchInput& in, const FrictionBatchOutput& out) {
   for (std::size_t i = 0; i < in.half_angle.size(); i += Block::capacity) {
     Block(in, out, i).evaluate();
   }
+}
+
+template <bool pole_inside, ArcRange range>
+AreaSums<Lanes> areas_of(const PreparedCap<Lanes>& cap, const CapRule& rule) {
+  AreaNodeSum<pole_inside, range, Lanes> nodes(cap.point);
+  for (int node = 0; node < rule.size; ++node) {
+    nodes.add(Lanes(rule.cosine_squared[node]), Lanes(rule.weight[node]));
+  }
+  return assemble_areas<range>(cap, nodes.sums());
+}
+
+AreaSums<double> areas(const CapStack& stack, double axis_sin,
+                       double axis_cos) {
+  AreaSums<Lanes> total;
+  for (int i = 0; i < stack.size; i += width) {
+    PreparedCap<Lanes> cap = prepare(
+        SineCosinePair<Lanes>{load(stack.sine + i), load(stack.cosine + i)},
+        Lanes(axis_sin), Lanes(axis_cos));
+    // Next to the pole rounding may see it on the other side.
+    cap.pole_inside = mask_of<Lanes>(stack.pole_inside);
+    // The rule of the lane nearest to the pole serves the others too: the
+    // singularities of their integrands are farther away.
+    const CapRule& rule = cap_rule(cap_rule_index()(hmin(cap.point.m)));
+    const AreaSums<Lanes> area =
+        with_branches(stack.pole_inside, arc_range(hmin(cap.point.c)),
+                      [&]<bool inside, ArcRange arc>() {
+                        return areas_of<inside, arc>(cap, rule);
+                      });
+    const Lanes weight = load(stack.weight + i);
+    total.force += weight * area.force;
+    total.sliding += weight * area.sliding;
+    total.spinning += weight * area.spinning;
+  }
+  return {reduce(total.force), reduce(total.sliding), reduce(total.spinning)};
+}
+
+/// Points of an arc, sin(eta/2) = sin(d/2) sin(psi): midpoint rule in psi on
+/// [0, pi/2], spectral because what it integrates has the period pi.
+template <int points>
+struct ArcRule {
+  std::array<double, points> sine_squared, weight;  // weight: cos^2 psi d psi
+  std::array<double, points> cosine_squared;
+  ArcRule() {
+    for (int i = 0; i < points; ++i) {
+      const double psi = std::numbers::pi / 2 * (i + 0.5) / points;
+      sine_squared[i] = std::sin(psi) * std::sin(psi);
+      cosine_squared[i] = std::cos(psi) * std::cos(psi);
+      weight[i] = std::numbers::pi / 2 / points * cosine_squared[i];
+    }
+  }
+};
+
+/// What an arc brings with it, a node of the outer rule.
+struct Arc {
+  static constexpr int longest = 128;
+  std::array<double, longest> half_sine_squared;  // sin^2(d/2)
+  std::array<double, longest> radius;             // R
+  std::array<double, longest> edge;  // x^2 (1 + R cos eta)/cos^2 psi
+  std::array<double, longest> force, sliding_cosine, sliding_sine, spinning;
+};
+
+/// Lanes over arcs.
+template <bool pole_inside>
+void set_arcs(const CapPoint<double>& p, const CapRule& rule, Arc& arc) {
+  const double k2 = p.k * p.k;
+  const double sa2 = p.sa * p.sa;
+  const Lanes r2_constant(pole_inside ? sa2 : p.c * p.c);
+  const Lanes r2_cosine(pole_inside ? p.q * p.q : p.s * p.s);
+  const double one_plus_c = 1 + p.c;
+  for (int i = 0; i < rule.padded_size; i += width) {
+    const Lanes cos2 = load(rule.cosine_squared + i);
+    const Lanes sin2 = load(rule.sine_squared + i);
+    const Lanes delta2 = p.m + k2 * cos2;
+    const Lanes r2 = r2_constant + r2_cosine * cos2;
+    const auto [u, inverse_delta] = inverse_roots(r2, delta2);
+    const Lanes r = r2 * u;
+    // D^2/s^2, cos^2 phi, sin^2 phi and d phi.
+    const Lanes d2 = pole_inside ? delta2 : cos2;
+    const Lanes cos2_phi = pole_inside ? cos2 : delta2;
+    const Lanes sin2_phi = pole_inside ? sin2 : k2 * sin2;
+    Lanes w = load(rule.weight + i);
+    if constexpr (!pole_inside) w *= inverse_delta;
+    // sin^2(d/2) = sd^2/(2 (1 + cd)) = (s^2 d2/R) /(2 (R + c)).
+    const Lanes share = d2 / (2.0 * r * (r + p.c));  // sin^2(d/2)/s^2
+    const Lanes edge = 4.0 * one_plus_c * r * share;
+    const Lanes factor = 4.0 * w * sqrt(share * edge);
+    const auto store = [i](const Lanes& x, auto& array) {
+      x.copy_to(array.data() + i, stdx::element_aligned);
+    };
+    store(share * (p.s * p.s), arc.half_sine_squared);
+    store(r, arc.radius);
+    store(edge, arc.edge);
+    store(factor * cos2_phi * u, arc.force);
+    store(factor * cos2_phi * u * u, arc.sliding_cosine);
+    store(factor * sa2 * sin2_phi * u * u, arc.sliding_sine);
+    store(factor, arc.spinning);
+  }
+}
+
+Lanes inverse_square_root(const Lanes& x) { return inverse_roots(x, x).first; }
+
+/// Lanes along arcs. Arc lengths d, eta from the middle of the arc,
+/// cos t = R cos eta:
+///   I = 2 q ∫ cos^2(phi)/R ∫ p cos(eta) d eta d phi
+///   J = 2 q ∫ ∫ p (cos^2(phi) cos^2(eta) + sa^2 sin^2(phi) sin^2(eta))/R^2
+///   K = 2 sa ∫ ∫ p sin^2(eta)
+template <int points>
+AreaSums<double> sum_arcs(const Arc& arc, int size,
+                          std::span<const double> series) {
+  static const ArcRule<points> rule;
+  AreaSums<Lanes> sum;
+  for (int j = 0; j < points; j += width) {
+    const Lanes sine_squared = load(rule.sine_squared.data() + j);
+    const Lanes cosine_squared = load(rule.cosine_squared.data() + j);
+    const Lanes psi_weight = load(rule.weight.data() + j);
+    for (int i = 0; i < size; ++i) {
+      const Lanes half = arc.half_sine_squared[i] * sine_squared;
+      const Lanes rest = 1.0 - half;
+      const Lanes cosine = rest - half;
+      const Lanes sine2 = 4.0 * half * rest;
+      const Lanes height = 1.0 + arc.radius[i] * cosine;
+      const Lanes inverse = inverse_square_root(height * rest);
+      const Lanes x2 =
+          arc.edge[i] * cosine_squared * (inverse * inverse * rest);
+      const Lanes y = 2.0 * x2 - 1.0;
+      Lanes p = series.back();
+      for (std::size_t k = series.size() - 1; k-- > 0;) p = p * y + series[k];
+      const Lanes w = psi_weight * inverse * p;
+      const Lanes across = w * sine2;
+      sum.force += arc.force[i] * (w * cosine);
+      sum.sliding +=
+          arc.sliding_cosine[i] * (w - across) + arc.sliding_sine[i] * across;
+      sum.spinning += arc.spinning[i] * across;
+    }
+  }
+  return {reduce(sum.force), reduce(sum.sliding), reduce(sum.spinning)};
+}
+
+AreaSums<double> root_pressure(const CapPoint<double>& p, bool pole_inside,
+                               std::span<const double> coefficients) {
+  // Terms of a high order need more points, and a rule of this or a higher
+  // modulus for theirs.
+  constexpr std::size_t few_terms = 6;
+  constexpr int many_nodes = 4;
+  int index = cap_rule_index()(p.m);
+  if (coefficients.size() > few_terms) index = std::max(index, many_nodes);
+  const CapRule& rule = pole_inside ? cap_rule(index) : chord_rule(index);
+  Arc arc;
+  if (pole_inside) {
+    set_arcs<true>(p, rule, arc);
+  } else {
+    set_arcs<false>(p, rule, arc);
+  }
+  const AreaSums<double> sum = coefficients.size() <= few_terms
+                                   ? sum_arcs<8>(arc, rule.size, coefficients)
+                                   : sum_arcs<16>(arc, rule.size, coefficients);
+  // d phi has a factor k outside; sin(d/2) a factor s.
+  const double along = 2 * p.s * (pole_inside ? p.q : p.s);
+  const double across = 2 * p.s * p.sa * (pole_inside ? 1 : p.k);
+  return {along * sum.force, along * sum.sliding, across * sum.spinning};
 }
 
 }  // namespace

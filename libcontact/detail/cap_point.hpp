@@ -20,14 +20,12 @@ struct PreparedCap {
   mask_of<V> beyond_hemisphere;  ///< theta0 above 90 degrees: reflected
 };
 
+/// By sine and cosine of the half-angle.
 template <class V>
-PreparedCap<V> prepare(V half_angle, V axis_sin, V axis_cos) {
+[[gnu::always_inline]] inline PreparedCap<V> prepare(
+    const SineCosinePair<V>& half_angle, V axis_sin, V axis_cos) {
   using std::abs;
-  // NaN compares false: outside [0, pi] everything becomes NaN.
-  const V theta0 =
-      select(half_angle >= 0.0 && half_angle <= std::numbers::pi, half_angle,
-             V(std::numeric_limits<double>::quiet_NaN()));
-  const auto [s, cosine] = sine_cosine(theta0);
+  const auto& [s, cosine] = half_angle;
   const V c = abs(cosine);
   const V sa = abs(axis_sin);
   const V q = axis_cos;
@@ -45,6 +43,15 @@ PreparedCap<V> prepare(V half_angle, V axis_sin, V axis_cos) {
   const V m =
       select(empty, V(1.0), V(abs(difference * inverse) * (sum * inverse)));
   return {{s, c, axis_sin, q, k, m}, inside, cosine < 0.0};
+}
+
+template <class V>
+PreparedCap<V> prepare(V half_angle, V axis_sin, V axis_cos) {
+  // NaN compares false: outside [0, pi] everything becomes NaN.
+  const V theta0 =
+      select(half_angle >= 0.0 && half_angle <= std::numbers::pi, half_angle,
+             V(std::numeric_limits<double>::quiet_NaN()));
+  return prepare(sine_cosine(theta0), axis_sin, axis_cos);
 }
 
 /// The ten numbers of FrictionIntegrals, in its order.
@@ -115,6 +122,24 @@ CapResult<V> assemble(const PreparedCap<V>& cap, const CapSums<V>& sum) {
   r.sliding *= inverse;
   r.spinning *= inverse;
   return r;
+}
+
+/// The area integrals alone, reflected like those of assemble(); the range is
+/// that of the sums.
+template <ArcRange range, class V>
+AreaSums<V> assemble_areas(const PreparedCap<V>& cap, const AreaSums<V>& sum) {
+  constexpr double pi2 = std::numbers::pi * std::numbers::pi;
+  const CapPoint<V>& p = cap.point;
+  const V s2 = p.s * p.s;
+  const V f_area =
+      range == ArcRange::large ? sum.spinning : V(sum.spinning / p.c);
+  const V along = 2.0 * select(cap.pole_inside, p.k, V(1.0));
+  const V across = 2.0 * p.s * select(cap.pole_inside, p.sa, V(p.sa * p.k));
+  const V sliding = along * s2 * (s2 * f_area + 2.0 * p.c * sum.sliding);
+  const V spinning = across * s2 * f_area;
+  return {2.0 * along * s2 * sum.force,
+          select(cap.beyond_hemisphere, V(pi2 * p.q - sliding), sliding),
+          select(cap.beyond_hemisphere, V(pi2 * p.sa - spinning), spinning)};
 }
 
 }  // namespace contact::detail

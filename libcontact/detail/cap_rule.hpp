@@ -26,6 +26,13 @@ struct CapRule {
 inline constexpr int cap_rule_count = 57;
 const CapRule& cap_rule(int index);
 
+/// Gauss rules in the same variable for integrands that are even in u but not
+/// about the quarter period, with the index of cap_rule(),
+///   integral of G(chi) cos(chi) over [0, pi/2] ~ sum of weight_i G(am(u_i,
+///   k)),
+/// to some 1e-12.
+const CapRule& chord_rule(int index);
+
 /// From the complementary modulus squared k'^2 in [0, 1] to the index of the
 /// rule that serves it; any other value, NaN too, gives some rule.
 struct CapRuleIndex {

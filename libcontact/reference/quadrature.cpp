@@ -38,10 +38,13 @@ gsl_function as_gsl(Function& function) {
 
 enum class Role { force, sliding, spinning };
 
+enum class Weight { one, cosine, law };
+
 /// One of the six double integrals.
 struct Integral {
   Role role;
-  bool pressure_weight;
+  Weight weight;
+  const PressureLaw* law;  ///< of Weight::law
   double half_angle;
   SlipAxis axis;
   double tolerance;
@@ -72,6 +75,19 @@ double integrand(Role role, SlipAxis axis, double sin_t, double cos_t,
   }
 }
 
+double weight(const Integral& integral, double t) {
+  const double theta0 = integral.half_angle;
+  switch (integral.weight) {
+    case Weight::cosine:
+      // cos t - cos theta0 without cancellation
+      return 2 * std::sin((theta0 - t) / 2) * std::sin((theta0 + t) / 2);
+    case Weight::law:
+      return integral.law->pressure(t, theta0) / integral.law->peak(theta0);
+    default:
+      return 1;
+  }
+}
+
 class Quadrature {
  public:
   Quadrature() : inner_(make_workspace()), outer_(make_workspace()) {}
@@ -83,12 +99,7 @@ class Quadrature {
     const double theta0 = integral.half_angle;
     double inner_error = 0;
     auto over_colatitude = [&](double t) {
-      // cos t - cos theta0 without cancellation
-      const double weight =
-          integral.pressure_weight
-              ? 2 * std::sin((theta0 - t) / 2) * std::sin((theta0 + t) / 2)
-              : 1.0;
-      const double scale = 2 * weight * std::sin(t);  // psi and -psi
+      const double scale = 2 * weight(integral, t) * std::sin(t);  // +-psi
       const Estimate inner = over_longitude(integral, t);
       inner_error = std::max(inner_error, scale * inner.error);
       return scale * inner.value;
@@ -144,8 +155,11 @@ class Quadrature {
 
 }  // namespace
 
-QuadratureResult quadrature_friction_integrals(double half_angle, SlipAxis axis,
-                                               double tolerance) {
+namespace {
+
+// Of the cosine pressure if there is no law.
+QuadratureResult by_quadrature(const PressureLaw* law, double half_angle,
+                               SlipAxis axis, double tolerance) {
   use_gsl_return_codes();
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const FrictionTriple none{nan, nan, nan}, zero{0, 0, 0};
@@ -166,13 +180,13 @@ QuadratureResult quadrature_friction_integrals(double half_angle, SlipAxis axis,
   }
   Quadrature quadrature;
   bool converged = true;
-  const auto triple = [&](bool pressure_weight, FrictionTriple& value,
+  const auto triple = [&](Weight weight, FrictionTriple& value,
                           FrictionTriple& error) {
     const auto one = [&](Role role, bool vanishes, double& v, double& e) {
       const Estimate estimate =
           vanishes ? Estimate{}
-                   : quadrature(Integral{role, pressure_weight, half_angle,
-                                         axis, tolerance});
+                   : quadrature(Integral{role, weight, law, half_angle, axis,
+                                         tolerance});
       v = estimate.value;
       e = estimate.error;
       converged = converged && e <= tolerance * std::abs(v);
@@ -184,10 +198,12 @@ QuadratureResult quadrature_friction_integrals(double half_angle, SlipAxis axis,
   QuadratureResult result{};
   const double half = std::sin(half_angle / 2);
   const double rise = 2 * half * half;  // 1 - cos theta0
-  const double normal = pi / 3 * rise * rise * (3 - rise);
+  const double normal =
+      law ? 1 / law->peak(half_angle) : pi / 3 * rise * rise * (3 - rise);
   result.value.normal = normal;
-  triple(true, result.value.pressure, result.error.pressure);
-  triple(false, result.value.area, result.error.area);
+  triple(law ? Weight::law : Weight::cosine, result.value.pressure,
+         result.error.pressure);
+  triple(Weight::one, result.value.area, result.error.area);
   const auto over_normal = [&](const FrictionTriple& f) {
     return FrictionTriple{f.force / normal, f.sliding / normal,
                           f.spinning / normal};
@@ -197,6 +213,19 @@ QuadratureResult quadrature_friction_integrals(double half_angle, SlipAxis axis,
   result.status = converged ? Status::ok : Status::not_converged;
   result.evaluations = quadrature.evaluations();
   return result;
+}
+
+}  // namespace
+
+QuadratureResult quadrature_friction_integrals(double half_angle, SlipAxis axis,
+                                               double tolerance) {
+  return by_quadrature(nullptr, half_angle, axis, tolerance);
+}
+
+QuadratureResult quadrature_friction_integrals(const PressureLaw& law,
+                                               double half_angle, SlipAxis axis,
+                                               double tolerance) {
+  return by_quadrature(&law, half_angle, axis, tolerance);
 }
 
 }  // namespace contact::reference

@@ -4,6 +4,7 @@
 
 #include "libcontact/error.hpp"
 #include "libcontact/friction_integrals.hpp"
+#include "libcontact/pressure.hpp"
 
 namespace contact::reference {
 
@@ -43,6 +44,13 @@ struct QuadratureResult {
 ///         NaN if an argument is NaN or outside its interval, with the status
 ///         out_of_range.
 QuadratureResult quadrature_friction_integrals(double half_angle, SlipAxis axis,
+                                               double tolerance = 1e-10);
+
+/// The same for any pressure law of a ball: `pressure` has the weight p/p(0)
+/// and `normal` is 1/p(0), as in friction_integrals(). Steep edges are left to
+/// GSL's extrapolation.
+QuadratureResult quadrature_friction_integrals(const PressureLaw& law,
+                                               double half_angle, SlipAxis axis,
                                                double tolerance = 1e-10);
 
 }  // namespace contact::reference

@@ -1,0 +1,45 @@
+#pragma once
+
+#include "libcontact/friction_batch.hpp"
+#include "libcontact/friction_integrals.hpp"
+#include "libcontact/pressure.hpp"
+
+namespace contact {
+
+/// Friction integrals and coefficients of a spherical joint with any pressure
+/// law (docs/friction.md). For CosinePressure they are
+/// exact_friction_integrals().
+///
+/// For the others, theta0 <= 90 deg: the same great-circle arcs, with a sum
+/// over points of each arc in place of the closed forms. The pressure comes as
+/// PressureExpansion, whose square-root edge a change of variable along the
+/// arc takes away. Beyond 90 deg by parts, since every pressure vanishes at
+/// the edge,
+///
+///     I[p] = ∫ (-dp/dtheta) I[1](theta, a) dtheta,  0 <= theta <= theta0
+///
+/// (J and K alike), split at the poles. Nothing cancels.
+///
+/// @param law         of a ball
+/// @param half_angle  theta0, rad, [0, law.largest_half_angle()]
+/// @param axis        slip axis, sine and cosine of a in [-pi/2, pi/2]
+/// @return As FrictionIntegrals says, with two differences for laws other than
+///         CosinePressure: the weight of `pressure` is p/p(0), so that
+///         R_n = rho^2 p(0) normal; and normal = 1/peak. Force and sliding
+///         even, spinning odd in a.
+///         Relative error of each coefficient, given the law's own pressure,
+///         at most 1e-10 for theta0 <= 120 deg; ExactPressure 3e-9, its small
+///         terms of a high order not being resolved (friction_pressure_test
+///         .cpp, against quadrature of the definition and by parts). NaN if an
+///         argument is NaN or out of its interval.
+/// Does not allocate after its first call and does not throw.
+FrictionIntegrals friction_integrals(const PressureLaw& law, double half_angle,
+                                     SlipAxis axis);
+
+/// friction_integrals() for many points, the same numbers to rounding; input,
+/// output, errors and NaN as in exact_friction_integrals() for many points.
+void friction_integrals(const PressureLaw& law, const FrictionBatchInput& in,
+                        const FrictionBatchOutput& out,
+                        InstructionSet set = best_instruction_set());
+
+}  // namespace contact

@@ -1,0 +1,378 @@
+#include "libcontact/friction_pressure.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <boost/math/quadrature/gauss.hpp>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <numbers>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "libcontact/friction_exact.hpp"
+#include "libcontact/pressure_exact.hpp"
+#include "libcontact/pressure_mixture.hpp"
+#include "libcontact/pressure_sqrt.hpp"
+#include "libcontact/reference/quadrature.hpp"
+#include "support/accuracy_report.hpp"
+#include "support/allocation_count.hpp"
+#include "support/error_message.hpp"
+#include "support/friction_reference.hpp"
+#include "support/reference_table.hpp"
+
+namespace {
+
+using contact::degree;
+using contact::ElasticPair;
+using contact::FrictionIntegrals;
+using contact::FrictionTriple;
+using contact::JointKind;
+using contact::PressureLaw;
+using contact::SlipAxis;
+using contact::test::AccuracyReport;
+
+constexpr double pi = std::numbers::pi;
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr JointKind ball = JointKind::spherical;
+
+ElasticPair unlike_pair() {
+  return ElasticPair::from_modulus_ratio(7, 0.3, 0.4);
+}
+
+std::unique_ptr<PressureLaw> law_of(const std::string& name) {
+  return contact::make_pressure_law(name, ball, unlike_pair());
+}
+
+const std::vector<std::string>& other_names() {
+  static const std::vector<std::string> names = {"sqrt_tan", "sqrt_theta",
+                                                 "mixture", "exact"};
+  return names;
+}
+
+// The exact pressure of unlike materials has small terms of a high order,
+// which the rules do not resolve.
+double budget(const std::string& name) {
+  return name == "exact" ? 3e-9 : 1e-10;
+}
+
+std::string label(const std::string& law, double theta0_deg, double alpha_deg) {
+  return law + " theta0 = " + std::to_string(theta0_deg) +
+         " deg, a = " + std::to_string(alpha_deg) + " deg";
+}
+
+void compare(AccuracyReport& report, const FrictionTriple& computed,
+             const FrictionTriple& expected, const std::string& row) {
+  report.add(computed.force, expected.force, row + ", force");
+  report.add(computed.sliding, expected.sliding, row + ", sliding");
+  report.add(computed.spinning, expected.spinning, row + ", spinning");
+}
+
+// By parts with rules so fine that they need no thought: both ends of each
+// piece between poles are approached like u^4. Shares the area integrals with
+// the method, and nothing else.
+FrictionTriple by_parts(const PressureLaw& law, double theta0, SlipAxis axis) {
+  using Rule = boost::math::quadrature::gauss<double, 150>;
+  const double b = std::tan(theta0 / 2);
+  const double sum = 1 + std::abs(axis.sin);
+  std::vector<double> cuts = {0};
+  for (const double s : {sum / (axis.cos * b), axis.cos / (sum * b)}) {
+    if (s < 1) cuts.push_back(std::acos(s));
+  }
+  cuts.push_back(pi / 2);
+  FrictionTriple total{0, 0, 0};
+  for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
+    const double length = cuts[i + 1] - cuts[i];
+    const auto integrand = [&](double u, double FrictionTriple::*role) {
+      const double y = u * u * u * u * (35 + u * (-84 + u * (70 - 20 * u)));
+      const double dy = 140 * std::pow(u * (1 - u), 3);
+      const double x = std::sin(cuts[i] + length * y);
+      const double s = std::cos(cuts[i] + length * y);
+      double slope = 0;
+      law.edge_slopes(theta0, {&x, 1}, {&slope, 1});
+      const FrictionIntegrals area =
+          contact::exact_friction_integrals(2 * std::atan(b * s), axis);
+      return dy * length * s * slope * area.area.*role;
+    };
+    for (const auto role : {&FrictionTriple::force, &FrictionTriple::sliding,
+                            &FrictionTriple::spinning}) {
+      total.*role += Rule::integrate(
+          [&](double u) { return integrand(u, role); }, 0.0, 1.0);
+    }
+  }
+  return total;
+}
+
+TEST(FrictionPressure, AgreesWithQuadratureOfTheDefinition) {
+  for (const std::string& name : other_names()) {
+    const auto law = law_of(name);
+    // GSL's 1e-10 beside the budget.
+    AccuracyReport report(name, budget(name) + 1e-10);
+    for (const auto& [theta0_deg, alpha_deg] : {std::array{5.0, 20.0},
+                                                {30.0, 45.0},
+                                                {60.0, 50.0},
+                                                {85.0, 20.0},
+                                                {100.0, 40.0},
+                                                {115.0, 10.0}}) {
+      const SlipAxis axis = SlipAxis::from_degrees(alpha_deg);
+      const auto expected = contact::reference::quadrature_friction_integrals(
+          *law, theta0_deg * degree, axis, 1e-10);
+      const auto computed =
+          contact::friction_integrals(*law, theta0_deg * degree, axis);
+      const std::string row = label(name, theta0_deg, alpha_deg);
+      compare(report, computed.coefficient, expected.value.coefficient, row);
+      compare(report, computed.pressure, expected.value.pressure, row);
+      report.add(computed.normal, expected.value.normal, row + ", normal");
+      compare(report, computed.area, expected.value.area, row);
+    }
+    report.check();
+  }
+}
+
+TEST(FrictionPressure, AgreesWithIntegrationByParts) {
+  std::mt19937 random(2);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  const auto logarithmic = [&](double decades) {
+    return std::pow(10, -decades * uniform(random));
+  };
+  for (const std::string& name : other_names()) {
+    const auto law = law_of(name);
+    AccuracyReport report(name, budget(name));
+    const auto add = [&](double theta0_deg, double complement_deg) {
+      const double b = std::min(std::max(complement_deg, 1e-7), 90 - 1e-7);
+      const SlipAxis axis = SlipAxis::from_complement(b * degree);
+      compare(report,
+              contact::friction_integrals(*law, theta0_deg * degree, axis)
+                  .coefficient,
+              by_parts(*law, theta0_deg * degree, axis),
+              label(name, theta0_deg, 90 - b));
+    };
+    for (int i = 0; i < 40; ++i) {
+      add(120 * uniform(random), 90 * uniform(random));
+      const double theta0_deg = 90 * uniform(random);
+      // The pole near the edge, outside and inside; near the centre.
+      add(theta0_deg, theta0_deg * (1 + logarithmic(8)));
+      add(theta0_deg, theta0_deg * (1 - logarithmic(8)));
+      add(theta0_deg, theta0_deg * logarithmic(7));
+      // Beyond the hemisphere, the second pole near the edge; two poles that
+      // almost meet.
+      const double wide_deg = 90 + 30 * uniform(random);
+      add(wide_deg, 90 - (wide_deg - 90) * (1 + logarithmic(7)));
+      add(wide_deg, 90 - (wide_deg - 90) * (1 - logarithmic(7)));
+      add(88 + 30 * uniform(random), 90 - logarithmic(6));
+      // Small contacts about as wide as the pole is far.
+      const double small_deg = logarithmic(6);
+      add(small_deg, small_deg * std::pow(10, 4 * uniform(random) - 2));
+    }
+    // Both sides of the switch at 90 deg.
+    add(90, 30);
+    add(std::nextafter(90, 91), 30);
+    report.check();
+  }
+}
+
+TEST(FrictionPressure, CosineIsTheExactMethod) {
+  const contact::CosinePressure law(ball);
+  for (const auto& row : contact::test::friction_reference()) {
+    const auto computed =
+        contact::friction_integrals(law, row.half_angle, row.axis);
+    const auto expected =
+        contact::exact_friction_integrals(row.half_angle, row.axis);
+    for (const auto& quantity : contact::test::friction_quantities()) {
+      EXPECT_EQ(quantity.of(computed), quantity.of(expected)) << row.label;
+    }
+  }
+}
+
+TEST(FrictionPressure, AgreesWithTheTabulatedCoefficients) {
+  // Printed to six decimals, half-angles to 1e-4 deg.
+  constexpr double digits = 2e-6;
+  const contact::test::ReferenceTable table("conforming/pressure_friction.csv");
+  for (std::size_t row = 0; row < table.size(); ++row) {
+    if (table.text(row, "joint") != "sphere") continue;
+    const contact::ExactPressure exact(
+        ball, ElasticPair::from_modulus_ratio(table.value(row, "Ebar"),
+                                              table.value(row, "nu"),
+                                              table.value(row, "nu")));
+    const contact::SqrtTanPressure sqrt_tan(ball);
+    const contact::SqrtThetaPressure sqrt_theta(ball);
+    const double half_angle = table.value(row, "theta0_deg") * degree;
+    const auto check = [&](const PressureLaw& law, const std::string& column) {
+      const auto r =
+          contact::friction_integrals(law, half_angle, SlipAxis{0, 1});
+      EXPECT_NEAR(r.coefficient.force, table.value(row, "chi_" + column),
+                  digits)
+          << table.label(row);
+      EXPECT_NEAR(r.coefficient.sliding, table.value(row, "sigmaY_" + column),
+                  digits)
+          << table.label(row);
+    };
+    check(exact, "exact");
+    check(sqrt_tan, "sqrt");
+    check(sqrt_theta, "sqrt_theta");
+  }
+}
+
+TEST(FrictionPressure, SpinningDiffersByTenToTwentyPercent) {
+  // Why the choice matters: sigma_Z at a = 90 deg of the cosine pressure
+  // against the exact one, up to the limit half-angle of equal materials.
+  const auto pair = ElasticPair::from_modulus_ratio(1, 0.3, 0.3);
+  const contact::ExactPressure exact(ball, pair);
+  const contact::CosinePressure cosine(ball);
+  for (double theta0_deg = 1; theta0_deg <= 88; theta0_deg += 3) {
+    const auto sigma = [&](const PressureLaw& law) {
+      return contact::friction_integrals(law, theta0_deg * degree,
+                                         SlipAxis{1, 0})
+          .coefficient.spinning;
+    };
+    const double excess = sigma(exact) / sigma(cosine) - 1;
+    EXPECT_GT(excess, 0.09) << theta0_deg;
+    EXPECT_LT(excess, 0.21) << theta0_deg;
+    // Hertz' disc has 3 pi/16 theta0, the paraboloid 8/15 theta0.
+    if (theta0_deg == 1) {
+      EXPECT_NEAR(1 + excess, 3 * pi / 16 * 15 / 8, 1e-4);
+    }
+  }
+}
+
+TEST(FrictionPressure, SpecialAxes) {
+  for (const std::string& name : other_names()) {
+    const auto law = law_of(name);
+    for (const double theta0_deg : {10.0, 89.0, 90.0, 100.0, 119.0}) {
+      const double half_angle = theta0_deg * degree;
+      const auto slide =
+          contact::friction_integrals(*law, half_angle, SlipAxis{0, 1});
+      EXPECT_EQ(slide.coefficient.spinning, 0) << name;
+      const auto spin =
+          contact::friction_integrals(*law, half_angle, SlipAxis{1, 0});
+      EXPECT_EQ(spin.coefficient.force, 0) << name;
+      EXPECT_EQ(spin.coefficient.sliding, 0) << name;
+      const auto one = contact::friction_integrals(*law, half_angle,
+                                                   SlipAxis::from_degrees(40));
+      const auto other = contact::friction_integrals(
+          *law, half_angle, SlipAxis::from_degrees(-40));
+      EXPECT_EQ(one.coefficient.force, other.coefficient.force);
+      EXPECT_EQ(one.coefficient.sliding, other.coefficient.sliding);
+      EXPECT_EQ(one.coefficient.spinning, -other.coefficient.spinning);
+    }
+    const auto none =
+        contact::friction_integrals(*law, 0, SlipAxis::from_degrees(40));
+    EXPECT_EQ(none.coefficient.force, 1);
+    EXPECT_EQ(none.coefficient.sliding, 1);
+    EXPECT_EQ(none.coefficient.spinning, 0);
+    EXPECT_EQ(none.normal, 0);
+    for (const double tiny : {1e-100, 1e-139, 1e-141, 1e-300}) {
+      const auto r =
+          contact::friction_integrals(*law, tiny, SlipAxis::from_degrees(40));
+      EXPECT_NEAR(r.coefficient.force, 1, 1e-9) << name << tiny;
+      EXPECT_NEAR(r.coefficient.sliding, 1, 1e-9) << name << tiny;
+    }
+  }
+}
+
+// M_t is the gradient of the potential Phi = A0(a) |Dw|, so dA0/da follows
+// from the moments.
+TEST(FrictionPressure, MomentsHaveAPotential) {
+  for (const std::string& name : other_names()) {
+    const auto law = law_of(name);
+    AccuracyReport report(name + ": dPhi/da", 1e-8);
+    for (const double theta0_deg : {20.0, 70.0, 95.0}) {
+      for (const double alpha_deg : {5.0, 35.0, 80.0}) {
+        const auto triple = [&](double a) {
+          return contact::friction_integrals(*law, theta0_deg * degree,
+                                             SlipAxis::from_angle(a))
+              .coefficient;
+        };
+        const auto potential = [&](double a) {
+          const FrictionTriple c = triple(a);
+          return c.sliding * std::cos(a) + c.spinning * std::sin(a);
+        };
+        const double a = alpha_deg * degree;
+        const double h = 1e-4;
+        const FrictionTriple c = triple(a);
+        // Central differences of fourth order; over the potential.
+        const double slope = (8 * (potential(a + h) - potential(a - h)) -
+                              (potential(a + 2 * h) - potential(a - 2 * h))) /
+                             (12 * h);
+        report.add_error(std::abs(slope - (c.spinning * std::cos(a) -
+                                           c.sliding * std::sin(a))) /
+                             potential(a),
+                         label(name, theta0_deg, alpha_deg));
+      }
+    }
+    report.check();
+  }
+}
+
+TEST(FrictionPressure, NanAndAllocations) {
+  for (const std::string& name : other_names()) {
+    const auto law = law_of(name);
+    for (const double bad : {nan, -0.1, 3.2}) {
+      const auto r =
+          contact::friction_integrals(*law, bad, SlipAxis::from_degrees(30));
+      EXPECT_TRUE(std::isnan(r.coefficient.force)) << name;
+      EXPECT_TRUE(std::isnan(r.coefficient.spinning)) << name;
+    }
+    const auto r = contact::friction_integrals(*law, 0.5, SlipAxis{nan, nan});
+    EXPECT_TRUE(std::isnan(r.coefficient.force)) << name;
+    const std::size_t before = contact::test::allocation_count();
+    for (const double half_angle : {0.5, 1.2, 1.8}) {
+      contact::friction_integrals(*law, half_angle, SlipAxis::from_degrees(30));
+    }
+    EXPECT_EQ(contact::test::allocation_count(), before) << name;
+  }
+}
+
+TEST(FrictionPressure, BatchIsTheScalarCall) {
+  std::mt19937 random(4);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  constexpr std::size_t count = 300;
+  std::array<std::vector<double>, 3> in;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double a = pi * (uniform(random) - 0.5);
+    in[0].push_back(i == 7 ? nan : 2 * uniform(random));
+    in[1].push_back(std::sin(a));
+    in[2].push_back(std::cos(a));
+  }
+  std::array<std::vector<double>, 10> r;
+  for (auto& column : r) column.resize(count);
+  using enum contact::InstructionSet;
+  for (const auto set : {baseline, avx2, avx512}) {
+    if (!contact::is_supported(set)) continue;
+    for (const std::string& name : contact::pressure_law_names()) {
+      const auto law = law_of(name);
+      contact::friction_integrals(
+          *law, {in[0], in[1], in[2]},
+          {r[0], r[1], r[2], r[3], r[4], r[5], r[6], r[7], r[8], r[9]}, set);
+      // Rounding of sums of some 200 terms.
+      AccuracyReport report(name, 2e-14);
+      for (std::size_t i = 0; i < count; ++i) {
+        const FrictionIntegrals one =
+            contact::friction_integrals(*law, in[0][i], {in[1][i], in[2][i]});
+        if (i == 7) {
+          EXPECT_TRUE(std::isnan(r[7][i]));
+          continue;
+        }
+        const std::string row = std::to_string(i);
+        compare(report, {r[7][i], r[8][i], r[9][i]}, one.coefficient, row);
+        compare(report, {r[1][i], r[2][i], r[3][i]}, one.pressure, row);
+        compare(report, {r[4][i], r[5][i], r[6][i]}, one.area, row);
+        report.add(r[0][i], one.normal, row);
+      }
+      report.check();
+      // Columns that are not wanted.
+      std::vector<double> only(count);
+      contact::friction_integrals(*law, {in[0], in[1], in[2]},
+                                  {{}, {}, {}, {}, {}, {}, {}, {}, only, {}},
+                                  set);
+      for (std::size_t i = 0; i < count; ++i) {
+        if (i == 7) continue;
+        EXPECT_EQ(only[i], r[8][i]);
+      }
+    }
+  }
+}
+
+}  // namespace
