@@ -11,6 +11,7 @@
 #include "libcontact/detail/gauss_legendre.hpp"
 #include "libcontact/error.hpp"
 #include "libcontact/friction_exact.hpp"
+#include "libcontact/friction_models.hpp"
 
 // s = tan(theta/2)/tan(theta0/2) = cos(phi), x = sin(phi) the edge variable,
 // T0 = 90 deg - |a| the colatitude of the pole (docs/friction.md).
@@ -205,7 +206,39 @@ void set_pressure_part(const PressureLaw& law, double half_angle, SlipAxis axis,
   r.pressure = {c.force / peak, c.sliding / peak, c.spinning / peak};
 }
 
+/// ∬ p sin^2 t dS for the pressure that carries the force 1, by parts.
+double second_moment(const PressureLaw& law, double half_angle) {
+  static const PieceRule rule(
+      24, [](double u) { return u; }, [](double) { return 1; });
+  std::array<double, PieceRule::max_size> slope;
+  law.edge_slopes(half_angle, rule.y, slope);
+  const double b = std::tan(half_angle / 2);
+  double sum = 0;
+  for (int i = 0; i < rule.size; ++i) {
+    const double x = rule.y[i];
+    const double tangent2 = b * b * (1 - x) * (1 + x);
+    const double u = 2 * tangent2 / (1 + tangent2);  // 1 - cos t
+    sum += rule.weight[i] * slope[i] * u * u * (1 - u / 3);
+  }
+  return 2 * std::numbers::pi * sum;
+}
+
 }  // namespace
+
+FrictionIntegrals viscous_friction_integrals(const PressureLaw& law,
+                                             double half_angle, SlipAxis axis) {
+  FrictionIntegrals r = viscous_friction_integrals(half_angle, axis);
+  if (is_cosine(law) || half_angle <= smallest_half_angle) return r;
+  const double peak = law.peak(half_angle);
+  const double m = second_moment(law, half_angle);
+  FrictionTriple& c = r.coefficient;
+  c = {axis.cos, (law.force_ratio(half_angle) - m / 2) * axis.cos,
+       m * axis.sin};
+  if (std::isnan(peak)) c.force = nan;
+  r.normal = 1 / peak;
+  r.pressure = {c.force / peak, c.sliding / peak, c.spinning / peak};
+  return r;
+}
 
 FrictionIntegrals friction_integrals(const PressureLaw& law, double half_angle,
                                      SlipAxis axis) {

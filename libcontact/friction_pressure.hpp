@@ -42,4 +42,17 @@ void friction_integrals(const PressureLaw& law, const FrictionBatchInput& in,
                         const FrictionBatchOutput& out,
                         InstructionSet set = best_instruction_set());
 
+/// Viscous analogue with any pressure law: traction -k Dv with k = k0 + k1 p,
+/// as viscous_friction_integrals() for the cosine pressure. The coefficients
+/// belong to k1; with S of PressureLaw::force_ratio() and
+/// m = ∬ p sin^2 t dS/R_n:
+///
+///     chi = cos a,  sigma_Y = (S - m/2) cos a,  sigma_Z = m sin a
+///
+/// `pressure` and `normal` as in friction_integrals(). Relative error, given
+/// the law's own pressure, at most 1e-11 for theta0 <= 120 deg
+/// (friction_pressure_test.cpp), ExactPressure 1e-10.
+FrictionIntegrals viscous_friction_integrals(const PressureLaw& law,
+                                             double half_angle, SlipAxis axis);
+
 }  // namespace contact

@@ -8,8 +8,7 @@
 #include <utility>
 
 #include "libcontact/error.hpp"
-#include "libcontact/friction_exact.hpp"
-#include "libcontact/friction_models.hpp"
+#include "libcontact/friction_pressure.hpp"
 
 namespace contact {
 namespace {
@@ -38,12 +37,6 @@ JointContact::JointContact(JointGeometry geometry, ElasticPair pair,
   }
   check_kind(kind, half_angle_law_->joint_kind(), "half-angle");
   check_kind(kind, pressure_law_->joint_kind(), "pressure");
-  if (kind == JointKind::spherical && pressure_law_->name() != "cosine") {
-    throw Error(fmt::format(
-        "spherical joint: no friction integrals for pressure law {}: "
-        "allowed: cosine",
-        pressure_law_->name()));
-  }
   unit_force_ =
       geometry_.force_from_load(LoadScale(geometry_, pair_).unit_load());
   unit_pressure_area_ =
@@ -61,8 +54,9 @@ std::vector<std::string> JointContact::validity_notes() const {
 FrictionIntegrals JointContact::integrals(double half_angle,
                                           SlipAxis axis) const noexcept {
   if (geometry_.kind() == JointKind::spherical) {
-    return is_viscous() ? viscous_friction_integrals(half_angle, axis)
-                        : exact_friction_integrals(half_angle, axis);
+    return is_viscous()
+               ? viscous_friction_integrals(*pressure_law_, half_angle, axis)
+               : friction_integrals(*pressure_law_, half_angle, axis);
   }
   const double span = 2 * geometry_.length() / geometry_.radius();
   FrictionIntegrals pin;

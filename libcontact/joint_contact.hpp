@@ -32,8 +32,7 @@ namespace contact {
 /// at any slip axis, with S of PressureLaw::force_ratio().
 class JointContact {
  public:
-  /// @throws Error if the kinds of joint differ, a law is missing, or there
-  ///         are no friction integrals for a ball with this pressure law.
+  /// @throws Error if the kinds of joint differ or a law is missing.
   JointContact(JointGeometry geometry, ElasticPair pair, FrictionModel friction,
                std::shared_ptr<const HalfAngleLaw> half_angle_law,
                std::shared_ptr<const PressureLaw> pressure_law);

@@ -375,4 +375,40 @@ TEST(FrictionPressure, BatchIsTheScalarCall) {
   }
 }
 
+TEST(FrictionPressure, ViscousAnalogueIsItsDefinition) {
+  using Rule = boost::math::quadrature::gauss<double, 60>;
+  for (const std::string& name : contact::pressure_law_names()) {
+    const auto law = law_of(name);
+    AccuracyReport report(name, name == "exact" ? 1e-10 : 1e-11);
+    for (const double theta0_deg : {1.0, 40.0, 90.0, 119.0}) {
+      const double theta0 = theta0_deg * degree;
+      const double b = std::tan(theta0 / 2);
+      // 2 pi ∫ p f(t) sin t dt in the angle of the edge variable.
+      const auto integral = [&](auto f) {
+        return Rule::integrate(
+            [&](double phi) {
+              const double tangent = b * std::cos(phi);
+              const double t = 2 * std::atan(tangent);
+              return 2 * pi * law->pressure(t, theta0) * f(t) * std::sin(t) *
+                     2 * b * std::sin(phi) / (1 + tangent * tangent);
+            },
+            0.0, pi / 2);
+      };
+      const SlipAxis axis = SlipAxis::from_degrees(35);
+      const double sine2 =
+          integral([](double t) { return std::sin(t) * std::sin(t); });
+      const double sum = integral([](double) { return 1; });
+      const FrictionIntegrals r =
+          contact::viscous_friction_integrals(*law, theta0, axis);
+      const std::string row = label(name, theta0_deg, 35);
+      compare(report, r.coefficient,
+              {axis.cos, (sum - sine2 / 2) * axis.cos, sine2 * axis.sin}, row);
+    }
+    report.check();
+    EXPECT_TRUE(std::isnan(
+        contact::viscous_friction_integrals(*law, nan, SlipAxis{0, 1})
+            .coefficient.force));
+  }
+}
+
 }  // namespace

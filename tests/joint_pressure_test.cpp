@@ -1,0 +1,253 @@
+// Joints with every pressure law.
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "libcontact/cylindrical_joint.hpp"
+#include "libcontact/friction_pressure.hpp"
+#include "libcontact/joint_node.hpp"
+#include "libcontact/moment_set.hpp"
+#include "libcontact/pressure_exact.hpp"
+#include "libcontact/spherical_joint.hpp"
+#include "libcontact/units.hpp"
+#include "support/accuracy_report.hpp"
+
+namespace {
+
+using contact::CylindricalJoint;
+using contact::degree;
+using contact::ElasticPair;
+using contact::FrictionLaw;
+using contact::FrictionModel;
+using contact::JointGeometry;
+using contact::JointKind;
+using contact::JointSolution;
+using contact::SphericalJoint;
+using contact::Status;
+using contact::ViscousLaw;
+using contact::test::AccuracyReport;
+using Eigen::Vector3d;
+
+ElasticPair unlike_pair() { return ElasticPair({2e11, 0.3}, {1.1e11, 0.35}); }
+
+SphericalJoint ball_joint(const std::string& pressure,
+                          const FrictionModel& friction) {
+  const ElasticPair pair = unlike_pair();
+  const JointKind kind = JointKind::spherical;
+  return {JointGeometry::ball(0.05, 0.05e-3), pair, friction,
+          contact::make_half_angle_law("exact", kind, pair),
+          contact::make_pressure_law(pressure, kind, pair)};
+}
+
+CylindricalJoint pin_joint(const std::string& pressure,
+                           const FrictionModel& friction) {
+  const ElasticPair pair = unlike_pair();
+  const JointKind kind = JointKind::cylindrical;
+  return {JointGeometry::pin(0.05, 0.05e-3, 0.1), pair, friction,
+          contact::make_half_angle_law("exact", kind, pair),
+          contact::make_pressure_law(pressure, kind, pair)};
+}
+
+Vector3d random_direction(std::mt19937& random) {
+  std::normal_distribution<double> normal;
+  return Vector3d(normal(random), normal(random), normal(random)).normalized();
+}
+
+double vector_error(const Vector3d& computed, const Vector3d& expected) {
+  return (computed - expected).norm() / expected.norm();
+}
+
+TEST(JointPressure, BallSolvesItsEquationAndKeepsItsVectors) {
+  for (const std::string& name : contact::pressure_law_names()) {
+    // f/tan g of the solver's own tolerance.
+    AccuracyReport residual(name + ": f/tan g", 1e-12);
+    AccuracyReport balance(name + ": R = R_n n + R_t", 1e-12);
+    AccuracyReport turned(name + ": rotation", 1e-11);
+    std::mt19937 random(1);
+    std::uniform_real_distribution<double> uniform(0, 1);
+    for (int i = 0; i < 300; ++i) {
+      const FrictionLaw friction(1.5 * uniform(random),
+                                 i % 3 == 0 ? 0 : 1e8 * uniform(random));
+      const SphericalJoint joint = ball_joint(name, friction);
+      const double force = std::pow(10, 2 + 5 * uniform(random));
+      const Vector3d reaction = force * random_direction(random);
+      const Vector3d rate = 3 * random_direction(random);
+      const JointSolution s = joint.solve(reaction, rate);
+      const std::string row = name + " " + std::to_string(i);
+      ASSERT_EQ(s.status, Status::ok) << row;
+      EXPECT_LE(s.power, 0) << row;
+      const auto f = contact::friction_integrals(
+          joint.contact().pressure_law(), s.half_angle,
+          {s.slip_axis.sin, s.slip_axis.cos});
+      const double rho2 = 0.05 * 0.05;
+      const double expected =
+          friction.coefficient() * f.coefficient.force +
+          friction.adhesion() * rho2 / s.compressive_force * f.area.force;
+      residual.add(s.force_coefficient, expected, row);
+      balance.add_error(
+          vector_error(s.compressive_force * s.normal + s.friction_force,
+                       reaction),
+          row);
+      const Eigen::Matrix3d turn =
+          Eigen::AngleAxisd(2.1, random_direction(random)).toRotationMatrix();
+      const JointSolution other = joint.solve(turn * reaction, turn * rate);
+      turned.add_error(
+          vector_error(other.friction_moment, turn * s.friction_moment), row);
+    }
+    residual.check();
+    balance.check();
+    turned.check();
+  }
+}
+
+TEST(JointPressure, SmallContactsDoNotSeeThePressure) {
+  // theta0 -> 0, a = 0, A = 0: M = rho R f/sqrt(1 + f^2). At R = 1e-6 N
+  // theta0 is 1e-2 deg, 1 - cos theta0 some 1e-8.
+  const double f = 0.3;
+  for (const std::string& name : contact::pressure_law_names()) {
+    const JointSolution s = ball_joint(name, FrictionLaw(f))
+                                .solve(Vector3d(1e-6, 0, 0), Vector3d(0, 0, 1));
+    EXPECT_LT(s.half_angle, 0.02 * degree) << name;
+    EXPECT_NEAR(s.friction_moment.norm() / (0.05 * 1e-6 * f / std::hypot(1, f)),
+                1, 1e-7)
+        << name;
+  }
+}
+
+TEST(JointPressure, PlanarDiscOfHertz) {
+  // a = 90 deg, small theta0: the moment of a disc under its pressure,
+  // (3 pi/16) theta0 rho f0 R_n for Hertz', 8/15 for a paraboloid.
+  for (const std::string& name : contact::pressure_law_names()) {
+    const JointSolution s =
+        ball_joint(name, FrictionLaw(0.2))
+            .solve_contact(Vector3d(0, 0, 1), Vector3d(0, 0, 1));
+    const double factor =
+        name == "cosine" ? 8.0 / 15 : 3 * std::numbers::pi / 16;
+    // theta0 is 0.9 deg here: theta0^2 is 3e-4, and the mixture has 0.6 % of
+    // the cosine pressure in it.
+    EXPECT_NEAR(s.spinning_coefficient / (0.2 * s.half_angle * factor), 1, 5e-4)
+        << name;
+  }
+}
+
+TEST(JointPressure, SpinningMomentShowsTheChoice) {
+  // Under a known compressive force, spinning: 10 to 20 % more by the exact
+  // pressure than by the cosine one.
+  const FrictionLaw friction(0.1);
+  for (const double force : {1e3, 1e5, 1e7}) {
+    const auto moment = [&](const char* name) {
+      return ball_joint(name, friction)
+          .solve_contact(Vector3d(0, 0, force), Vector3d(0, 0, 1))
+          .friction_moment.norm();
+    };
+    const double excess = moment("exact") / moment("cosine") - 1;
+    EXPECT_GT(excess, 0.09) << force;
+    EXPECT_LT(excess, 0.21) << force;
+    EXPECT_NEAR(moment("mixture") / moment("exact"), 1, 0.015) << force;
+  }
+}
+
+TEST(JointPressure, MomentsAreTheGradientOfThePotential) {
+  for (const std::string& name : contact::pressure_law_names()) {
+    // Differences of fourth order; the exact pressure's integrals are good to
+    // 3e-9.
+    AccuracyReport report(name + ": M = -dPhi/dDw", 1e-8);
+    const SphericalJoint joint = ball_joint(name, FrictionLaw(0.3, 2e7));
+    std::mt19937 random(5);
+    for (const double theta0_deg : {10.0, 45.0, 80.0}) {
+      const contact::MomentSet set(joint.contact(), Vector3d::UnitZ(), 1e5,
+                                   theta0_deg * degree);
+      for (int i = 0; i < 5; ++i) {
+        const Vector3d rate = random_direction(random);
+        Vector3d gradient;
+        const double h = 1e-4;
+        for (int k = 0; k < 3; ++k) {
+          const Vector3d e = h * Vector3d::Unit(k);
+          gradient[k] =
+              (8 * (set.support(rate + e) - set.support(rate - e)) -
+               (set.support(rate + 2 * e) - set.support(rate - 2 * e))) /
+              (12 * h);
+        }
+        const Vector3d moment = set.moment(rate);
+        report.add_error(vector_error(moment, -gradient), name);
+        // On the edge of the set.
+        EXPECT_NEAR(set.utilisation(moment), 1, 1e-8) << name;
+      }
+    }
+    report.check();
+  }
+}
+
+TEST(JointPressure, RestAndProxWork) {
+  for (const std::string& name : contact::pressure_law_names()) {
+    const SphericalJoint joint = ball_joint(name, FrictionLaw(0.3, 2e7));
+    const Vector3d reaction(3e4, 1e4, -2e4);
+    const JointSolution slip = joint.solve(reaction, Vector3d(0.2, -1, 0.4));
+    const auto rest = joint.utilisation(reaction, 0.5 * slip.friction_moment);
+    EXPECT_EQ(rest.status, Status::ok) << name;
+    EXPECT_NEAR(rest.utilisation, 0.5, 1e-8) << name;
+    const contact::MomentSet set(joint.contact(), Vector3d::UnitX(), 1e4,
+                                 30 * degree);
+    const auto prox =
+        set.prox(Eigen::Matrix3d::Identity(), 2e3 * Vector3d(1, 2, -1));
+    EXPECT_EQ(prox.status, Status::ok) << name;
+  }
+}
+
+TEST(JointPressure, PinTakesTheForceRatio) {
+  const double f0 = 0.2;
+  for (const std::string& name : contact::pressure_law_names()) {
+    const CylindricalJoint joint = pin_joint(name, FrictionLaw(f0, 3e6));
+    const JointSolution s =
+        joint.solve(Vector3d(1e5, 2e5, 0), Vector3d::UnitZ(), 2);
+    ASSERT_EQ(s.status, Status::ok) << name;
+    const double ratio =
+        joint.contact().pressure_law().force_ratio(s.half_angle);
+    const double moment = 0.05 * (f0 * s.compressive_force * ratio +
+                                  2 * 3e6 * 0.05 * 0.1 * s.half_angle);
+    EXPECT_NEAR(-s.friction_moment.z() / moment, 1, 1e-12) << name;
+  }
+}
+
+TEST(JointPressure, ViscousJoints) {
+  for (const std::string& name : contact::pressure_law_names()) {
+    const SphericalJoint joint = ball_joint(name, ViscousLaw(1e3, 0.02));
+    const JointSolution s =
+        joint.solve(Vector3d(1e4, 3e4, -2e4), Vector3d(5, -2, 4));
+    EXPECT_EQ(s.status, Status::ok) << name;
+    EXPECT_LT(s.power, 0) << name;
+  }
+}
+
+TEST(JointPressure, NodesMixPressures) {
+  const contact::JointNode node(
+      {{ball_joint("exact", FrictionLaw(0.2)), 0.0},
+       {pin_joint("mixture", FrictionLaw(0.1)), 0.4}});
+  contact::NodeSolution s = node.make_solution();
+  node.solve(Vector3d(1e4, 2e4, 5e3), Vector3d(100, -300, 0), Vector3d::UnitZ(),
+             1.5, s);
+  EXPECT_EQ(s.status, Status::ok);
+  EXPECT_LT(s.power, 0);
+}
+
+TEST(JointPressure, HalfAnglesBeyondTheLawHaveNoResult) {
+  // A half-angle law may go beyond what a pressure law has.
+  const ElasticPair pair = unlike_pair();
+  contact::HalfAngleOptions options;
+  options.limit_half_angle = 150 * degree;
+  const SphericalJoint joint(
+      JointGeometry::ball(0.05, 0.05e-3), pair, FrictionLaw(0.1),
+      contact::make_half_angle_law("tanh", JointKind::spherical, pair, options),
+      contact::make_pressure_law("exact", JointKind::spherical, pair));
+  const JointSolution s =
+      joint.solve_contact(Vector3d(0, 0, 1e12), Vector3d(0, 1, 1));
+  EXPECT_TRUE(std::isnan(s.friction_moment.norm()));
+}
+
+}  // namespace
