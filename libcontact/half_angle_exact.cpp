@@ -8,12 +8,26 @@
 #include "libcontact/conforming/pin.hpp"
 #include "libcontact/conforming/pin_closed_form.hpp"
 #include "libcontact/detail/half_angle_table.hpp"
+#include "libcontact/half_angle_fitted.hpp"
 #include "libcontact/units.hpp"
 
 namespace contact {
 namespace {
 
 using detail::HalfAngleTable;
+
+// beta and w_2 are known to 4e-16; what so little of them does is below
+// rounding.
+constexpr double negligible = 1e-15;
+
+// An incompressible pin in a rigid hole: F = cos^4(theta0/2) has a zero of
+// fourth order at the limit half-angle of 180 deg, which no series of the
+// table's kind can follow. The fitted law is the closed form there.
+bool closes_up(JointKind kind, const ElasticPair& pair, InnerLoading loading) {
+  return kind == JointKind::cylindrical && !loading.is_back() &&
+         pair.outer_compliance_share() <= negligible &&
+         std::abs(pair.dundurs_beta()) <= negligible;
+}
 
 template <class Contact>
 HalfAngleTable table_of(JointKind kind, const Contact& contact) {
@@ -25,8 +39,7 @@ HalfAngleTable table_of(JointKind kind, const Contact& contact) {
 
 HalfAngleTable pin_table(const ElasticPair& pair, InnerLoading loading) {
   constexpr JointKind kind = JointKind::cylindrical;
-  // beta is known to 4e-16; what so little of it does is below rounding.
-  if (!loading.is_back() && std::abs(pair.dundurs_beta()) <= 1e-15) {
+  if (!loading.is_back() && std::abs(pair.dundurs_beta()) <= negligible) {
     const PinClosedForm pin(pair.outer_compliance_share());
     return {kind, [&pin](double theta) { return pin.reciprocal_load(theta); },
             pin.limit_half_angle(), true};
@@ -40,26 +53,35 @@ HalfAngleTable pin_table(const ElasticPair& pair, InnerLoading loading) {
 
 ExactLaw::ExactLaw(JointKind kind, const ElasticPair& pair,
                    InnerLoading loading)
-    : HalfAngleLaw(kind),
-      table_(std::make_unique<const HalfAngleTable>(
-          kind == JointKind::cylindrical
-              ? pin_table(pair, loading)
-              : table_of(kind, BallContact(pair, loading)))) {}
+    : HalfAngleLaw(kind) {
+  if (closes_up(kind, pair, loading)) {
+    closed_form_ = std::make_unique<const FittedLaw>(kind, pair);
+    return;
+  }
+  table_ = std::make_unique<const HalfAngleTable>(
+      kind == JointKind::cylindrical
+          ? pin_table(pair, loading)
+          : table_of(kind, BallContact(pair, loading)));
+}
 
 ExactLaw::~ExactLaw() = default;
 
 HalfAngleResult ExactLaw::half_angle(double load_parameter) const noexcept {
-  return table_->half_angle(load_parameter);
+  return table_ ? table_->half_angle(load_parameter)
+                : closed_form_->half_angle(load_parameter);
 }
 
 LoadParameterResult ExactLaw::load_parameter(double half_angle) const noexcept {
-  return table_->load_parameter(half_angle);
+  return table_ ? table_->load_parameter(half_angle)
+                : closed_form_->load_parameter(half_angle);
 }
 
-double ExactLaw::limit_half_angle() const noexcept { return table_->largest(); }
+double ExactLaw::limit_half_angle() const noexcept {
+  return table_ ? table_->largest() : closed_form_->limit_half_angle();
+}
 
 std::vector<std::string> ExactLaw::validity_notes(const ElasticPair&) const {
-  if (table_->reaches_limit()) return {};
+  if (!table_ || table_->reaches_limit()) return {};
   return {
       fmt::format("the exact solution ends at {:.4g} deg, before the limit "
                   "half-angle of this pair",

@@ -51,7 +51,9 @@ class ExactLaw final : public HalfAngleLaw {
       const ElasticPair& pair) const override;
 
  private:
+  // One of the two.
   std::unique_ptr<const detail::HalfAngleTable> table_;
+  std::unique_ptr<const HalfAngleLaw> closed_form_;
 };
 
 }  // namespace contact

@@ -42,12 +42,14 @@ double limit_of(const detail::FittedRelation& relation) {
   const auto f = [&relation](double theta) {
     return relation(theta, std::sin(theta / 2), std::cos(theta / 2)).value;
   };
-  // All pairs reach 60 deg. F may touch 0 at pi itself.
-  constexpr double low = pi / 3;
-  constexpr double high = pi * (1 - 1e-6);
-  if (!(f(high) < 0)) return pi;
-  std::uintmax_t steps = 100;
-  return root_between(f, low, high, steps);
+  // All pairs reach 60 deg. Next to pi the sign of F may be rounding.
+  for (const double distance : {1e-6, 1e-3}) {
+    const double high = pi * (1 - distance);
+    if (!(f(high) < 0)) continue;
+    std::uintmax_t steps = 100;
+    return root_between(f, pi / 3, high, steps);
+  }
+  return pi;
 }
 
 }  // namespace

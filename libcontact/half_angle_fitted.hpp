@@ -28,7 +28,7 @@ struct NominalCoefficients;
 /// half_angle() finds the root by Newton's method inside a bracket.
 ///
 /// Range: any pair, nu from 0 to 0.5, rigid bodies included, all loads.
-/// Error of the law: theta0 within 0.021 % (pin) and 0.065 % (ball) of the
+/// Error of the law: theta0 within 0.021 % (pin) and 0.07 % (ball) of the
 /// exact one at the same load; half_angle_fitted_test.cpp, on pairs that the
 /// fit did not see. Accuracy of the code: round trips within 1e-14 of the
 /// limit, log_slope within 2e-7.

@@ -194,7 +194,9 @@ TEST(ExactLaw, Limits) {
       // From below, and in the end there.
       double last = 0;
       for (double load = 1e-300; load < 1e300; load *= 1e6) {
-        const double angle = law.half_angle(load).half_angle;
+        const auto [angle, status, log_slope] = law.half_angle(load);
+        EXPECT_EQ(status, Status::ok);
+        EXPECT_GE(log_slope, 0);
         EXPECT_GE(angle, last) << load;
         EXPECT_LE(angle, limit) << load;
         last = angle;
@@ -275,9 +277,6 @@ TEST(ExactLaw, ReachesTheExtremes) {
                {1e-4 * degree, 1.0, limit - 1e-3 * degree}) {
             const LoadParameterResult load = law.load_parameter(angle);
             ASSERT_EQ(load.status, Status::ok);
-            // A contact that closes up gets there at a load of 1e20 only,
-            // where theta0 has few digits.
-            if (load.load_parameter > 1e12) continue;
             const HalfAngleResult back = law.half_angle(load.load_parameter);
             EXPECT_EQ(back.status, Status::ok) << label(law, pair, angle);
             report.add(back.half_angle, angle, label(law, pair, angle));

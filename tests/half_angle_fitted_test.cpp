@@ -104,10 +104,10 @@ TEST(FittedLaw, AgainstExactOnEveryPair) {
   // nu from 0 to 0.5, and the corners of everything. The exact ball ends at
   // 175 deg and the exact pin at 163 deg: there they are left out.
   AccuracyReport pin("fitted pin, nu 0 to 0.5", 2.1e-4);
-  AccuracyReport ball("fitted ball, nu 0 to 0.5", 6.5e-4);
+  AccuracyReport ball("fitted ball, nu 0 to 0.5", 7e-4);
   std::vector<Pair> pairs = random_pairs(200, 0, 0.5);
   for (const double ratio : {0.0, 1e-6, 1e-2, 1.0, 1e2, 1e6, infinity}) {
-    for (const double nu1 : {0.0, 0.2, 0.3, 0.49, 0.5}) {
+    for (const double nu1 : {0.0, 0.2, 0.3, 0.49, 0.495, 0.5}) {
       for (const double nu2 : {0.0, 0.2, 0.3, 0.49, 0.5}) {
         pairs.push_back({ratio, nu1, nu2});
       }
@@ -309,7 +309,9 @@ TEST(FittedLaw, LimitsOfBothLaws) {
         }
         double last = 0;
         for (double load = 1e-300; load < 1e300; load *= 1e3) {
-          const double angle = law->half_angle(load).half_angle;
+          const auto [angle, status, log_slope] = law->half_angle(load);
+          EXPECT_EQ(status, Status::ok);
+          EXPECT_GE(log_slope, 0);
           // Rounding of F, a sum of terms up to 30, over its slope, which
           // vanishes where the contact closes up.
           const double slack = limit < 3 ? 1e-11 : 1e-2;

@@ -123,8 +123,11 @@ HalfAngleResult solve_half_angle(JointKind kind, const Relation& relation,
     (residual > 0 ? low : high) = theta;
     const double newton = -residual * inverse;
     // Hermite's cubic through two points of theta(R) is wrong by the square
-    // of the product of their errors: about 1e-15 here.
-    if (std::abs(newton * last_step) <= 4e-8 * theta * theta) {
+    // of the product of their errors, over the distance to where theta(R) is
+    // not smooth: theta0 = 0, and the limit where F has a multiple zero.
+    const double scale = std::max(std::min(theta, limit - theta), 1e-3 * theta);
+    if (std::abs(newton * last_step) <= 4e-8 * scale * scale &&
+        std::abs(newton) < 0.01 * scale) {
       double change = newton;
       double slope = f.slope;
       if (step > 0) {
@@ -132,18 +135,23 @@ HalfAngleResult solve_half_angle(JointKind kind, const Relation& relation,
         const double secant = (theta - last_theta) * h;
         const double second = (inverse - secant) * h;
         const double third = (second - (secant - last_inverse) * h) * h;
-        change += residual * residual * (second - third * last_residual);
-        slope += (f.slope - last_slope) / (theta - last_theta) * change;
+        const double correction =
+            residual * residual * (second - third * last_residual);
+        // (Both residuals may be rounding, next to the limit.)
+        if (std::abs(correction) < std::abs(newton)) {
+          change += correction;
+          slope += (f.slope - last_slope) / (theta - last_theta) * change;
+        }
       }
       // At the root, to second order: sin(theta0/2), cos(theta0/2) and F.
       const double root = std::min(theta + change, limit);
       const double sine_there = sine + change / 2 * cosine;
       const double cosine_there = cosine - change / 2 * sine;
       const double value = raised(kind, 2 * sine_there * over_x);
-      return {
-          root, Status::ok,
+      const double log_slope =
           2 * sine_there * value /
-              (root * (power * cosine_there * value - 2 * sine_there * slope))};
+          (root * (power * cosine_there * value - 2 * sine_there * slope));
+      return {root, Status::ok, std::max(0.0, log_slope)};
     }
     last_theta = theta;
     last_residual = residual;
@@ -153,6 +161,9 @@ HalfAngleResult solve_half_angle(JointKind kind, const Relation& relation,
     const double next = theta + newton;
     theta = next > low && next < high ? next : low + (high - low) / 2;
   }
+  // Near a multiple zero of F, R is rounding over a stretch of theta0, which
+  // hardly depends on the load any more.
+  if (std::abs(last_residual) <= 1e-13) return {theta, Status::ok, 0};
   return {theta, Status::not_converged};
 }
 
