@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 namespace {
 
 TEST(JointSweep, RandomInputsAndPaths) {
@@ -16,11 +18,12 @@ TEST(JointSweep, RandomInputsAndPaths) {
   // g and b by atan2: one rounding each.
   EXPECT_LE(sweep.angle_excess, 5e-16);
   EXPECT_EQ(sweep.scanned, 10000U);
-  // Several roots need a contact beyond the equator.
-  EXPECT_GT(sweep.several_roots_half_angle, 1.6);
+  // Several roots need contacts beyond the hemisphere (docs/joint.md).
+  EXPECT_GT(sweep.several_roots_limit, std::numbers::pi / 2);
   EXPECT_EQ(sweep.paths, 100U);
   // Inputs 1e-12 apart change the result by some 1e-12.
   EXPECT_LE(sweep.jump, 1e-11);
+  EXPECT_EQ(sweep.folds, 0U);
   EXPECT_EQ(sweep.cold.count(), 10000U);
   EXPECT_EQ(sweep.warm.count(), 10000U);
   // Where the fixed point does not serve occurs.

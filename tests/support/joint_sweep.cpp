@@ -137,6 +137,11 @@ class Path {
                               rate_turn * start_.rate);
   }
 
+  // Whether there may be several roots (docs/joint.md).
+  bool may_fold() const {
+    return start_.joint.contact().half_angle_law().limit_half_angle() > pi / 2;
+  }
+
  private:
   RandomSlip start_;
   Vector3d reaction_axis_;
@@ -148,6 +153,7 @@ class Path {
 
 void follow(const Path& path, JointSweep& sweep) {
   constexpr int steps = 100;
+  constexpr double largest_change = 1e-11;
   std::vector<JointSolution> points;
   double moment_unit = 0;
   for (int i = 0; i <= steps; ++i) {
@@ -187,7 +193,12 @@ void follow(const Path& path, JointSweep& sweep) {
       (1 + std::max(at_low.force_coefficient, at_high.force_coefficient)) /
       std::min({1.0, at_low.half_angle, at_high.half_angle});
   const double jump = change(at_low, at_high, moment_unit) / steepness;
-  if (!(jump <= sweep.jump)) sweep.jump = jump;
+  // Inputs 1e-12 apart change the result by some 1e-12.
+  if (jump > largest_change && path.may_fold()) {
+    ++sweep.folds;
+  } else if (!(jump <= sweep.jump)) {
+    sweep.jump = jump;
+  }
 }
 
 }  // namespace
@@ -235,8 +246,9 @@ JointSweep joint_sweep(std::uint64_t inputs, std::uint64_t seed) {
     ++sweep.scanned;
     if (!has_one_root(input, s)) {
       ++sweep.several_roots;
-      sweep.several_roots_half_angle =
-          std::min(sweep.several_roots_half_angle, s.half_angle);
+      sweep.several_roots_limit =
+          std::min(sweep.several_roots_limit,
+                   input.joint.contact().half_angle_law().limit_half_angle());
     }
     if (i % inputs_of_a_path == 0) follow(Path(input, random), sweep);
 

@@ -54,8 +54,8 @@ struct JointSweep {
 
   std::uint64_t scanned = 0;
   std::uint64_t several_roots = 0;
-  /// Smallest theta0 of a solution that is one of several, rad.
-  double several_roots_half_angle = 1e300;
+  /// Smallest limit half-angle of a joint that has several, rad.
+  double several_roots_limit = 1e300;
 
   std::uint64_t paths = 0;
   std::uint64_t path_steps = 0;
@@ -64,6 +64,9 @@ struct JointSweep {
   /// b = 90 deg n turns over within angles of 1/f, at b = 0 the moment of a
   /// small contact within theta0.
   double jump = 0;
+  /// Paths that do jump, of joints whose limit half-angle is above 90 deg: from
+  /// one of several roots to another. They do not count above.
+  std::uint64_t folds = 0;
 };
 
 /// Solves `inputs` inputs of RandomSlips(seed), scans each for further roots,
