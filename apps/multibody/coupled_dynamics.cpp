@@ -223,18 +223,17 @@ void CoupledDynamics::Impl::learn() {
 // Newton's step of every hinge for itself with the slope it has.
 void CoupledDynamics::Impl::set_steps() {
   constexpr double strong = 0.9;
+  constexpr double longest = 3;  // times the plain step
   for (const int i : rows_) {
     Hinge& hinge = hinges[i];
     const Vector3d miss = hinge.answer - hinge.moment;
-    Vector3d step = miss;
-    if (hinge.slope.norm() < strong) {
-      step = (Matrix3d::Identity() - hinge.slope).inverse() * miss;
-    } else if (report.contraction < strong) {
+    if (hinge.slope.norm() >= strong && report.contraction < strong) {
       hinge.slope.setZero();  // of another time
-    } else {
-      // Let it crawl; the search follows if it does not arrive.
-      step *= 0.5;
     }
+    Vector3d step = (Matrix3d::Identity() - hinge.slope).inverse() * miss;
+    // Too far to trust, or no number: let it crawl; the search follows if it
+    // does not arrive.
+    if (!(step.norm() <= longest * miss.norm())) step = 0.5 * miss;
     hinge.last_moment = hinge.moment;
     hinge.last_answer = hinge.answer;
     change_[i] = vec3(step);
@@ -402,6 +401,8 @@ double CoupledDynamics::Impl::kappa(int load) {
     by_held.col(k) = (hinge.solver.slide(moved, hinge.rate) - middle) / step;
   }
   hinge.solver.slide(at, hinge.rate);
+  // Frobenius norms, up to 3 times the largest stretch: the safe side, also
+  // where hinges act on each other.
   return by_force.norm() * by_moment.force.norm() +
          by_held.norm() * by_moment.moment.norm();
 }

@@ -1,9 +1,11 @@
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <boost/math/tools/minima.hpp>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <utility>
 
 #include "multibody/motion_impl.hpp"
 
@@ -36,15 +38,42 @@ double MotionImpl::value(const Watch& watch) {
   return 0;
 }
 
+double MotionImpl::value_at(const Watch& watch, double time) {
+  stepper->interpolate(time, trial_);
+  look_at(time, trial_);
+  return value(watch);
+}
+
+// The highest value within a step that is negative at both ends, and its time;
+// only as far as it may be of interest.
+std::pair<double, double> MotionImpl::peak_between(const Watch& watch,
+                                                   double low, double low_value,
+                                                   double high,
+                                                   double high_value) {
+  const double middle = low + (high - low) / 2;
+  const double value = value_at(watch, middle);
+  if (value > 0) return {middle, value};
+  // The parabola through the three: does it have a peak inside, that comes
+  // near 0? Steps follow what hinges hold, so that it is not far from it.
+  constexpr double near = 0.1;
+  const double bend = 2 * value - low_value - high_value;
+  const double slope = high_value - low_value;
+  const bool inside = bend > 0 && std::abs(slope) < 2 * bend;
+  if (!inside || value + slope * slope / (8 * bend) < -near) {
+    return {middle, value};
+  }
+  constexpr int bits = 20;  // of time: values there differ by 1e-12 from it
+  std::uintmax_t steps = 40;
+  const auto [time, below] = boost::math::tools::brent_find_minima(
+      [&](double t) { return -value_at(watch, t); }, low, high, bits, steps);
+  return {time, -below};
+}
+
 double MotionImpl::locate(const Watch& watch, double low, double low_value,
                           double high, double high_value) {
   if (low_value == 0) return low;
   if (high_value == 0) return high;
-  const auto at = [&](double time) {
-    stepper->interpolate(time, trial_);
-    look_at(time, trial_);
-    return value(watch);
-  };
+  const auto at = [&](double time) { return value_at(watch, time); };
   std::uintmax_t steps = 100;
   // To the rounding of time.
   const auto [a, b] = boost::math::tools::toms748_solve(
@@ -84,8 +113,13 @@ std::optional<double> MotionImpl::crossing(const Watch& watch) {
     case Kind::slip_ends: {
       if (!(end <= 0)) return {};
       const double begin = at_begin();
-      // If begin is 0 it never got under way.
-      return begin > 0 ? locate(watch, t0, begin, t1, end) : t0;
+      if (begin > 0) return locate(watch, t0, begin, t1, end);
+      // Begun and stopped within the step; or it never got under way.
+      for (double part = t1 - t0; t0 + part > t0; part /= 2) {
+        const double way = value_at(watch, t0 + part);
+        if (way > 0) return locate(watch, t0 + part, way, t1, end);
+      }
+      return t0;
     }
     case Kind::slows_down: {
       if (options.integrator == Integrator::rk4 && stops_in_step(watch.index)) {
@@ -113,9 +147,12 @@ std::optional<double> MotionImpl::crossing(const Watch& watch) {
       return then <= stopped * before ? std::optional(time) : std::nullopt;
     }
     case Kind::rest_ends: {
-      if (!(end > 0)) return {};
       const double begin = at_begin();
-      return begin > 0 ? t0 : locate(watch, t0, begin, t1, end);
+      if (begin > 0) return t0;
+      if (end > 0) return locate(watch, t0, begin, t1, end);
+      const auto peak = peak_between(watch, t0, begin, t1, end);
+      if (!(peak.second > 0)) return {};
+      return locate(watch, t0, begin, peak.first, peak.second);
     }
     case Kind::user: {
       const double begin = user_values[watch.index];

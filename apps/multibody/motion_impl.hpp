@@ -3,6 +3,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "multibody/motion.hpp"
@@ -78,6 +79,10 @@ class MotionImpl {
   std::optional<Found> find_event();
   bool stops_in_step(int load);
   std::optional<double> crossing(const Watch& watch);
+  double value_at(const Watch& watch, double time);
+  std::pair<double, double> peak_between(const Watch& watch, double low,
+                                         double low_value, double high,
+                                         double high_value);
   double locate(const Watch& watch, double low, double low_value, double high,
                 double high_value);
   bool handle(const Found& found);

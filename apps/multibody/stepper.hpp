@@ -41,7 +41,7 @@ struct AdaptiveOptions {
   double longest_step = std::numeric_limits<double>::infinity();
   /// So many numbers at the end of a state need an absolute tolerance only:
   int coarse = 0;
-  double coarse_tolerance = 1e-4;
+  double coarse_tolerance = 1e-6;
 };
 
 /// Explicit Runge-Kutta of order 5 with error control and dense output, by
