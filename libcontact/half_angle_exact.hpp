@@ -18,7 +18,7 @@ class HalfAngleTable;
 /// The exact contact of PinContact and BallContact as a half-angle law, for
 /// any elastic pair: docs/conforming.md.
 ///
-/// The constructor solves the contact at 20 to 40 half-angles and keeps them
+/// The constructor solves the contact at 18 to 64 half-angles and keeps them
 /// as one Chebyshev series, so that a half-angle takes a fraction of a
 /// microsecond: make one law per joint, not one per load. Copies are not
 /// needed; any number of threads may share one.
@@ -26,7 +26,7 @@ class HalfAngleTable;
 /// Accuracy (half_angle_exact_test.cpp): theta0 against the solver itself
 /// within 1e-11 deg (pin) and 1e-8 deg (ball); against truth the solvers'
 /// own errors, 1e-9 deg and 1e-6 deg. Round trips to 1e-13 in theta0.
-/// log_slope within 2e-7. half_angle() to 1e-30 and up to infinite load;
+/// log_slope within 1e-8. half_angle() to 1e-30 and up to infinite load;
 /// load_parameter() keeps its relative accuracy, 1e-9, up to the double below
 /// theta0*.
 ///

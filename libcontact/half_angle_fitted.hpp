@@ -31,7 +31,7 @@ struct NominalCoefficients;
 /// Error of the law: theta0 within 0.021 % (pin) and 0.07 % (ball) of the
 /// exact one at the same load; half_angle_fitted_test.cpp, on pairs that the
 /// fit did not see. Accuracy of the code: round trips within 1e-14 of the
-/// limit, log_slope within 2e-7.
+/// limit, log_slope within 1e-8.
 class FittedLaw final : public HalfAngleLaw {
  public:
   FittedLaw(JointKind kind, const ElasticPair& pair);

@@ -153,7 +153,7 @@ TEST(ExactLaw, RoundTripsUpToTheLimit) {
 TEST(ExactLaw, LogSlopeIsTheDerivative) {
   // Central difference over +-1e-4 in ln(load): 1e-8/6 of the third
   // derivative, and rounding 1e-16/1e-4.
-  AccuracyReport report("dln(theta0)/dln(load), absolute", 2e-7);
+  AccuracyReport report("dln(theta0)/dln(load), absolute", 1e-8);
   for (const JointKind kind : kinds) {
     for (const Pair& pair : pairs) {
       const ExactLaw law(kind, pair.elastic());

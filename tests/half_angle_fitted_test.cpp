@@ -259,7 +259,7 @@ TEST(FittedLaw, RoundTrips) {
 
 TEST(FittedLaw, LogSlopeIsTheDerivative) {
   // Central difference over +-1e-4 in ln(load).
-  AccuracyReport report("dln(theta0)/dln(load), absolute", 2e-7);
+  AccuracyReport report("dln(theta0)/dln(load), absolute", 1e-8);
   for (const JointKind kind : kinds) {
     for (const Pair& pair : some_pairs) {
       const FittedLaw fitted(kind, pair.elastic());

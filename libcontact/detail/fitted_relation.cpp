@@ -44,7 +44,7 @@ struct CapTerms {
 
 // Coefficients of theta^3, theta^5, ... in their power series,
 // (-1)^k 4^(k+1)/(2k+3)! and (-1)^k 2 (k+1)/(2k+3)!. What is left out is below
-// 1e-17 at theta = 0.5.
+// 1e-16 of it at theta = 0.5.
 constexpr int series_terms = 8;
 constexpr std::array<CapTerms, series_terms> cap_series = [] {
   std::array<CapTerms, series_terms> series{};

@@ -45,7 +45,7 @@ double load_at(JointKind kind, const Relation& relation, double half_angle) {
                : std::numeric_limits<double>::infinity();
 }
 
-/// A first guess of theta0 at x, at most 0.4 % of it away: the direct law
+/// A first guess of theta0 at x, within 0.4 % for usual pairs: the direct law
 ///
 ///     theta0 = limit xi sqrt((1 + n1 xi + n2 xi^2)
 ///              / (1 + d1 xi + d2 xi^2 + n1 xi^3 + n2 xi^4)),  xi = x/limit
@@ -93,7 +93,7 @@ class DirectStart {
 /// theta0 at a load in (0, infinity): Newton's method, finished by the cubic
 /// through the last two points of the inverse function; a step that leaves the
 /// bracket is replaced by halving it. To rounding of the relation; log_slope
-/// within 2e-7 of the relation's.
+/// within 1e-8 of the relation's.
 /// @param limit  a half-angle above the root
 template <class Relation>
 HalfAngleResult solve_half_angle(JointKind kind, const Relation& relation,
@@ -125,6 +125,7 @@ HalfAngleResult solve_half_angle(JointKind kind, const Relation& relation,
     // Hermite's cubic through two points of theta(R) is wrong by the square
     // of the product of their errors, over the distance to where theta(R) is
     // not smooth: theta0 = 0, and the limit where F has a multiple zero.
+    // (4e-8)^2 is rounding.
     const double scale = std::max(std::min(theta, limit - theta), 1e-3 * theta);
     if (std::abs(newton * last_step) <= 4e-8 * scale * scale &&
         std::abs(newton) < 0.01 * scale) {
