@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Redraws figures 3, 4, 5, 8 and 9 of the paper from the programs' output, and
-# the limit half-angles of other materials:
+# Redraws figures 3, 4, 5, 8 and 9 of the paper from the programs' output,
+# the limit half-angles of other materials and pressure profiles:
 #   plots/figures.sh BUILD_DIR OUTPUT_DIR
 # leaves NAME.svg, NAME.png and the tables they show, as CSV.
 set -euo pipefail
@@ -62,6 +62,15 @@ laws=hertz,arctan,tanh,blend:0.5,fitted,exact
   done
 } >limit_angles.csv
 
+# Pressure of pin and ball, equal materials, for contacts of 40, 60 and 80 deg.
+for joint in cylinder sphere; do
+  loads=$("$programs/hinge-angle" --joint $joint --modulus-ratio 1 --law exact \
+    --inverse --theta0 40:80:20 | tail -n +2 | cut -d, -f2 | paste -sd,)
+  "$programs/hinge-pressure" --joint $joint --modulus-ratio 1 --law exact \
+    --load-parameter "$loads" --pressure cosine,exact --points 401 \
+    --output pressure_$joint.csv
+done
+
 # Figures 8 and 9: coefficients and area integrals against the slip axis
 # angle, exact and by the planar sliding-spinning model.
 for method in exact planar; do
@@ -86,5 +95,7 @@ for figure in 8 9; do
   draw figure$figure "size 1260,460 font 'sans,17'" \
     "size 2100,766 font 'sans,22'"
 done
+draw pressure_profiles "size 1160,520 font 'sans,18'" \
+  "size 1740,780 font 'sans,21'"
 draw limit_angles "size 1080,520 font 'sans,18'" \
   "size 1620,780 font 'sans,21'"

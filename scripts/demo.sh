@@ -6,8 +6,8 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 scripts/setup.sh
 cmake --preset release
-cmake --build --preset release --target hinge-table hinge-angle hinge-joint \
-  hinge-separation
+cmake --build --preset release --target hinge-table hinge-angle \
+  hinge-pressure hinge-joint hinge-separation
 
 out=demo-output
 mkdir -p "$out"
@@ -88,6 +88,10 @@ hinge-separation data/cases/soyuz.toml --output "$out/soyuz.json" \
     hinge-separation "data/cases/$case.toml" --compare --format markdown
   done
 } >"$out/separation_comparison.md"
+
+echo "Pressure of a hip joint"
+hinge-pressure --joint data/joints/hip_cocr_uhmwpe.toml --load 2000 \
+  --output "$out/pressure_hip.csv" $(picture pressure_hip)
 
 if command -v gnuplot >/dev/null; then
   echo "Figures 3, 4, 5, 8 and 9 of the paper, and limit half-angles"

@@ -23,6 +23,7 @@ TEST_P(HelpExamples, Run) {
 
 INSTANTIATE_TEST_SUITE_P(Programs, HelpExamples,
                          testing::Values("hinge-table", "hinge-angle",
-                                         "hinge-joint", "hinge-separation"));
+                                         "hinge-joint", "hinge-pressure",
+                                         "hinge-separation"));
 
 }  // namespace

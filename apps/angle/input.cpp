@@ -51,8 +51,7 @@ Input make_input(const Options& options, const Setup& setup) {
   }
   if (count != 1) {
     throw contact::Error(
-        "needs one of --load, --load-parameter, --x, or --inverse with "
-        "--theta0 (see hinge-angle --help)");
+        "needs one of --load, --load-parameter, --x (see --help)");
   }
   const Source& source = *std::find_if(sources.begin(), sources.end(), given);
   if (source.variable == LoadVariable::load && !setup.geometry) {

@@ -1,0 +1,83 @@
+// hinge-pressure: contact pressure of a joint under load.
+#include <CLI/CLI.hpp>
+#include <string>
+#include <string_view>
+
+#include "angle/options.hpp"
+#include "cli/program.hpp"
+#include "pressure/run.hpp"
+
+namespace {
+
+using hinge_pressure::Options;
+
+constexpr std::string_view help = R"(
+The joint and the load are given as to hinge-angle: a joint file, or sphere or
+cylinder with the materials and the size, or dimensionless with --modulus-ratio;
+the load takes a value, a list a,b,c, a range start:stop:step, or
+start:stop:logN for N values in equal ratios.
+
+--law is the half-angle law that gives theta0 (see hinge-angle); default: the
+joint file's, or fitted.
+Pressure laws: cosine (the paper's (3.3)), sqrt_tan (sqrt(1 - tan^2(t/2)/
+tan^2(theta0/2))), sqrt_theta (sqrt(1 - (t/theta0)^2)), mixture (cosine and
+sqrt_tan in the share that suits the materials), exact (the theory of
+elasticity for this pair), or all (default). Each carries the whole load.
+
+Columns, a row for each angle from the centre of the contact to its edge:
+  load                load, N or N/m; not in dimensionless runs
+  load_parameter      mu or lambda
+  theta0_deg          half-angle of the contact
+  theta_deg           angle from the centre of the contact
+  p_LAW_Pa            pressure, Pa, or in dimensionless runs
+  p_LAW_over_mean     over the mean R_n/R^2 (sphere) or P/R (cylinder)
+With --summary a row for each load and law: load, load_parameter, theta0_deg,
+pressure (the law), p_peak_Pa, p_mean_Pa (or _over_mean), contact_area_m2 or
+contact_width_m (dimensionless: contact_area_over_R2, contact_width_over_R),
+S (sum of the pressures over the force that they carry).
+Where a law has no value the cell is empty, in JSON null.
+
+Examples:
+  hinge-pressure --joint data/joints/hip_cocr_uhmwpe.toml --load 500,2000 --summary --format markdown
+  hinge-pressure --joint data/joints/pin_joint.toml --load 1e6 --law exact --points 21
+  hinge-pressure --joint sphere --modulus-ratio 0 --x 1.5 --pressure cosine,exact --output ball.csv --plot ball.svg
+
+)";
+
+void add_options(CLI::App& app, Options& options) {
+  hinge_angle::add_joint_options(app, options.contact);
+  hinge_angle::add_load_options(app, options.contact);
+  app.add_option("--law", options.contact.laws,
+                 "half-angle law; default the joint's, or fitted")
+      ->expected(1)
+      ->option_text("NAME")
+      ->group("Law");
+  app.add_option("--limit-angle", options.contact.limit_angle,
+                 "formula, linear, or degrees; default formula")
+      ->option_text("NAME|ANGLE")
+      ->group("Law");
+  app.add_option("--pressure", options.pressures, "a comma list; default all")
+      ->delimiter(',')
+      ->option_text("NAMES")
+      ->group("Law");
+  app.add_flag("--summary", options.summary,
+               "peak, mean, area and S in place of profiles")
+      ->group("Profile");
+  app.add_option("--points", options.points,
+                 "rows from the centre to the edge; default 101")
+      ->option_text("N")
+      ->group("Profile");
+  cli::add_output_options(app, options.contact.output);
+  app.footer(std::string(help) + std::string(cli::exit_status_help));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("Contact pressure of a ball or pin joint under load",
+               "hinge-pressure");
+  Options options;
+  add_options(app, options);
+  return cli::run_program(app, argc, argv,
+                          [&] { return hinge_pressure::run(options); });
+}

@@ -1,0 +1,58 @@
+#include "pressure/pressure_plot.hpp"
+
+#include <fmt/format.h>
+
+#include "cli/plot.hpp"
+#include "libcontact/units.hpp"
+
+namespace hinge_pressure {
+namespace {
+
+constexpr int points = 201;
+constexpr double megapascal = 1e6;
+
+std::string label(const hinge_angle::Setup& setup, const std::string& law,
+                  const LoadedContact& contact, bool one_load) {
+  if (one_load) return law;
+  const bool ball = setup.kind == contact::JointKind::spherical;
+  if (!setup.geometry) {
+    return fmt::format("{}, {} = {:.3g}", law, ball ? "μ" : "λ",
+                       contact.load_parameter);
+  }
+  return fmt::format("{}, {:.3g} {}", law, contact.load, ball ? "N" : "N/m");
+}
+
+}  // namespace
+
+std::string draw(const PressureTable& pressures,
+                 const hinge_angle::Setup& setup,
+                 const std::vector<NamedPressure>& laws,
+                 const std::vector<LoadedContact>& contacts,
+                 const std::string& file) {
+  const bool pascal = setup.geometry.has_value();
+  cli::LinePlot plot;
+  plot.title = fmt::format("{} joint", to_string(setup.kind));
+  plot.x_label = "angle from the centre of the contact, deg";
+  plot.y_label = pascal ? "pressure, MPa"
+                 : setup.kind == contact::JointKind::spherical
+                     ? "pressure over Rₙ/ρ²"
+                     : "pressure over P/ρ";
+  for (const LoadedContact& contact : contacts) {
+    for (std::size_t i = 0; i < laws.size(); ++i) {
+      cli::Curve curve{
+          label(setup, laws[i].name, contact, contacts.size() == 1), {}, {}};
+      curve.dashed = laws[i].name == "exact";
+      curve.colour = static_cast<int>(i) + 1;
+      for (int j = 0; j < points; ++j) {
+        const double theta = contact.half_angle * j / (points - 1);
+        curve.x.push_back(theta / contact::degree);
+        curve.y.push_back(pressures.pressure(laws[i], contact, theta) /
+                          (pascal ? megapascal : 1));
+      }
+      plot.curves.push_back(std::move(curve));
+    }
+  }
+  return cli::draw(plot, file);
+}
+
+}  // namespace hinge_pressure

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "pressure/pressure_table.hpp"
+
+namespace hinge_pressure {
+
+/// Draws the pressure over the angle from the contact's centre, a curve for
+/// each law and load; laws keep their colour.
+/// @return as cli::draw()
+std::string draw(const PressureTable& pressures,
+                 const hinge_angle::Setup& setup,
+                 const std::vector<NamedPressure>& laws,
+                 const std::vector<LoadedContact>& contacts,
+                 const std::string& file);
+
+}  // namespace hinge_pressure

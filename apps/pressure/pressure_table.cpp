@@ -1,0 +1,90 @@
+#include "pressure/pressure_table.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "libcontact/units.hpp"
+
+namespace hinge_pressure {
+
+double PressureTable::scale(const LoadedContact& contact) const {
+  return setup_.geometry ? setup_.geometry->pressure_unit(contact.load) : 1;
+}
+
+double PressureTable::pressure(const NamedPressure& law,
+                               const LoadedContact& contact,
+                               double theta) const {
+  // The contact shrinks with the load, but slower.
+  if (setup_.geometry && contact.load == 0) return 0;
+  return scale(contact) * law.law->pressure(theta, contact.half_angle);
+}
+
+void PressureTable::write_contact(const LoadedContact& contact,
+                                  cli::RowWriter& row) const {
+  if (setup_.geometry) row.number(contact.load);
+  row.number(contact.load_parameter);
+  row.number(contact.half_angle / contact::degree);
+}
+
+std::vector<std::string> PressureTable::profile_columns() const {
+  std::vector<std::string> names;
+  if (setup_.geometry) names.emplace_back("load");
+  names.insert(names.end(), {"load_parameter", "theta0_deg", "theta_deg"});
+  for (const NamedPressure& law : pressures_) {
+    names.push_back(fmt::format("p_{}_{}", law.name, unit()));
+  }
+  return names;
+}
+
+void PressureTable::write_profile(const LoadedContact& contact, int points,
+                                  cli::RowWriter& row) const {
+  for (int i = 0; i < points; ++i) {
+    const double theta = contact.half_angle * i / (points - 1);
+    write_contact(contact, row);
+    row.number(theta / contact::degree);
+    for (const NamedPressure& law : pressures_) {
+      row.number(pressure(law, contact, theta));
+    }
+    row.end();
+  }
+}
+
+std::vector<std::string> PressureTable::summary_columns() const {
+  std::vector<std::string> names;
+  if (setup_.geometry) names.emplace_back("load");
+  names.insert(names.end(), {"load_parameter", "theta0_deg", "pressure"});
+  names.push_back("p_peak_" + unit());
+  names.push_back("p_mean_" + unit());
+  const bool ball = setup_.kind == contact::JointKind::spherical;
+  if (setup_.geometry) {
+    names.emplace_back(ball ? "contact_area_m2" : "contact_width_m");
+  } else {
+    names.emplace_back(ball ? "contact_area_over_R2" : "contact_width_over_R");
+  }
+  names.emplace_back("S");
+  return names;
+}
+
+void PressureTable::write_summary(const LoadedContact& contact,
+                                  cli::RowWriter& row) const {
+  const double half_angle = contact.half_angle;
+  const double radius = setup_.geometry ? setup_.geometry->radius() : 1;
+  const double sine = std::sin(half_angle / 2);
+  const double area = setup_.kind == contact::JointKind::spherical
+                          ? 4 * std::numbers::pi * sine * sine * radius * radius
+                          : 2 * half_angle * radius;
+  const bool unloaded = setup_.geometry && contact.load == 0;
+  for (const NamedPressure& law : pressures_) {
+    write_contact(contact, row);
+    row.text(law.name);
+    row.number(unloaded ? 0 : scale(contact) * law.law->peak(half_angle));
+    row.number(unloaded ? 0 : scale(contact) * law.law->mean(half_angle));
+    row.number(area);
+    row.number(law.law->force_ratio(half_angle));
+    row.end();
+  }
+}
+
+}  // namespace hinge_pressure

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "angle/angle_table.hpp"
+#include "angle/setup.hpp"
+#include "cli/table.hpp"
+
+/// The parts of the program hinge-pressure.
+namespace hinge_pressure {
+
+/// A pressure law under the name by which it was asked for.
+struct NamedPressure {
+  std::string name;
+  std::unique_ptr<contact::PressureLaw> law;
+};
+
+/// A load and the contact that it makes.
+struct LoadedContact {
+  /// N or N/m; in dimensionless runs the load parameter.
+  double load;
+  double load_parameter;
+  double half_angle;  ///< rad; NaN if the half-angle law has none
+};
+
+/// Pressures of one joint in Pa, or over the mean R_n/R^2 (ball), P/R (pin)
+/// where the joint has no geometry.
+class PressureTable {
+ public:
+  /// @param setup      must outlive the table, as must the laws
+  PressureTable(const hinge_angle::Setup& setup,
+                const std::vector<NamedPressure>& pressures)
+      : setup_(setup), pressures_(pressures) {}
+
+  /// load (if the joint has a geometry), load_parameter, theta0_deg,
+  /// theta_deg, p_LAW_Pa or p_LAW_over_mean for each law.
+  std::vector<std::string> profile_columns() const;
+  /// `points` rows from the contact's centre to its edge.
+  void write_profile(const LoadedContact& contact, int points,
+                     cli::RowWriter& row) const;
+
+  /// load (if the joint has a geometry), load_parameter, theta0_deg, pressure,
+  /// p_peak and p_mean, area of the contact, S.
+  std::vector<std::string> summary_columns() const;
+  /// A row for each law.
+  void write_summary(const LoadedContact& contact, cli::RowWriter& row) const;
+
+  /// p at an angle from the centre, rad.
+  double pressure(const NamedPressure& law, const LoadedContact& contact,
+                  double theta) const;
+  /// "Pa" or "over_mean".
+  std::string unit() const { return setup_.geometry ? "Pa" : "over_mean"; }
+
+ private:
+  void write_contact(const LoadedContact& contact, cli::RowWriter& row) const;
+  double scale(const LoadedContact& contact) const;
+
+  const hinge_angle::Setup& setup_;
+  const std::vector<NamedPressure>& pressures_;
+};
+
+}  // namespace hinge_pressure
