@@ -389,6 +389,27 @@ lock = { load_point_m = [2, 0, 0] }
   EXPECT_NEAR(j["loads"][0]["peak_lock_reaction_N"].get<double>(), 75, 1e-9);
   EXPECT_NEAR(j["loads"][0]["peak_reaction_N"].get<double>(), 25, 1e-9);
   EXPECT_EQ(j["loads"][0]["mode_at_end"], "locked");
+
+  // A growing push at the middle: the lock has 3/4 of it, and breaks at 300 N.
+  folder.write("lever.toml", folder.read("c.toml") + R"(
+[[event]]
+name = "lock tears"
+reaction_N = 300
+node = "lock"
+breaks = "lock"
+[[force]]
+name = "push"
+kind = "applied"
+body = "bar"
+time_s = [0, 0.1]
+force_N = [[0, 0, 0], [0, -1000, 0]]
+)");
+  const json torn = run_json(folder, "lever.toml");
+  ASSERT_EQ(torn["events"].size(), 1U);
+  EXPECT_EQ(torn["events"][0]["what"], "lock tears: lock breaks");
+  // 0.75 (100 N + 10,000 N/s t) = 300 N
+  EXPECT_NEAR(torn["events"][0]["time_s"].get<double>(), 0.03, 1e-9);
+  EXPECT_EQ(torn["loads"][0]["mode_at_end"], "sliding");
 }
 
 TEST(HingeSeparation, ResumedRunIsTheSame) {
