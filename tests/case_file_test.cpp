@@ -266,6 +266,20 @@ TEST(CaseFile, Forces) {
       "(no error)");
 }
 
+TEST(CaseFile, NamesOfBodiesAndColumnsAreTheirOwn) {
+  // "arm" stands for its copies "arm 1" and "arm 2".
+  for (const char* name : {"arm", "arm 2", "arm_2", "core"}) {
+    EXPECT_EQ(error_message([&] {
+                parse_case(text_of(good_lines) + "[[load]]\nname = \"" + name +
+                               "\"\nmass_kg = 1\nprincipal_inertia_kg_m2 = "
+                               "[1, 1, 1]\n",
+                           "c.toml");
+              }),
+              "c.toml:50: load[2].name = \"" + std::string(name) +
+                  "\": allowed: a name that no other body has");
+  }
+}
+
 TEST(CaseFile, LawsOfTheCommandLineAreTaken) {
   const Case c = parse_case(text_of(good_lines), "c.toml", {"tanh", ""});
   EXPECT_EQ(c.loads[0].hinge.joints[0].joint.half_angle_law, "tanh");

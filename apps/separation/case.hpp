@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <limits>
 #include <optional>
 #include <string>
@@ -207,5 +208,11 @@ struct Case {
 
   const Body& body(int i) const { return i == 0 ? carrier : loads[i - 1].body; }
 };
+
+/// The name of a body in columns: blanks become underscores.
+inline std::string column_name(std::string name) {
+  std::replace(name.begin(), name.end(), ' ', '_');
+  return name;
+}
 
 }  // namespace separation

@@ -149,14 +149,21 @@ Load turned(Load load, const Matrix3d& turn, const Vector3d& carrier_com) {
   return load;
 }
 
+// Columns are named after bodies, with underscores for blanks.
+bool is_taken(const Case& c, const std::string& name) {
+  const std::string column = column_name(name);
+  return column_name(c.carrier.name) == column ||
+         std::any_of(c.loads.begin(), c.loads.end(), [&](const Load& load) {
+           return column_name(load.body.name) == column ||
+                  column_name(load.group) == column;
+         });
+}
+
 void read_load(const TomlTable& table, const JointLaws& laws, Case& c,
                CaseNames& names) {
   Load load;
   load.body = read_body(table);
   load.group = load.body.name;
-  if (!names.bodies(load.group).empty()) {
-    table.fail("name", "allowed: a name that no other body has");
-  }
   if (const auto hinge = table.optional_table("hinge")) {
     load.hinge = read_hinge(*hinge, load.body, c.carrier, laws);
   }
@@ -171,16 +178,21 @@ void read_load(const TomlTable& table, const JointLaws& laws, Case& c,
         "allowed: 0 while the load is locked");
   }
   const Pattern pattern = read_pattern(table, load.hinge);
+  std::vector<Load> copies;
   for (int copy = 0; copy < pattern.count; ++copy) {
     const Matrix3d turn =
         pattern.count == 1 ? Matrix3d::Identity() : pattern.turn(copy);
-    c.loads.push_back(pattern.count == 1 ? load
-                                         : turned(load, turn, c.carrier.com));
-    names.turns.push_back(turn);
+    copies.push_back(pattern.count == 1 ? load
+                                        : turned(load, turn, c.carrier.com));
     if (pattern.count > 1) {
-      c.loads.back().body.name = fmt::format("{} {}", load.group, copy + 1);
+      copies.back().body.name = fmt::format("{} {}", load.group, copy + 1);
+    }
+    names.turns.push_back(turn);
+    if (is_taken(c, load.group) || is_taken(c, copies.back().body.name)) {
+      table.fail("name", "allowed: a name that no other body has");
     }
   }
+  c.loads.insert(c.loads.end(), copies.begin(), copies.end());
 }
 
 void read_events(const TomlTable& file, Case& c, CaseNames& names) {

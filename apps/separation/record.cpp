@@ -98,12 +98,6 @@ void raise(double& peak, double& peak_time, double value, double time) {
 
 }  // namespace
 
-std::string column_name(const std::string& name) {
-  std::string result = name;
-  std::replace(result.begin(), result.end(), ' ', '_');
-  return result;
-}
-
 std::size_t Rows::column(const std::string& name) const {
   const auto found = std::find(columns.begin(), columns.end(), name);
   if (found == columns.end()) {

@@ -112,7 +112,4 @@ class Recorder {
   Memory memory_;
 };
 
-/// The name of a body in a column: blanks become underscores.
-std::string column_name(const std::string& name);
-
 }  // namespace separation
