@@ -1,5 +1,6 @@
 #include <Eigen/LU>
 #include <algorithm>
+#include <boost/math/policies/policy.hpp>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <cstdint>
@@ -15,6 +16,11 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
+
+namespace policies = boost::math::policies;
+using NoThrow =
+    policies::policy<policies::domain_error<policies::ignore_error>,
+                     policies::evaluation_error<policies::ignore_error>>;
 
 // Solutions nearer than this are one.
 constexpr double same = 1e-6;
@@ -118,7 +124,7 @@ std::vector<VectorXd> CoupledDynamics::Impl::scan_axis() {
       std::uintmax_t steps = 100;
       const auto [a, b] = boost::math::tools::toms748_solve(
           value, low, size, low_value, f,
-          boost::math::tools::eps_tolerance<double>(50), steps);
+          boost::math::tools::eps_tolerance<double>(50), steps, NoThrow());
       VectorXd x = VectorXd::Zero(3);
       x[2] = std::copysign(a + (b - a) / 2, sign);
       found.push_back(x);

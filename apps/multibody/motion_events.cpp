@@ -1,5 +1,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <boost/math/policies/policy.hpp>
 #include <boost/math/tools/minima.hpp>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
@@ -10,6 +11,16 @@
 #include "multibody/motion_impl.hpp"
 
 namespace multibody {
+
+namespace {
+
+// Where a trial state has no forces its value is NaN: no exception.
+namespace policies = boost::math::policies;
+using NoThrow =
+    policies::policy<policies::domain_error<policies::ignore_error>,
+                     policies::evaluation_error<policies::ignore_error>>;
+
+}  // namespace
 
 using Kind = MotionImpl::Watch::Kind;
 
@@ -78,7 +89,7 @@ double MotionImpl::locate(const Watch& watch, double low, double low_value,
   // To the rounding of time.
   const auto [a, b] = boost::math::tools::toms748_solve(
       at, low, high, low_value, high_value,
-      boost::math::tools::eps_tolerance<double>(50), steps);
+      boost::math::tools::eps_tolerance<double>(50), steps, NoThrow());
   // The far side, where it has happened.
   return b;
 }
