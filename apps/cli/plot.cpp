@@ -130,7 +130,7 @@ std::string add_curves(std::string& script, const std::string& name,
 
 // The upper panel's share and the room for text, as parts of the picture.
 constexpr std::string_view upper_panel =
-    "set multiplot\nset lmargin at screen 0.11\nset rmargin at screen 0.79\n"
+    "set multiplot\nset lmargin at screen 0.13\nset rmargin at screen 0.79\n"
     "set tmargin at screen 0.92\nset bmargin at screen 0.46\n"
     "set format x ''\n";
 constexpr std::string_view lower_panel =
