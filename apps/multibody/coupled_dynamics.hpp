@@ -44,10 +44,12 @@ struct CoupledSolution {
 /// How an evaluation went.
 struct CoupledReport {
   CoupledStatus status = CoupledStatus::ok;
-  int iterations = 0;   ///< friction of all hinges, then motion
-  double residual = 0;  ///< the largest |M_t - M_t(R)|/(|M_t| + |M_t(R)|)
-  /// Largest ratio of successive changes seen in the plain loop: an estimate
-  /// of kappa = |dM/dR||dR/dM|.
+  int iterations = 0;  ///< friction of all hinges, then motion
+  /// Largest |M_t - M_t(R)|/(|M_t| + |M_t(R)|), after the last step as it is
+  /// expected.
+  double residual = 0;
+  /// Largest ratio of the changes of M_t(R) to those of M_t between two
+  /// iterations; at most kappa = |dM/dR||dR/dM| on one hinge.
   double contraction = 0;
   int load = -1;  ///< where it failed, -1: nowhere in particular
 };
@@ -115,6 +117,9 @@ class CoupledDynamics {
   void prescribe_carrier(
       const std::optional<CarrierAcceleration<double>>& carrier);
 
+  /// State and loading have to stay where they are until the next evaluation:
+  /// what is asked for after this one may look at them.
+  /// @param state    layout().size() numbers
   /// @param loading  its friction moments are replaced by those found
   const CoupledReport& evaluate(const double* state, Loading<double>& loading);
   const CoupledReport& report() const;

@@ -180,7 +180,9 @@ const CoupledReport& CoupledDynamics::Impl::resolve_rest(
   const auto begin = [&](int load) {
     Hinge& hinge = hinges[load];
     const double tau = utilisation(load);
-    hinge.excess = (1 - 1 / tau) * vec3(reactions[load].moment);
+    hinge.excess = tau > 1
+                       ? Vector3d((1 - 1 / tau) * vec3(reactions[load].moment))
+                       : Vector3d(Vector3d::Zero());
     hinge.direction = hinge.solver.slip_direction();
     if (hinge.direction.isZero(0)) hinge.direction = Vector3d::UnitZ();
     hinge.first_direction = hinge.direction;
