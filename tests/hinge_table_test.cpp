@@ -10,6 +10,7 @@
 #include "libcontact/friction_elliptic.hpp"
 #include "libcontact/friction_exact.hpp"
 #include "libcontact/friction_models.hpp"
+#include "libcontact/friction_pressure.hpp"
 #include "libcontact/reference/quadrature.hpp"
 #include "libcontact/units.hpp"
 #include "support/accuracy_report.hpp"
@@ -388,6 +389,77 @@ TEST(HingeTable, SaysSoWithoutGnuplot) {
       result.err,
       "hinge-table: warning: no picture a.svg: gnuplot is not installed\n");
   EXPECT_EQ(csv_rows(folder.read("table.csv")).size(), 3U);
+}
+
+TEST(HingeTable, OtherPressures) {
+  const ProgramFolder folder;
+  const auto pair = contact::ElasticPair::from_modulus_ratio(7, 0.3, 0.4);
+  const std::string grid = "hinge-table --theta0 20,100 --alpha 30,90 ";
+  const std::string materials = "--modulus-ratio 7 --poisson2 0.4 ";
+  for (const std::string& name : contact::pressure_law_names()) {
+    const auto law =
+        contact::make_pressure_law(name, contact::JointKind::spherical, pair);
+    const ProgramResult result =
+        folder.run(grid + materials + "--pressure " + name);
+    EXPECT_EQ(result.status, 0) << result.err;
+    const auto rows = csv_rows(result.out);
+    // The name of the pressure is in that of every column it counts for.
+    const std::string end = name == "cosine" ? "" : "_" + name;
+    const auto chi = csv_column(rows, "chi" + end);
+    const auto spin = csv_column(rows, "K_p" + end);
+    const auto normal = csv_column(rows, "I_normal" + end);
+    ASSERT_EQ(csv_column(rows, "K_a").size(), 4U);
+    for (std::size_t i = 0; i < 4; ++i) {
+      const auto expected = contact::friction_integrals(
+          *law, (i < 2 ? 20 : 100) * contact::degree,
+          contact::SlipAxis::from_degrees(i % 2 == 0 ? 30 : 90));
+      // The batch's last digits differ from the scalar call's.
+      EXPECT_NEAR(std::stod(chi[i]), expected.coefficient.force, 1e-14);
+      EXPECT_NEAR(std::stod(spin[i]), expected.pressure.spinning, 1e-14);
+      EXPECT_NEAR(std::stod(normal[i]), expected.normal, 1e-14);
+    }
+  }
+  // A joint file brings materials and pressure.
+  const auto of_file = folder.run(
+      grid + "--joint data/joints/hip_cocr_uhmwpe.toml --pressure exact");
+  EXPECT_EQ(of_file.status, 0) << of_file.err;
+  EXPECT_NE(of_file.out.find("sigma_Z_exact"), std::string::npos);
+  const auto two_way =
+      folder.run(grid + "--pressure sqrt_tan --format markdown");
+  EXPECT_NE(two_way.out.find("chi_sqrt_tan: theta0_deg"), std::string::npos);
+  const auto definition = folder.run(
+      "hinge-table --theta0 20 --alpha 30 --pressure exact --method "
+      "quadrature " +
+      materials);
+  EXPECT_NEAR(
+      std::stod(csv_column(csv_rows(definition.out), "chi_exact")[0]),
+      std::stod(csv_column(
+          csv_rows(folder.run(grid + materials + "--pressure exact").out),
+          "chi_exact")[0]),
+      4e-9);
+}
+
+TEST(HingeTable, PressuresThatDoNotFit) {
+  const ProgramFolder folder;
+  const auto message = [&](const std::string& arguments) {
+    const auto result = folder.run(
+        "hinge-table --theta0 20 --alpha 30 --output t.csv " + arguments);
+    EXPECT_EQ(result.status, 2) << arguments;
+    EXPECT_FALSE(folder.has("t.csv")) << arguments;
+    return result.err;
+  };
+  EXPECT_EQ(message("--pressure exact"),
+            "hinge-table: --pressure exact: depends on the materials: needs "
+            "--joint, --pair or --modulus-ratio\n");
+  EXPECT_EQ(message("--pressure sqrt_tan --method planar"),
+            "hinge-table: --method planar: for the pressure cosine only; "
+            "--pressure sqrt_tan goes with exact, quadrature, viscous\n");
+  EXPECT_EQ(message("--pressure cheese"),
+            "hinge-table: pressure law cheese: allowed: cosine, sqrt_tan, "
+            "sqrt_theta, mixture, exact\n");
+  EXPECT_EQ(message("--joint data/joints/pin_joint.toml"),
+            "hinge-table: --joint data/joints/pin_joint.toml: a cylindrical "
+            "joint: allowed spherical\n");
 }
 
 TEST(HingeTable, Version) {

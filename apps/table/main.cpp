@@ -22,6 +22,10 @@ Columns, all without units but the angles:
   I_a,J_a,K_a           the same with weight 1 (adhesion)
   chi,sigma_Y,sigma_Z   coefficients I_p, J_p, K_p over I_normal, of the
                         friction force, sliding and spinning moment
+With another pressure than cosine the weight is p(t)/p(0), R_n = rho^2 p(0)
+I_normal, and the names of the columns that depend on it end in that
+pressure's: chi_exact. Pressures: cosine, sqrt_tan, sqrt_theta, and mixture and
+exact, which need the materials by --joint, --pair or --modulus-ratio.
 CSV and JSON have the shortest numbers that read back as the same double.
 markdown and latex are for print, with 4 significant digits: of a grid a
 two-way table of one --quantity, of --points a list. A picture shows one
@@ -37,6 +41,7 @@ Examples:
   hinge-table --theta0 0:95:5 --alpha 0:90:7.5
   hinge-table --theta0 45 --alpha 30 --format json
   hinge-table --theta0 5:85:20 --alpha 0:90:15 --quantity sigma_Z --format markdown
+  hinge-table --theta0 20:80:20 --alpha 0,45,90 --pressure exact --modulus-ratio 1
   hinge-table --theta0 1:90:log50 --alpha 0,45,90 --output table.csv --jobs 2
   printf 'theta0_deg,alpha_deg,note\n40,15,pin\n' | hinge-table --points -
 
@@ -66,6 +71,26 @@ int main(int argc, char** argv) {
   app.add_option("--tolerance", options.tolerance,
                  "of quadrature, relative; default 1e-10")
       ->option_text("NUMBER");
+  app.add_option("--pressure", options.pressure,
+                 "pressure law; default that of --joint, or cosine")
+      ->option_text("NAME");
+  auto* joint = app.add_option("--joint", options.joint,
+                               "a spherical joint's file: materials, pressure")
+                    ->option_text("FILE");
+  auto* pair = app.add_option("--pair", options.pair, "a file of materials")
+                   ->option_text("FILE")
+                   ->excludes(joint);
+  auto* ratio = app.add_option("--modulus-ratio", options.modulus_ratio,
+                               "E1/E2, ball over seat, 0 to inf")
+                    ->option_text("NUMBER")
+                    ->excludes(joint)
+                    ->excludes(pair);
+  app.add_option("--poisson1", options.poisson1, "of the ball; default 0.3")
+      ->option_text("NUMBER")
+      ->needs(ratio);
+  app.add_option("--poisson2", options.poisson2, "of the seat; default 0.3")
+      ->option_text("NUMBER")
+      ->needs(ratio);
   app.add_option("--quantity", options.quantity,
                  "column for markdown, latex and plots; default chi")
       ->option_text("NAME");

@@ -6,10 +6,10 @@
 
 #include "cli/choice.hpp"
 #include "cli/number.hpp"
-#include "libcontact/friction_batch.hpp"
 #include "libcontact/friction_elliptic.hpp"
 #include "libcontact/friction_integrals.hpp"
 #include "libcontact/friction_models.hpp"
+#include "libcontact/friction_pressure.hpp"
 #ifdef CONTACT_WITH_REFERENCE
 #include "libcontact/reference/quadrature.hpp"
 #endif
@@ -17,13 +17,17 @@
 namespace hinge_table {
 namespace {
 
-std::size_t exact(const Points& points, const Columns& columns) {
-  const auto& [normal, i_p, j_p, k_p, i_a, j_a, k_a, chi, sigma_y, sigma_z] =
-      columns;
-  contact::exact_friction_integrals(
-      {points.half_angle, points.axis_sin, points.axis_cos},
-      {normal, i_p, j_p, k_p, i_a, j_a, k_a, chi, sigma_y, sigma_z});
-  return 0;
+using Pressure = std::shared_ptr<const contact::PressureLaw>;
+
+MethodFunction exact(const Pressure& pressure) {
+  return [pressure](const Points& points, const Columns& columns) {
+    const auto& [normal, i_p, j_p, k_p, i_a, j_a, k_a, chi, sigma_y, sigma_z] =
+        columns;
+    contact::friction_integrals(
+        *pressure, {points.half_angle, points.axis_sin, points.axis_cos},
+        {normal, i_p, j_p, k_p, i_a, j_a, k_a, chi, sigma_y, sigma_z});
+    return std::size_t{0};
+  };
 }
 
 // Row `i` of the columns.
@@ -44,9 +48,8 @@ void set(const Columns& columns, std::size_t i,
 }
 
 // A method that takes one point at a time.
-using PointMethod = contact::FrictionIntegrals (*)(double, contact::SlipAxis);
-
-Method pointwise(PointMethod function) {
+template <class PointMethod>
+MethodFunction pointwise(PointMethod function) {
   return [function](const Points& points, const Columns& columns) {
     for (std::size_t i = 0; i < points.half_angle.size(); ++i) {
       set(columns, i,
@@ -58,13 +61,19 @@ Method pointwise(PointMethod function) {
 }
 
 #ifdef CONTACT_WITH_REFERENCE
-Method quadrature(double tolerance) {
-  return [tolerance](const Points& points, const Columns& columns) {
+MethodFunction quadrature(double tolerance, const Pressure& pressure) {
+  const bool cosine = pressure->name() == contact::default_pressure_law;
+  return [tolerance, pressure, cosine](const Points& points,
+                                       const Columns& columns) {
     std::size_t missed = 0;
     for (std::size_t i = 0; i < points.half_angle.size(); ++i) {
-      const auto result = contact::reference::quadrature_friction_integrals(
-          points.half_angle[i], {points.axis_sin[i], points.axis_cos[i]},
-          tolerance);
+      const double half_angle = points.half_angle[i];
+      const contact::SlipAxis axis{points.axis_sin[i], points.axis_cos[i]};
+      namespace reference = contact::reference;
+      const auto result = cosine ? reference::quadrature_friction_integrals(
+                                       half_angle, axis, tolerance)
+                                 : reference::quadrature_friction_integrals(
+                                       *pressure, half_angle, axis, tolerance);
       set(columns, i, result.value);
       if (result.status == contact::Status::not_converged) ++missed;
     }
@@ -75,23 +84,35 @@ Method quadrature(double tolerance) {
 
 }  // namespace
 
-Method find_method(const std::string& name, double tolerance) {
+Method find_method(const std::string& name, double tolerance,
+                   std::shared_ptr<const contact::PressureLaw> pressure) {
   constexpr cli::Allowed allowed{1e-13, 1e-2, ""};
   if (!allowed.contains(tolerance)) {
     throw contact::Error(
         fmt::format("--tolerance {}: allowed {}", tolerance, allowed.text()));
   }
-  const std::vector<cli::Choice<Method>> methods = {
-      {"exact", exact},
+  const auto viscous = [pressure](double half_angle, contact::SlipAxis axis) {
+    return contact::viscous_friction_integrals(*pressure, half_angle, axis);
+  };
+  const std::vector<cli::Choice<MethodFunction>> methods = {
+      {"exact", exact(pressure)},
       {"elliptic", pointwise(contact::elliptic_friction_integrals)},
 #ifdef CONTACT_WITH_REFERENCE
-      {"quadrature", quadrature(tolerance)},
+      {"quadrature", quadrature(tolerance, pressure)},
 #endif
       {"planar", pointwise(contact::planar_friction_integrals)},
-      {"viscous", pointwise(contact::viscous_friction_integrals)},
+      {"viscous", pointwise(viscous)},
       {"cosine", pointwise(contact::cosine_friction_integrals)},
   };
-  return cli::choice("--method", name, methods);
+  MethodFunction function = cli::choice("--method", name, methods);
+  if ((name == "elliptic" || name == "planar" || name == "cosine") &&
+      pressure->name() != contact::default_pressure_law) {
+    throw contact::Error(fmt::format(
+        "--method {}: for the pressure cosine only; --pressure {} goes with "
+        "exact, quadrature, viscous",
+        name, pressure->name()));
+  }
+  return {std::move(function), pressure->name()};
 }
 
 }  // namespace hinge_table

@@ -3,9 +3,12 @@
 #include <array>
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
+
+#include "libcontact/pressure.hpp"
 
 /// The parts of the program hinge-table.
 namespace hinge_table {
@@ -27,12 +30,26 @@ using Columns = std::array<std::span<double>, quantities.size()>;
 
 /// A method of the library over many points; returns how many of them missed
 /// the tolerance of an iteration.
-using Method = std::function<std::size_t(const Points&, const Columns&)>;
+using MethodFunction =
+    std::function<std::size_t(const Points&, const Columns&)>;
+
+/// A method and the name of its pressure law.
+struct Method {
+  MethodFunction function;
+  std::string pressure;
+
+  std::size_t operator()(const Points& points, const Columns& columns) const {
+    return function(points, columns);
+  }
+};
 
 /// The method of that name. Throws contact::Error with the names there are:
 /// exact, elliptic, quadrature (if contact::reference is built), planar,
-/// viscous, cosine.
+/// viscous, cosine; or if it knows the cosine pressure only and another one is
+/// asked for.
 /// @param tolerance  relative, of quadrature; [1e-13, 1e-2]
-Method find_method(const std::string& name, double tolerance);
+/// @param pressure   of a ball; kept by the method
+Method find_method(const std::string& name, double tolerance,
+                   std::shared_ptr<const contact::PressureLaw> pressure);
 
 }  // namespace hinge_table

@@ -19,6 +19,7 @@
 #include "libcontact/error.hpp"
 #include "table/method.hpp"
 #include "table/point_block.hpp"
+#include "table/pressure_choice.hpp"
 
 namespace hinge_table {
 namespace {
@@ -31,9 +32,23 @@ std::size_t quantity_index(const std::string& name) {
   return cli::choice("--quantity", name, choices);
 }
 
-std::vector<std::string> column_names(std::vector<std::string> riding) {
+// The name of a quantity; those that depend on the pressure say on which if it
+// is not the cosine pressure.
+std::string quantity_name(std::size_t quantity, const Method& method) {
+  const std::string_view name = quantities[quantity];
+  if (method.pressure == contact::default_pressure_law ||
+      name.ends_with("_a")) {
+    return std::string(name);
+  }
+  return fmt::format("{}_{}", name, method.pressure);
+}
+
+std::vector<std::string> column_names(const Method& method,
+                                      std::vector<std::string> riding) {
   std::vector<std::string> names = {"theta0_deg", "alpha_deg"};
-  names.insert(names.end(), quantities.begin(), quantities.end());
+  for (std::size_t i = 0; i < quantities.size(); ++i) {
+    names.push_back(quantity_name(i, method));
+  }
   riding = cli::distinct_names(std::move(riding), names);
   names.insert(names.end(), riding.begin(), riding.end());
   return names;
@@ -51,7 +66,8 @@ Problems write_points(const Options& options, const Method& method) {
   const cli::PointHeader header = cli::read_header(reader);
   const cli::PointColumns columns(header.line, point_columns, header.place);
   cli::Output output(options.output.output);
-  const cli::Table table(options.output.format, column_names(columns.riding));
+  const cli::Table table(options.output.format,
+                         column_names(method, columns.riding));
   cli::TableWriter writer(output, table);
   cli::Progress progress("points", 0);
   Problems problems;
@@ -129,7 +145,7 @@ Problems write_list(const Grid& grid, const Method& method,
   // Large against the cost of passing a block between threads, small enough
   // for the cache.
   constexpr std::size_t block_rows = 1024;
-  const cli::Table table(options.format, column_names({}));
+  const cli::Table table(options.format, column_names(method, {}));
   return write_blocks(grid, block_rows, method, options, table,
                       [&](GridBlock& block) { write_rows(table, block); });
 }
@@ -138,8 +154,8 @@ Problems write_list(const Grid& grid, const Method& method,
 Problems write_two_way(const Grid& grid, const Method& method,
                        std::size_t quantity,
                        const cli::OutputOptions& options) {
-  std::vector<std::string> names = {
-      fmt::format("{}: theta0_deg, alpha_deg", quantities[quantity])};
+  std::vector<std::string> names = {fmt::format(
+      "{}: theta0_deg, alpha_deg", quantity_name(quantity, method))};
   for (std::size_t i = 0; i < grid.alpha.size(); ++i) {
     names.push_back(cli::number_text(grid.alpha[i]));
   }
@@ -169,6 +185,9 @@ std::string draw(const Grid& grid, const Method& method, std::size_t quantity,
 
   cli::LinePlot plot;
   plot.title = fmt::format("{}, method {}", options.quantity, options.method);
+  if (method.pressure != contact::default_pressure_law) {
+    plot.title += ", pressure " + method.pressure;
+  }
   plot.x_label =
       over_alpha ? "slip axis angle α, deg" : "contact half-angle θ₀, deg";
   plot.y_label = options.quantity;
@@ -220,7 +239,8 @@ cli::ExitStatus run_grid(const Options& options, const Method& method) {
 }  // namespace
 
 cli::ExitStatus run(const Options& options) {
-  const Method method = find_method(options.method, options.tolerance);
+  const Method method =
+      find_method(options.method, options.tolerance, chosen_pressure(options));
   if (options.points.empty()) return run_grid(options, method);
   if (!options.output.plot.empty()) {
     throw contact::Error("--plot: needs a grid (--theta0 and --alpha)");

@@ -14,6 +14,14 @@ struct Options {
   std::string method = "exact";
   std::string quantity = "chi";
   double tolerance = 1e-10;
+  // Without it: the joint file's, or cosine.
+  std::string pressure;
+  // Of the materials, one of these three.
+  std::string joint;
+  std::string pair;
+  std::string modulus_ratio;
+  std::string poisson1 = "0.3";
+  std::string poisson2 = "0.3";
   cli::OutputOptions output;
 };
 

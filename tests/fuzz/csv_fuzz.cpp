@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstdlib>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
@@ -73,7 +74,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
     hinge_table::PointBlock block;
     block.lines = {std::string(text), 2};
     cli::read_points(columns, block);
-    hinge_table::compute(hinge_table::find_method("viscous", 1e-10), block);
+    static const hinge_table::Method method =
+        hinge_table::find_method("viscous", 1e-10,
+                                 std::make_shared<contact::CosinePressure>(
+                                     contact::JointKind::spherical));
+    hinge_table::compute(method, block);
     check(count(block.messages, '\n') == block.bad_lines);
     for (const char c : block.messages) {
       check(c == '\n' || static_cast<unsigned char>(c) >= ' ');
