@@ -44,7 +44,7 @@ std::vector<int> CaseNames::bodies(std::string_view name) const {
 
 std::vector<int> CaseNames::bodies_of(const TomlTable& table,
                                       std::string_view key) const {
-  const auto found = bodies(table.text(key));
+  auto found = bodies(table.text(key));
   if (found.empty()) refuse(table, key, body_names(of, true));
   return found;
 }

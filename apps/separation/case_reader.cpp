@@ -217,7 +217,7 @@ void read_clearance(const TomlTable& file, const CaseNames& names, Case& c) {
     c.clearance.push_back({std::min(a, b), std::max(a, b)});
   };
   const auto shaped = [&](const TomlTable& table, std::string_view key) {
-    const auto bodies = names.bodies_of(table, key);
+    auto bodies = names.bodies_of(table, key);
     if (c.body(bodies.front()).shapes.empty()) {
       table.fail(key, "allowed: a body with shapes");
     }
