@@ -32,7 +32,8 @@ namespace contact {
 ///         terms of a high order not being resolved (friction_pressure_test
 ///         .cpp, against quadrature of the definition and by parts). NaN if an
 ///         argument is NaN or out of its interval.
-/// Does not allocate after its first call and does not throw.
+/// Does not throw. The first calls with a law other than CosinePressure make
+/// tables of nodes, later ones do not allocate.
 FrictionIntegrals friction_integrals(const PressureLaw& law, double half_angle,
                                      SlipAxis axis);
 

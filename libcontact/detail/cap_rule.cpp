@@ -59,29 +59,48 @@ class Amplitude {
   std::array<Real, 24> c_{};
 };
 
-/// All rules, in place: not even the first use allocates.
-class Rules {
+/// Rules of one kind, one for each range of the modulus, in place.
+class RuleSet {
  public:
-  Rules() {
-    Real upper = 1;
-    for (int i = 0; i < cap_rule_count; ++i) {
-      make(i, lower_bounds[i], upper);
-      make_chord(i, lower_bounds[i], upper);
-      upper = lower_bounds[i];
-    }
-    fill_index();
-  }
-  const CapRule& rule(int index) const { return rules_[index]; }
-  const CapRule& chord_rule(int index) const { return chord_rules_[index]; }
-  const CapRuleIndex& index() const { return index_; }
-
- private:
   /// The longest rule has 119 nodes.
   static constexpr int longest = 128;
   struct Nodes {
     std::array<double, longest> cosine_squared, sine_squared, weight;
   };
+  Nodes& nodes(int index) { return nodes_[index]; }
+  void set_size(int index, int size, int padded) {
+    const Nodes& nodes = nodes_[index];
+    rules_[index] = {size, padded, nodes.cosine_squared.data(),
+                     nodes.sine_squared.data(), nodes.weight.data()};
+  }
+  const CapRule& rule(int index) const { return rules_[index]; }
 
+ private:
+  std::array<CapRule, cap_rule_count> rules_{};
+  std::array<Nodes, cap_rule_count> nodes_{};
+};
+
+/// make(i, lower, upper) for the range of every rule.
+template <class Make>
+void for_ranges(Make make) {
+  Real upper = 1;
+  for (int i = 0; i < cap_rule_count; ++i) {
+    make(i, lower_bounds[i], upper);
+    upper = lower_bounds[i];
+  }
+}
+
+/// The rules of cap_rule(): not even the first use allocates.
+class CapRules {
+ public:
+  CapRules() {
+    for_ranges([&](int i, Real lower, Real upper) { make(i, lower, upper); });
+    fill_index();
+  }
+  const CapRule& rule(int index) const { return rules_.rule(index); }
+  const CapRuleIndex& index() const { return index_; }
+
+ private:
   void make(int index, Real lower, Real upper) {
     // The rule's k'^2 sits low in its range, so that no integrand of the
     // range has a singularity nearer than K'. The count was found by
@@ -93,8 +112,8 @@ class Rules {
     const int n = static_cast<int>(std::ceil(8 * k / kc + 0.35L));
     const int padded =
         (n + CapRule::lanes - 1) / CapRule::lanes * CapRule::lanes;
-    assert(padded <= longest);
-    Nodes& nodes = nodes_[index];
+    assert(padded <= RuleSet::longest);
+    RuleSet::Nodes& nodes = rules_.nodes(index);
     for (int i = 0; i < padded; ++i) {
       // Padding repeats the last node, with weight 0.
       const Real phi = am(k * (std::min(i, n - 1) + 0.5L) / n);
@@ -106,38 +125,7 @@ class Rules {
           i < n ? static_cast<double>(k / n * std::sqrt(m + (1 - m) * c * c))
                 : 0.0;
     }
-    rules_[index] = {n, padded, nodes.cosine_squared.data(),
-                     nodes.sine_squared.data(), nodes.weight.data()};
-  }
-
-  void make_chord(int index, Real lower, Real upper) {
-    const Real m = lower + 0.15L * (upper - lower);
-    const Amplitude am(std::sqrt(m));
-    const Real k = am.quarter_period();
-    const Real kc = Amplitude(std::sqrt(1 - m)).quarter_period();
-    // The half of a Gauss rule on [-K, K] whose ellipse passes through i K':
-    // the error is exp(-4 n asinh(K'/K)), by measurement below 1e-12.
-    const int n = static_cast<int>(std::ceil(9 / std::asinh(kc / k) + 3));
-    const int padded =
-        (n + CapRule::lanes - 1) / CapRule::lanes * CapRule::lanes;
-    assert(padded <= longest);
-    const GaussLegendre gauss(2 * n);
-    Nodes& nodes = chord_nodes_[index];
-    for (int i = 0; i < padded; ++i) {
-      const int node = n + std::min(i, n - 1);
-      const Real phi = am(k * static_cast<Real>(gauss.node(node)));
-      const Real s = std::sin(phi);
-      const Real c = std::cos(phi);
-      nodes.cosine_squared[i] = static_cast<double>(c * c);
-      nodes.sine_squared[i] = static_cast<double>(s * s);
-      nodes.weight[i] =
-          i < n
-              ? static_cast<double>(k * static_cast<Real>(gauss.weight(node)) *
-                                    c * std::sqrt(m + (1 - m) * c * c))
-              : 0.0;
-    }
-    chord_rules_[index] = {n, padded, nodes.cosine_squared.data(),
-                           nodes.sine_squared.data(), nodes.weight.data()};
+    rules_.set_size(index, n, padded);
   }
 
   void fill_index() {
@@ -152,22 +140,65 @@ class Rules {
     }
   }
 
-  std::array<CapRule, cap_rule_count> rules_{};
-  std::array<Nodes, cap_rule_count> nodes_{};
-  std::array<CapRule, cap_rule_count> chord_rules_{};
-  std::array<Nodes, cap_rule_count> chord_nodes_{};
+  RuleSet rules_;
   CapRuleIndex index_{};
 };
 
-const Rules& rules() {
-  static const Rules instance;
+/// The rules of chord_rule(); making them allocates.
+class ChordRules {
+ public:
+  ChordRules() {
+    for_ranges([&](int i, Real lower, Real upper) { make(i, lower, upper); });
+  }
+  const CapRule& rule(int index) const { return rules_.rule(index); }
+
+ private:
+  void make(int index, Real lower, Real upper) {
+    const Real m = lower + 0.15L * (upper - lower);
+    const Amplitude am(std::sqrt(m));
+    const Real k = am.quarter_period();
+    const Real kc = Amplitude(std::sqrt(1 - m)).quarter_period();
+    // The half of a Gauss rule on [-K, K] whose ellipse passes through i K':
+    // the error is exp(-4 n asinh(K'/K)), by measurement below 1e-12.
+    const int n = static_cast<int>(std::ceil(9 / std::asinh(kc / k) + 3));
+    const int padded =
+        (n + CapRule::lanes - 1) / CapRule::lanes * CapRule::lanes;
+    assert(padded <= RuleSet::longest);
+    const GaussLegendre gauss(2 * n);
+    RuleSet::Nodes& nodes = rules_.nodes(index);
+    for (int i = 0; i < padded; ++i) {
+      const int node = n + std::min(i, n - 1);
+      const Real phi = am(k * static_cast<Real>(gauss.node(node)));
+      const Real s = std::sin(phi);
+      const Real c = std::cos(phi);
+      nodes.cosine_squared[i] = static_cast<double>(c * c);
+      nodes.sine_squared[i] = static_cast<double>(s * s);
+      nodes.weight[i] =
+          i < n
+              ? static_cast<double>(k * static_cast<Real>(gauss.weight(node)) *
+                                    c * std::sqrt(m + (1 - m) * c * c))
+              : 0.0;
+    }
+    rules_.set_size(index, n, padded);
+  }
+
+  RuleSet rules_;
+};
+
+const CapRules& cap_rules() {
+  static const CapRules instance;
+  return instance;
+}
+
+const ChordRules& chord_rules() {
+  static const ChordRules instance;
   return instance;
 }
 
 }  // namespace
 
-const CapRule& cap_rule(int index) { return rules().rule(index); }
-const CapRule& chord_rule(int index) { return rules().chord_rule(index); }
-const CapRuleIndex& cap_rule_index() { return rules().index(); }
+const CapRule& cap_rule(int index) { return cap_rules().rule(index); }
+const CapRule& chord_rule(int index) { return chord_rules().rule(index); }
+const CapRuleIndex& cap_rule_index() { return cap_rules().index(); }
 
 }  // namespace contact::detail
