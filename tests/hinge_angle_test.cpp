@@ -41,6 +41,28 @@ std::vector<std::vector<double>> numbers(const std::string& csv) {
   return table;
 }
 
+TEST(HingeAngle, PeakColumnsNameThePressure) {
+  const ProgramFolder folder;
+  const auto pair = contact::ElasticPair::from_modulus_ratio(1, 0.3, 0.3);
+  for (const std::string& name : contact::pressure_law_names()) {
+    const auto result = folder.run(
+        "hinge-angle --joint sphere --modulus-ratio 1 --law exact --x 1 "
+        "--pressure " +
+        name);
+    ASSERT_EQ(result.status, 0) << result.err;
+    const auto rows = csv_rows(result.out);
+    const std::string by = name == "cosine" ? "" : "_by_" + name;
+    const double peak =
+        std::stod(csv_column(rows, "p_peak_exact" + by + "_over_mean")[0]);
+    const double half_angle =
+        std::stod(csv_column(rows, "theta0_exact_deg")[0]) * contact::degree;
+    const auto law =
+        contact::make_pressure_law(name, contact::JointKind::spherical, pair);
+    // theta0 comes back from degrees.
+    EXPECT_NEAR(peak / law->peak(half_angle), 1, 1e-13) << name;
+  }
+}
+
 TEST(HingeAngle, DimensionlessRowsAreTheLibrarys) {
   for (const std::string joint : {"sphere", "cylinder"}) {
     const JointKind kind =

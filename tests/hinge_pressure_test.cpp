@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "cli/number.hpp"
+#include "libcontact/friction_pressure.hpp"
 #include "libcontact/joint_file.hpp"
 #include "libcontact/units.hpp"
 #include "support/program.hpp"
@@ -111,8 +112,8 @@ TEST(HingePressure, SummaryHasPeakMeanAreaAndSum) {
       "hinge-pressure --summary --load 2000 --joint " + hip);
   ASSERT_EQ(result.status, 0) << result.err;
   EXPECT_EQ(first_line(result.out),
-            "load,load_parameter,theta0_deg,pressure,p_peak_Pa,p_mean_Pa,"
-            "contact_area_m2,S");
+            "load,load_parameter,theta0_deg,law,pressure,p_peak_Pa,p_mean_Pa,"
+            "contact_area_m2,S,chi_0,sigma_Y_0,sigma_Z_90");
   EXPECT_EQ(csv_column(csv_rows(result.out), "pressure"),
             contact::pressure_law_names());
   const auto mean = numbers(result.out, "p_mean_Pa");
@@ -123,6 +124,26 @@ TEST(HingePressure, SummaryHasPeakMeanAreaAndSum) {
     // Rounding of four numbers.
     EXPECT_NEAR(mean[i] * area[i] / 2000, sum[i], 4e-15);
     EXPECT_GT(peak[i], mean[i]);
+  }
+  const contact::Joint joint = contact::read_joint(
+      std::filesystem::path(CONTACT_DATA_DIR).parent_path() / hip);
+  const double half_angle =
+      numbers(result.out, "theta0_deg")[0] * contact::degree;
+  const auto spin = numbers(result.out, "sigma_Z_90");
+  const auto slide = numbers(result.out, "chi_0");
+  for (std::size_t i = 0; i < spin.size(); ++i) {
+    const auto law =
+        contact::make_pressure_law(contact::pressure_law_names()[i],
+                                   contact::JointKind::spherical, joint.pair);
+    // theta0 comes back from degrees.
+    EXPECT_NEAR(
+        contact::friction_integrals(*law, half_angle, contact::SlipAxis{1, 0})
+            .coefficient.spinning,
+        spin[i], 1e-14);
+    EXPECT_NEAR(
+        contact::friction_integrals(*law, half_angle, contact::SlipAxis{0, 1})
+            .coefficient.force,
+        slide[i], 1e-14);
   }
   // The cosine's peak is 11 to 33 % above the exact one.
   EXPECT_GT(peak[0], 1.1 * peak[4]);

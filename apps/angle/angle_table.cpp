@@ -23,7 +23,11 @@ AngleTable::AngleTable(const Setup& setup, const std::vector<NamedLaw>& laws,
 }
 
 std::string AngleTable::peak_column(const NamedLaw& law) const {
-  return fmt::format("p_peak_{}_{}", law.name, scale_ ? "Pa" : "over_mean");
+  const std::string pressure = pressure_.name();
+  return fmt::format(
+      "p_peak_{}{}_{}", law.name,
+      pressure == contact::default_pressure_law ? "" : "_by_" + pressure,
+      scale_ ? "Pa" : "over_mean");
 }
 
 std::vector<std::string> AngleTable::columns() const {

@@ -44,6 +44,7 @@ for each law
   theta0_LAW_deg          half-angle of the contact, degrees
   p_peak_LAW_Pa           peak pressure, Pa, or in dimensionless runs
   p_peak_LAW_over_mean    over the mean R_n/R^2 (sphere) or P/R (cylinder)
+With another pressure law than cosine: p_peak_LAW_by_PRESSURE_Pa.
 With --inverse: theta0_deg, then for each law load_LAW, load_parameter_LAW,
 x_LAW and the peak pressure. Where a law has no value (hertz for x > 1) the
 cell is empty, in JSON null.
@@ -93,7 +94,8 @@ void add_options(CLI::App& app, Options& options) {
                  "formula, linear, or degrees; default formula")
       ->option_text("NAME|ANGLE")
       ->group("Law");
-  app.add_option("--pressure", options.pressure, "pressure law; default cosine")
+  app.add_option("--pressure", options.pressure,
+                 "cosine (default), sqrt_tan, sqrt_theta, mixture, exact")
       ->option_text("NAME")
       ->group("Law");
   cli::add_output_options(app, options.output);

@@ -31,10 +31,12 @@ Columns, a row for each angle from the centre of the contact to its edge:
   theta_deg           angle from the centre of the contact
   p_LAW_Pa            pressure, Pa, or in dimensionless runs
   p_LAW_over_mean     over the mean R_n/R^2 (sphere) or P/R (cylinder)
-With --summary a row for each load and law: load, load_parameter, theta0_deg,
-pressure (the law), p_peak_Pa, p_mean_Pa (or _over_mean), contact_area_m2 or
-contact_width_m (dimensionless: contact_area_over_R2, contact_width_over_R),
-S (sum of the pressures over the force that they carry).
+With --summary a row for each load and pressure law: load, load_parameter,
+theta0_deg, law (of the half-angle), pressure (the law), p_peak_Pa, p_mean_Pa
+(or _over_mean), contact_area_m2 or contact_width_m (dimensionless:
+contact_area_over_R2, contact_width_over_R), S (sum of the pressures over the
+force that they carry); for a sphere the friction coefficients chi_0 (force),
+sigma_Y_0 (moment) of pure sliding and sigma_Z_90 (moment) of pure spinning.
 Where a law has no value the cell is empty, in JSON null.
 
 Examples:

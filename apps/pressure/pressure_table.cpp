@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "libcontact/friction_pressure.hpp"
 #include "libcontact/units.hpp"
 
 namespace hinge_pressure {
@@ -54,7 +55,8 @@ void PressureTable::write_profile(const LoadedContact& contact, int points,
 std::vector<std::string> PressureTable::summary_columns() const {
   std::vector<std::string> names;
   if (setup_.geometry) names.emplace_back("load");
-  names.insert(names.end(), {"load_parameter", "theta0_deg", "pressure"});
+  names.insert(names.end(),
+               {"load_parameter", "theta0_deg", "law", "pressure"});
   names.push_back("p_peak_" + unit());
   names.push_back("p_mean_" + unit());
   const bool ball = setup_.kind == contact::JointKind::spherical;
@@ -64,6 +66,7 @@ std::vector<std::string> PressureTable::summary_columns() const {
     names.emplace_back(ball ? "contact_area_over_R2" : "contact_width_over_R");
   }
   names.emplace_back("S");
+  if (ball) names.insert(names.end(), {"chi_0", "sigma_Y_0", "sigma_Z_90"});
   return names;
 }
 
@@ -78,11 +81,22 @@ void PressureTable::write_summary(const LoadedContact& contact,
   const bool unloaded = setup_.geometry && contact.load == 0;
   for (const NamedPressure& law : pressures_) {
     write_contact(contact, row);
+    row.text(setup_.half_angle_laws.front());
     row.text(law.name);
     row.number(unloaded ? 0 : scale(contact) * law.law->peak(half_angle));
     row.number(unloaded ? 0 : scale(contact) * law.law->mean(half_angle));
     row.number(area);
     row.number(law.law->force_ratio(half_angle));
+    if (setup_.kind == contact::JointKind::spherical) {
+      const auto coefficients = [&](contact::SlipAxis axis) {
+        return contact::friction_integrals(*law.law, half_angle, axis)
+            .coefficient;
+      };
+      const contact::FrictionTriple slide = coefficients({0, 1});
+      row.number(slide.force);
+      row.number(slide.sliding);
+      row.number(coefficients({1, 0}).spinning);
+    }
     row.end();
   }
 }

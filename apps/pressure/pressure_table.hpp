@@ -42,8 +42,9 @@ class PressureTable {
   void write_profile(const LoadedContact& contact, int points,
                      cli::RowWriter& row) const;
 
-  /// load (if the joint has a geometry), load_parameter, theta0_deg, pressure,
-  /// p_peak and p_mean, area of the contact, S.
+  /// load (if the joint has a geometry), load_parameter, theta0_deg, law,
+  /// pressure, p_peak and p_mean, area of the contact, S, and for a ball the
+  /// friction coefficients of pure sliding and pure spinning.
   std::vector<std::string> summary_columns() const;
   /// A row for each law.
   void write_summary(const LoadedContact& contact, cli::RowWriter& row) const;
