@@ -395,6 +395,58 @@ TEST(ExactPressure, AgreesWithTheSolvers) {
   force.check();
 }
 
+TEST(ExactPressure, LoadedThroughTheBack) {
+  const auto pair = ElasticPair::from_modulus_ratio(0.2, 0.3, 0.35);
+  const auto loading = contact::InnerLoading::back(25 * degree);
+  const contact::BallContact ball_contact(pair, loading);
+  const contact::PinContact pin_contact(pair, loading, 32);
+  const ExactPressure ball(JointKind::spherical, pair, loading);
+  const ExactPressure pin(JointKind::cylindrical, pair, loading);
+  const ExactPressure centre(JointKind::spherical, pair);
+  for (const double theta0_deg : {2.0, 40.0, 75.0}) {
+    const double half_angle = theta0_deg * degree;
+    // As for loads at the centre.
+    EXPECT_NEAR(
+        ball.peak(half_angle) / ball_contact.pressure(half_angle).peak(), 1,
+        1e-5);
+    EXPECT_NEAR(pin.peak(half_angle) / pin_contact.pressure(half_angle).peak(),
+                1, 1e-5);
+  }
+  EXPECT_GT(std::abs(ball.peak(1.2) / centre.peak(1.2) - 1), 1e-3);
+}
+
+TEST(ExactPressure, FallsFromTheCentreToTheEdgeForAnyPair) {
+  std::mt19937 random(8);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  for (int i = 0; i < 60; ++i) {
+    const double ratio = i < 6    ? 0
+                         : i < 12 ? infinity
+                                  : std::pow(10, 12 * uniform(random) - 6);
+    const double inner = i % 7 == 0 ? 0.5 : 0.5 * uniform(random);
+    const double outer = i % 5 == 0 ? 0.5 : 0.5 * uniform(random);
+    const auto pair = ElasticPair::from_modulus_ratio(ratio, inner, outer);
+    for (const JointKind kind : kinds) {
+      const ExactPressure exact(kind, pair);
+      const MixturePressure mixture(kind, pair);
+      const double limit = contact::ExactLaw(kind, pair).limit_half_angle();
+      const double largest = std::min(limit, 120 * degree);
+      for (double share = 1e-6; share <= 1; share *= 2) {
+        const double half_angle = share * largest;
+        for (const PressureLaw* law :
+             std::initializer_list<const PressureLaw*>{&exact, &mixture}) {
+          for (double x = 0; x <= 1; x += 0.05) {
+            double slope = -1;
+            law->edge_slopes(half_angle, {&x, 1}, {&slope, 1});
+            EXPECT_GE(slope, 0) << label(*law, half_angle) << ' ' << ratio
+                                << ' ' << inner << ' ' << outer;
+          }
+          EXPECT_GE(law->force_ratio(half_angle), 1 - 1e-11);
+        }
+      }
+    }
+  }
+}
+
 TEST(ExactPressure, IsTheClosedFormOfAPinOfEqualMaterials) {
   const ExactPressure law(JointKind::cylindrical,
                           ElasticPair::from_modulus_ratio(1, 0.3, 0.3));
