@@ -17,6 +17,8 @@ namespace {
 constexpr double pi = std::numbers::pi;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double usual_largest = 2 * pi / 3;
+// Series in theta0 that reached farther would be poor ones at small theta0.
+constexpr double most_largest = 5 * pi / 6;
 
 // What p = sum a_k sin((2k+1) phi) carries, and the sum of its pressures.
 struct Resultants {
@@ -80,7 +82,8 @@ void ExactPressure::tabulate(const Contact& contact) {
   const ExactHalfAngle limit = contact.limit_half_angle();
   const double wanted =
       limit.status == Status::ok ? limit.half_angle : contact.largest();
-  largest_ = std::min(std::max(wanted, usual_largest), contact.largest());
+  largest_ = std::min(
+      {std::max(wanted, usual_largest), contact.largest(), most_largest});
   const int count = largest_ > usual_largest ? 48 : 28;
   series_.assign(count, Column{});
   for (int i = 0; i < count; ++i) {

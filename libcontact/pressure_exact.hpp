@@ -29,8 +29,8 @@ namespace contact {
 ///
 /// Half-angles beyond the pair's limit half-angle, which other half-angle laws
 /// may ask for, belong to a ball or pin with interference. The largest is
-/// 120 deg or the limit half-angle, whichever is larger, or where the solver
-/// ends if that is less.
+/// 120 deg, or the limit half-angle up to 150 deg where that is larger, or
+/// where the solver ends if that is less.
 class ExactPressure final : public PressureLaw {
  public:
   /// @param loading  how the inner body is loaded; the force at its centre
