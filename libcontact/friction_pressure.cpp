@@ -25,17 +25,18 @@ using detail::CapRule;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// A Gauss rule for a piece of the contact, y the distance from its end at the
-/// pole: y = y(u), u in [0, 1].
+/// pole: y = y(u), u in [0, 1]. The size by measurement.
 struct PieceRule {
-  static constexpr int max_size = 24;
-  int size;
-  std::array<double, max_size> y;
-  std::array<double, max_size> weight;
+  static constexpr int size = 24;
+  static_assert(size % CapRule::lanes == 0);
+  using Array = std::array<double, size>;
+  Array y;
+  Array weight;
 
   template <class Map, class Derivative>
-  PieceRule(int count, Map map, Derivative derivative) : size(count) {
-    const detail::GaussLegendre gauss(count);
-    for (int i = 0; i < count; ++i) {
+  PieceRule(Map map, Derivative derivative) {
+    const detail::GaussLegendre gauss(size);
+    for (int i = 0; i < size; ++i) {
       const double u = (1 + gauss.node(i)) / 2;
       y[i] = map(u);
       weight[i] = derivative(u) * gauss.weight(i) / 2;
@@ -43,14 +44,13 @@ struct PieceRule {
   }
 };
 
-/// How the integrals behave at a piece's ends decides its rule. Sizes by
-/// measurement.
+/// How the integrals behave at a piece's ends decides its rule.
 struct PieceRules {
   /// y^2 ln y at one end.
-  PieceRule one_pole{24, [](double u) { return u * u; },
+  PieceRule one_pole{[](double u) { return u * u; },
                      [](double u) { return 2 * u; }};
   /// y^2 ln y at both ends.
-  PieceRule two_poles{24, [](double u) { return u * u * (3 - 2 * u); },
+  PieceRule two_poles{[](double u) { return u * u * (3 - 2 * u); },
                       [](double u) { return 6 * u * (1 - u); }};
 };
 
@@ -69,7 +69,6 @@ class Stack {
 
   /// From x = start on to the centre; `rest` is 1 - start.
   void add_inner(double start, double rest, const PieceRule& rule) {
-    begin(rule);
     for (int i = 0; i < rule.size; ++i) {
       const double left = rest * (1 - rule.y[i]);  // 1 - x
       const double x = start + rest * rule.y[i];
@@ -78,7 +77,6 @@ class Stack {
   }
   /// From phi = start towards the edge, by an angle.
   void add_outer(double start, double angle, const PieceRule& rule) {
-    begin(rule);
     for (int i = 0; i < rule.size; ++i) {
       const double phi = start - angle * rule.y[i];
       const double s = std::cos(phi);
@@ -88,30 +86,19 @@ class Stack {
   /// Adds the piece to the sums.
   void take(const CapKernel& kernel, SlipAxis axis, bool pole_inside,
             AreaSums<double>& sums) {
-    std::array<double, PieceRule::max_size> slope;
-    law_.edge_slopes(half_angle_, std::span(x_).first(size_),
-                     std::span(slope).first(size_));
-    for (int i = 0; i < size_; ++i) weight_[i] *= slope[i];
-    const int full =
-        (size_ + CapRule::lanes - 1) / CapRule::lanes * CapRule::lanes;
-    for (int i = size_; i < full; ++i) {
-      sine_[i] = sine_[size_ - 1];
-      cosine_[i] = cosine_[size_ - 1];
-      weight_[i] = 0;
-    }
-    const AreaSums<double> piece = kernel.areas(
-        {full, sine_.data(), cosine_.data(), weight_.data(), pole_inside},
-        axis.sin, axis.cos);
+    PieceRule::Array slope;
+    law_.edge_slopes(half_angle_, x_, slope);
+    for (int i = 0; i < PieceRule::size; ++i) weight_[i] *= slope[i];
+    const AreaSums<double> piece =
+        kernel.areas({PieceRule::size, sine_.data(), cosine_.data(),
+                      weight_.data(), pole_inside},
+                     axis.sin, axis.cos);
     sums.force += piece.force;
     sums.sliding += piece.sliding;
     sums.spinning += piece.spinning;
   }
 
  private:
-  static_assert(PieceRule::max_size % CapRule::lanes == 0);
-  using Array = std::array<double, PieceRule::max_size>;
-
-  void begin(const PieceRule& rule) { size_ = rule.size; }
   void set(int i, double x, double s, double weight) {
     x_[i] = x;
     weight_[i] = weight;
@@ -124,8 +111,7 @@ class Stack {
   const PressureLaw& law_;
   double half_angle_;
   double tangent_;  // b = tan(theta0/2)
-  int size_ = 0;
-  Array x_, sine_, cosine_, weight_;
+  PieceRule::Array x_, sine_, cosine_, weight_;
 };
 
 /// I[p], J[p], K[p] of a contact beyond the hemisphere, for the pressure that
@@ -208,9 +194,9 @@ void set_pressure_part(const PressureLaw& law, double half_angle, SlipAxis axis,
 
 /// ∬ p sin^2 t dS for the pressure that carries the force 1, by parts.
 double second_moment(const PressureLaw& law, double half_angle) {
-  static const PieceRule rule(
-      24, [](double u) { return u; }, [](double) { return 1; });
-  std::array<double, PieceRule::max_size> slope;
+  static const PieceRule rule([](double u) { return u; },
+                              [](double) { return 1; });
+  PieceRule::Array slope;
   law.edge_slopes(half_angle, rule.y, slope);
   const double b = std::tan(half_angle / 2);
   double sum = 0;

@@ -9,6 +9,7 @@
 
 #include "libcontact/error.hpp"
 #include "libcontact/friction_pressure.hpp"
+#include "libcontact/units.hpp"
 
 namespace contact {
 namespace {
@@ -52,6 +53,15 @@ std::vector<std::string> JointContact::validity_notes() const {
   std::vector<std::string> notes = geometry_.validity_notes();
   for (std::string& note : half_angle_law_->validity_notes(pair_)) {
     notes.push_back(std::move(note));
+  }
+  // The two ends of the same solution differ by rounding.
+  constexpr double rounding = 1e-9;
+  const double largest = pressure_law_->largest_half_angle();
+  if (half_angle_law_->limit_half_angle() > largest * (1 + rounding)) {
+    notes.push_back(fmt::format(
+        "pressure law {} ends at {:.4g} deg, before the limit "
+        "half-angle of law {}",
+        pressure_law_->name(), largest / degree, half_angle_law_->name()));
   }
   return notes;
 }

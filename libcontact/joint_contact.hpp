@@ -46,7 +46,8 @@ class JointContact {
     return std::holds_alternative<ViscousLaw>(friction_);
   }
 
-  /// Notes of geometry and half-angle law on use outside their range.
+  /// Notes of geometry and half-angle law on use outside their range, and one
+  /// if the pressure law ends before the half-angle law.
   std::vector<std::string> validity_notes() const;
 
   /// mu or lambda.

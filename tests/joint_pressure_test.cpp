@@ -248,6 +248,16 @@ TEST(JointPressure, HalfAnglesBeyondTheLawHaveNoResult) {
   const JointSolution s =
       joint.solve_contact(Vector3d(0, 0, 1e12), Vector3d(0, 1, 1));
   EXPECT_TRUE(std::isnan(s.friction_moment.norm()));
+  EXPECT_EQ(joint.contact().validity_notes().back(),
+            "pressure law exact ends at 120 deg, before the limit half-angle "
+            "of law tanh");
+  // An exact half-angle law ends where the exact pressure does.
+  const ElasticPair soft({1e8, 0.49}, {2e11, 0.3});
+  const SphericalJoint same(
+      JointGeometry::ball(0.05, 0.05e-3), soft, FrictionLaw(0.1),
+      contact::make_half_angle_law("exact", JointKind::spherical, soft),
+      contact::make_pressure_law("exact", JointKind::spherical, soft));
+  EXPECT_TRUE(same.contact().validity_notes().empty());
 }
 
 }  // namespace
