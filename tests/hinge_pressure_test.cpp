@@ -188,6 +188,17 @@ TEST(HingePressure, LoadsWithoutHalfAngleAreEmptyAndSaidSo) {
   EXPECT_TRUE(std::isnan(numbers(result.out, "p_peak_over_mean")[1]));
 }
 
+TEST(HingePressure, HalfAnglesThatHaveNotConvergedAreSaidSo) {
+  // An incompressible ball in a rigid seat closes up, beyond the solver.
+  const ProgramResult result = ProgramFolder().run(
+      "hinge-pressure --joint sphere --modulus-ratio 0 --poisson1 0.5 "
+      "--x 1e6 --law exact --summary --pressure cosine");
+  EXPECT_EQ(result.status, 1);
+  EXPECT_NE(result.err.find("1 of 1 half-angles have not converged"),
+            std::string::npos)
+      << result.err;
+}
+
 TEST(HingePressure, WrongOptionsGiveOneMessageAndNoFile) {
   struct Wrong {
     std::string arguments;
@@ -201,6 +212,10 @@ TEST(HingePressure, WrongOptionsGiveOneMessageAndNoFile) {
            {joint + "--load 5 --points 1", "--points 1"},
            {joint + "--load 5 --points 2.5", "--points 2.5"},
            {joint + "--load 5 --pressure flat", "flat"},
+           {joint + "--load 5 --pressure exact,exact", "exact: allowed once"},
+           {joint + "--load 5 --summary --points 5", "--points"},
+           {joint + "--load 5,,6", "(empty item)"},
+           {joint + "--load 5 --plot none/p.svg", "none/p.svg"},
            {joint + "--load 5 --law all", "--law: one half-angle law"},
            {"--joint cube --load 5", "--joint cube"},
        }) {

@@ -1,5 +1,7 @@
 #include "angle/input.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <limits>
@@ -51,7 +53,8 @@ Input make_input(const Options& options, const Setup& setup) {
   }
   if (count != 1) {
     throw contact::Error(
-        "needs one of --load, --load-parameter, --x (see --help)");
+        fmt::format("{} one of --load, --load-parameter, --x (see --help)",
+                    count == 0 ? "needs" : "needs no more than"));
   }
   const Source& source = *std::find_if(sources.begin(), sources.end(), given);
   if (source.variable == LoadVariable::load && !setup.geometry) {

@@ -83,12 +83,14 @@ void add_options(CLI::App& app, Options& options) {
       ->delimiter(',')
       ->option_text("NAMES")
       ->group("Law");
-  app.add_flag("--compare", options.compare,
-               "how far each law is from exact over the range of the load")
-      ->group("Law");
+  auto* compare =
+      app.add_flag("--compare", options.compare,
+                   "how far each law is from exact over the range of the load")
+          ->group("Law");
   app.add_option("--tolerance", options.tolerance,
                  "percent of theta0 that --compare takes for good; default 0.1")
       ->option_text("PERCENT")
+      ->needs(compare)
       ->group("Law");
   app.add_option("--limit-angle", options.limit_angle,
                  "formula, linear, or degrees; default formula")

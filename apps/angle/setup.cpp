@@ -88,6 +88,7 @@ Setup make_setup(const Options& options) {
     }
   }
   if (!options.laws.empty()) {
+    cli::refuse_repetition("--law", options.laws);
     setup.half_angle_laws = options.laws;
   } else if (options.compare) {
     setup.half_angle_laws = {"all"};

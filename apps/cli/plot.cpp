@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdio>
 #include <cstdlib>
+#include <memory>
 
 #include "cli/number.hpp"
 #include "cli/output.hpp"
@@ -40,6 +42,13 @@ bool shell(const std::string& command) {
   return std::system(command.c_str()) == 0;
 }
 
+std::string_view trimmed(std::string_view text) {
+  constexpr std::string_view space = " \t\r\n^";
+  const std::size_t begin = text.find_first_not_of(space);
+  if (begin == std::string_view::npos) return {};
+  return text.substr(begin, text.find_last_not_of(space) - begin + 1);
+}
+
 std::string shell_text(std::string_view text) {
   std::string quoted = "'";
   for (const char c : text) {
@@ -50,6 +59,26 @@ std::string shell_text(std::string_view text) {
     }
   }
   return quoted + '\'';
+}
+
+// What gnuplot says last, without the place in our script; "" if all is well.
+// Its warnings are no business of the user's.
+std::string run_gnuplot(const std::string& script) {
+  const std::string command = "gnuplot " + shell_text(script) + " 2>&1";
+  std::FILE* const pipe = ::popen(command.c_str(), "r");
+  if (pipe == nullptr) return "gnuplot cannot be run";
+  std::string last;
+  std::array<char, 4096> line;
+  while (std::fgets(line.data(), line.size(), pipe) != nullptr) {
+    const std::string_view text = trimmed(line.data());
+    if (!text.empty()) last = text;
+  }
+  if (::pclose(pipe) == 0) return {};
+  const std::size_t place = last.find(": ");
+  if (last.starts_with('"') && place != std::string::npos) {
+    last.erase(0, place + 2);
+  }
+  return "gnuplot: " + (last.empty() ? "failed" : last);
 }
 
 std::string why_not(const Kind& kind) {
@@ -92,9 +121,8 @@ std::string draw_script(std::string_view script, const std::string& file) {
                                                : picture.temporary().native()),
       plot_style));
   commands.write(script);
-  if (!shell("gnuplot " + shell_text(commands.temporary().native()))) {
-    return "no picture " + file + ": gnuplot failed";
-  }
+  const std::string problem = run_gnuplot(commands.temporary().native());
+  if (!problem.empty()) return "no picture " + file + ": " + problem;
   picture.commit();
   return {};
 }

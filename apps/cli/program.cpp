@@ -9,6 +9,7 @@
 #include <exception>
 
 #include "cli/choice.hpp"
+#include "cli/output.hpp"
 #include "cli/plot.hpp"
 #include "libcontact/error.hpp"
 
@@ -52,6 +53,15 @@ void add_output_options(CLI::App& app, OutputOptions& options) {
          "picture to draw: .svg, .png or .pdf")
       ->option_text("FILE")
       ->group("Output");
+  // Before anything is computed or written.
+  app.parse_complete_callback([&options] {
+    if (options.plot.empty()) return;
+    if (options.plot == options.output) {
+      throw contact::Error("--plot " + options.plot +
+                           ": allowed another file than that of --output");
+    }
+    const Output possible(options.plot);
+  });
 }
 
 void add_jobs_option(CLI::App& app, OutputOptions& options) {

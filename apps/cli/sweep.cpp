@@ -99,7 +99,7 @@ Sweep::Piece Sweep::parse_piece(std::string_view option,
     const auto number =
         parse_number(i == 2 && is_log ? parts[2].substr(3) : parts[i]);
     if (!number || parts.size() == 2 || parts.size() > 3) {
-      fail(option, text,
+      fail(option, text.empty() ? "(empty item)" : text,
            "expected a value, a list a,b,c, start:stop:step or "
            "start:stop:logN");
     }

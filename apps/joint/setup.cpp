@@ -128,6 +128,8 @@ Setup make_setup(const Options& options) {
   const auto friction = make_friction(options, joint);
   std::vector<std::string> laws = options.laws;
   std::vector<std::string> pressures = options.pressures;
+  cli::refuse_repetition("--law", laws);
+  cli::refuse_repetition("--pressure", pressures);
   if (laws.empty()) laws = {joint.half_angle_law};
   if (laws == std::vector<std::string>{"all"}) {
     laws = contact::half_angle_law_names();

@@ -163,7 +163,10 @@ Instant instant_from_json(const json& file) {
 
 Instant read_case(const std::string& file) {
   std::ifstream stream(file);
-  if (!stream) throw contact::Error(file + ": cannot be read");
+  // A folder opens, but cannot be read.
+  if (!stream || stream.peek() == std::ifstream::traits_type::eof()) {
+    throw contact::Error(file + ": cannot be read, or empty");
+  }
   json parsed;
   try {
     parsed = json::parse(stream);

@@ -1,8 +1,10 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <string>
 
 #include "cli/output.hpp"
 #include "cli/program.hpp"
+#include "libcontact/error.hpp"
 #include "multibody/case_file.hpp"
 
 namespace {
@@ -19,6 +21,18 @@ constexpr const char* footer =
     "  multibody-eval data/reference/multibody/axes_18_balanced_rotors_L3.json"
     "\n\nExit status: 0 computed; 2 bad option or file, no result.\n";
 
+bool is_finite(const multibody::InstantResult& result) {
+  return result.acceleration.allFinite() &&
+         result.angular_acceleration.allFinite() &&
+         std::all_of(result.loads.begin(), result.loads.end(),
+                     [](const multibody::LoadResult& load) {
+                       return load.acceleration.allFinite() &&
+                              load.angular_acceleration.allFinite() &&
+                              load.reaction_force.allFinite() &&
+                              load.reaction_moment.allFinite();
+                     });
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -32,6 +46,11 @@ int main(int argc, char** argv) {
   return cli::run_program(app, argc, argv, [&] {
     const multibody::Instant instant = multibody::read_case(file);
     const multibody::InstantResult result = multibody::evaluate(instant);
+    if (!is_finite(result)) {
+      throw contact::Error(file +
+                           ": accelerations are not finite: a mass, inertia, "
+                           "distance, rate or force is too large");
+    }
     cli::Output to(output);
     to.write(multibody::to_json(instant, result).dump(2) + '\n');
     to.commit();

@@ -62,12 +62,13 @@ void add_options(CLI::App& app, Options& options) {
       ->delimiter(',')
       ->option_text("NAMES")
       ->group("Law");
-  app.add_flag("--summary", options.summary,
-               "peak, mean, area and S in place of profiles")
-      ->group("Profile");
+  auto* summary = app.add_flag("--summary", options.summary,
+                               "peak, mean, area and S in place of profiles")
+                      ->group("Profile");
   app.add_option("--points", options.points,
                  "rows from the centre to the edge; default 101")
       ->option_text("N")
+      ->excludes(summary)
       ->group("Profile");
   cli::add_output_options(app, options.contact.output);
   app.footer(std::string(help) + std::string(cli::exit_status_help));

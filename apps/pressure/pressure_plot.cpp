@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "cli/plot.hpp"
 #include "libcontact/units.hpp"
 
@@ -9,6 +11,8 @@ namespace hinge_pressure {
 namespace {
 
 constexpr int points = 201;
+// What a legend holds.
+constexpr std::size_t most_curves = 15;
 constexpr double megapascal = 1e6;
 
 std::string label(const hinge_angle::Setup& setup, const std::string& law,
@@ -37,7 +41,11 @@ std::string draw(const PressureTable& pressures,
                  : setup.kind == contact::JointKind::spherical
                      ? "pressure over Rₙ/ρ²"
                      : "pressure over P/ρ";
-  for (const LoadedContact& contact : contacts) {
+  const std::size_t loads =
+      std::clamp(most_curves / laws.size(), std::size_t{1}, contacts.size());
+  for (std::size_t k = 0; k < loads; ++k) {
+    const LoadedContact& contact =
+        contacts[loads == 1 ? 0 : k * (contacts.size() - 1) / (loads - 1)];
     for (std::size_t i = 0; i < laws.size(); ++i) {
       cli::Curve curve{
           label(setup, laws[i].name, contact, contacts.size() == 1), {}, {}};

@@ -24,6 +24,7 @@ struct LoadedContact {
   double load;
   double load_parameter;
   double half_angle;  ///< rad; NaN if the half-angle law has none
+  contact::Status status;
 };
 
 /// Pressures of one joint in Pa, or over the mean R_n/R^2 (ball), P/R (pin)

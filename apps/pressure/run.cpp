@@ -34,6 +34,7 @@ int point_count(const std::string& text) {
 std::vector<NamedPressure> make_pressures(const Options& options,
                                           const Setup& setup) {
   std::vector<std::string> names = options.pressures;
+  cli::refuse_repetition("--pressure", names);
   if (names.empty() || names == std::vector<std::string>{"all"}) {
     names = contact::pressure_law_names();
   }
@@ -70,16 +71,17 @@ std::vector<LoadedContact> make_contacts(
                             ? angles.convert(input.variable, input.values[i],
                                              LoadVariable::load)
                             : parameter;
-    contacts.push_back(
-        {load, parameter, laws[0].law->half_angle(parameter).half_angle});
+    const auto result = laws[0].law->half_angle(parameter);
+    contacts.push_back({load, parameter, result.half_angle, result.status});
   }
   return contacts;
 }
 
-// Loads without a half-angle, and half-angles beyond a pressure law.
-void report_gaps(const std::vector<LoadedContact>& contacts,
-                 const std::vector<NamedPressure>& pressures,
-                 const std::string& half_angle_law) {
+// Loads without a half-angle, or one that has not converged, and half-angles
+// beyond a pressure law.
+cli::ExitStatus report_gaps(const std::vector<LoadedContact>& contacts,
+                            const std::vector<NamedPressure>& pressures,
+                            const std::string& half_angle_law) {
   const auto gap = [](const LoadedContact& c) {
     return std::isnan(c.half_angle);
   };
@@ -89,6 +91,15 @@ void report_gaps(const std::vector<LoadedContact>& contacts,
               fmt::format("law {}: no half-angle for {} of {} loads, which "
                           "are outside its range",
                           half_angle_law, gaps, contacts.size()));
+  }
+  const auto rough = [](const LoadedContact& c) {
+    return c.status == contact::Status::not_converged;
+  };
+  const auto roughs = std::count_if(contacts.begin(), contacts.end(), rough);
+  if (roughs > 0) {
+    cli::warn("hinge-pressure",
+              fmt::format("law {}: {} of {} half-angles have not converged",
+                          half_angle_law, roughs, contacts.size()));
   }
   for (const NamedPressure& law : pressures) {
     const double largest = law.law->largest_half_angle();
@@ -103,6 +114,7 @@ void report_gaps(const std::vector<LoadedContact>& contacts,
                           law.name, count, contacts.size(),
                           largest / contact::degree));
   }
+  return roughs > 0 ? cli::some_bad : cli::all_good;
 }
 
 void write_table(const PressureTable& pressures,
@@ -142,11 +154,12 @@ cli::ExitStatus run(const Options& options) {
   const auto contacts = make_contacts(input, setup, pressures);
   const PressureTable table(setup, pressures);
   write_table(table, contacts, options);
-  report_gaps(contacts, pressures, setup.half_angle_laws.front());
+  const cli::ExitStatus status =
+      report_gaps(contacts, pressures, setup.half_angle_laws.front());
   const std::string& picture = options.contact.output.plot;
-  if (picture.empty()) return cli::all_good;
+  if (picture.empty()) return status;
   const std::string problem = draw(table, setup, pressures, contacts, picture);
-  if (problem.empty()) return cli::all_good;
+  if (problem.empty()) return status;
   cli::warn("hinge-pressure", problem);
   return cli::some_bad;
 }
