@@ -13,7 +13,7 @@ namespace contact {
 /// @param half_angle  theta0, rad, [0, pi]; the limits at theta0 = 0
 /// @param axis        slip axis, sine and cosine of a in [-pi/2, pi/2]
 /// @return all dimensionless; force and sliding even, spinning odd in a.
-///         Largest relative error 1.4e-15 on data/reference
+///         Largest relative error 1.3e-15 on data/reference
 ///         (friction_exact_test.cpp), theta0 <= 120 deg.
 ///         NaN if an argument is NaN or theta0 outside its interval.
 /// Source: (3.2) to (3.9).
