@@ -252,6 +252,16 @@ TEST(CaseFile, Forces) {
   EXPECT_EQ(message_of_force("name = \"f\"\nbody = \"core\"\n"
                              "kind = \"motor\"\nmoment_N_m = 1\n"),
             "c.toml:42: force[1].body = \"core\": allowed: a load on an axis");
+  const auto motor = [](const std::string& angles) {
+    return message_of_force(
+        "name = \"f\"\nbody = \"arm\"\nkind = \"motor\"\nangle_deg = " +
+        angles + "\nmoment_N_m = [1, 0]\n");
+  };
+  EXPECT_EQ(motor("[-180, 180]"), "(no error)");
+  EXPECT_EQ(motor("[0, 181]"),
+            "c.toml:44: force[1].angle_deg = an array: allowed: -180 deg to "
+            "180 deg, as tables do not count full turns");
+  EXPECT_EQ(motor("[-181, 0]"), motor("[0, 181]"));
   EXPECT_EQ(
       message_of_force("name = \"f\"\nbody = \"arm\"\nkind = \"aerodynamic\"\n"
                        "axis = [1, 0, 0]\nreference_area_m2 = 1\n"

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cli/number.hpp"
@@ -364,6 +365,162 @@ breaks = "hinge"
               1e-6);
 }
 
+// A pusher of 100 to 40 N over 0.1 m between bodies of 10 and 5 kg, with the
+// part of its stroke that is used at the start and what else its table says.
+std::string pushed_case(double used, double speed, const std::string& more) {
+  return R"(
+name = "pushed"
+[run]
+end_time_s = 2
+[carrier]
+name = "c"
+mass_kg = 10
+principal_inertia_kg_m2 = [1, 1, 1]
+[[load]]
+name = "s"
+mass_kg = 5
+principal_inertia_kg_m2 = [1, 1, 1]
+[load.start]
+position_m = [)" +
+         cli::number_text(1 + used) + ", 0, 0]\nvelocity_m_per_s = [" +
+         cli::number_text(speed) + R"(, 0, 0]
+[[force]]
+name = "push"
+body = "s"
+kind = "pusher"
+point_m = [-0.2, 0, 0]
+carrier_point_m = [0.8, 0, 0]
+direction = [1, 0, 0]
+first_force_N = 100
+last_force_N = 40
+stroke_m = 0.1
+)" + more;
+}
+
+TEST(HingeSeparation, PusherPushesOnceAndOnlyInItsTime) {
+  const ProgramFolder folder;
+  const auto last_speeds = [&](const std::string& text) {
+    folder.write("c.toml", text);
+    run_json(folder, "c.toml --history h.csv");
+    const History h(folder.read("h.csv"));
+    return std::pair(h["s.vx_m_per_s"].back(), h["c.vx_m_per_s"].back());
+  };
+  const std::pair still(0.0, 0.0);
+  // Used up when it starts, at its end or past it, whatever starts it.
+  for (const double used : {0.125, 0.25}) {
+    EXPECT_EQ(last_speeds(pushed_case(used, 0, "")), still);
+    EXPECT_EQ(last_speeds(pushed_case(used, 0, "starts_at_s = 0.35")), still);
+  }
+  // Past its stroke only when it starts: the load drifts by 0.35 m before.
+  const auto drifted = last_speeds(pushed_case(0, 1, "starts_at_s = 0.35"));
+  EXPECT_EQ(drifted, std::pair(1.0, 0.0));
+  // The push from `used` to the end of the stroke does its work on the reduced
+  // mass; `before` is the relative speed that it finds.
+  const auto pushed = [](double used, double before) {
+    const double mean = (100 - 600 * used + 40) / 2;
+    const double mass = 10 * 5 / 15.0;
+    return std::sqrt(before * before + 2 * mean * (0.1 - used) / mass);
+  };
+  const auto relative = [&](const std::string& text) {
+    const auto [load, carrier] = last_speeds(text);
+    return load - carrier;
+  };
+  // Some steps, each to 1e-9.
+  constexpr double bound = 1e-7;
+  for (const char* start : {"", "starts_at_s = 1"}) {
+    EXPECT_NEAR(relative(pushed_case(0, 0, start)), pushed(0, 0), bound);
+  }
+  // It drifts back from past the end, until 0.05 m are used.
+  EXPECT_NEAR(relative(pushed_case(0.25, -0.25, "starts_at_s = 0.8")),
+              pushed(0.05, 0.25), bound);
+  // Before the pusher starts the load goes past its end and is drawn back,
+  // x = t - t^2 until 0.9 s: that does not use up the stroke.
+  EXPECT_NEAR(relative(pushed_case(0, 1, R"(starts_at_s = 0.925
+[[force]]
+name = "back"
+body = "s"
+kind = "applied"
+force_N = [-10, 0, 0]
+ends_at_s = 0.9
+)")),
+              pushed(0.07, 0.8), bound);
+}
+
+// A pendulum whose reaction is above the limit for some milliseconds: whether
+// it breaks does not depend on who looks.
+TEST(HingeSeparation, OutputTimesDoNotChangeTheMotion) {
+  const ProgramFolder folder;
+  for (const char* limit : {"58.5", "58.8", "58.84", "58.85", "58.855"}) {
+    std::vector<json> releases;
+    for (const char* step : {"0.02", "0.001", "4"}) {
+      folder.write("c.toml", std::string(R"(
+name = "pendulum"
+gravity_m_per_s2 = [0, -9.81, 0]
+[run]
+end_time_s = 4
+output_step_s = )") + step + R"(
+[carrier]
+name = "ceiling"
+mass_kg = 1000
+principal_inertia_kg_m2 = [1, 1, 1]
+drive = { acceleration_m_per_s2 = [0, 0, 0] }
+[[load]]
+name = "mass"
+mass_kg = 2
+com_m = [1, 0, 0]
+principal_inertia_kg_m2 = [0, 0, 0]
+[load.hinge]
+kind = "axis"
+carrier_point_m = [0, 0, 0]
+axis = [0, 0, -1]
+[[event]]
+name = "tears"
+breaks = "hinge"
+reaction_N = )" + limit + "\n");
+      releases.push_back(run_json(folder, "c.toml")["loads"][0]["at_release"]);
+    }
+    EXPECT_EQ(releases[0], releases[1]) << limit;
+    EXPECT_EQ(releases[0], releases[2]) << limit;
+  }
+}
+
+// Whatever the order in the file; what is broken does not break again.
+TEST(HingeSeparation, LockBreaksBeforeTheHingeAndEachOnce) {
+  const ProgramFolder folder;
+  std::string text = alone;
+  const auto begin = text.find("[[event]]");
+  text.replace(begin, text.find("[[force]]") - begin, R"([[event]]
+name = "off"
+time_s = 0.4
+breaks = "hinge"
+[[event]]
+name = "lock opens"
+time_s = 0.4
+breaks = "lock"
+[[event]]
+name = "again"
+after = "off"
+delay_s = 0.5
+breaks = "hinge"
+[[event]]
+name = "lock again"
+time_s = 1
+breaks = "lock"
+)");
+  folder.write("c.toml", text);
+  const json result = run_json(folder, "c.toml");
+  std::vector<std::string> breaks;
+  for (const json& event : result["events"]) {
+    if (std::string(event["what"]).ends_with("breaks")) {
+      breaks.push_back(event["what"]);
+      EXPECT_EQ(event["time_s"], 0.4);
+    }
+  }
+  EXPECT_EQ(breaks, (std::vector<std::string>{"lock opens: lock breaks",
+                                              "off: hinge breaks"}));
+  EXPECT_EQ(result["loads"][0]["at_release"]["time_s"], 0.4);
+}
+
 TEST(HingeSeparation, LockTakesItsShareOfTheReaction) {
   // A bar of 10 kg between hinge and lock, its middle at 3/4 of the way.
   const ProgramFolder folder;
@@ -556,6 +713,7 @@ TEST(HingeSeparation, OverlapAndEarlyEndAreReported) {
             std::string::npos)
       << early.err;
   EXPECT_TRUE(json::parse(early.out).contains("failure"));
+  EXPECT_TRUE(json::parse(early.out)["events"].empty());
   EXPECT_EQ(History(folder.read("h.csv"))["time_s"].back(), 0.2);
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "separation/reading.hpp"
@@ -64,7 +65,15 @@ RowsOver read_variable(const TomlTable& table, bool hinged) {
     return {Variable::time, increasing(table, "time", Dimension::time)};
   }
   if (over_angle) {
-    return {Variable::angle, increasing(table, "angle", Dimension::angle)};
+    const auto at = increasing(table, "angle", Dimension::angle);
+    // 180 deg but for the rounding of units.
+    constexpr double most = std::numbers::pi * (1 + 1e-15);
+    if (at.front() < -most || at.back() > most) {
+      table.fail("angle",
+                 "allowed: -180 deg to 180 deg, as tables do not count full "
+                 "turns");
+    }
+    return {Variable::angle, at};
   }
   return {};
 }

@@ -275,10 +275,34 @@ void Recorder::look(const Simulation& simulation) {
   look_at_energy(simulation, first);
 }
 
+// Whether happenings[i] breaks anything: what is broken already, also by those
+// before it, does not break again, and a locked hinge does not break.
+bool Recorder::breaks(const Simulation& simulation,
+                      const std::vector<Happening>& happenings,
+                      std::size_t i) const {
+  const Happening& h = happenings[i];
+  const auto broken = [&](Event::Action action) {
+    return std::any_of(happenings.begin(), happenings.begin() + i,
+                       [&](const Happening& other) {
+                         return other.load == h.load &&
+                                case_.events[other.event].action == action;
+                       });
+  };
+  const Event::Action action = case_.events[h.event].action;
+  if (broken(action)) return false;
+  const HingeMode mode = simulation.sample().mode(h.load);
+  const bool locked = mode == HingeMode::locked;
+  if (action == Event::Action::break_lock) return locked;
+  return mode != HingeMode::released &&
+         (!locked || broken(Event::Action::break_lock));
+}
+
 void Recorder::before(const Simulation& simulation,
                       const std::vector<Happening>& happenings) {
   const auto& sample = simulation.sample();
-  for (const Happening& h : happenings) {
+  for (std::size_t i = 0; i < happenings.size(); ++i) {
+    if (!breaks(simulation, happenings, i)) continue;
+    const Happening& h = happenings[i];
     const Event& event = case_.events[h.event];
     const Load& load = case_.loads[h.load];
     const bool hinge = event.action == Event::Action::break_hinge;

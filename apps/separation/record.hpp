@@ -101,6 +101,8 @@ class Recorder {
   void look_at_changes(const Simulation& simulation);
   void note_change(const multibody::HingeChange& change);
   void look_at_distances(const Simulation& simulation);
+  bool breaks(const Simulation& simulation,
+              const std::vector<Happening>& happenings, std::size_t i) const;
   void look_at_energy(const Simulation& simulation, bool first);
   void add_body(const multibody::BodyMotion& body);
   void add(double number) { memory_.rows.numbers.push_back(number); }

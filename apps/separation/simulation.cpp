@@ -53,6 +53,7 @@ Simulation::Simulation(const Case& c, FrictionChoice friction)
               std::make_shared<CaseForces>(c, history_), start_of(c),
               c.options) {
   add_events();
+  if (end_pushes()) renew_forces();
 }
 
 Simulation::~Simulation() = default;
@@ -71,7 +72,9 @@ double Simulation::angle(const MotionSample& sample, int load) const {
 }
 
 // Every event of every load becomes a function of the motion, every pusher
-// one that ends its push.
+// one that ends its push. A pusher's stroke at its beginning is
+// end_pushes()'s business; the end of its time belongs to it, as steps end
+// there and its stroke may be used up in the last one.
 void Simulation::add_events() {
   for (int e = 0; e < static_cast<int>(case_.events.size()); ++e) {
     const Event& event = case_.events[e];
@@ -98,12 +101,18 @@ void Simulation::add_events() {
     const auto* pusher = std::get_if<Pusher>(&case_.forces[f].what);
     if (pusher == nullptr) continue;
     const int body = case_.forces[f].body;
-    motion_.add_event({[this, pusher, body, f](const MotionSample& sample) {
-                         if (history_.spent[f]) return -1.0;
-                         return stroke_used(*pusher, body, sample.bodies()) -
-                                pusher->stroke;
-                       },
-                       multibody::MotionEvent::Crossing::rising});
+    motion_.add_event(
+        {[this, pusher, body, f](const MotionSample& sample) {
+           const Force& force = case_.forces[f];
+           const double time = sample.time();
+           if (history_.spent[f] ||
+               time <= history_.time_of(force.begin, body, case_) ||
+               time > history_.time_of(force.end, body, case_)) {
+             return -1.0;
+           }
+           return stroke_used(*pusher, body, sample.bodies()) - pusher->stroke;
+         },
+         multibody::MotionEvent::Crossing::rising});
     meanings_.push_back({{-1, -1}, f});
   }
 }
@@ -142,9 +151,12 @@ double Simulation::condition(const MotionSample& sample,
   return force.norm() / event.value - 1;
 }
 
-// What is due now: by the clock, or because an event that comes later than
-// its condition was armed.
+// What is due now: by the clock, or because its condition was met already when
+// it was armed or when something changed. Not whenever the motion is looked
+// at: conditions that come true on the way are found by the motion, which
+// must not depend on the output times.
 void Simulation::find_due() {
+  const bool changed = std::exchange(changed_, false);
   for (int e = 0; e < static_cast<int>(case_.events.size()); ++e) {
     const Event& event = case_.events[e];
     for (const int load : event.loads) {
@@ -152,7 +164,8 @@ void Simulation::find_due() {
       if (has_happened(h) || !is_armed(h)) continue;
       const bool timed = event.trigger == Event::Trigger::time ||
                          event.trigger == Event::Trigger::after;
-      if (timed ? due_time(h) <= time() : condition(sample(), h) >= 0) {
+      if (timed ? due_time(h) <= time()
+                : changed && condition(sample(), h) >= 0) {
         due_.push_back(h);
       }
     }
@@ -167,11 +180,45 @@ double Simulation::next_time() const {
       if (!has_happened(h)) next = std::min(next, due_time(h));
     }
   }
+  for (const Force& force : case_.forces) {
+    if (!std::holds_alternative<Pusher>(force.what)) continue;
+    const double begin = history_.time_of(force.begin, force.body, case_);
+    if (begin > time()) next = std::min(next, begin);
+  }
   return next;
+}
+
+// A pusher that begins now with its stroke used up does not push.
+bool Simulation::end_pushes() {
+  bool ended = false;
+  for (std::size_t f = 0; f < case_.forces.size(); ++f) {
+    const Force& force = case_.forces[f];
+    const auto* pusher = std::get_if<Pusher>(&force.what);
+    if (pusher == nullptr || history_.spent[f] ||
+        history_.time_of(force.begin, force.body, case_) != time() ||
+        stroke_used(*pusher, force.body, sample().bodies()) < pusher->stroke) {
+      continue;
+    }
+    history_.spent[f] = true;
+    ended = true;
+  }
+  return ended;
 }
 
 void Simulation::renew_forces() {
   motion_.set_forces(std::make_shared<CaseForces>(case_, history_));
+}
+
+// Why the motion failed, with the load's name for its number.
+std::string Simulation::failure_text() const {
+  const multibody::MotionFailure& failure = *motion_.failure();
+  const std::string number = fmt::format("(load {})", failure.load);
+  std::string text = failure.message;
+  if (failure.load >= 0 && text.ends_with(number)) {
+    text.replace(text.size() - number.size(), number.size(),
+                 fmt::format("(\"{}\")", case_.loads[failure.load].body.name));
+  }
+  return text;
 }
 
 // The motion has stopped at an event of its own.
@@ -179,6 +226,7 @@ void Simulation::note_motion_event() {
   const Meaning& meaning = meanings_[motion_.event()];
   if (meaning.force >= 0) {
     history_.spent[meaning.force] = true;
+    end_pushes();
     renew_forces();
   } else if (!has_happened(meaning.happening)) {
     due_.push_back(meaning.happening);
@@ -191,12 +239,13 @@ Simulation::Stop Simulation::advance_to(double end) {
   while (due_.empty() && time() < end) {
     switch (motion_.advance_to(std::min(end, next_time()))) {
       case multibody::Stop::failed:
-        message_ = motion_.failure()->message;
+        message_ = failure_text();
         return Stop::failed;
       case multibody::Stop::event:
         note_motion_event();
         break;
       case multibody::Stop::time:
+        if (end_pushes()) renew_forces();
         find_due();
     }
   }
@@ -216,6 +265,10 @@ Simulation::Stop Simulation::advance_to(double end) {
       }
     }
   }
+  // At one instant locks break first, whatever the order in the file.
+  std::stable_partition(due_.begin(), due_.end(), [&](const Happening& h) {
+    return case_.events[h.event].action == Event::Action::break_lock;
+  });
   return Stop::event;
 }
 
@@ -242,10 +295,12 @@ bool Simulation::apply() {
   for (const Happening& h : std::exchange(due_, {})) {
     if (!perform(h)) return false;
     if (motion_.failure()) {
-      message_ = motion_.failure()->message;
+      message_ = failure_text();
       return false;
     }
   }
+  changed_ = true;
+  end_pushes();
   renew_forces();
   return true;
 }
@@ -253,6 +308,8 @@ bool Simulation::apply() {
 void Simulation::restore(const SimulationState& state) {
   history_ = state.history;
   due_.clear();
+  // A force may have begun just then.
+  changed_ = true;
   renew_forces();
   motion_.restore(state.motion);
 }

@@ -79,7 +79,9 @@ class Simulation {
   void find_due();
   double next_time() const;
   void note_motion_event();
+  bool end_pushes();
   void renew_forces();
+  std::string failure_text() const;
   bool perform(const Happening& h);
 
   const Case& case_;
@@ -94,6 +96,8 @@ class Simulation {
   };
   std::vector<Meaning> meanings_;
   std::vector<Happening> due_;
+  /// Begun, gone on from a checkpoint, or broken something at time().
+  bool changed_ = true;
   std::string message_;
 };
 
