@@ -717,6 +717,28 @@ TEST(HingeSeparation, OverlapAndEarlyEndAreReported) {
   EXPECT_EQ(History(folder.read("h.csv"))["time_s"].back(), 0.2);
 }
 
+// A large ball with a coefficient of 5: some reactions have several friction
+// moments. The message has the load's name, not its number.
+TEST(HingeSeparation, FailureNamesTheLoad) {
+  const ProgramFolder folder;
+  std::string text = alone;
+  const auto exchange = [&](const std::string& from, const std::string& to) {
+    ASSERT_NE(text.find(from), std::string::npos) << from;
+    text.replace(text.find(from), from.size(), to);
+  };
+  exchange("radius_mm = 30, radial_clearance_um = 60",
+           "radius_mm = 300, radial_clearance_um = 600");
+  exchange("coefficient = 0.2", "coefficient = 5");
+  exchange("time_s = 0.4", "time_s = 0.1");
+  folder.write("c.toml", text);
+  const ProgramResult result = folder.run("hinge-separation c.toml");
+  EXPECT_EQ(result.status, 1);
+  const std::string failure = json::parse(result.out)["failure"];
+  EXPECT_TRUE(failure.ends_with(
+      "several friction moments fit the reactions they cause (\"tip\")"))
+      << failure;
+}
+
 TEST(HingeSeparation, PicturesAreThere) {
   const ProgramFolder folder;
   if (folder.run("command -v gnuplot").status != 0) GTEST_SKIP();
