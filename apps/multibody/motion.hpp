@@ -186,7 +186,7 @@ struct MotionState {
   std::vector<HingeMode> modes;
   std::vector<Eigen::Vector3d> directions;
   std::vector<Eigen::Vector3d> friction;
-  std::vector<double> straight_from;  ///< of balls about to stop, else 0
+  std::vector<double> straight_from;  ///< of balls that slide straight, else 0
   double step = 0;
 };
 

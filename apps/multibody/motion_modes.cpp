@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 
 #include "multibody/eigen_conversion.hpp"
@@ -30,6 +31,10 @@ const char* reason(CoupledStatus status) {
   }
   return "";
 }
+
+// Speed up to which a ball joint that begins to slide does so straight, rad/s:
+// far below what anyone sees, far above what tolerances leave uncertain.
+constexpr double onset_speed = 3e-5;
 
 }  // namespace
 
@@ -138,6 +143,12 @@ bool MotionImpl::resolve_rest(const std::vector<double>& state, int forced) {
     joint_modes[i] = coupled.dynamics().mode(i);
     if (coupled.mode(i) != before[i]) {
       changes.push_back({now, i, before[i], coupled.mode(i)});
+      // Out of rest friction would turn with a velocity that is next to
+      // nothing: until it has grown it keeps the direction found.
+      if (coupled.mode(i) == HingeMode::sliding && !is_axis(i)) {
+        straight_from[i] = std::max(onset_speed / 2, stop_speed);
+        coupled.slide_straight(i, true);
+      }
     }
   }
   worked_out = false;

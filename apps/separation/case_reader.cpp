@@ -24,8 +24,7 @@ using Eigen::Vector3d;
 using multibody::BodyMotion;
 using multibody::JointKind;
 
-// Looser than Motion's own: a ball joint that begins to slide just above its
-// limit takes steps in proportion to it.
+// Looser than Motion's own: 1e-8 m or rad is more than any case knows.
 constexpr double default_absolute_tolerance = 1e-8;
 
 // More rows than anyone looks at, and memory for them.
