@@ -41,16 +41,26 @@ ElasticPair pair_from_table(const TomlTable& table) {
   return ElasticPair(inner, outer);
 }
 
-std::optional<FrictionLaw> friction_from_table(const TomlTable& table) {
+// Viscous friction has either of its two numbers, dry friction a coefficient.
+std::optional<FrictionModel> friction_from_table(const TomlTable& table) {
   const auto friction = table.optional_table("friction");
   if (!friction) return {};
-  const double coefficient =
-      friction->number("coefficient", Interval::non_negative());
-  return FrictionLaw(coefficient,
-                     friction
-                         ->optional_number("adhesion", Interval::non_negative(),
-                                           Dimension::stress)
-                         .value_or(0));
+  const Interval allowed = Interval::non_negative();
+  const auto constant = friction->optional_number("viscous_constant", allowed,
+                                                  Dimension::viscous_constant);
+  const auto slope = friction->optional_number(
+      "viscous_pressure_slope", allowed, Dimension::inverse_velocity);
+  const auto adhesion =
+      friction->optional_number("adhesion", allowed, Dimension::stress);
+  if (!constant && !slope) {
+    return FrictionLaw(friction->number("coefficient", allowed),
+                       adhesion.value_or(0));
+  }
+  if (adhesion || friction->has("coefficient")) {
+    friction->fail(constant ? "viscous_constant" : "viscous_pressure_slope",
+                   "allowed: not together with coefficient or adhesion");
+  }
+  return ViscousLaw(constant.value_or(0), slope.value_or(0));
 }
 
 MaterialPair material_pair_from_table(const TomlTable& table) {

@@ -24,8 +24,8 @@ namespace contact {
 struct MaterialPair {
   std::string name;
   ElasticPair elastic;
-  /// [friction], if the file has it.
-  std::optional<FrictionLaw> friction;
+  /// [friction], if the file has it: dry or viscous.
+  std::optional<FrictionModel> friction;
 };
 
 MaterialPair read_material_pair(const std::filesystem::path& path);
@@ -39,7 +39,7 @@ struct Joint {
   JointGeometry geometry;
   ElasticPair pair;
   /// [friction] of the joint, else of its material pair file.
-  std::optional<FrictionLaw> friction;
+  std::optional<FrictionModel> friction;
   /// [half_angle], for make_half_angle_law().
   std::string half_angle_law;
   HalfAngleOptions half_angle_options;

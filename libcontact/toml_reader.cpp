@@ -83,6 +83,11 @@ std::span<const Unit> units(Dimension dimension) {
   static constexpr Unit mass[] = {
       {"kg", "kg"}, {"g", "g", 1, 1e3}, {"t", "t", 1e3}};
   static constexpr Unit inertia[] = {{"kg_m2", "kg m^2"}};
+  static constexpr Unit viscous_constant[] = {{"Pa_s_per_m", "Pa s/m"},
+                                              {"kPa_s_per_m", "kPa s/m", 1e3},
+                                              {"MPa_s_per_m", "MPa s/m", 1e6},
+                                              {"GPa_s_per_m", "GPa s/m", 1e9}};
+  static constexpr Unit inverse_velocity[] = {{"s_per_m", "s/m"}};
   switch (dimension) {
     case Dimension::number:
       return number;
@@ -112,6 +117,10 @@ std::span<const Unit> units(Dimension dimension) {
       return mass;
     case Dimension::inertia:
       return inertia;
+    case Dimension::viscous_constant:
+      return viscous_constant;
+    case Dimension::inverse_velocity:
+      return inverse_velocity;
   }
   return number;
 }

@@ -34,6 +34,8 @@ enum class Dimension {
   time,                  ///< s, ms
   mass,                  ///< kg, g, t
   inertia,               ///< kg_m2
+  viscous_constant,      ///< Pa_s_per_m, kPa_s_per_m, ... GPa_s_per_m
+  inverse_velocity,      ///< s_per_m
 };
 
 /// Values that a number may take, in SI units. Always finite, unless

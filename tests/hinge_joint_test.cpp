@@ -220,6 +220,30 @@ TEST(HingeJoint, ViscousFriction) {
       example_1 + "--viscous 1e5 --reaction-xyz 1e4,0,0 --moment-xyz 1,0,0"));
   EXPECT_EQ(rest.text(1, "utilisation"), "inf");
   EXPECT_EQ(rest.text(1, "state"), "slips");
+
+  // The same from a joint file; options take another friction instead.
+  const std::string head =
+      "name = \"bush\"\nkind = \"spherical\"\n"
+      "[geometry]\nradius_mm = 14\nradial_clearance_um = 100\n"
+      "[materials.inner]\nyoungs_modulus_GPa = 210\npoissons_ratio = 0.3\n"
+      "[materials.outer]\nyoungs_modulus_GPa = 0.8\npoissons_ratio = 0.4\n"
+      "[friction]\n";
+  folder.write("dry.toml", head + "coefficient = 0.1\n");
+  folder.write("oil.toml", head +
+                               "viscous_constant_kPa_s_per_m = 100\n"
+                               "viscous_pressure_slope_s_per_m = 1e-4\n");
+  const auto run = [&](const std::string& options) {
+    return folder.run("hinge-joint " + options +
+                      " --reaction 1e4 --beta 50 --rate 3");
+  };
+  const std::string oil = run("--joint oil.toml").out;
+  EXPECT_EQ(csv_rows(oil).size(), 2U);
+  EXPECT_EQ(run("--joint dry.toml --viscous 1e5,1e-4").out, oil);
+  EXPECT_EQ(run("--joint oil.toml --friction 0.1").out,
+            run("--joint dry.toml").out);
+  EXPECT_NE(run("--joint oil.toml --adhesion 1e6")
+                .err.find("--adhesion 1e6: the joint's friction is viscous"),
+            std::string::npos);
 }
 
 TEST(HingeJoint, RestIsTheLibrarys) {

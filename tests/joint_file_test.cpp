@@ -7,7 +7,9 @@
 #include <fstream>
 #include <iterator>
 #include <limits>
+#include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "libcontact/units.hpp"
@@ -18,6 +20,8 @@ namespace {
 namespace fs = std::filesystem;
 using contact::degree;
 using contact::Dimension;
+using contact::FrictionLaw;
+using contact::FrictionModel;
 using contact::Interval;
 using contact::Joint;
 using contact::JointBody;
@@ -25,6 +29,7 @@ using contact::JointKind;
 using contact::parse_joint;
 using contact::parse_material_pair;
 using contact::TomlTable;
+using contact::ViscousLaw;
 using contact::test::error_message;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -66,6 +71,14 @@ std::string with_line(int number, const std::string& line) {
   return text_of(lines);
 }
 
+const FrictionLaw& dry(const std::optional<FrictionModel>& friction) {
+  return std::get<FrictionLaw>(friction.value());
+}
+
+const ViscousLaw& viscous(const std::optional<FrictionModel>& friction) {
+  return std::get<ViscousLaw>(friction.value());
+}
+
 // What reading the good file with one line exchanged says.
 std::string message_with_line(int number, const std::string& line) {
   return error_message([&] { parse_joint(with_line(number, line), "j.toml"); });
@@ -83,8 +96,8 @@ TEST(JointFile, ReadsEverything) {
   EXPECT_EQ(joint.pair.inner().youngs_modulus, 2e11);
   EXPECT_EQ(joint.pair.outer().youngs_modulus, 1.1e11);
   EXPECT_EQ(joint.pair.outer().poissons_ratio, 0.34);
-  EXPECT_EQ(joint.friction->coefficient(), 0.1);
-  EXPECT_EQ(joint.friction->adhesion(), 4e7);
+  EXPECT_EQ(dry(joint.friction).coefficient(), 0.1);
+  EXPECT_EQ(dry(joint.friction).adhesion(), 4e7);
   EXPECT_EQ(joint.half_angle_law, "tanh");
   EXPECT_EQ(joint.make_half_angle_law()->name(), "tanh");
   EXPECT_EQ(joint.make_half_angle_law()->limit_half_angle(), 84.85 * degree);
@@ -137,6 +150,42 @@ TEST(JointFile, LawThatHoldsForEveryPairUnlessNamed) {
   EXPECT_EQ(joint.half_angle_law, contact::default_half_angle_law);
   EXPECT_EQ(joint.make_half_angle_law()->name(), "fitted");
   EXPECT_TRUE(joint.validity_notes().empty());
+}
+
+TEST(JointFile, ViscousFriction) {
+  const auto friction = [](const std::string& first,
+                           const std::string& second) {
+    std::vector<std::string> lines = good_lines;
+    lines[13] = first;
+    lines[14] = second;
+    return parse_joint(text_of(lines), "j.toml").friction;
+  };
+  const auto both = friction("viscous_constant_kPa_s_per_m = 2.5",
+                             "viscous_pressure_slope_s_per_m = 1e-4");
+  EXPECT_EQ(viscous(both).constant(), 2500);
+  EXPECT_EQ(viscous(both).pressure_slope(), 1e-4);
+  const auto constant = friction("viscous_constant = 3", "");
+  EXPECT_EQ(viscous(constant).constant(), 3);
+  EXPECT_EQ(viscous(constant).pressure_slope(), 0);
+  const auto slope = friction("viscous_pressure_slope = 4", "");
+  EXPECT_EQ(viscous(slope).constant(), 0);
+  EXPECT_EQ(viscous(slope).pressure_slope(), 4);
+
+  EXPECT_EQ(message_with_line(14, "viscous_constant = -1"),
+            "j.toml:14: friction.viscous_constant = -1: allowed: 0 Pa s/m or "
+            "above");
+  EXPECT_EQ(message_with_line(14, "viscous_pressure_slope_s_per_m = nan"),
+            "j.toml:14: friction.viscous_pressure_slope_s_per_m = nan: "
+            "allowed: 0 s/m or above");
+  EXPECT_EQ(message_with_line(14, "viscous_constant = 1"),
+            "j.toml:14: friction.viscous_constant = 1: allowed: not together "
+            "with coefficient or adhesion");
+  EXPECT_EQ(message_with_line(15, "viscous_pressure_slope = 1"),
+            "j.toml:15: friction.viscous_pressure_slope = 1: allowed: not "
+            "together with coefficient or adhesion");
+  EXPECT_EQ(message_with_line(14, "viscous_constant_Pa = 1"),
+            "j.toml:13: friction.coefficient is missing: allowed: "
+            "coefficient");
 }
 
 TEST(JointFile, NamesFileLineKeyValueAndRange) {
@@ -228,7 +277,7 @@ TEST(JointFile, UnknownKeysAreRefusedWithTheNearest) {
             "adhesion?");
   EXPECT_EQ(message_with_line(15, "temperature = 300"),
             "j.toml:15: friction.temperature: unknown key: allowed: adhesion, "
-            "coefficient");
+            "coefficient, viscous_constant, viscous_pressure_slope");
   EXPECT_EQ(message_with_line(13, "[frictoin]"),
             "j.toml:13: frictoin: unknown key: did you mean friction?");
   EXPECT_EQ(message_with_line(3, "[geometry]\nlength_mm = 3"),
@@ -321,7 +370,7 @@ TEST(MaterialPairFile, ReadsAndRefuses) {
   const auto pair = parse_material_pair(pair_text, "p.toml");
   EXPECT_EQ(pair.name, "pair");
   EXPECT_EQ(pair.elastic.modulus_ratio(), 2);
-  EXPECT_EQ(pair.friction->coefficient(), 0.25);
+  EXPECT_EQ(dry(pair.friction).coefficient(), 0.25);
   const std::string text = std::string(pair_text) + "adhesion_GPa = -3\n";
   EXPECT_EQ(error_message([&] { parse_material_pair(text, "p.toml"); }),
             "p.toml:10: friction.adhesion_GPa = -3: allowed: 0 GPa or above");
@@ -363,11 +412,11 @@ TEST_F(JointFolder, PairFileByRelativePath) {
       contact::read_joint(write("joints/j.toml", joint_text(pair_line)));
   EXPECT_EQ(joint.pair.modulus_ratio(), 2);
   // Friction comes from the pair unless the joint has its own.
-  EXPECT_EQ(joint.friction->coefficient(), 0.25);
+  EXPECT_EQ(dry(joint.friction).coefficient(), 0.25);
   const Joint own = contact::read_joint(
       write("joints/own.toml",
             joint_text(pair_line + "[friction]\ncoefficient = 0.5\n")));
-  EXPECT_EQ(own.friction->coefficient(), 0.5);
+  EXPECT_EQ(dry(own.friction).coefficient(), 0.5);
   const Joint absolute = contact::read_joint(
       write("joints/absolute.toml",
             joint_text("[materials]\npair = \"" + pair + "\"\n")));
@@ -453,8 +502,8 @@ TEST(DataFiles, PaperExamples) {
   EXPECT_NEAR(load, 0.5460, 5e-5);
   EXPECT_NEAR(one.make_half_angle_law()->half_angle(load).half_angle / degree,
               42.593, 5e-4);
-  EXPECT_EQ(one.friction->coefficient(), 0.1);
-  EXPECT_DOUBLE_EQ(one.friction->adhesion() / 0.1, 4e8);
+  EXPECT_EQ(dry(one.friction).coefficient(), 0.1);
+  EXPECT_DOUBLE_EQ(dry(one.friction).adhesion() / 0.1, 4e8);
   EXPECT_TRUE(one.validity_notes().empty());
 
   const Joint two = contact::read_joint(folder / "paper_example_2.toml");
@@ -462,8 +511,8 @@ TEST(DataFiles, PaperExamples) {
   EXPECT_NEAR(
       two.make_half_angle_law()->half_angle(load_two).half_angle / degree,
       45.34, 5e-3);
-  EXPECT_EQ(two.friction->coefficient(), 0.25);
-  EXPECT_DOUBLE_EQ(two.friction->adhesion() / 0.25, 1e9);
+  EXPECT_EQ(dry(two.friction).coefficient(), 0.25);
+  EXPECT_DOUBLE_EQ(dry(two.friction).adhesion() / 0.25, 1e9);
 }
 
 // --- The reader itself ------------------------------------------------------
@@ -501,6 +550,11 @@ TEST(TomlTable, EveryUnit) {
   expect(Dimension::time, {{"s", 3}, {"ms", 3e-3}});
   expect(Dimension::mass, {{"kg", 3}, {"g", 3e-3}, {"t", 3e3}});
   expect(Dimension::inertia, {{"kg_m2", 3}});
+  expect(Dimension::viscous_constant, {{"Pa_s_per_m", 3},
+                                       {"kPa_s_per_m", 3e3},
+                                       {"MPa_s_per_m", 3e6},
+                                       {"GPa_s_per_m", 3e9}});
+  expect(Dimension::inverse_velocity, {{"s_per_m", 3}});
   EXPECT_EQ(value("", Dimension::number), 3);
 }
 

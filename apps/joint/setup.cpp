@@ -91,21 +91,28 @@ contact::FrictionModel make_friction(const Options& options,
   }
   if (options.friction.empty() && !joint.friction) {
     throw contact::Error(
-        "needs --friction: neither the joint nor its materials have one");
+        "needs --friction or --viscous: neither the joint nor its materials "
+        "have one");
   }
-  const double f0 =
-      options.friction.empty()
-          ? joint.friction->coefficient()
-          : cli::parse_value("--friction", options.friction, strength);
+  if (options.friction.empty() && options.adhesion.empty()) {
+    return *joint.friction;
+  }
   // A coefficient without an adhesion means none.
-  double adhesion = 0;
-  if (!options.adhesion.empty()) {
-    adhesion =
-        cli::parse_value("--adhesion", options.adhesion, {0, largest, "Pa"});
-  } else if (options.friction.empty()) {
-    adhesion = joint.friction->adhesion();
+  const double adhesion = options.adhesion.empty()
+                              ? 0
+                              : cli::parse_value("--adhesion", options.adhesion,
+                                                 {0, largest, "Pa"});
+  if (!options.friction.empty()) {
+    return contact::FrictionLaw(
+        cli::parse_value("--friction", options.friction, strength), adhesion);
   }
-  return contact::FrictionLaw(f0, adhesion);
+  const auto* dry = std::get_if<contact::FrictionLaw>(&*joint.friction);
+  if (dry == nullptr) {
+    throw contact::Error(fmt::format(
+        "--adhesion {}: the joint's friction is viscous: needs --friction too",
+        options.adhesion));
+  }
+  return contact::FrictionLaw(dry->coefficient(), adhesion);
 }
 
 void set_limit_angle(contact::HalfAngleOptions& limit,
