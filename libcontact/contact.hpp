@@ -5,6 +5,7 @@
 // clang-format off
 #include "libcontact/error.hpp"
 #include "libcontact/units.hpp"
+#include "libcontact/root_finding.hpp"
 #include "libcontact/toml_reader.hpp"
 #include "libcontact/material.hpp"
 #include "libcontact/joint_geometry.hpp"

@@ -3,11 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <boost/math/policies/policy.hpp>
-#include <boost/math/tools/toms748_solve.hpp>
 #include <charconv>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 #include <numbers>
 
@@ -16,6 +13,7 @@
 #include "libcontact/detail/text.hpp"
 #include "libcontact/half_angle_exact.hpp"
 #include "libcontact/half_angle_fitted.hpp"
+#include "libcontact/root_finding.hpp"
 #include "libcontact/units.hpp"
 
 namespace contact {
@@ -239,19 +237,12 @@ SaturatingLaw::InverseResult BlendLaw::inverse_shape(
   if (!(residual_start < 0)) return result(start, Status::ok);
   if (!(residual_end > 0)) return result(end, Status::ok);
 
-  namespace policies = boost::math::policies;
-  using NoThrow =
-      policies::policy<policies::domain_error<policies::ignore_error>,
-                       policies::evaluation_error<policies::ignore_error>>;
   // The bracket shrinks to 4 epsilon in 3 to 5 steps on average, in 14 at
   // k = 1e-12; 100 is never reached.
-  constexpr std::uintmax_t step_limit = 100;
-  std::uintmax_t steps = step_limit;
-  const auto [a, b] = boost::math::tools::toms748_solve(
-      residual, start, end, residual_start, residual_end,
-      boost::math::tools::eps_tolerance<double>(53), steps, NoThrow());
-  return result(a + (b - a) / 2,
-                steps < step_limit ? Status::ok : Status::not_converged);
+  const RootBracket root =
+      shrink_bracket(residual, start, end, residual_start, residual_end, 53);
+  return result(root.middle(),
+                root.converged ? Status::ok : Status::not_converged);
 }
 
 const std::vector<std::string>& half_angle_law_names() {

@@ -1,10 +1,7 @@
 #include "libcontact/half_angle_fitted.hpp"
 
 #include <algorithm>
-#include <boost/math/policies/policy.hpp>
-#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 #include <numbers>
 
@@ -12,6 +9,7 @@
 #include "libcontact/detail/fitted_relation.hpp"
 #include "libcontact/detail/half_angle_coefficients.hpp"
 #include "libcontact/detail/poisson_notes.hpp"
+#include "libcontact/root_finding.hpp"
 #include "libcontact/units.hpp"
 
 namespace contact {
@@ -21,19 +19,10 @@ constexpr double pi = std::numbers::pi;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-namespace policies = boost::math::policies;
-using NoThrow =
-    policies::policy<policies::domain_error<policies::ignore_error>,
-                     policies::evaluation_error<policies::ignore_error>>;
-
 // Root of a function that changes its sign on [low, high], to 53 bits.
 template <class Function>
-double root_between(const Function& f, double low, double high,
-                    std::uintmax_t& steps) {
-  const auto [a, b] = boost::math::tools::toms748_solve(
-      f, low, high, f(low), f(high),
-      boost::math::tools::eps_tolerance<double>(53), steps, NoThrow());
-  return a + (b - a) / 2;
+RootBracket root_between(const Function& f, double low, double high) {
+  return shrink_bracket(f, low, high, f(low), f(high), 53);
 }
 
 // theta0*, where F falls to 0. An incompressible inner body in a rigid outer
@@ -46,8 +35,7 @@ double limit_of(const detail::FittedRelation& relation) {
   for (const double distance : {1e-6, 1e-3}) {
     const double high = pi * (1 - distance);
     if (!(f(high) < 0)) continue;
-    std::uintmax_t steps = 100;
-    return root_between(f, pi / 3, high, steps);
+    return root_between(f, pi / 3, high).middle();
   }
   return pi;
 }
@@ -160,26 +148,28 @@ NominalLaw::Shape NominalLaw::shape(double xi) const noexcept {
 
 NominalLaw::InverseResult NominalLaw::inverse_shape(
     double ratio, double complement) const noexcept {
-  constexpr std::uintmax_t step_limit = 100;
-  std::uintmax_t steps = step_limit;
-  double xi;
+  const auto result = [](const RootBracket& root, double xi) {
+    return InverseResult{xi,
+                         root.converged ? Status::ok : Status::not_converged};
+  };
   // g lies between xi/1.2 and 1.2 xi for small xi.
   if (ratio <= 0.5) {
-    xi = root_between([&](double v) { return shape(v).value - ratio; },
-                      ratio / 1.2, 2 * ratio, steps);
-  } else {
-    // q - p = (1 - ratio^2) q in y = 1/xi.
-    const double rest = complement * (1 + ratio);
-    xi = 1 / root_between(
-                 [&](double y) {
-                   const double p = n2_ + y * (n1_ + y);
-                   const double difference = y * y * (d2_ - 1 + y * (d1_ + y));
-                   return (1 - rest) * difference - rest * p;
-                 },
-                 // rest p -> rest n2 and difference <= some y^2 as y -> 0.
-                 0.1 * std::sqrt(rest), 1.2 / ratio, steps);
+    const RootBracket root =
+        root_between([&](double v) { return shape(v).value - ratio; },
+                     ratio / 1.2, 2 * ratio);
+    return result(root, root.middle());
   }
-  return {xi, steps < step_limit ? Status::ok : Status::not_converged};
+  // q - p = (1 - ratio^2) q in y = 1/xi.
+  const double rest = complement * (1 + ratio);
+  const RootBracket root = root_between(
+      [&](double y) {
+        const double p = n2_ + y * (n1_ + y);
+        const double difference = y * y * (d2_ - 1 + y * (d1_ + y));
+        return (1 - rest) * difference - rest * p;
+      },
+      // rest p -> rest n2 and difference <= some y^2 as y -> 0.
+      0.1 * std::sqrt(rest), 1.2 / ratio);
+  return result(root, 1 / root.middle());
 }
 
 }  // namespace contact

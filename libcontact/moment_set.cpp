@@ -3,11 +3,11 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <boost/math/policies/policy.hpp>
-#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <cstdint>
 #include <limits>
+
+#include "libcontact/root_finding.hpp"
 
 namespace contact {
 namespace {
@@ -92,10 +92,6 @@ SlipAxis MomentSet::axis_of_moment(double sliding,
   // Exact if the edge were an ellipse.
   const double ratio = most_spinning_ / most_sliding_;
   const double guess = sliding / spinning * ratio * ratio;
-  namespace policies = boost::math::policies;
-  using NoThrow =
-      policies::policy<policies::domain_error<policies::ignore_error>,
-                       policies::evaluation_error<policies::ignore_error>>;
   constexpr double factor = 1.5;  // of the search for bounds
   std::uintmax_t steps = 200;     // 10 on average
   const auto [low, high] = boost::math::tools::bracket_and_solve_root(

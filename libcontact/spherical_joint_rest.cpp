@@ -1,12 +1,10 @@
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <boost/math/policies/policy.hpp>
-#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 #include <numbers>
 
+#include "libcontact/root_finding.hpp"
 #include "libcontact/spherical_joint.hpp"
 
 // What a joint at rest holds: H(R) by the sliding moments M_t(R, u).
@@ -102,16 +100,10 @@ class SlipSearch {
     }
     if (low_value == 0) return low;
     if (high_value == 0) return high;
-    namespace policies = boost::math::policies;
-    using NoThrow =
-        policies::policy<policies::domain_error<policies::ignore_error>,
-                         policies::evaluation_error<policies::ignore_error>>;
-    std::uintmax_t steps = 100;  // some 8 are taken
-    const auto [a, b] = boost::math::tools::toms748_solve(
-        [this](double x) { return excess(x); }, low, high, low_value,
-        high_value, boost::math::tools::eps_tolerance<double>(52), steps,
-        NoThrow());
-    return a + (b - a) / 2;
+    // Some 8 steps.
+    return shrink_bracket([this](double x) { return excess(x); }, low, high,
+                          low_value, high_value, 52)
+        .middle();
   }
 
   const SphericalJoint& joint_;

@@ -1,10 +1,8 @@
 #include <Eigen/LU>
 #include <algorithm>
-#include <boost/math/policies/policy.hpp>
-#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
-#include <cstdint>
 
+#include "libcontact/root_finding.hpp"
 #include "multibody/coupled_impl.hpp"
 #include "multibody/eigen_conversion.hpp"
 
@@ -16,11 +14,6 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
-
-namespace policies = boost::math::policies;
-using NoThrow =
-    policies::policy<policies::domain_error<policies::ignore_error>,
-                     policies::evaluation_error<policies::ignore_error>>;
 
 // Solutions nearer than this are one.
 constexpr double same = 1e-6;
@@ -121,12 +114,10 @@ std::vector<VectorXd> CoupledDynamics::Impl::scan_axis() {
     const double f = value(size);
     if (!std::isfinite(f)) break;
     if ((f <= 0) != (low_value <= 0)) {
-      std::uintmax_t steps = 100;
-      const auto [a, b] = boost::math::tools::toms748_solve(
-          value, low, size, low_value, f,
-          boost::math::tools::eps_tolerance<double>(50), steps, NoThrow());
+      const double root =
+          contact::shrink_bracket(value, low, size, low_value, f, 50).middle();
       VectorXd x = VectorXd::Zero(3);
-      x[2] = std::copysign(a + (b - a) / 2, sign);
+      x[2] = std::copysign(root, sign);
       found.push_back(x);
     }
     low = size;

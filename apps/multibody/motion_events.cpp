@@ -1,26 +1,15 @@
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <boost/math/policies/policy.hpp>
 #include <boost/math/tools/minima.hpp>
-#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 #include <utility>
 
+#include "libcontact/root_finding.hpp"
 #include "multibody/motion_impl.hpp"
 
 namespace multibody {
-
-namespace {
-
-// Where a trial state has no forces its value is NaN: no exception.
-namespace policies = boost::math::policies;
-using NoThrow =
-    policies::policy<policies::domain_error<policies::ignore_error>,
-                     policies::evaluation_error<policies::ignore_error>>;
-
-}  // namespace
 
 using Kind = MotionImpl::Watch::Kind;
 
@@ -85,13 +74,9 @@ double MotionImpl::locate(const Watch& watch, double low, double low_value,
   if (low_value == 0) return low;
   if (high_value == 0) return high;
   const auto at = [&](double time) { return value_at(watch, time); };
-  std::uintmax_t steps = 100;
-  // To the rounding of time.
-  const auto [a, b] = boost::math::tools::toms748_solve(
-      at, low, high, low_value, high_value,
-      boost::math::tools::eps_tolerance<double>(50), steps, NoThrow());
-  // The far side, where it has happened.
-  return b;
+  // To the rounding of time; the far side, where it has happened. (Where a
+  // trial state has no forces its value is NaN.)
+  return contact::shrink_bracket(at, low, high, low_value, high_value, 50).high;
 }
 
 // Fixed steps do not get shorter towards a stop: it comes where one implicit

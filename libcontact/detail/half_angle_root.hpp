@@ -1,12 +1,11 @@
 #pragma once
 
 #include <algorithm>
-#include <boost/math/policies/policy.hpp>
-#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <cstdint>
 
 #include "libcontact/conforming/loading.hpp"
+#include "libcontact/root_finding.hpp"
 
 namespace contact::detail {
 
@@ -23,10 +22,6 @@ template <class ReciprocalLoad>
 ExactHalfAngle half_angle_root(const ReciprocalLoad& reciprocal_load,
                                double reciprocal, double x, int power,
                                double largest) {
-  namespace policies = boost::math::policies;
-  using NoThrow =
-      policies::policy<policies::domain_error<policies::ignore_error>,
-                       policies::evaluation_error<policies::ignore_error>>;
   const double scale = std::min(x, 1.0);
   int evaluations = 0;
   // Freed of its pole at 0 the difference is smooth and close to linear, near
@@ -54,13 +49,10 @@ ExactHalfAngle half_angle_root(const ReciprocalLoad& reciprocal_load,
   // 45 bits are 3e-14 of theta0, the rounding error of the solutions. Six to
   // nine steps; 60 is never reached.
   constexpr std::uintmax_t step_limit = 60;
-  std::uintmax_t steps = step_limit;
-  const auto [a, b] = boost::math::tools::toms748_solve(
-      residual, low, high, at_low, at_high,
-      boost::math::tools::eps_tolerance<double>(45), steps, NoThrow());
-  return {a + (b - a) / 2,
-          steps < step_limit ? Status::ok : Status::not_converged, b - a,
-          evaluations};
+  const RootBracket root =
+      shrink_bracket(residual, low, high, at_low, at_high, 45, step_limit);
+  return {root.middle(), root.converged ? Status::ok : Status::not_converged,
+          root.high - root.low, evaluations};
 }
 
 }  // namespace contact::detail

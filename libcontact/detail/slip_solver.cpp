@@ -1,11 +1,11 @@
 #include "libcontact/detail/slip_solver.hpp"
 
 #include <algorithm>
-#include <boost/math/policies/policy.hpp>
-#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <cstdint>
 #include <limits>
+
+#include "libcontact/root_finding.hpp"
 
 namespace contact::detail {
 namespace {
@@ -190,10 +190,6 @@ SlipRoot bracket(const SlipEquation& equation, double guess,
     const double r = equation.at(tangent).residual;
     return std::isnan(r) ? -1.0 : r;
   };
-  namespace policies = boost::math::policies;
-  using NoThrow =
-      policies::policy<policies::domain_error<policies::ignore_error>,
-                       policies::evaluation_error<policies::ignore_error>>;
   constexpr double factor = 4;  // of the search for bounds
   std::uintmax_t evaluations = options.evaluation_limit;
   const auto [low, high] = boost::math::tools::bracket_and_solve_root(
