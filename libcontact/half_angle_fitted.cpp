@@ -51,7 +51,7 @@ class detail::FittedHalfAngle {
 
   FittedRelation relation;
   double limit;
-  DirectStart start;
+  HalfAngleStart start;
 };
 
 FittedLaw::FittedLaw(JointKind kind, const ElasticPair& pair)

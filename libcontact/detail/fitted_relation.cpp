@@ -169,7 +169,7 @@ RelationValue FittedRelation::operator()(double half_angle, double sine,
              : at<JointKind::cylindrical>(half_angle, sine, cosine);
 }
 
-HalfAngleResult FittedRelation::solve(const DirectStart& start, double limit,
+HalfAngleResult FittedRelation::solve(const HalfAngleStart& start, double limit,
                                       double load_parameter) const {
   // One loop for each kind, with everything inside it.
   const auto with = [&]<JointKind kind>() {

@@ -42,7 +42,7 @@ class FittedRelation {
   FittedRelation(JointKind kind, const ElasticPair& pair);
   RelationValue operator()(double half_angle, double sine, double cosine) const;
   /// solve_half_angle() of this relation.
-  HalfAngleResult solve(const DirectStart& start, double limit,
+  HalfAngleResult solve(const HalfAngleStart& start, double limit,
                         double load_parameter) const;
 
  private:

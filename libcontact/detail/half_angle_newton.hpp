@@ -45,59 +45,59 @@ double load_at(JointKind kind, const Relation& relation, double half_angle) {
                : std::numeric_limits<double>::infinity();
 }
 
-/// A first guess of theta0 at x, within 0.4 % for usual pairs: the direct law
+/// A guess of theta0 at x, by cubic Hermite interpolation of
 ///
-///     theta0 = limit xi sqrt((1 + n1 xi + n2 xi^2)
-///              / (1 + d1 xi + d2 xi^2 + n1 xi^3 + n2 xi^4)),  xi = x/limit
+///     h(s) = theta0/(limit s),   s = xi/(1 + xi),   xi = x/limit,
 ///
-/// (that of NominalLaw) through four points of the relation.
-class DirectStart {
+/// which is 1 where theta0 = x (s = 0) and where theta0 = limit (s = 1), and
+/// smooth between. Within 1e-8 for usual pairs, so that one point of the
+/// relation corrects it to rounding.
+class HalfAngleStart {
  public:
+  /// @param limit  the half-angle at which the load is infinite, or where the
+  ///               relation ends before
   template <class Relation>
-  DirectStart(JointKind kind, const Relation& relation, double limit)
-      : limit_(limit), over_limit_(1 / limit) {
-    std::array<double, 4> xi;
-    for (int i = 0; i < 4; ++i) {
-      const double load = load_at(kind, relation, shares[i] * limit);
-      xi[i] = x_from_load_parameter(kind, load) / limit;
-    }
-    fit(xi);
-  }
+  HalfAngleStart(JointKind kind, const Relation& relation, double limit);
 
   double operator()(double x) const {
     const double xi = x * over_limit_;
-    // theta0/x squared for small xi, theta0/limit squared for large ones.
-    double ratio;
-    if (xi < 1) {
-      const double n = xi * (n1_ + xi * n2_);
-      ratio = (1 + n) / (1 + xi * (d1_ + xi * (d2_ + n)));
-    } else {
-      const double y = 1 / xi;
-      const double p = n2_ + y * (n1_ + y);
-      ratio = p / (p + y * y * (d2_ - 1 + y * (d1_ + y)));
-    }
-    const double guess = (xi < 1 ? x : limit_) * std::sqrt(ratio);
-    return guess > 0 && guess < limit_ ? guess : limit_ * std::tanh(xi);
+    const double s = xi / (1 + xi);
+    const double place = s * per_s_;
+    // (A load beyond the end of the relation: the last interval goes on.)
+    const int i = std::min(static_cast<int>(place), intervals - 1);
+    const double t = place - i;
+    const Node& a = nodes_[i];
+    const Node& b = nodes_[i + 1];
+    const double rise = b.value - a.value;
+    const double first = a.slope - rise;
+    const double second = rise - b.slope;
+    const double h =
+        a.value + t * (rise + (1 - t) * ((1 - t) * first + t * second));
+    return std::min(limit_ * s * h, limit_);
   }
 
  private:
-  // theta0/limit of the points.
-  static constexpr std::array<double, 4> shares = {0.2, 0.55, 0.85, 0.97};
-  void fit(const std::array<double, 4>& xi);
+  static constexpr int intervals = 128;
+  struct Node {
+    double value;  // h
+    double slope;  // dh/ds times the width of an interval
+  };
 
   double limit_;
   double over_limit_;
-  double n1_, n2_, d1_, d2_;
+  double per_s_;  // intervals over the range of s
+  std::array<Node, intervals + 1> nodes_{};
 };
 
 /// theta0 at a load in (0, infinity): Newton's method, finished by the cubic
 /// through the last two points of the inverse function; a step that leaves the
 /// bracket is replaced by halving it. To rounding of the relation; log_slope
 /// within 1e-8 of the relation's.
+/// @param start  x -> a guess of theta0
 /// @param limit  a half-angle above the root
-template <class Relation>
+template <class Relation, class Start>
 HalfAngleResult solve_half_angle(JointKind kind, const Relation& relation,
-                                 const DirectStart& start, double limit,
+                                 const Start& start, double limit,
                                  double load_parameter) {
   const double x = x_from_load_parameter(kind, load_parameter);
   const double over_x = 1 / x;
@@ -107,8 +107,8 @@ HalfAngleResult solve_half_angle(JointKind kind, const Relation& relation,
   double theta = start(x);
   // The point before: residual R, 1/R', F', Newton's step.
   double last_theta = 0, last_residual = 0, last_inverse = 0, last_slope = 0;
-  double last_step = theta;
-  // Two or three points; 60 halvings would do.
+  double last_step = 0;
+  // One or two points; 60 halvings would do.
   constexpr int step_limit = 60;
   for (int step = 0; step < step_limit; ++step) {
     const double sine = std::sin(theta / 2);
@@ -122,13 +122,16 @@ HalfAngleResult solve_half_angle(JointKind kind, const Relation& relation,
         2 * sine / (2 * sine * f.slope - load_term * power * cosine);
     (residual > 0 ? low : high) = theta;
     const double newton = -residual * inverse;
-    // Hermite's cubic through two points of theta(R) is wrong by the square
-    // of the product of their errors, over the distance to where theta(R) is
-    // not smooth: theta0 = 0, and the limit where F has a multiple zero.
-    // (4e-8)^2 is rounding.
+    // Newton's step is wrong by its square over the distance to where theta(R)
+    // is not smooth: theta0 = 0, and the limit where F has a multiple zero.
+    // With a point before, Hermite's cubic through both is wrong by the square
+    // of the product of their errors. (4e-8)^2 is rounding.
     const double scale = std::max(std::min(theta, limit - theta), 1e-3 * theta);
-    if (std::abs(newton * last_step) <= 4e-8 * scale * scale &&
-        std::abs(newton) < 0.01 * scale) {
+    const double most = step == 0
+                            ? 1e-8 * scale
+                            : std::min(0.01 * scale, 4e-8 * scale * scale /
+                                                         std::abs(last_step));
+    if (std::abs(newton) <= most) {
       double change = newton;
       double slope = f.slope;
       if (step > 0) {
@@ -166,6 +169,35 @@ HalfAngleResult solve_half_angle(JointKind kind, const Relation& relation,
   // hardly depends on the load any more.
   if (std::abs(last_residual) <= 1e-13) return {theta, Status::ok, 0};
   return {theta, Status::not_converged};
+}
+
+template <class Relation>
+HalfAngleStart::HalfAngleStart(JointKind kind, const Relation& relation,
+                               double limit)
+    : limit_(limit), over_limit_(1 / limit) {
+  const int power = load_power(kind);
+  const double last_load = load_at(kind, relation, limit);
+  const double last_xi = x_from_load_parameter(kind, last_load) / limit;
+  const double range = std::isinf(last_xi) ? 1 : last_xi / (1 + last_xi);
+  per_s_ = intervals / range;
+  nodes_[0] = {1, 1 / per_s_};
+  nodes_[intervals] = {1, -1 / per_s_};
+  for (int i = 1; i <= intervals; ++i) {
+    const double s = i / per_s_;
+    const double rest = 1 - s;
+    if (i == intervals && range == 1) break;
+    const double x = limit * s / rest;
+    // From the node before, along its tangent.
+    const Node& before = nodes_[i - 1];
+    const double guess = limit * s * (before.value + before.slope);
+    const HalfAngleResult there = solve_half_angle(
+        kind, relation,
+        [&](double) { return std::min(guess, limit * (1 - rest / 100)); },
+        limit, raised(kind, x) / power_per_load(kind));
+    const double h = there.half_angle / (limit * s);
+    // d ln(theta0)/d ln(x) is power log_slope, d ln(x)/ds is 1/(s (1 - s)).
+    nodes_[i] = {h, h * (power * there.log_slope / rest - 1) / s / per_s_};
+  }
 }
 
 }  // namespace contact::detail

@@ -48,7 +48,7 @@ class HalfAngleTable {
   double largest_;
   bool is_limit_;
   std::array<double, max_terms> coefficients_{};  // of G
-  std::optional<DirectStart> start_;
+  std::optional<HalfAngleStart> start_;
 };
 
 }  // namespace contact::detail
