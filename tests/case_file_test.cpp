@@ -257,11 +257,7 @@ TEST(CaseFile, Forces) {
         "name = \"f\"\nbody = \"arm\"\nkind = \"motor\"\nangle_deg = " +
         angles + "\nmoment_N_m = [1, 0]\n");
   };
-  EXPECT_EQ(motor("[-180, 180]"), "(no error)");
-  EXPECT_EQ(motor("[0, 181]"),
-            "c.toml:44: force[1].angle_deg = an array: allowed: -180 deg to "
-            "180 deg, as tables do not count full turns");
-  EXPECT_EQ(motor("[-181, 0]"), motor("[0, 181]"));
+  EXPECT_EQ(motor("[-180, 1440]"), "(no error)");
   EXPECT_EQ(
       message_of_force("name = \"f\"\nbody = \"arm\"\nkind = \"aerodynamic\"\n"
                        "axis = [1, 0, 0]\nreference_area_m2 = 1\n"
@@ -274,6 +270,44 @@ TEST(CaseFile, Forces) {
                        "point_m = [0, 0, 0]\ncarrier_point_m = [1, 0, 0]\n"
                        "stiffness_N_per_m = 10\nfree_length_m = 0.1\n"),
       "(no error)");
+}
+
+// The angle of a ball joint is that between two directions.
+TEST(CaseFile, AnglesOfBallJointsEndAtHalfATurn) {
+  std::vector<std::string> lines = good_lines;
+  lines[22] = "kind = \"spherical\"";
+  lines[24] = "";
+  lines[25] = "";
+  lines[26] = "";
+  const auto with_event = [&](const std::string& angle) {
+    lines[35] = "angle_deg = " + angle;
+    return error_message([&] { parse_case(text_of(lines), "c.toml"); });
+  };
+  EXPECT_EQ(with_event("0"), "(no error)");
+  EXPECT_EQ(with_event("180"), "(no error)");
+  EXPECT_EQ(with_event("180.1"),
+            "c.toml:36: event[2].angle_deg = 180.1: allowed: 0 deg to 180 deg "
+            "on the spherical hinge of load \"arm 2\": it is the angle between "
+            "two directions");
+  EXPECT_EQ(with_event("-1"),
+            "c.toml:36: event[2].angle_deg = -1: allowed: 0 deg to 180 deg on "
+            "the spherical hinge of load \"arm 2\": it is the angle between "
+            "two directions");
+  lines[35] = "angle_deg = 30";
+  const auto with_table = [&](const std::string& angles) {
+    return error_message([&] {
+      parse_case(text_of(lines) +
+                     "[[force]]\nname = \"f\"\nbody = \"arm\"\n"
+                     "kind = \"applied\"\nangle_deg = " +
+                     angles + "\nforce_N = [[1, 0, 0], [0, 0, 0]]\n",
+                 "c.toml");
+    });
+  };
+  EXPECT_EQ(with_table("[0, 180]"), "(no error)");
+  EXPECT_EQ(with_table("[0, 181]"),
+            "c.toml:53: force[2].angle_deg = an array: allowed: 0 deg to 180 "
+            "deg on a spherical hinge: it is the angle between two directions");
+  EXPECT_EQ(with_table("[-1, 90]"), with_table("[0, 181]"));
 }
 
 TEST(CaseFile, NamesOfBodiesAndColumnsAreTheirOwn) {

@@ -366,6 +366,59 @@ breaks = "hinge"
               1e-5);
 }
 
+// A motor whose moment falls from 10 to 2 N m over four turns of a wheel: its
+// work gives the rate, full turns count, also when the wheel has come off.
+TEST(HingeSeparation, AnglesOfAxesCountFullTurns) {
+  const ProgramFolder folder;
+  folder.write("wheel.toml", R"(
+name = "wheel"
+[run]
+end_time_s = 3
+[carrier]
+name = "base"
+mass_kg = 1000
+principal_inertia_kg_m2 = [1, 1, 1]
+drive = { acceleration_m_per_s2 = [0, 0, 0] }
+[[load]]
+name = "wheel"
+mass_kg = 2
+com_m = [0, 0, 0]
+principal_inertia_kg_m2 = [0.3, 0.3, 0.5]
+[load.hinge]
+kind = "axis"
+carrier_point_m = [0, 0, 0]
+axis = [0, 0, 1]
+[[force]]
+name = "motor"
+body = "wheel"
+kind = "motor"
+angle_deg = [0, 1440]
+moment_N_m = [10, 2]
+ends_at_event = "off"
+[[event]]
+name = "off"
+angle_deg = 800
+breaks = "hinge"
+)");
+  const json wheel = run_json(folder, "wheel.toml --history h.csv")["loads"][0];
+  const json& release = wheel["at_release"];
+  EXPECT_NEAR(release["angle_deg"].get<double>(), 800, 1e-5);
+  const double angle = 800 * degree;
+  const double work =
+      10 * angle - (10 - 2) / (8 * std::numbers::pi) * angle * angle / 2;
+  const double rate = std::sqrt(2 * work / 0.5) / degree;
+  // Tolerances of 1e-9 of the rate and 1e-8 rad/s in each step.
+  EXPECT_NEAR(release["rate_deg_per_s"].get<double>(), rate, 1e-6 * rate);
+  // I x'' = 10 - c x: x = 10/c (1 - cos(w t)).
+  const double c = 8 / (8 * std::numbers::pi);
+  const double time = std::acos(1 - angle * c / 10) / std::sqrt(c / 0.5);
+  EXPECT_NEAR(release["time_s"].get<double>(), time, 1e-7);
+  const auto angles = contact::test::csv_column(
+      contact::test::csv_rows(folder.read("h.csv")), "wheel.angle_deg");
+  EXPECT_NEAR(std::stod(angles.back()),
+              800 + std::remainder(rate * (3 - time), 360), 1e-3);
+}
+
 // A ball joint that begins to slide where little more than its limit is asked
 // of it: friction follows a velocity of next to nothing, which is stiff.
 TEST(HingeSeparation, OnsetsOfSlidingDoNotStall) {

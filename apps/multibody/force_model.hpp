@@ -15,6 +15,9 @@ struct BodyMotion {
   /// Given body axes to inertial axes.
   Eigen::Matrix3d rotation;
   Eigen::Vector3d angular_velocity;  ///< inertial axes, rad/s
+  /// Of a load on an axis: the angle of its hinge with full turns counted,
+  /// rad; after its release the angle that it had then. NaN otherwise.
+  double hinge_angle = std::numeric_limits<double>::quiet_NaN();
 
   /// Place of a point fixed to the body, inertial axes, m.
   /// @param from_com  from the centre of mass, given body axes, m

@@ -62,9 +62,14 @@ void set_bodies(const System& system, const StateLayout& layout,
   for (int i = 0; i < system.size(); ++i) {
     const Link& link = system.links()[i];
     const double* s = state + layout.offset(i);
-    bodies[1 + i] = modes[i] == JointMode::released
-                        ? body_at(s, link.axes)
-                        : hung_body(link, s, bodies[0]);
+    if (modes[i] == JointMode::released) {
+      const double angle = bodies[1 + i].hinge_angle;
+      bodies[1 + i] = body_at(s, link.axes);
+      bodies[1 + i].hinge_angle = angle;
+      continue;
+    }
+    bodies[1 + i] = hung_body(link, s, bodies[0]);
+    if (link.kind == JointKind::axis) bodies[1 + i].hinge_angle = s[0];
   }
 }
 

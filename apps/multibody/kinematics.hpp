@@ -17,7 +17,8 @@ Eigen::Matrix3d relative_rotation(const Link& link, const double* load_state);
 /// Relative angular velocity, load axes.
 Eigen::Vector3d relative_rate(const Link& link, const double* load_state);
 
-/// @param bodies  1 + number of loads
+/// @param bodies  1 + number of loads; the hinge angle of a load that is
+///                released stays what it is
 void set_bodies(const System& system, const StateLayout& layout,
                 std::span<const JointMode> modes, const double* state,
                 std::span<BodyMotion> bodies);

@@ -275,6 +275,7 @@ MotionState MotionImpl::save() {
     s.friction.push_back(coupled.friction_moment(i));
     s.straight_from.push_back(coupled.slides_straight(i) ? straight_from[i]
                                                          : 0);
+    s.hinge_angles.push_back(bodies[1 + i].hinge_angle);
   }
   s.step = stepper->next_step();
   return s;
@@ -289,6 +290,7 @@ void MotionImpl::restore(const MotionState& s) {
     coupled.set_friction_moment(i, s.friction[i]);
     straight_from[i] = s.straight_from[i];
     coupled.slide_straight(i, s.straight_from[i] > 0);
+    keep_hinge_angle(i, s.hinge_angles[i]);
   }
   stepper->set_next_step(s.step);
   pending.reset();

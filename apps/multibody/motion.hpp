@@ -187,6 +187,7 @@ struct MotionState {
   std::vector<Eigen::Vector3d> directions;
   std::vector<Eigen::Vector3d> friction;
   std::vector<double> straight_from;  ///< of balls that slide straight, else 0
+  std::vector<double> hinge_angles;   ///< as BodyMotion::hinge_angle
   double step = 0;
 };
 

@@ -104,6 +104,10 @@ class MotionImpl {
     return {a.x, a.y, a.z};
   }
   Eigen::Vector3d rate_of(int load, const double* state) const;
+  /// For when the load is released.
+  void keep_hinge_angle(int load, double angle) {
+    bodies[1 + load].hinge_angle = rate_bodies_[1 + load].hinge_angle = angle;
+  }
   void set_failure(CoupledStatus status, double time, int load);
 
   System system;

@@ -164,6 +164,7 @@ void MotionImpl::release(int load) {
   const std::vector<JointMode> modes_before = joint_modes;
   const std::vector<double> from = view_state;
   change_mode(load, HingeMode::released);
+  keep_hinge_angle(load, bodies[1 + load].hinge_angle);
   std::vector<double> state(number_count());
   std::copy_n(from.begin(), StateLayout::body_size, state.begin());
   for (int i = 0; i < loads(); ++i) {

@@ -32,8 +32,7 @@ double variable(Variable over, const Instant& at) {
     case Variable::time:
       return at.time - at.begin;
     case Variable::angle:
-      return hinge_angle(at.c.loads[at.body - 1].hinge,
-                         at.bodies[0].rotation.transpose() * at.on().rotation);
+      return hinge_angle(at.c.loads[at.body - 1].hinge, at.bodies[0], at.on());
     case Variable::none:
       break;
   }

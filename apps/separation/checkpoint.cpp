@@ -36,7 +36,7 @@ std::vector<Vector3d> vectors_from(const json& numbers) {
 // By structured bindings, so that what is new in the state is not forgotten.
 json motion_json(const multibody::MotionState& s) {
   const auto& [time, numbers, modes, directions, friction, straight_from,
-               step] = s;
+               hinge_angles, step] = s;
   json words = json::array();
   for (const auto mode : modes) words.push_back(static_cast<int>(mode));
   return {{"time", time},
@@ -45,11 +45,13 @@ json motion_json(const multibody::MotionState& s) {
           {"directions", vectors_json(directions)},
           {"friction", vectors_json(friction)},
           {"straight_from", straight_from},
+          {"hinge_angles", hinge_angles},
           {"step", step}};
 }
 multibody::MotionState motion_from(const json& j) {
   multibody::MotionState s;
-  auto& [time, numbers, modes, directions, friction, straight_from, step] = s;
+  auto& [time, numbers, modes, directions, friction, straight_from,
+         hinge_angles, step] = s;
   time = j.at("time");
   numbers = j.at("numbers").get<std::vector<double>>();
   for (const int mode : j.at("modes")) {
@@ -58,6 +60,7 @@ multibody::MotionState motion_from(const json& j) {
   directions = vectors_from(j.at("directions"));
   friction = vectors_from(j.at("friction"));
   straight_from = j.at("straight_from").get<std::vector<double>>();
+  hinge_angles = j.at("hinge_angles").get<std::vector<double>>();
   step = j.at("step");
   return s;
 }

@@ -74,6 +74,17 @@ void check_nodes(const TomlTable& table, const CaseNames& names,
       table.fail("angle",
                  fmt::format("load \"{}\" has no hinge", load.body.name));
     }
+    // 180 deg but for the rounding of units.
+    constexpr double most = std::numbers::pi * (1 + 1e-15);
+    if (event.trigger == Event::Trigger::angle &&
+        load.hinge.kind == multibody::JointKind::spherical &&
+        (event.value < 0 || event.value > most)) {
+      table.fail("angle",
+                 fmt::format("allowed: 0 deg to 180 deg on the spherical hinge "
+                             "of load \"{}\": it is the angle between two "
+                             "directions",
+                             load.body.name));
+    }
     if (event.trigger == Event::Trigger::reaction &&
         (event.node == Event::Node::lock ? !load.lock : !hinge)) {
       table.fail("node", fmt::format("load \"{}\" has none", load.body.name));

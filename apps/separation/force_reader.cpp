@@ -52,13 +52,13 @@ struct RowsOver {
   Variable variable = Variable::none;
   std::vector<double> at;
 };
-RowsOver read_variable(const TomlTable& table, bool hinged) {
+RowsOver read_variable(const TomlTable& table, multibody::JointKind hinge) {
   const bool over_time = table.has("time", Dimension::time);
   const bool over_angle = table.has("angle", Dimension::angle);
   if (over_time && over_angle) {
     table.fail("angle", "allowed: not together with time");
   }
-  if (over_angle && !hinged) {
+  if (over_angle && hinge == multibody::JointKind::none) {
     table.fail("angle", "allowed: for a load on a hinge");
   }
   if (over_time) {
@@ -68,10 +68,11 @@ RowsOver read_variable(const TomlTable& table, bool hinged) {
     const auto at = increasing(table, "angle", Dimension::angle);
     // 180 deg but for the rounding of units.
     constexpr double most = std::numbers::pi * (1 + 1e-15);
-    if (at.front() < -most || at.back() > most) {
+    if (hinge == multibody::JointKind::spherical &&
+        (at.front() < 0 || at.back() > most)) {
       table.fail("angle",
-                 "allowed: -180 deg to 180 deg, as tables do not count full "
-                 "turns");
+                 "allowed: 0 deg to 180 deg on a spherical hinge: it is the "
+                 "angle between two directions");
     }
     return {Variable::angle, at};
   }
@@ -79,14 +80,14 @@ RowsOver read_variable(const TomlTable& table, bool hinged) {
 }
 
 AppliedForce read_applied(const TomlTable& table, const Body& body,
-                          bool hinged) {
+                          multibody::JointKind hinge) {
   AppliedForce force;
   force.inertial =
       table.optional_choice("axes", {"body", "inertial"}).value_or(0) == 1;
   force.point =
       optional_vector(table, "point", Dimension::length).value_or(body.com) -
       body.com;
-  const RowsOver rows = read_variable(table, hinged);
+  const RowsOver rows = read_variable(table, hinge);
   force.variable = rows.variable;
   if (!table.has("force", Dimension::force) &&
       !table.has("moment", Dimension::moment)) {
@@ -98,7 +99,7 @@ AppliedForce read_applied(const TomlTable& table, const Body& body,
 }
 
 Motor read_motor(const TomlTable& table) {
-  const RowsOver rows = read_variable(table, true);
+  const RowsOver rows = read_variable(table, multibody::JointKind::axis);
   if (rows.variable == Variable::none) {
     return {
         rows.variable,
@@ -250,11 +251,10 @@ std::vector<Force> read_force(const TomlTable& table, const CaseNames& names) {
     const Body& body = names.of.body(i);
     const auto hinge =
         i > 0 ? names.of.loads[i - 1].hinge.kind : multibody::JointKind::none;
-    const bool hinged = hinge != multibody::JointKind::none;
     force.body = i;
     switch (kind) {
       case 0:
-        force.what = read_applied(table, body, hinged);
+        force.what = read_applied(table, body, hinge);
         break;
       case 1:
         force.what = read_thrust(table, names, body);

@@ -67,8 +67,7 @@ double Simulation::angle(const MotionSample& sample, int load) const {
       sample.mode(load) != HingeMode::released) {
     return sample.angle(load);
   }
-  return hinge_angle(hinge, sample.carrier().rotation.transpose() *
-                                sample.load(load).rotation);
+  return hinge_angle(hinge, sample.carrier(), sample.load(load));
 }
 
 // Every event of every load becomes a function of the motion, every pusher

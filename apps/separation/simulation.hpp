@@ -61,8 +61,8 @@ class Simulation {
   bool apply();
   const std::string& message() const { return message_; }
 
-  /// Angle of a load's hinge, also after its release: hinge_angle(), on an
-  /// axis with full turns counted until then. NaN without a hinge.
+  /// Angle of a load's hinge, also after its release: hinge_angle(). NaN
+  /// without a hinge.
   double angle(int load) const;
   double angle(const multibody::MotionSample& sample, int load) const;
 

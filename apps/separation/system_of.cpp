@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <numbers>
 
 namespace separation {
 namespace {
@@ -50,6 +51,15 @@ double hinge_angle(const Hinge& hinge, const Matrix3d& rotation) {
   const Vector3d load = rotation * hinge.load_direction;
   return std::atan2(load.cross(hinge.carrier_direction).norm(),
                     load.dot(hinge.carrier_direction));
+}
+
+double hinge_angle(const Hinge& hinge, const multibody::BodyMotion& carrier,
+                   const multibody::BodyMotion& load) {
+  const double angle =
+      hinge_angle(hinge, carrier.rotation.transpose() * load.rotation);
+  if (!std::isfinite(load.hinge_angle)) return angle;
+  return load.hinge_angle +
+         std::remainder(angle - load.hinge_angle, 2 * std::numbers::pi);
 }
 
 }  // namespace separation

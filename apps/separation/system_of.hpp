@@ -13,4 +13,9 @@ multibody::System system_of(const Case& c);
 /// @param rotation  load axes to carrier axes
 double hinge_angle(const Hinge& hinge, const Eigen::Matrix3d& rotation);
 
+/// The same of a load on its way. On an axis full turns are counted; after its
+/// release it is within half a turn of the angle that it had then.
+double hinge_angle(const Hinge& hinge, const multibody::BodyMotion& carrier,
+                   const multibody::BodyMotion& load);
+
 }  // namespace separation
