@@ -183,18 +183,26 @@ void MotionImpl::go_to(double time) {
 }
 
 // After a break nothing of the step before it may be used.
-void MotionImpl::pass_break() {
-  const double next = forces ? forces->next_break(stepper->end())
-                             : std::numeric_limits<double>::infinity();
-  if (next == next_break) return;
+bool MotionImpl::pass_break() {
+  constexpr double never = std::numeric_limits<double>::infinity();
+  const double next = forces ? forces->next_break(stepper->end()) : never;
+  if (next == next_break) return false;
   next_break = next;
   const std::vector<double> state(stepper->end_state().begin(),
                                   stepper->end_state().end());
   stepper->restart(stepper->end(), state);
+  return true;
+}
+
+void MotionImpl::show_step(double time) {
+  if (!step_watch) return;
+  look_at(time, stepper->end_state());
+  step_watch(sample);
 }
 
 bool MotionImpl::step() {
-  pass_break();
+  show_step(std::min(stepper->end(), std::nextafter(next_break, 0)));
+  if (pass_break()) show_step(stepper->end());
   const double from = stepper->end();
   if (!stepper->step(next_break)) {
     now = from;
@@ -329,6 +337,9 @@ int Motion::add_event(MotionEvent event) {
   impl_->go_to(impl_->now);
   impl_->user_values.push_back(impl_->events.back().function(impl_->sample));
   return static_cast<int>(impl_->events.size()) - 1;
+}
+void Motion::watch_steps(std::function<void(const MotionSample&)> look) {
+  impl_->step_watch = std::move(look);
 }
 const std::vector<HingeChange>& Motion::changes() const {
   return impl_->changes;

@@ -237,6 +237,11 @@ class Motion {
   /// Adds an event; its index.
   int add_event(MotionEvent event);
 
+  /// Calls `look` with the motion at the end of every step that it goes on
+  /// from, where forces jump just before and after; not where advance_to()
+  /// stops.
+  void watch_steps(std::function<void(const MotionSample&)> look);
+
   /// Sticking, sliding, locking and releasing so far, in order.
   const std::vector<HingeChange>& changes() const;
 

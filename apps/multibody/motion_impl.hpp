@@ -120,6 +120,7 @@ class MotionImpl {
   std::unique_ptr<Stepper> stepper;
   std::vector<MotionEvent> events;
   std::vector<double> user_values;
+  std::function<void(const MotionSample&)> step_watch;
   /// Speed at which a ball joint began to slide straight on.
   std::vector<double> straight_from;
   std::vector<HingeChange> changes;
@@ -145,7 +146,8 @@ class MotionImpl {
 
  private:
   std::vector<double> start_state(const MotionStart& start);
-  void pass_break();
+  bool pass_break();
+  void show_step(double time);
   bool step();
   bool redo_step_to(double time);
 
