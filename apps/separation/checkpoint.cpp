@@ -2,9 +2,15 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <span>
+#include <sstream>
+#include <utility>
 
 #include "cli/output.hpp"
 #include "libcontact/error.hpp"
@@ -15,7 +21,8 @@ namespace {
 using Eigen::Vector3d;
 using nlohmann::json;
 
-constexpr const char* format_name = "hinge-separation checkpoint 1";
+constexpr const char* program_format = "hinge-separation checkpoint";
+constexpr const char* format_name = "hinge-separation checkpoint 2";
 
 json vectors_json(const std::vector<Vector3d>& vectors) {
   json numbers = json::array();
@@ -107,19 +114,28 @@ std::vector<LoadRecord> loads_from(const json& j) {
   return loads;
 }
 
-json memory_json(const Recorder::Memory& m) {
-  json notes = json::array();
-  for (const Note& note : m.notes) {
-    notes.push_back({note.time, note.load, note.what});
+json notes_json(std::span<const Note> notes) {
+  json result = json::array();
+  for (const Note& note : notes) {
+    result.push_back({note.time, note.load, note.what});
   }
+  return result;
+}
+void add_notes(const json& from, std::vector<Note>& notes) {
+  for (const json& note : from) {
+    notes.push_back({note.at(0), note.at(1), note.at(2)});
+  }
+}
+
+// Without rows, and with the notes from `notes` on.
+json memory_json(const Recorder::Memory& m, std::size_t notes) {
   json pairs = json::array();
   for (const PairRecord& p : m.pairs) {
     pairs.push_back({p.smallest, p.time, p.overlap_from, p.overlap_to});
   }
   return {{"columns", m.rows.columns},
-          {"numbers", m.rows.numbers},
           {"loads", loads_json(m.loads)},
-          {"notes", notes},
+          {"notes", notes_json(std::span(m.notes).subspan(notes))},
           {"pairs", pairs},
           {"modes", m.modes},
           {"last_time", m.last_time},
@@ -131,11 +147,7 @@ json memory_json(const Recorder::Memory& m) {
 Recorder::Memory memory_from(const json& j) {
   Recorder::Memory m;
   m.rows.columns = j.at("columns").get<std::vector<std::string>>();
-  m.rows.numbers = j.at("numbers").get<std::vector<double>>();
   m.loads = loads_from(j.at("loads"));
-  for (const json& note : j.at("notes")) {
-    m.notes.push_back({note.at(0), note.at(1), note.at(2)});
-  }
   for (const json& item : j.at("pairs")) {
     const auto p = item.get<std::vector<double>>();
     m.pairs.push_back({p.at(0), p.at(1), p.at(2), p.at(3)});
@@ -164,42 +176,157 @@ History history_from(const json& j) {
   return history;
 }
 
+std::string text_of(const std::string& file) {
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) throw contact::Error(file + ": cannot be read");
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+// A checkpoint without its rows.
+json header_of(const std::string& file) {
+  const std::string bytes = text_of(file);
+  try {
+    json j = json::from_cbor(bytes);
+    if (j.at("format").get<std::string>().starts_with(program_format)) return j;
+  } catch (const json::exception&) {
+  }
+  throw contact::Error(file + ": not a checkpoint of hinge-separation");
+}
+
+// Beside the checkpoint, whatever folder both are in.
+std::string beside(const std::string& file, const std::string& name) {
+  return std::filesystem::path(file).replace_filename(name);
+}
+
+// What the checkpoint of an earlier run keeps its rows in; "" for none.
+std::string rows_of(const std::string& file) {
+  if (!std::filesystem::exists(file)) return {};
+  const json j = header_of(file);
+  return j.contains("rows") ? beside(file, j["rows"].at("file")) : "";
+}
+
+// Adds the rows and notes of a file that a checkpoint refers to.
+void add_rows(const std::string& file, const json& header,
+              Recorder::Memory& memory) {
+  const json& rows = header.at("rows");
+  const std::string name = beside(file, rows.at("file"));
+  std::string bytes = text_of(name);
+  const std::size_t size = rows.at("bytes");
+  bytes.resize(std::min(bytes.size(), size));
+  boost::crc_32_type sum;
+  sum.process_bytes(bytes.data(), bytes.size());
+  if (bytes.size() != size || sum.checksum() != rows.at("sum")) {
+    throw contact::Error(fmt::format("{}: not what {} refers to", name, file));
+  }
+  std::istringstream stream(bytes);
+  for (long block = rows.at("blocks"); block > 0; --block) {
+    const json j = json::from_cbor(stream, false);
+    for (const json& number : j.at("numbers")) {
+      memory.rows.numbers.push_back(number);
+    }
+    add_notes(j.at("notes"), memory.notes);
+  }
+}
+
 }  // namespace
 
-void write_checkpoint(const std::string& file, const Checkpoint& checkpoint) {
+CheckpointWriter::CheckpointWriter(std::string file, std::string identity,
+                                   double every)
+    : file_(std::move(file)),
+      identity_(std::move(identity)),
+      every_(every),
+      old_rows_(rows_of(file_)),
+      rows_(file_ + ".rows1") {
+  if (rows_ == old_rows_) rows_ = file_ + ".rows2";
+  stream_.open(rows_, std::ios::binary | std::ios::trunc);
+  if (!stream_) {
+    throw contact::Error(
+        fmt::format("cannot create {}: {}", rows_, std::strerror(errno)));
+  }
+}
+
+CheckpointWriter::~CheckpointWriter() {
+  std::error_code ignored;
+  if (!written_) std::filesystem::remove(rows_, ignored);
+}
+
+// A hinge that turns back takes back a note of the same instant: those of now
+// may still go.
+void CheckpointWriter::append(const Recorder::Memory& memory, double time) {
+  std::size_t notes = notes_;
+  while (notes < memory.notes.size() && memory.notes[notes].time < time) {
+    ++notes;
+  }
+  json numbers = json::array();
+  for (std::size_t i = numbers_; i < memory.rows.numbers.size(); ++i) {
+    numbers.push_back(memory.rows.numbers[i]);
+  }
+  const auto bytes = json::to_cbor(
+      {{"numbers", std::move(numbers)},
+       {"notes",
+        notes_json(std::span(memory.notes).subspan(notes_, notes - notes_))}});
+  stream_.write(reinterpret_cast<const char*>(bytes.data()),
+                static_cast<std::streamsize>(bytes.size()));
+  stream_.flush();
+  if (!stream_) {
+    throw contact::Error(
+        fmt::format("cannot write {}: {}", rows_, std::strerror(errno)));
+  }
+  sum_.process_bytes(bytes.data(), bytes.size());
+  bytes_ += bytes.size();
+  numbers_ = memory.rows.numbers.size();
+  notes_ = notes;
+  ++blocks_;
+}
+
+void CheckpointWriter::write(long next_output,
+                             const SimulationState& simulation,
+                             const Recorder::Memory& memory) {
+  append(memory, simulation.motion.time);
   const json j = {{"format", format_name},
-                  {"identity", checkpoint.identity},
-                  {"next_output", checkpoint.next_output},
-                  {"motion", motion_json(checkpoint.simulation.motion)},
-                  {"history", history_json(checkpoint.simulation.history)},
-                  {"memory", memory_json(checkpoint.memory)}};
+                  {"identity", identity_},
+                  {"next_output", next_output},
+                  {"every", every_},
+                  {"motion", motion_json(simulation.motion)},
+                  {"history", history_json(simulation.history)},
+                  {"memory", memory_json(memory, notes_)},
+                  {"rows",
+                   {{"file", std::filesystem::path(rows_).filename().string()},
+                    {"blocks", blocks_},
+                    {"bytes", bytes_},
+                    {"sum", sum_.checksum()}}}};
   const auto bytes = json::to_cbor(j);
-  cli::Output output(file);
+  cli::Output output(file_);
   output.write({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
   output.commit();
+  written_ = true;
+  std::error_code ignored;
+  if (!old_rows_.empty()) std::filesystem::remove(old_rows_, ignored);
+  old_rows_.clear();
 }
 
 Checkpoint read_checkpoint(const std::string& file,
                            const std::string& identity) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) throw contact::Error(file + ": cannot be read");
-  const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
+  const json j = header_of(file);
+  if (j.at("format") != format_name) {
+    throw contact::Error(file + ": a checkpoint of another version");
+  }
   try {
-    const json j = json::from_cbor(bytes);
-    if (j.at("format") != format_name) throw contact::Error("of another kind");
     if (j.at("identity") != identity) {
-      throw contact::Error(
-          "of a run of another case file or with other options");
+      throw contact::Error(file +
+                           ": a checkpoint of a run of another case file or "
+                           "with other options");
     }
-    return {identity,
-            j.at("next_output").get<long>(),
-            {motion_from(j.at("motion")), history_from(j.at("history"))},
-            memory_from(j.at("memory"))};
+    Checkpoint result{
+        j.at("next_output").get<long>(),
+        j.at("every").get<double>(),
+        {motion_from(j.at("motion")), history_from(j.at("history"))},
+        memory_from(j.at("memory"))};
+    add_rows(file, j, result.memory);
+    add_notes(j.at("memory").at("notes"), result.memory.notes);
+    return result;
   } catch (const json::exception&) {
     throw contact::Error(file + ": not a checkpoint of hinge-separation");
-  } catch (const contact::Error& error) {
-    throw contact::Error(
-        fmt::format("{}: a checkpoint {}", file, error.what()));
   }
 }
 

@@ -19,6 +19,7 @@ using multibody::BodyMotion;
 using multibody::HingeMode;
 using multibody::HingeSample;
 using multibody::JointKind;
+using multibody::MotionSample;
 
 constexpr const char* comes_to_rest = "comes to rest";
 
@@ -116,8 +117,7 @@ Recorder::Recorder(const Case& c, bool rows, bool clearance)
   memory_.pairs.resize(c.clearance.size());
 }
 
-void Recorder::restore(Memory memory, const Simulation& simulation) {
-  memory_ = std::move(memory);
+void Recorder::go_on_with(const Simulation& simulation) {
   changes_seen_ = simulation.motion().changes().size();
 }
 
@@ -130,20 +130,17 @@ void Recorder::add_body(const BodyMotion& body) {
   for (const double x : w) add(x);
 }
 
-void Recorder::look_at_load(const Simulation& simulation, int i, bool keep) {
+void Recorder::look_at_peaks(const MotionSample& sample, int i) {
   const Load& load = case_.loads[i];
   LoadRecord& record = memory_.loads[i];
-  const double time = simulation.time();
+  const double time = sample.time();
   if (load.hinge.kind == JointKind::none) return;
-  const HingeSample hinge = simulation.sample().hinge(i);
+  const HingeSample hinge = sample.hinge(i);
   const NodeReactions reactions = node_reactions(load, hinge);
-  const double reaction = reactions.hinge.norm();
-  const double lock = reactions.lock.norm();
-  raise(record.peak_reaction, record.peak_reaction_time, reaction, time);
-  raise(record.peak_lock, record.peak_lock_time, lock, time);
+  raise(record.peak_reaction, record.peak_reaction_time, reactions.hinge.norm(),
+        time);
+  raise(record.peak_lock, record.peak_lock_time, reactions.lock.norm(), time);
   record.work = hinge.dissipated;
-  double half_angle = NAN;
-  double pressure = NAN;
   for (std::size_t j = 0; j < hinge.joints.size(); ++j) {
     const contact::JointSolution& joint = hinge.joints[j];
     JointPeaks& peaks = record.joints[j];
@@ -154,16 +151,27 @@ void Recorder::look_at_load(const Simulation& simulation, int i, bool keep) {
     if (hinge.mode == HingeMode::sliding) {
       peaks.moment = std::max(peaks.moment, joint.friction_moment.norm());
     }
+  }
+}
+
+// Columns of a load's hinge.
+void Recorder::add_load(const Simulation& simulation, int i) {
+  const Load& load = case_.loads[i];
+  if (load.hinge.kind == JointKind::none) return;
+  const HingeSample hinge = simulation.sample().hinge(i);
+  const NodeReactions reactions = node_reactions(load, hinge);
+  double half_angle = NAN;
+  double pressure = NAN;
+  for (const contact::JointSolution& joint : hinge.joints) {
     half_angle = std::fmax(half_angle, joint.half_angle);
     pressure = std::fmax(pressure, joint.peak_pressure);
   }
-  if (!keep) return;
   add(static_cast<double>(hinge.mode));
   add(simulation.angle(i) / degree);
   add(rate_of(load.hinge, hinge) / degree);
   add(acceleration_of(simulation, i) / degree);
-  add(reaction);
-  add(lock);
+  add(reactions.hinge.norm());
+  add(reactions.lock.norm());
   add(hinge.friction_moment.norm());
   add(hinge.utilisation);
   add(half_angle / degree);
@@ -225,10 +233,10 @@ void Recorder::look_at_changes(const Simulation& simulation) {
   memory_.last_time = time;
 }
 
-void Recorder::look_at_distances(const Simulation& simulation) {
+void Recorder::look_at_distances(const MotionSample& sample, bool keep) {
   if (!clearance_) return;
-  const auto distances = clearance_->distances(simulation.sample().bodies());
-  const double time = simulation.time();
+  const auto distances = clearance_->distances(sample.bodies());
+  const double time = sample.time();
   for (std::size_t i = 0; i < distances.size(); ++i) {
     PairRecord& pair = memory_.pairs[i];
     if (distances[i] < pair.smallest) {
@@ -239,7 +247,7 @@ void Recorder::look_at_distances(const Simulation& simulation) {
       pair.overlap_from = std::min(pair.overlap_from, time);
       pair.overlap_to = time;
     }
-    if (keep_rows_) add(distances[i]);
+    if (keep) add(distances[i]);
   }
 }
 
@@ -268,11 +276,20 @@ void Recorder::look(const Simulation& simulation) {
     add_body(sample.carrier());
   }
   for (int i = 0; i < static_cast<int>(case_.loads.size()); ++i) {
-    look_at_load(simulation, i, keep_rows_);
-    if (keep_rows_) add_body(sample.load(i));
+    look_at_peaks(sample, i);
+    if (!keep_rows_) continue;
+    add_load(simulation, i);
+    add_body(sample.load(i));
   }
-  look_at_distances(simulation);
+  look_at_distances(sample, keep_rows_);
   look_at_energy(simulation, first);
+}
+
+void Recorder::look_between(const MotionSample& sample) {
+  for (int i = 0; i < static_cast<int>(case_.loads.size()); ++i) {
+    look_at_peaks(sample, i);
+  }
+  look_at_distances(sample, false);
 }
 
 // Whether happenings[i] breaks anything: what is broken already, also by those

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "separation/clearance.hpp"
@@ -76,6 +77,8 @@ class Recorder {
 
   /// Looks at it now.
   void look(const Simulation& simulation);
+  /// Takes notice of peaks and distances, without a row.
+  void look_between(const multibody::MotionSample& sample);
   /// What is about to happen: call it before Simulation::apply().
   void before(const Simulation& simulation,
               const std::vector<Happening>& happenings);
@@ -93,14 +96,19 @@ class Recorder {
     bool begun = false;
   };
   const Memory& memory() const { return memory_; }
+  /// At the end.
+  Memory take_memory() { return std::move(memory_); }
+  /// As another recorder that was in the middle of a run.
+  void restore(Memory memory) { memory_ = std::move(memory); }
   /// Goes on with a simulation that was restored.
-  void restore(Memory memory, const Simulation& simulation);
+  void go_on_with(const Simulation& simulation);
 
  private:
-  void look_at_load(const Simulation& simulation, int load, bool keep);
+  void look_at_peaks(const multibody::MotionSample& sample, int load);
+  void add_load(const Simulation& simulation, int load);
   void look_at_changes(const Simulation& simulation);
   void note_change(const multibody::HingeChange& change);
-  void look_at_distances(const Simulation& simulation);
+  void look_at_distances(const multibody::MotionSample& sample, bool keep);
   bool breaks(const Simulation& simulation,
               const std::vector<Happening>& happenings, std::size_t i) const;
   void look_at_energy(const Simulation& simulation, bool first);

@@ -47,9 +47,8 @@ void check(const Options& o) {
     throw contact::Error(
         "--format: the summary is JSON; tables need --compare");
   }
-  if (o.checkpoint.empty() != (o.checkpoint_every == 0)) {
-    throw contact::Error(
-        "--checkpoint and --checkpoint-every: belong together");
+  if (!o.checkpoint.empty() && o.checkpoint_every == 0 && o.resume.empty()) {
+    throw contact::Error("--checkpoint: allowed with --checkpoint-every");
   }
 }
 

@@ -52,7 +52,16 @@ bool move_on(Simulation& simulation, Recorder& recorder, double time) {
 struct Run {
   std::unique_ptr<Simulation> simulation;
   Recorder recorder;
+  bool between_looks;
   multibody::MotionCounts counts;  // of simulations that are gone
+
+  void start(const Case& c, FrictionChoice friction) {
+    simulation = std::make_unique<Simulation>(c, friction);
+    if (!between_looks) return;
+    simulation->watch_steps([this](const multibody::MotionSample& sample) {
+      recorder.look_between(sample);
+    });
+  }
 
   multibody::MotionCounts all_counts() const {
     const multibody::MotionCounts now = simulation->motion().counts();
@@ -61,33 +70,54 @@ struct Run {
   }
   // From now on as a new simulation that goes on from there: what a run does
   // after a checkpoint does not depend on whether it was interrupted.
-  void go_on_from(const SimulationState& state, Recorder::Memory memory,
-                  const Case& c, FrictionChoice friction) {
+  void go_on_from(const SimulationState& state, const Case& c,
+                  FrictionChoice friction) {
     if (simulation) counts = all_counts();
-    simulation = std::make_unique<Simulation>(c, friction);
+    start(c, friction);
     simulation->restore(state);
-    recorder.restore(std::move(memory), *simulation);
+    recorder.go_on_with(*simulation);
   }
 };
+
+// The time of the first checkpoint after `time`: of the time alone, so that it
+// is the same in a run that was interrupted.
+double checkpoint_after(double time, double every) {
+  // A rounding error before a checkpoint's time is that time.
+  return every * (std::floor(time / every * (1 + 1e-12)) + 1) * (1 - 1e-12);
+}
 
 }  // namespace
 
 Outcome run_case(const Case& c, const RunOptions& options) {
-  Run run{nullptr, Recorder(c, options.rows, options.clearance), {}};
+  Run run{nullptr,
+          Recorder(c, options.rows, options.clearance),
+          !options.only_events,
+          {}};
   const OutputTimes times(c, options.only_events);
+  double every = options.checkpoint_every;
   long i = 1;
   if (options.resume.empty()) {
-    run.simulation = std::make_unique<Simulation>(c, options.friction);
+    run.start(c, options.friction);
     run.recorder.look(*run.simulation);
   } else {
     Checkpoint from = read_checkpoint(options.resume, options.identity);
-    run.go_on_from(from.simulation, std::move(from.memory), c,
-                   options.friction);
+    run.recorder.restore(std::move(from.memory));
+    run.go_on_from(from.simulation, c, options.friction);
     i = from.next_output;
+    if (!(every > 0)) every = from.every;
+  }
+  std::optional<CheckpointWriter> writer;
+  if (!options.checkpoint.empty()) {
+    writer.emplace(options.checkpoint, options.identity, every);
   }
   std::optional<cli::Progress> progress;
-  if (options.progress) progress.emplace("output times", times.count());
-  double next_checkpoint = run.simulation->time() + options.checkpoint_every;
+  if (options.progress) {
+    progress.emplace("output times", times.count());
+    progress->add(i - 1);
+  }
+  double next_checkpoint = every > 0
+                               ? checkpoint_after(run.simulation->time(), every)
+                               : History::not_yet;
   std::string failure;
   for (; i <= times.count(); ++i) {
     if (!move_on(*run.simulation, run.recorder, times[i])) {
@@ -96,18 +126,14 @@ Outcome run_case(const Case& c, const RunOptions& options) {
     }
     run.recorder.look(*run.simulation);
     if (progress) progress->add(1);
-    if (options.checkpoint.empty() ||
-        run.simulation->time() < next_checkpoint) {
-      continue;
-    }
-    next_checkpoint += options.checkpoint_every;
+    if (run.simulation->time() < next_checkpoint) continue;
+    next_checkpoint = checkpoint_after(run.simulation->time(), every);
     const SimulationState state = run.simulation->save();
-    write_checkpoint(options.checkpoint,
-                     {options.identity, i + 1, state, run.recorder.memory()});
-    run.go_on_from(state, run.recorder.memory(), c, options.friction);
+    if (writer) writer->write(i + 1, state, run.recorder.memory());
+    run.go_on_from(state, c, options.friction);
   }
   Outcome outcome{options.friction,       failure,
-                  run.simulation->time(), run.recorder.memory(),
+                  run.simulation->time(), run.recorder.take_memory(),
                   run.all_counts(),       {}};
   for (int load = 0; load < static_cast<int>(c.loads.size()); ++load) {
     outcome.modes.push_back(run.simulation->sample().mode(load));

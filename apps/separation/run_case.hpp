@@ -14,7 +14,8 @@ struct RunOptions {
   bool progress = false;  ///< say on standard error how far it is
   /// Look only at events and at the end; peaks are those of these times.
   bool only_events = false;
-  /// File that is written every `checkpoint_every` seconds of the motion.
+  /// File that is written every `checkpoint_every` seconds of the motion; 0
+  /// with `resume`: as often as in that run.
   std::string checkpoint = {};
   double checkpoint_every = 0;
   /// Checkpoint to go on from.

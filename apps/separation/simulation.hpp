@@ -1,7 +1,9 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "multibody/motion.hpp"
@@ -48,6 +50,11 @@ class Simulation {
   const multibody::MotionSample& sample() const { return motion_.sample(); }
   const multibody::Motion& motion() const { return motion_; }
   const History& history() const { return history_; }
+
+  /// As Motion::watch_steps().
+  void watch_steps(std::function<void(const multibody::MotionSample&)> look) {
+    motion_.watch_steps(std::move(look));
+  }
 
   enum class Stop {
     time,    ///< the time asked for
