@@ -202,7 +202,8 @@ std::string type_text(const toml::node& node) {
   }
 }
 
-// The value as messages show it: scalars in TOML, of others the type.
+// The value as messages show it: scalars and arrays in TOML, arrays up to a
+// length; of others the type.
 std::string value_text(const toml::node& node) {
   if (const auto text = node.as_string()) {
     return '"' + detail::printable(text->get()) + '"';
@@ -215,7 +216,17 @@ std::string value_text(const toml::node& node) {
   }
   if (const auto flag = node.as_boolean())
     return flag->get() ? "true" : "false";
-  return type_text(node);
+  const toml::array* array = node.as_array();
+  if (array == nullptr) return type_text(node);
+  constexpr std::size_t longest = 60;
+  std::string text = "[";
+  for (const toml::node& element : *array) {
+    if (text.size() > 1) text += ", ";
+    const std::string next = value_text(element);
+    if (text.size() + next.size() > longest) return text + "...]";
+    text += next;
+  }
+  return text + ']';
 }
 
 // A file that ends where a table begins has no line for it.

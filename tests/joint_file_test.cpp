@@ -211,7 +211,7 @@ TEST(JointFile, NamesFileLineKeyValueAndRange) {
   EXPECT_EQ(message_with_line(4, "radius_mm = \"50\""),
             "j.toml:4: geometry.radius_mm = \"50\": allowed: a number");
   EXPECT_EQ(message_with_line(4, "radius_mm = [50]"),
-            "j.toml:4: geometry.radius_mm = an array: allowed: a number");
+            "j.toml:4: geometry.radius_mm = [50]: allowed: a number");
   EXPECT_EQ(message_with_line(4, "radius_mm = 2024-05-01"),
             "j.toml:4: geometry.radius_mm = a date or time: allowed: a number");
   EXPECT_EQ(message_with_line(5, "radial_clearance_mm = 50"),
@@ -558,6 +558,18 @@ TEST(TomlTable, EveryUnit) {
   EXPECT_EQ(value("", Dimension::number), 3);
 }
 
+TEST(TomlTable, LongArraysAreCutInMessages) {
+  const auto table = TomlTable::from_text(
+      "a = [\"one\", 2.5, true, [100000, 200000, 300000, 400000, 500000, "
+      "600000], 7, 8, 9]\n",
+      "t.toml");
+  EXPECT_EQ(error_message([&] { table.fail("a", "no"); }),
+            "t.toml:1: a: no");  // not asked for yet
+  EXPECT_TRUE(table.has("a"));
+  EXPECT_EQ(error_message([&] { table.fail("a", "no"); }),
+            "t.toml:1: a = [\"one\", 2.5, true, ...]: no");
+}
+
 TEST(TomlTable, ArraysMatricesIntegersFlags) {
   const auto table = TomlTable::from_text(
       "v_mm = [1, 2.5, -3]\n"
@@ -592,8 +604,8 @@ TEST(TomlTable, ArraysMatricesIntegersFlags) {
   EXPECT_EQ(error_message([&] {
               table.matrix("m", 3, 3, Interval::any(), Dimension::inertia);
             }),
-            "t.toml:2: m_kg_m2 = an array: allowed: an array of 3 arrays of 3 "
-            "numbers");
+            "t.toml:2: m_kg_m2 = [[1, 2], [3, 4]]: allowed: an array of 3 "
+            "arrays of 3 numbers");
   EXPECT_EQ(error_message([&] { table.integer("n", 0, 6); }),
             "t.toml:3: n = 7: allowed: an integer, 0 to 6");
   EXPECT_EQ(error_message([&] { table.boolean("n"); }),
