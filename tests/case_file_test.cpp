@@ -156,7 +156,7 @@ TEST(CaseFile, EveryBadLineHasItsMessage) {
   EXPECT_EQ(message_with_line(8, "mass_t = nan"),
             "c.toml:8: carrier.mass_t = nan: allowed: above 0 t");
   EXPECT_EQ(message_with_line(10, "principal_inertia = [1, 2, 4]"),
-            "c.toml:10: carrier.principal_inertia = an array: allowed: "
+            "c.toml:10: carrier.principal_inertia = [1, 2, 4]: allowed: "
             "principal moments of a body: none negative, none above the sum "
             "of the other two");
   EXPECT_EQ(message_with_line(10, ""),
@@ -172,7 +172,7 @@ TEST(CaseFile, EveryBadLineHasItsMessage) {
             "c.toml:15: load[1].shape[1].kind = \"box\": allowed: "
             "\"capsule\", \"cylinder\", \"cone\", \"hull\"");
   EXPECT_EQ(message_with_line(17, "to_m = [0, 0, 0]"),
-            "c.toml:17: load[1].shape[1].to_m = an array: allowed: a point "
+            "c.toml:17: load[1].shape[1].to_m = [0, 0, 0]: allowed: a point "
             "apart from \"from\"");
   EXPECT_EQ(message_with_line(20, "count = 1"),
             "c.toml:20: load[1].pattern.count = 1: allowed: an integer, 2 to "
@@ -181,13 +181,14 @@ TEST(CaseFile, EveryBadLineHasItsMessage) {
             "c.toml:26: load[1].hinge.joint[1].kind: allowed: a ball joint on "
             "a spherical hinge");
   EXPECT_EQ(message_with_line(25, "axis = [0, 0, 0]"),
-            "c.toml:25: load[1].hinge.axis = an array: allowed: a vector that "
+            "c.toml:25: load[1].hinge.axis = [0, 0, 0]: allowed: a vector "
+            "that "
             "is not 0");
   EXPECT_EQ(message_with_line(27, "file = \"none.toml\""),
             "c.toml:27: load[1].hinge.joint[1].file = \"none.toml\": "
             "none.toml: cannot be read: No such file or directory");
   EXPECT_EQ(message_with_line(29, "load_point_m = [0, 0, 0]"),
-            "c.toml:29: load[1].lock.load_point_m = an array: allowed: a "
+            "c.toml:29: load[1].lock.load_point_m = [0, 0, 0]: allowed: a "
             "point apart from the hinge");
   EXPECT_EQ(message_with_line(32, ""),
             "c.toml:30: event[1].time: is missing: an event needs time, "
@@ -202,7 +203,7 @@ TEST(CaseFile, EveryBadLineHasItsMessage) {
             "c.toml:35: event[2].name = \"open\": allowed: a name that no "
             "other event has");
   EXPECT_EQ(message_with_line(37, "loads = [\"arm 3\"]"),
-            "c.toml:37: event[2].loads = an array: allowed: arm, arm 1, arm "
+            "c.toml:37: event[2].loads = [\"arm 3\"]: allowed: arm, arm 1, arm "
             "2");
   EXPECT_EQ(message_with_line(38, "after = \"opne\""),
             "c.toml:38: event[2].after = \"opne\": allowed: open, off");
@@ -239,12 +240,12 @@ TEST(CaseFile, Forces) {
   EXPECT_EQ(message_of_force("name = \"f\"\nbody = \"arm\"\n"
                              "kind = \"applied\"\ntime_s = [0, 1]\n"
                              "force_N = [1, 0, 0]\n"),
-            "c.toml:45: force[1].force_N = an array: allowed: an array of 2 "
+            "c.toml:45: force[1].force_N = [1, 0, 0]: allowed: an array of 2 "
             "arrays of 3 numbers");
   EXPECT_EQ(message_of_force("name = \"f\"\nbody = \"arm\"\n"
                              "kind = \"applied\"\ntime_s = [1, 1]\n"
                              "force_N = [[1, 0, 0], [0, 0, 0]]\n"),
-            "c.toml:44: force[1].time_s = an array: allowed: numbers that "
+            "c.toml:44: force[1].time_s = [1, 1]: allowed: numbers that "
             "grow from one to the next");
   EXPECT_EQ(message_of_force("name = \"f\"\nbody = \"core\"\n"
                              "kind = \"pusher\"\n"),
@@ -305,9 +306,38 @@ TEST(CaseFile, AnglesOfBallJointsEndAtHalfATurn) {
   };
   EXPECT_EQ(with_table("[0, 180]"), "(no error)");
   EXPECT_EQ(with_table("[0, 181]"),
-            "c.toml:53: force[2].angle_deg = an array: allowed: 0 deg to 180 "
+            "c.toml:53: force[2].angle_deg = [0, 181]: allowed: 0 deg to 180 "
             "deg on a spherical hinge: it is the angle between two directions");
-  EXPECT_EQ(with_table("[-1, 90]"), with_table("[0, 181]"));
+  EXPECT_EQ(with_table("[-1, 90]"),
+            "c.toml:53: force[2].angle_deg = [-1, 90]: allowed: 0 deg to 180 "
+            "deg on a spherical hinge: it is the angle between two directions");
+}
+
+TEST(CaseFile, ForcesEndAfterTheyBegin) {
+  const auto clocks = [](const std::string& keys) {
+    return message_of_force(
+        "name = \"f\"\nbody = \"arm\"\nkind = \"applied\"\n"
+        "force_N = [1, 0, 0]\n" +
+        keys);
+  };
+  EXPECT_EQ(clocks("starts_at_s = 1\nends_at_s = 1.5\n"), "(no error)");
+  EXPECT_EQ(clocks("starts_at_s = 1\nends_at_ms = 500\n"),
+            "c.toml:46: force[1].ends_at_ms = 500: allowed: later than the "
+            "force begins, 1 s");
+  EXPECT_EQ(clocks("ends_at_s = 0\n"),
+            "c.toml:45: force[1].ends_at_s = 0: allowed: later than the force "
+            "begins, 0 s");
+  const std::string open = "starts_at_event = \"open\"\n";
+  EXPECT_EQ(clocks(open + "ends_at_event = \"open\"\nends_delay_s = 1\n"),
+            "(no error)");
+  EXPECT_EQ(clocks(open + "ends_at_event = \"off\"\n"), "(no error)");
+  EXPECT_EQ(clocks(open + "ends_at_event = \"open\"\n"),
+            "c.toml:46: force[1].ends_at_event = \"open\": allowed: later than "
+            "the force begins, 0 s after the event");
+  EXPECT_EQ(clocks(open + "starts_delay_s = 2\nends_at_event = \"open\"\n"
+                          "ends_delay_s = 1\n"),
+            "c.toml:48: force[1].ends_delay_s = 1: allowed: later than the "
+            "force begins, 2 s after the event");
 }
 
 TEST(CaseFile, NamesOfBodiesAndColumnsAreTheirOwn) {

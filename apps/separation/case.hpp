@@ -207,6 +207,17 @@ struct Case {
   std::vector<Pair> clearance;
 
   const Body& body(int i) const { return i == 0 ? carrier : loads[i - 1].body; }
+  bool has_hinges() const {
+    return std::any_of(loads.begin(), loads.end(), [](const Load& load) {
+      return load.hinge.kind != multibody::JointKind::none;
+    });
+  }
+  /// With friction.
+  bool has_joints() const {
+    return std::any_of(loads.begin(), loads.end(), [](const Load& load) {
+      return !load.hinge.joints.empty();
+    });
+  }
 };
 
 /// The name of a body in columns: blanks become underscores.

@@ -32,6 +32,21 @@ Clock read_clock(const TomlTable& table, const CaseNames& names,
   return time ? Clock{*time, -1, 0} : otherwise;
 }
 
+// Ends that are known to come before their begins.
+void check_clocks(const TomlTable& table, const Force& force) {
+  const Clock& begin = force.begin;
+  const Clock& end = force.end;
+  if (begin.event != end.event) return;
+  const bool timed = begin.event < 0;
+  const double from = timed ? begin.time : begin.delay;
+  const double to = timed ? end.time : end.delay;
+  if (to > from) return;
+  const char* const key = timed ? "ends_at" : "ends_delay";
+  table.fail(table.has(key, Dimension::time) ? key : "ends_at_event",
+             fmt::format("allowed: later than the force begins, {:.6g} s{}",
+                         from, timed ? "" : " after the event"));
+}
+
 // A vector, or with a table one for each of its rows.
 Table<Vector3d> read_vectors(const TomlTable& table, std::string_view key,
                              Dimension dimension,
@@ -246,6 +261,7 @@ std::vector<Force> read_force(const TomlTable& table, const CaseNames& names) {
   force.name = table.text("name");
   force.begin = read_clock(table, names, "starts", Clock{});
   force.end = read_clock(table, names, "ends", never);
+  check_clocks(table, force);
   std::vector<Force> result;
   for (const int i : names.bodies_of(table, "body")) {
     const Body& body = names.of.body(i);

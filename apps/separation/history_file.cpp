@@ -4,6 +4,7 @@
 #include <hdf5.h>
 
 #include <array>
+#include <filesystem>
 #include <string_view>
 #include <utility>
 
@@ -146,12 +147,26 @@ void write_hdf5(const Rows& rows, const cli::Output& output) {
   check(H5Fflush(file, H5F_SCOPE_GLOBAL));
 }
 
+const std::string& checked(const std::string& name) {
+  std::error_code ignored;
+  const bool pipe = std::filesystem::exists(name, ignored) &&
+                    !std::filesystem::is_regular_file(name, ignored);
+  for (const char* end : {".csv", ".h5", ".hdf5"}) {
+    if (name.ends_with(end)) return name;
+  }
+  if (name == "-" || pipe) return name;
+  throw contact::Error(
+      fmt::format("--history {}: allowed names end in .csv, .h5 or .hdf5; - "
+                  "for CSV on standard output",
+                  name));
+}
+
 }  // namespace
 
 HistoryFile::HistoryFile(const std::string& name)
     : name_(name),
       hdf5_(name.ends_with(".h5") || name.ends_with(".hdf5")),
-      output_(name) {
+      output_(checked(name)) {
   if (hdf5_ && output_.temporary().empty()) {
     throw contact::Error(name + ": an HDF5 file has to be a regular file");
   }

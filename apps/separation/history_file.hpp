@@ -7,8 +7,8 @@
 
 namespace separation {
 
-/// A time history's file: HDF5 if the name ends in .h5 or .hdf5, else CSV;
-/// whole or not at all.
+/// A time history's file: HDF5 if the name ends in .h5 or .hdf5, CSV if it
+/// ends in .csv, is "-" or that of a pipe or device; whole or not at all.
 ///
 /// CSV: columns as named, modes as words, empty where there is no value.
 /// HDF5: one data set for each column, "BODY/QUANTITY" with its unit as
@@ -16,7 +16,7 @@ namespace separation {
 /// attribute "words"; no value is NaN.
 class HistoryFile {
  public:
-  /// @throws contact::Error if the file cannot be made
+  /// @throws contact::Error for other names and if the file cannot be made
   explicit HistoryFile(const std::string& name);
   /// @throws contact::Error if it cannot be written
   void write(const Rows& rows);

@@ -18,8 +18,8 @@ The summary (JSON, --output) has the events, for each load peak reactions,
 work of friction, time at rest, angle and rates at release, for each joint
 peak reaction, peak pressure and largest half-angle theta0, the smallest
 clearances and the energy balance. Peaks and clearances are those of the
-output times and of the instants before and after each event. Angles are in
-degrees, all else in SI units; the keys name the unit.
+output times, the ends of steps, and the instants before and after each event.
+Angles are in degrees, all else in SI units; the keys name the unit.
 
 Columns of the history: time_s; of each load with a hinge NAME.mode (sliding,
 resting, locked, released), .angle_deg, .rate_deg_per_s,
@@ -32,8 +32,12 @@ axes), .qw to .qz (body axes to inertial ones), .wx_rad_per_s to .wz_rad_per_s
 --compare runs the case with ideal joints, full friction and the traditional
 estimate (friction from the reaction instead of the compressive force).
 
---plot NAME.svg draws NAME_angles.svg, NAME_rates.svg, NAME_reactions.svg and
-NAME_clearance.svg.
+--plot NAME.svg draws NAME_angles.svg, NAME_rates.svg, NAME_reactions.svg (with
+hinges) and NAME_clearance.svg (with shapes).
+
+--checkpoint FILE keeps its rows in FILE.rows1 or FILE.rows2. A run that goes
+on with --resume FILE comes to the same results to the last byte, and goes on
+with checkpoints as often as before.
 
 Examples:
   hinge-separation data/cases/soyuz.toml --history soyuz.csv --output soyuz.json
@@ -80,7 +84,7 @@ void add_options(CLI::App& app, Options& options) {
       ->option_text("FILE")
       ->group("Run");
   app.add_option("--history", options.history,
-                 "time history: .csv, or .h5 for HDF5")
+                 "time history: .csv, .h5 or .hdf5, - for CSV on stdout")
       ->option_text("FILE")
       ->group("Output");
   app.add_option("--events", options.events, "list of events, CSV")

@@ -25,20 +25,23 @@ cli::Curve curve(const Rows& rows, const std::string& label,
   return result;
 }
 
-bool is_flat_zero(const cli::Curve& c) {
-  return std::all_of(c.y.begin(), c.y.end(),
-                     [](double y) { return y == 0 || std::isnan(y); });
-}
-
-void end_at_release(const Rows& rows, const std::string& body, cli::Curve& c) {
+// As long as the hinge's mode is as asked for.
+template <class F>
+void end_curve(const Rows& rows, const std::string& body, F goes_on,
+               cli::Curve& c) {
   const std::size_t mode = rows.column(body + ".mode");
   std::size_t end = 0;
-  while (end < rows.size() &&
-         rows.at(end, mode) != static_cast<double>(HingeMode::released)) {
+  while (end < rows.size() && goes_on(static_cast<HingeMode>(
+                                  static_cast<int>(rows.at(end, mode))))) {
     ++end;
   }
   c.x.resize(end);
   c.y.resize(end);
+}
+void end_at_release(const Rows& rows, const std::string& body, cli::Curve& c) {
+  end_curve(
+      rows, body, [](HingeMode mode) { return mode != HingeMode::released; },
+      c);
 }
 
 template <class F>
@@ -89,13 +92,28 @@ cli::LinePlot reactions(const Case& c, const Rows& rows) {
     end_at_release(rows, column, plot.curves.back());
     cli::Curve lock = curve(rows, load.body.name + ", lock",
                             column + ".lock_reaction_N", scale);
-    if (is_flat_zero(lock)) return;
+    end_curve(
+        rows, column, [](HingeMode mode) { return mode == HingeMode::locked; },
+        lock);
+    if (lock.x.empty()) return;
     lock.dashed = true;
     lock.colour = plot.curves.back().colour;
-    end_at_release(rows, column, lock);
     plot.curves.push_back(std::move(lock));
   });
   return plot;
+}
+
+// Bodies that drift far apart do not hide how near they were.
+bool is_wide(const std::vector<cli::Curve>& curves) {
+  constexpr double wide = 50;
+  double smallest = INFINITY;
+  double largest = 0;
+  for (const cli::Curve& c : curves) {
+    const auto [low, high] = std::minmax_element(c.y.begin(), c.y.end());
+    smallest = std::min(smallest, *low);
+    largest = std::max(largest, *high);
+  }
+  return smallest > 0 && largest > wide * smallest;
 }
 
 cli::LinePlot clearances(const Case& c, const Rows& rows) {
@@ -108,27 +126,43 @@ cli::LinePlot clearances(const Case& c, const Rows& rows) {
         curve(rows, fmt::format("{}, {}", c.body(a).name, c.body(b).name),
               column, 1));
   }
+  plot.logarithmic_y = is_wide(plot.curves);
   return plot;
+}
+
+std::string picture_name(const std::string& file, const char* what) {
+  const std::size_t dot = file.rfind('.');
+  return fmt::format("{}_{}{}", file.substr(0, dot), what, file.substr(dot));
 }
 
 }  // namespace
 
-std::string draw_pictures(const Case& c, const Rows& rows,
+std::vector<std::string> picture_names(const Case& c, bool clearance,
+                                       const std::string& file) {
+  std::vector<std::string> names;
+  if (c.has_hinges()) {
+    for (const char* what : {"angles", "rates", "reactions"}) {
+      names.push_back(picture_name(file, what));
+    }
+  }
+  if (clearance && !c.clearance.empty()) {
+    names.push_back(picture_name(file, "clearance"));
+  }
+  return names;
+}
+
+std::string draw_pictures(const Case& c, const Rows& rows, bool clearance,
                           const std::string& file) {
-  const std::size_t dot = file.rfind('.');
-  const auto name = [&](const char* what) {
-    return fmt::format("{}_{}{}", file.substr(0, dot), what, file.substr(dot));
-  };
-  const auto draw = [&](const cli::LinePlot& plot, const char* what) {
-    return plot.curves.empty() ? std::string() : cli::draw(plot, name(what));
-  };
-  for (const std::string& problem :
-       {draw(hinges(c, rows, "angle of the hinge, deg", ".angle_deg"),
-             "angles"),
-        draw(hinges(c, rows, "rate of the hinge, deg/s", ".rate_deg_per_s"),
-             "rates"),
-        draw(reactions(c, rows), "reactions"),
-        draw(clearances(c, rows), "clearance")}) {
+  std::vector<cli::LinePlot> plots;
+  if (c.has_hinges()) {
+    plots = {hinges(c, rows, "angle of the hinge, deg", ".angle_deg"),
+             hinges(c, rows, "rate of the hinge, deg/s", ".rate_deg_per_s"),
+             reactions(c, rows)};
+  }
+  if (clearance && !c.clearance.empty()) plots.push_back(clearances(c, rows));
+  const auto names = picture_names(c, clearance, file);
+  for (std::size_t i = 0; i < plots.size(); ++i) {
+    const std::string problem = cli::draw(plots[i], names[i]);
     if (!problem.empty()) return problem;
   }
   return {};

@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <numbers>
 
 namespace separation {
 
@@ -43,9 +44,11 @@ Matrix3d rotation_of(const Vector3d& vector) {
 
 std::optional<Matrix3d> optional_rotation(const TomlTable& table,
                                           std::string_view key) {
-  const auto v = optional_vector(table, key, Dimension::angle);
+  // More turns than anyone means.
+  constexpr Interval allowed{-100 * std::numbers::pi, 100 * std::numbers::pi};
+  const auto v = table.optional_numbers(key, 3, allowed, Dimension::angle);
   if (!v) return {};
-  return rotation_of(*v);
+  return rotation_of({(*v)[0], (*v)[1], (*v)[2]});
 }
 
 std::vector<double> increasing(const TomlTable& table, std::string_view key,

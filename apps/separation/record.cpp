@@ -91,8 +91,10 @@ double acceleration_of(const Simulation& simulation, int load) {
   return (carrier.rotation * hinge.axis).dot(relative);
 }
 
+// The time of what stays the same is its first, whatever rounding says.
 void raise(double& peak, double& peak_time, double value, double time) {
-  if (!(value > peak)) return;
+  constexpr double rounding = 1e-13;
+  if (!(value > (1 + rounding) * peak)) return;
   peak = value;
   peak_time = time;
 }

@@ -1,12 +1,16 @@
 #include "separation/run.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <array>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <optional>
 #include <set>
+#include <variant>
 #include <vector>
 
 #include "cli/choice.hpp"
@@ -34,6 +38,27 @@ std::string text_of(const std::string& file) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
+// Numbers of a joint, which may come from other files than the case's.
+std::string text_of(const contact::Joint& joint) {
+  const contact::JointGeometry& g = joint.geometry;
+  const contact::ElasticPair& pair = joint.pair;
+  std::string text = fmt::format(
+      "{} {} {} {} {} {} {} {} {} {}", static_cast<int>(g.inner_body()),
+      g.radius(), g.radial_clearance(), g.length(), pair.modulus_ratio(),
+      pair.contact_modulus(), pair.inner_compliance_share(),
+      pair.dundurs_beta(), joint.half_angle_law, joint.pressure_law);
+  const auto& limit = joint.half_angle_options;
+  text += fmt::format(" {} {} {}", limit.limit_half_angle.value_or(0),
+                      limit.linear_limit, limit.initial_slope);
+  if (const auto* dry = std::get_if<contact::FrictionLaw>(&*joint.friction)) {
+    return text +
+           fmt::format(" dry {} {}\n", dry->coefficient(), dry->adhesion());
+  }
+  const auto& viscous = std::get<contact::ViscousLaw>(*joint.friction);
+  return text + fmt::format(" viscous {} {}\n", viscous.constant(),
+                            viscous.pressure_slope());
+}
+
 void check(const Options& o) {
   const bool checkpoints = !o.checkpoint.empty() || !o.resume.empty();
   if (o.compare && (checkpoints || !o.history.empty() || !o.events.empty() ||
@@ -49,6 +74,75 @@ void check(const Options& o) {
   }
   if (!o.checkpoint.empty() && o.checkpoint_every == 0 && o.resume.empty()) {
     throw contact::Error("--checkpoint: allowed with --checkpoint-every");
+  }
+}
+
+// Where a name leads, "-" for standard output; "" for what may have several
+// names or readers, as /dev/null.
+std::string destination(const std::string& name) {
+  if (name.empty() || name == "-") return "-";
+  std::error_code ignored;
+  if (std::filesystem::exists(name, ignored) &&
+      !std::filesystem::is_regular_file(name, ignored)) {
+    return {};
+  }
+  const auto path = std::filesystem::weakly_canonical(
+      std::filesystem::absolute(name, ignored), ignored);
+  return path.empty() ? name : path.string();
+}
+
+// Every file that is written has a name of its own.
+void check_names(const Options& o, const Case& c) {
+  std::map<std::string, std::string> taken;
+  const auto take = [&](const std::string& option, const std::string& name) {
+    const std::string to = destination(name);
+    if (to.empty()) return;
+    const auto [place, is_new] = taken.emplace(to, option);
+    if (is_new) return;
+    throw contact::Error(
+        fmt::format("{} {}: allowed another file than that of {}", option,
+                    to == "-" ? "-" : name, place->second));
+  };
+  take("CASE.toml", o.case_file);
+  take("--output", o.output.output);
+  if (!o.history.empty()) take("--history", o.history);
+  if (!o.events.empty()) take("--events", o.events);
+  if (!o.checkpoint.empty()) {
+    take("--checkpoint", o.checkpoint);
+    for (const char* end : {".rows1", ".rows2"}) {
+      take("--checkpoint", o.checkpoint + end);
+    }
+  }
+  // To go on with the same checkpoint is as usual.
+  if (!o.resume.empty() && destination(o.resume) != destination(o.checkpoint)) {
+    take("--resume", o.resume);
+  }
+  if (o.output.plot.empty()) return;
+  for (const std::string& name :
+       picture_names(c, !o.no_clearance, o.output.plot)) {
+    take("--plot", name);
+  }
+}
+
+// What the case has nothing for.
+void check_case(const Options& o, const Case& c) {
+  const auto needs_joints = [&](const char* option, const std::string& name) {
+    if (name.empty() || c.has_joints()) return;
+    throw contact::Error(
+        fmt::format("{} {}: allowed for a case with joints: {} has none",
+                    option, name, o.case_file));
+  };
+  needs_joints("--law", o.half_angle_law);
+  needs_joints("--pressure", o.pressure_law);
+  if (o.compare && !c.has_joints()) {
+    throw contact::Error(fmt::format(
+        "--compare: allowed for a case with joints: {} has none", o.case_file));
+  }
+  if (!o.output.plot.empty() &&
+      picture_names(c, !o.no_clearance, o.output.plot).empty()) {
+    throw contact::Error(fmt::format(
+        "--plot {}: allowed for a case with hinges or distances: {} has none",
+        o.output.plot, o.case_file));
   }
 }
 
@@ -74,6 +168,24 @@ void print_overlaps(const Case& c, const Outcome& outcome) {
                           c.body(c.clearance[i].a).name,
                           c.body(c.clearance[i].b).name, pair.overlap_from,
                           pair.overlap_to));
+  }
+}
+
+// Events that are in the file for nothing, and forces.
+void print_missed(const Case& c, const Outcome& outcome) {
+  for (const Missed& missed : missed_events(c, outcome)) {
+    cli::warn(program,
+              fmt::format("event \"{}\" did not come for {}", missed.event,
+                          fmt::join(missed.loads, ", ")));
+  }
+  std::set<std::string> idle, acting;
+  for (const Force& force : c.forces) {
+    const double begin = outcome.history.time_of(force.begin, force.body, c);
+    (begin < outcome.end_time ? acting : idle).insert(force.name);
+  }
+  for (const std::string& name : idle) {
+    if (acting.contains(name)) continue;
+    cli::warn(program, fmt::format("force \"{}\" did not begin", name));
   }
 }
 
@@ -106,9 +218,14 @@ RunOptions run_options(const Case& c, const Options& o) {
   run.checkpoint = o.checkpoint;
   run.checkpoint_every = o.checkpoint_every;
   run.resume = o.resume;
-  run.identity = fmt::format(
-      "{}\n{}\n{}\n{}\n{}", static_cast<int>(run.friction), run.clearance,
-      o.half_angle_law, o.pressure_law, text_of(o.case_file));
+  run.identity =
+      fmt::format("{}\n{}\n", static_cast<int>(run.friction), run.clearance);
+  for (const Load& load : c.loads) {
+    for (const HingeJoint& joint : load.hinge.joints) {
+      run.identity += text_of(joint.joint);
+    }
+  }
+  run.identity += text_of(o.case_file);
   return run;
 }
 
@@ -126,6 +243,8 @@ cli::ExitStatus simulate(const Case& c, const Options& o) {
   if (!outcome.failure.empty()) {
     cli::warn(program, "ended early: " + outcome.failure);
     status = cli::some_bad;
+  } else {
+    print_missed(c, outcome);
   }
   print_overlaps(c, outcome);
   if (history) history->write(outcome.memory.rows);
@@ -137,7 +256,7 @@ cli::ExitStatus simulate(const Case& c, const Options& o) {
   output.commit();
   if (o.output.plot.empty()) return status;
   const std::string problem =
-      draw_pictures(c, outcome.memory.rows, o.output.plot);
+      draw_pictures(c, outcome.memory.rows, options.clearance, o.output.plot);
   if (problem.empty()) return status;
   cli::warn(program, problem);
   return cli::some_bad;
@@ -149,6 +268,8 @@ cli::ExitStatus run(const Options& options) {
   check(options);
   const Case c = read_case(options.case_file,
                            {options.half_angle_law, options.pressure_law});
+  check_case(options, c);
+  check_names(options, c);
   print_validity(c);
   return options.compare ? compare(c, options) : simulate(c, options);
 }

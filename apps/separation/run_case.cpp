@@ -132,9 +132,10 @@ Outcome run_case(const Case& c, const RunOptions& options) {
     if (writer) writer->write(i + 1, state, run.recorder.memory());
     run.go_on_from(state, c, options.friction);
   }
-  Outcome outcome{options.friction,       failure,
-                  run.simulation->time(), run.recorder.take_memory(),
-                  run.all_counts(),       {}};
+  Outcome outcome{options.friction,         failure,
+                  run.simulation->time(),   run.recorder.take_memory(),
+                  run.all_counts(),         {},
+                  run.simulation->history()};
   for (int load = 0; load < static_cast<int>(c.loads.size()); ++load) {
     outcome.modes.push_back(run.simulation->sample().mode(load));
   }

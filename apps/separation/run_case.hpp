@@ -32,6 +32,7 @@ struct Outcome {
   Recorder::Memory memory;
   multibody::MotionCounts counts;
   std::vector<multibody::HingeMode> modes;  ///< at the end
+  History history;                          ///< what had happened by then
 };
 
 /// @throws contact::Error if the motion cannot begin, or a checkpoint cannot

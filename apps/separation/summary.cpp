@@ -1,6 +1,7 @@
 #include "separation/summary.hpp"
 
 #include <cmath>
+#include <utility>
 
 #include "cli/csv.hpp"
 #include "cli/number.hpp"
@@ -91,6 +92,20 @@ const char* to_string(FrictionChoice choice) {
   return "traditional";
 }
 
+std::vector<Missed> missed_events(const Case& c, const Outcome& outcome) {
+  std::vector<Missed> result;
+  for (std::size_t e = 0; e < c.events.size(); ++e) {
+    Missed missed{c.events[e].name, {}};
+    for (const int load : c.events[e].loads) {
+      if (outcome.history.events[e][load] == History::not_yet) {
+        missed.loads.push_back(c.loads[load].body.name);
+      }
+    }
+    if (!missed.loads.empty()) result.push_back(std::move(missed));
+  }
+  return result;
+}
+
 ordered_json summary(const Case& c, const Outcome& outcome) {
   const Recorder::Memory& memory = outcome.memory;
   ordered_json j = {{"case", c.name},
@@ -101,6 +116,11 @@ ordered_json summary(const Case& c, const Outcome& outcome) {
   for (const Note& note : memory.notes) {
     j["events"].push_back(
         {{"time_s", note.time}, {"load", note.load}, {"what", note.what}});
+  }
+  j["events_that_did_not_come"] = ordered_json::array();
+  for (const Missed& missed : missed_events(c, outcome)) {
+    j["events_that_did_not_come"].push_back(
+        {{"event", missed.event}, {"loads", missed.loads}});
   }
   j["loads"] = ordered_json::array();
   for (std::size_t i = 0; i < c.loads.size(); ++i) {

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "separation/run_case.hpp"
 
@@ -9,6 +10,13 @@ namespace separation {
 
 /// "full", "ideal", "traditional"
 const char* to_string(FrictionChoice choice);
+
+/// An event and the loads for which it has not come.
+struct Missed {
+  std::string event;
+  std::vector<std::string> loads;
+};
+std::vector<Missed> missed_events(const Case& c, const Outcome& outcome);
 
 /// What a run came to (keys: README.md of this folder). Angles in degrees,
 /// all else in SI units.
