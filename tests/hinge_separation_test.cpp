@@ -787,7 +787,7 @@ axes = "inertial"
 force_N = [0, -100, 0]
 )");
   const json swing = run_json(folder, "swing.toml");
-  EXPECT_NEAR(swing["loads"][0]["peak_reaction_N"].get<double>(), 300, 3);
+  EXPECT_NEAR(swing["loads"][0]["peak_reaction_N"].get<double>(), 300, 0.1);
   const json& gap = swing["clearance"][0];
   const double nearest = std::hypot(3, 1) - 1 - 0.75;
   EXPECT_GT(gap["smallest_m"].get<double>(), nearest - 1e-5);

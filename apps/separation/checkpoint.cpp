@@ -131,7 +131,8 @@ void add_notes(const json& from, std::vector<Note>& notes) {
 json memory_json(const Recorder::Memory& m, std::size_t notes) {
   json pairs = json::array();
   for (const PairRecord& p : m.pairs) {
-    pairs.push_back({p.smallest, p.time, p.overlap_from, p.overlap_to});
+    pairs.push_back(
+        {p.smallest, p.time, p.overlap_from, p.overlap_to, p.not_found});
   }
   return {{"columns", m.rows.columns},
           {"loads", loads_json(m.loads)},
@@ -150,7 +151,8 @@ Recorder::Memory memory_from(const json& j) {
   m.loads = loads_from(j.at("loads"));
   for (const json& item : j.at("pairs")) {
     const auto p = item.get<std::vector<double>>();
-    m.pairs.push_back({p.at(0), p.at(1), p.at(2), p.at(3)});
+    m.pairs.push_back(
+        {p.at(0), p.at(1), p.at(2), p.at(3), static_cast<long>(p.at(4))});
   }
   m.modes = j.at("modes").get<std::vector<int>>();
   m.last_time = j.at("last_time");

@@ -1,5 +1,6 @@
 #include "separation/compare.hpp"
 
+#include <cmath>
 #include <functional>
 
 #include "cli/table.hpp"
@@ -17,12 +18,20 @@ struct Quantity {
   std::function<double(const Outcome&, int load)> value;
 };
 
+// In the first row in which nothing locks the load (NaN: there is none), or in
+// the last.
 double number_in_row(const Case& c, const Outcome& o, int load,
                      const char* quantity, bool first) {
   const Rows& rows = o.memory.rows;
-  const std::size_t column =
-      rows.column(column_name(c.loads[load].body.name) + quantity);
-  return rows.at(first ? 0 : rows.size() - 1, column);
+  const std::string name = column_name(c.loads[load].body.name);
+  const std::size_t column = rows.column(name + quantity);
+  if (!first) return rows.at(rows.size() - 1, column);
+  const std::size_t mode = rows.column(name + ".mode");
+  constexpr auto locked = static_cast<double>(multibody::HingeMode::locked);
+  for (std::size_t row = 0; row < rows.size(); ++row) {
+    if (rows.at(row, mode) != locked) return rows.at(row, column);
+  }
+  return NAN;
 }
 
 std::vector<Quantity> quantities(const Case& c) {

@@ -66,11 +66,19 @@ std::optional<Clearance> make_clearance(const Case& c, bool wanted) {
   return Clearance(shapes, pairs);
 }
 
-// Rate of the angle: on an axis with its sign.
-double rate_of(const Hinge& hinge, const HingeSample& sample) {
-  return hinge.kind == JointKind::axis && sample.mode != HingeMode::released
-             ? sample.angle_rate
-             : sample.relative_angular_velocity.norm();
+// Rate of the angle: on an axis with its sign. After the release that of the
+// bodies' relative angular velocity.
+double rate_of(const Hinge& hinge, const MotionSample& sample, int load) {
+  if (sample.mode(load) != HingeMode::released) {
+    const HingeSample now = sample.hinge(load);
+    return hinge.kind == JointKind::axis ? now.angle_rate
+                                         : now.relative_angular_velocity.norm();
+  }
+  const Vector3d relative =
+      sample.load(load).angular_velocity - sample.carrier().angular_velocity;
+  return hinge.kind == JointKind::axis
+             ? (sample.carrier().rotation * hinge.axis).dot(relative)
+             : relative.norm();
 }
 
 bool is_held(HingeMode mode) {
@@ -170,7 +178,7 @@ void Recorder::add_load(const Simulation& simulation, int i) {
   }
   add(static_cast<double>(hinge.mode));
   add(simulation.angle(i) / degree);
-  add(rate_of(load.hinge, hinge) / degree);
+  add(rate_of(load.hinge, simulation.sample(), i) / degree);
   add(acceleration_of(simulation, i) / degree);
   add(reactions.hinge.norm());
   add(reactions.lock.norm());
@@ -245,6 +253,7 @@ void Recorder::look_at_distances(const MotionSample& sample, bool keep) {
       pair.smallest = distances[i];
       pair.time = time;
     }
+    if (std::isnan(distances[i])) ++pair.not_found;
     if (distances[i] <= 0) {
       pair.overlap_from = std::min(pair.overlap_from, time);
       pair.overlap_to = time;
@@ -333,7 +342,8 @@ void Recorder::before(const Simulation& simulation,
     if (!hinge || release.time != History::not_yet) continue;
     const HingeSample now = sample.hinge(h.load);
     release = {simulation.time(), simulation.angle(h.load),
-               rate_of(load.hinge, now), now.relative_angular_velocity,
+               rate_of(load.hinge, sample, h.load),
+               now.relative_angular_velocity,
                sample.carrier().rotation.transpose() *
                    (sample.load(h.load).velocity - sample.carrier().velocity)};
   }

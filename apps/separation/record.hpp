@@ -66,6 +66,7 @@ struct PairRecord {
   double time = 0;
   double overlap_from = History::not_yet;  ///< first and last time of overlap
   double overlap_to = 0;
+  long not_found = 0;  ///< times at which it could not be worked out
 };
 
 /// Looks at a simulation from time to time and remembers.

@@ -162,6 +162,12 @@ void print_validity(const Case& c) {
 void print_overlaps(const Case& c, const Outcome& outcome) {
   for (std::size_t i = 0; i < c.clearance.size(); ++i) {
     const PairRecord& pair = outcome.memory.pairs[i];
+    if (pair.not_found > 0) {
+      cli::warn(program,
+                fmt::format("the distance of {} and {} was not found {} times",
+                            c.body(c.clearance[i].a).name,
+                            c.body(c.clearance[i].b).name, pair.not_found));
+    }
     if (pair.overlap_from == History::not_yet) continue;
     cli::warn(program,
               fmt::format("{} and {} overlap from t = {:.6g} s to {:.6g} s",
