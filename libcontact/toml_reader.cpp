@@ -13,6 +13,7 @@
 #include <map>
 #include <numbers>
 #include <span>
+#include <sstream>
 #include <utility>
 
 // toml++ 3.3 takes it for impossible that an accented, Greek or Cyrillic letter
@@ -50,6 +51,8 @@ struct Unit {
 
 // Of paths and of what the parser says.
 constexpr std::size_t longest_line = 300;
+// Of arrays as messages show them: as much as of a text.
+constexpr std::size_t longest_array = 60;
 
 constexpr double rpm = std::numbers::pi / 30;
 
@@ -183,27 +186,24 @@ std::string allowed_text(const Interval& allowed, const Unit& unit) {
   return allowed.or_infinity ? text + ", or inf" : text;
 }
 
-std::string type_text(const toml::node& node) {
-  switch (node.type()) {
-    case toml::node_type::table:
-      return "a table";
-    case toml::node_type::array:
-      return "an array";
-    case toml::node_type::string:
-      return "a string";
-    case toml::node_type::integer:
-      return "an integer";
-    case toml::node_type::floating_point:
-      return "a number";
-    case toml::node_type::boolean:
-      return "true or false";
-    default:
-      return "a date or time";
+std::string value_text(const toml::node& node);
+
+// "[1, 2.5]"; a long one is cut: "[1, 2.5, ... 500 in all]".
+std::string array_text(const toml::array& array) {
+  std::string text;
+  for (const toml::node& element : array) {
+    std::string next = (text.empty() ? "" : ", ") + value_text(element);
+    if (text.size() + next.size() > longest_array) {
+      text += fmt::format("{}... {} in all", text.empty() ? "" : ", ",
+                          array.size());
+      break;
+    }
+    text += next;
   }
+  return '[' + text + ']';
 }
 
-// The value as messages show it: scalars and arrays in TOML, arrays up to a
-// length; of others the type.
+// The value as messages show it: as in TOML, but for tables.
 std::string value_text(const toml::node& node) {
   if (const auto text = node.as_string()) {
     return '"' + detail::printable(text->get()) + '"';
@@ -216,17 +216,13 @@ std::string value_text(const toml::node& node) {
   }
   if (const auto flag = node.as_boolean())
     return flag->get() ? "true" : "false";
-  const toml::array* array = node.as_array();
-  if (array == nullptr) return type_text(node);
-  constexpr std::size_t longest = 60;
-  std::string text = "[";
-  for (const toml::node& element : *array) {
-    if (text.size() > 1) text += ", ";
-    const std::string next = value_text(element);
-    if (text.size() + next.size() > longest) return text + "...]";
-    text += next;
-  }
-  return text + ']';
+  if (const auto array = node.as_array()) return array_text(*array);
+  if (node.is_table()) return "a table";
+  std::ostringstream text;
+  if (const auto date = node.as_date()) text << *date;
+  if (const auto time = node.as_time()) text << *time;
+  if (const auto both = node.as_date_time()) text << *both;
+  return text.str();
 }
 
 // A file that ends where a table begins has no line for it.
@@ -263,43 +259,54 @@ struct TomlTable::Entry {
         fmt::format("{} = {}: allowed: {}", place, value_text(*node), allowed));
   }
 
-  // A number of this key or of its array.
-  double number(const toml::node& value, const Interval& allowed) const {
+  // A number of this key, or of its array, at `index`: "[3]", "[2][1]".
+  double number(const toml::node& value, const Interval& allowed,
+                const std::string& index = "") const {
     double result = 0;
     if (const auto floating = value.as_floating_point()) {
       result = floating->get();
     } else if (const auto integer = value.as_integer()) {
       result = static_cast<double>(integer->get());
     } else {
-      throw Error(
-          fmt::format("{} = {}: allowed: a number", place, value_text(value)));
+      throw Error(fmt::format("{}{} = {}: allowed: a number", place, index,
+                              value_text(value)));
     }
     result = unit->to_si(result);
     if (!allowed.contains(result)) {
       const bool says_so = allowed.low == -Interval::largest ||
                            allowed.high != Interval::largest;
       throw Error(
-          fmt::format("{} = {}: allowed: {}{}", place, value_text(value),
-                      allowed_text(allowed, *unit),
+          fmt::format("{}{} = {}: allowed: {}{}", place, index,
+                      value_text(value), allowed_text(allowed, *unit),
                       std::isinf(result) && !says_so ? ", finite" : ""));
     }
     return result;
   }
 
-  // `count` numbers of an array appended to `to`.
+  // `count` numbers of an array, at `index`, appended to `to`.
   void numbers(const toml::node& array, std::size_t count,
-               const Interval& allowed, std::vector<double>& to) const {
+               const Interval& allowed, std::vector<double>& to,
+               const std::string& index = "") const {
     const toml::array* values = array.as_array();
     if (values == nullptr || values->size() != count) {
-      const std::string found =
-          values == nullptr ? value_text(array)
-                            : fmt::format("an array of {}", values->size());
-      throw Error(fmt::format("{} = {}: allowed: an array of {} numbers", place,
-                              found, count));
+      throw Error(fmt::format("{}{} = {}: allowed: an array of {} numbers",
+                              place, index, value_text(array), count));
     }
+    std::size_t i = 0;
     for (const toml::node& value : *values) {
-      to.push_back(number(value, allowed));
+      to.push_back(number(value, allowed, fmt::format("{}[{}]", index, ++i)));
     }
+  }
+
+  // `columns` numbers of each of its arrays.
+  std::vector<double> rows(const toml::array& array, std::size_t columns,
+                           const Interval& allowed) const {
+    std::vector<double> result;
+    std::size_t i = 0;
+    for (const toml::node& row : array) {
+      numbers(row, columns, allowed, result, fmt::format("[{}]", ++i));
+    }
+    return result;
   }
 };
 
@@ -461,11 +468,7 @@ std::optional<std::vector<double>> TomlTable::optional_matrix(
     entry->refuse(
         fmt::format("an array of {} arrays of {} numbers", rows, columns));
   }
-  std::vector<double> result;
-  for (const toml::node& row : *array) {
-    entry->numbers(row, columns, allowed, result);
-  }
-  return result;
+  return entry->rows(*array, columns, allowed);
 }
 
 std::vector<double> TomlTable::matrix(std::string_view key, std::size_t rows,
@@ -510,11 +513,7 @@ std::vector<double> TomlTable::rows(std::string_view key, std::size_t least,
     entry->refuse(fmt::format("an array of {} or more arrays of {} numbers",
                               least, columns));
   }
-  std::vector<double> result;
-  for (const toml::node& row : *array) {
-    entry->numbers(row, columns, allowed, result);
-  }
-  return result;
+  return entry->rows(*array, columns, allowed);
 }
 
 std::optional<std::int64_t> TomlTable::optional_integer(

@@ -264,7 +264,7 @@ TEST(CaseFile, Forces) {
                        "axis = [1, 0, 0]\nreference_area_m2 = 1\n"
                        "flow = [-1, 0, 0]\ndynamic_pressure_Pa = 10\n"
                        "angle_deg = [0, 10]\nnormal = [0, 0.1, 0.2]\n"),
-      "c.toml:49: force[1].normal = an array of 3: allowed: an array of 2 "
+      "c.toml:49: force[1].normal = [0, 0.1, 0.2]: allowed: an array of 2 "
       "numbers");
   EXPECT_EQ(
       message_of_force("name = \"f\"\nbody = \"arm\"\nkind = \"spring\"\n"

@@ -213,7 +213,7 @@ TEST(JointFile, NamesFileLineKeyValueAndRange) {
   EXPECT_EQ(message_with_line(4, "radius_mm = [50]"),
             "j.toml:4: geometry.radius_mm = [50]: allowed: a number");
   EXPECT_EQ(message_with_line(4, "radius_mm = 2024-05-01"),
-            "j.toml:4: geometry.radius_mm = a date or time: allowed: a number");
+            "j.toml:4: geometry.radius_mm = 2024-05-01: allowed: a number");
   EXPECT_EQ(message_with_line(5, "radial_clearance_mm = 50"),
             "j.toml:5: geometry.radial_clearance_mm = 50: allowed: above 0, "
             "below 50 mm");
@@ -567,7 +567,7 @@ TEST(TomlTable, LongArraysAreCutInMessages) {
             "t.toml:1: a: no");  // not asked for yet
   EXPECT_TRUE(table.has("a"));
   EXPECT_EQ(error_message([&] { table.fail("a", "no"); }),
-            "t.toml:1: a = [\"one\", 2.5, true, ...]: no");
+            "t.toml:1: a = [\"one\", 2.5, true, ... 7 in all]: no");
 }
 
 TEST(TomlTable, ArraysMatricesIntegersFlags) {
@@ -596,16 +596,20 @@ TEST(TomlTable, ArraysMatricesIntegersFlags) {
   EXPECT_EQ(error_message([&] {
               table.numbers("v", 2, Interval::any(), Dimension::length);
             }),
-            "t.toml:1: v_mm = an array of 3: allowed: an array of 2 numbers");
+            "t.toml:1: v_mm = [1, 2.5, -3]: allowed: an array of 2 numbers");
   EXPECT_EQ(error_message([&] {
               table.numbers("v", 3, Interval::positive(), Dimension::length);
             }),
-            "t.toml:1: v_mm = -3: allowed: above 0 mm");
+            "t.toml:1: v_mm[3] = -3: allowed: above 0 mm");
   EXPECT_EQ(error_message([&] {
               table.matrix("m", 3, 3, Interval::any(), Dimension::inertia);
             }),
             "t.toml:2: m_kg_m2 = [[1, 2], [3, 4]]: allowed: an array of 3 "
             "arrays of 3 numbers");
+  EXPECT_EQ(error_message([&] {
+              table.matrix("m", 2, 2, Interval{0, 3}, Dimension::inertia);
+            }),
+            "t.toml:2: m_kg_m2[2][2] = 4: allowed: 0 to 3 kg m^2");
   EXPECT_EQ(error_message([&] { table.integer("n", 0, 6); }),
             "t.toml:3: n = 7: allowed: an integer, 0 to 6");
   EXPECT_EQ(error_message([&] { table.boolean("n"); }),
@@ -620,6 +624,30 @@ TEST(TomlTable, ArraysMatricesIntegersFlags) {
             "t.toml:9: item[2].x = 2: too many");
   EXPECT_EQ(error_message([&] { items[1].fail("y", "no y"); }),
             "t.toml:8: item[2].y: no y");
+}
+
+TEST(TomlTable, ValuesInMessagesStayShort) {
+  const auto shown = [](const std::string& value) {
+    const auto table = TomlTable::from_text("x = " + value, "t");
+    const std::string message =
+        error_message([&] { table.number("x", Interval::any()); });
+    return message.substr(9, message.find(": allowed") - 9);
+  };
+  EXPECT_EQ(shown("[]"), "[]");
+  EXPECT_EQ(shown("[1, \"a\", true, [0.5], {y = 1}]"),
+            "[1, \"a\", true, [0.5], a table]");
+  std::string long_array = "[0";
+  for (int i = 1; i < 500; ++i) long_array += ", " + std::to_string(i);
+  EXPECT_EQ(shown(long_array + ']'),
+            "[0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, "
+            "17, ... 500 in all]");
+  EXPECT_EQ(shown("07:32:00"), "07:32:00");
+  EXPECT_EQ(shown("1979-05-27T07:32:00Z"), "1979-05-27T07:32:00Z");
+  EXPECT_EQ(error_message([] {
+              TomlTable::from_text("x = [[1, 2], [3, true]]", "t")
+                  .rows("x", 1, 2, Interval::any());
+            }),
+            "t:1: x[2][2] = true: allowed: a number");
 }
 
 TEST(TomlTable, RangesReadAsSentences) {
