@@ -285,9 +285,17 @@ bool takes_half_angle_options(std::string_view name) {
          name.starts_with("blend");
 }
 
+bool half_angle_law_allows(std::string_view name, const InnerLoading& loading) {
+  return !loading.is_back() || name == "exact";
+}
+
 std::unique_ptr<HalfAngleLaw> make_half_angle_law(
     std::string_view name, JointKind kind, const ElasticPair& pair,
-    const HalfAngleOptions& options) {
+    const HalfAngleOptions& options, const InnerLoading& loading) {
+  if (!half_angle_law_allows(name, loading)) {
+    throw Error(fmt::format("loading {}: half-angle law {}: allowed: exact",
+                            to_string(loading), detail::printable(name)));
+  }
   if (name == "paper") {
     name = kind == JointKind::spherical ? "tanh" : "blend";
   }
@@ -309,7 +317,7 @@ std::unique_ptr<HalfAngleLaw> make_half_angle_law(
     return std::make_unique<NominalLaw>(kind, pair.modulus_ratio());
   }
   if (name == "fitted") return std::make_unique<FittedLaw>(kind, pair);
-  if (name == "exact") return std::make_unique<ExactLaw>(kind, pair);
+  if (name == "exact") return std::make_unique<ExactLaw>(kind, pair, loading);
   if (name.starts_with(blend_prefix)) {
     return blend(parse_share(name.substr(blend_prefix.size())));
   }

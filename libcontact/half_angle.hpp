@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "libcontact/conforming/loading.hpp"
 #include "libcontact/error.hpp"
 #include "libcontact/joint_geometry.hpp"
 #include "libcontact/material.hpp"
@@ -264,6 +265,10 @@ const std::vector<std::string>& half_angle_law_names();
 /// but hertz.
 bool takes_half_angle_options(std::string_view name);
 
+/// Whether the law of this name holds for this loading of the inner body:
+/// through the back `exact` alone, all others are of a force at the centre.
+bool half_angle_law_allows(std::string_view name, const InnerLoading& loading);
+
 /// A law by its name.
 ///
 /// @param name  "hertz", "arctan", "tanh", "blend" (the paper's k for the
@@ -271,9 +276,12 @@ bool takes_half_angle_options(std::string_view name);
 ///              the paper recommends: blend:0.5 for a pin, tanh for a ball),
 ///              "nominal" (NominalLaw), "fitted" (FittedLaw), "exact"
 ///              (ExactLaw); these three take none of the options
-/// @throws Error if the name is not known or an option is out of range.
+/// @param loading  how the inner body is loaded
+/// @throws Error if the name is not known, an option is out of range or the
+///         law is not for this loading.
 std::unique_ptr<HalfAngleLaw> make_half_angle_law(
     std::string_view name, JointKind kind, const ElasticPair& pair,
-    const HalfAngleOptions& options = {});
+    const HalfAngleOptions& options = {},
+    const InnerLoading& loading = InnerLoading::centre());
 
 }  // namespace contact

@@ -114,6 +114,34 @@ MaterialPair materials_from_table(const TomlTable& joint) {
   }
 }
 
+// [loading], which fits the laws that have been read.
+InnerLoading loading_from_table(const TomlTable& joint,
+                                const std::string& half_angle_law,
+                                const std::string& pressure_law) {
+  const auto table = joint.optional_table("loading");
+  if (!table) return InnerLoading::centre();
+  if (table->choice("kind", {"centre", "back"}) == 0) {
+    if (table->has("patch_half_angle", Dimension::angle)) {
+      table->fail("patch_half_angle", "allowed: with kind = \"back\"");
+    }
+    return InnerLoading::centre();
+  }
+  const InnerLoading loading = InnerLoading::back(table->number(
+      "patch_half_angle", {0, std::numbers::pi / 2}, Dimension::angle));
+  if (!half_angle_law_allows(half_angle_law, loading)) {
+    table->fail("kind",
+                "allowed: with the half-angle law exact; this joint has " +
+                    half_angle_law);
+  }
+  if (!pressure_law_allows(pressure_law, loading)) {
+    table->fail("kind",
+                "allowed: with the pressure laws cosine, sqrt_tan, sqrt_theta "
+                "and exact; this joint has " +
+                    pressure_law);
+  }
+  return loading;
+}
+
 }  // namespace
 
 MaterialPair read_material_pair(const std::filesystem::path& path) {
@@ -127,11 +155,12 @@ MaterialPair parse_material_pair(std::string_view text,
 
 std::unique_ptr<HalfAngleLaw> Joint::make_half_angle_law() const {
   return contact::make_half_angle_law(half_angle_law, geometry.kind(), pair,
-                                      half_angle_options);
+                                      half_angle_options, loading);
 }
 
 std::unique_ptr<PressureLaw> Joint::make_pressure_law() const {
-  return contact::make_pressure_law(pressure_law, geometry.kind(), pair);
+  return contact::make_pressure_law(pressure_law, geometry.kind(), pair,
+                                    loading);
 }
 
 std::vector<std::string> Joint::validity_notes() const {
@@ -194,6 +223,8 @@ Joint joint_from_table(const TomlTable& table) {
       pressure->fail("law", error.what());
     }
   }
+  joint.loading =
+      loading_from_table(table, joint.half_angle_law, joint.pressure_law);
   return joint;
 }
 

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "libcontact/conforming/loading.hpp"
 #include "libcontact/friction_law.hpp"
 #include "libcontact/half_angle.hpp"
 #include "libcontact/joint_geometry.hpp"
@@ -45,6 +46,8 @@ struct Joint {
   HalfAngleOptions half_angle_options;
   /// [pressure], for make_pressure_law().
   std::string pressure_law;
+  /// [loading]: how the inner body is loaded, for both.
+  InnerLoading loading = InnerLoading::centre();
 
   std::unique_ptr<HalfAngleLaw> make_half_angle_law() const;
   std::unique_ptr<PressureLaw> make_pressure_law() const;

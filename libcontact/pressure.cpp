@@ -117,14 +117,26 @@ const std::vector<std::string>& pressure_law_names() {
   return names;
 }
 
+bool pressure_law_allows(std::string_view name, const InnerLoading& loading) {
+  return !loading.is_back() || name != "mixture";
+}
+
 std::unique_ptr<PressureLaw> make_pressure_law(std::string_view name,
                                                JointKind kind,
-                                               const ElasticPair& pair) {
+                                               const ElasticPair& pair,
+                                               const InnerLoading& loading) {
+  if (!pressure_law_allows(name, loading)) {
+    throw Error(fmt::format(
+        "loading {}: pressure law {}: allowed: cosine, sqrt_tan, sqrt_theta, "
+        "exact",
+        to_string(loading), name));
+  }
   if (name == "cosine") return std::make_unique<CosinePressure>(kind);
   if (name == "sqrt_tan") return std::make_unique<SqrtTanPressure>(kind);
   if (name == "sqrt_theta") return std::make_unique<SqrtThetaPressure>(kind);
   if (name == "mixture") return std::make_unique<MixturePressure>(kind, pair);
-  if (name == "exact") return std::make_unique<ExactPressure>(kind, pair);
+  if (name == "exact")
+    return std::make_unique<ExactPressure>(kind, pair, loading);
   throw Error(fmt::format("pressure law {}: allowed: {}",
                           detail::printable(name),
                           fmt::join(pressure_law_names(), ", ")));

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "libcontact/conforming/loading.hpp"
 #include "libcontact/joint_geometry.hpp"
 #include "libcontact/material.hpp"
 
@@ -154,11 +155,18 @@ inline constexpr std::string_view default_pressure_law = "cosine";
 /// mixture, exact.
 const std::vector<std::string>& pressure_law_names();
 
+/// Whether the law of this name may be taken for this loading of the inner
+/// body. Through the back all but mixture, which is fitted to contacts under
+/// a force at the centre; cosine, sqrt_tan and sqrt_theta are plain shapes,
+/// the same for any pair and loading.
+bool pressure_law_allows(std::string_view name, const InnerLoading& loading);
+
 /// A law by its name.
 /// @param pair  elastic constants, which mixture and exact depend on
-/// @throws Error if the name is not known.
-std::unique_ptr<PressureLaw> make_pressure_law(std::string_view name,
-                                               JointKind kind,
-                                               const ElasticPair& pair);
+/// @param loading  how the inner body is loaded, on which exact depends
+/// @throws Error if the name is not known or the law is not for this loading.
+std::unique_ptr<PressureLaw> make_pressure_law(
+    std::string_view name, JointKind kind, const ElasticPair& pair,
+    const InnerLoading& loading = InnerLoading::centre());
 
 }  // namespace contact

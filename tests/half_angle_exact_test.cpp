@@ -14,6 +14,7 @@
 #include "libcontact/units.hpp"
 #include "support/accuracy_report.hpp"
 #include "support/allocation_count.hpp"
+#include "support/error_message.hpp"
 #include "support/reference_table.hpp"
 
 namespace {
@@ -310,6 +311,35 @@ TEST(ExactLaw, LoadThroughTheBack) {
                 1e-11 * degree);
   }
   EXPECT_NEAR(ball.half_angle(3).half_angle / degree, 73.13, 0.005);
+
+  for (const JointKind kind : kinds) {
+    const auto made =
+        contact::make_half_angle_law("exact", kind, pair, {}, loading);
+    EXPECT_EQ(
+        made->half_angle(3).half_angle,
+        (kind == JointKind::spherical ? ball : pin).half_angle(3).half_angle);
+  }
+  for (const std::string& name : contact::half_angle_law_names()) {
+    EXPECT_TRUE(contact::half_angle_law_allows(name, InnerLoading::centre()));
+    EXPECT_EQ(contact::half_angle_law_allows(name, loading), name == "exact");
+    if (name == "exact") continue;
+    EXPECT_EQ(contact::test::error_message([&] {
+                contact::make_half_angle_law(name, JointKind::spherical, pair,
+                                             {}, loading);
+              }),
+              "loading back:20: half-angle law " + name + ": allowed: exact");
+  }
+}
+
+TEST(InnerLoading, Text) {
+  EXPECT_EQ(to_string(InnerLoading::centre()), "centre");
+  EXPECT_EQ(to_string(InnerLoading::back(0)), "back:0");
+  EXPECT_EQ(to_string(InnerLoading::back(22.5 * degree)), "back:22.5");
+  EXPECT_EQ(InnerLoading::back(0.1), InnerLoading::back(0.1));
+  EXPECT_NE(InnerLoading::back(0), InnerLoading::centre());
+  EXPECT_EQ(contact::test::error_message([] { InnerLoading::back(1.6); }),
+            "loading through the back: patch_half_angle = 1.6: allowed: 0 to "
+            "pi/2 rad");
 }
 
 TEST(ExactLaw, OneLawServesManyThreads) {

@@ -12,6 +12,8 @@
 #include <variant>
 #include <vector>
 
+#include "libcontact/half_angle_exact.hpp"
+#include "libcontact/pressure_exact.hpp"
 #include "libcontact/units.hpp"
 #include "support/error_message.hpp"
 
@@ -333,6 +335,68 @@ TEST(JointFile, LawsAreChecked) {
   EXPECT_EQ(error_message([&] { parse_joint(text, "j.toml"); }),
             "j.toml:17: half_angle.law = \"tanh\": linear limit half-angle: "
             "modulus_ratio = 10: allowed: 0.5 to 2");
+}
+
+TEST(JointFile, Loading) {
+  const auto file = [](const std::string& law, const std::string& pressure,
+                       const std::string& loading) {
+    std::vector<std::string> lines = good_lines;
+    lines[16] = law;
+    lines[17] = "";
+    lines[19] = pressure;
+    lines.push_back(loading);
+    return text_of(lines);
+  };
+  const auto message = [&](const std::string& law, const std::string& pressure,
+                           const std::string& loading) {
+    return error_message(
+        [&] { parse_joint(file(law, pressure, loading), "j.toml"); });
+  };
+  const std::string exact = "law = \"exact\"";
+  const std::string back = "[loading]\nkind = \"back\"\n";
+  const std::string patch = back + "patch_half_angle_deg = 20";
+
+  const Joint joint = parse_joint(file(exact, exact, patch), "j.toml");
+  const auto loading = contact::InnerLoading::back(20 * degree);
+  EXPECT_EQ(joint.loading, loading);
+  const contact::ExactLaw law(JointKind::spherical, joint.pair, loading);
+  EXPECT_EQ(joint.make_half_angle_law()->half_angle(3).half_angle,
+            law.half_angle(3).half_angle);
+  const contact::ExactPressure pressure(JointKind::spherical, joint.pair,
+                                        loading);
+  EXPECT_EQ(joint.make_pressure_law()->peak(1), pressure.peak(1));
+  const auto centre = contact::InnerLoading::centre();
+  EXPECT_EQ(parse_joint(text_of(good_lines), "j.toml").loading, centre);
+  EXPECT_EQ(
+      parse_joint(file(exact, exact, "[loading]\nkind = \"centre\""), "j.toml")
+          .loading,
+      centre);
+
+  const std::string place =
+      "j.toml:22: loading.kind = \"back\": allowed: with ";
+  EXPECT_EQ(message("", exact, patch),
+            place + "the half-angle law exact; this joint has fitted");
+  EXPECT_EQ(message("law = \"tanh\"", exact, patch),
+            place + "the half-angle law exact; this joint has tanh");
+  EXPECT_EQ(message(exact, "law = \"mixture\"", patch),
+            place +
+                "the pressure laws cosine, sqrt_tan, sqrt_theta and "
+                "exact; this joint has mixture");
+  EXPECT_EQ(message(exact, "law = \"cosine\"", patch), "(no error)");
+  EXPECT_EQ(message(exact, exact, "[loading]\nkind = \"side\""),
+            "j.toml:22: loading.kind = \"side\": allowed: \"centre\", "
+            "\"back\"");
+  EXPECT_EQ(message(exact, exact, back + "patch_half_angle_deg = 91"),
+            "j.toml:23: loading.patch_half_angle_deg = 91: allowed: 0 to 90 "
+            "deg");
+  EXPECT_EQ(message(exact, exact, back),
+            "j.toml:21: loading.patch_half_angle is missing: allowed: "
+            "patch_half_angle (in rad), patch_half_angle_rad, "
+            "patch_half_angle_deg");
+  EXPECT_EQ(message(exact, exact,
+                    "[loading]\nkind = \"centre\"\npatch_half_angle = 1"),
+            "j.toml:23: loading.patch_half_angle = 1: allowed: with kind = "
+            "\"back\"");
 }
 
 TEST(JointFile, RigidBodies) {

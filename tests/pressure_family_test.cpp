@@ -229,6 +229,32 @@ TEST(MakePressureLaw, KnowsItsNames) {
             "mixture, exact");
 }
 
+TEST(MakePressureLaw, FollowsTheLoadingOrRefusesIt) {
+  const contact::ElasticPair pair = steel_in_polymer();
+  const auto back = contact::InnerLoading::back(25 * degree);
+  for (const JointKind kind : {JointKind::spherical, JointKind::cylindrical}) {
+    for (const std::string& name : contact::pressure_law_names()) {
+      if (!contact::pressure_law_allows(name, back)) continue;
+      const double peak =
+          contact::make_pressure_law(name, kind, pair, back)->peak(1);
+      const double at_centre =
+          contact::make_pressure_law(name, kind, pair)->peak(1);
+      if (name == "exact") {
+        EXPECT_EQ(peak, ExactPressure(kind, pair, back).peak(1));
+        EXPECT_NE(peak, at_centre);
+      } else {
+        EXPECT_EQ(peak, at_centre) << name;
+      }
+    }
+  }
+  EXPECT_EQ(contact::test::error_message([&] {
+              contact::make_pressure_law("mixture", JointKind::spherical, pair,
+                                         back);
+            }),
+            "loading back:25: pressure law mixture: allowed: cosine, "
+            "sqrt_tan, sqrt_theta, exact");
+}
+
 // Normalisation by quadrature of the definition in 50 digits.
 struct Definition {
   Real normal;

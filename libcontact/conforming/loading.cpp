@@ -1,8 +1,11 @@
 #include "libcontact/conforming/loading.hpp"
 
+#include <fmt/format.h>
+
 #include <numbers>
 
 #include "libcontact/detail/check.hpp"
+#include "libcontact/units.hpp"
 
 namespace contact {
 
@@ -14,6 +17,11 @@ InnerLoading InnerLoading::back(double patch_half_angle) {
       "loading through the back", "patch_half_angle", patch_half_angle,
       "0 to pi/2 rad");
   return {true, patch_half_angle};
+}
+
+std::string to_string(const InnerLoading& loading) {
+  if (!loading.is_back()) return "centre";
+  return fmt::format("back:{:.6g}", loading.patch_half_angle() / degree);
 }
 
 }  // namespace contact

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "libcontact/error.hpp"
 
 /// What the exact solutions of conforming contact share: how the inner body
@@ -26,6 +28,8 @@ class InnerLoading {
   /// psi, rad; 0 for centre().
   double patch_half_angle() const { return patch_half_angle_; }
 
+  friend bool operator==(const InnerLoading&, const InnerLoading&) = default;
+
  private:
   InnerLoading(bool back, double patch_half_angle)
       : back_(back), patch_half_angle_(patch_half_angle) {}
@@ -33,6 +37,9 @@ class InnerLoading {
   bool back_;
   double patch_half_angle_;
 };
+
+/// "centre", or "back:20" with psi in degrees, to six digits.
+std::string to_string(const InnerLoading& loading);
 
 /// A half-angle from an exact solution.
 struct ExactHalfAngle {
