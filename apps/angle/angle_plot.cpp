@@ -72,7 +72,7 @@ cli::LowerPanel error_panel(const std::vector<cli::Curve>& curves,
 
 }  // namespace
 
-std::string draw(const AngleTable& angles, const Input& input,
+std::string draw(const Loads& scale, const Input& input,
                  const Setup& setup, const std::vector<NamedLaw>& laws,
                  const std::string& file) {
   const std::vector<double> values = shown_values(input.values);
@@ -91,7 +91,7 @@ std::string draw(const AngleTable& angles, const Input& input,
     curve.colour = static_cast<int>(plot.curves.size()) + 1;
     for (const double value : values) {
       if (input.inverse) {
-        curve.x.push_back(angles.convert(
+        curve.x.push_back(scale.convert(
             LoadVariable::load_parameter,
             law.law->load_parameter(value * contact::degree).load_parameter,
             input.variable));
@@ -100,7 +100,7 @@ std::string draw(const AngleTable& angles, const Input& input,
         curve.x.push_back(value);
         curve.y.push_back(
             law.law
-                ->half_angle(angles.convert(input.variable, value,
+                ->half_angle(scale.convert(input.variable, value,
                                             LoadVariable::load_parameter))
                 .half_angle /
             contact::degree);

@@ -2,22 +2,17 @@
 
 #include <cstddef>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
-#include "angle/setup.hpp"
 
+#include "angle/loads.hpp"
+#include "angle/setup.hpp"
 #include "cli/table.hpp"
 #include "libcontact/half_angle.hpp"
-#include "libcontact/joint_geometry.hpp"
-#include "libcontact/material.hpp"
 #include "libcontact/pressure.hpp"
 
 /// The parts of the program hinge-angle.
 namespace hinge_angle {
-
-/// In what the load is given.
-enum class LoadVariable { load, load_parameter, x };
 
 /// A half-angle law under the name by which it was asked for.
 struct NamedLaw {
@@ -35,10 +30,13 @@ struct Failures {
 class AngleTable {
  public:
   /// @param setup     must outlive the table, as must the others
+  /// @param loads     of the same joint
   /// @param laws      for the joint's kind and pair
   /// @param pressure  for the peak pressure
-  AngleTable(const Setup& setup, const std::vector<NamedLaw>& laws,
-             const contact::PressureLaw& pressure);
+  AngleTable(const Setup& setup, const Loads& loads,
+             const std::vector<NamedLaw>& laws,
+             const contact::PressureLaw& pressure)
+      : setup_(setup), loads_(loads), laws_(laws), pressure_(pressure) {}
 
   /// load (if the joint has a geometry), load_parameter, x, then for each law
   /// theta0_LAW_deg and p_peak_LAW_Pa or p_peak_LAW_over_mean.
@@ -54,18 +52,15 @@ class AngleTable {
   void write_inverse_row(double theta0_deg, cli::RowWriter& row,
                          std::vector<Failures>& failures) const;
 
-  /// A load in terms of another variable; `load` needs a geometry.
-  double convert(LoadVariable from, double load, LoadVariable to) const;
-
  private:
   std::string peak_column(const NamedLaw& law) const;
   // Pa, or in pressure units (R_n/rho1^2, P/rho1) without a geometry.
   double peak_pressure(double half_angle, double load_parameter) const;
 
   const Setup& setup_;
+  const Loads& loads_;
   const std::vector<NamedLaw>& laws_;
   const contact::PressureLaw& pressure_;
-  std::optional<contact::LoadScale> scale_;
 };
 
 }  // namespace hinge_angle

@@ -31,7 +31,7 @@ int cost_of(std::string_view name, contact::JointKind kind) {
 
 // Loads in equal ratios from the smallest to the largest of the input, as
 // load parameters.
-std::vector<double> load_parameters(const AngleTable& angles,
+std::vector<double> load_parameters(const Loads& scale,
                                     const Input& input) {
   double low = infinity;
   double high = 0;
@@ -39,8 +39,8 @@ std::vector<double> load_parameters(const AngleTable& angles,
     low = std::min(low, input.values[i]);
     high = std::max(high, input.values[i]);
   }
-  low = angles.convert(input.variable, low, LoadVariable::load_parameter);
-  high = angles.convert(input.variable, high, LoadVariable::load_parameter);
+  low = scale.convert(input.variable, low, LoadVariable::load_parameter);
+  high = scale.convert(input.variable, high, LoadVariable::load_parameter);
   std::vector<double> loads = {low, high};
   // At 0 all laws are 0; below 1e-9 they are Hertz's.
   const double first = std::max(low, 1e-9);
@@ -85,12 +85,12 @@ LawComparison compare_law(const NamedLaw& law,
 
 }  // namespace
 
-std::vector<LawComparison> compare(const AngleTable& angles, const Input& input,
+std::vector<LawComparison> compare(const Loads& scale, const Input& input,
                                    const Setup& setup,
                                    const std::vector<NamedLaw>& laws,
                                    double tolerance_percent) {
   const contact::ExactLaw exact(setup.kind, setup.pair);
-  const std::vector<double> loads = load_parameters(angles, input);
+  const std::vector<double> loads = load_parameters(scale, input);
   std::vector<LawComparison> result;
   for (const NamedLaw& law : laws) {
     result.push_back(compare_law(law, exact, loads));
@@ -110,7 +110,7 @@ std::vector<LawComparison> compare(const AngleTable& angles, const Input& input,
 }
 
 void write_comparison(const std::vector<LawComparison>& laws,
-                      const AngleTable& angles, const Setup& setup,
+                      const Loads& scale, const Setup& setup,
                       const cli::OutputOptions& options) {
   std::vector<std::string> columns = {"law", "error_percent"};
   if (setup.geometry) columns.emplace_back("load");
@@ -127,7 +127,7 @@ void write_comparison(const std::vector<LawComparison>& laws,
     row.text(law.name);
     row.number(law.error_percent);
     if (setup.geometry) {
-      row.number(angles.convert(LoadVariable::load_parameter,
+      row.number(scale.convert(LoadVariable::load_parameter,
                                 law.load_parameter, LoadVariable::load));
     }
     row.number(law.load_parameter);

@@ -26,7 +26,7 @@ struct LawComparison {
 /// Compares the laws between the smallest and the largest load of the input,
 /// at 400 loads in equal ratios and at both ends. The cheapest law within the
 /// tolerance is recommended, exact if there is no other.
-std::vector<LawComparison> compare(const AngleTable& angles, const Input& input,
+std::vector<LawComparison> compare(const Loads& scale, const Input& input,
                                    const Setup& setup,
                                    const std::vector<NamedLaw>& laws,
                                    double tolerance_percent);
@@ -35,7 +35,7 @@ std::vector<LawComparison> compare(const AngleTable& angles, const Input& input,
 /// geometry), load_parameter, theta0_exact_deg, theta0_law_deg, cost_tanh,
 /// recommended (yes or empty).
 void write_comparison(const std::vector<LawComparison>& laws,
-                      const AngleTable& angles, const Setup& setup,
+                      const Loads& scale, const Setup& setup,
                       const cli::OutputOptions& options);
 
 }  // namespace hinge_angle

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "angle/angle_table.hpp"
+#include "angle/loads.hpp"
 #include "angle/setup.hpp"
 #include "cli/sweep.hpp"
 

@@ -137,20 +137,21 @@ cli::ExitStatus run(const Options& options) {
   const std::vector<NamedLaw> laws = make_laws(setup);
   const auto pressure =
       contact::make_pressure_law(setup.pressure_law, setup.kind, setup.pair);
-  const AngleTable angles(setup, laws, *pressure);
+  const Loads loads(setup.kind, setup.geometry, setup.pair);
+  const AngleTable angles(setup, loads, laws, *pressure);
   const Input input = make_input(options, setup);
   print_validity(setup, laws);
 
   cli::ExitStatus status = cli::all_good;
   if (options.compare) {
-    write_comparison(compare(angles, input, setup, laws, setup.tolerance),
-                     angles, setup, options.output);
+    write_comparison(compare(loads, input, setup, laws, setup.tolerance), loads,
+                     setup, options.output);
   } else {
     status = write_half_angles(angles, input, laws, options.output);
   }
   if (options.output.plot.empty()) return status;
   const std::string problem =
-      draw(angles, input, setup, laws, options.output.plot);
+      draw(loads, input, setup, laws, options.output.plot);
   if (problem.empty()) return status;
   cli::warn("hinge-angle", problem);
   return cli::some_bad;

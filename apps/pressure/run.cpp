@@ -46,9 +46,8 @@ std::vector<NamedPressure> make_pressures(const Options& options,
   return pressures;
 }
 
-std::vector<LoadedContact> make_contacts(
-    const Input& input, const Setup& setup,
-    const std::vector<NamedPressure>& pressures) {
+std::vector<LoadedContact> make_contacts(const Input& input,
+                                         const Setup& setup) {
   std::vector<hinge_angle::NamedLaw> laws;
   const std::string& name = setup.half_angle_laws.front();
   laws.push_back(
@@ -62,14 +61,14 @@ std::vector<LoadedContact> make_contacts(
   for (const std::string& text : laws[0].law->validity_notes(setup.pair)) {
     cli::warn("hinge-pressure", fmt::format("law {}: {}", name, text));
   }
-  const hinge_angle::AngleTable angles(setup, laws, *pressures[0].law);
+  const hinge_angle::Loads loads(setup.kind, setup.geometry, setup.pair);
   std::vector<LoadedContact> contacts;
   for (std::size_t i = 0; i < input.values.size(); ++i) {
-    const double parameter = angles.convert(input.variable, input.values[i],
-                                            LoadVariable::load_parameter);
-    const double load = setup.geometry
-                            ? angles.convert(input.variable, input.values[i],
-                                             LoadVariable::load)
+    const double parameter = loads.convert(input.variable, input.values[i],
+                                           LoadVariable::load_parameter);
+    const double load = loads.have_load()
+                            ? loads.convert(input.variable, input.values[i],
+                                            LoadVariable::load)
                             : parameter;
     const auto result = laws[0].law->half_angle(parameter);
     contacts.push_back({load, parameter, result.half_angle, result.status});
@@ -151,7 +150,7 @@ cli::ExitStatus run(const Options& options) {
   }
   const std::vector<NamedPressure> pressures = make_pressures(options, setup);
   const Input input = hinge_angle::make_input(options.contact, setup);
-  const auto contacts = make_contacts(input, setup, pressures);
+  const auto contacts = make_contacts(input, setup);
   const PressureTable table(setup, pressures);
   write_table(table, contacts, options);
   const cli::ExitStatus status =
