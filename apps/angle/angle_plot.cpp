@@ -72,9 +72,8 @@ cli::LowerPanel error_panel(const std::vector<cli::Curve>& curves,
 
 }  // namespace
 
-std::string draw(const Loads& scale, const Input& input,
-                 const Setup& setup, const std::vector<NamedLaw>& laws,
-                 const std::string& file) {
+std::string draw(const Loads& scale, const Input& input, const Setup& setup,
+                 const std::vector<NamedLaw>& laws, const std::string& file) {
   const std::vector<double> values = shown_values(input.values);
   cli::LinePlot plot;
   plot.title = fmt::format("{} joint", to_string(setup.kind));
@@ -101,7 +100,7 @@ std::string draw(const Loads& scale, const Input& input,
         curve.y.push_back(
             law.law
                 ->half_angle(scale.convert(input.variable, value,
-                                            LoadVariable::load_parameter))
+                                           LoadVariable::load_parameter))
                 .half_angle /
             contact::degree);
       }

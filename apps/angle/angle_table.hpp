@@ -1,24 +1,19 @@
 #pragma once
 
 #include <cstddef>
-#include <memory>
 #include <string>
 #include <vector>
 
 #include "angle/loads.hpp"
 #include "angle/setup.hpp"
+#include "cli/laws.hpp"
 #include "cli/table.hpp"
-#include "libcontact/half_angle.hpp"
 #include "libcontact/pressure.hpp"
 
 /// The parts of the program hinge-angle.
 namespace hinge_angle {
 
-/// A half-angle law under the name by which it was asked for.
-struct NamedLaw {
-  std::string name;
-  std::unique_ptr<contact::HalfAngleLaw> law;
-};
+using cli::NamedLaw;
 
 /// How often a law had no value.
 struct Failures {

@@ -31,8 +31,7 @@ int cost_of(std::string_view name, contact::JointKind kind) {
 
 // Loads in equal ratios from the smallest to the largest of the input, as
 // load parameters.
-std::vector<double> load_parameters(const Loads& scale,
-                                    const Input& input) {
+std::vector<double> load_parameters(const Loads& scale, const Input& input) {
   double low = infinity;
   double high = 0;
   for (std::size_t i = 0; i < input.values.size(); ++i) {
@@ -127,8 +126,8 @@ void write_comparison(const std::vector<LawComparison>& laws,
     row.text(law.name);
     row.number(law.error_percent);
     if (setup.geometry) {
-      row.number(scale.convert(LoadVariable::load_parameter,
-                                law.load_parameter, LoadVariable::load));
+      row.number(scale.convert(LoadVariable::load_parameter, law.load_parameter,
+                               LoadVariable::load));
     }
     row.number(law.load_parameter);
     row.number(law.exact / contact::degree);

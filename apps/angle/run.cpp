@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -12,25 +10,14 @@
 #include "angle/angle_table.hpp"
 #include "angle/compare.hpp"
 #include "angle/input.hpp"
+#include "cli/laws.hpp"
 #include "cli/ordered_blocks.hpp"
 #include "cli/output.hpp"
 #include "cli/progress.hpp"
 #include "cli/table.hpp"
-#include "libcontact/error.hpp"
-#include "libcontact/units.hpp"
 
 namespace hinge_angle {
 namespace {
-
-std::vector<NamedLaw> make_laws(const Setup& setup) {
-  std::vector<NamedLaw> laws;
-  for (const std::string& name : setup.half_angle_laws) {
-    laws.push_back(
-        {name, contact::make_half_angle_law(name, setup.kind, setup.pair,
-                                            setup.half_angle_options)});
-  }
-  return laws;
-}
 
 // Some rows on their way through the program.
 struct Block {
@@ -86,26 +73,6 @@ std::vector<Failures> write_table(const AngleTable& angles, const Input& input,
   return failures;
 }
 
-// Warns of the use of the joint and the laws outside their ranges, once for
-// each reason.
-void print_validity(const Setup& setup, const std::vector<NamedLaw>& laws) {
-  if (setup.geometry) {
-    for (const std::string& text : setup.geometry->validity_notes()) {
-      cli::warn("hinge-angle", text);
-    }
-  }
-  std::map<std::string, std::string> laws_by_reason;
-  for (const NamedLaw& law : laws) {
-    for (const std::string& text : law.law->validity_notes(setup.pair)) {
-      std::string& names = laws_by_reason[text];
-      names += (names.empty() ? "" : ", ") + law.name;
-    }
-  }
-  for (const auto& [text, names] : laws_by_reason) {
-    cli::warn("hinge-angle", fmt::format("law {}: {}", names, text));
-  }
-}
-
 // The table; says what the laws could not give.
 cli::ExitStatus write_half_angles(const AngleTable& angles, const Input& input,
                                   const std::vector<NamedLaw>& laws,
@@ -134,13 +101,15 @@ cli::ExitStatus write_half_angles(const AngleTable& angles, const Input& input,
 
 cli::ExitStatus run(const Options& options) {
   const Setup setup = make_setup(options);
-  const std::vector<NamedLaw> laws = make_laws(setup);
+  const std::vector<NamedLaw> laws = cli::make_half_angle_laws(
+      setup.half_angle_laws, setup.kind, setup.pair, setup.half_angle_options);
   const auto pressure =
       contact::make_pressure_law(setup.pressure_law, setup.kind, setup.pair);
   const Loads loads(setup.kind, setup.geometry, setup.pair);
   const AngleTable angles(setup, loads, laws, *pressure);
   const Input input = make_input(options, setup);
-  print_validity(setup, laws);
+  cli::warn_of_validity("hinge-angle", setup.geometry_notes(),
+                        cli::LawNotes(laws, setup.pair));
 
   cli::ExitStatus status = cli::all_good;
   if (options.compare) {

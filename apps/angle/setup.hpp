@@ -49,6 +49,11 @@ struct Setup {
   std::string pressure_law = "cosine";
   /// Percent of theta0: what --compare calls good enough.
   double tolerance = 0.1;
+
+  /// What is to say about the geometry.
+  std::vector<std::string> geometry_notes() const {
+    return geometry ? geometry->validity_notes() : std::vector<std::string>();
+  }
 };
 
 /// The joint, laws and limit angle that the options describe. Throws

@@ -30,15 +30,6 @@ double parse_value(std::string_view option, std::string_view text,
   return *value;
 }
 
-void refuse_repetition(std::string_view option,
-                       const std::vector<std::string>& names) {
-  for (auto name = names.begin(); name != names.end(); ++name) {
-    if (std::find(names.begin(), name, *name) == name) continue;
-    throw contact::Error(
-        fmt::format("{} {}: allowed once, is there twice", option, *name));
-  }
-}
-
 std::array<double, 3> parse_vector(std::string_view option,
                                    std::string_view text,
                                    std::string_view what) {

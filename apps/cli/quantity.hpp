@@ -1,9 +1,7 @@
 #pragma once
 
 #include <array>
-#include <string>
 #include <string_view>
-#include <vector>
 
 #include "cli/number.hpp"
 
@@ -14,10 +12,6 @@ namespace cli {
 /// @param option  name for messages, such as "--radius"
 double parse_value(std::string_view option, std::string_view text,
                    const Allowed& allowed);
-
-/// Throws contact::Error if a name occurs twice: columns are called by them.
-void refuse_repetition(std::string_view option,
-                       const std::vector<std::string>& names);
 
 /// "X,Y,Z": three numbers, finite. Throws contact::Error for anything else.
 /// @param what  for messages: "a force in N"

@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <map>
 #include <string>
 #include <vector>
 
+#include "cli/laws.hpp"
 #include "joint/beside.hpp"
 #include "joint/input.hpp"
 #include "joint/loop_table.hpp"
@@ -17,27 +17,11 @@
 namespace hinge_joint {
 namespace {
 
-// Warns of the use of the joint and the laws outside their ranges, once for
-// each reason.
-void print_validity(const Setup& setup) {
-  const contact::JointContact& first = setup.joints[0].joint.contact();
-  for (const std::string& text : first.geometry().validity_notes()) {
-    cli::warn("hinge-joint", text);
-  }
-  std::map<std::string, std::vector<std::string>> laws_by_reason;
-  for (const NamedJoint& named : setup.joints) {
-    const contact::JointContact& contact = named.joint.contact();
-    for (const std::string& text :
-         contact.half_angle_law().validity_notes(contact.pair())) {
-      // Each law comes with all pressure laws, one after the other.
-      std::vector<std::string>& laws = laws_by_reason[text];
-      if (laws.empty() || laws.back() != named.law) laws.push_back(named.law);
-    }
-  }
-  for (const auto& [text, laws] : laws_by_reason) {
-    cli::warn("hinge-joint",
-              fmt::format("law {}: {}", fmt::join(laws, ", "), text));
-  }
+void warn_of_validity(const Setup& setup) {
+  cli::warn_of_validity(
+      "hinge-joint",
+      setup.joints[0].joint.contact().geometry().validity_notes(),
+      setup.law_notes);
 }
 
 // The one state and pair of laws that a loop is run for.
@@ -108,7 +92,7 @@ cli::ExitStatus run_points(const Options& options, const Setup& setup) {
   if (setup.joints.size() != 1) {
     throw contact::Error("--points: allowed one law and one pressure law");
   }
-  print_validity(setup);
+  warn_of_validity(setup);
   return report(write_points(setup.joints[0], options));
 }
 
@@ -118,7 +102,7 @@ cli::ExitStatus run(const Options& options) {
   const Setup setup = make_setup(options);
   if (!options.points.empty()) return run_points(options, setup);
   const Inputs inputs(options, setup.joints[0].joint.is_pin());
-  print_validity(setup);
+  warn_of_validity(setup);
   if (options.trace || !options.outer.empty()) {
     return run_loops(options, setup, inputs);
   }

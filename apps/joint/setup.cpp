@@ -2,17 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
-#include <limits>
-#include <memory>
-#include <optional>
 
 #include "cli/choice.hpp"
 #include "cli/quantity.hpp"
 #include "libcontact/error.hpp"
 #include "libcontact/joint_file.hpp"
-#include "libcontact/units.hpp"
 
 namespace hinge_joint {
 namespace {
@@ -115,55 +110,27 @@ contact::FrictionModel make_friction(const Options& options,
   return contact::FrictionLaw(dry->coefficient(), adhesion);
 }
 
-void set_limit_angle(contact::HalfAngleOptions& limit,
-                     const std::string& text) {
-  if (text.empty()) return;
-  limit.limit_half_angle.reset();
-  limit.linear_limit = text == "linear";
-  if (text == "linear" || text == "formula") return;
-  limit.limit_half_angle =
-      cli::parse_value("--limit-angle", text, {0, 180, "deg"}) *
-      contact::degree;
-}
-
 }  // namespace
 
 Setup make_setup(const Options& options) {
   const bool named = options.joint == "sphere" || options.joint == "cylinder";
   Joint joint = named ? joint_from_options(options) : joint_from_file(options);
-  set_limit_angle(joint.half_angle_options, options.limit_angle);
   const auto friction = make_friction(options, joint);
-  std::vector<std::string> laws = options.laws;
-  std::vector<std::string> pressures = options.pressures;
-  cli::refuse_repetition("--law", laws);
-  cli::refuse_repetition("--pressure", pressures);
-  if (laws.empty()) laws = {joint.half_angle_law};
-  if (laws == std::vector<std::string>{"all"}) {
-    laws = contact::half_angle_law_names();
-    std::erase(laws, "paper");  // one of the others
-  }
-  if (!options.limit_angle.empty() &&
-      std::none_of(laws.begin(), laws.end(),
-                   contact::takes_half_angle_options)) {
-    throw contact::Error(
-        fmt::format("--limit-angle {}: allowed with the laws arctan, tanh, "
-                    "blend and paper; none of them is asked for",
-                    options.limit_angle));
-  }
-  if (pressures.empty()) pressures = {joint.pressure_law};
-  if (pressures == std::vector<std::string>{"all"}) {
-    pressures = contact::pressure_law_names();
-  }
+  const auto laws = cli::half_angle_laws(options.laws, {joint.half_angle_law});
+  const auto pressures =
+      cli::pressure_laws(options.pressures, {joint.pressure_law});
+  cli::set_limit_angle(options.limit_angle, laws, joint.half_angle_options);
 
-  Setup setup{joint.name, {}};
-  for (const std::string& law : laws) {
-    joint.half_angle_law = law;
-    for (const std::string& pressure : pressures) {
-      joint.pressure_law = pressure;
-      setup.joints.push_back(
-          {law, pressure,
-           AnyJoint({joint.geometry, joint.pair, friction,
-                     joint.make_half_angle_law(), joint.make_pressure_law()})});
+  const contact::JointKind kind = joint.geometry.kind();
+  const auto half_angles = cli::make_half_angle_laws(laws, kind, joint.pair,
+                                                     joint.half_angle_options);
+  const auto shapes = cli::make_pressure_laws(pressures, kind, joint.pair);
+  Setup setup{joint.name, {}, cli::LawNotes(half_angles, joint.pair)};
+  for (const cli::NamedLaw& law : half_angles) {
+    for (const cli::NamedPressure& pressure : shapes) {
+      setup.joints.push_back({law.name, pressure.name,
+                              AnyJoint({joint.geometry, joint.pair, friction,
+                                        law.law, pressure.law})});
     }
   }
   return setup;

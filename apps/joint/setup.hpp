@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/laws.hpp"
 #include "cli/program.hpp"
 #include "joint/any_joint.hpp"
 
@@ -56,6 +57,7 @@ struct NamedJoint {
 struct Setup {
   std::string name;  ///< of the joint file, or ""
   std::vector<NamedJoint> joints;
+  cli::LawNotes law_notes;
 };
 
 /// Throws contact::Error if the options do not fit together or a value is not

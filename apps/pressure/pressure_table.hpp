@@ -1,22 +1,16 @@
 #pragma once
 
-#include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
-#include "angle/angle_table.hpp"
 #include "angle/setup.hpp"
+#include "cli/laws.hpp"
 #include "cli/table.hpp"
 
 /// The parts of the program hinge-pressure.
 namespace hinge_pressure {
 
-/// A pressure law under the name by which it was asked for.
-struct NamedPressure {
-  std::string name;
-  std::unique_ptr<contact::PressureLaw> law;
-};
+using cli::NamedPressure;
 
 /// A load and the contact that it makes.
 struct LoadedContact {

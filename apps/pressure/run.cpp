@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "angle/input.hpp"
+#include "angle/loads.hpp"
+#include "cli/laws.hpp"
 #include "cli/output.hpp"
 #include "cli/quantity.hpp"
 #include "cli/table.hpp"
@@ -31,45 +33,21 @@ int point_count(const std::string& text) {
   return static_cast<int>(points);
 }
 
-std::vector<NamedPressure> make_pressures(const Options& options,
-                                          const Setup& setup) {
-  std::vector<std::string> names = options.pressures;
-  cli::refuse_repetition("--pressure", names);
-  if (names.empty() || names == std::vector<std::string>{"all"}) {
-    names = contact::pressure_law_names();
-  }
-  std::vector<NamedPressure> pressures;
-  for (const std::string& name : names) {
-    pressures.push_back(
-        {name, contact::make_pressure_law(name, setup.kind, setup.pair)});
-  }
-  return pressures;
-}
-
 std::vector<LoadedContact> make_contacts(const Input& input,
                                          const Setup& setup) {
-  std::vector<hinge_angle::NamedLaw> laws;
-  const std::string& name = setup.half_angle_laws.front();
-  laws.push_back(
-      {name, contact::make_half_angle_law(name, setup.kind, setup.pair,
-                                          setup.half_angle_options)});
-  if (setup.geometry) {
-    for (const std::string& text : setup.geometry->validity_notes()) {
-      cli::warn("hinge-pressure", text);
-    }
-  }
-  for (const std::string& text : laws[0].law->validity_notes(setup.pair)) {
-    cli::warn("hinge-pressure", fmt::format("law {}: {}", name, text));
-  }
+  const auto laws = cli::make_half_angle_laws(
+      setup.half_angle_laws, setup.kind, setup.pair, setup.half_angle_options);
+  cli::warn_of_validity("hinge-pressure", setup.geometry_notes(),
+                        cli::LawNotes(laws, setup.pair));
   const hinge_angle::Loads loads(setup.kind, setup.geometry, setup.pair);
   std::vector<LoadedContact> contacts;
   for (std::size_t i = 0; i < input.values.size(); ++i) {
     const double parameter = loads.convert(input.variable, input.values[i],
                                            LoadVariable::load_parameter);
-    const double load = loads.have_load()
-                            ? loads.convert(input.variable, input.values[i],
-                                            LoadVariable::load)
-                            : parameter;
+    const double load =
+        loads.have_load()
+            ? loads.convert(input.variable, input.values[i], LoadVariable::load)
+            : parameter;
     const auto result = laws[0].law->half_angle(parameter);
     contacts.push_back({load, parameter, result.half_angle, result.status});
   }
@@ -148,7 +126,9 @@ cli::ExitStatus run(const Options& options) {
   if (setup.half_angle_laws.size() != 1) {
     throw contact::Error("--law: one half-angle law here (see --help)");
   }
-  const std::vector<NamedPressure> pressures = make_pressures(options, setup);
+  const std::vector<NamedPressure> pressures = cli::make_pressure_laws(
+      cli::pressure_laws(options.pressures, contact::pressure_law_names()),
+      setup.kind, setup.pair);
   const Input input = hinge_angle::make_input(options.contact, setup);
   const auto contacts = make_contacts(input, setup);
   const PressureTable table(setup, pressures);

@@ -2,10 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <limits>
 #include <optional>
 
-#include "cli/quantity.hpp"
+#include "cli/laws.hpp"
 #include "libcontact/error.hpp"
 #include "libcontact/joint_file.hpp"
 
@@ -30,14 +29,9 @@ std::optional<Materials> materials_of(const Options& options) {
     return Materials{contact::read_material_pair(options.pair).elastic, {}};
   }
   if (!options.modulus_ratio.empty()) {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    constexpr cli::Allowed poisson{0, 0.5, ""};
     return Materials{
-        contact::ElasticPair::from_modulus_ratio(
-            cli::parse_value("--modulus-ratio", options.modulus_ratio,
-                             {0, infinity, ""}),
-            cli::parse_value("--poisson1", options.poisson1, poisson),
-            cli::parse_value("--poisson2", options.poisson2, poisson)),
+        cli::pair_of_modulus_ratio(options.modulus_ratio, options.poisson1,
+                                   options.poisson2),
         {}};
   }
   return {};

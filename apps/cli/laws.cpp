@@ -1,0 +1,126 @@
+#include "cli/laws.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "cli/program.hpp"
+#include "cli/quantity.hpp"
+#include "libcontact/error.hpp"
+#include "libcontact/units.hpp"
+
+namespace cli {
+namespace {
+
+void refuse_repetition(std::string_view option,
+                       const std::vector<std::string>& names) {
+  for (auto name = names.begin(); name != names.end(); ++name) {
+    if (std::find(names.begin(), name, *name) == name) continue;
+    throw contact::Error(
+        fmt::format("{} {}: allowed once, is there twice", option, *name));
+  }
+}
+
+// The names asked for, `all` for the word "all".
+std::vector<std::string> law_names(std::string_view option,
+                                   const std::vector<std::string>& asked,
+                                   std::vector<std::string> otherwise,
+                                   const std::vector<std::string>& all) {
+  refuse_repetition(option, asked);
+  if (asked.empty()) return otherwise;
+  return asked == std::vector<std::string>{"all"} ? all : asked;
+}
+
+}  // namespace
+
+std::vector<std::string> half_angle_laws(const std::vector<std::string>& asked,
+                                         std::vector<std::string> otherwise) {
+  std::vector<std::string> all = contact::half_angle_law_names();
+  std::erase(all, "paper");  // one of the others
+  return law_names("--law", asked, std::move(otherwise), all);
+}
+
+std::vector<std::string> pressure_laws(const std::vector<std::string>& asked,
+                                       std::vector<std::string> otherwise) {
+  return law_names("--pressure", asked, std::move(otherwise),
+                   contact::pressure_law_names());
+}
+
+void set_limit_angle(const std::string& text,
+                     const std::vector<std::string>& laws,
+                     contact::HalfAngleOptions& options) {
+  if (text.empty()) return;
+  options.limit_half_angle.reset();
+  options.linear_limit = text == "linear";
+  if (text != "linear" && text != "formula") {
+    options.limit_half_angle =
+        parse_value("--limit-angle", text, {0, 180, "deg"}) * contact::degree;
+  }
+  if (std::none_of(laws.begin(), laws.end(),
+                   contact::takes_half_angle_options)) {
+    throw contact::Error(
+        fmt::format("--limit-angle {}: allowed with the laws arctan, tanh, "
+                    "blend and paper; none of them is asked for",
+                    text));
+  }
+}
+
+std::vector<NamedLaw> make_half_angle_laws(
+    const std::vector<std::string>& names, contact::JointKind kind,
+    const contact::ElasticPair& pair,
+    const contact::HalfAngleOptions& options) {
+  std::vector<NamedLaw> laws;
+  for (const std::string& name : names) {
+    laws.push_back(
+        {name, contact::make_half_angle_law(name, kind, pair, options)});
+  }
+  return laws;
+}
+
+std::vector<NamedPressure> make_pressure_laws(
+    const std::vector<std::string>& names, contact::JointKind kind,
+    const contact::ElasticPair& pair) {
+  std::vector<NamedPressure> laws;
+  for (const std::string& name : names) {
+    laws.push_back({name, contact::make_pressure_law(name, kind, pair)});
+  }
+  return laws;
+}
+
+contact::ElasticPair pair_of_modulus_ratio(std::string_view ratio,
+                                           std::string_view poisson1,
+                                           std::string_view poisson2) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  constexpr Allowed poisson{0, 0.5, ""};
+  return contact::ElasticPair::from_modulus_ratio(
+      parse_value("--modulus-ratio", ratio, {0, infinity, ""}),
+      parse_value("--poisson1", poisson1, poisson),
+      parse_value("--poisson2", poisson2, poisson));
+}
+
+LawNotes::LawNotes(const std::vector<NamedLaw>& laws,
+                   const contact::ElasticPair& pair) {
+  for (const NamedLaw& named : laws) {
+    for (const std::string& reason : named.law->validity_notes(pair)) {
+      laws_by_reason_[reason].push_back(named.name);
+    }
+  }
+}
+
+std::vector<std::string> LawNotes::texts() const {
+  std::vector<std::string> texts;
+  for (const auto& [reason, laws] : laws_by_reason_) {
+    texts.push_back(fmt::format("law {}: {}", fmt::join(laws, ", "), reason));
+  }
+  return texts;
+}
+
+void warn_of_validity(std::string_view program,
+                      const std::vector<std::string>& geometry,
+                      const LawNotes& laws) {
+  for (const std::string& text : geometry) warn(program, text);
+  for (const std::string& text : laws.texts()) warn(program, text);
+}
+
+}  // namespace cli
