@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "cli/number.hpp"
-#include "libcontact/half_angle.hpp"
+#include "libcontact/half_angle_exact.hpp"
 #include "libcontact/joint_file.hpp"
-#include "libcontact/pressure.hpp"
+#include "libcontact/pressure_exact.hpp"
 #include "libcontact/units.hpp"
 #include "support/program.hpp"
 
@@ -202,6 +202,59 @@ TEST(HingeAngle, LimitAngle) {
   // Rigid seat, rigid pin: the formula's ends, printed to two decimals.
   EXPECT_NEAR(limit("--modulus-ratio 0"), 92.53, 5e-3);
   EXPECT_NEAR(limit("--modulus-ratio inf"), 80.33, 5e-3);
+}
+
+TEST(HingeAngle, LoadedThroughTheBack) {
+  const ProgramFolder folder;
+  const auto loading = contact::InnerLoading::back(20 * contact::degree);
+  const auto run = [&](const std::string& kind, const std::string& options) {
+    const ProgramResult result = folder.run("hinge-angle --joint " + kind +
+                                            " --modulus-ratio 0 " + options);
+    EXPECT_EQ(result.status, 0) << result.err;
+    return csv_rows(result.out);
+  };
+  const auto pair = contact::ElasticPair::from_modulus_ratio(0, 0.3, 0.3);
+  for (const JointKind kind : {JointKind::spherical, JointKind::cylindrical}) {
+    const bool ball = kind == JointKind::spherical;
+    const auto rows = run(
+        ball ? "sphere" : "cylinder",
+        "--law exact --loading back:20 --load-parameter 3 --pressure exact");
+    const contact::ExactLaw law(kind, pair, loading);
+    const double half_angle = law.half_angle(3).half_angle;
+    EXPECT_EQ(std::stod(csv_column(rows, "theta0_exact_back:20_deg")[0]),
+              half_angle / contact::degree);
+    EXPECT_EQ(std::stod(csv_column(
+                  rows, "p_peak_exact_back:20_by_exact_back:20_over_mean")[0]),
+              contact::ExactPressure(kind, pair, loading).peak(half_angle));
+  }
+  // docs/conforming.md: 66.55 deg under a force at the centre, 73.13 here.
+  const std::string load = "--law exact --load-parameter 3 --loading ";
+  EXPECT_EQ(run("sphere", load + "centre"),
+            run("sphere", "--law exact --load-parameter 3"));
+  EXPECT_NEAR(std::stod(run("sphere", load + "centre")[1][2]), 66.55, 5e-3);
+  EXPECT_NEAR(std::stod(run("sphere", load + "back:20")[1][2]), 73.13, 5e-3);
+  // All laws are those that know the loading.
+  EXPECT_EQ(run("sphere", "--law all --load-parameter 3 --loading back:20"),
+            run("sphere", load + "back:20"));
+
+  // A joint file has it too; the option comes before the file.
+  const std::string file =
+      "name = \"ball\"\nkind = \"spherical\"\n"
+      "[geometry]\nradius_mm = 50\nradial_clearance_um = 50\n"
+      "[materials.inner]\nyoungs_modulus_GPa = 200\npoissons_ratio = 0.3\n"
+      "[materials.outer]\nyoungs_modulus = inf\n"
+      "[half_angle]\nlaw = \"exact\"\n";
+  folder.write("centre.toml", file);
+  folder.write("back.toml", file +
+                                "[loading]\nkind = \"back\"\n"
+                                "patch_half_angle_deg = 20\n");
+  const auto of_file = [&](const std::string& options) {
+    return folder.run("hinge-angle --load 1e6 --joint " + options).out;
+  };
+  EXPECT_NE(of_file("back.toml").find("theta0_exact_back:20_deg"),
+            std::string::npos);
+  EXPECT_EQ(of_file("back.toml"), of_file("centre.toml --loading back:20"));
+  EXPECT_EQ(of_file("centre.toml"), of_file("back.toml --loading centre"));
 }
 
 TEST(HingeAngle, HertzBeyondItsRange) {
@@ -469,7 +522,13 @@ TEST(HingeAngle, BadOptionsSayWhatIsAllowedAndLeaveNoFile) {
       {ratio + "--x 1 --plot none/p.svg", "none/p.svg"},
       {ratio + "--x 1 --law cheese", "cheese"},
       {ratio + "--x 1 --pressure cheese", "cheese"},
-      {ratio + "--x 1 --limit-angle flat", "--limit-angle flat: allowed"},
+      {ratio + "--x 1 --limit-angle flat",
+       "--limit-angle flat: allowed formula, linear, or an angle above 0, "
+       "below 180 deg"},
+      {ratio + "--x 1 --law tanh --limit-angle 180", "below 180 deg"},
+      {ratio + "--x 1 --law all,tanh", "--law all,tanh: all is allowed alone"},
+      {ratio + "--x 1 --pressure ''", "--pressure: is empty"},
+      {ratio + "--compare --x 0", "--compare: allowed loads above 0"},
       {ratio + "--x 1 --limit-angle 85",
        "--limit-angle 85: allowed with the laws arctan, tanh, blend and paper"},
       {ratio + "--compare --tolerance -1",
@@ -477,6 +536,22 @@ TEST(HingeAngle, BadOptionsSayWhatIsAllowedAndLeaveNoFile) {
       {ratio + "--compare --inverse --theta0 10",
        "--compare: takes a load, not --inverse"},
       {ratio + "--compare --load 1", "--load: a dimensionless joint takes"},
+      {ratio + "--compare --pressure exact", "--pressure exact: not with"},
+      {ratio + "--compare --jobs 2", "--jobs: not with --compare"},
+      {ratio + "--compare --loading back:20",
+       "--compare: the laws are of a force at the centre"},
+      {ratio + "--x 1 --loading back:20",
+       "loading back:20: half-angle law fitted: allowed: exact"},
+      {ratio + "--x 1 --law exact,tanh --loading back:20",
+       "loading back:20: half-angle law tanh: allowed: exact"},
+      {ratio + "--x 1 --law exact --pressure mixture --loading back:20",
+       "loading back:20: pressure law mixture: allowed: cosine, "},
+      {ratio + "--x 1 --law exact --loading back:91",
+       "--loading back:91: allowed centre, or back:PSI with PSI from 0 to 90 "
+       "deg"},
+      {ratio + "--x 1 --law exact --loading back:", "--loading back::"},
+      {ratio + "--x 1 --law exact --loading back:nan", "--loading back:nan"},
+      {ratio + "--x 1 --law exact --loading side", "--loading side: allowed"},
       {ratio + "--x 1 --inverse", "--inverse and --theta0"},
       {ratio + "--theta0 10", "--inverse and --theta0"},
       {ratio + "--inverse --theta0 200",

@@ -10,7 +10,9 @@
 
 #include "cli/number.hpp"
 #include "libcontact/friction_pressure.hpp"
+#include "libcontact/half_angle_exact.hpp"
 #include "libcontact/joint_file.hpp"
+#include "libcontact/pressure_exact.hpp"
 #include "libcontact/units.hpp"
 #include "support/program.hpp"
 
@@ -170,6 +172,42 @@ TEST(HingePressure, DimensionlessPinAndJson) {
   EXPECT_NEAR(rows[0]["p_exact_over_mean"].get<double>(), expected, 1e-9);
 }
 
+TEST(HingePressure, LoadedThroughTheBack) {
+  const ProgramFolder folder;
+  const std::string command =
+      "hinge-pressure --joint cylinder --modulus-ratio 1 --load-parameter 0.5 "
+      "--law exact --loading back:30 ";
+  const ProgramResult profile = folder.run(command + "--points 3");
+  ASSERT_EQ(profile.status, 0) << profile.err;
+  EXPECT_EQ(first_line(profile.out),
+            "load_parameter,theta0_deg,loading,theta_deg,p_cosine_over_mean,"
+            "p_sqrt_tan_over_mean,p_sqrt_theta_over_mean,"
+            "p_exact_back:30_over_mean");
+  EXPECT_EQ(csv_column(csv_rows(profile.out), "loading")[0], "back:30");
+  const auto loading = contact::InnerLoading::back(30 * contact::degree);
+  const auto pair = contact::ElasticPair::from_modulus_ratio(1, 0.3, 0.3);
+  const contact::JointKind kind = contact::JointKind::cylindrical;
+  const double half_angle =
+      contact::ExactLaw(kind, pair, loading).half_angle(0.5).half_angle;
+  EXPECT_EQ(numbers(profile.out, "theta0_deg")[0],
+            half_angle / contact::degree);
+  EXPECT_EQ(numbers(profile.out, "p_exact_back:30_over_mean")[0],
+            contact::ExactPressure(kind, pair, loading).peak(half_angle));
+  const ProgramResult summary = folder.run(command + "--summary");
+  EXPECT_EQ(csv_column(csv_rows(summary.out), "law")[3], "exact_back:30");
+  EXPECT_EQ(csv_column(csv_rows(summary.out), "pressure")[3], "exact_back:30");
+  EXPECT_EQ(csv_column(csv_rows(summary.out), "pressure")[0], "cosine");
+}
+
+TEST(HingePressure, LongSweepsTakeNoMemory) {
+  // 1e8 loads at 32 bytes would be 3 GB; the table itself goes to a reader
+  // that has enough after some lines.
+  const ProgramResult result = ProgramFolder().run(
+      "ulimit -v 1000000; hinge-pressure --joint cylinder --modulus-ratio 1 "
+      "--x 1:1e8:1 --pressure cosine --summary | head -3");
+  EXPECT_EQ(csv_rows(result.out).size(), 3U) << result.err;
+}
+
 TEST(HingePressure, UnloadedJointsHaveNoPressure) {
   const ProgramResult result =
       ProgramFolder().run("hinge-pressure --summary --load 0 --joint " + pin);
@@ -210,12 +248,20 @@ TEST(HingePressure, WrongOptionsGiveOneMessageAndNoFile) {
            {joint + "--load ten", "--load ten"},
            {joint + "--load -5", "--load -5"},
            {joint + "--load 5 --points 1", "--points 1"},
-           {joint + "--load 5 --points 2.5", "--points 2.5"},
+           {joint + "--load 5 --points 2.5",
+            "--points 2.5: allowed a whole number, 2 to 1000000"},
+           {joint + "--load 5 --pressure all,exact", "all is allowed alone"},
+           {joint + "--load 5 --law tanh --limit-angle 200",
+            "--limit-angle 200: allowed formula, linear, or an angle"},
            {joint + "--load 5 --pressure flat", "flat"},
            {joint + "--load 5 --pressure exact,exact", "exact: allowed once"},
            {joint + "--load 5 --summary --points 5", "--points"},
            {joint + "--load 5,,6", "(empty item)"},
            {joint + "--load 5 --plot none/p.svg", "none/p.svg"},
+           {joint + "--load 5 --loading back:20",
+            "loading back:20: half-angle law fitted: allowed: exact"},
+           {joint + "--load 5 --law exact --loading back:20 --pressure mixture",
+            "loading back:20: pressure law mixture: allowed: cosine"},
            {joint + "--load 5 --law all", "--law: one half-angle law"},
            {"--joint cube --load 5", "--joint cube"},
        }) {

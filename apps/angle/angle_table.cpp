@@ -17,7 +17,7 @@ void count(contact::Status status, Failures& failures) {
 }  // namespace
 
 std::string AngleTable::peak_column(const NamedLaw& law) const {
-  const std::string pressure = pressure_.name();
+  const std::string& pressure = pressure_.name;
   return fmt::format(
       "p_peak_{}{}_{}", law.name,
       pressure == contact::default_pressure_law ? "" : "_by_" + pressure,
@@ -89,10 +89,10 @@ void AngleTable::write_inverse_row(double theta0_deg, cli::RowWriter& row,
 double AngleTable::peak_pressure(double half_angle,
                                  double load_parameter) const {
   if (std::isnan(load_parameter)) return load_parameter;
-  if (!loads_.have_load()) return pressure_.peak(half_angle);
+  if (!loads_.have_load()) return pressure_.law->peak(half_angle);
   // The contact shrinks with the load, but slower.
   if (load_parameter == 0) return 0;
-  return pressure_.peak(half_angle) *
+  return pressure_.law->peak(half_angle) *
          setup_.geometry->pressure_unit(loads_.convert(
              LoadVariable::load_parameter, load_parameter, LoadVariable::load));
 }

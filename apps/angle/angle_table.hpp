@@ -8,7 +8,6 @@
 #include "angle/setup.hpp"
 #include "cli/laws.hpp"
 #include "cli/table.hpp"
-#include "libcontact/pressure.hpp"
 
 /// The parts of the program hinge-angle.
 namespace hinge_angle {
@@ -30,7 +29,7 @@ class AngleTable {
   /// @param pressure  for the peak pressure
   AngleTable(const Setup& setup, const Loads& loads,
              const std::vector<NamedLaw>& laws,
-             const contact::PressureLaw& pressure)
+             const cli::NamedPressure& pressure)
       : setup_(setup), loads_(loads), laws_(laws), pressure_(pressure) {}
 
   /// load (if the joint has a geometry), load_parameter, x, then for each law
@@ -55,7 +54,7 @@ class AngleTable {
   const Setup& setup_;
   const Loads& loads_;
   const std::vector<NamedLaw>& laws_;
-  const contact::PressureLaw& pressure_;
+  const cli::NamedPressure& pressure_;
 };
 
 }  // namespace hinge_angle

@@ -8,6 +8,7 @@
 
 #include "cli/output.hpp"
 #include "cli/table.hpp"
+#include "libcontact/error.hpp"
 #include "libcontact/half_angle_exact.hpp"
 #include "libcontact/units.hpp"
 
@@ -79,6 +80,7 @@ LawComparison compare_law(const NamedLaw& law,
       worst.half_angle = half_angle;
     }
   }
+  if (largest < 0) worst.error_percent = nan;
   return worst;
 }
 
@@ -93,6 +95,13 @@ std::vector<LawComparison> compare(const Loads& scale, const Input& input,
   std::vector<LawComparison> result;
   for (const NamedLaw& law : laws) {
     result.push_back(compare_law(law, exact, loads));
+  }
+  if (std::all_of(result.begin(), result.end(), [](const auto& law) {
+        return std::isnan(law.error_percent);
+      })) {
+    throw contact::Error(
+        "--compare: allowed loads above 0 and within the exact solution; there "
+        "is none");
   }
   const auto best = std::min_element(
       result.begin(), result.end(),

@@ -5,6 +5,7 @@
 
 #include "angle/options.hpp"
 #include "angle/run.hpp"
+#include "cli/laws.hpp"
 #include "cli/program.hpp"
 
 namespace {
@@ -20,7 +21,9 @@ The joint is one of
 with body 1 the ball or pin and body 2 the seat or hole. Lengths are in m or
 carry a unit: 50mm, 25um. The clearance is the difference of the radii. A
 modulus ratio of 0 is a rigid seat, inf a rigid ball or pin.
+)";
 
+constexpr std::string_view load_help = R"(
 The load is one of
   --load            compressive force, N (sphere) or N/m of length (cylinder)
   --load-parameter  mu = 3 R_n/(2 ebar rho1^2 E) (sphere) or
@@ -102,7 +105,8 @@ void add_options(CLI::App& app, Options& options) {
       ->group("Law");
   cli::add_output_options(app, options.output);
   cli::add_jobs_option(app, options.output);
-  app.footer(std::string(help) + std::string(cli::exit_status_help));
+  app.footer(std::string(help) + std::string(cli::loading_help) +
+             std::string(load_help) + std::string(cli::exit_status_help));
 }
 
 }  // namespace

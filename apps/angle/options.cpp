@@ -2,6 +2,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include "cli/laws.hpp"
+
 namespace hinge_angle {
 
 void add_joint_options(CLI::App& app, Options& options) {
@@ -39,6 +41,7 @@ void add_joint_options(CLI::App& app, Options& options) {
       ->option_text("NUMBER")
       ->needs(ratio)
       ->group("Joint");
+  cli::add_loading_option(app, options.loading, "Joint");
 }
 
 void add_load_options(CLI::App& app, Options& options) {

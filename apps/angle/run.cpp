@@ -101,20 +101,24 @@ cli::ExitStatus write_half_angles(const AngleTable& angles, const Input& input,
 
 cli::ExitStatus run(const Options& options) {
   const Setup setup = make_setup(options);
-  const std::vector<NamedLaw> laws = cli::make_half_angle_laws(
-      setup.half_angle_laws, setup.kind, setup.pair, setup.half_angle_options);
-  const auto pressure =
-      contact::make_pressure_law(setup.pressure_law, setup.kind, setup.pair);
+  const std::vector<NamedLaw> laws =
+      cli::make_half_angle_laws(setup.half_angle_laws, setup.kind, setup.pair,
+                                setup.half_angle_options, setup.loading);
+  const cli::NamedPressure pressure = cli::make_pressure_law(
+      setup.pressure_law, setup.kind, setup.pair, setup.loading);
   const Loads loads(setup.kind, setup.geometry, setup.pair);
-  const AngleTable angles(setup, loads, laws, *pressure);
+  const AngleTable angles(setup, loads, laws, pressure);
   const Input input = make_input(options, setup);
+  std::vector<LawComparison> comparison;
+  if (options.compare) {
+    comparison = compare(loads, input, setup, laws, setup.tolerance);
+  }
   cli::warn_of_validity("hinge-angle", setup.geometry_notes(),
                         cli::LawNotes(laws, setup.pair));
 
   cli::ExitStatus status = cli::all_good;
   if (options.compare) {
-    write_comparison(compare(loads, input, setup, laws, setup.tolerance), loads,
-                     setup, options.output);
+    write_comparison(comparison, loads, setup, options.output);
   } else {
     status = write_half_angles(angles, input, laws, options.output);
   }

@@ -24,7 +24,8 @@ Setup setup_from_file(const Options& options) {
   const contact::Joint joint = contact::read_joint(options.joint);
   return {joint.geometry.kind(),  joint.pair,
           joint.geometry,         joint.half_angle_options,
-          {joint.half_angle_law}, joint.pressure_law};
+          {joint.half_angle_law}, joint.pressure_law,
+          joint.loading};
 }
 
 Setup setup_from_pair(const Options& options, contact::JointKind kind) {
@@ -64,10 +65,25 @@ Setup make_setup(const Options& options) {
   Setup setup = setup_of_joint(options);
   setup.tolerance =
       cli::parse_value("--tolerance", options.tolerance, {0, 100, "%"});
+  setup.loading = cli::parse_loading(options.loading, setup.loading);
+  if (options.compare && !options.pressure.empty()) {
+    throw contact::Error(
+        fmt::format("--pressure {}: not with --compare, which has no pressures",
+                    options.pressure));
+  }
+  if (options.compare && options.output.jobs != 1) {
+    throw contact::Error("--jobs: not with --compare, which takes one thread");
+  }
+  if (options.compare && setup.loading.is_back()) {
+    throw contact::Error(
+        fmt::format("--compare: the laws are of a force at the centre: not "
+                    "with loading {}",
+                    to_string(setup.loading)));
+  }
   setup.half_angle_laws = cli::half_angle_laws(
       options.laws.empty() && options.compare ? std::vector<std::string>{"all"}
                                               : options.laws,
-      setup.half_angle_laws);
+      setup.half_angle_laws, setup.loading);
   cli::set_limit_angle(options.limit_angle, setup.half_angle_laws,
                        setup.half_angle_options);
   if (!options.pressure.empty()) setup.pressure_law = options.pressure;

@@ -33,6 +33,7 @@ struct Options {
   // Without these: what the joint file says, or the program's defaults.
   std::vector<std::string> laws;
   std::string limit_angle;
+  std::string loading;
   std::string pressure;
   cli::OutputOptions output;
 };
@@ -47,6 +48,7 @@ struct Setup {
   std::vector<std::string> half_angle_laws = {
       std::string(contact::default_half_angle_law)};
   std::string pressure_law = "cosine";
+  contact::InnerLoading loading = contact::InnerLoading::centre();
   /// Percent of theta0: what --compare calls good enough.
   double tolerance = 0.1;
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <limits>
 
@@ -22,6 +23,13 @@ void refuse_repetition(std::string_view option,
   }
 }
 
+// A law that depends on the loading, with it.
+std::string with_loading(const std::string& name,
+                         const contact::InnerLoading& loading) {
+  if (name != "exact" || !loading.is_back()) return name;
+  return fmt::format("{}_{}", name, to_string(loading));
+}
+
 // The names asked for, `all` for the word "all".
 std::vector<std::string> law_names(std::string_view option,
                                    const std::vector<std::string>& asked,
@@ -29,22 +37,60 @@ std::vector<std::string> law_names(std::string_view option,
                                    const std::vector<std::string>& all) {
   refuse_repetition(option, asked);
   if (asked.empty()) return otherwise;
-  return asked == std::vector<std::string>{"all"} ? all : asked;
+  if (std::find(asked.begin(), asked.end(), "all") == asked.end()) return asked;
+  if (asked.size() > 1) {
+    throw contact::Error(fmt::format("{} {}: all is allowed alone", option,
+                                     fmt::join(asked, ",")));
+  }
+  return all;
 }
 
 }  // namespace
 
+void add_loading_option(CLI::App& app, std::string& loading,
+                        const std::string& group) {
+  app.add_option("--loading", loading,
+                 "of the ball or pin: centre (default) or back:PSI")
+      ->option_text("NAME")
+      ->group(group);
+}
+
+contact::InnerLoading parse_loading(const std::string& text,
+                                    const contact::InnerLoading& otherwise) {
+  constexpr std::string_view back = "back:";
+  constexpr Allowed patch{0, 90, "deg"};
+  if (text.empty()) return otherwise;
+  if (text == "centre") return contact::InnerLoading::centre();
+  const auto degrees = text.starts_with(back)
+                           ? parse_number(text.substr(back.size()))
+                           : std::nullopt;
+  if (!degrees || !patch.contains(*degrees)) {
+    throw contact::Error(fmt::format(
+        "--loading {}: allowed centre, or back:PSI with PSI from {}", text,
+        patch.text()));
+  }
+  return contact::InnerLoading::back(*degrees * contact::degree);
+}
+
 std::vector<std::string> half_angle_laws(const std::vector<std::string>& asked,
-                                         std::vector<std::string> otherwise) {
+                                         std::vector<std::string> otherwise,
+                                         const contact::InnerLoading& loading) {
   std::vector<std::string> all = contact::half_angle_law_names();
-  std::erase(all, "paper");  // one of the others
+  std::erase_if(all, [&](const std::string& name) {
+    return name == "paper" ||  // one of the others
+           !contact::half_angle_law_allows(name, loading);
+  });
   return law_names("--law", asked, std::move(otherwise), all);
 }
 
 std::vector<std::string> pressure_laws(const std::vector<std::string>& asked,
-                                       std::vector<std::string> otherwise) {
-  return law_names("--pressure", asked, std::move(otherwise),
-                   contact::pressure_law_names());
+                                       std::vector<std::string> otherwise,
+                                       const contact::InnerLoading& loading) {
+  std::vector<std::string> all = contact::pressure_law_names();
+  std::erase_if(all, [&](const std::string& name) {
+    return !contact::pressure_law_allows(name, loading);
+  });
+  return law_names("--pressure", asked, std::move(otherwise), all);
 }
 
 void set_limit_angle(const std::string& text,
@@ -54,8 +100,14 @@ void set_limit_angle(const std::string& text,
   options.limit_half_angle.reset();
   options.linear_limit = text == "linear";
   if (text != "linear" && text != "formula") {
-    options.limit_half_angle =
-        parse_value("--limit-angle", text, {0, 180, "deg"}) * contact::degree;
+    const auto degrees = parse_number(text);
+    if (!degrees || !(*degrees > 0 && *degrees < 180)) {
+      throw contact::Error(
+          fmt::format("--limit-angle {}: allowed formula, linear, or an angle "
+                      "above 0, below 180 deg",
+                      text));
+    }
+    options.limit_half_angle = *degrees * contact::degree;
   }
   if (std::none_of(laws.begin(), laws.end(),
                    contact::takes_half_angle_options)) {
@@ -68,22 +120,31 @@ void set_limit_angle(const std::string& text,
 
 std::vector<NamedLaw> make_half_angle_laws(
     const std::vector<std::string>& names, contact::JointKind kind,
-    const contact::ElasticPair& pair,
-    const contact::HalfAngleOptions& options) {
+    const contact::ElasticPair& pair, const contact::HalfAngleOptions& options,
+    const contact::InnerLoading& loading) {
   std::vector<NamedLaw> laws;
   for (const std::string& name : names) {
     laws.push_back(
-        {name, contact::make_half_angle_law(name, kind, pair, options)});
+        {with_loading(name, loading),
+         contact::make_half_angle_law(name, kind, pair, options, loading)});
   }
   return laws;
 }
 
+NamedPressure make_pressure_law(const std::string& name,
+                                contact::JointKind kind,
+                                const contact::ElasticPair& pair,
+                                const contact::InnerLoading& loading) {
+  return {with_loading(name, loading),
+          contact::make_pressure_law(name, kind, pair, loading)};
+}
+
 std::vector<NamedPressure> make_pressure_laws(
     const std::vector<std::string>& names, contact::JointKind kind,
-    const contact::ElasticPair& pair) {
+    const contact::ElasticPair& pair, const contact::InnerLoading& loading) {
   std::vector<NamedPressure> laws;
   for (const std::string& name : names) {
-    laws.push_back({name, contact::make_pressure_law(name, kind, pair)});
+    laws.push_back(make_pressure_law(name, kind, pair, loading));
   }
   return laws;
 }

@@ -11,30 +11,58 @@
 #include "libcontact/material.hpp"
 #include "libcontact/pressure.hpp"
 
+namespace CLI {
+class App;
+}
+
 /// The laws of half-angle and pressure that options name. One place for all
 /// programs, so that the same mistake has the same message.
 namespace cli {
 
-/// A half-angle law under the name by which it was asked for.
+/// A half-angle law under the name by which it was asked for; with a loading
+/// through the back, that goes with it: "exact_back:20".
 struct NamedLaw {
   std::string name;
   std::shared_ptr<const contact::HalfAngleLaw> law;
 };
 
-/// A pressure law under the name by which it was asked for.
+/// A pressure law under the name by which it was asked for, and with the
+/// loading if it depends on that.
 struct NamedPressure {
   std::string name;
   std::shared_ptr<const contact::PressureLaw> law;
 };
 
+/// What --help says of --loading.
+inline constexpr std::string_view loading_help =
+    "Loading: centre (the force enters the ball or pin by a stem or shaft, or "
+    "is its\n"
+    "own weight; the default) or back:PSI (a loose ball or roller pressed from "
+    "behind\n"
+    "on a patch of half-angle PSI, 0 to 90 deg, by a uniform pressure). Only "
+    "the\n"
+    "half-angle law exact knows the latter, its name in the output is then\n"
+    "exact_back:PSI; the pressure law exact follows it, mixture is refused.\n";
+
+/// Adds --loading.
+void add_loading_option(CLI::App& app, std::string& loading,
+                        const std::string& group);
+/// What --loading says, `otherwise` if it was not given. Throws contact::Error
+/// for a text that is not allowed.
+contact::InnerLoading parse_loading(const std::string& text,
+                                    const contact::InnerLoading& otherwise);
+
 /// Names of the half-angle laws that --law asks for: `otherwise` if it was not
-/// given, all but paper (which is one of the others) for "all". Throws
-/// contact::Error if a name is there twice: columns are called by them.
+/// given; for "all" those that allow the loading, but paper (which is one of
+/// the others). Throws contact::Error if a name is there twice: columns are
+/// called by them.
 std::vector<std::string> half_angle_laws(const std::vector<std::string>& asked,
-                                         std::vector<std::string> otherwise);
+                                         std::vector<std::string> otherwise,
+                                         const contact::InnerLoading& loading);
 /// The same of --pressure.
 std::vector<std::string> pressure_laws(const std::vector<std::string>& asked,
-                                       std::vector<std::string> otherwise);
+                                       std::vector<std::string> otherwise,
+                                       const contact::InnerLoading& loading);
 
 /// Heeds --limit-angle: formula, linear or degrees; "" changes nothing.
 /// Throws contact::Error for anything else, and if none of the laws has a
@@ -43,13 +71,19 @@ void set_limit_angle(const std::string& text,
                      const std::vector<std::string>& laws,
                      contact::HalfAngleOptions& options);
 
-/// The laws of these names. Throws contact::Error if there is no such law.
+/// The laws of these names. Throws contact::Error if there is no such law, or
+/// if it does not allow the loading.
 std::vector<NamedLaw> make_half_angle_laws(
     const std::vector<std::string>& names, contact::JointKind kind,
-    const contact::ElasticPair& pair, const contact::HalfAngleOptions& options);
+    const contact::ElasticPair& pair, const contact::HalfAngleOptions& options,
+    const contact::InnerLoading& loading);
+NamedPressure make_pressure_law(const std::string& name,
+                                contact::JointKind kind,
+                                const contact::ElasticPair& pair,
+                                const contact::InnerLoading& loading);
 std::vector<NamedPressure> make_pressure_laws(
     const std::vector<std::string>& names, contact::JointKind kind,
-    const contact::ElasticPair& pair);
+    const contact::ElasticPair& pair, const contact::InnerLoading& loading);
 
 /// The pair of --modulus-ratio, --poisson1 and --poisson2. Throws
 /// contact::Error for values that are not allowed.

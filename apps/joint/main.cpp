@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "cli/laws.hpp"
 #include "cli/program.hpp"
 #include "joint/run.hpp"
 #include "joint/solution_row.hpp"
@@ -23,7 +24,9 @@ of the radii. Friction, half-angle law and pressure law are those of the files
 unless options name others; of comma lists of laws every pair is computed.
 Half-angle laws as in hinge-angle: hertz, arctan, tanh, blend, blend:K, paper,
 nominal, fitted, exact, or all.
+)";
 
+constexpr std::string_view state_help = R"(
 The state is one of
   --reaction-xyz X,Y,Z --rate-xyz X,Y,Z    R on the load, N; angular velocity
                                            Dw of the load against the carrier,
@@ -39,7 +42,8 @@ The state is one of
                              of this program's output: R_N,b_deg or R_n_N,a_deg
                              or R_x_N,R_y_N,R_z_N with w_x_rad_per_s,... or,
                              at rest, M_x_N_m,M_y_N_m,M_z_N_m
-A cylinder has no angles; its axis is the direction of Dw (of M). --reaction,
+A cylinder has no angles; its axis is the direction of Dw (of M), and the part
+of R along it is left out. --reaction,
 --beta, --normal-force, --alpha take a value, a list a,b,c, a range
 start:stop:step, or start:stop:logN for N values in equal ratios; of two, all
 pairs are computed, angles running fastest.
@@ -85,6 +89,8 @@ Examples:
 
 std::string footer() {
   std::string text(help);
+  text += cli::loading_help;
+  text += state_help;
   for (const auto& quantity : hinge_joint::quantities(true)) {
     text += quantity.meaning.empty()
                 ? fmt::format("  {}\n", quantity.name)
@@ -122,6 +128,7 @@ void add_joint(CLI::App& app, Options& options) {
       ->group("Joint");
   text("--limit-angle", options.limit_angle,
        "limit half-angle: formula, linear, or degrees", "NAME|ANGLE");
+  cli::add_loading_option(app, options.loading, "Joint");
   app.add_option("--pressure", options.pressures,
                  "pressure laws, a comma list or all; default cosine")
       ->delimiter(',')

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <optional>
 
 #include "cli/choice.hpp"
 #include "cli/quantity.hpp"
@@ -18,6 +19,7 @@ using contact::JointGeometry;
 
 // Far above any friction coefficient, adhesion or viscosity.
 constexpr double largest = 1e30;
+constexpr cli::Allowed strength{0, largest, ""};
 
 Joint joint_from_file(const Options& options) {
   if (!options.joint.ends_with(".toml")) {
@@ -69,20 +71,28 @@ Joint joint_from_options(const Options& options) {
           .pressure_law = std::string(contact::default_pressure_law)};
 }
 
+// "k0" or "k0,k1".
+contact::ViscousLaw viscous_law(const std::string& text) {
+  const std::size_t comma = text.find(',');
+  const auto k0 = cli::parse_number(text.substr(0, comma));
+  const auto k1 = comma == std::string::npos
+                      ? std::optional<double>(0)
+                      : cli::parse_number(text.substr(comma + 1));
+  if (!k0 || !k1 || !strength.contains(*k0) || !strength.contains(*k1)) {
+    throw contact::Error(
+        fmt::format("--viscous {}: allowed k0 (Pa s/m) or k0,k1 (s/m), each {}",
+                    text, strength.text()));
+  }
+  return contact::ViscousLaw(*k0, *k1);
+}
+
 contact::FrictionModel make_friction(const Options& options,
                                      const Joint& joint) {
-  constexpr cli::Allowed strength{0, largest, ""};
   if (!options.viscous.empty()) {
     if (!options.friction.empty() || !options.adhesion.empty()) {
       throw contact::Error("--viscous: not with --friction or --adhesion");
     }
-    const std::size_t comma = options.viscous.find(',');
-    const std::string k1 =
-        comma == std::string::npos ? "0" : options.viscous.substr(comma + 1);
-    return contact::ViscousLaw(
-        cli::parse_value("--viscous", options.viscous.substr(0, comma),
-                         strength),
-        cli::parse_value("--viscous", k1, strength));
+    return viscous_law(options.viscous);
   }
   if (options.friction.empty() && !joint.friction) {
     throw contact::Error(
@@ -116,15 +126,18 @@ Setup make_setup(const Options& options) {
   const bool named = options.joint == "sphere" || options.joint == "cylinder";
   Joint joint = named ? joint_from_options(options) : joint_from_file(options);
   const auto friction = make_friction(options, joint);
-  const auto laws = cli::half_angle_laws(options.laws, {joint.half_angle_law});
+  const auto loading = cli::parse_loading(options.loading, joint.loading);
+  const auto laws =
+      cli::half_angle_laws(options.laws, {joint.half_angle_law}, loading);
   const auto pressures =
-      cli::pressure_laws(options.pressures, {joint.pressure_law});
+      cli::pressure_laws(options.pressures, {joint.pressure_law}, loading);
   cli::set_limit_angle(options.limit_angle, laws, joint.half_angle_options);
 
   const contact::JointKind kind = joint.geometry.kind();
-  const auto half_angles = cli::make_half_angle_laws(laws, kind, joint.pair,
-                                                     joint.half_angle_options);
-  const auto shapes = cli::make_pressure_laws(pressures, kind, joint.pair);
+  const auto half_angles = cli::make_half_angle_laws(
+      laws, kind, joint.pair, joint.half_angle_options, loading);
+  const auto shapes =
+      cli::make_pressure_laws(pressures, kind, joint.pair, loading);
   Setup setup{joint.name, {}, cli::LawNotes(half_angles, joint.pair)};
   for (const cli::NamedLaw& law : half_angles) {
     for (const cli::NamedPressure& pressure : shapes) {

@@ -23,6 +23,7 @@ struct Options {
   std::string viscous;
   std::vector<std::string> laws;
   std::string limit_angle;
+  std::string loading;
   std::vector<std::string> pressures;
 
   std::string reaction_xyz;

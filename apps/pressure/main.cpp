@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "angle/options.hpp"
+#include "cli/laws.hpp"
 #include "cli/program.hpp"
 #include "pressure/run.hpp"
 
@@ -23,11 +24,14 @@ Pressure laws: cosine (the paper's (3.3)), sqrt_tan (sqrt(1 - tan^2(t/2)/
 tan^2(theta0/2))), sqrt_theta (sqrt(1 - (t/theta0)^2)), mixture (cosine and
 sqrt_tan in the share that suits the materials), exact (the theory of
 elasticity for this pair), or all (default). Each carries the whole load.
+)";
 
+constexpr std::string_view column_help = R"(
 Columns, a row for each angle from the centre of the contact to its edge:
   load                load, N or N/m; not in dimensionless runs
   load_parameter      mu or lambda
   theta0_deg          half-angle of the contact
+  loading             back:PSI; not with a force at the centre
   theta_deg           angle from the centre of the contact
   p_LAW_Pa            pressure, Pa, or in dimensionless runs
   p_LAW_over_mean     over the mean R_n/R^2 (sphere) or P/R (cylinder)
@@ -71,7 +75,8 @@ void add_options(CLI::App& app, Options& options) {
       ->excludes(summary)
       ->group("Profile");
   cli::add_output_options(app, options.contact.output);
-  app.footer(std::string(help) + std::string(cli::exit_status_help));
+  app.footer(std::string(help) + std::string(cli::loading_help) +
+             std::string(column_help) + std::string(cli::exit_status_help));
 }
 
 }  // namespace

@@ -31,11 +31,13 @@ std::string label(const hinge_angle::Setup& setup, const std::string& law,
 std::string draw(const PressureTable& pressures,
                  const hinge_angle::Setup& setup,
                  const std::vector<NamedPressure>& laws,
-                 const std::vector<LoadedContact>& contacts,
-                 const std::string& file) {
+                 const LoadedContacts& contacts, const std::string& file) {
   const bool pascal = setup.geometry.has_value();
   cli::LinePlot plot;
   plot.title = fmt::format("{} joint", to_string(setup.kind));
+  if (setup.loading.is_back()) {
+    plot.title += ", loading " + to_string(setup.loading);
+  }
   plot.x_label = "angle from the centre of the contact, deg";
   plot.y_label = pascal ? "pressure, MPa"
                  : setup.kind == contact::JointKind::spherical
@@ -44,12 +46,12 @@ std::string draw(const PressureTable& pressures,
   const std::size_t loads =
       std::clamp(most_curves / laws.size(), std::size_t{1}, contacts.size());
   for (std::size_t k = 0; k < loads; ++k) {
-    const LoadedContact& contact =
+    const LoadedContact contact =
         contacts[loads == 1 ? 0 : k * (contacts.size() - 1) / (loads - 1)];
     for (std::size_t i = 0; i < laws.size(); ++i) {
       cli::Curve curve{
           label(setup, laws[i].name, contact, contacts.size() == 1), {}, {}};
-      curve.dashed = laws[i].name == "exact";
+      curve.dashed = laws[i].name.starts_with("exact");
       curve.colour = static_cast<int>(i) + 1;
       for (int j = 0; j < points; ++j) {
         const double theta = contact.half_angle * j / (points - 1);

@@ -13,7 +13,6 @@ namespace hinge_pressure {
 std::string draw(const PressureTable& pressures,
                  const hinge_angle::Setup& setup,
                  const std::vector<NamedPressure>& laws,
-                 const std::vector<LoadedContact>& contacts,
-                 const std::string& file);
+                 const LoadedContacts& contacts, const std::string& file);
 
 }  // namespace hinge_pressure

@@ -27,12 +27,20 @@ void PressureTable::write_contact(const LoadedContact& contact,
   if (setup_.geometry) row.number(contact.load);
   row.number(contact.load_parameter);
   row.number(contact.half_angle / contact::degree);
+  if (setup_.loading.is_back()) row.text(to_string(setup_.loading));
+}
+
+std::vector<std::string> PressureTable::contact_columns() const {
+  std::vector<std::string> names;
+  if (setup_.geometry) names.emplace_back("load");
+  names.insert(names.end(), {"load_parameter", "theta0_deg"});
+  if (setup_.loading.is_back()) names.emplace_back("loading");
+  return names;
 }
 
 std::vector<std::string> PressureTable::profile_columns() const {
-  std::vector<std::string> names;
-  if (setup_.geometry) names.emplace_back("load");
-  names.insert(names.end(), {"load_parameter", "theta0_deg", "theta_deg"});
+  std::vector<std::string> names = contact_columns();
+  names.emplace_back("theta_deg");
   for (const NamedPressure& law : pressures_) {
     names.push_back(fmt::format("p_{}_{}", law.name, unit()));
   }
@@ -53,10 +61,8 @@ void PressureTable::write_profile(const LoadedContact& contact, int points,
 }
 
 std::vector<std::string> PressureTable::summary_columns() const {
-  std::vector<std::string> names;
-  if (setup_.geometry) names.emplace_back("load");
-  names.insert(names.end(),
-               {"load_parameter", "theta0_deg", "law", "pressure"});
+  std::vector<std::string> names = contact_columns();
+  names.insert(names.end(), {"law", "pressure"});
   names.push_back("p_peak_" + unit());
   names.push_back("p_mean_" + unit());
   const bool ball = setup_.kind == contact::JointKind::spherical;
@@ -81,7 +87,7 @@ void PressureTable::write_summary(const LoadedContact& contact,
   const bool unloaded = setup_.geometry && contact.load == 0;
   for (const NamedPressure& law : pressures_) {
     write_contact(contact, row);
-    row.text(setup_.half_angle_laws.front());
+    row.text(law_);
     row.text(law.name);
     row.number(unloaded ? 0 : scale(contact) * law.law->peak(half_angle));
     row.number(unloaded ? 0 : scale(contact) * law.law->mean(half_angle));

@@ -1,43 +1,38 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "angle/setup.hpp"
 #include "cli/laws.hpp"
 #include "cli/table.hpp"
+#include "pressure/loaded_contacts.hpp"
 
-/// The parts of the program hinge-pressure.
 namespace hinge_pressure {
 
 using cli::NamedPressure;
-
-/// A load and the contact that it makes.
-struct LoadedContact {
-  /// N or N/m; in dimensionless runs the load parameter.
-  double load;
-  double load_parameter;
-  double half_angle;  ///< rad; NaN if the half-angle law has none
-  contact::Status status;
-};
 
 /// Pressures of one joint in Pa, or over the mean R_n/R^2 (ball), P/R (pin)
 /// where the joint has no geometry.
 class PressureTable {
  public:
   /// @param setup      must outlive the table, as must the laws
-  PressureTable(const hinge_angle::Setup& setup,
+  /// @param law        name of the half-angle law
+  PressureTable(const hinge_angle::Setup& setup, std::string law,
                 const std::vector<NamedPressure>& pressures)
-      : setup_(setup), pressures_(pressures) {}
+      : setup_(setup), law_(std::move(law)), pressures_(pressures) {}
 
-  /// load (if the joint has a geometry), load_parameter, theta0_deg,
-  /// theta_deg, p_LAW_Pa or p_LAW_over_mean for each law.
+  /// load (if the joint has a geometry), load_parameter, theta0_deg, loading
+  /// (if it is through the back), theta_deg, p_LAW_Pa or p_LAW_over_mean for
+  /// each law.
   std::vector<std::string> profile_columns() const;
   /// `points` rows from the contact's centre to its edge.
   void write_profile(const LoadedContact& contact, int points,
                      cli::RowWriter& row) const;
 
-  /// load (if the joint has a geometry), load_parameter, theta0_deg, law,
+  /// load (if the joint has a geometry), load_parameter, theta0_deg, loading
+  /// (if it is through the back), law,
   /// pressure, p_peak and p_mean, area of the contact, S, and for a ball the
   /// friction coefficients of pure sliding and pure spinning.
   std::vector<std::string> summary_columns() const;
@@ -51,10 +46,12 @@ class PressureTable {
   std::string unit() const { return setup_.geometry ? "Pa" : "over_mean"; }
 
  private:
+  std::vector<std::string> contact_columns() const;
   void write_contact(const LoadedContact& contact, cli::RowWriter& row) const;
   double scale(const LoadedContact& contact) const;
 
   const hinge_angle::Setup& setup_;
+  std::string law_;
   const std::vector<NamedPressure>& pressures_;
 };
 

@@ -25,7 +25,9 @@ Columns, all without units but the angles:
 With another pressure than cosine the weight is p(t)/p(0), R_n = rho^2 p(0)
 I_normal, and the names of the columns that depend on it end in that
 pressure's: chi_exact. Pressures: cosine, sqrt_tan, sqrt_theta, and mixture and
-exact, which need the materials by --joint, --pair or --modulus-ratio.
+exact, which need the materials by --joint, --pair or --modulus-ratio. A ball
+that is pressed from behind, on a patch of half-angle PSI (0 to 90 deg), has
+--loading back:PSI and columns chi_exact_back:PSI.
 CSV and JSON have the shortest numbers that read back as the same double.
 markdown and latex are for print, with 4 significant digits: of a grid a
 two-way table of one --quantity, of --points a list. A picture shows one
@@ -69,7 +71,7 @@ int main(int argc, char** argv) {
                  "cosine")
       ->option_text("NAME");
   app.add_option("--tolerance", options.tolerance,
-                 "of quadrature, relative; default 1e-10")
+                 "of --method quadrature, relative; default 1e-10")
       ->option_text("NUMBER");
   app.add_option("--pressure", options.pressure,
                  "pressure law; default that of --joint, or cosine")
@@ -91,8 +93,12 @@ int main(int argc, char** argv) {
   app.add_option("--poisson2", options.poisson2, "of the seat; default 0.3")
       ->option_text("NUMBER")
       ->needs(ratio);
+  app.add_option("--loading", options.loading,
+                 "of the ball, for the pressure exact: centre (default) or "
+                 "back:PSI")
+      ->option_text("NAME");
   app.add_option("--quantity", options.quantity,
-                 "column for markdown, latex and plots; default chi")
+                 "of a grid in markdown, latex and pictures; default chi")
       ->option_text("NAME");
   cli::add_output_options(app, options.output);
   cli::add_jobs_option(app, options.output);

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "cli/choice.hpp"
-#include "cli/number.hpp"
 #include "libcontact/friction_elliptic.hpp"
 #include "libcontact/friction_integrals.hpp"
 #include "libcontact/friction_models.hpp"
@@ -85,12 +84,8 @@ MethodFunction quadrature(double tolerance, const Pressure& pressure) {
 }  // namespace
 
 Method find_method(const std::string& name, double tolerance,
-                   std::shared_ptr<const contact::PressureLaw> pressure) {
-  constexpr cli::Allowed allowed{1e-13, 1e-2, ""};
-  if (!allowed.contains(tolerance)) {
-    throw contact::Error(
-        fmt::format("--tolerance {}: allowed {}", tolerance, allowed.text()));
-  }
+                   const cli::NamedPressure& named) {
+  const Pressure& pressure = named.law;
   const auto viscous = [pressure](double half_angle, contact::SlipAxis axis) {
     return contact::viscous_friction_integrals(*pressure, half_angle, axis);
   };
@@ -112,7 +107,7 @@ Method find_method(const std::string& name, double tolerance,
         "exact, quadrature, viscous",
         name, pressure->name()));
   }
-  return {std::move(function), pressure->name()};
+  return {std::move(function), named.name, pressure->largest_half_angle()};
 }
 
 }  // namespace hinge_table

@@ -3,12 +3,11 @@
 #include <array>
 #include <cstddef>
 #include <functional>
-#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
 
-#include "libcontact/pressure.hpp"
+#include "cli/laws.hpp"
 
 /// The parts of the program hinge-table.
 namespace hinge_table {
@@ -33,10 +32,11 @@ using Columns = std::array<std::span<double>, quantities.size()>;
 using MethodFunction =
     std::function<std::size_t(const Points&, const Columns&)>;
 
-/// A method and the name of its pressure law.
+/// A method, and the name of its pressure law and where that ends.
 struct Method {
   MethodFunction function;
   std::string pressure;
+  double largest_half_angle;  ///< rad
 
   std::size_t operator()(const Points& points, const Columns& columns) const {
     return function(points, columns);
@@ -47,9 +47,9 @@ struct Method {
 /// exact, elliptic, quadrature (if contact::reference is built), planar,
 /// viscous, cosine; or if it knows the cosine pressure only and another one is
 /// asked for.
-/// @param tolerance  relative, of quadrature; [1e-13, 1e-2]
+/// @param tolerance  relative, of quadrature
 /// @param pressure   of a ball; kept by the method
 Method find_method(const std::string& name, double tolerance,
-                   std::shared_ptr<const contact::PressureLaw> pressure);
+                   const cli::NamedPressure& pressure);
 
 }  // namespace hinge_table

@@ -36,11 +36,13 @@ void take_grid_points(const cli::Sweep& theta0, const cli::Sweep& alpha,
 
 void compute(const Method& method, PointBlock& block) {
   const std::size_t count = block.size();
+  block.beyond = 0;
   block.half_angle.resize(count);
   block.axis_sin.resize(count);
   block.axis_cos.resize(count);
   for (std::size_t i = 0; i < count; ++i) {
     block.half_angle[i] = block.theta0_deg()[i] * contact::degree;
+    if (block.half_angle[i] > method.largest_half_angle) ++block.beyond;
     const auto [sin, cos] = contact::sine_cosine_deg(block.alpha_deg()[i]);
     block.axis_sin[i] = sin;
     block.axis_cos[i] = cos;

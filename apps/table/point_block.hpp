@@ -20,6 +20,7 @@ inline constexpr std::array<cli::PointColumn, 2> point_columns = {
 struct PointBlock : cli::PointLines {
   const std::vector<double>& theta0_deg() const { return values[0]; }
   const std::vector<double>& alpha_deg() const { return values[1]; }
+  std::size_t beyond = 0;  ///< points above the pressure's largest half-angle
   std::size_t inaccurate = 0;  ///< points that missed the method's tolerance
 
   std::vector<double> half_angle;

@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <optional>
 
-#include "cli/laws.hpp"
 #include "libcontact/error.hpp"
 #include "libcontact/joint_file.hpp"
 
@@ -12,8 +12,11 @@ namespace hinge_table {
 namespace {
 
 struct Materials {
+  std::string option;
   contact::ElasticPair pair;
-  std::string pressure_law;  ///< of a joint file
+  // Of a joint file.
+  std::string pressure_law = {};
+  contact::InnerLoading loading = contact::InnerLoading::centre();
 };
 
 std::optional<Materials> materials_of(const Options& options) {
@@ -23,24 +26,46 @@ std::optional<Materials> materials_of(const Options& options) {
       throw contact::Error(fmt::format(
           "--joint {}: a cylindrical joint: allowed spherical", options.joint));
     }
-    return Materials{joint.pair, joint.pressure_law};
+    return Materials{"--joint " + options.joint, joint.pair, joint.pressure_law,
+                     joint.loading};
   }
   if (!options.pair.empty()) {
-    return Materials{contact::read_material_pair(options.pair).elastic, {}};
+    return Materials{"--pair " + options.pair,
+                     contact::read_material_pair(options.pair).elastic};
   }
   if (!options.modulus_ratio.empty()) {
     return Materials{
+        "--modulus-ratio " + options.modulus_ratio,
         cli::pair_of_modulus_ratio(options.modulus_ratio, options.poisson1,
-                                   options.poisson2),
-        {}};
+                                   options.poisson2)};
   }
   return {};
 }
 
+// Options that change nothing in the table. A joint may at least name a
+// pressure that is not the usual one.
+void refuse_idle(const Options& options,
+                 const std::optional<Materials>& materials,
+                 const std::string& pressure) {
+  if (!options.loading.empty() && pressure != "exact") {
+    throw contact::Error(
+        fmt::format("--loading {}: allowed with --pressure exact; this is {}",
+                    options.loading, pressure));
+  }
+  if (!materials || pressure == "mixture" || pressure == "exact") return;
+  const bool named = options.pressure.empty() &&
+                     !materials->pressure_law.empty() &&
+                     pressure != contact::default_pressure_law;
+  if (named) return;
+  throw contact::Error(
+      fmt::format("{}: the pressure {} is the same for all materials: allowed "
+                  "with --pressure mixture or exact",
+                  materials->option, pressure));
+}
+
 }  // namespace
 
-std::shared_ptr<const contact::PressureLaw> chosen_pressure(
-    const Options& options) {
+cli::NamedPressure chosen_pressure(const Options& options) {
   const std::optional<Materials> materials = materials_of(options);
   std::string name = options.pressure;
   if (name.empty() && materials) name = materials->pressure_law;
@@ -52,10 +77,15 @@ std::shared_ptr<const contact::PressureLaw> chosen_pressure(
                     name));
   }
   // The other laws do not look at the pair.
-  return contact::make_pressure_law(
+  cli::NamedPressure pressure = cli::make_pressure_law(
       name, contact::JointKind::spherical,
       materials ? materials->pair
-                : contact::ElasticPair::from_modulus_ratio(1, 0.3, 0.3));
+                : contact::ElasticPair::from_modulus_ratio(1, 0.3, 0.3),
+      cli::parse_loading(
+          options.loading,
+          materials ? materials->loading : contact::InnerLoading::centre()));
+  refuse_idle(options, materials, name);
+  return pressure;
 }
 
 }  // namespace hinge_table

@@ -1,8 +1,6 @@
 #pragma once
 
-#include <memory>
-
-#include "libcontact/pressure.hpp"
+#include "cli/laws.hpp"
 #include "table/run.hpp"
 
 namespace hinge_table {
@@ -10,7 +8,6 @@ namespace hinge_table {
 /// The pressure law that the options name, for a ball of their materials.
 /// Throws contact::Error if they do not fit together, or if the law depends on
 /// the materials and there are none.
-std::shared_ptr<const contact::PressureLaw> chosen_pressure(
-    const Options& options);
+cli::NamedPressure chosen_pressure(const Options& options);
 
 }  // namespace hinge_table

@@ -14,9 +14,11 @@
 #include "cli/plot.hpp"
 #include "cli/points.hpp"
 #include "cli/progress.hpp"
+#include "cli/quantity.hpp"
 #include "cli/sweep.hpp"
 #include "cli/table.hpp"
 #include "libcontact/error.hpp"
+#include "libcontact/units.hpp"
 #include "table/method.hpp"
 #include "table/point_block.hpp"
 #include "table/pressure_choice.hpp"
@@ -24,12 +26,31 @@
 namespace hinge_table {
 namespace {
 
+// The quantity of printed tables and pictures.
 std::size_t quantity_index(const std::string& name) {
   std::array<cli::Choice<std::size_t>, quantities.size()> choices;
   for (std::size_t i = 0; i < choices.size(); ++i) {
     choices[i] = {quantities[i], i};
   }
-  return cli::choice("--quantity", name, choices);
+  return cli::choice("--quantity", name.empty() ? "chi" : name, choices);
+}
+
+double tolerance_of(const Options& options) {
+  if (options.tolerance.empty()) return 1e-10;
+  if (options.method != "quadrature") {
+    throw contact::Error(
+        fmt::format("--tolerance {}: allowed with --method quadrature; this is "
+                    "{}",
+                    options.tolerance, options.method));
+  }
+  return cli::parse_value("--tolerance", options.tolerance, {1e-13, 1e-2, ""});
+}
+
+[[noreturn]] void refuse_quantity(const Options& options) {
+  throw contact::Error(fmt::format(
+      "--quantity {}: allowed for a grid in markdown or latex, or with --plot; "
+      "lists have all quantities",
+      options.quantity));
 }
 
 // The name of a quantity; those that depend on the pressure say on which if it
@@ -58,6 +79,13 @@ std::vector<std::string> column_names(const Method& method,
 struct Problems {
   std::size_t bad_lines = 0;
   std::size_t inaccurate = 0;
+  std::size_t beyond = 0;
+
+  void add(const PointBlock& block) {
+    bad_lines += block.bad_lines;
+    inaccurate += block.inaccurate;
+    beyond += block.beyond;
+  }
 };
 
 // A table of points from a file or standard input.
@@ -82,9 +110,8 @@ Problems write_points(const Options& options, const Method& method) {
       [&](const PointBlock& block) {
         writer.write(block.rows.view());
         progress.add(block.size());
-        problems.inaccurate += block.inaccurate;
+        problems.add(block);
         if (block.bad_lines == 0) return;
-        problems.bad_lines += block.bad_lines;
         progress.clear();
         std::fputs(block.messages.c_str(), stderr);
       });
@@ -132,7 +159,7 @@ Problems write_blocks(const Grid& grid, std::size_t block_size,
       [&](const GridBlock& block) {
         writer.write(block.rows.view());
         progress.add(block.size());
-        problems.inaccurate += block.inaccurate;
+        problems.add(block);
       });
   writer.finish();
   output.commit();
@@ -184,13 +211,14 @@ std::string draw(const Grid& grid, const Method& method, std::size_t quantity,
   const cli::Sweep& family = over_alpha ? grid.theta0 : grid.alpha;
 
   cli::LinePlot plot;
-  plot.title = fmt::format("{}, method {}", options.quantity, options.method);
+  plot.title =
+      fmt::format("{}, method {}", quantities[quantity], options.method);
   if (method.pressure != contact::default_pressure_law) {
     plot.title += ", pressure " + method.pressure;
   }
   plot.x_label =
       over_alpha ? "slip axis angle α, deg" : "contact half-angle θ₀, deg";
-  plot.y_label = options.quantity;
+  plot.y_label = quantities[quantity];
   plot.logarithmic_x = x.is_logarithmic();
   plot.family = true;
   for (const double member : cli::spread(family, most_curves)) {
@@ -206,15 +234,23 @@ std::string draw(const Grid& grid, const Method& method, std::size_t quantity,
   return cli::draw(plot, options.output.plot);
 }
 
-cli::ExitStatus report(const Problems& problems) {
+cli::ExitStatus report(const Problems& problems, const Method& method) {
+  if (problems.beyond > 0) {
+    cli::warn("hinge-table",
+              fmt::format("points without a value: {}; the pressure {} ends at "
+                          "{:.6g} deg",
+                          problems.beyond, method.pressure,
+                          method.largest_half_angle / contact::degree));
+  }
   if (problems.inaccurate > 0) {
     cli::warn("hinge-table",
               fmt::format("points that missed the tolerance: {}; their "
                           "rows have the best values found",
                           problems.inaccurate));
   }
-  return problems.bad_lines + problems.inaccurate == 0 ? cli::all_good
-                                                       : cli::some_bad;
+  return problems.bad_lines + problems.inaccurate + problems.beyond == 0
+             ? cli::all_good
+             : cli::some_bad;
 }
 
 cli::ExitStatus run_grid(const Options& options, const Method& method) {
@@ -226,9 +262,21 @@ cli::ExitStatus run_grid(const Options& options, const Method& method) {
   const Grid grid{{"--theta0", options.theta0, point_columns[0].allowed},
                   {"--alpha", options.alpha, point_columns[1].allowed}};
   const bool two_way = options.output.format >= cli::Format::markdown;
+  if (!two_way && options.output.plot.empty() && !options.quantity.empty()) {
+    refuse_quantity(options);
+  }
+  // Wider ones cannot be printed, and their header has to fit in memory.
+  constexpr std::size_t most_columns = 1000;
+  if (two_way && grid.alpha.size() > most_columns) {
+    throw contact::Error(fmt::format(
+        "--alpha {}: allowed {} values in markdown and latex, where "
+        "each is a column; these are {}",
+        options.alpha, most_columns, grid.alpha.size()));
+  }
   const cli::ExitStatus status =
       report(two_way ? write_two_way(grid, method, quantity, options.output)
-                     : write_list(grid, method, options.output));
+                     : write_list(grid, method, options.output),
+             method);
   if (options.output.plot.empty()) return status;
   const std::string problem = draw(grid, method, quantity, options);
   if (problem.empty()) return status;
@@ -239,13 +287,14 @@ cli::ExitStatus run_grid(const Options& options, const Method& method) {
 }  // namespace
 
 cli::ExitStatus run(const Options& options) {
-  const Method method =
-      find_method(options.method, options.tolerance, chosen_pressure(options));
+  const Method method = find_method(options.method, tolerance_of(options),
+                                    chosen_pressure(options));
   if (options.points.empty()) return run_grid(options, method);
+  if (!options.quantity.empty()) refuse_quantity(options);
   if (!options.output.plot.empty()) {
     throw contact::Error("--plot: needs a grid (--theta0 and --alpha)");
   }
-  return report(write_points(options, method));
+  return report(write_points(options, method), method);
 }
 
 }  // namespace hinge_table

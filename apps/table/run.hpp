@@ -12,10 +12,13 @@ struct Options {
   std::string alpha;
   std::string points;
   std::string method = "exact";
-  std::string quantity = "chi";
-  double tolerance = 1e-10;
+  // Of markdown, latex and pictures; without it chi.
+  std::string quantity;
+  // Of the method quadrature; without it 1e-10.
+  std::string tolerance;
   // Without it: the joint file's, or cosine.
   std::string pressure;
+  std::string loading;
   // Of the materials, one of these three.
   std::string joint;
   std::string pair;

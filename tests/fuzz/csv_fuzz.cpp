@@ -74,10 +74,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
     hinge_table::PointBlock block;
     block.lines = {std::string(text), 2};
     cli::read_points(columns, block);
-    static const hinge_table::Method method =
-        hinge_table::find_method("viscous", 1e-10,
-                                 std::make_shared<contact::CosinePressure>(
-                                     contact::JointKind::spherical));
+    static const hinge_table::Method method = hinge_table::find_method(
+        "viscous", 1e-10,
+        {"cosine", std::make_shared<contact::CosinePressure>(
+                       contact::JointKind::spherical)});
     hinge_table::compute(method, block);
     check(count(block.messages, '\n') == block.bad_lines);
     for (const char c : block.messages) {

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstddef>
+
+#include "angle/input.hpp"
+#include "angle/loads.hpp"
+#include "angle/setup.hpp"
+#include "libcontact/half_angle.hpp"
+
+/// The parts of the program hinge-pressure.
+namespace hinge_pressure {
+
+/// A load and the contact that it makes.
+struct LoadedContact {
+  /// N or N/m; in dimensionless runs the load parameter.
+  double load;
+  double load_parameter;
+  double half_angle;  ///< rad; NaN if the half-angle law has none
+  contact::Status status;
+};
+
+/// The contacts of all loads of a sweep, each made when it is asked for: a
+/// long sweep takes no memory.
+class LoadedContacts {
+ public:
+  /// @param input  a load, not inverse; must outlive this, as must the law
+  LoadedContacts(const hinge_angle::Input& input,
+                 const hinge_angle::Setup& setup,
+                 const contact::HalfAngleLaw& law)
+      : input_(input),
+        loads_(setup.kind, setup.geometry, setup.pair),
+        law_(law) {}
+
+  std::size_t size() const { return input_.values.size(); }
+  LoadedContact operator[](std::size_t index) const;
+
+ private:
+  const hinge_angle::Input& input_;
+  hinge_angle::Loads loads_;
+  const contact::HalfAngleLaw& law_;
+};
+
+}  // namespace hinge_pressure
