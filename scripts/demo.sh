@@ -67,11 +67,11 @@ beside=(--beside data/reference/paper_examples.csv --format markdown)
     --beta 67.6 --trace "${beside[@]}"
   example_2=(--joint data/joints/paper_example_2.toml
     --reaction-xyz 1.122e6,3.23e5,0 --rate-xyz 0,0,1 --outer 0,-0.026,0
-    --joints 2 --braking -6.5e-6 --inner-steps 4,3)
+    --joints 2 --inner-steps 4,3)
   echo
   echo "Example 2: outer loop"
   echo
-  hinge-joint "${example_2[@]}" "${beside[@]}"
+  hinge-joint "${example_2[@]}" --braking -6.5e-6 "${beside[@]}"
   echo
   echo "Example 2: inner loops"
   echo

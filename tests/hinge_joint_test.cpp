@@ -3,13 +3,16 @@
 
 #include <cmath>
 #include <map>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "cli/number.hpp"
 #include "libcontact/cylindrical_joint.hpp"
+#include "libcontact/half_angle_exact.hpp"
 #include "libcontact/joint_file.hpp"
+#include "libcontact/pressure_exact.hpp"
 #include "libcontact/spherical_joint.hpp"
 #include "libcontact/units.hpp"
 #include "support/program.hpp"
@@ -28,8 +31,8 @@ const std::string example_1 =
 const std::string example_2 =
     "hinge-joint --joint data/joints/paper_example_2.toml "
     "--reaction-xyz 1.122e6,3.23e5,0 --rate-xyz 0,0,1 ";
-const std::string outer_loop =
-    example_2 + "--outer 0,-0.026,0 --joints 2 --braking -6.5e-6 ";
+const std::string outer_loops = example_2 + "--outer 0,-0.026,0 --joints 2 ";
+const std::string outer_loop = outer_loops + "--braking -6.5e-6 ";
 const std::string beside = " --beside data/reference/paper_examples.csv";
 
 // A table of numbers and texts by column; an empty cell is NaN.
@@ -205,6 +208,47 @@ TEST(HingeJoint, OptionsDescribeTheJointOfAFile) {
       folder.run(example_1 + "--friction 0.2 --adhesion 1e6 --normal-force 1e4 "
                              "--alpha 50"));
   EXPECT_NEAR(adhesive.at(1, "Abar"), 1e6 * 0.0025 / (0.2 * 1e4), 1e-12);
+}
+
+// A ball pressed from behind: the library's joint with the exact laws.
+TEST(HingeJoint, LoadedThroughTheBack) {
+  const ProgramFolder folder;
+  const std::string state = " --reaction-xyz 3e5,0,1e5 --rate-xyz 0,0,2 ";
+  const Columns table(folder.run(
+      example_1 + "--law exact --pressure exact,cosine --loading back:20" +
+      state));
+  const contact::Joint file = joint_file("paper_example_1");
+  const auto loading = contact::InnerLoading::back(20 * degree);
+  const contact::JointKind kind = contact::JointKind::spherical;
+  const contact::SphericalJoint joint(
+      file.geometry, file.pair, *file.friction,
+      std::make_shared<contact::ExactLaw>(kind, file.pair, loading),
+      std::make_shared<contact::ExactPressure>(kind, file.pair, loading));
+  EXPECT_EQ(table.text(1, "law"), "exact_back:20");
+  EXPECT_EQ(table.text(1, "pressure"), "exact_back:20");
+  EXPECT_EQ(table.text(2, "pressure"), "cosine");
+  expect_solution(table, 1, joint.solve({3e5, 0, 1e5}, {0, 0, 2}));
+  const Columns centre(
+      folder.run(example_1 + "--law exact --pressure exact" + state));
+  EXPECT_GT(table.at(1, "theta0_deg"), centre.at(1, "theta0_deg"));
+  const auto summary =
+      folder.run(example_1 + "--law exact --loading back:20 --summary" + state);
+  EXPECT_NE(summary.out.find("law,exact_back:20,"), std::string::npos);
+}
+
+TEST(HingeJoint, AxialForceOfAPinIsSaidToBeLeftOut) {
+  const ProgramFolder folder;
+  const std::string pin =
+      "hinge-joint --joint data/joints/pin_joint.toml --rate-xyz 0,0,3 "
+      "--reaction-xyz ";
+  const ProgramResult oblique = folder.run(pin + "1e4,0,250");
+  EXPECT_EQ(oblique.status, 0);
+  EXPECT_NE(oblique.err.find("250 N of the reaction are left out"),
+            std::string::npos)
+      << oblique.err;
+  const ProgramResult normal = folder.run(pin + "1e4,0,0");
+  EXPECT_EQ(normal.err.find("left out"), std::string::npos) << normal.err;
+  EXPECT_EQ(oblique.out, normal.out);
 }
 
 // A viscous hinge: moments in proportion to the rate; no rest set.
@@ -433,7 +477,7 @@ TEST(PaperExamples, OneInnerLoop) {
 
 TEST(PaperExamples, TwoInnerLoops) {
   const Columns table(
-      ProgramFolder().run(outer_loop + "--inner-steps 4,3 --trace"));
+      ProgramFolder().run(outer_loops + "--inner-steps 4,3 --trace"));
   expect_digits(table, {{1, "g_deg", 0, 0},
                         {1, "R_n_N", 1.168e6, 0.5e3},
                         {1, "Abar", 2.141, 0.5e-3},
@@ -487,7 +531,8 @@ TEST(PaperExamples, BesidePrintedNumbers) {
       {"\"paper, example 1\" trace",
        example_1 + "--reaction 2.63e5 --beta 67.6 --trace"},
       {"\"paper, example 2\" outer", outer_loop + "--inner-steps 4,3"},
-      {"\"paper, example 2\" inner", outer_loop + "--inner-steps 4,3 --trace"}};
+      {"\"paper, example 2\" inner",
+       outer_loops + "--inner-steps 4,3 --trace"}};
   std::map<std::string, Columns> tables;
   for (const auto& [name, command] : commands) {
     tables.emplace(name, Columns(folder.run(command + beside)));
@@ -542,6 +587,8 @@ TEST(HingeJoint, RowsWithoutAValueSaySo) {
 TEST(HingeJoint, WrongInputIsOneMessage) {
   const ProgramFolder folder;
   folder.write("bad.csv", "joint,table,row,column,value\na,solution,0,f,1\n");
+  folder.write("vectors.csv",
+               "R_x_N,R_y_N,R_z_N,w_x_rad_per_s,w_y_rad_per_s,w_z_rad_per_s\n");
   struct Case {
     std::string options;
     std::string message;
@@ -570,10 +617,28 @@ TEST(HingeJoint, WrongInputIsOneMessage) {
            {state + "--law foo", "half-angle law foo"},
            {state + "--pressure foo", "pressure law foo"},
            {state + "--friction -1", "--friction -1: allowed 0 to"},
-           {state + "--viscous 1,x", "--viscous x"},
+           {state + "--viscous 1,x",
+            "--viscous 1,x: allowed k0 (Pa s/m) or k0,k1 (s/m), each 0 to"},
+           {state + "--viscous 1,2,3", "--viscous 1,2,3: allowed k0"},
+           {state + "--viscous ''", "--viscous: is empty"},
+           {state + "--law all,tanh", "--law all,tanh: all is allowed alone"},
            {state + "--viscous 1 --friction 1", "not with --friction"},
            {state + "--radius 3mm", "the file has materials and geometry"},
-           {state + "--limit-angle 181", "0 to 180 deg"},
+           {state + "--limit-angle 181",
+            "--limit-angle 181: allowed formula, linear, or an angle above 0, "
+            "below 180 deg"},
+           {state + "--limit-angle 0", "--limit-angle 0: allowed formula"},
+           {state + "--loading back:20",
+            "loading back:20: half-angle law tanh: allowed: exact"},
+           {state + "--loading front", "--loading front: allowed centre, or"},
+           {state + "--outer 0,0,0 --inner-steps 2.5", "a whole number"},
+           {state + "--outer 0,0,0 --trace --braking 1",
+            "--braking 1: not with --trace"},
+           {state + "--trace --jobs 2", "--jobs: not with --trace"},
+           {state + "--summary --jobs 2", "--jobs: not with --trace"},
+           {ball + "--points vectors.csv --rate 2",
+            "--rate 2: not with the vectors of vectors.csv, line 1"},
+           {ball + "--reaction 1:1e9:1 --beta 0:90:1e-6", "allowed 1e12"},
            {state + "--law fitted --limit-angle 80", "none of them"},
            {state + "--joints 2", "--joints requires --outer"},
            {state + "--outer 0,0", "a change of R in N per N m"},

@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 
 #include "cli/choice.hpp"
 #include "cli/output.hpp"
@@ -24,6 +25,25 @@ constexpr std::array<Choice<Format>, 4> formats = {
 
 void complain(std::string_view program, std::string_view message) {
   fmt::print(stderr, "{}: {}\n", program, message);
+}
+
+// Whether two names are of one file, which need not be there.
+bool same_file(const std::string& one, const std::string& other) {
+  std::error_code ignored;
+  return std::filesystem::weakly_canonical(one, ignored) ==
+         std::filesystem::weakly_canonical(other, ignored);
+}
+
+// An empty text, as scripts pass it for a variable that is not set, must not
+// count as an option that was left out.
+void refuse_empty(const CLI::App& app) {
+  for (const CLI::Option* option : app.get_options()) {
+    for (const std::string& text : option->results()) {
+      if (!text.empty()) continue;
+      throw contact::Error(option->get_name() +
+                           ": is empty, allowed: a value, or no such option");
+    }
+  }
 }
 
 }  // namespace
@@ -56,7 +76,7 @@ void add_output_options(CLI::App& app, OutputOptions& options) {
   // Before anything is computed or written.
   app.parse_complete_callback([&options] {
     if (options.plot.empty()) return;
-    if (options.plot == options.output) {
+    if (same_file(options.plot, options.output)) {
       throw contact::Error("--plot " + options.plot +
                            ": allowed another file than that of --output");
     }
@@ -80,6 +100,7 @@ int run_program(CLI::App& app, int argc, char** argv,
   app.get_formatter()->column_width(26);
   try {
     app.parse(argc, argv);
+    refuse_empty(app);
     return body();
   } catch (const CLI::Success& request) {
     return app.exit(request);  // --help, --version

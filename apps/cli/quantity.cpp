@@ -30,6 +30,17 @@ double parse_value(std::string_view option, std::string_view text,
   return *value;
 }
 
+int parse_count(std::string_view option, std::string_view text, int min,
+                int max) {
+  const auto value = parse_number(text);
+  if (!value || !(*value >= min && *value <= max) ||
+      *value != std::floor(*value)) {
+    throw contact::Error(fmt::format("{} {}: allowed a whole number, {} to {}",
+                                     option, text, min, max));
+  }
+  return static_cast<int>(*value);
+}
+
 std::array<double, 3> parse_vector(std::string_view option,
                                    std::string_view text,
                                    std::string_view what) {

@@ -13,6 +13,10 @@ namespace cli {
 double parse_value(std::string_view option, std::string_view text,
                    const Allowed& allowed);
 
+/// A whole number within an interval. Throws contact::Error for anything else.
+int parse_count(std::string_view option, std::string_view text, int min,
+                int max);
+
 /// "X,Y,Z": three numbers, finite. Throws contact::Error for anything else.
 /// @param what  for messages: "a force in N"
 std::array<double, 3> parse_vector(std::string_view option,

@@ -90,6 +90,14 @@ Inputs::Inputs(const Options& options, bool pin) {
     angles_ = angle_sweep("--alpha", options.alpha, "--normal-force",
                           allowed_alpha, pin, "0");
   }
+  // A row for each, and for up to 35 pairs of laws, has to have a number.
+  constexpr double most = 1e12;
+  if (static_cast<double>(forces_->size()) *
+          static_cast<double>(angles_->size()) >
+      most) {
+    refuse(fmt::format("{} forces and {} angles: allowed 1e12 states",
+                       forces_->size(), angles_->size()));
+  }
 }
 
 Input Inputs::operator[](std::size_t index) const {

@@ -201,23 +201,25 @@ OuterLaw make_outer_law(const Options& options) {
                .joints = 1,
                .braking = nan,
                .inner_steps = {}};
-  constexpr cli::Allowed many{1, 1000, ""};
+  constexpr int most = 1000;
   if (!options.joints.empty()) {
-    law.joints = cli::parse_value("--joints", options.joints, many);
-    if (law.joints != std::floor(law.joints)) {
-      throw contact::Error(
-          fmt::format("--joints {}: allowed a whole number", options.joints));
-    }
+    law.joints = cli::parse_count("--joints", options.joints, 1, most);
+  }
+  if (!options.braking.empty() && options.trace) {
+    throw contact::Error(fmt::format(
+        "--braking {}: not with --trace, whose steps have no braking",
+        options.braking));
   }
   if (!options.braking.empty()) {
     law.braking = cli::parse_value("--braking", options.braking,
                                    {-1e100, 1e100, "deg/s^2 per N m"});
   }
   if (!options.inner_steps.empty()) {
-    const cli::Sweep steps("--inner-steps", options.inner_steps, many);
-    for (std::size_t i = 0; i < std::min<std::size_t>(steps.size(), 1000);
+    const cli::Sweep steps("--inner-steps", options.inner_steps, {1, most, ""});
+    for (std::size_t i = 0; i < std::min<std::size_t>(steps.size(), most);
          ++i) {
-      law.inner_steps.push_back(static_cast<int>(steps[i]));
+      law.inner_steps.push_back(cli::parse_count(
+          "--inner-steps", cli::number_text(steps[i]), 1, most));
     }
   }
   return law;

@@ -92,6 +92,10 @@ Problems write_points(const NamedJoint& joint, const Options& options) {
   cli::LineReader reader(options.points);
   const cli::PointHeader header = cli::read_header(reader);
   const Form form = find_form(header, pin);
+  if (!options.rate.empty() && form.columns.size() == 6) {
+    throw contact::Error(fmt::format("--rate {}: not with the vectors of {}",
+                                     options.rate, header.place));
+  }
   const cli::PointColumns columns(header.line, form.columns, header.place);
 
   const bool rest = form.question == Question::rest;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -96,13 +97,37 @@ cli::ExitStatus run_points(const Options& options, const Setup& setup) {
   return report(write_points(setup.joints[0], options));
 }
 
+// Work that is not shared among threads.
+void refuse_jobs(const Options& options) {
+  if (options.output.jobs == 1) return;
+  if (options.trace || options.summary || !options.outer.empty()) {
+    throw contact::Error("--jobs: not with --trace, --outer or --summary");
+  }
+}
+
+// A pin takes no force along its axis.
+void warn_of_axial_force(const Setup& setup, const Inputs& inputs) {
+  if (!setup.joints[0].joint.is_pin() || inputs.forces()) return;
+  const auto [force, turn] = inputs[0];
+  if (force.isZero(0) || turn.isZero(0)) return;
+  const double axial = std::abs(force.dot(turn.stableNormalized()));
+  // Of what rounding leaves of a force normal to the axis.
+  if (axial <= 1e-12 * force.stableNorm()) return;
+  cli::warn("hinge-joint",
+            fmt::format("a cylinder takes no force along its axis: {:.4g} N "
+                        "of the reaction are left out",
+                        axial));
+}
+
 }  // namespace
 
 cli::ExitStatus run(const Options& options) {
+  refuse_jobs(options);
   const Setup setup = make_setup(options);
   if (!options.points.empty()) return run_points(options, setup);
   const Inputs inputs(options, setup.joints[0].joint.is_pin());
   warn_of_validity(setup);
+  warn_of_axial_force(setup, inputs);
   if (options.trace || !options.outer.empty()) {
     return run_loops(options, setup, inputs);
   }
