@@ -79,7 +79,8 @@ std::string draw(const Loads& scale, const Input& input, const Setup& setup,
   plot.title = fmt::format("{} joint", to_string(setup.kind));
   plot.x_label = load_label(input.variable, setup.kind);
   plot.y_label = "contact half-angle θ₀, deg";
-  plot.logarithmic_x = input.values.is_logarithmic();
+  // Laws reach a half-angle at loads that are decades apart.
+  plot.logarithmic_x = input.inverse || input.values.is_logarithmic();
   const bool has_tanh =
       std::any_of(laws.begin(), laws.end(),
                   [](const NamedLaw& law) { return law.name == "tanh"; });

@@ -29,9 +29,13 @@ void complain(std::string_view program, std::string_view message) {
 
 // Whether two names are of one file, which need not be there.
 bool same_file(const std::string& one, const std::string& other) {
+  namespace fs = std::filesystem;
   std::error_code ignored;
-  return std::filesystem::weakly_canonical(one, ignored) ==
-         std::filesystem::weakly_canonical(other, ignored);
+  // Relative names of files that are not there stay relative otherwise.
+  const auto whole = [&](const std::string& name) {
+    return fs::weakly_canonical(fs::absolute(name, ignored), ignored);
+  };
+  return !other.empty() && whole(one) == whole(other);
 }
 
 // An empty text, as scripts pass it for a variable that is not set, must not

@@ -137,6 +137,12 @@ cli::ExitStatus run(const Options& options) {
         "--plot: needs a range of --reaction, --normal-force, --beta or "
         "--alpha");
   }
+  if (plot && setup.joints.size() > most_pairs_of_laws) {
+    throw contact::Error(fmt::format(
+        "--plot: allowed {} pairs of half-angle law and pressure law; these "
+        "are {}",
+        most_pairs_of_laws, setup.joints.size()));
+  }
   const Beside beside(options.beside, setup.name, "solution");
   cli::ExitStatus status = report(
       options.summary ? write_summary(setup, inputs, beside, options.output)

@@ -85,11 +85,9 @@ class Labels {
 std::string draw_torque(const Setup& setup, const Inputs& inputs,
                         const std::string& file) {
   // What a picture of some 1,000 dots across can show.
-  constexpr std::size_t most_curves = 6;
   constexpr std::size_t most_points = 500;
   const bool reaction = inputs.question() == Question::reaction;
-  const bool over_angle =
-      inputs.forces()->size() == 1 && inputs.angles()->size() > 1;
+  const bool over_angle = inputs.angles()->size() > inputs.forces()->size();
   const cli::Sweep& x = over_angle ? *inputs.angles() : *inputs.forces();
   const cli::Sweep& family = over_angle ? *inputs.forces() : *inputs.angles();
   const Labels labels(setup, inputs, over_angle);
@@ -97,10 +95,12 @@ std::string draw_torque(const Setup& setup, const Inputs& inputs,
   cli::LinePlot plot;
   plot.title = labels.title(setup, family[0]);
   plot.logarithmic_x = plot.logarithmic_y = x.is_logarithmic();
+  const std::size_t most_members = std::max<std::size_t>(
+      1, std::min<std::size_t>(6, most_pairs_of_laws / setup.joints.size()));
   int colour = 0;
   double largest = 0;
   for (const NamedJoint& joint : setup.joints) {
-    for (const double member : cli::spread(family, most_curves)) {
+    for (const double member : cli::spread(family, most_members)) {
       const std::string label = labels.curve(joint, member);
       ++colour;
       cli::Curve solved{

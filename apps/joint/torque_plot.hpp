@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 #include "joint/input.hpp"
@@ -7,9 +8,14 @@
 
 namespace hinge_joint {
 
-/// Draws the friction moment over the swept force, a curve for each angle and
-/// pair of laws, with the traditional estimate dashed beside it; over the
-/// angle if that alone is swept.
+/// Pairs of half-angle law and pressure law whose curves and names fit into a
+/// picture.
+inline constexpr std::size_t most_pairs_of_laws = 8;
+
+/// Draws the friction moment over the swept force or angle, of which there are
+/// more values; a curve for each of some of the others and each pair of laws,
+/// with the traditional estimate dashed beside it.
+/// @param setup  with at most most_pairs_of_laws
 /// @return "" or why there is no picture
 std::string draw_torque(const Setup& setup, const Inputs& inputs,
                         const std::string& file);

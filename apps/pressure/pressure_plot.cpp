@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstddef>
 
 #include "cli/plot.hpp"
 #include "libcontact/units.hpp"
@@ -15,15 +16,26 @@ constexpr int points = 201;
 constexpr std::size_t most_curves = 15;
 constexpr double megapascal = 1e6;
 
-std::string label(const hinge_angle::Setup& setup, const std::string& law,
-                  const LoadedContact& contact, bool one_load) {
-  if (one_load) return law;
+// "2000 N", "μ = 0.5"
+std::string load_text(const hinge_angle::Setup& setup,
+                      const LoadedContact& contact) {
   const bool ball = setup.kind == contact::JointKind::spherical;
   if (!setup.geometry) {
-    return fmt::format("{}, {} = {:.3g}", law, ball ? "μ" : "λ",
-                       contact.load_parameter);
+    return fmt::format("{} = {:.6g}", ball ? "μ" : "λ", contact.load_parameter);
   }
-  return fmt::format("{}, {:.3g} {}", law, contact.load, ball ? "N" : "N/m");
+  return fmt::format("{:.6g} {}", contact.load, ball ? "N" : "N/m");
+}
+
+// At most `most` of the contacts, evenly spread.
+std::vector<LoadedContact> shown_contacts(const LoadedContacts& contacts,
+                                          std::size_t most) {
+  const std::size_t count = std::min(most, contacts.size());
+  std::vector<LoadedContact> shown;
+  for (std::size_t k = 0; k < count; ++k) {
+    shown.push_back(
+        contacts[count == 1 ? 0 : k * (contacts.size() - 1) / (count - 1)]);
+  }
+  return shown;
 }
 
 }  // namespace
@@ -43,16 +55,30 @@ std::string draw(const PressureTable& pressures,
                  : setup.kind == contact::JointKind::spherical
                      ? "pressure over Rₙ/ρ²"
                      : "pressure over P/ρ";
-  const std::size_t loads =
-      std::clamp(most_curves / laws.size(), std::size_t{1}, contacts.size());
-  for (std::size_t k = 0; k < loads; ++k) {
-    const LoadedContact contact =
-        contacts[loads == 1 ? 0 : k * (contacts.size() - 1) / (loads - 1)];
+  // Several laws have the colours, and the title the loads; one law leaves the
+  // colours to the loads.
+  const bool one_law = laws.size() == 1;
+  const auto shown = shown_contacts(
+      contacts, std::max<std::size_t>(most_curves / laws.size(), 1));
+  plot.family = one_law && shown.size() > 1;
+  if (one_law) plot.title += ", " + laws[0].name;
+  if (!one_law && contacts.size() > 1) {
+    std::string loads;
+    for (const LoadedContact& contact : shown) {
+      loads += (loads.empty() ? "" : "; ") + load_text(setup, contact);
+    }
+    plot.title += ": " + loads;
+  }
+  for (const LoadedContact& contact : shown) {
     for (std::size_t i = 0; i < laws.size(); ++i) {
-      cli::Curve curve{
-          label(setup, laws[i].name, contact, contacts.size() == 1), {}, {}};
-      curve.dashed = laws[i].name.starts_with("exact");
-      curve.colour = static_cast<int>(i) + 1;
+      const bool first = plot.curves.size() < laws.size();
+      cli::Curve curve{one_law ? load_text(setup, contact)
+                       : first ? laws[i].name
+                               : "",
+                       {},
+                       {}};
+      curve.dashed = !one_law && laws[i].name.starts_with("exact");
+      curve.colour = one_law ? 0 : static_cast<int>(i) + 1;
       for (int j = 0; j < points; ++j) {
         const double theta = contact.half_angle * j / (points - 1);
         curve.x.push_back(theta / contact::degree);

@@ -8,7 +8,8 @@
 namespace hinge_pressure {
 
 /// Draws the pressure over the angle from the contact's centre, a curve for
-/// each law and load; laws keep their colour.
+/// each law and load; the colours are those of the laws, or of the loads if
+/// there is one law.
 /// @return as cli::draw()
 std::string draw(const PressureTable& pressures,
                  const hinge_angle::Setup& setup,
