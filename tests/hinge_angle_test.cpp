@@ -528,6 +528,7 @@ TEST(HingeAngle, BadOptionsSayWhatIsAllowedAndLeaveNoFile) {
       {ratio + "--x 1 --law tanh --limit-angle 180", "below 180 deg"},
       {ratio + "--x 1 --law all,tanh", "--law all,tanh: all is allowed alone"},
       {ratio + "--x 1 --pressure ''", "--pressure: is empty"},
+      {ratio + "--x 1 --plot a.svg", "--plot: needs a range"},
       {ratio + "--compare --x 0", "--compare: allowed loads above 0"},
       {ratio + "--x 1 --limit-angle 85",
        "--limit-angle 85: allowed with the laws arctan, tanh, blend and paper"},

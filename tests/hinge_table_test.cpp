@@ -276,6 +276,7 @@ TEST(HingeTable, BadOptionsSayWhatIsAllowedAndLeaveNoFile) {
       {"--theta0 45 --alpha 30 --plot picture.gif",
        "--plot picture.gif: allowed names end in .svg, .png, .pdf"},
       {"--theta0 45 --alpha ''", "--alpha: is empty"},
+      {"--theta0 45 --alpha 30 --plot a.svg", "--plot: needs a range"},
       {"--theta0 45 --alpha 30 --jobs 0", "--jobs"},
       {"--theta0 45 --alpha 30 --wrong 1", "--wrong"},
       {"--theta0 45 --points points.csv", "--theta0"},

@@ -15,6 +15,7 @@
 #include "cli/output.hpp"
 #include "cli/progress.hpp"
 #include "cli/table.hpp"
+#include "libcontact/error.hpp"
 
 namespace hinge_angle {
 namespace {
@@ -109,6 +110,9 @@ cli::ExitStatus run(const Options& options) {
   const Loads loads(setup.kind, setup.geometry, setup.pair);
   const AngleTable angles(setup, loads, laws, pressure);
   const Input input = make_input(options, setup);
+  if (!options.output.plot.empty() && input.values.size() == 1) {
+    throw contact::Error("--plot: needs a range of loads or half-angles");
+  }
   std::vector<LawComparison> comparison;
   if (options.compare) {
     comparison = compare(loads, input, setup, laws, setup.tolerance);

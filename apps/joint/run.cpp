@@ -105,6 +105,21 @@ void refuse_jobs(const Options& options) {
   }
 }
 
+// What draw_torque() can draw.
+void check_plot(const Setup& setup, const Inputs& inputs) {
+  if (!inputs.forces() || inputs.size() == 1) {
+    throw contact::Error(
+        "--plot: needs a range of --reaction, --normal-force, --beta or "
+        "--alpha");
+  }
+  if (setup.joints.size() > most_pairs_of_laws) {
+    throw contact::Error(fmt::format(
+        "--plot: allowed {} pairs of half-angle law and pressure law; these "
+        "are {}",
+        most_pairs_of_laws, setup.joints.size()));
+  }
+}
+
 // A pin takes no force along its axis.
 void warn_of_axial_force(const Setup& setup, const Inputs& inputs) {
   if (!setup.joints[0].joint.is_pin() || inputs.forces()) return;
@@ -132,17 +147,7 @@ cli::ExitStatus run(const Options& options) {
     return run_loops(options, setup, inputs);
   }
   const bool plot = !options.output.plot.empty();
-  if (plot && (!inputs.forces() || inputs.size() == 1)) {
-    throw contact::Error(
-        "--plot: needs a range of --reaction, --normal-force, --beta or "
-        "--alpha");
-  }
-  if (plot && setup.joints.size() > most_pairs_of_laws) {
-    throw contact::Error(fmt::format(
-        "--plot: allowed {} pairs of half-angle law and pressure law; these "
-        "are {}",
-        most_pairs_of_laws, setup.joints.size()));
-  }
+  if (plot) check_plot(setup, inputs);
   const Beside beside(options.beside, setup.name, "solution");
   cli::ExitStatus status = report(
       options.summary ? write_summary(setup, inputs, beside, options.output)

@@ -105,12 +105,8 @@ std::string draw_torque(const Setup& setup, const Inputs& inputs,
       ++colour;
       cli::Curve solved{
           label.empty() ? "solved" : label, {}, {}, false, colour};
-      cli::Curve traditional{
-          label.empty() ? "taken from R" : label + ", from R",
-          {},
-          {},
-          true,
-          colour};
+      // Without a name: the axis says what is dashed.
+      cli::Curve traditional{"", {}, {}, true, colour};
       for (const double value : cli::spread(x, most_points)) {
         const Answer a = answer(
             joint, inputs.question(),
@@ -134,7 +130,8 @@ std::string draw_torque(const Setup& setup, const Inputs& inputs,
     for (double& value : curve.y) value *= moment.factor;
   }
   plot.x_label = labels.x(force);
-  plot.y_label = fmt::format("friction moment, {}N m", moment.prefix);
+  plot.y_label = fmt::format("friction moment, {}N m{}", moment.prefix,
+                             reaction ? "; dashed: from R" : "");
   return cli::draw(plot, file);
 }
 

@@ -261,6 +261,9 @@ cli::ExitStatus run_grid(const Options& options, const Method& method) {
   const std::size_t quantity = quantity_index(options.quantity);
   const Grid grid{{"--theta0", options.theta0, point_columns[0].allowed},
                   {"--alpha", options.alpha, point_columns[1].allowed}};
+  if (!options.output.plot.empty() && grid.size() == 1) {
+    throw contact::Error("--plot: needs a range of --theta0 or --alpha");
+  }
   const bool two_way = options.output.format >= cli::Format::markdown;
   if (!two_way && options.output.plot.empty() && !options.quantity.empty()) {
     refuse_quantity(options);
