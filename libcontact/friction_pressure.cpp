@@ -170,6 +170,13 @@ bool is_cosine(const PressureLaw& law) {
 /// 90 deg itself; the integrals of smaller ones underflow.
 constexpr double smallest_half_angle = 1e-140;
 
+/// The pressure-weighted integrals from the coefficients.
+void set_scale(double peak, FrictionIntegrals& r) {
+  const FrictionTriple& c = r.coefficient;
+  r.normal = 1 / peak;
+  r.pressure = {c.force / peak, c.sliding / peak, c.spinning / peak};
+}
+
 /// Replaces what depends on the pressure, given what does not.
 void set_pressure_part(const PressureLaw& law, double half_angle, SlipAxis axis,
                        const CapKernel& kernel, FrictionIntegrals& r) {
@@ -188,8 +195,7 @@ void set_pressure_part(const PressureLaw& law, double half_angle, SlipAxis axis,
   } else {
     c = by_arcs(law, half_angle, axis, kernel, c);
   }
-  r.normal = 1 / peak;
-  r.pressure = {c.force / peak, c.sliding / peak, c.spinning / peak};
+  set_scale(peak, r);
 }
 
 /// ∬ p sin^2 t dS for the pressure that carries the force 1, by parts.
@@ -221,8 +227,7 @@ FrictionIntegrals viscous_friction_integrals(const PressureLaw& law,
   c = {axis.cos, (law.force_ratio(half_angle) - m / 2) * axis.cos,
        m * axis.sin};
   if (std::isnan(peak)) c.force = nan;
-  r.normal = 1 / peak;
-  r.pressure = {c.force / peak, c.sliding / peak, c.spinning / peak};
+  set_scale(peak, r);
   return r;
 }
 
