@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <memory>
 #include <span>
 #include <string>
@@ -10,30 +9,13 @@
 #include "libcontact/conforming/loading.hpp"
 #include "libcontact/joint_geometry.hpp"
 #include "libcontact/material.hpp"
+#include "libcontact/pressure_expansion.hpp"
 
 /// Contact pressure p(theta), theta = angle from the centre of the contact.
 ///
 /// Every pressure here is in JointGeometry::pressure_unit(): R_n/rho^2 for a
 /// ball, P/rho for a pin; so it depends on the half-angle theta0 alone.
 namespace contact {
-
-/// A pressure as the sum of the cosine pressure and one that starts like a
-/// square root from the edge,
-///
-///     p = cosine_share p[cosine] + x sum_k c_k (2 x^2 - 1)^k,
-///
-/// x the edge variable of PressureLaw,
-/// to which the friction integrals have short ways.
-struct PressureExpansion {
-  static constexpr int max_terms = 16;
-  double cosine_share = 0;
-  int size = 0;
-  std::array<double, max_terms> coefficient = {};  ///< c_k, pressure units
-
-  std::span<const double> coefficients() const {
-    return std::span(coefficient).first(static_cast<std::size_t>(size));
-  }
-};
 
 /// A pressure law for one kind of joint. Const functions that do not allocate
 /// and do not throw; NaN gives NaN.

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "libcontact/detail/edge_polynomial.hpp"
+#include "libcontact/detail/wide_edge.hpp"
 
 namespace contact {
 namespace {
@@ -47,11 +48,14 @@ Moments moments(double half_angle) {
 double struve_over_square(double z) {
   // Terms grow to 30 times the sum at z = 6; 24 of them leave 1e-17.
   constexpr int terms = 24;
+  static constexpr auto inverse = [] {
+    std::array<double, terms + 1> f{};
+    for (int k = 1; k <= terms; ++k) f[k] = 1 / ((2 * k + 1.0) * (2 * k + 3.0));
+    return f;
+  }();
   const double z2 = z * z;
   double sum = 0;
-  for (int k = terms; k >= 1; --k) {
-    sum = (1 - sum) * z2 / ((2 * k + 1.0) * (2 * k + 3.0));
-  }
+  for (int k = terms; k >= 1; --k) sum = (1 - sum) * (z2 * inverse[k]);
   return 2 / (3 * pi) * (1 - sum);
 }
 
@@ -66,30 +70,20 @@ double bessel_over_argument(double z) {
   return (1 - sum) / 2;
 }
 
-// sqrt(1 - (t/theta0)^2) = sum a_k sin((2k+1) phi) for theta0 <= 90 deg, as
-// an edge polynomial, its coefficients as Chebyshev series in theta0^2: both
-// converge like 6^-k.
+// sqrt(1 - (t/theta0)^2) = sum a_k sin((2k+1) phi) in detail::WideEdge, as an
+// edge polynomial; for theta0 <= 120 deg its coefficients as Chebyshev series
+// in theta0^2. Both converge like 6^-k or faster.
 class CircleExpansion {
  public:
   static constexpr int terms = PressureExpansion::max_terms;
+  using Coefficients = std::array<double, terms>;
 
   CircleExpansion() {
-    // More points than terms keep aliasing away.
-    constexpr int points = 2 * terms;
     for (int i = 0; i < degrees; ++i) {
       const double phase = pi * (i + 0.5) / degrees;
-      const double half_angle = pi / 2 * std::sqrt((1 + std::cos(phase)) / 2);
-      const double b = std::tan(half_angle / 2);
-      std::array<double, terms> a{};
-      for (int n = 0; n < points; ++n) {
-        const double phi = pi / 2 * (n + 0.5) / points;
-        const double t = 2 * std::atan(b * std::cos(phi));
-        const double y = std::sqrt((1 - t / half_angle) * (1 + t / half_angle));
-        for (int k = 0; k < terms; ++k) {
-          a[k] += 2 * y / points * std::sin((2 * k + 1) * phi);
-        }
-      }
-      const auto c = detail::edge_polynomial(a);
+      const double half_angle =
+          tabulated * std::sqrt((1 + std::cos(phase)) / 2);
+      const Coefficients c = solve(half_angle);
       for (int j = 0; j < degrees; ++j) {
         const double factor =
             (j == 0 ? 1.0 : 2.0) / degrees * std::cos(j * phase);
@@ -98,26 +92,61 @@ class CircleExpansion {
     }
   }
 
-  // c_k times a factor; NaN beyond 90 deg.
+  // Times a factor, without the last terms if they do not count.
   PressureExpansion operator()(double half_angle, double factor) const {
-    PressureExpansion result{.size = terms};
-    const double share = half_angle / (pi / 2);
-    const double v = share <= 1 ? 2 * share * share - 1 : nan;
-    double last = v;
-    double now = factor;
-    last *= factor;
-    for (const auto& row : series_) {
-      for (int k = 0; k < terms; ++k) result.coefficient[k] += now * row[k];
-      const double next = 2 * v * now - last;
-      last = now;
-      now = next;
+    PressureExpansion result{
+        .edge_constant = detail::WideEdge(half_angle).constant(),
+        .coefficient =
+            half_angle > tabulated ? solve(half_angle) : evaluate(half_angle)};
+    result.size = terms;
+    const double negligible = 1e-13 * std::abs(result.coefficient[0]);
+    while (result.size > 1 &&
+           std::abs(result.coefficient[result.size - 1]) < negligible) {
+      --result.size;
     }
+    for (double& c : result.coefficient) c *= factor;
     return result;
   }
 
  private:
-  static constexpr int degrees = 20;
-  std::array<std::array<double, terms>, degrees> series_{};
+  static constexpr int degrees = 18;
+  static constexpr double tabulated = 2 * pi / 3;
+
+  static Coefficients solve(double half_angle) {
+    // More points than terms keep aliasing away.
+    constexpr int points = 2 * terms;
+    const detail::WideEdge edge(half_angle);
+    const double b = std::tan(half_angle / 2);
+    Coefficients a{};
+    for (int n = 0; n < points; ++n) {
+      const double phi = pi / 2 * (n + 0.5) / points;
+      const double x = std::sin(phi);
+      const double share = edge.cosine() * edge.tangent_share(x * x);
+      const double t = 2 * std::atan(b * std::cos(phi) * std::sqrt(share));
+      const double y = std::sqrt((1 - t / half_angle) * (1 + t / half_angle));
+      for (int k = 0; k < terms; ++k) {
+        a[k] += 2 * y / points * std::sin((2 * k + 1) * phi);
+      }
+    }
+    return detail::edge_polynomial(a);
+  }
+
+  Coefficients evaluate(double half_angle) const {
+    const double share = half_angle / tabulated;
+    const double v = 2 * share * share - 1;
+    double last = v;  // T_{-1}
+    double now = 1;
+    Coefficients c{};
+    for (const auto& row : series_) {
+      for (int k = 0; k < terms; ++k) c[k] += now * row[k];
+      const double next = 2 * v * now - last;
+      last = now;
+      now = next;
+    }
+    return c;
+  }
+
+  std::array<Coefficients, degrees> series_{};
 };
 
 // Edge variable of an angle in [0, theta0].

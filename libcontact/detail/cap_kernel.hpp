@@ -1,23 +1,12 @@
 #pragma once
 
-#include <span>
-
+#include "libcontact/detail/arc_sum.hpp"
 #include "libcontact/detail/cap_integrals.hpp"
 #include "libcontact/friction_batch.hpp"
 #include "libcontact/instruction_set.hpp"
+#include "libcontact/pressure_expansion.hpp"
 
 namespace contact::detail {
-
-/// Concentric contacts under one slip axis, all on the same side of the pole,
-/// with a weight for each. Sizes are multiples of CapRule::lanes; neighbours
-/// should be alike.
-struct CapStack {
-  int size;
-  const double* sine;    ///< of the half-angle, >= 0
-  const double* cosine;  ///< of the half-angle
-  const double* weight;
-  bool pole_inside;  ///< sine >= cosine of the slip axis angle
-};
 
 /// The exact method's loops over nodes, compiled once per instruction set.
 struct CapKernel {
@@ -26,12 +15,11 @@ struct CapKernel {
                          bool pole_inside, ArcRange);
   /// Many points, lanes over points; sizes already checked.
   void (*batch)(const FrictionBatchInput&, const FrictionBatchOutput&);
-  /// Weighted sum of the area integrals of a stack, lanes over contacts.
-  AreaSums<double> (*areas)(const CapStack&, double axis_sin, double axis_cos);
-  /// The integrals of a pressure x sum_k c_k (2 x^2 - 1)^k, x the edge
-  /// variable, over a contact of at most 90 degrees, lanes along the arcs.
-  AreaSums<double> (*root_pressure)(const CapPoint<double>&, bool pole_inside,
-                                    std::span<const double> coefficients);
+  /// The integrals of a pressure but for its share of the cosine pressure,
+  /// lanes along the arcs.
+  PressureSums<double> (*root_pressure)(const ArcPoint<double>&,
+                                        bool pole_inside,
+                                        const PressureExpansion&);
 };
 
 /// The kernel for a supported instruction set.

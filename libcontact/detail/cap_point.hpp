@@ -124,22 +124,4 @@ CapResult<V> assemble(const PreparedCap<V>& cap, const CapSums<V>& sum) {
   return r;
 }
 
-/// The area integrals alone, reflected like those of assemble(); the range is
-/// that of the sums.
-template <ArcRange range, class V>
-AreaSums<V> assemble_areas(const PreparedCap<V>& cap, const AreaSums<V>& sum) {
-  constexpr double pi2 = std::numbers::pi * std::numbers::pi;
-  const CapPoint<V>& p = cap.point;
-  const V s2 = p.s * p.s;
-  const V f_area =
-      range == ArcRange::large ? sum.spinning : V(sum.spinning / p.c);
-  const V along = 2.0 * select(cap.pole_inside, p.k, V(1.0));
-  const V across = 2.0 * p.s * select(cap.pole_inside, p.sa, V(p.sa * p.k));
-  const V sliding = along * s2 * (s2 * f_area + 2.0 * p.c * sum.sliding);
-  const V spinning = across * s2 * f_area;
-  return {2.0 * along * s2 * sum.force,
-          select(cap.beyond_hemisphere, V(pi2 * p.q - sliding), sliding),
-          select(cap.beyond_hemisphere, V(pi2 * p.sa - spinning), spinning)};
-}
-
 }  // namespace contact::detail

@@ -59,6 +59,12 @@ class Amplitude {
   std::array<Real, 24> c_{};
 };
 
+/// A node as the makers of rules place it.
+struct Node {
+  Real sine, cosine, weight;
+  Real log_cosine_squared = 0;
+};
+
 /// A range of moduli as the makers of rules see it.
 struct Modulus {
   explicit Modulus(Real complementary_squared)
@@ -66,6 +72,20 @@ struct Modulus {
         am(std::sqrt(m)),
         k(am.quarter_period()),
         kc(Amplitude(std::sqrt(1 - m)).quarter_period()) {}
+
+  /// At u, with the weight dn(u) du.
+  Node node(Real u, Real du) const {
+    const Real phi = am(u);
+    const Real c = std::cos(phi);
+    return {std::sin(phi), c, du * std::sqrt(m + (1 - m) * c * c)};
+  }
+  /// The same times cos(phi).
+  Node chord_node(Real u, Real du) const {
+    Node result = node(u, du);
+    result.weight *= result.cosine;
+    return result;
+  }
+
   Real m;  ///< k'^2
   Amplitude am;
   Real k, kc;  ///< K, K'
@@ -77,12 +97,6 @@ class RuleSet {
   const CapRule& rule(int index) const { return rules_[index]; }
 
  protected:
-  /// A node u with the weight du; `chord` multiplies it by cos am(u).
-  struct Node {
-    Real u, du;
-    bool chord;
-  };
-
   /// make(i, modulus) for every rule. The rule's k'^2 sits low in its range,
   /// so that no integrand of the range has a singularity nearer than K'.
   template <class Make>
@@ -98,38 +112,40 @@ class RuleSet {
   /// place(i) is the Node i of `size`; the padding repeats the last one, with
   /// weight 0.
   template <class Place>
-  void fill(int index, int size, const Modulus& modulus, Place place) {
+  void fill(int index, int size, Place place) {
     const int padded =
         (size + CapRule::lanes - 1) / CapRule::lanes * CapRule::lanes;
-    assert(padded <= longest);
-    const Real m = modulus.m;
+    assert(padded <= CapRule::longest);
     Nodes& nodes = nodes_[index];
     for (int i = 0; i < padded; ++i) {
       const Node node = place(std::min(i, size - 1));
-      const Real phi = modulus.am(node.u);
-      const Real s = std::sin(phi);
-      const Real c = std::cos(phi);
-      const Real weight = node.chord ? node.du * c : node.du;
-      nodes.cosine_squared[i] = static_cast<double>(c * c);
-      nodes.sine_squared[i] = static_cast<double>(s * s);
-      nodes.weight[i] =
-          i < size
-              ? static_cast<double>(weight * std::sqrt(m + (1 - m) * c * c))
-              : 0.0;
+      nodes.cosine_squared[i] = static_cast<double>(node.cosine * node.cosine);
+      nodes.sine_squared[i] = static_cast<double>(node.sine * node.sine);
+      nodes.weight[i] = i < size ? static_cast<double>(node.weight) : 0.0;
+      nodes.log_cosine_squared[i] =
+          static_cast<double>(node.log_cosine_squared);
     }
-    rules_[index] = {size, padded, nodes.cosine_squared.data(),
-                     nodes.sine_squared.data(), nodes.weight.data()};
+    rules_[index] = {size,
+                     padded,
+                     nodes.cosine_squared.data(),
+                     nodes.sine_squared.data(),
+                     nodes.weight.data(),
+                     nodes.log_cosine_squared.data()};
   }
 
  private:
-  /// The longest rule has 119 nodes.
-  static constexpr int longest = 128;
   struct Nodes {
-    std::array<double, longest> cosine_squared, sine_squared, weight;
+    std::array<double, CapRule::longest> cosine_squared, sine_squared, weight,
+        log_cosine_squared;
   };
   std::array<CapRule, cap_rule_count> rules_{};
   std::array<Nodes, cap_rule_count> nodes_{};
 };
+
+/// The number of nodes that a rate of convergence asks for.
+int node_count(Real count) {
+  return std::min(static_cast<int>(std::ceil(count)), CapRule::longest);
+}
 
 /// The rules of cap_rule(): not even the first use allocates.
 class CapRules : public RuleSet {
@@ -139,10 +155,9 @@ class CapRules : public RuleSet {
       // Found by measurement: at most 3e-16 of error over all contacts and
       // axes.
       const Real k = modulus.k;
-      const int n = static_cast<int>(std::ceil(8 * k / modulus.kc + 0.35L));
-      fill(index, n, modulus, [k, n](int i) {
-        return Node{k * (i + 0.5L) / n, k / n, false};
-      });
+      const int n = node_count(8 * k / modulus.kc + 0.35L);
+      fill(index, n,
+           [&](int i) { return modulus.node(k * (i + 0.5L) / n, k / n); });
     });
     fill_index();
   }
@@ -164,39 +179,107 @@ class CapRules : public RuleSet {
   CapRuleIndex index_{};
 };
 
+/// ln cos^2 am(u_i, k) of a midpoint rule, its Fourier series in
+/// theta = pi u/(2 K) cut off: ln(cos^2 am/cos^2 theta) is smooth, and
+/// ln cos^2 theta = -2 ln 2 - 2 sum (-1)^j cos(2 j theta)/j.
+Real resolved_log_cosine_squared(int i, int n, Real cosine) {
+  const Real theta = std::numbers::pi_v<Real> / 2 * (i + 0.5L) / n;
+  Real series = -2 * std::numbers::ln2_v<Real>;
+  for (int j = 1; j < n; ++j) {
+    series -= (j % 2 == 0 ? 2 : -2) * std::cos(2 * j * theta) / j;
+  }
+  return series + 2 * std::log(cosine / std::cos(theta));
+}
+
+/// The rules of short_rule() and rough_rule().
+class ShortRules : public RuleSet {
+ public:
+  explicit ShortRules(int extra) {
+    for_ranges([this, extra](int index, const Modulus& modulus) {
+      const Real k = modulus.k;
+      const int n = node_count(5.5L * k / modulus.kc + 1) + extra;
+      fill(index, n, [&](int i) {
+        Node node = modulus.node(k * (i + 0.5L) / n, k / n);
+        node.log_cosine_squared =
+            resolved_log_cosine_squared(i, n, node.cosine);
+        return node;
+      });
+    });
+  }
+};
+
 /// The rules of chord_rule(); making them allocates.
 class ChordRules : public RuleSet {
  public:
   ChordRules() {
     for_ranges([this](int index, const Modulus& modulus) {
-      // The half of a Gauss rule on [-K, K] whose ellipse passes through i K':
-      // the error is exp(-4 n asinh(K'/K)), by measurement below 1e-12.
-      const Real k = modulus.k;
-      const int n =
-          static_cast<int>(std::ceil(9 / std::asinh(modulus.kc / k) + 3));
+      // The half of a Gauss rule in u on [-K, K], whose ellipse passes through
+      // i K', or in sn u on [-1, 1], whose ellipse passes through 1/k. Errors
+      // fall like exp(-4 n rate), by measurement to 1e-11.
+      const Real rate = std::asinh(modulus.kc / modulus.k);
+      const Real sine_rate = std::atanh(std::sqrt(modulus.m));
+      const int n = node_count(9 / std::max(rate, sine_rate) + 1);
       const GaussLegendre gauss(2 * n);
-      fill(index, n, modulus, [k, n, &gauss](int i) {
-        return Node{k * static_cast<Real>(gauss.node(n + i)),
-                    k * static_cast<Real>(gauss.weight(n + i)), true};
+      fill(index, n, [&](int i) {
+        const Real x = static_cast<Real>(gauss.node(n + i));
+        const Real w = static_cast<Real>(gauss.weight(n + i));
+        if (sine_rate < rate) {
+          return modulus.chord_node(modulus.k * x, modulus.k * w);
+        }
+        return Node{x, std::sqrt((1 - x) * (1 + x)), w};
+      });
+    });
+  }
+};
+
+/// The rules of log_chord_rule(); making them allocates.
+class LogChordRules : public RuleSet {
+ public:
+  LogChordRules() {
+    for_ranges([this](int index, const Modulus& modulus) {
+      // The half of a Gauss rule in x on [-1, 1] with u = K x (3 - x^2)/2,
+      // which takes the edge off the logarithm. The size by measurement.
+      const Real k = modulus.k;
+      const int n = node_count(12 / std::asinh(modulus.kc / k) + 2);
+      const GaussLegendre gauss(2 * n);
+      fill(index, n, [&](int i) {
+        const Real x = static_cast<Real>(gauss.node(n + i));
+        const Real w = static_cast<Real>(gauss.weight(n + i));
+        return modulus.chord_node(k * x * (3 - x * x) / 2,
+                                  k * w * 1.5L * (1 - x) * (1 + x));
       });
     });
   }
 };
 
 const CapRules& cap_rules() {
-  static const CapRules instance;
-  return instance;
-}
-
-const ChordRules& chord_rules() {
-  static const ChordRules instance;
-  return instance;
+  static const CapRules rules;
+  return rules;
 }
 
 }  // namespace
 
 const CapRule& cap_rule(int index) { return cap_rules().rule(index); }
-const CapRule& chord_rule(int index) { return chord_rules().rule(index); }
 const CapRuleIndex& cap_rule_index() { return cap_rules().index(); }
+
+const CapRule& short_rule(int index) {
+  static const ShortRules rules(0);
+  return rules.rule(index);
+}
+
+const CapRule& rough_rule(int index) {
+  static const ShortRules rules(6);
+  return rules.rule(index);
+}
+
+const CapRule& chord_rule(int index) {
+  static const ChordRules rules;
+  return rules.rule(index);
+}
+
+const CapRule& log_chord_rule(int index) {
+  static const LogChordRules rules;
+  return rules.rule(index);
+}
 
 }  // namespace contact::detail

@@ -14,11 +14,14 @@ namespace contact::detail {
 /// Arrays are padded to a multiple of `lanes` with nodes of weight 0.
 struct CapRule {
   static constexpr int lanes = 8;
+  static constexpr int longest = 152;
   int size;
   int padded_size;
   const double* cosine_squared;  ///< cos^2 am(u_i, k)
   const double* sine_squared;    ///< sin^2 am(u_i, k)
   const double* weight;          ///< K/n dn(u_i, k)
+  /// What stands for ln cos^2 am(u_i, k); short_rule() and rough_rule() only.
+  const double* log_cosine_squared;
 };
 
 /// One rule serves a range of moduli: k only steers the nodes, the integrand
@@ -26,12 +29,23 @@ struct CapRule {
 inline constexpr int cap_rule_count = 57;
 const CapRule& cap_rule(int index);
 
-/// Gauss rules in the same variable for integrands that are even in u but not
-/// about the quarter period, with the index of cap_rule(),
+/// The same with fewer nodes, to some 1e-11, also for integrands that have a
+/// factor ln cos^2 am(u, k): log_cosine_squared is its Fourier series cut off
+/// at what n nodes resolve, which makes the sum the integral.
+const CapRule& short_rule(int index);
+
+/// short_rule() with six more nodes, for polynomials whose terms of a high
+/// order count.
+const CapRule& rough_rule(int index);
+
+/// Rules for integrands that are even in u but not about the quarter period,
+/// with the index of cap_rule(), to some 1e-12:
 ///   integral of G(chi) cos(chi) over [0, pi/2] ~ sum of weight_i G(am(u_i,
-///   k)),
-/// to some 1e-12.
+///   k)).
 const CapRule& chord_rule(int index);
+
+/// The same where G behaves like cos^2(chi) ln cos(chi) at the end pi/2.
+const CapRule& log_chord_rule(int index);
 
 /// From the complementary modulus squared k'^2 in [0, 1] to the index of the
 /// rule that serves it; any other value, NaN too, gives some rule.

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+
+namespace contact {
+
+/// A pressure as the sum of the cosine pressure and one that starts like a
+/// square root from the edge,
+///
+///     p = cosine_share p[cosine] + x sum_k c_k (2 x^2 - 1)^k
+///         + x^3 ln x sum_k b_k x^(2k),
+///     x^2 = (1 + v)(cos theta - cos theta0)/((1 - cos theta0)(v + cos theta)),
+///
+/// to which the friction integrals have short ways. x is 0 at the edge and 1
+/// at the centre for every v; with v = 1 it is the edge variable of
+/// PressureLaw.
+struct PressureExpansion {
+  static constexpr int max_terms = 16;
+  double cosine_share = 0;
+  double edge_constant = 1;  ///< v, >= 1; with logarithms >= 2.4
+  int size = 0;
+  std::array<double, max_terms> coefficient = {};  ///< c_k, pressure units
+  std::array<double, 3> logarithmic = {};          ///< b_k, likewise
+
+  std::span<const double> coefficients() const {
+    return std::span(coefficient).first(static_cast<std::size_t>(size));
+  }
+};
+
+}  // namespace contact
