@@ -1,16 +1,14 @@
 #include "libcontact/friction_exact.hpp"
 
-#include "libcontact/detail/cap_kernel.hpp"
-#include "libcontact/detail/cap_point.hpp"
+#include "libcontact/detail/exact_call.hpp"
 #include "libcontact/error.hpp"
 #include "libcontact/friction_batch.hpp"
 
 namespace contact {
+namespace detail {
 
-FrictionIntegrals exact_friction_integrals(double half_angle, SlipAxis axis) {
-  using namespace detail;
-  static const CapKernel& kernel = cap_kernel(best_instruction_set());
-  const PreparedCap<double> cap = prepare(half_angle, axis.sin, axis.cos);
+FrictionIntegrals exact_point(const CapKernel& kernel,
+                              const PreparedCap<double>& cap) {
   const CapRule& rule = cap_rule(cap_rule_index()(cap.point.m));
   const CapResult<double> r = assemble(
       cap,
@@ -21,12 +19,11 @@ FrictionIntegrals exact_friction_integrals(double half_angle, SlipAxis axis) {
           {r.force, r.sliding, r.spinning}};
 }
 
-void exact_friction_integrals(const FrictionBatchInput& in,
-                              const FrictionBatchOutput& out,
-                              InstructionSet set) {
+void check_batch(const FrictionBatchInput& in, const FrictionBatchOutput& out,
+                 InstructionSet set) {
   const std::size_t size = in.half_angle.size();
   if (in.axis_sin.size() != size || in.axis_cos.size() != size) {
-    throw Error("exact_friction_integrals: input arrays differ in length");
+    throw Error("friction integrals: input arrays differ in length");
   }
   for (const std::span<double> result :
        {out.normal, out.force_pressure, out.sliding_pressure,
@@ -34,15 +31,29 @@ void exact_friction_integrals(const FrictionBatchInput& in,
         out.spinning_area, out.force, out.sliding, out.spinning}) {
     if (!result.empty() && result.size() != size) {
       throw Error(
-          "exact_friction_integrals: an output array is neither empty nor as "
-          "long as the input");
+          "friction integrals: an output array is neither empty nor as long "
+          "as the input");
     }
   }
   if (!is_supported(set)) {
-    throw Error(std::string("exact_friction_integrals: this machine lacks ") +
+    throw Error(std::string("friction integrals: this machine lacks ") +
                 name(set));
   }
-  detail::cap_kernel(set).batch(in, out);
+}
+
+}  // namespace detail
+
+FrictionIntegrals exact_friction_integrals(double half_angle, SlipAxis axis) {
+  using namespace detail;
+  static const CapKernel& kernel = cap_kernel(best_instruction_set());
+  return exact_point(kernel, prepare(half_angle, axis.sin, axis.cos));
+}
+
+void exact_friction_integrals(const FrictionBatchInput& in,
+                              const FrictionBatchOutput& out,
+                              InstructionSet set) {
+  detail::check_batch(in, out, set);
+  detail::cap_kernel(set).batch(in, out, nullptr);
 }
 
 }  // namespace contact

@@ -6,15 +6,13 @@
 #include <limits>
 #include <numbers>
 
-#include "libcontact/detail/cap_kernel.hpp"
-#include "libcontact/detail/cap_point.hpp"
+#include "libcontact/detail/exact_call.hpp"
+#include "libcontact/detail/expansion_table.hpp"
 #include "libcontact/detail/gauss_legendre.hpp"
 #include "libcontact/error.hpp"
 #include "libcontact/friction_exact.hpp"
 #include "libcontact/friction_models.hpp"
 
-// s = tan(theta/2)/tan(theta0/2) = cos(phi), x = sin(phi) the edge variable,
-// T0 = 90 deg - |a| the colatitude of the pole (docs/friction.md).
 namespace contact {
 namespace {
 
@@ -22,21 +20,6 @@ using detail::CapKernel;
 using detail::PressureSums;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
-/// The coefficients; `cosine` are those of the cosine pressure.
-FrictionTriple coefficients(const PressureExpansion& p, double half_angle,
-                            SlipAxis axis, const CapKernel& kernel,
-                            const FrictionTriple& cosine) {
-  const auto cap = detail::prepare(half_angle, axis.sin, axis.cos);
-  const auto& [s, c, sa, q, k, m] = cap.point;
-  const PressureSums<double> root = kernel.root_pressure(
-      {s, cap.beyond_hemisphere ? -c : c, sa, q, k, m}, cap.pole_inside, p);
-  const double share = p.cosine_share;
-  if (share == 0) return {root.force, root.sliding, root.spinning};
-  return {root.force + share * cosine.force,
-          root.sliding + share * cosine.sliding,
-          root.spinning + share * cosine.spinning};
-}
 
 bool is_cosine(const PressureLaw& law) {
   return dynamic_cast<const CosinePressure*>(&law) != nullptr;
@@ -53,20 +36,52 @@ void set_scale(double peak, FrictionIntegrals& r) {
   r.pressure = {c.force / peak, c.sliding / peak, c.spinning / peak};
 }
 
-/// Replaces what depends on the pressure, given what does not.
-void set_pressure_part(const PressureLaw& law, double half_angle, SlipAxis axis,
-                       const CapKernel& kernel, FrictionIntegrals& r) {
+/// A law other than CosinePressure, one point.
+FrictionIntegrals one_point(const PressureLaw& law, double half_angle,
+                            SlipAxis axis, const CapKernel& kernel) {
+  const auto cap = detail::prepare(half_angle, axis.sin, axis.cos);
+  FrictionIntegrals r = detail::exact_point(kernel, cap);
   if (half_angle >= 0 && half_angle <= smallest_half_angle) {
     r.normal = 0;
     r.pressure = {0, 0, 0};
-    return;
+    return r;
   }
-  const double peak = law.peak(half_angle);
-  r.coefficient = std::isnan(peak)
-                      ? FrictionTriple{nan, nan, nan}
-                      : coefficients(law.expansion(half_angle), half_angle,
-                                     axis, kernel, r.coefficient);
+  const PressureExpansion p = law.expansion(half_angle);
+  const auto& [s, abs_c, sa, q, k, m] = cap.point;
+  const double c = cap.beyond_hemisphere ? -abs_c : abs_c;
+  // At the centre: x = 1; 1 - c over the cosine pressure's I_n.
+  const double one_minus_c = c < 0 ? 1 - c : s * s / (1 + c);
+  const double share = p.cosine_share;
+  double peak = share == 0 ? 0 : share * (one_minus_c / r.normal);
+  for (const double coefficient : p.coefficients()) peak += coefficient;
+  const PressureSums<double> root =
+      kernel.root_pressure({s, c, sa, q, k, m}, cap.pole_inside, p);
+  FrictionTriple& f = r.coefficient;
+  if (share == 0) f = {0, 0, 0};
+  f = {root.force + share * f.force, root.sliding + share * f.sliding,
+       root.spinning + share * f.spinning};
   set_scale(peak, r);
+  return r;
+}
+
+/// Tables cost more than they save if fewer points want them.
+constexpr std::size_t fewest_for_a_table = 100;
+
+void store(const FrictionIntegrals& r, std::size_t i,
+           const FrictionBatchOutput& out) {
+  const auto to = [i](std::span<double> column, double value) {
+    if (!column.empty()) column[i] = value;
+  };
+  to(out.normal, r.normal);
+  to(out.force_pressure, r.pressure.force);
+  to(out.sliding_pressure, r.pressure.sliding);
+  to(out.spinning_pressure, r.pressure.spinning);
+  to(out.force_area, r.area.force);
+  to(out.sliding_area, r.area.sliding);
+  to(out.spinning_area, r.area.spinning);
+  to(out.force, r.coefficient.force);
+  to(out.sliding, r.coefficient.sliding);
+  to(out.spinning, r.coefficient.spinning);
 }
 
 /// ∬ p sin^2 t dS for the pressure that carries the force 1, by parts.
@@ -105,37 +120,41 @@ FrictionIntegrals viscous_friction_integrals(const PressureLaw& law,
 FrictionIntegrals friction_integrals(const PressureLaw& law, double half_angle,
                                      SlipAxis axis) {
   static const CapKernel& kernel = detail::cap_kernel(best_instruction_set());
-  FrictionIntegrals result = exact_friction_integrals(half_angle, axis);
-  if (is_cosine(law)) return result;
-  set_pressure_part(law, half_angle, axis, kernel, result);
-  return result;
+  if (is_cosine(law)) return exact_friction_integrals(half_angle, axis);
+  return one_point(law, half_angle, axis, kernel);
 }
 
 void friction_integrals(const PressureLaw& law, const FrictionBatchInput& in,
                         const FrictionBatchOutput& out, InstructionSet set) {
-  // Checks its arguments too.
-  exact_friction_integrals(in, out, set);
-  if (is_cosine(law)) return;
+  detail::check_batch(in, out, set);
   const CapKernel& kernel = detail::cap_kernel(set);
-  const auto store = [](std::span<double> to, std::size_t i, double value) {
-    if (!to.empty()) to[i] = value;
+  if (is_cosine(law)) return kernel.batch(in, out, nullptr);
+
+  // The half-angles that a table serves.
+  const double largest = std::min(detail::ExpansionTable::largest_half_angle,
+                                  law.largest_half_angle());
+  const auto is_tabulated = [largest](double half_angle) {
+    return half_angle > smallest_half_angle && half_angle <= largest;
   };
-  const auto read = [](std::span<double> from, std::size_t i) {
-    return from.empty() ? 0 : from[i];
-  };
+  double lower = largest;
+  double upper = 0;
+  std::size_t count = 0;
+  for (const double half_angle : in.half_angle) {
+    if (!is_tabulated(half_angle)) continue;
+    lower = std::min(lower, half_angle);
+    upper = std::max(upper, half_angle);
+    ++count;
+  }
+  const bool use_table = count >= fewest_for_a_table;
+  if (use_table) {
+    const detail::ExpansionTable table(law, lower, upper);
+    kernel.batch(in, out, &table);
+  }
   for (std::size_t i = 0; i < in.half_angle.size(); ++i) {
-    FrictionIntegrals r{};
-    r.coefficient = {read(out.force, i), read(out.sliding, i),
-                     read(out.spinning, i)};
-    set_pressure_part(law, in.half_angle[i], {in.axis_sin[i], in.axis_cos[i]},
-                      kernel, r);
-    store(out.normal, i, r.normal);
-    store(out.force_pressure, i, r.pressure.force);
-    store(out.sliding_pressure, i, r.pressure.sliding);
-    store(out.spinning_pressure, i, r.pressure.spinning);
-    store(out.force, i, r.coefficient.force);
-    store(out.sliding, i, r.coefficient.sliding);
-    store(out.spinning, i, r.coefficient.spinning);
+    if (use_table && is_tabulated(in.half_angle[i])) continue;
+    store(one_point(law, in.half_angle[i], {in.axis_sin[i], in.axis_cos[i]},
+                    kernel),
+          i, out);
   }
 }
 

@@ -10,15 +10,10 @@ namespace contact {
 /// law (docs/friction.md). For CosinePressure they are
 /// exact_friction_integrals().
 ///
-/// For the others, theta0 <= 90 deg: the same great-circle arcs, with a sum
-/// over points of each arc in place of the closed forms. The pressure comes as
-/// PressureExpansion, whose square-root edge a change of variable along the
-/// arc takes away. Beyond 90 deg by parts, since every pressure vanishes at
-/// the edge,
-///
-///     I[p] = ∫ (-dp/dtheta) I[1](theta, a) dtheta,  0 <= theta <= theta0
-///
-/// (J and K alike), split at the poles. Nothing cancels.
+/// For the others the same great circles, with a sum over points of each in
+/// place of the closed forms: the pressure comes as PressureExpansion, whose
+/// square-root edge a change of variable along the circle takes away. No
+/// integrand is singular at a pole.
 ///
 /// @param law         of a ball
 /// @param half_angle  theta0, rad, [0, law.largest_half_angle()]
@@ -37,8 +32,12 @@ namespace contact {
 FrictionIntegrals friction_integrals(const PressureLaw& law, double half_angle,
                                      SlipAxis axis);
 
-/// friction_integrals() for many points, the same numbers to rounding; input,
-/// output, errors and NaN as in exact_friction_integrals() for many points.
+/// friction_integrals() for many points, vectorised over points from 100 points
+/// on; input, output, errors and NaN as in exact_friction_integrals() for many
+/// points. The same numbers to 4e-11 (friction_pressure_test.cpp): the pressure
+/// is interpolated between half-angles of the batch, and a point shares the
+/// nodes of a neighbour that needs more. Allocates nothing after the first
+/// call.
 void friction_integrals(const PressureLaw& law, const FrictionBatchInput& in,
                         const FrictionBatchOutput& out,
                         InstructionSet set = best_instruction_set());

@@ -6,8 +6,9 @@
 #include <array>
 
 #include "libcontact/detail/arc_sum.hpp"
+#include "libcontact/detail/cap_point.hpp"
 #include "libcontact/detail/cap_rule.hpp"
-#include "libcontact/pressure_expansion.hpp"
+#include "libcontact/detail/expansion_table.hpp"
 
 namespace contact::detail {
 namespace {
@@ -39,15 +40,14 @@ struct ArcArrays {
   }
 };
 
-/// Whether the last terms count; few do in smooth pressures.
-bool is_rough(const PressureExpansion& p) {
-  return p.size == PressureExpansion::max_terms &&
-         std::abs(p.coefficient[p.size - 1]) >
-             1e-10 * std::abs(p.coefficient[0]);
-}
-
-using RuleOfIndex = const CapRule& (*)(int);
-RuleOfIndex inner_rule(bool rough) { return rough ? rough_rule : short_rule; }
+/// The rules that a pressure needs.
+struct Rules {
+  Rules(bool with_logarithm, bool rough)
+      : inner(with_logarithm || rough ? rough_rule : short_rule),
+        chord(with_logarithm ? log_chord_rule : chord_rule) {}
+  const CapRule& (*inner)(int);
+  const CapRule& (*chord)(int);
+};
 
 /// hmin(), but for NaN.
 double smallest(const Lanes& x) {
@@ -58,11 +58,12 @@ double smallest(const Lanes& x) {
 template <bool with_logarithm>
 class OneContact {
  public:
-  OneContact(const ArcPoint<double>& p, const PressureExpansion& pressure)
+  OneContact(const ArcPoint<double>& p, const PressureExpansion& pressure,
+             const Rules& rules)
       : point_(p),
         pressure_{Lanes(pressure.edge_constant), pressure.size,
                   pressure.coefficient.data(), pressure.logarithmic.data()},
-        inner_(inner_rule(is_rough(pressure))) {}
+        rules_(rules) {}
 
   template <Circles circles>
   PressureSums<double> sum(const CapRule& rule) const {
@@ -79,7 +80,7 @@ class OneContact {
     PressureSums<Lanes> sum;
     for (int i = 0; i < rule.size; ++i) {
       const Arc<Lanes> arc = arcs.get(i);
-      const CapRule& inner = inner_(index(arcs.constant[i]));
+      const CapRule& inner = rules_.inner(index(arcs.constant[i]));
       for (int j = 0; j < inner.size; j += width) {
         add_point<circles == Circles::whole, with_logarithm>(
             arc, pressure_,
@@ -95,13 +96,14 @@ class OneContact {
  private:
   ArcPoint<double> point_;
   RootPressure<Lanes, double> pressure_;
-  RuleOfIndex inner_;
+  const Rules& rules_;
 };
 
 /// Calls f.template operator()<circles>(outer rule) for each family of circles
 /// that a contact needs and adds up.
 template <class V, class Sum>
-[[gnu::always_inline]] inline PressureSums<V> sum_circles(bool pole_inside,
+[[gnu::always_inline]] inline PressureSums<V> sum_circles(const Rules& rules,
+                                                          bool pole_inside,
                                                           bool beyond,
                                                           double k2, double m,
                                                           Sum sum) {
@@ -110,7 +112,7 @@ template <class V, class Sum>
     return sum.template operator()<Circles::inside>(short_rule(index(m)));
   }
   if (!beyond) {
-    return sum.template operator()<Circles::outside>(chord_rule(index(m)));
+    return sum.template operator()<Circles::outside>(rules.chord(index(m)));
   }
   const PressureSums<V> cut =
       sum.template operator()<Circles::outside>(log_chord_rule(index(m)));
@@ -123,8 +125,9 @@ template <class V, class Sum>
 PressureSums<double> root_pressure(const ArcPoint<double>& p, bool pole_inside,
                                    const PressureExpansion& pressure) {
   const auto with = [&]<bool with_logarithm>() {
-    const OneContact<with_logarithm> contact(p, pressure);
-    return sum_circles<double>(pole_inside, p.c < 0, p.k * p.k, p.m,
+    const Rules rules(with_logarithm, is_rough(pressure));
+    const OneContact<with_logarithm> contact(p, pressure, rules);
+    return sum_circles<double>(rules, pole_inside, p.c < 0, p.k * p.k, p.m,
                                [&]<Circles circles>(const CapRule& rule) {
                                  return contact.template sum<circles>(rule);
                                });
@@ -138,7 +141,7 @@ template <bool with_logarithm>
 PressureSums<Lanes> root_pressures(const ArcPoint<Lanes>& p, bool pole_inside,
                                    bool beyond,
                                    const RootPressure<Lanes, Lanes>& pressure,
-                                   RuleOfIndex inner_rule) {
+                                   const Rules& rules) {
   const auto sum = [&]<Circles circles>(const CapRule& rule) {
     const CapRuleIndex& index = cap_rule_index();
     PressureSums<Lanes> total;
@@ -147,7 +150,7 @@ PressureSums<Lanes> root_pressures(const ArcPoint<Lanes>& p, bool pole_inside,
           p, pressure.edge_constant, Lanes(rule.cosine_squared[i]),
           Lanes(rule.sine_squared[i]), Lanes(rule.weight[i]));
       // The longest arc's rule serves the others too.
-      const CapRule& inner = inner_rule(index(smallest(arc.constant)));
+      const CapRule& inner = rules.inner(index(smallest(arc.constant)));
       for (int j = 0; j < inner.size; ++j) {
         add_point<circles == Circles::whole, with_logarithm>(
             arc, pressure,
@@ -159,8 +162,95 @@ PressureSums<Lanes> root_pressures(const ArcPoint<Lanes>& p, bool pole_inside,
     return scaled<circles>(p, total);
   };
   // So does the outer rule of the highest modulus.
-  return sum_circles<Lanes>(pole_inside, beyond, smallest(p.k * p.k),
+  return sum_circles<Lanes>(rules, pole_inside, beyond, smallest(p.k * p.k),
                             smallest(p.m), sum);
+}
+
+/// Pressures of the contacts in lanes from a table.
+class TabulatedPressure {
+ public:
+  TabulatedPressure(const ExpansionTable& table, const Lanes& half_angle,
+                    const Lanes& one_minus_c)
+      : table_(table) {
+    using std::sqrt;
+    const Lanes v =
+        (sqrt(half_angle) - table.middle) * table.inverse_half_width;
+    chebyshev_[0] = 1.0;
+    chebyshev_[1] = v;
+    for (int j = 2; j < table.rows; ++j) {
+      chebyshev_[j] = 2.0 * v * chebyshev_[j - 1] - chebyshev_[j - 2];
+    }
+    edge_constant_ = column(ExpansionTable::edge_constant);
+    cosine_share_ =
+        table.has_cosine ? column(ExpansionTable::cosine_share) : Lanes(0.0);
+    const Lanes unit = 0.5 / one_minus_c;
+    for (int k = 0; k < table.size; ++k) {
+      coefficient_[k] = unit * column(ExpansionTable::coefficient + k);
+    }
+    if (table.has_logarithm) {
+      for (int k = 0; k < 3; ++k) {
+        logarithmic_[k] = unit * column(ExpansionTable::logarithmic + k);
+      }
+    }
+  }
+
+  /// Replaces what is of the cosine pressure.
+  void apply(const PreparedCap<Lanes>& cap, bool pole_inside, bool beyond,
+             const Lanes& one_minus_c, CapResult<Lanes>& r) const {
+    const CapPoint<Lanes>& p = cap.point;
+    const ArcPoint<Lanes> point{
+        p.s, select(cap.beyond_hemisphere, Lanes(-p.c), p.c), p.sa, p.q, p.k,
+        p.m};
+    const RootPressure<Lanes, Lanes> pressure{
+        edge_constant_, table_.size, coefficient_.data(), logarithmic_.data()};
+    const Rules rules(table_.has_logarithm, table_.rough);
+    const PressureSums<Lanes> root =
+        table_.has_logarithm
+            ? root_pressures<true>(point, pole_inside, beyond, pressure, rules)
+            : root_pressures<false>(point, pole_inside, beyond, pressure,
+                                    rules);
+    Lanes peak = cosine_share_ * (one_minus_c / r.normal);
+    for (int k = 0; k < table_.size; ++k) peak += coefficient_[k];
+    r.force = root.force + cosine_share_ * r.force;
+    r.sliding = root.sliding + cosine_share_ * r.sliding;
+    r.spinning = root.spinning + cosine_share_ * r.spinning;
+    r.normal = 1.0 / peak;
+    r.force_pressure = r.force * r.normal;
+    r.sliding_pressure = r.sliding * r.normal;
+    r.spinning_pressure = r.spinning * r.normal;
+  }
+
+ private:
+  Lanes column(int index) const {
+    const auto& series = table_.series[index];
+    Lanes even = series[0];
+    Lanes odd = 0.0;
+    for (int j = 1; j < table_.rows; j += 2) {
+      odd += series[j] * chebyshev_[j];
+      even += series[j + 1] * chebyshev_[j + 1];
+    }
+    return even + odd;
+  }
+
+  const ExpansionTable& table_;
+  Lanes edge_constant_, cosine_share_;
+  std::array<Lanes, ExpansionTable::most_rows + 1> chebyshev_{};
+  std::array<Lanes, PressureExpansion::max_terms> coefficient_;
+  std::array<Lanes, 3> logarithmic_{};
+};
+
+/// Replaces what is of the cosine pressure; the lanes lie on one side of 90
+/// deg.
+[[gnu::noinline]] void set_pressure(const ExpansionTable& table,
+                                    const Lanes& half_angle,
+                                    const PreparedCap<Lanes>& cap,
+                                    bool pole_inside,
+                                    CapResult<Lanes>& result) {
+  const CapPoint<Lanes>& p = cap.point;
+  const Lanes one_minus_c = select(cap.beyond_hemisphere, Lanes(1.0 + p.c),
+                                   Lanes(p.s * p.s / (1.0 + p.c)));
+  TabulatedPressure(table, half_angle, one_minus_c)
+      .apply(cap, pole_inside, any(cap.beyond_hemisphere), one_minus_c, result);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include "libcontact/detail/arc_sum.hpp"
 #include "libcontact/detail/cap_integrals.hpp"
+#include "libcontact/detail/expansion_table.hpp"
 #include "libcontact/friction_batch.hpp"
 #include "libcontact/instruction_set.hpp"
 #include "libcontact/pressure_expansion.hpp"
@@ -13,8 +14,10 @@ struct CapKernel {
   /// One point, lanes over nodes.
   CapSums<double> (*one)(const CapPoint<double>&, const CapRule&,
                          bool pole_inside, ArcRange);
-  /// Many points, lanes over points; sizes already checked.
-  void (*batch)(const FrictionBatchInput&, const FrictionBatchOutput&);
+  /// Many points, lanes over points; sizes already checked. With a table of
+  /// its pressure, or without for the cosine pressure.
+  void (*batch)(const FrictionBatchInput&, const FrictionBatchOutput&,
+                const ExpansionTable*);
   /// The integrals of a pressure but for its share of the cosine pressure,
   /// lanes along the arcs.
   PressureSums<double> (*root_pressure)(const ArcPoint<double>&,

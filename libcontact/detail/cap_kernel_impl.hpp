@@ -62,6 +62,14 @@ CapSums<double> one(const CapPoint<double>& point, const CapRule& rule,
   });
 }
 
+}  // namespace
+}  // namespace contact::detail
+
+#include "libcontact/detail/arc_kernel_impl.hpp"
+
+namespace contact::detail {
+namespace {
+
 /// Points of a block, sorted by what they share: rule, side of the pole, arc
 /// range. Only then can lanes run over points without waste.
 class Block {
@@ -69,8 +77,10 @@ class Block {
   static constexpr int capacity = 2048;
 
   Block(const FrictionBatchInput& in, const FrictionBatchOutput& out,
-        std::size_t offset)
-      : out_(out),
+        const ExpansionTable* table, std::size_t offset)
+      : in_(in),
+        out_(out),
+        table_(table),
         offset_(offset),
         count_(static_cast<int>(
             std::min<std::size_t>(capacity, in.half_angle.size() - offset))) {
@@ -95,8 +105,7 @@ class Block {
       const int end = ends_[key];
       if (first == end) continue;
       const CapRule& rule = cap_rule(key / branches);
-      with_branches(key % branches >= ranges,
-                    static_cast<ArcRange>(key % ranges),
+      with_branches(key / ranges % 2 != 0, static_cast<ArcRange>(key % ranges),
                     [&]<bool inside, ArcRange arc>() {
                       sum_group<inside, arc>(first, end, rule);
                     });
@@ -106,7 +115,7 @@ class Block {
 
  private:
   static constexpr int ranges = 3;
-  static constexpr int branches = 2 * ranges;
+  static constexpr int branches = 4 * ranges;
   static constexpr int keys = cap_rule_count * branches;
   using Array = std::array<double, capacity>;
   using LaneIndex = std::array<int, width>;
@@ -126,7 +135,8 @@ class Block {
       return select(mask, Lanes(1.0), Lanes(0.0));
     };
     store(one_if(cap.beyond_hemisphere), beyond_);
-    store(static_cast<double>(ranges) * one_if(cap.pole_inside) +
+    store(2.0 * ranges * one_if(cap.beyond_hemisphere) +
+              static_cast<double>(ranges) * one_if(cap.pole_inside) +
               one_if(!(cap.point.c >= arc_h_short.lower)) +
               one_if(!(cap.point.c >= arc_h_medium.lower)),
           branch_);
@@ -173,7 +183,14 @@ class Block {
         nodes.add(Lanes(rule.cosine_squared[node]),
                   Lanes(rule.sine_squared[node]), Lanes(rule.weight[node]));
       }
-      scatter(at, assemble(cap, nodes.sums()));
+      CapResult<Lanes> result = assemble(cap, nodes.sums());
+      if (table_) {
+        const Lanes half_angle([&](auto lane) {
+          return in_.half_angle[offset_ + at[static_cast<std::size_t>(lane)]];
+        });
+        set_pressure(*table_, half_angle, cap, pole_inside, result);
+      }
+      scatter(at, result);
     }
   }
 
@@ -197,7 +214,9 @@ class Block {
     store(r.spinning, out_.spinning);
   }
 
+  const FrictionBatchInput& in_;
   const FrictionBatchOutput& out_;
+  const ExpansionTable* table_;
   std::size_t offset_;
   int count_;
   Array s_, c_, sa_, q_, k_, m_, beyond_, branch_;
@@ -206,13 +225,12 @@ class Block {
   std::array<int, keys> ends_{};  // after sort(): end of each key's points
 };
 
-void batch(const FrictionBatchInput& in, const FrictionBatchOutput& out) {
+void batch(const FrictionBatchInput& in, const FrictionBatchOutput& out,
+           const ExpansionTable* table) {
   for (std::size_t i = 0; i < in.half_angle.size(); i += Block::capacity) {
-    Block(in, out, i).evaluate();
+    Block(in, out, table, i).evaluate();
   }
 }
 
 }  // namespace
 }  // namespace contact::detail
-
-#include "libcontact/detail/arc_kernel_impl.hpp"

@@ -197,7 +197,7 @@ class ShortRules : public RuleSet {
   explicit ShortRules(int extra) {
     for_ranges([this, extra](int index, const Modulus& modulus) {
       const Real k = modulus.k;
-      const int n = node_count(5.5L * k / modulus.kc + 1) + extra;
+      const int n = node_count(5.5L * k / modulus.kc + 1 + extra);
       fill(index, n, [&](int i) {
         Node node = modulus.node(k * (i + 0.5L) / n, k / n);
         node.log_cosine_squared =
@@ -240,7 +240,7 @@ class LogChordRules : public RuleSet {
       // The half of a Gauss rule in x on [-1, 1] with u = K x (3 - x^2)/2,
       // which takes the edge off the logarithm. The size by measurement.
       const Real k = modulus.k;
-      const int n = node_count(12 / std::asinh(modulus.kc / k) + 2);
+      const int n = node_count(11 / std::asinh(modulus.kc / k) + 5);
       const GaussLegendre gauss(2 * n);
       fill(index, n, [&](int i) {
         const Real x = static_cast<Real>(gauss.node(n + i));

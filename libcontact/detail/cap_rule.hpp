@@ -34,8 +34,8 @@ const CapRule& cap_rule(int index);
 /// at what n nodes resolve, which makes the sum the integral.
 const CapRule& short_rule(int index);
 
-/// short_rule() with six more nodes, for polynomials whose terms of a high
-/// order count.
+/// short_rule() with six more nodes: for pressures with logarithms, or whose
+/// terms of a high order count.
 const CapRule& rough_rule(int index);
 
 /// Rules for integrands that are even in u but not about the quarter period,

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "libcontact/detail/cap_kernel.hpp"
+#include "libcontact/detail/cap_point.hpp"
+#include "libcontact/friction_integrals.hpp"
+
+/// What the friction functions by the exact method and by other pressures
+/// share; in friction_exact.cpp.
+namespace contact::detail {
+
+/// The exact method for one point.
+FrictionIntegrals exact_point(const CapKernel& kernel,
+                              const PreparedCap<double>& cap);
+
+/// Whether a batch can be worked on.
+/// @throws Error if lengths differ or the machine lacks `set`.
+void check_batch(const FrictionBatchInput& in, const FrictionBatchOutput& out,
+                 InstructionSet set);
+
+}  // namespace contact::detail
