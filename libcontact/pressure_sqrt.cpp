@@ -46,13 +46,16 @@ Moments moments(double half_angle) {
     static constexpr Series sum = [] {
       Series f{};
       for (std::size_t k = 0; k < f.size(); ++k) {
-        f[k] = (k + 1.0) / (2.0 * k + 3);
+        const auto j = static_cast<double>(k);
+        f[k] = (j + 1) / (2 * j + 3);
       }
       return f;
     }();
     static constexpr Series load = [] {
       Series f = sum;
-      for (std::size_t k = 0; k < f.size(); ++k) f[k] /= 2.0 * k + 1;
+      for (std::size_t k = 0; k < f.size(); ++k) {
+        f[k] /= 2 * static_cast<double>(k) + 1;
+      }
       return f;
     }();
     return {power_series(load, h2), power_series(sum, h2)};
