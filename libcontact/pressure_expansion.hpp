@@ -27,6 +27,9 @@ struct PressureExpansion {
   std::span<const double> coefficients() const {
     return std::span(coefficient).first(static_cast<std::size_t>(size));
   }
+  bool has_logarithm() const {
+    return logarithmic[0] != 0 || logarithmic[1] != 0 || logarithmic[2] != 0;
+  }
 };
 
 }  // namespace contact

@@ -131,7 +131,7 @@ class CircleExpansion {
   }
 
  private:
-  static constexpr int degrees = 18;
+  static constexpr int degrees = 15;
   static constexpr double tabulated = 2 * pi / 3;
 
   static Coefficients solve(double half_angle) {

@@ -3,6 +3,7 @@
 // Included by cap_kernel_impl.hpp: once per instruction set, Lanes being a
 // different type in each.
 
+#include <algorithm>
 #include <array>
 
 #include "libcontact/detail/arc_sum.hpp"
@@ -45,6 +46,13 @@ struct Rules {
   Rules(bool with_logarithm, bool rough)
       : inner(with_logarithm || rough ? rough_rule : short_rule),
         chord(with_logarithm ? log_chord_rule : chord_rule) {}
+  /// Circles that all but touch the edge weigh little: the rule of 1.4e-4
+  /// serves all of a smaller k'^2, without loss of accuracy.
+  const CapRule& inner_for(double complementary_squared) const {
+    constexpr int last = 14;
+    return inner(std::min(cap_rule_index()(complementary_squared), last));
+  }
+
   const CapRule& (*inner)(int);
   const CapRule& (*chord)(int);
 };
@@ -76,11 +84,10 @@ class OneContact {
                                   load(rule.sine_squared + i),
                                   load(rule.weight + i)));
     }
-    const CapRuleIndex& index = cap_rule_index();
     PressureSums<Lanes> sum;
     for (int i = 0; i < rule.size; ++i) {
       const Arc<Lanes> arc = arcs.get(i);
-      const CapRule& inner = rules_.inner(index(arcs.constant[i]));
+      const CapRule& inner = rules_.inner_for(arcs.constant[i]);
       for (int j = 0; j < inner.size; j += width) {
         add_point<circles == Circles::whole, with_logarithm>(
             arc, pressure_,
@@ -132,8 +139,8 @@ PressureSums<double> root_pressure(const ArcPoint<double>& p, bool pole_inside,
                                  return contact.template sum<circles>(rule);
                                });
   };
-  return pressure.logarithmic[0] != 0 ? with.template operator()<true>()
-                                      : with.template operator()<false>();
+  return pressure.has_logarithm() ? with.template operator()<true>()
+                                  : with.template operator()<false>();
 }
 
 /// A contact in each lane; what root_pressure() does for one.
@@ -143,14 +150,13 @@ PressureSums<Lanes> root_pressures(const ArcPoint<Lanes>& p, bool pole_inside,
                                    const RootPressure<Lanes, Lanes>& pressure,
                                    const Rules& rules) {
   const auto sum = [&]<Circles circles>(const CapRule& rule) {
-    const CapRuleIndex& index = cap_rule_index();
     PressureSums<Lanes> total;
     for (int i = 0; i < rule.size; ++i) {
       const Arc<Lanes> arc = arc_of<circles>(
           p, pressure.edge_constant, Lanes(rule.cosine_squared[i]),
           Lanes(rule.sine_squared[i]), Lanes(rule.weight[i]));
       // The longest arc's rule serves the others too.
-      const CapRule& inner = rules.inner(index(smallest(arc.constant)));
+      const CapRule& inner = rules.inner_for(smallest(arc.constant));
       for (int j = 0; j < inner.size; ++j) {
         add_point<circles == Circles::whole, with_logarithm>(
             arc, pressure,

@@ -43,7 +43,7 @@ ExpansionTable::ExpansionTable(const PressureLaw& law, double lower,
     const double scale = 4 * h * h;
     size = std::max(size, p.size);
     has_cosine = has_cosine || p.cosine_share != 0;
-    has_logarithm = has_logarithm || p.logarithmic[0] != 0;
+    has_logarithm = has_logarithm || p.has_logarithm();
     rough = rough || is_rough(p);
     const auto add = [&](int column, double value) {
       auto& s = series[column];
