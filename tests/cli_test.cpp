@@ -16,6 +16,7 @@
 
 #include "cli/choice.hpp"
 #include "cli/csv.hpp"
+#include "cli/laws.hpp"
 #include "cli/line_blocks.hpp"
 #include "cli/number.hpp"
 #include "cli/ordered_blocks.hpp"
@@ -24,6 +25,7 @@
 #include "cli/sweep.hpp"
 #include "cli/table.hpp"
 #include "libcontact/error.hpp"
+#include "libcontact/units.hpp"
 #include "support/error_message.hpp"
 
 namespace {
@@ -248,6 +250,39 @@ TEST(Quantity, ValuesAndVectors) {
     EXPECT_EQ(error_message([&] { cli::parse_vector("--v", bad, "in N"); }),
               std::string("--v ") + bad + ": allowed X,Y,Z, in N");
   }
+}
+
+TEST(Quantity, Counts) {
+  EXPECT_EQ(cli::parse_count("--points", "7", 2, 10), 7);
+  EXPECT_EQ(cli::parse_count("--points", "1e1", 2, 10), 10);
+  for (const char* text : {"1", "11", "2.5", "nan", "x", ""}) {
+    EXPECT_EQ(
+        error_message([&] { cli::parse_count("--points", text, 2, 10); }),
+        std::string("--points ") + text + ": allowed a whole number, 2 to 10");
+  }
+}
+
+TEST(Laws, AllAreThoseThatAllowTheLoading) {
+  using Names = std::vector<std::string>;
+  const auto centre = contact::InnerLoading::centre();
+  const auto back = cli::parse_loading("back:30", centre);
+  EXPECT_EQ(back, contact::InnerLoading::back(30 * contact::degree));
+  EXPECT_EQ(cli::parse_loading("", back), back);
+  EXPECT_EQ(cli::parse_loading("centre", back), centre);
+  EXPECT_EQ(cli::half_angle_laws({"all"}, {}, back), Names{"exact"});
+  EXPECT_EQ(cli::half_angle_laws({"all"}, {}, centre).size(),
+            contact::half_angle_law_names().size() - 1);
+  EXPECT_EQ(cli::pressure_laws({"all"}, {}, back),
+            (Names{"cosine", "sqrt_tan", "sqrt_theta", "exact"}));
+  EXPECT_EQ(cli::pressure_laws({"all"}, {}, centre),
+            contact::pressure_law_names());
+  EXPECT_EQ(cli::half_angle_laws({}, {"tanh"}, centre), Names{"tanh"});
+  // A law that does not allow the loading is refused when it is made.
+  EXPECT_EQ(cli::half_angle_laws({"tanh"}, {}, back), Names{"tanh"});
+  EXPECT_EQ(error_message([&] {
+              cli::pressure_laws({"exact", "exact"}, {}, centre);
+            }),
+            "--pressure exact: allowed once, is there twice");
 }
 
 TEST(Table, DistinctNames) {
