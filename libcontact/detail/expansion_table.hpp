@@ -16,7 +16,7 @@ namespace contact::detail {
   const double first = p.coefficient.front();
   const double last = p.coefficient.back();
   return p.size == PressureExpansion::max_terms &&
-         last * last > 1e-20 * first * first;
+         last * last > 1e-13 * first * first;
 }
 
 /// PressureExpansion over a range of half-angles, for lanes to evaluate: each

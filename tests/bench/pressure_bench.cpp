@@ -80,15 +80,15 @@ void scalar(benchmark::State& state, const std::string& name, double low,
   state.counters["max_error"] = largest_error(*law);
 }
 
-void batch(benchmark::State& state, const std::string& name,
-           InstructionSet set) {
+void batch(benchmark::State& state, const std::string& name, InstructionSet set,
+           double low, double high) {
   if (!contact::is_supported(set)) {
     state.SkipWithError("this machine lacks the instruction set");
     return;
   }
   const auto law =
       contact::make_pressure_law(name, JointKind::spherical, pair());
-  const Points p(0, 90);
+  const Points p(low, high);
   std::array<std::vector<double>, 3> r;
   for (auto& column : r) column.resize(count);
   // One iteration is one point, so that the times compare.
@@ -117,7 +117,12 @@ void register_all() {
     for (const auto set : {baseline, avx2, avx512}) {
       benchmark::RegisterBenchmark(
           ("batch_" + std::string(contact::name(set)) + "/" + name).c_str(),
-          batch, name, set);
+          batch, name, set, 0, 90);
+      benchmark::RegisterBenchmark(
+          ("batch_beyond_90_deg_" + std::string(contact::name(set)) + "/" +
+           name)
+              .c_str(),
+          batch, name, set, 90, 120);
     }
   }
   for (const JointKind kind : {JointKind::spherical, JointKind::cylindrical}) {
