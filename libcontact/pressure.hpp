@@ -25,8 +25,7 @@ namespace contact {
 ///     ball:  2 pi ∫ p cos t sin t dt = 1,  0 <= t <= theta0          (3.2)
 ///     pin:        ∫ p cos t dt = 1,  -theta0 <= t <= theta0
 ///
-/// and vanishes at the edge, which lets friction integrals over p be taken by
-/// parts (friction_pressure.hpp). The variable in which all laws are smooth
+/// and vanishes at the edge. The variable in which all laws are smooth
 /// up to the edge is the edge variable
 ///
 ///     x = sqrt(1 - tan^2(theta/2)/tan^2(theta0/2)),
@@ -57,8 +56,8 @@ class PressureLaw {
                            std::span<const double> edge_variable,
                            std::span<double> out) const noexcept = 0;
 
-  /// p as the friction integrals take it; half-angles up to 90 deg, NaN
-  /// beyond largest_half_angle() and where theta0 is NaN.
+  /// p as the friction integrals take it, for every half-angle; NaN beyond
+  /// largest_half_angle() and where theta0 is NaN.
   virtual PressureExpansion expansion(double half_angle) const noexcept = 0;
 
   /// p(0), the largest pressure; infinite at theta0 = 0.
