@@ -38,4 +38,5 @@
 #include "libcontact/spherical_joint.hpp"
 #include "libcontact/cylindrical_joint.hpp"
 #include "libcontact/joint_node.hpp"
+#include "libcontact/joint_follower.hpp"
 // clang-format on

@@ -196,6 +196,19 @@ void JointNode::solve(const Vector3d& reaction, const Vector3d& moment,
   }
 }
 
+void JointNode::distribute(const Vector3d& reaction, const Vector3d& moment,
+                           const Vector3d& axis, const Vector3d& cross_moment,
+                           std::span<Vector3d> forces) const noexcept {
+  const Vector3d along = reaction.dot(axis) * axis;
+  const Vector3d radial = reaction - along;
+  const Vector3d held = (moment - cross_moment).cross(axis);  // sum z_j R_j
+  for (std::size_t i = 0; i < joints_.size(); ++i) {
+    const Shares& share = shares_[i];
+    forces[i] =
+        share.force * radial + share.moment * held + share.axial * along;
+  }
+}
+
 double JointNode::utilisation(const Vector3d& reaction, const Vector3d& moment,
                               const Vector3d& axis, double needed,
                               NodeSolution& solution) const noexcept {

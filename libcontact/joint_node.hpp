@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <optional>
+#include <span>
 #include <variant>
 #include <vector>
 
@@ -86,6 +87,15 @@ class JointNode {
   void solve(const Eigen::Vector3d& reaction, const Eigen::Vector3d& moment,
              const Eigen::Vector3d& axis, double rate,
              NodeSolution& solution) const noexcept;
+
+  /// R_j of the joints under R and M, once the parts of their friction moments
+  /// normal to the axis are known.
+  /// @param cross_moment  sum of these parts, N m
+  /// @param forces        one for each joint
+  void distribute(const Eigen::Vector3d& reaction,
+                  const Eigen::Vector3d& moment, const Eigen::Vector3d& axis,
+                  const Eigen::Vector3d& cross_moment,
+                  std::span<Eigen::Vector3d> forces) const noexcept;
 
   /// |needed|/(the moment of sliding that opposes it): the node holds the
   /// moment `needed` about its axis at rest if this is <= 1. Viscous joints

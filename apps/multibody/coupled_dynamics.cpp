@@ -49,8 +49,7 @@ constexpr double small_share = 1e-3;
 CoupledDynamics::Impl::Impl(const System& system,
                             std::vector<HingeFriction> friction,
                             const CoupledOptions& coupled_options)
-    : options(coupled_options), dynamics(system) {
-  if (friction.empty()) friction.resize(system.size());
+    : options(coupled_options), dynamics(system), follower(friction) {
   if (static_cast<int>(friction.size()) != system.size()) {
     throw contact::Error(
         fmt::format("friction of {} hinges, allowed is one for each of the {} "
@@ -78,7 +77,8 @@ void CoupledDynamics::Impl::set_mode(int load, HingeMode mode) {
   hinge.mode = mode;
   hinge.straight = false;
   hinge.slope.setZero();
-  hinge.guess.forget();
+  follower.forget(load);
+  last_pause_ = pause_ = 0;
   usual_contraction_ = usual_gain_ = 1;
   hinge.utilisation_known = false;
 }
@@ -169,6 +169,7 @@ double CoupledDynamics::Impl::answer(double floor) {
   for (const int i : rows_) {
     Hinge& hinge = hinges[i];
     hinge.answer = hinge.solver.slide(reactions[i], hinge.rate);
+    hinge.solver_is_behind = false;
     largest = std::max(largest, hinge.answer.norm());
     if (!hinge.answer.allFinite()) report.load = i;
   }
@@ -240,34 +241,122 @@ void CoupledDynamics::Impl::set_steps() {
   }
 }
 
-// Moments that fit the reactions they cause if friction is what the hinges'
-// guesses say: what they miss, times the contraction for every round. Worth it
-// as long as that is small.
-bool CoupledDynamics::Impl::follow_guesses(int rounds) {
-  constexpr double strong = 0.2;  // contraction
-  if (!(usual_contraction_ < strong)) return false;
-  for (const int i : rows_) {
-    if (!hinges[i].guess.valid()) return false;
-    hinges[i].last_moment = hinges[i].moment;
-    hinges[i].last_answer = hinges[i].answer;
-  }
-  for (int round = 0; round < rounds; ++round) {
+// Moments that fit the reactions they cause if friction is what the follower
+// says near its place: plain iteration, which is worth it as long as the
+// contraction is small.
+// @return what is left, relative; large if it does not contract
+double CoupledDynamics::Impl::relax(double enough) {
+  constexpr int round_limit = 6;
+  constexpr double safety = 2;
+  double last = 0;
+  double left = 1;
+  for (int round = 0; round < round_limit; ++round) {
+    if (round > 0) follower.extend(rows_, reactions);
+    double largest = 0;
     for (const int i : rows_) {
-      Hinge& hinge = hinges[i];
-      Vector3d moment;
-      if (!hinge.guess.predict(reactions[i], hinge.rate, moment)) return false;
-      change_[i] = vec3(Vector3d(moment - hinge.moment));
+      hinges[i].answer = follower.moment(i);
+      largest = std::max(largest, hinges[i].answer.squaredNorm());
     }
+    // Squares, as in answer().
+    const double floor = small_share * small_share * largest;
+    double square = 0;
+    for (const int i : rows_) {
+      const Hinge& hinge = hinges[i];
+      const Vector3d change = hinge.answer - hinge.moment;
+      change_[i] = vec3(change);
+      const double scale = 4 * hinge.answer.squaredNorm() + floor;
+      const double own = change.squaredNorm();
+      if (!(own <= square * scale)) square = own / scale;
+    }
+    const double miss = largest == 0 ? 0 : std::sqrt(square);
+    if (round == 0) report.residual = miss;
+    // Of rounding nothing is learnt.
+    constexpr double rounding = 1e-11;
+    if (round > 0 && last > rounding) {
+      report.contraction = std::max(report.contraction, miss / last);
+      usual_contraction_ = std::max(miss / last, 0.7 * usual_contraction_);
+    }
+    if (miss <= enough) return miss;
+    if (!(miss < 1)) return 1;  // no number, or lost
     apply_change();
+    left = safety * usual_contraction_ * miss;
+    if (left <= enough) return left;
+    last = miss;
   }
-  return true;
+  return left;
+}
+
+// The outer loop with one evaluation of the friction of all hinges for each
+// iteration, as long as the follower knows its way.
+bool CoupledDynamics::Impl::follow() {
+  constexpr int iteration_limit = 4;
+  // So near the one evaluation, as a rule, is enough.
+  constexpr double near = 1e-8;
+  // Beyond this what is linear in the reactions misses the tolerance.
+  constexpr double far = 2e-6;
+  const auto predict = [&] {
+    follower.predict(rows_, reactions);
+    for (const int i : rows_) {
+      if (!follower.tracks(i)) return false;
+    }
+    relax(near);
+    return true;
+  };
+  for (const int i : rows_) follower.set_rate(i, hinges[i].rate);
+  for (report.iterations = 1; report.iterations <= iteration_limit;
+       ++report.iterations) {
+    if (!predict()) return false;
+    if (std::ranges::any_of(
+            rows_, [&](int i) { return !(follower.shift(i) < far); }) &&
+        !predict()) {
+      return false;
+    }
+    follower.evaluate(rows_, reactions);
+    double left = relax(0.1 * options.tolerance);
+    if (trace) trace->push_back({report.iterations, report.residual});
+    double error = 0;
+    for (const int i : rows_) {
+      const double own = follower.error(i);
+      if (!(own <= error)) error = own;
+    }
+    left += error;
+    if (left <= options.tolerance) {
+      report.residual = left;
+      for (const int i : rows_) hinges[i].solver_is_behind = true;
+      return true;
+    }
+  }
+  return false;
+}
+
+// Following first, where it is likely to work: not again and again where it
+// does not. Otherwise, or with what has been reached, the loop below.
+void CoupledDynamics::Impl::converge() {
+  constexpr double strong = 0.3;  // contraction
+  constexpr int longest_pause = 64;
+  const bool weak = usual_contraction_ < strong;
+  if (weak && pause_ == 0 &&
+      std::ranges::all_of(rows_, [&](int i) { return follower.follows(i); })) {
+    if (follow()) {
+      last_pause_ = 0;
+      return;
+    }
+    pause_ = last_pause_;
+    last_pause_ = std::min(2 * last_pause_ + 1, longest_pause);
+  } else if (pause_ > 0) {
+    --pause_;
+  }
+  loop();
+  if (!weak || pause_ > 0 || report.status != CoupledStatus::ok) return;
+  for (const int i : rows_) {
+    follower.start(i, hinges[i].solver, hinges[i].rate);
+  }
 }
 
 void CoupledDynamics::Impl::loop() {
   // Now and then the gain of a step is looked at, whether it is needed or not.
   constexpr int look_every = 8;
   const bool look = ++loops_ % look_every == 0;
-  follow_guesses(1);
   double last = 0;
   int stalled = 0;
   double floor = 0;
@@ -284,9 +373,6 @@ void CoupledDynamics::Impl::loop() {
       report.status = CoupledStatus::out_of_range;
       return;
     }
-    for (const int i : rows_) {
-      hinges[i].guess.learn(reactions[i], hinges[i].rate, hinges[i].answer);
-    }
     if (report.residual <= options.tolerance) return;
     // Rounding of the reactions can be above the tolerance.
     constexpr double rounding = 1e-8;
@@ -300,10 +386,8 @@ void CoupledDynamics::Impl::loop() {
       learn();
       usual_gain_ = std::max(report.residual / last, 0.7 * usual_gain_);
     }
-    if (!follow_guesses(2)) {
-      set_steps();
-      apply_change();
-    }
+    set_steps();
+    apply_change();
     // What this step leaves, if it gains what steps have gained lately.
     constexpr double safety = 10;
     const double left = safety * usual_gain_ * report.residual;
@@ -326,11 +410,14 @@ bool CoupledDynamics::Impl::converged_is_unique() {
   const double least = report.contraction < near_one ? 0 : few * noise().moment;
   for (const int i : rows_) {
     const Hinge& hinge = hinges[i];
-    const double force = vec3(reactions[i].force).norm();
-    const double rough =
-        force > 0 ? hinge.leverage * hinge.answer.norm() / force : 0;
-    if (rough < near_one && report.contraction < near_one) continue;
-    if (hinge.answer.norm() < least) continue;
+    const Vec3<double>& force = reactions[i].force;
+    const double moment = hinge.answer.squaredNorm();
+    const double rough = hinge.leverage * hinge.leverage * moment;
+    if (rough < near_one * near_one * dot(force, force) &&
+        report.contraction < near_one) {
+      continue;
+    }
+    if (moment < least * least) continue;
     if (!(kappa(i) < 1)) {
       report.load = i;
       return false;
@@ -346,7 +433,7 @@ const CoupledReport& CoupledDynamics::Impl::evaluate(const double* state,
   for (Vec3<double>& change : change_) change = {0, 0, 0};
   start(state, loading);
   if (rows_.empty()) return report;
-  loop();
+  converge();
   if (report.status == CoupledStatus::out_of_range) {
     // Not to start from again.
     for (const int i : rows_) hinges[i].moment.setZero();
@@ -377,6 +464,16 @@ CoupledDynamics::Impl::Response CoupledDynamics::Impl::response(int load) {
   }
   change_[load] = {0, 0, 0};
   return r;
+}
+
+std::span<const contact::JointSolution> CoupledDynamics::Impl::joints(
+    int load) {
+  Hinge& hinge = hinges[load];
+  if (hinge.solver_is_behind && active(hinge)) {
+    hinge.solver.slide(reactions[load], hinge.rate);
+  }
+  hinge.solver_is_behind = false;
+  return hinge.solver.joints();
 }
 
 double CoupledDynamics::Impl::kappa(int load) {
@@ -425,7 +522,11 @@ double CoupledDynamics::Impl::utilisation(int load) {
 CoupledDynamics::CoupledDynamics(const System& system,
                                  std::vector<HingeFriction> friction,
                                  const CoupledOptions& options)
-    : impl_(std::make_unique<Impl>(system, std::move(friction), options)) {}
+    : impl_(std::make_unique<Impl>(
+          system,
+          friction.empty() ? std::vector<HingeFriction>(system.size())
+                           : std::move(friction),
+          options)) {}
 CoupledDynamics::~CoupledDynamics() = default;
 CoupledDynamics::CoupledDynamics(CoupledDynamics&&) noexcept = default;
 CoupledDynamics& CoupledDynamics::operator=(CoupledDynamics&&) noexcept =
@@ -486,7 +587,7 @@ double CoupledDynamics::utilisation(int load) {
 }
 std::span<const contact::JointSolution> CoupledDynamics::joints(
     int load) const {
-  return impl_->hinges[load].solver.joints();
+  return impl_->joints(load);
 }
 std::span<const CoupledSolution> CoupledDynamics::solutions() const {
   return impl_->solutions;

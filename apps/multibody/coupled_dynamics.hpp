@@ -71,9 +71,9 @@ struct OuterStep {
 /// The friction moments M_i of the sliding hinges depend on the reactions R_i
 /// and these on all M_i: M = F(R(M)), the paper's outer loop (section 4). R(M)
 /// is affine, and only its changes are computed (Dynamics::add_friction). The
-/// loop starts from the last M; every hinge makes a Newton step for itself,
-/// with a secant estimate of its own slope. Where that does not converge, or
-/// where kappa >= 1 so that there can be several solutions or none (Painleve),
+/// joints are followed by their slopes (contact::JointFollower); where that is
+/// not safe they are solved, each hinge with Newton steps and a secant slope.
+/// Where that fails, or kappa >= 1 allows several solutions or none (Painleve),
 /// all solutions are looked for and the report says how many there are.
 ///
 /// Friction moments are those of the joints alone under the reactions found,

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "multibody/coupled_dynamics.hpp"
-#include "multibody/friction_guess.hpp"
+#include "multibody/friction_follower.hpp"
 #include "multibody/hinge_solver.hpp"
 
 namespace multibody {
@@ -19,9 +19,10 @@ class CoupledDynamics::Impl {
 
   struct Hinge {
     Hinge(HingeFriction friction, const Link& link, int load)
-        : solver(std::move(friction), link, load), guess(solver.is_axis()) {}
+        : solver(std::move(friction), link, load) {}
     HingeSolver solver;
-    FrictionGuess guess;
+    /// The solver has not seen the last evaluation.
+    bool solver_is_behind = false;
     HingeMode mode = HingeMode::sliding;
     Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();
     bool straight = false;
@@ -58,6 +59,8 @@ class CoupledDynamics::Impl {
   /// Fills every active hinge's answer; the residual.
   /// @param floor  moments below it, times the tolerance, are rounding
   double answer(double floor = 0);
+  /// The joints of a hinge under the reactions found.
+  std::span<const contact::JointSolution> joints(int load);
   CoupledRounding noise() const;
   void take_rates(const double* state);
   /// Response of a hinge's acceleration and reaction to its own moment.
@@ -87,6 +90,7 @@ class CoupledDynamics::Impl {
 
   CoupledOptions options;
   Dynamics dynamics;
+  FrictionFollower follower;
   std::vector<Hinge> hinges;
   std::optional<CarrierAcceleration<double>> prescribed;
   CoupledReport report;
@@ -95,8 +99,10 @@ class CoupledDynamics::Impl {
   std::vector<CoupledSolution> solutions;
 
  private:
+  void converge();
+  bool follow();
+  double relax(double enough);
   void loop();
-  bool follow_guesses(int rounds);
   void learn();
   void set_steps();
   bool converged_is_unique();
@@ -117,6 +123,8 @@ class CoupledDynamics::Impl {
   double usual_contraction_ = 1;
   double usual_gain_ = 1;  // residual after a step over that before
   int loops_ = 0;
+  int pause_ = 0;  // evaluations until following is tried again
+  int last_pause_ = 0;
   const double* state_ = nullptr;
   Loading<double>* loading_ = nullptr;
 };

@@ -18,6 +18,7 @@ using Eigen::VectorXd;
 }  // namespace
 
 CoupledDynamics::Impl::Felt CoupledDynamics::Impl::felt(int load) {
+  joints(load);  // for the convex problem
   const Matrix3d mobility = response(load).acceleration;
   const Vector3d alpha = vec3(dynamics.relative_acceleration(load));
   const Matrix3d inertia = mobility.inverse();

@@ -268,8 +268,8 @@ multibody::Motion motion_of(
   multibody::MotionOptions options;
   options.gravity = instant.gravity;
   options.relative_tolerance = options.absolute_tolerance = tolerance;
-  return {
-      multibody::System(instant.carrier, loads), {}, nullptr, start, options};
+  return {multibody::System(instant.carrier, loads), std::move(friction),
+          nullptr, start, options};
 }
 
 constexpr double flight = 10;  // s

@@ -1,0 +1,9 @@
+#include "libcontact/detail/follower_kernel_impl.hpp"
+
+namespace contact::detail {
+
+extern const FollowerKernel follower_kernel_avx512;
+constinit const FollowerKernel follower_kernel_avx512{predict, extend, approach,
+                                                      settle};
+
+}  // namespace contact::detail

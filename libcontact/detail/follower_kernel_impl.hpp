@@ -1,0 +1,533 @@
+#pragma once
+
+// Included once by each follower_kernel_*.cpp, which is compiled for its own
+// instruction set: Lanes is a different type in each of them.
+
+#include <algorithm>
+#include <cmath>
+#include <experimental/simd>
+
+#include "libcontact/detail/follower_kernel.hpp"
+#include "libcontact/detail/select.hpp"
+
+namespace contact::detail {
+namespace {
+
+namespace stdx = std::experimental;
+using Lanes = stdx::native_simd<double>;
+constexpr int width = static_cast<int>(Lanes::size());
+static_assert(FollowerRows::lanes % width == 0);
+using Row = FollowerRow;
+
+// Lanes of one packet of joints in all rows.
+class Packet {
+ public:
+  Packet(FollowerRows rows, int first) : rows_(rows), first_(first) {}
+  Lanes operator[](Row row) const {
+    return Lanes(rows_[row] + first_, stdx::element_aligned);
+  }
+  void set(Row row, const Lanes& x) const {
+    x.copy_to(rows_[row] + first_, stdx::element_aligned);
+  }
+
+ private:
+  FollowerRows rows_;
+  int first_;
+};
+
+struct Vector {
+  Lanes x, y, z;
+};
+[[gnu::always_inline]] inline Vector operator+(const Vector& a,
+                                               const Vector& b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+[[gnu::always_inline]] inline Vector operator*(const Lanes& s,
+                                               const Vector& v) {
+  return {s * v.x, s * v.y, s * v.z};
+}
+[[gnu::always_inline]] inline Lanes dot(const Vector& a, const Vector& b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+[[gnu::always_inline]] inline Vector cross(const Vector& a, const Vector& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+[[gnu::always_inline]] inline Vector get(const Packet& p, Row x, Row y, Row z) {
+  return {p[x], p[y], p[z]};
+}
+[[gnu::always_inline]] inline void set(const Packet& p, Row first,
+                                       const Vector& v) {
+  const auto next = [first](std::size_t i) {
+    return static_cast<Row>(static_cast<std::size_t>(first) + i);
+  };
+  p.set(next(0), v.x);
+  p.set(next(1), v.y);
+  p.set(next(2), v.z);
+}
+
+// ln(a/b) for a close to b; exact to its sixth power.
+[[gnu::always_inline]] inline Lanes log_ratio(const Lanes& a, const Lanes& b) {
+  const Lanes x = (a - b) / (a + b);
+  const Lanes x2 = x * x;
+  return x * (2.0 + x2 * (2.0 / 3 + x2 * (2.0 / 5)));
+}
+// exp(x) for small x, to its fifth power.
+[[gnu::always_inline]] inline Lanes exponential(const Lanes& x) {
+  return 1.0 + x * (1.0 + x * (1.0 / 2 + x * (1.0 / 6 + x * (1.0 / 24))));
+}
+
+// R and Dw: e = w cos b + p sin b, q = w x p.
+struct Frame {
+  Vector w, p, q;
+  Lanes reaction;
+  Lanes sine, cosine;  // of min(b, pi - b)
+  Lanes sign;          // of cos b
+  Lanes speed;         // 1 if friction is dry
+};
+
+[[gnu::always_inline]] inline Frame frame_of(const Packet& p) {
+  Frame f;
+  const Vector force =
+      get(p, Row::reaction_x, Row::reaction_y, Row::reaction_z);
+  const Vector rate = get(p, Row::rate_x, Row::rate_y, Row::rate_z);
+  f.reaction = sqrt(dot(force, force));
+  const Lanes speed = sqrt(dot(rate, rate));
+  const Vector e = (1.0 / f.reaction) * force;
+  f.w = (1.0 / speed) * rate;
+  const Vector normal = cross(f.w, e);
+  const Lanes sine = sqrt(dot(normal, normal));
+  f.q = (1.0 / sine) * normal;
+  f.p = cross(f.q, f.w);
+  // A pin's reaction is normal to its axis, rounding or not.
+  const Lanes ball = p[Row::ball];
+  const Lanes cosine = ball * dot(f.w, e);
+  f.sine = select(ball == 0.0, Lanes(1.0), sine);
+  f.sign = select(cosine < 0.0, Lanes(-1.0), Lanes(1.0));
+  f.cosine = f.sign * cosine;
+  f.speed = select(p[Row::viscous] == 0.0, Lanes(1.0), speed);
+  return f;
+}
+
+// SlipTriangle, in lanes.
+struct Triangle {
+  Lanes sin_psi, cos_psi, cos_g, axis_sine, axis_cosine;
+};
+[[gnu::always_inline]] inline Triangle triangle_of(const Lanes& tangent,
+                                                   const Frame& f) {
+  const Lanes r = sqrt(1.0 + tangent * tangent);
+  const Lanes leg = f.cosine * tangent;
+  const Lanes s = sqrt(1.0 + leg * leg);
+  const Lanes inverse = 1.0 / (r * s);
+  const Lanes inverse_s = r * inverse;
+  Triangle t;
+  t.cos_psi = s * inverse;
+  t.sin_psi = tangent * t.cos_psi;
+  t.cos_g = s * t.cos_psi;
+  t.axis_sine = f.cosine * (r * inverse_s);
+  t.axis_cosine = f.sine * inverse_s;
+  return t;
+}
+
+// Moves of the contact from the last evaluation.
+struct Move {
+  Lanes force, cosine;  // ln R_n, ln cos^2 a
+};
+[[gnu::always_inline]] inline Move move_of(const Packet& p, const Frame& f,
+                                           const Triangle& t) {
+  return {log_ratio(f.reaction * t.cos_g, p[Row::last_force]),
+          2.0 * log_ratio(t.axis_cosine, p[Row::last_axis_cosine])};
+}
+
+struct Slopes {
+  Lanes force, cosine;
+};
+[[gnu::always_inline]] inline Slopes slopes(const Packet& p, Row by_force,
+                                            Row by_cosine) {
+  return {p[by_force], p[by_cosine]};
+}
+[[gnu::always_inline]] inline Slopes friction_slopes(const Packet& p) {
+  return slopes(p, Row::friction_by_force, Row::friction_by_cosine);
+}
+[[gnu::always_inline]] inline Slopes sliding_slopes(const Packet& p) {
+  return slopes(p, Row::sliding_by_force, Row::sliding_by_cosine);
+}
+[[gnu::always_inline]] inline Slopes spinning_slopes(const Packet& p) {
+  return slopes(p, Row::spinning_by_force, Row::spinning_by_cosine);
+}
+[[gnu::always_inline]] inline Lanes along(const Slopes& s, const Move& m) {
+  return s.force * m.force + s.cosine * m.cosine;
+}
+
+// What is of second order on the way that the contact went last, where the
+// slopes are those of its last stretch: c d (d + length) at the distance d.
+struct Bend {
+  Lanes distance;
+  Lanes product;  // d (d + length)
+};
+[[gnu::always_inline]] inline Bend bend_of(const Packet& p, const Move& m) {
+  const Lanes d = m.force * p[Row::way_force] + m.cosine * p[Row::way_cosine];
+  return {d, d * (d + p[Row::way_length])};
+}
+// Not beyond some lengths.
+[[gnu::always_inline]] inline Lanes useful(const Packet& p, const Bend& b) {
+  constexpr double furthest = 3;
+  return select(abs(b.distance) < furthest * p[Row::way_length], b.product,
+                Lanes(0.0));
+}
+
+// d(residual) over dln tan psi, docs/joint.md (6).
+[[gnu::always_inline]] inline Lanes residual_slope(const Triangle& t,
+                                                   const Slopes& friction) {
+  return 1.0 + t.sin_psi * t.sin_psi *
+                   (friction.force * t.axis_cosine * t.axis_cosine +
+                    2.0 * friction.cosine * t.axis_sine * t.axis_sine);
+}
+
+// A step in ln tan psi by its differentials.
+[[gnu::always_inline]] inline void step_on(Triangle& t, const Lanes& step) {
+  const Lanes sine = t.sin_psi * t.sin_psi * step;
+  const Lanes cosine = t.cos_psi * t.cos_psi * step;
+  const Lanes axis_sine = sine * t.axis_sine * t.axis_sine;
+  const Lanes axis_cosine = sine * t.axis_cosine * t.axis_cosine;
+  t.sin_psi *= 1.0 + cosine;
+  t.cos_psi *= 1.0 - sine;
+  t.cos_g *= 1.0 - axis_cosine;
+  t.axis_sine *= 1.0 + axis_cosine;
+  t.axis_cosine *= 1.0 - axis_sine;
+}
+
+// Where the last solution's responses lead, and what is missing there.
+struct Guess {
+  Lanes tangent;
+  Triangle triangle;
+  Move move;
+  Lanes slope;  // of the residual
+  Lanes step;   // in ln tan psi, to the root by the slopes
+};
+[[gnu::always_inline]] inline Guess guess_of(const Packet& p, const Frame& f) {
+  const Lanes reaction = log_ratio(f.reaction, p[Row::last_reaction]);
+  const Lanes angle =
+      f.sine * p[Row::last_cosine] - f.cosine * p[Row::last_sine];
+  const Lanes speed = log_ratio(f.speed, p[Row::last_speed]);
+  const Lanes step = p[Row::tangent_by_along] * reaction +
+                     p[Row::tangent_by_tilt] * angle +
+                     speed / p[Row::residual_slope];
+  Guess g;
+  g.tangent = p[Row::last_tangent] * exponential(step);
+  g.triangle = triangle_of(g.tangent, f);
+  g.move = move_of(p, f, g.triangle);
+  const Slopes friction = friction_slopes(p);
+  const Lanes bend = useful(p, bend_of(p, g.move));
+  const Lanes expected =
+      p[Row::friction] * f.speed *
+      exponential(along(friction, g.move) + p[Row::friction_curve] * bend);
+  g.slope = residual_slope(g.triangle, friction);
+  g.step = -log_ratio(g.tangent, expected) / g.slope;
+  // All series are good for small moves only.
+  p.set(Row::move,
+        max(max(abs(reaction) + abs(angle), abs(step)),
+            max(abs(g.move.force) + abs(g.move.cosine), abs(g.step))));
+  return g;
+}
+
+// M_t and its slopes at the solution `t`.
+//   M_t = -rho R_n ((Y C^2 + Z S^2) w + S C (Z - Y) d),  C, S = cos a, sin a,
+//   d = p cos psi + s q sin psi
+[[gnu::always_inline]] inline void set_moment(const Packet& p, const Frame& f,
+                                              const Triangle& t,
+                                              const Lanes& slope,
+                                              const Lanes& sliding,
+                                              const Lanes& spinning) {
+  const Slopes friction = friction_slopes(p);
+  const Slopes y = sliding_slopes(p);
+  const Slopes z = spinning_slopes(p);
+  const Lanes scale = -p[Row::radius] * f.reaction * t.cos_g;
+  const Lanes side = p[Row::side];
+  const Lanes c2 = t.axis_cosine * t.axis_cosine;
+  const Lanes s2 = t.axis_sine * t.axis_sine;
+  const Lanes sc = f.sign * t.axis_sine * t.axis_cosine;
+  const Lanes difference = spinning - sliding;
+  const Lanes length = sliding * c2 + spinning * s2;
+  const Lanes across = sc * difference;
+  const Vector d = t.cos_psi * f.p + side * t.sin_psi * f.q;
+  const Vector turned = t.cos_psi * f.q + -side * t.sin_psi * f.p;
+  const Vector moment = scale * (length * f.w + across * d);
+  set(p, Row::base_x, moment);
+  set(p, Row::moment_x, moment);
+
+  // R grows by a factor, b and tan psi grow: what R_n, a, Y and Z do.
+  const Lanes sin2_psi = t.sin_psi * t.sin_psi;
+  const Lanes inverse_g = 1.0 / t.cos_g;
+  const Lanes inverse_g2 = inverse_g * inverse_g;
+  const Lanes b_force = f.sine * f.cosine * sin2_psi * inverse_g2;
+  const Lanes inverse_sine = 1.0 / f.sine;
+  const Lanes b_cosine = 2.0 * f.cosine * inverse_sine * inverse_g2;
+  const auto grow = [&](const Lanes& reaction, const Lanes& angle,
+                        const Lanes& tangent, Row by_x, Row sine) {
+    const Lanes cos_g = -b_force * angle - sin2_psi * c2 * tangent;
+    const Move move{reaction + cos_g,
+                    b_cosine * angle - 2.0 * sin2_psi * s2 * tangent};
+    const Lanes d_sliding = sliding * along(y, move);
+    const Lanes d_spinning = spinning * along(z, move);
+    const Lanes d_length =
+        d_sliding * c2 + d_spinning * s2 - difference * (c2 * move.cosine);
+    // sin a = cos b/cos g.
+    const Lanes d_s = -(f.sine * inverse_g) * angle - t.axis_sine * cos_g;
+    const Lanes d_sc =
+        f.sign * (d_s * t.axis_cosine +
+                  t.axis_sine * t.axis_cosine * (0.5 * move.cosine));
+    const Lanes d_across = sc * (d_spinning - d_sliding) + d_sc * difference;
+    const Lanes d_psi = t.sin_psi * t.cos_psi * tangent;
+    set(p, by_x,
+        scale * ((d_length + move.force * length) * f.w +
+                 (d_across + move.force * across) * d +
+                 side * across * d_psi * turned));
+    if (sine != Row::count) p.set(sine, d_s);
+    return move;
+  };
+  const Lanes one(1.0), none(0.0);
+  const Lanes inverse_slope = 1.0 / slope;
+  const Lanes by_along = friction.force * inverse_slope;
+  const Lanes by_tilt =
+      (friction.cosine * b_cosine - friction.force * b_force) * inverse_slope;
+  p.set(Row::tangent_by_along, by_along);
+  p.set(Row::tangent_by_tilt, by_tilt);
+  const Move m_along =
+      grow(one, none, by_along, Row::by_along_x, Row::sine_by_along);
+  const Move m_tilt =
+      grow(none, one, by_tilt, Row::by_tilt_x, Row::sine_by_tilt);
+  const Move m_tangent = grow(none, none, one, Row::by_tangent_x, Row::count);
+  p.set(Row::force_by_along, m_along.force);
+  p.set(Row::cosine_by_along, m_along.cosine);
+  p.set(Row::force_by_tilt, m_tilt.force);
+  p.set(Row::cosine_by_tilt, m_tilt.cosine);
+  p.set(Row::force_by_tangent, m_tangent.force);
+  p.set(Row::cosine_by_tangent, m_tangent.cosine);
+  set(p, Row::by_turn_x, scale * across * turned);
+  const Lanes y_scale = scale * sliding;
+  const Lanes z_scale = scale * spinning;
+  set(p, Row::by_sliding_x, y_scale * (c2 * f.w + -sc * d));
+  set(p, Row::by_spinning_x, z_scale * (s2 * f.w + sc * d));
+  p.set(Row::sliding_share, sliding * t.axis_cosine);
+  p.set(Row::spinning_share, spinning * t.axis_sine);
+
+  const Lanes inverse = 1.0 / f.reaction;
+  set(p, Row::along_x, inverse * (f.sign * f.cosine * f.w + f.sine * f.p));
+  set(p, Row::tilt_x, inverse * (f.cosine * f.p + -(f.sign * f.sine) * f.w));
+  set(p, Row::turn_x, inverse * inverse_sine * f.q);
+  p.set(Row::sensitivity, inverse_sine);
+  p.set(Row::residual_slope, slope);
+  p.set(Row::sin_psi, t.sin_psi);
+}
+
+template <class F>
+[[gnu::always_inline]] inline void for_packets(FollowerRows rows, int size,
+                                               F f) {
+  for (int i = 0; i < size; i += width) f(Packet(rows, i));
+}
+
+void predict(FollowerRows rows, int size) {
+  for_packets(rows, size, [](const Packet& p) {
+    const Frame f = frame_of(p);
+    Guess g = guess_of(p, f);
+    Triangle& t = g.triangle;
+    const Lanes sin2 = t.sin_psi * t.sin_psi * g.step;
+    const Move move{g.move.force - sin2 * t.axis_cosine * t.axis_cosine,
+                    g.move.cosine - 2.0 * sin2 * t.axis_sine * t.axis_sine};
+    step_on(t, g.step);
+    const Lanes bend = useful(p, bend_of(p, move));
+    set_moment(p, f, t, g.slope,
+               p[Row::sliding] * f.speed *
+                   exponential(along(sliding_slopes(p), move) +
+                               p[Row::sliding_curve] * bend),
+               p[Row::spinning] * f.speed *
+                   exponential(along(spinning_slopes(p), move) +
+                               p[Row::spinning_curve] * bend));
+    p.set(Row::place_x, p[Row::reaction_x]);
+    p.set(Row::place_y, p[Row::reaction_y]);
+    p.set(Row::place_z, p[Row::reaction_z]);
+    p.set(Row::place_reaction, f.reaction);
+    p.set(Row::place_sine, f.sine);
+    p.set(Row::place_cosine, f.cosine);
+    p.set(Row::place_speed, f.speed);
+    p.set(Row::tangent, g.tangent * (1.0 + g.step));
+    p.set(Row::force, f.reaction * t.cos_g);
+    p.set(Row::axis_sine, t.axis_sine);
+    p.set(Row::axis_cosine, t.axis_cosine);
+    p.set(Row::force_move, move.force);
+    p.set(Row::cosine_move, move.cosine);
+    p.set(Row::evaluated_error, t.sin_psi * g.step * g.step);
+    for (const Row row :
+         {Row::along, Row::tilt, Row::turn, Row::evaluated_along,
+          Row::evaluated_tilt, Row::shift}) {
+      p.set(row, Lanes(0.0));
+    }
+  });
+}
+
+void extend(FollowerRows rows, int size) {
+  for_packets(rows, size, [](const Packet& p) {
+    const Vector change{p[Row::reaction_x] - p[Row::place_x],
+                        p[Row::reaction_y] - p[Row::place_y],
+                        p[Row::reaction_z] - p[Row::place_z]};
+    const Lanes along =
+        dot(change, get(p, Row::along_x, Row::along_y, Row::along_z));
+    const Lanes tilt =
+        dot(change, get(p, Row::tilt_x, Row::tilt_y, Row::tilt_z));
+    const Lanes turn =
+        dot(change, get(p, Row::turn_x, Row::turn_y, Row::turn_z));
+    p.set(Row::along, along);
+    p.set(Row::tilt, tilt);
+    set(p, Row::moment_x,
+        get(p, Row::base_x, Row::base_y, Row::base_z) +
+            along * get(p, Row::by_along_x, Row::by_along_y, Row::by_along_z) +
+            tilt * get(p, Row::by_tilt_x, Row::by_tilt_y, Row::by_tilt_z) +
+            turn * get(p, Row::by_turn_x, Row::by_turn_y, Row::by_turn_z));
+    const Lanes reach =
+        abs(along) + abs(tilt) * p[Row::sensitivity] + abs(turn);
+    p.set(Row::shift, reach);
+    const Lanes since =
+        abs(along - p[Row::evaluated_along]) +
+        2.0 * p[Row::sensitivity] * abs(tilt - p[Row::evaluated_tilt]);
+    p.set(Row::error, p[Row::evaluated_error] + p[Row::slope_error] * since +
+                          reach * reach);
+  });
+}
+
+void approach(FollowerRows rows, int size) {
+  for_packets(rows, size, [](const Packet& p) {
+    const Lanes along = p[Row::along];
+    const Lanes tilt = p[Row::tilt];
+    const auto moved = [&](Row by_along, Row by_tilt) {
+      return p[by_along] * along + p[by_tilt] * tilt;
+    };
+    const Lanes force = moved(Row::force_by_along, Row::force_by_tilt);
+    const Lanes cosine = moved(Row::cosine_by_along, Row::cosine_by_tilt);
+    p.set(Row::evaluated_force, p[Row::force] * (1.0 + force));
+    p.set(Row::evaluated_axis_cosine,
+          p[Row::axis_cosine] * (1.0 + 0.5 * cosine));
+    p.set(Row::evaluated_axis_sine,
+          p[Row::axis_sine] + moved(Row::sine_by_along, Row::sine_by_tilt));
+    p.set(Row::force_move, p[Row::force_move] + force);
+    p.set(Row::cosine_move, p[Row::cosine_move] + cosine);
+    p.set(Row::evaluated_along, along);
+    p.set(Row::evaluated_tilt, tilt);
+  });
+}
+
+// Broyden's update. Slopes below this move, or of a miss so large, say
+// nothing.
+constexpr double shortest = 1e-8;
+constexpr double largest = 0.1;
+
+void settle(FollowerRows rows, int size) {
+  for_packets(rows, size, [](const Packet& p) {
+    const Move move{p[Row::force_move], p[Row::cosine_move]};
+    const Lanes square = move.force * move.force + move.cosine * move.cosine;
+    const auto tells = square > shortest * shortest;
+    const Lanes inverse = 1.0 / select(tells, square, Lanes(1.0));
+    const Lanes inverse_length = sqrt(inverse);
+    const Bend bend = bend_of(p, move);
+    const Lanes expected_bend = useful(p, bend);
+    // On the same way, and not back at where it came from.
+    const auto bends = tells && bend.distance * bend.distance > 0.8 * square &&
+                       abs(bend.product) > 0.2 * square;
+    const Lanes inverse_bend = 1.0 / select(bends, bend.product, Lanes(1.0));
+    Lanes slope_miss(0.0);
+    const auto learn = [&](Row value, Row found_row, Row by_force,
+                           Row by_cosine, Row curve_row, const Lanes& weight) {
+      const Lanes old = p[value];
+      const Lanes found = p[found_row];
+      const Lanes force = p[by_force];
+      const Lanes cosine = p[by_cosine];
+      const Lanes curve = p[curve_row];
+      // (A pin has no spinning moment.)
+      const Lanes missed =
+          select(found == old, Lanes(0.0), log_ratio(found, old)) -
+          (force * move.force + cosine * move.cosine);
+      const auto fair = abs(missed) < largest;
+      const Lanes share = select(tells && fair, missed * inverse, Lanes(0.0));
+      p.set(by_force, force + share * move.force);
+      p.set(by_cosine, cosine + share * move.cosine);
+      p.set(curve_row,
+            select(bends, select(fair, missed * inverse_bend, Lanes(0.0)),
+                   curve));
+      p.set(value, found);
+      slope_miss += abs(missed) * weight;
+      return missed - curve * expected_bend;
+    };
+    // As far as each counts in the moment.
+    const Lanes sin_psi = p[Row::sin_psi];
+    const Lanes share = 1.0 / (p[Row::sliding_share] + p[Row::spinning_share]);
+    const Lanes sliding_weight = p[Row::sliding_share] * share;
+    const Lanes spinning_weight = p[Row::spinning_share] * share;
+    const Lanes friction =
+        learn(Row::friction, Row::found_friction, Row::friction_by_force,
+              Row::friction_by_cosine, Row::friction_curve, sin_psi);
+    const Lanes sliding =
+        learn(Row::sliding, Row::found_sliding, Row::sliding_by_force,
+              Row::sliding_by_cosine, Row::sliding_curve, sliding_weight);
+    const Lanes spinning =
+        learn(Row::spinning, Row::found_spinning, Row::spinning_by_force,
+              Row::spinning_by_cosine, Row::spinning_curve, spinning_weight);
+    const Lanes missed = abs(friction) * sin_psi +
+                         abs(sliding) * sliding_weight +
+                         abs(spinning) * spinning_weight;
+    p.set(Row::way_force,
+          select(tells, move.force * inverse_length, p[Row::way_force]));
+    p.set(Row::way_cosine,
+          select(tells, move.cosine * inverse_length, p[Row::way_cosine]));
+    p.set(Row::way_length,
+          select(tells, square * inverse_length, p[Row::way_length]));
+    // Slopes across the way that the contact has gone are not looked at.
+    constexpr double kept = 0.7;
+    constexpr double least = 1e-2;
+    const Lanes old_error = p[Row::slope_error];
+    const Lanes slope_error = select(
+        tells,
+        max(max(kept * old_error, slope_miss * inverse_length), Lanes(least)),
+        old_error);
+    p.set(Row::slope_error, slope_error);
+
+    // The root is where tan psi = f/cos a.
+    const Lanes along = p[Row::along];
+    const Lanes tilt = p[Row::tilt];
+    const Lanes tangent =
+        p[Row::tangent] * (1.0 + p[Row::tangent_by_along] * along +
+                           p[Row::tangent_by_tilt] * tilt);
+    const Lanes step =
+        -log_ratio(tangent, p[Row::friction] * p[Row::place_speed]) /
+        p[Row::residual_slope];
+    const Vector correction =
+        step * get(p, Row::by_tangent_x, Row::by_tangent_y, Row::by_tangent_z) +
+        sliding *
+            get(p, Row::by_sliding_x, Row::by_sliding_y, Row::by_sliding_z) +
+        spinning *
+            get(p, Row::by_spinning_x, Row::by_spinning_y, Row::by_spinning_z);
+    set(p, Row::base_x,
+        get(p, Row::base_x, Row::base_y, Row::base_z) + correction);
+    set(p, Row::moment_x,
+        get(p, Row::moment_x, Row::moment_y, Row::moment_z) + correction);
+    const Lanes rest = abs(step) * (abs(p[Row::force_by_tangent]) +
+                                    abs(p[Row::cosine_by_tangent]));
+    const Lanes shift = p[Row::shift];
+    const Lanes evaluated_error = p[Row::evaluated_error] + slope_error * rest +
+                                  sin_psi * step * step +
+                                  missed * (missed + shift);
+    p.set(Row::evaluated_error, evaluated_error);
+    p.set(Row::error, evaluated_error + shift * shift);
+    p.set(Row::move, max(p[Row::move], abs(step)));
+
+    // Where the next guess starts from.
+    p.set(Row::last_reaction, p[Row::place_reaction] * (1.0 + along));
+    p.set(Row::last_sine, p[Row::place_sine] + tilt * p[Row::place_cosine]);
+    p.set(Row::last_cosine, p[Row::place_cosine] - tilt * p[Row::place_sine]);
+    p.set(Row::last_tangent, tangent * (1.0 + step));
+    p.set(Row::last_speed, p[Row::place_speed]);
+    p.set(Row::last_force, p[Row::evaluated_force]);
+    p.set(Row::last_axis_cosine, p[Row::evaluated_axis_cosine]);
+  });
+}
+
+}  // namespace
+}  // namespace contact::detail

@@ -1,0 +1,279 @@
+#include "libcontact/joint_follower.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <vector>
+
+#include "libcontact/cylindrical_joint.hpp"
+#include "libcontact/spherical_joint.hpp"
+#include "support/allocation_count.hpp"
+#include "support/random_slip.hpp"
+
+// Joints followed along paths against the solvers, which start from nothing
+// at every point.
+namespace {
+
+using contact::FrictionLaw;
+using contact::FrictionModel;
+using contact::JointBody;
+using contact::JointContact;
+using contact::JointFollower;
+using contact::JointGeometry;
+using contact::JointKind;
+using contact::JointSolution;
+using contact::SphericalJoint;
+using contact::ViscousLaw;
+using contact::test::RandomSlips;
+using Eigen::Vector3d;
+
+contact::ElasticPair steel() {
+  return contact::ElasticPair({2e11, 0.3}, {2e11, 0.3});
+}
+
+JointContact contact_of(JointKind kind, const FrictionModel& friction,
+                        JointBody inner = JointBody::carrier) {
+  const contact::ElasticPair pair = steel();
+  return {kind == JointKind::spherical
+              ? JointGeometry::ball(0.05, 5e-5, inner)
+              : JointGeometry::pin(0.05, 5e-5, 0.1, inner),
+          pair, friction, contact::make_half_angle_law("tanh", kind, pair),
+          std::make_unique<contact::CosinePressure>(kind)};
+}
+
+// A joint on a path of R and Dw.
+struct Path {
+  JointContact contact;
+  Vector3d reaction, rate;            // at 0
+  Vector3d reaction_axis, rate_axis;  // about which they turn, 1 rad per unit
+  double growth;                      // of ln R and ln |Dw| per unit
+
+  bool is_pin() const {
+    return contact.geometry().kind() == JointKind::cylindrical;
+  }
+  Vector3d rate_at(double t) const {
+    const Vector3d w = std::exp(-growth * t) * rate;
+    if (is_pin()) return w;
+    return Eigen::AngleAxisd(t, rate_axis) * w;
+  }
+  Vector3d reaction_at(double t) const {
+    const Vector3d r = std::exp(growth * t) * reaction;
+    return Eigen::AngleAxisd(t, is_pin() ? rate.normalized() : reaction_axis) *
+           r;
+  }
+  JointSolution solve(double t) const {
+    return solve(reaction_at(t), rate_at(t));
+  }
+  JointSolution solve(const Vector3d& r, const Vector3d& w) const {
+    if (!is_pin()) return SphericalJoint(contact).solve(r, w);
+    const Vector3d axis = rate.normalized();
+    return contact::CylindricalJoint(contact).solve(r, axis, w.dot(axis));
+  }
+};
+
+// Dry and viscous, balls on either side and pins, b from 10 to 170 deg; with
+// contacts from 5 to 80 deg.
+std::vector<Path> paths(std::uint64_t seed, int count) {
+  RandomSlips random(seed);
+  std::vector<Path> all;
+  while (static_cast<int>(all.size()) < count) {
+    const double f0 = random.log_uniform(0.02, 0.8);
+    const double adhesion = random.uniform() < 0.3 ? 0 : f0 * 1e8;
+    FrictionModel friction = FrictionLaw(f0, adhesion);
+    if (random.uniform() < 0.2) friction = ViscousLaw(f0 * 1e8, f0);
+    const JointKind kind =
+        random.uniform() < 0.25 ? JointKind::cylindrical : JointKind::spherical;
+    const JointBody inner =
+        random.uniform() < 0.5 ? JointBody::carrier : JointBody::load;
+    const double force = random.log_uniform(1e3, 1e6);
+    Path path{contact_of(kind, friction, inner),
+              force * random.direction(),
+              random.log_uniform(0.1, 10) * random.direction(),
+              random.direction(),
+              random.direction(),
+              2 * random.uniform() - 1};
+    const Vector3d axis = path.rate.normalized();
+    if (path.is_pin()) {
+      path.reaction = force * axis.unitOrthogonal();
+    } else if (axis.cross(path.reaction).norm() < 0.17 * force) {
+      continue;
+    }
+    all.push_back(path);
+  }
+  return all;
+}
+
+std::vector<JointContact> contacts(const std::vector<Path>& all) {
+  std::vector<JointContact> result;
+  for (const Path& path : all) result.push_back(path.contact);
+  return result;
+}
+
+void go_to(JointFollower& follower, const std::vector<Path>& all, double t) {
+  for (int i = 0; i < follower.size(); ++i) {
+    follower.set_reaction(i, all[i].reaction_at(t));
+    follower.set_rate(i, all[i].rate_at(t));
+  }
+}
+
+void start(JointFollower& follower, const std::vector<Path>& all, double t) {
+  for (int i = 0; i < follower.size(); ++i) {
+    follower.start(i, all[i].solve(t), all[i].rate_at(t));
+    ASSERT_TRUE(follower.follows(i));
+  }
+}
+
+double miss(const Vector3d& found, const JointSolution& expected) {
+  return (found - expected.friction_moment).norm() /
+         expected.friction_moment.norm();
+}
+
+class JointFollowerSteps : public testing::TestWithParam<double> {};
+
+// One evaluation for each step leaves what error() says; the prediction before
+// it is of second order in the step. Measured: 68 step^2, 2100 step^3, of
+// error() 0.42.
+TEST_P(JointFollowerSteps, FollowsPaths) {
+  const double step = GetParam();
+  const std::vector<Path> all = paths(1, 200);
+  JointFollower follower(contacts(all));
+  start(follower, all, 0);
+  double largest = 0, largest_share = 0, predicted = 0;
+  for (int k = 1; k <= 20; ++k) {
+    go_to(follower, all, k * step);
+    follower.predict();
+    std::vector<Vector3d> guess;
+    for (int i = 0; i < follower.size(); ++i) {
+      ASSERT_TRUE(follower.tracks(i));
+      guess.push_back(follower.moment(i));
+    }
+    follower.evaluate();
+    for (int i = 0; i < follower.size(); ++i) {
+      ASSERT_TRUE(follower.tracks(i));
+      const JointSolution expected = all[i].solve(k * step);
+      ASSERT_EQ(expected.status, contact::Status::ok);
+      const double own = miss(follower.moment(i), expected);
+      // 1e-12: the solver's tolerance and rounding.
+      const double share = own / (follower.error(i) + 1e-12);
+      largest = std::max(largest, own);
+      largest_share = std::max(largest_share, share);
+      predicted = std::max(predicted, miss(guess[i], expected));
+    }
+  }
+  std::printf("step %g: predicted %.1e, evaluated %.1e, over error() %.2g\n",
+              step, predicted, largest, largest_share);
+  EXPECT_LT(predicted, 200 * step * step + 1e-12);
+  // Third order and more: the slopes are wrong by a step, what is left to go
+  // is a step squared.
+  EXPECT_LT(largest, 4000 * step * step * step + 1e-12);
+  EXPECT_LT(largest_share, 1);
+}
+INSTANTIATE_TEST_SUITE_P(Steps, JointFollowerSteps,
+                         testing::Values(1e-3, 1e-4, 1e-5));
+
+// Against differences of the solver's moments.
+TEST(JointFollower, MomentsChangeWithTheReactionAsTheySay) {
+  const std::vector<Path> all = paths(2, 100);
+  JointFollower follower(contacts(all));
+  start(follower, all, 0);
+  // So that the evaluated contact is not the one of the start.
+  go_to(follower, all, 1e-4);
+  follower.predict();
+  follower.evaluate();
+  for (int i = 0; i < follower.size(); ++i) {
+    const Vector3d reaction = all[i].reaction_at(1e-4);
+    const Vector3d rate = all[i].rate_at(1e-4);
+    for (int k = 0; k < 3; ++k) {
+      constexpr double h = 1e-6;
+      Vector3d change = h * reaction.norm() * Vector3d::Unit(k);
+      if (all[i].is_pin()) {
+        const Vector3d axis = rate.normalized();
+        change -= change.dot(axis) * axis;
+      }
+      const Vector3d expected =
+          all[i].solve(reaction + change, rate).friction_moment -
+          all[i].solve(reaction - change, rate).friction_moment;
+      follower.set_reaction(i, reaction + change);
+      follower.extend();
+      const Vector3d up = follower.moment(i);
+      follower.set_reaction(i, reaction - change);
+      follower.extend();
+      const Vector3d found = up - follower.moment(i);
+      // Slopes from differences (1e-8), wrong by about the step of 1e-4.
+      EXPECT_LT((found - expected).norm(),
+                1e-2 * h * follower.moment(i).norm());
+    }
+  }
+}
+
+TEST(JointFollower, AllInstructionSetsAgree) {
+  const std::vector<Path> all = paths(3, 13);
+  std::vector<std::vector<Vector3d>> found;
+  for (const auto set :
+       {contact::InstructionSet::baseline, contact::InstructionSet::avx2,
+        contact::InstructionSet::avx512}) {
+    if (!contact::is_supported(set)) continue;
+    JointFollower follower(contacts(all), set);
+    start(follower, all, 0);
+    go_to(follower, all, 1e-3);
+    follower.predict();
+    follower.evaluate();
+    std::vector<Vector3d>& moments = found.emplace_back();
+    for (int i = 0; i < follower.size(); ++i) {
+      moments.push_back(follower.moment(i));
+      // Tens of operations.
+      EXPECT_LT((moments[i] - found[0][i]).norm(), 1e-14 * moments[i].norm());
+    }
+  }
+}
+
+TEST(JointFollower, KnowsWhenItIsLost) {
+  const std::vector<Path> all = paths(4, 5);
+  JointFollower follower(contacts(all));
+  EXPECT_FALSE(follower.follows(0));
+  EXPECT_FALSE(follower.tracks(0));
+  start(follower, all, 0);
+  go_to(follower, all, 0);
+  follower.predict();
+  follower.evaluate();
+  for (int i = 0; i < follower.size(); ++i) {
+    EXPECT_TRUE(follower.tracks(i));
+    const Vector3d reaction = all[i].reaction_at(0);
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    for (const Vector3d& other :
+         {Vector3d(2 * reaction), Vector3d(0, 0, 0), Vector3d(nan, 0, 0)}) {
+      follower.set_reaction(i, other);
+      follower.predict();
+      EXPECT_FALSE(follower.tracks(i)) << other.transpose();
+    }
+    // A solution brings it back.
+    follower.start(i, all[i].solve(0), all[i].rate_at(0));
+    follower.set_reaction(i, reaction);
+    follower.predict();
+    follower.evaluate();
+    EXPECT_TRUE(follower.tracks(i));
+  }
+  follower.forget(0);
+  EXPECT_FALSE(follower.follows(0));
+  JointSolution resting = all[0].solve(all[0].reaction, Vector3d(0, 0, 0));
+  follower.start(0, resting, Vector3d(0, 0, 0));
+  EXPECT_FALSE(follower.follows(0));
+}
+
+TEST(JointFollower, DoesNotAllocate) {
+  const std::vector<Path> all = paths(5, 20);
+  JointFollower follower(contacts(all));
+  start(follower, all, 0);
+  const std::size_t before = contact::test::allocation_count();
+  go_to(follower, all, 1e-3);
+  follower.predict();
+  follower.evaluate();
+  follower.extend();
+  EXPECT_EQ(contact::test::allocation_count(), before);
+}
+
+}  // namespace
