@@ -840,7 +840,7 @@ TEST(HingeSeparation, ResumedRunIsTheSame) {
   EXPECT_EQ(other.status, 2);
   EXPECT_EQ(other.err,
             "hinge-separation: c.cbor: a checkpoint of a run of another case "
-            "file or with other options\n");
+            "file, other joints or other options\n");
   folder.write("bad.cbor", "nonsense");
   EXPECT_EQ(folder.run(run + "--resume bad.cbor").err,
             "hinge-separation: bad.cbor: not a checkpoint of "
@@ -919,6 +919,28 @@ TEST(HingeSeparation, CheckpointsStayWholeAndSmall) {
             "hinge-separation: mine.txt: not a checkpoint of "
             "hinge-separation\n");
   EXPECT_EQ(folder.read("mine.txt"), "mine");
+}
+
+TEST(HingeSeparation, CheckpointsKnowTheirJoints) {
+  const ProgramFolder folder;
+  std::string text = alone;
+  const auto begin = text.find("name = \"ball\"");
+  const auto end = text.find("[load.lock]");
+  folder.write("ball.toml", text.substr(begin, end - begin));
+  text.replace(begin, end - begin, "file = \"ball.toml\"\n");
+  folder.write("c.toml", text);
+  const std::string run = "hinge-separation c.toml --output o.json ";
+  ASSERT_EQ(folder.run(run + "--checkpoint c.cbor --checkpoint-every 1").status,
+            0);
+  EXPECT_EQ(folder.run(run + "--resume c.cbor").status, 0);
+  std::string ball = folder.read("ball.toml");
+  ball.replace(ball.find("coefficient = 0.2"), 17, "coefficient = 0.3");
+  folder.write("ball.toml", ball);
+  const ProgramResult other = folder.run(run + "--resume c.cbor");
+  EXPECT_EQ(other.status, 2);
+  EXPECT_EQ(other.err,
+            "hinge-separation: c.cbor: a checkpoint of a run of another case "
+            "file, other joints or other options\n");
 }
 
 // Every column, with hinges that are gone and values that are missing.

@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <map>
 #include <numbers>
 
 #include "libcontact/error.hpp"
@@ -808,7 +809,24 @@ TEST(Motion, ForcesJumpWhereTheySay) {
     options.integrator = integrator;
     options.step = 0.01;
     Motion motion(system, {}, std::make_shared<Pulse>(), start_of(1), options);
+    // Who watches the steps sees the torque on both sides of its jumps.
+    std::map<double, double> seen;
+    double last = 0;
+    motion.watch_steps([&](const multibody::MotionSample& sample) {
+      EXPECT_GE(sample.time(), last);
+      last = sample.time();
+      seen[last] = about * sample.angular_acceleration(1).z();
+    });
     ASSERT_EQ(motion.advance_to(1), Stop::time);
+    for (const auto& [time, torque] : seen) {
+      EXPECT_LT(time, 1);
+      EXPECT_NEAR(torque, time >= 0.25 && time < 0.7013 ? 3 : 0, 1e-14) << time;
+    }
+    for (const double jump : {0.25, 0.7013}) {
+      EXPECT_TRUE(seen.contains(jump));
+      EXPECT_TRUE(seen.contains(std::nextafter(jump, 0)));
+    }
+    EXPECT_GE(static_cast<long>(seen.size()), motion.counts().steps);
     const double rate = 3 * (0.7013 - 0.25) / about;
     // Constant accelerations are integrated exactly, but for rounding.
     EXPECT_NEAR(motion.sample().hinge(0).angle_rate, rate, 1e-12 * rate);

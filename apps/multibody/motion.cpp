@@ -201,7 +201,8 @@ void MotionImpl::show_step(double time) {
 }
 
 bool MotionImpl::step() {
-  show_step(std::min(stepper->end(), std::nextafter(next_break, 0)));
+  constexpr double early = -std::numeric_limits<double>::infinity();
+  show_step(std::min(stepper->end(), std::nextafter(next_break, early)));
   if (pass_break()) show_step(stepper->end());
   const double from = stepper->end();
   if (!stepper->step(next_break)) {

@@ -315,9 +315,10 @@ Checkpoint read_checkpoint(const std::string& file,
   }
   try {
     if (j.at("identity") != identity) {
-      throw contact::Error(file +
-                           ": a checkpoint of a run of another case file or "
-                           "with other options");
+      throw contact::Error(
+          file +
+          ": a checkpoint of a run of another case file, other "
+          "joints or other options");
     }
     Checkpoint result{
         j.at("next_output").get<long>(),

@@ -1,10 +1,14 @@
 // How much faster than real time separations run: without output and
-// clearance, friction converged at every evaluation.
+// clearance, friction converged at every evaluation; what a checkpoint costs.
 #include <benchmark/benchmark.h>
+#include <unistd.h>
 
+#include <filesystem>
 #include <string>
+#include <vector>
 
 #include "separation/case_reader.hpp"
+#include "separation/checkpoint.hpp"
 #include "separation/run_case.hpp"
 
 namespace {
@@ -35,6 +39,37 @@ void run(benchmark::State& state, const std::string& name,
       static_cast<double>(outcome.counts.outer_iterations);
 }
 
+// A checkpoint with one new row after many others: its cost does not depend on
+// them.
+void checkpoint(benchmark::State& state) {
+  const separation::Case c =
+      separation::read_case(CONTACT_DATA_DIR "/cases/soyuz.toml");
+  separation::Simulation simulation(c, FrictionChoice::full);
+  separation::Recorder recorder(c, true, false);
+  recorder.look(simulation);
+  separation::Recorder::Memory memory = recorder.memory();
+  auto& numbers = memory.rows.numbers;
+  const std::vector<double> row = numbers;
+  const auto add_row = [&] {
+    numbers.insert(numbers.end(), row.begin(), row.end());
+  };
+  for (long i = 1; i < state.range(0); ++i) add_row();
+
+  const auto folder = std::filesystem::temp_directory_path() /
+                      ("separation_bench." + std::to_string(getpid()));
+  std::filesystem::create_directory(folder);
+  {
+    separation::CheckpointWriter writer(folder / "c.cbor", "bench", 1);
+    writer.write(1, simulation.save(), memory);
+    for (auto _ : state) {
+      add_row();
+      writer.write(1, simulation.save(), memory);
+    }
+  }
+  std::filesystem::remove_all(folder);
+}
+
+BENCHMARK(checkpoint)->Arg(100)->Arg(1000)->Arg(10000);
 BENCHMARK_CAPTURE(run, soyuz_full, "soyuz", FrictionChoice::full);
 BENCHMARK_CAPTURE(run, soyuz_ideal, "soyuz", FrictionChoice::ideal);
 BENCHMARK_CAPTURE(run, two_stage_turn, "two_stage_turn", FrictionChoice::full);
