@@ -1004,8 +1004,21 @@ TEST(HingeSeparation, BadInputHasOneMessageAndLeavesNothing) {
   message("data/cases/soyuz.toml --friction wet");
   message("data/cases/slosh.toml --compare --history h.csv");
   message("data/cases/slosh.toml --checkpoint c.cbor");
-  message("data/cases/slosh.toml --checkpoint c.cbor --checkpoint-every 0");
-  message("data/cases/soyuz.toml --law tahn");
+  for (const char* every : {"0", "-1", "nan", "inf", "often"}) {
+    EXPECT_EQ(message(std::string("data/cases/slosh.toml --checkpoint c.cbor "
+                                  "--checkpoint-every ") +
+                      every),
+              std::string("hinge-separation: --checkpoint-every ") + every +
+                  ": allowed 1e-09 to 1e+09 s\n");
+  }
+  EXPECT_EQ(message("data/cases/soyuz.toml --law tahn"),
+            "hinge-separation: --law tahn: allowed hertz, arctan, tanh, blend, "
+            "paper, nominal, fitted, exact\n");
+  EXPECT_EQ(message("data/cases/soyuz.toml --law blend:2").substr(0, 40),
+            "hinge-separation: data/cases/soyuz.toml:");
+  EXPECT_EQ(message("data/cases/soyuz.toml --pressure tahn"),
+            "hinge-separation: --pressure tahn: allowed cosine, sqrt_tan, "
+            "sqrt_theta, mixture, exact\n");
   message("data/cases/slosh.toml --history /nowhere/h.csv");
   message("data/cases/slosh.toml --history h.csv --output /nowhere/h.json");
   message("data/cases/slosh.toml --plot h.bmp");

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "cli/program.hpp"
+#include "cli/quantity.hpp"
 #include "separation/run.hpp"
 
 namespace {
@@ -74,10 +75,14 @@ void add_options(CLI::App& app, Options& options) {
                                     "file to write on the way, for --resume")
                          ->option_text("FILE")
                          ->group("Run");
-  app.add_option("--checkpoint-every", options.checkpoint_every,
-                 "after as many seconds of the motion")
+  app.add_option_function<std::string>(
+         "--checkpoint-every",
+         [&options](const std::string& text) {
+           options.checkpoint_every =
+               cli::parse_value("--checkpoint-every", text, {1e-9, 1e9, "s"});
+         },
+         "after as many seconds of the motion")
       ->option_text("SECONDS")
-      ->check(CLI::PositiveNumber)
       ->needs(checkpoint)
       ->group("Run");
   app.add_option("--resume", options.resume, "checkpoint to go on from")

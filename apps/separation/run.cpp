@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <fstream>
@@ -72,6 +73,17 @@ void check(const Options& o) {
     throw contact::Error(
         "--format: the summary is JSON; tables need --compare");
   }
+  const auto check_law = [](const char* option, const std::string& name,
+                            const std::vector<std::string>& names) {
+    if (name.empty() || std::ranges::find(names, name) != names.end()) return;
+    throw contact::Error(
+        fmt::format("{} {}: allowed {}", option, name, fmt::join(names, ", ")));
+  };
+  // blend:K has a number; the joints look at it.
+  if (!o.half_angle_law.starts_with("blend:")) {
+    check_law("--law", o.half_angle_law, contact::half_angle_law_names());
+  }
+  check_law("--pressure", o.pressure_law, contact::pressure_law_names());
   if (!o.checkpoint.empty() && o.checkpoint_every == 0 && o.resume.empty()) {
     throw contact::Error("--checkpoint: allowed with --checkpoint-every");
   }
