@@ -49,8 +49,10 @@ std::string text_of(const contact::Joint& joint) {
       pair.contact_modulus(), pair.inner_compliance_share(),
       pair.dundurs_beta(), joint.half_angle_law, joint.pressure_law);
   const auto& limit = joint.half_angle_options;
-  text += fmt::format(" {} {} {}", limit.limit_half_angle.value_or(0),
-                      limit.linear_limit, limit.initial_slope);
+  text +=
+      fmt::format(" {} {} {} {} {}", limit.limit_half_angle.value_or(0),
+                  limit.linear_limit, limit.initial_slope,
+                  joint.loading.is_back(), joint.loading.patch_half_angle());
   if (const auto* dry = std::get_if<contact::FrictionLaw>(&*joint.friction)) {
     return text +
            fmt::format(" dry {} {}\n", dry->coefficient(), dry->adhesion());
