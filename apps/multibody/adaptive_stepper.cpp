@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <new>
 #include <utility>
 #include <vector>
@@ -33,6 +34,8 @@ class AdaptiveStepper final : public Stepper {
     if (state.size() != to_.size()) forget();
     from_.assign(state.begin(), state.end());
     to_.assign(state.begin(), state.end());
+    begin_known_ = false;
+    last_time_ = std::numeric_limits<double>::quiet_NaN();
     if (memory_) {
       ERKStepReInit(memory_, rate, time, vector_);
       ERKStepSetInitStep(memory_, next_step_);
@@ -58,6 +61,8 @@ class AdaptiveStepper final : public Stepper {
   }
 
   bool step(double limit) override {
+    begin_known_ = last_time_ == end_ && last_state_ == to_;
+    if (begin_known_) begin_rates_ = last_rates_;
     begin_ = end_;
     from_ = to_;
     // Steps to a limit are not what the next ones should be like.
@@ -86,6 +91,30 @@ class AdaptiveStepper final : public Stepper {
     std::copy_n(y, state.size(), state.begin());
   }
 
+  // Hermite's cubic between the ends: ARKODE's own dense output evaluates
+  // rates at every call.
+  void estimate(double time, std::span<double> state) override {
+    const double h = end_ - begin_;
+    if (!begin_known_) {
+      begin_rates_.resize(from_.size());
+      begin_known_ = rates_(begin_, from_.data(), begin_rates_.data());
+    }
+    // The last stage of a step is at its end.
+    if (last_time_ != end_ || last_state_ != to_) {
+      last_state_ = to_;
+      last_rates_.resize(to_.size());
+      last_time_ = rates_(end_, to_.data(), last_rates_.data())
+                       ? end_
+                       : std::numeric_limits<double>::quiet_NaN();
+    }
+    if (!(h > 0) || !begin_known_ || last_time_ != end_) {
+      interpolate(time, state);
+      return;
+    }
+    hermite(from_, begin_rates_, to_, last_rates_, h, (time - begin_) / h,
+            state);
+  }
+
   double next_step() const override { return next_step_; }
   void set_next_step(double step) override { next_step_ = step; }
 
@@ -104,6 +133,7 @@ class AdaptiveStepper final : public Stepper {
     auto* stepper = static_cast<AdaptiveStepper*>(self);
     const bool done = stepper->rates_(time, N_VGetArrayPointer(state),
                                       N_VGetArrayPointer(to));
+    if (done) stepper->remember(time, state, to);
     return done ? 0 : 1;  // 1: try a shorter step
   }
 
@@ -120,6 +150,20 @@ class AdaptiveStepper final : public Stepper {
                                  : 1 / o.coarse_tolerance;
     }
     return 0;
+  }
+
+  void remember(double time, N_Vector state, N_Vector rates) {
+    const double* y = N_VGetArrayPointer(state);
+    const double* f = N_VGetArrayPointer(rates);
+    if (!begin_known_ && time == begin_ &&
+        std::equal(from_.begin(), from_.end(), y)) {
+      begin_rates_.assign(f, f + from_.size());
+      begin_known_ = true;
+      return;
+    }
+    last_time_ = time;
+    last_state_.assign(y, y + from_.size());
+    last_rates_.assign(f, f + from_.size());
   }
 
   void forget() {
@@ -140,6 +184,10 @@ class AdaptiveStepper final : public Stepper {
   double end_ = 0;
   double next_step_ = 0;  // 0: ARKODE finds one
   std::vector<double> from_, to_;
+  // Rates at the beginning of a step, and those of the last evaluation.
+  bool begin_known_ = false;
+  double last_time_ = std::numeric_limits<double>::quiet_NaN();
+  std::vector<double> begin_rates_, last_state_, last_rates_;
 };
 
 }  // namespace

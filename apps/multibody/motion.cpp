@@ -219,9 +219,8 @@ bool MotionImpl::step() {
   ++counts.steps;
   pending = find_event();
   if (!pending) {
-    if (!events.empty()) {
-      look_at(stepper->end(), stepper->end_state());
-      note_user_values();
+    for (std::size_t i = 0; i < events.size(); ++i) {
+      note_user_value(static_cast<int>(i), samples.user[i].back());
     }
     return true;
   }
@@ -305,7 +304,9 @@ void MotionImpl::restore(const MotionState& s) {
   pending.reset();
   stepper->restart(now, s.numbers);
   look_at(now, s.numbers);
-  note_user_values();
+  for (std::size_t i = 0; i < events.size(); ++i) {
+    user_values[i] = events[i].function(sample);
+  }
 }
 
 Motion::Motion(const System& system, std::vector<HingeFriction> friction,
@@ -337,6 +338,9 @@ int Motion::add_event(MotionEvent event) {
   impl_->events.push_back(std::move(event));
   impl_->go_to(impl_->now);
   impl_->user_values.push_back(impl_->events.back().function(impl_->sample));
+  impl_->needs_forces.push_back(false);
+  impl_->crossings.emplace_back();
+  impl_->samples.user.emplace_back();
   return static_cast<int>(impl_->events.size()) - 1;
 }
 void Motion::watch_steps(std::function<void(const MotionSample&)> look) {

@@ -155,7 +155,10 @@ class MotionSample {
   MotionImpl* motion_;
 };
 
-/// An application's event: a function that crosses 0.
+/// An application's event: a function that crosses 0, continuous between
+/// changes of hinges and breaks of the forces. Crossings that come back within
+/// a step are found where the function is about a polynomial of degree 6 over
+/// it; MotionOptions::longest_step helps where it is not.
 struct MotionEvent {
   enum class Crossing { rising, falling, either };
   std::function<double(const MotionSample&)> function;

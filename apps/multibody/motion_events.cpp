@@ -106,17 +106,6 @@ std::optional<double> MotionImpl::crossing(const Watch& watch) {
   };
   const double end = at_end();
   switch (watch.kind) {
-    case Kind::slip_ends: {
-      if (!(end <= 0)) return {};
-      const double begin = at_begin();
-      if (begin > 0) return locate(watch, t0, begin, t1, end);
-      // Begun and stopped within the step; or it never got under way.
-      for (double part = t1 - t0; t0 + part > t0; part /= 2) {
-        const double way = value_at(watch, t0 + part);
-        if (way > 0) return locate(watch, t0 + part, way, t1, end);
-      }
-      return t0;
-    }
     case Kind::slows_down: {
       if (options.integrator == Integrator::rk4 && stops_in_step(watch.index)) {
         return t0;
@@ -150,36 +139,28 @@ std::optional<double> MotionImpl::crossing(const Watch& watch) {
       if (!(peak.second > 0)) return {};
       return locate(watch, t0, begin, peak.first, peak.second);
     }
-    case Kind::user: {
-      const double begin = user_values[watch.index];
-      const MotionEvent::Crossing way = events[watch.index].crossing;
-      const bool rises = begin < 0 && end >= 0;
-      const bool falls = begin > 0 && end <= 0;
-      if ((rises && way != MotionEvent::Crossing::falling) ||
-          (falls && way != MotionEvent::Crossing::rising)) {
-        // What is stored may be from just before a crossing already reported.
-        const double now_begin = at_begin();
-        if ((now_begin < 0) != (begin < 0)) return t0;
-        return locate(watch, t0, now_begin, t1, end);
-      }
-      return {};
-    }
+    case Kind::slip_ends:
+    case Kind::user:
+      break;  // motion_crossings.cpp
   }
   return {};
 }
 
 std::optional<MotionImpl::Found> MotionImpl::find_event() {
   trial_.resize(number_count());
+  sample_step();
   std::optional<Found> first;
+  const auto add = [&](const Found& found) {
+    if (!first || found.time < first->time) first = found;
+  };
   const auto look_for = [&](Kind kind, int index) {
     const Watch watch{kind, index};
-    const std::optional<double> time = crossing(watch);
-    if (time && (!first || *time < first->time)) first = Found{*time, watch};
+    if (const auto time = crossing(watch)) add({*time, watch});
   };
   for (int i = 0; i < loads(); ++i) {
     if (coupled.mode(i) == HingeMode::sliding && coupled.can_rest(i)) {
       if (is_axis(i) || coupled.slides_straight(i)) {
-        look_for(Kind::slip_ends, i);
+        if (const auto time = slip_end(i)) add({*time, {Kind::slip_ends, i}});
         if (!is_axis(i)) look_for(Kind::speeds_up, i);
       } else {
         look_for(Kind::slows_down, i);
@@ -190,30 +171,10 @@ std::optional<MotionImpl::Found> MotionImpl::find_event() {
     }
   }
   for (int i = 0; i < static_cast<int>(events.size()); ++i) {
-    look_for(Kind::user, i);
+    const auto crossed = crossings[i] = user_crossing(i);
+    if (crossed) add({crossed->time, {Kind::user, i}, crossed->rises});
   }
   return first;
-}
-
-void MotionImpl::note_user_values() {
-  for (std::size_t i = 0; i < events.size(); ++i) {
-    user_values[i] = events[i].function(sample);
-  }
-}
-
-// An event whose function jumped over 0 when a hinge changed.
-std::optional<int> MotionImpl::user_jump() {
-  for (std::size_t i = 0; i < events.size(); ++i) {
-    const double before = user_values[i];
-    const double after = events[i].function(sample);
-    user_values[i] = after;
-    const MotionEvent::Crossing way = events[i].crossing;
-    if ((before < 0 && after >= 0 && way != MotionEvent::Crossing::falling) ||
-        (before > 0 && after <= 0 && way != MotionEvent::Crossing::rising)) {
-      return static_cast<int>(i);
-    }
-  }
-  return {};
 }
 
 // True: an event of the application, or an end.
@@ -222,9 +183,8 @@ bool MotionImpl::handle(const Found& found) {
   look_at(now, stepper->end_state());
   const int i = found.watch.index;
   if (found.watch.kind == Kind::user) {
-    // It counts as crossed from here on, whatever rounding says.
-    constexpr double tiny = std::numeric_limits<double>::min();
-    user_values[i] = user_values[i] < 0 ? tiny : -tiny;
+    note_user_values();
+    user_values[i] = found.rises ? just_crossed : -just_crossed;
     event = i;
     return true;
   }

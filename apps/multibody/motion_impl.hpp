@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -13,7 +14,8 @@ namespace multibody {
 
 /// The parts of Motion: motion_rates.cpp has the right-hand side and what is
 /// seen of a state, motion_modes.cpp stops and changes of hinges,
-/// motion_events.cpp finds them, motion.cpp is the way through time.
+/// motion_events.cpp finds them, with motion_crossings.cpp for what crosses 0
+/// within a step, motion.cpp is the way through time.
 ///
 /// Numbers of a state: those of StateLayout; for each load the work that
 /// friction took; the work of the force model; for each load the integral of
@@ -73,6 +75,7 @@ class MotionImpl {
   struct Found {
     double time;
     Watch watch;
+    bool rises = false;  ///< user: which way
   };
   double value(const Watch& watch);
   /// The first crossing of the last step.
@@ -86,6 +89,33 @@ class MotionImpl {
   double locate(const Watch& watch, double low, double low_value, double high,
                 double high_value);
   bool handle(const Found& found);
+
+  // motion_crossings.cpp
+  /// Values at points of the last step, those of the beginning first.
+  struct StepSamples {
+    static constexpr int last = 6;
+    using Values = std::array<double, last + 1>;
+    std::vector<Values> user;  ///< of each event
+    std::vector<char> full;    ///< all of them, not just the end and middle
+    std::vector<Values> slip;  ///< of each load: rate along its direction
+  };
+  struct Crossed {
+    double time;
+    bool rises;
+  };
+  bool slides_to_stop(int load) const {
+    return coupled.mode(load) == HingeMode::sliding && coupled.can_rest(load) &&
+           (is_axis(load) || coupled.slides_straight(load));
+  }
+  double sample_time(int k) const;
+  void sample_step();
+  std::optional<Crossed> first_crossing(const Watch& watch,
+                                        StepSamples::Values values,
+                                        double before,
+                                        MotionEvent::Crossing way);
+  std::optional<Crossed> user_crossing(int event);
+  std::optional<double> slip_end(int load);
+  void note_user_value(int event, double value);
   void note_user_values();
   std::optional<int> user_jump();
 
@@ -121,6 +151,13 @@ class MotionImpl {
   std::vector<MotionEvent> events;
   std::vector<double> user_values;
   std::function<void(const MotionSample&)> step_watch;
+  /// Size of the value of an event at 0 whose sign is known, whatever rounding
+  /// says: of one that has been reported, or is about to be.
+  static constexpr double just_crossed = std::numeric_limits<double>::min();
+  /// Of each event: its function has asked for forces.
+  std::vector<char> needs_forces;
+  std::vector<std::optional<Crossed>> crossings;  ///< in the last step
+  StepSamples samples;
   /// Speed at which a ball joint began to slide straight on.
   std::vector<double> straight_from;
   std::vector<HingeChange> changes;
@@ -155,6 +192,7 @@ class MotionImpl {
   std::vector<BodyMotion> rate_bodies_;
   Loading<double> loading_;
   std::vector<double> trial_;
+  bool forces_asked_ = false;
   struct Unit {
     double force = 1;
     double moment = 1;

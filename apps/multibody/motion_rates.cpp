@@ -101,6 +101,7 @@ void MotionImpl::look_at(double time, std::span<const double> state) {
 }
 
 bool MotionImpl::work_out() {
+  forces_asked_ = true;
   if (!worked_out) {
     view_rates.resize(view_state.size());
     worked_well = rates(view_time, view_state.data(), view_rates.data());

@@ -16,6 +16,7 @@ class Rk4Stepper final : public Stepper {
     begin_ = end_ = time;
     from_.assign(state.begin(), state.end());
     to_ = from_;
+    end_known_ = false;
     for (auto* v : {&k1_, &k2_, &k3_, &k4_, &trial_}) v->resize(state.size());
   }
 
@@ -26,8 +27,13 @@ class Rk4Stepper final : public Stepper {
     constexpr double rounding = 1e-9;
     const bool last = limit - begin_ <= (1 + rounding) * step_;
     end_ = last ? limit : begin_ + step_;
-    return rates_(begin_, from_.data(), k1_.data()) &&
-           rest_of_step(end_ - begin_, to_);
+    if (end_known_) {
+      std::swap(k1_, end_rates_);
+    } else if (!rates_(begin_, from_.data(), k1_.data())) {
+      return false;
+    }
+    end_known_ = false;
+    return rest_of_step(end_ - begin_, to_);
   }
 
   double begin() const override { return begin_; }
@@ -43,6 +49,21 @@ class Rk4Stepper final : public Stepper {
     result_.resize(from_.size());
     rest_of_step(time - begin_, result_);
     std::ranges::copy(result_, state.begin());
+  }
+
+  // Hermite's cubic between the ends, whose last rates are the first of the
+  // next step.
+  void estimate(double time, std::span<double> state) override {
+    const double h = end_ - begin_;
+    if (!end_known_) {
+      end_rates_.resize(to_.size());
+      end_known_ = h > 0 && rates_(end_, to_.data(), end_rates_.data());
+    }
+    if (!end_known_) {
+      interpolate(time, state);
+      return;
+    }
+    hermite(from_, k1_, to_, end_rates_, h, (time - begin_) / h, state);
   }
 
   double next_step() const override { return step_; }
@@ -73,6 +94,8 @@ class Rk4Stepper final : public Stepper {
   double begin_ = 0;
   double end_ = 0;
   std::vector<double> from_, to_, k1_, k2_, k3_, k4_, trial_, result_;
+  std::vector<double> end_rates_;  // at the end of the last step
+  bool end_known_ = false;
 };
 
 }  // namespace

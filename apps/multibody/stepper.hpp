@@ -11,6 +11,21 @@ namespace multibody {
 using RateFunction =
     std::function<bool(double time, const double* state, double* rates)>;
 
+/// Hermite's cubic through states and rates at the ends of a step.
+/// @param h  length of the step, s
+/// @param s  share of it, 0 to 1
+inline void hermite(std::span<const double> from,
+                    std::span<const double> from_rates,
+                    std::span<const double> to,
+                    std::span<const double> to_rates, double h, double s,
+                    std::span<double> state) {
+  const double rest = 1 - s;
+  for (std::size_t i = 0; i < to.size(); ++i) {
+    state[i] = rest * rest * ((1 + 2 * s) * from[i] + s * h * from_rates[i]) +
+               s * s * ((3 - 2 * s) * to[i] - rest * h * to_rates[i]);
+  }
+}
+
 /// Steps through time, one at a time. One step lies between start and end.
 class Stepper {
  public:
@@ -26,6 +41,8 @@ class Stepper {
   virtual std::span<const double> end_state() const = 0;
   /// In the last step, begin() <= time <= end().
   virtual void interpolate(double time, std::span<double> state) = 0;
+  /// The same as nearly as it can be had for next to nothing.
+  virtual void estimate(double time, std::span<double> state) = 0;
   /// Length of the next step, s; for a later restart.
   virtual double next_step() const = 0;
   virtual void set_next_step(double step) = 0;
