@@ -30,10 +30,10 @@ namespace contact {
 /// throws.
 class JointFollower {
  public:
+  /// By the instruction set that suits so many joints.
   /// @param contacts  of balls and pins, with friction
-  /// @param set       instruction set, a supported one; by default the one
-  ///                  that suits so many joints
   explicit JointFollower(std::vector<JointContact> contacts);
+  /// @param set  a supported one
   JointFollower(std::vector<JointContact> contacts, InstructionSet set);
 
   int size() const { return static_cast<int>(contacts_.size()); }
