@@ -86,17 +86,21 @@ void store(const FrictionIntegrals& r, std::size_t i,
 
 /// ∬ p sin^2 t dS for the pressure that carries the force 1, by parts.
 double second_moment(const PressureLaw& law, double half_angle) {
-  constexpr int size = 24;
+  // x = u^2 for the logarithm of an exact pressure.
+  constexpr int size = 40;
   static const detail::GaussLegendre gauss(size);
   std::array<double, size> x, slope;
-  for (int i = 0; i < size; ++i) x[i] = (1 + gauss.node(i)) / 2;
+  for (int i = 0; i < size; ++i) {
+    const double u = (1 + gauss.node(i)) / 2;
+    x[i] = u * u;
+  }
   law.edge_slopes(half_angle, x, slope);
   const double b = std::tan(half_angle / 2);
   double sum = 0;
   for (int i = 0; i < size; ++i) {
     const double tangent2 = b * b * (1 - x[i]) * (1 + x[i]);
     const double u = 2 * tangent2 / (1 + tangent2);  // 1 - cos t
-    sum += gauss.weight(i) / 2 * slope[i] * u * u * (1 - u / 3);
+    sum += gauss.weight(i) * std::sqrt(x[i]) * slope[i] * u * u * (1 - u / 3);
   }
   return 2 * std::numbers::pi * sum;
 }

@@ -23,9 +23,8 @@ namespace contact {
 ///         R_n = rho^2 p(0) normal; and normal = 1/peak. Force and sliding
 ///         even, spinning odd in a.
 ///         Relative error of each coefficient, given the law's own pressure,
-///         at most 1e-10 for theta0 <= 120 deg; ExactPressure 3e-9, its small
-///         terms of a high order not being resolved (friction_pressure_test
-///         .cpp, against quadrature of the definition and by parts). NaN if an
+///         at most 1e-10 for theta0 <= 120 deg (friction_pressure_test.cpp,
+///         against quadrature of the definition and by parts). NaN if an
 ///         argument is NaN or out of its interval.
 /// Does not throw. The first calls with a law other than CosinePressure make
 /// tables of nodes, later ones do not allocate.
@@ -51,7 +50,7 @@ void friction_integrals(const PressureLaw& law, const FrictionBatchInput& in,
 ///
 /// `pressure` and `normal` as in friction_integrals(). Relative error, given
 /// the law's own pressure, at most 1e-11 for theta0 <= 120 deg
-/// (friction_pressure_test.cpp), ExactPressure 1e-10.
+/// (friction_pressure_test.cpp).
 FrictionIntegrals viscous_friction_integrals(const PressureLaw& law,
                                              double half_angle, SlipAxis axis);
 

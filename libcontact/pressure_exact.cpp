@@ -8,143 +8,169 @@
 
 #include "libcontact/conforming/ball.hpp"
 #include "libcontact/conforming/pin.hpp"
+#include "libcontact/detail/edge_fit.hpp"
 #include "libcontact/detail/edge_polynomial.hpp"
 #include "libcontact/detail/gauss_legendre.hpp"
+#include "libcontact/detail/wide_edge.hpp"
 
 namespace contact {
 namespace {
 
+using detail::EdgeFit;
+using detail::WideEdge;
+
 constexpr double pi = std::numbers::pi;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double usual_largest = 2 * pi / 3;
-// Series in theta0 that reached farther would be poor ones at small theta0.
-constexpr double most_largest = 5 * pi / 6;
 
-// What p = sum a_k sin((2k+1) phi) carries, and the sum of its pressures.
+// Sines of a law that its expansion() takes over.
+int expansion_terms(int terms) {
+  return std::min(terms, PressureExpansion::max_terms);
+}
+
+// What p carries, and the sum of its pressures.
 struct Resultants {
   double load;
   double sum;
 };
 
-// By Gauss' rule in x = sin phi, where p and the rest of the integrand are
-// analytic: 40 nodes leave 1e-16 at 120 deg, 1e-13 at 165 deg.
-Resultants resultants(JointKind kind, double half_angle,
-                      std::span<const double> coefficients) {
-  static const detail::GaussLegendre rule(40);
-  const double h = std::sin(half_angle / 2);
-  const double c = std::cos(half_angle / 2);
+// By Gauss' rule in phi, where the integrand is analytic but for
+// phi^4 ln(phi).
+Resultants resultants(JointKind kind, const ContactPressure& p) {
+  static const detail::GaussLegendre rule(48);
+  const WideEdge edge(p.half_angle());
+  const double b = std::tan(p.half_angle() / 2);
   Resultants r{0, 0};
   for (int i = 0; i < rule.node.size(); ++i) {
     const double phi = pi / 4 * (1 + rule.node(i));
     const double x = std::sin(phi);
-    double p = 0;
-    for (std::size_t k = 0; k < coefficients.size(); ++k) {
-      p += coefficients[k] * std::sin((2 * static_cast<double>(k) + 1) * phi);
-    }
-    // tan(t/2) = b cos phi: 1/cos^2(t/2) = (1 - h^2 x^2)/c^2.
-    const double rest = (1 - h * x) * (1 + h * x);
-    const double cosine = 2 * c * c / rest - 1;
-    // |dt| = 2 b x dphi cos^2(t/2); a pin has two sides.
-    double area = pi / 4 * rule.weight(i) * 2 * h * c * x / rest;
-    if (kind == JointKind::spherical) {
-      // sin t = 2 h c cos(phi)/rest
-      area *= 2 * pi * 2 * h * c * std::cos(phi) / rest;
-    } else {
-      area *= 2;
-    }
-    r.load += p * cosine * area;
-    r.sum += p * area;
+    const double share = edge.cosine() * edge.tangent_share(x * x);
+    const double t = 2 * std::atan(b * std::cos(phi) * std::sqrt(share));
+    // dt by d(x^2); a pin has two sides.
+    const double area =
+        pi / 4 * rule.weight(i) * std::sin(2 * phi) / edge.square_slope(t) *
+        (kind == JointKind::spherical ? 2 * pi * std::sin(t) : 2.0);
+    r.sum += p.pressure(t) * area;
+    r.load += p.pressure(t) * area * std::cos(t);
   }
   return r;
 }
 
 }  // namespace
 
-ExactPressure::ExactPressure(JointKind kind, const ElasticPair& pair,
-                             InnerLoading loading)
-    : PressureLaw(kind) {
-  if (kind == JointKind::spherical) {
-    tabulate(BallContact(pair, loading));
-    return;
+void ExactPressure::Series::add(std::span<const double> values, int i,
+                                int count) {
+  rows_.resize(static_cast<std::size_t>(count) * width_);
+  double* row = rows_.data();
+  for (int j = 0; j < count; ++j, row += width_) {
+    const double factor =
+        (j == 0 ? 1.0 : 2.0) / count * std::cos(j * pi * (i + 0.5) / count);
+    for (int k = 0; k < width_; ++k) row[k] += factor * values[k];
   }
-  const PinContact contact(pair, loading);
-  if (contact.limit_half_angle().status == Status::ok) {
-    tabulate(contact);
-  } else {
-    tabulate(PinContact(pair, loading, PinContact::max_unknowns));
-  }
-}
-
-template <class Contact>
-void ExactPressure::tabulate(const Contact& contact) {
-  const JointKind kind = joint_kind();
-  const bool ball = kind == JointKind::spherical;
-  const ExactHalfAngle limit = contact.limit_half_angle();
-  const double wanted =
-      limit.status == Status::ok ? limit.half_angle : contact.largest();
-  largest_ = std::min(
-      {std::max(wanted, usual_largest), contact.largest(), most_largest});
-  const int count = largest_ > usual_largest ? 48 : 28;
-  series_.assign(count, Column{});
-  for (int i = 0; i < count; ++i) {
-    const double phase = pi * (i + 0.5) / count;
-    const double share = (1 + std::cos(phase)) / 2;
-    const double half_angle = largest_ * (ball ? share * share : share);
-    const ContactPressure solved = contact.pressure(half_angle);
-    Column value{};
-    std::copy_n(solved.coefficients().begin(), terms, value.begin());
-    const auto coefficients = std::span(value).first(terms);
-    // The solver's own load is off by its truncation.
-    const auto [load, sum] = resultants(kind, half_angle, coefficients);
-    const double length = 2 * std::sin(half_angle / 2);
-    for (double& a : coefficients)
-      a *= (ball ? length * length : length) / load;
-    value[terms] = sum / load;
-    for (int j = 0; j < count; ++j) {
-      const double factor = (j == 0 ? 1.0 : 2.0) / count * std::cos(j * phase);
-      for (int k = 0; k <= terms; ++k) series_[j][k] += factor * value[k];
-    }
-    // Far below the accuracy of the law; equal materials need few terms.
-    const double negligible = 1e-13 * std::abs(value[0]);
-    for (int k = size_; k < terms; ++k) {
-      if (std::abs(value[k]) > negligible) size_ = k + 1;
-    }
-  }
-  for (const Column& column : series_) {
-    std::array<double, terms> a;
-    std::copy_n(column.begin(), terms, a.begin());
-    std::fill(a.begin() + size_, a.end(), 0);
-    polynomials_.push_back(detail::edge_polynomial(a));
+  if (i + 1 < count) return;
+  // The last point: rows that are rounding go.
+  const auto largest = [&](std::span<const double> row_values) {
+    double m = 0;
+    for (const double v : row_values) m = std::max(m, std::abs(v));
+    return m;
+  };
+  const auto width = static_cast<std::size_t>(width_);
+  const double rounding = 1e-15 * largest(std::span(rows_).first(width));
+  while (largest(std::span(rows_).last(width)) < rounding) {
+    rows_.resize(rows_.size() - width);
   }
 }
 
-template <std::size_t size>
-void ExactPressure::chebyshev_sum(
-    const std::vector<std::array<double, size>>& series, double half_angle,
-    std::array<double, size>& sum) const noexcept {
-  const double share = half_angle / largest_;
-  const bool ball = joint_kind() == JointKind::spherical;
-  const double v = 2 * (ball ? std::sqrt(share) : share) - 1;
+void ExactPressure::Series::evaluate(double v, std::span<double> sum) const {
+  std::fill_n(sum.begin(), width_, 0);
   // T_{j+1} = 2 v T_j - T_{j-1}
   double last = v;  // T_{-1}
   double now = 1;
-  for (const auto& row : series) {
-    for (std::size_t k = 0; k < size; ++k) sum[k] += now * row[k];
+  for (auto row = rows_.begin(); row != rows_.end(); row += width_) {
+    for (int k = 0; k < width_; ++k) sum[k] += now * row[k];
     const double next = 2 * v * now - last;
     last = now;
     now = next;
   }
 }
 
+ExactPressure::ExactPressure(JointKind kind, const ElasticPair& pair,
+                             InnerLoading loading)
+    : PressureLaw(kind) {
+  if (kind == JointKind::spherical) {
+    // More unknowns for the pressure; the limit is that of the half-angles.
+    tabulate(BallContact(pair, loading, 24),
+             BallContact(pair, loading).limit_half_angle());
+    return;
+  }
+  const PinContact contact(pair, loading);
+  const ExactHalfAngle limit = contact.limit_half_angle();
+  if (limit.status == Status::ok) {
+    tabulate(contact, limit);
+  } else {
+    const PinContact fine(pair, loading, PinContact::max_unknowns);
+    tabulate(fine, fine.limit_half_angle());
+  }
+}
+
+template <class Contact>
+void ExactPressure::tabulate(const Contact& contact,
+                             const ExactHalfAngle& limit) {
+  const JointKind kind = joint_kind();
+  const bool ball = kind == JointKind::spherical;
+  const double wanted =
+      limit.status == Status::ok ? limit.half_angle : contact.largest();
+  largest_ = std::min(std::max(wanted, usual_largest), contact.largest());
+  const bool wide = largest_ > usual_largest;
+  terms_ = wide ? EdgeFit::wide_terms : EdgeFit::usual_terms;
+  const int count = wide ? 64 : 28;
+  contact_ = Series(terms_ + logarithms + 1);
+  expansion_ = Series(expansion_terms(terms_) + logarithms);
+  for (int i = 0; i < count; ++i) {
+    const double share = (1 + std::cos(pi * (i + 0.5) / count)) / 2;
+    const double half_angle = largest_ * (ball ? share * share : share);
+    const ContactPressure solved = contact.pressure(half_angle, terms_);
+    // The solver's own load is off by its truncation.
+    const auto [load, sum] = resultants(kind, solved);
+    const double scale = 1 / (load * in_pressure_units(1, half_angle));
+
+    Column value{};
+    const auto end = std::ranges::copy(solved.coefficients(), value.begin());
+    std::ranges::copy(solved.logarithmic(), end.out);
+    for (double& v : value) v *= scale;
+    value[contact_.width() - 1] = sum / load;
+    contact_.add(value, i, count);
+
+    std::array<double, PressureExpansion::max_terms> a{};
+    std::copy_n(value.begin(), expansion_terms(terms_), a.begin());
+    // Far below the accuracy of the law; equal materials need few terms.
+    const double negligible = 1e-13 * std::abs(value[0]);
+    for (int k = expansion_size_; k < PressureExpansion::max_terms; ++k) {
+      if (half_angle <= usual_largest && std::abs(a[k]) > negligible) {
+        expansion_size_ = k + 1;
+      }
+    }
+    const auto c = detail::edge_polynomial(a);
+    Column expansion{};
+    const auto rest =
+        std::copy_n(c.begin(), expansion_terms(terms_), expansion.begin());
+    std::copy_n(value.begin() + terms_, logarithms, rest);
+    expansion_.add(expansion, i, count);
+  }
+}
+
+double ExactPressure::chebyshev_variable(double half_angle) const noexcept {
+  if (!has(half_angle)) return nan;
+  const double share = half_angle / largest_;
+  const bool ball = joint_kind() == JointKind::spherical;
+  return 2 * (ball ? std::sqrt(share) : share) - 1;
+}
+
 ExactPressure::Column ExactPressure::evaluate(
     double half_angle) const noexcept {
-  Column sum{};
-  if (has(half_angle)) {
-    chebyshev_sum(series_, half_angle, sum);
-  } else {
-    sum.fill(nan);
-  }
-  return sum;
+  Column column{};
+  contact_.evaluate(chebyshev_variable(half_angle), column);
+  return column;
 }
 
 double ExactPressure::in_pressure_units(double value,
@@ -156,10 +182,11 @@ double ExactPressure::in_pressure_units(double value,
 
 ContactPressure ExactPressure::contact(double half_angle) const noexcept {
   Column values = evaluate(half_angle);
-  for (int k = 0; k < terms; ++k) {
-    values[k] = in_pressure_units(values[k], half_angle);
-  }
-  return {half_angle, values[terms], std::span(values).first(terms)};
+  const double force_ratio = values[contact_.width() - 1];
+  for (double& v : values) v = in_pressure_units(v, half_angle);
+  const std::span all(values);
+  return {half_angle, force_ratio, all.first(terms_),
+          all.subspan(terms_, logarithms)};
 }
 
 double ExactPressure::pressure(double theta, double half_angle) const noexcept {
@@ -178,54 +205,44 @@ double ExactPressure::slope(double theta, double half_angle) const noexcept {
 void ExactPressure::edge_slopes(double half_angle,
                                 std::span<const double> edge_variable,
                                 std::span<double> out) const noexcept {
-  Column values = evaluate(half_angle);
-  const double unit = in_pressure_units(1, half_angle);
-  for (int k = 0; k < terms; ++k) values[k] *= (2 * k + 1) * unit;
-  // cos((2k+1) phi)/cos(phi) = f_k, f_{k+1} = 2 cos(2 phi) f_k - f_{k-1},
-  // f_0 = f_{-1} = 1.
-  // Clenshaw's recurrence on blocks, which compilers vectorise.
-  constexpr std::size_t block = 8;
-  for (std::size_t first = 0; first < edge_variable.size(); first += block) {
-    const std::size_t size = std::min(block, edge_variable.size() - first);
-    std::array<double, block> twice{};
-    for (std::size_t i = 0; i < size; ++i) {
-      const double x = edge_variable[first + i];
-      twice[i] = 2 * (1 - 2 * x * x);
-    }
-    std::array<double, block> b0{};
-    std::array<double, block> b1{};
-    for (int k = terms - 1; k >= 0; --k) {
-      for (std::size_t i = 0; i < block; ++i) {
-        const double b = twice[i] * b0[i] - b1[i] + values[k];
-        b1[i] = b0[i];
-        b0[i] = b;
-      }
-    }
-    for (std::size_t i = 0; i < size; ++i) out[first + i] = b0[i] - b1[i];
+  const ContactPressure p = contact(half_angle);
+  const WideEdge edge(half_angle);
+  // x^2 = share y^2, dx/dy = share^(3/2)/c.
+  for (std::size_t i = 0; i < edge_variable.size(); ++i) {
+    const double y2 = edge_variable[i] * edge_variable[i];
+    out[i] = edge.share(y2) * y2;
+  }
+  p.edge_slopes(out, out);
+  for (std::size_t i = 0; i < edge_variable.size(); ++i) {
+    const double share = edge.share(edge_variable[i] * edge_variable[i]);
+    out[i] *= share * std::sqrt(share) / edge.cosine();
   }
 }
 
 PressureExpansion ExactPressure::expansion(double half_angle) const noexcept {
-  PressureExpansion result{.size = size_};
-  if (!has(half_angle)) {
-    result.coefficient.fill(nan);
-    return result;
-  }
-  chebyshev_sum(polynomials_, half_angle, result.coefficient);
+  PressureExpansion result{.size = expansion_size_};
+  Column values{};
+  expansion_.evaluate(chebyshev_variable(half_angle), values);
   const double unit = in_pressure_units(1, half_angle);
-  for (double& c : result.coefficient) c *= unit;
+  const auto scaled = [unit](double value) { return value * unit; };
+  const std::span all(values);
+  const int terms = expansion_terms(terms_);
+  std::ranges::transform(all.first(terms), result.coefficient.begin(), scaled);
+  std::ranges::transform(all.subspan(terms, logarithms),
+                         result.logarithmic.begin(), scaled);
+  result.edge_constant = WideEdge(half_angle).constant();
   return result;
 }
 
 double ExactPressure::peak(double half_angle) const noexcept {
   const Column values = evaluate(half_angle);
   double sum = 0;
-  for (int k = terms - 1; k >= 0; --k) sum = values[k] - sum;
+  for (int k = terms_ - 1; k >= 0; --k) sum = values[k] - sum;
   return in_pressure_units(sum, half_angle);
 }
 
 double ExactPressure::force_ratio(double half_angle) const noexcept {
-  return evaluate(half_angle)[terms];
+  return evaluate(half_angle)[contact_.width() - 1];
 }
 
 }  // namespace contact

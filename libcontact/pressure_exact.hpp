@@ -13,24 +13,23 @@
 namespace contact {
 
 /// The pressure of the exact conforming contact (PinContact, BallContact) of
-/// one elastic pair, for any half-angle:
+/// one elastic pair, for any half-angle: the expansion of ContactPressure,
 ///
-///     p = sum a_k sin((2k+1) phi),  x = sin(phi) the edge variable,
+///     p = sum a_k sin((2k+1) phi) + x^3 ln x sum b_k x^(2k),  x = sin(phi),
 ///
-/// with the a_k, times 2 sin(theta0/2) (pin) or its square (ball), as
+/// with the a_k and b_k, times 2 sin(theta0/2) (pin) or its square (ball), as
 /// Chebyshev series in theta0 (pin) or sqrt(theta0) (ball). The constructor
 /// solves the contact at 28 half-angles or more, some milliseconds for a ball:
 /// make one law per joint. Threads may share one.
 ///
-/// Accuracy (pressure_family_test.cpp), theta0 <= 120 deg: within 5e-6 of the
-/// peak of the solver's own pressure, which the logarithm at the edge of
-/// unlike materials costs (3e-8 for equal ones); S within 1e-7. The load is
-/// carried to 2e-12.
+/// Accuracy (pressure_family_test.cpp): within 5e-8 of the peak of the
+/// solver's own pressure for theta0 <= 120 deg, 2e-7 up to the largest; S
+/// within 1e-8 and 1e-7. The load is carried to 1e-12.
 ///
 /// Half-angles beyond the pair's limit half-angle, which other half-angle laws
-/// may ask for, belong to a ball or pin with interference. The largest is
-/// 120 deg, or the limit half-angle up to 150 deg where that is larger, or
-/// where the solver ends if that is less.
+/// may ask for, belong to a ball or pin with interference. The largest is the
+/// limit half-angle, or 120 deg where that is larger, or where the solver
+/// ends if that is less.
 class ExactPressure final : public PressureLaw {
  public:
   /// @param loading  how the inner body is loaded; the force at its centre
@@ -52,24 +51,35 @@ class ExactPressure final : public PressureLaw {
   ContactPressure contact(double half_angle) const noexcept;
 
  private:
-  /// Terms of p in phi.
-  static constexpr int terms = PressureExpansion::max_terms;
-  /// The a_k, times 2 sin(theta0/2) or its square, and S.
-  using Column = std::array<double, terms + 1>;
+  static constexpr int logarithms = ContactPressure::logarithms;
+  /// Chebyshev series of several functions of theta0, one row a degree.
+  class Series {
+   public:
+    explicit Series(int width) : width_(width) {}
+    int width() const { return width_; }
+    /// Takes the functions' values at point i of count.
+    void add(std::span<const double> values, int i, int count);
+    /// At v in [-1, 1].
+    void evaluate(double v, std::span<double> sum) const;
+
+   private:
+    int width_;
+    std::vector<double> rows_;
+  };
+  static constexpr int max_width = ContactPressure::max_terms + logarithms + 1;
+  using Column = std::array<double, max_width>;
 
   template <class Contact>
-  void tabulate(const Contact& contact);
+  void tabulate(const Contact& contact, const ExactHalfAngle& limit);
+  double chebyshev_variable(double half_angle) const noexcept;
   Column evaluate(double half_angle) const noexcept;
-  template <std::size_t size>
-  void chebyshev_sum(const std::vector<std::array<double, size>>& series,
-                     double half_angle,
-                     std::array<double, size>& sum) const noexcept;
   double in_pressure_units(double value, double half_angle) const noexcept;
 
   double largest_;
-  int size_ = 0;  // terms that count
-  std::vector<Column> series_;
-  std::vector<std::array<double, terms>> polynomials_;  // of expansion()
+  int terms_ = 0;
+  int expansion_size_ = 1;  // terms that count
+  Series contact_{0};       // a_k, b_k, S
+  Series expansion_{0};     // c_k, b_k of expansion()
 };
 
 }  // namespace contact

@@ -41,7 +41,10 @@ double MixturePressure::sqrt_tan_share(double half_angle) const noexcept {
   for (int k = detail::mixture_terms - 1; k >= 0; --k) {
     sum = (sum + c.equal[k] + contrast_ * c.contrast[k]) * h;
   }
-  return 1 - sum;
+  double share = 1 - sum;
+  const double cosine = std::cos(half_angle / 2);
+  for (int i = 0; i < c.power; ++i) share *= cosine;
+  return share;
 }
 
 double MixturePressure::mix(double half_angle, double sqrt_tan,

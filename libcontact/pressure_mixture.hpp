@@ -21,16 +21,17 @@ double pressure_contrast(JointKind kind, const ElasticPair& pair);
 /// p = w p[sqrt_tan] + (1 - w) p[cosine]: the exact pressure in closed form,
 /// nearly, for 0 <= theta0 <= 175 deg.
 ///
-///     w = 1 - sum_k (c_k + D d_k) sin^k(theta0/2),  k = 1 to 5
+///     w = cos^m(theta0/2) (1 - sum_k (c_k + D d_k) sin^k(theta0/2)),
 ///
-/// with D = pressure_contrast(); the c_k and d_k are fitted to S of the exact
-/// pressures of 85 pairs (libcontact/reference/fit_pressure_mixture.cpp). One
-/// weight serves all: S, the peak and the friction coefficients.
+/// k = 1 to 5, m = 2 (ball) or 3 (pin), with D = pressure_contrast(); the c_k
+/// and d_k are fitted to S of the exact pressures of 85 pairs
+/// (libcontact/reference/fit_pressure_mixture.cpp). One weight serves all: S,
+/// the peak and the friction coefficients.
 ///
 /// Accuracy against ExactPressure (pressure_family_test.cpp), on pairs not used
 /// in the fit, Ebar 0 to infinity, nu 0 to 0.5, theta0 up to the limit
-/// half-angle or 120 deg: S within 0.8 % (ball) and 0.1 % (pin), the peak
-/// within 3.1 % and 0.7 %. Beyond 120 deg it is no longer close.
+/// half-angle: S within 0.8 % (ball) and 0.1 % (pin), the peak within 2.5 %
+/// and 0.7 %.
 class MixturePressure final : public PressureLaw {
  public:
   MixturePressure(JointKind kind, const ElasticPair& pair);

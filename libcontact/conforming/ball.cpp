@@ -10,9 +10,11 @@
 #include "libcontact/detail/back_displacement.hpp"
 #include "libcontact/detail/ball_kernel.hpp"
 #include "libcontact/detail/check.hpp"
+#include "libcontact/detail/edge_fit.hpp"
 #include "libcontact/detail/gauss_legendre.hpp"
 #include "libcontact/detail/half_angle_root.hpp"
 #include "libcontact/detail/legendre_galerkin.hpp"
+#include "libcontact/detail/wide_edge.hpp"
 
 // Letters as in docs/conforming.md: h(f) is the Abel transform of the
 // pressure, H_n its moment with cos((n + 1/2) f).
@@ -52,8 +54,13 @@ class EdgeCorrectedSlope {
   // log_coefficient: A theta0.
   EdgeCorrectedSlope(const Vector& h, const LegendreGalerkin& galerkin,
                      double log_coefficient)
-      : edge_(log_coefficient / (2 * pi) * edge_slope(h)),
+      : at_edge_(slope(h) /
+                 (1 + log_coefficient / (2 * pi) * slope(galerkin.edge_term))),
+        edge_(log_coefficient / (2 * pi) * at_edge_),
         smooth_(without_edge_term(h, galerkin, edge_)) {}
+
+  // s: that of the series without its part of chi, whose slope is 0.
+  double at_edge() const { return at_edge_; }
 
   // At v, given with 1 - v^2.
   double operator()(double v, double rest) const {
@@ -61,8 +68,8 @@ class EdgeCorrectedSlope {
   }
 
  private:
-  // s = -h'(1), P_n'(1) = n (n + 1)/2.
-  static double edge_slope(const Vector& h) {
+  // -h'(1) of a series, P_n'(1) = n (n + 1)/2.
+  static double slope(const Eigen::Ref<const Eigen::VectorXd>& h) {
     double sum = 0;
     for (int j = 1; j < h.size(); ++j) sum -= j * (2 * j + 1) * h(j);
     return sum;
@@ -74,6 +81,7 @@ class EdgeCorrectedSlope {
         {smooth.data(), static_cast<std::size_t>(smooth.size())});
   }
 
+  double at_edge_;
   double edge_;
   detail::EvenLegendreSlope smooth_;
 };
@@ -225,51 +233,52 @@ ExactHalfAngle BallContact::limit_half_angle() const noexcept {
   return half_angle(infinity);
 }
 
-ContactPressure BallContact::pressure(double half_angle) const noexcept {
+ContactPressure BallContact::pressure(double half_angle,
+                                      int terms) const noexcept {
   // p(t) = -(1/sqrt 2) ∫_t^theta0 h'(f)/sqrt(cos t - cos f) df. With
   // f^2 = t^2 + (theta0^2 - t^2) s^2 the integrand is smooth in s on [0, 1],
-  // but for a faint logarithm at s = 1.
+  // but for a logarithm at s = 1, which s = 1 - u^2 takes away.
   constexpr int nodes = 32;
   static const detail::GaussLegendre rule(nodes);
-  constexpr int terms = ContactPressure::max_terms;
-  std::array<double, terms> coefficients;
-  if (!(half_angle > 0 && half_angle <= largest_)) {
-    coefficients.fill(nan);
-    return {nan, nan, coefficients};
-  }
+  const detail::EdgeFit& fit = detail::EdgeFit::table(terms);
+  if (!(half_angle > 0 && half_angle <= largest_)) return {nan, nan, {}, {}};
   const double theta0 = half_angle;
   const Solution solution = Galerkin(*tables_, theta0).solve(unknowns_);
+  const double log_coefficient = tables_->kernel.log_coefficient();
   const EdgeCorrectedSlope slope(solution.h, tables_->galerkin,
-                                 theta0 * tables_->kernel.log_coefficient());
+                                 theta0 * log_coefficient);
   const double b = std::tan(theta0 / 2);
-  coefficients.fill(0);
-  for (int i = 0; i < terms; ++i) {
-    // t at cos phi = tan(t/2)/b; theta0 - t without cancellation.
-    const double phi = (i + 0.5) * pi / (2 * terms);
-    const double half_sine = std::sin(phi / 2);
-    const double cosine = std::cos(phi);
+  const detail::WideEdge edge(theta0);
+  detail::EdgeFit::Points values(fit.points());
+  for (int i = 0; i < fit.points(); ++i) {
+    // tan^2(t/2) = b^2 (1 - y^2); theta0 - t without cancellation.
+    const double share = edge.tangent_share(fit.square(i));
+    const double cosine = fit.cosine(i) * std::sqrt(edge.cosine() * share);
     const double t = 2 * std::atan(b * cosine);
-    const double rest =
-        2 * std::atan(2 * b * half_sine * half_sine / (1 + b * b * cosine));
+    const double rest = 2 * std::atan(b * fit.square(i) * share /
+                                      ((1 + cosine) * (1 + b * b * cosine)));
     const double square = rest * (theta0 + t);  // theta0^2 - t^2
     double p = 0;
     for (int k = 0; k < nodes; ++k) {
-      const double s = (1 + rule.node(k)) / 2;
+      const double u = (1 + rule.node(k)) / 2;
+      const double s = (1 - u) * (1 + u);
       const double part = square * s * s;  // f^2 - t^2
       const double f = std::sqrt(t * t + part);
       const double difference = part / (f + t);  // f - t
-      p -= rule.weight(k) / 2 *
-           slope(f / theta0, square * (1 - s) * (1 + s) / (theta0 * theta0)) *
+      p -= rule.weight(k) * u *
+           slope(f / theta0, square * u * u * (1 + s) / (theta0 * theta0)) *
            std::sqrt(part /
                      (2 * std::sin((f + t) / 2) * std::sin(difference / 2)));
     }
     // In units of R_n/rho^2 = 2 pi H_1.
-    p *= std::sqrt(square / 2) / (2 * pi * theta0 * theta0);
-    for (int k = 0; k < terms; ++k) {
-      coefficients[k] += 2 * p / terms * std::sin((2 * k + 1) * phi);
-    }
+    values(i) = p * std::sqrt(square / 2) / (2 * pi * theta0 * theta0);
   }
-  return {theta0, solution.force_ratio, coefficients};
+  // dp/dx at the edge, where theta0 - t = sin(theta0/2) x^2.
+  const double edge_slope =
+      slope.at_edge() / (2 * pi * theta0 * std::sqrt(edge.cosine()));
+  return fit(
+      theta0, solution.force_ratio, values,
+      detail::EdgeFit::leading_logarithm(edge_slope, log_coefficient, theta0));
 }
 
 }  // namespace contact

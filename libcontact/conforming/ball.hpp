@@ -55,7 +55,9 @@ class BallContact {
   ///
   /// Accuracy: 5e-7 of the peak with 16 unknowns for theta0 <= 120 deg
   /// (conforming_ball_test.cpp).
-  ContactPressure pressure(double half_angle) const noexcept;
+  /// @param terms  sines of the expansion, 12 (up to 120 deg) or 32
+  ContactPressure pressure(
+      double half_angle, int terms = ContactPressure::max_terms) const noexcept;
 
   /// Largest theta0 of this object: largest_half_angle, and less than
   /// pi - psi when loaded from the back.

@@ -1,66 +1,107 @@
 #include "libcontact/conforming/contact_pressure.hpp"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <utility>
+
+#include "libcontact/detail/wide_edge.hpp"
 
 namespace contact {
 namespace {
 
-// The last two Clenshaw sums of sum c_k f_k with the recurrence
-// f_{k+1} = 2 y f_k - f_{k-1}.
-template <class Coefficient>
-std::pair<double, double> clenshaw(int terms, double y, Coefficient c) {
-  double b0 = 0;
-  double b1 = 0;
-  for (int k = terms - 1; k >= 0; --k) {
-    b1 = std::exchange(b0, 2 * y * b0 - b1 + c(k));
-  }
-  return {b0, b1};
+// ln x by x^2; what it is multiplied with is 0 at x = 0.
+double logarithm(double square) {
+  return square > 0 ? std::log(square) / 2 : 0;
 }
-
-// 1 - s^2 for s = tan(theta/2)/tan(theta0/2), without cancellation.
-double one_minus_square(double theta, double half_angle) {
-  const double cosine = std::cos(theta / 2);
-  const double sine = std::sin(half_angle / 2);
-  return std::sin((half_angle - theta) / 2) *
-         std::sin((half_angle + theta) / 2) / (sine * sine * cosine * cosine);
+template <class Block>
+Block logarithm(const Block& square) {
+  return square.max(1e-300).log() / 2;
 }
 
 }  // namespace
 
 ContactPressure::ContactPressure(double half_angle, double force_ratio,
-                                 std::span<const double> coefficients)
+                                 std::span<const double> coefficients,
+                                 std::span<const double> logarithmic)
     : half_angle_(half_angle),
       force_ratio_(force_ratio),
-      tangent_(std::tan(half_angle / 2)),
       terms_(static_cast<int>(
           std::min<std::size_t>(coefficients.size(), max_terms))) {
   std::copy_n(coefficients.begin(), terms_, coefficients_.begin());
+  std::copy_n(logarithmic.begin(),
+              std::min<std::size_t>(logarithmic.size(), logarithms),
+              logarithmic_.begin());
+}
+
+// Clenshaw's recurrence, y = cos(2 phi) = 1 - 2 x^2:
+// sin((2k+1) phi)/sin(phi) = f_k, f_{k+1} = 2 y f_k - f_{k-1}, f_{-1} = -1,
+// f_0 = 1.
+template <class V>
+V ContactPressure::pressure_at(const V& square) const noexcept {
+  using std::sqrt;
+  const V twice = 2 - 4 * square;
+  V b0 = 0 * square;
+  V b1 = b0;
+  for (int k = terms_ - 1; k >= 0; --k) {
+    const V b = twice * b0 - b1 + coefficients_[k];
+    b1 = b0;
+    b0 = b;
+  }
+  V log_sum = 0 * square;
+  for (int k = logarithms - 1; k >= 0; --k) {
+    log_sum = (log_sum + logarithmic_[k]) * square;
+  }
+  return sqrt(square) * (b0 + b1 + log_sum * logarithm(square));
+}
+
+// cos((2k+1) phi)/cos(phi) = f_k with f_{-1} = 1, f_0 = 1.
+template <class V>
+V ContactPressure::slope_at(const V& square) const noexcept {
+  const V twice = 2 - 4 * square;
+  V b0 = 0 * square;
+  V b1 = b0;
+  for (int k = terms_ - 1; k >= 0; --k) {
+    const V b = twice * b0 - b1 + (2 * k + 1) * coefficients_[k];
+    b1 = b0;
+    b0 = b;
+  }
+  // d(x^n ln x)/dx = x^(n-1) (n ln x + 1), n = 2k + 3.
+  V with_log = 0 * square;
+  V without = with_log;
+  for (int k = logarithms - 1; k >= 0; --k) {
+    with_log = (with_log + (2 * k + 3) * logarithmic_[k]) * square;
+    without = (without + logarithmic_[k]) * square;
+  }
+  return b0 - b1 + with_log * logarithm(square) + without;
+}
+
+void ContactPressure::edge_slopes(std::span<const double> edge_square,
+                                  std::span<double> out) const noexcept {
+  using Block = Eigen::Array<double, 8, 1>;
+  constexpr std::size_t size = Block::SizeAtCompileTime;
+  for (std::size_t first = 0; first < edge_square.size(); first += size) {
+    const std::size_t used = std::min(size, edge_square.size() - first);
+    Block square = Block::Constant(edge_square[first]);
+    std::copy_n(edge_square.begin() + first, used, square.begin());
+    const Block slope = slope_at(square);
+    std::copy_n(slope.begin(), used, out.begin() + first);
+  }
 }
 
 double ContactPressure::pressure(double theta) const noexcept {
   theta = std::abs(theta);
   if (theta >= half_angle_) return 0;
-  const double rest = one_minus_square(theta, half_angle_);
-  // sin((2k+1) phi)/sin phi = f_k with f_{-1} = -1, f_0 = 1.
-  const auto [b0, b1] = clenshaw(terms_, 1 - 2 * rest,
-                                 [this](int k) { return coefficients_[k]; });
-  return std::sqrt(rest) * (b0 + b1);
+  return pressure_at(detail::WideEdge(half_angle_).square(theta));
 }
 
 double ContactPressure::slope(double theta) const noexcept {
   const double t = std::abs(theta);
   if (t > half_angle_) return 0;
-  const double rest = one_minus_square(t, half_angle_);
-  // cos((2k+1) phi)/cos phi = f_k with f_{-1} = 1, f_0 = 1.
-  const auto [b0, b1] = clenshaw(terms_, 1 - 2 * rest, [this](int k) {
-    return (2 * k + 1) * coefficients_[k];
-  });
-  const double s = std::tan(theta / 2) / tangent_;
-  const double cosine = std::cos(t / 2);
-  return s * (b0 - b1) / (2 * tangent_ * cosine * cosine * std::sqrt(rest));
+  const detail::WideEdge edge(half_angle_);
+  const double square = edge.square(t);
+  // d(x^2) = 2 x dx
+  return std::copysign(
+      slope_at(square) * edge.square_slope(t) / (2 * std::sqrt(square)), theta);
 }
 
 double ContactPressure::peak() const noexcept { return pressure(0); }

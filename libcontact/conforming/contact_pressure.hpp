@@ -7,21 +7,25 @@ namespace contact {
 
 /// Exact pressure of one contact as a short expansion:
 ///
-///     p(theta) = sum a_k sin((2k+1) phi),  cos phi =
-///     tan(theta/2)/tan(theta0/2)
+///     p(theta) = sum a_k sin((2k+1) phi) + x^3 ln x sum b_k x^(2k),
+///     x = sin phi = sqrt((cos theta - cos theta0)
+///                        /((1 - c)(1 + 2c + cos theta))),  c = cos(theta0/2),
 ///
 /// in units of R_n/rho^2 (ball) or P/rho (pin). It has the square-root edge of
-/// the exact solution. A plain value: no allocation, no exceptions; NaN gives
-/// NaN. All NaN if it was asked for outside its range.
+/// the exact solution and its logarithm. A plain value: no allocation, no
+/// exceptions; NaN gives NaN. All NaN if it was asked for outside its range.
 class ContactPressure {
  public:
   static constexpr int max_terms = 32;
+  static constexpr int logarithms = 3;
 
   /// @param half_angle    theta0, rad, (0, pi)
   /// @param force_ratio   S
   /// @param coefficients  a_k, at most max_terms
+  /// @param logarithmic   b_k, at most `logarithms`
   ContactPressure(double half_angle, double force_ratio,
-                  std::span<const double> coefficients);
+                  std::span<const double> coefficients,
+                  std::span<const double> logarithmic);
 
   /// theta0, rad.
   double half_angle() const { return half_angle_; }
@@ -37,13 +41,28 @@ class ContactPressure {
   std::span<const double> coefficients() const noexcept {
     return {coefficients_.data(), static_cast<std::size_t>(terms_)};
   }
+  /// b_0, b_1, ...
+  std::span<const double, logarithms> logarithmic() const noexcept {
+    return logarithmic_;
+  }
+
+  /// dp/dx at many x.
+  /// @param edge_square  x^2, [0, 1]
+  /// @param out          as many slopes; may be the same array
+  void edge_slopes(std::span<const double> edge_square,
+                   std::span<double> out) const noexcept;
 
  private:
+  template <class V>
+  V pressure_at(const V& edge_square) const noexcept;
+  template <class V>
+  V slope_at(const V& edge_square) const noexcept;
+
   double half_angle_;
   double force_ratio_;
-  double tangent_;  // b = tan(theta0/2)
   int terms_;
   std::array<double, max_terms> coefficients_{};
+  std::array<double, logarithms> logarithmic_{};
 };
 
 }  // namespace contact

@@ -5,9 +5,12 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 #include "libcontact/detail/check.hpp"
+#include "libcontact/detail/edge_fit.hpp"
 #include "libcontact/detail/half_angle_root.hpp"
+#include "libcontact/detail/wide_edge.hpp"
 
 // Letters as in docs/conforming.md: b = tan(theta0/2), q = tan(theta0/4).
 namespace contact {
@@ -18,8 +21,11 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 constexpr int max_unknowns = PinContact::max_unknowns;
-constexpr int pressure_terms = ContactPressure::max_terms;
-constexpr int max_terms = std::max(max_unknowns, pressure_terms);
+// Terms of the pressure's own series: a_k falls like k^-6 after its leading
+// logarithm, and like q^(2k).
+constexpr int max_terms = 96;
+constexpr int usual_terms = 48;
+static_assert(max_terms >= max_unknowns);
 
 template <int max>
 using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, max, 1>;
@@ -63,7 +69,7 @@ class ChebyshevMoments {
     return 0.5 * (moments_[std::abs(j - k)] - moments_[j + k + 1]);
   }
 
-  static constexpr int max_count = max_unknowns + pressure_terms;
+  static constexpr int max_count = max_unknowns + max_terms;
 
  private:
   static constexpr int max_rows = max_count + 24;
@@ -108,6 +114,32 @@ struct RightSides {
       term *= r2;
     }
   }
+};
+
+// Coefficients of y^3 ln y = sum l_k sin((2k+1) phi), y = sin(phi), by
+//   ln sin(phi) = -ln 2 - sum cos(2 m phi)/m.
+struct LeadingLogarithm {
+  LeadingLogarithm() {
+    const auto with_sine = [](int order) {  // sin(order phi) ln sin(phi)
+      // sin(n phi) cos(2 m phi) = (sin((n+2m) phi) + sin((n-2m) phi))/2
+      std::array<double, max_terms> c{};
+      c[order / 2] -= std::numbers::ln2;
+      for (int m = 1; m <= max_terms + 1; ++m) {
+        const int up = order + 2 * m;
+        const int down = order - 2 * m;
+        if (up / 2 < max_terms) c[up / 2] -= 0.5 / m;
+        const int index = std::abs(down) / 2;
+        if (index < max_terms) c[index] -= (down > 0 ? 0.5 : -0.5) / m;
+      }
+      return c;
+    };
+    const auto first = with_sine(1);
+    const auto third = with_sine(3);
+    for (int k = 0; k < max_terms; ++k) {
+      coefficient[k] = (3 * first[k] - third[k]) / 4;
+    }
+  }
+  std::array<double, max_terms> coefficient;
 };
 
 }  // namespace
@@ -213,29 +245,59 @@ ExactHalfAngle PinContact::limit_half_angle() const noexcept {
   return half_angle(infinity);
 }
 
-ContactPressure PinContact::pressure(double half_angle) const noexcept {
-  std::array<double, pressure_terms> coefficients;
-  if (!(half_angle > 0 && half_angle <= largest_)) {
-    coefficients.fill(nan);
-    return {nan, nan, coefficients};
-  }
+ContactPressure PinContact::pressure(double half_angle,
+                                     int terms) const noexcept {
+  static const LeadingLogarithm logarithm;
+  const detail::EdgeFit& fit = detail::EdgeFit::table(terms);
+  if (!(half_angle > 0 && half_angle <= largest_)) return {nan, nan, {}, {}};
   const Solution solution = solve(half_angle, unknowns_);
   const double b = std::tan(half_angle / 2);
-  const RightSides given(half_angle, constants_, loading_, pressure_terms);
-  const ChebyshevMoments moments(b * b, unknowns_ + pressure_terms);
+  const detail::WideEdge edge(half_angle);
+  const int count = half_angle > 2.1 ? max_terms : usual_terms;
+  const RightSides given(half_angle, constants_, loading_, count);
+  const ChebyshevMoments moments(b * b, unknowns_ + count);
   // One step of iteration through the equation, whose singular part is
   // diagonal, doubles the order of the coefficients and reaches beyond the
   // unknowns.
-  for (int k = 0; k < pressure_terms; ++k) {
+  std::array<double, max_terms> a;
+  double slope = 0;
+  double slope_of_logarithm = 0;
+  for (int k = 0; k < count; ++k) {
     double right = solution.constant * given.constant(k) + given.load(k);
     for (int j = 0; j < unknowns_; ++j) {
       right -=
           constants_.beta * b * moments.matrix_element(j, k) * solution.y(j);
     }
     // p/pi because P = pi rho p_1.
-    coefficients[k] = 4 * b * right / (pi * pi * (2 * k + 1));
+    a[k] = 4 * b * right / (pi * pi * (2 * k + 1));
+    slope += (2 * k + 1) * a[k];
+    slope_of_logarithm += (2 * k + 1) * logarithm.coefficient[k];
   }
-  return {half_angle, 2 * solution.mean, coefficients};
+  // Near the edge p = slope (y + share y^3 ln y + ...) in the edge variable y
+  // of this series.
+  const double root = std::sqrt(edge.cosine());
+  const double share =
+      detail::EdgeFit::leading_logarithm(1, constants_.beta, half_angle) *
+      edge.cosine();
+  slope /= 1 + share * slope_of_logarithm;
+  for (int k = 0; k < count; ++k) {
+    a[k] -= share * slope * logarithm.coefficient[k];
+  }
+
+  detail::EdgeFit::Points values(fit.points());
+  for (int i = 0; i < fit.points(); ++i) {
+    const double square = fit.square(i) * edge.tangent_share(fit.square(i));
+    double b0 = 0;
+    double b1 = 0;
+    for (int k = count - 1; k >= 0; --k) {
+      b1 = std::exchange(b0, 2 * (1 - 2 * square) * b0 - b1 + a[k]);
+    }
+    values(i) = std::sqrt(square) *
+                (b0 + b1 + share * slope * square * std::log(square) / 2);
+  }
+  return fit(half_angle, 2 * solution.mean, values,
+             detail::EdgeFit::leading_logarithm(slope / root, constants_.beta,
+                                                half_angle));
 }
 
 }  // namespace contact

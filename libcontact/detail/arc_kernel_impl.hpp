@@ -45,7 +45,9 @@ struct ArcArrays {
 struct Rules {
   Rules(bool with_logarithm, bool rough)
       : inner(with_logarithm || rough ? rough_rule : short_rule),
-        chord(with_logarithm ? log_chord_rule : chord_rule) {}
+        inside(with_logarithm ? rough_rule : short_rule),
+        chord(with_logarithm ? rough_chord_rule : chord_rule),
+        beyond(with_logarithm ? finest_chord_rule : log_chord_rule) {}
   /// Circles that all but touch the edge weigh little: the rule of
   /// k'^2 = 2.8e-4 serves all of a smaller one, to 2e-11 up to 120 deg.
   const CapRule& inner_for(double complementary_squared) const {
@@ -54,7 +56,9 @@ struct Rules {
   }
 
   const CapRule& (*inner)(int);
+  const CapRule& (*inside)(int);
   const CapRule& (*chord)(int);
+  const CapRule& (*beyond)(int);
 };
 
 /// hmin(), but for NaN.
@@ -116,15 +120,15 @@ template <class V, class Sum>
                                                           Sum sum) {
   const CapRuleIndex& index = cap_rule_index();
   if (pole_inside) {
-    return sum.template operator()<Circles::inside>(short_rule(index(m)));
+    return sum.template operator()<Circles::inside>(rules.inside(index(m)));
   }
   if (!beyond) {
     return sum.template operator()<Circles::outside>(rules.chord(index(m)));
   }
   const PressureSums<V> cut =
-      sum.template operator()<Circles::outside>(log_chord_rule(index(m)));
+      sum.template operator()<Circles::outside>(rules.beyond(index(m)));
   const PressureSums<V> whole =
-      sum.template operator()<Circles::whole>(log_chord_rule(index(k2)));
+      sum.template operator()<Circles::whole>(rules.beyond(index(k2)));
   return {cut.force + whole.force, cut.sliding + whole.sliding,
           cut.spinning + whole.spinning};
 }

@@ -232,15 +232,15 @@ class ChordRules : public RuleSet {
   }
 };
 
-/// The rules of log_chord_rule(); making them allocates.
+/// The rules of log_chord_rule() and finer ones; making them allocates.
 class LogChordRules : public RuleSet {
  public:
-  LogChordRules() {
-    for_ranges([this](int index, const Modulus& modulus) {
+  LogChordRules(Real factor, int extra) {
+    for_ranges([=, this](int index, const Modulus& modulus) {
       // The half of a Gauss rule in x on [-1, 1] with u = K x (3 - x^2)/2,
       // which takes the edge off the logarithm. The size by measurement.
       const Real k = modulus.k;
-      const int n = node_count(11 / std::asinh(modulus.kc / k) + 5);
+      const int n = node_count(factor / std::asinh(modulus.kc / k) + extra);
       const GaussLegendre gauss(2 * n);
       fill(index, n, [&](int i) {
         const Real x = static_cast<Real>(gauss.node(n + i));
@@ -268,7 +268,7 @@ const CapRule& short_rule(int index) {
 }
 
 const CapRule& rough_rule(int index) {
-  static const ShortRules rules(6);
+  static const ShortRules rules(12);
   return rules.rule(index);
 }
 
@@ -278,7 +278,17 @@ const CapRule& chord_rule(int index) {
 }
 
 const CapRule& log_chord_rule(int index) {
-  static const LogChordRules rules;
+  static const LogChordRules rules(11, 5);
+  return rules.rule(index);
+}
+
+const CapRule& rough_chord_rule(int index) {
+  static const LogChordRules rules(14, 8);
+  return rules.rule(index);
+}
+
+const CapRule& finest_chord_rule(int index) {
+  static const LogChordRules rules(17, 12);
   return rules.rule(index);
 }
 

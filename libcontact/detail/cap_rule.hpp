@@ -14,7 +14,7 @@ namespace contact::detail {
 /// Arrays are padded to a multiple of `lanes` with nodes of weight 0.
 struct CapRule {
   static constexpr int lanes = 8;
-  static constexpr int longest = 152;
+  static constexpr int longest = 224;
   int size;
   int padded_size;
   const double* cosine_squared;  ///< cos^2 am(u_i, k)
@@ -34,7 +34,7 @@ const CapRule& cap_rule(int index);
 /// at what n nodes resolve, which makes the sum the integral.
 const CapRule& short_rule(int index);
 
-/// short_rule() with six more nodes: for pressures with logarithms, or whose
+/// short_rule() with twelve more nodes: for pressures with logarithms, or whose
 /// terms of a high order count.
 const CapRule& rough_rule(int index);
 
@@ -46,6 +46,11 @@ const CapRule& chord_rule(int index);
 
 /// The same where G behaves like cos^2(chi) ln cos(chi) at the end pi/2.
 const CapRule& log_chord_rule(int index);
+
+/// log_chord_rule() with more nodes, for pressures with logarithms: contacts
+/// up to 90 degrees, and beyond.
+const CapRule& rough_chord_rule(int index);
+const CapRule& finest_chord_rule(int index);
 
 /// From the complementary modulus squared k'^2 in [0, 1] to the index of the
 /// rule that serves it; any other value, NaN too, gives some rule.

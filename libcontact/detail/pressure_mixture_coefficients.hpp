@@ -8,20 +8,23 @@ namespace contact::detail {
 
 inline constexpr int mixture_terms = 5;
 struct MixtureCoefficients {
+  int power;                       ///< of cos(theta0/2)
   double equal[mixture_terms];     ///< c_k, k = 1, 2, ...
   double contrast[mixture_terms];  ///< d_k
 };
 
-// S: 0.77 %
+// S: 0.75 %
 inline constexpr MixtureCoefficients ball_mixture = {
-    {1.5157, -11.3876, 36.3091, -44.4514, 19.4684},
-    {-1.5164, 16.5879, -49.9796, 62.3334, -28.0844},
+    2,
+    {1.2917, -11.6865, 37.2404, -48.8929, 23.0630},
+    {-1.0237, 12.5462, -37.3604, 46.1848, -20.1122},
 };
 
 // S: 0.07 %
 inline constexpr MixtureCoefficients pin_mixture = {
-    {0.0179, 0.3627, -0.1749, 2.7315, -1.8861},
-    {-0.7572, 1.6799, -4.9860, 8.6584, -4.6840},
+    3,
+    {0.0511, -1.4513, 0.9431, -0.4792, 0.0545},
+    {-0.8214, 2.1728, -6.9457, 8.9377, -3.5582},
 };
 
 }  // namespace contact::detail

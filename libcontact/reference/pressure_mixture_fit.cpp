@@ -12,7 +12,6 @@
 #include "libcontact/half_angle_exact.hpp"
 #include "libcontact/pressure_exact.hpp"
 #include "libcontact/pressure_mixture.hpp"
-#include "libcontact/units.hpp"
 
 namespace contact::reference {
 namespace {
@@ -38,6 +37,8 @@ std::vector<ElasticPair> fit_pairs() {
 MixtureFit fit_pressure_mixture(JointKind kind) {
   constexpr int terms = detail::mixture_terms;
   constexpr int count = 24;
+  const int power = kind == JointKind::spherical ? detail::ball_mixture.power
+                                                 : detail::pin_mixture.power;
   const std::vector<ElasticPair> pairs = fit_pairs();
   const SqrtTanPressure sqrt_tan(kind);
   const CosinePressure cosine(kind);
@@ -47,20 +48,21 @@ MixtureFit fit_pressure_mixture(JointKind kind) {
   for (const ElasticPair& pair : pairs) {
     const ExactPressure exact(kind, pair);
     const double contrast = pressure_contrast(kind, pair);
-    const double largest =
-        std::min(ExactLaw(kind, pair).limit_half_angle(), 120 * degree);
+    const double largest = std::min(ExactLaw(kind, pair).limit_half_angle(),
+                                    exact.largest_half_angle());
     for (int i = 0; i < count; ++i, ++row) {
       const double theta0 = largest * (i + 1) / count;
       const double s = exact.force_ratio(theta0);
-      const double wide = sqrt_tan.force_ratio(theta0);
-      const double weight = (wide - cosine.force_ratio(theta0)) / s;
-      double power = weight;
+      const double narrow = cosine.force_ratio(theta0);
+      const double weight = (sqrt_tan.force_ratio(theta0) - narrow) / s *
+                            std::pow(std::cos(theta0 / 2), power);
+      double term = weight;
       for (int k = 0; k < terms; ++k) {
-        power *= std::sin(theta0 / 2);
-        matrix(row, k) = power;
-        matrix(row, terms + k) = contrast * power;
+        term *= std::sin(theta0 / 2);
+        matrix(row, k) = term;
+        matrix(row, terms + k) = contrast * term;
       }
-      right(row) = (wide - s) / s;
+      right(row) = weight + (narrow - s) / s;
     }
   }
   const Eigen::VectorXd x = matrix.colPivHouseholderQr().solve(right);
@@ -72,15 +74,16 @@ MixtureFit fit_pressure_mixture(JointKind kind) {
 }
 
 std::string pressure_mixture_header() {
-  const auto law = [](JointKind kind, const char* name) {
+  const auto law = [](JointKind kind, const char* name, int power) {
     const MixtureFit fit = fit_pressure_mixture(kind);
     return fmt::format(
         "// S: {:.2f} %\ninline constexpr MixtureCoefficients {} = {{\n"
-        "    {{{:.4f}}},\n    {{{:.4f}}},\n}};\n\n",
-        100 * fit.largest_error, name, fmt::join(fit.equal, ", "),
+        "    {},\n    {{{:.4f}}},\n    {{{:.4f}}},\n}};\n\n",
+        100 * fit.largest_error, name, power, fmt::join(fit.equal, ", "),
         fmt::join(fit.contrast, ", "));
   };
-  return fmt::format(R"(#pragma once
+  return fmt::format(
+      R"(#pragma once
 
 // clang-format off
 /// Made by the program fit-pressure-mixture
@@ -90,6 +93,7 @@ namespace contact::detail {{
 
 inline constexpr int mixture_terms = {};
 struct MixtureCoefficients {{
+  int power;                       ///< of cos(theta0/2)
   double equal[mixture_terms];     ///< c_k, k = 1, 2, ...
   double contrast[mixture_terms];  ///< d_k
 }};
@@ -97,9 +101,9 @@ struct MixtureCoefficients {{
 {}{}}}  // namespace contact::detail
 // clang-format on
 )",
-                     detail::mixture_terms,
-                     law(JointKind::spherical, "ball_mixture"),
-                     law(JointKind::cylindrical, "pin_mixture"));
+      detail::mixture_terms,
+      law(JointKind::spherical, "ball_mixture", detail::ball_mixture.power),
+      law(JointKind::cylindrical, "pin_mixture", detail::pin_mixture.power));
 }
 
 }  // namespace contact::reference

@@ -16,8 +16,8 @@ struct MixtureFit {
 };
 
 /// Fits them to S of ExactPressure by least squares of its relative error,
-/// over theta0 up to the limit half-angle of each pair or 120 deg, whichever
-/// is less.
+/// over theta0 up to the limit half-angle of each pair, or where ExactPressure
+/// ends if that is less.
 MixtureFit fit_pressure_mixture(JointKind kind);
 
 /// libcontact/detail/pressure_mixture_coefficients.hpp.
