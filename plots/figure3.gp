@@ -5,7 +5,7 @@ set datafile separator ','
 set logscale x
 set xrange [0.01:100]
 set multiplot
-set lmargin at screen 0.12
+set lmargin at screen 0.13
 set rmargin at screen 0.97
 set tmargin at screen 0.97
 set bmargin at screen 0.42

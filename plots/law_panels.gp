@@ -6,7 +6,7 @@ set encoding utf8
 set datafile separator ','
 set xrange [0:largest_load]
 set multiplot
-set lmargin at screen 0.13
+set lmargin at screen 0.14
 set rmargin at screen 0.97
 set tmargin at screen 0.97
 set bmargin at screen 0.42

@@ -13,7 +13,7 @@ set multiplot
 do for [i = 1:2] {
   set lmargin at screen 0.1 + 0.41 * (i - 1)
   set rmargin at screen 0.1 + 0.41 * (i - 1) + 0.34
-  set bmargin at screen 0.17
+  set bmargin at screen 0.19
   set tmargin at screen 0.9
   set title i == 1 ? 'pin in a hole' : 'ball in a seat'
   if (i == 1) {

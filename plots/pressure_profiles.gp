@@ -12,7 +12,7 @@ set multiplot
 do for [i = 1:2] {
   set lmargin at screen 0.095 + 0.4 * (i - 1)
   set rmargin at screen 0.095 + 0.4 * (i - 1) + 0.31
-  set bmargin at screen 0.17
+  set bmargin at screen 0.2
   set tmargin at screen 0.9
   set title i == 1 ? 'pin in a hole' : 'ball in a seat'
   set ylabel i == 1 ? 'pressure over P/ρ' : 'pressure over R_n/ρ^2'

@@ -13,5 +13,6 @@ set linetype 5 linewidth 2.5 linecolor rgb '#66ccee'
 set linetype 6 linewidth 2.5 linecolor rgb '#aa3377'
 set linetype 7 linewidth 2.5 linecolor rgb '#888888'
 set dashtype 2 (9, 6)
+set dashtype 3 (2, 4)
 set palette defined (0 '#440154', 0.3 '#3b528b', 0.6 '#21918c', \
   0.85 '#5ec962', 1 '#9bd93c')

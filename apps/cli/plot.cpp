@@ -129,6 +129,9 @@ std::string draw_script(std::string_view script, const std::string& file) {
 
 namespace {
 
+// In plots/style.gp.
+constexpr std::size_t plain_colours = 7;
+
 // The data of the curves, added to the script, and what `plot` says of them.
 std::string add_curves(std::string& script, const std::string& name,
                        const std::vector<Curve>& curves, bool family) {
@@ -148,10 +151,12 @@ std::string add_curves(std::string& script, const std::string& name,
                                   std::max<std::size_t>(curves.size() - 1, 1)))
             : fmt::format("lt {}", curve.colour > 0
                                        ? static_cast<std::size_t>(curve.colour)
-                                       : i + 1);
+                                       : i % plain_colours + 1);
+    // What goes round the colours again is dotted.
+    const int dashes = curve.dashed ? 2 : !family && i >= plain_colours ? 3 : 1;
     lines += fmt::format("{}${}{} using 1:2 with lines {} dt {} title {}",
                          lines.empty() ? "" : ", \\\n  ", name, i, colour,
-                         curve.dashed ? 2 : 1, gnuplot_text(curve.label));
+                         dashes, gnuplot_text(curve.label));
   }
   return lines;
 }
@@ -159,11 +164,11 @@ std::string add_curves(std::string& script, const std::string& name,
 // The upper panel's share and the room for text, as parts of the picture.
 constexpr std::string_view upper_panel =
     "set multiplot\nset lmargin at screen 0.13\nset rmargin at screen 0.79\n"
-    "set tmargin at screen 0.92\nset bmargin at screen 0.46\n"
+    "set tmargin at screen 0.89\nset bmargin at screen 0.48\n"
     "set format x ''\n";
 constexpr std::string_view lower_panel =
-    "unset title\nunset key\nset tmargin at screen 0.42\n"
-    "set bmargin at screen 0.15\nset format x '%g'\n";
+    "unset title\nunset key\nset tmargin at screen 0.44\n"
+    "set bmargin at screen 0.19\nset format x '%g'\n";
 
 }  // namespace
 
