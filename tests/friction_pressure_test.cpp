@@ -300,8 +300,8 @@ TEST(FrictionPressure, MomentsHaveAPotential) {
   for (const std::string& name : other_names()) {
     const auto law = law_of(name);
     // Errors of some 1e-12 (2e-12 at 95 and 5 deg, where the pole lies on the
-    // edge and the method changes; more for the exact pressure) over h.
-    AccuracyReport report(name + ": dPhi/da", name == "exact" ? 4e-8 : 1e-8);
+    // edge and the method changes; 8e-12 of the exact pressure) over h.
+    AccuracyReport report(name + ": dPhi/da", name == "exact" ? 8e-8 : 1e-8);
     for (const double theta0_deg : {20.0, 70.0, 95.0}) {
       for (const double alpha_deg : {5.0, 35.0, 80.0}) {
         const auto triple = [&](double a) {

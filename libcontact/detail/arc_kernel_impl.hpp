@@ -44,10 +44,10 @@ struct ArcArrays {
 /// The rules that a pressure needs.
 struct Rules {
   Rules(bool with_logarithm, bool rough)
-      : inner(with_logarithm || rough ? rough_rule : short_rule),
-        inside(with_logarithm ? rough_rule : short_rule),
-        chord(with_logarithm ? rough_chord_rule : chord_rule),
-        beyond(with_logarithm ? finest_chord_rule : log_chord_rule) {}
+      : inner(with_logarithm || rough ? gauss_arc_rule : short_rule),
+        inside(with_logarithm ? inside_rule : short_rule),
+        chord(with_logarithm ? small_log_chord_rule : chord_rule),
+        cut(with_logarithm ? small_log_chord_rule : log_chord_rule) {}
   /// Circles that all but touch the edge weigh little: the rule of
   /// k'^2 = 2.8e-4 serves all of a smaller one, to 2e-11 up to 120 deg.
   const CapRule& inner_for(double complementary_squared) const {
@@ -58,7 +58,7 @@ struct Rules {
   const CapRule& (*inner)(int);
   const CapRule& (*inside)(int);
   const CapRule& (*chord)(int);
-  const CapRule& (*beyond)(int);
+  const CapRule& (*cut)(int);
 };
 
 /// hmin(), but for NaN.
@@ -126,9 +126,9 @@ template <class V, class Sum>
     return sum.template operator()<Circles::outside>(rules.chord(index(m)));
   }
   const PressureSums<V> cut =
-      sum.template operator()<Circles::outside>(rules.beyond(index(m)));
+      sum.template operator()<Circles::outside>(rules.cut(index(m)));
   const PressureSums<V> whole =
-      sum.template operator()<Circles::whole>(rules.beyond(index(k2)));
+      sum.template operator()<Circles::whole>(log_chord_rule(index(k2)));
   return {cut.force + whole.force, cut.sliding + whole.sliding,
           cut.spinning + whole.spinning};
 }

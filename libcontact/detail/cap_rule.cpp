@@ -191,7 +191,7 @@ Real resolved_log_cosine_squared(int i, int n, Real cosine) {
   return series + 2 * std::log(cosine / std::cos(theta));
 }
 
-/// The rules of short_rule() and rough_rule().
+/// The rules of short_rule() and inside_rule().
 class ShortRules : public RuleSet {
  public:
   explicit ShortRules(int extra) {
@@ -232,15 +232,15 @@ class ChordRules : public RuleSet {
   }
 };
 
-/// The rules of log_chord_rule() and finer ones; making them allocates.
+/// The rules of log_chord_rule(); making them allocates.
 class LogChordRules : public RuleSet {
  public:
-  LogChordRules(Real factor, int extra) {
-    for_ranges([=, this](int index, const Modulus& modulus) {
+  LogChordRules() {
+    for_ranges([this](int index, const Modulus& modulus) {
       // The half of a Gauss rule in x on [-1, 1] with u = K x (3 - x^2)/2,
       // which takes the edge off the logarithm. The size by measurement.
       const Real k = modulus.k;
-      const int n = node_count(factor / std::asinh(modulus.kc / k) + extra);
+      const int n = node_count(11 / std::asinh(modulus.kc / k) + 5);
       const GaussLegendre gauss(2 * n);
       fill(index, n, [&](int i) {
         const Real x = static_cast<Real>(gauss.node(n + i));
@@ -248,6 +248,42 @@ class LogChordRules : public RuleSet {
         return modulus.chord_node(k * x * (3 - x * x) / 2,
                                   k * w * 1.5L * (1 - x) * (1 + x));
       });
+    });
+  }
+};
+
+/// The rules of small_log_chord_rule(); making them allocates.
+class SmallLogChordRules : public RuleSet {
+ public:
+  SmallLogChordRules() {
+    for_ranges([this](int index, const Modulus& modulus) {
+      // The half of a Gauss rule in u on [-K, K], with nodes enough for the
+      // logarithm: its error falls as a power of n. The size by measurement.
+      const Real k = modulus.k;
+      const int n = node_count(9 / std::asinh(modulus.kc / k) + 4);
+      const GaussLegendre gauss(2 * n);
+      fill(index, n, [&](int i) {
+        return modulus.chord_node(k * static_cast<Real>(gauss.node(n + i)),
+                                  k * static_cast<Real>(gauss.weight(n + i)));
+      });
+    });
+  }
+};
+
+/// The rule of gauss_arc_rule(); making it allocates.
+class GaussArcRule : public RuleSet {
+ public:
+  GaussArcRule() {
+    // 12 nodes by measurement: 5e-11 where the logarithms are largest.
+    constexpr int n = 12;
+    const GaussLegendre gauss(2 * n);
+    const Real quarter = std::numbers::pi_v<Real> / 2;
+    fill(0, n, [&](int i) {
+      const Real psi = quarter * static_cast<Real>(gauss.node(n + i));
+      const Real cosine = std::cos(psi);
+      return Node{std::sin(psi), cosine,
+                  quarter * static_cast<Real>(gauss.weight(n + i)),
+                  2 * std::log(cosine)};
     });
   }
 };
@@ -267,9 +303,14 @@ const CapRule& short_rule(int index) {
   return rules.rule(index);
 }
 
-const CapRule& rough_rule(int index) {
-  static const ShortRules rules(12);
+const CapRule& inside_rule(int index) {
+  static const ShortRules rules(2);
   return rules.rule(index);
+}
+
+const CapRule& gauss_arc_rule(int) {
+  static const GaussArcRule rule;
+  return rule.rule(0);
 }
 
 const CapRule& chord_rule(int index) {
@@ -278,17 +319,12 @@ const CapRule& chord_rule(int index) {
 }
 
 const CapRule& log_chord_rule(int index) {
-  static const LogChordRules rules(11, 5);
+  static const LogChordRules rules;
   return rules.rule(index);
 }
 
-const CapRule& rough_chord_rule(int index) {
-  static const LogChordRules rules(14, 8);
-  return rules.rule(index);
-}
-
-const CapRule& finest_chord_rule(int index) {
-  static const LogChordRules rules(17, 12);
+const CapRule& small_log_chord_rule(int index) {
+  static const SmallLogChordRules rules;
   return rules.rule(index);
 }
 

@@ -10,13 +10,12 @@ class PressureLaw;
 
 namespace contact::detail {
 
-/// Whether the terms of the highest order count, as in a pressure with a
-/// logarithm that is not given as one.
+/// Whether terms of a high order count, as in an exact pressure beyond 90 deg.
 [[gnu::always_inline]] inline bool is_rough(const PressureExpansion& p) {
+  constexpr int few = 8;
   const double first = p.coefficient.front();
-  const double last = p.coefficient.back();
-  return p.size == PressureExpansion::max_terms &&
-         last * last > 1e-13 * first * first;
+  const double last = p.coefficient[p.size - 1];
+  return p.size > few && last * last > 1e-16 * first * first;
 }
 
 /// PressureExpansion over a range of half-angles, for lanes to evaluate: each
