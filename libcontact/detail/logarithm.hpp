@@ -1,18 +1,26 @@
 #pragma once
 
+#include <bit>
+#include <cstdint>
 #include <experimental/simd>
 #include <numbers>
 
 namespace contact::detail {
 
-/// ln x of positive normal numbers, within 2e-12; NaN gives NaN, 0 some
+/// ln x of positive normal numbers, within 2e-12; anything else gives some
 /// finite number.
 template <class Abi>
 [[gnu::always_inline]] inline std::experimental::simd<double, Abi> logarithm(
     const std::experimental::simd<double, Abi>& x) {
   using V = std::experimental::simd<double, Abi>;
-  std::experimental::fixed_size_simd<int, V::size()> exponent;
-  const V mantissa = frexp(x, &exponent);  // in [1/2, 1)
+  using Bits = std::experimental::rebind_simd_t<std::uint64_t, V>;
+  // Mantissa, in [1/2, 1), and exponent by their bits: frexp is slow.
+  const Bits bits = std::bit_cast<Bits>(x);
+  const V mantissa =
+      std::bit_cast<V>((bits & 0x000fffffffffffffULL) | 0x3fe0000000000000ULL);
+  // 2^52 plus the biased exponent is a double with the latter as its last bits.
+  const V power = std::bit_cast<V>((bits >> 52) | 0x4330000000000000ULL) -
+                  (4503599627370496.0 + 1022.0);
   // ln(m sqrt 2) = 2 artanh(t), |t| <= 0.172: the first term left out is 2e-13.
   constexpr double middle = std::numbers::sqrt2 / 2;
   const V t = (mantissa - middle) / (mantissa + middle);
@@ -21,7 +29,6 @@ template <class Abi>
   V sum = 2.0 / last;
 #pragma GCC unroll 8
   for (int k = last - 2; k > 0; k -= 2) sum = sum * t2 + 2.0 / k;
-  const V power = std::experimental::static_simd_cast<V>(exponent);
   return sum * t + (power - 0.5) * std::numbers::ln2;
 }
 
