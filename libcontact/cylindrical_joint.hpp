@@ -39,8 +39,8 @@ class CylindricalJoint {
                    FrictionModel friction,
                    std::shared_ptr<const HalfAngleLaw> half_angle_law,
                    std::shared_ptr<const PressureLaw> pressure_law)
-      : CylindricalJoint(JointContact(std::move(geometry), std::move(pair),
-                                      friction, std::move(half_angle_law),
+      : CylindricalJoint(JointContact(geometry, std::move(pair), friction,
+                                      std::move(half_angle_law),
                                       std::move(pressure_law))) {}
 
   const JointContact& contact() const { return contact_; }

@@ -50,8 +50,8 @@ class SphericalJoint {
                  FrictionModel friction,
                  std::shared_ptr<const HalfAngleLaw> half_angle_law,
                  std::shared_ptr<const PressureLaw> pressure_law)
-      : SphericalJoint(JointContact(std::move(geometry), std::move(pair),
-                                    friction, std::move(half_angle_law),
+      : SphericalJoint(JointContact(geometry, std::move(pair), friction,
+                                    std::move(half_angle_law),
                                     std::move(pressure_law))) {}
 
   const JointContact& contact() const { return contact_; }
