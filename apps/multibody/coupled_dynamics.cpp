@@ -75,7 +75,7 @@ void CoupledDynamics::Impl::set_mode(int load, HingeMode mode) {
     dynamics.set_mode(load, joint_mode(mode));
   }
   hinge.mode = mode;
-  hinge.straight = false;
+  hinge.straight = hinge.follows = false;
   hinge.slope.setZero();
   follower.forget(load);
   last_pause_ = pause_ = 0;
@@ -557,9 +557,16 @@ const Vector3d& CoupledDynamics::direction(int load) const {
 }
 void CoupledDynamics::slide_straight(int load, bool straight) {
   impl_->hinges[load].straight = straight;
+  impl_->hinges[load].follows = false;
 }
 bool CoupledDynamics::slides_straight(int load) const {
   return impl_->hinges[load].straight;
+}
+void CoupledDynamics::follow_acceleration(int load) {
+  impl_->hinges[load].straight = impl_->hinges[load].follows = true;
+}
+bool CoupledDynamics::follows_acceleration(int load) const {
+  return impl_->hinges[load].follows;
 }
 void CoupledDynamics::prescribe_carrier(
     const std::optional<CarrierAcceleration<double>>& carrier) {
@@ -567,7 +574,8 @@ void CoupledDynamics::prescribe_carrier(
 }
 const CoupledReport& CoupledDynamics::evaluate(const double* state,
                                                Loading<double>& loading) {
-  return impl_->evaluate(state, loading);
+  return impl_->any_follows() ? impl_->evaluate_following(state, loading)
+                              : impl_->evaluate(state, loading);
 }
 const CoupledReport& CoupledDynamics::report() const { return impl_->report; }
 void CoupledDynamics::set_trace(std::vector<OuterStep>* trace) {
@@ -584,6 +592,9 @@ const Reaction<double>& CoupledDynamics::reaction(int load) const {
 }
 double CoupledDynamics::utilisation(int load) {
   return impl_->utilisation(load);
+}
+double CoupledDynamics::slip_limit(int load) const {
+  return impl_->slip_limit(load);
 }
 std::span<const contact::JointSolution> CoupledDynamics::joints(
     int load) const {

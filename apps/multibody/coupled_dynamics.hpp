@@ -20,6 +20,9 @@ struct CoupledOptions {
   /// A resting hinge begins to slide when its utilisation exceeds 1 by this:
   /// above the rounding of tau, so that a moment right at the limit holds.
   double slip_threshold = 1e-10;
+  /// The same of a ball joint: above what the direction found for its sliding
+  /// leaves uncertain of its acceleration, so that it is clear where it goes.
+  double ball_slip_threshold = 1e-8;
 };
 
 /// How an instant with friction came out.
@@ -113,6 +116,13 @@ class CoupledDynamics {
   void slide_straight(int load, bool straight);
   bool slides_straight(int load) const;
 
+  /// A ball joint that has just begun to slide straight: its direction() is
+  /// found anew in every evaluation, as that in which the joint accelerates.
+  /// So slow a motion turns there at once. Ends with slide_straight(). Such
+  /// evaluations allocate.
+  void follow_acceleration(int load);
+  bool follows_acceleration(int load) const;
+
   /// The carrier's accelerations are given, or (nullopt) result.
   void prescribe_carrier(
       const std::optional<CarrierAcceleration<double>>& carrier);
@@ -133,14 +143,16 @@ class CoupledDynamics {
   const Reaction<double>& reaction(int load) const;
   /// tau of a resting hinge.
   double utilisation(int load);
+  /// Utilisation above which a resting hinge begins to slide.
+  double slip_limit(int load) const;
   std::span<const contact::JointSolution> joints(int load) const;
 
   /// What the search of the last evaluation found, if there was one.
   std::span<const CoupledSolution> solutions() const;
 
   /// Decides which of the hinges that are resting hold, and which begin to
-  /// slide and where to; `forced` slides in any case (-1: none). Then all is
-  /// evaluated.
+  /// slide and where to; `forced` (-1: none) slides if it is half of the
+  /// threshold beyond what it can hold. Then all is evaluated.
   const CoupledReport& resolve_rest(const double* state,
                                     Loading<double>& loading, int forced = -1);
 

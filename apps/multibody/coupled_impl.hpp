@@ -26,6 +26,7 @@ class CoupledDynamics::Impl {
     HingeMode mode = HingeMode::sliding;
     Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();
     bool straight = false;
+    bool follows = false;
     /// M_t that the motion has been worked out with, and M_t(R) for it.
     Eigen::Vector3d moment = Eigen::Vector3d::Zero();
     Eigen::Vector3d answer = Eigen::Vector3d::Zero();
@@ -72,6 +73,10 @@ class CoupledDynamics::Impl {
   Response response(int load);
   double kappa(int load);
   double utilisation(int load);
+  double slip_limit(int load) const {
+    return 1 + (hinges[load].solver.is_axis() ? options.slip_threshold
+                                              : options.ball_slip_threshold);
+  }
 
   /// What a sliding ball joint feels: its acceleration without friction and
   /// the inertia against which its friction works.
@@ -85,6 +90,9 @@ class CoupledDynamics::Impl {
   void search();
 
   // coupled_rest.cpp
+  bool any_follows() const;
+  const CoupledReport& evaluate_following(const double* state,
+                                          Loading<double>& loading);
   const CoupledReport& resolve_rest(const double* state,
                                     Loading<double>& loading, int forced);
 
@@ -117,6 +125,7 @@ class CoupledDynamics::Impl {
   bool find_directions(const std::vector<int>& begun);
   bool follow_excess(const std::vector<int>& balls);
   bool settle_directions(const std::vector<int>& balls);
+  bool driven(int load) const;
 
   std::vector<Vec3<double>> change_;
   std::vector<int> rows_;  // active hinges

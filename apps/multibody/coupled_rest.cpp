@@ -95,6 +95,16 @@ bool CoupledDynamics::Impl::settle_directions(const std::vector<int>& balls) {
   return false;
 }
 
+// Friction that drives what it should hold back, by more than the rounding of
+// the directions.
+bool CoupledDynamics::Impl::driven(int load) const {
+  const Hinge& hinge = hinges[load];
+  constexpr double rounding = 1e-8;
+  const double along =
+      vec3(dynamics.relative_acceleration(load)).dot(hinge.direction);
+  return along < (hinge.solver.is_axis() ? 0 : -rounding * hinge.pace);
+}
+
 // Newton's method from where the resting joints give way, else from where
 // they would go without friction, else from where contacts frozen as they are
 // would let them go (MomentSet::prox).
@@ -106,10 +116,7 @@ bool CoupledDynamics::Impl::find_directions(const std::vector<int>& begun) {
   if (balls.empty()) return true;
   const auto settled = [&] {
     return settle_directions(balls) &&
-           std::ranges::all_of(balls, [&](int load) {
-             return vec3(dynamics.relative_acceleration(load))
-                        .dot(hinges[load].direction) >= 0;
-           });
+           std::ranges::all_of(balls, [&](int load) { return !driven(load); });
   };
   std::vector<Vector3d> free, frozen;
   for (const int load : balls) {
@@ -172,6 +179,32 @@ bool CoupledDynamics::Impl::follow_excess(const std::vector<int>& balls) {
   return done == 1 && settle_directions(balls);
 }
 
+bool CoupledDynamics::Impl::any_follows() const {
+  return std::ranges::any_of(hinges, &Hinge::follows);
+}
+
+// From where the last evaluation has left the directions.
+const CoupledReport& CoupledDynamics::Impl::evaluate_following(
+    const double* state, Loading<double>& loading) {
+  state_ = state;
+  loading_ = &loading;
+  std::vector<int> balls;
+  for (int i = 0; i < static_cast<int>(hinges.size()); ++i) {
+    if (hinges[i].follows) balls.push_back(i);
+  }
+  std::vector<Vector3d> before;
+  for (const int load : balls) before.push_back(hinges[load].direction);
+  if (settle_directions(balls)) return report;
+  for (std::size_t k = 0; k < balls.size(); ++k) {
+    hinges[balls[k]].direction = before[k];
+  }
+  if (report.status == CoupledStatus::ok) {
+    report.status = CoupledStatus::not_converged;
+    report.load = balls.front();
+  }
+  return report;
+}
+
 const CoupledReport& CoupledDynamics::Impl::resolve_rest(
     const double* state, Loading<double>& loading, int forced) {
   state_ = state;
@@ -192,7 +225,13 @@ const CoupledReport& CoupledDynamics::Impl::resolve_rest(
   };
   evaluate(state, loading);
   if (report.status != CoupledStatus::ok) return report;
-  if (forced >= 0 && hinges[forced].mode == HingeMode::resting) begin(forced);
+  // Half of the threshold: what the motion found on its way is above all of
+  // it, but for the rounding of tau and the error of dense output. Where that
+  // is larger the hinge goes on resting, and is looked at again from here.
+  if (forced >= 0 && hinges[forced].mode == HingeMode::resting &&
+      utilisation(forced) > 0.5 + slip_limit(forced) / 2) {
+    begin(forced);
+  }
 
   // One change at a time, the worst first. For hinges whose friction is not
   // so strong that several answers are possible, each change brings the rest
@@ -206,21 +245,19 @@ const CoupledReport& CoupledDynamics::Impl::resolve_rest(
     }
 
     // Friction must not drive what it should hold back.
-    const auto driven = std::ranges::find_if(begun, [&](int load) {
-      return load != forced && vec3(dynamics.relative_acceleration(load))
-                                       .dot(hinges[load].direction) < 0;
-    });
-    if (driven != begun.end()) {
-      set_mode(*driven, HingeMode::resting);
-      begun.erase(driven);
+    const auto held = std::ranges::find_if(
+        begun, [&](int load) { return load != forced && driven(load); });
+    if (held != begun.end()) {
+      set_mode(*held, HingeMode::resting);
+      begun.erase(held);
       continue;
     }
     int worst = -1;
-    double most = 1 + options.slip_threshold;
+    double most = 1;
     for (int i = 0; i < count; ++i) {
       if (hinges[i].mode != HingeMode::resting) continue;
       const double tau = utilisation(i);
-      if (!(tau <= most)) {
+      if (!(tau <= std::max(most, slip_limit(i)))) {
         worst = i;
         most = tau;
       }

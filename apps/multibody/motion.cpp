@@ -20,9 +20,10 @@ using Eigen::Vector3d;
 
 double default_stop_speed(const MotionOptions& options) {
   if (options.stop_speed > 0) return options.stop_speed;
+  // Below 1e-9 rad/s the rounding of the accelerations counts.
   return options.integrator == Integrator::rk4
              ? 1e-8
-             : 100 * options.absolute_tolerance;
+             : std::max(100 * options.absolute_tolerance, 1e-9);
 }
 
 void check_positive(double value, const char* name) {
@@ -37,6 +38,8 @@ void check_options(const MotionOptions& options) {
   check_positive(options.absolute_tolerance, "absolute_tolerance");
   check_positive(options.step, "step");
   check_positive(options.longest_step, "longest_step");
+  check_positive(options.stall_changes, "stall_changes");
+  check_positive(options.stall_span, "stall_span");
 }
 
 BodyMotion checked_body(const BodyMotion& body, const std::string& place) {
@@ -98,6 +101,8 @@ MotionImpl::MotionImpl(const System& motion_system,
   check_options(options);
   joint_modes.resize(loads());
   straight_from.resize(loads());
+  recent_.resize(loads());
+  slip_directions.resize(loads());
   bodies.resize(1 + loads());
   rate_bodies_.resize(1 + loads());
   body_forces_.resize(1 + loads());
@@ -200,12 +205,31 @@ void MotionImpl::show_step(double time) {
   step_watch(sample);
 }
 
+// Where the direction of a ball joint that has just begun to slide comes to an
+// end with nothing near to go on to, it stays until the joint is faster. True:
+// the last step can be tried again.
+bool MotionImpl::keep_directions() {
+  bool any = false;
+  for (int i = 0; i < loads(); ++i) any |= coupled.follows_acceleration(i);
+  if (!any) return false;
+  const std::vector<double> state(stepper->begin_state().begin(),
+                                  stepper->begin_state().end());
+  look_at(stepper->begin(), state);
+  work_out();
+  for (int i = 0; i < loads(); ++i) {
+    if (coupled.follows_acceleration(i)) coupled.slide_straight(i, true);
+  }
+  stepper->restart(stepper->begin(), state);
+  return true;
+}
+
 bool MotionImpl::step() {
   constexpr double early = -std::numeric_limits<double>::infinity();
   show_step(std::min(stepper->end(), std::nextafter(next_break, early)));
   if (pass_break()) show_step(stepper->end());
   const double from = stepper->end();
   if (!stepper->step(next_break)) {
+    if (keep_directions()) return true;
     now = from;
     look_at(now, stepper->begin_state());
     // Why, if a coupled evaluation did not come out.
@@ -230,6 +254,10 @@ bool MotionImpl::step() {
                                     stepper->begin_state().end());
     stepper->restart(stepper->begin(), state);
   } else if (found.time < stepper->end() && !redo_step_to(found.time)) {
+    if (keep_directions()) {
+      pending.reset();
+      return true;
+    }
     set_failure(CoupledStatus::ok, stepper->end(), -1);
     return false;
   }
@@ -283,6 +311,7 @@ MotionState MotionImpl::save() {
     s.friction.push_back(coupled.friction_moment(i));
     s.straight_from.push_back(coupled.slides_straight(i) ? straight_from[i]
                                                          : 0);
+    s.follows.push_back(coupled.follows_acceleration(i));
     s.hinge_angles.push_back(bodies[1 + i].hinge_angle);
   }
   s.step = stepper->next_step();
@@ -292,12 +321,14 @@ MotionState MotionImpl::save() {
 void MotionImpl::restore(const MotionState& s) {
   failure.reset();
   now = s.time;
+  recent_.assign(loads(), {});
   for (int i = 0; i < loads(); ++i) {
     change_mode(i, s.modes[i]);
     coupled.set_direction(i, s.directions[i]);
     coupled.set_friction_moment(i, s.friction[i]);
     straight_from[i] = s.straight_from[i];
     coupled.slide_straight(i, s.straight_from[i] > 0);
+    if (s.follows[i] != 0) coupled.follow_acceleration(i);
     keep_hinge_angle(i, s.hinge_angles[i]);
   }
   stepper->set_next_step(s.step);

@@ -64,11 +64,15 @@ struct MotionOptions {
   double longest_step = std::numeric_limits<double>::infinity();
   /// Step limit of one advance_to().
   long step_limit = 100'000'000;
+  /// A hinge that begins or ends to rest or slide more often than this within
+  /// `stall_span`, s, stops the motion with a failure.
+  int stall_changes = 100;
+  double stall_span = 1e-6;
   /// A sliding ball joint whose relative speed falls below this slides
   /// straight on until it stops, rad/s (rk4: also from where the next step
   /// would stop it); what is left of the motion across is taken out with the
-  /// momentum kept and the energy booked. 0: 100 absolute_tolerance, or rk4:
-  /// 1e-8.
+  /// momentum kept and the energy booked. 0: 100 absolute_tolerance, at least
+  /// 1e-9, or rk4: 1e-8.
   double stop_speed = 0;
   /// Set: the carrier moves as prescribed (zero: at rest or uniformly).
   std::optional<CarrierDrive> carrier_drive;
@@ -190,6 +194,7 @@ struct MotionState {
   std::vector<Eigen::Vector3d> directions;
   std::vector<Eigen::Vector3d> friction;
   std::vector<double> straight_from;  ///< of balls that slide straight, else 0
+  std::vector<int> follows;           ///< 1: of them those that just began
   std::vector<double> hinge_angles;   ///< as BodyMotion::hinge_angle
   double step = 0;
 };

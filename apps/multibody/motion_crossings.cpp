@@ -223,6 +223,13 @@ void MotionImpl::sample_step() {
   bool slips = false;
   for (int i = 0; i < loads(); ++i) slips = slips || slides_to_stop(i);
   if (user == 0 && !slips) return;
+  for (int i = 0; slips && i < loads(); ++i) {
+    slip_directions[i] = coupled.direction(i);
+    if (!coupled.follows_acceleration(i)) continue;
+    // Where it was going when the step began.
+    const Eigen::Vector3d rate = rate_of(i, stepper->begin_state().data());
+    if (!rate.isZero(0)) slip_directions[i] = rate.normalized();
+  }
   const auto look = [&](int k, auto&& which) {
     if (k == 0) {
       std::ranges::copy(stepper->begin_state(), trial_.begin());
@@ -233,8 +240,7 @@ void MotionImpl::sample_step() {
     }
     for (int i = 0; slips && i < loads(); ++i) {
       if (slides_to_stop(i)) {
-        samples.slip[i][k] =
-            rate_of(i, trial_.data()).dot(coupled.direction(i));
+        samples.slip[i][k] = rate_of(i, trial_.data()).dot(slip_directions[i]);
       }
     }
     if (std::ranges::none_of(samples.full, which)) return;

@@ -1,9 +1,12 @@
+#include <fmt/format.h>
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <boost/math/tools/minima.hpp>
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <string>
 #include <utility>
 
 #include "libcontact/root_finding.hpp"
@@ -17,7 +20,7 @@ double MotionImpl::value(const Watch& watch) {
   const int i = watch.index;
   switch (watch.kind) {
     case Kind::slip_ends:
-      return rate_of(i, view_state.data()).dot(coupled.direction(i));
+      return rate_of(i, view_state.data()).dot(slip_directions[i]);
     case Kind::slows_down:
       return rate_of(i, view_state.data()).norm() - stop_speed;
     case Kind::speeds_up:
@@ -29,8 +32,7 @@ double MotionImpl::value(const Watch& watch) {
       if (!work_out()) return std::numeric_limits<double>::quiet_NaN();
       // Without any reaction tau is infinite.
       constexpr double most = 1e6;
-      return std::min(coupled.utilisation(i), most) - 1 -
-             options.coupling.slip_threshold;
+      return std::min(coupled.utilisation(i), most) - coupled.slip_limit(i);
     }
     case Kind::user:
       return events[i].function(sample);
@@ -177,6 +179,25 @@ std::optional<MotionImpl::Found> MotionImpl::find_event() {
   return first;
 }
 
+// Whether a hinge changes so often that time does not get on: a failure.
+bool MotionImpl::stalls(int load) {
+  Recent& recent = recent_[load];
+  if (!(now - recent.since <= options.stall_span)) recent = {now, 0};
+  if (++recent.count <= options.stall_changes) return false;
+  const bool rests = coupled.mode(load) == HingeMode::resting;
+  const double speed = rate_of(load, view_state.data()).norm();
+  const std::string hinge =
+      rests ? fmt::format("resting, utilisation {}",
+                          work_out() ? coupled.utilisation(load) : NAN)
+            : fmt::format("sliding at {} rad/s", speed);
+  set_failure(CoupledStatus::not_converged, now, load);
+  failure->message = fmt::format(
+      "at {} s: more than {} changes between rest and slip within {} s, the "
+      "hinge is {} (load {})",
+      now, options.stall_changes, options.stall_span, hinge, load);
+  return true;
+}
+
 // True: an event of the application, or an end.
 bool MotionImpl::handle(const Found& found) {
   now = found.time;
@@ -195,6 +216,7 @@ bool MotionImpl::handle(const Found& found) {
     return true;
   }
   std::vector<double> state = view_state;
+  if (stalls(i)) return true;
   bool resolved = true;
   switch (found.watch.kind) {
     case Kind::slows_down:

@@ -89,6 +89,7 @@ class MotionImpl {
   double locate(const Watch& watch, double low, double low_value, double high,
                 double high_value);
   bool handle(const Found& found);
+  bool stalls(int load);
 
   // motion_crossings.cpp
   /// Values at points of the last step, those of the beginning first.
@@ -160,6 +161,8 @@ class MotionImpl {
   StepSamples samples;
   /// Speed at which a ball joint began to slide straight on.
   std::vector<double> straight_from;
+  /// In which sliding is looked at for its end, in the last step.
+  std::vector<Eigen::Vector3d> slip_directions;
   std::vector<HingeChange> changes;
   std::optional<MotionFailure> failure;
   std::optional<Found> pending;
@@ -187,11 +190,18 @@ class MotionImpl {
   void show_step(double time);
   bool step();
   bool redo_step_to(double time);
+  bool keep_directions();
 
   std::vector<BodyForce> body_forces_;
   std::vector<BodyMotion> rate_bodies_;
   Loading<double> loading_;
   std::vector<double> trial_;
+  /// Changes of a hinge between rest and slip, on its way to either too.
+  struct Recent {
+    double since = -std::numeric_limits<double>::infinity();
+    int count = 0;
+  };
+  std::vector<Recent> recent_;
   bool forces_asked_ = false;
   struct Unit {
     double force = 1;

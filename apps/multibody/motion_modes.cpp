@@ -144,10 +144,10 @@ bool MotionImpl::resolve_rest(const std::vector<double>& state, int forced) {
     if (coupled.mode(i) != before[i]) {
       changes.push_back({now, i, before[i], coupled.mode(i)});
       // Out of rest friction would turn with a velocity that is next to
-      // nothing: until it has grown it keeps the direction found.
+      // nothing: until it has grown it has the direction of the acceleration.
       if (coupled.mode(i) == HingeMode::sliding && !is_axis(i)) {
         straight_from[i] = std::max(onset_speed / 2, stop_speed);
-        coupled.slide_straight(i, true);
+        coupled.follow_acceleration(i);
       }
     }
   }
