@@ -382,6 +382,21 @@ TEST(ExactPressure, AgreesWithTheTabulatedProfiles) {
   report.check();
 }
 
+// A law's pressures and force ratio against those of the solver.
+template <class Contact>
+void compare(const ExactPressure& law, const Contact& solver, double half_angle,
+             AccuracyReport& pressure, AccuracyReport& force) {
+  const contact::ContactPressure solved = solver.pressure(half_angle);
+  for (double s = 0; s < 1; s += 0.037) {
+    pressure.add_error(std::abs(law.pressure(s * half_angle, half_angle) -
+                                solved.pressure(s * half_angle)) /
+                           solved.peak(),
+                       label(law, half_angle));
+  }
+  force.add(law.force_ratio(half_angle), solved.force_ratio(),
+            label(law, half_angle));
+}
+
 TEST(ExactPressure, AgreesWithTheSolvers) {
   // 12 sines and three logarithms, worst for a rigid body on one with nu = 0.
   AccuracyReport ball("ball, over the peak", 1e-7);
@@ -402,20 +417,8 @@ TEST(ExactPressure, AgreesWithTheSolvers) {
     const ExactPressure pin_law(JointKind::cylindrical, pair);
     for (double theta0_deg = 0.05; theta0_deg < 120; theta0_deg *= 1.37) {
       const double half_angle = theta0_deg * degree;
-      const auto compare = [&](const contact::ContactPressure& solved,
-                               const ExactPressure& law,
-                               AccuracyReport& report) {
-        for (double s = 0; s < 1; s += 0.037) {
-          report.add_error(std::abs(law.pressure(s * half_angle, half_angle) -
-                                    solved.pressure(s * half_angle)) /
-                               solved.peak(),
-                           label(law, half_angle));
-        }
-        force.add(law.force_ratio(half_angle), solved.force_ratio(),
-                  label(law, half_angle));
-      };
-      compare(ball_contact.pressure(half_angle), ball_law, ball);
-      compare(pin_contact.pressure(half_angle), pin_law, pin);
+      compare(ball_law, ball_contact, half_angle, ball, force);
+      compare(pin_law, pin_contact, half_angle, pin, force);
     }
   }
   ball.check();
@@ -442,21 +445,10 @@ TEST(ExactPressure, AgreesWithTheSolversBeyond120Degrees) {
     const ExactPressure ball_law(JointKind::spherical, pair);
     const ExactPressure pin_law(JointKind::cylindrical, pair);
     for (double share = 0.02; share <= 1; share += 0.049) {
-      const auto compare = [&](const auto& contact, const ExactPressure& law,
-                               AccuracyReport& report) {
-        const double half_angle = share * law.largest_half_angle();
-        const contact::ContactPressure solved = contact.pressure(half_angle);
-        for (double s = 0; s < 1; s += 0.037) {
-          report.add_error(std::abs(law.pressure(s * half_angle, half_angle) -
-                                    solved.pressure(s * half_angle)) /
-                               solved.peak(),
-                           label(law, half_angle));
-        }
-        force.add(law.force_ratio(half_angle), solved.force_ratio(),
-                  label(law, half_angle));
-      };
-      compare(ball_contact, ball_law, ball);
-      compare(pin_contact, pin_law, pin);
+      compare(ball_law, ball_contact, share * ball_law.largest_half_angle(),
+              ball, force);
+      compare(pin_law, pin_contact, share * pin_law.largest_half_angle(), pin,
+              force);
     }
   }
   ball.check();
