@@ -74,6 +74,14 @@ class History {
   mutable std::map<std::string, std::vector<double>> numbers_;
 };
 
+// What a case says of a carrier that stays where it is.
+std::string carrier_at_rest(const std::string& name) {
+  return "[carrier]\nname = \"" + name + R"("
+mass_kg = 1000
+principal_inertia_kg_m2 = [1, 1, 1]
+drive = { acceleration_m_per_s2 = [0, 0, 0] })";
+}
+
 json run_json(const ProgramFolder& folder, const std::string& arguments) {
   const ProgramResult result = folder.run("hinge-separation " + arguments);
   EXPECT_EQ(result.status, 0) << arguments << '\n' << result.err;
@@ -297,11 +305,8 @@ name = "pendulums"
 gravity_m_per_s2 = [0, -9.81, 0]
 [run]
 end_time_s = 4
-[carrier]
-name = "ceiling"
-mass_kg = 1000
-principal_inertia_kg_m2 = [1, 1, 1]
-drive = { acceleration_m_per_s2 = [0, 0, 0] }
+)" + carrier_at_rest("ceiling") +
+                           R"(
 [[load]]
 name = "mass"
 mass_kg = 2
@@ -375,11 +380,7 @@ TEST(HingeSeparation, AnglesOfAxesCountFullTurns) {
 name = "wheel"
 [run]
 end_time_s = 3
-[carrier]
-name = "base"
-mass_kg = 1000
-principal_inertia_kg_m2 = [1, 1, 1]
-drive = { acceleration_m_per_s2 = [0, 0, 0] }
+)" + carrier_at_rest("base") + R"(
 [[load]]
 name = "wheel"
 mass_kg = 2
@@ -566,11 +567,7 @@ gravity_m_per_s2 = [0, -9.81, 0]
 [run]
 end_time_s = 4
 output_step_s = )") + step + R"(
-[carrier]
-name = "ceiling"
-mass_kg = 1000
-principal_inertia_kg_m2 = [1, 1, 1]
-drive = { acceleration_m_per_s2 = [0, 0, 0] }
+)" + carrier_at_rest("ceiling") + R"(
 [[load]]
 name = "mass"
 mass_kg = 2
@@ -636,11 +633,8 @@ name = "bar"
 gravity_m_per_s2 = [0, -10, 0]
 [run]
 end_time_s = 0.1
-[carrier]
-name = "wall"
-mass_kg = 1000
-principal_inertia_kg_m2 = [1, 1, 1]
-drive = { acceleration_m_per_s2 = [0, 0, 0] }
+)" + carrier_at_rest("wall") +
+                             R"(
 [[load]]
 name = "bar"
 mass_kg = 10
@@ -686,11 +680,8 @@ TEST(HingeSeparation, ViscousWheelSlowsDownExponentially) {
 name = "viscous wheel"
 gravity_m_per_s2 = [0, -9.81, 0]
 run = { end_time_s = 20 }
-[carrier]
-name = "wall"
-mass_kg = 1000
-principal_inertia_kg_m2 = [1, 1, 1]
-drive = { acceleration_m_per_s2 = [0, 0, 0] }
+)" + carrier_at_rest("wall") +
+                             R"(
 [[load]]
 name = "wheel"
 mass_kg = 50
@@ -739,11 +730,8 @@ name = "bar"
 [run]
 end_time_s = 2
 output_step_s = 2
-[carrier]
-name = "wall"
-mass_kg = 1000
-principal_inertia_kg_m2 = [1, 1, 1]
-drive = { acceleration_m_per_s2 = [0, 0, 0] }
+)" + carrier_at_rest("wall") +
+                           R"(
 [[carrier.shape]]
 kind = "capsule"
 from_m = [3, -1, 0]
