@@ -1,25 +1,22 @@
 #pragma once
 
 // Included once by each cap_kernel_*.cpp, which is compiled for its own
-// instruction set: Lanes is a different type in each of them.
+// instruction set.
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <experimental/simd>
 #include <numbers>
 #include <span>
 
 #include "libcontact/detail/cap_kernel.hpp"
 #include "libcontact/detail/cap_point.hpp"
+#include "libcontact/detail/lanes.hpp"
 
 namespace contact::detail {
 namespace {
 
-namespace stdx = std::experimental;
-using Lanes = stdx::native_simd<double>;
-constexpr int width = static_cast<int>(Lanes::size());
 static_assert(CapRule::lanes % width == 0);
 
 Lanes load(const double* x) { return Lanes(x, stdx::element_aligned); }
