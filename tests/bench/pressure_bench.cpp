@@ -71,9 +71,11 @@ void scalar(benchmark::State& state, const std::string& name, double low,
   const auto law =
       contact::make_pressure_law(name, JointKind::spherical, pair());
   const Points p(low, high);
-  // The first call makes the rules.
-  contact::friction_integrals(*law, p.half_angle[0],
-                              {p.axis_sin[0], p.axis_cos[0]});
+  // The first call of each kind makes its rules.
+  for (std::size_t k = 0; k < count; ++k) {
+    contact::friction_integrals(*law, p.half_angle[k],
+                                {p.axis_sin[k], p.axis_cos[k]});
+  }
   std::size_t i = 0;
   for (auto _ : state) {
     const std::size_t k = i++ % count;
