@@ -11,6 +11,7 @@
 #include "libcontact/detail/edge_fit.hpp"
 #include "libcontact/detail/edge_polynomial.hpp"
 #include "libcontact/detail/gauss_legendre.hpp"
+#include "libcontact/detail/plain_logarithm.hpp"
 #include "libcontact/detail/wide_edge.hpp"
 
 namespace contact {
@@ -22,11 +23,6 @@ using detail::WideEdge;
 constexpr double pi = std::numbers::pi;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double usual_largest = 2 * pi / 3;
-
-// Sines of a law that its expansion() takes over.
-int expansion_terms(int terms) {
-  return std::min(terms, PressureExpansion::max_terms);
-}
 
 // What p carries, and the sum of its pressures.
 struct Resultants {
@@ -60,38 +56,43 @@ Resultants resultants(JointKind kind, const ContactPressure& p) {
 
 void ExactPressure::Series::add(std::span<const double> values, int i,
                                 int count) {
-  rows_.resize(static_cast<std::size_t>(count) * width_);
-  double* row = rows_.data();
-  for (int j = 0; j < count; ++j, row += width_) {
+  rows_.resize(count);
+  for (int j = 0; j < count; ++j) {
     const double factor =
         (j == 0 ? 1.0 : 2.0) / count * std::cos(j * pi * (i + 0.5) / count);
-    for (int k = 0; k < width_; ++k) row[k] += factor * values[k];
+    for (int k = 0; k < width_; ++k) rows_[j][k] += factor * values[k];
   }
   if (i + 1 < count) return;
   // The last point: rows that are rounding go.
-  const auto largest = [&](std::span<const double> row_values) {
+  const auto largest = [&](const Column& row) {
     double m = 0;
-    for (const double v : row_values) m = std::max(m, std::abs(v));
+    for (const double v : row) m = std::max(m, std::abs(v));
     return m;
   };
-  const auto width = static_cast<std::size_t>(width_);
-  const double rounding = 1e-15 * largest(std::span(rows_).first(width));
-  while (largest(std::span(rows_).last(width)) < rounding) {
-    rows_.resize(rows_.size() - width);
-  }
+  const double rounding = 1e-15 * largest(rows_.front());
+  while (largest(rows_.back()) < rounding) rows_.pop_back();
 }
 
-void ExactPressure::Series::evaluate(double v, std::span<double> sum) const {
-  std::fill_n(sum.begin(), width_, 0);
-  // T_{j+1} = 2 v T_j - T_{j-1}
-  double last = v;  // T_{-1}
-  double now = 1;
-  for (auto row = rows_.begin(); row != rows_.end(); row += width_) {
-    for (int k = 0; k < width_; ++k) sum[k] += now * row[k];
-    const double next = 2 * v * now - last;
-    last = now;
-    now = next;
+ExactPressure::Column ExactPressure::Series::evaluate(double v) const {
+  // T_{2j} = 2 T_j^2 - 1, T_{2j+1} = 2 T_j T_{j+1} - v: no long chain.
+  const std::size_t rows = rows_.size();
+  std::array<double, most_rows + 1> t{1, v};
+  for (std::size_t j = 1; 2 * j < rows; ++j) {
+    t[2 * j] = 2 * t[j] * t[j] - 1;
+    t[2 * j + 1] = 2 * t[j] * t[j + 1] - v;
   }
+  Column sum{};
+  // So many columns at a time as the processor has registers for.
+  constexpr int block = 8;
+  static_assert(max_width % block == 0);
+  for (int first = 0; first < width_; first += block) {
+    std::array<double, block> part{};
+    for (std::size_t j = 0; j < rows; ++j) {
+      for (int k = 0; k < block; ++k) part[k] += t[j] * rows_[j][first + k];
+    }
+    std::ranges::copy(part, sum.begin() + first);
+  }
+  return sum;
 }
 
 ExactPressure::ExactPressure(JointKind kind, const ElasticPair& pair,
@@ -117,7 +118,6 @@ template <class Contact>
 void ExactPressure::tabulate(const Contact& contact,
                              const ExactHalfAngle& limit) {
   const JointKind kind = joint_kind();
-  const bool ball = kind == JointKind::spherical;
   const double wanted =
       limit.status == Status::ok ? limit.half_angle : contact.largest();
   largest_ = std::min(std::max(wanted, usual_largest), contact.largest());
@@ -125,10 +125,8 @@ void ExactPressure::tabulate(const Contact& contact,
   terms_ = wide ? EdgeFit::wide_terms : EdgeFit::usual_terms;
   const int count = wide ? 64 : 28;
   contact_ = Series(terms_ + logarithms + 1);
-  expansion_ = Series(expansion_terms(terms_) + logarithms);
   for (int i = 0; i < count; ++i) {
-    const double share = (1 + std::cos(pi * (i + 0.5) / count)) / 2;
-    const double half_angle = largest_ * (ball ? share * share : share);
+    const double half_angle = chebyshev_half_angle(i, count);
     const ContactPressure solved = contact.pressure(half_angle, terms_);
     // The solver's own load is off by its truncation.
     const auto [load, sum] = resultants(kind, solved);
@@ -140,23 +138,45 @@ void ExactPressure::tabulate(const Contact& contact,
     for (double& v : value) v *= scale;
     value[contact_.width() - 1] = sum / load;
     contact_.add(value, i, count);
+  }
+  tabulate_expansion();
+}
 
-    std::array<double, PressureExpansion::max_terms> a{};
-    std::copy_n(value.begin(), expansion_terms(terms_), a.begin());
+void ExactPressure::tabulate_expansion() {
+  constexpr int terms = PressureExpansion::max_terms;
+  // More than contact_ has: the share of the logarithm depends on theta0 too.
+  const int count = largest_ > usual_largest ? 96 : 44;
+  for (int i = 0; i < count; ++i) {
+    const double half_angle = chebyshev_half_angle(i, count);
+    if (half_angle > usual_largest) continue;
+    const Column value = evaluate(half_angle);
     // Far below the accuracy of the law; equal materials need few terms.
     const double negligible = 1e-13 * std::abs(value[0]);
-    for (int k = expansion_size_; k < PressureExpansion::max_terms; ++k) {
-      if (half_angle <= usual_largest && std::abs(a[k]) > negligible) {
-        expansion_size_ = k + 1;
-      }
+    for (int k = expansion_size_; k < std::min(terms, terms_); ++k) {
+      if (std::abs(value[k]) > negligible) expansion_size_ = k + 1;
     }
-    const auto c = detail::edge_polynomial(a);
+  }
+  expansion_ = Series(terms + logarithms);
+  for (int i = 0; i < count; ++i) {
+    const double half_angle = chebyshev_half_angle(i, count);
+    const Column value = evaluate(half_angle);
+    const std::span b = std::span(value).subspan(terms_, logarithms);
+    std::array<double, terms> a{};
+    std::copy_n(value.begin(), expansion_size_, a.begin());
+    auto c = detail::edge_polynomial(a);
+    detail::to_plain_logarithm(WideEdge(half_angle).cosine(), b,
+                               std::span(c).first(expansion_size_));
     Column expansion{};
-    const auto rest =
-        std::copy_n(c.begin(), expansion_terms(terms_), expansion.begin());
-    std::copy_n(value.begin() + terms_, logarithms, rest);
+    const auto rest = std::ranges::copy(c, expansion.begin()).out;
+    std::ranges::copy(b, rest);
     expansion_.add(expansion, i, count);
   }
+}
+
+double ExactPressure::chebyshev_half_angle(int i, int count) const noexcept {
+  const double share = (1 + std::cos(pi * (i + 0.5) / count)) / 2;
+  const bool ball = joint_kind() == JointKind::spherical;
+  return largest_ * (ball ? share * share : share);
 }
 
 double ExactPressure::chebyshev_variable(double half_angle) const noexcept {
@@ -168,9 +188,7 @@ double ExactPressure::chebyshev_variable(double half_angle) const noexcept {
 
 ExactPressure::Column ExactPressure::evaluate(
     double half_angle) const noexcept {
-  Column column{};
-  contact_.evaluate(chebyshev_variable(half_angle), column);
-  return column;
+  return contact_.evaluate(chebyshev_variable(half_angle));
 }
 
 double ExactPressure::in_pressure_units(double value,
@@ -220,13 +238,12 @@ void ExactPressure::edge_slopes(double half_angle,
 }
 
 PressureExpansion ExactPressure::expansion(double half_angle) const noexcept {
+  constexpr int terms = PressureExpansion::max_terms;
   PressureExpansion result{.size = expansion_size_};
-  Column values{};
-  expansion_.evaluate(chebyshev_variable(half_angle), values);
+  const Column values = expansion_.evaluate(chebyshev_variable(half_angle));
   const double unit = in_pressure_units(1, half_angle);
   const auto scaled = [unit](double value) { return value * unit; };
   const std::span all(values);
-  const int terms = expansion_terms(terms_);
   std::ranges::transform(all.first(terms), result.coefficient.begin(), scaled);
   std::ranges::transform(all.subspan(terms, logarithms),
                          result.logarithmic.begin(), scaled);

@@ -52,6 +52,10 @@ class ExactPressure final : public PressureLaw {
 
  private:
   static constexpr int logarithms = ContactPressure::logarithms;
+  // a_k, b_k, S and some more.
+  static constexpr int max_width = 40;
+  static_assert(max_width >= ContactPressure::max_terms + logarithms + 1);
+  using Column = std::array<double, max_width>;
   /// Chebyshev series of several functions of theta0, one row a degree.
   class Series {
    public:
@@ -60,17 +64,18 @@ class ExactPressure final : public PressureLaw {
     /// Takes the functions' values at point i of count.
     void add(std::span<const double> values, int i, int count);
     /// At v in [-1, 1].
-    void evaluate(double v, std::span<double> sum) const;
+    Column evaluate(double v) const;
 
    private:
+    static constexpr int most_rows = 96;
     int width_;
-    std::vector<double> rows_;
+    std::vector<Column> rows_;
   };
-  static constexpr int max_width = ContactPressure::max_terms + logarithms + 1;
-  using Column = std::array<double, max_width>;
-
   template <class Contact>
   void tabulate(const Contact& contact, const ExactHalfAngle& limit);
+  void tabulate_expansion();
+  /// Point i of Chebyshev's rule in the variable of the series.
+  double chebyshev_half_angle(int i, int count) const noexcept;
   double chebyshev_variable(double half_angle) const noexcept;
   Column evaluate(double half_angle) const noexcept;
   double in_pressure_units(double value, double half_angle) const noexcept;

@@ -10,12 +10,14 @@ namespace contact {
 /// square root from the edge,
 ///
 ///     p = cosine_share p[cosine] + x sum_k c_k (2 x^2 - 1)^k
-///         + x^3 ln x sum_k b_k x^(2k),
-///     x^2 = (1 + v)(cos theta - cos theta0)/((1 - cos theta0)(v + cos theta)),
+///         + x^3 ln X sum_k b_k x^(2k),
+///     X^2 = (cos theta - cos theta0)/(1 - cos theta0),
+///     x^2 = X^2 (1 + v)/(v + cos theta),
 ///
-/// to which the friction integrals have short ways. x is 0 at the edge and 1
-/// at the centre for every v; with v = 1 it is the edge variable of
-/// PressureLaw.
+/// to which the friction integrals have short ways. x and X are 0 at the edge
+/// and 1 at the centre for every v; with v = 1, x is the edge variable of
+/// PressureLaw. ln X and not ln x: along a great circle X is a constant times
+/// a cosine.
 struct PressureExpansion {
   static constexpr int max_terms = 16;
   double cosine_share = 0;

@@ -61,7 +61,8 @@ struct NamedLaw {
 };
 
 // All of them, and exact pressures with the largest logarithms of both signs,
-// with none, and of materials that reach beyond 120 deg.
+// with none, of materials that reach beyond 120 deg, and with logarithms of both
+// sides of the size from which finer rules are taken.
 std::vector<NamedLaw> laws_to_integrate() {
   std::vector<NamedLaw> laws;
   for (const std::string& name : other_names()) {
@@ -72,7 +73,9 @@ std::vector<NamedLaw> laws_to_integrate() {
                                             {infinity, 0.3, 0.0},
                                             {1.0, 0.3, 0.3},
                                             {0.02, 0.48, 0.2},
-                                            {0.0, 0.49, 0.3}}) {
+                                            {0.0, 0.49, 0.3},
+                                            {7.0, 0.3, 0.3},
+                                            {20.0, 0.3, 0.3}}) {
     laws.push_back(
         {"exact " + std::to_string(ratio) + ' ' + std::to_string(inner) + ' ' +
              std::to_string(outer),
@@ -483,11 +486,14 @@ class MixedPressure final : public PressureLaw {
       const double share = c / (1 - (1 - c) * y2);  // x^2/y^2
       const double x = y[i] * std::sqrt(share);
       const double x2 = x * x;
-      // d/dx of 0.9 x + 0.2 x (2 x^2 - 1) and of x^3 ln x (...)
+      // d/dx of 0.9 x + 0.2 x (2 x^2 - 1) and of x^3 ln X (...),
+      // X^2 = c x^2/(1 - (1 - c) x^2)
       const double smooth = 0.7 + 1.2 * x2;
+      const double rest = 1 - (1 - c) * x2;
+      const double log_X = std::log(c * x2 / rest) / 2;
       const double logarithm =
-          x2 * ((3 * 0.3 - x2 * (5 * 0.2 - x2 * 7 * 0.1)) * std::log(x) + 0.3 -
-                x2 * (0.2 - x2 * 0.1));
+          x2 * ((3 * 0.3 - x2 * (5 * 0.2 - x2 * 7 * 0.1)) * log_X +
+                (0.3 - x2 * (0.2 - x2 * 0.1)) / rest);
       double part = 0;
       cosine.edge_slopes(half_angle, y.subspan(i, 1), {&part, 1});
       out[i] = (smooth + logarithm) * share * std::sqrt(share) / c + 0.3 * part;

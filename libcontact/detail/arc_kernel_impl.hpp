@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 
+#include "libcontact/detail/arc_rule.hpp"
 #include "libcontact/detail/arc_sum.hpp"
 #include "libcontact/detail/cap_point.hpp"
 #include "libcontact/detail/cap_rule.hpp"
@@ -14,11 +15,21 @@
 namespace contact::detail {
 namespace {
 
+/// Nodes i, i + 1, ... in lanes, and node i in all of them.
+ArcNode<Lanes> nodes_at(const CapRule& rule, int i) {
+  return {load(rule.cosine_squared + i), load(rule.sine_squared + i),
+          load(rule.weight + i), load(rule.log_cosine_squared + i)};
+}
+ArcNode<Lanes> node_at(const CapRule& rule, int i) {
+  return {rule.cosine_squared[i], rule.sine_squared[i], rule.weight[i],
+          rule.log_cosine_squared[i]};
+}
+
 /// The arcs of one contact, for lanes over nodes of the outer rule first and
 /// along the arcs then.
 struct ArcArrays {
-  using Array = std::array<double, CapRule::longest>;
-  Array radius, constant, cosine, half, edge;
+  struct alignas(64) Array : std::array<double, CapRule::longest> {};
+  Array radius, constant, cosine, half, edge, log_top;
   Array force, sliding_cosine, sliding_sine, spinning;
 
   void set(int i, const Arc<Lanes>& arc) {
@@ -30,35 +41,42 @@ struct ArcArrays {
     store(arc.cosine, cosine);
     store(arc.half, half);
     store(arc.edge, edge);
+    store(arc.log_top, log_top);
     store(arc.force, force);
     store(arc.sliding_cosine, sliding_cosine);
     store(arc.sliding_sine, sliding_sine);
     store(arc.spinning, spinning);
   }
   Arc<Lanes> get(int i) const {
-    return {radius[i], constant[i],       cosine[i],       half[i],    edge[i],
-            force[i],  sliding_cosine[i], sliding_sine[i], spinning[i]};
+    return {radius[i],       constant[i], cosine[i], half[i],
+            edge[i],         log_top[i],  force[i],  sliding_cosine[i],
+            sliding_sine[i], spinning[i]};
   }
 };
 
-/// The rules that a pressure needs.
-struct Rules {
-  Rules(bool with_logarithm, bool rough)
-      : inner(with_logarithm || rough ? gauss_arc_rule : short_rule),
-        inside(with_logarithm ? inside_rule : short_rule),
-        chord(with_logarithm ? small_log_chord_rule : chord_rule),
-        cut(with_logarithm ? small_log_chord_rule : log_chord_rule) {}
-  /// Circles that all but touch the edge weigh little: the rule of
-  /// k'^2 = 2.8e-4 serves all of a smaller one, to 2e-11 up to 120 deg.
-  const CapRule& inner_for(double complementary_squared) const {
-    constexpr int last = 14;
-    return inner(std::min(cap_rule_index()(complementary_squared), last));
+/// The rules along circles of a contact. Those that all but touch the edge
+/// weigh little: the rule of k'^2 = 5.6e-4 serves all of a smaller one, and
+/// where more nodes are taken for the logarithm that of 1.1e-3, to 6e-11 up to
+/// 120 deg.
+class AlongRules {
+ public:
+  explicit AlongRules(ArcTerms terms)
+      : last_(terms == ArcTerms::smooth ? 13 : 12),
+        arc_(arc_rules(terms)),
+        whole_(short_rules()),
+        index_(cap_rule_index()) {}
+
+  template <Circles circles>
+  const CapRule& get(double complementary_squared) const {
+    const int index = std::min(index_(complementary_squared), last_);
+    return circles == Circles::whole ? whole_[index] : arc_[index];
   }
 
-  const CapRule& (*inner)(int);
-  const CapRule& (*inside)(int);
-  const CapRule& (*chord)(int);
-  const CapRule& (*cut)(int);
+ private:
+  int last_;
+  const CapRules& arc_;
+  const CapRules& whole_;
+  const CapRuleIndex& index_;
 };
 
 /// hmin(), but for NaN.
@@ -66,16 +84,31 @@ double smallest(const Lanes& x) {
   return hmin(select(x >= 0.0, x, Lanes(1.0)));
 }
 
+/// Calls f.template operator()<terms, with_logarithm>(), terms >= size.
+template <class F>
+auto with_terms(int size, bool with_logarithm, F f) {
+  static_assert(PressureExpansion::max_terms == 16);
+  if (with_logarithm) {
+    return size <= 12 ? f.template operator()<12, true>()
+                      : f.template operator()<16, true>();
+  }
+  return size <= 1    ? f.template operator()<1, false>()
+         : size <= 4  ? f.template operator()<4, false>()
+         : size <= 8  ? f.template operator()<8, false>()
+         : size <= 12 ? f.template operator()<12, false>()
+                      : f.template operator()<16, false>();
+}
+
 /// One contact, its arcs in lanes along them.
-template <bool with_logarithm>
+template <int terms, bool with_logarithm>
 class OneContact {
  public:
   OneContact(const ArcPoint<double>& p, const PressureExpansion& pressure,
-             const Rules& rules)
+             ArcTerms arc_terms)
       : point_(p),
-        pressure_{Lanes(pressure.edge_constant), pressure.size,
-                  pressure.coefficient.data(), pressure.logarithmic.data()},
-        rules_(rules) {}
+        pressure_{Lanes(pressure.edge_constant), pressure.coefficient.data(),
+                  pressure.logarithmic.data()},
+        along_(arc_terms) {}
 
   template <Circles circles>
   PressureSums<double> sum(const CapRule& rule) const {
@@ -83,22 +116,19 @@ class OneContact {
                                 point_.q, point_.k, point_.m};
     ArcArrays arcs;
     for (int i = 0; i < rule.size; i += width) {
-      arcs.set(i, arc_of<circles>(point, pressure_.edge_constant,
-                                  load(rule.cosine_squared + i),
-                                  load(rule.sine_squared + i),
-                                  load(rule.weight + i)));
+      arcs.set(i, arc_of<circles, with_logarithm>(
+                      point, pressure_.edge_constant, nodes_at(rule, i)));
     }
     PressureSums<Lanes> sum;
     for (int i = 0; i < rule.size; ++i) {
       const Arc<Lanes> arc = arcs.get(i);
-      const CapRule& inner = rules_.inner_for(arcs.constant[i]);
+      const CapRule& inner = along_.get<circles>(arcs.constant[i]);
+      ArcMoments<Lanes> moments;
       for (int j = 0; j < inner.size; j += width) {
-        add_point<circles == Circles::whole, with_logarithm>(
-            arc, pressure_,
-            {load(inner.cosine_squared + j), load(inner.sine_squared + j),
-             load(inner.weight + j), load(inner.log_cosine_squared + j)},
-            sum);
+        add_point<circles == Circles::whole>(arc, pressure_, nodes_at(inner, j),
+                                             moments);
       }
+      add_arc(arc, moments, sum);
     }
     return scaled<circles, double>(
         point_, {reduce(sum.force), reduce(sum.sliding), reduce(sum.spinning)});
@@ -106,73 +136,71 @@ class OneContact {
 
  private:
   ArcPoint<double> point_;
-  RootPressure<Lanes, double> pressure_;
-  const Rules& rules_;
+  RootPressure<terms, with_logarithm, Lanes, double> pressure_;
+  AlongRules along_;
 };
 
 /// Calls f.template operator()<circles>(outer rule) for each family of circles
 /// that a contact needs and adds up.
 template <class V, class Sum>
-[[gnu::always_inline]] inline PressureSums<V> sum_circles(const Rules& rules,
-                                                          bool pole_inside,
+[[gnu::always_inline]] inline PressureSums<V> sum_circles(bool pole_inside,
                                                           bool beyond,
                                                           double k2, double m,
                                                           Sum sum) {
   const CapRuleIndex& index = cap_rule_index();
   if (pole_inside) {
-    return sum.template operator()<Circles::inside>(rules.inside(index(m)));
+    return sum.template operator()<Circles::inside>(short_rules()[index(m)]);
   }
   if (!beyond) {
-    return sum.template operator()<Circles::outside>(rules.chord(index(m)));
+    return sum.template operator()<Circles::outside>(chord_rules()[index(m)]);
   }
   const PressureSums<V> cut =
-      sum.template operator()<Circles::outside>(rules.cut(index(m)));
+      sum.template operator()<Circles::outside>(chord_rules()[index(m)]);
   const PressureSums<V> whole =
-      sum.template operator()<Circles::whole>(log_chord_rule(index(k2)));
+      sum.template operator()<Circles::whole>(whole_chord_rules()[index(k2)]);
   return {cut.force + whole.force, cut.sliding + whole.sliding,
           cut.spinning + whole.spinning};
 }
 
 PressureSums<double> root_pressure(const ArcPoint<double>& p, bool pole_inside,
                                    const PressureExpansion& pressure) {
-  const auto with = [&]<bool with_logarithm>() {
-    const Rules rules(with_logarithm, is_rough(pressure));
-    const OneContact<with_logarithm> contact(p, pressure, rules);
-    return sum_circles<double>(rules, pole_inside, p.c < 0, p.k * p.k, p.m,
-                               [&]<Circles circles>(const CapRule& rule) {
-                                 return contact.template sum<circles>(rule);
-                               });
-  };
-  return pressure.has_logarithm() ? with.template operator()<true>()
-                                  : with.template operator()<false>();
+  return with_terms(pressure.size, pressure.has_logarithm(),
+                    [&]<int terms, bool with_logarithm>() {
+                      const OneContact<terms, with_logarithm> contact(
+                          p, pressure, arc_terms(pressure));
+                      return sum_circles<double>(
+                          pole_inside, p.c < 0, p.k * p.k, p.m,
+                          [&]<Circles circles>(const CapRule& rule) {
+                            return contact.template sum<circles>(rule);
+                          });
+                    });
 }
 
 /// A contact in each lane; what root_pressure() does for one.
-template <bool with_logarithm>
-PressureSums<Lanes> root_pressures(const ArcPoint<Lanes>& p, bool pole_inside,
-                                   bool beyond,
-                                   const RootPressure<Lanes, Lanes>& pressure,
-                                   const Rules& rules) {
+template <int terms, bool with_logarithm>
+PressureSums<Lanes> root_pressures(
+    const ArcPoint<Lanes>& p, bool pole_inside, bool beyond,
+    const RootPressure<terms, with_logarithm, Lanes, Lanes>& pressure,
+    ArcTerms arc_terms) {
+  const AlongRules along(arc_terms);
   const auto sum = [&]<Circles circles>(const CapRule& rule) {
     PressureSums<Lanes> total;
     for (int i = 0; i < rule.size; ++i) {
-      const Arc<Lanes> arc = arc_of<circles>(
-          p, pressure.edge_constant, Lanes(rule.cosine_squared[i]),
-          Lanes(rule.sine_squared[i]), Lanes(rule.weight[i]));
+      const Arc<Lanes> arc = arc_of<circles, with_logarithm>(
+          p, pressure.edge_constant, node_at(rule, i));
       // The longest arc's rule serves the others too.
-      const CapRule& inner = rules.inner_for(smallest(arc.constant));
+      const CapRule& inner = along.get<circles>(smallest(arc.constant));
+      ArcMoments<Lanes> moments;
       for (int j = 0; j < inner.size; ++j) {
-        add_point<circles == Circles::whole, with_logarithm>(
-            arc, pressure,
-            {Lanes(inner.cosine_squared[j]), Lanes(inner.sine_squared[j]),
-             Lanes(inner.weight[j]), Lanes(inner.log_cosine_squared[j])},
-            total);
+        add_point<circles == Circles::whole>(arc, pressure, node_at(inner, j),
+                                             moments);
       }
+      add_arc(arc, moments, total);
     }
     return scaled<circles>(p, total);
   };
   // So does the outer rule of the highest modulus.
-  return sum_circles<Lanes>(rules, pole_inside, beyond, smallest(p.k * p.k),
+  return sum_circles<Lanes>(pole_inside, beyond, smallest(p.k * p.k),
                             smallest(p.m), sum);
 }
 
@@ -211,14 +239,15 @@ class TabulatedPressure {
     const ArcPoint<Lanes> point{
         p.s, select(cap.beyond_hemisphere, Lanes(-p.c), p.c), p.sa, p.q, p.k,
         p.m};
-    const RootPressure<Lanes, Lanes> pressure{
-        edge_constant_, table_.size, coefficient_.data(), logarithmic_.data()};
-    const Rules rules(table_.has_logarithm, table_.rough);
-    const PressureSums<Lanes> root =
-        table_.has_logarithm
-            ? root_pressures<true>(point, pole_inside, beyond, pressure, rules)
-            : root_pressures<false>(point, pole_inside, beyond, pressure,
-                                    rules);
+    const PressureSums<Lanes> root = with_terms(
+        table_.size, table_.has_logarithm,
+        [&]<int terms, bool with_logarithm>() {
+          return root_pressures(
+              point, pole_inside, beyond,
+              RootPressure<terms, with_logarithm, Lanes, Lanes>{
+                  edge_constant_, coefficient_.data(), logarithmic_.data()},
+              table_.arc_terms);
+        });
     Lanes peak = cosine_share_ * (one_minus_c / r.normal);
     for (int k = 0; k < table_.size; ++k) peak += coefficient_[k];
     r.force = root.force + cosine_share_ * r.force;
@@ -245,7 +274,7 @@ class TabulatedPressure {
   const ExpansionTable& table_;
   Lanes edge_constant_, cosine_share_;
   std::array<Lanes, ExpansionTable::most_rows + 1> chebyshev_{};
-  std::array<Lanes, PressureExpansion::max_terms> coefficient_;
+  std::array<Lanes, PressureExpansion::max_terms> coefficient_{};
   std::array<Lanes, 3> logarithmic_{};
 };
 

@@ -27,38 +27,42 @@ struct ArcPoint {
 };
 
 /// A PressureExpansion without its cosine share. C is V or double.
-template <class V, class C>
+template <int terms, bool with_logarithm, class V, class C>
 struct RootPressure {
   V edge_constant;       ///< v
-  int size;              ///< of the coefficients
-  const C* coefficient;  ///< c_k
+  const C* coefficient;  ///< as many c_k as terms
   const C* logarithmic;  ///< three b_k
 
   /// p/x
-  template <bool with_logarithm>
-  [[gnu::always_inline]] V over_x(const V& x2, const V& log_x2) const {
+  [[gnu::always_inline]] V over_x(const V& x2, const V& log_X2) const {
     const V y = 2.0 * x2 - 1.0;
     V p = polynomial(y);
     if constexpr (with_logarithm) {
       p += ((V(logarithmic[2]) * x2 + logarithmic[1]) * x2 + logarithmic[0]) *
-           (0.5 * x2 * log_x2);
+           (0.5 * x2 * log_X2);
     }
     return p;
   }
 
-  /// Even and odd powers side by side: half the latency of Horner's rule.
+  /// The powers by their remainder modulo 4, side by side.
   [[gnu::always_inline]] V polynomial(const V& y) const {
-    V first = coefficient[size - 1];
-    if (size == 1) return first;
+    if constexpr (terms == 1) return coefficient[0];
+    static_assert(terms == 1 || terms % 4 == 0);
     const V y2 = y * y;
-    V second = coefficient[size - 2];
-    int k = size - 3;
-    for (; k >= 1; k -= 2) {
-      first = first * y2 + coefficient[k];
-      second = second * y2 + coefficient[k - 1];
+    const V y4 = y2 * y2;
+    constexpr int last = terms - 4;
+    V p0 = coefficient[last];
+    V p1 = coefficient[last + 1];
+    V p2 = coefficient[last + 2];
+    V p3 = coefficient[last + 3];
+#pragma GCC unroll 4
+    for (int k = last - 4; k >= 0; k -= 4) {
+      p0 = p0 * y4 + coefficient[k];
+      p1 = p1 * y4 + coefficient[k + 1];
+      p2 = p2 * y4 + coefficient[k + 2];
+      p3 = p3 * y4 + coefficient[k + 3];
     }
-    return k == 0 ? V((first * y + second) * y + coefficient[0])
-                  : V(first * y + second);
+    return (p3 * y + p2) * y2 + (p1 * y + p0);
   }
 };
 
@@ -71,16 +75,25 @@ struct Arc {
   V constant, cosine;  ///< delta^2 = constant + cosine cos^2(psi)
   V half;              ///< sin^2(d/2), 1 for a whole circle
   V edge;              ///< x^2 (v + R cos eta)/root, root as in add_point()
+  V log_top;           ///< ln(X^2/root)
   V force, sliding_cosine, sliding_sine, spinning;
+};
+
+/// A node of a rule, as CapRule says.
+template <class V>
+struct ArcNode {
+  V cosine_squared, sine_squared, weight, log_cosine_squared;
 };
 
 /// The arc of a node chi. The weight is d chi, but cos(chi) d chi outside and
 /// of whole circles, for which cos phi = k' sin chi.
-template <Circles circles, class V>
+template <Circles circles, bool with_logarithm, class V>
 [[gnu::always_inline]] inline Arc<V> arc_of(const ArcPoint<V>& p,
-                                            const V& edge_constant, V cos2,
-                                            V sin2, V weight) {
+                                            const V& edge_constant,
+                                            const ArcNode<V>& node) {
   using std::abs, std::sqrt;
+  const V& cos2 = node.cosine_squared;
+  const V& sin2 = node.sine_squared;
   const V s2 = p.s * p.s;
   const V sa2 = p.sa * p.sa;
   const V k2 = p.k * p.k;
@@ -103,7 +116,8 @@ template <Circles circles, class V>
   }
   const auto [u, inverse_delta] =
       inverse_roots(r2, circles == Circles::whole ? sin2_phi : cos2_phi);
-  const V w = circles == Circles::inside ? weight : V(weight * inverse_delta);
+  const V w =
+      circles == Circles::inside ? node.weight : V(node.weight * inverse_delta);
   const V r = r2 * u;
   const V c = abs(p.c);
   const V sum = r + c;
@@ -133,6 +147,17 @@ template <Circles circles, class V>
     arc.spinning =
         4.0 * w * sqrt(select(wide, V(large / s2), share) * arc.edge);
   }
+  if constexpr (with_logarithm) {
+    const V top = arc.edge / (1.0 + edge_constant);
+    if constexpr (circles == Circles::outside) {
+      // The arcs shrink like cos(chi), but for wide contacts.
+      const auto wide = p.c < 0.0;
+      arc.log_top = logarithm(select(wide, top, V((1.0 + c) * inverse))) +
+                    select(wide, V(0.0), node.log_cosine_squared);
+    } else {
+      arc.log_top = logarithm(top);
+    }
+  }
   arc.force = arc.spinning * cos2_phi * u;
   arc.sliding_cosine = arc.force * u;
   arc.sliding_sine = arc.spinning * (sa2 * sin2_phi) * (u * u);
@@ -145,22 +170,18 @@ struct PressureSums {
   V force = 0.0, sliding = 0.0, spinning = 0.0;
 };
 
-/// A node of an inner rule, in psi.
+/// Integrals along an arc: of p/2, p cos(eta)/2, p sin^2(eta)/8.
 template <class V>
-struct ArcNode {
-  V cosine_squared, sine_squared, weight, log_cosine_squared;
+struct ArcMoments {
+  V one = 0.0, cosine = 0.0, sine_squared = 0.0;
 };
 
-/// Adds a point of an arc to
-///   force    2 q     ∫ ∫ p cos^2(phi) cos(eta)/R
-///   sliding  2 q     ∫ ∫ p (cos^2(phi) cos^2(eta)
-///                           + sa^2 sin^2(phi) sin^2(eta))/R^2
-///   spinning 2 sa    ∫ ∫ p sin^2(eta)
-template <bool whole, bool with_logarithm, class V, class C>
-[[gnu::always_inline]] inline void add_point(const Arc<V>& arc,
-                                             const RootPressure<V, C>& pressure,
-                                             const ArcNode<V>& node,
-                                             PressureSums<V>& sum) {
+/// Adds a node in psi; the weights of cut circles hold cos^2(psi).
+template <bool whole, int terms, bool with_logarithm, class V, class C>
+[[gnu::always_inline]] inline void add_point(
+    const Arc<V>& arc,
+    const RootPressure<terms, with_logarithm, V, C>& pressure,
+    const ArcNode<V>& node, ArcMoments<V>& sum) {
   const V delta2 = arc.constant + arc.cosine * node.cosine_squared;
   const V half = arc.half * node.sine_squared;
   const V& rest = whole ? node.cosine_squared : delta2;  // cos^2(eta/2)
@@ -169,18 +190,31 @@ template <bool whole, bool with_logarithm, class V, class C>
   const V height = pressure.edge_constant + arc.radius * cosine;
   const V product = height * delta2;
   const V inverse = inverse_roots(product, product).first;
-  const V x2_over_root = arc.edge * (inverse * inverse * delta2);
-  V log_x2 = 0.0;
+  const V x2 = arc.edge * root * (inverse * inverse * delta2);
+  V log_X2 = 0.0;
   if constexpr (with_logarithm) {
-    log_x2 = whole ? logarithm(V(x2_over_root * root))
-                   : V(node.log_cosine_squared + logarithm(x2_over_root));
+    log_X2 = arc.log_top + (whole ? logarithm(root) : node.log_cosine_squared);
   }
-  const V p =
-      pressure.template over_x<with_logarithm>(x2_over_root * root, log_x2);
-  const V w = (node.weight * root) * inverse * p;
-  const V across = w * (4.0 * half * rest);
-  sum.force += arc.force * (w * cosine);
-  sum.sliding += arc.sliding_cosine * (w - across) + arc.sliding_sine * across;
+  const V weight = whole ? V(node.weight * root) : node.weight;
+  const V w = weight * inverse * pressure.over_x(x2, log_X2);
+  sum.one += w;
+  sum.cosine += w * cosine;
+  sum.sine_squared += w * (half * rest);
+}
+
+/// Adds an arc to
+///   force    2 q     ∫ ∫ p cos^2(phi) cos(eta)/R
+///   sliding  2 q     ∫ ∫ p (cos^2(phi) cos^2(eta)
+///                           + sa^2 sin^2(phi) sin^2(eta))/R^2
+///   spinning 2 sa    ∫ ∫ p sin^2(eta)
+template <class V>
+[[gnu::always_inline]] inline void add_arc(const Arc<V>& arc,
+                                           const ArcMoments<V>& moments,
+                                           PressureSums<V>& sum) {
+  const V across = 4.0 * moments.sine_squared;
+  sum.force += arc.force * moments.cosine;
+  sum.sliding +=
+      arc.sliding_cosine * (moments.one - across) + arc.sliding_sine * across;
   sum.spinning += arc.spinning * across;
 }
 

@@ -79,6 +79,8 @@ class Block {
         out_(out),
         table_(table),
         offset_(offset),
+        wants_sums_(!table || table->has_cosine || !out.force_area.empty() ||
+                    !out.sliding_area.empty() || !out.spinning_area.empty()),
         count_(static_cast<int>(
             std::min<std::size_t>(capacity, in.half_angle.size() - offset))) {
     for (int i = 0; i < count_; i += width) {
@@ -176,7 +178,8 @@ class Block {
                                    mask_of<Lanes>(pole_inside),
                                    gather(beyond_) != 0.0};
       NodeSum<pole_inside, range, Lanes> nodes(cap.point);
-      for (int node = 0; node < rule.size; ++node) {
+      const int size = wants_sums_ ? rule.size : 0;
+      for (int node = 0; node < size; ++node) {
         nodes.add(Lanes(rule.cosine_squared[node]),
                   Lanes(rule.sine_squared[node]), Lanes(rule.weight[node]));
       }
@@ -215,6 +218,7 @@ class Block {
   const FrictionBatchOutput& out_;
   const ExpansionTable* table_;
   std::size_t offset_;
+  bool wants_sums_;  // of the cosine pressure and the area
   int count_;
   Array s_, c_, sa_, q_, k_, m_, beyond_, branch_;
   std::array<short, capacity> key_;

@@ -20,8 +20,7 @@ struct CapRule {
   const double* cosine_squared;  ///< cos^2 am(u_i, k)
   const double* sine_squared;    ///< sin^2 am(u_i, k)
   const double* weight;          ///< K/n dn(u_i, k)
-  /// What stands for ln cos^2 am(u_i, k); short_rule(),
-  /// inside_rule() and gauss_arc_rule() only.
+  /// What stands for ln cos^2 am(u_i, k); arc_rules() and chord_rules() only.
   const double* log_cosine_squared;
 };
 
@@ -29,34 +28,7 @@ struct CapRule {
 /// has its own modulus.
 inline constexpr int cap_rule_count = 57;
 const CapRule& cap_rule(int index);
-
-/// The same with fewer nodes, to some 1e-11, also for integrands that have a
-/// factor ln cos^2 am(u, k): log_cosine_squared is its Fourier series cut off
-/// at what n nodes resolve, which makes the sum the integral.
-const CapRule& short_rule(int index);
-
-/// short_rule() with two more nodes, for circles that have a logarithm in their
-/// sums.
-const CapRule& inside_rule(int index);
-
-/// Gauss' rule in the amplitude psi for integrands
-/// cos^2(psi) (f + g cos^2(psi) ln cos(psi)), f and g smooth, g small beside
-/// f: the error of the logarithm falls as the tenth power of the size. Near
-/// psi = pi/2, where moduli close to 1 have their singularity, nodes are dense,
-/// so that one rule serves all of them and the index does not matter.
-const CapRule& gauss_arc_rule(int index);
-
-/// Rules for integrands that are even in u but not about the quarter period,
-/// with the index of cap_rule(), to some 1e-12:
-///   integral of G(chi) cos(chi) over [0, pi/2] ~ sum of weight_i G(am(u_i,
-///   k)).
-const CapRule& chord_rule(int index);
-
-/// The same where G behaves like cos^2(chi) ln cos(chi) at the end pi/2.
-const CapRule& log_chord_rule(int index);
-
-/// The same with fewer nodes where the logarithm is a small part of G.
-const CapRule& small_log_chord_rule(int index);
+using CapRules = std::array<CapRule, cap_rule_count>;
 
 /// From the complementary modulus squared k'^2 in [0, 1] to the index of the
 /// rule that serves it; any other value, NaN too, gives some rule.

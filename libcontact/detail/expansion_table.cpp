@@ -44,7 +44,7 @@ ExpansionTable::ExpansionTable(const PressureLaw& law, double lower,
     size = std::max(size, p.size);
     has_cosine = has_cosine || p.cosine_share != 0;
     has_logarithm = has_logarithm || p.has_logarithm();
-    rough = rough || is_rough(p);
+    arc_terms = std::max(arc_terms, detail::arc_terms(p));
     const auto add = [&](int column, double value) {
       auto& s = series[column];
       if (rows == 1) {
@@ -62,6 +62,13 @@ ExpansionTable::ExpansionTable(const PressureLaw& law, double lower,
       add(coefficient + k, scale * p.coefficient[k]);
     }
   }
+  // Rows that are rounding, or little more.
+  const double negligible = 2e-13 * std::abs(series[coefficient][0]);
+  const auto is_negligible = [&](int row) {
+    return std::ranges::all_of(
+        series, [=](const auto& s) { return std::abs(s[row]) < negligible; });
+  };
+  while (rows > 1 && is_negligible(rows - 1)) --rows;
 }
 
 }  // namespace contact::detail

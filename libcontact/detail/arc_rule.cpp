@@ -1,0 +1,136 @@
+#include "libcontact/detail/arc_rule.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "libcontact/detail/gauss_legendre.hpp"
+#include "libcontact/detail/log_corrections.hpp"
+#include "libcontact/detail/rule_set.hpp"
+
+// All sizes were found by measurement (friction_pressure_test.cpp).
+namespace contact::detail {
+namespace {
+
+using namespace rules;
+
+/// The rules of arc_rules(). The integrands vanish at u = K: of an odd number
+/// of midpoints of the period 2 K one lies there and counts nothing, so that n
+/// nodes do the work of n + 1/2.
+class ArcRules : public RuleSet {
+ public:
+  ArcRules(Real extra, int fewest) {
+    for_ranges([=, this](int index, const Modulus& modulus) {
+      const Real k = modulus.k;
+      const int n = std::max(node_count(5.5L * k / modulus.kc + extra), fewest);
+      const Real steps = n + 0.5L;
+      const auto log = LogCorrections::midpoint(n, steps);
+      fill(index, n, [&](int i) {
+        Node node = modulus.node(k * (i + 0.5L) / steps, k / steps);
+        node.log_cosine_squared = log.log_square(node.cosine, i);
+        node.weight *= node.cosine * node.cosine;
+        return node;
+      });
+    });
+  }
+};
+
+/// The rules of short_rules().
+class ShortRules : public RuleSet {
+ public:
+  ShortRules() {
+    for_ranges([this](int index, const Modulus& modulus) {
+      const Real k = modulus.k;
+      const int n = node_count(5.5L * k / modulus.kc + 1);
+      fill(index, n,
+           [&](int i) { return modulus.node(k * (i + 0.5L) / n, k / n); });
+    });
+  }
+};
+
+/// A node of the upper half of a Gauss rule.
+struct HalfGauss {
+  explicit HalfGauss(int size) : n(size), rule(2 * size) {}
+  Real x(int i) const { return static_cast<Real>(rule.node(n + i)); }
+  Real weight(int i) const { return static_cast<Real>(rule.weight(n + i)); }
+  int n;
+  GaussLegendre rule;
+};
+
+/// The rules of chord_rules(): Gauss' in u on [-K, K], whose ellipse passes
+/// through i K', or in sn u on [-1, 1], whose ellipse passes through 1/k.
+/// Errors fall like exp(-4 n rate).
+class ChordRules : public RuleSet {
+ public:
+  ChordRules() {
+    for_ranges([this](int index, const Modulus& modulus) {
+      const Real k = modulus.k;
+      const Real rate = std::asinh(modulus.kc / k);
+      const Real sine_rate = std::atanh(std::sqrt(modulus.m));
+      const HalfGauss gauss(node_count(9 / std::max(rate, sine_rate) + 1));
+      const auto log = LogCorrections::gauss(gauss.rule);
+      fill(index, gauss.n, [&](int i) {
+        const Real x = gauss.x(i);
+        const Real w = gauss.weight(i);
+        Node node = sine_rate < rate ? modulus.chord_node(k * x, k * w)
+                                     : Node{x, std::sqrt((1 - x) * (1 + x)), w};
+        node.log_cosine_squared = log.log_square(node.cosine, i);
+        return node;
+      });
+    });
+  }
+};
+
+/// The rules of whole_chord_rules(): Gauss' in x on [-1, 1] with
+/// u = K x (3 - x^2)/2, which takes the edge off the logarithm.
+class WholeChordRules : public RuleSet {
+ public:
+  WholeChordRules() {
+    for_ranges([this](int index, const Modulus& modulus) {
+      const Real k = modulus.k;
+      const HalfGauss gauss(node_count(7 / std::asinh(modulus.kc / k) + 4));
+      fill(index, gauss.n, [&](int i) {
+        const Real x = gauss.x(i);
+        return modulus.chord_node(
+            k * x * (3 - x * x) / 2,
+            k * gauss.weight(i) * 1.5L * (1 - x) * (1 + x));
+      });
+    });
+  }
+};
+
+}  // namespace
+
+const CapRules& arc_rules(ArcTerms terms) {
+  switch (terms) {
+    case ArcTerms::smooth: {
+      static const ArcRules rules(0.5L, 1);
+      return rules.rules();
+    }
+    case ArcTerms::logarithm: {
+      static const ArcRules rules(2.5L, 8);
+      return rules.rules();
+    }
+    default: {
+      static const ArcRules rules(3.5L, 9);
+      return rules.rules();
+    }
+  }
+}
+
+const CapRules& short_rules() {
+  static const ShortRules rules;
+  return rules.rules();
+}
+
+const CapRules& chord_rules() {
+  static const ChordRules rules;
+  return rules.rules();
+}
+
+const CapRules& whole_chord_rules() {
+  static const WholeChordRules rules;
+  return rules.rules();
+}
+
+}  // namespace contact::detail
