@@ -236,6 +236,27 @@ TEST(HingeJoint, LoadedThroughTheBack) {
   EXPECT_NE(summary.out.find("law,exact_back:20,"), std::string::npos);
 }
 
+// Law, loading and pressure in front, as of the rows of solutions.
+TEST(HingeJoint, LoopsNameTheirLaws) {
+  const ProgramFolder folder;
+  const std::string state = " --reaction 1e5 --beta 80 ";
+  for (const char* loop :
+       {"", "--trace", "--outer 0,0,0", "--outer 0,0,0 --trace"}) {
+    const Columns file(folder.run(example_1 + state + loop));
+    EXPECT_EQ(file.text(1, "law"), "tanh") << loop;
+    EXPECT_EQ(file.text(1, "pressure"), "cosine") << loop;
+    const Columns table(folder.run(example_1 + state + loop +
+                                   " --law exact --pressure exact "
+                                   "--loading back:20"));
+    EXPECT_EQ(table.names().at(0), "law") << loop;
+    EXPECT_EQ(table.names().at(1), "pressure") << loop;
+    for (std::size_t row = 1; row <= table.size(); ++row) {
+      EXPECT_EQ(table.text(row, "law"), "exact_back:20") << loop;
+      EXPECT_EQ(table.text(row, "pressure"), "exact_back:20") << loop;
+    }
+  }
+}
+
 TEST(HingeJoint, AxialForceOfAPinIsSaidToBeLeftOut) {
   const ProgramFolder folder;
   const std::string pin =

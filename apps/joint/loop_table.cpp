@@ -28,21 +28,24 @@ constexpr int round_limit = 200;
 // Of M from round to round, relative.
 constexpr double outer_tolerance = 1e-12;
 
-// A table of numbers whose rows come one by one.
+// A table of numbers of one joint whose rows come one by one.
 class NumberTable {
  public:
-  NumberTable(std::vector<std::string> columns, const Beside& beside,
-              const cli::OutputOptions& options)
-      : columns_(std::move(columns)),
+  NumberTable(const NamedJoint& joint, std::vector<std::string> columns,
+              const Beside& beside, const cli::OutputOptions& options)
+      : joint_(joint),
+        columns_(std::move(columns)),
         beside_(beside),
         output_(options.output),
-        table_(options.format, with_beside(columns_, beside_)),
+        table_(options.format, names()),
         writer_(output_, table_),
         row_(table_, text_) {}
 
   // The first `counts` values are whole numbers.
   void row(std::span<const double> values, std::size_t counts) {
     ++count_;
+    row_.text(joint_.law);
+    row_.text(joint_.pressure);
     for (std::size_t i = 0; i < counts; ++i) {
       row_.count(static_cast<std::size_t>(values[i]));
     }
@@ -58,6 +61,13 @@ class NumberTable {
   }
 
  private:
+  std::vector<std::string> names() const {
+    std::vector<std::string> all = with_beside(columns_, beside_);
+    all.insert(all.begin(), {"law", "pressure"});
+    return all;
+  }
+
+  const NamedJoint& joint_;
   std::vector<std::string> columns_;
   const Beside& beside_;
   cli::Output output_;
@@ -186,7 +196,7 @@ cli::ExitStatus write_trace(const NamedJoint& joint, const Input& input,
   std::vector<FixedPointStep> steps(step_limit);
   const auto result =
       joint.joint.fixed_point(input.force, input.turn, steps, 0);
-  NumberTable table(step_columns, beside, options);
+  NumberTable table(joint, step_columns, beside, options);
   for (int i = 0; i < result.steps; ++i) table.row(step_values(steps[i]), 1);
   table.finish();
   if (result.status == Status::ok) return cli::all_good;
@@ -240,7 +250,7 @@ cli::ExitStatus write_outer(const NamedJoint& joint, const Input& input,
       columns.emplace_back(name);
     }
   }
-  NumberTable table(columns, beside, options);
+  NumberTable table(joint, columns, beside, options);
   OuterLoop loop(joint, input, law);
   contact::FixedPointResult result = {Status::ok, 0, 0};
   for (std::size_t round = 0; round < round_limit; ++round) {

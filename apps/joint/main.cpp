@@ -52,13 +52,13 @@ Other columns of --points are handed on behind the results, unchanged ("_in"
 is added to a name that is taken). A bad line gives "ERROR: line N: ..." on
 standard error and in the table, in its place, a row with ERROR.
 
---trace prints the paper's inner loop step by step: step, g_deg, a_deg, R_n_N,
-Abar, load_parameter, theta0_deg, f (the next step's tan g).
+--trace prints the paper's inner loop step by step: law, pressure, step, g_deg,
+a_deg, R_n_N, Abar, load_parameter, theta0_deg, f (the next step's tan g).
 --outer X,Y,Z lets the reaction answer to the friction moment M about Dw of
---joints equal joints: R = R0 + M (X,Y,Z). It prints, round by round, M, the
-braking C M with --braking C, R, and the contact that gave M. --inner-steps
-4,3 cuts the inner loop short after 4 steps in the first round, 3 in the
-others; with --trace all steps of the inner loops are printed.
+--joints equal joints: R = R0 + M (X,Y,Z). It prints, round by round, law,
+pressure, M, the braking C M with --braking C, R, and the contact that gave M.
+--inner-steps 4,3 cuts the inner loop short after 4 steps in the first round, 3
+in the others; with --trace all steps of the inner loops are printed.
 
 --beside FILE.csv shows printed or measured numbers beside the computed ones:
 columns joint (name in the joint file), table (solution, trace, outer, inner),
