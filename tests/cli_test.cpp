@@ -357,6 +357,19 @@ TEST_F(OutputFile, Errors) {
   EXPECT_THROW(full.write("x"), contact::Error);
 }
 
+TEST_F(OutputFile, CheckedWithoutATrace) {
+  cli::Output::check("");
+  cli::Output::check(folder_ / "table.csv");
+  cli::Output::check("/dev/null");
+  std::ofstream(folder_ / "old.csv") << "old";
+  cli::Output::check(folder_ / "old.csv");
+  EXPECT_EQ(read("old.csv"), "old");
+  EXPECT_EQ(files(), 1U);
+  EXPECT_THROW(cli::Output::check(folder_ / "no" / "where.csv"),
+               contact::Error);
+  EXPECT_THROW(cli::Output::check(folder_), contact::Error);
+}
+
 TEST_F(OutputFile, LineBlocksGiveEveryLineOnce) {
   const std::string name = folder_ / "lines.txt";
   std::string text;

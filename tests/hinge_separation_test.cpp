@@ -1009,6 +1009,15 @@ TEST(HingeSeparation, BadInputHasOneMessageAndLeavesNothing) {
             "sqrt_theta, mixture, exact\n");
   message("data/cases/slosh.toml --history /nowhere/h.csv");
   message("data/cases/slosh.toml --history h.csv --output /nowhere/h.json");
+  // Before the warnings that this law brings.
+  EXPECT_EQ(
+      message("data/cases/soyuz.toml --law tanh --history /nowhere/h.csv"),
+      "hinge-separation: cannot create /nowhere/h.csv: No such file or "
+      "directory\n");
+  message("data/cases/soyuz.toml --law tanh --events /nowhere/e.csv");
+  message(
+      "data/cases/soyuz.toml --law tanh --checkpoint /nowhere/c.cbor "
+      "--checkpoint-every 1");
   message("data/cases/slosh.toml --plot h.bmp");
   const std::string slosh = "data/cases/slosh.toml ";
   EXPECT_EQ(message(slosh + "--law tanh"),

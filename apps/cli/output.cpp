@@ -71,6 +71,7 @@ mode_t new_file_mode() {
 Output::Output(const std::string& path) {
   if (path.empty() || path == "-") {
     descriptor_ = STDOUT_FILENO;
+    if (fcntl(descriptor_, F_GETFL) < 0) fail("cannot write");
     return;
   }
   std::error_code ignored;
@@ -97,6 +98,13 @@ Output::Output(const std::string& path) {
 }
 
 Output::~Output() { discard(); }
+
+void Output::check(const std::string& path) {
+  std::error_code ignored;
+  // Opened for a moment, a pipe would be at its end for who reads it.
+  if (std::filesystem::is_fifo(path, ignored)) return;
+  const Output possible(path);
+}
 
 void Output::discard() {
   if (!temporary_.empty()) {

@@ -18,6 +18,9 @@ class Output {
   /// @param path  file name; empty or "-" for standard output
   /// Throws contact::Error if the file cannot be made.
   explicit Output(const std::string& path);
+  /// Whether it could be made, found out without a trace: what a program asks
+  /// first of all its files. Throws contact::Error if not.
+  static void check(const std::string& path);
   ~Output();
   Output(const Output&) = delete;
   Output& operator=(const Output&) = delete;

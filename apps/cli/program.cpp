@@ -77,14 +77,15 @@ void add_output_options(CLI::App& app, OutputOptions& options) {
          "picture to draw: .svg, .png or .pdf")
       ->option_text("FILE")
       ->group("Output");
-  // Before anything is computed or written.
+  // Before anything is read, computed or said.
   app.parse_complete_callback([&options] {
+    Output::check(options.output);
     if (options.plot.empty()) return;
     if (same_file(options.plot, options.output)) {
       throw contact::Error("--plot " + options.plot +
                            ": allowed another file than that of --output");
     }
-    const Output possible(options.plot);
+    Output::check(options.plot);
   });
 }
 

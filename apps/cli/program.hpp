@@ -30,7 +30,9 @@ struct OutputOptions {
   int jobs = 1;
 };
 
-/// Adds --output, --format and --plot to a program.
+/// Adds --output, --format and --plot to a program. That the files can be
+/// made is found out with the command line; then come what else is refused,
+/// warnings, and the work.
 void add_output_options(CLI::App& app, OutputOptions& options);
 /// Adds --jobs.
 void add_jobs_option(CLI::App& app, OutputOptions& options);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,26 @@ void warn_of_validity(const Setup& setup) {
       "hinge-joint",
       setup.joints[0].joint.contact().geometry().validity_notes(),
       setup.law_notes);
+}
+
+// A pin takes no force along its axis.
+void warn_of_axial_force(const Setup& setup, const Inputs& inputs) {
+  if (!setup.joints[0].joint.is_pin() || inputs.forces()) return;
+  const auto [force, turn] = inputs[0];
+  if (force.isZero(0) || turn.isZero(0)) return;
+  const double axial = std::abs(force.dot(turn.stableNormalized()));
+  // Of what rounding leaves of a force normal to the axis.
+  if (axial <= 1e-12 * force.stableNorm()) return;
+  cli::warn("hinge-joint",
+            fmt::format("a cylinder takes no force along its axis: {:.4g} N "
+                        "of the reaction are left out",
+                        axial));
+}
+
+// What is to be said before the work, once nothing is left to refuse.
+void warn_of_states(const Setup& setup, const Inputs& inputs) {
+  warn_of_validity(setup);
+  warn_of_axial_force(setup, inputs);
 }
 
 // The one state and pair of laws that a loop is run for.
@@ -53,9 +74,12 @@ cli::ExitStatus run_loops(const Options& options, const Setup& setup,
                       !outer          ? "trace"
                       : options.trace ? "inner"
                                       : "outer");
-  if (!outer) return write_trace(joint, inputs[0], beside, options.output);
-  return write_outer(joint, inputs[0], make_outer_law(options), options.trace,
-                     beside, options.output);
+  std::optional<OuterLaw> law;
+  if (outer) law = make_outer_law(options);
+  warn_of_states(setup, inputs);
+  if (!law) return write_trace(joint, inputs[0], beside, options.output);
+  return write_outer(joint, inputs[0], *law, options.trace, beside,
+                     options.output);
 }
 
 cli::ExitStatus report(const Problems& problems) {
@@ -120,18 +144,11 @@ void check_plot(const Setup& setup, const Inputs& inputs) {
   }
 }
 
-// A pin takes no force along its axis.
-void warn_of_axial_force(const Setup& setup, const Inputs& inputs) {
-  if (!setup.joints[0].joint.is_pin() || inputs.forces()) return;
-  const auto [force, turn] = inputs[0];
-  if (force.isZero(0) || turn.isZero(0)) return;
-  const double axial = std::abs(force.dot(turn.stableNormalized()));
-  // Of what rounding leaves of a force normal to the axis.
-  if (axial <= 1e-12 * force.stableNorm()) return;
-  cli::warn("hinge-joint",
-            fmt::format("a cylinder takes no force along its axis: {:.4g} N "
-                        "of the reaction are left out",
-                        axial));
+// What write_summary() can write.
+void check_summary(const Setup& setup, const Inputs& inputs) {
+  if (inputs.size() == 1 && setup.joints.size() == 1) return;
+  throw contact::Error(
+      "--summary: allowed for one state, one law and one pressure law");
 }
 
 }  // namespace
@@ -141,14 +158,14 @@ cli::ExitStatus run(const Options& options) {
   const Setup setup = make_setup(options);
   if (!options.points.empty()) return run_points(options, setup);
   const Inputs inputs(options, setup.joints[0].joint.is_pin());
-  warn_of_validity(setup);
-  warn_of_axial_force(setup, inputs);
   if (options.trace || !options.outer.empty()) {
     return run_loops(options, setup, inputs);
   }
   const bool plot = !options.output.plot.empty();
   if (plot) check_plot(setup, inputs);
+  if (options.summary) check_summary(setup, inputs);
   const Beside beside(options.beside, setup.name, "solution");
+  warn_of_states(setup, inputs);
   cli::ExitStatus status = report(
       options.summary ? write_summary(setup, inputs, beside, options.output)
                       : write_solutions(setup, inputs, beside, options.output));

@@ -73,8 +73,7 @@ class Gaps {
 };
 
 void write_table(const PressureTable& pressures, const LoadedContacts& contacts,
-                 const Options& options, Gaps& gaps) {
-  const int points = cli::parse_count("--points", options.points, 2, 1'000'000);
+                 int points, const Options& options, Gaps& gaps) {
   const cli::OutputOptions& to = options.contact.output;
   cli::Output output(to.output);
   const cli::Table table(to.format, options.summary
@@ -114,6 +113,7 @@ cli::ExitStatus run(const Options& options) {
                          {}, setup.loading),
       setup.kind, setup.pair, setup.loading);
   const Input input = hinge_angle::make_input(options.contact, setup);
+  const int points = cli::parse_count("--points", options.points, 2, 1'000'000);
   const auto laws =
       cli::make_half_angle_laws(setup.half_angle_laws, setup.kind, setup.pair,
                                 setup.half_angle_options, setup.loading);
@@ -122,7 +122,7 @@ cli::ExitStatus run(const Options& options) {
   const LoadedContacts contacts(input, setup, *laws[0].law);
   const PressureTable table(setup, laws[0].name, pressures);
   Gaps gaps(pressures);
-  write_table(table, contacts, options, gaps);
+  write_table(table, contacts, points, options, gaps);
   const cli::ExitStatus status = gaps.report(laws[0].name);
   const std::string& picture = options.contact.output.plot;
   if (picture.empty()) return status;

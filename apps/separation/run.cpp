@@ -210,6 +210,7 @@ void print_missed(const Case& c, const Outcome& outcome) {
 }
 
 cli::ExitStatus compare(const Case& c, const Options& o) {
+  print_validity(c);
   std::vector<Outcome> outcomes;
   cli::ExitStatus status = cli::all_good;
   for (const auto& [name, choice] : friction_choices) {
@@ -257,6 +258,8 @@ cli::ExitStatus simulate(const Case& c, const Options& o) {
   std::optional<cli::Output> events;
   if (!o.events.empty()) events.emplace(o.events);
   cli::Output output(o.output.output);
+  if (!o.checkpoint.empty()) cli::Output::check(o.checkpoint);
+  print_validity(c);
 
   const Outcome outcome = run_case(c, options);
   cli::ExitStatus status = cli::all_good;
@@ -290,7 +293,6 @@ cli::ExitStatus run(const Options& options) {
                            {options.half_angle_law, options.pressure_law});
   check_case(options, c);
   check_names(options, c);
-  print_validity(c);
   return options.compare ? compare(c, options) : simulate(c, options);
 }
 
