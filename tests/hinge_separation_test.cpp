@@ -909,6 +909,58 @@ TEST(HingeSeparation, CheckpointsStayWholeAndSmall) {
   EXPECT_EQ(folder.read("mine.txt"), "mine");
 }
 
+// A station of 1e9 kg m^2 that begins to turn on its ball joint: the direction
+// in which it does follows that of the moment, also from a checkpoint on.
+TEST(HingeSeparation, GoesOnInTheMiddleOfASlowOnset) {
+  const ProgramFolder folder;
+  folder.write("c.toml", R"(
+name = "onset"
+gravity_m_per_s2 = [0, -9.81, 0]
+run = { end_time_s = 20, output_step_s = 1, absolute_tolerance = 1e-14 }
+)" + carrier_at_rest("base") +
+                             R"(
+[[load]]
+name = "station"
+mass_kg = 50
+principal_inertia_kg_m2 = [1e9, 1e9, 1e9]
+[load.hinge]
+kind = "spherical"
+carrier_point_m = [0, 0, 0]
+[[load.hinge.joint]]
+name = "ball"
+kind = "spherical"
+geometry = { radius_mm = 50, radial_clearance_um = 50 }
+materials.inner = { youngs_modulus_GPa = 200, poissons_ratio = 0.3 }
+materials.outer = { youngs_modulus_GPa = 200, poissons_ratio = 0.3 }
+friction = { coefficient = 0.3 }
+[[force]]
+name = "torque"
+body = "station"
+kind = "applied"
+time_s = [0, 20]
+moment_N_m = [[6.9, 0, 0], [7.3, 0, 1.5]]
+)");
+  const std::string run = "hinge-separation c.toml ";
+  ASSERT_EQ(folder.run(run + "--history s.csv --output s.json").status, 0);
+  ASSERT_EQ(folder
+                .run(run + "--history a.csv --output a.json --checkpoint "
+                           "c.cbor --checkpoint-every 12")
+                .status,
+            0);
+  ASSERT_EQ(folder.run(run + "--history b.csv --output b.json --resume c.cbor")
+                .status,
+            0);
+  EXPECT_TRUE(folder.read("b.csv") == folder.read("a.csv"));
+  const History without(folder.read("s.csv"));
+  const History with(folder.read("a.csv"));
+  EXPECT_EQ(with.words("station.mode")[5], "resting");
+  EXPECT_EQ(with.words("station.mode")[12], "sliding");
+  for (const char* column : {"station.wx_rad_per_s", "station.wz_rad_per_s"}) {
+    const double last = without[column].back();
+    EXPECT_NEAR(with[column].back(), last, 1e-8 * std::abs(last)) << column;
+  }
+}
+
 TEST(HingeSeparation, CheckpointsKnowTheirJoints) {
   const ProgramFolder folder;
   std::string text = alone;

@@ -1151,6 +1151,55 @@ TEST(Motion, GoesOnFromASavedStateAsIfNothingHadHappened) {
   }
 }
 
+// A ball joint that begins to slide follows the direction of its acceleration
+// to a share of that: with an inertia of 1e9 kg m^2 a tolerance that belongs to
+// other accelerations would leave the direction to itself.
+TEST(Motion, GoesOnInTheMiddleOfASlowOnset) {
+  const contact::SphericalJoint joint = ball_joint(FrictionLaw(0.3));
+  Load load{JointKind::spherical, 50, 1e9 * Matrix3d::Identity()};
+  const Vector3d weight(0, 50 * g, 0);
+  const double held =
+      joint.solve(weight, Vector3d::UnitX()).friction_moment.norm();
+  // Turns in the plane normal to the reaction, in which all directions hold
+  // alike, and grows through what is held at 10 s.
+  class Turning : public ForceModel {
+   public:
+    explicit Turning(double held) : held_(held) {}
+    void add_forces(double time, std::span<const BodyMotion>,
+                    std::span<BodyForce> forces) const override {
+      const double angle = 0.01 * time;
+      forces[1].moment += held_ * (1 + 1e-2 * (time - 10)) *
+                          Vector3d(std::cos(angle), 0, std::sin(angle));
+    }
+
+   private:
+    double held_;
+  };
+  const System system(heavy_carrier(), {load});
+  const auto forces = std::make_shared<Turning>(held);
+  Motion one(system, {BallFriction{joint}}, forces, start_of(1),
+             on_fixed_carrier());
+  ASSERT_EQ(one.advance_to(15), Stop::time);
+  ASSERT_EQ(one.changes().size(), 1u);
+  EXPECT_NEAR(one.changes()[0].time, 10, 1e-4);
+  const multibody::MotionState saved = one.save();
+  ASSERT_GT(saved.paces[0], 0);
+  Motion other(system, {BallFriction{joint}}, forces, start_of(1),
+               on_fixed_carrier());
+  other.restore(saved);
+  for (const double time : {16.0, 20.0, 40.0}) {
+    ASSERT_EQ(one.advance_to(time), Stop::time);
+    ASSERT_EQ(other.advance_to(time), Stop::time);
+    const double angle = 0.01 * time;
+    const Vector3d against =
+        -held * Vector3d(std::cos(angle), 0, std::sin(angle));
+    for (Motion* motion : {&one, &other}) {
+      const Vector3d friction = motion->sample().hinge(0).friction_moment;
+      EXPECT_LT((friction - against).norm(), 1e-7 * held) << time;
+    }
+  }
+}
+
 TEST(Motion, ReleasedLoadsGoOnAsFreeBodies) {
   const Mixed m = mixed_system(5, true);
   Motion motion(System(m.carrier, m.loads), m.friction, nullptr, m.start);

@@ -565,8 +565,15 @@ bool CoupledDynamics::slides_straight(int load) const {
 void CoupledDynamics::follow_acceleration(int load) {
   impl_->hinges[load].straight = impl_->hinges[load].follows = true;
 }
+void CoupledDynamics::follow_acceleration(int load, double pace) {
+  impl_->hinges[load].pace = pace;
+  follow_acceleration(load);
+}
 bool CoupledDynamics::follows_acceleration(int load) const {
   return impl_->hinges[load].follows;
+}
+double CoupledDynamics::pace(int load) const {
+  return impl_->hinges[load].pace;
 }
 void CoupledDynamics::prescribe_carrier(
     const std::optional<CarrierAcceleration<double>>& carrier) {

@@ -120,8 +120,12 @@ class CoupledDynamics {
   /// found anew in every evaluation, as that in which the joint accelerates.
   /// So slow a motion turns there at once. Ends with slide_straight(). Such
   /// evaluations allocate.
+  /// @param pace  size of the accelerations by which its direction is judged,
+  ///   rad/s^2; as resolve_rest() has found it if left out
   void follow_acceleration(int load);
+  void follow_acceleration(int load, double pace);
   bool follows_acceleration(int load) const;
+  double pace(int load) const;
 
   /// The carrier's accelerations are given, or (nullopt) result.
   void prescribe_carrier(

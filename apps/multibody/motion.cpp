@@ -311,7 +311,7 @@ MotionState MotionImpl::save() {
     s.friction.push_back(coupled.friction_moment(i));
     s.straight_from.push_back(coupled.slides_straight(i) ? straight_from[i]
                                                          : 0);
-    s.follows.push_back(coupled.follows_acceleration(i));
+    s.paces.push_back(coupled.follows_acceleration(i) ? coupled.pace(i) : 0);
     s.hinge_angles.push_back(bodies[1 + i].hinge_angle);
   }
   s.step = stepper->next_step();
@@ -328,7 +328,7 @@ void MotionImpl::restore(const MotionState& s) {
     coupled.set_friction_moment(i, s.friction[i]);
     straight_from[i] = s.straight_from[i];
     coupled.slide_straight(i, s.straight_from[i] > 0);
-    if (s.follows[i] != 0) coupled.follow_acceleration(i);
+    if (s.paces[i] > 0) coupled.follow_acceleration(i, s.paces[i]);
     keep_hinge_angle(i, s.hinge_angles[i]);
   }
   stepper->set_next_step(s.step);

@@ -194,7 +194,8 @@ struct MotionState {
   std::vector<Eigen::Vector3d> directions;
   std::vector<Eigen::Vector3d> friction;
   std::vector<double> straight_from;  ///< of balls that slide straight, else 0
-  std::vector<int> follows;           ///< 1: of them those that just began
+  /// Of them those that just began: size of their accelerations, else 0.
+  std::vector<double> paces;
   std::vector<double> hinge_angles;   ///< as BodyMotion::hinge_angle
   double step = 0;
 };

@@ -22,7 +22,7 @@ using Eigen::Vector3d;
 using nlohmann::json;
 
 constexpr const char* program_format = "hinge-separation checkpoint";
-constexpr const char* format_name = "hinge-separation checkpoint 3";
+constexpr const char* format_name = "hinge-separation checkpoint 4";
 
 json vectors_json(const std::vector<Vector3d>& vectors) {
   json numbers = json::array();
@@ -42,8 +42,8 @@ std::vector<Vector3d> vectors_from(const json& numbers) {
 
 // By structured bindings, so that what is new in the state is not forgotten.
 json motion_json(const multibody::MotionState& s) {
-  const auto& [time, numbers, modes, directions, friction, straight_from,
-               follows, hinge_angles, step] = s;
+  const auto& [time, numbers, modes, directions, friction, straight_from, paces,
+               hinge_angles, step] = s;
   json words = json::array();
   for (const auto mode : modes) words.push_back(static_cast<int>(mode));
   return {{"time", time},
@@ -52,13 +52,13 @@ json motion_json(const multibody::MotionState& s) {
           {"directions", vectors_json(directions)},
           {"friction", vectors_json(friction)},
           {"straight_from", straight_from},
-          {"follows", follows},
+          {"paces", paces},
           {"hinge_angles", hinge_angles},
           {"step", step}};
 }
 multibody::MotionState motion_from(const json& j) {
   multibody::MotionState s;
-  auto& [time, numbers, modes, directions, friction, straight_from, follows,
+  auto& [time, numbers, modes, directions, friction, straight_from, paces,
          hinge_angles, step] = s;
   time = j.at("time");
   numbers = j.at("numbers").get<std::vector<double>>();
@@ -68,7 +68,7 @@ multibody::MotionState motion_from(const json& j) {
   directions = vectors_from(j.at("directions"));
   friction = vectors_from(j.at("friction"));
   straight_from = j.at("straight_from").get<std::vector<double>>();
-  follows = j.at("follows").get<std::vector<int>>();
+  paces = j.at("paces").get<std::vector<double>>();
   hinge_angles = j.at("hinge_angles").get<std::vector<double>>();
   step = j.at("step");
   return s;
