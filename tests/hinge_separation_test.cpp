@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "cli/number.hpp"
+#include "libcontact/units.hpp"
 #include "support/program.hpp"
 
 namespace {
@@ -775,11 +776,77 @@ axes = "inertial"
 force_N = [0, -100, 0]
 )");
   const json swing = run_json(folder, "swing.toml");
-  EXPECT_NEAR(swing["loads"][0]["peak_reaction_N"].get<double>(), 300, 0.1);
+  EXPECT_NEAR(swing["loads"][0]["peak_reaction_N"].get<double>(), 300, 1e-6);
   const json& gap = swing["clearance"][0];
   const double nearest = std::hypot(3, 1) - 1 - 0.75;
   EXPECT_GT(gap["smallest_m"].get<double>(), nearest - 1e-5);
   EXPECT_LT(gap["smallest_m"].get<double>(), nearest + 0.05);
+}
+
+// A point mass of 10 kg on an arm of 1 m, let go phi from the bottom in
+// g = 10 m/s^2: the peak of its reaction is m g (3 - 2 cos phi), there. Ends of
+// steps alone are up to 6e-3 below it. At 1e-6 a peak is as good as the motion.
+TEST(HingeSeparation, PeaksOfAPendulum) {
+  const ProgramFolder folder;
+  for (const double phi : {20, 60, 90, 120, 170}) {
+    for (const auto& [tolerance, allowed] :
+         {std::pair{"1e-6", 2e-6}, {"1e-9", 1e-9}}) {
+      const std::string both = tolerance;
+      folder.write("c.toml", R"(
+name = "pendulum"
+run = { end_time_s = 6, output_step_s = 6, relative_tolerance = )" +
+                                 both + ", absolute_tolerance = " + both +
+                                 " }\n" + carrier_at_rest("wall") + R"(
+[[load]]
+name = "bob"
+mass_kg = 10
+com_m = [1, 0, 0]
+principal_inertia_kg_m2 = [0, 0, 0]
+hinge = { kind = "axis", carrier_point_m = [0, 0, 0], axis = [0, 0, 1] }
+start = { angle_deg = )" + std::to_string(phi - 90) +
+                                 R"( }
+[[force]]
+name = "weight"
+body = "bob"
+kind = "applied"
+axes = "inertial"
+force_N = [0, -100, 0]
+)");
+      const json load = run_json(folder, "c.toml")["loads"][0];
+      const double peak = 100 * (3 - 2 * std::cos(phi * contact::degree));
+      EXPECT_NEAR(load["peak_reaction_N"].get<double>(), peak, allowed * peak)
+          << phi << ' ' << tolerance;
+    }
+  }
+}
+
+// Every peak of joints that slide and turn against those of a run whose steps
+// are some 12 times as short.
+TEST(HingeSeparation, PeaksAreThoseOfShortSteps) {
+  const ProgramFolder folder;
+  std::string text = folder.read("data/cases/platform.toml");
+  text.insert(text.find("[run]\n") + 6, "longest_step = 0.01\n");
+  for (std::size_t at; (at = text.find("../")) != std::string::npos;) {
+    text.replace(at, 3, "data/");
+  }
+  folder.write("short.toml", text);
+  const json one = run_json(folder, "data/cases/platform.toml")["loads"];
+  const json other = run_json(folder, "short.toml")["loads"];
+  const auto compare = [](const json& a, const json& b, const char* key) {
+    const double exact = b[key];
+    EXPECT_NEAR(a[key].get<double>(), exact, 1e-7 * exact) << key;
+  };
+  for (std::size_t i = 0; i < one.size(); ++i) {
+    compare(one[i], other[i], "peak_reaction_N");
+    ASSERT_EQ(one[i]["joints"].size(), other[i]["joints"].size());
+    for (std::size_t j = 0; j < one[i]["joints"].size(); ++j) {
+      for (const char* key :
+           {"peak_reaction_N", "peak_pressure_Pa", "largest_theta0_deg",
+            "largest_friction_moment_N_m"}) {
+        compare(one[i]["joints"][j], other[i]["joints"][j], key);
+      }
+    }
+  }
 }
 
 TEST(HingeSeparation, ResumedRunIsTheSame) {

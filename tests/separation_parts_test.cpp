@@ -12,6 +12,7 @@
 #include "separation/case_forces.hpp"
 #include "separation/case_reader.hpp"
 #include "separation/clearance.hpp"
+#include "separation/peaks.hpp"
 #include "separation/shape.hpp"
 #include "support/error_message.hpp"
 
@@ -290,6 +291,37 @@ void expect_force(const BodyForce& f, const Vector3d& force,
   // Some roundings of numbers up to some tens.
   EXPECT_LE((f.force - force).norm(), 1e-13) << f.force.transpose();
   EXPECT_LE((f.moment - moment).norm(), 1e-13) << f.moment.transpose();
+}
+
+// Two quantities that peak at 0.7 and 0.4, one that grows, one that has had a
+// higher peak; looked at every 0.3 s.
+TEST(Peaks, BetweenLooks) {
+  const auto look = [](double t) {
+    return separation::Look{
+        t,
+        {std::cos(t - 0.7), 2 + std::sin(3 * (t - 0.4) + 1.5707963267948966),
+         std::exp(t), std::cos(t - 0.65)}};
+  };
+  const std::vector<double> known = {std::cos(0.1), 2 + std::cos(0.3),
+                                     std::exp(0.6), 1.5};
+  using separation::may_peak;
+  EXPECT_TRUE(may_peak(look(0), look(0.3), look(0.6), 0.3, known));
+  std::array<separation::Look, separation::peak_nodes> looks;
+  for (int k = 0; k < separation::peak_nodes; ++k) {
+    looks[k] = look(separation::peak_node(k, 0.3, 0.9));
+  }
+  const auto times = separation::peak_times(looks, known);
+  ASSERT_EQ(times.size(), 3u);
+  // The maximum of a polynomial of degree 6 over 0.6 s.
+  EXPECT_NEAR(times[0], 0.7, 1e-6);
+  EXPECT_NEAR(times[1], 0.4, 1e-4);
+  // Of what grows it is the end.
+  EXPECT_NEAR(times[2], 0.9, 1e-5);
+  // Known already, or far away.
+  EXPECT_FALSE(may_peak(look(0.3), look(0.6), look(0.9), 0.6,
+                        {1.01, 3.2, std::exp(0.9), 1.5}));
+  EXPECT_FALSE(may_peak(look(1.2), look(1.5), look(1.8), 1.5,
+                        {1, 3, std::exp(1.8), 1.5}));
 }
 
 TEST(CaseForces, AppliedInBothAxes) {

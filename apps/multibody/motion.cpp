@@ -300,6 +300,17 @@ Stop MotionImpl::advance_to(double time) {
   return Stop::failed;
 }
 
+void MotionImpl::look_back(
+    double time, const std::function<void(const MotionSample&)>& look) {
+  const double then = view_time;
+  const std::vector<double> state = view_state;
+  trial_.resize(number_count());
+  stepper->interpolate(time, trial_);
+  look_at(time, trial_);
+  look(sample);
+  look_at(then, state);
+}
+
 MotionState MotionImpl::save() {
   go_to(now);
   MotionState s;
@@ -376,6 +387,11 @@ int Motion::add_event(MotionEvent event) {
 }
 void Motion::watch_steps(std::function<void(const MotionSample&)> look) {
   impl_->step_watch = std::move(look);
+}
+double Motion::step_begin() const { return impl_->stepper->begin(); }
+void Motion::look_back(
+    double time, const std::function<void(const MotionSample&)>& look) const {
+  impl_->look_back(time, look);
 }
 const std::vector<HingeChange>& Motion::changes() const {
   return impl_->changes;

@@ -196,7 +196,7 @@ struct MotionState {
   std::vector<double> straight_from;  ///< of balls that slide straight, else 0
   /// Of them those that just began: size of their accelerations, else 0.
   std::vector<double> paces;
-  std::vector<double> hinge_angles;   ///< as BodyMotion::hinge_angle
+  std::vector<double> hinge_angles;  ///< as BodyMotion::hinge_angle
   double step = 0;
 };
 
@@ -250,6 +250,13 @@ class Motion {
   /// from, where forces jump just before and after; not where advance_to()
   /// stops.
   void watch_steps(std::function<void(const MotionSample&)> look);
+
+  /// Where the step begins that sample() is in, or at whose end it is.
+  double step_begin() const;
+  /// Calls `look` with the motion at a time from step_begin() to that of
+  /// sample(), by dense output. Also from within watch_steps().
+  void look_back(double time,
+                 const std::function<void(const MotionSample&)>& look) const;
 
   /// Sticking, sliding, locking and releasing so far, in order.
   const std::vector<HingeChange>& changes() const;

@@ -32,6 +32,8 @@ class MotionImpl {
   Stop advance_to(double time);
   void go_to(double time);
   void restart(std::vector<double> state);
+  void look_back(double time,
+                 const std::function<void(const MotionSample&)>& look);
   MotionState save();
   void restore(const MotionState& state);
 

@@ -117,8 +117,11 @@ std::size_t Rows::column(const std::string& name) const {
   return static_cast<std::size_t>(found - columns.begin());
 }
 
-Recorder::Recorder(const Case& c, bool rows, bool clearance)
-    : case_(c), keep_rows_(rows), clearance_(make_clearance(c, clearance)) {
+Recorder::Recorder(const Case& c, bool rows, bool clearance, bool refine)
+    : case_(c),
+      keep_rows_(rows),
+      refine_(refine),
+      clearance_(make_clearance(c, clearance)) {
   memory_.rows.columns = columns_of(c, clearance_.has_value());
   for (const Load& load : c.loads) {
     memory_.loads.emplace_back();
@@ -129,6 +132,7 @@ Recorder::Recorder(const Case& c, bool rows, bool clearance)
 
 void Recorder::go_on_with(const Simulation& simulation) {
   changes_seen_ = simulation.motion().changes().size();
+  looks_.clear();
 }
 
 void Recorder::add_body(const BodyMotion& body) {
@@ -147,20 +151,93 @@ void Recorder::look_at_peaks(const MotionSample& sample, int i) {
   if (load.hinge.kind == JointKind::none) return;
   const HingeSample hinge = sample.hinge(i);
   const NodeReactions reactions = node_reactions(load, hinge);
-  raise(record.peak_reaction, record.peak_reaction_time, reactions.hinge.norm(),
-        time);
-  raise(record.peak_lock, record.peak_lock_time, reactions.lock.norm(), time);
-  record.work = hinge.dissipated;
-  for (std::size_t j = 0; j < hinge.joints.size(); ++j) {
+  const double force = reactions.hinge.norm();
+  const double lock = reactions.lock.norm();
+  raise(record.peak_reaction, record.peak_reaction_time, force, time);
+  raise(record.peak_lock, record.peak_lock_time, lock, time);
+  seen_.insert(seen_.end(), {force, lock});
+  record.work = std::max(record.work, hinge.dissipated);
+  for (std::size_t j = 0; j < record.joints.size(); ++j) {
+    if (j >= hinge.joints.size()) {
+      seen_.insert(seen_.end(), {0, 0, 0, 0});
+      continue;
+    }
     const contact::JointSolution& joint = hinge.joints[j];
     JointPeaks& peaks = record.joints[j];
-    raise(peaks.reaction, peaks.reaction_time, joint.reaction.norm(), time);
+    const double reaction = joint.reaction.norm();
+    // At rest the solution is that of the sliding that is near.
+    const double moment =
+        hinge.mode == HingeMode::sliding ? joint.friction_moment.norm() : 0;
+    raise(peaks.reaction, peaks.reaction_time, reaction, time);
     peaks.pressure = std::max(peaks.pressure, joint.peak_pressure);
     peaks.half_angle = std::max(peaks.half_angle, joint.half_angle);
-    // At rest the solution is that of the sliding that is near.
-    if (hinge.mode == HingeMode::sliding) {
-      peaks.moment = std::max(peaks.moment, joint.friction_moment.norm());
+    peaks.moment = std::max(peaks.moment, moment);
+    seen_.insert(seen_.end(),
+                 {reaction, joint.peak_pressure, joint.half_angle, moment});
+  }
+}
+
+// In the order of seen_.
+std::vector<double> Recorder::known_peaks() const {
+  std::vector<double> known;
+  for (std::size_t i = 0; i < case_.loads.size(); ++i) {
+    if (case_.loads[i].hinge.kind == JointKind::none) continue;
+    const LoadRecord& record = memory_.loads[i];
+    known.insert(known.end(), {record.peak_reaction, record.peak_lock});
+    for (const JointPeaks& peaks : record.joints) {
+      known.insert(known.end(), {peaks.reaction, peaks.pressure,
+                                 peaks.half_angle, peaks.moment});
     }
+  }
+  return known;
+}
+
+// The peaks at an earlier time of the step.
+Look Recorder::look_back(const Simulation& simulation, double time) {
+  seen_.clear();
+  simulation.motion().look_back(time, [&](const MotionSample& sample) {
+    for (int i = 0; i < static_cast<int>(case_.loads.size()); ++i) {
+      look_at_peaks(sample, i);
+    }
+  });
+  return {time, seen_};
+}
+
+// Between this look and the last one. Where that is before the step something
+// has changed at its beginning.
+void Recorder::refine_peaks(const Simulation& simulation) {
+  const Look now{simulation.sample().time(), seen_};
+  constexpr double instant = 1e-12;
+  if (!looks_.empty() &&
+      (looks_.back().time < simulation.motion().step_begin() ||
+       now.time - looks_.back().time <= instant * (1 + std::abs(now.time)))) {
+    looks_.clear();
+  }
+  if (!looks_.empty()) refine_between(simulation, looks_.back(), now);
+  if (looks_.size() == 2) looks_.erase(looks_.begin());
+  looks_.push_back(now);
+}
+
+void Recorder::refine_between(const Simulation& simulation, const Look& from,
+                              const Look& to) {
+  if (looks_.size() == 2 &&
+      !may_peak(looks_.front(), from, to, from.time, known_peaks())) {
+    return;
+  }
+  constexpr int middle = peak_nodes / 2;
+  std::array<Look, peak_nodes> looks;
+  looks.front() = from;
+  looks.back() = to;
+  const auto look = [&](int k) {
+    looks[k] = look_back(simulation, peak_node(k, from.time, to.time));
+  };
+  look(middle);
+  if (!may_peak(from, looks[middle], to, from.time, known_peaks())) return;
+  for (int k = 1; k + 1 < peak_nodes; ++k) {
+    if (k != middle) look(k);
+  }
+  for (const double time : peak_times(looks, known_peaks())) {
+    look_back(simulation, time);
   }
 }
 
@@ -280,6 +357,7 @@ void Recorder::look_at_energy(const Simulation& simulation, bool first) {
 
 void Recorder::look(const Simulation& simulation) {
   const bool first = !memory_.begun;
+  seen_.clear();
   look_at_changes(simulation);
   const auto& sample = simulation.sample();
   if (keep_rows_) {
@@ -294,13 +372,17 @@ void Recorder::look(const Simulation& simulation) {
   }
   look_at_distances(sample, keep_rows_);
   look_at_energy(simulation, first);
+  if (refine_) refine_peaks(simulation);
 }
 
-void Recorder::look_between(const MotionSample& sample) {
+void Recorder::look_between(const Simulation& simulation) {
+  const auto& sample = simulation.sample();
+  seen_.clear();
   for (int i = 0; i < static_cast<int>(case_.loads.size()); ++i) {
     look_at_peaks(sample, i);
   }
   look_at_distances(sample, false);
+  if (refine_) refine_peaks(simulation);
 }
 
 // Whether happenings[i] breaks anything: what is broken already, also by those
@@ -327,6 +409,7 @@ bool Recorder::breaks(const Simulation& simulation,
 
 void Recorder::before(const Simulation& simulation,
                       const std::vector<Happening>& happenings) {
+  looks_.clear();
   const auto& sample = simulation.sample();
   for (std::size_t i = 0; i < happenings.size(); ++i) {
     if (!breaks(simulation, happenings, i)) continue;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "separation/clearance.hpp"
+#include "separation/peaks.hpp"
 #include "separation/simulation.hpp"
 
 namespace separation {
@@ -23,7 +24,7 @@ struct Rows {
   std::size_t column(const std::string& name) const;
 };
 
-/// Largest values of one joint at the times that were looked at.
+/// Largest values of one joint.
 struct JointPeaks {
   double reaction = 0;       ///< N
   double reaction_time = 0;  ///< s
@@ -74,12 +75,13 @@ class Recorder {
  public:
   /// @param rows       keep the time history
   /// @param clearance  work out distances
-  Recorder(const Case& c, bool rows, bool clearance);
+  /// @param refine     look for peaks between the times that are looked at
+  Recorder(const Case& c, bool rows, bool clearance, bool refine);
 
   /// Looks at it now.
   void look(const Simulation& simulation);
   /// Takes notice of peaks and distances, without a row.
-  void look_between(const multibody::MotionSample& sample);
+  void look_between(const Simulation& simulation);
   /// What is about to happen: call it before Simulation::apply().
   void before(const Simulation& simulation,
               const std::vector<Happening>& happenings);
@@ -106,6 +108,11 @@ class Recorder {
 
  private:
   void look_at_peaks(const multibody::MotionSample& sample, int load);
+  Look look_back(const Simulation& simulation, double time);
+  std::vector<double> known_peaks() const;
+  void refine_peaks(const Simulation& simulation);
+  void refine_between(const Simulation& simulation, const Look& from,
+                      const Look& to);
   void add_load(const Simulation& simulation, int load);
   void look_at_changes(const Simulation& simulation);
   void note_change(const multibody::HingeChange& change);
@@ -118,7 +125,10 @@ class Recorder {
 
   const Case& case_;
   bool keep_rows_;
+  bool refine_;
   std::optional<Clearance> clearance_;
+  std::vector<double> seen_;  ///< what look_at_peaks() has seen
+  std::vector<Look> looks_;   ///< the last two on a smooth way
   std::size_t changes_seen_ = 0;
   Memory memory_;
 };

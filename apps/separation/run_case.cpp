@@ -58,8 +58,8 @@ struct Run {
   void start(const Case& c, FrictionChoice friction) {
     simulation = std::make_unique<Simulation>(c, friction);
     if (!between_looks) return;
-    simulation->watch_steps([this](const multibody::MotionSample& sample) {
-      recorder.look_between(sample);
+    simulation->watch_steps([this](const multibody::MotionSample&) {
+      recorder.look_between(*simulation);
     });
   }
 
@@ -90,7 +90,7 @@ double checkpoint_after(double time, double every) {
 
 Outcome run_case(const Case& c, const RunOptions& options) {
   Run run{nullptr,
-          Recorder(c, options.rows, options.clearance),
+          Recorder(c, options.rows, options.clearance, !options.only_events),
           !options.only_events,
           {}};
   const OutputTimes times(c, options.only_events);

@@ -45,7 +45,7 @@ void checkpoint(benchmark::State& state) {
   const separation::Case c =
       separation::read_case(CONTACT_DATA_DIR "/cases/soyuz.toml");
   separation::Simulation simulation(c, FrictionChoice::full);
-  separation::Recorder recorder(c, true, false);
+  separation::Recorder recorder(c, true, false, false);
   recorder.look(simulation);
   separation::Recorder::Memory memory = recorder.memory();
   auto& numbers = memory.rows.numbers;
