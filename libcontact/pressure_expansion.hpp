@@ -23,8 +23,9 @@ struct PressureExpansion {
   double cosine_share = 0;
   double edge_constant = 1;  ///< v, >= 1; with logarithms >= 2.4
   int size = 0;
-  std::array<double, max_terms> coefficient = {};  ///< c_k, pressure units
-  std::array<double, 3> logarithmic = {};          ///< b_k, likewise
+  /// c_k, pressure units; from `size` on negligible, counted or not.
+  std::array<double, max_terms> coefficient = {};
+  std::array<double, 3> logarithmic = {};  ///< b_k, likewise
 
   std::span<const double> coefficients() const {
     return std::span(coefficient).first(static_cast<std::size_t>(size));
