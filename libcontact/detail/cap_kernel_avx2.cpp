@@ -3,6 +3,6 @@
 namespace contact::detail {
 
 extern const CapKernel cap_kernel_avx2;
-constinit const CapKernel cap_kernel_avx2{one, batch, root_pressure};
+constinit const CapKernel cap_kernel_avx2{one, few, batch, root_pressure};
 
 }  // namespace contact::detail

@@ -32,6 +32,6 @@ template <>
 namespace contact::detail {
 
 extern const CapKernel cap_kernel_avx512;
-constinit const CapKernel cap_kernel_avx512{one, batch, root_pressure};
+constinit const CapKernel cap_kernel_avx512{one, few, batch, root_pressure};
 
 }  // namespace contact::detail

@@ -3,6 +3,6 @@
 namespace contact::detail {
 
 extern const CapKernel cap_kernel_baseline;
-constinit const CapKernel cap_kernel_baseline{one, batch, root_pressure};
+constinit const CapKernel cap_kernel_baseline{one, few, batch, root_pressure};
 
 }  // namespace contact::detail

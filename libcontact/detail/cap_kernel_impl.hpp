@@ -59,6 +59,64 @@ CapSums<double> one(const CapPoint<double>& point, const CapRule& rule,
   });
 }
 
+struct FewPoints {
+  static constexpr int rows = 8;
+  double s[rows], c[rows], sa[rows], q[rows], k[rows], m[rows];
+  double pole_inside[rows];
+  double force_pressure[rows], sliding_pressure[rows], spinning_pressure[rows];
+  double force_area[rows], sliding_area[rows], spinning_area[rows];
+};
+
+[[gnu::flatten]] void few(const double* half_angle, const double* axis_sin,
+                          const double* axis_cos, const double* wanted,
+                          int count, double* integrals) {
+  constexpr int rows = FewPoints::rows;
+  static_assert(rows % width == 0);
+  const auto store = [](const Lanes& x, double* to) {
+    x.copy_to(to, stdx::element_aligned);
+  };
+  const CapRuleIndex& index = cap_rule_index();
+  for (int first = 0; first < count; first += width) {
+    FewPoints p;
+    const PreparedCap<Lanes> cap =
+        prepare(load(half_angle + first), load(axis_sin + first),
+                load(axis_cos + first));
+    store(cap.point.s, p.s);
+    store(cap.point.c, p.c);
+    store(cap.point.sa, p.sa);
+    store(cap.point.q, p.q);
+    store(cap.point.k, p.k);
+    store(cap.point.m, p.m);
+    store(select(cap.pole_inside, Lanes(1.0), Lanes(0.0)), p.pole_inside);
+    for (int i = 0; i < width; ++i) {
+      CapSums<double> sum{};
+      if (first + i < count && wanted[first + i] != 0) {
+        const CapPoint<double> point{p.s[i], p.c[i], p.sa[i],
+                                     p.q[i], p.k[i], p.m[i]};
+        sum = one(point, cap_rule(index(point.m)), p.pole_inside[i] != 0,
+                  arc_range(point.c));
+      }
+      p.force_pressure[i] = sum.force_pressure;
+      p.sliding_pressure[i] = sum.sliding_pressure;
+      p.spinning_pressure[i] = sum.spinning_pressure;
+      p.force_area[i] = sum.force_area;
+      p.sliding_area[i] = sum.sliding_area;
+      p.spinning_area[i] = sum.spinning_area;
+    }
+    const CapResult<Lanes> r = assemble(
+        cap, CapSums<Lanes>{load(p.force_pressure), load(p.sliding_pressure),
+                            load(p.spinning_pressure), load(p.force_area),
+                            load(p.sliding_area), load(p.spinning_area)});
+    double* const to = integrals + first;
+    store(r.force, to);
+    store(r.sliding, to + rows);
+    store(r.spinning, to + 2 * rows);
+    store(r.force_area, to + 3 * rows);
+    store(r.sliding_area, to + 4 * rows);
+    store(r.spinning_area, to + 5 * rows);
+  }
+}
+
 }  // namespace
 }  // namespace contact::detail
 
