@@ -1,11 +1,13 @@
 #include "libcontact/joint_follower.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 
+#include "libcontact/detail/cap_kernel.hpp"
 #include "libcontact/detail/follower_kernel.hpp"
-#include "libcontact/friction_batch.hpp"
 #include "libcontact/friction_exact.hpp"
 
 namespace contact {
@@ -15,12 +17,16 @@ using detail::FollowerRows;
 using Eigen::Vector3d;
 using Row = detail::FollowerRow;
 
-// sin a and cos a of contacts are taken at least so large: what is divided by
-// them tends to a constant.
+// See follower_kernel_impl.hpp.
 constexpr double smallest = 1e-150;
 
-// From here on a batch takes less time (measured).
-constexpr int enough_for_batch = 16;
+// The worst of 200 random joints on paths of steps of 1e-3 was wrong by 4 times
+// what the misses of its slopes say.
+constexpr double error_safety = 5;
+
+// Of tracks(): how far series and slopes are good for.
+constexpr double largest_move = 0.1;
+constexpr double largest_sensitivity = 100;
 
 // Lanes that few joints cannot fill cost more than they bring.
 InstructionSet useful(std::size_t joints) {
@@ -29,41 +35,49 @@ InstructionSet useful(std::size_t joints) {
                                                        : best;
 }
 
-FollowerRows rows_of(const std::vector<double>& numbers, std::size_t stride) {
-  return {const_cast<double*>(numbers.data()), stride};
-}
-
 }  // namespace
 
 JointFollower::JointFollower(std::vector<JointContact> contacts)
     : JointFollower(std::move(contacts), InstructionSet::baseline) {
-  set_ = useful(contacts_.size());
+  kernel_ = &detail::follower_kernel(useful(contacts_.size()));
 }
 
 JointFollower::JointFollower(std::vector<JointContact> contacts,
                              InstructionSet set)
     : contacts_(std::move(contacts)),
-      followed_(contacts_.size(), false),
-      set_(set),
-      stride_((contacts_.size() + FollowerRows::lanes - 1) /
-              FollowerRows::lanes * FollowerRows::lanes),
-      numbers_(static_cast<std::size_t>(Row::count) * stride_, 1.0),
-      batch_joint_(contacts_.size()),
-      batch_numbers_(batch_rows * contacts_.size()) {
-  const FollowerRows rows = rows_of(numbers_, stride_);
+      kernel_(&detail::follower_kernel(set)),
+      row_count_(FollowerRows::count),
+      numbers_((contacts_.size() + lanes - 1) / lanes * row_count_),
+      smooth_(contacts_.size()),
+      chosen_((contacts_.size() + lanes - 1) / lanes) {
+  static_assert(lanes == FollowerRows::lanes);
+  static_assert(reaction_row == static_cast<int>(Row::reaction_x));
+  static_assert(rate_row == static_cast<int>(Row::rate_x));
+  static_assert(moment_row == static_cast<int>(Row::moment_x));
+  static_assert(acting_row == static_cast<int>(Row::acting_x));
+  static_assert(action_row == static_cast<int>(Row::action_x));
+  static_assert(followed_row == static_cast<int>(Row::followed));
+  // Numbers that lanes without a joint can reckon with.
+  for (LaneRow& row : numbers_) std::ranges::fill(row.of, 1.0);
+  for (std::size_t i = 0; i < numbers_.size() * lanes / row_count_; ++i) {
+    forget(static_cast<int>(i));
+  }
+  const FollowerRows rows = all_rows();
   for (int i = 0; i < size(); ++i) {
     const JointContact& contact = contacts_[i];
-    rows[Row::radius][i] = contact.geometry().radius();
-    rows[Row::side][i] =
+    rows(Row::radius, i) = contact.geometry().radius();
+    rows(Row::side, i) =
         contact.geometry().inner_body() == JointBody::carrier ? 1 : -1;
-    rows[Row::ball][i] = contact.geometry().kind() == JointKind::spherical;
-    rows[Row::viscous][i] = contact.is_viscous();
+    rows(Row::ball, i) = contact.geometry().kind() == JointKind::spherical;
+    rows(Row::viscous, i) = contact.is_viscous();
     strengths_.push_back(contact.strength(1));
-    plain_.push_back(
+    rows(Row::pressure_part, i) = strengths_.back().pressure_part;
+    rows(Row::area_part, i) = strengths_.back().area_part;
+    rows(Row::feedback, i) = 0;
+    rows(Row::plain, i) =
         contact.geometry().kind() == JointKind::spherical &&
         !contact.is_viscous() &&
-        dynamic_cast<const CosinePressure*>(&contact.pressure_law()));
-    plain_count_ += plain_.back();
+        dynamic_cast<const CosinePressure*>(&contact.pressure_law());
   }
 }
 
@@ -82,74 +96,123 @@ JointFollower::Values JointFollower::values(
 JointFollower::Values JointFollower::values(int joint, double force,
                                             SlipAxis axis) const noexcept {
   const JointContact& contact = contacts_[joint];
+  const bool plain = all_rows()(Row::plain, joint) != 0;
   const SlipAxis inside = {std::max(axis.sin, smallest),
                            std::max(axis.cos, smallest)};
   const double half_angle = contact.half_angle(force).half_angle;
   return values(joint, force, inside,
-                plain_[joint] ? exact_friction_integrals(half_angle, inside)
-                              : contact.integrals(half_angle, inside));
+                plain ? exact_friction_integrals(half_angle, inside)
+                      : contact.integrals(half_angle, inside));
 }
 
 void JointFollower::take(int joint, const Values& found) noexcept {
-  const FollowerRows rows = rows_of(numbers_, stride_);
-  rows[Row::found_friction][joint] = found.friction;
-  rows[Row::found_sliding][joint] = found.sliding;
-  rows[Row::found_spinning][joint] = found.spinning;
+  const FollowerRows rows = all_rows();
+  rows(Row::found_friction, joint) = found.friction;
+  rows(Row::found_sliding, joint) = found.sliding;
+  rows(Row::found_spinning, joint) = found.spinning;
 }
 
-// Those whose friction is that of the exact integrals alone, lanes over joints
-// where there are enough of them to fill lanes with like ones.
-void JointFollower::evaluate_plain() noexcept {
-  const FollowerRows rows = rows_of(numbers_, stride_);
-  std::size_t count = 0;
-  for (int i = 0; i < size(); ++i) {
-    if (!followed_[i] || !plain_[i]) continue;
-    batch_joint_[count] = i;
-    batch_row(0)[count] =
-        contacts_[i].half_angle(rows[Row::evaluated_force][i]).half_angle;
-    batch_row(1)[count] = std::max(rows[Row::evaluated_axis_sine][i], smallest);
-    batch_row(2)[count] =
-        std::max(rows[Row::evaluated_axis_cosine][i], smallest);
-    ++count;
+// @return whether it tells the law's values
+bool JointFollower::set_window(int joint, double force) noexcept {
+  using detail::FollowerWindow;
+  constexpr int size = FollowerWindow::size;
+  const FollowerRows rows = all_rows();
+  const bool ball = rows(Row::ball, joint) != 0;
+  const double width = FollowerWindow::half_width * force;
+  const auto at = [&](double place) -> std::array<double, 2> {
+    const double there = force + place * width;
+    if (ball) return {contacts_[joint].half_angle(there).half_angle, 0};
+    const Values found = values(joint, there, {0, 1});
+    return {found.friction, found.sliding};
+  };
+  std::array<std::array<double, size>, 2> difference;
+  for (int i = 0; i < size; ++i) {
+    const auto values = at(FollowerWindow::nodes[i]);
+    for (int f = 0; f < 2; ++f) difference[f][i] = values[f];
   }
-  const auto row = [&](int k) { return std::span(batch_row(k), count); };
-  FrictionBatchOutput out;
-  out.force = row(3);
-  out.sliding = row(4);
-  out.spinning = row(5);
-  out.force_area = row(6);
-  out.sliding_area = row(7);
-  out.spinning_area = row(8);
-  exact_friction_integrals({row(0), row(1), row(2)}, out);
-  for (std::size_t k = 0; k < count; ++k) {
-    const int i = batch_joint_[k];
-    FrictionIntegrals found{};
-    found.coefficient = {row(3)[k], row(4)[k], row(5)[k]};
-    found.area = {row(6)[k], row(7)[k], row(8)[k]};
-    take(i, values(i, rows[Row::evaluated_force][i], {row(1)[k], row(2)[k]},
-                   found));
+  for (auto& d : difference) {
+    for (int k = 1; k < size; ++k) {
+      for (int i = size - 1; i >= k; --i) {
+        d[i] = (d[i] - d[i - 1]) /
+               (FollowerWindow::nodes[i] - FollowerWindow::nodes[i - k]);
+      }
+    }
   }
+  // A law need not be smooth.
+  constexpr double tolerance = 2e-14;
+  for (const double place : {-0.95, 0.0, 0.86}) {
+    const auto expected = at(place);
+    for (int f = 0; f < 2; ++f) {
+      double sum = difference[f][size - 1];
+      for (int k = size - 2; k >= 0; --k) {
+        sum = sum * (place - FollowerWindow::nodes[k]) + difference[f][k];
+      }
+      if (!(std::abs(sum - expected[f]) <= tolerance * std::abs(expected[f]))) {
+        return false;
+      }
+    }
+  }
+  rows(Row::window_middle, joint) = force;
+  rows(Row::window_scale, joint) = 1 / width;
+  for (int k = 0; k < size; ++k) {
+    rows(static_cast<Row>(static_cast<int>(Row::window_1) + k), joint) =
+        difference[0][k];
+    rows(static_cast<Row>(static_cast<int>(Row::window_2) + k), joint) =
+        difference[1][k];
+  }
+  return true;
+}
+
+// What depends on R_n alone, from the window or, outside, from the law; found
+// friction of those that are not plain.
+void JointFollower::evaluate_contact(int joint) noexcept {
+  const FollowerRows rows = all_rows();
+  const double force = rows(Row::evaluated_force, joint);
+  const bool inside = std::abs(rows(Row::window_place, joint)) <= 1;
+  const bool ball = rows(Row::ball, joint) != 0;
+  if (inside && !ball) {
+    take(joint, {rows(Row::window_value_1, joint),
+                 rows(Row::window_value_2, joint), 0});
+    return;
+  }
+  double half_angle = rows(Row::window_value_1, joint);
+  if (!inside) {
+    half_angle = contacts_[joint].half_angle(force).half_angle;
+    // Worth it if some evaluations stay within.
+    constexpr double slow = 0.1 * detail::FollowerWindow::half_width;
+    if (smooth_[joint] &&
+        std::abs(force / rows(Row::last_force, joint) - 1) < slow) {
+      smooth_[joint] = set_window(joint, force);
+    }
+  }
+  rows(Row::evaluated_half_angle, joint) = half_angle;
+  if (rows(Row::plain, joint) != 0) return;
+  const SlipAxis axis = {rows(Row::evaluated_axis_sine, joint),
+                         rows(Row::evaluated_axis_cosine, joint)};
+  take(joint, values(joint, force, axis,
+                     contacts_[joint].integrals(half_angle, axis)));
 }
 
 void JointFollower::start(int joint, const JointSolution& solution,
                           const Vector3d& rate) noexcept {
-  followed_[joint] =
-      solution.status == Status::ok && solution.state == JointState::sliding;
-  if (!followed_[joint]) return;
-  const FollowerRows rows = rows_of(numbers_, stride_);
-  const auto put = [&](Row row, double value) { rows[row][joint] = value; };
+  forget(joint);
+  if (solution.status != Status::ok || solution.state != JointState::sliding) {
+    return;
+  }
+  const FollowerRows rows = all_rows();
+  const auto put = [&](Row row, double value) { rows(row, joint) = value; };
   const double force = solution.compressive_force;
   const SlipAxis axis = {std::abs(solution.slip_axis.sin),
                          solution.slip_axis.cos};
   const Values here = values(joint, force, axis);
-  const bool ball = rows[Row::ball][joint] != 0;
+  const bool ball = rows(Row::ball, joint) != 0;
   put(Row::last_reaction, solution.memory.reaction_force);
   put(Row::last_sine, solution.memory.reaction.sin);
   put(Row::last_cosine, ball ? solution.memory.reaction.cos : 0);
   put(Row::last_tangent, solution.memory.tangent);
   put(Row::last_force, force);
   put(Row::last_axis_cosine, axis.cos);
-  put(Row::last_speed, rows[Row::viscous][joint] != 0 ? rate.norm() : 1);
+  put(Row::last_speed, rows(Row::viscous, joint) != 0 ? rate.norm() : 1);
   put(Row::friction, here.friction);
   put(Row::sliding, here.sliding);
   put(Row::spinning, here.spinning);
@@ -180,71 +243,117 @@ void JointFollower::start(int joint, const JointSolution& solution,
         Row::sliding_curve, Row::spinning_curve}) {
     put(row, 0);
   }
+  for (int k = 0; k < 9; ++k) {
+    put(static_cast<Row>(static_cast<int>(Row::answer_xx) + k), 0);
+  }
+  // None yet: nothing is within.
+  put(Row::window_scale, std::numeric_limits<double>::quiet_NaN());
+  smooth_[joint] = true;
   // Not known yet.
   put(Row::slope_error, 1);
+  put(Row::followed, 1);
 }
 
-void JointFollower::set_rate(int joint, const Vector3d& rate) noexcept {
-  const FollowerRows rows = rows_of(numbers_, stride_);
-  rows[Row::rate_x][joint] = rate.x();
-  rows[Row::rate_y][joint] = rate.y();
-  rows[Row::rate_z][joint] = rate.z();
+detail::FollowerRows JointFollower::all_rows() const noexcept {
+  return FollowerRows(
+      reinterpret_cast<double*>(const_cast<LaneRow*>(numbers_.data())));
 }
 
-void JointFollower::set_reaction(int joint, const Vector3d& reaction) noexcept {
-  const FollowerRows rows = rows_of(numbers_, stride_);
-  rows[Row::reaction_x][joint] = reaction.x();
-  rows[Row::reaction_y][joint] = reaction.y();
-  rows[Row::reaction_z][joint] = reaction.z();
+// f(rows, first joint, number of joints) of all packets that are chosen.
+template <class F>
+void JointFollower::for_chosen(F f) noexcept {
+  if (all_chosen_) {
+    f(all_rows(), 0, size());
+    return;
+  }
+  for (int first = 0; first < size(); first += lanes) {
+    if (!chosen_[static_cast<std::size_t>(first / lanes)]) continue;
+    f(FollowerRows(all_rows().at(static_cast<Row>(0), first)), first,
+      std::min(lanes, size() - first));
+  }
+}
+
+void JointFollower::choose_all() noexcept {
+  all_chosen_ = true;
+  std::ranges::fill(chosen_, false);
+}
+
+void JointFollower::choose(int joint) noexcept {
+  all_chosen_ = false;
+  chosen_[static_cast<std::size_t>(joint / lanes)] = true;
 }
 
 void JointFollower::predict() noexcept {
-  detail::follower_kernel(set_).predict(rows_of(numbers_, stride_), size());
+  for_chosen([&](FollowerRows rows, int, int count) {
+    kernel_->predict(rows, count);
+  });
 }
 
-void JointFollower::extend() noexcept {
-  detail::follower_kernel(set_).extend(rows_of(numbers_, stride_), size());
-}
+void JointFollower::extend() noexcept { kernel_->extend(all_rows(), size()); }
 
 void JointFollower::evaluate() noexcept {
-  const FollowerRows rows = rows_of(numbers_, stride_);
-  const detail::FollowerKernel& kernel = detail::follower_kernel(set_);
-  kernel.extend(rows, size());
-  kernel.approach(rows, size());
-  const bool batch = plain_count_ >= enough_for_batch;
-  if (batch) evaluate_plain();
-  for (int i = 0; i < size(); ++i) {
-    if (!followed_[i] || (batch && plain_[i])) continue;
-    take(i, values(i, rows[Row::evaluated_force][i],
-                   {rows[Row::evaluated_axis_sine][i],
-                    rows[Row::evaluated_axis_cosine][i]}));
-  }
-  kernel.settle(rows, size());
+  static const detail::CapKernel& cap =
+      detail::cap_kernel(best_instruction_set());
+  extend();
+  for_chosen([&](FollowerRows rows, int first, int count) {
+    kernel_->approach(rows, count);
+    for (int i = 0; i < count; ++i) {
+      if (follows(first + i)) evaluate_contact(first + i);
+    }
+    for (int i = 0; i < count; i += lanes) {
+      const auto at = [&](Row row) { return rows.at(row, i); };
+      cap.few(at(Row::evaluated_half_angle), at(Row::evaluated_axis_sine),
+              at(Row::evaluated_axis_cosine), at(Row::plain),
+              std::min(lanes, count - i), at(Row::integral_force));
+    }
+    kernel_->take(rows, count);
+    kernel_->settle(rows, count);
+  });
 }
 
 bool JointFollower::tracks(int joint) const noexcept {
-  constexpr double largest_move = 0.1;
-  constexpr double largest_sensitivity = 100;
-  const FollowerRows rows = rows_of(numbers_, stride_);
-  return followed_[joint] && rows[Row::move][joint] < largest_move &&
-         rows[Row::sensitivity][joint] < largest_sensitivity;
+  return follows(joint) && all_rows()(Row::move, joint) < largest_move &&
+         all_rows()(Row::sensitivity, joint) < largest_sensitivity;
 }
 
-double JointFollower::shift(int joint) const noexcept {
-  return rows_of(numbers_, stride_)[Row::shift][joint];
+bool JointFollower::all_track() const noexcept {
+  return kernel_->largest(all_rows(), size(), Row::move) < largest_move &&
+         kernel_->largest(all_rows(), size(), Row::sensitivity) <
+             largest_sensitivity;
 }
 
-Vector3d JointFollower::moment(int joint) const noexcept {
-  const FollowerRows rows = rows_of(numbers_, stride_);
-  return {rows[Row::moment_x][joint], rows[Row::moment_y][joint],
-          rows[Row::moment_z][joint]};
+double JointFollower::shift() const noexcept {
+  return kernel_->largest(all_rows(), size(), Row::shift);
 }
 
 double JointFollower::error(int joint) const noexcept {
-  // The worst of 200 random joints on paths of steps of 1e-3 was wrong by 4
-  // times what the misses of its slopes say.
-  constexpr double safety = 5;
-  return safety * rows_of(numbers_, stride_)[Row::error][joint];
+  return error_safety * all_rows()(Row::error, joint);
 }
+
+double JointFollower::error() const noexcept {
+  return error_safety * kernel_->largest(all_rows(), size(), Row::error);
+}
+
+JointFollower::Mismatch JointFollower::mismatch(double floor) const noexcept {
+  const auto [miss, moved, answered] =
+      kernel_->mismatch(all_rows(), size(), floor * floor);
+  if (moved == 0) return {std::sqrt(miss), 0, 0, 0};
+  return {std::sqrt(miss), std::sqrt(moved), std::sqrt(answered / moved),
+          std::sqrt(miss / moved)};
+}
+
+void JointFollower::remember() noexcept {
+  kernel_->remember(all_rows(), size());
+}
+
+void JointFollower::extrapolate(double share) noexcept {
+  kernel_->extrapolate(all_rows(), size(), share);
+}
+
+void JointFollower::set_feedback(int joint, double s) noexcept {
+  all_rows()(Row::feedback, joint) = s;
+}
+
+void JointFollower::act() noexcept { kernel_->act(all_rows(), size()); }
 
 }  // namespace contact

@@ -10,6 +10,11 @@
 
 namespace contact {
 
+namespace detail {
+class FollowerRows;
+struct FollowerKernel;
+}  // namespace detail
+
 /// Friction of several sliding joints, side by side, followed through small
 /// changes of R and Dw with one evaluation of each contact: for solvers of
 /// several bodies, which evaluate all joints again and again.
@@ -44,13 +49,19 @@ class JointFollower {
   void start(int joint, const JointSolution& solution,
              const Eigen::Vector3d& rate) noexcept;
   /// No longer: the joint is left out of evaluate().
-  void forget(int joint) noexcept { followed_[joint] = false; }
-  bool follows(int joint) const { return followed_[joint]; }
+  void forget(int joint) noexcept { *at(followed_row, joint) = 0; }
+  bool follows(int joint) const noexcept {
+    return *at(followed_row, joint) != 0;
+  }
 
   /// @param rate  Dw, rad/s, not 0
-  void set_rate(int joint, const Eigen::Vector3d& rate) noexcept;
+  void set_rate(int joint, const Eigen::Vector3d& rate) noexcept {
+    set(rate_row, joint, rate);
+  }
   /// @param reaction  R on the load, N, not 0
-  void set_reaction(int joint, const Eigen::Vector3d& reaction) noexcept;
+  void set_reaction(int joint, const Eigen::Vector3d& reaction) noexcept {
+    set(reaction_row, joint, reaction);
+  }
 
   /// M_t of all joints by the slopes, nothing evaluated.
   void predict() noexcept;
@@ -61,17 +72,64 @@ class JointFollower {
   /// contact evaluated once. extend() may follow.
   void evaluate() noexcept;
 
+  /// From now on predict() and evaluate() leave out all joints but those chosen
+  /// (and some that share lanes with them), until all are chosen again.
+  void choose(int joint) noexcept;
+  void choose_all() noexcept;
+
   /// Whether the last predict() or evaluate() stayed where the slopes are of
   /// use: moves of R, b, R_n, ... up to 10 %, no NaN, sin b above 0.01.
   bool tracks(int joint) const noexcept;
-  /// |change of R| since the last predict(), over R sin b.
-  double shift(int joint) const noexcept;
+  /// That of all joints followed.
+  bool all_track() const noexcept;
+  /// |change of R| since the last predict(), over R sin b: the largest of the
+  /// joints followed.
+  double shift() const noexcept;
   /// M_t for R and Dw, N m.
-  Eigen::Vector3d moment(int joint) const noexcept;
+  Eigen::Vector3d moment(int joint) const noexcept {
+    return get(moment_row, joint);
+  }
   /// After evaluate(), and extend(): what M_t is likely to be wrong by, over
   /// |M_t|, from how wrong the slopes were found lately: at most 0.53
   /// of it on 1200 random paths (joint_follower_test.cpp).
   double error(int joint) const noexcept;
+  /// The largest of the joints followed.
+  double error() const noexcept;
+
+  /// For those who bring M_t together with the motion that it causes: the
+  /// moment with which that has been worked out, N m.
+  void set_acting_moment(int joint, const Eigen::Vector3d& moment) noexcept {
+    set(acting_row, joint, moment);
+  }
+  Eigen::Vector3d acting_moment(int joint) const noexcept {
+    return get(acting_row, joint);
+  }
+  /// The largest of the joints followed, over sqrt(4 M_t^2 + floor^2); infinity
+  /// for NaN.
+  struct Mismatch {
+    double miss;   ///< of the acting moments
+    double moved;  ///< their changes by the last act(), 0 after predict()
+    /// Over those changes: what M_t answered, and what is missed now.
+    double contraction, gain;
+  };
+  /// @param floor  > 0, N m
+  Mismatch mismatch(double floor) const noexcept;
+  /// R of this joint answers to its own acting moment by s z x M_t, 1/m: in a
+  /// node, whose joints have moments across the axis z to hold.
+  void set_feedback(int joint, double s) noexcept;
+  /// Changes the acting moments to those that will fit, each joint for itself:
+  /// by its feedback and by what M_t answered to earlier changes (Broyden's
+  /// update).
+  void act() noexcept;
+  /// What act() changed, N m.
+  Eigen::Vector3d action(int joint) const noexcept {
+    return get(action_row, joint);
+  }
+  /// Keeps the acting moments, as the end of a stretch that began with the last
+  /// ones kept.
+  void remember() noexcept;
+  /// Acting moments beyond that end, by this share of the stretch.
+  void extrapolate(double share) noexcept;
 
  private:
   struct Values {
@@ -81,23 +139,55 @@ class JointFollower {
   Values values(int joint, double force, SlipAxis axis,
                 const FrictionIntegrals& integrals) const noexcept;
   void take(int joint, const Values& found) noexcept;
-  void evaluate_plain() noexcept;
-  static constexpr std::size_t batch_rows = 9;
-  double* batch_row(int k) {
-    return batch_numbers_.data() +
-           static_cast<std::size_t>(k) * contacts_.size();
+  bool set_window(int joint, double force) noexcept;
+  void evaluate_contact(int joint) noexcept;
+  template <class F>
+  void for_chosen(F f) noexcept;
+
+  // Numbers of joints in packets of lanes, one row for each kind of number; the
+  // rows that are asked for and set from outside come first.
+  static constexpr int lanes = 8;
+  struct alignas(lanes * sizeof(double)) LaneRow {
+    double of[lanes];
+  };
+  enum OuterRow {
+    reaction_row = 0,
+    rate_row = 3,
+    moment_row = 6,
+    acting_row = 9,
+    action_row = 12,
+    followed_row = 15
+  };
+  double* at(int row, int joint) noexcept {
+    return numbers_[static_cast<unsigned>(joint) / lanes * row_count_ + row]
+               .of +
+           static_cast<unsigned>(joint) % lanes;
   }
+  const double* at(int row, int joint) const noexcept {
+    return numbers_[static_cast<unsigned>(joint) / lanes * row_count_ + row]
+               .of +
+           static_cast<unsigned>(joint) % lanes;
+  }
+  void set(int row, int joint, const Eigen::Vector3d& v) noexcept {
+    double* const to = at(row, joint);
+    to[0] = v.x();
+    to[lanes] = v.y();
+    to[2 * lanes] = v.z();
+  }
+  Eigen::Vector3d get(int row, int joint) const noexcept {
+    const double* const from = at(row, joint);
+    return {from[0], from[lanes], from[2 * lanes]};
+  }
+  detail::FollowerRows all_rows() const noexcept;
 
   std::vector<JointContact> contacts_;
   std::vector<JointContact::Strength> strengths_;  // at speed 1
-  std::vector<char> plain_;                        // the exact integrals alone
-  int plain_count_ = 0;
-  std::vector<char> followed_;
-  InstructionSet set_;
-  std::size_t stride_;
-  std::vector<double> numbers_;
-  std::vector<int> batch_joint_;
-  std::vector<double> batch_numbers_;
+  const detail::FollowerKernel* kernel_;
+  unsigned row_count_;  // of a packet
+  std::vector<LaneRow> numbers_;
+  std::vector<char> smooth_;  // its law is, as far as it has been seen
+  std::vector<char> chosen_;  // packets
+  bool all_chosen_ = true;
 };
 
 }  // namespace contact

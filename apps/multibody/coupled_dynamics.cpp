@@ -66,6 +66,7 @@ CoupledDynamics::Impl::Impl(const System& system,
   }
   reactions.resize(system.size());
   change_.resize(system.size());
+  forget_way();
   rows_.reserve(system.size());
 }
 
@@ -78,8 +79,9 @@ void CoupledDynamics::Impl::set_mode(int load, HingeMode mode) {
   hinge.straight = hinge.follows = false;
   hinge.slope.setZero();
   follower.forget(load);
+  forget_way();
   last_pause_ = pause_ = 0;
-  usual_contraction_ = usual_gain_ = 1;
+  usual_contraction_ = usual_gain_ = follow_gain_ = 1;
   hinge.utilisation_known = false;
 }
 
@@ -91,8 +93,8 @@ void CoupledDynamics::Impl::take_rates(const double* state) {
     if (!active(hinge)) continue;
     rows_.push_back(i);
     const double* s = state + dynamics.layout().offset(i);
-    const bool dry = hinge.solver.can_rest();
-    if (!hinge.solver.is_axis()) {
+    const bool dry = hinge.can_rest;
+    if (!hinge.is_axis) {
       hinge.rate = Vector3d(s[4], s[5], s[6]);
       if (dry && (hinge.straight || hinge.rate.isZero(0))) {
         hinge.rate = hinge.direction;
@@ -105,6 +107,7 @@ void CoupledDynamics::Impl::take_rates(const double* state) {
       const double rate = dry ? sign * std::max(sign * s[1], least) : s[1];
       hinge.rate = Vector3d(0, 0, rate);
     }
+    follower.set_rate(i, hinge.rate);
   }
 }
 
@@ -149,9 +152,8 @@ CoupledRounding CoupledDynamics::Impl::noise() const {
     const Hinge& hinge = hinges[i];
     if (hinge.mode == HingeMode::released) continue;
     const double* s = state_ + dynamics.layout().offset(static_cast<int>(i));
-    rate =
-        std::max(rate, hinge.solver.is_axis() ? std::abs(s[1])
-                                              : std::hypot(s[4], s[5], s[6]));
+    rate = std::max(
+        rate, hinge.is_axis ? std::abs(s[1]) : std::hypot(s[4], s[5], s[6]));
     force += size(loading_->loads[i].force);
     moment += size(loading_->loads[i].moment);
     mass += hinge.mass;
@@ -184,6 +186,43 @@ double CoupledDynamics::Impl::answer(double floor) {
     if (!(own <= residual)) residual = own;
   }
   return residual;
+}
+
+void CoupledDynamics::Impl::extrapolate(const double* state) {
+  const auto size = static_cast<Eigen::Index>(dynamics.layout().size());
+  step_ = Eigen::Map<const Eigen::VectorXd>(state, size) - way_end_;
+  if (way_length_ == 0) return;
+  // A way of its own, or too far to tell.
+  constexpr double straight = 0.99;  // cosine, squared
+  constexpr double furthest = 4;
+  const double along = step_.dot(way_);
+  const double share = along / way_length_;
+  if (!(along * along >= straight * step_.squaredNorm() * way_length_) ||
+      std::abs(share) > furthest) {
+    return;
+  }
+  follower.extrapolate(share);
+  for (const int i : rows_) hinges[i].moment = follower.acting_moment(i);
+}
+
+void CoupledDynamics::Impl::remember() {
+  // Stages of a step can be where others were; but not many of them.
+  constexpr double small = 1e-2;  // squared
+  constexpr int many = 4;
+  const double square = step_.squaredNorm();
+  if (square <= small * way_length_ && ++way_stays_ < many) return;
+  way_stays_ = 0;
+  way_length_ = way_begun_ ? square : 0;
+  way_begun_ = true;
+  way_end_ += step_;
+  way_.swap(step_);
+  follower.remember();
+}
+
+void CoupledDynamics::Impl::forget_way() {
+  way_end_.setZero(dynamics.layout().size());
+  way_begun_ = false;
+  way_length_ = 0;
 }
 
 // Change of all answers over change of all moments, each in units of its own
@@ -242,84 +281,115 @@ void CoupledDynamics::Impl::set_steps() {
 }
 
 // Moments that fit the reactions they cause if friction is what the follower
-// says near its place: plain iteration, which is worth it as long as the
-// contraction is small.
+// says near its place: every joint for itself, by what it answered before.
 // @return what is left, relative; large if it does not contract
 double CoupledDynamics::Impl::relax(double enough) {
   constexpr int round_limit = 6;
   constexpr double safety = 2;
-  double last = 0;
+  // Of rounding nothing is learnt.
+  constexpr double telling = 1e-9;
+  // Moments that do not go where they went before answer less well.
+  constexpr double usual_share = 0.03;
   double left = 1;
   for (int round = 0; round < round_limit; ++round) {
-    if (round > 0) follower.extend(rows_, reactions);
-    double largest = 0;
-    for (const int i : rows_) {
-      hinges[i].answer = follower.moment(i);
-      largest = std::max(largest, hinges[i].answer.squaredNorm());
-    }
-    // Squares, as in answer().
-    const double floor = small_share * small_share * largest;
-    double square = 0;
-    for (const int i : rows_) {
-      const Hinge& hinge = hinges[i];
-      const Vector3d change = hinge.answer - hinge.moment;
-      change_[i] = vec3(change);
-      const double scale = 4 * hinge.answer.squaredNorm() + floor;
-      const double own = change.squaredNorm();
-      if (!(own <= square * scale)) square = own / scale;
-    }
-    const double miss = largest == 0 ? 0 : std::sqrt(square);
+    if (round > 0) follower.extend();
+    const auto [miss, moved, contraction, gain] =
+        follower.mismatch(moment_floor_);
     if (round == 0) report.residual = miss;
-    // Of rounding nothing is learnt.
-    constexpr double rounding = 1e-11;
-    if (round > 0 && last > rounding) {
-      report.contraction = std::max(report.contraction, miss / last);
-      usual_contraction_ = std::max(miss / last, 0.7 * usual_contraction_);
+    if (moved > telling) {
+      report.contraction = std::max(report.contraction, contraction);
+      usual_contraction_ = std::max(contraction, 0.7 * usual_contraction_);
+      // At first the contacts' news is in the miss.
+      if (round > 0 || gain < follow_gain_) {
+        follow_gain_ = std::max(gain, 0.7 * follow_gain_);
+      }
     }
     if (miss <= enough) return miss;
     if (!(miss < 1)) return 1;  // no number, or lost
-    apply_change();
-    left = safety * usual_contraction_ * miss;
+    follower.act(rows_, change_);
+    move();
+    left = safety * std::max(follow_gain_, usual_share * usual_contraction_) *
+           miss;
     if (left <= enough) return left;
-    last = miss;
   }
   return left;
+}
+
+// What the follower changed: motion and reactions.
+void CoupledDynamics::Impl::move() {
+  if (prescribed) {
+    take_acting_moments();
+    dynamics.evaluate_prescribed(state_, *loading_, *prescribed);
+  } else {
+    dynamics.add_friction(change_);
+  }
+  dynamics.reactions(reactions);
+  follower.set_reactions(rows_, reactions);
+}
+
+void CoupledDynamics::Impl::take_acting_moments() {
+  for (const int i : rows_) {
+    Hinge& hinge = hinges[i];
+    hinge.moment = hinge.answer = follower.acting_moment(i);
+    loading_->loads[i].friction = vec3(hinge.moment);
+  }
 }
 
 // The outer loop with one evaluation of the friction of all hinges for each
 // iteration, as long as the follower knows its way.
 bool CoupledDynamics::Impl::follow() {
+  follower.set_reactions(rows_, reactions);
+  double largest = 0;
+  for (const int i : rows_) {
+    const Hinge& hinge = hinges[i];
+    follower.set_acting_moment(i, hinge.moment);
+    largest = std::max(largest, hinge.moment.squaredNorm());
+  }
+  moment_floor_ = small_share * std::sqrt(largest);
+  const bool found = follow_from_here();
+  take_acting_moments();
+  return found;
+}
+
+// Hinges with contacts to be evaluated a second time.
+bool CoupledDynamics::Impl::choose_worse_than(double limit) {
+  if (follower.error() < limit) return false;
+  for (const int i : rows_) {
+    if (!(follower.error(i) < limit)) follower.choose(i);
+  }
+  return true;
+}
+
+bool CoupledDynamics::Impl::follow_from_here() {
   constexpr int iteration_limit = 4;
-  // So near the one evaluation, as a rule, is enough.
-  constexpr double near = 1e-8;
+  // Contacts are evaluated where reactions are as near as this to those found
+  // in the end: then slopes, wrong by some percent, do for the rest.
+  constexpr double near = 1e-9;
   // Beyond this what is linear in the reactions misses the tolerance.
   constexpr double far = 2e-6;
+  // Contacts that are worse than this share of the tolerance are evaluated a
+  // second time.
+  constexpr double share_of_few = 0.5;
+  follower.choose_all();
   const auto predict = [&] {
-    follower.predict(rows_, reactions);
-    for (const int i : rows_) {
-      if (!follower.tracks(i)) return false;
-    }
-    relax(near);
+    follower.predict();
+    if (!follower.tracks()) return false;
+    // Moments and reactions answer to each other.
+    relax(near / std::max(usual_contraction_, 1e-3));
     return true;
   };
-  for (const int i : rows_) follower.set_rate(i, hinges[i].rate);
   for (report.iterations = 1; report.iterations <= iteration_limit;
        ++report.iterations) {
     if (!predict()) return false;
-    if (std::ranges::any_of(
-            rows_, [&](int i) { return !(follower.shift(i) < far); }) &&
-        !predict()) {
-      return false;
+    if (!(follower.shift() < far) && !predict()) return false;
+    follower.evaluate();
+    if (choose_worse_than(share_of_few * options.tolerance)) {
+      follower.predict();
+      follower.evaluate();
     }
-    follower.evaluate(rows_, reactions);
     double left = relax(0.1 * options.tolerance);
     if (trace) trace->push_back({report.iterations, report.residual});
-    double error = 0;
-    for (const int i : rows_) {
-      const double own = follower.error(i);
-      if (!(own <= error)) error = own;
-    }
-    left += error;
+    left += follower.error();
     if (left <= options.tolerance) {
       report.residual = left;
       for (const int i : rows_) hinges[i].solver_is_behind = true;
@@ -336,8 +406,9 @@ void CoupledDynamics::Impl::converge() {
   constexpr int longest_pause = 64;
   const bool weak = usual_contraction_ < strong;
   if (weak && pause_ == 0 &&
-      std::ranges::all_of(rows_, [&](int i) { return follower.follows(i); })) {
+      follower.count() == static_cast<int>(rows_.size())) {
     if (follow()) {
+      remember();
       last_pause_ = 0;
       return;
     }
@@ -346,6 +417,7 @@ void CoupledDynamics::Impl::converge() {
   } else if (pause_ > 0) {
     --pause_;
   }
+  forget_way();
   loop();
   if (!weak || pause_ > 0 || report.status != CoupledStatus::ok) return;
   for (const int i : rows_) {
@@ -430,6 +502,7 @@ const CoupledReport& CoupledDynamics::Impl::evaluate(const double* state,
                                                      Loading<double>& loading) {
   report = {};
   take_rates(state);
+  extrapolate(state);
   for (Vec3<double>& change : change_) change = {0, 0, 0};
   start(state, loading);
   if (rows_.empty()) return report;
@@ -451,7 +524,7 @@ CoupledDynamics::Impl::Response CoupledDynamics::Impl::response(int load) {
   const Vector3d force0 = vec3(reactions[load].force);
   const Vector3d moment0 = vec3(reactions[load].moment);
   Response r{Matrix3d::Zero(), Matrix3d::Zero(), Matrix3d::Zero()};
-  for (int k = hinge.solver.is_axis() ? 2 : 0; k < 3; ++k) {
+  for (int k = hinge.is_axis ? 2 : 0; k < 3; ++k) {
     for (Vec3<double>& change : change_) change = {0, 0, 0};
     const Vector3d change = size * Vector3d::Unit(k);
     change_[load] = vec3(change);
@@ -492,7 +565,7 @@ double CoupledDynamics::Impl::kappa(int load) {
     Reaction<double> moved = at;
     moved.force = vec3(Vector3d(vec3(at.force) + step * Vector3d::Unit(k)));
     by_force.col(k) = (hinge.solver.slide(moved, hinge.rate) - middle) / step;
-    if (!hinge.solver.is_axis() || k == 2) continue;
+    if (!hinge.is_axis || k == 2) continue;
     moved = at;
     moved.moment = vec3(Vector3d(vec3(at.moment) + step * Vector3d::Unit(k)));
     by_held.col(k) = (hinge.solver.slide(moved, hinge.rate) - middle) / step;
@@ -544,10 +617,10 @@ void CoupledDynamics::set_mode(int load, HingeMode mode) {
   impl_->set_mode(load, mode);
 }
 bool CoupledDynamics::can_rest(int load) const {
-  return impl_->hinges[load].solver.can_rest();
+  return impl_->hinges[load].can_rest;
 }
 bool CoupledDynamics::has_friction(int load) const {
-  return impl_->hinges[load].solver.has_friction();
+  return impl_->hinges[load].has_friction;
 }
 void CoupledDynamics::set_direction(int load, const Vector3d& direction) {
   impl_->hinges[load].direction = direction;
@@ -593,6 +666,7 @@ const Vector3d& CoupledDynamics::friction_moment(int load) const {
 }
 void CoupledDynamics::set_friction_moment(int load, const Vector3d& moment) {
   impl_->hinges[load].moment = moment;
+  impl_->forget_way();
 }
 const Reaction<double>& CoupledDynamics::reaction(int load) const {
   return impl_->reactions[load];

@@ -17,20 +17,28 @@ class CoupledDynamics::Impl {
   Impl(const System& system, std::vector<HingeFriction> friction,
        const CoupledOptions& options);
 
-  struct Hinge {
+  // What every evaluation needs comes first, in as few cache lines as can be.
+  struct alignas(64) Hinge {
     Hinge(HingeFriction friction, const Link& link, int load)
-        : solver(std::move(friction), link, load) {}
-    HingeSolver solver;
-    /// The solver has not seen the last evaluation.
-    bool solver_is_behind = false;
+        : solver(std::move(friction), link, load) {
+      has_friction = solver.has_friction();
+      can_rest = solver.can_rest();
+      is_axis = solver.is_axis();
+    }
     HingeMode mode = HingeMode::sliding;
-    Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();
+    bool has_friction, can_rest, is_axis;  ///< of the solver
     bool straight = false;
     bool follows = false;
+    /// The solver has not seen the last evaluation.
+    bool solver_is_behind = false;
+    bool utilisation_known = false;
+    /// m arm/J: |dR/dM| on a fixed carrier.
+    double leverage = 0;
     /// M_t that the motion has been worked out with, and M_t(R) for it.
     Eigen::Vector3d moment = Eigen::Vector3d::Zero();
     Eigen::Vector3d answer = Eigen::Vector3d::Zero();
     Eigen::Vector3d rate = Eigen::Vector3d::Zero();
+    Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();
     /// Estimate of d(answer)/d(moment), kept from evaluation to evaluation.
     Eigen::Matrix3d slope = Eigen::Matrix3d::Zero();
     Eigen::Vector3d last_moment, last_answer;
@@ -40,11 +48,9 @@ class CoupledDynamics::Impl {
     Eigen::Vector3d excess = Eigen::Vector3d::Zero();
     Eigen::Vector3d first_direction = Eigen::Vector3d::UnitZ();
     double utilisation = 0;
-    bool utilisation_known = false;
-    /// m arm/J: |dR/dM| on a fixed carrier.
-    double leverage = 0;
     double mass = 0;
     double length = 0;  ///< of the arms of its hinge
+    HingeSolver solver;
   };
 
   // coupled_dynamics.cpp
@@ -53,7 +59,7 @@ class CoupledDynamics::Impl {
   void start(const double* state, Loading<double>& loading);
   const CoupledReport& evaluate(const double* state, Loading<double>& loading);
   bool active(const Hinge& hinge) const {
-    return hinge.mode == HingeMode::sliding && hinge.solver.has_friction();
+    return hinge.mode == HingeMode::sliding && hinge.has_friction;
   }
   /// Changes the moments by `change_` and follows with motion and reactions.
   void apply_change();
@@ -62,6 +68,8 @@ class CoupledDynamics::Impl {
   double answer(double floor = 0);
   /// The joints of a hinge under the reactions found.
   std::span<const contact::JointSolution> joints(int load);
+  /// Where the motion comes from says nothing on where it goes.
+  void forget_way();
   CoupledRounding noise() const;
   void take_rates(const double* state);
   /// Response of a hinge's acceleration and reaction to its own moment.
@@ -74,8 +82,8 @@ class CoupledDynamics::Impl {
   double kappa(int load);
   double utilisation(int load);
   double slip_limit(int load) const {
-    return 1 + (hinges[load].solver.is_axis() ? options.slip_threshold
-                                              : options.ball_slip_threshold);
+    return 1 + (hinges[load].is_axis ? options.slip_threshold
+                                     : options.ball_slip_threshold);
   }
 
   /// What a sliding ball joint feels: its acceleration without friction and
@@ -107,9 +115,18 @@ class CoupledDynamics::Impl {
   std::vector<CoupledSolution> solutions;
 
  private:
+  /// Motions go on: as far as the state goes the way that it went last, moments
+  /// do as well.
+  void extrapolate(const double* state);
+  /// After follow().
+  void remember();
   void converge();
   bool follow();
+  bool follow_from_here();
+  bool choose_worse_than(double limit);
   double relax(double enough);
+  void move();
+  void take_acting_moments();
   void loop();
   void learn();
   void set_steps();
@@ -127,10 +144,18 @@ class CoupledDynamics::Impl {
   bool settle_directions(const std::vector<int>& balls);
   bool driven(int load) const;
 
+  // State of the last evaluation but for small moves, and its way from the one
+  // before.
+  Eigen::VectorXd way_end_, way_, step_;
+  bool way_begun_ = false;
+  double way_length_ = 0;  // squared; 0: not known
+  int way_stays_ = 0;
   std::vector<Vec3<double>> change_;
-  std::vector<int> rows_;  // active hinges
+  std::vector<int> rows_;    // active hinges
+  double moment_floor_ = 0;  // of follow(): half of what small moments count
   double usual_contraction_ = 1;
-  double usual_gain_ = 1;  // residual after a step over that before
+  double usual_gain_ = 1;   // residual after a step over that before
+  double follow_gain_ = 1;  // the same of follow()
   int loops_ = 0;
   int pause_ = 0;  // evaluations until following is tried again
   int last_pause_ = 0;

@@ -102,7 +102,7 @@ bool CoupledDynamics::Impl::driven(int load) const {
   constexpr double rounding = 1e-8;
   const double along =
       vec3(dynamics.relative_acceleration(load)).dot(hinge.direction);
-  return along < (hinge.solver.is_axis() ? 0 : -rounding * hinge.pace);
+  return along < (hinge.is_axis ? 0 : -rounding * hinge.pace);
 }
 
 // Newton's method from where the resting joints give way, else from where
@@ -111,7 +111,7 @@ bool CoupledDynamics::Impl::driven(int load) const {
 bool CoupledDynamics::Impl::find_directions(const std::vector<int>& begun) {
   std::vector<int> balls;
   for (const int load : begun) {
-    if (!hinges[load].solver.is_axis()) balls.push_back(load);
+    if (!hinges[load].is_axis) balls.push_back(load);
   }
   if (balls.empty()) return true;
   const auto settled = [&] {

@@ -142,7 +142,7 @@ void CoupledDynamics::Impl::search() {
   const int at = report.load;
   const VectorXd before = moments();
   const bool converged = report.status == CoupledStatus::ok;
-  const bool one_axis = rows_.size() == 1 && hinges[rows_[0]].solver.is_axis();
+  const bool one_axis = rows_.size() == 1 && hinges[rows_[0]].is_axis;
   std::vector<VectorXd> found = one_axis ? scan_axis() : scan_starts();
   if (converged) add_new(found, before);
 

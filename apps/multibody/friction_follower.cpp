@@ -53,7 +53,7 @@ FrictionFollower::FrictionFollower(const std::vector<HingeFriction>& friction)
     hinge.count = static_cast<int>(contacts_of(f).size());
     hinge.is_axis = !std::holds_alternative<BallFriction>(f);
     if (const auto* node = std::get_if<NodeFriction>(&f); node && hinge.count) {
-      hinge.is_node = has_nodes_ = true;
+      hinge.is_node = true;
       set_shares(node->node, first);
     }
     first += hinge.count;
@@ -71,22 +71,24 @@ void FrictionFollower::set_shares(const contact::JointNode& node, int first) {
   node.distribute(z, none, z, none, axial);
   for (std::size_t k = 0; k < count; ++k) {
     shares_[first + k] = {radial[k].x(), moment[k].x(), axial[k].z()};
+    joints_.set_feedback(first + static_cast<int>(k), moment[k].x());
   }
 }
 
 void FrictionFollower::start(int hinge, const HingeSolver& solver,
                              const Vector3d& rate) {
-  Hinge& h = hinges_[hinge];
+  const Hinge& h = hinges_[hinge];
+  count_ -= follows(hinge);
   for (int k = 0; k < h.count; ++k) {
     joints_.start(h.first + k, solver.joints()[k], rate);
+    joints_.set_acting_moment(h.first + k, solver.joint_moment(k));
   }
-  const Vector3d cross = solver.cross_moment();
-  h.cross_x = cross.x();
-  h.cross_y = cross.y();
+  count_ += follows(hinge);
 }
 
 void FrictionFollower::forget(int hinge) {
   const Hinge& h = hinges_[hinge];
+  count_ -= follows(hinge);
   for (int k = 0; k < h.count; ++k) joints_.forget(h.first + k);
 }
 
@@ -98,9 +100,27 @@ bool FrictionFollower::follows(int hinge) const {
   return h.count > 0;
 }
 
-void FrictionFollower::set_rate(int hinge, const Vector3d& rate) {
+// Of a node only the sum of the joints' moments along the axis is known: the
+// first joint takes what it has changed by.
+void FrictionFollower::set_acting_moment(int hinge, const Vector3d& moment) {
   const Hinge& h = hinges_[hinge];
-  for (int k = h.first; k < h.first + h.count; ++k) joints_.set_rate(k, rate);
+  if (!h.is_node) {
+    joints_.set_acting_moment(h.first, moment);
+    return;
+  }
+  Vector3d first = joints_.acting_moment(h.first);
+  first.z() += moment.z() - acting_moment(hinge).z();
+  joints_.set_acting_moment(h.first, first);
+}
+
+Vector3d FrictionFollower::acting_moment(int hinge) const {
+  const Hinge& h = hinges_[hinge];
+  if (!h.is_axis) return joints_.acting_moment(h.first);
+  double sum = 0;
+  for (int k = h.first; k < h.first + h.count; ++k) {
+    sum += joints_.acting_moment(k).z();
+  }
+  return {0, 0, sum};
 }
 
 void FrictionFollower::set_reactions(std::span<const int> hinges,
@@ -113,8 +133,16 @@ void FrictionFollower::set_reactions(std::span<const int> hinges,
                            Vector3d(force.x, force.y, h.is_axis ? 0 : force.z));
       continue;
     }
-    const double held_x = moment.y - h.cross_y;
-    const double held_y = h.cross_x - moment.x;
+    // Moments normal to the axis load the node as well.
+    double cross_x = 0;
+    double cross_y = 0;
+    for (int k = h.first; k < h.first + h.count; ++k) {
+      const Vector3d acting = joints_.acting_moment(k);
+      cross_x += acting.x();
+      cross_y += acting.y();
+    }
+    const double held_x = moment.y - cross_y;
+    const double held_y = cross_x - moment.x;
     for (int k = h.first; k < h.first + h.count; ++k) {
       const Shares& share = shares_[k];
       joints_.set_reaction(
@@ -125,102 +153,26 @@ void FrictionFollower::set_reactions(std::span<const int> hinges,
   }
 }
 
-// @return how much they changed, relative
-double FrictionFollower::take_cross_moments(std::span<const int> hinges) {
-  double largest = 0;
+void FrictionFollower::act(std::span<const int> hinges,
+                           std::span<Vec3<double>> change) {
+  joints_.act();
   for (const int i : hinges) {
-    Hinge& h = hinges_[i];
-    if (!h.is_node) continue;
-    double x = 0;
-    double y = 0;
-    double size = 0;
-    for (int k = h.first; k < h.first + h.count; ++k) {
-      const Vector3d moment = joints_.moment(k);
-      x += moment.x();
-      y += moment.y();
-      size += moment.squaredNorm();
+    const Hinge& h = hinges_[i];
+    Vector3d sum = joints_.action(h.first);
+    for (int k = h.first + 1; k < h.first + h.count; ++k) {
+      sum += joints_.action(k);
     }
-    const double change =
-        (x - h.cross_x) * (x - h.cross_x) + (y - h.cross_y) * (y - h.cross_y);
-    if (change > largest * size) largest = change / size;
-    h.cross_x = x;
-    h.cross_y = y;
+    change[i] = h.is_axis ? Vec3<double>{0, 0, sum.z()} : vec3(sum);
   }
-  return std::sqrt(largest);
-}
-
-// Moments go with forces, and forces with cross moments, a little.
-void FrictionFollower::settle_nodes(std::span<const int> hinges,
-                                    Reactions reactions) {
-  if (!has_nodes_) return;
-  constexpr int round_limit = 4;
-  constexpr double tolerance = 1e-11;
-  for (int round = 0; round < round_limit; ++round) {
-    if (take_cross_moments(hinges) <= tolerance) return;
-    set_reactions(hinges, reactions);
-    joints_.extend();
-  }
-}
-
-void FrictionFollower::predict(std::span<const int> hinges,
-                               Reactions reactions) {
-  set_reactions(hinges, reactions);
-  joints_.predict();
-  settle_nodes(hinges, reactions);
-}
-
-void FrictionFollower::extend(std::span<const int> hinges,
-                              Reactions reactions) {
-  set_reactions(hinges, reactions);
-  joints_.extend();
-  settle_nodes(hinges, reactions);
-}
-
-void FrictionFollower::evaluate(std::span<const int> hinges,
-                                Reactions reactions) {
-  set_reactions(hinges, reactions);
-  joints_.evaluate();
-  settle_nodes(hinges, reactions);
-}
-
-bool FrictionFollower::tracks(int hinge) const {
-  const Hinge& h = hinges_[hinge];
-  for (int k = h.first; k < h.first + h.count; ++k) {
-    if (!joints_.tracks(k)) return false;
-  }
-  return true;
-}
-
-double FrictionFollower::shift(int hinge) const {
-  const Hinge& h = hinges_[hinge];
-  double largest = 0;
-  for (int k = h.first; k < h.first + h.count; ++k) {
-    largest = std::max(largest, joints_.shift(k));
-  }
-  return largest;
-}
-
-Vector3d FrictionFollower::moment(int hinge) const {
-  const Hinge& h = hinges_[hinge];
-  if (!h.is_axis) return joints_.moment(h.first);
-  double sum = 0;
-  for (int k = h.first; k < h.first + h.count; ++k) {
-    sum += joints_.moment(k).z();
-  }
-  return {0, 0, sum};
 }
 
 double FrictionFollower::error(int hinge) const {
   const Hinge& h = hinges_[hinge];
-  if (!h.is_node) return joints_.error(h.first);
-  double sum = 0;
-  double whole = 0;
+  double largest = 0;
   for (int k = h.first; k < h.first + h.count; ++k) {
-    const Vector3d moment = joints_.moment(k);
-    sum += joints_.error(k) * moment.norm();
-    whole += std::abs(moment.z());
+    largest = std::max(largest, joints_.error(k));
   }
-  return sum / whole;
+  return largest;
 }
 
 }  // namespace multibody

@@ -19,28 +19,56 @@ class FrictionFollower {
  public:
   explicit FrictionFollower(const std::vector<HingeFriction>& friction);
 
+  using Reactions = std::span<const Reaction<double>>;
+
   /// From a hinge's last solution.
   /// @param rate  with which that was found
   void start(int hinge, const HingeSolver& solver, const Eigen::Vector3d& rate);
   void forget(int hinge);
   bool follows(int hinge) const;
+  /// How many hinges it follows.
+  int count() const { return count_; }
 
-  using Reactions = std::span<const Reaction<double>>;
+  void set_rate(int hinge, const Eigen::Vector3d& rate) {
+    const Hinge& h = hinges_[hinge];
+    for (int k = h.first; k < h.first + h.count; ++k) joints_.set_rate(k, rate);
+  }
+  /// M_t that the motion has been worked out with (axis: along z).
+  void set_acting_moment(int hinge, const Eigen::Vector3d& moment);
+  Eigen::Vector3d acting_moment(int hinge) const;
 
-  void set_rate(int hinge, const Eigen::Vector3d& rate);
-  /// Moments under these reactions of all hinges: see contact::JointFollower.
-  void predict(std::span<const int> hinges, Reactions reactions);
-  /// In nodes the forces of the joints follow.
-  void extend(std::span<const int> hinges, Reactions reactions);
-  void evaluate(std::span<const int> hinges, Reactions reactions);
+  /// Reactions of all hinges.
+  void set_reactions(std::span<const int> hinges, Reactions reactions);
 
-  /// Whether it is near enough to the last evaluation to be of use.
-  bool tracks(int hinge) const;
+  /// Moments under them: see contact::JointFollower.
+  void predict() { joints_.predict(); }
+  void extend() { joints_.extend(); }
+  void evaluate() { joints_.evaluate(); }
+
+  /// Which hinges predict() and evaluate() are about.
+  void choose(int hinge) {
+    const Hinge& h = hinges_[hinge];
+    for (int k = h.first; k < h.first + h.count; ++k) joints_.choose(k);
+  }
+  void choose_all() { joints_.choose_all(); }
+
+  /// Whether all are near enough to the last evaluation to be of use.
+  bool tracks() const { return joints_.all_track(); }
   /// How far reactions are from those of predict().
-  double shift(int hinge) const;
-  /// M_t (axis: along z).
-  Eigen::Vector3d moment(int hinge) const;
-  /// What that is likely to be wrong by, over its size.
+  double shift() const { return joints_.shift(); }
+  /// How far the joints' moments are from those that act, ...
+  contact::JointFollower::Mismatch mismatch(double floor) const {
+    return joints_.mismatch(floor);
+  }
+  /// Brings the moments that act to where they fit, as is expected.
+  /// @param change  of each hinge: what the motion has to be changed by
+  void act(std::span<const int> hinges, std::span<Vec3<double>> change);
+  /// See contact::JointFollower.
+  void remember() { joints_.remember(); }
+  void extrapolate(double share) { joints_.extrapolate(share); }
+  /// What the moment of a joint is likely to be wrong by, over its size: the
+  /// largest of all, and of a hinge.
+  double error() const { return joints_.error(); }
   double error(int hinge) const;
 
  private:
@@ -49,9 +77,6 @@ class FrictionFollower {
     int count = 0;  ///< 0: cannot be followed
     bool is_axis = false;
     bool is_node = false;
-    /// Sum of the parts of the joints' moments normal to the axis.
-    double cross_x = 0;
-    double cross_y = 0;
   };
   /// What a joint of a node gets of the radial and axial force, and of the
   /// moment held (JointNode::distribute()).
@@ -59,14 +84,11 @@ class FrictionFollower {
     double radial, moment, axial;
   };
   void set_shares(const contact::JointNode& node, int first);
-  void set_reactions(std::span<const int> hinges, Reactions reactions);
-  double take_cross_moments(std::span<const int> hinges);
-  void settle_nodes(std::span<const int> hinges, Reactions reactions);
 
   std::vector<Hinge> hinges_;
-  bool has_nodes_ = false;
   contact::JointFollower joints_;
   std::vector<Shares> shares_;  // of the joints
+  int count_ = 0;
 };
 
 }  // namespace multibody

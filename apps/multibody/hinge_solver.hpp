@@ -43,10 +43,9 @@ class HingeSolver {
   Eigen::Vector3d prox(const Eigen::Matrix3d& inertia,
                        const Eigen::Vector3d& free) const;
 
-  /// Of a node's last call: parts of the joints' friction moments normal to
-  /// the axis, load axes; 0 for others.
-  Eigen::Vector3d cross_moment() const {
-    return axes_.transpose() * node_.cross_moment;
+  /// M_t of a joint, last call, load axes.
+  Eigen::Vector3d joint_moment(int joint) const {
+    return axes_.transpose() * joints_[joint].friction_moment;
   }
   /// Of the last call, given load axes.
   std::span<const contact::JointSolution> joints() const { return joints_; }

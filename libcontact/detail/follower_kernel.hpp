@@ -5,6 +5,12 @@
 
 namespace contact::detail {
 
+/// Largest squares over 4 M_t^2 + floor of the joints followed; infinity for
+/// NaN.
+struct FollowerMismatch {
+  double miss, moved, answered;
+};
+
 /// The arithmetic of JointFollower around the evaluation of the contacts,
 /// lanes over joints, compiled once per instruction set. `size` joints.
 struct FollowerKernel {
@@ -15,8 +21,19 @@ struct FollowerKernel {
   void (*extend)(FollowerRows rows, int size);
   /// The contacts to be evaluated, for R.
   void (*approach)(FollowerRows rows, int size);
+  /// What the integrals of plain joints mean.
+  void (*take)(FollowerRows rows, int size);
   /// What was found there: slopes learn, moments follow.
   void (*settle)(FollowerRows rows, int size);
+  /// JointFollower::mismatch(), squares.
+  FollowerMismatch (*mismatch)(FollowerRows rows, int size, double floor);
+  /// JointFollower::act()
+  void (*act)(FollowerRows rows, int size);
+  /// JointFollower::remember(), extrapolate()
+  void (*remember)(FollowerRows rows, int size);
+  void (*extrapolate)(FollowerRows rows, int size, double share);
+  /// Largest number >= 0 in a row of the joints followed; infinity for NaN.
+  double (*largest)(FollowerRows rows, int size, FollowerRow row);
 };
 
 /// The kernel for a supported instruction set.

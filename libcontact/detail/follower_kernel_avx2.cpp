@@ -3,7 +3,8 @@
 namespace contact::detail {
 
 extern const FollowerKernel follower_kernel_avx2;
-constinit const FollowerKernel follower_kernel_avx2{predict, extend, approach,
-                                                    settle};
+constinit const FollowerKernel follower_kernel_avx2{
+    predict,  extend, approach, take,        settle,
+    mismatch, act,    remember, extrapolate, largest};
 
 }  // namespace contact::detail

@@ -3,10 +3,15 @@
 // Included once by each follower_kernel_*.cpp, which is compiled for its own
 // instruction set.
 
+#include <limits>
+
 #include "libcontact/detail/follower_lanes.hpp"
 
 namespace contact::detail {
 namespace {
+
+// The kernel's functions are flattened: they call so many small ones that the
+// compiler's limits on the growth of a file would leave some of them out.
 
 // Where the last solution's responses lead, and what is missing there.
 struct Guess {
@@ -132,13 +137,40 @@ struct Guess {
   p.set(Row::sin_psi, t.sin_psi);
 }
 
+[[gnu::always_inline]] inline Vector miss_of(const Packet& p) {
+  return get(p, Row::moment_x, Row::moment_y, Row::moment_z) -
+         get(p, Row::acting_x, Row::acting_y, Row::acting_z);
+}
 template <class F>
 [[gnu::always_inline]] inline void for_packets(FollowerRows rows, int size,
                                                F f) {
   for (int i = 0; i < size; i += width) f(Packet(rows, i));
 }
 
-void predict(FollowerRows rows, int size) {
+// What M_t answers to parts x and y of the acting moment that come back in R.
+[[gnu::always_inline]] inline void set_feedback(const Packet& p) {
+  const Lanes s = p[Row::feedback];
+  const auto none = s == 0.0;
+  if (all_of(none)) return;
+  const auto answer = [&](Row to, const Lanes& by, Row along, Row tilt,
+                          Row turn) __attribute__((always_inline)) {
+    const Vector v =
+        by *
+        (p[along] * get(p, Row::by_along_x, Row::by_along_y, Row::by_along_z) +
+         p[tilt] * get(p, Row::by_tilt_x, Row::by_tilt_y, Row::by_tilt_z) +
+         p[turn] * get(p, Row::by_turn_x, Row::by_turn_y, Row::by_turn_z));
+    const auto next = [to](int k) {
+      return static_cast<Row>(static_cast<int>(to) + k);
+    };
+    p.set(next(0), select(none, p[next(0)], v.x));
+    p.set(next(1), select(none, p[next(1)], v.y));
+    p.set(next(2), select(none, p[next(2)], v.z));
+  };
+  answer(Row::answer_xx, s, Row::along_y, Row::tilt_y, Row::turn_y);
+  answer(Row::answer_xy, -s, Row::along_x, Row::tilt_x, Row::turn_x);
+}
+
+[[gnu::flatten]] void predict(FollowerRows rows, int size) {
   for_packets(rows, size, [](const Packet& p) {
     const Frame f = frame_of(p);
     Guess g = guess_of(p, f);
@@ -155,6 +187,9 @@ void predict(FollowerRows rows, int size) {
                p[Row::spinning] * f.speed *
                    exponential(along(spinning_slopes(p), move) +
                                p[Row::spinning_curve] * bend));
+    set_feedback(p);
+    // No answer to the acting moment.
+    set(p, Row::missed_x, miss_of(p));
     p.set(Row::place_x, p[Row::reaction_x]);
     p.set(Row::place_y, p[Row::reaction_y]);
     p.set(Row::place_z, p[Row::reaction_z]);
@@ -169,15 +204,15 @@ void predict(FollowerRows rows, int size) {
     p.set(Row::force_move, move.force);
     p.set(Row::cosine_move, move.cosine);
     p.set(Row::evaluated_error, t.sin_psi * g.step * g.step);
-    for (const Row row :
-         {Row::along, Row::tilt, Row::turn, Row::evaluated_along,
-          Row::evaluated_tilt, Row::shift}) {
+    for (const Row row : {Row::along, Row::tilt, Row::turn,
+                          Row::evaluated_along, Row::evaluated_tilt, Row::shift,
+                          Row::action_x, Row::action_y, Row::action_z}) {
       p.set(row, Lanes(0.0));
     }
   });
 }
 
-void extend(FollowerRows rows, int size) {
+[[gnu::flatten]] void extend(FollowerRows rows, int size) {
   for_packets(rows, size, [](const Packet& p) {
     const Vector change{p[Row::reaction_x] - p[Row::place_x],
                         p[Row::reaction_y] - p[Row::place_y],
@@ -206,7 +241,11 @@ void extend(FollowerRows rows, int size) {
   });
 }
 
-void approach(FollowerRows rows, int size) {
+// sin a and cos a of contacts are taken at least so large: what is divided by
+// them tends to a constant.
+constexpr double smallest = 1e-150;
+
+[[gnu::flatten]] void approach(FollowerRows rows, int size) {
   for_packets(rows, size, [](const Packet& p) {
     const Lanes along = p[Row::along];
     const Lanes tilt = p[Row::tilt];
@@ -215,11 +254,29 @@ void approach(FollowerRows rows, int size) {
     };
     const Lanes force = moved(Row::force_by_along, Row::force_by_tilt);
     const Lanes cosine = moved(Row::cosine_by_along, Row::cosine_by_tilt);
-    p.set(Row::evaluated_force, p[Row::force] * (1.0 + force));
+    const Lanes evaluated_force = p[Row::force] * (1.0 + force);
+    p.set(Row::evaluated_force, evaluated_force);
     p.set(Row::evaluated_axis_cosine,
-          p[Row::axis_cosine] * (1.0 + 0.5 * cosine));
+          max(p[Row::axis_cosine] * (1.0 + 0.5 * cosine), Lanes(smallest)));
     p.set(Row::evaluated_axis_sine,
-          p[Row::axis_sine] + moved(Row::sine_by_along, Row::sine_by_tilt));
+          max(p[Row::axis_sine] + moved(Row::sine_by_along, Row::sine_by_tilt),
+              Lanes(smallest)));
+    const Lanes place =
+        (evaluated_force - p[Row::window_middle]) * p[Row::window_scale];
+    p.set(Row::window_place, place);
+    const auto newton = [&](Row first) {
+      const auto difference = [&](int k) {
+        return p[static_cast<Row>(static_cast<int>(first) + k)];
+      };
+      Lanes sum = difference(FollowerWindow::size - 1);
+#pragma GCC unroll 16
+      for (int k = FollowerWindow::size - 2; k >= 0; --k) {
+        sum = sum * (place - FollowerWindow::nodes[k]) + difference(k);
+      }
+      return sum;
+    };
+    p.set(Row::window_value_1, newton(Row::window_1));
+    p.set(Row::window_value_2, newton(Row::window_2));
     p.set(Row::force_move, p[Row::force_move] + force);
     p.set(Row::cosine_move, p[Row::cosine_move] + cosine);
     p.set(Row::evaluated_along, along);
@@ -227,12 +284,34 @@ void approach(FollowerRows rows, int size) {
   });
 }
 
+// (3.7), (3.8)
+[[gnu::flatten]] void take(FollowerRows rows, int size) {
+  for_packets(rows, size, [](const Packet& p) {
+    const auto plain = p[Row::plain] != 0.0;
+    const Lanes pressure = p[Row::pressure_part];
+    const Lanes area = p[Row::area_part] / p[Row::evaluated_force];
+    const Lanes over_cosine = 1.0 / p[Row::evaluated_axis_cosine];
+    const auto found = [&](Row to, Row coefficient, Row area_integral,
+                           const Lanes& over) {
+      const Lanes value =
+          (pressure * p[coefficient] + area * p[area_integral]) * over;
+      p.set(to, select(plain, value, p[to]));
+    };
+    found(Row::found_friction, Row::integral_force, Row::integral_force_area,
+          over_cosine);
+    found(Row::found_sliding, Row::integral_sliding, Row::integral_sliding_area,
+          over_cosine);
+    found(Row::found_spinning, Row::integral_spinning,
+          Row::integral_spinning_area, 1.0 / p[Row::evaluated_axis_sine]);
+  });
+}
+
 // Broyden's update. Slopes below this move, or of a miss so large, say
 // nothing.
 constexpr double shortest = 1e-8;
-constexpr double largest = 0.1;
+constexpr double largest_miss = 0.1;
 
-void settle(FollowerRows rows, int size) {
+[[gnu::flatten]] void settle(FollowerRows rows, int size) {
   for_packets(rows, size, [](const Packet& p) {
     const Move move{p[Row::force_move], p[Row::cosine_move]};
     const Lanes square = move.force * move.force + move.cosine * move.cosine;
@@ -247,7 +326,8 @@ void settle(FollowerRows rows, int size) {
     const Lanes inverse_bend = 1.0 / select(bends, bend.product, Lanes(1.0));
     Lanes slope_miss(0.0);
     const auto learn = [&](Row value, Row found_row, Row by_force,
-                           Row by_cosine, Row curve_row, const Lanes& weight) {
+                           Row by_cosine, Row curve_row, const Lanes& weight)
+        __attribute__((always_inline)) {
       const Lanes old = p[value];
       const Lanes found = p[found_row];
       const Lanes force = p[by_force];
@@ -257,7 +337,7 @@ void settle(FollowerRows rows, int size) {
       const Lanes missed =
           select(found == old, Lanes(0.0), log_ratio(found, old)) -
           (force * move.force + cosine * move.cosine);
-      const auto fair = abs(missed) < largest;
+      const auto fair = abs(missed) < largest_miss;
       const Lanes share = select(tells && fair, missed * inverse, Lanes(0.0));
       p.set(by_force, force + share * move.force);
       p.set(by_cosine, cosine + share * move.cosine);
@@ -320,6 +400,9 @@ void settle(FollowerRows rows, int size) {
         get(p, Row::base_x, Row::base_y, Row::base_z) + correction);
     set(p, Row::moment_x,
         get(p, Row::moment_x, Row::moment_y, Row::moment_z) + correction);
+    // No answer to the acting moment.
+    set(p, Row::missed_x,
+        get(p, Row::missed_x, Row::missed_y, Row::missed_z) + correction);
     const Lanes rest = abs(step) * (abs(p[Row::force_by_tangent]) +
                                     abs(p[Row::cosine_by_tangent]));
     const Lanes shift = p[Row::shift];
@@ -339,6 +422,106 @@ void settle(FollowerRows rows, int size) {
     p.set(Row::last_force, p[Row::evaluated_force]);
     p.set(Row::last_axis_cosine, p[Row::evaluated_axis_cosine]);
   });
+}
+
+// Over the joints followed, NaN as infinity.
+[[gnu::always_inline]] inline Lanes followed_max(const Packet& p,
+                                                 const Lanes& most,
+                                                 const Lanes& x) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  return max(most, select(p[Row::followed] == 0.0, Lanes(0.0),
+                          select(x >= 0.0, x, Lanes(infinity))));
+}
+
+// What M_t has done since the acting moment last changed.
+[[gnu::always_inline]] inline Vector answered(const Packet& p,
+                                              const Vector& miss,
+                                              const Vector& action) {
+  return miss - get(p, Row::missed_x, Row::missed_y, Row::missed_z) + action;
+}
+
+[[gnu::flatten]] FollowerMismatch mismatch(FollowerRows rows, int size,
+                                           double floor) {
+  Lanes miss(0.0), moved(0.0), answer(0.0);
+  for (int i = 0; i < size; i += width) {
+    const Packet p(rows, i);
+    const Vector moment = get(p, Row::moment_x, Row::moment_y, Row::moment_z);
+    const Vector m = miss_of(p);
+    const Vector action = get(p, Row::action_x, Row::action_y, Row::action_z);
+    const Vector a = answered(p, m, action);
+    const Lanes inverse = 1.0 / (4.0 * dot(moment, moment) + floor);
+    miss = followed_max(p, miss, dot(m, m) * inverse);
+    moved = followed_max(p, moved, dot(action, action) * inverse);
+    answer = followed_max(p, answer, dot(a, a) * inverse);
+  }
+  return {hmax(miss), hmax(moved), hmax(answer)};
+}
+
+// Newton's step of every joint for itself, its slope by Broyden's update.
+constexpr double action_rounding = 1e-20;  // of squares
+constexpr double strongest = 0.1;          // slope, squared
+[[gnu::flatten]] void act(FollowerRows rows, int size) {
+  for_packets(rows, size, [](const Packet& p) {
+    const Vector moment = get(p, Row::moment_x, Row::moment_y, Row::moment_z);
+    const Vector acting = get(p, Row::acting_x, Row::acting_y, Row::acting_z);
+    const Vector miss = moment - acting;
+    const Vector last = get(p, Row::action_x, Row::action_y, Row::action_z);
+    Vector x = get(p, Row::answer_xx, Row::answer_yx, Row::answer_zx);
+    Vector y = get(p, Row::answer_xy, Row::answer_yy, Row::answer_zy);
+    Vector z = get(p, Row::answer_xz, Row::answer_yz, Row::answer_zz);
+    const auto times = [&](const Vector& v) {
+      return v.x * x + v.y * y + v.z * z;
+    };
+    const Vector answer = answered(p, miss, last);
+    const Lanes square = dot(last, last);
+    const auto tells = square > action_rounding * dot(moment, moment) &&
+                       dot(answer, answer) < strongest * square;
+    const Lanes share =
+        select(tells, 1.0 / select(tells, square, Lanes(1.0)), Lanes(0.0));
+    const Vector wrong = share * (answer - times(last));
+    x = x + last.x * wrong;
+    y = y + last.y * wrong;
+    z = z + last.z * wrong;
+    set(p, Row::answer_xx, x);
+    set(p, Row::answer_xy, y);
+    set(p, Row::answer_xz, z);
+    // 1/(1 - slope) to the second power.
+    const Vector more = times(miss);
+    const Vector all = more + times(more);
+    const Lanes safe = select(dot(all, all) < strongest * dot(miss, miss),
+                              Lanes(1.0), Lanes(0.0));
+    const Vector action = miss + safe * all;
+    set(p, Row::action_x, action);
+    set(p, Row::missed_x, miss);
+    set(p, Row::acting_x, acting + action);
+  });
+}
+
+[[gnu::flatten]] void remember(FollowerRows rows, int size) {
+  for_packets(rows, size, [](const Packet& p) {
+    const Vector acting = get(p, Row::acting_x, Row::acting_y, Row::acting_z);
+    set(p, Row::stretch_x,
+        acting - get(p, Row::kept_x, Row::kept_y, Row::kept_z));
+    set(p, Row::kept_x, acting);
+  });
+}
+
+[[gnu::flatten]] void extrapolate(FollowerRows rows, int size, double share) {
+  for_packets(rows, size, [&](const Packet& p) {
+    set(p, Row::acting_x,
+        get(p, Row::kept_x, Row::kept_y, Row::kept_z) +
+            Lanes(share) *
+                get(p, Row::stretch_x, Row::stretch_y, Row::stretch_z));
+  });
+}
+
+[[gnu::flatten]] double largest(FollowerRows rows, int size, FollowerRow row) {
+  Lanes most(0.0);
+  for (int i = 0; i < size; i += width) {
+    const Packet p(rows, i);
+    most = followed_max(p, most, p[row]);
+  }
+  return hmax(most);
 }
 
 }  // namespace

@@ -16,17 +16,21 @@ using Row = FollowerRow;
 // Lanes of one packet of joints in all rows.
 class Packet {
  public:
-  Packet(FollowerRows rows, int first) : rows_(rows), first_(first) {}
-  Lanes operator[](Row row) const {
-    return Lanes(rows_[row] + first_, stdx::element_aligned);
+  Packet(FollowerRows rows, int first)
+      : numbers_(rows.at(static_cast<Row>(0), first)) {}
+  [[gnu::always_inline]] Lanes operator[](Row row) const {
+    return Lanes(at(row), stdx::element_aligned);
   }
-  void set(Row row, const Lanes& x) const {
-    x.copy_to(rows_[row] + first_, stdx::element_aligned);
+  [[gnu::always_inline]] void set(Row row, const Lanes& x) const {
+    x.copy_to(at(row), stdx::element_aligned);
   }
 
  private:
-  FollowerRows rows_;
-  int first_;
+  double* at(Row row) const {
+    return numbers_ + static_cast<int>(row) * FollowerRows::lanes;
+  }
+
+  double* numbers_;
 };
 
 struct Vector {
@@ -35,6 +39,10 @@ struct Vector {
 [[gnu::always_inline]] inline Vector operator+(const Vector& a,
                                                const Vector& b) {
   return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+[[gnu::always_inline]] inline Vector operator-(const Vector& a,
+                                               const Vector& b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
 }
 [[gnu::always_inline]] inline Vector operator*(const Lanes& s,
                                                const Vector& v) {
@@ -51,8 +59,8 @@ struct Vector {
 }
 [[gnu::always_inline]] inline void set(const Packet& p, Row first,
                                        const Vector& v) {
-  const auto next = [first](std::size_t i) {
-    return static_cast<Row>(static_cast<std::size_t>(first) + i);
+  const auto next = [first](int i) {
+    return static_cast<Row>(static_cast<int>(first) + i);
   };
   p.set(next(0), v.x);
   p.set(next(1), v.y);
@@ -84,17 +92,20 @@ struct Frame {
   const Vector force =
       get(p, Row::reaction_x, Row::reaction_y, Row::reaction_z);
   const Vector rate = get(p, Row::rate_x, Row::rate_y, Row::rate_z);
-  f.reaction = sqrt(dot(force, force));
+  // Three roots side by side rather than one after the other.
+  const Vector across = cross(rate, force);
+  const Lanes across_size = sqrt(dot(across, across));
   const Lanes speed = sqrt(dot(rate, rate));
-  const Vector e = (1.0 / f.reaction) * force;
-  f.w = (1.0 / speed) * rate;
-  const Vector normal = cross(f.w, e);
-  const Lanes sine = sqrt(dot(normal, normal));
-  f.q = (1.0 / sine) * normal;
+  f.reaction = sqrt(dot(force, force));
+  const Lanes inverse_speed = 1.0 / speed;
+  const Lanes inverse = inverse_speed / f.reaction;
+  f.w = inverse_speed * rate;
+  f.q = (1.0 / across_size) * across;
   f.p = cross(f.q, f.w);
+  const Lanes sine = across_size * inverse;
   // A pin's reaction is normal to its axis, rounding or not.
   const Lanes ball = p[Row::ball];
-  const Lanes cosine = ball * dot(f.w, e);
+  const Lanes cosine = ball * (dot(rate, force) * inverse);
   f.sine = select(ball == 0.0, Lanes(1.0), sine);
   f.sign = select(cosine < 0.0, Lanes(-1.0), Lanes(1.0));
   f.cosine = f.sign * cosine;

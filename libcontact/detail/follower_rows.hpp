@@ -1,17 +1,10 @@
 #pragma once
 
-#include <cstddef>
-
 /// What JointFollower keeps of its joints: rows of numbers, one for each
 /// joint, padded so that lanes may run over joints.
 namespace contact::detail {
 
-enum class FollowerRow : std::size_t {
-  // Constants: s of docs/joint.md (7), 0 for a pin, 0 for dry friction.
-  radius,
-  side,
-  ball,
-  viscous,
+enum class FollowerRow : int {
   // R and Dw.
   reaction_x,
   reaction_y,
@@ -19,6 +12,29 @@ enum class FollowerRow : std::size_t {
   rate_x,
   rate_y,
   rate_z,
+  // M_t for R; the one that acts, and what it last changed by.
+  moment_x,
+  moment_y,
+  moment_z,
+  acting_x,
+  acting_y,
+  acting_z,
+  action_x,
+  action_y,
+  action_z,
+  // 1 or 0.
+  followed,
+  // Constants: s of docs/joint.md (7), 0 for a pin, 0 for dry friction.
+  radius,
+  side,
+  ball,
+  viscous,
+  // s where R has s z x M_t in it.
+  feedback,
+  // 1 for the exact integrals alone; JointContact::Strength at speed 1.
+  plain,
+  pressure_part,
+  area_part,
   // The last solution: R, sine and cosine of b, tan psi, speed (1 if dry).
   last_reaction,
   last_sine,
@@ -124,16 +140,52 @@ enum class FollowerRow : std::size_t {
   evaluated_force,
   evaluated_axis_sine,
   evaluated_axis_cosine,
+  evaluated_half_angle,
+  integral_force,
+  integral_sliding,
+  integral_spinning,
+  integral_force_area,
+  integral_sliding_area,
+  integral_spinning_area,
   found_friction,
   found_sliding,
   found_spinning,
-  // M_t for R.
-  moment_x,
-  moment_y,
-  moment_z,
   // What M_t may be wrong by, relative: where it was evaluated, and for R.
   evaluated_error,
   error,
+  // The acting moment kept last, and its change from the one before.
+  kept_x,
+  kept_y,
+  kept_z,
+  stretch_x,
+  stretch_y,
+  stretch_z,
+  // What the acting moment missed before it last changed, and what M_t answers
+  // to its changes, by columns.
+  missed_x,
+  missed_y,
+  missed_z,
+  answer_xx,
+  answer_yx,
+  answer_zx,
+  answer_xy,
+  answer_yy,
+  answer_zy,
+  answer_xz,
+  answer_yz,
+  answer_zz,
+  // Functions of R_n near its value, see FollowerWindow: middle, 1/half width,
+  // where
+  // R_n is in it; first differences.
+  window_middle,
+  window_scale,
+  window_place,
+  window_value_1,
+  window_value_2,
+  window_1,
+  window_1_last = window_1 + 11,
+  window_2,
+  window_2_last = window_2 + 11,
   // |move of R| from the place, over R sin b; largest move from the last
   // evaluation: of large ones (or NaN) nothing is known.
   shift,
@@ -142,19 +194,40 @@ enum class FollowerRow : std::size_t {
   count,
 };
 
+/// What a joint has as a function of R_n alone, theta0 of a ball, friction and
+/// sliding moment of a pin, in the form of Newton's polynomials through the
+/// values at these places in a narrow window of R_n. They are Chebyshev's, in
+/// an order that keeps rounding small.
+struct FollowerWindow {
+  static constexpr int size = 12;
+  static constexpr double half_width = 0.1;  // of R_n
+  static constexpr double nodes[size] = {
+      0.991445,  -0.991445, -0.130526, 0.608761, -0.608761, 0.382683,
+      -0.793353, 0.92388,   -0.382683, -0.92388, 0.793353,  0.130526};
+};
+static_assert(static_cast<int>(FollowerRow::window_1_last) -
+                  static_cast<int>(FollowerRow::window_1) ==
+              FollowerWindow::size - 1);
+
+/// Joints in packets of lanes, the rows of one packet next to each other.
 class FollowerRows {
  public:
-  static constexpr std::size_t lanes = 8;
+  static constexpr unsigned lanes = 8;
+  static constexpr auto count = static_cast<unsigned>(FollowerRow::count);
 
-  FollowerRows(double* numbers, std::size_t stride)
-      : numbers_(numbers), stride_(stride) {}
-  double* operator[](FollowerRow row) const {
-    return numbers_ + static_cast<std::size_t>(row) * stride_;
+  explicit FollowerRows(double* numbers) : numbers_(numbers) {}
+  /// Of a joint and those after it in its packet.
+  double* at(FollowerRow row, int joint) const {
+    const auto j = static_cast<unsigned>(joint);
+    return numbers_ + (j / lanes * count + static_cast<unsigned>(row)) * lanes +
+           j % lanes;
+  }
+  double& operator()(FollowerRow row, int joint) const {
+    return *at(row, joint);
   }
 
  private:
   double* numbers_;
-  std::size_t stride_;
 };
 
 }  // namespace contact::detail
