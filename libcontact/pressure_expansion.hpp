@@ -21,7 +21,7 @@ namespace contact {
 struct PressureExpansion {
   static constexpr int max_terms = 16;
   double cosine_share = 0;
-  double edge_constant = 1;  ///< v, >= 1; with logarithms >= 2.4
+  double edge_constant = 1;  ///< v, >= 1
   int size = 0;
   /// c_k, pressure units; from `size` on negligible, counted or not.
   std::array<double, max_terms> coefficient = {};

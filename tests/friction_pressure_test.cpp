@@ -61,8 +61,8 @@ struct NamedLaw {
 };
 
 // All of them, and exact pressures with the largest logarithms of both signs,
-// with none, of materials that reach beyond 120 deg, and with logarithms of both
-// sides of the size from which finer rules are taken.
+// with none, of materials that reach beyond 120 deg, and with logarithms of
+// both sides of the size from which finer rules are taken.
 std::vector<NamedLaw> laws_to_integrate() {
   std::vector<NamedLaw> laws;
   for (const std::string& name : other_names()) {
@@ -532,6 +532,66 @@ TEST(FrictionPressure, LogarithmsAreResolved) {
             std::to_string(i));
   }
   batch.check();
+}
+
+// A law without a term of the kind x (2 x^2 - 1)^k.
+class OnlyCosine final : public PressureLaw {
+ public:
+  OnlyCosine() : PressureLaw(ball), cosine_(ball) {}
+  std::string name() const override { return "only cosine"; }
+  double largest_half_angle() const noexcept override {
+    return cosine_.largest_half_angle();
+  }
+  double force_ratio(double half_angle) const noexcept override {
+    return cosine_.force_ratio(half_angle);
+  }
+  double peak(double half_angle) const noexcept override {
+    return cosine_.peak(half_angle);
+  }
+  double slope(double theta, double half_angle) const noexcept override {
+    return cosine_.slope(theta, half_angle);
+  }
+  double pressure(double theta, double half_angle) const noexcept override {
+    return cosine_.pressure(theta, half_angle);
+  }
+  contact::PressureExpansion expansion(
+      double half_angle) const noexcept override {
+    return cosine_.expansion(half_angle);
+  }
+  void edge_slopes(double half_angle, std::span<const double> y,
+                   std::span<double> out) const noexcept override {
+    cosine_.edge_slopes(half_angle, y, out);
+  }
+
+ private:
+  contact::CosinePressure cosine_;
+};
+
+TEST(FrictionPressure, ExpansionsMayHaveNoTerms) {
+  const OnlyCosine law;
+  AccuracyReport report("a share of the cosine pressure alone", 1e-13);
+  Input in;
+  for (int i = 1; i <= 120; ++i) {
+    const SlipAxis axis = SlipAxis::from_degrees(0.7 * i);
+    in[0].push_back(i * degree);
+    in[1].push_back(axis.sin);
+    in[2].push_back(axis.cos);
+  }
+  std::array<std::vector<double>, 3> r;
+  for (auto& column : r) column.resize(in[0].size());
+  contact::friction_integrals(law, {in[0], in[1], in[2]},
+                              {{}, {}, {}, {}, {}, {}, {}, r[0], r[1], r[2]});
+  for (std::size_t i = 0; i < in[0].size(); ++i) {
+    const SlipAxis axis{in[1][i], in[2][i]};
+    const FrictionTriple expected =
+        contact::exact_friction_integrals(in[0][i], axis).coefficient;
+    compare(report,
+            contact::friction_integrals(law, in[0][i], axis).coefficient,
+            expected, std::to_string(i));
+    compare(report, {r[0][i], r[1][i], r[2][i]}, expected,
+            std::to_string(i) + ", batch");
+  }
+  report.check();
 }
 
 TEST(FrictionPressure, ViscousAnalogueIsItsDefinition) {

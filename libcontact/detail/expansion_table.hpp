@@ -20,14 +20,14 @@ namespace contact::detail {
   constexpr double large = 0.02;
   constexpr double small = 1e-8;
   const double first = std::abs(p.coefficient[0]);
-  const double last = std::abs(p.coefficient[p.size - 1]);
   if (p.has_logarithm()) {
     return p.size > many || std::abs(p.logarithmic[0]) > large * first
                ? ArcTerms::large_logarithm
                : ArcTerms::logarithm;
   }
-  return p.size > few && last > small * first ? ArcTerms::logarithm
-                                              : ArcTerms::smooth;
+  return p.size > few && std::abs(p.coefficient[p.size - 1]) > small * first
+             ? ArcTerms::logarithm
+             : ArcTerms::smooth;
 }
 
 /// PressureExpansion over a range of half-angles, for lanes to evaluate: each
