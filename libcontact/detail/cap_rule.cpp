@@ -1,8 +1,6 @@
 #include "libcontact/detail/cap_rule.hpp"
 
-#include <array>
 #include <bit>
-#include <cmath>
 #include <cstdint>
 
 #include "libcontact/detail/rule_set.hpp"
