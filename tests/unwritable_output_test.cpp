@@ -59,6 +59,22 @@ TEST(UnwritableOutput, IsFoundFirst) {
   EXPECT_TRUE(folder.files().empty());
 }
 
+// So of the files that hinge-separation alone has.
+TEST(UnwritableOutput, OfASeparationToo) {
+  const ProgramFolder folder;
+  for (const std::string file :
+       {"--history no/where.csv", "--events no/where.csv",
+        "--checkpoint no/where.csv --checkpoint-every 1"}) {
+    const ProgramResult result =
+        folder.run("hinge-separation none.toml " + file);
+    EXPECT_EQ(result.status, 2) << file;
+    EXPECT_EQ(result.err,
+              "hinge-separation: cannot create no/where.csv: "
+              "No such file or directory\n");
+  }
+  EXPECT_TRUE(folder.files().empty());
+}
+
 // A pipe that is looked at first still has all of the table.
 TEST(UnwritableOutput, PipesAreNotOpenedTwice) {
   const ProgramFolder folder;

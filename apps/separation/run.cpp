@@ -91,6 +91,13 @@ void check(const Options& o) {
   }
 }
 
+// Beside the files that every program has.
+void check_outputs(const Options& o) {
+  for (const std::string& name : {o.history, o.events, o.checkpoint}) {
+    if (!name.empty()) cli::Output::check(name);
+  }
+}
+
 // Where a name leads, "-" for standard output; "" for what may have several
 // names or readers, as /dev/null.
 std::string destination(const std::string& name) {
@@ -258,7 +265,6 @@ cli::ExitStatus simulate(const Case& c, const Options& o) {
   std::optional<cli::Output> events;
   if (!o.events.empty()) events.emplace(o.events);
   cli::Output output(o.output.output);
-  if (!o.checkpoint.empty()) cli::Output::check(o.checkpoint);
   print_validity(c);
 
   const Outcome outcome = run_case(c, options);
@@ -289,6 +295,7 @@ cli::ExitStatus simulate(const Case& c, const Options& o) {
 
 cli::ExitStatus run(const Options& options) {
   check(options);
+  check_outputs(options);
   const Case c = read_case(options.case_file,
                            {options.half_angle_law, options.pressure_law});
   check_case(options, c);
