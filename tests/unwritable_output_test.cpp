@@ -75,6 +75,19 @@ TEST(UnwritableOutput, OfASeparationToo) {
   EXPECT_TRUE(folder.files().empty());
 }
 
+// A file that is looked at first does not stay in its place.
+TEST(UnwritableOutput, ClosedStandardOutputStaysClosed) {
+  const ProgramFolder folder;
+  const ProgramResult result = folder.run(
+      "hinge-separation data/cases/slosh.toml --output s.json --history - "
+      ">&-");
+  EXPECT_EQ(result.status, 2);
+  EXPECT_EQ(result.err,
+            "hinge-separation: cannot write standard output: "
+            "Bad file descriptor\n");
+  EXPECT_TRUE(folder.files().empty());
+}
+
 // A pipe that is looked at first still has all of the table.
 TEST(UnwritableOutput, PipesAreNotOpenedTwice) {
   const ProgramFolder folder;

@@ -17,13 +17,13 @@
 namespace cli {
 namespace {
 
-// Files to remove when a signal ends the program: the table and a picture
-// are the most that are under way at once.
+// Files to remove when a signal ends the program: more than any of them has
+// under way at once.
 struct Unfinished {
   std::array<char, 4096> name;
   std::atomic<bool> used;
 };
-std::array<Unfinished, 4> unfinished;
+std::array<Unfinished, 8> unfinished;
 
 extern "C" void remove_unfinished(int signal) {
   for (auto& file : unfinished) {
@@ -112,7 +112,7 @@ void Output::discard() {
     forget(temporary_);
     temporary_.clear();
   }
-  if (descriptor_ > STDERR_FILENO) close(descriptor_);
+  if (is_own()) close(descriptor_);
   descriptor_ = -1;
 }
 
@@ -125,7 +125,7 @@ void Output::write(std::string_view text) {
 }
 
 void Output::commit() {
-  if (descriptor_ > STDERR_FILENO) {
+  if (is_own()) {
     const int closed = close(descriptor_);
     descriptor_ = -1;
     if (closed != 0) fail("cannot write");
