@@ -1,0 +1,114 @@
+#pragma once
+
+// Included by follower_kernel_impl.hpp: once per instruction set. What brings
+// the acting moments together with M_t, and what is asked of all joints.
+
+#include <limits>
+
+#include "libcontact/detail/follower_lanes.hpp"
+
+namespace contact::detail {
+namespace {
+
+// Over the joints followed, NaN as infinity.
+[[gnu::always_inline]] inline Lanes followed_max(const Packet& p,
+                                                 const Lanes& most,
+                                                 const Lanes& x) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  return max(most, select(p[Row::followed] == 0.0, Lanes(0.0),
+                          select(x >= 0.0, x, Lanes(infinity))));
+}
+
+// What M_t has done since the acting moment last changed.
+[[gnu::always_inline]] inline Vector answered(const Packet& p,
+                                              const Vector& miss,
+                                              const Vector& action) {
+  return miss - get(p, Row::missed_x, Row::missed_y, Row::missed_z) + action;
+}
+
+[[gnu::flatten]] FollowerMismatch mismatch(FollowerRows rows, int size,
+                                           double floor) {
+  Lanes miss(0.0), moved(0.0), answer(0.0);
+  for (int i = 0; i < size; i += width) {
+    const Packet p(rows, i);
+    const Vector moment = get(p, Row::moment_x, Row::moment_y, Row::moment_z);
+    const Vector m = miss_of(p);
+    const Vector action = get(p, Row::action_x, Row::action_y, Row::action_z);
+    const Vector a = answered(p, m, action);
+    const Lanes inverse = 1.0 / (4.0 * dot(moment, moment) + floor);
+    miss = followed_max(p, miss, dot(m, m) * inverse);
+    moved = followed_max(p, moved, dot(action, action) * inverse);
+    answer = followed_max(p, answer, dot(a, a) * inverse);
+  }
+  return {hmax(miss), hmax(moved), hmax(answer)};
+}
+
+// Newton's step of every joint for itself, its slope by Broyden's update.
+constexpr double action_rounding = 1e-20;  // of squares
+constexpr double strongest = 0.1;          // slope, squared
+[[gnu::flatten]] void act(FollowerRows rows, int size) {
+  for_packets(rows, size, [](const Packet& p) {
+    const Vector moment = get(p, Row::moment_x, Row::moment_y, Row::moment_z);
+    const Vector acting = get(p, Row::acting_x, Row::acting_y, Row::acting_z);
+    const Vector miss = moment - acting;
+    const Vector last = get(p, Row::action_x, Row::action_y, Row::action_z);
+    Vector x = get(p, Row::answer_xx, Row::answer_yx, Row::answer_zx);
+    Vector y = get(p, Row::answer_xy, Row::answer_yy, Row::answer_zy);
+    Vector z = get(p, Row::answer_xz, Row::answer_yz, Row::answer_zz);
+    const auto times = [&](const Vector& v) {
+      return v.x * x + v.y * y + v.z * z;
+    };
+    const Vector answer = answered(p, miss, last);
+    const Lanes square = dot(last, last);
+    const auto tells = square > action_rounding * dot(moment, moment) &&
+                       dot(answer, answer) < strongest * square;
+    const Lanes share =
+        select(tells, 1.0 / select(tells, square, Lanes(1.0)), Lanes(0.0));
+    const Vector wrong = share * (answer - times(last));
+    x = x + last.x * wrong;
+    y = y + last.y * wrong;
+    z = z + last.z * wrong;
+    set(p, Row::answer_xx, x);
+    set(p, Row::answer_xy, y);
+    set(p, Row::answer_xz, z);
+    // 1/(1 - slope) to the second power.
+    const Vector more = times(miss);
+    const Vector all = more + times(more);
+    const Lanes safe = select(dot(all, all) < strongest * dot(miss, miss),
+                              Lanes(1.0), Lanes(0.0));
+    const Vector action = miss + safe * all;
+    set(p, Row::action_x, action);
+    set(p, Row::missed_x, miss);
+    set(p, Row::acting_x, acting + action);
+  });
+}
+
+[[gnu::flatten]] void remember(FollowerRows rows, int size) {
+  for_packets(rows, size, [](const Packet& p) {
+    const Vector acting = get(p, Row::acting_x, Row::acting_y, Row::acting_z);
+    set(p, Row::stretch_x,
+        acting - get(p, Row::kept_x, Row::kept_y, Row::kept_z));
+    set(p, Row::kept_x, acting);
+  });
+}
+
+[[gnu::flatten]] void extrapolate(FollowerRows rows, int size, double share) {
+  for_packets(rows, size, [&](const Packet& p) {
+    set(p, Row::acting_x,
+        get(p, Row::kept_x, Row::kept_y, Row::kept_z) +
+            Lanes(share) *
+                get(p, Row::stretch_x, Row::stretch_y, Row::stretch_z));
+  });
+}
+
+[[gnu::flatten]] double largest(FollowerRows rows, int size, FollowerRow row) {
+  Lanes most(0.0);
+  for (int i = 0; i < size; i += width) {
+    const Packet p(rows, i);
+    most = followed_max(p, most, p[row]);
+  }
+  return hmax(most);
+}
+
+}  // namespace
+}  // namespace contact::detail
