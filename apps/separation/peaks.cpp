@@ -1,6 +1,7 @@
 #include "separation/peaks.hpp"
 
 #include <algorithm>
+#include <boost/math/interpolators/barycentric_rational.hpp>
 #include <boost/math/tools/minima.hpp>
 #include <cmath>
 #include <cstdint>
@@ -15,24 +16,6 @@ constexpr double higher = 1 + 1e-10;
 // Chebyshev's points of [-1, 1] from left to right.
 double node(int k) {
   return -std::cos(std::numbers::pi * k / (peak_nodes - 1));
-}
-
-using Values = std::array<double, peak_nodes>;
-
-// The polynomial through values at the nodes, by the barycentric formula: the
-// weights are +-1, half of that at the ends.
-double polynomial(const Values& values, double x) {
-  double above = 0;
-  double below = 0;
-  for (int k = 0; k < peak_nodes; ++k) {
-    const double from = x - node(k);
-    if (from == 0) return values[k];
-    const bool end = k == 0 || k == peak_nodes - 1;
-    const double weight = (k % 2 == 0 ? 1 : -1) * (end ? 0.5 : 1) / from;
-    above += weight * values[k];
-    below += weight;
-  }
-  return above / below;
 }
 
 }  // namespace
@@ -74,17 +57,21 @@ std::vector<double> peak_times(const std::array<Look, peak_nodes>& looks,
   constexpr int bits = 20;
   const double begin = looks.front().time;
   const double span = looks.back().time - begin;
+  std::array<double, peak_nodes> nodes;
+  for (int k = 0; k < peak_nodes; ++k) nodes[k] = node(k);
   std::vector<double> times;
   for (std::size_t i = 0; i < known.size(); ++i) {
-    Values values;
+    std::array<double, peak_nodes> values;
     for (int k = 0; k < peak_nodes; ++k) values[k] = looks[k].values[i];
+    // Of the highest order it is the polynomial.
+    const boost::math::barycentric_rational<double> polynomial(
+        nodes.data(), values.data(), peak_nodes, peak_nodes - 1);
     const auto top =
         static_cast<int>(std::ranges::max_element(values) - values.begin());
     std::uintmax_t steps = 60;
     const auto [x, below] = boost::math::tools::brent_find_minima(
-        [&](double at) { return -polynomial(values, at); },
-        node(std::max(top - 1, 0)), node(std::min(top + 1, peak_nodes - 1)),
-        bits, steps);
+        [&](double at) { return -polynomial(at); }, nodes[std::max(top - 1, 0)],
+        nodes[std::min(top + 1, peak_nodes - 1)], bits, steps);
     if (!(-below > higher * known[i])) continue;
     const double time = begin + span * (1 + x) / 2;
     if (std::ranges::none_of(times, [&](double other) {
