@@ -397,6 +397,18 @@ void compare(const ExactPressure& law, const Contact& solver, double half_angle,
             label(law, half_angle));
 }
 
+// Both joints of a pair, with the law and with the solver.
+struct SolvedPair {
+  explicit SolvedPair(const ElasticPair& pair)
+      : ball_contact(pair, contact::InnerLoading::centre(), 32),
+        pin_contact(pair, contact::InnerLoading::centre(), 32),
+        ball_law(JointKind::spherical, pair),
+        pin_law(JointKind::cylindrical, pair) {}
+  contact::BallContact ball_contact;
+  contact::PinContact pin_contact;
+  ExactPressure ball_law, pin_law;
+};
+
 TEST(ExactPressure, AgreesWithTheSolvers) {
   // 12 sines and three logarithms, worst for a rigid body on one with nu = 0.
   AccuracyReport ball("ball, over the peak", 1e-7);
@@ -409,16 +421,11 @@ TEST(ExactPressure, AgreesWithTheSolvers) {
                                             {infinity, 0.3, 0.0},
                                             {0.02, 0.48, 0.2}}) {
     const auto pair = ElasticPair::from_modulus_ratio(ratio, inner, outer);
-    const contact::BallContact ball_contact(
-        pair, contact::InnerLoading::centre(), 32);
-    const contact::PinContact pin_contact(pair, contact::InnerLoading::centre(),
-                                          32);
-    const ExactPressure ball_law(JointKind::spherical, pair);
-    const ExactPressure pin_law(JointKind::cylindrical, pair);
+    const SolvedPair solved(pair);
     for (double theta0_deg = 0.05; theta0_deg < 120; theta0_deg *= 1.37) {
       const double half_angle = theta0_deg * degree;
-      compare(ball_law, ball_contact, half_angle, ball, force);
-      compare(pin_law, pin_contact, half_angle, pin, force);
+      compare(solved.ball_law, solved.ball_contact, half_angle, ball, force);
+      compare(solved.pin_law, solved.pin_contact, half_angle, pin, force);
     }
   }
   ball.check();
@@ -438,17 +445,12 @@ TEST(ExactPressure, AgreesWithTheSolversBeyond120Degrees) {
                                      {1e-2, 0.5},
                                      {0.0, 0.5}}) {
     const auto pair = ElasticPair::from_modulus_ratio(ratio, inner, 0.2);
-    const contact::BallContact ball_contact(
-        pair, contact::InnerLoading::centre(), 32);
-    const contact::PinContact pin_contact(pair, contact::InnerLoading::centre(),
-                                          32);
-    const ExactPressure ball_law(JointKind::spherical, pair);
-    const ExactPressure pin_law(JointKind::cylindrical, pair);
+    const SolvedPair solved(pair);
     for (double share = 0.02; share <= 1; share += 0.049) {
-      compare(ball_law, ball_contact, share * ball_law.largest_half_angle(),
-              ball, force);
-      compare(pin_law, pin_contact, share * pin_law.largest_half_angle(), pin,
-              force);
+      compare(solved.ball_law, solved.ball_contact,
+              share * solved.ball_law.largest_half_angle(), ball, force);
+      compare(solved.pin_law, solved.pin_contact,
+              share * solved.pin_law.largest_half_angle(), pin, force);
     }
   }
   ball.check();
