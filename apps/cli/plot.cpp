@@ -161,11 +161,12 @@ std::string add_curves(std::string& script, const std::string& name,
   return lines;
 }
 
-// The upper panel's share and the room for text, as parts of the picture.
+// The upper panel's share and the room for text, as parts of the picture; the
+// key of all laws in one column.
 constexpr std::string_view upper_panel =
     "set multiplot\nset lmargin at screen 0.13\nset rmargin at screen 0.79\n"
     "set tmargin at screen 0.89\nset bmargin at screen 0.48\n"
-    "set format x ''\n";
+    "set key spacing 1\nset format x ''\n";
 constexpr std::string_view lower_panel =
     "unset title\nunset key\nset tmargin at screen 0.44\n"
     "set bmargin at screen 0.19\nset format x '%g'\n";
