@@ -14,8 +14,9 @@ struct CapKernel {
   /// One point, lanes over nodes.
   CapSums<double> (*one)(const CapPoint<double>&, const CapRule&,
                          bool pole_inside, ArcRange);
-  /// Up to 8 points, lanes over nodes, and over points before and after that.
-  /// Rows of 8 numbers: coefficients of force, sliding and spinning, then the
+  static constexpr int few_points = 8;
+  /// Up to so many points, lanes over points; few of a branch or such that want
+  /// many nodes one after the other, lanes over nodes. Rows of 8 numbers: coefficients of force, sliding and spinning, then the
   /// area integrals. Wanted are those whose number in that row is not 0, among
   /// the first `count`; the others have to be numbers that can be read.
   void (*few)(const double* half_angle, const double* axis_sin,

@@ -59,61 +59,113 @@ CapSums<double> one(const CapPoint<double>& point, const CapRule& rule,
   });
 }
 
-struct FewPoints {
-  static constexpr int rows = 8;
-  double s[rows], c[rows], sa[rows], q[rows], k[rows], m[rows];
-  double pole_inside[rows];
-  double force_pressure[rows], sliding_pressure[rows], spinning_pressure[rows];
-  double force_area[rows], sliding_area[rows], spinning_area[rows];
-};
+template <bool pole_inside, ArcRange range, class V>
+CapSums<V> sum_points(const CapPoint<V>& points, const CapRule& rule) {
+  NodeSum<pole_inside, range, V> nodes(points);
+  for (int i = 0; i < rule.size; ++i) {
+    nodes.add(V(rule.cosine_squared[i]), V(rule.sine_squared[i]),
+              V(rule.weight[i]));
+  }
+  return nodes.sums();
+}
 
-[[gnu::flatten]] void few(const double* half_angle, const double* axis_sin,
-                          const double* axis_cos, const double* wanted,
-                          int count, double* integrals) {
-  constexpr int rows = FewPoints::rows;
-  static_assert(rows % width == 0);
-  const auto store = [](const Lanes& x, double* to) {
-    x.copy_to(to, stdx::element_aligned);
+template <class V, class F>
+[[gnu::always_inline]] inline void for_sums(F f) {
+  f(&CapSums<V>::force_pressure, &CapSums<double>::force_pressure);
+  f(&CapSums<V>::sliding_pressure, &CapSums<double>::sliding_pressure);
+  f(&CapSums<V>::spinning_pressure, &CapSums<double>::spinning_pressure);
+  f(&CapSums<V>::force_area, &CapSums<double>::force_area);
+  f(&CapSums<V>::sliding_area, &CapSums<double>::sliding_area);
+  f(&CapSums<V>::spinning_area, &CapSums<double>::spinning_area);
+}
+
+// The sums of points of one branch, lanes over points with the rule of the
+// largest modulus, which serves the others as well; or one after the other.
+template <class V>
+void sum_group(const CapPoint<V>& points, const mask_of<V>& group,
+               bool pole_inside, ArcRange range, CapSums<V>& sums) {
+  constexpr int count = static_cast<int>(V::size());
+  int most = 0;
+  for (int i = 0; i < count; ++i) {
+    if (group[i]) most = std::max(most, cap_rule_index()(points.m[i]));
+  }
+  const CapRule& rule = cap_rule(most);
+  // In units of one node in four lanes; a point alone is brought together from
+  // its lanes besides.
+  const int together = rule.size * count / 4;
+  const int alone = popcount(group) * (rule.padded_size / 4 + 3);
+  if (together <= alone) {
+    const CapSums<V> found =
+        with_branches(pole_inside, range, [&]<bool inside, ArcRange arc>() {
+          return sum_points<inside, arc>(points, rule);
+        });
+    for_sums<V>([&](auto sum, auto) {
+      sums.*sum = select(group, found.*sum, sums.*sum);
+    });
+    return;
+  }
+  for (int i = 0; i < count; ++i) {
+    if (!group[i]) continue;
+    const CapPoint<double> point{points.s[i], points.c[i], points.sa[i],
+                                 points.q[i], points.k[i], points.m[i]};
+    const CapSums<double> found = one(
+        point, cap_rule(cap_rule_index()(point.m)), pole_inside, range);
+    for_sums<V>([&](auto sum, auto of_one) { (sums.*sum)[i] = found.*of_one; });
+  }
+}
+
+template <class V>
+[[gnu::flatten]] void few_lanes(const double* half_angle,
+                                const double* axis_sin, const double* axis_cos,
+                                const double* wanted, int count,
+                                double* integrals) {
+  const auto read = [](const double* from) {
+    return V(from, stdx::element_aligned);
   };
-  const CapRuleIndex& index = cap_rule_index();
-  for (int first = 0; first < count; first += width) {
-    FewPoints p;
-    const PreparedCap<Lanes> cap =
-        prepare(load(half_angle + first), load(axis_sin + first),
-                load(axis_cos + first));
-    store(cap.point.s, p.s);
-    store(cap.point.c, p.c);
-    store(cap.point.sa, p.sa);
-    store(cap.point.q, p.q);
-    store(cap.point.k, p.k);
-    store(cap.point.m, p.m);
-    store(select(cap.pole_inside, Lanes(1.0), Lanes(0.0)), p.pole_inside);
-    for (int i = 0; i < width; ++i) {
-      CapSums<double> sum{};
-      if (first + i < count && wanted[first + i] != 0) {
-        const CapPoint<double> point{p.s[i], p.c[i], p.sa[i],
-                                     p.q[i], p.k[i], p.m[i]};
-        sum = one(point, cap_rule(index(point.m)), p.pole_inside[i] != 0,
-                  arc_range(point.c));
-      }
-      p.force_pressure[i] = sum.force_pressure;
-      p.sliding_pressure[i] = sum.sliding_pressure;
-      p.spinning_pressure[i] = sum.spinning_pressure;
-      p.force_area[i] = sum.force_area;
-      p.sliding_area[i] = sum.sliding_area;
-      p.spinning_area[i] = sum.spinning_area;
+  const PreparedCap<V> cap =
+      prepare(read(half_angle), read(axis_sin), read(axis_cos));
+  const V number([](auto lane) { return static_cast<double>(lane); });
+  auto left = read(wanted) != 0.0 && number < static_cast<double>(count);
+  const V branch = select(cap.pole_inside, V(4.0), V(0.0)) +
+                   select(cap.point.c >= arc_h_short.lower, V(0.0), V(1.0)) +
+                   select(cap.point.c >= arc_h_medium.lower, V(0.0), V(1.0));
+  CapSums<V> sums;
+  while (any_of(left)) {
+    const int first = find_first_set(left);
+    const auto group = left && branch == V(branch[first]);
+    sum_group(cap.point, group, cap.pole_inside[first],
+              arc_range(cap.point.c[first]), sums);
+    left = left && !group;
+  }
+  const CapResult<V> r = assemble(cap, sums);
+  const auto store = [&](const V& x, int row) {
+    x.copy_to(integrals + row * CapKernel::few_points, stdx::element_aligned);
+  };
+  store(r.force, 0);
+  store(r.sliding, 1);
+  store(r.spinning, 2);
+  store(r.force_area, 3);
+  store(r.sliding_area, 4);
+  store(r.spinning_area, 5);
+}
+
+void few(const double* half_angle, const double* axis_sin,
+         const double* axis_cos, const double* wanted, int count,
+         double* integrals) {
+  constexpr int half = (width + 1) / 2;
+  using HalfLanes =
+      stdx::simd<double, stdx::simd_abi::deduce_t<double, half>>;
+  static_assert(CapKernel::few_points % width == 0);
+  for (int i = 0; i < count; i += width) {
+    const auto with = [&]<class V>(V) {
+      few_lanes<V>(half_angle + i, axis_sin + i, axis_cos + i, wanted + i,
+                   count - i, integrals + i);
+    };
+    if (width > 4 && count - i <= half) {
+      with(HalfLanes{});
+    } else {
+      with(Lanes{});
     }
-    const CapResult<Lanes> r = assemble(
-        cap, CapSums<Lanes>{load(p.force_pressure), load(p.sliding_pressure),
-                            load(p.spinning_pressure), load(p.force_area),
-                            load(p.sliding_area), load(p.spinning_area)});
-    double* const to = integrals + first;
-    store(r.force, to);
-    store(r.sliding, to + rows);
-    store(r.spinning, to + 2 * rows);
-    store(r.force_area, to + 3 * rows);
-    store(r.sliding_area, to + 4 * rows);
-    store(r.spinning_area, to + 5 * rows);
   }
 }
 
