@@ -74,12 +74,20 @@ struct Exploiting {
     }
   }
   int evaluate() {
-    return counted(
-        [&] { two_step.evaluate(state.data(), carrier, forces.data()); });
+    return counted([&] {
+      two_step.evaluate(state.data(), carrier, forces.data());
+      take_accelerations();
+    });
   }
   int increment() {
     evaluate();
-    return counted([&] { two_step.add_friction(change.data()); });
+    return counted([&] {
+      two_step.add_friction(change.data());
+      take_accelerations();
+    });
+  }
+  void take_accelerations() const {
+    two_step.relative_accelerations([](int, const Vec3<Counted>&) {});
   }
 
   Prepared prepared;

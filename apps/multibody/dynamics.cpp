@@ -63,8 +63,12 @@ void Dynamics::add_friction(std::span<const Vec3<double>> change) {
 const CarrierAcceleration<double>& Dynamics::carrier() const {
   return kernel_->carrier();
 }
-const Vec3<double>& Dynamics::relative_acceleration(int load) const {
+Vec3<double> Dynamics::relative_acceleration(int load) const {
   return kernel_->relative_acceleration(load);
+}
+void Dynamics::relative_accelerations(std::span<Vec3<double>> to) const {
+  assert(static_cast<int>(to.size()) == size());
+  kernel_->relative_accelerations(to.data());
 }
 Vec3<double> Dynamics::angular_acceleration(int load) const {
   return kernel_->angular_acceleration(load);

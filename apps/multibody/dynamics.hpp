@@ -63,7 +63,10 @@ class Dynamics {
   /// Angular acceleration of a load, load axes: derivative in load axes of the
   /// relative angular velocity, (0, 0, t'') on an axis, 0 while held; of a
   /// released load the absolute one. rad/s^2
-  const Vec3<double>& relative_acceleration(int load) const;
+  Vec3<double> relative_acceleration(int load) const;
+  /// That of all loads.
+  /// @param to  size() of them
+  void relative_accelerations(std::span<Vec3<double>> to) const;
   /// Absolute angular acceleration of a load, load axes.
   Vec3<double> angular_acceleration(int load) const;
   /// d(state)/dt after evaluate() of the same state.

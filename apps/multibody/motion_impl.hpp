@@ -133,7 +133,7 @@ class MotionImpl {
   double held_rate(int load) const;
   void set_held_units();
   Eigen::Vector3d relative_acceleration(int load) const {
-    const Vec3<double>& a = coupled.dynamics().relative_acceleration(load);
+    const Vec3<double> a = coupled.dynamics().relative_acceleration(load);
     return {a.x, a.y, a.z};
   }
   Eigen::Vector3d rate_of(int load, const double* state) const;

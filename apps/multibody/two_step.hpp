@@ -71,7 +71,6 @@ class TwoStep {
     solver_ = CarrierSolver<T>(L::sum(matrix));
     forces_ = {L::sum(forces.a), L::sum(forces.b)};
     carrier_ = solver_.solve(forces_);
-    set_accelerations();
   }
 
   /// First step alone: the carrier's motion is prescribed.
@@ -82,7 +81,6 @@ class TwoStep {
     for_packets(
         [&](auto& packet) { set_motion(packet, state, motion, loads); });
     carrier_ = carrier;
-    set_accelerations();
   }
 
   /// After evaluate(): moments of friction changed by `change`, load axes, 3
@@ -99,12 +97,22 @@ class TwoStep {
     });
     forces_ = {L::sum(forces.a), L::sum(forces.b)};
     carrier_ = solver_.solve(forces_);
-    set_accelerations();
   }
 
   const CarrierAcceleration<T>& carrier() const { return carrier_; }
-  const Vec3<T>& relative_acceleration(int load) const {
-    return loads_[load].relative;
+  Vec3<T> relative_acceleration(int load) const {
+    return visit(load, [&](const auto& kernel) {
+      return kernel.relative_acceleration(L::spread(carrier_));
+    });
+  }
+  /// take(load, relative_acceleration(load)) for all loads, in any order.
+  template <class F>
+  [[gnu::always_inline]] void relative_accelerations(F take) const {
+    const CarrierAcceleration<S> carrier = L::spread(carrier_);
+    for_packets([&](const auto& packet) {
+      const Vec3<S> a = packet.kernel.relative_acceleration(carrier);
+      for_lanes(packet, [&](int load, int lane) { take(load, L::at(a, lane)); });
+    });
   }
   Vec3<T> angular_acceleration(int load) const {
     return visit(load, [&](const auto& kernel) {
@@ -124,21 +132,15 @@ class TwoStep {
   template <class State, class Rates>
   void rates(State state, const Vec3<T>& gravity, Rates to) const {
     body_rates(state, 0, carrier_.linear, gravity, carrier_.angular, to);
-    int at = StateLayout::body_size;
-    for (const LoadInfo& load : loads_) {
-      const int n = StateLayout::load_size(load.kind, load.mode);
-      if (load.mode == JointMode::held) {
-        for (int k = 0; k < n; ++k) to[at + k] = T(0.0);
-      } else if (load.mode == JointMode::released) {
-        body_rates(state, at, load.linear, gravity, load.relative, to);
-      } else if (load.kind == JointKind::axis) {
-        to[at] = state[at + 1];
-        to[at + 1] = load.relative.z;
-      } else {
-        turn_rates(state, at, at + 4, load.relative, to);
-      }
-      at += n;
-    }
+    const CarrierAcceleration<S> carrier = L::spread(carrier_);
+    for_packets([&](const auto& packet) {
+      const Vec3<S> turn = packet.kernel.relative_acceleration(carrier);
+      const Vec3<S> linear = linear_acceleration(packet.kernel);
+      for_lanes(packet, [&](int load, int lane) {
+        load_rates(state, load, L::at(linear, lane), gravity, L::at(turn, lane),
+                   to);
+      });
+    });
   }
 
   /// Of all loads.
@@ -146,12 +148,9 @@ class TwoStep {
     const CarrierAcceleration<S> carrier = L::spread(carrier_);
     for_packets([&](const auto& packet) {
       const Reaction<S> r = packet.kernel.reaction(carrier);
-      for (int lane = 0; lane < L::width; ++lane) {
-        const int load = packet.load[lane];
-        if (load >= 0) {
-          to[load] = {L::at(r.force, lane), L::at(r.moment, lane)};
-        }
-      }
+      for_lanes(packet, [&](int load, int lane) {
+        to[load] = {L::at(r.force, lane), L::at(r.moment, lane)};
+      });
     });
   }
 
@@ -192,6 +191,35 @@ class TwoStep {
     turn_rates(state, q, at + StateLayout::angular_velocity, angular, to);
   }
 
+  // A load by what it does at the moment.
+  template <class State, class Rates>
+  [[gnu::always_inline]] void load_rates(State state, int load,
+                                         const Vec3<T>& linear,
+                                         const Vec3<T>& gravity,
+                                         const Vec3<T>& turn, Rates to) const {
+    const LoadInfo& info = loads_[load];
+    const int at = info.offset;
+    if (info.mode == JointMode::held) {
+      const int n = StateLayout::load_size(info.kind, info.mode);
+      for (int k = 0; k < n; ++k) to[at + k] = T(0.0);
+    } else if (info.mode == JointMode::released) {
+      body_rates(state, at, linear, gravity, turn, to);
+    } else if (info.kind == JointKind::axis) {
+      to[at] = state[at + 1];
+      to[at + 1] = turn.z;
+    } else {
+      turn_rates(state, at, at + 4, turn, to);
+    }
+  }
+  template <class Kernel>
+  static Vec3<S> linear_acceleration(const Kernel& kernel) {
+    if constexpr (requires { kernel.linear_acceleration(); }) {
+      return kernel.linear_acceleration();
+    } else {
+      return {};
+    }
+  }
+
   template <template <class, class> class Kernel>
   using Group = LoadGroup<T, P, S, Kernel>;
   struct LoadInfo {
@@ -199,8 +227,7 @@ class TwoStep {
     JointMode mode;
     int packet;
     int lane;
-    Vec3<T> relative;  ///< angular acceleration; absolute if released
-    Vec3<T> linear;    ///< if released: F/m
+    int offset;  ///< where its state begins
   };
 
   template <class F>
@@ -219,6 +246,13 @@ class TwoStep {
       for (const auto& packet : group.packets()) f(packet);
     };
     std::apply([&](const auto&... group) { (in_group(group), ...); }, groups_);
+  }
+  // f(load, lane)
+  template <class Packet, class F>
+  [[gnu::always_inline]] static void for_lanes(const Packet& packet, F f) {
+    for (int lane = 0; lane < L::width; ++lane) {
+      if (packet.load[lane] >= 0) f(packet.load[lane], lane);
+    }
   }
   // f(kernel) of the load's packet, in the load's lane.
   template <class F>
@@ -240,6 +274,7 @@ class TwoStep {
     int offset = StateLayout::body_size;
     for (int i = 0; i < size(); ++i) {
       LoadInfo& info = loads_[i];
+      info.offset = offset;
       for_groups([&](auto& group) {
         if (group.serves(info.kind, info.mode)) {
           group.add(i, offset, info.packet, info.lane);
@@ -298,22 +333,6 @@ class TwoStep {
     packet.kernel.set_motion(
         s, motion,
         {{f[0], f[1], f[2]}, {f[3], f[4], f[5]}, {f[6], f[7], f[8]}});
-  }
-
-  void set_accelerations() {
-    const CarrierAcceleration<S> carrier = L::spread(carrier_);
-    for_packets([&](const auto& packet) {
-      const Vec3<S> a = packet.kernel.relative_acceleration(carrier);
-      for (int lane = 0; lane < L::width; ++lane) {
-        const int load = packet.load[lane];
-        if (load < 0) continue;
-        loads_[load].relative = L::at(a, lane);
-        if constexpr (requires { packet.kernel.linear_acceleration(); }) {
-          loads_[load].linear =
-              L::at(packet.kernel.linear_acceleration(), lane);
-        }
-      }
-    });
   }
 
   const SystemConstants* systems_[L::systems];

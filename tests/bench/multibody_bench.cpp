@@ -56,7 +56,11 @@ void measure(benchmark::State& state, int motions, F f) {
 void evaluate(benchmark::State& state, Mix mix, InstructionSet set) {
   const Prepared p = prepared(state, mix);
   Dynamics dynamics(p.system, set);
-  measure(state, 1, [&] { dynamics.evaluate(p.state.data(), p.loading); });
+  std::vector<multibody::Vec3<double>> accelerations(dynamics.size());
+  measure(state, 1, [&] {
+    dynamics.evaluate(p.state.data(), p.loading);
+    dynamics.relative_accelerations(accelerations);
+  });
 }
 
 void increment(benchmark::State& state, Mix mix) {
@@ -65,7 +69,11 @@ void increment(benchmark::State& state, Mix mix) {
   dynamics.evaluate(p.state.data(), p.loading);
   const std::vector<multibody::Vec3<double>> change(dynamics.size(),
                                                     {1e-3, 2e-3, -1e-3});
-  measure(state, 1, [&] { dynamics.add_friction(change); });
+  std::vector<multibody::Vec3<double>> accelerations(dynamics.size());
+  measure(state, 1, [&] {
+    dynamics.add_friction(change);
+    dynamics.relative_accelerations(accelerations);
+  });
 }
 
 void reactions(benchmark::State& state, Mix mix) {

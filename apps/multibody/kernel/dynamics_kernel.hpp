@@ -23,7 +23,8 @@ class DynamicsKernel {
       const CarrierAcceleration<double>& carrier) = 0;
   virtual void add_friction(const Vec3<double>* change) = 0;
   virtual const CarrierAcceleration<double>& carrier() const = 0;
-  virtual const Vec3<double>& relative_acceleration(int load) const = 0;
+  virtual Vec3<double> relative_acceleration(int load) const = 0;
+  virtual void relative_accelerations(Vec3<double>* to) const = 0;
   virtual Vec3<double> angular_acceleration(int load) const = 0;
   virtual Mat3<double> axes(int load) const = 0;
   virtual void rates(const double* state, const Vec3<double>& gravity,

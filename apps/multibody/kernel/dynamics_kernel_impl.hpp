@@ -31,8 +31,12 @@ class DynamicsKernelOf final : public DynamicsKernel {
   const CarrierAcceleration<double>& carrier() const override {
     return two_step_.carrier();
   }
-  const Vec3<double>& relative_acceleration(int load) const override {
+  Vec3<double> relative_acceleration(int load) const override {
     return two_step_.relative_acceleration(load);
+  }
+  void relative_accelerations(Vec3<double>* to) const override {
+    two_step_.relative_accelerations(
+        [to](int load, const Vec3<double>& a) { to[load] = a; });
   }
   Vec3<double> angular_acceleration(int load) const override {
     return two_step_.angular_acceleration(load);
