@@ -24,10 +24,6 @@ constexpr double smallest = 1e-150;
 // what the misses of its slopes say.
 constexpr double error_safety = 5;
 
-// Of tracks(): how far series and slopes are good for.
-constexpr double largest_move = 0.1;
-constexpr double largest_sensitivity = 100;
-
 // Lanes that few joints cannot fill cost more than they bring.
 InstructionSet useful(std::size_t joints) {
   const InstructionSet best = best_instruction_set();
@@ -312,34 +308,24 @@ void JointFollower::evaluate() noexcept {
 }
 
 bool JointFollower::tracks(int joint) const noexcept {
-  return follows(joint) && all_rows()(Row::move, joint) < largest_move &&
-         all_rows()(Row::sensitivity, joint) < largest_sensitivity;
-}
-
-bool JointFollower::all_track() const noexcept {
-  return kernel_->largest(all_rows(), size(), Row::move) < largest_move &&
-         kernel_->largest(all_rows(), size(), Row::sensitivity) <
-             largest_sensitivity;
-}
-
-double JointFollower::shift() const noexcept {
-  return kernel_->largest(all_rows(), size(), Row::shift);
+  return follows(joint) && all_rows()(Row::reach, joint) < 1;
 }
 
 double JointFollower::error(int joint) const noexcept {
   return error_safety * all_rows()(Row::error, joint);
 }
 
-double JointFollower::error() const noexcept {
-  return error_safety * kernel_->largest(all_rows(), size(), Row::error);
-}
-
-JointFollower::Mismatch JointFollower::mismatch(double floor) const noexcept {
-  const auto [miss, moved, answered] =
-      kernel_->mismatch(all_rows(), size(), floor * floor);
-  if (moved == 0) return {std::sqrt(miss), 0, 0, 0};
-  return {std::sqrt(miss), std::sqrt(moved), std::sqrt(answered / moved),
-          std::sqrt(miss / moved)};
+JointFollower::Largest JointFollower::largest(double floor) const noexcept {
+  const detail::FollowerLargest found =
+      kernel_->largest(all_rows(), size(), floor * floor);
+  Largest l{found.reach < 1, found.shift, error_safety * found.error,
+            std::sqrt(found.miss), 0, 0, 0};
+  if (found.moved != 0) {
+    l.moved = std::sqrt(found.moved);
+    l.contraction = std::sqrt(found.answered / found.moved);
+    l.gain = l.miss / l.moved;
+  }
+  return l;
 }
 
 void JointFollower::remember() noexcept {

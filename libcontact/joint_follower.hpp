@@ -24,7 +24,7 @@ struct FollowerKernel;
 /// R: predict(), then extend() for other R nearby. evaluate() looks whether it
 /// is so, with one evaluation of each contact, puts right what was missed, and
 /// improves the slopes (Broyden's update). error() says how wrong M_t is likely
-/// to be.
+/// to be, largest() the same and more of all joints.
 ///
 /// For what SphericalJoint and CylindricalJoint solve in general this is no
 /// substitute: it needs a solution to start from, R not too near to Dw, and
@@ -80,11 +80,6 @@ class JointFollower {
   /// Whether the last predict() or evaluate() stayed where the slopes are of
   /// use: moves of R, b, R_n, ... up to 10 %, no NaN, sin b above 0.01.
   bool tracks(int joint) const noexcept;
-  /// That of all joints followed.
-  bool all_track() const noexcept;
-  /// |change of R| since the last predict(), over R sin b: the largest of the
-  /// joints followed.
-  double shift() const noexcept;
   /// M_t for R and Dw, N m.
   Eigen::Vector3d moment(int joint) const noexcept {
     return get(moment_row, joint);
@@ -93,8 +88,6 @@ class JointFollower {
   /// |M_t|, from how wrong the slopes were found lately: at most 0.53
   /// of it on 1200 random paths (joint_follower_test.cpp).
   double error(int joint) const noexcept;
-  /// The largest of the joints followed.
-  double error() const noexcept;
 
   /// For those who bring M_t together with the motion that it causes: the
   /// moment with which that has been worked out, N m.
@@ -104,16 +97,18 @@ class JointFollower {
   Eigen::Vector3d acting_moment(int joint) const noexcept {
     return get(acting_row, joint);
   }
-  /// The largest of the joints followed, over sqrt(4 M_t^2 + floor^2); infinity
-  /// for NaN.
-  struct Mismatch {
-    double miss;   ///< of the acting moments
-    double moved;  ///< their changes by the last act(), 0 after predict()
+  /// The largest of the joints followed, infinity for NaN.
+  struct Largest {
+    bool tracks;   ///< tracks() of all
+    double shift;  ///< |change of R| since the last predict(), over R sin b
+    double error;  ///< error()
+    double miss;   ///< of the acting moments, over sqrt(4 M_t^2 + floor^2)
+    double moved;  ///< the same: their changes by the last act() since then
     /// Over those changes: what M_t answered, and what is missed now.
     double contraction, gain;
   };
   /// @param floor  > 0, N m
-  Mismatch mismatch(double floor) const noexcept;
+  Largest largest(double floor) const noexcept;
   /// R of this joint answers to its own acting moment by s z x M_t, 1/m: in a
   /// node, whose joints have moments across the axis z to hold.
   void set_feedback(int joint, double s) noexcept;

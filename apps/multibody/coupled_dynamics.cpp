@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "libcontact/error.hpp"
@@ -75,16 +76,23 @@ void CoupledDynamics::Impl::set_mode(int load, HingeMode mode) {
   forget_way();
   last_pause_ = pause_ = 0;
   usual_contraction_ = usual_gain_ = follow_gain_ = 1;
-  hinge.utilisation_known = false;
+  hinge.utilisation_of = -1;
+  rows_known_ = false;
+}
+
+void CoupledDynamics::Impl::list_rows() {
+  rows_.clear();
+  for (int i = 0; i < static_cast<int>(hinges.size()); ++i) {
+    if (active(hinges[i])) rows_.push_back(i);
+  }
+  rows_known_ = true;
 }
 
 void CoupledDynamics::Impl::take_rates(const double* state) {
-  rows_.clear();
-  for (int i = 0; i < static_cast<int>(hinges.size()); ++i) {
+  ++evaluation_;
+  if (!rows_known_) list_rows();
+  for (const int i : rows_) {
     Hinge& hinge = hinges[i];
-    hinge.utilisation_known = false;
-    if (!active(hinge)) continue;
-    rows_.push_back(i);
     const double* s = state + dynamics.layout().offset(i);
     const bool dry = hinge.can_rest;
     if (!hinge.is_axis) {
@@ -121,6 +129,7 @@ void CoupledDynamics::Impl::start(const double* state,
 }
 
 void CoupledDynamics::Impl::apply_change() {
+  acting_known_ = false;
   for (const int i : rows_) {
     hinges[i].moment += vec3(change_[i]);
     loading_->loads[i].friction = vec3(hinges[i].moment);
@@ -167,6 +176,10 @@ bool CoupledDynamics::Impl::converged_is_unique() {
   constexpr double near_one = 0.5;
   // Too few digits to tell slopes.
   constexpr double few = 1e6;
+  if (report.contraction < near_one &&
+      largest_leverage_ < near_one * near_one) {
+    return true;
+  }
   const double least = report.contraction < near_one ? 0 : few * noise().moment;
   for (const int i : rows_) {
     const Hinge& hinge = hinges[i];
@@ -189,6 +202,7 @@ bool CoupledDynamics::Impl::converged_is_unique() {
 const CoupledReport& CoupledDynamics::Impl::evaluate(const double* state,
                                                      Loading<double>& loading) {
   report = {};
+  largest_leverage_ = std::numeric_limits<double>::infinity();  // not known
   take_rates(state);
   extrapolate(state);
   for (Vec3<double>& change : change_) change = {0, 0, 0};
@@ -267,7 +281,7 @@ double CoupledDynamics::Impl::kappa(int load) {
 
 double CoupledDynamics::Impl::utilisation(int load) {
   Hinge& hinge = hinges[load];
-  if (!hinge.utilisation_known) {
+  if (hinge.utilisation_of != evaluation_) {
     // Rounding does not make a hinge slide.
     const CoupledRounding rounding = noise();
     const Reaction<double>& held = reactions[load];
@@ -275,7 +289,7 @@ double CoupledDynamics::Impl::utilisation(int load) {
                                 vec3(held.moment).norm() <= rounding.moment
                             ? 0
                             : hinge.solver.utilisation(held);
-    hinge.utilisation_known = true;
+    hinge.utilisation_of = evaluation_;
   }
   return hinge.utilisation;
 }

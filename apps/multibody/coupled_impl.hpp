@@ -31,7 +31,6 @@ class CoupledDynamics::Impl {
     bool follows = false;
     /// The solver has not seen the last evaluation.
     bool solver_is_behind = false;
-    bool utilisation_known = false;
     /// m arm/J: |dR/dM| on a fixed carrier.
     double leverage = 0;
     /// M_t that the motion has been worked out with, and M_t(R) for it.
@@ -48,6 +47,7 @@ class CoupledDynamics::Impl {
     Eigen::Vector3d excess = Eigen::Vector3d::Zero();
     Eigen::Vector3d first_direction = Eigen::Vector3d::UnitZ();
     double utilisation = 0;
+    long utilisation_of = -1;  ///< evaluation that it belongs to
     double mass = 0;
     double length = 0;  ///< of the arms of its hinge
     HingeSolver solver;
@@ -72,6 +72,7 @@ class CoupledDynamics::Impl {
   void forget_way();
   CoupledRounding noise() const;
   void take_rates(const double* state);
+  void list_rows();
   /// Response of a hinge's acceleration and reaction to its own moment.
   struct Response {
     Eigen::Matrix3d acceleration;
@@ -118,12 +119,15 @@ class CoupledDynamics::Impl {
   /// Motions go on: as far as the state goes the way that it went last, moments
   /// do as well.
   void extrapolate(const double* state);
+  double take_step(const double* state);
   /// After follow().
   void remember();
   void converge();
   bool follow();
   bool follow_from_here();
   bool choose_worse_than(double limit);
+  bool predict();
+  void look() { look_ = follower.largest(moment_floor_); }
   double relax(double enough);
   void move();
   void take_acting_moments();
@@ -149,9 +153,18 @@ class CoupledDynamics::Impl {
   Eigen::VectorXd way_end_, way_, step_;
   bool way_begun_ = false;
   double way_length_ = 0;  // squared; 0: not known
+  double step_square_ = 0;
   int way_stays_ = 0;
   std::vector<Vec3<double>> change_;
   std::vector<int> rows_;    // active hinges
+  bool rows_known_ = false;
+  long evaluation_ = 0;
+  // Whether the follower's acting moments are those of the hinges; the largest
+  // of them, squared; the largest (leverage |M_t|/|R|)^2.
+  bool acting_known_ = false;
+  double largest_acting_ = 0;
+  double largest_leverage_ = 0;
+  contact::JointFollower::Largest look_;
   double moment_floor_ = 0;  // of follow(): half of what small moments count
   double usual_contraction_ = 1;
   double usual_gain_ = 1;   // residual after a step over that before

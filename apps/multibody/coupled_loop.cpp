@@ -42,16 +42,42 @@ double CoupledDynamics::Impl::answer(double floor) {
   return residual;
 }
 
+// The state less the end of the way: in step_, step_square_.
+// @return its product with the way
+double CoupledDynamics::Impl::take_step(const double* state) {
+  // All in one go over the numbers.
+  using Chunk = Eigen::Array4d;
+  constexpr Eigen::Index width = 4;
+  Chunk squares = Chunk::Zero();
+  Chunk products = Chunk::Zero();
+  const Eigen::Index size = way_end_.size();
+  Eigen::Index i = 0;
+  for (; i + width <= size; i += width) {
+    const Chunk d = Eigen::Map<const Chunk>(state + i) -
+                    Eigen::Map<const Chunk>(way_end_.data() + i);
+    Eigen::Map<Chunk>(step_.data() + i) = d;
+    squares += d * d;
+    products += d * Eigen::Map<const Chunk>(way_.data() + i);
+  }
+  step_square_ = squares.sum();
+  double product = products.sum();
+  for (; i < size; ++i) {
+    const double d = state[i] - way_end_[i];
+    step_[i] = d;
+    step_square_ += d * d;
+    product += d * way_[i];
+  }
+  return product;
+}
+
 void CoupledDynamics::Impl::extrapolate(const double* state) {
-  const auto size = static_cast<Eigen::Index>(dynamics.layout().size());
-  step_ = Eigen::Map<const Eigen::VectorXd>(state, size) - way_end_;
+  const double along = take_step(state);
   if (way_length_ == 0) return;
   // A way of its own, or too far to tell.
   constexpr double straight = 0.99;  // cosine, squared
   constexpr double furthest = 4;
-  const double along = step_.dot(way_);
   const double share = along / way_length_;
-  if (!(along * along >= straight * step_.squaredNorm() * way_length_) ||
+  if (!(along * along >= straight * step_square_ * way_length_) ||
       std::abs(share) > furthest) {
     return;
   }
@@ -63,7 +89,7 @@ void CoupledDynamics::Impl::remember() {
   // Stages of a step can be where others were; but not many of them.
   constexpr double small = 1e-2;  // squared
   constexpr int many = 4;
-  const double square = step_.squaredNorm();
+  const double square = step_square_;
   if (square <= small * way_length_ && ++way_stays_ < many) return;
   way_stays_ = 0;
   way_length_ = way_begun_ ? square : 0;
@@ -75,8 +101,11 @@ void CoupledDynamics::Impl::remember() {
 
 void CoupledDynamics::Impl::forget_way() {
   way_end_.setZero(dynamics.layout().size());
+  way_.setZero(way_end_.size());
+  step_ = way_;
   way_begun_ = false;
   way_length_ = 0;
+  acting_known_ = false;
 }
 
 // Change of all answers over change of all moments, each in units of its own
@@ -146,16 +175,19 @@ double CoupledDynamics::Impl::relax(double enough) {
   constexpr double usual_share = 0.03;
   double left = 1;
   for (int round = 0; round < round_limit; ++round) {
-    if (round > 0) follower.extend();
-    const auto [miss, moved, contraction, gain] =
-        follower.mismatch(moment_floor_);
+    if (round > 0) {
+      follower.extend();
+      look();
+    }
+    const double miss = look_.miss;
     if (round == 0) report.residual = miss;
-    if (moved > telling) {
-      report.contraction = std::max(report.contraction, contraction);
-      usual_contraction_ = std::max(contraction, 0.7 * usual_contraction_);
+    if (look_.moved > telling) {
+      report.contraction = std::max(report.contraction, look_.contraction);
+      usual_contraction_ =
+          std::max(look_.contraction, 0.7 * usual_contraction_);
       // At first the contacts' news is in the miss.
-      if (round > 0 || gain < follow_gain_) {
-        follow_gain_ = std::max(gain, 0.7 * follow_gain_);
+      if (round > 0 || look_.gain < follow_gain_) {
+        follow_gain_ = std::max(look_.gain, 0.7 * follow_gain_);
       }
     }
     if (miss <= enough) return miss;
@@ -182,24 +214,36 @@ void CoupledDynamics::Impl::move() {
 }
 
 void CoupledDynamics::Impl::take_acting_moments() {
+  largest_acting_ = largest_leverage_ = 0;
   for (const int i : rows_) {
     Hinge& hinge = hinges[i];
-    hinge.moment = hinge.answer = follower.acting_moment(i);
-    loading_->loads[i].friction = vec3(hinge.moment);
+    const Vector3d moment = follower.acting_moment(i);
+    hinge.moment = hinge.answer = moment;
+    loading_->loads[i].friction = vec3(moment);
+    const double square = moment.squaredNorm();
+    const double bound = hinge.leverage * hinge.leverage * square;
+    const Vec3<double>& force = reactions[i].force;
+    largest_acting_ = std::max(largest_acting_, square);
+    // NaN counts as large.
+    const double share = bound / dot(force, force);
+    if (!(share <= largest_leverage_)) largest_leverage_ = share;
   }
+  acting_known_ = true;
 }
 
 // The outer loop with one evaluation of the friction of all hinges for each
 // iteration, as long as the follower knows its way.
 bool CoupledDynamics::Impl::follow() {
   follower.set_reactions(rows_, reactions);
-  double largest = 0;
-  for (const int i : rows_) {
-    const Hinge& hinge = hinges[i];
-    follower.set_acting_moment(i, hinge.moment);
-    largest = std::max(largest, hinge.moment.squaredNorm());
+  if (!acting_known_) {
+    largest_acting_ = 0;
+    for (const int i : rows_) {
+      const Vector3d& moment = hinges[i].moment;
+      follower.set_acting_moment(i, moment);
+      largest_acting_ = std::max(largest_acting_, moment.squaredNorm());
+    }
   }
-  moment_floor_ = small_share * std::sqrt(largest);
+  moment_floor_ = small_share * std::sqrt(largest_acting_);
   const bool found = follow_from_here();
   take_acting_moments();
   return found;
@@ -207,43 +251,48 @@ bool CoupledDynamics::Impl::follow() {
 
 // Hinges with contacts to be evaluated a second time.
 bool CoupledDynamics::Impl::choose_worse_than(double limit) {
-  if (follower.error() < limit) return false;
+  if (look_.error < limit) return false;
   for (const int i : rows_) {
     if (!(follower.error(i) < limit)) follower.choose(i);
   }
   return true;
 }
 
-bool CoupledDynamics::Impl::follow_from_here() {
-  constexpr int iteration_limit = 4;
+// @return whether all hinges are where it knows its way
+bool CoupledDynamics::Impl::predict() {
   // Contacts are evaluated where reactions are as near as this to those found
   // in the end: then slopes, wrong by some percent, do for the rest.
   constexpr double near = 1e-9;
+  follower.predict();
+  look();
+  if (!look_.tracks) return false;
+  // Moments and reactions answer to each other.
+  relax(near / std::max(usual_contraction_, 1e-3));
+  return true;
+}
+
+bool CoupledDynamics::Impl::follow_from_here() {
+  constexpr int iteration_limit = 4;
   // Beyond this what is linear in the reactions misses the tolerance.
   constexpr double far = 2e-6;
   // Contacts that are worse than this share of the tolerance are evaluated a
   // second time.
   constexpr double share_of_few = 0.5;
   follower.choose_all();
-  const auto predict = [&] {
-    follower.predict();
-    if (!follower.tracks()) return false;
-    // Moments and reactions answer to each other.
-    relax(near / std::max(usual_contraction_, 1e-3));
-    return true;
-  };
   for (report.iterations = 1; report.iterations <= iteration_limit;
        ++report.iterations) {
     if (!predict()) return false;
-    if (!(follower.shift() < far) && !predict()) return false;
+    if (!(look_.shift < far) && !predict()) return false;
     follower.evaluate();
+    look();
     if (choose_worse_than(share_of_few * options.tolerance)) {
       follower.predict();
       follower.evaluate();
+      look();
     }
     double left = relax(0.1 * options.tolerance);
     if (trace) trace->push_back({report.iterations, report.residual});
-    left += follower.error();
+    left += look_.error;
     if (left <= options.tolerance) {
       report.residual = left;
       for (const int i : rows_) hinges[i].solver_is_behind = true;

@@ -113,16 +113,6 @@ void FrictionFollower::set_acting_moment(int hinge, const Vector3d& moment) {
   joints_.set_acting_moment(h.first, first);
 }
 
-Vector3d FrictionFollower::acting_moment(int hinge) const {
-  const Hinge& h = hinges_[hinge];
-  if (!h.is_axis) return joints_.acting_moment(h.first);
-  double sum = 0;
-  for (int k = h.first; k < h.first + h.count; ++k) {
-    sum += joints_.acting_moment(k).z();
-  }
-  return {0, 0, sum};
-}
-
 void FrictionFollower::set_reactions(std::span<const int> hinges,
                                      Reactions reactions) {
   for (const int i : hinges) {

@@ -35,7 +35,15 @@ class FrictionFollower {
   }
   /// M_t that the motion has been worked out with (axis: along z).
   void set_acting_moment(int hinge, const Eigen::Vector3d& moment);
-  Eigen::Vector3d acting_moment(int hinge) const;
+  Eigen::Vector3d acting_moment(int hinge) const {
+    const Hinge& h = hinges_[hinge];
+    if (!h.is_axis) return joints_.acting_moment(h.first);
+    double sum = 0;
+    for (int k = h.first; k < h.first + h.count; ++k) {
+      sum += joints_.acting_moment(k).z();
+    }
+    return {0, 0, sum};
+  }
 
   /// Reactions of all hinges.
   void set_reactions(std::span<const int> hinges, Reactions reactions);
@@ -52,13 +60,10 @@ class FrictionFollower {
   }
   void choose_all() { joints_.choose_all(); }
 
-  /// Whether all are near enough to the last evaluation to be of use.
-  bool tracks() const { return joints_.all_track(); }
-  /// How far reactions are from those of predict().
-  double shift() const { return joints_.shift(); }
-  /// How far the joints' moments are from those that act, ...
-  contact::JointFollower::Mismatch mismatch(double floor) const {
-    return joints_.mismatch(floor);
+  /// Whether all are near enough to the last evaluation, how wrong they are,
+  /// how far from the moments that act: of the joints the largest.
+  contact::JointFollower::Largest largest(double floor) const {
+    return joints_.largest(floor);
   }
   /// Brings the moments that act to where they fit, as is expected.
   /// @param change  of each hinge: what the motion has to be changed by
@@ -66,9 +71,8 @@ class FrictionFollower {
   /// See contact::JointFollower.
   void remember() { joints_.remember(); }
   void extrapolate(double share) { joints_.extrapolate(share); }
-  /// What the moment of a joint is likely to be wrong by, over its size: the
-  /// largest of all, and of a hinge.
-  double error() const { return joints_.error(); }
+  /// What the moment of a joint of a hinge is likely to be wrong by, over its
+  /// size.
   double error(int hinge) const;
 
  private:

@@ -26,8 +26,9 @@ namespace {
   return miss - get(p, Row::missed_x, Row::missed_y, Row::missed_z) + action;
 }
 
-[[gnu::flatten]] FollowerMismatch mismatch(FollowerRows rows, int size,
-                                           double floor) {
+[[gnu::flatten]] FollowerLargest largest(FollowerRows rows, int size,
+                                         double floor) {
+  Lanes reach(0.0), shift(0.0), error(0.0);
   Lanes miss(0.0), moved(0.0), answer(0.0);
   for (int i = 0; i < size; i += width) {
     const Packet p(rows, i);
@@ -35,12 +36,16 @@ namespace {
     const Vector m = miss_of(p);
     const Vector action = get(p, Row::action_x, Row::action_y, Row::action_z);
     const Vector a = answered(p, m, action);
+    reach = followed_max(p, reach, p[Row::reach]);
+    shift = followed_max(p, shift, p[Row::shift]);
+    error = followed_max(p, error, p[Row::error]);
     const Lanes inverse = 1.0 / (4.0 * dot(moment, moment) + floor);
     miss = followed_max(p, miss, dot(m, m) * inverse);
     moved = followed_max(p, moved, dot(action, action) * inverse);
     answer = followed_max(p, answer, dot(a, a) * inverse);
   }
-  return {hmax(miss), hmax(moved), hmax(answer)};
+  return {hmax(reach), hmax(shift), hmax(error),
+          hmax(miss),  hmax(moved), hmax(answer)};
 }
 
 // Newton's step of every joint for itself, its slope by Broyden's update.
@@ -99,15 +104,6 @@ constexpr double strongest = 0.1;          // slope, squared
             Lanes(share) *
                 get(p, Row::stretch_x, Row::stretch_y, Row::stretch_z));
   });
-}
-
-[[gnu::flatten]] double largest(FollowerRows rows, int size, FollowerRow row) {
-  Lanes most(0.0);
-  for (int i = 0; i < size; i += width) {
-    const Packet p(rows, i);
-    most = followed_max(p, most, p[row]);
-  }
-  return hmax(most);
 }
 
 }  // namespace

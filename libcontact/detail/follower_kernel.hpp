@@ -5,9 +5,9 @@
 
 namespace contact::detail {
 
-/// Largest squares over 4 M_t^2 + floor of the joints followed; infinity for
-/// NaN.
-struct FollowerMismatch {
+/// JointFollower::Largest; of moments squares, over 4 M_t^2 + floor.
+struct FollowerLargest {
+  double reach, shift, error;
   double miss, moved, answered;
 };
 
@@ -25,15 +25,13 @@ struct FollowerKernel {
   void (*take)(FollowerRows rows, int size);
   /// What was found there: slopes learn, moments follow.
   void (*settle)(FollowerRows rows, int size);
-  /// JointFollower::mismatch(), squares.
-  FollowerMismatch (*mismatch)(FollowerRows rows, int size, double floor);
+  /// Of the joints followed, infinity for NaN.
+  FollowerLargest (*largest)(FollowerRows rows, int size, double floor);
   /// JointFollower::act()
   void (*act)(FollowerRows rows, int size);
   /// JointFollower::remember(), extrapolate()
   void (*remember)(FollowerRows rows, int size);
   void (*extrapolate)(FollowerRows rows, int size, double share);
-  /// Largest number >= 0 in a row of the joints followed; infinity for NaN.
-  double (*largest)(FollowerRows rows, int size, FollowerRow row);
 };
 
 /// The kernel for a supported instruction set.

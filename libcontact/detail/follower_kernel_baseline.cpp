@@ -4,7 +4,7 @@ namespace contact::detail {
 
 extern const FollowerKernel follower_kernel_baseline;
 constinit const FollowerKernel follower_kernel_baseline{
-    predict,  extend, approach, take,        settle,
-    mismatch, act,    remember, extrapolate, largest};
+    predict, extend, approach, take, settle,
+    largest, act,    remember, extrapolate};
 
 }  // namespace contact::detail

@@ -18,6 +18,7 @@ struct Guess {
   Move move;
   Lanes slope;  // of the residual
   Lanes step;   // in ln tan psi, to the root by the slopes
+  Lanes largest;  // of all moves
 };
 [[gnu::always_inline]] inline Guess guess_of(const Packet& p, const Frame& f) {
   const Lanes reaction = log_ratio(f.reaction, p[Row::last_reaction]);
@@ -39,9 +40,8 @@ struct Guess {
   g.slope = residual_slope(g.triangle, friction);
   g.step = -log_ratio(g.tangent, expected) / g.slope;
   // All series are good for small moves only.
-  p.set(Row::move,
-        max(max(abs(reaction) + abs(angle), abs(step)),
-            max(abs(g.move.force) + abs(g.move.cosine), abs(g.step))));
+  g.largest = max(max(abs(reaction) + abs(angle), abs(step)),
+                  max(abs(g.move.force) + abs(g.move.cosine), abs(g.step)));
   return g;
 }
 
@@ -202,6 +202,9 @@ template <class F>
     p.set(Row::force_move, move.force);
     p.set(Row::cosine_move, move.cosine);
     p.set(Row::evaluated_error, t.sin_psi * g.step * g.step);
+    p.set(Row::reach, max(g.largest * (1 / FollowerReach::move),
+                          p[Row::sensitivity] *
+                              (1 / FollowerReach::inverse_sine)));
     for (const Row row : {Row::along, Row::tilt, Row::turn,
                           Row::evaluated_along, Row::evaluated_tilt, Row::shift,
                           Row::action_x, Row::action_y, Row::action_z}) {
@@ -409,7 +412,8 @@ constexpr double largest_miss = 0.1;
                                   missed * (missed + shift);
     p.set(Row::evaluated_error, evaluated_error);
     p.set(Row::error, evaluated_error + shift * shift);
-    p.set(Row::move, max(p[Row::move], abs(step)));
+    p.set(Row::reach,
+          max(p[Row::reach], abs(step) * (1 / FollowerReach::move)));
 
     // Where the next guess starts from.
     p.set(Row::last_reaction, p[Row::place_reaction] * (1.0 + along));

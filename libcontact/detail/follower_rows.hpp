@@ -186,12 +186,18 @@ enum class FollowerRow : int {
   window_1_last = window_1 + 11,
   window_2,
   window_2_last = window_2 + 11,
-  // |move of R| from the place, over R sin b; largest move from the last
-  // evaluation: of large ones (or NaN) nothing is known.
+  // |move of R| from the place, over R sin b; how far the last evaluation is,
+  // of FollowerReach: beyond 1 (or NaN) nothing is known.
   shift,
-  move,
+  reach,
   sensitivity,
   count,
+};
+
+/// How far series and slopes are good for: moves of R, b, R_n, ...; 1/sin b.
+struct FollowerReach {
+  static constexpr double move = 0.1;
+  static constexpr double inverse_sine = 100;
 };
 
 /// What a joint has as a function of R_n alone, theta0 of a ball, friction and
