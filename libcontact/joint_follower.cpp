@@ -24,24 +24,15 @@ constexpr double smallest = 1e-150;
 // what the misses of its slopes say.
 constexpr double error_safety = 5;
 
-// Lanes that few joints cannot fill cost more than they bring.
-InstructionSet useful(std::size_t joints) {
-  const InstructionSet best = best_instruction_set();
-  return best == InstructionSet::avx512 && joints <= 4 ? InstructionSet::avx2
-                                                       : best;
-}
-
 }  // namespace
 
 JointFollower::JointFollower(std::vector<JointContact> contacts)
-    : JointFollower(std::move(contacts), InstructionSet::baseline) {
-  kernel_ = &detail::follower_kernel(useful(contacts_.size()));
-}
+    : JointFollower(std::move(contacts), best_instruction_set()) {}
 
 JointFollower::JointFollower(std::vector<JointContact> contacts,
                              InstructionSet set)
     : contacts_(std::move(contacts)),
-      kernel_(&detail::follower_kernel(set)),
+      kernel_(&detail::follower_kernel(set, size())),
       row_count_(FollowerRows::count),
       numbers_((contacts_.size() + lanes - 1) / lanes * row_count_),
       smooth_(contacts_.size()),

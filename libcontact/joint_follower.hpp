@@ -35,7 +35,7 @@ struct FollowerKernel;
 /// throws.
 class JointFollower {
  public:
-  /// By the instruction set that suits so many joints.
+  /// By the best instruction set.
   /// @param contacts  of balls and pins, with friction
   explicit JointFollower(std::vector<JointContact> contacts);
   /// @param set  a supported one

@@ -11,11 +11,7 @@ namespace {
 // Lanes that few loads cannot fill cost more than they bring (measured).
 contact::InstructionSet useful(contact::InstructionSet set,
                                const SystemConstants& constants) {
-  using contact::InstructionSet;
-  if (set == InstructionSet::avx512 && constants.size() <= 4) {
-    set = InstructionSet::avx2;
-  }
-  return constants.size() <= 1 ? InstructionSet::baseline : set;
+  return constants.size() <= 1 ? contact::InstructionSet::baseline : set;
 }
 
 }  // namespace

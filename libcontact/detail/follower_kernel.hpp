@@ -34,7 +34,8 @@ struct FollowerKernel {
   void (*extrapolate)(FollowerRows rows, int size, double share);
 };
 
-/// The kernel for a supported instruction set.
-const FollowerKernel& follower_kernel(InstructionSet set);
+/// The kernel for a supported instruction set: lanes that few joints cannot
+/// fill cost more than they bring.
+const FollowerKernel& follower_kernel(InstructionSet set, int joints);
 
 }  // namespace contact::detail
