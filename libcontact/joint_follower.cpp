@@ -168,7 +168,7 @@ void JointFollower::evaluate_contact(int joint) noexcept {
     // Worth it if some evaluations stay within.
     constexpr double slow = 0.1 * detail::FollowerWindow::half_width;
     if (smooth_[joint] &&
-        std::abs(force / rows(Row::last_force, joint) - 1) < slow) {
+        std::abs(force * rows(Row::last_inverse_force, joint) - 1) < slow) {
       smooth_[joint] = set_window(joint, force);
     }
   }
@@ -193,13 +193,16 @@ void JointFollower::start(int joint, const JointSolution& solution,
                          solution.slip_axis.cos};
   const Values here = values(joint, force, axis);
   const bool ball = rows(Row::ball, joint) != 0;
-  put(Row::last_reaction, solution.memory.reaction_force);
+  put(Row::last_inverse_reaction, 1 / solution.memory.reaction_force);
   put(Row::last_sine, solution.memory.reaction.sin);
   put(Row::last_cosine, ball ? solution.memory.reaction.cos : 0);
+  const double speed = rows(Row::viscous, joint) != 0 ? rate.norm() : 1;
   put(Row::last_tangent, solution.memory.tangent);
-  put(Row::last_force, force);
-  put(Row::last_axis_cosine, axis.cos);
-  put(Row::last_speed, rows(Row::viscous, joint) != 0 ? rate.norm() : 1);
+  put(Row::last_residual,
+      std::log(solution.memory.tangent / (here.friction * speed)));
+  put(Row::last_inverse_force, 1 / force);
+  put(Row::last_inverse_axis_cosine, 1 / axis.cos);
+  put(Row::last_speed, speed);
   put(Row::friction, here.friction);
   put(Row::sliding, here.sliding);
   put(Row::spinning, here.spinning);
@@ -224,7 +227,7 @@ void JointFollower::start(int joint, const JointSolution& solution,
   slopes(Row::spinning_by_force, Row::spinning_by_cosine, &Values::spinning);
   put(Row::tangent_by_along, solution.memory.force_response);
   put(Row::tangent_by_tilt, solution.memory.angle_response);
-  put(Row::residual_slope, solution.memory.residual_slope);
+  put(Row::inverse_slope, 1 / solution.memory.residual_slope);
   for (const Row row :
        {Row::way_force, Row::way_cosine, Row::way_length, Row::friction_curve,
         Row::sliding_curve, Row::spinning_curve}) {

@@ -4,6 +4,7 @@
 
 #include "libcontact/detail/arc_polynomials.hpp"
 #include "libcontact/detail/cap_rule.hpp"
+#include "libcontact/detail/inverse_root.hpp"
 
 /// The arithmetic of the exact method (docs/exact_method.md),
 /// for a number type V: a lane type or double. Letters as on that page.
@@ -55,21 +56,6 @@ template <class V, int n>
     odd = odd * y2 + p.coefficients[i];
   }
   return even + y * odd;
-}
-
-/// 1/sqrt of both; instruction sets that have a faster way overload it.
-template <class V>
-struct InverseRoots {
-  V first, second;
-};
-template <class V>
-[[gnu::always_inline]] inline InverseRoots<V> inverse_roots(const V& x,
-                                                            const V& y) {
-  using std::sqrt;
-  const V root_x = sqrt(x);
-  const V root_y = sqrt(y);
-  const V inverse = 1.0 / (root_x * root_y);
-  return {inverse * root_y, inverse * root_x};
 }
 
 /// The sum over nodes for one point, or one point per lane.

@@ -16,29 +16,30 @@ struct Guess {
   Lanes tangent;
   Triangle triangle;
   Move move;
-  Lanes slope;  // of the residual
+  Lanes inverse_slope;  // of the residual
   Lanes step;   // in ln tan psi, to the root by the slopes
   Lanes largest;  // of all moves
 };
 [[gnu::always_inline]] inline Guess guess_of(const Packet& p, const Frame& f) {
-  const Lanes reaction = log_ratio(f.reaction, p[Row::last_reaction]);
+  const Lanes reaction =
+      log_of_growth(f.reaction * p[Row::last_inverse_reaction] - 1.0);
   const Lanes angle =
       f.sine * p[Row::last_cosine] - f.cosine * p[Row::last_sine];
   const Lanes speed = log_ratio(f.speed, p[Row::last_speed]);
   const Lanes step = p[Row::tangent_by_along] * reaction +
                      p[Row::tangent_by_tilt] * angle +
-                     speed / p[Row::residual_slope];
+                     speed * p[Row::inverse_slope];
   Guess g;
   g.tangent = p[Row::last_tangent] * exponential(step);
   g.triangle = triangle_of(g.tangent, f);
   g.move = move_of(p, f, g.triangle);
   const Slopes friction = friction_slopes(p);
   const Lanes bend = useful(p, bend_of(p, g.move));
+  // ln f/cos a
   const Lanes expected =
-      p[Row::friction] * f.speed *
-      exponential(along(friction, g.move) + p[Row::friction_curve] * bend);
-  g.slope = residual_slope(g.triangle, friction);
-  g.step = -log_ratio(g.tangent, expected) / g.slope;
+      along(friction, g.move) + p[Row::friction_curve] * bend + speed;
+  g.inverse_slope = 1.0 / residual_slope(g.triangle, friction);
+  g.step = (expected - step - p[Row::last_residual]) * g.inverse_slope;
   // All series are good for small moves only.
   g.largest = max(max(abs(reaction) + abs(angle), abs(step)),
                   max(abs(g.move.force) + abs(g.move.cosine), abs(g.step)));
@@ -50,7 +51,7 @@ struct Guess {
 //   d = p cos psi + s q sin psi
 [[gnu::always_inline]] inline void set_moment(const Packet& p, const Frame& f,
                                               const Triangle& t,
-                                              const Lanes& slope,
+                                              const Lanes& inverse_slope,
                                               const Lanes& sliding,
                                               const Lanes& spinning) {
   const Slopes friction = friction_slopes(p);
@@ -75,8 +76,7 @@ struct Guess {
   const Lanes inverse_g = 1.0 / t.cos_g;
   const Lanes inverse_g2 = inverse_g * inverse_g;
   const Lanes b_force = f.sine * f.cosine * sin2_psi * inverse_g2;
-  const Lanes inverse_sine = 1.0 / f.sine;
-  const Lanes b_cosine = 2.0 * f.cosine * inverse_sine * inverse_g2;
+  const Lanes b_cosine = 2.0 * f.cosine * f.inverse_sine * inverse_g2;
   const auto grow = [&](const Lanes& reaction, const Lanes& angle,
                         const Lanes& tangent, Row by_x, Row sine) {
     const Lanes cos_g = -b_force * angle - sin2_psi * c2 * tangent;
@@ -101,7 +101,6 @@ struct Guess {
     return move;
   };
   const Lanes one(1.0), none(0.0);
-  const Lanes inverse_slope = 1.0 / slope;
   const Lanes by_along = friction.force * inverse_slope;
   const Lanes by_tilt =
       (friction.cosine * b_cosine - friction.force * b_force) * inverse_slope;
@@ -126,12 +125,12 @@ struct Guess {
   p.set(Row::sliding_share, sliding * t.axis_cosine);
   p.set(Row::spinning_share, spinning * t.axis_sine);
 
-  const Lanes inverse = 1.0 / f.reaction;
+  const Lanes inverse = f.inverse_reaction;
   set(p, Row::along_x, inverse * (f.sign * f.cosine * f.w + f.sine * f.p));
   set(p, Row::tilt_x, inverse * (f.cosine * f.p + -(f.sign * f.sine) * f.w));
-  set(p, Row::turn_x, inverse * inverse_sine * f.q);
-  p.set(Row::sensitivity, inverse_sine);
-  p.set(Row::residual_slope, slope);
+  set(p, Row::turn_x, inverse * f.inverse_sine * f.q);
+  p.set(Row::sensitivity, f.inverse_sine);
+  p.set(Row::inverse_slope, inverse_slope);
   p.set(Row::sin_psi, t.sin_psi);
 }
 
@@ -178,7 +177,7 @@ template <class F>
                     g.move.cosine - 2.0 * sin2 * t.axis_sine * t.axis_sine};
     step_on(t, g.step);
     const Lanes bend = useful(p, bend_of(p, move));
-    set_moment(p, f, t, g.slope,
+    set_moment(p, f, t, g.inverse_slope,
                p[Row::sliding] * f.speed *
                    exponential(along(sliding_slopes(p), move) +
                                p[Row::sliding_curve] * bend),
@@ -389,8 +388,8 @@ constexpr double largest_miss = 0.1;
         p[Row::tangent] * (1.0 + p[Row::tangent_by_along] * along +
                            p[Row::tangent_by_tilt] * tilt);
     const Lanes step =
-        -log_ratio(tangent, p[Row::friction] * p[Row::place_speed]) /
-        p[Row::residual_slope];
+        -log_ratio(tangent, p[Row::friction] * p[Row::place_speed]) *
+        p[Row::inverse_slope];
     const Vector correction =
         step * get(p, Row::by_tangent_x, Row::by_tangent_y, Row::by_tangent_z) +
         sliding *
@@ -416,13 +415,18 @@ constexpr double largest_miss = 0.1;
           max(p[Row::reach], abs(step) * (1 / FollowerReach::move)));
 
     // Where the next guess starts from.
-    p.set(Row::last_reaction, p[Row::place_reaction] * (1.0 + along));
+    const Lanes last_tangent = tangent * (1.0 + step);
+    p.set(Row::last_inverse_reaction,
+          1.0 / (p[Row::place_reaction] * (1.0 + along)));
     p.set(Row::last_sine, p[Row::place_sine] + tilt * p[Row::place_cosine]);
     p.set(Row::last_cosine, p[Row::place_cosine] - tilt * p[Row::place_sine]);
-    p.set(Row::last_tangent, tangent * (1.0 + step));
+    p.set(Row::last_tangent, last_tangent);
+    p.set(Row::last_residual,
+          log_ratio(last_tangent, p[Row::friction] * p[Row::place_speed]));
     p.set(Row::last_speed, p[Row::place_speed]);
-    p.set(Row::last_force, p[Row::evaluated_force]);
-    p.set(Row::last_axis_cosine, p[Row::evaluated_axis_cosine]);
+    p.set(Row::last_inverse_force, 1.0 / p[Row::evaluated_force]);
+    p.set(Row::last_inverse_axis_cosine,
+          1.0 / p[Row::evaluated_axis_cosine]);
   });
 }
 

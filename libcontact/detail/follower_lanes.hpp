@@ -1,6 +1,7 @@
 #pragma once
 
 #include "libcontact/detail/follower_kernel.hpp"
+#include "libcontact/detail/inverse_root.hpp"
 #include "libcontact/detail/lanes.hpp"
 #include "libcontact/detail/select.hpp"
 
@@ -73,16 +74,26 @@ struct Vector {
   const Lanes x2 = x * x;
   return x * (2.0 + x2 * (2.0 / 3 + x2 * (2.0 / 5)));
 }
+// ln(1 + x) for small x, to its seventh power.
+[[gnu::always_inline]] inline Lanes log_of_growth(const Lanes& x) {
+  const Lanes x2 = x * x;
+  return x * ((1.0 - x * (1.0 / 2)) +
+              x2 * ((1.0 / 3 - x * (1.0 / 4)) +
+                    x2 * ((1.0 / 5 - x * (1.0 / 6)) + x2 * (1.0 / 7))));
+}
 // exp(x) for small x, to its fifth power.
 [[gnu::always_inline]] inline Lanes exponential(const Lanes& x) {
-  return 1.0 + x * (1.0 + x * (1.0 / 2 + x * (1.0 / 6 + x * (1.0 / 24))));
+  const Lanes x2 = x * x;
+  return (1.0 + x) +
+         x2 * ((1.0 / 2 + x * (1.0 / 6)) + x2 * (1.0 / 24 + x * (1.0 / 120)));
 }
 
 // R and Dw: e = w cos b + p sin b, q = w x p.
 struct Frame {
   Vector w, p, q;
-  Lanes reaction;
+  Lanes reaction, inverse_reaction;
   Lanes sine, cosine;  // of min(b, pi - b)
+  Lanes inverse_sine;
   Lanes sign;          // of cos b
   Lanes speed;         // 1 if friction is dry
 };
@@ -94,19 +105,25 @@ struct Frame {
   const Vector rate = get(p, Row::rate_x, Row::rate_y, Row::rate_z);
   // Three roots side by side rather than one after the other.
   const Vector across = cross(rate, force);
-  const Lanes across_size = sqrt(dot(across, across));
-  const Lanes speed = sqrt(dot(rate, rate));
-  f.reaction = sqrt(dot(force, force));
-  const Lanes inverse_speed = 1.0 / speed;
-  const Lanes inverse = inverse_speed / f.reaction;
+  const Lanes across2 = dot(across, across);
+  const Lanes speed2 = dot(rate, rate);
+  const Lanes reaction2 = dot(force, force);
+  const Lanes inverse_across = inverse_root(across2);
+  const Lanes inverse_speed = inverse_root(speed2);
+  f.inverse_reaction = inverse_root(reaction2);
+  const Lanes speed = speed2 * inverse_speed;
+  f.reaction = reaction2 * f.inverse_reaction;
+  const Lanes inverse = inverse_speed * f.inverse_reaction;
   f.w = inverse_speed * rate;
-  f.q = (1.0 / across_size) * across;
+  f.q = inverse_across * across;
   f.p = cross(f.q, f.w);
-  const Lanes sine = across_size * inverse;
   // A pin's reaction is normal to its axis, rounding or not.
   const Lanes ball = p[Row::ball];
+  const auto pin = ball == 0.0;
   const Lanes cosine = ball * (dot(rate, force) * inverse);
-  f.sine = select(ball == 0.0, Lanes(1.0), sine);
+  f.sine = select(pin, Lanes(1.0), across2 * inverse_across * inverse);
+  f.inverse_sine =
+      select(pin, Lanes(1.0), inverse_across * (speed * f.reaction));
   f.sign = select(cosine < 0.0, Lanes(-1.0), Lanes(1.0));
   f.cosine = f.sign * cosine;
   f.speed = select(p[Row::viscous] == 0.0, Lanes(1.0), speed);
@@ -119,16 +136,15 @@ struct Triangle {
 };
 [[gnu::always_inline]] inline Triangle triangle_of(const Lanes& tangent,
                                                    const Frame& f) {
-  const Lanes r = sqrt(1.0 + tangent * tangent);
   const Lanes leg = f.cosine * tangent;
-  const Lanes s = sqrt(1.0 + leg * leg);
-  const Lanes inverse = 1.0 / (r * s);
-  const Lanes inverse_s = r * inverse;
+  const Lanes r2 = 1.0 + tangent * tangent;
+  const Lanes s2 = 1.0 + leg * leg;
+  const auto [inverse_r, inverse_s] = inverse_roots(r2, s2);
   Triangle t;
-  t.cos_psi = s * inverse;
-  t.sin_psi = tangent * t.cos_psi;
-  t.cos_g = s * t.cos_psi;
-  t.axis_sine = f.cosine * (r * inverse_s);
+  t.cos_psi = inverse_r;
+  t.sin_psi = tangent * inverse_r;
+  t.cos_g = s2 * inverse_s * inverse_r;
+  t.axis_sine = f.cosine * (r2 * inverse_r * inverse_s);
   t.axis_cosine = f.sine * inverse_s;
   return t;
 }
@@ -139,8 +155,10 @@ struct Move {
 };
 [[gnu::always_inline]] inline Move move_of(const Packet& p, const Frame& f,
                                            const Triangle& t) {
-  return {log_ratio(f.reaction * t.cos_g, p[Row::last_force]),
-          2.0 * log_ratio(t.axis_cosine, p[Row::last_axis_cosine])};
+  return {log_of_growth(f.reaction * t.cos_g * p[Row::last_inverse_force] -
+                        1.0),
+          2.0 * log_of_growth(
+                    t.axis_cosine * p[Row::last_inverse_axis_cosine] - 1.0)};
 }
 
 struct Slopes {

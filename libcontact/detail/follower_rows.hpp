@@ -35,17 +35,19 @@ enum class FollowerRow : int {
   plain,
   pressure_part,
   area_part,
-  // The last solution: R, sine and cosine of b, tan psi, speed (1 if dry).
-  last_reaction,
+  // The last solution: 1/R, sine and cosine of b, tan psi, ln tan psi less that
+  // of the contact that was evaluated, speed (1 if dry).
+  last_inverse_reaction,
   last_sine,
   last_cosine,
   last_tangent,
+  last_residual,
   last_speed,
-  // The last contact that was evaluated: R_n, cos a; f/cos a, c_Y/cos a,
+  // The last contact that was evaluated: 1/R_n, 1/cos a; f/cos a, c_Y/cos a,
   // c_Z/sin a, for the speed 1 if viscous, and the slopes of their logarithms
   // over ln R_n and ln cos^2 a.
-  last_force,
-  last_axis_cosine,
+  last_inverse_force,
+  last_inverse_axis_cosine,
   friction,
   sliding,
   spinning,
@@ -80,7 +82,7 @@ enum class FollowerRow : int {
   axis_cosine,
   force_move,
   cosine_move,
-  // How they change: over ln R and b; d(residual) over dln tan psi.
+  // How they change: over ln R and b; dln tan psi over d(residual).
   tangent_by_along,
   tangent_by_tilt,
   force_by_along,
@@ -89,7 +91,7 @@ enum class FollowerRow : int {
   cosine_by_tilt,
   sine_by_along,
   sine_by_tilt,
-  residual_slope,
+  inverse_slope,
   // How the contact and the moment answer to ln tan psi: sin psi, moves.
   sin_psi,
   sliding_share,
