@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -72,6 +73,16 @@ class JointFollower {
   /// contact evaluated once. extend() may follow.
   void evaluate() noexcept;
 
+  /// Vectors of all joints as lanes over joints read and write them: packets
+  /// of 8 joints, in each a row of 8 numbers for every component.
+  struct Rows {
+    double* first;          ///< x of joint 0
+    std::ptrdiff_t packet;  ///< numbers from a packet to the next
+  };
+  /// What set_reaction() sets and action() tells, 0 beyond size().
+  Rows reactions() noexcept { return rows_from(reaction_row); }
+  Rows actions() noexcept { return rows_from(action_row); }
+
   /// From now on predict() and evaluate() leave out all joints but those chosen
   /// (and some that share lanes with them), until all are chosen again.
   void choose(int joint) noexcept;
@@ -116,7 +127,7 @@ class JointFollower {
   /// by its feedback and by what M_t answered to earlier changes (Broyden's
   /// update).
   void act() noexcept;
-  /// What act() changed, N m.
+  /// What act() changed, N m; 0 of a joint that is not followed.
   Eigen::Vector3d action(int joint) const noexcept {
     return get(action_row, joint);
   }
@@ -172,6 +183,9 @@ class JointFollower {
   Eigen::Vector3d get(int row, int joint) const noexcept {
     const double* const from = at(row, joint);
     return {from[0], from[lanes], from[2 * lanes]};
+  }
+  Rows rows_from(int row) noexcept {
+    return {at(row, 0), static_cast<std::ptrdiff_t>(row_count_) * lanes};
   }
   detail::FollowerRows all_rows() const noexcept;
 

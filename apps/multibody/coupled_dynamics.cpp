@@ -125,7 +125,6 @@ void CoupledDynamics::Impl::start(const double* state,
   } else {
     dynamics.evaluate(state, loading);
   }
-  dynamics.reactions(reactions);
 }
 
 void CoupledDynamics::Impl::apply_change() {
@@ -207,7 +206,10 @@ const CoupledReport& CoupledDynamics::Impl::evaluate(const double* state,
   extrapolate(state);
   for (Vec3<double>& change : change_) change = {0, 0, 0};
   start(state, loading);
-  if (rows_.empty()) return report;
+  if (rows_.empty()) {
+    dynamics.reactions(reactions);
+    return report;
+  }
   converge();
   if (report.status == CoupledStatus::out_of_range) {
     // Not to start from again.

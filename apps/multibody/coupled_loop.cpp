@@ -192,7 +192,7 @@ double CoupledDynamics::Impl::relax(double enough) {
     }
     if (miss <= enough) return miss;
     if (!(miss < 1)) return 1;  // no number, or lost
-    follower.act(rows_, change_);
+    follower.act();
     move();
     left = safety * std::max(follow_gain_, usual_share * usual_contraction_) *
            miss;
@@ -207,10 +207,9 @@ void CoupledDynamics::Impl::move() {
     take_acting_moments();
     dynamics.evaluate_prescribed(state_, *loading_, *prescribed);
   } else {
-    dynamics.add_friction(change_);
+    follower.move(dynamics, rows_, change_);
   }
-  dynamics.reactions(reactions);
-  follower.set_reactions(rows_, reactions);
+  follower.take_reactions(dynamics, rows_, reactions);
 }
 
 void CoupledDynamics::Impl::take_acting_moments() {
@@ -234,7 +233,7 @@ void CoupledDynamics::Impl::take_acting_moments() {
 // The outer loop with one evaluation of the friction of all hinges for each
 // iteration, as long as the follower knows its way.
 bool CoupledDynamics::Impl::follow() {
-  follower.set_reactions(rows_, reactions);
+  follower.take_reactions(dynamics, rows_, reactions);
   if (!acting_known_) {
     largest_acting_ = 0;
     for (const int i : rows_) {
@@ -245,6 +244,7 @@ bool CoupledDynamics::Impl::follow() {
   }
   moment_floor_ = small_share * std::sqrt(largest_acting_);
   const bool found = follow_from_here();
+  if (follower.is_direct()) dynamics.reactions(reactions);
   take_acting_moments();
   return found;
 }
@@ -320,6 +320,7 @@ void CoupledDynamics::Impl::converge() {
   } else if (pause_ > 0) {
     --pause_;
   }
+  dynamics.reactions(reactions);
   forget_way();
   loop();
   if (!weak || pause_ > 0 || report.status != CoupledStatus::ok) return;

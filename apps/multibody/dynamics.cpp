@@ -55,6 +55,9 @@ void Dynamics::add_friction(std::span<const Vec3<double>> change) {
   assert(static_cast<int>(change.size()) == size());
   kernel_->add_friction(change.data());
 }
+void Dynamics::add_friction(const VectorRows& change) {
+  kernel_->add_friction(change);
+}
 
 const CarrierAcceleration<double>& Dynamics::carrier() const {
   return kernel_->carrier();
@@ -77,6 +80,7 @@ void Dynamics::reactions(std::span<Reaction<double>> to) const {
   assert(static_cast<int>(to.size()) == size());
   kernel_->reactions(to.data());
 }
+void Dynamics::forces(const VectorRows& to) const { kernel_->forces(to); }
 Mat3<double> Dynamics::axes(int load) const { return kernel_->axes(load); }
 
 }  // namespace multibody

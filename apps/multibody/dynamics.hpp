@@ -57,6 +57,8 @@ class Dynamics {
   /// matrices and factors stay: only what the change adds is computed. Agrees
   /// with a full evaluation to 1e-14 (multibody_test.cpp).
   void add_friction(std::span<const Vec3<double>> change);
+  /// @param change  finite beyond size(), in the last packet, as well
+  void add_friction(const VectorRows& change);
 
   /// Accelerations of the carrier, gravity not included.
   const CarrierAcceleration<double>& carrier() const;
@@ -77,6 +79,8 @@ class Dynamics {
   /// Reactions in all joints; 0 where released.
   /// @param to  size() of them
   void reactions(std::span<Reaction<double>> to) const;
+  /// Their forces; numbers beyond size() in the last packet may be written.
+  void forces(const VectorRows& to) const;
   /// C_i: load axes to carrier axes; 0 if released.
   Mat3<double> axes(int load) const;
 

@@ -57,6 +57,7 @@ FrictionFollower::FrictionFollower(const std::vector<HingeFriction>& friction)
       set_shares(node->node, first);
     }
     first += hinge.count;
+    is_direct_ = is_direct_ && hinge.count == 1 && !hinge.is_axis;
   }
 }
 
@@ -113,39 +114,54 @@ void FrictionFollower::set_acting_moment(int hinge, const Vector3d& moment) {
   joints_.set_acting_moment(h.first, first);
 }
 
-void FrictionFollower::set_reactions(std::span<const int> hinges,
-                                     Reactions reactions) {
+void FrictionFollower::take_reactions(const Dynamics& dynamics,
+                                      std::span<const int> hinges,
+                                      std::span<Reaction<double>> reactions) {
+  if (is_direct_) {
+    dynamics.forces(vector_rows(joints_.reactions()));
+    return;
+  }
+  dynamics.reactions(reactions);
   for (const int i : hinges) {
     const Hinge& h = hinges_[i];
-    const auto& [force, moment] = reactions[i];
-    if (!h.is_node) {
+    if (h.is_node) {
+      set_node_reactions(h, reactions[i]);
+    } else {
+      const Vec3<double>& force = reactions[i].force;
       joints_.set_reaction(h.first,
                            Vector3d(force.x, force.y, h.is_axis ? 0 : force.z));
-      continue;
-    }
-    // Moments normal to the axis load the node as well.
-    double cross_x = 0;
-    double cross_y = 0;
-    for (int k = h.first; k < h.first + h.count; ++k) {
-      const Vector3d acting = joints_.acting_moment(k);
-      cross_x += acting.x();
-      cross_y += acting.y();
-    }
-    const double held_x = moment.y - cross_y;
-    const double held_y = cross_x - moment.x;
-    for (int k = h.first; k < h.first + h.count; ++k) {
-      const Shares& share = shares_[k];
-      joints_.set_reaction(
-          k, Vector3d(share.radial * force.x + share.moment * held_x,
-                      share.radial * force.y + share.moment * held_y,
-                      share.axial * force.z));
     }
   }
 }
 
-void FrictionFollower::act(std::span<const int> hinges,
-                           std::span<Vec3<double>> change) {
-  joints_.act();
+void FrictionFollower::set_node_reactions(const Hinge& hinge,
+                                          const Reaction<double>& reaction) {
+  const auto& [force, moment] = reaction;
+  // Moments normal to the axis load the node as well.
+  double cross_x = 0;
+  double cross_y = 0;
+  for (int k = hinge.first; k < hinge.first + hinge.count; ++k) {
+    const Vector3d acting = joints_.acting_moment(k);
+    cross_x += acting.x();
+    cross_y += acting.y();
+  }
+  const double held_x = moment.y - cross_y;
+  const double held_y = cross_x - moment.x;
+  for (int k = hinge.first; k < hinge.first + hinge.count; ++k) {
+    const Shares& share = shares_[k];
+    joints_.set_reaction(
+        k, Vector3d(share.radial * force.x + share.moment * held_x,
+                    share.radial * force.y + share.moment * held_y,
+                    share.axial * force.z));
+  }
+}
+
+void FrictionFollower::move(Dynamics& dynamics, std::span<const int> hinges,
+                            std::span<Vec3<double>> change) {
+  if (is_direct_) {
+    dynamics.add_friction(vector_rows(joints_.actions()));
+    return;
+  }
   for (const int i : hinges) {
     const Hinge& h = hinges_[i];
     Vector3d sum = joints_.action(h.first);
@@ -154,6 +170,7 @@ void FrictionFollower::act(std::span<const int> hinges,
     }
     change[i] = h.is_axis ? Vec3<double>{0, 0, sum.z()} : vec3(sum);
   }
+  dynamics.add_friction(change);
 }
 
 double FrictionFollower::error(int hinge) const {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "libcontact/joint_follower.hpp"
+#include "multibody/dynamics.hpp"
 #include "multibody/hinge_solver.hpp"
 #include "multibody/loading.hpp"
 
@@ -18,8 +19,6 @@ namespace multibody {
 class FrictionFollower {
  public:
   explicit FrictionFollower(const std::vector<HingeFriction>& friction);
-
-  using Reactions = std::span<const Reaction<double>>;
 
   /// From a hinge's last solution.
   /// @param rate  with which that was found
@@ -45,8 +44,12 @@ class FrictionFollower {
     return {0, 0, sum};
   }
 
-  /// Reactions of all hinges.
-  void set_reactions(std::span<const int> hinges, Reactions reactions);
+  /// Whether motion and joints exchange rows of vectors: all hinges are balls.
+  bool is_direct() const { return is_direct_; }
+  /// Reactions that the motion causes.
+  /// @param reactions  filled by Dynamics::reactions() unless is_direct()
+  void take_reactions(const Dynamics& dynamics, std::span<const int> hinges,
+                      std::span<Reaction<double>> reactions);
 
   /// Moments under them: see contact::JointFollower.
   void predict() { joints_.predict(); }
@@ -66,8 +69,11 @@ class FrictionFollower {
     return joints_.largest(floor);
   }
   /// Brings the moments that act to where they fit, as is expected.
-  /// @param change  of each hinge: what the motion has to be changed by
-  void act(std::span<const int> hinges, std::span<Vec3<double>> change);
+  void act() { joints_.act(); }
+  /// What that changed: the motion follows.
+  /// @param change  of each hinge, filled unless is_direct()
+  void move(Dynamics& dynamics, std::span<const int> hinges,
+            std::span<Vec3<double>> change);
   /// See contact::JointFollower.
   void remember() { joints_.remember(); }
   void extrapolate(double share) { joints_.extrapolate(share); }
@@ -88,11 +94,16 @@ class FrictionFollower {
     double radial, moment, axial;
   };
   void set_shares(const contact::JointNode& node, int first);
+  void set_node_reactions(const Hinge& hinge, const Reaction<double>& reaction);
+  static VectorRows vector_rows(contact::JointFollower::Rows rows) {
+    return {rows.first, rows.packet};
+  }
 
   std::vector<Hinge> hinges_;
   contact::JointFollower joints_;
   std::vector<Shares> shares_;  // of the joints
   int count_ = 0;
+  bool is_direct_ = true;
 };
 
 }  // namespace multibody

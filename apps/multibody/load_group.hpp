@@ -1,10 +1,12 @@
 #pragma once
 
+#include <experimental/simd>
 #include <type_traits>
 #include <vector>
 
 #include "multibody/carrier_equations.hpp"
 #include "multibody/constants.hpp"
+#include "multibody/loading.hpp"
 #include "multibody/state_layout.hpp"
 
 namespace multibody {
@@ -40,6 +42,47 @@ struct Lanes {
   }
   static Vec3<T> at(const Vec3<S>& v, int lane) {
     return {at(v.x, lane), at(v.y, lane), at(v.z, lane)};
+  }
+  /// Vectors of a packet's loads; of empty lanes what is beyond the last load,
+  /// or 0.
+  template <class Packet>
+  [[gnu::always_inline]] static Vec3<S> read(const Packet& packet,
+                                             const VectorRows& rows) {
+    const auto row = [&](int k) {
+      if constexpr (width == 1) {
+        return rows.at(packet.load[0])[k * VectorRows::lanes];
+      } else if (packet.in_order) {
+        return S(rows.at(packet.load[0]) + k * VectorRows::lanes,
+                 std::experimental::element_aligned);
+      } else {
+        return S([&](auto lane) {
+          const int load = packet.load[lane];
+          return load < 0 ? 0.0 : rows.at(load)[k * VectorRows::lanes];
+        });
+      }
+    };
+    return {row(0), row(1), row(2)};
+  }
+  template <class Packet>
+  [[gnu::always_inline]] static void write(const Packet& packet,
+                                           const Vec3<S>& v,
+                                           const VectorRows& rows) {
+    const auto row = [&](const S& x, int k) {
+      if constexpr (width == 1) {
+        rows.at(packet.load[0])[k * VectorRows::lanes] = x;
+      } else if (packet.in_order) {
+        x.copy_to(rows.at(packet.load[0]) + k * VectorRows::lanes,
+                  std::experimental::element_aligned);
+      } else {
+        for (int lane = 0; lane < width; ++lane) {
+          const int load = packet.load[lane];
+          if (load >= 0) rows.at(load)[k * VectorRows::lanes] = x[lane];
+        }
+      }
+    };
+    row(v.x, 0);
+    row(v.y, 1);
+    row(v.z, 2);
   }
   static Vec3<S> spread(const Vec3<T>& v) { return {S(v.x), S(v.y), S(v.z)}; }
   static CarrierAcceleration<S> spread(const CarrierAcceleration<T>& c) {
@@ -124,6 +167,7 @@ class LoadGroup {
     Kernel kernel;
     int load[width];    ///< -1: empty lane, whose constants are all 0
     int offset[width];  ///< where its state begins
+    bool in_order;      ///< loads that follow on each other, as in VectorRows
   };
 
   void reserve(int loads) { packets_.reserve((loads + width - 1) / width); }
@@ -148,6 +192,7 @@ class LoadGroup {
   }
   void finish(const SystemConstants* const* systems) {
     for (Packet& packet : packets_) {
+      packet.in_order = is_in_order(packet, systems[0]->size());
       packet.kernel.set_constants(
           [&](std::size_t i) { return parameter(packet, systems, i); });
     }
@@ -157,6 +202,15 @@ class LoadGroup {
   const std::vector<Packet>& packets() const { return packets_; }
 
  private:
+  static bool is_in_order(const Packet& packet, int loads) {
+    const int first = packet.load[0];
+    for (int lane = 1; lane < width; ++lane) {
+      const int next = first + lane;
+      if (packet.load[lane] != (next < loads ? next : -1)) return false;
+    }
+    return first % width == 0;
+  }
+
   // The i-th constant of a packet.
   static typename L::Parameter parameter(const Packet& packet,
                                          const SystemConstants* const* systems,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "multibody/linear3.hpp"
@@ -29,6 +30,19 @@ template <class T>
 struct Loading {
   CarrierLoading<T> carrier;
   std::vector<LoadForces<T>> loads;
+};
+
+/// Vectors of all loads in the form that lanes over loads read and write at
+/// once: packets of 8 loads, in each a row of 8 numbers for every component,
+/// padded.
+struct VectorRows {
+  static constexpr int lanes = 8;
+  double* first;          ///< x of load 0
+  std::ptrdiff_t packet;  ///< numbers from a packet to the next
+  /// x of a load; y and z are `lanes` and 2 `lanes` further.
+  double* at(int load) const {
+    return first + load / lanes * packet + load % lanes;
+  }
 };
 
 /// Reaction on a load in its joint, load axes.

@@ -89,14 +89,14 @@ class TwoStep {
   template <class Numbers>
   void add_friction(Numbers change) {
     [[maybe_unused]] static constexpr double none[3] = {};
-    CarrierForces<S> forces{L::to_sum(forces_.a), L::to_sum(forces_.b)};
-    for_packets([&](auto& packet) {
+    add_changes([&](const auto& packet) {
       S m[3];
       L::read(packet.load, packet.load, change, 3, none, m);
-      packet.kernel.add_friction({m[0], m[1], m[2]}, forces);
+      return Vec3<S>{m[0], m[1], m[2]};
     });
-    forces_ = {L::sum(forces.a), L::sum(forces.b)};
-    carrier_ = solver_.solve(forces_);
+  }
+  void add_friction(const VectorRows& change) {
+    add_changes([&](const auto& packet) { return L::read(packet, change); });
   }
 
   const CarrierAcceleration<T>& carrier() const { return carrier_; }
@@ -140,6 +140,14 @@ class TwoStep {
         load_rates(state, load, L::at(linear, lane), gravity, L::at(turn, lane),
                    to);
       });
+    });
+  }
+
+  /// Of all loads: the forces of reactions().
+  void forces(const VectorRows& to) const {
+    const CarrierAcceleration<S> carrier = L::spread(carrier_);
+    for_packets([&](const auto& packet) {
+      L::write(packet, packet.kernel.reaction(carrier).force, to);
     });
   }
 
@@ -191,6 +199,16 @@ class TwoStep {
     turn_rates(state, q, at + StateLayout::angular_velocity, angular, to);
   }
 
+  // change(packet): of its loads' moments of friction.
+  template <class F>
+  [[gnu::always_inline]] void add_changes(F change) {
+    CarrierForces<S> forces{L::to_sum(forces_.a), L::to_sum(forces_.b)};
+    for_packets([&](auto& packet) {
+      packet.kernel.add_friction(change(packet), forces);
+    });
+    forces_ = {L::sum(forces.a), L::sum(forces.b)};
+    carrier_ = solver_.solve(forces_);
+  }
   // A load by what it does at the moment.
   template <class State, class Rates>
   [[gnu::always_inline]] void load_rates(State state, int load,

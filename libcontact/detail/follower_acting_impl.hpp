@@ -81,7 +81,12 @@ constexpr double strongest = 0.1;          // slope, squared
     const Vector all = more + times(more);
     const Lanes safe = select(dot(all, all) < strongest * dot(miss, miss),
                               Lanes(1.0), Lanes(0.0));
-    const Vector action = miss + safe * all;
+    // Who reads lanes without a joint finds nothing there.
+    const auto none = p[Row::followed] == 0.0;
+    const Vector step = miss + safe * all;
+    const Vector action{select(none, Lanes(0.0), step.x),
+                        select(none, Lanes(0.0), step.y),
+                        select(none, Lanes(0.0), step.z)};
     set(p, Row::action_x, action);
     set(p, Row::missed_x, miss);
     set(p, Row::acting_x, acting + action);

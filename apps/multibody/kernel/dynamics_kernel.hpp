@@ -22,6 +22,7 @@ class DynamicsKernel {
       const double* state, const LoadForces<double>* loads,
       const CarrierAcceleration<double>& carrier) = 0;
   virtual void add_friction(const Vec3<double>* change) = 0;
+  virtual void add_friction(const VectorRows& change) = 0;
   virtual const CarrierAcceleration<double>& carrier() const = 0;
   virtual Vec3<double> relative_acceleration(int load) const = 0;
   virtual void relative_accelerations(Vec3<double>* to) const = 0;
@@ -30,6 +31,7 @@ class DynamicsKernel {
   virtual void rates(const double* state, const Vec3<double>& gravity,
                      double* to) const = 0;
   virtual void reactions(Reaction<double>* to) const = 0;
+  virtual void forces(const VectorRows& to) const = 0;
 };
 
 /// @param constants  kept by reference

@@ -28,6 +28,9 @@ class DynamicsKernelOf final : public DynamicsKernel {
   void add_friction(const Vec3<double>* change) override {
     two_step_.add_friction(&change->x);
   }
+  void add_friction(const VectorRows& change) override {
+    two_step_.add_friction(change);
+  }
   const CarrierAcceleration<double>& carrier() const override {
     return two_step_.carrier();
   }
@@ -49,6 +52,7 @@ class DynamicsKernelOf final : public DynamicsKernel {
   void reactions(Reaction<double>* to) const override {
     two_step_.reactions(to);
   }
+  void forces(const VectorRows& to) const override { two_step_.forces(to); }
 
  private:
   static const double* numbers(const LoadForces<double>* loads) {
