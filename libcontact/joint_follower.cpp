@@ -150,19 +150,15 @@ bool JointFollower::set_window(int joint, double force) noexcept {
   return true;
 }
 
-// What depends on R_n alone, from the window or, outside, from the law; found
-// friction of those that are not plain.
+// What the window does not know: what depends on R_n alone, outside; friction
+// of balls that are not plain.
 void JointFollower::evaluate_contact(int joint) noexcept {
   const FollowerRows rows = all_rows();
   const double force = rows(Row::evaluated_force, joint);
   const bool inside = std::abs(rows(Row::window_place, joint)) <= 1;
   const bool ball = rows(Row::ball, joint) != 0;
-  if (inside && !ball) {
-    take(joint, {rows(Row::window_value_1, joint),
-                 rows(Row::window_value_2, joint), 0});
-    return;
-  }
-  double half_angle = rows(Row::window_value_1, joint);
+  if (inside && !ball) return;
+  double half_angle = rows(Row::evaluated_half_angle, joint);
   if (!inside) {
     half_angle = contacts_[joint].half_angle(force).half_angle;
     // Worth it if some evaluations stay within.
@@ -284,11 +280,11 @@ void JointFollower::extend() noexcept { kernel_->extend(all_rows(), size()); }
 void JointFollower::evaluate() noexcept {
   static const detail::CapKernel& cap =
       detail::cap_kernel(best_instruction_set());
-  extend();
   for_chosen([&](FollowerRows rows, int first, int count) {
-    kernel_->approach(rows, count);
-    for (int i = 0; i < count; ++i) {
-      if (follows(first + i)) evaluate_contact(first + i);
+    if (kernel_->approach(rows, count)) {
+      for (int i = 0; i < count; ++i) {
+        if (follows(first + i)) evaluate_contact(first + i);
+      }
     }
     for (int i = 0; i < count; i += lanes) {
       const auto at = [&](Row row) { return rows.at(row, i); };
@@ -296,7 +292,6 @@ void JointFollower::evaluate() noexcept {
               at(Row::evaluated_axis_cosine), at(Row::plain),
               std::min(lanes, count - i), at(Row::integral_force));
     }
-    kernel_->take(rows, count);
     kernel_->settle(rows, count);
   });
 }

@@ -19,10 +19,9 @@ struct FollowerKernel {
   void (*predict)(FollowerRows rows, int size);
   /// Moments for R near the place.
   void (*extend)(FollowerRows rows, int size);
-  /// The contacts to be evaluated, for R.
-  void (*approach)(FollowerRows rows, int size);
-  /// What the integrals of plain joints mean.
-  void (*take)(FollowerRows rows, int size);
+  /// extend(), the contacts to be evaluated, and what windows tell of them.
+  /// @return whether a law or integrals of other pressures have to be asked
+  bool (*approach)(FollowerRows rows, int size);
   /// What was found there: slopes learn, moments follow.
   void (*settle)(FollowerRows rows, int size);
   /// Of the joints followed, infinity for NaN.

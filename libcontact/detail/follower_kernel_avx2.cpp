@@ -4,7 +4,6 @@ namespace contact::detail {
 
 extern const FollowerKernel follower_kernel_avx2;
 constinit const FollowerKernel follower_kernel_avx2{
-    predict, extend, approach, take, settle,
-    largest, act,    remember, extrapolate};
+    predict, extend, approach, settle, largest, act, remember, extrapolate};
 
 }  // namespace contact::detail

@@ -6,7 +6,6 @@ namespace contact::detail {
 
 extern const FollowerKernel follower_kernel_avx512_four;
 constinit const FollowerKernel follower_kernel_avx512_four{
-    predict, extend, approach, take, settle,
-    largest, act,    remember, extrapolate};
+    predict, extend, approach, settle, largest, act, remember, extrapolate};
 
 }  // namespace contact::detail

@@ -4,7 +4,6 @@ namespace contact::detail {
 
 extern const FollowerKernel follower_kernel_baseline;
 constinit const FollowerKernel follower_kernel_baseline{
-    predict, extend, approach, take, settle,
-    largest, act,    remember, extrapolate};
+    predict, extend, approach, settle, largest, act, remember, extrapolate};
 
 }  // namespace contact::detail

@@ -212,41 +212,58 @@ template <class F>
   });
 }
 
+[[gnu::always_inline]] inline void extend(const Packet& p) {
+  const Vector change{p[Row::reaction_x] - p[Row::place_x],
+                      p[Row::reaction_y] - p[Row::place_y],
+                      p[Row::reaction_z] - p[Row::place_z]};
+  const Lanes along =
+      dot(change, get(p, Row::along_x, Row::along_y, Row::along_z));
+  const Lanes tilt =
+      dot(change, get(p, Row::tilt_x, Row::tilt_y, Row::tilt_z));
+  const Lanes turn =
+      dot(change, get(p, Row::turn_x, Row::turn_y, Row::turn_z));
+  p.set(Row::along, along);
+  p.set(Row::tilt, tilt);
+  set(p, Row::moment_x,
+      get(p, Row::base_x, Row::base_y, Row::base_z) +
+          along * get(p, Row::by_along_x, Row::by_along_y, Row::by_along_z) +
+          tilt * get(p, Row::by_tilt_x, Row::by_tilt_y, Row::by_tilt_z) +
+          turn * get(p, Row::by_turn_x, Row::by_turn_y, Row::by_turn_z));
+  const Lanes reach =
+      abs(along) + abs(tilt) * p[Row::sensitivity] + abs(turn);
+  p.set(Row::shift, reach);
+  const Lanes since =
+      abs(along - p[Row::evaluated_along]) +
+      2.0 * p[Row::sensitivity] * abs(tilt - p[Row::evaluated_tilt]);
+  p.set(Row::error, p[Row::evaluated_error] + p[Row::slope_error] * since +
+                        reach * reach);
+}
 [[gnu::flatten]] void extend(FollowerRows rows, int size) {
-  for_packets(rows, size, [](const Packet& p) {
-    const Vector change{p[Row::reaction_x] - p[Row::place_x],
-                        p[Row::reaction_y] - p[Row::place_y],
-                        p[Row::reaction_z] - p[Row::place_z]};
-    const Lanes along =
-        dot(change, get(p, Row::along_x, Row::along_y, Row::along_z));
-    const Lanes tilt =
-        dot(change, get(p, Row::tilt_x, Row::tilt_y, Row::tilt_z));
-    const Lanes turn =
-        dot(change, get(p, Row::turn_x, Row::turn_y, Row::turn_z));
-    p.set(Row::along, along);
-    p.set(Row::tilt, tilt);
-    set(p, Row::moment_x,
-        get(p, Row::base_x, Row::base_y, Row::base_z) +
-            along * get(p, Row::by_along_x, Row::by_along_y, Row::by_along_z) +
-            tilt * get(p, Row::by_tilt_x, Row::by_tilt_y, Row::by_tilt_z) +
-            turn * get(p, Row::by_turn_x, Row::by_turn_y, Row::by_turn_z));
-    const Lanes reach =
-        abs(along) + abs(tilt) * p[Row::sensitivity] + abs(turn);
-    p.set(Row::shift, reach);
-    const Lanes since =
-        abs(along - p[Row::evaluated_along]) +
-        2.0 * p[Row::sensitivity] * abs(tilt - p[Row::evaluated_tilt]);
-    p.set(Row::error, p[Row::evaluated_error] + p[Row::slope_error] * since +
-                          reach * reach);
-  });
+  for_packets(rows, size, [](const Packet& p) { extend(p); });
 }
 
 // sin a and cos a of contacts are taken at least so large: what is divided by
 // them tends to a constant.
 constexpr double smallest = 1e-150;
 
-[[gnu::flatten]] void approach(FollowerRows rows, int size) {
-  for_packets(rows, size, [](const Packet& p) {
+// Newton's polynomial in the window.
+[[gnu::always_inline]] inline Lanes window_value(const Packet& p, Row first,
+                                                 const Lanes& place) {
+  const auto difference = [&](int k) {
+    return p[static_cast<Row>(static_cast<int>(first) + k)];
+  };
+  Lanes sum = difference(FollowerWindow::size - 1);
+#pragma GCC unroll 16
+  for (int k = FollowerWindow::size - 2; k >= 0; --k) {
+    sum = sum * (place - FollowerWindow::nodes[k]) + difference(k);
+  }
+  return sum;
+}
+
+[[gnu::flatten]] bool approach(FollowerRows rows, int size) {
+  bool asks = false;
+  for_packets(rows, size, [&](const Packet& p) {
+    extend(p);
     const Lanes along = p[Row::along];
     const Lanes tilt = p[Row::tilt];
     const auto moved = [&](Row by_along, Row by_tilt) {
@@ -261,49 +278,48 @@ constexpr double smallest = 1e-150;
     p.set(Row::evaluated_axis_sine,
           max(p[Row::axis_sine] + moved(Row::sine_by_along, Row::sine_by_tilt),
               Lanes(smallest)));
-    const Lanes place =
-        (evaluated_force - p[Row::window_middle]) * p[Row::window_scale];
-    p.set(Row::window_place, place);
-    const auto newton = [&](Row first) {
-      const auto difference = [&](int k) {
-        return p[static_cast<Row>(static_cast<int>(first) + k)];
-      };
-      Lanes sum = difference(FollowerWindow::size - 1);
-#pragma GCC unroll 16
-      for (int k = FollowerWindow::size - 2; k >= 0; --k) {
-        sum = sum * (place - FollowerWindow::nodes[k]) + difference(k);
-      }
-      return sum;
-    };
-    p.set(Row::window_value_1, newton(Row::window_1));
-    p.set(Row::window_value_2, newton(Row::window_2));
     p.set(Row::force_move, p[Row::force_move] + force);
     p.set(Row::cosine_move, p[Row::cosine_move] + cosine);
     p.set(Row::evaluated_along, along);
     p.set(Row::evaluated_tilt, tilt);
+
+    const Lanes place =
+        (evaluated_force - p[Row::window_middle]) * p[Row::window_scale];
+    p.set(Row::window_place, place);
+    const Lanes value = window_value(p, Row::window_1, place);
+    p.set(Row::evaluated_half_angle, value);
+    p.set(Row::found_friction, value);
+    p.set(Row::found_sliding, window_value(p, Row::window_2, place));
+    p.set(Row::found_spinning, Lanes(0.0));
+    const auto known = abs(place) <= 1.0 &&
+                       (p[Row::ball] == 0.0 || p[Row::plain] != 0.0);
+    asks = asks || any_of(p[Row::followed] != 0.0 && !known);
   });
+  return asks;
 }
 
-// (3.7), (3.8)
-[[gnu::flatten]] void take(FollowerRows rows, int size) {
-  for_packets(rows, size, [](const Packet& p) {
-    const auto plain = p[Row::plain] != 0.0;
-    const Lanes pressure = p[Row::pressure_part];
-    const Lanes area = p[Row::area_part] / p[Row::evaluated_force];
-    const Lanes over_cosine = 1.0 / p[Row::evaluated_axis_cosine];
-    const auto found = [&](Row to, Row coefficient, Row area_integral,
-                           const Lanes& over) {
-      const Lanes value =
-          (pressure * p[coefficient] + area * p[area_integral]) * over;
-      p.set(to, select(plain, value, p[to]));
-    };
-    found(Row::found_friction, Row::integral_force, Row::integral_force_area,
-          over_cosine);
-    found(Row::found_sliding, Row::integral_sliding, Row::integral_sliding_area,
-          over_cosine);
-    found(Row::found_spinning, Row::integral_spinning,
-          Row::integral_spinning_area, 1.0 / p[Row::evaluated_axis_sine]);
-  });
+// What was found at the contacts; of plain joints by (3.7), (3.8).
+struct Found {
+  Lanes friction, sliding, spinning;
+};
+[[gnu::always_inline]] inline Found found_in(const Packet& p) {
+  const auto plain = p[Row::plain] != 0.0;
+  const Lanes pressure = p[Row::pressure_part];
+  const Lanes area = p[Row::area_part] * p[Row::last_inverse_force];
+  const Lanes over_cosine = p[Row::last_inverse_axis_cosine];
+  const auto value = [&](Row given, Row coefficient, Row area_integral,
+                         const Lanes& over) {
+    return select(plain,
+                  (pressure * p[coefficient] + area * p[area_integral]) * over,
+                  p[given]);
+  };
+  return {value(Row::found_friction, Row::integral_force,
+                Row::integral_force_area, over_cosine),
+          value(Row::found_sliding, Row::integral_sliding,
+                Row::integral_sliding_area, over_cosine),
+          value(Row::found_spinning, Row::integral_spinning,
+                Row::integral_spinning_area,
+                1.0 / p[Row::evaluated_axis_sine])};
 }
 
 // Broyden's update. Slopes below this move, or of a miss so large, say
@@ -313,6 +329,9 @@ constexpr double largest_miss = 0.1;
 
 [[gnu::flatten]] void settle(FollowerRows rows, int size) {
   for_packets(rows, size, [](const Packet& p) {
+    p.set(Row::last_inverse_force, 1.0 / p[Row::evaluated_force]);
+    p.set(Row::last_inverse_axis_cosine,
+          1.0 / p[Row::evaluated_axis_cosine]);
     const Move move{p[Row::force_move], p[Row::cosine_move]};
     const Lanes square = move.force * move.force + move.cosine * move.cosine;
     const auto tells = square > shortest * shortest;
@@ -325,11 +344,10 @@ constexpr double largest_miss = 0.1;
                        abs(bend.product) > 0.2 * square;
     const Lanes inverse_bend = 1.0 / select(bends, bend.product, Lanes(1.0));
     Lanes slope_miss(0.0);
-    const auto learn = [&](Row value, Row found_row, Row by_force,
+    const auto learn = [&](Row value, const Lanes& found, Row by_force,
                            Row by_cosine, Row curve_row, const Lanes& weight)
         __attribute__((always_inline)) {
       const Lanes old = p[value];
-      const Lanes found = p[found_row];
       const Lanes force = p[by_force];
       const Lanes cosine = p[by_cosine];
       const Lanes curve = p[curve_row];
@@ -353,14 +371,15 @@ constexpr double largest_miss = 0.1;
     const Lanes share = 1.0 / (p[Row::sliding_share] + p[Row::spinning_share]);
     const Lanes sliding_weight = p[Row::sliding_share] * share;
     const Lanes spinning_weight = p[Row::spinning_share] * share;
+    const Found found = found_in(p);
     const Lanes friction =
-        learn(Row::friction, Row::found_friction, Row::friction_by_force,
+        learn(Row::friction, found.friction, Row::friction_by_force,
               Row::friction_by_cosine, Row::friction_curve, sin_psi);
     const Lanes sliding =
-        learn(Row::sliding, Row::found_sliding, Row::sliding_by_force,
+        learn(Row::sliding, found.sliding, Row::sliding_by_force,
               Row::sliding_by_cosine, Row::sliding_curve, sliding_weight);
     const Lanes spinning =
-        learn(Row::spinning, Row::found_spinning, Row::spinning_by_force,
+        learn(Row::spinning, found.spinning, Row::spinning_by_force,
               Row::spinning_by_cosine, Row::spinning_curve, spinning_weight);
     const Lanes missed = abs(friction) * sin_psi +
                          abs(sliding) * sliding_weight +
@@ -424,9 +443,6 @@ constexpr double largest_miss = 0.1;
     p.set(Row::last_residual,
           log_ratio(last_tangent, p[Row::friction] * p[Row::place_speed]));
     p.set(Row::last_speed, p[Row::place_speed]);
-    p.set(Row::last_inverse_force, 1.0 / p[Row::evaluated_force]);
-    p.set(Row::last_inverse_axis_cosine,
-          1.0 / p[Row::evaluated_axis_cosine]);
   });
 }
 

@@ -177,13 +177,10 @@ enum class FollowerRow : int {
   answer_yz,
   answer_zz,
   // Functions of R_n near its value, see FollowerWindow: middle, 1/half width,
-  // where
-  // R_n is in it; first differences.
+  // where R_n is in it; first differences.
   window_middle,
   window_scale,
   window_place,
-  window_value_1,
-  window_value_2,
   window_1,
   window_1_last = window_1 + 11,
   window_2,
