@@ -99,6 +99,22 @@ void JointFollower::take(int joint, const Values& found) noexcept {
   rows(Row::found_spinning, joint) = found.spinning;
 }
 
+// Coefficients of the window's polynomial through these values at its nodes.
+JointFollower::Window JointFollower::window_through(Window values) noexcept {
+  constexpr auto& nodes = detail::FollowerWindow::nodes;
+  constexpr int size = detail::FollowerWindow::size;
+  // Newton's divided differences, then his form multiplied out.
+  for (int k = 1; k < size; ++k) {
+    for (int i = size - 1; i >= k; --i) {
+      values[i] = (values[i] - values[i - 1]) / (nodes[i] - nodes[i - k]);
+    }
+  }
+  for (int k = size - 2; k >= 0; --k) {
+    for (int i = k; i < size - 1; ++i) values[i] -= nodes[k] * values[i + 1];
+  }
+  return values;
+}
+
 // @return whether it tells the law's values
 bool JointFollower::set_window(int joint, double force) noexcept {
   using detail::FollowerWindow;
@@ -108,44 +124,37 @@ bool JointFollower::set_window(int joint, double force) noexcept {
   const double width = FollowerWindow::half_width * force;
   const auto at = [&](double place) -> std::array<double, 2> {
     const double there = force + place * width;
-    if (ball) return {contacts_[joint].half_angle(there).half_angle, 0};
+    if (ball) {
+      const double half_angle = contacts_[joint].half_angle(there).half_angle;
+      return {std::sin(half_angle), std::cos(half_angle)};
+    }
     const Values found = values(joint, there, {0, 1});
     return {found.friction, found.sliding};
   };
-  std::array<std::array<double, size>, 2> difference;
+  std::array<Window, 2> window;
   for (int i = 0; i < size; ++i) {
     const auto values = at(FollowerWindow::nodes[i]);
-    for (int f = 0; f < 2; ++f) difference[f][i] = values[f];
+    for (int f = 0; f < 2; ++f) window[f][i] = values[f];
   }
-  for (auto& d : difference) {
-    for (int k = 1; k < size; ++k) {
-      for (int i = size - 1; i >= k; --i) {
-        d[i] = (d[i] - d[i - 1]) /
-               (FollowerWindow::nodes[i] - FollowerWindow::nodes[i - k]);
-      }
-    }
-  }
-  // A law need not be smooth.
+  for (Window& w : window) w = window_through(w);
+  // A law need not be smooth. A cosine may be near 0.
   constexpr double tolerance = 2e-14;
   for (const double place : {-0.95, 0.0, 0.86}) {
     const auto expected = at(place);
     for (int f = 0; f < 2; ++f) {
-      double sum = difference[f][size - 1];
-      for (int k = size - 2; k >= 0; --k) {
-        sum = sum * (place - FollowerWindow::nodes[k]) + difference[f][k];
-      }
-      if (!(std::abs(sum - expected[f]) <= tolerance * std::abs(expected[f]))) {
-        return false;
-      }
+      double sum = 0;
+      for (int k = size - 1; k >= 0; --k) sum = sum * place + window[f][k];
+      const double scale = ball && f == 1 ? 1 : std::abs(expected[f]);
+      if (!(std::abs(sum - expected[f]) <= tolerance * scale)) return false;
     }
   }
   rows(Row::window_middle, joint) = force;
   rows(Row::window_scale, joint) = 1 / width;
   for (int k = 0; k < size; ++k) {
     rows(static_cast<Row>(static_cast<int>(Row::window_1) + k), joint) =
-        difference[0][k];
+        window[0][k];
     rows(static_cast<Row>(static_cast<int>(Row::window_2) + k), joint) =
-        difference[1][k];
+        window[1][k];
   }
   return true;
 }
@@ -158,9 +167,12 @@ void JointFollower::evaluate_contact(int joint) noexcept {
   const bool inside = std::abs(rows(Row::window_place, joint)) <= 1;
   const bool ball = rows(Row::ball, joint) != 0;
   if (inside && !ball) return;
-  double half_angle = rows(Row::evaluated_half_angle, joint);
+  double& sine = rows(Row::half_angle_sin, joint);
+  double& cosine = rows(Row::half_angle_cos, joint);
   if (!inside) {
-    half_angle = contacts_[joint].half_angle(force).half_angle;
+    const double half_angle = contacts_[joint].half_angle(force).half_angle;
+    sine = std::sin(half_angle);
+    cosine = std::cos(half_angle);
     // Worth it if some evaluations stay within.
     constexpr double slow = 0.1 * detail::FollowerWindow::half_width;
     if (smooth_[joint] &&
@@ -168,12 +180,11 @@ void JointFollower::evaluate_contact(int joint) noexcept {
       smooth_[joint] = set_window(joint, force);
     }
   }
-  rows(Row::evaluated_half_angle, joint) = half_angle;
   if (rows(Row::plain, joint) != 0) return;
   const SlipAxis axis = {rows(Row::evaluated_axis_sine, joint),
                          rows(Row::evaluated_axis_cosine, joint)};
   take(joint, values(joint, force, axis,
-                     contacts_[joint].integrals(half_angle, axis)));
+                     contacts_[joint].integrals(std::atan2(sine, cosine), axis)));
 }
 
 void JointFollower::start(int joint, const JointSolution& solution,
@@ -288,9 +299,10 @@ void JointFollower::evaluate() noexcept {
     }
     for (int i = 0; i < count; i += lanes) {
       const auto at = [&](Row row) { return rows.at(row, i); };
-      cap.few(at(Row::evaluated_half_angle), at(Row::evaluated_axis_sine),
-              at(Row::evaluated_axis_cosine), at(Row::plain),
-              std::min(lanes, count - i), at(Row::integral_force));
+      cap.few(at(Row::half_angle_sin), at(Row::half_angle_cos),
+              at(Row::evaluated_axis_sine), at(Row::evaluated_axis_cosine),
+              at(Row::plain), std::min(lanes, count - i),
+              at(Row::integral_force));
     }
     kernel_->settle(rows, count);
   });

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -145,6 +146,8 @@ class JointFollower {
   Values values(int joint, double force, SlipAxis axis,
                 const FrictionIntegrals& integrals) const noexcept;
   void take(int joint, const Values& found) noexcept;
+  using Window = std::array<double, 12>;  // FollowerWindow::size
+  static Window window_through(Window values) noexcept;
   bool set_window(int joint, double force) noexcept;
   void evaluate_contact(int joint) noexcept;
   template <class F>

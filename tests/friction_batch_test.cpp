@@ -79,20 +79,23 @@ TEST_P(FrictionBatch, AFewPointsAgreeWithTheScalarCall) {
   for (int count = 1; count <= 8; ++count) {
     for (int round = 0; round < 100; ++round) {
       // Those that are not wanted only have to be readable.
-      std::array<double, 8> half_angle, sine, cosine, wanted;
+      std::array<double, 8> half_angle, s, c, sine, cosine, wanted;
       std::array<double, 48> integrals;
-      half_angle.fill(nan);
+      s.fill(nan);
+      c.fill(nan);
       sine.fill(0);
       cosine.fill(1);
       for (int i = 0; i < count; ++i) {
         const SlipAxis axis = SlipAxis::from_degrees(90 * uniform(random));
         half_angle[i] = 120 * uniform(random) * contact::degree;
+        s[i] = std::sin(half_angle[i]);
+        c[i] = std::cos(half_angle[i]);
         sine[i] = axis.sin;
         cosine[i] = axis.cos;
         wanted[i] = uniform(random) < 0.8 ? 1 : 0;
       }
       contact::detail::cap_kernel(GetParam())
-          .few(half_angle.data(), sine.data(), cosine.data(), wanted.data(),
+          .few(s.data(), c.data(), sine.data(), cosine.data(), wanted.data(),
                count, integrals.data());
       for (int i = 0; i < count; ++i) {
         if (wanted[i] == 0) continue;

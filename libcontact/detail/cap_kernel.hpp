@@ -19,9 +19,10 @@ struct CapKernel {
   /// many nodes one after the other, lanes over nodes. Rows of 8 numbers: coefficients of force, sliding and spinning, then the
   /// area integrals. Wanted are those whose number in that row is not 0, among
   /// the first `count`; the others have to be numbers that can be read.
-  void (*few)(const double* half_angle, const double* axis_sin,
-              const double* axis_cos, const double* wanted, int count,
-              double* integrals);
+  /// The half-angle by its sine and cosine.
+  void (*few)(const double* half_angle_sin, const double* half_angle_cos,
+              const double* axis_sin, const double* axis_cos,
+              const double* wanted, int count, double* integrals);
   /// Many points, lanes over points; sizes already checked. With a table of
   /// its pressure, or without for the cosine pressure.
   void (*batch)(const FrictionBatchInput&, const FrictionBatchOutput&,

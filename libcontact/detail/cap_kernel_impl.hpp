@@ -115,7 +115,8 @@ void sum_group(const CapPoint<V>& points, const mask_of<V>& group,
 }
 
 template <class V>
-[[gnu::flatten]] void few_lanes(const double* half_angle,
+[[gnu::flatten]] void few_lanes(const double* half_angle_sin,
+                                const double* half_angle_cos,
                                 const double* axis_sin, const double* axis_cos,
                                 const double* wanted, int count,
                                 double* integrals) {
@@ -123,7 +124,8 @@ template <class V>
     return V(from, stdx::element_aligned);
   };
   const PreparedCap<V> cap =
-      prepare(read(half_angle), read(axis_sin), read(axis_cos));
+      prepare(SineCosinePair<V>{read(half_angle_sin), read(half_angle_cos)},
+              read(axis_sin), read(axis_cos));
   const V number([](auto lane) { return static_cast<double>(lane); });
   auto left = read(wanted) != 0.0 && number < static_cast<double>(count);
   const V branch = select(cap.pole_inside, V(4.0), V(0.0)) +
@@ -149,17 +151,17 @@ template <class V>
   store(r.spinning_area, 5);
 }
 
-void few(const double* half_angle, const double* axis_sin,
-         const double* axis_cos, const double* wanted, int count,
-         double* integrals) {
+void few(const double* half_angle_sin, const double* half_angle_cos,
+         const double* axis_sin, const double* axis_cos, const double* wanted,
+         int count, double* integrals) {
   constexpr int half = (width + 1) / 2;
   using HalfLanes =
       stdx::simd<double, stdx::simd_abi::deduce_t<double, half>>;
   static_assert(CapKernel::few_points % width == 0);
   for (int i = 0; i < count; i += width) {
     const auto with = [&]<class V>(V) {
-      few_lanes<V>(half_angle + i, axis_sin + i, axis_cos + i, wanted + i,
-                   count - i, integrals + i);
+      few_lanes<V>(half_angle_sin + i, half_angle_cos + i, axis_sin + i,
+                   axis_cos + i, wanted + i, count - i, integrals + i);
     };
     if (width > 4 && count - i <= half) {
       with(HalfLanes{});

@@ -246,18 +246,23 @@ template <class F>
 // them tends to a constant.
 constexpr double smallest = 1e-150;
 
-// Newton's polynomial in the window.
+// The polynomial of the window: even and odd powers side by side.
 [[gnu::always_inline]] inline Lanes window_value(const Packet& p, Row first,
                                                  const Lanes& place) {
-  const auto difference = [&](int k) {
+  const auto coefficient = [&](int k) {
     return p[static_cast<Row>(static_cast<int>(first) + k)];
   };
-  Lanes sum = difference(FollowerWindow::size - 1);
-#pragma GCC unroll 16
-  for (int k = FollowerWindow::size - 2; k >= 0; --k) {
-    sum = sum * (place - FollowerWindow::nodes[k]) + difference(k);
+  constexpr int last = FollowerWindow::size - 1;
+  static_assert(last % 2 == 1);
+  const Lanes square = place * place;
+  Lanes even = coefficient(last - 1);
+  Lanes odd = coefficient(last);
+#pragma GCC unroll 8
+  for (int k = last - 3; k >= 0; k -= 2) {
+    even = even * square + coefficient(k);
+    odd = odd * square + coefficient(k + 1);
   }
-  return sum;
+  return even + place * odd;
 }
 
 [[gnu::flatten]] bool approach(FollowerRows rows, int size) {
@@ -286,10 +291,12 @@ constexpr double smallest = 1e-150;
     const Lanes place =
         (evaluated_force - p[Row::window_middle]) * p[Row::window_scale];
     p.set(Row::window_place, place);
-    const Lanes value = window_value(p, Row::window_1, place);
-    p.set(Row::evaluated_half_angle, value);
-    p.set(Row::found_friction, value);
-    p.set(Row::found_sliding, window_value(p, Row::window_2, place));
+    const Lanes value_1 = window_value(p, Row::window_1, place);
+    const Lanes value_2 = window_value(p, Row::window_2, place);
+    p.set(Row::half_angle_sin, value_1);
+    p.set(Row::half_angle_cos, value_2);
+    p.set(Row::found_friction, value_1);
+    p.set(Row::found_sliding, value_2);
     p.set(Row::found_spinning, Lanes(0.0));
     const auto known = abs(place) <= 1.0 &&
                        (p[Row::ball] == 0.0 || p[Row::plain] != 0.0);

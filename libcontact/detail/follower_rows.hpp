@@ -142,7 +142,8 @@ enum class FollowerRow : int {
   evaluated_force,
   evaluated_axis_sine,
   evaluated_axis_cosine,
-  evaluated_half_angle,
+  half_angle_sin,
+  half_angle_cos,
   integral_force,
   integral_sliding,
   integral_spinning,
@@ -177,7 +178,7 @@ enum class FollowerRow : int {
   answer_yz,
   answer_zz,
   // Functions of R_n near its value, see FollowerWindow: middle, 1/half width,
-  // where R_n is in it; first differences.
+  // where R_n is in it; coefficients.
   window_middle,
   window_scale,
   window_place,
@@ -199,10 +200,11 @@ struct FollowerReach {
   static constexpr double inverse_sine = 100;
 };
 
-/// What a joint has as a function of R_n alone, theta0 of a ball, friction and
-/// sliding moment of a pin, in the form of Newton's polynomials through the
-/// values at these places in a narrow window of R_n. They are Chebyshev's, in
-/// an order that keeps rounding small.
+/// What a joint has as a function of R_n alone, sin theta0 and cos theta0 of a
+/// ball, friction and sliding moment of a pin, as polynomials in a narrow window
+/// of R_n, through the values at these places (Chebyshev's, in an order that
+/// keeps rounding small). The window is so narrow that powers do: their
+/// coefficients fall off like 0.1^k.
 struct FollowerWindow {
   static constexpr int size = 12;
   static constexpr double half_width = 0.1;  // of R_n
