@@ -256,11 +256,12 @@ detail::FollowerRows JointFollower::all_rows() const noexcept {
       reinterpret_cast<double*>(const_cast<LaneRow*>(numbers_.data())));
 }
 
-// f(rows, first joint, number of joints) of all packets that are chosen.
+// f(rows, first joint, number of joints) of all packets that are chosen; f
+// tells the largest numbers of its joints.
 template <class F>
 void JointFollower::for_chosen(F f) noexcept {
   if (all_chosen_) {
-    f(all_rows(), 0, size());
+    set_largest(f(all_rows(), 0, size()));
     return;
   }
   for (int first = 0; first < size(); first += lanes) {
@@ -268,6 +269,7 @@ void JointFollower::for_chosen(F f) noexcept {
     f(FollowerRows(all_rows().at(static_cast<Row>(0), first)), first,
       std::min(lanes, size() - first));
   }
+  set_largest(kernel_->largest(all_rows(), size(), moment_floor_));
 }
 
 void JointFollower::choose_all() noexcept {
@@ -282,11 +284,13 @@ void JointFollower::choose(int joint) noexcept {
 
 void JointFollower::predict() noexcept {
   for_chosen([&](FollowerRows rows, int, int count) {
-    kernel_->predict(rows, count);
+    return kernel_->predict(rows, count, moment_floor_);
   });
 }
 
-void JointFollower::extend() noexcept { kernel_->extend(all_rows(), size()); }
+void JointFollower::extend() noexcept {
+  set_largest(kernel_->extend(all_rows(), size(), moment_floor_));
+}
 
 void JointFollower::evaluate() noexcept {
   static const detail::CapKernel& cap =
@@ -304,7 +308,7 @@ void JointFollower::evaluate() noexcept {
               at(Row::plain), std::min(lanes, count - i),
               at(Row::integral_force));
     }
-    kernel_->settle(rows, count);
+    return kernel_->settle(rows, count, moment_floor_);
   });
 }
 
@@ -316,17 +320,13 @@ double JointFollower::error(int joint) const noexcept {
   return error_safety * all_rows()(Row::error, joint);
 }
 
-JointFollower::Largest JointFollower::largest(double floor) const noexcept {
-  const detail::FollowerLargest found =
-      kernel_->largest(all_rows(), size(), floor * floor);
-  Largest l{found.reach < 1, found.shift, error_safety * found.error,
-            std::sqrt(found.miss), 0, 0, 0};
-  if (found.moved != 0) {
-    l.moved = std::sqrt(found.moved);
-    l.contraction = std::sqrt(found.answered / found.moved);
-    l.gain = l.miss / l.moved;
-  }
-  return l;
+void JointFollower::set_largest(const detail::FollowerLargest& found) noexcept {
+  largest_ = {found.reach < 1, found.shift, error_safety * found.error,
+              std::sqrt(found.miss), 0, 0, 0};
+  if (found.moved == 0) return;
+  largest_.moved = std::sqrt(found.moved);
+  largest_.contraction = std::sqrt(found.answered / found.moved);
+  largest_.gain = largest_.miss / largest_.moved;
 }
 
 void JointFollower::remember() noexcept {

@@ -15,6 +15,7 @@ namespace contact {
 namespace detail {
 class FollowerRows;
 struct FollowerKernel;
+struct FollowerLargest;
 }  // namespace detail
 
 /// Friction of several sliding joints, side by side, followed through small
@@ -109,18 +110,22 @@ class JointFollower {
   Eigen::Vector3d acting_moment(int joint) const noexcept {
     return get(acting_row, joint);
   }
-  /// The largest of the joints followed, infinity for NaN.
+  /// What the last predict(), extend() or evaluate() left: of the joints
+  /// followed the largest, infinity for NaN.
   struct Largest {
     bool tracks;   ///< tracks() of all
     double shift;  ///< |change of R| since the last predict(), over R sin b
     double error;  ///< error()
     double miss;   ///< of the acting moments, over sqrt(4 M_t^2 + floor^2)
-    double moved;  ///< the same: their changes by the last act() since then
+    double moved;  ///< the same: their change by act(), 0 after predict()
     /// Over those changes: what M_t answered, and what is missed now.
     double contraction, gain;
   };
-  /// @param floor  > 0, N m
-  Largest largest(double floor) const noexcept;
+  const Largest& largest() const noexcept { return largest_; }
+  /// @param floor  > 0, N m; 1e-100 at first
+  void set_moment_floor(double floor) noexcept {
+    moment_floor_ = floor * floor;
+  }
   /// R of this joint answers to its own acting moment by s z x M_t, 1/m: in a
   /// node, whose joints have moments across the axis z to hold.
   void set_feedback(int joint, double s) noexcept;
@@ -150,6 +155,7 @@ class JointFollower {
   static Window window_through(Window values) noexcept;
   bool set_window(int joint, double force) noexcept;
   void evaluate_contact(int joint) noexcept;
+  void set_largest(const detail::FollowerLargest& found) noexcept;
   template <class F>
   void for_chosen(F f) noexcept;
 
@@ -200,6 +206,8 @@ class JointFollower {
   std::vector<char> smooth_;  // its law is, as far as it has been seen
   std::vector<char> chosen_;  // packets
   bool all_chosen_ = true;
+  double moment_floor_ = 1e-200;  // squared
+  Largest largest_{};
 };
 
 }  // namespace contact

@@ -127,7 +127,6 @@ class CoupledDynamics::Impl {
   bool follow_from_here();
   bool choose_worse_than(double limit);
   bool predict();
-  void look() { look_ = follower.largest(moment_floor_); }
   double relax(double enough);
   void move();
   void take_acting_moments();
@@ -164,8 +163,6 @@ class CoupledDynamics::Impl {
   bool acting_known_ = false;
   double largest_acting_ = 0;
   double largest_leverage_ = 0;
-  contact::JointFollower::Largest look_;
-  double moment_floor_ = 0;  // of follow(): half of what small moments count
   double usual_contraction_ = 1;
   double usual_gain_ = 1;   // residual after a step over that before
   double follow_gain_ = 1;  // the same of follow()

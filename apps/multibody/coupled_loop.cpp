@@ -174,20 +174,18 @@ double CoupledDynamics::Impl::relax(double enough) {
   // Moments that do not go where they went before answer less well.
   constexpr double usual_share = 0.03;
   double left = 1;
+  const contact::JointFollower::Largest& found = follower.largest();
   for (int round = 0; round < round_limit; ++round) {
-    if (round > 0) {
-      follower.extend();
-      look();
-    }
-    const double miss = look_.miss;
+    if (round > 0) follower.extend();
+    const double miss = found.miss;
     if (round == 0) report.residual = miss;
-    if (look_.moved > telling) {
-      report.contraction = std::max(report.contraction, look_.contraction);
+    if (found.moved > telling) {
+      report.contraction = std::max(report.contraction, found.contraction);
       usual_contraction_ =
-          std::max(look_.contraction, 0.7 * usual_contraction_);
+          std::max(found.contraction, 0.7 * usual_contraction_);
       // At first the contacts' news is in the miss.
-      if (round > 0 || look_.gain < follow_gain_) {
-        follow_gain_ = std::max(look_.gain, 0.7 * follow_gain_);
+      if (round > 0 || found.gain < follow_gain_) {
+        follow_gain_ = std::max(found.gain, 0.7 * follow_gain_);
       }
     }
     if (miss <= enough) return miss;
@@ -242,7 +240,8 @@ bool CoupledDynamics::Impl::follow() {
       largest_acting_ = std::max(largest_acting_, moment.squaredNorm());
     }
   }
-  moment_floor_ = small_share * std::sqrt(largest_acting_);
+  // Half of what small moments count.
+  follower.set_moment_floor(small_share * std::sqrt(largest_acting_));
   const bool found = follow_from_here();
   if (follower.is_direct()) dynamics.reactions(reactions);
   take_acting_moments();
@@ -251,7 +250,7 @@ bool CoupledDynamics::Impl::follow() {
 
 // Hinges with contacts to be evaluated a second time.
 bool CoupledDynamics::Impl::choose_worse_than(double limit) {
-  if (look_.error < limit) return false;
+  if (follower.largest().error < limit) return false;
   for (const int i : rows_) {
     if (!(follower.error(i) < limit)) follower.choose(i);
   }
@@ -264,8 +263,7 @@ bool CoupledDynamics::Impl::predict() {
   // in the end: then slopes, wrong by some percent, do for the rest.
   constexpr double near = 1e-9;
   follower.predict();
-  look();
-  if (!look_.tracks) return false;
+  if (!follower.largest().tracks) return false;
   // Moments and reactions answer to each other.
   relax(near / std::max(usual_contraction_, 1e-3));
   return true;
@@ -282,17 +280,15 @@ bool CoupledDynamics::Impl::follow_from_here() {
   for (report.iterations = 1; report.iterations <= iteration_limit;
        ++report.iterations) {
     if (!predict()) return false;
-    if (!(look_.shift < far) && !predict()) return false;
+    if (!(follower.largest().shift < far) && !predict()) return false;
     follower.evaluate();
-    look();
     if (choose_worse_than(share_of_few * options.tolerance)) {
       follower.predict();
       follower.evaluate();
-      look();
     }
     double left = relax(0.1 * options.tolerance);
     if (trace) trace->push_back({report.iterations, report.residual});
-    left += look_.error;
+    left += follower.largest().error;
     if (left <= options.tolerance) {
       report.residual = left;
       for (const int i : rows_) hinges[i].solver_is_behind = true;

@@ -65,9 +65,11 @@ class FrictionFollower {
 
   /// Whether all are near enough to the last evaluation, how wrong they are,
   /// how far from the moments that act: of the joints the largest.
-  contact::JointFollower::Largest largest(double floor) const {
-    return joints_.largest(floor);
+  const contact::JointFollower::Largest& largest() const {
+    return joints_.largest();
   }
+  /// That small moments count as, in it.
+  void set_moment_floor(double floor) { joints_.set_moment_floor(floor); }
   /// Brings the moments that act to where they fit, as is expected.
   void act() { joints_.act(); }
   /// What that changed: the motion follows.

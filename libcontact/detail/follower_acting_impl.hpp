@@ -1,52 +1,12 @@
 #pragma once
 
 // Included by follower_kernel_impl.hpp: once per instruction set. What brings
-// the acting moments together with M_t, and what is asked of all joints.
-
-#include <limits>
+// the acting moments together with M_t.
 
 #include "libcontact/detail/follower_lanes.hpp"
 
 namespace contact::detail {
 namespace {
-
-// Over the joints followed, NaN as infinity.
-[[gnu::always_inline]] inline Lanes followed_max(const Packet& p,
-                                                 const Lanes& most,
-                                                 const Lanes& x) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  return max(most, select(p[Row::followed] == 0.0, Lanes(0.0),
-                          select(x >= 0.0, x, Lanes(infinity))));
-}
-
-// What M_t has done since the acting moment last changed.
-[[gnu::always_inline]] inline Vector answered(const Packet& p,
-                                              const Vector& miss,
-                                              const Vector& action) {
-  return miss - get(p, Row::missed_x, Row::missed_y, Row::missed_z) + action;
-}
-
-[[gnu::flatten]] FollowerLargest largest(FollowerRows rows, int size,
-                                         double floor) {
-  Lanes reach(0.0), shift(0.0), error(0.0);
-  Lanes miss(0.0), moved(0.0), answer(0.0);
-  for (int i = 0; i < size; i += width) {
-    const Packet p(rows, i);
-    const Vector moment = get(p, Row::moment_x, Row::moment_y, Row::moment_z);
-    const Vector m = miss_of(p);
-    const Vector action = get(p, Row::action_x, Row::action_y, Row::action_z);
-    const Vector a = answered(p, m, action);
-    reach = followed_max(p, reach, p[Row::reach]);
-    shift = followed_max(p, shift, p[Row::shift]);
-    error = followed_max(p, error, p[Row::error]);
-    const Lanes inverse = 1.0 / (4.0 * dot(moment, moment) + floor);
-    miss = followed_max(p, miss, dot(m, m) * inverse);
-    moved = followed_max(p, moved, dot(action, action) * inverse);
-    answer = followed_max(p, answer, dot(a, a) * inverse);
-  }
-  return {hmax(reach), hmax(shift), hmax(error),
-          hmax(miss),  hmax(moved), hmax(answer)};
-}
 
 // Newton's step of every joint for itself, its slope by Broyden's update.
 constexpr double action_rounding = 1e-20;  // of squares

@@ -5,7 +5,8 @@
 
 namespace contact::detail {
 
-/// JointFollower::Largest; of moments squares, over 4 M_t^2 + floor.
+/// JointFollower::Largest; of moments squares, over 4 M_t^2 + floor. Of the
+/// joints followed, infinity for NaN.
 struct FollowerLargest {
   double reach, shift, error;
   double miss, moved, answered;
@@ -16,15 +17,15 @@ struct FollowerLargest {
 struct FollowerKernel {
   /// Moments from the last evaluations, and all slopes, for R and Dw: the new
   /// place.
-  void (*predict)(FollowerRows rows, int size);
+  FollowerLargest (*predict)(FollowerRows rows, int size, double floor);
   /// Moments for R near the place.
-  void (*extend)(FollowerRows rows, int size);
+  FollowerLargest (*extend)(FollowerRows rows, int size, double floor);
   /// extend(), the contacts to be evaluated, and what windows tell of them.
   /// @return whether a law or integrals of other pressures have to be asked
   bool (*approach)(FollowerRows rows, int size);
   /// What was found there: slopes learn, moments follow.
-  void (*settle)(FollowerRows rows, int size);
-  /// Of the joints followed, infinity for NaN.
+  FollowerLargest (*settle)(FollowerRows rows, int size, double floor);
+  /// What these return, without them.
   FollowerLargest (*largest)(FollowerRows rows, int size, double floor);
   /// JointFollower::act()
   void (*act)(FollowerRows rows, int size);

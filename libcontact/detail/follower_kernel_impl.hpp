@@ -3,7 +3,7 @@
 // Included once by each follower_kernel_*.cpp, which is compiled for its own
 // instruction set.
 
-#include "libcontact/detail/follower_lanes.hpp"
+#include "libcontact/detail/follower_largest.hpp"
 
 namespace contact::detail {
 namespace {
@@ -134,10 +134,6 @@ struct Guess {
   p.set(Row::sin_psi, t.sin_psi);
 }
 
-[[gnu::always_inline]] inline Vector miss_of(const Packet& p) {
-  return get(p, Row::moment_x, Row::moment_y, Row::moment_z) -
-         get(p, Row::acting_x, Row::acting_y, Row::acting_z);
-}
 template <class F>
 [[gnu::always_inline]] inline void for_packets(FollowerRows rows, int size,
                                                F f) {
@@ -167,8 +163,10 @@ template <class F>
   answer(Row::answer_xy, -s, Row::along_x, Row::tilt_x, Row::turn_x);
 }
 
-[[gnu::flatten]] void predict(FollowerRows rows, int size) {
-  for_packets(rows, size, [](const Packet& p) {
+[[gnu::flatten]] FollowerLargest predict(FollowerRows rows, int size,
+                                         double floor) {
+  Largest most(floor);
+  for_packets(rows, size, [&](const Packet& p) {
     const Frame f = frame_of(p);
     Guess g = guess_of(p, f);
     Triangle& t = g.triangle;
@@ -209,7 +207,9 @@ template <class F>
                           Row::action_x, Row::action_y, Row::action_z}) {
       p.set(row, Lanes(0.0));
     }
+    most.add(p);
   });
+  return most.result();
 }
 
 [[gnu::always_inline]] inline void extend(const Packet& p) {
@@ -238,8 +238,14 @@ template <class F>
   p.set(Row::error, p[Row::evaluated_error] + p[Row::slope_error] * since +
                         reach * reach);
 }
-[[gnu::flatten]] void extend(FollowerRows rows, int size) {
-  for_packets(rows, size, [](const Packet& p) { extend(p); });
+[[gnu::flatten]] FollowerLargest extend(FollowerRows rows, int size,
+                                        double floor) {
+  Largest most(floor);
+  for_packets(rows, size, [&](const Packet& p) {
+    extend(p);
+    most.add(p);
+  });
+  return most.result();
 }
 
 // sin a and cos a of contacts are taken at least so large: what is divided by
@@ -334,8 +340,10 @@ struct Found {
 constexpr double shortest = 1e-8;
 constexpr double largest_miss = 0.1;
 
-[[gnu::flatten]] void settle(FollowerRows rows, int size) {
-  for_packets(rows, size, [](const Packet& p) {
+[[gnu::flatten]] FollowerLargest settle(FollowerRows rows, int size,
+                                        double floor) {
+  Largest most(floor);
+  for_packets(rows, size, [&](const Packet& p) {
     p.set(Row::last_inverse_force, 1.0 / p[Row::evaluated_force]);
     p.set(Row::last_inverse_axis_cosine,
           1.0 / p[Row::evaluated_axis_cosine]);
@@ -450,7 +458,9 @@ constexpr double largest_miss = 0.1;
     p.set(Row::last_residual,
           log_ratio(last_tangent, p[Row::friction] * p[Row::place_speed]));
     p.set(Row::last_speed, p[Row::place_speed]);
+    most.add(p);
   });
+  return most.result();
 }
 
 }  // namespace
