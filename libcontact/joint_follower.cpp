@@ -282,6 +282,12 @@ void JointFollower::choose(int joint) noexcept {
   chosen_[static_cast<std::size_t>(joint / lanes)] = true;
 }
 
+void JointFollower::choose_worse_than(double limit) noexcept {
+  for (int i = 0; i < size(); ++i) {
+    if (follows(i) && !(error(i) <= limit)) choose(i);
+  }
+}
+
 void JointFollower::predict() noexcept {
   for_chosen([&](FollowerRows rows, int, int count) {
     return kernel_->predict(rows, count, moment_floor_);

@@ -88,6 +88,8 @@ class JointFollower {
   /// From now on predict() and evaluate() leave out all joints but those chosen
   /// (and some that share lanes with them), until all are chosen again.
   void choose(int joint) noexcept;
+  /// Chooses those with an error() that is larger, or NaN.
+  void choose_worse_than(double error) noexcept;
   void choose_all() noexcept;
 
   /// Whether the last predict() or evaluate() stayed where the slopes are of

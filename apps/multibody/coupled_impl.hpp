@@ -125,7 +125,6 @@ class CoupledDynamics::Impl {
   void converge();
   bool follow();
   bool follow_from_here();
-  bool choose_worse_than(double limit);
   bool predict();
   double relax(double enough);
   void move();

@@ -248,15 +248,6 @@ bool CoupledDynamics::Impl::follow() {
   return found;
 }
 
-// Hinges with contacts to be evaluated a second time.
-bool CoupledDynamics::Impl::choose_worse_than(double limit) {
-  if (follower.largest().error < limit) return false;
-  for (const int i : rows_) {
-    if (!(follower.error(i) < limit)) follower.choose(i);
-  }
-  return true;
-}
-
 // @return whether all hinges are where it knows its way
 bool CoupledDynamics::Impl::predict() {
   // Contacts are evaluated where reactions are as near as this to those found
@@ -282,7 +273,9 @@ bool CoupledDynamics::Impl::follow_from_here() {
     if (!predict()) return false;
     if (!(follower.largest().shift < far) && !predict()) return false;
     follower.evaluate();
-    if (choose_worse_than(share_of_few * options.tolerance)) {
+    const double few = share_of_few * options.tolerance;
+    if (!(follower.largest().error <= few)) {
+      follower.choose_worse_than(few);
       follower.predict();
       follower.evaluate();
     }

@@ -31,6 +31,11 @@ std::vector<JointContact> contacts_of(const HingeFriction& friction) {
   return contacts;
 }
 
+bool is_ball(const JointContact& contact) {
+  return contact.geometry().kind() == contact::JointKind::spherical;
+}
+
+// Balls first: only they need integrals.
 std::vector<JointContact> all_contacts(
     const std::vector<HingeFriction>& friction) {
   std::vector<JointContact> all;
@@ -39,31 +44,40 @@ std::vector<JointContact> all_contacts(
       all.push_back(std::move(contact));
     }
   }
+  std::ranges::stable_partition(all, is_ball);
   return all;
 }
 
 }  // namespace
 
 FrictionFollower::FrictionFollower(const std::vector<HingeFriction>& friction)
-    : joints_(all_contacts(friction)), shares_(joints_.size()) {
-  int first = 0;
+    : joints_(all_contacts(friction)) {
+  int ball = 0;
+  int pin = 0;
   for (const HingeFriction& f : friction) {
+    for (const JointContact& contact : contacts_of(f)) pin += is_ball(contact);
+  }
+  for (const HingeFriction& f : friction) {
+    const std::vector<JointContact> contacts = contacts_of(f);
     Hinge& hinge = hinges_.emplace_back();
-    hinge.first = first;
-    hinge.count = static_cast<int>(contacts_of(f).size());
+    hinge.first = parts_.size();
+    hinge.count = contacts.size();
     hinge.is_axis = !std::holds_alternative<BallFriction>(f);
+    for (const JointContact& contact : contacts) {
+      parts_.push_back({is_ball(contact) ? ball++ : pin++, 1, 0, 1});
+    }
     if (const auto* node = std::get_if<NodeFriction>(&f); node && hinge.count) {
       hinge.is_node = true;
-      set_shares(node->node, first);
+      set_shares(node->node, hinge);
     }
-    first += hinge.count;
     is_direct_ = is_direct_ && hinge.count == 1 && !hinge.is_axis;
   }
 }
 
 // What a node makes of forces and moments of 1.
-void FrictionFollower::set_shares(const contact::JointNode& node, int first) {
-  const std::size_t count = node.joints().size();
+void FrictionFollower::set_shares(const contact::JointNode& node,
+                                  const Hinge& hinge) {
+  const std::size_t count = hinge.count;
   std::vector<Vector3d> radial(count), moment(count), axial(count);
   const Vector3d x = Vector3d::UnitX(), y = Vector3d::UnitY(),
                  z = Vector3d::UnitZ(), none = Vector3d::Zero();
@@ -71,47 +85,47 @@ void FrictionFollower::set_shares(const contact::JointNode& node, int first) {
   node.distribute(none, y, z, none, moment);
   node.distribute(z, none, z, none, axial);
   for (std::size_t k = 0; k < count; ++k) {
-    shares_[first + k] = {radial[k].x(), moment[k].x(), axial[k].z()};
-    joints_.set_feedback(first + static_cast<int>(k), moment[k].x());
+    Part& part = parts_[hinge.first + k];
+    part = {part.joint, radial[k].x(), moment[k].x(), axial[k].z()};
+    joints_.set_feedback(part.joint, part.moment);
   }
 }
 
 void FrictionFollower::start(int hinge, const HingeSolver& solver,
                              const Vector3d& rate) {
-  const Hinge& h = hinges_[hinge];
   count_ -= follows(hinge);
-  for (int k = 0; k < h.count; ++k) {
-    joints_.start(h.first + k, solver.joints()[k], rate);
-    joints_.set_acting_moment(h.first + k, solver.joint_moment(k));
+  const std::span<const Part> all = parts(hinge);
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    joints_.start(all[k].joint, solver.joints()[k], rate);
+    joints_.set_acting_moment(all[k].joint,
+                              solver.joint_moment(static_cast<int>(k)));
   }
   count_ += follows(hinge);
 }
 
 void FrictionFollower::forget(int hinge) {
-  const Hinge& h = hinges_[hinge];
   count_ -= follows(hinge);
-  for (int k = 0; k < h.count; ++k) joints_.forget(h.first + k);
+  for (const Part& part : parts(hinge)) joints_.forget(part.joint);
 }
 
 bool FrictionFollower::follows(int hinge) const {
-  const Hinge& h = hinges_[hinge];
-  for (int k = 0; k < h.count; ++k) {
-    if (!joints_.follows(h.first + k)) return false;
-  }
-  return h.count > 0;
+  const std::span<const Part> all = parts(hinge);
+  return !all.empty() && std::ranges::all_of(all, [&](const Part& part) {
+    return joints_.follows(part.joint);
+  });
 }
 
 // Of a node only the sum of the joints' moments along the axis is known: the
 // first joint takes what it has changed by.
 void FrictionFollower::set_acting_moment(int hinge, const Vector3d& moment) {
-  const Hinge& h = hinges_[hinge];
-  if (!h.is_node) {
-    joints_.set_acting_moment(h.first, moment);
+  const int joint = parts(hinge)[0].joint;
+  if (!hinges_[hinge].is_node) {
+    joints_.set_acting_moment(joint, moment);
     return;
   }
-  Vector3d first = joints_.acting_moment(h.first);
+  Vector3d first = joints_.acting_moment(joint);
   first.z() += moment.z() - acting_moment(hinge).z();
-  joints_.set_acting_moment(h.first, first);
+  joints_.set_acting_moment(joint, first);
 }
 
 void FrictionFollower::take_reactions(const Dynamics& dynamics,
@@ -123,36 +137,35 @@ void FrictionFollower::take_reactions(const Dynamics& dynamics,
   }
   dynamics.reactions(reactions);
   for (const int i : hinges) {
-    const Hinge& h = hinges_[i];
-    if (h.is_node) {
-      set_node_reactions(h, reactions[i]);
+    if (hinges_[i].is_node) {
+      set_node_reactions(parts(i), reactions[i]);
     } else {
       const Vec3<double>& force = reactions[i].force;
-      joints_.set_reaction(h.first,
-                           Vector3d(force.x, force.y, h.is_axis ? 0 : force.z));
+      joints_.set_reaction(
+          parts(i)[0].joint,
+          Vector3d(force.x, force.y, hinges_[i].is_axis ? 0 : force.z));
     }
   }
 }
 
-void FrictionFollower::set_node_reactions(const Hinge& hinge,
+void FrictionFollower::set_node_reactions(std::span<const Part> parts,
                                           const Reaction<double>& reaction) {
   const auto& [force, moment] = reaction;
   // Moments normal to the axis load the node as well.
   double cross_x = 0;
   double cross_y = 0;
-  for (int k = hinge.first; k < hinge.first + hinge.count; ++k) {
-    const Vector3d acting = joints_.acting_moment(k);
+  for (const Part& part : parts) {
+    const Vector3d acting = joints_.acting_moment(part.joint);
     cross_x += acting.x();
     cross_y += acting.y();
   }
   const double held_x = moment.y - cross_y;
   const double held_y = cross_x - moment.x;
-  for (int k = hinge.first; k < hinge.first + hinge.count; ++k) {
-    const Shares& share = shares_[k];
-    joints_.set_reaction(
-        k, Vector3d(share.radial * force.x + share.moment * held_x,
-                    share.radial * force.y + share.moment * held_y,
-                    share.axial * force.z));
+  for (const Part& part : parts) {
+    joints_.set_reaction(part.joint,
+                         Vector3d(part.radial * force.x + part.moment * held_x,
+                                  part.radial * force.y + part.moment * held_y,
+                                  part.axial * force.z));
   }
 }
 
@@ -163,23 +176,15 @@ void FrictionFollower::move(Dynamics& dynamics, std::span<const int> hinges,
     return;
   }
   for (const int i : hinges) {
-    const Hinge& h = hinges_[i];
-    Vector3d sum = joints_.action(h.first);
-    for (int k = h.first + 1; k < h.first + h.count; ++k) {
-      sum += joints_.action(k);
+    if (!hinges_[i].is_axis) {
+      change[i] = vec3(joints_.action(parts(i)[0].joint));
+      continue;
     }
-    change[i] = h.is_axis ? Vec3<double>{0, 0, sum.z()} : vec3(sum);
+    double sum = 0;
+    for (const Part& part : parts(i)) sum += joints_.action(part.joint).z();
+    change[i] = {0, 0, sum};
   }
   dynamics.add_friction(change);
-}
-
-double FrictionFollower::error(int hinge) const {
-  const Hinge& h = hinges_[hinge];
-  double largest = 0;
-  for (int k = h.first; k < h.first + h.count; ++k) {
-    largest = std::max(largest, joints_.error(k));
-  }
-  return largest;
 }
 
 }  // namespace multibody

@@ -29,18 +29,15 @@ class FrictionFollower {
   int count() const { return count_; }
 
   void set_rate(int hinge, const Eigen::Vector3d& rate) {
-    const Hinge& h = hinges_[hinge];
-    for (int k = h.first; k < h.first + h.count; ++k) joints_.set_rate(k, rate);
+    for (const Part& part : parts(hinge)) joints_.set_rate(part.joint, rate);
   }
   /// M_t that the motion has been worked out with (axis: along z).
   void set_acting_moment(int hinge, const Eigen::Vector3d& moment);
   Eigen::Vector3d acting_moment(int hinge) const {
-    const Hinge& h = hinges_[hinge];
-    if (!h.is_axis) return joints_.acting_moment(h.first);
+    const std::span<const Part> all = parts(hinge);
+    if (!hinges_[hinge].is_axis) return joints_.acting_moment(all[0].joint);
     double sum = 0;
-    for (int k = h.first; k < h.first + h.count; ++k) {
-      sum += joints_.acting_moment(k).z();
-    }
+    for (const Part& part : all) sum += joints_.acting_moment(part.joint).z();
     return {0, 0, sum};
   }
 
@@ -56,11 +53,9 @@ class FrictionFollower {
   void extend() { joints_.extend(); }
   void evaluate() { joints_.evaluate(); }
 
-  /// Which hinges predict() and evaluate() are about.
-  void choose(int hinge) {
-    const Hinge& h = hinges_[hinge];
-    for (int k = h.first; k < h.first + h.count; ++k) joints_.choose(k);
-  }
+  /// From now on predict() and evaluate() are about joints whose moment is
+  /// likely to be wrong by more than a share of it, or about all.
+  void choose_worse_than(double share) { joints_.choose_worse_than(share); }
   void choose_all() { joints_.choose_all(); }
 
   /// Whether all are near enough to the last evaluation, how wrong they are,
@@ -79,31 +74,34 @@ class FrictionFollower {
   /// See contact::JointFollower.
   void remember() { joints_.remember(); }
   void extrapolate(double share) { joints_.extrapolate(share); }
-  /// What the moment of a joint of a hinge is likely to be wrong by, over its
-  /// size.
-  double error(int hinge) const;
 
  private:
   struct Hinge {
-    int first = 0;  ///< of its joints
-    int count = 0;  ///< 0: cannot be followed
+    std::size_t first = 0;  ///< of its parts
+    std::size_t count = 0;  ///< 0: cannot be followed
     bool is_axis = false;
     bool is_node = false;
   };
-  /// What a joint of a node gets of the radial and axial force, and of the
-  /// moment held (JointNode::distribute()).
-  struct Shares {
+  /// A joint of a hinge; what it gets of the radial and axial force on a node,
+  /// and of the moment held (JointNode::distribute()).
+  struct Part {
+    int joint;
     double radial, moment, axial;
   };
-  void set_shares(const contact::JointNode& node, int first);
-  void set_node_reactions(const Hinge& hinge, const Reaction<double>& reaction);
+  std::span<const Part> parts(int hinge) const {
+    const Hinge& h = hinges_[hinge];
+    return {parts_.data() + h.first, h.count};
+  }
+  void set_shares(const contact::JointNode& node, const Hinge& hinge);
+  void set_node_reactions(std::span<const Part> parts,
+                          const Reaction<double>& reaction);
   static VectorRows vector_rows(contact::JointFollower::Rows rows) {
     return {rows.first, rows.packet};
   }
 
   std::vector<Hinge> hinges_;
   contact::JointFollower joints_;
-  std::vector<Shares> shares_;  // of the joints
+  std::vector<Part> parts_;
   int count_ = 0;
   bool is_direct_ = true;
 };

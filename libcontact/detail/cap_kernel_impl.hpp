@@ -163,9 +163,12 @@ void few(const double* half_angle_sin, const double* half_angle_cos,
       few_lanes<V>(half_angle_sin + i, half_angle_cos + i, axis_sin + i,
                    axis_cos + i, wanted + i, count - i, integrals + i);
     };
-    if (width > 4 && count - i <= half) {
+    const auto wants = [&]<class V>(const V&, int from) {
+      return any_of(V(wanted + from, stdx::element_aligned) != 0.0);
+    };
+    if (width > 4 && (count - i <= half || !wants(HalfLanes{}, i + half))) {
       with(HalfLanes{});
-    } else {
+    } else if (wants(Lanes{}, i)) {
       with(Lanes{});
     }
   }
