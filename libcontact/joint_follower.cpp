@@ -35,6 +35,7 @@ JointFollower::JointFollower(std::vector<JointContact> contacts,
       kernel_(&detail::follower_kernel(set, size())),
       row_count_(FollowerRows::count),
       numbers_((contacts_.size() + lanes - 1) / lanes * row_count_),
+      any_plain_(false),
       smooth_(contacts_.size()),
       chosen_((contacts_.size() + lanes - 1) / lanes) {
   static_assert(lanes == FollowerRows::lanes);
@@ -65,6 +66,7 @@ JointFollower::JointFollower(std::vector<JointContact> contacts,
         contact.geometry().kind() == JointKind::spherical &&
         !contact.is_viscous() &&
         dynamic_cast<const CosinePressure*>(&contact.pressure_law());
+    any_plain_ = any_plain_ || rows(Row::plain, i) != 0;
   }
 }
 
@@ -307,7 +309,7 @@ void JointFollower::evaluate() noexcept {
         if (follows(first + i)) evaluate_contact(first + i);
       }
     }
-    for (int i = 0; i < count; i += lanes) {
+    for (int i = 0; any_plain_ && i < count; i += lanes) {
       const auto at = [&](Row row) { return rows.at(row, i); };
       cap.few(at(Row::half_angle_sin), at(Row::half_angle_cos),
               at(Row::evaluated_axis_sine), at(Row::evaluated_axis_cosine),

@@ -34,7 +34,7 @@ struct FollowerLargest;
 /// small changes. tracks() says whether it has all that.
 ///
 /// R and Dw in any frame, for each joint another one if one likes; Dw of a pin
-/// along its axis, R normal to it. No call but the constructor allocates or
+/// along its axis; of its R what is normal to that counts. No call but the constructor allocates or
 /// throws.
 class JointFollower {
  public:
@@ -205,6 +205,7 @@ class JointFollower {
   const detail::FollowerKernel* kernel_;
   unsigned row_count_;  // of a packet
   std::vector<LaneRow> numbers_;
+  bool any_plain_;  // contacts that need the exact integrals
   std::vector<char> smooth_;  // its law is, as far as it has been seen
   std::vector<char> chosen_;  // packets
   bool all_chosen_ = true;

@@ -35,7 +35,13 @@ bool is_ball(const JointContact& contact) {
   return contact.geometry().kind() == contact::JointKind::spherical;
 }
 
-// Balls first: only they need integrals.
+bool has_node(const std::vector<HingeFriction>& friction) {
+  return std::ranges::any_of(friction, [](const HingeFriction& f) {
+    return std::holds_alternative<NodeFriction>(f);
+  });
+}
+
+// In the order of the hinges; of nodes balls first: only they need integrals.
 std::vector<JointContact> all_contacts(
     const std::vector<HingeFriction>& friction) {
   std::vector<JointContact> all;
@@ -44,7 +50,7 @@ std::vector<JointContact> all_contacts(
       all.push_back(std::move(contact));
     }
   }
-  std::ranges::stable_partition(all, is_ball);
+  if (has_node(friction)) std::ranges::stable_partition(all, is_ball);
   return all;
 }
 
@@ -52,10 +58,11 @@ std::vector<JointContact> all_contacts(
 
 FrictionFollower::FrictionFollower(const std::vector<HingeFriction>& friction)
     : joints_(all_contacts(friction)) {
-  int ball = 0;
-  int pin = 0;
+  int next = 0;
+  int next_pin = 0;
+  const bool balls_first = has_node(friction);
   for (const HingeFriction& f : friction) {
-    for (const JointContact& contact : contacts_of(f)) pin += is_ball(contact);
+    for (const JointContact& c : contacts_of(f)) next_pin += is_ball(c);
   }
   for (const HingeFriction& f : friction) {
     const std::vector<JointContact> contacts = contacts_of(f);
@@ -64,13 +71,14 @@ FrictionFollower::FrictionFollower(const std::vector<HingeFriction>& friction)
     hinge.count = contacts.size();
     hinge.is_axis = !std::holds_alternative<BallFriction>(f);
     for (const JointContact& contact : contacts) {
-      parts_.push_back({is_ball(contact) ? ball++ : pin++, 1, 0, 1});
+      const bool late = balls_first && !is_ball(contact);
+      parts_.push_back({late ? next_pin++ : next++, 1, 0, 1});
     }
     if (const auto* node = std::get_if<NodeFriction>(&f); node && hinge.count) {
       hinge.is_node = true;
       set_shares(node->node, hinge);
     }
-    is_direct_ = is_direct_ && hinge.count == 1 && !hinge.is_axis;
+    is_direct_ = is_direct_ && hinge.count == 1 && !balls_first;
   }
 }
 

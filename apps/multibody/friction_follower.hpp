@@ -41,7 +41,8 @@ class FrictionFollower {
     return {0, 0, sum};
   }
 
-  /// Whether motion and joints exchange rows of vectors: all hinges are balls.
+  /// Whether motion and joints exchange rows of vectors: every hinge has one
+  /// joint.
   bool is_direct() const { return is_direct_; }
   /// Reactions that the motion causes.
   /// @param reactions  filled by Dynamics::reactions() unless is_direct()

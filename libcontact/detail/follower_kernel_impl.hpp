@@ -127,7 +127,9 @@ struct Guess {
 
   const Lanes inverse = f.inverse_reaction;
   set(p, Row::along_x, inverse * (f.sign * f.cosine * f.w + f.sine * f.p));
-  set(p, Row::tilt_x, inverse * (f.cosine * f.p + -(f.sign * f.sine) * f.w));
+  set(p, Row::tilt_x,
+      (p[Row::ball] * inverse) *
+          (f.cosine * f.p + -(f.sign * f.sine) * f.w));
   set(p, Row::turn_x, inverse * f.inverse_sine * f.q);
   p.set(Row::sensitivity, f.inverse_sine);
   p.set(Row::inverse_slope, inverse_slope);

@@ -110,16 +110,19 @@ struct Frame {
   const Lanes reaction2 = dot(force, force);
   const Lanes inverse_across = inverse_root(across2);
   const Lanes inverse_speed = inverse_root(speed2);
-  f.inverse_reaction = inverse_root(reaction2);
   const Lanes speed = speed2 * inverse_speed;
-  f.reaction = reaction2 * f.inverse_reaction;
+  // Of a pin what is normal to its axis, rounding or not.
+  const Lanes ball = p[Row::ball];
+  const auto pin = ball == 0.0;
+  f.inverse_reaction =
+      select(pin, inverse_across * speed, inverse_root(reaction2));
+  f.reaction =
+      select(pin, across2 * inverse_across * inverse_speed,
+             reaction2 * f.inverse_reaction);
   const Lanes inverse = inverse_speed * f.inverse_reaction;
   f.w = inverse_speed * rate;
   f.q = inverse_across * across;
   f.p = cross(f.q, f.w);
-  // A pin's reaction is normal to its axis, rounding or not.
-  const Lanes ball = p[Row::ball];
-  const auto pin = ball == 0.0;
   const Lanes cosine = ball * (dot(rate, force) * inverse);
   f.sine = select(pin, Lanes(1.0), across2 * inverse_across * inverse);
   f.inverse_sine =

@@ -126,17 +126,22 @@ void dense_cholesky(benchmark::State& state, Mix mix) {
 
 // A stretch of a run with friction: states half a step of 1 ms apart, as the
 // stages of the paper's Runge-Kutta steps see them, forth and back.
+enum class AxisHinge { node, pin };
 struct Stretch {
-  Stretch(Mix mix, int loads)
+  Stretch(Mix mix, int loads, AxisHinge axis_hinge = AxisHinge::node)
       : instant(free_motion(mix, loads)), prepared(prepare(instant)) {
     const contact::FrictionLaw law(0.1, 1e5);
     multibody::MotionStart start;
     start.carrier = {instant.position, instant.velocity, instant.rotation,
                      instant.rotation * instant.angular_velocity};
     for (const multibody::LoadInstant& load : instant.loads) {
-      if (load.load.kind == multibody::JointKind::axis) {
-        friction.push_back(
+      const bool on_axis = load.load.kind == multibody::JointKind::axis;
+      if (on_axis && axis_hinge == AxisHinge::node) {
+        friction.emplace_back(
             multibody::NodeFriction{multibody::test::ball_and_pin(law, 0.2)});
+      } else if (on_axis) {
+        friction.emplace_back(
+            multibody::PinFriction{multibody::test::pin_joint(law, 0.02)});
       } else {
         friction.emplace_back(
             multibody::BallFriction{multibody::test::ball_joint(law, 0.01)});
@@ -173,8 +178,8 @@ struct Stretch {
 };
 
 // Friction converged at every evaluation, rates of the state included.
-void with_friction(benchmark::State& state, Mix mix) {
-  Stretch run(mix, static_cast<int>(state.range(0)));
+void with_friction(benchmark::State& state, Mix mix, AxisHinge axis_hinge) {
+  Stretch run(mix, static_cast<int>(state.range(0)), axis_hinge);
   multibody::CoupledDynamics coupled(run.prepared.system, run.friction);
   for (int i = 0; i < coupled.size(); ++i) {
     const double* s = run.next() + coupled.layout().offset(i);
@@ -359,7 +364,15 @@ void register_all(const std::string& name, Mix mix) {
   add("reactions", reactions, 256);
   add("unhinged", unhinged, 64);
   add("without_friction", without_friction, 64);
-  add("with_friction", with_friction, 64);
+  add(
+      "with_friction",
+      [](auto& state, Mix m) { with_friction(state, m, AxisHinge::node); }, 64);
+  if (mix == Mix::axes) {
+    add(
+        "with_pin_friction",
+        [](auto& state, Mix m) { with_friction(state, m, AxisHinge::pin); },
+        64);
+  }
   add("dense_cholesky", dense_cholesky, 64);
 #ifdef CONTACT_HAS_SIMBODY
   add("simbody", simbody, 256);
