@@ -24,6 +24,23 @@ constexpr double smallest = 1e-150;
 // what the misses of its slopes say.
 constexpr double error_safety = 5;
 
+// Coefficients of the window's polynomial through these values at its nodes.
+using Window = std::array<double, detail::FollowerWindow::size>;
+Window window_through(Window values) {
+  constexpr auto& nodes = detail::FollowerWindow::nodes;
+  constexpr int size = detail::FollowerWindow::size;
+  // Newton's divided differences, then his form multiplied out.
+  for (int k = 1; k < size; ++k) {
+    for (int i = size - 1; i >= k; --i) {
+      values[i] = (values[i] - values[i - 1]) / (nodes[i] - nodes[i - k]);
+    }
+  }
+  for (int k = size - 2; k >= 0; --k) {
+    for (int i = k; i < size - 1; ++i) values[i] -= nodes[k] * values[i + 1];
+  }
+  return values;
+}
+
 }  // namespace
 
 JointFollower::JointFollower(std::vector<JointContact> contacts)
@@ -35,22 +52,27 @@ JointFollower::JointFollower(std::vector<JointContact> contacts,
       kernel_(&detail::follower_kernel(set, size())),
       row_count_(FollowerRows::count),
       numbers_((contacts_.size() + lanes - 1) / lanes * row_count_),
-      any_plain_(false),
       smooth_(contacts_.size()),
       chosen_((contacts_.size() + lanes - 1) / lanes) {
   static_assert(lanes == FollowerRows::lanes);
+  static_assert(lanes == detail::CapKernel::few_points);
   static_assert(reaction_row == static_cast<int>(Row::reaction_x));
   static_assert(rate_row == static_cast<int>(Row::rate_x));
   static_assert(moment_row == static_cast<int>(Row::moment_x));
   static_assert(acting_row == static_cast<int>(Row::acting_x));
   static_assert(action_row == static_cast<int>(Row::action_x));
   static_assert(followed_row == static_cast<int>(Row::followed));
-  // Numbers that lanes without a joint can reckon with.
+  // Numbers that lanes without a joint can reckon with, where they do not act.
   for (LaneRow& row : numbers_) std::ranges::fill(row.of, 1.0);
-  for (std::size_t i = 0; i < numbers_.size() * lanes / row_count_; ++i) {
-    forget(static_cast<int>(i));
-  }
   const FollowerRows rows = all_rows();
+  const auto places = static_cast<int>(numbers_.size() / row_count_) * lanes;
+  for (int i = 0; i < places; ++i) {
+    forget(i);
+    for (const Row row : {Row::action_x, Row::action_y, Row::action_z,
+                          Row::feedback, Row::plain}) {
+      rows(row, i) = 0;
+    }
+  }
   for (int i = 0; i < size(); ++i) {
     const JointContact& contact = contacts_[i];
     rows(Row::radius, i) = contact.geometry().radius();
@@ -61,7 +83,6 @@ JointFollower::JointFollower(std::vector<JointContact> contacts,
     strengths_.push_back(contact.strength(1));
     rows(Row::pressure_part, i) = strengths_.back().pressure_part;
     rows(Row::area_part, i) = strengths_.back().area_part;
-    rows(Row::feedback, i) = 0;
     rows(Row::plain, i) =
         contact.geometry().kind() == JointKind::spherical &&
         !contact.is_viscous() &&
@@ -99,22 +120,6 @@ void JointFollower::take(int joint, const Values& found) noexcept {
   rows(Row::found_friction, joint) = found.friction;
   rows(Row::found_sliding, joint) = found.sliding;
   rows(Row::found_spinning, joint) = found.spinning;
-}
-
-// Coefficients of the window's polynomial through these values at its nodes.
-JointFollower::Window JointFollower::window_through(Window values) noexcept {
-  constexpr auto& nodes = detail::FollowerWindow::nodes;
-  constexpr int size = detail::FollowerWindow::size;
-  // Newton's divided differences, then his form multiplied out.
-  for (int k = 1; k < size; ++k) {
-    for (int i = size - 1; i >= k; --i) {
-      values[i] = (values[i] - values[i - 1]) / (nodes[i] - nodes[i - k]);
-    }
-  }
-  for (int k = size - 2; k >= 0; --k) {
-    for (int i = k; i < size - 1; ++i) values[i] -= nodes[k] * values[i + 1];
-  }
-  return values;
 }
 
 // @return whether it tells the law's values
@@ -185,8 +190,9 @@ void JointFollower::evaluate_contact(int joint) noexcept {
   if (rows(Row::plain, joint) != 0) return;
   const SlipAxis axis = {rows(Row::evaluated_axis_sine, joint),
                          rows(Row::evaluated_axis_cosine, joint)};
+  const double half_angle = std::atan2(sine, cosine);
   take(joint, values(joint, force, axis,
-                     contacts_[joint].integrals(std::atan2(sine, cosine), axis)));
+                     contacts_[joint].integrals(half_angle, axis)));
 }
 
 void JointFollower::start(int joint, const JointSolution& solution,
@@ -285,6 +291,7 @@ void JointFollower::choose(int joint) noexcept {
 }
 
 void JointFollower::choose_worse_than(double limit) noexcept {
+  all_chosen_ = false;
   for (int i = 0; i < size(); ++i) {
     if (follows(i) && !(error(i) <= limit)) choose(i);
   }
@@ -303,6 +310,7 @@ void JointFollower::extend() noexcept {
 void JointFollower::evaluate() noexcept {
   static const detail::CapKernel& cap =
       detail::cap_kernel(best_instruction_set());
+  if (!all_chosen_) extend();
   for_chosen([&](FollowerRows rows, int first, int count) {
     if (kernel_->approach(rows, count)) {
       for (int i = 0; i < count; ++i) {
@@ -329,8 +337,13 @@ double JointFollower::error(int joint) const noexcept {
 }
 
 void JointFollower::set_largest(const detail::FollowerLargest& found) noexcept {
-  largest_ = {found.reach < 1, found.shift, error_safety * found.error,
-              std::sqrt(found.miss), 0, 0, 0};
+  largest_ = {found.reach < 1,
+              found.shift,
+              error_safety * found.error,
+              std::sqrt(found.miss),
+              0,
+              0,
+              0};
   if (found.moved == 0) return;
   largest_.moved = std::sqrt(found.moved);
   largest_.contraction = std::sqrt(found.answered / found.moved);

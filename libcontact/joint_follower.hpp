@@ -1,9 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
 #include <cstddef>
-#include <span>
 #include <vector>
 
 #include "libcontact/instruction_set.hpp"
@@ -34,8 +32,8 @@ struct FollowerLargest;
 /// small changes. tracks() says whether it has all that.
 ///
 /// R and Dw in any frame, for each joint another one if one likes; Dw of a pin
-/// along its axis; of its R what is normal to that counts. No call but the constructor allocates or
-/// throws.
+/// along its axis; of its R what is normal to that counts. No call but the
+/// constructor allocates or throws.
 class JointFollower {
  public:
   /// By the best instruction set.
@@ -66,29 +64,32 @@ class JointFollower {
     set(reaction_row, joint, reaction);
   }
 
-  /// M_t of all joints by the slopes, nothing evaluated.
+  /// M_t by the slopes, nothing evaluated.
   void predict() noexcept;
   /// The same for reactions close to those of the last predict(), Dw as it was
   /// there: a linear function of R.
   void extend() noexcept;
-  /// M_t of all joints for reactions close to those of the last predict(), each
-  /// contact evaluated once. extend() may follow.
+  /// M_t for reactions close to those of the last predict(), each contact
+  /// evaluated once. extend() may follow.
   void evaluate() noexcept;
 
   /// Vectors of all joints as lanes over joints read and write them: packets
   /// of 8 joints, in each a row of 8 numbers for every component.
   struct Rows {
+    static constexpr int lanes = 8;
     double* first;          ///< x of joint 0
     std::ptrdiff_t packet;  ///< numbers from a packet to the next
   };
-  /// What set_reaction() sets and action() tells, 0 beyond size().
+  /// What set_reaction() sets (beyond size() it is not read) and action()
+  /// tells, 0 beyond size().
   Rows reactions() noexcept { return rows_from(reaction_row); }
   Rows actions() noexcept { return rows_from(action_row); }
 
-  /// From now on predict() and evaluate() leave out all joints but those chosen
-  /// (and some that share lanes with them), until all are chosen again.
+  /// From now on predict() leaves out all joints but those chosen (and some
+  /// that share lanes with them), and evaluate() does no more than extend() for
+  /// the others, until all are chosen again.
   void choose(int joint) noexcept;
-  /// Chooses those with an error() that is larger, or NaN.
+  /// Chooses those with an error() that is larger, or NaN; maybe none.
   void choose_worse_than(double error) noexcept;
   void choose_all() noexcept;
 
@@ -153,8 +154,6 @@ class JointFollower {
   Values values(int joint, double force, SlipAxis axis,
                 const FrictionIntegrals& integrals) const noexcept;
   void take(int joint, const Values& found) noexcept;
-  using Window = std::array<double, 12>;  // FollowerWindow::size
-  static Window window_through(Window values) noexcept;
   bool set_window(int joint, double force) noexcept;
   void evaluate_contact(int joint) noexcept;
   void set_largest(const detail::FollowerLargest& found) noexcept;
@@ -163,7 +162,7 @@ class JointFollower {
 
   // Numbers of joints in packets of lanes, one row for each kind of number; the
   // rows that are asked for and set from outside come first.
-  static constexpr int lanes = 8;
+  static constexpr int lanes = Rows::lanes;
   struct alignas(lanes * sizeof(double)) LaneRow {
     double of[lanes];
   };
@@ -205,7 +204,7 @@ class JointFollower {
   const detail::FollowerKernel* kernel_;
   unsigned row_count_;  // of a packet
   std::vector<LaneRow> numbers_;
-  bool any_plain_;  // contacts that need the exact integrals
+  bool any_plain_ = false;    // contacts that need the exact integrals
   std::vector<char> smooth_;  // its law is, as far as it has been seen
   std::vector<char> chosen_;  // packets
   bool all_chosen_ = true;

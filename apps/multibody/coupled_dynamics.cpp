@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "libcontact/error.hpp"
@@ -128,7 +127,7 @@ void CoupledDynamics::Impl::start(const double* state,
 }
 
 void CoupledDynamics::Impl::apply_change() {
-  acting_known_ = false;
+  forget_acting();
   for (const int i : rows_) {
     hinges[i].moment += vec3(change_[i]);
     loading_->loads[i].friction = vec3(hinges[i].moment);
@@ -201,7 +200,6 @@ bool CoupledDynamics::Impl::converged_is_unique() {
 const CoupledReport& CoupledDynamics::Impl::evaluate(const double* state,
                                                      Loading<double>& loading) {
   report = {};
-  largest_leverage_ = std::numeric_limits<double>::infinity();  // not known
   take_rates(state);
   extrapolate(state);
   for (Vec3<double>& change : change_) change = {0, 0, 0};

@@ -10,7 +10,7 @@
 
 namespace multibody {
 
-/// The parts of CoupledDynamics: coupled_dynamics.cpp has the outer loop,
+/// The parts of CoupledDynamics: coupled_loop.cpp has the outer loop,
 /// coupled_search.cpp what follows where it fails, coupled_rest.cpp rest.
 class CoupledDynamics::Impl {
  public:
@@ -55,7 +55,7 @@ class CoupledDynamics::Impl {
 
   // coupled_dynamics.cpp
   void set_mode(int load, HingeMode mode);
-  /// Motion with the present moments.
+  /// Motion with the present moments; `reactions` are not yet known.
   void start(const double* state, Loading<double>& loading);
   const CoupledReport& evaluate(const double* state, Loading<double>& loading);
   bool active(const Hinge& hinge) const {
@@ -129,6 +129,8 @@ class CoupledDynamics::Impl {
   double relax(double enough);
   void move();
   void take_acting_moments();
+  /// After any other change of moments.
+  void forget_acting();
   void loop();
   void learn();
   void set_steps();
@@ -154,11 +156,12 @@ class CoupledDynamics::Impl {
   double step_square_ = 0;
   int way_stays_ = 0;
   std::vector<Vec3<double>> change_;
-  std::vector<int> rows_;    // active hinges
+  std::vector<int> rows_;  // active hinges
   bool rows_known_ = false;
   long evaluation_ = 0;
-  // Whether the follower's acting moments are those of the hinges; the largest
-  // of them, squared; the largest (leverage |M_t|/|R|)^2.
+  // Whether the follower's acting moments are those of the hinges; as follow()
+  // left them the largest, squared, and the largest (leverage |M_t|/|R|)^2,
+  // infinity if it is not known.
   bool acting_known_ = false;
   double largest_acting_ = 0;
   double largest_leverage_ = 0;

@@ -4,6 +4,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "multibody/coupled_impl.hpp"
 #include "multibody/eigen_conversion.hpp"
@@ -34,10 +35,10 @@ double CoupledDynamics::Impl::answer(double floor) {
     const Hinge& hinge = hinges[i];
     const double miss = (hinge.answer - hinge.moment).norm();
     if (miss == 0) continue;
-    // NaN counts as large.
     const double own = miss / (hinge.answer.norm() + hinge.moment.norm() +
                                small_share * largest + floor);
-    if (!(own <= residual)) residual = own;
+    // NaN stays, whatever follows.
+    if (!(own <= residual) && !std::isnan(residual)) residual = own;
   }
   return residual;
 }
@@ -105,7 +106,12 @@ void CoupledDynamics::Impl::forget_way() {
   step_ = way_;
   way_begun_ = false;
   way_length_ = 0;
+  forget_acting();
+}
+
+void CoupledDynamics::Impl::forget_acting() {
   acting_known_ = false;
+  largest_leverage_ = std::numeric_limits<double>::infinity();
 }
 
 // Change of all answers over change of all moments, each in units of its own
@@ -211,6 +217,7 @@ void CoupledDynamics::Impl::move() {
 }
 
 void CoupledDynamics::Impl::take_acting_moments() {
+  constexpr double large = std::numeric_limits<double>::infinity();  // for NaN
   largest_acting_ = largest_leverage_ = 0;
   for (const int i : rows_) {
     Hinge& hinge = hinges[i];
@@ -221,9 +228,8 @@ void CoupledDynamics::Impl::take_acting_moments() {
     const double bound = hinge.leverage * hinge.leverage * square;
     const Vec3<double>& force = reactions[i].force;
     largest_acting_ = std::max(largest_acting_, square);
-    // NaN counts as large.
     const double share = bound / dot(force, force);
-    if (!(share <= largest_leverage_)) largest_leverage_ = share;
+    largest_leverage_ = std::max(largest_leverage_, share >= 0 ? share : large);
   }
   acting_known_ = true;
 }

@@ -57,11 +57,12 @@ class Dynamics {
   /// matrices and factors stay: only what the change adds is computed. Agrees
   /// with a full evaluation to 1e-14 (multibody_test.cpp).
   void add_friction(std::span<const Vec3<double>> change);
-  /// @param change  finite beyond size(), in the last packet, as well
+  /// @param change  0 beyond size(), in the last packet
   void add_friction(const VectorRows& change);
 
   /// Accelerations of the carrier, gravity not included.
   const CarrierAcceleration<double>& carrier() const;
+  /// After an evaluation in the present modes.
   /// Angular acceleration of a load, load axes: derivative in load axes of the
   /// relative angular velocity, (0, 0, t'') on an axis, 0 while held; of a
   /// released load the absolute one. rad/s^2

@@ -1,7 +1,8 @@
 #include "multibody/friction_follower.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <iterator>
+#include <numeric>
 #include <span>
 #include <utility>
 
@@ -31,54 +32,60 @@ std::vector<JointContact> contacts_of(const HingeFriction& friction) {
   return contacts;
 }
 
-bool is_ball(const JointContact& contact) {
-  return contact.geometry().kind() == contact::JointKind::spherical;
-}
-
-bool has_node(const std::vector<HingeFriction>& friction) {
-  return std::ranges::any_of(friction, [](const HingeFriction& f) {
-    return std::holds_alternative<NodeFriction>(f);
-  });
-}
-
-// In the order of the hinges; of nodes balls first: only they need integrals.
-std::vector<JointContact> all_contacts(
-    const std::vector<HingeFriction>& friction) {
-  std::vector<JointContact> all;
-  for (const HingeFriction& f : friction) {
-    for (JointContact& contact : contacts_of(f)) {
-      all.push_back(std::move(contact));
-    }
-  }
-  if (has_node(friction)) std::ranges::stable_partition(all, is_ball);
-  return all;
-}
-
 }  // namespace
 
-FrictionFollower::FrictionFollower(const std::vector<HingeFriction>& friction)
-    : joints_(all_contacts(friction)) {
-  int next = 0;
-  int next_pin = 0;
-  const bool balls_first = has_node(friction);
-  for (const HingeFriction& f : friction) {
-    for (const JointContact& c : contacts_of(f)) next_pin += is_ball(c);
-  }
-  for (const HingeFriction& f : friction) {
-    const std::vector<JointContact> contacts = contacts_of(f);
-    Hinge& hinge = hinges_.emplace_back();
-    hinge.first = parts_.size();
-    hinge.count = contacts.size();
-    hinge.is_axis = !std::holds_alternative<BallFriction>(f);
-    for (const JointContact& contact : contacts) {
-      const bool late = balls_first && !is_ball(contact);
-      parts_.push_back({late ? next_pin++ : next++, 1, 0, 1});
+// All contacts as the joints follow them, and the place of each.
+struct FrictionFollower::Contacts {
+  explicit Contacts(const std::vector<HingeFriction>& friction) {
+    std::vector<JointContact> all;
+    bool any_node = false;
+    for (const HingeFriction& f : friction) {
+      std::vector<JointContact> own = contacts_of(f);
+      counts.push_back(own.size());
+      any_node = any_node || std::holds_alternative<NodeFriction>(f);
+      std::ranges::move(own, std::back_inserter(all));
     }
-    if (const auto* node = std::get_if<NodeFriction>(&f); node && hinge.count) {
+    std::vector<int> order(all.size());
+    std::iota(order.begin(), order.end(), 0);
+    // Only balls need integrals: where there are nodes, all balls come first.
+    if (any_node) {
+      std::ranges::stable_partition(order, [&](int k) {
+        return all[k].geometry().kind() == contact::JointKind::spherical;
+      });
+    }
+    place.resize(all.size());
+    for (const int k : order) {
+      place[k] = static_cast<int>(in_place.size());
+      in_place.push_back(std::move(all[k]));
+    }
+    one_each =
+        !any_node && std::ranges::count(counts, 1u) == std::ssize(counts);
+  }
+  std::vector<std::size_t> counts;  // of the hinges
+  std::vector<int> place;
+  std::vector<JointContact> in_place;
+  bool one_each;
+};
+
+FrictionFollower::FrictionFollower(const std::vector<HingeFriction>& friction)
+    : FrictionFollower(friction, Contacts(friction)) {}
+
+FrictionFollower::FrictionFollower(const std::vector<HingeFriction>& friction,
+                                   Contacts contacts)
+    : joints_(std::move(contacts.in_place)), is_direct_(contacts.one_each) {
+  for (const int place : contacts.place) parts_.push_back({place, 1, 0, 1});
+  std::size_t first = 0;
+  for (std::size_t i = 0; i < friction.size(); ++i) {
+    Hinge& hinge = hinges_.emplace_back();
+    hinge.first = first;
+    hinge.count = contacts.counts[i];
+    hinge.is_axis = !std::holds_alternative<BallFriction>(friction[i]);
+    const auto* node = std::get_if<NodeFriction>(&friction[i]);
+    if (node && hinge.count > 0) {
       hinge.is_node = true;
       set_shares(node->node, hinge);
     }
-    is_direct_ = is_direct_ && hinge.count == 1 && !balls_first;
+    first += hinge.count;
   }
 }
 

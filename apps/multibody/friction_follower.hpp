@@ -77,6 +77,10 @@ class FrictionFollower {
   void extrapolate(double share) { joints_.extrapolate(share); }
 
  private:
+  struct Contacts;
+  FrictionFollower(const std::vector<HingeFriction>& friction,
+                   Contacts contacts);
+
   struct Hinge {
     std::size_t first = 0;  ///< of its parts
     std::size_t count = 0;  ///< 0: cannot be followed
@@ -97,6 +101,7 @@ class FrictionFollower {
   void set_node_reactions(std::span<const Part> parts,
                           const Reaction<double>& reaction);
   static VectorRows vector_rows(contact::JointFollower::Rows rows) {
+    static_assert(VectorRows::lanes == contact::JointFollower::Rows::lanes);
     return {rows.first, rows.packet};
   }
 
@@ -104,7 +109,7 @@ class FrictionFollower {
   contact::JointFollower joints_;
   std::vector<Part> parts_;
   int count_ = 0;
-  bool is_direct_ = true;
+  bool is_direct_;
 };
 
 }  // namespace multibody

@@ -111,7 +111,8 @@ class TwoStep {
     const CarrierAcceleration<S> carrier = L::spread(carrier_);
     for_packets([&](const auto& packet) {
       const Vec3<S> a = packet.kernel.relative_acceleration(carrier);
-      for_lanes(packet, [&](int load, int lane) { take(load, L::at(a, lane)); });
+      for_lanes(packet,
+                [&](int load, int lane) { take(load, L::at(a, lane)); });
     });
   }
   Vec3<T> angular_acceleration(int load) const {

@@ -16,9 +16,10 @@ struct CapKernel {
                          bool pole_inside, ArcRange);
   static constexpr int few_points = 8;
   /// Up to so many points, lanes over points; few of a branch or such that want
-  /// many nodes one after the other, lanes over nodes. Rows of 8 numbers: coefficients of force, sliding and spinning, then the
-  /// area integrals. Wanted are those whose number in that row is not 0, among
-  /// the first `count`; the others have to be numbers that can be read.
+  /// many nodes one after the other, lanes over nodes. Rows of 8 numbers:
+  /// coefficients of force, sliding and spinning, then the area integrals.
+  /// Wanted are those whose number in that row is not 0, among the first
+  /// `count`; the others have to be numbers that can be read.
   /// The half-angle by its sine and cosine.
   void (*few)(const double* half_angle_sin, const double* half_angle_cos,
               const double* axis_sin, const double* axis_cos,

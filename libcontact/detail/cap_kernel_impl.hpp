@@ -108,8 +108,8 @@ void sum_group(const CapPoint<V>& points, const mask_of<V>& group,
     if (!group[i]) continue;
     const CapPoint<double> point{points.s[i], points.c[i], points.sa[i],
                                  points.q[i], points.k[i], points.m[i]};
-    const CapSums<double> found = one(
-        point, cap_rule(cap_rule_index()(point.m)), pole_inside, range);
+    const CapSums<double> found =
+        one(point, cap_rule(cap_rule_index()(point.m)), pole_inside, range);
     for_sums<V>([&](auto sum, auto of_one) { (sums.*sum)[i] = found.*of_one; });
   }
 }
@@ -155,8 +155,7 @@ void few(const double* half_angle_sin, const double* half_angle_cos,
          const double* axis_sin, const double* axis_cos, const double* wanted,
          int count, double* integrals) {
   constexpr int half = (width + 1) / 2;
-  using HalfLanes =
-      stdx::simd<double, stdx::simd_abi::deduce_t<double, half>>;
+  using HalfLanes = stdx::simd<double, stdx::simd_abi::deduce_t<double, half>>;
   static_assert(CapKernel::few_points % width == 0);
   for (int i = 0; i < count; i += width) {
     const auto with = [&]<class V>(V) {
@@ -166,11 +165,14 @@ void few(const double* half_angle_sin, const double* half_angle_cos,
     const auto wants = [&]<class V>(const V&, int from) {
       return any_of(V(wanted + from, stdx::element_aligned) != 0.0);
     };
-    if (width > 4 && (count - i <= half || !wants(HalfLanes{}, i + half))) {
-      with(HalfLanes{});
-    } else if (wants(Lanes{}, i)) {
-      with(Lanes{});
+    if (!wants(Lanes{}, i)) continue;
+    if constexpr (width > 4) {
+      if (count - i <= half || !wants(HalfLanes{}, i + half)) {
+        with(HalfLanes{});
+        continue;
+      }
     }
+    with(Lanes{});
   }
 }
 

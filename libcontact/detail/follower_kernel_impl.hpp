@@ -17,8 +17,8 @@ struct Guess {
   Triangle triangle;
   Move move;
   Lanes inverse_slope;  // of the residual
-  Lanes step;   // in ln tan psi, to the root by the slopes
-  Lanes largest;  // of all moves
+  Lanes step;           // in ln tan psi, to the root by the slopes
+  Lanes largest;        // of all moves
 };
 [[gnu::always_inline]] inline Guess guess_of(const Packet& p, const Frame& f) {
   const Lanes reaction =
@@ -41,8 +41,9 @@ struct Guess {
   g.inverse_slope = 1.0 / residual_slope(g.triangle, friction);
   g.step = (expected - step - p[Row::last_residual]) * g.inverse_slope;
   // All series are good for small moves only.
-  g.largest = max(max(abs(reaction) + abs(angle), abs(step)),
-                  max(abs(g.move.force) + abs(g.move.cosine), abs(g.step)));
+  g.largest =
+      larger(larger(abs(reaction) + abs(angle), abs(step)),
+             larger(abs(g.move.force) + abs(g.move.cosine), abs(g.step)));
   return g;
 }
 
@@ -128,8 +129,7 @@ struct Guess {
   const Lanes inverse = f.inverse_reaction;
   set(p, Row::along_x, inverse * (f.sign * f.cosine * f.w + f.sine * f.p));
   set(p, Row::tilt_x,
-      (p[Row::ball] * inverse) *
-          (f.cosine * f.p + -(f.sign * f.sine) * f.w));
+      (p[Row::ball] * inverse) * (f.cosine * f.p + -(f.sign * f.sine) * f.w));
   set(p, Row::turn_x, inverse * f.inverse_sine * f.q);
   p.set(Row::sensitivity, f.inverse_sine);
   p.set(Row::inverse_slope, inverse_slope);
@@ -201,12 +201,12 @@ template <class F>
     p.set(Row::force_move, move.force);
     p.set(Row::cosine_move, move.cosine);
     p.set(Row::evaluated_error, t.sin_psi * g.step * g.step);
-    p.set(Row::reach, max(g.largest * (1 / FollowerReach::move),
-                          p[Row::sensitivity] *
-                              (1 / FollowerReach::inverse_sine)));
-    for (const Row row : {Row::along, Row::tilt, Row::turn,
-                          Row::evaluated_along, Row::evaluated_tilt, Row::shift,
-                          Row::action_x, Row::action_y, Row::action_z}) {
+    p.set(Row::reach,
+          larger(g.largest * (1 / FollowerReach::move),
+                 p[Row::sensitivity] * (1 / FollowerReach::inverse_sine)));
+    for (const Row row :
+         {Row::along, Row::tilt, Row::evaluated_along, Row::evaluated_tilt,
+          Row::shift, Row::action_x, Row::action_y, Row::action_z}) {
       p.set(row, Lanes(0.0));
     }
     most.add(p);
@@ -220,10 +220,8 @@ template <class F>
                       p[Row::reaction_z] - p[Row::place_z]};
   const Lanes along =
       dot(change, get(p, Row::along_x, Row::along_y, Row::along_z));
-  const Lanes tilt =
-      dot(change, get(p, Row::tilt_x, Row::tilt_y, Row::tilt_z));
-  const Lanes turn =
-      dot(change, get(p, Row::turn_x, Row::turn_y, Row::turn_z));
+  const Lanes tilt = dot(change, get(p, Row::tilt_x, Row::tilt_y, Row::tilt_z));
+  const Lanes turn = dot(change, get(p, Row::turn_x, Row::turn_y, Row::turn_z));
   p.set(Row::along, along);
   p.set(Row::tilt, tilt);
   set(p, Row::moment_x,
@@ -231,14 +229,13 @@ template <class F>
           along * get(p, Row::by_along_x, Row::by_along_y, Row::by_along_z) +
           tilt * get(p, Row::by_tilt_x, Row::by_tilt_y, Row::by_tilt_z) +
           turn * get(p, Row::by_turn_x, Row::by_turn_y, Row::by_turn_z));
-  const Lanes reach =
-      abs(along) + abs(tilt) * p[Row::sensitivity] + abs(turn);
-  p.set(Row::shift, reach);
+  const Lanes shift = abs(along) + abs(tilt) * p[Row::sensitivity] + abs(turn);
+  p.set(Row::shift, shift);
   const Lanes since =
       abs(along - p[Row::evaluated_along]) +
       2.0 * p[Row::sensitivity] * abs(tilt - p[Row::evaluated_tilt]);
-  p.set(Row::error, p[Row::evaluated_error] + p[Row::slope_error] * since +
-                        reach * reach);
+  p.set(Row::error,
+        p[Row::evaluated_error] + p[Row::slope_error] * since + shift * shift);
 }
 [[gnu::flatten]] FollowerLargest extend(FollowerRows rows, int size,
                                         double floor) {
@@ -306,8 +303,8 @@ constexpr double smallest = 1e-150;
     p.set(Row::found_friction, value_1);
     p.set(Row::found_sliding, value_2);
     p.set(Row::found_spinning, Lanes(0.0));
-    const auto known = abs(place) <= 1.0 &&
-                       (p[Row::ball] == 0.0 || p[Row::plain] != 0.0);
+    const auto known =
+        abs(place) <= 1.0 && (p[Row::ball] == 0.0 || p[Row::plain] != 0.0);
     asks = asks || any_of(p[Row::followed] != 0.0 && !known);
   });
   return asks;
@@ -328,13 +325,13 @@ struct Found {
                   (pressure * p[coefficient] + area * p[area_integral]) * over,
                   p[given]);
   };
-  return {value(Row::found_friction, Row::integral_force,
-                Row::integral_force_area, over_cosine),
-          value(Row::found_sliding, Row::integral_sliding,
-                Row::integral_sliding_area, over_cosine),
-          value(Row::found_spinning, Row::integral_spinning,
-                Row::integral_spinning_area,
-                1.0 / p[Row::evaluated_axis_sine])};
+  return {
+      value(Row::found_friction, Row::integral_force, Row::integral_force_area,
+            over_cosine),
+      value(Row::found_sliding, Row::integral_sliding,
+            Row::integral_sliding_area, over_cosine),
+      value(Row::found_spinning, Row::integral_spinning,
+            Row::integral_spinning_area, 1.0 / p[Row::evaluated_axis_sine])};
 }
 
 // Broyden's update. Slopes below this move, or of a miss so large, say
@@ -347,8 +344,7 @@ constexpr double largest_miss = 0.1;
   Largest most(floor);
   for_packets(rows, size, [&](const Packet& p) {
     p.set(Row::last_inverse_force, 1.0 / p[Row::evaluated_force]);
-    p.set(Row::last_inverse_axis_cosine,
-          1.0 / p[Row::evaluated_axis_cosine]);
+    p.set(Row::last_inverse_axis_cosine, 1.0 / p[Row::evaluated_axis_cosine]);
     const Move move{p[Row::force_move], p[Row::cosine_move]};
     const Lanes square = move.force * move.force + move.cosine * move.cosine;
     const auto tells = square > shortest * shortest;
@@ -448,7 +444,7 @@ constexpr double largest_miss = 0.1;
     p.set(Row::evaluated_error, evaluated_error);
     p.set(Row::error, evaluated_error + shift * shift);
     p.set(Row::reach,
-          max(p[Row::reach], abs(step) * (1 / FollowerReach::move)));
+          larger(p[Row::reach], abs(step) * (1 / FollowerReach::move)));
 
     // Where the next guess starts from.
     const Lanes last_tangent = tangent * (1.0 + step);

@@ -68,6 +68,11 @@ struct Vector {
   p.set(next(2), v.z);
 }
 
+// The larger one; NaN if one of them is, which max() does not promise.
+[[gnu::always_inline]] inline Lanes larger(const Lanes& a, const Lanes& b) {
+  return select(a >= b, a, select(b >= a, b, a + b));
+}
+
 // ln(a/b) for a close to b; exact to its sixth power.
 [[gnu::always_inline]] inline Lanes log_ratio(const Lanes& a, const Lanes& b) {
   const Lanes x = (a - b) / (a + b);
@@ -94,8 +99,8 @@ struct Frame {
   Lanes reaction, inverse_reaction;
   Lanes sine, cosine;  // of min(b, pi - b)
   Lanes inverse_sine;
-  Lanes sign;          // of cos b
-  Lanes speed;         // 1 if friction is dry
+  Lanes sign;   // of cos b
+  Lanes speed;  // 1 if friction is dry
 };
 
 [[gnu::always_inline]] inline Frame frame_of(const Packet& p) {
@@ -116,9 +121,8 @@ struct Frame {
   const auto pin = ball == 0.0;
   f.inverse_reaction =
       select(pin, inverse_across * speed, inverse_root(reaction2));
-  f.reaction =
-      select(pin, across2 * inverse_across * inverse_speed,
-             reaction2 * f.inverse_reaction);
+  f.reaction = select(pin, across2 * inverse_across * inverse_speed,
+                      reaction2 * f.inverse_reaction);
   const Lanes inverse = inverse_speed * f.inverse_reaction;
   f.w = inverse_speed * rate;
   f.q = inverse_across * across;
@@ -158,10 +162,10 @@ struct Move {
 };
 [[gnu::always_inline]] inline Move move_of(const Packet& p, const Frame& f,
                                            const Triangle& t) {
-  return {log_of_growth(f.reaction * t.cos_g * p[Row::last_inverse_force] -
-                        1.0),
-          2.0 * log_of_growth(
-                    t.axis_cosine * p[Row::last_inverse_axis_cosine] - 1.0)};
+  return {
+      log_of_growth(f.reaction * t.cos_g * p[Row::last_inverse_force] - 1.0),
+      2.0 * log_of_growth(t.axis_cosine * p[Row::last_inverse_axis_cosine] -
+                          1.0)};
 }
 
 struct Slopes {

@@ -30,8 +30,8 @@ class Largest {
     const auto none = p[Row::followed] == 0.0;
     const auto raise = [&](Lanes& most, const Lanes& x) {
       constexpr double infinity = std::numeric_limits<double>::infinity();
-      most = max(most, select(none, Lanes(0.0),
-                              select(x >= 0.0, x, Lanes(infinity))));
+      most = max(
+          most, select(none, Lanes(0.0), select(x >= 0.0, x, Lanes(infinity))));
     };
     raise(reach_, p[Row::reach]);
     raise(shift_, p[Row::shift]);

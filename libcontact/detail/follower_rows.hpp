@@ -131,11 +131,10 @@ enum class FollowerRow : int {
   by_spinning_x,
   by_spinning_y,
   by_spinning_z,
-  // Where R is now, in these three directions; where it was when the contact
+  // Where R is now, in the first two directions; where it was when the contact
   // was evaluated.
   along,
   tilt,
-  turn,
   evaluated_along,
   evaluated_tilt,
   // The contact to be evaluated, and what is found.
@@ -201,9 +200,9 @@ struct FollowerReach {
 };
 
 /// What a joint has as a function of R_n alone, sin theta0 and cos theta0 of a
-/// ball, friction and sliding moment of a pin, as polynomials in a narrow window
-/// of R_n, through the values at these places (Chebyshev's, in an order that
-/// keeps rounding small). The window is so narrow that powers do: their
+/// ball, friction and sliding moment of a pin, as polynomials in a narrow
+/// window of R_n, through the values at these places (Chebyshev's, in an order
+/// that keeps rounding small). The window is so narrow that powers do: their
 /// coefficients fall off like 0.1^k.
 struct FollowerWindow {
   static constexpr int size = 12;

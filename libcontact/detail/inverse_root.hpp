@@ -6,9 +6,11 @@
 #include <immintrin.h>
 
 #include <experimental/simd>
+#include <type_traits>
 #endif
 
-/// 1/sqrt(x) for double and lane types, to about one unit in the last place.
+/// 1/sqrt(x) for double and lane types, to about one unit in the last place;
+/// x > 0.
 namespace contact::detail {
 
 template <class V>
@@ -38,6 +40,12 @@ namespace avx512 {
 template <int size>
 using Lanes = std::experimental::simd<
     double, std::experimental::simd_abi::deduce_t<double, size>>;
+
+// Of types that files for other instruction sets do not have.
+static_assert(
+    !std::is_same_v<Lanes<4>,
+                    std::experimental::simd<
+                        double, std::experimental::simd_abi::_VecBuiltin<32>>>);
 
 [[gnu::always_inline]] inline Lanes<8> estimate(const Lanes<8>& x) {
   return Lanes<8>(_mm512_rsqrt14_pd(static_cast<__m512d>(x)));

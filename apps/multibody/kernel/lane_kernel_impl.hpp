@@ -60,9 +60,8 @@ class LaneKernelOf final : public LaneKernel {
     const WritableLaneRow<V> row{to};
     write(row, 0, two_step_.carrier().linear);
     write(row, 3, two_step_.carrier().angular);
-    two_step_.relative_accelerations([&](int load, const Vec3<V>& a) {
-      write(row, 6 + 3 * load, a);
-    });
+    two_step_.relative_accelerations(
+        [&](int load, const Vec3<V>& a) { write(row, 6 + 3 * load, a); });
   }
   void rates(const double* state, const double* gravity,
              double* to) const override {
