@@ -1273,6 +1273,82 @@ TEST(HingeSeparation, FailureNamesTheLoad) {
             "velocity is not a finite number (\"wheel x\")\n");
 }
 
+// A light load on a large ball with adhesive friction: nearly all of the
+// reaction is friction, which turns with it. Newton's method alone finds no
+// moments in some of the states on the way.
+TEST(HingeSeparation, FrictionThatCarriesNearlyAllOfTheReactionIsFound) {
+  const ProgramFolder folder;
+  folder.write("c.toml", R"(
+name = "ball under heavy friction"
+gravity_m_per_s2 = [0, -9.81, 0]
+[run]
+end_time_s = 0.25
+[carrier]
+name = "wall"
+mass_kg = 1000
+principal_inertia_kg_m2 = [100, 100, 100]
+drive = { acceleration_m_per_s2 = [0, 0, 0] }
+[[load]]
+name = "bob"
+mass_kg = 20
+principal_inertia_kg_m2 = [1, 1, 1]
+[load.start]
+angular_velocity_rad_per_s = [1, 2, 3]
+[load.hinge]
+kind = "spherical"
+load_point_m = [-0.3, 0, 0]
+carrier_point_m = [0, 0, 0]
+[[load.hinge.joint]]
+kind = "spherical"
+name = "ball"
+inner_body = "load"
+geometry = { radius_mm = 300, relative_clearance = 0.002 }
+materials = { pair = "data/materials/steel_steel.toml" }
+friction = { adhesion_MPa = 20, coefficient = 0.1 }
+)");
+  const ProgramResult result = folder.run("hinge-separation c.toml");
+  EXPECT_EQ(result.status, 0) << result.err;
+}
+
+// What has been reached by then is in the history.
+TEST(HingeSeparation, FailedRunsAreKeptToTheirEnd) {
+  const ProgramFolder folder;
+  folder.write("c.toml", R"(
+name = "a force that nothing can bear"
+[run]
+end_time_s = 1
+output_step_s = 0.4
+[carrier]
+name = "wall"
+mass_kg = 1000
+principal_inertia_kg_m2 = [100, 100, 100]
+[[load]]
+name = "arm"
+mass_kg = 1
+principal_inertia_kg_m2 = [0.1, 0.1, 0.1]
+[load.hinge]
+kind = "spherical"
+load_point_m = [-0.3, 0, 0]
+carrier_point_m = [1, 0, 0]
+[[force]]
+name = "push"
+kind = "applied"
+body = "arm"
+axes = "inertial"
+force_N = [0, 1e308, 0]
+starts_at_s = 0.55
+)");
+  const ProgramResult result =
+      folder.run("hinge-separation c.toml --history h.csv");
+  EXPECT_EQ(result.status, 1) << result.err;
+  const json summary = json::parse(result.out);
+  EXPECT_TRUE(summary.contains("failure"));
+  const std::vector<double> times = History(folder.read("h.csv"))["time_s"];
+  EXPECT_EQ(times.size(), 3u);
+  EXPECT_EQ(times.back(), summary["end_time_s"]);
+  EXPECT_NEAR(times.back(), 0.55, 1e-9);
+}
+
 TEST(HingeSeparation, PicturesAreThere) {
   const ProgramFolder folder;
   if (folder.run("command -v gnuplot").status != 0) GTEST_SKIP();

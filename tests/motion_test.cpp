@@ -254,6 +254,16 @@ TEST(Motion, NoneOrSeveralFrictionMomentsAreReported) {
     ASSERT_TRUE(motion.failure());
     EXPECT_EQ(motion.failure()->time, 0);
     EXPECT_EQ(motion.failure()->load, 0);
+    // Nothing is guessed.
+    const HingeSample hinge = motion.sample().hinge(0);
+    EXPECT_EQ(hinge.angle_rate, 1e-9);
+    EXPECT_TRUE(std::isnan(hinge.reaction_force.x()));
+    EXPECT_TRUE(std::isnan(hinge.reaction_moment.x()));
+    EXPECT_TRUE(std::isnan(hinge.friction_moment.z()));
+    EXPECT_TRUE(std::isnan(hinge.utilisation));
+    EXPECT_TRUE(hinge.joints.empty());
+    EXPECT_TRUE(std::isnan(motion.sample().acceleration(1).x()));
+    EXPECT_TRUE(std::isnan(motion.sample().angular_acceleration(1).z()));
     if (!two) {
       EXPECT_EQ(motion.failure()->status,
                 multibody::CoupledStatus::no_solution);

@@ -30,7 +30,8 @@ enum class CoupledStatus {
   ok,
   /// The outer loop did not get there, and no search settled the matter.
   not_converged,
-  /// There are no friction moments that fit the reactions they cause.
+  /// No friction moments were found that fit the reactions they cause; on a
+  /// single axis there are none.
   no_solution,
   /// There are several; none is preferred.
   several_solutions,

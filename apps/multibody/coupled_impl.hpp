@@ -138,9 +138,9 @@ class CoupledDynamics::Impl {
   void set_moments(const Eigen::VectorXd& x);
   Eigen::VectorXd moments() const;
   Eigen::VectorXd mismatch(const Eigen::VectorXd& x);
-  bool newton(Eigen::VectorXd& x);
+  bool solve_from(Eigen::VectorXd& x);
   std::vector<Eigen::VectorXd> scan_axis();
-  std::vector<Eigen::VectorXd> scan_starts();
+  std::vector<Eigen::VectorXd> scan_starts(const Eigen::VectorXd& before);
   bool across(const std::vector<int>& balls, const Eigen::MatrixXd& tangents,
               Eigen::VectorXd& parts);
   bool find_directions(const std::vector<int>& begun);

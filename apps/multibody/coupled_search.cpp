@@ -1,6 +1,6 @@
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <unsupported/Eigen/NonLinearOptimization>
 
 #include "libcontact/root_finding.hpp"
 #include "multibody/coupled_impl.hpp"
@@ -11,7 +11,6 @@
 namespace multibody {
 namespace {
 
-using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
@@ -54,36 +53,25 @@ VectorXd CoupledDynamics::Impl::mismatch(const VectorXd& x) {
   return f;
 }
 
-// Newton's method with a Jacobian by differences and halved steps.
-bool CoupledDynamics::Impl::newton(VectorXd& x) {
-  VectorXd f = mismatch(x);
-  const double scale = x.norm() + (f + x).norm();
+// Powell's hybrid method (MINPACK): Newton's alone gets stuck where a friction
+// near its limit turns with the reaction.
+bool CoupledDynamics::Impl::solve_from(VectorXd& x) {
+  struct Function {
+    Impl* impl;
+    int operator()(const VectorXd& at, VectorXd& f) const {
+      f = impl->mismatch(at);
+      return f.allFinite() ? 0 : -1;
+    }
+  };
+  Function function{this};
+  Eigen::HybridNonLinearSolver<Function> solver(function);
+  solver.parameters.xtol = 1e-14;
+  solver.parameters.maxfev = 100 * (x.size() + 1);
+  solver.solveNumericalDiff(x);
+  // Whatever it says of its steps.
   constexpr double tolerance = 1e-10;
-  constexpr int step_limit = 50;
-  for (int step = 0; step < step_limit; ++step) {
-    if (!f.allFinite()) return false;
-    if (f.norm() <= tolerance * (x.norm() + (f + x).norm())) return true;
-    MatrixXd jacobian(x.size(), x.size());
-    const double h = 1e-7 * (x.norm() + scale);
-    for (Eigen::Index k = 0; k < x.size(); ++k) {
-      VectorXd y = x;
-      y[k] += h;
-      jacobian.col(k) = (mismatch(y) - f) / h;
-    }
-    const VectorXd change = -jacobian.fullPivLu().solve(f);
-    bool moved = false;
-    for (double share = 1; share > 1e-6 && !moved; share /= 2) {
-      const VectorXd y = x + share * change;
-      const VectorXd g = mismatch(y);
-      if (g.norm() < f.norm()) {
-        x = y;
-        f = g;
-        moved = true;
-      }
-    }
-    if (!moved) return false;
-  }
-  return false;
+  const VectorXd f = mismatch(x);
+  return f.norm() <= tolerance * (x.norm() + (f + x).norm());
 }
 
 // One axis: every change of sign of the mismatch over all moments that oppose
@@ -126,14 +114,20 @@ std::vector<VectorXd> CoupledDynamics::Impl::scan_axis() {
   return found;
 }
 
-// Several hinges: Newton's method from moments of many sizes.
-std::vector<VectorXd> CoupledDynamics::Impl::scan_starts() {
+// Several hinges: from where the outer loop left off, and from moments of many
+// sizes.
+std::vector<VectorXd> CoupledDynamics::Impl::scan_starts(
+    const VectorXd& before) {
   std::vector<VectorXd> found;
   const VectorXd zero = VectorXd::Zero(3 * rows_.size());
   const VectorXd slid = mismatch(zero);
+  std::vector<VectorXd> starts;
+  if (before.allFinite()) starts.push_back(before);
   for (const double share : {0., 0.3, 1., 3., 10., 30., 100.}) {
-    VectorXd x = share * slid;
-    if (newton(x)) add_new(found, x);
+    starts.push_back(share * slid);
+  }
+  for (VectorXd& x : starts) {
+    if (solve_from(x)) add_new(found, x);
   }
   return found;
 }
@@ -143,7 +137,7 @@ void CoupledDynamics::Impl::search() {
   const VectorXd before = moments();
   const bool converged = report.status == CoupledStatus::ok;
   const bool one_axis = rows_.size() == 1 && hinges[rows_[0]].is_axis;
-  std::vector<VectorXd> found = one_axis ? scan_axis() : scan_starts();
+  std::vector<VectorXd> found = one_axis ? scan_axis() : scan_starts(before);
   if (converged) add_new(found, before);
 
   solutions.clear();

@@ -412,12 +412,10 @@ double MotionSample::angle(int load) const {
 }
 HingeSample MotionSample::hinge(int load) const { return motion_->hinge(load); }
 Vector3d MotionSample::acceleration(int body) const {
-  motion_->work_out();
   // A hinged load's velocity is not among the numbers of the state.
   return motion_->acceleration(body);
 }
 Vector3d MotionSample::angular_acceleration(int body) const {
-  motion_->work_out();
   return motion_->angular_acceleration(body);
 }
 EnergyBook MotionSample::energy() const { return motion_->energy(); }

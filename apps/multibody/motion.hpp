@@ -80,6 +80,8 @@ struct MotionOptions {
 };
 
 /// What a hinge does at one time; given load axes.
+/// Where no friction moments are found that fit, or several are, forces and
+/// moments are NaN and there are no joints.
 struct HingeSample {
   HingeMode mode;
   /// C: given load axes to carrier axes.

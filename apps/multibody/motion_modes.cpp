@@ -21,7 +21,7 @@ const char* reason(CoupledStatus status) {
     case CoupledStatus::not_converged:
       return "the friction moments and the reactions do not settle";
     case CoupledStatus::no_solution:
-      return "no friction moments fit the reactions they cause";
+      return "no friction moments were found that fit the reactions they cause";
     case CoupledStatus::several_solutions:
       return "several friction moments fit the reactions they cause";
     case CoupledStatus::out_of_range:

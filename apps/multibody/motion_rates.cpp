@@ -125,13 +125,19 @@ HingeSample MotionImpl::hinge(int load) {
     s.reaction_moment.setZero();
     return s;
   }
-  work_out();
+  const bool known = work_out();
   const double* numbers = view_state.data() + coupled.layout().offset(load);
   s.rotation = relative_rotation(link, numbers) * link.axes.transpose();
   s.relative_angular_velocity = link.axes * relative_rate(link, numbers);
   if (is_axis(load)) {
     s.angle = numbers[0];
     s.angle_rate = numbers[1];
+  }
+  if (!known) {
+    s.reaction_force.setConstant(nan);
+    s.reaction_moment.setConstant(nan);
+    s.friction_moment.setConstant(nan);
+    return s;
   }
   const Reaction<double>& reaction = coupled.reaction(load);
   s.reaction_force = link.axes * vec3(reaction.force);
@@ -149,7 +155,7 @@ HingeSample MotionImpl::hinge(int load) {
 }
 
 Vector3d MotionImpl::acceleration(int body) {
-  work_out();
+  if (!work_out()) return Vector3d::Constant(NAN);
   constexpr int v = StateLayout::velocity;
   if (body == 0) return Eigen::Map<const Vector3d>(&view_rates[v]);
   const int load = body - 1;
@@ -166,7 +172,7 @@ Vector3d MotionImpl::acceleration(int body) {
 }
 
 Vector3d MotionImpl::angular_acceleration(int body) {
-  work_out();
+  if (!work_out()) return Vector3d::Constant(NAN);
   if (body == 0) {
     return bodies[0].rotation * vec3(coupled.dynamics().carrier().angular);
   }

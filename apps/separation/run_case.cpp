@@ -122,6 +122,10 @@ Outcome run_case(const Case& c, const RunOptions& options) {
   for (; i <= times.count(); ++i) {
     if (!move_on(*run.simulation, run.recorder, times[i])) {
       failure = run.simulation->message();
+      // How far it came.
+      if (run.simulation->time() > run.recorder.memory().last_time) {
+        run.recorder.look(*run.simulation);
+      }
       break;
     }
     run.recorder.look(*run.simulation);
