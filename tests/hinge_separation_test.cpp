@@ -105,7 +105,7 @@ TEST(HingeSeparation, EveryCaseKeepsItsEnergyAndLeavesNothingBehind) {
     if (drift.is_null()) continue;
     // Steps at a relative tolerance of 1e-8 to 1e-9, some hundreds of them.
     EXPECT_LT(drift.get<double>(),
-              1e-7 * j["energy"]["largest_J"].get<double>())
+              1e-8 * j["energy"]["largest_J"].get<double>())
         << name;
     // Nothing touches anything.
     for (const json& pair : j["clearance"]) {
