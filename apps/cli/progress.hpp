@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <cstddef>
+#include <functional>
 #include <string>
 
 namespace cli {
@@ -12,17 +13,21 @@ class Progress {
  public:
   /// @param what   "rows"
   /// @param total  number of them, 0 if not known
-  Progress(std::string what, std::size_t total);
+  explicit Progress(std::string what = {}, std::size_t total = 0);
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
   /// `count` more are done.
   void add(std::size_t count);
+  /// Says text() instead, for runs that count nothing.
+  void say(const std::function<std::string()>& text);
   /// Removes the message, so that a line of text can be printed.
   void clear();
 
  private:
+  bool is_due();
+
   using Clock = std::chrono::steady_clock;
   std::string what_;
   std::size_t total_;

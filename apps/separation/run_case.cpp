@@ -1,5 +1,7 @@
 #include "separation/run_case.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -53,13 +55,23 @@ struct Run {
   std::unique_ptr<Simulation> simulation;
   Recorder recorder;
   bool between_looks;
+  std::optional<cli::Progress> progress;
   multibody::MotionCounts counts;  // of simulations that are gone
 
   void start(const Case& c, FrictionChoice friction) {
     simulation = std::make_unique<Simulation>(c, friction);
-    if (!between_looks) return;
-    simulation->watch_steps([this](const multibody::MotionSample&) {
-      recorder.look_between(*simulation);
+    if (!between_looks && !progress) return;
+    simulation->watch_steps(
+        [this, end = c.end_time](const multibody::MotionSample& sample) {
+          if (between_looks) recorder.look_between(*simulation);
+          if (progress) show(sample.time(), end);
+        });
+  }
+  void show(double time, double end) {
+    progress->say([&] {
+      const double begin = simulation->motion().step_begin();
+      return fmt::format("{:.6g} s of {:.6g} s, {} steps, the last {:.2g} s",
+                         time, end, all_counts().steps, time - begin);
     });
   }
 
@@ -92,7 +104,9 @@ Outcome run_case(const Case& c, const RunOptions& options) {
   Run run{nullptr,
           Recorder(c, options.rows, options.clearance, !options.only_events),
           !options.only_events,
+          {},
           {}};
+  if (options.progress) run.progress.emplace();
   const OutputTimes times(c, options.only_events);
   double every = options.checkpoint_every;
   long i = 1;
@@ -110,11 +124,6 @@ Outcome run_case(const Case& c, const RunOptions& options) {
   if (!options.checkpoint.empty()) {
     writer.emplace(options.checkpoint, options.identity, every);
   }
-  std::optional<cli::Progress> progress;
-  if (options.progress) {
-    progress.emplace("output times", times.count());
-    progress->add(i - 1);
-  }
   double next_checkpoint = every > 0
                                ? checkpoint_after(run.simulation->time(), every)
                                : History::not_yet;
@@ -129,7 +138,6 @@ Outcome run_case(const Case& c, const RunOptions& options) {
       break;
     }
     run.recorder.look(*run.simulation);
-    if (progress) progress->add(1);
     if (run.simulation->time() < next_checkpoint) continue;
     next_checkpoint = checkpoint_after(run.simulation->time(), every);
     const SimulationState state = run.simulation->save();
