@@ -302,13 +302,17 @@ Stop MotionImpl::advance_to(double time) {
 
 void MotionImpl::look_back(
     double time, const std::function<void(const MotionSample&)>& look) {
-  const double then = view_time;
-  const std::vector<double> state = view_state;
+  // Back again, whatever look() throws.
+  struct Return {
+    MotionImpl& motion;
+    double time;
+    std::vector<double> state;
+    ~Return() { motion.look_at(time, state); }
+  } const back{*this, view_time, view_state};
   trial_.resize(number_count());
   stepper->interpolate(time, trial_);
   look_at(time, trial_);
   look(sample);
-  look_at(then, state);
 }
 
 MotionState MotionImpl::save() {
