@@ -83,7 +83,8 @@ struct Block : cli::PointLines {
 
 }  // namespace
 
-Problems write_points(const NamedJoint& joint, const Options& options) {
+Problems write_points(const NamedJoint& joint, const Options& options,
+                      const std::function<void()>& begin) {
   const bool pin = joint.joint.is_pin();
   const double rate =
       options.rate.empty()
@@ -106,6 +107,7 @@ Problems write_points(const NamedJoint& joint, const Options& options) {
   }
   cli::Output output(options.output.output);
   const cli::Table table(options.output.format, names);
+  begin();
   cli::TableWriter writer(output, table);
   cli::Progress progress("points", 0);
   Problems problems;

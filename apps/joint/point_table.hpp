@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+
 #include "joint/setup.hpp"
 #include "joint/solution_table.hpp"
 
@@ -9,6 +11,8 @@ namespace hinge_joint {
 /// other columns ride along. The row of a bad line is ERROR, empty cells, and
 /// its riding columns if the line could be split.
 /// Throws contact::Error if the header names no state, or several.
-Problems write_points(const NamedJoint& joint, const Options& options);
+/// @param begin  called when the header and the output are good, before work
+Problems write_points(const NamedJoint& joint, const Options& options,
+                      const std::function<void()>& begin);
 
 }  // namespace hinge_joint
