@@ -65,7 +65,6 @@ class AdaptiveStepper final : public Stepper {
     if (begin_known_) begin_rates_ = last_rates_;
     begin_ = end_;
     from_ = to_;
-    // Steps to a limit are not what the next ones should be like.
     if (std::isfinite(limit)) ERKStepSetStopTime(memory_, limit);
     double end = end_;
     const int flag =
@@ -73,7 +72,10 @@ class AdaptiveStepper final : public Stepper {
                       vector_, &end, ARK_ONE_STEP);
     if (flag < 0) return false;
     end_ = end;
+    // A step that a limit cuts short is not what the next one should be like.
+    const double planned = end < limit ? 0 : next_step_;
     ERKStepGetCurrentStep(memory_, &next_step_);
+    next_step_ = std::max(next_step_, planned);
     return true;
   }
 

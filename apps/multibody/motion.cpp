@@ -249,6 +249,7 @@ bool MotionImpl::step() {
     return true;
   }
   const Found found = *pending;
+  const double planned = stepper->next_step();
   if (found.time <= stepper->begin()) {
     const std::vector<double> state(stepper->begin_state().begin(),
                                     stepper->begin_state().end());
@@ -268,6 +269,11 @@ bool MotionImpl::step() {
     look_at(stepper->end(), stepper->end_state());
     note_user_values();
     return true;
+  }
+  // A step that ends early for the sake of others says nothing of the next one;
+  // what follows the change of a hinge wants short ones at first.
+  if (found.watch.kind == Watch::Kind::user) {
+    stepper->set_next_step(std::max(stepper->next_step(), planned));
   }
   pending = found;
   return true;
