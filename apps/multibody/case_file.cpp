@@ -3,10 +3,13 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <fstream>
+#include <string>
+#include <vector>
 
 #include "libcontact/error.hpp"
+#include "multibody/file_text.hpp"
 #include "multibody/json_node.hpp"
+#include "multibody/json_text.hpp"
 #include "multibody/prepared.hpp"
 
 namespace multibody {
@@ -22,15 +25,69 @@ constexpr const char* schema = "carrier-loads/1";
 // Redundant data may come from seven printed digits.
 constexpr double agreement = 1e-6;
 
-JointKind load_kind(const JsonNode& load, const std::string& kind_of_all) {
-  if (kind_of_all == "spherical") return JointKind::spherical;
-  if (kind_of_all == "axes") return JointKind::axis;
-  const JsonNode node = load["kind"];
+// Of what is computed or of where the case is from.
+void check_root_keys(const JsonNode& root) {
+  static const std::vector<std::string> keys = {
+      "schema",           "name",    "kind",  "seed",    "oracle",
+      "gravity_inertial", "carrier", "loads", "expected"};
+  root.allow_keys(keys, "the file");
+}
+
+void check_carrier_keys(const JsonNode& carrier) {
+  static const std::vector<std::string> keys = {
+      "mass",         "inertia_com",      "rotation_to_inertial",
+      "position_com", "velocity_com",     "angular_velocity",
+      "active_force", "active_moment_com"};
+  carrier.allow_keys(keys, "the carrier");
+}
+
+void check_load_keys(const JsonNode& load, JointKind kind) {
+  static const std::vector<std::string> free = {"kind",
+                                                "mass",
+                                                "inertia_com",
+                                                "rotation_to_carrier",
+                                                "relative_angular_velocity",
+                                                "angular_velocity",
+                                                "active_force",
+                                                "active_moment_com"};
+  static const auto with = [](std::vector<std::string> keys,
+                              const std::vector<std::string>& more) {
+    keys.insert(keys.end(), more.begin(), more.end());
+    return keys;
+  };
+  static const std::vector<std::string> spherical = with(
+      free,
+      {"held", "hinge_from_com", "hinge_from_carrier_com", "friction_moment"});
+  static const std::vector<std::string> axis =
+      with(spherical,
+           {"hinge_to_load", "hinge_to_carrier_zero", "angle", "angle_rate"});
+  switch (kind) {
+    case JointKind::none:
+      return load.allow_keys(free, "a free load");
+    case JointKind::spherical:
+      return load.allow_keys(spherical, "a load on a ball joint");
+    case JointKind::axis:
+      return load.allow_keys(axis, "a load on an axis");
+  }
+}
+
+JointKind own_kind(const JsonNode& node) {
   const std::string kind = node.string();
   if (kind == "spherical") return JointKind::spherical;
   if (kind == "axis") return JointKind::axis;
   if (kind == "free") return JointKind::none;
   node.fail("spherical, axis or free");
+}
+
+JointKind load_kind(const JsonNode& load, const std::string& kind_of_all) {
+  if (kind_of_all == "mixed") return own_kind(load["kind"]);
+  const bool spherical = kind_of_all == "spherical";
+  const JointKind kind = spherical ? JointKind::spherical : JointKind::axis;
+  if (load.has("kind") && own_kind(load["kind"]) != kind) {
+    load["kind"].fail(spherical ? "spherical, the file's kind"
+                                : "axis, the file's kind");
+  }
+  return kind;
 }
 
 JointMode load_mode(const JsonNode& load, JointKind kind) {
@@ -85,6 +142,7 @@ void read_turn(const JsonNode& node, LoadInstant& load) {
 
 LoadInstant read_load_instant(const JsonNode& node, JointKind kind,
                               const Vector3d& carrier_velocity) {
+  check_load_keys(node, kind);
   LoadInstant load;
   load.load = read_load(node, kind);
   load.mode = load_mode(node, kind);
@@ -108,6 +166,9 @@ LoadInstant read_load_instant(const JsonNode& node, JointKind kind,
   load.active_force = node.vector_or_zero("active_force");
   load.active_moment_com = node.vector_or_zero("active_moment_com");
   load.friction_moment = node.vector_or_zero("friction_moment");
+  if (load.mode == JointMode::held && !load.friction_moment.isZero(0)) {
+    node["friction_moment"].fail("0, since the joint is held");
+  }
   return load;
 }
 
@@ -143,10 +204,12 @@ Instant instant_from_json(const json& file) {
   if (kind != "spherical" && kind != "axes" && kind != "mixed") {
     root["kind"].fail("spherical, axes or mixed");
   }
+  check_root_keys(root);
   const JsonNode carrier = root["carrier"];
+  check_carrier_keys(carrier);
   Instant instant;
   instant.carrier = {carrier["mass"].number(), carrier["inertia_com"].matrix()};
-  instant.gravity = root.vector_or_zero("gravity_inertial");
+  instant.gravity = root["gravity_inertial"].vector();
   instant.rotation = carrier["rotation_to_inertial"].rotation();
   instant.position = carrier.vector_or_zero("position_com");
   instant.velocity = carrier.vector_or_zero("velocity_com");
@@ -162,18 +225,9 @@ Instant instant_from_json(const json& file) {
 }
 
 Instant read_case(const std::string& file) {
-  std::ifstream stream(file);
-  // A folder opens, but cannot be read.
-  if (!stream || stream.peek() == std::ifstream::traits_type::eof()) {
-    throw contact::Error(file + ": cannot be read, or empty");
-  }
-  json parsed;
-  try {
-    parsed = json::parse(stream);
-  } catch (const json::parse_error& error) {
-    throw contact::Error(
-        fmt::format("{}: not JSON at byte {}", file, error.byte));
-  }
+  const std::string text = file_text(file);
+  if (text.empty()) throw contact::Error(file + ": empty");
+  const json parsed = parse_json(text, file);
   try {
     Instant instant = instant_from_json(parsed);
     prepare(instant);  // System's checks, with the file's name

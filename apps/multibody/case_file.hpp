@@ -11,10 +11,13 @@ namespace multibody {
 
 /// Reads a case. The file's "kind" is "spherical" or "axes" for all loads, or
 /// "mixed": then each load has its own "kind", one of "spherical", "axis" and
-/// "free". A load with "held": true does not turn in its joint. Forces that
-/// are left out are zero; velocities and rotations that are given twice have
-/// to agree to 1e-6.
-/// @throws contact::Error "FILE: key: what is wrong, what is allowed"
+/// "free". A load with "held": true does not turn in its joint. Forces and
+/// friction moments that are left out are zero, gravity has to be there;
+/// velocities and rotations that are given twice have to agree to 1e-6. Keys
+/// that the format does not have are refused, but for those inside
+/// "expected", which is not looked at.
+/// @throws contact::Error "FILE: key: what is wrong, what is allowed"; where
+///   it is not JSON "FILE:LINE:COLUMN: what is wrong"
 Instant read_case(const std::string& file);
 
 /// The same from parsed JSON.

@@ -2,12 +2,36 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <vector>
 
+#include "libcontact/detail/text.hpp"
 #include "libcontact/error.hpp"
 #include "multibody/system.hpp"
 
 namespace multibody {
+
+using contact::detail::printable;
+
+void JsonNode::allow_keys(std::span<const std::string> keys,
+                          const char* what) const {
+  if (!value_.is_object()) fail("an object");
+  std::vector<std::string> absent;
+  std::ranges::copy_if(
+      keys, std::back_inserter(absent),
+      [this](const std::string& key) { return !has(key.c_str()); });
+  for (const auto& [key, value] : value_.items()) {
+    if (std::ranges::find(keys, key) != keys.end()) continue;
+    const std::string meant = contact::detail::nearest(key, absent);
+    throw contact::Error(fmt::format(
+        "{}{}: unknown key of {}: {}", place_.empty() ? "" : place_ + ".",
+        printable(key), what,
+        meant.empty() ? fmt::format("allowed: {}", fmt::join(keys, ", "))
+                      : fmt::format("did you mean {}?", meant)));
+  }
+}
 
 JsonNode JsonNode::operator[](const char* key) const {
   if (!value_.is_object()) fail("an object");
@@ -65,11 +89,9 @@ Eigen::Matrix3d JsonNode::rotation() const {
 }
 
 void JsonNode::fail(const std::string& allowed) const {
-  std::string text = value_.dump();
-  if (text.size() > 60) text = text.substr(0, 57) + "...";
   throw contact::Error(fmt::format("{}: {}, allowed is {}",
-                                   place_.empty() ? "file" : place_, text,
-                                   allowed));
+                                   place_.empty() ? "file" : place_,
+                                   printable(value_.dump()), allowed));
 }
 
 }  // namespace multibody

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <nlohmann/json.hpp>
+#include <span>
 #include <string>
 
 namespace multibody {
@@ -14,6 +15,9 @@ class JsonNode {
   JsonNode(const nlohmann::json& value, std::string place)
       : value_(value), place_(std::move(place)) {}
 
+  /// Throws if an object has other keys than these.
+  /// @param what  has them, for the message: "the carrier"
+  void allow_keys(std::span<const std::string> keys, const char* what) const;
   bool has(const char* key) const { return value_.contains(key); }
   /// Member of an object, which has to be there.
   JsonNode operator[](const char* key) const;

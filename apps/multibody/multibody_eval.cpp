@@ -14,7 +14,12 @@ constexpr const char* description =
     "instant.\n\n"
     "FILE is a case in the format of data/reference/multibody/README.md; the\n"
     "result is a JSON object with the keys of its \"expected\", in the same\n"
-    "units and frames.";
+    "units and frames.\n\n"
+    "Keys that may be left out: active_force, active_moment_com and\n"
+    "friction_moment (then zero), held (false), position_com and velocity_com\n"
+    "(no result depends on them), what is given twice, and name, seed, "
+    "oracle,\n"
+    "expected. gravity_inertial has to be there. Other keys are refused.";
 
 constexpr const char* footer =
     "Example:\n"

@@ -31,6 +31,11 @@ void check_finite(const Vector3d& v, const std::string& place) {
   if (!v.allFinite()) fail(place, "has a number that is not finite");
 }
 
+std::string above_rounding(double scale) {
+  return fmt::format("above {} kg m^2, the rounding of the largest moment",
+                     zero_inertia * scale);
+}
+
 // The symmetric part; principal moments >= 0, or all > 0.
 Matrix3d checked_inertia(const Matrix3d& inertia, bool positive,
                          const std::string& place) {
@@ -48,8 +53,9 @@ Matrix3d checked_inertia(const Matrix3d& inertia, bool positive,
   if (positive ? smallest <= zero_inertia * scale
                : smallest < -zero_inertia * scale) {
     fail(place, fmt::format("smallest principal moment {} kg m^2, allowed is "
-                            "{} 0",
-                            smallest, positive ? "above" : "at least"));
+                            "{}",
+                            smallest,
+                            positive ? above_rounding(scale) : "at least 0"));
   }
   return symmetric;
 }
@@ -94,11 +100,12 @@ Link spherical_link(const Load& load, const std::string& place) {
   link.hinge = load.hinge_from_carrier_com;
   const double scale = load.inertia.trace();
   const bool can_turn = link.arm * link.arm * load.mass > 0;
-  if (!can_turn &&
-      !(link.inertia.diagonal().minCoeff() > zero_inertia * scale)) {
+  const double smallest = link.inertia.diagonal().minCoeff();
+  if (!can_turn && !(smallest > zero_inertia * scale)) {
     fail(place + ".inertia_com",
-         "no inertia about the joint, allowed is some inertia in every "
-         "direction, or a joint away from the centre of mass");
+         fmt::format("smallest moment about the joint {} kg m^2, allowed is "
+                     "{}, or a joint away from the centre of mass",
+                     smallest, above_rounding(scale)));
   }
   // A point on a thread has no spin; what rounding left of it goes.
   if (link.inertia(2, 2) <= zero_inertia * scale) {
@@ -127,8 +134,8 @@ Link axis_link(const Load& load, const std::string& place) {
       link.inertia(2, 2) + load.mass * link.arm * link.arm;
   if (!(about_axis > zero_inertia * load.inertia.trace())) {
     fail(place + ".inertia_com",
-         fmt::format("inertia about the axis {} kg m^2, allowed is above 0",
-                     about_axis));
+         fmt::format("inertia about the axis {} kg m^2, allowed is {}",
+                     about_axis, above_rounding(load.inertia.trace())));
   }
   return link;
 }
