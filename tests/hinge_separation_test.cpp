@@ -964,7 +964,18 @@ TEST(HingeSeparation, CheckpointsStayWholeAndSmall) {
   folder.write("m.cbor.rows1", middle_rows.substr(0, middle_rows.size() - 1));
   refused("m.cbor.rows1: not what m.cbor refers to");
   EXPECT_EQ(folder.run("rm m.cbor.rows1").status, 0);
-  refused("m.cbor.rows1: cannot be read");
+  const std::string together =
+      "; it has the rows of m.cbor: the two are copied and renamed together";
+  refused("m.cbor.rows1: cannot be read: No such file or directory" + together);
+  // Renamed together, and the copy of one that leaves the other.
+  folder.write("moved.cbor", middle);
+  EXPECT_EQ(resumed("moved.cbor").status, 2);
+  folder.write("moved.cbor.rows1", middle_rows);
+  EXPECT_EQ(resumed("moved.cbor").status, 0);
+  EXPECT_EQ(folder.run("rm m.cbor").status, 0);
+  refused("m.cbor: cannot be read: No such file or directory");
+  EXPECT_EQ(folder.run("mkdir m.cbor").status, 0);
+  refused("m.cbor: cannot be read: a directory");
   // Something else is not overwritten.
   folder.write("mine.txt", "mine");
   EXPECT_EQ(folder

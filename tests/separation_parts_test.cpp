@@ -3,21 +3,26 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 #include <numbers>
 #include <random>
+#include <string>
 
 #include "libcontact/error.hpp"
 #include "separation/case_forces.hpp"
 #include "separation/case_reader.hpp"
+#include "separation/checkpoint.hpp"
 #include "separation/clearance.hpp"
 #include "separation/peaks.hpp"
 #include "separation/shape.hpp"
 #include "support/error_message.hpp"
+#include "support/program.hpp"
 
 namespace {
 
+using contact::test::error_message;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using multibody::BodyForce;
@@ -408,6 +413,76 @@ TEST(CaseForces, AirByAngleAndPressure) {
                     "flow = [-3, -4, 0]\ndynamic_pressure_Pa = 10\n",
                 0);
   expect_force(between.load, {-20 * 0.75 * 2, 0, 0}, {0, 0, 0});
+}
+
+// A case and a checkpoint of its start.
+class CheckpointFile : public testing::Test {
+ protected:
+  CheckpointFile() {
+    const separation::Case c =
+        separation::read_case(CONTACT_DATA_DIR "/cases/slosh.toml");
+    separation::Simulation simulation(c, separation::FrictionChoice::full);
+    separation::Recorder recorder(c, true, false, false);
+    recorder.look(simulation);
+    separation::CheckpointWriter writer(file_, "a run", 1);
+    writer.write(1, simulation.save(), recorder.memory());
+    bytes_ = folder_.read("c");
+  }
+
+  std::string message() const {
+    return error_message(
+        [this] { separation::read_checkpoint(file_, "a run"); });
+  }
+  std::string message_of(const std::string& bytes) const {
+    folder_.write("c", bytes);
+    return message();
+  }
+
+  const contact::test::ProgramFolder folder_;
+  const std::string file_ = folder_.path() / "c";
+  std::string bytes_;
+};
+
+TEST_F(CheckpointFile, EveryDamageIsSeen) {
+  ASSERT_EQ(message(), "(no error)");
+  const std::string damaged = file_ + ": damaged: check sum ";
+  // Of every byte of the first line and of the check sum, of some between.
+  const std::size_t sum = bytes_.size() - 8;
+  for (std::size_t i = 0; i < bytes_.size();
+       i += i < 32 || i >= sum ? 1 : std::min<std::size_t>(29, sum - i)) {
+    std::string flipped = bytes_;
+    flipped[i] = static_cast<char>(flipped[i] ^ (1 << i % 8));
+    ASSERT_EQ(message_of(flipped).substr(0, damaged.size()), damaged)
+        << "byte " << i;
+  }
+  for (const std::size_t size : {bytes_.size() - 1, bytes_.size() / 2}) {
+    EXPECT_EQ(message_of(bytes_.substr(0, size)).substr(0, damaged.size()),
+              damaged);
+  }
+  EXPECT_EQ(message_of(bytes_ + '0').substr(0, damaged.size()), damaged);
+  // Neither is it written over.
+  EXPECT_EQ(error_message([this] {
+              separation::CheckpointWriter(file_, "a run", 1);
+            }).substr(0, damaged.size()),
+            damaged);
+  EXPECT_EQ(message_of(bytes_), "(no error)");
+}
+
+TEST_F(CheckpointFile, OtherFilesAreToldFromDamagedOnes) {
+  EXPECT_EQ(message_of("nonsense"),
+            file_ + ": not a checkpoint of hinge-separation");
+  EXPECT_EQ(message_of(""), file_ + ": not a checkpoint of hinge-separation");
+  EXPECT_EQ(message_of("\xa1\x66"
+                       "formathinge-separation checkpoint 4"),
+            file_ +
+                ": a checkpoint of another version of hinge-separation, "
+                "allowed is \"hinge-separation checkpoint 5\"");
+  folder_.write("c", bytes_);
+  EXPECT_EQ(error_message(
+                [this] { separation::read_checkpoint(file_, "another run"); }),
+            file_ +
+                ": a checkpoint of a run of another case file, other joints "
+                "or other options");
 }
 
 }  // namespace

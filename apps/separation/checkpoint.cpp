@@ -4,16 +4,19 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstddef>
 #include <cstring>
 #include <filesystem>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <span>
 #include <sstream>
+#include <string_view>
 #include <utility>
 
 #include "cli/output.hpp"
+#include "libcontact/detail/text.hpp"
 #include "libcontact/error.hpp"
+#include "multibody/file_text.hpp"
 
 namespace separation {
 namespace {
@@ -21,8 +24,8 @@ namespace {
 using Eigen::Vector3d;
 using nlohmann::json;
 
-constexpr const char* program_format = "hinge-separation checkpoint";
-constexpr const char* format_name = "hinge-separation checkpoint 4";
+constexpr const char* program_format = "hinge-separation checkpoint ";
+constexpr const char* format_name = "hinge-separation checkpoint 5";
 
 json vectors_json(const std::vector<Vector3d>& vectors) {
   json numbers = json::array();
@@ -180,41 +183,80 @@ History history_from(const json& j) {
   return history;
 }
 
-std::string text_of(const std::string& file) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) throw contact::Error(file + ": cannot be read");
-  return {std::istreambuf_iterator<char>(stream), {}};
+constexpr std::size_t sum_size = 8;  // in hexadecimal digits
+
+bool contains(std::string_view bytes, std::string_view text) {
+  return bytes.find(text) != bytes.npos;
+}
+
+std::string check_sum(std::string_view bytes) {
+  boost::crc_32_type sum;
+  sum.process_bytes(bytes.data(), bytes.size());
+  return fmt::format("{:08x}", sum.checksum());
+}
+
+// The format's name is there twice, as the first line and in the header: a
+// damaged file is still told from one that is something else.
+std::string file_of(json header) {
+  header["format"] = format_name;
+  std::string bytes = fmt::format("{}\n", format_name);
+  json::to_cbor(header, bytes);
+  return bytes + check_sum(bytes);
 }
 
 // A checkpoint without its rows.
 json header_of(const std::string& file) {
-  const std::string bytes = text_of(file);
-  try {
-    json j = json::from_cbor(bytes);
-    if (j.at("format").get<std::string>().starts_with(program_format)) return j;
-  } catch (const json::exception&) {
+  const std::string bytes = multibody::file_text(file);
+  if (!contains(bytes, program_format)) {
+    throw contact::Error(file + ": not a checkpoint of hinge-separation");
   }
-  throw contact::Error(file + ": not a checkpoint of hinge-separation");
+  if (!contains(bytes, format_name)) {
+    throw contact::Error(
+        fmt::format("{}: a checkpoint of another version of hinge-separation, "
+                    "allowed is \"{}\"",
+                    file, format_name));
+  }
+  const std::size_t size = bytes.size() - sum_size;
+  const std::string sum = check_sum(std::string_view(bytes).substr(0, size));
+  const std::string written = bytes.substr(size);
+  if (sum != written) {
+    throw contact::Error(
+        fmt::format("{}: damaged: check sum {}, the file says {}", file, sum,
+                    contact::detail::printable(written)));
+  }
+  const std::size_t begin = bytes.find('\n') + 1;
+  return json::from_cbor(bytes.begin() + static_cast<std::ptrdiff_t>(begin),
+                         bytes.begin() + static_cast<std::ptrdiff_t>(size));
 }
 
-// Beside the checkpoint, whatever folder both are in.
-std::string beside(const std::string& file, const std::string& name) {
-  return std::filesystem::path(file).replace_filename(name);
+// The file of a checkpoint's rows has the checkpoint's own name, so that both
+// may be renamed.
+std::string rows_name(const std::string& file, int number) {
+  return fmt::format("{}.rows{}", file, number);
 }
 
 // What the checkpoint of an earlier run keeps its rows in; "" for none.
 std::string rows_of(const std::string& file) {
   if (!std::filesystem::exists(file)) return {};
-  const json j = header_of(file);
-  return j.contains("rows") ? beside(file, j["rows"].at("file")) : "";
+  return rows_name(file, header_of(file).at("rows").at("number"));
+}
+
+std::string text_of_rows(const std::string& name, const std::string& file) {
+  try {
+    return multibody::file_text(name);
+  } catch (const contact::Error& error) {
+    throw contact::Error(fmt::format(
+        "{}; it has the rows of {}: the two are copied and renamed together",
+        error.what(), file));
+  }
 }
 
 // Adds the rows and notes of a file that a checkpoint refers to.
 void add_rows(const std::string& file, const json& header,
               Recorder::Memory& memory) {
   const json& rows = header.at("rows");
-  const std::string name = beside(file, rows.at("file"));
-  std::string bytes = text_of(name);
+  const std::string name = rows_name(file, rows.at("number"));
+  std::string bytes = text_of_rows(name, file);
   const std::size_t size = rows.at("bytes");
   bytes.resize(std::min(bytes.size(), size));
   boost::crc_32_type sum;
@@ -240,8 +282,8 @@ CheckpointWriter::CheckpointWriter(std::string file, std::string identity,
       identity_(std::move(identity)),
       every_(every),
       old_rows_(rows_of(file_)),
-      rows_(file_ + ".rows1") {
-  if (rows_ == old_rows_) rows_ = file_ + ".rows2";
+      number_(old_rows_ == rows_name(file_, 1) ? 2 : 1),
+      rows_(rows_name(file_, number_)) {
   stream_.open(rows_, std::ios::binary | std::ios::trunc);
   if (!stream_) {
     throw contact::Error(
@@ -287,21 +329,19 @@ void CheckpointWriter::write(long next_output,
                              const SimulationState& simulation,
                              const Recorder::Memory& memory) {
   append(memory, simulation.motion.time);
-  const json j = {{"format", format_name},
-                  {"identity", identity_},
+  const json j = {{"identity", identity_},
                   {"next_output", next_output},
                   {"every", every_},
                   {"motion", motion_json(simulation.motion)},
                   {"history", history_json(simulation.history)},
                   {"memory", memory_json(memory, notes_)},
                   {"rows",
-                   {{"file", std::filesystem::path(rows_).filename().string()},
+                   {{"number", number_},
                     {"blocks", blocks_},
                     {"bytes", bytes_},
                     {"sum", sum_.checksum()}}}};
-  const auto bytes = json::to_cbor(j);
   cli::Output output(file_);
-  output.write({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+  output.write(file_of(j));
   output.commit();
   written_ = true;
   std::error_code ignored;
@@ -311,11 +351,8 @@ void CheckpointWriter::write(long next_output,
 
 Checkpoint read_checkpoint(const std::string& file,
                            const std::string& identity) {
-  const json j = header_of(file);
-  if (j.at("format") != format_name) {
-    throw contact::Error(file + ": a checkpoint of another version");
-  }
   try {
+    const json j = header_of(file);
     if (j.at("identity") != identity) {
       throw contact::Error(
           file +

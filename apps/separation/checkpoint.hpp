@@ -22,14 +22,15 @@ struct Checkpoint {
 /// FILE has what the run needs to go on; it is replaced as a whole. Rows and
 /// events so far are in FILE.rows1 or FILE.rows2, to which every write()
 /// appends what is new: a checkpoint costs the same late in a run as early.
-/// FILE says how much of its rows counts, with a check sum. A new run takes
-/// the name that the checkpoint of an earlier one does not use, so that there
-/// is a whole checkpoint at any time.
+/// FILE says which of the two it is and how much of it counts, with a check
+/// sum; another check sum is that of FILE. A new run takes the name that the
+/// checkpoint of an earlier one does not use, so that there is a whole
+/// checkpoint at any time.
 class CheckpointWriter {
  public:
   /// @param identity  of the run: case file and options
   /// @throws contact::Error if the files cannot be made, or FILE is there and
-  ///   is no checkpoint
+  ///   is no checkpoint, of another version or damaged
   CheckpointWriter(std::string file, std::string identity, double every);
   /// Removes its rows if nothing refers to them.
   ~CheckpointWriter();
@@ -48,6 +49,7 @@ class CheckpointWriter {
   std::string identity_;
   double every_;
   std::string old_rows_;  // of an earlier run, until the first write()
+  int number_;            // of rows_
   std::string rows_;
   std::ofstream stream_;
   bool written_ = false;
@@ -59,8 +61,8 @@ class CheckpointWriter {
   boost::crc_32_type sum_;
 };
 
-/// @throws contact::Error if the files cannot be read, are no checkpoint, or
-///   are of another run
+/// @throws contact::Error if the files cannot be read, are no checkpoint,
+///   damaged, or of another run
 Checkpoint read_checkpoint(const std::string& file,
                            const std::string& identity);
 

@@ -37,9 +37,9 @@ estimate (friction from the reaction instead of the compressive force).
 --plot NAME.svg draws NAME_angles.svg, NAME_rates.svg, NAME_reactions.svg (with
 hinges) and NAME_clearance.svg (with shapes).
 
---checkpoint FILE keeps its rows in FILE.rows1 or FILE.rows2. A run that goes
-on with --resume FILE comes to the same results to the last byte, and goes on
-with checkpoints as often as before.
+--checkpoint FILE keeps its rows in FILE.rows1 or FILE.rows2: copy and rename
+the two together. A run that goes on with --resume FILE comes to the same
+results to the last byte, and goes on with checkpoints as often as before.
 
 Examples:
   hinge-separation data/cases/soyuz.toml --history soyuz.csv --output soyuz.json
