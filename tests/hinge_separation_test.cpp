@@ -960,9 +960,9 @@ TEST(HingeSeparation, CheckpointsStayWholeAndSmall) {
     EXPECT_EQ(result.err, "hinge-separation: " + expected + '\n');
   };
   folder.write("m.cbor.rows1", folder.read("c.cbor.rows1"));
-  refused("m.cbor.rows1: not what m.cbor refers to");
+  refused("m.cbor.rows1: damaged, or not the rows of m.cbor");
   folder.write("m.cbor.rows1", middle_rows.substr(0, middle_rows.size() - 1));
-  refused("m.cbor.rows1: not what m.cbor refers to");
+  refused("m.cbor.rows1: damaged, or not the rows of m.cbor");
   EXPECT_EQ(folder.run("rm m.cbor.rows1").status, 0);
   const std::string together =
       "; it has the rows of m.cbor: the two are copied and renamed together";

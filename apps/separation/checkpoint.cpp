@@ -262,7 +262,8 @@ void add_rows(const std::string& file, const json& header,
   boost::crc_32_type sum;
   sum.process_bytes(bytes.data(), bytes.size());
   if (bytes.size() != size || sum.checksum() != rows.at("sum")) {
-    throw contact::Error(fmt::format("{}: not what {} refers to", name, file));
+    throw contact::Error(
+        fmt::format("{}: damaged, or not the rows of {}", name, file));
   }
   std::istringstream stream(bytes);
   for (long block = rows.at("blocks"); block > 0; --block) {
