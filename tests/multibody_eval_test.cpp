@@ -112,6 +112,24 @@ TEST(MultibodyEval, EveryMisspeltKeyIsRefused) {
   }
 }
 
+TEST(MultibodyEval, RefusesWithTheFilesNameAndNoResult) {
+  json file = good();
+  const ProgramFolder folder;
+  folder.write("c.json", file.dump());
+  EXPECT_EQ(folder.run("multibody-eval c.json").status, 0);
+  file["carrier"]["active_forces"] = {1, 2, 3};
+  folder.write("c.json", file.dump());
+  const ProgramResult result =
+      folder.run("multibody-eval c.json --output o.json");
+  EXPECT_EQ(result.status, 2);
+  EXPECT_FALSE(folder.has("o.json"));
+  EXPECT_EQ(result.err,
+            "multibody-eval: c.json: carrier.active_forces: unknown key of the "
+            "carrier: allowed: mass, inertia_com, rotation_to_inertial, "
+            "position_com, velocity_com, angular_velocity, active_force, "
+            "active_moment_com\n");
+}
+
 TEST(MultibodyEval, KeysOfOtherKindsAreRefused) {
   json file = good();
   file["loads"][2]["friction_moment"] = {0, 0, 1};
