@@ -200,6 +200,7 @@ bool CoupledDynamics::Impl::converged_is_unique() {
 const CoupledReport& CoupledDynamics::Impl::evaluate(const double* state,
                                                      Loading<double>& loading) {
   report = {};
+  solutions.clear();
   take_rates(state);
   extrapolate(state);
   for (Vec3<double>& change : change_) change = {0, 0, 0};

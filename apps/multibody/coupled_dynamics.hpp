@@ -152,7 +152,7 @@ class CoupledDynamics {
   double slip_limit(int load) const;
   std::span<const contact::JointSolution> joints(int load) const;
 
-  /// What the search of the last evaluation found, if there was one.
+  /// What the search of the last evaluation found; empty if there was none.
   std::span<const CoupledSolution> solutions() const;
 
   /// Decides which of the hinges that are resting hold, and which begin to
