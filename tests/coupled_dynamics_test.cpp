@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "multibody/eigen_conversion.hpp"
 #include "multibody/prepared.hpp"
@@ -265,44 +266,64 @@ TEST(CoupledDynamics, MomentsSetInBetweenLeadToTheSame) {
   EXPECT_LT(largest, 1e-9);
 }
 
-// A pin with strong friction (sin g = 0.97, rho = 0.15 m) on a light carrier,
-// where kappa = 0.26 allows one moment; then the carrier is held, which makes
-// kappa 1.455: the case of motion_test.cpp, M = -0.1455 |(1, 10 + 10 M)|.
-TEST(CoupledDynamics, SeveralMomentsAreSeenAfterOneWasFollowed) {
-  const double sine = 0.97, mass = 1, arm = 0.05;
-  multibody::Load load{JointKind::axis, mass, Eigen::Matrix3d::Zero()};
-  load.inertia.diagonal() << 1e-3, 1e-3, mass * arm * arm;
-  load.hinge_from_com = Vector3d(arm, 0, 0);
-  const double inertia = 2 * mass * arm * arm;  // about the joint
-  const multibody::System system({0.11, 50 * Eigen::Matrix3d::Identity()},
-                                 {load});
-  CoupledDynamics coupled(
-      system, {PinFriction{pin_joint(
-                  FrictionLaw(sine / std::sqrt(1 - sine * sine)), 0.15)}});
-  // Without motion R = -F + m a.
-  const Vector3d force(-1, 10 / (1 - mass * arm * arm / inertia), 0);
+// A load on a pin with strong friction: sin g = 0.97, rho = 0.15 m, kappa =
+// 1.455 where its carrier does not give way (motion_test.cpp).
+struct StickyPin {
+  multibody::System system;
+  std::vector<HingeFriction> friction;
+  std::vector<double> state;
   multibody::Loading<double> loading;
-  loading.loads.resize(1);
-  loading.loads[0].force =
-      multibody::vec3(system.links()[0].axes.transpose() * force);
-  std::vector<double> state(coupled.layout().size());
-  state[multibody::StateLayout::rotation] = 1;
-  coupled.set_direction(0, Vector3d(0, 0, 1));
-  double& angle = state[coupled.layout().offset(0)];
-  double& rate = state[coupled.layout().offset(0) + 1];
-  rate = 1e-9;
+
+  StickyPin(const multibody::Carrier& carrier, const Vector3d& hinge,
+            const Vector3d& force)
+      : system(carrier, {load_at(hinge)}) {
+    friction.emplace_back(PinFriction{
+        pin_joint(FrictionLaw(sine / std::sqrt(1 - sine * sine)), radius)});
+    loading.loads.resize(1);
+    loading.loads[0].force =
+        multibody::vec3(system.links()[0].axes.transpose() * force);
+    state.resize(multibody::StateLayout::body_size + 2);
+    state[multibody::StateLayout::rotation] = 1;
+    state.back() = 1e-9;
+  }
+  CoupledDynamics coupled() const {
+    CoupledDynamics result(system, friction);
+    result.set_direction(0, Vector3d(0, 0, 1));
+    return result;
+  }
+  CoupledReport evaluate(CoupledDynamics& with, double angle) {
+    state[multibody::StateLayout::body_size] = angle;
+    return with.evaluate(state.data(), loading);
+  }
+
+  static constexpr double sine = 0.97, radius = 0.15, mass = 1, arm = 0.05;
+
+ private:
+  static multibody::Load load_at(const Vector3d& hinge) {
+    multibody::Load load{JointKind::axis, mass, Eigen::Matrix3d::Zero()};
+    load.inertia.diagonal() << 1e-3, 1e-3, mass * arm * arm;
+    load.hinge_from_com = Vector3d(arm, 0, 0);
+    load.hinge_from_carrier_com = hinge;
+    return load;
+  }
+};
+
+// A light carrier, with kappa = 0.26, has one moment; then it is held, which
+// makes it the case of motion_test.cpp, M = -0.1455 |(1, 10 + 10 M)|.
+TEST(CoupledDynamics, SeveralMomentsAreSeenAfterOneWasFollowed) {
+  // Held and without motion R = -F + m a, a_y half of F_y.
+  StickyPin pin({0.11, 50 * Eigen::Matrix3d::Identity()}, Vector3d(0, 0, 0),
+                Vector3d(-1, 20, 0));
+  CoupledDynamics coupled = pin.coupled();
   for (int k = 10; k >= 0; --k) {
-    angle = 1e-4 * k;
-    ASSERT_EQ(coupled.evaluate(state.data(), loading).status,
-              CoupledStatus::ok);
+    ASSERT_EQ(pin.evaluate(coupled, 1e-4 * k).status, CoupledStatus::ok);
     EXPECT_LT(coupled.kappa(0), 0.5);
   }
   coupled.prescribe_carrier(multibody::CarrierAcceleration<double>{});
-  ASSERT_EQ(coupled.evaluate(state.data(), loading).status,
-            CoupledStatus::several_solutions);
+  ASSERT_EQ(pin.evaluate(coupled, 0).status, CoupledStatus::several_solutions);
   ASSERT_EQ(coupled.solutions().size(), 2u);
   // M^2 = k^2 (1 + (10 + 10 M)^2)
-  const double k = 0.15 * sine;
+  const double k = StickyPin::radius * StickyPin::sine;
   const double a = 1 - 100 * k * k, b = -100 * k * k, c = -101 * k * k;
   const double root = std::sqrt(b * b - a * c);
   for (const double expected : {(-b + root) / a, (-b - root) / a}) {
@@ -313,6 +334,44 @@ TEST(CoupledDynamics, SeveralMomentsAreSeenAfterOneWasFollowed) {
     // The joint's half-angle is small, not 0: S = 1 + O(theta0^2).
     EXPECT_LT(nearest, 1e-5 * std::abs(expected));
   }
+}
+
+// A carrier that gives way in one direction: at 90 degrees there is one moment,
+// at 0 there are several. The same is said of the angles between whether the
+// joint has been followed there, by small steps or a jump, or not.
+TEST(CoupledDynamics, FollowingDoesNotHideSeveralMoments) {
+  Eigen::Matrix3d inertia = 50 * Eigen::Matrix3d::Identity();
+  inertia(2, 2) = 0.1;
+  StickyPin pin({100, inertia}, Vector3d(0, 1, 0), Vector3d(-1, 20, 0));
+  constexpr double right = std::numbers::pi / 2;
+  const auto same = [&](CoupledDynamics& followed, double angle) {
+    CoupledDynamics fresh = pin.coupled();
+    const CoupledStatus expected = pin.evaluate(fresh, angle).status;
+    EXPECT_EQ(pin.evaluate(followed, angle).status, expected) << angle;
+    EXPECT_EQ(followed.solutions().size(), fresh.solutions().size()) << angle;
+    if (expected == CoupledStatus::ok) {
+      EXPECT_NEAR(followed.friction_moment(0).z(), fresh.friction_moment(0).z(),
+                  1e-9 * std::abs(fresh.friction_moment(0).z()))
+          << angle;
+    }
+    return expected;
+  };
+  CoupledDynamics jumping = pin.coupled();
+  for (int k = 0; k < 5; ++k) {
+    EXPECT_EQ(same(jumping, right + 1e-4 * k), CoupledStatus::ok);
+  }
+  EXPECT_EQ(same(jumping, 0), CoupledStatus::several_solutions);
+  EXPECT_EQ(same(jumping, right), CoupledStatus::ok);
+
+  CoupledDynamics walking = pin.coupled();
+  int one = 0, several = 0;
+  for (int k = 0; k <= 50; ++k) {
+    const CoupledStatus status = same(walking, right * (1 - k / 50.0));
+    one += status == CoupledStatus::ok;
+    several += status == CoupledStatus::several_solutions;
+  }
+  EXPECT_GT(one, 5);
+  EXPECT_GT(several, 5);
 }
 
 TEST(CoupledDynamics, NothingIsAllocatedOnTheWay) {
