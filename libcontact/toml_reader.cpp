@@ -420,9 +420,14 @@ void TomlTable::missing(std::string_view key, Dimension dimension) const {
                        line_of(*as_table(table_).get(meant)));
     break;
   }
-  throw Error(fmt::format("{}:{}: {} is missing: allowed: {}{}", file_->source,
+  // Of a single spelling there is nothing to say.
+  const std::string allowed =
+      dimension == Dimension::number
+          ? ""
+          : ": allowed: " + spellings_text(key, dimension);
+  throw Error(fmt::format("{}:{}: {} is missing{}{}", file_->source,
                           line_of(as_table(table_)), joined(path_, key),
-                          spellings_text(key, dimension), hint));
+                          allowed, hint));
 }
 
 std::optional<double> TomlTable::optional_number(std::string_view key,
@@ -642,13 +647,20 @@ bool TomlTable::has(std::string_view key, Dimension dimension) const {
   return find(key, dimension).has_value();
 }
 
-void TomlTable::refuse_unknown_keys() const {
+void TomlTable::refuse_unknown_keys() const { refuse_keys(false, {}); }
+
+void TomlTable::refuse_misspelt_keys(
+    const std::vector<std::string>& right) const {
+  refuse_keys(true, right);
+}
+
+void TomlTable::refuse_keys(bool only_misspelt,
+                            const std::vector<std::string>& right) const {
   const toml::node* first = nullptr;
   std::string message;
   const auto look_at = [&](const toml::table& table, const toml::node& value,
                            const std::string& key, const std::string& place) {
     if (first != nullptr && line_of(*first) <= line_of(value)) return;
-    first = &value;
     std::vector<std::string> absent;  // spellings that are not there
     std::vector<std::string> keys;
     for (const auto& [spelling, asked] : file_->known[&table]) {
@@ -656,6 +668,11 @@ void TomlTable::refuse_unknown_keys() const {
       if (spelling == asked) keys.push_back(asked);
     }
     const std::string meant = detail::nearest(key, absent);
+    if (only_misspelt &&
+        (meant.empty() || std::ranges::find(right, key) != right.end())) {
+      return;
+    }
+    first = &value;
     message = fmt::format(
         "{}:{}: {}: unknown key: {}", file_->source, line_of(value), place,
         meant.empty() ? fmt::format("allowed: {}", fmt::join(keys, ", "))
@@ -695,6 +712,12 @@ void TomlTable::fail(std::string_view key, const std::string& message) const {
   throw Error(fmt::format("{}:{}: {}: {}", file_->source,
                           line_of(as_table(table_)), joined(path_, key),
                           message));
+}
+
+void TomlTable::fail_missing(std::string_view key,
+                             const std::string& why) const {
+  throw Error(fmt::format("{}:{}: {} is missing: {}", file_->source,
+                          line_of(as_table(table_)), joined(path_, key), why));
 }
 
 const std::string& TomlTable::source() const { return file_->source; }

@@ -135,11 +135,21 @@ class TomlTable {
   /// Throws Error for the first key of the whole file that no call has asked
   /// for, with the nearest one that was. Call it when everything is read.
   void refuse_unknown_keys() const;
+  /// Throws Error for the first key that no call has asked for and that is
+  /// nearly one that a call has asked for in vain. Call it when reading has
+  /// failed: the misspelt key may be why.
+  /// @param right  keys that are right in some tables of the file, whatever
+  ///   they resemble
+  void refuse_misspelt_keys(const std::vector<std::string>& right = {}) const;
 
   /// Throws Error "FILE:LINE: TABLE.KEY = VALUE: MESSAGE" for a check that the
   /// caller makes; a missing key gives the place of the table.
   [[noreturn]] void fail(std::string_view key,
                          const std::string& message) const;
+  /// Throws Error "FILE:LINE: TABLE.KEY is missing: WHY" for a key that is
+  /// missing because of what else is there or not.
+  [[noreturn]] void fail_missing(std::string_view key,
+                                 const std::string& why) const;
 
   /// The file, or the name given to from_text().
   const std::string& source() const;
@@ -156,6 +166,8 @@ class TomlTable {
   std::optional<Entry> find(std::string_view key, Dimension dimension) const;
   std::optional<Entry> find(std::string_view key) const;
   [[noreturn]] void missing(std::string_view key, Dimension dimension) const;
+  void refuse_keys(bool only_misspelt,
+                   const std::vector<std::string>& right) const;
 
   std::shared_ptr<File> file_;
   const void* table_;

@@ -186,13 +186,11 @@ TEST(JointFile, ViscousFriction) {
             "j.toml:15: friction.viscous_pressure_slope = 1: allowed: not "
             "together with coefficient or adhesion");
   EXPECT_EQ(message_with_line(14, "viscous_constant_Pa = 1"),
-            "j.toml:13: friction.coefficient is missing: allowed: "
-            "coefficient");
+            "j.toml:13: friction.coefficient is missing");
 }
 
 TEST(JointFile, NamesFileLineKeyValueAndRange) {
-  EXPECT_EQ(message_with_line(1, ""),
-            "j.toml:1: name is missing: allowed: name");
+  EXPECT_EQ(message_with_line(1, ""), "j.toml:1: name is missing");
   EXPECT_EQ(message_with_line(1, "name = \"\""),
             "j.toml:1: name = \"\": allowed: a string, not empty");
   EXPECT_EQ(message_with_line(1, "name = 3"),
@@ -255,10 +253,9 @@ TEST(JointFile, MissingKeysAndTables) {
             "radius_m, radius_mm, radius_um, radius_km (is it raduis_mm in "
             "line 4?)");
   EXPECT_EQ(message_with_line(9, ""),
-            "j.toml:6: materials.inner.poissons_ratio is missing: allowed: "
-            "poissons_ratio");
+            "j.toml:6: materials.inner.poissons_ratio is missing");
   EXPECT_EQ(message_with_line(14, ""),
-            "j.toml:13: friction.coefficient is missing: allowed: coefficient");
+            "j.toml:13: friction.coefficient is missing");
   EXPECT_EQ(message_with_line(3, "[geometrie]"),
             "j.toml:1: the table [geometry] is missing");
   EXPECT_EQ(message_with_line(10, "[materials.seat]"),
@@ -267,7 +264,7 @@ TEST(JointFile, MissingKeysAndTables) {
             "j.toml:3: geometry.length is missing: allowed: length (in m), "
             "length_m, length_mm, length_um, length_km");
   EXPECT_EQ(error_message([] { parse_joint("", "j.toml"); }),
-            "j.toml:1: name is missing: allowed: name");
+            "j.toml:1: name is missing");
 }
 
 TEST(JointFile, UnknownKeysAreRefusedWithTheNearest) {
