@@ -82,6 +82,14 @@ std::string text_of(const std::vector<std::string>& lines) {
   return text;
 }
 
+// The good case with a ball joint, line by line.
+std::vector<std::string> ball_lines() {
+  std::vector<std::string> lines = good_lines;
+  lines[22] = "kind = \"spherical\"";
+  lines[24] = lines[25] = lines[26] = "";
+  return lines;
+}
+
 // What reading the good case with line `number` (from 1) exchanged says.
 std::string message_with_line(int number, const std::string& line) {
   std::vector<std::string> lines = good_lines;
@@ -160,8 +168,8 @@ TEST(CaseFile, EveryBadLineHasItsMessage) {
             "principal moments of a body: none negative, none above the sum "
             "of the other two");
   EXPECT_EQ(message_with_line(10, ""),
-            "c.toml:6: carrier.inertia: is missing, and there are no shapes "
-            "to take it from");
+            "c.toml:6: carrier.inertia is missing: there are no shapes to take "
+            "it from");
   EXPECT_EQ(message_with_line(12, "name = \"core\""),
             "c.toml:12: load[1].name = \"core\": allowed: a name that no "
             "other body has");
@@ -191,8 +199,8 @@ TEST(CaseFile, EveryBadLineHasItsMessage) {
             "c.toml:29: load[1].lock.load_point_m = [0, 0, 0]: allowed: a "
             "point apart from the hinge");
   EXPECT_EQ(message_with_line(32, ""),
-            "c.toml:30: event[1].time: is missing: an event needs time, "
-            "angle, reaction or after");
+            "c.toml:30: event[1].time is missing: an event needs time, angle, "
+            "reaction or after");
   EXPECT_EQ(message_with_line(32, "time_s = 1\nreaction_N = 3"),
             "c.toml:33: event[1].reaction_N = 3: allowed: not together with "
             "time");
@@ -206,9 +214,9 @@ TEST(CaseFile, EveryBadLineHasItsMessage) {
             "c.toml:37: event[2].loads = [\"arm 3\"]: allowed: arm, arm 1, arm "
             "2");
   EXPECT_EQ(message_with_line(38, "after = \"opne\""),
-            "c.toml:38: event[2].after = \"opne\": allowed: open, off");
+            "c.toml:38: event[2].after = \"opne\": allowed: open");
   EXPECT_EQ(message_with_line(38, "after = \"off\""),
-            "c.toml:38: event[2].after = \"off\": allowed: another event");
+            "c.toml:38: event[2].after = \"off\": allowed: open");
   EXPECT_EQ(message_with_line(42, "body = \"tank\""),
             "c.toml:42: force[1].body = \"tank\": allowed: core, arm, arm 1, "
             "arm 2");
@@ -235,7 +243,7 @@ std::string message_of_force(const std::string& text) {
 TEST(CaseFile, Forces) {
   EXPECT_EQ(message_of_force("name = \"f\"\nbody = \"arm\"\n"
                              "kind = \"applied\"\n"),
-            "c.toml:40: force[1].force: is missing, and there is no moment "
+            "c.toml:40: force[1].force is missing: there is no moment "
             "either");
   EXPECT_EQ(message_of_force("name = \"f\"\nbody = \"arm\"\n"
                              "kind = \"applied\"\ntime_s = [0, 1]\n"
@@ -275,11 +283,7 @@ TEST(CaseFile, Forces) {
 
 // The angle of a ball joint is that between two directions.
 TEST(CaseFile, AnglesOfBallJointsEndAtHalfATurn) {
-  std::vector<std::string> lines = good_lines;
-  lines[22] = "kind = \"spherical\"";
-  lines[24] = "";
-  lines[25] = "";
-  lines[26] = "";
+  std::vector<std::string> lines = ball_lines();
   const auto with_event = [&](const std::string& angle) {
     lines[35] = "angle_deg = " + angle;
     return error_message([&] { parse_case(text_of(lines), "c.toml"); });
@@ -342,25 +346,171 @@ TEST(CaseFile, ForcesEndAfterTheyBegin) {
 
 TEST(CaseFile, NamesOfBodiesAndColumnsAreTheirOwn) {
   // "arm" stands for its copies "arm 1" and "arm 2".
-  for (const char* name : {"arm", "arm 2", "arm_2", "core"}) {
-    EXPECT_EQ(error_message([&] {
-                parse_case(text_of(good_lines) + "[[load]]\nname = \"" + name +
-                               "\"\nmass_kg = 1\nprincipal_inertia_kg_m2 = "
-                               "[1, 1, 1]\n",
-                           "c.toml");
-              }),
-              "c.toml:50: load[2].name = \"" + std::string(name) +
-                  "\": allowed: a name that no other body has");
+  const auto named = [](const std::string& name) {
+    return error_message([&] {
+      parse_case(text_of(good_lines) + "[[load]]\nname = \"" + name +
+                     "\"\nmass_kg = 1\nprincipal_inertia_kg_m2 = "
+                     "[1, 1, 1]\n",
+                 "c.toml");
+    });
+  };
+  for (const std::string name : {"arm", "arm 2", "core"}) {
+    EXPECT_EQ(named(name), "c.toml:50: load[2].name = \"" + name +
+                               "\": allowed: a name that no other body has");
   }
+  EXPECT_EQ(named("arm_2"),
+            "c.toml:50: load[2].name = \"arm_2\": allowed: a name that is not "
+            "that of \"arm 2\" in columns, where blanks are underscores");
+}
+
+TEST(CaseFile, DirectionsOfABallJointComeInPairs) {
+  std::vector<std::string> lines = ball_lines();
+  lines[13] =
+      "direction = [{ name = \"along\", vector = [1, 0, 0] }]\n" + lines[13];
+  lines[9] +=
+      "\n[[carrier.direction]]\nname = \"axis\"\nvector = [1, 0, 0]"
+      "\n[[carrier.direction]]\nname = \"up\"\nvector = [0, 1, 0]";
+  const std::string text = text_of(lines);
+  const auto with = [&](const std::string& keys) {
+    const std::string place = "[load.hinge]\n";
+    std::string all = text;
+    all.insert(all.find(place) + place.size(), keys);
+    return error_message([&] { parse_case(all, "c.toml"); });
+  };
+  const std::string along = "load_direction = \"along\"\n";
+  EXPECT_EQ(with(""), "(no error)");
+  EXPECT_EQ(with(along + "carrier_direction = \"up\"\n"), "(no error)");
+  EXPECT_EQ(with(along),
+            "c.toml:30: load[1].hinge.load_direction = \"along\": allowed: "
+            "together with carrier_direction");
+  EXPECT_EQ(with("carrier_direction = \"axis\"\n"),
+            "c.toml:30: load[1].hinge.carrier_direction = \"axis\": allowed: "
+            "together with load_direction");
+  EXPECT_EQ(with(along + "carrier_direction = \"axes\"\n"),
+            "c.toml:31: load[1].hinge.carrier_direction = \"axes\": allowed: "
+            "axis, up, the directions of \"core\"");
+  std::vector<std::string> none = ball_lines();
+  none[24] = "load_direction = \"a\"";
+  none[25] = "carrier_direction = \"a\"";
+  EXPECT_EQ(error_message([&] { parse_case(text_of(none), "c.toml"); }),
+            "c.toml:25: load[1].hinge.load_direction = \"a\": \"arm\" has no "
+            "directions");
+}
+
+TEST(CaseFile, KeysOfTheOtherIntegratorAreRefused) {
+  const auto with = [](const std::string& keys) {
+    return message_with_line(5, keys);
+  };
+  EXPECT_EQ(with("step_ms = 5"),
+            "c.toml:5: run.step_ms = 5: allowed: with integrator = \"rk4\"");
+  EXPECT_EQ(with("step_ms = 5\nintegrator = \"rk4\""), "(no error)");
+  EXPECT_EQ(with("longest_step_s = 5\nintegrator = \"rk4\""),
+            "c.toml:5: run.longest_step_s = 5: allowed: with integrator = "
+            "\"adaptive\"");
+  EXPECT_EQ(with("relative_tolerance = 1e-6\nintegrator = \"rk4\""),
+            "c.toml:5: run.relative_tolerance = 1e-06: allowed: with "
+            "integrator = \"adaptive\"");
+  EXPECT_EQ(with("absolute_tolerance = 1e-6\nintegrator = \"rk4\""),
+            "c.toml:5: run.absolute_tolerance = 1e-06: allowed: with "
+            "integrator = \"adaptive\"");
+  EXPECT_EQ(with("longest_step_s = 5\nrelative_tolerance = 1e-6\n"
+                 "absolute_tolerance = 1e-6"),
+            "(no error)");
+}
+
+TEST(CaseFile, DistancesAreOfTwoBodies) {
+  const auto pairs = [](const std::string& a, const std::string& b) {
+    return text_of(good_lines) + "[[clearance]]\na = \"" + a + "\"\nb = \"" +
+           b + "\"\n";
+  };
+  EXPECT_EQ(
+      error_message([&] { parse_case(pairs("arm 1", "arm 1"), "c.toml"); }),
+      "c.toml:51: clearance[1].b = \"arm 1\": allowed: another body than "
+      "a");
+  // The copies of a load against each other.
+  EXPECT_EQ(parse_case(pairs("arm", "arm"), "c.toml").clearance.size(), 1U);
+}
+
+TEST(CaseFile, LocksOfAxesHaveALeverArm) {
+  // On the axis, which is along z through the load's origin.
+  EXPECT_EQ(message_with_line(29, "load_point_m = [0, 0, 0.3]"),
+            "c.toml:29: load[1].lock.load_point_m = [0, 0, 0.3]: allowed: a "
+            "point off the hinge's axis: on it a lock holds nothing");
+  EXPECT_EQ(message_with_line(29, "load_point_m = [0, 1e-6, 0.3]"),
+            "(no error)");
+  // The axis is given in carrier axes: along x of a load turned about y.
+  const std::string turned =
+      "axis = [0, 0, 1]\nzero_rotation_deg = [0, -90, 0]";
+  std::vector<std::string> lines = good_lines;
+  lines[24] = turned;
+  lines[28] = "load_point_m = [0.7, 0, 0]";
+  EXPECT_NE(error_message([&] {
+              parse_case(text_of(lines), "c.toml");
+            }).find("a point off the hinge's axis"),
+            std::string::npos);
+  lines[28] = "load_point_m = [0, 0, 0.7]";
+  EXPECT_EQ(error_message([&] { parse_case(text_of(lines), "c.toml"); }),
+            "(no error)");
+  // A ball joint turns about any line.
+  lines = ball_lines();
+  lines[28] = "load_point_m = [0, 0, 0.3]";
+  EXPECT_EQ(error_message([&] { parse_case(text_of(lines), "c.toml"); }),
+            "(no error)");
+}
+
+// Before what is missing for want of them.
+TEST(CaseFile, MisspeltNamesAreReportedFirst) {
+  EXPECT_EQ(message_with_line(3, "[runs]"),
+            "c.toml:3: runs: unknown key: did you mean run?");
+  EXPECT_EQ(message_with_line(6, "[carier]"),
+            "c.toml:6: carier: unknown key: did you mean carrier?");
+  EXPECT_EQ(message_with_line(4, "end_tiem_s = 2"),
+            "c.toml:4: run.end_tiem_s: unknown key: did you mean end_time_s?");
+  std::vector<std::string> lines = good_lines;
+  lines[21] = "[load.hinges]";
+  lines[25] = "[[load.hinges.joint]]";
+  EXPECT_EQ(error_message([&] { parse_case(text_of(lines), "c.toml"); }),
+            "c.toml:22: load[1].hinges: unknown key: did you mean hinge?");
+  EXPECT_EQ(message_with_line(1, ""), "c.toml:1: name is missing");
+  EXPECT_EQ(error_message([] { parse_case("name = \"x\"\n", "c.toml"); }),
+            "c.toml:1: the table [run] is missing");
+  EXPECT_EQ(error_message([] {
+              parse_case(text_of({good_lines.begin(), good_lines.begin() + 10}),
+                         "c.toml");
+            }),
+            "c.toml:1: load is missing: a case has one or more [[load]]");
+  // These are keys of their own, not "kind" and "axis".
+  EXPECT_EQ(message_of_force("name = \"f\"\nbody = \"arm\"\n"
+                             "wind = [1, 0, 0]\n"),
+            "c.toml:40: force[1].kind is missing (is it wind in line 43?)");
+  EXPECT_EQ(message_of_force("name = \"f\"\nbody = \"arm\"\n"
+                             "kind = \"aerodynamic\"\naxial = [1]\n"),
+            "c.toml:40: force[1].axis is missing");
+}
+
+// Joints of one file are told apart.
+TEST(CaseFile, JointsOfAFileHaveNamesOfTheirOwn) {
+  std::vector<std::string> lines = good_lines;
+  lines[26] += "\nname = \"left pin\"";
+  const Case c = parse_case(text_of(lines), "c.toml");
+  EXPECT_EQ(c.loads[0].hinge.joints[0].joint.name, "left pin");
 }
 
 TEST(CaseFile, LawsOfTheCommandLineAreTaken) {
   const Case c = parse_case(text_of(good_lines), "c.toml", {"tanh", ""});
   EXPECT_EQ(c.loads[0].hinge.joints[0].joint.half_angle_law, "tanh");
-  EXPECT_NE(error_message([] {
-              parse_case(text_of(good_lines), "c.toml", {"tahn", ""});
-            }).find("tahn"),
-            std::string::npos);
+  const auto message = [](const separation::JointLaws& laws) {
+    return error_message(
+        [&] { parse_case(text_of(good_lines), "c.toml", laws); });
+  };
+  EXPECT_EQ(
+      message({"blend:x", ""}),
+      "--law blend:x: joint \"pin joint, 40 mm steel pin in bronze\": "
+      "half-angle law blend:x: allowed: blend:K with K a number from 0 to 1");
+  EXPECT_EQ(message({"", "tahn"}),
+            "--pressure tahn: joint \"pin joint, 40 mm steel pin in bronze\": "
+            "pressure law tahn: allowed: cosine, sqrt_tan, sqrt_theta, "
+            "mixture, exact");
 }
 
 TEST(CaseFile, AllCasesOfTheProjectAreGood) {

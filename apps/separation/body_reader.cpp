@@ -105,8 +105,7 @@ Body read_body(const TomlTable& table) {
     table.number("mass", Interval::positive(), Dimension::mass);
   }
   if (body.shapes.empty() && !inertia) {
-    table.fail("inertia",
-               "is missing, and there are no shapes to take it from");
+    table.fail_missing("inertia", "there are no shapes to take it from");
   }
   if (body.shapes.empty() && !mass) {
     table.fail("density_kg_per_m3", "allowed: with shapes only");

@@ -71,13 +71,19 @@ std::vector<int> CaseNames::loads_of(const TomlTable& table,
   return loads;
 }
 
-int CaseNames::event_of(const TomlTable& table, std::string_view key) const {
+int CaseNames::event_of(const TomlTable& table, std::string_view key,
+                        std::string_view except) const {
   const auto name = table.optional_text(key);
   if (!name) return -1;
   const auto found = std::find(events.begin(), events.end(), *name);
-  if (found == events.end()) {
-    if (events.empty()) table.fail(key, "there are no events");
-    refuse(table, key, events);
+  if (found == events.end() || *found == except) {
+    std::vector<std::string> allowed = events;
+    std::erase(allowed, except);
+    if (allowed.empty()) {
+      table.fail(key, except.empty() ? "there are no events"
+                                     : "there is no other event");
+    }
+    refuse(table, key, allowed);
   }
   return static_cast<int>(found - events.begin());
 }

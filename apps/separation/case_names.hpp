@@ -28,7 +28,9 @@ struct CaseNames {
   std::vector<int> loads_of(const contact::TomlTable& table,
                             std::string_view key) const;
   /// The event that the text of a key names; -1 if the key is missing.
-  int event_of(const contact::TomlTable& table, std::string_view key) const;
+  /// @param except  an event that it may not be, "" for none
+  int event_of(const contact::TomlTable& table, std::string_view key,
+               std::string_view except = "") const;
 };
 
 }  // namespace separation

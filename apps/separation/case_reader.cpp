@@ -30,6 +30,23 @@ constexpr double default_absolute_tolerance = 1e-8;
 // More rows than anyone looks at, and memory for them.
 constexpr double most_rows = 1e6;
 
+// Keys that the other integrator reads.
+void refuse_idle_keys(const TomlTable& table,
+                      multibody::Integrator integrator) {
+  const auto refuse = [&](std::string_view key, Dimension dimension,
+                          const char* other) {
+    if (!table.has(key, dimension)) return;
+    table.fail(key, fmt::format("allowed: with integrator = \"{}\"", other));
+  };
+  if (integrator == multibody::Integrator::adaptive) {
+    refuse("step", Dimension::time, "rk4");
+  } else {
+    refuse("relative_tolerance", Dimension::number, "adaptive");
+    refuse("absolute_tolerance", Dimension::number, "adaptive");
+    refuse("longest_step", Dimension::time, "adaptive");
+  }
+}
+
 void read_run(const TomlTable& table, Case& c) {
   auto& options = c.options;
   c.end_time = table.number("end_time", Interval::positive(), Dimension::time);
@@ -49,6 +66,7 @@ void read_run(const TomlTable& table, Case& c) {
           ? multibody::Integrator::adaptive
           : multibody::Integrator::rk4;
   const Interval tolerance{1e-14, 1e-2};
+  refuse_idle_keys(table, options.integrator);
   options.relative_tolerance =
       table.optional_number("relative_tolerance", tolerance)
           .value_or(options.relative_tolerance);
@@ -112,8 +130,19 @@ std::optional<Lock> read_lock(const TomlTable& load, const Body& body,
   }
   Lock lock{table->optional_text("name").value_or("lock"),
             vector(*table, "load_point", Dimension::length) - body.com};
-  if (!((lock.load_point - hinge.load_point).norm() > 0)) {
+  const Vector3d arm = lock.load_point - hinge.load_point;
+  if (!(arm.norm() > 0)) {
     table->fail("load_point", "allowed: a point apart from the hinge");
+  }
+  if (hinge.kind == JointKind::axis) {
+    const Vector3d axis = hinge.zero_rotation.transpose() * hinge.axis;
+    const double scale = lock.load_point.norm() + hinge.load_point.norm();
+    // Rounding of the points' entries and of the axis.
+    if (!(arm.cross(axis).norm() > 1e-12 * scale)) {
+      table->fail("load_point",
+                  "allowed: a point off the hinge's axis: on it a lock holds "
+                  "nothing");
+    }
   }
   return lock;
 }
@@ -153,13 +182,23 @@ Load turned(Load load, const Matrix3d& turn, const Vector3d& carrier_com) {
 }
 
 // Columns are named after bodies, with underscores for blanks.
-bool is_taken(const Case& c, const std::string& name) {
+void check_name(const TomlTable& table, const Case& c,
+                const std::string& name) {
   const std::string column = column_name(name);
-  return column_name(c.carrier.name) == column ||
-         std::any_of(c.loads.begin(), c.loads.end(), [&](const Load& load) {
-           return column_name(load.body.name) == column ||
-                  column_name(load.group) == column;
-         });
+  const auto refuse_as = [&](const std::string& other) {
+    if (column_name(other) != column) return;
+    table.fail("name",
+               other == name
+                   ? "allowed: a name that no other body has"
+                   : fmt::format("allowed: a name that is not that of \"{}\" "
+                                 "in columns, where blanks are underscores",
+                                 other));
+  };
+  refuse_as(c.carrier.name);
+  for (const Load& load : c.loads) {
+    refuse_as(load.group);
+    refuse_as(load.body.name);
+  }
 }
 
 // Bodies that the equations of motion cannot take: no inertia in a direction
@@ -211,9 +250,8 @@ void read_load(const TomlTable& table, const JointLaws& laws, Case& c,
       copies.back().body.name = fmt::format("{} {}", load.group, copy + 1);
     }
     names.turns.push_back(turn);
-    if (is_taken(c, load.group) || is_taken(c, copies.back().body.name)) {
-      table.fail("name", "allowed: a name that no other body has");
-    }
+    check_name(table, c, load.group);
+    check_name(table, c, copies.back().body.name);
   }
   c.loads.insert(c.loads.end(), copies.begin(), copies.end());
 }
@@ -236,7 +274,6 @@ void read_events(const TomlTable& file, Case& c, CaseNames& names) {
 void read_clearance(const TomlTable& file, const CaseNames& names, Case& c) {
   const auto tables = file.tables("clearance");
   const auto add = [&](int a, int b) {
-    if (a == b) return;
     c.clearance.push_back({std::min(a, b), std::max(a, b)});
   };
   const auto shaped = [&](const TomlTable& table, std::string_view key) {
@@ -247,8 +284,15 @@ void read_clearance(const TomlTable& file, const CaseNames& names, Case& c) {
     return bodies;
   };
   for (const TomlTable& table : tables) {
-    for (const int a : shaped(table, "a")) {
-      for (const int b : shaped(table, "b")) add(a, b);
+    const auto of_a = shaped(table, "a");
+    const auto of_b = shaped(table, "b");
+    if (of_a.size() == 1 && of_a == of_b) {
+      table.fail("b", "allowed: another body than a");
+    }
+    for (const int a : of_a) {
+      for (const int b : of_b) {
+        if (a != b) add(a, b);
+      }
     }
   }
   if (tables.empty()) {
@@ -270,7 +314,7 @@ void read_clearance(const TomlTable& file, const CaseNames& names, Case& c) {
                     c.clearance.end());
 }
 
-Case read(const TomlTable& file, const JointLaws& laws) {
+Case read_all(const TomlTable& file, const JointLaws& laws) {
   Case c;
   c.file = file.source();
   c.name = file.text("name");
@@ -289,7 +333,7 @@ Case read(const TomlTable& file, const JointLaws& laws) {
   CaseNames names{c, {}, {}};
   const auto loads = file.tables("load");
   if (loads.empty()) {
-    file.fail("load", "is missing: allowed: one or more [[load]]");
+    file.fail_missing("load", "a case has one or more [[load]]");
   }
   for (const TomlTable& load : loads) read_load(load, laws, c, names);
   read_events(file, c, names);
@@ -301,6 +345,17 @@ Case read(const TomlTable& file, const JointLaws& laws) {
   read_clearance(file, names, c);
   file.refuse_unknown_keys();
   return c;
+}
+
+Case read(const TomlTable& file, const JointLaws& laws) {
+  try {
+    return read_all(file, laws);
+  } catch (const contact::Error&) {
+    // What is missing may be there by another name. Two keys of forces are
+    // nearly others: kind and axis.
+    file.refuse_misspelt_keys({"wind", "axial"});
+    throw;
+  }
 }
 
 }  // namespace

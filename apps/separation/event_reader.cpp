@@ -53,9 +53,7 @@ void read_condition(const TomlTable& table, Event& event) {
     return;
   }
   if (event.after < 0) {
-    table.fail("time",
-               "is missing: an event needs time, angle, reaction or "
-               "after");
+    table.fail_missing("time", "an event needs time, angle, reaction or after");
   }
   event.trigger = Event::Trigger::after;
   event.value = delay.value_or(0);
@@ -100,10 +98,7 @@ Event read_event(const TomlTable& table, const CaseNames& names) {
   event.loads = names.loads_of(table, "loads");
   event.action =
       static_cast<Event::Action>(table.choice("breaks", {"lock", "hinge"}));
-  event.after = names.event_of(table, "after");
-  if (event.after >= 0 && names.events[event.after] == event.name) {
-    table.fail("after", "allowed: another event");
-  }
+  event.after = names.event_of(table, "after", event.name);
   event.together = table.optional_boolean("together").value_or(false);
   read_condition(table, event);
   event.node = static_cast<Event::Node>(

@@ -106,7 +106,7 @@ AppliedForce read_applied(const TomlTable& table, const Body& body,
   force.variable = rows.variable;
   if (!table.has("force", Dimension::force) &&
       !table.has("moment", Dimension::moment)) {
-    table.fail("force", "is missing, and there is no moment either");
+    table.fail_missing("force", "there is no moment either");
   }
   force.force = read_vectors(table, "force", Dimension::force, rows.at);
   force.moment = read_vectors(table, "moment", Dimension::moment, rows.at);

@@ -1,6 +1,7 @@
 #include "separation/hinge_reader.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -18,18 +19,39 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using multibody::JointKind;
 
+// What is wrong with them is the command line's, not the file's.
+void take_laws(const JointLaws& laws, contact::Joint& joint) {
+  const auto take = [&](const char* option, const std::string& name,
+                        std::string& law, const auto& make) {
+    if (name.empty()) return;
+    law = name;
+    try {
+      make();
+    } catch (const Error& error) {
+      throw Error(fmt::format("{} {}: joint \"{}\": {}", option, name,
+                              joint.name, error.what()));
+    }
+  };
+  take("--law", laws.half_angle, joint.half_angle_law,
+       [&] { joint.make_half_angle_law(); });
+  take("--pressure", laws.pressure, joint.pressure_law,
+       [&] { joint.make_pressure_law(); });
+}
+
 contact::Joint read_joint_of(const TomlTable& table, const JointLaws& laws) {
   const auto file = table.optional_text("file");
   contact::Joint joint = [&] {
     if (!file) return contact::joint_from_table(table);
+    const auto name = table.optional_text("name");
     try {
-      return contact::read_joint(table.folder() / *file);
+      contact::Joint read = contact::read_joint(table.folder() / *file);
+      if (name) read.name = *name;
+      return read;
     } catch (const Error& error) {
       table.fail("file", error.what());
     }
   }();
-  if (!laws.half_angle.empty()) joint.half_angle_law = laws.half_angle;
-  if (!laws.pressure.empty()) joint.pressure_law = laws.pressure;
+  take_laws(laws, joint);
   if (!joint.friction) {
     table.fail(file ? "file" : "friction",
                "neither the joint nor its materials have [friction]");
@@ -64,25 +86,40 @@ Vector3d named_direction(const TomlTable& table, std::string_view key,
   for (const NamedDirection& direction : body.directions) {
     if (direction.name == name) return direction.vector;
   }
-  table.fail(key,
-             fmt::format("allowed: a name of the directions of {}", body.name));
+  if (body.directions.empty()) {
+    table.fail(key, fmt::format("\"{}\" has no directions", body.name));
+  }
+  std::vector<std::string> names;
+  for (const NamedDirection& direction : body.directions) {
+    names.push_back(direction.name);
+  }
+  table.fail(key, fmt::format("allowed: {}, the directions of \"{}\"",
+                              fmt::join(names, ", "), body.name));
 }
 
-// Directions of the angle of a ball joint: named ones, or the line from the
-// hinge to the load's centre of mass, which begins at angle 0.
+// Directions of the angle of a ball joint: two named ones, or the line from
+// the hinge to the load's centre of mass, which begins at angle 0.
 void read_angle(const TomlTable& table, const Body& load, const Body& carrier,
                 Hinge& hinge) {
   const auto of_load = table.optional_text("load_direction");
   const auto of_carrier = table.optional_text("carrier_direction");
-  const Vector3d arm = hinge.load_point.norm() > 0
-                           ? Vector3d(-hinge.load_point.normalized())
-                           : Vector3d::UnitX();
-  hinge.load_direction =
-      of_load ? named_direction(table, "load_direction", load, *of_load) : arm;
-  hinge.carrier_direction =
-      of_carrier
-          ? named_direction(table, "carrier_direction", carrier, *of_carrier)
-          : Vector3d(hinge.zero_rotation * hinge.load_direction);
+  if (of_load && of_carrier) {
+    hinge.load_direction =
+        named_direction(table, "load_direction", load, *of_load);
+    hinge.carrier_direction =
+        named_direction(table, "carrier_direction", carrier, *of_carrier);
+    return;
+  }
+  if (of_load) {
+    table.fail("load_direction", "allowed: together with carrier_direction");
+  }
+  if (of_carrier) {
+    table.fail("carrier_direction", "allowed: together with load_direction");
+  }
+  hinge.load_direction = hinge.load_point.norm() > 0
+                             ? Vector3d(-hinge.load_point.normalized())
+                             : Vector3d::UnitX();
+  hinge.carrier_direction = hinge.zero_rotation * hinge.load_direction;
 }
 
 JointContact make_contact(const HingeJoint& joint) {
