@@ -245,6 +245,10 @@ TEST(Quantity, ValuesAndVectors) {
               cli::parse_value("--x", "2", {0, 1, "N"});
             }),
             "--x 2: allowed 0 to 1 N");
+  EXPECT_EQ(error_message([] {
+              cli::parse_value("--x", "1N", {0, 1, "N"});
+            }),
+            "--x 1N: not a number, allowed 0 to 1 N");
   for (const char* bad :
        {"", "1,2", "1,2,3,4", "1,,3", "1,2,x", "1,2,nan", "1,2,inf"}) {
     EXPECT_EQ(error_message([&] { cli::parse_vector("--v", bad, "in N"); }),

@@ -859,19 +859,19 @@ TEST(HingeSeparation, ResumedRunIsTheSame) {
     const std::string checkpoint =
         std::string(" --checkpoint-every ") + every + " --checkpoint ";
     ASSERT_EQ(folder
-                  .run(run + "--history a.csv --events a.txt --output a.json" +
+                  .run(run + "--history a.csv --events ae.csv --output a.json" +
                        checkpoint + "c.cbor")
                   .status,
               0);
     const ProgramResult resumed =
         folder.run(run +
-                   "--history b.csv --events b.txt --output b.json "
+                   "--history b.csv --events be.csv --output b.json "
                    "--resume c.cbor" +
                    checkpoint + "d.cbor");
     ASSERT_EQ(resumed.status, 0) << resumed.err;
     // Byte by byte; too long to be printed.
     EXPECT_TRUE(folder.read("a.csv") == folder.read("b.csv")) << name;
-    EXPECT_EQ(folder.read("a.txt"), folder.read("b.txt")) << name;
+    EXPECT_EQ(folder.read("ae.csv"), folder.read("be.csv")) << name;
     json a = json::parse(folder.read("a.json"));
     json b = json::parse(folder.read("b.json"));
     a.erase("counts");
@@ -1122,18 +1122,31 @@ TEST(HingeSeparation, BadInputHasOneMessageAndLeavesNothing) {
   message("data/cases/soyuz.toml --friction wet");
   message("data/cases/slosh.toml --compare --history h.csv");
   message("data/cases/slosh.toml --checkpoint c.cbor");
-  for (const char* every : {"0", "-1", "nan", "inf", "often"}) {
+  for (const char* every : {"0", "-1", "nan", "inf"}) {
     EXPECT_EQ(message(std::string("data/cases/slosh.toml --checkpoint c.cbor "
                                   "--checkpoint-every ") +
                       every),
               std::string("hinge-separation: --checkpoint-every ") + every +
                   ": allowed 1e-09 to 1e+09 s\n");
   }
+  EXPECT_EQ(message("data/cases/slosh.toml --checkpoint c.cbor "
+                    "--checkpoint-every 500ms"),
+            "hinge-separation: --checkpoint-every 500ms: not a number, allowed "
+            "1e-09 to 1e+09 s\n");
+  EXPECT_EQ(message("data/cases/slosh.toml --checkpoint c.cbor "
+                    "--checkpoint-every 20.5"),
+            "hinge-separation: --checkpoint-every 20.5: allowed up to 20 s, "
+            "the end of the case\n");
   EXPECT_EQ(message("data/cases/soyuz.toml --law tahn"),
             "hinge-separation: --law tahn: allowed hertz, arctan, tanh, blend, "
             "paper, nominal, fitted, exact\n");
-  EXPECT_EQ(message("data/cases/soyuz.toml --law blend:2").substr(0, 40),
-            "hinge-separation: data/cases/soyuz.toml:");
+  const std::string ball =
+      "joint \"nose ball, 200 mm\": half-angle law blend:x: ";
+  EXPECT_EQ(message("data/cases/soyuz.toml --law blend:x"),
+            "hinge-separation: --law blend:x: " + ball +
+                "allowed: blend:K with K a number from 0 to 1\n");
+  EXPECT_EQ(message("data/cases/soyuz.toml --law blend:2").substr(0, 33),
+            "hinge-separation: --law blend:2: ");
   EXPECT_EQ(message("data/cases/soyuz.toml --pressure tahn"),
             "hinge-separation: --pressure tahn: allowed cosine, sqrt_tan, "
             "sqrt_theta, mixture, exact\n");
@@ -1162,12 +1175,32 @@ TEST(HingeSeparation, BadInputHasOneMessageAndLeavesNothing) {
   EXPECT_EQ(message(slosh + "--output a.csv --history ./a.csv"),
             "hinge-separation: --history ./a.csv: allowed another file than "
             "that of --output\n");
-  EXPECT_EQ(message(slosh + "--events -"),
+  for (const std::string option : {"--events", "--history"}) {
+    for (const char* output : {"", " --output -"}) {
+      EXPECT_EQ(message(slosh + option + " -" + output),
+                "hinge-separation: " + option +
+                    " -: standard output has the summary; allowed with "
+                    "--output FILE for that\n");
+    }
+  }
+  EXPECT_EQ(message(slosh + "--events - --history - --output s.json"),
             "hinge-separation: --events -: allowed another file than that of "
-            "--output\n");
-  EXPECT_EQ(message(slosh + "--events c_angles.svg --plot c.svg"),
+            "--history\n");
+  EXPECT_EQ(message(slosh + "--events e.json"),
+            "hinge-separation: --events e.json: allowed names end in .csv; - "
+            "for standard output\n");
+  EXPECT_EQ(message(slosh + "--checkpoint c_angles.svg --checkpoint-every 1 "
+                            "--plot c.svg"),
             "hinge-separation: --plot c_angles.svg: allowed another file than "
-            "that of --events\n");
+            "that of --checkpoint\n");
+  for (const char* format : {"csv", "markdown", "latex"}) {
+    EXPECT_EQ(message(slosh + "--format " + format),
+              "hinge-separation: --format: the summary is JSON; tables need "
+              "--compare\n");
+  }
+  EXPECT_EQ(message("data/cases/soyuz.toml --compare --no-clearance"),
+            "hinge-separation: --compare: allowed without --no-clearance: it "
+            "has no distances\n");
   folder.write("slosh.toml", folder.read(slosh.substr(0, slosh.size() - 1)));
   EXPECT_EQ(message("slosh.toml --output slosh.toml"),
             "hinge-separation: --output slosh.toml: allowed another file than "
@@ -1358,6 +1391,17 @@ starts_at_s = 0.55
   EXPECT_EQ(times.size(), 3u);
   EXPECT_EQ(times.back(), summary["end_time_s"]);
   EXPECT_NEAR(times.back(), 0.55, 1e-9);
+}
+
+TEST(HingeSeparation, NamesInCapitalsAreTheSame) {
+  const ProgramFolder folder;
+  const std::string run = "data/cases/slosh.toml --format json ";
+  run_json(folder, run + "--history h.csv --events e.csv");
+  run_json(folder, run + "--history H.CSV --events E.CSV");
+  run_json(folder, run + "--history H.H5");
+  EXPECT_TRUE(folder.read("h.csv") == folder.read("H.CSV"));
+  EXPECT_EQ(folder.read("e.csv"), folder.read("E.CSV"));
+  EXPECT_GT(H5Fis_hdf5((folder.path() / "H.H5").c_str()), 0);
 }
 
 TEST(HingeSeparation, PicturesAreThere) {

@@ -24,8 +24,9 @@ double parse_value(std::string_view option, std::string_view text,
                    const Allowed& allowed) {
   const auto value = parse_number(text);
   if (!value || !allowed.contains(*value)) {
-    throw contact::Error(
-        fmt::format("{} {}: allowed {}", option, text, allowed.text()));
+    throw contact::Error(fmt::format("{} {}: {}allowed {}", option, text,
+                                     value ? "" : "not a number, ",
+                                     allowed.text()));
   }
   return *value;
 }

@@ -4,7 +4,6 @@
 #include <hdf5.h>
 
 #include <array>
-#include <filesystem>
 #include <string_view>
 #include <utility>
 
@@ -12,6 +11,7 @@
 #include "cli/table.hpp"
 #include "libcontact/error.hpp"
 #include "multibody/hinge_friction.hpp"
+#include "separation/file_name.hpp"
 
 namespace separation {
 namespace {
@@ -148,24 +148,16 @@ void write_hdf5(const Rows& rows, const cli::Output& output) {
 }
 
 const std::string& checked(const std::string& name) {
-  std::error_code ignored;
-  const bool pipe = std::filesystem::exists(name, ignored) &&
-                    !std::filesystem::is_regular_file(name, ignored);
-  for (const char* end : {".csv", ".h5", ".hdf5"}) {
-    if (name.ends_with(end)) return name;
-  }
-  if (name == "-" || pipe) return name;
-  throw contact::Error(
-      fmt::format("--history {}: allowed names end in .csv, .h5 or .hdf5; - "
-                  "for CSV on standard output",
-                  name));
+  check_ending("--history", name, {".csv", ".h5", ".hdf5"},
+               ".csv, .h5 or .hdf5; - for CSV on standard output");
+  return name;
 }
 
 }  // namespace
 
 HistoryFile::HistoryFile(const std::string& name)
     : name_(name),
-      hdf5_(name.ends_with(".h5") || name.ends_with(".hdf5")),
+      hdf5_(ends_in(name, ".h5") || ends_in(name, ".hdf5")),
       output_(checked(name)) {
   if (hdf5_ && output_.temporary().empty()) {
     throw contact::Error(name + ": an HDF5 file has to be a regular file");

@@ -5,6 +5,7 @@
 
 #include "cli/program.hpp"
 #include "cli/quantity.hpp"
+#include "separation/option_check.hpp"
 #include "separation/run.hpp"
 
 namespace {
@@ -93,10 +94,15 @@ void add_options(CLI::App& app, Options& options) {
                  "time history: .csv, .h5 or .hdf5, - for CSV on stdout")
       ->option_text("FILE")
       ->group("Output");
-  app.add_option("--events", options.events, "list of events, CSV")
+  app.add_option("--events", options.events,
+                 "list of events: .csv, - for stdout")
       ->option_text("FILE")
       ->group("Output");
   cli::add_output_options(app, options.output);
+  app.get_option("--format")
+      ->description(
+          "of --compare: csv (default), json, markdown,\nlatex; the summary is "
+          "JSON");
   app.footer(std::string(help) + std::string(cli::exit_status_help));
 }
 
@@ -107,6 +113,8 @@ int main(int argc, char** argv) {
                "hinge-separation");
   Options options;
   add_options(app, options);
-  return cli::run_program(app, argc, argv,
-                          [&] { return separation::run(options); });
+  return cli::run_program(app, argc, argv, [&] {
+    separation::check_options(options, app.count("--format") > 0);
+    return separation::run(options);
+  });
 }

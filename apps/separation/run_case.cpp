@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "cli/progress.hpp"
+#include "libcontact/error.hpp"
 #include "separation/checkpoint.hpp"
 
 namespace separation {
@@ -101,6 +102,12 @@ double checkpoint_after(double time, double every) {
 }  // namespace
 
 Outcome run_case(const Case& c, const RunOptions& options) {
+  if (options.checkpoint_every > c.end_time) {
+    throw contact::Error(
+        fmt::format("--checkpoint-every {:.6g}: allowed up to {:.6g} s, the "
+                    "end of the case",
+                    options.checkpoint_every, c.end_time));
+  }
   Run run{nullptr,
           Recorder(c, options.rows, options.clearance, !options.only_events),
           !options.only_events,

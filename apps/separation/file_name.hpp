@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace separation {
+
+/// True if a file's name ends so, in small or capital letters.
+bool ends_in(std::string_view name, std::string_view ending);
+
+/// Names of files that an option takes.
+/// @param endings  allowed ones; so are "-" and what is there and is not a
+///   regular file
+/// @param allowed  the endings in words, for messages
+/// @throws contact::Error "OPTION NAME: allowed names end in ALLOWED"
+void check_ending(std::string_view option, const std::string& name,
+                  const std::vector<std::string_view>& endings,
+                  std::string_view allowed);
+
+}  // namespace separation
