@@ -228,18 +228,28 @@ Joint joint_from_table(const TomlTable& table) {
   return joint;
 }
 
+namespace {
+
+Joint whole_joint(const TomlTable& file) {
+  try {
+    Joint joint = joint_from_table(file);
+    file.refuse_unknown_keys();
+    return joint;
+  } catch (const Error&) {
+    // What is missing may be there by another name.
+    file.refuse_misspelt_keys();
+    throw;
+  }
+}
+
+}  // namespace
+
 Joint read_joint(const std::filesystem::path& path) {
-  const TomlTable table = TomlTable::from_file(path);
-  Joint joint = joint_from_table(table);
-  table.refuse_unknown_keys();
-  return joint;
+  return whole_joint(TomlTable::from_file(path));
 }
 
 Joint parse_joint(std::string_view text, const std::string& source) {
-  const TomlTable table = TomlTable::from_text(text, source);
-  Joint joint = joint_from_table(table);
-  table.refuse_unknown_keys();
-  return joint;
+  return whole_joint(TomlTable::from_text(text, source));
 }
 
 }  // namespace contact

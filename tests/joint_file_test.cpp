@@ -249,14 +249,15 @@ TEST(JointFile, MissingKeysAndTables) {
             "j.toml:3: geometry.radius is missing: allowed: radius (in m), "
             "radius_m, radius_mm, radius_um, radius_km");
   EXPECT_EQ(message_with_line(4, "raduis_mm = 50"),
-            "j.toml:3: geometry.radius is missing: allowed: radius (in m), "
-            "radius_m, radius_mm, radius_um, radius_km (is it raduis_mm in "
-            "line 4?)");
+            "j.toml:4: geometry.raduis_mm: unknown key: did you mean "
+            "radius_mm?");
   EXPECT_EQ(message_with_line(9, ""),
             "j.toml:6: materials.inner.poissons_ratio is missing");
   EXPECT_EQ(message_with_line(14, ""),
             "j.toml:13: friction.coefficient is missing");
   EXPECT_EQ(message_with_line(3, "[geometrie]"),
+            "j.toml:3: geometrie: unknown key: did you mean geometry?");
+  EXPECT_EQ(message_with_line(3, "[shape]"),
             "j.toml:1: the table [geometry] is missing");
   EXPECT_EQ(message_with_line(10, "[materials.seat]"),
             "j.toml:6: the table [materials.outer] is missing");
