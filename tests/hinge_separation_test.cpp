@@ -1198,6 +1198,11 @@ TEST(HingeSeparation, BadInputHasOneMessageAndLeavesNothing) {
               "hinge-separation: --format: the summary is JSON; tables need "
               "--compare\n");
   }
+  for (const std::string law : {"--law tanh", "--pressure exact"}) {
+    EXPECT_EQ(message("data/cases/soyuz.toml --friction ideal " + law),
+              "hinge-separation: " + law +
+                  ": allowed with friction, not with --friction ideal\n");
+  }
   EXPECT_EQ(message("data/cases/soyuz.toml --compare --no-clearance"),
             "hinge-separation: --compare: allowed without --no-clearance: it "
             "has no distances\n");

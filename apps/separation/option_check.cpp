@@ -12,6 +12,12 @@ bool is_standard_output(const std::string& name) {
   return name.empty() || name == "-";
 }
 
+void refuse_idle_law(const char* option, const std::string& name) {
+  if (name.empty()) return;
+  throw contact::Error(fmt::format(
+      "{} {}: allowed with friction, not with --friction ideal", option, name));
+}
+
 // The summary goes there unless it has a file.
 void check_standard_output(const char* option, const std::string& name,
                            const Options& options) {
@@ -33,6 +39,10 @@ void check_options(const Options& options, bool format_given) {
     if (!options.no_clearance) return;
     throw contact::Error(
         "--compare: allowed without --no-clearance: it has no distances");
+  }
+  if (options.friction == "ideal") {
+    refuse_idle_law("--law", options.half_angle_law);
+    refuse_idle_law("--pressure", options.pressure_law);
   }
   // The default is for --compare.
   if (format_given && options.output.format == cli::Format::csv) {
