@@ -661,13 +661,17 @@ void TomlTable::refuse_keys(bool only_misspelt,
   const auto look_at = [&](const toml::table& table, const toml::node& value,
                            const std::string& key, const std::string& place) {
     if (first != nullptr && line_of(*first) <= line_of(value)) return;
-    std::vector<std::string> absent;  // spellings that are not there
+    // Spellings that are not there. Beside a misspelt table [x] the right one
+    // may be there for the sake of [x.y].
+    std::vector<std::string> likely;
     std::vector<std::string> keys;
     for (const auto& [spelling, asked] : file_->known[&table]) {
-      if (!table.contains(spelling)) absent.push_back(spelling);
+      if (only_misspelt || !table.contains(spelling)) {
+        likely.push_back(spelling);
+      }
       if (spelling == asked) keys.push_back(asked);
     }
-    const std::string meant = detail::nearest(key, absent);
+    const std::string meant = detail::nearest(key, likely);
     if (only_misspelt &&
         (meant.empty() || std::ranges::find(right, key) != right.end())) {
       return;

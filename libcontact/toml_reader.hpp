@@ -136,8 +136,8 @@ class TomlTable {
   /// for, with the nearest one that was. Call it when everything is read.
   void refuse_unknown_keys() const;
   /// Throws Error for the first key that no call has asked for and that is
-  /// nearly one that a call has asked for in vain. Call it when reading has
-  /// failed: the misspelt key may be why.
+  /// nearly one that a call has asked for. Call it when reading has failed:
+  /// the misspelt key may be why.
   /// @param right  keys that are right in some tables of the file, whatever
   ///   they resemble
   void refuse_misspelt_keys(const std::vector<std::string>& right = {}) const;

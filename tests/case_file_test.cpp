@@ -464,6 +464,9 @@ TEST(CaseFile, MisspeltNamesAreReportedFirst) {
             "c.toml:3: runs: unknown key: did you mean run?");
   EXPECT_EQ(message_with_line(6, "[carier]"),
             "c.toml:6: carier: unknown key: did you mean carrier?");
+  // Where a table inside makes one of the right name.
+  EXPECT_EQ(message_with_line(6, "[carrier.start]\n[carier]"),
+            "c.toml:7: carier: unknown key: did you mean carrier?");
   EXPECT_EQ(message_with_line(4, "end_tiem_s = 2"),
             "c.toml:4: run.end_tiem_s: unknown key: did you mean end_time_s?");
   std::vector<std::string> lines = good_lines;
