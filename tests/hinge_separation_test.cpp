@@ -1398,6 +1398,21 @@ starts_at_s = 0.55
   EXPECT_NEAR(times.back(), 0.55, 1e-9);
 }
 
+TEST(HingeSeparation, StepsThatAreTooLongAreWarnedOf) {
+  const ProgramFolder folder;
+  std::string text = folder.read("data/cases/slosh.toml");
+  const std::string run = "[run]\n";
+  ASSERT_NE(text.find(run), std::string::npos);
+  text.insert(text.find(run) + run.size(),
+              "integrator = \"rk4\"\nstep_s = 0.5\n");
+  folder.write("c.toml", text);
+  const ProgramResult result = folder.run("hinge-separation c.toml");
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_NE(result.err.find("warning: the energy strays by "),
+            std::string::npos)
+      << result.err;
+}
+
 TEST(HingeSeparation, NamesInCapitalsAreTheSame) {
   const ProgramFolder folder;
   const std::string run = "data/cases/slosh.toml --format json ";

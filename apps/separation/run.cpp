@@ -216,6 +216,21 @@ void print_missed(const Case& c, const Outcome& outcome) {
   }
 }
 
+// Steps that are too long show in the balance of the energies.
+void print_drift(const Case& c, const Outcome& outcome) {
+  const Recorder::Memory& memory = outcome.memory;
+  constexpr double notable = 1e-5;
+  if (c.options.carrier_drive ||
+      !(memory.largest_drift > notable * memory.largest_energy)) {
+    return;
+  }
+  cli::warn(program,
+            fmt::format("the energy strays by {:.2g} J, {:.2g} of its largest "
+                        "part: shorter steps or smaller tolerances",
+                        memory.largest_drift,
+                        memory.largest_drift / memory.largest_energy));
+}
+
 cli::ExitStatus compare(const Case& c, const Options& o) {
   print_validity(c);
   std::vector<Outcome> outcomes;
@@ -276,6 +291,7 @@ cli::ExitStatus simulate(const Case& c, const Options& o) {
     print_missed(c, outcome);
   }
   print_overlaps(c, outcome);
+  print_drift(c, outcome);
   if (history) history->write(outcome.memory.rows);
   if (events) {
     events->write(events_csv(outcome));
