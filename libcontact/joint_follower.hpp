@@ -63,6 +63,9 @@ class JointFollower {
   void set_reaction(int joint, const Eigen::Vector3d& reaction) noexcept {
     set(reaction_row, joint, reaction);
   }
+  Eigen::Vector3d reaction(int joint) const noexcept {
+    return get(reaction_row, joint);
+  }
 
   /// M_t by the slopes, nothing evaluated.
   void predict() noexcept;

@@ -57,7 +57,7 @@ CoupledDynamics::Impl::Impl(const System& system,
     hinge.length = std::max(link.arm, link.hinge.norm());
     if (link.kind == JointKind::none) hinge.mode = HingeMode::released;
   }
-  reactions.resize(system.size());
+  reactions_.resize(system.size());
   change_.resize(system.size());
   forget_way();
   rows_.reserve(system.size());
@@ -66,6 +66,8 @@ CoupledDynamics::Impl::Impl(const System& system,
 void CoupledDynamics::Impl::set_mode(int load, HingeMode mode) {
   Hinge& hinge = hinges[load];
   if (joint_mode(hinge.mode) != joint_mode(mode)) {
+    // They stay those of the last evaluation.
+    know_reactions();
     dynamics.set_mode(load, joint_mode(mode));
   }
   hinge.mode = mode;
@@ -124,6 +126,7 @@ void CoupledDynamics::Impl::start(const double* state,
   } else {
     dynamics.evaluate(state, loading);
   }
+  reactions_known_ = false;
 }
 
 void CoupledDynamics::Impl::apply_change() {
@@ -137,7 +140,7 @@ void CoupledDynamics::Impl::apply_change() {
   } else {
     dynamics.add_friction(change_);
   }
-  dynamics.reactions(reactions);
+  reactions_known_ = false;
 }
 
 CoupledRounding CoupledDynamics::Impl::noise() const {
@@ -181,7 +184,7 @@ bool CoupledDynamics::Impl::converged_is_unique() {
   const double least = report.contraction < near_one ? 0 : few * noise().moment;
   for (const int i : rows_) {
     const Hinge& hinge = hinges[i];
-    const Vec3<double>& force = reactions[i].force;
+    const Vec3<double>& force = reaction(i).force;
     const double moment = hinge.answer.squaredNorm();
     const double rough = hinge.leverage * hinge.leverage * moment;
     if (rough < near_one * near_one * dot(force, force) &&
@@ -205,10 +208,7 @@ const CoupledReport& CoupledDynamics::Impl::evaluate(const double* state,
   extrapolate(state);
   for (Vec3<double>& change : change_) change = {0, 0, 0};
   start(state, loading);
-  if (rows_.empty()) {
-    dynamics.reactions(reactions);
-    return report;
-  }
+  if (rows_.empty()) return report;
   converge();
   if (report.status == CoupledStatus::out_of_range) {
     // Not to start from again.
@@ -224,8 +224,8 @@ CoupledDynamics::Impl::Response CoupledDynamics::Impl::response(int load) {
   const double size = std::max(hinge.moment.norm(), 1.0);
   const auto alpha = [&] { return vec3(dynamics.relative_acceleration(load)); };
   const Vector3d alpha0 = alpha();
-  const Vector3d force0 = vec3(reactions[load].force);
-  const Vector3d moment0 = vec3(reactions[load].moment);
+  const Vector3d force0 = vec3(reaction(load).force);
+  const Vector3d moment0 = vec3(reaction(load).moment);
   Response r{Matrix3d::Zero(), Matrix3d::Zero(), Matrix3d::Zero()};
   for (int k = hinge.is_axis ? 2 : 0; k < 3; ++k) {
     for (Vec3<double>& change : change_) change = {0, 0, 0};
@@ -233,8 +233,8 @@ CoupledDynamics::Impl::Response CoupledDynamics::Impl::response(int load) {
     change_[load] = vec3(change);
     apply_change();
     r.acceleration.col(k) = (alpha() - alpha0) / size;
-    r.force.col(k) = (vec3(reactions[load].force) - force0) / size;
-    r.moment.col(k) = (vec3(reactions[load].moment) - moment0) / size;
+    r.force.col(k) = (vec3(reaction(load).force) - force0) / size;
+    r.moment.col(k) = (vec3(reaction(load).moment) - moment0) / size;
     change_[load] = vec3(Vector3d(-change));
     apply_change();
   }
@@ -246,7 +246,7 @@ std::span<const contact::JointSolution> CoupledDynamics::Impl::joints(
     int load) {
   Hinge& hinge = hinges[load];
   if (hinge.solver_is_behind && active(hinge)) {
-    hinge.solver.slide(reactions[load], hinge.rate);
+    hinge.solver.slide(reaction(load), hinge.rate);
   }
   hinge.solver_is_behind = false;
   return hinge.solver.joints();
@@ -255,7 +255,7 @@ std::span<const contact::JointSolution> CoupledDynamics::Impl::joints(
 double CoupledDynamics::Impl::kappa(int load) {
   Hinge& hinge = hinges[load];
   const Response by_moment = response(load);
-  const Reaction<double> at = reactions[load];
+  const Reaction<double> at = reaction(load);
   const double force = vec3(at.force).norm();
   if (!(force > 0)) return 0;
   const Vector3d middle = hinge.solver.slide(at, hinge.rate);
@@ -285,7 +285,7 @@ double CoupledDynamics::Impl::utilisation(int load) {
   if (hinge.utilisation_of != evaluation_) {
     // Rounding does not make a hinge slide.
     const CoupledRounding rounding = noise();
-    const Reaction<double>& held = reactions[load];
+    const Reaction<double>& held = reaction(load);
     hinge.utilisation = vec3(held.force).norm() <= rounding.force &&
                                 vec3(held.moment).norm() <= rounding.moment
                             ? 0
@@ -372,7 +372,7 @@ void CoupledDynamics::set_friction_moment(int load, const Vector3d& moment) {
   impl_->forget_way();
 }
 const Reaction<double>& CoupledDynamics::reaction(int load) const {
-  return impl_->reactions[load];
+  return impl_->reaction(load);
 }
 double CoupledDynamics::utilisation(int load) {
   return impl_->utilisation(load);

@@ -55,17 +55,26 @@ class CoupledDynamics::Impl {
 
   // coupled_dynamics.cpp
   void set_mode(int load, HingeMode mode);
-  /// Motion with the present moments; `reactions` are not yet known.
+  /// Motion with the present moments.
   void start(const double* state, Loading<double>& loading);
   const CoupledReport& evaluate(const double* state, Loading<double>& loading);
   bool active(const Hinge& hinge) const {
     return hinge.mode == HingeMode::sliding && hinge.has_friction;
   }
-  /// Changes the moments by `change_` and follows with motion and reactions.
+  /// Changes the moments by `change_` and follows with the motion.
   void apply_change();
   /// Fills every active hinge's answer; the residual.
   /// @param floor  moments below it, times the tolerance, are rounding
   double answer(double floor = 0);
+  /// Worked out when first asked for.
+  const Reaction<double>& reaction(int load) {
+    know_reactions();
+    return reactions_[load];
+  }
+  void know_reactions() {
+    if (!reactions_known_) dynamics.reactions(reactions_);
+    reactions_known_ = true;
+  }
   /// The joints of a hinge under the reactions found.
   std::span<const contact::JointSolution> joints(int load);
   /// Where the motion comes from says nothing on where it goes.
@@ -112,7 +121,6 @@ class CoupledDynamics::Impl {
   std::optional<CarrierAcceleration<double>> prescribed;
   CoupledReport report;
   std::vector<OuterStep>* trace = nullptr;
-  std::vector<Reaction<double>> reactions;
   std::vector<CoupledSolution> solutions;
 
  private:
@@ -128,6 +136,7 @@ class CoupledDynamics::Impl {
   bool predict();
   double relax(double enough);
   void move();
+  void take_reactions();
   void take_acting_moments();
   /// After any other change of moments.
   void forget_acting();
@@ -156,6 +165,8 @@ class CoupledDynamics::Impl {
   double step_square_ = 0;
   int way_stays_ = 0;
   std::vector<Vec3<double>> change_;
+  std::vector<Reaction<double>> reactions_;
+  bool reactions_known_ = true;  // none before the first evaluation
   std::vector<int> rows_;  // active hinges
   bool rows_known_ = false;
   long evaluation_ = 0;

@@ -25,7 +25,7 @@ double CoupledDynamics::Impl::answer(double floor) {
   double largest = 0;
   for (const int i : rows_) {
     Hinge& hinge = hinges[i];
-    hinge.answer = hinge.solver.slide(reactions[i], hinge.rate);
+    hinge.answer = hinge.solver.slide(reaction(i), hinge.rate);
     hinge.solver_is_behind = false;
     largest = std::max(largest, hinge.answer.norm());
     if (!hinge.answer.allFinite()) report.load = i;
@@ -213,7 +213,12 @@ void CoupledDynamics::Impl::move() {
   } else {
     follower.move(dynamics, rows_, change_);
   }
-  follower.take_reactions(dynamics, rows_, reactions);
+  take_reactions();
+}
+
+void CoupledDynamics::Impl::take_reactions() {
+  follower.take_reactions(dynamics, rows_, reactions_);
+  reactions_known_ = !follower.is_direct();
 }
 
 void CoupledDynamics::Impl::take_acting_moments() {
@@ -226,7 +231,8 @@ void CoupledDynamics::Impl::take_acting_moments() {
     loading_->loads[i].friction = vec3(moment);
     const double square = moment.squaredNorm();
     const double bound = hinge.leverage * hinge.leverage * square;
-    const Vec3<double>& force = reactions[i].force;
+    const Vec3<double> force =
+        follower.is_direct() ? follower.force(i) : reaction(i).force;
     largest_acting_ = std::max(largest_acting_, square);
     const double share = bound / dot(force, force);
     largest_leverage_ = std::max(largest_leverage_, share >= 0 ? share : large);
@@ -237,7 +243,7 @@ void CoupledDynamics::Impl::take_acting_moments() {
 // The outer loop with one evaluation of the friction of all hinges for each
 // iteration, as long as the follower knows its way.
 bool CoupledDynamics::Impl::follow() {
-  follower.take_reactions(dynamics, rows_, reactions);
+  take_reactions();
   if (!acting_known_) {
     largest_acting_ = 0;
     for (const int i : rows_) {
@@ -249,7 +255,6 @@ bool CoupledDynamics::Impl::follow() {
   // Half of what small moments count.
   follower.set_moment_floor(small_share * std::sqrt(largest_acting_));
   const bool found = follow_from_here();
-  if (follower.is_direct()) dynamics.reactions(reactions);
   take_acting_moments();
   return found;
 }
@@ -315,7 +320,6 @@ void CoupledDynamics::Impl::converge() {
   } else if (pause_ > 0) {
     --pause_;
   }
-  dynamics.reactions(reactions);
   forget_way();
   loop();
   if (!weak || pause_ > 0 || report.status != CoupledStatus::ok) return;

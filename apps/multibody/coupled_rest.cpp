@@ -215,7 +215,7 @@ const CoupledReport& CoupledDynamics::Impl::resolve_rest(
     Hinge& hinge = hinges[load];
     const double tau = utilisation(load);
     hinge.excess = tau > 1
-                       ? Vector3d((1 - 1 / tau) * vec3(reactions[load].moment))
+                       ? Vector3d((1 - 1 / tau) * vec3(reaction(load).moment))
                        : Vector3d(Vector3d::Zero());
     hinge.direction = hinge.solver.slip_direction();
     if (hinge.direction.isZero(0)) hinge.direction = Vector3d::UnitZ();

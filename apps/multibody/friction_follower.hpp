@@ -49,6 +49,12 @@ class FrictionFollower {
   void take_reactions(const Dynamics& dynamics, std::span<const int> hinges,
                       std::span<Reaction<double>> reactions);
 
+  /// The force on a hinge of one joint among them.
+  Vec3<double> force(int hinge) const {
+    const Eigen::Vector3d r = joints_.reaction(parts(hinge)[0].joint);
+    return {r.x(), r.y(), r.z()};
+  }
+
   /// Moments under them: see contact::JointFollower.
   void predict() { joints_.predict(); }
   void extend() { joints_.extend(); }
