@@ -14,21 +14,21 @@ Progress::Progress(std::string what, std::size_t total)
 
 Progress::~Progress() { clear(); }
 
-bool Progress::is_due() {
-  if (!terminal_ || Clock::now() < next_) return false;
+void Progress::have_said() {
   next_ = Clock::now() + std::chrono::milliseconds(200);
   shown_ = true;
-  return true;
 }
 
-void Progress::say(const std::function<std::string()>& text) {
+void Progress::say(const std::string& text) {
   // The last one may have been longer.
-  if (is_due()) std::fprintf(stderr, "\r\033[K%s ", text().c_str());
+  std::fprintf(stderr, "\r\033[K%s ", text.c_str());
+  have_said();
 }
 
 void Progress::add(std::size_t count) {
   done_ += count;
   if (!is_due()) return;
+  have_said();
   if (total_ > 0) {
     std::fprintf(stderr, "\r%zu of %zu %s (%d %%) ", done_, total_,
                  what_.c_str(),

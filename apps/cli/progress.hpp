@@ -2,7 +2,6 @@
 
 #include <chrono>
 #include <cstddef>
-#include <functional>
 #include <string>
 
 namespace cli {
@@ -10,6 +9,8 @@ namespace cli {
 /// Says on standard error how far a long run is, when that is a terminal and
 /// the run takes more than a second; silent otherwise.
 class Progress {
+  using Clock = std::chrono::steady_clock;
+
  public:
   /// @param what   "rows"
   /// @param total  number of them, 0 if not known
@@ -20,15 +21,16 @@ class Progress {
 
   /// `count` more are done.
   void add(std::size_t count);
-  /// Says text() instead, for runs that count nothing.
-  void say(const std::function<std::string()>& text);
+  /// Whether it is time to say something.
+  bool is_due() const { return terminal_ && Clock::now() >= next_; }
+  /// For runs that count nothing.
+  void say(const std::string& text);
   /// Removes the message, so that a line of text can be printed.
   void clear();
 
  private:
-  bool is_due();
+  void have_said();
 
-  using Clock = std::chrono::steady_clock;
   std::string what_;
   std::size_t total_;
   std::size_t done_ = 0;

@@ -36,7 +36,7 @@ struct Outcome {
 };
 
 /// @throws contact::Error if the motion cannot begin, or a checkpoint cannot
-///   be read or written, is of another run or would come after the end
+///   be read or written or is of another run
 Outcome run_case(const Case& c, const RunOptions& options);
 
 }  // namespace separation
