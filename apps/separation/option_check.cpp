@@ -1,8 +1,14 @@
 #include "separation/option_check.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <vector>
 
 #include "libcontact/error.hpp"
+#include "libcontact/half_angle.hpp"
+#include "libcontact/pressure.hpp"
 #include "separation/file_name.hpp"
 
 namespace separation {
@@ -28,29 +34,59 @@ void check_standard_output(const char* option, const std::string& name,
                   option));
 }
 
-}  // namespace
+void check_law(const char* option, const std::string& name,
+               const std::vector<std::string>& names) {
+  if (name.empty() || std::ranges::find(names, name) != names.end()) return;
+  throw contact::Error(
+      fmt::format("{} {}: allowed {}", option, name, fmt::join(names, ", ")));
+}
 
-void check_options(const Options& options, bool format_given) {
-  if (!options.events.empty()) {
-    check_ending("--events", options.events, {".csv"},
-                 ".csv; - for standard output");
-  }
-  if (options.compare) {
-    if (!options.no_clearance) return;
+void check_compare(const Options& o) {
+  if (o.no_clearance) {
     throw contact::Error(
         "--compare: allowed without --no-clearance: it has no distances");
   }
-  if (options.friction == "ideal") {
-    refuse_idle_law("--law", options.half_angle_law);
-    refuse_idle_law("--pressure", options.pressure_law);
+  const bool checkpoints = !o.checkpoint.empty() || !o.resume.empty();
+  if (checkpoints || !o.history.empty() || !o.events.empty() ||
+      !o.output.plot.empty() || !o.friction.empty()) {
+    throw contact::Error(
+        "--compare: allowed without --history, --events, --plot, --friction, "
+        "--checkpoint, --resume");
   }
-  // The default is for --compare.
-  if (format_given && options.output.format == cli::Format::csv) {
+}
+
+void check_run(const Options& o, bool format_given) {
+  if (o.friction == "ideal") {
+    refuse_idle_law("--law", o.half_angle_law);
+    refuse_idle_law("--pressure", o.pressure_law);
+  }
+  if (format_given && o.output.format != cli::Format::json) {
     throw contact::Error(
         "--format: the summary is JSON; tables need --compare");
   }
-  check_standard_output("--history", options.history, options);
-  check_standard_output("--events", options.events, options);
+  check_standard_output("--history", o.history, o);
+  check_standard_output("--events", o.events, o);
+}
+
+}  // namespace
+
+void check_options(const Options& o, bool format_given) {
+  if (!o.events.empty()) {
+    check_ending("--events", o.events, {".csv"}, ".csv; - for standard output");
+  }
+  if (o.compare) {
+    check_compare(o);
+  } else {
+    check_run(o, format_given);
+  }
+  // blend:K has a number; the joints look at it.
+  if (!o.half_angle_law.starts_with("blend:")) {
+    check_law("--law", o.half_angle_law, contact::half_angle_law_names());
+  }
+  check_law("--pressure", o.pressure_law, contact::pressure_law_names());
+  if (!o.checkpoint.empty() && o.checkpoint_every == 0 && o.resume.empty()) {
+    throw contact::Error("--checkpoint: allowed with --checkpoint-every");
+  }
 }
 
 }  // namespace separation

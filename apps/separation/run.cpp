@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <optional>
 #include <set>
@@ -17,6 +15,7 @@
 #include "cli/choice.hpp"
 #include "cli/output.hpp"
 #include "libcontact/error.hpp"
+#include "multibody/file_text.hpp"
 #include "separation/case_reader.hpp"
 #include "separation/compare.hpp"
 #include "separation/history_file.hpp"
@@ -33,11 +32,6 @@ constexpr std::array<cli::Choice<FrictionChoice>, 3> friction_choices = {
     {{"full", FrictionChoice::full},
      {"ideal", FrictionChoice::ideal},
      {"traditional", FrictionChoice::traditional}}};
-
-std::string text_of(const std::string& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 // Numbers of a joint, which may come from other files than the case's.
 std::string text_of(const contact::Joint& joint) {
@@ -60,35 +54,6 @@ std::string text_of(const contact::Joint& joint) {
   const auto& viscous = std::get<contact::ViscousLaw>(*joint.friction);
   return text + fmt::format(" viscous {} {}\n", viscous.constant(),
                             viscous.pressure_slope());
-}
-
-void check(const Options& o) {
-  const bool checkpoints = !o.checkpoint.empty() || !o.resume.empty();
-  if (o.compare && (checkpoints || !o.history.empty() || !o.events.empty() ||
-                    !o.output.plot.empty() || !o.friction.empty())) {
-    throw contact::Error(
-        "--compare: allowed without --history, --events, --plot, --friction, "
-        "--checkpoint, --resume");
-  }
-  if (!o.compare && o.output.format != cli::Format::csv &&
-      o.output.format != cli::Format::json) {
-    throw contact::Error(
-        "--format: the summary is JSON; tables need --compare");
-  }
-  const auto check_law = [](const char* option, const std::string& name,
-                            const std::vector<std::string>& names) {
-    if (name.empty() || std::ranges::find(names, name) != names.end()) return;
-    throw contact::Error(
-        fmt::format("{} {}: allowed {}", option, name, fmt::join(names, ", ")));
-  };
-  // blend:K has a number; the joints look at it.
-  if (!o.half_angle_law.starts_with("blend:")) {
-    check_law("--law", o.half_angle_law, contact::half_angle_law_names());
-  }
-  check_law("--pressure", o.pressure_law, contact::pressure_law_names());
-  if (!o.checkpoint.empty() && o.checkpoint_every == 0 && o.resume.empty()) {
-    throw contact::Error("--checkpoint: allowed with --checkpoint-every");
-  }
 }
 
 // Beside the files that every program has.
@@ -155,6 +120,12 @@ void check_case(const Options& o, const Case& c) {
   };
   needs_joints("--law", o.half_angle_law);
   needs_joints("--pressure", o.pressure_law);
+  if (o.checkpoint_every > c.end_time) {
+    throw contact::Error(
+        fmt::format("--checkpoint-every {:.6g}: allowed up to {:.6g} s, the "
+                    "end of the case",
+                    o.checkpoint_every, c.end_time));
+  }
   if (o.compare && !c.has_joints()) {
     throw contact::Error(fmt::format(
         "--compare: allowed for a case with joints: {} has none", o.case_file));
@@ -268,7 +239,7 @@ RunOptions run_options(const Case& c, const Options& o) {
       run.identity += text_of(joint.joint);
     }
   }
-  run.identity += text_of(o.case_file);
+  run.identity += multibody::file_text(o.case_file);
   return run;
 }
 
@@ -310,7 +281,6 @@ cli::ExitStatus simulate(const Case& c, const Options& o) {
 }  // namespace
 
 cli::ExitStatus run(const Options& options) {
-  check(options);
   check_outputs(options);
   const Case c = read_case(options.case_file,
                            {options.half_angle_law, options.pressure_law});
