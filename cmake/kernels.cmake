@@ -1,0 +1,19 @@
+# Source files that are compiled once per instruction set: *_avx2.cpp,
+# *_avx512*.cpp, and those for any machine.
+function(contact_set_kernel_options)
+  set(avx2 ${ARGN})
+  list(FILTER avx2 INCLUDE REGEX "_avx2[.]cpp$")
+  set_property(SOURCE ${avx2} APPEND PROPERTY COMPILE_OPTIONS "-mavx2;-mfma")
+  # g++ 12 takes the undefined registers of its own avx512fintrin.h for
+  # uninitialised variables (GCC bug 105593).
+  set(avx512 ${ARGN})
+  list(FILTER avx512 INCLUDE REGEX "_avx512.*[.]cpp$")
+  set_property(SOURCE ${avx512} APPEND PROPERTY
+    COMPILE_OPTIONS "-mavx512f;-mavx512dq;-mavx512vl;-mavx512bw;-mavx2;-mfma;-mprefer-vector-width=512;-Wno-uninitialized;-Wno-maybe-uninitialized")
+  # Guards around each of their thousands of small variables take g++ minutes.
+  if(CMAKE_CXX_FLAGS MATCHES "-fsanitize=[a-z,]*address" AND
+     CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    set_property(SOURCE ${ARGN} APPEND PROPERTY
+      COMPILE_OPTIONS "--param=asan-stack=0")
+  endif()
+endfunction()
