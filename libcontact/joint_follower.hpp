@@ -7,6 +7,7 @@
 #include "libcontact/instruction_set.hpp"
 #include "libcontact/joint_contact.hpp"
 #include "libcontact/joint_solution.hpp"
+#include "libcontact/vector_rows.hpp"
 
 namespace contact {
 
@@ -76,17 +77,10 @@ class JointFollower {
   /// evaluated once. extend() may follow.
   void evaluate() noexcept;
 
-  /// Vectors of all joints as lanes over joints read and write them: packets
-  /// of 8 joints, in each a row of 8 numbers for every component.
-  struct Rows {
-    static constexpr int lanes = 8;
-    double* first;          ///< x of joint 0
-    std::ptrdiff_t packet;  ///< numbers from a packet to the next
-  };
-  /// What set_reaction() sets (beyond size() it is not read) and action()
-  /// tells, 0 beyond size().
-  Rows reactions() noexcept { return rows_from(reaction_row); }
-  Rows actions() noexcept { return rows_from(action_row); }
+  /// Of all joints: what set_reaction() sets (beyond size() it is not read) and
+  /// action() tells, 0 beyond size().
+  VectorRows reactions() noexcept { return rows_from(reaction_row); }
+  VectorRows actions() noexcept { return rows_from(action_row); }
 
   /// From now on predict() leaves out all joints but those chosen (and some
   /// that share lanes with them), and evaluate() does no more than extend() for
@@ -165,7 +159,7 @@ class JointFollower {
 
   // Numbers of joints in packets of lanes, one row for each kind of number; the
   // rows that are asked for and set from outside come first.
-  static constexpr int lanes = Rows::lanes;
+  static constexpr int lanes = VectorRows::lanes;
   struct alignas(lanes * sizeof(double)) LaneRow {
     double of[lanes];
   };
@@ -197,7 +191,7 @@ class JointFollower {
     const double* const from = at(row, joint);
     return {from[0], from[lanes], from[2 * lanes]};
   }
-  Rows rows_from(int row) noexcept {
+  VectorRows rows_from(int row) noexcept {
     return {at(row, 0), static_cast<std::ptrdiff_t>(row_count_) * lanes};
   }
   detail::FollowerRows all_rows() const noexcept;

@@ -417,6 +417,19 @@ TEST(JointFollower, ActingMomentsComeToFitTheReactionsTheyCause) {
   }
 }
 
+struct Found {
+  std::vector<Vector3d> moments;
+  std::vector<double> errors;
+};
+Found found_by(const JointFollower& follower) {
+  Found found;
+  for (int i = 0; i < follower.size(); ++i) {
+    found.moments.push_back(follower.moment(i));
+    found.errors.push_back(follower.error(i));
+  }
+  return found;
+}
+
 // Those that are chosen are evaluated again, the others stay as they were.
 TEST(JointFollower, OnlyTheChosenAreEvaluatedAgain) {
   const std::vector<Path> all = paths(8, 20);
@@ -425,12 +438,7 @@ TEST(JointFollower, OnlyTheChosenAreEvaluatedAgain) {
   go_to(follower, all, 1e-3);
   follower.predict();
   follower.evaluate();
-  std::vector<Vector3d> first;
-  std::vector<double> errors;
-  for (int i = 0; i < follower.size(); ++i) {
-    first.push_back(follower.moment(i));
-    errors.push_back(follower.error(i));
-  }
+  const auto [first, errors] = found_by(follower);
   constexpr int chosen = 12;  // in the second packet of three
   follower.choose(chosen);
   follower.predict();
@@ -495,12 +503,7 @@ TEST(JointFollower, OnlyTheWorseAreEvaluatedAgain) {
   go_to(follower, all, 1e-3);
   follower.predict();
   follower.evaluate();
-  std::vector<Vector3d> first;
-  std::vector<double> errors;
-  for (int i = 0; i < follower.size(); ++i) {
-    first.push_back(follower.moment(i));
-    errors.push_back(follower.error(i));
-  }
+  const auto [first, errors] = found_by(follower);
   const double worst = *std::ranges::max_element(errors);
   const auto again = [&](double limit) {
     follower.choose_worse_than(limit);
@@ -618,13 +621,13 @@ TEST(JointFollower, ActionsAreZeroBeyondTheJoints) {
     for (const InstructionSet set : supported_sets()) {
       JointFollower follower(contacts(all), set);
       const auto action = [&](int joint, int k) {
-        constexpr int lanes = JointFollower::Rows::lanes;
-        const JointFollower::Rows rows = follower.actions();
+        constexpr int lanes = contact::VectorRows::lanes;
+        const contact::VectorRows rows = follower.actions();
         return rows
             .first[joint / lanes * rows.packet + k * lanes + joint % lanes];
       };
       const auto check_padding = [&] {
-        for (int i = size; i % JointFollower::Rows::lanes != 0; ++i) {
+        for (int i = size; i % contact::VectorRows::lanes != 0; ++i) {
           for (int k = 0; k < 3; ++k) EXPECT_EQ(action(i, k), 0) << size;
         }
       };

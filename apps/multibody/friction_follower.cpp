@@ -147,7 +147,7 @@ void FrictionFollower::take_reactions(const Dynamics& dynamics,
                                       std::span<const int> hinges,
                                       std::span<Reaction<double>> reactions) {
   if (is_direct_) {
-    dynamics.forces(vector_rows(joints_.reactions()));
+    dynamics.forces(joints_.reactions());
     return;
   }
   dynamics.reactions(reactions);
@@ -187,7 +187,7 @@ void FrictionFollower::set_node_reactions(std::span<const Part> parts,
 void FrictionFollower::move(Dynamics& dynamics, std::span<const int> hinges,
                             std::span<Vec3<double>> change) {
   if (is_direct_) {
-    dynamics.add_friction(vector_rows(joints_.actions()));
+    dynamics.add_friction(joints_.actions());
     return;
   }
   for (const int i : hinges) {

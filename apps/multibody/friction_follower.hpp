@@ -106,10 +106,6 @@ class FrictionFollower {
   void set_shares(const contact::JointNode& node, const Hinge& hinge);
   void set_node_reactions(std::span<const Part> parts,
                           const Reaction<double>& reaction);
-  static VectorRows vector_rows(contact::JointFollower::Rows rows) {
-    static_assert(VectorRows::lanes == contact::JointFollower::Rows::lanes);
-    return {rows.first, rows.packet};
-  }
 
   std::vector<Hinge> hinges_;
   contact::JointFollower joints_;

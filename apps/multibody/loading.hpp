@@ -1,8 +1,8 @@
 #pragma once
 
-#include <cstddef>
 #include <vector>
 
+#include "libcontact/vector_rows.hpp"
 #include "multibody/linear3.hpp"
 
 namespace multibody {
@@ -32,18 +32,8 @@ struct Loading {
   std::vector<LoadForces<T>> loads;
 };
 
-/// Vectors of all loads in the form that lanes over loads read and write at
-/// once: packets of 8 loads, in each a row of 8 numbers for every component,
-/// padded.
-struct VectorRows {
-  static constexpr int lanes = 8;
-  double* first;          ///< x of load 0
-  std::ptrdiff_t packet;  ///< numbers from a packet to the next
-  /// x of a load; y and z are `lanes` and 2 `lanes` further.
-  double* at(int load) const {
-    return first + load / lanes * packet + load % lanes;
-  }
-};
+/// Of all loads.
+using contact::VectorRows;
 
 /// Reaction on a load in its joint, load axes.
 template <class T>
