@@ -3,9 +3,9 @@
 /// libcontact, all of it, in physics order: each stage includes only earlier
 /// ones.
 // clang-format off
-#include "libcontact/error.hpp"
-#include "libcontact/units.hpp"
-#include "libcontact/root_finding.hpp"
+#include "libcontact/base/error.hpp"
+#include "libcontact/base/units.hpp"
+#include "libcontact/base/root_finding.hpp"
 #include "libcontact/toml_reader.hpp"
 #include "libcontact/material.hpp"
 #include "libcontact/joint_geometry.hpp"
@@ -23,7 +23,7 @@
 #include "libcontact/pressure_mixture.hpp"
 #include "libcontact/pressure_sqrt.hpp"
 #include "libcontact/joint_file.hpp"
-#include "libcontact/instruction_set.hpp"
+#include "libcontact/base/instruction_set.hpp"
 #include "libcontact/elliptic.hpp"
 #include "libcontact/friction_integrals.hpp"
 #include "libcontact/friction_exact.hpp"

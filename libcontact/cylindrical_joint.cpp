@@ -3,8 +3,8 @@
 #include <cmath>
 #include <utility>
 
+#include "libcontact/base/error.hpp"
 #include "libcontact/detail/joint_solver.hpp"
-#include "libcontact/error.hpp"
 
 namespace contact {
 namespace {

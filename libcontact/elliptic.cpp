@@ -4,9 +4,9 @@
 #include <numbers>
 #include <string>
 
+#include "libcontact/base/error.hpp"
 #include "libcontact/detail/elliptic_log_coefficients.hpp"
 #include "libcontact/elliptic_real.hpp"
-#include "libcontact/error.hpp"
 
 namespace contact {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "libcontact/instruction_set.hpp"
+#include "libcontact/base/instruction_set.hpp"
 
 namespace contact {
 

@@ -1,7 +1,7 @@
 #include "libcontact/friction_exact.hpp"
 
+#include "libcontact/base/error.hpp"
 #include "libcontact/detail/exact_call.hpp"
-#include "libcontact/error.hpp"
 #include "libcontact/friction_batch.hpp"
 
 namespace contact {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "libcontact/units.hpp"
+#include "libcontact/base/units.hpp"
 
 /// Friction integrals of a spherical joint (theory: docs/friction.md).
 ///

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "libcontact/detail/check.hpp"
+#include "libcontact/base/check.hpp"
 
 namespace contact {
 

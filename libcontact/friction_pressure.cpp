@@ -6,10 +6,10 @@
 #include <limits>
 #include <numbers>
 
+#include "libcontact/base/error.hpp"
+#include "libcontact/base/gauss_legendre.hpp"
 #include "libcontact/detail/exact_call.hpp"
 #include "libcontact/detail/expansion_table.hpp"
-#include "libcontact/detail/gauss_legendre.hpp"
-#include "libcontact/error.hpp"
 #include "libcontact/friction_exact.hpp"
 #include "libcontact/friction_models.hpp"
 

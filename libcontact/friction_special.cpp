@@ -6,7 +6,7 @@
 #include <limits>
 #include <numbers>
 
-#include "libcontact/detail/cancellation.hpp"
+#include "libcontact/base/cancellation.hpp"
 #include "libcontact/elliptic.hpp"
 #include "libcontact/pressure.hpp"
 

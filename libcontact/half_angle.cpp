@@ -8,13 +8,13 @@
 #include <limits>
 #include <numbers>
 
-#include "libcontact/detail/check.hpp"
+#include "libcontact/base/check.hpp"
+#include "libcontact/base/root_finding.hpp"
+#include "libcontact/base/text.hpp"
+#include "libcontact/base/units.hpp"
 #include "libcontact/detail/poisson_notes.hpp"
-#include "libcontact/detail/text.hpp"
 #include "libcontact/half_angle_exact.hpp"
 #include "libcontact/half_angle_fitted.hpp"
-#include "libcontact/root_finding.hpp"
-#include "libcontact/units.hpp"
 
 namespace contact {
 namespace {

@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "libcontact/base/error.hpp"
 #include "libcontact/conforming/loading.hpp"
-#include "libcontact/error.hpp"
 #include "libcontact/joint_geometry.hpp"
 #include "libcontact/material.hpp"
 

@@ -4,12 +4,12 @@
 
 #include <cmath>
 
+#include "libcontact/base/units.hpp"
 #include "libcontact/conforming/ball.hpp"
 #include "libcontact/conforming/pin.hpp"
 #include "libcontact/conforming/pin_closed_form.hpp"
 #include "libcontact/detail/half_angle_table.hpp"
 #include "libcontact/half_angle_fitted.hpp"
-#include "libcontact/units.hpp"
 
 namespace contact {
 namespace {

@@ -5,12 +5,12 @@
 #include <limits>
 #include <numbers>
 
-#include "libcontact/detail/check.hpp"
+#include "libcontact/base/check.hpp"
+#include "libcontact/base/root_finding.hpp"
+#include "libcontact/base/units.hpp"
 #include "libcontact/detail/fitted_relation.hpp"
 #include "libcontact/detail/half_angle_coefficients.hpp"
 #include "libcontact/detail/poisson_notes.hpp"
-#include "libcontact/root_finding.hpp"
-#include "libcontact/units.hpp"
 
 namespace contact {
 namespace {

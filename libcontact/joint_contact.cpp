@@ -7,9 +7,9 @@
 #include <numbers>
 #include <utility>
 
-#include "libcontact/error.hpp"
+#include "libcontact/base/error.hpp"
+#include "libcontact/base/units.hpp"
 #include "libcontact/friction_pressure.hpp"
-#include "libcontact/units.hpp"
 
 namespace contact {
 namespace {

@@ -4,8 +4,8 @@
 #include <numbers>
 #include <utility>
 
-#include "libcontact/error.hpp"
-#include "libcontact/units.hpp"
+#include "libcontact/base/error.hpp"
+#include "libcontact/base/units.hpp"
 
 namespace contact {
 namespace {

@@ -4,10 +4,10 @@
 #include <cstddef>
 #include <vector>
 
-#include "libcontact/instruction_set.hpp"
+#include "libcontact/base/instruction_set.hpp"
+#include "libcontact/base/vector_rows.hpp"
 #include "libcontact/joint_contact.hpp"
 #include "libcontact/joint_solution.hpp"
-#include "libcontact/vector_rows.hpp"
 
 namespace contact {
 

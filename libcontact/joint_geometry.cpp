@@ -6,7 +6,7 @@
 #include <limits>
 #include <numbers>
 
-#include "libcontact/detail/check.hpp"
+#include "libcontact/base/check.hpp"
 
 namespace contact {
 namespace {

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <utility>
 
-#include "libcontact/detail/check.hpp"
-#include "libcontact/error.hpp"
+#include "libcontact/base/check.hpp"
+#include "libcontact/base/error.hpp"
 
 namespace contact {
 namespace {

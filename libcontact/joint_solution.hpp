@@ -3,9 +3,9 @@
 #include <Eigen/Core>
 #include <cmath>
 
-#include "libcontact/error.hpp"
+#include "libcontact/base/error.hpp"
+#include "libcontact/base/units.hpp"
 #include "libcontact/friction_integrals.hpp"
-#include "libcontact/units.hpp"
 
 /// What the joint solvers return. All vectors are in the frame of the given
 /// reaction; forces and moments act on the load (the opposite ones on the

@@ -4,8 +4,8 @@
 #include <limits>
 #include <utility>
 
-#include "libcontact/detail/check.hpp"
-#include "libcontact/error.hpp"
+#include "libcontact/base/check.hpp"
+#include "libcontact/base/error.hpp"
 
 namespace contact {
 namespace {

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "libcontact/root_finding.hpp"
+#include "libcontact/base/root_finding.hpp"
 
 namespace contact {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 
-#include "libcontact/error.hpp"
+#include "libcontact/base/error.hpp"
 #include "libcontact/joint_contact.hpp"
 
 namespace contact {

@@ -6,9 +6,9 @@
 #include <limits>
 #include <numbers>
 
-#include "libcontact/detail/cancellation.hpp"
-#include "libcontact/detail/text.hpp"
-#include "libcontact/error.hpp"
+#include "libcontact/base/cancellation.hpp"
+#include "libcontact/base/error.hpp"
+#include "libcontact/base/text.hpp"
 #include "libcontact/pressure_exact.hpp"
 #include "libcontact/pressure_mixture.hpp"
 #include "libcontact/pressure_sqrt.hpp"

@@ -6,11 +6,11 @@
 #include <limits>
 #include <numbers>
 
+#include "libcontact/base/gauss_legendre.hpp"
 #include "libcontact/conforming/ball.hpp"
 #include "libcontact/conforming/pin.hpp"
 #include "libcontact/detail/edge_fit.hpp"
 #include "libcontact/detail/edge_polynomial.hpp"
-#include "libcontact/detail/gauss_legendre.hpp"
 #include "libcontact/detail/plain_logarithm.hpp"
 #include "libcontact/detail/wide_edge.hpp"
 

@@ -2,8 +2,8 @@
 
 #include <utility>
 
+#include "libcontact/base/error.hpp"
 #include "libcontact/detail/joint_solver.hpp"
-#include "libcontact/error.hpp"
 
 namespace contact {
 

@@ -4,7 +4,7 @@
 #include <limits>
 #include <numbers>
 
-#include "libcontact/root_finding.hpp"
+#include "libcontact/base/root_finding.hpp"
 #include "libcontact/spherical_joint.hpp"
 
 // What a joint at rest holds: H(R) by the sliding moments M_t(R, u).

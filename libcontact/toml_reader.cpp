@@ -30,9 +30,9 @@
 #include <toml++/toml.h>
 // clang-format on
 
-#include "libcontact/detail/text.hpp"
-#include "libcontact/error.hpp"
-#include "libcontact/units.hpp"
+#include "libcontact/base/error.hpp"
+#include "libcontact/base/text.hpp"
+#include "libcontact/base/units.hpp"
 
 namespace contact {
 namespace {

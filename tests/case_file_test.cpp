@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "libcontact/units.hpp"
+#include "libcontact/base/units.hpp"
 #include "separation/case_reader.hpp"
 #include "separation/system_of.hpp"
 #include "support/error_message.hpp"

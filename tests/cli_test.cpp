@@ -24,8 +24,8 @@
 #include "cli/quantity.hpp"
 #include "cli/sweep.hpp"
 #include "cli/table.hpp"
-#include "libcontact/error.hpp"
-#include "libcontact/units.hpp"
+#include "libcontact/base/error.hpp"
+#include "libcontact/base/units.hpp"
 #include "support/error_message.hpp"
 
 namespace {

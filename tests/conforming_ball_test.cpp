@@ -12,11 +12,11 @@
 #include <numbers>
 #include <vector>
 
+#include "libcontact/base/gauss_legendre.hpp"
+#include "libcontact/base/units.hpp"
 #include "libcontact/detail/back_displacement.hpp"
 #include "libcontact/detail/ball_kernel.hpp"
-#include "libcontact/detail/gauss_legendre.hpp"
 #include "libcontact/detail/legendre_galerkin.hpp"
-#include "libcontact/units.hpp"
 #include "support/accuracy_report.hpp"
 #include "support/reference_table.hpp"
 

@@ -10,8 +10,8 @@
 #include <limits>
 #include <numbers>
 
+#include "libcontact/base/units.hpp"
 #include "libcontact/conforming/pin_closed_form.hpp"
-#include "libcontact/units.hpp"
 #include "support/accuracy_report.hpp"
 #include "support/reference_table.hpp"
 

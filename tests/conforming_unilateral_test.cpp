@@ -4,9 +4,9 @@
 #include <limits>
 #include <numbers>
 
+#include "libcontact/base/units.hpp"
 #include "libcontact/conforming/ball.hpp"
 #include "libcontact/conforming/pin.hpp"
-#include "libcontact/units.hpp"
 #include "support/accuracy_report.hpp"
 #include "support/unilateral_contact.hpp"
 

@@ -9,9 +9,9 @@
 #include <limits>
 #include <numbers>
 
+#include "libcontact/base/error.hpp"
 #include "libcontact/detail/elliptic_log_coefficients.hpp"
 #include "libcontact/elliptic_real.hpp"
-#include "libcontact/error.hpp"
 #include "libcontact/reference/elliptic_fit.hpp"
 #include "support/accuracy_report.hpp"
 #include "support/reference_table.hpp"

@@ -9,8 +9,8 @@
 #include <random>
 #include <vector>
 
+#include "libcontact/base/error.hpp"
 #include "libcontact/detail/cap_kernel.hpp"
-#include "libcontact/error.hpp"
 #include "libcontact/friction_exact.hpp"
 #include "support/accuracy_report.hpp"
 #include "support/friction_reference.hpp"

@@ -11,10 +11,10 @@
 #include <map>
 #include <numbers>
 
+#include "libcontact/base/units.hpp"
 #include "libcontact/elliptic.hpp"
 #include "libcontact/friction_elliptic_real.hpp"
 #include "libcontact/friction_exact.hpp"
-#include "libcontact/units.hpp"
 #include "support/accuracy_report.hpp"
 #include "support/friction_reference.hpp"
 #include "support/reference_table.hpp"

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "libcontact/base/units.hpp"
 #include "libcontact/friction_batch.hpp"
 #include "libcontact/friction_elliptic.hpp"
 #include "libcontact/friction_exact.hpp"
@@ -16,7 +17,6 @@
 #include "libcontact/friction_special.hpp"
 #include "libcontact/pressure.hpp"
 #include "libcontact/reference/quadrature.hpp"
-#include "libcontact/units.hpp"
 #include "support/friction_reference.hpp"
 
 namespace contact {

@@ -5,8 +5,8 @@
 #include <limits>
 #include <numbers>
 
+#include "libcontact/base/units.hpp"
 #include "libcontact/reference/quadrature.hpp"
-#include "libcontact/units.hpp"
 #include "support/accuracy_report.hpp"
 #include "support/friction_reference.hpp"
 

@@ -8,10 +8,10 @@
 #include <thread>
 #include <vector>
 
+#include "libcontact/base/units.hpp"
 #include "libcontact/conforming/ball.hpp"
 #include "libcontact/conforming/pin.hpp"
 #include "libcontact/conforming/pin_closed_form.hpp"
-#include "libcontact/units.hpp"
 #include "support/accuracy_report.hpp"
 #include "support/allocation_count.hpp"
 #include "support/error_message.hpp"

@@ -12,11 +12,11 @@
 #include <string>
 #include <vector>
 
+#include "libcontact/base/units.hpp"
 #include "libcontact/detail/fitted_relation.hpp"
 #include "libcontact/detail/half_angle_coefficients.hpp"
 #include "libcontact/half_angle_exact.hpp"
 #include "libcontact/reference/half_angle_fit.hpp"
-#include "libcontact/units.hpp"
 #include "support/accuracy_report.hpp"
 #include "support/error_message.hpp"
 

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "libcontact/units.hpp"
+#include "libcontact/base/units.hpp"
 #include "support/accuracy_report.hpp"
 #include "support/allocation_count.hpp"
 #include "support/error_message.hpp"

@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "cli/number.hpp"
+#include "libcontact/base/units.hpp"
 #include "libcontact/half_angle_exact.hpp"
 #include "libcontact/joint_file.hpp"
 #include "libcontact/pressure_exact.hpp"
-#include "libcontact/units.hpp"
 #include "support/program.hpp"
 
 namespace {

@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "cli/number.hpp"
-#include "libcontact/units.hpp"
+#include "libcontact/base/units.hpp"
 #include "support/program.hpp"
 
 namespace {

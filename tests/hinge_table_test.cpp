@@ -7,13 +7,13 @@
 #include <vector>
 
 #include "cli/number.hpp"
+#include "libcontact/base/units.hpp"
 #include "libcontact/friction_elliptic.hpp"
 #include "libcontact/friction_exact.hpp"
 #include "libcontact/friction_models.hpp"
 #include "libcontact/friction_pressure.hpp"
 #include "libcontact/pressure_exact.hpp"
 #include "libcontact/reference/quadrature.hpp"
-#include "libcontact/units.hpp"
 #include "support/accuracy_report.hpp"
 #include "support/friction_reference.hpp"
 #include "support/program.hpp"

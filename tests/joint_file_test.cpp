@@ -12,9 +12,9 @@
 #include <variant>
 #include <vector>
 
+#include "libcontact/base/units.hpp"
 #include "libcontact/half_angle_exact.hpp"
 #include "libcontact/pressure_exact.hpp"
-#include "libcontact/units.hpp"
 #include "support/error_message.hpp"
 
 namespace {

@@ -9,13 +9,13 @@
 #include <string>
 #include <vector>
 
+#include "libcontact/base/units.hpp"
 #include "libcontact/cylindrical_joint.hpp"
 #include "libcontact/friction_pressure.hpp"
 #include "libcontact/joint_node.hpp"
 #include "libcontact/moment_set.hpp"
 #include "libcontact/pressure_exact.hpp"
 #include "libcontact/spherical_joint.hpp"
-#include "libcontact/units.hpp"
 #include "support/accuracy_report.hpp"
 
 namespace {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "libcontact/error.hpp"
+#include "libcontact/base/error.hpp"
 #include "multibody/dynamics.hpp"
 #include "multibody/prepared.hpp"
 #include "multibody_support/random_instant.hpp"

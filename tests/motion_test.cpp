@@ -7,7 +7,7 @@
 #include <map>
 #include <numbers>
 
-#include "libcontact/error.hpp"
+#include "libcontact/base/error.hpp"
 #include "multibody_support/friction_parts.hpp"
 #include "multibody_support/random_instant.hpp"
 

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "libcontact/base/units.hpp"
 #include "libcontact/conforming/ball.hpp"
 #include "libcontact/conforming/pin.hpp"
 #include "libcontact/conforming/pin_closed_form.hpp"
@@ -21,7 +22,6 @@
 #include "libcontact/pressure_mixture.hpp"
 #include "libcontact/pressure_sqrt.hpp"
 #include "libcontact/reference/pressure_mixture_fit.hpp"
-#include "libcontact/units.hpp"
 #include "support/accuracy_report.hpp"
 #include "support/allocation_count.hpp"
 #include "support/error_message.hpp"

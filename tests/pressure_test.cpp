@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "libcontact/detail/cancellation.hpp"
-#include "libcontact/units.hpp"
+#include "libcontact/base/cancellation.hpp"
+#include "libcontact/base/units.hpp"
 #include "support/accuracy_report.hpp"
 #include "support/reference_table.hpp"
 

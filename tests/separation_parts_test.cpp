@@ -10,7 +10,7 @@
 #include <random>
 #include <string>
 
-#include "libcontact/error.hpp"
+#include "libcontact/base/error.hpp"
 #include "separation/case_forces.hpp"
 #include "separation/case_reader.hpp"
 #include "separation/checkpoint.hpp"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "libcontact/error.hpp"
+#include "libcontact/base/error.hpp"
 #include "support/accuracy_report.hpp"
 #include "support/friction_reference.hpp"
 #include "support/reference_table.hpp"

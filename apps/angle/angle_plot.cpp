@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "cli/plot.hpp"
-#include "libcontact/units.hpp"
+#include "libcontact/base/units.hpp"
 
 namespace hinge_angle {
 namespace {

@@ -8,9 +8,9 @@
 
 #include "cli/output.hpp"
 #include "cli/table.hpp"
-#include "libcontact/error.hpp"
+#include "libcontact/base/error.hpp"
+#include "libcontact/base/units.hpp"
 #include "libcontact/half_angle_exact.hpp"
-#include "libcontact/units.hpp"
 
 namespace hinge_angle {
 namespace {

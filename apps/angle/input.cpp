@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "libcontact/error.hpp"
+#include "libcontact/base/error.hpp"
 
 namespace hinge_angle {
 namespace {

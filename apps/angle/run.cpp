@@ -15,7 +15,7 @@
 #include "cli/output.hpp"
 #include "cli/progress.hpp"
 #include "cli/table.hpp"
-#include "libcontact/error.hpp"
+#include "libcontact/base/error.hpp"
 
 namespace hinge_angle {
 namespace {

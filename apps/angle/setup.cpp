@@ -4,7 +4,7 @@
 
 #include "cli/laws.hpp"
 #include "cli/quantity.hpp"
-#include "libcontact/error.hpp"
+#include "libcontact/base/error.hpp"
 #include "libcontact/joint_file.hpp"
 
 namespace hinge_angle {

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "libcontact/error.hpp"
+#include "libcontact/base/error.hpp"
 
 namespace cli {
 

@@ -8,8 +8,8 @@
 
 #include "cli/program.hpp"
 #include "cli/quantity.hpp"
-#include "libcontact/error.hpp"
-#include "libcontact/units.hpp"
+#include "libcontact/base/error.hpp"
+#include "libcontact/base/units.hpp"
 
 namespace cli {
 namespace {

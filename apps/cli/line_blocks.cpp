@@ -8,7 +8,7 @@
 #include <cerrno>
 #include <cstring>
 
-#include "libcontact/error.hpp"
+#include "libcontact/base/error.hpp"
 
 namespace cli {
 namespace {

@@ -12,7 +12,7 @@
 #include <cstring>
 #include <mutex>
 
-#include "libcontact/error.hpp"
+#include "libcontact/base/error.hpp"
 
 namespace cli {
 namespace {

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "cli/csv.hpp"
-#include "libcontact/error.hpp"
+#include "libcontact/base/error.hpp"
 
 namespace cli {
 namespace {

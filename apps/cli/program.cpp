@@ -12,7 +12,7 @@
 #include "cli/choice.hpp"
 #include "cli/output.hpp"
 #include "cli/plot.hpp"
-#include "libcontact/error.hpp"
+#include "libcontact/base/error.hpp"
 
 namespace cli {
 namespace {

@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "libcontact/error.hpp"
+#include "libcontact/base/error.hpp"
 
 namespace cli {
 namespace {

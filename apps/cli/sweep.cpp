@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "libcontact/error.hpp"
+#include "libcontact/base/error.hpp"
 
 namespace cli {
 namespace {

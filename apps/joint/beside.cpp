@@ -11,7 +11,7 @@
 #include "cli/csv.hpp"
 #include "cli/line_blocks.hpp"
 #include "cli/number.hpp"
-#include "libcontact/error.hpp"
+#include "libcontact/base/error.hpp"
 
 namespace hinge_joint {
 namespace {

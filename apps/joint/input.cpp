@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include "cli/quantity.hpp"
-#include "libcontact/error.hpp"
-#include "libcontact/units.hpp"
+#include "libcontact/base/error.hpp"
+#include "libcontact/base/units.hpp"
 
 namespace hinge_joint {
 namespace {

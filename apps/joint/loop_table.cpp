@@ -10,8 +10,8 @@
 #include "cli/choice.hpp"
 #include "cli/output.hpp"
 #include "cli/quantity.hpp"
-#include "libcontact/error.hpp"
-#include "libcontact/units.hpp"
+#include "libcontact/base/error.hpp"
+#include "libcontact/base/units.hpp"
 
 namespace hinge_joint {
 namespace {

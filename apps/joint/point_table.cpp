@@ -12,7 +12,7 @@
 #include "cli/progress.hpp"
 #include "cli/quantity.hpp"
 #include "joint/input.hpp"
-#include "libcontact/error.hpp"
+#include "libcontact/base/error.hpp"
 
 namespace hinge_joint {
 namespace {

@@ -14,7 +14,7 @@
 #include "joint/point_table.hpp"
 #include "joint/solution_table.hpp"
 #include "joint/torque_plot.hpp"
-#include "libcontact/error.hpp"
+#include "libcontact/base/error.hpp"
 
 namespace hinge_joint {
 namespace {
@@ -117,8 +117,8 @@ cli::ExitStatus run_points(const Options& options, const Setup& setup) {
   if (setup.joints.size() != 1) {
     throw contact::Error("--points: allowed one law and one pressure law");
   }
-  return report(write_points(setup.joints[0], options,
-                             [&] { warn_of_validity(setup); }));
+  return report(
+      write_points(setup.joints[0], options, [&] { warn_of_validity(setup); }));
 }
 
 // Work that is not shared among threads.

@@ -7,7 +7,7 @@
 
 #include "cli/choice.hpp"
 #include "cli/quantity.hpp"
-#include "libcontact/error.hpp"
+#include "libcontact/base/error.hpp"
 #include "libcontact/joint_file.hpp"
 
 namespace hinge_joint {

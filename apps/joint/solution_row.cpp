@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "libcontact/units.hpp"
+#include "libcontact/base/units.hpp"
 
 namespace hinge_joint {
 namespace {

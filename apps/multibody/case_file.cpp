@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "libcontact/error.hpp"
+#include "libcontact/base/error.hpp"
 #include "multibody/file_text.hpp"
 #include "multibody/json_node.hpp"
 #include "multibody/json_text.hpp"

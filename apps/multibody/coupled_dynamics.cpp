@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "libcontact/error.hpp"
+#include "libcontact/base/error.hpp"
 #include "multibody/coupled_impl.hpp"
 #include "multibody/eigen_conversion.hpp"
 

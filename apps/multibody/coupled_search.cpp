@@ -2,7 +2,7 @@
 #include <cmath>
 #include <unsupported/Eigen/NonLinearOptimization>
 
-#include "libcontact/root_finding.hpp"
+#include "libcontact/base/root_finding.hpp"
 #include "multibody/coupled_impl.hpp"
 #include "multibody/eigen_conversion.hpp"
 

@@ -8,8 +8,8 @@
 #include <fstream>
 #include <iterator>
 
-#include "libcontact/detail/text.hpp"
-#include "libcontact/error.hpp"
+#include "libcontact/base/error.hpp"
+#include "libcontact/base/text.hpp"
 
 namespace multibody {
 

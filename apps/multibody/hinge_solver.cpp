@@ -7,7 +7,7 @@
 #include <cmath>
 #include <utility>
 
-#include "libcontact/error.hpp"
+#include "libcontact/base/error.hpp"
 #include "multibody/eigen_conversion.hpp"
 
 namespace multibody {

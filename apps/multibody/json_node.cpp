@@ -7,8 +7,8 @@
 #include <iterator>
 #include <vector>
 
-#include "libcontact/detail/text.hpp"
-#include "libcontact/error.hpp"
+#include "libcontact/base/error.hpp"
+#include "libcontact/base/text.hpp"
 #include "multibody/system.hpp"
 
 namespace multibody {

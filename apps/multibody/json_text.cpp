@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "libcontact/detail/text.hpp"
-#include "libcontact/error.hpp"
+#include "libcontact/base/error.hpp"
+#include "libcontact/base/text.hpp"
 
 namespace multibody {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <cassert>
 
-#include "libcontact/error.hpp"
+#include "libcontact/base/error.hpp"
 #include "multibody/constants.hpp"
 #include "multibody/kernel/lane_kernel.hpp"
 

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "libcontact/instruction_set.hpp"
+#include "libcontact/base/instruction_set.hpp"
 #include "multibody/state_layout.hpp"
 #include "multibody/system.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "libcontact/vector_rows.hpp"
+#include "libcontact/base/vector_rows.hpp"
 #include "multibody/linear3.hpp"
 
 namespace multibody {

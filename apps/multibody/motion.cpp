@@ -7,7 +7,7 @@
 #include <cmath>
 #include <utility>
 
-#include "libcontact/error.hpp"
+#include "libcontact/base/error.hpp"
 #include "multibody/kinematics.hpp"
 #include "multibody/motion_impl.hpp"
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <utility>
 
-#include "libcontact/root_finding.hpp"
+#include "libcontact/base/root_finding.hpp"
 #include "multibody/motion_impl.hpp"
 
 namespace multibody {

@@ -4,7 +4,7 @@
 
 #include "cli/output.hpp"
 #include "cli/program.hpp"
-#include "libcontact/error.hpp"
+#include "libcontact/base/error.hpp"
 #include "multibody/case_file.hpp"
 
 namespace {

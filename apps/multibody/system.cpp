@@ -6,7 +6,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include "libcontact/error.hpp"
+#include "libcontact/base/error.hpp"
 
 namespace multibody {
 namespace {

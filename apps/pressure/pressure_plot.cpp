@@ -6,7 +6,7 @@
 #include <cstddef>
 
 #include "cli/plot.hpp"
-#include "libcontact/units.hpp"
+#include "libcontact/base/units.hpp"
 
 namespace hinge_pressure {
 namespace {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "libcontact/base/units.hpp"
 #include "libcontact/friction_pressure.hpp"
-#include "libcontact/units.hpp"
 
 namespace hinge_pressure {
 

@@ -11,8 +11,8 @@
 #include "cli/progress.hpp"
 #include "cli/quantity.hpp"
 #include "cli/table.hpp"
-#include "libcontact/error.hpp"
-#include "libcontact/units.hpp"
+#include "libcontact/base/error.hpp"
+#include "libcontact/base/units.hpp"
 #include "pressure/pressure_plot.hpp"
 #include "pressure/pressure_table.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <Eigen/Eigenvalues>
 
-#include "libcontact/error.hpp"
+#include "libcontact/base/error.hpp"
 #include "separation/reading.hpp"
 
 namespace separation {

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <utility>
 
-#include "libcontact/error.hpp"
+#include "libcontact/base/error.hpp"
 #include "multibody/system.hpp"
 #include "separation/body_reader.hpp"
 #include "separation/case_names.hpp"

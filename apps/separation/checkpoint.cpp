@@ -14,8 +14,8 @@
 #include <utility>
 
 #include "cli/output.hpp"
-#include "libcontact/detail/text.hpp"
-#include "libcontact/error.hpp"
+#include "libcontact/base/error.hpp"
+#include "libcontact/base/text.hpp"
 #include "multibody/file_text.hpp"
 
 namespace separation {

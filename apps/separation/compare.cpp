@@ -4,7 +4,7 @@
 #include <functional>
 
 #include "cli/table.hpp"
-#include "libcontact/units.hpp"
+#include "libcontact/base/units.hpp"
 #include "separation/summary.hpp"
 
 namespace separation {

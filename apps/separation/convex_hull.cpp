@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <memory>
 
-#include "libcontact/error.hpp"
+#include "libcontact/base/error.hpp"
 #include "separation/shape.hpp"
 
 namespace separation {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "libcontact/error.hpp"
+#include "libcontact/base/error.hpp"
 
 namespace separation {
 

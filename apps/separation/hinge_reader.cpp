@@ -7,7 +7,7 @@
 #include <cmath>
 #include <utility>
 
-#include "libcontact/error.hpp"
+#include "libcontact/base/error.hpp"
 #include "separation/reading.hpp"
 
 namespace separation {

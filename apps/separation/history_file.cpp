@@ -9,7 +9,7 @@
 
 #include "cli/output.hpp"
 #include "cli/table.hpp"
-#include "libcontact/error.hpp"
+#include "libcontact/base/error.hpp"
 #include "multibody/hinge_friction.hpp"
 #include "separation/file_name.hpp"
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "libcontact/error.hpp"
+#include "libcontact/base/error.hpp"
 #include "libcontact/half_angle.hpp"
 #include "libcontact/pressure.hpp"
 #include "separation/file_name.hpp"

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <utility>
 
-#include "libcontact/error.hpp"
-#include "libcontact/units.hpp"
+#include "libcontact/base/error.hpp"
+#include "libcontact/base/units.hpp"
 
 namespace separation {
 namespace {

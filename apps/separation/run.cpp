@@ -14,7 +14,7 @@
 
 #include "cli/choice.hpp"
 #include "cli/output.hpp"
-#include "libcontact/error.hpp"
+#include "libcontact/base/error.hpp"
 #include "multibody/file_text.hpp"
 #include "separation/case_reader.hpp"
 #include "separation/compare.hpp"

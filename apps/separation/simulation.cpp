@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "libcontact/error.hpp"
+#include "libcontact/base/error.hpp"
 #include "separation/hinge_reader.hpp"
 #include "separation/system_of.hpp"
 

@@ -5,7 +5,7 @@
 
 #include "cli/csv.hpp"
 #include "cli/number.hpp"
-#include "libcontact/units.hpp"
+#include "libcontact/base/units.hpp"
 
 namespace separation {
 namespace {

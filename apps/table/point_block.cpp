@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "libcontact/units.hpp"
+#include "libcontact/base/units.hpp"
 
 namespace hinge_table {
 namespace {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "libcontact/error.hpp"
+#include "libcontact/base/error.hpp"
 #include "libcontact/joint_file.hpp"
 
 namespace hinge_table {

@@ -7,11 +7,11 @@
 #include <numbers>
 #include <optional>
 
+#include "libcontact/base/check.hpp"
+#include "libcontact/base/gauss_legendre.hpp"
 #include "libcontact/detail/back_displacement.hpp"
 #include "libcontact/detail/ball_kernel.hpp"
-#include "libcontact/detail/check.hpp"
 #include "libcontact/detail/edge_fit.hpp"
-#include "libcontact/detail/gauss_legendre.hpp"
 #include "libcontact/detail/half_angle_root.hpp"
 #include "libcontact/detail/legendre_galerkin.hpp"
 #include "libcontact/detail/wide_edge.hpp"

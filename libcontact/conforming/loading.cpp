@@ -4,8 +4,8 @@
 
 #include <numbers>
 
-#include "libcontact/detail/check.hpp"
-#include "libcontact/units.hpp"
+#include "libcontact/base/check.hpp"
+#include "libcontact/base/units.hpp"
 
 namespace contact {
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "libcontact/error.hpp"
+#include "libcontact/base/error.hpp"
 
 /// What the exact solutions of conforming contact share: how the inner body
 /// is loaded, and the results of both directions.

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <utility>
 
-#include "libcontact/detail/check.hpp"
+#include "libcontact/base/check.hpp"
 #include "libcontact/detail/edge_fit.hpp"
 #include "libcontact/detail/half_angle_root.hpp"
 #include "libcontact/detail/wide_edge.hpp"

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <utility>
 
-#include "libcontact/detail/check.hpp"
+#include "libcontact/base/check.hpp"
 
 namespace contact {
 namespace {

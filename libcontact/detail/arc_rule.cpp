@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "libcontact/detail/gauss_legendre.hpp"
+#include "libcontact/base/gauss_legendre.hpp"
 #include "libcontact/detail/log_corrections.hpp"
 #include "libcontact/detail/rule_set.hpp"
 

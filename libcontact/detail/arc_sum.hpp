@@ -2,9 +2,9 @@
 
 #include <cmath>
 
+#include "libcontact/base/logarithm.hpp"
+#include "libcontact/base/select.hpp"
 #include "libcontact/detail/cap_integrals.hpp"
-#include "libcontact/detail/logarithm.hpp"
-#include "libcontact/detail/select.hpp"
 
 /// The arithmetic of pressures that start like a square root from the edge
 /// (docs/friction.md, "Other pressures"), for V a lane type; instantiated like

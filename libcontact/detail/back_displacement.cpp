@@ -5,8 +5,8 @@
 #include <complex>
 #include <numbers>
 
+#include "libcontact/base/gauss_legendre.hpp"
 #include "libcontact/detail/ball_kernel.hpp"
-#include "libcontact/detail/gauss_legendre.hpp"
 
 namespace contact::detail {
 namespace {

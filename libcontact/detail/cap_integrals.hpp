@@ -2,9 +2,9 @@
 
 #include <cmath>
 
+#include "libcontact/base/inverse_root.hpp"
 #include "libcontact/detail/arc_polynomials.hpp"
 #include "libcontact/detail/cap_rule.hpp"
-#include "libcontact/detail/inverse_root.hpp"
 
 /// The arithmetic of the exact method (docs/exact_method.md),
 /// for a number type V: a lane type or double. Letters as on that page.

@@ -1,10 +1,10 @@
 #pragma once
 
+#include "libcontact/base/instruction_set.hpp"
 #include "libcontact/detail/arc_sum.hpp"
 #include "libcontact/detail/cap_integrals.hpp"
 #include "libcontact/detail/expansion_table.hpp"
 #include "libcontact/friction_batch.hpp"
-#include "libcontact/instruction_set.hpp"
 #include "libcontact/pressure_expansion.hpp"
 
 namespace contact::detail {

@@ -10,9 +10,9 @@
 #include <numbers>
 #include <span>
 
+#include "libcontact/base/lanes.hpp"
 #include "libcontact/detail/cap_kernel.hpp"
 #include "libcontact/detail/cap_point.hpp"
-#include "libcontact/detail/lanes.hpp"
 
 namespace contact::detail {
 namespace {

@@ -4,9 +4,9 @@
 #include <limits>
 #include <numbers>
 
+#include "libcontact/base/select.hpp"
+#include "libcontact/base/sine_cosine.hpp"
 #include "libcontact/detail/cap_integrals.hpp"
-#include "libcontact/detail/select.hpp"
-#include "libcontact/detail/sine_cosine.hpp"
 
 /// What the exact method does before and after its sum over nodes, for V a
 /// lane type or double.

@@ -1,9 +1,9 @@
 #pragma once
 
+#include "libcontact/base/inverse_root.hpp"
+#include "libcontact/base/lanes.hpp"
+#include "libcontact/base/select.hpp"
 #include "libcontact/detail/follower_kernel.hpp"
-#include "libcontact/detail/inverse_root.hpp"
-#include "libcontact/detail/lanes.hpp"
-#include "libcontact/detail/select.hpp"
 
 // Joints in lanes: their rows, the geometry of R and Dw, what the contact's
 // moves and slopes tell. Part of follower_kernel_impl.hpp.

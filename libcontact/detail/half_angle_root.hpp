@@ -4,8 +4,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "libcontact/base/root_finding.hpp"
 #include "libcontact/conforming/loading.hpp"
-#include "libcontact/root_finding.hpp"
 
 namespace contact::detail {
 

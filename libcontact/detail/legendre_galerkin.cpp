@@ -5,7 +5,7 @@
 #include <memory>
 #include <mutex>
 
-#include "libcontact/detail/gauss_legendre.hpp"
+#include "libcontact/base/gauss_legendre.hpp"
 
 namespace contact::detail {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "libcontact/detail/gauss_legendre.hpp"
+#include "libcontact/base/gauss_legendre.hpp"
 
 namespace contact::detail::rules {
 

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
+#include "libcontact/base/units.hpp"
 #include "libcontact/friction_integrals.hpp"
-#include "libcontact/units.hpp"
 
 namespace contact::detail {
 

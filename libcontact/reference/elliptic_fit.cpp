@@ -9,8 +9,8 @@
 #include <boost/multiprecision/eigen.hpp>
 #include <utility>
 
+#include "libcontact/base/error.hpp"
 #include "libcontact/elliptic_real.hpp"
-#include "libcontact/error.hpp"
 
 namespace contact::reference {
 namespace {

@@ -9,9 +9,9 @@
 #include <numbers>
 #include <utility>
 
+#include "libcontact/base/units.hpp"
 #include "libcontact/detail/fitted_relation.hpp"
 #include "libcontact/half_angle_exact.hpp"
-#include "libcontact/units.hpp"
 
 namespace contact::reference {
 namespace {

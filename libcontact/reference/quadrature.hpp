@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-#include "libcontact/error.hpp"
+#include "libcontact/base/error.hpp"
 #include "libcontact/friction_integrals.hpp"
 #include "libcontact/pressure.hpp"
 

@@ -10,10 +10,10 @@
 #include <cmath>
 #include <vector>
 
+#include "libcontact/base/units.hpp"
 #include "libcontact/conforming/ball.hpp"
 #include "libcontact/conforming/pin.hpp"
 #include "libcontact/conforming/pin_closed_form.hpp"
-#include "libcontact/units.hpp"
 
 namespace {
 

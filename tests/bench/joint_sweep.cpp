@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "libcontact/units.hpp"
+#include "libcontact/base/units.hpp"
 
 namespace {
 

@@ -12,11 +12,11 @@
 #include <string>
 #include <vector>
 
+#include "libcontact/base/units.hpp"
 #include "libcontact/friction_pressure.hpp"
 #include "libcontact/pressure.hpp"
 #include "libcontact/pressure_exact.hpp"
 #include "libcontact/reference/quadrature.hpp"
-#include "libcontact/units.hpp"
 
 namespace {
 

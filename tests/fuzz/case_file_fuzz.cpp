@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "libcontact/error.hpp"
+#include "libcontact/base/error.hpp"
 #include "separation/case_forces.hpp"
 #include "separation/case_reader.hpp"
 #include "separation/system_of.hpp"

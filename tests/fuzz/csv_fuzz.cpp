@@ -15,7 +15,7 @@
 #include "cli/line_blocks.hpp"
 #include "cli/points.hpp"
 #include "cli/table.hpp"
-#include "libcontact/error.hpp"
+#include "libcontact/base/error.hpp"
 #include "table/method.hpp"
 #include "table/point_block.hpp"
 

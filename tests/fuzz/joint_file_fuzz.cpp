@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "libcontact/error.hpp"
+#include "libcontact/base/error.hpp"
 #include "libcontact/joint_file.hpp"
 
 namespace {

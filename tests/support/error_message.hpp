@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "libcontact/error.hpp"
+#include "libcontact/base/error.hpp"
 
 namespace contact::test {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "libcontact/units.hpp"
+#include "libcontact/base/units.hpp"
 #include "support/accuracy_report.hpp"
 #include "support/reference_table.hpp"
 

@@ -6,8 +6,8 @@
 #include <numbers>
 #include <vector>
 
+#include "libcontact/base/units.hpp"
 #include "libcontact/friction_exact.hpp"
-#include "libcontact/units.hpp"
 #include "support/random_slip.hpp"
 
 namespace contact::test {

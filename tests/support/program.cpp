@@ -7,7 +7,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "libcontact/error.hpp"
+#include "libcontact/base/error.hpp"
 
 namespace contact::test {
 namespace {

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <string>
 
-#include "libcontact/units.hpp"
+#include "libcontact/base/units.hpp"
 
 namespace contact::test {
 

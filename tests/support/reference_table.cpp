@@ -4,7 +4,7 @@
 #include <charconv>
 #include <fstream>
 
-#include "libcontact/error.hpp"
+#include "libcontact/base/error.hpp"
 
 namespace contact::test {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "libcontact/instruction_set.hpp"
+#include "libcontact/base/instruction_set.hpp"
 #include "multibody/carrier_equations.hpp"
 #include "multibody/constants.hpp"
 #include "multibody/loading.hpp"

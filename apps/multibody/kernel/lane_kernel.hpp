@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "libcontact/instruction_set.hpp"
+#include "libcontact/base/instruction_set.hpp"
 #include "multibody/constants.hpp"
 #include "multibody/state_layout.hpp"
 

@@ -5,7 +5,7 @@
 #include <experimental/simd>
 #include <numbers>
 
-#include "libcontact/detail/select.hpp"
+#include "libcontact/base/select.hpp"
 
 namespace contact::detail {
 

@@ -1,4 +1,4 @@
-#include "libcontact/units.hpp"
+#include "libcontact/base/units.hpp"
 
 #include <cmath>
 

@@ -1,8 +1,8 @@
-#include "libcontact/detail/check.hpp"
+#include "libcontact/base/check.hpp"
 
 #include <fmt/format.h>
 
-#include "libcontact/error.hpp"
+#include "libcontact/base/error.hpp"
 
 namespace contact::detail {
 

@@ -1,4 +1,4 @@
-#include "libcontact/detail/text.hpp"
+#include "libcontact/base/text.hpp"
 
 #include <fmt/format.h>
 

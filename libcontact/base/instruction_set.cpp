@@ -1,4 +1,4 @@
-#include "libcontact/instruction_set.hpp"
+#include "libcontact/base/instruction_set.hpp"
 
 #include <initializer_list>
 

@@ -1,4 +1,4 @@
-#include "libcontact/detail/gauss_legendre.hpp"
+#include "libcontact/base/gauss_legendre.hpp"
 
 #include <boost/math/special_functions/chebyshev.hpp>
 #include <boost/math/special_functions/legendre.hpp>

@@ -1,4 +1,4 @@
-#include "libcontact/detail/cancellation.hpp"
+#include "libcontact/base/cancellation.hpp"
 
 #include <cmath>
 
