@@ -12,9 +12,9 @@
 #include "libcontact/base/root_finding.hpp"
 #include "libcontact/base/text.hpp"
 #include "libcontact/base/units.hpp"
-#include "libcontact/detail/poisson_notes.hpp"
 #include "libcontact/half_angle_exact.hpp"
 #include "libcontact/half_angle_fitted.hpp"
+#include "libcontact/pair/poisson_notes.hpp"
 
 namespace contact {
 namespace {

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "libcontact/base/error.hpp"
-#include "libcontact/conforming/loading.hpp"
-#include "libcontact/joint_geometry.hpp"
-#include "libcontact/material.hpp"
+#include "libcontact/pair/inner_loading.hpp"
+#include "libcontact/pair/joint_geometry.hpp"
+#include "libcontact/pair/material.hpp"
 
 /// Half-angle theta0 of the contact against load, in both directions.
 ///

@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "libcontact/conforming/loading.hpp"
 #include "libcontact/half_angle.hpp"
-#include "libcontact/joint_geometry.hpp"
-#include "libcontact/material.hpp"
+#include "libcontact/pair/inner_loading.hpp"
+#include "libcontact/pair/joint_geometry.hpp"
+#include "libcontact/pair/material.hpp"
 
 namespace contact {
 

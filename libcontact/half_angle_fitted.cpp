@@ -10,7 +10,7 @@
 #include "libcontact/base/units.hpp"
 #include "libcontact/detail/fitted_relation.hpp"
 #include "libcontact/detail/half_angle_coefficients.hpp"
-#include "libcontact/detail/poisson_notes.hpp"
+#include "libcontact/pair/poisson_notes.hpp"
 
 namespace contact {
 namespace {

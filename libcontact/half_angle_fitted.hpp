@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "libcontact/half_angle.hpp"
-#include "libcontact/joint_geometry.hpp"
-#include "libcontact/material.hpp"
+#include "libcontact/pair/joint_geometry.hpp"
+#include "libcontact/pair/material.hpp"
 
 namespace contact {
 

@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "libcontact/friction_integrals.hpp"
-#include "libcontact/friction_law.hpp"
 #include "libcontact/half_angle.hpp"
-#include "libcontact/joint_geometry.hpp"
-#include "libcontact/material.hpp"
+#include "libcontact/pair/friction_law.hpp"
+#include "libcontact/pair/joint_geometry.hpp"
+#include "libcontact/pair/material.hpp"
 #include "libcontact/pressure.hpp"
 
 namespace contact {

@@ -7,11 +7,11 @@
 #include <string_view>
 #include <vector>
 
-#include "libcontact/conforming/loading.hpp"
-#include "libcontact/friction_law.hpp"
 #include "libcontact/half_angle.hpp"
-#include "libcontact/joint_geometry.hpp"
-#include "libcontact/material.hpp"
+#include "libcontact/pair/friction_law.hpp"
+#include "libcontact/pair/inner_loading.hpp"
+#include "libcontact/pair/joint_geometry.hpp"
+#include "libcontact/pair/material.hpp"
 #include "libcontact/pressure.hpp"
 #include "libcontact/toml_reader.hpp"
 

@@ -6,9 +6,9 @@
 #include <string_view>
 #include <vector>
 
-#include "libcontact/conforming/loading.hpp"
-#include "libcontact/joint_geometry.hpp"
-#include "libcontact/material.hpp"
+#include "libcontact/pair/inner_loading.hpp"
+#include "libcontact/pair/joint_geometry.hpp"
+#include "libcontact/pair/material.hpp"
 #include "libcontact/pressure_expansion.hpp"
 
 /// Contact pressure p(theta), theta = angle from the centre of the contact.

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "libcontact/conforming/contact_pressure.hpp"
-#include "libcontact/conforming/loading.hpp"
-#include "libcontact/material.hpp"
+#include "libcontact/pair/inner_loading.hpp"
+#include "libcontact/pair/material.hpp"
 #include "libcontact/pressure.hpp"
 
 namespace contact {

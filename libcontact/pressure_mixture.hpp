@@ -1,6 +1,6 @@
 #pragma once
 
-#include "libcontact/material.hpp"
+#include "libcontact/pair/material.hpp"
 #include "libcontact/pressure.hpp"
 #include "libcontact/pressure_sqrt.hpp"
 

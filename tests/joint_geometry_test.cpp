@@ -1,4 +1,4 @@
-#include "libcontact/joint_geometry.hpp"
+#include "libcontact/pair/joint_geometry.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <limits>
 #include <string>
 
-#include "libcontact/friction_law.hpp"
+#include "libcontact/pair/friction_law.hpp"
 #include "support/accuracy_report.hpp"
 #include "support/error_message.hpp"
 

@@ -1,4 +1,4 @@
-#include "libcontact/material.hpp"
+#include "libcontact/pair/material.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,8 +2,8 @@
 
 #include <optional>
 
-#include "libcontact/joint_geometry.hpp"
-#include "libcontact/material.hpp"
+#include "libcontact/pair/joint_geometry.hpp"
+#include "libcontact/pair/material.hpp"
 
 namespace hinge_angle {
 

@@ -6,8 +6,8 @@
 
 #include "cli/program.hpp"
 #include "libcontact/half_angle.hpp"
-#include "libcontact/joint_geometry.hpp"
-#include "libcontact/material.hpp"
+#include "libcontact/pair/joint_geometry.hpp"
+#include "libcontact/pair/material.hpp"
 
 /// The parts of the program hinge-angle.
 namespace hinge_angle {

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "libcontact/half_angle.hpp"
-#include "libcontact/joint_geometry.hpp"
-#include "libcontact/material.hpp"
+#include "libcontact/pair/joint_geometry.hpp"
+#include "libcontact/pair/material.hpp"
 #include "libcontact/pressure.hpp"
 
 namespace CLI {

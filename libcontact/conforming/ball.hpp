@@ -3,8 +3,8 @@
 #include <memory>
 
 #include "libcontact/conforming/contact_pressure.hpp"
-#include "libcontact/conforming/loading.hpp"
-#include "libcontact/material.hpp"
+#include "libcontact/pair/inner_loading.hpp"
+#include "libcontact/pair/material.hpp"
 
 namespace contact {
 

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "libcontact/conforming/contact_pressure.hpp"
-#include "libcontact/conforming/loading.hpp"
-#include "libcontact/material.hpp"
+#include "libcontact/pair/inner_loading.hpp"
+#include "libcontact/pair/material.hpp"
 
 namespace contact {
 

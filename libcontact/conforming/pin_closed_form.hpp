@@ -1,7 +1,7 @@
 #pragma once
 
-#include "libcontact/conforming/loading.hpp"
-#include "libcontact/material.hpp"
+#include "libcontact/pair/inner_loading.hpp"
+#include "libcontact/pair/material.hpp"
 
 namespace contact {
 

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "libcontact/detail/half_angle_newton.hpp"
-#include "libcontact/joint_geometry.hpp"
-#include "libcontact/material.hpp"
+#include "libcontact/pair/joint_geometry.hpp"
+#include "libcontact/pair/material.hpp"
 
 /// The fitted laws' relation between load and half-angle (docs/half_angle.md):
 /// a closed form, exact for some elastic pairs, and a polynomial in

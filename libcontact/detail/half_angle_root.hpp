@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "libcontact/base/root_finding.hpp"
-#include "libcontact/conforming/loading.hpp"
+#include "libcontact/pair/inner_loading.hpp"
 
 namespace contact::detail {
 

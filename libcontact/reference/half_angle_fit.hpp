@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "libcontact/joint_geometry.hpp"
+#include "libcontact/pair/joint_geometry.hpp"
 
 namespace contact::reference {
 

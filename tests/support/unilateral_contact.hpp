@@ -2,8 +2,8 @@
 
 #include <Eigen/Dense>
 
-#include "libcontact/joint_geometry.hpp"
-#include "libcontact/material.hpp"
+#include "libcontact/pair/joint_geometry.hpp"
+#include "libcontact/pair/material.hpp"
 
 namespace contact::test {
 

@@ -1,4 +1,4 @@
-#include "libcontact/joint_geometry.hpp"
+#include "libcontact/pair/joint_geometry.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "libcontact/friction_law.hpp"
+#include "libcontact/pair/friction_law.hpp"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "libcontact/detail/poisson_notes.hpp"
+#include "libcontact/pair/poisson_notes.hpp"
 
 #include <fmt/format.h>
 

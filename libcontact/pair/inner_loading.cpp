@@ -1,4 +1,4 @@
-#include "libcontact/conforming/loading.hpp"
+#include "libcontact/pair/inner_loading.hpp"
 
 #include <fmt/format.h>
 

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "libcontact/material.hpp"
+#include "libcontact/pair/material.hpp"
 
 namespace contact::detail {
 

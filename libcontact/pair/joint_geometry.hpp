@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "libcontact/material.hpp"
+#include "libcontact/pair/material.hpp"
 
 /// Shape of a joint: a ball or pin of radius rho1 in a seat or hole of radius
 /// rho1 + eps.
