@@ -8,11 +8,11 @@
 
 #include "libcontact/base/gauss_legendre.hpp"
 #include "libcontact/conforming/ball.hpp"
+#include "libcontact/conforming/edge_fit.hpp"
 #include "libcontact/conforming/pin.hpp"
-#include "libcontact/detail/edge_fit.hpp"
+#include "libcontact/conforming/wide_edge.hpp"
 #include "libcontact/detail/edge_polynomial.hpp"
 #include "libcontact/detail/plain_logarithm.hpp"
-#include "libcontact/detail/wide_edge.hpp"
 
 namespace contact {
 namespace {

@@ -5,8 +5,8 @@
 #include <limits>
 #include <numbers>
 
+#include "libcontact/conforming/wide_edge.hpp"
 #include "libcontact/detail/edge_polynomial.hpp"
-#include "libcontact/detail/wide_edge.hpp"
 
 namespace contact {
 namespace {

@@ -14,9 +14,9 @@
 
 #include "libcontact/base/gauss_legendre.hpp"
 #include "libcontact/base/units.hpp"
-#include "libcontact/detail/back_displacement.hpp"
-#include "libcontact/detail/ball_kernel.hpp"
-#include "libcontact/detail/legendre_galerkin.hpp"
+#include "libcontact/conforming/back_displacement.hpp"
+#include "libcontact/conforming/ball_kernel.hpp"
+#include "libcontact/conforming/legendre_galerkin.hpp"
 #include "support/accuracy_report.hpp"
 #include "support/reference_table.hpp"
 

@@ -9,12 +9,12 @@
 
 #include "libcontact/base/check.hpp"
 #include "libcontact/base/gauss_legendre.hpp"
-#include "libcontact/detail/back_displacement.hpp"
-#include "libcontact/detail/ball_kernel.hpp"
-#include "libcontact/detail/edge_fit.hpp"
-#include "libcontact/detail/half_angle_root.hpp"
-#include "libcontact/detail/legendre_galerkin.hpp"
-#include "libcontact/detail/wide_edge.hpp"
+#include "libcontact/conforming/back_displacement.hpp"
+#include "libcontact/conforming/ball_kernel.hpp"
+#include "libcontact/conforming/edge_fit.hpp"
+#include "libcontact/conforming/half_angle_root.hpp"
+#include "libcontact/conforming/legendre_galerkin.hpp"
+#include "libcontact/conforming/wide_edge.hpp"
 
 // Letters as in docs/conforming.md: h(f) is the Abel transform of the
 // pressure, H_n its moment with cos((n + 1/2) f).

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "libcontact/detail/wide_edge.hpp"
+#include "libcontact/conforming/wide_edge.hpp"
 
 namespace contact {
 namespace {

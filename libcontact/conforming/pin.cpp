@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "libcontact/base/check.hpp"
-#include "libcontact/detail/edge_fit.hpp"
-#include "libcontact/detail/half_angle_root.hpp"
-#include "libcontact/detail/wide_edge.hpp"
+#include "libcontact/conforming/edge_fit.hpp"
+#include "libcontact/conforming/half_angle_root.hpp"
+#include "libcontact/conforming/wide_edge.hpp"
 
 // Letters as in docs/conforming.md: b = tan(theta0/2), q = tan(theta0/4).
 namespace contact {

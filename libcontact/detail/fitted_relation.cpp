@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "libcontact/detail/ball_kernel.hpp"
+#include "libcontact/conforming/ball_kernel.hpp"
 #include "libcontact/detail/half_angle_coefficients.hpp"
 
 namespace contact::detail {

@@ -1,4 +1,4 @@
-#include "libcontact/detail/legendre_galerkin.hpp"
+#include "libcontact/conforming/legendre_galerkin.hpp"
 
 #include <array>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "libcontact/detail/ball_kernel.hpp"
+#include "libcontact/conforming/ball_kernel.hpp"
 
 #include <Eigen/Core>
 #include <algorithm>

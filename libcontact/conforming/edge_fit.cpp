@@ -1,4 +1,4 @@
-#include "libcontact/detail/edge_fit.hpp"
+#include "libcontact/conforming/edge_fit.hpp"
 
 #include <Eigen/Dense>
 #include <array>

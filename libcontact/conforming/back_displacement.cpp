@@ -1,4 +1,4 @@
-#include "libcontact/detail/back_displacement.hpp"
+#include "libcontact/conforming/back_displacement.hpp"
 
 #include <boost/math/special_functions/chebyshev.hpp>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "libcontact/base/gauss_legendre.hpp"
-#include "libcontact/detail/ball_kernel.hpp"
+#include "libcontact/conforming/ball_kernel.hpp"
 
 namespace contact::detail {
 namespace {
