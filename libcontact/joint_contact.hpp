@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "libcontact/friction_integrals.hpp"
-#include "libcontact/half_angle.hpp"
+#include "libcontact/half_angle/law.hpp"
 #include "libcontact/pair/friction_law.hpp"
 #include "libcontact/pair/joint_geometry.hpp"
 #include "libcontact/pair/material.hpp"

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "libcontact/half_angle.hpp"
+#include "libcontact/half_angle/factory.hpp"
 #include "libcontact/pair/friction_law.hpp"
 #include "libcontact/pair/inner_loading.hpp"
 #include "libcontact/pair/joint_geometry.hpp"

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "libcontact/half_angle/factory.hpp"
 #include "support/accuracy_report.hpp"
 #include "support/allocation_count.hpp"
 #include "support/error_message.hpp"

@@ -1,4 +1,4 @@
-#include "libcontact/half_angle_exact.hpp"
+#include "libcontact/half_angle/exact.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,6 +12,7 @@
 #include "libcontact/conforming/ball.hpp"
 #include "libcontact/conforming/pin.hpp"
 #include "libcontact/conforming/pin_closed_form.hpp"
+#include "libcontact/half_angle/factory.hpp"
 #include "support/accuracy_report.hpp"
 #include "support/allocation_count.hpp"
 #include "support/error_message.hpp"

@@ -1,4 +1,4 @@
-#include "libcontact/half_angle_fitted.hpp"
+#include "libcontact/half_angle/fitted.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,9 +13,9 @@
 #include <vector>
 
 #include "libcontact/base/units.hpp"
-#include "libcontact/detail/fitted_relation.hpp"
-#include "libcontact/detail/half_angle_coefficients.hpp"
-#include "libcontact/half_angle_exact.hpp"
+#include "libcontact/half_angle/coefficients.hpp"
+#include "libcontact/half_angle/exact.hpp"
+#include "libcontact/half_angle/fitted_relation.hpp"
 #include "libcontact/reference/half_angle_fit.hpp"
 #include "support/accuracy_report.hpp"
 #include "support/error_message.hpp"

@@ -1,4 +1,5 @@
-#include "libcontact/half_angle.hpp"
+#include "libcontact/half_angle/factory.hpp"
+#include "libcontact/half_angle/paper_laws.hpp"
 
 #include <gtest/gtest.h>
 

@@ -11,7 +11,7 @@
 #include "cli/number.hpp"
 #include "libcontact/base/units.hpp"
 #include "libcontact/cylindrical_joint.hpp"
-#include "libcontact/half_angle_exact.hpp"
+#include "libcontact/half_angle/exact.hpp"
 #include "libcontact/joint_file.hpp"
 #include "libcontact/pressure_exact.hpp"
 #include "libcontact/spherical_joint.hpp"

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "libcontact/base/units.hpp"
-#include "libcontact/half_angle_exact.hpp"
+#include "libcontact/half_angle/exact.hpp"
 #include "libcontact/pressure_exact.hpp"
 #include "support/error_message.hpp"
 

@@ -12,6 +12,7 @@
 #include "libcontact/base/units.hpp"
 #include "libcontact/cylindrical_joint.hpp"
 #include "libcontact/friction_pressure.hpp"
+#include "libcontact/half_angle/factory.hpp"
 #include "libcontact/joint_node.hpp"
 #include "libcontact/moment_set.hpp"
 #include "libcontact/pressure_exact.hpp"

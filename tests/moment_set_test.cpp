@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "libcontact/half_angle/factory.hpp"
 #include "libcontact/spherical_joint.hpp"
 #include "support/accuracy_report.hpp"
 #include "support/allocation_count.hpp"

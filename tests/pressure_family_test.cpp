@@ -17,7 +17,7 @@
 #include "libcontact/conforming/pin.hpp"
 #include "libcontact/conforming/pin_closed_form.hpp"
 #include "libcontact/detail/pressure_mixture_coefficients.hpp"
-#include "libcontact/half_angle_exact.hpp"
+#include "libcontact/half_angle/exact.hpp"
 #include "libcontact/pressure_exact.hpp"
 #include "libcontact/pressure_mixture.hpp"
 #include "libcontact/pressure_sqrt.hpp"

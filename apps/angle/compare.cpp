@@ -10,7 +10,7 @@
 #include "cli/table.hpp"
 #include "libcontact/base/error.hpp"
 #include "libcontact/base/units.hpp"
-#include "libcontact/half_angle_exact.hpp"
+#include "libcontact/half_angle/exact.hpp"
 
 namespace hinge_angle {
 namespace {

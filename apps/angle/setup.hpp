@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "cli/program.hpp"
-#include "libcontact/half_angle.hpp"
+#include "libcontact/half_angle/factory.hpp"
 #include "libcontact/pair/joint_geometry.hpp"
 #include "libcontact/pair/material.hpp"
 

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "libcontact/half_angle.hpp"
+#include "libcontact/half_angle/factory.hpp"
 #include "libcontact/pair/joint_geometry.hpp"
 #include "libcontact/pair/material.hpp"
 #include "libcontact/pressure.hpp"

@@ -5,7 +5,7 @@
 #include "angle/input.hpp"
 #include "angle/loads.hpp"
 #include "angle/setup.hpp"
-#include "libcontact/half_angle.hpp"
+#include "libcontact/half_angle/law.hpp"
 
 /// The parts of the program hinge-pressure.
 namespace hinge_pressure {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "libcontact/base/error.hpp"
-#include "libcontact/half_angle.hpp"
+#include "libcontact/half_angle/factory.hpp"
 #include "libcontact/pressure.hpp"
 #include "separation/file_name.hpp"
 

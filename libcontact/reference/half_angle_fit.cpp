@@ -10,8 +10,8 @@
 #include <utility>
 
 #include "libcontact/base/units.hpp"
-#include "libcontact/detail/fitted_relation.hpp"
-#include "libcontact/half_angle_exact.hpp"
+#include "libcontact/half_angle/exact.hpp"
+#include "libcontact/half_angle/fitted_relation.hpp"
 
 namespace contact::reference {
 namespace {

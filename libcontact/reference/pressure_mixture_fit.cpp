@@ -9,7 +9,7 @@
 #include <limits>
 
 #include "libcontact/detail/pressure_mixture_coefficients.hpp"
-#include "libcontact/half_angle_exact.hpp"
+#include "libcontact/half_angle/exact.hpp"
 #include "libcontact/pressure_exact.hpp"
 #include "libcontact/pressure_mixture.hpp"
 

@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
-#include "libcontact/half_angle.hpp"
-#include "libcontact/half_angle_exact.hpp"
+#include "libcontact/half_angle/exact.hpp"
+#include "libcontact/half_angle/factory.hpp"
 
 namespace {
 

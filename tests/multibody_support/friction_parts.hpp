@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "libcontact/cylindrical_joint.hpp"
+#include "libcontact/half_angle/factory.hpp"
 #include "libcontact/joint_node.hpp"
 #include "libcontact/spherical_joint.hpp"
 

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "libcontact/base/units.hpp"
+#include "libcontact/half_angle/factory.hpp"
 
 namespace contact::test {
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdio>
 #include <libcontact/contact.hpp>
+#include "libcontact/half_angle/factory.hpp"
 
 using Eigen::Vector3d;
 

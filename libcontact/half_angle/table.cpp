@@ -1,4 +1,4 @@
-#include "libcontact/detail/half_angle_table.hpp"
+#include "libcontact/half_angle/table.hpp"
 
 #include <algorithm>
 #include <cmath>

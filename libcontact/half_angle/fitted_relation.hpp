@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "libcontact/detail/half_angle_newton.hpp"
+#include "libcontact/half_angle/newton.hpp"
 #include "libcontact/pair/joint_geometry.hpp"
 #include "libcontact/pair/material.hpp"
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "libcontact/half_angle.hpp"
+#include "libcontact/half_angle/paper_laws.hpp"
 #include "libcontact/pair/joint_geometry.hpp"
 #include "libcontact/pair/material.hpp"
 

@@ -1,4 +1,4 @@
-#include "libcontact/half_angle_fitted.hpp"
+#include "libcontact/half_angle/fitted.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,8 +8,8 @@
 #include "libcontact/base/check.hpp"
 #include "libcontact/base/root_finding.hpp"
 #include "libcontact/base/units.hpp"
-#include "libcontact/detail/fitted_relation.hpp"
-#include "libcontact/detail/half_angle_coefficients.hpp"
+#include "libcontact/half_angle/coefficients.hpp"
+#include "libcontact/half_angle/fitted_relation.hpp"
 #include "libcontact/pair/poisson_notes.hpp"
 
 namespace contact {

@@ -1,80 +1,12 @@
 #pragma once
 
-#include <limits>
-#include <memory>
-#include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
-#include "libcontact/base/error.hpp"
-#include "libcontact/pair/inner_loading.hpp"
-#include "libcontact/pair/joint_geometry.hpp"
-#include "libcontact/pair/material.hpp"
+#include "libcontact/half_angle/law.hpp"
 
-/// Half-angle theta0 of the contact against load, in both directions.
-///
-/// The load parameter is mu (spherical) or lambda (cylindrical), see
-/// LoadScale; x is cbrt(mu) or 2 sqrt(lambda). Angles in radians.
+/// The half-angle laws of Hertz and of the paper.
 namespace contact {
-
-/// A half-angle and how it was found.
-struct HalfAngleResult {
-  double half_angle;  ///< theta0, rad; NaN if out_of_range
-  Status status;
-  /// dln(theta0)/dln(load): 1/3 (ball) or 1/2 (pin) at load 0. Absolute error
-  /// at most 1e-15 (half_angle_test.cpp; Hertz: relative) unless a law says
-  /// otherwise. NaN where a law does not know it.
-  double log_slope = std::numeric_limits<double>::quiet_NaN();
-};
-
-/// A load parameter and how it was found.
-struct LoadParameterResult {
-  double load_parameter;  ///< mu or lambda; NaN if out_of_range
-  Status status;
-};
-
-/// A law theta0(load) for one joint: fixed constants inside, both directions
-/// as a pair of const functions. They do not allocate and do not throw.
-class HalfAngleLaw {
- public:
-  virtual ~HalfAngleLaw() = default;
-
-  /// Name by which make_half_angle_law() makes it.
-  virtual std::string name() const = 0;
-
-  /// theta0 at a load.
-  /// @param load_parameter  mu or lambda, [0, infinity]
-  /// @return theta0, rad; 0 at 0, limit_half_angle() at infinity. NaN with
-  ///         out_of_range for NaN, for a negative load and where the law has
-  ///         no value.
-  virtual HalfAngleResult half_angle(double load_parameter) const noexcept = 0;
-
-  /// Inverse of half_angle().
-  /// @param half_angle  theta0, rad, [0, limit_half_angle()]
-  /// @return mu or lambda; 0 at 0. NaN with out_of_range for NaN and outside
-  ///         the interval.
-  virtual LoadParameterResult load_parameter(
-      double half_angle) const noexcept = 0;
-
-  /// Largest half-angle of the law, rad.
-  virtual double limit_half_angle() const noexcept = 0;
-
-  /// Where the law is used outside the range for which its source states it:
-  /// one sentence each, empty if it is inside. Programs print them as
-  /// warnings.
-  /// @param pair  the materials of the joint
-  virtual std::vector<std::string> validity_notes(
-      const ElasticPair& pair) const = 0;
-
-  JointKind joint_kind() const noexcept { return kind_; }
-
- protected:
-  explicit HalfAngleLaw(JointKind kind) : kind_(kind) {}
-
- private:
-  JointKind kind_;
-};
 
 /// theta0*, to which theta0 tends as the load grows, of a pin in a hole.
 class LimitHalfAngle {
@@ -242,46 +174,5 @@ class BlendLaw final : public SaturatingLaw {
 
   double arctan_share_;
 };
-
-/// How make_half_angle_law() finds theta0* of the laws that need one.
-struct HalfAngleOptions {
-  /// theta0*, rad, instead of a formula.
-  std::optional<double> limit_half_angle = {};
-  /// LimitHalfAngle::linear_formula() instead of arctan_formula().
-  bool linear_limit = false;
-  /// dtheta0/dx at x = 0 of arctan, tanh and blend; 57.3 * degree for the
-  /// paper's own digits.
-  double initial_slope = 1;
-};
-
-/// The law of joints and programs that name none.
-inline constexpr std::string_view default_half_angle_law = "fitted";
-
-/// Names that make_half_angle_law() knows, in the order of the sources:
-/// hertz, arctan, tanh, blend, paper, nominal, fitted, exact.
-const std::vector<std::string>& half_angle_law_names();
-
-/// Whether the law of this name heeds HalfAngleOptions: those of the paper
-/// but hertz.
-bool takes_half_angle_options(std::string_view name);
-
-/// Whether the law of this name holds for this loading of the inner body:
-/// through the back `exact` alone, all others are of a force at the centre.
-bool half_angle_law_allows(std::string_view name, const InnerLoading& loading);
-
-/// A law by its name.
-///
-/// @param name  "hertz", "arctan", "tanh", "blend" (the paper's k for the
-///              kind of joint), "blend:K" with K in [0, 1], or "paper" (what
-///              the paper recommends: blend:0.5 for a pin, tanh for a ball),
-///              "nominal" (NominalLaw), "fitted" (FittedLaw), "exact"
-///              (ExactLaw); these three take none of the options
-/// @param loading  how the inner body is loaded
-/// @throws Error if the name is not known, an option is out of range or the
-///         law is not for this loading.
-std::unique_ptr<HalfAngleLaw> make_half_angle_law(
-    std::string_view name, JointKind kind, const ElasticPair& pair,
-    const HalfAngleOptions& options = {},
-    const InnerLoading& loading = InnerLoading::centre());
 
 }  // namespace contact

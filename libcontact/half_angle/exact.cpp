@@ -1,4 +1,4 @@
-#include "libcontact/half_angle_exact.hpp"
+#include "libcontact/half_angle/exact.hpp"
 
 #include <fmt/format.h>
 
@@ -8,8 +8,8 @@
 #include "libcontact/conforming/ball.hpp"
 #include "libcontact/conforming/pin.hpp"
 #include "libcontact/conforming/pin_closed_form.hpp"
-#include "libcontact/detail/half_angle_table.hpp"
-#include "libcontact/half_angle_fitted.hpp"
+#include "libcontact/half_angle/fitted.hpp"
+#include "libcontact/half_angle/table.hpp"
 
 namespace contact {
 namespace {

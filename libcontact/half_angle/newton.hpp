@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "libcontact/half_angle.hpp"
+#include "libcontact/half_angle/law.hpp"
 
 /// What the half-angle laws share that know the load at a half-angle and not
 /// the other way round. They give F and dF/dtheta0 of

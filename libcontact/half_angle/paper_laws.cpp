@@ -1,19 +1,15 @@
-#include "libcontact/half_angle.hpp"
+#include "libcontact/half_angle/paper_laws.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <numbers>
 
 #include "libcontact/base/check.hpp"
 #include "libcontact/base/root_finding.hpp"
-#include "libcontact/base/text.hpp"
 #include "libcontact/base/units.hpp"
-#include "libcontact/half_angle_exact.hpp"
-#include "libcontact/half_angle_fitted.hpp"
 #include "libcontact/pair/poisson_notes.hpp"
 
 namespace contact {
@@ -243,87 +239,6 @@ SaturatingLaw::InverseResult BlendLaw::inverse_shape(
       shrink_bracket(residual, start, end, residual_start, residual_end, 53);
   return result(root.middle(),
                 root.converged ? Status::ok : Status::not_converged);
-}
-
-const std::vector<std::string>& half_angle_law_names() {
-  static const std::vector<std::string> names = {"hertz",  "arctan", "tanh",
-                                                 "blend",  "paper",  "nominal",
-                                                 "fitted", "exact"};
-  return names;
-}
-
-namespace {
-
-LimitHalfAngle limit_of(const ElasticPair& pair,
-                        const HalfAngleOptions& options) {
-  if (options.limit_half_angle) {
-    return LimitHalfAngle::given(*options.limit_half_angle);
-  }
-  return options.linear_limit
-             ? LimitHalfAngle::linear_formula(pair.modulus_ratio())
-             : LimitHalfAngle::arctan_formula(pair.modulus_ratio());
-}
-
-// The K of "blend:K".
-double parse_share(std::string_view text) {
-  double share = nan;
-  const char* const end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, share);
-  if (error != std::errc() || stop != end) {
-    throw Error(
-        fmt::format("half-angle law blend:{}: allowed: blend:K with K "
-                    "a number from 0 to 1",
-                    text));
-  }
-  return share;
-}
-
-}  // namespace
-
-bool takes_half_angle_options(std::string_view name) {
-  return name == "arctan" || name == "tanh" || name == "paper" ||
-         name.starts_with("blend");
-}
-
-bool half_angle_law_allows(std::string_view name, const InnerLoading& loading) {
-  return !loading.is_back() || name == "exact";
-}
-
-std::unique_ptr<HalfAngleLaw> make_half_angle_law(
-    std::string_view name, JointKind kind, const ElasticPair& pair,
-    const HalfAngleOptions& options, const InnerLoading& loading) {
-  if (!half_angle_law_allows(name, loading)) {
-    throw Error(fmt::format("loading {}: half-angle law {}: allowed: exact",
-                            to_string(loading), detail::printable(name)));
-  }
-  if (name == "paper") {
-    name = kind == JointKind::spherical ? "tanh" : "blend";
-  }
-  const double slope = options.initial_slope;
-  const auto blend = [&](double share) {
-    return std::make_unique<BlendLaw>(kind, limit_of(pair, options), share,
-                                      slope);
-  };
-  constexpr std::string_view blend_prefix = "blend:";
-  if (name == "hertz") return std::make_unique<HertzLaw>(kind);
-  if (name == "arctan") {
-    return std::make_unique<ArctanLaw>(kind, limit_of(pair, options), slope);
-  }
-  if (name == "tanh") {
-    return std::make_unique<TanhLaw>(kind, limit_of(pair, options), slope);
-  }
-  if (name == "blend") return blend(BlendLaw::recommended_arctan_share(kind));
-  if (name == "nominal") {
-    return std::make_unique<NominalLaw>(kind, pair.modulus_ratio());
-  }
-  if (name == "fitted") return std::make_unique<FittedLaw>(kind, pair);
-  if (name == "exact") return std::make_unique<ExactLaw>(kind, pair, loading);
-  if (name.starts_with(blend_prefix)) {
-    return blend(parse_share(name.substr(blend_prefix.size())));
-  }
-  throw Error(fmt::format("half-angle law {}: allowed: {}",
-                          detail::printable(name),
-                          fmt::join(half_angle_law_names(), ", ")));
 }
 
 }  // namespace contact

@@ -4,8 +4,8 @@
 #include <functional>
 #include <optional>
 
-#include "libcontact/detail/half_angle_newton.hpp"
-#include "libcontact/half_angle.hpp"
+#include "libcontact/half_angle/newton.hpp"
+#include "libcontact/half_angle/law.hpp"
 
 namespace contact::detail {
 

@@ -1,10 +1,10 @@
-#include "libcontact/detail/fitted_relation.hpp"
+#include "libcontact/half_angle/fitted_relation.hpp"
 
 #include <cmath>
 #include <numbers>
 
 #include "libcontact/conforming/ball_kernel.hpp"
-#include "libcontact/detail/half_angle_coefficients.hpp"
+#include "libcontact/half_angle/coefficients.hpp"
 
 namespace contact::detail {
 namespace {

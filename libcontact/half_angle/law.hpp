@@ -1,0 +1,75 @@
+#pragma once
+
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "libcontact/base/error.hpp"
+#include "libcontact/pair/joint_geometry.hpp"
+#include "libcontact/pair/material.hpp"
+
+/// Half-angle theta0 of the contact against load, in both directions.
+///
+/// The load parameter is mu (spherical) or lambda (cylindrical), see
+/// LoadScale; x is cbrt(mu) or 2 sqrt(lambda). Angles in radians.
+namespace contact {
+
+/// A half-angle and how it was found.
+struct HalfAngleResult {
+  double half_angle;  ///< theta0, rad; NaN if out_of_range
+  Status status;
+  /// dln(theta0)/dln(load): 1/3 (ball) or 1/2 (pin) at load 0. Absolute error
+  /// at most 1e-15 (half_angle_test.cpp; Hertz: relative) unless a law says
+  /// otherwise. NaN where a law does not know it.
+  double log_slope = std::numeric_limits<double>::quiet_NaN();
+};
+
+/// A load parameter and how it was found.
+struct LoadParameterResult {
+  double load_parameter;  ///< mu or lambda; NaN if out_of_range
+  Status status;
+};
+
+/// A law theta0(load) for one joint: fixed constants inside, both directions
+/// as a pair of const functions. They do not allocate and do not throw.
+class HalfAngleLaw {
+ public:
+  virtual ~HalfAngleLaw() = default;
+
+  /// Name by which make_half_angle_law() (factory.hpp) makes it.
+  virtual std::string name() const = 0;
+
+  /// theta0 at a load.
+  /// @param load_parameter  mu or lambda, [0, infinity]
+  /// @return theta0, rad; 0 at 0, limit_half_angle() at infinity. NaN with
+  ///         out_of_range for NaN, for a negative load and where the law has
+  ///         no value.
+  virtual HalfAngleResult half_angle(double load_parameter) const noexcept = 0;
+
+  /// Inverse of half_angle().
+  /// @param half_angle  theta0, rad, [0, limit_half_angle()]
+  /// @return mu or lambda; 0 at 0. NaN with out_of_range for NaN and outside
+  ///         the interval.
+  virtual LoadParameterResult load_parameter(
+      double half_angle) const noexcept = 0;
+
+  /// Largest half-angle of the law, rad.
+  virtual double limit_half_angle() const noexcept = 0;
+
+  /// Where the law is used outside the range for which its source states it:
+  /// one sentence each, empty if it is inside. Programs print them as
+  /// warnings.
+  /// @param pair  the materials of the joint
+  virtual std::vector<std::string> validity_notes(
+      const ElasticPair& pair) const = 0;
+
+  JointKind joint_kind() const noexcept { return kind_; }
+
+ protected:
+  explicit HalfAngleLaw(JointKind kind) : kind_(kind) {}
+
+ private:
+  JointKind kind_;
+};
+
+}  // namespace contact
