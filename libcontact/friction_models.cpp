@@ -8,7 +8,7 @@
 
 #include "libcontact/elliptic.hpp"
 #include "libcontact/friction_exact.hpp"
-#include "libcontact/pressure.hpp"
+#include "libcontact/pressure/cosine.hpp"
 
 namespace contact {
 namespace {

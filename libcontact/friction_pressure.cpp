@@ -12,6 +12,7 @@
 #include "libcontact/detail/expansion_table.hpp"
 #include "libcontact/friction_exact.hpp"
 #include "libcontact/friction_models.hpp"
+#include "libcontact/pressure/cosine.hpp"
 
 namespace contact {
 namespace {

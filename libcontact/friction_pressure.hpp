@@ -2,7 +2,7 @@
 
 #include "libcontact/friction_batch.hpp"
 #include "libcontact/friction_integrals.hpp"
-#include "libcontact/pressure.hpp"
+#include "libcontact/pressure/law.hpp"
 
 namespace contact {
 

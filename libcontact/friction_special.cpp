@@ -8,7 +8,7 @@
 
 #include "libcontact/base/cancellation.hpp"
 #include "libcontact/elliptic.hpp"
-#include "libcontact/pressure.hpp"
+#include "libcontact/pressure/cosine.hpp"
 
 namespace contact {
 namespace {

@@ -9,7 +9,7 @@
 #include "libcontact/pair/friction_law.hpp"
 #include "libcontact/pair/joint_geometry.hpp"
 #include "libcontact/pair/material.hpp"
-#include "libcontact/pressure.hpp"
+#include "libcontact/pressure/law.hpp"
 
 namespace contact {
 

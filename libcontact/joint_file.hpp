@@ -12,7 +12,7 @@
 #include "libcontact/pair/inner_loading.hpp"
 #include "libcontact/pair/joint_geometry.hpp"
 #include "libcontact/pair/material.hpp"
-#include "libcontact/pressure.hpp"
+#include "libcontact/pressure/factory.hpp"
 #include "libcontact/toml_reader.hpp"
 
 /// Material pairs and joints from TOML files (keys: docs/joint_file.md).

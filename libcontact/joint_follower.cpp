@@ -9,6 +9,7 @@
 #include "libcontact/detail/cap_kernel.hpp"
 #include "libcontact/detail/follower_kernel.hpp"
 #include "libcontact/friction_exact.hpp"
+#include "libcontact/pressure/cosine.hpp"
 
 namespace contact {
 namespace {

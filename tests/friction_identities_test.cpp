@@ -15,7 +15,7 @@
 #include "libcontact/friction_exact.hpp"
 #include "libcontact/friction_models.hpp"
 #include "libcontact/friction_special.hpp"
-#include "libcontact/pressure.hpp"
+#include "libcontact/pressure/cosine.hpp"
 #include "libcontact/reference/quadrature.hpp"
 #include "support/friction_reference.hpp"
 

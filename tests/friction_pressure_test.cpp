@@ -13,9 +13,10 @@
 #include <vector>
 
 #include "libcontact/friction_exact.hpp"
-#include "libcontact/pressure_exact.hpp"
-#include "libcontact/pressure_mixture.hpp"
-#include "libcontact/pressure_sqrt.hpp"
+#include "libcontact/pressure/exact.hpp"
+#include "libcontact/pressure/factory.hpp"
+#include "libcontact/pressure/mixture.hpp"
+#include "libcontact/pressure/sqrt.hpp"
 #include "libcontact/reference/quadrature.hpp"
 #include "support/accuracy_report.hpp"
 #include "support/allocation_count.hpp"

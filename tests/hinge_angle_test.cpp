@@ -13,7 +13,8 @@
 #include "libcontact/base/units.hpp"
 #include "libcontact/half_angle/exact.hpp"
 #include "libcontact/joint_file.hpp"
-#include "libcontact/pressure_exact.hpp"
+#include "libcontact/pressure/cosine.hpp"
+#include "libcontact/pressure/exact.hpp"
 #include "support/program.hpp"
 
 namespace {

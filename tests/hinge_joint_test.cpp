@@ -13,7 +13,7 @@
 #include "libcontact/cylindrical_joint.hpp"
 #include "libcontact/half_angle/exact.hpp"
 #include "libcontact/joint_file.hpp"
-#include "libcontact/pressure_exact.hpp"
+#include "libcontact/pressure/exact.hpp"
 #include "libcontact/spherical_joint.hpp"
 #include "support/program.hpp"
 

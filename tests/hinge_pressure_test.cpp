@@ -13,7 +13,7 @@
 #include "libcontact/friction_pressure.hpp"
 #include "libcontact/half_angle/exact.hpp"
 #include "libcontact/joint_file.hpp"
-#include "libcontact/pressure_exact.hpp"
+#include "libcontact/pressure/exact.hpp"
 #include "support/program.hpp"
 
 namespace {

@@ -14,7 +14,7 @@
 
 #include "libcontact/base/units.hpp"
 #include "libcontact/half_angle/exact.hpp"
-#include "libcontact/pressure_exact.hpp"
+#include "libcontact/pressure/exact.hpp"
 #include "support/error_message.hpp"
 
 namespace {

@@ -15,7 +15,8 @@
 #include "libcontact/half_angle/factory.hpp"
 #include "libcontact/joint_node.hpp"
 #include "libcontact/moment_set.hpp"
-#include "libcontact/pressure_exact.hpp"
+#include "libcontact/pressure/exact.hpp"
+#include "libcontact/pressure/factory.hpp"
 #include "libcontact/spherical_joint.hpp"
 #include "support/accuracy_report.hpp"
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "libcontact/half_angle/factory.hpp"
+#include "libcontact/pressure/cosine.hpp"
 #include "libcontact/spherical_joint.hpp"
 #include "support/accuracy_report.hpp"
 #include "support/allocation_count.hpp"

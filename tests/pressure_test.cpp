@@ -1,4 +1,4 @@
-#include "libcontact/pressure.hpp"
+#include "libcontact/pressure/cosine.hpp"
 
 #include <gtest/gtest.h>
 

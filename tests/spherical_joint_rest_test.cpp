@@ -8,6 +8,7 @@
 #include <string>
 
 #include "libcontact/joint_file.hpp"
+#include "libcontact/pressure/cosine.hpp"
 #include "libcontact/spherical_joint.hpp"
 #include "support/accuracy_report.hpp"
 #include "support/allocation_count.hpp"

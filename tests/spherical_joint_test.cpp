@@ -13,6 +13,7 @@
 
 #include "libcontact/friction_exact.hpp"
 #include "libcontact/joint_file.hpp"
+#include "libcontact/pressure/cosine.hpp"
 #include "support/accuracy_report.hpp"
 #include "support/allocation_count.hpp"
 #include "support/error_message.hpp"

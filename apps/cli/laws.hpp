@@ -9,7 +9,7 @@
 #include "libcontact/half_angle/factory.hpp"
 #include "libcontact/pair/joint_geometry.hpp"
 #include "libcontact/pair/material.hpp"
-#include "libcontact/pressure.hpp"
+#include "libcontact/pressure/factory.hpp"
 
 namespace CLI {
 class App;

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "libcontact/pair/joint_geometry.hpp"
 #include "multibody/carrier_equations.hpp"
 #include "multibody/constants.hpp"
 #include "multibody/loading.hpp"

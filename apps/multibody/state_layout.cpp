@@ -1,4 +1,5 @@
 #include "multibody/state_layout.hpp"
+#include "libcontact/pair/joint_geometry.hpp"
 
 namespace multibody {
 namespace {

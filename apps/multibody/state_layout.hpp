@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "libcontact/pair/joint_geometry.hpp"
 #include "multibody/system.hpp"
 
 namespace multibody {

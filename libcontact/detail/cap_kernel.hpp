@@ -5,7 +5,7 @@
 #include "libcontact/detail/cap_integrals.hpp"
 #include "libcontact/detail/expansion_table.hpp"
 #include "libcontact/friction_batch.hpp"
-#include "libcontact/pressure_expansion.hpp"
+#include "libcontact/pressure/expansion.hpp"
 
 namespace contact::detail {
 

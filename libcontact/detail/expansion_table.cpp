@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "libcontact/pressure.hpp"
+#include "libcontact/pressure/law.hpp"
 
 namespace contact::detail {
 namespace {

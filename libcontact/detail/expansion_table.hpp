@@ -4,7 +4,8 @@
 #include <cmath>
 
 #include "libcontact/detail/arc_rule.hpp"
-#include "libcontact/pressure_expansion.hpp"
+#include "libcontact/pressure/expansion.hpp"
+#include "libcontact/pressure/law.hpp"
 
 namespace contact {
 class PressureLaw;

@@ -8,10 +8,10 @@
 #include <cmath>
 #include <limits>
 
-#include "libcontact/detail/pressure_mixture_coefficients.hpp"
 #include "libcontact/half_angle/exact.hpp"
-#include "libcontact/pressure_exact.hpp"
-#include "libcontact/pressure_mixture.hpp"
+#include "libcontact/pressure/exact.hpp"
+#include "libcontact/pressure/mixture.hpp"
+#include "libcontact/pressure/mixture_coefficients.hpp"
 
 namespace contact::reference {
 namespace {

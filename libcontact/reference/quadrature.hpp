@@ -4,7 +4,7 @@
 
 #include "libcontact/base/error.hpp"
 #include "libcontact/friction_integrals.hpp"
-#include "libcontact/pressure.hpp"
+#include "libcontact/pressure/law.hpp"
 
 namespace contact::reference {
 

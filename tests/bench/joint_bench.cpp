@@ -14,6 +14,7 @@
 #include "libcontact/cylindrical_joint.hpp"
 #include "libcontact/friction_exact.hpp"
 #include "libcontact/half_angle/factory.hpp"
+#include "libcontact/pressure/cosine.hpp"
 #include "libcontact/spherical_joint.hpp"
 #include "support/random_slip.hpp"
 

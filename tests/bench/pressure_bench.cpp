@@ -14,8 +14,9 @@
 
 #include "libcontact/base/units.hpp"
 #include "libcontact/friction_pressure.hpp"
-#include "libcontact/pressure.hpp"
-#include "libcontact/pressure_exact.hpp"
+#include "libcontact/pressure/cosine.hpp"
+#include "libcontact/pressure/exact.hpp"
+#include "libcontact/pressure/factory.hpp"
 #include "libcontact/reference/quadrature.hpp"
 
 namespace {

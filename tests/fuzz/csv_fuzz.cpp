@@ -16,6 +16,7 @@
 #include "cli/points.hpp"
 #include "cli/table.hpp"
 #include "libcontact/base/error.hpp"
+#include "libcontact/pressure/cosine.hpp"
 #include "table/method.hpp"
 #include "table/point_block.hpp"
 

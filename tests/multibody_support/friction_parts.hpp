@@ -5,6 +5,7 @@
 #include "libcontact/cylindrical_joint.hpp"
 #include "libcontact/half_angle/factory.hpp"
 #include "libcontact/joint_node.hpp"
+#include "libcontact/pressure/cosine.hpp"
 #include "libcontact/spherical_joint.hpp"
 
 /// Joints of steel for tests of motions.

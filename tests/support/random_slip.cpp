@@ -7,6 +7,7 @@
 
 #include "libcontact/base/units.hpp"
 #include "libcontact/half_angle/factory.hpp"
+#include "libcontact/pressure/cosine.hpp"
 
 namespace contact::test {
 

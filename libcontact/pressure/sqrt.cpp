@@ -1,4 +1,4 @@
-#include "libcontact/pressure_sqrt.hpp"
+#include "libcontact/pressure/sqrt.hpp"
 
 #include <array>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "libcontact/conforming/wide_edge.hpp"
-#include "libcontact/detail/edge_polynomial.hpp"
+#include "libcontact/pressure/edge_polynomial.hpp"
 
 namespace contact {
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "libcontact/pressure.hpp"
+#include "libcontact/pressure/law.hpp"
 
 /// Pressures that start from the edge like a square root, as exact ones do.
 namespace contact {

@@ -1,8 +1,9 @@
 #pragma once
 
 #include "libcontact/pair/material.hpp"
-#include "libcontact/pressure.hpp"
-#include "libcontact/pressure_sqrt.hpp"
+#include "libcontact/pressure/cosine.hpp"
+#include "libcontact/pressure/law.hpp"
+#include "libcontact/pressure/sqrt.hpp"
 
 namespace contact {
 

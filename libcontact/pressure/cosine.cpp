@@ -1,17 +1,10 @@
-#include "libcontact/pressure.hpp"
-
-#include <fmt/format.h>
+#include "libcontact/pressure/cosine.hpp"
 
 #include <cmath>
 #include <limits>
 #include <numbers>
 
 #include "libcontact/base/cancellation.hpp"
-#include "libcontact/base/error.hpp"
-#include "libcontact/base/text.hpp"
-#include "libcontact/pressure_exact.hpp"
-#include "libcontact/pressure_mixture.hpp"
-#include "libcontact/pressure_sqrt.hpp"
 
 namespace contact {
 namespace {
@@ -32,13 +25,6 @@ double pin_integral_over_cube(double half_angle) {
 double two_plus_cosine(double h) { return 3 - 2 * h * h; }
 
 }  // namespace
-
-double PressureLaw::mean(double half_angle) const noexcept {
-  const double force = force_ratio(half_angle);
-  if (kind_ == JointKind::cylindrical) return force / (2 * half_angle);
-  const double h = std::sin(half_angle / 2);
-  return force / (4 * pi) / h / h;
-}
 
 double CosinePressure::peak(double half_angle) const noexcept {
   if (!is_half_angle(half_angle)) return nan;
@@ -109,37 +95,6 @@ double cosine_normal_integral(JointKind kind, double half_angle) {
   }
   return half_angle * half_angle * half_angle *
          pin_integral_over_cube(half_angle);
-}
-
-const std::vector<std::string>& pressure_law_names() {
-  static const std::vector<std::string> names = {
-      "cosine", "sqrt_tan", "sqrt_theta", "mixture", "exact"};
-  return names;
-}
-
-bool pressure_law_allows(std::string_view name, const InnerLoading& loading) {
-  return !loading.is_back() || name != "mixture";
-}
-
-std::unique_ptr<PressureLaw> make_pressure_law(std::string_view name,
-                                               JointKind kind,
-                                               const ElasticPair& pair,
-                                               const InnerLoading& loading) {
-  if (!pressure_law_allows(name, loading)) {
-    throw Error(fmt::format(
-        "loading {}: pressure law {}: allowed: cosine, sqrt_tan, sqrt_theta, "
-        "exact",
-        to_string(loading), name));
-  }
-  if (name == "cosine") return std::make_unique<CosinePressure>(kind);
-  if (name == "sqrt_tan") return std::make_unique<SqrtTanPressure>(kind);
-  if (name == "sqrt_theta") return std::make_unique<SqrtThetaPressure>(kind);
-  if (name == "mixture") return std::make_unique<MixturePressure>(kind, pair);
-  if (name == "exact")
-    return std::make_unique<ExactPressure>(kind, pair, loading);
-  throw Error(fmt::format("pressure law {}: allowed: {}",
-                          detail::printable(name),
-                          fmt::join(pressure_law_names(), ", ")));
 }
 
 }  // namespace contact

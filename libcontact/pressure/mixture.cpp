@@ -1,8 +1,8 @@
-#include "libcontact/pressure_mixture.hpp"
+#include "libcontact/pressure/mixture.hpp"
 
 #include <cmath>
 
-#include "libcontact/detail/pressure_mixture_coefficients.hpp"
+#include "libcontact/pressure/mixture_coefficients.hpp"
 
 namespace contact {
 namespace {

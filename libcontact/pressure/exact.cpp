@@ -1,4 +1,4 @@
-#include "libcontact/pressure_exact.hpp"
+#include "libcontact/pressure/exact.hpp"
 
 #include <algorithm>
 #include <array>
@@ -11,8 +11,8 @@
 #include "libcontact/conforming/edge_fit.hpp"
 #include "libcontact/conforming/pin.hpp"
 #include "libcontact/conforming/wide_edge.hpp"
-#include "libcontact/detail/edge_polynomial.hpp"
-#include "libcontact/detail/plain_logarithm.hpp"
+#include "libcontact/pressure/edge_polynomial.hpp"
+#include "libcontact/pressure/plain_logarithm.hpp"
 
 namespace contact {
 namespace {

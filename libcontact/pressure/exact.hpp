@@ -8,7 +8,7 @@
 #include "libcontact/conforming/contact_pressure.hpp"
 #include "libcontact/pair/inner_loading.hpp"
 #include "libcontact/pair/material.hpp"
-#include "libcontact/pressure.hpp"
+#include "libcontact/pressure/law.hpp"
 
 namespace contact {
 

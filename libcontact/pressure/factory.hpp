@@ -1,0 +1,36 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "libcontact/pair/inner_loading.hpp"
+#include "libcontact/pair/material.hpp"
+#include "libcontact/pressure/law.hpp"
+
+/// Pressure laws by their names.
+namespace contact {
+
+/// The law of joints and programs that name none.
+inline constexpr std::string_view default_pressure_law = "cosine";
+
+/// Names that make_pressure_law() knows: cosine, sqrt_tan, sqrt_theta,
+/// mixture, exact.
+const std::vector<std::string>& pressure_law_names();
+
+/// Whether the law of this name may be taken for this loading of the inner
+/// body. Through the back all but mixture, which is fitted to contacts under
+/// a force at the centre; cosine, sqrt_tan and sqrt_theta are plain shapes,
+/// the same for any pair and loading.
+bool pressure_law_allows(std::string_view name, const InnerLoading& loading);
+
+/// A law by its name.
+/// @param pair  elastic constants, which mixture and exact depend on
+/// @param loading  how the inner body is loaded, on which exact depends
+/// @throws Error if the name is not known or the law is not for this loading.
+std::unique_ptr<PressureLaw> make_pressure_law(
+    std::string_view name, JointKind kind, const ElasticPair& pair,
+    const InnerLoading& loading = InnerLoading::centre());
+
+}  // namespace contact
