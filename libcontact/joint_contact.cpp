@@ -9,7 +9,7 @@
 
 #include "libcontact/base/error.hpp"
 #include "libcontact/base/units.hpp"
-#include "libcontact/friction_pressure.hpp"
+#include "libcontact/friction/any_pressure.hpp"
 
 namespace contact {
 namespace {

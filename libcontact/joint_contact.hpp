@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "libcontact/friction_integrals.hpp"
+#include "libcontact/friction/integrals.hpp"
 #include "libcontact/half_angle/law.hpp"
 #include "libcontact/pair/friction_law.hpp"
 #include "libcontact/pair/joint_geometry.hpp"

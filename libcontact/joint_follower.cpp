@@ -6,9 +6,9 @@
 #include <limits>
 #include <utility>
 
-#include "libcontact/detail/cap_kernel.hpp"
 #include "libcontact/detail/follower_kernel.hpp"
-#include "libcontact/friction_exact.hpp"
+#include "libcontact/friction/exact.hpp"
+#include "libcontact/friction/kernel/cap_kernel.hpp"
 #include "libcontact/pressure/cosine.hpp"
 
 namespace contact {

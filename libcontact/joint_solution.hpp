@@ -5,7 +5,7 @@
 
 #include "libcontact/base/error.hpp"
 #include "libcontact/base/units.hpp"
-#include "libcontact/friction_integrals.hpp"
+#include "libcontact/friction/integrals.hpp"
 
 /// What the joint solvers return. All vectors are in the frame of the given
 /// reaction; forces and moments act on the load (the opposite ones on the

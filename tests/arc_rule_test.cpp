@@ -1,6 +1,6 @@
 // The rules for pressures with a logarithm against closed forms.
 
-#include "libcontact/detail/arc_rule.hpp"
+#include "libcontact/friction/kernel/arc_rule.hpp"
 
 #include <gtest/gtest.h>
 

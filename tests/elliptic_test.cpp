@@ -1,4 +1,4 @@
-#include "libcontact/elliptic.hpp"
+#include "libcontact/friction/elliptic/integrals.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +10,8 @@
 #include <numbers>
 
 #include "libcontact/base/error.hpp"
-#include "libcontact/detail/elliptic_log_coefficients.hpp"
-#include "libcontact/elliptic_real.hpp"
+#include "libcontact/friction/elliptic/integrals_real.hpp"
+#include "libcontact/friction/elliptic/log_coefficients.hpp"
 #include "libcontact/reference/elliptic_fit.hpp"
 #include "support/accuracy_report.hpp"
 #include "support/reference_table.hpp"

@@ -1,4 +1,4 @@
-#include "libcontact/friction_batch.hpp"
+#include "libcontact/friction/batch.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "libcontact/base/error.hpp"
-#include "libcontact/detail/cap_kernel.hpp"
-#include "libcontact/friction_exact.hpp"
+#include "libcontact/friction/exact.hpp"
+#include "libcontact/friction/kernel/cap_kernel.hpp"
 #include "support/accuracy_report.hpp"
 #include "support/friction_reference.hpp"
 

@@ -1,4 +1,4 @@
-#include "libcontact/friction_elliptic.hpp"
+#include "libcontact/friction/elliptic/friction.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,9 +12,9 @@
 #include <numbers>
 
 #include "libcontact/base/units.hpp"
-#include "libcontact/elliptic.hpp"
-#include "libcontact/friction_elliptic_real.hpp"
-#include "libcontact/friction_exact.hpp"
+#include "libcontact/friction/elliptic/friction_real.hpp"
+#include "libcontact/friction/elliptic/integrals.hpp"
+#include "libcontact/friction/exact.hpp"
 #include "support/accuracy_report.hpp"
 #include "support/friction_reference.hpp"
 #include "support/reference_table.hpp"

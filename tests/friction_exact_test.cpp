@@ -1,4 +1,4 @@
-#include "libcontact/friction_exact.hpp"
+#include "libcontact/friction/exact.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include <tuple>
 #include <vector>
 
-#include "libcontact/detail/cap_point.hpp"
+#include "libcontact/friction/kernel/cap_point.hpp"
 #include "support/accuracy_report.hpp"
 #include "support/friction_reference.hpp"
 

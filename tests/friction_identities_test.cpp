@@ -10,11 +10,11 @@
 #include <vector>
 
 #include "libcontact/base/units.hpp"
-#include "libcontact/friction_batch.hpp"
-#include "libcontact/friction_elliptic.hpp"
-#include "libcontact/friction_exact.hpp"
-#include "libcontact/friction_models.hpp"
-#include "libcontact/friction_special.hpp"
+#include "libcontact/friction/batch.hpp"
+#include "libcontact/friction/elliptic/friction.hpp"
+#include "libcontact/friction/exact.hpp"
+#include "libcontact/friction/models.hpp"
+#include "libcontact/friction/special.hpp"
 #include "libcontact/pressure/cosine.hpp"
 #include "libcontact/reference/quadrature.hpp"
 #include "support/friction_reference.hpp"

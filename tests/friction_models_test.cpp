@@ -1,4 +1,4 @@
-#include "libcontact/friction_models.hpp"
+#include "libcontact/friction/models.hpp"
 
 #include <gsl/gsl_integration.h>
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 #include <memory>
 #include <numbers>
 
-#include "libcontact/friction_exact.hpp"
+#include "libcontact/friction/exact.hpp"
 #include "libcontact/reference/gsl.hpp"
 #include "support/accuracy_report.hpp"
 #include "support/friction_reference.hpp"

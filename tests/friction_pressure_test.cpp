@@ -1,4 +1,4 @@
-#include "libcontact/friction_pressure.hpp"
+#include "libcontact/friction/any_pressure.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "libcontact/friction_exact.hpp"
+#include "libcontact/friction/exact.hpp"
 #include "libcontact/pressure/exact.hpp"
 #include "libcontact/pressure/factory.hpp"
 #include "libcontact/pressure/mixture.hpp"

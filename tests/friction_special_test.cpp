@@ -1,4 +1,4 @@
-#include "libcontact/friction_special.hpp"
+#include "libcontact/friction/special.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 #include <numbers>
 #include <string>
 
-#include "libcontact/elliptic_real.hpp"
-#include "libcontact/friction_elliptic_real.hpp"
+#include "libcontact/friction/elliptic/friction_real.hpp"
+#include "libcontact/friction/elliptic/integrals_real.hpp"
 #include "support/accuracy_report.hpp"
 #include "support/friction_reference.hpp"
 

@@ -10,7 +10,7 @@
 
 #include "cli/number.hpp"
 #include "libcontact/base/units.hpp"
-#include "libcontact/friction_pressure.hpp"
+#include "libcontact/friction/any_pressure.hpp"
 #include "libcontact/half_angle/exact.hpp"
 #include "libcontact/joint_file.hpp"
 #include "libcontact/pressure/exact.hpp"

@@ -11,7 +11,7 @@
 
 #include "libcontact/base/units.hpp"
 #include "libcontact/cylindrical_joint.hpp"
-#include "libcontact/friction_pressure.hpp"
+#include "libcontact/friction/any_pressure.hpp"
 #include "libcontact/half_angle/factory.hpp"
 #include "libcontact/joint_node.hpp"
 #include "libcontact/moment_set.hpp"

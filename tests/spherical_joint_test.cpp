@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "libcontact/friction_exact.hpp"
+#include "libcontact/friction/exact.hpp"
 #include "libcontact/joint_file.hpp"
 #include "libcontact/pressure/cosine.hpp"
 #include "support/accuracy_report.hpp"

@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "cli/choice.hpp"
-#include "libcontact/friction_elliptic.hpp"
-#include "libcontact/friction_integrals.hpp"
-#include "libcontact/friction_models.hpp"
-#include "libcontact/friction_pressure.hpp"
+#include "libcontact/friction/any_pressure.hpp"
+#include "libcontact/friction/elliptic/friction.hpp"
+#include "libcontact/friction/integrals.hpp"
+#include "libcontact/friction/models.hpp"
 #ifdef CONTACT_WITH_REFERENCE
 #include "libcontact/reference/quadrature.hpp"
 #endif

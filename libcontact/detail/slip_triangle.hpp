@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "libcontact/base/units.hpp"
-#include "libcontact/friction_integrals.hpp"
+#include "libcontact/friction/integrals.hpp"
 
 namespace contact::detail {
 

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "libcontact/base/error.hpp"
-#include "libcontact/elliptic_real.hpp"
+#include "libcontact/friction/elliptic/integrals_real.hpp"
 
 namespace contact::reference {
 namespace {

@@ -3,7 +3,7 @@
 #include <cstddef>
 
 #include "libcontact/base/error.hpp"
-#include "libcontact/friction_integrals.hpp"
+#include "libcontact/friction/integrals.hpp"
 #include "libcontact/pressure/law.hpp"
 
 namespace contact::reference {

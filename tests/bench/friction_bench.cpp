@@ -14,8 +14,8 @@
 #include <random>
 #include <vector>
 
-#include "libcontact/friction_batch.hpp"
-#include "libcontact/friction_exact.hpp"
+#include "libcontact/friction/batch.hpp"
+#include "libcontact/friction/exact.hpp"
 #include "libcontact/reference/quadrature.hpp"
 #include "support/accuracy_report.hpp"
 #include "support/friction_reference.hpp"

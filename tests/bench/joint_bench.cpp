@@ -12,7 +12,7 @@
 
 #include "libcontact/base/units.hpp"
 #include "libcontact/cylindrical_joint.hpp"
-#include "libcontact/friction_exact.hpp"
+#include "libcontact/friction/exact.hpp"
 #include "libcontact/half_angle/factory.hpp"
 #include "libcontact/pressure/cosine.hpp"
 #include "libcontact/spherical_joint.hpp"

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "libcontact/base/units.hpp"
-#include "libcontact/friction_pressure.hpp"
+#include "libcontact/friction/any_pressure.hpp"
 #include "libcontact/pressure/cosine.hpp"
 #include "libcontact/pressure/exact.hpp"
 #include "libcontact/pressure/factory.hpp"

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "libcontact/friction_integrals.hpp"
+#include "libcontact/friction/integrals.hpp"
 
 namespace contact::test {
 

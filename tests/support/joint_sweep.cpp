@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "libcontact/base/units.hpp"
-#include "libcontact/friction_exact.hpp"
+#include "libcontact/friction/exact.hpp"
 #include "support/random_slip.hpp"
 
 namespace contact::test {

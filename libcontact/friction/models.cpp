@@ -1,4 +1,4 @@
-#include "libcontact/friction_models.hpp"
+#include "libcontact/friction/models.hpp"
 
 #include <algorithm>
 #include <boost/math/quadrature/tanh_sinh.hpp>
@@ -6,8 +6,8 @@
 #include <limits>
 #include <numbers>
 
-#include "libcontact/elliptic.hpp"
-#include "libcontact/friction_exact.hpp"
+#include "libcontact/friction/elliptic/integrals.hpp"
+#include "libcontact/friction/exact.hpp"
 #include "libcontact/pressure/cosine.hpp"
 
 namespace contact {

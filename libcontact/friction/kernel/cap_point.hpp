@@ -6,7 +6,7 @@
 
 #include "libcontact/base/select.hpp"
 #include "libcontact/base/sine_cosine.hpp"
-#include "libcontact/detail/cap_integrals.hpp"
+#include "libcontact/friction/kernel/cap_integrals.hpp"
 
 /// What the exact method does before and after its sum over nodes, for V a
 /// lane type or double.

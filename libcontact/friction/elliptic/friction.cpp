@@ -1,6 +1,6 @@
-#include "libcontact/friction_elliptic.hpp"
+#include "libcontact/friction/elliptic/friction.hpp"
 
-#include "libcontact/friction_elliptic_real.hpp"
+#include "libcontact/friction/elliptic/friction_real.hpp"
 
 namespace contact {
 

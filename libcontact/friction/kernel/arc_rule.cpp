@@ -1,11 +1,11 @@
-#include "libcontact/detail/arc_rule.hpp"
+#include "libcontact/friction/kernel/arc_rule.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "libcontact/base/gauss_legendre.hpp"
-#include "libcontact/detail/log_corrections.hpp"
-#include "libcontact/detail/rule_set.hpp"
+#include "libcontact/friction/kernel/log_corrections.hpp"
+#include "libcontact/friction/kernel/rule_set.hpp"
 
 // All sizes were found by measurement (friction_pressure_test.cpp).
 namespace contact::detail {

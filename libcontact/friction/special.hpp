@@ -1,6 +1,6 @@
 #pragma once
 
-#include "libcontact/friction_integrals.hpp"
+#include "libcontact/friction/integrals.hpp"
 
 /// The special cases of the friction integrals of a spherical joint with the
 /// cosine pressure (3.3), by formulas of their own that do not cancel. With

@@ -1,4 +1,4 @@
-#include "libcontact/detail/expansion_table.hpp"
+#include "libcontact/friction/kernel/expansion_table.hpp"
 
 #include <algorithm>
 #include <cmath>

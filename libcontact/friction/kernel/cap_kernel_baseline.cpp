@@ -1,4 +1,4 @@
-#include "libcontact/detail/cap_kernel_impl.hpp"
+#include "libcontact/friction/kernel/cap_kernel_impl.hpp"
 
 namespace contact::detail {
 

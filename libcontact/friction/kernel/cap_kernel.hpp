@@ -1,10 +1,10 @@
 #pragma once
 
 #include "libcontact/base/instruction_set.hpp"
-#include "libcontact/detail/arc_sum.hpp"
-#include "libcontact/detail/cap_integrals.hpp"
-#include "libcontact/detail/expansion_table.hpp"
-#include "libcontact/friction_batch.hpp"
+#include "libcontact/friction/batch.hpp"
+#include "libcontact/friction/kernel/arc_sum.hpp"
+#include "libcontact/friction/kernel/cap_integrals.hpp"
+#include "libcontact/friction/kernel/expansion_table.hpp"
 #include "libcontact/pressure/expansion.hpp"
 
 namespace contact::detail {

@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include "libcontact/detail/arc_rule.hpp"
+#include "libcontact/friction/kernel/arc_rule.hpp"
 #include "libcontact/pressure/expansion.hpp"
 #include "libcontact/pressure/law.hpp"
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "libcontact/detail/cap_kernel.hpp"
-#include "libcontact/detail/cap_point.hpp"
-#include "libcontact/friction_integrals.hpp"
+#include "libcontact/friction/integrals.hpp"
+#include "libcontact/friction/kernel/cap_kernel.hpp"
+#include "libcontact/friction/kernel/cap_point.hpp"
 
 /// What the friction functions by the exact method and by other pressures
 /// share; in friction_exact.cpp.

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "libcontact/friction_integrals.hpp"
+#include "libcontact/friction/integrals.hpp"
 
 /// Simpler models of the same joint, to compare with the exact integrals. All
 /// have the signature, arguments, limits and NaN rules of

@@ -1,4 +1,4 @@
-#include "libcontact/friction_special.hpp"
+#include "libcontact/friction/special.hpp"
 
 #include <algorithm>
 #include <boost/math/quadrature/tanh_sinh.hpp>
@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "libcontact/base/cancellation.hpp"
-#include "libcontact/elliptic.hpp"
+#include "libcontact/friction/elliptic/integrals.hpp"
 #include "libcontact/pressure/cosine.hpp"
 
 namespace contact {

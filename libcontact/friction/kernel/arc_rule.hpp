@@ -1,6 +1,6 @@
 #pragma once
 
-#include "libcontact/detail/cap_rule.hpp"
+#include "libcontact/friction/kernel/cap_rule.hpp"
 
 /// Rules for pressures that start like a square root (docs/friction.md, "Other
 /// pressures"), to some 1e-11, to be had by cap_rule_index(). The first call of

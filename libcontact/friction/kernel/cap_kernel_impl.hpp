@@ -11,8 +11,8 @@
 #include <span>
 
 #include "libcontact/base/lanes.hpp"
-#include "libcontact/detail/cap_kernel.hpp"
-#include "libcontact/detail/cap_point.hpp"
+#include "libcontact/friction/kernel/cap_kernel.hpp"
+#include "libcontact/friction/kernel/cap_point.hpp"
 
 namespace contact::detail {
 namespace {
@@ -179,7 +179,7 @@ void few(const double* half_angle_sin, const double* half_angle_cos,
 }  // namespace
 }  // namespace contact::detail
 
-#include "libcontact/detail/arc_kernel_impl.hpp"
+#include "libcontact/friction/kernel/arc_kernel_impl.hpp"
 
 namespace contact::detail {
 namespace {

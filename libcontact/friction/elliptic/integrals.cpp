@@ -1,12 +1,12 @@
-#include "libcontact/elliptic.hpp"
+#include "libcontact/friction/elliptic/integrals.hpp"
 
 #include <cmath>
 #include <numbers>
 #include <string>
 
 #include "libcontact/base/error.hpp"
-#include "libcontact/detail/elliptic_log_coefficients.hpp"
-#include "libcontact/elliptic_real.hpp"
+#include "libcontact/friction/elliptic/integrals_real.hpp"
+#include "libcontact/friction/elliptic/log_coefficients.hpp"
 
 namespace contact {
 namespace {

@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "libcontact/base/inverse_root.hpp"
-#include "libcontact/detail/arc_polynomials.hpp"
-#include "libcontact/detail/cap_rule.hpp"
+#include "libcontact/friction/kernel/arc_polynomials.hpp"
+#include "libcontact/friction/kernel/cap_rule.hpp"
 
 /// The arithmetic of the exact method (docs/exact_method.md),
 /// for a number type V: a lane type or double. Letters as on that page.

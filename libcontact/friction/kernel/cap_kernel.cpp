@@ -1,4 +1,4 @@
-#include "libcontact/detail/cap_kernel.hpp"
+#include "libcontact/friction/kernel/cap_kernel.hpp"
 
 namespace contact::detail {
 

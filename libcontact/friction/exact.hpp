@@ -1,6 +1,6 @@
 #pragma once
 
-#include "libcontact/friction_integrals.hpp"
+#include "libcontact/friction/integrals.hpp"
 
 namespace contact {
 

@@ -1,4 +1,4 @@
-#include "libcontact/friction_pressure.hpp"
+#include "libcontact/friction/any_pressure.hpp"
 
 #include <algorithm>
 #include <array>
@@ -8,10 +8,10 @@
 
 #include "libcontact/base/error.hpp"
 #include "libcontact/base/gauss_legendre.hpp"
-#include "libcontact/detail/exact_call.hpp"
-#include "libcontact/detail/expansion_table.hpp"
-#include "libcontact/friction_exact.hpp"
-#include "libcontact/friction_models.hpp"
+#include "libcontact/friction/exact.hpp"
+#include "libcontact/friction/kernel/exact_call.hpp"
+#include "libcontact/friction/kernel/expansion_table.hpp"
+#include "libcontact/friction/models.hpp"
 #include "libcontact/pressure/cosine.hpp"
 
 namespace contact {

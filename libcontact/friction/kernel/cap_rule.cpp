@@ -1,9 +1,9 @@
-#include "libcontact/detail/cap_rule.hpp"
+#include "libcontact/friction/kernel/cap_rule.hpp"
 
 #include <bit>
 #include <cstdint>
 
-#include "libcontact/detail/rule_set.hpp"
+#include "libcontact/friction/kernel/rule_set.hpp"
 
 namespace contact::detail {
 namespace {

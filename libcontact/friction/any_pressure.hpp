@@ -1,7 +1,7 @@
 #pragma once
 
-#include "libcontact/friction_batch.hpp"
-#include "libcontact/friction_integrals.hpp"
+#include "libcontact/friction/batch.hpp"
+#include "libcontact/friction/integrals.hpp"
 #include "libcontact/pressure/law.hpp"
 
 namespace contact {

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
-#include "libcontact/elliptic_real.hpp"
-#include "libcontact/friction_integrals.hpp"
+#include "libcontact/friction/elliptic/integrals_real.hpp"
+#include "libcontact/friction/integrals.hpp"
 
 /// The functions of friction_elliptic.hpp for any real type that Boost.Math
 /// takes. The formulas and letters are those of docs/elliptic_form.md.

@@ -1,8 +1,8 @@
-#include "libcontact/friction_exact.hpp"
+#include "libcontact/friction/exact.hpp"
 
 #include "libcontact/base/error.hpp"
-#include "libcontact/detail/exact_call.hpp"
-#include "libcontact/friction_batch.hpp"
+#include "libcontact/friction/batch.hpp"
+#include "libcontact/friction/kernel/exact_call.hpp"
 
 namespace contact {
 namespace detail {

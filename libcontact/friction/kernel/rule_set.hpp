@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "libcontact/detail/cap_rule.hpp"
+#include "libcontact/friction/kernel/cap_rule.hpp"
 
 /// What the makers of rules over moduli share.
 namespace contact::detail::rules {

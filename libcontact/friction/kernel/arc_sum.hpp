@@ -4,7 +4,7 @@
 
 #include "libcontact/base/logarithm.hpp"
 #include "libcontact/base/select.hpp"
-#include "libcontact/detail/cap_integrals.hpp"
+#include "libcontact/friction/kernel/cap_integrals.hpp"
 
 /// The arithmetic of pressures that start like a square root from the edge
 /// (docs/friction.md, "Other pressures"), for V a lane type; instantiated like

@@ -1,4 +1,4 @@
-#include "libcontact/detail/log_corrections.hpp"
+#include "libcontact/friction/kernel/log_corrections.hpp"
 
 #include <Eigen/Dense>
 #include <algorithm>

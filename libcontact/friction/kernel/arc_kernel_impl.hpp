@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <array>
 
-#include "libcontact/detail/arc_rule.hpp"
-#include "libcontact/detail/arc_sum.hpp"
-#include "libcontact/detail/cap_point.hpp"
-#include "libcontact/detail/cap_rule.hpp"
-#include "libcontact/detail/expansion_table.hpp"
+#include "libcontact/friction/kernel/arc_rule.hpp"
+#include "libcontact/friction/kernel/arc_sum.hpp"
+#include "libcontact/friction/kernel/cap_point.hpp"
+#include "libcontact/friction/kernel/cap_rule.hpp"
+#include "libcontact/friction/kernel/expansion_table.hpp"
 
 namespace contact::detail {
 namespace {
