@@ -6,8 +6,8 @@
 
 #include "libcontact/base/instruction_set.hpp"
 #include "libcontact/base/vector_rows.hpp"
-#include "libcontact/joint_contact.hpp"
-#include "libcontact/joint_solution.hpp"
+#include "libcontact/joint/contact.hpp"
+#include "libcontact/joint/solution.hpp"
 
 namespace contact {
 

@@ -1,4 +1,4 @@
-#include "libcontact/cylindrical_joint.hpp"
+#include "libcontact/joint/cylindrical_joint.hpp"
 
 #include <gtest/gtest.h>
 

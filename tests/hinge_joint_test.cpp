@@ -10,11 +10,11 @@
 
 #include "cli/number.hpp"
 #include "libcontact/base/units.hpp"
-#include "libcontact/cylindrical_joint.hpp"
 #include "libcontact/half_angle/exact.hpp"
+#include "libcontact/joint/cylindrical_joint.hpp"
+#include "libcontact/joint/spherical_joint.hpp"
 #include "libcontact/joint_file.hpp"
 #include "libcontact/pressure/exact.hpp"
-#include "libcontact/spherical_joint.hpp"
 #include "support/program.hpp"
 
 namespace {

@@ -10,10 +10,10 @@
 #include <optional>
 #include <vector>
 
-#include "libcontact/cylindrical_joint.hpp"
 #include "libcontact/half_angle/factory.hpp"
+#include "libcontact/joint/cylindrical_joint.hpp"
+#include "libcontact/joint/spherical_joint.hpp"
 #include "libcontact/pressure/factory.hpp"
-#include "libcontact/spherical_joint.hpp"
 #include "support/allocation_count.hpp"
 #include "support/random_slip.hpp"
 

@@ -10,14 +10,14 @@
 #include <vector>
 
 #include "libcontact/base/units.hpp"
-#include "libcontact/cylindrical_joint.hpp"
 #include "libcontact/friction/any_pressure.hpp"
 #include "libcontact/half_angle/factory.hpp"
-#include "libcontact/joint_node.hpp"
-#include "libcontact/moment_set.hpp"
+#include "libcontact/joint/cylindrical_joint.hpp"
+#include "libcontact/joint/moment_set.hpp"
+#include "libcontact/joint/node.hpp"
+#include "libcontact/joint/spherical_joint.hpp"
 #include "libcontact/pressure/exact.hpp"
 #include "libcontact/pressure/factory.hpp"
-#include "libcontact/spherical_joint.hpp"
 #include "support/accuracy_report.hpp"
 
 namespace {

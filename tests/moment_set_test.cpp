@@ -1,4 +1,4 @@
-#include "libcontact/moment_set.hpp"
+#include "libcontact/joint/moment_set.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "libcontact/half_angle/factory.hpp"
+#include "libcontact/joint/spherical_joint.hpp"
 #include "libcontact/pressure/cosine.hpp"
-#include "libcontact/spherical_joint.hpp"
 #include "support/accuracy_report.hpp"
 #include "support/allocation_count.hpp"
 #include "support/random_slip.hpp"

@@ -7,9 +7,9 @@
 #include <numbers>
 #include <string>
 
+#include "libcontact/joint/spherical_joint.hpp"
 #include "libcontact/joint_file.hpp"
 #include "libcontact/pressure/cosine.hpp"
-#include "libcontact/spherical_joint.hpp"
 #include "support/accuracy_report.hpp"
 #include "support/allocation_count.hpp"
 #include "support/random_slip.hpp"

@@ -1,4 +1,4 @@
-#include "libcontact/spherical_joint.hpp"
+#include "libcontact/joint/spherical_joint.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,8 +4,8 @@
 #include <span>
 #include <variant>
 
-#include "libcontact/cylindrical_joint.hpp"
-#include "libcontact/spherical_joint.hpp"
+#include "libcontact/joint/cylindrical_joint.hpp"
+#include "libcontact/joint/spherical_joint.hpp"
 
 /// The parts of the program hinge-joint.
 namespace hinge_joint {

@@ -6,7 +6,7 @@
 
 #include "joint/input.hpp"
 #include "joint/setup.hpp"
-#include "libcontact/joint_solution.hpp"
+#include "libcontact/joint/solution.hpp"
 
 namespace hinge_joint {
 

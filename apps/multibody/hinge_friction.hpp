@@ -2,9 +2,9 @@
 
 #include <variant>
 
-#include "libcontact/cylindrical_joint.hpp"
-#include "libcontact/joint_node.hpp"
-#include "libcontact/spherical_joint.hpp"
+#include "libcontact/joint/cylindrical_joint.hpp"
+#include "libcontact/joint/node.hpp"
+#include "libcontact/joint/spherical_joint.hpp"
 
 /// What friction sits in the hinge of a load.
 namespace multibody {

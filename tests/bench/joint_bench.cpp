@@ -11,11 +11,11 @@
 #include <vector>
 
 #include "libcontact/base/units.hpp"
-#include "libcontact/cylindrical_joint.hpp"
 #include "libcontact/friction/exact.hpp"
 #include "libcontact/half_angle/factory.hpp"
+#include "libcontact/joint/cylindrical_joint.hpp"
+#include "libcontact/joint/spherical_joint.hpp"
 #include "libcontact/pressure/cosine.hpp"
-#include "libcontact/spherical_joint.hpp"
 #include "support/random_slip.hpp"
 
 namespace {

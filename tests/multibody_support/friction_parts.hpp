@@ -2,11 +2,11 @@
 
 #include <memory>
 
-#include "libcontact/cylindrical_joint.hpp"
 #include "libcontact/half_angle/factory.hpp"
-#include "libcontact/joint_node.hpp"
+#include "libcontact/joint/cylindrical_joint.hpp"
+#include "libcontact/joint/node.hpp"
+#include "libcontact/joint/spherical_joint.hpp"
 #include "libcontact/pressure/cosine.hpp"
-#include "libcontact/spherical_joint.hpp"
 
 /// Joints of steel for tests of motions.
 namespace multibody::test {

@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <random>
 
-#include "libcontact/spherical_joint.hpp"
+#include "libcontact/joint/spherical_joint.hpp"
 
 namespace contact::test {
 

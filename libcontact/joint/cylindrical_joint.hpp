@@ -5,8 +5,8 @@
 #include <span>
 #include <utility>
 
-#include "libcontact/joint_contact.hpp"
-#include "libcontact/joint_solution.hpp"
+#include "libcontact/joint/contact.hpp"
+#include "libcontact/joint/solution.hpp"
 
 namespace contact {
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "libcontact/detail/slip_triangle.hpp"
-#include "libcontact/joint_contact.hpp"
-#include "libcontact/joint_solution.hpp"
+#include "libcontact/joint/contact.hpp"
+#include "libcontact/joint/slip_triangle.hpp"
+#include "libcontact/joint/solution.hpp"
 
 namespace contact::detail {
 

@@ -1,4 +1,4 @@
-#include "libcontact/joint_node.hpp"
+#include "libcontact/joint/node.hpp"
 
 #include <fmt/format.h>
 

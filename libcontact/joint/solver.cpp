@@ -1,11 +1,11 @@
-#include "libcontact/detail/joint_solver.hpp"
+#include "libcontact/joint/solver.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "libcontact/detail/slip_solver.hpp"
+#include "libcontact/joint/slip_equation.hpp"
 
 namespace contact::detail {
 namespace {

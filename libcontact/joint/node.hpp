@@ -6,8 +6,8 @@
 #include <variant>
 #include <vector>
 
-#include "libcontact/cylindrical_joint.hpp"
-#include "libcontact/spherical_joint.hpp"
+#include "libcontact/joint/cylindrical_joint.hpp"
+#include "libcontact/joint/spherical_joint.hpp"
 
 namespace contact {
 

@@ -1,4 +1,4 @@
-#include "libcontact/moment_set.hpp"
+#include "libcontact/joint/moment_set.hpp"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>

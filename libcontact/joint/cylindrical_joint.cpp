@@ -1,10 +1,10 @@
-#include "libcontact/cylindrical_joint.hpp"
+#include "libcontact/joint/cylindrical_joint.hpp"
 
 #include <cmath>
 #include <utility>
 
 #include "libcontact/base/error.hpp"
-#include "libcontact/detail/joint_solver.hpp"
+#include "libcontact/joint/solver.hpp"
 
 namespace contact {
 namespace {

@@ -1,4 +1,4 @@
-#include "libcontact/detail/slip_solver.hpp"
+#include "libcontact/joint/slip_equation.hpp"
 
 #include <algorithm>
 #include <cmath>

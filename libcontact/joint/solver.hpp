@@ -3,8 +3,8 @@
 #include <Eigen/Core>
 #include <span>
 
-#include "libcontact/joint_contact.hpp"
-#include "libcontact/joint_solution.hpp"
+#include "libcontact/joint/contact.hpp"
+#include "libcontact/joint/solution.hpp"
 
 /// Vectors of a joint around its scalar equation. What is said of a ball
 /// holds for a pin with R normal to Dw.

@@ -1,4 +1,4 @@
-#include "libcontact/joint_contact.hpp"
+#include "libcontact/joint/contact.hpp"
 
 #include <fmt/format.h>
 

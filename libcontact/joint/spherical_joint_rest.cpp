@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "libcontact/base/root_finding.hpp"
-#include "libcontact/spherical_joint.hpp"
+#include "libcontact/joint/spherical_joint.hpp"
 
 // What a joint at rest holds: H(R) by the sliding moments M_t(R, u).
 namespace contact {

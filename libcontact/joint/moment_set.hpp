@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 
 #include "libcontact/base/error.hpp"
-#include "libcontact/joint_contact.hpp"
+#include "libcontact/joint/contact.hpp"
 
 namespace contact {
 

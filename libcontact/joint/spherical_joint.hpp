@@ -5,9 +5,9 @@
 #include <span>
 #include <utility>
 
-#include "libcontact/joint_contact.hpp"
-#include "libcontact/joint_solution.hpp"
-#include "libcontact/moment_set.hpp"
+#include "libcontact/joint/contact.hpp"
+#include "libcontact/joint/moment_set.hpp"
+#include "libcontact/joint/solution.hpp"
 
 namespace contact {
 

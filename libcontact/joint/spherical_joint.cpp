@@ -1,9 +1,9 @@
-#include "libcontact/spherical_joint.hpp"
+#include "libcontact/joint/spherical_joint.hpp"
 
 #include <utility>
 
 #include "libcontact/base/error.hpp"
-#include "libcontact/detail/joint_solver.hpp"
+#include "libcontact/joint/solver.hpp"
 
 namespace contact {
 
