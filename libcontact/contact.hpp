@@ -42,5 +42,5 @@
 #include "libcontact/joint/spherical_joint.hpp"
 #include "libcontact/joint/cylindrical_joint.hpp"
 #include "libcontact/joint/node.hpp"
-#include "libcontact/joint_follower.hpp"
+#include "libcontact/tracking/joint_follower.hpp"
 // clang-format on

@@ -1,4 +1,4 @@
-#include "libcontact/joint_follower.hpp"
+#include "libcontact/tracking/joint_follower.hpp"
 
 #include <gtest/gtest.h>
 

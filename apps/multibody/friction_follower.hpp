@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "libcontact/joint_follower.hpp"
+#include "libcontact/tracking/joint_follower.hpp"
 #include "multibody/dynamics.hpp"
 #include "multibody/hinge_solver.hpp"
 #include "multibody/loading.hpp"

@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "libcontact/detail/follower_lanes.hpp"
+#include "libcontact/tracking/follower_lanes.hpp"
 
 // What is asked of all joints. Part of follower_kernel_impl.hpp.
 

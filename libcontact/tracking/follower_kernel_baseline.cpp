@@ -1,4 +1,4 @@
-#include "libcontact/detail/follower_kernel_impl.hpp"
+#include "libcontact/tracking/follower_kernel_impl.hpp"
 
 namespace contact::detail {
 

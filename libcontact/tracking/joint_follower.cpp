@@ -1,4 +1,4 @@
-#include "libcontact/joint_follower.hpp"
+#include "libcontact/tracking/joint_follower.hpp"
 
 #include <algorithm>
 #include <array>
@@ -6,10 +6,10 @@
 #include <limits>
 #include <utility>
 
-#include "libcontact/detail/follower_kernel.hpp"
 #include "libcontact/friction/exact.hpp"
 #include "libcontact/friction/kernel/cap_kernel.hpp"
 #include "libcontact/pressure/cosine.hpp"
+#include "libcontact/tracking/follower_kernel.hpp"
 
 namespace contact {
 namespace {

@@ -3,7 +3,7 @@
 #include "libcontact/base/inverse_root.hpp"
 #include "libcontact/base/lanes.hpp"
 #include "libcontact/base/select.hpp"
-#include "libcontact/detail/follower_kernel.hpp"
+#include "libcontact/tracking/follower_kernel.hpp"
 
 // Joints in lanes: their rows, the geometry of R and Dw, what the contact's
 // moves and slopes tell. Part of follower_kernel_impl.hpp.

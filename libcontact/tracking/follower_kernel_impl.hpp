@@ -3,7 +3,7 @@
 // Included once by each follower_kernel_*.cpp, which is compiled for its own
 // instruction set.
 
-#include "libcontact/detail/follower_largest.hpp"
+#include "libcontact/tracking/follower_largest.hpp"
 
 namespace contact::detail {
 namespace {
@@ -464,4 +464,4 @@ constexpr double largest_miss = 0.1;
 }  // namespace
 }  // namespace contact::detail
 
-#include "libcontact/detail/follower_acting_impl.hpp"
+#include "libcontact/tracking/follower_acting_impl.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "libcontact/base/instruction_set.hpp"
-#include "libcontact/detail/follower_rows.hpp"
+#include "libcontact/tracking/follower_rows.hpp"
 
 namespace contact::detail {
 

@@ -3,7 +3,7 @@
 // Included by follower_kernel_impl.hpp: once per instruction set. What brings
 // the acting moments together with M_t.
 
-#include "libcontact/detail/follower_largest.hpp"
+#include "libcontact/tracking/follower_largest.hpp"
 
 namespace contact::detail {
 namespace {

@@ -1,4 +1,4 @@
-#include "libcontact/detail/follower_kernel.hpp"
+#include "libcontact/tracking/follower_kernel.hpp"
 
 namespace contact::detail {
 

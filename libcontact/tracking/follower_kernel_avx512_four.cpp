@@ -1,6 +1,6 @@
 // Few joints: half of the registers' width, but all 32 of them.
 #define CONTACT_LANES 4
-#include "libcontact/detail/follower_kernel_impl.hpp"
+#include "libcontact/tracking/follower_kernel_impl.hpp"
 
 namespace contact::detail {
 
