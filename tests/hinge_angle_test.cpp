@@ -11,8 +11,8 @@
 
 #include "cli/number.hpp"
 #include "libcontact/base/units.hpp"
+#include "libcontact/files/joint_file.hpp"
 #include "libcontact/half_angle/exact.hpp"
-#include "libcontact/joint_file.hpp"
 #include "libcontact/pressure/cosine.hpp"
 #include "libcontact/pressure/exact.hpp"
 #include "support/program.hpp"

@@ -10,10 +10,10 @@
 
 #include "cli/number.hpp"
 #include "libcontact/base/units.hpp"
+#include "libcontact/files/joint_file.hpp"
 #include "libcontact/half_angle/exact.hpp"
 #include "libcontact/joint/cylindrical_joint.hpp"
 #include "libcontact/joint/spherical_joint.hpp"
-#include "libcontact/joint_file.hpp"
 #include "libcontact/pressure/exact.hpp"
 #include "support/program.hpp"
 

@@ -1,4 +1,4 @@
-#include "libcontact/joint_file.hpp"
+#include "libcontact/files/joint_file.hpp"
 
 #include <gtest/gtest.h>
 

@@ -7,8 +7,8 @@
 #include <numbers>
 #include <string>
 
+#include "libcontact/files/joint_file.hpp"
 #include "libcontact/joint/spherical_joint.hpp"
-#include "libcontact/joint_file.hpp"
 #include "libcontact/pressure/cosine.hpp"
 #include "support/accuracy_report.hpp"
 #include "support/allocation_count.hpp"

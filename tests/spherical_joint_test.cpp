@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
+#include "libcontact/files/joint_file.hpp"
 #include "libcontact/friction/exact.hpp"
-#include "libcontact/joint_file.hpp"
 #include "libcontact/pressure/cosine.hpp"
 #include "support/accuracy_report.hpp"
 #include "support/allocation_count.hpp"

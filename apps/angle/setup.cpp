@@ -5,7 +5,7 @@
 #include "cli/laws.hpp"
 #include "cli/quantity.hpp"
 #include "libcontact/base/error.hpp"
-#include "libcontact/joint_file.hpp"
+#include "libcontact/files/joint_file.hpp"
 
 namespace hinge_angle {
 namespace {

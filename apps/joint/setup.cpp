@@ -8,7 +8,7 @@
 #include "cli/choice.hpp"
 #include "cli/quantity.hpp"
 #include "libcontact/base/error.hpp"
-#include "libcontact/joint_file.hpp"
+#include "libcontact/files/joint_file.hpp"
 
 namespace hinge_joint {
 namespace {

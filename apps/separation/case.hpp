@@ -8,8 +8,8 @@
 #include <variant>
 #include <vector>
 
+#include "libcontact/files/joint_file.hpp"
 #include "libcontact/joint/node.hpp"
-#include "libcontact/joint_file.hpp"
 #include "multibody/motion.hpp"
 #include "separation/shape.hpp"
 

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "libcontact/toml_reader.hpp"
+#include "libcontact/files/toml_reader.hpp"
 #include "separation/case.hpp"
 
 namespace separation {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "libcontact/toml_reader.hpp"
+#include "libcontact/files/toml_reader.hpp"
 #include "separation/case_names.hpp"
 
 namespace separation {

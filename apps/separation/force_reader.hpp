@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "libcontact/toml_reader.hpp"
+#include "libcontact/files/toml_reader.hpp"
 #include "separation/case_names.hpp"
 
 namespace separation {

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string_view>
 
-#include "libcontact/toml_reader.hpp"
+#include "libcontact/files/toml_reader.hpp"
 
 /// What the readers of case files share.
 namespace separation {

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "libcontact/base/error.hpp"
-#include "libcontact/joint_file.hpp"
+#include "libcontact/files/joint_file.hpp"
 
 namespace hinge_table {
 namespace {

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "libcontact/base/error.hpp"
-#include "libcontact/joint_file.hpp"
+#include "libcontact/files/joint_file.hpp"
 
 namespace {
 

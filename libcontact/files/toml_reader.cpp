@@ -1,4 +1,4 @@
-#include "libcontact/toml_reader.hpp"
+#include "libcontact/files/toml_reader.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

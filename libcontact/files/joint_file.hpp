@@ -7,13 +7,13 @@
 #include <string_view>
 #include <vector>
 
+#include "libcontact/files/toml_reader.hpp"
 #include "libcontact/half_angle/factory.hpp"
 #include "libcontact/pair/friction_law.hpp"
 #include "libcontact/pair/inner_loading.hpp"
 #include "libcontact/pair/joint_geometry.hpp"
 #include "libcontact/pair/material.hpp"
 #include "libcontact/pressure/factory.hpp"
-#include "libcontact/toml_reader.hpp"
 
 /// Material pairs and joints from TOML files (keys: docs/joint_file.md).
 ///
