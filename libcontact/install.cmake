@@ -7,6 +7,8 @@ foreach(header IN LISTS public_headers)
   install(FILES ${header}
     DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/libcontact/${folder})
 endforeach()
+install(FILES ${PROJECT_BINARY_DIR}/include/libcontact/version.hpp
+  DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/libcontact)
 install(EXPORT contact-targets NAMESPACE contact::
   DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/contact)
 configure_package_config_file(

@@ -13,6 +13,7 @@
 #include "cli/output.hpp"
 #include "cli/plot.hpp"
 #include "libcontact/base/error.hpp"
+#include "libcontact/version.hpp"
 
 namespace cli {
 namespace {
@@ -99,7 +100,7 @@ void add_jobs_option(CLI::App& app, OutputOptions& options) {
 int run_program(CLI::App& app, int argc, char** argv,
                 const std::function<ExitStatus()>& body) {
   app.set_version_flag("--version",
-                       app.get_name() + " (libcontact) " CONTACT_VERSION,
+                       app.get_name() + " (libcontact) " + contact::version,
                        "print the version");
   app.set_help_flag("--help", "print this help");
   app.get_formatter()->column_width(26);

@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "libcontact/pair/joint_geometry.hpp"
 #include "multibody/carrier_equations.hpp"
 #include "multibody/constants.hpp"
 #include "multibody/loading.hpp"

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "libcontact/base/error.hpp"
-#include "libcontact/pair/joint_geometry.hpp"
 #include "multibody/file_text.hpp"
 #include "multibody/json_node.hpp"
 #include "multibody/json_text.hpp"

@@ -3,7 +3,6 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 
-#include "libcontact/pair/joint_geometry.hpp"
 #include "multibody/eigen_conversion.hpp"
 
 namespace multibody {

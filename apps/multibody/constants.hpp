@@ -3,7 +3,6 @@
 #include <cstddef>
 #include <vector>
 
-#include "libcontact/pair/joint_geometry.hpp"
 #include "multibody/linear3.hpp"
 #include "multibody/system.hpp"
 

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "libcontact/base/instruction_set.hpp"
-#include "libcontact/pair/joint_geometry.hpp"
 #include "multibody/carrier_equations.hpp"
 #include "multibody/loading.hpp"
 #include "multibody/state_layout.hpp"

@@ -2,7 +2,6 @@
 
 #include <Eigen/Geometry>
 
-#include "libcontact/pair/joint_geometry.hpp"
 #include "multibody/eigen_conversion.hpp"
 
 namespace multibody {

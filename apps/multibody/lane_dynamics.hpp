@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "libcontact/base/instruction_set.hpp"
-#include "libcontact/pair/joint_geometry.hpp"
 #include "multibody/state_layout.hpp"
 #include "multibody/system.hpp"
 

@@ -1,5 +1,4 @@
 #include "multibody/state_layout.hpp"
-#include "libcontact/pair/joint_geometry.hpp"
 
 namespace multibody {
 namespace {

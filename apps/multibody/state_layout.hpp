@@ -2,7 +2,6 @@
 
 #include <vector>
 
-#include "libcontact/pair/joint_geometry.hpp"
 #include "multibody/system.hpp"
 
 namespace multibody {

@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "libcontact/base/error.hpp"
-#include "libcontact/pair/joint_geometry.hpp"
 
 namespace multibody {
 namespace {

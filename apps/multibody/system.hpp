@@ -3,7 +3,6 @@
 #include <Eigen/Core>
 #include <string>
 #include <vector>
-#include "libcontact/pair/joint_geometry.hpp"
 
 /// Carrier with hinged loads (README.md of this folder): what the bodies and
 /// hinges are, validated once.

@@ -1,6 +1,5 @@
 // Compiled with assertions on, as the distribution compiled the library.
 #include "simbody_system.hpp"
-#include "libcontact/pair/joint_geometry.hpp"
 
 #include <Simbody.h>
 

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <cstdio>
 #include <libcontact/contact.hpp>
-#include "libcontact/pair/material.hpp"
 
 int main() {
   const contact::FrictionIntegrals friction = contact::exact_friction_integrals(

@@ -3,8 +3,6 @@
 #include <cmath>
 #include <cstdio>
 #include <libcontact/contact.hpp>
-#include "libcontact/half_angle/factory.hpp"
-#include "libcontact/pressure/factory.hpp"
 
 using Eigen::Vector3d;
 

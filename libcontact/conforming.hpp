@@ -1,0 +1,10 @@
+#pragma once
+
+/// Exact elasticity of the conforming contact of a pin in a hole and a ball in
+/// a seat.
+// clang-format off
+#include "libcontact/conforming/contact_pressure.hpp"
+#include "libcontact/conforming/pin_closed_form.hpp"
+#include "libcontact/conforming/pin.hpp"
+#include "libcontact/conforming/ball.hpp"
+// clang-format on

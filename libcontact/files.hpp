@@ -1,0 +1,7 @@
+#pragma once
+
+/// Materials and joints from TOML files.
+// clang-format off
+#include "libcontact/files/toml_reader.hpp"
+#include "libcontact/files/joint_file.hpp"
+// clang-format on

@@ -1,0 +1,12 @@
+#pragma once
+
+/// Joints under a reaction: normal force, friction force and moments, and
+/// what holds at rest.
+// clang-format off
+#include "libcontact/joint/contact.hpp"
+#include "libcontact/joint/solution.hpp"
+#include "libcontact/joint/moment_set.hpp"
+#include "libcontact/joint/spherical_joint.hpp"
+#include "libcontact/joint/cylindrical_joint.hpp"
+#include "libcontact/joint/node.hpp"
+// clang-format on

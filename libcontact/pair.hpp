@@ -1,0 +1,10 @@
+#pragma once
+
+/// The two surfaces of a joint: elastic constants, radius and clearance,
+/// friction, and where the force enters.
+// clang-format off
+#include "libcontact/pair/material.hpp"
+#include "libcontact/pair/joint_geometry.hpp"
+#include "libcontact/pair/friction_law.hpp"
+#include "libcontact/pair/inner_loading.hpp"
+// clang-format on

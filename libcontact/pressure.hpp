@@ -1,0 +1,12 @@
+#pragma once
+
+/// Pressure over the contact.
+// clang-format off
+#include "libcontact/pressure/expansion.hpp"
+#include "libcontact/pressure/law.hpp"
+#include "libcontact/pressure/cosine.hpp"
+#include "libcontact/pressure/sqrt.hpp"
+#include "libcontact/pressure/mixture.hpp"
+#include "libcontact/pressure/exact.hpp"
+#include "libcontact/pressure/factory.hpp"
+// clang-format on
