@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "libcontact/base/units.hpp"
-#include "separation/case_reader.hpp"
-#include "separation/system_of.hpp"
+#include "separation/case/case_reader.hpp"
+#include "separation/case/system_of.hpp"
 #include "support/error_message.hpp"
 
 namespace {

@@ -1,4 +1,4 @@
-#include "multibody/coupled_dynamics.hpp"
+#include "multibody/friction/coupled_dynamics.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,9 +6,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "multibody/eigen_conversion.hpp"
-#include "multibody/prepared.hpp"
+#include "multibody/system/eigen_conversion.hpp"
 #include "multibody_support/friction_parts.hpp"
+#include "multibody_support/prepared.hpp"
 #include "multibody_support/random_instant.hpp"
 #include "support/allocation_count.hpp"
 

@@ -1,4 +1,4 @@
-#include "multibody/lane_dynamics.hpp"
+#include "multibody/dynamics/lane_dynamics.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "libcontact/base/error.hpp"
-#include "multibody/dynamics.hpp"
-#include "multibody/prepared.hpp"
+#include "multibody/dynamics/dynamics.hpp"
+#include "multibody_support/prepared.hpp"
 #include "multibody_support/random_instant.hpp"
 
 // Several motions side by side against each of them alone.

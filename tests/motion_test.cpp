@@ -1,4 +1,4 @@
-#include "multibody/motion.hpp"
+#include "multibody/motion/motion.hpp"
 
 #include <gtest/gtest.h>
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <string_view>
 
-#include "multibody/case_file.hpp"
-#include "multibody/json_text.hpp"
+#include "multibody_oracle/case_file.hpp"
+#include "multibody_oracle/json_text.hpp"
 #include "support/error_message.hpp"
 #include "support/program.hpp"
 

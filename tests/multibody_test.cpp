@@ -9,12 +9,12 @@
 #include <limits>
 #include <set>
 
-#include "multibody/case_file.hpp"
-#include "multibody/eigen_conversion.hpp"
-#include "multibody/prepared.hpp"
+#include "multibody/system/eigen_conversion.hpp"
+#include "multibody_oracle/case_file.hpp"
 #include "multibody_support/compare.hpp"
 #include "multibody_support/dense_reference.hpp"
 #include "multibody_support/dense_solver.hpp"
+#include "multibody_support/prepared.hpp"
 #include "multibody_support/random_instant.hpp"
 #include "support/accuracy_report.hpp"
 

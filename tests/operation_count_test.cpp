@@ -1,12 +1,12 @@
 // How many operations an evaluation takes, beside the paper's formulas.
 #include <gtest/gtest.h>
 
-#include "multibody/constants.hpp"
-#include "multibody/eigen_conversion.hpp"
-#include "multibody/prepared.hpp"
-#include "multibody/two_step.hpp"
+#include "multibody/dynamics/two_step.hpp"
+#include "multibody/system/constants.hpp"
+#include "multibody/system/eigen_conversion.hpp"
 #include "multibody_support/counted.hpp"
 #include "multibody_support/plain_two_step.hpp"
+#include "multibody_support/prepared.hpp"
 #include "multibody_support/random_instant.hpp"
 
 namespace {

@@ -11,12 +11,12 @@
 #include <string>
 
 #include "libcontact/base/error.hpp"
-#include "separation/case_forces.hpp"
-#include "separation/case_reader.hpp"
-#include "separation/checkpoint.hpp"
-#include "separation/clearance.hpp"
-#include "separation/peaks.hpp"
-#include "separation/shape.hpp"
+#include "separation/case/case_reader.hpp"
+#include "separation/case/shape.hpp"
+#include "separation/clearance/clearance.hpp"
+#include "separation/record/checkpoint.hpp"
+#include "separation/record/peaks.hpp"
+#include "separation/simulation/case_forces.hpp"
 #include "support/error_message.hpp"
 #include "support/program.hpp"
 

@@ -9,7 +9,7 @@
 #include "libcontact/base/error.hpp"
 #include "libcontact/half_angle/factory.hpp"
 #include "libcontact/pressure/factory.hpp"
-#include "separation/file_name.hpp"
+#include "separation/output/file_name.hpp"
 
 namespace separation {
 namespace {

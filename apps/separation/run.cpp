@@ -13,15 +13,15 @@
 #include <vector>
 
 #include "cli/choice.hpp"
+#include "cli/file_text.hpp"
 #include "cli/output.hpp"
 #include "libcontact/base/error.hpp"
-#include "multibody/file_text.hpp"
-#include "separation/case_reader.hpp"
-#include "separation/compare.hpp"
-#include "separation/history_file.hpp"
-#include "separation/pictures.hpp"
-#include "separation/run_case.hpp"
-#include "separation/summary.hpp"
+#include "separation/case/case_reader.hpp"
+#include "separation/output/compare.hpp"
+#include "separation/output/history_file.hpp"
+#include "separation/output/pictures.hpp"
+#include "separation/output/summary.hpp"
+#include "separation/record/run_case.hpp"
 
 namespace separation {
 namespace {
@@ -239,7 +239,7 @@ RunOptions run_options(const Case& c, const Options& o) {
       run.identity += text_of(joint.joint);
     }
   }
-  run.identity += multibody::file_text(o.case_file);
+  run.identity += cli::file_text(o.case_file);
   return run;
 }
 

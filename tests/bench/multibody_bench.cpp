@@ -5,11 +5,11 @@
 
 #include <numbers>
 
-#include "multibody/lane_dynamics.hpp"
-#include "multibody/motion.hpp"
-#include "multibody/prepared.hpp"
+#include "multibody/dynamics/lane_dynamics.hpp"
+#include "multibody/motion/motion.hpp"
 #include "multibody_support/dense_solver.hpp"
 #include "multibody_support/friction_parts.hpp"
+#include "multibody_support/prepared.hpp"
 #include "multibody_support/random_instant.hpp"
 #ifdef CONTACT_HAS_SIMBODY
 #include "simbody_system.hpp"

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "separation/case_reader.hpp"
-#include "separation/checkpoint.hpp"
-#include "separation/run_case.hpp"
+#include "separation/case/case_reader.hpp"
+#include "separation/record/checkpoint.hpp"
+#include "separation/record/run_case.hpp"
 
 namespace {
 

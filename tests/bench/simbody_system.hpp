@@ -3,7 +3,7 @@
 #include <memory>
 #include <vector>
 
-#include "multibody/instant.hpp"
+#include "multibody_support/instant.hpp"
 
 namespace multibody::bench {
 

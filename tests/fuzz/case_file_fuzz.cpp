@@ -7,9 +7,9 @@
 #include <string_view>
 
 #include "libcontact/base/error.hpp"
-#include "separation/case_forces.hpp"
-#include "separation/case_reader.hpp"
-#include "separation/system_of.hpp"
+#include "separation/case/case_reader.hpp"
+#include "separation/case/system_of.hpp"
+#include "separation/simulation/case_forces.hpp"
 
 namespace {
 

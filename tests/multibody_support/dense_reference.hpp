@@ -4,7 +4,7 @@
 #include <Eigen/Geometry>
 #include <vector>
 
-#include "multibody/instant.hpp"
+#include "multibody_support/instant.hpp"
 
 /// The traditional way, section 1.3 of the paper: the conditions of all joints
 /// at once, a symmetric system of 3 (spherical), 5 (axis) or 6 (held)

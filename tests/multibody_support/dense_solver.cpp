@@ -1,6 +1,6 @@
 #include "multibody_support/dense_solver.hpp"
 
-#include "multibody/state_layout.hpp"
+#include "multibody/system/state_layout.hpp"
 #include "multibody_support/dense_reference.hpp"
 
 namespace multibody::test {

@@ -3,7 +3,7 @@
 #include <Eigen/Dense>
 #include <vector>
 
-#include "multibody/dynamics.hpp"
+#include "multibody/dynamics/dynamics.hpp"
 
 namespace multibody::test {
 

@@ -3,7 +3,7 @@
 #include <Eigen/Dense>
 #include <vector>
 
-#include "multibody/instant.hpp"
+#include "multibody_support/instant.hpp"
 
 /// The two-step resolution as the paper writes it, (1.3)-(1.8), matrix by
 /// matrix in given axes, in any scalar: an independent check of the one that

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "multibody/instant.hpp"
+#include "multibody_support/instant.hpp"
 
 /// Carriers with random loads for tests and benchmarks: the same numbers from
 /// the same seed on every machine.

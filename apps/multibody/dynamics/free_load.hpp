@@ -1,0 +1,59 @@
+#pragma once
+
+#include "multibody/dynamics/carrier_equations.hpp"
+#include "multibody/system/constants.hpp"
+#include "multibody/system/loading.hpp"
+#include "multibody/system/state_layout.hpp"
+
+namespace multibody {
+
+/// A body of its own: Euler's equations, load axes. It takes no part in the
+/// carrier's equations.
+template <class T, class P>
+class FreeLoad {
+ public:
+  static constexpr int state_begin = StateLayout::angular_velocity;
+  static constexpr int state_size = 3;
+  static constexpr bool serves(JointKind, JointMode mode) {
+    return mode == JointMode::released;
+  }
+  static double constant(const SystemConstants& s, int load, std::size_t i) {
+    return number_of(s.free(load), i);
+  }
+  template <class F>
+  void set_constants(F number) {
+    set_numbers(k_, number);
+  }
+
+  CarrierMatrix<P> fixed_part() const { return {}; }
+  /// @param state  absolute angular velocity
+  [[gnu::always_inline]] void set_motion(const T* state,
+                                         const CarrierMotion<T>&,
+                                         const LoadForces<T>& forces) {
+    const Vec3<T> w{state[0], state[1], state[2]};
+    linear_ = k_.inverse_mass * forces.force;
+    angular_ = k_.inverse_inertia * (forces.moment - cross(w, k_.inertia * w));
+  }
+  void add_to(CarrierForces<T>&) const {}
+  void add_to(CarrierMatrix<T>&) const {}
+  void add_friction(const Vec3<T>&, CarrierForces<T>&) {}
+
+  /// Of the centre of mass without gravity, load axes.
+  const Vec3<T>& linear_acceleration() const { return linear_; }
+  /// Absolute: there is nothing to be relative to.
+  Vec3<T> relative_acceleration(const CarrierAcceleration<T>&) const {
+    return angular_;
+  }
+  Vec3<T> angular_acceleration(const CarrierAcceleration<T>&) const {
+    return angular_;
+  }
+  Reaction<T> reaction(const CarrierAcceleration<T>&) const { return {}; }
+  Mat3<T> axes() const { return {}; }
+
+ private:
+  FreeConstants<P> k_;
+  Vec3<T> linear_;
+  Vec3<T> angular_;
+};
+
+}  // namespace multibody

@@ -1,0 +1,236 @@
+#pragma once
+
+#include <experimental/simd>
+#include <type_traits>
+#include <vector>
+
+#include "multibody/dynamics/carrier_equations.hpp"
+#include "multibody/system/constants.hpp"
+#include "multibody/system/loading.hpp"
+#include "multibody/system/state_layout.hpp"
+
+namespace multibody {
+
+/// Number of lanes of a scalar type, 1 if it has none.
+template <class S>
+constexpr int lane_count() {
+  if constexpr (requires { S::size(); }) {
+    return static_cast<int>(S::size());
+  } else {
+    return 1;
+  }
+}
+
+/// Scalars of one resolution: T of the state, P of the parameters (double, or
+/// T if they differ by lane), S of the loads (T, or lanes over loads if T is
+/// double). Loads are taken in packets of `width`; the lanes of P belong to
+/// `systems` systems.
+template <class T, class P, class S>
+struct Lanes {
+  static constexpr int width = std::is_same_v<S, T> ? 1 : lane_count<S>();
+  static constexpr int systems =
+      std::is_same_v<P, double> ? 1 : lane_count<P>();
+  /// Of a load's parameters.
+  using Parameter = std::conditional_t<(width > 1), S, P>;
+
+  static T at(const S& s, int lane) {
+    if constexpr (width == 1) {
+      return s;
+    } else {
+      return s[lane];
+    }
+  }
+  static Vec3<T> at(const Vec3<S>& v, int lane) {
+    return {at(v.x, lane), at(v.y, lane), at(v.z, lane)};
+  }
+  /// Vectors of a packet's loads; of empty lanes what is beyond the last load,
+  /// or 0.
+  template <class Packet>
+  [[gnu::always_inline]] static Vec3<S> read(const Packet& packet,
+                                             const VectorRows& rows) {
+    const auto row = [&](int k) {
+      if constexpr (width == 1) {
+        return rows.at(packet.load[0])[k * VectorRows::lanes];
+      } else if (packet.in_order) {
+        return S(rows.at(packet.load[0]) + k * VectorRows::lanes,
+                 std::experimental::element_aligned);
+      } else {
+        return S([&](auto lane) {
+          const int load = packet.load[lane];
+          return load < 0 ? 0.0 : rows.at(load)[k * VectorRows::lanes];
+        });
+      }
+    };
+    return {row(0), row(1), row(2)};
+  }
+  template <class Packet>
+  [[gnu::always_inline]] static void write(const Packet& packet,
+                                           const Vec3<S>& v,
+                                           const VectorRows& rows) {
+    const auto row = [&](const S& x, int k) {
+      if constexpr (width == 1) {
+        rows.at(packet.load[0])[k * VectorRows::lanes] = x;
+      } else if (packet.in_order) {
+        x.copy_to(rows.at(packet.load[0]) + k * VectorRows::lanes,
+                  std::experimental::element_aligned);
+      } else {
+        for (int lane = 0; lane < width; ++lane) {
+          const int load = packet.load[lane];
+          if (load >= 0) rows.at(load)[k * VectorRows::lanes] = x[lane];
+        }
+      }
+    };
+    row(v.x, 0);
+    row(v.y, 1);
+    row(v.z, 2);
+  }
+  static Vec3<S> spread(const Vec3<T>& v) { return {S(v.x), S(v.y), S(v.z)}; }
+  static CarrierAcceleration<S> spread(const CarrierAcceleration<T>& c) {
+    return {spread(c.linear), spread(c.angular)};
+  }
+  /// Numbers base[index * stride ...] of every lane; `empty` where the load is
+  /// negative. Base: a pointer to T, or anything that is indexed like one.
+  template <class Base, int n>
+  [[gnu::always_inline]] static void read(const int (&load)[width],
+                                          const int (&index)[width], Base base,
+                                          int stride, const double* empty,
+                                          S (&to)[n]) {
+    if constexpr (width == 1) {
+      for (int k = 0; k < n; ++k) to[k] = base[index[0] * stride + k];
+    } else {
+      const T* from[width];
+      for (int lane = 0; lane < width; ++lane) {
+        from[lane] = load[lane] < 0 ? empty : base + index[lane] * stride;
+      }
+      for (int k = 0; k < n; ++k) {
+        to[k] = S([&](auto lane) { return from[lane][k]; });
+      }
+    }
+  }
+
+  /// Over the loads of a packet.
+  template <class X>
+  static auto sum(const X& s) {
+    if constexpr (width == 1) {
+      return s;
+    } else {
+      return reduce(s);
+    }
+  }
+  template <class X>
+  static auto sum(const Vec3<X>& v) {
+    return Vec3{sum(v.x), sum(v.y), sum(v.z)};
+  }
+  template <class X>
+  static auto sum(const Sym3<X>& m) {
+    return Sym3{sum(m.xx), sum(m.yy), sum(m.zz),
+                sum(m.xy), sum(m.xz), sum(m.yz)};
+  }
+  template <class X>
+  static auto sum(const CarrierMatrix<X>& m) {
+    const Mat3<X>& b = m.b_transposed;
+    return CarrierMatrix{sum(m.a), Mat3{sum(b.x), sum(b.y), sum(b.z)},
+                         sum(m.f)};
+  }
+  /// Lanes whose sum is t.
+  static S to_sum(const T& t) {
+    if constexpr (width == 1) {
+      return t;
+    } else {
+      return S([&](auto lane) { return lane == 0 ? t : T(0.0); });
+    }
+  }
+  static Vec3<S> to_sum(const Vec3<T>& v) {
+    return {to_sum(v.x), to_sum(v.y), to_sum(v.z)};
+  }
+  static Sym3<S> to_sum(const Sym3<T>& m) {
+    return {to_sum(m.xx), to_sum(m.yy), to_sum(m.zz),
+            to_sum(m.xy), to_sum(m.xz), to_sum(m.yz)};
+  }
+  static CarrierMatrix<S> to_sum(const CarrierMatrix<T>& m) {
+    const Mat3<T>& b = m.b_transposed;
+    return {to_sum(m.a), {to_sum(b.x), to_sum(b.y), to_sum(b.z)}, to_sum(m.f)};
+  }
+};
+
+/// The loads of one kind in packets. Kernel is one of SphericalLoad, AxisLoad,
+/// HeldSpherical, HeldAxis, FreeLoad.
+template <class T, class P, class S,
+          template <class, class> class KernelTemplate>
+class LoadGroup {
+ public:
+  using L = Lanes<T, P, S>;
+  using Kernel = KernelTemplate<S, typename L::Parameter>;
+  static constexpr int width = L::width;
+
+  struct Packet {
+    Kernel kernel;
+    int load[width];    ///< -1: empty lane, whose constants are all 0
+    int offset[width];  ///< where its state begins
+    bool in_order;      ///< loads that follow on each other, as in VectorRows
+  };
+
+  void reserve(int loads) { packets_.reserve((loads + width - 1) / width); }
+  void clear() {
+    packets_.clear();
+    lanes_used_ = width;
+  }
+  static constexpr bool serves(JointKind kind, JointMode mode) {
+    return Kernel::serves(kind, mode);
+  }
+  /// Appends a load and says where it went; finish() makes the kernels.
+  void add(int load, int offset, int& packet_index, int& lane) {
+    if (lanes_used_ == width) {
+      Packet& packet = packets_.emplace_back();
+      for (int& empty : packet.load) empty = -1;
+      lanes_used_ = 0;
+    }
+    packet_index = static_cast<int>(packets_.size()) - 1;
+    lane = lanes_used_++;
+    packets_.back().load[lane] = load;
+    packets_.back().offset[lane] = offset + Kernel::state_begin;
+  }
+  void finish(const SystemConstants* const* systems) {
+    for (Packet& packet : packets_) {
+      packet.in_order = is_in_order(packet, systems[0]->size());
+      packet.kernel.set_constants(
+          [&](std::size_t i) { return parameter(packet, systems, i); });
+    }
+  }
+
+  std::vector<Packet>& packets() { return packets_; }
+  const std::vector<Packet>& packets() const { return packets_; }
+
+ private:
+  static bool is_in_order(const Packet& packet, int loads) {
+    const int first = packet.load[0];
+    for (int lane = 1; lane < width; ++lane) {
+      const int next = first + lane;
+      if (packet.load[lane] != (next < loads ? next : -1)) return false;
+    }
+    return first % width == 0;
+  }
+
+  // The i-th constant of a packet.
+  static typename L::Parameter parameter(const Packet& packet,
+                                         const SystemConstants* const* systems,
+                                         std::size_t i) {
+    const auto number = [&](int system, int lane) {
+      const int load = packet.load[lane];
+      return load < 0 ? 0.0 : Kernel::constant(*systems[system], load, i);
+    };
+    using Parameter = typename L::Parameter;
+    if constexpr (width > 1) {
+      return Parameter([&](auto lane) { return number(0, lane); });
+    } else if constexpr (L::systems > 1) {
+      return Parameter([&](auto system) { return number(system, 0); });
+    } else {
+      return Parameter(number(0, 0));
+    }
+  }
+
+  std::vector<Packet> packets_;
+  int lanes_used_ = width;
+};
+
+}  // namespace multibody

@@ -1,0 +1,370 @@
+#pragma once
+
+#include <algorithm>
+#include <cassert>
+#include <tuple>
+#include <vector>
+
+#include "multibody/dynamics/axis_load.hpp"
+#include "multibody/dynamics/free_load.hpp"
+#include "multibody/dynamics/held_load.hpp"
+#include "multibody/dynamics/load_group.hpp"
+#include "multibody/dynamics/spherical_load.hpp"
+
+namespace multibody {
+
+/// The two-step resolution of section 1 of the paper for any scalar: each
+/// load's reaction as a function of the carrier's accelerations, then the
+/// carrier's own six equations, then the loads. The work is proportional to
+/// the number of loads; no call but the constructor and set_mode allocates.
+///
+/// Programs use Dynamics (one motion in double) or LaneDynamics (several).
+/// States and forces are rows of numbers, as pointers to T or anything that is
+/// indexed like one.
+/// @tparam T, P, S  see Lanes
+template <class T, class P = double, class S = T>
+class TwoStep {
+  using L = Lanes<T, P, S>;
+
+ public:
+  /// @param constants  Lanes::systems systems that differ in numbers only;
+  ///                   they have to outlive this object
+  explicit TwoStep(const SystemConstants* const* constants) {
+    std::copy_n(constants, L::systems, systems_);
+    const SystemConstants& first = *systems_[0];
+    loads_.resize(first.size());
+    for (int i = 0; i < size(); ++i) {
+      loads_[i].kind = first.kind(i);
+      loads_[i].mode = first.kind(i) == JointKind::none ? JointMode::released
+                                                        : JointMode::turning;
+    }
+    for_groups([&](auto& group) { group.reserve(size()); });
+    sort_loads();
+  }
+
+  int size() const { return static_cast<int>(loads_.size()); }
+  JointMode mode(int load) const { return loads_[load].mode; }
+  void set_mode(int load, JointMode mode) {
+    assert(loads_[load].kind != JointKind::none || mode == JointMode::released);
+    loads_[load].mode = mode;
+    sort_loads();
+  }
+
+  /// Full evaluation. Positions, velocities of the centres of mass and the
+  /// carrier's rotation do not matter here.
+  /// @param state  StateLayout::size() numbers
+  /// @param loads  size() times the 9 numbers of LoadForces
+  template <class State, class Forces>
+  void evaluate(State state, const CarrierLoading<T>& carrier, Forces loads) {
+    const Vec3<T> w = angular_velocity(state);
+    const CarrierMotion<S> motion = spread_motion(w);
+    CarrierMatrix<S> matrix = L::to_sum(fixed_);
+    CarrierForces<S> forces{L::to_sum(carrier.force),
+                            L::to_sum(carrier.moment - cross(w, inertia_ * w))};
+    // Two passes: one with everything in it runs out of registers.
+    for_packets(
+        [&](auto& packet) { set_motion(packet, state, motion, loads); });
+    for_packets([&](auto& packet) {
+      packet.kernel.add_to(matrix);
+      packet.kernel.add_to(forces);
+    });
+    solver_ = CarrierSolver<T>(L::sum(matrix));
+    forces_ = {L::sum(forces.a), L::sum(forces.b)};
+    carrier_ = solver_.solve(forces_);
+  }
+
+  /// First step alone: the carrier's motion is prescribed.
+  template <class State, class Forces>
+  void evaluate_prescribed(State state, Forces loads,
+                           const CarrierAcceleration<T>& carrier) {
+    const CarrierMotion<S> motion = spread_motion(angular_velocity(state));
+    for_packets(
+        [&](auto& packet) { set_motion(packet, state, motion, loads); });
+    carrier_ = carrier;
+  }
+
+  /// After evaluate(): moments of friction changed by `change`, load axes, 3
+  /// numbers for each load, ignored where a joint is held or released. Motion,
+  /// matrices and factors stay.
+  template <class Numbers>
+  void add_friction(Numbers change) {
+    [[maybe_unused]] static constexpr double none[3] = {};
+    add_changes([&](const auto& packet) {
+      S m[3];
+      L::read(packet.load, packet.load, change, 3, none, m);
+      return Vec3<S>{m[0], m[1], m[2]};
+    });
+  }
+  void add_friction(const VectorRows& change) {
+    add_changes([&](const auto& packet) { return L::read(packet, change); });
+  }
+
+  const CarrierAcceleration<T>& carrier() const { return carrier_; }
+  Vec3<T> relative_acceleration(int load) const {
+    return visit(load, [&](const auto& kernel) {
+      return kernel.relative_acceleration(L::spread(carrier_));
+    });
+  }
+  /// take(load, relative_acceleration(load)) for all loads, in any order.
+  template <class F>
+  [[gnu::always_inline]] void relative_accelerations(F take) const {
+    const CarrierAcceleration<S> carrier = L::spread(carrier_);
+    for_packets([&](const auto& packet) {
+      const Vec3<S> a = packet.kernel.relative_acceleration(carrier);
+      for_lanes(packet,
+                [&](int load, int lane) { take(load, L::at(a, lane)); });
+    });
+  }
+  Vec3<T> angular_acceleration(int load) const {
+    return visit(load, [&](const auto& kernel) {
+      return kernel.angular_acceleration(L::spread(carrier_));
+    });
+  }
+  Mat3<T> axes(int load) const {
+    const auto column = [&](auto member) {
+      return visit(load,
+                   [&](const auto& kernel) { return kernel.axes().*member; });
+    };
+    return {column(&Mat3<S>::x), column(&Mat3<S>::y), column(&Mat3<S>::z)};
+  }
+  /// d(state)/dt after an evaluation of the same state.
+  /// @param gravity  inertial axes
+  /// @param to       to[i] = number
+  template <class State, class Rates>
+  void rates(State state, const Vec3<T>& gravity, Rates to) const {
+    body_rates(state, 0, carrier_.linear, gravity, carrier_.angular, to);
+    const CarrierAcceleration<S> carrier = L::spread(carrier_);
+    for_packets([&](const auto& packet) {
+      const Vec3<S> turn = packet.kernel.relative_acceleration(carrier);
+      const Vec3<S> linear = linear_acceleration(packet.kernel);
+      for_lanes(packet, [&](int load, int lane) {
+        load_rates(state, load, L::at(linear, lane), gravity, L::at(turn, lane),
+                   to);
+      });
+    });
+  }
+
+  /// Of all loads: the forces of reactions().
+  void forces(const VectorRows& to) const {
+    const CarrierAcceleration<S> carrier = L::spread(carrier_);
+    for_packets([&](const auto& packet) {
+      L::write(packet, packet.kernel.reaction(carrier).force, to);
+    });
+  }
+
+  /// Of all loads.
+  void reactions(Reaction<T>* to) const {
+    const CarrierAcceleration<S> carrier = L::spread(carrier_);
+    for_packets([&](const auto& packet) {
+      const Reaction<S> r = packet.kernel.reaction(carrier);
+      for_lanes(packet, [&](int load, int lane) {
+        to[load] = {L::at(r.force, lane), L::at(r.moment, lane)};
+      });
+    });
+  }
+
+ private:
+  // Quaternion at q and angular velocity at w, both in the state and in `to`.
+  template <class State, class Rates>
+  static void turn_rates(State state, int q, int w, const Vec3<T>& acceleration,
+                         Rates to) {
+    const Quaternion<T> rate = quaternion_rate(
+        Quaternion<T>{state[q], state[q + 1], state[q + 2], state[q + 3]},
+        Vec3<T>{state[w], state[w + 1], state[w + 2]});
+    to[q] = rate.w;
+    to[q + 1] = rate.x;
+    to[q + 2] = rate.y;
+    to[q + 3] = rate.z;
+    to[w] = acceleration.x;
+    to[w + 1] = acceleration.y;
+    to[w + 2] = acceleration.z;
+  }
+  // A body in inertial axes; accelerations in its own axes.
+  template <class State, class Rates>
+  static void body_rates(State state, int at, const Vec3<T>& linear,
+                         const Vec3<T>& gravity, const Vec3<T>& angular,
+                         Rates to) {
+    const int q = at + StateLayout::rotation;
+    const Vec3<T> a = rotation(Quaternion<T>{state[q], state[q + 1],
+                                             state[q + 2], state[q + 3]}) *
+                          linear +
+                      gravity;
+    const int v = at + StateLayout::velocity;
+    const int x = at + StateLayout::position;
+    to[x] = state[v];
+    to[x + 1] = state[v + 1];
+    to[x + 2] = state[v + 2];
+    to[v] = a.x;
+    to[v + 1] = a.y;
+    to[v + 2] = a.z;
+    turn_rates(state, q, at + StateLayout::angular_velocity, angular, to);
+  }
+
+  // change(packet): of its loads' moments of friction.
+  template <class F>
+  [[gnu::always_inline]] void add_changes(F change) {
+    CarrierForces<S> forces{L::to_sum(forces_.a), L::to_sum(forces_.b)};
+    for_packets([&](auto& packet) {
+      packet.kernel.add_friction(change(packet), forces);
+    });
+    forces_ = {L::sum(forces.a), L::sum(forces.b)};
+    carrier_ = solver_.solve(forces_);
+  }
+  // A load by what it does at the moment.
+  template <class State, class Rates>
+  [[gnu::always_inline]] void load_rates(State state, int load,
+                                         const Vec3<T>& linear,
+                                         const Vec3<T>& gravity,
+                                         const Vec3<T>& turn, Rates to) const {
+    const LoadInfo& info = loads_[load];
+    const int at = info.offset;
+    if (info.mode == JointMode::held) {
+      const int n = StateLayout::load_size(info.kind, info.mode);
+      for (int k = 0; k < n; ++k) to[at + k] = T(0.0);
+    } else if (info.mode == JointMode::released) {
+      body_rates(state, at, linear, gravity, turn, to);
+    } else if (info.kind == JointKind::axis) {
+      to[at] = state[at + 1];
+      to[at + 1] = turn.z;
+    } else {
+      turn_rates(state, at, at + 4, turn, to);
+    }
+  }
+  template <class Kernel>
+  static Vec3<S> linear_acceleration(const Kernel& kernel) {
+    if constexpr (requires { kernel.linear_acceleration(); }) {
+      return kernel.linear_acceleration();
+    } else {
+      return {};
+    }
+  }
+
+  template <template <class, class> class Kernel>
+  using Group = LoadGroup<T, P, S, Kernel>;
+  struct LoadInfo {
+    JointKind kind;
+    JointMode mode;
+    int packet;
+    int lane;
+    int offset;  ///< where its state begins
+  };
+
+  template <class F>
+  [[gnu::always_inline]] void for_groups(F f) {
+    std::apply([&](auto&... group) { (f(group), ...); }, groups_);
+  }
+  template <class F>
+  [[gnu::always_inline]] void for_packets(F f) {
+    for_groups([&](auto& group) {
+      for (auto& packet : group.packets()) f(packet);
+    });
+  }
+  template <class F>
+  [[gnu::always_inline]] void for_packets(F f) const {
+    const auto in_group = [&](const auto& group) {
+      for (const auto& packet : group.packets()) f(packet);
+    };
+    std::apply([&](const auto&... group) { (in_group(group), ...); }, groups_);
+  }
+  // f(load, lane)
+  template <class Packet, class F>
+  [[gnu::always_inline]] static void for_lanes(const Packet& packet, F f) {
+    for (int lane = 0; lane < L::width; ++lane) {
+      if (packet.load[lane] >= 0) f(packet.load[lane], lane);
+    }
+  }
+  // f(kernel) of the load's packet, in the load's lane.
+  template <class F>
+  Vec3<T> visit(int load, F f) const {
+    const LoadInfo& info = loads_[load];
+    Vec3<T> result{};
+    const auto in_group = [&](const auto& group) {
+      if (group.serves(info.kind, info.mode)) {
+        result = L::at(f(group.packets()[info.packet].kernel), info.lane);
+      }
+    };
+    std::apply([&](const auto&... group) { (in_group(group), ...); }, groups_);
+    return result;
+  }
+
+  // Every load into the packets of what it does at the moment.
+  void sort_loads() {
+    for_groups([](auto& group) { group.clear(); });
+    int offset = StateLayout::body_size;
+    for (int i = 0; i < size(); ++i) {
+      LoadInfo& info = loads_[i];
+      info.offset = offset;
+      for_groups([&](auto& group) {
+        if (group.serves(info.kind, info.mode)) {
+          group.add(i, offset, info.packet, info.lane);
+        }
+      });
+      offset += StateLayout::load_size(info.kind, info.mode);
+    }
+    set_fixed_part();
+    for_groups([&](auto& group) { group.finish(systems_); });
+    for_packets([&](const auto& packet) {
+      fixed_ += L::sum(packet.kernel.fixed_part());
+    });
+  }
+
+  // The carrier alone.
+  void set_fixed_part() {
+    const auto parameter = [&](auto get) {
+      if constexpr (L::systems > 1) {
+        return P([&](auto lane) { return get(*systems_[lane]); });
+      } else {
+        return P(get(*systems_[0]));
+      }
+    };
+    fixed_ = {};
+    fixed_.a.xx = fixed_.a.yy = fixed_.a.zz =
+        parameter([](const SystemConstants& s) { return s.carrier_mass(); });
+    for (P Sym3<P>::*p : {&Sym3<P>::xx, &Sym3<P>::yy, &Sym3<P>::zz,
+                          &Sym3<P>::xy, &Sym3<P>::xz, &Sym3<P>::yz}) {
+      const std::ptrdiff_t i = &(inertia_.*p) - &inertia_.xx;
+      inertia_.*p = parameter([&](const SystemConstants& s) {
+        return (&s.carrier_inertia().xx)[i];
+      });
+    }
+    fixed_.f += inertia_;
+  }
+
+  template <class State>
+  static Vec3<T> angular_velocity(State state) {
+    constexpr int w = StateLayout::angular_velocity;
+    return {state[w], state[w + 1], state[w + 2]};
+  }
+  static CarrierMotion<S> spread_motion(const Vec3<T>& w) {
+    const Vec3<S> spread = L::spread(w);
+    return {spread, squared_cross(spread)};
+  }
+  template <class Packet, class State, class Forces>
+  [[gnu::always_inline]] static void set_motion(Packet& packet, State state,
+                                                const CarrierMotion<S>& motion,
+                                                Forces loads) {
+    [[maybe_unused]] static constexpr double unturned[7] = {1};
+    [[maybe_unused]] static constexpr double none[9] = {};
+    S s[decltype(packet.kernel)::state_size];
+    S f[9];
+    L::read(packet.load, packet.offset, state, 1, unturned, s);
+    L::read(packet.load, packet.load, loads, 9, none, f);
+    packet.kernel.set_motion(
+        s, motion,
+        {{f[0], f[1], f[2]}, {f[3], f[4], f[5]}, {f[6], f[7], f[8]}});
+  }
+
+  const SystemConstants* systems_[L::systems];
+  Sym3<P> inertia_;
+  CarrierMatrix<T> fixed_;  ///< what does not depend on the motion
+  std::vector<LoadInfo> loads_;
+  std::tuple<Group<SphericalLoad>, Group<AxisLoad>, Group<HeldSpherical>,
+             Group<HeldAxis>, Group<FreeLoad>>
+      groups_;
+
+  CarrierSolver<T> solver_;
+  CarrierForces<T> forces_;
+  CarrierAcceleration<T> carrier_;
+};
+
+}  // namespace multibody

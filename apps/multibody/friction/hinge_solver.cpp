@@ -1,0 +1,177 @@
+#include "multibody/friction/hinge_solver.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "libcontact/base/error.hpp"
+#include "multibody/system/eigen_conversion.hpp"
+
+namespace multibody {
+namespace {
+
+using contact::JointSolution;
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+Vector3d nan_vector() {
+  return Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
+}
+
+// Of the joints' own iteration: well below what the outer loop asks for.
+constexpr contact::SolveOptions inner{.tolerance = 1e-12};
+
+bool is_dry(const contact::NodeJoint& joint) {
+  return std::visit([](const auto& j) { return !j.contact().is_viscous(); },
+                    joint.joint);
+}
+
+}  // namespace
+
+HingeSolver::HingeSolver(HingeFriction friction, const Link& link, int load)
+    : friction_(std::move(friction)),
+      axes_(link.axes),
+      is_axis_(link.kind == JointKind::axis) {
+  const auto refuse = [&](const char* what, const char* where) {
+    throw contact::Error(fmt::format("loads[{}].friction: {}, allowed on {}",
+                                     load, what, where));
+  };
+  if (const auto* ball = std::get_if<BallFriction>(&friction_)) {
+    if (link.kind != JointKind::spherical) {
+      refuse("a ball joint alone", "a spherical hinge");
+    }
+    joints_.resize(1);
+    can_rest_ = !ball->joint.contact().is_viscous();
+  } else if (const auto* node = std::get_if<NodeFriction>(&friction_)) {
+    if (!is_axis_) refuse("a node of joints", "an axis");
+    node_ = node->node.make_solution();
+    joints_.resize(node_.joints.size());
+    can_rest_ = std::ranges::any_of(node->node.joints(), is_dry);
+  } else if (const auto* pin = std::get_if<PinFriction>(&friction_)) {
+    if (!is_axis_) refuse("a pin joint", "an axis");
+    joints_.resize(1);
+    can_rest_ = !pin->joint.contact().is_viscous();
+  }
+}
+
+Vector3d HingeSolver::slide(const Reaction<double>& reaction,
+                            const Vector3d& rate) {
+  const Vector3d force = axes_ * vec3(reaction.force);
+  JointSolution& last = joints_[0];
+  if (const auto* ball = std::get_if<BallFriction>(&friction_)) {
+    const Vector3d turn = axes_ * rate;
+    last = ball->estimate == FrictionEstimate::consistent
+               ? ball->joint.solve(force, turn, last, inner)
+               : ball->joint.solve_contact(force, turn);
+    if (last.status != contact::Status::ok) return nan_vector();
+    return axes_.transpose() * last.friction_moment;
+  }
+  const Vector3d axis = axes_.col(2);
+  if (const auto* pin = std::get_if<PinFriction>(&friction_)) {
+    const Vector3d radial = force - force.dot(axis) * axis;
+    last = pin->estimate == FrictionEstimate::consistent
+               ? pin->joint.solve(radial, axis, rate.z(), last, inner)
+               : pin->joint.solve_contact(radial, axis, rate.z());
+    if (last.status != contact::Status::ok) return nan_vector();
+    return {0, 0, last.friction_moment.dot(axis)};
+  }
+  const auto& [node, estimate] = std::get<NodeFriction>(friction_);
+  node.solve(force, axes_ * vec3(reaction.moment), axis, rate.z(), node_);
+  std::ranges::copy(node_.joints, joints_.begin());
+  // Where joints carry little, rounding keeps a node from its own tolerance.
+  constexpr double fair = 1e-11;
+  if (node_.status != contact::Status::ok && !(node_.residual <= fair)) {
+    return nan_vector();
+  }
+  if (estimate == FrictionEstimate::consistent) {
+    return {0, 0, node_.friction_moment};
+  }
+  estimate_joints(node, rate.z());
+  double sum = 0;
+  for (const JointSolution& joint : joints_) {
+    sum += joint.friction_moment.dot(axis);
+  }
+  return {0, 0, sum};
+}
+
+// The traditional friction of a node's joints under the forces they have.
+void HingeSolver::estimate_joints(const contact::JointNode& node, double rate) {
+  const Vector3d axis = axes_.col(2);
+  for (std::size_t k = 0; k < joints_.size(); ++k) {
+    const Vector3d force = node_.joints[k].reaction;
+    if (const auto* ball =
+            std::get_if<contact::SphericalJoint>(&node.joints()[k].joint)) {
+      joints_[k] = ball->solve_contact(force, rate * axis);
+    } else {
+      joints_[k] = std::get<contact::CylindricalJoint>(node.joints()[k].joint)
+                       .solve_contact(force, axis, rate);
+    }
+  }
+}
+
+double HingeSolver::utilisation_of(const BallFriction& ball,
+                                   const Vector3d& force,
+                                   const Vector3d& moment) {
+  if (ball.estimate == FrictionEstimate::consistent) {
+    rest_ = ball.joint.utilisation(force, moment, rest_);
+    joints_[0] = rest_.slip;
+    slip_direction_ = axes_.transpose() * rest_.direction;
+    return rest_.utilisation;
+  }
+  // n = R/|R| whatever the direction of slip.
+  const Vector3d across = force.unitOrthogonal();
+  joints_[0] = ball.joint.solve_contact(force, across);
+  const contact::MomentSet set = ball.joint.moment_set(joints_[0]);
+  const double tau = set.utilisation(moment);
+  slip_direction_.setZero();
+  if (tau > 0 && std::isfinite(tau)) {
+    // The edge's normal where the moment leaves the set.
+    const Vector3d u =
+        set.prox(Matrix3d::Identity(), -1.000001 / tau * moment).rate;
+    if (!u.isZero(0)) slip_direction_ = axes_.transpose() * u.normalized();
+  }
+  return tau;
+}
+
+double HingeSolver::utilisation(const Reaction<double>& held) {
+  const Vector3d force = axes_ * vec3(held.force);
+  const Vector3d moment = axes_ * vec3(held.moment);
+  if (const auto* ball = std::get_if<BallFriction>(&friction_)) {
+    return utilisation_of(*ball, force, moment);
+  }
+  const Vector3d axis = axes_.col(2);
+  const double needed = held.moment.z;
+  const double sign = needed > 0 ? -1 : 1;
+  slip_direction_ = Vector3d(0, 0, needed == 0 ? 0 : sign);
+  if (const auto* node = std::get_if<NodeFriction>(&friction_)) {
+    double tau = node->node.utilisation(force, moment, axis, needed, node_);
+    std::ranges::copy(node_.joints, joints_.begin());
+    if (node->estimate == FrictionEstimate::traditional && needed != 0) {
+      estimate_joints(node->node, sign);
+      double limit = 0;
+      for (std::size_t k = 0; k < joints_.size(); ++k) {
+        if (!is_dry(node->node.joints()[k])) continue;
+        limit += std::abs(joints_[k].friction_moment.dot(axis));
+      }
+      tau = std::abs(needed) / limit;
+    }
+    return tau;
+  }
+  if (needed == 0) return 0;
+  slide(held, Vector3d(0, 0, sign));
+  return std::abs(needed) / joints_[0].friction_moment.norm();
+}
+
+Vector3d HingeSolver::prox(const Matrix3d& inertia,
+                           const Vector3d& free) const {
+  const contact::SphericalJoint& joint =
+      std::get<BallFriction>(friction_).joint;
+  const Matrix3d given = axes_ * inertia * axes_.transpose();
+  return axes_.transpose() *
+         joint.moment_set(joints_[0]).prox(given, axes_ * free).rate;
+}
+
+}  // namespace multibody

@@ -1,0 +1,202 @@
+#include <arkode/arkode_erkstep.h>
+#include <nvector/nvector_serial.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <new>
+#include <utility>
+#include <vector>
+
+#include "multibody/motion/stepper.hpp"
+
+namespace multibody {
+namespace {
+
+// ARKODE reports by return values; its texts would go to stderr.
+void silent(int, const char*, const char*, char*, void*) {}
+
+class AdaptiveStepper final : public Stepper {
+ public:
+  AdaptiveStepper(RateFunction rates, const AdaptiveOptions& options)
+      : rates_(std::move(rates)), options_(options) {
+    SUNContext_Create(nullptr, &context_);
+  }
+  ~AdaptiveStepper() override {
+    forget();
+    SUNContext_Free(&context_);
+  }
+  AdaptiveStepper(const AdaptiveStepper&) = delete;
+  AdaptiveStepper& operator=(const AdaptiveStepper&) = delete;
+
+  void restart(double time, std::span<const double> state) override {
+    begin_ = end_ = time;
+    if (state.size() != to_.size()) forget();
+    from_.assign(state.begin(), state.end());
+    to_.assign(state.begin(), state.end());
+    begin_known_ = false;
+    last_time_ = std::numeric_limits<double>::quiet_NaN();
+    if (memory_) {
+      ERKStepReInit(memory_, rate, time, vector_);
+      ERKStepSetInitStep(memory_, next_step_);
+      return;
+    }
+    vector_ = N_VMake_Serial(static_cast<sunindextype>(to_.size()), to_.data(),
+                             context_);
+    other_ = N_VNew_Serial(static_cast<sunindextype>(to_.size()), context_);
+    memory_ = ERKStepCreate(rate, time, vector_, context_);
+    if (!vector_ || !other_ || !memory_) throw std::bad_alloc();
+    ERKStepSetErrHandlerFn(memory_, silent, nullptr);
+    ERKStepSetUserData(memory_, this);
+    ERKStepWFtolerances(memory_, weights);
+    ERKStepSetTableNum(memory_, table);
+    ERKStepSetInterpolantType(memory_, ARK_INTERP_HERMITE);
+    ERKStepSetInterpolantDegree(memory_, 5);
+    ERKStepSetMaxNumSteps(memory_, -1);
+    ERKStepSetMaxErrTestFails(memory_, most_failures);
+    if (std::isfinite(options_.longest_step)) {
+      ERKStepSetMaxStep(memory_, options_.longest_step);
+    }
+    ERKStepSetInitStep(memory_, next_step_);
+  }
+
+  bool step(double limit) override {
+    begin_known_ = last_time_ == end_ && last_state_ == to_;
+    if (begin_known_) begin_rates_ = last_rates_;
+    begin_ = end_;
+    from_ = to_;
+    if (std::isfinite(limit)) ERKStepSetStopTime(memory_, limit);
+    double end = end_;
+    const int flag =
+        ERKStepEvolve(memory_, std::isfinite(limit) ? limit : begin_ + 1,
+                      vector_, &end, ARK_ONE_STEP);
+    if (flag < 0) return false;
+    end_ = end;
+    // A step that a limit cuts short is not what the next one should be like.
+    const double planned = end < limit ? 0 : next_step_;
+    ERKStepGetCurrentStep(memory_, &next_step_);
+    next_step_ = std::max(next_step_, planned);
+    return true;
+  }
+
+  double begin() const override { return begin_; }
+  double end() const override { return end_; }
+  std::span<const double> begin_state() const override { return from_; }
+  std::span<const double> end_state() const override { return to_; }
+
+  void interpolate(double time, std::span<double> state) override {
+    if (time == end_ || ERKStepGetDky(memory_, time, 0, other_) < 0) {
+      std::ranges::copy(to_, state.begin());
+      return;
+    }
+    const double* y = N_VGetArrayPointer(other_);
+    std::copy_n(y, state.size(), state.begin());
+  }
+
+  // Hermite's cubic between the ends: ARKODE's own dense output evaluates
+  // rates at every call.
+  void estimate(double time, std::span<double> state) override {
+    const double h = end_ - begin_;
+    if (!begin_known_) {
+      begin_rates_.resize(from_.size());
+      begin_known_ = rates_(begin_, from_.data(), begin_rates_.data());
+    }
+    // The last stage of a step is at its end.
+    if (last_time_ != end_ || last_state_ != to_) {
+      last_state_ = to_;
+      last_rates_.resize(to_.size());
+      last_time_ = rates_(end_, to_.data(), last_rates_.data())
+                       ? end_
+                       : std::numeric_limits<double>::quiet_NaN();
+    }
+    if (!(h > 0) || !begin_known_ || last_time_ != end_) {
+      interpolate(time, state);
+      return;
+    }
+    hermite(from_, begin_rates_, to_, last_rates_, h, (time - begin_) / h,
+            state);
+  }
+
+  double next_step() const override { return next_step_; }
+  void set_next_step(double step) override { next_step_ = step; }
+
+ private:
+  // Order 5 with an embedded fourth: of the tables up to order 8 it took the
+  // fewest evaluations at tolerances of 1e-6 to 1e-12 among those whose dense
+  // output keeps up.
+  static constexpr ARKODE_ERKTableID table = ARKODE_DORMAND_PRINCE_7_4_5;
+
+  // Of a step in a row. Where a lock opens the friction may turn about within
+  // microseconds, after steps of a tenth of a second; each failure makes the
+  // step a few times shorter.
+  static constexpr int most_failures = 60;
+
+  static int rate(realtype time, N_Vector state, N_Vector to, void* self) {
+    auto* stepper = static_cast<AdaptiveStepper*>(self);
+    const bool done = stepper->rates_(time, N_VGetArrayPointer(state),
+                                      N_VGetArrayPointer(to));
+    if (done) stepper->remember(time, state, to);
+    return done ? 0 : 1;  // 1: try a shorter step
+  }
+
+  // Reciprocals of the tolerances.
+  static int weights(N_Vector state, N_Vector to, void* self) {
+    const auto* stepper = static_cast<AdaptiveStepper*>(self);
+    const AdaptiveOptions& o = stepper->options_;
+    const double* y = N_VGetArrayPointer(state);
+    double* w = N_VGetArrayPointer(to);
+    const auto size = static_cast<int>(stepper->to_.size());
+    for (int i = 0; i < size; ++i) {
+      w[i] = i < size - o.coarse ? 1 / (o.relative_tolerance * std::abs(y[i]) +
+                                        o.absolute_tolerance)
+                                 : 1 / o.coarse_tolerance;
+    }
+    return 0;
+  }
+
+  void remember(double time, N_Vector state, N_Vector rates) {
+    const double* y = N_VGetArrayPointer(state);
+    const double* f = N_VGetArrayPointer(rates);
+    if (!begin_known_ && time == begin_ &&
+        std::equal(from_.begin(), from_.end(), y)) {
+      begin_rates_.assign(f, f + from_.size());
+      begin_known_ = true;
+      return;
+    }
+    last_time_ = time;
+    last_state_.assign(y, y + from_.size());
+    last_rates_.assign(f, f + from_.size());
+  }
+
+  void forget() {
+    if (memory_) ERKStepFree(&memory_);
+    if (vector_) N_VDestroy(vector_);
+    if (other_) N_VDestroy(other_);
+    memory_ = nullptr;
+    vector_ = other_ = nullptr;
+  }
+
+  RateFunction rates_;
+  AdaptiveOptions options_;
+  SUNContext context_ = nullptr;
+  void* memory_ = nullptr;
+  N_Vector vector_ = nullptr;  // has the numbers of to_
+  N_Vector other_ = nullptr;
+  double begin_ = 0;
+  double end_ = 0;
+  double next_step_ = 0;  // 0: ARKODE finds one
+  std::vector<double> from_, to_;
+  // Rates at the beginning of a step, and those of the last evaluation.
+  bool begin_known_ = false;
+  double last_time_ = std::numeric_limits<double>::quiet_NaN();
+  std::vector<double> begin_rates_, last_state_, last_rates_;
+};
+
+}  // namespace
+
+std::unique_ptr<Stepper> make_adaptive_stepper(RateFunction rates,
+                                               const AdaptiveOptions& options) {
+  return std::make_unique<AdaptiveStepper>(std::move(rates), options);
+}
+
+}  // namespace multibody

@@ -1,0 +1,433 @@
+#include "multibody/motion/motion.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "libcontact/base/error.hpp"
+#include "multibody/motion/motion_impl.hpp"
+#include "multibody/system/kinematics.hpp"
+
+namespace multibody {
+namespace {
+
+using Eigen::Map;
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+double default_stop_speed(const MotionOptions& options) {
+  if (options.stop_speed > 0) return options.stop_speed;
+  // Below 1e-9 rad/s the rounding of the accelerations counts.
+  return options.integrator == Integrator::rk4
+             ? 1e-8
+             : std::max(100 * options.absolute_tolerance, 1e-9);
+}
+
+void check_positive(double value, const char* name) {
+  if (!(value > 0)) {
+    throw contact::Error(
+        fmt::format("motion: {} {}, allowed is above 0", name, value));
+  }
+}
+
+void check_options(const MotionOptions& options) {
+  check_positive(options.relative_tolerance, "relative_tolerance");
+  check_positive(options.absolute_tolerance, "absolute_tolerance");
+  check_positive(options.step, "step");
+  check_positive(options.longest_step, "longest_step");
+  check_positive(options.stall_changes, "stall_changes");
+  check_positive(options.stall_span, "stall_span");
+}
+
+BodyMotion checked_body(const BodyMotion& body, const std::string& place) {
+  if (!body.position.allFinite() || !body.velocity.allFinite() ||
+      !body.angular_velocity.allFinite()) {
+    throw contact::Error(place + ": has a number that is not finite");
+  }
+  BodyMotion result = body;
+  result.rotation = checked_rotation(body.rotation, place + ".rotation");
+  return result;
+}
+
+// Numbers of a load on the carrier.
+void put_hinged(const LoadStart& start, const Link& link,
+                const std::string& place, double* to) {
+  if (link.kind == JointKind::axis) {
+    to[0] = start.angle;
+    to[1] = start.angle_rate;
+  } else {
+    const Matrix3d c =
+        checked_rotation(start.rotation, place + ".rotation") * link.axes;
+    const Eigen::Quaterniond q(c);
+    Map<Eigen::Vector4d>{to} =
+        Eigen::Vector4d(q.w(), q.x(), q.y(), q.z()).normalized();
+    Map<Vector3d>{to + 4} =
+        link.axes.transpose() * start.relative_angular_velocity;
+  }
+  const double* rate = link.kind == JointKind::axis ? to + 1 : to + 4;
+  const int rates = link.kind == JointKind::axis ? 1 : 3;
+  const bool finite = std::isfinite(to[0]) &&
+                      std::all_of(rate, rate + rates,
+                                  [](double x) { return std::isfinite(x); });
+  if (!finite) {
+    throw contact::Error(place + ": has a number that is not finite");
+  }
+  if (start.locked &&
+      std::any_of(rate, rate + rates, [](double x) { return x != 0; })) {
+    throw contact::Error(place +
+                         ": locked but moving, allowed is a relative "
+                         "velocity of 0");
+  }
+}
+
+}  // namespace
+
+MotionImpl::MotionImpl(const System& motion_system,
+                       std::vector<HingeFriction> friction,
+                       std::shared_ptr<const ForceModel> force_model,
+                       const MotionStart& start,
+                       const MotionOptions& motion_options)
+    : system(motion_system),
+      options(motion_options),
+      stop_speed(default_stop_speed(motion_options)),
+      forces(std::move(force_model)),
+      coupled(system, std::move(friction), motion_options.coupling),
+      impulse(system),
+      now(start.time),
+      sample(this) {
+  check_options(options);
+  joint_modes.resize(loads());
+  straight_from.resize(loads());
+  recent_.resize(loads());
+  slip_directions.resize(loads());
+  bodies.resize(1 + loads());
+  rate_bodies_.resize(1 + loads());
+  body_forces_.resize(1 + loads());
+  loading_.loads.resize(loads());
+  held_units_.resize(loads());
+  // A step that ends at a break of the forces sees those before it.
+  const auto right_hand_side = [this](double time, const double* state,
+                                      double* to) {
+    const double before = std::nextafter(next_break, time - 1);
+    return rates(time < next_break ? time : before, state, to);
+  };
+  stepper = options.integrator == Integrator::rk4
+                ? make_rk4_stepper(right_hand_side, options.step)
+                : make_adaptive_stepper(
+                      right_hand_side,
+                      {options.relative_tolerance, options.absolute_tolerance,
+                       options.longest_step, loads()});
+  const std::vector<double> state = start_state(start);
+  // Whoever is at rest at the start has not come to rest.
+  if (resolve_rest(state, -1)) restart(state);
+  changes.clear();
+}
+
+std::vector<double> MotionImpl::start_state(const MotionStart& start) {
+  if (static_cast<int>(start.loads.size()) != loads()) {
+    throw contact::Error(fmt::format(
+        "start of {} loads, allowed is one for each of the {} loads",
+        start.loads.size(), loads()));
+  }
+  std::vector<double> state(number_count());
+  put_body(checked_body(start.carrier, "start.carrier"), Matrix3d::Identity(),
+           state.data());
+  for (int i = 0; i < loads(); ++i) {
+    const Link& link = system.links()[i];
+    const LoadStart& load = start.loads[i];
+    const std::string place = fmt::format("start.loads[{}]", i);
+    double* to = &state[coupled.layout().offset(i)];
+    if (link.kind == JointKind::none) {
+      put_body(checked_body(load.body, place), link.axes, to);
+      change_mode(i, HingeMode::released);
+      continue;
+    }
+    put_hinged(load, link, place, to);
+    const Vector3d rate = rate_of(i, state.data());
+    if (load.locked) {
+      change_mode(i, HingeMode::locked);
+    } else if (rate.isZero(0) && coupled.can_rest(i)) {
+      change_mode(i, HingeMode::resting);
+    } else {
+      change_mode(i, HingeMode::sliding);
+      if (!rate.isZero(0)) coupled.set_direction(i, rate.normalized());
+    }
+  }
+  return state;
+}
+
+void MotionImpl::restart(std::vector<double> state) {
+  normalise(system, coupled.layout(), joint_modes, state.data());
+  pending.reset();
+  stepper->restart(now, state);
+  look_at(now, state);
+}
+
+bool MotionImpl::redo_step_to(double time) {
+  const double begin = stepper->begin();
+  const std::vector<double> state(stepper->begin_state().begin(),
+                                  stepper->begin_state().end());
+  // A single step, unless the error control wants several.
+  stepper->set_next_step(time - begin);
+  stepper->restart(begin, state);
+  return stepper->step(time);
+}
+
+// The state at a time of the last step by a step that ends there, so that no
+// interpolation gets into what follows.
+void MotionImpl::go_to(double time) {
+  if (time != stepper->end()) redo_step_to(time);
+  while (stepper->end() < time) {
+    if (!stepper->step(time)) break;
+  }
+  look_at(time, stepper->end_state());
+  pending.reset();
+}
+
+// After a break nothing of the step before it may be used.
+bool MotionImpl::pass_break() {
+  constexpr double never = std::numeric_limits<double>::infinity();
+  const double next = forces ? forces->next_break(stepper->end()) : never;
+  if (next == next_break) return false;
+  next_break = next;
+  const std::vector<double> state(stepper->end_state().begin(),
+                                  stepper->end_state().end());
+  stepper->restart(stepper->end(), state);
+  return true;
+}
+
+void MotionImpl::show_step(double time) {
+  if (!step_watch) return;
+  look_at(time, stepper->end_state());
+  step_watch(sample);
+}
+
+// Where the direction of a ball joint that has just begun to slide comes to an
+// end with nothing near to go on to, it stays until the joint is faster. True:
+// the last step can be tried again.
+bool MotionImpl::keep_directions() {
+  bool any = false;
+  for (int i = 0; i < loads(); ++i) any |= coupled.follows_acceleration(i);
+  if (!any) return false;
+  const std::vector<double> state(stepper->begin_state().begin(),
+                                  stepper->begin_state().end());
+  look_at(stepper->begin(), state);
+  work_out();
+  for (int i = 0; i < loads(); ++i) {
+    if (coupled.follows_acceleration(i)) coupled.slide_straight(i, true);
+  }
+  stepper->restart(stepper->begin(), state);
+  return true;
+}
+
+bool MotionImpl::step() {
+  constexpr double early = -std::numeric_limits<double>::infinity();
+  show_step(std::min(stepper->end(), std::nextafter(next_break, early)));
+  if (pass_break()) show_step(stepper->end());
+  const double from = stepper->end();
+  if (!stepper->step(next_break)) {
+    if (keep_directions()) return true;
+    now = from;
+    look_at(now, stepper->begin_state());
+    // Why, if a coupled evaluation did not come out.
+    const bool coupled_failed =
+        failed_report.status != CoupledStatus::ok && failed_time >= from;
+    set_failure(coupled_failed ? failed_report.status : CoupledStatus::ok,
+                coupled_failed ? failed_time : from,
+                coupled_failed ? failed_report.load : -1);
+    return false;
+  }
+  ++counts.steps;
+  pending = find_event();
+  if (!pending) {
+    for (std::size_t i = 0; i < events.size(); ++i) {
+      note_user_value(static_cast<int>(i), samples.user[i].back());
+    }
+    return true;
+  }
+  const Found found = *pending;
+  const double planned = stepper->next_step();
+  if (found.time <= stepper->begin()) {
+    const std::vector<double> state(stepper->begin_state().begin(),
+                                    stepper->begin_state().end());
+    stepper->restart(stepper->begin(), state);
+  } else if (found.time < stepper->end() && !redo_step_to(found.time)) {
+    if (keep_directions()) {
+      pending.reset();
+      return true;
+    }
+    set_failure(CoupledStatus::ok, stepper->end(), -1);
+    return false;
+  }
+  // Several steps instead: what comes before the event may still be asked for,
+  // so they are taken one by one.
+  if (stepper->end() < found.time) {
+    pending.reset();
+    look_at(stepper->end(), stepper->end_state());
+    note_user_values();
+    return true;
+  }
+  // A step that ends early for the sake of others says nothing of the next one;
+  // what follows the change of a hinge wants short ones at first.
+  if (found.watch.kind == Watch::Kind::user) {
+    stepper->set_next_step(std::max(stepper->next_step(), planned));
+  }
+  pending = found;
+  return true;
+}
+
+Stop MotionImpl::advance_to(double time) {
+  event = -1;
+  for (long steps = 0; !failure; ++steps) {
+    if (pending && pending->time <= time) {
+      const Found found = *pending;
+      pending.reset();
+      if (handle(found)) return failure ? Stop::failed : Stop::event;
+      continue;
+    }
+    if (stepper->end() >= time) {
+      now = std::max(now, time);
+      trial_.resize(number_count());
+      stepper->interpolate(now, trial_);
+      look_at(now, trial_);
+      return Stop::time;
+    }
+    if (steps >= options.step_limit) {
+      set_failure(CoupledStatus::ok, stepper->end(), -1);
+      failure->message = fmt::format("at {} s: {} steps were not enough",
+                                     stepper->end(), options.step_limit);
+      break;
+    }
+    if (!step()) break;
+  }
+  return Stop::failed;
+}
+
+void MotionImpl::look_back(
+    double time, const std::function<void(const MotionSample&)>& look) {
+  // Back again, whatever look() throws.
+  struct Return {
+    MotionImpl& motion;
+    double time;
+    std::vector<double> state;
+    ~Return() { motion.look_at(time, state); }
+  } const back{*this, view_time, view_state};
+  trial_.resize(number_count());
+  stepper->interpolate(time, trial_);
+  look_at(time, trial_);
+  look(sample);
+}
+
+MotionState MotionImpl::save() {
+  go_to(now);
+  MotionState s;
+  s.time = now;
+  s.numbers = view_state;
+  for (int i = 0; i < loads(); ++i) {
+    s.modes.push_back(coupled.mode(i));
+    s.directions.push_back(coupled.direction(i));
+    s.friction.push_back(coupled.friction_moment(i));
+    s.straight_from.push_back(coupled.slides_straight(i) ? straight_from[i]
+                                                         : 0);
+    s.paces.push_back(coupled.follows_acceleration(i) ? coupled.pace(i) : 0);
+    s.hinge_angles.push_back(bodies[1 + i].hinge_angle);
+  }
+  s.step = stepper->next_step();
+  return s;
+}
+
+void MotionImpl::restore(const MotionState& s) {
+  failure.reset();
+  now = s.time;
+  recent_.assign(loads(), {});
+  for (int i = 0; i < loads(); ++i) {
+    change_mode(i, s.modes[i]);
+    coupled.set_direction(i, s.directions[i]);
+    coupled.set_friction_moment(i, s.friction[i]);
+    straight_from[i] = s.straight_from[i];
+    coupled.slide_straight(i, s.straight_from[i] > 0);
+    if (s.paces[i] > 0) coupled.follow_acceleration(i, s.paces[i]);
+    keep_hinge_angle(i, s.hinge_angles[i]);
+  }
+  stepper->set_next_step(s.step);
+  pending.reset();
+  stepper->restart(now, s.numbers);
+  look_at(now, s.numbers);
+  for (std::size_t i = 0; i < events.size(); ++i) {
+    user_values[i] = events[i].function(sample);
+  }
+}
+
+Motion::Motion(const System& system, std::vector<HingeFriction> friction,
+               std::shared_ptr<const ForceModel> forces,
+               const MotionStart& start, const MotionOptions& options)
+    : impl_(std::make_unique<MotionImpl>(system, std::move(friction),
+                                         std::move(forces), start, options)) {}
+Motion::~Motion() = default;
+Motion::Motion(Motion&&) noexcept = default;
+Motion& Motion::operator=(Motion&&) noexcept = default;
+
+double Motion::time() const { return impl_->now; }
+Stop Motion::advance_to(double time) { return impl_->advance_to(time); }
+int Motion::event() const { return impl_->event; }
+const std::optional<MotionFailure>& Motion::failure() const {
+  return impl_->failure;
+}
+const MotionSample& Motion::sample() const { return impl_->sample; }
+void Motion::release(int load) { impl_->release(load); }
+void Motion::lock(int load) { impl_->lock(load); }
+void Motion::unlock(int load) { impl_->unlock(load); }
+void Motion::set_forces(std::shared_ptr<const ForceModel> forces) {
+  impl_->go_to(impl_->now);
+  impl_->forces = std::move(forces);
+  const std::vector<double> state = impl_->view_state;
+  if (impl_->resolve_rest(state, -1)) impl_->restart(state);
+}
+int Motion::add_event(MotionEvent event) {
+  impl_->events.push_back(std::move(event));
+  impl_->go_to(impl_->now);
+  impl_->user_values.push_back(impl_->events.back().function(impl_->sample));
+  impl_->needs_forces.push_back(false);
+  impl_->crossings.emplace_back();
+  impl_->samples.user.emplace_back();
+  return static_cast<int>(impl_->events.size()) - 1;
+}
+void Motion::watch_steps(std::function<void(const MotionSample&)> look) {
+  impl_->step_watch = std::move(look);
+}
+double Motion::step_begin() const { return impl_->stepper->begin(); }
+void Motion::look_back(
+    double time, const std::function<void(const MotionSample&)>& look) const {
+  impl_->look_back(time, look);
+}
+const std::vector<HingeChange>& Motion::changes() const {
+  return impl_->changes;
+}
+MotionState Motion::save() const { return impl_->save(); }
+void Motion::restore(const MotionState& state) { impl_->restore(state); }
+MotionCounts Motion::counts() const { return impl_->counts; }
+
+double MotionSample::time() const { return motion_->view_time; }
+std::span<const BodyMotion> MotionSample::bodies() const {
+  return motion_->bodies;
+}
+HingeMode MotionSample::mode(int load) const {
+  return motion_->coupled.mode(load);
+}
+double MotionSample::angle(int load) const {
+  return motion_->view_state[motion_->coupled.layout().offset(load)];
+}
+HingeSample MotionSample::hinge(int load) const { return motion_->hinge(load); }
+Vector3d MotionSample::acceleration(int body) const {
+  // A hinged load's velocity is not among the numbers of the state.
+  return motion_->acceleration(body);
+}
+Vector3d MotionSample::angular_acceleration(int body) const {
+  return motion_->angular_acceleration(body);
+}
+EnergyBook MotionSample::energy() const { return motion_->energy(); }
+
+}  // namespace multibody

@@ -1,0 +1,207 @@
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+#include "multibody/motion/motion_impl.hpp"
+#include "multibody/system/eigen_conversion.hpp"
+#include "multibody/system/kinematics.hpp"
+
+namespace multibody {
+namespace {
+
+using Eigen::Map;
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+const char* reason(CoupledStatus status) {
+  switch (status) {
+    case CoupledStatus::not_converged:
+      return "the friction moments and the reactions do not settle";
+    case CoupledStatus::no_solution:
+      return "no friction moments were found that fit the reactions they cause";
+    case CoupledStatus::several_solutions:
+      return "several friction moments fit the reactions they cause";
+    case CoupledStatus::out_of_range:
+      return "a force or a velocity is not a finite number";
+    case CoupledStatus::ok:
+      return "steps as short as can be do not meet the tolerance";
+  }
+  return "";
+}
+
+// Speed up to which a ball joint that begins to slide does so straight, rad/s:
+// far below what anyone sees, far above what tolerances leave uncertain.
+constexpr double onset_speed = 3e-5;
+
+}  // namespace
+
+void MotionImpl::set_failure(CoupledStatus status, double time, int load) {
+  std::string message = fmt::format("at {} s: {}", time, reason(status));
+  if (load >= 0) message += fmt::format(" (load {})", load);
+  failure = MotionFailure{status, time, load, std::move(message), {}};
+  if (status == CoupledStatus::several_solutions) {
+    failure->solutions.assign(coupled.solutions().begin(),
+                              coupled.solutions().end());
+  }
+}
+
+void MotionImpl::change_mode(int load, HingeMode mode) {
+  coupled.set_mode(load, mode);
+  joint_modes[load] = coupled.dynamics().mode(load);
+}
+
+// An impulse in the hinge: the velocities jump as the accelerations would
+// answer to a moment, with everything at rest. The bodies keep their momentum
+// and the other held hinges hold.
+void MotionImpl::stop_hinge(int load, std::vector<double>& state) {
+  const StateLayout& layout = coupled.layout();
+  const Vector3d rate = rate_of(load, state.data());
+  double* own = state.data() + layout.offset(load);
+  const auto own_rate = [&](double value) {
+    if (is_axis(load)) {
+      own[1] = value;
+    } else {
+      own[4] = own[5] = own[6] = value;
+    }
+  };
+  if (rate.isZero(0)) return;
+
+  for (int i = 0; i < loads(); ++i) {
+    const JointMode mode = i == load ? JointMode::turning : joint_modes[i];
+    if (impulse.mode(i) != mode) impulse.set_mode(i, mode);
+  }
+  std::vector<double> still = state;
+  Map<Vector3d>(&still[StateLayout::angular_velocity]).setZero();
+  for (int i = 0; i < loads(); ++i) {
+    double* s = &still[layout.offset(i)];
+    if (joint_modes[i] == JointMode::released) {
+      Map<Vector3d>(s + StateLayout::angular_velocity).setZero();
+    } else if (is_axis(i)) {
+      s[1] = 0;
+    } else {
+      Map<Vector3d>(s + 4).setZero();
+    }
+  }
+  Loading<double> loading;
+  loading.loads.resize(loads());
+  const auto answer = [&](const Vector3d& moment) {
+    loading.loads[load].friction = vec3(moment);
+    if (options.carrier_drive) {
+      impulse.evaluate_prescribed(still.data(), loading, {});
+    } else {
+      impulse.evaluate(still.data(), loading);
+    }
+    return Vector3d(vec3(impulse.relative_acceleration(load)));
+  };
+  Vector3d moment = Vector3d::Zero();
+  if (is_axis(load)) {
+    moment.z() = -rate.z() / answer(Vector3d::UnitZ()).z();
+  } else {
+    Matrix3d mobility;
+    for (int k = 0; k < 3; ++k) mobility.col(k) = answer(Vector3d::Unit(k));
+    moment = -mobility.fullPivLu().solve(rate);
+  }
+  answer(moment);
+
+  const CarrierAcceleration<double>& jump = impulse.carrier();
+  const Matrix3d r0 = bodies[0].rotation;
+  Map<Vector3d>(&state[StateLayout::velocity]) += r0 * vec3(jump.linear);
+  Map<Vector3d>(&state[StateLayout::angular_velocity]) += vec3(jump.angular);
+  for (int i = 0; i < loads(); ++i) {
+    if (joint_modes[i] != JointMode::turning) continue;
+    const Vector3d a = vec3(impulse.relative_acceleration(i));
+    double* s = &state[layout.offset(i)];
+    if (is_axis(i)) {
+      s[1] += a.z();
+    } else {
+      Map<Vector3d>(s + 4) += a;
+    }
+  }
+  own_rate(0);
+  // The mean of the velocities before and after does the work.
+  state[dissipated_at(load)] -= 0.5 * moment.dot(rate);
+}
+
+bool MotionImpl::resolve_rest(const std::vector<double>& state, int forced) {
+  std::vector<HingeMode> before;
+  for (int i = 0; i < loads(); ++i) before.push_back(coupled.mode(i));
+  // Forces at this state are in loading_ after an evaluation of it.
+  look_at(now, state);
+  if (work_out()) {
+    const CoupledReport& report =
+        coupled.resolve_rest(view_state.data(), loading_, forced);
+    if (report.status != CoupledStatus::ok) {
+      set_failure(report.status, now, report.load);
+    }
+  } else {
+    set_failure(failed_report.status, now, failed_report.load);
+  }
+  for (int i = 0; i < loads(); ++i) {
+    joint_modes[i] = coupled.dynamics().mode(i);
+    if (coupled.mode(i) != before[i]) {
+      changes.push_back({now, i, before[i], coupled.mode(i)});
+      // Out of rest friction would turn with a velocity that is next to
+      // nothing: until it has grown it has the direction of the acceleration.
+      if (coupled.mode(i) == HingeMode::sliding && !is_axis(i)) {
+        straight_from[i] = std::max(onset_speed / 2, stop_speed);
+        coupled.follow_acceleration(i);
+      }
+    }
+  }
+  worked_out = false;
+  if (!failure) set_held_units();
+  return !failure;
+}
+
+void MotionImpl::release(int load) {
+  if (coupled.mode(load) == HingeMode::released) return;
+  go_to(now);
+  changes.push_back({now, load, coupled.mode(load), HingeMode::released});
+  const StateLayout before = coupled.layout();
+  const std::vector<JointMode> modes_before = joint_modes;
+  const std::vector<double> from = view_state;
+  change_mode(load, HingeMode::released);
+  keep_hinge_angle(load, bodies[1 + load].hinge_angle);
+  std::vector<double> state(number_count());
+  std::copy_n(from.begin(), StateLayout::body_size, state.begin());
+  for (int i = 0; i < loads(); ++i) {
+    double* to = &state[coupled.layout().offset(i)];
+    if (i == load) {
+      put_body(bodies[1 + i], system.links()[i].axes, to);
+    } else {
+      std::copy_n(
+          &from[before.offset(i)],
+          StateLayout::load_size(system.links()[i].kind, joint_modes[i]), to);
+    }
+  }
+  std::copy(from.begin() + before.size(), from.end(),
+            state.begin() + coupled.layout().size());
+  if (resolve_rest(state, -1)) restart(state);
+}
+
+void MotionImpl::lock(int load) {
+  const HingeMode before = coupled.mode(load);
+  if (before == HingeMode::locked || before == HingeMode::released) return;
+  go_to(now);
+  std::vector<double> state = view_state;
+  stop_hinge(load, state);
+  changes.push_back({now, load, before, HingeMode::locked});
+  change_mode(load, HingeMode::locked);
+  if (resolve_rest(state, -1)) restart(state);
+}
+
+void MotionImpl::unlock(int load) {
+  if (coupled.mode(load) != HingeMode::locked) return;
+  go_to(now);
+  const HingeMode to =
+      coupled.can_rest(load) ? HingeMode::resting : HingeMode::sliding;
+  changes.push_back({now, load, HingeMode::locked, to});
+  change_mode(load, to);
+  const std::vector<double> state = view_state;
+  if (resolve_rest(state, -1)) restart(state);
+}
+
+}  // namespace multibody

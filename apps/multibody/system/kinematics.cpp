@@ -1,0 +1,119 @@
+#include "multibody/system/kinematics.hpp"
+
+#include <Eigen/Geometry>
+
+#include "multibody/system/eigen_conversion.hpp"
+
+namespace multibody {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+Vector3d vector_at(const double* s) { return {s[0], s[1], s[2]}; }
+
+Matrix3d rotation_at(const double* q) {
+  const Mat3<double> m = rotation(Quaternion<double>{q[0], q[1], q[2], q[3]});
+  Matrix3d result;
+  result << vec3(m.x), vec3(m.y), vec3(m.z);
+  return result;
+}
+
+BodyMotion body_at(const double* s, const Matrix3d& axes) {
+  const Matrix3d r = rotation_at(s + StateLayout::rotation);
+  return {vector_at(s + StateLayout::position),
+          vector_at(s + StateLayout::velocity), r * axes.transpose(),
+          r * vector_at(s + StateLayout::angular_velocity)};
+}
+
+BodyMotion hung_body(const Link& link, const double* s,
+                     const BodyMotion& carrier) {
+  const Matrix3d r = carrier.rotation * relative_rotation(link, s);
+  const Vector3d w = carrier.angular_velocity + r * relative_rate(link, s);
+  const Vector3d hinge = carrier.rotation * link.hinge;
+  const Vector3d arm =
+      link.arm *
+      (link.kind == JointKind::axis ? Vector3d(r.col(0)) : Vector3d(r.col(2)));
+  return {
+      carrier.position + hinge - arm,
+      carrier.velocity + carrier.angular_velocity.cross(hinge) - w.cross(arm),
+      r * link.axes.transpose(), w};
+}
+
+void normalise_at(double* q) { Eigen::Map<Eigen::Vector4d>(q).normalize(); }
+
+}  // namespace
+
+Matrix3d relative_rotation(const Link& link, const double* s) {
+  if (link.kind == JointKind::spherical) return rotation_at(s);
+  return link.axes_to_carrier_zero *
+         Eigen::AngleAxisd(s[0], Vector3d::UnitZ()).toRotationMatrix();
+}
+
+Vector3d relative_rate(const Link& link, const double* s) {
+  return link.kind == JointKind::spherical ? vector_at(s + 4)
+                                           : Vector3d(0, 0, s[1]);
+}
+
+void set_bodies(const System& system, const StateLayout& layout,
+                std::span<const JointMode> modes, const double* state,
+                std::span<BodyMotion> bodies) {
+  bodies[0] = body_at(state, Matrix3d::Identity());
+  for (int i = 0; i < system.size(); ++i) {
+    const Link& link = system.links()[i];
+    const double* s = state + layout.offset(i);
+    if (modes[i] == JointMode::released) {
+      const double angle = bodies[1 + i].hinge_angle;
+      bodies[1 + i] = body_at(s, link.axes);
+      bodies[1 + i].hinge_angle = angle;
+      continue;
+    }
+    bodies[1 + i] = hung_body(link, s, bodies[0]);
+    if (link.kind == JointKind::axis) bodies[1 + i].hinge_angle = s[0];
+  }
+}
+
+void set_loading(const System& system, std::span<const BodyMotion> bodies,
+                 std::span<const BodyForce> forces, Loading<double>& loading) {
+  const Matrix3d& r0 = bodies[0].rotation;
+  loading.carrier.force = vec3(Vector3d(r0.transpose() * forces[0].force));
+  loading.carrier.moment = vec3(Vector3d(r0.transpose() * forces[0].moment));
+  for (int i = 0; i < system.size(); ++i) {
+    const Matrix3d r = bodies[1 + i].rotation * system.links()[i].axes;
+    const BodyForce& f = forces[1 + i];
+    loading.loads[i].force = vec3(Vector3d(r.transpose() * f.force));
+    loading.loads[i].moment = vec3(Vector3d(r.transpose() * f.moment));
+  }
+}
+
+void put_body(const BodyMotion& body, const Matrix3d& axes, double* to) {
+  const Matrix3d r = body.rotation * axes;
+  const Eigen::Quaterniond q(r);
+  const Vector3d w = r.transpose() * body.angular_velocity;
+  Eigen::Map<Vector3d>(to + StateLayout::position) = body.position;
+  Eigen::Map<Vector3d>(to + StateLayout::velocity) = body.velocity;
+  Eigen::Map<Eigen::Vector4d>(to + StateLayout::rotation) =
+      Eigen::Vector4d(q.w(), q.x(), q.y(), q.z()).normalized();
+  Eigen::Map<Vector3d>(to + StateLayout::angular_velocity) = w;
+}
+
+double kinetic_energy(double mass, const Matrix3d& inertia,
+                      const Matrix3d& axes, const BodyMotion& body) {
+  const Vector3d w = (body.rotation * axes).transpose() * body.angular_velocity;
+  return 0.5 * (mass * body.velocity.squaredNorm() + w.dot(inertia * w));
+}
+
+void normalise(const System& system, const StateLayout& layout,
+               std::span<const JointMode> modes, double* state) {
+  normalise_at(state + StateLayout::rotation);
+  for (int i = 0; i < system.size(); ++i) {
+    double* s = state + layout.offset(i);
+    if (modes[i] == JointMode::released) {
+      normalise_at(s + StateLayout::rotation);
+    } else if (system.links()[i].kind == JointKind::spherical) {
+      normalise_at(s);
+    }
+  }
+}
+
+}  // namespace multibody

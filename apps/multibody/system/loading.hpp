@@ -1,0 +1,48 @@
+#pragma once
+
+#include <vector>
+
+#include "libcontact/base/vector_rows.hpp"
+#include "multibody/system/linear3.hpp"
+
+namespace multibody {
+
+/// What acts on a load, load axes: active force and moment about the centre
+/// of mass, both without gravity, and the moment of friction in its joint
+/// (the opposite one acts on the carrier).
+template <class T>
+struct LoadForces {
+  Vec3<T> force{};     ///< F_ia, N
+  Vec3<T> moment{};    ///< N m
+  Vec3<T> friction{};  ///< M_it, N m; ignored while the joint is held
+};
+
+/// What acts on the carrier, carrier axes, without gravity.
+template <class T>
+struct CarrierLoading {
+  Vec3<T> force{};   ///< F_0a, N
+  Vec3<T> moment{};  ///< about the centre of mass, N m
+};
+
+/// Everything given that acts on the bodies; uniform gravity is not part of
+/// it, since it moves all bodies alike.
+template <class T>
+struct Loading {
+  CarrierLoading<T> carrier;
+  std::vector<LoadForces<T>> loads;
+};
+
+/// Of all loads.
+using contact::VectorRows;
+
+/// Reaction on a load in its joint, load axes.
+template <class T>
+struct Reaction {
+  Vec3<T> force;  ///< R_i with the force of friction in it, N
+  /// About the hinge's centre, without the moment of friction, N m: zero in a
+  /// spherical joint, normal to the axis on an axis, and in a held joint the
+  /// moment that friction or a lock has to hold.
+  Vec3<T> moment;
+};
+
+}  // namespace multibody

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <vector>
+
+#include "multibody/system/system.hpp"
+
+namespace multibody {
+
+/// What a joint does at the moment.
+enum class JointMode {
+  turning,   ///< turns, or is about to: its friction moment is given
+  held,      ///< locked or at rest: its moment is an unknown reaction
+  released,  ///< there is no joint (any more)
+};
+
+/// Where the numbers of a state are: the carrier's first, then load by load.
+///   carrier:            position 3 and velocity 3 of the centre of mass,
+///                       inertial axes; quaternion 4, carrier axes to inertial
+///                       ones; angular velocity 3, carrier axes
+///   spherical joint:    quaternion 4 (load axes to carrier axes), relative
+///                       angular velocity 3 (load axes)
+///   axis:               angle, rate
+///   released:           as the carrier, for the load
+/// A held joint keeps its numbers.
+class StateLayout {
+ public:
+  static constexpr int position = 0;
+  static constexpr int velocity = 3;
+  static constexpr int rotation = 6;
+  static constexpr int angular_velocity = 10;
+  static constexpr int body_size = 13;
+
+  StateLayout() = default;
+  /// Numbers of one load.
+  static constexpr int load_size(JointKind kind, JointMode mode) {
+    return mode == JointMode::released ? body_size
+           : kind == JointKind::axis   ? 2
+                                       : 7;
+  }
+  /// One kind and one mode for each load.
+  StateLayout(const std::vector<JointKind>& kinds,
+              const std::vector<JointMode>& modes);
+  StateLayout(const System& system, const std::vector<JointMode>& modes);
+  int size() const { return size_; }
+  int offset(int load) const { return offsets_[load]; }
+
+ private:
+  std::vector<int> offsets_;
+  int size_ = body_size;
+};
+
+}  // namespace multibody

@@ -1,0 +1,188 @@
+#include "multibody/system/system.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+#include <cmath>
+
+#include "libcontact/base/error.hpp"
+
+namespace multibody {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+// A moment of inertia that small beside the largest is rounding of zero.
+constexpr double zero_inertia = 1e-14;
+
+[[noreturn]] void fail(const std::string& place, const std::string& message) {
+  throw contact::Error(place + ": " + message);
+}
+
+void check_mass(double mass, const std::string& place) {
+  if (std::isfinite(mass) && mass > 0) return;
+  fail(place + ".mass",
+       fmt::format("{} kg, allowed is a finite number above 0", mass));
+}
+
+void check_finite(const Vector3d& v, const std::string& place) {
+  if (!v.allFinite()) fail(place, "has a number that is not finite");
+}
+
+std::string above_rounding(double scale) {
+  return fmt::format("above {} kg m^2, the rounding of the largest moment",
+                     zero_inertia * scale);
+}
+
+// The symmetric part; principal moments >= 0, or all > 0.
+Matrix3d checked_inertia(const Matrix3d& inertia, bool positive,
+                         const std::string& place) {
+  if (!inertia.allFinite()) fail(place, "has a number that is not finite");
+  const double scale = inertia.cwiseAbs().maxCoeff();
+  const double skew = (inertia - inertia.transpose()).cwiseAbs().maxCoeff();
+  // Products of inertia printed with seven digits still pass.
+  if (skew > 1e-6 * scale) {
+    fail(place, fmt::format("not symmetric, off by {} kg m^2", skew));
+  }
+  const Matrix3d symmetric = 0.5 * (inertia + inertia.transpose());
+  const double smallest =
+      Eigen::SelfAdjointEigenSolver<Matrix3d>(symmetric, Eigen::EigenvaluesOnly)
+          .eigenvalues()[0];
+  if (positive ? smallest <= zero_inertia * scale
+               : smallest < -zero_inertia * scale) {
+    fail(place, fmt::format("smallest principal moment {} kg m^2, allowed is "
+                            "{}",
+                            smallest,
+                            positive ? above_rounding(scale) : "at least 0"));
+  }
+  return symmetric;
+}
+
+// Right-handed axes with the given z; the other two are arbitrary.
+Matrix3d axes_along(const Vector3d& z) {
+  Matrix3d axes;
+  axes.col(2) = z.stableNormalized();
+  axes.col(0) = axes.col(2).unitOrthogonal();
+  axes.col(1) = axes.col(2).cross(axes.col(0));
+  return axes;
+}
+
+Matrix3d turn_about_z(double angle) {
+  return Eigen::AngleAxisd(angle, Vector3d::UnitZ()).toRotationMatrix();
+}
+
+// Turns `axes` about their z so that the inertia seen by x and y with z left
+// free to turn, I_xy - j j^T/I_zz, is diagonal: then so is N of (1.3).
+Matrix3d axes_of_spherical(const Matrix3d& inertia, const Vector3d& r) {
+  if (r.isZero(0)) {
+    Matrix3d axes =
+        Eigen::SelfAdjointEigenSolver<Matrix3d>(inertia).eigenvectors();
+    if (axes.determinant() < 0) axes.col(0) *= -1;
+    return axes;
+  }
+  const Matrix3d axes = axes_along(r);
+  const Matrix3d i = axes.transpose() * inertia * axes;
+  const double per_spin =
+      i(2, 2) > zero_inertia * inertia.trace() ? 1 / i(2, 2) : 0;
+  const double xx = i(0, 0) - i(0, 2) * i(0, 2) * per_spin;
+  const double yy = i(1, 1) - i(1, 2) * i(1, 2) * per_spin;
+  const double xy = i(0, 1) - i(0, 2) * i(1, 2) * per_spin;
+  return axes * turn_about_z(0.5 * std::atan2(2 * xy, xx - yy));
+}
+
+Link spherical_link(const Load& load, const std::string& place) {
+  Link link{};
+  link.axes = axes_of_spherical(load.inertia, load.hinge_from_com);
+  link.arm = load.hinge_from_com.stableNorm();
+  link.inertia = link.axes.transpose() * load.inertia * link.axes;
+  link.hinge = load.hinge_from_carrier_com;
+  const double scale = load.inertia.trace();
+  const bool can_turn = link.arm * link.arm * load.mass > 0;
+  const double smallest = link.inertia.diagonal().minCoeff();
+  if (!can_turn && !(smallest > zero_inertia * scale)) {
+    fail(place + ".inertia_com",
+         fmt::format("smallest moment about the joint {} kg m^2, allowed is "
+                     "{}, or a joint away from the centre of mass",
+                     smallest, above_rounding(scale)));
+  }
+  // A point on a thread has no spin; what rounding left of it goes.
+  if (link.inertia(2, 2) <= zero_inertia * scale) {
+    link.inertia.row(2).setZero();
+    link.inertia.col(2).setZero();
+  }
+  return link;
+}
+
+Link axis_link(const Load& load, const std::string& place) {
+  Link link{};
+  const Matrix3d to_load =
+      checked_rotation(load.hinge_to_load, place + ".hinge_to_load");
+  const Matrix3d to_carrier = checked_rotation(
+      load.hinge_to_carrier_zero, place + ".hinge_to_carrier_zero");
+  const Vector3d r = to_load.transpose() * load.hinge_from_com;
+  link.arm = std::hypot(r.x(), r.y());
+  link.axes_to_hinge =
+      turn_about_z(link.arm > 0 ? std::atan2(r.y(), r.x()) : 0.0);
+  link.axes = to_load * link.axes_to_hinge;
+  link.axes_to_carrier_zero = to_carrier * link.axes_to_hinge;
+  link.pole_offset = r.z();
+  link.inertia = link.axes.transpose() * load.inertia * link.axes;
+  link.hinge = load.hinge_from_carrier_com - r.z() * to_carrier.col(2);
+  const double about_axis =
+      link.inertia(2, 2) + load.mass * link.arm * link.arm;
+  if (!(about_axis > zero_inertia * load.inertia.trace())) {
+    fail(place + ".inertia_com",
+         fmt::format("inertia about the axis {} kg m^2, allowed is {}",
+                     about_axis, above_rounding(load.inertia.trace())));
+  }
+  return link;
+}
+
+Link free_link(const Load& load) {
+  Link link{};
+  link.axes = Matrix3d::Identity();
+  link.inertia = load.inertia;
+  return link;
+}
+
+Link make_link(Load load, const std::string& place) {
+  check_mass(load.mass, place);
+  load.inertia = checked_inertia(load.inertia, load.kind == JointKind::none,
+                                 place + ".inertia_com");
+  check_finite(load.hinge_from_com, place + ".hinge_from_com");
+  check_finite(load.hinge_from_carrier_com, place + ".hinge_from_carrier_com");
+  Link link = load.kind == JointKind::spherical ? spherical_link(load, place)
+              : load.kind == JointKind::axis    ? axis_link(load, place)
+                                                : free_link(load);
+  link.kind = load.kind;
+  link.mass = load.mass;
+  return link;
+}
+
+}  // namespace
+
+Matrix3d checked_rotation(const Matrix3d& matrix, const std::string& place) {
+  const double error = (matrix.transpose() * matrix - Matrix3d::Identity())
+                           .cwiseAbs()
+                           .maxCoeff();
+  // Seven printed digits pass.
+  if (!(error <= 1e-6) || matrix.determinant() < 0) {
+    fail(place, "not a rotation matrix (orthogonal to 1e-6, right-handed)");
+  }
+  return Eigen::Quaterniond(matrix).normalized().toRotationMatrix();
+}
+
+System::System(const Carrier& carrier, const std::vector<Load>& loads)
+    : carrier_(carrier) {
+  check_mass(carrier.mass, "carrier");
+  carrier_.inertia =
+      checked_inertia(carrier.inertia, true, "carrier.inertia_com");
+  links_.reserve(loads.size());
+  for (std::size_t i = 0; i < loads.size(); ++i) {
+    links_.push_back(make_link(loads[i], fmt::format("loads[{}]", i)));
+  }
+}
+
+}  // namespace multibody

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "libcontact/files/toml_reader.hpp"
+#include "separation/case/case.hpp"
+
+namespace separation {
+
+/// Name, mass, inertia, shapes and directions of a body: the keys of [carrier]
+/// and [[load]] that they share.
+Body read_body(const contact::TomlTable& table);
+
+}  // namespace separation

@@ -1,0 +1,229 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <limits>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "libcontact/files/joint_file.hpp"
+#include "libcontact/joint/node.hpp"
+#include "multibody/motion/motion.hpp"
+#include "separation/case/shape.hpp"
+
+/// A separation as its case file describes it (README.md of this folder).
+///
+/// Body axes: the directions of the axes in which the file describes a body,
+/// origin at its centre of mass; the file's own origin is gone after reading.
+/// Body 0 is the carrier, body 1 + i the load i.
+namespace separation {
+
+struct NamedDirection {
+  std::string name;
+  Eigen::Vector3d vector;  ///< unit, body axes
+};
+
+struct Body {
+  std::string name;
+  double mass;              ///< kg
+  Eigen::Vector3d com;      ///< in the file's axes of the body, m
+  Eigen::Matrix3d inertia;  ///< about the centre of mass, kg m^2
+  std::vector<Shape> shapes;
+  std::vector<NamedDirection> directions;
+};
+
+/// A joint of a hinge: what the joint file says and where it sits.
+struct HingeJoint {
+  contact::Joint joint;
+  double position;  ///< along the axis from the hinge's centre, m
+};
+
+/// The upper node: what a load turns on.
+struct Hinge {
+  std::string name;
+  multibody::JointKind kind = multibody::JointKind::none;
+  /// Body axes of the load and of the carrier, m.
+  Eigen::Vector3d load_point = Eigen::Vector3d::Zero();
+  Eigen::Vector3d carrier_point = Eigen::Vector3d::Zero();
+  /// Load axes to carrier axes at angle zero.
+  Eigen::Matrix3d zero_rotation = Eigen::Matrix3d::Identity();
+  /// axis: unit, carrier axes.
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();
+  std::vector<HingeJoint> joints;
+  /// axis: shares of an indeterminate node.
+  std::optional<contact::SharingRule> sharing;
+  /// Spherical: the angle is that between these.
+  Eigen::Vector3d load_direction = Eigen::Vector3d::UnitX();
+  Eigen::Vector3d carrier_direction = Eigen::Vector3d::UnitX();
+};
+
+/// The lower node: holds a load until it breaks.
+struct Lock {
+  std::string name;
+  Eigen::Vector3d load_point;  ///< body axes of the load, m
+};
+
+struct Load {
+  Body body;
+  std::string group;  ///< its name in the file, without the copy's number
+  Hinge hinge;
+  std::optional<Lock> lock;
+  multibody::LoadStart start;
+};
+
+/// When a force begins or ends: at a time, or `delay` after an event.
+struct Clock {
+  double time = 0;
+  int event = -1;  ///< -1: at the time
+  double delay = 0;
+};
+inline constexpr Clock never{std::numeric_limits<double>::infinity(), -1, 0};
+
+/// Values over a variable, linear between the rows and constant outside.
+template <class Value>
+struct Table {
+  std::vector<double> at;  ///< increasing; a single row is a constant
+  std::vector<Value> values;
+
+  Value operator()(double x) const {
+    if (!(x > at.front())) return values.front();
+    if (x >= at.back()) return values.back();
+    std::size_t i = 1;
+    while (at[i] < x) ++i;
+    const double part = (x - at[i - 1]) / (at[i] - at[i - 1]);
+    return values[i - 1] + part * (values[i] - values[i - 1]);
+  }
+};
+
+/// What a table of the file goes over: time since the force began, or the
+/// angle of the load's hinge.
+enum class Variable { none, time, angle };
+
+/// A force and a moment given by the file.
+struct AppliedForce {
+  bool inertial = false;  ///< axes of force and moment; else the body's
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();
+  Variable variable = Variable::none;
+  Table<Eigen::Vector3d> force;
+  Table<Eigen::Vector3d> moment;
+};
+
+/// An engine: full thrust until it is cut off, then T exp(-t/decay).
+struct Thrust {
+  Eigen::Vector3d point;
+  Eigen::Vector3d force;  ///< body axes, N
+  Clock cutoff;
+  double decay;  ///< s
+};
+
+/// A spring between a point of the load and one of the carrier.
+struct Spring {
+  Eigen::Vector3d point;
+  Eigen::Vector3d carrier_point;
+  double stiffness;    ///< N/m
+  double free_length;  ///< m
+  double damping;      ///< N s/m
+};
+
+/// A pusher on the carrier that pushes the load along a guide until its stroke
+/// is used up.
+struct Pusher {
+  Eigen::Vector3d point;
+  Eigen::Vector3d carrier_point;
+  Eigen::Vector3d direction;  ///< unit, carrier axes
+  double first_force;         ///< N, at the beginning of the stroke
+  double last_force;          ///< N, at its end
+  double stroke;              ///< m
+};
+
+/// A motor on an axis: a moment on the load, the opposite one on the carrier.
+struct Motor {
+  Variable variable;
+  Table<double> moment;  ///< about the axis, N m
+};
+
+/// Air.
+struct Aerodynamic {
+  Eigen::Vector3d axis;   ///< unit, body axes: the nose
+  Eigen::Vector3d point;  ///< where the coefficients refer to
+  double area;
+  double length;
+  /// Of the air past the body, unit, inertial axes; with a density instead of
+  /// a dynamic pressure it follows from the velocity in the wind.
+  Eigen::Vector3d flow = Eigen::Vector3d::UnitX();
+  Table<double> dynamic_pressure;  ///< Pa, over time; empty with a density
+  double density = 0;              ///< kg/m^3
+  Eigen::Vector3d wind = Eigen::Vector3d::Zero();
+  /// Coefficients over the angle of attack, one table for each pressure of
+  /// `pressures` (at least one).
+  std::vector<double> pressures;
+  std::vector<Table<double>> axial, normal, moment;
+};
+
+struct Force {
+  std::string name;
+  int body;
+  Clock begin, end = never;
+  std::variant<AppliedForce, Thrust, Spring, Pusher, Motor, Aerodynamic> what;
+};
+
+/// Something that happens once to each of its loads.
+struct Event {
+  enum class Trigger { time, angle, reaction, after };
+  enum class Node { hinge, lock };
+  enum class Action { break_lock, break_hinge };
+  std::string name;
+  Trigger trigger;
+  double value;  ///< s, rad, N; after: delay, s
+  Node node;     ///< reaction: of which node
+  Action action;
+  std::vector<int> loads;
+  int after = -1;  ///< the event that arms it, -1: armed from the beginning
+  /// True: all its loads when the first one meets the condition.
+  bool together;
+};
+
+/// Which friction a run has.
+enum class FrictionChoice { full, ideal, traditional };
+
+struct Case {
+  std::string name;
+  std::string file;
+  double end_time;     ///< s
+  double output_step;  ///< s
+  FrictionChoice friction;
+  multibody::MotionOptions options;
+  Body carrier;
+  multibody::BodyMotion carrier_start;
+  std::vector<Load> loads;
+  std::vector<Force> forces;
+  std::vector<Event> events;
+  struct Pair {
+    int a, b;
+  };
+  /// Bodies whose distance is watched.
+  std::vector<Pair> clearance;
+
+  const Body& body(int i) const { return i == 0 ? carrier : loads[i - 1].body; }
+  bool has_hinges() const {
+    return std::any_of(loads.begin(), loads.end(), [](const Load& load) {
+      return load.hinge.kind != multibody::JointKind::none;
+    });
+  }
+  /// With friction.
+  bool has_joints() const {
+    return std::any_of(loads.begin(), loads.end(), [](const Load& load) {
+      return !load.hinge.joints.empty();
+    });
+  }
+};
+
+/// The name of a body in columns: blanks become underscores.
+inline std::string column_name(std::string name) {
+  std::replace(name.begin(), name.end(), ' ', '_');
+  return name;
+}
+
+}  // namespace separation

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <vector>
+
+#include "libcontact/files/toml_reader.hpp"
+#include "separation/case/case_names.hpp"
+
+namespace separation {
+
+/// One [[force]]: one for each body that it names.
+std::vector<Force> read_force(const contact::TomlTable& table,
+                              const CaseNames& names);
+
+}  // namespace separation

@@ -1,0 +1,217 @@
+#include "separation/case/hinge_reader.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "libcontact/base/error.hpp"
+#include "separation/case/reading.hpp"
+
+namespace separation {
+namespace {
+
+using contact::Error;
+using contact::JointContact;
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+using multibody::JointKind;
+
+// What is wrong with them is the command line's, not the file's.
+void take_laws(const JointLaws& laws, contact::Joint& joint) {
+  const auto take = [&](const char* option, const std::string& name,
+                        std::string& law, const auto& make) {
+    if (name.empty()) return;
+    law = name;
+    try {
+      make();
+    } catch (const Error& error) {
+      throw Error(fmt::format("{} {}: joint \"{}\": {}", option, name,
+                              joint.name, error.what()));
+    }
+  };
+  take("--law", laws.half_angle, joint.half_angle_law,
+       [&] { joint.make_half_angle_law(); });
+  take("--pressure", laws.pressure, joint.pressure_law,
+       [&] { joint.make_pressure_law(); });
+}
+
+contact::Joint read_joint_of(const TomlTable& table, const JointLaws& laws) {
+  const auto file = table.optional_text("file");
+  contact::Joint joint = [&] {
+    if (!file) return contact::joint_from_table(table);
+    const auto name = table.optional_text("name");
+    try {
+      contact::Joint read = contact::read_joint(table.folder() / *file);
+      if (name) read.name = *name;
+      return read;
+    } catch (const Error& error) {
+      table.fail("file", error.what());
+    }
+  }();
+  take_laws(laws, joint);
+  if (!joint.friction) {
+    table.fail(file ? "file" : "friction",
+               "neither the joint nor its materials have [friction]");
+  }
+  return joint;
+}
+
+HingeJoint read_hinge_joint(const TomlTable& table, const JointLaws& laws) {
+  return {read_joint_of(table, laws),
+          table.optional_number("position", Interval::any(), Dimension::length)
+              .value_or(0)};
+}
+
+std::optional<contact::SharingRule> read_sharing(const TomlTable& table,
+                                                 std::size_t joints) {
+  if (table.optional_choice("sharing", {"equal"})) {
+    if (table.has("radial_stiffness")) {
+      table.fail("sharing", "allowed: not together with radial_stiffness");
+    }
+    return contact::SharingRule{};  // filled in when the joints are known
+  }
+  auto stiffness =
+      table.optional_numbers("radial_stiffness", joints, Interval::positive());
+  if (!stiffness) return {};
+  return contact::SharingRule{
+      *std::move(stiffness),
+      table.numbers("axial_share", joints, Interval{0, 1})};
+}
+
+Vector3d named_direction(const TomlTable& table, std::string_view key,
+                         const Body& body, const std::string& name) {
+  for (const NamedDirection& direction : body.directions) {
+    if (direction.name == name) return direction.vector;
+  }
+  if (body.directions.empty()) {
+    table.fail(key, fmt::format("\"{}\" has no directions", body.name));
+  }
+  std::vector<std::string> names;
+  for (const NamedDirection& direction : body.directions) {
+    names.push_back(direction.name);
+  }
+  table.fail(key, fmt::format("allowed: {}, the directions of \"{}\"",
+                              fmt::join(names, ", "), body.name));
+}
+
+// Directions of the angle of a ball joint: two named ones, or the line from
+// the hinge to the load's centre of mass, which begins at angle 0.
+void read_angle(const TomlTable& table, const Body& load, const Body& carrier,
+                Hinge& hinge) {
+  const auto of_load = table.optional_text("load_direction");
+  const auto of_carrier = table.optional_text("carrier_direction");
+  if (of_load && of_carrier) {
+    hinge.load_direction =
+        named_direction(table, "load_direction", load, *of_load);
+    hinge.carrier_direction =
+        named_direction(table, "carrier_direction", carrier, *of_carrier);
+    return;
+  }
+  if (of_load) {
+    table.fail("load_direction", "allowed: together with carrier_direction");
+  }
+  if (of_carrier) {
+    table.fail("carrier_direction", "allowed: together with load_direction");
+  }
+  hinge.load_direction = hinge.load_point.norm() > 0
+                             ? Vector3d(-hinge.load_point.normalized())
+                             : Vector3d::UnitX();
+  hinge.carrier_direction = hinge.zero_rotation * hinge.load_direction;
+}
+
+JointContact make_contact(const HingeJoint& joint) {
+  const contact::Joint& j = joint.joint;
+  return {j.geometry, j.pair, *j.friction, j.make_half_angle_law(),
+          j.make_pressure_law()};
+}
+
+bool is_ball(const HingeJoint& joint) {
+  return joint.joint.geometry.kind() == contact::JointKind::spherical;
+}
+
+contact::JointNode make_node(const Hinge& hinge) {
+  std::vector<contact::NodeJoint> joints;
+  for (const HingeJoint& joint : hinge.joints) {
+    if (is_ball(joint)) {
+      joints.push_back(
+          {contact::SphericalJoint(make_contact(joint)), joint.position});
+    } else {
+      joints.push_back(
+          {contact::CylindricalJoint(make_contact(joint)), joint.position});
+    }
+  }
+  auto sharing = hinge.sharing;
+  if (sharing && sharing->radial_stiffness.empty()) {
+    sharing = contact::SharingRule::equal(joints);
+  }
+  return contact::JointNode(std::move(joints), std::move(sharing));
+}
+
+}  // namespace
+
+Hinge read_hinge(const TomlTable& table, const Body& load, const Body& carrier,
+                 const JointLaws& laws) {
+  Hinge hinge;
+  hinge.kind = table.choice("kind", {"spherical", "axis"}) == 0
+                   ? JointKind::spherical
+                   : JointKind::axis;
+  hinge.name = table.optional_text("name").value_or("hinge");
+  hinge.load_point =
+      vector_or_zero(table, "load_point", Dimension::length) - load.com;
+  hinge.carrier_point =
+      vector(table, "carrier_point", Dimension::length) - carrier.com;
+  hinge.zero_rotation =
+      optional_rotation(table, "zero_rotation").value_or(Matrix3d::Identity());
+  const bool ball = hinge.kind == JointKind::spherical;
+  if (ball) {
+    read_angle(table, load, carrier, hinge);
+  } else {
+    hinge.axis = direction(table, "axis");
+  }
+  const auto joints = table.tables("joint");
+  for (const TomlTable& joint : joints) {
+    hinge.joints.push_back(read_hinge_joint(joint, laws));
+  }
+  if (!ball) hinge.sharing = read_sharing(table, joints.size());
+  if (ball && joints.size() > 1) {
+    joints[1].fail("kind", "allowed: one joint on a spherical hinge");
+  }
+  if (ball && joints.size() == 1 && !is_ball(hinge.joints[0])) {
+    joints[0].fail("kind", "allowed: a ball joint on a spherical hinge");
+  }
+  if (!ball && joints.size() == 1 && is_ball(hinge.joints[0])) {
+    joints[0].fail("kind",
+                   "allowed on an axis: one pin, or two joints and more, one "
+                   "of them a ball");
+  }
+  try {
+    make_friction(hinge, FrictionChoice::full);
+  } catch (const Error& error) {
+    table.fail("joint", error.what());
+  }
+  return hinge;
+}
+
+multibody::HingeFriction make_friction(const Hinge& hinge,
+                                       FrictionChoice choice) {
+  using multibody::FrictionEstimate;
+  if (hinge.joints.empty() || choice == FrictionChoice::ideal) return {};
+  const FrictionEstimate estimate = choice == FrictionChoice::traditional
+                                        ? FrictionEstimate::traditional
+                                        : FrictionEstimate::consistent;
+  const HingeJoint& first = hinge.joints.front();
+  if (hinge.kind == JointKind::spherical) {
+    return multibody::BallFriction{contact::SphericalJoint(make_contact(first)),
+                                   estimate};
+  }
+  if (hinge.joints.size() == 1) {
+    return multibody::PinFriction{
+        contact::CylindricalJoint(make_contact(first)), estimate};
+  }
+  return multibody::NodeFriction{make_node(hinge), estimate};
+}
+
+}  // namespace separation

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "libcontact/files/toml_reader.hpp"
+#include "separation/case/case.hpp"
+
+namespace separation {
+
+/// Laws that the command line puts in place of those of the joint files.
+struct JointLaws {
+  std::string half_angle;  ///< "" for the file's
+  std::string pressure;
+};
+
+/// [load.hinge]: everything that does not depend on the copy.
+Hinge read_hinge(const contact::TomlTable& table, const Body& load,
+                 const Body& carrier, const JointLaws& laws);
+
+/// The friction of a hinge.
+/// @throws contact::Error if its joints do not go together, which read_hinge()
+///   has made sure of
+multibody::HingeFriction make_friction(const Hinge& hinge,
+                                       FrictionChoice choice);
+
+}  // namespace separation

@@ -1,0 +1,63 @@
+#include "separation/case/reading.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <numbers>
+
+namespace separation {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+std::optional<Vector3d> optional_vector(const TomlTable& table,
+                                        std::string_view key,
+                                        Dimension dimension) {
+  const auto values =
+      table.optional_numbers(key, 3, Interval::any(), dimension);
+  if (!values) return {};
+  return Vector3d((*values)[0], (*values)[1], (*values)[2]);
+}
+
+Vector3d vector(const TomlTable& table, std::string_view key,
+                Dimension dimension) {
+  const auto values = table.numbers(key, 3, Interval::any(), dimension);
+  return {values[0], values[1], values[2]};
+}
+
+Vector3d vector_or_zero(const TomlTable& table, std::string_view key,
+                        Dimension dimension) {
+  return optional_vector(table, key, dimension).value_or(Vector3d::Zero());
+}
+
+Vector3d direction(const TomlTable& table, std::string_view key) {
+  const Vector3d v = vector(table, key);
+  const Vector3d unit = v.stableNormalized();
+  if (!(unit.norm() > 0.5)) table.fail(key, "allowed: a vector that is not 0");
+  return unit;
+}
+
+Matrix3d rotation_of(const Vector3d& vector) {
+  const double angle = vector.norm();
+  if (angle == 0) return Matrix3d::Identity();
+  return Eigen::AngleAxisd(angle, vector / angle).toRotationMatrix();
+}
+
+std::optional<Matrix3d> optional_rotation(const TomlTable& table,
+                                          std::string_view key) {
+  // More turns than anyone means.
+  constexpr Interval allowed{-100 * std::numbers::pi, 100 * std::numbers::pi};
+  const auto v = table.optional_numbers(key, 3, allowed, Dimension::angle);
+  if (!v) return {};
+  return rotation_of({(*v)[0], (*v)[1], (*v)[2]});
+}
+
+std::vector<double> increasing(const TomlTable& table, std::string_view key,
+                               Dimension dimension) {
+  auto values = table.list(key, 1, Interval::any(), dimension);
+  if (!std::is_sorted(values.begin(), values.end(), std::less_equal<>())) {
+    table.fail(key, "allowed: numbers that grow from one to the next");
+  }
+  return values;
+}
+
+}  // namespace separation

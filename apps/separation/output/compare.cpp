@@ -1,0 +1,130 @@
+#include "separation/output/compare.hpp"
+
+#include <cmath>
+#include <functional>
+
+#include "cli/table.hpp"
+#include "libcontact/base/units.hpp"
+#include "separation/output/summary.hpp"
+
+namespace separation {
+namespace {
+
+using contact::degree;
+
+// A value of one load in one run; infinite or NaN where there is none.
+struct Quantity {
+  const char* name;
+  std::function<double(const Outcome&, int load)> value;
+};
+
+// In the first row in which nothing locks the load (NaN: there is none), or in
+// the last.
+double number_in_row(const Case& c, const Outcome& o, int load,
+                     const char* quantity, bool first) {
+  const Rows& rows = o.memory.rows;
+  const std::string name = column_name(c.loads[load].body.name);
+  const std::size_t column = rows.column(name + quantity);
+  if (!first) return rows.at(rows.size() - 1, column);
+  const std::size_t mode = rows.column(name + ".mode");
+  constexpr auto locked = static_cast<double>(multibody::HingeMode::locked);
+  for (std::size_t row = 0; row < rows.size(); ++row) {
+    if (rows.at(row, mode) != locked) return rows.at(row, column);
+  }
+  return NAN;
+}
+
+std::vector<Quantity> quantities(const Case& c) {
+  const auto record = [](const Outcome& o, int load) -> const LoadRecord& {
+    return o.memory.loads[load];
+  };
+  const auto peak = [record](double JointPeaks::*what) {
+    return [record, what](const Outcome& o, int load) {
+      double largest = o.friction == FrictionChoice::ideal ? NAN : 0;
+      for (const JointPeaks& joint : record(o, load).joints) {
+        largest = std::max(largest, joint.*what);
+      }
+      return largest;
+    };
+  };
+  return {
+      {"acceleration_at_start_deg_per_s2",
+       [&c](const Outcome& o, int load) {
+         return number_in_row(c, o, load, ".acceleration_deg_per_s2", true);
+       }},
+      {"friction_moment_at_start_N_m",
+       [&c](const Outcome& o, int load) {
+         return number_in_row(c, o, load, ".friction_moment_N_m", true);
+       }},
+      {"release_s", [=](const Outcome& o,
+                        int load) { return record(o, load).release.time; }},
+      {"angle_at_release_deg",
+       [=](const Outcome& o, int load) {
+         const auto& release = record(o, load).release;
+         return release.time == History::not_yet ? NAN : release.angle / degree;
+       }},
+      {"rate_at_release_deg_per_s",
+       [=](const Outcome& o, int load) {
+         const auto& release = record(o, load).release;
+         return release.time == History::not_yet ? NAN : release.rate / degree;
+       }},
+      {"angle_at_end_deg",
+       [&c](const Outcome& o, int load) {
+         return number_in_row(c, o, load, ".angle_deg", false);
+       }},
+      {"rate_at_end_deg_per_s",
+       [&c](const Outcome& o, int load) {
+         return number_in_row(c, o, load, ".rate_deg_per_s", false);
+       }},
+      {"work_of_friction_J",
+       [=](const Outcome& o, int load) { return record(o, load).work; }},
+      {"peak_reaction_N",
+       [=](const Outcome& o, int load) {
+         return record(o, load).peak_reaction;
+       }},
+      {"largest_friction_moment_of_joint_N_m", peak(&JointPeaks::moment)},
+      {"peak_pressure_Pa", peak(&JointPeaks::pressure)},
+      {"largest_theta0_deg",
+       [half_angle = peak(&JointPeaks::half_angle)](const Outcome& o,
+                                                    int load) {
+         return half_angle(o, load) / degree;
+       }},
+  };
+}
+
+}  // namespace
+
+void write_comparison(const Case& c, const std::vector<Outcome>& outcomes,
+                      const cli::OutputOptions& options) {
+  std::vector<std::string> columns = {"load", "quantity"};
+  for (const Outcome& outcome : outcomes) {
+    columns.emplace_back(to_string(outcome.friction));
+  }
+  cli::Output output(options.output);
+  const cli::Table table(options.format, columns);
+  cli::TableWriter writer(output, table);
+  cli::Text text;
+  cli::RowWriter row(table, text);
+  const auto all = quantities(c);
+  for (int load = 0; load < static_cast<int>(c.loads.size()); ++load) {
+    if (c.loads[load].hinge.kind == multibody::JointKind::none) continue;
+    for (const Quantity& quantity : all) {
+      row.text(c.loads[load].body.name);
+      row.text(quantity.name);
+      for (const Outcome& outcome : outcomes) {
+        const double value = quantity.value(outcome, load);
+        if (std::isfinite(value)) {
+          row.number(value);
+        } else {
+          row.empty();
+        }
+      }
+      row.end();
+    }
+  }
+  writer.write(text.view());
+  writer.finish();
+  output.commit();
+}
+
+}  // namespace separation

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+
+#include "cli/output.hpp"
+#include "separation/record/record.hpp"
+
+namespace separation {
+
+/// A time history's file: HDF5 if the name ends in .h5 or .hdf5, CSV if it
+/// ends in .csv, is "-" or that of a pipe or device; whole or not at all.
+///
+/// CSV: columns as named, modes as words, empty where there is no value.
+/// HDF5: one data set for each column, "BODY/QUANTITY" with its unit as
+/// attribute "unit" (time: "time_s"); modes as integers, their words in the
+/// attribute "words"; no value is NaN.
+class HistoryFile {
+ public:
+  /// @throws contact::Error for other names and if the file cannot be made
+  explicit HistoryFile(const std::string& name);
+  /// @throws contact::Error if it cannot be written
+  void write(const Rows& rows);
+
+ private:
+  std::string name_;
+  bool hdf5_;
+  cli::Output output_;
+};
+
+}  // namespace separation

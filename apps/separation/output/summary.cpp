@@ -1,0 +1,152 @@
+#include "separation/output/summary.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include "cli/csv.hpp"
+#include "cli/number.hpp"
+#include "libcontact/base/units.hpp"
+
+namespace separation {
+namespace {
+
+using contact::degree;
+using nlohmann::ordered_json;
+
+// JSON has no infinity.
+ordered_json number_or_null(double value) {
+  return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr);
+}
+
+ordered_json joint_json(const HingeJoint& joint, const JointPeaks& peaks) {
+  return {{"name", joint.joint.name},
+          {"peak_reaction_N", peaks.reaction},
+          {"peak_reaction_time_s", peaks.reaction_time},
+          {"peak_pressure_Pa", peaks.pressure},
+          {"largest_theta0_deg", peaks.half_angle / degree},
+          {"largest_friction_moment_N_m", peaks.moment}};
+}
+
+ordered_json release_json(const LoadRecord::Release& release) {
+  if (release.time == History::not_yet) return nullptr;
+  const Eigen::Vector3d w = release.rates / degree;
+  const Eigen::Vector3d& v = release.velocity;
+  return {{"time_s", release.time},
+          {"angle_deg", release.angle / degree},
+          {"rate_deg_per_s", release.rate / degree},
+          {"angular_velocity_deg_per_s", {w.x(), w.y(), w.z()}},
+          {"velocity_m_per_s", {v.x(), v.y(), v.z()}}};
+}
+
+ordered_json load_json(const Load& load, const LoadRecord& record,
+                       multibody::HingeMode mode) {
+  ordered_json j = {{"name", load.body.name}};
+  if (load.hinge.kind == multibody::JointKind::none) return j;
+  j["hinge"] = load.hinge.name;
+  j["mode_at_end"] = multibody::to_string(mode);
+  j["peak_reaction_N"] = record.peak_reaction;
+  j["peak_reaction_time_s"] = record.peak_reaction_time;
+  if (load.lock) {
+    j["lock"] = load.lock->name;
+    j["peak_lock_reaction_N"] = record.peak_lock;
+    j["peak_lock_reaction_time_s"] = record.peak_lock_time;
+  }
+  j["work_of_friction_J"] = record.work;
+  j["time_at_rest_s"] = record.rest_time;
+  j["at_release"] = release_json(record.release);
+  j["joints"] = ordered_json::array();
+  for (std::size_t i = 0; i < record.joints.size(); ++i) {
+    j["joints"].push_back(joint_json(load.hinge.joints[i], record.joints[i]));
+  }
+  return j;
+}
+
+ordered_json clearance_json(const Case& c, const Outcome& outcome) {
+  ordered_json list = ordered_json::array();
+  for (std::size_t i = 0; i < c.clearance.size(); ++i) {
+    const PairRecord& pair = outcome.memory.pairs[i];
+    if (pair.smallest == History::not_yet) continue;
+    ordered_json j = {{"a", c.body(c.clearance[i].a).name},
+                      {"b", c.body(c.clearance[i].b).name},
+                      {"smallest_m", pair.smallest},
+                      {"time_s", pair.time}};
+    if (pair.overlap_from != History::not_yet) {
+      j["overlap_s"] = {pair.overlap_from, pair.overlap_to};
+    }
+    list.push_back(std::move(j));
+  }
+  return list;
+}
+
+}  // namespace
+
+const char* to_string(FrictionChoice choice) {
+  switch (choice) {
+    case FrictionChoice::full:
+      return "full";
+    case FrictionChoice::ideal:
+      return "ideal";
+    case FrictionChoice::traditional:
+      break;
+  }
+  return "traditional";
+}
+
+std::vector<Missed> missed_events(const Case& c, const Outcome& outcome) {
+  std::vector<Missed> result;
+  for (std::size_t e = 0; e < c.events.size(); ++e) {
+    Missed missed{c.events[e].name, {}};
+    for (const int load : c.events[e].loads) {
+      if (outcome.history.events[e][load] == History::not_yet) {
+        missed.loads.push_back(c.loads[load].body.name);
+      }
+    }
+    if (!missed.loads.empty()) result.push_back(std::move(missed));
+  }
+  return result;
+}
+
+ordered_json summary(const Case& c, const Outcome& outcome) {
+  const Recorder::Memory& memory = outcome.memory;
+  ordered_json j = {{"case", c.name},
+                    {"friction", to_string(outcome.friction)},
+                    {"end_time_s", outcome.end_time}};
+  if (!outcome.failure.empty()) j["failure"] = outcome.failure;
+  j["events"] = ordered_json::array();
+  for (const Note& note : memory.notes) {
+    j["events"].push_back(
+        {{"time_s", note.time}, {"load", note.load}, {"what", note.what}});
+  }
+  j["events_that_did_not_come"] = ordered_json::array();
+  for (const Missed& missed : missed_events(c, outcome)) {
+    j["events_that_did_not_come"].push_back(
+        {{"event", missed.event}, {"loads", missed.loads}});
+  }
+  j["loads"] = ordered_json::array();
+  for (std::size_t i = 0; i < c.loads.size(); ++i) {
+    j["loads"].push_back(
+        load_json(c.loads[i], memory.loads[i], outcome.modes[i]));
+  }
+  j["clearance"] = clearance_json(c, outcome);
+  // A given motion of the carrier does work that no book shows.
+  j["energy"] = {
+      {"largest_J", memory.largest_energy},
+      {"largest_drift_J", c.options.carrier_drive
+                              ? ordered_json(nullptr)
+                              : number_or_null(memory.largest_drift)}};
+  j["counts"] = {{"steps", outcome.counts.steps},
+                 {"evaluations", outcome.counts.evaluations},
+                 {"outer_iterations", outcome.counts.outer_iterations}};
+  return j;
+}
+
+std::string events_csv(const Outcome& outcome) {
+  std::string text = "time_s,load,what\n";
+  for (const Note& note : outcome.memory.notes) {
+    text += cli::number_text(note.time) + ',' + cli::raw_field(note.load) +
+            ',' + cli::raw_field(note.what) + '\n';
+  }
+  return text;
+}
+
+}  // namespace separation

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "separation/record/run_case.hpp"
+
+namespace separation {
+
+/// "full", "ideal", "traditional"
+const char* to_string(FrictionChoice choice);
+
+/// An event and the loads for which it has not come.
+struct Missed {
+  std::string event;
+  std::vector<std::string> loads;
+};
+std::vector<Missed> missed_events(const Case& c, const Outcome& outcome);
+
+/// What a run came to (keys: README.md of this folder). Angles in degrees,
+/// all else in SI units.
+nlohmann::ordered_json summary(const Case& c, const Outcome& outcome);
+
+/// Events as a CSV table: time_s, load, what.
+std::string events_csv(const Outcome& outcome);
+
+}  // namespace separation

@@ -1,0 +1,435 @@
+#include "separation/record/record.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "libcontact/base/error.hpp"
+#include "libcontact/base/units.hpp"
+
+namespace separation {
+namespace {
+
+using contact::degree;
+using Eigen::Vector3d;
+using multibody::BodyMotion;
+using multibody::HingeMode;
+using multibody::HingeSample;
+using multibody::JointKind;
+using multibody::MotionSample;
+
+constexpr const char* comes_to_rest = "comes to rest";
+
+std::vector<std::string> columns_of(const Case& c, bool clearance) {
+  std::vector<std::string> columns = {"time_s"};
+  const auto add = [&](const std::string& body,
+                       std::initializer_list<const char*> names) {
+    for (const char* name : names) columns.push_back(body + '.' + name);
+  };
+  for (std::size_t i = 0; i <= c.loads.size(); ++i) {
+    const std::string body = column_name(c.body(static_cast<int>(i)).name);
+    if (i > 0 && c.loads[i - 1].hinge.kind != JointKind::none) {
+      add(body,
+          {"mode", "angle_deg", "rate_deg_per_s", "acceleration_deg_per_s2",
+           "reaction_N", "lock_reaction_N", "friction_moment_N_m",
+           "utilisation", "theta0_deg", "peak_pressure_Pa", "friction_work_J"});
+    }
+    add(body,
+        {"x_m", "y_m", "z_m", "vx_m_per_s", "vy_m_per_s", "vz_m_per_s", "qw",
+         "qx", "qy", "qz", "wx_rad_per_s", "wy_rad_per_s", "wz_rad_per_s"});
+  }
+  if (clearance) {
+    for (const auto& [a, b] : c.clearance) {
+      columns.push_back(fmt::format("clearance.{}.{}_m",
+                                    column_name(c.body(a).name),
+                                    column_name(c.body(b).name)));
+    }
+  }
+  for (const char* name : {"kinetic_J", "gravity_J", "active_work_J",
+                           "dissipated_J", "balance_J"}) {
+    columns.push_back(std::string("energy.") + name);
+  }
+  return columns;
+}
+
+std::optional<Clearance> make_clearance(const Case& c, bool wanted) {
+  if (!wanted || c.clearance.empty()) return {};
+  std::vector<std::vector<Shape>> shapes;
+  for (std::size_t i = 0; i <= c.loads.size(); ++i) {
+    shapes.push_back(c.body(static_cast<int>(i)).shapes);
+  }
+  std::vector<Clearance::Pair> pairs;
+  for (const auto& [a, b] : c.clearance) pairs.push_back({a, b});
+  return Clearance(shapes, pairs);
+}
+
+// Rate of the angle: on an axis with its sign. After the release that of the
+// bodies' relative angular velocity.
+double rate_of(const Hinge& hinge, const MotionSample& sample, int load) {
+  if (sample.mode(load) != HingeMode::released) {
+    const HingeSample now = sample.hinge(load);
+    return hinge.kind == JointKind::axis ? now.angle_rate
+                                         : now.relative_angular_velocity.norm();
+  }
+  const Vector3d relative =
+      sample.load(load).angular_velocity - sample.carrier().angular_velocity;
+  return hinge.kind == JointKind::axis
+             ? (sample.carrier().rotation * hinge.axis).dot(relative)
+             : relative.norm();
+}
+
+bool is_held(HingeMode mode) {
+  return mode == HingeMode::locked || mode == HingeMode::resting;
+}
+
+// Its derivative; of a ball joint |d(Dw)/dt| in load axes.
+double acceleration_of(const Simulation& simulation, int load) {
+  const Hinge& hinge = simulation.of().loads[load].hinge;
+  const auto& sample = simulation.sample();
+  if (is_held(sample.mode(load))) return 0;  // but for rounding
+  const BodyMotion& carrier = sample.carrier();
+  const BodyMotion& body = sample.load(load);
+  const Vector3d relative =
+      sample.angular_acceleration(1 + load) - sample.angular_acceleration(0) -
+      carrier.angular_velocity.cross(body.angular_velocity);
+  if (hinge.kind != JointKind::axis) return relative.norm();
+  return (carrier.rotation * hinge.axis).dot(relative);
+}
+
+// The time of what stays the same is its first, whatever rounding says.
+void raise(double& peak, double& peak_time, double value, double time) {
+  constexpr double rounding = 1e-13;
+  if (!(value > (1 + rounding) * peak)) return;
+  peak = value;
+  peak_time = time;
+}
+
+}  // namespace
+
+std::size_t Rows::column(const std::string& name) const {
+  const auto found = std::find(columns.begin(), columns.end(), name);
+  if (found == columns.end()) {
+    throw contact::Error("no column " + name);
+  }
+  return static_cast<std::size_t>(found - columns.begin());
+}
+
+Recorder::Recorder(const Case& c, bool rows, bool clearance, bool refine)
+    : case_(c),
+      keep_rows_(rows),
+      refine_(refine),
+      clearance_(make_clearance(c, clearance)) {
+  memory_.rows.columns = columns_of(c, clearance_.has_value());
+  for (const Load& load : c.loads) {
+    memory_.loads.emplace_back();
+    memory_.loads.back().joints.resize(load.hinge.joints.size());
+  }
+  memory_.pairs.resize(c.clearance.size());
+}
+
+void Recorder::go_on_with(const Simulation& simulation) {
+  changes_seen_ = simulation.motion().changes().size();
+  looks_.clear();
+}
+
+void Recorder::add_body(const BodyMotion& body) {
+  const Vector3d w = body.rotation.transpose() * body.angular_velocity;
+  const Eigen::Quaterniond q(body.rotation);
+  for (const double x : body.position) add(x);
+  for (const double v : body.velocity) add(v);
+  for (const double x : {q.w(), q.x(), q.y(), q.z()}) add(x);
+  for (const double x : w) add(x);
+}
+
+void Recorder::look_at_peaks(const MotionSample& sample, int i) {
+  const Load& load = case_.loads[i];
+  LoadRecord& record = memory_.loads[i];
+  const double time = sample.time();
+  if (load.hinge.kind == JointKind::none) return;
+  const HingeSample hinge = sample.hinge(i);
+  const NodeReactions reactions = node_reactions(load, hinge);
+  const double force = reactions.hinge.norm();
+  const double lock = reactions.lock.norm();
+  raise(record.peak_reaction, record.peak_reaction_time, force, time);
+  raise(record.peak_lock, record.peak_lock_time, lock, time);
+  seen_.insert(seen_.end(), {force, lock});
+  record.work = std::max(record.work, hinge.dissipated);
+  for (std::size_t j = 0; j < record.joints.size(); ++j) {
+    if (j >= hinge.joints.size()) {
+      seen_.insert(seen_.end(), {0, 0, 0, 0});
+      continue;
+    }
+    const contact::JointSolution& joint = hinge.joints[j];
+    JointPeaks& peaks = record.joints[j];
+    const double reaction = joint.reaction.norm();
+    // At rest the solution is that of the sliding that is near.
+    const double moment =
+        hinge.mode == HingeMode::sliding ? joint.friction_moment.norm() : 0;
+    raise(peaks.reaction, peaks.reaction_time, reaction, time);
+    peaks.pressure = std::max(peaks.pressure, joint.peak_pressure);
+    peaks.half_angle = std::max(peaks.half_angle, joint.half_angle);
+    peaks.moment = std::max(peaks.moment, moment);
+    seen_.insert(seen_.end(),
+                 {reaction, joint.peak_pressure, joint.half_angle, moment});
+  }
+}
+
+// In the order of seen_.
+std::vector<double> Recorder::known_peaks() const {
+  std::vector<double> known;
+  for (std::size_t i = 0; i < case_.loads.size(); ++i) {
+    if (case_.loads[i].hinge.kind == JointKind::none) continue;
+    const LoadRecord& record = memory_.loads[i];
+    known.insert(known.end(), {record.peak_reaction, record.peak_lock});
+    for (const JointPeaks& peaks : record.joints) {
+      known.insert(known.end(), {peaks.reaction, peaks.pressure,
+                                 peaks.half_angle, peaks.moment});
+    }
+  }
+  return known;
+}
+
+// The peaks at an earlier time of the step.
+Look Recorder::look_back(const Simulation& simulation, double time) {
+  seen_.clear();
+  simulation.motion().look_back(time, [&](const MotionSample& sample) {
+    for (int i = 0; i < static_cast<int>(case_.loads.size()); ++i) {
+      look_at_peaks(sample, i);
+    }
+  });
+  return {time, seen_};
+}
+
+// Between this look and the last one. Where that is before the step something
+// has changed at its beginning.
+void Recorder::refine_peaks(const Simulation& simulation) {
+  const Look now{simulation.sample().time(), seen_};
+  constexpr double instant = 1e-12;
+  if (!looks_.empty() &&
+      (looks_.back().time < simulation.motion().step_begin() ||
+       now.time - looks_.back().time <= instant * (1 + std::abs(now.time)))) {
+    looks_.clear();
+  }
+  if (!looks_.empty()) refine_between(simulation, looks_.back(), now);
+  if (looks_.size() == 2) looks_.erase(looks_.begin());
+  looks_.push_back(now);
+}
+
+void Recorder::refine_between(const Simulation& simulation, const Look& from,
+                              const Look& to) {
+  if (looks_.size() == 2 &&
+      !may_peak(looks_.front(), from, to, from.time, known_peaks())) {
+    return;
+  }
+  constexpr int middle = peak_nodes / 2;
+  std::array<Look, peak_nodes> looks;
+  looks.front() = from;
+  looks.back() = to;
+  const auto look = [&](int k) {
+    looks[k] = look_back(simulation, peak_node(k, from.time, to.time));
+  };
+  look(middle);
+  if (!may_peak(from, looks[middle], to, from.time, known_peaks())) return;
+  for (int k = 1; k + 1 < peak_nodes; ++k) {
+    if (k != middle) look(k);
+  }
+  for (const double time : peak_times(looks, known_peaks())) {
+    look_back(simulation, time);
+  }
+}
+
+// Columns of a load's hinge.
+void Recorder::add_load(const Simulation& simulation, int i) {
+  const Load& load = case_.loads[i];
+  if (load.hinge.kind == JointKind::none) return;
+  const HingeSample hinge = simulation.sample().hinge(i);
+  const NodeReactions reactions = node_reactions(load, hinge);
+  double half_angle = NAN;
+  double pressure = NAN;
+  for (const contact::JointSolution& joint : hinge.joints) {
+    half_angle = std::fmax(half_angle, joint.half_angle);
+    pressure = std::fmax(pressure, joint.peak_pressure);
+  }
+  add(static_cast<double>(hinge.mode));
+  add(simulation.angle(i) / degree);
+  add(rate_of(load.hinge, simulation.sample(), i) / degree);
+  add(acceleration_of(simulation, i) / degree);
+  add(reactions.hinge.norm());
+  add(reactions.lock.norm());
+  add(hinge.friction_moment.norm());
+  add(hinge.utilisation);
+  add(half_angle / degree);
+  add(pressure);
+  add(hinge.dissipated);
+}
+
+// A load that turns back rests for no time at all: that is no news.
+void Recorder::note_change(const multibody::HingeChange& change) {
+  const std::string& load = case_.loads[change.load].body.name;
+  const bool rests = change.to == HingeMode::resting;
+  const auto same =
+      std::find_if(memory_.notes.rbegin(), memory_.notes.rend(),
+                   [&](const Note& note) { return note.load == load; });
+  if (!rests && same != memory_.notes.rend() && same->time == change.time &&
+      same->what == comes_to_rest) {
+    memory_.notes.erase(std::next(same).base());
+    return;
+  }
+  memory_.notes.push_back(
+      {change.time, load, rests ? comes_to_rest : "begins to slide"});
+}
+
+// Sticking and sliding, with the time at rest.
+void Recorder::look_at_changes(const Simulation& simulation) {
+  const double time = simulation.time();
+  const auto& changes = simulation.motion().changes();
+  const auto resting = static_cast<int>(HingeMode::resting);
+  if (!memory_.begun) {
+    memory_.begun = true;
+    memory_.last_time = time;
+    memory_.modes.clear();
+    for (std::size_t i = 0; i < case_.loads.size(); ++i) {
+      memory_.modes.push_back(
+          static_cast<int>(simulation.sample().mode(static_cast<int>(i))));
+    }
+    changes_seen_ = changes.size();
+    return;
+  }
+  std::vector<double> since(case_.loads.size(), memory_.last_time);
+  for (; changes_seen_ < changes.size(); ++changes_seen_) {
+    const auto& change = changes[changes_seen_];
+    if (memory_.modes[change.load] == resting) {
+      memory_.loads[change.load].rest_time += change.time - since[change.load];
+    }
+    since[change.load] = change.time;
+    memory_.modes[change.load] = static_cast<int>(change.to);
+    // Breaks are noted under the event's name.
+    if (change.to == HingeMode::released || change.from == HingeMode::locked) {
+      continue;
+    }
+    note_change(change);
+  }
+  for (std::size_t i = 0; i < case_.loads.size(); ++i) {
+    if (memory_.modes[i] == resting) {
+      memory_.loads[i].rest_time += time - since[i];
+    }
+  }
+  memory_.last_time = time;
+}
+
+void Recorder::look_at_distances(const MotionSample& sample, bool keep) {
+  if (!clearance_) return;
+  const auto distances = clearance_->distances(sample.bodies());
+  const double time = sample.time();
+  for (std::size_t i = 0; i < distances.size(); ++i) {
+    PairRecord& pair = memory_.pairs[i];
+    if (distances[i] < pair.smallest) {
+      pair.smallest = distances[i];
+      pair.time = time;
+    }
+    if (std::isnan(distances[i])) ++pair.not_found;
+    if (distances[i] <= 0) {
+      pair.overlap_from = std::min(pair.overlap_from, time);
+      pair.overlap_to = time;
+    }
+    if (keep) add(distances[i]);
+  }
+}
+
+void Recorder::look_at_energy(const Simulation& simulation, bool first) {
+  const multibody::EnergyBook book = simulation.sample().energy();
+  if (first) memory_.first_balance = book.balance();
+  const double drift = std::abs(book.balance() - memory_.first_balance);
+  memory_.largest_drift = std::max(memory_.largest_drift, drift);
+  for (const double e :
+       {book.kinetic, book.gravity, book.active_work, book.dissipated}) {
+    memory_.largest_energy = std::max(memory_.largest_energy, std::abs(e));
+  }
+  if (!keep_rows_) return;
+  for (const double e : {book.kinetic, book.gravity, book.active_work,
+                         book.dissipated, book.balance()}) {
+    add(e);
+  }
+}
+
+void Recorder::look(const Simulation& simulation) {
+  const bool first = !memory_.begun;
+  seen_.clear();
+  look_at_changes(simulation);
+  const auto& sample = simulation.sample();
+  if (keep_rows_) {
+    add(simulation.time());
+    add_body(sample.carrier());
+  }
+  for (int i = 0; i < static_cast<int>(case_.loads.size()); ++i) {
+    look_at_peaks(sample, i);
+    if (!keep_rows_) continue;
+    add_load(simulation, i);
+    add_body(sample.load(i));
+  }
+  look_at_distances(sample, keep_rows_);
+  look_at_energy(simulation, first);
+  if (refine_) refine_peaks(simulation);
+}
+
+void Recorder::look_between(const Simulation& simulation) {
+  const auto& sample = simulation.sample();
+  seen_.clear();
+  for (int i = 0; i < static_cast<int>(case_.loads.size()); ++i) {
+    look_at_peaks(sample, i);
+  }
+  look_at_distances(sample, false);
+  if (refine_) refine_peaks(simulation);
+}
+
+// Whether happenings[i] breaks anything: what is broken already, also by those
+// before it, does not break again, and a locked hinge does not break.
+bool Recorder::breaks(const Simulation& simulation,
+                      const std::vector<Happening>& happenings,
+                      std::size_t i) const {
+  const Happening& h = happenings[i];
+  const auto broken = [&](Event::Action action) {
+    return std::any_of(happenings.begin(), happenings.begin() + i,
+                       [&](const Happening& other) {
+                         return other.load == h.load &&
+                                case_.events[other.event].action == action;
+                       });
+  };
+  const Event::Action action = case_.events[h.event].action;
+  if (broken(action)) return false;
+  const HingeMode mode = simulation.sample().mode(h.load);
+  const bool locked = mode == HingeMode::locked;
+  if (action == Event::Action::break_lock) return locked;
+  return mode != HingeMode::released &&
+         (!locked || broken(Event::Action::break_lock));
+}
+
+void Recorder::before(const Simulation& simulation,
+                      const std::vector<Happening>& happenings) {
+  looks_.clear();
+  const auto& sample = simulation.sample();
+  for (std::size_t i = 0; i < happenings.size(); ++i) {
+    if (!breaks(simulation, happenings, i)) continue;
+    const Happening& h = happenings[i];
+    const Event& event = case_.events[h.event];
+    const Load& load = case_.loads[h.load];
+    const bool hinge = event.action == Event::Action::break_hinge;
+    memory_.notes.push_back(
+        {simulation.time(), load.body.name,
+         fmt::format("{}: {} breaks", event.name,
+                     hinge ? load.hinge.name : load.lock->name)});
+    LoadRecord::Release& release = memory_.loads[h.load].release;
+    if (!hinge || release.time != History::not_yet) continue;
+    const HingeSample now = sample.hinge(h.load);
+    release = {simulation.time(), simulation.angle(h.load),
+               rate_of(load.hinge, sample, h.load),
+               now.relative_angular_velocity,
+               sample.carrier().rotation.transpose() *
+                   (sample.load(h.load).velocity - sample.carrier().velocity)};
+  }
+}
+
+}  // namespace separation

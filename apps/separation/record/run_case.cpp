@@ -1,0 +1,156 @@
+#include "separation/record/run_case.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <optional>
+
+#include "cli/progress.hpp"
+#include "separation/record/checkpoint.hpp"
+
+namespace separation {
+namespace {
+
+// Times at which a run is looked at, 0 to count.
+class OutputTimes {
+ public:
+  OutputTimes(const Case& c, bool only_events)
+      : end_(c.end_time),
+        step_(only_events ? c.end_time : c.output_step),
+        // A last step of a rounding error's length is none.
+        count_(std::max(
+            1L, static_cast<long>(std::ceil(c.end_time / step_ - 1e-9)))) {}
+  long count() const { return count_; }
+  double operator[](long i) const {
+    return i >= count_ ? end_ : static_cast<double>(i) * step_;
+  }
+
+ private:
+  double end_;
+  double step_;
+  long count_;
+};
+
+// Moves on to `time` with all events on the way; false: message() says why.
+bool move_on(Simulation& simulation, Recorder& recorder, double time) {
+  for (;;) {
+    switch (simulation.advance_to(time)) {
+      case Simulation::Stop::time:
+        return true;
+      case Simulation::Stop::failed:
+        return false;
+      case Simulation::Stop::event:
+        recorder.look(simulation);
+        recorder.before(simulation, simulation.happenings());
+        if (!simulation.apply()) return false;
+        recorder.look(simulation);
+    }
+  }
+}
+
+// A motion with what is remembered of it.
+struct Run {
+  std::unique_ptr<Simulation> simulation;
+  Recorder recorder;
+  bool between_looks;
+  std::optional<cli::Progress> progress;
+  multibody::MotionCounts counts;  // of simulations that are gone
+
+  void start(const Case& c, FrictionChoice friction) {
+    simulation = std::make_unique<Simulation>(c, friction);
+    if (!between_looks && !progress) return;
+    simulation->watch_steps(
+        [this, end = c.end_time](const multibody::MotionSample& sample) {
+          if (between_looks) recorder.look_between(*simulation);
+          if (progress && progress->is_due()) show(sample.time(), end);
+        });
+  }
+  void show(double time, double end) {
+    const double begin = simulation->motion().step_begin();
+    progress->say(
+        fmt::format("{:.6g} s of {:.6g} s, {} steps, the last {:.2g} s", time,
+                    end, all_counts().steps, time - begin));
+  }
+
+  multibody::MotionCounts all_counts() const {
+    const multibody::MotionCounts now = simulation->motion().counts();
+    return {counts.evaluations + now.evaluations, counts.steps + now.steps,
+            counts.outer_iterations + now.outer_iterations};
+  }
+  // From now on as a new simulation that goes on from there: what a run does
+  // after a checkpoint does not depend on whether it was interrupted.
+  void go_on_from(const SimulationState& state, const Case& c,
+                  FrictionChoice friction) {
+    if (simulation) counts = all_counts();
+    start(c, friction);
+    simulation->restore(state);
+    recorder.go_on_with(*simulation);
+  }
+};
+
+// The time of the first checkpoint after `time`: of the time alone, so that it
+// is the same in a run that was interrupted.
+double checkpoint_after(double time, double every) {
+  // A rounding error before a checkpoint's time is that time.
+  return every * (std::floor(time / every * (1 + 1e-12)) + 1) * (1 - 1e-12);
+}
+
+}  // namespace
+
+Outcome run_case(const Case& c, const RunOptions& options) {
+  Run run{nullptr,
+          Recorder(c, options.rows, options.clearance, !options.only_events),
+          !options.only_events,
+          {},
+          {}};
+  if (options.progress) run.progress.emplace();
+  const OutputTimes times(c, options.only_events);
+  double every = options.checkpoint_every;
+  long i = 1;
+  if (options.resume.empty()) {
+    run.start(c, options.friction);
+    run.recorder.look(*run.simulation);
+  } else {
+    Checkpoint from = read_checkpoint(options.resume, options.identity);
+    run.recorder.restore(std::move(from.memory));
+    run.go_on_from(from.simulation, c, options.friction);
+    i = from.next_output;
+    if (!(every > 0)) every = from.every;
+  }
+  std::optional<CheckpointWriter> writer;
+  if (!options.checkpoint.empty()) {
+    writer.emplace(options.checkpoint, options.identity, every);
+  }
+  double next_checkpoint = every > 0
+                               ? checkpoint_after(run.simulation->time(), every)
+                               : History::not_yet;
+  std::string failure;
+  for (; i <= times.count(); ++i) {
+    if (!move_on(*run.simulation, run.recorder, times[i])) {
+      failure = run.simulation->message();
+      // How far it came.
+      if (run.simulation->time() > run.recorder.memory().last_time) {
+        run.recorder.look(*run.simulation);
+      }
+      break;
+    }
+    run.recorder.look(*run.simulation);
+    if (run.simulation->time() < next_checkpoint) continue;
+    next_checkpoint = checkpoint_after(run.simulation->time(), every);
+    const SimulationState state = run.simulation->save();
+    if (writer) writer->write(i + 1, state, run.recorder.memory());
+    run.go_on_from(state, c, options.friction);
+  }
+  Outcome outcome{options.friction,         failure,
+                  run.simulation->time(),   run.recorder.take_memory(),
+                  run.all_counts(),         {},
+                  run.simulation->history()};
+  for (int load = 0; load < static_cast<int>(c.loads.size()); ++load) {
+    outcome.modes.push_back(run.simulation->sample().mode(load));
+  }
+  return outcome;
+}
+
+}  // namespace separation

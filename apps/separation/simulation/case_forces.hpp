@@ -1,0 +1,53 @@
+#pragma once
+
+#include <vector>
+
+#include "multibody/system/force_model.hpp"
+#include "separation/case/case.hpp"
+
+namespace separation {
+
+/// What has happened so far, as far as forces depend on it.
+struct History {
+  static constexpr double not_yet = std::numeric_limits<double>::infinity();
+  /// Time of event e for load i: events[e][i]; not_yet.
+  std::vector<std::vector<double>> events;
+  /// Of each force: a pusher at the end of its stroke pushes no more.
+  std::vector<char> spent;
+
+  History() = default;
+  explicit History(const Case& c)
+      : events(c.events.size(), std::vector<double>(c.loads.size(), not_yet)),
+        spent(c.forces.size(), false) {}
+
+  /// When a clock strikes for a body: of an event that is not about the body
+  /// the first time counts. not_yet if that is not known.
+  double time_of(const Clock& clock, int body, const Case& c) const;
+};
+
+/// The forces of a case from one event to the next.
+class CaseForces final : public multibody::ForceModel {
+ public:
+  /// @param c  has to outlive this object
+  CaseForces(const Case& c, const History& history);
+
+  void add_forces(double time, std::span<const multibody::BodyMotion> bodies,
+                  std::span<multibody::BodyForce> forces) const override;
+  double next_break(double time) const override;
+
+ private:
+  struct Active {
+    const Force* force;
+    double begin, end;  // s
+    double cutoff;      // thrust only
+  };
+  const Case& case_;
+  std::vector<Active> active_;
+  std::vector<double> breaks_;  // increasing
+};
+
+/// How much of a pusher's stroke is used, m; at its length the push ends.
+double stroke_used(const Pusher& pusher, int body,
+                   std::span<const multibody::BodyMotion> bodies);
+
+}  // namespace separation

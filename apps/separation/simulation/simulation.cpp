@@ -1,0 +1,316 @@
+#include "separation/simulation/simulation.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "libcontact/base/error.hpp"
+#include "separation/case/hinge_reader.hpp"
+#include "separation/case/system_of.hpp"
+
+namespace separation {
+namespace {
+
+using Eigen::Vector3d;
+using multibody::HingeMode;
+using multibody::JointKind;
+using multibody::MotionSample;
+
+multibody::MotionStart start_of(const Case& c) {
+  multibody::MotionStart start;
+  start.carrier = c.carrier_start;
+  for (const Load& load : c.loads) start.loads.push_back(load.start);
+  return start;
+}
+
+std::vector<multibody::HingeFriction> friction_of(const Case& c,
+                                                  FrictionChoice choice) {
+  std::vector<multibody::HingeFriction> friction;
+  for (const Load& load : c.loads) {
+    friction.push_back(make_friction(load.hinge, choice));
+  }
+  return friction;
+}
+
+}  // namespace
+
+NodeReactions node_reactions(const Load& load,
+                             const multibody::HingeSample& hinge) {
+  NodeReactions result{hinge.reaction_force, Vector3d::Zero()};
+  if (hinge.mode != HingeMode::locked || !load.lock) return result;
+  const Vector3d d = load.lock->load_point - load.hinge.load_point;
+  result.lock = hinge.reaction_moment.cross(d) / d.squaredNorm();
+  result.hinge -= result.lock;
+  return result;
+}
+
+Simulation::Simulation(const Case& c, FrictionChoice friction)
+    : case_(c),
+      history_(c),
+      motion_(system_of(c), friction_of(c, friction),
+              std::make_shared<CaseForces>(c, history_), start_of(c),
+              c.options) {
+  add_events();
+  if (end_pushes()) renew_forces();
+}
+
+Simulation::~Simulation() = default;
+
+double Simulation::angle(int load) const { return angle(sample(), load); }
+
+double Simulation::angle(const MotionSample& sample, int load) const {
+  const Hinge& hinge = case_.loads[load].hinge;
+  if (hinge.kind == JointKind::none) return NAN;
+  if (hinge.kind == JointKind::axis &&
+      sample.mode(load) != HingeMode::released) {
+    return sample.angle(load);
+  }
+  return hinge_angle(hinge, sample.carrier(), sample.load(load));
+}
+
+// Every event of every load becomes a function of the motion, every pusher
+// one that ends its push. A pusher's stroke at its beginning is
+// end_pushes()'s business; the end of its time belongs to it, as steps end
+// there and its stroke may be used up in the last one.
+void Simulation::add_events() {
+  for (int e = 0; e < static_cast<int>(case_.events.size()); ++e) {
+    const Event& event = case_.events[e];
+    sense_.emplace_back(case_.loads.size(), 1.0);
+    if (event.trigger == Event::Trigger::time ||
+        event.trigger == Event::Trigger::after) {
+      continue;
+    }
+    for (const int load : event.loads) {
+      const Happening h{e, load};
+      if (event.trigger == Event::Trigger::angle && event.value < angle(load)) {
+        sense_[e][load] = -1;
+      }
+      motion_.add_event({[this, h](const MotionSample& sample) {
+                           return has_happened(h) || !is_armed(h)
+                                      ? -1.0
+                                      : condition(sample, h);
+                         },
+                         multibody::MotionEvent::Crossing::rising});
+      meanings_.push_back({h, -1});
+    }
+  }
+  for (int f = 0; f < static_cast<int>(case_.forces.size()); ++f) {
+    const auto* pusher = std::get_if<Pusher>(&case_.forces[f].what);
+    if (pusher == nullptr) continue;
+    const int body = case_.forces[f].body;
+    motion_.add_event(
+        {[this, pusher, body, f](const MotionSample& sample) {
+           const Force& force = case_.forces[f];
+           const double time = sample.time();
+           if (history_.spent[f] ||
+               time <= history_.time_of(force.begin, body, case_) ||
+               time > history_.time_of(force.end, body, case_)) {
+             return -1.0;
+           }
+           return stroke_used(*pusher, body, sample.bodies()) - pusher->stroke;
+         },
+         multibody::MotionEvent::Crossing::rising});
+    meanings_.push_back({{-1, -1}, f});
+  }
+}
+
+bool Simulation::has_happened(const Happening& h) const {
+  return history_.events[h.event][h.load] != History::not_yet;
+}
+
+bool Simulation::is_armed(const Happening& h) const {
+  const int after = case_.events[h.event].after;
+  if (after < 0) return true;
+  const Clock clock{0, after, 0};
+  return history_.time_of(clock, h.load + 1, case_) != History::not_yet;
+}
+
+// Of an event that does not depend on the motion.
+double Simulation::due_time(const Happening& h) const {
+  const Event& event = case_.events[h.event];
+  if (event.trigger == Event::Trigger::time) return event.value;
+  if (event.trigger != Event::Trigger::after) return History::not_yet;
+  return history_.time_of({0, event.after, event.value}, h.load + 1, case_);
+}
+
+// Crosses 0 upwards when the event comes.
+double Simulation::condition(const MotionSample& sample,
+                             const Happening& h) const {
+  const Event& event = case_.events[h.event];
+  if (event.trigger == Event::Trigger::angle) {
+    return sense_[h.event][h.load] * (angle(sample, h.load) - event.value);
+  }
+  if (sample.mode(h.load) == HingeMode::released) return -1;
+  const NodeReactions reactions =
+      node_reactions(case_.loads[h.load], sample.hinge(h.load));
+  const Vector3d& force =
+      event.node == Event::Node::lock ? reactions.lock : reactions.hinge;
+  return force.norm() / event.value - 1;
+}
+
+// What is due now: by the clock, or because its condition was met already when
+// it was armed or when something changed. Not whenever the motion is looked
+// at: conditions that come true on the way are found by the motion, which
+// must not depend on the output times.
+void Simulation::find_due() {
+  const bool changed = std::exchange(changed_, false);
+  for (int e = 0; e < static_cast<int>(case_.events.size()); ++e) {
+    const Event& event = case_.events[e];
+    for (const int load : event.loads) {
+      const Happening h{e, load};
+      if (has_happened(h) || !is_armed(h)) continue;
+      const bool timed = event.trigger == Event::Trigger::time ||
+                         event.trigger == Event::Trigger::after;
+      if (timed ? due_time(h) <= time()
+                : changed && condition(sample(), h) >= 0) {
+        due_.push_back(h);
+      }
+    }
+  }
+}
+
+double Simulation::next_time() const {
+  double next = History::not_yet;
+  for (int e = 0; e < static_cast<int>(case_.events.size()); ++e) {
+    for (const int load : case_.events[e].loads) {
+      const Happening h{e, load};
+      if (!has_happened(h)) next = std::min(next, due_time(h));
+    }
+  }
+  for (const Force& force : case_.forces) {
+    if (!std::holds_alternative<Pusher>(force.what)) continue;
+    const double begin = history_.time_of(force.begin, force.body, case_);
+    if (begin > time()) next = std::min(next, begin);
+  }
+  return next;
+}
+
+// A pusher that begins now with its stroke used up does not push.
+bool Simulation::end_pushes() {
+  bool ended = false;
+  for (std::size_t f = 0; f < case_.forces.size(); ++f) {
+    const Force& force = case_.forces[f];
+    const auto* pusher = std::get_if<Pusher>(&force.what);
+    if (pusher == nullptr || history_.spent[f] ||
+        history_.time_of(force.begin, force.body, case_) != time() ||
+        stroke_used(*pusher, force.body, sample().bodies()) < pusher->stroke) {
+      continue;
+    }
+    history_.spent[f] = true;
+    ended = true;
+  }
+  return ended;
+}
+
+void Simulation::renew_forces() {
+  motion_.set_forces(std::make_shared<CaseForces>(case_, history_));
+}
+
+// Why the motion failed, with the load's name for its number.
+std::string Simulation::failure_text() const {
+  const multibody::MotionFailure& failure = *motion_.failure();
+  const std::string number = fmt::format("(load {})", failure.load);
+  std::string text = failure.message;
+  if (failure.load >= 0 && text.ends_with(number)) {
+    text.replace(text.size() - number.size(), number.size(),
+                 fmt::format("(\"{}\")", case_.loads[failure.load].body.name));
+  }
+  return text;
+}
+
+// The motion has stopped at an event of its own.
+void Simulation::note_motion_event() {
+  const Meaning& meaning = meanings_[motion_.event()];
+  if (meaning.force >= 0) {
+    history_.spent[meaning.force] = true;
+    end_pushes();
+    renew_forces();
+  } else if (!has_happened(meaning.happening)) {
+    due_.push_back(meaning.happening);
+  }
+}
+
+Simulation::Stop Simulation::advance_to(double end) {
+  due_.clear();
+  find_due();
+  while (due_.empty() && time() < end) {
+    switch (motion_.advance_to(std::min(end, next_time()))) {
+      case multibody::Stop::failed:
+        message_ = failure_text();
+        return Stop::failed;
+      case multibody::Stop::event:
+        note_motion_event();
+        break;
+      case multibody::Stop::time:
+        if (end_pushes()) renew_forces();
+        find_due();
+    }
+  }
+  if (due_.empty()) return Stop::time;
+  // Together: all loads of an event when it comes for one.
+  const auto own = due_;
+  for (const Happening& h : own) {
+    const Event& event = case_.events[h.event];
+    if (!event.together) continue;
+    for (const int load : event.loads) {
+      const auto same = [&](const Happening& other) {
+        return other.event == h.event && other.load == load;
+      };
+      if (!has_happened({h.event, load}) &&
+          std::none_of(due_.begin(), due_.end(), same)) {
+        due_.push_back({h.event, load});
+      }
+    }
+  }
+  // At one instant locks break first, whatever the order in the file.
+  std::stable_partition(due_.begin(), due_.end(), [&](const Happening& h) {
+    return case_.events[h.event].action == Event::Action::break_lock;
+  });
+  return Stop::event;
+}
+
+bool Simulation::perform(const Happening& h) {
+  const Event& event = case_.events[h.event];
+  history_.events[h.event][h.load] = time();
+  const HingeMode mode = sample().mode(h.load);
+  if (event.action == Event::Action::break_lock) {
+    if (mode == HingeMode::locked) motion_.unlock(h.load);
+    return true;
+  }
+  if (mode == HingeMode::locked) {
+    message_ = fmt::format(
+        "t = {:.6g} s: event \"{}\": the hinge of \"{}\" breaks while its lock "
+        "still holds: break the lock first",
+        time(), event.name, case_.loads[h.load].body.name);
+    return false;
+  }
+  if (mode != HingeMode::released) motion_.release(h.load);
+  return true;
+}
+
+bool Simulation::apply() {
+  for (const Happening& h : std::exchange(due_, {})) {
+    if (!perform(h)) return false;
+    if (motion_.failure()) {
+      message_ = failure_text();
+      return false;
+    }
+  }
+  changed_ = true;
+  end_pushes();
+  renew_forces();
+  return true;
+}
+
+void Simulation::restore(const SimulationState& state) {
+  history_ = state.history;
+  due_.clear();
+  // A force may have begun just then.
+  changed_ = true;
+  renew_forces();
+  motion_.restore(state.motion);
+}
+
+}  // namespace separation

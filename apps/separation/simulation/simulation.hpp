@@ -1,0 +1,111 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "multibody/motion/motion.hpp"
+#include "separation/case/case.hpp"
+#include "separation/simulation/case_forces.hpp"
+
+namespace separation {
+
+/// Forces that the nodes of a load put on it, given load axes, N.
+struct NodeReactions {
+  Eigen::Vector3d hinge;  ///< the upper node (the only one after the lock)
+  Eigen::Vector3d lock;   ///< the lower node, normal to the line between both
+};
+
+/// How hinge and lock share what holds a locked load: R and M about the hinge
+/// are known; with d from hinge to lock, the lock takes M x d/|d|^2 and the
+/// hinge the rest of the force. What turns about d itself no force normal to d
+/// can hold: it is left to the nodes' fittings.
+NodeReactions node_reactions(const Load& load,
+                             const multibody::HingeSample& hinge);
+
+/// An event that has come for a load.
+struct Happening {
+  int event;
+  int load;
+};
+
+/// All that is needed to go on later.
+struct SimulationState {
+  multibody::MotionState motion;
+  History history;
+};
+
+/// The motion of a case with its events.
+class Simulation {
+ public:
+  /// @param c  has to outlive this object
+  /// @throws contact::Error if the motion cannot begin as the case says
+  Simulation(const Case& c, FrictionChoice friction);
+  ~Simulation();
+
+  const Case& of() const { return case_; }
+  double time() const { return motion_.time(); }
+  const multibody::MotionSample& sample() const { return motion_.sample(); }
+  const multibody::Motion& motion() const { return motion_; }
+  const History& history() const { return history_; }
+
+  /// As Motion::watch_steps().
+  void watch_steps(std::function<void(const multibody::MotionSample&)> look) {
+    motion_.watch_steps(std::move(look));
+  }
+
+  enum class Stop {
+    time,    ///< the time asked for
+    event,   ///< happenings() are due; nothing has been done yet
+    failed,  ///< message() says why
+  };
+  Stop advance_to(double time);
+  const std::vector<Happening>& happenings() const { return due_; }
+  /// Breaks what the events that are due break.
+  /// @return false if that cannot be: message() says why
+  bool apply();
+  const std::string& message() const { return message_; }
+
+  /// Angle of a load's hinge, also after its release: hinge_angle(). NaN
+  /// without a hinge.
+  double angle(int load) const;
+  double angle(const multibody::MotionSample& sample, int load) const;
+
+  SimulationState save() const { return {motion_.save(), history_}; }
+  void restore(const SimulationState& state);
+
+ private:
+  void add_events();
+  bool is_armed(const Happening& h) const;
+  bool has_happened(const Happening& h) const;
+  double due_time(const Happening& h) const;
+  double condition(const multibody::MotionSample& sample,
+                   const Happening& h) const;
+  void find_due();
+  double next_time() const;
+  void note_motion_event();
+  bool end_pushes();
+  void renew_forces();
+  std::string failure_text() const;
+  bool perform(const Happening& h);
+
+  const Case& case_;
+  History history_;
+  multibody::Motion motion_;
+  /// +1: an angle event of a load waits for larger angles; [event][load].
+  std::vector<std::vector<double>> sense_;
+  /// Of each motion event: the happening or the force (pusher).
+  struct Meaning {
+    Happening happening;
+    int force;
+  };
+  std::vector<Meaning> meanings_;
+  std::vector<Happening> due_;
+  /// Begun, gone on from a checkpoint, or broken something at time().
+  bool changed_ = true;
+  std::string message_;
+};
+
+}  // namespace separation

@@ -1,0 +1,253 @@
+#include "multibody_oracle/case_file.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "cli/file_text.hpp"
+#include "libcontact/base/error.hpp"
+#include "multibody_oracle/json_node.hpp"
+#include "multibody_oracle/json_text.hpp"
+#include "multibody_support/prepared.hpp"
+
+namespace multibody {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+using nlohmann::json;
+using nlohmann::ordered_json;
+
+constexpr const char* schema = "carrier-loads/1";
+
+// Redundant data may come from seven printed digits.
+constexpr double agreement = 1e-6;
+
+// Of what is computed or of where the case is from.
+void check_root_keys(const JsonNode& root) {
+  static const std::vector<std::string> keys = {
+      "schema",           "name",    "kind",  "seed",    "oracle",
+      "gravity_inertial", "carrier", "loads", "expected"};
+  root.allow_keys(keys, "the file");
+}
+
+void check_carrier_keys(const JsonNode& carrier) {
+  static const std::vector<std::string> keys = {
+      "mass",         "inertia_com",      "rotation_to_inertial",
+      "position_com", "velocity_com",     "angular_velocity",
+      "active_force", "active_moment_com"};
+  carrier.allow_keys(keys, "the carrier");
+}
+
+void check_load_keys(const JsonNode& load, JointKind kind) {
+  static const std::vector<std::string> free = {"kind",
+                                                "mass",
+                                                "inertia_com",
+                                                "rotation_to_carrier",
+                                                "relative_angular_velocity",
+                                                "angular_velocity",
+                                                "active_force",
+                                                "active_moment_com"};
+  static const auto with = [](std::vector<std::string> keys,
+                              const std::vector<std::string>& more) {
+    keys.insert(keys.end(), more.begin(), more.end());
+    return keys;
+  };
+  static const std::vector<std::string> spherical = with(
+      free,
+      {"held", "hinge_from_com", "hinge_from_carrier_com", "friction_moment"});
+  static const std::vector<std::string> axis =
+      with(spherical,
+           {"hinge_to_load", "hinge_to_carrier_zero", "angle", "angle_rate"});
+  switch (kind) {
+    case JointKind::none:
+      return load.allow_keys(free, "a free load");
+    case JointKind::spherical:
+      return load.allow_keys(spherical, "a load on a ball joint");
+    case JointKind::axis:
+      return load.allow_keys(axis, "a load on an axis");
+  }
+}
+
+JointKind own_kind(const JsonNode& node) {
+  const std::string kind = node.string();
+  if (kind == "spherical") return JointKind::spherical;
+  if (kind == "axis") return JointKind::axis;
+  if (kind == "free") return JointKind::none;
+  node.fail("spherical, axis or free");
+}
+
+JointKind load_kind(const JsonNode& load, const std::string& kind_of_all) {
+  if (kind_of_all == "mixed") return own_kind(load["kind"]);
+  const bool spherical = kind_of_all == "spherical";
+  const JointKind kind = spherical ? JointKind::spherical : JointKind::axis;
+  if (load.has("kind") && own_kind(load["kind"]) != kind) {
+    load["kind"].fail(spherical ? "spherical, the file's kind"
+                                : "axis, the file's kind");
+  }
+  return kind;
+}
+
+JointMode load_mode(const JsonNode& load, JointKind kind) {
+  if (kind == JointKind::none) return JointMode::released;
+  return load.has("held") && load["held"].boolean() ? JointMode::held
+                                                    : JointMode::turning;
+}
+
+Load read_load(const JsonNode& node, JointKind kind) {
+  Load load;
+  load.kind = kind;
+  load.mass = node["mass"].number();
+  load.inertia = node["inertia_com"].matrix();
+  if (kind != JointKind::none) {
+    load.hinge_from_com = node["hinge_from_com"].vector();
+    load.hinge_from_carrier_com = node["hinge_from_carrier_com"].vector();
+  }
+  if (kind == JointKind::axis) {
+    load.hinge_to_load = node["hinge_to_load"].rotation();
+    load.hinge_to_carrier_zero = node["hinge_to_carrier_zero"].rotation();
+  }
+  return load;
+}
+
+void check_agreement(double error, double scale, const JsonNode& node,
+                     const char* key) {
+  if (error <= agreement * scale) return;
+  node[key].fail(
+      fmt::format("a value that agrees with the load's other data "
+                  "to {} (off by {})",
+                  agreement * scale, error));
+}
+
+void read_turn(const JsonNode& node, LoadInstant& load) {
+  load.angle = node["angle"].number();
+  load.angle_rate = node["angle_rate"].number();
+  load.rotation = axis_rotation(load.load, load.angle);
+  load.relative_angular_velocity =
+      load.angle_rate * load.load.hinge_to_load.col(2);
+  if (node.has("rotation_to_carrier")) {
+    const Matrix3d given = node["rotation_to_carrier"].rotation();
+    check_agreement((given - load.rotation).cwiseAbs().maxCoeff(), 1, node,
+                    "rotation_to_carrier");
+  }
+  if (node.has("relative_angular_velocity")) {
+    const Vector3d given = node["relative_angular_velocity"].vector();
+    check_agreement((given - load.relative_angular_velocity).norm(),
+                    1 + std::abs(load.angle_rate), node,
+                    "relative_angular_velocity");
+  }
+}
+
+LoadInstant read_load_instant(const JsonNode& node, JointKind kind,
+                              const Vector3d& carrier_velocity) {
+  check_load_keys(node, kind);
+  LoadInstant load;
+  load.load = read_load(node, kind);
+  load.mode = load_mode(node, kind);
+  if (kind == JointKind::axis) {
+    read_turn(node, load);
+  } else {
+    load.rotation = node["rotation_to_carrier"].rotation();
+    load.relative_angular_velocity = node["relative_angular_velocity"].vector();
+  }
+  if (load.mode == JointMode::held &&
+      !load.relative_angular_velocity.isZero(0)) {
+    node[kind == JointKind::axis ? "angle_rate" : "relative_angular_velocity"]
+        .fail("0, since the joint is held");
+  }
+  if (node.has("angular_velocity")) {
+    const Vector3d w = load.rotation.transpose() * carrier_velocity +
+                       load.relative_angular_velocity;
+    check_agreement((node["angular_velocity"].vector() - w).norm(),
+                    1 + w.norm(), node, "angular_velocity");
+  }
+  load.active_force = node.vector_or_zero("active_force");
+  load.active_moment_com = node.vector_or_zero("active_moment_com");
+  load.friction_moment = node.vector_or_zero("friction_moment");
+  if (load.mode == JointMode::held && !load.friction_moment.isZero(0)) {
+    node["friction_moment"].fail("0, since the joint is held");
+  }
+  return load;
+}
+
+ordered_json array(const Vector3d& v) { return {v.x(), v.y(), v.z()}; }
+
+ordered_json to_json(const LoadInstant& load, const LoadResult& result) {
+  ordered_json object;
+  object["acceleration_com"] = array(result.acceleration);
+  object["angular_acceleration"] = array(result.angular_acceleration);
+  if (load.load.kind == JointKind::none) return object;
+  const bool axis = load.load.kind == JointKind::axis;
+  if (axis) {
+    object["angle_acceleration"] = result.angle_acceleration;
+  } else {
+    object["relative_angular_acceleration"] =
+        array(result.relative_angular_acceleration);
+  }
+  object["reaction_force"] = array(result.reaction_force);
+  if (axis) {
+    object["reaction_moment_hinge_xy"] = {result.reaction_moment_hinge.x(),
+                                          result.reaction_moment_hinge.y()};
+  }
+  object["reaction_moment"] = array(result.reaction_moment);
+  return object;
+}
+
+}  // namespace
+
+Instant instant_from_json(const json& file) {
+  const JsonNode root(file, "");
+  if (root["schema"].string() != schema) root["schema"].fail(schema);
+  const std::string kind = root["kind"].string();
+  if (kind != "spherical" && kind != "axes" && kind != "mixed") {
+    root["kind"].fail("spherical, axes or mixed");
+  }
+  check_root_keys(root);
+  const JsonNode carrier = root["carrier"];
+  check_carrier_keys(carrier);
+  Instant instant;
+  instant.carrier = {carrier["mass"].number(), carrier["inertia_com"].matrix()};
+  instant.gravity = root["gravity_inertial"].vector();
+  instant.rotation = carrier["rotation_to_inertial"].rotation();
+  instant.position = carrier.vector_or_zero("position_com");
+  instant.velocity = carrier.vector_or_zero("velocity_com");
+  instant.angular_velocity = carrier["angular_velocity"].vector();
+  instant.active_force = carrier.vector_or_zero("active_force");
+  instant.active_moment_com = carrier.vector_or_zero("active_moment_com");
+  const JsonNode loads = root["loads"];
+  for (std::size_t i = 0; i < loads.size(); ++i) {
+    instant.loads.push_back(read_load_instant(
+        loads[i], load_kind(loads[i], kind), instant.angular_velocity));
+  }
+  return instant;
+}
+
+Instant read_case(const std::string& file) {
+  const std::string text = cli::file_text(file);
+  if (text.empty()) throw contact::Error(file + ": empty");
+  const json parsed = parse_json(text, file);
+  try {
+    Instant instant = instant_from_json(parsed);
+    prepare(instant);  // System's checks, with the file's name
+    return instant;
+  } catch (const contact::Error& error) {
+    throw contact::Error(file + ": " + error.what());
+  }
+}
+
+ordered_json to_json(const Instant& instant, const InstantResult& result) {
+  ordered_json object;
+  object["carrier_acceleration"] = array(result.acceleration);
+  object["carrier_acceleration_minus_gravity"] =
+      array(result.acceleration_minus_gravity);
+  object["carrier_angular_acceleration"] = array(result.angular_acceleration);
+  object["loads"] = ordered_json::array();
+  for (std::size_t i = 0; i < instant.loads.size(); ++i) {
+    object["loads"].push_back(to_json(instant.loads[i], result.loads[i]));
+  }
+  return object;
+}
+
+}  // namespace multibody

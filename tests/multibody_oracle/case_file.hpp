@@ -1,0 +1,31 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "multibody_support/instant.hpp"
+
+/// Cases in the format of data/reference/multibody (its README.md): one
+/// instant of a carrier with loads, as JSON.
+namespace multibody {
+
+/// Reads a case. The file's "kind" is "spherical" or "axes" for all loads, or
+/// "mixed": then each load has its own "kind", one of "spherical", "axis" and
+/// "free". A load with "held": true does not turn in its joint. Forces and
+/// friction moments that are left out are zero, gravity has to be there;
+/// velocities and rotations that are given twice have to agree to 1e-6. Keys
+/// that the format does not have are refused, but for those inside
+/// "expected", which is not looked at.
+/// @throws contact::Error "FILE: key: what is wrong, what is allowed"; where
+///   it is not JSON "FILE:LINE:COLUMN: what is wrong"
+Instant read_case(const std::string& file);
+
+/// The same from parsed JSON.
+/// @throws contact::Error "key: what is wrong, what is allowed"
+Instant instant_from_json(const nlohmann::json& json);
+
+/// The result with the keys and in the frames of the format's "expected".
+nlohmann::ordered_json to_json(const Instant& instant,
+                               const InstantResult& result);
+
+}  // namespace multibody

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <vector>
+
+#include "multibody/dynamics/dynamics.hpp"
+#include "multibody_support/instant.hpp"
+
+namespace multibody {
+
+/// An instant in load axes, as Dynamics takes it.
+struct Prepared {
+  System system;
+  std::vector<JointMode> modes;
+  std::vector<double> state;  ///< StateLayout(system, modes)
+  Loading<double> loading;
+
+  /// Dynamics of the system with its joints in their modes.
+  Dynamics dynamics() const;
+};
+
+/// @throws contact::Error, see System
+Prepared prepare(const Instant& instant);
+
+}  // namespace multibody
