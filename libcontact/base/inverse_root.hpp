@@ -10,7 +10,7 @@
 #endif
 
 /// 1/sqrt(x) for double and lane types, to two units in the last place, of two
-/// numbers at once to three (inverse_root_test.cpp); x > 0.
+/// numbers at once to three (base/inverse_root_test.cpp); x > 0.
 namespace contact::detail {
 
 template <class V>

@@ -21,7 +21,7 @@ struct SineCosine {
 ///
 /// @param angle_deg  angle, degrees, any finite value; NaN gives NaN.
 /// @return sine and cosine; relative error at most 4e-16 each
-///         (units_test.cpp, against 50-digit arithmetic).
+///         (base/units_test.cpp, against 50-digit arithmetic).
 SineCosine sine_cosine_deg(double angle_deg);
 
 }  // namespace contact

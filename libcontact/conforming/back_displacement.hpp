@@ -16,7 +16,7 @@ namespace contact::detail {
 /// of q_n exp(-(n + 1/2) w) has a closed form: a quadrature over s replaces a
 /// series that barely converges. Its values are kept as a Chebyshev series for
 /// |f| < 0.8 (pi - psi). Absolute error below 1e-12 for f < pi - psi - 0.1
-/// (conforming_ball_test.cpp, against the series).
+/// (conforming/ball_test.cpp, against the series).
 class BackDisplacement {
  public:
   /// @param poissons_ratio    nu of the ball, [0, 0.5]

@@ -16,7 +16,7 @@ namespace contact {
 /// Axial symmetry, no friction, first order in the clearance, outer body
 /// infinite. The load parameter is mu = 3 R_n/(2 ebar rho1^2 E).
 ///
-/// Accuracy (conforming_ball_test.cpp): with 16 unknowns the relative error of
+/// Accuracy (conforming/ball_test.cpp): with 16 unknowns the relative error of
 /// 1/mu, times mu or 1 whichever is less, is below 1e-8 for theta0 <= 120 deg
 /// and any pair, which is 1e-6 deg in theta0 at most; with 8 unknowns it is
 /// below 1e-6.
@@ -54,7 +54,7 @@ class BallContact {
   /// limit angle it is the pressure of a ball with interference.
   ///
   /// Accuracy: 5e-7 of the peak with 16 unknowns for theta0 <= 120 deg
-  /// (conforming_ball_test.cpp).
+  /// (conforming/ball_test.cpp).
   /// @param terms  sines of the expansion, 12 (up to 120 deg) or 32
   ContactPressure pressure(
       double half_angle, int terms = ContactPressure::max_terms) const noexcept;

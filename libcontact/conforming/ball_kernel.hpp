@@ -32,7 +32,7 @@ class BallKernel {
   explicit BallKernel(const BallConstants& constants);
 
   /// kappa at many x in (0, 2 pi); absolute error below 1e-13
-  /// (conforming_ball_test.cpp, against a sum of 2e5 terms with closed tail).
+  /// (conforming/ball_test.cpp, against a sum of 2e5 terms with closed tail).
   void evaluate(std::span<const double> x, std::span<double> kappa) const;
 
   /// A in kappa(x) = -A ln x + ..., x -> 0.

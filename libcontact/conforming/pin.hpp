@@ -21,7 +21,7 @@ struct PinConstants {
 /// Plane strain, no friction, first order in the clearance, outer body
 /// infinite. The load parameter is lambda = 2 P/(pi ebar rho1 E).
 ///
-/// Accuracy (conforming_pin_test.cpp): with 16 unknowns the relative error of
+/// Accuracy (conforming/pin_test.cpp): with 16 unknowns the relative error of
 /// 1/lambda, times lambda or 1 whichever is less, is below 1e-9 for
 /// theta0 <= 120 deg and any pair; theta0 is within 1e-9 deg of the closed
 /// form where that exists. The error falls as the sixth power of the number
@@ -65,7 +65,7 @@ class PinContact {
   /// limit angle it is the pressure of a pin with interference.
   ///
   /// Accuracy: 1e-7 of the peak for theta0 <= 120 deg
-  /// (conforming_pin_test.cpp).
+  /// (conforming/pin_test.cpp).
   /// @param terms  sines of the expansion, 12 (up to 120 deg) or 32
   ContactPressure pressure(
       double half_angle, int terms = ContactPressure::max_terms) const noexcept;

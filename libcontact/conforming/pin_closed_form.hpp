@@ -16,7 +16,7 @@ namespace contact {
 /// Accuracy: largest relative error of load_parameter() 2e-15 up to
 /// 1/lambda = 0.1, where its own rounding begins to be magnified by the
 /// nearness of the limit angle; half_angle() 4e-16 of itself there; pressure
-/// 5e-15 of the peak (conforming_pin_test.cpp, against 50-digit arithmetic).
+/// 5e-15 of the peak (conforming/pin_test.cpp, against 50-digit arithmetic).
 /// Source: A. Persson, "On the stress distribution of cylindrical elastic
 /// bodies in contact", Chalmers (1964), for identical materials; M. Ciavarella
 /// and P. Decuzzi, "The state of stress induced by the plane frictionless

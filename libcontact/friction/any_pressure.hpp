@@ -23,7 +23,7 @@ namespace contact {
 ///         R_n = rho^2 p(0) normal; and normal = 1/peak. Force and sliding
 ///         even, spinning odd in a.
 ///         Relative error of each coefficient, given the law's own pressure,
-///         at most 1e-10 for theta0 <= 120 deg (friction_pressure_test.cpp,
+///         at most 1e-10 for theta0 <= 120 deg (friction/any_pressure_test.cpp,
 ///         against quadrature of the definition and by parts). NaN if an
 ///         argument is NaN or out of its interval.
 /// Does not throw. The first calls with a law other than CosinePressure make
@@ -33,10 +33,10 @@ FrictionIntegrals friction_integrals(const PressureLaw& law, double half_angle,
 
 /// friction_integrals() for many points, vectorised over points from 100 points
 /// on; input, output, errors and NaN as in exact_friction_integrals() for many
-/// points. The same numbers to 4e-11 (friction_pressure_test.cpp): the pressure
-/// is interpolated between half-angles of the batch, and a point shares the
-/// nodes of a neighbour that needs more. Allocates nothing after the first
-/// call.
+/// points. The same numbers to 4e-11 (friction/any_pressure_test.cpp): the
+/// pressure is interpolated between half-angles of the batch, and a point
+/// shares the nodes of a neighbour that needs more. Allocates nothing after the
+/// first call.
 void friction_integrals(const PressureLaw& law, const FrictionBatchInput& in,
                         const FrictionBatchOutput& out,
                         InstructionSet set = best_instruction_set());
@@ -50,7 +50,7 @@ void friction_integrals(const PressureLaw& law, const FrictionBatchInput& in,
 ///
 /// `pressure` and `normal` as in friction_integrals(). Relative error, given
 /// the law's own pressure, at most 1e-11 for theta0 <= 120 deg
-/// (friction_pressure_test.cpp).
+/// (friction/any_pressure_test.cpp).
 FrictionIntegrals viscous_friction_integrals(const PressureLaw& law,
                                              double half_angle, SlipAxis axis);
 

@@ -25,7 +25,7 @@ struct FrictionBatchOutput {
 
 /// exact_friction_integrals() for many points, vectorised over points: the
 /// same numbers as the scalar call's to rounding, largest relative error
-/// 1.7e-15 on data/reference (friction_batch_test.cpp). NaN and out-of-range
+/// 1.7e-15 on data/reference (friction/batch_test.cpp). NaN and out-of-range
 /// arguments give NaN in their own places. Works in blocks with its scratch
 /// memory on the stack; allocates nothing.
 ///

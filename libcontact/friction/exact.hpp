@@ -14,7 +14,7 @@ namespace contact {
 /// @param axis        slip axis, sine and cosine of a in [-pi/2, pi/2]
 /// @return all dimensionless; force and sliding even, spinning odd in a.
 ///         Largest relative error 1.3e-15 on data/reference
-///         (friction_exact_test.cpp), theta0 <= 120 deg.
+///         (friction/exact_test.cpp), theta0 <= 120 deg.
 ///         NaN if an argument is NaN or theta0 outside its interval.
 /// Source: (3.2) to (3.9).
 FrictionIntegrals exact_friction_integrals(double half_angle, SlipAxis axis);

@@ -23,7 +23,7 @@ namespace contact {
 /// Outer integral by tanh-sinh quadrature, split where sin t = cot a. A call
 /// costs about a thousand of the exact ones.
 /// Largest relative difference from adaptive quadrature of the definition,
-/// itself good to some 1e-12: 1.4e-12 (friction_models_test.cpp).
+/// itself good to some 1e-12: 1.4e-12 (friction/models_test.cpp).
 FrictionIntegrals planar_friction_integrals(double half_angle, SlipAxis axis);
 
 /// Viscous analogue (section 3.1 of the paper): traction -k Dv with the
@@ -47,7 +47,7 @@ FrictionIntegrals planar_friction_integrals(double half_angle, SlipAxis axis);
 ///     J[p] = pi u^2 (1 - u/3 + u^2/12) cos a
 ///     K[p] = 2 pi u^3 (1/3 - u/12) sin a
 ///
-/// Relative error at most 1e-15 (friction_models_test.cpp, 100 digits).
+/// Relative error at most 1e-15 (friction/models_test.cpp, 100 digits).
 FrictionIntegrals viscous_friction_integrals(double half_angle, SlipAxis axis);
 
 /// Dry friction made to look viscous: the exact values at a = 0 times cos a

@@ -5,8 +5,9 @@
 /// The special cases of the friction integrals of a spherical joint with the
 /// cosine pressure (3.3), by formulas of their own that do not cancel. With
 /// s, c = sin, cos theta0, k^2 the parameter of K, E and
-/// B = (E - (1 - k^2) K)/k^2 the cosine part of K (elliptic.hpp). All results
-/// are dimensionless; NaN gives NaN.
+/// B = (E - (1 - k^2) K)/k^2 the cosine part of K
+/// (friction/elliptic/integrals.hpp). All results are dimensionless; NaN gives
+/// NaN.
 namespace contact {
 
 /// Pure sliding, a = 0: no spinning moment; k^2 = 1 - v^2, integrals over
@@ -26,7 +27,7 @@ namespace contact {
 ///
 /// @param half_angle  theta0, rad, [0, pi]; NaN outside; chi = sigma_Y = 1 at
 ///                    theta0 = 0
-/// @return relative error at most 3e-15 (friction_special_test.cpp).
+/// @return relative error at most 3e-15 (friction/special_test.cpp).
 FrictionIntegrals sliding_friction_integrals(double half_angle);
 
 /// Pure spinning, a = 90 deg: no force, no sliding moment;
@@ -36,7 +37,7 @@ FrictionIntegrals sliding_friction_integrals(double half_angle);
 ///     sigma_Z = K[p]/I_n                (8/15) theta0, the planar disc's
 ///
 /// @param half_angle  theta0, rad, [0, pi]; NaN outside
-/// @return relative error at most 3e-15 (friction_special_test.cpp).
+/// @return relative error at most 3e-15 (friction/special_test.cpp).
 FrictionIntegrals spinning_friction_integrals(double half_angle);
 
 /// Hemisphere, theta0 = 90 deg, any slip axis; k = cos a,
@@ -48,7 +49,7 @@ FrictionIntegrals spinning_friction_integrals(double half_angle);
 /// so that the area moments are those of a viscous film.
 ///
 /// @param axis  slip axis, sine and cosine of a in [-pi/2, pi/2]
-/// @return relative error at most 3e-15 (friction_special_test.cpp).
+/// @return relative error at most 3e-15 (friction/special_test.cpp).
 FrictionIntegrals hemisphere_friction_integrals(SlipAxis axis);
 
 }  // namespace contact

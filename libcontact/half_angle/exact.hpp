@@ -23,7 +23,7 @@ class HalfAngleTable;
 /// microsecond: make one law per joint, not one per load. Copies are not
 /// needed; any number of threads may share one.
 ///
-/// Accuracy (half_angle_exact_test.cpp): theta0 against the solver itself
+/// Accuracy (half_angle/exact_test.cpp): theta0 against the solver itself
 /// within 1e-11 deg (pin) and 1e-8 deg (ball); against truth the solvers'
 /// own errors, 1e-9 deg and 1e-6 deg. Round trips to 1e-13 in theta0.
 /// log_slope within 1e-8. half_angle() to 1e-30 and up to infinite load;

@@ -29,7 +29,7 @@ struct NominalCoefficients;
 ///
 /// Range: any pair, nu from 0 to 0.5, rigid bodies included, all loads.
 /// Error of the law: theta0 within 0.021 % (pin) and 0.07 % (ball) of the
-/// exact one at the same load; half_angle_fitted_test.cpp, on pairs that the
+/// exact one at the same load; half_angle/fitted_test.cpp, on pairs that the
 /// fit did not see. Accuracy of the code: round trips within 1e-14 of the
 /// limit, log_slope within 1e-8.
 class FittedLaw final : public HalfAngleLaw {
@@ -62,7 +62,7 @@ class FittedLaw final : public HalfAngleLaw {
 /// Error of the law for nu = 0.3: 0.05 % (pin), 0.09 % (ball) of theta0 at the
 /// same load, any Ebar, all loads. Other Poisson's ratios move theta0 by
 /// several percent. Accuracy of the code: relative error at most 2e-15
-/// forward, 2e-14 inverse (half_angle_fitted_test.cpp, against 50-digit
+/// forward, 2e-14 inverse (half_angle/fitted_test.cpp, against 50-digit
 /// arithmetic).
 class NominalLaw final : public SaturatingLaw {
  public:

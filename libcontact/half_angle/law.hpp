@@ -19,8 +19,8 @@ struct HalfAngleResult {
   double half_angle;  ///< theta0, rad; NaN if out_of_range
   Status status;
   /// dln(theta0)/dln(load): 1/3 (ball) or 1/2 (pin) at load 0. Absolute error
-  /// at most 1e-15 (half_angle_test.cpp; Hertz: relative) unless a law says
-  /// otherwise. NaN where a law does not know it.
+  /// at most 1e-15 (half_angle/paper_laws_test.cpp; Hertz: relative) unless a
+  /// law says otherwise. NaN where a law does not know it.
   double log_slope = std::numeric_limits<double>::quiet_NaN();
 };
 

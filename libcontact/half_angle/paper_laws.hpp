@@ -22,7 +22,7 @@ class LimitHalfAngle {
   ///
   /// from 92.53 (Ebar = 0) to 80.33 (infinity). Against exact solutions it is
   /// within 0.7 % (docs/half_angle.md); computed to 4e-16 relative
-  /// (half_angle_test.cpp).
+  /// (half_angle/paper_laws_test.cpp).
   /// @param modulus_ratio  Ebar, [0, infinity]
   /// @throws Error if out of range.
   static LimitHalfAngle arctan_formula(double modulus_ratio);
@@ -53,7 +53,7 @@ class LimitHalfAngle {
 ///
 /// Exact as the load tends to 0; already 5 % too large at lambda = 0.03.
 /// Accuracy: relative error at most 1e-15 both ways, x -> 1 included
-/// (half_angle_test.cpp, against 50-digit arithmetic).
+/// (half_angle/paper_laws_test.cpp, against 50-digit arithmetic).
 class HertzLaw : public HalfAngleLaw {
  public:
   explicit HertzLaw(JointKind kind) : HalfAngleLaw(kind) {}
@@ -110,7 +110,7 @@ class SaturatingLaw : public HalfAngleLaw {
 /// theta0 = C atan(x/C), C = 2 theta0*/pi (2.3).
 ///
 /// Accuracy: relative error at most 1e-15 forward, 2e-15 inverse
-/// (half_angle_test.cpp, against 50-digit arithmetic).
+/// (half_angle/paper_laws_test.cpp, against 50-digit arithmetic).
 class ArctanLaw final : public SaturatingLaw {
  public:
   /// @throws Error if initial_slope is not positive and finite.
@@ -127,8 +127,8 @@ class ArctanLaw final : public SaturatingLaw {
 /// theta0 = theta0* tanh(x/theta0*) (2.4); the paper's choice for balls.
 ///
 /// Accuracy: relative error at most 1e-15 forward, 2e-15 inverse
-/// (half_angle_test.cpp, against 50-digit arithmetic). In double precision
-/// theta0 reaches theta0* near x = 19 theta0*.
+/// (half_angle/paper_laws_test.cpp, against 50-digit arithmetic). In double
+/// precision theta0 reaches theta0* near x = 19 theta0*.
 class TanhLaw final : public SaturatingLaw {
  public:
   /// @throws Error if initial_slope is not positive and finite.
@@ -147,7 +147,7 @@ class TanhLaw final : public SaturatingLaw {
 ///
 /// The inverse is a bracketed root between those of the two laws.
 /// Accuracy: relative error at most 1e-15 forward, 3e-15 inverse
-/// (half_angle_test.cpp, against 50-digit arithmetic).
+/// (half_angle/paper_laws_test.cpp, against 50-digit arithmetic).
 class BlendLaw final : public SaturatingLaw {
  public:
   /// @param arctan_share  k, [0, 1]

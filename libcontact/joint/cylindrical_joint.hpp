@@ -51,7 +51,7 @@ class CylindricalJoint {
   /// @param axis      unit vector
   /// @param rate      rad/s about the axis; exactly 0 gives
   ///                  JointState::resting
-  /// @return |f/tan g - 1| <= 2e-13 (cylindrical_joint_test.cpp)
+  /// @return |f/tan g - 1| <= 2e-13 (joint/cylindrical_joint_test.cpp)
   JointSolution solve(const Eigen::Vector3d& reaction,
                       const Eigen::Vector3d& axis, double rate,
                       const SolveOptions& options = {}) const noexcept;

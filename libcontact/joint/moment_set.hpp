@@ -53,11 +53,11 @@ class MomentSet {
 
   /// Smallest tau with M in tau C: the joint holds M if it is <= 1.
   /// 0 at M = 0; infinite outside of a set without extent in that direction.
-  /// Relative error at most 1e-12 (moment_set_test.cpp).
+  /// Relative error at most 1e-12 (joint/moment_set_test.cpp).
   double utilisation(const Eigen::Vector3d& moment) const noexcept;
 
   /// The moment of the set nearest to M.
-  /// Error at most 1e-12 of |M| (moment_set_test.cpp).
+  /// Error at most 1e-12 of |M| (joint/moment_set_test.cpp).
   Eigen::Vector3d project(const Eigen::Vector3d& moment) const noexcept;
 
   /// The motion that friction leaves of a free one:
@@ -69,7 +69,7 @@ class MomentSet {
   /// friction: 0 where C holds W free, else M_t(alpha) = W (alpha - free).
   ///
   /// @param inertia  W, symmetric and positive definite
-  /// @return residual at most 1e-12 (moment_set_test.cpp)
+  /// @return residual at most 1e-12 (joint/moment_set_test.cpp)
   MomentProx prox(const Eigen::Matrix3d& inertia,
                   const Eigen::Vector3d& free) const noexcept;
 

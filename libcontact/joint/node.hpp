@@ -83,7 +83,7 @@ class JointNode {
   /// @param rate      rad/s about the axis; exactly 0: all joints rest
   /// @param solution  from make_solution() or an earlier call, which is then
   ///                  the start; then the result, which reproduces R and M
-  ///                  to 1e-12 of |R| and |R| x distance (joint_node_test.cpp)
+  ///                  to 1e-12 of |R| and |R| x distance (joint/node_test.cpp)
   void solve(const Eigen::Vector3d& reaction, const Eigen::Vector3d& moment,
              const Eigen::Vector3d& axis, double rate,
              NodeSolution& solution) const noexcept;

@@ -94,7 +94,7 @@ class SphericalJoint {
   /// @param reaction  R on the load, N
   /// @param moment    M on the load that friction has to supply, N m
   /// @return slip.friction_moment = M/tau, to 1e-12 of |M|/tau
-  ///         (spherical_joint_rest_test.cpp)
+  ///         (joint/spherical_joint_rest_test.cpp)
   RestSolution utilisation(const Eigen::Vector3d& reaction,
                            const Eigen::Vector3d& moment,
                            const SolveOptions& options = {}) const noexcept;

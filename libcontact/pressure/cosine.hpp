@@ -20,9 +20,9 @@ namespace contact {
 /// | S | 3/(2 + c) | 2 (s - theta0 c)/(theta0 - s c) |
 ///
 /// Accuracy: relative error at most 1e-15 for theta0 from 1e-150 rad to
-/// 170 deg, 2e-15 for pressure(), at any theta inside (pressure_test.cpp,
-/// against the formulas in high precision). slope() overflows to infinity
-/// below 1e-102 rad.
+/// 170 deg, 2e-15 for pressure(), at any theta inside
+/// (pressure/cosine_test.cpp, against the formulas in high precision). slope()
+/// overflows to infinity below 1e-102 rad.
 class CosinePressure final : public PressureLaw {
  public:
   explicit CosinePressure(JointKind kind) : PressureLaw(kind) {}
@@ -45,7 +45,8 @@ class CosinePressure final : public PressureLaw {
 ///     pin:  theta0 - sin theta0 cos theta0,  (2/3) theta0^3
 ///
 /// @param half_angle  theta0, rad, [0, pi]; NaN outside
-/// @return relative error at most 1e-15 (pressure_test.cpp) while the result
+/// @return relative error at most 1e-15 (pressure/cosine_test.cpp) while the
+/// result
 ///         is a normal number.
 double cosine_normal_integral(JointKind kind, double half_angle);
 

@@ -22,7 +22,7 @@ namespace contact {
 /// solves the contact at 28 half-angles or more, some milliseconds for a ball:
 /// make one law per joint. Threads may share one.
 ///
-/// Accuracy (pressure_family_test.cpp): within 5e-8 of the peak of the
+/// Accuracy (pressure/family_test.cpp): within 5e-8 of the peak of the
 /// solver's own pressure for theta0 <= 120 deg, 2e-7 up to the largest; S
 /// within 1e-8 and 1e-7. The load is carried to 1e-12.
 ///

@@ -29,7 +29,7 @@ double pressure_contrast(JointKind kind, const ElasticPair& pair);
 /// (libcontact/reference/fit_pressure_mixture.cpp). One weight serves all: S,
 /// the peak and the friction coefficients.
 ///
-/// Accuracy against ExactPressure (pressure_family_test.cpp), on pairs not used
+/// Accuracy against ExactPressure (pressure/family_test.cpp), on pairs not used
 /// in the fit, Ebar 0 to infinity, nu 0 to 0.5, theta0 up to the limit
 /// half-angle: S within 0.8 % (ball) and 0.1 % (pin), the peak within 2.5 %
 /// and 0.7 %.

@@ -17,7 +17,7 @@ namespace contact {
 /// | S | M_2/(2 c^2 M_3 - M_2) | 1/c |
 ///
 /// Accuracy: relative error at most 1e-14 for theta0 from 1e-150 rad to
-/// 150 deg (pressure_test.cpp, against quadrature in high precision).
+/// 150 deg (pressure/cosine_test.cpp, against quadrature in high precision).
 class SqrtTanPressure final : public PressureLaw {
  public:
   explicit SqrtTanPressure(JointKind kind) : PressureLaw(kind) {}
@@ -44,7 +44,7 @@ class SqrtTanPressure final : public PressureLaw {
 /// | S | 4 H_1(theta0)/H_1(2 theta0) | theta0/(2 J_1(theta0)) |
 ///
 /// Accuracy: relative error at most 1e-14 for theta0 from 1e-150 rad to
-/// 150 deg (pressure_test.cpp, against quadrature in high precision).
+/// 150 deg (pressure/cosine_test.cpp, against quadrature in high precision).
 class SqrtThetaPressure final : public PressureLaw {
  public:
   explicit SqrtThetaPressure(JointKind kind) : PressureLaw(kind) {}

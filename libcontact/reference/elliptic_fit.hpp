@@ -27,7 +27,7 @@ struct EllipticLogFit {
 /// @param order  1 to 9; otherwise throws Error, as when the exchange fails
 EllipticLogFit fit_elliptic_log_form(EllipticKind kind, int order);
 
-/// The text of libcontact/detail/elliptic_log_coefficients.hpp; printed by
+/// The text of libcontact/friction/elliptic/log_coefficients.hpp; printed by
 /// the program fit-elliptic.
 std::string elliptic_log_coefficients_header();
 

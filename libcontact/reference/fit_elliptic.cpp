@@ -2,7 +2,7 @@
 
 #include "libcontact/reference/elliptic_fit.hpp"
 
-/// Prints libcontact/detail/elliptic_log_coefficients.hpp.
+/// Prints libcontact/friction/elliptic/log_coefficients.hpp.
 int main() {
   std::fputs(contact::reference::elliptic_log_coefficients_header().c_str(),
              stdout);

@@ -2,7 +2,7 @@
 
 #include "libcontact/reference/half_angle_fit.hpp"
 
-/// Prints libcontact/detail/half_angle_coefficients.hpp.
+/// Prints libcontact/half_angle/coefficients.hpp.
 int main() {
   std::fputs(contact::reference::half_angle_coefficients_header().c_str(),
              stdout);

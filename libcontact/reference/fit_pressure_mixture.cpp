@@ -2,7 +2,7 @@
 
 #include "libcontact/reference/pressure_mixture_fit.hpp"
 
-/// Prints libcontact/detail/pressure_mixture_coefficients.hpp.
+/// Prints libcontact/pressure/mixture_coefficients.hpp.
 int main() {
   std::fputs(contact::reference::pressure_mixture_header().c_str(), stdout);
 }

@@ -35,7 +35,7 @@ struct NominalFit {
 /// iteration. Pairs: 41 modulus ratios from 0 to infinity, nu = 0.3.
 NominalFit fit_nominal_law(JointKind kind);
 
-/// The text of libcontact/detail/half_angle_coefficients.hpp; printed by the
+/// The text of libcontact/half_angle/coefficients.hpp; printed by the
 /// program fit-half-angle.
 std::string half_angle_coefficients_header();
 

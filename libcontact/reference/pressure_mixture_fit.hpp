@@ -20,7 +20,7 @@ struct MixtureFit {
 /// ends if that is less.
 MixtureFit fit_pressure_mixture(JointKind kind);
 
-/// libcontact/detail/pressure_mixture_coefficients.hpp.
+/// libcontact/pressure/mixture_coefficients.hpp.
 std::string pressure_mixture_header();
 
 }  // namespace contact::reference

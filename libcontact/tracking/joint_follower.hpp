@@ -99,7 +99,7 @@ class JointFollower {
   }
   /// After evaluate(), and extend(): what M_t is likely to be wrong by, over
   /// |M_t|, from how wrong the slopes were found lately: at most 0.53
-  /// of it on 1200 random paths (joint_follower_test.cpp).
+  /// of it on 1200 random paths (tracking/joint_follower_test.cpp).
   double error(int joint) const noexcept;
 
   /// For those who bring M_t together with the motion that it causes: the

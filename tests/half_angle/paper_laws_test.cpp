@@ -1,5 +1,5 @@
-#include "libcontact/half_angle/factory.hpp"
 #include "libcontact/half_angle/paper_laws.hpp"
+#include "libcontact/half_angle/factory.hpp"
 
 #include <gtest/gtest.h>
 
@@ -552,7 +552,7 @@ double largest_error(const char* file, const char* load_column,
 }
 
 // The paper's laws in percent, on the loads of the reference tables;
-// docs/half_angle.md has more loads and laws (hinge_angle_test.cpp).
+// docs/half_angle.md has more loads and laws (apps/hinge_angle_test.cpp).
 struct LargestErrors {
   double modulus_ratio;
   double arctan;

@@ -231,7 +231,7 @@ TEST(Clearance, AgainstTheWidestGapBetweenPlanes) {
     }
     ++apart;
     largest = std::max(largest, std::abs(found - expected));
-    // clearance.hpp
+    // clearance/clearance.hpp
     EXPECT_NEAR(found, expected, 1e-5 * (1 + expected))
         << i % 4 << ' ' << i / 4 % 4;
   }

@@ -24,7 +24,7 @@ class DynamicsKernel;
 ///
 /// Accuracy: errors in units of the largest component of a quantity are at
 /// most 3.1e-14 against the dense reference in long double, L = 1 to 64, all
-/// kinds of joints (multibody_test.cpp).
+/// kinds of joints (multibody/dynamics_test.cpp).
 class Dynamics {
  public:
   /// All joints turn at first, bodies of their own are released.
@@ -55,7 +55,7 @@ class Dynamics {
   /// After evaluate(): moments of friction changed by `change`, load axes, one
   /// for each load, ignored where a joint is held or released. Motion,
   /// matrices and factors stay: only what the change adds is computed. Agrees
-  /// with a full evaluation to 1e-14 (multibody_test.cpp).
+  /// with a full evaluation to 1e-14 (multibody/dynamics_test.cpp).
   void add_friction(std::span<const Vec3<double>> change);
   /// @param change  0 beyond size(), in the last packet
   void add_friction(const VectorRows& change);

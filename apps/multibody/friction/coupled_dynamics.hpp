@@ -81,7 +81,7 @@ struct OuterStep {
 /// all solutions are looked for and the report says how many there are.
 ///
 /// Friction moments are those of the joints alone under the reactions found,
-/// to 1e-9 (measured 2e-10, coupled_dynamics_test.cpp).
+/// to 1e-9 (measured 2e-10, multibody/coupled_dynamics_test.cpp).
 ///
 /// Everything is in load axes (Link::axes), as in Dynamics; friction
 /// solutions in given load axes. No evaluation allocates unless the search

@@ -204,12 +204,13 @@ struct MotionState {
 
 /// A carrier with loads moving through time.
 ///
-/// All vectors come and go in given axes (system.hpp) or inertial axes. The
-/// hinges' rest and slip are found on the way: a resting hinge has relative
+/// All vectors come and go in given axes (system/system.hpp) or inertial axes.
+/// The hinges' rest and slip are found on the way: a resting hinge has relative
 /// velocity exactly 0 and stays where it is to the last bit.
 ///
-/// Accuracy (README.md of this folder, motion_test.cpp): stops, onsets of
-/// sliding and energies meet closed forms to 1e-9 or the chosen tolerance.
+/// Accuracy (README.md of this folder, multibody/motion_test.cpp): stops,
+/// onsets of sliding and energies meet closed forms to 1e-9 or the chosen
+/// tolerance.
 class Motion {
  public:
   /// @param friction  one for each load, or none at all

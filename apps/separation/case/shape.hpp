@@ -43,7 +43,7 @@ struct SolidProperties {
 };
 
 /// Exact formulas; relative error at most 1e-13 against integration over the
-/// solid (separation_parts_test.cpp).
+/// solid (separation/parts_test.cpp).
 SolidProperties solid_properties(const Shape& shape);
 
 /// Of several solids together; where they overlap the density adds up.

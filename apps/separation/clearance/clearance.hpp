@@ -13,7 +13,7 @@ namespace separation {
 ///
 /// Accuracy: 1e-5 m plus 1e-5 of the distance for solids of some metres, any
 /// pair of kinds, against the widest gap between parallel planes
-/// (separation_parts_test.cpp).
+/// (separation/parts_test.cpp).
 class Clearance {
  public:
   /// Two bodies, numbered as in `shapes`.

@@ -11,8 +11,8 @@ namespace contact {
 ///
 /// The form subtracts numbers of order theta0^2 to leave integrals of order
 /// theta0^4 and theta0^6. In double precision it is a check of the exact
-/// method (friction_exact.hpp), which is faster and loses nothing; for other
-/// real types include friction_elliptic_real.hpp.
+/// method (friction/exact.hpp), which is faster and loses nothing; for other
+/// real types include friction/elliptic/friction_real.hpp.
 ///
 /// @param half_angle  theta0, rad, [0, pi]; the limits at theta0 = 0
 /// @param axis        slip axis, sine and cosine of a in [-pi/2, pi/2]
@@ -21,7 +21,7 @@ namespace contact {
 ///         Relative error in double, with s = sin theta0 and
 ///         M = max(s, cos a): area force and sliding 2e-15/M^2; area
 ///         spinning, pressure force and sliding 6e-15/(s M)^2; pressure
-///         spinning 3e-14/(s^2 M)^2 (friction_elliptic_test.cpp): nothing is
+///         spinning 3e-14/(s^2 M)^2 (friction/elliptic_test.cpp): nothing is
 ///         left of the last below theta0 = 0.02 deg. At 50 digits all 20
 ///         digits of data/reference, from theta0 = 0.01 deg.
 /// Source: (3.2) to (3.9); the form is this library's own.
@@ -40,7 +40,7 @@ FrictionIntegrals elliptic_friction_integrals(double half_angle, SlipAxis axis);
 /// @param half_angle  theta0, rad, [0, pi]
 /// @param axis        slip axis, sine and cosine of a in [-pi/2, pi/2]
 /// @return dimensionless, even in a; relative error at most 2e-15
-///         (friction_elliptic_test.cpp). NaN as above.
+///         (friction/elliptic_test.cpp). NaN as above.
 double slip_speed_integral(double half_angle, SlipAxis axis);
 
 }  // namespace contact

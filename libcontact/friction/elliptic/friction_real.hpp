@@ -9,8 +9,9 @@
 #include "libcontact/friction/elliptic/integrals_real.hpp"
 #include "libcontact/friction/integrals.hpp"
 
-/// The functions of friction_elliptic.hpp for any real type that Boost.Math
-/// takes. The formulas and letters are those of docs/elliptic_form.md.
+/// The functions of friction/elliptic/friction.hpp for any real type that
+/// Boost.Math takes. The formulas and letters are those of
+/// docs/elliptic_form.md.
 namespace contact {
 namespace elliptic_form {
 

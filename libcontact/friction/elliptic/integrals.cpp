@@ -13,7 +13,8 @@ namespace {
 
 constexpr double ln4 = 2 * std::numbers::ln2;
 
-/// Rounding of the log forms, measured 9e-16 at order 9 (elliptic_test.cpp).
+/// Rounding of the log forms, measured 9e-16 at order 9
+/// (friction/elliptic_integrals_test.cpp).
 constexpr double log_form_rounding = 1e-15;
 
 /// c_0 + c_1 x + ..., `size` terms.

@@ -24,8 +24,9 @@
 /// Arguments outside, infinite or NaN give NaN; nothing throws.
 ///
 /// Accuracy: largest relative error 1e-15 on x in [1e-300, 1e3] and
-/// p in [1e-12, 1e3] (elliptic_test.cpp, data/reference/elliptic.csv).
-/// For other real types include elliptic_real.hpp.
+/// p in [1e-12, 1e3] (friction/elliptic_integrals_test.cpp,
+/// data/reference/elliptic.csv). For other real types include
+/// friction/elliptic/integrals_real.hpp.
 namespace contact {
 
 /// Complete elliptic integral of the first kind K.
@@ -47,11 +48,11 @@ double elliptic_pi_sine(double p, double x);
 
 /// The engineering approximation of the paper (section 3, after (3.9)),
 ///     K = 1.3863 + 0.1845 x - (0.5 + 0.0879 x) ln x,  0 < x <= 1.
-/// Largest relative error 1.1e-3 (elliptic_test.cpp).
+/// Largest relative error 1.1e-3 (friction/elliptic_integrals_test.cpp).
 double elliptic_k_chebyshev(double x);
 /// The paper's
 ///     E = 1 + 0.5708 x - 0.1948 x ln x,  0 <= x <= 1.
-/// Largest relative error 2.7e-3 (elliptic_test.cpp).
+/// Largest relative error 2.7e-3 (friction/elliptic_integrals_test.cpp).
 double elliptic_e_chebyshev(double x);
 
 /// Approximations of K and E by two polynomials and one logarithm,
@@ -79,7 +80,7 @@ class EllipticLogForm {
   double e(double x) const;
 
   /// Largest relative error of k on (0, 1]: the fit's plus rounding
-  /// (elliptic_test.cpp).
+  /// (friction/elliptic_integrals_test.cpp).
   double error_k() const;
   /// The same of e.
   double error_e() const;

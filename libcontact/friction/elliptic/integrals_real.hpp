@@ -7,8 +7,9 @@
 #include <boost/math/special_functions/ellint_rj.hpp>
 #include <limits>
 
-/// The functions of elliptic.hpp for any real type that Boost.Math takes
-/// (Boost.Multiprecision to 100 digits and more). Same arguments and limits.
+/// The functions of friction/elliptic/integrals.hpp for any real type that
+/// Boost.Math takes (Boost.Multiprecision to 100 digits and more). Same
+/// arguments and limits.
 namespace contact {
 namespace elliptic_policy {
 

@@ -11,7 +11,7 @@ namespace contact::detail {
 /// f, h as in docs/exact_method.md. Both are analytic on [0, 1], their nearest
 /// singularity is x = -1. Coefficients of powers of (x - centre), by
 /// interpolation at the Chebyshev points of the interval in 60-digit
-/// arithmetic; friction_exact_test.cpp makes them anew and compares.
+/// arithmetic; friction/exact_test.cpp makes them anew and compares.
 template <int n>
 struct ArcPolynomial {
   double lower;   ///< the interval is [lower, 1]

@@ -7,7 +7,7 @@
 #include "libcontact/friction/kernel/log_corrections.hpp"
 #include "libcontact/friction/kernel/rule_set.hpp"
 
-// All sizes were found by measurement (friction_pressure_test.cpp).
+// All sizes were found by measurement (friction/any_pressure_test.cpp).
 namespace contact::detail {
 namespace {
 

@@ -5,7 +5,7 @@
 #include "libcontact/friction/kernel/cap_point.hpp"
 
 /// What the friction functions by the exact method and by other pressures
-/// share; in friction_exact.cpp.
+/// share; in friction/exact.cpp.
 namespace contact::detail {
 
 /// The exact method for one point.
