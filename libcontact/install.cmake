@@ -26,3 +26,7 @@ configure_file(${PROJECT_SOURCE_DIR}/cmake/contact.pc.in
   ${PROJECT_BINARY_DIR}/contact.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/contact.pc
   DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+# Examples of materials and joints, which the programs and users start from.
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/data/joints
+  ${PROJECT_SOURCE_DIR}/data/materials
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/libcontact)

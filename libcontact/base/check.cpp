@@ -1,8 +1,7 @@
 #include "libcontact/base/check.hpp"
 
-#include <fmt/format.h>
-
 #include "libcontact/base/error.hpp"
+#include "libcontact/base/text.hpp"
 
 namespace contact::detail {
 
@@ -10,7 +9,7 @@ void require(bool valid, std::string_view place, std::string_view name,
              double value, std::string_view allowed) {
   if (valid) return;
   throw Error(
-      fmt::format("{}: {} = {}: allowed: {}", place, name, value, allowed));
+      detail::message("{}: {} = {}: allowed: {}", place, name, value, allowed));
 }
 
 }  // namespace contact::detail

@@ -1,6 +1,8 @@
 #include "libcontact/base/text.hpp"
 
+#include <fmt/args.h>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -43,6 +45,21 @@ std::size_t slips(std::string_view a, std::string_view b) {
 }
 
 }  // namespace
+
+std::string filled(std::string_view form,
+                   std::initializer_list<MessagePart> parts) {
+  fmt::dynamic_format_arg_store<fmt::format_context> values;
+  for (const MessagePart& part : parts) {
+    std::visit([&](const auto& value) { values.push_back(value); },
+               part.value_);
+  }
+  return fmt::vformat(form, values);
+}
+
+std::string joined(std::span<const std::string> words,
+                   std::string_view separator) {
+  return fmt::format("{}", fmt::join(words, separator));
+}
 
 std::string printable(std::string_view text, std::size_t longest) {
   std::string shown;

@@ -1,11 +1,45 @@
 #pragma once
 
+#include <concepts>
 #include <cstddef>
+#include <initializer_list>
 #include <span>
 #include <string>
 #include <string_view>
+#include <variant>
 
 namespace contact::detail {
+
+/// A word or a number in a message.
+class MessagePart {
+ public:
+  MessagePart(std::string_view word) : value_(word) {}
+  MessagePart(const std::string& word) : value_(word) {}
+  MessagePart(const char* word) : value_(word) {}
+  MessagePart(double number) : value_(number) {}
+  MessagePart(std::integral auto number)
+      : value_(static_cast<long long>(number)) {}
+
+ private:
+  friend std::string filled(std::string_view form,
+                            std::initializer_list<MessagePart> parts);
+  std::variant<std::string_view, double, long long> value_;
+};
+
+/// See message().
+std::string filled(std::string_view form,
+                   std::initializer_list<MessagePart> parts);
+
+/// `form` with its {} filled in, as by fmt::format, which is compiled in one
+/// place only: it would take seconds in each file that makes a message.
+template <class... Parts>
+std::string message(std::string_view form, const Parts&... parts) {
+  return filled(form, {MessagePart(parts)...});
+}
+
+/// "A, B, C".
+std::string joined(std::span<const std::string> words,
+                   std::string_view separator);
 
 /// `text` on one line: control characters as \xNN, cut to some `longest` bytes.
 std::string printable(std::string_view text, std::size_t longest = 60);

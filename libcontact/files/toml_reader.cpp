@@ -1,8 +1,5 @@
 #include "libcontact/files/toml_reader.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <algorithm>
 #include <cerrno>
 #include <cmath>
@@ -140,7 +137,7 @@ std::vector<Spelling> spellings(std::string_view key, Dimension dimension) {
   std::vector<Spelling> result = {{std::string(key), &all.front()}};
   for (const Unit& unit : all) {
     if (unit.ending.empty()) continue;
-    result.push_back({fmt::format("{}_{}", key, unit.ending), &unit});
+    result.push_back({detail::message("{}_{}", key, unit.ending), &unit});
   }
   return result;
 }
@@ -152,7 +149,7 @@ std::string spellings_text(std::string_view key, Dimension dimension) {
     if (!text.empty()) text += ", ";
     text += spelling.key;
     if (spelling.key == key && !spelling.unit->symbol.empty()) {
-      text += fmt::format(" (in {})", spelling.unit->symbol);
+      text += detail::message(" (in {})", spelling.unit->symbol);
     }
   }
   return text;
@@ -162,9 +159,9 @@ std::string allowed_text(const Interval& allowed, const Unit& unit) {
   const bool any_low = allowed.low == -Interval::largest;
   const bool any_high = allowed.high == Interval::largest;
   const auto bound = [&](double value) {
-    const std::string number = fmt::format("{:.6g}", unit.from_si(value));
+    const std::string number = detail::message("{:.6g}", unit.from_si(value));
     return unit.symbol.empty() ? number
-                               : fmt::format("{} {}", number, unit.symbol);
+                               : detail::message("{} {}", number, unit.symbol);
   };
   std::string text;
   if (any_low && any_high) {
@@ -175,10 +172,10 @@ std::string allowed_text(const Interval& allowed, const Unit& unit) {
   } else if (any_low) {
     text = (allowed.high_excluded ? "below " : "up to ") + bound(allowed.high);
   } else if (!allowed.low_excluded && !allowed.high_excluded) {
-    text = fmt::format("{:.6g} to {}", unit.from_si(allowed.low),
-                       bound(allowed.high));
+    text = detail::message("{:.6g} to {}", unit.from_si(allowed.low),
+                           bound(allowed.high));
   } else {
-    text = fmt::format(
+    text = detail::message(
         "{} {:.6g}, {} {}", allowed.low_excluded ? "above" : "from",
         unit.from_si(allowed.low), allowed.high_excluded ? "below" : "up to",
         bound(allowed.high));
@@ -194,8 +191,8 @@ std::string array_text(const toml::array& array) {
   for (const toml::node& element : array) {
     std::string next = (text.empty() ? "" : ", ") + value_text(element);
     if (text.size() + next.size() > longest_array) {
-      text += fmt::format("{}... {} in all", text.empty() ? "" : ", ",
-                          array.size());
+      text += detail::message("{}... {} in all", text.empty() ? "" : ", ",
+                              array.size());
       break;
     }
     text += next;
@@ -209,10 +206,10 @@ std::string value_text(const toml::node& node) {
     return '"' + detail::printable(text->get()) + '"';
   }
   if (const auto number = node.as_floating_point()) {
-    return fmt::format("{}", number->get());
+    return detail::message("{}", number->get());
   }
   if (const auto number = node.as_integer()) {
-    return fmt::format("{}", number->get());
+    return detail::message("{}", number->get());
   }
   if (const auto flag = node.as_boolean())
     return flag->get() ? "true" : "false";
@@ -255,8 +252,8 @@ struct TomlTable::Entry {
 
   // "PLACE = VALUE: allowed: ALLOWED"
   [[noreturn]] void refuse(const std::string& allowed) const {
-    throw Error(
-        fmt::format("{} = {}: allowed: {}", place, value_text(*node), allowed));
+    throw Error(detail::message("{} = {}: allowed: {}", place,
+                                value_text(*node), allowed));
   }
 
   // A number of this key, or of its array, at `index`: "[3]", "[2][1]".
@@ -268,17 +265,17 @@ struct TomlTable::Entry {
     } else if (const auto integer = value.as_integer()) {
       result = static_cast<double>(integer->get());
     } else {
-      throw Error(fmt::format("{}{} = {}: allowed: a number", place, index,
-                              value_text(value)));
+      throw Error(detail::message("{}{} = {}: allowed: a number", place, index,
+                                  value_text(value)));
     }
     result = unit->to_si(result);
     if (!allowed.contains(result)) {
       const bool says_so = allowed.low == -Interval::largest ||
                            allowed.high != Interval::largest;
       throw Error(
-          fmt::format("{}{} = {}: allowed: {}{}", place, index,
-                      value_text(value), allowed_text(allowed, *unit),
-                      std::isinf(result) && !says_so ? ", finite" : ""));
+          detail::message("{}{} = {}: allowed: {}{}", place, index,
+                          value_text(value), allowed_text(allowed, *unit),
+                          std::isinf(result) && !says_so ? ", finite" : ""));
     }
     return result;
   }
@@ -289,12 +286,13 @@ struct TomlTable::Entry {
                const std::string& index = "") const {
     const toml::array* values = array.as_array();
     if (values == nullptr || values->size() != count) {
-      throw Error(fmt::format("{}{} = {}: allowed: an array of {} numbers",
-                              place, index, value_text(array), count));
+      throw Error(detail::message("{}{} = {}: allowed: an array of {} numbers",
+                                  place, index, value_text(array), count));
     }
     std::size_t i = 0;
     for (const toml::node& value : *values) {
-      to.push_back(number(value, allowed, fmt::format("{}[{}]", index, ++i)));
+      to.push_back(
+          number(value, allowed, detail::message("{}[{}]", index, ++i)));
     }
   }
 
@@ -304,7 +302,7 @@ struct TomlTable::Entry {
     std::vector<double> result;
     std::size_t i = 0;
     for (const toml::node& row : array) {
-      numbers(row, columns, allowed, result, fmt::format("[{}]", ++i));
+      numbers(row, columns, allowed, result, detail::message("[{}]", ++i));
     }
     return result;
   }
@@ -316,9 +314,9 @@ TomlTable::TomlTable(std::shared_ptr<File> file, const void* table,
 
 TomlTable TomlTable::from_file(const std::filesystem::path& path) {
   const auto refuse = [&path](const std::string& why) {
-    throw Error(fmt::format("{}: cannot be read: {}",
-                            detail::printable(path.string(), longest_line),
-                            why));
+    throw Error(detail::message("{}: cannot be read: {}",
+                                detail::printable(path.string(), longest_line),
+                                why));
   };
   if (path.native().find('\0') != path.native().npos) refuse("not a file");
   std::error_code error;
@@ -349,9 +347,9 @@ TomlTable TomlTable::parse(std::string_view text, const std::string& source,
   try {
     file->root = toml::parse(text);
   } catch (const toml::parse_error& error) {
-    throw Error(
-        fmt::format("{}:{}: {}", source, unsigned(error.source().begin.line),
-                    detail::printable(error.description(), longest_line)));
+    throw Error(detail::message(
+        "{}:{}: {}", source, unsigned(error.source().begin.line),
+        detail::printable(error.description(), longest_line)));
   }
   const void* root = &file->root;
   return TomlTable(std::move(file), root, "");
@@ -387,13 +385,13 @@ std::optional<TomlTable::Entry> TomlTable::find(std::string_view key,
     known[spelling.key] = key;
     const toml::node* node = as_table(table_).get(spelling.key);
     if (node == nullptr) continue;
-    Entry entry{fmt::format("{}:{}: {}", file_->source, line_of(*node),
-                            joined(path_, spelling.key)),
+    Entry entry{detail::message("{}:{}: {}", file_->source, line_of(*node),
+                                joined(path_, spelling.key)),
                 spelling.key, node, spelling.unit};
     if (found) {
-      throw Error(fmt::format("{}: allowed: not together with {} in line {}",
-                              entry.place, found->spelling,
-                              line_of(*found->node)));
+      throw Error(
+          detail::message("{}: allowed: not together with {} in line {}",
+                          entry.place, found->spelling, line_of(*found->node)));
     }
     found = std::move(entry);
   }
@@ -416,8 +414,8 @@ void TomlTable::missing(std::string_view key, Dimension dimension) const {
   for (const Spelling& spelling : spellings(key, dimension)) {
     const std::string meant = detail::nearest(spelling.key, strange);
     if (meant.empty()) continue;
-    hint = fmt::format(" (is it {} in line {}?)", key_text(meant),
-                       line_of(*as_table(table_).get(meant)));
+    hint = detail::message(" (is it {} in line {}?)", key_text(meant),
+                           line_of(*as_table(table_).get(meant)));
     break;
   }
   // Of a single spelling there is nothing to say.
@@ -425,9 +423,9 @@ void TomlTable::missing(std::string_view key, Dimension dimension) const {
       dimension == Dimension::number
           ? ""
           : ": allowed: " + spellings_text(key, dimension);
-  throw Error(fmt::format("{}:{}: {} is missing{}{}", file_->source,
-                          line_of(as_table(table_)), joined(path_, key),
-                          allowed, hint));
+  throw Error(detail::message("{}:{}: {} is missing{}{}", file_->source,
+                              line_of(as_table(table_)), joined(path_, key),
+                              allowed, hint));
 }
 
 std::optional<double> TomlTable::optional_number(std::string_view key,
@@ -471,7 +469,7 @@ std::optional<std::vector<double>> TomlTable::optional_matrix(
   const toml::array* array = entry->node->as_array();
   if (array == nullptr || array->size() != rows) {
     entry->refuse(
-        fmt::format("an array of {} arrays of {} numbers", rows, columns));
+        detail::message("an array of {} arrays of {} numbers", rows, columns));
   }
   return entry->rows(*array, columns, allowed);
 }
@@ -492,7 +490,7 @@ std::optional<std::vector<double>> TomlTable::optional_list(
   if (!entry) return {};
   const toml::array* array = entry->node->as_array();
   if (array == nullptr || array->size() < least) {
-    entry->refuse(fmt::format("an array of {} or more numbers", least));
+    entry->refuse(detail::message("an array of {} or more numbers", least));
   }
   std::vector<double> result;
   entry->numbers(*array, array->size(), allowed, result);
@@ -515,8 +513,8 @@ std::vector<double> TomlTable::rows(std::string_view key, std::size_t least,
   if (!entry) missing(key, dimension);
   const toml::array* array = entry->node->as_array();
   if (array == nullptr || array->size() < least) {
-    entry->refuse(fmt::format("an array of {} or more arrays of {} numbers",
-                              least, columns));
+    entry->refuse(detail::message("an array of {} or more arrays of {} numbers",
+                                  least, columns));
   }
   return entry->rows(*array, columns, allowed);
 }
@@ -527,7 +525,7 @@ std::optional<std::int64_t> TomlTable::optional_integer(
   if (!entry) return {};
   const auto value = entry->node->as_integer();
   if (value == nullptr || value->get() < low || value->get() > high) {
-    entry->refuse(fmt::format("an integer, {} to {}", low, high));
+    entry->refuse(detail::message("an integer, {} to {}", low, high));
   }
   return value->get();
 }
@@ -599,7 +597,7 @@ std::optional<std::size_t> TomlTable::optional_choice(
       if (words[i] == value->get()) return i;
     }
   }
-  entry->refuse(fmt::format("\"{}\"", fmt::join(words, "\", \"")));
+  entry->refuse(detail::message("\"{}\"", detail::joined(words, "\", \"")));
 }
 
 std::size_t TomlTable::choice(std::string_view key,
@@ -620,8 +618,9 @@ std::optional<TomlTable> TomlTable::optional_table(std::string_view key) const {
 TomlTable TomlTable::table(std::string_view key) const {
   const auto inner = optional_table(key);
   if (!inner) {
-    throw Error(fmt::format("{}:{}: the table [{}] is missing", file_->source,
-                            line_of(as_table(table_)), joined(path_, key)));
+    throw Error(detail::message("{}:{}: the table [{}] is missing",
+                                file_->source, line_of(as_table(table_)),
+                                joined(path_, key)));
   }
   return *inner;
 }
@@ -636,7 +635,7 @@ std::vector<TomlTable> TomlTable::tables(std::string_view key) const {
       if (!node.is_table()) entry->refuse("an array of tables");
       result.push_back(TomlTable(
           file_, node.as_table(),
-          fmt::format("{}[{}]", joined(path_, key), result.size() + 1)));
+          detail::message("{}[{}]", joined(path_, key), result.size() + 1)));
     }
   }
   if (result.empty()) entry->refuse("an array of tables");
@@ -677,17 +676,18 @@ void TomlTable::refuse_keys(bool only_misspelt,
       return;
     }
     first = &value;
-    message = fmt::format(
+    message = detail::message(
         "{}:{}: {}: unknown key: {}", file_->source, line_of(value), place,
-        meant.empty() ? fmt::format("allowed: {}", fmt::join(keys, ", "))
-                      : fmt::format("did you mean {}?", meant));
+        meant.empty()
+            ? detail::message("allowed: {}", detail::joined(keys, ", "))
+            : detail::message("did you mean {}?", meant));
   };
   const std::function<void(const toml::node&, const std::string&)> visit =
       [&](const toml::node& node, const std::string& path) {
         if (const toml::array* array = node.as_array()) {
           std::size_t index = 0;
           for (const toml::node& element : *array) {
-            visit(element, fmt::format("{}[{}]", path, ++index));
+            visit(element, detail::message("{}[{}]", path, ++index));
           }
         } else if (const toml::table* table = node.as_table()) {
           for (const auto& [name, value] : *table) {
@@ -709,19 +709,20 @@ void TomlTable::fail(std::string_view key, const std::string& message) const {
   for (const auto& [spelling, asked] : file_->known[table_]) {
     const toml::node* node = as_table(table_).get(spelling);
     if (asked != key || node == nullptr) continue;
-    throw Error(fmt::format("{}:{}: {} = {}: {}", file_->source, line_of(*node),
-                            joined(path_, spelling), value_text(*node),
-                            message));
+    throw Error(detail::message("{}:{}: {} = {}: {}", file_->source,
+                                line_of(*node), joined(path_, spelling),
+                                value_text(*node), message));
   }
-  throw Error(fmt::format("{}:{}: {}: {}", file_->source,
-                          line_of(as_table(table_)), joined(path_, key),
-                          message));
+  throw Error(detail::message("{}:{}: {}: {}", file_->source,
+                              line_of(as_table(table_)), joined(path_, key),
+                              message));
 }
 
 void TomlTable::fail_missing(std::string_view key,
                              const std::string& why) const {
-  throw Error(fmt::format("{}:{}: {} is missing: {}", file_->source,
-                          line_of(as_table(table_)), joined(path_, key), why));
+  throw Error(detail::message("{}:{}: {} is missing: {}", file_->source,
+                              line_of(as_table(table_)), joined(path_, key),
+                              why));
 }
 
 const std::string& TomlTable::source() const { return file_->source; }

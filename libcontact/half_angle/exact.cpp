@@ -1,9 +1,8 @@
 #include "libcontact/half_angle/exact.hpp"
 
-#include <fmt/format.h>
-
 #include <cmath>
 
+#include "libcontact/base/text.hpp"
 #include "libcontact/base/units.hpp"
 #include "libcontact/conforming/ball.hpp"
 #include "libcontact/conforming/pin.hpp"
@@ -83,9 +82,9 @@ double ExactLaw::limit_half_angle() const noexcept {
 std::vector<std::string> ExactLaw::validity_notes(const ElasticPair&) const {
   if (!table_ || table_->reaches_limit()) return {};
   return {
-      fmt::format("the exact solution ends at {:.4g} deg, before the limit "
-                  "half-angle of this pair",
-                  table_->largest() / degree)};
+      detail::message("the exact solution ends at {:.4g} deg, before the limit "
+                      "half-angle of this pair",
+                      table_->largest() / degree)};
 }
 
 }  // namespace contact

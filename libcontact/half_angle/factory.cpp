@@ -1,7 +1,5 @@
 #include "libcontact/half_angle/factory.hpp"
 
-#include <fmt/format.h>
-
 #include <charconv>
 #include <limits>
 
@@ -38,9 +36,9 @@ double parse_share(std::string_view text) {
   const auto [stop, error] = std::from_chars(text.data(), end, share);
   if (error != std::errc() || stop != end) {
     throw Error(
-        fmt::format("half-angle law blend:{}: allowed: blend:K with K "
-                    "a number from 0 to 1",
-                    text));
+        detail::message("half-angle law blend:{}: allowed: blend:K with K "
+                        "a number from 0 to 1",
+                        text));
   }
   return share;
 }
@@ -60,8 +58,8 @@ std::unique_ptr<HalfAngleLaw> make_half_angle_law(
     std::string_view name, JointKind kind, const ElasticPair& pair,
     const HalfAngleOptions& options, const InnerLoading& loading) {
   if (!half_angle_law_allows(name, loading)) {
-    throw Error(fmt::format("loading {}: half-angle law {}: allowed: exact",
-                            to_string(loading), detail::printable(name)));
+    throw Error(detail::message("loading {}: half-angle law {}: allowed: exact",
+                                to_string(loading), detail::printable(name)));
   }
   if (name == "paper") {
     name = kind == JointKind::spherical ? "tanh" : "blend";
@@ -88,9 +86,9 @@ std::unique_ptr<HalfAngleLaw> make_half_angle_law(
   if (name.starts_with(blend_prefix)) {
     return blend(parse_share(name.substr(blend_prefix.size())));
   }
-  throw Error(fmt::format("half-angle law {}: allowed: {}",
-                          detail::printable(name),
-                          fmt::join(half_angle_law_names(), ", ")));
+  throw Error(detail::message("half-angle law {}: allowed: {}",
+                              detail::printable(name),
+                              detail::joined(half_angle_law_names(), ", ")));
 }
 
 }  // namespace contact

@@ -1,7 +1,5 @@
 #include "libcontact/half_angle/paper_laws.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -9,6 +7,7 @@
 
 #include "libcontact/base/check.hpp"
 #include "libcontact/base/root_finding.hpp"
+#include "libcontact/base/text.hpp"
 #include "libcontact/base/units.hpp"
 #include "libcontact/pair/poisson_notes.hpp"
 
@@ -181,7 +180,7 @@ BlendLaw::BlendLaw(JointKind kind, LimitHalfAngle limit, double arctan_share,
 }
 
 std::string BlendLaw::name() const {
-  return fmt::format("blend:{}", arctan_share_);
+  return detail::message("blend:{}", arctan_share_);
 }
 
 std::vector<std::string> BlendLaw::validity_notes(
@@ -193,9 +192,9 @@ std::vector<std::string> BlendLaw::validity_notes(
     }
   } else if (!(pair.modulus_ratio() > 0.5 && pair.modulus_ratio() < 2)) {
     notes.push_back(
-        fmt::format("a blend is recommended for modulus ratios between 0.5 "
-                    "and 2; this pair has {:.4g}",
-                    pair.modulus_ratio()));
+        detail::message("a blend is recommended for modulus ratios between 0.5 "
+                        "and 2; this pair has {:.4g}",
+                        pair.modulus_ratio()));
   }
   return notes;
 }

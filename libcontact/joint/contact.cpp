@@ -1,13 +1,12 @@
 #include "libcontact/joint/contact.hpp"
 
-#include <fmt/format.h>
-
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <utility>
 
 #include "libcontact/base/error.hpp"
+#include "libcontact/base/text.hpp"
 #include "libcontact/base/units.hpp"
 #include "libcontact/friction/any_pressure.hpp"
 
@@ -16,9 +15,9 @@ namespace {
 
 void check_kind(JointKind joint, JointKind law, const char* what) {
   if (joint == law) return;
-  throw Error(fmt::format("{} joint: {} law for a {} joint: allowed: {}",
-                          to_string(joint), what, to_string(law),
-                          to_string(joint)));
+  throw Error(detail::message("{} joint: {} law for a {} joint: allowed: {}",
+                              to_string(joint), what, to_string(law),
+                              to_string(joint)));
 }
 
 }  // namespace
@@ -58,7 +57,7 @@ std::vector<std::string> JointContact::validity_notes() const {
   constexpr double rounding = 1e-9;
   const double largest = pressure_law_->largest_half_angle();
   if (half_angle_law_->limit_half_angle() > largest * (1 + rounding)) {
-    notes.push_back(fmt::format(
+    notes.push_back(detail::message(
         "pressure law {} ends at {:.4g} deg, before the limit "
         "half-angle of law {}",
         pressure_law_->name(), largest / degree, half_angle_law_->name()));

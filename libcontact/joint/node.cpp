@@ -1,7 +1,5 @@
 #include "libcontact/joint/node.hpp"
 
-#include <fmt/format.h>
-
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -9,6 +7,7 @@
 
 #include "libcontact/base/check.hpp"
 #include "libcontact/base/error.hpp"
+#include "libcontact/base/text.hpp"
 
 namespace contact {
 namespace {
@@ -33,12 +32,12 @@ const JointContact& contact_of(const NodeJoint& joint) {
 
 void check_joints(const std::vector<NodeJoint>& joints) {
   if (joints.size() < 2) {
-    throw Error(fmt::format(
+    throw Error(detail::message(
         "{}: {} joint: allowed: at least 2, to hold moments across the axis",
         place, joints.size()));
   }
   if (count_balls(joints) == 0) {
-    throw Error(fmt::format(
+    throw Error(detail::message(
         "{}: no spherical joint takes the force along the axis", place));
   }
   std::vector<double> positions;
@@ -50,7 +49,8 @@ void check_joints(const std::vector<NodeJoint>& joints) {
   std::ranges::sort(positions);
   const auto twin = std::ranges::adjacent_find(positions);
   if (twin != positions.end()) {
-    throw Error(fmt::format("{}: two joints at position {} m", place, *twin));
+    throw Error(
+        detail::message("{}: two joints at position {} m", place, *twin));
   }
 }
 
@@ -58,10 +58,10 @@ void check_rule(const SharingRule& rule, const std::vector<NodeJoint>& joints) {
   if (rule.radial_stiffness.size() != joints.size() ||
       rule.axial_share.size() != joints.size()) {
     throw Error(
-        fmt::format("{}: sharing rule for {} and {} joints: allowed: "
-                    "one value for each of the {} joints",
-                    place, rule.radial_stiffness.size(),
-                    rule.axial_share.size(), joints.size()));
+        detail::message("{}: sharing rule for {} and {} joints: allowed: "
+                        "one value for each of the {} joints",
+                        place, rule.radial_stiffness.size(),
+                        rule.axial_share.size(), joints.size()));
   }
   double sum = 0;
   for (std::size_t i = 0; i < joints.size(); ++i) {
@@ -82,13 +82,13 @@ void check_rule(const SharingRule& rule, const std::vector<NodeJoint>& joints) {
 // The rule that statics gives.
 SharingRule determinate_rule(const std::vector<NodeJoint>& joints) {
   if (joints.size() > 2) {
-    throw Error(
-        fmt::format("{}: {} joints share the force across the axis: statically "
-                    "indeterminate: allowed: 2 joints, or a sharing rule",
-                    place, joints.size()));
+    throw Error(detail::message(
+        "{}: {} joints share the force across the axis: statically "
+        "indeterminate: allowed: 2 joints, or a sharing rule",
+        place, joints.size()));
   }
   if (count_balls(joints) > 1) {
-    throw Error(fmt::format(
+    throw Error(detail::message(
         "{}: {} spherical joints share the force along the axis: statically "
         "indeterminate: allowed: 1 spherical joint, or a sharing rule",
         place, count_balls(joints)));

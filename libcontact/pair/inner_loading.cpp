@@ -1,10 +1,9 @@
 #include "libcontact/pair/inner_loading.hpp"
 
-#include <fmt/format.h>
-
 #include <numbers>
 
 #include "libcontact/base/check.hpp"
+#include "libcontact/base/text.hpp"
 #include "libcontact/base/units.hpp"
 
 namespace contact {
@@ -21,7 +20,7 @@ InnerLoading InnerLoading::back(double patch_half_angle) {
 
 std::string to_string(const InnerLoading& loading) {
   if (!loading.is_back()) return "centre";
-  return fmt::format("back:{:.6g}", loading.patch_half_angle() / degree);
+  return detail::message("back:{:.6g}", loading.patch_half_angle() / degree);
 }
 
 }  // namespace contact

@@ -1,12 +1,11 @@
 #include "libcontact/pair/joint_geometry.hpp"
 
-#include <fmt/format.h>
-
 #include <cmath>
 #include <limits>
 #include <numbers>
 
 #include "libcontact/base/check.hpp"
+#include "libcontact/base/text.hpp"
 
 namespace contact {
 namespace {
@@ -34,7 +33,7 @@ JointGeometry::JointGeometry(JointKind kind, double radius,
                   "above 0 m, finite");
   detail::require(radial_clearance > 0 && radial_clearance < radius, place,
                   "radial_clearance", radial_clearance,
-                  fmt::format("above 0 m, below the radius {} m", radius));
+                  detail::message("above 0 m, below the radius {} m", radius));
   if (kind == JointKind::cylindrical) {
     detail::require(length > 0 && std::isfinite(length), place, "length",
                     length, "above 0 m, finite");
@@ -55,9 +54,9 @@ JointGeometry JointGeometry::pin(double radius, double radial_clearance,
 std::vector<std::string> JointGeometry::validity_notes() const {
   if (relative_clearance() <= largest_relative_clearance) return {};
   return {
-      fmt::format("relative clearance {:.3g} exceeds {}: the theory is of "
-                  "first order in it",
-                  relative_clearance(), largest_relative_clearance)};
+      detail::message("relative clearance {:.3g} exceeds {}: the theory is of "
+                      "first order in it",
+                      relative_clearance(), largest_relative_clearance)};
 }
 
 LoadScale::LoadScale(const JointGeometry& geometry, const ElasticPair& pair) {

@@ -1,6 +1,6 @@
 #include "libcontact/pair/poisson_notes.hpp"
 
-#include <fmt/format.h>
+#include "libcontact/base/text.hpp"
 
 #include <cmath>
 
@@ -16,8 +16,8 @@ std::vector<std::string> poisson_notes(std::string_view subject,
     const double nu = material.poissons_ratio;
     if (std::abs(nu - 0.3) <= tolerance) return;
     notes.push_back(
-        fmt::format("{} for Poisson's ratio 0.3; the {} body has {:.4g}",
-                    subject, body, nu));
+        detail::message("{} for Poisson's ratio 0.3; the {} body has {:.4g}",
+                        subject, body, nu));
   };
   add("inner", pair.inner());
   add("outer", pair.outer());

@@ -1,7 +1,5 @@
 #include "libcontact/pressure/factory.hpp"
 
-#include <fmt/format.h>
-
 #include "libcontact/base/error.hpp"
 #include "libcontact/base/text.hpp"
 #include "libcontact/pressure/cosine.hpp"
@@ -26,7 +24,7 @@ std::unique_ptr<PressureLaw> make_pressure_law(std::string_view name,
                                                const ElasticPair& pair,
                                                const InnerLoading& loading) {
   if (!pressure_law_allows(name, loading)) {
-    throw Error(fmt::format(
+    throw Error(detail::message(
         "loading {}: pressure law {}: allowed: cosine, sqrt_tan, sqrt_theta, "
         "exact",
         to_string(loading), name));
@@ -37,9 +35,9 @@ std::unique_ptr<PressureLaw> make_pressure_law(std::string_view name,
   if (name == "mixture") return std::make_unique<MixturePressure>(kind, pair);
   if (name == "exact")
     return std::make_unique<ExactPressure>(kind, pair, loading);
-  throw Error(fmt::format("pressure law {}: allowed: {}",
-                          detail::printable(name),
-                          fmt::join(pressure_law_names(), ", ")));
+  throw Error(detail::message("pressure law {}: allowed: {}",
+                              detail::printable(name),
+                              detail::joined(pressure_law_names(), ", ")));
 }
 
 }  // namespace contact

@@ -16,9 +16,14 @@ file(REMOVE_RECURSE ${WORK})
 set(prefix ${WORK}/prefix)
 run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${prefix})
 
-file(GLOB_RECURSE private ${prefix}/include/*detail*)
+file(GLOB_RECURSE private ${prefix}/include/*kernel*)
 if(private)
   message(FATAL_ERROR "private headers installed: ${private}")
+endif()
+if(EXISTS ${BUILD}/bin/hinge-angle)
+  run(${prefix}/bin/hinge-angle --load 2000
+    --joint ${prefix}/share/libcontact/joints/hip_cocr_uhmwpe.toml)
+  message(STATUS "installed program and joint: ${output}")
 endif()
 
 run(${CMAKE_COMMAND} -S ${SOURCE} -B ${WORK}/build

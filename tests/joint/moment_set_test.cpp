@@ -56,9 +56,11 @@ std::vector<RandomSet> random_sets(RandomSlips& random, int count) {
 
 // An inertia with principal moments up to 30 times apart.
 Matrix3d random_inertia(RandomSlips& random) {
-  const Matrix3d turn =
-      Eigen::Quaterniond::FromTwoVectors(random.direction(), random.direction())
-          .toRotationMatrix();
+  const Vector3d from = random.direction(), to = random.direction();
+  Eigen::Quaterniond quaternion;
+  quaternion.w() = 1 + from.dot(to);
+  quaternion.vec() = from.cross(to);
+  const Matrix3d turn = quaternion.normalized().toRotationMatrix();
   const Vector3d principal(1, random.log_uniform(1, 30),
                            random.log_uniform(1, 30));
   return random.log_uniform(1e-3, 1e3) * turn * principal.asDiagonal() *

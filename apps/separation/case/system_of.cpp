@@ -4,19 +4,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "separation/case/turn_of_z.hpp"
+
 namespace separation {
-namespace {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
-
-// Any axes with z along the hinge's axis, carrier axes.
-Matrix3d hinge_axes(const Vector3d& axis) {
-  return Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitZ(), axis)
-      .toRotationMatrix();
-}
-
-}  // namespace
 
 multibody::System system_of(const Case& c) {
   std::vector<multibody::Load> loads;
@@ -30,7 +23,7 @@ multibody::System system_of(const Case& c) {
       part.hinge_from_carrier_com = load.hinge.carrier_point;
     }
     if (part.kind == multibody::JointKind::axis) {
-      part.hinge_to_carrier_zero = hinge_axes(load.hinge.axis);
+      part.hinge_to_carrier_zero = turn_of_z(load.hinge.axis);
       part.hinge_to_load =
           load.hinge.zero_rotation.transpose() * part.hinge_to_carrier_zero;
     }

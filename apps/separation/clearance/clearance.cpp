@@ -8,6 +8,8 @@
 #include <exception>
 #include <limits>
 
+#include "separation/case/turn_of_z.hpp"
+
 namespace separation {
 namespace {
 
@@ -23,8 +25,7 @@ Isometry3d placed(const Shape& shape) {
   const Vector3d span = shape.to - shape.from;
   place.translation() = shape.from + span / 2;
   if (span.norm() > 0) {
-    place.linear() = Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitZ(), span)
-                         .toRotationMatrix();
+    place.linear() = turn_of_z(span);
   }
   return place;
 }
