@@ -309,6 +309,13 @@ TEST(HingeTable, BadOptionsSayWhatIsAllowedAndLeaveNoFile) {
   }
 }
 
+TEST(HingeTable, UnexpectedArgumentsAreListedAsWritten) {
+  const ProgramFolder folder;
+  EXPECT_EQ(folder.run("hinge-table --theta0 1 one --two three 4").err,
+            "hinge-table: not expected: one --two three 4 (see hinge-table "
+            "--help)\n");
+}
+
 TEST(HingeTable, PictureAndTableAreTwoFiles) {
   const ProgramFolder folder;
   const ProgramResult result = folder.run(

@@ -468,6 +468,13 @@ TEST_F(CheckpointFile, EveryDamageIsSeen) {
   EXPECT_EQ(message_of(bytes_), "(no error)");
 }
 
+// What is damaged does not get to the terminal as it is.
+TEST_F(CheckpointFile, MessagesHaveNoRawBytes) {
+  const std::string bytes = "\x1b[2J\xff\x9b\xc2\x80";
+  EXPECT_TRUE(message_of(bytes_.substr(0, bytes_.size() - 8) + bytes)
+                  .ends_with(R"(the file says \x1b[2J\xff\x9b\xc2\x80)"));
+}
+
 TEST_F(CheckpointFile, OtherFilesAreToldFromDamagedOnes) {
   EXPECT_EQ(message_of("nonsense"),
             file_ + ": not a checkpoint of hinge-separation");
