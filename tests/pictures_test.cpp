@@ -43,12 +43,25 @@ bool has(const std::vector<std::string>& all, const std::string& text) {
   return std::find(all.begin(), all.end(), text) != all.end();
 }
 
-// What a shell, gnuplot, its enhanced text or XML would make something of;
-// `line_end` as it stands in a file.
-std::string wild(const std::string& line_end) {
-  return R"(it's "x" `touch pwned` $(touch pwned) @macro a_{b}^2 & <b> ~ # %d )"
-         "$x " +
-         line_end + R"(system("touch pwned") \)";
+// What a shell, gnuplot, its enhanced text or XML would make something of: in
+// names of bodies, and with what those may not have.
+const std::string wild_body = R"(it's `touch pwned` \)";
+const std::string other_wild_body = "$(touch pwned) @m a_{b}^2~&<#";
+const std::string wild_joint = wild_body + other_wild_body +
+                               "\"\n"
+                               R"(system("touch pwned") \)";
+const std::string wild_joint_shown = wild_body + other_wild_body +
+                                     "\"\\x0a"
+                                     R"(system("touch pwned") \)";
+
+// A text as TOML has it.
+std::string toml(const std::string& text) {
+  std::string quoted = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') quoted += '\\';
+    quoted += c == '\n' ? "\\n" : std::string(1, c);
+  }
+  return quoted + '"';
 }
 
 cli::LinePlot plot_of(double low, double high) {
@@ -66,7 +79,8 @@ std::vector<std::string> logarithmic_labels(double low, double high) {
   // Those of the other axis are below 3.
   std::vector<std::string> labels;
   for (const std::string& text : texts(folder.read("p.svg"))) {
-    if (text.find_first_not_of("0123456789.e+-") == text.npos &&
+    if (!text.empty() &&
+        text.find_first_not_of("0123456789.e+-") == text.npos &&
         std::stod(text) >= 3) {
       labels.push_back(text);
     }
@@ -154,38 +168,45 @@ TEST(Pictures, NamesWithControlCharactersAreRefused) {
 TEST(Pictures, NamesAreShownAsTheyAre) {
   const ProgramFolder folder;
   if (!have_gnuplot(folder)) GTEST_SKIP() << no_gnuplot;
-  const std::string shown = wild("\\x0a");
-  std::string toml;  // as TOML has it
-  for (const char c : wild("\n")) {
-    toml += c == '\n' ? "\\n" : std::string(c == '"' || c == '\\', '\\') + c;
-  }
-  const auto replaced = [&](std::string text, const std::string& name) {
-    const std::string line = "name = \"" + name + '"';
-    EXPECT_NE(text.find(line), text.npos);
-    return text.replace(text.find(line), line.size(), "name = \"" + toml + '"');
+  const auto replaced = [](std::string text, const std::string& old,
+                           const std::string& by) {
+    EXPECT_NE(text.find(old), text.npos) << old;
+    return text.replace(text.find(old), old.size(), by);
   };
-  folder.write("j.toml",
-               replaced(folder.read("data/joints/hip_cocr_uhmwpe.toml"),
-                        "hip, 28 mm CoCrMo head in UHMWPE"));
-  folder.write("c.toml", replaced(replaced(folder.read("data/cases/slosh.toml"),
-                                           "tank with two slosh pendulums"),
-                                  "fuel"));
+  const std::string joint =
+      replaced(folder.read("data/joints/hip_cocr_uhmwpe.toml"),
+               "\"hip, 28 mm CoCrMo head in UHMWPE\"", toml(wild_joint));
+  folder.write("j.toml", replaced(joint, "../", "data/"));
+  const std::string slosh =
+      replaced(folder.read("data/cases/slosh.toml"),
+               "\"tank with two slosh pendulums\"", toml(wild_joint));
+  folder.write("c.toml", replaced(replaced(slosh, "\"fuel\"", toml(wild_body)),
+                                  "\"oxidiser\"", toml(other_wild_body)));
+  const auto drawn = [&](const std::string& run, const std::string& picture) {
+    const ProgramResult result = folder.run(run + " --plot p.svg >/dev/null");
+    EXPECT_EQ(result.status, 0) << result.err;
+    EXPECT_FALSE(folder.has("pwned")) << run;
+    return texts(folder.read(picture));
+  };
   for (const std::string run :
        {"hinge-angle --joint j.toml --load 10:5000:log9",
         "hinge-pressure --joint j.toml --load 1000",
         "hinge-joint --joint j.toml --reaction 100:900:100 --beta 30",
-        "hinge-separation c.toml --no-clearance"}) {
-    const ProgramResult result = folder.run(run + " --plot p.svg >/dev/null");
-    EXPECT_EQ(result.status, 0) << result.err;
-    const bool separation = run.starts_with("hinge-separation");
-    const auto all = texts(folder.read(separation ? "p_rates.svg" : "p.svg"));
-    // A title may go on behind the name.
-    const auto count = std::count_if(
-        all.begin(), all.end(),
-        [&](const std::string& text) { return text.starts_with(shown); });
-    EXPECT_EQ(count, separation ? 2 : 1) << run;
-    EXPECT_FALSE(folder.has("pwned")) << run;
+        "hinge-table --joint j.toml --pressure exact --theta0 45 --alpha "
+        "0:90:9"}) {
+    // Some titles say more.
+    EXPECT_EQ(std::ranges::count_if(drawn(run, "p.svg"),
+                                    [](const std::string& text) {
+                                      return text.find(wild_joint_shown) !=
+                                             text.npos;
+                                    }),
+              1)
+        << run;
   }
+  const auto all = drawn("hinge-separation c.toml", "p_rates.svg");
+  EXPECT_TRUE(has(all, wild_joint_shown));
+  EXPECT_TRUE(has(all, wild_body));
+  EXPECT_TRUE(has(all, other_wild_body));
 }
 
 TEST(Pictures, TitlesNameTheJoint) {
