@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <numbers>
 #include <random>
 #include <string>
@@ -16,7 +17,9 @@
 #include "separation/checkpoint.hpp"
 #include "separation/clearance.hpp"
 #include "separation/peaks.hpp"
+#include "separation/run_case.hpp"
 #include "separation/shape.hpp"
+#include "separation/summary.hpp"
 #include "support/error_message.hpp"
 #include "support/program.hpp"
 
@@ -413,6 +416,23 @@ TEST(CaseForces, AirByAngleAndPressure) {
                     "flow = [-3, -4, 0]\ndynamic_pressure_Pa = 10\n",
                 0);
   expect_force(between.load, {-20 * 0.75 * 2, 0, 0}, {0, 0, 0});
+}
+
+// JSON has no number for infinity, and null means no value.
+TEST(Summary, InfinityIsAText) {
+  separation::Case c =
+      separation::read_case(CONTACT_DATA_DIR "/cases/slosh.toml");
+  c.end_time = 0.01;
+  separation::Outcome outcome = separation::run_case(c, {});
+  outcome.memory.loads[0].peak_reaction = INFINITY;
+  outcome.memory.largest_drift = -INFINITY;
+  outcome.memory.largest_energy = NAN;
+  const auto json =
+      nlohmann::json::parse(separation::summary(c, outcome).dump());
+  EXPECT_EQ(json["loads"][0]["peak_reaction_N"], "inf");
+  EXPECT_EQ(json["energy"]["largest_drift_J"], "-inf");
+  EXPECT_TRUE(json["energy"]["largest_J"].is_null());
+  EXPECT_TRUE(json["loads"][1]["peak_reaction_N"].is_number());
 }
 
 // A case and a checkpoint of its start.
