@@ -209,6 +209,19 @@ TEST(Pictures, NamesAreShownAsTheyAre) {
   EXPECT_TRUE(has(all, other_wild_body));
 }
 
+// gnuplot leaves out legends for which there is no room.
+TEST(Pictures, LongLabelsAreCut) {
+  const ProgramFolder folder;
+  if (!have_gnuplot(folder)) GTEST_SKIP() << no_gnuplot;
+  cli::LinePlot plot = plot_of(1, 2);
+  plot.curves.push_back(plot.curves[0]);
+  plot.curves[1].label = std::string(200, 'a');
+  EXPECT_EQ(cli::draw(plot, folder.path() / "p.svg"), "");
+  const auto all = texts(folder.read("p.svg"));
+  EXPECT_TRUE(has(all, "curve"));
+  EXPECT_TRUE(has(all, std::string(40, 'a') + "..."));
+}
+
 TEST(Pictures, TitlesNameTheJoint) {
   const ProgramFolder folder;
   if (!have_gnuplot(folder)) GTEST_SKIP() << no_gnuplot;
@@ -240,6 +253,8 @@ TEST(Pictures, LogarithmicAxesEndWithTheData) {
   EXPECT_EQ(
       logarithmic_labels(1e3, 1e5),
       (Labels{"1000", "2000", "5000", "10000", "20000", "50000", "100000"}));
+  EXPECT_EQ(logarithmic_labels(1e5, 5e6),
+            (Labels{"100000", "200000", "500000", "1e+06", "2e+06", "5e+06"}));
   EXPECT_EQ(logarithmic_labels(200, 500), (Labels{"200", "300", "400", "500"}));
   EXPECT_EQ(logarithmic_labels(35000, 41000),
             (Labels{"36000", "38000", "40000"}));

@@ -9,12 +9,16 @@
 
 #include "cli/gnuplot.hpp"
 #include "cli/number.hpp"
+#include "libcontact/detail/text.hpp"
 
 namespace cli {
 namespace {
 
 // In plots/style.gp.
 constexpr std::size_t plain_colours = 7;
+// Of a legend, in bytes: from 60 on it lies over the curves, and from 100 on
+// gnuplot leaves it out.
+constexpr std::size_t longest_label = 40;
 
 // The data of the curves, added to the script, and what `plot` says of them.
 std::string add_curves(std::string& script, const std::string& name,
@@ -38,9 +42,10 @@ std::string add_curves(std::string& script, const std::string& name,
                                        : i % plain_colours + 1);
     // What goes round the colours again is dotted.
     const int dashes = curve.dashed ? 2 : !family && i >= plain_colours ? 3 : 1;
-    lines += fmt::format("{}${}{} using 1:2 with lines {} dt {} title {}",
-                         lines.empty() ? "" : ", \\\n  ", name, i, colour,
-                         dashes, gnuplot_text(curve.label));
+    lines += fmt::format(
+        "{}${}{} using 1:2 with lines {} dt {} title {}",
+        lines.empty() ? "" : ", \\\n  ", name, i, colour, dashes,
+        gnuplot_text(contact::detail::printable(curve.label, longest_label)));
   }
   return lines;
 }
@@ -90,13 +95,16 @@ std::vector<double> labels_within(const Extent& e) {
 }
 
 // Over the data and no further: gnuplot itself goes on to whole decades, and
-// to one too many where the logarithm of a power of ten is rounded.
+// to one too many where it rounds the logarithm of a power of ten. For the same
+// reason it loses labels at the very ends: 1e-9 is no width of a line.
 std::string logarithmic_axis(char axis, const Extent& e) {
   std::string script =
       fmt::format("set logscale {0}\nset format {0} '%g'\n", axis);
-  if (!(e.high > (1 + 1e-9) * e.low)) return script;  // nothing to resolve
-  script += fmt::format("set {}range [{}:{}]\n", axis, number_text(e.low),
-                        number_text(e.high));
+  constexpr double beyond = 1e-9;
+  if (!(e.high > (1 + beyond) * e.low)) return script;  // nothing to resolve
+  script += fmt::format("set {}range [{}:{}]\n", axis,
+                        number_text((1 - beyond) * e.low),
+                        number_text((1 + beyond) * e.high));
   const std::vector<double> labels = labels_within(e);
   if (labels.empty()) return script;
   return script +
