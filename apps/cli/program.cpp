@@ -25,8 +25,10 @@ constexpr std::array<Choice<Format>, 4> formats = {
      {"markdown", Format::markdown},
      {"latex", Format::latex}}};
 
+// On one line, and nothing in it speaks to the terminal.
 void complain(std::string_view program, std::string_view message) {
-  fmt::print(stderr, "{}: {}\n", program, message);
+  fmt::print(stderr, "{}: {}\n", program,
+             contact::detail::printable(message, message.npos));
 }
 
 // Whether two names are of one file, which need not be there.
