@@ -76,7 +76,7 @@ std::string draw(const Loads& scale, const Input& input, const Setup& setup,
                  const std::vector<NamedLaw>& laws, const std::string& file) {
   const std::vector<double> values = shown_values(input.values);
   cli::LinePlot plot;
-  plot.title = fmt::format("{} joint", to_string(setup.kind));
+  plot.title = setup.title();
   plot.x_label = load_label(input.variable, setup.kind);
   plot.y_label = "contact half-angle θ₀, deg";
   // Laws reach a half-angle at loads that are decades apart.

@@ -22,10 +22,14 @@ Setup setup_from_file(const Options& options) {
                     options.joint));
   }
   const contact::Joint joint = contact::read_joint(options.joint);
-  return {joint.geometry.kind(),  joint.pair,
-          joint.geometry,         joint.half_angle_options,
-          {joint.half_angle_law}, joint.pressure_law,
-          joint.loading};
+  return {.kind = joint.geometry.kind(),
+          .pair = joint.pair,
+          .geometry = joint.geometry,
+          .half_angle_options = joint.half_angle_options,
+          .half_angle_laws = {joint.half_angle_law},
+          .pressure_law = joint.pressure_law,
+          .loading = joint.loading,
+          .name = joint.name};
 }
 
 Setup setup_from_pair(const Options& options, contact::JointKind kind) {

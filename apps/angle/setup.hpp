@@ -51,6 +51,12 @@ struct Setup {
   contact::InnerLoading loading = contact::InnerLoading::centre();
   /// Percent of theta0: what --compare calls good enough.
   double tolerance = 0.1;
+  std::string name = {};  ///< of the joint file, or ""
+
+  /// Of pictures: the name, or the kind of the joint.
+  std::string title() const {
+    return name.empty() ? to_string(kind) + " joint" : name;
+  }
 
   /// What is to say about the geometry.
   std::vector<std::string> geometry_notes() const {

@@ -1,136 +1,24 @@
 #include "cli/plot.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
-#include <cstdlib>
-#include <memory>
+#include <cmath>
+#include <limits>
 
+#include "cli/gnuplot.hpp"
 #include "cli/number.hpp"
-#include "cli/output.hpp"
-#include "cli/plot_style.hpp"
+#include "libcontact/base/text.hpp"
 
 namespace cli {
 namespace {
 
-// Kinds of pictures: gnuplot's terminal, and its options. Sizes and fonts
-// keep text readable when the picture is shown at a third of its width.
-struct Kind {
-  std::string_view suffix;
-  std::string_view terminal;
-  std::string_view options;
-};
-constexpr std::array<Kind, 3> kinds = {{
-    {".svg", "svg",
-     "size 840,560 font 'sans,19' rounded linewidth 1.2 background 'white'"},
-    {".png", "pngcairo", "size 1260,840 font 'sans,20' rounded linewidth 1.5"},
-    {".pdf", "pdfcairo", "size 7in,4.67in font 'sans,14' rounded"},
-}};
-
-const Kind* kind_of(std::string_view file) {
-  for (const Kind& kind : kinds) {
-    if (file.size() > kind.suffix.size() && file.ends_with(kind.suffix)) {
-      return &kind;
-    }
-  }
-  return nullptr;
-}
-
-bool shell(const std::string& command) {
-  return std::system(command.c_str()) == 0;
-}
-
-std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view space = " \t\r\n^";
-  const std::size_t begin = text.find_first_not_of(space);
-  if (begin == std::string_view::npos) return {};
-  return text.substr(begin, text.find_last_not_of(space) - begin + 1);
-}
-
-std::string shell_text(std::string_view text) {
-  std::string quoted = "'";
-  for (const char c : text) {
-    if (c == '\'') {
-      quoted += "'\\''";
-    } else {
-      quoted += c;
-    }
-  }
-  return quoted + '\'';
-}
-
-// What gnuplot says last, without the place in our script; "" if all is well.
-// Its warnings are no business of the user's.
-std::string run_gnuplot(const std::string& script) {
-  const std::string command = "gnuplot " + shell_text(script) + " 2>&1";
-  std::FILE* const pipe = ::popen(command.c_str(), "r");
-  if (pipe == nullptr) return "gnuplot cannot be run";
-  std::string last;
-  std::array<char, 4096> line;
-  while (std::fgets(line.data(), line.size(), pipe) != nullptr) {
-    const std::string_view text = trimmed(line.data());
-    if (!text.empty()) last = text;
-  }
-  if (::pclose(pipe) == 0) return {};
-  const std::size_t place = last.find(": ");
-  if (last.starts_with('"') && place != std::string::npos) {
-    last.erase(0, place + 2);
-  }
-  return "gnuplot: " + (last.empty() ? "failed" : last);
-}
-
-std::string why_not(const Kind& kind) {
-  if (!shell("command -v gnuplot >/dev/null 2>&1")) {
-    return "gnuplot is not installed";
-  }
-  if (!shell(fmt::format("gnuplot -e 'set terminal {}' >/dev/null 2>&1",
-                         kind.terminal))) {
-    return fmt::format("this gnuplot has no terminal \"{}\" for {} files",
-                       kind.terminal, kind.suffix);
-  }
-  return {};
-}
-
-}  // namespace
-
-bool is_picture_name(std::string_view file) { return kind_of(file) != nullptr; }
-
-std::string gnuplot_text(std::string_view text) {
-  std::string quoted = "'";
-  for (const char c : text) {
-    quoted += c;
-    if (c == '\'') quoted += c;
-  }
-  return quoted + '\'';
-}
-
-std::string draw_script(std::string_view script, const std::string& file) {
-  const Kind& kind = *kind_of(file);
-  const std::string reason = why_not(kind);
-  if (!reason.empty()) return "no picture " + file + ": " + reason;
-
-  Output picture(file);
-  // Never committed: the script goes when this function ends.
-  Output commands(file + ".gp");
-  commands.write(fmt::format(
-      "set encoding utf8\nset terminal {} noenhanced {}\nset output {}\n{}\n",
-      kind.terminal, kind.options,
-      gnuplot_text(picture.temporary().empty() ? file
-                                               : picture.temporary().native()),
-      plot_style));
-  commands.write(script);
-  const std::string problem = run_gnuplot(commands.temporary().native());
-  if (!problem.empty()) return "no picture " + file + ": " + problem;
-  picture.commit();
-  return {};
-}
-
-namespace {
-
 // In plots/style.gp.
 constexpr std::size_t plain_colours = 7;
+// Of a legend, in bytes: from 60 on it lies over the curves, and from 100 on
+// gnuplot leaves it out.
+constexpr std::size_t longest_label = 40;
 
 // The data of the curves, added to the script, and what `plot` says of them.
 std::string add_curves(std::string& script, const std::string& name,
@@ -154,11 +42,73 @@ std::string add_curves(std::string& script, const std::string& name,
                                        : i % plain_colours + 1);
     // What goes round the colours again is dotted.
     const int dashes = curve.dashed ? 2 : !family && i >= plain_colours ? 3 : 1;
-    lines += fmt::format("{}${}{} using 1:2 with lines {} dt {} title {}",
-                         lines.empty() ? "" : ", \\\n  ", name, i, colour,
-                         dashes, gnuplot_text(curve.label));
+    lines += fmt::format(
+        "{}${}{} using 1:2 with lines {} dt {} title {}",
+        lines.empty() ? "" : ", \\\n  ", name, i, colour, dashes,
+        gnuplot_text(contact::detail::printable(curve.label, longest_label)));
   }
   return lines;
+}
+
+// Of the values that a logarithmic axis has a place for.
+struct Extent {
+  double low = std::numeric_limits<double>::infinity();
+  double high = 0;
+};
+Extent extent(const std::vector<Curve>& curves,
+              std::vector<double> Curve::*values) {
+  Extent all;
+  for (const Curve& curve : curves) {
+    for (const double value : curve.*values) {
+      if (!(value > 0 && std::isnormal(value))) continue;
+      all.low = std::min(all.low, value);
+      all.high = std::max(all.high, value);
+    }
+  }
+  return all;
+}
+
+// Where the axis is labelled; none for gnuplot's own labels, the decades.
+std::vector<double> labels_within(const Extent& e) {
+  std::vector<double> labels;
+  if (e.high >= 1000 * e.low) return labels;
+  if (e.high >= 10 * e.low) {  // 1, 2, 5, 10, ...: three or more
+    const int first = static_cast<int>(std::floor(std::log10(e.low)));
+    for (int decade = first; decade <= first + 3; ++decade) {
+      for (const int digit : {1, 2, 5}) {
+        labels.push_back(digit * std::pow(10, decade));
+      }
+    }
+    return labels;
+  }
+  // Multiples of a round number: three to eight.
+  const double largest_step = (e.high - e.low) / 3;
+  const double power = std::pow(10, std::floor(std::log10(largest_step)));
+  const double step = power * (largest_step >= 5 * power   ? 5
+                               : largest_step >= 2 * power ? 2
+                                                           : 1);
+  // 1e-9 of a step: a rounding error before the end is the end.
+  for (double n = std::ceil(e.low / step); n <= e.high / step + 1e-9; ++n) {
+    labels.push_back(n * step);
+  }
+  return labels;
+}
+
+// Over the data and no further: gnuplot itself goes on to whole decades, and
+// to one too many where it rounds the logarithm of a power of ten. For the same
+// reason it loses labels at the very ends: 1e-9 is no width of a line.
+std::string logarithmic_axis(char axis, const Extent& e) {
+  std::string script =
+      fmt::format("set logscale {0}\nset format {0} '%g'\n", axis);
+  constexpr double beyond = 1e-9;
+  if (!(e.high > (1 + beyond) * e.low)) return script;  // nothing to resolve
+  script += fmt::format("set {}range [{}:{}]\n", axis,
+                        number_text((1 - beyond) * e.low),
+                        number_text((1 + beyond) * e.high));
+  const std::vector<double> labels = labels_within(e);
+  if (labels.empty()) return script;
+  return script +
+         fmt::format("set {}tics ({:.12g})\n", axis, fmt::join(labels, ", "));
 }
 
 // The upper panel's share and the room for text, as parts of the picture; the
@@ -179,8 +129,12 @@ std::string draw(const LinePlot& plot, const std::string& file) {
       add_curves(script, "curve", plot.curves, plot.family);
   script += fmt::format("set title {}\nset ylabel {}\nunset colorbox\n",
                         gnuplot_text(plot.title), gnuplot_text(plot.y_label));
-  if (plot.logarithmic_x) script += "set logscale x\nset format x '%g'\n";
-  if (plot.logarithmic_y) script += "set logscale y\nset format y '%g'\n";
+  if (plot.logarithmic_x) {
+    script += logarithmic_axis('x', extent(plot.curves, &Curve::x));
+  }
+  if (plot.logarithmic_y) {
+    script += logarithmic_axis('y', extent(plot.curves, &Curve::y));
+  }
   const std::string x_label =
       fmt::format("set xlabel {}\n", gnuplot_text(plot.x_label));
   if (!plot.lower) {

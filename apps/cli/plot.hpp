@@ -2,13 +2,9 @@
 
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace cli {
-
-/// Whether a picture of this name can be drawn: .svg, .png or .pdf.
-bool is_picture_name(std::string_view file);
 
 /// One line of a line plot.
 struct Curve {
@@ -41,16 +37,7 @@ struct LinePlot {
 
 /// Draws a line plot with gnuplot, in the style of plots/style.gp.
 /// @param file  name of the picture; appears when it is complete
-/// @return "" or why there is no picture: gnuplot or the terminal that it
-///         needs for this kind of file is missing, or drawing failed
+/// @return as for draw_script()
 std::string draw(const LinePlot& plot, const std::string& file);
-
-/// Draws what a gnuplot script says. The style is loaded, the terminal and
-/// the output are set before it.
-/// @return as for `draw`
-std::string draw_script(std::string_view script, const std::string& file);
-
-/// Quoted for gnuplot: 'it''s'
-std::string gnuplot_text(std::string_view text);
 
 }  // namespace cli

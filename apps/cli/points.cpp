@@ -8,6 +8,7 @@
 
 #include "cli/csv.hpp"
 #include "libcontact/base/error.hpp"
+#include "libcontact/base/text.hpp"
 
 namespace cli {
 namespace {
@@ -20,14 +21,10 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(" \t") + 1 - first);
 }
 
-// A field as a message shows it: on one line, without control characters.
+// A field as a message shows it.
 std::string shown(std::string_view raw) {
   constexpr std::size_t longest = 40;
-  std::string text(trimmed(raw).substr(0, longest));
-  for (char& c : text) {
-    if (static_cast<unsigned char>(c) < ' ' || c == '\x7f') c = '?';
-  }
-  return trimmed(raw).size() > longest ? text + "..." : text;
+  return contact::detail::printable(trimmed(raw), longest);
 }
 
 // The number in a field; NaN and a text in `why` if it is none.

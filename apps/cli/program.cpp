@@ -1,6 +1,7 @@
 #include "cli/program.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 
@@ -10,9 +11,11 @@
 #include <filesystem>
 
 #include "cli/choice.hpp"
+#include "cli/gnuplot.hpp"
 #include "cli/output.hpp"
 #include "cli/plot.hpp"
 #include "libcontact/base/error.hpp"
+#include "libcontact/base/text.hpp"
 #include "libcontact/version.hpp"
 
 namespace cli {
@@ -24,8 +27,10 @@ constexpr std::array<Choice<Format>, 4> formats = {
      {"markdown", Format::markdown},
      {"latex", Format::latex}}};
 
+// On one line, and nothing in it speaks to the terminal.
 void complain(std::string_view program, std::string_view message) {
-  fmt::print(stderr, "{}: {}\n", program, message);
+  fmt::print(stderr, "{}: {}\n", program,
+             contact::detail::printable(message, message.npos));
 }
 
 // Whether two names are of one file, which need not be there.
@@ -48,6 +53,16 @@ void refuse_empty(const CLI::App& app) {
       throw contact::Error(option->get_name() +
                            ": is empty, allowed: a value, or no such option");
     }
+  }
+}
+
+// Names of files and all other text are shown in messages, on one line.
+void refuse_control_characters(int argc, char** argv) {
+  for (int i = 1; i < argc; ++i) {
+    const std::string_view text = argv[i];
+    if (!contact::detail::has_control_characters(text)) continue;
+    throw contact::Error(fmt::format("{}: control characters are not allowed",
+                                     contact::detail::printable(text)));
   }
 }
 
@@ -105,11 +120,16 @@ int run_program(CLI::App& app, int argc, char** argv,
   app.set_help_flag("--help", "print this help");
   app.get_formatter()->column_width(26);
   try {
+    refuse_control_characters(argc, argv);
     app.parse(argc, argv);
     refuse_empty(app);
     return body();
   } catch (const CLI::Success& request) {
-    return app.exit(request);  // --help, --version
+    return app.exit(request);          // --help, --version
+  } catch (const CLI::ExtrasError&) {  // whose text has them backwards
+    complain(app.get_name(),
+             fmt::format("not expected: {} (see {} --help)",
+                         fmt::join(app.remaining(), " "), app.get_name()));
   } catch (const CLI::ParseError& error) {
     complain(app.get_name(),
              fmt::format("{} (see {} --help)", error.what(), app.get_name()));

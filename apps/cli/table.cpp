@@ -156,7 +156,9 @@ void RowWriter::number(double value) {
                        : rounded_text(value, printed_digits));
   }
   if (std::isnan(value)) return empty();
-  if (std::isinf(value) && table_.format_ == Format::json) return empty();
+  if (std::isinf(value) && table_.format_ == Format::json) {
+    return text(number_text(value));
+  }
   const std::string& before = table_.before_[column_++];
   char* to = text_.reserve(before.size() + longest_number);
   to = std::copy(before.begin(), before.end(), to);

@@ -16,9 +16,10 @@ enum class Format { csv, json, markdown, latex };
 /// (RowWriter) and leave through a TableWriter, so a table of any length
 /// takes the memory of a few blocks of rows.
 ///
-/// csv, json: shortest numbers that read back as the same doubles. NaN is an
-/// empty cell in CSV and null in JSON; infinity is inf in CSV and null in
-/// JSON. JSON is an array of objects, one on each line.
+/// csv, json: shortest numbers that read back as the same doubles. NaN, no
+/// value, is an empty cell in CSV and null in JSON; infinity is inf or -inf in
+/// CSV and the text "inf" or "-inf" in JSON. JSON is an array of objects, one
+/// on each line.
 /// markdown, latex: for print, numbers with 4 significant digits.
 class Table {
  public:

@@ -46,7 +46,7 @@ std::string draw(const PressureTable& pressures,
                  const LoadedContacts& contacts, const std::string& file) {
   const bool pascal = setup.geometry.has_value();
   cli::LinePlot plot;
-  plot.title = fmt::format("{} joint", to_string(setup.kind));
+  plot.title = setup.title();
   if (setup.loading.is_back()) {
     plot.title += ", loading " + to_string(setup.loading);
   }

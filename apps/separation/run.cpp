@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <exception>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -263,11 +264,24 @@ cli::ExitStatus simulate(const Case& c, const Options& o) {
   }
   print_overlaps(c, outcome);
   print_drift(c, outcome);
-  if (history) history->write(outcome.memory.rows);
+  // What one file has no room for costs the others nothing.
+  const auto write = [&status](const auto& file) {
+    try {
+      file();
+    } catch (const std::exception& error) {
+      cli::warn(program, error.what());
+      status = cli::some_bad;
+    }
+  };
+  if (history) write([&] { history->write(outcome.memory.rows); });
+  history.reset();  // and the part that it had room for
   if (events) {
-    events->write(events_csv(outcome));
-    events->commit();
+    write([&] {
+      events->write(events_csv(outcome));
+      events->commit();
+    });
   }
+  events.reset();
   output.write(summary(c, outcome).dump(2) + '\n');
   output.commit();
   if (o.output.plot.empty()) return status;

@@ -17,6 +17,7 @@ struct Materials {
   // Of a joint file.
   std::string pressure_law = {};
   contact::InnerLoading loading = contact::InnerLoading::centre();
+  std::string name = {};
 };
 
 std::optional<Materials> materials_of(const Options& options) {
@@ -27,7 +28,7 @@ std::optional<Materials> materials_of(const Options& options) {
           "--joint {}: a cylindrical joint: allowed spherical", options.joint));
     }
     return Materials{"--joint " + options.joint, joint.pair, joint.pressure_law,
-                     joint.loading};
+                     joint.loading, joint.name};
   }
   if (!options.pair.empty()) {
     return Materials{"--pair " + options.pair,
@@ -65,7 +66,7 @@ void refuse_idle(const Options& options,
 
 }  // namespace
 
-cli::NamedPressure chosen_pressure(const Options& options) {
+PressureChoice chosen_pressure(const Options& options) {
   const std::optional<Materials> materials = materials_of(options);
   std::string name = options.pressure;
   if (name.empty() && materials) name = materials->pressure_law;
@@ -85,7 +86,7 @@ cli::NamedPressure chosen_pressure(const Options& options) {
           options.loading,
           materials ? materials->loading : contact::InnerLoading::centre()));
   refuse_idle(options, materials, name);
-  return pressure;
+  return {std::move(pressure), materials ? materials->name : ""};
 }
 
 }  // namespace hinge_table

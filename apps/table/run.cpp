@@ -201,7 +201,7 @@ Problems write_two_way(const Grid& grid, const Method& method,
 // Draws one quantity: a curve over alpha for each theta0, or, if there is one
 // alpha, over theta0. Returns why there is no picture, or "".
 std::string draw(const Grid& grid, const Method& method, std::size_t quantity,
-                 const Options& options) {
+                 const std::string& joint, const Options& options) {
   // What a picture of some 1,000 dots across can show, however long the
   // table is.
   constexpr std::size_t most_curves = 12;
@@ -216,6 +216,7 @@ std::string draw(const Grid& grid, const Method& method, std::size_t quantity,
   if (method.pressure != contact::default_pressure_law) {
     plot.title += ", pressure " + method.pressure;
   }
+  if (!joint.empty()) plot.title += ", " + joint;
   plot.x_label =
       over_alpha ? "slip axis angle α, deg" : "contact half-angle θ₀, deg";
   plot.y_label = quantities[quantity];
@@ -253,7 +254,8 @@ cli::ExitStatus report(const Problems& problems, const Method& method) {
              : cli::some_bad;
 }
 
-cli::ExitStatus run_grid(const Options& options, const Method& method) {
+cli::ExitStatus run_grid(const Options& options, const Method& method,
+                         const std::string& joint) {
   if (options.theta0.empty() || options.alpha.empty()) {
     throw contact::Error(
         "needs --theta0 and --alpha, or --points (see hinge-table --help)");
@@ -281,7 +283,7 @@ cli::ExitStatus run_grid(const Options& options, const Method& method) {
                      : write_list(grid, method, options.output),
              method);
   if (options.output.plot.empty()) return status;
-  const std::string problem = draw(grid, method, quantity, options);
+  const std::string problem = draw(grid, method, quantity, joint, options);
   if (problem.empty()) return status;
   cli::warn("hinge-table", problem);
   return cli::some_bad;
@@ -290,9 +292,10 @@ cli::ExitStatus run_grid(const Options& options, const Method& method) {
 }  // namespace
 
 cli::ExitStatus run(const Options& options) {
-  const Method method = find_method(options.method, tolerance_of(options),
-                                    chosen_pressure(options));
-  if (options.points.empty()) return run_grid(options, method);
+  const double tolerance = tolerance_of(options);
+  const PressureChoice pressure = chosen_pressure(options);
+  const Method method = find_method(options.method, tolerance, pressure.law);
+  if (options.points.empty()) return run_grid(options, method, pressure.joint);
   if (!options.quantity.empty()) refuse_quantity(options);
   if (!options.output.plot.empty()) {
     throw contact::Error("--plot: needs a grid (--theta0 and --alpha)");

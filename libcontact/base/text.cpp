@@ -22,6 +22,28 @@ bool is_continuation(char c) {
   return (static_cast<unsigned char>(c) & 0xc0) == 0x80;
 }
 
+// Bytes of the character that `text` begins with; 0 if that is a control
+// character or the bytes are not UTF-8.
+std::size_t shown_bytes(std::string_view text) {
+  const auto lead = static_cast<unsigned char>(text.front());
+  if (lead < 0x80) return is_control(text.front()) ? 0 : 1;
+  if (lead < 0xc2 || lead > 0xf4) return 0;
+  const std::size_t size = lead < 0xe0 ? 2 : lead < 0xf0 ? 3 : 4;
+  // The first character that takes so many; of two, the first beyond the
+  // control characters.
+  constexpr std::array<char32_t, 3> first = {0xa0, 0x800, 0x10000};
+  if (text.size() < size) return 0;
+  char32_t character = lead & (0x7f >> size);
+  for (const char c : text.substr(1, size - 1)) {
+    if (!is_continuation(c)) return 0;
+    character = character << 6 | (static_cast<unsigned char>(c) & 0x3f);
+  }
+  const bool surrogate = character >= 0xd800 && character < 0xe000;
+  return character < first[size - 2] || character > 0x10ffff || surrogate
+             ? 0
+             : size;
+}
+
 // Slips between two words (optimal string alignment distance).
 std::size_t slips(std::string_view a, std::string_view b) {
   using Row = std::array<std::size_t, longest_compared + 1>;
@@ -61,17 +83,21 @@ std::string joined(std::span<const std::string> words,
   return fmt::format("{}", fmt::join(words, separator));
 }
 
+bool has_control_characters(std::string_view text) {
+  return std::ranges::any_of(text, is_control);
+}
+
 std::string printable(std::string_view text, std::size_t longest) {
   std::string shown;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    if (shown.size() >= longest && !is_continuation(text[i])) {
-      return shown + "...";
-    }
-    if (is_control(text[i])) {
-      shown += fmt::format("\\x{:02x}", static_cast<unsigned char>(text[i]));
+  while (!text.empty()) {
+    if (shown.size() >= longest) return shown + "...";
+    const std::size_t bytes = shown_bytes(text);
+    if (bytes == 0) {
+      shown += fmt::format("\\x{:02x}", static_cast<unsigned char>(text[0]));
     } else {
-      shown += text[i];
+      shown += text.substr(0, bytes);
     }
+    text.remove_prefix(std::max<std::size_t>(bytes, 1));
   }
   return shown;
 }

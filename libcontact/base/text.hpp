@@ -41,7 +41,12 @@ std::string message(std::string_view form, const Parts&... parts) {
 std::string joined(std::span<const std::string> words,
                    std::string_view separator);
 
-/// `text` on one line: control characters as \xNN, cut to some `longest` bytes.
+/// Whether a character of `text` is a control character, which could end a
+/// line or speak to a terminal.
+bool has_control_characters(std::string_view text);
+
+/// `text` on one line: control characters and bytes that are not UTF-8 as
+/// \xNN, cut to some `longest` bytes.
 std::string printable(std::string_view text, std::size_t longest = 60);
 
 /// The candidate that is at most two slips (a letter more, less, other, or two

@@ -318,7 +318,9 @@ TomlTable TomlTable::from_file(const std::filesystem::path& path) {
                                 detail::printable(path.string(), longest_line),
                                 why));
   };
-  if (path.native().find('\0') != path.native().npos) refuse("not a file");
+  if (detail::has_control_characters(path.native())) {
+    refuse("control characters are not allowed");
+  }
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
   if (error) refuse(error.message());

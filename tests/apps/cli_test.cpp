@@ -25,6 +25,7 @@
 #include "cli/sweep.hpp"
 #include "cli/table.hpp"
 #include "libcontact/base/error.hpp"
+#include "libcontact/base/text.hpp"
 #include "libcontact/base/units.hpp"
 #include "support/error_message.hpp"
 
@@ -149,6 +150,20 @@ TEST(Choice, NamesWhatIsAllowed) {
   }
 }
 
+TEST(Text, PrintableIsOneLineOfUtf8) {
+  using contact::detail::printable;
+  for (const std::string same : {"", "a b~", "θ₀, deg", "\xf0\x9f\x94\xa7"}) {
+    EXPECT_EQ(printable(same), same);
+  }
+  EXPECT_EQ(printable("a\n\t\x7f"), R"(a\x0a\x09\x7f)");
+  // A control character of two bytes, one that is cut, a longer way to write
+  // "/", half of a pair.
+  EXPECT_EQ(printable("\xc2\x9b|\xce|\xe0\x80\xaf|\xed\xa0\x80|\xe2\x82"),
+            R"(\xc2\x9b|\xce|\xe0\x80\xaf|\xed\xa0\x80|\xe2\x82)");
+  EXPECT_EQ(printable("θθθ", 3), "θθ...");
+  EXPECT_EQ(printable("θθ", 4), "θθ");
+}
+
 TEST(Csv, SplitsAndKeepsRawText) {
   std::vector<std::string_view> fields;
   EXPECT_EQ(cli::split_record(R"(1,"a, ""b""", x ,)", fields), "");
@@ -179,7 +194,7 @@ std::string table_text(cli::Format format) {
   const cli::Table table(format, {"name", "p_Pa"});
   cli::Text rows;
   cli::RowWriter row(table, rows);
-  for (const double value : {0.1, 1e-7, nan, infinity}) {
+  for (const double value : {0.1, 1e-7, nan, infinity, -infinity}) {
     row.text("a_\"|,");
     row.number(value);
     row.end();
@@ -193,16 +208,18 @@ TEST(Table, Csv) {
   EXPECT_EQ(table_text(cli::Format::csv),
             "name,p_Pa\n"
             "\"a_\"\"|,\",0.1\n\"a_\"\"|,\",1e-07\n"
-            "\"a_\"\"|,\",\n\"a_\"\"|,\",inf\n");
+            "\"a_\"\"|,\",\n\"a_\"\"|,\",inf\n\"a_\"\"|,\",-inf\n");
 }
 
 TEST(Table, JsonParses) {
   const auto json = nlohmann::json::parse(table_text(cli::Format::json));
-  ASSERT_EQ(json.size(), 4U);
+  ASSERT_EQ(json.size(), 5U);
   EXPECT_EQ(json[0]["name"], "a_\"|,");
   EXPECT_EQ(json[1]["p_Pa"], 1e-7);
   EXPECT_TRUE(json[2]["p_Pa"].is_null());
-  EXPECT_TRUE(json[3]["p_Pa"].is_null());
+  // No value, and no number that JSON has.
+  EXPECT_EQ(json[3]["p_Pa"], "inf");
+  EXPECT_EQ(json[4]["p_Pa"], "-inf");
 }
 
 TEST(Table, Print) {
@@ -212,7 +229,8 @@ TEST(Table, Print) {
             "| a_\"\\|, | 0.1000 |\n"
             "| a_\"\\|, | 1.000e-07 |\n"
             "| a_\"\\|, |      - |\n"
-            "| a_\"\\|, |    inf |\n");
+            "| a_\"\\|, |    inf |\n"
+            "| a_\"\\|, |   -inf |\n");
   EXPECT_EQ(table_text(cli::Format::latex),
             "\\begin{tabular}{rr}\n\\hline\n"
             "name & p\\_Pa \\\\\n\\hline\n"
@@ -220,6 +238,7 @@ TEST(Table, Print) {
             "a\\_\"|, & $1.000\\cdot10^{-7}$ \\\\\n"
             "a\\_\"|, & - \\\\\n"
             "a\\_\"|, & $\\infty$ \\\\\n"
+            "a\\_\"|, & $-\\infty$ \\\\\n"
             "\\hline\n\\end{tabular}\n");
 }
 

@@ -310,6 +310,24 @@ TEST(HingeTable, BadOptionsSayWhatIsAllowedAndLeaveNoFile) {
   }
 }
 
+// Neither what is in a file nor its name gets to the terminal as it is.
+TEST(HingeTable, MessagesHaveNoRawBytes) {
+  const ProgramFolder folder;
+  folder.write("p.csv", "theta0_deg,alpha_deg\n\x1b[2J\xff,1\n");
+  EXPECT_EQ(folder.run("hinge-table --points p.csv").err,
+            "ERROR: line 2: theta0_deg = \\x1b[2J\\xff: not a number, allowed "
+            "0 to 120 deg\n");
+  EXPECT_EQ(folder.run("hinge-table --points $(printf '\\233.csv')").err,
+            "hinge-table: cannot open \\x9b.csv: No such file or directory\n");
+}
+
+TEST(HingeTable, UnexpectedArgumentsAreListedAsWritten) {
+  const ProgramFolder folder;
+  EXPECT_EQ(folder.run("hinge-table --theta0 1 one --two three 4").err,
+            "hinge-table: not expected: one --two three 4 (see hinge-table "
+            "--help)\n");
+}
+
 TEST(HingeTable, PictureAndTableAreTwoFiles) {
   const ProgramFolder folder;
   const ProgramResult result = folder.run(

@@ -516,6 +516,9 @@ TEST_F(JointFolder, FilesThatCannotBeRead) {
   EXPECT_EQ(message(folder_),
             folder_.string() + ": cannot be read: not a file");
   EXPECT_EQ(message("/dev/zero"), "/dev/zero: cannot be read: not a file");
+  EXPECT_EQ(message("a\nb.toml"),
+            "a\\x0ab.toml: cannot be read: control characters are not "
+            "allowed");
 }
 
 // Every file that comes with the library can be read and used.

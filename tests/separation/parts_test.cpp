@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <numbers>
 #include <random>
 #include <string>
@@ -14,8 +15,10 @@
 #include "separation/case/case_reader.hpp"
 #include "separation/case/shape.hpp"
 #include "separation/clearance/clearance.hpp"
+#include "separation/output/summary.hpp"
 #include "separation/record/checkpoint.hpp"
 #include "separation/record/peaks.hpp"
+#include "separation/record/run_case.hpp"
 #include "separation/simulation/case_forces.hpp"
 #include "support/error_message.hpp"
 #include "support/program.hpp"
@@ -415,6 +418,23 @@ TEST(CaseForces, AirByAngleAndPressure) {
   expect_force(between.load, {-20 * 0.75 * 2, 0, 0}, {0, 0, 0});
 }
 
+// JSON has no number for infinity, and null means no value.
+TEST(Summary, InfinityIsAText) {
+  separation::Case c =
+      separation::read_case(CONTACT_DATA_DIR "/cases/slosh.toml");
+  c.end_time = 0.01;
+  separation::Outcome outcome = separation::run_case(c, {});
+  outcome.memory.loads[0].peak_reaction = INFINITY;
+  outcome.memory.largest_drift = -INFINITY;
+  outcome.memory.largest_energy = NAN;
+  const auto json =
+      nlohmann::json::parse(separation::summary(c, outcome).dump());
+  EXPECT_EQ(json["loads"][0]["peak_reaction_N"], "inf");
+  EXPECT_EQ(json["energy"]["largest_drift_J"], "-inf");
+  EXPECT_TRUE(json["energy"]["largest_J"].is_null());
+  EXPECT_TRUE(json["loads"][1]["peak_reaction_N"].is_number());
+}
+
 // A case and a checkpoint of its start.
 class CheckpointFile : public testing::Test {
  protected:
@@ -466,6 +486,13 @@ TEST_F(CheckpointFile, EveryDamageIsSeen) {
             }).substr(0, damaged.size()),
             damaged);
   EXPECT_EQ(message_of(bytes_), "(no error)");
+}
+
+// What is damaged does not get to the terminal as it is.
+TEST_F(CheckpointFile, MessagesHaveNoRawBytes) {
+  const std::string bytes = "\x1b[2J\xff\x9b\xc2\x80";
+  EXPECT_TRUE(message_of(bytes_.substr(0, bytes_.size() - 8) + bytes)
+                  .ends_with(R"(the file says \x1b[2J\xff\x9b\xc2\x80)"));
 }
 
 TEST_F(CheckpointFile, OtherFilesAreToldFromDamagedOnes) {

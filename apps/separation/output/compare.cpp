@@ -12,7 +12,7 @@ namespace {
 
 using contact::degree;
 
-// A value of one load in one run; infinite or NaN where there is none.
+// A value of one load in one run; NaN where there is none.
 struct Quantity {
   const char* name;
   std::function<double(const Outcome&, int load)> value;
@@ -47,6 +47,13 @@ std::vector<Quantity> quantities(const Case& c) {
       return largest;
     };
   };
+  using Release = LoadRecord::Release;
+  const auto at_release = [record](double Release::*what, double unit) {
+    return [=](const Outcome& o, int load) {
+      const Release& release = record(o, load).release;
+      return release.time == History::not_yet ? NAN : release.*what / unit;
+    };
+  };
   return {
       {"acceleration_at_start_deg_per_s2",
        [&c](const Outcome& o, int load) {
@@ -56,18 +63,9 @@ std::vector<Quantity> quantities(const Case& c) {
        [&c](const Outcome& o, int load) {
          return number_in_row(c, o, load, ".friction_moment_N_m", true);
        }},
-      {"release_s", [=](const Outcome& o,
-                        int load) { return record(o, load).release.time; }},
-      {"angle_at_release_deg",
-       [=](const Outcome& o, int load) {
-         const auto& release = record(o, load).release;
-         return release.time == History::not_yet ? NAN : release.angle / degree;
-       }},
-      {"rate_at_release_deg_per_s",
-       [=](const Outcome& o, int load) {
-         const auto& release = record(o, load).release;
-         return release.time == History::not_yet ? NAN : release.rate / degree;
-       }},
+      {"release_s", at_release(&Release::time, 1)},
+      {"angle_at_release_deg", at_release(&Release::angle, degree)},
+      {"rate_at_release_deg_per_s", at_release(&Release::rate, degree)},
       {"angle_at_end_deg",
        [&c](const Outcome& o, int load) {
          return number_in_row(c, o, load, ".angle_deg", false);
@@ -112,12 +110,7 @@ void write_comparison(const Case& c, const std::vector<Outcome>& outcomes,
       row.text(c.loads[load].body.name);
       row.text(quantity.name);
       for (const Outcome& outcome : outcomes) {
-        const double value = quantity.value(outcome, load);
-        if (std::isfinite(value)) {
-          row.number(value);
-        } else {
-          row.empty();
-        }
+        row.number(quantity.value(outcome, load));
       }
       row.end();
     }

@@ -22,7 +22,6 @@ class HistoryFile {
   void write(const Rows& rows);
 
  private:
-  std::string name_;
   bool hdf5_;
   cli::Output output_;
 };

@@ -13,9 +13,13 @@ namespace {
 using contact::degree;
 using nlohmann::ordered_json;
 
-// JSON has no infinity.
-ordered_json number_or_null(double value) {
-  return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr);
+// Infinity, for which JSON has no number, as in tables.
+void name_infinity(ordered_json& value) {
+  if (value.is_structured()) {
+    for (ordered_json& item : value) name_infinity(item);
+  } else if (value.is_number_float() && std::isinf(value.get<double>())) {
+    value = cli::number_text(value.get<double>());
+  }
 }
 
 ordered_json joint_json(const HingeJoint& joint, const JointPeaks& peaks) {
@@ -129,14 +133,14 @@ ordered_json summary(const Case& c, const Outcome& outcome) {
   }
   j["clearance"] = clearance_json(c, outcome);
   // A given motion of the carrier does work that no book shows.
-  j["energy"] = {
-      {"largest_J", memory.largest_energy},
-      {"largest_drift_J", c.options.carrier_drive
-                              ? ordered_json(nullptr)
-                              : number_or_null(memory.largest_drift)}};
+  j["energy"] = {{"largest_J", memory.largest_energy},
+                 {"largest_drift_J", c.options.carrier_drive
+                                         ? ordered_json(nullptr)
+                                         : ordered_json(memory.largest_drift)}};
   j["counts"] = {{"steps", outcome.counts.steps},
                  {"evaluations", outcome.counts.evaluations},
                  {"outer_iterations", outcome.counts.outer_iterations}};
+  name_infinity(j);
   return j;
 }
 

@@ -19,7 +19,7 @@ struct Missed {
 std::vector<Missed> missed_events(const Case& c, const Outcome& outcome);
 
 /// What a run came to (keys: README.md of this folder). Angles in degrees,
-/// all else in SI units.
+/// all else in SI units; infinity is the text "inf" or "-inf".
 nlohmann::ordered_json summary(const Case& c, const Outcome& outcome);
 
 /// Events as a CSV table: time_s, load, what.

@@ -1,0 +1,170 @@
+#include "cli/gnuplot.hpp"
+
+#include <fmt/format.h>
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+
+#include "cli/output.hpp"
+#include "cli/plot_style.hpp"
+#include "libcontact/base/error.hpp"
+#include "libcontact/base/text.hpp"
+
+namespace cli {
+namespace {
+
+// Kinds of pictures: gnuplot's terminal, its options, and the end of a whole
+// picture but for line ends. Sizes and fonts keep text readable when the
+// picture is shown at a third of its width.
+struct Kind {
+  std::string_view suffix;
+  std::string_view terminal;
+  std::string_view options;
+  std::string_view end;
+};
+constexpr std::array<Kind, 3> kinds = {{
+    {".svg", "svg",
+     "size 840,560 font 'sans,19' rounded linewidth 1.2 background 'white'",
+     "</svg>"},
+    // The chunk that ends a PNG: its name and check sum.
+    {".png", "pngcairo", "size 1260,840 font 'sans,20' rounded linewidth 1.5",
+     "IEND\xae\x42\x60\x82"},
+    {".pdf", "pdfcairo", "size 7in,4.67in font 'sans,14' rounded", "%%EOF"},
+}};
+
+const Kind* kind_of(std::string_view file) {
+  for (const Kind& kind : kinds) {
+    if (file.size() > kind.suffix.size() && file.ends_with(kind.suffix)) {
+      return &kind;
+    }
+  }
+  return nullptr;
+}
+
+bool shell(const std::string& command) {
+  return std::system(command.c_str()) == 0;
+}
+
+std::string why_not(const Kind& kind) {
+  if (!shell("command -v gnuplot >/dev/null 2>&1")) {
+    return "gnuplot is not installed";
+  }
+  if (!shell(fmt::format("gnuplot -e 'set terminal {}' >/dev/null 2>&1",
+                         kind.terminal))) {
+    return fmt::format("this gnuplot has no terminal \"{}\" for {} files",
+                       kind.terminal, kind.suffix);
+  }
+  return {};
+}
+
+std::string_view trimmed(std::string_view text) {
+  constexpr std::string_view space = " \t\r\n^";
+  const std::size_t begin = text.find_first_not_of(space);
+  if (begin == std::string_view::npos) return {};
+  return text.substr(begin, text.find_last_not_of(space) - begin + 1);
+}
+
+// A file in memory by which another program is given or gives a text: no disk
+// is full for it, and no name of the user's is in the command that runs that
+// program.
+class MemoryFile {
+ public:
+  MemoryFile() : descriptor_(memfd_create("gnuplot", 0)) {
+    if (descriptor_ < 0) throw contact::Error(std::strerror(errno));
+  }
+  ~MemoryFile() { close(descriptor_); }
+  MemoryFile(const MemoryFile&) = delete;
+  MemoryFile& operator=(const MemoryFile&) = delete;
+
+  std::string path() const { return fmt::format("/dev/fd/{}", descriptor_); }
+  void write(std::string_view text) const {
+    std::ofstream stream(path(), std::ios::binary);
+    if (!(stream << text << std::flush)) {
+      throw contact::Error("a file in memory cannot be written");
+    }
+  }
+  std::string text() const {
+    std::ifstream stream(path(), std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+  }
+
+ private:
+  int descriptor_;
+};
+
+// Throws contact::Error with what gnuplot says last, without the place in our
+// script, if it fails. Its warnings are no business of the user's.
+void run_gnuplot(const MemoryFile& script, const MemoryFile& picture) {
+  const std::string command =
+      fmt::format("gnuplot {} 2>&1 >{}", script.path(), picture.path());
+  std::FILE* const pipe = ::popen(command.c_str(), "r");
+  if (pipe == nullptr) throw contact::Error("gnuplot cannot be run");
+  std::string last;
+  std::array<char, 4096> line;
+  while (std::fgets(line.data(), line.size(), pipe) != nullptr) {
+    const std::string_view text = trimmed(line.data());
+    if (!text.empty()) last = text;
+  }
+  if (::pclose(pipe) == 0) return;
+  const std::size_t place = last.find(": ");
+  if (last.starts_with('"') && place != std::string::npos) {
+    last.erase(0, place + 2);
+  }
+  throw contact::Error("gnuplot: " + (last.empty() ? "failed" : last));
+}
+
+std::string drawn(std::string_view script, const Kind& kind) {
+  const MemoryFile commands;
+  commands.write(
+      fmt::format("set encoding utf8\nset terminal {} noenhanced "
+                  "{}\nset output\n{}\n{}",
+                  kind.terminal, kind.options, plot_style, script));
+  const MemoryFile picture;
+  run_gnuplot(commands, picture);
+  return picture.text();
+}
+
+}  // namespace
+
+bool is_picture_name(std::string_view file) { return kind_of(file) != nullptr; }
+
+bool is_whole_picture(std::string_view picture, std::string_view file) {
+  return trimmed(picture).ends_with(kind_of(file)->end);
+}
+
+std::string gnuplot_text(std::string_view text) {
+  std::string quoted = "'";
+  for (const char c : contact::detail::printable(text, text.npos)) {
+    quoted += c;
+    if (c == '\'') quoted += c;
+  }
+  return quoted + '\'';
+}
+
+std::string draw_script(std::string_view script, const std::string& file) {
+  const Kind& kind = *kind_of(file);
+  std::string reason = why_not(kind);
+  try {
+    if (reason.empty()) {
+      Output output(file);
+      const std::string picture = drawn(script, kind);
+      if (!is_whole_picture(picture, file)) {
+        throw contact::Error("gnuplot left it unfinished");
+      }
+      output.write(picture);
+      output.commit();
+    }
+  } catch (const contact::Error& error) {
+    reason = error.what();
+  }
+  return reason.empty() ? reason : "no picture " + file + ": " + reason;
+}
+
+}  // namespace cli

@@ -1,0 +1,144 @@
+// On a full disk a program says what it cannot write, leaves no part of it
+// under its name, and writes all else.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "support/program.hpp"
+
+namespace {
+
+using contact::test::csv_rows;
+using contact::test::ProgramFolder;
+using contact::test::ProgramResult;
+
+// A command on a disk with so much room for files.
+std::string with_room(int bytes, const std::string& command) {
+  return "CONTACT_TEST_ROOM=" + std::to_string(bytes) +
+         " ASAN_OPTIONS=verify_asan_link_order=0"
+         " LD_PRELOAD='" CONTACT_FULL_DISK "' " +
+         command;
+}
+
+bool have_gnuplot(const ProgramFolder& folder) {
+  return folder.run("command -v gnuplot").status == 0;
+}
+
+TEST(FullDisk, ResultsAreWholeOrNotThere) {
+  const std::vector<std::string> runs = {
+      "hinge-table --theta0 0:90:9 --alpha 0:90:9",
+      "hinge-angle --joint sphere --modulus-ratio 1 --x 0.1:1:0.1",
+      "hinge-pressure --joint sphere --modulus-ratio 1 --x 1",
+      "hinge-joint --joint data/joints/hip_cocr_uhmwpe.toml "
+      "--reaction 100:900:100 --beta 30",
+      "hinge-separation data/cases/slosh.toml"};
+  for (const std::string& run : runs) {
+    for (const int room : {0, 100}) {
+      const ProgramFolder folder;
+      const ProgramResult result =
+          folder.run(with_room(room, run + " --output result"));
+      EXPECT_EQ(result.status, 2) << run;
+      EXPECT_EQ(result.err, run.substr(0, run.find(' ')) + ": cannot write " +
+                                "result: No space left on device\n");
+      EXPECT_TRUE(folder.files().empty());
+    }
+  }
+}
+
+// The history and the events of a separation cost nothing but themselves,
+// wherever the disk is full: HDF5 writes some parts of a file at its end, and
+// closes it again when the program ends.
+TEST(FullDisk, HistoriesAreWholeOrNotThere) {
+  const ProgramFolder whole;
+  const std::string run = "hinge-separation data/cases/slosh.toml ";
+  const ProgramResult expected =
+      whole.run(run + "--history h.h5 --events e.csv && " + run +
+                "--history h.csv >/dev/null");
+  ASSERT_EQ(expected.status, 0) << expected.err;
+  for (const std::string name : {"h.h5", "h.csv"}) {
+    const auto size = static_cast<int>(whole.read(name).size());
+    for (const int room : {0, 1, 96, 800, 4096, 20000, size / 2, size - 1}) {
+      const ProgramFolder folder;
+      const ProgramResult result =
+          folder.run(with_room(room, run + "--history " + name));
+      EXPECT_EQ(result.status, 1) << name << " " << room;
+      EXPECT_EQ(result.err, "hinge-separation: warning: cannot write " + name +
+                                ": No space left on device\n");
+      EXPECT_EQ(result.out, expected.out);
+      EXPECT_TRUE(folder.files().empty());
+    }
+    const ProgramFolder folder;
+    EXPECT_EQ(folder.run(with_room(size, run + "--history " + name)).status, 0);
+    EXPECT_EQ(folder.files(), std::vector<std::string>{name});
+    EXPECT_EQ(folder.read(name).size(), whole.read(name).size());
+  }
+  // The events have room when the history has had none.
+  const ProgramFolder folder;
+  const ProgramResult result =
+      folder.run(with_room(1000, run + "--history /dev/full --events e.csv"));
+  EXPECT_EQ(result.status, 1);
+  EXPECT_EQ(result.out, expected.out);
+  EXPECT_EQ(folder.read("e.csv"), whole.read("e.csv"));
+}
+
+TEST(FullDisk, PicturesAreWholeOrNotThere) {
+  const ProgramFolder folder;
+  if (!have_gnuplot(folder)) GTEST_SKIP() << "gnuplot is not installed";
+  for (const std::string name : {"p.svg", "p.png", "p.pdf"}) {
+    for (const int room : {0, 1000}) {
+      const ProgramResult result = folder.run(with_room(
+          room, "hinge-table --theta0 45 --alpha 0:90:9 --plot " + name));
+      EXPECT_EQ(result.status, 1);
+      EXPECT_EQ(result.err, "hinge-table: warning: no picture " + name +
+                                ": cannot write " + name +
+                                ": No space left on device\n");
+      EXPECT_EQ(csv_rows(result.out).size(), 12U);
+      EXPECT_TRUE(folder.files().empty());
+    }
+  }
+}
+
+// The same on a file system that is full for gnuplot too.
+TEST(FullDisk, PicturesOnASmallFileSystem) {
+  const ProgramFolder folder;
+  if (!have_gnuplot(folder)) GTEST_SKIP() << "gnuplot is not installed";
+  // Pages of 4 KiB, one of which is the folder's.
+  const auto small = [&folder](int pages, const std::string& command) {
+    return folder.run(
+        "mkdir -p small; unshare -rm sh -c 'mount -t tmpfs -o size=" +
+        std::to_string(4 * pages) + "k tmpfs small || exit 77; cd small; " +
+        command + "; status=$?; ls -A; exit $status'");
+  };
+  if (small(4, "true").status != 0) {
+    GTEST_SKIP() << "no file system can be mounted in a namespace here";
+  }
+  for (const std::string name : {"p.svg", "p.png", "p.pdf"}) {
+    bool was_refused = false;
+    bool was_drawn = false;
+    for (const int pages : {1, 2, 4, 6, 8, 12, 16, 64}) {
+      const ProgramResult result =
+          small(pages, "hinge-table --theta0 5:85:10 --alpha 0:90:0.5 --plot " +
+                           name + " >/dev/null");
+      if (result.status == 0) {
+        was_drawn = true;
+        EXPECT_EQ(result.out, name + '\n');
+        EXPECT_EQ(result.err, "");
+      } else {
+        was_refused = true;
+        EXPECT_EQ(result.status, 1);
+        EXPECT_EQ(result.out, "") << "left there";
+        const std::string end = name + ": No space left on device\n";
+        const std::string begin =
+            "hinge-table: warning: no picture " + name + ": cannot ";
+        EXPECT_TRUE(result.err == begin + "create " + end ||
+                    result.err == begin + "write " + end)
+            << result.err;
+      }
+    }
+    EXPECT_TRUE(was_refused && was_drawn) << name;
+  }
+}
+
+}  // namespace

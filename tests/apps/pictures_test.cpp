@@ -1,0 +1,269 @@
+// Pictures of the programs: whole or not there, with every text as it is, and
+// axes that end where the data end.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "cli/gnuplot.hpp"
+#include "cli/plot.hpp"
+#include "support/program.hpp"
+
+namespace {
+
+using contact::test::ProgramFolder;
+using contact::test::ProgramResult;
+
+constexpr const char* no_gnuplot = "gnuplot is not installed";
+
+bool have_gnuplot(const ProgramFolder& folder) {
+  return folder.run("command -v gnuplot").status == 0;
+}
+
+// The texts of an SVG that gnuplot has drawn: titles and labels.
+std::vector<std::string> texts(const std::string& svg) {
+  std::vector<std::string> all;
+  for (std::size_t at = 0; (at = svg.find("<text>", at)) != svg.npos;) {
+    at += 6;
+    std::string text = svg.substr(at, svg.find("</text>", at) - at);
+    text.erase(0, text.find_first_not_of(" \t\n"));
+    for (const auto& [code, c] :
+         {std::pair{"&lt;", "<"}, {"&gt;", ">"}, {"&amp;", "&"}}) {
+      for (std::size_t i = 0; (i = text.find(code, i)) != text.npos; ++i) {
+        text.replace(i, std::string(code).size(), c);
+      }
+    }
+    all.push_back(text);
+  }
+  return all;
+}
+
+bool has(const std::vector<std::string>& all, const std::string& text) {
+  return std::find(all.begin(), all.end(), text) != all.end();
+}
+
+// What a shell, gnuplot, its enhanced text or XML would make something of: in
+// names of bodies, and with what those may not have.
+const std::string wild_body = R"(it's `touch pwned` \)";
+const std::string other_wild_body = "$(touch pwned) @m a_{b}^2~&<#";
+const std::string wild_joint = wild_body + other_wild_body +
+                               "\"\n"
+                               R"(system("touch pwned") \)";
+const std::string wild_joint_shown = wild_body + other_wild_body +
+                                     "\"\\x0a"
+                                     R"(system("touch pwned") \)";
+
+// A text as TOML has it.
+std::string toml(const std::string& text) {
+  std::string quoted = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') quoted += '\\';
+    quoted += c == '\n' ? "\\n" : std::string(1, c);
+  }
+  return quoted + '"';
+}
+
+cli::LinePlot plot_of(double low, double high) {
+  cli::LinePlot plot;
+  plot.title = "title";
+  plot.curves = {{"curve", {low, high}, {1, 2}}};
+  return plot;
+}
+
+std::vector<std::string> logarithmic_labels(double low, double high) {
+  const ProgramFolder folder;
+  cli::LinePlot plot = plot_of(low, high);
+  plot.logarithmic_x = true;
+  EXPECT_EQ(cli::draw(plot, folder.path() / "p.svg"), "");
+  // Those of the other axis are below 3.
+  std::vector<std::string> labels;
+  for (const std::string& text : texts(folder.read("p.svg"))) {
+    if (!text.empty() &&
+        text.find_first_not_of("0123456789.e+-") == text.npos &&
+        std::stod(text) >= 3) {
+      labels.push_back(text);
+    }
+  }
+  return labels;
+}
+
+TEST(Pictures, TextIsQuoted) {
+  EXPECT_EQ(cli::gnuplot_text("it's"), "'it''s'");
+  EXPECT_EQ(cli::gnuplot_text("a\nb\r\x1b\x7f"), R"('a\x0ab\x0d\x1b\x7f')");
+  EXPECT_EQ(cli::gnuplot_text("θ₀ \\ \"`$@"), "'θ₀ \\ \"`$@'");
+}
+
+TEST(Pictures, CutOnesAreKnown) {
+  const ProgramFolder folder;
+  if (!have_gnuplot(folder)) GTEST_SKIP() << no_gnuplot;
+  for (const std::string name : {"p.svg", "p.png", "p.pdf"}) {
+    ASSERT_EQ(cli::draw(plot_of(1, 2), folder.path() / name), "");
+    const std::string all = folder.read(name);
+    EXPECT_TRUE(cli::is_whole_picture(all, name));
+    // Line ends at the end may be missing.
+    const std::size_t end = all.find_last_not_of('\n') + 1;
+    for (std::size_t size = 0; size < end; ++size) {
+      ASSERT_FALSE(cli::is_whole_picture(all.substr(0, size), name))
+          << name << ", " << size << " of " << all.size();
+    }
+  }
+}
+
+// A gnuplot that stops without saying so, or says why.
+TEST(Pictures, WhatGnuplotLeavesUnfinishedIsRefused) {
+  const ProgramFolder folder;
+  const std::string run =
+      "chmod +x gnuplot; PATH=.:$PATH hinge-table --theta0 45 --alpha 0:90:9 "
+      "--plot p.svg --output t.csv";
+  const auto warning = [&](const std::string& does) {
+    folder.write("gnuplot", "#!/bin/sh\n[ \"$1\" = -e ] && exit 0\n" + does);
+    const ProgramResult result = folder.run(run);
+    EXPECT_EQ(result.status, 1);
+    EXPECT_EQ(folder.files(), (std::vector<std::string>{"gnuplot", "t.csv"}));
+    return result.err;
+  };
+  const std::string unfinished =
+      "hinge-table: warning: no picture p.svg: gnuplot left it unfinished\n";
+  EXPECT_EQ(warning("exit 0\n"), unfinished);
+  EXPECT_EQ(warning("echo '<svg>'\n"), unfinished);
+  EXPECT_EQ(warning("echo '<svg></svg'\n"), unfinished);
+  EXPECT_EQ(warning("echo '<svg></svg>'; echo '\"p\", line 1: no' >&2; exit 1"),
+            "hinge-table: warning: no picture p.svg: gnuplot: no\n");
+}
+
+TEST(Pictures, NamesWithControlCharactersAreRefused) {
+  const ProgramFolder folder;
+  const std::string evil = "$(printf 'a\\nsystem(\"touch pwned\")\\n.svg')";
+  const std::string shown = R"(a\x0asystem("touch pwned")\x0a.svg)";
+  for (const std::string run :
+       {"hinge-table --theta0 45 --alpha 0:90:9 --plot",
+        "hinge-table --theta0 45 --alpha 0:90:9 --output",
+        "hinge-table --points",
+        "hinge-angle --joint sphere --modulus-ratio 1 --x 0.1:1:0.1 --plot",
+        "hinge-angle --x 1 --joint",
+        "hinge-pressure --joint sphere --modulus-ratio 1 --x 1 --plot",
+        "hinge-joint --joint data/joints/hip_cocr_uhmwpe.toml --reaction "
+        "1:9:1 --beta 30 --plot",
+        "hinge-separation data/cases/slosh.toml --plot",
+        "hinge-separation data/cases/slosh.toml --history",
+        "hinge-separation data/cases/slosh.toml --events",
+        "hinge-separation data/cases/slosh.toml --checkpoint-every 1 "
+        "--checkpoint",
+        "hinge-separation"}) {
+    const ProgramResult result = folder.run(run + " \"" + evil + '"');
+    EXPECT_EQ(result.status, 2) << run;
+    EXPECT_EQ(result.err, run.substr(0, run.find(' ')) + ": " + shown +
+                              ": control characters are not allowed\n");
+    EXPECT_EQ(result.out, "");
+    EXPECT_TRUE(folder.files().empty()) << run;
+  }
+  // Names within files too.
+  std::string joint = folder.read("data/joints/hip_cocr_uhmwpe.toml");
+  folder.write("c.toml", "pair = \"a\\nb.toml\"\n" + joint);
+  EXPECT_EQ(folder.run("hinge-angle --load 1 --joint c.toml").status, 2);
+}
+
+// Of a joint, a case and its bodies.
+TEST(Pictures, NamesAreShownAsTheyAre) {
+  const ProgramFolder folder;
+  if (!have_gnuplot(folder)) GTEST_SKIP() << no_gnuplot;
+  const auto replaced = [](std::string text, const std::string& old,
+                           const std::string& by) {
+    EXPECT_NE(text.find(old), text.npos) << old;
+    return text.replace(text.find(old), old.size(), by);
+  };
+  const std::string joint =
+      replaced(folder.read("data/joints/hip_cocr_uhmwpe.toml"),
+               "\"hip, 28 mm CoCrMo head in UHMWPE\"", toml(wild_joint));
+  folder.write("j.toml", replaced(joint, "../", "data/"));
+  const std::string slosh =
+      replaced(folder.read("data/cases/slosh.toml"),
+               "\"tank with two slosh pendulums\"", toml(wild_joint));
+  folder.write("c.toml", replaced(replaced(slosh, "\"fuel\"", toml(wild_body)),
+                                  "\"oxidiser\"", toml(other_wild_body)));
+  const auto drawn = [&](const std::string& run, const std::string& picture) {
+    const ProgramResult result = folder.run(run + " --plot p.svg >/dev/null");
+    EXPECT_EQ(result.status, 0) << result.err;
+    EXPECT_FALSE(folder.has("pwned")) << run;
+    return texts(folder.read(picture));
+  };
+  for (const std::string run :
+       {"hinge-angle --joint j.toml --load 10:5000:log9",
+        "hinge-pressure --joint j.toml --load 1000",
+        "hinge-joint --joint j.toml --reaction 100:900:100 --beta 30",
+        "hinge-table --joint j.toml --pressure exact --theta0 45 --alpha "
+        "0:90:9"}) {
+    // Some titles say more.
+    EXPECT_EQ(std::ranges::count_if(drawn(run, "p.svg"),
+                                    [](const std::string& text) {
+                                      return text.find(wild_joint_shown) !=
+                                             text.npos;
+                                    }),
+              1)
+        << run;
+  }
+  const auto all = drawn("hinge-separation c.toml", "p_rates.svg");
+  EXPECT_TRUE(has(all, wild_joint_shown));
+  EXPECT_TRUE(has(all, wild_body));
+  EXPECT_TRUE(has(all, other_wild_body));
+}
+
+// gnuplot leaves out legends for which there is no room.
+TEST(Pictures, LongLabelsAreCut) {
+  const ProgramFolder folder;
+  if (!have_gnuplot(folder)) GTEST_SKIP() << no_gnuplot;
+  cli::LinePlot plot = plot_of(1, 2);
+  plot.curves.push_back(plot.curves[0]);
+  plot.curves[1].label = std::string(200, 'a');
+  EXPECT_EQ(cli::draw(plot, folder.path() / "p.svg"), "");
+  const auto all = texts(folder.read("p.svg"));
+  EXPECT_TRUE(has(all, "curve"));
+  EXPECT_TRUE(has(all, std::string(40, 'a') + "..."));
+}
+
+TEST(Pictures, TitlesNameTheJoint) {
+  const ProgramFolder folder;
+  if (!have_gnuplot(folder)) GTEST_SKIP() << no_gnuplot;
+  const std::string joint = "--joint data/joints/hip_cocr_uhmwpe.toml ";
+  const auto title = [&](const std::string& run, const std::string& expected) {
+    EXPECT_EQ(folder.run(run + " --plot p.svg >/dev/null").status, 0) << run;
+    EXPECT_TRUE(has(texts(folder.read("p.svg")), expected)) << run;
+  };
+  const std::string name = "hip, 28 mm CoCrMo head in UHMWPE";
+  title("hinge-angle --load 10:500:10 " + joint, name);
+  title("hinge-angle --x 0:1:0.1 --joint sphere --modulus-ratio 1",
+        "spherical joint");
+  title("hinge-pressure --load 10 --pressure cosine " + joint,
+        name + ", cosine");
+  title("hinge-joint --reaction 1:9:1 --beta 30 " + joint,
+        name + ", β = 30°, law fitted, pressure cosine");
+  title("hinge-table --theta0 45 --alpha 0:90:9 --pressure exact " + joint,
+        "chi, method exact, pressure exact, " + name);
+}
+
+TEST(Pictures, LogarithmicAxesEndWithTheData) {
+  const ProgramFolder folder;
+  if (!have_gnuplot(folder)) GTEST_SKIP() << no_gnuplot;
+  using Labels = std::vector<std::string>;
+  EXPECT_EQ(logarithmic_labels(1e3, 1e6),
+            (Labels{"1000", "10000", "100000", "1e+06"}));
+  EXPECT_EQ(logarithmic_labels(1e5, 1e8),
+            (Labels{"100000", "1e+06", "1e+07", "1e+08"}));
+  EXPECT_EQ(
+      logarithmic_labels(1e3, 1e5),
+      (Labels{"1000", "2000", "5000", "10000", "20000", "50000", "100000"}));
+  EXPECT_EQ(logarithmic_labels(1e5, 5e6),
+            (Labels{"100000", "200000", "500000", "1e+06", "2e+06", "5e+06"}));
+  EXPECT_EQ(logarithmic_labels(200, 500), (Labels{"200", "300", "400", "500"}));
+  EXPECT_EQ(logarithmic_labels(35000, 41000),
+            (Labels{"36000", "38000", "40000"}));
+  EXPECT_EQ(logarithmic_labels(7, 90), (Labels{"10", "20", "50"}));
+  EXPECT_EQ(logarithmic_labels(0.3, 7e4),
+            (Labels{"10", "100", "1000", "10000"}));
+  // One value, or as good as one.
+  EXPECT_FALSE(logarithmic_labels(300, 300).empty());
+  EXPECT_FALSE(logarithmic_labels(300, 300 * (1 + 1e-15)).empty());
+}
+
+}  // namespace
