@@ -76,7 +76,7 @@ std::vector<std::string> LimitHalfAngle::validity_notes(
   std::vector<std::string> notes =
       detail::poisson_notes("the limit half-angle is a formula", pair);
   if (kind == JointKind::spherical) {
-    notes.push_back(
+    notes.emplace_back(
         "the limit half-angle is that of a pin; a ball's is up to 5 % larger");
   }
   return notes;
@@ -188,10 +188,11 @@ std::vector<std::string> BlendLaw::validity_notes(
   std::vector<std::string> notes = SaturatingLaw::validity_notes(pair);
   if (joint_kind() == JointKind::spherical) {
     if (arctan_share_ != 0) {
-      notes.push_back("a blend is recommended for pins only; tanh for balls");
+      notes.emplace_back(
+          "a blend is recommended for pins only; tanh for balls");
     }
   } else if (!(pair.modulus_ratio() > 0.5 && pair.modulus_ratio() < 2)) {
-    notes.push_back(
+    notes.emplace_back(
         detail::message("a blend is recommended for modulus ratios between 0.5 "
                         "and 2; this pair has {:.4g}",
                         pair.modulus_ratio()));
