@@ -167,6 +167,54 @@ TEST(Motion, RampedTorqueStartsSlidingAtTheRightInstant) {
   }
 }
 
+// Neither a coefficient of 0 nor a joint without load holds anything: a torque
+// that grows from exactly 0 turns the wheel from the beginning.
+TEST(Motion, WithoutFrictionATorqueTurnsTheWheelAtOnce) {
+  const double mass = 20, about = 0.4, slope = 1.7;
+  const auto torque =
+      std::make_shared<Torque>([=](double t) { return slope * t; });
+  const FrictionLaw none(0);
+  struct Wheel {
+    JointKind kind;
+    HingeFriction friction;
+    double gravity;
+  };
+  const std::vector<Wheel> wheels = {
+      {JointKind::axis, PinFriction{pin_joint(none)}, g},
+      {JointKind::axis, NodeFriction{ball_and_pin(none, 0.2)}, g},
+      {JointKind::spherical, BallFriction{ball_joint(none)}, g},
+      {JointKind::axis, PinFriction{pin_joint(FrictionLaw(0.2, 1e4))}, 0},
+      {JointKind::axis, NodeFriction{ball_and_pin(FrictionLaw(0.2), 0.2)}, 0},
+      {JointKind::spherical, BallFriction{ball_joint(FrictionLaw(0.2))}, 0}};
+  for (std::size_t k = 0; k < wheels.size(); ++k) {
+    for (const Integrator integrator :
+         {Integrator::adaptive, Integrator::rk4}) {
+      for (const bool free : {false, true}) {
+        SCOPED_TRACE(std::to_string(k) + (free ? ", free" : ""));
+        MotionOptions options;
+        options.integrator = integrator;
+        options.step = 0.01;
+        if (!free) {
+          options.carrier_drive = CarrierDrive{};
+          options.gravity = Vector3d(0, -wheels[k].gravity, 0);
+        }
+        Load load = wheel(mass, about);
+        load.kind = wheels[k].kind;
+        Motion motion(System(heavy_carrier(), {load}), {wheels[k].friction},
+                      torque, start_of(1), options);
+        ASSERT_EQ(motion.advance_to(2), Stop::time)
+            << motion.failure()->message;
+        const HingeSample hinge = motion.sample().hinge(0);
+        EXPECT_EQ(hinge.mode, HingeMode::sliding);
+        const double expected = slope * 2 * 2 / 2 / about;
+        EXPECT_NEAR(hinge.relative_angular_velocity.z(), expected,
+                    1e-8 * expected);
+        EXPECT_NEAR(hinge.dissipated, 0, 1e-8);
+      }
+    }
+  }
+}
+
 // A small ball under a heavy load has a wide contact; a large one under a
 // light load a point-like one, which resists spinning so little that sliding
 // dies out long before it.
