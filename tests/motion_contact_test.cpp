@@ -103,10 +103,9 @@ std::vector<Hinge> hinges() {
           {joint == 0 ? ending_ball() : ball_joint(friction, radius), -1});
       joints.push_back(
           {joint == 1 ? ending_pin() : pin_joint(friction, radius), 1});
-      all.push_back({fmt::format("node, joint {}{}", joint, by),
-                     JointKind::axis,
-                     NodeFriction{contact::JointNode(joints), estimate}, joint,
-                     0.5});
+      all.push_back(
+          {fmt::format("node, joint {}{}", joint, by), JointKind::axis,
+           NodeFriction{contact::JointNode(joints), estimate}, joint, 0.5});
     }
   }
   return all;
@@ -254,8 +253,8 @@ TEST_P(ContactEnds, WhenTheLockOpens) {
     EXPECT_EQ(m.advance_to(8), Stop::time);
     const HingeSample sample = m.sample().hinge(0);
     EXPECT_EQ(sample.mode, HingeMode::locked);
-    EXPECT_NEAR(sample.reaction_force.norm(),
-                rising(8) * law_end / hinge.share, 1e-6 * law_end);
+    EXPECT_NEAR(sample.reaction_force.norm(), rising(8) * law_end / hinge.share,
+                1e-6 * law_end);
     EXPECT_TRUE(sample.joints.empty());
     m.unlock(0);
     expect_failure(m, hinge, 8, 8, rising);

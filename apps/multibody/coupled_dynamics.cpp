@@ -255,11 +255,14 @@ std::span<const contact::JointSolution> CoupledDynamics::Impl::joints(
 
 void CoupledDynamics::Impl::fail_at(int load) {
   const HingeSolver& solver = hinges[load].solver;
+  const int joint = solver.failed_joint();
+  const double force = solver.joints()[joint].reaction.norm();
   report.load = load;
-  report.joint = solver.failed_joint();
-  report.force = solver.joints()[report.joint].reaction.norm();
-  report.status = std::isfinite(report.force) ? CoupledStatus::no_contact
-                                              : CoupledStatus::out_of_range;
+  report.status = CoupledStatus::out_of_range;
+  if (!std::isfinite(force)) return;
+  report.status = CoupledStatus::no_contact;
+  report.joint = joint;
+  report.force = force;
 }
 
 double CoupledDynamics::Impl::kappa(int load) {

@@ -25,9 +25,20 @@ Vector3d nan_vector() {
 // Of the joints' own iteration: well below what the outer loop asks for.
 constexpr contact::SolveOptions inner{.tolerance = 1e-12};
 
-bool is_dry(const contact::NodeJoint& joint) {
-  return std::visit([](const auto& j) { return !j.contact().is_viscous(); },
-                    joint.joint);
+// Whether its friction is more than none at speed 0: neither viscous nor 0.
+bool holds(const contact::JointContact& contact) {
+  const contact::JointContact::Strength strength = contact.strength(0);
+  return strength.pressure_part > 0 || strength.area_part > 0;
+}
+
+const contact::JointContact& contact_of(const contact::NodeJoint& joint) {
+  return std::visit(
+      [](const auto& j) -> const contact::JointContact& { return j.contact(); },
+      joint.joint);
+}
+
+bool joint_holds(const contact::NodeJoint& joint) {
+  return holds(contact_of(joint));
 }
 
 }  // namespace
@@ -45,16 +56,16 @@ HingeSolver::HingeSolver(HingeFriction friction, const Link& link, int load)
       refuse("a ball joint alone", "a spherical hinge");
     }
     joints_.resize(1);
-    can_rest_ = !ball->joint.contact().is_viscous();
+    can_rest_ = holds(ball->joint.contact());
   } else if (const auto* node = std::get_if<NodeFriction>(&friction_)) {
     if (!is_axis_) refuse("a node of joints", "an axis");
     node_ = node->node.make_solution();
     joints_.resize(node_.joints.size());
-    can_rest_ = std::ranges::any_of(node->node.joints(), is_dry);
+    can_rest_ = std::ranges::any_of(node->node.joints(), joint_holds);
   } else if (const auto* pin = std::get_if<PinFriction>(&friction_)) {
     if (!is_axis_) refuse("a pin joint", "an axis");
     joints_.resize(1);
-    can_rest_ = !pin->joint.contact().is_viscous();
+    can_rest_ = holds(pin->joint.contact());
   }
 }
 
@@ -153,11 +164,11 @@ double HingeSolver::utilisation(const Reaction<double>& held) {
   const double sign = needed > 0 ? -1 : 1;
   slip_direction_ = Vector3d(0, 0, needed == 0 ? 0 : sign);
   const double limit = moment_limit(held, sign);
-  // Without any friction too 0 is held.
+  // Without load too 0 is held.
   return needed == 0 ? 0 * limit : std::abs(needed) / limit;
 }
 
-// What the dry joints on an axis hold against sliding with this sign.
+// What the joints on an axis hold against sliding with this sign.
 double HingeSolver::moment_limit(const Reaction<double>& held, double sign) {
   const auto* node = std::get_if<NodeFriction>(&friction_);
   if (!node) return std::abs(slide(held, Vector3d(0, 0, sign)).z());
@@ -166,7 +177,7 @@ double HingeSolver::moment_limit(const Reaction<double>& held, double sign) {
   }
   double limit = 0;
   for (std::size_t k = 0; k < joints_.size(); ++k) {
-    if (!is_dry(node->node.joints()[k])) continue;
+    if (!joint_holds(node->node.joints()[k])) continue;
     limit += std::abs(joints_[k].friction_moment.dot(axes_.col(2)));
   }
   return limit;
@@ -187,11 +198,7 @@ const contact::JointContact& HingeSolver::contact(int joint) const {
   if (const auto* pin = std::get_if<PinFriction>(&friction_)) {
     return pin->joint.contact();
   }
-  return std::visit(
-      [](const auto& j) -> const contact::JointContact& {
-        return j.contact();
-      },
-      std::get<NodeFriction>(friction_).node.joints()[joint].joint);
+  return contact_of(std::get<NodeFriction>(friction_).node.joints()[joint]);
 }
 
 Vector3d HingeSolver::prox(const Matrix3d& inertia,

@@ -20,7 +20,7 @@ class HingeSolver {
   HingeSolver(HingeFriction friction, const Link& link, int load);
 
   bool has_friction() const { return !joints_.empty(); }
-  /// Dry friction in at least one joint.
+  /// Dry friction, above 0, in at least one joint.
   bool can_rest() const { return can_rest_; }
   bool is_axis() const { return is_axis_; }
 

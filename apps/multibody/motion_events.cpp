@@ -104,6 +104,13 @@ std::optional<double> MotionImpl::rest_end(const Watch& watch) {
   const double begin = value(watch);
   if (!(begin <= 0)) return t0;
   double last = stepper->end();
+  // Of a joint without load tau jumps from 0 to infinity where a moment begins
+  // to grow: that is known to the shortest step that can be made, which has
+  // some roundings of time.
+  const double soon = std::max(1e-10 * (last - t0), 1e-14 * std::abs(t0));
+  const auto passed = [&](double time, double at_time) {
+    return std::max(t0 + soon, locate(watch, t0, begin, time, at_time));
+  };
   look_at(last, stepper->end_state());
   double last_value = value(watch);
   std::optional<double> lost;
@@ -121,11 +128,9 @@ std::optional<double> MotionImpl::rest_end(const Watch& watch) {
       last = known;
       last_value = value_at(watch, known);
     }
-    if (last_value > 0) return locate(watch, t0, begin, last, last_value);
+    if (last_value > 0) return passed(last, last_value);
     const auto peak = peak_between(watch, t0, begin, last, last_value);
-    if (peak.second > 0) {
-      return locate(watch, t0, begin, peak.first, peak.second);
-    }
+    if (peak.second > 0) return passed(peak.first, peak.second);
     if (!std::isnan(peak.second)) return lost;
     std::tie(last, last_value) = peak;
   }
