@@ -458,8 +458,8 @@ TEST(CoupledDynamics, TheOnlyConsistentPatternOfRestIsFound) {
 TEST(CoupledDynamics, RestEndsAtItsLimit) {
   for (const Mix mix : {Mix::axes, Mix::spherical}) {
     int tried = 0;
-    for (std::uint64_t seed = 1; seed <= 40; ++seed) {
-      Case c = random_case(mix, 3, seed, true, 0.1, 0.05);
+    for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+      Case c = random_case(mix, 3, seed, true, 0.3, 0.005);
       const double* state = c.prepared.state.data();
       auto& loading = c.prepared.loading;
       const auto at_rest = [&] {
@@ -501,8 +501,8 @@ TEST(CoupledDynamics, RestEndsAtItsLimit) {
         }
       }
     }
+    std::printf("%d hinges at their limit\n", tried);
     EXPECT_GT(tried, 5);
-    std::printf("%d hinges\n", tried);
   }
 }
 
