@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <functional>
@@ -10,9 +11,10 @@
 #include <vector>
 
 #include "multibody/motion.hpp"
+#include "multibody/stepper.hpp"
 #include "multibody_support/friction_parts.hpp"
 
-// Motions whose contacts come to the end of their law.
+// Motions whose contacts come to the end of their law, and steps that meet it.
 namespace {
 
 using contact::FrictionLaw;
@@ -259,6 +261,23 @@ TEST_P(ContactEnds, WhenTheLockOpens) {
     m.unlock(0);
     expect_failure(m, hinge, 8, 8, rising);
   }
+}
+
+// A trial state without rates ends no motion that never gets there.
+TEST(AdaptiveStepper, TriesShorterStepsWhereThereAreNoRates) {
+  double least = 1;
+  const auto stepper = multibody::make_adaptive_stepper(
+      [&](double, const double* y, double* rates) {
+        least = std::min(least, y[0]);
+        rates[0] = -y[0];
+        return y[0] >= 0;
+      },
+      {1e-9, 1e-10});
+  stepper->set_next_step(10);
+  stepper->restart(0, std::vector<double>{1});
+  while (stepper->end() < 1) ASSERT_TRUE(stepper->step(10)) << stepper->end();
+  EXPECT_NEAR(stepper->end_state()[0], std::exp(-stepper->end()), 1e-8);
+  EXPECT_LT(least, 0);
 }
 
 INSTANTIATE_TEST_SUITE_P(Motion, ContactEnds,

@@ -984,6 +984,41 @@ TEST(Motion, EventsThatCrossTwiceWithinAStepAreFound) {
 
 // A wheel that goes to and fro within a step: its angle is a polynomial of
 // degree 4, which rk4 follows exactly, with three crossings of 0.
+// At the points of the step it is below -0.24, and the polynomial through them
+// stays below -0.16, of which it is unsure by 0.39.
+TEST(Motion, CrossingsThatThePolynomialMissesAreFound) {
+  MotionOptions options = on_fixed_carrier();
+  options.integrator = Integrator::rk4;
+  options.step = 1;
+  Motion motion(System(heavy_carrier(), {wheel(20, 0.4)}), {}, nullptr,
+                start_of(1), options);
+  motion.add_event({[](const auto& sample) {
+                      return std::sin(13 * (sample.time() - 0.5)) - 0.85;
+                    },
+                    multibody::MotionEvent::Crossing::rising});
+  ASSERT_EQ(motion.advance_to(1), Stop::event);
+  EXPECT_NEAR(motion.time(),
+              0.5 + (std::asin(0.85) - 2 * std::numbers::pi) / 13, 1e-12);
+}
+
+// Exactly 0 where a step ends.
+TEST(Motion, EventsAtTheEndOfAStepComeOnce) {
+  for (const double sign : {1., -1.}) {
+    MotionOptions options = on_fixed_carrier();
+    options.integrator = Integrator::rk4;
+    options.step = 0.25;
+    Motion motion(System(heavy_carrier(), {wheel(20, 0.4)}), {}, nullptr,
+                  start_of(1), options);
+    motion.add_event(
+        {[=](const auto& sample) { return sign * (sample.time() - 1); },
+         sign > 0 ? multibody::MotionEvent::Crossing::rising
+                  : multibody::MotionEvent::Crossing::falling});
+    ASSERT_EQ(motion.advance_to(2), Stop::event);
+    EXPECT_EQ(motion.time(), 1);
+    EXPECT_EQ(motion.advance_to(2), Stop::time);
+  }
+}
+
 TEST(Motion, EveryCrossingWithinAStepIsFoundInOrder) {
   const double about = 0.4;
   const double a = 0.2, b = 0.6, c = 0.9;  // and 0

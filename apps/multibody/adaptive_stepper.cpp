@@ -167,7 +167,7 @@ class AdaptiveStepper final : public Stepper {
     } else {
       stepper->failed_at_ = time;
     }
-    return done ? 0 : -1;
+    return done ? 0 : 1;
   }
 
   // Reciprocals of the tolerances.

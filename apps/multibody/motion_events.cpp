@@ -98,7 +98,7 @@ bool MotionImpl::stops_in_step(int load) {
 
 // Where a resting hinge holds no longer, or has a contact without a value,
 // whose tau is NaN: resolve_rest() tells the two apart.
-std::optional<double> MotionImpl::rest_end(const Watch& watch) {
+std::optional<double> MotionImpl::rest_end(const Watch& watch, double end) {
   const double t0 = stepper->begin();
   look_at(t0, stepper->begin_state());
   const double begin = value(watch);
@@ -111,8 +111,7 @@ std::optional<double> MotionImpl::rest_end(const Watch& watch) {
   const auto passed = [&](double time, double at_time) {
     return std::max(t0 + soon, locate(watch, t0, begin, time, at_time));
   };
-  look_at(last, stepper->end_state());
-  double last_value = value(watch);
+  double last_value = end;
   std::optional<double> lost;
   for (;;) {
     if (std::isnan(last_value)) {
@@ -175,7 +174,7 @@ std::optional<double> MotionImpl::crossing(const Watch& watch) {
       return then <= stopped * before ? std::optional(time) : std::nullopt;
     }
     case Kind::rest_ends:
-      return rest_end(watch);
+      return rest_end(watch, end);
     case Kind::slip_ends:
     case Kind::user:
       break;  // motion_crossings.cpp

@@ -85,7 +85,7 @@ class MotionImpl {
   bool stops_in_step(int load);
   std::optional<double> crossing(const Watch& watch);
   double value_at(const Watch& watch, double time);
-  std::optional<double> rest_end(const Watch& watch);
+  std::optional<double> rest_end(const Watch& watch, double end);
   std::pair<double, double> peak_between(const Watch& watch, double low,
                                          double low_value, double high,
                                          double high_value);
