@@ -794,6 +794,25 @@ TEST(Motion, AHingeThatChangesAgainAndAgainStopsTheMotion) {
       << motion.failure()->message;
 }
 
+// In a step at whose ends and middle the hinge needs 0.99, 0.01 and 0.85 of
+// what it holds, 1.02 just after its beginning.
+TEST(Motion, APeakNearTheBeginningOfAStepEndsTheRest) {
+  const auto joint = pin_joint(FrictionLaw(0.2, 1e4));
+  const double held =
+      joint.moment_limit(Vector3d(0, 20 * g, 0), Vector3d::UnitZ());
+  const auto torque = std::make_shared<Torque>(
+      [=](double t) { return held * (1.02 - 1.4 * (t - 0.15) * (t - 0.15)); });
+  MotionOptions options = on_fixed_carrier();
+  options.integrator = Integrator::rk4;
+  options.step = 1;
+  Motion motion(System(heavy_carrier(), {wheel(20, 0.4)}), {PinFriction{joint}},
+                torque, start_of(1), options);
+  ASSERT_EQ(motion.advance_to(1), Stop::time);
+  ASSERT_FALSE(motion.changes().empty());
+  EXPECT_EQ(motion.changes()[0].to, HingeMode::sliding);
+  EXPECT_NEAR(motion.changes()[0].time, 0.15 - std::sqrt(0.02 / 1.4), 1e-9);
+}
+
 // Mass on a thread of length l, from rest at 2 rad: a quarter period is
 // K(sin 1) sqrt(l/g).
 TEST(Motion, PendulumMeetsItsEllipticPeriod) {
