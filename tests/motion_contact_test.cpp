@@ -43,7 +43,6 @@ using multibody::test::ball_joint;
 using multibody::test::EndingLaw;
 using multibody::test::LawPointer;
 using multibody::test::pin_joint;
-using multibody::test::tanh_law;
 
 // A force along x and a torque about z on load 0.
 class Pull : public multibody::ForceModel {
@@ -64,8 +63,6 @@ class Pull : public multibody::ForceModel {
 constexpr double radius = 0.02;
 constexpr double law_end = 1e5;  // R_n, N
 const FrictionLaw friction(0.2);
-// 1/cos g, of friction alone.
-const double most = std::hypot(1, 0.2);
 
 LawPointer ending(const contact::JointContact& contact) {
   return std::make_shared<EndingLaw>(contact.geometry().kind(),
