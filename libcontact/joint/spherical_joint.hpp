@@ -16,7 +16,7 @@ struct RestSolution {
   /// As the slip's; not_converged if no slip direction was found.
   Status status = Status::out_of_range;
   /// tau: the joint holds if it is <= 1. Infinite if there is no friction to
-  /// hold a moment, NaN if out_of_range.
+  /// hold a moment, NaN if out_of_range or no slip direction was found.
   double utilisation = 0;
   /// u, unit vector: the direction in which the joint would begin to slide;
   /// 0 if M = 0.

@@ -171,6 +171,7 @@ RestSolution solve_rest(const SphericalJoint& joint, const Vector3d& reaction,
   };
 
   rest.status = Status::not_converged;
+  rest.utilisation = nan;
   if (last && last->utilisation > 0 && last->slip.status == Status::ok) {
     search.start_from(last->slip);
     const SineCosine b = last->slip.reaction_direction;

@@ -453,6 +453,59 @@ TEST(CoupledDynamics, TheOnlyConsistentPatternOfRestIsFound) {
   std::printf("%d hinges begin to slide, %d hold\n", sliding, resting);
 }
 
+// A hinge at its limit, coupled to others that hold: as far beyond it as the
+// threshold says it stays, and from half of that on it goes if it is forced.
+TEST(CoupledDynamics, RestEndsAtItsLimit) {
+  for (const Mix mix : {Mix::axes, Mix::spherical}) {
+    int tried = 0;
+    for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+      Case c = random_case(mix, 3, seed, true, 0.3, 0.005);
+      const double* state = c.prepared.state.data();
+      auto& loading = c.prepared.loading;
+      const auto at_rest = [&] {
+        CoupledDynamics coupled(c.prepared.system, c.friction);
+        for (int i = 0; i < 3; ++i) coupled.set_mode(i, HingeMode::resting);
+        return coupled;
+      };
+      CoupledDynamics held = at_rest();
+      // What turns load 0 about z, for a utilisation of it.
+      const double before = loading.loads[0].moment.z;
+      const auto utilisation = [&](double moment) {
+        loading.loads[0].moment.z = before + moment;
+        held.evaluate(state, loading);
+        return held.utilisation(0);
+      };
+      double most = 1;
+      if (!(utilisation(0) < 0.9)) continue;
+      while (utilisation(most) < 1.1) most *= 2;
+      if (!(std::max(held.utilisation(1), held.utilisation(2)) < 0.9)) continue;
+      ++tried;
+      const double threshold = held.slip_limit(0) - 1;
+      for (const double part : {0.2, 0.8, 3.}) {
+        double low = 0, high = most;
+        for (int i = 0; i < 100; ++i) {
+          const double middle = low + (high - low) / 2;
+          (utilisation(middle) > 1 + part * threshold ? high : low) = middle;
+        }
+        ASSERT_NEAR(utilisation(low), 1 + part * threshold, 0.1 * threshold);
+        for (const int forced : {-1, 0}) {
+          CoupledDynamics coupled = at_rest();
+          ASSERT_EQ(coupled.resolve_rest(state, loading, forced).status,
+                    CoupledStatus::ok);
+          const bool slides = part > 1 || (forced == 0 && part > 0.5);
+          EXPECT_EQ(coupled.mode(0),
+                    slides ? HingeMode::sliding : HingeMode::resting)
+              << seed << ' ' << part << ' ' << forced;
+          EXPECT_EQ(coupled.mode(1), HingeMode::resting);
+          EXPECT_EQ(coupled.mode(2), HingeMode::resting);
+        }
+      }
+    }
+    std::printf("%d hinges at their limit\n", tried);
+    EXPECT_GT(tried, 5);
+  }
+}
+
 // Ball joints: those that begin to slide accelerate in the direction on which
 // their friction depends, the others need no more than they can hold.
 TEST(CoupledDynamics, BallJointsBeginToSlideWhereTheyAccelerate) {

@@ -167,6 +167,54 @@ TEST(Motion, RampedTorqueStartsSlidingAtTheRightInstant) {
   }
 }
 
+// Neither a coefficient of 0 nor a joint without load holds anything: a torque
+// that grows from exactly 0 turns the wheel from the beginning.
+TEST(Motion, WithoutFrictionATorqueTurnsTheWheelAtOnce) {
+  const double mass = 20, about = 0.4, slope = 1.7;
+  const auto torque =
+      std::make_shared<Torque>([=](double t) { return slope * t; });
+  const FrictionLaw none(0);
+  struct Wheel {
+    JointKind kind;
+    HingeFriction friction;
+    double gravity;
+  };
+  const std::vector<Wheel> wheels = {
+      {JointKind::axis, PinFriction{pin_joint(none)}, g},
+      {JointKind::axis, NodeFriction{ball_and_pin(none, 0.2)}, g},
+      {JointKind::spherical, BallFriction{ball_joint(none)}, g},
+      {JointKind::axis, PinFriction{pin_joint(FrictionLaw(0.2, 1e4))}, 0},
+      {JointKind::axis, NodeFriction{ball_and_pin(FrictionLaw(0.2), 0.2)}, 0},
+      {JointKind::spherical, BallFriction{ball_joint(FrictionLaw(0.2))}, 0}};
+  for (std::size_t k = 0; k < wheels.size(); ++k) {
+    for (const Integrator integrator :
+         {Integrator::adaptive, Integrator::rk4}) {
+      for (const bool free : {false, true}) {
+        SCOPED_TRACE(std::to_string(k) + (free ? ", free" : ""));
+        MotionOptions options;
+        options.integrator = integrator;
+        options.step = 0.01;
+        if (!free) {
+          options.carrier_drive = CarrierDrive{};
+          options.gravity = Vector3d(0, -wheels[k].gravity, 0);
+        }
+        Load load = wheel(mass, about);
+        load.kind = wheels[k].kind;
+        Motion motion(System(heavy_carrier(), {load}), {wheels[k].friction},
+                      torque, start_of(1), options);
+        EXPECT_EQ(motion.advance_to(2), Stop::time);
+        if (motion.failure()) ADD_FAILURE() << motion.failure()->message;
+        const HingeSample hinge = motion.sample().hinge(0);
+        EXPECT_EQ(hinge.mode, HingeMode::sliding);
+        const double expected = slope * 2 * 2 / 2 / about;
+        EXPECT_NEAR(hinge.relative_angular_velocity.z(), expected,
+                    1e-8 * expected);
+        EXPECT_NEAR(hinge.dissipated, 0, 1e-8);
+      }
+    }
+  }
+}
+
 // A small ball under a heavy load has a wide contact; a large one under a
 // light load a point-like one, which resists spinning so little that sliding
 // dies out long before it.
@@ -746,6 +794,25 @@ TEST(Motion, AHingeThatChangesAgainAndAgainStopsTheMotion) {
       << motion.failure()->message;
 }
 
+// In a step at whose ends and middle the hinge needs 0.99, 0.01 and 0.85 of
+// what it holds, 1.02 just after its beginning.
+TEST(Motion, APeakNearTheBeginningOfAStepEndsTheRest) {
+  const auto joint = pin_joint(FrictionLaw(0.2, 1e4));
+  const double held =
+      joint.moment_limit(Vector3d(0, 20 * g, 0), Vector3d::UnitZ());
+  const auto torque = std::make_shared<Torque>(
+      [=](double t) { return held * (1.02 - 1.4 * (t - 0.15) * (t - 0.15)); });
+  MotionOptions options = on_fixed_carrier();
+  options.integrator = Integrator::rk4;
+  options.step = 1;
+  Motion motion(System(heavy_carrier(), {wheel(20, 0.4)}), {PinFriction{joint}},
+                torque, start_of(1), options);
+  ASSERT_EQ(motion.advance_to(1), Stop::time);
+  ASSERT_FALSE(motion.changes().empty());
+  EXPECT_EQ(motion.changes()[0].to, HingeMode::sliding);
+  EXPECT_NEAR(motion.changes()[0].time, 0.15 - std::sqrt(0.02 / 1.4), 1e-9);
+}
+
 // Mass on a thread of length l, from rest at 2 rad: a quarter period is
 // K(sin 1) sqrt(l/g).
 TEST(Motion, PendulumMeetsItsEllipticPeriod) {
@@ -936,6 +1003,41 @@ TEST(Motion, EventsThatCrossTwiceWithinAStepAreFound) {
 
 // A wheel that goes to and fro within a step: its angle is a polynomial of
 // degree 4, which rk4 follows exactly, with three crossings of 0.
+// At the points of the step it is below -0.24, and the polynomial through them
+// stays below -0.16, of which it is unsure by 0.39.
+TEST(Motion, CrossingsThatThePolynomialMissesAreFound) {
+  MotionOptions options = on_fixed_carrier();
+  options.integrator = Integrator::rk4;
+  options.step = 1;
+  Motion motion(System(heavy_carrier(), {wheel(20, 0.4)}), {}, nullptr,
+                start_of(1), options);
+  motion.add_event({[](const auto& sample) {
+                      return std::sin(13 * (sample.time() - 0.5)) - 0.85;
+                    },
+                    multibody::MotionEvent::Crossing::rising});
+  ASSERT_EQ(motion.advance_to(1), Stop::event);
+  EXPECT_NEAR(motion.time(),
+              0.5 + (std::asin(0.85) - 2 * std::numbers::pi) / 13, 1e-12);
+}
+
+// Exactly 0 where a step ends.
+TEST(Motion, EventsAtTheEndOfAStepComeOnce) {
+  for (const double sign : {1., -1.}) {
+    MotionOptions options = on_fixed_carrier();
+    options.integrator = Integrator::rk4;
+    options.step = 0.25;
+    Motion motion(System(heavy_carrier(), {wheel(20, 0.4)}), {}, nullptr,
+                  start_of(1), options);
+    motion.add_event(
+        {[=](const auto& sample) { return sign * (sample.time() - 1); },
+         sign > 0 ? multibody::MotionEvent::Crossing::rising
+                  : multibody::MotionEvent::Crossing::falling});
+    ASSERT_EQ(motion.advance_to(2), Stop::event);
+    EXPECT_EQ(motion.time(), 1);
+    EXPECT_EQ(motion.advance_to(2), Stop::time);
+  }
+}
+
 TEST(Motion, EveryCrossingWithinAStepIsFoundInOrder) {
   const double about = 0.4;
   const double a = 0.2, b = 0.6, c = 0.9;  // and 0

@@ -1,6 +1,10 @@
 #pragma once
 
+#include <limits>
 #include <memory>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "libcontact/half_angle/factory.hpp"
 #include "libcontact/joint/cylindrical_joint.hpp"
@@ -15,22 +19,54 @@ inline contact::ElasticPair steel_pair() {
   return contact::ElasticPair({2e11, 0.3}, {2e11, 0.3});
 }
 
+using LawPointer = std::shared_ptr<const contact::HalfAngleLaw>;
+
+inline LawPointer tanh_law(contact::JointKind kind) {
+  return contact::make_half_angle_law("tanh", kind, steel_pair());
+}
+
+/// The law tanh up to a load, NaN above it.
+class EndingLaw final : public contact::HalfAngleLaw {
+ public:
+  EndingLaw(contact::JointKind kind, double end)
+      : HalfAngleLaw(kind), law_(tanh_law(kind)), end_(end) {}
+  std::string name() const override { return "ending"; }
+  contact::HalfAngleResult half_angle(double load) const noexcept override {
+    if (load <= end_) return law_->half_angle(load);
+    return {std::numeric_limits<double>::quiet_NaN(),
+            contact::Status::out_of_range};
+  }
+  contact::LoadParameterResult load_parameter(
+      double half_angle) const noexcept override {
+    return law_->load_parameter(half_angle);
+  }
+  double limit_half_angle() const noexcept override {
+    return law_->limit_half_angle();
+  }
+  std::vector<std::string> validity_notes(
+      const contact::ElasticPair&) const override {
+    return {};
+  }
+
+ private:
+  LawPointer law_;
+  double end_;
+};
+
 inline contact::SphericalJoint ball_joint(
-    const contact::FrictionModel& friction, double radius = 0.05) {
-  const contact::ElasticPair pair = steel_pair();
+    const contact::FrictionModel& friction, double radius = 0.05,
+    LawPointer law = tanh_law(contact::JointKind::spherical)) {
   return {
-      contact::JointGeometry::ball(radius, 1e-3 * radius), pair, friction,
-      contact::make_half_angle_law("tanh", contact::JointKind::spherical, pair),
+      contact::JointGeometry::ball(radius, 1e-3 * radius), steel_pair(),
+      friction, std::move(law),
       std::make_unique<contact::CosinePressure>(contact::JointKind::spherical)};
 }
 
 inline contact::CylindricalJoint pin_joint(
-    const contact::FrictionModel& friction, double radius = 0.05) {
-  const contact::ElasticPair pair = steel_pair();
-  return {contact::JointGeometry::pin(radius, 1e-3 * radius, 0.1), pair,
-          friction,
-          contact::make_half_angle_law("tanh", contact::JointKind::cylindrical,
-                                       pair),
+    const contact::FrictionModel& friction, double radius = 0.05,
+    LawPointer law = tanh_law(contact::JointKind::cylindrical)) {
+  return {contact::JointGeometry::pin(radius, 1e-3 * radius, 0.1), steel_pair(),
+          friction, std::move(law),
           std::make_unique<contact::CosinePressure>(
               contact::JointKind::cylindrical)};
 }

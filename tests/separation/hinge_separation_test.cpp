@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -1320,6 +1321,86 @@ TEST(HingeSeparation, FailureNamesTheLoad) {
   EXPECT_EQ(result.err,
             "hinge-separation: warning: ended early: at 0 s: a force or a "
             "velocity is not a finite number (\"wheel x\")\n");
+}
+
+// The law of Hertz ends at half-angles of 90 deg: a joint at rest beyond it is
+// not known to hold anything.
+TEST(HingeSeparation, TheEndOfALawEndsTheRun) {
+  const ProgramFolder folder;
+  const auto case_with = [](const std::string& kind, const std::string& run) {
+    const bool ball = kind == "spherical";
+    return "name = \"press and turn\"\n[run]\nend_time_s = 4\n" + run +
+           carrier_at_rest("wall") + R"(
+[[load]]
+name = "arm"
+mass_kg = 1000
+principal_inertia_kg_m2 = [1e5, 1e5, 1e5]
+[load.hinge]
+carrier_point_m = [0, 0, 0]
+)" + (ball ? "kind = \"spherical\"\n" : "kind = \"axis\"\naxis = [0, 0, 1]\n") +
+           R"([[load.hinge.joint]]
+name = "bearing"
+inner_body = "load"
+materials = { pair = "data/materials/steel_steel.toml" }
+friction = { coefficient = 0.2 }
+)" +
+           (ball
+                ? "kind = \"spherical\"\n"
+                  "geometry = { radius_mm = 100, relative_clearance = 0.001 }\n"
+                : "kind = \"cylindrical\"\n"
+                  "geometry = { radius_mm = 100, relative_clearance = 0.001, "
+                  "length_mm = 100 }\n") +
+           R"(
+[[force]]
+name = "press"
+kind = "applied"
+body = "arm"
+time_s = [0, 1]
+force_MN = [[0, 0, 0], [30, 0, 0]]
+[[force]]
+name = "turn"
+kind = "applied"
+body = "arm"
+time_s = [1, 10]
+moment_N_m = [[0, 0, 0], [0, 0, 3e6]]
+)";
+  };
+  for (const std::string kind : {"spherical", "cylindrical"}) {
+    for (const std::string run : {"", "integrator = \"rk4\"\nstep_ms = 10\n"}) {
+      folder.write("c.toml", case_with(kind, run));
+      for (const std::string friction : {"full", "traditional"}) {
+        const std::string arguments = "c.toml --friction " + friction;
+        SCOPED_TRACE(kind + ' ' + run + friction);
+        const json slides = run_json(folder, arguments);
+        EXPECT_EQ(slides["events"][0]["what"], "begins to slide");
+
+        const ProgramResult result =
+            folder.run("hinge-separation " + arguments +
+                       " --law hertz --history h.csv --events e.csv");
+        EXPECT_EQ(result.status, 1);
+        const json summary = json::parse(result.out);
+        const std::string failure = summary["failure"];
+        EXPECT_EQ(result.err,
+                  "hinge-separation: warning: ended early: " + failure + '\n');
+        double time = NAN, force = NAN;
+        ASSERT_EQ(std::sscanf(failure.c_str(),
+                              "at %lf s: half-angle law hertz has no value "
+                              "under %lf N (\"arm\", joint \"bearing\")",
+                              &time, &force),
+                  2)
+            << failure;
+        EXPECT_TRUE(failure.ends_with("joint \"bearing\")"));
+        // Before the turn begins.
+        EXPECT_LT(time, 1);
+        EXPECT_NEAR(force, 30e6 * time, 1e-5 * force);
+        EXPECT_EQ(summary["end_time_s"], time);
+        const History history(folder.read("h.csv"));
+        EXPECT_EQ(history["time_s"].back(), time);
+        EXPECT_NEAR(history["arm.reaction_N"].back(), force, 1e-5 * force);
+        EXPECT_EQ(folder.read("e.csv"), "time_s,load,what\n");
+      }
+    }
+  }
 }
 
 // A light load on a large ball with adhesive friction: nearly all of the

@@ -495,6 +495,34 @@ TEST_F(CheckpointFile, MessagesHaveNoRawBytes) {
                   .ends_with(R"(the file says \x1b[2J\xff\x9b\xc2\x80)"));
 }
 
+// A note of the instant of a checkpoint may be taken back by the next one, by a
+// hinge that turns back.
+TEST_F(CheckpointFile, NotesOfItsOwnInstantMayGo) {
+  const separation::Case c =
+      separation::read_case(CONTACT_DATA_DIR "/cases/slosh.toml");
+  separation::Simulation simulation(c, separation::FrictionChoice::full);
+  separation::Recorder recorder(c, true, false, false);
+  recorder.look(simulation);
+  separation::Recorder::Memory memory = recorder.take_memory();
+  separation::SimulationState state = simulation.save();
+  const auto read = [&] {
+    return separation::read_checkpoint(file_, "a run").memory.notes;
+  };
+  separation::CheckpointWriter writer(file_, "a run", 1);
+  memory.notes = {{1, "tank", "early"}, {2, "tank", "taken back"}};
+  state.motion.time = 2;
+  writer.write(2, state, memory);
+  ASSERT_EQ(read().size(), 2u);
+  EXPECT_EQ(read()[1].what, "taken back");
+  memory.notes.pop_back();
+  memory.notes.push_back({2.5, "tank", "late"});
+  state.motion.time = 3;
+  writer.write(3, state, memory);
+  ASSERT_EQ(read().size(), 2u);
+  EXPECT_EQ(read()[0].what, "early");
+  EXPECT_EQ(read()[1].what, "late");
+}
+
 TEST_F(CheckpointFile, OtherFilesAreToldFromDamagedOnes) {
   EXPECT_EQ(message_of("nonsense"),
             file_ + ": not a checkpoint of hinge-separation");

@@ -210,7 +210,8 @@ const CoupledReport& CoupledDynamics::Impl::evaluate(const double* state,
   start(state, loading);
   if (rows_.empty()) return report;
   converge();
-  if (report.status == CoupledStatus::out_of_range) {
+  if (report.status == CoupledStatus::out_of_range ||
+      report.status == CoupledStatus::no_contact) {
     // Not to start from again.
     for (const int i : rows_) hinges[i].moment.setZero();
   } else if (report.status != CoupledStatus::ok || !converged_is_unique()) {
@@ -250,6 +251,18 @@ std::span<const contact::JointSolution> CoupledDynamics::Impl::joints(
   }
   hinge.solver_is_behind = false;
   return hinge.solver.joints();
+}
+
+void CoupledDynamics::Impl::fail_at(int load) {
+  const HingeSolver& solver = hinges[load].solver;
+  const int joint = solver.failed_joint();
+  const double force = solver.joints()[joint].reaction.norm();
+  report.load = load;
+  report.status = CoupledStatus::out_of_range;
+  if (!std::isfinite(force)) return;
+  report.status = CoupledStatus::no_contact;
+  report.joint = joint;
+  report.force = force;
 }
 
 double CoupledDynamics::Impl::kappa(int load) {
@@ -383,6 +396,10 @@ double CoupledDynamics::slip_limit(int load) const {
 std::span<const contact::JointSolution> CoupledDynamics::joints(
     int load) const {
   return impl_->joints(load);
+}
+const contact::JointContact& CoupledDynamics::contact(int load,
+                                                      int joint) const {
+  return impl_->hinges[load].solver.contact(joint);
 }
 std::span<const CoupledSolution> CoupledDynamics::solutions() const {
   return impl_->solutions;

@@ -37,6 +37,9 @@ enum class CoupledStatus {
   several_solutions,
   /// A number is not finite.
   out_of_range,
+  /// A joint's contact has no finite values under the force on it: its laws
+  /// end below.
+  no_contact,
 };
 
 /// Friction moments that fit the reactions they cause.
@@ -56,6 +59,9 @@ struct CoupledReport {
   /// iterations; at most kappa = |dM/dR||dR/dM| on one hinge.
   double contraction = 0;
   int load = -1;  ///< where it failed, -1: nowhere in particular
+  /// no_contact: which joint of that load's hinge, and the force on it, N.
+  int joint = -1;
+  double force = 0;
 };
 
 /// What rounding makes of reactions that cancel: an upper estimate.
@@ -146,11 +152,13 @@ class CoupledDynamics {
   /// Where the next evaluation starts from.
   void set_friction_moment(int load, const Eigen::Vector3d& moment);
   const Reaction<double>& reaction(int load) const;
-  /// tau of a resting hinge.
+  /// tau of a resting hinge; NaN where a contact of it has no value.
   double utilisation(int load);
   /// Utilisation above which a resting hinge begins to slide.
   double slip_limit(int load) const;
   std::span<const contact::JointSolution> joints(int load) const;
+  /// A joint of a hinge with friction.
+  const contact::JointContact& contact(int load, int joint) const;
 
   /// What the search of the last evaluation found; empty if there was none.
   std::span<const CoupledSolution> solutions() const;

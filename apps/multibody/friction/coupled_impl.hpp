@@ -66,6 +66,8 @@ class CoupledDynamics::Impl {
   /// Fills every active hinge's answer; the residual.
   /// @param floor  moments below it, times the tolerance, are rounding
   double answer(double floor = 0);
+  /// Ends an evaluation whose friction or utilisation in this hinge is NaN.
+  void fail_at(int load);
   /// Worked out when first asked for.
   const Reaction<double>& reaction(int load) {
     know_reactions();

@@ -346,6 +346,7 @@ void CoupledDynamics::Impl::loop() {
     if (trace) trace->push_back({report.iterations, report.residual});
     if (!std::isfinite(report.residual)) {
       report.status = CoupledStatus::out_of_range;
+      if (report.load >= 0) fail_at(report.load);
       return;
     }
     if (report.residual <= options.tolerance) return;

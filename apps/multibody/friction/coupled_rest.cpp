@@ -257,7 +257,11 @@ const CoupledReport& CoupledDynamics::Impl::resolve_rest(
     for (int i = 0; i < count; ++i) {
       if (hinges[i].mode != HingeMode::resting) continue;
       const double tau = utilisation(i);
-      if (!(tau <= std::max(most, slip_limit(i)))) {
+      if (std::isnan(tau)) {
+        fail_at(i);
+        return report;
+      }
+      if (tau > std::max(most, slip_limit(i))) {
         worst = i;
         most = tau;
       }

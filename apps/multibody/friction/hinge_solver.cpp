@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "libcontact/base/error.hpp"
@@ -24,9 +25,20 @@ Vector3d nan_vector() {
 // Of the joints' own iteration: well below what the outer loop asks for.
 constexpr contact::SolveOptions inner{.tolerance = 1e-12};
 
-bool is_dry(const contact::NodeJoint& joint) {
-  return std::visit([](const auto& j) { return !j.contact().is_viscous(); },
-                    joint.joint);
+// Whether its friction is more than none at speed 0: neither viscous nor 0.
+bool holds(const contact::JointContact& contact) {
+  const contact::JointContact::Strength strength = contact.strength(0);
+  return strength.pressure_part > 0 || strength.area_part > 0;
+}
+
+const contact::JointContact& contact_of(const contact::NodeJoint& joint) {
+  return std::visit(
+      [](const auto& j) -> const contact::JointContact& { return j.contact(); },
+      joint.joint);
+}
+
+bool joint_holds(const contact::NodeJoint& joint) {
+  return holds(contact_of(joint));
 }
 
 }  // namespace
@@ -44,16 +56,16 @@ HingeSolver::HingeSolver(HingeFriction friction, const Link& link, int load)
       refuse("a ball joint alone", "a spherical hinge");
     }
     joints_.resize(1);
-    can_rest_ = !ball->joint.contact().is_viscous();
+    can_rest_ = holds(ball->joint.contact());
   } else if (const auto* node = std::get_if<NodeFriction>(&friction_)) {
     if (!is_axis_) refuse("a node of joints", "an axis");
     node_ = node->node.make_solution();
     joints_.resize(node_.joints.size());
-    can_rest_ = std::ranges::any_of(node->node.joints(), is_dry);
+    can_rest_ = std::ranges::any_of(node->node.joints(), joint_holds);
   } else if (const auto* pin = std::get_if<PinFriction>(&friction_)) {
     if (!is_axis_) refuse("a pin joint", "an axis");
     joints_.resize(1);
-    can_rest_ = !pin->joint.contact().is_viscous();
+    can_rest_ = holds(pin->joint.contact());
   }
 }
 
@@ -78,23 +90,27 @@ Vector3d HingeSolver::slide(const Reaction<double>& reaction,
     if (last.status != contact::Status::ok) return nan_vector();
     return {0, 0, last.friction_moment.dot(axis)};
   }
-  const auto& [node, estimate] = std::get<NodeFriction>(friction_);
-  node.solve(force, axes_ * vec3(reaction.moment), axis, rate.z(), node_);
-  std::ranges::copy(node_.joints, joints_.begin());
-  // Where joints carry little, rounding keeps a node from its own tolerance.
-  constexpr double fair = 1e-11;
-  if (node_.status != contact::Status::ok && !(node_.residual <= fair)) {
-    return nan_vector();
-  }
-  if (estimate == FrictionEstimate::consistent) {
-    return {0, 0, node_.friction_moment};
-  }
-  estimate_joints(node, rate.z());
+  if (!solve_node(reaction, rate.z())) return nan_vector();
   double sum = 0;
   for (const JointSolution& joint : joints_) {
     sum += joint.friction_moment.dot(axis);
   }
   return {0, 0, sum};
+}
+
+// The joints of a node that turns.
+bool HingeSolver::solve_node(const Reaction<double>& reaction, double rate) {
+  const auto& [node, estimate] = std::get<NodeFriction>(friction_);
+  node.solve(axes_ * vec3(reaction.force), axes_ * vec3(reaction.moment),
+             axes_.col(2), rate, node_);
+  std::ranges::copy(node_.joints, joints_.begin());
+  // Where joints carry little, rounding keeps a node from its own tolerance.
+  constexpr double fair = 1e-11;
+  if (node_.status != contact::Status::ok && !(node_.residual <= fair)) {
+    return false;
+  }
+  if (estimate == FrictionEstimate::traditional) estimate_joints(node, rate);
+  return true;
 }
 
 // The traditional friction of a node's joints under the forces they have.
@@ -124,6 +140,9 @@ double HingeSolver::utilisation_of(const BallFriction& ball,
   // n = R/|R| whatever the direction of slip.
   const Vector3d across = force.unitOrthogonal();
   joints_[0] = ball.joint.solve_contact(force, across);
+  if (joints_[0].status != contact::Status::ok) {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
   const contact::MomentSet set = ball.joint.moment_set(joints_[0]);
   const double tau = set.utilisation(moment);
   slip_direction_.setZero();
@@ -137,32 +156,49 @@ double HingeSolver::utilisation_of(const BallFriction& ball,
 }
 
 double HingeSolver::utilisation(const Reaction<double>& held) {
-  const Vector3d force = axes_ * vec3(held.force);
-  const Vector3d moment = axes_ * vec3(held.moment);
   if (const auto* ball = std::get_if<BallFriction>(&friction_)) {
-    return utilisation_of(*ball, force, moment);
+    return utilisation_of(*ball, axes_ * vec3(held.force),
+                          axes_ * vec3(held.moment));
   }
-  const Vector3d axis = axes_.col(2);
   const double needed = held.moment.z;
   const double sign = needed > 0 ? -1 : 1;
   slip_direction_ = Vector3d(0, 0, needed == 0 ? 0 : sign);
-  if (const auto* node = std::get_if<NodeFriction>(&friction_)) {
-    double tau = node->node.utilisation(force, moment, axis, needed, node_);
-    std::ranges::copy(node_.joints, joints_.begin());
-    if (node->estimate == FrictionEstimate::traditional && needed != 0) {
-      estimate_joints(node->node, sign);
-      double limit = 0;
-      for (std::size_t k = 0; k < joints_.size(); ++k) {
-        if (!is_dry(node->node.joints()[k])) continue;
-        limit += std::abs(joints_[k].friction_moment.dot(axis));
-      }
-      tau = std::abs(needed) / limit;
-    }
-    return tau;
+  const double limit = moment_limit(held, sign);
+  // Without load too 0 is held.
+  return needed == 0 ? 0 * limit : std::abs(needed) / limit;
+}
+
+// What the joints on an axis hold against sliding with this sign.
+double HingeSolver::moment_limit(const Reaction<double>& held, double sign) {
+  const auto* node = std::get_if<NodeFriction>(&friction_);
+  if (!node) return std::abs(slide(held, Vector3d(0, 0, sign)).z());
+  if (!solve_node(held, sign)) {
+    return std::numeric_limits<double>::quiet_NaN();
   }
-  if (needed == 0) return 0;
-  slide(held, Vector3d(0, 0, sign));
-  return std::abs(needed) / joints_[0].friction_moment.norm();
+  double limit = 0;
+  for (std::size_t k = 0; k < joints_.size(); ++k) {
+    if (!joint_holds(node->node.joints()[k])) continue;
+    limit += std::abs(joints_[k].friction_moment.dot(axes_.col(2)));
+  }
+  return limit;
+}
+
+int HingeSolver::failed_joint() const {
+  const auto failed = std::ranges::find_if(joints_, [](const auto& joint) {
+    return joint.status != contact::Status::ok;
+  });
+  return failed == joints_.end() ? 0
+                                 : static_cast<int>(failed - joints_.begin());
+}
+
+const contact::JointContact& HingeSolver::contact(int joint) const {
+  if (const auto* ball = std::get_if<BallFriction>(&friction_)) {
+    return ball->joint.contact();
+  }
+  if (const auto* pin = std::get_if<PinFriction>(&friction_)) {
+    return pin->joint.contact();
+  }
+  return contact_of(std::get<NodeFriction>(friction_).node.joints()[joint]);
 }
 
 Vector3d HingeSolver::prox(const Matrix3d& inertia,

@@ -20,7 +20,7 @@ class HingeSolver {
   HingeSolver(HingeFriction friction, const Link& link, int load);
 
   bool has_friction() const { return !joints_.empty(); }
-  /// Dry friction in at least one joint.
+  /// Dry friction, above 0, in at least one joint.
   bool can_rest() const { return can_rest_; }
   bool is_axis() const { return is_axis_; }
 
@@ -29,7 +29,8 @@ class HingeSolver {
   Eigen::Vector3d slide(const Reaction<double>& reaction,
                         const Eigen::Vector3d& rate);
 
-  /// tau: share of the moments that friction can hold which `held` needs.
+  /// tau: share of the moments that friction can hold which `held` needs; NaN
+  /// where a contact has no value.
   /// @param held  what acts on the held load in the hinge, its moment about
   ///              the hinge's centre included
   double utilisation(const Reaction<double>& held);
@@ -49,8 +50,13 @@ class HingeSolver {
   }
   /// Of the last call, given load axes.
   std::span<const contact::JointSolution> joints() const { return joints_; }
+  /// If that gave NaN: the joint that it comes from.
+  int failed_joint() const;
+  const contact::JointContact& contact(int joint) const;
 
  private:
+  bool solve_node(const Reaction<double>& reaction, double rate);
+  double moment_limit(const Reaction<double>& held, double sign);
   void estimate_joints(const contact::JointNode& node, double rate);
   double utilisation_of(const BallFriction& ball, const Eigen::Vector3d& force,
                         const Eigen::Vector3d& moment);

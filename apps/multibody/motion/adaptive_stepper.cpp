@@ -36,9 +36,9 @@ class AdaptiveStepper final : public Stepper {
     to_.assign(state.begin(), state.end());
     begin_known_ = false;
     last_time_ = std::numeric_limits<double>::quiet_NaN();
+    wall_ = -std::numeric_limits<double>::infinity();
     if (memory_) {
-      ERKStepReInit(memory_, rate, time, vector_);
-      ERKStepSetInitStep(memory_, next_step_);
+      begin_with(next_step_);
       return;
     }
     vector_ = N_VMake_Serial(static_cast<sunindextype>(to_.size()), to_.data(),
@@ -65,12 +65,10 @@ class AdaptiveStepper final : public Stepper {
     if (begin_known_) begin_rates_ = last_rates_;
     begin_ = end_;
     from_ = to_;
-    if (std::isfinite(limit)) ERKStepSetStopTime(memory_, limit);
     double end = end_;
-    const int flag =
-        ERKStepEvolve(memory_, std::isfinite(limit) ? limit : begin_ + 1,
-                      vector_, &end, ARK_ONE_STEP);
-    if (flag < 0) return false;
+    while (!try_step(limit, end)) {
+      if (!shorten()) return false;
+    }
     end_ = end;
     // A step that a limit cuts short is not what the next one should be like.
     const double planned = end < limit ? 0 : next_step_;
@@ -121,6 +119,35 @@ class AdaptiveStepper final : public Stepper {
   void set_next_step(double step) override { next_step_ = step; }
 
  private:
+  // From begin_, with a first step; 0: ARKODE finds one.
+  void begin_with(double step) {
+    ERKStepReInit(memory_, rate, begin_, vector_);
+    ERKStepSetInitStep(memory_, step);
+  }
+
+  bool try_step(double limit, double& end) {
+    failed_at_ = std::numeric_limits<double>::quiet_NaN();
+    if (std::isfinite(limit)) ERKStepSetStopTime(memory_, limit);
+    return ERKStepEvolve(memory_, std::isfinite(limit) ? limit : begin_ + 1,
+                         vector_, &end, ARK_ONE_STEP) >= 0;
+  }
+
+  // After a step in which there were no rates, which ERKStep takes for the
+  // end, whatever they say: the state at which it looked may never come. A
+  // state that does come is approached as near as this share of the step that
+  // met it first.
+  bool shorten() {
+    constexpr double near = 1e-3;
+    const double way = failed_at_ - begin_;
+    if (!(way > 0)) return false;
+    if (wall_ <= begin_) first_way_ = way;
+    wall_ = failed_at_;
+    if (way <= near * first_way_) return false;
+    to_ = from_;
+    begin_with(way / 2);
+    return true;
+  }
+
   // Order 5 with an embedded fourth: of the tables up to order 8 it took the
   // fewest evaluations at tolerances of 1e-6 to 1e-12 among those whose dense
   // output keeps up.
@@ -135,8 +162,12 @@ class AdaptiveStepper final : public Stepper {
     auto* stepper = static_cast<AdaptiveStepper*>(self);
     const bool done = stepper->rates_(time, N_VGetArrayPointer(state),
                                       N_VGetArrayPointer(to));
-    if (done) stepper->remember(time, state, to);
-    return done ? 0 : 1;  // 1: try a shorter step
+    if (done) {
+      stepper->remember(time, state, to);
+    } else {
+      stepper->failed_at_ = time;
+    }
+    return done ? 0 : 1;
   }
 
   // Reciprocals of the tolerances.
@@ -190,6 +221,11 @@ class AdaptiveStepper final : public Stepper {
   bool begin_known_ = false;
   double last_time_ = std::numeric_limits<double>::quiet_NaN();
   std::vector<double> begin_rates_, last_state_, last_rates_;
+  // Time without rates of the last try; that of the last step in which there
+  // was one, and how far before it such steps began.
+  double failed_at_ = std::numeric_limits<double>::quiet_NaN();
+  double wall_ = -std::numeric_limits<double>::infinity();
+  double first_way_ = 0;
 };
 
 }  // namespace

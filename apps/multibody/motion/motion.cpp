@@ -235,9 +235,8 @@ bool MotionImpl::step() {
     // Why, if a coupled evaluation did not come out.
     const bool coupled_failed =
         failed_report.status != CoupledStatus::ok && failed_time >= from;
-    set_failure(coupled_failed ? failed_report.status : CoupledStatus::ok,
-                coupled_failed ? failed_time : from,
-                coupled_failed ? failed_report.load : -1);
+    set_failure(coupled_failed ? failed_report : CoupledReport{},
+                coupled_failed ? failed_time : from);
     return false;
   }
   ++counts.steps;
@@ -259,7 +258,7 @@ bool MotionImpl::step() {
       pending.reset();
       return true;
     }
-    set_failure(CoupledStatus::ok, stepper->end(), -1);
+    set_failure({}, stepper->end());
     return false;
   }
   // Several steps instead: what comes before the event may still be asked for,
@@ -296,7 +295,7 @@ Stop MotionImpl::advance_to(double time) {
       return Stop::time;
     }
     if (steps >= options.step_limit) {
-      set_failure(CoupledStatus::ok, stepper->end(), -1);
+      set_failure({}, stepper->end());
       failure->message = fmt::format("at {} s: {} steps were not enough",
                                      stepper->end(), options.step_limit);
       break;

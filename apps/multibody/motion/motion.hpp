@@ -186,6 +186,7 @@ struct MotionFailure {
   std::string message;
   /// Of several_solutions: the friction moments, load axes.
   std::vector<CoupledSolution> solutions;
+  int joint = -1;  ///< of no_contact: which one of the load's hinge
 };
 
 /// All that is needed to go on later: a value.

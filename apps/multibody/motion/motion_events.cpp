@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <limits>
 #include <string>
+#include <tuple>
 #include <utility>
 
 #include "libcontact/base/root_finding.hpp"
@@ -95,6 +96,45 @@ bool MotionImpl::stops_in_step(int load) {
          coupled.stops_within(load, rate, h);
 }
 
+// Where a resting hinge holds no longer, or has a contact without a value,
+// whose tau is NaN: resolve_rest() tells the two apart.
+std::optional<double> MotionImpl::rest_end(const Watch& watch, double end) {
+  const double t0 = stepper->begin();
+  look_at(t0, stepper->begin_state());
+  const double begin = value(watch);
+  if (!(begin <= 0)) return t0;
+  double last = stepper->end();
+  // Of a joint without load tau jumps from 0 to infinity where a moment begins
+  // to grow: that is known to the shortest step that can be made, which has
+  // some roundings of time.
+  const double soon = std::max(1e-10 * (last - t0), 1e-14 * std::abs(t0));
+  const auto passed = [&](double time, double at_time) {
+    return std::max(t0 + soon, locate(watch, t0, begin, time, at_time));
+  };
+  double last_value = end;
+  std::optional<double> lost;
+  for (;;) {
+    if (std::isnan(last_value)) {
+      // Not to the rounding of time: so far on that it is NaN again when the
+      // step is made to end there.
+      constexpr int bits = 25;
+      double known = t0;
+      lost = last;
+      for (int i = 0; i < bits; ++i) {
+        const double middle = known + (*lost - known) / 2;
+        (std::isnan(value_at(watch, middle)) ? *lost : known) = middle;
+      }
+      last = known;
+      last_value = value_at(watch, known);
+    }
+    if (last_value > 0) return passed(last, last_value);
+    const auto peak = peak_between(watch, t0, begin, last, last_value);
+    if (peak.second > 0) return passed(peak.first, peak.second);
+    if (!std::isnan(peak.second)) return lost;
+    std::tie(last, last_value) = peak;
+  }
+}
+
 std::optional<double> MotionImpl::crossing(const Watch& watch) {
   const double t0 = stepper->begin();
   const double t1 = stepper->end();
@@ -133,14 +173,8 @@ std::optional<double> MotionImpl::crossing(const Watch& watch) {
       constexpr double stopped = 0.1;
       return then <= stopped * before ? std::optional(time) : std::nullopt;
     }
-    case Kind::rest_ends: {
-      const double begin = at_begin();
-      if (begin > 0) return t0;
-      if (end > 0) return locate(watch, t0, begin, t1, end);
-      const auto peak = peak_between(watch, t0, begin, t1, end);
-      if (!(peak.second > 0)) return {};
-      return locate(watch, t0, begin, peak.first, peak.second);
-    }
+    case Kind::rest_ends:
+      return rest_end(watch, end);
     case Kind::slip_ends:
     case Kind::user:
       break;  // motion_crossings.cpp
@@ -190,7 +224,7 @@ bool MotionImpl::stalls(int load) {
       rests ? fmt::format("resting, utilisation {}",
                           work_out() ? coupled.utilisation(load) : NAN)
             : fmt::format("sliding at {} rad/s", speed);
-  set_failure(CoupledStatus::not_converged, now, load);
+  set_failure({.status = CoupledStatus::not_converged, .load = load}, now);
   failure->message = fmt::format(
       "at {} s: more than {} changes between rest and slip within {} s, the "
       "hinge is {} (load {})",
@@ -212,7 +246,7 @@ bool MotionImpl::handle(const Found& found) {
   if (changes_time != now) changes_here = 0;
   changes_time = now;
   if (++changes_here > 8 * loads() + 16) {
-    set_failure(CoupledStatus::not_converged, now, i);
+    set_failure({.status = CoupledStatus::not_converged, .load = i}, now);
     return true;
   }
   std::vector<double> state = view_state;

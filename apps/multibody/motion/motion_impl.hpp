@@ -85,6 +85,7 @@ class MotionImpl {
   bool stops_in_step(int load);
   std::optional<double> crossing(const Watch& watch);
   double value_at(const Watch& watch, double time);
+  std::optional<double> rest_end(const Watch& watch, double end);
   std::pair<double, double> peak_between(const Watch& watch, double low,
                                          double low_value, double high,
                                          double high_value);
@@ -141,7 +142,7 @@ class MotionImpl {
   void keep_hinge_angle(int load, double angle) {
     bodies[1 + load].hinge_angle = rate_bodies_[1 + load].hinge_angle = angle;
   }
-  void set_failure(CoupledStatus status, double time, int load);
+  void set_failure(const CoupledReport& report, double time);
 
   System system;
   MotionOptions options;

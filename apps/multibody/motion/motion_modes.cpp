@@ -4,6 +4,8 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <utility>
 
 #include "multibody/motion/motion_impl.hpp"
 #include "multibody/system/eigen_conversion.hpp"
@@ -26,10 +28,23 @@ const char* reason(CoupledStatus status) {
       return "several friction moments fit the reactions they cause";
     case CoupledStatus::out_of_range:
       return "a force or a velocity is not a finite number";
+    case CoupledStatus::no_contact:
+      return "a contact has no value";
     case CoupledStatus::ok:
       return "steps as short as can be do not meet the tolerance";
   }
   return "";
+}
+
+std::string reason(const contact::JointContact& contact, double force) {
+  const std::string law = contact.half_angle_law().name();
+  return std::isfinite(contact.half_angle(force).half_angle)
+             ? fmt::format(
+                   "half-angle law {} and pressure law {} give no friction "
+                   "under {:.6g} N",
+                   law, contact.pressure_law().name(), force)
+             : fmt::format("half-angle law {} has no value under {:.6g} N", law,
+                           force);
 }
 
 // Speed up to which a ball joint that begins to slide does so straight, rad/s:
@@ -38,11 +53,21 @@ constexpr double onset_speed = 3e-5;
 
 }  // namespace
 
-void MotionImpl::set_failure(CoupledStatus status, double time, int load) {
-  std::string message = fmt::format("at {} s: {}", time, reason(status));
-  if (load >= 0) message += fmt::format(" (load {})", load);
-  failure = MotionFailure{status, time, load, std::move(message), {}};
-  if (status == CoupledStatus::several_solutions) {
+void MotionImpl::set_failure(const CoupledReport& report, double time) {
+  const int load = report.load;
+  const int joint = report.joint;
+  std::string message = fmt::format("at {} s: ", time);
+  if (report.status == CoupledStatus::no_contact) {
+    message += fmt::format("{} (load {}, joint {})",
+                           reason(coupled.contact(load, joint), report.force),
+                           load, joint);
+  } else {
+    message += reason(report.status);
+    if (load >= 0) message += fmt::format(" (load {})", load);
+  }
+  failure =
+      MotionFailure{report.status, time, load, std::move(message), {}, joint};
+  if (report.status == CoupledStatus::several_solutions) {
     failure->solutions.assign(coupled.solutions().begin(),
                               coupled.solutions().end());
   }
@@ -134,10 +159,10 @@ bool MotionImpl::resolve_rest(const std::vector<double>& state, int forced) {
     const CoupledReport& report =
         coupled.resolve_rest(view_state.data(), loading_, forced);
     if (report.status != CoupledStatus::ok) {
-      set_failure(report.status, now, report.load);
+      set_failure(report, now);
     }
   } else {
-    set_failure(failed_report.status, now, failed_report.load);
+    set_failure(failed_report, now);
   }
   for (int i = 0; i < loads(); ++i) {
     joint_modes[i] = coupled.dynamics().mode(i);

@@ -208,14 +208,21 @@ void Simulation::renew_forces() {
   motion_.set_forces(std::make_shared<CaseForces>(case_, history_));
 }
 
-// Why the motion failed, with the load's name for its number.
+// Why the motion failed, with the names of load and joint for their numbers.
 std::string Simulation::failure_text() const {
   const multibody::MotionFailure& failure = *motion_.failure();
-  const std::string number = fmt::format("(load {})", failure.load);
   std::string text = failure.message;
-  if (failure.load >= 0 && text.ends_with(number)) {
-    text.replace(text.size() - number.size(), number.size(),
-                 fmt::format("(\"{}\")", case_.loads[failure.load].body.name));
+  if (failure.load < 0) return text;
+  const Load& load = case_.loads[failure.load];
+  std::string number = fmt::format("(load {}", failure.load);
+  std::string name = fmt::format("(\"{}\"", load.body.name);
+  if (failure.joint >= 0) {
+    number += fmt::format(", joint {}", failure.joint);
+    name += fmt::format(", joint \"{}\"",
+                        load.hinge.joints[failure.joint].joint.name);
+  }
+  if (text.ends_with(number + ")")) {
+    text.replace(text.size() - number.size() - 1, number.size(), name);
   }
   return text;
 }
