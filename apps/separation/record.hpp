@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "separation/clearance.hpp"
+#include "separation/force_watch.hpp"
 #include "separation/peaks.hpp"
 #include "separation/simulation.hpp"
 
@@ -91,6 +92,7 @@ class Recorder {
     std::vector<LoadRecord> loads;
     std::vector<Note> notes;
     std::vector<PairRecord> pairs;
+    std::vector<ForceRecord> forces;
     std::vector<int> modes;  ///< of each load at the last look
     double last_time = 0;
     double first_balance = 0;

@@ -13,11 +13,12 @@
 #include <vector>
 
 #include "cli/choice.hpp"
+#include "cli/interrupts.hpp"
 #include "cli/output.hpp"
 #include "libcontact/error.hpp"
-#include "multibody/file_text.hpp"
 #include "separation/case_reader.hpp"
 #include "separation/compare.hpp"
+#include "separation/force_watch.hpp"
 #include "separation/history_file.hpp"
 #include "separation/pictures.hpp"
 #include "separation/run_case.hpp"
@@ -169,6 +170,13 @@ void print_overlaps(const Case& c, const Outcome& outcome) {
   }
 }
 
+// Forces that do what was hardly meant.
+void print_faults(const Case& c, const Outcome& outcome) {
+  for (const std::string& fault : force_faults(c, outcome.memory.forces)) {
+    cli::warn(program, fault);
+  }
+}
+
 // Events that are in the file for nothing, and forces.
 void print_missed(const Case& c, const Outcome& outcome) {
   for (const Missed& missed : missed_events(c, outcome)) {
@@ -176,14 +184,9 @@ void print_missed(const Case& c, const Outcome& outcome) {
               fmt::format("event \"{}\" did not come for {}", missed.event,
                           fmt::join(missed.loads, ", ")));
   }
-  std::set<std::string> idle, acting;
-  for (const Force& force : c.forces) {
-    const double begin = outcome.history.time_of(force.begin, force.body, c);
-    (begin < outcome.end_time ? acting : idle).insert(force.name);
-  }
-  for (const std::string& name : idle) {
-    if (acting.contains(name)) continue;
-    cli::warn(program, fmt::format("force \"{}\" did not begin", name));
+  for (const std::string& idle : idle_forces(
+           c, outcome.history, outcome.memory.forces, outcome.end_time)) {
+    cli::warn(program, idle);
   }
 }
 
@@ -202,8 +205,23 @@ void print_drift(const Case& c, const Outcome& outcome) {
                         memory.largest_drift / memory.largest_energy));
 }
 
+// `status`, but for a run that a signal has stopped.
+cli::ExitStatus status_of(const cli::Interrupts& interrupts,
+                          cli::ExitStatus status) {
+  switch (interrupts.signal()) {
+    case SIGINT:
+      return cli::interrupted;
+    case SIGTERM:
+      return cli::terminated;
+    default:
+      return status;
+  }
+}
+
 cli::ExitStatus compare(const Case& c, const Options& o) {
   print_validity(c);
+  const cli::Interrupts interrupts;
+  const StopRule stop = stop_rule(interrupts, o.step_limit, o.time_limit);
   std::vector<Outcome> outcomes;
   cli::ExitStatus status = cli::all_good;
   for (const auto& [name, choice] : friction_choices) {
@@ -211,6 +229,7 @@ cli::ExitStatus compare(const Case& c, const Options& o) {
     run.friction = choice;
     run.clearance = false;
     run.progress = true;
+    run.stop = stop;
     outcomes.push_back(run_case(c, run));
     if (outcomes.back().failure.empty()) continue;
     cli::warn(program,
@@ -219,7 +238,7 @@ cli::ExitStatus compare(const Case& c, const Options& o) {
   }
   std::swap(outcomes[0], outcomes[1]);  // ideal, full, traditional
   write_comparison(c, outcomes, o.output);
-  return status;
+  return status_of(interrupts, status);
 }
 
 RunOptions run_options(const Case& c, const Options& o) {
@@ -239,12 +258,12 @@ RunOptions run_options(const Case& c, const Options& o) {
       run.identity += text_of(joint.joint);
     }
   }
-  run.identity += multibody::file_text(o.case_file);
+  run.identity += c.content;
   return run;
 }
 
 cli::ExitStatus simulate(const Case& c, const Options& o) {
-  const RunOptions options = run_options(c, o);
+  RunOptions options = run_options(c, o);
   // Before the run: files that cannot be made should not cost its result.
   std::optional<HistoryFile> history;
   if (!o.history.empty()) history.emplace(o.history);
@@ -253,6 +272,9 @@ cli::ExitStatus simulate(const Case& c, const Options& o) {
   cli::Output output(o.output.output);
   print_validity(c);
 
+  // Until everything is written.
+  const cli::Interrupts interrupts;
+  options.stop = stop_rule(interrupts, o.step_limit, o.time_limit);
   const Outcome outcome = run_case(c, options);
   cli::ExitStatus status = cli::all_good;
   if (!outcome.failure.empty()) {
@@ -261,6 +283,7 @@ cli::ExitStatus simulate(const Case& c, const Options& o) {
   } else {
     print_missed(c, outcome);
   }
+  print_faults(c, outcome);
   print_overlaps(c, outcome);
   print_drift(c, outcome);
   if (history) history->write(outcome.memory.rows);
@@ -270,12 +293,15 @@ cli::ExitStatus simulate(const Case& c, const Options& o) {
   }
   output.write(summary(c, outcome).dump(2) + '\n');
   output.commit();
-  if (o.output.plot.empty()) return status;
-  const std::string problem =
-      draw_pictures(c, outcome.memory.rows, options.clearance, o.output.plot);
-  if (problem.empty()) return status;
-  cli::warn(program, problem);
-  return cli::some_bad;
+  if (!o.output.plot.empty()) {
+    const std::string problem =
+        draw_pictures(c, outcome.memory.rows, options.clearance, o.output.plot);
+    if (!problem.empty()) {
+      cli::warn(program, problem);
+      status = cli::some_bad;
+    }
+  }
+  return status_of(interrupts, status);
 }
 
 }  // namespace
