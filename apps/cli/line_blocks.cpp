@@ -16,7 +16,6 @@ namespace {
 // Large against the cost of a system call and of passing a block between
 // threads, small enough for the cache: some 3,000 lines.
 constexpr std::size_t block_size = 1 << 16;
-constexpr std::size_t longest_line = 1'000'000;
 
 }  // namespace
 
@@ -63,6 +62,10 @@ std::optional<std::string> LineReader::line() {
   while (rest_.find('\n') == std::string::npos) {
     if (rest_.size() > longest_line || !fill(rest_)) break;
   }
+  if (std::min(rest_.find('\n'), rest_.size()) > longest_line) {
+    throw contact::Error(fmt::format("{}, line {}: longer than {} characters",
+                                     name_, next_number_, longest_line));
+  }
   if (rest_.empty()) return std::nullopt;
   std::string_view text = rest_;
   const std::string line(next_line(text));
@@ -71,27 +74,39 @@ std::optional<std::string> LineReader::line() {
   return line;
 }
 
+// What is behind the next line end becomes rest_, what is before it is gone.
+void LineReader::skip_line() {
+  std::size_t end = std::string::npos;
+  do {
+    rest_.clear();
+    if (!fill(rest_)) return;
+    end = rest_.find('\n');
+  } while (end == std::string::npos);
+  rest_.erase(0, end + 1);
+}
+
 bool LineReader::next(LineBlock& block) {
   block.first_line = next_number_;
   block.text.swap(rest_);
   rest_.clear();
   std::size_t end = 0;
-  do {
+  while (end == 0 && block.text.size() <= longest_line) {
     if (!fill(block.text)) {
       end = block.text.size();
       break;
     }
     end = block.text.rfind('\n') + 1;
-    if (end == 0 && block.text.size() > longest_line) {
-      throw contact::Error(fmt::format("{}, line {}: longer than {} characters",
-                                       name_, next_number_, longest_line));
-    }
-  } while (end == 0);
-  rest_.assign(block.text, end);
-  block.text.resize(end);
+  }
+  if (end == 0 && !block.text.empty()) {
+    skip_line();
+    block.text += '\n';
+  } else {
+    rest_.assign(block.text, end);
+    block.text.resize(end);
+  }
   next_number_ += static_cast<std::size_t>(
       std::count(block.text.begin(), block.text.end(), '\n'));
-  return end > 0;
+  return !block.text.empty();
 }
 
 }  // namespace cli

@@ -7,8 +7,14 @@
 
 namespace cli {
 
+/// Characters that a line may have; what is longer is a mistake, such as a file
+/// without line ends.
+inline constexpr std::size_t longest_line = 1'000'000;
+
 /// Some whole lines of a text.
 struct LineBlock {
+  /// Of a line that is longer than longest_line only the beginning may be
+  /// there; it is longer than that too.
   std::string text;
   /// Number of the first of them, from 1.
   std::size_t first_line = 1;
@@ -28,12 +34,13 @@ class LineReader {
   LineReader(const LineReader&) = delete;
   LineReader& operator=(const LineReader&) = delete;
 
-  /// The next line alone (a header), no value at the end.
+  /// The next line alone (a header), no value at the end. Throws
+  /// contact::Error if it is longer than longest_line.
   std::optional<std::string> line();
   /// Number of the line that comes next, from 1.
   std::size_t next_number() const { return next_number_; }
   /// The next lines; false at the end. Throws contact::Error if the input
-  /// cannot be read or has a line of more than a million characters.
+  /// cannot be read.
   bool next(LineBlock& block);
 
   /// "points.csv" or "standard input", for messages.
@@ -41,6 +48,7 @@ class LineReader {
 
  private:
   bool fill(std::string& text);
+  void skip_line();
 
   std::string name_;
   int descriptor_;

@@ -68,7 +68,10 @@ std::string list_of(std::span<const PointColumn> columns) {
 
 void read_line(const PointColumns& columns, std::string_view line,
                PointLines& block, std::string& why) {
-  why = split_record(line, block.fields);
+  block.fields.clear();
+  why = line.size() > longest_line
+            ? fmt::format("longer than {} characters", longest_line)
+            : std::string(split_record(line, block.fields));
   if (why.empty() && block.fields.size() != columns.count) {
     why = fmt::format("{} fields where the header has {}", block.fields.size(),
                       columns.count);
@@ -156,7 +159,7 @@ void read_points(const PointColumns& columns, PointLines& block) {
   std::size_t line_number = block.lines.first_line;
   for (std::string_view rest = block.lines.text; !rest.empty(); ++line_number) {
     const std::string_view line = next_line(rest);
-    if (trimmed(line).empty()) continue;
+    if (line.size() <= longest_line && trimmed(line).empty()) continue;
     read_line(columns, line, block, why);
     if (why.empty()) continue;
     ++block.bad_lines;

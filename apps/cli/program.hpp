@@ -14,8 +14,16 @@ namespace cli {
 
 /// Exit statuses of every program. Wrong options, unreadable or wrong files
 /// and results that cannot be written end a program with `failed`: one
-/// message, and no output file.
-enum ExitStatus { all_good = 0, some_bad = 1, failed = 2 };
+/// message, and no output file. A run that SIGINT or SIGTERM has stopped, and
+/// whose results so far are there, ends as the shell says it of a program that
+/// the signal ends.
+enum ExitStatus {
+  all_good = 0,
+  some_bad = 1,
+  failed = 2,
+  interrupted = 130,
+  terminated = 143
+};
 
 /// What every program's --help says about them; goes into its footer.
 inline constexpr std::string_view exit_status_help =

@@ -10,24 +10,24 @@ Progress::Progress(std::string what, std::size_t total)
     : what_(std::move(what)),
       total_(total),
       terminal_(isatty(STDERR_FILENO) == 1),
-      next_(Clock::now() + std::chrono::seconds(1)) {}
+      next_(Clock::now() + std::chrono::seconds(terminal_ ? 1 : 10)) {}
 
 Progress::~Progress() { clear(); }
 
 void Progress::have_said() {
-  next_ = Clock::now() + std::chrono::milliseconds(200);
-  shown_ = true;
+  next_ = Clock::now() + std::chrono::milliseconds(terminal_ ? 200 : 10'000);
+  shown_ = terminal_;
 }
 
 void Progress::say(const std::string& text) {
-  // The last one may have been longer.
-  std::fprintf(stderr, "\r\033[K%s ", text.c_str());
+  // On a terminal over the last one, which may have been longer.
+  std::fprintf(stderr, terminal_ ? "\r\033[K%s " : "%s\n", text.c_str());
   have_said();
 }
 
 void Progress::add(std::size_t count) {
   done_ += count;
-  if (!is_due()) return;
+  if (!terminal_ || !is_due()) return;
   have_said();
   if (total_ > 0) {
     std::fprintf(stderr, "\r%zu of %zu %s (%d %%) ", done_, total_,

@@ -6,8 +6,9 @@
 
 namespace cli {
 
-/// Says on standard error how far a long run is, when that is a terminal and
-/// the run takes more than a second; silent otherwise.
+/// Says on standard error how far a long run is: on a terminal after a second
+/// and from then on in one line. Elsewhere runs that count nothing say a line
+/// every ten seconds; those that count rows are silent.
 class Progress {
   using Clock = std::chrono::steady_clock;
 
@@ -22,8 +23,10 @@ class Progress {
   /// `count` more are done.
   void add(std::size_t count);
   /// Whether it is time to say something.
-  bool is_due() const { return terminal_ && Clock::now() >= next_; }
-  /// For runs that count nothing.
+  bool is_due() const { return Clock::now() >= next_; }
+  bool is_terminal() const { return terminal_; }
+  /// For runs that count nothing: `text` is a whole line where there is no
+  /// terminal.
   void say(const std::string& text);
   /// Removes the message, so that a line of text can be printed.
   void clear();

@@ -20,6 +20,14 @@ enum class Question {
 struct Input {
   Eigen::Vector3d force;  ///< R, or R_n n; N
   Eigen::Vector3d turn;   ///< Dw, rad/s, or M, N m
+  /// R or R_n, N, and b or a, degrees, as they were given, for tables that say
+  /// so again: what the vectors give differs in the last digits. Not of
+  /// vectors.
+  struct Given {
+    double force;
+    double angle_deg;
+  };
+  std::optional<Given> given = {};
 };
 
 /// The states that the options describe: a pair of vectors, or all pairs of

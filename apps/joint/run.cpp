@@ -29,7 +29,9 @@ void warn_of_validity(const Setup& setup) {
 // A pin takes no force along its axis.
 void warn_of_axial_force(const Setup& setup, const Inputs& inputs) {
   if (!setup.joints[0].joint.is_pin() || inputs.forces()) return;
-  const auto [force, turn] = inputs[0];
+  const Input input = inputs[0];
+  const Eigen::Vector3d& force = input.force;
+  const Eigen::Vector3d& turn = input.turn;
   if (force.isZero(0) || turn.isZero(0)) return;
   const double axial = std::abs(force.dot(turn.stableNormalized()));
   // Of what rounding leaves of a force normal to the axis.

@@ -20,6 +20,18 @@ double if_sliding(const Answer& a, double value) {
   return a.solution.state == JointState::sliding ? value : nan;
 }
 
+// A force or an angle that was given is shown as it was given: what the
+// solution says of it differs in the last digits, and rows would not be found
+// by it.
+double force_of(const Answer& a, Question given_in, double solved) {
+  const bool given = a.given && a.question == given_in && !std::isnan(solved);
+  return given ? a.given->force : solved;
+}
+double angle_of(const Answer& a, Question given_in, double solved) {
+  const bool given = a.given && a.question == given_in && !std::isnan(solved);
+  return given ? a.given->angle_deg : solved;
+}
+
 // The last ones are those of rest.
 constexpr std::size_t rest_quantities = 4;
 constexpr std::array<Quantity, 44> all = {{
@@ -28,7 +40,9 @@ constexpr std::array<Quantity, 44> all = {{
     {"residual", "estimate of |f/tan g - 1| that is left",
      [](const Answer& a) { return a.solution.residual; }},
     {"R_N", "reaction",
-     [](const Answer& a) { return a.solution.reaction.stableNorm(); }},
+     [](const Answer& a) {
+       return force_of(a, Question::reaction, a.solution.reaction.stableNorm());
+     }},
     {"R_x_N", "reaction on the load",
      [](const Answer& a) { return a.solution.reaction.x(); }},
     {"R_y_N", "", [](const Answer& a) { return a.solution.reaction.y(); }},
@@ -39,16 +53,20 @@ constexpr std::array<Quantity, 44> all = {{
     {"w_z_rad_per_s", "", [](const Answer& a) { return a.rate.z(); }},
     {"b_deg", "angle between R and Dw",
      [](const Answer& a) {
-       return if_sliding(a, a.solution.reaction_angle() / degree);
+       return angle_of(a, Question::reaction,
+                       if_sliding(a, a.solution.reaction_angle() / degree));
      }},
     {"g_deg", "friction angle, tan g = R_t/R_n",
      [](const Answer& a) { return a.solution.friction_angle() / degree; }},
     {"a_deg", "slip axis angle: 0 sliding, 90 spinning",
      [](const Answer& a) {
-       return if_sliding(a, a.solution.slip_axis_angle() / degree);
+       return angle_of(a, Question::contact,
+                       if_sliding(a, a.solution.slip_axis_angle() / degree));
      }},
     {"R_n_N", "compressive force",
-     [](const Answer& a) { return a.solution.compressive_force; }},
+     [](const Answer& a) {
+       return force_of(a, Question::contact, a.solution.compressive_force);
+     }},
     {"n_x", "its direction on the load",
      [](const Answer& a) { return a.solution.normal.x(); }},
     {"n_y", "", [](const Answer& a) { return a.solution.normal.y(); }},
@@ -113,7 +131,9 @@ constexpr std::array<Quantity, 44> all = {{
 
 Answer answer(const NamedJoint& named, Question question, const Input& input) {
   const AnyJoint& joint = named.joint;
-  Answer a{.rate = input.turn,
+  Answer a{.question = question,
+           .given = input.given,
+           .rate = input.turn,
            .solution = {},
            .traditional = nan,
            .moment_coefficient = nan,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <span>
 #include <string_view>
 
@@ -12,6 +13,8 @@ namespace hinge_joint {
 
 /// A joint's answer to one state.
 struct Answer {
+  Question question;
+  std::optional<Input::Given> given;
   Eigen::Vector3d rate;  ///< Dw; at rest u, with 1 rad/s
   contact::JointSolution solution;
   /// |M_t| that R would give as the compressive force, N m.

@@ -42,6 +42,9 @@ hinges) and NAME_clearance.svg (with shapes).
 the two together. A run that goes on with --resume FILE comes to the same
 results to the last byte, and goes on with checkpoints as often as before.
 
+A run that stops early, at --step-limit, --time-limit or by SIGINT or SIGTERM,
+writes its results so far, as one that fails does, and says what held it.
+
 Examples:
   hinge-separation data/cases/soyuz.toml --history soyuz.csv --output soyuz.json
   hinge-separation data/cases/two_stage_turn.toml --compare --format markdown
@@ -90,6 +93,24 @@ void add_options(CLI::App& app, Options& options) {
   app.add_option("--resume", options.resume, "checkpoint to go on from")
       ->option_text("FILE")
       ->group("Run");
+  app.add_option_function<std::string>(
+         "--step-limit",
+         [&options](const std::string& text) {
+           constexpr int most = 2'000'000'000;
+           options.step_limit = cli::parse_count("--step-limit", text, 1, most);
+         },
+         "stop after as many steps, with what there is")
+      ->option_text("N")
+      ->group("Run");
+  app.add_option_function<std::string>(
+         "--time-limit",
+         [&options](const std::string& text) {
+           options.time_limit =
+               cli::parse_value("--time-limit", text, {1e-3, 1e9, "s"});
+         },
+         "stop after as many seconds of wall-clock time")
+      ->option_text("SECONDS")
+      ->group("Run");
   app.add_option("--history", options.history,
                  "time history: .csv, .h5 or .hdf5, - for CSV on stdout")
       ->option_text("FILE")
@@ -103,7 +124,9 @@ void add_options(CLI::App& app, Options& options) {
       ->description(
           "of --compare: csv (default), json, markdown,\nlatex; the summary is "
           "JSON");
-  app.footer(std::string(help) + std::string(cli::exit_status_help));
+  app.footer(std::string(help) + std::string(cli::exit_status_help) +
+             "130, 143: stopped by SIGINT, SIGTERM; the results so far are "
+             "there.\n");
 }
 
 }  // namespace

@@ -15,6 +15,7 @@
 
 #include "cli/choice.hpp"
 #include "cli/file_text.hpp"
+#include "cli/interrupts.hpp"
 #include "cli/output.hpp"
 #include "libcontact/base/error.hpp"
 #include "separation/case/case_reader.hpp"
@@ -23,6 +24,7 @@
 #include "separation/output/pictures.hpp"
 #include "separation/output/summary.hpp"
 #include "separation/record/run_case.hpp"
+#include "separation/simulation/force_watch.hpp"
 
 namespace separation {
 namespace {
@@ -170,6 +172,13 @@ void print_overlaps(const Case& c, const Outcome& outcome) {
   }
 }
 
+// Forces that do what was hardly meant.
+void print_faults(const Case& c, const Outcome& outcome) {
+  for (const std::string& fault : force_faults(c, outcome.memory.forces)) {
+    cli::warn(program, fault);
+  }
+}
+
 // Events that are in the file for nothing, and forces.
 void print_missed(const Case& c, const Outcome& outcome) {
   for (const Missed& missed : missed_events(c, outcome)) {
@@ -177,14 +186,9 @@ void print_missed(const Case& c, const Outcome& outcome) {
               fmt::format("event \"{}\" did not come for {}", missed.event,
                           fmt::join(missed.loads, ", ")));
   }
-  std::set<std::string> idle, acting;
-  for (const Force& force : c.forces) {
-    const double begin = outcome.history.time_of(force.begin, force.body, c);
-    (begin < outcome.end_time ? acting : idle).insert(force.name);
-  }
-  for (const std::string& name : idle) {
-    if (acting.contains(name)) continue;
-    cli::warn(program, fmt::format("force \"{}\" did not begin", name));
+  for (const std::string& idle : idle_forces(
+           c, outcome.history, outcome.memory.forces, outcome.end_time)) {
+    cli::warn(program, idle);
   }
 }
 
@@ -203,8 +207,23 @@ void print_drift(const Case& c, const Outcome& outcome) {
                         memory.largest_drift / memory.largest_energy));
 }
 
+// `status`, but for a run that a signal has stopped.
+cli::ExitStatus status_of(const cli::Interrupts& interrupts,
+                          cli::ExitStatus status) {
+  switch (interrupts.signal()) {
+    case SIGINT:
+      return cli::interrupted;
+    case SIGTERM:
+      return cli::terminated;
+    default:
+      return status;
+  }
+}
+
 cli::ExitStatus compare(const Case& c, const Options& o) {
   print_validity(c);
+  const cli::Interrupts interrupts;
+  const StopRule stop = stop_rule(interrupts, o.step_limit, o.time_limit);
   std::vector<Outcome> outcomes;
   cli::ExitStatus status = cli::all_good;
   for (const auto& [name, choice] : friction_choices) {
@@ -212,6 +231,7 @@ cli::ExitStatus compare(const Case& c, const Options& o) {
     run.friction = choice;
     run.clearance = false;
     run.progress = true;
+    run.stop = stop;
     outcomes.push_back(run_case(c, run));
     if (outcomes.back().failure.empty()) continue;
     cli::warn(program,
@@ -220,7 +240,7 @@ cli::ExitStatus compare(const Case& c, const Options& o) {
   }
   std::swap(outcomes[0], outcomes[1]);  // ideal, full, traditional
   write_comparison(c, outcomes, o.output);
-  return status;
+  return status_of(interrupts, status);
 }
 
 RunOptions run_options(const Case& c, const Options& o) {
@@ -240,12 +260,12 @@ RunOptions run_options(const Case& c, const Options& o) {
       run.identity += text_of(joint.joint);
     }
   }
-  run.identity += cli::file_text(o.case_file);
+  run.identity += c.content;
   return run;
 }
 
 cli::ExitStatus simulate(const Case& c, const Options& o) {
-  const RunOptions options = run_options(c, o);
+  RunOptions options = run_options(c, o);
   // Before the run: files that cannot be made should not cost its result.
   std::optional<HistoryFile> history;
   if (!o.history.empty()) history.emplace(o.history);
@@ -254,6 +274,9 @@ cli::ExitStatus simulate(const Case& c, const Options& o) {
   cli::Output output(o.output.output);
   print_validity(c);
 
+  // Until everything is written.
+  const cli::Interrupts interrupts;
+  options.stop = stop_rule(interrupts, o.step_limit, o.time_limit);
   const Outcome outcome = run_case(c, options);
   cli::ExitStatus status = cli::all_good;
   if (!outcome.failure.empty()) {
@@ -262,6 +285,7 @@ cli::ExitStatus simulate(const Case& c, const Options& o) {
   } else {
     print_missed(c, outcome);
   }
+  print_faults(c, outcome);
   print_overlaps(c, outcome);
   print_drift(c, outcome);
   // What one file has no room for costs the others nothing.
@@ -284,12 +308,15 @@ cli::ExitStatus simulate(const Case& c, const Options& o) {
   events.reset();
   output.write(summary(c, outcome).dump(2) + '\n');
   output.commit();
-  if (o.output.plot.empty()) return status;
-  const std::string problem =
-      draw_pictures(c, outcome.memory.rows, options.clearance, o.output.plot);
-  if (problem.empty()) return status;
-  cli::warn(program, problem);
-  return cli::some_bad;
+  if (!o.output.plot.empty()) {
+    const std::string problem =
+        draw_pictures(c, outcome.memory.rows, options.clearance, o.output.plot);
+    if (!problem.empty()) {
+      cli::warn(program, problem);
+      status = cli::some_bad;
+    }
+  }
+  return status_of(interrupts, status);
 }
 
 }  // namespace

@@ -19,6 +19,8 @@ struct Options {
   std::string checkpoint;
   double checkpoint_every = 0;  ///< s
   std::string resume;
+  int step_limit = 0;     ///< 0: none
+  double time_limit = 0;  ///< s of wall-clock time; 0: none
   cli::OutputOptions output;
 };
 

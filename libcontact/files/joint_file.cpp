@@ -63,7 +63,22 @@ std::optional<FrictionModel> friction_from_table(const TomlTable& table) {
   return ViscousLaw(constant.value_or(0), slope.value_or(0));
 }
 
+std::vector<KnownKey> material_keys() {
+  return {{"name"}, {"youngs_modulus", Dimension::stress}, {"poissons_ratio"}};
+}
+
+std::vector<KnownKey> friction_keys() {
+  return {{"coefficient"},
+          {"adhesion", Dimension::stress},
+          {"viscous_constant", Dimension::viscous_constant},
+          {"viscous_pressure_slope", Dimension::inverse_velocity}};
+}
+
 MaterialPair material_pair_from_table(const TomlTable& table) {
+  table.refuse_keys_beside({{"name"},
+                            {"inner", Dimension::number, material_keys()},
+                            {"outer", Dimension::number, material_keys()},
+                            {"friction", Dimension::number, friction_keys()}});
   MaterialPair pair{table.text("name"), pair_from_table(table),
                     friction_from_table(table)};
   table.refuse_unknown_keys();
@@ -228,18 +243,41 @@ Joint joint_from_table(const TomlTable& table) {
   return joint;
 }
 
+std::vector<KnownKey> joint_keys() {
+  return {{"name"},
+          {"kind"},
+          {"inner_body"},
+          {"geometry",
+           Dimension::number,
+           {{"radius", Dimension::length},
+            {"radial_clearance", Dimension::length},
+            {"relative_clearance"},
+            {"length", Dimension::length}}},
+          {"materials",
+           Dimension::number,
+           {{"pair"},
+            {"inner", Dimension::number, material_keys()},
+            {"outer", Dimension::number, material_keys()}}},
+          {"friction", Dimension::number, friction_keys()},
+          {"half_angle",
+           Dimension::number,
+           {{"law"},
+            {"limit_half_angle", Dimension::angle},
+            {"limit_formula"},
+            {"degrees_per_radian"}}},
+          {"pressure", Dimension::number, {{"law"}}},
+          {"loading",
+           Dimension::number,
+           {{"kind"}, {"patch_half_angle", Dimension::angle}}}};
+}
+
 namespace {
 
 Joint whole_joint(const TomlTable& file) {
-  try {
-    Joint joint = joint_from_table(file);
-    file.refuse_unknown_keys();
-    return joint;
-  } catch (const Error&) {
-    // What is missing may be there by another name.
-    file.refuse_misspelt_keys();
-    throw;
-  }
+  file.refuse_keys_beside(joint_keys());
+  Joint joint = joint_from_table(file);
+  file.refuse_unknown_keys();
+  return joint;
 }
 
 }  // namespace

@@ -60,8 +60,11 @@ struct Joint {
 Joint read_joint(const std::filesystem::path& path);
 /// @param source  what messages call the text
 Joint parse_joint(std::string_view text, const std::string& source);
-/// A joint that is part of a larger file; leaves refuse_unknown_keys() to the
-/// caller. Paths are relative to the folder of the table's file.
+/// A joint that is part of a larger file; leaves unknown keys to the caller,
+/// who has joint_keys() for them. Paths are relative to the folder of the
+/// table's file.
 Joint joint_from_table(const TomlTable& table);
+/// All keys that a joint may have.
+std::vector<KnownKey> joint_keys();
 
 }  // namespace contact

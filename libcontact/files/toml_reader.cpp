@@ -648,36 +648,85 @@ bool TomlTable::has(std::string_view key, Dimension dimension) const {
   return find(key, dimension).has_value();
 }
 
-void TomlTable::refuse_unknown_keys() const { refuse_keys(false, {}); }
+namespace {
 
-void TomlTable::refuse_misspelt_keys(
-    const std::vector<std::string>& right) const {
-  refuse_keys(true, right);
+// The known key that a user has most likely meant; "" for none: one that is
+// nearly the same, or the same but for an ending, such as a unit that it does
+// not take.
+std::string meant_by(const std::string& key,
+                     const std::vector<std::string>& known) {
+  std::string meant = detail::nearest(key, known);
+  if (!meant.empty()) return meant;
+  for (const std::string& other : known) {
+    if (key.starts_with(other + '_') && other.size() > meant.size()) {
+      meant = other;
+    }
+  }
+  return meant;
 }
 
-void TomlTable::refuse_keys(bool only_misspelt,
-                            const std::vector<std::string>& right) const {
+// Of these keys those of the table's kind; all if it is missing or wrong.
+std::vector<KnownKey> of_kind(const toml::table& table,
+                              const std::vector<KnownKey>& keys) {
+  const auto kind = table["kind"].value<std::string>();
+  const auto is_named = [&](const KnownKey& key) {
+    return kind &&
+           detail::message(" {} ", key.kinds).find(detail::message(" {} ", *kind)) !=
+               std::string::npos;
+  };
+  if (std::ranges::none_of(keys, is_named)) return keys;
+  std::vector<KnownKey> result;
+  std::ranges::copy_if(
+      keys, std::back_inserter(result),
+      [&](const KnownKey& key) { return key.kinds.empty() || is_named(key); });
+  return result;
+}
+
+// The same for nodes that say the same. Texts have their length, so that
+// nothing in them is taken for what is around them.
+std::string canonical(const toml::node& node) {
+  std::string text;
+  if (const auto table = node.as_table()) {
+    for (const auto& [name, value] : *table) {  // in alphabetical order
+      const std::string_view key = name.str();
+      text += detail::message("{}:{}={},", key.size(), key, canonical(value));
+    }
+    return '{' + text + '}';
+  }
+  if (const auto array = node.as_array()) {
+    for (const toml::node& element : *array) text += canonical(element) + ',';
+    return '[' + text + ']';
+  }
+  if (const auto string = node.as_string()) {
+    return detail::message("\"{}:{}", string->get().size(), string->get());
+  }
+  // All numbers are read as such.
+  if (const auto integer = node.as_integer()) {
+    return detail::message("{}", static_cast<double>(integer->get()));
+  }
+  return value_text(node);
+}
+
+}  // namespace
+
+void TomlTable::refuse_unknown_keys() const {
   const toml::node* first = nullptr;
   std::string message;
   const auto look_at = [&](const toml::table& table, const toml::node& value,
                            const std::string& key, const std::string& place) {
     if (first != nullptr && line_of(*first) <= line_of(value)) return;
+    first = &value;
     // Spellings that are not there. Beside a misspelt table [x] the right one
     // may be there for the sake of [x.y].
     std::vector<std::string> likely;
     std::vector<std::string> keys;
     for (const auto& [spelling, asked] : file_->known[&table]) {
-      if (only_misspelt || !table.contains(spelling)) {
+      if (value.is_table() || !table.contains(spelling)) {
         likely.push_back(spelling);
       }
       if (spelling == asked) keys.push_back(asked);
     }
-    const std::string meant = detail::nearest(key, likely);
-    if (only_misspelt &&
-        (meant.empty() || std::ranges::find(right, key) != right.end())) {
-      return;
-    }
-    first = &value;
+    const std::string meant = meant_by(key, likely);
     message = detail::message(
         "{}:{}: {}: unknown key: {}", file_->source, line_of(value), place,
         meant.empty()
@@ -706,6 +755,36 @@ void TomlTable::refuse_keys(bool only_misspelt,
   visit(file_->root, "");
   if (first != nullptr) throw Error(message);
 }
+
+void TomlTable::refuse_keys_beside(const std::vector<KnownKey>& known) const {
+  using Asked = decltype(file_->known);
+  // As if all of them had been asked for; what has been comes back.
+  struct Return {
+    Asked& place;
+    Asked asked;
+    ~Return() { place = std::move(asked); }
+  } const back{file_->known, std::exchange(file_->known, {})};
+  const std::function<void(const toml::node&, const std::vector<KnownKey>&)>
+      ask = [&](const toml::node& node, const std::vector<KnownKey>& keys) {
+        if (const toml::array* array = node.as_array()) {
+          for (const toml::node& element : *array) ask(element, keys);
+        }
+        const toml::table* table = node.as_table();
+        if (table == nullptr) return;
+        for (const KnownKey& key : of_kind(*table, keys)) {
+          for (const Spelling& spelling : spellings(key.key, key.dimension)) {
+            file_->known[table].emplace(spelling.key, key.key);
+          }
+          if (const toml::node* inner = table->get(key.key)) {
+            ask(*inner, key.inside);
+          }
+        }
+      };
+  ask(file_->root, known);
+  refuse_unknown_keys();
+}
+
+std::string TomlTable::canonical_text() const { return canonical(file_->root); }
 
 void TomlTable::fail(std::string_view key, const std::string& message) const {
   for (const auto& [spelling, asked] : file_->known[table_]) {

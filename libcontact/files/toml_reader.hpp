@@ -56,6 +56,16 @@ struct Interval {
   bool contains(double value) const;
 };
 
+/// A key that a table may have, for refuse_keys_beside().
+struct KnownKey {
+  std::string_view key;
+  Dimension dimension = Dimension::number;
+  /// Keys of the table or tables that it stands for.
+  std::vector<KnownKey> inside = {};
+  /// Words, of which the table's `kind` is one; "": any.
+  std::string_view kinds = {};
+};
+
 /// One table of a TOML file. A cheap handle; the file lives as long as any of
 /// its tables.
 ///
@@ -135,12 +145,10 @@ class TomlTable {
   /// Throws Error for the first key of the whole file that no call has asked
   /// for, with the nearest one that was. Call it when everything is read.
   void refuse_unknown_keys() const;
-  /// Throws Error for the first key that no call has asked for and that is
-  /// nearly one that a call has asked for. Call it when reading has failed:
-  /// the misspelt key may be why.
-  /// @param right  keys that are right in some tables of the file, whatever
-  ///   they resemble
-  void refuse_misspelt_keys(const std::vector<std::string>& right = {}) const;
+  /// Throws Error for the first key of the whole file that is not among these,
+  /// with the nearest one that is. Call it before anything is read: an unknown
+  /// key may be why something else is missing.
+  void refuse_keys_beside(const std::vector<KnownKey>& known) const;
 
   /// Throws Error "FILE:LINE: TABLE.KEY = VALUE: MESSAGE" for a check that the
   /// caller makes; a missing key gives the place of the table.
@@ -150,6 +158,10 @@ class TomlTable {
   /// missing because of what else is there or not.
   [[noreturn]] void fail_missing(std::string_view key,
                                  const std::string& why) const;
+
+  /// What the file says, in one form: the same for files that differ only in
+  /// comments, blanks, the order of keys or the notation of numbers.
+  std::string canonical_text() const;
 
   /// The file, or the name given to from_text().
   const std::string& source() const;
@@ -166,8 +178,6 @@ class TomlTable {
   std::optional<Entry> find(std::string_view key, Dimension dimension) const;
   std::optional<Entry> find(std::string_view key) const;
   [[noreturn]] void missing(std::string_view key, Dimension dimension) const;
-  void refuse_keys(bool only_misspelt,
-                   const std::vector<std::string>& right) const;
 
   std::shared_ptr<File> file_;
   const void* table_;

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cmath>
+#include <csignal>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -16,6 +17,7 @@
 
 #include "cli/choice.hpp"
 #include "cli/csv.hpp"
+#include "cli/interrupts.hpp"
 #include "cli/laws.hpp"
 #include "cli/line_blocks.hpp"
 #include "cli/number.hpp"
@@ -417,12 +419,68 @@ TEST_F(OutputFile, LineBlocksGiveEveryLineOnce) {
   EXPECT_FALSE(reader.next(block));
 }
 
+// Only its beginning is kept; the lines around it are whole.
 TEST_F(OutputFile, LineTooLong) {
-  std::ofstream(folder_ / "long.txt") << std::string(3'000'000, 'x');
-  cli::LineReader reader(folder_ / "long.txt");
-  cli::LineBlock block;
-  EXPECT_THROW(reader.next(block), contact::Error);
+  const std::string name = folder_ / "long.txt";
+  const std::string longest(cli::longest_line, 'x');
+  for (const std::size_t size : {cli::longest_line + 1, std::size_t{3000000}}) {
+    for (const char* end : {"", "\n", "\nlast"}) {
+      std::ofstream(name) << "first\n"
+                          << longest << "\nbefore\n"
+                          << std::string(size, ' ') << end;
+      cli::LineReader reader(name);
+      std::vector<std::string> lines;
+      for (cli::LineBlock block; reader.next(block);) {
+        EXPECT_EQ(block.first_line, lines.size() + 1);
+        for (std::string_view rest = block.text; !rest.empty();) {
+          lines.emplace_back(cli::next_line(rest));
+        }
+      }
+      ASSERT_EQ(lines.size(), std::string(end).size() > 1 ? 5U : 4U);
+      EXPECT_EQ(lines[1], longest);
+      EXPECT_EQ(lines[2], "before");
+      EXPECT_GT(lines[3].size(), cli::longest_line);
+      // A block more than the limit, however long the line is.
+      EXPECT_LT(lines[3].size(), cli::longest_line + 200000);
+      if (lines.size() > 4) {
+        EXPECT_EQ(lines[4], "last");
+      }
+    }
+  }
+  std::ofstream(name) << longest << "x\nsecond\n";
+  cli::LineReader reader(name);
+  EXPECT_EQ(contact::test::error_message([&] { reader.line(); }),
+            name + ", line 1: longer than 1000000 characters");
   EXPECT_THROW(cli::LineReader(folder_ / "none.txt"), contact::Error);
+}
+
+volatile std::sig_atomic_t handled = 0;
+extern "C" void count_signal(int) { handled = handled + 1; }
+
+// The first signal is remembered, the second does what it would have done.
+TEST(Interrupts, AreRememberedOnce) {
+  struct sigaction count = {};
+  struct sigaction before = {};
+  count.sa_handler = count_signal;
+  sigaction(SIGTERM, &count, &before);
+  for (int times = 0; times < 2; ++times) {
+    const cli::Interrupts interrupts;
+    EXPECT_EQ(interrupts.signal(), 0);
+    raise(SIGTERM);
+    EXPECT_EQ(interrupts.signal(), SIGTERM);
+    EXPECT_EQ(handled, times);
+    raise(SIGTERM);
+    EXPECT_EQ(handled, times + 1);
+  }
+  { const cli::Interrupts interrupts; }
+  raise(SIGTERM);
+  EXPECT_EQ(handled, 3);
+  count.sa_handler = SIG_IGN;
+  sigaction(SIGTERM, &count, nullptr);
+  const cli::Interrupts interrupts;
+  raise(SIGTERM);
+  EXPECT_EQ(interrupts.signal(), 0);
+  sigaction(SIGTERM, &before, nullptr);
 }
 
 TEST(OrderedBlocks, KeepOrder) {

@@ -186,6 +186,52 @@ TEST(HingeJoint, WaysToGiveAStateAgree) {
   }
 }
 
+// Rows are found by what was swept: it comes back to the last digit.
+TEST(HingeJoint, SweptInputsComeBackAsGiven) {
+  const ProgramFolder folder;
+  const auto check = [&](const std::string& force, const std::string& forces,
+                         const std::string& angle, const std::string& angles,
+                         const Columns& table) {
+    const auto given_forces = csv_rows(forces);
+    const auto given_angles = csv_rows(angles);
+    std::size_t row = 0;
+    for (const auto& f : given_forces[0]) {
+      for (const auto& a : given_angles[0]) {
+        ++row;
+        ASSERT_LE(row, table.size());
+        EXPECT_EQ(table.text(row, force), f);
+        EXPECT_EQ(table.text(row, angle), a);
+      }
+    }
+    EXPECT_EQ(table.size(), row);
+  };
+  std::string forces = "100";
+  for (int f = 200; f <= 2000; f += 100) forces += ',' + std::to_string(f);
+  check("R_N", forces, "b_deg", "30,50,60,80",
+        Columns(folder.run(example_1 +
+                           "--reaction 100:2000:100 --beta 30,50,60,80")));
+  const std::string tenths = "0.1,0.2,0.3,0.4,0.5,0.6,0.7";
+  check("R_N", tenths, "b_deg", tenths,
+        Columns(folder.run(example_1 +
+                           "--reaction 0.1:0.7:0.1 --beta 0.1:0.7:0.1")));
+  check("R_n_N", tenths, "a_deg", "-50,-0.1,0,50,90",
+        Columns(folder.run(example_1 + "--normal-force 0.1:0.7:0.1 "
+                                       "--alpha=-50,-0.1,0,50,90")));
+  check("R_N", tenths, "b_deg", "90",
+        Columns(folder.run("hinge-joint --joint data/joints/pin_joint.toml "
+                           "--law blend --reaction 0.1:0.7:0.1")));
+  folder.write("points.csv", "R_N,b_deg\n100,50\n300,60\n");
+  const Columns points(folder.run(example_1 + "--points points.csv"));
+  EXPECT_EQ(points.text(1, "b_deg"), "50");
+  EXPECT_EQ(points.text(2, "R_N"), "300");
+  // Without load or slip there is no angle, given or not.
+  const Columns rest(
+      folder.run(example_1 + "--reaction 0,100 --beta 50 --rate 0"));
+  EXPECT_EQ(rest.text(1, "b_deg"), "");
+  EXPECT_EQ(rest.text(2, "b_deg"), "");
+  EXPECT_EQ(rest.text(2, "R_N"), "100");
+}
+
 TEST(HingeJoint, OptionsDescribeTheJointOfAFile) {
   const ProgramFolder folder;
   const std::string state = " --law tanh --reaction 1e4 --beta 50";

@@ -225,6 +225,35 @@ TEST(HingeTable, BadLinesAreAnsweredInTheirPlace) {
   }
 }
 
+// Blanks too: what is behind them is not looked at.
+TEST(HingeTable, LinesThatAreTooLongAreAnsweredInTheirPlace) {
+  const ProgramFolder folder;
+  for (const char fill : {'1', ' '}) {
+    for (const std::size_t size : {1'000'001, 2'500'000}) {
+      folder.write("points.csv", "theta0_deg,alpha_deg,note\n10,20,a\n" +
+                                     std::string(size, fill) +
+                                     "30,40,b\n20,30,c\n");
+      for (const char* jobs : {"1", "3"}) {
+        const ProgramResult result = folder.run(
+            std::string("hinge-table --points points.csv --jobs ") + jobs);
+        EXPECT_EQ(result.status, 1);
+        EXPECT_EQ(result.err,
+                  "ERROR: line 3: longer than 1000000 characters\n");
+        EXPECT_EQ(csv_column(csv_rows(result.out), "theta0_deg"),
+                  (std::vector<std::string>{"10", "ERROR", "20"}));
+        EXPECT_EQ(csv_column(csv_rows(result.out), "note"),
+                  (std::vector<std::string>{"a", "", "c"}));
+      }
+    }
+  }
+  folder.write("header.csv", std::string(1'000'001, 'x') + "\n1,2\n");
+  const ProgramResult refused = folder.run("hinge-table --points header.csv");
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_EQ(refused.err,
+            "hinge-table: header.csv, line 1: longer than 1000000 "
+            "characters\n");
+}
+
 TEST(HingeTable, ManyPointsInOrderByAnyNumberOfJobs) {
   const ProgramFolder folder;
   std::string points = "theta0_deg,alpha_deg,n\n";

@@ -186,7 +186,8 @@ TEST(JointFile, ViscousFriction) {
             "j.toml:15: friction.viscous_pressure_slope = 1: allowed: not "
             "together with coefficient or adhesion");
   EXPECT_EQ(message_with_line(14, "viscous_constant_Pa = 1"),
-            "j.toml:13: friction.coefficient is missing");
+            "j.toml:14: friction.viscous_constant_Pa: unknown key: did you "
+            "mean viscous_constant?");
 }
 
 TEST(JointFile, NamesFileLineKeyValueAndRange) {
@@ -257,10 +258,25 @@ TEST(JointFile, MissingKeysAndTables) {
             "j.toml:13: friction.coefficient is missing");
   EXPECT_EQ(message_with_line(3, "[geometrie]"),
             "j.toml:3: geometrie: unknown key: did you mean geometry?");
-  EXPECT_EQ(message_with_line(3, "[shape]"),
+  const std::string begin = "name = \"j\"\nkind = \"spherical\"\n";
+  EXPECT_EQ(error_message([&] { parse_joint(begin, "j.toml"); }),
             "j.toml:1: the table [geometry] is missing");
+  EXPECT_EQ(error_message([&] {
+              parse_joint(
+                  begin +
+                      "geometry = { radius = 1, radial_clearance = 0.1 }"
+                      "\n[materials.inner]\nyoungs_modulus = 1e9\n"
+                      "poissons_ratio = 0.3\n",
+                  "j.toml");
+            }),
+            "j.toml:4: the table [materials.outer] is missing");
+  // What is there instead comes first.
+  EXPECT_EQ(message_with_line(3, "[shape]"),
+            "j.toml:3: shape: unknown key: allowed: friction, geometry, "
+            "half_angle, inner_body, kind, loading, materials, name, pressure");
   EXPECT_EQ(message_with_line(10, "[materials.seat]"),
-            "j.toml:6: the table [materials.outer] is missing");
+            "j.toml:10: materials.seat: unknown key: allowed: inner, outer, "
+            "pair");
   EXPECT_EQ(message_with_line(2, "kind = \"cylindrical\""),
             "j.toml:3: geometry.length is missing: allowed: length (in m), "
             "length_m, length_mm, length_um, length_km");
@@ -289,8 +305,8 @@ TEST(JointFile, UnknownKeysAreRefusedWithTheNearest) {
   // The first line of several.
   EXPECT_EQ(
       message_with_line(5, "radial_clearance_um = 50\nzeta = 1\nbeta = 2"),
-      "j.toml:6: geometry.zeta: unknown key: allowed: radial_clearance, "
-      "radius, relative_clearance");
+      "j.toml:6: geometry.zeta: unknown key: allowed: length, "
+      "radial_clearance, radius, relative_clearance");
 }
 
 TEST(JointFile, OneKeyInTwoUnits) {

@@ -1195,6 +1195,50 @@ TEST(Motion, ForcesJumpWhereTheySay) {
   }
 }
 
+// The wheel whose damper keeps explicit steps short is known, and a motion that
+// is halted goes on as if it had not been.
+TEST(Motion, HaltsBetweenStepsAndKnowsWhatHoldsThem) {
+  class Damper : public ForceModel {
+   public:
+    void add_forces(double, std::span<const BodyMotion> bodies,
+                    std::span<BodyForce> forces) const override {
+      forces[2].moment.z() -= 1e4 * bodies[2].angular_velocity.z();
+    }
+  };
+  const System system(heavy_carrier(), {wheel(20, 0.4), wheel(20, 0.4)});
+  for (const Integrator integrator : {Integrator::adaptive, Integrator::rk4}) {
+    MotionOptions options = on_fixed_carrier();
+    options.integrator = integrator;
+    options.step = 5e-5;
+    MotionStart start = start_of(2);
+    start.loads[0].angle_rate = start.loads[1].angle_rate = 2;
+    const auto make = [&] {
+      return Motion(system, {}, std::make_shared<Damper>(), start, options);
+    };
+    Motion whole = make();
+    ASSERT_EQ(whole.advance_to(0.1), Stop::time);
+    Motion motion = make();
+    int asked = 0;
+    double end = 0;
+    motion.halt_when([&] {
+      end = motion.step_begin() + motion.last_step();
+      return ++asked % 100 == 0;
+    });
+    int halts = 0;
+    while (motion.advance_to(0.1) == Stop::halted) {
+      ++halts;
+      EXPECT_EQ(motion.counts().steps, 100 * halts - halts);
+      EXPECT_EQ(motion.time(), end);
+      EXPECT_EQ(motion.sample().time(), end);
+      EXPECT_EQ(motion.held_by(), integrator == Integrator::rk4 ? -1 : 2);
+    }
+    EXPECT_GT(halts, 5);
+    EXPECT_FALSE(motion.failure());
+    EXPECT_EQ(motion.time(), 0.1);
+    EXPECT_EQ(motion.save().numbers, whole.save().numbers);
+  }
+}
+
 TEST(Motion, RungeKuttaIsOfFourthOrder) {
   const Mixed m = mixed_system(7, false);
   const auto end = [&](double step, Integrator integrator) {

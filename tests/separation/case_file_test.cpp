@@ -185,7 +185,11 @@ TEST(CaseFile, EveryBadLineHasItsMessage) {
   EXPECT_EQ(message_with_line(20, "count = 1"),
             "c.toml:20: load[1].pattern.count = 1: allowed: an integer, 2 to "
             "1000");
-  EXPECT_EQ(message_with_line(23, "kind = \"spherical\""),
+  std::vector<std::string> pin_on_a_ball_hinge = good_lines;
+  pin_on_a_ball_hinge[22] = "kind = \"spherical\"";
+  pin_on_a_ball_hinge[24] = "";
+  EXPECT_EQ(error_message(
+                [&] { parse_case(text_of(pin_on_a_ball_hinge), "c.toml"); }),
             "c.toml:26: load[1].hinge.joint[1].kind: allowed: a ball joint on "
             "a spherical hinge");
   EXPECT_EQ(message_with_line(25, "axis = [0, 0, 0]"),
@@ -489,6 +493,101 @@ TEST(CaseFile, MisspeltNamesAreReportedFirst) {
   EXPECT_EQ(message_of_force("name = \"f\"\nbody = \"arm\"\n"
                              "kind = \"aerodynamic\"\naxial = [1]\n"),
             "c.toml:40: force[1].axis is missing");
+}
+
+// Before everything else that is wrong: here the line before, or what follows
+// from it.
+TEST(CaseFile, UnknownKeysComeFirst) {
+  // A file of its own for each of the good case's tables that has keys.
+  for (const int table : {3, 6, 11, 14, 19, 22, 26, 28, 30, 40}) {
+    std::vector<std::string> lines = good_lines;
+    lines[0] = "";
+    lines[3] = "end_time_s = -1";
+    lines[table - 1] += "\nzeta_N = 1";
+    const std::string message =
+        error_message([&] { parse_case(text_of(lines), "c.toml"); });
+    EXPECT_TRUE(message.starts_with("c.toml:" + std::to_string(table + 1)) &&
+                message.find("zeta_N: unknown key: allowed: ") != message.npos)
+        << message;
+  }
+  // A unit that the key does not have: without it the node is indeterminate.
+  std::vector<std::string> lines = good_lines;
+  lines[26] += "\n[[load.hinge.joint]]\n" + lines[26] + "\nposition_m = 1";
+  lines[24] += "\nradial_stiffness_N_per_m = [1, 1]\naxial_share = [0, 1]";
+  EXPECT_EQ(error_message([&] { parse_case(text_of(lines), "c.toml"); }),
+            "c.toml:26: load[1].hinge.radial_stiffness_N_per_m: unknown key: "
+            "did you mean radial_stiffness?");
+  // Of another kind.
+  EXPECT_EQ(message_with_line(46, "free_length_m = 1"),
+            "c.toml:46: force[1].free_length_m: unknown key: allowed: body, "
+            "cutoff_at, cutoff_at_event, cutoff_delay, decay, direction, "
+            "ends_at, ends_at_event, ends_delay, kind, name, point, "
+            "starts_at, starts_at_event, starts_delay, thrust");
+  EXPECT_EQ(message_with_line(25, "carrier_direction = \"x\""),
+            "c.toml:25: load[1].hinge.carrier_direction: unknown key: "
+            "allowed: axial_share, axis, carrier_point, joint, kind, "
+            "load_point, name, radial_stiffness, sharing, zero_rotation");
+}
+
+TEST(CaseFile, ForcesHaveNamesOfTheirOwn) {
+  std::vector<std::string> lines = good_lines;
+  for (std::size_t i = 39; i < 48; ++i) lines.push_back(good_lines[i]);
+  EXPECT_EQ(error_message([&] { parse_case(text_of(lines), "c.toml"); }),
+            "c.toml:50: force[2].name = \"engine\": allowed: a name that no "
+            "other force has");
+  lines[49] = "name = \"engine 2\"";
+  EXPECT_EQ(parse_case(text_of(lines), "c.toml").forces.size(), 4U);
+}
+
+TEST(CaseFile, EventsDoNotWaitForThemselves) {
+  EXPECT_EQ(message_with_line(32, "after = \"off\""),
+            "c.toml:32: event[1].after = \"off\": allowed: an event that does "
+            "not wait for this one: open after off after open");
+  // Three in a circle, and one that waits for them.
+  std::vector<std::string> lines = good_lines;
+  lines[29] =
+      "[[event]]\nname = \"first\"\nafter = \"open\"\n"
+      "breaks = \"lock\"\n" +
+      lines[29];
+  lines[31] = "after = \"third\"";
+  lines[38] +=
+      "\n[[event]]\nname = \"third\"\nafter = \"off\"\n"
+      "breaks = \"lock\"";
+  EXPECT_EQ(error_message([&] { parse_case(text_of(lines), "c.toml"); }),
+            "c.toml:36: event[2].after = \"third\": allowed: an event that "
+            "does not wait for this one: open after third after off after "
+            "open");
+}
+
+// What a file says, however it is written.
+TEST(CaseFile, ContentIsThatOfTheText) {
+  const auto content = [](const std::string& text) {
+    return contact::TomlTable::from_text(text, "t.toml").canonical_text();
+  };
+  const std::string text = content(
+      "a = 1\nb = \"x\"\n[t]\nc = [1, 2.5]\nd = { e = true }\n"
+      "[[u]]\n[[u]]\nf = 1979-05-27\n");
+  EXPECT_EQ(text, content("# first\nb   = 'x' # b\na = 1.0\n\n[[u]]\n[[u]]\n"
+                          "f = 1979-05-27\n\n[t.d]\ne = true\n"
+                          "[t]\nc = [ 0x1,\n 25e-1, ] \n"));
+  for (const char* other :
+       {"a = 2\nb = \"x\"\n[t]\nc = [1, 2.5]\nd = { e = true }\n"
+        "[[u]]\n[[u]]\nf = 1979-05-27\n",
+        "a = 1\nb = \"y\"\n[t]\nc = [1, 2.5]\nd = { e = true }\n"
+        "[[u]]\n[[u]]\nf = 1979-05-27\n",
+        "a = 1\nb = \"x\"\n[t]\nc = [2.5, 1]\nd = { e = true }\n"
+        "[[u]]\n[[u]]\nf = 1979-05-27\n",
+        "a = 1\nb = \"x\"\n[t]\nc = [1, 2.5]\nd = { e = false }\n"
+        "[[u]]\n[[u]]\nf = 1979-05-27\n",
+        "a = 1\nb = \"x\"\n[t]\nc = [1, 2.5]\nd = { e = true }\n"
+        "[[u]]\nf = 1979-05-27\n[[u]]\n"}) {
+    EXPECT_NE(text, content(other)) << other;
+  }
+  // Texts end where they end, and long lists are whole.
+  EXPECT_NE(content("a = \"b,1:c=\\\"1:d\""), content("a = \"b\"\nc = \"d\""));
+  std::string list = "a = [0";
+  for (int i = 1; i < 200; ++i) list += ", " + std::to_string(i);
+  EXPECT_NE(content(list + ", 200]"), content(list + ", 201]"));
 }
 
 // Joints of one file are told apart.

@@ -556,6 +556,98 @@ ends_at_s = 0.9
               pushed(0.07, 0.8), bound);
 }
 
+// What is in the file for nothing, or does what was hardly meant.
+TEST(HingeSeparation, ForcesThatDoNotDoWhatTheyShouldAreWarnedOf) {
+  const ProgramFolder folder;
+  const auto warnings = [&](const std::string& text) {
+    folder.write("c.toml", text);
+    const ProgramResult result = folder.run("hinge-separation c.toml");
+    EXPECT_EQ(result.status, 0) << result.err;
+    return result.err;
+  };
+  const std::string warning = "hinge-separation: warning: force ";
+  EXPECT_EQ(warnings(pushed_case(0, 0, "")), "");
+  EXPECT_EQ(warnings(pushed_case(0, 1, "starts_at_s = 0.05")), "");
+  for (const char* start : {"", "starts_at_s = 0.35"}) {
+    EXPECT_EQ(warnings(pushed_case(0.125, 0, start)),
+              warning +
+                  "\"push\" never acted on s: its stroke was used up "
+                  "when it started\n");
+  }
+  EXPECT_EQ(warnings(pushed_case(0, 0, "starts_at_s = 5")),
+            warning + "\"push\" did not begin for s\n");
+  EXPECT_EQ(warnings(pushed_case(0, 0, R"([[force]]
+name = "off"
+body = "c"
+kind = "thrust"
+point_m = [0, 0, 0]
+direction = [1, 0, 0]
+thrust_N = 0
+)")),
+            warning + "\"off\" never acted on c\n");
+  // Before it is used the load is behind; the other way round both centres of
+  // mass are where it pushes to.
+  EXPECT_EQ(warnings(pushed_case(-0.05, 0, "")),
+            warning +
+                "\"push\" pushes s and the carrier together: when it "
+                "starts, t = 0 s, point is behind carrier_point as seen "
+                "along direction\n");
+  std::string inwards = pushed_case(0, 0, "");
+  inwards.replace(inwards.find("[1, 0, 0]\nfirst"), 9, "[-1, 0, 0]");
+  EXPECT_EQ(warnings(inwards),
+            warning +
+                "\"push\" pushes s and the carrier together: when it "
+                "starts, t = 0 s, direction leads from s to the "
+                "carrier\n");
+  const auto with_spring =
+      [](const std::string& end, double free_length, const std::string& more) {
+        return pushed_case(0, 0,
+                           R"([[force]]
+name = "spring"
+body = "s"
+kind = "spring"
+point_m = [-0.2, 0, 0]
+stiffness_N_per_m = 10
+carrier_point_m = )" + end + "\nfree_length_m = " +
+                               cli::number_text(free_length) + "\n" + more);
+      };
+  EXPECT_EQ(warnings(with_spring("[0.8, 0, 0]", 1, "")),
+            warning +
+                "\"spring\" has no direction when it starts, t = 0 s: "
+                "point on s and carrier_point are in one place\n");
+  EXPECT_EQ(warnings(with_spring("[0.8, 0, 0]", 0, "")), "");
+  // A spring between bodies that never were on a hinge may pull.
+  EXPECT_EQ(warnings(with_spring("[0.5, 0, 0]", 0.4, "")), "");
+}
+
+// A compressed spring pushes the load off, and then draws it back.
+TEST(HingeSeparation, SpringsThatPullBackAreWarnedOf) {
+  const ProgramFolder folder;
+  const auto warnings = [&](const std::string& more) {
+    folder.write("c.toml", std::string(alone) + R"([[force]]
+name = "tie"
+kind = "spring"
+body = "tip"
+point_m = [0.2, 0.1, 0]
+carrier_point_m = [0.2, 0.1, 0]
+stiffness_N_per_m = 5000
+free_length_m = 1.05
+)" + more);
+    const ProgramResult result =
+        folder.run("hinge-separation c.toml --history h.csv");
+    EXPECT_EQ(result.status, 0);
+    return result.err;
+  };
+  const std::string pulls = warnings("");
+  EXPECT_NE(pulls.find("force \"tie\" pulls tip back after its release, "
+                       "from t = "),
+            pulls.npos)
+      << pulls;
+  EXPECT_EQ(
+      warnings("ends_at_event = \"hinge breaks\"\n").find("\"tie\" pulls"),
+      std::string::npos);
+}
+
 // A pendulum whose reaction is above the limit for some milliseconds: whether
 // it breaks does not depend on who looks.
 TEST(HingeSeparation, OutputTimesDoNotChangeTheMotion) {
@@ -903,6 +995,138 @@ TEST(HingeSeparation, ResumedRunIsTheSame) {
             "hinge-separation\n");
 }
 
+// Comments, blanks and the notation of numbers are not what is run.
+TEST(HingeSeparation, CheckpointsAreOfWhatTheCaseSays) {
+  const ProgramFolder folder;
+  const std::string text = pushed_case(0, 0, "");
+  const auto resumed = [&](const std::string& changed) {
+    folder.write("c.toml", changed);
+    return folder.run(
+        "hinge-separation c.toml --history b.csv --resume c.cbor");
+  };
+  folder.write("c.toml", text);
+  ASSERT_EQ(folder
+                .run("hinge-separation c.toml --history a.csv --checkpoint "
+                     "c.cbor --checkpoint-every 1.5")
+                .status,
+            0);
+  const auto exchanged = [&](const std::string& from, const std::string& to) {
+    std::string changed = text;
+    const auto at = changed.find(from);
+    EXPECT_NE(at, changed.npos);
+    return changed.replace(at, from.size(), to);
+  };
+  for (const std::string& same :
+       {"# by hand\n\n" + text, exchanged("mass_kg = 10", "  mass_kg=1.0e1 #"),
+        exchanged("[carrier]\nname = \"c\"\nmass_kg = 10",
+                  "[carrier]\nmass_kg = 10\nname = \"c\"")}) {
+    const ProgramResult result = resumed(same);
+    EXPECT_EQ(result.status, 0) << result.err;
+    EXPECT_TRUE(folder.read("a.csv") == folder.read("b.csv"));
+  }
+  const ProgramResult other =
+      resumed(exchanged("mass_kg = 10", "mass_kg = 11"));
+  EXPECT_EQ(other.status, 2);
+  EXPECT_EQ(other.err,
+            "hinge-separation: c.cbor: a checkpoint of a run of another case "
+            "file, other joints or other options\n");
+}
+
+// A damper that makes explicit steps as short as 1e-7 s, in a motion of 1000 s:
+// what has been computed is there however the run is stopped, and it is said
+// what held it.
+class RunsThatCannotGetOn : public testing::Test {
+ protected:
+  RunsThatCannotGetOn() {
+    std::string text = pushed_case(0, 0, R"(ends_at_s = 0.2
+[[force]]
+name = "damper"
+body = "s"
+kind = "spring"
+point_m = [-0.2, 0, 0]
+carrier_point_m = [0.5, 0, 0]
+stiffness_N_per_m = 0
+free_length_m = 0.3
+damping_N_s_per_m = 1e8
+starts_at_s = 0.5
+)");
+    text.replace(text.find("end_time_s = 2"), 14,
+                 "end_time_s = 1000\noutput_step_s = 0.25");
+    folder_.write("c.toml", text);
+  }
+  // Its results are those of a run that was stopped, and whole.
+  void expect_results(const ProgramResult& result, int status,
+                      const std::string& why) {
+    EXPECT_EQ(result.status, status) << result.err;
+    const json summary = json::parse(folder_.read("o.json"));
+    const std::string failure = summary["failure"];
+    EXPECT_NE(failure.find(": stopped by " + why + " after "), failure.npos)
+        << failure;
+    EXPECT_NE(failure.find("the fastest force is \"damper\" on \"s\" (5e-08 "
+                           "s)"),
+              failure.npos)
+        << failure;
+    EXPECT_NE(result.err.find(
+                  "hinge-separation: warning: ended early: " + failure + "\n"),
+              std::string::npos);
+    const History h(folder_.read("h.csv"));
+    EXPECT_EQ(h["time_s"].back(), summary["end_time_s"].get<double>());
+    EXPECT_GE(h["time_s"].back(), 0.5);
+    EXPECT_EQ(h["s.x_m"].size(), h.size());
+    EXPECT_TRUE(folder_.read("e.csv").starts_with("time_s,load,what\n"));
+    for (const std::string& file : folder_.files()) {
+      EXPECT_FALSE(file.starts_with(".")) << file;
+    }
+  }
+
+  ProgramFolder folder_;
+  const std::string run_ =
+      "hinge-separation c.toml --history h.csv --events e.csv --output o.json ";
+};
+
+TEST_F(RunsThatCannotGetOn, StopAtLimits) {
+  const ProgramResult steps = folder_.run(run_ + "--step-limit 3000");
+  expect_results(steps, 1, "--step-limit 3000");
+  EXPECT_EQ(json::parse(folder_.read("o.json"))["counts"]["steps"], 3000);
+  EXPECT_EQ(steps.err.find("--resume"), std::string::npos) << steps.err;
+  expect_results(folder_.run(run_ + "--time-limit 2"), 1, "--time-limit 2 s");
+  for (const char* wrong : {"--step-limit 0", "--step-limit 1.5",
+                            "--time-limit 0", "--time-limit nan"}) {
+    const ProgramResult result = folder_.run(run_ + wrong);
+    EXPECT_EQ(result.status, 2);
+    EXPECT_NE(result.err.find("allowed"), std::string::npos) << result.err;
+  }
+}
+
+// Off a terminal too.
+TEST_F(RunsThatCannotGetOn, SayHowFarTheyAreEveryTenSeconds) {
+  const ProgramResult result = folder_.run(run_ + "--time-limit 11");
+  expect_results(result, 1, "--time-limit 11 s");
+  EXPECT_TRUE(result.err.starts_with("hinge-separation: 0.5")) << result.err;
+  EXPECT_NE(result.err.find(" s of 1000 s, "), std::string::npos);
+  EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 2)
+      << result.err;
+}
+
+// A signal that a shell without job control would have its child ignore comes
+// by way of the program env.
+TEST_F(RunsThatCannotGetOn, StopAtSignals) {
+  for (const auto& [name, status] : {std::pair("INT", 130), {"TERM", 143}}) {
+    const ProgramResult result =
+        folder_.run("rm -f c.cbor; env --default-signal=INT " + run_ +
+                    "--checkpoint c.cbor --checkpoint-every 0.5 & program=$!\n"
+                    "while ! [ -e c.cbor ]; do sleep 0.02; done; sleep 0.2; "
+                    "kill -" +
+                    name + " $program; wait $program");
+    expect_results(result, status, std::string("SIG") + name);
+    EXPECT_NE(result.err.find("; --resume c.cbor goes on from t = 0.5 s\n"),
+              std::string::npos)
+        << result.err;
+    expect_results(folder_.run(run_ + "--resume c.cbor --step-limit 3000"), 1,
+                   "--step-limit 3000");
+  }
+}
+
 // A run that is killed leaves a checkpoint whose rows go on further than it
 // says, and it is not lost when another run begins under its name.
 TEST(HingeSeparation, CheckpointsStayWholeAndSmall) {
@@ -1247,7 +1471,11 @@ starts_at_event = "far"
             "hinge-separation: warning: event \"far\" did not come for tip\n"
             "hinge-separation: warning: event \"after far\" did not come for "
             "tip\n"
-            "hinge-separation: warning: force \"late\" did not begin\n");
+            "hinge-separation: warning: force \"late\" did not begin for "
+            "core\n"
+            "hinge-separation: warning: force \"spring\" pulls tip back after "
+            "its release, from t = 1.1 s: it is longer than free_length; "
+            "ends_at_event ends it, a pusher only pushes\n");
   const json missed = json::parse(result.out)["events_that_did_not_come"];
   ASSERT_EQ(missed.size(), 2U);
   EXPECT_EQ(missed[0], (json{{"event", "far"}, {"loads", {"tip"}}}));

@@ -44,8 +44,10 @@ class AdaptiveStepper final : public Stepper {
     vector_ = N_VMake_Serial(static_cast<sunindextype>(to_.size()), to_.data(),
                              context_);
     other_ = N_VNew_Serial(static_cast<sunindextype>(to_.size()), context_);
+    errors_ = N_VClone(other_);
     memory_ = ERKStepCreate(rate, time, vector_, context_);
-    if (!vector_ || !other_ || !memory_) throw std::bad_alloc();
+    if (!vector_ || !other_ || !errors_ || !memory_) throw std::bad_alloc();
+    N_VConst(0, errors_);
     ERKStepSetErrHandlerFn(memory_, silent, nullptr);
     ERKStepSetUserData(memory_, this);
     ERKStepWFtolerances(memory_, weights);
@@ -70,6 +72,8 @@ class AdaptiveStepper final : public Stepper {
       if (!shorten()) return false;
     }
     end_ = end;
+    // Now: its place is used by what comes between steps.
+    ERKStepGetEstLocalErrors(memory_, errors_);
     // A step that a limit cuts short is not what the next one should be like.
     const double planned = end < limit ? 0 : next_step_;
     ERKStepGetCurrentStep(memory_, &next_step_);
@@ -113,6 +117,19 @@ class AdaptiveStepper final : public Stepper {
     }
     hermite(from_, begin_rates_, to_, last_rates_, h, (time - begin_) / h,
             state);
+  }
+
+  int largest_error() override {
+    int largest = -1;
+    double share = 0;
+    const double* error = N_VGetArrayPointer(errors_);
+    for (int i = 0; i < static_cast<int>(to_.size()); ++i) {
+      const double of_allowed = std::abs(error[i]) * weight(i, to_[i]);
+      if (!(of_allowed > share)) continue;
+      share = of_allowed;
+      largest = i;
+    }
+    return largest;
   }
 
   double next_step() const override { return next_step_; }
@@ -173,16 +190,17 @@ class AdaptiveStepper final : public Stepper {
   // Reciprocals of the tolerances.
   static int weights(N_Vector state, N_Vector to, void* self) {
     const auto* stepper = static_cast<AdaptiveStepper*>(self);
-    const AdaptiveOptions& o = stepper->options_;
     const double* y = N_VGetArrayPointer(state);
     double* w = N_VGetArrayPointer(to);
     const auto size = static_cast<int>(stepper->to_.size());
-    for (int i = 0; i < size; ++i) {
-      w[i] = i < size - o.coarse ? 1 / (o.relative_tolerance * std::abs(y[i]) +
-                                        o.absolute_tolerance)
-                                 : 1 / o.coarse_tolerance;
-    }
+    for (int i = 0; i < size; ++i) w[i] = stepper->weight(i, y[i]);
     return 0;
+  }
+  double weight(int i, double y) const {
+    const AdaptiveOptions& o = options_;
+    return i < static_cast<int>(to_.size()) - o.coarse
+               ? 1 / (o.relative_tolerance * std::abs(y) + o.absolute_tolerance)
+               : 1 / o.coarse_tolerance;
   }
 
   void remember(double time, N_Vector state, N_Vector rates) {
@@ -203,8 +221,9 @@ class AdaptiveStepper final : public Stepper {
     if (memory_) ERKStepFree(&memory_);
     if (vector_) N_VDestroy(vector_);
     if (other_) N_VDestroy(other_);
+    if (errors_) N_VDestroy(errors_);
     memory_ = nullptr;
-    vector_ = other_ = nullptr;
+    vector_ = other_ = errors_ = nullptr;
   }
 
   RateFunction rates_;
@@ -213,6 +232,7 @@ class AdaptiveStepper final : public Stepper {
   void* memory_ = nullptr;
   N_Vector vector_ = nullptr;  // has the numbers of to_
   N_Vector other_ = nullptr;
+  N_Vector errors_ = nullptr;  // of the last step
   double begin_ = 0;
   double end_ = 0;
   double next_step_ = 0;  // 0: ARKODE finds one

@@ -300,9 +300,26 @@ Stop MotionImpl::advance_to(double time) {
                                      stepper->end(), options.step_limit);
       break;
     }
+    if (halt && halt()) {
+      now = stepper->end();
+      look_at(now, stepper->end_state());
+      return Stop::halted;
+    }
     if (!step()) break;
   }
   return Stop::failed;
+}
+
+// A state has the numbers of the bodies, the work of friction of each load, the
+// work of the forces, and what each load's hinge holds.
+int MotionImpl::held_by() const {
+  const int number = stepper->largest_error();
+  if (number < 0 || number == work_at()) return -1;
+  if (number > work_at()) return 1 + number - held_at(0);
+  if (number >= dissipated_at(0)) return 1 + number - dissipated_at(0);
+  int body = 0;
+  while (body < loads() && number >= coupled.layout().offset(body)) ++body;
+  return body;
 }
 
 void MotionImpl::look_back(
@@ -397,7 +414,14 @@ int Motion::add_event(MotionEvent event) {
 void Motion::watch_steps(std::function<void(const MotionSample&)> look) {
   impl_->step_watch = std::move(look);
 }
+void Motion::halt_when(std::function<bool()> halt) {
+  impl_->halt = std::move(halt);
+}
 double Motion::step_begin() const { return impl_->stepper->begin(); }
+double Motion::last_step() const {
+  return impl_->stepper->end() - impl_->stepper->begin();
+}
+int Motion::held_by() const { return impl_->held_by(); }
 void Motion::look_back(
     double time, const std::function<void(const MotionSample&)>& look) const {
   impl_->look_back(time, look);

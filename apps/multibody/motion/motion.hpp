@@ -176,6 +176,7 @@ enum class Stop {
   time,    ///< the time asked for
   event,   ///< an application's event
   failed,  ///< Motion::failure() says why
+  halted,  ///< at the end of a step, as halt_when() wanted
 };
 
 /// How a motion ended that cannot go on.
@@ -255,8 +256,18 @@ class Motion {
   /// stops.
   void watch_steps(std::function<void(const MotionSample&)> look);
 
+  /// Asks `halt` before every step; true: advance_to() comes back. It may be
+  /// called again.
+  void halt_when(std::function<bool()> halt);
+
   /// Where the step begins that sample() is in, or at whose end it is.
   double step_begin() const;
+  /// Length of the last step, s.
+  double last_step() const;
+  /// The body (as in bodies()) whose motion, or whose hinge's, had the largest
+  /// error in the last step against the tolerances: what keeps steps short. -1:
+  /// the work of the forces, or not known, as with rk4.
+  int held_by() const;
   /// Calls `look` with the motion at a time from step_begin() to that of
   /// sample(), by dense output. Also from within watch_steps().
   void look_back(double time,

@@ -34,6 +34,7 @@ class MotionImpl {
   void restart(std::vector<double> state);
   void look_back(double time,
                  const std::function<void(const MotionSample&)>& look);
+  int held_by() const;
   MotionState save();
   void restore(const MotionState& state);
 
@@ -155,6 +156,7 @@ class MotionImpl {
   std::vector<MotionEvent> events;
   std::vector<double> user_values;
   std::function<void(const MotionSample&)> step_watch;
+  std::function<bool()> halt;
   /// Size of the value of an event at 0 whose sign is known, whatever rounding
   /// says: of one that has been reported, or is about to be.
   static constexpr double just_crossed = std::numeric_limits<double>::min();

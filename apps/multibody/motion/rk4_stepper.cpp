@@ -66,6 +66,7 @@ class Rk4Stepper final : public Stepper {
     hermite(from_, k1_, to_, end_rates_, h, (time - begin_) / h, state);
   }
 
+  int largest_error() override { return -1; }
   double next_step() const override { return step_; }
   void set_next_step(double) override {}
 

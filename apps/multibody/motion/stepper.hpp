@@ -43,6 +43,9 @@ class Stepper {
   virtual void interpolate(double time, std::span<double> state) = 0;
   /// The same as nearly as it can be had for next to nothing.
   virtual void estimate(double time, std::span<double> state) = 0;
+  /// The number of the state whose error in the last step is the largest
+  /// against what is allowed: what keeps steps short. -1: errors are not known.
+  virtual int largest_error() = 0;
   /// Length of the next step, s; for a later restart.
   virtual double next_step() const = 0;
   virtual void set_next_step(double step) = 0;

@@ -191,8 +191,9 @@ enum class FrictionChoice { full, ideal, traditional };
 struct Case {
   std::string name;
   std::string file;
-  double end_time;     ///< s
-  double output_step;  ///< s
+  std::string content;  ///< of the file: TomlTable::canonical_text()
+  double end_time;      ///< s
+  double output_step;   ///< s
   FrictionChoice friction;
   multibody::MotionOptions options;
   Body carrier;

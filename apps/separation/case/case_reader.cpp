@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <set>
 #include <utility>
 
 #include "libcontact/base/error.hpp"
 #include "multibody/system/system.hpp"
 #include "separation/case/body_reader.hpp"
+#include "separation/case/case_keys.hpp"
 #include "separation/case/case_names.hpp"
 #include "separation/case/event_reader.hpp"
 #include "separation/case/force_reader.hpp"
@@ -256,6 +258,20 @@ void read_load(const TomlTable& table, const JointLaws& laws, Case& c,
   c.loads.insert(c.loads.end(), copies.begin(), copies.end());
 }
 
+// "a after b after a" where an event waits for itself by way of others, which
+// is for ever; "" where it does not.
+std::string circle_of(const std::vector<Event>& events, int event) {
+  std::string text = events[event].name;
+  int after = events[event].after;
+  // As many steps as there are events, or another circle has been met.
+  for (std::size_t i = 0; i < events.size() && after >= 0; ++i) {
+    text += " after " + events[after].name;
+    if (after == event) return text;
+    after = events[after].after;
+  }
+  return {};
+}
+
 void read_events(const TomlTable& file, Case& c, CaseNames& names) {
   const auto tables = file.tables("event");
   for (const TomlTable& table : tables) {
@@ -268,6 +284,25 @@ void read_events(const TomlTable& file, Case& c, CaseNames& names) {
   }
   for (const TomlTable& table : tables) {
     c.events.push_back(read_event(table, names));
+  }
+  for (std::size_t i = 0; i < tables.size(); ++i) {
+    const std::string circle = circle_of(c.events, static_cast<int>(i));
+    if (circle.empty()) continue;
+    tables[i].fail("after", fmt::format("allowed: an event that does not wait "
+                                        "for this one: {}",
+                                        circle));
+  }
+}
+
+void read_forces(const TomlTable& file, const CaseNames& names, Case& c) {
+  std::set<std::string> taken;
+  for (const TomlTable& table : file.tables("force")) {
+    if (!taken.insert(table.text("name")).second) {
+      table.fail("name", "allowed: a name that no other force has");
+    }
+    for (Force& force : read_force(table, names)) {
+      c.forces.push_back(std::move(force));
+    }
   }
 }
 
@@ -315,8 +350,10 @@ void read_clearance(const TomlTable& file, const CaseNames& names, Case& c) {
 }
 
 Case read_all(const TomlTable& file, const JointLaws& laws) {
+  file.refuse_keys_beside(case_keys());
   Case c;
   c.file = file.source();
+  c.content = file.canonical_text();
   c.name = file.text("name");
   read_run(file.table("run"), c);
   c.options.gravity = vector_or_zero(file, "gravity", Dimension::acceleration);
@@ -337,36 +374,21 @@ Case read_all(const TomlTable& file, const JointLaws& laws) {
   }
   for (const TomlTable& load : loads) read_load(load, laws, c, names);
   read_events(file, c, names);
-  for (const TomlTable& table : file.tables("force")) {
-    for (Force& force : read_force(table, names)) {
-      c.forces.push_back(std::move(force));
-    }
-  }
+  read_forces(file, names, c);
   read_clearance(file, names, c);
   file.refuse_unknown_keys();
   return c;
 }
 
-Case read(const TomlTable& file, const JointLaws& laws) {
-  try {
-    return read_all(file, laws);
-  } catch (const contact::Error&) {
-    // What is missing may be there by another name. Two keys of forces are
-    // nearly others: kind and axis.
-    file.refuse_misspelt_keys({"wind", "axial"});
-    throw;
-  }
-}
-
 }  // namespace
 
 Case read_case(const std::filesystem::path& path, const JointLaws& laws) {
-  return read(TomlTable::from_file(path), laws);
+  return read_all(TomlTable::from_file(path), laws);
 }
 
 Case parse_case(std::string_view text, const std::string& source,
                 const JointLaws& laws) {
-  return read(TomlTable::from_text(text, source), laws);
+  return read_all(TomlTable::from_text(text, source), laws);
 }
 
 }  // namespace separation

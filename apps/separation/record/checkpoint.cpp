@@ -25,7 +25,7 @@ using Eigen::Vector3d;
 using nlohmann::json;
 
 constexpr const char* program_format = "hinge-separation checkpoint ";
-constexpr const char* format_name = "hinge-separation checkpoint 5";
+constexpr const char* format_name = "hinge-separation checkpoint 6";
 
 json vectors_json(const std::vector<Vector3d>& vectors) {
   json numbers = json::array();
@@ -139,10 +139,15 @@ json memory_json(const Recorder::Memory& m, std::size_t notes) {
     pairs.push_back(
         {p.smallest, p.time, p.overlap_from, p.overlap_to, p.not_found});
   }
+  json forces = json::array();
+  for (const ForceRecord& f : m.forces) {
+    forces.push_back({f.on, f.acted, static_cast<int>(f.fault), f.fault_time});
+  }
   return {{"columns", m.rows.columns},
           {"loads", loads_json(m.loads)},
           {"notes", notes_json(std::span(m.notes).subspan(notes))},
           {"pairs", pairs},
+          {"forces", forces},
           {"modes", m.modes},
           {"last_time", m.last_time},
           {"first_balance", m.first_balance},
@@ -158,6 +163,11 @@ Recorder::Memory memory_from(const json& j) {
     const auto p = item.get<std::vector<double>>();
     m.pairs.push_back(
         {p.at(0), p.at(1), p.at(2), p.at(3), static_cast<long>(p.at(4))});
+  }
+  for (const json& f : j.at("forces")) {
+    m.forces.push_back({f.at(0).get<bool>(), f.at(1).get<bool>(),
+                        static_cast<ForceRecord::Fault>(f.at(2).get<int>()),
+                        f.at(3).get<double>()});
   }
   m.modes = j.at("modes").get<std::vector<int>>();
   m.last_time = j.at("last_time");

@@ -28,7 +28,7 @@ struct Checkpoint {
 /// checkpoint at any time.
 class CheckpointWriter {
  public:
-  /// @param identity  of the run: case file and options
+  /// @param identity  of the run: what the case file says, joints and options
   /// @throws contact::Error if the files cannot be made, or FILE is there and
   ///   is no checkpoint, of another version or damaged
   CheckpointWriter(std::string file, std::string identity, double every);

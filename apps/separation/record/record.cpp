@@ -128,6 +128,7 @@ Recorder::Recorder(const Case& c, bool rows, bool clearance, bool refine)
     memory_.loads.back().joints.resize(load.hinge.joints.size());
   }
   memory_.pairs.resize(c.clearance.size());
+  memory_.forces.resize(c.forces.size());
 }
 
 void Recorder::go_on_with(const Simulation& simulation) {
@@ -371,6 +372,7 @@ void Recorder::look(const Simulation& simulation) {
     add_body(sample.load(i));
   }
   look_at_distances(sample, keep_rows_);
+  look_at_forces(simulation, memory_.forces);
   look_at_energy(simulation, first);
   if (refine_) refine_peaks(simulation);
 }
@@ -382,6 +384,7 @@ void Recorder::look_between(const Simulation& simulation) {
     look_at_peaks(sample, i);
   }
   look_at_distances(sample, false);
+  look_at_forces(simulation, memory_.forces);
   if (refine_) refine_peaks(simulation);
 }
 

@@ -6,6 +6,7 @@
 
 #include "separation/clearance/clearance.hpp"
 #include "separation/record/peaks.hpp"
+#include "separation/simulation/force_watch.hpp"
 #include "separation/simulation/simulation.hpp"
 
 namespace separation {
@@ -91,6 +92,7 @@ class Recorder {
     std::vector<LoadRecord> loads;
     std::vector<Note> notes;
     std::vector<PairRecord> pairs;
+    std::vector<ForceRecord> forces;
     std::vector<int> modes;  ///< of each load at the last look
     double last_time = 0;
     double first_balance = 0;

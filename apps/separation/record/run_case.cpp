@@ -9,6 +9,7 @@
 
 #include "cli/progress.hpp"
 #include "separation/record/checkpoint.hpp"
+#include "separation/simulation/pace.hpp"
 
 namespace separation {
 namespace {
@@ -33,33 +34,24 @@ class OutputTimes {
   long count_;
 };
 
-// Moves on to `time` with all events on the way; false: message() says why.
-bool move_on(Simulation& simulation, Recorder& recorder, double time) {
-  for (;;) {
-    switch (simulation.advance_to(time)) {
-      case Simulation::Stop::time:
-        return true;
-      case Simulation::Stop::failed:
-        return false;
-      case Simulation::Stop::event:
-        recorder.look(simulation);
-        recorder.before(simulation, simulation.happenings());
-        if (!simulation.apply()) return false;
-        recorder.look(simulation);
-    }
-  }
-}
-
 // A motion with what is remembered of it.
 struct Run {
   std::unique_ptr<Simulation> simulation;
   Recorder recorder;
   bool between_looks;
-  std::optional<cli::Progress> progress;
-  multibody::MotionCounts counts;  // of simulations that are gone
+  StopRule stop;
+  std::optional<cli::Progress> progress = {};
+  multibody::MotionCounts counts = {};  // of simulations that are gone
+  Pace pace = {};
+  std::string failure = {};
+  std::string way_on = {};  // for who stops it
 
   void start(const Case& c, FrictionChoice friction) {
     simulation = std::make_unique<Simulation>(c, friction);
+    simulation->halt_when([this] {
+      pace.note(*simulation);
+      return stop && !(failure = stop(all_counts().steps)).empty();
+    });
     if (!between_looks && !progress) return;
     simulation->watch_steps(
         [this, end = c.end_time](const multibody::MotionSample& sample) {
@@ -68,10 +60,42 @@ struct Run {
         });
   }
   void show(double time, double end) {
-    const double begin = simulation->motion().step_begin();
-    progress->say(
-        fmt::format("{:.6g} s of {:.6g} s, {} steps, the last {:.2g} s", time,
-                    end, all_counts().steps, time - begin));
+    std::string text = fmt::format("{:.6g} s of {:.6g} s, {} steps, ", time,
+                                   end, all_counts().steps);
+    if (progress->is_terminal()) {
+      text +=
+          fmt::format("the last {:.2g} s", simulation->motion().last_step());
+    } else {
+      text = "hinge-separation: " + text + pace.text(*simulation);
+    }
+    progress->say(text);
+  }
+
+  // Moves on to `time` with all events on the way; false: `failure` says why.
+  bool move_on(double time) {
+    for (;;) {
+      switch (simulation->advance_to(time)) {
+        case Simulation::Stop::time:
+          return true;
+        case Simulation::Stop::failed:
+          failure = simulation->message();
+          return false;
+        case Simulation::Stop::halted:
+          failure =
+              fmt::format("t = {:.6g} s: stopped by {} after {} steps: {}{}",
+                          simulation->time(), failure, all_counts().steps,
+                          pace.text(*simulation), way_on);
+          return false;
+        case Simulation::Stop::event:
+          recorder.look(*simulation);
+          recorder.before(*simulation, simulation->happenings());
+          if (!simulation->apply()) {
+            failure = simulation->message();
+            return false;
+          }
+          recorder.look(*simulation);
+      }
+    }
   }
 
   multibody::MotionCounts all_counts() const {
@@ -102,9 +126,7 @@ double checkpoint_after(double time, double every) {
 Outcome run_case(const Case& c, const RunOptions& options) {
   Run run{nullptr,
           Recorder(c, options.rows, options.clearance, !options.only_events),
-          !options.only_events,
-          {},
-          {}};
+          !options.only_events, options.stop};
   if (options.progress) run.progress.emplace();
   const OutputTimes times(c, options.only_events);
   double every = options.checkpoint_every;
@@ -126,10 +148,8 @@ Outcome run_case(const Case& c, const RunOptions& options) {
   double next_checkpoint = every > 0
                                ? checkpoint_after(run.simulation->time(), every)
                                : History::not_yet;
-  std::string failure;
   for (; i <= times.count(); ++i) {
-    if (!move_on(*run.simulation, run.recorder, times[i])) {
-      failure = run.simulation->message();
+    if (!run.move_on(times[i])) {
       // How far it came.
       if (run.simulation->time() > run.recorder.memory().last_time) {
         run.recorder.look(*run.simulation);
@@ -140,10 +160,14 @@ Outcome run_case(const Case& c, const RunOptions& options) {
     if (run.simulation->time() < next_checkpoint) continue;
     next_checkpoint = checkpoint_after(run.simulation->time(), every);
     const SimulationState state = run.simulation->save();
-    if (writer) writer->write(i + 1, state, run.recorder.memory());
+    if (writer) {
+      writer->write(i + 1, state, run.recorder.memory());
+      run.way_on = fmt::format("; --resume {} goes on from t = {:.6g} s",
+                               options.checkpoint, state.motion.time);
+    }
     run.go_on_from(state, c, options.friction);
   }
-  Outcome outcome{options.friction,         failure,
+  Outcome outcome{options.friction,         run.failure,
                   run.simulation->time(),   run.recorder.take_memory(),
                   run.all_counts(),         {},
                   run.simulation->history()};

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "separation/record/record.hpp"
+#include "separation/simulation/stop_rule.hpp"
 
 namespace separation {
 
@@ -12,6 +13,7 @@ struct RunOptions {
   bool rows = true;       ///< keep the time history
   bool clearance = true;  ///< work out distances
   bool progress = false;  ///< say on standard error how far it is
+  StopRule stop = {};     ///< none: goes on to its end
   /// Look only at events and at the end; peaks are those of these times.
   bool only_events = false;
   /// File that is written every `checkpoint_every` seconds of the motion; 0

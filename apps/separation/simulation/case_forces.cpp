@@ -39,7 +39,7 @@ double variable(Variable over, const Instant& at) {
   return 0;
 }
 
-void add(const AppliedForce& f, const Instant& at) {
+void add_what(const AppliedForce& f, const Instant& at) {
   const BodyMotion& body = at.on();
   const double x = variable(f.variable, at);
   Vector3d force = f.force(x);
@@ -52,7 +52,7 @@ void add(const AppliedForce& f, const Instant& at) {
   at.force().moment += moment;
 }
 
-void add(const Motor& f, const Instant& at) {
+void add_what(const Motor& f, const Instant& at) {
   const Vector3d moment =
       f.moment(variable(f.variable, at)) *
       (at.bodies[0].rotation * at.c.loads[at.body - 1].hinge.axis);
@@ -60,7 +60,7 @@ void add(const Motor& f, const Instant& at) {
   at.forces[0].moment -= moment;
 }
 
-void add(const Thrust& f, const Instant& at) {
+void add_what(const Thrust& f, const Instant& at) {
   double part = 1;
   if (at.time > at.cutoff) {
     part = f.decay > 0 ? std::exp((at.cutoff - at.time) / f.decay) : 0;
@@ -77,7 +77,7 @@ void add_between(const Instant& at, const Vector3d& point,
   at.forces[0].add_at(at.bodies[0], point, -on_load);
 }
 
-void add(const Spring& f, const Instant& at) {
+void add_what(const Spring& f, const Instant& at) {
   const BodyMotion& load = at.on();
   const BodyMotion& carrier = at.bodies[0];
   const Vector3d end = load.point(f.point);
@@ -92,7 +92,7 @@ void add(const Spring& f, const Instant& at) {
       (f.stiffness * (f.free_length - length) - f.damping * rate) * unit);
 }
 
-void add(const Pusher& f, const Instant& at) {
+void add_what(const Pusher& f, const Instant& at) {
   const double used = stroke_used(f, at.body, at.bodies);
   const double part = std::clamp(used / f.stroke, 0.0, 1.0);
   const double force = f.first_force + part * (f.last_force - f.first_force);
@@ -113,7 +113,7 @@ double coefficient(const std::vector<double>& pressures,
   return (1 - part) * tables[i - 1](angle) + part * tables[i](angle);
 }
 
-void add(const Aerodynamic& f, const Instant& at) {
+void add_what(const Aerodynamic& f, const Instant& at) {
   const BodyMotion& body = at.on();
   Vector3d flow = f.flow;
   double pressure = 0;
@@ -198,14 +198,30 @@ CaseForces::CaseForces(const Case& c, const History& history) : case_(c) {
   std::sort(breaks_.begin(), breaks_.end());
 }
 
+void CaseForces::add(const Active& active, double time,
+                     std::span<const BodyMotion> bodies,
+                     std::span<BodyForce> forces) const {
+  if (!active.is_on(time)) return;
+  const Instant at{time,  active.begin, active.cutoff, active.force->body,
+                   case_, bodies,       forces};
+  std::visit([&](const auto& what) { add_what(what, at); }, active.force->what);
+}
+
 void CaseForces::add_forces(double time, std::span<const BodyMotion> bodies,
                             std::span<BodyForce> forces) const {
-  for (const Active& active : active_) {
-    if (time < active.begin || time >= active.end) continue;
-    const Instant at{time,  active.begin, active.cutoff, active.force->body,
-                     case_, bodies,       forces};
-    std::visit([&](const auto& what) { add(what, at); }, active.force->what);
-  }
+  for (const Active& active : active_) add(active, time, bodies, forces);
+}
+
+std::optional<BodyForce> CaseForces::of(
+    int force, double time, std::span<const BodyMotion> bodies) const {
+  const Force* wanted = &case_.forces[force];
+  const auto active = std::find_if(
+      active_.begin(), active_.end(),
+      [&](const Active& a) { return a.force == wanted && a.is_on(time); });
+  if (active == active_.end()) return {};
+  std::vector<BodyForce> forces(bodies.size());
+  add(*active, time, bodies, forces);
+  return forces[wanted->body];
 }
 
 double CaseForces::next_break(double time) const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "multibody/system/force_model.hpp"
@@ -34,13 +35,23 @@ class CaseForces final : public multibody::ForceModel {
   void add_forces(double time, std::span<const multibody::BodyMotion> bodies,
                   std::span<multibody::BodyForce> forces) const override;
   double next_break(double time) const override;
+  /// What one force of the case does to its body; none before its begin, after
+  /// its end, and without stroke.
+  std::optional<multibody::BodyForce> of(
+      int force, double time,
+      std::span<const multibody::BodyMotion> bodies) const;
 
  private:
   struct Active {
     const Force* force;
     double begin, end;  // s
     double cutoff;      // thrust only
+    bool is_on(double time) const { return time >= begin && time < end; }
   };
+  void add(const Active& active, double time,
+           std::span<const multibody::BodyMotion> bodies,
+           std::span<multibody::BodyForce> forces) const;
+
   const Case& case_;
   std::vector<Active> active_;
   std::vector<double> breaks_;  // increasing

@@ -49,8 +49,8 @@ NodeReactions node_reactions(const Load& load,
 Simulation::Simulation(const Case& c, FrictionChoice friction)
     : case_(c),
       history_(c),
-      motion_(system_of(c), friction_of(c, friction),
-              std::make_shared<CaseForces>(c, history_), start_of(c),
+      forces_(std::make_shared<CaseForces>(c, history_)),
+      motion_(system_of(c), friction_of(c, friction), forces_, start_of(c),
               c.options) {
   add_events();
   if (end_pushes()) renew_forces();
@@ -205,7 +205,8 @@ bool Simulation::end_pushes() {
 }
 
 void Simulation::renew_forces() {
-  motion_.set_forces(std::make_shared<CaseForces>(case_, history_));
+  forces_ = std::make_shared<CaseForces>(case_, history_);
+  motion_.set_forces(forces_);
 }
 
 // Why the motion failed, with the names of load and joint for their numbers.
@@ -247,6 +248,8 @@ Simulation::Stop Simulation::advance_to(double end) {
       case multibody::Stop::failed:
         message_ = failure_text();
         return Stop::failed;
+      case multibody::Stop::halted:
+        return Stop::halted;
       case multibody::Stop::event:
         note_motion_event();
         break;

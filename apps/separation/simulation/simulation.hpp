@@ -2,6 +2,8 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -51,15 +53,28 @@ class Simulation {
   const multibody::Motion& motion() const { return motion_; }
   const History& history() const { return history_; }
 
+  /// What a force of the case does to its body at time(), were the bodies
+  /// there; none while it is not on.
+  std::optional<multibody::BodyForce> force(
+      int force, std::span<const multibody::BodyMotion> bodies) const {
+    return forces_->of(force, sample().time(), bodies);
+  }
+
   /// As Motion::watch_steps().
   void watch_steps(std::function<void(const multibody::MotionSample&)> look) {
     motion_.watch_steps(std::move(look));
+  }
+
+  /// As Motion::halt_when().
+  void halt_when(std::function<bool()> halt) {
+    motion_.halt_when(std::move(halt));
   }
 
   enum class Stop {
     time,    ///< the time asked for
     event,   ///< happenings() are due; nothing has been done yet
     failed,  ///< message() says why
+    halted,  ///< as halt_when() wanted
   };
   Stop advance_to(double time);
   const std::vector<Happening>& happenings() const { return due_; }
@@ -93,6 +108,7 @@ class Simulation {
 
   const Case& case_;
   History history_;
+  std::shared_ptr<const CaseForces> forces_;
   multibody::Motion motion_;
   /// +1: an angle event of a load waits for larger angles; [event][load].
   std::vector<std::vector<double>> sense_;

@@ -1,0 +1,162 @@
+#include "separation/case/case_keys.hpp"
+
+#include "libcontact/files/joint_file.hpp"
+
+namespace separation {
+namespace {
+
+using contact::Dimension;
+using contact::KnownKey;
+using Keys = std::vector<KnownKey>;
+
+KnownKey table(std::string_view key, Keys inside) {
+  return {key, Dimension::number, std::move(inside)};
+}
+
+Keys with(Keys keys, const Keys& more) {
+  keys.insert(keys.end(), more.begin(), more.end());
+  return keys;
+}
+
+// The same, of some kinds only.
+Keys of(std::string_view kinds, Keys keys) {
+  for (KnownKey& key : keys) key.kinds = kinds;
+  return keys;
+}
+
+Keys run_keys() {
+  return {{"end_time", Dimension::time},
+          {"output_step", Dimension::time},
+          {"friction"},
+          {"integrator"},
+          {"step", Dimension::time},
+          {"relative_tolerance"},
+          {"absolute_tolerance"},
+          {"longest_step", Dimension::time}};
+}
+
+Keys body_keys() {
+  return {{"name"},
+          {"mass", Dimension::mass},
+          {"density_kg_per_m3"},
+          {"com", Dimension::length},
+          {"inertia", Dimension::inertia},
+          {"principal_inertia", Dimension::inertia},
+          table("shape", {{"kind"},
+                          {"from", Dimension::length},
+                          {"to", Dimension::length},
+                          {"radius", Dimension::length},
+                          {"points", Dimension::length}}),
+          table("direction", {{"name"}, {"vector"}})};
+}
+
+Keys start_keys() {
+  return {{"position", Dimension::length},
+          {"velocity", Dimension::velocity},
+          {"rotation", Dimension::angle},
+          {"angular_velocity", Dimension::angular_velocity}};
+}
+
+Keys hinge_keys() {
+  return {{"kind"},
+          {"name"},
+          {"load_point", Dimension::length},
+          {"carrier_point", Dimension::length},
+          {"zero_rotation", Dimension::angle},
+          {"axis", Dimension::number, {}, "axis"},
+          {"sharing", Dimension::number, {}, "axis"},
+          {"radial_stiffness", Dimension::number, {}, "axis"},
+          {"axial_share", Dimension::number, {}, "axis"},
+          {"load_direction", Dimension::number, {}, "spherical"},
+          {"carrier_direction", Dimension::number, {}, "spherical"},
+          table("joint", with(contact::joint_keys(),
+                              {{"file"}, {"position", Dimension::length}}))};
+}
+
+Keys load_keys() {
+  return with(
+      body_keys(),
+      {table("hinge", hinge_keys()),
+       table("lock", {{"name"}, {"load_point", Dimension::length}}),
+       table("start",
+             with(start_keys(), {{"angle", Dimension::angle},
+                                 {"rate", Dimension::angular_velocity}})),
+       table("pattern", {{"count"}, {"axis"}, {"first", Dimension::angle}})});
+}
+
+Keys event_keys() {
+  return {{"name"},
+          {"loads"},
+          {"breaks"},
+          {"after"},
+          {"together"},
+          {"node"},
+          {"time", Dimension::time},
+          {"delay", Dimension::time},
+          {"angle", Dimension::angle},
+          {"reaction", Dimension::force}};
+}
+
+Keys force_keys() {
+  Keys keys = {{"kind"},
+               {"name"},
+               {"body"},
+               {"starts_at", Dimension::time},
+               {"starts_at_event"},
+               {"starts_delay", Dimension::time},
+               {"ends_at", Dimension::time},
+               {"ends_at_event"},
+               {"ends_delay", Dimension::time}};
+  keys = with(keys, of("applied thrust spring pusher aerodynamic",
+                       {{"point", Dimension::length}}));
+  keys =
+      with(keys, of("applied motor aerodynamic",
+                    {{"time", Dimension::time}, {"angle", Dimension::angle}}));
+  keys = with(keys, of("applied motor", {{"moment", Dimension::moment}}));
+  keys = with(keys, of("applied", {{"axes"}, {"force", Dimension::force}}));
+  keys = with(keys, of("thrust pusher", {{"direction"}}));
+  keys = with(keys, of("thrust", {{"thrust", Dimension::force},
+                                  {"cutoff_at", Dimension::time},
+                                  {"cutoff_at_event"},
+                                  {"cutoff_delay", Dimension::time},
+                                  {"decay", Dimension::time}}));
+  keys =
+      with(keys, of("spring pusher", {{"carrier_point", Dimension::length}}));
+  keys = with(keys, of("spring", {{"stiffness", Dimension::line_force},
+                                  {"free_length", Dimension::length},
+                                  {"damping_N_s_per_m"}}));
+  keys = with(keys, of("pusher", {{"first_force", Dimension::force},
+                                  {"last_force", Dimension::force},
+                                  {"stroke", Dimension::length}}));
+  return with(keys, of("aerodynamic", {{"axis"},
+                                       {"reference_area_m2"},
+                                       {"reference_length", Dimension::length},
+                                       {"flow"},
+                                       {"dynamic_pressure", Dimension::stress},
+                                       {"density_kg_per_m3"},
+                                       {"wind", Dimension::velocity},
+                                       {"axial"},
+                                       {"normal"},
+                                       {"moment"},
+                                       {"table_pressure", Dimension::stress}}));
+}
+
+}  // namespace
+
+Keys case_keys() {
+  return {{"name"},
+          {"gravity", Dimension::acceleration},
+          table("run", run_keys()),
+          table("carrier",
+                with(body_keys(),
+                     {table("start", start_keys()),
+                      table("drive", {{"acceleration", Dimension::acceleration},
+                                      {"angular_acceleration",
+                                       Dimension::angular_acceleration}})})),
+          table("load", load_keys()),
+          table("event", event_keys()),
+          table("force", force_keys()),
+          table("clearance", {{"a"}, {"b"}})};
+}
+
+}  // namespace separation

@@ -1,0 +1,25 @@
+#include "separation/simulation/stop_rule.hpp"
+
+#include <fmt/format.h>
+
+namespace separation {
+
+StopRule stop_rule(const cli::Interrupts& interrupts, int steps,
+                   double seconds) {
+  using Clock = std::chrono::steady_clock;
+  return [&interrupts, steps, seconds,
+          begin = Clock::now()](long done) -> std::string {
+    if (const int signal = interrupts.signal(); signal != 0) {
+      return signal == SIGINT ? "SIGINT" : "SIGTERM";
+    }
+    if (steps > 0 && done >= steps)
+      return fmt::format("--step-limit {}", steps);
+    using Seconds = std::chrono::duration<double>;
+    if (seconds > 0 && Seconds(Clock::now() - begin).count() >= seconds) {
+      return fmt::format("--time-limit {:.6g} s", seconds);
+    }
+    return {};
+  };
+}
+
+}  // namespace separation
