@@ -117,8 +117,8 @@ cli::ExitStatus run_points(const Options& options, const Setup& setup) {
   if (setup.joints.size() != 1) {
     throw contact::Error("--points: allowed one law and one pressure law");
   }
-  return report(write_points(setup.joints[0], options,
-                             [&] { warn_of_validity(setup); }));
+  return report(
+      write_points(setup.joints[0], options, [&] { warn_of_validity(setup); }));
 }
 
 // Work that is not shared among threads.

@@ -167,7 +167,7 @@ class CoupledDynamics::Impl {
   std::vector<Vec3<double>> change_;
   std::vector<Reaction<double>> reactions_;
   bool reactions_known_ = true;  // none before the first evaluation
-  std::vector<int> rows_;  // active hinges
+  std::vector<int> rows_;        // active hinges
   bool rows_known_ = false;
   long evaluation_ = 0;
   // Whether the follower's acting moments are those of the hinges; as follow()

@@ -10,9 +10,9 @@
 namespace contact::detail {
 
 /// From x^3 ln x sum b_k x^(2k) to x^3 ln X sum b_k x^(2k), x and X as in
-/// PressureExpansion with v = 1 + 2 c, c = cos(theta0/2): adds the difference to
-/// the coefficients of x y^k, y = 2 x^2 - 1. It is x times x^2 sum b_k x^(2k)
-/// times
+/// PressureExpansion with v = 1 + 2 c, c = cos(theta0/2): adds the difference
+/// to the coefficients of x y^k, y = 2 x^2 - 1. It is x times x^2 sum b_k
+/// x^(2k) times
 ///
 ///     ln(x/X) = ln((1 + w)/(2 w)) - sum r^m T_m(y)/m,  m = 1, 2, ...,
 ///     w = sqrt(c),  r = (1 - w)/(1 + w),

@@ -68,11 +68,12 @@ States steel_states() {
     const double f0 = 0.05 + 0.25 * random.uniform();
     const double adhesion =
         random.uniform() < 0.5 ? 0 : f0 * random.log_uniform(1e6, 1e9);
-    const SphericalJoint joint(
-        geometry, pair, contact::FrictionLaw(f0, adhesion),
-        contact::make_half_angle_law("tanh", contact::JointKind::spherical,
-                                     pair),
-        std::make_unique<contact::CosinePressure>(contact::JointKind::spherical));
+    const SphericalJoint joint(geometry, pair,
+                               contact::FrictionLaw(f0, adhesion),
+                               contact::make_half_angle_law(
+                                   "tanh", contact::JointKind::spherical, pair),
+                               std::make_unique<contact::CosinePressure>(
+                                   contact::JointKind::spherical));
     const double force = scale.load(random.log_uniform(0.005, 20));
     states.add({joint, force * random.direction(), random.direction()}, random);
   }
