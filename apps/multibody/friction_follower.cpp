@@ -49,7 +49,7 @@ struct FrictionFollower::Contacts {
     std::iota(order.begin(), order.end(), 0);
     // Only balls need integrals: where there are nodes, all balls come first.
     if (any_node) {
-      std::ranges::stable_partition(order, [&](int k) {
+      std::stable_partition(order.begin(), order.end(), [&](int k) {
         return all[k].geometry().kind() == contact::JointKind::spherical;
       });
     }
