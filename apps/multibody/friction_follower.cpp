@@ -67,12 +67,15 @@ struct FrictionFollower::Contacts {
   bool one_each;
 };
 
-FrictionFollower::FrictionFollower(const std::vector<HingeFriction>& friction)
-    : FrictionFollower(friction, Contacts(friction)) {}
+FrictionFollower::FrictionFollower(const std::vector<HingeFriction>& friction,
+                                   contact::InstructionSet set)
+    : FrictionFollower(friction, Contacts(friction), set) {}
 
 FrictionFollower::FrictionFollower(const std::vector<HingeFriction>& friction,
-                                   Contacts contacts)
-    : joints_(std::move(contacts.in_place)), is_direct_(contacts.one_each) {
+                                   Contacts contacts,
+                                   contact::InstructionSet set)
+    : joints_(std::move(contacts.in_place), set),
+      is_direct_(contacts.one_each) {
   for (const int place : contacts.place) parts_.push_back({place, 1, 0, 1});
   std::size_t first = 0;
   for (std::size_t i = 0; i < friction.size(); ++i) {
