@@ -16,12 +16,16 @@ cd "$(dirname "$0")/.."
 results=$(mktemp)
 trap 'rm -f "$results"' EXIT
 
-# Adds lines "PROGRAM/BENCHMARK#COUNTER VALUE", one for each repetition.
+# Adds lines "PROGRAM/BENCHMARK#COUNTER VALUE", one for each repetition of what
+# the page names.
 measure() { # PROGRAM
+  local names
+  names=$(grep -oE "[{ ]$1/[^ #}]+" scripts/speed_page.md.in |
+    sed "s,^.$1/,," | sort -u | paste -sd '|')
   cmake --build "$build" --target "$1_bench" >&2
-  "$build/bench/$1_bench" --benchmark_repetitions="$repetitions" \
-    --benchmark_min_time=0.05 --benchmark_enable_random_interleaving=true \
-    --benchmark_format=json |
+  "$build/bench/$1_bench" --benchmark_filter="^($names)\$" \
+    --benchmark_repetitions="$repetitions" --benchmark_min_time=0.02 \
+    --benchmark_enable_random_interleaving=true --benchmark_format=json |
     awk -F '"' -v program="$1" '
       function put(column, value) {print program "/" name "#" column, value}
       $2 == "name" {name = $4}
