@@ -39,6 +39,7 @@ check_symbols() {
   archives=$(find "${CONTACT_BUILD:-build}" -name '*.a' 2>/dev/null || true)
   [ -n "$archives" ] || missing "a build in ${CONTACT_BUILD:-build}/"
   # Lines of nm: ARCHIVE:OBJECT:[ADDRESS] TYPE NAME
+  # shellcheck disable=SC2086  # names of targets, without blanks
   nm -A $archives | awk '
     {
       split($1, place, ":")

@@ -49,12 +49,12 @@ awk -v repetitions="$repetitions" \
   -v processor="$(sed -n 's/^model name\s*: //p' /proc/cpuinfo | head -1)" \
   -v compiler="$("$(sed -n 's/^CMAKE_CXX_COMPILER:[A-Z]*=//p' \
     "$build/CMakeCache.txt")" --version | head -1)" '
-  # Integers whole, else significant digits, without an exponent.
+  # Significant digits; as many decimals below 1.
   function show(x, digits, unit) {
-    if (x == int(x)) return sprintf("%d", x)
     for (unit = 1; unit * 10 ^ digits <= x; unit *= 10) {}
     if (unit > 1) return sprintf("%.0f", int(x / unit + 0.5) * unit)
-    return x < 1e-3 ? sprintf("%.1e", x) + 0 : sprintf("%." digits "g", x) + 0
+    for (unit = 1; unit <= x; unit *= 10) --digits
+    return sprintf("%." digits "f", x)
   }
   function value(name) {
     if (name ~ /^[0-9.e-]+$/) return name + 0
@@ -64,7 +64,8 @@ awk -v repetitions="$repetitions" \
   function expanded(name, pair) {
     if (name in word) return word[name]
     if (split(name, pair, " : ") == 1) {
-      return value(name) == "-" ? "-" : show(value(name), 3)
+      name = value(name)
+      return name == "-" || name == int(name) ? name : show(name, 3)
     }
     if (value(pair[1]) == "-" || value(pair[2]) == "-") return "-"
     return show(value(pair[1]) / value(pair[2]), 2)
