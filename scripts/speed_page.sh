@@ -64,8 +64,9 @@ awk -v repetitions="$repetitions" \
   function expanded(name, pair) {
     if (name in word) return word[name]
     if (split(name, pair, " : ") == 1) {
-      name = value(name)
-      return name == "-" || name == int(name) ? name : show(name, 3)
+      pair[2] = value(name)
+      if (pair[2] == "-" || name ~ /#/ && pair[2] == int(pair[2])) return pair[2]
+      return show(pair[2], 3)
     }
     if (value(pair[1]) == "-" || value(pair[2]) == "-") return "-"
     return show(value(pair[1]) / value(pair[2]), 2)
