@@ -9,7 +9,7 @@ function(contact_set_kernel_options)
   set(avx512 ${ARGN})
   list(FILTER avx512 INCLUDE REGEX "_avx512.*[.]cpp$")
   set_property(SOURCE ${avx512} APPEND PROPERTY
-    COMPILE_OPTIONS "-mavx512f;-mavx512dq;-mavx512vl;-mavx512bw;-mavx2;-mfma;-mprefer-vector-width=512;-Wno-uninitialized;-Wno-maybe-uninitialized")
+    COMPILE_OPTIONS "-mavx512f;-mavx512dq;-mavx512vl;-mavx512bw;-mavx2;-mfma;-mprefer-vector-width=512;$<$<CXX_COMPILER_ID:GNU>:-Wno-uninitialized;-Wno-maybe-uninitialized>")
   set_property(SOURCE ${avx2} ${avx512} PROPERTY SKIP_PRECOMPILE_HEADERS ON)
   # Guards around each of their thousands of small variables take g++ minutes.
   if(CMAKE_CXX_FLAGS MATCHES "-fsanitize=[a-z,]*address" AND

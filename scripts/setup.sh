@@ -1,10 +1,12 @@
 #!/usr/bin/env bash
 # Installs what the project needs and the machine lacks (Debian, Ubuntu).
 # Says what it will install before it does; does nothing when all is there.
+#   scripts/setup.sh [LIST...]
+# installs the packages of other lists than scripts/packages.txt.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-mapfile -t packages < scripts/packages.txt
+mapfile -t packages < <(cat "${@:-scripts/packages.txt}")
 
 if ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then
   [ "${CONTACT_SKIP_SETUP:-}" = 1 ] && exit 0

@@ -3,14 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 
 #include "libcontact/base/root_finding.hpp"
 
 namespace contact::detail {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // f/cos a tends to a constant as cos a -> 0: below this cosine it is taken
 // here, where the integrals are still far from underflow.

@@ -8,6 +8,7 @@
 
 #include "libcontact/friction/exact.hpp"
 #include "libcontact/friction/kernel/cap_kernel.hpp"
+#include "libcontact/friction/kernel/exact_call.hpp"
 #include "libcontact/pressure/cosine.hpp"
 #include "libcontact/tracking/follower_kernel.hpp"
 
@@ -51,6 +52,7 @@ JointFollower::JointFollower(std::vector<JointContact> contacts,
                              InstructionSet set)
     : contacts_(std::move(contacts)),
       kernel_(&detail::follower_kernel(set, size())),
+      integrals_(&detail::cap_kernel(set)),
       row_count_(FollowerRows::count),
       numbers_((contacts_.size() + lanes - 1) / lanes * row_count_),
       smooth_(contacts_.size()),
@@ -112,7 +114,9 @@ JointFollower::Values JointFollower::values(int joint, double force,
                            std::max(axis.cos, smallest)};
   const double half_angle = contact.half_angle(force).half_angle;
   return values(joint, force, inside,
-                plain ? exact_friction_integrals(half_angle, inside)
+                plain ? detail::exact_point(
+                            *integrals_,
+                            detail::prepare(half_angle, inside.sin, inside.cos))
                       : contact.integrals(half_angle, inside));
 }
 
@@ -309,8 +313,6 @@ void JointFollower::extend() noexcept {
 }
 
 void JointFollower::evaluate() noexcept {
-  static const detail::CapKernel& cap =
-      detail::cap_kernel(best_instruction_set());
   if (!all_chosen_) extend();
   for_chosen([&](FollowerRows rows, int first, int count) {
     if (kernel_->approach(rows, count)) {
@@ -320,10 +322,10 @@ void JointFollower::evaluate() noexcept {
     }
     for (int i = 0; any_plain_ && i < count; i += lanes) {
       const auto at = [&](Row row) { return rows.at(row, i); };
-      cap.few(at(Row::half_angle_sin), at(Row::half_angle_cos),
-              at(Row::evaluated_axis_sine), at(Row::evaluated_axis_cosine),
-              at(Row::plain), std::min(lanes, count - i),
-              at(Row::integral_force));
+      integrals_->few(at(Row::half_angle_sin), at(Row::half_angle_cos),
+                      at(Row::evaluated_axis_sine),
+                      at(Row::evaluated_axis_cosine), at(Row::plain),
+                      std::min(lanes, count - i), at(Row::integral_force));
     }
     return kernel_->settle(rows, count, moment_floor_);
   });

@@ -12,6 +12,7 @@
 namespace contact {
 
 namespace detail {
+struct CapKernel;
 class FollowerRows;
 struct FollowerKernel;
 struct FollowerLargest;
@@ -40,7 +41,8 @@ class JointFollower {
   /// By the best instruction set.
   /// @param contacts  of balls and pins, with friction
   explicit JointFollower(std::vector<JointContact> contacts);
-  /// @param set  a supported one
+  /// @param set  a supported one; what it takes for the integrals of other
+  ///   pressures than the cosine is the best all the same
   JointFollower(std::vector<JointContact> contacts, InstructionSet set);
 
   int size() const { return static_cast<int>(contacts_.size()); }
@@ -199,6 +201,7 @@ class JointFollower {
   std::vector<JointContact> contacts_;
   std::vector<JointContact::Strength> strengths_;  // at speed 1
   const detail::FollowerKernel* kernel_;
+  const detail::CapKernel* integrals_;
   unsigned row_count_;  // of a packet
   std::vector<LaneRow> numbers_;
   bool any_plain_ = false;    // contacts that need the exact integrals

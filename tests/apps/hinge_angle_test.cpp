@@ -421,23 +421,52 @@ TEST(HingeAngle, CompareFindsTheLargestErrors) {
   }
 }
 
-// The first table of "How good are the formulas" in docs/half_angle.md.
-TEST(HingeAngle, DocumentedErrorsAreMeasured) {
-  std::ifstream page(std::string(CONTACT_DATA_DIR) +
-                     "/../libcontact/docs/half_angle.md");
+// Cells of the rows below this header in a page of libcontact/docs.
+std::vector<std::vector<std::string>> page_rows(const std::string& page_name,
+                                                const std::string& header) {
+  std::ifstream page(std::string(CONTACT_DATA_DIR) + "/../libcontact/docs/" +
+                     page_name);
   std::string line;
-  while (std::getline(page, line) && !line.starts_with("| Ebar | pin:")) {
+  while (std::getline(page, line) && !line.starts_with(header)) {
   }
   std::getline(page, line);  // the rule
-  const ProgramFolder folder;
-  int rows = 0;
+  std::vector<std::vector<std::string>> rows;
   while (std::getline(page, line) && line.starts_with("| ")) {
-    std::vector<std::string> cells;
+    auto& cells = rows.emplace_back();
     std::istringstream text(line.substr(1));
     for (std::string cell; std::getline(text, cell, '|');) {
       cells.push_back(cell.substr(1, cell.size() - 2));
     }
-    ASSERT_EQ(cells.size(), 11U) << line;
+  }
+  return rows;
+}
+
+TEST(HingeAngle, CostsAreThoseOfThePage) {
+  const auto rows = page_rows("speed.md", "| | hertz | arctan");
+  ASSERT_EQ(rows.size(), 2U);
+  for (const auto& row : rows) {
+    const auto costs = csv_column(
+        csv_rows(ProgramFolder()
+                     .run("hinge-angle --compare --modulus-ratio 1 --law "
+                          "hertz,arctan,tanh,blend:0.5,nominal,fitted,exact "
+                          "--joint " +
+                          std::string(row[0] == "pin" ? "cylinder" : "sphere"))
+                     .out),
+        "cost_tanh");
+    ASSERT_EQ(row.size(), 1 + costs.size());
+    for (std::size_t law = 0; law < costs.size(); ++law) {
+      EXPECT_NEAR(std::stod(costs[law]), std::stod(row[1 + law]), 0.5)
+          << row[0] << ", law " << law;
+    }
+  }
+}
+
+// The first table of "How good are the formulas" in docs/half_angle.md.
+TEST(HingeAngle, DocumentedErrorsAreMeasured) {
+  const ProgramFolder folder;
+  int rows = 0;
+  for (const auto& cells : page_rows("half_angle.md", "| Ebar | pin:")) {
+    ASSERT_EQ(cells.size(), 11U);
     for (int joint = 0; joint < 2; ++joint) {
       const auto errors = csv_column(
           csv_rows(folder
@@ -454,7 +483,7 @@ TEST(HingeAngle, DocumentedErrorsAreMeasured) {
         // Half of the last of two digits; one decimal from 1 on.
         EXPECT_NEAR(std::stod(errors[law]), printed,
                     std::max(1e-6, printed < 1 ? 0.051 * printed : 0.051))
-            << line;
+            << cells[0];
       }
     }
     ++rows;

@@ -168,7 +168,7 @@ BENCHMARK_CAPTURE(exact_batch, baseline, InstructionSet::baseline, false);
 BENCHMARK_CAPTURE(exact_batch, avx2, InstructionSet::avx2, false);
 BENCHMARK_CAPTURE(exact_batch, avx512, InstructionSet::avx512, false);
 BENCHMARK_CAPTURE(exact_batch, avx512_at_edge, InstructionSet::avx512, true);
-BENCHMARK(gsl_quadrature)->Unit(benchmark::kMillisecond);
+BENCHMARK(gsl_quadrature)->Unit(benchmark::kMillisecond)->Iterations(64);
 
 }  // namespace
 

@@ -178,9 +178,13 @@ struct Stretch {
 };
 
 // Friction converged at every evaluation, rates of the state included.
-void with_friction(benchmark::State& state, Mix mix, AxisHinge axis_hinge) {
+template <AxisHinge axis_hinge>
+void with_friction(benchmark::State& state, Mix mix, InstructionSet set) {
   Stretch run(mix, static_cast<int>(state.range(0)), axis_hinge);
-  multibody::CoupledDynamics coupled(run.prepared.system, run.friction);
+  multibody::CoupledOptions options;
+  options.instruction_set = set;
+  multibody::CoupledDynamics coupled(run.prepared.system, run.friction,
+                                     options);
   for (int i = 0; i < coupled.size(); ++i) {
     const double* s = run.next() + coupled.layout().offset(i);
     if (mix == Mix::axes) {
@@ -198,9 +202,9 @@ void with_friction(benchmark::State& state, Mix mix, AxisHinge axis_hinge) {
   state.counters["outer"] = iterations / evaluations;
 }
 
-void without_friction(benchmark::State& state, Mix mix) {
+void without_friction(benchmark::State& state, Mix mix, InstructionSet set) {
   Stretch run(mix, static_cast<int>(state.range(0)));
-  Dynamics dynamics(run.prepared.system);
+  Dynamics dynamics(run.prepared.system, set);
   std::vector<double> rates(run.states[0].size());
   measure(state, 1, [&] {
     const double* s = run.next();
@@ -340,7 +344,7 @@ void simbody_flight(benchmark::State& state) {
 #endif
 
 void register_all(const std::string& name, Mix mix) {
-  const auto add = [&](const char* method, auto function, int most) {
+  const auto add = [&](const std::string& method, auto function, int most) {
     auto* b = benchmark::RegisterBenchmark(
         (name + "/" + method).c_str(),
         [=](benchmark::State& state) { function(state, mix); });
@@ -348,31 +352,27 @@ void register_all(const std::string& name, Mix mix) {
       if (loads <= most) b->Arg(loads);
     }
   };
-  add(
-      "two_step",
-      [](auto& state, Mix m) {
-        evaluate(state, m, contact::best_instruction_set());
-      },
-      256);
-  add(
-      "two_step_scalar",
-      [](auto& state, Mix m) { evaluate(state, m, InstructionSet::baseline); },
-      256);
+  for (const InstructionSet set :
+       {InstructionSet::baseline, InstructionSet::avx2,
+        InstructionSet::avx512}) {
+    if (!contact::is_supported(set)) continue;
+    const auto add_for_set = [&](const char* method, auto function, int most) {
+      add(
+          std::string(method) + '/' + contact::name(set),
+          [=](auto& state, Mix m) { function(state, m, set); }, most);
+    };
+    add_for_set("two_step", evaluate, 256);
+    add_for_set("without_friction", without_friction, 64);
+    add_for_set("with_friction", with_friction<AxisHinge::node>, 64);
+    if (mix == Mix::axes) {
+      add_for_set("with_pin_friction", with_friction<AxisHinge::pin>, 64);
+    }
+  }
   add("lanes", lanes, 256);
   add("increment", increment, 256);
   add("lanes_increment", lanes_increment, 256);
   add("reactions", reactions, 256);
   add("unhinged", unhinged, 64);
-  add("without_friction", without_friction, 64);
-  add(
-      "with_friction",
-      [](auto& state, Mix m) { with_friction(state, m, AxisHinge::node); }, 64);
-  if (mix == Mix::axes) {
-    add(
-        "with_pin_friction",
-        [](auto& state, Mix m) { with_friction(state, m, AxisHinge::pin); },
-        64);
-  }
   add("dense_cholesky", dense_cholesky, 64);
 #ifdef CONTACT_HAS_SIMBODY
   add("simbody", simbody, 256);

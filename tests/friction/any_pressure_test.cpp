@@ -164,16 +164,17 @@ TEST(FrictionPressure, AgreesWithIntegrationByParts) {
   const auto logarithmic = [&](double decades) {
     return std::pow(10, -decades * uniform(random));
   };
-  for (const auto& [name, law] : laws_to_integrate()) {
-    AccuracyReport report(name, budget);
+  for (const NamedLaw& each : laws_to_integrate()) {
+    const PressureLaw& law = *each.law;
+    AccuracyReport report(each.name, budget);
     const auto add = [&](double theta0_deg, double complement_deg) {
       const double b = std::min(std::max(complement_deg, 1e-7), 90 - 1e-7);
       const SlipAxis axis = SlipAxis::from_complement(b * degree);
       compare(report,
-              contact::friction_integrals(*law, theta0_deg * degree, axis)
+              contact::friction_integrals(law, theta0_deg * degree, axis)
                   .coefficient,
-              by_parts(*law, theta0_deg * degree, axis),
-              label(name, theta0_deg, 90 - b));
+              by_parts(law, theta0_deg * degree, axis),
+              label(each.name, theta0_deg, 90 - b));
     };
     for (int i = 0; i < 40; ++i) {
       add(120 * uniform(random), 90 * uniform(random));
@@ -599,8 +600,9 @@ TEST(FrictionPressure, ViscousAnalogueIsItsDefinition) {
   using Rule = boost::math::quadrature::gauss<double, 60>;
   auto laws = laws_to_integrate();
   laws.push_back({"cosine", law_of("cosine")});
-  for (const auto& [name, law] : laws) {
-    AccuracyReport report(name, 1e-11);
+  for (const NamedLaw& each : laws) {
+    const PressureLaw& law = *each.law;
+    AccuracyReport report(each.name, 1e-11);
     for (const double theta0_deg : {1.0, 40.0, 90.0, 119.0}) {
       const double theta0 = theta0_deg * degree;
       const double b = std::tan(theta0 / 2);
@@ -610,8 +612,8 @@ TEST(FrictionPressure, ViscousAnalogueIsItsDefinition) {
             [&](double phi) {
               const double tangent = b * std::cos(phi);
               const double t = 2 * std::atan(tangent);
-              return 2 * pi * law->pressure(t, theta0) * f(t) * std::sin(t) *
-                     2 * b * std::sin(phi) / (1 + tangent * tangent);
+              return 2 * pi * law.pressure(t, theta0) * f(t) * std::sin(t) * 2 *
+                     b * std::sin(phi) / (1 + tangent * tangent);
             },
             0.0, pi / 2);
       };
@@ -620,15 +622,15 @@ TEST(FrictionPressure, ViscousAnalogueIsItsDefinition) {
           integral([](double t) { return std::sin(t) * std::sin(t); });
       const double sum = integral([](double) { return 1; });
       const FrictionIntegrals r =
-          contact::viscous_friction_integrals(*law, theta0, axis);
-      const std::string row = label(name, theta0_deg, 35);
+          contact::viscous_friction_integrals(law, theta0, axis);
+      const std::string row = label(each.name, theta0_deg, 35);
       compare(report, r.coefficient,
               {axis.cos, (sum - sine2 / 2) * axis.cos, sine2 * axis.sin}, row);
     }
     report.check();
-    EXPECT_TRUE(std::isnan(
-        contact::viscous_friction_integrals(*law, nan, SlipAxis{0, 1})
-            .coefficient.force));
+    EXPECT_TRUE(
+        std::isnan(contact::viscous_friction_integrals(law, nan, SlipAxis{0, 1})
+                       .coefficient.force));
   }
 }
 

@@ -17,8 +17,8 @@ int main(int count, char** arguments) {
          std::filesystem::directory_iterator(arguments[i])) {
       std::ifstream stream(entry.path(), std::ios::binary);
       const std::string text{std::istreambuf_iterator<char>(stream), {}};
-      LLVMFuzzerTestOneInput(
-          reinterpret_cast<const std::uint8_t*>(text.data()), text.size());
+      LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t*>(text.data()),
+                             text.size());
       ++files;
     }
   }

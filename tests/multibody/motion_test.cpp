@@ -483,8 +483,9 @@ TEST(Motion, SlidesAndSticksAgainAndAgain) {
     }
     for (int i = 0; i < 20; ++i) {
       const auto& change = motion.changes()[i];
+      const int swing = i / 2;
       const double phase =
-          std::numbers::pi * (i / 2) + (i % 2 == 0 ? begin : low);
+          std::numbers::pi * swing + (i % 2 == 0 ? begin : low);
       EXPECT_EQ(change.to,
                 i % 2 == 0 ? HingeMode::sliding : HingeMode::resting);
       // The short slips reach 1e-5 rad/s, known to 1e-10.

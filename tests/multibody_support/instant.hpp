@@ -55,9 +55,7 @@ struct LoadResult {
 
 /// Accelerations and reactions of an instant.
 ///
-/// Largest error in units of the largest component of the quantity, measured
-/// on the 22 cases of data/reference/multibody: 1.0e-14
-/// (multibody/dynamics_test.cpp).
+/// Accuracy: apps/multibody/README.md, first row.
 struct InstantResult {
   Eigen::Vector3d acceleration;                ///< carrier axes, m/s^2
   Eigen::Vector3d acceleration_minus_gravity;  ///< V'_0

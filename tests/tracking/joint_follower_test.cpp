@@ -271,8 +271,10 @@ TEST(JointFollower, AllInstructionSetsAgree) {
       std::vector<Vector3d>& moments = found.emplace_back();
       for (int i = 0; i < follower.size(); ++i) {
         moments.push_back(follower.moment(i));
-        // Tens of operations.
-        EXPECT_LT((moments[i] - found[0][i]).norm(), 1e-14 * moments[i].norm())
+        // The slopes at the start come from differences of 1e-6 and differ by
+        // the integrals' rounding over that, 4e-9; they correct what the
+        // prediction missed, 2.5e-5 (joint.md).
+        EXPECT_LT((moments[i] - found[0][i]).norm(), 1e-13 * moments[i].norm())
             << count;
       }
     }

@@ -129,8 +129,8 @@ struct Lanes {
   template <class X>
   static auto sum(const CarrierMatrix<X>& m) {
     const Mat3<X>& b = m.b_transposed;
-    return CarrierMatrix{sum(m.a), Mat3{sum(b.x), sum(b.y), sum(b.z)},
-                         sum(m.f)};
+    return CarrierMatrix<decltype(sum(b.x.x))>{
+        sum(m.a), {sum(b.x), sum(b.y), sum(b.z)}, sum(m.f)};
   }
   /// Lanes whose sum is t.
   static S to_sum(const T& t) {

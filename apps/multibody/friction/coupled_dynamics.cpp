@@ -42,7 +42,9 @@ double leverage_of(const Link& link) {
 CoupledDynamics::Impl::Impl(const System& system,
                             std::vector<HingeFriction> friction,
                             const CoupledOptions& coupled_options)
-    : options(coupled_options), dynamics(system), follower(friction) {
+    : options(coupled_options),
+      dynamics(system, options.instruction_set),
+      follower(friction, options.instruction_set) {
   if (static_cast<int>(friction.size()) != system.size()) {
     throw contact::Error(
         fmt::format("friction of {} hinges, allowed is one for each of the {} "

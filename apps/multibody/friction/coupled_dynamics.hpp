@@ -23,6 +23,8 @@ struct CoupledOptions {
   /// The same of a ball joint: above what the direction found for its sliding
   /// leaves uncertain of its acceleration, so that it is clear where it goes.
   double ball_slip_threshold = 1e-8;
+  /// By which bodies are resolved and joints are followed: a supported one.
+  contact::InstructionSet instruction_set = contact::best_instruction_set();
 };
 
 /// How an instant with friction came out.

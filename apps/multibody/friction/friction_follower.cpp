@@ -49,7 +49,7 @@ struct FrictionFollower::Contacts {
     std::iota(order.begin(), order.end(), 0);
     // Only balls need integrals: where there are nodes, all balls come first.
     if (any_node) {
-      std::ranges::stable_partition(order, [&](int k) {
+      std::stable_partition(order.begin(), order.end(), [&](int k) {
         return all[k].geometry().kind() == contact::JointKind::spherical;
       });
     }
@@ -67,12 +67,15 @@ struct FrictionFollower::Contacts {
   bool one_each;
 };
 
-FrictionFollower::FrictionFollower(const std::vector<HingeFriction>& friction)
-    : FrictionFollower(friction, Contacts(friction)) {}
+FrictionFollower::FrictionFollower(const std::vector<HingeFriction>& friction,
+                                   contact::InstructionSet set)
+    : FrictionFollower(friction, Contacts(friction), set) {}
 
 FrictionFollower::FrictionFollower(const std::vector<HingeFriction>& friction,
-                                   Contacts contacts)
-    : joints_(std::move(contacts.in_place)), is_direct_(contacts.one_each) {
+                                   Contacts contacts,
+                                   contact::InstructionSet set)
+    : joints_(std::move(contacts.in_place), set),
+      is_direct_(contacts.one_each) {
   for (const int place : contacts.place) parts_.push_back({place, 1, 0, 1});
   std::size_t first = 0;
   for (std::size_t i = 0; i < friction.size(); ++i) {

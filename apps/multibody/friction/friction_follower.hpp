@@ -18,7 +18,8 @@ namespace multibody {
 /// have to be asked.
 class FrictionFollower {
  public:
-  explicit FrictionFollower(const std::vector<HingeFriction>& friction);
+  FrictionFollower(const std::vector<HingeFriction>& friction,
+                   contact::InstructionSet set);
 
   /// From a hinge's last solution.
   /// @param rate  with which that was found
@@ -85,7 +86,7 @@ class FrictionFollower {
  private:
   struct Contacts;
   FrictionFollower(const std::vector<HingeFriction>& friction,
-                   Contacts contacts);
+                   Contacts contacts, contact::InstructionSet set);
 
   struct Hinge {
     std::size_t first = 0;  ///< of its parts

@@ -12,6 +12,9 @@ template <class T>
 struct Vec3 {
   T x, y, z;
 };
+// Clang below 17 has no deduction for aggregates (P1816) without a guide.
+template <class T>
+Vec3(T, T, T) -> Vec3<T>;
 
 /// Columns: the unit vectors of the body's axes in the outer axes, so that
 /// C * v turns body components into outer ones (the paper's C, B, B_0).
@@ -25,6 +28,8 @@ template <class T>
 struct Sym3 {
   T xx, yy, zz, xy, xz, yz;
 };
+template <class T>
+Sym3(T, T, T, T, T, T) -> Sym3<T>;
 
 /// Quaternion of a rotation, scalar part first; any length but zero.
 template <class T>

@@ -1,0 +1,116 @@
+#!/usr/bin/env bash
+# The checks beside the tests:
+#   scripts/check.sh CHECK...
+# with any of
+#   format    every source file is as clang-format 14 leaves it
+#   symbols   no code for AVX can get in the place of code for any machine
+#   clang     clang++ builds everything, warnings are errors
+#   tidy      clang-tidy finds nothing (an hour)
+#   sanitize  no test has errors of memory or undefined behaviour (an hour)
+#   fuzz      every fuzz program runs for a minute
+#   all       all of them
+# The first two are tests of the gate too.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+usage() {
+  sed -n '2,12s/^# \{0,1\}//p' "$0" >&2
+  exit 2
+}
+
+# Tests neither install nor fail for what is missing.
+missing() {
+  echo "check: $1 is missing, nothing was checked"
+  exit 77
+}
+
+check_format() {
+  clang-format --version 2>/dev/null | grep -q 'version 14\.' ||
+    missing "clang-format 14"
+  find libcontact apps tests -name '*.[ch]pp' -print0 |
+    xargs -0 clang-format --dry-run --Werror
+}
+
+# A linker takes any one of the functions of one name that are defined weakly:
+# of those in objects for AVX none may be known to objects for less. And none
+# may run before main() has asked what the machine has.
+check_symbols() {
+  local archives
+  archives=$(find "${CONTACT_BUILD:-build}" -name '*.a' 2>/dev/null || true)
+  [ -n "$archives" ] || missing "a build in ${CONTACT_BUILD:-build}/"
+  # Lines of nm: ARCHIVE:OBJECT:[ADDRESS] TYPE NAME
+  # shellcheck disable=SC2086  # names of targets, without blanks
+  nm -A $archives | awk '
+    {
+      split($1, place, ":")
+      object = place[2]
+      set = match(object, /_avx[0-9]+/) ? substr(object, RSTART, RLENGTH) : ""
+      all_sets[set]
+      known[$3, set] = object
+      if (set != "" && $2 == "W") weak[$3, set] = object
+      if (set != "" && $3 ~ /^_GLOBAL__sub_I/) {
+        print object " runs code before main()"
+        bad = 1
+      }
+    }
+    END {
+      for (key in weak) {
+        split(key, part, SUBSEP)
+        for (other in all_sets) {
+          if (other == part[2] || !((part[1], other) in known)) continue
+          print weak[key] " defines " part[1] ", known to " \
+            known[part[1], other]
+          bad = 1
+        }
+      }
+      if (length(all_sets) < 2) {
+        print "check: no objects for AVX, nothing was checked"
+        exit 77
+      }
+      exit bad
+    }' | c++filt
+}
+
+check_clang() {
+  cmake --preset clang
+  cmake --build --preset clang
+}
+
+check_tidy() {
+  cmake --preset clang
+  run-clang-tidy -quiet -p build-clang "$PWD/(libcontact|apps|tests)/"
+}
+
+check_sanitize() {
+  cmake --preset asan
+  cmake --build --preset asan
+  ctest --preset asan --no-tests=error --parallel "$(nproc)"
+}
+
+fuzz() { # NAME FOLDER...: from the corpus of that name and files there
+  local found=build-fuzz/found/$1
+  mkdir -p "$found"
+  "build-fuzz/tests/$1_fuzz" -max_total_time=60 -artifact_prefix="$found-" \
+    "$found" "tests/fuzz/corpus/$1" "${@:2}"
+}
+
+check_fuzz() {
+  cmake --preset fuzz
+  cmake --build --preset fuzz --target joint_file_fuzz csv_fuzz case_file_fuzz
+  fuzz joint_file data/joints data/materials
+  fuzz csv
+  fuzz case_file data/cases
+}
+
+[ $# -gt 0 ] || usage
+checks=("$@")
+[ "$*" = all ] && checks=(format symbols clang tidy sanitize fuzz)
+for check in "${checks[@]}"; do
+  declare -F "check_$check" >/dev/null || usage
+done
+[ "${CONTACT_SKIP_SETUP:-}" = 1 ] ||
+  scripts/setup.sh scripts/packages.txt scripts/packages-check.txt
+for check in "${checks[@]}"; do
+  echo "check: $check"
+  "check_$check"
+done
