@@ -33,8 +33,11 @@ class ContactPressure {
   double pressure(double theta) const noexcept;
   /// -dp/dtheta per rad; odd in theta, infinite at the edge, 0 outside.
   double slope(double theta) const noexcept;
-  /// p(0), the largest pressure.
+  /// The largest pressure, p(peak_angle()).
   double peak() const noexcept;
+  /// Where it is, [0, theta0], rad: 0 but for thin walls with a free outer
+  /// surface. To 1e-8 of theta0.
+  double peak_angle() const noexcept;
   /// S = ∫ p dS/R_n (ball), ∫ p rho dt/P (pin).
   double force_ratio() const noexcept { return force_ratio_; }
   /// a_0, a_1, ...
