@@ -54,7 +54,7 @@ class ExactPressure final : public PressureLaw {
   static constexpr int logarithms = ContactPressure::logarithms;
   // a_k, b_k, S and some more.
   static constexpr int max_width = 40;
-  static_assert(max_width >= ContactPressure::max_terms + logarithms + 1);
+  static_assert(max_width >= 32 + logarithms + 1);  // EdgeFit::wide_terms
   using Column = std::array<double, max_width>;
   /// Chebyshev series of several functions of theta0, one row a degree.
   class Series {

@@ -45,12 +45,11 @@ LayeredPair pair_of(const ReferenceTable& table, std::size_t row) {
                         : Backing::medium(material(table, row, "E1", "nu1"))};
   add_layer(table, row, "coat", inner.layers);
   const std::string end = table.text(row, "end");
-  LayeredBody outer{
-      {},
-      end == "rigid"  ? Backing::rigid()
-      : end == "free" ? Backing::held()
-                      : Backing::medium(
-                            material(table, row, "end_E", "end_nu"))};
+  LayeredBody outer{{},
+                    end == "rigid"  ? Backing::rigid()
+                    : end == "free" ? Backing::held()
+                                    : Backing::medium(material(
+                                          table, row, "end_E", "end_nu"))};
   add_layer(table, row, "La", outer.layers);
   add_layer(table, row, "Lb", outer.layers);
   return {table.value(row, "rho"), inner, outer};
@@ -109,10 +108,10 @@ void compare(const std::string& file) {
     const double pressure = force * unit.pressure;
     centre.add(p.pressure(0) * pressure, table.value(row, "p_centre"), label);
     peak.add(p.peak() * pressure, table.value(row, "p_max"), label);
-    angle.add_error(std::abs(p.peak_angle() / degree -
-                             table.value(row, "theta_pmax_deg")) /
-                        table.value(row, "theta0_deg"),
-                    label);
+    angle.add_error(
+        std::abs(p.peak_angle() / degree - table.value(row, "theta_pmax_deg")) /
+            table.value(row, "theta0_deg"),
+        label);
     sum.add(p.force_ratio(), table.value(row, "S"), label);
 
     const ContactApproach a = contact.approach(theta0);
@@ -194,9 +193,8 @@ TYPED_TEST(Walled, AThickWallIsInfinite) {
 
 TYPED_TEST(Walled, SmallContactsAreHertzian) {
   // Those smaller than the wall's thickness, by the surface materials.
-  const LayeredPair pair(
-      1, {{{0.05, {1, 0.3}}}, Backing::medium({200, 0.3})},
-      {{{0.1, {2, 0.2}}}, Backing::medium({500, 0.3})});
+  const LayeredPair pair(1, {{{0.05, {1, 0.3}}}, Backing::medium({200, 0.3})},
+                         {{{0.1, {2, 0.2}}}, Backing::medium({500, 0.3})});
   const TypeParam walled(pair);
   const TypeParam plain(pair.surfaces());
   for (const double theta0 : {1e-3, 1e-2}) {
@@ -221,8 +219,7 @@ TYPED_TEST(Walled, ThinCompressibleLinersAreWinkler) {
     const LayeredPair pair = single(t, nu, Backing::rigid());
     const double k = t * (1 + nu) * (1 - 2 * nu) / (1 - nu);
     const double winkler =
-        ball ? 2 * pi / k *
-                   ((1 - c * c * c) / (3 * c) - (1 - c * c) / 2)
+        ball ? 2 * pi / k * ((1 - c * c * c) / (3 * c) - (1 - c * c) / 2)
              : (theta0 / c - std::sin(theta0)) / k;
     const Units unit = units<TypeParam>(pair, 1);
     const TypeParam contact(pair);
@@ -270,8 +267,7 @@ TYPED_TEST(Walled, ThinIncompressibleLinersSqueezeSideways) {
     double limit = 0;
     for (int k = 0; k <= steps; ++k) {
       const int weight = k == 0 || k == steps ? 1 : (k % 2 == 1 ? 4 : 2);
-      limit += weight * load_density(theta0 * k / steps) * theta0 /
-               (3 * steps);
+      limit += weight * load_density(theta0 * k / steps) * theta0 / (3 * steps);
     }
     const double load = units<TypeParam>(pair, 1).load_per_parameter /
                         TypeParam(pair).reciprocal_load(theta0);
@@ -289,16 +285,20 @@ TYPED_TEST(Walled, LimitHalfAngles) {
     double ball;
     double pin;
   };
-  const Case cases[] = {
-      {0.01, 0.3, false, 89.929, 89.929},  {0.01, 0.499, false, 96.417, 96.463},
-      {0.03, 0.45, false, 90.864, 90.885}, {0.1, 0.3, false, 89.225, 89.238},
-      {0.1, 0.499, false, 127.117, 132.542}, {0.3, 0.3, true, 91.019, 100.372},
-      {1, 0.45, false, 87.441, 90.091},    {1, 0.3, true, 85.995, 87.908},
-      {3, 0.499, false, 106.004, 126.295}, {3, 0.3, true, 83.923, 82.425}};
+  const Case cases[] = {{0.01, 0.3, false, 89.929, 89.929},
+                        {0.01, 0.499, false, 96.417, 96.463},
+                        {0.03, 0.45, false, 90.864, 90.885},
+                        {0.1, 0.3, false, 89.225, 89.238},
+                        {0.1, 0.499, false, 127.117, 132.542},
+                        {0.3, 0.3, true, 91.019, 100.372},
+                        {1, 0.45, false, 87.441, 90.091},
+                        {1, 0.3, true, 85.995, 87.908},
+                        {3, 0.499, false, 106.004, 126.295},
+                        {3, 0.3, true, 83.923, 82.425}};
   const bool ball = std::is_same_v<TypeParam, BallContact>;
   for (const Case& c : cases) {
-    const LayeredPair pair = single(
-        c.thickness, c.nu, c.held ? Backing::held() : Backing::rigid());
+    const LayeredPair pair =
+        single(c.thickness, c.nu, c.held ? Backing::held() : Backing::rigid());
     const ExactHalfAngle limit = TypeParam(pair).limit_half_angle();
     EXPECT_EQ(limit.status, Status::ok);
     EXPECT_NEAR(limit.half_angle / degree, ball ? c.ball : c.pin, 6e-4)
@@ -394,8 +394,8 @@ TYPED_TEST(Walled, ThereAndBackAgain) {
   for (const double thickness : {1e-3, 0.03, 1.0}) {
     for (const double nu : {0.3, 0.5}) {
       for (const bool held : {false, true}) {
-        const TypeParam contact(single(
-            thickness, nu, held ? Backing::held() : Backing::rigid()));
+        const TypeParam contact(
+            single(thickness, nu, held ? Backing::held() : Backing::rigid()));
         for (const double theta0 : {1e-2 * degree, 0.1, 1.0}) {
           const ExactLoad load = contact.load_parameter(theta0);
           ASSERT_EQ(load.status, Status::ok) << thickness << " " << nu;

@@ -28,15 +28,16 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 LayeredBody body_of(const ReferenceTable& table, std::size_t row) {
   const std::string end = table.text(row, "end");
   LayeredBody body{{},
-                   end == "rigid"  ? Backing::rigid()
-                   : end == "free" ? Backing::held()
-                                   : Backing::medium({table.value(row, "end_E"),
-                                                      table.value(row, "end_nu")})};
+                   end == "rigid" ? Backing::rigid()
+                   : end == "free"
+                       ? Backing::held()
+                       : Backing::medium({table.value(row, "end_E"),
+                                          table.value(row, "end_nu")})};
   for (const std::string layer : {"La", "Lb"}) {
     if (table.text(row, layer + "_t").empty()) continue;
-    body.layers.push_back({table.value(row, layer + "_t"),
-                           {table.value(row, layer + "_E"),
-                            table.value(row, layer + "_nu")}});
+    body.layers.push_back(
+        {table.value(row, layer + "_t"),
+         {table.value(row, layer + "_E"), table.value(row, layer + "_nu")}});
   }
   return body;
 }

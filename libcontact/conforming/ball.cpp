@@ -29,15 +29,15 @@ constexpr double pi = std::numbers::pi;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-constexpr int max_unknowns = BallContact::max_walled_unknowns;
-static_assert(max_unknowns == LegendreGalerkin::max_unknowns);
+constexpr int most_unknowns = BallContact::max_walled_unknowns;
+static_assert(most_unknowns == LegendreGalerkin::max_unknowns);
 
 template <int columns>
 using Columns =
-    Eigen::Matrix<double, Eigen::Dynamic, columns, 0, max_unknowns, columns>;
+    Eigen::Matrix<double, Eigen::Dynamic, columns, 0, most_unknowns, columns>;
 using Vector = Columns<1>;
 using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0,
-                             max_unknowns, max_unknowns>;
+                             most_unknowns, most_unknowns>;
 template <int max>
 using Buffer = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, max, 1>;
 
@@ -138,10 +138,10 @@ struct BallContact::Galerkin {
 
 // Scaled so that H_1 = 1: R_n = 2 pi rho^2.
 struct BallContact::Solution {
-  Vector h;            // of P_2i(f/theta0)
-  double clearance;    // ebar in units of 2 pi/E
-  double delta;        // likewise: the approach with c_1 = 2/3
-  double stiffness;    // d(force)/d(delta) for it
+  Vector h;          // of P_2i(f/theta0)
+  double clearance;  // ebar in units of 2 pi/E
+  double delta;      // likewise: the approach with c_1 = 2/3
+  double stiffness;  // d(force)/d(delta) for it
   double force_ratio;
   double reciprocal() const { return 2.0 / 3 * clearance; }  // 1/mu
 };
@@ -159,7 +159,7 @@ BallContact::Galerkin::Galerkin(const Tables& tables, double theta0) {
     for (int k = 0; k < nodes; ++k) kappa(k) += (*tables.wall)(x(k));
   }
   kappa *= theta0 / pi;
-  Buffer<max_unknowns*(max_unknowns + 1) / 2> packed(g.correlation.rows());
+  Buffer<most_unknowns*(most_unknowns + 1) / 2> packed(g.correlation.rows());
   packed.noalias() = g.correlation * kappa;
   edge.noalias() = g.edge * kappa;
   system.resize(n, n);
@@ -224,8 +224,8 @@ detail::WallHarmonics no_walls(const ElasticPair& pair) {
 BallContact::BallContact(const ElasticPair& pair, InnerLoading loading,
                          int unknowns)
     : unknowns_(unknowns) {
-  detail::require(unknowns >= 8 && unknowns <= BallContact::max_unknowns,
-                  "ball contact", "unknowns", unknowns, "8 to 32");
+  detail::require(unknowns >= 8 && unknowns <= max_unknowns, "ball contact",
+                  "unknowns", unknowns, "8 to 32");
   tables_ = std::make_shared<const Tables>(pair, loading, unknowns,
                                            no_walls(pair), infinity);
   set_largest(loading);
@@ -296,10 +296,10 @@ ContactPressure BallContact::pressure(double half_angle,
   // but for a logarithm at s = 1, which s = 1 - u^2 takes away.
   // As h has twice the unknowns for its degree, 32 nodes take 32 of them.
   static const detail::GaussLegendre usual(32);
-  static const detail::GaussLegendre fine(2 * max_unknowns);
-  const detail::GaussLegendre& rule =
-      unknowns_ > BallContact::max_unknowns ? fine : usual;
-  const detail::EdgeFit& fit = detail::EdgeFit::table(terms);
+  static const detail::GaussLegendre fine(2 * most_unknowns);
+  const detail::GaussLegendre& rule = unknowns_ > max_unknowns ? fine : usual;
+  const detail::EdgeFit& fit = detail::EdgeFit::table(
+      terms == 0 ? std::max(unknowns_, detail::EdgeFit::wide_terms) : terms);
   if (!(half_angle > 0 && half_angle <= largest_)) return {nan, nan, {}, {}};
   const double theta0 = half_angle;
   const Solution solution = Galerkin(*tables_, theta0).solve(unknowns_);

@@ -16,8 +16,8 @@ constexpr double pi = std::numbers::pi;
 class CosineSum {
  public:
   explicit CosineSum(std::span<const double> correction)
-      : weight_(Eigen::MatrixXd::Zero(block,
-                                      (correction.size() + block - 1) / block)) {
+      : weight_(Eigen::MatrixXd::Zero(
+            block, (correction.size() + block - 1) / block)) {
     for (std::size_t n = 0; n < correction.size(); ++n) {
       weight_.data()[n] = (static_cast<double>(n) + 0.5) * correction[n];
     }
@@ -30,7 +30,8 @@ class CosineSum {
         x * Eigen::RowVectorXd::LinSpaced(block, 0.5, block - 0.5);
     const Eigen::Index blocks = weight_.cols();
     const Eigen::MatrixXd outer =
-        x * Eigen::RowVectorXd::LinSpaced(blocks, 0, block * (blocks - 1.0));
+        x * Eigen::RowVectorXd::LinSpaced(
+                blocks, 0, 1.0 * block * (static_cast<double>(blocks) - 1));
     const Eigen::MatrixXd cosines = inner.unaryExpr(cosine) * weight_;
     const Eigen::MatrixXd sines = inner.unaryExpr(sine) * weight_;
     return (cosines.cwiseProduct(outer.unaryExpr(cosine)) -
@@ -51,8 +52,7 @@ BallWallKernel::BallWallKernel(std::span<const double> correction,
   const CosineSum sum(correction);
   double start = 0;
   while (start < pi) {
-    const double end =
-        std::min(start == 0 ? 2 * thickness : 2 * start, pi);
+    const double end = std::min(start == 0 ? 2 * thickness : 2 * start, pi);
     Eigen::VectorXd angle(terms);
     Eigen::VectorXd x(terms);
     for (int i = 0; i < terms; ++i) {
@@ -62,7 +62,8 @@ BallWallKernel::BallWallKernel(std::span<const double> correction,
     const Eigen::VectorXd value = sum(x);
     Panel panel{end, {}};
     for (int k = 0; k < terms; ++k) {
-      panel.series[k] = 2.0 / terms * (k * angle).array().cos().matrix().dot(value);
+      panel.series[k] =
+          2.0 / terms * (k * angle).array().cos().matrix().dot(value);
     }
     panels_.push_back(panel);
     start = end;

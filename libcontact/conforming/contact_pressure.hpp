@@ -16,7 +16,7 @@ namespace contact {
 /// exceptions; NaN gives NaN. All NaN if it was asked for outside its range.
 class ContactPressure {
  public:
-  static constexpr int max_terms = 32;
+  static constexpr int max_terms = 64;
   static constexpr int logarithms = 3;
 
   /// @param half_angle    theta0, rad, (0, pi)

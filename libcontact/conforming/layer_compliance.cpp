@@ -66,8 +66,8 @@ struct LayerCompliance::Harmonic {
     System a;
     if (ball) {
       const double g = e.shear * (1 + e.nu) / (1 - e.nu);
-      a << -2 * e.a, e.a * l, e.m, 0,                //
-          -1, 1, 0, 1 / e.shear,                     //
+      a << -2 * e.a, e.a * l, e.m, 0,                   //
+          -1, 1, 0, 1 / e.shear,                        //
           4 * g, -2 * g * l, 1 - 4 * e.shear * e.m, l,  //
           -2 * g, 2 * e.shear * (l / (1 - e.nu) - 1), -e.a, -2;
     } else {
@@ -136,8 +136,8 @@ struct LayerCompliance::Harmonic {
         amplitude.bottomRows<2>() * amplitude.topRows<2>().inverse();
     for (int i = 0; i < 2; ++i) {
       for (int j = 0; j < 2; ++j) {
-        ratio(i, j) *= std::exp(-shell.width * std::abs(other.exponent[i] -
-                                                        regular.exponent[j]));
+        ratio(i, j) *= std::exp(
+            -shell.width * std::abs(other.exponent[i] - regular.exponent[j]));
       }
     }
     return {regular.y, other.y * ratio};
@@ -153,7 +153,8 @@ struct LayerCompliance::Harmonic {
                          side == Side::inner ? shell.width : -shell.width, far,
                          1 + static_cast<int>(n * shell.width / 4));
     }
-    for (int j = 0; j < 2; ++j) near.col(j) /= near.col(j).lpNorm<Eigen::Infinity>();
+    for (int j = 0; j < 2; ++j)
+      near.col(j) /= near.col(j).lpNorm<Eigen::Infinity>();
     return near;
   }
 };
@@ -173,8 +174,7 @@ LayerCompliance::LayerCompliance(JointKind kind, Side side,
     medium_.emplace(body.backing.material(), modulus);
   }
   if (shells_.empty() && !medium_) return;  // rigid
-  const Elastic& surface =
-      shells_.empty() ? *medium_ : shells_.front().elastic;
+  const Elastic& surface = shells_.empty() ? *medium_ : shells_.front().elastic;
   poisson_ = surface.nu;
   share_ = (1 - poisson_) / (4 * surface.shear);
 }
@@ -209,8 +209,7 @@ double LayerCompliance::homogeneous(int n) const {
   const bool inner = side_ == Side::inner;
   if (kind_ == JointKind::spherical) {
     if (inner && n == 1) return share_ * 0.6 * k / (1 + nu);
-    return share_ *
-           (inner ? ball_compliance(n, nu) : cavity_compliance(n, nu));
+    return share_ * (inner ? ball_compliance(n, nu) : cavity_compliance(n, nu));
   }
   if (n == 1) return inner ? share_ * k / 2 : nan;
   if (n == 0) return share_ * (inner ? k : 1 - k);
@@ -256,8 +255,8 @@ double LayerCompliance::mean() const {
 HarmonicCompliance LayerCompliance::layered(int n) const {
   const Shell& surface = shells_.front();
   const Harmonic harmonic{kind_, n, surface.elastic.shear};
-  const double sign = (side_ == Side::inner ? 1 : -1) /
-                      (4 * n * harmonic.reference);
+  const double sign =
+      (side_ == Side::inner ? 1 : -1) / (4 * n * harmonic.reference);
   States y = States::Zero();
   if (medium_) {
     y = harmonic.modes(*medium_, side_ == Side::inner).y;
@@ -310,15 +309,16 @@ double LayerCompliance::body_force() const {
         0;
   } else {
     y.col(0) << -1 + 4 * e.nu, 5 - 4 * e.nu, -4 * g, 4 * g, 0, 0;
-    y.col(2) << -0.375 * e.m, -0.125 * e.m, -(0.75 + 0.25 * e.a), -0.5 * g * e.m,
-        1, 0;
+    y.col(2) << -0.375 * e.m, -0.125 * e.m, -(0.75 + 0.25 * e.a),
+        -0.5 * g * e.m, 1, 0;
   }
   y *= square;
   y.col(1) << 1, 1, 0, 0, 0, 0;
   const auto along = [&](int column) {
     return (y(u, column) + (dimension - 1) * y(v, column)) / dimension;
   };
-  for (const int column : {0, 2}) y(j, column) = along(column) / (dimension + 2);
+  for (const int column : {0, 2})
+    y(j, column) = along(column) / (dimension + 2);
   y(j, 1) = 1 / dimension;
   for (auto shell = shells_.rbegin(); shell != shells_.rend(); ++shell) {
     Eigen::Matrix<double, 6, 6> a = Eigen::Matrix<double, 6, 6>::Zero();
@@ -331,8 +331,7 @@ double LayerCompliance::body_force() const {
     y = exponential(a, shell->width, y, 1 + static_cast<int>(shell->width));
   }
   const double regular = -y(t, 2) / y(t, 0);
-  const double translation =
-      -dimension * (regular * y(j, 0) + y(j, 2));
+  const double translation = -dimension * (regular * y(j, 0) + y(j, 2));
   return -(regular * y(u, 0) + y(u, 2) + translation) / 4;
 }
 

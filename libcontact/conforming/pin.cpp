@@ -336,8 +336,8 @@ ExactHalfAngle PinContact::half_angle(double load_parameter) const noexcept {
   if (!(load_parameter >= 0)) return {nan, Status::out_of_range, nan, 0};
   if (load_parameter == 0) return {0, Status::ok, 0, 0};
   return detail::half_angle_root(
-      [this](double theta) { return reciprocal(theta); },
-      1 / load_parameter, 2 * std::sqrt(load_parameter), 2, largest_);
+      [this](double theta) { return reciprocal(theta); }, 1 / load_parameter,
+      2 * std::sqrt(load_parameter), 2, largest_);
 }
 
 ExactHalfAngle PinContact::limit_half_angle() const noexcept {
@@ -372,8 +372,8 @@ ContactApproach PinContact::approach(double half_angle) const noexcept {
   system.modes->visit(2, end, [&](int first, const auto& g) {
     for (int i = 0; i < g.cols(); ++i) {
       const double n = first + i;
-      const double next = ((2 * n - 1) * std::cos(half_angle) * now -
-                           (n - 1) * before) / n;
+      const double next =
+          ((2 * n - 1) * std::cos(half_angle) * now - (n - 1) * before) / n;
       const double average = (next + now) / 2;
       before = std::exchange(now, next);
       // c_n - 1/n
@@ -401,12 +401,11 @@ ContactApproach PinContact::approach(double half_angle) const noexcept {
   harmonic << b * b / pi * system.given.constant.transpose() * solved,
       2 * b * b / pi * system.given.cosine.transpose() * solved;
   const Eigen::Matrix2d factors = harmonic.rightCols<2>();
-  const Eigen::Vector2d h = (Eigen::Matrix2d::Identity() - factors)
-                                .inverse() *
-                            (harmonic.col(0) + factors.col(0) +
-                             2 * first_average * factors.col(1));
-  const double rate = (-2 * sine * sine + h(1) - 2 * h(0)) /
-                      (2 * first_average + h(1));
+  const Eigen::Vector2d h =
+      (Eigen::Matrix2d::Identity() - factors).inverse() *
+      (harmonic.col(0) + factors.col(0) + 2 * first_average * factors.col(1));
+  const double rate =
+      (-2 * sine * sine + h(1) - 2 * h(0)) / (2 * first_average + h(1));
 
   const double reciprocal = solution.reciprocal;
   const double cosine = std::cos(half_angle / 2);
@@ -419,7 +418,8 @@ ContactApproach PinContact::approach(double half_angle) const noexcept {
 ContactPressure PinContact::pressure(double half_angle,
                                      int terms) const noexcept {
   static const LeadingLogarithm logarithm;
-  const detail::EdgeFit& fit = detail::EdgeFit::table(terms);
+  const detail::EdgeFit& fit = detail::EdgeFit::table(
+      terms == 0 ? std::max(unknowns_, detail::EdgeFit::wide_terms) : terms);
   if (!(half_angle > 0 && half_angle <= largest_)) return {nan, nan, {}, {}};
   const Solution solution = System(*this, half_angle).solve(unknowns_);
   const double b = std::tan(half_angle / 2);

@@ -90,9 +90,9 @@ class PinContact {
   ///
   /// Accuracy: 1e-7 of the peak for theta0 <= 120 deg
   /// (conforming_pin_test.cpp).
-  /// @param terms  sines of the expansion, 12 (up to 120 deg) or 32
-  ContactPressure pressure(
-      double half_angle, int terms = ContactPressure::max_terms) const noexcept;
+  /// @param terms  sines of the expansion: 12 (up to 120 deg), 32 or 64; 0 for
+  ///               as many as there are unknowns, at least 32
+  ContactPressure pressure(double half_angle, int terms = 0) const noexcept;
 
   /// Largest theta0 of this object, rad: 4 atan(10^(-2/unknowns)), where the
   /// truncation error tan(theta0/4)^(4 unknowns) is 1e-8 (147 deg for 16

@@ -25,7 +25,8 @@ void odd_bessel(double x, int count, Eigen::VectorXd& out) {
   }
   // Miller's: backwards from where J is 1e-17 of what it is at the order
   // `last` or x; scaled by J_0 + 2 sum J_2m = 1.
-  const int start = (last + 1) / 2 * 2 + 30 + 2 * static_cast<int>(std::sqrt(10.0 * last));
+  const int start =
+      (last + 1) / 2 * 2 + 30 + 2 * static_cast<int>(std::sqrt(10.0 * last));
   double after = 0;
   double now = 1e-280;
   double sum = 0;

@@ -26,10 +26,10 @@ WallHarmonics::WallHarmonics(JointKind kind, const LayeredPair& pair)
 int walled_unknowns(const LayeredPair& pair) {
   // Measured: docs/conforming.md, "Walls".
   const double thickness = pair.relative_thickness();
-  if (thickness >= 0.1) return 16;
-  if (thickness >= 0.03) return 24;
-  if (thickness >= 0.01) return 32;
-  return thickness >= 0.003 ? 48 : 64;
+  if (thickness > 0.09) return 16;
+  if (thickness > 0.025) return 24;
+  if (thickness > 0.009) return 32;
+  return thickness > 0.0025 ? 48 : 64;
 }
 
 void require_uncoated(const LayeredPair& pair, const InnerLoading& loading) {
