@@ -22,7 +22,7 @@ class BallWallKernel {
   double operator()(double x) const;
 
  private:
-  static constexpr int terms = 24;
+  static constexpr int terms = 32;
   struct Panel {
     double end;
     double series[terms];

@@ -287,9 +287,10 @@ PinContact::System::System(const PinContact& pin, double half_angle)
   modes->visit(2, pin.wall_->end(), [&](int n, const auto& g) {
     const Eigen::MatrixXd weighted =
         g * pin.wall_->weights(n, g.cols()).asDiagonal();
-    sum.noalias() += weighted * g.transpose();
+    sum.triangularView<Eigen::Lower>() += weighted * g.transpose();
   });
-  matrix += t.transpose() * (sum * t) / (2 * pi);
+  const Eigen::MatrixXd all = sum.selfadjointView<Eigen::Lower>() * t;
+  matrix.noalias() += t.transpose() * all / (2 * pi);
 }
 
 PinContact::Solution PinContact::System::solve(int n) const {

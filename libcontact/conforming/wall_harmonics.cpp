@@ -29,7 +29,7 @@ int walled_unknowns(const LayeredPair& pair) {
   if (thickness > 0.09) return 16;
   if (thickness > 0.025) return 24;
   if (thickness > 0.009) return 32;
-  return thickness > 0.0025 ? 48 : 64;
+  return thickness > 0.0045 ? 48 : 64;
 }
 
 void require_uncoated(const LayeredPair& pair, const InnerLoading& loading) {
