@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "libcontact/conforming/layers.hpp"
 #include "libcontact/conforming/loading.hpp"
 #include "libcontact/half_angle.hpp"
 #include "libcontact/joint_geometry.hpp"
@@ -39,6 +40,12 @@ class ExactLaw final : public HalfAngleLaw {
   /// @param loading  how the inner body is loaded; the force at its centre
   ///                 unless told otherwise
   ExactLaw(JointKind kind, const ElasticPair& pair,
+           InnerLoading loading = InnerLoading::centre());
+  /// A joint with walls: its load parameter is that of the two surfaces.
+  /// theta0 to 1e-8 of itself against the solver; the constructor solves the
+  /// contact at 64 half-angles, for thin free rings at 128 more.
+  /// @throws Error for a coated inner body that is loaded through the back.
+  ExactLaw(JointKind kind, const LayeredPair& pair,
            InnerLoading loading = InnerLoading::centre());
   ~ExactLaw() override;
 

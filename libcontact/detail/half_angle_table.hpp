@@ -1,8 +1,11 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <functional>
+#include <limits>
 #include <optional>
+#include <utility>
 
 #include "libcontact/detail/half_angle_newton.hpp"
 #include "libcontact/half_angle.hpp"
@@ -19,6 +22,10 @@ namespace contact::detail {
 /// the series. The factors theta0* - theta0 and sin(theta0/2) keep both ends
 /// to full relative precision. Const functions without allocation or
 /// exceptions.
+///
+/// A wall changes the relation where theta0 is of the order of its thickness
+/// over the radius, t, and by orders of magnitude: the series is then that of
+/// ln G, in ln(1 + theta0/t) in place of theta0.
 class HalfAngleTable {
  public:
   /// @param kind         of the joint
@@ -26,9 +33,11 @@ class HalfAngleTable {
   ///                     here only
   /// @param largest      theta0*, or where the solution ends below it, rad
   /// @param is_limit     whether `largest` is theta0*
+  /// @param thickness    t; infinite without walls
   HalfAngleTable(JointKind kind,
                  const std::function<double(double)>& reciprocal,
-                 double largest, bool is_limit);
+                 double largest, bool is_limit,
+                 double thickness = std::numeric_limits<double>::infinity());
 
   /// As HalfAngleLaw's; not_converged with largest() for loads beyond the end
   /// of a solution that does not reach its limit.
@@ -39,15 +48,27 @@ class HalfAngleTable {
   bool reaches_limit() const noexcept { return is_limit_; }
 
  private:
+  struct Variable {
+    double u;      // of the series, [0, 1]
+    double slope;  // du/dtheta0
+  };
+  Variable variable(double half_angle) const noexcept;
+  // theta0 and (largest - theta0)/largest at u and 1 - u.
+  std::pair<double, double> half_angle_at(double u, double rest) const;
+  void tabulate(const std::function<double(double)>& reciprocal);
+  bool is_resolved() const;
+  bool has_walls() const noexcept { return std::isfinite(thickness_); }
   RelationValue evaluate(double half_angle) const noexcept;
 
-  static constexpr int max_terms = 64;
+  static constexpr int max_terms = 128;
 
   JointKind kind_;
   int terms_;
   double largest_;
   bool is_limit_;
-  std::array<double, max_terms> coefficients_{};  // of G
+  double thickness_;
+  double log_range_;                              // ln(1 + largest/t)
+  std::array<double, max_terms> coefficients_{};  // of G or ln G
   std::optional<HalfAngleStart> start_;
 };
 
