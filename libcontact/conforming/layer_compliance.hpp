@@ -37,8 +37,8 @@ class LayerCompliance {
   /// @param n  harmonic, 0, 1, 2, ...
   HarmonicCompliance operator()(int n) const;
 
-  /// Number of the first harmonics whose Dc_n count: beyond it Dc_n is below
-  /// 1e-12 of c_n. 0 for a homogeneous body.
+  /// Number of the first harmonics whose Dc_n count: what is beyond changes
+  /// the load by less than 1e-12. 0 for a homogeneous body.
   int corrected() const;
 
  private:

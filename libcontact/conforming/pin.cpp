@@ -183,8 +183,8 @@ struct PinContact::Wall {
     const Eigen::VectorXd series = t.leftCols(y.size()) * y;
     Eigen::VectorXd sum = Eigen::VectorXd::Zero(t.rows());
     modes.visit(2, end(), [&](int n, const auto& g) {
-      const Eigen::VectorXd p = g.transpose() * series;
-      sum += g * weights(n, g.cols()).cwiseProduct(p);
+      const Eigen::VectorXd p = g * series;
+      sum += g.transpose() * weights(n, g.rows()).cwiseProduct(p);
     });
     return t.transpose() * sum / (2 * pi);
   }
@@ -286,8 +286,8 @@ PinContact::System::System(const PinContact& pin, double half_angle)
   Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(t.rows(), t.rows());
   modes->visit(2, pin.wall_->end(), [&](int n, const auto& g) {
     const Eigen::MatrixXd weighted =
-        g * pin.wall_->weights(n, g.cols()).asDiagonal();
-    sum.triangularView<Eigen::Lower>() += weighted * g.transpose();
+        pin.wall_->weights(n, g.rows()).asDiagonal() * g;
+    sum.triangularView<Eigen::Lower>() += weighted.transpose() * g;
   });
   const Eigen::MatrixXd all = sum.selfadjointView<Eigen::Lower>() * t;
   matrix.noalias() += t.transpose() * all / (2 * pi);
@@ -371,7 +371,7 @@ ContactApproach PinContact::approach(double half_angle) const noexcept {
   const double first_average = (1 + now) / 2;
   sum += (wall_->first - 1) * first_average;
   system.modes->visit(2, end, [&](int first, const auto& g) {
-    for (int i = 0; i < g.cols(); ++i) {
+    for (int i = 0; i < g.rows(); ++i) {
       const double n = first + i;
       const double next =
           ((2 * n - 1) * std::cos(half_angle) * now - (n - 1) * before) / n;
@@ -382,9 +382,10 @@ ContactApproach PinContact::approach(double half_angle) const noexcept {
       if (first + i < wall_->end()) {
         const double correction = wall_->correction[first + i];
         compliance += correction;
-        singular += (n - 1) * (n + 1) * correction * average * g.col(i);
+        singular +=
+            (n - 1) * (n + 1) * correction * average * g.row(i).transpose();
       }
-      sum += compliance * average * b / pi * g.col(i).dot(series);
+      sum += compliance * average * b / pi * g.row(i).dot(series);
     }
   });
 

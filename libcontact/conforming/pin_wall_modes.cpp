@@ -9,24 +9,28 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-// J_1(x), J_3(x), ..., J_{2 count - 1}(x).
-void odd_bessel(double x, int count, Eigen::VectorXd& out) {
-  const int last = 2 * count - 1;
-  if (x > last) {  // forward recurrence loses nothing below the order x
-    double before = ::j0(x);
-    double now = ::j1(x);
-    for (int m = 1;; ++m) {
-      if (m % 2 == 1) out(m / 2) = now;
-      if (m == last) return;
-      const double next = 2 * m / x * now - before;
-      before = now;
-      now = next;
-    }
+using Rows = Eigen::Ref<Eigen::MatrixXd, 0, Eigen::OuterStride<>>;
+
+// J_1(x), J_3(x), ..., J_{2 orders - 1}(x) in each row, for x above the
+// largest order: forward recurrence, which loses nothing there.
+void forward(const Eigen::ArrayXd& x, Rows out) {
+  const Eigen::ArrayXd over = 2 / x;
+  Eigen::ArrayXd before = x.unaryExpr([](double v) { return ::j0(v); });
+  Eigen::ArrayXd now = x.unaryExpr([](double v) { return ::j1(v); });
+  const Eigen::Index last = 2 * out.cols() - 1;
+  for (Eigen::Index m = 1; m <= last; ++m) {
+    if (m % 2 == 1) out.col(m / 2) = now;
+    before = static_cast<double>(m) * over * now - before;
+    before.swap(now);
   }
-  // Miller's: backwards from where J is 1e-17 of what it is at the order
-  // `last` or x; scaled by J_0 + 2 sum J_2m = 1.
-  const int start =
-      (last + 1) / 2 * 2 + 30 + 2 * static_cast<int>(std::sqrt(10.0 * last));
+}
+
+// The same for one x below it, by Miller's algorithm: backwards from where J
+// is 1e-17 of what it is at the largest order or at x, scaled by
+// J_0 + 2 sum J_2m = 1.
+void backward(double x, Eigen::VectorXd& out) {
+  const int last = 2 * static_cast<int>(out.size()) - 1;
+  const int start = last + 31 + 2 * static_cast<int>(std::sqrt(10.0 * last));
   double after = 0;
   double now = 1e-280;
   double sum = 0;
@@ -41,7 +45,7 @@ void odd_bessel(double x, int count, Eigen::VectorXd& out) {
       now *= down;
       after *= down;
       sum *= down;
-      for (int k = (m - 1) / 2; k < count; ++k) out(k) *= down;
+      for (Eigen::Index k = m / 2; k < out.size(); ++k) out(k) *= down;
     }
   }
   out /= sum + now;
@@ -94,20 +98,30 @@ void PinWallModes::visit(
     int first, int end,
     const std::function<void(int, const Block&)>& use) const {
   constexpr int block = 128;
-  const int orders = static_cast<int>(transformation_.rows());
-  Eigen::MatrixXd modes(orders, block);
-  Eigen::VectorXd bessel(orders);
-  Eigen::VectorXd factor(orders);
+  const Eigen::Index orders = transformation_.rows();
+  Eigen::MatrixXd modes(block, orders);
+  Eigen::VectorXd one(orders);
+  Eigen::RowVectorXd factor(orders);
   for (int j = 0; j < orders; ++j) {
     factor(j) = (j % 2 == 0 ? pi : -pi) * (2 * j + 1);
   }
+  const double last_order = 2.0 * static_cast<double>(orders) - 1;
   for (int n = first; n < end; n += block) {
     const int count = std::min(block, end - n);
-    for (int i = 0; i < count; ++i) {
-      odd_bessel((n + i) * half_angle_, orders, bessel);
-      modes.col(i) = factor.cwiseProduct(bessel) / (n + i);
+    const Eigen::ArrayXd order =
+        Eigen::ArrayXd::LinSpaced(count, n, n + count - 1);
+    int low = 0;
+    for (; low < count && order(low) * half_angle_ <= last_order; ++low) {
+      backward(order(low) * half_angle_, one);
+      modes.row(low) = one.transpose();
     }
-    use(n, modes.leftCols(count));
+    if (low < count) {
+      forward(order.tail(count - low) * half_angle_,
+              modes.middleRows(low, count - low));
+    }
+    modes.topRows(count).array().colwise() /= order;
+    modes.topRows(count) *= factor.asDiagonal();
+    use(n, modes.topRows(count));
   }
 }
 

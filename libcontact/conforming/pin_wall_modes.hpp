@@ -24,7 +24,7 @@ class PinWallModes {
 
   /// Calls use(n, g) with g_n, as a matrix of rows n, n + 1, ..., from `first`
   /// to before `end`, block by block.
-  using Block = Eigen::Ref<const Eigen::MatrixXd>;
+  using Block = Eigen::Ref<const Eigen::MatrixXd, 0, Eigen::OuterStride<>>;
   void visit(int first, int end,
              const std::function<void(int, const Block&)>& use) const;
 
