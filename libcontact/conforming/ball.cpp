@@ -289,6 +289,11 @@ ContactApproach BallContact::approach(double half_angle) const noexcept {
   return {(s.delta + shift) / s.clearance, 1 / (1 / s.stiffness + shift)};
 }
 
+int BallContact::terms() const noexcept {
+  return unknowns_ > detail::EdgeFit::wide_terms ? detail::EdgeFit::thin_terms
+                                                 : detail::EdgeFit::wide_terms;
+}
+
 ContactPressure BallContact::pressure(double half_angle,
                                       int terms) const noexcept {
   // p(t) = -(1/sqrt 2) ∫_t^theta0 h'(f)/sqrt(cos t - cos f) df. With
@@ -298,8 +303,8 @@ ContactPressure BallContact::pressure(double half_angle,
   static const detail::GaussLegendre usual(32);
   static const detail::GaussLegendre fine(2 * most_unknowns);
   const detail::GaussLegendre& rule = unknowns_ > max_unknowns ? fine : usual;
-  const detail::EdgeFit& fit = detail::EdgeFit::table(
-      terms == 0 ? std::max(unknowns_, detail::EdgeFit::wide_terms) : terms);
+  const detail::EdgeFit& fit =
+      detail::EdgeFit::table(terms == 0 ? this->terms() : terms);
   if (!(half_angle > 0 && half_angle <= largest_)) return {nan, nan, {}, {}};
   const double theta0 = half_angle;
   const Solution solution = Galerkin(*tables_, theta0).solve(unknowns_);

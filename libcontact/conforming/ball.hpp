@@ -75,8 +75,11 @@ class BallContact {
   /// Accuracy: 5e-7 of the peak with 16 unknowns for theta0 <= 120 deg
   /// (conforming_ball_test.cpp).
   /// @param terms  sines of the expansion: 12 (up to 120 deg), 32 or 64; 0 for
-  ///               as many as there are unknowns, at least 32
+  ///               terms()
   ContactPressure pressure(double half_angle, int terms = 0) const noexcept;
+
+  /// Sines of pressure() unless told otherwise: 32, or 64 for thin walls.
+  int terms() const noexcept;
 
   /// Largest theta0 of this object: largest_half_angle, and less than
   /// pi - psi when loaded from the back.

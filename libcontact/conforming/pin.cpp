@@ -253,11 +253,10 @@ PinContact PinContact::from_dundurs(double outer_compliance_share,
 }
 
 PinContact::PinContact(PinConstants constants, InnerLoading loading,
-                       int unknowns, int most_unknowns)
+                       int unknowns, int most)
     : constants_(constants), loading_(loading), unknowns_(unknowns) {
-  detail::require(unknowns >= 8 && unknowns <= most_unknowns, "pin contact",
-                  "unknowns", unknowns,
-                  most_unknowns == max_unknowns ? "8 to 32" : "8 to 64");
+  detail::require(unknowns >= 8 && unknowns <= most, "pin contact", "unknowns",
+                  unknowns, most == max_unknowns ? "8 to 32" : "8 to 64");
   // Nor beyond what the moments are good for.
   largest_ =
       4 * std::atan(std::pow(10, -2.0 / std::min(unknowns, max_unknowns)));
@@ -417,11 +416,16 @@ ContactApproach PinContact::approach(double half_angle) const noexcept {
   return {approach / reciprocal, pi / 2 / (approach + reciprocal * rate)};
 }
 
+int PinContact::terms() const noexcept {
+  return unknowns_ > detail::EdgeFit::wide_terms ? detail::EdgeFit::thin_terms
+                                                 : detail::EdgeFit::wide_terms;
+}
+
 ContactPressure PinContact::pressure(double half_angle,
                                      int terms) const noexcept {
   static const LeadingLogarithm logarithm;
-  const detail::EdgeFit& fit = detail::EdgeFit::table(
-      terms == 0 ? std::max(unknowns_, detail::EdgeFit::wide_terms) : terms);
+  const detail::EdgeFit& fit =
+      detail::EdgeFit::table(terms == 0 ? this->terms() : terms);
   if (!(half_angle > 0 && half_angle <= largest_)) return {nan, nan, {}, {}};
   const Solution solution = System(*this, half_angle).solve(unknowns_);
   const double b = std::tan(half_angle / 2);

@@ -81,8 +81,8 @@ class PinContact {
 
   /// Normal approach over the clearance, and stiffness in units of E, at
   /// theta0 in (0, largest()]; exact, by the solution at theta0 alone. NaN
-  /// outside, if loaded through the back, and in an infinite hole, which gives
-  /// way without end.
+  /// outside, if loaded through the back, without walls, and in a hole that is
+  /// infinite behind its layers: it gives way without end.
   ContactApproach approach(double half_angle) const noexcept;
 
   /// Pressure at theta0 in (0, largest()], in units of P/rho. Beyond the
@@ -91,8 +91,11 @@ class PinContact {
   /// Accuracy: 1e-7 of the peak for theta0 <= 120 deg
   /// (conforming_pin_test.cpp).
   /// @param terms  sines of the expansion: 12 (up to 120 deg), 32 or 64; 0 for
-  ///               as many as there are unknowns, at least 32
+  ///               terms()
   ContactPressure pressure(double half_angle, int terms = 0) const noexcept;
+
+  /// Sines of pressure() unless told otherwise: 32, or 64 for thin walls.
+  int terms() const noexcept;
 
   /// Largest theta0 of this object, rad: 4 atan(10^(-2/unknowns)), where the
   /// truncation error tan(theta0/4)^(4 unknowns) is 1e-8 (147 deg for 16
@@ -106,7 +109,7 @@ class PinContact {
   struct Solution;
 
   PinContact(PinConstants constants, InnerLoading loading, int unknowns,
-             int most_unknowns);
+             int most);
   System system(double half_angle) const noexcept;
   double reciprocal(double half_angle) const noexcept;
 

@@ -30,9 +30,8 @@ HalfAngleTable::HalfAngleTable(JointKind kind,
       terms_(terms_for(kind, largest)),
       largest_(largest),
       is_limit_(is_limit),
-      thickness_(thickness),
-      log_range_(std::log1p(largest / thickness)) {
-  if (has_walls()) {
+      variable_(kind, largest, thickness) {
+  if (variable_.has_walls()) {
     for (terms_ = 64;; terms_ = max_terms) {
       tabulate(reciprocal);
       if (terms_ == max_terms || is_resolved()) break;
@@ -61,12 +60,12 @@ void HalfAngleTable::tabulate(const std::function<double(double)>& reciprocal) {
     // u = (1 + cos(phi))/2 at the Chebyshev points phi, 1 - u = sin^2(phi/2).
     const double half_phi = pi / 2 * (i + 0.5) / terms_;
     const auto [half_angle, complement] =
-        half_angle_at(std::cos(half_phi) * std::cos(half_phi),
-                      std::sin(half_phi) * std::sin(half_phi));
+        variable_.half_angle(std::cos(half_phi) * std::cos(half_phi),
+                             std::sin(half_phi) * std::sin(half_phi));
     const double g = raised(kind_, 2 * std::sin(half_angle / 2)) *
                      reciprocal(half_angle) / power_per_load(kind_) /
                      (is_limit_ ? complement : 1);
-    const double value = has_walls() ? std::log(g) : g;
+    const double value = variable_.has_walls() ? std::log(g) : g;
     // Discrete orthogonality: T_k at the point is cos(k phi).
     for (int k = 0; k < terms_; ++k) {
       coefficients_[k] += (k == 0 ? 1.0 : 2.0) / terms_ * value *
@@ -84,32 +83,8 @@ bool HalfAngleTable::is_resolved() const {
   return true;
 }
 
-std::pair<double, double> HalfAngleTable::half_angle_at(double u,
-                                                        double rest) const {
-  const bool ball = kind_ == JointKind::spherical;
-  const double share = ball ? u * u : u;
-  const double complement = ball ? rest * (1 + u) : rest;
-  if (!has_walls()) return {largest_ * share, complement};
-  return {thickness_ * std::expm1(log_range_ * share),
-          -(1 + thickness_ / largest_) * std::expm1(-log_range_ * complement)};
-}
-
-HalfAngleTable::Variable HalfAngleTable::variable(
-    double half_angle) const noexcept {
-  const double share = has_walls()
-                           ? std::log1p(half_angle / thickness_) / log_range_
-                           : half_angle / largest_;
-  // 1/(dshare/dtheta0)
-  const double width =
-      has_walls() ? (thickness_ + half_angle) * log_range_ : largest_;
-  if (kind_ == JointKind::cylindrical) return {share, 1 / width};
-  // At theta0 = 0 of a ball the derivative of the series vanishes with u.
-  const double u = std::sqrt(share);
-  return {u, 0.5 / (width * std::max(u, 1e-150))};
-}
-
 RelationValue HalfAngleTable::evaluate(double half_angle) const noexcept {
-  const auto [u, du] = variable(half_angle);
+  const auto [u, du] = variable_(half_angle);
   // Clenshaw's recurrence for the series and its derivative in v = 2u - 1.
   const double twice_v = 2 * (2 * u - 1);
   double b0 = 0, b1 = 0, d0 = 0, d1 = 0;
@@ -123,7 +98,7 @@ RelationValue HalfAngleTable::evaluate(double half_angle) const noexcept {
   }
   double g = coefficients_[0] + twice_v / 2 * b0 - b1;
   double slope = 2 * du * (b0 + twice_v / 2 * d0 - d1);
-  if (has_walls()) {
+  if (variable_.has_walls()) {
     g = std::exp(g);
     slope *= g;
   }

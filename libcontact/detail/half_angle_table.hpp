@@ -1,12 +1,11 @@
 #pragma once
 
 #include <array>
-#include <cmath>
 #include <functional>
 #include <limits>
 #include <optional>
-#include <utility>
 
+#include "libcontact/conforming/half_angle_variable.hpp"
 #include "libcontact/detail/half_angle_newton.hpp"
 #include "libcontact/half_angle.hpp"
 
@@ -23,9 +22,8 @@ namespace contact::detail {
 /// to full relative precision. Const functions without allocation or
 /// exceptions.
 ///
-/// A wall changes the relation where theta0 is of the order of its thickness
-/// over the radius, t, and by orders of magnitude: the series is then that of
-/// ln G, in ln(1 + theta0/t) in place of theta0.
+/// A wall changes the relation by orders of magnitude: the series is then that
+/// of ln G. Its variable: half_angle_variable.hpp.
 class HalfAngleTable {
  public:
   /// @param kind         of the joint
@@ -48,16 +46,8 @@ class HalfAngleTable {
   bool reaches_limit() const noexcept { return is_limit_; }
 
  private:
-  struct Variable {
-    double u;      // of the series, [0, 1]
-    double slope;  // du/dtheta0
-  };
-  Variable variable(double half_angle) const noexcept;
-  // theta0 and (largest - theta0)/largest at u and 1 - u.
-  std::pair<double, double> half_angle_at(double u, double rest) const;
   void tabulate(const std::function<double(double)>& reciprocal);
   bool is_resolved() const;
-  bool has_walls() const noexcept { return std::isfinite(thickness_); }
   RelationValue evaluate(double half_angle) const noexcept;
 
   static constexpr int max_terms = 128;
@@ -66,8 +56,7 @@ class HalfAngleTable {
   int terms_;
   double largest_;
   bool is_limit_;
-  double thickness_;
-  double log_range_;                              // ln(1 + largest/t)
+  HalfAngleVariable variable_;
   std::array<double, max_terms> coefficients_{};  // of G or ln G
   std::optional<HalfAngleStart> start_;
 };
