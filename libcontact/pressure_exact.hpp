@@ -40,9 +40,9 @@ class ExactPressure final : public PressureLaw {
   ExactPressure(JointKind kind, const ElasticPair& pair,
                 InnerLoading loading = InnerLoading::centre());
 
-  /// Of a joint with walls. Within 1e-5 of the peak down to 0.003 radii of
-  /// thickness, 1e-8 from 0.1 on; the constructor solves the contact at 64
-  /// half-angles.
+  /// Of a joint with walls: within 1e-6 of the peak of the solver's own
+  /// pressure (pressure_walls_test.cpp). expansion() has the first 16 sines of
+  /// 32 or 64. The constructor solves the contact at 64 half-angles.
   /// @throws Error for a coated inner body that is loaded through the back.
   ExactPressure(JointKind kind, const LayeredPair& pair,
                 InnerLoading loading = InnerLoading::centre());

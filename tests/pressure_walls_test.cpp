@@ -44,9 +44,10 @@ constexpr Wall walls[] = {{1, 0.3, false},
 template <class Contact>
 void compare(JointKind kind) {
   AccuracyReport value("p over the peak", 1e-6);
-  // By the midpoint rule below.
-  AccuracyReport load("load by p", 1e-6);
-  AccuracyReport sum("S", 1e-7);
+  // By the midpoint rule below, whose error for a ball this is.
+  AccuracyReport load("load by p", kind == JointKind::spherical ? 1e-5 : 1e-12);
+  // The solver's own, which shows as its load by p against H_1.
+  AccuracyReport sum("S", 1e-6);
   for (const Wall& wall : walls) {
     const Contact contact(wall.pair());
     const ExactPressure law(kind, wall.pair());
@@ -93,8 +94,11 @@ TEST(WalledExactPressure, IsTheSolverOfPins) {
 
 TEST(WalledExactPressure, Friction) {
   // By quadrature of the definition with this very pressure, all its sines.
-  AccuracyReport report("friction coefficients", 1e-7);
+  // Friction takes 16: enough for walls of 0.1 radii and more.
+  AccuracyReport thick("friction coefficients, t >= 0.1", 1e-7);
+  AccuracyReport thin("friction coefficients, t = 0.03, 0.015", 3e-6);
   for (const Wall& wall : walls) {
+    AccuracyReport& report = wall.thickness < 0.1 ? thin : thick;
     const ExactPressure law(JointKind::spherical, wall.pair());
     for (const double theta0_deg : {5.0, 45.0, 80.0}) {
       for (const double axis_deg : {10.0, 60.0}) {
@@ -117,7 +121,8 @@ TEST(WalledExactPressure, Friction) {
       }
     }
   }
-  report.check();
+  thick.check();
+  thin.check();
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include "libcontact/conforming/ball.hpp"
 #include "libcontact/conforming/pin.hpp"
 #include "libcontact/conforming/pin_closed_form.hpp"
+#include "libcontact/half_angle_exact.hpp"
 #include "libcontact/units.hpp"
 
 namespace {
@@ -154,7 +155,8 @@ void ball_pressure(benchmark::State& state) {
 // A rigid inner body of radius 1 in a liner (nu = 0.4) on a rigid shell.
 contact::LayeredPair lined(double thickness) {
   using contact::Backing;
-  return {1, {{}, Backing::rigid()}, {{{thickness, {1, 0.4}}}, Backing::rigid()}};
+  return {
+      1, {{}, Backing::rigid()}, {{{thickness, {1, 0.4}}}, Backing::rigid()}};
 }
 
 // The argument is the thickness over the radius in units of 1e-4; the tables
@@ -181,6 +183,29 @@ void walled_further_half_angle(benchmark::State& state) {
   state.counters["evaluations"] = evaluations / static_cast<double>(i);
 }
 
+// The tables that joints have: thickness 0 is an infinite outer body.
+contact::ExactLaw law_of(contact::JointKind kind, std::int64_t thickness) {
+  if (thickness == 0) {
+    return {kind, ElasticPair::from_modulus_ratio(0.3, 0.2, 0.35)};
+  }
+  return {kind, lined(1e-4 * static_cast<double>(thickness))};
+}
+
+void law_setup(benchmark::State& state, contact::JointKind kind) {
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(law_of(kind, state.range(0)));
+  }
+}
+
+void law_half_angle(benchmark::State& state, contact::JointKind kind) {
+  const std::vector<double> load = loads();
+  const contact::ExactLaw law = law_of(kind, state.range(0));
+  std::size_t i = 0;
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(law.half_angle(load[i++ * 37 % count]));
+  }
+}
+
 void thicknesses(benchmark::internal::Benchmark* bench) {
   bench->Arg(10)->Arg(30)->Arg(100)->Arg(200)->Arg(1000)->Arg(10000)->Unit(
       benchmark::kMillisecond);
@@ -199,6 +224,12 @@ BENCHMARK(walled_setup<BallContact>)->Apply(thicknesses);
 BENCHMARK(walled_setup<PinContact>)->Apply(thicknesses);
 BENCHMARK(walled_further_half_angle<BallContact>)->Apply(thicknesses);
 BENCHMARK(walled_further_half_angle<PinContact>)->Apply(thicknesses);
+constexpr auto ball = contact::JointKind::spherical;
+constexpr auto pin = contact::JointKind::cylindrical;
+BENCHMARK_CAPTURE(law_setup, ball, ball)->Arg(0)->Apply(thicknesses);
+BENCHMARK_CAPTURE(law_setup, pin, pin)->Arg(0)->Apply(thicknesses);
+BENCHMARK_CAPTURE(law_half_angle, ball, ball)->Arg(0)->Arg(30)->Arg(1000);
+BENCHMARK_CAPTURE(law_half_angle, pin, pin)->Arg(0)->Arg(200)->Arg(1000);
 
 }  // namespace
 
