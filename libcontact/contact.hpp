@@ -10,6 +10,7 @@
 #include "libcontact/material.hpp"
 #include "libcontact/joint_geometry.hpp"
 #include "libcontact/friction_law.hpp"
+#include "libcontact/conforming/layers.hpp"
 #include "libcontact/conforming/loading.hpp"
 #include "libcontact/conforming/contact_pressure.hpp"
 #include "libcontact/conforming/pin_closed_form.hpp"
