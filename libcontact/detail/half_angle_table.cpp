@@ -12,6 +12,9 @@ constexpr double pi = std::numbers::pi;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
+// Of a series of ln G: the accuracy of the solvers of walled contacts.
+constexpr double negligible = 1e-9;
+
 // Terms that bring G to 1e-12: the closer theta0* comes to the singularity at
 // theta0 = pi, the more.
 int terms_for(JointKind kind, double largest) {
@@ -36,8 +39,7 @@ HalfAngleTable::HalfAngleTable(JointKind kind,
       tabulate(reciprocal);
       if (terms_ == max_terms || is_resolved()) break;
     }
-    // What is rounding of the solver goes.
-    while (std::abs(coefficients_[terms_ - 1]) < 1e-11) --terms_;
+    while (std::abs(coefficients_[terms_ - 1]) < negligible) --terms_;
     // ln G(0) = 0 in truth.
     coefficients_[0] -= std::log(evaluate(0).value);
   } else {
@@ -45,9 +47,10 @@ HalfAngleTable::HalfAngleTable(JointKind kind,
     // G(0) = 1 in truth.
     coefficients_[0] += 1 - evaluate(0).value;
   }
+  // The start does not know the variable of walls.
   start_.emplace(
       kind, [this](double theta, double, double) { return evaluate(theta); },
-      largest);
+      largest, variable_.has_walls() ? 512 : 128);
 }
 
 void HalfAngleTable::tabulate(const std::function<double(double)>& reciprocal) {
@@ -75,8 +78,6 @@ void HalfAngleTable::tabulate(const std::function<double(double)>& reciprocal) {
 }
 
 bool HalfAngleTable::is_resolved() const {
-  // 1e-9 of the load is the accuracy of the solvers.
-  constexpr double negligible = 1e-9;
   for (int k = terms_ - 4; k < terms_; ++k) {
     if (!(std::abs(coefficients_[k]) < negligible)) return false;
   }
