@@ -11,7 +11,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-// sum_n weight((n + 1/2) x) over n = block i + j: cosines of sums, so that
+// sum_n weight_n cos((n + 1/2) x), n = block i + j: cosines of sums, so that
 // few are evaluated, each to its last digit, and the rest is a product.
 class CosineSum {
  public:
