@@ -7,4 +7,5 @@
 #include "libcontact/pair/joint_geometry.hpp"
 #include "libcontact/pair/friction_law.hpp"
 #include "libcontact/pair/inner_loading.hpp"
+#include "libcontact/pair/layers.hpp"
 // clang-format on

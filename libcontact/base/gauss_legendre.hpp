@@ -21,7 +21,7 @@ Eigen::VectorXd even_legendre(int count, double x);
 /// as a Chebyshev series in v^2.
 class EvenLegendreSlope {
  public:
-  static constexpr int max_terms = 32;
+  static constexpr int max_terms = 64;
   /// @param coefficients  u_j, 2 to max_terms of them
   explicit EvenLegendreSlope(std::span<const double> coefficients);
   double operator()(double v) const;

@@ -11,9 +11,11 @@
 #include "libcontact/base/gauss_legendre.hpp"
 #include "libcontact/conforming/back_displacement.hpp"
 #include "libcontact/conforming/ball_kernel.hpp"
+#include "libcontact/conforming/ball_wall_kernel.hpp"
 #include "libcontact/conforming/edge_fit.hpp"
 #include "libcontact/conforming/half_angle_root.hpp"
 #include "libcontact/conforming/legendre_galerkin.hpp"
+#include "libcontact/conforming/wall_harmonics.hpp"
 #include "libcontact/conforming/wide_edge.hpp"
 
 // Letters as in docs/conforming.md: h(f) is the Abel transform of the
@@ -27,15 +29,15 @@ constexpr double pi = std::numbers::pi;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-constexpr int max_unknowns = BallContact::max_unknowns;
-static_assert(max_unknowns == LegendreGalerkin::max_unknowns);
+constexpr int most_unknowns = BallContact::max_walled_unknowns;
+static_assert(most_unknowns == LegendreGalerkin::max_unknowns);
 
 template <int columns>
 using Columns =
-    Eigen::Matrix<double, Eigen::Dynamic, columns, 0, max_unknowns, columns>;
+    Eigen::Matrix<double, Eigen::Dynamic, columns, 0, most_unknowns, columns>;
 using Vector = Columns<1>;
 using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0,
-                             max_unknowns, max_unknowns>;
+                             most_unknowns, most_unknowns>;
 template <int max>
 using Buffer = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, max, 1>;
 
@@ -89,15 +91,22 @@ class EdgeCorrectedSlope {
 }  // namespace
 
 struct BallContact::Tables {
-  Tables(const ElasticPair& pair, InnerLoading loading, int unknowns)
+  Tables(const ElasticPair& pair, InnerLoading loading, int unknowns,
+         const detail::WallHarmonics& walls, double thickness)
       : kernel({pair.inner_compliance_share(), pair.inner().poissons_ratio,
                 pair.outer_compliance_share(), pair.outer().poissons_ratio}),
         galerkin(LegendreGalerkin::table(unknowns)),
         // R_n = 2 pi rho^2 H_1 is twice the resultant that it is made for.
-        back_factor(2 * pair.inner_compliance_share()) {
+        back_factor(2 * pair.inner_compliance_share()),
+        // The kernel has d_1 = 0, which is c_1 = 2/3.
+        first_shift(walls.first - 2.0 / 3) {
     if (loading.is_back() && back_factor > 0) {
       back.emplace(pair.inner().poissons_ratio, loading.patch_half_angle());
     }
+    if (!walls.correction.empty()) {
+      wall.emplace(walls.correction, thickness);
+    }
+    if (loading.is_back()) first_shift = nan;
   }
 
   double back_displacement(double f) const {
@@ -108,6 +117,8 @@ struct BallContact::Tables {
   const LegendreGalerkin& galerkin;
   double back_factor;
   std::optional<detail::BackDisplacement> back;
+  std::optional<detail::BallWallKernel> wall;
+  double first_shift;  // of c_1
 };
 
 // The equation at one half-angle in v = f/theta0, ready for any number of
@@ -127,9 +138,12 @@ struct BallContact::Galerkin {
 
 // Scaled so that H_1 = 1: R_n = 2 pi rho^2.
 struct BallContact::Solution {
-  Vector h;           // of P_2i(f/theta0)
-  double reciprocal;  // 1/mu
+  Vector h;          // of P_2i(f/theta0)
+  double clearance;  // ebar in units of 2 pi/E
+  double delta;      // likewise: the approach with c_1 = 2/3
+  double stiffness;  // d(force)/d(delta) for it
   double force_ratio;
+  double reciprocal() const { return 2.0 / 3 * clearance; }  // 1/mu
 };
 
 BallContact::Galerkin::Galerkin(const Tables& tables, double theta0) {
@@ -141,8 +155,11 @@ BallContact::Galerkin::Galerkin(const Tables& tables, double theta0) {
   Buffer<LegendreGalerkin::max_nodes> kappa(nodes);
   tables.kernel.evaluate({x.data(), static_cast<std::size_t>(nodes)},
                          {kappa.data(), static_cast<std::size_t>(nodes)});
+  if (tables.wall) {
+    for (int k = 0; k < nodes; ++k) kappa(k) += (*tables.wall)(x(k));
+  }
   kappa *= theta0 / pi;
-  Buffer<max_unknowns*(max_unknowns + 1) / 2> packed(g.correlation.rows());
+  Buffer<most_unknowns*(most_unknowns + 1) / 2> packed(g.correlation.rows());
   packed.noalias() = g.correlation * kappa;
   edge.noalias() = g.edge * kappa;
   system.resize(n, n);
@@ -186,17 +203,48 @@ BallContact::Solution BallContact::Galerkin::solve(int n) const {
   const double delta = shift - approach * ratio;
   Solution result;
   result.h = approach * u.col(1) + delta * u.col(0) - u.col(2);
-  result.reciprocal = 2.0 / 3 * (approach - delta);
+  result.clearance = approach - delta;
+  result.delta = delta;
+  result.stiffness = force(0) + force(1);
   result.force_ratio = mean_moment.head(n).dot(result.h);
   return result;
 }
+
+namespace {
+
+// A pair without layers.
+detail::WallHarmonics no_walls(const ElasticPair& pair) {
+  return {JointKind::spherical,
+          LayeredPair(1, {{}, Backing::medium(pair.inner())},
+                      {{}, Backing::medium(pair.outer())})};
+}
+
+}  // namespace
 
 BallContact::BallContact(const ElasticPair& pair, InnerLoading loading,
                          int unknowns)
     : unknowns_(unknowns) {
   detail::require(unknowns >= 8 && unknowns <= max_unknowns, "ball contact",
                   "unknowns", unknowns, "8 to 32");
-  tables_ = std::make_shared<const Tables>(pair, loading, unknowns);
+  tables_ = std::make_shared<const Tables>(pair, loading, unknowns,
+                                           no_walls(pair), infinity);
+  set_largest(loading);
+}
+
+BallContact::BallContact(const LayeredPair& pair, InnerLoading loading,
+                         int unknowns)
+    : unknowns_(unknowns == 0 ? detail::walled_unknowns(pair) : unknowns) {
+  detail::require(unknowns_ >= 8 && unknowns_ <= max_walled_unknowns,
+                  "ball contact", "unknowns", unknowns, "8 to 64");
+  detail::require_uncoated(pair, loading);
+  tables_ = std::make_shared<const Tables>(
+      pair.surfaces(), loading, unknowns_,
+      detail::WallHarmonics(JointKind::spherical, pair),
+      pair.relative_thickness());
+  set_largest(loading);
+}
+
+void BallContact::set_largest(InnerLoading loading) {
   largest_ = largest_half_angle;
   if (loading.is_back()) {
     // The edge of the contact must not touch that of the loaded patch.
@@ -206,7 +254,7 @@ BallContact::BallContact(const ElasticPair& pair, InnerLoading loading,
 
 double BallContact::reciprocal_load(double half_angle) const noexcept {
   if (!(half_angle > 0 && half_angle <= largest_)) return nan;
-  return Galerkin(*tables_, half_angle).solve(unknowns_).reciprocal;
+  return Galerkin(*tables_, half_angle).solve(unknowns_).reciprocal();
 }
 
 ExactLoad BallContact::load_parameter(double half_angle) const noexcept {
@@ -215,9 +263,9 @@ ExactLoad BallContact::load_parameter(double half_angle) const noexcept {
     return {nan, Status::out_of_range, nan};
   }
   const Galerkin galerkin(*tables_, half_angle);
-  const double reciprocal = galerkin.solve(unknowns_).reciprocal;
+  const double reciprocal = galerkin.solve(unknowns_).reciprocal();
   if (!(reciprocal >= 0)) return {nan, Status::out_of_range, nan};
-  const double coarse = galerkin.solve(unknowns_ - 4).reciprocal;
+  const double coarse = galerkin.solve(unknowns_ - 4).reciprocal();
   return {1 / reciprocal, Status::ok, std::abs(reciprocal - coarse)};
 }
 
@@ -233,14 +281,30 @@ ExactHalfAngle BallContact::limit_half_angle() const noexcept {
   return half_angle(infinity);
 }
 
+ContactApproach BallContact::approach(double half_angle) const noexcept {
+  if (!(half_angle > 0 && half_angle <= largest_)) return {nan, nan};
+  const Solution s = Galerkin(*tables_, half_angle).solve(unknowns_);
+  // c_1 p_1 in units of eps, p_1 = 3 R_n/(4 pi rho^2).
+  const double shift = 3 / pi * tables_->first_shift;
+  return {(s.delta + shift) / s.clearance, 1 / (1 / s.stiffness + shift)};
+}
+
+int BallContact::terms() const noexcept {
+  return unknowns_ > detail::EdgeFit::wide_terms ? detail::EdgeFit::thin_terms
+                                                 : detail::EdgeFit::wide_terms;
+}
+
 ContactPressure BallContact::pressure(double half_angle,
                                       int terms) const noexcept {
   // p(t) = -(1/sqrt 2) ∫_t^theta0 h'(f)/sqrt(cos t - cos f) df. With
   // f^2 = t^2 + (theta0^2 - t^2) s^2 the integrand is smooth in s on [0, 1],
   // but for a logarithm at s = 1, which s = 1 - u^2 takes away.
-  constexpr int nodes = 32;
-  static const detail::GaussLegendre rule(nodes);
-  const detail::EdgeFit& fit = detail::EdgeFit::table(terms);
+  // As h has twice the unknowns for its degree, 32 nodes take 32 of them.
+  static const detail::GaussLegendre usual(32);
+  static const detail::GaussLegendre fine(2 * most_unknowns);
+  const detail::GaussLegendre& rule = unknowns_ > max_unknowns ? fine : usual;
+  const detail::EdgeFit& fit =
+      detail::EdgeFit::table(terms == 0 ? this->terms() : terms);
   if (!(half_angle > 0 && half_angle <= largest_)) return {nan, nan, {}, {}};
   const double theta0 = half_angle;
   const Solution solution = Galerkin(*tables_, theta0).solve(unknowns_);
@@ -259,7 +323,7 @@ ContactPressure BallContact::pressure(double half_angle,
                                       ((1 + cosine) * (1 + b * b * cosine)));
     const double square = rest * (theta0 + t);  // theta0^2 - t^2
     double p = 0;
-    for (int k = 0; k < nodes; ++k) {
+    for (int k = 0; k < rule.node.size(); ++k) {
       const double u = (1 + rule.node(k)) / 2;
       const double s = (1 - u) * (1 + u);
       const double part = square * s * s;  // f^2 - t^2

@@ -4,6 +4,7 @@
 
 #include "libcontact/conforming/contact_pressure.hpp"
 #include "libcontact/pair/inner_loading.hpp"
+#include "libcontact/pair/layers.hpp"
 #include "libcontact/pair/material.hpp"
 
 namespace contact {
@@ -13,17 +14,21 @@ namespace contact {
 /// per pair and loading; copies share its tables. Const functions that do not
 /// allocate and do not throw.
 ///
-/// Axial symmetry, no friction, first order in the clearance, outer body
-/// infinite. The load parameter is mu = 3 R_n/(2 ebar rho1^2 E).
+/// Axial symmetry, no friction, first order in the clearance; the outer body
+/// is infinite unless it is given its walls. The load parameter is
+/// mu = 3 R_n/(2 ebar rho1^2 E).
 ///
 /// Accuracy (conforming/ball_test.cpp): with 16 unknowns the relative error of
 /// 1/mu, times mu or 1 whichever is less, is below 1e-8 for theta0 <= 120 deg
 /// and any pair, which is 1e-6 deg in theta0 at most; with 8 unknowns it is
-/// below 1e-6.
+/// below 1e-6. With walls: 1e-6 of the load down to 0.003 radii of thickness
+/// (conforming/walls_test.cpp).
 class BallContact {
  public:
   static constexpr int default_unknowns = 16;
   static constexpr int max_unknowns = 32;
+  /// Of a contact with walls, whose edge may have a thin layer.
+  static constexpr int max_walled_unknowns = 64;
   /// 175 deg.
   static constexpr double largest_half_angle = 3.0543261909900767;
 
@@ -34,6 +39,15 @@ class BallContact {
   explicit BallContact(const ElasticPair& pair,
                        InnerLoading loading = InnerLoading::centre(),
                        int unknowns = default_unknowns);
+
+  /// A ball or seat with layers. E in mu is that of the two surfaces.
+  /// @param unknowns  truncation, [8, max_walled_unknowns]; 0 for as many as
+  ///                  the thickness asks for
+  /// @throws Error if unknowns is out of range, or for a coated ball that is
+  ///               loaded through the back.
+  explicit BallContact(const LayeredPair& pair,
+                       InnerLoading loading = InnerLoading::centre(),
+                       int unknowns = 0);
 
   /// 1/mu: > 0 below the limit angle, 0 there, < 0 beyond.
   /// @param half_angle  theta0, rad, (0, largest()]; NaN outside
@@ -50,14 +64,22 @@ class BallContact {
   /// theta0*, to which theta0 tends as the load grows.
   ExactHalfAngle limit_half_angle() const noexcept;
 
+  /// Normal approach over the clearance, and stiffness in units of rho E, at
+  /// theta0 in (0, largest()]; exact, by the solution at theta0 alone. NaN
+  /// outside, and if loaded through the back.
+  ContactApproach approach(double half_angle) const noexcept;
+
   /// Pressure at theta0 in (0, largest()], in units of R_n/rho^2. Beyond the
   /// limit angle it is the pressure of a ball with interference.
   ///
   /// Accuracy: 5e-7 of the peak with 16 unknowns for theta0 <= 120 deg
   /// (conforming/ball_test.cpp).
-  /// @param terms  sines of the expansion, 12 (up to 120 deg) or 32
-  ContactPressure pressure(
-      double half_angle, int terms = ContactPressure::max_terms) const noexcept;
+  /// @param terms  sines of the expansion: 12 (up to 120 deg), 32 or 64; 0 for
+  ///               terms()
+  ContactPressure pressure(double half_angle, int terms = 0) const noexcept;
+
+  /// Sines of pressure() unless told otherwise: 32, or 64 for thin walls.
+  int terms() const noexcept;
 
   /// Largest theta0 of this object: largest_half_angle, and less than
   /// pi - psi when loaded from the back.
@@ -67,6 +89,8 @@ class BallContact {
   struct Tables;
   struct Solution;
   struct Galerkin;
+
+  void set_largest(InnerLoading loading);
 
   std::shared_ptr<const Tables> tables_;
   int unknowns_;

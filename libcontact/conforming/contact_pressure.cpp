@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <boost/math/tools/minima.hpp>
 #include <cmath>
 
 #include "libcontact/conforming/wide_edge.hpp"
@@ -104,6 +105,27 @@ double ContactPressure::slope(double theta) const noexcept {
       slope_at(square) * edge.square_slope(t) / (2 * std::sqrt(square)), theta);
 }
 
-double ContactPressure::peak() const noexcept { return pressure(0); }
+double ContactPressure::peak() const noexcept { return pressure(peak_angle()); }
+
+double ContactPressure::peak_angle() const noexcept {
+  // Fine enough for the one maximum on either side of the centre.
+  constexpr int steps = 32;
+  int largest = 0;
+  double at_largest = pressure(0);
+  for (int i = 1; i < steps; ++i) {
+    const double p = pressure(half_angle_ * i / steps);
+    if (p > at_largest) {
+      largest = i;
+      at_largest = p;
+    }
+  }
+  if (largest == 0) return 0;
+  // Half the digits of a double: a maximum has no more.
+  return boost::math::tools::brent_find_minima(
+             [this](double theta) { return -pressure(theta); },
+             half_angle_ * (largest - 1) / steps,
+             half_angle_ * (largest + 1) / steps, 26)
+      .first;
+}
 
 }  // namespace contact

@@ -16,7 +16,7 @@ namespace contact {
 /// exceptions; NaN gives NaN. All NaN if it was asked for outside its range.
 class ContactPressure {
  public:
-  static constexpr int max_terms = 32;
+  static constexpr int max_terms = 64;
   static constexpr int logarithms = 3;
 
   /// @param half_angle    theta0, rad, (0, pi)
@@ -33,8 +33,11 @@ class ContactPressure {
   double pressure(double theta) const noexcept;
   /// -dp/dtheta per rad; odd in theta, infinite at the edge, 0 outside.
   double slope(double theta) const noexcept;
-  /// p(0), the largest pressure.
+  /// The largest pressure, p(peak_angle()).
   double peak() const noexcept;
+  /// Where it is, [0, theta0], rad: 0 but for thin walls with a free outer
+  /// surface. To 1e-8 of theta0.
+  double peak_angle() const noexcept;
   /// S = ∫ p dS/R_n (ball), ∫ p rho dt/P (pin).
   double force_ratio() const noexcept { return force_ratio_; }
   /// a_0, a_1, ...

@@ -18,8 +18,12 @@ const EdgeFit& EdgeFit::table(int terms) {
     static const EdgeFit usual(usual_terms);
     return usual;
   }
-  static const EdgeFit wide(wide_terms);
-  return wide;
+  if (terms <= wide_terms) {
+    static const EdgeFit wide(wide_terms);
+    return wide;
+  }
+  static const EdgeFit thin(thin_terms);
+  return thin;
 }
 
 EdgeFit::EdgeFit(int terms) : terms_(terms) {

@@ -16,13 +16,16 @@ namespace contact::detail {
 /// pin. The next ones take what the sines of a higher order would have.
 class EdgeFit {
  public:
-  /// Sines that resolve half-angles up to 120 deg to 1e-9, and those beyond.
+  /// Sines that resolve half-angles up to 120 deg to 1e-9, those beyond and
+  /// thick walls, and thin walls.
   static constexpr int usual_terms = 12;
-  static constexpr int wide_terms = ContactPressure::max_terms;
-  static constexpr int max_points = 2 * wide_terms + 8;
+  static constexpr int wide_terms = 32;
+  static constexpr int thin_terms = ContactPressure::max_terms;
+  static constexpr int max_points = 2 * thin_terms + 8;
   using Points = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, max_points, 1>;
 
-  /// The fit with usual_terms or wide_terms; made at its first call.
+  /// The fit with so many terms, rounded up to one of these; made at its first
+  /// call.
   static const EdgeFit& table(int terms);
 
   explicit EdgeFit(int terms);

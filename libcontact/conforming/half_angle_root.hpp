@@ -32,11 +32,18 @@ ExactHalfAngle half_angle_root(const ReciprocalLoad& reciprocal_load,
            (reciprocal_load(theta) - reciprocal);
   };
   // In all elastic pairs theta0 > x/2 for x <= 1 and theta0 < 1.05 x for a
-  // force at the centre; other loadings and large x move the bracket up.
+  // force at the centre; other loadings, walls and large x move the bracket.
   double low = scale / 2;
   double high = std::min({1.05 * x, 1.2, largest});
   double at_low = residual(low);
   double at_high = residual(high);
+  // A wall may be much stiffer than its surface.
+  for (int halvings = 0; at_low < 0 && halvings < 60; ++halvings) {
+    high = low;
+    at_high = at_low;
+    low /= 2;
+    at_low = residual(low);
+  }
   while (!(at_high < 0) && high < largest) {
     low = high;
     at_low = at_high;

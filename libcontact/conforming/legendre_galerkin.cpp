@@ -1,5 +1,6 @@
 #include "libcontact/conforming/legendre_galerkin.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <memory>
@@ -49,8 +50,8 @@ LegendreGalerkin::LegendreGalerkin(int n) {
     }
   }
 
-  // 128 nodes integrate the logarithm to 1e-12.
-  const GaussLegendre fine(128);
+  // 128 nodes integrate the logarithm to 1e-12, up to 32 unknowns.
+  const GaussLegendre fine(std::max(128, 4 * n));
   edge_term = Eigen::VectorXd::Zero(n);
   for (int k = 0; k < fine.node.size(); ++k) {
     const double rest = (1 - fine.node(k)) * (1 + fine.node(k));

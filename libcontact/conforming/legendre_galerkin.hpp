@@ -16,7 +16,7 @@ struct LegendreGalerkin {
   /// The table for a number of unknowns in [4, max_unknowns]; made at the
   /// first call, kept for the life of the program. Any thread.
   static const LegendreGalerkin& table(int unknowns);
-  static constexpr int max_unknowns = 32;
+  static constexpr int max_unknowns = 64;
   static constexpr int max_nodes = 6 * max_unknowns + 16;
   static constexpr int max_projection_nodes = max_unknowns + 12;
 

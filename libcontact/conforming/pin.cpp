@@ -5,11 +5,15 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <utility>
+#include <vector>
 
 #include "libcontact/base/check.hpp"
 #include "libcontact/conforming/edge_fit.hpp"
 #include "libcontact/conforming/half_angle_root.hpp"
+#include "libcontact/conforming/pin_wall_modes.hpp"
+#include "libcontact/conforming/wall_harmonics.hpp"
 #include "libcontact/conforming/wide_edge.hpp"
 
 // Letters as in docs/conforming.md: b = tan(theta0/2), q = tan(theta0/4).
@@ -20,18 +24,18 @@ constexpr double pi = std::numbers::pi;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-constexpr int max_unknowns = PinContact::max_unknowns;
+constexpr int most_unknowns = PinContact::max_walled_unknowns;
 // Terms of the pressure's own series: a_k falls like k^-6 after its leading
 // logarithm, and like q^(2k).
 constexpr int max_terms = 96;
 constexpr int usual_terms = 48;
-static_assert(max_terms >= max_unknowns);
+static_assert(max_terms >= most_unknowns);
 
 template <int max>
 using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, max, 1>;
-using Unknowns = Vector<max_unknowns>;
+using Unknowns = Vector<most_unknowns>;
 using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0,
-                             max_unknowns, max_unknowns>;
+                             most_unknowns, most_unknowns>;
 
 // m_i = ∫ T_{2i}(s)/(1 + b^2 s^2) ds over [-1, 1], i < count. They satisfy
 //   b^2 (m_{i-1} + 2 m_i + m_{i+1}) + 4 m_i = 4 ∫ T_{2i} ds.
@@ -69,7 +73,17 @@ class ChebyshevMoments {
     return 0.5 * (moments_[std::abs(j - k)] - moments_[j + k + 1]);
   }
 
-  static constexpr int max_count = max_unknowns + max_terms;
+  // ∫ U_{2j}/(1 + b^2 s^2) ds, j < out.size().
+  template <class Vector>
+  void second_kind(Vector& out) const {
+    double sum = moments_[0];
+    for (int j = 0; j < out.size(); ++j) {
+      out(j) = sum;
+      sum += 2 * moments_[j + 1];
+    }
+  }
+
+  static constexpr int max_count = most_unknowns + max_terms;
 
  private:
   static constexpr int max_rows = max_count + 24;
@@ -144,24 +158,88 @@ struct LeadingLogarithm {
 
 }  // namespace
 
+// What the walls change: with them (2) has sum weight_n p_n cos nt more on its
+// left.
+struct PinContact::Wall {
+  explicit Wall(const detail::WallHarmonics& harmonics)
+      : correction(harmonics.correction), first(harmonics.first) {}
+
+  int end() const { return static_cast<int>(correction.size()); }
+  // Dc_n (n^2 - 1) of n, n + 1, ...
+  Eigen::VectorXd weights(int n, Eigen::Index count) const {
+    Eigen::VectorXd weight(count);
+    for (Eigen::Index i = 0; i < count; ++i) {
+      const double order = static_cast<double>(n + i);
+      weight(i) = (order - 1) * (order + 1) * correction[n + i];
+    }
+    return weight;
+  }
+
+  // sum weight_n p_n G_n(k), k < count, of a solution.
+  Vector<max_terms> sums(double half_angle, const Unknowns& y,
+                         int count) const {
+    const detail::PinWallModes modes(half_angle, count);
+    const Eigen::MatrixXd& t = modes.transformation();
+    const Eigen::VectorXd series = t.leftCols(y.size()) * y;
+    Eigen::VectorXd sum = Eigen::VectorXd::Zero(t.rows());
+    modes.visit(2, end(), [&](int n, const auto& g) {
+      const Eigen::VectorXd p = g * series;
+      sum += g.transpose() * weights(n, g.rows()).cwiseProduct(p);
+    });
+    return t.transpose() * sum / (2 * pi);
+  }
+
+  std::vector<double> correction;  // Dc_n
+  double first;                    // c_1
+};
+
 // Solution with p_1 = 1: the pressure is p = b sum y_k sin((2k+1) phi).
 struct PinContact::Solution {
   Unknowns y;
-  double constant;    // C = ebar E/4 + w_2 p_0
+  double constant;    // C = ebar E/4 + (c_0 + beta) p_0
   double mean;        // p_0
   double reciprocal;  // 1/lambda
 };
 
+// The equation at one half-angle, ready for any number of unknowns up to that
+// of the contact.
+struct PinContact::System {
+  System(const PinContact& pin, double half_angle);
+  Solution solve(int unknowns) const;
+
+  double b2;
+  double mean_share;
+  RightSides given;
+  ChebyshevMoments moments;
+  std::optional<detail::PinWallModes> modes;
+  Matrix matrix;
+};
+
+namespace {
+
+PinConstants constants_of(const ElasticPair& pair) {
+  const double nu = pair.inner().poissons_ratio;
+  return {pair.outer_compliance_share(), pair.dundurs_beta(),
+          pair.inner_compliance_share(), (1 - 2 * nu) / (2 * (1 - nu))};
+}
+
+}  // namespace
+
 PinContact::PinContact(const ElasticPair& pair, InnerLoading loading,
                        int unknowns)
-    : PinContact(
-          [&pair] {
-            const double nu = pair.inner().poissons_ratio;
-            return PinConstants{
-                pair.outer_compliance_share(), pair.dundurs_beta(),
-                pair.inner_compliance_share(), (1 - 2 * nu) / (2 * (1 - nu))};
-          }(),
-          loading, unknowns) {}
+    : PinContact(constants_of(pair), loading, unknowns, max_unknowns) {}
+
+PinContact::PinContact(const LayeredPair& pair, InnerLoading loading,
+                       int unknowns)
+    : PinContact(constants_of(pair.surfaces()), loading,
+                 unknowns == 0 ? detail::walled_unknowns(pair) : unknowns,
+                 max_walled_unknowns) {
+  detail::require_uncoated(pair, loading);
+  const detail::WallHarmonics walls(JointKind::cylindrical, pair);
+  if (walls.correction.empty()) return;
+  wall_ = std::make_shared<const Wall>(walls);
+  constants_.mean_share += walls.correction[0];
+}
 
 PinContact PinContact::from_dundurs(double outer_compliance_share,
                                     double dundurs_beta, int unknowns) {
@@ -171,65 +249,86 @@ PinContact PinContact::from_dundurs(double outer_compliance_share,
   detail::require(dundurs_beta >= -0.5 && dundurs_beta <= 0.5, "pin contact",
                   "dundurs_beta", dundurs_beta, "-0.5 to 0.5");
   return {PinConstants{outer_compliance_share, dundurs_beta, nan, nan},
-          InnerLoading::centre(), unknowns};
+          InnerLoading::centre(), unknowns, max_unknowns};
 }
 
 PinContact::PinContact(PinConstants constants, InnerLoading loading,
-                       int unknowns)
+                       int unknowns, int most)
     : constants_(constants), loading_(loading), unknowns_(unknowns) {
-  detail::require(unknowns >= 8 && unknowns <= max_unknowns, "pin contact",
-                  "unknowns", unknowns, "8 to 32");
-  largest_ = 4 * std::atan(std::pow(10, -2.0 / unknowns));
+  detail::require(unknowns >= 8 && unknowns <= most, "pin contact", "unknowns",
+                  unknowns, most == max_unknowns ? "8 to 32" : "8 to 64");
+  // Nor beyond what the moments are good for.
+  largest_ =
+      4 * std::atan(std::pow(10, -2.0 / std::min(unknowns, max_unknowns)));
   if (loading.is_back()) {
     // The edge of the contact must not touch that of the loaded patch.
     largest_ = std::min(largest_, pi - loading.patch_half_angle() - 1e-3);
   }
 }
 
-PinContact::Solution PinContact::solve(double half_angle,
-                                       int unknowns) const noexcept {
-  const int n = unknowns;
-  const double b = std::tan(half_angle / 2);
-  const double b2 = b * b;
-  const double beta = constants_.beta;
-  const RightSides given(half_angle, constants_, loading_, n);
-  const ChebyshevMoments moments(b2, 2 * n);
-
-  Matrix system(n, n);
-  for (int k = 0; k < n; ++k) {
+PinContact::System::System(const PinContact& pin, double half_angle)
+    : b2(std::tan(half_angle / 2) * std::tan(half_angle / 2)),
+      mean_share(pin.constants_.mean_share),
+      given(half_angle, pin.constants_, pin.loading_, pin.unknowns_),
+      moments(b2, 2 * pin.unknowns_),
+      matrix(pin.unknowns_, pin.unknowns_) {
+  const double scale = pin.constants_.beta * std::tan(half_angle / 2);
+  for (int k = 0; k < pin.unknowns_; ++k) {
     for (int j = 0; j <= k; ++j) {
-      system(j, k) = system(k, j) = beta * b * moments.matrix_element(j, k);
+      matrix(j, k) = matrix(k, j) = scale * moments.matrix_element(j, k);
     }
-    system(k, k) += (2 * k + 1) * pi / 4;
+    matrix(k, k) += (2 * k + 1) * pi / 4;
   }
-  Eigen::Matrix<double, Eigen::Dynamic, 2, 0, max_unknowns, 2> right(n, 2);
-  right << given.constant, given.load;
+  if (!pin.wall_) return;
+  modes.emplace(half_angle, pin.unknowns_);
+  const Eigen::MatrixXd& t = modes->transformation();
+  Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(t.rows(), t.rows());
+  modes->visit(2, pin.wall_->end(), [&](int n, const auto& g) {
+    const Eigen::MatrixXd weighted =
+        pin.wall_->weights(n, g.rows()).asDiagonal() * g;
+    sum.triangularView<Eigen::Lower>() += weighted.transpose() * g;
+  });
+  const Eigen::MatrixXd all = sum.selfadjointView<Eigen::Lower>() * t;
+  matrix.noalias() += t.transpose() * all / (2 * pi);
+}
+
+PinContact::Solution PinContact::System::solve(int n) const {
+  Eigen::Matrix<double, Eigen::Dynamic, 2, 0, most_unknowns, 2> right(n, 2);
+  right << given.constant.head(n), given.load.head(n);
   // Not definite for beta < 0 and wide contacts: LU.
-  const decltype(right) solved = system.partialPivLu().solve(right);
+  const Matrix leading = matrix.topLeftCorner(n, n);
+  const decltype(right) solved = leading.partialPivLu().solve(right);
 
   // p_0 = (b/pi) ∫ sqrt(1 - s^2) sum a_k U_2k/(1 + b^2 s^2) ds, a = b y;
   // p_1 = 1 fixes C.
   const double scale = 2 * b2 / pi;
   Solution result;
-  result.constant = (1 - scale * given.cosine.dot(solved.col(1))) /
-                    (scale * given.cosine.dot(solved.col(0)));
+  result.constant = (1 - scale * given.cosine.head(n).dot(solved.col(1))) /
+                    (scale * given.cosine.head(n).dot(solved.col(0)));
   result.y = result.constant * solved.col(0) + solved.col(1);
-  result.mean = b2 / pi * given.constant.dot(result.y);
-  result.reciprocal =
-      2 * (result.constant - constants_.outer_share * result.mean);
+  result.mean = b2 / pi * given.constant.head(n).dot(result.y);
+  result.reciprocal = 2 * (result.constant - mean_share * result.mean);
   return result;
+}
+
+double PinContact::reciprocal(double half_angle) const noexcept {
+  return System(*this, half_angle).solve(unknowns_).reciprocal;
 }
 
 double PinContact::reciprocal_load(double half_angle) const noexcept {
   if (!(half_angle > 0 && half_angle <= largest_)) return nan;
-  return solve(half_angle, unknowns_).reciprocal;
+  return reciprocal(half_angle);
 }
 
 ExactLoad PinContact::load_parameter(double half_angle) const noexcept {
   if (half_angle == 0) return {0, Status::ok, 0};
-  const double reciprocal = reciprocal_load(half_angle);
+  if (!(half_angle > 0 && half_angle <= largest_)) {
+    return {nan, Status::out_of_range, nan};
+  }
+  const System system(*this, half_angle);
+  const double reciprocal = system.solve(unknowns_).reciprocal;
   if (!(reciprocal >= 0)) return {nan, Status::out_of_range, nan};
-  const double coarse = solve(half_angle, unknowns_ - 4).reciprocal;
+  const double coarse = system.solve(unknowns_ - 4).reciprocal;
   return {1 / reciprocal, Status::ok, std::abs(reciprocal - coarse)};
 }
 
@@ -237,33 +336,115 @@ ExactHalfAngle PinContact::half_angle(double load_parameter) const noexcept {
   if (!(load_parameter >= 0)) return {nan, Status::out_of_range, nan, 0};
   if (load_parameter == 0) return {0, Status::ok, 0, 0};
   return detail::half_angle_root(
-      [this](double theta) { return solve(theta, unknowns_).reciprocal; },
-      1 / load_parameter, 2 * std::sqrt(load_parameter), 2, largest_);
+      [this](double theta) { return reciprocal(theta); }, 1 / load_parameter,
+      2 * std::sqrt(load_parameter), 2, largest_);
 }
 
 ExactHalfAngle PinContact::limit_half_angle() const noexcept {
   return half_angle(infinity);
 }
 
+ContactApproach PinContact::approach(double half_angle) const noexcept {
+  if (!(half_angle > 0 && half_angle <= largest_)) return {nan, nan};
+  if (!wall_ || loading_.is_back() || std::isnan(wall_->first)) {
+    return {nan, nan};
+  }
+  const System system(*this, half_angle);
+  const Solution solution = system.solve(unknowns_);
+  const Eigen::MatrixXd& t = system.modes->transformation();
+  const double beta = constants_.beta;
+  const double mean_share = constants_.mean_share;
+  const double b = std::tan(half_angle / 2);
+  const double sine = std::sin(half_angle / 2);
+
+  // The equation before its differentiation, averaged with the weight that
+  // turns cos nt into (P_n + P_{n-1})(cos theta0)/2. Its terms fall like n^-4
+  // beyond 1/theta0.
+  const int end = std::max(
+      wall_->end(), static_cast<int>(std::clamp(400 / half_angle, 3e3, 1e5)));
+  const Eigen::VectorXd series = t * solution.y;
+  double sum = (mean_share - beta - 2 * std::log(sine)) * solution.mean;
+  Eigen::VectorXd singular = Eigen::VectorXd::Zero(t.rows());
+  double before = 1;
+  double now = std::cos(half_angle);
+  const double first_average = (1 + now) / 2;
+  sum += (wall_->first - 1) * first_average;
+  system.modes->visit(2, end, [&](int first, const auto& g) {
+    for (int i = 0; i < g.rows(); ++i) {
+      const double n = first + i;
+      const double next =
+          ((2 * n - 1) * std::cos(half_angle) * now - (n - 1) * before) / n;
+      const double average = (next + now) / 2;
+      before = std::exchange(now, next);
+      // c_n - 1/n
+      double compliance = (beta * n + 1) / (n * (n - 1) * (n + 1));
+      if (first + i < wall_->end()) {
+        const double correction = wall_->correction[first + i];
+        compliance += correction;
+        singular +=
+            (n - 1) * (n + 1) * correction * average * g.row(i).transpose();
+      }
+      sum += compliance * average * b / pi * g.row(i).dot(series);
+    }
+  });
+
+  // The rate of the pressure as the load grows is g_s + h, g_s with a
+  // square-root infinity at the edge; both are 0 in the equation's clearance.
+  const int n = unknowns_;
+  Unknowns second(n);
+  system.moments.second_kind(second);
+  Eigen::Matrix<double, Eigen::Dynamic, 3, 0, most_unknowns, 3> right(n, 3);
+  right << -beta * std::sqrt(1 + b * b) / b * second -
+               t.transpose() * singular / b,
+      mean_share * system.given.constant, (1 + beta) * system.given.cosine;
+  const decltype(right) solved = system.matrix.partialPivLu().solve(right);
+  Eigen::Matrix<double, 2, 3> harmonic;  // h_0, h_1 of the columns
+  harmonic << b * b / pi * system.given.constant.transpose() * solved,
+      2 * b * b / pi * system.given.cosine.transpose() * solved;
+  const Eigen::Matrix2d factors = harmonic.rightCols<2>();
+  const Eigen::Vector2d h =
+      (Eigen::Matrix2d::Identity() - factors).inverse() *
+      (harmonic.col(0) + factors.col(0) + 2 * first_average * factors.col(1));
+  const double rate =
+      (-2 * sine * sine + h(1) - 2 * h(0)) / (2 * first_average + h(1));
+
+  const double reciprocal = solution.reciprocal;
+  const double cosine = std::cos(half_angle / 2);
+  // delta/(eps lambda)
+  const double approach =
+      (2 * sum + reciprocal * sine * sine) / (cosine * cosine);
+  return {approach / reciprocal, pi / 2 / (approach + reciprocal * rate)};
+}
+
+int PinContact::terms() const noexcept {
+  return unknowns_ > detail::EdgeFit::wide_terms ? detail::EdgeFit::thin_terms
+                                                 : detail::EdgeFit::wide_terms;
+}
+
 ContactPressure PinContact::pressure(double half_angle,
                                      int terms) const noexcept {
   static const LeadingLogarithm logarithm;
-  const detail::EdgeFit& fit = detail::EdgeFit::table(terms);
+  const detail::EdgeFit& fit =
+      detail::EdgeFit::table(terms == 0 ? this->terms() : terms);
   if (!(half_angle > 0 && half_angle <= largest_)) return {nan, nan, {}, {}};
-  const Solution solution = solve(half_angle, unknowns_);
+  const Solution solution = System(*this, half_angle).solve(unknowns_);
   const double b = std::tan(half_angle / 2);
   const detail::WideEdge edge(half_angle);
-  const int count = half_angle > 2.1 ? max_terms : usual_terms;
+  const int count = half_angle > 2.1 || wall_ ? max_terms : usual_terms;
   const RightSides given(half_angle, constants_, loading_, count);
   const ChebyshevMoments moments(b * b, unknowns_ + count);
   // One step of iteration through the equation, whose singular part is
   // diagonal, doubles the order of the coefficients and reaches beyond the
   // unknowns.
+  const Vector<max_terms> wall =
+      wall_ ? wall_->sums(half_angle, solution.y, count)
+            : Vector<max_terms>::Zero(count);
   std::array<double, max_terms> a;
   double slope = 0;
   double slope_of_logarithm = 0;
   for (int k = 0; k < count; ++k) {
-    double right = solution.constant * given.constant(k) + given.load(k);
+    double right =
+        solution.constant * given.constant(k) + given.load(k) - wall(k);
     for (int j = 0; j < unknowns_; ++j) {
       right -=
           constants_.beta * b * moments.matrix_element(j, k) * solution.y(j);

@@ -1,6 +1,7 @@
 #include "libcontact/half_angle/exact.hpp"
 
 #include <cmath>
+#include <limits>
 
 #include "libcontact/base/text.hpp"
 #include "libcontact/base/units.hpp"
@@ -18,6 +19,7 @@ using detail::HalfAngleTable;
 // beta and w_2 are known to 4e-16; what so little of them does is below
 // rounding.
 constexpr double negligible = 1e-15;
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // An incompressible pin in a rigid hole: F = cos^4(theta0/2) has a zero of
 // fourth order at the limit half-angle of 180 deg, which no series of the
@@ -29,11 +31,25 @@ bool closes_up(JointKind kind, const ElasticPair& pair, InnerLoading loading) {
 }
 
 template <class Contact>
-HalfAngleTable table_of(JointKind kind, const Contact& contact) {
+HalfAngleTable table_of(JointKind kind, const Contact& contact,
+                        double thickness = infinity) {
   const ExactHalfAngle limit = contact.limit_half_angle();
   return {kind,
           [&contact](double theta) { return contact.reciprocal_load(theta); },
-          limit.half_angle, limit.status == Status::ok};
+          limit.half_angle, limit.status == Status::ok, thickness};
+}
+
+HalfAngleTable walled_table(JointKind kind, const LayeredPair& pair,
+                            InnerLoading loading) {
+  const double thickness = pair.relative_thickness();
+  if (kind == JointKind::spherical) {
+    return table_of(kind, BallContact(pair, loading), thickness);
+  }
+  const PinContact pin(pair, loading);
+  const PinContact fine(pair, loading, PinContact::max_unknowns);
+  const bool reaches = pin.limit_half_angle().status == Status::ok;
+  return table_of(kind, reaches || pin.largest() == fine.largest() ? pin : fine,
+                  thickness);
 }
 
 HalfAngleTable pin_table(const ElasticPair& pair, InnerLoading loading) {
@@ -62,6 +78,12 @@ ExactLaw::ExactLaw(JointKind kind, const ElasticPair& pair,
           ? pin_table(pair, loading)
           : table_of(kind, BallContact(pair, loading)));
 }
+
+ExactLaw::ExactLaw(JointKind kind, const LayeredPair& pair,
+                   InnerLoading loading)
+    : HalfAngleLaw(kind),
+      table_(std::make_unique<const HalfAngleTable>(
+          walled_table(kind, pair, loading))) {}
 
 ExactLaw::~ExactLaw() = default;
 

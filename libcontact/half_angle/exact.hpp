@@ -4,9 +4,11 @@
 #include <string>
 #include <vector>
 
+#include "libcontact/half_angle/factory.hpp"
 #include "libcontact/half_angle/law.hpp"
 #include "libcontact/pair/inner_loading.hpp"
 #include "libcontact/pair/joint_geometry.hpp"
+#include "libcontact/pair/layers.hpp"
 #include "libcontact/pair/material.hpp"
 
 namespace contact {
@@ -39,6 +41,12 @@ class ExactLaw final : public HalfAngleLaw {
   /// @param loading  how the inner body is loaded; the force at its centre
   ///                 unless told otherwise
   ExactLaw(JointKind kind, const ElasticPair& pair,
+           InnerLoading loading = InnerLoading::centre());
+  /// A joint with walls: its load parameter is that of the two surfaces.
+  /// theta0 to 1e-8 of itself against the solver; the constructor solves the
+  /// contact at 64 half-angles, for thin free rings at 128 more.
+  /// @throws Error for a coated inner body that is loaded through the back.
+  ExactLaw(JointKind kind, const LayeredPair& pair,
            InnerLoading loading = InnerLoading::centre());
   ~ExactLaw() override;
 

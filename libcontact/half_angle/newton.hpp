@@ -1,9 +1,9 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include "libcontact/half_angle/law.hpp"
 
@@ -56,15 +56,18 @@ class HalfAngleStart {
  public:
   /// @param limit  the half-angle at which the load is infinite, or where the
   ///               relation ends before
+  /// @param intervals  128 for bodies without walls
   template <class Relation>
-  HalfAngleStart(JointKind kind, const Relation& relation, double limit);
+  HalfAngleStart(JointKind kind, const Relation& relation, double limit,
+                 int intervals = 128);
 
   double operator()(double x) const {
     const double xi = x * over_limit_;
     const double s = xi / (1 + xi);
     const double place = s * per_s_;
     // (A load beyond the end of the relation: the last interval goes on.)
-    const int i = std::min(static_cast<int>(place), intervals - 1);
+    const int i =
+        std::min(static_cast<int>(place), static_cast<int>(nodes_.size()) - 2);
     const double t = place - i;
     const Node& a = nodes_[i];
     const Node& b = nodes_[i + 1];
@@ -77,7 +80,6 @@ class HalfAngleStart {
   }
 
  private:
-  static constexpr int intervals = 128;
   struct Node {
     double value;  // h
     double slope;  // dh/ds times the width of an interval
@@ -86,7 +88,7 @@ class HalfAngleStart {
   double limit_;
   double over_limit_;
   double per_s_;  // intervals over the range of s
-  std::array<Node, intervals + 1> nodes_{};
+  std::vector<Node> nodes_;
 };
 
 /// theta0 at a load in (0, infinity): Newton's method, finished by the cubic
@@ -173,8 +175,8 @@ HalfAngleResult solve_half_angle(JointKind kind, const Relation& relation,
 
 template <class Relation>
 HalfAngleStart::HalfAngleStart(JointKind kind, const Relation& relation,
-                               double limit)
-    : limit_(limit), over_limit_(1 / limit) {
+                               double limit, int intervals)
+    : limit_(limit), over_limit_(1 / limit), nodes_(intervals + 1) {
   const int power = load_power(kind);
   const double last_load = load_at(kind, relation, limit);
   const double last_xi = x_from_load_parameter(kind, last_load) / limit;

@@ -2,10 +2,13 @@
 
 #include <array>
 #include <functional>
+#include <limits>
 #include <optional>
 
-#include "libcontact/half_angle/newton.hpp"
+#include "libcontact/conforming/half_angle_variable.hpp"
+#include "libcontact/half_angle/factory.hpp"
 #include "libcontact/half_angle/law.hpp"
+#include "libcontact/half_angle/newton.hpp"
 
 namespace contact::detail {
 
@@ -19,6 +22,9 @@ namespace contact::detail {
 /// the series. The factors theta0* - theta0 and sin(theta0/2) keep both ends
 /// to full relative precision. Const functions without allocation or
 /// exceptions.
+///
+/// A wall changes the relation by orders of magnitude: the series is then that
+/// of ln G. Its variable: half_angle_variable.hpp.
 class HalfAngleTable {
  public:
   /// @param kind         of the joint
@@ -26,9 +32,11 @@ class HalfAngleTable {
   ///                     here only
   /// @param largest      theta0*, or where the solution ends below it, rad
   /// @param is_limit     whether `largest` is theta0*
+  /// @param thickness    t; infinite without walls
   HalfAngleTable(JointKind kind,
                  const std::function<double(double)>& reciprocal,
-                 double largest, bool is_limit);
+                 double largest, bool is_limit,
+                 double thickness = std::numeric_limits<double>::infinity());
 
   /// As HalfAngleLaw's; not_converged with largest() for loads beyond the end
   /// of a solution that does not reach its limit.
@@ -39,15 +47,18 @@ class HalfAngleTable {
   bool reaches_limit() const noexcept { return is_limit_; }
 
  private:
+  void tabulate(const std::function<double(double)>& reciprocal);
+  bool is_resolved() const;
   RelationValue evaluate(double half_angle) const noexcept;
 
-  static constexpr int max_terms = 64;
+  static constexpr int max_terms = 128;
 
   JointKind kind_;
   int terms_;
   double largest_;
   bool is_limit_;
-  std::array<double, max_terms> coefficients_{};  // of G
+  HalfAngleVariable variable_;
+  std::array<double, max_terms> coefficients_{};  // of G or ln G
   std::optional<HalfAngleStart> start_;
 };
 

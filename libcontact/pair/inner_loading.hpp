@@ -53,6 +53,17 @@ struct ExactHalfAngle {
   int evaluations;
 };
 
+/// How far the inner body has gone into the outer one.
+struct ContactApproach {
+  /// delta/eps, counted from first touch of the unloaded bodies: the centres
+  /// are eps + delta apart. Of the inner body's mean over its volume, or of
+  /// its rigid core; relative to what holds the outer body.
+  double approach;
+  /// Force over approach, exact at this load: dR_n/d delta in units of rho E
+  /// (ball), dP/d delta in units of E (pin).
+  double stiffness;
+};
+
 /// A load parameter from an exact solution.
 struct ExactLoad {
   /// lambda (pin) or mu (ball); NaN if out_of_range.

@@ -17,19 +17,19 @@ void check_poissons_ratio(double nu, const std::string& place) {
                   "0 to 0.5");
 }
 
-void check(const Material& material, std::string place) {
-  if (!material.name.empty()) place += " " + material.name;
-  detail::require(material.youngs_modulus > 0, place, "youngs_modulus",
-                  material.youngs_modulus, "above 0 Pa, inf for a rigid body");
-  check_poissons_ratio(material.poissons_ratio, place);
-}
-
 double one_minus_square(double nu) { return (1 - nu) * (1 + nu); }
 
 // b(nu) of Dundurs' beta.
 double beta_part(double nu) { return (1 - 2 * nu) / (2 * (1 - nu)); }
 
 }  // namespace
+
+void detail::check_material(const Material& material, std::string place) {
+  if (!material.name.empty()) place += " " + material.name;
+  require(material.youngs_modulus > 0, place, "youngs_modulus",
+          material.youngs_modulus, "above 0 Pa, inf for a rigid body");
+  check_poissons_ratio(material.poissons_ratio, place);
+}
 
 ElasticPair::ElasticPair(Material inner, Material outer)
     : ElasticPair(inner, outer, inner.youngs_modulus / outer.youngs_modulus) {}
@@ -38,8 +38,8 @@ ElasticPair::ElasticPair(Material inner, Material outer, double modulus_ratio)
     : inner_(std::move(inner)),
       outer_(std::move(outer)),
       modulus_ratio_(modulus_ratio) {
-  check(inner_, "inner material");
-  check(outer_, "outer material");
+  detail::check_material(inner_, "inner material");
+  detail::check_material(outer_, "outer material");
   if (std::isinf(inner_.youngs_modulus) && std::isinf(outer_.youngs_modulus)) {
     throw Error("elastic pair: both bodies are rigid: allowed: at most one");
   }

@@ -16,6 +16,12 @@ struct Material {
   std::string name = {};
 };
 
+namespace detail {
+/// Throws contact::Error, which names the place, unless the constants are in
+/// their intervals.
+void check_material(const Material& material, std::string place);
+}  // namespace detail
+
 /// The elastic constants on which the contact of two bodies depends.
 ///
 /// With the compliances c_i = (1 - nu_i^2)/E_i (0 for a rigid body):

@@ -21,6 +21,7 @@ using detail::EdgeFit;
 using detail::WideEdge;
 
 constexpr double pi = std::numbers::pi;
+constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double usual_largest = 2 * pi / 3;
 
@@ -33,7 +34,10 @@ struct Resultants {
 // By Gauss' rule in phi, where the integrand is analytic but for
 // phi^4 ln(phi).
 Resultants resultants(JointKind kind, const ContactPressure& p) {
-  static const detail::GaussLegendre rule(48);
+  static const detail::GaussLegendre usual(48);
+  static const detail::GaussLegendre fine(128);
+  const detail::GaussLegendre& rule =
+      p.coefficients().size() > EdgeFit::wide_terms ? fine : usual;
   const WideEdge edge(p.half_angle());
   const double b = std::tan(p.half_angle() / 2);
   Resultants r{0, 0};
@@ -101,29 +105,45 @@ ExactPressure::ExactPressure(JointKind kind, const ElasticPair& pair,
   if (kind == JointKind::spherical) {
     // More unknowns for the pressure; the limit is that of the half-angles.
     tabulate(BallContact(pair, loading, 24),
-             BallContact(pair, loading).limit_half_angle());
+             BallContact(pair, loading).limit_half_angle(), infinity);
     return;
   }
   const PinContact contact(pair, loading);
   const ExactHalfAngle limit = contact.limit_half_angle();
   if (limit.status == Status::ok) {
-    tabulate(contact, limit);
+    tabulate(contact, limit, infinity);
   } else {
     const PinContact fine(pair, loading, PinContact::max_unknowns);
-    tabulate(fine, fine.limit_half_angle());
+    tabulate(fine, fine.limit_half_angle(), infinity);
+  }
+}
+
+ExactPressure::ExactPressure(JointKind kind, const LayeredPair& pair,
+                             InnerLoading loading)
+    : PressureLaw(kind) {
+  const double thickness = pair.relative_thickness();
+  if (kind == JointKind::spherical) {
+    const BallContact contact(pair, loading);
+    tabulate(contact, contact.limit_half_angle(), thickness);
+  } else {
+    const PinContact contact(pair, loading);
+    tabulate(contact, contact.limit_half_angle(), thickness);
   }
 }
 
 template <class Contact>
 void ExactPressure::tabulate(const Contact& contact,
-                             const ExactHalfAngle& limit) {
+                             const ExactHalfAngle& limit, double thickness) {
   const JointKind kind = joint_kind();
   const double wanted =
       limit.status == Status::ok ? limit.half_angle : contact.largest();
   largest_ = std::min(std::max(wanted, usual_largest), contact.largest());
+  variable_.emplace(kind, largest_, thickness);
   const bool wide = largest_ > usual_largest;
-  terms_ = wide ? EdgeFit::wide_terms : EdgeFit::usual_terms;
-  const int count = wide ? 64 : 28;
+  terms_ = has_walls() ? contact.terms()
+           : wide      ? EdgeFit::wide_terms
+                       : EdgeFit::usual_terms;
+  const int count = wide || has_walls() ? 64 : 28;
   contact_ = Series(terms_ + logarithms + 1);
   for (int i = 0; i < count; ++i) {
     const double half_angle = chebyshev_half_angle(i, count);
@@ -145,7 +165,7 @@ void ExactPressure::tabulate(const Contact& contact,
 void ExactPressure::tabulate_expansion() {
   constexpr int terms = PressureExpansion::max_terms;
   // More than contact_ has: the share of the logarithm depends on theta0 too.
-  const int count = largest_ > usual_largest ? 96 : 44;
+  const int count = largest_ > usual_largest || has_walls() ? 96 : 44;
   for (int i = 0; i < count; ++i) {
     const double half_angle = chebyshev_half_angle(i, count);
     if (half_angle > usual_largest) continue;
@@ -175,15 +195,12 @@ void ExactPressure::tabulate_expansion() {
 
 double ExactPressure::chebyshev_half_angle(int i, int count) const noexcept {
   const double share = (1 + std::cos(pi * (i + 0.5) / count)) / 2;
-  const bool ball = joint_kind() == JointKind::spherical;
-  return largest_ * (ball ? share * share : share);
+  return variable_->half_angle(share, 1 - share).first;
 }
 
 double ExactPressure::chebyshev_variable(double half_angle) const noexcept {
   if (!has(half_angle)) return nan;
-  const double share = half_angle / largest_;
-  const bool ball = joint_kind() == JointKind::spherical;
-  return 2 * (ball ? std::sqrt(share) : share) - 1;
+  return 2 * (*variable_)(half_angle).first - 1;
 }
 
 ExactPressure::Column ExactPressure::evaluate(
@@ -209,7 +226,7 @@ ContactPressure ExactPressure::contact(double half_angle) const noexcept {
 
 double ExactPressure::pressure(double theta, double half_angle) const noexcept {
   if (std::isnan(theta) || !has(half_angle)) return nan;
-  if (theta == 0) return peak(half_angle);
+  if (theta == 0) return centre(half_angle);
   if (std::abs(theta) > half_angle) return 0;
   return contact(half_angle).pressure(theta);
 }
@@ -252,6 +269,11 @@ PressureExpansion ExactPressure::expansion(double half_angle) const noexcept {
 }
 
 double ExactPressure::peak(double half_angle) const noexcept {
+  if (!has_walls() || !(half_angle > 0)) return centre(half_angle);
+  return contact(half_angle).peak();
+}
+
+double ExactPressure::centre(double half_angle) const noexcept {
   const Column values = evaluate(half_angle);
   double sum = 0;
   for (int k = terms_ - 1; k >= 0; --k) sum = values[k] - sum;

@@ -14,6 +14,8 @@
 #include "libcontact/conforming/ball.hpp"
 #include "libcontact/conforming/pin.hpp"
 #include "libcontact/conforming/pin_closed_form.hpp"
+#include "libcontact/base/units.hpp"
+#include "libcontact/half_angle/exact.hpp"
 
 namespace {
 
@@ -151,6 +153,65 @@ void ball_pressure(benchmark::State& state) {
   }
 }
 
+// A rigid inner body of radius 1 in a liner (nu = 0.4) on a rigid shell.
+contact::LayeredPair lined(double thickness) {
+  using contact::Backing;
+  return {
+      1, {{}, Backing::rigid()}, {{{thickness, {1, 0.4}}}, Backing::rigid()}};
+}
+
+// The argument is the thickness over the radius in units of 1e-4; the tables
+// of the method itself exist.
+template <class Contact>
+void walled_setup(benchmark::State& state) {
+  const contact::LayeredPair pair =
+      lined(1e-4 * static_cast<double>(state.range(0)));
+  benchmark::DoNotOptimize(Contact(pair));
+  for (auto _ : state) benchmark::DoNotOptimize(Contact(pair));
+}
+
+template <class Contact>
+void walled_further_half_angle(benchmark::State& state) {
+  const std::vector<double> load = loads();
+  const Contact contact(lined(1e-4 * static_cast<double>(state.range(0))));
+  std::size_t i = 0;
+  double evaluations = 0;
+  for (auto _ : state) {
+    const auto result = contact.half_angle(load[i++ * 37 % count]);
+    evaluations += result.evaluations;
+    benchmark::DoNotOptimize(result);
+  }
+  state.counters["evaluations"] = evaluations / static_cast<double>(i);
+}
+
+// The tables that joints have: thickness 0 is an infinite outer body.
+contact::ExactLaw law_of(contact::JointKind kind, std::int64_t thickness) {
+  if (thickness == 0) {
+    return {kind, ElasticPair::from_modulus_ratio(0.3, 0.2, 0.35)};
+  }
+  return {kind, lined(1e-4 * static_cast<double>(thickness))};
+}
+
+void law_setup(benchmark::State& state, contact::JointKind kind) {
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(law_of(kind, state.range(0)));
+  }
+}
+
+void law_half_angle(benchmark::State& state, contact::JointKind kind) {
+  const std::vector<double> load = loads();
+  const contact::ExactLaw law = law_of(kind, state.range(0));
+  std::size_t i = 0;
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(law.half_angle(load[i++ * 37 % count]));
+  }
+}
+
+void thicknesses(benchmark::internal::Benchmark* bench) {
+  bench->Arg(10)->Arg(30)->Arg(100)->Arg(200)->Arg(1000)->Arg(10000)->Unit(
+      benchmark::kMillisecond);
+}
+
 BENCHMARK(tanh_law);
 BENCHMARK(boost_set);
 BENCHMARK(pin_closed_form_half_angle);
@@ -160,6 +221,16 @@ BENCHMARK(ball_setup_and_half_angle);
 BENCHMARK_CAPTURE(ball_further_half_angle, centre, InnerLoading::centre());
 BENCHMARK_CAPTURE(ball_further_half_angle, back, InnerLoading::back(0.5));
 BENCHMARK(ball_pressure);
+BENCHMARK(walled_setup<BallContact>)->Apply(thicknesses);
+BENCHMARK(walled_setup<PinContact>)->Apply(thicknesses);
+BENCHMARK(walled_further_half_angle<BallContact>)->Apply(thicknesses);
+BENCHMARK(walled_further_half_angle<PinContact>)->Apply(thicknesses);
+constexpr auto ball = contact::JointKind::spherical;
+constexpr auto pin = contact::JointKind::cylindrical;
+BENCHMARK_CAPTURE(law_setup, ball, ball)->Arg(0)->Apply(thicknesses);
+BENCHMARK_CAPTURE(law_setup, pin, pin)->Arg(0)->Apply(thicknesses);
+BENCHMARK_CAPTURE(law_half_angle, ball, ball)->Arg(0)->Arg(30)->Arg(1000);
+BENCHMARK_CAPTURE(law_half_angle, pin, pin)->Arg(0)->Arg(200)->Arg(1000);
 
 }  // namespace
 

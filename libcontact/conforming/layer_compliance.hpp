@@ -1,0 +1,74 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "libcontact/pair/joint_geometry.hpp"
+#include "libcontact/pair/layers.hpp"
+
+namespace contact::detail {
+
+/// What a unit pressure of one harmonic, P_n(cos t) or cos nt, presses a
+/// surface into its body, in units of 4 rho/E.
+struct HarmonicCompliance {
+  /// c_n; for n = 1 by a normal traction that the body's far end, a uniform
+  /// body force (solid inner body) or infinity (outer one) balances. NaN for
+  /// a pin in an infinite body and n = 1, which has no value.
+  double total;
+  /// Dc_n = c_n less that of a homogeneous body of the surface's material;
+  /// relative accuracy of its own, also where it is tiny. 0 for n = 1.
+  double correction;
+};
+
+/// Compliances of one body of bonded layers: docs/conforming.md, "Walls".
+/// Poisson's ratio 1/2 is an ordinary value everywhere.
+///
+/// Accuracy (conforming/layer_compliance_test.cpp): relative error of c_n below
+/// 1e-10 on 311 values of a 60-digit solution, layers of 1e-4 to 0.5 radii.
+class LayerCompliance {
+ public:
+  enum class Side { inner, outer };
+
+  /// @param radius   rho, m
+  /// @param modulus  E that the results are scaled with, Pa
+  LayerCompliance(JointKind kind, Side side, const LayeredBody& body,
+                  double radius, double modulus);
+
+  /// @param n  harmonic, 0, 1, 2, ...
+  HarmonicCompliance operator()(int n) const;
+
+  /// Number of the first harmonics whose Dc_n count: what is beyond changes
+  /// the load by less than 1e-12. 0 for a homogeneous body.
+  int corrected() const;
+
+ private:
+  /// A material with its modulus in units of E, as the equations need it.
+  struct Elastic {
+    Elastic(const Material& material, double unit);
+    double nu;
+    double shear;  // G
+    double a;      // nu/(1 - nu)
+    double m;      // (1 - 2 nu)/(2 G (1 - nu))
+  };
+  struct Shell {
+    Elastic elastic;
+    double width;  // ln of the ratio of its radii
+  };
+  struct Harmonic;
+
+  double homogeneous(int n) const;
+  double mean() const;
+  HarmonicCompliance layered(int n) const;
+  double body_force() const;
+
+  JointKind kind_;
+  Side side_;
+  Backing::Kind backing_;
+  std::optional<Elastic> medium_;
+  std::vector<Shell> shells_;  // the one at the contact first
+  double medium_radius_ = 1;   // where it begins, over rho
+  double poisson_ = 0;         // of the surface
+  double share_ = 0;  // its n c_n for large n: (1 - nu^2) E/(2 E_surface)
+};
+
+}  // namespace contact::detail

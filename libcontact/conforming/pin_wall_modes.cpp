@@ -1,0 +1,128 @@
+#include "libcontact/conforming/pin_wall_modes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace contact::detail {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+using Rows = Eigen::Ref<Eigen::MatrixXd, 0, Eigen::OuterStride<>>;
+
+// J_1(x), J_3(x), ..., J_{2 orders - 1}(x) in each row, for x above the
+// largest order: forward recurrence, which loses nothing there.
+void forward(const Eigen::ArrayXd& x, Rows out) {
+  const Eigen::ArrayXd over = 2 / x;
+  Eigen::ArrayXd before = x.unaryExpr([](double v) { return ::j0(v); });
+  Eigen::ArrayXd now = x.unaryExpr([](double v) { return ::j1(v); });
+  const Eigen::Index last = 2 * out.cols() - 1;
+  for (Eigen::Index m = 1; m <= last; ++m) {
+    if (m % 2 == 1) out.col(m / 2) = now;
+    before = static_cast<double>(m) * over * now - before;
+    before.swap(now);
+  }
+}
+
+// The same for one x below it, by Miller's algorithm: backwards from where J
+// is 1e-17 of what it is at the largest order or at x, scaled by
+// J_0 + 2 sum J_2m = 1.
+void backward(double x, Eigen::VectorXd& out) {
+  const int last = 2 * static_cast<int>(out.size()) - 1;
+  const int start = last + 31 + 2 * static_cast<int>(std::sqrt(10.0 * last));
+  double after = 0;
+  double now = 1e-280;
+  double sum = 0;
+  for (int m = start; m > 0; --m) {
+    if (m % 2 == 0) sum += 2 * now;
+    if (m % 2 == 1 && m <= last) out(m / 2) = now;
+    const double before = 2 * m / x * now - after;
+    after = now;
+    now = before;
+    if (std::abs(now) > 1e250) {  // small x: what came before is nothing
+      constexpr double down = 1e-250;
+      now *= down;
+      after *= down;
+      sum *= down;
+      for (Eigen::Index k = m / 2; k < out.size(); ++k) out(k) *= down;
+    }
+  }
+  out /= sum + now;
+}
+
+// sin((2k+1) angle), k = 0, 1, ..., by sin^2(angle): the differences of
+// successive sines, which keep small angles exact.
+void odd_sines(double square, Eigen::Ref<Eigen::RowVectorXd> out) {
+  double value = std::sqrt(square);
+  double step = 2 * value;  // s_0 - s_{-1}
+  for (int k = 0; k < out.size(); ++k) {
+    out(k) = value;
+    step -= 4 * square * value;
+    value += step;
+  }
+}
+
+}  // namespace
+
+PinWallModes::PinWallModes(double half_angle, int unknowns)
+    : half_angle_(half_angle) {
+  // phi changes at most sqrt(theta0/sin theta0) times as fast as psi; beyond
+  // that order the sums fall faster than exponentially.
+  const double stretch =
+      half_angle > 1e-8 ? std::sqrt(half_angle / std::sin(half_angle)) : 1;
+  const int orders = static_cast<int>(unknowns * stretch) + 16;
+  const int points = orders + 4;
+  const double b = std::tan(half_angle / 2);
+  Eigen::MatrixXd phi(points, unknowns);
+  Eigen::MatrixXd psi(points, orders);
+  Eigen::RowVectorXd row(orders);
+  for (int i = 0; i < points; ++i) {
+    const double angle = pi * (i + 0.5) / (2 * points);
+    const double t = half_angle * std::cos(angle);
+    const double half = std::sin(angle / 2);
+    const double rest = 2 * half_angle * half * half;  // theta0 - t
+    const double denominator = std::cos(half_angle / 2) * std::cos(t / 2) * b;
+    // sin^2 phi = 1 - tan^2(t/2)/b^2
+    const double square = std::sin(rest / 2) * std::sin((half_angle + t) / 2) /
+                          (denominator * denominator);
+    odd_sines(square, row.head(unknowns));
+    phi.row(i) = row.head(unknowns);
+    odd_sines(std::sin(angle) * std::sin(angle), row);
+    psi.row(i) = row;
+  }
+  transformation_.noalias() = 2.0 / points * psi.transpose() * phi;
+}
+
+void PinWallModes::visit(
+    int first, int end,
+    const std::function<void(int, const Block&)>& use) const {
+  constexpr int block = 128;
+  const Eigen::Index orders = transformation_.rows();
+  Eigen::MatrixXd modes(block, orders);
+  Eigen::VectorXd one(orders);
+  Eigen::RowVectorXd factor(orders);
+  for (int j = 0; j < orders; ++j) {
+    factor(j) = (j % 2 == 0 ? pi : -pi) * (2 * j + 1);
+  }
+  const double last_order = 2.0 * static_cast<double>(orders) - 1;
+  for (int n = first; n < end; n += block) {
+    const int count = std::min(block, end - n);
+    const Eigen::ArrayXd order =
+        Eigen::ArrayXd::LinSpaced(count, n, n + count - 1);
+    int low = 0;
+    for (; low < count && order(low) * half_angle_ <= last_order; ++low) {
+      backward(order(low) * half_angle_, one);
+      modes.row(low) = one.transpose();
+    }
+    if (low < count) {
+      forward(order.tail(count - low) * half_angle_,
+              modes.middleRows(low, count - low));
+    }
+    modes.topRows(count).array().colwise() /= order;
+    modes.topRows(count) *= factor.asDiagonal();
+    use(n, modes.topRows(count));
+  }
+}
+
+}  // namespace contact::detail

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+
+namespace contact::detail {
+
+/// The harmonics of a pin's unknowns at one half-angle,
+///
+///     G_n(k) = ∫ sqrt(1 - s^2) U_2k cos(nt)/(1 + b^2 s^2) ds
+///            = (1/(2b)) ∫ sin((2k+1) phi) cos(nt) dt,
+///
+/// tan(t/2) = b s, s = cos phi, b = tan(theta0/2), for thousands of n. In
+/// t = theta0 cos psi the sines of psi have Bessel functions for harmonics,
+/// and those of phi are short sums of them: G_n = T^T g_n/(2b),
+///
+///     sin((2k+1) phi) = sum_j T_jk sin((2j+1) psi),
+///     g_nj = (-1)^j pi (2j+1) J_{2j+1}(n theta0)/n.
+class PinWallModes {
+ public:
+  /// @param half_angle  theta0, rad
+  /// @param unknowns    k < unknowns
+  PinWallModes(double half_angle, int unknowns);
+
+  /// Calls use(n, g) with g_n, as a matrix of rows n, n + 1, ..., from `first`
+  /// to before `end`, block by block.
+  using Block = Eigen::Ref<const Eigen::MatrixXd, 0, Eigen::OuterStride<>>;
+  void visit(int first, int end,
+             const std::function<void(int, const Block&)>& use) const;
+
+  const Eigen::MatrixXd& transformation() const { return transformation_; }
+
+ private:
+  double half_angle_;
+  Eigen::MatrixXd transformation_;  // T
+};
+
+}  // namespace contact::detail

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <vector>
+
+#include "libcontact/pair/inner_loading.hpp"
+#include "libcontact/pair/joint_geometry.hpp"
+#include "libcontact/pair/layers.hpp"
+
+namespace contact::detail {
+
+/// What the walls of both bodies change in the equations of a contact, all in
+/// units of 4 rho/E.
+struct WallHarmonics {
+  WallHarmonics(JointKind kind, const LayeredPair& pair);
+
+  /// Dc_n of both bodies together, n = 0, 1, ...; 0 at n = 1.
+  std::vector<double> correction;
+  /// c_1 of both bodies; NaN where it has no value.
+  double first;
+};
+
+/// Unknowns that the solvers of walled contacts need for 1e-6 of the load:
+/// the edge of the contact has a layer as wide as the wall is thick.
+int walled_unknowns(const LayeredPair& pair);
+
+/// @throws Error for a coated inner body loaded through the back.
+void require_uncoated(const LayeredPair& pair, const InnerLoading& loading);
+
+}  // namespace contact::detail

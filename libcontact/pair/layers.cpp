@@ -1,0 +1,87 @@
+#include "libcontact/pair/layers.hpp"
+
+#include "libcontact/base/text.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+
+#include "libcontact/base/check.hpp"
+#include "libcontact/base/error.hpp"
+
+namespace contact {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+Material surface(const LayeredBody& body) {
+  if (!body.layers.empty()) return body.layers.front().material;
+  if (body.backing.kind() == Backing::Kind::medium) {
+    return body.backing.material();
+  }
+  return {infinity, 0};
+}
+
+void check_layers(const LayeredBody& body, double radius, const char* layer) {
+  int number = 0;
+  for (const Layer& l : body.layers) {
+    const std::string place = detail::message("{} {}", layer, ++number);
+    detail::require(l.thickness > 0, place, "thickness", l.thickness,
+                    "above 0 m");
+    detail::require(
+        l.thickness >= LayeredPair::smallest_relative_thickness * radius, place,
+        "thickness", l.thickness,
+        detail::message("at least 1e-5 of the radius of {:g} m", radius));
+    detail::check_material(l.material, place);
+    detail::require(std::isfinite(l.material.youngs_modulus), place,
+                    "youngs_modulus", l.material.youngs_modulus,
+                    "finite; a rigid body is a backing");
+  }
+  if (body.backing.kind() == Backing::Kind::medium) {
+    detail::check_material(body.backing.material(),
+                           detail::message("body behind {}s", layer));
+  }
+}
+
+// The arguments of LayeredPair as they are used by its surfaces.
+void check(double radius, const LayeredBody& inner, const LayeredBody& outer) {
+  detail::require(radius > 0, "layered pair", "radius", radius, "above 0 m");
+  check_layers(inner, radius, "coating");
+  check_layers(outer, radius, "wall layer");
+  double coatings = 0;
+  for (const Layer& l : inner.layers) coatings += l.thickness;
+  detail::require(coatings < radius, "coatings", "thickness", coatings,
+                  detail::message("below the radius of {:g} m", radius));
+  if (inner.backing.kind() == Backing::Kind::held) {
+    throw Error("coatings: backing = held: allowed: rigid or a material");
+  }
+  if (outer.layers.empty() && outer.backing.kind() == Backing::Kind::held) {
+    throw Error("wall: backing = held: allowed: behind at least one layer");
+  }
+}
+
+}  // namespace
+
+Backing Backing::medium(Material material) {
+  if (material.youngs_modulus == infinity) return rigid();
+  return Backing(Kind::medium, std::move(material));
+}
+
+LayeredPair::LayeredPair(double radius, LayeredBody inner, LayeredBody outer)
+    : radius_((check(radius, inner, outer), radius)),
+      inner_(std::move(inner)),
+      outer_(std::move(outer)),
+      surfaces_(surface(inner_), surface(outer_)) {}
+
+double LayeredPair::relative_thickness() const {
+  double thinnest = infinity;
+  for (const LayeredBody* body : {&inner_, &outer_}) {
+    if (body->layers.empty()) continue;
+    thinnest = std::min(thinnest, body->layers.front().thickness);
+  }
+  return thinnest / radius_;
+}
+
+}  // namespace contact

@@ -1,0 +1,84 @@
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "libcontact/pair/material.hpp"
+
+/// Bodies of finite walls: liners, cups and bushes on a backing, coatings on
+/// a ball or pin. docs/conforming.md, "Walls".
+namespace contact {
+
+/// A layer, bonded to what lies before and behind it.
+struct Layer {
+  double thickness;   ///< m, > 0
+  Material material;  ///< elastic
+};
+
+/// What lies behind the layers of a body.
+class Backing {
+ public:
+  enum class Kind {
+    rigid,   ///< the last layer is bonded to a body that does not deform
+    held,    ///< a free surface, but for a normal traction like cos t on it
+             ///< that balances the load
+    medium,  ///< elastic: infinite behind a wall, the core of a ball or pin
+  };
+
+  static Backing rigid() { return Backing(Kind::rigid, {}); }
+  static Backing held() { return Backing(Kind::held, {}); }
+  /// @param material  rigid() if it is rigid
+  static Backing medium(Material material);
+
+  Kind kind() const { return kind_; }
+  /// Of a medium.
+  const Material& material() const { return material_; }
+
+ private:
+  Backing(Kind kind, Material material)
+      : kind_(kind), material_(std::move(material)) {}
+
+  Kind kind_;
+  Material material_;
+};
+
+/// An inner or outer body, seen from the contact: its layers, the one at the
+/// contact first, and what lies behind them. Without layers it is the backing
+/// alone.
+struct LayeredBody {
+  std::vector<Layer> layers;
+  Backing backing;
+};
+
+/// The two bodies of a joint whose walls count, validated once.
+class LayeredPair {
+ public:
+  /// Thinner layers would take more than 2e6 harmonics.
+  static constexpr double smallest_relative_thickness = 1e-5;
+
+  /// @param radius  rho of the contact, m, > 0
+  /// @param inner   ball or pin: its coatings, from the contact inwards, and
+  ///                its core, elastic or rigid
+  /// @param outer   seat or hole: its layers, from the contact outwards, and
+  ///                their backing
+  /// @throws Error if a thickness, a material or a backing is not allowed.
+  LayeredPair(double radius, LayeredBody inner, LayeredBody outer);
+
+  double radius() const { return radius_; }
+  const LayeredBody& inner() const { return inner_; }
+  const LayeredBody& outer() const { return outer_; }
+  /// The materials at the two surfaces: E, Ebar, the compliance shares and
+  /// beta, and with them the load parameters, are those of this pair.
+  const ElasticPair& surfaces() const { return surfaces_; }
+  /// Thickness of the thinner one of the two layers at the contact over the
+  /// radius; infinite if no body has layers.
+  double relative_thickness() const;
+
+ private:
+  double radius_;
+  LayeredBody inner_;
+  LayeredBody outer_;
+  ElasticPair surfaces_;
+};
+
+}  // namespace contact

@@ -1,0 +1,128 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "libcontact/base/units.hpp"
+#include "libcontact/conforming/ball.hpp"
+#include "libcontact/conforming/pin.hpp"
+#include "libcontact/friction/any_pressure.hpp"
+#include "libcontact/pressure/exact.hpp"
+#include "libcontact/reference/quadrature.hpp"
+#include "support/accuracy_report.hpp"
+
+// ExactPressure of joints with walls: against the solvers, and the friction
+// under it against quadrature of the definition.
+namespace {
+
+using namespace contact;
+using contact::test::AccuracyReport;
+
+struct Wall {
+  double thickness;
+  double nu;
+  bool held;
+  LayeredPair pair() const {
+    return {
+        1,
+        {{}, Backing::medium({50, 0.3})},
+        {{{thickness, {1, nu}}}, held ? Backing::held() : Backing::rigid()}};
+  }
+  std::string label() const {
+    return "t " + std::to_string(thickness) + ", nu " + std::to_string(nu) +
+           (held ? ", held" : "");
+  }
+};
+
+constexpr Wall walls[] = {{1, 0.3, false},
+                          {0.3, 0.45, true},
+                          {0.1, 0.4, false},
+                          {0.03, 0.3, false},
+                          {0.015, 0.42, false}};
+
+template <class Contact>
+void compare(JointKind kind) {
+  AccuracyReport value("p over the peak", 1e-6);
+  // By the midpoint rule below, whose error for a ball this is.
+  AccuracyReport load("load by p", kind == JointKind::spherical ? 1e-5 : 1e-12);
+  // The solver's own, which shows as its load by p against H_1.
+  AccuracyReport sum("S", 1e-6);
+  for (const Wall& wall : walls) {
+    const Contact contact(wall.pair());
+    const ExactPressure law(kind, wall.pair());
+    const double largest = contact.limit_half_angle().half_angle;
+    EXPECT_GE(law.largest_half_angle(), largest);
+    for (const double theta0 : {0.01, 0.1, 0.3, 0.8, 1.3, 0.999 * largest}) {
+      const std::string label =
+          wall.label() + ", theta0 " + std::to_string(theta0);
+      const ContactPressure solved = contact.pressure(theta0);
+      for (const double share : {0.0, 0.2, 0.5, 0.8, 0.95, 0.99}) {
+        const double theta = share * theta0;
+        value.add_error(
+            std::abs(law.pressure(theta, theta0) - solved.pressure(theta)) /
+                solved.peak(),
+            label);
+      }
+      EXPECT_NEAR(law.peak(theta0) / solved.peak(), 1, 1e-6) << label;
+      sum.add(law.force_ratio(theta0), solved.force_ratio(), label);
+      // Midpoint rule in the angle phi of the edge variable.
+      constexpr int steps = 400;
+      double force = 0;
+      for (int i = 0; i < steps; ++i) {
+        const double phi = std::numbers::pi / 2 * (i + 0.5) / steps;
+        const double theta = theta0 * std::cos(phi);
+        const double area = kind == JointKind::spherical
+                                ? 2 * std::numbers::pi * std::sin(theta)
+                                : 2.0;
+        force += law.pressure(theta, theta0) * std::cos(theta) * area * theta0 *
+                 std::sin(phi) * std::numbers::pi / 2 / steps;
+      }
+      load.add(force, 1.0, label);
+    }
+  }
+  for (const AccuracyReport* report : {&value, &load, &sum}) report->check();
+}
+
+TEST(WalledExactPressure, IsTheSolverOfBalls) {
+  compare<BallContact>(JointKind::spherical);
+}
+
+TEST(WalledExactPressure, IsTheSolverOfPins) {
+  compare<PinContact>(JointKind::cylindrical);
+}
+
+TEST(WalledExactPressure, Friction) {
+  // By quadrature of the definition with this very pressure, all its sines.
+  // Friction takes 16: enough for walls of 0.1 radii and more.
+  AccuracyReport thick("friction coefficients, t >= 0.1", 1e-7);
+  AccuracyReport thin("friction coefficients, t = 0.03, 0.015", 3e-6);
+  for (const Wall& wall : walls) {
+    AccuracyReport& report = wall.thickness < 0.1 ? thin : thick;
+    const ExactPressure law(JointKind::spherical, wall.pair());
+    for (const double theta0_deg : {5.0, 45.0, 80.0}) {
+      for (const double axis_deg : {10.0, 60.0}) {
+        const SlipAxis axis = SlipAxis::from_degrees(axis_deg);
+        const double theta0 = theta0_deg * degree;
+        const FrictionIntegrals expected =
+            reference::quadrature_friction_integrals(law, theta0, axis, 1e-9)
+                .value;
+        const FrictionIntegrals computed =
+            friction_integrals(law, theta0, axis);
+        const std::string label = wall.label() + ", theta0_deg " +
+                                  std::to_string(theta0_deg) + ", a_deg " +
+                                  std::to_string(axis_deg);
+        report.add(computed.coefficient.force, expected.coefficient.force,
+                   label);
+        report.add(computed.coefficient.sliding, expected.coefficient.sliding,
+                   label);
+        report.add(computed.coefficient.spinning, expected.coefficient.spinning,
+                   label);
+      }
+    }
+  }
+  thick.check();
+  thin.check();
+}
+
+}  // namespace
