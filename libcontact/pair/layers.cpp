@@ -1,7 +1,5 @@
 #include "libcontact/pair/layers.hpp"
 
-#include "libcontact/base/text.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -10,6 +8,7 @@
 
 #include "libcontact/base/check.hpp"
 #include "libcontact/base/error.hpp"
+#include "libcontact/base/text.hpp"
 
 namespace contact {
 namespace {
