@@ -11,9 +11,9 @@
 #include "angle/compare.hpp"
 #include "angle/input.hpp"
 #include "cli/laws.hpp"
-#include "cli/ordered_blocks.hpp"
 #include "cli/output.hpp"
 #include "cli/progress.hpp"
+#include "cli/stream/ordered_blocks.hpp"
 #include "cli/table.hpp"
 #include "libcontact/base/error.hpp"
 

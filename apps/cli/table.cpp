@@ -7,8 +7,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "cli/csv.hpp"
 #include "cli/number.hpp"
+#include "cli/stream/csv.hpp"
 
 namespace cli {
 namespace {

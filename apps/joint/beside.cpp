@@ -8,9 +8,9 @@
 #include <limits>
 #include <vector>
 
-#include "cli/csv.hpp"
-#include "cli/line_blocks.hpp"
 #include "cli/number.hpp"
+#include "cli/stream/csv.hpp"
+#include "cli/stream/line_blocks.hpp"
 #include "libcontact/base/error.hpp"
 
 namespace hinge_joint {

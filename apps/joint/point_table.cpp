@@ -6,11 +6,11 @@
 #include <cstdio>
 #include <vector>
 
-#include "cli/ordered_blocks.hpp"
 #include "cli/output.hpp"
-#include "cli/points.hpp"
 #include "cli/progress.hpp"
 #include "cli/quantity.hpp"
+#include "cli/stream/ordered_blocks.hpp"
+#include "cli/stream/points.hpp"
 #include "joint/input.hpp"
 #include "libcontact/base/error.hpp"
 

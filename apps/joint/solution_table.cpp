@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "cli/ordered_blocks.hpp"
 #include "cli/output.hpp"
 #include "cli/progress.hpp"
+#include "cli/stream/ordered_blocks.hpp"
 
 namespace hinge_joint {
 namespace {

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "cli/points.hpp"
+#include "cli/stream/points.hpp"
 #include "cli/sweep.hpp"
 #include "cli/table.hpp"
 #include "table/method.hpp"

@@ -8,13 +8,13 @@
 #include <vector>
 
 #include "cli/choice.hpp"
-#include "cli/line_blocks.hpp"
-#include "cli/ordered_blocks.hpp"
 #include "cli/output.hpp"
 #include "cli/plot.hpp"
-#include "cli/points.hpp"
 #include "cli/progress.hpp"
 #include "cli/quantity.hpp"
+#include "cli/stream/line_blocks.hpp"
+#include "cli/stream/ordered_blocks.hpp"
+#include "cli/stream/points.hpp"
 #include "cli/sweep.hpp"
 #include "cli/table.hpp"
 #include "libcontact/base/error.hpp"

@@ -671,8 +671,8 @@ std::vector<KnownKey> of_kind(const toml::table& table,
   const auto kind = table["kind"].value<std::string>();
   const auto is_named = [&](const KnownKey& key) {
     return kind &&
-           detail::message(" {} ", key.kinds).find(detail::message(" {} ", *kind)) !=
-               std::string::npos;
+           detail::message(" {} ", key.kinds)
+                   .find(detail::message(" {} ", *kind)) != std::string::npos;
   };
   if (std::ranges::none_of(keys, is_named)) return keys;
   std::vector<KnownKey> result;

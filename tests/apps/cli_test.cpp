@@ -16,14 +16,14 @@
 #include <vector>
 
 #include "cli/choice.hpp"
-#include "cli/csv.hpp"
 #include "cli/interrupts.hpp"
 #include "cli/laws.hpp"
-#include "cli/line_blocks.hpp"
 #include "cli/number.hpp"
-#include "cli/ordered_blocks.hpp"
 #include "cli/output.hpp"
 #include "cli/quantity.hpp"
+#include "cli/stream/csv.hpp"
+#include "cli/stream/line_blocks.hpp"
+#include "cli/stream/ordered_blocks.hpp"
 #include "cli/sweep.hpp"
 #include "cli/table.hpp"
 #include "libcontact/base/error.hpp"

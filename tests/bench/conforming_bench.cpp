@@ -14,7 +14,6 @@
 #include "libcontact/conforming/ball.hpp"
 #include "libcontact/conforming/pin.hpp"
 #include "libcontact/conforming/pin_closed_form.hpp"
-#include "libcontact/base/units.hpp"
 #include "libcontact/half_angle/exact.hpp"
 
 namespace {

@@ -5,7 +5,6 @@
 
 #include <numbers>
 
-#include "multibody/dynamics/lane_dynamics.hpp"
 #include "multibody/motion/motion.hpp"
 #include "multibody_support/dense_solver.hpp"
 #include "multibody_support/friction_parts.hpp"
@@ -20,7 +19,6 @@ namespace {
 using contact::InstructionSet;
 using multibody::Dynamics;
 using multibody::Instant;
-using multibody::LaneDynamics;
 using multibody::Prepared;
 using multibody::test::Mix;
 
@@ -82,40 +80,6 @@ void reactions(benchmark::State& state, Mix mix) {
   dynamics.evaluate(p.state.data(), p.loading);
   std::vector<multibody::Reaction<double>> to(dynamics.size());
   measure(state, 1, [&] { dynamics.reactions(to); });
-}
-
-struct LaneArrays {
-  LaneArrays(const Prepared& p, int lanes)
-      : state(p.state.size() * lanes),
-        loading((6 + 9 * p.loading.loads.size()) * lanes),
-        accelerations((6 + 3 * p.loading.loads.size()) * lanes),
-        change(3 * p.loading.loads.size() * lanes, 1e-3) {
-    for (std::size_t i = 0; i < state.size(); ++i) {
-      state[i] = p.state[i / lanes];
-    }
-  }
-  std::vector<double> state, loading, accelerations, change;
-};
-
-void lanes(benchmark::State& state, Mix mix) {
-  const Prepared p = prepared(state, mix);
-  LaneDynamics dynamics(p.system);
-  LaneArrays arrays(p, dynamics.lanes());
-  measure(state, dynamics.lanes(), [&] {
-    dynamics.evaluate(arrays.state.data(), arrays.loading.data());
-    dynamics.accelerations(arrays.accelerations.data());
-  });
-}
-
-void lanes_increment(benchmark::State& state, Mix mix) {
-  const Prepared p = prepared(state, mix);
-  LaneDynamics dynamics(p.system);
-  LaneArrays arrays(p, dynamics.lanes());
-  dynamics.evaluate(arrays.state.data(), arrays.loading.data());
-  measure(state, dynamics.lanes(), [&] {
-    dynamics.add_friction(arrays.change.data());
-    dynamics.accelerations(arrays.accelerations.data());
-  });
 }
 
 void dense_cholesky(benchmark::State& state, Mix mix) {
@@ -368,9 +332,7 @@ void register_all(const std::string& name, Mix mix) {
       add_for_set("with_pin_friction", with_friction<AxisHinge::pin>, 64);
     }
   }
-  add("lanes", lanes, 256);
   add("increment", increment, 256);
-  add("lanes_increment", lanes_increment, 256);
   add("reactions", reactions, 256);
   add("unhinged", unhinged, 64);
   add("dense_cholesky", dense_cholesky, 64);

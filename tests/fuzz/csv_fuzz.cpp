@@ -11,9 +11,9 @@
 #include <string_view>
 #include <vector>
 
-#include "cli/csv.hpp"
-#include "cli/line_blocks.hpp"
-#include "cli/points.hpp"
+#include "cli/stream/csv.hpp"
+#include "cli/stream/line_blocks.hpp"
+#include "cli/stream/points.hpp"
 #include "cli/table.hpp"
 #include "libcontact/base/error.hpp"
 #include "libcontact/pressure/cosine.hpp"

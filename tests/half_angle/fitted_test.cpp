@@ -168,7 +168,7 @@ std::vector<double> numbers_of(const std::string& text) {
 
 TEST(HalfAngleFit, ReproducesTheCommittedCoefficients) {
   std::ifstream file(std::string(CONTACT_DATA_DIR) +
-                     "/../libcontact/detail/half_angle_coefficients.hpp");
+                     "/../libcontact/half_angle/coefficients.hpp");
   std::stringstream committed;
   committed << file.rdbuf();
   const std::string made = reference::half_angle_coefficients_header();

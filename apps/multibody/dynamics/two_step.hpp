@@ -18,7 +18,7 @@ namespace multibody {
 /// carrier's own six equations, then the loads. The work is proportional to
 /// the number of loads; no call but the constructor and set_mode allocates.
 ///
-/// Programs use Dynamics (one motion in double) or LaneDynamics (several).
+/// Programs use Dynamics.
 /// States and forces are rows of numbers, as pointers to T or anything that is
 /// indexed like one.
 /// @tparam T, P, S  see Lanes

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <utility>
 
-#include "cli/csv.hpp"
 #include "cli/number.hpp"
+#include "cli/stream/csv.hpp"
 #include "libcontact/base/units.hpp"
 
 namespace separation {

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "cli/line_blocks.hpp"
 #include "cli/number.hpp"
+#include "cli/stream/line_blocks.hpp"
 #include "cli/table.hpp"
 
 /// Points from a CSV file: the programs as filters, a line in, a line out.

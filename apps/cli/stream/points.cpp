@@ -1,4 +1,4 @@
-#include "cli/points.hpp"
+#include "cli/stream/points.hpp"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <iterator>
 #include <limits>
 
-#include "cli/csv.hpp"
+#include "cli/stream/csv.hpp"
 #include "libcontact/base/error.hpp"
 #include "libcontact/base/text.hpp"
 

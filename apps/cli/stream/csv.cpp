@@ -1,4 +1,4 @@
-#include "cli/csv.hpp"
+#include "cli/stream/csv.hpp"
 
 namespace cli {
 namespace {

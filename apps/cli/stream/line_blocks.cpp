@@ -1,4 +1,4 @@
-#include "cli/line_blocks.hpp"
+#include "cli/stream/line_blocks.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
