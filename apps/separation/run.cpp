@@ -285,6 +285,10 @@ cli::ExitStatus simulate(const Case& c, const Options& o) {
   } else {
     print_missed(c, outcome);
   }
+  if (!outcome.no_checkpoint.empty()) {
+    cli::warn(program, outcome.no_checkpoint);
+    status = cli::some_bad;
+  }
   print_faults(c, outcome);
   print_overlaps(c, outcome);
   print_drift(c, outcome);

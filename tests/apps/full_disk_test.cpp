@@ -83,6 +83,35 @@ TEST(FullDisk, HistoriesAreWholeOrNotThere) {
   EXPECT_EQ(folder.read("e.csv"), whole.read("e.csv"));
 }
 
+// A checkpoint that cannot be written costs nothing but itself; the one before
+// it stays good.
+TEST(FullDisk, CheckpointsAreWholeOrNotThere) {
+  const std::string run = "hinge-separation data/cases/slosh.toml ";
+  const std::string checkpoints =
+      "--checkpoint state --checkpoint-every 0.5 --events /dev/null";
+  const ProgramFolder whole;
+  const ProgramResult expected = whole.run(run + checkpoints);
+  ASSERT_EQ(expected.status, 0) << expected.err;
+  const auto size = static_cast<int>(whole.read("state").size());
+  for (const int room : {0, 1000, 4 * size, 12 * size}) {
+    const ProgramFolder folder;
+    const ProgramResult result = folder.run(with_room(room, run + checkpoints));
+    EXPECT_EQ(result.status, 1) << room;
+    EXPECT_EQ(result.out, expected.out);
+    EXPECT_NE(result.err.find("hinge-separation: warning: no checkpoints from "
+                              "t = "),
+              std::string::npos)
+        << result.err;
+    EXPECT_NE(result.err.find("No space left on device"), std::string::npos);
+    if (room < size) {
+      EXPECT_TRUE(folder.files().empty());
+      continue;
+    }
+    const ProgramResult resumed = folder.run(run + "--resume state");
+    EXPECT_EQ(resumed.status, 0) << resumed.err;
+  }
+}
+
 TEST(FullDisk, PicturesAreWholeOrNotThere) {
   const ProgramFolder folder;
   if (!have_gnuplot(folder)) GTEST_SKIP() << "gnuplot is not installed";

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "cli/progress.hpp"
+#include "libcontact/base/error.hpp"
 #include "separation/record/checkpoint.hpp"
 #include "separation/simulation/pace.hpp"
 
@@ -148,6 +149,7 @@ Outcome run_case(const Case& c, const RunOptions& options) {
   double next_checkpoint = every > 0
                                ? checkpoint_after(run.simulation->time(), every)
                                : History::not_yet;
+  std::string no_checkpoint;
   for (; i <= times.count(); ++i) {
     if (!run.move_on(times[i])) {
       // How far it came.
@@ -161,16 +163,24 @@ Outcome run_case(const Case& c, const RunOptions& options) {
     next_checkpoint = checkpoint_after(run.simulation->time(), every);
     const SimulationState state = run.simulation->save();
     if (writer) {
-      writer->write(i + 1, state, run.recorder.memory());
-      run.way_on = fmt::format("; --resume {} goes on from t = {:.6g} s",
-                               options.checkpoint, state.motion.time);
+      // One that cannot be written costs nothing but itself and later ones:
+      // what is behind a row that was cut short could not be found.
+      try {
+        writer->write(i + 1, state, run.recorder.memory());
+        run.way_on = fmt::format("; --resume {} goes on from t = {:.6g} s",
+                                 options.checkpoint, state.motion.time);
+      } catch (const contact::Error& error) {
+        no_checkpoint = fmt::format("no checkpoints from t = {:.6g} s on: {}",
+                                    state.motion.time, error.what());
+        writer.reset();
+      }
     }
     run.go_on_from(state, c, options.friction);
   }
-  Outcome outcome{options.friction,         run.failure,
-                  run.simulation->time(),   run.recorder.take_memory(),
-                  run.all_counts(),         {},
-                  run.simulation->history()};
+  Outcome outcome{options.friction,          run.failure,
+                  run.simulation->time(),    run.recorder.take_memory(),
+                  run.all_counts(),          {},
+                  run.simulation->history(), no_checkpoint};
   for (int load = 0; load < static_cast<int>(c.loads.size()); ++load) {
     outcome.modes.push_back(run.simulation->sample().mode(load));
   }

@@ -35,10 +35,12 @@ struct Outcome {
   multibody::MotionCounts counts;
   std::vector<multibody::HingeMode> modes;  ///< at the end
   History history;                          ///< what had happened by then
+  std::string no_checkpoint;  ///< "" or since when and why there is none
 };
 
-/// @throws contact::Error if the motion cannot begin, or a checkpoint cannot
-///   be read or written or is of another run
+/// @throws contact::Error if the motion cannot begin, or the checkpoint to go
+/// on
+///   from cannot be read or is of another run, or the first one not begun
 Outcome run_case(const Case& c, const RunOptions& options);
 
 }  // namespace separation
