@@ -280,7 +280,9 @@ HarmonicCompliance LayerCompliance::layered(int n) const {
   }
   // The correction itself: as a difference it would leave 1e-13/n of noise in
   // thousands of harmonics.
-  const auto [d, p] = harmonic.cross(surface, side_, y);
+  const Harmonic::Crossing crossing = harmonic.cross(surface, side_, y);
+  const States& d = crossing.regular;
+  const States& p = crossing.added;
   const auto change = [&](int row) {
     return product(d, p, row) + product(p, d, row) + product(p, p, row);
   };
