@@ -27,14 +27,15 @@ void PressureTable::write_contact(const LoadedContact& contact,
   if (setup_.geometry) row.number(contact.load);
   row.number(contact.load_parameter);
   row.number(contact.half_angle / contact::degree);
-  if (setup_.loading.is_back()) row.text(to_string(setup_.loading));
+  if (setup_.conditions.loading.is_back())
+    row.text(to_string(setup_.conditions.loading));
 }
 
 std::vector<std::string> PressureTable::contact_columns() const {
   std::vector<std::string> names;
   if (setup_.geometry) names.emplace_back("load");
   names.insert(names.end(), {"load_parameter", "theta0_deg"});
-  if (setup_.loading.is_back()) names.emplace_back("loading");
+  if (setup_.conditions.loading.is_back()) names.emplace_back("loading");
   return names;
 }
 

@@ -200,6 +200,25 @@ TEST(HingePressure, LoadedThroughTheBack) {
   EXPECT_EQ(csv_column(csv_rows(summary.out), "pressure")[0], "cosine");
 }
 
+// A hip in 8 mm of polyethylene at 2 kN: numbers of an independent solution, to
+// four digits. All pressure laws are those that know walls.
+TEST(HingePressure, FiniteWalls) {
+  const ProgramFolder folder;
+  const ProgramResult result = folder.run(
+      "hinge-pressure --joint data/joints/hip_cocr_uhmwpe_walled.toml --load "
+      "2000 --summary");
+  ASSERT_EQ(result.status, 0) << result.err;
+  ASSERT_EQ(csv_rows(result.out).size(), 2U);
+  EXPECT_EQ(csv_column(csv_rows(result.out), "law")[0], "exact");
+  EXPECT_EQ(csv_column(csv_rows(result.out), "pressure")[0], "exact");
+  EXPECT_NEAR(numbers(result.out, "theta0_deg")[0], 43.47, 5e-3);
+  EXPECT_NEAR(numbers(result.out, "p_peak_Pa")[0], 11.33e6, 5e3);
+  EXPECT_NEAR(numbers(result.out, "S")[0], 1.115, 5e-4);
+  EXPECT_NEAR(numbers(result.out, "chi_0")[0], 1.0540, 5e-5);
+  EXPECT_NEAR(numbers(result.out, "sigma_Y_0")[0], 1.0588, 5e-5);
+  EXPECT_NEAR(numbers(result.out, "sigma_Z_90")[0], 0.4539, 5e-5);
+}
+
 TEST(HingePressure, LongSweepsTakeNoMemory) {
   // 1e8 loads at 32 bytes would be 3 GB; the table itself goes to a reader
   // that has enough after some lines.
