@@ -120,7 +120,7 @@ cli::ExitStatus run(const Options& options) {
   cli::warn_of_validity("hinge-pressure", setup.geometry_notes(),
                         cli::LawNotes(laws, setup.pair));
   const LoadedContacts contacts(input, setup, *laws[0].law);
-  const PressureTable table(setup, laws[0].name, pressures);
+  const PressureTable table(setup, laws[0], pressures);
   Gaps gaps(pressures);
   write_table(table, contacts, points, options, gaps);
   const cli::ExitStatus status = gaps.report(laws[0].name);
