@@ -19,7 +19,7 @@ class JointApproach {
   /// From first touch of the unloaded bodies.
   struct Value {
     double approach;   ///< m
-    double stiffness;  ///< load over approach, N/m; of a pin (N/m)/m
+    double stiffness;  ///< d load/d approach, N/m; of a pin (N/m)/m
   };
   /// NaN where there is none: without load, loaded through the back, and for a
   /// pin in an infinite hole, where it grows with the distance without end.
