@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -71,8 +72,8 @@ contact::JointContact contact_of(const contact::Joint& joint,
 }
 
 contact::Joint joint_file(const std::string& name) {
-  return contact::read_joint(std::string(CONTACT_DATA_DIR) + "/joints/" + name +
-                             ".toml");
+  return contact::read_joint(std::filesystem::path(CONTACT_DATA_DIR) /
+                             "joints" / (name + ".toml"));
 }
 
 // The numbers read back as the library's own doubles.
