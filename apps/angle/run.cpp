@@ -104,9 +104,9 @@ cli::ExitStatus run(const Options& options) {
   const Setup setup = make_setup(options);
   const std::vector<NamedLaw> laws =
       cli::make_half_angle_laws(setup.half_angle_laws, setup.kind, setup.pair,
-                                setup.half_angle_options, setup.loading);
+                                setup.half_angle_options, setup.conditions);
   const cli::NamedPressure pressure = cli::make_pressure_law(
-      setup.pressure_law, setup.kind, setup.pair, setup.loading);
+      setup.pressure_law, setup.kind, setup.pair, setup.conditions);
   const Loads loads(setup.kind, setup.geometry, setup.pair);
   const AngleTable angles(setup, loads, laws, pressure);
   const Input input = make_input(options, setup);

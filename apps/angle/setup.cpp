@@ -28,7 +28,7 @@ Setup setup_from_file(const Options& options) {
           .half_angle_options = joint.half_angle_options,
           .half_angle_laws = {joint.half_angle_law},
           .pressure_law = joint.pressure_law,
-          .loading = joint.loading,
+          .conditions = joint.conditions,
           .name = joint.name};
 }
 
@@ -69,7 +69,8 @@ Setup make_setup(const Options& options) {
   Setup setup = setup_of_joint(options);
   setup.tolerance =
       cli::parse_value("--tolerance", options.tolerance, {0, 100, "%"});
-  setup.loading = cli::parse_loading(options.loading, setup.loading);
+  contact::ContactConditions& conditions = setup.conditions;
+  conditions.loading = cli::parse_loading(options.loading, conditions.loading);
   if (options.compare && !options.pressure.empty()) {
     throw contact::Error(
         fmt::format("--pressure {}: not with --compare, which has no pressures",
@@ -78,16 +79,16 @@ Setup make_setup(const Options& options) {
   if (options.compare && options.output.jobs != 1) {
     throw contact::Error("--jobs: not with --compare, which takes one thread");
   }
-  if (options.compare && setup.loading.is_back()) {
+  if (options.compare && (conditions.loading.is_back() || conditions.walls)) {
     throw contact::Error(
-        fmt::format("--compare: the laws are of a force at the centre: not "
-                    "with loading {}",
-                    to_string(setup.loading)));
+        fmt::format("--compare: the laws are of a force at the centre and an "
+                    "infinite outer body: not with {}",
+                    to_string(conditions)));
   }
   setup.half_angle_laws = cli::half_angle_laws(
       options.laws.empty() && options.compare ? std::vector<std::string>{"all"}
                                               : options.laws,
-      setup.half_angle_laws, setup.loading);
+      setup.half_angle_laws, conditions);
   cli::set_limit_angle(options.limit_angle, setup.half_angle_laws,
                        setup.half_angle_options);
   if (!options.pressure.empty()) setup.pressure_law = options.pressure;

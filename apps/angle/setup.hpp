@@ -48,7 +48,7 @@ struct Setup {
   std::vector<std::string> half_angle_laws = {
       std::string(contact::default_half_angle_law)};
   std::string pressure_law = "cosine";
-  contact::InnerLoading loading = contact::InnerLoading::centre();
+  contact::ContactConditions conditions = {};
   /// Percent of theta0: what --compare calls good enough.
   double tolerance = 0.1;
   std::string name = {};  ///< of the joint file, or ""

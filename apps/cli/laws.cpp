@@ -72,23 +72,23 @@ contact::InnerLoading parse_loading(const std::string& text,
   return contact::InnerLoading::back(*degrees * contact::degree);
 }
 
-std::vector<std::string> half_angle_laws(const std::vector<std::string>& asked,
-                                         std::vector<std::string> otherwise,
-                                         const contact::InnerLoading& loading) {
+std::vector<std::string> half_angle_laws(
+    const std::vector<std::string>& asked, std::vector<std::string> otherwise,
+    const contact::ContactConditions& conditions) {
   std::vector<std::string> all = contact::half_angle_law_names();
   std::erase_if(all, [&](const std::string& name) {
     return name == "paper" ||  // one of the others
-           !contact::half_angle_law_allows(name, loading);
+           !contact::half_angle_law_allows(name, conditions);
   });
   return law_names("--law", asked, std::move(otherwise), all);
 }
 
-std::vector<std::string> pressure_laws(const std::vector<std::string>& asked,
-                                       std::vector<std::string> otherwise,
-                                       const contact::InnerLoading& loading) {
+std::vector<std::string> pressure_laws(
+    const std::vector<std::string>& asked, std::vector<std::string> otherwise,
+    const contact::ContactConditions& conditions) {
   std::vector<std::string> all = contact::pressure_law_names();
   std::erase_if(all, [&](const std::string& name) {
-    return !contact::pressure_law_allows(name, loading);
+    return !contact::pressure_law_allows(name, conditions);
   });
   return law_names("--pressure", asked, std::move(otherwise), all);
 }
@@ -121,12 +121,12 @@ void set_limit_angle(const std::string& text,
 std::vector<NamedLaw> make_half_angle_laws(
     const std::vector<std::string>& names, contact::JointKind kind,
     const contact::ElasticPair& pair, const contact::HalfAngleOptions& options,
-    const contact::InnerLoading& loading) {
+    const contact::ContactConditions& conditions) {
   std::vector<NamedLaw> laws;
   for (const std::string& name : names) {
     laws.push_back(
-        {with_loading(name, loading),
-         contact::make_half_angle_law(name, kind, pair, options, loading)});
+        {with_loading(name, conditions.loading),
+         contact::make_half_angle_law(name, kind, pair, options, conditions)});
   }
   return laws;
 }
@@ -134,17 +134,18 @@ std::vector<NamedLaw> make_half_angle_laws(
 NamedPressure make_pressure_law(const std::string& name,
                                 contact::JointKind kind,
                                 const contact::ElasticPair& pair,
-                                const contact::InnerLoading& loading) {
-  return {with_loading(name, loading),
-          contact::make_pressure_law(name, kind, pair, loading)};
+                                const contact::ContactConditions& conditions) {
+  return {with_loading(name, conditions.loading),
+          contact::make_pressure_law(name, kind, pair, conditions)};
 }
 
 std::vector<NamedPressure> make_pressure_laws(
     const std::vector<std::string>& names, contact::JointKind kind,
-    const contact::ElasticPair& pair, const contact::InnerLoading& loading) {
+    const contact::ElasticPair& pair,
+    const contact::ContactConditions& conditions) {
   std::vector<NamedPressure> laws;
   for (const std::string& name : names) {
-    laws.push_back(make_pressure_law(name, kind, pair, loading));
+    laws.push_back(make_pressure_law(name, kind, pair, conditions));
   }
   return laws;
 }

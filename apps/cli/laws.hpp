@@ -42,7 +42,10 @@ inline constexpr std::string_view loading_help =
     "on a patch of half-angle PSI, 0 to 90 deg, by a uniform pressure). Only "
     "the\n"
     "half-angle law exact knows the latter, its name in the output is then\n"
-    "exact_back:PSI; the pressure law exact follows it, mixture is refused.\n";
+    "exact_back:PSI; the pressure law exact follows it, mixture is refused.\n"
+    "Walls and coatings are in joint files: [wall] and [[coating]]. With them "
+    "all\n"
+    "laws are exact, others are refused.\n";
 
 /// Adds --loading.
 void add_loading_option(CLI::App& app, std::string& loading,
@@ -53,16 +56,16 @@ contact::InnerLoading parse_loading(const std::string& text,
                                     const contact::InnerLoading& otherwise);
 
 /// Names of the half-angle laws that --law asks for: `otherwise` if it was not
-/// given; for "all" those that allow the loading, but paper (which is one of
+/// given; for "all" those that allow the conditions, but paper (which is one of
 /// the others). Throws contact::Error if a name is there twice: columns are
 /// called by them.
-std::vector<std::string> half_angle_laws(const std::vector<std::string>& asked,
-                                         std::vector<std::string> otherwise,
-                                         const contact::InnerLoading& loading);
+std::vector<std::string> half_angle_laws(
+    const std::vector<std::string>& asked, std::vector<std::string> otherwise,
+    const contact::ContactConditions& conditions);
 /// The same of --pressure.
-std::vector<std::string> pressure_laws(const std::vector<std::string>& asked,
-                                       std::vector<std::string> otherwise,
-                                       const contact::InnerLoading& loading);
+std::vector<std::string> pressure_laws(
+    const std::vector<std::string>& asked, std::vector<std::string> otherwise,
+    const contact::ContactConditions& conditions);
 
 /// Heeds --limit-angle: formula, linear or degrees; "" changes nothing.
 /// Throws contact::Error for anything else, and if none of the laws has a
@@ -72,18 +75,19 @@ void set_limit_angle(const std::string& text,
                      contact::HalfAngleOptions& options);
 
 /// The laws of these names. Throws contact::Error if there is no such law, or
-/// if it does not allow the loading.
+/// if it does not allow the conditions.
 std::vector<NamedLaw> make_half_angle_laws(
     const std::vector<std::string>& names, contact::JointKind kind,
     const contact::ElasticPair& pair, const contact::HalfAngleOptions& options,
-    const contact::InnerLoading& loading);
+    const contact::ContactConditions& conditions);
 NamedPressure make_pressure_law(const std::string& name,
                                 contact::JointKind kind,
                                 const contact::ElasticPair& pair,
-                                const contact::InnerLoading& loading);
+                                const contact::ContactConditions& conditions);
 std::vector<NamedPressure> make_pressure_laws(
     const std::vector<std::string>& names, contact::JointKind kind,
-    const contact::ElasticPair& pair, const contact::InnerLoading& loading);
+    const contact::ElasticPair& pair,
+    const contact::ContactConditions& conditions);
 
 /// The pair of --modulus-ratio, --poisson1 and --poisson2. Throws
 /// contact::Error for values that are not allowed.

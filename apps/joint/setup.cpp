@@ -126,18 +126,19 @@ Setup make_setup(const Options& options) {
   const bool named = options.joint == "sphere" || options.joint == "cylinder";
   Joint joint = named ? joint_from_options(options) : joint_from_file(options);
   const auto friction = make_friction(options, joint);
-  const auto loading = cli::parse_loading(options.loading, joint.loading);
+  contact::ContactConditions& conditions = joint.conditions;
+  conditions.loading = cli::parse_loading(options.loading, conditions.loading);
   const auto laws =
-      cli::half_angle_laws(options.laws, {joint.half_angle_law}, loading);
+      cli::half_angle_laws(options.laws, {joint.half_angle_law}, conditions);
   const auto pressures =
-      cli::pressure_laws(options.pressures, {joint.pressure_law}, loading);
+      cli::pressure_laws(options.pressures, {joint.pressure_law}, conditions);
   cli::set_limit_angle(options.limit_angle, laws, joint.half_angle_options);
 
   const contact::JointKind kind = joint.geometry.kind();
   const auto half_angles = cli::make_half_angle_laws(
-      laws, kind, joint.pair, joint.half_angle_options, loading);
+      laws, kind, joint.pair, joint.half_angle_options, conditions);
   const auto shapes =
-      cli::make_pressure_laws(pressures, kind, joint.pair, loading);
+      cli::make_pressure_laws(pressures, kind, joint.pair, conditions);
   Setup setup{joint.name, {}, cli::LawNotes(half_angles, joint.pair)};
   for (const cli::NamedLaw& law : half_angles) {
     for (const cli::NamedPressure& pressure : shapes) {

@@ -47,8 +47,8 @@ std::string draw(const PressureTable& pressures,
   const bool pascal = setup.geometry.has_value();
   cli::LinePlot plot;
   plot.title = setup.title();
-  if (setup.loading.is_back()) {
-    plot.title += ", loading " + to_string(setup.loading);
+  if (setup.conditions.loading.is_back()) {
+    plot.title += ", loading " + to_string(setup.conditions.loading);
   }
   plot.x_label = "angle from the centre of the contact, deg";
   plot.y_label = pascal ? "pressure, MPa"

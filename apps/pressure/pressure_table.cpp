@@ -10,6 +10,13 @@
 
 namespace hinge_pressure {
 
+PressureTable::PressureTable(const hinge_angle::Setup& setup,
+                             const cli::NamedLaw& law,
+                             const std::vector<NamedPressure>& pressures)
+    : setup_(setup), law_(law.name), pressures_(pressures) {
+  if (setup.geometry && law.law->name() == "exact") approach_.emplace(setup);
+}
+
 double PressureTable::scale(const LoadedContact& contact) const {
   return setup_.geometry ? setup_.geometry->pressure_unit(contact.load) : 1;
 }
@@ -27,14 +34,15 @@ void PressureTable::write_contact(const LoadedContact& contact,
   if (setup_.geometry) row.number(contact.load);
   row.number(contact.load_parameter);
   row.number(contact.half_angle / contact::degree);
-  if (setup_.loading.is_back()) row.text(to_string(setup_.loading));
+  if (setup_.conditions.loading.is_back())
+    row.text(to_string(setup_.conditions.loading));
 }
 
 std::vector<std::string> PressureTable::contact_columns() const {
   std::vector<std::string> names;
   if (setup_.geometry) names.emplace_back("load");
   names.insert(names.end(), {"load_parameter", "theta0_deg"});
-  if (setup_.loading.is_back()) names.emplace_back("loading");
+  if (setup_.conditions.loading.is_back()) names.emplace_back("loading");
   return names;
 }
 
@@ -73,6 +81,10 @@ std::vector<std::string> PressureTable::summary_columns() const {
   }
   names.emplace_back("S");
   if (ball) names.insert(names.end(), {"chi_0", "sigma_Y_0", "sigma_Z_90"});
+  if (approach_) {
+    names.emplace_back("approach_m");
+    names.emplace_back(ball ? "stiffness_N_per_m" : "stiffness_N_per_m2");
+  }
   return names;
 }
 
@@ -85,6 +97,8 @@ void PressureTable::write_summary(const LoadedContact& contact,
                           ? 4 * std::numbers::pi * sine * sine * radius * radius
                           : 2 * half_angle * radius;
   const bool unloaded = setup_.geometry && contact.load == 0;
+  const JointApproach::Value approach =
+      approach_ ? (*approach_)(half_angle) : JointApproach::Value{};
   for (const NamedPressure& law : pressures_) {
     write_contact(contact, row);
     row.text(law_);
@@ -102,6 +116,10 @@ void PressureTable::write_summary(const LoadedContact& contact,
       row.number(slide.force);
       row.number(slide.sliding);
       row.number(coefficients({1, 0}).spinning);
+    }
+    if (approach_) {
+      row.number(approach.approach);
+      row.number(approach.stiffness);
     }
     row.end();
   }

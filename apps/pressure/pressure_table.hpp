@@ -1,12 +1,13 @@
 #pragma once
 
+#include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "angle/setup.hpp"
 #include "cli/laws.hpp"
 #include "cli/table.hpp"
+#include "pressure/joint_approach.hpp"
 #include "pressure/loaded_contacts.hpp"
 
 namespace hinge_pressure {
@@ -18,10 +19,9 @@ using cli::NamedPressure;
 class PressureTable {
  public:
   /// @param setup      must outlive the table, as must the laws
-  /// @param law        name of the half-angle law
-  PressureTable(const hinge_angle::Setup& setup, std::string law,
-                const std::vector<NamedPressure>& pressures)
-      : setup_(setup), law_(std::move(law)), pressures_(pressures) {}
+  /// @param law        of the half-angles
+  PressureTable(const hinge_angle::Setup& setup, const cli::NamedLaw& law,
+                const std::vector<NamedPressure>& pressures);
 
   /// load (if the joint has a geometry), load_parameter, theta0_deg, loading
   /// (if it is through the back), theta_deg, p_LAW_Pa or p_LAW_over_mean for
@@ -34,7 +34,8 @@ class PressureTable {
   /// load (if the joint has a geometry), load_parameter, theta0_deg, loading
   /// (if it is through the back), law,
   /// pressure, p_peak and p_mean, area of the contact, S, and for a ball the
-  /// friction coefficients of pure sliding and pure spinning.
+  /// friction coefficients of pure sliding and pure spinning; approach and
+  /// stiffness if the joint has a geometry and the half-angles are exact.
   std::vector<std::string> summary_columns() const;
   /// A row for each law.
   void write_summary(const LoadedContact& contact, cli::RowWriter& row) const;
@@ -52,6 +53,7 @@ class PressureTable {
 
   const hinge_angle::Setup& setup_;
   std::string law_;
+  std::optional<JointApproach> approach_;
   const std::vector<NamedPressure>& pressures_;
 };
 

@@ -110,17 +110,17 @@ cli::ExitStatus run(const Options& options) {
       cli::pressure_laws(options.pressures.empty()
                              ? std::vector<std::string>{"all"}
                              : options.pressures,
-                         {}, setup.loading),
-      setup.kind, setup.pair, setup.loading);
+                         {}, setup.conditions),
+      setup.kind, setup.pair, setup.conditions);
   const Input input = hinge_angle::make_input(options.contact, setup);
   const int points = cli::parse_count("--points", options.points, 2, 1'000'000);
   const auto laws =
       cli::make_half_angle_laws(setup.half_angle_laws, setup.kind, setup.pair,
-                                setup.half_angle_options, setup.loading);
+                                setup.half_angle_options, setup.conditions);
   cli::warn_of_validity("hinge-pressure", setup.geometry_notes(),
                         cli::LawNotes(laws, setup.pair));
   const LoadedContacts contacts(input, setup, *laws[0].law);
-  const PressureTable table(setup, laws[0].name, pressures);
+  const PressureTable table(setup, laws[0], pressures);
   Gaps gaps(pressures);
   write_table(table, contacts, points, options, gaps);
   const cli::ExitStatus status = gaps.report(laws[0].name);

@@ -36,6 +36,20 @@ constexpr std::array<cli::Choice<FrictionChoice>, 3> friction_choices = {
      {"ideal", FrictionChoice::ideal},
      {"traditional", FrictionChoice::traditional}}};
 
+std::string text_of(const contact::Material& material) {
+  return fmt::format("{} {} ", material.youngs_modulus,
+                     material.poissons_ratio);
+}
+
+std::string text_of(const contact::LayeredBody& body) {
+  std::string text;
+  for (const contact::Layer& layer : body.layers) {
+    text += fmt::format("{} ", layer.thickness) + text_of(layer.material);
+  }
+  return text + fmt::format("{} ", static_cast<int>(body.backing.kind())) +
+         text_of(body.backing.material());
+}
+
 // Numbers of a joint, which may come from other files than the case's.
 std::string text_of(const contact::Joint& joint) {
   const contact::JointGeometry& g = joint.geometry;
@@ -46,10 +60,13 @@ std::string text_of(const contact::Joint& joint) {
       pair.contact_modulus(), pair.inner_compliance_share(),
       pair.dundurs_beta(), joint.half_angle_law, joint.pressure_law);
   const auto& limit = joint.half_angle_options;
-  text +=
-      fmt::format(" {} {} {} {} {}", limit.limit_half_angle.value_or(0),
-                  limit.linear_limit, limit.initial_slope,
-                  joint.loading.is_back(), joint.loading.patch_half_angle());
+  const auto& [loading, walls] = joint.conditions;
+  text += fmt::format(" {} {} {} {} {}", limit.limit_half_angle.value_or(0),
+                      limit.linear_limit, limit.initial_slope,
+                      loading.is_back(), loading.patch_half_angle());
+  if (walls) {
+    text += " walls " + text_of(walls->inner()) + text_of(walls->outer());
+  }
   if (const auto* dry = std::get_if<contact::FrictionLaw>(&*joint.friction)) {
     return text +
            fmt::format(" dry {} {}\n", dry->coefficient(), dry->adhesion());

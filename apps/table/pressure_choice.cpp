@@ -16,7 +16,7 @@ struct Materials {
   contact::ElasticPair pair;
   // Of a joint file.
   std::string pressure_law = {};
-  contact::InnerLoading loading = contact::InnerLoading::centre();
+  contact::ContactConditions conditions = {};
   std::string name = {};
 };
 
@@ -28,7 +28,7 @@ std::optional<Materials> materials_of(const Options& options) {
           "--joint {}: a cylindrical joint: allowed spherical", options.joint));
     }
     return Materials{"--joint " + options.joint, joint.pair, joint.pressure_law,
-                     joint.loading, joint.name};
+                     joint.conditions, joint.name};
   }
   if (!options.pair.empty()) {
     return Materials{"--pair " + options.pair,
@@ -77,14 +77,15 @@ PressureChoice chosen_pressure(const Options& options) {
                     "--pair or --modulus-ratio",
                     name));
   }
+  auto conditions =
+      materials ? materials->conditions : contact::ContactConditions{};
+  conditions.loading = cli::parse_loading(options.loading, conditions.loading);
   // The other laws do not look at the pair.
   cli::NamedPressure pressure = cli::make_pressure_law(
       name, contact::JointKind::spherical,
       materials ? materials->pair
                 : contact::ElasticPair::from_modulus_ratio(1, 0.3, 0.3),
-      cli::parse_loading(
-          options.loading,
-          materials ? materials->loading : contact::InnerLoading::centre()));
+      conditions);
   refuse_idle(options, materials, name);
   return {std::move(pressure), materials ? materials->name : ""};
 }

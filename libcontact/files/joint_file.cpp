@@ -1,34 +1,21 @@
 #include "libcontact/files/joint_file.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <utility>
 
 #include "libcontact/base/error.hpp"
 #include "libcontact/base/units.hpp"
+#include "libcontact/files/material_table.hpp"
+#include "libcontact/files/wall_tables.hpp"
 
 namespace contact {
 namespace {
 
-// From foams to above diamond (1.1e12 Pa): outside it a unit was mistaken.
-constexpr Interval youngs_modulus_range{
-    .low = 1e3, .high = 1e13, .or_infinity = true};
-constexpr Interval poissons_ratio_range{0, 0.5};
 // 180/pi is 57.2958; the paper rounds it to 57.3.
 constexpr Interval degrees_per_radian_range{57, 58};
-
-Material material_from_table(const TomlTable& table) {
-  const std::string name = table.optional_text("name").value_or("");
-  const double modulus =
-      table.number("youngs_modulus", youngs_modulus_range, Dimension::stress);
-  // A rigid body's Poisson's ratio has no influence.
-  const double ratio =
-      std::isinf(modulus)
-          ? table.optional_number("poissons_ratio", poissons_ratio_range)
-                .value_or(0)
-          : table.number("poissons_ratio", poissons_ratio_range);
-  return {modulus, ratio, name};
-}
 
 ElasticPair pair_from_table(const TomlTable& table) {
   const Material inner = material_from_table(table.table("inner"));
@@ -61,10 +48,6 @@ std::optional<FrictionModel> friction_from_table(const TomlTable& table) {
                    "allowed: not together with coefficient or adhesion");
   }
   return ViscousLaw(constant.value_or(0), slope.value_or(0));
-}
-
-std::vector<KnownKey> material_keys() {
-  return {{"name"}, {"youngs_modulus", Dimension::stress}, {"poissons_ratio"}};
 }
 
 std::vector<KnownKey> friction_keys() {
@@ -129,11 +112,9 @@ MaterialPair materials_from_table(const TomlTable& joint) {
   }
 }
 
-// [loading], which fits the laws that have been read.
-InnerLoading loading_from_table(const TomlTable& joint,
-                                const std::string& half_angle_law,
-                                const std::string& pressure_law) {
-  const auto table = joint.optional_table("loading");
+// [loading], which fits the laws and walls that have been read.
+InnerLoading loading_from_table(const TomlTable& file, const Joint& joint) {
+  const auto table = file.optional_table("loading");
   if (!table) return InnerLoading::centre();
   if (table->choice("kind", {"centre", "back"}) == 0) {
     if (table->has("patch_half_angle", Dimension::angle)) {
@@ -143,16 +124,23 @@ InnerLoading loading_from_table(const TomlTable& joint,
   }
   const InnerLoading loading = InnerLoading::back(table->number(
       "patch_half_angle", {0, std::numbers::pi / 2}, Dimension::angle));
-  if (!half_angle_law_allows(half_angle_law, loading)) {
+  const auto& walls = joint.conditions.walls;
+  if (walls && !walls->inner().layers.empty()) {
+    table->fail("kind",
+                "conflicts with [[coating]]: a coated ball or pin can be "
+                "loaded at its centre only");
+  }
+  const ContactConditions conditions{loading, walls};
+  if (!half_angle_law_allows(joint.half_angle_law, conditions)) {
     table->fail("kind",
                 "allowed: with the half-angle law exact; this joint has " +
-                    half_angle_law);
+                    joint.half_angle_law);
   }
-  if (!pressure_law_allows(pressure_law, loading)) {
+  if (!pressure_law_allows(joint.pressure_law, conditions)) {
     table->fail("kind",
                 "allowed: with the pressure laws cosine, sqrt_tan, sqrt_theta "
                 "and exact; this joint has " +
-                    pressure_law);
+                    joint.pressure_law);
   }
   return loading;
 }
@@ -170,12 +158,12 @@ MaterialPair parse_material_pair(std::string_view text,
 
 std::unique_ptr<HalfAngleLaw> Joint::make_half_angle_law() const {
   return contact::make_half_angle_law(half_angle_law, geometry.kind(), pair,
-                                      half_angle_options, loading);
+                                      half_angle_options, conditions);
 }
 
 std::unique_ptr<PressureLaw> Joint::make_pressure_law() const {
   return contact::make_pressure_law(pressure_law, geometry.kind(), pair,
-                                    loading);
+                                    conditions);
 }
 
 std::vector<std::string> Joint::validity_notes() const {
@@ -189,14 +177,19 @@ std::vector<std::string> Joint::validity_notes() const {
 Joint joint_from_table(const TomlTable& table) {
   std::string name = table.text("name");
   const JointGeometry geometry = geometry_from_table(table);
-  MaterialPair materials = materials_from_table(table);
-  Joint joint{.name = std::move(name),
-              .geometry = geometry,
-              .pair = std::move(materials.elastic),
-              .friction = friction_from_table(table),
-              .half_angle_law = std::string(default_half_angle_law),
-              .half_angle_options = {},
-              .pressure_law = std::string(default_pressure_law)};
+  const MaterialPair materials = materials_from_table(table);
+  auto walls = walls_from_table(table, geometry.radius(), materials.elastic);
+  // The only laws that know walls.
+  constexpr std::string_view exact = "exact";
+  Joint joint{
+      .name = std::move(name),
+      .geometry = geometry,
+      .pair = walls ? walls->surfaces() : materials.elastic,
+      .friction = friction_from_table(table),
+      .half_angle_law = std::string(walls ? exact : default_half_angle_law),
+      .half_angle_options = {},
+      .pressure_law = std::string(walls ? exact : default_pressure_law)};
+  joint.conditions.walls = std::move(walls);
   if (!joint.friction) joint.friction = materials.friction;
 
   if (const auto half_angle = table.optional_table("half_angle")) {
@@ -238,37 +231,39 @@ Joint joint_from_table(const TomlTable& table) {
       pressure->fail("law", error.what());
     }
   }
-  joint.loading =
-      loading_from_table(table, joint.half_angle_law, joint.pressure_law);
+  joint.conditions.loading = loading_from_table(table, joint);
   return joint;
 }
 
 std::vector<KnownKey> joint_keys() {
-  return {{"name"},
-          {"kind"},
-          {"inner_body"},
-          {"geometry",
-           Dimension::number,
-           {{"radius", Dimension::length},
-            {"radial_clearance", Dimension::length},
-            {"relative_clearance"},
-            {"length", Dimension::length}}},
-          {"materials",
-           Dimension::number,
-           {{"pair"},
-            {"inner", Dimension::number, material_keys()},
-            {"outer", Dimension::number, material_keys()}}},
-          {"friction", Dimension::number, friction_keys()},
-          {"half_angle",
-           Dimension::number,
-           {{"law"},
-            {"limit_half_angle", Dimension::angle},
-            {"limit_formula"},
-            {"degrees_per_radian"}}},
-          {"pressure", Dimension::number, {{"law"}}},
-          {"loading",
-           Dimension::number,
-           {{"kind"}, {"patch_half_angle", Dimension::angle}}}};
+  std::vector<KnownKey> keys = {
+      {"name"},
+      {"kind"},
+      {"inner_body"},
+      {"geometry",
+       Dimension::number,
+       {{"radius", Dimension::length},
+        {"radial_clearance", Dimension::length},
+        {"relative_clearance"},
+        {"length", Dimension::length}}},
+      {"materials",
+       Dimension::number,
+       {{"pair"},
+        {"inner", Dimension::number, material_keys()},
+        {"outer", Dimension::number, material_keys()}}},
+      {"friction", Dimension::number, friction_keys()},
+      {"half_angle",
+       Dimension::number,
+       {{"law"},
+        {"limit_half_angle", Dimension::angle},
+        {"limit_formula"},
+        {"degrees_per_radian"}}},
+      {"pressure", Dimension::number, {{"law"}}},
+      {"loading",
+       Dimension::number,
+       {{"kind"}, {"patch_half_angle", Dimension::angle}}}};
+  std::ranges::copy(wall_keys(), std::back_inserter(keys));
+  return keys;
 }
 
 namespace {

@@ -9,8 +9,8 @@
 
 #include "libcontact/files/toml_reader.hpp"
 #include "libcontact/half_angle/factory.hpp"
+#include "libcontact/pair/contact_conditions.hpp"
 #include "libcontact/pair/friction_law.hpp"
-#include "libcontact/pair/inner_loading.hpp"
 #include "libcontact/pair/joint_geometry.hpp"
 #include "libcontact/pair/material.hpp"
 #include "libcontact/pressure/factory.hpp"
@@ -38,6 +38,7 @@ MaterialPair parse_material_pair(std::string_view text,
 struct Joint {
   std::string name;
   JointGeometry geometry;
+  /// At the surfaces, also where there are walls.
   ElasticPair pair;
   /// [friction] of the joint, else of its material pair file.
   std::optional<FrictionModel> friction;
@@ -46,8 +47,8 @@ struct Joint {
   HalfAngleOptions half_angle_options;
   /// [pressure], for make_pressure_law().
   std::string pressure_law;
-  /// [loading]: how the inner body is loaded, for both.
-  InnerLoading loading = InnerLoading::centre();
+  /// [loading], [wall] and [[coating]], for both.
+  ContactConditions conditions = {};
 
   std::unique_ptr<HalfAngleLaw> make_half_angle_law() const;
   std::unique_ptr<PressureLaw> make_pressure_law() const;

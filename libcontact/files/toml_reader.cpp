@@ -591,7 +591,8 @@ std::vector<std::string> TomlTable::texts(std::string_view key) const {
 }
 
 std::optional<std::size_t> TomlTable::optional_choice(
-    std::string_view key, const std::vector<std::string>& words) const {
+    std::string_view key, const std::vector<std::string>& words,
+    std::string_view otherwise) const {
   const auto entry = find(key);
   if (!entry) return {};
   if (const auto value = entry->node->as_string()) {
@@ -599,14 +600,21 @@ std::optional<std::size_t> TomlTable::optional_choice(
       if (words[i] == value->get()) return i;
     }
   }
-  entry->refuse(detail::message("\"{}\"", detail::joined(words, "\", \"")));
+  entry->refuse(detail::message("\"{}\"{}{}", detail::joined(words, "\", \""),
+                                otherwise.empty() ? "" : ", ", otherwise));
 }
 
 std::size_t TomlTable::choice(std::string_view key,
-                              const std::vector<std::string>& words) const {
-  const auto value = optional_choice(key, words);
+                              const std::vector<std::string>& words,
+                              std::string_view otherwise) const {
+  const auto value = optional_choice(key, words, otherwise);
   if (!value) missing(key, Dimension::number);
   return *value;
+}
+
+bool TomlTable::is_table(std::string_view key) const {
+  const auto entry = find(key);
+  return entry && entry->node->is_table();
 }
 
 std::optional<TomlTable> TomlTable::optional_table(std::string_view key) const {

@@ -128,11 +128,16 @@ class TomlTable {
   /// missing.
   std::vector<std::string> texts(std::string_view key) const;
   /// One of some words; returns its index.
+  /// @param otherwise  what else the key may be, for the message
   std::size_t choice(std::string_view key,
-                     const std::vector<std::string>& words) const;
+                     const std::vector<std::string>& words,
+                     std::string_view otherwise = "") const;
   std::optional<std::size_t> optional_choice(
-      std::string_view key, const std::vector<std::string>& words) const;
+      std::string_view key, const std::vector<std::string>& words,
+      std::string_view otherwise = "") const;
 
+  /// True if the key is there and is a table.
+  bool is_table(std::string_view key) const;
   /// A table inside this one: [key].
   TomlTable table(std::string_view key) const;
   std::optional<TomlTable> optional_table(std::string_view key) const;

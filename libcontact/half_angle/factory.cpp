@@ -50,16 +50,19 @@ bool takes_half_angle_options(std::string_view name) {
          name.starts_with("blend");
 }
 
-bool half_angle_law_allows(std::string_view name, const InnerLoading& loading) {
-  return !loading.is_back() || name == "exact";
+bool half_angle_law_allows(std::string_view name,
+                           const ContactConditions& conditions) {
+  const bool usual = !conditions.loading.is_back() && !conditions.walls;
+  return usual || name == "exact";
 }
 
 std::unique_ptr<HalfAngleLaw> make_half_angle_law(
     std::string_view name, JointKind kind, const ElasticPair& pair,
-    const HalfAngleOptions& options, const InnerLoading& loading) {
-  if (!half_angle_law_allows(name, loading)) {
-    throw Error(detail::message("loading {}: half-angle law {}: allowed: exact",
-                                to_string(loading), detail::printable(name)));
+    const HalfAngleOptions& options, const ContactConditions& conditions) {
+  if (!half_angle_law_allows(name, conditions)) {
+    throw Error(detail::message("{}: half-angle law {}: allowed: exact",
+                                to_string(conditions),
+                                detail::printable(name)));
   }
   if (name == "paper") {
     name = kind == JointKind::spherical ? "tanh" : "blend";
@@ -82,7 +85,11 @@ std::unique_ptr<HalfAngleLaw> make_half_angle_law(
     return std::make_unique<NominalLaw>(kind, pair.modulus_ratio());
   }
   if (name == "fitted") return std::make_unique<FittedLaw>(kind, pair);
-  if (name == "exact") return std::make_unique<ExactLaw>(kind, pair, loading);
+  if (name == "exact") {
+    const auto& [loading, walls] = conditions;
+    return walls ? std::make_unique<ExactLaw>(kind, *walls, loading)
+                 : std::make_unique<ExactLaw>(kind, pair, loading);
+  }
   if (name.starts_with(blend_prefix)) {
     return blend(parse_share(name.substr(blend_prefix.size())));
   }

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "libcontact/half_angle/law.hpp"
-#include "libcontact/pair/inner_loading.hpp"
+#include "libcontact/pair/contact_conditions.hpp"
 
 /// Half-angle laws by their names.
 namespace contact {
@@ -34,9 +34,11 @@ const std::vector<std::string>& half_angle_law_names();
 /// but hertz.
 bool takes_half_angle_options(std::string_view name);
 
-/// Whether the law of this name holds for this loading of the inner body:
-/// through the back `exact` alone, all others are of a force at the centre.
-bool half_angle_law_allows(std::string_view name, const InnerLoading& loading);
+/// Whether the law of this name holds under these conditions: loaded through
+/// the back and with finite walls `exact` alone, all others are of a force at
+/// the centre and an infinite outer body.
+bool half_angle_law_allows(std::string_view name,
+                           const ContactConditions& conditions);
 
 /// A law by its name.
 ///
@@ -45,12 +47,13 @@ bool half_angle_law_allows(std::string_view name, const InnerLoading& loading);
 ///              the paper recommends: blend:0.5 for a pin, tanh for a ball),
 ///              "nominal" (NominalLaw), "fitted" (FittedLaw), "exact"
 ///              (ExactLaw); these three take none of the options
-/// @param loading  how the inner body is loaded
+/// @param pair  the materials at the surfaces; with walls those of the walls
+///              count
 /// @throws Error if the name is not known, an option is out of range or the
-///         law is not for this loading.
+///         law is not for these conditions.
 std::unique_ptr<HalfAngleLaw> make_half_angle_law(
     std::string_view name, JointKind kind, const ElasticPair& pair,
     const HalfAngleOptions& options = {},
-    const InnerLoading& loading = InnerLoading::centre());
+    const ContactConditions& conditions = {});
 
 }  // namespace contact

@@ -15,26 +15,33 @@ const std::vector<std::string>& pressure_law_names() {
   return names;
 }
 
-bool pressure_law_allows(std::string_view name, const InnerLoading& loading) {
-  return !loading.is_back() || name != "mixture";
+bool pressure_law_allows(std::string_view name,
+                         const ContactConditions& conditions) {
+  if (conditions.walls) return name == "exact";
+  return !conditions.loading.is_back() || name != "mixture";
 }
 
-std::unique_ptr<PressureLaw> make_pressure_law(std::string_view name,
-                                               JointKind kind,
-                                               const ElasticPair& pair,
-                                               const InnerLoading& loading) {
-  if (!pressure_law_allows(name, loading)) {
-    throw Error(detail::message(
-        "loading {}: pressure law {}: allowed: cosine, sqrt_tan, sqrt_theta, "
-        "exact",
-        to_string(loading), name));
+std::unique_ptr<PressureLaw> make_pressure_law(
+    std::string_view name, JointKind kind, const ElasticPair& pair,
+    const ContactConditions& conditions) {
+  if (!pressure_law_allows(name, conditions)) {
+    std::vector<std::string> allowed = pressure_law_names();
+    std::erase_if(allowed, [&](const std::string& other) {
+      return !pressure_law_allows(other, conditions);
+    });
+    throw Error(detail::message("{}: pressure law {}: allowed: {}",
+                                to_string(conditions), detail::printable(name),
+                                detail::joined(allowed, ", ")));
   }
   if (name == "cosine") return std::make_unique<CosinePressure>(kind);
   if (name == "sqrt_tan") return std::make_unique<SqrtTanPressure>(kind);
   if (name == "sqrt_theta") return std::make_unique<SqrtThetaPressure>(kind);
   if (name == "mixture") return std::make_unique<MixturePressure>(kind, pair);
-  if (name == "exact")
-    return std::make_unique<ExactPressure>(kind, pair, loading);
+  if (name == "exact") {
+    const auto& [loading, walls] = conditions;
+    return walls ? std::make_unique<ExactPressure>(kind, *walls, loading)
+                 : std::make_unique<ExactPressure>(kind, pair, loading);
+  }
   throw Error(detail::message("pressure law {}: allowed: {}",
                               detail::printable(name),
                               detail::joined(pressure_law_names(), ", ")));

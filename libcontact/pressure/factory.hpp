@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "libcontact/pair/inner_loading.hpp"
+#include "libcontact/pair/contact_conditions.hpp"
 #include "libcontact/pair/material.hpp"
 #include "libcontact/pressure/law.hpp"
 
@@ -19,18 +19,22 @@ inline constexpr std::string_view default_pressure_law = "cosine";
 /// mixture, exact.
 const std::vector<std::string>& pressure_law_names();
 
-/// Whether the law of this name may be taken for this loading of the inner
-/// body. Through the back all but mixture, which is fitted to contacts under
-/// a force at the centre; cosine, sqrt_tan and sqrt_theta are plain shapes,
-/// the same for any pair and loading.
-bool pressure_law_allows(std::string_view name, const InnerLoading& loading);
+/// Whether the law of this name may be taken under these conditions. Loaded
+/// through the back all but mixture, which is fitted to contacts under a force
+/// at the centre; cosine, sqrt_tan and sqrt_theta are plain shapes, the same
+/// for any pair and loading. With finite walls exact alone: thin liners and
+/// free rings press in other shapes.
+bool pressure_law_allows(std::string_view name,
+                         const ContactConditions& conditions);
 
 /// A law by its name.
-/// @param pair  elastic constants, which mixture and exact depend on
-/// @param loading  how the inner body is loaded, on which exact depends
-/// @throws Error if the name is not known or the law is not for this loading.
+/// @param pair  elastic constants, which mixture and exact depend on; with
+///              walls those of the walls count
+/// @param conditions  on which exact depends
+/// @throws Error if the name is not known or the law is not for these
+///         conditions.
 std::unique_ptr<PressureLaw> make_pressure_law(
     std::string_view name, JointKind kind, const ElasticPair& pair,
-    const InnerLoading& loading = InnerLoading::centre());
+    const ContactConditions& conditions = {});
 
 }  // namespace contact

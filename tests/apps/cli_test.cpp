@@ -294,18 +294,18 @@ TEST(Laws, AllAreThoseThatAllowTheLoading) {
   EXPECT_EQ(back, contact::InnerLoading::back(30 * contact::degree));
   EXPECT_EQ(cli::parse_loading("", back), back);
   EXPECT_EQ(cli::parse_loading("centre", back), centre);
-  EXPECT_EQ(cli::half_angle_laws({"all"}, {}, back), Names{"exact"});
-  EXPECT_EQ(cli::half_angle_laws({"all"}, {}, centre).size(),
+  EXPECT_EQ(cli::half_angle_laws({"all"}, {}, {back}), Names{"exact"});
+  EXPECT_EQ(cli::half_angle_laws({"all"}, {}, {centre}).size(),
             contact::half_angle_law_names().size() - 1);
-  EXPECT_EQ(cli::pressure_laws({"all"}, {}, back),
+  EXPECT_EQ(cli::pressure_laws({"all"}, {}, {back}),
             (Names{"cosine", "sqrt_tan", "sqrt_theta", "exact"}));
-  EXPECT_EQ(cli::pressure_laws({"all"}, {}, centre),
+  EXPECT_EQ(cli::pressure_laws({"all"}, {}, {centre}),
             contact::pressure_law_names());
-  EXPECT_EQ(cli::half_angle_laws({}, {"tanh"}, centre), Names{"tanh"});
+  EXPECT_EQ(cli::half_angle_laws({}, {"tanh"}, {centre}), Names{"tanh"});
   // A law that does not allow the loading is refused when it is made.
-  EXPECT_EQ(cli::half_angle_laws({"tanh"}, {}, back), Names{"tanh"});
+  EXPECT_EQ(cli::half_angle_laws({"tanh"}, {}, {back}), Names{"tanh"});
   EXPECT_EQ(error_message([&] {
-              cli::pressure_laws({"exact", "exact"}, {}, centre);
+              cli::pressure_laws({"exact", "exact"}, {}, {centre});
             }),
             "--pressure exact: allowed once, is there twice");
 }

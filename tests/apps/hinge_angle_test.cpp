@@ -570,7 +570,16 @@ TEST(HingeAngle, BadOptionsSayWhatIsAllowedAndLeaveNoFile) {
       {ratio + "--compare --pressure exact", "--pressure exact: not with"},
       {ratio + "--compare --jobs 2", "--jobs: not with --compare"},
       {ratio + "--compare --loading back:20",
-       "--compare: the laws are of a force at the centre"},
+       "--compare: the laws are of a force at the centre and an infinite "
+       "outer body: not with loading back:20"},
+      {"--joint data/joints/hip_cocr_uhmwpe_walled.toml --load 1 --compare",
+       "--compare: the laws are of a force at the centre and an infinite "
+       "outer body: not with finite walls"},
+      {"--joint data/joints/hip_cocr_uhmwpe_walled.toml --load 1 --law tanh",
+       "finite walls: half-angle law tanh: allowed: exact"},
+      {"--joint data/joints/hip_cocr_uhmwpe_walled.toml --load 1 --pressure "
+       "cosine",
+       "finite walls: pressure law cosine: allowed: exact"},
       {ratio + "--x 1 --loading back:20",
        "loading back:20: half-angle law fitted: allowed: exact"},
       {ratio + "--x 1 --law exact,tanh --loading back:20",

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -71,8 +72,8 @@ contact::JointContact contact_of(const contact::Joint& joint,
 }
 
 contact::Joint joint_file(const std::string& name) {
-  return contact::read_joint(std::string(CONTACT_DATA_DIR) + "/joints/" + name +
-                             ".toml");
+  return contact::read_joint(std::filesystem::path(CONTACT_DATA_DIR) /
+                             "joints" / (name + ".toml"));
 }
 
 // The numbers read back as the library's own doubles.
@@ -280,6 +281,29 @@ TEST(HingeJoint, LoadedThroughTheBack) {
   const auto summary =
       folder.run(example_1 + "--law exact --loading back:20 --summary" + state);
   EXPECT_NE(summary.out.find("law,exact_back:20,"), std::string::npos);
+}
+
+// A ball in a liner: the library's joint with the laws of the walls, which are
+// the joint's own.
+TEST(HingeJoint, FiniteWalls) {
+  const ProgramFolder folder;
+  const std::string state = " --reaction-xyz 2e3,0,1e3 --rate-xyz 0,0,2 ";
+  const std::string hip = "hinge-joint --joint data/joints/hip_cocr_uhmwpe";
+  const Columns table(folder.run(hip + "_walled.toml" + state));
+  const contact::Joint file = joint_file("hip_cocr_uhmwpe_walled");
+  const auto& walls = file.conditions.walls.value();
+  const contact::JointKind kind = contact::JointKind::spherical;
+  const contact::SphericalJoint joint(
+      file.geometry, file.pair, *file.friction,
+      std::make_shared<contact::ExactLaw>(kind, walls),
+      std::make_shared<contact::ExactPressure>(kind, walls));
+  EXPECT_EQ(table.text(1, "law"), "exact");
+  EXPECT_EQ(table.text(1, "pressure"), "exact");
+  expect_solution(table, 1, joint.solve({2e3, 0, 1e3}, {0, 0, 2}));
+  const Columns infinite(
+      folder.run(hip + ".toml --law exact --pressure exact" + state));
+  EXPECT_LT(table.at(1, "theta0_deg"), 0.95 * infinite.at(1, "theta0_deg"));
+  EXPECT_LT(table.at(1, "M_t_N_m"), infinite.at(1, "M_t_N_m"));
 }
 
 // Law, loading and pressure in front, as of the rows of solutions.

@@ -200,6 +200,70 @@ TEST(HingePressure, LoadedThroughTheBack) {
   EXPECT_EQ(csv_column(csv_rows(summary.out), "pressure")[0], "cosine");
 }
 
+// A hip in 8 mm of polyethylene at 2 kN: numbers of an independent solution, to
+// four digits. All pressure laws are those that know walls.
+TEST(HingePressure, FiniteWalls) {
+  const ProgramFolder folder;
+  const ProgramResult result = folder.run(
+      "hinge-pressure --joint data/joints/hip_cocr_uhmwpe_walled.toml --load "
+      "2000 --summary");
+  ASSERT_EQ(result.status, 0) << result.err;
+  ASSERT_EQ(csv_rows(result.out).size(), 2U);
+  EXPECT_EQ(csv_column(csv_rows(result.out), "law")[0], "exact");
+  EXPECT_EQ(csv_column(csv_rows(result.out), "pressure")[0], "exact");
+  EXPECT_NEAR(numbers(result.out, "theta0_deg")[0], 43.47, 5e-3);
+  EXPECT_NEAR(numbers(result.out, "p_peak_Pa")[0], 11.33e6, 5e3);
+  EXPECT_NEAR(numbers(result.out, "S")[0], 1.115, 5e-4);
+  EXPECT_NEAR(numbers(result.out, "chi_0")[0], 1.0540, 5e-5);
+  EXPECT_NEAR(numbers(result.out, "sigma_Y_0")[0], 1.0588, 5e-5);
+  EXPECT_NEAR(numbers(result.out, "sigma_Z_90")[0], 0.4539, 5e-5);
+}
+
+// Independent solutions to three digits.
+TEST(HingePressure, ApproachAndStiffness) {
+  const ProgramFolder folder;
+  const auto summary = [&](const std::string& options) {
+    const ProgramResult result =
+        folder.run("hinge-pressure --summary --pressure exact " + options);
+    EXPECT_EQ(result.status, 0) << result.err;
+    return result.out;
+  };
+  const std::string walled =
+      summary("--joint data/joints/hip_cocr_uhmwpe_walled.toml --load 0,2000");
+  EXPECT_NEAR(numbers(walled, "approach_m")[1], 45.7e-6, 5e-8);
+  EXPECT_NEAR(numbers(walled, "stiffness_N_per_m")[1], 7.03e7, 5e4);
+  EXPECT_EQ(csv_column(csv_rows(walled), "approach_m")[0], "");
+  const std::string infinite =
+      summary("--joint " + hip + " --load 2000 --law exact");
+  EXPECT_NEAR(numbers(infinite, "approach_m")[0], 89.6e-6, 5e-8);
+  EXPECT_NEAR(numbers(infinite, "stiffness_N_per_m")[0], 3.00e7, 5e4);
+
+  folder.write("housing.toml",
+               "name = \"bush\"\nkind = \"cylindrical\"\n[geometry]\n"
+               "radius_mm = 25\nradial_clearance_um = 25\nlength_mm = 30\n"
+               "[materials.inner]\nyoungs_modulus_GPa = 210\n"
+               "poissons_ratio = 0.3\n[materials.outer]\n"
+               "youngs_modulus_GPa = 110\npoissons_ratio = 0.34\n"
+               "[wall]\nbacking = \"held\"\n"
+               "[[wall.layer]]\nthickness_mm = 5\n"
+               "[[wall.layer]]\nthickness_mm = 25\n"
+               "youngs_modulus_GPa = 210\npoissons_ratio = 0.3\n");
+  const std::string bush = summary("--joint housing.toml --load 2e6");
+  EXPECT_NEAR(numbers(bush, "approach_m")[0], 20.5e-6, 5e-8);
+  EXPECT_NEAR(numbers(bush, "stiffness_N_per_m2")[0], 1.39e11, 5e8);
+
+  // A pin in an infinite hole; other half-angles; no size.
+  const std::string hole =
+      summary("--joint " + pin + " --load 1e6 --law exact");
+  EXPECT_EQ(csv_column(csv_rows(hole), "approach_m")[0], "");
+  EXPECT_EQ(csv_column(csv_rows(hole), "stiffness_N_per_m2")[0], "");
+  for (const std::string& options :
+       {"--joint " + hip + " --load 2000 --law fitted",
+        std::string("--joint sphere --modulus-ratio 1 --x 1 --law exact")}) {
+    EXPECT_EQ(summary(options).find("approach"), std::string::npos);
+  }
+}
+
 TEST(HingePressure, LongSweepsTakeNoMemory) {
   // 1e8 loads at 32 bytes would be 3 GB; the table itself goes to a reader
   // that has enough after some lines.

@@ -8,6 +8,7 @@
 
 #include "cli/number.hpp"
 #include "libcontact/base/units.hpp"
+#include "libcontact/files/joint_file.hpp"
 #include "libcontact/friction/any_pressure.hpp"
 #include "libcontact/friction/elliptic/friction.hpp"
 #include "libcontact/friction/exact.hpp"
@@ -507,6 +508,31 @@ TEST(HingeTable, OtherPressures) {
           csv_rows(folder.run(grid + materials + "--pressure exact").out),
           "chi_exact")[0]),
       4e-9);
+}
+
+TEST(HingeTable, BallInALiner) {
+  const ProgramFolder folder;
+  const std::string joint = "data/joints/hip_cocr_uhmwpe_walled.toml";
+  const ProgramResult result =
+      folder.run("hinge-table --theta0 60 --alpha 90 --joint " + joint);
+  ASSERT_EQ(result.status, 0) << result.err;
+  const contact::Joint hip = contact::read_joint(
+      std::string(CONTACT_DATA_DIR) + "/joints/hip_cocr_uhmwpe_walled.toml");
+  const contact::ExactPressure law(contact::JointKind::spherical,
+                                   hip.conditions.walls.value());
+  // The batch's last digits differ from the scalar call's.
+  EXPECT_NEAR(
+      std::stod(csv_column(csv_rows(result.out), "sigma_Z_exact").at(0)),
+      contact::friction_integrals(law, 60 * contact::degree, {1, 0})
+          .coefficient.spinning,
+      1e-14);
+  EXPECT_EQ(
+      folder
+          .run("hinge-table --theta0 60 --alpha 90 --pressure mixture "
+               "--joint " +
+               joint)
+          .err,
+      "hinge-table: finite walls: pressure law mixture: allowed: exact\n");
 }
 
 TEST(HingeTable, BallPressedFromBehind) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -13,6 +14,7 @@
 #include <vector>
 
 #include "libcontact/base/units.hpp"
+#include "libcontact/conforming/ball.hpp"
 #include "libcontact/half_angle/exact.hpp"
 #include "libcontact/pressure/exact.hpp"
 #include "support/error_message.hpp"
@@ -28,6 +30,7 @@ using contact::Interval;
 using contact::Joint;
 using contact::JointBody;
 using contact::JointKind;
+using contact::LayeredPair;
 using contact::parse_joint;
 using contact::parse_material_pair;
 using contact::TomlTable;
@@ -271,9 +274,11 @@ TEST(JointFile, MissingKeysAndTables) {
             }),
             "j.toml:4: the table [materials.outer] is missing");
   // What is there instead comes first.
-  EXPECT_EQ(message_with_line(3, "[shape]"),
-            "j.toml:3: shape: unknown key: allowed: friction, geometry, "
-            "half_angle, inner_body, kind, loading, materials, name, pressure");
+  EXPECT_EQ(
+      message_with_line(3, "[shape]"),
+      "j.toml:3: shape: unknown key: allowed: coating, friction, geometry, "
+      "half_angle, inner_body, kind, loading, materials, name, pressure, "
+      "wall");
   EXPECT_EQ(message_with_line(10, "[materials.seat]"),
             "j.toml:10: materials.seat: unknown key: allowed: inner, outer, "
             "pair");
@@ -372,7 +377,7 @@ TEST(JointFile, Loading) {
 
   const Joint joint = parse_joint(file(exact, exact, patch), "j.toml");
   const auto loading = contact::InnerLoading::back(20 * degree);
-  EXPECT_EQ(joint.loading, loading);
+  EXPECT_EQ(joint.conditions.loading, loading);
   const contact::ExactLaw law(JointKind::spherical, joint.pair, loading);
   EXPECT_EQ(joint.make_half_angle_law()->half_angle(3).half_angle,
             law.half_angle(3).half_angle);
@@ -380,10 +385,11 @@ TEST(JointFile, Loading) {
                                         loading);
   EXPECT_EQ(joint.make_pressure_law()->peak(1), pressure.peak(1));
   const auto centre = contact::InnerLoading::centre();
-  EXPECT_EQ(parse_joint(text_of(good_lines), "j.toml").loading, centre);
+  EXPECT_EQ(parse_joint(text_of(good_lines), "j.toml").conditions.loading,
+            centre);
   EXPECT_EQ(
       parse_joint(file(exact, exact, "[loading]\nkind = \"centre\""), "j.toml")
-          .loading,
+          .conditions.loading,
       centre);
 
   const std::string place =
@@ -411,6 +417,164 @@ TEST(JointFile, Loading) {
                     "[loading]\nkind = \"centre\"\npatch_half_angle = 1"),
             "j.toml:23: loading.patch_half_angle = 1: allowed: with kind = "
             "\"back\"");
+}
+
+// The good file with walls in place of its laws.
+std::string with_walls(const std::string& walls) {
+  std::vector<std::string> lines(good_lines.begin(), good_lines.begin() + 15);
+  lines.push_back(walls);  // 16
+  return text_of(lines);
+}
+
+std::string message_with_walls(const std::string& walls) {
+  return error_message([&] { parse_joint(with_walls(walls), "j.toml"); });
+}
+
+TEST(JointFile, Walls) {
+  const Joint joint = parse_joint(
+      with_walls(
+          "[wall]\n"
+          "backing = { youngs_modulus_GPa = 120, poissons_ratio = 0.25 }\n"
+          "[[wall.layer]]\nthickness_mm = 3\n"
+          "[[wall.layer]]\nthickness_um = 40\n"
+          "youngs_modulus_GPa = 2\npoissons_ratio = 0.4\n"
+          "[[coating]]\nthickness_um = 500\n"
+          "youngs_modulus_GPa = 300\npoissons_ratio = 0.2\n"),
+      "j.toml");
+  ASSERT_TRUE(joint.conditions.walls.has_value());
+  const LayeredPair& walls = *joint.conditions.walls;
+  EXPECT_EQ(walls.radius(), 0.05);
+  ASSERT_EQ(walls.outer().layers.size(), 2u);
+  EXPECT_EQ(walls.outer().layers[0].thickness, 3e-3);
+  EXPECT_EQ(walls.outer().layers[0].material.youngs_modulus, 1.1e11);
+  EXPECT_EQ(walls.outer().layers[1].thickness, 40e-6);
+  EXPECT_EQ(walls.outer().layers[1].material.poissons_ratio, 0.4);
+  EXPECT_EQ(walls.outer().backing.material().youngs_modulus, 1.2e11);
+  ASSERT_EQ(walls.inner().layers.size(), 1u);
+  EXPECT_EQ(walls.inner().layers[0].material.youngs_modulus, 3e11);
+  EXPECT_EQ(walls.inner().backing.material().name, "steel");
+  // The pair is that of the surfaces, and the laws are those that know walls.
+  EXPECT_EQ(joint.pair.inner().youngs_modulus, 3e11);
+  EXPECT_EQ(joint.pair.outer().youngs_modulus, 1.1e11);
+  EXPECT_EQ(joint.half_angle_law, "exact");
+  EXPECT_EQ(joint.pressure_law, "exact");
+  const contact::ExactLaw law(JointKind::spherical, walls);
+  EXPECT_EQ(joint.make_half_angle_law()->half_angle(3).half_angle,
+            law.half_angle(3).half_angle);
+  EXPECT_NE(law.half_angle(3).half_angle,
+            contact::ExactLaw(JointKind::spherical, joint.pair)
+                .half_angle(3)
+                .half_angle);
+  const contact::ExactPressure pressure(JointKind::spherical, walls);
+  EXPECT_EQ(joint.make_pressure_law()->peak(1), pressure.peak(1));
+
+  // A first layer with a material of its own; loading through the back.
+  const Joint own = parse_joint(
+      with_walls("[wall]\nbacking = \"held\"\n[[wall.layer]]\n"
+                 "thickness_mm = 30\nyoungs_modulus_GPa = 3\n"
+                 "poissons_ratio = 0.5\n"
+                 "[loading]\nkind = \"back\"\npatch_half_angle_deg = 10"),
+      "j.toml");
+  EXPECT_EQ(own.pair.outer().youngs_modulus, 3e9);
+  EXPECT_EQ(own.conditions.walls->outer().backing.kind(),
+            contact::Backing::Kind::held);
+  EXPECT_TRUE(own.conditions.loading.is_back());
+  EXPECT_TRUE(own.conditions.walls->inner().layers.empty());
+
+  // A coating alone.
+  const Joint coated =
+      parse_joint(with_walls("[[coating]]\nthickness_mm = 1\n"
+                             "youngs_modulus_GPa = 3\npoissons_ratio = 0.3"),
+                  "j.toml");
+  EXPECT_TRUE(coated.conditions.walls->outer().layers.empty());
+  EXPECT_EQ(coated.half_angle_law, "exact");
+}
+
+TEST(JointFile, WallsAreChecked) {
+  const std::string wall = "[wall]\nbacking = \"rigid\"\n";        // 16, 17
+  const std::string layer = "[[wall.layer]]\nthickness_mm = 8\n";  // 18, 19
+  const std::string material = "youngs_modulus_GPa = 3\npoissons_ratio = 0.3\n";
+  EXPECT_EQ(message_with_walls(wall + layer), "(no error)");
+  const auto thickness = [&](const std::string& value) {
+    return message_with_walls(wall + "[[wall.layer]]\nthickness_mm = " + value);
+  };
+  const std::string place = "j.toml:19: wall.layer[1].thickness_mm = ";
+  EXPECT_EQ(thickness("-3"), place + "-3: allowed: above 0 mm");
+  EXPECT_EQ(thickness("0"), place + "0: allowed: above 0 mm");
+  EXPECT_EQ(thickness("0.0004"),
+            place + "0.0004: allowed: 1e-05 to 1e+06 of the radius of 0.05 m");
+  EXPECT_EQ(
+      thickness("6e7"),
+      place + "60000000: allowed: 1e-05 to 1e+06 of the radius of 0.05 m");
+  EXPECT_EQ(message_with_walls(wall + layer + layer),
+            "j.toml:20: wall.layer[2].youngs_modulus is missing: allowed: "
+            "youngs_modulus (in Pa), youngs_modulus_Pa, youngs_modulus_kPa, "
+            "youngs_modulus_MPa, youngs_modulus_GPa");
+  EXPECT_EQ(message_with_walls(wall + layer + "poissons_ratio = 0.4"),
+            "j.toml:18: wall.layer[1].youngs_modulus is missing: allowed: "
+            "youngs_modulus (in Pa), youngs_modulus_Pa, youngs_modulus_kPa, "
+            "youngs_modulus_MPa, youngs_modulus_GPa");
+  EXPECT_EQ(message_with_walls(wall + layer + "youngs_modulus = inf"),
+            "j.toml:20: wall.layer[1].youngs_modulus = inf: allowed: 1000 to "
+            "1e+13 Pa");
+  std::string rigid = with_walls(wall + layer);
+  rigid.replace(rigid.find("1.1e11"), 6, "inf");
+  EXPECT_EQ(error_message([&] { parse_joint(rigid, "j.toml"); }),
+            "j.toml:18: wall.layer[1].youngs_modulus is missing: the outer "
+            "body of the materials is rigid, a layer is elastic");
+
+  const std::string backings =
+      "\"rigid\", \"held\", a material { youngs_modulus, poissons_ratio }";
+  EXPECT_EQ(message_with_walls(layer),
+            "j.toml:16: wall.backing is missing: allowed: " + backings +
+                ", behind the layers");
+  EXPECT_EQ(message_with_walls("[wall]\nbacking = \"soft\"\n" + layer),
+            "j.toml:17: wall.backing = \"soft\": allowed: " + backings);
+  EXPECT_EQ(message_with_walls("[wall]\nbacking = 3\n" + layer),
+            "j.toml:17: wall.backing = 3: allowed: " + backings);
+  EXPECT_EQ(message_with_walls("[wall]\nbacking = { youngs_modulus = 1e9 }\n" +
+                               layer),
+            "j.toml:17: wall.backing.poissons_ratio is missing");
+  EXPECT_EQ(message_with_walls(wall),
+            "j.toml:16: wall.layer is missing: a wall has at least one "
+            "[[wall.layer]]; an outer body that is rigid as a whole has "
+            "youngs_modulus = inf");
+  EXPECT_EQ(message_with_walls(wall + "thickness = 1\n" + layer),
+            "j.toml:18: wall.thickness: unknown key: allowed: backing, layer");
+
+  const auto coating = [&](const std::string& value) {
+    return "[[coating]]\nthickness_mm = " + value + '\n' + material;
+  };
+  EXPECT_EQ(message_with_walls(coating("50")),
+            "j.toml:17: coating[1].thickness_mm = 50: allowed: all coatings "
+            "together below the radius of 0.05 m");
+  EXPECT_EQ(message_with_walls(coating("30") + coating("30")),
+            "j.toml:21: coating[2].thickness_mm = 30: allowed: all coatings "
+            "together below the radius of 0.05 m");
+  EXPECT_EQ(message_with_walls("[[coating]]\nthickness_um = 5\n"),
+            "j.toml:16: coating[1].youngs_modulus is missing: allowed: "
+            "youngs_modulus (in Pa), youngs_modulus_Pa, youngs_modulus_kPa, "
+            "youngs_modulus_MPa, youngs_modulus_GPa");
+  EXPECT_EQ(message_with_walls(coating("0.1") + "[loading]\nkind = \"back\"\n"
+                                                "patch_half_angle_deg = 20"),
+            "j.toml:21: loading.kind = \"back\": conflicts with [[coating]]: a "
+            "coated ball or pin can be loaded at its centre only");
+
+  // Laws of an infinite outer body.
+  EXPECT_EQ(
+      message_with_walls(wall + layer + "[half_angle]\nlaw = \"tanh\""),
+      "j.toml:21: half_angle.law = \"tanh\": finite walls: half-angle law "
+      "tanh: allowed: exact");
+  for (const std::string law : {"cosine", "mixture"}) {
+    EXPECT_EQ(
+        message_with_walls(wall + layer + "[pressure]\nlaw = \"" + law + '"'),
+        "j.toml:21: pressure.law = \"" + law +
+            "\": finite walls: pressure law " + law + ": allowed: exact");
+  }
+  EXPECT_EQ(message_with_walls(wall + layer +
+                               "[half_angle]\nlaw = \"exact\"\n"
+                               "[pressure]\nlaw = \"exact\""),
+            "(no error)");
 }
 
 TEST(JointFile, RigidBodies) {
@@ -557,7 +721,7 @@ TEST(DataFiles, MaterialsAndJoints) {
     EXPECT_TRUE(joint.geometry.validity_notes().empty()) << entry.path();
     ++joints;
   }
-  EXPECT_EQ(joints, 7u);
+  EXPECT_EQ(joints, 9u);
 }
 
 TEST(DataFiles, LedgerNamesEveryFile) {
@@ -594,6 +758,78 @@ TEST(DataFiles, PaperExamples) {
       45.34, 5e-3);
   EXPECT_EQ(dry(two.friction).coefficient(), 0.25);
   EXPECT_DOUBLE_EQ(dry(two.friction).adhesion() / 0.25, 1e9);
+}
+
+// How much the wall matters in a hip at 2 kN: half-angle and peak pressure of
+// an independent solution to four digits, beside those of the infinite seat.
+TEST(DataFiles, TheWalledHip) {
+  const fs::path folder = fs::path(CONTACT_DATA_DIR) / "joints";
+  const auto contact_of = [&](const char* file, const std::string& law) {
+    Joint joint = contact::read_joint(folder / file);
+    joint.half_angle_law = joint.pressure_law = law;
+    const double half_angle =
+        joint.make_half_angle_law()
+            ->half_angle(joint.load_scale().load_parameter(2000))
+            .half_angle;
+    const auto pressure = joint.make_pressure_law();
+    return std::array{
+        half_angle / degree,
+        joint.geometry.pressure_unit(2000) * pressure->peak(half_angle) / 1e6,
+        pressure->force_ratio(half_angle)};
+  };
+  const auto walled = contact_of("hip_cocr_uhmwpe_walled.toml", "exact");
+  EXPECT_NEAR(walled[0], 43.47, 5e-3);
+  EXPECT_NEAR(walled[1], 11.33, 5e-3);
+  EXPECT_NEAR(walled[2], 1.115, 5e-4);
+  const auto infinite = contact_of("hip_cocr_uhmwpe.toml", "exact");
+  EXPECT_NEAR(infinite[0], 48.05, 5e-3);
+  EXPECT_NEAR(infinite[1], 8.84, 5e-3);
+  EXPECT_NEAR(infinite[2], 1.149, 5e-4);
+
+  const Joint hip = contact::read_joint(folder / "hip_cocr_uhmwpe_walled.toml");
+  const contact::ContactApproach approach =
+      contact::BallContact(*hip.conditions.walls).approach(walled[0] * degree);
+  EXPECT_NEAR(approach.approach * hip.geometry.radial_clearance(), 45.7e-6,
+              5e-8);
+  EXPECT_NEAR(
+      approach.stiffness * hip.geometry.radius() * hip.pair.reduced_modulus(),
+      7.03e7, 5e4);
+}
+
+// The same of a liner of 0.4 mm on steel and of a bush in a free housing.
+TEST(DataFiles, LinerAndBush) {
+  const auto file = [](const std::string& kind, const std::string& outer,
+                       const std::string& wall) {
+    return "name = \"j\"\nkind = \"" + kind +
+           "\"\n[geometry]\nradius_mm = 25\nradial_clearance_um = 25\n" +
+           (kind == "cylindrical" ? "length = 1\n" : "") +
+           "[materials.inner]\nyoungs_modulus_GPa = 210\n"
+           "poissons_ratio = 0.3\n[materials.outer]\n" +
+           outer + "[wall]\n" + wall;
+  };
+  const auto check = [](const std::string& text, double load, double half_angle,
+                        double megapascal) {
+    const Joint joint = parse_joint(text, "j.toml");
+    const double found =
+        joint.make_half_angle_law()
+            ->half_angle(joint.load_scale().load_parameter(load))
+            .half_angle;
+    EXPECT_NEAR(found / degree, half_angle, 5e-3);
+    EXPECT_NEAR(joint.geometry.pressure_unit(load) *
+                    joint.make_pressure_law()->peak(found) / 1e6,
+                megapascal, 0.05);
+  };
+  const std::string liner =
+      file("spherical", "youngs_modulus_GPa = 1\npoissons_ratio = 0.42\n",
+           "backing = { youngs_modulus_GPa = 210, poissons_ratio = 0.3 }\n"
+           "[[wall.layer]]\nthickness_mm = 0.4\n");
+  check(liner, 2e4, 44.54, 37.2);
+  const std::string bush =
+      file("cylindrical", "youngs_modulus_GPa = 110\npoissons_ratio = 0.34\n",
+           "backing = \"held\"\n[[wall.layer]]\nthickness_mm = 5\n"
+           "[[wall.layer]]\nthickness_mm = 25\n"
+           "youngs_modulus_GPa = 210\npoissons_ratio = 0.3\n");
+  check(bush, 2e6, 56.74, 54.4);
 }
 
 // --- The reader itself ------------------------------------------------------

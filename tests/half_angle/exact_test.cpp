@@ -315,18 +315,18 @@ TEST(ExactLaw, LoadThroughTheBack) {
 
   for (const JointKind kind : kinds) {
     const auto made =
-        contact::make_half_angle_law("exact", kind, pair, {}, loading);
+        contact::make_half_angle_law("exact", kind, pair, {}, {loading});
     EXPECT_EQ(
         made->half_angle(3).half_angle,
         (kind == JointKind::spherical ? ball : pin).half_angle(3).half_angle);
   }
   for (const std::string& name : contact::half_angle_law_names()) {
-    EXPECT_TRUE(contact::half_angle_law_allows(name, InnerLoading::centre()));
-    EXPECT_EQ(contact::half_angle_law_allows(name, loading), name == "exact");
+    EXPECT_TRUE(contact::half_angle_law_allows(name, {}));
+    EXPECT_EQ(contact::half_angle_law_allows(name, {loading}), name == "exact");
     if (name == "exact") continue;
     EXPECT_EQ(contact::test::error_message([&] {
                 contact::make_half_angle_law(name, JointKind::spherical, pair,
-                                             {}, loading);
+                                             {}, {loading});
               }),
               "loading back:20: half-angle law " + name + ": allowed: exact");
   }

@@ -237,9 +237,9 @@ TEST(MakePressureLaw, FollowsTheLoadingOrRefusesIt) {
   const auto back = contact::InnerLoading::back(25 * degree);
   for (const JointKind kind : {JointKind::spherical, JointKind::cylindrical}) {
     for (const std::string& name : contact::pressure_law_names()) {
-      if (!contact::pressure_law_allows(name, back)) continue;
+      if (!contact::pressure_law_allows(name, {back})) continue;
       const double peak =
-          contact::make_pressure_law(name, kind, pair, back)->peak(1);
+          contact::make_pressure_law(name, kind, pair, {back})->peak(1);
       const double at_centre =
           contact::make_pressure_law(name, kind, pair)->peak(1);
       if (name == "exact") {
@@ -252,7 +252,7 @@ TEST(MakePressureLaw, FollowsTheLoadingOrRefusesIt) {
   }
   EXPECT_EQ(contact::test::error_message([&] {
               contact::make_pressure_law("mixture", JointKind::spherical, pair,
-                                         back);
+                                         {back});
             }),
             "loading back:25: pressure law mixture: allowed: cosine, "
             "sqrt_tan, sqrt_theta, exact");

@@ -1284,6 +1284,30 @@ TEST(HingeSeparation, CheckpointsKnowTheirJoints) {
   EXPECT_EQ(other.err,
             "hinge-separation: c.cbor: a checkpoint of a run of another case "
             "file, other joints or other options\n");
+
+  // A wall is known by its thickness and its backing.
+  const auto with_wall = [&](const std::string& thickness,
+                             const std::string& backing) {
+    folder.write("ball.toml",
+                 ball + "wall.backing = \"" + backing +
+                     "\"\n[[wall.layer]]\nthickness_mm = " + thickness + '\n');
+  };
+  with_wall("3", "rigid");
+  const ProgramResult walled = folder.run(run +
+                                          "--checkpoint w.cbor "
+                                          "--checkpoint-every 1");
+  EXPECT_EQ(walled.status, 0) << walled.err;
+  EXPECT_EQ(folder.run(run + "--resume w.cbor").status, 0);
+  for (const auto& [thickness, backing] :
+       {std::pair("4", "rigid"), std::pair("3", "held")}) {
+    with_wall(thickness, backing);
+    EXPECT_EQ(folder.run(run + "--resume w.cbor").err,
+              "hinge-separation: w.cbor: a checkpoint of a run of another case "
+              "file, other joints or other options\n");
+  }
+  EXPECT_EQ(folder.run("hinge-separation c.toml --law tanh").err,
+            "hinge-separation: --law tanh: joint \"ball\": finite walls: "
+            "half-angle law tanh: allowed: exact\n");
 }
 
 // Every column, with hinges that are gone and values that are missing.

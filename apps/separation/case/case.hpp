@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "libcontact/files/joint_file.hpp"
+#include "libcontact/joint/contact.hpp"
 #include "libcontact/joint/node.hpp"
 #include "multibody/motion/motion.hpp"
 #include "separation/case/shape.hpp"
@@ -38,6 +39,8 @@ struct Body {
 struct HingeJoint {
   contact::Joint joint;
   double position;  ///< along the axis from the hinge's centre, m
+  /// Of the joint's laws, made once: those of finite walls take their time.
+  contact::JointContact contact;
 };
 
 /// The upper node: what a load turns on.

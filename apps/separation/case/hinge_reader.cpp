@@ -60,9 +60,13 @@ contact::Joint read_joint_of(const TomlTable& table, const JointLaws& laws) {
 }
 
 HingeJoint read_hinge_joint(const TomlTable& table, const JointLaws& laws) {
-  return {read_joint_of(table, laws),
+  contact::Joint joint = read_joint_of(table, laws);
+  JointContact contact(joint.geometry, joint.pair, *joint.friction,
+                       joint.make_half_angle_law(), joint.make_pressure_law());
+  return {std::move(joint),
           table.optional_number("position", Interval::any(), Dimension::length)
-              .value_or(0)};
+              .value_or(0),
+          std::move(contact)};
 }
 
 std::optional<contact::SharingRule> read_sharing(const TomlTable& table,
@@ -122,12 +126,6 @@ void read_angle(const TomlTable& table, const Body& load, const Body& carrier,
   hinge.carrier_direction = hinge.zero_rotation * hinge.load_direction;
 }
 
-JointContact make_contact(const HingeJoint& joint) {
-  const contact::Joint& j = joint.joint;
-  return {j.geometry, j.pair, *j.friction, j.make_half_angle_law(),
-          j.make_pressure_law()};
-}
-
 bool is_ball(const HingeJoint& joint) {
   return joint.joint.geometry.kind() == contact::JointKind::spherical;
 }
@@ -137,10 +135,10 @@ contact::JointNode make_node(const Hinge& hinge) {
   for (const HingeJoint& joint : hinge.joints) {
     if (is_ball(joint)) {
       joints.push_back(
-          {contact::SphericalJoint(make_contact(joint)), joint.position});
+          {contact::SphericalJoint(joint.contact), joint.position});
     } else {
       joints.push_back(
-          {contact::CylindricalJoint(make_contact(joint)), joint.position});
+          {contact::CylindricalJoint(joint.contact), joint.position});
     }
   }
   auto sharing = hinge.sharing;
@@ -204,12 +202,12 @@ multibody::HingeFriction make_friction(const Hinge& hinge,
                                         : FrictionEstimate::consistent;
   const HingeJoint& first = hinge.joints.front();
   if (hinge.kind == JointKind::spherical) {
-    return multibody::BallFriction{contact::SphericalJoint(make_contact(first)),
+    return multibody::BallFriction{contact::SphericalJoint(first.contact),
                                    estimate};
   }
   if (hinge.joints.size() == 1) {
-    return multibody::PinFriction{
-        contact::CylindricalJoint(make_contact(first)), estimate};
+    return multibody::PinFriction{contact::CylindricalJoint(first.contact),
+                                  estimate};
   }
   return multibody::NodeFriction{make_node(hinge), estimate};
 }

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <variant>
+
+#include "angle/setup.hpp"
+#include "libcontact/conforming/ball.hpp"
+#include "libcontact/conforming/pin.hpp"
+
+namespace hinge_pressure {
+
+/// How far a load presses a ball or pin into the outer body: the exact
+/// solution in SI units. Each half-angle is a solution of its own, 0.1 ms of a
+/// homogeneous ball, some milliseconds of a thin liner.
+class JointApproach {
+ public:
+  /// @param setup  has a geometry
+  explicit JointApproach(const hinge_angle::Setup& setup);
+
+  /// From first touch of the unloaded bodies.
+  struct Value {
+    double approach;   ///< m
+    double stiffness;  ///< d load/d approach, N/m; of a pin (N/m)/m
+  };
+  /// NaN where there is none: without load, loaded through the back, and for a
+  /// pin in an infinite hole, where it grows with the distance without end.
+  Value operator()(double half_angle) const;
+
+ private:
+  std::variant<contact::BallContact, contact::PinContact> contact_;
+  double length_unit_;     // the clearance, m
+  double stiffness_unit_;  // rho E, N/m; E of a pin, Pa
+};
+
+}  // namespace hinge_pressure

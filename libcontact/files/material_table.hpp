@@ -1,0 +1,18 @@
+#pragma once
+
+#include <vector>
+
+#include "libcontact/files/toml_reader.hpp"
+#include "libcontact/pair/material.hpp"
+
+namespace contact {
+
+/// Whether a material may be rigid: youngs_modulus = inf.
+enum class Rigid { allowed, refused };
+
+/// name, youngs_modulus and poissons_ratio of a table.
+Material material_from_table(const TomlTable& table,
+                             Rigid rigid = Rigid::allowed);
+std::vector<KnownKey> material_keys();
+
+}  // namespace contact

@@ -1,0 +1,121 @@
+#include "libcontact/files/wall_tables.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include "libcontact/base/text.hpp"
+#include "libcontact/files/material_table.hpp"
+
+namespace contact {
+namespace {
+
+double thickness_from_table(const TomlTable& layer, double radius) {
+  const double thickness =
+      layer.number("thickness", Interval::positive(), Dimension::length);
+  // Thicker ones are as good as infinite; powers of 1e300 would overflow.
+  constexpr double largest_ratio = 1e6;
+  constexpr double smallest_ratio = LayeredPair::smallest_relative_thickness;
+  if (thickness < smallest_ratio * radius ||
+      thickness > largest_ratio * radius) {
+    layer.fail("thickness",
+               detail::message("allowed: {:g} to {:g} of the radius of {:g} m",
+                               smallest_ratio, largest_ratio, radius));
+  }
+  return thickness;
+}
+
+Layer layer_from_table(const TomlTable& table, double radius) {
+  return {thickness_from_table(table, radius),
+          material_from_table(table, Rigid::refused)};
+}
+
+// The layer at the contact, which may be of the pair's outer material.
+Layer first_layer(const TomlTable& table, double radius,
+                  const Material& outer) {
+  for (const KnownKey& key : material_keys()) {
+    if (table.has(key.key, key.dimension)) {
+      return layer_from_table(table, radius);
+    }
+  }
+  if (std::isinf(outer.youngs_modulus)) {
+    table.fail_missing("youngs_modulus",
+                       "the outer body of the materials is rigid, a layer is "
+                       "elastic");
+  }
+  return {thickness_from_table(table, radius), outer};
+}
+
+Backing backing_from_table(const TomlTable& wall) {
+  constexpr const char* material =
+      "a material { youngs_modulus, poissons_ratio }";
+  if (!wall.has("backing")) {
+    wall.fail_missing("backing",
+                      detail::message("allowed: \"rigid\", \"held\", {}, "
+                                      "behind the layers",
+                                      material));
+  }
+  if (wall.is_table("backing")) {
+    return Backing::medium(material_from_table(wall.table("backing")));
+  }
+  return wall.choice("backing", {"rigid", "held"}, material) == 0
+             ? Backing::rigid()
+             : Backing::held();
+}
+
+LayeredBody wall_from_table(const TomlTable& joint, double radius,
+                            const Material& outer) {
+  const auto wall = joint.optional_table("wall");
+  if (!wall) return {{}, Backing::medium(outer)};
+  if (!wall->has("layer")) {
+    wall->fail_missing("layer",
+                       "a wall has at least one [[wall.layer]]; an outer body "
+                       "that is rigid as a whole has youngs_modulus = inf");
+  }
+  std::vector<Layer> layers;
+  for (const TomlTable& table : wall->tables("layer")) {
+    layers.push_back(layers.empty() ? first_layer(table, radius, outer)
+                                    : layer_from_table(table, radius));
+  }
+  return {std::move(layers), backing_from_table(*wall)};
+}
+
+LayeredBody coated_body(const TomlTable& joint, double radius,
+                        const Material& core) {
+  std::vector<Layer> coatings;
+  double thickness = 0;
+  for (const TomlTable& table : joint.tables("coating")) {
+    coatings.push_back(layer_from_table(table, radius));
+    thickness += coatings.back().thickness;
+    if (thickness >= radius) {
+      table.fail(
+          "thickness",
+          detail::message(
+              "allowed: all coatings together below the radius of {:g} m",
+              radius));
+    }
+  }
+  return {std::move(coatings), Backing::medium(core)};
+}
+
+}  // namespace
+
+std::optional<LayeredPair> walls_from_table(const TomlTable& joint,
+                                            double radius,
+                                            const ElasticPair& pair) {
+  LayeredBody inner = coated_body(joint, radius, pair.inner());
+  LayeredBody outer = wall_from_table(joint, radius, pair.outer());
+  if (inner.layers.empty() && outer.layers.empty()) return {};
+  return LayeredPair(radius, std::move(inner), std::move(outer));
+}
+
+std::vector<KnownKey> wall_keys() {
+  std::vector<KnownKey> layer = material_keys();
+  layer.push_back({"thickness", Dimension::length});
+  return {{"wall",
+           Dimension::number,
+           {{"backing", Dimension::number, material_keys()},
+            {"layer", Dimension::number, layer}}},
+          {"coating", Dimension::number, layer}};
+}
+
+}  // namespace contact
