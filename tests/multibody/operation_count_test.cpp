@@ -61,8 +61,7 @@ struct Exploiting {
   Exploiting(Mix mix, int loads)
       : prepared(prepare(random_instant(mix, loads, 1))),
         constants(prepared.system),
-        pointer(&constants),
-        two_step(&pointer),
+        two_step(constants),
         state(numbers(prepared.state)),
         change(3 * loads, Counted(1e-3)),
         carrier{counting(prepared.loading.carrier.force),
@@ -92,7 +91,6 @@ struct Exploiting {
 
   Prepared prepared;
   SystemConstants constants;
-  const SystemConstants* pointer;
   TwoStep<Counted> two_step;
   std::vector<Counted> state, forces, change;
   CarrierLoading<Counted> carrier;

@@ -21,17 +21,13 @@ constexpr int lane_count() {
   }
 }
 
-/// Scalars of one resolution: T of the state, P of the parameters (double, or
-/// T if they differ by lane), S of the loads (T, or lanes over loads if T is
-/// double). Loads are taken in packets of `width`; the lanes of P belong to
-/// `systems` systems.
-template <class T, class P, class S>
+/// Scalars of one resolution: T of the state, S of the loads (T, or lanes over
+/// loads if T is double). Loads are taken in packets of `width`.
+template <class T, class S>
 struct Lanes {
-  static constexpr int width = std::is_same_v<S, T> ? 1 : lane_count<S>();
-  static constexpr int systems =
-      std::is_same_v<P, double> ? 1 : lane_count<P>();
+  static constexpr int width = lane_count<S>();
   /// Of a load's parameters.
-  using Parameter = std::conditional_t<(width > 1), S, P>;
+  using Parameter = std::conditional_t<(width > 1), S, double>;
 
   static T at(const S& s, int lane) {
     if constexpr (width == 1) {
@@ -89,12 +85,12 @@ struct Lanes {
     return {spread(c.linear), spread(c.angular)};
   }
   /// Numbers base[index * stride ...] of every lane; `empty` where the load is
-  /// negative. Base: a pointer to T, or anything that is indexed like one.
-  template <class Base, int n>
+  /// negative.
+  template <int n>
   [[gnu::always_inline]] static void read(const int (&load)[width],
-                                          const int (&index)[width], Base base,
-                                          int stride, const double* empty,
-                                          S (&to)[n]) {
+                                          const int (&index)[width],
+                                          const T* base, int stride,
+                                          const double* empty, S (&to)[n]) {
     if constexpr (width == 1) {
       for (int k = 0; k < n; ++k) to[k] = base[index[0] * stride + k];
     } else {
@@ -155,11 +151,10 @@ struct Lanes {
 
 /// The loads of one kind in packets. Kernel is one of SphericalLoad, AxisLoad,
 /// HeldSpherical, HeldAxis, FreeLoad.
-template <class T, class P, class S,
-          template <class, class> class KernelTemplate>
+template <class T, class S, template <class, class> class KernelTemplate>
 class LoadGroup {
  public:
-  using L = Lanes<T, P, S>;
+  using L = Lanes<T, S>;
   using Kernel = KernelTemplate<S, typename L::Parameter>;
   static constexpr int width = L::width;
 
@@ -190,11 +185,11 @@ class LoadGroup {
     packets_.back().load[lane] = load;
     packets_.back().offset[lane] = offset + Kernel::state_begin;
   }
-  void finish(const SystemConstants* const* systems) {
+  void finish(const SystemConstants& system) {
     for (Packet& packet : packets_) {
-      packet.in_order = is_in_order(packet, systems[0]->size());
+      packet.in_order = is_in_order(packet, system.size());
       packet.kernel.set_constants(
-          [&](std::size_t i) { return parameter(packet, systems, i); });
+          [&](std::size_t i) { return parameter(packet, system, i); });
     }
   }
 
@@ -213,19 +208,16 @@ class LoadGroup {
 
   // The i-th constant of a packet.
   static typename L::Parameter parameter(const Packet& packet,
-                                         const SystemConstants* const* systems,
+                                         const SystemConstants& system,
                                          std::size_t i) {
-    const auto number = [&](int system, int lane) {
+    const auto number = [&](auto lane) {
       const int load = packet.load[lane];
-      return load < 0 ? 0.0 : Kernel::constant(*systems[system], load, i);
+      return load < 0 ? 0.0 : Kernel::constant(system, load, i);
     };
-    using Parameter = typename L::Parameter;
     if constexpr (width > 1) {
-      return Parameter([&](auto lane) { return number(0, lane); });
-    } else if constexpr (L::systems > 1) {
-      return Parameter([&](auto system) { return number(system, 0); });
+      return typename L::Parameter(number);
     } else {
-      return Parameter(number(0, 0));
+      return number(0);
     }
   }
 

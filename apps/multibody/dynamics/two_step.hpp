@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <cassert>
 #include <tuple>
 #include <vector>
@@ -19,24 +18,19 @@ namespace multibody {
 /// the number of loads; no call but the constructor and set_mode allocates.
 ///
 /// Programs use Dynamics.
-/// States and forces are rows of numbers, as pointers to T or anything that is
-/// indexed like one.
-/// @tparam T, P, S  see Lanes
-template <class T, class P = double, class S = T>
+/// @tparam T, S  see Lanes
+template <class T, class S = T>
 class TwoStep {
-  using L = Lanes<T, P, S>;
+  using L = Lanes<T, S>;
 
  public:
-  /// @param constants  Lanes::systems systems that differ in numbers only;
-  ///                   they have to outlive this object
-  explicit TwoStep(const SystemConstants* const* constants) {
-    std::copy_n(constants, L::systems, systems_);
-    const SystemConstants& first = *systems_[0];
-    loads_.resize(first.size());
+  /// @param system  has to outlive this object
+  explicit TwoStep(const SystemConstants& system) : system_(system) {
+    loads_.resize(system.size());
     for (int i = 0; i < size(); ++i) {
-      loads_[i].kind = first.kind(i);
-      loads_[i].mode = first.kind(i) == JointKind::none ? JointMode::released
-                                                        : JointMode::turning;
+      loads_[i].kind = system.kind(i);
+      loads_[i].mode = system.kind(i) == JointKind::none ? JointMode::released
+                                                         : JointMode::turning;
     }
     for_groups([&](auto& group) { group.reserve(size()); });
     sort_loads();
@@ -54,13 +48,14 @@ class TwoStep {
   /// carrier's rotation do not matter here.
   /// @param state  StateLayout::size() numbers
   /// @param loads  size() times the 9 numbers of LoadForces
-  template <class State, class Forces>
-  void evaluate(State state, const CarrierLoading<T>& carrier, Forces loads) {
+  void evaluate(const T* state, const CarrierLoading<T>& carrier,
+                const T* loads) {
     const Vec3<T> w = angular_velocity(state);
     const CarrierMotion<S> motion = spread_motion(w);
     CarrierMatrix<S> matrix = L::to_sum(fixed_);
-    CarrierForces<S> forces{L::to_sum(carrier.force),
-                            L::to_sum(carrier.moment - cross(w, inertia_ * w))};
+    CarrierForces<S> forces{
+        L::to_sum(carrier.force),
+        L::to_sum(carrier.moment - cross(w, system_.carrier_inertia() * w))};
     // Two passes: one with everything in it runs out of registers.
     for_packets(
         [&](auto& packet) { set_motion(packet, state, motion, loads); });
@@ -74,8 +69,7 @@ class TwoStep {
   }
 
   /// First step alone: the carrier's motion is prescribed.
-  template <class State, class Forces>
-  void evaluate_prescribed(State state, Forces loads,
+  void evaluate_prescribed(const T* state, const T* loads,
                            const CarrierAcceleration<T>& carrier) {
     const CarrierMotion<S> motion = spread_motion(angular_velocity(state));
     for_packets(
@@ -86,8 +80,7 @@ class TwoStep {
   /// After evaluate(): moments of friction changed by `change`, load axes, 3
   /// numbers for each load, ignored where a joint is held or released. Motion,
   /// matrices and factors stay.
-  template <class Numbers>
-  void add_friction(Numbers change) {
+  void add_friction(const T* change) {
     [[maybe_unused]] static constexpr double none[3] = {};
     add_changes([&](const auto& packet) {
       S m[3];
@@ -130,8 +123,7 @@ class TwoStep {
   /// d(state)/dt after an evaluation of the same state.
   /// @param gravity  inertial axes
   /// @param to       to[i] = number
-  template <class State, class Rates>
-  void rates(State state, const Vec3<T>& gravity, Rates to) const {
+  void rates(const T* state, const Vec3<T>& gravity, T* to) const {
     body_rates(state, 0, carrier_.linear, gravity, carrier_.angular, to);
     const CarrierAcceleration<S> carrier = L::spread(carrier_);
     for_packets([&](const auto& packet) {
@@ -165,9 +157,8 @@ class TwoStep {
 
  private:
   // Quaternion at q and angular velocity at w, both in the state and in `to`.
-  template <class State, class Rates>
-  static void turn_rates(State state, int q, int w, const Vec3<T>& acceleration,
-                         Rates to) {
+  static void turn_rates(const T* state, int q, int w,
+                         const Vec3<T>& acceleration, T* to) {
     const Quaternion<T> rate = quaternion_rate(
         Quaternion<T>{state[q], state[q + 1], state[q + 2], state[q + 3]},
         Vec3<T>{state[w], state[w + 1], state[w + 2]});
@@ -180,10 +171,9 @@ class TwoStep {
     to[w + 2] = acceleration.z;
   }
   // A body in inertial axes; accelerations in its own axes.
-  template <class State, class Rates>
-  static void body_rates(State state, int at, const Vec3<T>& linear,
+  static void body_rates(const T* state, int at, const Vec3<T>& linear,
                          const Vec3<T>& gravity, const Vec3<T>& angular,
-                         Rates to) {
+                         T* to) {
     const int q = at + StateLayout::rotation;
     const Vec3<T> a = rotation(Quaternion<T>{state[q], state[q + 1],
                                              state[q + 2], state[q + 3]}) *
@@ -211,11 +201,10 @@ class TwoStep {
     carrier_ = solver_.solve(forces_);
   }
   // A load by what it does at the moment.
-  template <class State, class Rates>
-  [[gnu::always_inline]] void load_rates(State state, int load,
+  [[gnu::always_inline]] void load_rates(const T* state, int load,
                                          const Vec3<T>& linear,
                                          const Vec3<T>& gravity,
-                                         const Vec3<T>& turn, Rates to) const {
+                                         const Vec3<T>& turn, T* to) const {
     const LoadInfo& info = loads_[load];
     const int at = info.offset;
     if (info.mode == JointMode::held) {
@@ -240,7 +229,7 @@ class TwoStep {
   }
 
   template <template <class, class> class Kernel>
-  using Group = LoadGroup<T, P, S, Kernel>;
+  using Group = LoadGroup<T, S, Kernel>;
   struct LoadInfo {
     JointKind kind;
     JointMode mode;
@@ -302,7 +291,7 @@ class TwoStep {
       offset += StateLayout::load_size(info.kind, info.mode);
     }
     set_fixed_part();
-    for_groups([&](auto& group) { group.finish(systems_); });
+    for_groups([&](auto& group) { group.finish(system_); });
     for_packets([&](const auto& packet) {
       fixed_ += L::sum(packet.kernel.fixed_part());
     });
@@ -310,28 +299,13 @@ class TwoStep {
 
   // The carrier alone.
   void set_fixed_part() {
-    const auto parameter = [&](auto get) {
-      if constexpr (L::systems > 1) {
-        return P([&](auto lane) { return get(*systems_[lane]); });
-      } else {
-        return P(get(*systems_[0]));
-      }
-    };
+    const Sym3<double>& inertia = system_.carrier_inertia();
     fixed_ = {};
-    fixed_.a.xx = fixed_.a.yy = fixed_.a.zz =
-        parameter([](const SystemConstants& s) { return s.carrier_mass(); });
-    for (P Sym3<P>::*p : {&Sym3<P>::xx, &Sym3<P>::yy, &Sym3<P>::zz,
-                          &Sym3<P>::xy, &Sym3<P>::xz, &Sym3<P>::yz}) {
-      const std::ptrdiff_t i = &(inertia_.*p) - &inertia_.xx;
-      inertia_.*p = parameter([&](const SystemConstants& s) {
-        return (&s.carrier_inertia().xx)[i];
-      });
-    }
-    fixed_.f += inertia_;
+    fixed_.a.xx = fixed_.a.yy = fixed_.a.zz = system_.carrier_mass();
+    fixed_.f += inertia;
   }
 
-  template <class State>
-  static Vec3<T> angular_velocity(State state) {
+  static Vec3<T> angular_velocity(const T* state) {
     constexpr int w = StateLayout::angular_velocity;
     return {state[w], state[w + 1], state[w + 2]};
   }
@@ -339,10 +313,10 @@ class TwoStep {
     const Vec3<S> spread = L::spread(w);
     return {spread, squared_cross(spread)};
   }
-  template <class Packet, class State, class Forces>
-  [[gnu::always_inline]] static void set_motion(Packet& packet, State state,
+  template <class Packet>
+  [[gnu::always_inline]] static void set_motion(Packet& packet, const T* state,
                                                 const CarrierMotion<S>& motion,
-                                                Forces loads) {
+                                                const T* loads) {
     [[maybe_unused]] static constexpr double unturned[7] = {1};
     [[maybe_unused]] static constexpr double none[9] = {};
     S s[decltype(packet.kernel)::state_size];
@@ -354,8 +328,7 @@ class TwoStep {
         {{f[0], f[1], f[2]}, {f[3], f[4], f[5]}, {f[6], f[7], f[8]}});
   }
 
-  const SystemConstants* systems_[L::systems];
-  Sym3<P> inertia_;
+  const SystemConstants& system_;
   CarrierMatrix<T> fixed_;  ///< what does not depend on the motion
   std::vector<LoadInfo> loads_;
   std::tuple<Group<SphericalLoad>, Group<AxisLoad>, Group<HeldSpherical>,

@@ -2,10 +2,10 @@
 
 namespace multibody::detail {
 
-DynamicsKernel* new_dynamics_kernel_baseline(const SystemConstants* constants);
+DynamicsKernel* new_dynamics_kernel_baseline(const SystemConstants& constants);
 #if defined(__x86_64__)
-DynamicsKernel* new_dynamics_kernel_avx2(const SystemConstants* constants);
-DynamicsKernel* new_dynamics_kernel_avx512(const SystemConstants* constants);
+DynamicsKernel* new_dynamics_kernel_avx2(const SystemConstants& constants);
+DynamicsKernel* new_dynamics_kernel_avx512(const SystemConstants& constants);
 #endif
 
 std::unique_ptr<DynamicsKernel> make_dynamics_kernel(
@@ -14,13 +14,13 @@ std::unique_ptr<DynamicsKernel> make_dynamics_kernel(
   DynamicsKernel* kernel = nullptr;
 #if defined(__x86_64__)
   if (set == contact::InstructionSet::avx2) {
-    kernel = new_dynamics_kernel_avx2(&constants);
+    kernel = new_dynamics_kernel_avx2(constants);
   }
   if (set == contact::InstructionSet::avx512) {
-    kernel = new_dynamics_kernel_avx512(&constants);
+    kernel = new_dynamics_kernel_avx512(constants);
   }
 #endif
-  if (!kernel) kernel = new_dynamics_kernel_baseline(&constants);
+  if (!kernel) kernel = new_dynamics_kernel_baseline(constants);
   return std::unique_ptr<DynamicsKernel>(kernel);
 }
 

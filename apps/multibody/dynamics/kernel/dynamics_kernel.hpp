@@ -10,7 +10,7 @@
 
 namespace multibody::detail {
 
-/// TwoStep<double, double, S> for the lanes S of one instruction set.
+/// TwoStep<double, S> for the lanes S of one instruction set.
 class DynamicsKernel {
  public:
   virtual ~DynamicsKernel() = default;

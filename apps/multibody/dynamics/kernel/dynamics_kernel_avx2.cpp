@@ -4,8 +4,8 @@
 
 namespace multibody::detail {
 
-DynamicsKernel* new_dynamics_kernel_avx2(const SystemConstants* constants);
-DynamicsKernel* new_dynamics_kernel_avx2(const SystemConstants* constants) {
+DynamicsKernel* new_dynamics_kernel_avx2(const SystemConstants& constants);
+DynamicsKernel* new_dynamics_kernel_avx2(const SystemConstants& constants) {
   using Lanes = std::experimental::native_simd<double>;
   return new DynamicsKernelOf<Lanes>(constants);
 }

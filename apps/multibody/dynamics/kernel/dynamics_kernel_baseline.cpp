@@ -2,8 +2,8 @@
 
 namespace multibody::detail {
 
-DynamicsKernel* new_dynamics_kernel_baseline(const SystemConstants* constants);
-DynamicsKernel* new_dynamics_kernel_baseline(const SystemConstants* constants) {
+DynamicsKernel* new_dynamics_kernel_baseline(const SystemConstants& constants);
+DynamicsKernel* new_dynamics_kernel_baseline(const SystemConstants& constants) {
   using Lanes = double;
   return new DynamicsKernelOf<Lanes>(constants);
 }

@@ -11,8 +11,8 @@ namespace multibody::detail {
 template <class S>
 class DynamicsKernelOf final : public DynamicsKernel {
  public:
-  explicit DynamicsKernelOf(const SystemConstants* constants)
-      : two_step_(&constants) {}
+  explicit DynamicsKernelOf(const SystemConstants& constants)
+      : two_step_(constants) {}
   void set_mode(int load, JointMode mode) override {
     two_step_.set_mode(load, mode);
   }
@@ -60,7 +60,7 @@ class DynamicsKernelOf final : public DynamicsKernel {
     return reinterpret_cast<const double*>(loads);
   }
 
-  TwoStep<double, double, S> two_step_;
+  TwoStep<double, S> two_step_;
 };
 
 }  // namespace multibody::detail
