@@ -145,7 +145,7 @@ class ContactEnds : public testing::TestWithParam<Integrator> {
                              const Pull::Function& share) {
     ASSERT_TRUE(motion.failure());
     const MotionFailure& failure = *motion.failure();
-    EXPECT_EQ(failure.status, CoupledStatus::no_contact) << failure.message;
+    EXPECT_EQ(failure.status, CoupledStatus::no_contact) << failure.message();
     EXPECT_EQ(failure.load, 0);
     EXPECT_EQ(failure.joint, hinge.joint);
     EXPECT_GE(failure.time, from);
@@ -154,12 +154,12 @@ class ContactEnds : public testing::TestWithParam<Integrator> {
     EXPECT_GE(motion.time(), failure.time - 0.02);
     double time = NAN, force = NAN;
     int joint = -1;
-    ASSERT_EQ(std::sscanf(failure.message.c_str(),
+    ASSERT_EQ(std::sscanf(failure.message().c_str(),
                           "at %lf s: half-angle law ending has no value under "
                           "%lf N (load 0, joint %d)",
                           &time, &force, &joint),
               3)
-        << failure.message;
+        << failure.message();
     EXPECT_EQ(time, failure.time);
     EXPECT_EQ(joint, hinge.joint);
     // Friction moments across the axis load the joints of a node a little.

@@ -203,7 +203,7 @@ TEST(Motion, WithoutFrictionATorqueTurnsTheWheelAtOnce) {
         Motion motion(System(heavy_carrier(), {load}), {wheels[k].friction},
                       torque, start_of(1), options);
         EXPECT_EQ(motion.advance_to(2), Stop::time);
-        if (motion.failure()) ADD_FAILURE() << motion.failure()->message;
+        if (motion.failure()) ADD_FAILURE() << motion.failure()->message();
         const HingeSample hinge = motion.sample().hinge(0);
         EXPECT_EQ(hinge.mode, HingeMode::sliding);
         const double expected = slope * 2 * 2 / 2 / about;
@@ -410,7 +410,8 @@ TEST(Motion, EnergyWithDissipatedWorkAndMomentaStay) {
                     options);
       const double energy = motion.sample().energy().balance();
       const Momentum p = momentum_of(motion.sample(), m.carrier, m.loads);
-      ASSERT_EQ(motion.advance_to(20), Stop::time) << motion.failure()->message;
+      ASSERT_EQ(motion.advance_to(20), Stop::time)
+          << motion.failure()->message();
       const auto book = motion.sample().energy();
       EXPECT_NEAR(book.balance(), energy, 1e-8 * energy);
       const Momentum q = momentum_of(motion.sample(), m.carrier, m.loads);
@@ -616,7 +617,7 @@ TEST(Motion, RandomSystemsRunThrough) {
     Motion motion(System(carrier, loads), friction, shake, start, options);
     const double before = motion.sample().energy().balance();
     ASSERT_EQ(motion.advance_to(5), Stop::time)
-        << seed << ": " << motion.failure()->message;
+        << seed << ": " << motion.failure()->message();
     const auto book = motion.sample().energy();
     const double size = before + book.kinetic + std::abs(book.active_work);
     worst = std::max(worst, std::abs(book.balance() - before) / size);
@@ -662,7 +663,7 @@ TEST(Motion, RoundingMovesNoHinge) {
       Motion motion(System(m.carrier, m.loads), m.friction,
                     std::make_shared<Fall>(masses), m.start);
       ASSERT_EQ(motion.advance_to(100), Stop::time)
-          << motion.failure()->message;
+          << motion.failure()->message();
       EXPECT_TRUE(motion.changes().empty()) << seed;
     }
   }
@@ -744,7 +745,7 @@ TEST(Motion, OnsetsOfBallJointsDoNotChatter) {
     for (const double tolerance : {1e-12, 1e-10, 1e-8, 1e-7, 1e-6}) {
       Motion motion = two_arms(friction, tolerance);
       ASSERT_EQ(motion.advance_to(10), Stop::time)
-          << friction << " " << tolerance << " " << motion.failure()->message;
+          << friction << " " << tolerance << " " << motion.failure()->message();
       const auto& changes = motion.changes();
       int near = 0;
       std::map<int, double> last;
@@ -790,9 +791,9 @@ TEST(Motion, AHingeThatChangesAgainAndAgainStopsTheMotion) {
   EXPECT_EQ(motion.changes().size(), 3u);
   EXPECT_EQ(motion.failure()->load, 0);
   EXPECT_EQ(motion.failure()->time, motion.time());
-  EXPECT_NE(motion.failure()->message.find("more than 3 changes"),
+  EXPECT_NE(motion.failure()->message().find("more than 3 changes"),
             std::string::npos)
-      << motion.failure()->message;
+      << motion.failure()->message();
 }
 
 // In a step at whose ends and middle the hinge needs 0.99, 0.01 and 0.85 of

@@ -296,8 +296,8 @@ Stop MotionImpl::advance_to(double time) {
     }
     if (steps >= options.step_limit) {
       set_failure({}, stepper->end());
-      failure->message = fmt::format("at {} s: {} steps were not enough",
-                                     stepper->end(), options.step_limit);
+      failure->reason = fmt::format("at {} s: {} steps were not enough",
+                                    stepper->end(), options.step_limit);
       break;
     }
     if (halt && halt()) {

@@ -183,11 +183,14 @@ enum class Stop {
 struct MotionFailure {
   CoupledStatus status;  ///< ok: the integrator gave up
   double time;
-  int load;  ///< -1: none in particular
-  std::string message;
+  int load;            ///< -1: none in particular
+  std::string reason;  ///< "at 0.3 s: ...", without the load
   /// Of several_solutions: the friction moments, load axes.
   std::vector<CoupledSolution> solutions;
   int joint = -1;  ///< of no_contact: which one of the load's hinge
+
+  /// The reason, with load and joint by their numbers.
+  std::string message() const;
 };
 
 /// All that is needed to go on later: a value.

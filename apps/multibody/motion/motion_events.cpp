@@ -225,10 +225,10 @@ bool MotionImpl::stalls(int load) {
                           work_out() ? coupled.utilisation(load) : NAN)
             : fmt::format("sliding at {} rad/s", speed);
   set_failure({.status = CoupledStatus::not_converged, .load = load}, now);
-  failure->message = fmt::format(
+  failure->reason = fmt::format(
       "at {} s: more than {} changes between rest and slip within {} s, the "
-      "hinge is {} (load {})",
-      now, options.stall_changes, options.stall_span, hinge, load);
+      "hinge is {}",
+      now, options.stall_changes, options.stall_span, hinge);
   return true;
 }
 

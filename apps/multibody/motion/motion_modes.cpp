@@ -53,20 +53,23 @@ constexpr double onset_speed = 3e-5;
 
 }  // namespace
 
+std::string MotionFailure::message() const {
+  if (load < 0) return reason;
+  if (joint < 0) return fmt::format("{} (load {})", reason, load);
+  return fmt::format("{} (load {}, joint {})", reason, load, joint);
+}
+
 void MotionImpl::set_failure(const CoupledReport& report, double time) {
-  const int load = report.load;
-  const int joint = report.joint;
-  std::string message = fmt::format("at {} s: ", time);
-  if (report.status == CoupledStatus::no_contact) {
-    message += fmt::format("{} (load {}, joint {})",
-                           reason(coupled.contact(load, joint), report.force),
-                           load, joint);
-  } else {
-    message += reason(report.status);
-    if (load >= 0) message += fmt::format(" (load {})", load);
-  }
-  failure =
-      MotionFailure{report.status, time, load, std::move(message), {}, joint};
+  const std::string why =
+      report.status == CoupledStatus::no_contact
+          ? reason(coupled.contact(report.load, report.joint), report.force)
+          : reason(report.status);
+  failure = MotionFailure{report.status,
+                          time,
+                          report.load,
+                          fmt::format("at {} s: {}", time, why),
+                          {},
+                          report.joint};
   if (report.status == CoupledStatus::several_solutions) {
     failure->solutions.assign(coupled.solutions().begin(),
                               coupled.solutions().end());

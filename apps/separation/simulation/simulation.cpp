@@ -209,23 +209,17 @@ void Simulation::renew_forces() {
   motion_.set_forces(forces_);
 }
 
-// Why the motion failed, with the names of load and joint for their numbers.
+// Why the motion failed, and where by the names of load and joint.
 std::string Simulation::failure_text() const {
   const multibody::MotionFailure& failure = *motion_.failure();
-  std::string text = failure.message;
-  if (failure.load < 0) return text;
+  if (failure.load < 0) return failure.reason;
   const Load& load = case_.loads[failure.load];
-  std::string number = fmt::format("(load {}", failure.load);
-  std::string name = fmt::format("(\"{}\"", load.body.name);
+  std::string place = fmt::format("\"{}\"", load.body.name);
   if (failure.joint >= 0) {
-    number += fmt::format(", joint {}", failure.joint);
-    name += fmt::format(", joint \"{}\"",
-                        load.hinge.joints[failure.joint].joint.name);
+    place += fmt::format(", joint \"{}\"",
+                         load.hinge.joints[failure.joint].joint.name);
   }
-  if (text.ends_with(number + ")")) {
-    text.replace(text.size() - number.size() - 1, number.size(), name);
-  }
-  return text;
+  return fmt::format("{} ({})", failure.reason, place);
 }
 
 // The motion has stopped at an event of its own.
