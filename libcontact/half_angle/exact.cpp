@@ -32,23 +32,18 @@ bool closes_up(JointKind kind, const ElasticPair& pair, InnerLoading loading) {
 
 template <class Contact>
 HalfAngleTable table_of(JointKind kind, const Contact& contact,
+                        const ExactHalfAngle& limit,
                         double thickness = infinity) {
-  const ExactHalfAngle limit = contact.limit_half_angle();
   return {kind,
           [&contact](double theta) { return contact.reciprocal_load(theta); },
           limit.half_angle, limit.status == Status::ok, thickness};
 }
 
-HalfAngleTable walled_table(JointKind kind, const LayeredPair& pair,
-                            InnerLoading loading) {
-  const double thickness = pair.relative_thickness();
-  if (kind == JointKind::spherical) {
-    return table_of(kind, BallContact(pair, loading), thickness);
-  }
-  const PinContact pin(pair, loading);
-  const PinContact fine(pair, loading, PinContact::max_unknowns);
-  const bool reaches = pin.limit_half_angle().status == Status::ok;
-  return table_of(kind, reaches || pin.largest() == fine.largest() ? pin : fine,
+template <class Pair>
+HalfAngleTable ball_table(const Pair& pair, InnerLoading loading,
+                          double thickness = infinity) {
+  const BallContact ball(pair, loading);
+  return table_of(JointKind::spherical, ball, ball.limit_half_angle(),
                   thickness);
 }
 
@@ -59,9 +54,26 @@ HalfAngleTable pin_table(const ElasticPair& pair, InnerLoading loading) {
     return {kind, [&pin](double theta) { return pin.reciprocal_load(theta); },
             pin.limit_half_angle(), true};
   }
-  const HalfAngleTable table = table_of(kind, PinContact(pair, loading));
-  if (table.reaches_limit()) return table;
-  return table_of(kind, PinContact(pair, loading, PinContact::max_unknowns));
+  const PinContact pin(pair, loading);
+  const ExactHalfAngle limit = pin.limit_half_angle();
+  if (limit.status == Status::ok) return table_of(kind, pin, limit);
+  const PinContact fine(pair, loading, PinContact::max_unknowns);
+  return table_of(kind, fine, fine.limit_half_angle());
+}
+
+HalfAngleTable walled_pin_table(const LayeredPair& pair, InnerLoading loading) {
+  constexpr JointKind kind = JointKind::cylindrical;
+  const double thickness = pair.relative_thickness();
+  const PinContact pin(pair, loading);
+  const ExactHalfAngle limit = pin.limit_half_angle();
+  if (limit.status != Status::ok) {
+    // Thin walls have as many unknowns, or more.
+    const PinContact fine(pair, loading, PinContact::max_unknowns);
+    if (fine.largest() > pin.largest()) {
+      return table_of(kind, fine, fine.limit_half_angle(), thickness);
+    }
+  }
+  return table_of(kind, pin, limit, thickness);
 }
 
 }  // namespace
@@ -74,16 +86,17 @@ ExactLaw::ExactLaw(JointKind kind, const ElasticPair& pair,
     return;
   }
   table_ = std::make_unique<const HalfAngleTable>(
-      kind == JointKind::cylindrical
-          ? pin_table(pair, loading)
-          : table_of(kind, BallContact(pair, loading)));
+      kind == JointKind::cylindrical ? pin_table(pair, loading)
+                                     : ball_table(pair, loading));
 }
 
 ExactLaw::ExactLaw(JointKind kind, const LayeredPair& pair,
                    InnerLoading loading)
     : HalfAngleLaw(kind),
       table_(std::make_unique<const HalfAngleTable>(
-          walled_table(kind, pair, loading))) {}
+          kind == JointKind::cylindrical
+              ? walled_pin_table(pair, loading)
+              : ball_table(pair, loading, pair.relative_thickness()))) {}
 
 ExactLaw::~ExactLaw() = default;
 
