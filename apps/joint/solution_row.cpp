@@ -23,13 +23,10 @@ double if_sliding(const Answer& a, double value) {
 // A force or an angle that was given is shown as it was given: what the
 // solution says of it differs in the last digits, and rows would not be found
 // by it.
-double force_of(const Answer& a, Question given_in, double solved) {
+double as_given(const Answer& a, Question given_in, double Input::Given::*what,
+                double solved) {
   const bool given = a.given && a.question == given_in && !std::isnan(solved);
-  return given ? a.given->force : solved;
-}
-double angle_of(const Answer& a, Question given_in, double solved) {
-  const bool given = a.given && a.question == given_in && !std::isnan(solved);
-  return given ? a.given->angle_deg : solved;
+  return given ? (*a.given).*what : solved;
 }
 
 // The last ones are those of rest.
@@ -41,7 +38,8 @@ constexpr std::array<Quantity, 44> all = {{
      [](const Answer& a) { return a.solution.residual; }},
     {"R_N", "reaction",
      [](const Answer& a) {
-       return force_of(a, Question::reaction, a.solution.reaction.stableNorm());
+       return as_given(a, Question::reaction, &Input::Given::force,
+                       a.solution.reaction.stableNorm());
      }},
     {"R_x_N", "reaction on the load",
      [](const Answer& a) { return a.solution.reaction.x(); }},
@@ -53,19 +51,20 @@ constexpr std::array<Quantity, 44> all = {{
     {"w_z_rad_per_s", "", [](const Answer& a) { return a.rate.z(); }},
     {"b_deg", "angle between R and Dw",
      [](const Answer& a) {
-       return angle_of(a, Question::reaction,
+       return as_given(a, Question::reaction, &Input::Given::angle_deg,
                        if_sliding(a, a.solution.reaction_angle() / degree));
      }},
     {"g_deg", "friction angle, tan g = R_t/R_n",
      [](const Answer& a) { return a.solution.friction_angle() / degree; }},
     {"a_deg", "slip axis angle: 0 sliding, 90 spinning",
      [](const Answer& a) {
-       return angle_of(a, Question::contact,
+       return as_given(a, Question::contact, &Input::Given::angle_deg,
                        if_sliding(a, a.solution.slip_axis_angle() / degree));
      }},
     {"R_n_N", "compressive force",
      [](const Answer& a) {
-       return force_of(a, Question::contact, a.solution.compressive_force);
+       return as_given(a, Question::contact, &Input::Given::force,
+                       a.solution.compressive_force);
      }},
     {"n_x", "its direction on the load",
      [](const Answer& a) { return a.solution.normal.x(); }},

@@ -290,8 +290,7 @@ ContactApproach BallContact::approach(double half_angle) const noexcept {
 }
 
 int BallContact::terms() const noexcept {
-  return unknowns_ > detail::EdgeFit::wide_terms ? detail::EdgeFit::thin_terms
-                                                 : detail::EdgeFit::wide_terms;
+  return detail::EdgeFit::terms_for(unknowns_);
 }
 
 ContactPressure BallContact::pressure(double half_angle,

@@ -24,6 +24,11 @@ class EdgeFit {
   static constexpr int max_points = 2 * thin_terms + 8;
   using Points = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, max_points, 1>;
 
+  /// Sines for the pressure of a solution with so many unknowns.
+  static int terms_for(int unknowns) {
+    return unknowns > wide_terms ? thin_terms : wide_terms;
+  }
+
   /// The fit with so many terms, rounded up to one of these; made at its first
   /// call.
   static const EdgeFit& table(int terms);

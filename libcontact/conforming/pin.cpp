@@ -417,8 +417,7 @@ ContactApproach PinContact::approach(double half_angle) const noexcept {
 }
 
 int PinContact::terms() const noexcept {
-  return unknowns_ > detail::EdgeFit::wide_terms ? detail::EdgeFit::thin_terms
-                                                 : detail::EdgeFit::wide_terms;
+  return detail::EdgeFit::terms_for(unknowns_);
 }
 
 ContactPressure PinContact::pressure(double half_angle,

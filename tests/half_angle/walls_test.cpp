@@ -11,26 +11,16 @@
 #include "support/accuracy_report.hpp"
 #include "support/allocation_count.hpp"
 #include "support/error_message.hpp"
+#include "support/wall.hpp"
 
 // ExactLaw of joints with walls against the solvers that it tabulates.
 namespace {
 
 using namespace contact;
 using contact::test::AccuracyReport;
+using contact::test::Wall;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-struct Wall {
-  double thickness;
-  double nu;
-  bool held;
-  LayeredPair pair() const {
-    return {
-        1,
-        {{}, Backing::medium({50, 0.3})},
-        {{{thickness, {1, nu}}}, held ? Backing::held() : Backing::rigid()}};
-  }
-};
 
 constexpr Wall walls[] = {{3, 0.3, false},     {1, 0.45, true},
                           {0.3, 0.499, false}, {0.1, 0.3, true},
@@ -43,9 +33,7 @@ void compare(JointKind kind) {
   AccuracyReport angle("theta0 -> load -> theta0", 1e-12);
   AccuracyReport slope("log_slope", 1e-5);
   for (const Wall& wall : walls) {
-    const std::string label = to_string(kind) + ", t " +
-                              std::to_string(wall.thickness) + ", nu " +
-                              std::to_string(wall.nu);
+    const std::string label = to_string(kind) + ", " + wall.label();
     const Contact contact(wall.pair());
     const ExactLaw law(kind, wall.pair());
     EXPECT_TRUE(law.validity_notes(wall.pair().surfaces()).empty()) << label;

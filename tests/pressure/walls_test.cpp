@@ -11,6 +11,7 @@
 #include "libcontact/pressure/exact.hpp"
 #include "libcontact/reference/quadrature.hpp"
 #include "support/accuracy_report.hpp"
+#include "support/wall.hpp"
 
 // ExactPressure of joints with walls: against the solvers, and the friction
 // under it against quadrature of the definition.
@@ -18,22 +19,7 @@ namespace {
 
 using namespace contact;
 using contact::test::AccuracyReport;
-
-struct Wall {
-  double thickness;
-  double nu;
-  bool held;
-  LayeredPair pair() const {
-    return {
-        1,
-        {{}, Backing::medium({50, 0.3})},
-        {{{thickness, {1, nu}}}, held ? Backing::held() : Backing::rigid()}};
-  }
-  std::string label() const {
-    return "t " + std::to_string(thickness) + ", nu " + std::to_string(nu) +
-           (held ? ", held" : "");
-  }
-};
+using contact::test::Wall;
 
 constexpr Wall walls[] = {{1, 0.3, false},
                           {0.3, 0.45, true},
