@@ -33,7 +33,10 @@ Setup setup_from_file(const Options& options) {
 }
 
 Setup setup_from_pair(const Options& options, contact::JointKind kind) {
-  Setup setup{kind, contact::read_material_pair(options.pair).elastic};
+  const contact::MaterialPair pair = contact::read_material_pair(options.pair);
+  Setup setup{.kind = kind,
+              .pair = pair.elastic,
+              .name = to_string(kind) + " joint, " + pair.name};
   if (options.radius.empty()) return setup;
   const double radius = cli::parse_length("--radius", options.radius);
   const double clearance = cli::parse_length("--clearance", options.clearance);

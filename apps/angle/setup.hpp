@@ -51,9 +51,11 @@ struct Setup {
   contact::ContactConditions conditions = {};
   /// Percent of theta0: what --compare calls good enough.
   double tolerance = 0.1;
-  std::string name = {};  ///< of the joint file, or ""
+  /// Of the joint file, or kind of the joint and name of the pair file; "" of
+  /// bare numbers.
+  std::string name = {};
 
-  /// Of pictures: the name, or the kind of the joint.
+  /// Of pictures.
   std::string title() const {
     return name.empty() ? to_string(kind) + " joint" : name;
   }

@@ -234,6 +234,10 @@ TEST(Pictures, TitlesNameTheJoint) {
   title("hinge-angle --load 10:500:10 " + joint, name);
   title("hinge-angle --x 0:1:0.1 --joint sphere --modulus-ratio 1",
         "spherical joint");
+  title(
+      "hinge-angle --x 0:1:0.1 --joint sphere "
+      "--pair data/materials/steel_bronze.toml",
+      "spherical joint, carbon steel in phosphor bronze");
   title("hinge-pressure --load 10 --pressure cosine " + joint,
         name + ", cosine");
   title("hinge-joint --reaction 1:9:1 --beta 30 " + joint,
