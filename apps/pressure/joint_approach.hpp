@@ -9,8 +9,8 @@
 namespace hinge_pressure {
 
 /// How far a load presses a ball or pin into the outer body: the exact
-/// solution in SI units. Each half-angle is a solution of its own, 0.1 ms of a
-/// homogeneous ball, some milliseconds of a thin liner.
+/// solution in SI units. Each half-angle is a solution of its own
+/// (docs/speed.md, "half-angle at a load" is some ten of them).
 class JointApproach {
  public:
   /// @param setup  has a geometry
