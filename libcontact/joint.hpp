@@ -6,7 +6,7 @@
 #include "libcontact/joint/contact.hpp"
 #include "libcontact/joint/solution.hpp"
 #include "libcontact/joint/moment_set.hpp"
-#include "libcontact/joint/spherical_joint.hpp"
-#include "libcontact/joint/cylindrical_joint.hpp"
+#include "libcontact/joint/ball_joint.hpp"
+#include "libcontact/joint/pin_joint.hpp"
 #include "libcontact/joint/node.hpp"
 // clang-format on

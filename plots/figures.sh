@@ -32,21 +32,21 @@ ratio() { # STEP STEPS_PER_DECADE
 theta0_limit_exact_pin_deg,theta0_limit_exact_ball_deg
   for i in {-40..40}; do
     r=$(ratio "$i" 20)
-    IFS=, read -r formula pin < <(limit cylinder "$r" 0.3 formula tanh,exact)
+    IFS=, read -r formula pin < <(limit pin "$r" 0.3 formula tanh,exact)
     linear=
     # 10^(6/20) is the last of them below 2.
-    [ "${i#-}" -le 6 ] && linear=$(limit cylinder "$r" 0.3 linear tanh)
-    echo "$r,$formula,$linear,$pin,$(limit sphere "$r" 0.3 '' exact)"
+    [ "${i#-}" -le 6 ] && linear=$(limit pin "$r" 0.3 linear tanh)
+    echo "$r,$formula,$linear,$pin,$(limit ball "$r" 0.3 '' exact)"
   done
 } >figure3.csv
 
 # Figures 4 and 5: half-angle laws of a pin (equal materials) and of a ball in
 # a rigid seat, with the paper's limit half-angles.
 laws=hertz,arctan,tanh,blend:0.5,fitted,exact
-"$programs/hinge-angle" --joint cylinder --modulus-ratio 1 --law $laws \
+"$programs/hinge-angle" --joint pin --modulus-ratio 1 --law $laws \
   --limit-angle 84.85 --load-parameter 0:1:0.0025 --output figure4.csv \
   2>figure4.log
-"$programs/hinge-angle" --joint sphere --modulus-ratio 0 --law $laws \
+"$programs/hinge-angle" --joint ball --modulus-ratio 0 --law $laws \
   --limit-angle 92.5 --load-parameter 0:4:0.01 --output figure5.csv \
   2>figure5.log
 
@@ -56,14 +56,14 @@ laws=hertz,arctan,tanh,blend:0.5,fitted,exact
   for nu in 0.2 0.3 0.4 0.45 0.49; do
     for i in {-20..20}; do
       r=$(ratio "$i" 10)
-      echo "$nu,$r,$(limit cylinder "$r" $nu '' exact),$(
-        limit sphere "$r" $nu '' exact)"
+      echo "$nu,$r,$(limit pin "$r" $nu '' exact),$(
+        limit ball "$r" $nu '' exact)"
     done
   done
 } >limit_angles.csv
 
 # Pressure of pin and ball, equal materials, for contacts of 40, 60 and 80 deg.
-for joint in cylinder sphere; do
+for joint in pin ball; do
   loads=$("$programs/hinge-angle" --joint $joint --modulus-ratio 1 --law exact \
     --inverse --theta0 40:80:20 | tail -n +2 | cut -d, -f2 | paste -sd,)
   "$programs/hinge-pressure" --joint $joint --modulus-ratio 1 --law exact \

@@ -20,7 +20,7 @@ cells() {
 }
 
 echo "nu1 = nu2 = 0.3:"
-for joint in cylinder sphere; do
+for joint in pin ball; do
   echo
   echo "| $joint, Ebar | arctan | tanh | blend:0.5 | nominal | fitted |"
   echo "|---|---|---|---|---|---|"
@@ -34,7 +34,7 @@ echo "Other Poisson's ratios, of both bodies:"
 echo
 echo "| joint | nu | Ebar | paper | nominal | fitted |"
 echo "|---|---|---|---|---|---|"
-for joint in cylinder sphere; do
+for joint in pin ball; do
   for nu in 0.2 0.4 0.49; do
     for ratio in 0 1 inf; do
       echo "| $joint | $nu | $ratio |$(cells $joint $ratio $nu \

@@ -12,16 +12,16 @@ namespace hinge_angle {
 namespace {
 
 std::string load_label(LoadVariable variable, contact::JointKind kind) {
-  const bool sphere = kind == contact::JointKind::spherical;
+  const bool ball = kind == contact::JointKind::ball;
   switch (variable) {
     case LoadVariable::load:
-      return sphere ? "compressive force, N" : "force per unit length, N/m";
+      return ball ? "normal force, N" : "force per unit length, N/m";
     case LoadVariable::x:
-      return sphere ? "x = cbrt(μ)" : "x = 2 sqrt(λ)";
+      return ball ? "x = cbrt(μ)" : "x = 2 sqrt(λ)";
     case LoadVariable::load_parameter:
       break;
   }
-  return sphere ? "load parameter μ" : "load parameter λ";
+  return ball ? "load parameter μ" : "load parameter λ";
 }
 
 // What a picture of some 1,000 dots across can show.

@@ -20,7 +20,7 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 // As docs/speed.md has them.
 int cost_of(std::string_view name, contact::JointKind kind) {
-  const bool ball = kind == contact::JointKind::spherical;
+  const bool ball = kind == contact::JointKind::ball;
   if (name == "hertz") return ball ? 4 : 2;
   if (name == "arctan") return ball ? 5 : 2;
   if (name == "tanh") return ball ? 6 : 3;

@@ -30,7 +30,7 @@ Input make_input(const Options& options, const Setup& setup) {
     return {setup.geometry ? LoadVariable::load : LoadVariable::load_parameter,
             true, cli::Sweep("--theta0", options.theta0, {0, 180, "deg"})};
   }
-  const bool sphere = setup.kind == contact::JointKind::spherical;
+  const bool ball = setup.kind == contact::JointKind::ball;
   struct Source {
     std::string_view option;
     const std::string& text;
@@ -38,7 +38,7 @@ Input make_input(const Options& options, const Setup& setup) {
     std::string_view unit;
   };
   const std::array<Source, 3> sources = {{
-      {"--load", options.load, LoadVariable::load, sphere ? "N" : "N/m"},
+      {"--load", options.load, LoadVariable::load, ball ? "N" : "N/m"},
       {"--load-parameter", options.load_parameter, LoadVariable::load_parameter,
        ""},
       {"--x", options.x, LoadVariable::x, ""},

@@ -15,9 +15,9 @@ using hinge_angle::Options;
 constexpr std::string_view help = R"(
 The joint is one of
   --joint FILE.toml           a joint file
-  --joint sphere|cylinder --pair FILE.toml --radius R --clearance EPS
-  --joint sphere|cylinder --pair FILE.toml              dimensionless
-  --joint sphere|cylinder --modulus-ratio E1/E2         dimensionless
+  --joint ball|pin --pair FILE.toml --radius R --clearance EPS
+  --joint ball|pin --pair FILE.toml              dimensionless
+  --joint ball|pin --modulus-ratio E1/E2         dimensionless
 with body 1 the ball or pin and body 2 the seat or hole. Lengths are in m or
 carry a unit: 50mm, 25um. The clearance is the difference of the radii. A
 modulus ratio of 0 is a rigid seat, inf a rigid ball or pin.
@@ -25,16 +25,16 @@ modulus ratio of 0 is a rigid seat, inf a rigid ball or pin.
 
 constexpr std::string_view load_help = R"(
 The load is one of
-  --load            compressive force, N (sphere) or N/m of length (cylinder)
-  --load-parameter  mu = 3 R_n/(2 ebar rho1^2 E) (sphere) or
-                    lambda = 2 P/(pi ebar rho1 E) (cylinder), with
+  --load            normal force, N (ball) or N/m of length (pin)
+  --load-parameter  mu = 3 R_n/(2 ebar rho1^2 E) (ball) or
+                    lambda = 2 P/(pi ebar rho1 E) (pin), with
                     E = 2/((1-nu1^2)/E1 + (1-nu2^2)/E2), ebar = EPS/R
   --x               cbrt(mu) or 2 sqrt(lambda)
 Each takes a value, a list a,b,c, a range start:stop:step, or
 start:stop:logN for N values in equal ratios.
 
 Laws: hertz, arctan, tanh, blend, blend:K (K arctan + (1-K) tanh), paper
-(blend:0.5 for a cylinder, tanh for a sphere), nominal (fitted to exact
+(blend:0.5 for a pin, tanh for a ball), nominal (fitted to exact
 contacts, Poisson's ratio 0.3), fitted (the same for any pair; the default),
 exact (the theory of elasticity for this pair), or all (but paper, which is
 one of them).
@@ -46,7 +46,7 @@ Columns: load (N or N/m; not in dimensionless runs), load_parameter, x, then
 for each law
   theta0_LAW_deg          half-angle of the contact, degrees
   p_peak_LAW_Pa           peak pressure, Pa, or in dimensionless runs
-  p_peak_LAW_over_mean    over the mean R_n/R^2 (sphere) or P/R (cylinder)
+  p_peak_LAW_over_mean    over the mean R_n/R^2 (ball) or P/R (pin)
 With another pressure law than cosine: p_peak_LAW_by_PRESSURE_Pa.
 With --inverse: theta0_deg, then for each law load_LAW, load_parameter_LAW,
 x_LAW and the peak pressure. Where a law has no value (hertz for x > 1) the
@@ -62,13 +62,13 @@ within --tolerance. The picture of --plot has the errors below the half-angles
 whenever exact is one of several laws.
 
 Examples:
-  hinge-angle --joint cylinder --modulus-ratio 1 --load-parameter 0.001:10:log9 --law hertz,arctan,tanh,blend
-  hinge-angle --joint sphere --pair data/materials/steel_bronze.toml --radius 50mm --clearance 50um --load 1e4:1e6:log5
-  hinge-angle --joint sphere --modulus-ratio 0 --limit-angle 92.5 --x 0:2:0.5 --law tanh --format markdown
+  hinge-angle --joint pin --modulus-ratio 1 --load-parameter 0.001:10:log9 --law hertz,arctan,tanh,blend
+  hinge-angle --joint ball --pair data/materials/steel_bronze.toml --radius 50mm --clearance 50um --load 1e4:1e6:log5
+  hinge-angle --joint ball --modulus-ratio 0 --limit-angle 92.5 --x 0:2:0.5 --law tanh --format markdown
   hinge-angle --joint data/joints/paper_example_1.toml --load 1e4:1e6:log9 --law hertz,arctan,tanh
   hinge-angle --compare --joint data/joints/hip_cocr_uhmwpe.toml --load 100:5000:log50 --format markdown
-  hinge-angle --joint sphere --modulus-ratio 2 --poisson1 0.4 --x 0.01:100:log200 --law all --output ball.csv --plot ball.svg
-  hinge-angle --joint cylinder --modulus-ratio 1 --inverse --theta0 0:80:20 --format json
+  hinge-angle --joint ball --modulus-ratio 2 --poisson1 0.4 --x 0.01:100:log200 --law all --output ball.csv --plot ball.svg
+  hinge-angle --joint pin --modulus-ratio 1 --inverse --theta0 0:80:20 --format json
 
 )";
 

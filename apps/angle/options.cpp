@@ -7,7 +7,7 @@
 namespace hinge_angle {
 
 void add_joint_options(CLI::App& app, Options& options) {
-  app.add_option("--joint", options.joint, "sphere, cylinder or a joint file")
+  app.add_option("--joint", options.joint, "ball, pin or a joint file")
       ->option_text("KIND|FILE")
       ->required()
       ->group("Joint");
@@ -45,7 +45,7 @@ void add_joint_options(CLI::App& app, Options& options) {
 }
 
 void add_load_options(CLI::App& app, Options& options) {
-  app.add_option("--load", options.load, "N, or N/m for a cylinder")
+  app.add_option("--load", options.load, "N, or N/m for a pin")
       ->option_text("VALUES")
       ->group("Load");
   app.add_option("--load-parameter", options.load_parameter, "mu or lambda")

@@ -13,7 +13,7 @@ namespace {
 Setup setup_from_file(const Options& options) {
   if (!options.joint.ends_with(".toml")) {
     throw contact::Error(fmt::format(
-        "--joint {}: allowed sphere, cylinder or a .toml file", options.joint));
+        "--joint {}: allowed ball, pin or a .toml file", options.joint));
   }
   if (!options.pair.empty() || !options.modulus_ratio.empty()) {
     throw contact::Error(
@@ -21,7 +21,7 @@ Setup setup_from_file(const Options& options) {
                     "or --modulus-ratio",
                     options.joint));
   }
-  const contact::Joint joint = contact::read_joint(options.joint);
+  const contact::JointSpec joint = contact::read_joint(options.joint);
   return {.kind = joint.geometry.kind(),
           .pair = joint.pair,
           .geometry = joint.geometry,
@@ -41,19 +41,19 @@ Setup setup_from_pair(const Options& options, contact::JointKind kind) {
   const double radius = cli::parse_length("--radius", options.radius);
   const double clearance = cli::parse_length("--clearance", options.clearance);
   // Loads of a pin are per unit length, so its length does not matter.
-  setup.geometry = kind == contact::JointKind::spherical
+  setup.geometry = kind == contact::JointKind::ball
                        ? contact::JointGeometry::ball(radius, clearance)
                        : contact::JointGeometry::pin(radius, clearance, 1);
   return setup;
 }
 
 Setup setup_of_joint(const Options& options) {
-  if (options.joint != "sphere" && options.joint != "cylinder") {
+  if (options.joint != "ball" && options.joint != "pin") {
     return setup_from_file(options);
   }
-  const contact::JointKind kind = options.joint == "sphere"
-                                      ? contact::JointKind::spherical
-                                      : contact::JointKind::cylindrical;
+  const contact::JointKind kind = options.joint == "ball"
+                                      ? contact::JointKind::ball
+                                      : contact::JointKind::pin;
   if (!options.modulus_ratio.empty()) {
     return {kind,
             cli::pair_of_modulus_ratio(options.modulus_ratio, options.poisson1,

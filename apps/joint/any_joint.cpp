@@ -5,9 +5,9 @@
 namespace hinge_joint {
 namespace {
 
-using contact::CylindricalJoint;
+using contact::BallJoint;
 using contact::JointSolution;
-using contact::SphericalJoint;
+using contact::PinJoint;
 using Eigen::Vector3d;
 
 Vector3d axis_of(const Vector3d& turn, const Vector3d& force) {
@@ -15,15 +15,14 @@ Vector3d axis_of(const Vector3d& turn, const Vector3d& force) {
   return force.isZero(0) ? Vector3d(Vector3d::UnitZ()) : force.unitOrthogonal();
 }
 
-std::variant<SphericalJoint, CylindricalJoint> make(
-    const contact::JointContact& contact) {
-  if (contact.geometry().kind() == contact::JointKind::spherical) {
-    return SphericalJoint(contact);
+std::variant<BallJoint, PinJoint> make(const contact::JointContact& contact) {
+  if (contact.geometry().kind() == contact::JointKind::ball) {
+    return BallJoint(contact);
   }
-  return CylindricalJoint(contact);
+  return PinJoint(contact);
 }
 
-contact::RestSolution pin_utilisation(const CylindricalJoint& joint,
+contact::RestSolution pin_utilisation(const PinJoint& joint,
                                       const Vector3d& reaction,
                                       const Vector3d& moment) {
   const Vector3d u = -axis_of(moment, reaction);
@@ -51,28 +50,28 @@ const contact::JointContact& AnyJoint::contact() const {
 
 JointSolution AnyJoint::solve(const Vector3d& reaction,
                               const Vector3d& rate) const {
-  if (const auto* ball = std::get_if<SphericalJoint>(&joint_)) {
+  if (const auto* ball = std::get_if<BallJoint>(&joint_)) {
     return ball->solve(reaction, rate);
   }
-  return std::get<CylindricalJoint>(joint_).solve(
-      reaction, axis_of(rate, reaction), rate.stableNorm());
+  return std::get<PinJoint>(joint_).solve(reaction, axis_of(rate, reaction),
+                                          rate.stableNorm());
 }
 
 JointSolution AnyJoint::solve_contact(const Vector3d& force,
                                       const Vector3d& rate) const {
-  if (const auto* ball = std::get_if<SphericalJoint>(&joint_)) {
+  if (const auto* ball = std::get_if<BallJoint>(&joint_)) {
     return ball->solve_contact(force, rate);
   }
-  return std::get<CylindricalJoint>(joint_).solve_contact(
-      force, axis_of(rate, force), rate.stableNorm());
+  return std::get<PinJoint>(joint_).solve_contact(force, axis_of(rate, force),
+                                                  rate.stableNorm());
 }
 
 contact::RestSolution AnyJoint::utilisation(const Vector3d& reaction,
                                             const Vector3d& moment) const {
-  if (const auto* ball = std::get_if<SphericalJoint>(&joint_)) {
+  if (const auto* ball = std::get_if<BallJoint>(&joint_)) {
     return ball->utilisation(reaction, moment);
   }
-  return pin_utilisation(std::get<CylindricalJoint>(joint_), reaction, moment);
+  return pin_utilisation(std::get<PinJoint>(joint_), reaction, moment);
 }
 
 contact::FixedPointResult AnyJoint::fixed_point(
@@ -80,10 +79,10 @@ contact::FixedPointResult AnyJoint::fixed_point(
     std::span<contact::FixedPointStep> trace, double start) const {
   constexpr double tolerance = 1e-12;
   const int steps = static_cast<int>(trace.size());
-  if (const auto* ball = std::get_if<SphericalJoint>(&joint_)) {
+  if (const auto* ball = std::get_if<BallJoint>(&joint_)) {
     return ball->fixed_point(reaction, rate, trace, tolerance, steps, start);
   }
-  return std::get<CylindricalJoint>(joint_).fixed_point(
+  return std::get<PinJoint>(joint_).fixed_point(
       reaction, axis_of(rate, reaction), rate.stableNorm(), trace, tolerance,
       steps, start);
 }

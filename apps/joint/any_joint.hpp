@@ -4,8 +4,8 @@
 #include <span>
 #include <variant>
 
-#include "libcontact/joint/cylindrical_joint.hpp"
-#include "libcontact/joint/spherical_joint.hpp"
+#include "libcontact/joint/ball_joint.hpp"
+#include "libcontact/joint/pin_joint.hpp"
 
 /// The parts of the program hinge-joint.
 namespace hinge_joint {
@@ -19,10 +19,10 @@ class AnyJoint {
 
   const contact::JointContact& contact() const;
   bool is_pin() const {
-    return std::holds_alternative<contact::CylindricalJoint>(joint_);
+    return std::holds_alternative<contact::PinJoint>(joint_);
   }
 
-  /// As the functions of contact::SphericalJoint.
+  /// As the functions of contact::BallJoint.
   contact::JointSolution solve(const Eigen::Vector3d& reaction,
                                const Eigen::Vector3d& rate) const;
   contact::JointSolution solve_contact(const Eigen::Vector3d& force,
@@ -35,7 +35,7 @@ class AnyJoint {
       std::span<contact::FixedPointStep> trace, double start) const;
 
  private:
-  std::variant<contact::SphericalJoint, contact::CylindricalJoint> joint_;
+  std::variant<contact::BallJoint, contact::PinJoint> joint_;
 };
 
 }  // namespace hinge_joint

@@ -27,7 +27,7 @@ cli::Sweep angle_sweep(std::string_view option, const std::string& text,
                        bool pin, std::string_view pin_angle) {
   if (pin) {
     if (!text.empty()) {
-      refuse(fmt::format("{} {}: a cylinder has no such angle", option, text));
+      refuse(fmt::format("{} {}: a pin has no such angle", option, text));
     }
     return {option, pin_angle, allowed};
   }

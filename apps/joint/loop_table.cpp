@@ -84,7 +84,7 @@ const std::vector<std::string> step_columns = {
 
 std::vector<double> step_values(const FixedPointStep& step) {
   return {static_cast<double>(step.step), step.friction_angle / degree,
-          step.slip_axis_angle / degree,  step.compressive_force,
+          step.slip_axis_angle / degree,  step.normal_force,
           step.adhesion_number,           step.load_parameter,
           step.half_angle / degree,       step.friction_coefficient};
 }
@@ -181,7 +181,7 @@ std::vector<double> round_values(const OuterLoop& loop, std::size_t round,
   const JointSolution& s = loop.contact();
   for (const double value :
        {loop.friction_angle() / degree, s.slip_axis_angle() / degree,
-        s.compressive_force, s.adhesion_number, s.load_parameter,
+        s.normal_force, s.adhesion_number, s.load_parameter,
         s.half_angle / degree}) {
     values.push_back(round == 0 ? nan : value);
   }

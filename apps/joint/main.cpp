@@ -17,8 +17,8 @@ using hinge_joint::Options;
 constexpr std::string_view help = R"(
 The joint is one of
   --joint FILE.toml           a joint file
-  --joint sphere --pair FILE.toml --radius R --clearance EPS
-  --joint cylinder --pair FILE.toml --radius R --clearance EPS --length L
+  --joint ball --pair FILE.toml --radius R --clearance EPS
+  --joint pin --pair FILE.toml --radius R --clearance EPS --length L
 Lengths are in m or carry a unit: 50mm, 25um. The clearance is the difference
 of the radii. Friction, half-angle law and pressure law are those of the files
 unless options name others; of comma lists of laws every pair is computed.
@@ -35,14 +35,14 @@ The state is one of
                                            the moment M on the load, N m
   --reaction R --beta B      R in N at B degrees from Dw; Dw along Z, R in the
                              plane XOZ
-  --normal-force F --alpha A compressive force R_n in N, slip axis angle in
+  --normal-force F --alpha A normal force R_n in N, slip axis angle in
                              degrees: 0 sliding, 90 spinning; R_n along Z, Dw
                              in the plane YOZ
   --points FILE              a state in each line of a CSV file, by the columns
                              of this program's output: R_N,b_deg or R_n_N,a_deg
                              or R_x_N,R_y_N,R_z_N with w_x_rad_per_s,... or,
                              at rest, M_x_N_m,M_y_N_m,M_z_N_m
-A cylinder has no angles; its axis is the direction of Dw (of M), and the part
+A pin has no angles; its axis is the direction of Dw (of M), and the part
 of R along it is left out. --reaction,
 --beta, --normal-force, --alpha take a value, a list a,b,c, a range
 start:stop:step, or start:stop:logN for N values in equal ratios; of two, all
@@ -81,7 +81,7 @@ Examples:
   hinge-joint --joint data/joints/paper_example_1.toml --reaction 2.63e5 --beta 67.6 --trace --beside data/reference/paper_examples.csv
   hinge-joint --joint data/joints/paper_example_2.toml --reaction-xyz 1.122e6,3.23e5,0 --rate-xyz 0,0,1 --outer 0,-0.026,0 --joints 2 --braking=-6.5e-6 --inner-steps 4,3 --beside data/reference/paper_examples.csv --format markdown
   hinge-joint --joint data/joints/hip_cocr_uhmwpe.toml --law tanh --reaction 10:5000:log50 --beta 30,60,90 --output hip.csv
-  hinge-joint --joint sphere --pair data/materials/steel_bronze.toml --radius 50mm --clearance 50um --friction 0.15 --law tanh --reaction-xyz 1e5,2e4,0 --moment-xyz 300,0,500 --format json
+  hinge-joint --joint ball --pair data/materials/steel_bronze.toml --radius 50mm --clearance 50um --friction 0.15 --law tanh --reaction-xyz 1e5,2e4,0 --moment-xyz 300,0,500 --format json
   hinge-joint --joint data/joints/pin_joint.toml --law hertz,blend --reaction 1e3,1e4
   printf 'time_s,R_N,b_deg\n0,1e5,90\n0.1,2e5,80\n' | hinge-joint --joint data/joints/paper_example_1.toml --points -
 
@@ -104,7 +104,7 @@ void add_joint(CLI::App& app, Options& options) {
                            const char* what, const char* kind) {
     app.add_option(name, value, what)->option_text(kind)->group("Joint");
   };
-  app.add_option("--joint", options.joint, "sphere, cylinder or a joint file")
+  app.add_option("--joint", options.joint, "ball, pin or a joint file")
       ->option_text("KIND|FILE")
       ->required()
       ->group("Joint");
@@ -113,7 +113,7 @@ void add_joint(CLI::App& app, Options& options) {
   text("--radius", options.radius, "of the ball or pin, m or with a unit",
        "LENGTH");
   text("--clearance", options.clearance, "radial, m or with a unit", "LENGTH");
-  text("--length", options.length, "of a cylinder, m or with a unit", "LENGTH");
+  text("--length", options.length, "of a pin, m or with a unit", "LENGTH");
   text("--inner-body", options.inner_body,
        "body with the ball or pin: carrier (default) or load", "NAME");
   text("--friction", options.friction, "f0 of f = f0 + A/p", "NUMBER");

@@ -37,7 +37,7 @@ void warn_of_axial_force(const Setup& setup, const Inputs& inputs) {
   // Of what rounding leaves of a force normal to the axis.
   if (axial <= 1e-12 * force.stableNorm()) return;
   cli::warn("hinge-joint",
-            fmt::format("a cylinder takes no force along its axis: {:.4g} N "
+            fmt::format("a pin takes no force along its axis: {:.4g} N "
                         "of the reaction are left out",
                         axial));
 }

@@ -13,18 +13,18 @@
 namespace hinge_joint {
 namespace {
 
-using contact::Joint;
 using contact::JointBody;
 using contact::JointGeometry;
+using contact::JointSpec;
 
 // Far above any friction coefficient, adhesion or viscosity.
 constexpr double largest = 1e30;
 constexpr cli::Allowed strength{0, largest, ""};
 
-Joint joint_from_file(const Options& options) {
+JointSpec joint_from_file(const Options& options) {
   if (!options.joint.ends_with(".toml")) {
     throw contact::Error(fmt::format(
-        "--joint {}: allowed sphere, cylinder or a .toml file", options.joint));
+        "--joint {}: allowed ball, pin or a .toml file", options.joint));
   }
   for (const auto* text : {&options.pair, &options.radius, &options.clearance,
                            &options.length, &options.inner_body}) {
@@ -38,24 +38,24 @@ Joint joint_from_file(const Options& options) {
   return contact::read_joint(options.joint);
 }
 
-JointGeometry geometry_from_options(const Options& options, bool sphere) {
+JointGeometry geometry_from_options(const Options& options, bool ball) {
   constexpr std::array<cli::Choice<JointBody>, 2> bodies = {
-      {{"carrier", JointBody::carrier}, {"load", JointBody::load}}};
+      {{"carrier", JointBody::carrier}, {"load", JointBody::body}}};
   const JointBody inner =
       options.inner_body.empty()
           ? JointBody::carrier
           : cli::choice("--inner-body", options.inner_body, bodies);
-  if (options.length.empty() != sphere) {
-    throw contact::Error("--length: a cylinder needs it, a sphere has none");
+  if (options.length.empty() != ball) {
+    throw contact::Error("--length: a pin needs it, a ball has none");
   }
   const double radius = cli::parse_length("--radius", options.radius);
   const double clearance = cli::parse_length("--clearance", options.clearance);
-  if (sphere) return JointGeometry::ball(radius, clearance, inner);
+  if (ball) return JointGeometry::ball(radius, clearance, inner);
   return JointGeometry::pin(
       radius, clearance, cli::parse_length("--length", options.length), inner);
 }
 
-Joint joint_from_options(const Options& options) {
+JointSpec joint_from_options(const Options& options) {
   if (options.pair.empty() || options.radius.empty() ||
       options.clearance.empty()) {
     throw contact::Error(fmt::format(
@@ -63,7 +63,7 @@ Joint joint_from_options(const Options& options) {
   }
   const contact::MaterialPair pair = contact::read_material_pair(options.pair);
   return {.name = "",
-          .geometry = geometry_from_options(options, options.joint == "sphere"),
+          .geometry = geometry_from_options(options, options.joint == "ball"),
           .pair = pair.elastic,
           .friction = pair.friction,
           .half_angle_law = std::string(contact::default_half_angle_law),
@@ -87,7 +87,7 @@ contact::ViscousLaw viscous_law(const std::string& text) {
 }
 
 contact::FrictionModel make_friction(const Options& options,
-                                     const Joint& joint) {
+                                     const JointSpec& joint) {
   if (!options.viscous.empty()) {
     if (!options.friction.empty() || !options.adhesion.empty()) {
       throw contact::Error("--viscous: not with --friction or --adhesion");
@@ -123,8 +123,9 @@ contact::FrictionModel make_friction(const Options& options,
 }  // namespace
 
 Setup make_setup(const Options& options) {
-  const bool named = options.joint == "sphere" || options.joint == "cylinder";
-  Joint joint = named ? joint_from_options(options) : joint_from_file(options);
+  const bool named = options.joint == "ball" || options.joint == "pin";
+  JointSpec joint =
+      named ? joint_from_options(options) : joint_from_file(options);
   const auto friction = make_friction(options, joint);
   contact::ContactConditions& conditions = joint.conditions;
   conditions.loading = cli::parse_loading(options.loading, conditions.loading);

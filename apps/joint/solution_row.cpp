@@ -61,10 +61,10 @@ constexpr std::array<Quantity, 44> all = {{
        return as_given(a, Question::contact, &Input::Given::angle_deg,
                        if_sliding(a, a.solution.slip_axis_angle() / degree));
      }},
-    {"R_n_N", "compressive force",
+    {"R_n_N", "normal force",
      [](const Answer& a) {
        return as_given(a, Question::contact, &Input::Given::force,
-                       a.solution.compressive_force);
+                       a.solution.normal_force);
      }},
     {"n_x", "its direction on the load",
      [](const Answer& a) { return a.solution.normal.x(); }},
@@ -86,7 +86,7 @@ constexpr std::array<Quantity, 44> all = {{
      [](const Answer& a) { return a.solution.friction_moment.y(); }},
     {"M_t_z_N_m", "",
      [](const Answer& a) { return a.solution.friction_moment.z(); }},
-    {"M_traditional_N_m", "friction moment if R were the compressive force",
+    {"M_traditional_N_m", "friction moment if R were the normal force",
      [](const Answer& a) { return a.traditional; }},
     {"v_m_per_s", "slip velocity at the contact's centre",
      [](const Answer& a) { return a.solution.slip_velocity.stableNorm(); }},
@@ -110,7 +110,7 @@ constexpr std::array<Quantity, 44> all = {{
      [](const Answer& a) { return a.solution.spinning_coefficient; }},
     {"Abar", "adhesion number A rho^2/(f0 R_n)",
      [](const Answer& a) { return a.solution.adhesion_number; }},
-    {"load_parameter", "mu of a sphere, lambda of a cylinder",
+    {"load_parameter", "mu of a ball, lambda of a pin",
      [](const Answer& a) { return a.solution.load_parameter; }},
     {"theta0_deg", "half-angle of the contact",
      [](const Answer& a) { return a.solution.half_angle / degree; }},

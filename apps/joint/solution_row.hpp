@@ -17,7 +17,7 @@ struct Answer {
   std::optional<Input::Given> given;
   Eigen::Vector3d rate;  ///< Dw; at rest u, with 1 rad/s
   contact::JointSolution solution;
-  /// |M_t| that R would give as the compressive force, N m.
+  /// |M_t| that R would give as the normal force, N m.
   double traditional;
   /// |M_t|/(rho R).
   double moment_coefficient;

@@ -61,8 +61,8 @@ class Labels {
       return reaction_ ? "angle β between R and Δω, deg"
                        : "slip axis angle α, deg";
     }
-    return fmt::format(
-        "{}, {}N", reaction_ ? "reaction R" : "compressive force", unit.prefix);
+    return fmt::format("{}, {}N", reaction_ ? "reaction R" : "normal force",
+                       unit.prefix);
   }
 
  private:

@@ -14,7 +14,7 @@ Contact make(const hinge_angle::Setup& setup) {
 
 std::variant<BallContact, PinContact> contact_of(
     const hinge_angle::Setup& setup) {
-  if (setup.kind == contact::JointKind::spherical) {
+  if (setup.kind == contact::JointKind::ball) {
     return make<BallContact>(setup);
   }
   return make<PinContact>(setup);
@@ -25,8 +25,8 @@ std::variant<BallContact, PinContact> contact_of(
 JointApproach::JointApproach(const hinge_angle::Setup& setup)
     : contact_(contact_of(setup)),
       length_unit_(setup.geometry->radial_clearance()),
-      stiffness_unit_(setup.pair.reduced_modulus() *
-                      (setup.kind == contact::JointKind::spherical
+      stiffness_unit_(setup.pair.effective_modulus() *
+                      (setup.kind == contact::JointKind::ball
                            ? setup.geometry->radius()
                            : 1)) {}
 

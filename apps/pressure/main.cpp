@@ -13,8 +13,8 @@ namespace {
 using hinge_pressure::Options;
 
 constexpr std::string_view help = R"(
-The joint and the load are given as to hinge-angle: a joint file, or sphere or
-cylinder with the materials and the size, or dimensionless with --modulus-ratio;
+The joint and the load are given as to hinge-angle: a joint file, or ball or
+pin with the materials and the size, or dimensionless with --modulus-ratio;
 the load takes a value, a list a,b,c, a range start:stop:step, or
 start:stop:logN for N values in equal ratios.
 
@@ -34,16 +34,16 @@ Columns, a row for each angle from the centre of the contact to its edge:
   loading             back:PSI; not with a force at the centre
   theta_deg           angle from the centre of the contact
   p_LAW_Pa            pressure, Pa, or in dimensionless runs
-  p_LAW_over_mean     over the mean R_n/R^2 (sphere) or P/R (cylinder)
+  p_LAW_over_mean     over the mean R_n/R^2 (ball) or P/R (pin)
 With --summary a row for each load and pressure law: load, load_parameter,
 theta0_deg, law (of the half-angle), pressure (the law), p_peak_Pa, p_mean_Pa
 (or _over_mean), contact_area_m2 or contact_width_m (dimensionless:
 contact_area_over_R2, contact_width_over_R), S (sum of the pressures over the
-force that they carry); for a sphere the friction coefficients chi_0 (force),
+force that they carry); for a ball the friction coefficients chi_0 (force),
 sigma_Y_0 (moment) of pure sliding and sigma_Z_90 (moment) of pure spinning.
 A joint with a size and the half-angle law exact has approach_m too, how far the
 load presses the two bodies together from first touch, and the stiffness there,
-stiffness_N_per_m or, for a cylinder, whose loads are per length,
+stiffness_N_per_m or, for a pin, whose loads are per length,
 stiffness_N_per_m2. Both are empty for a pin in an infinite hole, which gives way
 without end, for loading through the back and without load.
 Where a law has no value the cell is empty, in JSON null.
@@ -51,7 +51,7 @@ Where a law has no value the cell is empty, in JSON null.
 Examples:
   hinge-pressure --joint data/joints/hip_cocr_uhmwpe.toml --load 500,2000 --summary --format markdown
   hinge-pressure --joint data/joints/pin_joint.toml --load 1e6 --law exact --points 21
-  hinge-pressure --joint sphere --modulus-ratio 0 --x 1.5 --pressure cosine,exact --output ball.csv --plot ball.svg
+  hinge-pressure --joint ball --modulus-ratio 0 --x 1.5 --pressure cosine,exact --output ball.csv --plot ball.svg
 
 )";
 

@@ -19,7 +19,7 @@ constexpr double megapascal = 1e6;
 // "2000 N", "μ = 0.5"
 std::string load_text(const hinge_angle::Setup& setup,
                       const LoadedContact& contact) {
-  const bool ball = setup.kind == contact::JointKind::spherical;
+  const bool ball = setup.kind == contact::JointKind::ball;
   if (!setup.geometry) {
     return fmt::format("{} = {:.6g}", ball ? "μ" : "λ", contact.load_parameter);
   }
@@ -52,7 +52,7 @@ std::string draw(const PressureTable& pressures,
   }
   plot.x_label = "angle from the centre of the contact, deg";
   plot.y_label = pascal ? "pressure, MPa"
-                 : setup.kind == contact::JointKind::spherical
+                 : setup.kind == contact::JointKind::ball
                      ? "pressure over Rₙ/ρ²"
                      : "pressure over P/ρ";
   // Several laws have the colours, and the title the loads; one law leaves the

@@ -73,7 +73,7 @@ std::vector<std::string> PressureTable::summary_columns() const {
   names.insert(names.end(), {"law", "pressure"});
   names.push_back("p_peak_" + unit());
   names.push_back("p_mean_" + unit());
-  const bool ball = setup_.kind == contact::JointKind::spherical;
+  const bool ball = setup_.kind == contact::JointKind::ball;
   if (setup_.geometry) {
     names.emplace_back(ball ? "contact_area_m2" : "contact_width_m");
   } else {
@@ -93,7 +93,7 @@ void PressureTable::write_summary(const LoadedContact& contact,
   const double half_angle = contact.half_angle;
   const double radius = setup_.geometry ? setup_.geometry->radius() : 1;
   const double sine = std::sin(half_angle / 2);
-  const double area = setup_.kind == contact::JointKind::spherical
+  const double area = setup_.kind == contact::JointKind::ball
                           ? 4 * std::numbers::pi * sine * sine * radius * radius
                           : 2 * half_angle * radius;
   const bool unloaded = setup_.geometry && contact.load == 0;
@@ -107,7 +107,7 @@ void PressureTable::write_summary(const LoadedContact& contact,
     row.number(unloaded ? 0 : scale(contact) * law.law->mean(half_angle));
     row.number(area);
     row.number(law.law->force_ratio(half_angle));
-    if (setup_.kind == contact::JointKind::spherical) {
+    if (setup_.kind == contact::JointKind::ball) {
       const auto coefficients = [&](contact::SlipAxis axis) {
         return contact::friction_integrals(*law.law, half_angle, axis)
             .coefficient;

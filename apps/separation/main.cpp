@@ -1,4 +1,4 @@
-// hinge-separation: a carrier and its loads come apart.
+// hinge-separation: a carrier and its bodies come apart.
 #include <CLI/CLI.hpp>
 #include <string>
 #include <string_view>
@@ -16,7 +16,7 @@ constexpr std::string_view help = R"(
 The case file says what the bodies, hinges, forces and events are; its keys
 are in apps/separation/README.md, examples in data/cases.
 
-The summary (JSON, --output) has the events, for each load peak reactions,
+The summary (JSON, --output) has the events, for each body peak reactions,
 work of friction, time at rest, angle and rates at release, for each joint
 peak reaction, peak pressure and largest half-angle theta0, the smallest
 clearances and the energy balance. Peaks are looked for within the steps too,
@@ -24,7 +24,7 @@ clearances at the output times, the ends of steps, and the instants before and
 after each event.
 Angles are in degrees, all else in SI units; the keys name the unit.
 
-Columns of the history: time_s; of each load with a hinge NAME.mode (sliding,
+Columns of the history: time_s; of each body with a hinge NAME.mode (sliding,
 resting, locked, released), .angle_deg, .rate_deg_per_s,
 .acceleration_deg_per_s2, .reaction_N, .lock_reaction_N, .friction_moment_N_m,
 .utilisation, .theta0_deg, .peak_pressure_Pa, .friction_work_J; of each body
@@ -33,7 +33,7 @@ axes), .qw to .qz (body axes to inertial ones), .wx_rad_per_s to .wz_rad_per_s
 (body axes); clearance.A.B_m; energy.*_J.
 
 --compare runs the case with ideal joints, full friction and the traditional
-estimate (friction from the reaction instead of the compressive force).
+estimate (friction from the reaction instead of the normal force).
 
 --plot NAME.svg draws NAME_angles.svg, NAME_rates.svg, NAME_reactions.svg (with
 hinges) and NAME_clearance.svg (with shapes).
@@ -132,7 +132,7 @@ void add_options(CLI::App& app, Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("Separation of stages and motion of hinged loads",
+  CLI::App app("Separation of stages and motion of hinged bodies",
                "hinge-separation");
   Options options;
   add_options(app, options);

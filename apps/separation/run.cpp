@@ -51,7 +51,7 @@ std::string text_of(const contact::LayeredBody& body) {
 }
 
 // Numbers of a joint, which may come from other files than the case's.
-std::string text_of(const contact::Joint& joint) {
+std::string text_of(const contact::JointSpec& joint) {
   const contact::JointGeometry& g = joint.geometry;
   const contact::ElasticPair& pair = joint.pair;
   std::string text = fmt::format(
@@ -161,8 +161,8 @@ void check_case(const Options& o, const Case& c) {
 // Of the joints, once for each reason.
 void print_validity(const Case& c) {
   std::set<std::string> notes;
-  for (const Load& load : c.loads) {
-    for (const HingeJoint& joint : load.hinge.joints) {
+  for (const Body& body : c.bodies) {
+    for (const HingeJoint& joint : body.hinge.joints) {
       for (const std::string& note : joint.joint.validity_notes()) {
         notes.insert(fmt::format("joint {}: {}", joint.joint.name, note));
       }
@@ -175,17 +175,18 @@ void print_overlaps(const Case& c, const Outcome& outcome) {
   for (std::size_t i = 0; i < c.clearance.size(); ++i) {
     const PairRecord& pair = outcome.memory.pairs[i];
     if (pair.not_found > 0) {
-      cli::warn(program,
-                fmt::format("the distance of {} and {} was not found {} times",
-                            c.body(c.clearance[i].a).name,
-                            c.body(c.clearance[i].b).name, pair.not_found));
+      cli::warn(
+          program,
+          fmt::format("the distance of {} and {} was not found {} times",
+                      c.rigid_body(c.clearance[i].a).name,
+                      c.rigid_body(c.clearance[i].b).name, pair.not_found));
     }
     if (pair.overlap_from == History::not_yet) continue;
     cli::warn(program,
               fmt::format("{} and {} overlap from t = {:.6g} s to {:.6g} s",
-                          c.body(c.clearance[i].a).name,
-                          c.body(c.clearance[i].b).name, pair.overlap_from,
-                          pair.overlap_to));
+                          c.rigid_body(c.clearance[i].a).name,
+                          c.rigid_body(c.clearance[i].b).name,
+                          pair.overlap_from, pair.overlap_to));
   }
 }
 
@@ -201,7 +202,7 @@ void print_missed(const Case& c, const Outcome& outcome) {
   for (const Missed& missed : missed_events(c, outcome)) {
     cli::warn(program,
               fmt::format("event \"{}\" did not come for {}", missed.event,
-                          fmt::join(missed.loads, ", ")));
+                          fmt::join(missed.bodies, ", ")));
   }
   for (const std::string& idle : idle_forces(
            c, outcome.history, outcome.memory.forces, outcome.end_time)) {
@@ -272,8 +273,8 @@ RunOptions run_options(const Case& c, const Options& o) {
   run.resume = o.resume;
   run.identity =
       fmt::format("{}\n{}\n", static_cast<int>(run.friction), run.clearance);
-  for (const Load& load : c.loads) {
-    for (const HingeJoint& joint : load.hinge.joints) {
+  for (const Body& body : c.bodies) {
+    for (const HingeJoint& joint : body.hinge.joints) {
       run.identity += text_of(joint.joint);
     }
   }

@@ -77,7 +77,7 @@ int main(int argc, char** argv) {
                  "pressure law; default that of --joint, or cosine")
       ->option_text("NAME");
   auto* joint = app.add_option("--joint", options.joint,
-                               "a spherical joint's file: materials, pressure")
+                               "a ball joint's file: materials, pressure")
                     ->option_text("FILE");
   auto* pair = app.add_option("--pair", options.pair, "a file of materials")
                    ->option_text("FILE")

@@ -22,10 +22,10 @@ struct Materials {
 
 std::optional<Materials> materials_of(const Options& options) {
   if (!options.joint.empty()) {
-    const contact::Joint joint = contact::read_joint(options.joint);
-    if (joint.geometry.kind() != contact::JointKind::spherical) {
-      throw contact::Error(fmt::format(
-          "--joint {}: a cylindrical joint: allowed spherical", options.joint));
+    const contact::JointSpec joint = contact::read_joint(options.joint);
+    if (joint.geometry.kind() != contact::JointKind::ball) {
+      throw contact::Error(
+          fmt::format("--joint {}: a pin joint: allowed ball", options.joint));
     }
     return Materials{"--joint " + options.joint, joint.pair, joint.pressure_law,
                      joint.conditions, joint.name};
@@ -82,7 +82,7 @@ PressureChoice chosen_pressure(const Options& options) {
   conditions.loading = cli::parse_loading(options.loading, conditions.loading);
   // The other laws do not look at the pair.
   cli::NamedPressure pressure = cli::make_pressure_law(
-      name, contact::JointKind::spherical,
+      name, contact::JointKind::ball,
       materials ? materials->pair
                 : contact::ElasticPair::from_modulus_ratio(1, 0.3, 0.3),
       conditions);

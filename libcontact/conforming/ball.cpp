@@ -214,9 +214,8 @@ namespace {
 
 // A pair without layers.
 detail::WallHarmonics no_walls(const ElasticPair& pair) {
-  return {JointKind::spherical,
-          LayeredPair(1, {{}, Backing::medium(pair.inner())},
-                      {{}, Backing::medium(pair.outer())})};
+  return {JointKind::ball, LayeredPair(1, {{}, Backing::medium(pair.inner())},
+                                       {{}, Backing::medium(pair.outer())})};
 }
 
 }  // namespace
@@ -239,8 +238,7 @@ BallContact::BallContact(const LayeredPair& pair, InnerLoading loading,
   detail::require_uncoated(pair, loading);
   tables_ = std::make_shared<const Tables>(
       pair.surfaces(), loading, unknowns_,
-      detail::WallHarmonics(JointKind::spherical, pair),
-      pair.relative_thickness());
+      detail::WallHarmonics(JointKind::ball, pair), pair.relative_thickness());
   set_largest(loading);
 }
 

@@ -17,7 +17,7 @@ class HalfAngleVariable {
  public:
   /// @param thickness  t; infinite without walls
   HalfAngleVariable(JointKind kind, double largest, double thickness)
-      : ball_(kind == JointKind::spherical),
+      : ball_(kind == JointKind::ball),
         largest_(largest),
         thickness_(thickness),
         range_(std::log1p(largest / thickness)) {}

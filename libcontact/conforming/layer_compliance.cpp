@@ -54,7 +54,7 @@ struct LayerCompliance::Harmonic {
   JointKind kind;
   int n;
   double reference;  // G0
-  bool ball = kind == JointKind::spherical;
+  bool ball = kind == JointKind::ball;
   double l = ball ? n * (n + 1.0) : static_cast<double>(n) * n;
 
   Eigen::Vector4d balance() const {
@@ -184,7 +184,7 @@ int LayerCompliance::corrected() const {
   // Dc_n/c_n is 4 x^2 exp(-2 x) or so, x = n width. By measurement: with 13
   // the loads of pins are good to 1e-10, but those of balls on a nearly
   // incompressible thin liner to 1e-5 only.
-  const double last = kind_ == JointKind::spherical ? 18 : 13;
+  const double last = kind_ == JointKind::ball ? 18 : 13;
   return std::max(3, static_cast<int>(last / shells_.front().width) + 1);
 }
 
@@ -197,9 +197,8 @@ HarmonicCompliance LayerCompliance::operator()(int n) const {
   if (n > 1) return layered(n);
   const bool inner = side_ == Side::inner;
   if (inner && backing_ == Backing::Kind::medium) return {body_force(), 0};
-  const bool nothing_holds_it =
-      inner ? backing_ == Backing::Kind::held
-            : medium_ && kind_ == JointKind::cylindrical;
+  const bool nothing_holds_it = inner ? backing_ == Backing::Kind::held
+                                      : medium_ && kind_ == JointKind::pin;
   return {nothing_holds_it ? nan : layered(1).total, 0};
 }
 
@@ -210,7 +209,7 @@ double LayerCompliance::homogeneous(int n) const {
   const double nu = poisson_;
   const double k = (1 - 2 * nu) / (2 * (1 - nu));
   const bool inner = side_ == Side::inner;
-  if (kind_ == JointKind::spherical) {
+  if (kind_ == JointKind::ball) {
     if (inner && n == 1) return share_ * 0.6 * k / (1 + nu);
     return share_ * (inner ? ball_compliance(n, nu) : cavity_compliance(n, nu));
   }
@@ -221,7 +220,7 @@ double LayerCompliance::homogeneous(int n) const {
 
 // n = 0: (U, rS) alone, with the exponents 1 and -2 (ball) or -1 (pin).
 double LayerCompliance::mean() const {
-  const bool ball = kind_ == JointKind::spherical;
+  const bool ball = kind_ == JointKind::ball;
   const bool inner = side_ == Side::inner;
   const double upper = 1;
   const double lower = ball ? -2 : -1;
@@ -299,7 +298,7 @@ HarmonicCompliance LayerCompliance::layered(int n) const {
 double LayerCompliance::body_force() const {
   if (shells_.empty()) return homogeneous(1);
   enum { q = 4, j = 5 };
-  const bool ball = kind_ == JointKind::spherical;
+  const bool ball = kind_ == JointKind::ball;
   const double dimension = ball ? 3 : 2;
   const Harmonic harmonic{kind_, 1, 1};
   const Elastic& e = *medium_;

@@ -235,7 +235,7 @@ PinContact::PinContact(const LayeredPair& pair, InnerLoading loading,
                  unknowns == 0 ? detail::walled_unknowns(pair) : unknowns,
                  max_walled_unknowns) {
   detail::require_uncoated(pair, loading);
-  const detail::WallHarmonics walls(JointKind::cylindrical, pair);
+  const detail::WallHarmonics walls(JointKind::pin, pair);
   if (walls.correction.empty()) return;
   wall_ = std::make_shared<const Wall>(walls);
   constants_.mean_share += walls.correction[0];

@@ -13,7 +13,7 @@ WallHarmonics::WallHarmonics(JointKind kind, const LayeredPair& pair)
   for (const Side side : {Side::inner, Side::outer}) {
     const LayerCompliance compliance(
         kind, side, side == Side::inner ? pair.inner() : pair.outer(),
-        pair.radius(), pair.surfaces().reduced_modulus());
+        pair.radius(), pair.surfaces().effective_modulus());
     const int count = compliance.corrected();
     correction.resize(std::max<std::size_t>(correction.size(), count));
     for (int n = 0; n < count; ++n) {

@@ -69,11 +69,11 @@ MaterialPair material_pair_from_table(const TomlTable& table) {
 }
 
 JointGeometry geometry_from_table(const TomlTable& joint) {
-  const bool ball = joint.choice("kind", {"spherical", "cylindrical"}) == 0;
+  const bool ball = joint.choice("kind", {"ball", "pin"}) == 0;
   const JointBody inner_body =
-      joint.optional_choice("inner_body", {"carrier", "load"}).value_or(0) == 0
+      joint.optional_choice("inner_body", {"carrier", "body"}).value_or(0) == 0
           ? JointBody::carrier
-          : JointBody::load;
+          : JointBody::body;
   const TomlTable table = joint.table("geometry");
   const double radius =
       table.number("radius", Interval::positive(), Dimension::length);
@@ -113,7 +113,7 @@ MaterialPair materials_from_table(const TomlTable& joint) {
 }
 
 // [loading], which fits the laws and walls that have been read.
-InnerLoading loading_from_table(const TomlTable& file, const Joint& joint) {
+InnerLoading loading_from_table(const TomlTable& file, const JointSpec& joint) {
   const auto table = file.optional_table("loading");
   if (!table) return InnerLoading::centre();
   if (table->choice("kind", {"centre", "back"}) == 0) {
@@ -156,17 +156,17 @@ MaterialPair parse_material_pair(std::string_view text,
   return material_pair_from_table(TomlTable::from_text(text, source));
 }
 
-std::unique_ptr<HalfAngleLaw> Joint::make_half_angle_law() const {
+std::unique_ptr<HalfAngleLaw> JointSpec::make_half_angle_law() const {
   return contact::make_half_angle_law(half_angle_law, geometry.kind(), pair,
                                       half_angle_options, conditions);
 }
 
-std::unique_ptr<PressureLaw> Joint::make_pressure_law() const {
+std::unique_ptr<PressureLaw> JointSpec::make_pressure_law() const {
   return contact::make_pressure_law(pressure_law, geometry.kind(), pair,
                                     conditions);
 }
 
-std::vector<std::string> Joint::validity_notes() const {
+std::vector<std::string> JointSpec::validity_notes() const {
   std::vector<std::string> notes = geometry.validity_notes();
   for (std::string& note : make_half_angle_law()->validity_notes(pair)) {
     notes.push_back(std::move(note));
@@ -174,14 +174,14 @@ std::vector<std::string> Joint::validity_notes() const {
   return notes;
 }
 
-Joint joint_from_table(const TomlTable& table) {
+JointSpec joint_from_table(const TomlTable& table) {
   std::string name = table.text("name");
   const JointGeometry geometry = geometry_from_table(table);
   const MaterialPair materials = materials_from_table(table);
   auto walls = walls_from_table(table, geometry.radius(), materials.elastic);
   // The only laws that know walls.
   constexpr std::string_view exact = "exact";
-  Joint joint{
+  JointSpec joint{
       .name = std::move(name),
       .geometry = geometry,
       .pair = walls ? walls->surfaces() : materials.elastic,
@@ -268,20 +268,20 @@ std::vector<KnownKey> joint_keys() {
 
 namespace {
 
-Joint whole_joint(const TomlTable& file) {
+JointSpec whole_joint(const TomlTable& file) {
   file.refuse_keys_beside(joint_keys());
-  Joint joint = joint_from_table(file);
+  JointSpec joint = joint_from_table(file);
   file.refuse_unknown_keys();
   return joint;
 }
 
 }  // namespace
 
-Joint read_joint(const std::filesystem::path& path) {
+JointSpec read_joint(const std::filesystem::path& path) {
   return whole_joint(TomlTable::from_file(path));
 }
 
-Joint parse_joint(std::string_view text, const std::string& source) {
+JointSpec parse_joint(std::string_view text, const std::string& source) {
   return whole_joint(TomlTable::from_text(text, source));
 }
 

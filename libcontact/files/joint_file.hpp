@@ -35,7 +35,7 @@ MaterialPair parse_material_pair(std::string_view text,
                                  const std::string& source);
 
 /// A joint file: all that is known of one joint.
-struct Joint {
+struct JointSpec {
   std::string name;
   JointGeometry geometry;
   /// At the surfaces, also where there are walls.
@@ -58,13 +58,13 @@ struct Joint {
   std::vector<std::string> validity_notes() const;
 };
 
-Joint read_joint(const std::filesystem::path& path);
+JointSpec read_joint(const std::filesystem::path& path);
 /// @param source  what messages call the text
-Joint parse_joint(std::string_view text, const std::string& source);
+JointSpec parse_joint(std::string_view text, const std::string& source);
 /// A joint that is part of a larger file; leaves unknown keys to the caller,
 /// who has joint_keys() for them. Paths are relative to the folder of the
 /// table's file.
-Joint joint_from_table(const TomlTable& table);
+JointSpec joint_from_table(const TomlTable& table);
 /// All keys that a joint may have.
 std::vector<KnownKey> joint_keys();
 

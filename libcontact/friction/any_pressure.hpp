@@ -6,7 +6,7 @@
 
 namespace contact {
 
-/// Friction integrals and coefficients of a spherical joint with any pressure
+/// Friction integrals and coefficients of a ball joint with any pressure
 /// law (docs/friction.md). For CosinePressure they are
 /// exact_friction_integrals().
 ///

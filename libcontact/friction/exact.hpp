@@ -4,7 +4,7 @@
 
 namespace contact {
 
-/// Friction integrals and coefficients of a spherical joint with the cosine
+/// Friction integrals and coefficients of a ball joint with the cosine
 /// pressure (3.3), by the exact method: great-circle arcs through the slip
 /// axis, every integrand non-negative, a midpoint rule in the Jacobi variable
 /// (docs/exact_method.md). Nothing cancels, so each of the ten numbers has its

@@ -93,7 +93,7 @@ FrictionIntegrals planar_friction_integrals(double half_angle, SlipAxis axis) {
     return 2 * std::sin((half_angle + t) / 2) * std::sin((half_angle - t) / 2);
   };
   const auto over = [&](auto f) { return integrate(f, half_angle, pole); };
-  result.normal = cosine_normal_integral(JointKind::spherical, half_angle);
+  result.normal = cosine_normal_integral(JointKind::ball, half_angle);
   result.area = {over(slide),
                  over([&](double t) { return slide(t) * std::cos(t); }),
                  std::copysign(over(spin), axis.sin)};
@@ -117,7 +117,7 @@ FrictionIntegrals viscous_friction_integrals(double half_angle, SlipAxis axis) {
   const FrictionTriple coefficient{1, 3 * (1 - u / 3 + u * u / 12) / (3 - u),
                                    u * (2 - u / 2) / (3 - u)};
   FrictionIntegrals result;
-  result.normal = cosine_normal_integral(JointKind::spherical, half_angle);
+  result.normal = cosine_normal_integral(JointKind::ball, half_angle);
   result.area = times(area, axis.cos, axis.sin);
   result.coefficient = times(coefficient, axis.cos, axis.sin);
   result.pressure = times(result.coefficient, result.normal, result.normal);

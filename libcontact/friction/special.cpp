@@ -76,7 +76,7 @@ FrictionIntegrals sliding_friction_integrals(double half_angle) {
   const auto v = [=](double y) { return 1 - rise * y; };
   const auto e = [=](double y) { return elliptic_e(v(y) * v(y)); };
   const auto b = [=](double y) { return elliptic_k_cosine(v(y) * v(y)); };
-  result.normal = cosine_normal_integral(JointKind::spherical, half_angle);
+  result.normal = cosine_normal_integral(JointKind::ball, half_angle);
   result.area = {4 * s * s * elliptic_k_cosine(c * c),
                  4 * rise * integrate(e, middle), 0};
   result.pressure = {
@@ -95,7 +95,7 @@ FrictionIntegrals spinning_friction_integrals(double half_angle) {
   FrictionIntegrals result{};
   if (half_angle == 0) return result;
   const double twice = 2 * half_angle;
-  result.normal = cosine_normal_integral(JointKind::spherical, half_angle);
+  result.normal = cosine_normal_integral(JointKind::ball, half_angle);
   result.area.spinning =
       pi / 2 * twice * twice * twice * detail::x_minus_sin_over_cube(twice);
   result.pressure.spinning = pi * spin_moment(half_angle);

@@ -2,7 +2,7 @@
 
 #include "libcontact/friction/integrals.hpp"
 
-/// The special cases of the friction integrals of a spherical joint with the
+/// The special cases of the friction integrals of a ball joint with the
 /// cosine pressure (3.3), by formulas of their own that do not cancel. With
 /// s, c = sin, cos theta0, k^2 the parameter of K, E and
 /// B = (E - (1 - k^2) K)/k^2 the cosine part of K

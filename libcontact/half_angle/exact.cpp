@@ -25,7 +25,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 // fourth order at the limit half-angle of 180 deg, which no series of the
 // table's kind can follow. The fitted law is the closed form there.
 bool closes_up(JointKind kind, const ElasticPair& pair, InnerLoading loading) {
-  return kind == JointKind::cylindrical && !loading.is_back() &&
+  return kind == JointKind::pin && !loading.is_back() &&
          pair.outer_compliance_share() <= negligible &&
          std::abs(pair.dundurs_beta()) <= negligible;
 }
@@ -43,12 +43,11 @@ template <class Pair>
 HalfAngleTable ball_table(const Pair& pair, InnerLoading loading,
                           double thickness = infinity) {
   const BallContact ball(pair, loading);
-  return table_of(JointKind::spherical, ball, ball.limit_half_angle(),
-                  thickness);
+  return table_of(JointKind::ball, ball, ball.limit_half_angle(), thickness);
 }
 
 HalfAngleTable pin_table(const ElasticPair& pair, InnerLoading loading) {
-  constexpr JointKind kind = JointKind::cylindrical;
+  constexpr JointKind kind = JointKind::pin;
   if (!loading.is_back() && std::abs(pair.dundurs_beta()) <= negligible) {
     const PinClosedForm pin(pair.outer_compliance_share());
     return {kind, [&pin](double theta) { return pin.reciprocal_load(theta); },
@@ -62,7 +61,7 @@ HalfAngleTable pin_table(const ElasticPair& pair, InnerLoading loading) {
 }
 
 HalfAngleTable walled_pin_table(const LayeredPair& pair, InnerLoading loading) {
-  constexpr JointKind kind = JointKind::cylindrical;
+  constexpr JointKind kind = JointKind::pin;
   const double thickness = pair.relative_thickness();
   const PinContact pin(pair, loading);
   const ExactHalfAngle limit = pin.limit_half_angle();
@@ -86,15 +85,15 @@ ExactLaw::ExactLaw(JointKind kind, const ElasticPair& pair,
     return;
   }
   table_ = std::make_unique<const HalfAngleTable>(
-      kind == JointKind::cylindrical ? pin_table(pair, loading)
-                                     : ball_table(pair, loading));
+      kind == JointKind::pin ? pin_table(pair, loading)
+                             : ball_table(pair, loading));
 }
 
 ExactLaw::ExactLaw(JointKind kind, const LayeredPair& pair,
                    InnerLoading loading)
     : HalfAngleLaw(kind),
       table_(std::make_unique<const HalfAngleTable>(
-          kind == JointKind::cylindrical
+          kind == JointKind::pin
               ? walled_pin_table(pair, loading)
               : ball_table(pair, loading, pair.relative_thickness()))) {}
 

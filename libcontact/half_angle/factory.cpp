@@ -65,7 +65,7 @@ std::unique_ptr<HalfAngleLaw> make_half_angle_law(
                                 detail::printable(name)));
   }
   if (name == "paper") {
-    name = kind == JointKind::spherical ? "tanh" : "blend";
+    name = kind == JointKind::ball ? "tanh" : "blend";
   }
   const double slope = options.initial_slope;
   const auto blend = [&](double share) {

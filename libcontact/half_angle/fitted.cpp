@@ -108,8 +108,8 @@ double limit_deg(const double (&c)[4], double al) {
 
 NominalLaw::NominalLaw(JointKind kind, double modulus_ratio)
     : NominalLaw(kind, al_of(modulus_ratio),
-                 kind == JointKind::spherical ? detail::nominal_ball
-                                              : detail::nominal_pin) {}
+                 kind == JointKind::ball ? detail::nominal_ball
+                                         : detail::nominal_pin) {}
 
 NominalLaw::NominalLaw(JointKind kind, double al,
                        const detail::NominalCoefficients& table)

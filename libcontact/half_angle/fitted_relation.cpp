@@ -105,12 +105,12 @@ RelationValue ball_closed_form(double d0, double theta, double sine,
 }  // namespace
 
 double fitted_constant(JointKind kind, const ElasticPair& pair) {
-  return kind == JointKind::cylindrical ? pair.outer_compliance_share()
-                                        : harmonic_excess(pair, 0);
+  return kind == JointKind::pin ? pair.outer_compliance_share()
+                                : harmonic_excess(pair, 0);
 }
 
 std::vector<double> fitted_features(JointKind kind, const ElasticPair& pair) {
-  if (kind == JointKind::cylindrical) {
+  if (kind == JointKind::pin) {
     const double beta = pair.dundurs_beta();
     return {beta, pair.outer_compliance_share() * beta};
   }
@@ -124,7 +124,7 @@ std::vector<double> fitted_features(JointKind kind, const ElasticPair& pair) {
 RelationValue fitted_closed_form(JointKind kind, double constant,
                                  double half_angle, double sine,
                                  double cosine) {
-  return kind == JointKind::cylindrical
+  return kind == JointKind::pin
              ? pin_closed_form(constant, sine, cosine)
              : ball_closed_form(constant, half_angle, sine, cosine);
 }
@@ -133,8 +133,7 @@ FittedRelation::FittedRelation(JointKind kind, const ElasticPair& pair)
     : kind_(kind), constant_(fitted_constant(kind, pair)) {
   const std::vector<double> features = fitted_features(kind, pair);
   for (std::size_t i = 0; i < features.size(); ++i) {
-    const double* row =
-        kind == JointKind::cylindrical ? fitted_pin[i] : fitted_ball[i];
+    const double* row = kind == JointKind::pin ? fitted_pin[i] : fitted_ball[i];
     for (int k = 0; k < fitted_terms; ++k) {
       coefficients_[k] += features[i] * row[k];
     }
@@ -156,7 +155,7 @@ inline RelationValue FittedRelation::at(double half_angle, double sine,
   sum *= sine;
   const double weight = fitted_weight(kind, cosine);
   double total = weight * slope * cosine / 2;
-  if (kind == JointKind::spherical) {
+  if (kind == JointKind::ball) {
     total -= 2 * sum * sine * cosine * cosine * cosine;
   }
   return {closed.value + weight * sum, closed.slope + total};
@@ -164,9 +163,9 @@ inline RelationValue FittedRelation::at(double half_angle, double sine,
 
 RelationValue FittedRelation::operator()(double half_angle, double sine,
                                          double cosine) const {
-  return kind_ == JointKind::spherical
-             ? at<JointKind::spherical>(half_angle, sine, cosine)
-             : at<JointKind::cylindrical>(half_angle, sine, cosine);
+  return kind_ == JointKind::ball
+             ? at<JointKind::ball>(half_angle, sine, cosine)
+             : at<JointKind::pin>(half_angle, sine, cosine);
 }
 
 HalfAngleResult FittedRelation::solve(const HalfAngleStart& start, double limit,
@@ -180,9 +179,8 @@ HalfAngleResult FittedRelation::solve(const HalfAngleStart& start, double limit,
         },
         start, limit, load_parameter);
   };
-  return kind_ == JointKind::spherical
-             ? with.operator()<JointKind::spherical>()
-             : with.operator()<JointKind::cylindrical>();
+  return kind_ == JointKind::ball ? with.operator()<JointKind::ball>()
+                                  : with.operator()<JointKind::pin>();
 }
 
 }  // namespace contact::detail

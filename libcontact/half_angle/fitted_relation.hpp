@@ -29,7 +29,7 @@ std::vector<double> fitted_features(JointKind kind, const ElasticPair& pair);
 /// weight(r), given cos(theta0/2).
 inline double fitted_weight(JointKind kind, double cosine) {
   const double c = cosine * cosine;
-  return kind == JointKind::spherical ? c * c : 1;
+  return kind == JointKind::ball ? c * c : 1;
 }
 
 /// F of the closed form at theta0 in (0, pi]. Relative error below 1e-14.

@@ -23,17 +23,17 @@ struct RelationValue {
 };
 
 inline int load_power(JointKind kind) {
-  return kind == JointKind::spherical ? 3 : 2;
+  return kind == JointKind::ball ? 3 : 2;
 }
 
 /// v^2 (pin) or v^3 (ball).
 inline double raised(JointKind kind, double v) {
-  return kind == JointKind::spherical ? v * v * v : v * v;
+  return kind == JointKind::ball ? v * v * v : v * v;
 }
 
 /// x^power over the load parameter: mu = x^3, lambda = x^2/4.
 inline double power_per_load(JointKind kind) {
-  return kind == JointKind::spherical ? 1 : 4;
+  return kind == JointKind::ball ? 1 : 4;
 }
 
 /// The load parameter at theta0 in (0, limit); infinite where F is 0.

@@ -20,7 +20,7 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 // dln(x)/dln(load)
 double load_exponent(JointKind kind) {
-  return kind == JointKind::spherical ? 1.0 / 3 : 0.5;
+  return kind == JointKind::ball ? 1.0 / 3 : 0.5;
 }
 
 // The pairs (g, inverse) of the laws in xi = x/theta0*, with 1 - g(xi) where
@@ -75,7 +75,7 @@ std::vector<std::string> LimitHalfAngle::validity_notes(
   if (!from_formula_) return {};
   std::vector<std::string> notes =
       detail::poisson_notes("the limit half-angle is a formula", pair);
-  if (kind == JointKind::spherical) {
+  if (kind == JointKind::ball) {
     notes.emplace_back(
         "the limit half-angle is that of a pin; a ball's is up to 5 % larger");
   }
@@ -87,7 +87,7 @@ HalfAngleResult HertzLaw::half_angle(double load_parameter) const noexcept {
   // (2.1) as atan2(x, sqrt(1 - x^2)), 1 - x^2 from the load itself: arcsin
   // would lose digits near x = 1.
   const double x = x_from_load_parameter(joint_kind(), load_parameter);
-  const double rest = joint_kind() == JointKind::spherical
+  const double rest = joint_kind() == JointKind::ball
                           ? (1 - load_parameter) * (1 + x) / (1 + x + x * x)
                           : 1 - 4 * load_parameter;
   if (!(rest >= 0)) return {nan, Status::out_of_range};
@@ -186,7 +186,7 @@ std::string BlendLaw::name() const {
 std::vector<std::string> BlendLaw::validity_notes(
     const ElasticPair& pair) const {
   std::vector<std::string> notes = SaturatingLaw::validity_notes(pair);
-  if (joint_kind() == JointKind::spherical) {
+  if (joint_kind() == JointKind::ball) {
     if (arctan_share_ != 0) {
       notes.emplace_back(
           "a blend is recommended for pins only; tanh for balls");

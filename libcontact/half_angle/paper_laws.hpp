@@ -158,7 +158,7 @@ class BlendLaw final : public SaturatingLaw {
 
   /// The paper's k: 1/2 for a pin, 0 for a ball.
   static double recommended_arctan_share(JointKind kind) {
-    return kind == JointKind::cylindrical ? 0.5 : 0.0;
+    return kind == JointKind::pin ? 0.5 : 0.0;
   }
 
   /// "blend:K".

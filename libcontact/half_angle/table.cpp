@@ -18,7 +18,7 @@ constexpr double negligible = 1e-9;
 // Terms that bring G to 1e-12: the closer theta0* comes to the singularity at
 // theta0 = pi, the more.
 int terms_for(JointKind kind, double largest) {
-  const bool pin = kind == JointKind::cylindrical;
+  const bool pin = kind == JointKind::pin;
   if (largest < 1.65) return pin ? 18 : 28;  // 95 deg
   if (largest < 2.4) return pin ? 30 : 40;   // 138 deg
   return 64;

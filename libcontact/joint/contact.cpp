@@ -67,7 +67,7 @@ std::vector<std::string> JointContact::validity_notes() const {
 
 FrictionIntegrals JointContact::integrals(double half_angle,
                                           SlipAxis axis) const noexcept {
-  if (geometry_.kind() == JointKind::spherical) {
+  if (geometry_.kind() == JointKind::ball) {
     return is_viscous()
                ? viscous_friction_integrals(*pressure_law_, half_angle, axis)
                : friction_integrals(*pressure_law_, half_angle, axis);
@@ -95,7 +95,7 @@ JointContact::Strength JointContact::strength(double speed) const noexcept {
 
 double JointContact::area(double half_angle) const noexcept {
   const double rho = geometry_.radius();
-  if (geometry_.kind() == JointKind::cylindrical) {
+  if (geometry_.kind() == JointKind::pin) {
     return 2 * rho * geometry_.length() * half_angle;
   }
   const double h = rho * std::sin(half_angle / 2);

@@ -15,7 +15,7 @@ namespace contact {
 
 /// The contact of a joint's two halves: everything that is fixed about it
 /// (geometry, elastic pair, friction, laws of half-angle and pressure),
-/// validated once, and the friction of a contact whose compressive force and
+/// validated once, and the friction of a contact whose normal force and
 /// slip axis are known.
 ///
 /// Friction force, sliding and spinning moment of a contact are
@@ -51,13 +51,13 @@ class JointContact {
   std::vector<std::string> validity_notes() const;
 
   /// mu or lambda.
-  /// @param compressive_force  R_n, N, >= 0
-  double load_parameter(double compressive_force) const noexcept {
-    return compressive_force / unit_force_;
+  /// @param normal_force  R_n, N, >= 0
+  double load_parameter(double normal_force) const noexcept {
+    return normal_force / unit_force_;
   }
   /// theta0 of the half-angle law.
-  HalfAngleResult half_angle(double compressive_force) const noexcept {
-    return half_angle_law_->half_angle(load_parameter(compressive_force));
+  HalfAngleResult half_angle(double normal_force) const noexcept {
+    return half_angle_law_->half_angle(load_parameter(normal_force));
   }
 
   /// Friction integrals for this joint's kind, friction and pressure law.
@@ -76,10 +76,8 @@ class JointContact {
   /// Area of the contact, m^2: 4 pi rho^2 sin^2(theta0/2) or 2 rho l theta0.
   double area(double half_angle) const noexcept;
   /// Peak pressure, Pa.
-  double peak_pressure(double compressive_force,
-                       double half_angle) const noexcept {
-    return pressure_law_->peak(half_angle) * compressive_force /
-           unit_pressure_area_;
+  double peak_pressure(double normal_force, double half_angle) const noexcept {
+    return pressure_law_->peak(half_angle) * normal_force / unit_pressure_area_;
   }
 
  private:

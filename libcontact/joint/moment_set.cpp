@@ -47,11 +47,11 @@ SlipAxis from_cotangent(double cotangent) {
 }  // namespace
 
 MomentSet::MomentSet(const JointContact& contact, const Vector3d& normal,
-                     double compressive_force, double half_angle) noexcept
+                     double normal_force, double half_angle) noexcept
     : contact_(&contact), normal_(normal), half_angle_(half_angle) {
   const double rho = contact.geometry().radius();
   const JointContact::Strength strength = contact.strength(0);
-  pressure_part_ = rho * strength.pressure_part * compressive_force;
+  pressure_part_ = rho * strength.pressure_part * normal_force;
   area_part_ = rho * strength.area_part;
   most_sliding_ = edge({0, 1}).sliding;
   most_spinning_ = edge({1, 0}).spinning;

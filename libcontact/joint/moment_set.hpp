@@ -11,7 +11,7 @@ namespace contact {
 struct MomentProx {
   /// alpha: exactly 0 where the joint holds.
   Eigen::Vector3d rate;
-  /// M_t = W (alpha - free), on the load; on the edge of the set where the
+  /// M_t = W (alpha - free), on the body; on the edge of the set where the
   /// joint slides.
   Eigen::Vector3d moment;
   Status status;
@@ -33,17 +33,17 @@ struct MomentProx {
 /// (A0, Afun: docs/friction.md). This potential exists at fixed n, R_n and
 /// theta0 only: under a fixed reaction R all three move with Dw, M_t has no
 /// potential, and what a resting joint holds is
-/// SphericalJoint::utilisation(), not this set with n = R/|R|.
+/// BallJoint::utilisation(), not this set with n = R/|R|.
 ///
 /// A set refers to the joint that made it and must not outlive it. Const
 /// functions do not allocate and do not throw; NaN gives NaN.
 class MomentSet {
  public:
   /// @param normal             n, unit vector
-  /// @param compressive_force  R_n, N, >= 0
+  /// @param normal_force  R_n, N, >= 0
   /// @param half_angle         theta0, rad
   MomentSet(const JointContact& contact, const Eigen::Vector3d& normal,
-            double compressive_force, double half_angle) noexcept;
+            double normal_force, double half_angle) noexcept;
 
   /// Phi, W for Dw in rad/s; 0 at 0.
   double support(const Eigen::Vector3d& rate) const noexcept;

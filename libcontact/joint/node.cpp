@@ -17,7 +17,7 @@ using Eigen::Vector3d;
 constexpr const char* place = "joint node";
 
 bool is_ball(const NodeJoint& joint) {
-  return std::holds_alternative<SphericalJoint>(joint.joint);
+  return std::holds_alternative<BallJoint>(joint.joint);
 }
 
 int count_balls(const std::vector<NodeJoint>& joints) {
@@ -38,7 +38,7 @@ void check_joints(const std::vector<NodeJoint>& joints) {
   }
   if (count_balls(joints) == 0) {
     throw Error(detail::message(
-        "{}: no spherical joint takes the force along the axis", place));
+        "{}: no ball joint takes the force along the axis", place));
   }
   std::vector<double> positions;
   for (const NodeJoint& joint : joints) {
@@ -89,8 +89,8 @@ SharingRule determinate_rule(const std::vector<NodeJoint>& joints) {
   }
   if (count_balls(joints) > 1) {
     throw Error(detail::message(
-        "{}: {} spherical joints share the force along the axis: statically "
-        "indeterminate: allowed: 1 spherical joint, or a sharing rule",
+        "{}: {} ball joints share the force along the axis: statically "
+        "indeterminate: allowed: 1 ball joint, or a sharing rule",
         place, count_balls(joints)));
   }
   return SharingRule::equal(joints);
@@ -171,11 +171,11 @@ void JointNode::solve(const Vector3d& reaction, const Vector3d& moment,
       const Vector3d force = share.force * radial + share.moment * held;
       change = std::max(change, (force - across(joint.reaction, axis)).norm());
       largest = std::max(largest, force.norm());
-      if (const auto* ball = std::get_if<SphericalJoint>(&joints_[i].joint)) {
+      if (const auto* ball = std::get_if<BallJoint>(&joints_[i].joint)) {
         joint =
             ball->solve(force + share.axial * axial * axis, rate * axis, joint);
       } else {
-        const auto& pin = std::get<CylindricalJoint>(joints_[i].joint);
+        const auto& pin = std::get<PinJoint>(joints_[i].joint);
         joint = pin.solve(force, axis, rate, joint);
       }
       s.friction_moment += joint.friction_moment.dot(axis);

@@ -6,14 +6,14 @@
 #include <variant>
 #include <vector>
 
-#include "libcontact/joint/cylindrical_joint.hpp"
-#include "libcontact/joint/spherical_joint.hpp"
+#include "libcontact/joint/ball_joint.hpp"
+#include "libcontact/joint/pin_joint.hpp"
 
 namespace contact {
 
 /// One joint of a node.
 struct NodeJoint {
-  std::variant<SphericalJoint, CylindricalJoint> joint;
+  std::variant<BallJoint, PinJoint> joint;
   /// Of its centre along the axis from the node's pole, m.
   double position;
 };
@@ -52,7 +52,7 @@ struct NodeSolution {
 /// Several joints on one axis.
 ///
 /// Section 1.2 of the paper. The node passes a force R and a moment M normal
-/// to its axis on to the load; the pole of M is position 0. Each joint takes
+/// to its axis on to the body; the pole of M is position 0. Each joint takes
 /// a force and no moment but that of friction:
 ///
 ///     R = sum R_j,  M = sum (z_j u x R_j + M_jt normal to u)
@@ -74,10 +74,10 @@ class JointNode {
   /// A solution with room for the joints: solve() then does not allocate.
   NodeSolution make_solution() const;
 
-  /// Friction under R and M while the load turns about the axis.
+  /// Friction under R and M while the body turns about the axis.
   ///
-  /// @param reaction  R on the load, N
-  /// @param moment    M on the load about the pole, N m; its part along the
+  /// @param reaction  R on the body, N
+  /// @param moment    M on the body about the pole, N m; its part along the
   ///                  axis is left out
   /// @param axis      u, unit vector
   /// @param rate      rad/s about the axis; exactly 0: all joints rest

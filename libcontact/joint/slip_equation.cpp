@@ -66,8 +66,7 @@ void set_responses(SlipMemory& m, const SlipTriangle& t) {
 void learn(SlipMemory& memory, const SlipPoint& point) {
   // Shorter moves are drowned in the rounding of the integrals (4e-15).
   constexpr double smallest_move = 1e-9;
-  const double force =
-      log_move(point.compressive_force, memory.compressive_force);
+  const double force = log_move(point.normal_force, memory.normal_force);
   const double cosine =
       2 * log_move(positive_cosine(point.triangle), memory.cosine);
   const double square = force * force + cosine * cosine;
@@ -84,7 +83,7 @@ void measure_slopes(SlipMemory& memory, const SlipEquation& equation,
                     const SlipPoint& point) {
   // Balances rounding (4e-15/h) against curvature (h).
   constexpr double h = 1e-6;
-  const double force = point.compressive_force;
+  const double force = point.normal_force;
   const SlipAxis axis = {point.triangle.axis.sin,
                          positive_cosine(point.triangle)};
   const SlipAxis turned = {
@@ -104,7 +103,7 @@ void remember(SlipMemory& memory, const SlipEquation& equation,
   memory.reaction_force = equation.reaction_force();
   memory.reaction = equation.reaction();
   memory.tangent = point.tangent;
-  memory.compressive_force = point.compressive_force;
+  memory.normal_force = point.normal_force;
   memory.cosine = positive_cosine(point.triangle);
   memory.friction = point.friction;
   set_responses(memory, point.triangle);
@@ -209,7 +208,7 @@ SlipRoot bracket(const SlipEquation& equation, double guess,
 void SlipEquation::set_triangle(SlipPoint& point, double tangent) const {
   point.tangent = std::min(tangent, largest_tangent);
   point.triangle = SlipTriangle(point.tangent, reaction_);
-  point.compressive_force = reaction_force_ * point.triangle.cos_g;
+  point.normal_force = reaction_force_ * point.triangle.cos_g;
 }
 
 void SlipEquation::shift_triangle(SlipPoint& point, double step) const {
@@ -223,7 +222,7 @@ void SlipEquation::shift_triangle(SlipPoint& point, double step) const {
   const double axis_sine = sine * t.axis.sin * t.axis.sin;
   const double axis_cosine = sine * t.axis.cos * t.axis.cos;
   point.tangent *= 1 + step;
-  point.compressive_force *= 1 - axis_cosine;
+  point.normal_force *= 1 - axis_cosine;
   t.sin_psi *= 1 + cosine;
   t.cos_psi *= 1 - sine;
   t.cos_g *= 1 - axis_cosine;
@@ -235,7 +234,7 @@ void SlipEquation::set_friction(SlipPoint& p) const {
   const SlipAxis axis = {p.triangle.axis.sin, positive_cosine(p.triangle)};
   const FrictionIntegrals i = contact_.integrals(p.half_angle.half_angle, axis);
   const double pressure = strength_.pressure_part;
-  const double area = strength_.area_part / p.compressive_force;
+  const double area = strength_.area_part / p.normal_force;
   p.friction =
       (pressure * i.coefficient.force + area * i.area.force) / axis.cos;
   p.sliding = pressure * i.coefficient.sliding + area * i.area.sliding;
@@ -246,7 +245,7 @@ void SlipEquation::set_friction(SlipPoint& p) const {
 SlipPoint SlipEquation::at(double tangent) const {
   SlipPoint p;
   set_triangle(p, tangent);
-  p.half_angle = contact_.half_angle(p.compressive_force);
+  p.half_angle = contact_.half_angle(p.normal_force);
   set_friction(p);
   return p;
 }
@@ -257,21 +256,21 @@ void SlipEquation::move(SlipPoint& p, double tangent,
   // most.
   constexpr double largest_move = 3e-7;
   set_triangle(p, tangent);
-  const double move = p.compressive_force / near.compressive_force - 1;
+  const double move = p.normal_force / near.normal_force - 1;
   if (std::abs(move) < largest_move && !std::isnan(near.half_angle.log_slope)) {
     p.half_angle = near.half_angle;
     p.half_angle.half_angle *= 1 + near.half_angle.log_slope * move;
   } else {
-    p.half_angle = contact_.half_angle(p.compressive_force);
+    p.half_angle = contact_.half_angle(p.normal_force);
   }
   set_friction(p);
 }
 
-double SlipEquation::friction(double compressive_force, SlipAxis axis) const {
+double SlipEquation::friction(double normal_force, SlipAxis axis) const {
   SlipPoint p;
   p.triangle.axis = axis;
-  p.compressive_force = compressive_force;
-  p.half_angle = contact_.half_angle(compressive_force);
+  p.normal_force = normal_force;
+  p.half_angle = contact_.half_angle(normal_force);
   set_friction(p);
   return p.friction;
 }

@@ -10,7 +10,7 @@ namespace contact::detail {
 struct SlipPoint {
   double tangent = 0;
   SlipTriangle triangle = {};
-  double compressive_force = 0;  ///< R_n
+  double normal_force = 0;  ///< R_n
   HalfAngleResult half_angle = {};
   double friction = 0;  ///< f/cos a
   /// Moments over rho R_n, with a >= 0.
@@ -38,7 +38,7 @@ class SlipEquation {
   /// follows the law's tangent line where that is exact to rounding.
   void move(SlipPoint& point, double tangent, const SlipPoint& near) const;
   /// f/cos a of any contact.
-  double friction(double compressive_force, SlipAxis axis) const;
+  double friction(double normal_force, SlipAxis axis) const;
 
   /// Puts another trial value into a point, and what it says of R_n and a.
   void set_triangle(SlipPoint& point, double tangent) const;

@@ -7,7 +7,7 @@
 
 namespace contact::detail {
 
-/// The right spherical triangle of slip axis, compressive force and reaction
+/// The right spherical triangle of slip axis, normal force and reaction
 /// (unit vectors w, n, e; right angle at n).
 ///
 /// Its sides are b (hypotenuse), g and pi/2 - a; psi is the angle at w. Seen

@@ -8,8 +8,8 @@
 #include "libcontact/friction/integrals.hpp"
 
 /// What the joint solvers return. All vectors are in the frame of the given
-/// reaction; forces and moments act on the load (the opposite ones on the
-/// carrier); Dw is the angular velocity of the load relative to the carrier.
+/// reaction; forces and moments act on the body (the opposite ones on the
+/// carrier); Dw is the angular velocity of the body relative to the carrier.
 namespace contact {
 
 /// What the two halves of a joint do.
@@ -35,7 +35,7 @@ struct SlipMemory {
   double reaction_force = 0;     ///< R
   SineCosine reaction = {0, 1};  ///< of min(b, pi - b)
   double tangent = 0;            ///< tan psi
-  double compressive_force = 0;  ///< R_n
+  double normal_force = 0;       ///< R_n
   double cosine = 0;             ///< cos a
   double friction = 0;           ///< f/cos a
   /// dln(f/cos a) over dln R_n and dln cos^2 a.
@@ -62,15 +62,15 @@ struct JointSolution {
 
   /// R = R_n n + R_t, N.
   Eigen::Vector3d reaction = Eigen::Vector3d::Zero();
-  /// n, unit vector along the compressive force.
+  /// n, unit vector along the normal force.
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();
   /// R_n, N.
-  double compressive_force = 0;
+  double normal_force = 0;
   /// R_t, N; normal to n and to Dw.
   Eigen::Vector3d friction_force = Eigen::Vector3d::Zero();
   /// M_t about the joint's centre, N m.
   Eigen::Vector3d friction_moment = Eigen::Vector3d::Zero();
-  /// Of the load's half against the carrier's at the contact's centre, m/s.
+  /// Of the body's half against the carrier's at the contact's centre, m/s.
   Eigen::Vector3d slip_velocity = Eigen::Vector3d::Zero();
   /// M_t . Dw, W; never positive.
   double power = 0;
@@ -138,7 +138,7 @@ struct FixedPointStep {
   int step;                     ///< from 1
   double friction_angle;        ///< g, rad
   double slip_axis_angle;       ///< a, rad
-  double compressive_force;     ///< R_n = R cos g, N
+  double normal_force;          ///< R_n = R cos g, N
   double adhesion_number;       ///< Abar
   double load_parameter;        ///< mu
   double half_angle;            ///< theta0, rad

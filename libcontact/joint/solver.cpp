@@ -34,13 +34,13 @@ struct Polar {
   }
 };
 
-// +1 if the carrier has the ball or pin, -1 if the load has it.
+// +1 if the carrier has the ball or pin, -1 if the body has it.
 double side(const JointContact& contact) {
   return contact.geometry().inner_body() == JointBody::carrier ? 1.0 : -1.0;
 }
 
 bool is_pin(const JointContact& contact) {
-  return contact.geometry().kind() == JointKind::cylindrical;
+  return contact.geometry().kind() == JointKind::pin;
 }
 
 JointSolution not_a_number(Status status, const Vector3d& reaction) {
@@ -52,7 +52,7 @@ JointSolution not_a_number(Status status, const Vector3d& reaction) {
   s.normal = s.friction_force = s.friction_moment = s.slip_velocity = none;
   s.reaction_direction = s.friction_direction = {nan, nan};
   s.slip_axis = {nan, nan};
-  s.compressive_force = s.power = nan;
+  s.normal_force = s.power = nan;
   s.force_coefficient = s.sliding_coefficient = s.spinning_coefficient = nan;
   s.adhesion_number = s.load_parameter = s.half_angle = nan;
   s.peak_pressure = s.contact_area = nan;
@@ -62,7 +62,7 @@ JointSolution not_a_number(Status status, const Vector3d& reaction) {
 // What depends on R_n and theta0 alone.
 void set_contact(JointSolution& s, const JointContact& contact, double force,
                  double half_angle, JointContact::Strength strength) {
-  s.compressive_force = force;
+  s.normal_force = force;
   s.load_parameter = contact.load_parameter(force);
   s.half_angle = half_angle;
   s.contact_area = contact.area(half_angle);
@@ -115,7 +115,7 @@ void set_vectors(JointSolution& s, const JointContact& contact,
   s.friction_force = -swap * friction_force * frame.t;
   s.slip_velocity = swap * rho * speed * cos_a * frame.t;
   // (3.8) with j = w cos a - d sin a, n = w sin a + d cos a.
-  const double scale = rho * s.compressive_force;
+  const double scale = rho * s.normal_force;
   const double along =
       s.sliding_coefficient * cos_a + s.spinning_coefficient * sin_a;
   const double across =
@@ -172,7 +172,7 @@ JointSolution solve_reaction(const JointContact& contact,
   s.force_coefficient = sin_g / t.cos_g;
   s.sliding_coefficient = root.point.sliding;
   s.spinning_coefficient = std::copysign(root.point.spinning, cos_b);
-  set_contact(s, contact, root.point.compressive_force,
+  set_contact(s, contact, root.point.normal_force,
               root.point.half_angle.half_angle, strength);
   const double turn = side(contact) * t.sin_psi;
   const SlipFrame frame = {w, t.cos_psi * p + turn * q,
@@ -182,19 +182,19 @@ JointSolution solve_reaction(const JointContact& contact,
 }
 
 JointSolution solve_contact(const JointContact& contact,
-                            const Vector3d& compressive_force,
+                            const Vector3d& normal_force,
                             const Vector3d& rate) noexcept {
-  const Polar force(compressive_force);
+  const Polar force(normal_force);
   const Polar spin(rate);
   if (!(force.length < infinity && spin.length < infinity)) {
-    return not_a_number(Status::out_of_range, compressive_force);
+    return not_a_number(Status::out_of_range, normal_force);
   }
   if (force.length == 0 || spin.length == 0) {
-    return at_rest(contact, compressive_force, force);
+    return at_rest(contact, normal_force, force);
   }
   const HalfAngleResult half_angle = contact.half_angle(force.length);
   if (half_angle.status != Status::ok) {
-    return not_a_number(half_angle.status, compressive_force);
+    return not_a_number(half_angle.status, normal_force);
   }
   const Vector3d& w = spin.direction;
   const Vector3d cross = w.cross(force.direction);
@@ -221,7 +221,7 @@ JointSolution solve_contact(const JointContact& contact,
   s.friction_direction = {f / hypotenuse_f, 1 / hypotenuse_f};
   set_contact(s, contact, force.length, half_angle.half_angle, strength);
   set_vectors(s, contact, {w, t.cross(w), t}, spin.length, f * force.length);
-  s.reaction = compressive_force + s.friction_force;
+  s.reaction = normal_force + s.friction_force;
   // cos b = sin a cos g; sin b is the length of what R has normal to w.
   s.reaction_direction = {s.friction_direction.cos * std::hypot(cos_a, f),
                           s.friction_direction.cos * s.slip_axis.sin};
@@ -249,19 +249,19 @@ FixedPointResult fixed_point(const JointContact& contact,
       break;
     }
     const SlipAxis axis = {sin_a, std::sqrt((1 - sin_a) * (1 + sin_a))};
-    const double compressive_force = force * cos_g;  // (4.1)
-    const double half_angle = contact.half_angle(compressive_force).half_angle;
+    const double normal_force = force * cos_g;  // (4.1)
+    const double half_angle = contact.half_angle(normal_force).half_angle;
     const FrictionIntegrals i = contact.integrals(half_angle, axis);
     const double next = strength.pressure_part * i.coefficient.force +
-                        strength.area_part / compressive_force * i.area.force;
+                        strength.area_part / normal_force * i.area.force;
     if (static_cast<std::size_t>(result.steps) < trace.size()) {
       trace[result.steps] = {
           result.steps + 1,
           g,
           std::atan2(axis.sin, axis.cos),
-          compressive_force,
-          strength.area_part / (strength.pressure_part * compressive_force),
-          contact.load_parameter(compressive_force),
+          normal_force,
+          strength.area_part / (strength.pressure_part * normal_force),
+          contact.load_parameter(normal_force),
           half_angle,
           next};
     }

@@ -18,9 +18,9 @@ JointSolution solve_reaction(const JointContact& contact,
                              const JointSolution* last,
                              const SolveOptions& options) noexcept;
 
-/// From the compressive force R_n n: no equation to solve.
+/// From the normal force R_n n: no equation to solve.
 JointSolution solve_contact(const JointContact& contact,
-                            const Eigen::Vector3d& compressive_force,
+                            const Eigen::Vector3d& normal_force,
                             const Eigen::Vector3d& rate) noexcept;
 
 /// The paper's inner loop.

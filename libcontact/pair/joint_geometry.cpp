@@ -17,7 +17,7 @@ constexpr double largest_relative_clearance = 0.05;
 }  // namespace
 
 std::string to_string(JointKind kind) {
-  return kind == JointKind::spherical ? "spherical" : "cylindrical";
+  return kind == JointKind::ball ? "ball" : "pin";
 }
 
 JointGeometry::JointGeometry(JointKind kind, double radius,
@@ -34,7 +34,7 @@ JointGeometry::JointGeometry(JointKind kind, double radius,
   detail::require(radial_clearance > 0 && radial_clearance < radius, place,
                   "radial_clearance", radial_clearance,
                   detail::message("above 0 m, below the radius {} m", radius));
-  if (kind == JointKind::cylindrical) {
+  if (kind == JointKind::pin) {
     detail::require(length > 0 && std::isfinite(length), place, "length",
                     length, "above 0 m, finite");
   }
@@ -42,13 +42,13 @@ JointGeometry::JointGeometry(JointKind kind, double radius,
 
 JointGeometry JointGeometry::ball(double radius, double radial_clearance,
                                   JointBody inner_body) {
-  return {JointKind::spherical, radius, radial_clearance,
+  return {JointKind::ball, radius, radial_clearance,
           std::numeric_limits<double>::quiet_NaN(), inner_body};
 }
 
 JointGeometry JointGeometry::pin(double radius, double radial_clearance,
                                  double length, JointBody inner_body) {
-  return {JointKind::cylindrical, radius, radial_clearance, length, inner_body};
+  return {JointKind::pin, radius, radial_clearance, length, inner_body};
 }
 
 std::vector<std::string> JointGeometry::validity_notes() const {
@@ -61,19 +61,19 @@ std::vector<std::string> JointGeometry::validity_notes() const {
 
 LoadScale::LoadScale(const JointGeometry& geometry, const ElasticPair& pair) {
   // ebar rho1 = eps
-  const double eps_E = geometry.radial_clearance() * pair.reduced_modulus();
-  unit_load_ = geometry.kind() == JointKind::spherical
+  const double eps_E = geometry.radial_clearance() * pair.effective_modulus();
+  unit_load_ = geometry.kind() == JointKind::ball
                    ? 2 * eps_E * geometry.radius() / 3
                    : eps_E * (std::numbers::pi / 2);
 }
 
 double x_from_load_parameter(JointKind kind, double load_parameter) {
-  return kind == JointKind::spherical ? std::cbrt(load_parameter)
-                                      : 2 * std::sqrt(load_parameter);
+  return kind == JointKind::ball ? std::cbrt(load_parameter)
+                                 : 2 * std::sqrt(load_parameter);
 }
 
 double load_parameter_from_x(JointKind kind, double x) {
-  if (kind == JointKind::spherical) return x * x * x;
+  if (kind == JointKind::ball) return x * x * x;
   const double half = x / 2;
   return half * half;
 }

@@ -10,16 +10,16 @@
 namespace contact {
 
 enum class JointKind {
-  spherical,    ///< ball in a seat
-  cylindrical,  ///< pin in a hole
+  ball,  ///< ball in a seat
+  pin,   ///< pin in a hole
 };
 
-/// "spherical" or "cylindrical".
+/// "ball" or "pin".
 std::string to_string(JointKind kind);
 
 /// The two bodies that a joint connects. Friction is reported as it acts on
-/// the load.
-enum class JointBody { carrier, load };
+/// the body.
+enum class JointBody { carrier, body };
 
 /// A ball or pin joint, validated once. Lengths in m.
 class JointGeometry {
@@ -54,21 +54,20 @@ class JointGeometry {
   /// The body that has the ball or pin.
   JointBody inner_body() const { return inner_body_; }
 
-  /// The load of the half-angle laws that belongs to a compressive force:
+  /// The load of the half-angle laws that belongs to a normal force:
   /// R_n itself (N) for a ball, P = R_n/length (N/m) for a pin.
   double load_from_force(double force) const {
-    return kind_ == JointKind::spherical ? force : force / length_;
+    return kind_ == JointKind::ball ? force : force / length_;
   }
   /// Inverse of load_from_force().
   double force_from_load(double load) const {
-    return kind_ == JointKind::spherical ? load : load * length_;
+    return kind_ == JointKind::ball ? load : load * length_;
   }
   /// The unit of dimensionless pressures, Pa: R_n/rho1^2 for a ball, P/rho1
   /// for a pin.
   /// @param load  R_n, N (ball) or P, N/m (pin)
   double pressure_unit(double load) const {
-    return kind_ == JointKind::spherical ? load / radius_ / radius_
-                                         : load / radius_;
+    return kind_ == JointKind::ball ? load / radius_ / radius_ : load / radius_;
   }
 
   /// Where the joint leaves the range of the theory, one sentence each; empty
@@ -94,7 +93,7 @@ class JointGeometry {
 /// | spherical | R_n, N | mu = 3 R_n/(2 ebar rho1^2 E) |
 /// | cylindrical | P, N/m | lambda = 2 P/(pi ebar rho1 E) |
 ///
-/// E is the reduced modulus of the paper (twice E*), ebar = eps/rho1.
+/// E is the effective modulus of the paper (twice E*), ebar = eps/rho1.
 /// Accuracy: relative error at most 5e-16 both ways
 /// (pair/joint_geometry_test.cpp, against 50-digit arithmetic).
 /// NaN passes through. Source: the paper, section 2.

@@ -63,7 +63,7 @@ ElasticPair ElasticPair::from_modulus_ratio(double modulus_ratio,
                   modulus_ratio, "0 (rigid seat) to inf (rigid ball)");
   check_poissons_ratio(inner_poissons_ratio, "inner material");
   check_poissons_ratio(outer_poissons_ratio, "outer material");
-  // Reduced modulus 1: E_1 = (c + Ebar d)/2, E_2 = (c/Ebar + d)/2 with
+  // Effective modulus 1: E_1 = (c + Ebar d)/2, E_2 = (c/Ebar + d)/2 with
   // c = 1 - nu_1^2, d = 1 - nu_2^2.
   const double c = one_minus_square(inner_poissons_ratio);
   const double d = one_minus_square(outer_poissons_ratio);

@@ -29,7 +29,7 @@ void check_material(const Material& material, std::string place);
 /// | quantity | formula |
 /// |---|---|
 /// | contact modulus E* | 1/(c_1 + c_2) |
-/// | reduced modulus E of the paper | 2/(c_1 + c_2) = 2 E* |
+/// | effective modulus E of the paper | 2/(c_1 + c_2) = 2 E* |
 /// | modulus ratio Ebar | E_1/E_2 |
 /// | compliance shares | w_i = c_i/(c_1 + c_2) |
 /// | Dundurs' alpha | w_2 - w_1 |
@@ -52,7 +52,7 @@ class ElasticPair {
   ElasticPair(Material inner, Material outer);
 
   /// A pair known by its dimensionless constants only. The moduli are scaled
-  /// so that reduced_modulus() is 1: forces are then in units of E rho1^2.
+  /// so that effective_modulus() is 1: forces are then in units of E rho1^2.
   ///
   /// @param modulus_ratio  Ebar = E_1/E_2, [0, infinity]; 0 is a rigid seat,
   ///                       infinity a rigid ball
@@ -72,7 +72,7 @@ class ElasticPair {
   /// E* = 1/(c_1 + c_2), Pa: the modulus of most contact codes.
   double contact_modulus() const { return contact_modulus_; }
   /// E = 2/(c_1 + c_2), Pa: the modulus of the paper, twice E*.
-  double reduced_modulus() const { return 2 * contact_modulus_; }
+  double effective_modulus() const { return 2 * contact_modulus_; }
 
   /// w_1, [0, 1]: 0 for a rigid inner body.
   double inner_compliance_share() const { return inner_share_; }

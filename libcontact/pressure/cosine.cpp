@@ -29,7 +29,7 @@ double two_plus_cosine(double h) { return 3 - 2 * h * h; }
 double CosinePressure::peak(double half_angle) const noexcept {
   if (!is_half_angle(half_angle)) return nan;
   const double h = std::sin(half_angle / 2);
-  if (joint_kind() == JointKind::spherical) {
+  if (joint_kind() == JointKind::ball) {
     return 3 / (2 * pi * two_plus_cosine(h)) / h / h;
   }
   const double ratio = half_angle == 0 ? 0.5 : h / half_angle;
@@ -77,7 +77,7 @@ PressureExpansion CosinePressure::expansion(double half_angle) const noexcept {
 
 double CosinePressure::force_ratio(double half_angle) const noexcept {
   if (!is_half_angle(half_angle)) return nan;
-  if (joint_kind() == JointKind::spherical) {
+  if (joint_kind() == JointKind::ball) {
     return 3 / two_plus_cosine(std::sin(half_angle / 2));
   }
   return 2 * detail::sin_minus_x_cos_over_cube(half_angle) /
@@ -88,7 +88,7 @@ double CosinePressure::largest_half_angle() const noexcept { return pi; }
 
 double cosine_normal_integral(JointKind kind, double half_angle) {
   if (!is_half_angle(half_angle)) return nan;
-  if (kind == JointKind::spherical) {
+  if (kind == JointKind::ball) {
     const double h = std::sin(half_angle / 2);
     const double square = 2 * h * h;  // 1 - c
     return pi / 3 * square * square * two_plus_cosine(h);

@@ -47,9 +47,9 @@ Resultants resultants(JointKind kind, const ContactPressure& p) {
     const double share = edge.cosine() * edge.tangent_share(x * x);
     const double t = 2 * std::atan(b * std::cos(phi) * std::sqrt(share));
     // dt by d(x^2); a pin has two sides.
-    const double area =
-        pi / 4 * rule.weight(i) * std::sin(2 * phi) / edge.square_slope(t) *
-        (kind == JointKind::spherical ? 2 * pi * std::sin(t) : 2.0);
+    const double area = pi / 4 * rule.weight(i) * std::sin(2 * phi) /
+                        edge.square_slope(t) *
+                        (kind == JointKind::ball ? 2 * pi * std::sin(t) : 2.0);
     r.sum += p.pressure(t) * area;
     r.load += p.pressure(t) * area * std::cos(t);
   }
@@ -102,7 +102,7 @@ ExactPressure::Column ExactPressure::Series::evaluate(double v) const {
 ExactPressure::ExactPressure(JointKind kind, const ElasticPair& pair,
                              InnerLoading loading)
     : PressureLaw(kind) {
-  if (kind == JointKind::spherical) {
+  if (kind == JointKind::ball) {
     // More unknowns for the pressure; the limit is that of the half-angles.
     tabulate(BallContact(pair, loading, 24),
              BallContact(pair, loading).limit_half_angle(), infinity);
@@ -122,7 +122,7 @@ ExactPressure::ExactPressure(JointKind kind, const LayeredPair& pair,
                              InnerLoading loading)
     : PressureLaw(kind) {
   const double thickness = pair.relative_thickness();
-  if (kind == JointKind::spherical) {
+  if (kind == JointKind::ball) {
     const BallContact contact(pair, loading);
     tabulate(contact, contact.limit_half_angle(), thickness);
   } else {
@@ -211,8 +211,8 @@ ExactPressure::Column ExactPressure::evaluate(
 double ExactPressure::in_pressure_units(double value,
                                         double half_angle) const noexcept {
   const double length = 2 * std::sin(half_angle / 2);
-  return joint_kind() == JointKind::spherical ? value / length / length
-                                              : value / length;
+  return joint_kind() == JointKind::ball ? value / length / length
+                                         : value / length;
 }
 
 ContactPressure ExactPressure::contact(double half_angle) const noexcept {

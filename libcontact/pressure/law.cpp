@@ -7,7 +7,7 @@ namespace contact {
 
 double PressureLaw::mean(double half_angle) const noexcept {
   const double force = force_ratio(half_angle);
-  if (kind_ == JointKind::cylindrical) return force / (2 * half_angle);
+  if (kind_ == JointKind::pin) return force / (2 * half_angle);
   const double h = std::sin(half_angle / 2);
   return force / (4 * std::numbers::pi) / h / h;
 }

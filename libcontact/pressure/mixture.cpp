@@ -11,7 +11,7 @@ namespace {
 double contrast_part(JointKind kind, double poissons_ratio) {
   const double nu = poissons_ratio;
   const double k = (1 - 2 * nu) / (2 * (1 - nu));
-  return kind == JointKind::cylindrical ? k : k * (1 - 2 * nu);
+  return kind == JointKind::pin ? k : k * (1 - 2 * nu);
 }
 
 }  // namespace
@@ -34,8 +34,8 @@ double MixturePressure::largest_half_angle() const noexcept {
 }
 
 double MixturePressure::sqrt_tan_share(double half_angle) const noexcept {
-  const auto& c = joint_kind() == JointKind::spherical ? detail::ball_mixture
-                                                       : detail::pin_mixture;
+  const auto& c = joint_kind() == JointKind::ball ? detail::ball_mixture
+                                                  : detail::pin_mixture;
   const double h = std::sin(half_angle / 2);
   double sum = 0;
   for (int k = detail::mixture_terms - 1; k >= 0; --k) {

@@ -193,7 +193,7 @@ double SqrtTanPressure::largest_half_angle() const noexcept { return largest; }
 double SqrtTanPressure::peak(double half_angle) const noexcept {
   if (!has(half_angle)) return nan;
   const double c = std::cos(half_angle / 2);
-  if (joint_kind() == JointKind::cylindrical) {
+  if (joint_kind() == JointKind::pin) {
     return 1 / (2 * pi * std::tan(half_angle / 4) * c);
   }
   const double h = std::sin(half_angle / 2);
@@ -203,7 +203,7 @@ double SqrtTanPressure::peak(double half_angle) const noexcept {
 double SqrtTanPressure::force_ratio(double half_angle) const noexcept {
   if (!has(half_angle)) return nan;
   const double c = std::cos(half_angle / 2);
-  if (joint_kind() == JointKind::cylindrical) return 1 / c;
+  if (joint_kind() == JointKind::pin) return 1 / c;
   const auto [load, sum] = moments(half_angle);
   return sum / load;
 }
@@ -246,7 +246,7 @@ double SqrtThetaPressure::largest_half_angle() const noexcept {
 double SqrtThetaPressure::peak(double half_angle) const noexcept {
   if (!has(half_angle)) return nan;
   const double t = half_angle;
-  if (joint_kind() == JointKind::cylindrical) {
+  if (joint_kind() == JointKind::pin) {
     return 1 / (pi * bessel_over_argument(t)) / t;
   }
   return 1 / (pi * pi * struve_over_square(2 * t)) / t / t;
@@ -254,7 +254,7 @@ double SqrtThetaPressure::peak(double half_angle) const noexcept {
 
 double SqrtThetaPressure::force_ratio(double half_angle) const noexcept {
   if (!has(half_angle)) return nan;
-  if (joint_kind() == JointKind::cylindrical) {
+  if (joint_kind() == JointKind::pin) {
     return 1 / (2 * bessel_over_argument(half_angle));
   }
   return struve_over_square(half_angle) / struve_over_square(2 * half_angle);

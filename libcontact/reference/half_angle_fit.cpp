@@ -246,8 +246,8 @@ struct NominalCoefficients {
   double n1[3], n2[3], d1[3], d2[3];
 };
 )";
-  for (const JointKind kind : {JointKind::cylindrical, JointKind::spherical}) {
-    const char* joint = kind == JointKind::cylindrical ? "pin" : "ball";
+  for (const JointKind kind : {JointKind::pin, JointKind::ball}) {
+    const char* joint = kind == JointKind::pin ? "pin" : "ball";
     const FittedCoefficients fitted = fit_fitted_law(kind);
     text += fmt::format(
         "\n// {:.2g} %\ninline constexpr double fitted_{}[{}][{}] = {{\n",

@@ -37,8 +37,8 @@ std::vector<ElasticPair> fit_pairs() {
 MixtureFit fit_pressure_mixture(JointKind kind) {
   constexpr int terms = detail::mixture_terms;
   constexpr int count = 24;
-  const int power = kind == JointKind::spherical ? detail::ball_mixture.power
-                                                 : detail::pin_mixture.power;
+  const int power = kind == JointKind::ball ? detail::ball_mixture.power
+                                            : detail::pin_mixture.power;
   const std::vector<ElasticPair> pairs = fit_pairs();
   const SqrtTanPressure sqrt_tan(kind);
   const CosinePressure cosine(kind);
@@ -102,8 +102,8 @@ struct MixtureCoefficients {{
 // clang-format on
 )",
       detail::mixture_terms,
-      law(JointKind::spherical, "ball_mixture", detail::ball_mixture.power),
-      law(JointKind::cylindrical, "pin_mixture", detail::pin_mixture.power));
+      law(JointKind::ball, "ball_mixture", detail::ball_mixture.power),
+      law(JointKind::pin, "pin_mixture", detail::pin_mixture.power));
 }
 
 }  // namespace contact::reference

@@ -20,7 +20,7 @@ struct QuadratureResult {
   std::size_t evaluations;
 };
 
-/// Friction integrals and coefficients of a spherical joint with the cosine
+/// Friction integrals and coefficients of a ball joint with the cosine
 /// pressure (3.3), straight from their definition (docs/friction.md): for
 /// each of the six integrals an adaptive quadrature over the colatitude t
 /// from the contact's centre, whose integrand is an adaptive quadrature over

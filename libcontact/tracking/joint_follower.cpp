@@ -81,14 +81,13 @@ JointFollower::JointFollower(std::vector<JointContact> contacts,
     rows(Row::radius, i) = contact.geometry().radius();
     rows(Row::side, i) =
         contact.geometry().inner_body() == JointBody::carrier ? 1 : -1;
-    rows(Row::ball, i) = contact.geometry().kind() == JointKind::spherical;
+    rows(Row::ball, i) = contact.geometry().kind() == JointKind::ball;
     rows(Row::viscous, i) = contact.is_viscous();
     strengths_.push_back(contact.strength(1));
     rows(Row::pressure_part, i) = strengths_.back().pressure_part;
     rows(Row::area_part, i) = strengths_.back().area_part;
     rows(Row::plain, i) =
-        contact.geometry().kind() == JointKind::spherical &&
-        !contact.is_viscous() &&
+        contact.geometry().kind() == JointKind::ball && !contact.is_viscous() &&
         dynamic_cast<const CosinePressure*>(&contact.pressure_law());
     any_plain_ = any_plain_ || rows(Row::plain, i) != 0;
   }
@@ -208,7 +207,7 @@ void JointFollower::start(int joint, const JointSolution& solution,
   }
   const FollowerRows rows = all_rows();
   const auto put = [&](Row row, double value) { rows(row, joint) = value; };
-  const double force = solution.compressive_force;
+  const double force = solution.normal_force;
   const SlipAxis axis = {std::abs(solution.slip_axis.sin),
                          solution.slip_axis.cos};
   const Values here = values(joint, force, axis);

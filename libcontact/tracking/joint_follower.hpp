@@ -29,7 +29,7 @@ struct FollowerLargest;
 /// improves the slopes (Broyden's update). error() says how wrong M_t is likely
 /// to be, largest() the same and more of all joints.
 ///
-/// For what SphericalJoint and CylindricalJoint solve in general this is no
+/// For what BallJoint and PinJoint solve in general this is no
 /// substitute: it needs a solution to start from, R not too near to Dw, and
 /// small changes. tracks() says whether it has all that.
 ///
@@ -62,7 +62,7 @@ class JointFollower {
   void set_rate(int joint, const Eigen::Vector3d& rate) noexcept {
     set(rate_row, joint, rate);
   }
-  /// @param reaction  R on the load, N, not 0
+  /// @param reaction  R on the body, N, not 0
   void set_reaction(int joint, const Eigen::Vector3d& reaction) noexcept {
     set(reaction_row, joint, reaction);
   }

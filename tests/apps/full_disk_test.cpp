@@ -29,8 +29,8 @@ bool have_gnuplot(const ProgramFolder& folder) {
 TEST(FullDisk, ResultsAreWholeOrNotThere) {
   const std::vector<std::string> runs = {
       "hinge-table --theta0 0:90:9 --alpha 0:90:9",
-      "hinge-angle --joint sphere --modulus-ratio 1 --x 0.1:1:0.1",
-      "hinge-pressure --joint sphere --modulus-ratio 1 --x 1",
+      "hinge-angle --joint ball --modulus-ratio 1 --x 0.1:1:0.1",
+      "hinge-pressure --joint ball --modulus-ratio 1 --x 1",
       "hinge-joint --joint data/joints/hip_cocr_uhmwpe.toml "
       "--reaction 100:900:100 --beta 30",
       "hinge-separation data/cases/slosh.toml"};

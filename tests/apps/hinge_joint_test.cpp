@@ -13,8 +13,8 @@
 #include "libcontact/base/units.hpp"
 #include "libcontact/files/joint_file.hpp"
 #include "libcontact/half_angle/exact.hpp"
-#include "libcontact/joint/cylindrical_joint.hpp"
-#include "libcontact/joint/spherical_joint.hpp"
+#include "libcontact/joint/ball_joint.hpp"
+#include "libcontact/joint/pin_joint.hpp"
 #include "libcontact/pressure/exact.hpp"
 #include "support/program.hpp"
 
@@ -63,7 +63,7 @@ class Columns {
   std::vector<std::vector<std::string>> rows_;
 };
 
-contact::JointContact contact_of(const contact::Joint& joint,
+contact::JointContact contact_of(const contact::JointSpec& joint,
                                  const std::string& law) {
   return {joint.geometry, joint.pair, *joint.friction,
           contact::make_half_angle_law(law, joint.geometry.kind(), joint.pair,
@@ -71,7 +71,7 @@ contact::JointContact contact_of(const contact::Joint& joint,
           joint.make_pressure_law()};
 }
 
-contact::Joint joint_file(const std::string& name) {
+contact::JointSpec joint_file(const std::string& name) {
   return contact::read_joint(std::filesystem::path(CONTACT_DATA_DIR) /
                              "joints" / (name + ".toml"));
 }
@@ -83,7 +83,7 @@ void expect_solution(const Columns& table, std::size_t row,
   EXPECT_EQ(table.at(row, "evaluations"), s.evaluations);
   EXPECT_EQ(table.at(row, "residual"), s.residual);
   EXPECT_EQ(table.vector(row, "R", "N"), s.reaction);
-  EXPECT_EQ(table.at(row, "R_n_N"), s.compressive_force);
+  EXPECT_EQ(table.at(row, "R_n_N"), s.normal_force);
   EXPECT_EQ(Vector3d(table.at(row, "n_x"), table.at(row, "n_y"),
                      table.at(row, "n_z")),
             s.normal);
@@ -106,7 +106,7 @@ void expect_solution(const Columns& table, std::size_t row,
 }
 
 TEST(HingeJoint, BallRowsAreTheLibrarys) {
-  const contact::Joint file = joint_file("paper_example_1");
+  const contact::JointSpec file = joint_file("paper_example_1");
   const Columns table(
       ProgramFolder().run(example_1 +
                           "--law tanh,arctan --reaction-xyz 1e5,-2e4,3e4 "
@@ -114,7 +114,7 @@ TEST(HingeJoint, BallRowsAreTheLibrarys) {
   ASSERT_EQ(table.size(), 2U);
   std::size_t row = 0;
   for (const std::string law : {"tanh", "arctan"}) {
-    const contact::SphericalJoint joint(contact_of(file, law));
+    const contact::BallJoint joint(contact_of(file, law));
     const Vector3d reaction(1e5, -2e4, 3e4);
     const Vector3d rate(0.1, 0.2, -3);
     const auto s = joint.solve(reaction, rate);
@@ -143,8 +143,7 @@ TEST(HingeJoint, AllLaws) {
 }
 
 TEST(HingeJoint, PinRowsAreTheLibrarys) {
-  const contact::CylindricalJoint joint(
-      contact_of(joint_file("pin_joint"), "blend"));
+  const contact::PinJoint joint(contact_of(joint_file("pin_joint"), "blend"));
   const std::string program =
       "hinge-joint --joint data/joints/pin_joint.toml --law blend ";
   const Columns xyz(ProgramFolder().run(
@@ -241,7 +240,7 @@ TEST(HingeJoint, OptionsDescribeTheJointOfAFile) {
           .out;
   EXPECT_EQ(csv_rows(file).size(), 2U);
   EXPECT_EQ(folder
-                .run("hinge-joint --joint sphere --pair "
+                .run("hinge-joint --joint ball --pair "
                      "data/materials/cocr_uhmwpe.toml --radius 14mm "
                      "--clearance 100um --inner-body load" +
                      state)
@@ -264,10 +263,10 @@ TEST(HingeJoint, LoadedThroughTheBack) {
   const Columns table(folder.run(
       example_1 + "--law exact --pressure exact,cosine --loading back:20" +
       state));
-  const contact::Joint file = joint_file("paper_example_1");
+  const contact::JointSpec file = joint_file("paper_example_1");
   const auto loading = contact::InnerLoading::back(20 * degree);
-  const contact::JointKind kind = contact::JointKind::spherical;
-  const contact::SphericalJoint joint(
+  const contact::JointKind kind = contact::JointKind::ball;
+  const contact::BallJoint joint(
       file.geometry, file.pair, *file.friction,
       std::make_shared<contact::ExactLaw>(kind, file.pair, loading),
       std::make_shared<contact::ExactPressure>(kind, file.pair, loading));
@@ -290,10 +289,10 @@ TEST(HingeJoint, FiniteWalls) {
   const std::string state = " --reaction-xyz 2e3,0,1e3 --rate-xyz 0,0,2 ";
   const std::string hip = "hinge-joint --joint data/joints/hip_cocr_uhmwpe";
   const Columns table(folder.run(hip + "_walled.toml" + state));
-  const contact::Joint file = joint_file("hip_cocr_uhmwpe_walled");
+  const contact::JointSpec file = joint_file("hip_cocr_uhmwpe_walled");
   const auto& walls = file.conditions.walls.value();
-  const contact::JointKind kind = contact::JointKind::spherical;
-  const contact::SphericalJoint joint(
+  const contact::JointKind kind = contact::JointKind::ball;
+  const contact::BallJoint joint(
       file.geometry, file.pair, *file.friction,
       std::make_shared<contact::ExactLaw>(kind, walls),
       std::make_shared<contact::ExactPressure>(kind, walls));
@@ -358,7 +357,7 @@ TEST(HingeJoint, ViscousFriction) {
 
   // The same from a joint file; options take another friction instead.
   const std::string head =
-      "name = \"bush\"\nkind = \"spherical\"\n"
+      "name = \"bush\"\nkind = \"ball\"\n"
       "[geometry]\nradius_mm = 14\nradial_clearance_um = 100\n"
       "[materials.inner]\nyoungs_modulus_GPa = 210\npoissons_ratio = 0.3\n"
       "[materials.outer]\nyoungs_modulus_GPa = 0.8\npoissons_ratio = 0.4\n"
@@ -382,7 +381,7 @@ TEST(HingeJoint, ViscousFriction) {
 }
 
 TEST(HingeJoint, RestIsTheLibrarys) {
-  const contact::SphericalJoint joint(
+  const contact::BallJoint joint(
       contact_of(joint_file("paper_example_1"), "tanh"));
   const Vector3d reaction(1e5, 2e4, 0);
   const Vector3d moment(300, 0, 500);
@@ -394,7 +393,7 @@ TEST(HingeJoint, RestIsTheLibrarys) {
   EXPECT_EQ(table.at(1, "utilisation"), rest.utilisation);
   EXPECT_EQ(table.at(1, "u_x"), rest.direction.x());
   EXPECT_EQ(table.at(1, "w_x_rad_per_s"), rest.direction.x());
-  EXPECT_EQ(table.at(1, "R_n_N"), rest.slip.compressive_force);
+  EXPECT_EQ(table.at(1, "R_n_N"), rest.slip.normal_force);
   EXPECT_EQ(
       folder.run(example_1 + "--reaction-xyz 1e5,2e4,0 --moment-xyz 3e5,0,0")
           .out.find("holds"),
@@ -699,7 +698,7 @@ TEST(HingeJoint, WrongInputIsOneMessage) {
            {ball + "--reaction-xyz 1,2,inf --rate-xyz 0,0,1", "1,2,inf"},
            {ball + "--reaction-xyz 1,2,3",
             "needs --rate-xyz or, at rest, --moment-xyz"},
-           {pin + "--reaction 1 --beta 3", "a cylinder has no such angle"},
+           {pin + "--reaction 1 --beta 3", "a pin has no such angle"},
            {ball + "--points none.csv", "cannot open none.csv"},
            {ball + "--points bad.csv", "bad.csv, line 1: no state in the "},
            {ball + "--points bad.csv --reaction 1", "--points: of the state"},
@@ -752,12 +751,12 @@ TEST(HingeJoint, WrongInputIsOneMessage) {
                   "--beside data/reference/paper_examples.csv",
             "nothing for joint"},
            {"--joint none.toml --reaction 1 --beta 1", "none.toml"},
-           {"--joint cube --reaction 1 --beta 1", "sphere, cylinder"},
-           {"--joint sphere --reaction 1 --beta 1", "needs --pair"},
-           {"--joint cylinder --pair data/materials/steel_steel.toml "
+           {"--joint cube --reaction 1 --beta 1", "ball, pin"},
+           {"--joint ball --reaction 1 --beta 1", "needs --pair"},
+           {"--joint pin --pair data/materials/steel_steel.toml "
             "--radius 1mm --clearance 1um --friction 0.1 --reaction 1",
             "--length"},
-           {"--joint sphere --pair data/materials/steel_steel.toml "
+           {"--joint ball --pair data/materials/steel_steel.toml "
             "--radius 1mm --clearance 1um --reaction 1 --beta 3",
             "needs --friction"}}) {
     const ProgramResult result =

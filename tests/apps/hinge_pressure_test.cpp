@@ -47,7 +47,7 @@ TEST(HingePressure, ProfileIsTheLibrarys) {
   EXPECT_EQ(first_line(result.out),
             "load,load_parameter,theta0_deg,theta_deg,p_cosine_Pa,"
             "p_sqrt_tan_Pa,p_sqrt_theta_Pa,p_mixture_Pa,p_exact_Pa");
-  const contact::Joint joint = contact::read_joint(folder.path() / hip);
+  const contact::JointSpec joint = contact::read_joint(folder.path() / hip);
   const auto law = contact::make_half_angle_law(
       "tanh", joint.geometry.kind(), joint.pair, joint.half_angle_options);
   const auto loads = numbers(result.out, "load");
@@ -80,9 +80,9 @@ TEST(HingePressure, ProfileIsTheLibrarys) {
 TEST(HingePressure, ProfilesCarryTheLoad) {
   const ProgramFolder folder;
   for (const std::string& joint_file : {hip, pin}) {
-    const contact::Joint joint =
+    const contact::JointSpec joint =
         contact::read_joint(folder.path() / joint_file);
-    const bool ball = joint.geometry.kind() == contact::JointKind::spherical;
+    const bool ball = joint.geometry.kind() == contact::JointKind::ball;
     const double rho = joint.geometry.radius();
     const double load = ball ? 1500 : 2e6;
     const ProgramResult result =
@@ -128,16 +128,15 @@ TEST(HingePressure, SummaryHasPeakMeanAreaAndSum) {
     EXPECT_NEAR(mean[i] * area[i] / 2000, sum[i], 4e-15);
     EXPECT_GT(peak[i], mean[i]);
   }
-  const contact::Joint joint = contact::read_joint(
+  const contact::JointSpec joint = contact::read_joint(
       std::filesystem::path(CONTACT_DATA_DIR).parent_path() / hip);
   const double half_angle =
       numbers(result.out, "theta0_deg")[0] * contact::degree;
   const auto spin = numbers(result.out, "sigma_Z_90");
   const auto slide = numbers(result.out, "chi_0");
   for (std::size_t i = 0; i < spin.size(); ++i) {
-    const auto law =
-        contact::make_pressure_law(contact::pressure_law_names()[i],
-                                   contact::JointKind::spherical, joint.pair);
+    const auto law = contact::make_pressure_law(
+        contact::pressure_law_names()[i], contact::JointKind::ball, joint.pair);
     // theta0 comes back from degrees.
     EXPECT_NEAR(
         contact::friction_integrals(*law, half_angle, contact::SlipAxis{1, 0})
@@ -155,7 +154,7 @@ TEST(HingePressure, SummaryHasPeakMeanAreaAndSum) {
 
 TEST(HingePressure, DimensionlessPinAndJson) {
   const ProgramResult result = ProgramFolder().run(
-      "hinge-pressure --joint cylinder --modulus-ratio 1 --load-parameter 0.5 "
+      "hinge-pressure --joint pin --modulus-ratio 1 --load-parameter 0.5 "
       "--law exact --pressure exact,cosine --points 3 --format json");
   ASSERT_EQ(result.status, 0) << result.err;
   const auto rows = nlohmann::json::parse(result.out);
@@ -176,7 +175,7 @@ TEST(HingePressure, DimensionlessPinAndJson) {
 TEST(HingePressure, LoadedThroughTheBack) {
   const ProgramFolder folder;
   const std::string command =
-      "hinge-pressure --joint cylinder --modulus-ratio 1 --load-parameter 0.5 "
+      "hinge-pressure --joint pin --modulus-ratio 1 --load-parameter 0.5 "
       "--law exact --loading back:30 ";
   const ProgramResult profile = folder.run(command + "--points 3");
   ASSERT_EQ(profile.status, 0) << profile.err;
@@ -187,7 +186,7 @@ TEST(HingePressure, LoadedThroughTheBack) {
   EXPECT_EQ(csv_column(csv_rows(profile.out), "loading")[0], "back:30");
   const auto loading = contact::InnerLoading::back(30 * contact::degree);
   const auto pair = contact::ElasticPair::from_modulus_ratio(1, 0.3, 0.3);
-  const contact::JointKind kind = contact::JointKind::cylindrical;
+  const contact::JointKind kind = contact::JointKind::pin;
   const double half_angle =
       contact::ExactLaw(kind, pair, loading).half_angle(0.5).half_angle;
   EXPECT_EQ(numbers(profile.out, "theta0_deg")[0],
@@ -239,7 +238,7 @@ TEST(HingePressure, ApproachAndStiffness) {
   EXPECT_NEAR(numbers(infinite, "stiffness_N_per_m")[0], 3.00e7, 5e4);
 
   folder.write("housing.toml",
-               "name = \"bush\"\nkind = \"cylindrical\"\n[geometry]\n"
+               "name = \"bush\"\nkind = \"pin\"\n[geometry]\n"
                "radius_mm = 25\nradial_clearance_um = 25\nlength_mm = 30\n"
                "[materials.inner]\nyoungs_modulus_GPa = 210\n"
                "poissons_ratio = 0.3\n[materials.outer]\n"
@@ -259,7 +258,7 @@ TEST(HingePressure, ApproachAndStiffness) {
   EXPECT_EQ(csv_column(csv_rows(hole), "stiffness_N_per_m2")[0], "");
   for (const std::string& options :
        {"--joint " + hip + " --load 2000 --law fitted",
-        std::string("--joint sphere --modulus-ratio 1 --x 1 --law exact")}) {
+        std::string("--joint ball --modulus-ratio 1 --x 1 --law exact")}) {
     EXPECT_EQ(summary(options).find("approach"), std::string::npos);
   }
 }
@@ -268,7 +267,7 @@ TEST(HingePressure, LongSweepsTakeNoMemory) {
   // 1e8 loads at 32 bytes would be 3 GB; the table itself goes to a reader
   // that has enough after some lines.
   const ProgramResult result = ProgramFolder().run(
-      "hinge-pressure --joint cylinder --modulus-ratio 1 --x 1:1e8:1 "
+      "hinge-pressure --joint pin --modulus-ratio 1 --x 1:1e8:1 "
       "--pressure cosine --summary | head -3");
   EXPECT_EQ(csv_rows(result.out).size(), 3U) << result.err;
   // Resident memory: a sanitizer reserves addresses for more than there is.
@@ -286,7 +285,7 @@ TEST(HingePressure, UnloadedJointsHaveNoPressure) {
 
 TEST(HingePressure, LoadsWithoutHalfAngleAreEmptyAndSaidSo) {
   const ProgramResult result = ProgramFolder().run(
-      "hinge-pressure --joint sphere --modulus-ratio 1 --x 0.5,2 --law hertz "
+      "hinge-pressure --joint ball --modulus-ratio 1 --x 0.5,2 --law hertz "
       "--summary --pressure cosine");
   EXPECT_EQ(result.status, 0);
   EXPECT_NE(result.err.find("law hertz: no half-angle for 1 of 2 loads"),
@@ -298,7 +297,7 @@ TEST(HingePressure, LoadsWithoutHalfAngleAreEmptyAndSaidSo) {
 TEST(HingePressure, HalfAnglesThatHaveNotConvergedAreSaidSo) {
   // An incompressible ball in a rigid seat closes up, beyond the solver.
   const ProgramResult result = ProgramFolder().run(
-      "hinge-pressure --joint sphere --modulus-ratio 0 --poisson1 0.5 "
+      "hinge-pressure --joint ball --modulus-ratio 0 --poisson1 0.5 "
       "--x 1e6 --law exact --summary --pressure cosine");
   EXPECT_EQ(result.status, 1);
   EXPECT_NE(result.err.find("1 of 1 half-angles have not converged"),

@@ -468,7 +468,7 @@ TEST(HingeTable, OtherPressures) {
   const std::string materials = "--modulus-ratio 7 --poisson2 0.4 ";
   for (const std::string& name : contact::pressure_law_names()) {
     const auto law =
-        contact::make_pressure_law(name, contact::JointKind::spherical, pair);
+        contact::make_pressure_law(name, contact::JointKind::ball, pair);
     const bool by_materials = name == "mixture" || name == "exact";
     const ProgramResult result = folder.run(
         grid + (by_materials ? materials : "") + "--pressure " + name);
@@ -516,9 +516,9 @@ TEST(HingeTable, BallInALiner) {
   const ProgramResult result =
       folder.run("hinge-table --theta0 60 --alpha 90 --joint " + joint);
   ASSERT_EQ(result.status, 0) << result.err;
-  const contact::Joint hip = contact::read_joint(
+  const contact::JointSpec hip = contact::read_joint(
       std::string(CONTACT_DATA_DIR) + "/joints/hip_cocr_uhmwpe_walled.toml");
-  const contact::ExactPressure law(contact::JointKind::spherical,
+  const contact::ExactPressure law(contact::JointKind::ball,
                                    hip.conditions.walls.value());
   // The batch's last digits differ from the scalar call's.
   EXPECT_NEAR(
@@ -542,7 +542,7 @@ TEST(HingeTable, BallPressedFromBehind) {
       "--loading back:15");
   ASSERT_EQ(result.status, 0) << result.err;
   const contact::ExactPressure law(
-      contact::JointKind::spherical,
+      contact::JointKind::ball,
       contact::ElasticPair::from_modulus_ratio(7, 0.3, 0.3),
       contact::InnerLoading::back(15 * contact::degree));
   // The batch's last digits differ from the scalar call's.
@@ -598,8 +598,8 @@ TEST(HingeTable, PressuresThatDoNotFit) {
             "hinge-table: loading back:20: pressure law mixture: allowed: "
             "cosine, sqrt_tan, sqrt_theta, exact\n");
   EXPECT_EQ(message("--joint data/joints/pin_joint.toml"),
-            "hinge-table: --joint data/joints/pin_joint.toml: a cylindrical "
-            "joint: allowed spherical\n");
+            "hinge-table: --joint data/joints/pin_joint.toml: a pin "
+            "joint: allowed ball\n");
 }
 
 TEST(HingeTable, Version) {

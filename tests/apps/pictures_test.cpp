@@ -140,9 +140,9 @@ TEST(Pictures, NamesWithControlCharactersAreRefused) {
        {"hinge-table --theta0 45 --alpha 0:90:9 --plot",
         "hinge-table --theta0 45 --alpha 0:90:9 --output",
         "hinge-table --points",
-        "hinge-angle --joint sphere --modulus-ratio 1 --x 0.1:1:0.1 --plot",
+        "hinge-angle --joint ball --modulus-ratio 1 --x 0.1:1:0.1 --plot",
         "hinge-angle --x 1 --joint",
-        "hinge-pressure --joint sphere --modulus-ratio 1 --x 1 --plot",
+        "hinge-pressure --joint ball --modulus-ratio 1 --x 1 --plot",
         "hinge-joint --joint data/joints/hip_cocr_uhmwpe.toml --reaction "
         "1:9:1 --beta 30 --plot",
         "hinge-separation data/cases/slosh.toml --plot",
@@ -232,12 +232,11 @@ TEST(Pictures, TitlesNameTheJoint) {
   };
   const std::string name = "hip, 28 mm CoCrMo head in UHMWPE";
   title("hinge-angle --load 10:500:10 " + joint, name);
-  title("hinge-angle --x 0:1:0.1 --joint sphere --modulus-ratio 1",
-        "spherical joint");
+  title("hinge-angle --x 0:1:0.1 --joint ball --modulus-ratio 1", "ball joint");
   title(
-      "hinge-angle --x 0:1:0.1 --joint sphere "
+      "hinge-angle --x 0:1:0.1 --joint ball "
       "--pair data/materials/steel_bronze.toml",
-      "spherical joint, carbon steel in phosphor bronze");
+      "ball joint, carbon steel in phosphor bronze");
   title("hinge-pressure --load 10 --pressure cosine " + joint,
         name + ", cosine");
   title("hinge-joint --reaction 1:9:1 --beta 30 " + joint,

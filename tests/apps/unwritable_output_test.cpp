@@ -21,7 +21,7 @@ struct Program {
 };
 
 const std::string ball =
-    "--joint sphere --pair data/materials/steel_bronze.toml --radius 50mm "
+    "--joint ball --pair data/materials/steel_bronze.toml --radius 50mm "
     "--clearance 50um --law tanh ";
 
 const std::vector<Program> programs = {

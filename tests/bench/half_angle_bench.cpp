@@ -98,8 +98,8 @@ void set_up(benchmark::State& state, const char* name, JointKind kind) {
 
 void register_all() {
   benchmark::RegisterBenchmark("tanh", unit);
-  for (const JointKind kind : {JointKind::cylindrical, JointKind::spherical}) {
-    const std::string joint = kind == JointKind::cylindrical ? "pin" : "ball";
+  for (const JointKind kind : {JointKind::pin, JointKind::ball}) {
+    const std::string joint = kind == JointKind::pin ? "pin" : "ball";
     for (const char* name : {"hertz", "arctan", "tanh", "blend:0.5", "nominal",
                              "fitted", "exact"}) {
       benchmark::RegisterBenchmark((joint + "/half_angle/" + name).c_str(),
@@ -123,7 +123,7 @@ int main(int argc, char** argv) {
   // Before anything else: what the first exact ball of a program takes, the
   // tables of the method included, and a further load of the same pair.
   const Clock::time_point start = Clock::now();
-  const ExactLaw ball(JointKind::spherical, unequal_pair());
+  const ExactLaw ball(JointKind::ball, unequal_pair());
   benchmark::DoNotOptimize(ball.half_angle(1));
   const double first = nanoseconds_since(start);
   const Clock::time_point again = Clock::now();

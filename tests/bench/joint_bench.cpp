@@ -13,16 +13,16 @@
 #include "libcontact/base/units.hpp"
 #include "libcontact/friction/exact.hpp"
 #include "libcontact/half_angle/factory.hpp"
-#include "libcontact/joint/cylindrical_joint.hpp"
-#include "libcontact/joint/spherical_joint.hpp"
+#include "libcontact/joint/ball_joint.hpp"
+#include "libcontact/joint/pin_joint.hpp"
 #include "libcontact/pressure/cosine.hpp"
 #include "support/random_slip.hpp"
 
 namespace {
 
+using contact::BallJoint;
 using contact::FixedPointResult;
 using contact::JointSolution;
-using contact::SphericalJoint;
 using contact::Status;
 using contact::test::RandomSlip;
 using contact::test::RandomSlips;
@@ -70,12 +70,10 @@ States steel_states() {
     const double f0 = 0.05 + 0.25 * random.uniform();
     const double adhesion =
         random.uniform() < 0.5 ? 0 : f0 * random.log_uniform(1e6, 1e9);
-    const SphericalJoint joint(geometry, pair,
-                               contact::FrictionLaw(f0, adhesion),
-                               contact::make_half_angle_law(
-                                   "tanh", contact::JointKind::spherical, pair),
-                               std::make_unique<contact::CosinePressure>(
-                                   contact::JointKind::spherical));
+    const BallJoint joint(
+        geometry, pair, contact::FrictionLaw(f0, adhesion),
+        contact::make_half_angle_law("tanh", contact::JointKind::ball, pair),
+        std::make_unique<contact::CosinePressure>(contact::JointKind::ball));
     const double force = scale.load(random.log_uniform(0.005, 20));
     states.add({joint, force * random.direction(), random.direction()}, random);
   }
@@ -130,10 +128,10 @@ void run(benchmark::State& state, const States& states, const Solve& solve) {
 double residual(const RandomSlip& input, const JointSolution& s) {
   const auto& contact = input.joint.contact();
   const auto i = contact.integrals(
-      contact.half_angle(s.compressive_force).half_angle, s.slip_axis);
+      contact.half_angle(s.normal_force).half_angle, s.slip_axis);
   const auto strength = contact.strength(1);
   const double f = strength.pressure_part * i.coefficient.force +
-                   strength.area_part / s.compressive_force * i.area.force;
+                   strength.area_part / s.normal_force * i.area.force;
   return f == s.force_coefficient ? 0 : std::abs(f / s.force_coefficient - 1);
 }
 

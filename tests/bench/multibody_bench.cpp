@@ -1,4 +1,4 @@
-// One acceleration evaluation of a carrier with L loads: state in, all
+// One acceleration evaluation of a carrier with L bodies: state in, all
 // accelerations out, kinematics included, frictionless, gravity only. The
 // column `motion` is the time for one motion.
 #include <benchmark/benchmark.h>
@@ -22,14 +22,14 @@ using multibody::Instant;
 using multibody::Prepared;
 using multibody::test::Mix;
 
-Instant free_motion(Mix mix, int loads) {
-  Instant instant = random_instant(mix, loads, 1);
+Instant free_motion(Mix mix, int bodies) {
+  Instant instant = random_instant(mix, bodies, 1);
   instant.active_force.setZero();
   instant.active_moment_com.setZero();
-  for (multibody::LoadInstant& load : instant.loads) {
-    load.active_force.setZero();
-    load.active_moment_com.setZero();
-    load.friction_moment.setZero();
+  for (multibody::BodyInstant& body : instant.bodies) {
+    body.active_force.setZero();
+    body.active_moment_com.setZero();
+    body.friction_moment.setZero();
   }
   return instant;
 }
@@ -56,7 +56,7 @@ void evaluate(benchmark::State& state, Mix mix, InstructionSet set) {
   Dynamics dynamics(p.system, set);
   std::vector<multibody::Vec3<double>> accelerations(dynamics.size());
   measure(state, 1, [&] {
-    dynamics.evaluate(p.state.data(), p.loading);
+    dynamics.evaluate(p.state.data(), p.forces);
     dynamics.relative_accelerations(accelerations);
   });
 }
@@ -64,7 +64,7 @@ void evaluate(benchmark::State& state, Mix mix, InstructionSet set) {
 void increment(benchmark::State& state, Mix mix) {
   const Prepared p = prepared(state, mix);
   Dynamics dynamics = p.dynamics();
-  dynamics.evaluate(p.state.data(), p.loading);
+  dynamics.evaluate(p.state.data(), p.forces);
   const std::vector<multibody::Vec3<double>> change(dynamics.size(),
                                                     {1e-3, 2e-3, -1e-3});
   std::vector<multibody::Vec3<double>> accelerations(dynamics.size());
@@ -77,7 +77,7 @@ void increment(benchmark::State& state, Mix mix) {
 void reactions(benchmark::State& state, Mix mix) {
   const Prepared p = prepared(state, mix);
   Dynamics dynamics = p.dynamics();
-  dynamics.evaluate(p.state.data(), p.loading);
+  dynamics.evaluate(p.state.data(), p.forces);
   std::vector<multibody::Reaction<double>> to(dynamics.size());
   measure(state, 1, [&] { dynamics.reactions(to); });
 }
@@ -85,21 +85,21 @@ void reactions(benchmark::State& state, Mix mix) {
 void dense_cholesky(benchmark::State& state, Mix mix) {
   const Prepared p = prepared(state, mix);
   multibody::test::DenseSolver dense(p.system);
-  measure(state, 1, [&] { dense.evaluate(p.state.data(), p.loading); });
+  measure(state, 1, [&] { dense.evaluate(p.state.data(), p.forces); });
 }
 
 // A stretch of a run with friction: states half a step of 1 ms apart, as the
 // stages of the paper's Runge-Kutta steps see them, forth and back.
 enum class AxisHinge { node, pin };
 struct Stretch {
-  Stretch(Mix mix, int loads, AxisHinge axis_hinge = AxisHinge::node)
-      : instant(free_motion(mix, loads)), prepared(prepare(instant)) {
+  Stretch(Mix mix, int bodies, AxisHinge axis_hinge = AxisHinge::node)
+      : instant(free_motion(mix, bodies)), prepared(prepare(instant)) {
     const contact::FrictionLaw law(0.1, 1e5);
     multibody::MotionStart start;
     start.carrier = {instant.position, instant.velocity, instant.rotation,
                      instant.rotation * instant.angular_velocity};
-    for (const multibody::LoadInstant& load : instant.loads) {
-      const bool on_axis = load.load.kind == multibody::JointKind::axis;
+    for (const multibody::BodyInstant& body : instant.bodies) {
+      const bool on_axis = body.body.kind == multibody::HingeKind::axis;
       if (on_axis && axis_hinge == AxisHinge::node) {
         friction.emplace_back(
             multibody::NodeFriction{multibody::test::ball_and_pin(law, 0.2)});
@@ -110,11 +110,11 @@ struct Stretch {
         friction.emplace_back(
             multibody::BallFriction{multibody::test::ball_joint(law, 0.01)});
       }
-      multibody::LoadStart& to = start.loads.emplace_back();
-      to.rotation = load.rotation;
-      to.relative_angular_velocity = load.relative_angular_velocity;
-      to.angle = load.angle;
-      to.angle_rate = load.angle_rate;
+      multibody::BodyStart& to = start.bodies.emplace_back();
+      to.rotation = body.rotation;
+      to.relative_angular_velocity = body.relative_angular_velocity;
+      to.angle = body.angle;
+      to.angle_rate = body.angle_rate;
     }
     multibody::MotionOptions options;
     options.gravity = instant.gravity;
@@ -159,7 +159,7 @@ void with_friction(benchmark::State& state, Mix mix, InstructionSet set) {
   double evaluations = 0, iterations = 0;
   measure(state, 1, [&] {
     const double* s = run.next();
-    iterations += coupled.evaluate(s, run.prepared.loading).iterations;
+    iterations += coupled.evaluate(s, run.prepared.forces).iterations;
     evaluations += 1;
     coupled.dynamics().rates(s, {}, rates.data());
   });
@@ -172,7 +172,7 @@ void without_friction(benchmark::State& state, Mix mix, InstructionSet set) {
   std::vector<double> rates(run.states[0].size());
   measure(state, 1, [&] {
     const double* s = run.next();
-    dynamics.evaluate(s, run.prepared.loading);
+    dynamics.evaluate(s, run.prepared.forces);
     dynamics.rates(s, {}, rates.data());
   });
 }
@@ -186,7 +186,7 @@ void unhinged(benchmark::State& state, Mix mix) {
   }
   std::vector<double> s(dynamics.layout().size(), 0.1), rates(s.size());
   measure(state, 1, [&] {
-    dynamics.evaluate(s.data(), run.prepared.loading);
+    dynamics.evaluate(s.data(), run.prepared.forces);
     dynamics.rates(s.data(), {}, rates.data());
   });
 }
@@ -218,17 +218,17 @@ Instant launcher() {
   instant.velocity = Vector3d(300, 0, 1500);
   instant.angular_velocity = Vector3d(0.01, -0.02, 0.005);
   for (int i = 0; i < 4; ++i) {
-    multibody::LoadInstant load;
+    multibody::BodyInstant body;
     const Matrix3d turn =
         Eigen::AngleAxisd(i * std::numbers::pi / 2, Vector3d::UnitZ())
             .toRotationMatrix();
-    load.load = {multibody::JointKind::spherical, 5000, Matrix3d::Zero()};
-    load.load.inertia.diagonal() << 1.2e5, 1.2e5, 6e3;
-    load.load.hinge_from_com = Vector3d(-0.5, 0, 9);
-    load.load.hinge_from_carrier_com = turn * Vector3d(1.3, 0, 4);
-    load.rotation = turn;
-    load.relative_angular_velocity = Vector3d(0.02 * i, -0.15, 0.03);
-    instant.loads.push_back(load);
+    body.body = {multibody::HingeKind::ball, 5000, Matrix3d::Zero()};
+    body.body.inertia.diagonal() << 1.2e5, 1.2e5, 6e3;
+    body.body.hinge_from_com = Vector3d(-0.5, 0, 9);
+    body.body.hinge_from_carrier_com = turn * Vector3d(1.3, 0, 4);
+    body.rotation = turn;
+    body.relative_angular_velocity = Vector3d(0.02 * i, -0.15, 0.03);
+    instant.bodies.push_back(body);
   }
   return instant;
 }
@@ -239,17 +239,17 @@ multibody::Motion motion_of(
   multibody::MotionStart start;
   start.carrier = {instant.position, instant.velocity, instant.rotation,
                    instant.rotation * instant.angular_velocity};
-  std::vector<multibody::Load> loads;
-  for (const multibody::LoadInstant& load : instant.loads) {
-    loads.push_back(load.load);
-    multibody::LoadStart& to = start.loads.emplace_back();
-    to.rotation = load.rotation;
-    to.relative_angular_velocity = load.relative_angular_velocity;
+  std::vector<multibody::Body> bodies;
+  for (const multibody::BodyInstant& body : instant.bodies) {
+    bodies.push_back(body.body);
+    multibody::BodyStart& to = start.bodies.emplace_back();
+    to.rotation = body.rotation;
+    to.relative_angular_velocity = body.relative_angular_velocity;
   }
   multibody::MotionOptions options;
   options.gravity = instant.gravity;
   options.relative_tolerance = options.absolute_tolerance = tolerance;
-  return {multibody::System(instant.carrier, loads), std::move(friction),
+  return {multibody::System(instant.carrier, bodies), std::move(friction),
           nullptr, start, options};
 }
 
@@ -260,7 +260,7 @@ void our_flight(benchmark::State& state) {
   for (auto _ : state) {
     multibody::Motion motion = motion_of(instant, 1e-11);
     motion.advance_to(flight);
-    benchmark::DoNotOptimize(motion.sample().bodies());
+    benchmark::DoNotOptimize(motion.sample().motions());
   }
 }
 
@@ -298,7 +298,7 @@ void simbody_flight(benchmark::State& state) {
   double difference = 0;
   double moved = 0;
   for (std::size_t i = 0; i < theirs.size(); ++i) {
-    const Eigen::Vector3d ours = motion.sample().bodies()[i].position;
+    const Eigen::Vector3d ours = motion.sample().motions()[i].position;
     difference = std::max(difference, (ours - theirs[i]).norm());
     moved = std::max(moved, ours.norm());
   }
@@ -312,8 +312,8 @@ void register_all(const std::string& name, Mix mix) {
     auto* b = benchmark::RegisterBenchmark(
         (name + "/" + method).c_str(),
         [=](benchmark::State& state) { function(state, mix); });
-    for (const int loads : {1, 2, 4, 8, 16, 64, 256}) {
-      if (loads <= most) b->Arg(loads);
+    for (const int bodies : {1, 2, 4, 8, 16, 64, 256}) {
+      if (bodies <= most) b->Arg(bodies);
     }
   };
   for (const InstructionSet set :
@@ -345,7 +345,7 @@ void register_all(const std::string& name, Mix mix) {
 
 int main(int argc, char** argv) {
   benchmark::Initialize(&argc, argv);
-  register_all("spherical", Mix::spherical);
+  register_all("balls", Mix::balls);
   register_all("axes", Mix::axes);
   benchmark::RegisterBenchmark("flight/ours", our_flight);
   benchmark::RegisterBenchmark("flight/ours_with_friction",

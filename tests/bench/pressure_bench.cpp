@@ -69,8 +69,7 @@ double largest_error(const PressureLaw& law) {
 
 void scalar(benchmark::State& state, const std::string& name, double low,
             double high) {
-  const auto law =
-      contact::make_pressure_law(name, JointKind::spherical, pair());
+  const auto law = contact::make_pressure_law(name, JointKind::ball, pair());
   const Points p(low, high);
   // The first call of each kind makes its rules.
   for (std::size_t k = 0; k < count; ++k) {
@@ -92,8 +91,7 @@ void batch(benchmark::State& state, const std::string& name, InstructionSet set,
     state.SkipWithError("this machine lacks the instruction set");
     return;
   }
-  const auto law =
-      contact::make_pressure_law(name, JointKind::spherical, pair());
+  const auto law = contact::make_pressure_law(name, JointKind::ball, pair());
   const Points p(low, high);
   std::array<std::vector<double>, 3> r;
   for (auto& column : r) column.resize(count);
@@ -131,7 +129,7 @@ void register_all() {
           batch, name, set, 90, 120);
     }
   }
-  for (const JointKind kind : {JointKind::spherical, JointKind::cylindrical}) {
+  for (const JointKind kind : {JointKind::ball, JointKind::pin}) {
     benchmark::RegisterBenchmark(
         ("make_exact/" + std::string(to_string(kind))).c_str(), make_exact,
         kind)

@@ -28,7 +28,7 @@ struct SimbodySystem::Parts {
   SimTK::SimbodyMatterSubsystem matter{system};
   SimTK::GeneralForceSubsystem forces{system};
   MobilizedBody carrier;
-  std::vector<MobilizedBody> loads;
+  std::vector<MobilizedBody> bodies;
   SimTK::State state;
 };
 
@@ -39,20 +39,20 @@ SimbodySystem::SimbodySystem(const Instant& instant)
   MobilizedBody::Free carrier(
       p.matter.Ground(), body(instant.carrier.mass, instant.carrier.inertia));
   p.carrier = carrier;
-  std::vector<MobilizedBody>& loads = p.loads;
-  for (const LoadInstant& load : instant.loads) {
-    const Load& l = load.load;
+  std::vector<MobilizedBody>& bodies = p.bodies;
+  for (const BodyInstant& body : instant.bodies) {
+    const Body& l = body.body;
     const SimTK::Body::Rigid b = body(l.mass, l.inertia);
-    if (l.kind == JointKind::axis) {
-      loads.push_back(MobilizedBody::Pin(
+    if (l.kind == HingeKind::axis) {
+      bodies.push_back(MobilizedBody::Pin(
           carrier,
           SimTK::Transform(simtk_rotation(l.hinge_to_carrier_zero),
                            simtk(l.hinge_from_carrier_com)),
           b,
-          SimTK::Transform(simtk_rotation(l.hinge_to_load),
+          SimTK::Transform(simtk_rotation(l.hinge_to_body),
                            simtk(l.hinge_from_com))));
     } else {
-      loads.push_back(MobilizedBody::Ball(
+      bodies.push_back(MobilizedBody::Ball(
           carrier, SimTK::Transform(simtk(l.hinge_from_carrier_com)), b,
           SimTK::Transform(simtk(l.hinge_from_com))));
     }
@@ -66,15 +66,15 @@ SimbodySystem::SimbodySystem(const Instant& instant)
       p.state,
       SimTK::SpatialVec(simtk(instant.rotation * instant.angular_velocity),
                         simtk(instant.velocity)));
-  for (std::size_t i = 0; i < loads.size(); ++i) {
-    const LoadInstant& load = instant.loads[i];
-    if (load.load.kind == JointKind::axis) {
-      loads[i].setOneQ(p.state, 0, load.angle);
-      loads[i].setOneU(p.state, 0, load.angle_rate);
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const BodyInstant& body = instant.bodies[i];
+    if (body.body.kind == HingeKind::axis) {
+      bodies[i].setOneQ(p.state, 0, body.angle);
+      bodies[i].setOneU(p.state, 0, body.angle_rate);
     } else {
-      loads[i].setQToFitRotation(p.state, simtk_rotation(load.rotation));
-      loads[i].setUToFitAngularVelocity(
-          p.state, simtk(load.rotation * load.relative_angular_velocity));
+      bodies[i].setQToFitRotation(p.state, simtk_rotation(body.rotation));
+      bodies[i].setUToFitAngularVelocity(
+          p.state, simtk(body.rotation * body.relative_angular_velocity));
     }
   }
 }
@@ -98,7 +98,7 @@ std::vector<Eigen::Vector3d> SimbodySystem::positions() const {
     result.push_back(eigen(body.getBodyOriginLocation(parts_->state)));
   };
   add(parts_->carrier);
-  for (const MobilizedBody& body : parts_->loads) add(body);
+  for (const MobilizedBody& body : parts_->bodies) add(body);
   return result;
 }
 

@@ -7,7 +7,7 @@
 
 namespace multibody::bench {
 
-/// An instant (gravity only, loads on spherical joints and axes) in Simbody:
+/// An instant (gravity only, bodies on ball joints and axes) in Simbody:
 /// bodies on Free, Ball and Pin mobilizers.
 class SimbodySystem {
  public:
@@ -17,7 +17,7 @@ class SimbodySystem {
   /// Moves on by `time` s, with Simbody's Runge-Kutta-Merson integrator.
   /// @param accuracy  its relative accuracy
   void advance(double time, double accuracy);
-  /// Places of the centres of mass, carrier and loads, inertial axes.
+  /// Places of the centres of mass, carrier and bodies, inertial axes.
   std::vector<Eigen::Vector3d> positions() const;
 
   /// State in, all accelerations out.

@@ -43,8 +43,7 @@ LayeredBody body_of(const ReferenceTable& table, std::size_t row) {
 }
 
 JointKind kind_of(const ReferenceTable& table, std::size_t row) {
-  return table.text(row, "kind") == "ball" ? JointKind::spherical
-                                           : JointKind::cylindrical;
+  return table.text(row, "kind") == "ball" ? JointKind::ball : JointKind::pin;
 }
 
 Side side_of(const ReferenceTable& table, std::size_t row) {
@@ -65,7 +64,7 @@ TEST(LayerCompliance, MatchesTheReference) {
   report.check();
 }
 
-constexpr JointKind kinds[] = {JointKind::spherical, JointKind::cylindrical};
+constexpr JointKind kinds[] = {JointKind::ball, JointKind::pin};
 constexpr Side sides[] = {Side::inner, Side::outer};
 constexpr double degrees_of_poisson[] = {0, 0.3, 0.499, 0.5};
 
@@ -102,7 +101,7 @@ TEST(LayerCompliance, LayersOfOneMaterialAreNone) {
 TEST(LayerCompliance, ARigidBodyDoesNotGiveWay) {
   const LayeredBody rigid{{}, Backing::rigid()};
   for (const Side side : sides) {
-    const LayerCompliance compliance(JointKind::spherical, side, rigid, 1, 1);
+    const LayerCompliance compliance(JointKind::ball, side, rigid, 1, 1);
     for (const int n : {0, 1, 2, 50}) {
       EXPECT_EQ(compliance(n).total, 0);
       EXPECT_EQ(compliance(n).correction, 0);

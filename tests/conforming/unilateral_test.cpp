@@ -88,11 +88,11 @@ void compare(JointKind kind) {
 }
 
 TEST(UnilateralContact, AgreesWithThePin) {
-  compare<PinContact>(JointKind::cylindrical);
+  compare<PinContact>(JointKind::pin);
 }
 
 TEST(UnilateralContact, AgreesWithTheBall) {
-  compare<BallContact>(JointKind::spherical);
+  compare<BallContact>(JointKind::ball);
 }
 
 // The discretisation error falls as the nodes are refined; so does what
@@ -102,7 +102,7 @@ TEST(UnilateralContact, ConvergesToTheExactPressure) {
   const auto difference = [&pair](JointKind kind, int count) {
     const double load = 2;
     const UnilateralContact other = solve_unilateral(kind, pair, load, count);
-    const bool is_pin = kind == JointKind::cylindrical;
+    const bool is_pin = kind == JointKind::pin;
     const PinContact pin(pair);
     const BallContact ball(pair);
     const double theta0 = is_pin ? pin.half_angle(load).half_angle
@@ -117,7 +117,7 @@ TEST(UnilateralContact, ConvergesToTheExactPressure) {
     }
     return largest;
   };
-  for (const JointKind kind : {JointKind::cylindrical, JointKind::spherical}) {
+  for (const JointKind kind : {JointKind::pin, JointKind::ball}) {
     const double coarse = difference(kind, 50);
     const double fine = difference(kind, 400);
     // Order 2 would give 64; the place of the edge between two nodes makes

@@ -66,13 +66,13 @@ template <class Contact>
 Units units(const LayeredPair& pair, double clearance);
 template <>
 Units units<BallContact>(const LayeredPair& pair, double clearance) {
-  const double e = pair.surfaces().reduced_modulus();
+  const double e = pair.surfaces().effective_modulus();
   const double rho = pair.radius();
   return {2.0 / 3 * clearance * rho * e, 1 / (rho * rho), rho * e};
 }
 template <>
 Units units<PinContact>(const LayeredPair& pair, double clearance) {
-  const double e = pair.surfaces().reduced_modulus();
+  const double e = pair.surfaces().effective_modulus();
   return {pi / 2 * clearance * e, 1 / pair.radius(), e};
 }
 

@@ -27,9 +27,9 @@ using contact::Dimension;
 using contact::FrictionLaw;
 using contact::FrictionModel;
 using contact::Interval;
-using contact::Joint;
 using contact::JointBody;
 using contact::JointKind;
+using contact::JointSpec;
 using contact::LayeredPair;
 using contact::parse_joint;
 using contact::parse_material_pair;
@@ -42,7 +42,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 // A joint file line by line, so that a test can exchange one.
 const std::vector<std::string> good_lines = {
     "name = \"test joint\"",         // 1
-    "kind = \"spherical\"",          // 2
+    "kind = \"ball\"",               // 2
     "[geometry]",                    // 3
     "radius_mm = 50",                // 4
     "radial_clearance_um = 50",      // 5
@@ -90,9 +90,9 @@ std::string message_with_line(int number, const std::string& line) {
 }
 
 TEST(JointFile, ReadsEverything) {
-  const Joint joint = parse_joint(text_of(good_lines), "j.toml");
+  const JointSpec joint = parse_joint(text_of(good_lines), "j.toml");
   EXPECT_EQ(joint.name, "test joint");
-  EXPECT_EQ(joint.geometry.kind(), JointKind::spherical);
+  EXPECT_EQ(joint.geometry.kind(), JointKind::ball);
   EXPECT_EQ(joint.geometry.inner_body(), JointBody::carrier);
   // Units by exact powers of ten: the doubles nearest to the decimals.
   EXPECT_EQ(joint.geometry.radius(), 0.05);
@@ -111,10 +111,10 @@ TEST(JointFile, ReadsEverything) {
 }
 
 TEST(JointFile, DefaultsAndOtherSpellings) {
-  const Joint joint = parse_joint(R"(
+  const JointSpec joint = parse_joint(R"(
       name = "pin"
-      kind = "cylindrical"
-      inner_body = "load"
+      kind = "pin"
+      inner_body = "body"
       [geometry]
       radius = 0.01
       relative_clearance = 0.002
@@ -129,9 +129,9 @@ TEST(JointFile, DefaultsAndOtherSpellings) {
       limit_formula = "arctan"
       degrees_per_radian = 57.3
       )",
-                                  "pin.toml");
-  EXPECT_EQ(joint.geometry.kind(), JointKind::cylindrical);
-  EXPECT_EQ(joint.geometry.inner_body(), JointBody::load);
+                                      "pin.toml");
+  EXPECT_EQ(joint.geometry.kind(), JointKind::pin);
+  EXPECT_EQ(joint.geometry.inner_body(), JointBody::body);
   EXPECT_EQ(joint.geometry.radial_clearance(), 0.002 * 0.01);
   EXPECT_EQ(joint.geometry.length(), 0.03);
   EXPECT_EQ(joint.pair.inner().youngs_modulus, 2.1e11);
@@ -144,14 +144,14 @@ TEST(JointFile, DefaultsAndOtherSpellings) {
 }
 
 TEST(JointFile, LawThatHoldsForEveryPairUnlessNamed) {
-  const Joint joint = parse_joint(R"(
+  const JointSpec joint = parse_joint(R"(
       name = "ball"
-      kind = "spherical"
+      kind = "ball"
       geometry = { radius_mm = 10, relative_clearance = 0.002 }
       materials.inner = { youngs_modulus_GPa = 210, poissons_ratio = 0.3 }
       materials.outer = { youngs_modulus_GPa = 3, poissons_ratio = 0.45 }
       )",
-                                  "ball.toml");
+                                      "ball.toml");
   EXPECT_EQ(joint.half_angle_law, contact::default_half_angle_law);
   EXPECT_EQ(joint.make_half_angle_law()->name(), "fitted");
   EXPECT_TRUE(joint.validity_notes().empty());
@@ -199,11 +199,11 @@ TEST(JointFile, NamesFileLineKeyValueAndRange) {
             "j.toml:1: name = \"\": allowed: a string, not empty");
   EXPECT_EQ(message_with_line(1, "name = 3"),
             "j.toml:1: name = 3: allowed: a string, not empty");
-  EXPECT_EQ(message_with_line(2, "kind = \"ball\""),
-            "j.toml:2: kind = \"ball\": allowed: \"spherical\", "
-            "\"cylindrical\"");
+  EXPECT_EQ(message_with_line(2, "kind = \"spherical\""),
+            "j.toml:2: kind = \"spherical\": allowed: \"ball\", "
+            "\"pin\"");
   EXPECT_EQ(message_with_line(2, "kind = true"),
-            "j.toml:2: kind = true: allowed: \"spherical\", \"cylindrical\"");
+            "j.toml:2: kind = true: allowed: \"ball\", \"pin\"");
   EXPECT_EQ(message_with_line(4, "radius_mm = -50"),
             "j.toml:4: geometry.radius_mm = -50: allowed: above 0 mm");
   EXPECT_EQ(message_with_line(4, "radius_mm = 0.0"),
@@ -261,7 +261,7 @@ TEST(JointFile, MissingKeysAndTables) {
             "j.toml:13: friction.coefficient is missing");
   EXPECT_EQ(message_with_line(3, "[geometrie]"),
             "j.toml:3: geometrie: unknown key: did you mean geometry?");
-  const std::string begin = "name = \"j\"\nkind = \"spherical\"\n";
+  const std::string begin = "name = \"j\"\nkind = \"ball\"\n";
   EXPECT_EQ(error_message([&] { parse_joint(begin, "j.toml"); }),
             "j.toml:1: the table [geometry] is missing");
   EXPECT_EQ(error_message([&] {
@@ -282,7 +282,7 @@ TEST(JointFile, MissingKeysAndTables) {
   EXPECT_EQ(message_with_line(10, "[materials.seat]"),
             "j.toml:10: materials.seat: unknown key: allowed: inner, outer, "
             "pair");
-  EXPECT_EQ(message_with_line(2, "kind = \"cylindrical\""),
+  EXPECT_EQ(message_with_line(2, "kind = \"pin\""),
             "j.toml:3: geometry.length is missing: allowed: length (in m), "
             "length_m, length_mm, length_um, length_km");
   EXPECT_EQ(error_message([] { parse_joint("", "j.toml"); }),
@@ -375,14 +375,13 @@ TEST(JointFile, Loading) {
   const std::string back = "[loading]\nkind = \"back\"\n";
   const std::string patch = back + "patch_half_angle_deg = 20";
 
-  const Joint joint = parse_joint(file(exact, exact, patch), "j.toml");
+  const JointSpec joint = parse_joint(file(exact, exact, patch), "j.toml");
   const auto loading = contact::InnerLoading::back(20 * degree);
   EXPECT_EQ(joint.conditions.loading, loading);
-  const contact::ExactLaw law(JointKind::spherical, joint.pair, loading);
+  const contact::ExactLaw law(JointKind::ball, joint.pair, loading);
   EXPECT_EQ(joint.make_half_angle_law()->half_angle(3).half_angle,
             law.half_angle(3).half_angle);
-  const contact::ExactPressure pressure(JointKind::spherical, joint.pair,
-                                        loading);
+  const contact::ExactPressure pressure(JointKind::ball, joint.pair, loading);
   EXPECT_EQ(joint.make_pressure_law()->peak(1), pressure.peak(1));
   const auto centre = contact::InnerLoading::centre();
   EXPECT_EQ(parse_joint(text_of(good_lines), "j.toml").conditions.loading,
@@ -431,7 +430,7 @@ std::string message_with_walls(const std::string& walls) {
 }
 
 TEST(JointFile, Walls) {
-  const Joint joint = parse_joint(
+  const JointSpec joint = parse_joint(
       with_walls(
           "[wall]\n"
           "backing = { youngs_modulus_GPa = 120, poissons_ratio = 0.25 }\n"
@@ -458,18 +457,17 @@ TEST(JointFile, Walls) {
   EXPECT_EQ(joint.pair.outer().youngs_modulus, 1.1e11);
   EXPECT_EQ(joint.half_angle_law, "exact");
   EXPECT_EQ(joint.pressure_law, "exact");
-  const contact::ExactLaw law(JointKind::spherical, walls);
+  const contact::ExactLaw law(JointKind::ball, walls);
   EXPECT_EQ(joint.make_half_angle_law()->half_angle(3).half_angle,
             law.half_angle(3).half_angle);
-  EXPECT_NE(law.half_angle(3).half_angle,
-            contact::ExactLaw(JointKind::spherical, joint.pair)
-                .half_angle(3)
-                .half_angle);
-  const contact::ExactPressure pressure(JointKind::spherical, walls);
+  EXPECT_NE(
+      law.half_angle(3).half_angle,
+      contact::ExactLaw(JointKind::ball, joint.pair).half_angle(3).half_angle);
+  const contact::ExactPressure pressure(JointKind::ball, walls);
   EXPECT_EQ(joint.make_pressure_law()->peak(1), pressure.peak(1));
 
   // A first layer with a material of its own; loading through the back.
-  const Joint own = parse_joint(
+  const JointSpec own = parse_joint(
       with_walls("[wall]\nbacking = \"held\"\n[[wall.layer]]\n"
                  "thickness_mm = 30\nyoungs_modulus_GPa = 3\n"
                  "poissons_ratio = 0.5\n"
@@ -482,7 +480,7 @@ TEST(JointFile, Walls) {
   EXPECT_TRUE(own.conditions.walls->inner().layers.empty());
 
   // A coating alone.
-  const Joint coated =
+  const JointSpec coated =
       parse_joint(with_walls("[[coating]]\nthickness_mm = 1\n"
                              "youngs_modulus_GPa = 3\npoissons_ratio = 0.3"),
                   "j.toml");
@@ -639,7 +637,7 @@ class JointFolder : public testing::Test {
     return (folder_ / name).string();
   }
   static std::string joint_text(const std::string& materials) {
-    return "name = \"j\"\nkind = \"spherical\"\n[geometry]\nradius = 0.05\n"
+    return "name = \"j\"\nkind = \"ball\"\n[geometry]\nradius = 0.05\n"
            "relative_clearance = 1e-3\n" +
            materials;
   }
@@ -650,16 +648,16 @@ class JointFolder : public testing::Test {
 TEST_F(JointFolder, PairFileByRelativePath) {
   const std::string pair = write("materials/p.toml", pair_text);
   const std::string pair_line = "[materials]\npair = \"../materials/p.toml\"\n";
-  const Joint joint =
+  const JointSpec joint =
       contact::read_joint(write("joints/j.toml", joint_text(pair_line)));
   EXPECT_EQ(joint.pair.modulus_ratio(), 2);
   // Friction comes from the pair unless the joint has its own.
   EXPECT_EQ(dry(joint.friction).coefficient(), 0.25);
-  const Joint own = contact::read_joint(
+  const JointSpec own = contact::read_joint(
       write("joints/own.toml",
             joint_text(pair_line + "[friction]\ncoefficient = 0.5\n")));
   EXPECT_EQ(dry(own.friction).coefficient(), 0.5);
-  const Joint absolute = contact::read_joint(
+  const JointSpec absolute = contact::read_joint(
       write("joints/absolute.toml",
             joint_text("[materials]\npair = \"" + pair + "\"\n")));
   EXPECT_EQ(absolute.pair.modulus_ratio(), 2);
@@ -714,7 +712,7 @@ TEST(DataFiles, MaterialsAndJoints) {
   std::size_t joints = 0;
   for (const auto& entry :
        fs::directory_iterator(fs::path(CONTACT_DATA_DIR) / "joints")) {
-    const Joint joint = contact::read_joint(entry.path());
+    const JointSpec joint = contact::read_joint(entry.path());
     ASSERT_TRUE(joint.friction.has_value()) << entry.path();
     const auto result = joint.make_half_angle_law()->half_angle(0.1);
     EXPECT_EQ(result.status, contact::Status::ok) << entry.path();
@@ -742,7 +740,7 @@ TEST(DataFiles, LedgerNamesEveryFile) {
 // The paper's examples as files: section 5, recomputed values.
 TEST(DataFiles, PaperExamples) {
   const fs::path folder = fs::path(CONTACT_DATA_DIR) / "joints";
-  const Joint one = contact::read_joint(folder / "paper_example_1.toml");
+  const JointSpec one = contact::read_joint(folder / "paper_example_1.toml");
   const double load = one.load_scale().load_parameter(2e5);
   EXPECT_NEAR(load, 0.5460, 5e-5);
   EXPECT_NEAR(one.make_half_angle_law()->half_angle(load).half_angle / degree,
@@ -751,7 +749,7 @@ TEST(DataFiles, PaperExamples) {
   EXPECT_DOUBLE_EQ(dry(one.friction).adhesion() / 0.1, 4e8);
   EXPECT_TRUE(one.validity_notes().empty());
 
-  const Joint two = contact::read_joint(folder / "paper_example_2.toml");
+  const JointSpec two = contact::read_joint(folder / "paper_example_2.toml");
   const double load_two = two.load_scale().load_parameter(2.5214e5);
   EXPECT_NEAR(
       two.make_half_angle_law()->half_angle(load_two).half_angle / degree,
@@ -765,7 +763,7 @@ TEST(DataFiles, PaperExamples) {
 TEST(DataFiles, TheWalledHip) {
   const fs::path folder = fs::path(CONTACT_DATA_DIR) / "joints";
   const auto contact_of = [&](const char* file, const std::string& law) {
-    Joint joint = contact::read_joint(folder / file);
+    JointSpec joint = contact::read_joint(folder / file);
     joint.half_angle_law = joint.pressure_law = law;
     const double half_angle =
         joint.make_half_angle_law()
@@ -786,13 +784,14 @@ TEST(DataFiles, TheWalledHip) {
   EXPECT_NEAR(infinite[1], 8.84, 5e-3);
   EXPECT_NEAR(infinite[2], 1.149, 5e-4);
 
-  const Joint hip = contact::read_joint(folder / "hip_cocr_uhmwpe_walled.toml");
+  const JointSpec hip =
+      contact::read_joint(folder / "hip_cocr_uhmwpe_walled.toml");
   const contact::ContactApproach approach =
       contact::BallContact(*hip.conditions.walls).approach(walled[0] * degree);
   EXPECT_NEAR(approach.approach * hip.geometry.radial_clearance(), 45.7e-6,
               5e-8);
   EXPECT_NEAR(
-      approach.stiffness * hip.geometry.radius() * hip.pair.reduced_modulus(),
+      approach.stiffness * hip.geometry.radius() * hip.pair.effective_modulus(),
       7.03e7, 5e4);
 }
 
@@ -802,14 +801,14 @@ TEST(DataFiles, LinerAndBush) {
                        const std::string& wall) {
     return "name = \"j\"\nkind = \"" + kind +
            "\"\n[geometry]\nradius_mm = 25\nradial_clearance_um = 25\n" +
-           (kind == "cylindrical" ? "length = 1\n" : "") +
+           (kind == "pin" ? "length = 1\n" : "") +
            "[materials.inner]\nyoungs_modulus_GPa = 210\n"
            "poissons_ratio = 0.3\n[materials.outer]\n" +
            outer + "[wall]\n" + wall;
   };
   const auto check = [](const std::string& text, double load, double half_angle,
                         double megapascal) {
-    const Joint joint = parse_joint(text, "j.toml");
+    const JointSpec joint = parse_joint(text, "j.toml");
     const double found =
         joint.make_half_angle_law()
             ->half_angle(joint.load_scale().load_parameter(load))
@@ -820,12 +819,12 @@ TEST(DataFiles, LinerAndBush) {
                 megapascal, 0.05);
   };
   const std::string liner =
-      file("spherical", "youngs_modulus_GPa = 1\npoissons_ratio = 0.42\n",
+      file("ball", "youngs_modulus_GPa = 1\npoissons_ratio = 0.42\n",
            "backing = { youngs_modulus_GPa = 210, poissons_ratio = 0.3 }\n"
            "[[wall.layer]]\nthickness_mm = 0.4\n");
   check(liner, 2e4, 44.54, 37.2);
   const std::string bush =
-      file("cylindrical", "youngs_modulus_GPa = 110\npoissons_ratio = 0.34\n",
+      file("pin", "youngs_modulus_GPa = 110\npoissons_ratio = 0.34\n",
            "backing = \"held\"\n[[wall.layer]]\nthickness_mm = 5\n"
            "[[wall.layer]]\nthickness_mm = 25\n"
            "youngs_modulus_GPa = 210\npoissons_ratio = 0.3\n");

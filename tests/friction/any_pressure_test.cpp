@@ -37,7 +37,7 @@ using contact::test::AccuracyReport;
 
 constexpr double pi = std::numbers::pi;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr JointKind ball = JointKind::spherical;
+constexpr JointKind ball = JointKind::ball;
 
 ElasticPair unlike_pair() {
   return ElasticPair::from_modulus_ratio(7, 0.3, 0.4);

@@ -90,8 +90,8 @@ TEST_P(AnyFrictionMethod, NormalIntegralAndCoefficients) {
   for (const double theta0 : theta0_values) {
     const FrictionIntegrals r = f(theta0, 0.5);
     // Two correctly rounded routes to the same polynomial.
-    EXPECT_NEAR(r.normal / cosine_normal_integral(JointKind::spherical, theta0),
-                1, 3e-15);
+    EXPECT_NEAR(r.normal / cosine_normal_integral(JointKind::ball, theta0), 1,
+                3e-15);
     EXPECT_NEAR(r.coefficient.force * r.normal / r.pressure.force, 1, 3e-15);
     EXPECT_NEAR(r.coefficient.sliding * r.normal / r.pressure.sliding, 1,
                 3e-15);

@@ -24,12 +24,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
   const std::string_view text(reinterpret_cast<const char*>(data), size);
   try {
     const separation::Case c = separation::parse_case(text, "fuzz");
-    check(separation::system_of(c).size() == static_cast<int>(c.loads.size()));
+    check(separation::system_of(c).size() == static_cast<int>(c.bodies.size()));
     check(c.end_time > 0 && c.output_step > 0);
     const separation::CaseForces forces(c, separation::History(c));
     check(forces.next_break(0) > 0);
     for (const auto& [a, b] : c.clearance) {
-      check(a < b && !c.body(a).shapes.empty() && !c.body(b).shapes.empty());
+      check(a < b && !c.rigid_body(a).shapes.empty() &&
+            !c.rigid_body(b).shapes.empty());
     }
   } catch (const contact::Error& error) {
     const std::string message = error.what();

@@ -77,8 +77,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
     cli::read_points(columns, block);
     static const hinge_table::Method method = hinge_table::find_method(
         "viscous", 1e-10,
-        {"cosine", std::make_shared<contact::CosinePressure>(
-                       contact::JointKind::spherical)});
+        {"cosine",
+         std::make_shared<contact::CosinePressure>(contact::JointKind::ball)});
     hinge_table::compute(method, block);
     check(count(block.messages, '\n') == block.bad_lines);
     for (const char c : block.messages) {

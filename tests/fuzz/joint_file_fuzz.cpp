@@ -32,7 +32,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
                                       std::size_t size) {
   const std::string_view text(reinterpret_cast<const char*>(data), size);
   read_or_one_line([&] {
-    const contact::Joint joint = contact::parse_joint(text, "fuzz");
+    const contact::JointSpec joint = contact::parse_joint(text, "fuzz");
     const auto law = joint.make_half_angle_law();
     check(law->half_angle(0).half_angle == 0);
     check(joint.make_pressure_law()->peak(0.5) > 0);

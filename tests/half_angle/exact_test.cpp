@@ -27,7 +27,7 @@ using contact::test::ReferenceTable;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
-constexpr JointKind kinds[] = {JointKind::spherical, JointKind::cylindrical};
+constexpr JointKind kinds[] = {JointKind::ball, JointKind::pin};
 
 struct Pair {
   double ratio, nu1, nu2;
@@ -55,8 +55,7 @@ std::string label(const HalfAngleLaw& law, const Pair& pair, double load) {
 // What the law tabulates.
 ExactHalfAngle solver(JointKind kind, const Pair& pair, double load) {
   const ElasticPair elastic = pair.elastic();
-  if (kind == JointKind::spherical)
-    return BallContact(elastic).half_angle(load);
+  if (kind == JointKind::ball) return BallContact(elastic).half_angle(load);
   if (std::abs(elastic.dundurs_beta()) <= 1e-15) {
     return PinClosedForm(elastic.outer_compliance_share()).half_angle(load);
   }
@@ -76,7 +75,7 @@ TEST(ExactLaw, IsTheSolver) {
       for (double load = 1e-15; load < 2e8; load *= 6.7) {
         const HalfAngleResult result = law.half_angle(load);
         EXPECT_EQ(result.status, Status::ok);
-        (kind == JointKind::spherical ? ball : pin)
+        (kind == JointKind::ball ? ball : pin)
             .add_error(std::abs(result.half_angle -
                                 solver(kind, pair, load).half_angle) /
                            degree,
@@ -109,9 +108,9 @@ TEST(ExactLaw, ReproducesTheReferenceTables) {
     report.check();
   };
   // Five decimals are printed; the tables' own accuracy is theirs.
-  compare("conforming/cylinder_theta0.csv", "lambda", JointKind::cylindrical,
+  compare("conforming/cylinder_theta0.csv", "lambda", JointKind::pin,
           AccuracyReport("pin, theta0 against the table, deg", 1e-5));
-  compare("conforming/sphere_theta0.csv", "mu", JointKind::spherical,
+  compare("conforming/sphere_theta0.csv", "mu", JointKind::ball,
           AccuracyReport("ball, theta0 against the table, deg", 1e-4));
 }
 
@@ -137,7 +136,7 @@ TEST(ExactLaw, RoundTripsUpToTheLimit) {
         // (A closed form near 180 deg or a solver beyond 120 deg is its own
         // limit.)
         if (limit > 2.1 || angle > limit - 1e-4) continue;
-        const double solved = kind == JointKind::spherical
+        const double solved = kind == JointKind::ball
                                   ? BallContact(pair.elastic())
                                         .load_parameter(angle)
                                         .load_parameter
@@ -175,7 +174,7 @@ TEST(ExactLaw, LogSlopeIsTheDerivative) {
 
 TEST(ExactLaw, Limits) {
   for (const JointKind kind : kinds) {
-    const double exponent = kind == JointKind::spherical ? 1.0 / 3 : 0.5;
+    const double exponent = kind == JointKind::ball ? 1.0 / 3 : 0.5;
     for (const Pair& pair : pairs) {
       const ExactLaw law(kind, pair.elastic());
       const double limit = law.limit_half_angle();
@@ -207,16 +206,16 @@ TEST(ExactLaw, Limits) {
     }
   }
   // A pin of incompressible material in a rigid hole closes up.
-  EXPECT_EQ(ExactLaw(JointKind::cylindrical, Pair{0, 0.5, 0.3}.elastic())
-                .limit_half_angle(),
-            180 * degree);
+  EXPECT_EQ(
+      ExactLaw(JointKind::pin, Pair{0, 0.5, 0.3}.elastic()).limit_half_angle(),
+      180 * degree);
 }
 
 // The law gives the same on both sides of |beta| = 1e-15, where the closed
 // form takes over from the solver, and for loads on both sides of 1.
 TEST(ExactLaw, BranchesMeet) {
   const auto angle = [](double nu2, double load) {
-    return ExactLaw(JointKind::cylindrical, Pair{1, 0.3, nu2}.elastic())
+    return ExactLaw(JointKind::pin, Pair{1, 0.3, nu2}.elastic())
         .half_angle(load)
         .half_angle;
   };
@@ -232,8 +231,8 @@ TEST(ExactLaw, EndsWhereTheSolverEnds) {
     JointKind kind;
     Pair pair;
     double end_deg;
-  } cases[] = {{JointKind::cylindrical, {1e-6, 0.5, 0.3}, 163.57},
-               {JointKind::spherical, {0, 0.5, 0.3}, 175}};
+  } cases[] = {{JointKind::pin, {1e-6, 0.5, 0.3}, 163.57},
+               {JointKind::ball, {0, 0.5, 0.3}, 175}};
   for (const auto& [kind, pair, end_deg] : cases) {
     const ExactLaw law(kind, pair.elastic());
     const double end = law.limit_half_angle();
@@ -271,8 +270,8 @@ TEST(ExactLaw, ReachesTheExtremes) {
           // A pin that closes up exactly (beta = 0) has its closed form.
           const bool incompressible_in_rigid =
               nu1 == 0.5 &&
-              (kind == JointKind::spherical ? ratio == 0
-                                            : ratio == 1e-6 && nu2 != 0.5);
+              (kind == JointKind::ball ? ratio == 0
+                                       : ratio == 1e-6 && nu2 != 0.5);
           EXPECT_EQ(ends_early, incompressible_in_rigid) << label(law, pair, 0);
           const double limit = law.limit_half_angle();
           for (const double angle :
@@ -301,8 +300,8 @@ TEST(ExactLaw, ReachesTheExtremes) {
 TEST(ExactLaw, LoadThroughTheBack) {
   const ElasticPair pair = Pair{0, 0.3, 0.3}.elastic();
   const InnerLoading loading = InnerLoading::back(20 * degree);
-  const ExactLaw ball(JointKind::spherical, pair, loading);
-  const ExactLaw pin(JointKind::cylindrical, pair, loading);
+  const ExactLaw ball(JointKind::ball, pair, loading);
+  const ExactLaw pin(JointKind::pin, pair, loading);
   for (const double load : {1e-4, 0.1, 3.0, 40.0}) {
     EXPECT_NEAR(ball.half_angle(load).half_angle,
                 BallContact(pair, loading).half_angle(load).half_angle,
@@ -316,17 +315,16 @@ TEST(ExactLaw, LoadThroughTheBack) {
   for (const JointKind kind : kinds) {
     const auto made =
         contact::make_half_angle_law("exact", kind, pair, {}, {loading});
-    EXPECT_EQ(
-        made->half_angle(3).half_angle,
-        (kind == JointKind::spherical ? ball : pin).half_angle(3).half_angle);
+    EXPECT_EQ(made->half_angle(3).half_angle,
+              (kind == JointKind::ball ? ball : pin).half_angle(3).half_angle);
   }
   for (const std::string& name : contact::half_angle_law_names()) {
     EXPECT_TRUE(contact::half_angle_law_allows(name, {}));
     EXPECT_EQ(contact::half_angle_law_allows(name, {loading}), name == "exact");
     if (name == "exact") continue;
     EXPECT_EQ(contact::test::error_message([&] {
-                contact::make_half_angle_law(name, JointKind::spherical, pair,
-                                             {}, {loading});
+                contact::make_half_angle_law(name, JointKind::ball, pair, {},
+                                             {loading});
               }),
               "loading back:20: half-angle law " + name + ": allowed: exact");
   }
@@ -344,7 +342,7 @@ TEST(InnerLoading, Text) {
 }
 
 TEST(ExactLaw, OneLawServesManyThreads) {
-  const ExactLaw law(JointKind::spherical, Pair{0.5, 0.3, 0.4}.elastic());
+  const ExactLaw law(JointKind::ball, Pair{0.5, 0.3, 0.4}.elastic());
   const auto sum = [&law] {
     double total = 0;
     for (double load = 1e-3; load < 1e3; load *= 1.01) {

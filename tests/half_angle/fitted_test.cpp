@@ -30,7 +30,7 @@ using Real = boost::multiprecision::cpp_bin_float_50;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
-constexpr JointKind kinds[] = {JointKind::spherical, JointKind::cylindrical};
+constexpr JointKind kinds[] = {JointKind::ball, JointKind::pin};
 
 struct Pair {
   double ratio, nu1, nu2;
@@ -93,8 +93,8 @@ TEST(FittedLaw, AgainstExactOnPairsTheFitDidNotSee) {
   AccuracyReport pin("fitted pin, nu 0.2 to 0.49", 1.5e-4);
   AccuracyReport ball("fitted ball, nu 0.2 to 0.49", 5e-4);
   for (const Pair& pair : random_pairs(400, 0.2, 0.49)) {
-    compare(FittedLaw(JointKind::cylindrical, pair.elastic()), pair, pin);
-    compare(FittedLaw(JointKind::spherical, pair.elastic()), pair, ball);
+    compare(FittedLaw(JointKind::pin, pair.elastic()), pair, pin);
+    compare(FittedLaw(JointKind::ball, pair.elastic()), pair, ball);
   }
   pin.check();
   ball.check();
@@ -118,7 +118,7 @@ TEST(FittedLaw, AgainstExactOnEveryPair) {
     for (const JointKind kind : kinds) {
       if (!ExactLaw(kind, elastic).validity_notes(elastic).empty()) continue;
       compare(FittedLaw(kind, elastic), pair,
-              kind == JointKind::cylindrical ? pin : ball);
+              kind == JointKind::pin ? pin : ball);
     }
   }
   pin.check();
@@ -127,17 +127,17 @@ TEST(FittedLaw, AgainstExactOnEveryPair) {
 
 TEST(FittedLaw, IsThePinsClosedFormForBetaZero) {
   for (const Pair& pair : {Pair{1, 0.3, 0.3}, Pair{0.01, 0.5, 0.5}}) {
-    const FittedLaw law(JointKind::cylindrical, pair.elastic());
-    const ExactLaw exact(JointKind::cylindrical, pair.elastic());
+    const FittedLaw law(JointKind::pin, pair.elastic());
+    const ExactLaw exact(JointKind::pin, pair.elastic());
     for (const double load : loads()) {
       EXPECT_NEAR(law.half_angle(load).half_angle,
                   exact.half_angle(load).half_angle, 1e-14);
     }
   }
   // 180 deg, where the contact closes up.
-  EXPECT_EQ(FittedLaw(JointKind::cylindrical, Pair{0, 0.5, 0.3}.elastic())
-                .limit_half_angle(),
-            180 * degree);
+  EXPECT_EQ(
+      FittedLaw(JointKind::pin, Pair{0, 0.5, 0.3}.elastic()).limit_half_angle(),
+      180 * degree);
 }
 
 TEST(NominalLaw, AgainstExactForNuThreeTenths) {
@@ -147,8 +147,8 @@ TEST(NominalLaw, AgainstExactForNuThreeTenths) {
   for (const double ratio : {0.0, 1e-6, 0.013, 0.047, 0.12, 0.33, 0.7, 1.0, 1.3,
                              2.2, 4.7, 13.0, 77.0, 1e6, infinity}) {
     const Pair pair{ratio, 0.3, 0.3};
-    compare(NominalLaw(JointKind::cylindrical, ratio), pair, pin);
-    compare(NominalLaw(JointKind::spherical, ratio), pair, ball);
+    compare(NominalLaw(JointKind::pin, ratio), pair, pin);
+    compare(NominalLaw(JointKind::ball, ratio), pair, ball);
   }
   pin.check();
   ball.check();
@@ -215,7 +215,7 @@ TEST(FittedLaw, ClosedFormsAgreeWithFiftyDigits) {
       // Both kinds as docs/half_angle.md writes them; absolute where F
       // changes its sign. Below 1e-12 fifty digits cancel as well.
       const Real pin = c * c - constant * (2 * s * s * s * s - c * c * log(c));
-      report.add_error(double(abs(value(JointKind::cylindrical) - pin)), name);
+      report.add_error(double(abs(value(JointKind::pin) - pin)), name);
       if (theta < 1e-12) continue;
       const Real pi = boost::math::constants::pi<Real>();
       const Real disc = t - sin(t) * cos(t);
@@ -223,7 +223,7 @@ TEST(FittedLaw, ClosedFormsAgreeWithFiftyDigits) {
       const Real h0 = disc / 2 + sin(t) - t * cos(t);
       const Real ball = Real(16) / 3 * s * s * s / h1 *
                         (2 * cos(t) - 1 - 2 / pi * constant * h0);
-      report.add_error(double(abs(value(JointKind::spherical) - ball)), name);
+      report.add_error(double(abs(value(JointKind::ball) - ball)), name);
     }
   }
   report.check();
@@ -286,7 +286,7 @@ TEST(FittedLaw, LogSlopeIsTheDerivative) {
 
 TEST(FittedLaw, LimitsOfBothLaws) {
   for (const JointKind kind : kinds) {
-    const double exponent = kind == JointKind::spherical ? 1.0 / 3 : 0.5;
+    const double exponent = kind == JointKind::ball ? 1.0 / 3 : 0.5;
     for (const Pair& pair : some_pairs) {
       const FittedLaw fitted(kind, pair.elastic());
       const NominalLaw nominal(kind, pair.ratio);
@@ -345,16 +345,15 @@ TEST(NominalLaw, BothWaysAgreeWithFiftyDigits) {
   // complement near the limit.
   AccuracyReport back("nominal load(theta0)", 2e-14);
   for (const JointKind kind : kinds) {
-    const auto& table = kind == JointKind::spherical ? detail::nominal_ball
-                                                     : detail::nominal_pin;
+    const auto& table =
+        kind == JointKind::ball ? detail::nominal_ball : detail::nominal_pin;
     for (const double ratio : {0.0, 1.0, 3.0, infinity}) {
       const double al = std::isinf(ratio) ? 1 : (ratio - 1) / (ratio + 1);
       const NominalLaw law(kind, ratio);
       const Real limit = law.limit_half_angle();
       const auto xi_of = [&](double load) {
-        return Real((kind == JointKind::spherical
-                         ? Real(cbrt(Real(load)))
-                         : Real(2 * sqrt(Real(load)))) /
+        return Real((kind == JointKind::ball ? Real(cbrt(Real(load)))
+                                             : Real(2 * sqrt(Real(load)))) /
                     limit);
       };
       for (double load = 1e-30; load < 1e30; load *= 3.7) {
@@ -396,7 +395,7 @@ TEST(NominalLaw, NoJumpsAtItsSwitches) {
 
 TEST(NominalLaw, NotesAndErrors) {
   using Notes = std::vector<std::string>;
-  const NominalLaw law(JointKind::spherical, 1);
+  const NominalLaw law(JointKind::ball, 1);
   EXPECT_EQ(law.validity_notes(Pair{1, 0.3, 0.31}.elastic()), Notes{});
   EXPECT_EQ(law.validity_notes(Pair{0, 0.3, 0.45}.elastic()), Notes{});
   EXPECT_EQ(law.validity_notes(Pair{1, 0.45, 0.3}.elastic()),
@@ -404,7 +403,7 @@ TEST(NominalLaw, NotesAndErrors) {
                   "0.45"});
   for (const double bad : {-0.1, nan}) {
     EXPECT_EQ(error_message([&] {
-                NominalLaw(JointKind::spherical, bad);
+                NominalLaw(JointKind::ball, bad);
               }).rfind("nominal law: modulus_ratio = ", 0),
               0U);
   }

@@ -39,17 +39,17 @@ using Real = boost::multiprecision::cpp_bin_float_50;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
-constexpr JointKind kinds[] = {JointKind::spherical, JointKind::cylindrical};
+constexpr JointKind kinds[] = {JointKind::ball, JointKind::pin};
 const Real real_pi = boost::math::constants::pi<Real>();
 
 // --- The laws as the paper writes them, in 50 digits -----------------------
 
 Real x_of(JointKind kind, const Real& load) {
-  return kind == JointKind::spherical ? Real(cbrt(load)) : Real(2 * sqrt(load));
+  return kind == JointKind::ball ? Real(cbrt(load)) : Real(2 * sqrt(load));
 }
 
 Real load_of(JointKind kind, const Real& x) {
-  return kind == JointKind::spherical ? Real(x * x * x) : Real(x * x / 4);
+  return kind == JointKind::ball ? Real(x * x * x) : Real(x * x / 4);
 }
 
 // theta0/theta0* of k (2.3) + (1 - k) (2.4) at xi = x/theta0*.
@@ -187,7 +187,7 @@ TEST(SaturatingLaws, RoundTrips) {
   // dln(load)/dln(theta0), which grows without bound near the limit.
   AccuracyReport load_report("load -> theta0 -> load, over condition", 2e-15);
   for (const JointKind kind : kinds) {
-    const double power = kind == JointKind::spherical ? 3 : 2;
+    const double power = kind == JointKind::ball ? 3 : 2;
     const double limit = 84.85 * degree;
     for (const auto& [k, law] :
          saturating_laws(kind, LimitHalfAngle::given(limit))) {
@@ -287,7 +287,7 @@ TEST(SaturatingLaws, InitialSlopeScalesTheLoad) {
   const auto limit = LimitHalfAngle::given(1.5);
   const double m = 1.25;
   for (const JointKind kind : kinds) {
-    const double scale = kind == JointKind::spherical ? m * m * m : m * m;
+    const double scale = kind == JointKind::ball ? m * m * m : m * m;
     for (const double load : {1e-6, 0.3, 40.0}) {
       const BlendLaw one(kind, limit, 0.5);
       const BlendLaw steeper(kind, limit, 0.5, m);
@@ -310,7 +310,7 @@ TEST(HertzLaw, BothWaysAgreeWithFiftyDigits) {
   AccuracyReport back("hertz load(theta0)", 1e-15);
   for (const JointKind kind : kinds) {
     const HertzLaw law(kind);
-    const double largest = kind == JointKind::spherical ? 1 : 0.25;
+    const double largest = kind == JointKind::ball ? 1 : 0.25;
     std::vector<double> values = {largest, std::nextafter(largest, 0)};
     for (double load = 1e-200; load < largest; load *= 1.7) {
       values.push_back(load);
@@ -336,7 +336,7 @@ TEST(SaturatingLaws, LogSlopeAgreesWithFiftyDigits) {
   // slope is 1 - g^2 with g near 1.
   AccuracyReport report("dln(theta0)/dln(load), absolute", 1e-15);
   for (const JointKind kind : kinds) {
-    const double power = kind == JointKind::spherical ? 1.0 / 3 : 0.5;
+    const double power = kind == JointKind::ball ? 1.0 / 3 : 0.5;
     for (const double limit : limits()) {
       for (const auto& [k, law] :
            saturating_laws(kind, LimitHalfAngle::given(limit))) {
@@ -363,8 +363,8 @@ TEST(HertzLaw, LogSlopeAgreesWithFiftyDigits) {
   AccuracyReport report("hertz dln(theta0)/dln(load)", 2e-15);
   for (const JointKind kind : kinds) {
     const HertzLaw law(kind);
-    const Real power = kind == JointKind::spherical ? Real(1) / 3 : Real(0.5);
-    const double largest = kind == JointKind::spherical ? 1 : 0.25;
+    const Real power = kind == JointKind::ball ? Real(1) / 3 : Real(0.5);
+    const double largest = kind == JointKind::ball ? 1 : 0.25;
     for (double load = 1e-200; load < largest; load *= 1.7) {
       const Real x = x_of(kind, load);
       const Real expected = power * x / (sqrt((1 - x) * (1 + x)) * asin(x));
@@ -379,7 +379,7 @@ TEST(HertzLaw, LogSlopeAgreesWithFiftyDigits) {
 TEST(HertzLaw, EndsAtXOne) {
   for (const JointKind kind : kinds) {
     const HertzLaw law(kind);
-    const double largest = kind == JointKind::spherical ? 1 : 0.25;
+    const double largest = kind == JointKind::ball ? 1 : 0.25;
     EXPECT_EQ(law.half_angle(largest).half_angle, 90 * degree);
     EXPECT_EQ(law.load_parameter(90 * degree).load_parameter, largest);
     EXPECT_EQ(law.limit_half_angle(), 90 * degree);
@@ -575,8 +575,7 @@ void check_errors(const char* file, const char* load_column, JointKind kind,
 }
 
 TEST(PaperLaws, LargestErrorsAgainstExactPins) {
-  check_errors("conforming/cylinder_theta0.csv", "lambda",
-               JointKind::cylindrical,
+  check_errors("conforming/cylinder_theta0.csv", "lambda", JointKind::pin,
                {{0.01, 6.9, 15.0, 5.7},
                 {0.1, 6.9, 14.5, 5.0},
                 {0.5, 8.4, 11.9, 2.4},
@@ -587,7 +586,7 @@ TEST(PaperLaws, LargestErrorsAgainstExactPins) {
 }
 
 TEST(PaperLaws, LargestErrorsAgainstExactBalls) {
-  check_errors("conforming/sphere_theta0.csv", "mu", JointKind::spherical,
+  check_errors("conforming/sphere_theta0.csv", "mu", JointKind::ball,
                {{0, 17.5, 1.1, 8.8},
                 {0.1, 17.7, 0.9, 8.9},
                 {0.5, 18.7, 3.1, 10.0},
@@ -597,7 +596,7 @@ TEST(PaperLaws, LargestErrorsAgainstExactBalls) {
                 {100, 18.6, 3.9, 9.8}});
   // Moderate loads only.
   EXPECT_NEAR(100 * largest_error("conforming/sphere_theta0.csv", "mu", "tanh",
-                                  JointKind::spherical, 1, 10),
+                                  JointKind::ball, 1, 10),
               1.4, 0.05);
 }
 
@@ -605,7 +604,7 @@ TEST(PaperLaws, HertzIsFivePercentTooLargeAtLambdaThreeHundredths) {
   // The docstring's statement, from the exact pin with Ebar = 1: between the
   // rows on both sides of lambda = 0.03, theta0 = 19 deg.
   const ReferenceTable table("conforming/cylinder_theta0.csv");
-  const HertzLaw law(JointKind::cylindrical);
+  const HertzLaw law(JointKind::pin);
   double below = 0;
   double above = 0;
   for (std::size_t row = 0; row < table.size(); ++row) {
@@ -648,8 +647,7 @@ TEST(PaperLaws, ExamplesOneAndTwo) {
   EXPECT_NEAR(angle_deg(2.5214e5), 45.34, 5e-3);
   EXPECT_NEAR(angle_deg(2.53e5), 45.4, 0.05);
   // With a true radian the first is 0.0026 deg smaller.
-  const TanhLaw exact(JointKind::spherical,
-                      LimitHalfAngle::given(84.85 * degree));
+  const TanhLaw exact(JointKind::ball, LimitHalfAngle::given(84.85 * degree));
   EXPECT_NEAR(exact.half_angle(0.546).half_angle / degree, 42.59049, 5e-6);
 }
 
@@ -660,33 +658,32 @@ TEST(MakeHalfAngleLaw, KnowsEveryName) {
   const auto name = [&](const char* asked, JointKind kind) {
     return make_half_angle_law(asked, kind, pair)->name();
   };
-  EXPECT_EQ(name("hertz", JointKind::spherical), "hertz");
-  EXPECT_EQ(name("arctan", JointKind::spherical), "arctan");
-  EXPECT_EQ(name("tanh", JointKind::cylindrical), "tanh");
-  EXPECT_EQ(name("blend", JointKind::cylindrical), "blend:0.5");
-  EXPECT_EQ(name("blend", JointKind::spherical), "blend:0");
-  EXPECT_EQ(name("blend:0.25", JointKind::spherical), "blend:0.25");
-  EXPECT_EQ(name("blend:1", JointKind::spherical), "blend:1");
-  EXPECT_EQ(name("paper", JointKind::cylindrical), "blend:0.5");
-  EXPECT_EQ(name("paper", JointKind::spherical), "tanh");
+  EXPECT_EQ(name("hertz", JointKind::ball), "hertz");
+  EXPECT_EQ(name("arctan", JointKind::ball), "arctan");
+  EXPECT_EQ(name("tanh", JointKind::pin), "tanh");
+  EXPECT_EQ(name("blend", JointKind::pin), "blend:0.5");
+  EXPECT_EQ(name("blend", JointKind::ball), "blend:0");
+  EXPECT_EQ(name("blend:0.25", JointKind::ball), "blend:0.25");
+  EXPECT_EQ(name("blend:1", JointKind::ball), "blend:1");
+  EXPECT_EQ(name("paper", JointKind::pin), "blend:0.5");
+  EXPECT_EQ(name("paper", JointKind::ball), "tanh");
   for (const char* law : {"nominal", "fitted", "exact"}) {
-    EXPECT_EQ(name(law, JointKind::spherical), law);
-    EXPECT_EQ(name(law, JointKind::cylindrical), law);
+    EXPECT_EQ(name(law, JointKind::ball), law);
+    EXPECT_EQ(name(law, JointKind::pin), law);
     EXPECT_FALSE(contact::takes_half_angle_options(law));
   }
   for (const char* law : {"arctan", "tanh", "blend", "blend:0.2", "paper"}) {
     EXPECT_TRUE(contact::takes_half_angle_options(law));
   }
   EXPECT_FALSE(contact::takes_half_angle_options("hertz"));
-  EXPECT_EQ(
-      make_half_angle_law("tanh", JointKind::spherical, pair)->joint_kind(),
-      JointKind::spherical);
+  EXPECT_EQ(make_half_angle_law("tanh", JointKind::ball, pair)->joint_kind(),
+            JointKind::ball);
 }
 
 TEST(MakeHalfAngleLaw, LimitByFormulaLineOrValue) {
   const auto pair = ElasticPair::from_modulus_ratio(2, 0.3, 0.3);
   const auto limit_deg = [&](const contact::HalfAngleOptions& options) {
-    return make_half_angle_law("arctan", JointKind::cylindrical, pair, options)
+    return make_half_angle_law("arctan", JointKind::pin, pair, options)
                ->limit_half_angle() /
            degree;
   };
@@ -699,9 +696,8 @@ TEST(MakeHalfAngleLaw, RefusesWhatItDoesNotKnow) {
   const auto pair = ElasticPair::from_modulus_ratio(3, 0.3, 0.3);
   const auto message = [&](const char* name,
                            const contact::HalfAngleOptions& options = {}) {
-    return error_message([&] {
-      make_half_angle_law(name, JointKind::spherical, pair, options);
-    });
+    return error_message(
+        [&] { make_half_angle_law(name, JointKind::ball, pair, options); });
   };
   EXPECT_EQ(message("tan"),
             "half-angle law tan: allowed: hertz, arctan, tanh, blend, paper, "
@@ -734,8 +730,8 @@ TEST(ValidityNotes, SayWhatIsOutsideTheRange) {
     const auto pair = ElasticPair::from_modulus_ratio(ratio, nu1, nu2);
     return make_half_angle_law(name, kind, pair, options)->validity_notes(pair);
   };
-  const JointKind pin = JointKind::cylindrical;
-  const JointKind ball = JointKind::spherical;
+  const JointKind pin = JointKind::pin;
+  const JointKind ball = JointKind::ball;
   const std::string of_a_pin =
       "the limit half-angle is that of a pin; a ball's is up to 5 % larger";
 

@@ -65,20 +65,17 @@ void compare(JointKind kind) {
 }
 
 TEST(WalledExactLaw, IsTheSolverOfBalls) {
-  compare<BallContact>(JointKind::spherical);
+  compare<BallContact>(JointKind::ball);
 }
 
-TEST(WalledExactLaw, IsTheSolverOfPins) {
-  compare<PinContact>(JointKind::cylindrical);
-}
+TEST(WalledExactLaw, IsTheSolverOfPins) { compare<PinContact>(JointKind::pin); }
 
 TEST(WalledExactLaw, SmallLoadsAreHertzian) {
-  for (const JointKind kind : {JointKind::spherical, JointKind::cylindrical}) {
+  for (const JointKind kind : {JointKind::ball, JointKind::pin}) {
     for (const Wall& wall : walls) {
       const ExactLaw law(kind, wall.pair());
       for (const double x : {1e-20, 1e-10, 1e-6}) {
-        const double load =
-            kind == JointKind::spherical ? x * x * x : x * x / 4;
+        const double load = kind == JointKind::ball ? x * x * x : x * x / 4;
         EXPECT_NEAR(law.half_angle(load).half_angle / x, 1, 2e-3 + 1e-8);
       }
     }
@@ -89,7 +86,7 @@ TEST(WalledExactLaw, EndsWhereTheSolverDoes) {
   // An incompressible liner: the pin's limit lies beyond 163 deg.
   const LayeredPair pair(1, {{}, Backing::rigid()},
                          {{{0.3, {1, 0.5}}}, Backing::rigid()});
-  const ExactLaw law(JointKind::cylindrical, pair);
+  const ExactLaw law(JointKind::pin, pair);
   const PinContact pin(pair, InnerLoading::centre(), PinContact::max_unknowns);
   EXPECT_EQ(law.limit_half_angle(), pin.largest());
   EXPECT_EQ(law.validity_notes(pair.surfaces()).size(), 1u);
@@ -102,7 +99,7 @@ TEST(WalledExactLaw, RefusesCoatingsLoadedFromBehind) {
   const LayeredPair pair(1, {{{0.1, {1, 0.3}}}, Backing::rigid()},
                          {{}, Backing::medium({1, 0.3})});
   EXPECT_EQ(test::error_message([&] {
-              ExactLaw(JointKind::spherical, pair, InnerLoading::back(0.1));
+              ExactLaw(JointKind::ball, pair, InnerLoading::back(0.1));
             }),
             "loading = back: allowed: for an inner body without coatings");
 }

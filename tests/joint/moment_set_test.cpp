@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "libcontact/half_angle/factory.hpp"
-#include "libcontact/joint/spherical_joint.hpp"
+#include "libcontact/joint/ball_joint.hpp"
 #include "libcontact/pressure/cosine.hpp"
 #include "support/accuracy_report.hpp"
 #include "support/allocation_count.hpp"
@@ -17,10 +17,10 @@
 
 namespace {
 
+using contact::BallJoint;
 using contact::JointSolution;
 using contact::MomentProx;
 using contact::MomentSet;
-using contact::SphericalJoint;
 using contact::Status;
 using contact::test::AccuracyReport;
 using contact::test::RandomSlip;
@@ -223,15 +223,13 @@ TEST(MomentSet, ProjectionIsTheNearestPoint) {
 TEST(MomentSet, WithoutFrictionOrLoadHoldsNothing) {
   const contact::ElasticPair pair({2e11, 0.3}, {2e11, 0.3});
   const auto make = [&](const contact::FrictionModel& friction) {
-    return SphericalJoint(contact::JointGeometry::ball(0.05, 0.05e-3), pair,
-                          friction,
-                          contact::make_half_angle_law(
-                              "tanh", contact::JointKind::spherical, pair),
-                          std::make_unique<contact::CosinePressure>(
-                              contact::JointKind::spherical));
+    return BallJoint(
+        contact::JointGeometry::ball(0.05, 0.05e-3), pair, friction,
+        contact::make_half_angle_law("tanh", contact::JointKind::ball, pair),
+        std::make_unique<contact::CosinePressure>(contact::JointKind::ball));
   };
   const Vector3d m(1, 2, 3);
-  for (const SphericalJoint& joint :
+  for (const BallJoint& joint :
        {make(contact::FrictionLaw(0)), make(contact::ViscousLaw(1e6, 0.1))}) {
     const JointSolution rest =
         joint.solve(Vector3d(0, 0, 1e5), Vector3d::Zero());
@@ -242,7 +240,7 @@ TEST(MomentSet, WithoutFrictionOrLoadHoldsNothing) {
     EXPECT_EQ(set.project(m), Vector3d::Zero());
     EXPECT_EQ(set.prox(Matrix3d::Identity(), m).rate, m);
   }
-  const SphericalJoint dry = make(contact::FrictionLaw(0.3));
+  const BallJoint dry = make(contact::FrictionLaw(0.3));
   const JointSolution empty = dry.solve(Vector3d::Zero(), Vector3d::Zero());
   EXPECT_EQ(dry.moment_set(empty).utilisation(m), infinity);
 }

@@ -17,7 +17,7 @@
 
 namespace {
 
-using contact::CylindricalJoint;
+using contact::BallJoint;
 using contact::ElasticPair;
 using contact::FrictionLaw;
 using contact::FrictionModel;
@@ -28,8 +28,8 @@ using contact::JointSolution;
 using contact::JointState;
 using contact::NodeJoint;
 using contact::NodeSolution;
+using contact::PinJoint;
 using contact::SharingRule;
-using contact::SphericalJoint;
 using contact::Status;
 using contact::test::AccuracyReport;
 using contact::test::error_message;
@@ -41,20 +41,18 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 const ElasticPair steel({2e11, 0.3}, {2e11, 0.3});
 
 NodeJoint ball(double position, const FrictionModel& friction) {
-  return {SphericalJoint(
-              JointGeometry::ball(0.05, 5e-5), steel, friction,
-              contact::make_half_angle_law("tanh", JointKind::spherical, steel),
-              std::make_unique<contact::CosinePressure>(JointKind::spherical)),
-          position};
+  return {
+      BallJoint(JointGeometry::ball(0.05, 5e-5), steel, friction,
+                contact::make_half_angle_law("tanh", JointKind::ball, steel),
+                std::make_unique<contact::CosinePressure>(JointKind::ball)),
+      position};
 }
 
 NodeJoint pin(double position, const FrictionModel& friction) {
-  return {
-      CylindricalJoint(
-          JointGeometry::pin(0.04, 4e-5, 0.08), steel, friction,
-          contact::make_half_angle_law("blend", JointKind::cylindrical, steel),
-          std::make_unique<contact::CosinePressure>(JointKind::cylindrical)),
-      position};
+  return {PinJoint(JointGeometry::pin(0.04, 4e-5, 0.08), steel, friction,
+                   contact::make_half_angle_law("blend", JointKind::pin, steel),
+                   std::make_unique<contact::CosinePressure>(JointKind::pin)),
+          position};
 }
 
 // R and M of a node from its joints: the sums that they have to give.
@@ -141,7 +139,7 @@ TEST(JointNode, TwoBallsShare) {
   NodeSolution s = node.make_solution();
   node.solve(2 * reaction, Vector3d::Zero(), axis, 0.1, s);
   ASSERT_EQ(s.status, Status::ok);
-  const auto& alone = std::get<SphericalJoint>(joints[0].joint);
+  const auto& alone = std::get<BallJoint>(joints[0].joint);
   const JointSolution one = alone.solve(reaction, 0.1 * axis);
   EXPECT_NEAR(s.friction_moment / (2 * one.friction_moment.z()), 1, 1e-13);
   // Unequal springs and axial shares.
@@ -216,7 +214,7 @@ TEST(JointNode, RefusesWhatStaticsDoesNotSettle) {
             "joint node: 1 joint: allowed: at least 2, to hold moments across "
             "the axis");
   EXPECT_EQ(message({pin(0, f), pin(1, f)}),
-            "joint node: no spherical joint takes the force along the axis");
+            "joint node: no ball joint takes the force along the axis");
   EXPECT_EQ(message({ball(1, f), pin(1, f)}),
             "joint node: two joints at position 1 m");
   EXPECT_EQ(message({ball(0, f), pin(nan, f)}),
@@ -225,8 +223,8 @@ TEST(JointNode, RefusesWhatStaticsDoesNotSettle) {
             "joint node: 3 joints share the force across the axis: statically "
             "indeterminate: allowed: 2 joints, or a sharing rule");
   EXPECT_EQ(message({ball(0, f), ball(1, f)}),
-            "joint node: 2 spherical joints share the force along the axis: "
-            "statically indeterminate: allowed: 1 spherical joint, or a "
+            "joint node: 2 ball joints share the force along the axis: "
+            "statically indeterminate: allowed: 1 ball joint, or a "
             "sharing rule");
   EXPECT_EQ(message({ball(0, f), ball(1, f)}, SharingRule{{1}, {1, 0}}),
             "joint node: sharing rule for 1 and 2 joints: allowed: one value "

@@ -12,17 +12,17 @@
 #include "libcontact/base/units.hpp"
 #include "libcontact/friction/any_pressure.hpp"
 #include "libcontact/half_angle/factory.hpp"
-#include "libcontact/joint/cylindrical_joint.hpp"
+#include "libcontact/joint/ball_joint.hpp"
 #include "libcontact/joint/moment_set.hpp"
 #include "libcontact/joint/node.hpp"
-#include "libcontact/joint/spherical_joint.hpp"
+#include "libcontact/joint/pin_joint.hpp"
 #include "libcontact/pressure/exact.hpp"
 #include "libcontact/pressure/factory.hpp"
 #include "support/accuracy_report.hpp"
 
 namespace {
 
-using contact::CylindricalJoint;
+using contact::BallJoint;
 using contact::degree;
 using contact::ElasticPair;
 using contact::FrictionLaw;
@@ -30,7 +30,7 @@ using contact::FrictionModel;
 using contact::JointGeometry;
 using contact::JointKind;
 using contact::JointSolution;
-using contact::SphericalJoint;
+using contact::PinJoint;
 using contact::Status;
 using contact::ViscousLaw;
 using contact::test::AccuracyReport;
@@ -38,19 +38,18 @@ using Eigen::Vector3d;
 
 ElasticPair unlike_pair() { return ElasticPair({2e11, 0.3}, {1.1e11, 0.35}); }
 
-SphericalJoint ball_joint(const std::string& pressure,
-                          const FrictionModel& friction) {
+BallJoint ball_joint(const std::string& pressure,
+                     const FrictionModel& friction) {
   const ElasticPair pair = unlike_pair();
-  const JointKind kind = JointKind::spherical;
+  const JointKind kind = JointKind::ball;
   return {JointGeometry::ball(0.05, 0.05e-3), pair, friction,
           contact::make_half_angle_law("exact", kind, pair),
           contact::make_pressure_law(pressure, kind, pair)};
 }
 
-CylindricalJoint pin_joint(const std::string& pressure,
-                           const FrictionModel& friction) {
+PinJoint pin_joint(const std::string& pressure, const FrictionModel& friction) {
   const ElasticPair pair = unlike_pair();
-  const JointKind kind = JointKind::cylindrical;
+  const JointKind kind = JointKind::pin;
   return {JointGeometry::pin(0.05, 0.05e-3, 0.1), pair, friction,
           contact::make_half_angle_law("exact", kind, pair),
           contact::make_pressure_law(pressure, kind, pair)};
@@ -76,7 +75,7 @@ TEST(JointPressure, BallSolvesItsEquationAndKeepsItsVectors) {
     for (int i = 0; i < 300; ++i) {
       const FrictionLaw friction(1.5 * uniform(random),
                                  i % 3 == 0 ? 0 : 1e8 * uniform(random));
-      const SphericalJoint joint = ball_joint(name, friction);
+      const BallJoint joint = ball_joint(name, friction);
       const double force = std::pow(10, 2 + 5 * uniform(random));
       const Vector3d reaction = force * random_direction(random);
       const Vector3d rate = 3 * random_direction(random);
@@ -90,11 +89,10 @@ TEST(JointPressure, BallSolvesItsEquationAndKeepsItsVectors) {
       const double rho2 = 0.05 * 0.05;
       const double expected =
           friction.coefficient() * f.coefficient.force +
-          friction.adhesion() * rho2 / s.compressive_force * f.area.force;
+          friction.adhesion() * rho2 / s.normal_force * f.area.force;
       residual.add(s.force_coefficient, expected, row);
       balance.add_error(
-          vector_error(s.compressive_force * s.normal + s.friction_force,
-                       reaction),
+          vector_error(s.normal_force * s.normal + s.friction_force, reaction),
           row);
       const Eigen::Matrix3d turn =
           Eigen::AngleAxisd(2.1, random_direction(random)).toRotationMatrix();
@@ -139,7 +137,7 @@ TEST(JointPressure, PlanarDiscOfHertz) {
 }
 
 TEST(JointPressure, SpinningMomentShowsTheChoice) {
-  // Under a known compressive force, spinning: 10 to 20 % more by the exact
+  // Under a known normal force, spinning: 10 to 20 % more by the exact
   // pressure than by the cosine one.
   const FrictionLaw friction(0.1);
   for (const double force : {1e3, 1e5, 1e7}) {
@@ -160,7 +158,7 @@ TEST(JointPressure, MomentsAreTheGradientOfThePotential) {
     // Differences of fourth order; the exact pressure's integrals are good to
     // 3e-9.
     AccuracyReport report(name + ": M = -dPhi/dDw", 1e-8);
-    const SphericalJoint joint = ball_joint(name, FrictionLaw(0.3, 2e7));
+    const BallJoint joint = ball_joint(name, FrictionLaw(0.3, 2e7));
     std::mt19937 random(5);
     for (const double theta0_deg : {10.0, 45.0, 80.0}) {
       const contact::MomentSet set(joint.contact(), Vector3d::UnitZ(), 1e5,
@@ -188,7 +186,7 @@ TEST(JointPressure, MomentsAreTheGradientOfThePotential) {
 
 TEST(JointPressure, RestAndProxWork) {
   for (const std::string& name : contact::pressure_law_names()) {
-    const SphericalJoint joint = ball_joint(name, FrictionLaw(0.3, 2e7));
+    const BallJoint joint = ball_joint(name, FrictionLaw(0.3, 2e7));
     const Vector3d reaction(3e4, 1e4, -2e4);
     const JointSolution slip = joint.solve(reaction, Vector3d(0.2, -1, 0.4));
     const auto rest = joint.utilisation(reaction, 0.5 * slip.friction_moment);
@@ -205,13 +203,13 @@ TEST(JointPressure, RestAndProxWork) {
 TEST(JointPressure, PinTakesTheForceRatio) {
   const double f0 = 0.2;
   for (const std::string& name : contact::pressure_law_names()) {
-    const CylindricalJoint joint = pin_joint(name, FrictionLaw(f0, 3e6));
+    const PinJoint joint = pin_joint(name, FrictionLaw(f0, 3e6));
     const JointSolution s =
         joint.solve(Vector3d(1e5, 2e5, 0), Vector3d::UnitZ(), 2);
     ASSERT_EQ(s.status, Status::ok) << name;
     const double ratio =
         joint.contact().pressure_law().force_ratio(s.half_angle);
-    const double moment = 0.05 * (f0 * s.compressive_force * ratio +
+    const double moment = 0.05 * (f0 * s.normal_force * ratio +
                                   2 * 3e6 * 0.05 * 0.1 * s.half_angle);
     EXPECT_NEAR(-s.friction_moment.z() / moment, 1, 1e-12) << name;
   }
@@ -219,7 +217,7 @@ TEST(JointPressure, PinTakesTheForceRatio) {
 
 TEST(JointPressure, ViscousJoints) {
   for (const std::string& name : contact::pressure_law_names()) {
-    const SphericalJoint joint = ball_joint(name, ViscousLaw(1e3, 0.02));
+    const BallJoint joint = ball_joint(name, ViscousLaw(1e3, 0.02));
     const JointSolution s =
         joint.solve(Vector3d(1e4, 3e4, -2e4), Vector3d(5, -2, 4));
     EXPECT_EQ(s.status, Status::ok) << name;
@@ -243,10 +241,10 @@ TEST(JointPressure, HalfAnglesBeyondTheLawHaveNoResult) {
   const ElasticPair pair = unlike_pair();
   contact::HalfAngleOptions options;
   options.limit_half_angle = 150 * degree;
-  const SphericalJoint joint(
+  const BallJoint joint(
       JointGeometry::ball(0.05, 0.05e-3), pair, FrictionLaw(0.1),
-      contact::make_half_angle_law("tanh", JointKind::spherical, pair, options),
-      contact::make_pressure_law("exact", JointKind::spherical, pair));
+      contact::make_half_angle_law("tanh", JointKind::ball, pair, options),
+      contact::make_pressure_law("exact", JointKind::ball, pair));
   const JointSolution s =
       joint.solve_contact(Vector3d(0, 0, 1e12), Vector3d(0, 1, 1));
   EXPECT_TRUE(std::isnan(s.friction_moment.norm()));
@@ -255,10 +253,10 @@ TEST(JointPressure, HalfAnglesBeyondTheLawHaveNoResult) {
             "of law tanh");
   // An exact half-angle law ends where the exact pressure does.
   const ElasticPair soft({1e8, 0.49}, {2e11, 0.3});
-  const SphericalJoint same(
+  const BallJoint same(
       JointGeometry::ball(0.05, 0.05e-3), soft, FrictionLaw(0.1),
-      contact::make_half_angle_law("exact", JointKind::spherical, soft),
-      contact::make_pressure_law("exact", JointKind::spherical, soft));
+      contact::make_half_angle_law("exact", JointKind::ball, soft),
+      contact::make_pressure_law("exact", JointKind::ball, soft));
   EXPECT_TRUE(same.contact().validity_notes().empty());
 }
 

@@ -23,9 +23,9 @@ using multibody::CoupledDynamics;
 using multibody::CoupledReport;
 using multibody::CoupledStatus;
 using multibody::HingeFriction;
+using multibody::HingeKind;
 using multibody::HingeMode;
 using multibody::Instant;
-using multibody::JointKind;
 using multibody::NodeFriction;
 using multibody::OuterStep;
 using multibody::PinFriction;
@@ -41,20 +41,20 @@ struct Case {
   std::vector<HingeFriction> friction;
 };
 
-// Loads in motion, or all at relative rest; friction grows with `radius`.
+// Bodies in motion, or all at relative rest; friction grows with `radius`.
 Case case_of(Instant instant, bool at_rest, double radius, double arms = 1) {
   const FrictionLaw law(0.2, 1e4);
   std::vector<HingeFriction> friction;
-  for (multibody::LoadInstant& load : instant.loads) {
+  for (multibody::BodyInstant& body : instant.bodies) {
     if (at_rest) {
-      load.relative_angular_velocity.setZero();
-      load.angle_rate = 0;
+      body.relative_angular_velocity.setZero();
+      body.angle_rate = 0;
       // So that some hinges hold.
-      load.load.hinge_from_com *= arms;
-      load.active_moment_com *= arms;
-      load.load.inertia *= arms;
+      body.body.hinge_from_com *= arms;
+      body.active_moment_com *= arms;
+      body.body.inertia *= arms;
     }
-    if (load.load.kind == JointKind::axis) {
+    if (body.body.kind == HingeKind::axis) {
       friction.emplace_back(PinFriction{pin_joint(law, radius)});
     } else {
       friction.emplace_back(BallFriction{ball_joint(law, radius)});
@@ -63,27 +63,27 @@ Case case_of(Instant instant, bool at_rest, double radius, double arms = 1) {
   return {prepare(instant), std::move(friction)};
 }
 
-Case random_case(Mix mix, int loads, std::uint64_t seed, bool at_rest,
+Case random_case(Mix mix, int bodies, std::uint64_t seed, bool at_rest,
                  double radius, double arms = 1) {
-  return case_of(random_instant(mix, loads, seed), at_rest, radius, arms);
+  return case_of(random_instant(mix, bodies, seed), at_rest, radius, arms);
 }
 
-// Every third load on an axis, the others on balls. Of one of them, unless it
+// Every third body on an axis, the others on balls. Of one of them, unless it
 // is -1, the relative velocity is 0.
-Case mixed_case(int loads, std::uint64_t seed, int resting = -1) {
-  Instant instant = random_instant(Mix::spherical, loads, seed);
-  const Instant axes = random_instant(Mix::axes, loads, seed);
-  for (int i = 1; i < loads; i += 3) instant.loads[i] = axes.loads[i];
+Case mixed_case(int bodies, std::uint64_t seed, int resting = -1) {
+  Instant instant = random_instant(Mix::balls, bodies, seed);
+  const Instant axes = random_instant(Mix::axes, bodies, seed);
+  for (int i = 1; i < bodies; i += 3) instant.bodies[i] = axes.bodies[i];
   if (resting >= 0) {
-    instant.loads[resting].relative_angular_velocity.setZero();
-    instant.loads[resting].angle_rate = 0;
+    instant.bodies[resting].relative_angular_velocity.setZero();
+    instant.bodies[resting].angle_rate = 0;
   }
   return case_of(instant, false, 0.01);
 }
 
 void set_signs(CoupledDynamics& coupled, const Case& c) {
   for (int i = 0; i < coupled.size(); ++i) {
-    if (c.prepared.system.links()[i].kind != JointKind::axis) continue;
+    if (c.prepared.system.links()[i].kind != HingeKind::axis) continue;
     const double rate = c.prepared.state[coupled.layout().offset(i) + 1];
     coupled.set_direction(i, Vector3d(0, 0, rate < 0 ? -1 : 1));
   }
@@ -91,24 +91,24 @@ void set_signs(CoupledDynamics& coupled, const Case& c) {
 
 TEST(CoupledDynamics, FrictionFitsTheReactionsItCauses) {
   long iterations = 0, cases = 0;
-  for (const Mix mix : {Mix::spherical, Mix::axes}) {
-    for (const int loads : {1, 4, 16}) {
+  for (const Mix mix : {Mix::balls, Mix::axes}) {
+    for (const int bodies : {1, 4, 16}) {
       for (std::uint64_t seed = 1; seed <= 30; ++seed) {
-        Case c = random_case(mix, loads, seed, false, 0.01);
+        Case c = random_case(mix, bodies, seed, false, 0.01);
         CoupledDynamics coupled(c.prepared.system, c.friction);
         set_signs(coupled, c);
         const CoupledReport report =
-            coupled.evaluate(c.prepared.state.data(), c.prepared.loading);
+            coupled.evaluate(c.prepared.state.data(), c.prepared.forces);
         ASSERT_EQ(report.status, CoupledStatus::ok);
         iterations += report.iterations;
         ++cases;
-        for (int i = 0; i < loads; ++i) {
+        for (int i = 0; i < bodies; ++i) {
           // From nothing: the joint alone under this reaction.
           const multibody::Link& link = c.prepared.system.links()[i];
           const Vector3d force = link.axes * vec3(coupled.reaction(i).force);
           const double* s = &c.prepared.state[coupled.layout().offset(i)];
           Vector3d expected;
-          if (link.kind == JointKind::axis) {
+          if (link.kind == HingeKind::axis) {
             const Vector3d axis = link.axes.col(2);
             const auto joint = std::get<PinFriction>(c.friction[i]).joint;
             const Vector3d radial = force - force.dot(axis) * axis;
@@ -149,7 +149,7 @@ double largest_miss(const Case& c, const CoupledDynamics& coupled) {
       expected += joint.friction_moment;
     }
     const multibody::Link& link = c.prepared.system.links()[i];
-    if (link.kind == JointKind::axis) {
+    if (link.kind == HingeKind::axis) {
       const Vector3d axis = link.axes.col(2);
       expected = expected.dot(axis) * axis;
     }
@@ -167,7 +167,7 @@ void follow(Case& c, CoupledDynamics& coupled, int steps, Followed& followed) {
   for (int k = 0; k < steps; ++k) {
     set_signs(coupled, c);
     const CoupledReport report =
-        coupled.evaluate(state.data(), c.prepared.loading);
+        coupled.evaluate(state.data(), c.prepared.forces);
     ASSERT_EQ(report.status, CoupledStatus::ok);
     ++followed.evaluations;
     followed.iterations += report.iterations;
@@ -183,10 +183,10 @@ void follow(Case& c, CoupledDynamics& coupled, int steps, Followed& followed) {
 // extrapolated. Measured: 2.0e-10.
 TEST(CoupledDynamics, FollowedFrictionFitsTheReactionsItCauses) {
   Followed followed;
-  for (const Mix mix : {Mix::spherical, Mix::axes}) {
-    for (const int loads : {1, 3, 4, 6, 11, 16}) {
+  for (const Mix mix : {Mix::balls, Mix::axes}) {
+    for (const int bodies : {1, 3, 4, 6, 11, 16}) {
       for (std::uint64_t seed = 1; seed <= 10; ++seed) {
-        Case c = random_case(mix, loads, seed, false, 0.01);
+        Case c = random_case(mix, bodies, seed, false, 0.01);
         if (mix == Mix::axes && seed % 2 == 0) {
           for (HingeFriction& friction : c.friction) {
             friction = NodeFriction{ball_and_pin(FrictionLaw(0.2, 1e4), 0.2)};
@@ -206,10 +206,10 @@ TEST(CoupledDynamics, FollowedFrictionFitsTheReactionsItCauses) {
 TEST(CoupledDynamics, FrictionOfBallsAndPinsIsFollowed) {
   Followed followed;
   for (const bool prescribed : {false, true}) {
-    for (const int loads : {3, 6, 11}) {
+    for (const int bodies : {3, 6, 11}) {
       for (std::uint64_t seed = 1; seed <= 10; ++seed) {
-        const int resting = static_cast<int>(seed) % loads;
-        Case c = mixed_case(loads, seed, resting);
+        const int resting = static_cast<int>(seed) % bodies;
+        Case c = mixed_case(bodies, seed, resting);
         CoupledDynamics coupled(c.prepared.system, c.friction);
         coupled.set_mode(resting, HingeMode::resting);
         if (prescribed) {
@@ -233,25 +233,25 @@ TEST(CoupledDynamics, FrictionOfBallsAndPinsIsFollowed) {
 // Where an evaluation starts from does not matter. Measured: 1.3e-10.
 TEST(CoupledDynamics, MomentsSetInBetweenLeadToTheSame) {
   double largest = 0;
-  for (const int loads : {1, 3, 11}) {
+  for (const int bodies : {1, 3, 11}) {
     for (std::uint64_t seed = 1; seed <= 5; ++seed) {
       for (const double share : {0.0, 0.9, -0.5}) {
-        Case c = mixed_case(loads, seed);
+        Case c = mixed_case(bodies, seed);
         CoupledDynamics coupled(c.prepared.system, c.friction);
         Followed followed;
         ASSERT_NO_FATAL_FAILURE(follow(c, coupled, 5, followed));
         set_signs(coupled, c);
-        for (int i = 0; i < loads; ++i) {
+        for (int i = 0; i < bodies; ++i) {
           coupled.set_friction_moment(i, share * coupled.friction_moment(i));
         }
         CoupledDynamics fresh(c.prepared.system, c.friction);
         set_signs(fresh, c);
         for (CoupledDynamics* const each : {&coupled, &fresh}) {
-          ASSERT_EQ(each->evaluate(c.prepared.state.data(), c.prepared.loading)
-                        .status,
-                    CoupledStatus::ok);
+          ASSERT_EQ(
+              each->evaluate(c.prepared.state.data(), c.prepared.forces).status,
+              CoupledStatus::ok);
         }
-        for (int i = 0; i < loads; ++i) {
+        for (int i = 0; i < bodies; ++i) {
           const Vector3d expected = fresh.friction_moment(i);
           largest =
               std::max(largest, (coupled.friction_moment(i) - expected).norm() /
@@ -266,21 +266,21 @@ TEST(CoupledDynamics, MomentsSetInBetweenLeadToTheSame) {
   EXPECT_LT(largest, 1e-9);
 }
 
-// A load on a pin with strong friction: sin g = 0.97, rho = 0.15 m, kappa =
+// A body on a pin with strong friction: sin g = 0.97, rho = 0.15 m, kappa =
 // 1.455 where its carrier does not give way (motion_test.cpp).
 struct StickyPin {
   multibody::System system;
   std::vector<HingeFriction> friction;
   std::vector<double> state;
-  multibody::Loading<double> loading;
+  multibody::ActiveForces<double> forces;
 
   StickyPin(const multibody::Carrier& carrier, const Vector3d& hinge,
             const Vector3d& force)
-      : system(carrier, {load_at(hinge)}) {
+      : system(carrier, {body_at(hinge)}) {
     friction.emplace_back(PinFriction{
         pin_joint(FrictionLaw(sine / std::sqrt(1 - sine * sine)), radius)});
-    loading.loads.resize(1);
-    loading.loads[0].force =
+    forces.bodies.resize(1);
+    forces.bodies[0].force =
         multibody::vec3(system.links()[0].axes.transpose() * force);
     state.resize(multibody::StateLayout::body_size + 2);
     state[multibody::StateLayout::rotation] = 1;
@@ -293,18 +293,18 @@ struct StickyPin {
   }
   CoupledReport evaluate(CoupledDynamics& with, double angle) {
     state[multibody::StateLayout::body_size] = angle;
-    return with.evaluate(state.data(), loading);
+    return with.evaluate(state.data(), forces);
   }
 
   static constexpr double sine = 0.97, radius = 0.15, mass = 1, arm = 0.05;
 
  private:
-  static multibody::Load load_at(const Vector3d& hinge) {
-    multibody::Load load{JointKind::axis, mass, Eigen::Matrix3d::Zero()};
-    load.inertia.diagonal() << 1e-3, 1e-3, mass * arm * arm;
-    load.hinge_from_com = Vector3d(arm, 0, 0);
-    load.hinge_from_carrier_com = hinge;
-    return load;
+  static multibody::Body body_at(const Vector3d& hinge) {
+    multibody::Body body{HingeKind::axis, mass, Eigen::Matrix3d::Zero()};
+    body.inertia.diagonal() << 1e-3, 1e-3, mass * arm * arm;
+    body.hinge_from_com = Vector3d(arm, 0, 0);
+    body.hinge_from_carrier_com = hinge;
+    return body;
   }
 };
 
@@ -375,22 +375,22 @@ TEST(CoupledDynamics, FollowingDoesNotHideSeveralMoments) {
 }
 
 TEST(CoupledDynamics, NothingIsAllocatedOnTheWay) {
-  Case c = random_case(Mix::spherical, 4, 1, false, 0.01);
+  Case c = random_case(Mix::balls, 4, 1, false, 0.01);
   CoupledDynamics coupled(c.prepared.system, c.friction);
-  coupled.evaluate(c.prepared.state.data(), c.prepared.loading);
+  coupled.evaluate(c.prepared.state.data(), c.prepared.forces);
   for (double& x : c.prepared.state) x *= 1.001;
   const std::size_t before = contact::test::allocation_count();
-  coupled.evaluate(c.prepared.state.data(), c.prepared.loading);
+  coupled.evaluate(c.prepared.state.data(), c.prepared.forces);
   EXPECT_EQ(contact::test::allocation_count(), before);
 }
 
 TEST(CoupledDynamics, TraceShowsTheOuterLoop) {
-  Case c = random_case(Mix::spherical, 4, 1, false, 0.01);
+  Case c = random_case(Mix::balls, 4, 1, false, 0.01);
   CoupledDynamics coupled(c.prepared.system, c.friction);
   std::vector<OuterStep> trace;
   coupled.set_trace(&trace);
   const CoupledReport report =
-      coupled.evaluate(c.prepared.state.data(), c.prepared.loading);
+      coupled.evaluate(c.prepared.state.data(), c.prepared.forces);
   ASSERT_EQ(static_cast<int>(trace.size()), report.iterations);
   EXPECT_NEAR(trace[0].residual, 1, 1e-2);
   for (std::size_t i = 1; i < trace.size(); ++i) {
@@ -406,9 +406,9 @@ TEST(CoupledDynamics, TheOnlyConsistentPatternOfRestIsFound) {
   for (std::uint64_t seed = 1; seed <= 200; ++seed) {
     const double radius = seed % 3 == 0 ? 0.02 : seed % 3 == 1 ? 0.05 : 0.1;
     Case c = random_case(Mix::axes, 3, seed, true, radius, 0.05);
-    const int loads = 3;
+    const int bodies = 3;
     const auto evaluate = [&](CoupledDynamics& coupled) {
-      return coupled.evaluate(c.prepared.state.data(), c.prepared.loading)
+      return coupled.evaluate(c.prepared.state.data(), c.prepared.forces)
           .status;
     };
     std::vector<std::array<int, 3>> consistent;
@@ -416,7 +416,7 @@ TEST(CoupledDynamics, TheOnlyConsistentPatternOfRestIsFound) {
       const std::array<int, 3> p = {pattern % 3 - 1, pattern / 3 % 3 - 1,
                                     pattern / 9 - 1};
       CoupledDynamics coupled(c.prepared.system, c.friction);
-      for (int i = 0; i < loads; ++i) {
+      for (int i = 0; i < bodies; ++i) {
         if (p[i] == 0) {
           coupled.set_mode(i, HingeMode::resting);
         } else {
@@ -425,7 +425,7 @@ TEST(CoupledDynamics, TheOnlyConsistentPatternOfRestIsFound) {
       }
       if (evaluate(coupled) != CoupledStatus::ok) continue;
       bool fits = true;
-      for (int i = 0; i < loads; ++i) {
+      for (int i = 0; i < bodies; ++i) {
         fits &= p[i] == 0
                     ? coupled.utilisation(i) <= 1
                     : coupled.dynamics().relative_acceleration(i).z * p[i] > 0;
@@ -435,11 +435,11 @@ TEST(CoupledDynamics, TheOnlyConsistentPatternOfRestIsFound) {
     ASSERT_EQ(consistent.size(), 1u) << seed;
 
     CoupledDynamics coupled(c.prepared.system, c.friction);
-    for (int i = 0; i < loads; ++i) coupled.set_mode(i, HingeMode::resting);
-    ASSERT_EQ(coupled.resolve_rest(c.prepared.state.data(), c.prepared.loading)
-                  .status,
-              CoupledStatus::ok);
-    for (int i = 0; i < loads; ++i) {
+    for (int i = 0; i < bodies; ++i) coupled.set_mode(i, HingeMode::resting);
+    ASSERT_EQ(
+        coupled.resolve_rest(c.prepared.state.data(), c.prepared.forces).status,
+        CoupledStatus::ok);
+    for (int i = 0; i < bodies; ++i) {
       const bool slides = coupled.mode(i) == HingeMode::sliding;
       ++(slides ? sliding : resting);
       ASSERT_EQ(slides, consistent[0][i] != 0) << seed;
@@ -456,23 +456,23 @@ TEST(CoupledDynamics, TheOnlyConsistentPatternOfRestIsFound) {
 // A hinge at its limit, coupled to others that hold: as far beyond it as the
 // threshold says it stays, and from half of that on it goes if it is forced.
 TEST(CoupledDynamics, RestEndsAtItsLimit) {
-  for (const Mix mix : {Mix::axes, Mix::spherical}) {
+  for (const Mix mix : {Mix::axes, Mix::balls}) {
     int tried = 0;
     for (std::uint64_t seed = 1; seed <= 200; ++seed) {
       Case c = random_case(mix, 3, seed, true, 0.3, 0.005);
       const double* state = c.prepared.state.data();
-      auto& loading = c.prepared.loading;
+      auto& forces = c.prepared.forces;
       const auto at_rest = [&] {
         CoupledDynamics coupled(c.prepared.system, c.friction);
         for (int i = 0; i < 3; ++i) coupled.set_mode(i, HingeMode::resting);
         return coupled;
       };
       CoupledDynamics held = at_rest();
-      // What turns load 0 about z, for a utilisation of it.
-      const double before = loading.loads[0].moment.z;
+      // What turns body 0 about z, for a utilisation of it.
+      const double before = forces.bodies[0].moment.z;
       const auto utilisation = [&](double moment) {
-        loading.loads[0].moment.z = before + moment;
-        held.evaluate(state, loading);
+        forces.bodies[0].moment.z = before + moment;
+        held.evaluate(state, forces);
         return held.utilisation(0);
       };
       double most = 1;
@@ -490,7 +490,7 @@ TEST(CoupledDynamics, RestEndsAtItsLimit) {
         ASSERT_NEAR(utilisation(low), 1 + part * threshold, 0.1 * threshold);
         for (const int forced : {-1, 0}) {
           CoupledDynamics coupled = at_rest();
-          ASSERT_EQ(coupled.resolve_rest(state, loading, forced).status,
+          ASSERT_EQ(coupled.resolve_rest(state, forces, forced).status,
                     CoupledStatus::ok);
           const bool slides = part > 1 || (forced == 0 && part > 0.5);
           EXPECT_EQ(coupled.mode(0),
@@ -512,13 +512,13 @@ TEST(CoupledDynamics, BallJointsBeginToSlideWhereTheyAccelerate) {
   int sliding = 0, resting = 0, reported = 0;
   for (std::uint64_t seed = 1; seed <= 200; ++seed) {
     const double radius = seed % 3 == 0 ? 0.05 : seed % 3 == 1 ? 0.2 : 0.5;
-    Case c = random_case(Mix::spherical, 4, seed, true, radius, 0.02);
+    Case c = random_case(Mix::balls, 4, seed, true, radius, 0.02);
     CoupledDynamics coupled(c.prepared.system, c.friction);
     for (int i = 0; i < 4; ++i) coupled.set_mode(i, HingeMode::resting);
     const CoupledReport report =
-        coupled.resolve_rest(c.prepared.state.data(), c.prepared.loading);
+        coupled.resolve_rest(c.prepared.state.data(), c.prepared.forces);
     if (report.status != CoupledStatus::ok) {
-      // Balls half a metre in radius on light loads: kappa up to 2.6, where
+      // Balls half a metre in radius on light bodies: kappa up to 2.6, where
       // there may be several answers or none. Said so, not guessed.
       EXPECT_EQ(radius, 0.5) << seed;
       ++reported;

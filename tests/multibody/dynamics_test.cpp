@@ -59,16 +59,17 @@ TEST(Multibody, OracleCases) {
 TEST(Multibody, DenseReference) {
   // Measured 6e-14, both sides' inputs differ by the rounding of rotations.
   AccuracyReport report("dense reference in long double", 2e-13);
-  for (const Mix mix : {Mix::spherical, Mix::axes, Mix::held, Mix::all}) {
-    for (const int loads : {1, 2, 3, 5, 16, 64}) {
+  for (const Mix mix : {Mix::balls, Mix::axes, Mix::held, Mix::all}) {
+    for (const int bodies : {1, 2, 3, 5, 16, 64}) {
       for (std::uint64_t seed = 0; seed < 10; ++seed) {
-        const Instant instant = random_instant(mix, loads, 100 * loads + seed);
+        const Instant instant =
+            random_instant(mix, bodies, 100 * bodies + seed);
         const CaseError error =
             case_error(to_json(instant, multibody::evaluate(instant)),
                        to_json(instant, dense_evaluate<long double>(instant)));
         report.add_error(error.error,
                          "mix " + std::to_string(static_cast<int>(mix)) +
-                             ", L = " + std::to_string(loads) + ", seed " +
+                             ", L = " + std::to_string(bodies) + ", seed " +
                              std::to_string(seed) + " " + error.quantity);
       }
     }
@@ -79,14 +80,14 @@ TEST(Multibody, DenseReference) {
 // The benchmark's opponent has to solve the same problem.
 TEST(Multibody, DenseSolverOfTheBenchmarkAgrees) {
   double largest = 0;
-  for (const Mix mix : {Mix::spherical, Mix::axes}) {
-    for (const int loads : {1, 4, 16}) {
-      const Instant instant = random_instant(mix, loads, 7);
+  for (const Mix mix : {Mix::balls, Mix::axes}) {
+    for (const int bodies : {1, 4, 16}) {
+      const Instant instant = random_instant(mix, bodies, 7);
       const multibody::Prepared p = prepare(instant);
       multibody::Dynamics dynamics = p.dynamics();
-      dynamics.evaluate(p.state.data(), p.loading);
+      dynamics.evaluate(p.state.data(), p.forces);
       DenseSolver dense(p.system);
-      dense.evaluate(p.state.data(), p.loading);
+      dense.evaluate(p.state.data(), p.forces);
       const auto add = [&](const multibody::Vec3<double>& a,
                            const Eigen::Vector3d& b) {
         largest =
@@ -94,7 +95,7 @@ TEST(Multibody, DenseSolverOfTheBenchmarkAgrees) {
       };
       add(dynamics.carrier().linear, dense.linear());
       add(dynamics.carrier().angular, dense.angular());
-      for (int i = 0; i < loads; ++i) {
+      for (int i = 0; i < bodies; ++i) {
         add(dynamics.relative_acceleration(i), dense.relative_acceleration(i));
       }
     }
@@ -120,12 +121,12 @@ class Rows {
     }
   }
   multibody::VectorRows rows() { return {numbers_.data(), stride}; }
-  void set(int load, const Eigen::Vector3d& v) {
-    double* const to = rows().at(load);
+  void set(int body, const Eigen::Vector3d& v) {
+    double* const to = rows().at(body);
     for (int k = 0; k < 3; ++k) to[k * width] = v[k];
   }
-  Eigen::Vector3d get(int load) {
-    const double* const from = rows().at(load);
+  Eigen::Vector3d get(int body) {
+    const double* const from = rows().at(body);
     return {from[0], from[width], from[2 * width]};
   }
   bool guards_are_untouched() const {
@@ -148,18 +149,18 @@ struct ModeCase {
   Mix mix;
   bool changed;
 };
-Instant instant_of(const ModeCase& c, int loads, std::uint64_t seed) {
-  Instant instant = random_instant(c.mix, loads, seed);
+Instant instant_of(const ModeCase& c, int bodies, std::uint64_t seed) {
+  Instant instant = random_instant(c.mix, bodies, seed);
   Random random(seed);
-  for (multibody::LoadInstant& load : instant.loads) {
-    if (!c.changed || load.load.kind == multibody::JointKind::none) continue;
+  for (multibody::BodyInstant& body : instant.bodies) {
+    if (!c.changed || body.body.kind == multibody::HingeKind::none) continue;
     const double share = random.uniform(0, 1);
     if (share < 0.3) {
-      load.mode = multibody::JointMode::held;
-      load.relative_angular_velocity.setZero();
-      load.angle_rate = 0;
+      body.mode = multibody::JointMode::held;
+      body.relative_angular_velocity.setZero();
+      body.angle_rate = 0;
     } else if (share < 0.5) {
-      load.mode = multibody::JointMode::released;
+      body.mode = multibody::JointMode::released;
     }
   }
   return instant;
@@ -199,18 +200,18 @@ Vectors reaction_forces(const multibody::Dynamics& dynamics) {
 
 // The same at once, in rows.
 void expect_rows_agree(const multibody::Dynamics& dynamics) {
-  const int loads = dynamics.size();
-  Rows forces(loads);
+  const int bodies = dynamics.size();
+  Rows forces(bodies);
   dynamics.forces(forces.rows());
   EXPECT_TRUE(forces.guards_are_untouched());
-  std::vector<multibody::Vec3<double>> at_once(loads);
+  std::vector<multibody::Vec3<double>> at_once(bodies);
   dynamics.relative_accelerations(at_once);
   const Vectors expected_forces = reaction_forces(dynamics);
   const Vectors expected = relative_accelerations(dynamics);
-  for (int i = 0; i < loads; ++i) {
-    EXPECT_EQ(forces.get(i), expected_forces[i]) << loads << " loads, " << i;
+  for (int i = 0; i < bodies; ++i) {
+    EXPECT_EQ(forces.get(i), expected_forces[i]) << bodies << " bodies, " << i;
     EXPECT_EQ(multibody::vec3(at_once[i]), expected[i])
-        << loads << " loads, " << i;
+        << bodies << " bodies, " << i;
   }
 }
 
@@ -221,48 +222,48 @@ class MultibodyRows : public testing::TestWithParam<contact::InstructionSet> {
   }
 };
 
-// What is exchanged in rows is what is exchanged load by load, and what is
+// What is exchanged in rows is what is exchanged body by body, and what is
 // added is what a full evaluation has.
-TEST_P(MultibodyRows, AreTheVectorsOfAllLoads) {
+TEST_P(MultibodyRows, AreTheVectorsOfAllBodies) {
   // Measured 0: the same operations.
-  AccuracyReport by_load("friction added in rows", 1e-14);
+  AccuracyReport by_body("friction added in rows", 1e-14);
   // Measured 1.3e-15; the bound that Dynamics states.
   AccuracyReport in_full("friction added later", 1e-14);
   for (const ModeCase& c :
-       {ModeCase{Mix::spherical, false}, ModeCase{Mix::spherical, true},
+       {ModeCase{Mix::balls, false}, ModeCase{Mix::balls, true},
         ModeCase{Mix::axes, false}, ModeCase{Mix::axes, true},
         ModeCase{Mix::all, false}, ModeCase{Mix::all, true}}) {
-    for (int loads = 1; loads <= 17; ++loads) {
-      multibody::Prepared p = prepare(instant_of(c, loads, 50 * loads + 3));
+    for (int bodies = 1; bodies <= 17; ++bodies) {
+      multibody::Prepared p = prepare(instant_of(c, bodies, 50 * bodies + 3));
       multibody::Dynamics rows = dynamics_of(p, GetParam());
       multibody::Dynamics single = dynamics_of(p, GetParam());
       multibody::Dynamics full = dynamics_of(p, GetParam());
-      rows.evaluate(p.state.data(), p.loading);
-      single.evaluate(p.state.data(), p.loading);
+      rows.evaluate(p.state.data(), p.forces);
+      single.evaluate(p.state.data(), p.forces);
       expect_rows_agree(rows);
-      Random random(loads);
-      Rows change(loads);
+      Random random(bodies);
+      Rows change(bodies);
       std::vector<multibody::Vec3<double>> changes;
-      for (int i = 0; i < loads; ++i) {
+      for (int i = 0; i < bodies; ++i) {
         const Eigen::Vector3d v = random.vector(20);
         change.set(i, v);
         changes.push_back(multibody::vec3(v));
-        p.loading.loads[i].friction += changes.back();
+        p.forces.bodies[i].friction += changes.back();
       }
       rows.add_friction(change.rows());
       single.add_friction(changes);
-      full.evaluate(p.state.data(), p.loading);
+      full.evaluate(p.state.data(), p.forces);
       expect_rows_agree(rows);
-      const std::string label = std::to_string(loads) + " loads, mix " +
+      const std::string label = std::to_string(bodies) + " bodies, mix " +
                                 std::to_string(static_cast<int>(c.mix));
       for (const auto quantity : {relative_accelerations, reaction_forces}) {
         const Vectors found = quantity(rows);
-        by_load.add_error(miss(found, quantity(single)), label);
+        by_body.add_error(miss(found, quantity(single)), label);
         in_full.add_error(miss(found, quantity(full)), label);
       }
     }
   }
-  by_load.check();
+  by_body.check();
   in_full.check();
 }
 INSTANTIATE_TEST_SUITE_P(Sets, MultibodyRows,
@@ -277,9 +278,9 @@ INSTANTIATE_TEST_SUITE_P(Sets, MultibodyRows,
 // accelerations relative to it differ from those on a fixed one. Measured:
 // 0.07/k to 1.9/k of them, and of the sum of the reactions 0.27/k to 0.94/k.
 TEST(Multibody, AVeryHeavyCarrierIsAFixedOne) {
-  for (const Mix mix : {Mix::spherical, Mix::axes, Mix::all}) {
-    for (const int loads : {1, 3, 9}) {
-      Instant instant = random_instant(mix, loads, 11 + loads);
+  for (const Mix mix : {Mix::balls, Mix::axes, Mix::all}) {
+    for (const int bodies : {1, 3, 9}) {
+      Instant instant = random_instant(mix, bodies, 11 + bodies);
       instant.angular_velocity.setZero();
       const multibody::Carrier light = instant.carrier;
       for (const double k : {1e6, 1e8, 1e10, 1e12}) {
@@ -288,8 +289,8 @@ TEST(Multibody, AVeryHeavyCarrierIsAFixedOne) {
         const multibody::Prepared p = prepare(instant);
         multibody::Dynamics heavy = p.dynamics();
         multibody::Dynamics fixed = p.dynamics();
-        heavy.evaluate(p.state.data(), p.loading);
-        fixed.evaluate_prescribed(p.state.data(), p.loading, {});
+        heavy.evaluate(p.state.data(), p.forces);
+        fixed.evaluate_prescribed(p.state.data(), p.forces, {});
         const double change =
             miss(relative_accelerations(heavy), relative_accelerations(fixed));
         EXPECT_LT(change, 4 / k);
@@ -297,7 +298,7 @@ TEST(Multibody, AVeryHeavyCarrierIsAFixedOne) {
         // Newton's law of the carrier under the reactions of a fixed one.
         Eigen::Vector3d force = instant.active_force;
         const Vectors reactions = reaction_forces(fixed);
-        for (int i = 0; i < loads; ++i) {
+        for (int i = 0; i < bodies; ++i) {
           force -=
               multibody::vec3(fixed.axes(i) * multibody::vec3(reactions[i]));
         }
@@ -309,27 +310,27 @@ TEST(Multibody, AVeryHeavyCarrierIsAFixedOne) {
   }
 }
 
-// Loads that shrink to point masses on their arms come to what point masses
+// Bodies that shrink to point masses on their arms come to what point masses
 // do, in proportion to their inertia. Measured: 0.1 to 2.9 of its share.
 TEST(Multibody, SmallInertiaTendsToAPointMass) {
-  for (const Mix mix : {Mix::spherical, Mix::axes}) {
-    for (const int loads : {1, 3, 9}) {
-      Instant instant = random_instant(mix, loads, 21 + loads);
-      for (multibody::LoadInstant& load : instant.loads) {
+  for (const Mix mix : {Mix::balls, Mix::axes}) {
+    for (const int bodies : {1, 3, 9}) {
+      Instant instant = random_instant(mix, bodies, 21 + bodies);
+      for (multibody::BodyInstant& body : instant.bodies) {
         // A point mass on a ball does not resist a moment along its arm.
-        load.active_moment_com.setZero();
-        load.friction_moment.setZero();
+        body.active_moment_com.setZero();
+        body.friction_moment.setZero();
       }
       const auto evaluated = [&](double share) {
         Instant small = instant;
-        for (multibody::LoadInstant& load : small.loads) {
-          load.load.inertia *= share;
+        for (multibody::BodyInstant& body : small.bodies) {
+          body.body.inertia *= share;
         }
         const InstantResult result = multibody::evaluate(small);
         std::array<Vectors, 2> both;
         both[0].push_back(result.acceleration_minus_gravity);
-        for (const multibody::LoadResult& load : result.loads) {
-          both[1].push_back(load.reaction_force);
+        for (const multibody::BodyResult& body : result.bodies) {
+          both[1].push_back(body.reaction_force);
         }
         return both;
       };

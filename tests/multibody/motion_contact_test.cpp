@@ -27,10 +27,10 @@ using multibody::CarrierDrive;
 using multibody::CoupledStatus;
 using multibody::FrictionEstimate;
 using multibody::HingeFriction;
+using multibody::HingeKind;
 using multibody::HingeMode;
 using multibody::HingeSample;
 using multibody::Integrator;
-using multibody::JointKind;
 using multibody::Motion;
 using multibody::MotionFailure;
 using multibody::MotionOptions;
@@ -44,7 +44,7 @@ using multibody::test::EndingLaw;
 using multibody::test::LawPointer;
 using multibody::test::pin_joint;
 
-// A force along x and a torque about z on load 0.
+// A force along x and a torque about z on body 0.
 class Pull : public multibody::ForceModel {
  public:
   using Function = std::function<double(double)>;
@@ -68,11 +68,11 @@ LawPointer ending(const contact::JointContact& contact) {
   return std::make_shared<EndingLaw>(contact.geometry().kind(),
                                      contact.load_parameter(law_end));
 }
-contact::SphericalJoint ending_ball() {
+contact::BallJoint ending_ball() {
   return ball_joint(friction, radius,
                     ending(ball_joint(friction, radius).contact()));
 }
-contact::CylindricalJoint ending_pin() {
+contact::PinJoint ending_pin() {
   return pin_joint(friction, radius,
                    ending(pin_joint(friction, radius).contact()));
 }
@@ -80,7 +80,7 @@ contact::CylindricalJoint ending_pin() {
 // A hinge with one joint whose law ends.
 struct Hinge {
   std::string name;
-  JointKind kind;
+  HingeKind kind;
   HingeFriction friction;
   int joint;     // the one
   double share;  // of the force that it takes
@@ -92,9 +92,9 @@ std::vector<Hinge> hinges() {
        {FrictionEstimate::consistent, FrictionEstimate::traditional}) {
     const std::string by =
         estimate == FrictionEstimate::consistent ? "" : ", traditional";
-    all.push_back({"ball" + by, JointKind::spherical,
+    all.push_back({"ball" + by, HingeKind::ball,
                    BallFriction{ending_ball(), estimate}, 0, 1});
-    all.push_back({"pin" + by, JointKind::axis,
+    all.push_back({"pin" + by, HingeKind::axis,
                    PinFriction{ending_pin(), estimate}, 0, 1});
     for (const int joint : {0, 1}) {
       std::vector<contact::NodeJoint> joints;
@@ -103,7 +103,7 @@ std::vector<Hinge> hinges() {
       joints.push_back(
           {joint == 1 ? ending_pin() : pin_joint(friction, radius), 1});
       all.push_back(
-          {fmt::format("node, joint {}{}", joint, by), JointKind::axis,
+          {fmt::format("node, joint {}{}", joint, by), HingeKind::axis,
            NodeFriction{contact::JointNode(joints), estimate}, joint, 0.5});
     }
   }
@@ -124,18 +124,18 @@ class ContactEnds : public testing::TestWithParam<Integrator> {
   static Motion motion(const Hinge& hinge, std::shared_ptr<Pull> forces,
                        double rate, bool locked = false) {
     // So heavy that friction, 800 N m, hardly slows it down.
-    const multibody::Load load{hinge.kind, 1000, 1e5 * Matrix3d::Identity()};
+    const multibody::Body body{hinge.kind, 1000, 1e5 * Matrix3d::Identity()};
     MotionOptions options;
     options.carrier_drive = CarrierDrive{};
     options.integrator = GetParam();
     options.step = 0.02;
     options.longest_step = 6;
     MotionStart start;
-    start.loads.resize(1);
-    start.loads[0].relative_angular_velocity.z() = rate;
-    start.loads[0].angle_rate = rate;
-    start.loads[0].locked = locked;
-    return Motion(System({100, 50 * Matrix3d::Identity()}, {load}),
+    start.bodies.resize(1);
+    start.bodies[0].relative_angular_velocity.z() = rate;
+    start.bodies[0].angle_rate = rate;
+    start.bodies[0].locked = locked;
+    return Motion(System({100, 50 * Matrix3d::Identity()}, {body}),
                   {hinge.friction}, std::move(forces), start, options);
   }
   // It has failed as it should, at a time from `from` to `to`, under forces
@@ -146,7 +146,7 @@ class ContactEnds : public testing::TestWithParam<Integrator> {
     ASSERT_TRUE(motion.failure());
     const MotionFailure& failure = *motion.failure();
     EXPECT_EQ(failure.status, CoupledStatus::no_contact) << failure.message();
-    EXPECT_EQ(failure.load, 0);
+    EXPECT_EQ(failure.body, 0);
     EXPECT_EQ(failure.joint, hinge.joint);
     EXPECT_GE(failure.time, from);
     EXPECT_LE(failure.time, to);
@@ -156,15 +156,15 @@ class ContactEnds : public testing::TestWithParam<Integrator> {
     int joint = -1;
     ASSERT_EQ(std::sscanf(failure.message().c_str(),
                           "at %lf s: half-angle law ending has no value under "
-                          "%lf N (load 0, joint %d)",
+                          "%lf N (body 0, joint %d)",
                           &time, &force, &joint),
               3)
         << failure.message();
     EXPECT_EQ(time, failure.time);
     EXPECT_EQ(joint, hinge.joint);
-    // Friction moments across the axis load the joints of a node a little.
+    // Friction moments across the axis body the joints of a node a little.
     EXPECT_NEAR(force, share(time) * law_end, 1e-3 * force);
-    EXPECT_TRUE(motion.sample().load(0).velocity.allFinite());
+    EXPECT_TRUE(motion.sample().body(0).velocity.allFinite());
   }
   // Passes 1 at 5 s, and 1/cos g by 5.2 s.
   static double rising(double time) { return 0.5 + 0.1 * time; }

@@ -19,18 +19,18 @@ using contact::FrictionLaw;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using multibody::BallFriction;
+using multibody::Body;
 using multibody::BodyForce;
 using multibody::BodyMotion;
+using multibody::BodyStart;
 using multibody::Carrier;
 using multibody::CarrierDrive;
 using multibody::ForceModel;
 using multibody::HingeFriction;
+using multibody::HingeKind;
 using multibody::HingeMode;
 using multibody::HingeSample;
 using multibody::Integrator;
-using multibody::JointKind;
-using multibody::Load;
-using multibody::LoadStart;
 using multibody::Motion;
 using multibody::MotionOptions;
 using multibody::MotionStart;
@@ -48,15 +48,15 @@ Carrier heavy_carrier() { return {100, 50 * Matrix3d::Identity()}; }
 
 // A wheel on a horizontal axis through its centre of mass; about the axis
 // (z) its inertia is `about`.
-Load wheel(double mass, double about) {
-  Load load{JointKind::axis, mass, Matrix3d::Zero()};
-  load.inertia.diagonal() << 0.7 * about, 0.7 * about, about;
-  return load;
+Body wheel(double mass, double about) {
+  Body body{HingeKind::axis, mass, Matrix3d::Zero()};
+  body.inertia.diagonal() << 0.7 * about, 0.7 * about, about;
+  return body;
 }
 
-MotionStart start_of(int loads) {
+MotionStart start_of(int bodies) {
   MotionStart start;
-  start.loads.resize(loads);
+  start.bodies.resize(bodies);
   return start;
 }
 
@@ -67,7 +67,7 @@ MotionOptions on_fixed_carrier() {
   return options;
 }
 
-// A torque about z on load 0, as a function of time.
+// A torque about z on body 0, as a function of time.
 class Torque : public ForceModel {
  public:
   explicit Torque(std::function<double(double)> torque)
@@ -93,7 +93,7 @@ TEST(Motion, ConstantFrictionStopsAWheelAndItStays) {
       options.integrator = integrator;
       options.step = 0.01;
       MotionStart start = start_of(1);
-      start.loads[0].angle_rate = sign * w0;
+      start.bodies[0].angle_rate = sign * w0;
       Motion motion(System(heavy_carrier(), {wheel(mass, about)}),
                     {PinFriction{joint}}, nullptr, start, options);
       const double stop = about * w0 / friction;
@@ -117,7 +117,7 @@ TEST(Motion, ConstantFrictionStopsAWheelAndItStays) {
 TEST(Motion, BallJointStopsAboutItsAxisWhenItShould) {
   const double mass = 2000, about = 3, w0 = 2;
   const auto joint = ball_joint(FrictionLaw(0.2, 1e4), 0.005);
-  Load load{JointKind::spherical, mass, about * Matrix3d::Identity()};
+  Body body{HingeKind::ball, mass, about * Matrix3d::Identity()};
   for (const Integrator integrator : {Integrator::adaptive, Integrator::rk4}) {
     for (const Vector3d& axis : {Vector3d(0, 1, 0), Vector3d(0, 0, -1)}) {
       const double friction =
@@ -125,8 +125,8 @@ TEST(Motion, BallJointStopsAboutItsAxisWhenItShould) {
       MotionOptions options = on_fixed_carrier();
       options.integrator = integrator;
       MotionStart start = start_of(1);
-      start.loads[0].relative_angular_velocity = w0 * axis;
-      Motion motion(System(heavy_carrier(), {load}), {BallFriction{joint}},
+      start.bodies[0].relative_angular_velocity = w0 * axis;
+      Motion motion(System(heavy_carrier(), {body}), {BallFriction{joint}},
                     nullptr, start, options);
       const double stop = about * w0 / friction;
       ASSERT_EQ(motion.advance_to(2 * stop), Stop::time);
@@ -167,7 +167,7 @@ TEST(Motion, RampedTorqueStartsSlidingAtTheRightInstant) {
   }
 }
 
-// Neither a coefficient of 0 nor a joint without load holds anything: a torque
+// Neither a coefficient of 0 nor a joint without body holds anything: a torque
 // that grows from exactly 0 turns the wheel from the beginning.
 TEST(Motion, WithoutFrictionATorqueTurnsTheWheelAtOnce) {
   const double mass = 20, about = 0.4, slope = 1.7;
@@ -175,17 +175,17 @@ TEST(Motion, WithoutFrictionATorqueTurnsTheWheelAtOnce) {
       std::make_shared<Torque>([=](double t) { return slope * t; });
   const FrictionLaw none(0);
   struct Wheel {
-    JointKind kind;
+    HingeKind kind;
     HingeFriction friction;
     double gravity;
   };
   const std::vector<Wheel> wheels = {
-      {JointKind::axis, PinFriction{pin_joint(none)}, g},
-      {JointKind::axis, NodeFriction{ball_and_pin(none, 0.2)}, g},
-      {JointKind::spherical, BallFriction{ball_joint(none)}, g},
-      {JointKind::axis, PinFriction{pin_joint(FrictionLaw(0.2, 1e4))}, 0},
-      {JointKind::axis, NodeFriction{ball_and_pin(FrictionLaw(0.2), 0.2)}, 0},
-      {JointKind::spherical, BallFriction{ball_joint(FrictionLaw(0.2))}, 0}};
+      {HingeKind::axis, PinFriction{pin_joint(none)}, g},
+      {HingeKind::axis, NodeFriction{ball_and_pin(none, 0.2)}, g},
+      {HingeKind::ball, BallFriction{ball_joint(none)}, g},
+      {HingeKind::axis, PinFriction{pin_joint(FrictionLaw(0.2, 1e4))}, 0},
+      {HingeKind::axis, NodeFriction{ball_and_pin(FrictionLaw(0.2), 0.2)}, 0},
+      {HingeKind::ball, BallFriction{ball_joint(FrictionLaw(0.2))}, 0}};
   for (std::size_t k = 0; k < wheels.size(); ++k) {
     for (const Integrator integrator :
          {Integrator::adaptive, Integrator::rk4}) {
@@ -198,9 +198,9 @@ TEST(Motion, WithoutFrictionATorqueTurnsTheWheelAtOnce) {
           options.carrier_drive = CarrierDrive{};
           options.gravity = Vector3d(0, -wheels[k].gravity, 0);
         }
-        Load load = wheel(mass, about);
-        load.kind = wheels[k].kind;
-        Motion motion(System(heavy_carrier(), {load}), {wheels[k].friction},
+        Body body = wheel(mass, about);
+        body.kind = wheels[k].kind;
+        Motion motion(System(heavy_carrier(), {body}), {wheels[k].friction},
                       torque, start_of(1), options);
         EXPECT_EQ(motion.advance_to(2), Stop::time);
         if (motion.failure()) ADD_FAILURE() << motion.failure()->message();
@@ -215,8 +215,8 @@ TEST(Motion, WithoutFrictionATorqueTurnsTheWheelAtOnce) {
   }
 }
 
-// A small ball under a heavy load has a wide contact; a large one under a
-// light load a point-like one, which resists spinning so little that sliding
+// A small ball under a heavy body has a wide contact; a large one under a
+// light body a point-like one, which resists spinning so little that sliding
 // dies out long before it.
 struct BallCase {
   double mass;
@@ -230,14 +230,14 @@ TEST(Motion, BallJointStopsInFiniteTimeWithBoundedWork) {
                             {2000, 0.005, Integrator::rk4, 100000},
                             {20, 0.05, Integrator::adaptive, 20000}};
   for (const BallCase& c : cases) {
-    Load load{JointKind::spherical, c.mass, Matrix3d::Zero()};
-    load.inertia.diagonal() << 3, 4, 5;
+    Body body{HingeKind::ball, c.mass, Matrix3d::Zero()};
+    body.inertia.diagonal() << 3, 4, 5;
     MotionStart start = start_of(1);
-    start.loads[0].relative_angular_velocity = Vector3d(1, 2, -1.5);
+    start.bodies[0].relative_angular_velocity = Vector3d(1, 2, -1.5);
     MotionOptions options = on_fixed_carrier();
     options.integrator = c.integrator;
     options.step = 1e-3;
-    Motion motion(System(heavy_carrier(), {load}),
+    Motion motion(System(heavy_carrier(), {body}),
                   {BallFriction{ball_joint(FrictionLaw(0.2, 1e4), c.radius)}},
                   nullptr, start, options);
     const double before = motion.sample().energy().balance();
@@ -280,10 +280,10 @@ TEST(Motion, NoneOrSeveralFrictionMomentsAreReported) {
   const double inertia = mass * 2 * 0.05 * 0.05;  // J, about the joint
   const double k = radius * sine;
   const double d = mass * arm / inertia;
-  Load load{JointKind::axis, mass, Matrix3d::Zero()};
-  load.inertia.diagonal() << 1e-3, 1e-3, mass * 0.05 * 0.05;
-  load.hinge_from_com = Vector3d(arm, 0, 0);
-  const System system(heavy_carrier(), {load});
+  Body body{HingeKind::axis, mass, Matrix3d::Zero()};
+  body.inertia.diagonal() << 1e-3, 1e-3, mass * 0.05 * 0.05;
+  body.hinge_from_com = Vector3d(arm, 0, 0);
+  const System system(heavy_carrier(), {body});
   const auto friction = PinFriction{
       pin_joint(FrictionLaw(sine / std::sqrt(1 - sine * sine)), radius)};
   // Without motion R = -F + m a, a_y = F_y m arm^2/J/m.
@@ -295,13 +295,13 @@ TEST(Motion, NoneOrSeveralFrictionMomentsAreReported) {
     MotionOptions options;
     options.carrier_drive = CarrierDrive{};
     MotionStart start = start_of(1);
-    start.loads[0].angle_rate = 1e-9;
+    start.bodies[0].angle_rate = 1e-9;
     Motion motion(system, {friction}, std::make_shared<Push>(force_for(rx, ry)),
                   start, options);
     EXPECT_EQ(motion.advance_to(1), Stop::failed);
     ASSERT_TRUE(motion.failure());
     EXPECT_EQ(motion.failure()->time, 0);
-    EXPECT_EQ(motion.failure()->load, 0);
+    EXPECT_EQ(motion.failure()->body, 0);
     // Nothing is guessed.
     const HingeSample hinge = motion.sample().hinge(0);
     EXPECT_EQ(hinge.angle_rate, 1e-9);
@@ -346,12 +346,12 @@ struct Momentum {
 };
 
 Momentum momentum_of(const multibody::MotionSample& sample,
-                     const Carrier& carrier, const std::vector<Load>& loads) {
+                     const Carrier& carrier, const std::vector<Body>& bodies) {
   Momentum p;
-  for (std::size_t i = 0; i <= loads.size(); ++i) {
-    const BodyMotion& body = sample.bodies()[i];
-    const double mass = i == 0 ? carrier.mass : loads[i - 1].mass;
-    const Matrix3d inertia = i == 0 ? carrier.inertia : loads[i - 1].inertia;
+  for (std::size_t i = 0; i <= bodies.size(); ++i) {
+    const BodyMotion& body = sample.motions()[i];
+    const double mass = i == 0 ? carrier.mass : bodies[i - 1].mass;
+    const Matrix3d inertia = i == 0 ? carrier.inertia : bodies[i - 1].inertia;
     p.linear += mass * body.velocity;
     p.angular += mass * body.position.cross(body.velocity) +
                  body.rotation * inertia * body.rotation.transpose() *
@@ -360,10 +360,10 @@ Momentum momentum_of(const multibody::MotionSample& sample,
   return p;
 }
 
-// A free carrier with loads of all kinds that move and come to rest on it.
+// A free carrier with bodies of all kinds that move and come to rest on it.
 struct Mixed {
   Carrier carrier;
-  std::vector<Load> loads;
+  std::vector<Body> bodies;
   std::vector<HingeFriction> friction;
   MotionStart start;
 };
@@ -373,14 +373,14 @@ Mixed mixed_system(std::uint64_t seed, bool friction) {
   Mixed m{{50, random.inertia(5)}, {}, {}, start_of(4)};
   const FrictionLaw law(0.15, 1e5);
   for (int i = 0; i < 4; ++i) {
-    Load load{i % 2 ? JointKind::axis : JointKind::spherical,
-              random.uniform(3, 6), random.inertia(0.2)};
-    load.hinge_from_com = random.vector(0.3);
-    load.hinge_from_carrier_com = random.vector(0.6);
-    load.hinge_to_load = random.rotation();
-    load.hinge_to_carrier_zero = random.rotation();
-    m.loads.push_back(load);
-    LoadStart& start = m.start.loads[i];
+    Body body{i % 2 ? HingeKind::axis : HingeKind::ball, random.uniform(3, 6),
+              random.inertia(0.2)};
+    body.hinge_from_com = random.vector(0.3);
+    body.hinge_from_carrier_com = random.vector(0.6);
+    body.hinge_to_body = random.rotation();
+    body.hinge_to_carrier_zero = random.rotation();
+    m.bodies.push_back(body);
+    BodyStart& start = m.start.bodies[i];
     start.rotation = random.rotation();
     start.relative_angular_velocity = random.vector(2);
     start.angle = random.uniform(-1, 1);
@@ -406,15 +406,15 @@ TEST(Motion, EnergyWithDissipatedWorkAndMomentaStay) {
       MotionOptions options;
       options.relative_tolerance = 1e-10;
       options.absolute_tolerance = 1e-11;
-      Motion motion(System(m.carrier, m.loads), m.friction, nullptr, m.start,
+      Motion motion(System(m.carrier, m.bodies), m.friction, nullptr, m.start,
                     options);
       const double energy = motion.sample().energy().balance();
-      const Momentum p = momentum_of(motion.sample(), m.carrier, m.loads);
+      const Momentum p = momentum_of(motion.sample(), m.carrier, m.bodies);
       ASSERT_EQ(motion.advance_to(20), Stop::time)
           << motion.failure()->message();
       const auto book = motion.sample().energy();
       EXPECT_NEAR(book.balance(), energy, 1e-8 * energy);
-      const Momentum q = momentum_of(motion.sample(), m.carrier, m.loads);
+      const Momentum q = momentum_of(motion.sample(), m.carrier, m.bodies);
       EXPECT_LT((q.linear - p.linear).norm(), 1e-8 * p.linear.norm());
       EXPECT_LT((q.angular - p.angular).norm(), 1e-8 * p.angular.norm());
       std::printf(
@@ -435,8 +435,8 @@ TEST(Motion, EnergyWithDissipatedWorkAndMomentaStay) {
 TEST(Motion, RestingHingeNeitherCreepsNorChatters) {
   // A wheel with an eccentric mass that friction holds on a shaking carrier,
   // a million steps.
-  Load load = wheel(20, 0.4);
-  load.hinge_from_com = Vector3d(0.002, -0.001, 0);
+  Body body = wheel(20, 0.4);
+  body.hinge_from_com = Vector3d(0.002, -0.001, 0);
   MotionOptions options = on_fixed_carrier();
   options.integrator = Integrator::rk4;
   options.step = 1e-3;
@@ -446,8 +446,8 @@ TEST(Motion, RestingHingeNeitherCreepsNorChatters) {
   const auto torque = std::make_shared<Torque>(
       [=](double t) { return 0.6 * held * std::sin(3 * t); });
   MotionStart start = start_of(1);
-  start.loads[0].angle = 0.7;
-  Motion motion(System(heavy_carrier(), {load}), {PinFriction{joint}}, torque,
+  start.bodies[0].angle = 0.7;
+  Motion motion(System(heavy_carrier(), {body}), {PinFriction{joint}}, torque,
                 start, options);
   ASSERT_EQ(motion.advance_to(1000), Stop::time);
   EXPECT_GE(motion.counts().steps, 1'000'000);
@@ -505,7 +505,7 @@ TEST(Motion, ViscousHingeSlowsDownForEver) {
            .friction_moment.z();
   ASSERT_GT(per_rate, 0);
   MotionStart start = start_of(1);
-  start.loads[0].angle_rate = w0;
+  start.bodies[0].angle_rate = w0;
   Motion motion(System(heavy_carrier(), {wheel(mass, about)}),
                 {PinFriction{joint}}, nullptr, start, on_fixed_carrier());
   const double time = 3 * about / per_rate;
@@ -513,7 +513,7 @@ TEST(Motion, ViscousHingeSlowsDownForEver) {
   EXPECT_TRUE(motion.changes().empty());
   EXPECT_NEAR(motion.sample().hinge(0).angle_rate, w0 * std::exp(-3), 1e-8);
   // At rest it stays there without being held.
-  start.loads[0].angle_rate = 0;
+  start.bodies[0].angle_rate = 0;
   Motion still(System(heavy_carrier(), {wheel(mass, about)}),
                {PinFriction{joint}}, nullptr, start, on_fixed_carrier());
   still.advance_to(1);
@@ -535,7 +535,7 @@ TEST(Motion, TraditionalEstimateBrakesTooHard) {
       friction = PinFriction{pin_joint(FrictionLaw(f), 0.02), estimate};
     }
     MotionStart start = start_of(1);
-    start.loads[0].angle_rate = 3;
+    start.bodies[0].angle_rate = 3;
     Motion motion(System(heavy_carrier(), {wheel(20, 0.4)}), {friction},
                   nullptr, start, on_fixed_carrier());
     motion.advance_to(100);
@@ -570,7 +570,7 @@ class Shake : public ForceModel {
   double rate_;
 };
 
-// Random carriers with one to four loads of all kinds and sizes of friction,
+// Random carriers with one to four bodies of all kinds and sizes of friction,
 // shaken: all run through, with the energy in balance.
 TEST(Motion, RandomSystemsRunThrough) {
   std::size_t changes = 0;
@@ -582,20 +582,20 @@ TEST(Motion, RandomSystemsRunThrough) {
                           seed % 3 == 0 ? 0 : 1e4);
     const double radius = std::pow(10, random.uniform(-2.3, -1));
     const Carrier carrier{random.uniform(20, 100), random.inertia(5)};
-    std::vector<Load> loads;
+    std::vector<Body> bodies;
     std::vector<HingeFriction> friction;
     MotionStart start;
     start.carrier.angular_velocity = random.vector(seed % 2 == 0 ? 0.0 : 1.0);
     for (int i = 0; i < count; ++i) {
       const bool axis = random.uniform(0, 1) < 0.5;
-      Load load{axis ? JointKind::axis : JointKind::spherical,
-                random.uniform(2, 8), random.inertia(0.3)};
-      load.hinge_from_com = random.vector(i % 3 == 0 ? 0.01 : 0.4);
-      load.hinge_from_carrier_com = random.vector(0.6);
-      load.hinge_to_load = random.rotation();
-      load.hinge_to_carrier_zero = random.rotation();
-      loads.push_back(load);
-      LoadStart& at = start.loads.emplace_back();
+      Body body{axis ? HingeKind::axis : HingeKind::ball, random.uniform(2, 8),
+                random.inertia(0.3)};
+      body.hinge_from_com = random.vector(i % 3 == 0 ? 0.01 : 0.4);
+      body.hinge_from_carrier_com = random.vector(0.6);
+      body.hinge_to_body = random.rotation();
+      body.hinge_to_carrier_zero = random.rotation();
+      bodies.push_back(body);
+      BodyStart& at = start.bodies.emplace_back();
       at.rotation = random.rotation();
       if (random.uniform(0, 1) < 0.5) {
         at.relative_angular_velocity = random.vector(2);
@@ -614,7 +614,7 @@ TEST(Motion, RandomSystemsRunThrough) {
     MotionOptions options;
     options.relative_tolerance = 1e-10;
     options.absolute_tolerance = 1e-11;
-    Motion motion(System(carrier, loads), friction, shake, start, options);
+    Motion motion(System(carrier, bodies), friction, shake, start, options);
     const double before = motion.sample().energy().balance();
     ASSERT_EQ(motion.advance_to(5), Stop::time)
         << seed << ": " << motion.failure()->message();
@@ -650,17 +650,17 @@ TEST(Motion, RoundingMovesNoHinge) {
       std::vector<double> masses = {m.carrier.mass};
       m.start.carrier.angular_velocity.setZero();
       for (int i = 0; i < 4; ++i) {
-        masses.push_back(m.loads[i].mass);
+        masses.push_back(m.bodies[i].mass);
         if (i > 0 || !sliding) {
-          m.start.loads[i].relative_angular_velocity.setZero();
-          m.start.loads[i].angle_rate = 0;
+          m.start.bodies[i].relative_angular_velocity.setZero();
+          m.start.bodies[i].angle_rate = 0;
         } else {
-          // Balanced: it turns on without loading its hinge.
-          m.loads[i].hinge_from_com.setZero();
-          m.loads[i].inertia = 0.2 * Matrix3d::Identity();
+          // Balanced: it turns on without active its hinge.
+          m.bodies[i].hinge_from_com.setZero();
+          m.bodies[i].inertia = 0.2 * Matrix3d::Identity();
         }
       }
-      Motion motion(System(m.carrier, m.loads), m.friction,
+      Motion motion(System(m.carrier, m.bodies), m.friction,
                     std::make_shared<Fall>(masses), m.start);
       ASSERT_EQ(motion.advance_to(100), Stop::time)
           << motion.failure()->message();
@@ -670,22 +670,22 @@ TEST(Motion, RoundingMovesNoHinge) {
 }
 
 TEST(Motion, BallJointsHoldAndLetGoTogether) {
-  // Four equal loads on ball joints about a carrier that is pushed harder
+  // Four equal bodies on ball joints about a carrier that is pushed harder
   // and harder: by symmetry all begin to slide at the same time.
   Carrier carrier{100, 50 * Matrix3d::Identity()};
-  std::vector<Load> loads;
+  std::vector<Body> bodies;
   std::vector<HingeFriction> friction;
   MotionStart start = start_of(4);
   for (int i = 0; i < 4; ++i) {
-    Load load{JointKind::spherical, 50, Matrix3d::Zero()};
-    load.inertia.diagonal() << 20, 20, 2;
-    load.hinge_from_com = Vector3d(0.05, 0, 1);
+    Body body{HingeKind::ball, 50, Matrix3d::Zero()};
+    body.inertia.diagonal() << 20, 20, 2;
+    body.hinge_from_com = Vector3d(0.05, 0, 1);
     const Matrix3d turn =
         Eigen::AngleAxisd(i * std::numbers::pi / 2, Vector3d::UnitZ())
             .toRotationMatrix();
-    load.hinge_from_carrier_com = turn * Vector3d(-1, 0, 1);
-    start.loads[i].rotation = turn;
-    loads.push_back(load);
+    body.hinge_from_carrier_com = turn * Vector3d(-1, 0, 1);
+    start.bodies[i].rotation = turn;
+    bodies.push_back(body);
     friction.push_back(BallFriction{ball_joint(FrictionLaw(0.3), 0.05)});
   }
   class Thrust : public ForceModel {
@@ -695,7 +695,7 @@ TEST(Motion, BallJointsHoldAndLetGoTogether) {
       forces[0].force += 3000 * bodies[0].rotation.col(2);
     }
   };
-  Motion motion(System(carrier, loads), friction, std::make_shared<Thrust>(),
+  Motion motion(System(carrier, bodies), friction, std::make_shared<Thrust>(),
                 start);
   // Thrust moment m a 0.05 m against f rho m a: it slides at once or never,
   // whatever the thrust.
@@ -715,19 +715,19 @@ TEST(Motion, BallJointsHoldAndLetGoTogether) {
 // Two arms on ball joints about a tumbling body: their joints stop and let go
 // just above their limits, where friction turns with next to no velocity.
 Motion two_arms(double friction, double tolerance) {
-  std::vector<Load> loads;
+  std::vector<Body> bodies;
   std::vector<HingeFriction> joints;
   MotionStart start = start_of(2);
   start.carrier.angular_velocity = Vector3d(0.5, 1, 0.2);
   for (int i = 0; i < 2; ++i) {
-    Load load{JointKind::spherical, 4, Matrix3d::Zero()};
-    load.inertia.diagonal() << 0.02, 0.03, 0.02;
-    load.hinge_from_com = Vector3d(-0.5, 0, 0.1 * (i + 1));
-    load.hinge_from_carrier_com = Vector3d(i + 1, 0, 0);
-    start.loads[i].rotation =
+    Body body{HingeKind::ball, 4, Matrix3d::Zero()};
+    body.inertia.diagonal() << 0.02, 0.03, 0.02;
+    body.hinge_from_com = Vector3d(-0.5, 0, 0.1 * (i + 1));
+    body.hinge_from_carrier_com = Vector3d(i + 1, 0, 0);
+    start.bodies[i].rotation =
         Eigen::AngleAxisd(std::numbers::pi / 60, Vector3d::UnitX())
             .toRotationMatrix();
-    loads.push_back(load);
+    bodies.push_back(body);
     joints.push_back(BallFriction{ball_joint(FrictionLaw(friction), 0.05)});
   }
   Carrier carrier{50, Matrix3d::Zero()};
@@ -735,7 +735,7 @@ Motion two_arms(double friction, double tolerance) {
   MotionOptions options;
   options.gravity = Vector3d(0, 0, -10);
   options.absolute_tolerance = tolerance;
-  return Motion(System(carrier, loads), std::move(joints), nullptr, start,
+  return Motion(System(carrier, bodies), std::move(joints), nullptr, start,
                 options);
 }
 
@@ -750,9 +750,9 @@ TEST(Motion, OnsetsOfBallJointsDoNotChatter) {
       int near = 0;
       std::map<int, double> last;
       for (const auto& change : changes) {
-        const auto before = last.find(change.load);
+        const auto before = last.find(change.body);
         if (before != last.end() && change.time - before->second < 1e-6) ++near;
-        last[change.load] = change.time;
+        last[change.body] = change.time;
       }
       double apart = 0;
       for (int i = 0; i < 2; ++i) {
@@ -789,7 +789,7 @@ TEST(Motion, AHingeThatChangesAgainAndAgainStopsTheMotion) {
                 torque, start_of(1), options);
   ASSERT_EQ(motion.advance_to(100), Stop::failed);
   EXPECT_EQ(motion.changes().size(), 3u);
-  EXPECT_EQ(motion.failure()->load, 0);
+  EXPECT_EQ(motion.failure()->body, 0);
   EXPECT_EQ(motion.failure()->time, motion.time());
   EXPECT_NE(motion.failure()->message().find("more than 3 changes"),
             std::string::npos)
@@ -821,19 +821,19 @@ TEST(Motion, PendulumMeetsItsEllipticPeriod) {
   const double l = 0.8, amplitude = 2;
   const double quarter =
       std::comp_ellint_1(std::sin(amplitude / 2)) * std::sqrt(l / g);
-  for (const JointKind kind : {JointKind::axis, JointKind::spherical}) {
-    Load load{kind, 3, Matrix3d::Zero()};
-    load.hinge_from_com = Vector3d(0, l, 0);
+  for (const HingeKind kind : {HingeKind::axis, HingeKind::ball}) {
+    Body body{kind, 3, Matrix3d::Zero()};
+    body.hinge_from_com = Vector3d(0, l, 0);
     MotionStart start = start_of(1);
-    start.loads[0].angle = amplitude;
-    start.loads[0].rotation =
+    start.bodies[0].angle = amplitude;
+    start.bodies[0].rotation =
         Eigen::AngleAxisd(amplitude, Vector3d::UnitZ()).toRotationMatrix();
     MotionOptions options = on_fixed_carrier();
     options.relative_tolerance = options.absolute_tolerance = 1e-11;
-    Motion motion(System(heavy_carrier(), {load}), {}, nullptr, start, options);
+    Motion motion(System(heavy_carrier(), {body}), {}, nullptr, start, options);
     const int below =
         motion.add_event({[](const multibody::MotionSample& s) {
-                            return s.load(0).position.x();
+                            return s.body(0).position.x();
                           },
                           multibody::MotionEvent::Crossing::either});
     for (int i = 0; i < 3; ++i) {
@@ -861,7 +861,7 @@ TEST(Motion, AnglesOfAxesCountFullTurns) {
     MotionOptions options = on_fixed_carrier();
     options.integrator = integrator;
     MotionStart start = start_of(1);
-    start.loads[0].angle = first;
+    start.bodies[0].angle = first;
     Motion motion(System(heavy_carrier(), {wheel(20, about)}), {},
                   std::make_shared<Spring>(), start, options);
     motion.add_event(
@@ -873,18 +873,18 @@ TEST(Motion, AnglesOfAxesCountFullTurns) {
       // Error control of 1e-9 of 30 rad in each step; 4e-10 s was seen.
       EXPECT_NEAR(motion.time(), time, 5e-9);
       EXPECT_NEAR(motion.sample().angle(0), level, 1e-7);
-      EXPECT_EQ(motion.sample().load(0).hinge_angle, motion.sample().angle(0));
+      EXPECT_EQ(motion.sample().body(0).hinge_angle, motion.sample().angle(0));
     }
     motion.release(0);
-    const double then = motion.sample().load(0).hinge_angle;
+    const double then = motion.sample().body(0).hinge_angle;
     EXPECT_NEAR(then, level, 1e-7);
     const multibody::MotionState saved = motion.save();
     motion.advance_to(2 * period);
-    EXPECT_EQ(motion.sample().load(0).hinge_angle, then);
+    EXPECT_EQ(motion.sample().body(0).hinge_angle, then);
     Motion other(System(heavy_carrier(), {wheel(20, about)}), {}, nullptr,
                  start, options);
     other.restore(saved);
-    EXPECT_EQ(other.sample().load(0).hinge_angle, then);
+    EXPECT_EQ(other.sample().body(0).hinge_angle, then);
     EXPECT_TRUE(std::isnan(other.sample().carrier().hinge_angle));
   }
 }
@@ -896,23 +896,23 @@ TEST(Motion, GyrostatPrecessesAsItShould) {
   const double across = 4, along = 6, wheel_along = 0.5, wheel_across = 0.3;
   Carrier carrier{50, Matrix3d::Zero()};
   carrier.inertia.diagonal() << across, across, along;
-  Load load{JointKind::axis, 5, Matrix3d::Zero()};
-  load.inertia.diagonal() << wheel_across, wheel_across, wheel_along;
+  Body body{HingeKind::axis, 5, Matrix3d::Zero()};
+  body.inertia.diagonal() << wheel_across, wheel_across, wheel_along;
   MotionStart start = start_of(1);
   const double spin = 40, tilt = 0.2, turn = 0.7;
-  start.loads[0].angle_rate = spin;
+  start.bodies[0].angle_rate = spin;
   start.carrier.angular_velocity = Vector3d(tilt, 0, turn);
   MotionOptions options;
   options.relative_tolerance = options.absolute_tolerance = 1e-11;
-  Motion motion(System(carrier, {load}), {}, nullptr, start, options);
+  Motion motion(System(carrier, {body}), {}, nullptr, start, options);
   const double t = 10;
   ASSERT_EQ(motion.advance_to(t), Stop::time);
   // (I1 + J1) w_x' = -(h - (I1 + J1) w_z) w_y with h the momentum along z.
   const double total = across + wheel_across;
   const double h = along * turn + wheel_along * (turn + spin);
   const double rate = h / total - turn;
-  const BodyMotion& body = motion.sample().carrier();
-  const Vector3d w = body.rotation.transpose() * body.angular_velocity;
+  const BodyMotion& seen = motion.sample().carrier();
+  const Vector3d w = seen.rotation.transpose() * seen.angular_velocity;
   EXPECT_NEAR(w.x(), tilt * std::cos(rate * t), 1e-8);
   EXPECT_NEAR(w.y(), tilt * std::sin(rate * t), 1e-8);
   EXPECT_NEAR(w.z(), turn, 1e-12);
@@ -965,7 +965,7 @@ TEST(Motion, EventsThatCrossTwiceWithinAStepAreFound) {
       options.step = 0.9;  // the peak comes at 0.6 s
       options.longest_step = 3;
       MotionStart start = start_of(1);
-      start.loads[0].angle_rate = rate;
+      start.bodies[0].angle_rate = rate;
       Motion motion(System(heavy_carrier(), {wheel(20, about)}), {},
                     std::make_shared<Torque>([=](double) { return -brake; }),
                     start, options);
@@ -1049,7 +1049,7 @@ TEST(Motion, EveryCrossingWithinAStepIsFoundInOrder) {
     options.integrator = Integrator::rk4;
     options.step = 1;
     MotionStart start = start_of(1);
-    start.loads[0].angle_rate = -a * b * c;
+    start.bodies[0].angle_rate = -a * b * c;
     // x'' of t (t - a) (t - b) (t - c)
     Motion motion(System(heavy_carrier(), {wheel(20, about)}), {},
                   std::make_shared<Torque>([&](double t) {
@@ -1082,10 +1082,10 @@ TEST(Motion, EveryCrossingWithinAStepIsFoundInOrder) {
 // a level just below that is passed twice in a swing, between two steps.
 TEST(Motion, ReactionsThatPeakWithinAStepAreFound) {
   const double l = 0.8, mass = 3, amplitude = 1.2;
-  Load load{JointKind::axis, mass, Matrix3d::Zero()};
-  load.hinge_from_com = Vector3d(0, l, 0);
+  Body body{HingeKind::axis, mass, Matrix3d::Zero()};
+  body.hinge_from_com = Vector3d(0, l, 0);
   MotionStart start = start_of(1);
-  start.loads[0].angle = amplitude;
+  start.bodies[0].angle = amplitude;
   const double most = mass * g * (3 - 2 * std::cos(amplitude));
   const double period =
       4 * std::comp_ellint_1(std::sin(amplitude / 2)) * std::sqrt(l / g);
@@ -1094,7 +1094,7 @@ TEST(Motion, ReactionsThatPeakWithinAStepAreFound) {
       MotionOptions options = on_fixed_carrier();
       options.integrator = integrator;
       options.step = 0.01;
-      Motion motion(System(heavy_carrier(), {load}), {}, nullptr, start,
+      Motion motion(System(heavy_carrier(), {body}), {}, nullptr, start,
                     options);
       const double level = share * most;
       motion.add_event({[=](const multibody::MotionSample& s) {
@@ -1133,7 +1133,7 @@ TEST(Motion, AShortStopWithinAStepIsFound) {
     options.integrator = integrator;
     options.step = 0.07;
     MotionStart start = start_of(1);
-    start.loads[0].angle_rate = w * (1 - 1e-4);
+    start.bodies[0].angle_rate = w * (1 - 1e-4);
     Motion motion(System(heavy_carrier(), {wheel(mass, about)}),
                   {PinFriction{joint}}, std::make_shared<Torque>([=](double t) {
                     return held + about * 2 * w * (t - 1);
@@ -1213,7 +1213,7 @@ TEST(Motion, HaltsBetweenStepsAndKnowsWhatHoldsThem) {
     options.integrator = integrator;
     options.step = 5e-5;
     MotionStart start = start_of(2);
-    start.loads[0].angle_rate = start.loads[1].angle_rate = 2;
+    start.bodies[0].angle_rate = start.bodies[1].angle_rate = 2;
     const auto make = [&] {
       return Motion(system, {}, std::make_shared<Damper>(), start, options);
     };
@@ -1248,10 +1248,10 @@ TEST(Motion, RungeKuttaIsOfFourthOrder) {
     options.integrator = integrator;
     options.step = step;
     options.relative_tolerance = options.absolute_tolerance = 1e-13;
-    Motion motion(System(m.carrier, m.loads), m.friction, nullptr, m.start,
+    Motion motion(System(m.carrier, m.bodies), m.friction, nullptr, m.start,
                   options);
     motion.advance_to(2);
-    return motion.sample().load(2).position;
+    return motion.sample().body(2).position;
   };
   const Vector3d exact = end(1, Integrator::adaptive);
   double last = 0;
@@ -1267,18 +1267,18 @@ TEST(Motion, RungeKuttaIsOfFourthOrder) {
 }
 
 TEST(Motion, RotationsStayOrthogonalOverAMillionSteps) {
-  Load load{JointKind::spherical, 2, 0.1 * Matrix3d::Identity()};
-  load.hinge_from_com = Vector3d(0, 0.3, 0);
+  Body body{HingeKind::ball, 2, 0.1 * Matrix3d::Identity()};
+  body.hinge_from_com = Vector3d(0, 0.3, 0);
   MotionStart start = start_of(1);
-  start.loads[0].relative_angular_velocity = Vector3d(3, 1, 5);
+  start.bodies[0].relative_angular_velocity = Vector3d(3, 1, 5);
   start.carrier.angular_velocity = Vector3d(0.3, 0.2, -0.5);
   MotionOptions options;
   options.integrator = Integrator::rk4;
   options.step = 2e-3;
-  Motion motion(System(heavy_carrier(), {load}), {}, nullptr, start, options);
+  Motion motion(System(heavy_carrier(), {body}), {}, nullptr, start, options);
   ASSERT_EQ(motion.advance_to(2000), Stop::time);
   EXPECT_GE(motion.counts().steps, 1'000'000);
-  for (const BodyMotion& body : motion.sample().bodies()) {
+  for (const BodyMotion& body : motion.sample().motions()) {
     const Matrix3d miss =
         body.rotation.transpose() * body.rotation - Matrix3d::Identity();
     EXPECT_LT(miss.cwiseAbs().maxCoeff(), 1e-12);
@@ -1288,7 +1288,7 @@ TEST(Motion, RotationsStayOrthogonalOverAMillionSteps) {
 
 TEST(Motion, GoesOnFromASavedStateAsIfNothingHadHappened) {
   const Mixed m = mixed_system(3, true);
-  const System system(m.carrier, m.loads);
+  const System system(m.carrier, m.bodies);
   MotionOptions options;
   options.integrator = Integrator::rk4;
   options.step = 5e-3;
@@ -1302,8 +1302,8 @@ TEST(Motion, GoesOnFromASavedStateAsIfNothingHadHappened) {
   other.advance_to(2);
   for (int i = 0; i <= 4; ++i) {
     // The joint solvers start from elsewhere.
-    EXPECT_LT((one.sample().bodies()[i].position -
-               other.sample().bodies()[i].position)
+    EXPECT_LT((one.sample().motions()[i].position -
+               other.sample().motions()[i].position)
                   .norm(),
               1e-9);
   }
@@ -1313,8 +1313,8 @@ TEST(Motion, GoesOnFromASavedStateAsIfNothingHadHappened) {
 // to a share of that: with an inertia of 1e9 kg m^2 a tolerance that belongs to
 // other accelerations would leave the direction to itself.
 TEST(Motion, GoesOnInTheMiddleOfASlowOnset) {
-  const contact::SphericalJoint joint = ball_joint(FrictionLaw(0.3));
-  Load load{JointKind::spherical, 50, 1e9 * Matrix3d::Identity()};
+  const contact::BallJoint joint = ball_joint(FrictionLaw(0.3));
+  Body body{HingeKind::ball, 50, 1e9 * Matrix3d::Identity()};
   const Vector3d weight(0, 50 * g, 0);
   const double held =
       joint.solve(weight, Vector3d::UnitX()).friction_moment.norm();
@@ -1333,7 +1333,7 @@ TEST(Motion, GoesOnInTheMiddleOfASlowOnset) {
    private:
     double held_;
   };
-  const System system(heavy_carrier(), {load});
+  const System system(heavy_carrier(), {body});
   const auto forces = std::make_shared<Turning>(held);
   Motion one(system, {BallFriction{joint}}, forces, start_of(1),
              on_fixed_carrier());
@@ -1358,37 +1358,37 @@ TEST(Motion, GoesOnInTheMiddleOfASlowOnset) {
   }
 }
 
-TEST(Motion, ReleasedLoadsGoOnAsFreeBodies) {
+TEST(Motion, ReleasedBodiesGoOnAsFreeBodies) {
   const Mixed m = mixed_system(5, true);
-  Motion motion(System(m.carrier, m.loads), m.friction, nullptr, m.start);
+  Motion motion(System(m.carrier, m.bodies), m.friction, nullptr, m.start);
   motion.advance_to(0.5);
   motion.save();  // at a step's end, as release() does
-  const Momentum p = momentum_of(motion.sample(), m.carrier, m.loads);
-  const BodyMotion before = motion.sample().load(1);
+  const Momentum p = momentum_of(motion.sample(), m.carrier, m.bodies);
+  const BodyMotion before = motion.sample().body(1);
   motion.release(1);
   EXPECT_EQ(motion.sample().mode(1), HingeMode::released);
-  EXPECT_LT((motion.sample().load(1).velocity - before.velocity).norm(), 1e-14);
-  EXPECT_LT((motion.sample().load(1).rotation - before.rotation).norm(), 1e-14);
+  EXPECT_LT((motion.sample().body(1).velocity - before.velocity).norm(), 1e-14);
+  EXPECT_LT((motion.sample().body(1).rotation - before.rotation).norm(), 1e-14);
   motion.release(0);
   motion.release(2);
   motion.release(3);
   ASSERT_EQ(motion.advance_to(1.5), Stop::time);
   const Vector3d drifted = before.position + before.velocity;
-  EXPECT_LT((motion.sample().load(1).position - drifted).norm(), 1e-9);
-  const Momentum q = momentum_of(motion.sample(), m.carrier, m.loads);
+  EXPECT_LT((motion.sample().body(1).position - drifted).norm(), 1e-9);
+  const Momentum q = momentum_of(motion.sample(), m.carrier, m.bodies);
   EXPECT_LT((q.linear - p.linear).norm(), 1e-9 * p.linear.norm());
   EXPECT_LT((q.angular - p.angular).norm(), 1e-8 * p.angular.norm());
 }
 
 TEST(Motion, LocksKeepMomentumAndHold) {
   const Mixed m = mixed_system(6, true);
-  Motion motion(System(m.carrier, m.loads), m.friction, nullptr, m.start);
+  Motion motion(System(m.carrier, m.bodies), m.friction, nullptr, m.start);
   motion.advance_to(0.5);
   motion.save();  // at a step's end, as lock() does
-  const Momentum p = momentum_of(motion.sample(), m.carrier, m.loads);
+  const Momentum p = momentum_of(motion.sample(), m.carrier, m.bodies);
   const double energy = motion.sample().energy().balance();
   for (int i = 0; i < 4; ++i) motion.lock(i);
-  const Momentum q = momentum_of(motion.sample(), m.carrier, m.loads);
+  const Momentum q = momentum_of(motion.sample(), m.carrier, m.bodies);
   EXPECT_LT((q.linear - p.linear).norm(), 1e-12 * p.linear.norm());
   EXPECT_LT((q.angular - p.angular).norm(), 1e-12 * p.angular.norm());
   EXPECT_NEAR(motion.sample().energy().balance(), energy, 1e-9 * energy);
@@ -1417,17 +1417,18 @@ TEST(Motion, BadInputIsRefusedByName) {
         [&] { Motion(system, std::move(friction), nullptr, start, options); });
   };
   EXPECT_EQ(with({BallFriction{ball_joint(FrictionLaw(0.1))}}, start_of(1)),
-            "loads[0].friction: a ball joint alone, allowed on a spherical "
+            "bodies[0].friction: a ball joint alone, allowed on a ball "
             "hinge");
   EXPECT_EQ(with({}, start_of(2)),
-            "start of 2 loads, allowed is one for each of the 1 loads");
+            "start of 2 bodies, allowed is one for each of the 1 bodies");
   MotionStart start = start_of(1);
-  start.loads[0].angle_rate = std::nan("");
-  EXPECT_EQ(with({}, start), "start.loads[0]: has a number that is not finite");
-  start.loads[0].angle_rate = 1;
-  start.loads[0].locked = true;
+  start.bodies[0].angle_rate = std::nan("");
   EXPECT_EQ(with({}, start),
-            "start.loads[0]: locked but moving, allowed is a "
+            "start.bodies[0]: has a number that is not finite");
+  start.bodies[0].angle_rate = 1;
+  start.bodies[0].locked = true;
+  EXPECT_EQ(with({}, start),
+            "start.bodies[0]: locked but moving, allowed is a "
             "relative velocity of 0");
   MotionOptions options;
   options.step = 0;

@@ -11,9 +11,9 @@
 
 namespace {
 
-using multibody::CarrierLoading;
+using multibody::CarrierActiveForces;
+using multibody::HingeKind;
 using multibody::Instant;
-using multibody::JointKind;
 using multibody::Prepared;
 using multibody::SystemConstants;
 using multibody::TwoStep;
@@ -22,24 +22,24 @@ using multibody::test::Counted;
 using multibody::test::Mix;
 using multibody::test::PlainTwoStep;
 
-// count = per_load L + fixed
+// count = per_body L + fixed
 struct Line {
-  int per_load;
+  int per_body;
   int fixed;
 };
 bool operator==(const Line& a, const Line& b) {
-  return a.per_load == b.per_load && a.fixed == b.fixed;
+  return a.per_body == b.per_body && a.fixed == b.fixed;
 }
 std::ostream& operator<<(std::ostream& out, const Line& line) {
-  return out << line.per_load << " L + " << line.fixed;
+  return out << line.per_body << " L + " << line.fixed;
 }
 
-// From the counts at two numbers of loads; a third has to lie on the line.
+// From the counts at two numbers of bodies; a third has to lie on the line.
 template <class F>
 Line line_of(F count) {
   const int two = count(2), four = count(4);
   const Line line{(four - two) / 2, two - (four - two)};
-  EXPECT_EQ(count(7), 7 * line.per_load + line.fixed);
+  EXPECT_EQ(count(7), 7 * line.per_body + line.fixed);
   return line;
 }
 
@@ -58,16 +58,16 @@ Vec3<Counted> counting(const Vec3<double>& v) { return {v.x, v.y, v.z}; }
 // The resolution that programs use: state in (quaternions, angles), all
 // accelerations out, with active forces and friction moments.
 struct Exploiting {
-  Exploiting(Mix mix, int loads)
-      : prepared(prepare(random_instant(mix, loads, 1))),
+  Exploiting(Mix mix, int bodies)
+      : prepared(prepare(random_instant(mix, bodies, 1))),
         constants(prepared.system),
         two_step(constants),
         state(numbers(prepared.state)),
-        change(3 * loads, Counted(1e-3)),
-        carrier{counting(prepared.loading.carrier.force),
-                counting(prepared.loading.carrier.moment)} {
-    for (const auto& load : prepared.loading.loads) {
-      for (const auto& v : {load.force, load.moment, load.friction}) {
+        change(3 * bodies, Counted(1e-3)),
+        carrier{counting(prepared.forces.carrier.force),
+                counting(prepared.forces.carrier.moment)} {
+    for (const auto& body : prepared.forces.bodies) {
+      for (const auto& v : {body.force, body.moment, body.friction}) {
         for (const double x : {v.x, v.y, v.z}) forces.emplace_back(x);
       }
     }
@@ -93,7 +93,7 @@ struct Exploiting {
   SystemConstants constants;
   TwoStep<Counted> two_step;
   std::vector<Counted> state, forces, change;
-  CarrierLoading<Counted> carrier;
+  CarrierActiveForces<Counted> carrier;
 };
 
 template <class T>
@@ -102,33 +102,33 @@ typename PlainTwoStep<T>::Input plain_input(const Instant& instant) {
   in.w0 = instant.angular_velocity.cast<T>();
   in.force = instant.active_force.cast<T>();
   in.moment = instant.active_moment_com.cast<T>();
-  for (const multibody::LoadInstant& load : instant.loads) {
-    const bool axis = load.load.kind == JointKind::axis;
-    const Eigen::Matrix3d& b = load.load.hinge_to_load;
+  for (const multibody::BodyInstant& body : instant.bodies) {
+    const bool axis = body.body.kind == HingeKind::axis;
+    const Eigen::Matrix3d& b = body.body.hinge_to_body;
     const Eigen::Matrix3d c =
-        axis ? axis_rotation(load.load, load.angle) : load.rotation;
+        axis ? axis_rotation(body.body, body.angle) : body.rotation;
     const Eigen::Vector3d relative =
-        axis ? Eigen::Vector3d(load.angle_rate * b.col(2))
-             : load.relative_angular_velocity;
+        axis ? Eigen::Vector3d(body.angle_rate * b.col(2))
+             : body.relative_angular_velocity;
     const Eigen::Vector3d friction =
-        axis ? Eigen::Vector3d(b * load.friction_moment) : load.friction_moment;
-    in.loads.push_back({c.cast<T>(), relative.cast<T>(),
-                        load.active_force.cast<T>(),
-                        load.active_moment_com.cast<T>(), friction.cast<T>()});
+        axis ? Eigen::Vector3d(b * body.friction_moment) : body.friction_moment;
+    in.bodies.push_back({c.cast<T>(), relative.cast<T>(),
+                         body.active_force.cast<T>(),
+                         body.active_moment_com.cast<T>(), friction.cast<T>()});
   }
   return in;
 }
 
 // The formulas as the paper writes them, rotations given.
-int plain(Mix mix, int loads) {
-  const Instant instant = random_instant(mix, loads, 1);
+int plain(Mix mix, int bodies) {
+  const Instant instant = random_instant(mix, bodies, 1);
   PlainTwoStep<Counted> two_step(instant);
   const auto input = plain_input<Counted>(instant);
   return counted([&] { two_step.evaluate(input); });
 }
 
 TEST(OperationCount, PlainFormulasAgreeWithTheResolution) {
-  for (const Mix mix : {Mix::spherical, Mix::axes}) {
+  for (const Mix mix : {Mix::balls, Mix::axes}) {
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
       const Instant instant = random_instant(mix, 4, seed);
       PlainTwoStep<double> two_step(instant);
@@ -143,7 +143,7 @@ TEST(OperationCount, PlainFormulasAgreeWithTheResolution) {
       EXPECT_LT(error(two_step.angular, expected.angular_acceleration), 1e-12);
       for (int i = 0; i < 4; ++i) {
         EXPECT_LT(error(two_step.relative(i),
-                        expected.loads[i].relative_angular_acceleration),
+                        expected.bodies[i].relative_angular_acceleration),
                   1e-11);
       }
     }
@@ -161,20 +161,20 @@ TEST(OperationCount, IsWhatTheReadmeSays) {
   const auto as_written = [](Mix mix) {
     return line_of([=](int l) { return plain(mix, l); });
   };
-  EXPECT_EQ(evaluation(Mix::spherical), (Line{342, 196}));
+  EXPECT_EQ(evaluation(Mix::balls), (Line{342, 196}));
   EXPECT_EQ(evaluation(Mix::axes), (Line{309, 196}));
-  EXPECT_EQ(increment(Mix::spherical), (Line{116, 69}));
+  EXPECT_EQ(increment(Mix::balls), (Line{116, 69}));
   EXPECT_EQ(increment(Mix::axes), (Line{32, 69}));
-  EXPECT_EQ(as_written(Mix::spherical), (Line{495, 303}));
+  EXPECT_EQ(as_written(Mix::balls), (Line{495, 303}));
   EXPECT_EQ(as_written(Mix::axes), (Line{805, 303}));
 }
 
 // Fewer than the paper's own counts (section 4), 456 L + 295 for spherical
-// joints and 837 L + 286 for axes, from one load on.
+// joints and 837 L + 286 for axes, from one body on.
 TEST(OperationCount, IsBelowThePapers) {
-  for (int loads = 1; loads <= 8; ++loads) {
-    EXPECT_LT(Exploiting(Mix::spherical, loads).evaluate(), 456 * loads + 295);
-    EXPECT_LT(Exploiting(Mix::axes, loads).evaluate(), 837 * loads + 286);
+  for (int bodies = 1; bodies <= 8; ++bodies) {
+    EXPECT_LT(Exploiting(Mix::balls, bodies).evaluate(), 456 * bodies + 295);
+    EXPECT_LT(Exploiting(Mix::axes, bodies).evaluate(), 837 * bodies + 286);
   }
 }
 

@@ -41,7 +41,7 @@ void check_carrier_keys(const JsonNode& carrier) {
   carrier.allow_keys(keys, "the carrier");
 }
 
-void check_load_keys(const JsonNode& load, JointKind kind) {
+void check_body_keys(const JsonNode& body, HingeKind kind) {
   static const std::vector<std::string> free = {"kind",
                                                 "mass",
                                                 "inertia_com",
@@ -62,54 +62,54 @@ void check_load_keys(const JsonNode& load, JointKind kind) {
       with(spherical,
            {"hinge_to_load", "hinge_to_carrier_zero", "angle", "angle_rate"});
   switch (kind) {
-    case JointKind::none:
-      return load.allow_keys(free, "a free load");
-    case JointKind::spherical:
-      return load.allow_keys(spherical, "a load on a ball joint");
-    case JointKind::axis:
-      return load.allow_keys(axis, "a load on an axis");
+    case HingeKind::none:
+      return body.allow_keys(free, "a free load");
+    case HingeKind::ball:
+      return body.allow_keys(spherical, "a load on a ball joint");
+    case HingeKind::axis:
+      return body.allow_keys(axis, "a load on an axis");
   }
 }
 
-JointKind own_kind(const JsonNode& node) {
+HingeKind own_kind(const JsonNode& node) {
   const std::string kind = node.string();
-  if (kind == "spherical") return JointKind::spherical;
-  if (kind == "axis") return JointKind::axis;
-  if (kind == "free") return JointKind::none;
+  if (kind == "spherical") return HingeKind::ball;
+  if (kind == "axis") return HingeKind::axis;
+  if (kind == "free") return HingeKind::none;
   node.fail("spherical, axis or free");
 }
 
-JointKind load_kind(const JsonNode& load, const std::string& kind_of_all) {
-  if (kind_of_all == "mixed") return own_kind(load["kind"]);
+HingeKind body_kind(const JsonNode& body, const std::string& kind_of_all) {
+  if (kind_of_all == "mixed") return own_kind(body["kind"]);
   const bool spherical = kind_of_all == "spherical";
-  const JointKind kind = spherical ? JointKind::spherical : JointKind::axis;
-  if (load.has("kind") && own_kind(load["kind"]) != kind) {
-    load["kind"].fail(spherical ? "spherical, the file's kind"
+  const HingeKind kind = spherical ? HingeKind::ball : HingeKind::axis;
+  if (body.has("kind") && own_kind(body["kind"]) != kind) {
+    body["kind"].fail(spherical ? "spherical, the file's kind"
                                 : "axis, the file's kind");
   }
   return kind;
 }
 
-JointMode load_mode(const JsonNode& load, JointKind kind) {
-  if (kind == JointKind::none) return JointMode::released;
-  return load.has("held") && load["held"].boolean() ? JointMode::held
+JointMode body_mode(const JsonNode& body, HingeKind kind) {
+  if (kind == HingeKind::none) return JointMode::released;
+  return body.has("held") && body["held"].boolean() ? JointMode::held
                                                     : JointMode::turning;
 }
 
-Load read_load(const JsonNode& node, JointKind kind) {
-  Load load;
-  load.kind = kind;
-  load.mass = node["mass"].number();
-  load.inertia = node["inertia_com"].matrix();
-  if (kind != JointKind::none) {
-    load.hinge_from_com = node["hinge_from_com"].vector();
-    load.hinge_from_carrier_com = node["hinge_from_carrier_com"].vector();
+Body read_body(const JsonNode& node, HingeKind kind) {
+  Body body;
+  body.kind = kind;
+  body.mass = node["mass"].number();
+  body.inertia = node["inertia_com"].matrix();
+  if (kind != HingeKind::none) {
+    body.hinge_from_com = node["hinge_from_com"].vector();
+    body.hinge_from_carrier_com = node["hinge_from_carrier_com"].vector();
   }
-  if (kind == JointKind::axis) {
-    load.hinge_to_load = node["hinge_to_load"].rotation();
-    load.hinge_to_carrier_zero = node["hinge_to_carrier_zero"].rotation();
+  if (kind == HingeKind::axis) {
+    body.hinge_to_body = node["hinge_to_load"].rotation();
+    body.hinge_to_carrier_zero = node["hinge_to_carrier_zero"].rotation();
   }
-  return load;
+  return body;
 }
 
 void check_agreement(double error, double scale, const JsonNode& node,
@@ -121,65 +121,65 @@ void check_agreement(double error, double scale, const JsonNode& node,
                   agreement * scale, error));
 }
 
-void read_turn(const JsonNode& node, LoadInstant& load) {
-  load.angle = node["angle"].number();
-  load.angle_rate = node["angle_rate"].number();
-  load.rotation = axis_rotation(load.load, load.angle);
-  load.relative_angular_velocity =
-      load.angle_rate * load.load.hinge_to_load.col(2);
+void read_turn(const JsonNode& node, BodyInstant& body) {
+  body.angle = node["angle"].number();
+  body.angle_rate = node["angle_rate"].number();
+  body.rotation = axis_rotation(body.body, body.angle);
+  body.relative_angular_velocity =
+      body.angle_rate * body.body.hinge_to_body.col(2);
   if (node.has("rotation_to_carrier")) {
     const Matrix3d given = node["rotation_to_carrier"].rotation();
-    check_agreement((given - load.rotation).cwiseAbs().maxCoeff(), 1, node,
+    check_agreement((given - body.rotation).cwiseAbs().maxCoeff(), 1, node,
                     "rotation_to_carrier");
   }
   if (node.has("relative_angular_velocity")) {
     const Vector3d given = node["relative_angular_velocity"].vector();
-    check_agreement((given - load.relative_angular_velocity).norm(),
-                    1 + std::abs(load.angle_rate), node,
+    check_agreement((given - body.relative_angular_velocity).norm(),
+                    1 + std::abs(body.angle_rate), node,
                     "relative_angular_velocity");
   }
 }
 
-LoadInstant read_load_instant(const JsonNode& node, JointKind kind,
+BodyInstant read_body_instant(const JsonNode& node, HingeKind kind,
                               const Vector3d& carrier_velocity) {
-  check_load_keys(node, kind);
-  LoadInstant load;
-  load.load = read_load(node, kind);
-  load.mode = load_mode(node, kind);
-  if (kind == JointKind::axis) {
-    read_turn(node, load);
+  check_body_keys(node, kind);
+  BodyInstant body;
+  body.body = read_body(node, kind);
+  body.mode = body_mode(node, kind);
+  if (kind == HingeKind::axis) {
+    read_turn(node, body);
   } else {
-    load.rotation = node["rotation_to_carrier"].rotation();
-    load.relative_angular_velocity = node["relative_angular_velocity"].vector();
+    body.rotation = node["rotation_to_carrier"].rotation();
+    body.relative_angular_velocity = node["relative_angular_velocity"].vector();
   }
-  if (load.mode == JointMode::held &&
-      !load.relative_angular_velocity.isZero(0)) {
-    node[kind == JointKind::axis ? "angle_rate" : "relative_angular_velocity"]
+  if (body.mode == JointMode::held &&
+      !body.relative_angular_velocity.isZero(0)) {
+    node[kind == HingeKind::axis ? "angle_rate" : "relative_angular_velocity"]
         .fail("0, since the joint is held");
   }
   if (node.has("angular_velocity")) {
-    const Vector3d w = load.rotation.transpose() * carrier_velocity +
-                       load.relative_angular_velocity;
+    const Vector3d w = body.rotation.transpose() * carrier_velocity +
+                       body.relative_angular_velocity;
     check_agreement((node["angular_velocity"].vector() - w).norm(),
                     1 + w.norm(), node, "angular_velocity");
   }
-  load.active_force = node.vector_or_zero("active_force");
-  load.active_moment_com = node.vector_or_zero("active_moment_com");
-  load.friction_moment = node.vector_or_zero("friction_moment");
-  if (load.mode == JointMode::held && !load.friction_moment.isZero(0)) {
+  body.active_force = node.vector_or_zero("active_force");
+  body.active_moment_com = node.vector_or_zero("active_moment_com");
+  body.friction_moment = node.vector_or_zero("friction_moment");
+  if (body.mode == JointMode::held && !body.friction_moment.isZero(0)) {
     node["friction_moment"].fail("0, since the joint is held");
   }
-  return load;
+  return body;
 }
 
 ordered_json array(const Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 
-ordered_json to_json(const LoadInstant& load, const LoadResult& result) {
+ordered_json to_json(const BodyInstant& body, const BodyResult& result) {
   ordered_json object;
   object["acceleration_com"] = array(result.acceleration);
   object["angular_acceleration"] = array(result.angular_acceleration);
-  if (load.load.kind == JointKind::none) return object;
-  const bool axis = load.load.kind == JointKind::axis;
+  if (body.body.kind == HingeKind::none) return object;
+  const bool axis = body.body.kind == HingeKind::axis;
   if (axis) {
     object["angle_acceleration"] = result.angle_acceleration;
   } else {
@@ -216,10 +216,10 @@ Instant instant_from_json(const json& file) {
   instant.angular_velocity = carrier["angular_velocity"].vector();
   instant.active_force = carrier.vector_or_zero("active_force");
   instant.active_moment_com = carrier.vector_or_zero("active_moment_com");
-  const JsonNode loads = root["loads"];
-  for (std::size_t i = 0; i < loads.size(); ++i) {
-    instant.loads.push_back(read_load_instant(
-        loads[i], load_kind(loads[i], kind), instant.angular_velocity));
+  const JsonNode bodies = root["loads"];
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    instant.bodies.push_back(read_body_instant(
+        bodies[i], body_kind(bodies[i], kind), instant.angular_velocity));
   }
   return instant;
 }
@@ -244,8 +244,8 @@ ordered_json to_json(const Instant& instant, const InstantResult& result) {
       array(result.acceleration_minus_gravity);
   object["carrier_angular_acceleration"] = array(result.angular_acceleration);
   object["loads"] = ordered_json::array();
-  for (std::size_t i = 0; i < instant.loads.size(); ++i) {
-    object["loads"].push_back(to_json(instant.loads[i], result.loads[i]));
+  for (std::size_t i = 0; i < instant.bodies.size(); ++i) {
+    object["loads"].push_back(to_json(instant.bodies[i], result.bodies[i]));
   }
   return object;
 }

@@ -6,12 +6,12 @@
 #include "multibody_support/instant.hpp"
 
 /// Cases in the format of data/reference/multibody (its README.md): one
-/// instant of a carrier with loads, as JSON.
+/// instant of a carrier with bodies, as JSON.
 namespace multibody {
 
-/// Reads a case. The file's "kind" is "spherical" or "axes" for all loads, or
-/// "mixed": then each load has its own "kind", one of "spherical", "axis" and
-/// "free". A load with "held": true does not turn in its joint. Forces and
+/// Reads a case. The file's "kind" is "spherical" or "axes" for all bodies, or
+/// "mixed": then each body has its own "kind", one of "spherical", "axis" and
+/// "free". A body with "held": true does not turn in its joint. Forces and
 /// friction moments that are left out are zero, gravity has to be there;
 /// velocities and rotations that are given twice have to agree to 1e-6. Keys
 /// that the format does not have are refused, but for those inside

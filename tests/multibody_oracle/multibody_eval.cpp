@@ -10,7 +10,7 @@
 namespace {
 
 constexpr const char* description =
-    "Accelerations and reactions of a carrier with hinged loads at one "
+    "Accelerations and reactions of a carrier with hinged bodies at one "
     "instant.\n\n"
     "FILE is a case in the format of data/reference/multibody/README.md; the\n"
     "result is a JSON object with the keys of its \"expected\", in the same\n"
@@ -29,12 +29,12 @@ constexpr const char* footer =
 bool is_finite(const multibody::InstantResult& result) {
   return result.acceleration.allFinite() &&
          result.angular_acceleration.allFinite() &&
-         std::all_of(result.loads.begin(), result.loads.end(),
-                     [](const multibody::LoadResult& load) {
-                       return load.acceleration.allFinite() &&
-                              load.angular_acceleration.allFinite() &&
-                              load.reaction_force.allFinite() &&
-                              load.reaction_moment.allFinite();
+         std::all_of(result.bodies.begin(), result.bodies.end(),
+                     [](const multibody::BodyResult& body) {
+                       return body.acceleration.allFinite() &&
+                              body.angular_acceleration.allFinite() &&
+                              body.reaction_force.allFinite() &&
+                              body.reaction_moment.allFinite();
                      });
 }
 

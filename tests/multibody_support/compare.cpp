@@ -51,12 +51,12 @@ CaseError case_error(const ordered_json& computed,
   }
   for (std::size_t i = 0; i < expected["loads"].size(); ++i) {
     const ordered_json empty = ordered_json::object();
-    const ordered_json& load =
+    const ordered_json& body =
         computed.contains("loads") && i < computed["loads"].size()
             ? computed["loads"][i]
             : empty;
     for (const auto& [key, value] : expected["loads"][i].items()) {
-      add(load, expected["loads"][i], key, extents["loads." + key]);
+      add(body, expected["loads"][i], key, extents["loads." + key]);
     }
   }
   Extent& moment = extents["loads.reaction_moment"];

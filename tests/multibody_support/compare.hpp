@@ -13,7 +13,7 @@ struct CaseError {
 
 /// Compares results in the form of "expected" (data/reference/multibody):
 /// each quantity's error in units of its largest component in the case, over
-/// all loads; the moment a spherical joint must not have in units of the
+/// all bodies; the moment a ball joint must not have in units of the
 /// largest reaction force times 1 m. A missing key is an infinite error.
 CaseError case_error(const nlohmann::ordered_json& computed,
                      const nlohmann::ordered_json& expected);

@@ -8,8 +8,8 @@
 
 /// The traditional way, section 1.3 of the paper: the conditions of all joints
 /// at once, a symmetric system of 3 (spherical), 5 (axis) or 6 (held)
-/// equations for each load, solved by Cholesky. Moments of the loads about
-/// their centres of mass, in given axes: another formulation than the
+/// equations for each body, solved by Cholesky. Moments of the bodies about
+/// their centres of mass, in body axes: another formulation than the
 /// library's, in any real type.
 namespace multibody::test {
 
@@ -25,9 +25,9 @@ Matrix<Real> tilde(const Vector<Real>& a) {
   return m;
 }
 
-/// One load in the dense equations.
+/// One body in the dense equations.
 template <class Real>
-struct DenseLoad {
+struct DenseBody {
   using V = Vector<Real>;
   using M = Matrix<Real>;
   using Rows = Eigen::Matrix<Real, Eigen::Dynamic, 6, 0, 6, 6>;
@@ -36,45 +36,45 @@ struct DenseLoad {
   Real mass;
   M inertia, inverse_inertia, rotation;
   V r, r0, w, friction, force, moment;
-  Rows load_rows;     ///< conditions on the load's accelerations
+  Rows body_rows;     ///< conditions on the body's accelerations
   Rows carrier_rows;  ///< and on the carrier's
   Multipliers bias;   ///< conditions: rows * accelerations + bias = 0
 
-  DenseLoad(const LoadInstant& load, const V& w0)
-      : mass(load.load.mass),
-        inertia(load.load.inertia.cast<Real>()),
+  DenseBody(const BodyInstant& body, const V& w0)
+      : mass(body.body.mass),
+        inertia(body.body.inertia.cast<Real>()),
         inverse_inertia(inertia.inverse()),
-        rotation(load.load.kind == JointKind::axis
-                     ? turned(load)
-                     : M(load.rotation.cast<Real>())),
-        r(load.load.hinge_from_com.cast<Real>()),
-        r0(load.load.hinge_from_carrier_com.cast<Real>()),
-        friction(load.friction_moment.cast<Real>()),
-        force(load.active_force.cast<Real>()),
-        moment(load.active_moment_com.cast<Real>()) {
-    const V relative = load.load.kind == JointKind::axis
-                           ? V(Real(load.angle_rate) *
-                               load.load.hinge_to_load.cast<Real>().col(2))
-                           : V(load.relative_angular_velocity.cast<Real>());
+        rotation(body.body.kind == HingeKind::axis
+                     ? turned(body)
+                     : M(body.rotation.cast<Real>())),
+        r(body.body.hinge_from_com.cast<Real>()),
+        r0(body.body.hinge_from_carrier_com.cast<Real>()),
+        friction(body.friction_moment.cast<Real>()),
+        force(body.active_force.cast<Real>()),
+        moment(body.active_moment_com.cast<Real>()) {
+    const V relative = body.body.kind == HingeKind::axis
+                           ? V(Real(body.angle_rate) *
+                               body.body.hinge_to_body.cast<Real>().col(2))
+                           : V(body.relative_angular_velocity.cast<Real>());
     const V w0_load = rotation.transpose() * w0;
     w = w0_load + relative;
-    const M b = load.load.hinge_to_load.cast<Real>();
-    if (load.load.kind == JointKind::axis) friction = b * friction;
-    if (load.mode == JointMode::held) friction.setZero();
+    const M b = body.body.hinge_to_body.cast<Real>();
+    if (body.body.kind == HingeKind::axis) friction = b * friction;
+    if (body.mode == JointMode::held) friction.setZero();
 
-    // Directions in which the load cannot turn.
-    const int turns = load.mode == JointMode::released         ? 6
-                      : load.mode == JointMode::held           ? 0
-                      : load.load.kind == JointKind::spherical ? 3
-                                                               : 1;
-    const M d = load.load.kind == JointKind::axis ? b : M(M::Identity());
+    // Directions in which the body cannot turn.
+    const int turns = body.mode == JointMode::released    ? 6
+                      : body.mode == JointMode::held      ? 0
+                      : body.body.kind == HingeKind::ball ? 3
+                                                          : 1;
+    const M d = body.body.kind == HingeKind::axis ? b : M(M::Identity());
     const int fixed = turns == 6 ? 0 : 3 - turns;
     const int rows = turns == 6 ? 0 : 6 - turns;
     Eigen::Matrix<Real, 6, 6> all = Eigen::Matrix<Real, 6, 6>::Zero();
     all.template topLeftCorner<3, 3>().setIdentity();
     all.template topRightCorner<3, 3>() = -tilde<Real>(r);
     all.template bottomRightCorner<3, 3>() = d.transpose();
-    load_rows = all.topRows(rows);
+    body_rows = all.topRows(rows);
     Eigen::Matrix<Real, 6, 6> carrier = Eigen::Matrix<Real, 6, 6>::Zero();
     carrier.template topLeftCorner<3, 3>() = -rotation.transpose();
     carrier.template topRightCorner<3, 3>() =
@@ -105,16 +105,16 @@ struct DenseLoad {
   }
 
  private:
-  static M turned(const LoadInstant& load) {
-    const Real angle = load.angle;
-    return load.load.hinge_to_carrier_zero.cast<Real>() *
+  static M turned(const BodyInstant& body) {
+    const Real angle = body.angle;
+    return body.body.hinge_to_carrier_zero.cast<Real>() *
            Eigen::AngleAxis<Real>(angle, V::UnitZ()).toRotationMatrix() *
-           load.load.hinge_to_load.cast<Real>().transpose();
+           body.body.hinge_to_body.cast<Real>().transpose();
   }
 };
 
-/// Accelerations and reactions of an instant; loads need inertia about every
-/// axis. Joint moments of a load on an axis about the hinge's centre.
+/// Accelerations and reactions of an instant; bodies need inertia about every
+/// axis. Joint moments of a body on an axis about the hinge's centre.
 template <class Real>
 InstantResult dense_evaluate(const Instant& instant) {
   using V = Vector<Real>;
@@ -126,47 +126,47 @@ InstantResult dense_evaluate(const Instant& instant) {
   mobility.template topLeftCorner<3, 3>().setIdentity();
   mobility /= Real(instant.carrier.mass);
   mobility.template bottomRightCorner<3, 3>() = inertia.inverse();
-  std::vector<DenseLoad<Real>> loads;
+  std::vector<DenseBody<Real>> bodies;
   std::vector<int> first;
   int rows = 0;
   Six carrier;
   carrier.template head<3>() = instant.active_force.cast<Real>();
   carrier.template tail<3>() =
       instant.active_moment_com.cast<Real>() - w0.cross(inertia * w0);
-  for (const LoadInstant& load : instant.loads) {
-    loads.emplace_back(load, w0);
+  for (const BodyInstant& body : instant.bodies) {
+    bodies.emplace_back(body, w0);
     first.push_back(rows);
-    rows += static_cast<int>(loads.back().bias.size());
-    if (load.mode != JointMode::released) {
+    rows += static_cast<int>(bodies.back().bias.size());
+    if (body.mode != JointMode::released) {
       carrier.template tail<3>() -=
-          loads.back().rotation * loads.back().friction;
+          bodies.back().rotation * bodies.back().friction;
     } else {
-      loads.back().friction.setZero();
+      bodies.back().friction.setZero();
     }
   }
   carrier = mobility * carrier;
 
   Dense k(rows, rows);
   Eigen::Matrix<Real, Eigen::Dynamic, 1> rhs(rows);
-  for (std::size_t i = 0; i < loads.size(); ++i) {
-    const DenseLoad<Real>& a = loads[i];
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const DenseBody<Real>& a = bodies[i];
     const int n = static_cast<int>(a.bias.size());
-    for (std::size_t j = 0; j < loads.size(); ++j) {
-      const DenseLoad<Real>& b = loads[j];
+    for (std::size_t j = 0; j < bodies.size(); ++j) {
+      const DenseBody<Real>& b = bodies[j];
       k.block(first[i], first[j], n, b.bias.size()) =
           a.carrier_rows * mobility * b.carrier_rows.transpose();
     }
     k.block(first[i], first[i], n, n) +=
-        a.load_rows * a.mobility() * a.load_rows.transpose();
+        a.body_rows * a.mobility() * a.body_rows.transpose();
     rhs.segment(first[i], n) = -(a.bias + a.carrier_rows * carrier +
-                                 a.load_rows * a.free_acceleration());
+                                 a.body_rows * a.free_acceleration());
   }
   const Eigen::Matrix<Real, Eigen::Dynamic, 1> multipliers =
       rows > 0 ? Eigen::Matrix<Real, Eigen::Dynamic, 1>(k.llt().solve(rhs))
                : rhs;
-  for (std::size_t i = 0; i < loads.size(); ++i) {
-    carrier += mobility * loads[i].carrier_rows.transpose() *
-               multipliers.segment(first[i], loads[i].bias.size());
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    carrier += mobility * bodies[i].carrier_rows.transpose() *
+               multipliers.segment(first[i], bodies[i].bias.size());
   }
 
   InstantResult result;
@@ -177,34 +177,34 @@ InstantResult dense_evaluate(const Instant& instant) {
   result.acceleration_minus_gravity = linear.template cast<double>();
   result.acceleration = V(linear + gravity).template cast<double>();
   result.angular_acceleration = angular.template cast<double>();
-  for (std::size_t i = 0; i < loads.size(); ++i) {
-    const DenseLoad<Real>& load = loads[i];
-    const LoadInstant& given = instant.loads[i];
-    const Six forces = load.load_rows.transpose() *
-                       multipliers.segment(first[i], load.bias.size());
-    const Six a = load.free_acceleration() + load.mobility() * forces;
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const DenseBody<Real>& body = bodies[i];
+    const BodyInstant& given = instant.bodies[i];
+    const Six forces = body.body_rows.transpose() *
+                       multipliers.segment(first[i], body.bias.size());
+    const Six a = body.free_acceleration() + body.mobility() * forces;
     const V w = a.template tail<3>();
     const V force = forces.template head<3>();
-    // load_rows has moments about the centre of mass.
-    const V moment = V(forces.template tail<3>()) - load.r.cross(force);
-    const V w0_load = load.rotation.transpose() * w0;
+    // body_rows has moments about the centre of mass.
+    const V moment = V(forces.template tail<3>()) - body.r.cross(force);
+    const V w0_load = body.rotation.transpose() * w0;
     V relative =
-        w - load.rotation.transpose() * angular + load.w.cross(w0_load);
+        w - body.rotation.transpose() * angular + body.w.cross(w0_load);
     if (given.mode == JointMode::held) relative.setZero();  // a condition
-    LoadResult out;
+    BodyResult out;
     out.acceleration =
-        V(V(a.template head<3>()) + load.rotation.transpose() * gravity)
+        V(V(a.template head<3>()) + body.rotation.transpose() * gravity)
             .template cast<double>();
     out.angular_acceleration = w.template cast<double>();
     out.relative_angular_acceleration = relative.template cast<double>();
-    const Matrix<Real> b = given.load.hinge_to_load.cast<Real>();
+    const Matrix<Real> b = given.body.hinge_to_body.cast<Real>();
     out.angle_acceleration =
         static_cast<double>((b.transpose() * relative).z());
     out.reaction_force = force.template cast<double>();
     out.reaction_moment = moment.template cast<double>();
     out.reaction_moment_hinge =
         V(b.transpose() * moment).template cast<double>();
-    result.loads.push_back(out);
+    result.bodies.push_back(out);
   }
   return result;
 }

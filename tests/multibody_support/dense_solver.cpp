@@ -22,27 +22,27 @@ DenseSolver::DenseSolver(const System& system)
   const StateLayout layout(system, modes);
   for (int i = 0; i < system.size(); ++i) {
     const Link& link = system.links()[i];
-    loads_.emplace_back();
-    LoadPart& load = loads_.back();
-    load.axis = link.kind == JointKind::axis;
-    load.offset = layout.offset(i);
-    load.row = row;
-    row += load.axis ? 5 : 3;
-    load.inverse_mass = 1 / link.mass;
-    load.inertia = link.inertia;
-    load.inverse_inertia = link.inertia.inverse();
-    load.zero = link.axes_to_carrier_zero;
-    load.r = load.axis ? Vector3d(link.arm, 0, 0) : Vector3d(0, 0, link.arm);
-    load.r0 = link.hinge;
-    load.inverse_i0_r0 = inverse_inertia_ * tilde<double>(load.r0);
-    const Matrix3d r = tilde<double>(load.r);
-    load.hinge_mobility =
-        load.inverse_mass * Matrix3d::Identity() - r * load.inverse_inertia * r;
-    load.turn_mobility = -r * load.inverse_inertia;
+    bodies_.emplace_back();
+    BodyPart& body = bodies_.back();
+    body.axis = link.kind == HingeKind::axis;
+    body.offset = layout.offset(i);
+    body.row = row;
+    row += body.axis ? 5 : 3;
+    body.inverse_mass = 1 / link.mass;
+    body.inertia = link.inertia;
+    body.inverse_inertia = link.inertia.inverse();
+    body.zero = link.axes_to_carrier_zero;
+    body.r = body.axis ? Vector3d(link.arm, 0, 0) : Vector3d(0, 0, link.arm);
+    body.r0 = link.hinge;
+    body.inverse_i0_r0 = inverse_inertia_ * tilde<double>(body.r0);
+    const Matrix3d r = tilde<double>(body.r);
+    body.hinge_mobility =
+        body.inverse_mass * Matrix3d::Identity() - r * body.inverse_inertia * r;
+    body.turn_mobility = -r * body.inverse_inertia;
   }
   constant_ = Eigen::MatrixXd::Zero(row, row);
-  for (const LoadPart& a : loads_) {
-    for (const LoadPart& b : loads_) {
+  for (const BodyPart& a : bodies_) {
+    for (const BodyPart& b : bodies_) {
       constant_.block<3, 3>(a.row, b.row) =
           inverse_mass_ * Matrix3d::Identity() -
           tilde<double>(a.r0) * b.inverse_i0_r0;
@@ -56,46 +56,46 @@ DenseSolver::DenseSolver(const System& system)
   rhs_.resize(row);
 }
 
-void DenseSolver::set_motion(LoadPart& load, const double* state,
-                             const LoadForces<double>& forces) {
-  const double* const s = state + load.offset;
+void DenseSolver::set_motion(BodyPart& body, const double* state,
+                             const LinkForces<double>& forces) {
+  const double* const s = state + body.offset;
   Vector3d friction = eigen(forces.friction);
-  if (load.axis) {
+  if (body.axis) {
     const double cos = std::cos(s[0]);
     const double sin = std::sin(s[0]);
-    load.c.col(0) = cos * load.zero.col(0) + sin * load.zero.col(1);
-    load.c.col(1) = cos * load.zero.col(1) - sin * load.zero.col(0);
-    load.c.col(2) = load.zero.col(2);
-    load.relative_w = {0, 0, s[1]};
+    body.c.col(0) = cos * body.zero.col(0) + sin * body.zero.col(1);
+    body.c.col(1) = cos * body.zero.col(1) - sin * body.zero.col(0);
+    body.c.col(2) = body.zero.col(2);
+    body.relative_w = {0, 0, s[1]};
   } else {
     const Mat3<double> c = rotation(Quaternion<double>{s[0], s[1], s[2], s[3]});
-    load.c << c.x.x, c.y.x, c.z.x, c.x.y, c.y.y, c.z.y, c.x.z, c.y.z, c.z.z;
-    load.relative_w = {s[4], s[5], s[6]};
+    body.c << c.x.x, c.y.x, c.z.x, c.x.y, c.y.y, c.z.y, c.x.z, c.y.z, c.z.z;
+    body.relative_w = {s[4], s[5], s[6]};
   }
-  load.w0 = load.c.transpose() * w0_;
-  const Vector3d w = load.w0 + load.relative_w;
-  load.free_linear = load.inverse_mass * eigen(forces.force);
-  load.free_angular = load.inverse_inertia * (eigen(forces.moment) + friction -
-                                              w.cross(load.inertia * w));
-  angular_ -= load.c * friction;
+  body.w0 = body.c.transpose() * w0_;
+  const Vector3d w = body.w0 + body.relative_w;
+  body.free_linear = body.inverse_mass * eigen(forces.force);
+  body.free_angular = body.inverse_inertia * (eigen(forces.moment) + friction -
+                                              w.cross(body.inertia * w));
+  angular_ -= body.c * friction;
   // What the conditions would be off by without reactions, carrier not yet.
-  const Vector3d hinge = load.free_linear + load.free_angular.cross(load.r) +
-                         w.cross(w.cross(load.r));
-  rhs_.segment<3>(load.row) = w0_.cross(w0_.cross(load.r0)) - load.c * hinge;
-  if (load.axis) {
-    const Vector3d turn = load.free_angular + w.cross(load.w0);
-    rhs_.segment<2>(load.row + 3) = -turn.head<2>();
+  const Vector3d hinge = body.free_linear + body.free_angular.cross(body.r) +
+                         w.cross(w.cross(body.r));
+  rhs_.segment<3>(body.row) = w0_.cross(w0_.cross(body.r0)) - body.c * hinge;
+  if (body.axis) {
+    const Vector3d turn = body.free_angular + w.cross(body.w0);
+    rhs_.segment<2>(body.row + 3) = -turn.head<2>();
   }
 }
 
 void DenseSolver::fill_rows(std::size_t i) {
-  const LoadPart& a = loads_[i];
+  const BodyPart& a = bodies_[i];
   matrix_.block<3, 3>(a.row, a.row) = constant_.block<3, 3>(a.row, a.row) +
                                       a.c * a.hinge_mobility * a.c.transpose();
   rhs_.segment<3>(a.row) += linear_ + angular_.cross(a.r0);
   if (!a.axis) {
     for (std::size_t j = 0; j < i; ++j) {
-      const LoadPart& b = loads_[j];
+      const BodyPart& b = bodies_[j];
       matrix_.block<3, 3>(a.row, b.row) = constant_.block<3, 3>(a.row, b.row);
       if (b.axis) {
         matrix_.block<3, 2>(a.row, b.row + 3) =
@@ -108,7 +108,7 @@ void DenseSolver::fill_rows(std::size_t i) {
   const Eigen::Matrix<double, 3, 2> turn = inverse_inertia_ * d0;
   rhs_.segment<2>(a.row + 3) += d0.transpose() * angular_;
   for (std::size_t j = 0; j <= i; ++j) {
-    const LoadPart& b = loads_[j];
+    const BodyPart& b = bodies_[j];
     if (j < i) {
       matrix_.block<3, 3>(a.row, b.row) = constant_.block<3, 3>(a.row, b.row);
     }
@@ -129,21 +129,21 @@ void DenseSolver::fill_rows(std::size_t i) {
 }
 
 void DenseSolver::evaluate(const double* state,
-                           const Loading<double>& loading) {
+                           const ActiveForces<double>& forces) {
   w0_ = Eigen::Map<const Vector3d>(state + StateLayout::angular_velocity);
-  linear_ = inverse_mass_ * eigen(loading.carrier.force);
-  angular_ = eigen(loading.carrier.moment) - w0_.cross(inertia_ * w0_);
-  for (std::size_t i = 0; i < loads_.size(); ++i) {
-    set_motion(loads_[i], state, loading.loads[i]);
+  linear_ = inverse_mass_ * eigen(forces.carrier.force);
+  angular_ = eigen(forces.carrier.moment) - w0_.cross(inertia_ * w0_);
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    set_motion(bodies_[i], state, forces.bodies[i]);
   }
   angular_ = (inverse_inertia_ * angular_).eval();
-  for (std::size_t i = 0; i < loads_.size(); ++i) fill_rows(i);
+  for (std::size_t i = 0; i < bodies_.size(); ++i) fill_rows(i);
   const Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>> factor(matrix_);
   factor.solveInPlace(rhs_);
 
   Vector3d force = Vector3d::Zero();
   Vector3d moment = Vector3d::Zero();
-  for (const LoadPart& a : loads_) {
+  for (const BodyPart& a : bodies_) {
     const Vector3d reaction = rhs_.segment<3>(a.row);
     force += reaction;
     moment += a.r0.cross(reaction);
@@ -151,7 +151,7 @@ void DenseSolver::evaluate(const double* state,
   }
   linear_ -= inverse_mass_ * force;
   angular_ -= inverse_inertia_ * moment;
-  for (LoadPart& a : loads_) {
+  for (BodyPart& a : bodies_) {
     const Vector3d reaction = a.c.transpose() * rhs_.segment<3>(a.row);
     Vector3d m = a.r.cross(reaction);
     if (a.axis) m.head<2>() += rhs_.segment<2>(a.row + 3);

@@ -11,22 +11,22 @@ namespace multibody::test {
 /// benchmarks: all joints' conditions at once with the reactions as unknowns,
 /// Eigen's Cholesky factorisation, storage and everything constant prepared.
 /// Reactions in carrier axes, so that only what turns changes in the matrix.
-/// Loads on spherical joints or on axes, all turning.
+/// Bodies on ball joints or on axes, all turning.
 class DenseSolver {
  public:
   explicit DenseSolver(const System& system);
 
   /// State and what acts as in Dynamics; accelerations of the carrier and
-  /// relative ones of the loads out.
-  void evaluate(const double* state, const Loading<double>& loading);
+  /// relative ones of the bodies out.
+  void evaluate(const double* state, const ActiveForces<double>& forces);
   const Eigen::Vector3d& linear() const { return linear_; }
   const Eigen::Vector3d& angular() const { return angular_; }
-  const Eigen::Vector3d& relative_acceleration(int load) const {
-    return loads_[load].relative;
+  const Eigen::Vector3d& relative_acceleration(int body) const {
+    return bodies_[body].relative;
   }
 
  private:
-  struct LoadPart {
+  struct BodyPart {
     bool axis;
     int offset;  ///< in the state
     int row;
@@ -40,13 +40,13 @@ class DenseSolver {
     Eigen::Matrix3d c;
     Eigen::Vector3d w0, relative_w, free_linear, free_angular, relative;
   };
-  void set_motion(LoadPart& load, const double* state,
-                  const LoadForces<double>& forces);
+  void set_motion(BodyPart& body, const double* state,
+                  const LinkForces<double>& forces);
   void fill_rows(std::size_t i);
 
   double inverse_mass_;
   Eigen::Matrix3d inertia_, inverse_inertia_;
-  std::vector<LoadPart> loads_;
+  std::vector<BodyPart> bodies_;
   Eigen::MatrixXd constant_, matrix_;
   Eigen::VectorXd rhs_;
   Eigen::Vector3d w0_, linear_, angular_;

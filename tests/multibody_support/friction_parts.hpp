@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "libcontact/half_angle/factory.hpp"
-#include "libcontact/joint/cylindrical_joint.hpp"
+#include "libcontact/joint/ball_joint.hpp"
 #include "libcontact/joint/node.hpp"
-#include "libcontact/joint/spherical_joint.hpp"
+#include "libcontact/joint/pin_joint.hpp"
 #include "libcontact/pressure/cosine.hpp"
 
 /// Joints of steel for tests of motions.
@@ -53,22 +53,20 @@ class EndingLaw final : public contact::HalfAngleLaw {
   double end_;
 };
 
-inline contact::SphericalJoint ball_joint(
+inline contact::BallJoint ball_joint(
     const contact::FrictionModel& friction, double radius = 0.05,
-    LawPointer law = tanh_law(contact::JointKind::spherical)) {
-  return {
-      contact::JointGeometry::ball(radius, 1e-3 * radius), steel_pair(),
-      friction, std::move(law),
-      std::make_unique<contact::CosinePressure>(contact::JointKind::spherical)};
+    LawPointer law = tanh_law(contact::JointKind::ball)) {
+  return {contact::JointGeometry::ball(radius, 1e-3 * radius), steel_pair(),
+          friction, std::move(law),
+          std::make_unique<contact::CosinePressure>(contact::JointKind::ball)};
 }
 
-inline contact::CylindricalJoint pin_joint(
+inline contact::PinJoint pin_joint(
     const contact::FrictionModel& friction, double radius = 0.05,
-    LawPointer law = tanh_law(contact::JointKind::cylindrical)) {
+    LawPointer law = tanh_law(contact::JointKind::pin)) {
   return {contact::JointGeometry::pin(radius, 1e-3 * radius, 0.1), steel_pair(),
           friction, std::move(law),
-          std::make_unique<contact::CosinePressure>(
-              contact::JointKind::cylindrical)};
+          std::make_unique<contact::CosinePressure>(contact::JointKind::pin)};
 }
 
 /// A ball and a pin, `distance` apart about the hinge's centre.

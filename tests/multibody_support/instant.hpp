@@ -5,16 +5,16 @@
 
 #include "multibody/system/state_layout.hpp"
 
-/// One instant of a carrier with loads in the axes of whoever describes it:
-/// given load axes, friction moments on an axis in hinge axes. It is how
-/// cases come in and how results go out; motions work in load axes.
+/// One instant of a carrier with bodies in the axes of whoever describes it:
+/// body axes, friction moments on an axis in hinge axes. It is how
+/// cases come in and how results go out; motions work in link axes.
 namespace multibody {
 
-/// A load at one instant, given axes.
-struct LoadInstant {
-  Load load;
+/// A body at one instant, body axes.
+struct BodyInstant {
+  Body body;
   JointMode mode = JointMode::turning;
-  /// C: given load axes to carrier axes. On an axis it and the relative
+  /// C: body axes to carrier axes. On an axis it and the relative
   /// angular velocity follow from angle and rate and are not looked at.
   Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
   Eigen::Vector3d relative_angular_velocity = Eigen::Vector3d::Zero();
@@ -22,11 +22,11 @@ struct LoadInstant {
   double angle_rate = 0;                                   ///< axis only, rad/s
   Eigen::Vector3d active_force = Eigen::Vector3d::Zero();  ///< N
   Eigen::Vector3d active_moment_com = Eigen::Vector3d::Zero();  ///< N m
-  /// On the load; on an axis in hinge axes; N m.
+  /// On the body; on an axis in hinge axes; N m.
   Eigen::Vector3d friction_moment = Eigen::Vector3d::Zero();
 };
 
-/// Carrier and loads at one instant.
+/// Carrier and bodies at one instant.
 struct Instant {
   Carrier carrier;
   Eigen::Vector3d gravity = Eigen::Vector3d::Zero();  ///< inertial, m/s^2
@@ -37,14 +37,14 @@ struct Instant {
   Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();
   Eigen::Vector3d active_force = Eigen::Vector3d::Zero();
   Eigen::Vector3d active_moment_com = Eigen::Vector3d::Zero();
-  std::vector<LoadInstant> loads;
+  std::vector<BodyInstant> bodies;
 };
 
-/// Accelerations and reaction of a load, given axes.
-struct LoadResult {
+/// Accelerations and reaction of a body, body axes.
+struct BodyResult {
   Eigen::Vector3d acceleration;          ///< of the centre of mass, m/s^2
   Eigen::Vector3d angular_acceleration;  ///< absolute, rad/s^2
-  /// Derivative in load axes of the relative angular velocity; 0 for a body
+  /// Derivative in link axes of the relative angular velocity; 0 for a body
   /// of its own.
   Eigen::Vector3d relative_angular_acceleration;
   double angle_acceleration;              ///< axis only
@@ -60,13 +60,13 @@ struct InstantResult {
   Eigen::Vector3d acceleration;                ///< carrier axes, m/s^2
   Eigen::Vector3d acceleration_minus_gravity;  ///< V'_0
   Eigen::Vector3d angular_acceleration;        ///< rad/s^2
-  std::vector<LoadResult> loads;
+  std::vector<BodyResult> bodies;
 };
 
 /// @throws contact::Error, see System
 InstantResult evaluate(const Instant& instant);
 
-/// C = B_0 Rz(angle) B^T of a load on an axis, given axes.
-Eigen::Matrix3d axis_rotation(const Load& load, double angle);
+/// C = B_0 Rz(angle) B^T of a body on an axis, body axes.
+Eigen::Matrix3d axis_rotation(const Body& body, double angle);
 
 }  // namespace multibody

@@ -6,7 +6,7 @@
 #include "multibody_support/instant.hpp"
 
 /// The two-step resolution as the paper writes it, (1.3)-(1.8), matrix by
-/// matrix in given axes, in any scalar: an independent check of the one that
+/// matrix in body axes, in any scalar: an independent check of the one that
 /// exploits the structure, and the count of operations it is compared with.
 /// What does not change during a motion is precomputed there too; where a
 /// product is symmetric, all of it is computed.
@@ -21,19 +21,19 @@ class PlainTwoStep {
 
   explicit PlainTwoStep(const Instant& instant)
       : mass_(instant.carrier.mass), inertia_(cast(instant.carrier.inertia)) {
-    for (const LoadInstant& load : instant.loads) loads_.emplace_back(load);
+    for (const BodyInstant& body : instant.bodies) bodies_.emplace_back(body);
   }
 
   /// What acts, and the motion; rotations are given.
   struct Input {
     V w0, force, moment;
-    struct Load {
-      M c;         ///< load axes to carrier axes
-      V relative;  ///< angular velocity, load axes
+    struct Body {
+      M c;         ///< link axes to carrier axes
+      V relative;  ///< angular velocity, link axes
       V force, moment;
-      V friction;  ///< load axes
+      V friction;  ///< link axes
     };
-    std::vector<Load> loads;
+    std::vector<Body> bodies;
   };
 
   void evaluate(const Input& in) {
@@ -42,71 +42,71 @@ class PlainTwoStep {
     M f = inertia_;
     V ra = in.force;
     V rb = in.moment - in.w0.cross(inertia_ * in.w0);
-    for (std::size_t i = 0; i < loads_.size(); ++i) {
-      Load& load = loads_[i];
-      const typename Input::Load& now = in.loads[i];
-      const V w00 = in.w0.cross(in.w0.cross(load.r0));
-      load.c = now.c;
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+      Body& body = bodies_[i];
+      const typename Input::Body& now = in.bodies[i];
+      const V w00 = in.w0.cross(in.w0.cross(body.r0));
+      body.c = now.c;
       const V w0 = now.c.transpose() * in.w0;
       const V w = w0 + now.relative;
-      load.gyroscopic = w.cross(w0);
+      body.gyroscopic = w.cross(w0);
       // About the joint, (1.3)
-      load.about = now.moment - load.r.cross(now.force) - w.cross(load.j * w) +
+      body.about = now.moment - body.r.cross(now.force) - w.cross(body.j * w) +
                    now.friction;
-      const V e = load.inverse_j * load.about;
-      V dr = -(now.force - load.mass * load.r.cross(e) +
-               load.mass * w.cross(w.cross(load.r)));
-      const M tilde0 = tilde(load.r0);
-      if (load.kind == JointKind::spherical) {
-        const M n = now.c * load.n * now.c.transpose();
+      const V e = body.inverse_j * body.about;
+      V dr = -(now.force - body.mass * body.r.cross(e) +
+               body.mass * w.cross(w.cross(body.r)));
+      const M tilde0 = tilde(body.r0);
+      if (body.kind == HingeKind::ball) {
+        const M n = now.c * body.n * now.c.transpose();
         const M s = n * tilde0;
         const V d = now.c * dr + n * w00;
         a += n;
         b -= s;
         f -= tilde0 * s;
         ra -= d;
-        rb -= now.c * now.friction + load.r0.cross(d);
-        load.free = w00;
+        rb -= now.c * now.friction + body.r0.cross(d);
+        body.free = w00;
         continue;
       }
       // (1.6)-(1.8)
-      const D d0 = now.c * load.d;
-      load.k = -(load.d.transpose() * (e + load.gyroscopic));
-      const Eigen::Matrix<T, 2, 1> dm = load.j_reduced * load.k;
-      load.m_w = load.j_reduced * d0.transpose();
-      const M rv = now.c * load.r_v * now.c.transpose();
-      const M rw = -(now.c * load.s * load.m_w) - rv * tilde0;
-      load.m_v = load.minus_j_s * now.c.transpose();
-      load.m_w -= load.m_v * tilde0;
-      dr -= load.s * dm;
+      const D d0 = now.c * body.d;
+      body.k = -(body.d.transpose() * (e + body.gyroscopic));
+      const Eigen::Matrix<T, 2, 1> dm = body.j_reduced * body.k;
+      body.m_w = body.j_reduced * d0.transpose();
+      const M rv = now.c * body.r_v * now.c.transpose();
+      const M rw = -(now.c * body.s * body.m_w) - rv * tilde0;
+      body.m_v = body.minus_j_s * now.c.transpose();
+      body.m_w -= body.m_v * tilde0;
+      dr -= body.s * dm;
       const V d = now.c * dr + rv * w00;
-      load.dm = dm + load.m_v * w00;
+      body.dm = dm + body.m_v * w00;
       a += rv;
       b += rw;
-      f += tilde0 * rw + d0 * load.m_w;
+      f += tilde0 * rw + d0 * body.m_w;
       ra -= d;
-      rb -= now.c * now.friction + load.r0.cross(d) + d0 * load.dm;
-      load.free = w00;
+      rb -= now.c * now.friction + body.r0.cross(d) + d0 * body.dm;
+      body.free = w00;
     }
     const M inverse_f = inverse(f);
     const M bf = b * inverse_f;
     linear = inverse(M(a - bf * b.transpose())) * (ra - bf * rb);
     angular = inverse_f * (rb - b.transpose() * linear);
-    for (Load& load : loads_) {
+    for (Body& body : bodies_) {
       const V v =
-          load.c.transpose() * (linear - load.r0.cross(angular) + load.free);
-      V m = load.about + load.mass * load.r.cross(v);
-      if (load.kind == JointKind::axis) {
-        m += load.d * Eigen::Matrix<T, 2, 1>(load.m_v * linear +
-                                             load.m_w * angular + load.dm);
+          body.c.transpose() * (linear - body.r0.cross(angular) + body.free);
+      V m = body.about + body.mass * body.r.cross(v);
+      if (body.kind == HingeKind::axis) {
+        m += body.d * Eigen::Matrix<T, 2, 1>(body.m_v * linear +
+                                             body.m_w * angular + body.dm);
       }
-      load.relative =
-          load.inverse_j * m - load.c.transpose() * angular + load.gyroscopic;
+      body.relative =
+          body.inverse_j * m - body.c.transpose() * angular + body.gyroscopic;
     }
   }
 
   V linear, angular;
-  const V& relative(int load) const { return loads_[load].relative; }
+  const V& relative(int body) const { return bodies_[body].relative; }
 
  private:
   template <class E>
@@ -129,23 +129,23 @@ class PlainTwoStep {
     return per_determinant * adjoint;
   }
 
-  struct Load {
-    explicit Load(const LoadInstant& given)
-        : kind(given.load.kind), mass(given.load.mass) {
+  struct Body {
+    explicit Body(const BodyInstant& given)
+        : kind(given.body.kind), mass(given.body.mass) {
       using Eigen::Matrix3d;
-      const Eigen::Vector3d rd = given.load.hinge_from_com;
-      const double md = given.load.mass;
+      const Eigen::Vector3d rd = given.body.hinge_from_com;
+      const double md = given.body.mass;
       Matrix3d t;
       t << 0, -rd.z(), rd.y(), rd.z(), 0, -rd.x(), -rd.y(), rd.x(), 0;
-      const Matrix3d jd = given.load.inertia - md * t * t;
+      const Matrix3d jd = given.body.inertia - md * t * t;
       const Matrix3d ij = jd.inverse();
       const Matrix3d nd = md * (Matrix3d::Identity() + md * t * ij * t);
       const Eigen::Matrix<double, 3, 2> dd =
-          given.load.hinge_to_load.leftCols<2>();
+          given.body.hinge_to_body.leftCols<2>();
       const Eigen::Matrix2d reduced = (dd.transpose() * ij * dd).inverse();
       const Eigen::Matrix<double, 3, 2> sd = -md * t * ij * dd;
       r = cast(rd);
-      r0 = cast(given.load.hinge_from_carrier_com);
+      r0 = cast(given.body.hinge_from_carrier_com);
       j = cast(jd);
       inverse_j = cast(ij);
       n = cast(nd);
@@ -157,7 +157,7 @@ class PlainTwoStep {
       const Matrix3d rv = nd - sd * mv;
       r_v = cast(rv);
     }
-    JointKind kind;
+    HingeKind kind;
     T mass;
     V r, r0;
     M j, inverse_j, n, r_v;
@@ -173,7 +173,7 @@ class PlainTwoStep {
 
   T mass_;
   M inertia_;
-  std::vector<Load> loads_;
+  std::vector<Body> bodies_;
 };
 
 }  // namespace multibody::test

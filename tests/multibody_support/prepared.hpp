@@ -7,12 +7,12 @@
 
 namespace multibody {
 
-/// An instant in load axes, as Dynamics takes it.
+/// An instant in link axes, as Dynamics takes it.
 struct Prepared {
   System system;
   std::vector<JointMode> modes;
   std::vector<double> state;  ///< StateLayout(system, modes)
-  Loading<double> loading;
+  ActiveForces<double> forces;
 
   /// Dynamics of the system with its joints in their modes.
   Dynamics dynamics() const;

@@ -31,41 +31,41 @@ Matrix3d Random::inertia(double size) {
 
 namespace {
 
-LoadInstant random_load(Random& random, JointKind kind, JointMode mode) {
-  LoadInstant load;
-  load.load.kind = kind;
-  load.mode = mode;
-  load.load.mass = random.uniform(1, 10);
-  load.load.inertia = random.inertia(0.3 * load.load.mass);
-  load.load.hinge_from_com = random.vector(1);
-  load.load.hinge_from_carrier_com = random.vector(2);
-  load.active_force = random.vector(100);
-  load.active_moment_com = random.vector(30);
-  load.friction_moment = random.vector(10);
-  load.rotation = random.rotation();
-  load.relative_angular_velocity = random.vector(3);
-  load.angle = random.uniform(-3, 3);
-  load.angle_rate = random.uniform(-3, 3);
-  if (kind == JointKind::axis) {
-    load.load.hinge_to_load = random.rotation();
-    load.load.hinge_to_carrier_zero = random.rotation();
-    load.rotation = axis_rotation(load.load, load.angle);
-    load.relative_angular_velocity =
-        load.angle_rate * load.load.hinge_to_load.col(2);
+BodyInstant random_body(Random& random, HingeKind kind, JointMode mode) {
+  BodyInstant body;
+  body.body.kind = kind;
+  body.mode = mode;
+  body.body.mass = random.uniform(1, 10);
+  body.body.inertia = random.inertia(0.3 * body.body.mass);
+  body.body.hinge_from_com = random.vector(1);
+  body.body.hinge_from_carrier_com = random.vector(2);
+  body.active_force = random.vector(100);
+  body.active_moment_com = random.vector(30);
+  body.friction_moment = random.vector(10);
+  body.rotation = random.rotation();
+  body.relative_angular_velocity = random.vector(3);
+  body.angle = random.uniform(-3, 3);
+  body.angle_rate = random.uniform(-3, 3);
+  if (kind == HingeKind::axis) {
+    body.body.hinge_to_body = random.rotation();
+    body.body.hinge_to_carrier_zero = random.rotation();
+    body.rotation = axis_rotation(body.body, body.angle);
+    body.relative_angular_velocity =
+        body.angle_rate * body.body.hinge_to_body.col(2);
   }
   if (mode == JointMode::held) {
-    load.relative_angular_velocity.setZero();
-    load.angle_rate = 0;
+    body.relative_angular_velocity.setZero();
+    body.angle_rate = 0;
   }
-  return load;
+  return body;
 }
 
 }  // namespace
 
-Instant random_instant(Mix mix, int loads, std::uint64_t seed) {
+Instant random_instant(Mix mix, int bodies, std::uint64_t seed) {
   Random random(seed);
   Instant instant;
-  instant.carrier.mass = loads * random.uniform(5, 15);
+  instant.carrier.mass = bodies * random.uniform(5, 15);
   instant.carrier.inertia = random.inertia(2 * instant.carrier.mass);
   instant.gravity = {0.3, -0.2, -9.81};
   instant.rotation = random.rotation();
@@ -75,20 +75,20 @@ Instant random_instant(Mix mix, int loads, std::uint64_t seed) {
   instant.active_force = random.vector(200);
   instant.active_moment_com = random.vector(50);
   struct Kind {
-    JointKind joint;
+    HingeKind joint;
     JointMode mode;
   };
-  static constexpr Kind kinds[] = {{JointKind::spherical, JointMode::turning},
-                                   {JointKind::axis, JointMode::turning},
-                                   {JointKind::spherical, JointMode::held},
-                                   {JointKind::axis, JointMode::held},
-                                   {JointKind::none, JointMode::released}};
-  for (int i = 0; i < loads; ++i) {
-    const Kind kind = kinds[mix == Mix::spherical ? 0
-                            : mix == Mix::axes    ? 1
-                            : mix == Mix::held    ? 2 + i % 2
-                                                  : i % 5];
-    instant.loads.push_back(random_load(random, kind.joint, kind.mode));
+  static constexpr Kind kinds[] = {{HingeKind::ball, JointMode::turning},
+                                   {HingeKind::axis, JointMode::turning},
+                                   {HingeKind::ball, JointMode::held},
+                                   {HingeKind::axis, JointMode::held},
+                                   {HingeKind::none, JointMode::released}};
+  for (int i = 0; i < bodies; ++i) {
+    const Kind kind = kinds[mix == Mix::balls  ? 0
+                            : mix == Mix::axes ? 1
+                            : mix == Mix::held ? 2 + i % 2
+                                               : i % 5];
+    instant.bodies.push_back(random_body(random, kind.joint, kind.mode));
   }
   return instant;
 }

@@ -7,7 +7,7 @@
 
 #include "multibody_support/instant.hpp"
 
-/// Carriers with random loads for tests and benchmarks: the same numbers from
+/// Carriers with random bodies for tests and benchmarks: the same numbers from
 /// the same seed on every machine.
 namespace multibody::test {
 
@@ -27,11 +27,11 @@ class Random {
   std::mt19937_64 engine_;
 };
 
-/// What the loads of a random instant hang on.
-enum class Mix { spherical, axes, held, all };
+/// What the bodies of a random instant hang on.
+enum class Mix { balls, axes, held, all };
 
-/// Loads of a few kilograms and decimetres on a carrier of twice that for
-/// each load; everything moves and is acted upon.
-Instant random_instant(Mix mix, int loads, std::uint64_t seed);
+/// Bodies of a few kilograms and decimetres on a carrier of twice that for
+/// each body; everything moves and is acted upon.
+Instant random_instant(Mix mix, int bodies, std::uint64_t seed);
 
 }  // namespace multibody::test

@@ -28,19 +28,19 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 TEST(JointGeometry, KeepsWhatItIsGiven) {
-  const auto ball = JointGeometry::ball(0.05, 5e-5, JointBody::load);
-  EXPECT_EQ(ball.kind(), JointKind::spherical);
+  const auto ball = JointGeometry::ball(0.05, 5e-5, JointBody::body);
+  EXPECT_EQ(ball.kind(), JointKind::ball);
   EXPECT_EQ(ball.radius(), 0.05);
   EXPECT_EQ(ball.radial_clearance(), 5e-5);
   EXPECT_EQ(ball.relative_clearance(), 5e-5 / 0.05);
   EXPECT_TRUE(std::isnan(ball.length()));
-  EXPECT_EQ(ball.inner_body(), JointBody::load);
+  EXPECT_EQ(ball.inner_body(), JointBody::body);
   EXPECT_EQ(ball.load_from_force(7), 7);
   EXPECT_EQ(ball.force_from_load(7), 7);
   EXPECT_DOUBLE_EQ(ball.pressure_unit(2e5), 8e7);
 
   const auto pin = JointGeometry::pin(0.02, 1e-5, 0.5);
-  EXPECT_EQ(pin.kind(), JointKind::cylindrical);
+  EXPECT_EQ(pin.kind(), JointKind::pin);
   EXPECT_EQ(pin.length(), 0.5);
   EXPECT_EQ(pin.inner_body(), JointBody::carrier);
   EXPECT_EQ(pin.load_from_force(7), 14);
@@ -68,25 +68,23 @@ TEST(JointGeometry, RefusesWhatIsOutOfRange) {
   EXPECT_EQ(ball(0.1, std::nextafter(0.1, 0.0)), "(no error)");
   EXPECT_EQ(ball(0.1, 1e-300), "(no error)");
   EXPECT_EQ(ball(0.1, 0.1),
-            "spherical joint: radial_clearance = 0.1: allowed: above 0 m, "
+            "ball joint: radial_clearance = 0.1: allowed: above 0 m, "
             "below the radius 0.1 m");
   EXPECT_EQ(ball(0.1, 0),
-            "spherical joint: radial_clearance = 0: allowed: above 0 m, below "
+            "ball joint: radial_clearance = 0: allowed: above 0 m, below "
             "the radius 0.1 m");
   EXPECT_EQ(ball(0.1, nan),
-            "spherical joint: radial_clearance = nan: allowed: above 0 m, "
+            "ball joint: radial_clearance = nan: allowed: above 0 m, "
             "below the radius 0.1 m");
   EXPECT_EQ(ball(-0.1, 1e-4),
-            "spherical joint: radius = -0.1: allowed: above 0 m, finite");
+            "ball joint: radius = -0.1: allowed: above 0 m, finite");
   EXPECT_EQ(ball(infinity, 1e-4),
-            "spherical joint: radius = inf: allowed: above 0 m, finite");
+            "ball joint: radius = inf: allowed: above 0 m, finite");
   EXPECT_EQ(ball(nan, 1e-4),
-            "spherical joint: radius = nan: allowed: above 0 m, finite");
+            "ball joint: radius = nan: allowed: above 0 m, finite");
   EXPECT_EQ(pin(0.01), "(no error)");
-  EXPECT_EQ(pin(0),
-            "cylindrical joint: length = 0: allowed: above 0 m, finite");
-  EXPECT_EQ(pin(nan),
-            "cylindrical joint: length = nan: allowed: above 0 m, finite");
+  EXPECT_EQ(pin(0), "pin joint: length = 0: allowed: above 0 m, finite");
+  EXPECT_EQ(pin(nan), "pin joint: length = nan: allowed: above 0 m, finite");
 }
 
 TEST(LoadScale, AgreesWithFiftyDigits) {
@@ -150,11 +148,11 @@ TEST(LoadScale, IsHertzTheoryForSmallLoads) {
   const LoadScale ball(JointGeometry::ball(rho, eps), pair);
   const LoadScale pin(JointGeometry::pin(rho, eps, 1), pair);
   // A dozen roundings on both sides.
-  EXPECT_NEAR(contact::x_from_load_parameter(JointKind::spherical,
+  EXPECT_NEAR(contact::x_from_load_parameter(JointKind::ball,
                                              ball.load_parameter(force)) /
                   (ball_radius / rho),
               1, 2e-15);
-  EXPECT_NEAR(contact::x_from_load_parameter(JointKind::cylindrical,
+  EXPECT_NEAR(contact::x_from_load_parameter(JointKind::pin,
                                              pin.load_parameter(force)) /
                   (pin_radius / rho),
               1, 2e-15);
@@ -166,32 +164,28 @@ TEST(LoadParameter, XAgreesWithFiftyDigits) {
   AccuracyReport back("load_parameter_from_x", 3e-16);
   for (double value = 1e-90; value < 1e90; value *= 1.73) {
     const std::string row = std::to_string(value);
-    forward.add(
-        Real(contact::x_from_load_parameter(JointKind::spherical, value)),
-        Real(cbrt(Real(value))), row);
-    forward.add(
-        Real(contact::x_from_load_parameter(JointKind::cylindrical, value)),
-        Real(2 * sqrt(Real(value))), row);
-    back.add(Real(contact::load_parameter_from_x(JointKind::spherical, value)),
+    forward.add(Real(contact::x_from_load_parameter(JointKind::ball, value)),
+                Real(cbrt(Real(value))), row);
+    forward.add(Real(contact::x_from_load_parameter(JointKind::pin, value)),
+                Real(2 * sqrt(Real(value))), row);
+    back.add(Real(contact::load_parameter_from_x(JointKind::ball, value)),
              Real(Real(value) * value * value), row);
-    back.add(
-        Real(contact::load_parameter_from_x(JointKind::cylindrical, value)),
-        Real(Real(value) * value / 4), row);
+    back.add(Real(contact::load_parameter_from_x(JointKind::pin, value)),
+             Real(Real(value) * value / 4), row);
   }
   forward.check();
   back.check();
 }
 
 TEST(LoadParameter, NanAndLimits) {
-  for (const JointKind kind : {JointKind::spherical, JointKind::cylindrical}) {
+  for (const JointKind kind : {JointKind::ball, JointKind::pin}) {
     EXPECT_TRUE(std::isnan(contact::x_from_load_parameter(kind, nan)));
     EXPECT_TRUE(std::isnan(contact::load_parameter_from_x(kind, nan)));
     EXPECT_EQ(contact::x_from_load_parameter(kind, 0), 0);
     EXPECT_EQ(contact::x_from_load_parameter(kind, infinity), infinity);
     EXPECT_EQ(contact::load_parameter_from_x(kind, infinity), infinity);
   }
-  EXPECT_TRUE(
-      std::isnan(contact::x_from_load_parameter(JointKind::cylindrical, -1)));
+  EXPECT_TRUE(std::isnan(contact::x_from_load_parameter(JointKind::pin, -1)));
 }
 
 TEST(FrictionLaw, StressAndCoefficient) {

@@ -32,7 +32,7 @@ constexpr double smallest_for_real = 1e-10;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr JointKind kinds[] = {JointKind::spherical, JointKind::cylindrical};
+constexpr JointKind kinds[] = {JointKind::ball, JointKind::pin};
 constexpr double pi = 3.14159265358979323846;
 
 std::vector<double> half_angles() {
@@ -80,7 +80,7 @@ struct Reports {
 template <class R>
 void compare(Reports& reports, const CosinePressure& law, double half_angle) {
   const JointKind kind = law.joint_kind();
-  const bool ball = kind == JointKind::spherical;
+  const bool ball = kind == JointKind::ball;
   const R pi_ = boost::math::constants::pi<R>();
   const R t0 = half_angle;
   const R c = cos(t0);
@@ -161,8 +161,8 @@ TEST(Cancellation, SeriesAndClosedFormsAgreeWithHighPrecision) {
 TEST(CosinePressure, CarriesTheLoad) {
   using Rule = boost::math::quadrature::gauss_kronrod<double, 31>;
   for (const double half_angle : {1e-3, 0.4, 1.2, 1.6, 2.09}) {
-    const CosinePressure ball(JointKind::spherical);
-    const CosinePressure pin(JointKind::cylindrical);
+    const CosinePressure ball(JointKind::ball);
+    const CosinePressure pin(JointKind::pin);
     const double ball_load = Rule::integrate(
         [&](double t) {
           return 2 * pi * ball.pressure(t, half_angle) * std::cos(t) *
@@ -209,8 +209,7 @@ TEST(CosinePressure, AgreesWithTheTabulatedProfiles) {
   const ReferenceTable table("conforming/pressure_profiles.csv");
   for (std::size_t row = 0; row < table.size(); ++row) {
     const bool ball = table.text(row, "joint") == "sphere";
-    const CosinePressure law(ball ? JointKind::spherical
-                                  : JointKind::cylindrical);
+    const CosinePressure law(ball ? JointKind::ball : JointKind::pin);
     const double half_angle = table.value(row, "theta0_deg") * degree;
     const double p =
         law.pressure(table.value(row, "theta_deg") * degree, half_angle);
@@ -225,8 +224,7 @@ TEST(CosinePressure, ForceRatioAndPeakOfTheTable) {
   const ReferenceTable table("conforming/pressure_friction.csv");
   for (std::size_t row = 0; row < table.size(); ++row) {
     const bool ball = table.text(row, "joint") == "sphere";
-    const CosinePressure law(ball ? JointKind::spherical
-                                  : JointKind::cylindrical);
+    const CosinePressure law(ball ? JointKind::ball : JointKind::pin);
     const double half_angle = table.value(row, "theta0_deg") * degree;
     // Last printed digit: 6 decimals.
     EXPECT_NEAR(law.force_ratio(half_angle), table.value(row, "S_paper3.3"),
@@ -244,8 +242,7 @@ TEST(CosinePressure, OverstatesThePeak) {
   double most[2] = {0, 0};
   for (std::size_t row = 0; row < table.size(); ++row) {
     const bool ball = table.text(row, "joint") == "sphere";
-    const CosinePressure law(ball ? JointKind::spherical
-                                  : JointKind::cylindrical);
+    const CosinePressure law(ball ? JointKind::ball : JointKind::pin);
     const double half_angle = table.value(row, "theta0_deg") * degree;
     const double excess =
         law.peak(half_angle) / table.value(row, "pmax_exact") - 1;
@@ -262,19 +259,18 @@ TEST(CosinePressure, SmallContacts) {
   // theta0 -> 0: I_n -> (pi/4) theta0^4 and (2/3) theta0^3, a paraboloid of
   // pressure with peak 2 (ball) and 1.5 (pin) times its mean.
   const double t = 1e-40;
-  const CosinePressure ball(JointKind::spherical);
-  const CosinePressure pin(JointKind::cylindrical);
+  const CosinePressure ball(JointKind::ball);
+  const CosinePressure pin(JointKind::pin);
   EXPECT_DOUBLE_EQ(ball.peak(t) * pi * t * t, 2);
   EXPECT_DOUBLE_EQ(pin.peak(t) * t, 0.75);
   EXPECT_DOUBLE_EQ(ball.peak(t) / ball.mean(t), 2);
   EXPECT_DOUBLE_EQ(pin.peak(t) / pin.mean(t), 1.5);
   EXPECT_DOUBLE_EQ(ball.pressure(t / 2, t) / ball.peak(t), 0.75);
   EXPECT_DOUBLE_EQ(
-      contact::cosine_normal_integral(JointKind::spherical, t) / t / t / t / t,
+      contact::cosine_normal_integral(JointKind::ball, t) / t / t / t / t,
       pi / 4);
   EXPECT_DOUBLE_EQ(
-      contact::cosine_normal_integral(JointKind::cylindrical, t) / t / t / t,
-      2.0 / 3);
+      contact::cosine_normal_integral(JointKind::pin, t) / t / t / t, 2.0 / 3);
   for (const CosinePressure& law : {ball, pin}) {
     EXPECT_EQ(law.peak(0), infinity);
     EXPECT_EQ(law.mean(0), infinity);

@@ -43,7 +43,7 @@ using Real = boost::multiprecision::cpp_bin_float_50;
 constexpr double pi = 3.14159265358979323846;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr JointKind kinds[] = {JointKind::spherical, JointKind::cylindrical};
+constexpr JointKind kinds[] = {JointKind::ball, JointKind::pin};
 
 ElasticPair steel_in_polymer() {
   return ElasticPair::from_modulus_ratio(7, 0.3, 0.4);
@@ -88,7 +88,7 @@ TEST(PressureLaw, CarriesTheLoadAndSumsUpToTheForceRatio) {
     for (const auto& law : laws(kind)) {
       for (const double theta0_deg : {0.01, 3.0, 40.0, 77.0, 95.0, 119.0}) {
         const double half_angle = theta0_deg * degree;
-        const bool ball = kind == JointKind::spherical;
+        const bool ball = kind == JointKind::ball;
         const auto weight = [&](double t) {
           return ball ? 2 * pi * std::sin(t) : 2.0;
         };
@@ -219,13 +219,13 @@ TEST(PressureLaw, DoesNotAllocate) {
 
 TEST(MakePressureLaw, KnowsItsNames) {
   for (const std::string& name : contact::pressure_law_names()) {
-    const auto law = contact::make_pressure_law(name, JointKind::cylindrical,
-                                                steel_in_polymer());
+    const auto law =
+        contact::make_pressure_law(name, JointKind::pin, steel_in_polymer());
     EXPECT_EQ(law->name(), name);
-    EXPECT_EQ(law->joint_kind(), JointKind::cylindrical);
+    EXPECT_EQ(law->joint_kind(), JointKind::pin);
   }
   EXPECT_EQ(contact::test::error_message([] {
-              contact::make_pressure_law("flat", JointKind::spherical,
+              contact::make_pressure_law("flat", JointKind::ball,
                                          steel_in_polymer());
             }),
             "pressure law flat: allowed: cosine, sqrt_tan, sqrt_theta, "
@@ -235,7 +235,7 @@ TEST(MakePressureLaw, KnowsItsNames) {
 TEST(MakePressureLaw, FollowsTheLoadingOrRefusesIt) {
   const contact::ElasticPair pair = steel_in_polymer();
   const auto back = contact::InnerLoading::back(25 * degree);
-  for (const JointKind kind : {JointKind::spherical, JointKind::cylindrical}) {
+  for (const JointKind kind : {JointKind::ball, JointKind::pin}) {
     for (const std::string& name : contact::pressure_law_names()) {
       if (!contact::pressure_law_allows(name, {back})) continue;
       const double peak =
@@ -251,7 +251,7 @@ TEST(MakePressureLaw, FollowsTheLoadingOrRefusesIt) {
     }
   }
   EXPECT_EQ(contact::test::error_message([&] {
-              contact::make_pressure_law("mixture", JointKind::spherical, pair,
+              contact::make_pressure_law("mixture", JointKind::ball, pair,
                                          {back});
             }),
             "loading back:25: pressure law mixture: allowed: cosine, "
@@ -269,7 +269,7 @@ Definition definition(JointKind kind, bool tangent, double half_angle) {
   using Rule = boost::math::quadrature::gauss<Real, 100>;
   const Real t0 = half_angle;
   const Real b = tan(t0 / 2);
-  const bool ball = kind == JointKind::spherical;
+  const bool ball = kind == JointKind::ball;
   // theta = theta0 cos(phi), or tan(theta/2) = b cos(phi).
   const auto integral = [&](bool with_cosine) {
     return Rule::integrate(
@@ -317,10 +317,10 @@ TEST(SqrtPressures, AgreeWithTheirDefinitionInHighPrecision) {
 TEST(SqrtPressures, BecomeHertz) {
   const double t = 1e-40;
   for (const char* name : {"sqrt_tan", "sqrt_theta", "mixture", "exact"}) {
-    const auto ball = contact::make_pressure_law(name, JointKind::spherical,
-                                                 steel_in_polymer());
-    const auto pin = contact::make_pressure_law(name, JointKind::cylindrical,
-                                                steel_in_polymer());
+    const auto ball =
+        contact::make_pressure_law(name, JointKind::ball, steel_in_polymer());
+    const auto pin =
+        contact::make_pressure_law(name, JointKind::pin, steel_in_polymer());
     // Peak 3/2 and 4/pi of the mean. The expansion of the exact pressure is
     // off by 1e-11 at its end.
     EXPECT_NEAR(ball->peak(t) * 2 * pi / 3 * t * t, 1, 1e-11) << name;
@@ -333,9 +333,8 @@ TEST(SqrtPressures, BecomeHertz) {
 TEST(SqrtPressures, ForceRatiosAndPeaksOfTheTable) {
   const ReferenceTable table("conforming/pressure_friction.csv");
   for (std::size_t row = 0; row < table.size(); ++row) {
-    const JointKind kind = table.text(row, "joint") == "sphere"
-                               ? JointKind::spherical
-                               : JointKind::cylindrical;
+    const JointKind kind =
+        table.text(row, "joint") == "sphere" ? JointKind::ball : JointKind::pin;
     const contact::SqrtTanPressure sqrt_tan(kind);
     const contact::SqrtThetaPressure sqrt_theta(kind);
     const double half_angle = table.value(row, "theta0_deg") * degree;
@@ -367,8 +366,8 @@ TEST(ExactPressure, AgreesWithTheTabulatedProfiles) {
     const std::string key = table.text(row, "joint") + table.text(row, "Ebar");
     if (key != last) {
       law = std::make_unique<ExactPressure>(table.text(row, "joint") == "sphere"
-                                                ? JointKind::spherical
-                                                : JointKind::cylindrical,
+                                                ? JointKind::ball
+                                                : JointKind::pin,
                                             table_pair(table, row));
       last = key;
     }
@@ -403,8 +402,8 @@ struct SolvedPair {
   explicit SolvedPair(const ElasticPair& pair)
       : ball_contact(pair, contact::InnerLoading::centre(), 32),
         pin_contact(pair, contact::InnerLoading::centre(), 32),
-        ball_law(JointKind::spherical, pair),
-        pin_law(JointKind::cylindrical, pair) {}
+        ball_law(JointKind::ball, pair),
+        pin_law(JointKind::pin, pair) {}
   contact::BallContact ball_contact;
   contact::PinContact pin_contact;
   ExactPressure ball_law, pin_law;
@@ -464,9 +463,9 @@ TEST(ExactPressure, LoadedThroughTheBack) {
   const auto loading = contact::InnerLoading::back(25 * degree);
   const contact::BallContact ball_contact(pair, loading);
   const contact::PinContact pin_contact(pair, loading, 32);
-  const ExactPressure ball(JointKind::spherical, pair, loading);
-  const ExactPressure pin(JointKind::cylindrical, pair, loading);
-  const ExactPressure centre(JointKind::spherical, pair);
+  const ExactPressure ball(JointKind::ball, pair, loading);
+  const ExactPressure pin(JointKind::pin, pair, loading);
+  const ExactPressure centre(JointKind::ball, pair);
   for (const double theta0_deg : {2.0, 40.0, 75.0}) {
     const double half_angle = theta0_deg * degree;
     // As for loads at the centre.
@@ -514,7 +513,7 @@ TEST(ExactPressure, FallsFromTheCentreToTheEdgeForAnyPair) {
 }
 
 TEST(ExactPressure, IsTheClosedFormOfAPinOfEqualMaterials) {
-  const ExactPressure law(JointKind::cylindrical,
+  const ExactPressure law(JointKind::pin,
                           ElasticPair::from_modulus_ratio(1, 0.3, 0.3));
   // 12 terms, at 119 deg.
   AccuracyReport report("against the closed form, over the peak", 1e-9);
@@ -552,7 +551,7 @@ TEST(MixturePressure, IsWithinItsErrorsOfTheExactPressure) {
   std::uniform_real_distribution<double> uniform(0, 1);
   const auto compare = [&](const ElasticPair& pair) {
     for (const JointKind kind : kinds) {
-      const bool ball = kind == JointKind::spherical;
+      const bool ball = kind == JointKind::ball;
       const ExactPressure exact(kind, pair);
       const MixturePressure mixture(kind, pair);
       const double limit =
@@ -592,8 +591,8 @@ TEST(MixturePressure, IsWithinItsErrorsOfTheExactPressure) {
 TEST(MixturePressure, CoefficientsAreThoseOfTheFit) {
   for (const JointKind kind : kinds) {
     const auto fit = contact::reference::fit_pressure_mixture(kind);
-    const auto& c = kind == JointKind::spherical ? contact::detail::ball_mixture
-                                                 : contact::detail::pin_mixture;
+    const auto& c = kind == JointKind::ball ? contact::detail::ball_mixture
+                                            : contact::detail::pin_mixture;
     // The powers of the sine are nearly dependent: changes of S by 1e-8 move
     // coefficients by 1e-3 and the weight by far less. The coefficients are
     // printed to four decimals.

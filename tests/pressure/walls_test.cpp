@@ -31,7 +31,7 @@ template <class Contact>
 void compare(JointKind kind) {
   AccuracyReport value("p over the peak", 1e-6);
   // By the midpoint rule below, whose error for a ball this is.
-  AccuracyReport load("load by p", kind == JointKind::spherical ? 1e-5 : 1e-12);
+  AccuracyReport load("load by p", kind == JointKind::ball ? 1e-5 : 1e-12);
   // The solver's own, which shows as its load by p against H_1.
   AccuracyReport sum("S", 1e-6);
   for (const Wall& wall : walls) {
@@ -58,7 +58,7 @@ void compare(JointKind kind) {
       for (int i = 0; i < steps; ++i) {
         const double phi = std::numbers::pi / 2 * (i + 0.5) / steps;
         const double theta = theta0 * std::cos(phi);
-        const double area = kind == JointKind::spherical
+        const double area = kind == JointKind::ball
                                 ? 2 * std::numbers::pi * std::sin(theta)
                                 : 2.0;
         force += law.pressure(theta, theta0) * std::cos(theta) * area * theta0 *
@@ -71,11 +71,11 @@ void compare(JointKind kind) {
 }
 
 TEST(WalledExactPressure, IsTheSolverOfBalls) {
-  compare<BallContact>(JointKind::spherical);
+  compare<BallContact>(JointKind::ball);
 }
 
 TEST(WalledExactPressure, IsTheSolverOfPins) {
-  compare<PinContact>(JointKind::cylindrical);
+  compare<PinContact>(JointKind::pin);
 }
 
 TEST(WalledExactPressure, Friction) {
@@ -85,7 +85,7 @@ TEST(WalledExactPressure, Friction) {
   AccuracyReport thin("friction coefficients, t = 0.03, 0.015", 3e-6);
   for (const Wall& wall : walls) {
     AccuracyReport& report = wall.thickness < 0.1 ? thin : thick;
-    const ExactPressure law(JointKind::spherical, wall.pair());
+    const ExactPressure law(JointKind::ball, wall.pair());
     for (const double theta0_deg : {5.0, 45.0, 80.0}) {
       for (const double axis_deg : {10.0, 60.0}) {
         const SlipAxis axis = SlipAxis::from_degrees(axis_deg);

@@ -19,7 +19,7 @@ using contact::degree;
 using contact::test::error_message;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
-using multibody::JointKind;
+using multibody::HingeKind;
 using separation::Case;
 using separation::Event;
 using separation::parse_case;
@@ -36,25 +36,25 @@ const std::vector<std::string> good_lines = {
     "mass_t = 1",                                             // 8
     "com_m = [1, 0, 0]",                                      // 9
     "principal_inertia_kg_m2 = [1, 2, 2]",                    // 10
-    "[[load]]",                                               // 11
+    "[[body]]",                                               // 11
     "name = \"arm\"",                                         // 12
     "density_kg_per_m3 = 1000",                               // 13
-    "[[load.shape]]",                                         // 14
+    "[[body.shape]]",                                         // 14
     "kind = \"cylinder\"",                                    // 15
     "from_m = [0, 0, 0]",                                     // 16
     "to_m = [2, 0, 0]",                                       // 17
     "radius_mm = 100",                                        // 18
-    "[load.pattern]",                                         // 19
+    "[body.pattern]",                                         // 19
     "count = 2",                                              // 20
     "axis = [1, 0, 0]",                                       // 21
-    "[load.hinge]",                                           // 22
+    "[body.hinge]",                                           // 22
     "kind = \"axis\"",                                        // 23
     "carrier_point_m = [3, 0.5, 0]",                          // 24
     "axis = [0, 0, 2]",                                       // 25
-    "[[load.hinge.joint]]",                                   // 26
+    "[[body.hinge.joint]]",                                   // 26
     "file = \"" CONTACT_DATA_DIR "/joints/pin_joint.toml\"",  // 27
-    "[load.lock]",                                            // 28
-    "load_point_m = [2, 0, 0]",                               // 29
+    "[body.lock]",                                            // 28
+    "body_point_m = [2, 0, 0]",                               // 29
     "[[event]]",                                              // 30
     "name = \"open\"",                                        // 31
     "time_s = 0.5",                                           // 32
@@ -62,7 +62,7 @@ const std::vector<std::string> good_lines = {
     "[[event]]",                                              // 34
     "name = \"off\"",                                         // 35
     "angle_deg = 30",                                         // 36
-    "loads = [\"arm 2\"]",                                    // 37
+    "bodies = [\"arm 2\"]",                                   // 37
     "after = \"open\"",                                       // 38
     "breaks = \"hinge\"",                                     // 39
     "[[force]]",                                              // 40
@@ -85,7 +85,7 @@ std::string text_of(const std::vector<std::string>& lines) {
 // The good case with a ball joint, line by line.
 std::vector<std::string> ball_lines() {
   std::vector<std::string> lines = good_lines;
-  lines[22] = "kind = \"spherical\"";
+  lines[22] = "kind = \"ball\"";
   lines[24] = lines[25] = lines[26] = "";
   return lines;
 }
@@ -104,26 +104,26 @@ TEST(CaseFile, ReadsEverything) {
   EXPECT_EQ(c.output_step, 0.01);
   EXPECT_EQ(c.options.gravity, Vector3d(0, 0, -9.81));
   EXPECT_EQ(c.carrier.mass, 1000);
-  ASSERT_EQ(c.loads.size(), 2U);
-  const separation::Load& load = c.loads[1];
-  EXPECT_EQ(load.body.name, "arm 2");
-  EXPECT_EQ(load.group, "arm");
+  ASSERT_EQ(c.bodies.size(), 2U);
+  const separation::Body& body = c.bodies[1];
+  EXPECT_EQ(body.rigid.name, "arm 2");
+  EXPECT_EQ(body.group, "arm");
   // A cylinder of water; its middle is the centre of mass.
-  EXPECT_NEAR(load.body.mass, 1000 * std::numbers::pi * 0.01 * 2, 1e-12);
-  EXPECT_LE((load.body.com - Vector3d(1, 0, 0)).norm(), 1e-15);
-  EXPECT_NEAR(load.body.inertia(0, 0), load.body.mass * 0.01 / 2, 1e-12);
-  EXPECT_LE((load.body.shapes[0].from - Vector3d(-1, 0, 0)).norm(), 1e-15);
-  EXPECT_EQ(load.hinge.kind, JointKind::axis);
-  EXPECT_LE((load.hinge.load_point - Vector3d(-1, 0, 0)).norm(), 1e-15);
+  EXPECT_NEAR(body.rigid.mass, 1000 * std::numbers::pi * 0.01 * 2, 1e-12);
+  EXPECT_LE((body.rigid.com - Vector3d(1, 0, 0)).norm(), 1e-15);
+  EXPECT_NEAR(body.rigid.inertia(0, 0), body.rigid.mass * 0.01 / 2, 1e-12);
+  EXPECT_LE((body.rigid.shapes[0].from - Vector3d(-1, 0, 0)).norm(), 1e-15);
+  EXPECT_EQ(body.hinge.kind, HingeKind::axis);
+  EXPECT_LE((body.hinge.body_point - Vector3d(-1, 0, 0)).norm(), 1e-15);
   // The second copy is turned by 180 deg about x.
-  EXPECT_LE((load.hinge.carrier_point - Vector3d(2, -0.5, 0)).norm(), 1e-15);
-  EXPECT_LE((load.hinge.axis - Vector3d(0, 0, -1)).norm(), 1e-15);
-  EXPECT_TRUE(load.start.locked);
-  EXPECT_EQ(load.hinge.joints.size(), 1U);
+  EXPECT_LE((body.hinge.carrier_point - Vector3d(2, -0.5, 0)).norm(), 1e-15);
+  EXPECT_LE((body.hinge.axis - Vector3d(0, 0, -1)).norm(), 1e-15);
+  EXPECT_TRUE(body.start.locked);
+  EXPECT_EQ(body.hinge.joints.size(), 1U);
   ASSERT_EQ(c.events.size(), 2U);
-  EXPECT_EQ(c.events[0].loads, (std::vector<int>{0, 1}));
+  EXPECT_EQ(c.events[0].bodies, (std::vector<int>{0, 1}));
   EXPECT_EQ(c.events[0].trigger, Event::Trigger::time);
-  EXPECT_EQ(c.events[1].loads, std::vector<int>{1});
+  EXPECT_EQ(c.events[1].bodies, std::vector<int>{1});
   EXPECT_EQ(c.events[1].after, 0);
   EXPECT_NEAR(c.events[1].value, 30 * degree, 1e-15);
   ASSERT_EQ(c.forces.size(), 2U);
@@ -138,7 +138,7 @@ TEST(CaseFile, ReadsEverything) {
 
 TEST(CaseFile, AnglesOfTheAxisComeBack) {
   const Case c = parse_case(text_of(good_lines), "c.toml");
-  const separation::Hinge& hinge = c.loads[1].hinge;
+  const separation::Hinge& hinge = c.bodies[1].hinge;
   for (const double angle : {-3.0, -0.5, 0.0, 1e-9, 2.0, 3.1}) {
     const Matrix3d rotation =
         Eigen::AngleAxisd(angle, hinge.axis).toRotationMatrix() *
@@ -171,36 +171,36 @@ TEST(CaseFile, EveryBadLineHasItsMessage) {
             "c.toml:6: carrier.inertia is missing: there are no shapes to take "
             "it from");
   EXPECT_EQ(message_with_line(12, "name = \"core\""),
-            "c.toml:12: load[1].name = \"core\": allowed: a name that no "
+            "c.toml:12: body[1].name = \"core\": allowed: a name that no "
             "other body has");
   EXPECT_EQ(message_with_line(12, "name = \"a.b\""),
-            "c.toml:12: load[1].name = \"a.b\": allowed: a name without . / "
+            "c.toml:12: body[1].name = \"a.b\": allowed: a name without . / "
             ", \" and line ends");
   EXPECT_EQ(message_with_line(15, "kind = \"box\""),
-            "c.toml:15: load[1].shape[1].kind = \"box\": allowed: "
+            "c.toml:15: body[1].shape[1].kind = \"box\": allowed: "
             "\"capsule\", \"cylinder\", \"cone\", \"hull\"");
   EXPECT_EQ(message_with_line(17, "to_m = [0, 0, 0]"),
-            "c.toml:17: load[1].shape[1].to_m = [0, 0, 0]: allowed: a point "
+            "c.toml:17: body[1].shape[1].to_m = [0, 0, 0]: allowed: a point "
             "apart from \"from\"");
   EXPECT_EQ(message_with_line(20, "count = 1"),
-            "c.toml:20: load[1].pattern.count = 1: allowed: an integer, 2 to "
+            "c.toml:20: body[1].pattern.count = 1: allowed: an integer, 2 to "
             "1000");
   std::vector<std::string> pin_on_a_ball_hinge = good_lines;
-  pin_on_a_ball_hinge[22] = "kind = \"spherical\"";
+  pin_on_a_ball_hinge[22] = "kind = \"ball\"";
   pin_on_a_ball_hinge[24] = "";
   EXPECT_EQ(error_message(
                 [&] { parse_case(text_of(pin_on_a_ball_hinge), "c.toml"); }),
-            "c.toml:26: load[1].hinge.joint[1].kind: allowed: a ball joint on "
-            "a spherical hinge");
+            "c.toml:26: body[1].hinge.joint[1].kind: allowed: a ball joint on "
+            "a ball hinge");
   EXPECT_EQ(message_with_line(25, "axis = [0, 0, 0]"),
-            "c.toml:25: load[1].hinge.axis = [0, 0, 0]: allowed: a vector "
+            "c.toml:25: body[1].hinge.axis = [0, 0, 0]: allowed: a vector "
             "that "
             "is not 0");
   EXPECT_EQ(message_with_line(27, "file = \"none.toml\""),
-            "c.toml:27: load[1].hinge.joint[1].file = \"none.toml\": "
+            "c.toml:27: body[1].hinge.joint[1].file = \"none.toml\": "
             "none.toml: cannot be read: No such file or directory");
-  EXPECT_EQ(message_with_line(29, "load_point_m = [0, 0, 0]"),
-            "c.toml:29: load[1].lock.load_point_m = [0, 0, 0]: allowed: a "
+  EXPECT_EQ(message_with_line(29, "body_point_m = [0, 0, 0]"),
+            "c.toml:29: body[1].lock.body_point_m = [0, 0, 0]: allowed: a "
             "point apart from the hinge");
   EXPECT_EQ(message_with_line(32, ""),
             "c.toml:30: event[1].time is missing: an event needs time, angle, "
@@ -214,9 +214,10 @@ TEST(CaseFile, EveryBadLineHasItsMessage) {
   EXPECT_EQ(message_with_line(35, "name = \"open\""),
             "c.toml:35: event[2].name = \"open\": allowed: a name that no "
             "other event has");
-  EXPECT_EQ(message_with_line(37, "loads = [\"arm 3\"]"),
-            "c.toml:37: event[2].loads = [\"arm 3\"]: allowed: arm, arm 1, arm "
-            "2");
+  EXPECT_EQ(
+      message_with_line(37, "bodies = [\"arm 3\"]"),
+      "c.toml:37: event[2].bodies = [\"arm 3\"]: allowed: arm, arm 1, arm "
+      "2");
   EXPECT_EQ(message_with_line(38, "after = \"opne\""),
             "c.toml:38: event[2].after = \"opne\": allowed: open");
   EXPECT_EQ(message_with_line(38, "after = \"off\""),
@@ -261,10 +262,10 @@ TEST(CaseFile, Forces) {
             "grow from one to the next");
   EXPECT_EQ(message_of_force("name = \"f\"\nbody = \"core\"\n"
                              "kind = \"pusher\"\n"),
-            "c.toml:42: force[1].body = \"core\": allowed: a load");
+            "c.toml:42: force[1].body = \"core\": allowed: a body");
   EXPECT_EQ(message_of_force("name = \"f\"\nbody = \"core\"\n"
                              "kind = \"motor\"\nmoment_N_m = 1\n"),
-            "c.toml:42: force[1].body = \"core\": allowed: a load on an axis");
+            "c.toml:42: force[1].body = \"core\": allowed: a body on an axis");
   const auto motor = [](const std::string& angles) {
     return message_of_force(
         "name = \"f\"\nbody = \"arm\"\nkind = \"motor\"\nangle_deg = " +
@@ -296,11 +297,11 @@ TEST(CaseFile, AnglesOfBallJointsEndAtHalfATurn) {
   EXPECT_EQ(with_event("180"), "(no error)");
   EXPECT_EQ(with_event("180.1"),
             "c.toml:36: event[2].angle_deg = 180.1: allowed: 0 deg to 180 deg "
-            "on the spherical hinge of load \"arm 2\": it is the angle between "
+            "on the ball hinge of body \"arm 2\": it is the angle between "
             "two directions");
   EXPECT_EQ(with_event("-1"),
             "c.toml:36: event[2].angle_deg = -1: allowed: 0 deg to 180 deg on "
-            "the spherical hinge of load \"arm 2\": it is the angle between "
+            "the ball hinge of body \"arm 2\": it is the angle between "
             "two directions");
   lines[35] = "angle_deg = 30";
   const auto with_table = [&](const std::string& angles) {
@@ -315,10 +316,10 @@ TEST(CaseFile, AnglesOfBallJointsEndAtHalfATurn) {
   EXPECT_EQ(with_table("[0, 180]"), "(no error)");
   EXPECT_EQ(with_table("[0, 181]"),
             "c.toml:53: force[2].angle_deg = [0, 181]: allowed: 0 deg to 180 "
-            "deg on a spherical hinge: it is the angle between two directions");
+            "deg on a ball hinge: it is the angle between two directions");
   EXPECT_EQ(with_table("[-1, 90]"),
             "c.toml:53: force[2].angle_deg = [-1, 90]: allowed: 0 deg to 180 "
-            "deg on a spherical hinge: it is the angle between two directions");
+            "deg on a ball hinge: it is the angle between two directions");
 }
 
 TEST(CaseFile, ForcesEndAfterTheyBegin) {
@@ -352,18 +353,18 @@ TEST(CaseFile, NamesOfBodiesAndColumnsAreTheirOwn) {
   // "arm" stands for its copies "arm 1" and "arm 2".
   const auto named = [](const std::string& name) {
     return error_message([&] {
-      parse_case(text_of(good_lines) + "[[load]]\nname = \"" + name +
+      parse_case(text_of(good_lines) + "[[body]]\nname = \"" + name +
                      "\"\nmass_kg = 1\nprincipal_inertia_kg_m2 = "
                      "[1, 1, 1]\n",
                  "c.toml");
     });
   };
   for (const std::string name : {"arm", "arm 2", "core"}) {
-    EXPECT_EQ(named(name), "c.toml:50: load[2].name = \"" + name +
+    EXPECT_EQ(named(name), "c.toml:50: body[2].name = \"" + name +
                                "\": allowed: a name that no other body has");
   }
   EXPECT_EQ(named("arm_2"),
-            "c.toml:50: load[2].name = \"arm_2\": allowed: a name that is not "
+            "c.toml:50: body[2].name = \"arm_2\": allowed: a name that is not "
             "that of \"arm 2\" in columns, where blanks are underscores");
 }
 
@@ -376,28 +377,28 @@ TEST(CaseFile, DirectionsOfABallJointComeInPairs) {
       "\n[[carrier.direction]]\nname = \"up\"\nvector = [0, 1, 0]";
   const std::string text = text_of(lines);
   const auto with = [&](const std::string& keys) {
-    const std::string place = "[load.hinge]\n";
+    const std::string place = "[body.hinge]\n";
     std::string all = text;
     all.insert(all.find(place) + place.size(), keys);
     return error_message([&] { parse_case(all, "c.toml"); });
   };
-  const std::string along = "load_direction = \"along\"\n";
+  const std::string along = "body_direction = \"along\"\n";
   EXPECT_EQ(with(""), "(no error)");
   EXPECT_EQ(with(along + "carrier_direction = \"up\"\n"), "(no error)");
   EXPECT_EQ(with(along),
-            "c.toml:30: load[1].hinge.load_direction = \"along\": allowed: "
+            "c.toml:30: body[1].hinge.body_direction = \"along\": allowed: "
             "together with carrier_direction");
   EXPECT_EQ(with("carrier_direction = \"axis\"\n"),
-            "c.toml:30: load[1].hinge.carrier_direction = \"axis\": allowed: "
-            "together with load_direction");
+            "c.toml:30: body[1].hinge.carrier_direction = \"axis\": allowed: "
+            "together with body_direction");
   EXPECT_EQ(with(along + "carrier_direction = \"axes\"\n"),
-            "c.toml:31: load[1].hinge.carrier_direction = \"axes\": allowed: "
+            "c.toml:31: body[1].hinge.carrier_direction = \"axes\": allowed: "
             "axis, up, the directions of \"core\"");
   std::vector<std::string> none = ball_lines();
-  none[24] = "load_direction = \"a\"";
+  none[24] = "body_direction = \"a\"";
   none[25] = "carrier_direction = \"a\"";
   EXPECT_EQ(error_message([&] { parse_case(text_of(none), "c.toml"); }),
-            "c.toml:25: load[1].hinge.load_direction = \"a\": \"arm\" has no "
+            "c.toml:25: body[1].hinge.body_direction = \"a\": \"arm\" has no "
             "directions");
 }
 
@@ -431,33 +432,33 @@ TEST(CaseFile, DistancesAreOfTwoBodies) {
       error_message([&] { parse_case(pairs("arm 1", "arm 1"), "c.toml"); }),
       "c.toml:51: clearance[1].b = \"arm 1\": allowed: another body than "
       "a");
-  // The copies of a load against each other.
+  // The copies of a body against each other.
   EXPECT_EQ(parse_case(pairs("arm", "arm"), "c.toml").clearance.size(), 1U);
 }
 
 TEST(CaseFile, LocksOfAxesHaveALeverArm) {
-  // On the axis, which is along z through the load's origin.
-  EXPECT_EQ(message_with_line(29, "load_point_m = [0, 0, 0.3]"),
-            "c.toml:29: load[1].lock.load_point_m = [0, 0, 0.3]: allowed: a "
+  // On the axis, which is along z through the body's origin.
+  EXPECT_EQ(message_with_line(29, "body_point_m = [0, 0, 0.3]"),
+            "c.toml:29: body[1].lock.body_point_m = [0, 0, 0.3]: allowed: a "
             "point off the hinge's axis: on it a lock holds nothing");
-  EXPECT_EQ(message_with_line(29, "load_point_m = [0, 1e-6, 0.3]"),
+  EXPECT_EQ(message_with_line(29, "body_point_m = [0, 1e-6, 0.3]"),
             "(no error)");
-  // The axis is given in carrier axes: along x of a load turned about y.
+  // The axis is given in carrier axes: along x of a body turned about y.
   const std::string turned =
       "axis = [0, 0, 1]\nzero_rotation_deg = [0, -90, 0]";
   std::vector<std::string> lines = good_lines;
   lines[24] = turned;
-  lines[28] = "load_point_m = [0.7, 0, 0]";
+  lines[28] = "body_point_m = [0.7, 0, 0]";
   EXPECT_NE(error_message([&] {
               parse_case(text_of(lines), "c.toml");
             }).find("a point off the hinge's axis"),
             std::string::npos);
-  lines[28] = "load_point_m = [0, 0, 0.7]";
+  lines[28] = "body_point_m = [0, 0, 0.7]";
   EXPECT_EQ(error_message([&] { parse_case(text_of(lines), "c.toml"); }),
             "(no error)");
   // A ball joint turns about any line.
   lines = ball_lines();
-  lines[28] = "load_point_m = [0, 0, 0.3]";
+  lines[28] = "body_point_m = [0, 0, 0.3]";
   EXPECT_EQ(error_message([&] { parse_case(text_of(lines), "c.toml"); }),
             "(no error)");
 }
@@ -474,10 +475,10 @@ TEST(CaseFile, MisspeltNamesAreReportedFirst) {
   EXPECT_EQ(message_with_line(4, "end_tiem_s = 2"),
             "c.toml:4: run.end_tiem_s: unknown key: did you mean end_time_s?");
   std::vector<std::string> lines = good_lines;
-  lines[21] = "[load.hinges]";
-  lines[25] = "[[load.hinges.joint]]";
+  lines[21] = "[body.hinges]";
+  lines[25] = "[[body.hinges.joint]]";
   EXPECT_EQ(error_message([&] { parse_case(text_of(lines), "c.toml"); }),
-            "c.toml:22: load[1].hinges: unknown key: did you mean hinge?");
+            "c.toml:22: body[1].hinges: unknown key: did you mean hinge?");
   EXPECT_EQ(message_with_line(1, ""), "c.toml:1: name is missing");
   EXPECT_EQ(error_message([] { parse_case("name = \"x\"\n", "c.toml"); }),
             "c.toml:1: the table [run] is missing");
@@ -485,7 +486,7 @@ TEST(CaseFile, MisspeltNamesAreReportedFirst) {
               parse_case(text_of({good_lines.begin(), good_lines.begin() + 10}),
                          "c.toml");
             }),
-            "c.toml:1: load is missing: a case has one or more [[load]]");
+            "c.toml:1: body is missing: a case has one or more [[body]]");
   // These are keys of their own, not "kind" and "axis".
   EXPECT_EQ(message_of_force("name = \"f\"\nbody = \"arm\"\n"
                              "wind = [1, 0, 0]\n"),
@@ -512,10 +513,10 @@ TEST(CaseFile, UnknownKeysComeFirst) {
   }
   // A unit that the key does not have: without it the node is indeterminate.
   std::vector<std::string> lines = good_lines;
-  lines[26] += "\n[[load.hinge.joint]]\n" + lines[26] + "\nposition_m = 1";
+  lines[26] += "\n[[body.hinge.joint]]\n" + lines[26] + "\nposition_m = 1";
   lines[24] += "\nradial_stiffness_N_per_m = [1, 1]\naxial_share = [0, 1]";
   EXPECT_EQ(error_message([&] { parse_case(text_of(lines), "c.toml"); }),
-            "c.toml:26: load[1].hinge.radial_stiffness_N_per_m: unknown key: "
+            "c.toml:26: body[1].hinge.radial_stiffness_N_per_m: unknown key: "
             "did you mean radial_stiffness?");
   // Of another kind.
   EXPECT_EQ(message_with_line(46, "free_length_m = 1"),
@@ -523,10 +524,11 @@ TEST(CaseFile, UnknownKeysComeFirst) {
             "cutoff_at, cutoff_at_event, cutoff_delay, decay, direction, "
             "ends_at, ends_at_event, ends_delay, kind, name, point, "
             "starts_at, starts_at_event, starts_delay, thrust");
-  EXPECT_EQ(message_with_line(25, "carrier_direction = \"x\""),
-            "c.toml:25: load[1].hinge.carrier_direction: unknown key: "
-            "allowed: axial_share, axis, carrier_point, joint, kind, "
-            "load_point, name, radial_stiffness, sharing, zero_rotation");
+  EXPECT_EQ(
+      message_with_line(25, "carrier_direction = \"x\""),
+      "c.toml:25: body[1].hinge.carrier_direction: unknown key: "
+      "allowed: axial_share, axis, body_point, carrier_point, joint, kind, "
+      "name, radial_stiffness, sharing, zero_rotation");
 }
 
 TEST(CaseFile, ForcesHaveNamesOfTheirOwn) {
@@ -595,12 +597,12 @@ TEST(CaseFile, JointsOfAFileHaveNamesOfTheirOwn) {
   std::vector<std::string> lines = good_lines;
   lines[26] += "\nname = \"left pin\"";
   const Case c = parse_case(text_of(lines), "c.toml");
-  EXPECT_EQ(c.loads[0].hinge.joints[0].joint.name, "left pin");
+  EXPECT_EQ(c.bodies[0].hinge.joints[0].joint.name, "left pin");
 }
 
 TEST(CaseFile, LawsOfTheCommandLineAreTaken) {
   const Case c = parse_case(text_of(good_lines), "c.toml", {"tanh", ""});
-  EXPECT_EQ(c.loads[0].hinge.joints[0].joint.half_angle_law, "tanh");
+  EXPECT_EQ(c.bodies[0].hinge.joints[0].joint.half_angle_law, "tanh");
   const auto message = [](const separation::JointLaws& laws) {
     return error_message(
         [&] { parse_case(text_of(good_lines), "c.toml", laws); });

@@ -125,20 +125,20 @@ TEST(HingeSeparation, BoostersComeOffAtTheAngleAskedForAndDriftClear) {
   for (const json& event : j["events"]) {
     const std::string what = event["what"];
     auto& times = what.starts_with("lower") ? lower : upper;
-    if (what.ends_with("breaks")) times[event["load"]] = event["time_s"];
+    if (what.ends_with("breaks")) times[event["body"]] = event["time_s"];
   }
   EXPECT_EQ(lower.size(), 4U);
   EXPECT_EQ(upper.size(), 4U);
-  for (const json& load : j["loads"]) {
-    const std::string name = load["name"];
+  for (const json& body : j["bodies"]) {
+    const std::string name = body["name"];
     EXPECT_EQ(lower[name], 0.5);
-    const json& release = load["at_release"];
+    const json& release = body["at_release"];
     EXPECT_EQ(release["time_s"], upper[name]);
     // The root of the angle, to the tolerance of the steps.
     EXPECT_NEAR(release["angle_deg"].get<double>(), 8, 1e-6);
     EXPECT_GT(release["rate_deg_per_s"].get<double>(), 1);
-    EXPECT_EQ(load["mode_at_end"], "released");
-    EXPECT_GT(load["work_of_friction_J"].get<double>(), 0);
+    EXPECT_EQ(body["mode_at_end"], "released");
+    EXPECT_GT(body["work_of_friction_J"].get<double>(), 0);
   }
   // Booster 3 is stronger, the others are each other's mirror images.
   EXPECT_LT(upper["booster 3"], upper["booster 1"]);
@@ -166,23 +166,23 @@ name = "core"
 mass_kg = 100
 principal_inertia_kg_m2 = [10, 12, 14]
 start = { velocity_m_per_s = [1, 2, -0.5], angular_velocity_rad_per_s = [0.1, -0.2, 0.3] }
-[[load]]
+[[body]]
 name = "tip"
 mass_kg = 20
 com_m = [0.2, 0.1, 0]
 principal_inertia_kg_m2 = [1, 2, 2.5]
-[load.hinge]
-kind = "spherical"
+[body.hinge]
+kind = "ball"
 carrier_point_m = [1, 0, 0]
-[[load.hinge.joint]]
+[[body.hinge.joint]]
 name = "ball"
-kind = "spherical"
+kind = "ball"
 geometry = { radius_mm = 30, radial_clearance_um = 60 }
 materials.inner = { youngs_modulus_GPa = 200, poissons_ratio = 0.3 }
 materials.outer = { youngs_modulus_GPa = 200, poissons_ratio = 0.3 }
 friction = { coefficient = 0.2, adhesion_MPa = 1 }
-[load.lock]
-load_point_m = [0.5, 0, 0]
+[body.lock]
+body_point_m = [0.5, 0, 0]
 [[event]]
 name = "lock opens"
 time_s = 0.4
@@ -217,8 +217,8 @@ TEST(HingeSeparation, MomentaStayBeforeAndAfterTheRelease) {
   const ProgramFolder folder;
   folder.write("c.toml", alone);
   const json j = run_json(folder, "c.toml --history h.csv");
-  EXPECT_NEAR(j["loads"][0]["at_release"]["time_s"].get<double>(), 1.1, 1e-12);
-  EXPECT_GT(j["loads"][0]["work_of_friction_J"].get<double>(), 0);
+  EXPECT_NEAR(j["bodies"][0]["at_release"]["time_s"].get<double>(), 1.1, 1e-12);
+  EXPECT_GT(j["bodies"][0]["work_of_friction_J"].get<double>(), 0);
   // The pusher does push, and its stroke ends.
   EXPECT_GT(j["energy"]["largest_J"].get<double>(), 0);
   EXPECT_LT(j["energy"]["largest_drift_J"].get<double>(),
@@ -256,9 +256,9 @@ TEST(HingeSeparation, TwoStageTurnBeginsAsExample2OfThePaper) {
              "--friction " +
                  friction);
     const History h(folder.read("h.csv"));
-    return Row{h["load.acceleration_deg_per_s2"][0],
-               h["load.friction_moment_N_m"][0], h["load.reaction_N"][0],
-               h["load.theta0_deg"][0]};
+    return Row{h["stage.acceleration_deg_per_s2"][0],
+               h["stage.friction_moment_N_m"][0], h["stage.reaction_N"][0],
+               h["stage.theta0_deg"][0]};
   };
   const Row ideal = first_row("ideal");
   const Row full = first_row("full");
@@ -283,7 +283,7 @@ TEST(HingeSeparation, FrictionIsBetweenIdealAndTheTraditionalEstimate) {
         folder.run("hinge-separation --compare data/cases/" + name + ".toml");
     EXPECT_EQ(result.status, 0) << result.err;
     const auto rows = csv_rows(result.out);
-    EXPECT_EQ(rows[0], (std::vector<std::string>{"load", "quantity", "ideal",
+    EXPECT_EQ(rows[0], (std::vector<std::string>{"body", "quantity", "ideal",
                                                  "full", "traditional"}));
     int compared = 0;
     for (const auto& row : rows) {
@@ -309,16 +309,16 @@ gravity_m_per_s2 = [0, -9.81, 0]
 end_time_s = 4
 )" + carrier_at_rest("ceiling") +
                            R"(
-[[load]]
+[[body]]
 name = "mass"
 mass_kg = 2
 com_m = [1, 0, 0]
 principal_inertia_kg_m2 = [0, 0, 0]
-[load.hinge]
+[body.hinge]
 kind = "axis"
 carrier_point_m = [0, 0, 0]
 axis = [0, 0, -1]
-[load.pattern]
+[body.pattern]
 count = 2
 axis = [0, 0, 1]
 )";
@@ -328,35 +328,35 @@ axis = [0, 0, 1]
 [[event]]
 name = "tears"
 reaction_N = 30
-loads = "mass 1"
+bodies = "mass 1"
 breaks = "hinge"
 )");
   const json torn = run_json(folder, "reaction.toml");
-  EXPECT_NEAR(torn["loads"][0]["at_release"]["angle_deg"].get<double>(),
+  EXPECT_NEAR(torn["bodies"][0]["at_release"]["angle_deg"].get<double>(),
               std::asin(30 / (3 * 2 * 9.81)) / degree, 1e-5);
-  EXPECT_TRUE(torn["loads"][1]["at_release"].is_null());
+  EXPECT_TRUE(torn["bodies"][1]["at_release"].is_null());
 
   folder.write("late.toml", head + R"(
 [[event]]
 name = "first"
 time_s = 0.3
-loads = "mass 2"
+bodies = "mass 2"
 breaks = "hinge"
 [[event]]
 name = "second"
 after = "first"
 angle_deg = 5
-loads = "mass 1"
+bodies = "mass 1"
 breaks = "hinge"
 )");
   const json late = run_json(folder, "late.toml");
-  for (const json& load : late["loads"]) {
-    EXPECT_EQ(load["at_release"]["time_s"], 0.3) << load["name"];
+  for (const json& body : late["bodies"]) {
+    EXPECT_EQ(body["at_release"]["time_s"], 0.3) << body["name"];
   }
   // Opposite turns of equal size.
-  const double a = late["loads"][0]["at_release"]["angle_deg"];
+  const double a = late["bodies"][0]["at_release"]["angle_deg"];
   EXPECT_GT(a, 5);
-  EXPECT_NEAR(late["loads"][1]["at_release"]["angle_deg"].get<double>(), -a,
+  EXPECT_NEAR(late["bodies"][1]["at_release"]["angle_deg"].get<double>(), -a,
               1e-6);
 
   folder.write("together.toml", head + R"(
@@ -367,10 +367,10 @@ together = true
 breaks = "hinge"
 )");
   const json both = run_json(folder, "together.toml");
-  EXPECT_EQ(both["loads"][0]["at_release"]["time_s"],
-            both["loads"][1]["at_release"]["time_s"]);
+  EXPECT_EQ(both["bodies"][0]["at_release"]["time_s"],
+            both["bodies"][1]["at_release"]["time_s"]);
   // The steps' absolute tolerance is 1e-8 rad, 6e-7 deg; 2.8e-6 was seen.
-  EXPECT_NEAR(both["loads"][0]["at_release"]["angle_deg"].get<double>(), 60,
+  EXPECT_NEAR(both["bodies"][0]["at_release"]["angle_deg"].get<double>(), 60,
               1e-5);
 }
 
@@ -383,12 +383,12 @@ name = "wheel"
 [run]
 end_time_s = 3
 )" + carrier_at_rest("base") + R"(
-[[load]]
+[[body]]
 name = "wheel"
 mass_kg = 2
 com_m = [0, 0, 0]
 principal_inertia_kg_m2 = [0.3, 0.3, 0.5]
-[load.hinge]
+[body.hinge]
 kind = "axis"
 carrier_point_m = [0, 0, 0]
 axis = [0, 0, 1]
@@ -404,7 +404,8 @@ name = "off"
 angle_deg = 800
 breaks = "hinge"
 )");
-  const json wheel = run_json(folder, "wheel.toml --history h.csv")["loads"][0];
+  const json wheel =
+      run_json(folder, "wheel.toml --history h.csv")["bodies"][0];
   const json& release = wheel["at_release"];
   EXPECT_NEAR(release["angle_deg"].get<double>(), 800, 1e-5);
   const double angle = 800 * degree;
@@ -440,17 +441,17 @@ principal_inertia_kg_m2 = [1, 2, 2.5]
 start = { angular_velocity_rad_per_s = [0.5, 1, 0.2] }
 )";
   for (const std::string arm : {"1", "2"}) {
-    text += "[[load]]\nname = \"w" + arm + "\"\nmass_kg = 4\n" +
+    text += "[[body]]\nname = \"w" + arm + "\"\nmass_kg = 4\n" +
             "com_m = [0.5, 0, -0." + arm + "]\n" + R"(
 principal_inertia_kg_m2 = [0.02, 0.03, 0.02]
 start = { rotation_deg = [3, 0, 0] }
-[load.hinge]
-kind = "spherical"
+[body.hinge]
+kind = "ball"
 )" + "carrier_point_m = [" +
             arm + ", 0, 0]\n" + R"(
-[[load.hinge.joint]]
+[[body.hinge.joint]]
 name = "b"
-kind = "spherical"
+kind = "ball"
 geometry = { radius_mm = 50, radial_clearance_um = 100 }
 materials = { pair = "data/materials/steel_bronze.toml" }
 friction = { coefficient = 1 }
@@ -486,11 +487,11 @@ end_time_s = 2
 name = "c"
 mass_kg = 10
 principal_inertia_kg_m2 = [1, 1, 1]
-[[load]]
+[[body]]
 name = "s"
 mass_kg = 5
 principal_inertia_kg_m2 = [1, 1, 1]
-[load.start]
+[body.start]
 position_m = [)" +
          cli::number_text(1 + used) + ", 0, 0]\nvelocity_m_per_s = [" +
          cli::number_text(speed) + R"(, 0, 0]
@@ -521,7 +522,7 @@ TEST(HingeSeparation, PusherPushesOnceAndOnlyInItsTime) {
     EXPECT_EQ(last_speeds(pushed_case(used, 0, "")), still);
     EXPECT_EQ(last_speeds(pushed_case(used, 0, "starts_at_s = 0.35")), still);
   }
-  // Past its stroke only when it starts: the load drifts by 0.35 m before.
+  // Past its stroke only when it starts: the body drifts by 0.35 m before.
   const auto drifted = last_speeds(pushed_case(0, 1, "starts_at_s = 0.35"));
   EXPECT_EQ(drifted, std::pair(1.0, 0.0));
   // The push from `used` to the end of the stroke does its work on the reduced
@@ -532,8 +533,8 @@ TEST(HingeSeparation, PusherPushesOnceAndOnlyInItsTime) {
     return std::sqrt(before * before + 2 * mean * (0.1 - used) / mass);
   };
   const auto relative = [&](const std::string& text) {
-    const auto [load, carrier] = last_speeds(text);
-    return load - carrier;
+    const auto [body, carrier] = last_speeds(text);
+    return body - carrier;
   };
   // Some steps, each to 1e-9.
   constexpr double bound = 1e-7;
@@ -543,7 +544,7 @@ TEST(HingeSeparation, PusherPushesOnceAndOnlyInItsTime) {
   // It drifts back from past the end, until 0.05 m are used.
   EXPECT_NEAR(relative(pushed_case(0.25, -0.25, "starts_at_s = 0.8")),
               pushed(0.05, 0.25), bound);
-  // Before the pusher starts the load goes past its end and is drawn back,
+  // Before the pusher starts the body goes past its end and is drawn back,
   // x = t - t^2 until 0.9 s: that does not use up the stroke.
   EXPECT_NEAR(relative(pushed_case(0, 1, R"(starts_at_s = 0.925
 [[force]]
@@ -585,7 +586,7 @@ direction = [1, 0, 0]
 thrust_N = 0
 )")),
             warning + "\"off\" never acted on c\n");
-  // Before it is used the load is behind; the other way round both centres of
+  // Before it is used the body is behind; the other way round both centres of
   // mass are where it pushes to.
   EXPECT_EQ(warnings(pushed_case(-0.05, 0, "")),
             warning +
@@ -620,7 +621,7 @@ carrier_point_m = )" + end + "\nfree_length_m = " +
   EXPECT_EQ(warnings(with_spring("[0.5, 0, 0]", 0.4, "")), "");
 }
 
-// A compressed spring pushes the load off, and then draws it back.
+// A compressed spring pushes the body off, and then draws it back.
 TEST(HingeSeparation, SpringsThatPullBackAreWarnedOf) {
   const ProgramFolder folder;
   const auto warnings = [&](const std::string& more) {
@@ -662,12 +663,12 @@ gravity_m_per_s2 = [0, -9.81, 0]
 end_time_s = 4
 output_step_s = )") + step + R"(
 )" + carrier_at_rest("ceiling") + R"(
-[[load]]
+[[body]]
 name = "mass"
 mass_kg = 2
 com_m = [1, 0, 0]
 principal_inertia_kg_m2 = [0, 0, 0]
-[load.hinge]
+[body.hinge]
 kind = "axis"
 carrier_point_m = [0, 0, 0]
 axis = [0, 0, -1]
@@ -675,7 +676,7 @@ axis = [0, 0, -1]
 name = "tears"
 breaks = "hinge"
 reaction_N = )" + limit + "\n");
-      releases.push_back(run_json(folder, "c.toml")["loads"][0]["at_release"]);
+      releases.push_back(run_json(folder, "c.toml")["bodies"][0]["at_release"]);
     }
     EXPECT_EQ(releases[0], releases[1]) << limit;
     EXPECT_EQ(releases[0], releases[2]) << limit;
@@ -716,7 +717,7 @@ breaks = "lock"
   }
   EXPECT_EQ(breaks, (std::vector<std::string>{"lock opens: lock breaks",
                                               "off: hinge breaks"}));
-  EXPECT_EQ(result["loads"][0]["at_release"]["time_s"], 0.4);
+  EXPECT_EQ(result["bodies"][0]["at_release"]["time_s"], 0.4);
 }
 
 TEST(HingeSeparation, LockTakesItsShareOfTheReaction) {
@@ -729,18 +730,18 @@ gravity_m_per_s2 = [0, -10, 0]
 end_time_s = 0.1
 )" + carrier_at_rest("wall") +
                              R"(
-[[load]]
+[[body]]
 name = "bar"
 mass_kg = 10
 com_m = [1.5, 0, 0]
 principal_inertia_kg_m2 = [0, 1, 1]
 hinge = { kind = "axis", carrier_point_m = [0, 0, 0], axis = [0, 0, 1] }
-lock = { load_point_m = [2, 0, 0] }
+lock = { body_point_m = [2, 0, 0] }
 )");
   const json j = run_json(folder, "c.toml");
-  EXPECT_NEAR(j["loads"][0]["peak_lock_reaction_N"].get<double>(), 75, 1e-9);
-  EXPECT_NEAR(j["loads"][0]["peak_reaction_N"].get<double>(), 25, 1e-9);
-  EXPECT_EQ(j["loads"][0]["mode_at_end"], "locked");
+  EXPECT_NEAR(j["bodies"][0]["peak_lock_reaction_N"].get<double>(), 75, 1e-9);
+  EXPECT_NEAR(j["bodies"][0]["peak_reaction_N"].get<double>(), 25, 1e-9);
+  EXPECT_EQ(j["bodies"][0]["mode_at_end"], "locked");
 
   // A growing push at the middle: the lock has 3/4 of it, and breaks at 300 N.
   folder.write("lever.toml", folder.read("c.toml") + R"(
@@ -761,7 +762,7 @@ force_N = [[0, 0, 0], [0, -1000, 0]]
   EXPECT_EQ(torn["events"][0]["what"], "lock tears: lock breaks");
   // 0.75 (100 N + 10,000 N/s t) = 300 N
   EXPECT_NEAR(torn["events"][0]["time_s"].get<double>(), 0.03, 1e-9);
-  EXPECT_EQ(torn["loads"][0]["mode_at_end"], "sliding");
+  EXPECT_EQ(torn["bodies"][0]["mode_at_end"], "sliding");
 }
 
 // A balanced wheel on a viscous pin under its weight. Friction is so weak that
@@ -776,18 +777,18 @@ gravity_m_per_s2 = [0, -9.81, 0]
 run = { end_time_s = 20 }
 )" + carrier_at_rest("wall") +
                              R"(
-[[load]]
+[[body]]
 name = "wheel"
 mass_kg = 50
 principal_inertia_kg_m2 = [0.005, 0.005, 0.008]
 start = { rate_rad_per_s = 6 }
-[load.hinge]
+[body.hinge]
 kind = "axis"
 carrier_point_m = [0, 0, 0]
 axis = [0, 0, 1]
-[[load.hinge.joint]]
+[[body.hinge.joint]]
 name = "pin"
-kind = "cylindrical"
+kind = "pin"
 geometry = { radius_mm = 40, radial_clearance_um = 60, length_mm = 50 }
 materials = { pair = "data/materials/steel_bronze.toml" }
 pressure = { law = "cosine" }
@@ -811,8 +812,8 @@ friction = { viscous_constant_kPa_s_per_m = 2, viscous_pressure_slope_s_per_m = 
   }
   // It does not come to rest, and its energy goes into friction.
   EXPECT_TRUE(j["events"].empty());
-  EXPECT_EQ(j["loads"][0]["mode_at_end"], "sliding");
-  EXPECT_NEAR(j["loads"][0]["work_of_friction_J"].get<double>(),
+  EXPECT_EQ(j["bodies"][0]["mode_at_end"], "sliding");
+  EXPECT_NEAR(j["bodies"][0]["work_of_friction_J"].get<double>(),
               0.004 * 36 * (1 - std::exp(-40 * c)), 1e-7);
 }
 
@@ -831,13 +832,13 @@ kind = "capsule"
 from_m = [3, -1, 0]
 to_m = [3, -1, 0]
 radius_m = 0.5
-[[load]]
+[[body]]
 name = "bar"
 mass_kg = 10
 com_m = [1, 0, 0]
 principal_inertia_kg_m2 = [0, 0, 0]
 hinge = { kind = "axis", carrier_point_m = [0, 0, 0], axis = [0, 0, 1] }
-[[load.shape]]
+[[body.shape]]
 kind = "capsule"
 from_m = [1, 0, 0]
 to_m = [1, 0, 0]
@@ -853,7 +854,7 @@ ends_at_s = 1
 time_s = [0, 1]
 force_N = [[0, 0, 0], [1000, 0, 0]]
 )");
-  const json pull = run_json(folder, "pull.toml")["loads"][0];
+  const json pull = run_json(folder, "pull.toml")["bodies"][0];
   EXPECT_NEAR(pull["peak_reaction_N"].get<double>(), 1000, 1e-9);
   EXPECT_NEAR(pull["peak_reaction_time_s"].get<double>(), 1, 1e-15);
 
@@ -869,7 +870,7 @@ axes = "inertial"
 force_N = [0, -100, 0]
 )");
   const json swing = run_json(folder, "swing.toml");
-  EXPECT_NEAR(swing["loads"][0]["peak_reaction_N"].get<double>(), 300, 1e-6);
+  EXPECT_NEAR(swing["bodies"][0]["peak_reaction_N"].get<double>(), 300, 1e-6);
   const json& gap = swing["clearance"][0];
   const double nearest = std::hypot(3, 1) - 1 - 0.75;
   EXPECT_GT(gap["smallest_m"].get<double>(), nearest - 1e-5);
@@ -890,7 +891,7 @@ name = "pendulum"
 run = { end_time_s = 6, output_step_s = 6, relative_tolerance = )" +
                                  both + ", absolute_tolerance = " + both +
                                  " }\n" + carrier_at_rest("wall") + R"(
-[[load]]
+[[body]]
 name = "bob"
 mass_kg = 10
 com_m = [1, 0, 0]
@@ -905,9 +906,9 @@ kind = "applied"
 axes = "inertial"
 force_N = [0, -100, 0]
 )");
-      const json load = run_json(folder, "c.toml")["loads"][0];
+      const json body = run_json(folder, "c.toml")["bodies"][0];
       const double peak = 100 * (3 - 2 * std::cos(phi * contact::degree));
-      EXPECT_NEAR(load["peak_reaction_N"].get<double>(), peak, allowed * peak)
+      EXPECT_NEAR(body["peak_reaction_N"].get<double>(), peak, allowed * peak)
           << phi << ' ' << tolerance;
     }
   }
@@ -923,8 +924,8 @@ TEST(HingeSeparation, PeaksAreThoseOfShortSteps) {
     text.replace(at, 3, "data/");
   }
   folder.write("short.toml", text);
-  const json one = run_json(folder, "data/cases/platform.toml")["loads"];
-  const json other = run_json(folder, "short.toml")["loads"];
+  const json one = run_json(folder, "data/cases/platform.toml")["bodies"];
+  const json other = run_json(folder, "short.toml")["bodies"];
   const auto compare = [](const json& a, const json& b, const char* key) {
     const double exact = b[key];
     EXPECT_NEAR(a[key].get<double>(), exact, 1e-7 * exact) << key;
@@ -1073,7 +1074,7 @@ starts_at_s = 0.5
     EXPECT_EQ(h["time_s"].back(), summary["end_time_s"].get<double>());
     EXPECT_GE(h["time_s"].back(), 0.5);
     EXPECT_EQ(h["s.x_m"].size(), h.size());
-    EXPECT_TRUE(folder_.read("e.csv").starts_with("time_s,load,what\n"));
+    EXPECT_TRUE(folder_.read("e.csv").starts_with("time_s,body,what\n"));
     for (const std::string& file : folder_.files()) {
       EXPECT_FALSE(file.starts_with(".")) << file;
     }
@@ -1222,16 +1223,16 @@ gravity_m_per_s2 = [0, -9.81, 0]
 run = { end_time_s = 20, output_step_s = 1, absolute_tolerance = 1e-14 }
 )" + carrier_at_rest("base") +
                              R"(
-[[load]]
+[[body]]
 name = "station"
 mass_kg = 50
 principal_inertia_kg_m2 = [1e9, 1e9, 1e9]
-[load.hinge]
-kind = "spherical"
+[body.hinge]
+kind = "ball"
 carrier_point_m = [0, 0, 0]
-[[load.hinge.joint]]
+[[body.hinge.joint]]
 name = "ball"
-kind = "spherical"
+kind = "ball"
 geometry = { radius_mm = 50, radial_clearance_um = 50 }
 materials.inner = { youngs_modulus_GPa = 200, poissons_ratio = 0.3 }
 materials.outer = { youngs_modulus_GPa = 200, poissons_ratio = 0.3 }
@@ -1268,7 +1269,7 @@ TEST(HingeSeparation, CheckpointsKnowTheirJoints) {
   const ProgramFolder folder;
   std::string text = alone;
   const auto begin = text.find("name = \"ball\"");
-  const auto end = text.find("[load.lock]");
+  const auto end = text.find("[body.lock]");
   folder.write("ball.toml", text.substr(begin, end - begin));
   text.replace(begin, end - begin, "file = \"ball.toml\"\n");
   folder.write("c.toml", text);
@@ -1462,7 +1463,7 @@ TEST(HingeSeparation, BadInputHasOneMessageAndLeavesNothing) {
   folder.write("free.toml", R"(name = "free"
 run = { end_time_s = 1 }
 carrier = { name = "a", mass_kg = 1, principal_inertia_kg_m2 = [1, 1, 1] }
-load = [{ name = "b", mass_kg = 1, principal_inertia_kg_m2 = [1, 1, 1] }]
+body = [{ name = "b", mass_kg = 1, principal_inertia_kg_m2 = [1, 1, 1] }]
 )");
   EXPECT_EQ(message("free.toml --plot free.svg"),
             "hinge-separation: --plot free.svg: allowed for a case with hinges "
@@ -1502,7 +1503,7 @@ starts_at_event = "far"
             "ends_at_event ends it, a pusher only pushes\n");
   const json missed = json::parse(result.out)["events_that_did_not_come"];
   ASSERT_EQ(missed.size(), 2U);
-  EXPECT_EQ(missed[0], (json{{"event", "far"}, {"loads", {"tip"}}}));
+  EXPECT_EQ(missed[0], (json{{"event", "far"}, {"bodies", {"tip"}}}));
   EXPECT_TRUE(
       run_json(folder, "data/cases/soyuz.toml")["events_that_did_not_come"]
           .empty());
@@ -1525,8 +1526,8 @@ TEST(HingeSeparation, OverlapAndEarlyEndAreReported) {
     piece.replace(piece.find('%'), 1, table);
     text.insert(text.find(before), piece);
   };
-  insert("[[load]]", "carrier");
-  insert("[load.hinge]", "load");
+  insert("[[body]]", "carrier");
+  insert("[body.hinge]", "body");
   folder.write("c.toml", text);
   const ProgramResult overlap = folder.run("hinge-separation c.toml");
   EXPECT_EQ(overlap.status, 0);
@@ -1551,8 +1552,8 @@ TEST(HingeSeparation, OverlapAndEarlyEndAreReported) {
   EXPECT_EQ(History(folder.read("h.csv"))["time_s"].back(), 0.2);
 }
 
-// The message has the load's name, not its number.
-TEST(HingeSeparation, FailureNamesTheLoad) {
+// The message has the body's name, not its number.
+TEST(HingeSeparation, FailureNamesTheBody) {
   const ProgramFolder folder;
   std::string text = folder.read("data/cases/flywheels.toml");
   const auto exchange = [&](const std::string& from, const std::string& to) {
@@ -1580,26 +1581,26 @@ TEST(HingeSeparation, FailureNamesTheLoad) {
 TEST(HingeSeparation, TheEndOfALawEndsTheRun) {
   const ProgramFolder folder;
   const auto case_with = [](const std::string& kind, const std::string& run) {
-    const bool ball = kind == "spherical";
+    const bool ball = kind == "ball";
     return "name = \"press and turn\"\n[run]\nend_time_s = 4\n" + run +
            carrier_at_rest("wall") + R"(
-[[load]]
+[[body]]
 name = "arm"
 mass_kg = 1000
 principal_inertia_kg_m2 = [1e5, 1e5, 1e5]
-[load.hinge]
+[body.hinge]
 carrier_point_m = [0, 0, 0]
-)" + (ball ? "kind = \"spherical\"\n" : "kind = \"axis\"\naxis = [0, 0, 1]\n") +
-           R"([[load.hinge.joint]]
+)" + (ball ? "kind = \"ball\"\n" : "kind = \"axis\"\naxis = [0, 0, 1]\n") +
+           R"([[body.hinge.joint]]
 name = "bearing"
-inner_body = "load"
+inner_body = "body"
 materials = { pair = "data/materials/steel_steel.toml" }
 friction = { coefficient = 0.2 }
 )" +
            (ball
-                ? "kind = \"spherical\"\n"
+                ? "kind = \"ball\"\n"
                   "geometry = { radius_mm = 100, relative_clearance = 0.001 }\n"
-                : "kind = \"cylindrical\"\n"
+                : "kind = \"pin\"\n"
                   "geometry = { radius_mm = 100, relative_clearance = 0.001, "
                   "length_mm = 100 }\n") +
            R"(
@@ -1617,7 +1618,7 @@ time_s = [1, 10]
 moment_N_m = [[0, 0, 0], [0, 0, 3e6]]
 )";
   };
-  for (const std::string kind : {"spherical", "cylindrical"}) {
+  for (const std::string kind : {"ball", "pin"}) {
     for (const std::string run : {"", "integrator = \"rk4\"\nstep_ms = 10\n"}) {
       folder.write("c.toml", case_with(kind, run));
       for (const std::string friction : {"full", "traditional"}) {
@@ -1649,13 +1650,13 @@ moment_N_m = [[0, 0, 0], [0, 0, 3e6]]
         const History history(folder.read("h.csv"));
         EXPECT_EQ(history["time_s"].back(), time);
         EXPECT_NEAR(history["arm.reaction_N"].back(), force, 1e-5 * force);
-        EXPECT_EQ(folder.read("e.csv"), "time_s,load,what\n");
+        EXPECT_EQ(folder.read("e.csv"), "time_s,body,what\n");
       }
     }
   }
 }
 
-// A light load on a large ball with adhesive friction: nearly all of the
+// A light body on a large ball with adhesive friction: nearly all of the
 // reaction is friction, which turns with it. Newton's method alone finds no
 // moments in some of the states on the way.
 TEST(HingeSeparation, FrictionThatCarriesNearlyAllOfTheReactionIsFound) {
@@ -1670,20 +1671,20 @@ name = "wall"
 mass_kg = 1000
 principal_inertia_kg_m2 = [100, 100, 100]
 drive = { acceleration_m_per_s2 = [0, 0, 0] }
-[[load]]
+[[body]]
 name = "bob"
 mass_kg = 20
 principal_inertia_kg_m2 = [1, 1, 1]
-[load.start]
+[body.start]
 angular_velocity_rad_per_s = [1, 2, 3]
-[load.hinge]
-kind = "spherical"
-load_point_m = [-0.3, 0, 0]
+[body.hinge]
+kind = "ball"
+body_point_m = [-0.3, 0, 0]
 carrier_point_m = [0, 0, 0]
-[[load.hinge.joint]]
-kind = "spherical"
+[[body.hinge.joint]]
+kind = "ball"
 name = "ball"
-inner_body = "load"
+inner_body = "body"
 geometry = { radius_mm = 300, relative_clearance = 0.002 }
 materials = { pair = "data/materials/steel_steel.toml" }
 friction = { adhesion_MPa = 20, coefficient = 0.1 }
@@ -1704,13 +1705,13 @@ output_step_s = 0.4
 name = "wall"
 mass_kg = 1000
 principal_inertia_kg_m2 = [100, 100, 100]
-[[load]]
+[[body]]
 name = "arm"
 mass_kg = 1
 principal_inertia_kg_m2 = [0.1, 0.1, 0.1]
-[load.hinge]
-kind = "spherical"
-load_point_m = [-0.3, 0, 0]
+[body.hinge]
+kind = "ball"
+body_point_m = [-0.3, 0, 0]
 carrier_point_m = [1, 0, 0]
 [[force]]
 name = "push"

@@ -256,10 +256,10 @@ TEST(Clearance, BodiesOfSeveralSolids) {
   EXPECT_EQ(d[1], 0);
 }
 
-// One force of a case on a load that is turned by 90 deg about z and moved to
+// One force of a case on a body that is turned by 90 deg about z and moved to
 // (10, 0, 0), with the carrier at the origin.
 struct Forces {
-  BodyForce carrier, load;
+  BodyForce carrier, body;
 };
 Forces forces_of(const std::string& force, double time,
                  const Vector3d& velocity = Vector3d::Zero()) {
@@ -270,7 +270,7 @@ run = { end_time_s = 1 }
 name = "core"
 mass_kg = 10
 principal_inertia_kg_m2 = [1, 1, 1]
-[[load]]
+[[body]]
 name = "tip"
 mass_kg = 2
 com_m = [1, 0, 0]
@@ -283,11 +283,11 @@ body = "tip"
                                                     "forces.toml");
   BodyMotion carrier{Vector3d::Zero(), Vector3d::Zero(), Matrix3d::Identity(),
                      Vector3d::Zero()};
-  BodyMotion load = carrier;
-  load.rotation << 0, -1, 0, 1, 0, 0, 0, 0, 1;
-  load.position = Vector3d(10, 0, 0);
-  load.velocity = velocity;
-  const std::vector<BodyMotion> bodies = {carrier, load};
+  BodyMotion body = carrier;
+  body.rotation << 0, -1, 0, 1, 0, 0, 0, 0, 1;
+  body.position = Vector3d(10, 0, 0);
+  body.velocity = velocity;
+  const std::vector<BodyMotion> bodies = {carrier, body};
   std::vector<BodyForce> result(2);
   const separation::CaseForces model(c, separation::History(c));
   model.add_forces(time, bodies, result);
@@ -334,28 +334,28 @@ TEST(Peaks, BetweenLooks) {
 
 TEST(CaseForces, AppliedInBothAxes) {
   const Vector3d zero = Vector3d::Zero();
-  // 2 m along the load's x from its centre of mass: inertial y.
+  // 2 m along the body's x from its centre of mass: inertial y.
   const std::string point = "kind = \"applied\"\npoint_m = [3, 0, 0]\n";
-  expect_force(forces_of(point + "force_N = [0, 5, 0]\n", 0).load, {-5, 0, 0},
+  expect_force(forces_of(point + "force_N = [0, 5, 0]\n", 0).body, {-5, 0, 0},
                {0, 0, 10});
   expect_force(
-      forces_of(point + "axes = \"inertial\"\nforce_N = [0, 5, 0]\n", 0).load,
+      forces_of(point + "axes = \"inertial\"\nforce_N = [0, 5, 0]\n", 0).body,
       {0, 5, 0}, zero);
   expect_force(
-      forces_of("kind = \"applied\"\nmoment_N_m = [1, 0, 0]\n", 0).load, zero,
+      forces_of("kind = \"applied\"\nmoment_N_m = [1, 0, 0]\n", 0).body, zero,
       {0, 1, 0});
   const std::string over_time =
       "kind = \"applied\"\nstarts_at_s = 1\nends_at_s = 4\n"
       "time_s = [0, 2]\nforce_N = [[0, 0, 1], [0, 0, 3]]\n";
   for (const auto& [time, force] :
        {std::pair{0.5, 0.0}, {1.0, 1.0}, {2.0, 2.0}, {3.5, 3.0}, {4.5, 0.0}}) {
-    expect_force(forces_of(over_time, time).load, {0, 0, force}, zero);
+    expect_force(forces_of(over_time, time).body, {0, 0, force}, zero);
   }
-  // The load has turned by 90 deg.
+  // The body has turned by 90 deg.
   expect_force(forces_of("kind = \"applied\"\nangle_deg = [0, 180]\n"
                          "force_N = [[0, 0, 0], [0, 0, 8]]\n",
                          0)
-                   .load,
+                   .body,
                {0, 0, 4}, zero);
 }
 
@@ -365,19 +365,19 @@ TEST(CaseForces, ThrustDecays) {
       "thrust_N = 6\ncutoff_at_s = 3\ndecay_s = 0.5\n";
   for (const double time : {0.0, 3.0, 3.25, 5.0}) {
     const double force = time <= 3 ? 6 : 6 * std::exp(-(time - 3) / 0.5);
-    expect_force(forces_of(thrust, time).load, {0, force, 0}, {0, 0, -force});
+    expect_force(forces_of(thrust, time).body, {0, force, 0}, {0, 0, -force});
   }
 }
 
 TEST(CaseForces, BetweenTheBodies) {
-  // From (10, 4, 0) to the load's point at (10, 1, 0): 3 m long, pulls with
+  // From (10, 4, 0) to the body's point at (10, 1, 0): 3 m long, pulls with
   // 5 N/m x 2 m and is damped with 2 N s/m x 3 m/s.
   const Forces spring = forces_of(
       "kind = \"spring\"\npoint_m = [2, 0, 0]\n"
       "carrier_point_m = [10, 4, 0]\nstiffness_N_per_m = 5\n"
       "free_length_m = 1\ndamping_N_s_per_m = 2\n",
       0, {7, -3, 0});
-  expect_force(spring.load, {0, 16, 0}, {0, 0, 0});
+  expect_force(spring.body, {0, 16, 0}, {0, 0, 0});
   expect_force(spring.carrier, {0, -16, 0}, {0, 0, -160});
   // 0.25 of 0.5 m used: half way from 8 to 4 N.
   const Forces pusher = forces_of(
@@ -385,10 +385,10 @@ TEST(CaseForces, BetweenTheBodies) {
       "carrier_point_m = [9, -0.25, 0]\ndirection = [0, 1, 0]\n"
       "first_force_N = 8\nlast_force_N = 4\nstroke_m = 0.5\n",
       0);
-  expect_force(pusher.load, {0, 6, 0}, {0, 0, -6});
+  expect_force(pusher.body, {0, 6, 0}, {0, 0, -6});
   expect_force(pusher.carrier, {0, -6, 0}, {0, 0, -54});
   const Forces motor = forces_of("kind = \"motor\"\nmoment_N_m = 3\n", 0);
-  expect_force(motor.load, {0, 0, 0}, {0, 0, 3});
+  expect_force(motor.body, {0, 0, 0}, {0, 0, 3});
   expect_force(motor.carrier, {0, 0, 0}, {0, 0, -3});
 }
 
@@ -404,18 +404,18 @@ TEST(CaseForces, AirByAngleAndPressure) {
   const Forces given = forces_of(
       air + tables + "flow = [-3, -4, 0]\ndynamic_pressure_Pa = 10\n", 0);
   // Nose away from the wind: from y towards -x, about +z.
-  expect_force(given.load, {-40, -20, 0}, {0, 0, 30});
+  expect_force(given.body, {-40, -20, 0}, {0, 0, 30});
   // 0.4 kg/m^3 at 5 m/s through still air is 5 Pa.
   const Forces flying =
       forces_of(air + tables + "density_kg_per_m3 = 0.4\n", 0, {3, 4, 0});
-  expect_force(flying.load, {-20, -10, 0}, {0, 0, 15});
+  expect_force(flying.body, {-20, -10, 0}, {0, 0, 15});
   // Between two pressures: 3/4 of the way.
   const Forces between =
       forces_of(air +
                     "table_pressure_Pa = [4, 12]\nnormal = [[0, 0], [0, 4]]\n"
                     "flow = [-3, -4, 0]\ndynamic_pressure_Pa = 10\n",
                 0);
-  expect_force(between.load, {-20 * 0.75 * 2, 0, 0}, {0, 0, 0});
+  expect_force(between.body, {-20 * 0.75 * 2, 0, 0}, {0, 0, 0});
 }
 
 // JSON has no number for infinity, and null means no value.
@@ -424,15 +424,15 @@ TEST(Summary, InfinityIsAText) {
       separation::read_case(CONTACT_DATA_DIR "/cases/slosh.toml");
   c.end_time = 0.01;
   separation::Outcome outcome = separation::run_case(c, {});
-  outcome.memory.loads[0].peak_reaction = INFINITY;
+  outcome.memory.bodies[0].peak_reaction = INFINITY;
   outcome.memory.largest_drift = -INFINITY;
   outcome.memory.largest_energy = NAN;
   const auto json =
       nlohmann::json::parse(separation::summary(c, outcome).dump());
-  EXPECT_EQ(json["loads"][0]["peak_reaction_N"], "inf");
+  EXPECT_EQ(json["bodies"][0]["peak_reaction_N"], "inf");
   EXPECT_EQ(json["energy"]["largest_drift_J"], "-inf");
   EXPECT_TRUE(json["energy"]["largest_J"].is_null());
-  EXPECT_TRUE(json["loads"][1]["peak_reaction_N"].is_number());
+  EXPECT_TRUE(json["bodies"][1]["peak_reaction_N"].is_number());
 }
 
 // A case and a checkpoint of its start.
@@ -531,7 +531,7 @@ TEST_F(CheckpointFile, OtherFilesAreToldFromDamagedOnes) {
                        "formathinge-separation checkpoint 4"),
             file_ +
                 ": a checkpoint of another version of hinge-separation, "
-                "allowed is \"hinge-separation checkpoint 6\"");
+                "allowed is \"hinge-separation checkpoint 7\"");
   folder_.write("c", bytes_);
   EXPECT_EQ(error_message(
                 [this] { separation::read_checkpoint(file_, "another run"); }),

@@ -18,7 +18,7 @@ using Eigen::Vector3d;
 constexpr double pi = std::numbers::pi;
 
 // f of a contact, by the friction integrals alone.
-double friction_coefficient(const SphericalJoint& joint, double force,
+double friction_coefficient(const BallJoint& joint, double force,
                             SlipAxis axis) {
   const auto& friction = std::get<FrictionLaw>(joint.contact().friction());
   const double rho = joint.contact().geometry().radius();
@@ -31,7 +31,7 @@ double friction_coefficient(const SphericalJoint& joint, double force,
 // |f/tan g - 1| of the contact that a solution names.
 double residual(const RandomSlip& input, const JointSolution& s) {
   const double f =
-      friction_coefficient(input.joint, s.compressive_force, s.slip_axis);
+      friction_coefficient(input.joint, s.normal_force, s.slip_axis);
   return f == s.force_coefficient ? 0 : std::abs(f / s.force_coefficient - 1);
 }
 
@@ -47,10 +47,10 @@ void check_solution(const RandomSlip& input, const JointSolution& s,
   const auto largest = [](double& seen, double value) {
     if (!(value <= seen)) seen = value;
   };
-  largest(sweep.reaction,
-          (s.compressive_force * s.normal + s.friction_force - input.reaction)
-                  .norm() /
-              force);
+  largest(
+      sweep.reaction,
+      (s.normal_force * s.normal + s.friction_force - input.reaction).norm() /
+          force);
   const double rho = input.joint.contact().geometry().radius();
   const double unit = rho * force * input.rate.norm();
   largest(sweep.power,

@@ -3,13 +3,13 @@
 #include <Eigen/Core>
 #include <random>
 
-#include "libcontact/joint/spherical_joint.hpp"
+#include "libcontact/joint/ball_joint.hpp"
 
 namespace contact::test {
 
-/// One spherical joint with a reaction and an angular velocity.
+/// One ball joint with a reaction and an angular velocity.
 struct RandomSlip {
-  SphericalJoint joint;
+  BallJoint joint;
   Eigen::Vector3d reaction;
   Eigen::Vector3d rate;
 };

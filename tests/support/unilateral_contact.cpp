@@ -94,7 +94,7 @@ double back_displacement(JointKind kind, double nu, double psi, double theta) {
   const double x = std::cos(theta);
   double sum = 0;
   double sign = 1;
-  if (kind == JointKind::cylindrical) {
+  if (kind == JointKind::pin) {
     sum = psi / (2 * pi * std::sin(psi)) * disc(0, nu);
     for (int n = 1; n < terms; ++n) {
       sign = -sign;
@@ -129,7 +129,7 @@ double back_displacement(JointKind kind, double nu, double psi, double theta) {
 UnilateralContact solve_unilateral(JointKind kind, const ElasticPair& pair,
                                    double load_parameter, int nodes,
                                    double patch_half_angle) {
-  const bool is_pin = kind == JointKind::cylindrical;
+  const bool is_pin = kind == JointKind::pin;
   const Basis basis = is_pin ? cosines(nodes) : legendre(nodes);
   const double w1 = pair.inner_compliance_share();
   const double w2 = pair.outer_compliance_share();

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "libcontact/half_angle/factory.hpp"
-#include "libcontact/joint/cylindrical_joint.hpp"
-#include "libcontact/joint/spherical_joint.hpp"
+#include "libcontact/joint/ball_joint.hpp"
+#include "libcontact/joint/pin_joint.hpp"
 #include "libcontact/pressure/factory.hpp"
 #include "support/allocation_count.hpp"
 #include "support/random_slip.hpp"
@@ -21,6 +21,7 @@
 // at every point.
 namespace {
 
+using contact::BallJoint;
 using contact::FrictionLaw;
 using contact::FrictionModel;
 using contact::InstructionSet;
@@ -30,7 +31,6 @@ using contact::JointFollower;
 using contact::JointGeometry;
 using contact::JointKind;
 using contact::JointSolution;
-using contact::SphericalJoint;
 using contact::ViscousLaw;
 using contact::test::RandomSlips;
 using Eigen::Vector3d;
@@ -53,9 +53,8 @@ JointContact contact_of(JointKind kind, const FrictionModel& friction,
   if (laws.limit_half_angle) {
     options.limit_half_angle = *laws.limit_half_angle * contact::degree;
   }
-  return {kind == JointKind::spherical
-              ? JointGeometry::ball(0.05, 5e-5, inner)
-              : JointGeometry::pin(0.05, 5e-5, 0.1, inner),
+  return {kind == JointKind::ball ? JointGeometry::ball(0.05, 5e-5, inner)
+                                  : JointGeometry::pin(0.05, 5e-5, 0.1, inner),
           pair, friction,
           contact::make_half_angle_law(laws.half_angle, kind, pair, options),
           contact::make_pressure_law(laws.pressure, kind, pair)};
@@ -68,9 +67,7 @@ struct Path {
   Vector3d reaction_axis, rate_axis;  // about which they turn, 1 rad per unit
   double growth;                      // of ln R and ln |Dw| per unit
 
-  bool is_pin() const {
-    return contact.geometry().kind() == JointKind::cylindrical;
-  }
+  bool is_pin() const { return contact.geometry().kind() == JointKind::pin; }
   Vector3d rate_at(double t) const {
     const Vector3d w = std::exp(-growth * t) * rate;
     if (is_pin()) return w;
@@ -85,9 +82,9 @@ struct Path {
     return solve(reaction_at(t), rate_at(t));
   }
   JointSolution solve(const Vector3d& r, const Vector3d& w) const {
-    if (!is_pin()) return SphericalJoint(contact).solve(r, w);
+    if (!is_pin()) return BallJoint(contact).solve(r, w);
     const Vector3d axis = rate.normalized();
-    return contact::CylindricalJoint(contact).solve(r, axis, w.dot(axis));
+    return contact::PinJoint(contact).solve(r, axis, w.dot(axis));
   }
 };
 
@@ -102,9 +99,9 @@ std::vector<Path> paths(std::uint64_t seed, int count) {
     FrictionModel friction = FrictionLaw(f0, adhesion);
     if (random.uniform() < 0.2) friction = ViscousLaw(f0 * 1e8, f0);
     const JointKind kind =
-        random.uniform() < 0.25 ? JointKind::cylindrical : JointKind::spherical;
+        random.uniform() < 0.25 ? JointKind::pin : JointKind::ball;
     const JointBody inner =
-        random.uniform() < 0.5 ? JointBody::carrier : JointBody::load;
+        random.uniform() < 0.5 ? JointBody::carrier : JointBody::body;
     const double force = random.log_uniform(1e3, 1e6);
     Path path{contact_of(kind, friction, inner),
               force * random.direction(),
@@ -286,14 +283,14 @@ TEST(JointFollower, AllInstructionSetsAgree) {
 std::vector<Path> growing(const LawNames& laws, double ball = 2e4,
                           double pin = 2e4) {
   std::vector<Path> all;
-  for (const JointKind kind : {JointKind::spherical, JointKind::cylindrical}) {
+  for (const JointKind kind : {JointKind::ball, JointKind::pin}) {
     Path path{contact_of(kind, FrictionLaw(0.2, 1e7), JointBody::carrier, laws),
-              {kind == JointKind::spherical ? ball : pin, 0, 0},
+              {kind == JointKind::ball ? ball : pin, 0, 0},
               {0, 0, 1},
               {0, 0, 1},
               {0, 0, 1},
               1};
-    if (kind == JointKind::spherical) path.rate = {0.6, 0, 0.8};
+    if (kind == JointKind::ball) path.rate = {0.6, 0, 0.8};
     all.push_back(path);
   }
   return all;
@@ -334,8 +331,7 @@ TEST(JointFollower, AHalfAngleIsFollowedThrough90Degrees) {
   const std::vector<Path> all = growing(laws, 3e6, 1.6e6);
   for (const Path& path : all) {
     const auto half_angle = [&](double t) {
-      return path.contact.half_angle(path.solve(t).compressive_force)
-                 .half_angle /
+      return path.contact.half_angle(path.solve(t).normal_force).half_angle /
              contact::degree;
     };
     EXPECT_LT(half_angle(0), 89);

@@ -12,7 +12,7 @@ struct CarrierAcceleration {
   Vec3<T> angular;  ///< w'_0, rad/s^2
 };
 
-/// What the loads need to know of the carrier's motion, carrier axes.
+/// What the bodies need to know of the carrier's motion, carrier axes.
 template <class T>
 struct CarrierMotion {
   Vec3<T> w;        ///< angular velocity
@@ -65,7 +65,7 @@ struct CarrierForces {
   Vec3<T> a;
   Vec3<T> b;
 
-  /// The opposite of a load's reaction: a force at a point and a moment.
+  /// The opposite of a body's reaction: a force at a point and a moment.
   template <class P>
   [[gnu::always_inline]] void subtract(const Vec3<T>& force, const Vec3<P>& at,
                                        const Vec3<T>& moment) {

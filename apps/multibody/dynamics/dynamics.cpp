@@ -8,7 +8,7 @@
 namespace multibody {
 namespace {
 
-// Lanes that few loads cannot fill cost more than they bring (measured).
+// Lanes that few bodies cannot fill cost more than they bring (measured).
 contact::InstructionSet useful(contact::InstructionSet set,
                                const SystemConstants& constants) {
   return constants.size() <= 1 ? contact::InstructionSet::baseline : set;
@@ -22,7 +22,7 @@ Dynamics::Dynamics(const System& system, contact::InstructionSet set)
           detail::make_dynamics_kernel(*constants_, useful(set, *constants_))) {
   for (const Link& link : system.links()) {
     kinds_.push_back(link.kind);
-    modes_.push_back(link.kind == JointKind::none ? JointMode::released
+    modes_.push_back(link.kind == HingeKind::none ? JointMode::released
                                                   : JointMode::turning);
   }
   layout_ = StateLayout(kinds_, modes_);
@@ -32,23 +32,24 @@ Dynamics::~Dynamics() = default;
 Dynamics::Dynamics(Dynamics&&) noexcept = default;
 Dynamics& Dynamics::operator=(Dynamics&&) noexcept = default;
 
-void Dynamics::set_mode(int load, JointMode mode) {
-  assert(kinds_[load] != JointKind::none || mode == JointMode::released);
-  modes_[load] = mode;
+void Dynamics::set_mode(int body, JointMode mode) {
+  assert(kinds_[body] != HingeKind::none || mode == JointMode::released);
+  modes_[body] = mode;
   layout_ = StateLayout(kinds_, modes_);
-  kernel_->set_mode(load, mode);
+  kernel_->set_mode(body, mode);
 }
 
-void Dynamics::evaluate(const double* state, const Loading<double>& loading) {
-  assert(static_cast<int>(loading.loads.size()) == size());
-  kernel_->evaluate(state, loading.carrier, loading.loads.data());
+void Dynamics::evaluate(const double* state,
+                        const ActiveForces<double>& forces) {
+  assert(static_cast<int>(forces.bodies.size()) == size());
+  kernel_->evaluate(state, forces.carrier, forces.bodies.data());
 }
 
 void Dynamics::evaluate_prescribed(const double* state,
-                                   const Loading<double>& loading,
+                                   const ActiveForces<double>& forces,
                                    const CarrierAcceleration<double>& carrier) {
-  assert(static_cast<int>(loading.loads.size()) == size());
-  kernel_->evaluate_prescribed(state, loading.loads.data(), carrier);
+  assert(static_cast<int>(forces.bodies.size()) == size());
+  kernel_->evaluate_prescribed(state, forces.bodies.data(), carrier);
 }
 
 void Dynamics::add_friction(std::span<const Vec3<double>> change) {
@@ -62,15 +63,15 @@ void Dynamics::add_friction(const VectorRows& change) {
 const CarrierAcceleration<double>& Dynamics::carrier() const {
   return kernel_->carrier();
 }
-Vec3<double> Dynamics::relative_acceleration(int load) const {
-  return kernel_->relative_acceleration(load);
+Vec3<double> Dynamics::relative_acceleration(int body) const {
+  return kernel_->relative_acceleration(body);
 }
 void Dynamics::relative_accelerations(std::span<Vec3<double>> to) const {
   assert(static_cast<int>(to.size()) == size());
   kernel_->relative_accelerations(to.data());
 }
-Vec3<double> Dynamics::angular_acceleration(int load) const {
-  return kernel_->angular_acceleration(load);
+Vec3<double> Dynamics::angular_acceleration(int body) const {
+  return kernel_->angular_acceleration(body);
 }
 void Dynamics::rates(const double* state, const Vec3<double>& gravity,
                      double* to) const {
@@ -81,6 +82,6 @@ void Dynamics::reactions(std::span<Reaction<double>> to) const {
   kernel_->reactions(to.data());
 }
 void Dynamics::forces(const VectorRows& to) const { kernel_->forces(to); }
-Mat3<double> Dynamics::axes(int load) const { return kernel_->axes(load); }
+Mat3<double> Dynamics::axes(int body) const { return kernel_->axes(body); }
 
 }  // namespace multibody

@@ -6,7 +6,7 @@
 
 #include "libcontact/base/instruction_set.hpp"
 #include "multibody/dynamics/carrier_equations.hpp"
-#include "multibody/system/loading.hpp"
+#include "multibody/system/active_forces.hpp"
 #include "multibody/system/state_layout.hpp"
 
 namespace multibody {
@@ -16,11 +16,11 @@ namespace detail {
 class DynamicsKernel;
 }
 
-/// Accelerations and reactions of a carrier with its loads, resolved in two
+/// Accelerations and reactions of a carrier with its bodies, resolved in two
 /// steps (TwoStep), one motion in double precision. The work is proportional
-/// to the number of loads; no call but the constructor and set_mode allocates.
+/// to the number of bodies; no call but the constructor and set_mode allocates.
 ///
-/// Everything is in load axes (Link::axes). NaN in gives NaN out.
+/// Everything is in link axes (Link::axes). NaN in gives NaN out.
 ///
 /// Accuracy: errors in units of the largest component of a quantity are at
 /// most 3.1e-14 against the dense reference in long double, L = 1 to 64, all
@@ -36,24 +36,25 @@ class Dynamics {
   Dynamics& operator=(Dynamics&&) noexcept;
 
   int size() const { return static_cast<int>(modes_.size()); }
-  JointMode mode(int load) const { return modes_[load]; }
+  JointMode mode(int body) const { return modes_[body]; }
   /// Changes what a joint does. Turning and held joints have the same numbers
   /// in the state; releasing one changes the layout.
-  void set_mode(int load, JointMode mode);
+  void set_mode(int body, JointMode mode);
   const StateLayout& layout() const { return layout_; }
 
   /// Full evaluation. Positions, velocities of the centres of mass and the
   /// carrier's rotation do not matter here.
   /// @param state    layout().size() numbers
-  /// @param loading  size() loads
-  void evaluate(const double* state, const Loading<double>& loading);
+  /// @param forces  size() bodies
+  void evaluate(const double* state, const ActiveForces<double>& forces);
 
   /// First step alone: the carrier's motion is prescribed.
-  void evaluate_prescribed(const double* state, const Loading<double>& loading,
+  void evaluate_prescribed(const double* state,
+                           const ActiveForces<double>& forces,
                            const CarrierAcceleration<double>& carrier);
 
-  /// After evaluate(): moments of friction changed by `change`, load axes, one
-  /// for each load, ignored where a joint is held or released. Motion,
+  /// After evaluate(): moments of friction changed by `change`, link axes, one
+  /// for each body, ignored where a joint is held or released. Motion,
   /// matrices and factors stay: only what the change adds is computed. Agrees
   /// with a full evaluation to 1e-14 (multibody/dynamics_test.cpp).
   void add_friction(std::span<const Vec3<double>> change);
@@ -63,15 +64,15 @@ class Dynamics {
   /// Accelerations of the carrier, gravity not included.
   const CarrierAcceleration<double>& carrier() const;
   /// After an evaluation in the present modes.
-  /// Angular acceleration of a load, load axes: derivative in load axes of the
+  /// Angular acceleration of a body, link axes: derivative in link axes of the
   /// relative angular velocity, (0, 0, t'') on an axis, 0 while held; of a
-  /// released load the absolute one. rad/s^2
-  Vec3<double> relative_acceleration(int load) const;
-  /// That of all loads.
+  /// released body the absolute one. rad/s^2
+  Vec3<double> relative_acceleration(int body) const;
+  /// That of all bodies.
   /// @param to  size() of them
   void relative_accelerations(std::span<Vec3<double>> to) const;
-  /// Absolute angular acceleration of a load, load axes.
-  Vec3<double> angular_acceleration(int load) const;
+  /// Absolute angular acceleration of a body, link axes.
+  Vec3<double> angular_acceleration(int body) const;
   /// d(state)/dt after evaluate() of the same state.
   /// @param gravity  inertial axes, m/s^2
   /// @param to       layout().size() numbers
@@ -82,11 +83,11 @@ class Dynamics {
   void reactions(std::span<Reaction<double>> to) const;
   /// Their forces; numbers beyond size() in the last packet may be written.
   void forces(const VectorRows& to) const;
-  /// C_i: load axes to carrier axes; 0 if released.
-  Mat3<double> axes(int load) const;
+  /// C_i: link axes to carrier axes; 0 if released.
+  Mat3<double> axes(int body) const;
 
  private:
-  std::vector<JointKind> kinds_;
+  std::vector<HingeKind> kinds_;
   std::vector<JointMode> modes_;
   StateLayout layout_;
   std::unique_ptr<const SystemConstants> constants_;

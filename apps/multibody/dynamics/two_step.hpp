@@ -4,18 +4,18 @@
 #include <tuple>
 #include <vector>
 
-#include "multibody/dynamics/axis_load.hpp"
-#include "multibody/dynamics/free_load.hpp"
-#include "multibody/dynamics/held_load.hpp"
-#include "multibody/dynamics/load_group.hpp"
-#include "multibody/dynamics/spherical_load.hpp"
+#include "multibody/dynamics/axis_link.hpp"
+#include "multibody/dynamics/ball_link.hpp"
+#include "multibody/dynamics/free_link.hpp"
+#include "multibody/dynamics/held_link.hpp"
+#include "multibody/dynamics/link_group.hpp"
 
 namespace multibody {
 
 /// The two-step resolution of section 1 of the paper for any scalar: each
-/// load's reaction as a function of the carrier's accelerations, then the
-/// carrier's own six equations, then the loads. The work is proportional to
-/// the number of loads; no call but the constructor and set_mode allocates.
+/// body's reaction as a function of the carrier's accelerations, then the
+/// carrier's own six equations, then the bodies. The work is proportional to
+/// the number of bodies; no call but the constructor and set_mode allocates.
 ///
 /// Programs use Dynamics.
 /// @tparam T, S  see Lanes
@@ -26,30 +26,31 @@ class TwoStep {
  public:
   /// @param system  has to outlive this object
   explicit TwoStep(const SystemConstants& system) : system_(system) {
-    loads_.resize(system.size());
+    bodies_.resize(system.size());
     for (int i = 0; i < size(); ++i) {
-      loads_[i].kind = system.kind(i);
-      loads_[i].mode = system.kind(i) == JointKind::none ? JointMode::released
-                                                         : JointMode::turning;
+      bodies_[i].kind = system.kind(i);
+      bodies_[i].mode = system.kind(i) == HingeKind::none ? JointMode::released
+                                                          : JointMode::turning;
     }
     for_groups([&](auto& group) { group.reserve(size()); });
-    sort_loads();
+    sort_bodies();
   }
 
-  int size() const { return static_cast<int>(loads_.size()); }
-  JointMode mode(int load) const { return loads_[load].mode; }
-  void set_mode(int load, JointMode mode) {
-    assert(loads_[load].kind != JointKind::none || mode == JointMode::released);
-    loads_[load].mode = mode;
-    sort_loads();
+  int size() const { return static_cast<int>(bodies_.size()); }
+  JointMode mode(int body) const { return bodies_[body].mode; }
+  void set_mode(int body, JointMode mode) {
+    assert(bodies_[body].kind != HingeKind::none ||
+           mode == JointMode::released);
+    bodies_[body].mode = mode;
+    sort_bodies();
   }
 
   /// Full evaluation. Positions, velocities of the centres of mass and the
   /// carrier's rotation do not matter here.
   /// @param state  StateLayout::size() numbers
-  /// @param loads  size() times the 9 numbers of LoadForces
-  void evaluate(const T* state, const CarrierLoading<T>& carrier,
-                const T* loads) {
+  /// @param bodies  size() times the 9 numbers of LinkForces
+  void evaluate(const T* state, const CarrierActiveForces<T>& carrier,
+                const T* bodies) {
     const Vec3<T> w = angular_velocity(state);
     const CarrierMotion<S> motion = spread_motion(w);
     CarrierMatrix<S> matrix = L::to_sum(fixed_);
@@ -58,7 +59,7 @@ class TwoStep {
         L::to_sum(carrier.moment - cross(w, system_.carrier_inertia() * w))};
     // Two passes: one with everything in it runs out of registers.
     for_packets(
-        [&](auto& packet) { set_motion(packet, state, motion, loads); });
+        [&](auto& packet) { set_motion(packet, state, motion, bodies); });
     for_packets([&](auto& packet) {
       packet.kernel.add_to(matrix);
       packet.kernel.add_to(forces);
@@ -69,22 +70,22 @@ class TwoStep {
   }
 
   /// First step alone: the carrier's motion is prescribed.
-  void evaluate_prescribed(const T* state, const T* loads,
+  void evaluate_prescribed(const T* state, const T* bodies,
                            const CarrierAcceleration<T>& carrier) {
     const CarrierMotion<S> motion = spread_motion(angular_velocity(state));
     for_packets(
-        [&](auto& packet) { set_motion(packet, state, motion, loads); });
+        [&](auto& packet) { set_motion(packet, state, motion, bodies); });
     carrier_ = carrier;
   }
 
-  /// After evaluate(): moments of friction changed by `change`, load axes, 3
-  /// numbers for each load, ignored where a joint is held or released. Motion,
+  /// After evaluate(): moments of friction changed by `change`, link axes, 3
+  /// numbers for each body, ignored where a joint is held or released. Motion,
   /// matrices and factors stay.
   void add_friction(const T* change) {
     [[maybe_unused]] static constexpr double none[3] = {};
     add_changes([&](const auto& packet) {
       S m[3];
-      L::read(packet.load, packet.load, change, 3, none, m);
+      L::read(packet.body, packet.body, change, 3, none, m);
       return Vec3<S>{m[0], m[1], m[2]};
     });
   }
@@ -93,29 +94,29 @@ class TwoStep {
   }
 
   const CarrierAcceleration<T>& carrier() const { return carrier_; }
-  Vec3<T> relative_acceleration(int load) const {
-    return visit(load, [&](const auto& kernel) {
+  Vec3<T> relative_acceleration(int body) const {
+    return visit(body, [&](const auto& kernel) {
       return kernel.relative_acceleration(L::spread(carrier_));
     });
   }
-  /// take(load, relative_acceleration(load)) for all loads, in any order.
+  /// take(body, relative_acceleration(body)) for all bodies, in any order.
   template <class F>
   [[gnu::always_inline]] void relative_accelerations(F take) const {
     const CarrierAcceleration<S> carrier = L::spread(carrier_);
     for_packets([&](const auto& packet) {
       const Vec3<S> a = packet.kernel.relative_acceleration(carrier);
       for_lanes(packet,
-                [&](int load, int lane) { take(load, L::at(a, lane)); });
+                [&](int body, int lane) { take(body, L::at(a, lane)); });
     });
   }
-  Vec3<T> angular_acceleration(int load) const {
-    return visit(load, [&](const auto& kernel) {
+  Vec3<T> angular_acceleration(int body) const {
+    return visit(body, [&](const auto& kernel) {
       return kernel.angular_acceleration(L::spread(carrier_));
     });
   }
-  Mat3<T> axes(int load) const {
+  Mat3<T> axes(int body) const {
     const auto column = [&](auto member) {
-      return visit(load,
+      return visit(body,
                    [&](const auto& kernel) { return kernel.axes().*member; });
     };
     return {column(&Mat3<S>::x), column(&Mat3<S>::y), column(&Mat3<S>::z)};
@@ -129,14 +130,14 @@ class TwoStep {
     for_packets([&](const auto& packet) {
       const Vec3<S> turn = packet.kernel.relative_acceleration(carrier);
       const Vec3<S> linear = linear_acceleration(packet.kernel);
-      for_lanes(packet, [&](int load, int lane) {
-        load_rates(state, load, L::at(linear, lane), gravity, L::at(turn, lane),
+      for_lanes(packet, [&](int body, int lane) {
+        link_rates(state, body, L::at(linear, lane), gravity, L::at(turn, lane),
                    to);
       });
     });
   }
 
-  /// Of all loads: the forces of reactions().
+  /// Of all bodies: the forces of reactions().
   void forces(const VectorRows& to) const {
     const CarrierAcceleration<S> carrier = L::spread(carrier_);
     for_packets([&](const auto& packet) {
@@ -144,13 +145,13 @@ class TwoStep {
     });
   }
 
-  /// Of all loads.
+  /// Of all bodies.
   void reactions(Reaction<T>* to) const {
     const CarrierAcceleration<S> carrier = L::spread(carrier_);
     for_packets([&](const auto& packet) {
       const Reaction<S> r = packet.kernel.reaction(carrier);
-      for_lanes(packet, [&](int load, int lane) {
-        to[load] = {L::at(r.force, lane), L::at(r.moment, lane)};
+      for_lanes(packet, [&](int body, int lane) {
+        to[body] = {L::at(r.force, lane), L::at(r.moment, lane)};
       });
     });
   }
@@ -190,7 +191,7 @@ class TwoStep {
     turn_rates(state, q, at + StateLayout::angular_velocity, angular, to);
   }
 
-  // change(packet): of its loads' moments of friction.
+  // change(packet): of its bodies' moments of friction.
   template <class F>
   [[gnu::always_inline]] void add_changes(F change) {
     CarrierForces<S> forces{L::to_sum(forces_.a), L::to_sum(forces_.b)};
@@ -200,19 +201,19 @@ class TwoStep {
     forces_ = {L::sum(forces.a), L::sum(forces.b)};
     carrier_ = solver_.solve(forces_);
   }
-  // A load by what it does at the moment.
-  [[gnu::always_inline]] void load_rates(const T* state, int load,
+  // A body by what it does at the moment.
+  [[gnu::always_inline]] void link_rates(const T* state, int body,
                                          const Vec3<T>& linear,
                                          const Vec3<T>& gravity,
                                          const Vec3<T>& turn, T* to) const {
-    const LoadInfo& info = loads_[load];
+    const BodyInfo& info = bodies_[body];
     const int at = info.offset;
     if (info.mode == JointMode::held) {
-      const int n = StateLayout::load_size(info.kind, info.mode);
+      const int n = StateLayout::link_size(info.kind, info.mode);
       for (int k = 0; k < n; ++k) to[at + k] = T(0.0);
     } else if (info.mode == JointMode::released) {
       body_rates(state, at, linear, gravity, turn, to);
-    } else if (info.kind == JointKind::axis) {
+    } else if (info.kind == HingeKind::axis) {
       to[at] = state[at + 1];
       to[at + 1] = turn.z;
     } else {
@@ -229,9 +230,9 @@ class TwoStep {
   }
 
   template <template <class, class> class Kernel>
-  using Group = LoadGroup<T, S, Kernel>;
-  struct LoadInfo {
-    JointKind kind;
+  using Group = LinkGroup<T, S, Kernel>;
+  struct BodyInfo {
+    HingeKind kind;
     JointMode mode;
     int packet;
     int lane;
@@ -255,17 +256,17 @@ class TwoStep {
     };
     std::apply([&](const auto&... group) { (in_group(group), ...); }, groups_);
   }
-  // f(load, lane)
+  // f(body, lane)
   template <class Packet, class F>
   [[gnu::always_inline]] static void for_lanes(const Packet& packet, F f) {
     for (int lane = 0; lane < L::width; ++lane) {
-      if (packet.load[lane] >= 0) f(packet.load[lane], lane);
+      if (packet.body[lane] >= 0) f(packet.body[lane], lane);
     }
   }
-  // f(kernel) of the load's packet, in the load's lane.
+  // f(kernel) of the body's packet, in the body's lane.
   template <class F>
-  Vec3<T> visit(int load, F f) const {
-    const LoadInfo& info = loads_[load];
+  Vec3<T> visit(int body, F f) const {
+    const BodyInfo& info = bodies_[body];
     Vec3<T> result{};
     const auto in_group = [&](const auto& group) {
       if (group.serves(info.kind, info.mode)) {
@@ -276,19 +277,19 @@ class TwoStep {
     return result;
   }
 
-  // Every load into the packets of what it does at the moment.
-  void sort_loads() {
+  // Every body into the packets of what it does at the moment.
+  void sort_bodies() {
     for_groups([](auto& group) { group.clear(); });
     int offset = StateLayout::body_size;
     for (int i = 0; i < size(); ++i) {
-      LoadInfo& info = loads_[i];
+      BodyInfo& info = bodies_[i];
       info.offset = offset;
       for_groups([&](auto& group) {
         if (group.serves(info.kind, info.mode)) {
           group.add(i, offset, info.packet, info.lane);
         }
       });
-      offset += StateLayout::load_size(info.kind, info.mode);
+      offset += StateLayout::link_size(info.kind, info.mode);
     }
     set_fixed_part();
     for_groups([&](auto& group) { group.finish(system_); });
@@ -316,13 +317,13 @@ class TwoStep {
   template <class Packet>
   [[gnu::always_inline]] static void set_motion(Packet& packet, const T* state,
                                                 const CarrierMotion<S>& motion,
-                                                const T* loads) {
+                                                const T* bodies) {
     [[maybe_unused]] static constexpr double unturned[7] = {1};
     [[maybe_unused]] static constexpr double none[9] = {};
     S s[decltype(packet.kernel)::state_size];
     S f[9];
-    L::read(packet.load, packet.offset, state, 1, unturned, s);
-    L::read(packet.load, packet.load, loads, 9, none, f);
+    L::read(packet.body, packet.offset, state, 1, unturned, s);
+    L::read(packet.body, packet.body, bodies, 9, none, f);
     packet.kernel.set_motion(
         s, motion,
         {{f[0], f[1], f[2]}, {f[3], f[4], f[5]}, {f[6], f[7], f[8]}});
@@ -330,9 +331,9 @@ class TwoStep {
 
   const SystemConstants& system_;
   CarrierMatrix<T> fixed_;  ///< what does not depend on the motion
-  std::vector<LoadInfo> loads_;
-  std::tuple<Group<SphericalLoad>, Group<AxisLoad>, Group<HeldSpherical>,
-             Group<HeldAxis>, Group<FreeLoad>>
+  std::vector<BodyInfo> bodies_;
+  std::tuple<Group<BallLink>, Group<AxisLink>, Group<HeldBall>, Group<HeldAxis>,
+             Group<FreeLink>>
       groups_;
 
   CarrierSolver<T> solver_;

@@ -31,7 +31,7 @@ JointMode joint_mode(HingeMode mode) {
 // of a turn that moves the centre of mass.
 double leverage_of(const Link& link) {
   const double about = link.mass * link.arm * link.arm;
-  const double least = link.kind == JointKind::axis
+  const double least = link.kind == HingeKind::axis
                            ? link.inertia(2, 2)
                            : std::min(link.inertia(0, 0), link.inertia(1, 1));
   return link.mass * link.arm / (least + about);
@@ -48,7 +48,7 @@ CoupledDynamics::Impl::Impl(const System& system,
   if (static_cast<int>(friction.size()) != system.size()) {
     throw contact::Error(
         fmt::format("friction of {} hinges, allowed is one for each of the {} "
-                    "loads",
+                    "bodies",
                     friction.size(), system.size()));
   }
   for (int i = 0; i < system.size(); ++i) {
@@ -57,7 +57,7 @@ CoupledDynamics::Impl::Impl(const System& system,
     hinge.leverage = leverage_of(link);
     hinge.mass = link.mass;
     hinge.length = std::max(link.arm, link.hinge.norm());
-    if (link.kind == JointKind::none) hinge.mode = HingeMode::released;
+    if (link.kind == HingeKind::none) hinge.mode = HingeMode::released;
   }
   reactions_.resize(system.size());
   change_.resize(system.size());
@@ -65,17 +65,17 @@ CoupledDynamics::Impl::Impl(const System& system,
   rows_.reserve(system.size());
 }
 
-void CoupledDynamics::Impl::set_mode(int load, HingeMode mode) {
-  Hinge& hinge = hinges[load];
+void CoupledDynamics::Impl::set_mode(int body, HingeMode mode) {
+  Hinge& hinge = hinges[body];
   if (joint_mode(hinge.mode) != joint_mode(mode)) {
     // They stay those of the last evaluation.
     know_reactions();
-    dynamics.set_mode(load, joint_mode(mode));
+    dynamics.set_mode(body, joint_mode(mode));
   }
   hinge.mode = mode;
   hinge.straight = hinge.follows = false;
   hinge.slope.setZero();
-  follower.forget(load);
+  follower.forget(body);
   forget_way();
   last_pause_ = pause_ = 0;
   usual_contraction_ = usual_gain_ = follow_gain_ = 1;
@@ -116,17 +116,17 @@ void CoupledDynamics::Impl::take_rates(const double* state) {
 }
 
 void CoupledDynamics::Impl::start(const double* state,
-                                  Loading<double>& loading) {
+                                  ActiveForces<double>& forces) {
   state_ = state;
-  loading_ = &loading;
+  forces_ = &forces;
   for (std::size_t i = 0; i < hinges.size(); ++i) {
     if (!active(hinges[i])) hinges[i].moment.setZero();
-    loading.loads[i].friction = vec3(hinges[i].moment);
+    forces.bodies[i].friction = vec3(hinges[i].moment);
   }
   if (prescribed) {
-    dynamics.evaluate_prescribed(state, loading, *prescribed);
+    dynamics.evaluate_prescribed(state, forces, *prescribed);
   } else {
-    dynamics.evaluate(state, loading);
+    dynamics.evaluate(state, forces);
   }
   reactions_known_ = false;
 }
@@ -135,10 +135,10 @@ void CoupledDynamics::Impl::apply_change() {
   forget_acting();
   for (const int i : rows_) {
     hinges[i].moment += vec3(change_[i]);
-    loading_->loads[i].friction = vec3(hinges[i].moment);
+    forces_->bodies[i].friction = vec3(hinges[i].moment);
   }
   if (prescribed) {
-    dynamics.evaluate_prescribed(state_, *loading_, *prescribed);
+    dynamics.evaluate_prescribed(state_, *forces_, *prescribed);
   } else {
     dynamics.add_friction(change_);
   }
@@ -149,8 +149,8 @@ CoupledRounding CoupledDynamics::Impl::noise() const {
   const auto size = [](const Vec3<double>& v) { return std::sqrt(dot(v, v)); };
   const double* w = state_ + StateLayout::angular_velocity;
   double rate = std::sqrt(w[0] * w[0] + w[1] * w[1] + w[2] * w[2]);
-  double force = size(loading_->carrier.force);
-  double moment = size(loading_->carrier.moment);
+  double force = size(forces_->carrier.force);
+  double moment = size(forces_->carrier.moment);
   double mass = 0;
   double length = 0;
   for (std::size_t i = 0; i < hinges.size(); ++i) {
@@ -159,8 +159,8 @@ CoupledRounding CoupledDynamics::Impl::noise() const {
     const double* s = state_ + dynamics.layout().offset(static_cast<int>(i));
     rate = std::max(
         rate, hinge.is_axis ? std::abs(s[1]) : std::hypot(s[4], s[5], s[6]));
-    force += size(loading_->loads[i].force);
-    moment += size(loading_->loads[i].moment);
+    force += size(forces_->bodies[i].force);
+    moment += size(forces_->bodies[i].moment);
     mass += hinge.mass;
     length = std::max(length, hinge.length);
   }
@@ -195,21 +195,21 @@ bool CoupledDynamics::Impl::converged_is_unique() {
     }
     if (moment < least * least) continue;
     if (!(kappa(i) < 1)) {
-      report.load = i;
+      report.body = i;
       return false;
     }
   }
   return true;
 }
 
-const CoupledReport& CoupledDynamics::Impl::evaluate(const double* state,
-                                                     Loading<double>& loading) {
+const CoupledReport& CoupledDynamics::Impl::evaluate(
+    const double* state, ActiveForces<double>& forces) {
   report = {};
   solutions.clear();
   take_rates(state);
   extrapolate(state);
   for (Vec3<double>& change : change_) change = {0, 0, 0};
-  start(state, loading);
+  start(state, forces);
   if (rows_.empty()) return report;
   converge();
   if (report.status == CoupledStatus::out_of_range ||
@@ -222,44 +222,44 @@ const CoupledReport& CoupledDynamics::Impl::evaluate(const double* state,
   return report;
 }
 
-CoupledDynamics::Impl::Response CoupledDynamics::Impl::response(int load) {
-  Hinge& hinge = hinges[load];
+CoupledDynamics::Impl::Response CoupledDynamics::Impl::response(int body) {
+  Hinge& hinge = hinges[body];
   const double size = std::max(hinge.moment.norm(), 1.0);
-  const auto alpha = [&] { return vec3(dynamics.relative_acceleration(load)); };
+  const auto alpha = [&] { return vec3(dynamics.relative_acceleration(body)); };
   const Vector3d alpha0 = alpha();
-  const Vector3d force0 = vec3(reaction(load).force);
-  const Vector3d moment0 = vec3(reaction(load).moment);
+  const Vector3d force0 = vec3(reaction(body).force);
+  const Vector3d moment0 = vec3(reaction(body).moment);
   Response r{Matrix3d::Zero(), Matrix3d::Zero(), Matrix3d::Zero()};
   for (int k = hinge.is_axis ? 2 : 0; k < 3; ++k) {
     for (Vec3<double>& change : change_) change = {0, 0, 0};
     const Vector3d change = size * Vector3d::Unit(k);
-    change_[load] = vec3(change);
+    change_[body] = vec3(change);
     apply_change();
     r.acceleration.col(k) = (alpha() - alpha0) / size;
-    r.force.col(k) = (vec3(reaction(load).force) - force0) / size;
-    r.moment.col(k) = (vec3(reaction(load).moment) - moment0) / size;
-    change_[load] = vec3(Vector3d(-change));
+    r.force.col(k) = (vec3(reaction(body).force) - force0) / size;
+    r.moment.col(k) = (vec3(reaction(body).moment) - moment0) / size;
+    change_[body] = vec3(Vector3d(-change));
     apply_change();
   }
-  change_[load] = {0, 0, 0};
+  change_[body] = {0, 0, 0};
   return r;
 }
 
 std::span<const contact::JointSolution> CoupledDynamics::Impl::joints(
-    int load) {
-  Hinge& hinge = hinges[load];
+    int body) {
+  Hinge& hinge = hinges[body];
   if (hinge.solver_is_behind && active(hinge)) {
-    hinge.solver.slide(reaction(load), hinge.rate);
+    hinge.solver.slide(reaction(body), hinge.rate);
   }
   hinge.solver_is_behind = false;
   return hinge.solver.joints();
 }
 
-void CoupledDynamics::Impl::fail_at(int load) {
-  const HingeSolver& solver = hinges[load].solver;
+void CoupledDynamics::Impl::fail_at(int body) {
+  const HingeSolver& solver = hinges[body].solver;
   const int joint = solver.failed_joint();
   const double force = solver.joints()[joint].reaction.norm();
-  report.load = load;
+  report.body = body;
   report.status = CoupledStatus::out_of_range;
   if (!std::isfinite(force)) return;
   report.status = CoupledStatus::no_contact;
@@ -267,10 +267,10 @@ void CoupledDynamics::Impl::fail_at(int load) {
   report.force = force;
 }
 
-double CoupledDynamics::Impl::kappa(int load) {
-  Hinge& hinge = hinges[load];
-  const Response by_moment = response(load);
-  const Reaction<double> at = reaction(load);
+double CoupledDynamics::Impl::kappa(int body) {
+  Hinge& hinge = hinges[body];
+  const Response by_moment = response(body);
+  const Reaction<double> at = reaction(body);
   const double force = vec3(at.force).norm();
   if (!(force > 0)) return 0;
   const Vector3d middle = hinge.solver.slide(at, hinge.rate);
@@ -295,12 +295,12 @@ double CoupledDynamics::Impl::kappa(int load) {
          by_held.norm() * by_moment.moment.norm();
 }
 
-double CoupledDynamics::Impl::utilisation(int load) {
-  Hinge& hinge = hinges[load];
+double CoupledDynamics::Impl::utilisation(int body) {
+  Hinge& hinge = hinges[body];
   if (hinge.utilisation_of != evaluation_) {
     // Rounding does not make a hinge slide.
     const CoupledRounding rounding = noise();
-    const Reaction<double>& held = reaction(load);
+    const Reaction<double>& held = reaction(body);
     hinge.utilisation = vec3(held.force).norm() <= rounding.force &&
                                 vec3(held.moment).norm() <= rounding.moment
                             ? 0
@@ -328,97 +328,97 @@ const Dynamics& CoupledDynamics::dynamics() const { return impl_->dynamics; }
 const StateLayout& CoupledDynamics::layout() const {
   return impl_->dynamics.layout();
 }
-HingeMode CoupledDynamics::mode(int load) const {
-  return impl_->hinges[load].mode;
+HingeMode CoupledDynamics::mode(int body) const {
+  return impl_->hinges[body].mode;
 }
-void CoupledDynamics::set_mode(int load, HingeMode mode) {
-  impl_->set_mode(load, mode);
+void CoupledDynamics::set_mode(int body, HingeMode mode) {
+  impl_->set_mode(body, mode);
 }
-bool CoupledDynamics::can_rest(int load) const {
-  return impl_->hinges[load].can_rest;
+bool CoupledDynamics::can_rest(int body) const {
+  return impl_->hinges[body].can_rest;
 }
-bool CoupledDynamics::has_friction(int load) const {
-  return impl_->hinges[load].has_friction;
+bool CoupledDynamics::has_friction(int body) const {
+  return impl_->hinges[body].has_friction;
 }
-void CoupledDynamics::set_direction(int load, const Vector3d& direction) {
-  impl_->hinges[load].direction = direction;
+void CoupledDynamics::set_direction(int body, const Vector3d& direction) {
+  impl_->hinges[body].direction = direction;
 }
-const Vector3d& CoupledDynamics::direction(int load) const {
-  return impl_->hinges[load].direction;
+const Vector3d& CoupledDynamics::direction(int body) const {
+  return impl_->hinges[body].direction;
 }
-void CoupledDynamics::slide_straight(int load, bool straight) {
-  impl_->hinges[load].straight = straight;
-  impl_->hinges[load].follows = false;
+void CoupledDynamics::slide_straight(int body, bool straight) {
+  impl_->hinges[body].straight = straight;
+  impl_->hinges[body].follows = false;
 }
-bool CoupledDynamics::slides_straight(int load) const {
-  return impl_->hinges[load].straight;
+bool CoupledDynamics::slides_straight(int body) const {
+  return impl_->hinges[body].straight;
 }
-void CoupledDynamics::follow_acceleration(int load) {
-  impl_->hinges[load].straight = impl_->hinges[load].follows = true;
+void CoupledDynamics::follow_acceleration(int body) {
+  impl_->hinges[body].straight = impl_->hinges[body].follows = true;
 }
-void CoupledDynamics::follow_acceleration(int load, double pace) {
-  impl_->hinges[load].pace = pace;
-  follow_acceleration(load);
+void CoupledDynamics::follow_acceleration(int body, double pace) {
+  impl_->hinges[body].pace = pace;
+  follow_acceleration(body);
 }
-bool CoupledDynamics::follows_acceleration(int load) const {
-  return impl_->hinges[load].follows;
+bool CoupledDynamics::follows_acceleration(int body) const {
+  return impl_->hinges[body].follows;
 }
-double CoupledDynamics::pace(int load) const {
-  return impl_->hinges[load].pace;
+double CoupledDynamics::pace(int body) const {
+  return impl_->hinges[body].pace;
 }
 void CoupledDynamics::prescribe_carrier(
     const std::optional<CarrierAcceleration<double>>& carrier) {
   impl_->prescribed = carrier;
 }
 const CoupledReport& CoupledDynamics::evaluate(const double* state,
-                                               Loading<double>& loading) {
-  return impl_->any_follows() ? impl_->evaluate_following(state, loading)
-                              : impl_->evaluate(state, loading);
+                                               ActiveForces<double>& forces) {
+  return impl_->any_follows() ? impl_->evaluate_following(state, forces)
+                              : impl_->evaluate(state, forces);
 }
 const CoupledReport& CoupledDynamics::report() const { return impl_->report; }
 void CoupledDynamics::set_trace(std::vector<OuterStep>* trace) {
   impl_->trace = trace;
 }
-const Vector3d& CoupledDynamics::friction_moment(int load) const {
-  return impl_->hinges[load].moment;
+const Vector3d& CoupledDynamics::friction_moment(int body) const {
+  return impl_->hinges[body].moment;
 }
-void CoupledDynamics::set_friction_moment(int load, const Vector3d& moment) {
-  impl_->hinges[load].moment = moment;
+void CoupledDynamics::set_friction_moment(int body, const Vector3d& moment) {
+  impl_->hinges[body].moment = moment;
   impl_->forget_way();
 }
-const Reaction<double>& CoupledDynamics::reaction(int load) const {
-  return impl_->reaction(load);
+const Reaction<double>& CoupledDynamics::reaction(int body) const {
+  return impl_->reaction(body);
 }
-double CoupledDynamics::utilisation(int load) {
-  return impl_->utilisation(load);
+double CoupledDynamics::utilisation(int body) {
+  return impl_->utilisation(body);
 }
-double CoupledDynamics::slip_limit(int load) const {
-  return impl_->slip_limit(load);
+double CoupledDynamics::slip_limit(int body) const {
+  return impl_->slip_limit(body);
 }
 std::span<const contact::JointSolution> CoupledDynamics::joints(
-    int load) const {
-  return impl_->joints(load);
+    int body) const {
+  return impl_->joints(body);
 }
-const contact::JointContact& CoupledDynamics::contact(int load,
+const contact::JointContact& CoupledDynamics::contact(int body,
                                                       int joint) const {
-  return impl_->hinges[load].solver.contact(joint);
+  return impl_->hinges[body].solver.contact(joint);
 }
 std::span<const CoupledSolution> CoupledDynamics::solutions() const {
   return impl_->solutions;
 }
-bool CoupledDynamics::stops_within(int load, const Vector3d& rate,
+bool CoupledDynamics::stops_within(int body, const Vector3d& rate,
                                    double step) {
-  const Impl::Felt felt = impl_->felt(load);
-  return impl_->hinges[load]
+  const Impl::Felt felt = impl_->felt(body);
+  return impl_->hinges[body]
       .solver.prox(felt.inertia, rate / step + felt.free)
       .isZero(0);
 }
 CoupledRounding CoupledDynamics::rounding() const { return impl_->noise(); }
-double CoupledDynamics::kappa(int load) { return impl_->kappa(load); }
+double CoupledDynamics::kappa(int body) { return impl_->kappa(body); }
 const CoupledReport& CoupledDynamics::resolve_rest(const double* state,
-                                                   Loading<double>& loading,
+                                                   ActiveForces<double>& forces,
                                                    int forced) {
-  return impl_->resolve_rest(state, loading, forced);
+  return impl_->resolve_rest(state, forces, forced);
 }
 
 }  // namespace multibody

@@ -46,7 +46,7 @@ enum class CoupledStatus {
 
 /// Friction moments that fit the reactions they cause.
 struct CoupledSolution {
-  /// Of each load, load axes, N m; 0 where no friction is looked for.
+  /// Of each body, link axes, N m; 0 where no friction is looked for.
   std::vector<Eigen::Vector3d> moments;
 };
 
@@ -60,8 +60,8 @@ struct CoupledReport {
   /// Largest ratio of the changes of M_t(R) to those of M_t between two
   /// iterations; at most kappa = |dM/dR||dR/dM| on one hinge.
   double contraction = 0;
-  int load = -1;  ///< where it failed, -1: nowhere in particular
-  /// no_contact: which joint of that load's hinge, and the force on it, N.
+  int body = -1;  ///< where it failed, -1: nowhere in particular
+  /// no_contact: which joint of that body's hinge, and the force on it, N.
   int joint = -1;
   double force = 0;
 };
@@ -91,12 +91,12 @@ struct OuterStep {
 /// Friction moments are those of the joints alone under the reactions found,
 /// to 1e-9 (measured 2e-10, multibody/coupled_dynamics_test.cpp).
 ///
-/// Everything is in load axes (Link::axes), as in Dynamics; friction
-/// solutions in given load axes. No evaluation allocates unless the search
+/// Everything is in link axes (Link::axes), as in Dynamics; friction
+/// solutions in body axes. No evaluation allocates unless the search
 /// is needed.
 class CoupledDynamics {
  public:
-  /// @param friction  one for each load
+  /// @param friction  one for each body
   /// @throws contact::Error if friction and kind of hinge do not go together
   CoupledDynamics(const System& system, std::vector<HingeFriction> friction,
                   const CoupledOptions& options = {});
@@ -107,23 +107,23 @@ class CoupledDynamics {
   int size() const;
   const Dynamics& dynamics() const;
   const StateLayout& layout() const;
-  HingeMode mode(int load) const;
+  HingeMode mode(int body) const;
   /// Resting and locked hinges are held, see Dynamics::set_mode().
-  void set_mode(int load, HingeMode mode);
+  void set_mode(int body, HingeMode mode);
   /// Whether the hinge has friction that can hold it at rest.
-  bool can_rest(int load) const;
-  bool has_friction(int load) const;
+  bool can_rest(int body) const;
+  bool has_friction(int body) const;
 
   /// Direction of sliding where the state's relative velocity is exactly 0,
-  /// and on an axis always: its z is the sign. Unit vector, load axes.
-  void set_direction(int load, const Eigen::Vector3d& direction);
-  const Eigen::Vector3d& direction(int load) const;
+  /// and on an axis always: its z is the sign. Unit vector, link axes.
+  void set_direction(int body, const Eigen::Vector3d& direction);
+  const Eigen::Vector3d& direction(int body) const;
 
   /// A ball joint about to stop: its dry friction keeps its direction(),
   /// whatever the state says, so that it is smooth through the stop. Ends
   /// with set_mode().
-  void slide_straight(int load, bool straight);
-  bool slides_straight(int load) const;
+  void slide_straight(int body, bool straight);
+  bool slides_straight(int body) const;
 
   /// A ball joint that has just begun to slide straight: its direction() is
   /// found anew in every evaluation, as that in which the joint accelerates.
@@ -131,36 +131,37 @@ class CoupledDynamics {
   /// evaluations allocate.
   /// @param pace  size of the accelerations by which its direction is judged,
   ///   rad/s^2; as resolve_rest() has found it if left out
-  void follow_acceleration(int load);
-  void follow_acceleration(int load, double pace);
-  bool follows_acceleration(int load) const;
-  double pace(int load) const;
+  void follow_acceleration(int body);
+  void follow_acceleration(int body, double pace);
+  bool follows_acceleration(int body) const;
+  double pace(int body) const;
 
   /// The carrier's accelerations are given, or (nullopt) result.
   void prescribe_carrier(
       const std::optional<CarrierAcceleration<double>>& carrier);
 
-  /// State and loading have to stay where they are until the next evaluation:
+  /// State and forces have to stay where they are until the next evaluation:
   /// what is asked for after this one may look at them.
   /// @param state    layout().size() numbers
-  /// @param loading  its friction moments are replaced by those found
-  const CoupledReport& evaluate(const double* state, Loading<double>& loading);
+  /// @param forces  its friction moments are replaced by those found
+  const CoupledReport& evaluate(const double* state,
+                                ActiveForces<double>& forces);
   const CoupledReport& report() const;
   /// Records the steps of the next evaluations; null: no longer.
   void set_trace(std::vector<OuterStep>* trace);
 
   /// After evaluate().
-  const Eigen::Vector3d& friction_moment(int load) const;
+  const Eigen::Vector3d& friction_moment(int body) const;
   /// Where the next evaluation starts from.
-  void set_friction_moment(int load, const Eigen::Vector3d& moment);
-  const Reaction<double>& reaction(int load) const;
+  void set_friction_moment(int body, const Eigen::Vector3d& moment);
+  const Reaction<double>& reaction(int body) const;
   /// tau of a resting hinge; NaN where a contact of it has no value.
-  double utilisation(int load);
+  double utilisation(int body);
   /// Utilisation above which a resting hinge begins to slide.
-  double slip_limit(int load) const;
-  std::span<const contact::JointSolution> joints(int load) const;
+  double slip_limit(int body) const;
+  std::span<const contact::JointSolution> joints(int body) const;
   /// A joint of a hinge with friction.
-  const contact::JointContact& contact(int load, int joint) const;
+  const contact::JointContact& contact(int body, int joint) const;
 
   /// What the search of the last evaluation found; empty if there was none.
   std::span<const CoupledSolution> solutions() const;
@@ -169,7 +170,8 @@ class CoupledDynamics {
   /// slide and where to; `forced` (-1: none) slides if it is half of the
   /// threshold beyond what it can hold. Then all is evaluated.
   const CoupledReport& resolve_rest(const double* state,
-                                    Loading<double>& loading, int forced = -1);
+                                    ActiveForces<double>& forces,
+                                    int forced = -1);
 
   /// Of the last evaluation. Reactions below it are taken for 0 where rest is
   /// decided.
@@ -179,11 +181,11 @@ class CoupledDynamics {
   /// ball joint of a sliding hinge to rest: the convex problem of the contact
   /// as it is (contact::MomentSet::prox()) with the inertia that the hinge
   /// feels.
-  /// @param rate  relative angular velocity, load axes
-  bool stops_within(int load, const Eigen::Vector3d& rate, double step);
+  /// @param rate  relative angular velocity, link axes
+  bool stops_within(int body, const Eigen::Vector3d& rate, double step);
 
   /// kappa_i = |dM_i/dR_i||dR_i/dM_i| of a sliding hinge, after evaluate().
-  double kappa(int load);
+  double kappa(int body);
 
  private:
   class Impl;

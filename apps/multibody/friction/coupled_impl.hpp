@@ -19,8 +19,8 @@ class CoupledDynamics::Impl {
 
   // What every evaluation needs comes first, in as few cache lines as can be.
   struct alignas(64) Hinge {
-    Hinge(HingeFriction friction, const Link& link, int load)
-        : solver(std::move(friction), link, load) {
+    Hinge(HingeFriction friction, const Link& link, int body)
+        : solver(std::move(friction), link, body) {
       has_friction = solver.has_friction();
       can_rest = solver.can_rest();
       is_axis = solver.is_axis();
@@ -54,10 +54,11 @@ class CoupledDynamics::Impl {
   };
 
   // coupled_dynamics.cpp
-  void set_mode(int load, HingeMode mode);
+  void set_mode(int body, HingeMode mode);
   /// Motion with the present moments.
-  void start(const double* state, Loading<double>& loading);
-  const CoupledReport& evaluate(const double* state, Loading<double>& loading);
+  void start(const double* state, ActiveForces<double>& forces);
+  const CoupledReport& evaluate(const double* state,
+                                ActiveForces<double>& forces);
   bool active(const Hinge& hinge) const {
     return hinge.mode == HingeMode::sliding && hinge.has_friction;
   }
@@ -67,18 +68,18 @@ class CoupledDynamics::Impl {
   /// @param floor  moments below it, times the tolerance, are rounding
   double answer(double floor = 0);
   /// Ends an evaluation whose friction or utilisation in this hinge is NaN.
-  void fail_at(int load);
+  void fail_at(int body);
   /// Worked out when first asked for.
-  const Reaction<double>& reaction(int load) {
+  const Reaction<double>& reaction(int body) {
     know_reactions();
-    return reactions_[load];
+    return reactions_[body];
   }
   void know_reactions() {
     if (!reactions_known_) dynamics.reactions(reactions_);
     reactions_known_ = true;
   }
   /// The joints of a hinge under the reactions found.
-  std::span<const contact::JointSolution> joints(int load);
+  std::span<const contact::JointSolution> joints(int body);
   /// Where the motion comes from says nothing on where it goes.
   void forget_way();
   CoupledRounding noise() const;
@@ -90,11 +91,11 @@ class CoupledDynamics::Impl {
     Eigen::Matrix3d force;
     Eigen::Matrix3d moment;
   };
-  Response response(int load);
-  double kappa(int load);
-  double utilisation(int load);
-  double slip_limit(int load) const {
-    return 1 + (hinges[load].is_axis ? options.slip_threshold
+  Response response(int body);
+  double kappa(int body);
+  double utilisation(int body);
+  double slip_limit(int body) const {
+    return 1 + (hinges[body].is_axis ? options.slip_threshold
                                      : options.ball_slip_threshold);
   }
 
@@ -104,7 +105,7 @@ class CoupledDynamics::Impl {
     Eigen::Matrix3d inertia;
     Eigen::Vector3d free;
   };
-  Felt felt(int load);
+  Felt felt(int body);
 
   // coupled_search.cpp
   void search();
@@ -112,9 +113,9 @@ class CoupledDynamics::Impl {
   // coupled_rest.cpp
   bool any_follows() const;
   const CoupledReport& evaluate_following(const double* state,
-                                          Loading<double>& loading);
+                                          ActiveForces<double>& forces);
   const CoupledReport& resolve_rest(const double* state,
-                                    Loading<double>& loading, int forced);
+                                    ActiveForces<double>& forces, int forced);
 
   CoupledOptions options;
   Dynamics dynamics;
@@ -157,7 +158,7 @@ class CoupledDynamics::Impl {
   bool find_directions(const std::vector<int>& begun);
   bool follow_excess(const std::vector<int>& balls);
   bool settle_directions(const std::vector<int>& balls);
-  bool driven(int load) const;
+  bool driven(int body) const;
 
   // State of the last evaluation but for small moves, and its way from the one
   // before.
@@ -185,7 +186,7 @@ class CoupledDynamics::Impl {
   int pause_ = 0;  // evaluations until following is tried again
   int last_pause_ = 0;
   const double* state_ = nullptr;
-  Loading<double>* loading_ = nullptr;
+  ActiveForces<double>* forces_ = nullptr;
 };
 
 }  // namespace multibody

@@ -28,7 +28,7 @@ double CoupledDynamics::Impl::answer(double floor) {
     hinge.answer = hinge.solver.slide(reaction(i), hinge.rate);
     hinge.solver_is_behind = false;
     largest = std::max(largest, hinge.answer.norm());
-    if (!hinge.answer.allFinite()) report.load = i;
+    if (!hinge.answer.allFinite()) report.body = i;
   }
   double residual = 0;
   for (const int i : rows_) {
@@ -209,7 +209,7 @@ double CoupledDynamics::Impl::relax(double enough) {
 void CoupledDynamics::Impl::move() {
   if (prescribed) {
     take_acting_moments();
-    dynamics.evaluate_prescribed(state_, *loading_, *prescribed);
+    dynamics.evaluate_prescribed(state_, *forces_, *prescribed);
   } else {
     follower.move(dynamics, rows_, change_);
   }
@@ -228,7 +228,7 @@ void CoupledDynamics::Impl::take_acting_moments() {
     Hinge& hinge = hinges[i];
     const Vector3d moment = follower.acting_moment(i);
     hinge.moment = hinge.answer = moment;
-    loading_->loads[i].friction = vec3(moment);
+    forces_->bodies[i].friction = vec3(moment);
     const double square = moment.squaredNorm();
     const double bound = hinge.leverage * hinge.leverage * square;
     const Vec3<double> force =
@@ -346,7 +346,7 @@ void CoupledDynamics::Impl::loop() {
     if (trace) trace->push_back({report.iterations, report.residual});
     if (!std::isfinite(report.residual)) {
       report.status = CoupledStatus::out_of_range;
-      if (report.load >= 0) fail_at(report.load);
+      if (report.body >= 0) fail_at(report.body);
       return;
     }
     if (report.residual <= options.tolerance) return;

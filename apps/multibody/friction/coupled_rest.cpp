@@ -17,13 +17,13 @@ using Eigen::VectorXd;
 
 }  // namespace
 
-CoupledDynamics::Impl::Felt CoupledDynamics::Impl::felt(int load) {
-  joints(load);  // for the convex problem
-  const Matrix3d mobility = response(load).acceleration;
-  const Vector3d alpha = vec3(dynamics.relative_acceleration(load));
+CoupledDynamics::Impl::Felt CoupledDynamics::Impl::felt(int body) {
+  joints(body);  // for the convex problem
+  const Matrix3d mobility = response(body).acceleration;
+  const Vector3d alpha = vec3(dynamics.relative_acceleration(body));
   const Matrix3d inertia = mobility.inverse();
   return {0.5 * (inertia + inertia.transpose()),
-          alpha - mobility * hinges[load].moment};
+          alpha - mobility * hinges[body].moment};
 }
 
 // A ball joint that begins to slide does so in the direction u of its own
@@ -32,7 +32,7 @@ CoupledDynamics::Impl::Felt CoupledDynamics::Impl::felt(int load) {
 // the accelerations, 2 numbers for each joint, along the tangents.
 bool CoupledDynamics::Impl::across(const std::vector<int>& balls,
                                    const MatrixXd& tangents, VectorXd& parts) {
-  if (evaluate(state_, *loading_).status != CoupledStatus::ok) return false;
+  if (evaluate(state_, *forces_).status != CoupledStatus::ok) return false;
   for (std::size_t k = 0; k < balls.size(); ++k) {
     const Hinge& hinge = hinges[balls[k]];
     const Vector3d alpha = vec3(dynamics.relative_acceleration(balls[k]));
@@ -97,11 +97,11 @@ bool CoupledDynamics::Impl::settle_directions(const std::vector<int>& balls) {
 
 // Friction that drives what it should hold back, by more than the rounding of
 // the directions.
-bool CoupledDynamics::Impl::driven(int load) const {
-  const Hinge& hinge = hinges[load];
+bool CoupledDynamics::Impl::driven(int body) const {
+  const Hinge& hinge = hinges[body];
   constexpr double rounding = 1e-8;
   const double along =
-      vec3(dynamics.relative_acceleration(load)).dot(hinge.direction);
+      vec3(dynamics.relative_acceleration(body)).dot(hinge.direction);
   return along < (hinge.is_axis ? 0 : -rounding * hinge.pace);
 }
 
@@ -110,22 +110,22 @@ bool CoupledDynamics::Impl::driven(int load) const {
 // would let them go (MomentSet::prox).
 bool CoupledDynamics::Impl::find_directions(const std::vector<int>& begun) {
   std::vector<int> balls;
-  for (const int load : begun) {
-    if (!hinges[load].is_axis) balls.push_back(load);
+  for (const int body : begun) {
+    if (!hinges[body].is_axis) balls.push_back(body);
   }
   if (balls.empty()) return true;
   const auto settled = [&] {
     return settle_directions(balls) &&
-           std::ranges::all_of(balls, [&](int load) { return !driven(load); });
+           std::ranges::all_of(balls, [&](int body) { return !driven(body); });
   };
   std::vector<Vector3d> free, frozen;
-  for (const int load : balls) {
-    const Felt feels = felt(load);
-    Hinge& hinge = hinges[load];
+  for (const int body : balls) {
+    const Felt feels = felt(body);
+    Hinge& hinge = hinges[body];
     free.push_back(feels.free.normalized());
     const Vector3d rate = hinge.solver.prox(feels.inertia, feels.free);
     frozen.push_back(rate.isZero(0) ? hinge.direction : rate.normalized());
-    const Vector3d alpha = vec3(dynamics.relative_acceleration(load));
+    const Vector3d alpha = vec3(dynamics.relative_acceleration(body));
     hinge.pace = std::max(feels.free.norm(), (feels.free - alpha).norm());
   }
   if (settled()) return true;
@@ -139,22 +139,22 @@ bool CoupledDynamics::Impl::find_directions(const std::vector<int>& begun) {
   if (report.status == CoupledStatus::ok) {
     report.status = CoupledStatus::not_converged;
   }
-  report.load = balls.front();
+  report.body = balls.front();
   return false;
 }
 
-// From where the moments on the loads are just what the resting joints can
+// From where the moments on the bodies are just what the resting joints can
 // hold, so that the directions are known, to what they are, bit by bit.
 bool CoupledDynamics::Impl::follow_excess(const std::vector<int>& balls) {
   std::vector<Vec3<double>> full;
-  for (const int load : balls) {
-    full.push_back(loading_->loads[load].moment);
-    hinges[load].direction = hinges[load].first_direction;
+  for (const int body : balls) {
+    full.push_back(forces_->bodies[body].moment);
+    hinges[body].direction = hinges[body].first_direction;
   }
   const auto set_share = [&](double share) {
     for (std::size_t k = 0; k < balls.size(); ++k) {
       const Vector3d less = (1 - share) * hinges[balls[k]].excess;
-      loading_->loads[balls[k]].moment = full[k] - vec3(less);
+      forces_->bodies[balls[k]].moment = full[k] - vec3(less);
     }
   };
   double done = 0;
@@ -162,7 +162,7 @@ bool CoupledDynamics::Impl::follow_excess(const std::vector<int>& balls) {
   constexpr double least = 1e-4;
   while (done < 1 && step > least) {
     std::vector<Vector3d> before;
-    for (const int load : balls) before.push_back(hinges[load].direction);
+    for (const int body : balls) before.push_back(hinges[body].direction);
     const double next = std::min(1.0, done + step);
     set_share(next);
     if (settle_directions(balls)) {
@@ -185,45 +185,45 @@ bool CoupledDynamics::Impl::any_follows() const {
 
 // From where the last evaluation has left the directions.
 const CoupledReport& CoupledDynamics::Impl::evaluate_following(
-    const double* state, Loading<double>& loading) {
+    const double* state, ActiveForces<double>& forces) {
   state_ = state;
-  loading_ = &loading;
+  forces_ = &forces;
   std::vector<int> balls;
   for (int i = 0; i < static_cast<int>(hinges.size()); ++i) {
     if (hinges[i].follows) balls.push_back(i);
   }
   std::vector<Vector3d> before;
-  for (const int load : balls) before.push_back(hinges[load].direction);
+  for (const int body : balls) before.push_back(hinges[body].direction);
   if (settle_directions(balls)) return report;
   for (std::size_t k = 0; k < balls.size(); ++k) {
     hinges[balls[k]].direction = before[k];
   }
   if (report.status == CoupledStatus::ok) {
     report.status = CoupledStatus::not_converged;
-    report.load = balls.front();
+    report.body = balls.front();
   }
   return report;
 }
 
 const CoupledReport& CoupledDynamics::Impl::resolve_rest(
-    const double* state, Loading<double>& loading, int forced) {
+    const double* state, ActiveForces<double>& forces, int forced) {
   state_ = state;
-  loading_ = &loading;
+  forces_ = &forces;
   const int count = static_cast<int>(hinges.size());
   std::vector<int> begun;  // to slide, in this call
-  const auto begin = [&](int load) {
-    Hinge& hinge = hinges[load];
-    const double tau = utilisation(load);
+  const auto begin = [&](int body) {
+    Hinge& hinge = hinges[body];
+    const double tau = utilisation(body);
     hinge.excess = tau > 1
-                       ? Vector3d((1 - 1 / tau) * vec3(reaction(load).moment))
+                       ? Vector3d((1 - 1 / tau) * vec3(reaction(body).moment))
                        : Vector3d(Vector3d::Zero());
     hinge.direction = hinge.solver.slip_direction();
     if (hinge.direction.isZero(0)) hinge.direction = Vector3d::UnitZ();
     hinge.first_direction = hinge.direction;
-    set_mode(load, HingeMode::sliding);
-    begun.push_back(load);
+    set_mode(body, HingeMode::sliding);
+    begun.push_back(body);
   };
-  evaluate(state, loading);
+  evaluate(state, forces);
   if (report.status != CoupledStatus::ok) return report;
   // Half of the threshold: what the motion found on its way is above all of
   // it, but for the rounding of tau and the error of dense output. Where that
@@ -239,14 +239,14 @@ const CoupledReport& CoupledDynamics::Impl::resolve_rest(
   // again says otherwise.
   const int change_limit = 4 * count + 8;
   for (int change = 0; change < change_limit; ++change) {
-    evaluate(state, loading);
+    evaluate(state, forces);
     if (report.status != CoupledStatus::ok || !find_directions(begun)) {
       return report;
     }
 
     // Friction must not drive what it should hold back.
     const auto held = std::ranges::find_if(
-        begun, [&](int load) { return load != forced && driven(load); });
+        begun, [&](int body) { return body != forced && driven(body); });
     if (held != begun.end()) {
       set_mode(*held, HingeMode::resting);
       begun.erase(held);
@@ -270,7 +270,7 @@ const CoupledReport& CoupledDynamics::Impl::resolve_rest(
     begin(worst);
   }
   report.status = CoupledStatus::no_solution;
-  report.load = begun.empty() ? -1 : begun.back();
+  report.body = begun.empty() ? -1 : begun.back();
   return report;
 }
 

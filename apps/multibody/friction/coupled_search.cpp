@@ -133,7 +133,7 @@ std::vector<VectorXd> CoupledDynamics::Impl::scan_starts(
 }
 
 void CoupledDynamics::Impl::search() {
-  const int at = report.load;
+  const int at = report.body;
   const VectorXd before = moments();
   const bool converged = report.status == CoupledStatus::ok;
   const bool one_axis = rows_.size() == 1 && hinges[rows_[0]].is_axis;
@@ -152,12 +152,12 @@ void CoupledDynamics::Impl::search() {
     mismatch(found[0]);
     report.status = CoupledStatus::ok;
     report.residual = answer();
-    report.load = -1;
+    report.body = -1;
     return;
   }
   report.status = found.empty() ? CoupledStatus::no_solution
                                 : CoupledStatus::several_solutions;
-  report.load = at >= 0 ? at : rows_[0];
+  report.body = at >= 0 ? at : rows_[0];
   // The next evaluation has to find its own way.
   set_moments(VectorXd::Zero(3 * rows_.size()));
 }

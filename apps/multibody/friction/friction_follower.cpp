@@ -50,7 +50,7 @@ struct FrictionFollower::Contacts {
     // Only balls need integrals: where there are nodes, all balls come first.
     if (any_node) {
       std::stable_partition(order.begin(), order.end(), [&](int k) {
-        return all[k].geometry().kind() == contact::JointKind::spherical;
+        return all[k].geometry().kind() == contact::JointKind::ball;
       });
     }
     place.resize(all.size());
@@ -169,7 +169,7 @@ void FrictionFollower::take_reactions(const Dynamics& dynamics,
 void FrictionFollower::set_node_reactions(std::span<const Part> parts,
                                           const Reaction<double>& reaction) {
   const auto& [force, moment] = reaction;
-  // Moments normal to the axis load the node as well.
+  // Moments normal to the axis body the node as well.
   double cross_x = 0;
   double cross_y = 0;
   for (const Part& part : parts) {

@@ -7,13 +7,13 @@
 #include "libcontact/tracking/joint_follower.hpp"
 #include "multibody/dynamics/dynamics.hpp"
 #include "multibody/friction/hinge_solver.hpp"
-#include "multibody/system/loading.hpp"
+#include "multibody/system/active_forces.hpp"
 
 namespace multibody {
 
 /// Friction of all hinges side by side, followed from evaluation to evaluation
 /// (contact::JointFollower): moments as functions of the reactions nearby,
-/// with one evaluation of every contact. Load axes. A start for nothing and
+/// with one evaluation of every contact. Link axes. A start for nothing and
 /// an answer as good as error() says; where it cannot follow the HingeSolvers
 /// have to be asked.
 class FrictionFollower {

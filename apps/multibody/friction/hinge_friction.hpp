@@ -2,11 +2,11 @@
 
 #include <variant>
 
-#include "libcontact/joint/cylindrical_joint.hpp"
+#include "libcontact/joint/ball_joint.hpp"
 #include "libcontact/joint/node.hpp"
-#include "libcontact/joint/spherical_joint.hpp"
+#include "libcontact/joint/pin_joint.hpp"
 
-/// What friction sits in the hinge of a load.
+/// What friction sits in the hinge of a body.
 namespace multibody {
 
 /// Which force the friction is worked out from.
@@ -15,13 +15,13 @@ enum class FrictionEstimate {
   traditional,  ///< R in place of R_n, as is customary: too much friction
 };
 
-/// A ball joint on a spherical load (JointKind::spherical).
+/// A ball joint on a ball body (HingeKind::ball).
 struct BallFriction {
-  contact::SphericalJoint joint;
+  contact::BallJoint joint;
   FrictionEstimate estimate = FrictionEstimate::consistent;
 };
 
-/// Several joints on the axis of an axis load (JointKind::axis); positions
+/// Several joints on the axis of an axis body (HingeKind::axis); positions
 /// along the axis (z of the hinge axes) from the centre of the hinge.
 /// The traditional estimate shares the forces among the joints as friction
 /// does, and takes each joint's friction from its whole force.
@@ -30,11 +30,11 @@ struct NodeFriction {
   FrictionEstimate estimate = FrictionEstimate::consistent;
 };
 
-/// One pin on the axis of an axis load, which takes the radial force; the
+/// One pin on the axis of an axis body, which takes the radial force; the
 /// axial force and moments across the axis are taken by something without
 /// friction.
 struct PinFriction {
-  contact::CylindricalJoint joint;
+  contact::PinJoint joint;
   FrictionEstimate estimate = FrictionEstimate::consistent;
 };
 

@@ -43,17 +43,17 @@ bool joint_holds(const contact::NodeJoint& joint) {
 
 }  // namespace
 
-HingeSolver::HingeSolver(HingeFriction friction, const Link& link, int load)
+HingeSolver::HingeSolver(HingeFriction friction, const Link& link, int body)
     : friction_(std::move(friction)),
       axes_(link.axes),
-      is_axis_(link.kind == JointKind::axis) {
+      is_axis_(link.kind == HingeKind::axis) {
   const auto refuse = [&](const char* what, const char* where) {
-    throw contact::Error(fmt::format("loads[{}].friction: {}, allowed on {}",
-                                     load, what, where));
+    throw contact::Error(fmt::format("bodies[{}].friction: {}, allowed on {}",
+                                     body, what, where));
   };
   if (const auto* ball = std::get_if<BallFriction>(&friction_)) {
-    if (link.kind != JointKind::spherical) {
-      refuse("a ball joint alone", "a spherical hinge");
+    if (link.kind != HingeKind::ball) {
+      refuse("a ball joint alone", "a ball hinge");
     }
     joints_.resize(1);
     can_rest_ = holds(ball->joint.contact());
@@ -119,10 +119,10 @@ void HingeSolver::estimate_joints(const contact::JointNode& node, double rate) {
   for (std::size_t k = 0; k < joints_.size(); ++k) {
     const Vector3d force = node_.joints[k].reaction;
     if (const auto* ball =
-            std::get_if<contact::SphericalJoint>(&node.joints()[k].joint)) {
+            std::get_if<contact::BallJoint>(&node.joints()[k].joint)) {
       joints_[k] = ball->solve_contact(force, rate * axis);
     } else {
-      joints_[k] = std::get<contact::CylindricalJoint>(node.joints()[k].joint)
+      joints_[k] = std::get<contact::PinJoint>(node.joints()[k].joint)
                        .solve_contact(force, axis, rate);
     }
   }
@@ -164,7 +164,7 @@ double HingeSolver::utilisation(const Reaction<double>& held) {
   const double sign = needed > 0 ? -1 : 1;
   slip_direction_ = Vector3d(0, 0, needed == 0 ? 0 : sign);
   const double limit = moment_limit(held, sign);
-  // Without load too 0 is held.
+  // Without body too 0 is held.
   return needed == 0 ? 0 * limit : std::abs(needed) / limit;
 }
 
@@ -203,8 +203,7 @@ const contact::JointContact& HingeSolver::contact(int joint) const {
 
 Vector3d HingeSolver::prox(const Matrix3d& inertia,
                            const Vector3d& free) const {
-  const contact::SphericalJoint& joint =
-      std::get<BallFriction>(friction_).joint;
+  const contact::BallJoint& joint = std::get<BallFriction>(friction_).joint;
   const Matrix3d given = axes_ * inertia * axes_.transpose();
   return axes_.transpose() *
          joint.moment_set(joints_[0]).prox(given, axes_ * free).rate;

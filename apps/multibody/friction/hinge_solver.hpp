@@ -5,36 +5,36 @@
 #include <vector>
 
 #include "multibody/friction/hinge_friction.hpp"
-#include "multibody/system/loading.hpp"
+#include "multibody/system/active_forces.hpp"
 #include "multibody/system/system.hpp"
 
 namespace multibody {
 
-/// Friction of one hinge under a known reaction, between load axes and the
-/// joint solvers of libcontact, which work in given load axes. Remembers its
+/// Friction of one hinge under a known reaction, between link axes and the
+/// joint solvers of libcontact, which work in body axes. Remembers its
 /// last solutions as starts of the next. Does not allocate.
 class HingeSolver {
  public:
-  /// @param load  for messages
+  /// @param body  for messages
   /// @throws contact::Error if friction and kind of hinge do not go together
-  HingeSolver(HingeFriction friction, const Link& link, int load);
+  HingeSolver(HingeFriction friction, const Link& link, int body);
 
   bool has_friction() const { return !joints_.empty(); }
   /// Dry friction, above 0, in at least one joint.
   bool can_rest() const { return can_rest_; }
   bool is_axis() const { return is_axis_; }
 
-  /// M_t on the load, load axes (axis: along z) while it turns with `rate`
+  /// M_t on the body, link axes (axis: along z) while it turns with `rate`
   /// (axis: about z, not 0). NaN where the joint solver fails.
   Eigen::Vector3d slide(const Reaction<double>& reaction,
                         const Eigen::Vector3d& rate);
 
   /// tau: share of the moments that friction can hold which `held` needs; NaN
   /// where a contact has no value.
-  /// @param held  what acts on the held load in the hinge, its moment about
+  /// @param held  what acts on the held body in the hinge, its moment about
   ///              the hinge's centre included
   double utilisation(const Reaction<double>& held);
-  /// Of the last utilisation(): where it would slide to, unit vector, load
+  /// Of the last utilisation(): where it would slide to, unit vector, body
   /// axes; 0 where nothing pushes it.
   const Eigen::Vector3d& slip_direction() const { return slip_direction_; }
 
@@ -44,11 +44,11 @@ class HingeSolver {
   Eigen::Vector3d prox(const Eigen::Matrix3d& inertia,
                        const Eigen::Vector3d& free) const;
 
-  /// M_t of a joint, last call, load axes.
+  /// M_t of a joint, last call, link axes.
   Eigen::Vector3d joint_moment(int joint) const {
     return axes_.transpose() * joints_[joint].friction_moment;
   }
-  /// Of the last call, given load axes.
+  /// Of the last call, body axes.
   std::span<const contact::JointSolution> joints() const { return joints_; }
   /// If that gave NaN: the joint that it comes from.
   int failed_joint() const;
@@ -62,7 +62,7 @@ class HingeSolver {
                         const Eigen::Vector3d& moment);
 
   HingeFriction friction_;
-  Eigen::Matrix3d axes_;  // load axes to given axes
+  Eigen::Matrix3d axes_;  // link axes to body axes
   bool is_axis_;
   bool can_rest_ = false;
   Eigen::Vector3d slip_direction_ = Eigen::Vector3d::Zero();

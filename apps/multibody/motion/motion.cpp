@@ -52,10 +52,10 @@ BodyMotion checked_body(const BodyMotion& body, const std::string& place) {
   return result;
 }
 
-// Numbers of a load on the carrier.
-void put_hinged(const LoadStart& start, const Link& link,
+// Numbers of a body on the carrier.
+void put_hinged(const BodyStart& start, const Link& link,
                 const std::string& place, double* to) {
-  if (link.kind == JointKind::axis) {
+  if (link.kind == HingeKind::axis) {
     to[0] = start.angle;
     to[1] = start.angle_rate;
   } else {
@@ -67,8 +67,8 @@ void put_hinged(const LoadStart& start, const Link& link,
     Map<Vector3d>{to + 4} =
         link.axes.transpose() * start.relative_angular_velocity;
   }
-  const double* rate = link.kind == JointKind::axis ? to + 1 : to + 4;
-  const int rates = link.kind == JointKind::axis ? 1 : 3;
+  const double* rate = link.kind == HingeKind::axis ? to + 1 : to + 4;
+  const int rates = link.kind == HingeKind::axis ? 1 : 3;
   const bool finite = std::isfinite(to[0]) &&
                       std::all_of(rate, rate + rates,
                                   [](double x) { return std::isfinite(x); });
@@ -99,15 +99,15 @@ MotionImpl::MotionImpl(const System& motion_system,
       now(start.time),
       sample(this) {
   check_options(options);
-  joint_modes.resize(loads());
-  straight_from.resize(loads());
-  recent_.resize(loads());
-  slip_directions.resize(loads());
-  bodies.resize(1 + loads());
-  rate_bodies_.resize(1 + loads());
-  body_forces_.resize(1 + loads());
-  loading_.loads.resize(loads());
-  held_units_.resize(loads());
+  joint_modes.resize(size());
+  straight_from.resize(size());
+  recent_.resize(size());
+  slip_directions.resize(size());
+  motions.resize(1 + size());
+  rate_motions_.resize(1 + size());
+  body_forces_.resize(1 + size());
+  forces_.bodies.resize(size());
+  held_units_.resize(size());
   // A step that ends at a break of the forces sees those before it.
   const auto right_hand_side = [this](double time, const double* state,
                                       double* to) {
@@ -119,7 +119,7 @@ MotionImpl::MotionImpl(const System& motion_system,
                 : make_adaptive_stepper(
                       right_hand_side,
                       {options.relative_tolerance, options.absolute_tolerance,
-                       options.longest_step, loads()});
+                       options.longest_step, size()});
   const std::vector<double> state = start_state(start);
   // Whoever is at rest at the start has not come to rest.
   if (resolve_rest(state, -1)) restart(state);
@@ -127,27 +127,27 @@ MotionImpl::MotionImpl(const System& motion_system,
 }
 
 std::vector<double> MotionImpl::start_state(const MotionStart& start) {
-  if (static_cast<int>(start.loads.size()) != loads()) {
+  if (static_cast<int>(start.bodies.size()) != size()) {
     throw contact::Error(fmt::format(
-        "start of {} loads, allowed is one for each of the {} loads",
-        start.loads.size(), loads()));
+        "start of {} bodies, allowed is one for each of the {} bodies",
+        start.bodies.size(), size()));
   }
   std::vector<double> state(number_count());
   put_body(checked_body(start.carrier, "start.carrier"), Matrix3d::Identity(),
            state.data());
-  for (int i = 0; i < loads(); ++i) {
+  for (int i = 0; i < size(); ++i) {
     const Link& link = system.links()[i];
-    const LoadStart& load = start.loads[i];
-    const std::string place = fmt::format("start.loads[{}]", i);
+    const BodyStart& body = start.bodies[i];
+    const std::string place = fmt::format("start.bodies[{}]", i);
     double* to = &state[coupled.layout().offset(i)];
-    if (link.kind == JointKind::none) {
-      put_body(checked_body(load.body, place), link.axes, to);
+    if (link.kind == HingeKind::none) {
+      put_body(checked_body(body.body, place), link.axes, to);
       change_mode(i, HingeMode::released);
       continue;
     }
-    put_hinged(load, link, place, to);
+    put_hinged(body, link, place, to);
     const Vector3d rate = rate_of(i, state.data());
-    if (load.locked) {
+    if (body.locked) {
       change_mode(i, HingeMode::locked);
     } else if (rate.isZero(0) && coupled.can_rest(i)) {
       change_mode(i, HingeMode::resting);
@@ -210,13 +210,13 @@ void MotionImpl::show_step(double time) {
 // the last step can be tried again.
 bool MotionImpl::keep_directions() {
   bool any = false;
-  for (int i = 0; i < loads(); ++i) any |= coupled.follows_acceleration(i);
+  for (int i = 0; i < size(); ++i) any |= coupled.follows_acceleration(i);
   if (!any) return false;
   const std::vector<double> state(stepper->begin_state().begin(),
                                   stepper->begin_state().end());
   look_at(stepper->begin(), state);
   work_out();
-  for (int i = 0; i < loads(); ++i) {
+  for (int i = 0; i < size(); ++i) {
     if (coupled.follows_acceleration(i)) coupled.slide_straight(i, true);
   }
   stepper->restart(stepper->begin(), state);
@@ -310,15 +310,15 @@ Stop MotionImpl::advance_to(double time) {
   return Stop::failed;
 }
 
-// A state has the numbers of the bodies, the work of friction of each load, the
-// work of the forces, and what each load's hinge holds.
+// A state has the numbers of the bodies, the work of friction of each body, the
+// work of the forces, and what each body's hinge holds.
 int MotionImpl::held_by() const {
   const int number = stepper->largest_error();
   if (number < 0 || number == work_at()) return -1;
   if (number > work_at()) return 1 + number - held_at(0);
   if (number >= dissipated_at(0)) return 1 + number - dissipated_at(0);
   int body = 0;
-  while (body < loads() && number >= coupled.layout().offset(body)) ++body;
+  while (body < size() && number >= coupled.layout().offset(body)) ++body;
   return body;
 }
 
@@ -342,14 +342,14 @@ MotionState MotionImpl::save() {
   MotionState s;
   s.time = now;
   s.numbers = view_state;
-  for (int i = 0; i < loads(); ++i) {
+  for (int i = 0; i < size(); ++i) {
     s.modes.push_back(coupled.mode(i));
     s.directions.push_back(coupled.direction(i));
     s.friction.push_back(coupled.friction_moment(i));
     s.straight_from.push_back(coupled.slides_straight(i) ? straight_from[i]
                                                          : 0);
     s.paces.push_back(coupled.follows_acceleration(i) ? coupled.pace(i) : 0);
-    s.hinge_angles.push_back(bodies[1 + i].hinge_angle);
+    s.hinge_angles.push_back(motions[1 + i].hinge_angle);
   }
   s.step = stepper->next_step();
   return s;
@@ -358,8 +358,8 @@ MotionState MotionImpl::save() {
 void MotionImpl::restore(const MotionState& s) {
   failure.reset();
   now = s.time;
-  recent_.assign(loads(), {});
-  for (int i = 0; i < loads(); ++i) {
+  recent_.assign(size(), {});
+  for (int i = 0; i < size(); ++i) {
     change_mode(i, s.modes[i]);
     coupled.set_direction(i, s.directions[i]);
     coupled.set_friction_moment(i, s.friction[i]);
@@ -393,9 +393,9 @@ const std::optional<MotionFailure>& Motion::failure() const {
   return impl_->failure;
 }
 const MotionSample& Motion::sample() const { return impl_->sample; }
-void Motion::release(int load) { impl_->release(load); }
-void Motion::lock(int load) { impl_->lock(load); }
-void Motion::unlock(int load) { impl_->unlock(load); }
+void Motion::release(int body) { impl_->release(body); }
+void Motion::lock(int body) { impl_->lock(body); }
+void Motion::unlock(int body) { impl_->unlock(body); }
 void Motion::set_forces(std::shared_ptr<const ForceModel> forces) {
   impl_->go_to(impl_->now);
   impl_->forces = std::move(forces);
@@ -434,22 +434,22 @@ void Motion::restore(const MotionState& state) { impl_->restore(state); }
 MotionCounts Motion::counts() const { return impl_->counts; }
 
 double MotionSample::time() const { return motion_->view_time; }
-std::span<const BodyMotion> MotionSample::bodies() const {
-  return motion_->bodies;
+std::span<const BodyMotion> MotionSample::motions() const {
+  return motion_->motions;
 }
-HingeMode MotionSample::mode(int load) const {
-  return motion_->coupled.mode(load);
+HingeMode MotionSample::mode(int body) const {
+  return motion_->coupled.mode(body);
 }
-double MotionSample::angle(int load) const {
-  return motion_->view_state[motion_->coupled.layout().offset(load)];
+double MotionSample::angle(int body) const {
+  return motion_->view_state[motion_->coupled.layout().offset(body)];
 }
-HingeSample MotionSample::hinge(int load) const { return motion_->hinge(load); }
-Vector3d MotionSample::acceleration(int body) const {
-  // A hinged load's velocity is not among the numbers of the state.
-  return motion_->acceleration(body);
+HingeSample MotionSample::hinge(int body) const { return motion_->hinge(body); }
+Vector3d MotionSample::acceleration(int place) const {
+  // A hinged body's velocity is not among the numbers of the state.
+  return motion_->acceleration(place);
 }
-Vector3d MotionSample::angular_acceleration(int body) const {
-  return motion_->angular_acceleration(body);
+Vector3d MotionSample::angular_acceleration(int place) const {
+  return motion_->angular_acceleration(place);
 }
 EnergyBook MotionSample::energy() const { return motion_->energy(); }
 

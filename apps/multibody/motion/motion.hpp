@@ -16,10 +16,10 @@
 
 namespace multibody {
 
-/// Where a load is at the start.
-struct LoadStart {
-  /// spherical: C, given load axes to carrier axes, and the relative angular
-  /// velocity, given load axes. Exactly 0: the hinge begins at rest if its
+/// Where a body is at the start.
+struct BodyStart {
+  /// ball: C, body axes to carrier axes, and the relative angular
+  /// velocity, body axes. Exactly 0: the hinge begins at rest if its
   /// friction holds it.
   Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
   Eigen::Vector3d relative_angular_velocity = Eigen::Vector3d::Zero();
@@ -37,7 +37,7 @@ struct MotionStart {
   double time = 0;  ///< s
   BodyMotion carrier{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(),
                      Eigen::Matrix3d::Identity(), Eigen::Vector3d::Zero()};
-  std::vector<LoadStart> loads;  ///< one for each load
+  std::vector<BodyStart> bodies;  ///< one for each body
 };
 
 /// Motion of the carrier where it is prescribed.
@@ -79,12 +79,12 @@ struct MotionOptions {
   CoupledOptions coupling;
 };
 
-/// What a hinge does at one time; given load axes.
+/// What a hinge does at one time; body axes.
 /// Where no friction moments are found that fit, or several are, forces and
 /// moments are NaN and there are no joints.
 struct HingeSample {
   HingeMode mode;
-  /// C: given load axes to carrier axes.
+  /// C: body axes to carrier axes.
   Eigen::Matrix3d rotation;
   Eigen::Vector3d relative_angular_velocity;  ///< exactly 0 at rest, rad/s
   double angle;                               ///< axis only, rad
@@ -93,7 +93,7 @@ struct HingeSample {
   /// About the hinge's centre; at rest and locked: all that is held, else
   /// without friction_moment; N m.
   Eigen::Vector3d reaction_moment;
-  Eigen::Vector3d friction_moment;  ///< sliding: M_t on the load, N m
+  Eigen::Vector3d friction_moment;  ///< sliding: M_t on the body, N m
   /// resting: tau, the share of what friction can hold that is needed;
   /// sliding with friction: 1; NaN otherwise.
   double utilisation;
@@ -121,7 +121,7 @@ struct EnergyBook {
 /// A change of a hinge.
 struct HingeChange {
   double time;
-  int load;
+  int body;
   HingeMode from;
   HingeMode to;
 };
@@ -140,19 +140,19 @@ class MotionImpl;
 class MotionSample {
  public:
   double time() const;
-  /// Carrier, then the loads.
-  std::span<const BodyMotion> bodies() const;
-  const BodyMotion& carrier() const { return bodies()[0]; }
-  const BodyMotion& load(int load) const { return bodies()[1 + load]; }
-  HingeMode mode(int load) const;
-  /// Of a load on an axis, rad: cheap, nothing has to be worked out.
-  double angle(int load) const;
+  /// Carrier, then the bodies.
+  std::span<const BodyMotion> motions() const;
+  const BodyMotion& carrier() const { return motions()[0]; }
+  const BodyMotion& body(int body) const { return motions()[1 + body]; }
+  HingeMode mode(int body) const;
+  /// Of a body on an axis, rad: cheap, nothing has to be worked out.
+  double angle(int body) const;
   /// Works out accelerations and reactions.
-  HingeSample hinge(int load) const;
-  /// Accelerations of a body (as in bodies()): of its centre of mass, gravity
+  HingeSample hinge(int body) const;
+  /// Accelerations of motions()[place]: of the centre of mass, gravity
   /// included, and angular; inertial axes.
-  Eigen::Vector3d acceleration(int body) const;
-  Eigen::Vector3d angular_acceleration(int body) const;
+  Eigen::Vector3d acceleration(int place) const;
+  Eigen::Vector3d angular_acceleration(int place) const;
   EnergyBook energy() const;
 
  private:
@@ -183,13 +183,13 @@ enum class Stop {
 struct MotionFailure {
   CoupledStatus status;  ///< ok: the integrator gave up
   double time;
-  int load;            ///< -1: none in particular
-  std::string reason;  ///< "at 0.3 s: ...", without the load
-  /// Of several_solutions: the friction moments, load axes.
+  int body;            ///< -1: none in particular
+  std::string reason;  ///< "at 0.3 s: ...", without the body
+  /// Of several_solutions: the friction moments, link axes.
   std::vector<CoupledSolution> solutions;
-  int joint = -1;  ///< of no_contact: which one of the load's hinge
+  int joint = -1;  ///< of no_contact: which one of the body's hinge
 
-  /// The reason, with load and joint by their numbers.
+  /// The reason, with body and joint by their numbers.
   std::string message() const;
 };
 
@@ -207,9 +207,9 @@ struct MotionState {
   double step = 0;
 };
 
-/// A carrier with loads moving through time.
+/// A carrier with bodies moving through time.
 ///
-/// All vectors come and go in given axes (system/system.hpp) or inertial axes.
+/// All vectors come and go in body axes (system/system.hpp) or inertial axes.
 /// The hinges' rest and slip are found on the way: a resting hinge has relative
 /// velocity exactly 0 and stays where it is to the last bit.
 ///
@@ -218,7 +218,7 @@ struct MotionState {
 /// tolerance.
 class Motion {
  public:
-  /// @param friction  one for each load, or none at all
+  /// @param friction  one for each body, or none at all
   /// @param forces    may be null
   /// @throws contact::Error for friction that does not fit the hinge and a
   ///         start that does not fit the system
@@ -243,12 +243,12 @@ class Motion {
   /// At time().
   const MotionSample& sample() const;
 
-  /// From now on, at time(). A released load is a body of its own; a locked
-  /// one is held whatever the load on it (its relative velocity is taken out
+  /// From now on, at time(). A released body is a body of its own; a locked
+  /// one is held whatever the body on it (its relative velocity is taken out
   /// with the momentum kept, the energy counts as dissipated).
-  void release(int load);
-  void lock(int load);
-  void unlock(int load);
+  void release(int body);
+  void lock(int body);
+  void unlock(int body);
   void set_forces(std::shared_ptr<const ForceModel> forces);
 
   /// Adds an event; its index.
@@ -267,7 +267,7 @@ class Motion {
   double step_begin() const;
   /// Length of the last step, s.
   double last_step() const;
-  /// The body (as in bodies()) whose motion, or whose hinge's, had the largest
+  /// The body (as in motions()) whose motion, or whose hinge's, had the largest
   /// error in the last step against the tolerances: what keeps steps short. -1:
   /// the work of the forces, or not known, as with rk4.
   int held_by() const;

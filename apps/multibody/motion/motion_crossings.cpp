@@ -218,12 +218,12 @@ double MotionImpl::sample_time(int k) const {
 // the last step.
 void MotionImpl::sample_step() {
   const auto user = static_cast<int>(events.size());
-  samples.slip.resize(loads());
+  samples.slip.resize(size());
   samples.full.assign(user, true);
   bool slips = false;
-  for (int i = 0; i < loads(); ++i) slips = slips || slides_to_stop(i);
+  for (int i = 0; i < size(); ++i) slips = slips || slides_to_stop(i);
   if (user == 0 && !slips) return;
-  for (int i = 0; slips && i < loads(); ++i) {
+  for (int i = 0; slips && i < size(); ++i) {
     slip_directions[i] = coupled.direction(i);
     if (!coupled.follows_acceleration(i)) continue;
     // Where it was going when the step began.
@@ -238,7 +238,7 @@ void MotionImpl::sample_step() {
     } else {
       stepper->estimate(sample_time(k), trial_);
     }
-    for (int i = 0; slips && i < loads(); ++i) {
+    for (int i = 0; slips && i < size(); ++i) {
       if (slides_to_stop(i)) {
         samples.slip[i][k] = rate_of(i, trial_.data()).dot(slip_directions[i]);
       }
@@ -329,9 +329,9 @@ std::optional<MotionImpl::Crossed> MotionImpl::user_crossing(int index) {
 }
 
 // Where sliding in a known direction passes 0.
-std::optional<double> MotionImpl::slip_end(int load) {
-  const Watch watch{Watch::Kind::slip_ends, load};
-  Values values = samples.slip[load];
+std::optional<double> MotionImpl::slip_end(int body) {
+  const Watch watch{Watch::Kind::slip_ends, body};
+  Values values = samples.slip[body];
   const double t0 = stepper->begin();
   const double t1 = stepper->end();
   if (!(values[0] > 0)) {

@@ -84,16 +84,16 @@ double MotionImpl::locate(const Watch& watch, double low, double low_value,
 
 // Fixed steps do not get shorter towards a stop: it comes where one implicit
 // step would end the motion.
-bool MotionImpl::stops_in_step(int load) {
+bool MotionImpl::stops_in_step(int body) {
   const double h = stepper->end() - stepper->begin();
   look_at(stepper->begin(), stepper->begin_state());
   if (!work_out()) return false;
-  const Eigen::Vector3d rate = rate_of(load, view_state.data());
-  const Eigen::Vector3d alpha = relative_acceleration(load);
+  const Eigen::Vector3d rate = rate_of(body, view_state.data());
+  const Eigen::Vector3d alpha = relative_acceleration(body);
   // What follows is some work.
   constexpr double near = 10;
   return rate.norm() < near * h * alpha.norm() &&
-         coupled.stops_within(load, rate, h);
+         coupled.stops_within(body, rate, h);
 }
 
 // Where a resting hinge holds no longer, or has a contact without a value,
@@ -104,7 +104,7 @@ std::optional<double> MotionImpl::rest_end(const Watch& watch, double end) {
   const double begin = value(watch);
   if (!(begin <= 0)) return t0;
   double last = stepper->end();
-  // Of a joint without load tau jumps from 0 to infinity where a moment begins
+  // Of a joint without body tau jumps from 0 to infinity where a moment begins
   // to grow: that is known to the shortest step that can be made, which has
   // some roundings of time.
   const double soon = std::max(1e-10 * (last - t0), 1e-14 * std::abs(t0));
@@ -193,7 +193,7 @@ std::optional<MotionImpl::Found> MotionImpl::find_event() {
     const Watch watch{kind, index};
     if (const auto time = crossing(watch)) add({*time, watch});
   };
-  for (int i = 0; i < loads(); ++i) {
+  for (int i = 0; i < size(); ++i) {
     if (coupled.mode(i) == HingeMode::sliding && coupled.can_rest(i)) {
       if (is_axis(i) || coupled.slides_straight(i)) {
         if (const auto time = slip_end(i)) add({*time, {Kind::slip_ends, i}});
@@ -214,17 +214,17 @@ std::optional<MotionImpl::Found> MotionImpl::find_event() {
 }
 
 // Whether a hinge changes so often that time does not get on: a failure.
-bool MotionImpl::stalls(int load) {
-  Recent& recent = recent_[load];
+bool MotionImpl::stalls(int body) {
+  Recent& recent = recent_[body];
   if (!(now - recent.since <= options.stall_span)) recent = {now, 0};
   if (++recent.count <= options.stall_changes) return false;
-  const bool rests = coupled.mode(load) == HingeMode::resting;
-  const double speed = rate_of(load, view_state.data()).norm();
+  const bool rests = coupled.mode(body) == HingeMode::resting;
+  const double speed = rate_of(body, view_state.data()).norm();
   const std::string hinge =
       rests ? fmt::format("resting, utilisation {}",
-                          work_out() ? coupled.utilisation(load) : NAN)
+                          work_out() ? coupled.utilisation(body) : NAN)
             : fmt::format("sliding at {} rad/s", speed);
-  set_failure({.status = CoupledStatus::not_converged, .load = load}, now);
+  set_failure({.status = CoupledStatus::not_converged, .body = body}, now);
   failure->reason = fmt::format(
       "at {} s: more than {} changes between rest and slip within {} s, the "
       "hinge is {}",
@@ -245,8 +245,8 @@ bool MotionImpl::handle(const Found& found) {
   }
   if (changes_time != now) changes_here = 0;
   changes_time = now;
-  if (++changes_here > 8 * loads() + 16) {
-    set_failure({.status = CoupledStatus::not_converged, .load = i}, now);
+  if (++changes_here > 8 * size() + 16) {
+    set_failure({.status = CoupledStatus::not_converged, .body = i}, now);
     return true;
   }
   std::vector<double> state = view_state;

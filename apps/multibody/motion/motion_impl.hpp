@@ -17,8 +17,8 @@ namespace multibody {
 /// motion_events.cpp finds them, with motion_crossings.cpp for what crosses 0
 /// within a step, motion.cpp is the way through time.
 ///
-/// Numbers of a state: those of StateLayout; for each load the work that
-/// friction took; the work of the force model; for each load the integral of
+/// Numbers of a state: those of StateLayout; for each body the work that
+/// friction took; the work of the force model; for each body the integral of
 /// what a held hinge transmits, in units of its first value. The last are
 /// there for the error control alone: while hinges rest nothing else in the
 /// state tells it how fast the forces change that may end the rest.
@@ -44,18 +44,18 @@ class MotionImpl {
   void look_at(double time, std::span<const double> state);
   /// Its accelerations and reactions, once.
   bool work_out();
-  HingeSample hinge(int load);
+  HingeSample hinge(int body);
   EnergyBook energy() const;
-  Eigen::Vector3d acceleration(int body);
-  Eigen::Vector3d angular_acceleration(int body);
+  Eigen::Vector3d acceleration(int place);
+  Eigen::Vector3d angular_acceleration(int place);
 
   // motion_modes.cpp
-  void change_mode(int load, HingeMode mode);
-  void release(int load);
-  void lock(int load);
-  void unlock(int load);
+  void change_mode(int body, HingeMode mode);
+  void release(int body);
+  void lock(int body);
+  void unlock(int body);
   /// Takes a hinge's relative velocity out of a state.
-  void stop_hinge(int load, std::vector<double>& state);
+  void stop_hinge(int body, std::vector<double>& state);
   /// Which hinges hold from here on; false if that cannot be said.
   bool resolve_rest(const std::vector<double>& state, int forced);
 
@@ -83,7 +83,7 @@ class MotionImpl {
   double value(const Watch& watch);
   /// The first crossing of the last step.
   std::optional<Found> find_event();
-  bool stops_in_step(int load);
+  bool stops_in_step(int body);
   std::optional<double> crossing(const Watch& watch);
   double value_at(const Watch& watch, double time);
   std::optional<double> rest_end(const Watch& watch, double end);
@@ -93,7 +93,7 @@ class MotionImpl {
   double locate(const Watch& watch, double low, double low_value, double high,
                 double high_value);
   bool handle(const Found& found);
-  bool stalls(int load);
+  bool stalls(int body);
 
   // motion_crossings.cpp
   /// Values at points of the last step, those of the beginning first.
@@ -102,15 +102,15 @@ class MotionImpl {
     using Values = std::array<double, last + 1>;
     std::vector<Values> user;  ///< of each event
     std::vector<char> full;    ///< all of them, not just the end and middle
-    std::vector<Values> slip;  ///< of each load: rate along its direction
+    std::vector<Values> slip;  ///< of each body: rate along its direction
   };
   struct Crossed {
     double time;
     bool rises;
   };
-  bool slides_to_stop(int load) const {
-    return coupled.mode(load) == HingeMode::sliding && coupled.can_rest(load) &&
-           (is_axis(load) || coupled.slides_straight(load));
+  bool slides_to_stop(int body) const {
+    return coupled.mode(body) == HingeMode::sliding && coupled.can_rest(body) &&
+           (is_axis(body) || coupled.slides_straight(body));
   }
   double sample_time(int k) const;
   void sample_step();
@@ -119,29 +119,29 @@ class MotionImpl {
                                         double before,
                                         MotionEvent::Crossing way);
   std::optional<Crossed> user_crossing(int event);
-  std::optional<double> slip_end(int load);
+  std::optional<double> slip_end(int body);
   void note_user_value(int event, double value);
   void note_user_values();
   std::optional<int> user_jump();
 
-  int loads() const { return system.size(); }
-  bool is_axis(int load) const {
-    return system.links()[load].kind == JointKind::axis;
+  int size() const { return system.size(); }
+  bool is_axis(int body) const {
+    return system.links()[body].kind == HingeKind::axis;
   }
-  int dissipated_at(int load) const { return coupled.layout().size() + load; }
-  int work_at() const { return dissipated_at(loads()); }
-  int held_at(int load) const { return work_at() + 1 + load; }
-  int number_count() const { return held_at(loads()); }
-  double held_rate(int load) const;
+  int dissipated_at(int body) const { return coupled.layout().size() + body; }
+  int work_at() const { return dissipated_at(size()); }
+  int held_at(int body) const { return work_at() + 1 + body; }
+  int number_count() const { return held_at(size()); }
+  double held_rate(int body) const;
   void set_held_units();
-  Eigen::Vector3d relative_acceleration(int load) const {
-    const Vec3<double> a = coupled.dynamics().relative_acceleration(load);
+  Eigen::Vector3d relative_acceleration(int body) const {
+    const Vec3<double> a = coupled.dynamics().relative_acceleration(body);
     return {a.x, a.y, a.z};
   }
-  Eigen::Vector3d rate_of(int load, const double* state) const;
-  /// For when the load is released.
-  void keep_hinge_angle(int load, double angle) {
-    bodies[1 + load].hinge_angle = rate_bodies_[1 + load].hinge_angle = angle;
+  Eigen::Vector3d rate_of(int body, const double* state) const;
+  /// For when the body is released.
+  void keep_hinge_angle(int body, double angle) {
+    motions[1 + body].hinge_angle = rate_motions_[1 + body].hinge_angle = angle;
   }
   void set_failure(const CoupledReport& report, double time);
 
@@ -185,7 +185,7 @@ class MotionImpl {
   MotionSample sample;
   double view_time = 0;
   std::vector<double> view_state, view_rates;
-  std::vector<BodyMotion> bodies;
+  std::vector<BodyMotion> motions;
   bool worked_out = false;
   bool worked_well = false;
 
@@ -198,8 +198,8 @@ class MotionImpl {
   bool keep_directions();
 
   std::vector<BodyForce> body_forces_;
-  std::vector<BodyMotion> rate_bodies_;
-  Loading<double> loading_;
+  std::vector<BodyMotion> rate_motions_;
+  ActiveForces<double> forces_;
   std::vector<double> trial_;
   /// Changes of a hinge between rest and slip, on its way to either too.
   struct Recent {

@@ -54,19 +54,19 @@ constexpr double onset_speed = 3e-5;
 }  // namespace
 
 std::string MotionFailure::message() const {
-  if (load < 0) return reason;
-  if (joint < 0) return fmt::format("{} (load {})", reason, load);
-  return fmt::format("{} (load {}, joint {})", reason, load, joint);
+  if (body < 0) return reason;
+  if (joint < 0) return fmt::format("{} (body {})", reason, body);
+  return fmt::format("{} (body {}, joint {})", reason, body, joint);
 }
 
 void MotionImpl::set_failure(const CoupledReport& report, double time) {
   const std::string why =
       report.status == CoupledStatus::no_contact
-          ? reason(coupled.contact(report.load, report.joint), report.force)
+          ? reason(coupled.contact(report.body, report.joint), report.force)
           : reason(report.status);
   failure = MotionFailure{report.status,
                           time,
-                          report.load,
+                          report.body,
                           fmt::format("at {} s: {}", time, why),
                           {},
                           report.joint};
@@ -76,20 +76,20 @@ void MotionImpl::set_failure(const CoupledReport& report, double time) {
   }
 }
 
-void MotionImpl::change_mode(int load, HingeMode mode) {
-  coupled.set_mode(load, mode);
-  joint_modes[load] = coupled.dynamics().mode(load);
+void MotionImpl::change_mode(int body, HingeMode mode) {
+  coupled.set_mode(body, mode);
+  joint_modes[body] = coupled.dynamics().mode(body);
 }
 
 // An impulse in the hinge: the velocities jump as the accelerations would
 // answer to a moment, with everything at rest. The bodies keep their momentum
 // and the other held hinges hold.
-void MotionImpl::stop_hinge(int load, std::vector<double>& state) {
+void MotionImpl::stop_hinge(int body, std::vector<double>& state) {
   const StateLayout& layout = coupled.layout();
-  const Vector3d rate = rate_of(load, state.data());
-  double* own = state.data() + layout.offset(load);
+  const Vector3d rate = rate_of(body, state.data());
+  double* own = state.data() + layout.offset(body);
   const auto own_rate = [&](double value) {
-    if (is_axis(load)) {
+    if (is_axis(body)) {
       own[1] = value;
     } else {
       own[4] = own[5] = own[6] = value;
@@ -97,13 +97,13 @@ void MotionImpl::stop_hinge(int load, std::vector<double>& state) {
   };
   if (rate.isZero(0)) return;
 
-  for (int i = 0; i < loads(); ++i) {
-    const JointMode mode = i == load ? JointMode::turning : joint_modes[i];
+  for (int i = 0; i < size(); ++i) {
+    const JointMode mode = i == body ? JointMode::turning : joint_modes[i];
     if (impulse.mode(i) != mode) impulse.set_mode(i, mode);
   }
   std::vector<double> still = state;
   Map<Vector3d>(&still[StateLayout::angular_velocity]).setZero();
-  for (int i = 0; i < loads(); ++i) {
+  for (int i = 0; i < size(); ++i) {
     double* s = &still[layout.offset(i)];
     if (joint_modes[i] == JointMode::released) {
       Map<Vector3d>(s + StateLayout::angular_velocity).setZero();
@@ -113,19 +113,19 @@ void MotionImpl::stop_hinge(int load, std::vector<double>& state) {
       Map<Vector3d>(s + 4).setZero();
     }
   }
-  Loading<double> loading;
-  loading.loads.resize(loads());
+  ActiveForces<double> forces;
+  forces.bodies.resize(size());
   const auto answer = [&](const Vector3d& moment) {
-    loading.loads[load].friction = vec3(moment);
+    forces.bodies[body].friction = vec3(moment);
     if (options.carrier_drive) {
-      impulse.evaluate_prescribed(still.data(), loading, {});
+      impulse.evaluate_prescribed(still.data(), forces, {});
     } else {
-      impulse.evaluate(still.data(), loading);
+      impulse.evaluate(still.data(), forces);
     }
-    return Vector3d(vec3(impulse.relative_acceleration(load)));
+    return Vector3d(vec3(impulse.relative_acceleration(body)));
   };
   Vector3d moment = Vector3d::Zero();
-  if (is_axis(load)) {
+  if (is_axis(body)) {
     moment.z() = -rate.z() / answer(Vector3d::UnitZ()).z();
   } else {
     Matrix3d mobility;
@@ -135,10 +135,10 @@ void MotionImpl::stop_hinge(int load, std::vector<double>& state) {
   answer(moment);
 
   const CarrierAcceleration<double>& jump = impulse.carrier();
-  const Matrix3d r0 = bodies[0].rotation;
+  const Matrix3d r0 = motions[0].rotation;
   Map<Vector3d>(&state[StateLayout::velocity]) += r0 * vec3(jump.linear);
   Map<Vector3d>(&state[StateLayout::angular_velocity]) += vec3(jump.angular);
-  for (int i = 0; i < loads(); ++i) {
+  for (int i = 0; i < size(); ++i) {
     if (joint_modes[i] != JointMode::turning) continue;
     const Vector3d a = vec3(impulse.relative_acceleration(i));
     double* s = &state[layout.offset(i)];
@@ -150,24 +150,24 @@ void MotionImpl::stop_hinge(int load, std::vector<double>& state) {
   }
   own_rate(0);
   // The mean of the velocities before and after does the work.
-  state[dissipated_at(load)] -= 0.5 * moment.dot(rate);
+  state[dissipated_at(body)] -= 0.5 * moment.dot(rate);
 }
 
 bool MotionImpl::resolve_rest(const std::vector<double>& state, int forced) {
   std::vector<HingeMode> before;
-  for (int i = 0; i < loads(); ++i) before.push_back(coupled.mode(i));
-  // Forces at this state are in loading_ after an evaluation of it.
+  for (int i = 0; i < size(); ++i) before.push_back(coupled.mode(i));
+  // Forces at this state are in forces_ after an evaluation of it.
   look_at(now, state);
   if (work_out()) {
     const CoupledReport& report =
-        coupled.resolve_rest(view_state.data(), loading_, forced);
+        coupled.resolve_rest(view_state.data(), forces_, forced);
     if (report.status != CoupledStatus::ok) {
       set_failure(report, now);
     }
   } else {
     set_failure(failed_report, now);
   }
-  for (int i = 0; i < loads(); ++i) {
+  for (int i = 0; i < size(); ++i) {
     joint_modes[i] = coupled.dynamics().mode(i);
     if (coupled.mode(i) != before[i]) {
       changes.push_back({now, i, before[i], coupled.mode(i)});
@@ -184,25 +184,25 @@ bool MotionImpl::resolve_rest(const std::vector<double>& state, int forced) {
   return !failure;
 }
 
-void MotionImpl::release(int load) {
-  if (coupled.mode(load) == HingeMode::released) return;
+void MotionImpl::release(int body) {
+  if (coupled.mode(body) == HingeMode::released) return;
   go_to(now);
-  changes.push_back({now, load, coupled.mode(load), HingeMode::released});
+  changes.push_back({now, body, coupled.mode(body), HingeMode::released});
   const StateLayout before = coupled.layout();
   const std::vector<JointMode> modes_before = joint_modes;
   const std::vector<double> from = view_state;
-  change_mode(load, HingeMode::released);
-  keep_hinge_angle(load, bodies[1 + load].hinge_angle);
+  change_mode(body, HingeMode::released);
+  keep_hinge_angle(body, motions[1 + body].hinge_angle);
   std::vector<double> state(number_count());
   std::copy_n(from.begin(), StateLayout::body_size, state.begin());
-  for (int i = 0; i < loads(); ++i) {
+  for (int i = 0; i < size(); ++i) {
     double* to = &state[coupled.layout().offset(i)];
-    if (i == load) {
-      put_body(bodies[1 + i], system.links()[i].axes, to);
+    if (i == body) {
+      put_body(motions[1 + i], system.links()[i].axes, to);
     } else {
       std::copy_n(
           &from[before.offset(i)],
-          StateLayout::load_size(system.links()[i].kind, joint_modes[i]), to);
+          StateLayout::link_size(system.links()[i].kind, joint_modes[i]), to);
     }
   }
   std::copy(from.begin() + before.size(), from.end(),
@@ -210,24 +210,24 @@ void MotionImpl::release(int load) {
   if (resolve_rest(state, -1)) restart(state);
 }
 
-void MotionImpl::lock(int load) {
-  const HingeMode before = coupled.mode(load);
+void MotionImpl::lock(int body) {
+  const HingeMode before = coupled.mode(body);
   if (before == HingeMode::locked || before == HingeMode::released) return;
   go_to(now);
   std::vector<double> state = view_state;
-  stop_hinge(load, state);
-  changes.push_back({now, load, before, HingeMode::locked});
-  change_mode(load, HingeMode::locked);
+  stop_hinge(body, state);
+  changes.push_back({now, body, before, HingeMode::locked});
+  change_mode(body, HingeMode::locked);
   if (resolve_rest(state, -1)) restart(state);
 }
 
-void MotionImpl::unlock(int load) {
-  if (coupled.mode(load) != HingeMode::locked) return;
+void MotionImpl::unlock(int body) {
+  if (coupled.mode(body) != HingeMode::locked) return;
   go_to(now);
   const HingeMode to =
-      coupled.can_rest(load) ? HingeMode::resting : HingeMode::sliding;
-  changes.push_back({now, load, HingeMode::locked, to});
-  change_mode(load, to);
+      coupled.can_rest(body) ? HingeMode::resting : HingeMode::sliding;
+  changes.push_back({now, body, HingeMode::locked, to});
+  change_mode(body, to);
   const std::vector<double> state = view_state;
   if (resolve_rest(state, -1)) restart(state);
 }

@@ -25,19 +25,19 @@ CarrierAcceleration<double> driven(const CarrierDrive& drive,
 
 }  // namespace
 
-Vector3d MotionImpl::rate_of(int load, const double* state) const {
-  return relative_rate(system.links()[load],
-                       state + coupled.layout().offset(load));
+Vector3d MotionImpl::rate_of(int body, const double* state) const {
+  return relative_rate(system.links()[body],
+                       state + coupled.layout().offset(body));
 }
 
 void MotionImpl::set_held_units() {
-  held_units_.assign(loads(), {});
+  held_units_.assign(size(), {});
   double force = 0;
-  for (int i = 0; i < loads(); ++i) {
+  for (int i = 0; i < size(); ++i) {
     force = std::max(force, vec3(coupled.reaction(i).force).norm());
   }
   const CoupledRounding rounding = coupled.rounding();
-  for (int i = 0; i < loads(); ++i) {
+  for (int i = 0; i < size(); ++i) {
     const Reaction<double>& r = coupled.reaction(i);
     // What is tiny among the forces of the system, or little but rounding,
     // need not be followed.
@@ -50,31 +50,31 @@ void MotionImpl::set_held_units() {
   }
 }
 
-double MotionImpl::held_rate(int load) const {
-  if (joint_modes[load] != JointMode::held) return 0;
-  const Reaction<double>& r = coupled.reaction(load);
-  return (r.force.x + r.force.y + r.force.z) / held_units_[load].force +
-         (r.moment.x + r.moment.y + r.moment.z) / held_units_[load].moment;
+double MotionImpl::held_rate(int body) const {
+  if (joint_modes[body] != JointMode::held) return 0;
+  const Reaction<double>& r = coupled.reaction(body);
+  return (r.force.x + r.force.y + r.force.z) / held_units_[body].force +
+         (r.moment.x + r.moment.y + r.moment.z) / held_units_[body].moment;
 }
 
 bool MotionImpl::rates(double time, const double* state, double* to) {
   ++counts.evaluations;
   double power = 0;
   if (forces) {
-    set_bodies(system, coupled.layout(), joint_modes, state, rate_bodies_);
+    set_bodies(system, coupled.layout(), joint_modes, state, rate_motions_);
     for (BodyForce& force : body_forces_) force = {};
-    forces->add_forces(time, rate_bodies_, body_forces_);
-    set_loading(system, rate_bodies_, body_forces_, loading_);
-    for (int i = 0; i <= loads(); ++i) {
-      power += body_forces_[i].force.dot(rate_bodies_[i].velocity) +
-               body_forces_[i].moment.dot(rate_bodies_[i].angular_velocity);
+    forces->add_forces(time, rate_motions_, body_forces_);
+    set_active_forces(system, rate_motions_, body_forces_, forces_);
+    for (int i = 0; i <= size(); ++i) {
+      power += body_forces_[i].force.dot(rate_motions_[i].velocity) +
+               body_forces_[i].moment.dot(rate_motions_[i].angular_velocity);
     }
   }
   if (options.carrier_drive) {
     coupled.prescribe_carrier(
         driven(*options.carrier_drive, options.gravity, state));
   }
-  const CoupledReport& report = coupled.evaluate(state, loading_);
+  const CoupledReport& report = coupled.evaluate(state, forces_);
   counts.outer_iterations += report.iterations;
   if (report.status != CoupledStatus::ok) {
     failed_report = report;
@@ -82,7 +82,7 @@ bool MotionImpl::rates(double time, const double* state, double* to) {
     return false;
   }
   coupled.dynamics().rates(state, vec3(options.gravity), to);
-  for (int i = 0; i < loads(); ++i) {
+  for (int i = 0; i < size(); ++i) {
     const bool slides =
         coupled.mode(i) == HingeMode::sliding && coupled.has_friction(i);
     to[dissipated_at(i)] =
@@ -96,7 +96,7 @@ bool MotionImpl::rates(double time, const double* state, double* to) {
 void MotionImpl::look_at(double time, std::span<const double> state) {
   view_time = time;
   view_state.assign(state.begin(), state.end());
-  set_bodies(system, coupled.layout(), joint_modes, view_state.data(), bodies);
+  set_bodies(system, coupled.layout(), joint_modes, view_state.data(), motions);
   worked_out = false;
 }
 
@@ -110,12 +110,12 @@ bool MotionImpl::work_out() {
   return worked_well;
 }
 
-HingeSample MotionImpl::hinge(int load) {
+HingeSample MotionImpl::hinge(int body) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  const Link& link = system.links()[load];
+  const Link& link = system.links()[body];
   HingeSample s;
-  s.mode = coupled.mode(load);
-  s.dissipated = view_state[dissipated_at(load)];
+  s.mode = coupled.mode(body);
+  s.dissipated = view_state[dissipated_at(body)];
   s.angle = s.angle_rate = s.utilisation = nan;
   s.friction_moment.setZero();
   if (s.mode == HingeMode::released) {
@@ -126,10 +126,10 @@ HingeSample MotionImpl::hinge(int load) {
     return s;
   }
   const bool known = work_out();
-  const double* numbers = view_state.data() + coupled.layout().offset(load);
+  const double* numbers = view_state.data() + coupled.layout().offset(body);
   s.rotation = relative_rotation(link, numbers) * link.axes.transpose();
   s.relative_angular_velocity = link.axes * relative_rate(link, numbers);
-  if (is_axis(load)) {
+  if (is_axis(body)) {
     s.angle = numbers[0];
     s.angle_rate = numbers[1];
   }
@@ -139,58 +139,58 @@ HingeSample MotionImpl::hinge(int load) {
     s.friction_moment.setConstant(nan);
     return s;
   }
-  const Reaction<double>& reaction = coupled.reaction(load);
+  const Reaction<double>& reaction = coupled.reaction(body);
   s.reaction_force = link.axes * vec3(reaction.force);
   s.reaction_moment = link.axes * vec3(reaction.moment);
-  if (coupled.has_friction(load) && s.mode != HingeMode::locked) {
-    s.joints = coupled.joints(load);
+  if (coupled.has_friction(body) && s.mode != HingeMode::locked) {
+    s.joints = coupled.joints(body);
     if (s.mode == HingeMode::sliding) {
-      s.friction_moment = link.axes * coupled.friction_moment(load);
+      s.friction_moment = link.axes * coupled.friction_moment(body);
       s.utilisation = 1;
     } else {
-      s.utilisation = coupled.utilisation(load);
+      s.utilisation = coupled.utilisation(body);
     }
   }
   return s;
 }
 
-Vector3d MotionImpl::acceleration(int body) {
+Vector3d MotionImpl::acceleration(int place) {
   if (!work_out()) return Vector3d::Constant(NAN);
   constexpr int v = StateLayout::velocity;
-  if (body == 0) return Eigen::Map<const Vector3d>(&view_rates[v]);
-  const int load = body - 1;
-  if (coupled.mode(load) == HingeMode::released) {
+  if (place == 0) return Eigen::Map<const Vector3d>(&view_rates[v]);
+  const int body = place - 1;
+  if (coupled.mode(body) == HingeMode::released) {
     return Eigen::Map<const Vector3d>(
-        &view_rates[coupled.layout().offset(load) + v]);
+        &view_rates[coupled.layout().offset(body) + v]);
   }
   // (F + R)/m and gravity
-  const Link& link = system.links()[load];
+  const Link& link = system.links()[body];
   const Vector3d force =
-      vec3(loading_.loads[load].force) + vec3(coupled.reaction(load).force);
+      vec3(forces_.bodies[body].force) + vec3(coupled.reaction(body).force);
   return options.gravity +
-         bodies[body].rotation * link.axes * force / link.mass;
+         motions[place].rotation * link.axes * force / link.mass;
 }
 
-Vector3d MotionImpl::angular_acceleration(int body) {
+Vector3d MotionImpl::angular_acceleration(int place) {
   if (!work_out()) return Vector3d::Constant(NAN);
-  if (body == 0) {
-    return bodies[0].rotation * vec3(coupled.dynamics().carrier().angular);
+  if (place == 0) {
+    return motions[0].rotation * vec3(coupled.dynamics().carrier().angular);
   }
-  return bodies[body].rotation * system.links()[body - 1].axes *
-         vec3(coupled.dynamics().angular_acceleration(body - 1));
+  return motions[place].rotation * system.links()[place - 1].axes *
+         vec3(coupled.dynamics().angular_acceleration(place - 1));
 }
 
 EnergyBook MotionImpl::energy() const {
   EnergyBook book{};
   const Carrier& carrier = system.carrier();
   book.kinetic = kinetic_energy(carrier.mass, carrier.inertia,
-                                Matrix3d::Identity(), bodies[0]);
-  book.gravity = -carrier.mass * options.gravity.dot(bodies[0].position);
-  for (int i = 0; i < loads(); ++i) {
+                                Matrix3d::Identity(), motions[0]);
+  book.gravity = -carrier.mass * options.gravity.dot(motions[0].position);
+  for (int i = 0; i < size(); ++i) {
     const Link& link = system.links()[i];
     book.kinetic +=
-        kinetic_energy(link.mass, link.inertia, link.axes, bodies[1 + i]);
-    book.gravity -= link.mass * options.gravity.dot(bodies[1 + i].position);
+        kinetic_energy(link.mass, link.inertia, link.axes, motions[1 + i]);
+    book.gravity -= link.mass * options.gravity.dot(motions[1 + i].position);
     book.dissipated += view_state[dissipated_at(i)];
   }
   book.active_work = view_state[work_at()];

@@ -43,8 +43,8 @@ struct Harmonics {
 
 }  // namespace
 
-SphericalConstants<double> spherical_constants(const Link& link) {
-  SphericalConstants<double> k{};
+BallConstants<double> ball_constants(const Link& link) {
+  BallConstants<double> k{};
   const double m = link.mass;
   const Matrix3d& i = link.inertia;
   k.inverse_mass = 1 / m;
@@ -97,7 +97,7 @@ AxisConstants<double> axis_constants(const Link& link) {
   k.p_cos = vec3(p.cos);
   k.p_sin = vec3(p.sin);
 
-  // F: the load as one piece with the carrier, less p p^T/J_zz.
+  // F: the body as one piece with the carrier, less p p^T/J_zz.
   Harmonics f;
   const Turning* axes[] = {&x, &y, &z};
   for (int row = 0; row < 3; ++row) {
@@ -119,7 +119,7 @@ AxisConstants<double> axis_constants(const Link& link) {
 }
 
 HeldConstants<double> held_constants(const Link& link) {
-  const bool axis = link.kind == JointKind::axis;
+  const bool axis = link.kind == HingeKind::axis;
   return {link.mass,
           sym3(link.inertia),
           axis ? Vec3<double>{link.arm, 0, 0} : Vec3<double>{0, 0, link.arm},
@@ -145,37 +145,37 @@ FreeConstants<double> free_constants(const Link& link) {
 SystemConstants::SystemConstants(const System& system)
     : carrier_mass_(system.carrier().mass),
       carrier_inertia_(sym3(system.carrier().inertia)) {
-  loads_.reserve(system.links().size());
+  bodies_.reserve(system.links().size());
   for (const Link& link : system.links()) {
-    LoadConstants& load = loads_.emplace_back();
-    load.kind = link.kind;
-    load.held = held_constants(link);
-    load.free = free_constants(link);
-    if (link.kind == JointKind::spherical) {
-      load.spherical = spherical_constants(link);
-    } else if (link.kind == JointKind::axis) {
-      load.axis = axis_constants(link);
+    LinkConstants& body = bodies_.emplace_back();
+    body.kind = link.kind;
+    body.held = held_constants(link);
+    body.free = free_constants(link);
+    if (link.kind == HingeKind::ball) {
+      body.ball = ball_constants(link);
+    } else if (link.kind == HingeKind::axis) {
+      body.axis = axis_constants(link);
     }
   }
 }
 
-int SystemConstants::size() const { return static_cast<int>(loads_.size()); }
+int SystemConstants::size() const { return static_cast<int>(bodies_.size()); }
 double SystemConstants::carrier_mass() const { return carrier_mass_; }
 const Sym3<double>& SystemConstants::carrier_inertia() const {
   return carrier_inertia_;
 }
-JointKind SystemConstants::kind(int load) const { return loads_[load].kind; }
-const SphericalConstants<double>& SystemConstants::spherical(int load) const {
-  return loads_[load].spherical;
+HingeKind SystemConstants::kind(int body) const { return bodies_[body].kind; }
+const BallConstants<double>& SystemConstants::ball(int body) const {
+  return bodies_[body].ball;
 }
-const AxisConstants<double>& SystemConstants::axis(int load) const {
-  return loads_[load].axis;
+const AxisConstants<double>& SystemConstants::axis(int body) const {
+  return bodies_[body].axis;
 }
-const HeldConstants<double>& SystemConstants::held(int load) const {
-  return loads_[load].held;
+const HeldConstants<double>& SystemConstants::held(int body) const {
+  return bodies_[body].held;
 }
-const FreeConstants<double>& SystemConstants::free(int load) const {
-  return loads_[load].free;
+const FreeConstants<double>& SystemConstants::free(int body) const {
+  return bodies_[body].free;
 }
 
 }  // namespace multibody

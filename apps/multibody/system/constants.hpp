@@ -6,17 +6,17 @@
 #include "multibody/system/linear3.hpp"
 #include "multibody/system/system.hpp"
 
-/// What never changes during a motion, worked out once per load. P is the
+/// What never changes during a motion, worked out once per body. P is the
 /// type of the parameters: double, or lanes if they differ between them.
 namespace multibody {
 
-/// A load on a spherical joint, load axes (z along r, N diagonal). With the
+/// A body on a ball joint, link axes (z along r, N diagonal). With the
 /// inertia about the centre of mass I = U^T diag(i_x, i_y, I_zz) U, U the unit
 /// matrix but for its third row (u_x, u_y, 1), and d = i + m arm^2:
 ///   N = diag(m i_y/d_y, m i_x/d_x, m),
 /// so nothing cancels in the limit of a point mass on a thread.
 template <class P>
-struct SphericalConstants {
+struct BallConstants {
   P inverse_mass;
   P arm;
   P mass_arm;      ///< m arm
@@ -29,11 +29,11 @@ struct SphericalConstants {
   P n_xy, n_zy;    ///< n_x - n_y, n_z - n_y
   Vec3<P> hinge;   ///< r_i0
 };
-SphericalConstants<double> spherical_constants(const Link& link);
+BallConstants<double> ball_constants(const Link& link);
 
-/// A load on an axis, load axes (z along the axis, hinge at (arm, 0, 0)).
-/// x, y, z: the load's axes at angle zero in carrier axes; at the angle t its
-/// x is cos t x + sin t y. Per unit rate about its axis the load has the
+/// A body on an axis, link axes (z along the axis, hinge at (arm, 0, 0)).
+/// x, y, z: the body's axes at angle zero in carrier axes; at the angle t its
+/// x is cos t x + sin t y. Per unit rate about its axis the body has the
 /// linear momentum -m arm y(t) and, about the carrier's centre of mass, the
 /// angular momentum p(t) = p_1 + p_c cos t + p_s sin t.
 template <class P>
@@ -45,13 +45,13 @@ struct AxisConstants {
   Mat3<P> zero;     ///< x, y, z
   Vec3<P> hinge;    ///< foot of the perpendicular, carrier axes
   Vec3<P> p_1, p_cos, p_sin;
-  /// The load's part of F, (1.7): f_1 + f_c cos t + f_s sin t + ...
+  /// The body's part of F, (1.7): f_1 + f_c cos t + f_s sin t + ...
   Sym3<P> f_1, f_cos, f_sin, f_cos2, f_sin2;
   P pole_offset;
 };
 AxisConstants<double> axis_constants(const Link& link);
 
-/// A load that does not turn in its joint, load axes; r is the hinge (axis:
+/// A body that does not turn in its joint, link axes; r is the hinge (axis:
 /// the foot) from the centre of mass.
 template <class P>
 struct HeldConstants {
@@ -64,7 +64,7 @@ struct HeldConstants {
 };
 HeldConstants<double> held_constants(const Link& link);
 
-/// A body of its own, load axes.
+/// A body of its own, link axes.
 template <class P>
 struct FreeConstants {
   P inverse_mass;
@@ -81,28 +81,28 @@ class SystemConstants {
   int size() const;
   double carrier_mass() const;
   const Sym3<double>& carrier_inertia() const;
-  JointKind kind(int load) const;
-  /// Of a load of that kind.
-  const SphericalConstants<double>& spherical(int load) const;
-  const AxisConstants<double>& axis(int load) const;
-  /// Of any load.
-  const HeldConstants<double>& held(int load) const;
-  const FreeConstants<double>& free(int load) const;
+  HingeKind kind(int body) const;
+  /// Of a body of that kind.
+  const BallConstants<double>& ball(int body) const;
+  const AxisConstants<double>& axis(int body) const;
+  /// Of any body.
+  const HeldConstants<double>& held(int body) const;
+  const FreeConstants<double>& free(int body) const;
 
  private:
-  struct LoadConstants {
-    JointKind kind;
-    SphericalConstants<double> spherical;
+  struct LinkConstants {
+    HingeKind kind;
+    BallConstants<double> ball;
     AxisConstants<double> axis;
     HeldConstants<double> held;
     FreeConstants<double> free;
   };
   double carrier_mass_;
   Sym3<double> carrier_inertia_;
-  std::vector<LoadConstants> loads_;
+  std::vector<LinkConstants> bodies_;
 };
 
-/// The constants of a load are a row of numbers of one type.
+/// The constants of a body are a row of numbers of one type.
 template <class Constants>
 double number_of(const Constants& constants, std::size_t i) {
   return reinterpret_cast<const double*>(&constants)[i];

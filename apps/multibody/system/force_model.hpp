@@ -8,19 +8,19 @@
 /// What an application says about the forces on its bodies.
 namespace multibody {
 
-/// A body on its way. Body 0 is the carrier, body 1 + i the load i.
+/// A body on its way. Body 0 is the carrier, body 1 + i the body i.
 struct BodyMotion {
   Eigen::Vector3d position;  ///< of the centre of mass, inertial axes, m
   Eigen::Vector3d velocity;  ///< of the centre of mass, inertial axes, m/s
-  /// Given body axes to inertial axes.
+  /// Body axes to inertial axes.
   Eigen::Matrix3d rotation;
   Eigen::Vector3d angular_velocity;  ///< inertial axes, rad/s
-  /// Of a load on an axis: the angle of its hinge with full turns counted,
+  /// Of a body on an axis: the angle of its hinge with full turns counted,
   /// rad; after its release the angle that it had then. NaN otherwise.
   double hinge_angle = std::numeric_limits<double>::quiet_NaN();
 
   /// Place of a point fixed to the body, inertial axes, m.
-  /// @param from_com  from the centre of mass, given body axes, m
+  /// @param from_com  from the centre of mass, body axes, m
   Eigen::Vector3d point(const Eigen::Vector3d& from_com) const {
     return position + rotation * from_com;
   }

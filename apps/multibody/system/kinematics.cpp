@@ -33,7 +33,7 @@ BodyMotion hung_body(const Link& link, const double* s,
   const Vector3d hinge = carrier.rotation * link.hinge;
   const Vector3d arm =
       link.arm *
-      (link.kind == JointKind::axis ? Vector3d(r.col(0)) : Vector3d(r.col(2)));
+      (link.kind == HingeKind::axis ? Vector3d(r.col(0)) : Vector3d(r.col(2)));
   return {
       carrier.position + hinge - arm,
       carrier.velocity + carrier.angular_velocity.cross(hinge) - w.cross(arm),
@@ -45,14 +45,13 @@ void normalise_at(double* q) { Eigen::Map<Eigen::Vector4d>(q).normalize(); }
 }  // namespace
 
 Matrix3d relative_rotation(const Link& link, const double* s) {
-  if (link.kind == JointKind::spherical) return rotation_at(s);
+  if (link.kind == HingeKind::ball) return rotation_at(s);
   return link.axes_to_carrier_zero *
          Eigen::AngleAxisd(s[0], Vector3d::UnitZ()).toRotationMatrix();
 }
 
 Vector3d relative_rate(const Link& link, const double* s) {
-  return link.kind == JointKind::spherical ? vector_at(s + 4)
-                                           : Vector3d(0, 0, s[1]);
+  return link.kind == HingeKind::ball ? vector_at(s + 4) : Vector3d(0, 0, s[1]);
 }
 
 void set_bodies(const System& system, const StateLayout& layout,
@@ -69,20 +68,21 @@ void set_bodies(const System& system, const StateLayout& layout,
       continue;
     }
     bodies[1 + i] = hung_body(link, s, bodies[0]);
-    if (link.kind == JointKind::axis) bodies[1 + i].hinge_angle = s[0];
+    if (link.kind == HingeKind::axis) bodies[1 + i].hinge_angle = s[0];
   }
 }
 
-void set_loading(const System& system, std::span<const BodyMotion> bodies,
-                 std::span<const BodyForce> forces, Loading<double>& loading) {
+void set_active_forces(const System& system, std::span<const BodyMotion> bodies,
+                       std::span<const BodyForce> forces,
+                       ActiveForces<double>& active) {
   const Matrix3d& r0 = bodies[0].rotation;
-  loading.carrier.force = vec3(Vector3d(r0.transpose() * forces[0].force));
-  loading.carrier.moment = vec3(Vector3d(r0.transpose() * forces[0].moment));
+  active.carrier.force = vec3(Vector3d(r0.transpose() * forces[0].force));
+  active.carrier.moment = vec3(Vector3d(r0.transpose() * forces[0].moment));
   for (int i = 0; i < system.size(); ++i) {
     const Matrix3d r = bodies[1 + i].rotation * system.links()[i].axes;
     const BodyForce& f = forces[1 + i];
-    loading.loads[i].force = vec3(Vector3d(r.transpose() * f.force));
-    loading.loads[i].moment = vec3(Vector3d(r.transpose() * f.moment));
+    active.bodies[i].force = vec3(Vector3d(r.transpose() * f.force));
+    active.bodies[i].moment = vec3(Vector3d(r.transpose() * f.moment));
   }
 }
 
@@ -110,7 +110,7 @@ void normalise(const System& system, const StateLayout& layout,
     double* s = state + layout.offset(i);
     if (modes[i] == JointMode::released) {
       normalise_at(s + StateLayout::rotation);
-    } else if (system.links()[i].kind == JointKind::spherical) {
+    } else if (system.links()[i].kind == HingeKind::ball) {
       normalise_at(s);
     }
   }

@@ -3,35 +3,36 @@
 #include <Eigen/Core>
 #include <span>
 
+#include "multibody/system/active_forces.hpp"
 #include "multibody/system/force_model.hpp"
-#include "multibody/system/loading.hpp"
 #include "multibody/system/state_layout.hpp"
 
 namespace multibody {
 
-/// Between states and what applications see: bodies in given axes and
+/// Between states and what applications see: bodies in body axes and
 /// inertial ones. Nothing allocates.
 
-/// C of a load on the carrier: load axes to carrier axes.
-Eigen::Matrix3d relative_rotation(const Link& link, const double* load_state);
-/// Relative angular velocity, load axes.
-Eigen::Vector3d relative_rate(const Link& link, const double* load_state);
+/// C of a body on the carrier: link axes to carrier axes.
+Eigen::Matrix3d relative_rotation(const Link& link, const double* link_state);
+/// Relative angular velocity, link axes.
+Eigen::Vector3d relative_rate(const Link& link, const double* link_state);
 
-/// @param bodies  1 + number of loads; the hinge angle of a load that is
+/// @param bodies  1 + number of bodies; the hinge angle of a body that is
 ///                released stays what it is
 void set_bodies(const System& system, const StateLayout& layout,
                 std::span<const JointMode> modes, const double* state,
                 std::span<BodyMotion> bodies);
 
-/// Forces in inertial axes into body axes (carrier's and load axes).
-void set_loading(const System& system, std::span<const BodyMotion> bodies,
-                 std::span<const BodyForce> forces, Loading<double>& loading);
+/// Forces in inertial axes into body axes (carrier's and link axes).
+void set_active_forces(const System& system, std::span<const BodyMotion> bodies,
+                       std::span<const BodyForce> forces,
+                       ActiveForces<double>& active);
 
 /// The 13 numbers of a body of its own.
-/// @param axes  axes of the state's quaternion to given axes
+/// @param axes  axes of the state's quaternion to body axes
 void put_body(const BodyMotion& body, const Eigen::Matrix3d& axes, double* to);
 
-/// Kinetic energy of a body, J; inertia in the axes `axes` (to given axes).
+/// Kinetic energy of a body, J; inertia in the axes `axes` (to body axes).
 double kinetic_energy(double mass, const Eigen::Matrix3d& inertia,
                       const Eigen::Matrix3d& axes, const BodyMotion& body);
 

@@ -3,20 +3,20 @@
 namespace multibody {
 namespace {
 
-std::vector<JointKind> kinds_of(const System& system) {
-  std::vector<JointKind> kinds;
+std::vector<HingeKind> kinds_of(const System& system) {
+  std::vector<HingeKind> kinds;
   for (const Link& link : system.links()) kinds.push_back(link.kind);
   return kinds;
 }
 
 }  // namespace
 
-StateLayout::StateLayout(const std::vector<JointKind>& kinds,
+StateLayout::StateLayout(const std::vector<HingeKind>& kinds,
                          const std::vector<JointMode>& modes) {
   offsets_.reserve(kinds.size());
   for (std::size_t i = 0; i < kinds.size(); ++i) {
     offsets_.push_back(size_);
-    size_ += load_size(kinds[i], modes[i]);
+    size_ += link_size(kinds[i], modes[i]);
   }
 }
 

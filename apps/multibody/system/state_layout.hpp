@@ -13,14 +13,14 @@ enum class JointMode {
   released,  ///< there is no joint (any more)
 };
 
-/// Where the numbers of a state are: the carrier's first, then load by load.
+/// Where the numbers of a state are: the carrier's first, then body by body.
 ///   carrier:            position 3 and velocity 3 of the centre of mass,
 ///                       inertial axes; quaternion 4, carrier axes to inertial
 ///                       ones; angular velocity 3, carrier axes
-///   spherical joint:    quaternion 4 (load axes to carrier axes), relative
-///                       angular velocity 3 (load axes)
+///   ball joint:    quaternion 4 (link axes to carrier axes), relative
+///                       angular velocity 3 (link axes)
 ///   axis:               angle, rate
-///   released:           as the carrier, for the load
+///   released:           as the carrier, for the body
 /// A held joint keeps its numbers.
 class StateLayout {
  public:
@@ -31,18 +31,18 @@ class StateLayout {
   static constexpr int body_size = 13;
 
   StateLayout() = default;
-  /// Numbers of one load.
-  static constexpr int load_size(JointKind kind, JointMode mode) {
+  /// Numbers of one body.
+  static constexpr int link_size(HingeKind kind, JointMode mode) {
     return mode == JointMode::released ? body_size
-           : kind == JointKind::axis   ? 2
+           : kind == HingeKind::axis   ? 2
                                        : 7;
   }
-  /// One kind and one mode for each load.
-  StateLayout(const std::vector<JointKind>& kinds,
+  /// One kind and one mode for each body.
+  StateLayout(const std::vector<HingeKind>& kinds,
               const std::vector<JointMode>& modes);
   StateLayout(const System& system, const std::vector<JointMode>& modes);
   int size() const { return size_; }
-  int offset(int load) const { return offsets_[load]; }
+  int offset(int body) const { return offsets_[body]; }
 
  private:
   std::vector<int> offsets_;

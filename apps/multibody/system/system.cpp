@@ -75,7 +75,7 @@ Matrix3d turn_about_z(double angle) {
 
 // Turns `axes` about their z so that the inertia seen by x and y with z left
 // free to turn, I_xy - j j^T/I_zz, is diagonal: then so is N of (1.3).
-Matrix3d axes_of_spherical(const Matrix3d& inertia, const Vector3d& r) {
+Matrix3d axes_of_ball(const Matrix3d& inertia, const Vector3d& r) {
   if (r.isZero(0)) {
     Matrix3d axes =
         Eigen::SelfAdjointEigenSolver<Matrix3d>(inertia).eigenvectors();
@@ -92,14 +92,14 @@ Matrix3d axes_of_spherical(const Matrix3d& inertia, const Vector3d& r) {
   return axes * turn_about_z(0.5 * std::atan2(2 * xy, xx - yy));
 }
 
-Link spherical_link(const Load& load, const std::string& place) {
+Link ball_link(const Body& body, const std::string& place) {
   Link link{};
-  link.axes = axes_of_spherical(load.inertia, load.hinge_from_com);
-  link.arm = load.hinge_from_com.stableNorm();
-  link.inertia = link.axes.transpose() * load.inertia * link.axes;
-  link.hinge = load.hinge_from_carrier_com;
-  const double scale = load.inertia.trace();
-  const bool can_turn = link.arm * link.arm * load.mass > 0;
+  link.axes = axes_of_ball(body.inertia, body.hinge_from_com);
+  link.arm = body.hinge_from_com.stableNorm();
+  link.inertia = link.axes.transpose() * body.inertia * link.axes;
+  link.hinge = body.hinge_from_carrier_com;
+  const double scale = body.inertia.trace();
+  const bool can_turn = link.arm * link.arm * body.mass > 0;
   const double smallest = link.inertia.diagonal().minCoeff();
   if (!can_turn && !(smallest > zero_inertia * scale)) {
     fail(place + ".inertia_com",
@@ -115,49 +115,49 @@ Link spherical_link(const Load& load, const std::string& place) {
   return link;
 }
 
-Link axis_link(const Load& load, const std::string& place) {
+Link axis_link(const Body& body, const std::string& place) {
   Link link{};
-  const Matrix3d to_load =
-      checked_rotation(load.hinge_to_load, place + ".hinge_to_load");
+  const Matrix3d to_body =
+      checked_rotation(body.hinge_to_body, place + ".hinge_to_body");
   const Matrix3d to_carrier = checked_rotation(
-      load.hinge_to_carrier_zero, place + ".hinge_to_carrier_zero");
-  const Vector3d r = to_load.transpose() * load.hinge_from_com;
+      body.hinge_to_carrier_zero, place + ".hinge_to_carrier_zero");
+  const Vector3d r = to_body.transpose() * body.hinge_from_com;
   link.arm = std::hypot(r.x(), r.y());
   link.axes_to_hinge =
       turn_about_z(link.arm > 0 ? std::atan2(r.y(), r.x()) : 0.0);
-  link.axes = to_load * link.axes_to_hinge;
+  link.axes = to_body * link.axes_to_hinge;
   link.axes_to_carrier_zero = to_carrier * link.axes_to_hinge;
   link.pole_offset = r.z();
-  link.inertia = link.axes.transpose() * load.inertia * link.axes;
-  link.hinge = load.hinge_from_carrier_com - r.z() * to_carrier.col(2);
+  link.inertia = link.axes.transpose() * body.inertia * link.axes;
+  link.hinge = body.hinge_from_carrier_com - r.z() * to_carrier.col(2);
   const double about_axis =
-      link.inertia(2, 2) + load.mass * link.arm * link.arm;
-  if (!(about_axis > zero_inertia * load.inertia.trace())) {
+      link.inertia(2, 2) + body.mass * link.arm * link.arm;
+  if (!(about_axis > zero_inertia * body.inertia.trace())) {
     fail(place + ".inertia_com",
          fmt::format("inertia about the axis {} kg m^2, allowed is {}",
-                     about_axis, above_rounding(load.inertia.trace())));
+                     about_axis, above_rounding(body.inertia.trace())));
   }
   return link;
 }
 
-Link free_link(const Load& load) {
+Link free_link(const Body& body) {
   Link link{};
   link.axes = Matrix3d::Identity();
-  link.inertia = load.inertia;
+  link.inertia = body.inertia;
   return link;
 }
 
-Link make_link(Load load, const std::string& place) {
-  check_mass(load.mass, place);
-  load.inertia = checked_inertia(load.inertia, load.kind == JointKind::none,
+Link make_link(Body body, const std::string& place) {
+  check_mass(body.mass, place);
+  body.inertia = checked_inertia(body.inertia, body.kind == HingeKind::none,
                                  place + ".inertia_com");
-  check_finite(load.hinge_from_com, place + ".hinge_from_com");
-  check_finite(load.hinge_from_carrier_com, place + ".hinge_from_carrier_com");
-  Link link = load.kind == JointKind::spherical ? spherical_link(load, place)
-              : load.kind == JointKind::axis    ? axis_link(load, place)
-                                                : free_link(load);
-  link.kind = load.kind;
-  link.mass = load.mass;
+  check_finite(body.hinge_from_com, place + ".hinge_from_com");
+  check_finite(body.hinge_from_carrier_com, place + ".hinge_from_carrier_com");
+  Link link = body.kind == HingeKind::ball   ? ball_link(body, place)
+              : body.kind == HingeKind::axis ? axis_link(body, place)
+                                             : free_link(body);
+  link.kind = body.kind;
+  link.mass = body.mass;
   return link;
 }
 
@@ -174,14 +174,14 @@ Matrix3d checked_rotation(const Matrix3d& matrix, const std::string& place) {
   return Eigen::Quaterniond(matrix).normalized().toRotationMatrix();
 }
 
-System::System(const Carrier& carrier, const std::vector<Load>& loads)
+System::System(const Carrier& carrier, const std::vector<Body>& bodies)
     : carrier_(carrier) {
   check_mass(carrier.mass, "carrier");
   carrier_.inertia =
       checked_inertia(carrier.inertia, true, "carrier.inertia_com");
-  links_.reserve(loads.size());
-  for (std::size_t i = 0; i < loads.size(); ++i) {
-    links_.push_back(make_link(loads[i], fmt::format("loads[{}]", i)));
+  links_.reserve(bodies.size());
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    links_.push_back(make_link(bodies[i], fmt::format("bodies[{}]", i)));
   }
 }
 

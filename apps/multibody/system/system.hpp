@@ -4,21 +4,21 @@
 #include <string>
 #include <vector>
 
-/// Carrier with hinged loads (README.md of this folder): what the bodies and
+/// Carrier with hinged bodies (README.md of this folder): what the bodies and
 /// hinges are, validated once.
 ///
 /// Frames. Carrier axes: fixed to the carrier, origin at its centre of mass.
-/// Given load axes: fixed to the load, origin at its centre of mass, chosen by
-/// whoever describes the load. Load axes without "given": the axes in which
-/// the equations of the load are shortest; System finds them, Link::axes turns
+/// Body axes: fixed to the body, origin at its centre of mass, chosen by
+/// whoever describes the body. Link axes: those in which
+/// its equations are shortest; System finds them, Link::axes turns
 /// one into the other. Hinge axes: z along the axis of an axis node.
 namespace multibody {
 
-/// How a load hangs on the carrier.
-enum class JointKind {
-  spherical,  ///< ball joint: three relative turns
-  axis,       ///< axis node: one turn about the common axis of its joints
-  none,       ///< a body of its own
+/// How a body hangs on the carrier.
+enum class HingeKind {
+  ball,  ///< ball joint: three relative turns
+  axis,  ///< axis node: one turn about the common axis of its joints
+  none,  ///< a body of its own
 };
 
 /// The body that carries the others.
@@ -27,51 +27,51 @@ struct Carrier {
   Eigen::Matrix3d inertia;  ///< about the centre of mass, carrier axes, kg m^2
 };
 
-/// A load and its hinge, as a person describes it.
-struct Load {
-  JointKind kind = JointKind::spherical;
+/// A body and its hinge, as a person describes it.
+struct Body {
+  HingeKind kind = HingeKind::ball;
   double mass;              ///< kg, > 0
-  Eigen::Matrix3d inertia;  ///< about the centre of mass, given axes, kg m^2
-  /// Centre of the hinge from the load's centre of mass, given axes, m (r_i).
+  Eigen::Matrix3d inertia;  ///< about the centre of mass, body axes, kg m^2
+  /// Centre of the hinge from the body's centre of mass, body axes, m (r_i).
   Eigen::Vector3d hinge_from_com = Eigen::Vector3d::Zero();
   /// The same point from the carrier's centre of mass, carrier axes, m (r_i0).
   Eigen::Vector3d hinge_from_carrier_com = Eigen::Vector3d::Zero();
-  /// axis only: hinge axes to given load axes (B_i).
-  Eigen::Matrix3d hinge_to_load = Eigen::Matrix3d::Identity();
+  /// axis only: hinge axes to body axes (B_i).
+  Eigen::Matrix3d hinge_to_body = Eigen::Matrix3d::Identity();
   /// axis only: hinge axes to carrier axes at angle zero (B_i0 at zero).
   Eigen::Matrix3d hinge_to_carrier_zero = Eigen::Matrix3d::Identity();
 };
 
-/// A load in its own axes of calculation.
+/// A body in its own axes of calculation.
 ///
 /// Spherical: z along r, x and y so that N_i of (1.3) is diagonal; the hinge
 /// is at (0, 0, arm). Axis: z along the axis, the origin of moments moved
 /// along the axis to the foot of the perpendicular from the centre of mass,
-/// which is at (arm, 0, 0). None: the given axes.
+/// which is at (arm, 0, 0). None: the body axes.
 struct Link {
-  JointKind kind;
+  HingeKind kind;
   double mass;
   double arm;               ///< distance of the centre of mass, m, >= 0
-  Eigen::Matrix3d inertia;  ///< about the centre of mass, load axes
+  Eigen::Matrix3d inertia;  ///< about the centre of mass, link axes
   Eigen::Vector3d hinge;    ///< hinge's centre (axis: foot), carrier axes, m
-  Eigen::Matrix3d axes;     ///< load axes to given load axes
-  /// axis only: load axes to carrier axes at angle zero.
+  Eigen::Matrix3d axes;     ///< link axes to body axes
+  /// axis only: link axes to carrier axes at angle zero.
   Eigen::Matrix3d axes_to_carrier_zero;
-  /// axis only: load axes to hinge axes (a turn about z).
+  /// axis only: link axes to hinge axes (a turn about z).
   Eigen::Matrix3d axes_to_hinge;
   /// axis only: the hinge's centre is at (arm, 0, pole_offset).
   double pole_offset;
 };
 
-/// Carrier and loads, checked and turned into load axes.
+/// Carrier and bodies, checked and turned into link axes.
 class System {
  public:
   /// @throws contact::Error naming body, quantity and what is allowed: masses
   ///   finite and > 0; inertias finite, symmetric, with no negative principal
   ///   moment (the carrier's all > 0); rotations orthogonal to 1e-6 and
-  ///   right-handed (the rest is put right); an axis load with some inertia
-  ///   about its axis; a spherical load with inertia or an arm.
-  System(const Carrier& carrier, const std::vector<Load>& loads);
+  ///   right-handed (the rest is put right); an axis body with some inertia
+  ///   about its axis; a ball body with inertia or an arm.
+  System(const Carrier& carrier, const std::vector<Body>& bodies);
 
   const Carrier& carrier() const { return carrier_; }
   const std::vector<Link>& links() const { return links_; }

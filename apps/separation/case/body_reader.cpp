@@ -79,8 +79,8 @@ std::optional<Matrix3d> read_inertia(const TomlTable& table) {
 
 }  // namespace
 
-Body read_body(const TomlTable& table) {
-  Body body;
+RigidBody read_rigid_body(const TomlTable& table) {
+  RigidBody body;
   body.name = table.text("name");
   // It becomes part of the names of columns and data sets.
   if (body.name.find_first_of("./,\"\n\r") != std::string::npos) {

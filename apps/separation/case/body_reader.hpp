@@ -6,7 +6,7 @@
 namespace separation {
 
 /// Name, mass, inertia, shapes and directions of a body: the keys of [carrier]
-/// and [[load]] that they share.
-Body read_body(const contact::TomlTable& table);
+/// and [[body]] that they share.
+RigidBody read_rigid_body(const contact::TomlTable& table);
 
 }  // namespace separation

@@ -18,7 +18,7 @@
 ///
 /// Body axes: the directions of the axes in which the file describes a body,
 /// origin at its centre of mass; the file's own origin is gone after reading.
-/// Body 0 is the carrier, body 1 + i the load i.
+/// Body 0 is the carrier, body 1 + i the body i.
 namespace separation {
 
 struct NamedDirection {
@@ -26,7 +26,7 @@ struct NamedDirection {
   Eigen::Vector3d vector;  ///< unit, body axes
 };
 
-struct Body {
+struct RigidBody {
   std::string name;
   double mass;              ///< kg
   Eigen::Vector3d com;      ///< in the file's axes of the body, m
@@ -37,20 +37,20 @@ struct Body {
 
 /// A joint of a hinge: what the joint file says and where it sits.
 struct HingeJoint {
-  contact::Joint joint;
+  contact::JointSpec joint;
   double position;  ///< along the axis from the hinge's centre, m
   /// Of the joint's laws, made once: those of finite walls take their time.
   contact::JointContact contact;
 };
 
-/// The upper node: what a load turns on.
+/// The upper node: what a body turns on.
 struct Hinge {
   std::string name;
-  multibody::JointKind kind = multibody::JointKind::none;
-  /// Body axes of the load and of the carrier, m.
-  Eigen::Vector3d load_point = Eigen::Vector3d::Zero();
+  multibody::HingeKind kind = multibody::HingeKind::none;
+  /// Body axes of the body and of the carrier, m.
+  Eigen::Vector3d body_point = Eigen::Vector3d::Zero();
   Eigen::Vector3d carrier_point = Eigen::Vector3d::Zero();
-  /// Load axes to carrier axes at angle zero.
+  /// Link axes to carrier axes at angle zero.
   Eigen::Matrix3d zero_rotation = Eigen::Matrix3d::Identity();
   /// axis: unit, carrier axes.
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();
@@ -58,22 +58,22 @@ struct Hinge {
   /// axis: shares of an indeterminate node.
   std::optional<contact::SharingRule> sharing;
   /// Spherical: the angle is that between these.
-  Eigen::Vector3d load_direction = Eigen::Vector3d::UnitX();
+  Eigen::Vector3d body_direction = Eigen::Vector3d::UnitX();
   Eigen::Vector3d carrier_direction = Eigen::Vector3d::UnitX();
 };
 
-/// The lower node: holds a load until it breaks.
+/// The lower node: holds a body until it breaks.
 struct Lock {
   std::string name;
-  Eigen::Vector3d load_point;  ///< body axes of the load, m
+  Eigen::Vector3d body_point;  ///< body axes of the body, m
 };
 
-struct Load {
-  Body body;
+struct Body {
+  RigidBody rigid;
   std::string group;  ///< its name in the file, without the copy's number
   Hinge hinge;
   std::optional<Lock> lock;
-  multibody::LoadStart start;
+  multibody::BodyStart start;
 };
 
 /// When a force begins or ends: at a time, or `delay` after an event.
@@ -101,7 +101,7 @@ struct Table {
 };
 
 /// What a table of the file goes over: time since the force began, or the
-/// angle of the load's hinge.
+/// angle of the body's hinge.
 enum class Variable { none, time, angle };
 
 /// A force and a moment given by the file.
@@ -121,7 +121,7 @@ struct Thrust {
   double decay;  ///< s
 };
 
-/// A spring between a point of the load and one of the carrier.
+/// A spring between a point of the body and one of the carrier.
 struct Spring {
   Eigen::Vector3d point;
   Eigen::Vector3d carrier_point;
@@ -130,7 +130,7 @@ struct Spring {
   double damping;      ///< N s/m
 };
 
-/// A pusher on the carrier that pushes the load along a guide until its stroke
+/// A pusher on the carrier that pushes the body along a guide until its stroke
 /// is used up.
 struct Pusher {
   Eigen::Vector3d point;
@@ -141,7 +141,7 @@ struct Pusher {
   double stroke;              ///< m
 };
 
-/// A motor on an axis: a moment on the load, the opposite one on the carrier.
+/// A motor on an axis: a moment on the body, the opposite one on the carrier.
 struct Motor {
   Variable variable;
   Table<double> moment;  ///< about the axis, N m
@@ -172,7 +172,7 @@ struct Force {
   std::variant<AppliedForce, Thrust, Spring, Pusher, Motor, Aerodynamic> what;
 };
 
-/// Something that happens once to each of its loads.
+/// Something that happens once to each of its bodies.
 struct Event {
   enum class Trigger { time, angle, reaction, after };
   enum class Node { hinge, lock };
@@ -182,9 +182,9 @@ struct Event {
   double value;  ///< s, rad, N; after: delay, s
   Node node;     ///< reaction: of which node
   Action action;
-  std::vector<int> loads;
+  std::vector<int> bodies;
   int after = -1;  ///< the event that arms it, -1: armed from the beginning
-  /// True: all its loads when the first one meets the condition.
+  /// True: all its bodies when the first one meets the condition.
   bool together;
 };
 
@@ -199,9 +199,9 @@ struct Case {
   double output_step;   ///< s
   FrictionChoice friction;
   multibody::MotionOptions options;
-  Body carrier;
+  RigidBody carrier;
   multibody::BodyMotion carrier_start;
-  std::vector<Load> loads;
+  std::vector<Body> bodies;
   std::vector<Force> forces;
   std::vector<Event> events;
   struct Pair {
@@ -210,16 +210,18 @@ struct Case {
   /// Bodies whose distance is watched.
   std::vector<Pair> clearance;
 
-  const Body& body(int i) const { return i == 0 ? carrier : loads[i - 1].body; }
+  const RigidBody& rigid_body(int i) const {
+    return i == 0 ? carrier : bodies[i - 1].rigid;
+  }
   bool has_hinges() const {
-    return std::any_of(loads.begin(), loads.end(), [](const Load& load) {
-      return load.hinge.kind != multibody::JointKind::none;
+    return std::any_of(bodies.begin(), bodies.end(), [](const Body& body) {
+      return body.hinge.kind != multibody::HingeKind::none;
     });
   }
   /// With friction.
   bool has_joints() const {
-    return std::any_of(loads.begin(), loads.end(), [](const Load& load) {
-      return !load.hinge.joints.empty();
+    return std::any_of(bodies.begin(), bodies.end(), [](const Body& body) {
+      return !body.hinge.joints.empty();
     });
   }
 };

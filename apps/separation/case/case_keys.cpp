@@ -35,7 +35,7 @@ Keys run_keys() {
           {"longest_step", Dimension::time}};
 }
 
-Keys body_keys() {
+Keys rigid_body_keys() {
   return {{"name"},
           {"mass", Dimension::mass},
           {"density_kg_per_m3"},
@@ -60,24 +60,24 @@ Keys start_keys() {
 Keys hinge_keys() {
   return {{"kind"},
           {"name"},
-          {"load_point", Dimension::length},
+          {"body_point", Dimension::length},
           {"carrier_point", Dimension::length},
           {"zero_rotation", Dimension::angle},
           {"axis", Dimension::number, {}, "axis"},
           {"sharing", Dimension::number, {}, "axis"},
           {"radial_stiffness", Dimension::number, {}, "axis"},
           {"axial_share", Dimension::number, {}, "axis"},
-          {"load_direction", Dimension::number, {}, "spherical"},
-          {"carrier_direction", Dimension::number, {}, "spherical"},
+          {"body_direction", Dimension::number, {}, "ball"},
+          {"carrier_direction", Dimension::number, {}, "ball"},
           table("joint", with(contact::joint_keys(),
                               {{"file"}, {"position", Dimension::length}}))};
 }
 
-Keys load_keys() {
+Keys body_keys() {
   return with(
-      body_keys(),
+      rigid_body_keys(),
       {table("hinge", hinge_keys()),
-       table("lock", {{"name"}, {"load_point", Dimension::length}}),
+       table("lock", {{"name"}, {"body_point", Dimension::length}}),
        table("start",
              with(start_keys(), {{"angle", Dimension::angle},
                                  {"rate", Dimension::angular_velocity}})),
@@ -86,7 +86,7 @@ Keys load_keys() {
 
 Keys event_keys() {
   return {{"name"},
-          {"loads"},
+          {"bodies"},
           {"breaks"},
           {"after"},
           {"together"},
@@ -148,12 +148,12 @@ Keys case_keys() {
           {"gravity", Dimension::acceleration},
           table("run", run_keys()),
           table("carrier",
-                with(body_keys(),
+                with(rigid_body_keys(),
                      {table("start", start_keys()),
                       table("drive", {{"acceleration", Dimension::acceleration},
                                       {"angular_acceleration",
                                        Dimension::angular_acceleration}})})),
-          table("load", load_keys()),
+          table("body", body_keys()),
           table("event", event_keys()),
           table("force", force_keys()),
           table("clearance", {{"a"}, {"b"}})};

@@ -18,57 +18,57 @@ using contact::TomlTable;
 std::vector<std::string> body_names(const Case& c, bool with_carrier) {
   std::vector<std::string> names;
   if (with_carrier) names.push_back(c.carrier.name);
-  for (const Load& load : c.loads) {
-    if (names.empty() || names.back() != load.group) {
-      names.push_back(load.group);
+  for (const Body& body : c.bodies) {
+    if (names.empty() || names.back() != body.group) {
+      names.push_back(body.group);
     }
   }
-  for (const Load& load : c.loads) {
-    if (load.body.name != load.group) names.push_back(load.body.name);
+  for (const Body& body : c.bodies) {
+    if (body.rigid.name != body.group) names.push_back(body.rigid.name);
   }
   return names;
 }
 
 }  // namespace
 
-std::vector<int> CaseNames::bodies(std::string_view name) const {
+std::vector<int> CaseNames::rigid_bodies(std::string_view name) const {
   std::vector<int> found;
   if (of.carrier.name == name) found.push_back(0);
-  for (std::size_t i = 0; i < of.loads.size(); ++i) {
-    if (of.loads[i].group == name || of.loads[i].body.name == name) {
+  for (std::size_t i = 0; i < of.bodies.size(); ++i) {
+    if (of.bodies[i].group == name || of.bodies[i].rigid.name == name) {
       found.push_back(static_cast<int>(i) + 1);
     }
   }
   return found;
 }
 
-std::vector<int> CaseNames::bodies_of(const TomlTable& table,
-                                      std::string_view key) const {
-  auto found = bodies(table.text(key));
+std::vector<int> CaseNames::rigid_bodies_of(const TomlTable& table,
+                                            std::string_view key) const {
+  auto found = rigid_bodies(table.text(key));
   if (found.empty()) refuse(table, key, body_names(of, true));
   return found;
 }
 
-std::vector<int> CaseNames::loads_of(const TomlTable& table,
-                                     std::string_view key) const {
-  std::vector<int> loads;
+std::vector<int> CaseNames::bodies_of(const TomlTable& table,
+                                      std::string_view key) const {
+  std::vector<int> bodies;
   for (const std::string& name : table.texts(key)) {
-    const auto found = bodies(name);
+    const auto found = rigid_bodies(name);
     if (found.empty() || found.front() == 0) {
       refuse(table, key, body_names(of, false));
     }
     for (const int body : found) {
-      if (std::find(loads.begin(), loads.end(), body - 1) == loads.end()) {
-        loads.push_back(body - 1);
+      if (std::find(bodies.begin(), bodies.end(), body - 1) == bodies.end()) {
+        bodies.push_back(body - 1);
       }
     }
   }
-  if (loads.empty()) {
-    for (std::size_t i = 0; i < of.loads.size(); ++i) {
-      loads.push_back(static_cast<int>(i));
+  if (bodies.empty()) {
+    for (std::size_t i = 0; i < of.bodies.size(); ++i) {
+      bodies.push_back(static_cast<int>(i));
     }
   }
-  return loads;
+  return bodies;
 }
 
 int CaseNames::event_of(const TomlTable& table, std::string_view key,

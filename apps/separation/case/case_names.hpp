@@ -13,20 +13,20 @@ namespace separation {
 /// Names in a case file and what they stand for, while it is being read.
 struct CaseNames {
   const Case& of;
-  /// Of each load, the turn of its copy: carrier axes as written to carrier
+  /// Of each body, the turn of its copy: carrier axes as written to carrier
   /// axes.
   std::vector<Eigen::Matrix3d> turns;
   std::vector<std::string> events;
 
-  /// Bodies called `name`: one, or all copies of a load.
-  std::vector<int> bodies(std::string_view name) const;
+  /// Bodies called `name`: one, or all copies of a body.
+  std::vector<int> rigid_bodies(std::string_view name) const;
 
   /// The bodies that the text of a key names; throws Error if there are none.
+  std::vector<int> rigid_bodies_of(const contact::TomlTable& table,
+                                   std::string_view key) const;
+  /// The bodies that one or several texts name; all if the key is missing.
   std::vector<int> bodies_of(const contact::TomlTable& table,
                              std::string_view key) const;
-  /// The loads that one or several texts name; all if the key is missing.
-  std::vector<int> loads_of(const contact::TomlTable& table,
-                            std::string_view key) const;
   /// The event that the text of a key names; -1 if the key is missing.
   /// @param except  an event that it may not be, "" for none
   int event_of(const contact::TomlTable& table, std::string_view key,

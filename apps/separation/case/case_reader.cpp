@@ -24,7 +24,7 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using multibody::BodyMotion;
-using multibody::JointKind;
+using multibody::HingeKind;
 
 // Looser than Motion's own: 1e-8 m or rad is more than any case knows.
 constexpr double default_absolute_tolerance = 1e-8;
@@ -86,7 +86,7 @@ void read_run(const TomlTable& table, Case& c) {
 }
 
 // Of the carrier or of a body of its own.
-BodyMotion read_body_start(const std::optional<TomlTable>& table) {
+BodyMotion read_free_start(const std::optional<TomlTable>& table) {
   BodyMotion start{Vector3d::Zero(), Vector3d::Zero(), Matrix3d::Identity(),
                    Vector3d::Zero()};
   if (!table) return start;
@@ -100,13 +100,13 @@ BodyMotion read_body_start(const std::optional<TomlTable>& table) {
   return start;
 }
 
-multibody::LoadStart read_load_start(const std::optional<TomlTable>& table,
+multibody::BodyStart read_body_start(const std::optional<TomlTable>& table,
                                      const Hinge& hinge) {
-  multibody::LoadStart start;
+  multibody::BodyStart start;
   start.rotation = hinge.zero_rotation;
-  if (hinge.kind == JointKind::none) {
-    start.body = read_body_start(table);
-  } else if (table && hinge.kind == JointKind::axis) {
+  if (hinge.kind == HingeKind::none) {
+    start.body = read_free_start(table);
+  } else if (table && hinge.kind == HingeKind::axis) {
     start.angle =
         table->optional_number("angle", Interval::any(), Dimension::angle)
             .value_or(0);
@@ -123,25 +123,25 @@ multibody::LoadStart read_load_start(const std::optional<TomlTable>& table,
   return start;
 }
 
-std::optional<Lock> read_lock(const TomlTable& load, const Body& body,
+std::optional<Lock> read_lock(const TomlTable& body, const Vector3d& com,
                               const Hinge& hinge) {
-  const auto table = load.optional_table("lock");
+  const auto table = body.optional_table("lock");
   if (!table) return {};
-  if (hinge.kind == JointKind::none) {
-    load.fail("lock", "allowed: for a load with a hinge");
+  if (hinge.kind == HingeKind::none) {
+    body.fail("lock", "allowed: for a body with a hinge");
   }
   Lock lock{table->optional_text("name").value_or("lock"),
-            vector(*table, "load_point", Dimension::length) - body.com};
-  const Vector3d arm = lock.load_point - hinge.load_point;
+            vector(*table, "body_point", Dimension::length) - com};
+  const Vector3d arm = lock.body_point - hinge.body_point;
   if (!(arm.norm() > 0)) {
-    table->fail("load_point", "allowed: a point apart from the hinge");
+    table->fail("body_point", "allowed: a point apart from the hinge");
   }
-  if (hinge.kind == JointKind::axis) {
+  if (hinge.kind == HingeKind::axis) {
     const Vector3d axis = hinge.zero_rotation.transpose() * hinge.axis;
-    const double scale = lock.load_point.norm() + hinge.load_point.norm();
+    const double scale = lock.body_point.norm() + hinge.body_point.norm();
     // Rounding of the points' entries and of the axis.
     if (!(arm.cross(axis).norm() > 1e-12 * scale)) {
-      table->fail("load_point",
+      table->fail("body_point",
                   "allowed: a point off the hinge's axis: on it a lock holds "
                   "nothing");
     }
@@ -149,7 +149,7 @@ std::optional<Lock> read_lock(const TomlTable& load, const Body& body,
   return lock;
 }
 
-// Copies of a load around an axis through the carrier's origin.
+// Copies of a body around an axis through the carrier's origin.
 struct Pattern {
   int count = 1;
   Vector3d axis = Vector3d::UnitX();
@@ -160,11 +160,11 @@ struct Pattern {
   }
 };
 
-Pattern read_pattern(const TomlTable& load, const Hinge& hinge) {
-  const auto table = load.optional_table("pattern");
+Pattern read_pattern(const TomlTable& body, const Hinge& hinge) {
+  const auto table = body.optional_table("pattern");
   if (!table) return {};
-  if (hinge.kind == JointKind::none) {
-    load.fail("pattern", "allowed: for a load with a hinge");
+  if (hinge.kind == HingeKind::none) {
+    body.fail("pattern", "allowed: for a body with a hinge");
   }
   return {static_cast<int>(table->integer("count", 2, 1000)),
           direction(*table, "axis"),
@@ -172,15 +172,15 @@ Pattern read_pattern(const TomlTable& load, const Hinge& hinge) {
               .value_or(0)};
 }
 
-Load turned(Load load, const Matrix3d& turn, const Vector3d& carrier_com) {
-  Hinge& hinge = load.hinge;
+Body turned(Body body, const Matrix3d& turn, const Vector3d& carrier_com) {
+  Hinge& hinge = body.hinge;
   hinge.carrier_point =
       turn * (hinge.carrier_point + carrier_com) - carrier_com;
   hinge.zero_rotation = turn * hinge.zero_rotation;
   hinge.axis = turn * hinge.axis;
   hinge.carrier_direction = turn * hinge.carrier_direction;
-  load.start.rotation = turn * load.start.rotation;
-  return load;
+  body.start.rotation = turn * body.start.rotation;
+  return body;
 }
 
 // Columns are named after bodies, with underscores for blanks.
@@ -197,19 +197,19 @@ void check_name(const TomlTable& table, const Case& c,
                                  other));
   };
   refuse_as(c.carrier.name);
-  for (const Load& load : c.loads) {
-    refuse_as(load.group);
-    refuse_as(load.body.name);
+  for (const Body& body : c.bodies) {
+    refuse_as(body.group);
+    refuse_as(body.rigid.name);
   }
 }
 
 // Bodies that the equations of motion cannot take: no inertia in a direction
 // that turns, numbers beyond all bounds.
-void check_system(const TomlTable& table, const Body& carrier,
-                  std::vector<Load> loads) {
+void check_system(const TomlTable& table, const RigidBody& carrier,
+                  std::vector<Body> bodies) {
   Case part{};
   part.carrier = carrier;
-  part.loads = std::move(loads);
+  part.bodies = std::move(bodies);
   try {
     system_of(part);
   } catch (const contact::Error& error) {
@@ -222,40 +222,40 @@ void check_system(const TomlTable& table, const Body& carrier,
   }
 }
 
-void read_load(const TomlTable& table, const JointLaws& laws, Case& c,
+void read_body(const TomlTable& table, const JointLaws& laws, Case& c,
                CaseNames& names) {
-  Load load;
-  load.body = read_body(table);
-  load.group = load.body.name;
+  Body body;
+  body.rigid = read_rigid_body(table);
+  body.group = body.rigid.name;
   if (const auto hinge = table.optional_table("hinge")) {
-    load.hinge = read_hinge(*hinge, load.body, c.carrier, laws);
+    body.hinge = read_hinge(*hinge, body.rigid, c.carrier, laws);
   }
-  load.lock = read_lock(table, load.body, load.hinge);
+  body.lock = read_lock(table, body.rigid.com, body.hinge);
   const auto start = table.optional_table("start");
-  load.start = read_load_start(start, load.hinge);
-  load.start.locked = load.lock.has_value();
-  if (load.lock && (load.start.angle_rate != 0 ||
-                    load.start.relative_angular_velocity.norm() > 0)) {
+  body.start = read_body_start(start, body.hinge);
+  body.start.locked = body.lock.has_value();
+  if (body.lock && (body.start.angle_rate != 0 ||
+                    body.start.relative_angular_velocity.norm() > 0)) {
     start->fail(
-        load.hinge.kind == JointKind::axis ? "rate" : "angular_velocity",
-        "allowed: 0 while the load is locked");
+        body.hinge.kind == HingeKind::axis ? "rate" : "angular_velocity",
+        "allowed: 0 while the body is locked");
   }
-  check_system(table, c.carrier, {load});
-  const Pattern pattern = read_pattern(table, load.hinge);
-  std::vector<Load> copies;
+  check_system(table, c.carrier, {body});
+  const Pattern pattern = read_pattern(table, body.hinge);
+  std::vector<Body> copies;
   for (int copy = 0; copy < pattern.count; ++copy) {
     const Matrix3d turn =
         pattern.count == 1 ? Matrix3d::Identity() : pattern.turn(copy);
-    copies.push_back(pattern.count == 1 ? load
-                                        : turned(load, turn, c.carrier.com));
+    copies.push_back(pattern.count == 1 ? body
+                                        : turned(body, turn, c.carrier.com));
     if (pattern.count > 1) {
-      copies.back().body.name = fmt::format("{} {}", load.group, copy + 1);
+      copies.back().rigid.name = fmt::format("{} {}", body.group, copy + 1);
     }
     names.turns.push_back(turn);
-    check_name(table, c, load.group);
-    check_name(table, c, copies.back().body.name);
+    check_name(table, c, body.group);
+    check_name(table, c, copies.back().rigid.name);
   }
-  c.loads.insert(c.loads.end(), copies.begin(), copies.end());
+  c.bodies.insert(c.bodies.end(), copies.begin(), copies.end());
 }
 
 // "a after b after a" where an event waits for itself by way of others, which
@@ -312,8 +312,8 @@ void read_clearance(const TomlTable& file, const CaseNames& names, Case& c) {
     c.clearance.push_back({std::min(a, b), std::max(a, b)});
   };
   const auto shaped = [&](const TomlTable& table, std::string_view key) {
-    auto bodies = names.bodies_of(table, key);
-    if (c.body(bodies.front()).shapes.empty()) {
+    auto bodies = names.rigid_bodies_of(table, key);
+    if (c.rigid_body(bodies.front()).shapes.empty()) {
       table.fail(key, "allowed: a body with shapes");
     }
     return bodies;
@@ -331,10 +331,11 @@ void read_clearance(const TomlTable& file, const CaseNames& names, Case& c) {
     }
   }
   if (tables.empty()) {
-    const int count = static_cast<int>(c.loads.size()) + 1;
+    const int count = static_cast<int>(c.bodies.size()) + 1;
     for (int a = 0; a < count; ++a) {
       for (int b = a + 1; b < count; ++b) {
-        if (!c.body(a).shapes.empty() && !c.body(b).shapes.empty()) add(a, b);
+        if (!c.rigid_body(a).shapes.empty() && !c.rigid_body(b).shapes.empty())
+          add(a, b);
       }
     }
   }
@@ -358,9 +359,9 @@ Case read_all(const TomlTable& file, const JointLaws& laws) {
   read_run(file.table("run"), c);
   c.options.gravity = vector_or_zero(file, "gravity", Dimension::acceleration);
   const TomlTable carrier = file.table("carrier");
-  c.carrier = read_body(carrier);
+  c.carrier = read_rigid_body(carrier);
   check_system(carrier, c.carrier, {});
-  c.carrier_start = read_body_start(carrier.optional_table("start"));
+  c.carrier_start = read_free_start(carrier.optional_table("start"));
   if (const auto drive = carrier.optional_table("drive")) {
     c.options.carrier_drive = {
         vector_or_zero(*drive, "acceleration", Dimension::acceleration),
@@ -368,11 +369,11 @@ Case read_all(const TomlTable& file, const JointLaws& laws) {
                        Dimension::angular_acceleration)};
   }
   CaseNames names{c, {}, {}};
-  const auto loads = file.tables("load");
-  if (loads.empty()) {
-    file.fail_missing("load", "a case has one or more [[load]]");
+  const auto bodies = file.tables("body");
+  if (bodies.empty()) {
+    file.fail_missing("body", "a case has one or more [[body]]");
   }
-  for (const TomlTable& load : loads) read_load(load, laws, c, names);
+  for (const TomlTable& body : bodies) read_body(body, laws, c, names);
   read_events(file, c, names);
   read_forces(file, names, c);
   read_clearance(file, names, c);

@@ -62,30 +62,31 @@ void read_condition(const TomlTable& table, Event& event) {
 // The nodes that an event speaks of have to be there.
 void check_nodes(const TomlTable& table, const CaseNames& names,
                  const Event& event) {
-  for (const int i : event.loads) {
-    const Load& load = names.of.loads[i];
-    const bool hinge = load.hinge.kind != multibody::JointKind::none;
-    if (event.action == Event::Action::break_hinge ? !hinge : !load.lock) {
-      table.fail("breaks", fmt::format("load \"{}\" has none", load.body.name));
+  for (const int i : event.bodies) {
+    const Body& body = names.of.bodies[i];
+    const bool hinge = body.hinge.kind != multibody::HingeKind::none;
+    if (event.action == Event::Action::break_hinge ? !hinge : !body.lock) {
+      table.fail("breaks",
+                 fmt::format("body \"{}\" has none", body.rigid.name));
     }
     if (event.trigger == Event::Trigger::angle && !hinge) {
       table.fail("angle",
-                 fmt::format("load \"{}\" has no hinge", load.body.name));
+                 fmt::format("body \"{}\" has no hinge", body.rigid.name));
     }
     // 180 deg but for the rounding of units.
     constexpr double most = std::numbers::pi * (1 + 1e-15);
     if (event.trigger == Event::Trigger::angle &&
-        load.hinge.kind == multibody::JointKind::spherical &&
+        body.hinge.kind == multibody::HingeKind::ball &&
         (event.value < 0 || event.value > most)) {
       table.fail("angle",
-                 fmt::format("allowed: 0 deg to 180 deg on the spherical hinge "
-                             "of load \"{}\": it is the angle between two "
+                 fmt::format("allowed: 0 deg to 180 deg on the ball hinge "
+                             "of body \"{}\": it is the angle between two "
                              "directions",
-                             load.body.name));
+                             body.rigid.name));
     }
     if (event.trigger == Event::Trigger::reaction &&
-        (event.node == Event::Node::lock ? !load.lock : !hinge)) {
-      table.fail("node", fmt::format("load \"{}\" has none", load.body.name));
+        (event.node == Event::Node::lock ? !body.lock : !hinge)) {
+      table.fail("node", fmt::format("body \"{}\" has none", body.rigid.name));
     }
   }
 }
@@ -95,7 +96,7 @@ void check_nodes(const TomlTable& table, const CaseNames& names,
 Event read_event(const TomlTable& table, const CaseNames& names) {
   Event event;
   event.name = table.text("name");
-  event.loads = names.loads_of(table, "loads");
+  event.bodies = names.bodies_of(table, "bodies");
   event.action =
       static_cast<Event::Action>(table.choice("breaks", {"lock", "hinge"}));
   event.after = names.event_of(table, "after", event.name);

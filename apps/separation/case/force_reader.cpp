@@ -67,14 +67,14 @@ struct RowsOver {
   Variable variable = Variable::none;
   std::vector<double> at;
 };
-RowsOver read_variable(const TomlTable& table, multibody::JointKind hinge) {
+RowsOver read_variable(const TomlTable& table, multibody::HingeKind hinge) {
   const bool over_time = table.has("time", Dimension::time);
   const bool over_angle = table.has("angle", Dimension::angle);
   if (over_time && over_angle) {
     table.fail("angle", "allowed: not together with time");
   }
-  if (over_angle && hinge == multibody::JointKind::none) {
-    table.fail("angle", "allowed: for a load on a hinge");
+  if (over_angle && hinge == multibody::HingeKind::none) {
+    table.fail("angle", "allowed: for a body on a hinge");
   }
   if (over_time) {
     return {Variable::time, increasing(table, "time", Dimension::time)};
@@ -83,10 +83,10 @@ RowsOver read_variable(const TomlTable& table, multibody::JointKind hinge) {
     const auto at = increasing(table, "angle", Dimension::angle);
     // 180 deg but for the rounding of units.
     constexpr double most = std::numbers::pi * (1 + 1e-15);
-    if (hinge == multibody::JointKind::spherical &&
+    if (hinge == multibody::HingeKind::ball &&
         (at.front() < 0 || at.back() > most)) {
       table.fail("angle",
-                 "allowed: 0 deg to 180 deg on a spherical hinge: it is the "
+                 "allowed: 0 deg to 180 deg on a ball hinge: it is the "
                  "angle between two directions");
     }
     return {Variable::angle, at};
@@ -94,8 +94,8 @@ RowsOver read_variable(const TomlTable& table, multibody::JointKind hinge) {
   return {};
 }
 
-AppliedForce read_applied(const TomlTable& table, const Body& body,
-                          multibody::JointKind hinge) {
+AppliedForce read_applied(const TomlTable& table, const RigidBody& body,
+                          multibody::HingeKind hinge) {
   AppliedForce force;
   force.inertial =
       table.optional_choice("axes", {"body", "inertial"}).value_or(0) == 1;
@@ -114,7 +114,7 @@ AppliedForce read_applied(const TomlTable& table, const Body& body,
 }
 
 Motor read_motor(const TomlTable& table) {
-  const RowsOver rows = read_variable(table, multibody::JointKind::axis);
+  const RowsOver rows = read_variable(table, multibody::HingeKind::axis);
   if (rows.variable == Variable::none) {
     return {
         rows.variable,
@@ -126,7 +126,7 @@ Motor read_motor(const TomlTable& table) {
 }
 
 Thrust read_thrust(const TomlTable& table, const CaseNames& names,
-                   const Body& body) {
+                   const RigidBody& body) {
   Thrust thrust;
   thrust.point = vector(table, "point", Dimension::length) - body.com;
   thrust.force =
@@ -144,16 +144,16 @@ Thrust read_thrust(const TomlTable& table, const CaseNames& names,
 }
 
 Vector3d carrier_point(const TomlTable& table, const CaseNames& names,
-                       int load) {
-  return names.turns[load] * vector(table, "carrier_point", Dimension::length) -
+                       int body) {
+  return names.turns[body] * vector(table, "carrier_point", Dimension::length) -
          names.of.carrier.com;
 }
 
 Spring read_spring(const TomlTable& table, const CaseNames& names,
-                   const Body& body, int load) {
+                   const Vector3d& com, int body) {
   return {
-      vector(table, "point", Dimension::length) - body.com,
-      carrier_point(table, names, load),
+      vector(table, "point", Dimension::length) - com,
+      carrier_point(table, names, body),
       table.number("stiffness", Interval::non_negative(),
                    Dimension::line_force),
       table.number("free_length", Interval::non_negative(), Dimension::length),
@@ -162,11 +162,11 @@ Spring read_spring(const TomlTable& table, const CaseNames& names,
 }
 
 Pusher read_pusher(const TomlTable& table, const CaseNames& names,
-                   const Body& body, int load) {
+                   const Vector3d& com, int body) {
   Pusher pusher;
-  pusher.point = vector(table, "point", Dimension::length) - body.com;
-  pusher.carrier_point = carrier_point(table, names, load);
-  pusher.direction = names.turns[load] * direction(table, "direction");
+  pusher.point = vector(table, "point", Dimension::length) - com;
+  pusher.carrier_point = carrier_point(table, names, body);
+  pusher.direction = names.turns[body] * direction(table, "direction");
   pusher.first_force =
       table.number("first_force", Interval::non_negative(), Dimension::force);
   pusher.last_force =
@@ -227,7 +227,7 @@ void read_flow(const TomlTable& table, Aerodynamic& air) {
                         Dimension::stress)};
 }
 
-Aerodynamic read_aerodynamic(const TomlTable& table, const Body& body) {
+Aerodynamic read_aerodynamic(const TomlTable& table, const RigidBody& body) {
   Aerodynamic air;
   air.axis = direction(table, "axis");
   air.point =
@@ -263,10 +263,10 @@ std::vector<Force> read_force(const TomlTable& table, const CaseNames& names) {
   force.end = read_clock(table, names, "ends", never);
   check_clocks(table, force);
   std::vector<Force> result;
-  for (const int i : names.bodies_of(table, "body")) {
-    const Body& body = names.of.body(i);
+  for (const int i : names.rigid_bodies_of(table, "body")) {
+    const RigidBody& body = names.of.rigid_body(i);
     const auto hinge =
-        i > 0 ? names.of.loads[i - 1].hinge.kind : multibody::JointKind::none;
+        i > 0 ? names.of.bodies[i - 1].hinge.kind : multibody::HingeKind::none;
     force.body = i;
     switch (kind) {
       case 0:
@@ -276,16 +276,16 @@ std::vector<Force> read_force(const TomlTable& table, const CaseNames& names) {
         force.what = read_thrust(table, names, body);
         break;
       case 2:
-        if (i == 0) table.fail("body", "allowed: a load");
-        force.what = read_spring(table, names, body, i - 1);
+        if (i == 0) table.fail("body", "allowed: a body");
+        force.what = read_spring(table, names, body.com, i - 1);
         break;
       case 3:
-        if (i == 0) table.fail("body", "allowed: a load");
-        force.what = read_pusher(table, names, body, i - 1);
+        if (i == 0) table.fail("body", "allowed: a body");
+        force.what = read_pusher(table, names, body.com, i - 1);
         break;
       case 4:
-        if (hinge != multibody::JointKind::axis) {
-          table.fail("body", "allowed: a load on an axis");
+        if (hinge != multibody::HingeKind::axis) {
+          table.fail("body", "allowed: a body on an axis");
         }
         force.what = read_motor(table);
         break;

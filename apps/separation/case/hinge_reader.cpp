@@ -17,10 +17,10 @@ using contact::Error;
 using contact::JointContact;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
-using multibody::JointKind;
+using multibody::HingeKind;
 
 // What is wrong with them is the command line's, not the file's.
-void take_laws(const JointLaws& laws, contact::Joint& joint) {
+void take_laws(const JointLaws& laws, contact::JointSpec& joint) {
   const auto take = [&](const char* option, const std::string& name,
                         std::string& law, const auto& make) {
     if (name.empty()) return;
@@ -38,13 +38,14 @@ void take_laws(const JointLaws& laws, contact::Joint& joint) {
        [&] { joint.make_pressure_law(); });
 }
 
-contact::Joint read_joint_of(const TomlTable& table, const JointLaws& laws) {
+contact::JointSpec read_joint_of(const TomlTable& table,
+                                 const JointLaws& laws) {
   const auto file = table.optional_text("file");
-  contact::Joint joint = [&] {
+  contact::JointSpec joint = [&] {
     if (!file) return contact::joint_from_table(table);
     const auto name = table.optional_text("name");
     try {
-      contact::Joint read = contact::read_joint(table.folder() / *file);
+      contact::JointSpec read = contact::read_joint(table.folder() / *file);
       if (name) read.name = *name;
       return read;
     } catch (const Error& error) {
@@ -60,7 +61,7 @@ contact::Joint read_joint_of(const TomlTable& table, const JointLaws& laws) {
 }
 
 HingeJoint read_hinge_joint(const TomlTable& table, const JointLaws& laws) {
-  contact::Joint joint = read_joint_of(table, laws);
+  contact::JointSpec joint = read_joint_of(table, laws);
   JointContact contact(joint.geometry, joint.pair, *joint.friction,
                        joint.make_half_angle_law(), joint.make_pressure_law());
   return {std::move(joint),
@@ -86,7 +87,7 @@ std::optional<contact::SharingRule> read_sharing(const TomlTable& table,
 }
 
 Vector3d named_direction(const TomlTable& table, std::string_view key,
-                         const Body& body, const std::string& name) {
+                         const RigidBody& body, const std::string& name) {
   for (const NamedDirection& direction : body.directions) {
     if (direction.name == name) return direction.vector;
   }
@@ -102,43 +103,41 @@ Vector3d named_direction(const TomlTable& table, std::string_view key,
 }
 
 // Directions of the angle of a ball joint: two named ones, or the line from
-// the hinge to the load's centre of mass, which begins at angle 0.
-void read_angle(const TomlTable& table, const Body& load, const Body& carrier,
-                Hinge& hinge) {
-  const auto of_load = table.optional_text("load_direction");
+// the hinge to the body's centre of mass, which begins at angle 0.
+void read_angle(const TomlTable& table, const RigidBody& body,
+                const RigidBody& carrier, Hinge& hinge) {
+  const auto of_body = table.optional_text("body_direction");
   const auto of_carrier = table.optional_text("carrier_direction");
-  if (of_load && of_carrier) {
-    hinge.load_direction =
-        named_direction(table, "load_direction", load, *of_load);
+  if (of_body && of_carrier) {
+    hinge.body_direction =
+        named_direction(table, "body_direction", body, *of_body);
     hinge.carrier_direction =
         named_direction(table, "carrier_direction", carrier, *of_carrier);
     return;
   }
-  if (of_load) {
-    table.fail("load_direction", "allowed: together with carrier_direction");
+  if (of_body) {
+    table.fail("body_direction", "allowed: together with carrier_direction");
   }
   if (of_carrier) {
-    table.fail("carrier_direction", "allowed: together with load_direction");
+    table.fail("carrier_direction", "allowed: together with body_direction");
   }
-  hinge.load_direction = hinge.load_point.norm() > 0
-                             ? Vector3d(-hinge.load_point.normalized())
+  hinge.body_direction = hinge.body_point.norm() > 0
+                             ? Vector3d(-hinge.body_point.normalized())
                              : Vector3d::UnitX();
-  hinge.carrier_direction = hinge.zero_rotation * hinge.load_direction;
+  hinge.carrier_direction = hinge.zero_rotation * hinge.body_direction;
 }
 
 bool is_ball(const HingeJoint& joint) {
-  return joint.joint.geometry.kind() == contact::JointKind::spherical;
+  return joint.joint.geometry.kind() == contact::JointKind::ball;
 }
 
 contact::JointNode make_node(const Hinge& hinge) {
   std::vector<contact::NodeJoint> joints;
   for (const HingeJoint& joint : hinge.joints) {
     if (is_ball(joint)) {
-      joints.push_back(
-          {contact::SphericalJoint(joint.contact), joint.position});
+      joints.push_back({contact::BallJoint(joint.contact), joint.position});
     } else {
-      joints.push_back(
-          {contact::CylindricalJoint(joint.contact), joint.position});
+      joints.push_back({contact::PinJoint(joint.contact), joint.position});
     }
   }
   auto sharing = hinge.sharing;
@@ -150,22 +149,21 @@ contact::JointNode make_node(const Hinge& hinge) {
 
 }  // namespace
 
-Hinge read_hinge(const TomlTable& table, const Body& load, const Body& carrier,
-                 const JointLaws& laws) {
+Hinge read_hinge(const TomlTable& table, const RigidBody& body,
+                 const RigidBody& carrier, const JointLaws& laws) {
   Hinge hinge;
-  hinge.kind = table.choice("kind", {"spherical", "axis"}) == 0
-                   ? JointKind::spherical
-                   : JointKind::axis;
+  hinge.kind = table.choice("kind", {"ball", "axis"}) == 0 ? HingeKind::ball
+                                                           : HingeKind::axis;
   hinge.name = table.optional_text("name").value_or("hinge");
-  hinge.load_point =
-      vector_or_zero(table, "load_point", Dimension::length) - load.com;
+  hinge.body_point =
+      vector_or_zero(table, "body_point", Dimension::length) - body.com;
   hinge.carrier_point =
       vector(table, "carrier_point", Dimension::length) - carrier.com;
   hinge.zero_rotation =
       optional_rotation(table, "zero_rotation").value_or(Matrix3d::Identity());
-  const bool ball = hinge.kind == JointKind::spherical;
+  const bool ball = hinge.kind == HingeKind::ball;
   if (ball) {
-    read_angle(table, load, carrier, hinge);
+    read_angle(table, body, carrier, hinge);
   } else {
     hinge.axis = direction(table, "axis");
   }
@@ -175,10 +173,10 @@ Hinge read_hinge(const TomlTable& table, const Body& load, const Body& carrier,
   }
   if (!ball) hinge.sharing = read_sharing(table, joints.size());
   if (ball && joints.size() > 1) {
-    joints[1].fail("kind", "allowed: one joint on a spherical hinge");
+    joints[1].fail("kind", "allowed: one joint on a ball hinge");
   }
   if (ball && joints.size() == 1 && !is_ball(hinge.joints[0])) {
-    joints[0].fail("kind", "allowed: a ball joint on a spherical hinge");
+    joints[0].fail("kind", "allowed: a ball joint on a ball hinge");
   }
   if (!ball && joints.size() == 1 && is_ball(hinge.joints[0])) {
     joints[0].fail("kind",
@@ -201,13 +199,11 @@ multibody::HingeFriction make_friction(const Hinge& hinge,
                                         ? FrictionEstimate::traditional
                                         : FrictionEstimate::consistent;
   const HingeJoint& first = hinge.joints.front();
-  if (hinge.kind == JointKind::spherical) {
-    return multibody::BallFriction{contact::SphericalJoint(first.contact),
-                                   estimate};
+  if (hinge.kind == HingeKind::ball) {
+    return multibody::BallFriction{contact::BallJoint(first.contact), estimate};
   }
   if (hinge.joints.size() == 1) {
-    return multibody::PinFriction{contact::CylindricalJoint(first.contact),
-                                  estimate};
+    return multibody::PinFriction{contact::PinJoint(first.contact), estimate};
   }
   return multibody::NodeFriction{make_node(hinge), estimate};
 }

@@ -11,9 +11,9 @@ struct JointLaws {
   std::string pressure;
 };
 
-/// [load.hinge]: everything that does not depend on the copy.
-Hinge read_hinge(const contact::TomlTable& table, const Body& load,
-                 const Body& carrier, const JointLaws& laws);
+/// [body.hinge]: everything that does not depend on the copy.
+Hinge read_hinge(const contact::TomlTable& table, const RigidBody& body,
+                 const RigidBody& carrier, const JointLaws& laws);
 
 /// The friction of a hinge.
 /// @throws contact::Error if its joints do not go together, which read_hinge()

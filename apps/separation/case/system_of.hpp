@@ -5,17 +5,17 @@
 
 namespace separation {
 
-/// Carrier and loads of a case. Given load axes are its body axes.
+/// Carrier and bodies of a case. Body axes are its body axes.
 multibody::System system_of(const Case& c);
 
-/// Angle of a load from its rotation relative to the carrier: about the axis,
-/// (-pi, pi], or between the two directions of a spherical hinge, [0, pi].
-/// @param rotation  load axes to carrier axes
+/// Angle of a body from its rotation relative to the carrier: about the axis,
+/// (-pi, pi], or between the two directions of a ball hinge, [0, pi].
+/// @param rotation  link axes to carrier axes
 double hinge_angle(const Hinge& hinge, const Eigen::Matrix3d& rotation);
 
-/// The same of a load on its way. On an axis full turns are counted; after its
+/// The same of a body on its way. On an axis full turns are counted; after its
 /// release it is within half a turn of the angle that it had then.
 double hinge_angle(const Hinge& hinge, const multibody::BodyMotion& carrier,
-                   const multibody::BodyMotion& load);
+                   const multibody::BodyMotion& body);
 
 }  // namespace separation

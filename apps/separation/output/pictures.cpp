@@ -46,9 +46,9 @@ void end_at_release(const Rows& rows, const std::string& body, cli::Curve& c) {
 
 template <class F>
 void for_hinged(const Case& c, F call) {
-  for (const Load& load : c.loads) {
-    if (load.hinge.kind != multibody::JointKind::none) {
-      call(load, column_name(load.body.name));
+  for (const Body& body : c.bodies) {
+    if (body.hinge.kind != multibody::HingeKind::none) {
+      call(body, column_name(body.rigid.name));
     }
   }
 }
@@ -64,8 +64,8 @@ cli::LinePlot plot_of(const Case& c, const std::string& y_label) {
 cli::LinePlot hinges(const Case& c, const Rows& rows, const char* label,
                      const char* quantity) {
   cli::LinePlot plot = plot_of(c, label);
-  for_hinged(c, [&](const Load& load, const std::string& column) {
-    plot.curves.push_back(curve(rows, load.body.name, column + quantity, 1));
+  for_hinged(c, [&](const Body& body, const std::string& column) {
+    plot.curves.push_back(curve(rows, body.rigid.name, column + quantity, 1));
     end_at_release(rows, column, plot.curves.back());
   });
   return plot;
@@ -74,7 +74,7 @@ cli::LinePlot hinges(const Case& c, const Rows& rows, const char* label,
 cli::LinePlot reactions(const Case& c, const Rows& rows) {
   // kN where anything reaches 1 kN.
   double largest = 0;
-  for_hinged(c, [&](const Load&, const std::string& column) {
+  for_hinged(c, [&](const Body&, const std::string& column) {
     for (const char* name : {".reaction_N", ".lock_reaction_N"}) {
       const auto values = curve(rows, "", column + name, 1).y;
       largest =
@@ -84,13 +84,13 @@ cli::LinePlot reactions(const Case& c, const Rows& rows) {
   const bool kilo = largest >= 1000;
   const double scale = kilo ? 1e-3 : 1;
   cli::LinePlot plot = plot_of(c, kilo ? "reaction, kN" : "reaction, N");
-  int loads = 0;
-  for_hinged(c, [&](const Load& load, const std::string& column) {
+  int bodies = 0;
+  for_hinged(c, [&](const Body& body, const std::string& column) {
     plot.curves.push_back(
-        curve(rows, load.body.name, column + ".reaction_N", scale));
-    plot.curves.back().colour = ++loads;
+        curve(rows, body.rigid.name, column + ".reaction_N", scale));
+    plot.curves.back().colour = ++bodies;
     end_at_release(rows, column, plot.curves.back());
-    cli::Curve lock = curve(rows, load.body.name + ", lock",
+    cli::Curve lock = curve(rows, body.rigid.name + ", lock",
                             column + ".lock_reaction_N", scale);
     end_curve(
         rows, column, [](HingeMode mode) { return mode == HingeMode::locked; },
@@ -120,11 +120,11 @@ cli::LinePlot clearances(const Case& c, const Rows& rows) {
   cli::LinePlot plot = plot_of(c, "clearance, m");
   for (const auto& [a, b] : c.clearance) {
     const std::string column =
-        fmt::format("clearance.{}.{}_m", column_name(c.body(a).name),
-                    column_name(c.body(b).name));
-    plot.curves.push_back(
-        curve(rows, fmt::format("{}, {}", c.body(a).name, c.body(b).name),
-              column, 1));
+        fmt::format("clearance.{}.{}_m", column_name(c.rigid_body(a).name),
+                    column_name(c.rigid_body(b).name));
+    plot.curves.push_back(curve(
+        rows, fmt::format("{}, {}", c.rigid_body(a).name, c.rigid_body(b).name),
+        column, 1));
   }
   plot.logarithmic_y = is_wide(plot.curves);
   return plot;

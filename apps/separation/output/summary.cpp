@@ -31,7 +31,7 @@ ordered_json joint_json(const HingeJoint& joint, const JointPeaks& peaks) {
           {"largest_friction_moment_N_m", peaks.moment}};
 }
 
-ordered_json release_json(const LoadRecord::Release& release) {
+ordered_json release_json(const BodyRecord::Release& release) {
   if (release.time == History::not_yet) return nullptr;
   const Eigen::Vector3d w = release.rates / degree;
   const Eigen::Vector3d& v = release.velocity;
@@ -42,16 +42,16 @@ ordered_json release_json(const LoadRecord::Release& release) {
           {"velocity_m_per_s", {v.x(), v.y(), v.z()}}};
 }
 
-ordered_json load_json(const Load& load, const LoadRecord& record,
+ordered_json body_json(const Body& body, const BodyRecord& record,
                        multibody::HingeMode mode) {
-  ordered_json j = {{"name", load.body.name}};
-  if (load.hinge.kind == multibody::JointKind::none) return j;
-  j["hinge"] = load.hinge.name;
+  ordered_json j = {{"name", body.rigid.name}};
+  if (body.hinge.kind == multibody::HingeKind::none) return j;
+  j["hinge"] = body.hinge.name;
   j["mode_at_end"] = multibody::to_string(mode);
   j["peak_reaction_N"] = record.peak_reaction;
   j["peak_reaction_time_s"] = record.peak_reaction_time;
-  if (load.lock) {
-    j["lock"] = load.lock->name;
+  if (body.lock) {
+    j["lock"] = body.lock->name;
     j["peak_lock_reaction_N"] = record.peak_lock;
     j["peak_lock_reaction_time_s"] = record.peak_lock_time;
   }
@@ -60,7 +60,7 @@ ordered_json load_json(const Load& load, const LoadRecord& record,
   j["at_release"] = release_json(record.release);
   j["joints"] = ordered_json::array();
   for (std::size_t i = 0; i < record.joints.size(); ++i) {
-    j["joints"].push_back(joint_json(load.hinge.joints[i], record.joints[i]));
+    j["joints"].push_back(joint_json(body.hinge.joints[i], record.joints[i]));
   }
   return j;
 }
@@ -70,8 +70,8 @@ ordered_json clearance_json(const Case& c, const Outcome& outcome) {
   for (std::size_t i = 0; i < c.clearance.size(); ++i) {
     const PairRecord& pair = outcome.memory.pairs[i];
     if (pair.smallest == History::not_yet) continue;
-    ordered_json j = {{"a", c.body(c.clearance[i].a).name},
-                      {"b", c.body(c.clearance[i].b).name},
+    ordered_json j = {{"a", c.rigid_body(c.clearance[i].a).name},
+                      {"b", c.rigid_body(c.clearance[i].b).name},
                       {"smallest_m", pair.smallest},
                       {"time_s", pair.time}};
     if (pair.overlap_from != History::not_yet) {
@@ -100,12 +100,12 @@ std::vector<Missed> missed_events(const Case& c, const Outcome& outcome) {
   std::vector<Missed> result;
   for (std::size_t e = 0; e < c.events.size(); ++e) {
     Missed missed{c.events[e].name, {}};
-    for (const int load : c.events[e].loads) {
-      if (outcome.history.events[e][load] == History::not_yet) {
-        missed.loads.push_back(c.loads[load].body.name);
+    for (const int body : c.events[e].bodies) {
+      if (outcome.history.events[e][body] == History::not_yet) {
+        missed.bodies.push_back(c.bodies[body].rigid.name);
       }
     }
-    if (!missed.loads.empty()) result.push_back(std::move(missed));
+    if (!missed.bodies.empty()) result.push_back(std::move(missed));
   }
   return result;
 }
@@ -119,17 +119,17 @@ ordered_json summary(const Case& c, const Outcome& outcome) {
   j["events"] = ordered_json::array();
   for (const Note& note : memory.notes) {
     j["events"].push_back(
-        {{"time_s", note.time}, {"load", note.load}, {"what", note.what}});
+        {{"time_s", note.time}, {"body", note.body}, {"what", note.what}});
   }
   j["events_that_did_not_come"] = ordered_json::array();
   for (const Missed& missed : missed_events(c, outcome)) {
     j["events_that_did_not_come"].push_back(
-        {{"event", missed.event}, {"loads", missed.loads}});
+        {{"event", missed.event}, {"bodies", missed.bodies}});
   }
-  j["loads"] = ordered_json::array();
-  for (std::size_t i = 0; i < c.loads.size(); ++i) {
-    j["loads"].push_back(
-        load_json(c.loads[i], memory.loads[i], outcome.modes[i]));
+  j["bodies"] = ordered_json::array();
+  for (std::size_t i = 0; i < c.bodies.size(); ++i) {
+    j["bodies"].push_back(
+        body_json(c.bodies[i], memory.bodies[i], outcome.modes[i]));
   }
   j["clearance"] = clearance_json(c, outcome);
   // A given motion of the carrier does work that no book shows.
@@ -145,9 +145,9 @@ ordered_json summary(const Case& c, const Outcome& outcome) {
 }
 
 std::string events_csv(const Outcome& outcome) {
-  std::string text = "time_s,load,what\n";
+  std::string text = "time_s,body,what\n";
   for (const Note& note : outcome.memory.notes) {
-    text += cli::number_text(note.time) + ',' + cli::raw_field(note.load) +
+    text += cli::number_text(note.time) + ',' + cli::raw_field(note.body) +
             ',' + cli::raw_field(note.what) + '\n';
   }
   return text;

@@ -11,10 +11,10 @@ namespace separation {
 /// "full", "ideal", "traditional"
 const char* to_string(FrictionChoice choice);
 
-/// An event and the loads for which it has not come.
+/// An event and the bodies for which it has not come.
 struct Missed {
   std::string event;
-  std::vector<std::string> loads;
+  std::vector<std::string> bodies;
 };
 std::vector<Missed> missed_events(const Case& c, const Outcome& outcome);
 
@@ -22,7 +22,7 @@ std::vector<Missed> missed_events(const Case& c, const Outcome& outcome);
 /// all else in SI units; infinity is the text "inf" or "-inf".
 nlohmann::ordered_json summary(const Case& c, const Outcome& outcome);
 
-/// Events as a CSV table: time_s, load, what.
+/// Events as a CSV table: time_s, body, what.
 std::string events_csv(const Outcome& outcome);
 
 }  // namespace separation

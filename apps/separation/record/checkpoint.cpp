@@ -25,7 +25,7 @@ using Eigen::Vector3d;
 using nlohmann::json;
 
 constexpr const char* program_format = "hinge-separation checkpoint ";
-constexpr const char* format_name = "hinge-separation checkpoint 6";
+constexpr const char* format_name = "hinge-separation checkpoint 7";
 
 json vectors_json(const std::vector<Vector3d>& vectors) {
   json numbers = json::array();
@@ -77,9 +77,9 @@ multibody::MotionState motion_from(const json& j) {
   return s;
 }
 
-json loads_json(const std::vector<LoadRecord>& loads) {
+json bodies_json(const std::vector<BodyRecord>& bodies) {
   json result = json::array();
-  for (const LoadRecord& r : loads) {
+  for (const BodyRecord& r : bodies) {
     json joints = json::array();
     for (const JointPeaks& p : r.joints) {
       joints.push_back(
@@ -96,10 +96,10 @@ json loads_json(const std::vector<LoadRecord>& loads) {
   }
   return result;
 }
-std::vector<LoadRecord> loads_from(const json& j) {
-  std::vector<LoadRecord> loads;
+std::vector<BodyRecord> bodies_from(const json& j) {
+  std::vector<BodyRecord> bodies;
   for (const json& item : j) {
-    LoadRecord& r = loads.emplace_back();
+    BodyRecord& r = bodies.emplace_back();
     const auto peaks = item.at("peaks").get<std::vector<double>>();
     r.peak_reaction = peaks.at(0);
     r.peak_reaction_time = peaks.at(1);
@@ -116,13 +116,13 @@ std::vector<LoadRecord> loads_from(const json& j) {
     r.release = {release.at(0), release.at(1), release.at(2), vectors.at(0),
                  vectors.at(1)};
   }
-  return loads;
+  return bodies;
 }
 
 json notes_json(std::span<const Note> notes) {
   json result = json::array();
   for (const Note& note : notes) {
-    result.push_back({note.time, note.load, note.what});
+    result.push_back({note.time, note.body, note.what});
   }
   return result;
 }
@@ -144,7 +144,7 @@ json memory_json(const Recorder::Memory& m, std::size_t notes) {
     forces.push_back({f.on, f.acted, static_cast<int>(f.fault), f.fault_time});
   }
   return {{"columns", m.rows.columns},
-          {"loads", loads_json(m.loads)},
+          {"bodies", bodies_json(m.bodies)},
           {"notes", notes_json(std::span(m.notes).subspan(notes))},
           {"pairs", pairs},
           {"forces", forces},
@@ -158,7 +158,7 @@ json memory_json(const Recorder::Memory& m, std::size_t notes) {
 Recorder::Memory memory_from(const json& j) {
   Recorder::Memory m;
   m.rows.columns = j.at("columns").get<std::vector<std::string>>();
-  m.loads = loads_from(j.at("loads"));
+  m.bodies = bodies_from(j.at("bodies"));
   for (const json& item : j.at("pairs")) {
     const auto p = item.get<std::vector<double>>();
     m.pairs.push_back(

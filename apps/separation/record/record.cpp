@@ -16,9 +16,9 @@ namespace {
 using contact::degree;
 using Eigen::Vector3d;
 using multibody::BodyMotion;
+using multibody::HingeKind;
 using multibody::HingeMode;
 using multibody::HingeSample;
-using multibody::JointKind;
 using multibody::MotionSample;
 
 constexpr const char* comes_to_rest = "comes to rest";
@@ -29,9 +29,10 @@ std::vector<std::string> columns_of(const Case& c, bool clearance) {
                        std::initializer_list<const char*> names) {
     for (const char* name : names) columns.push_back(body + '.' + name);
   };
-  for (std::size_t i = 0; i <= c.loads.size(); ++i) {
-    const std::string body = column_name(c.body(static_cast<int>(i)).name);
-    if (i > 0 && c.loads[i - 1].hinge.kind != JointKind::none) {
+  for (std::size_t i = 0; i <= c.bodies.size(); ++i) {
+    const std::string body =
+        column_name(c.rigid_body(static_cast<int>(i)).name);
+    if (i > 0 && c.bodies[i - 1].hinge.kind != HingeKind::none) {
       add(body,
           {"mode", "angle_deg", "rate_deg_per_s", "acceleration_deg_per_s2",
            "reaction_N", "lock_reaction_N", "friction_moment_N_m",
@@ -44,8 +45,8 @@ std::vector<std::string> columns_of(const Case& c, bool clearance) {
   if (clearance) {
     for (const auto& [a, b] : c.clearance) {
       columns.push_back(fmt::format("clearance.{}.{}_m",
-                                    column_name(c.body(a).name),
-                                    column_name(c.body(b).name)));
+                                    column_name(c.rigid_body(a).name),
+                                    column_name(c.rigid_body(b).name)));
     }
   }
   for (const char* name : {"kinetic_J", "gravity_J", "active_work_J",
@@ -58,8 +59,8 @@ std::vector<std::string> columns_of(const Case& c, bool clearance) {
 std::optional<Clearance> make_clearance(const Case& c, bool wanted) {
   if (!wanted || c.clearance.empty()) return {};
   std::vector<std::vector<Shape>> shapes;
-  for (std::size_t i = 0; i <= c.loads.size(); ++i) {
-    shapes.push_back(c.body(static_cast<int>(i)).shapes);
+  for (std::size_t i = 0; i <= c.bodies.size(); ++i) {
+    shapes.push_back(c.rigid_body(static_cast<int>(i)).shapes);
   }
   std::vector<Clearance::Pair> pairs;
   for (const auto& [a, b] : c.clearance) pairs.push_back({a, b});
@@ -68,15 +69,15 @@ std::optional<Clearance> make_clearance(const Case& c, bool wanted) {
 
 // Rate of the angle: on an axis with its sign. After the release that of the
 // bodies' relative angular velocity.
-double rate_of(const Hinge& hinge, const MotionSample& sample, int load) {
-  if (sample.mode(load) != HingeMode::released) {
-    const HingeSample now = sample.hinge(load);
-    return hinge.kind == JointKind::axis ? now.angle_rate
+double rate_of(const Hinge& hinge, const MotionSample& sample, int body) {
+  if (sample.mode(body) != HingeMode::released) {
+    const HingeSample now = sample.hinge(body);
+    return hinge.kind == HingeKind::axis ? now.angle_rate
                                          : now.relative_angular_velocity.norm();
   }
   const Vector3d relative =
-      sample.load(load).angular_velocity - sample.carrier().angular_velocity;
-  return hinge.kind == JointKind::axis
+      sample.body(body).angular_velocity - sample.carrier().angular_velocity;
+  return hinge.kind == HingeKind::axis
              ? (sample.carrier().rotation * hinge.axis).dot(relative)
              : relative.norm();
 }
@@ -85,17 +86,17 @@ bool is_held(HingeMode mode) {
   return mode == HingeMode::locked || mode == HingeMode::resting;
 }
 
-// Its derivative; of a ball joint |d(Dw)/dt| in load axes.
-double acceleration_of(const Simulation& simulation, int load) {
-  const Hinge& hinge = simulation.of().loads[load].hinge;
+// Its derivative; of a ball joint |d(Dw)/dt| in link axes.
+double acceleration_of(const Simulation& simulation, int body) {
+  const Hinge& hinge = simulation.of().bodies[body].hinge;
   const auto& sample = simulation.sample();
-  if (is_held(sample.mode(load))) return 0;  // but for rounding
+  if (is_held(sample.mode(body))) return 0;  // but for rounding
   const BodyMotion& carrier = sample.carrier();
-  const BodyMotion& body = sample.load(load);
+  const BodyMotion& motion = sample.body(body);
   const Vector3d relative =
-      sample.angular_acceleration(1 + load) - sample.angular_acceleration(0) -
-      carrier.angular_velocity.cross(body.angular_velocity);
-  if (hinge.kind != JointKind::axis) return relative.norm();
+      sample.angular_acceleration(1 + body) - sample.angular_acceleration(0) -
+      carrier.angular_velocity.cross(motion.angular_velocity);
+  if (hinge.kind != HingeKind::axis) return relative.norm();
   return (carrier.rotation * hinge.axis).dot(relative);
 }
 
@@ -123,9 +124,9 @@ Recorder::Recorder(const Case& c, bool rows, bool clearance, bool refine)
       refine_(refine),
       clearance_(make_clearance(c, clearance)) {
   memory_.rows.columns = columns_of(c, clearance_.has_value());
-  for (const Load& load : c.loads) {
-    memory_.loads.emplace_back();
-    memory_.loads.back().joints.resize(load.hinge.joints.size());
+  for (const Body& body : c.bodies) {
+    memory_.bodies.emplace_back();
+    memory_.bodies.back().joints.resize(body.hinge.joints.size());
   }
   memory_.pairs.resize(c.clearance.size());
   memory_.forces.resize(c.forces.size());
@@ -136,7 +137,7 @@ void Recorder::go_on_with(const Simulation& simulation) {
   looks_.clear();
 }
 
-void Recorder::add_body(const BodyMotion& body) {
+void Recorder::add_motion(const BodyMotion& body) {
   const Vector3d w = body.rotation.transpose() * body.angular_velocity;
   const Eigen::Quaterniond q(body.rotation);
   for (const double x : body.position) add(x);
@@ -146,12 +147,12 @@ void Recorder::add_body(const BodyMotion& body) {
 }
 
 void Recorder::look_at_peaks(const MotionSample& sample, int i) {
-  const Load& load = case_.loads[i];
-  LoadRecord& record = memory_.loads[i];
+  const Body& body = case_.bodies[i];
+  BodyRecord& record = memory_.bodies[i];
   const double time = sample.time();
-  if (load.hinge.kind == JointKind::none) return;
+  if (body.hinge.kind == HingeKind::none) return;
   const HingeSample hinge = sample.hinge(i);
-  const NodeReactions reactions = node_reactions(load, hinge);
+  const NodeReactions reactions = node_reactions(body, hinge);
   const double force = reactions.hinge.norm();
   const double lock = reactions.lock.norm();
   raise(record.peak_reaction, record.peak_reaction_time, force, time);
@@ -181,9 +182,9 @@ void Recorder::look_at_peaks(const MotionSample& sample, int i) {
 // In the order of seen_.
 std::vector<double> Recorder::known_peaks() const {
   std::vector<double> known;
-  for (std::size_t i = 0; i < case_.loads.size(); ++i) {
-    if (case_.loads[i].hinge.kind == JointKind::none) continue;
-    const LoadRecord& record = memory_.loads[i];
+  for (std::size_t i = 0; i < case_.bodies.size(); ++i) {
+    if (case_.bodies[i].hinge.kind == HingeKind::none) continue;
+    const BodyRecord& record = memory_.bodies[i];
     known.insert(known.end(), {record.peak_reaction, record.peak_lock});
     for (const JointPeaks& peaks : record.joints) {
       known.insert(known.end(), {peaks.reaction, peaks.pressure,
@@ -197,7 +198,7 @@ std::vector<double> Recorder::known_peaks() const {
 Look Recorder::look_back(const Simulation& simulation, double time) {
   seen_.clear();
   simulation.motion().look_back(time, [&](const MotionSample& sample) {
-    for (int i = 0; i < static_cast<int>(case_.loads.size()); ++i) {
+    for (int i = 0; i < static_cast<int>(case_.bodies.size()); ++i) {
       look_at_peaks(sample, i);
     }
   });
@@ -242,12 +243,12 @@ void Recorder::refine_between(const Simulation& simulation, const Look& from,
   }
 }
 
-// Columns of a load's hinge.
-void Recorder::add_load(const Simulation& simulation, int i) {
-  const Load& load = case_.loads[i];
-  if (load.hinge.kind == JointKind::none) return;
+// Columns of a body's hinge.
+void Recorder::add_hinge(const Simulation& simulation, int i) {
+  const Body& body = case_.bodies[i];
+  if (body.hinge.kind == HingeKind::none) return;
   const HingeSample hinge = simulation.sample().hinge(i);
-  const NodeReactions reactions = node_reactions(load, hinge);
+  const NodeReactions reactions = node_reactions(body, hinge);
   double half_angle = NAN;
   double pressure = NAN;
   for (const contact::JointSolution& joint : hinge.joints) {
@@ -256,7 +257,7 @@ void Recorder::add_load(const Simulation& simulation, int i) {
   }
   add(static_cast<double>(hinge.mode));
   add(simulation.angle(i) / degree);
-  add(rate_of(load.hinge, simulation.sample(), i) / degree);
+  add(rate_of(body.hinge, simulation.sample(), i) / degree);
   add(acceleration_of(simulation, i) / degree);
   add(reactions.hinge.norm());
   add(reactions.lock.norm());
@@ -267,20 +268,20 @@ void Recorder::add_load(const Simulation& simulation, int i) {
   add(hinge.dissipated);
 }
 
-// A load that turns back rests for no time at all: that is no news.
+// A body that turns back rests for no time at all: that is no news.
 void Recorder::note_change(const multibody::HingeChange& change) {
-  const std::string& load = case_.loads[change.load].body.name;
+  const std::string& body = case_.bodies[change.body].rigid.name;
   const bool rests = change.to == HingeMode::resting;
   const auto same =
       std::find_if(memory_.notes.rbegin(), memory_.notes.rend(),
-                   [&](const Note& note) { return note.load == load; });
+                   [&](const Note& note) { return note.body == body; });
   if (!rests && same != memory_.notes.rend() && same->time == change.time &&
       same->what == comes_to_rest) {
     memory_.notes.erase(std::next(same).base());
     return;
   }
   memory_.notes.push_back(
-      {change.time, load, rests ? comes_to_rest : "begins to slide"});
+      {change.time, body, rests ? comes_to_rest : "begins to slide"});
 }
 
 // Sticking and sliding, with the time at rest.
@@ -292,30 +293,30 @@ void Recorder::look_at_changes(const Simulation& simulation) {
     memory_.begun = true;
     memory_.last_time = time;
     memory_.modes.clear();
-    for (std::size_t i = 0; i < case_.loads.size(); ++i) {
+    for (std::size_t i = 0; i < case_.bodies.size(); ++i) {
       memory_.modes.push_back(
           static_cast<int>(simulation.sample().mode(static_cast<int>(i))));
     }
     changes_seen_ = changes.size();
     return;
   }
-  std::vector<double> since(case_.loads.size(), memory_.last_time);
+  std::vector<double> since(case_.bodies.size(), memory_.last_time);
   for (; changes_seen_ < changes.size(); ++changes_seen_) {
     const auto& change = changes[changes_seen_];
-    if (memory_.modes[change.load] == resting) {
-      memory_.loads[change.load].rest_time += change.time - since[change.load];
+    if (memory_.modes[change.body] == resting) {
+      memory_.bodies[change.body].rest_time += change.time - since[change.body];
     }
-    since[change.load] = change.time;
-    memory_.modes[change.load] = static_cast<int>(change.to);
+    since[change.body] = change.time;
+    memory_.modes[change.body] = static_cast<int>(change.to);
     // Breaks are noted under the event's name.
     if (change.to == HingeMode::released || change.from == HingeMode::locked) {
       continue;
     }
     note_change(change);
   }
-  for (std::size_t i = 0; i < case_.loads.size(); ++i) {
+  for (std::size_t i = 0; i < case_.bodies.size(); ++i) {
     if (memory_.modes[i] == resting) {
-      memory_.loads[i].rest_time += time - since[i];
+      memory_.bodies[i].rest_time += time - since[i];
     }
   }
   memory_.last_time = time;
@@ -323,7 +324,7 @@ void Recorder::look_at_changes(const Simulation& simulation) {
 
 void Recorder::look_at_distances(const MotionSample& sample, bool keep) {
   if (!clearance_) return;
-  const auto distances = clearance_->distances(sample.bodies());
+  const auto distances = clearance_->distances(sample.motions());
   const double time = sample.time();
   for (std::size_t i = 0; i < distances.size(); ++i) {
     PairRecord& pair = memory_.pairs[i];
@@ -363,13 +364,13 @@ void Recorder::look(const Simulation& simulation) {
   const auto& sample = simulation.sample();
   if (keep_rows_) {
     add(simulation.time());
-    add_body(sample.carrier());
+    add_motion(sample.carrier());
   }
-  for (int i = 0; i < static_cast<int>(case_.loads.size()); ++i) {
+  for (int i = 0; i < static_cast<int>(case_.bodies.size()); ++i) {
     look_at_peaks(sample, i);
     if (!keep_rows_) continue;
-    add_load(simulation, i);
-    add_body(sample.load(i));
+    add_hinge(simulation, i);
+    add_motion(sample.body(i));
   }
   look_at_distances(sample, keep_rows_);
   look_at_forces(simulation, memory_.forces);
@@ -380,7 +381,7 @@ void Recorder::look(const Simulation& simulation) {
 void Recorder::look_between(const Simulation& simulation) {
   const auto& sample = simulation.sample();
   seen_.clear();
-  for (int i = 0; i < static_cast<int>(case_.loads.size()); ++i) {
+  for (int i = 0; i < static_cast<int>(case_.bodies.size()); ++i) {
     look_at_peaks(sample, i);
   }
   look_at_distances(sample, false);
@@ -397,13 +398,13 @@ bool Recorder::breaks(const Simulation& simulation,
   const auto broken = [&](Event::Action action) {
     return std::any_of(happenings.begin(), happenings.begin() + i,
                        [&](const Happening& other) {
-                         return other.load == h.load &&
+                         return other.body == h.body &&
                                 case_.events[other.event].action == action;
                        });
   };
   const Event::Action action = case_.events[h.event].action;
   if (broken(action)) return false;
-  const HingeMode mode = simulation.sample().mode(h.load);
+  const HingeMode mode = simulation.sample().mode(h.body);
   const bool locked = mode == HingeMode::locked;
   if (action == Event::Action::break_lock) return locked;
   return mode != HingeMode::released &&
@@ -418,20 +419,20 @@ void Recorder::before(const Simulation& simulation,
     if (!breaks(simulation, happenings, i)) continue;
     const Happening& h = happenings[i];
     const Event& event = case_.events[h.event];
-    const Load& load = case_.loads[h.load];
+    const Body& body = case_.bodies[h.body];
     const bool hinge = event.action == Event::Action::break_hinge;
     memory_.notes.push_back(
-        {simulation.time(), load.body.name,
+        {simulation.time(), body.rigid.name,
          fmt::format("{}: {} breaks", event.name,
-                     hinge ? load.hinge.name : load.lock->name)});
-    LoadRecord::Release& release = memory_.loads[h.load].release;
+                     hinge ? body.hinge.name : body.lock->name)});
+    BodyRecord::Release& release = memory_.bodies[h.body].release;
     if (!hinge || release.time != History::not_yet) continue;
-    const HingeSample now = sample.hinge(h.load);
-    release = {simulation.time(), simulation.angle(h.load),
-               rate_of(load.hinge, sample, h.load),
+    const HingeSample now = sample.hinge(h.body);
+    release = {simulation.time(), simulation.angle(h.body),
+               rate_of(body.hinge, sample, h.body),
                now.relative_angular_velocity,
                sample.carrier().rotation.transpose() *
-                   (sample.load(h.load).velocity - sample.carrier().velocity)};
+                   (sample.body(h.body).velocity - sample.carrier().velocity)};
   }
 }
 

@@ -34,8 +34,8 @@ struct JointPeaks {
   double moment = 0;         ///< of friction, N m
 };
 
-/// What has come of a load.
-struct LoadRecord {
+/// What has come of a body.
+struct BodyRecord {
   double peak_reaction = 0;  ///< of the hinge, N
   double peak_reaction_time = 0;
   double peak_lock = 0;  ///< of the lock, N
@@ -48,7 +48,7 @@ struct LoadRecord {
     double time = History::not_yet;
     double angle = 0;  ///< rad
     double rate = 0;   ///< of the angle on an axis, else |Dw|
-    /// Dw, load axes, rad/s.
+    /// Dw, link axes, rad/s.
     Eigen::Vector3d rates = Eigen::Vector3d::Zero();
     /// Of the centre of mass against the carrier's, carrier axes, m/s.
     Eigen::Vector3d velocity = Eigen::Vector3d::Zero();
@@ -58,7 +58,7 @@ struct LoadRecord {
 /// Something that happened, in words.
 struct Note {
   double time;
-  std::string load;
+  std::string body;
   std::string what;
 };
 
@@ -89,11 +89,11 @@ class Recorder {
   /// Everything that must survive an interruption.
   struct Memory {
     Rows rows;
-    std::vector<LoadRecord> loads;
+    std::vector<BodyRecord> bodies;
     std::vector<Note> notes;
     std::vector<PairRecord> pairs;
     std::vector<ForceRecord> forces;
-    std::vector<int> modes;  ///< of each load at the last look
+    std::vector<int> modes;  ///< of each body at the last look
     double last_time = 0;
     double first_balance = 0;
     double largest_drift = 0;   ///< of the energy balance, J
@@ -109,20 +109,20 @@ class Recorder {
   void go_on_with(const Simulation& simulation);
 
  private:
-  void look_at_peaks(const multibody::MotionSample& sample, int load);
+  void look_at_peaks(const multibody::MotionSample& sample, int body);
   Look look_back(const Simulation& simulation, double time);
   std::vector<double> known_peaks() const;
   void refine_peaks(const Simulation& simulation);
   void refine_between(const Simulation& simulation, const Look& from,
                       const Look& to);
-  void add_load(const Simulation& simulation, int load);
+  void add_hinge(const Simulation& simulation, int body);
   void look_at_changes(const Simulation& simulation);
   void note_change(const multibody::HingeChange& change);
   void look_at_distances(const multibody::MotionSample& sample, bool keep);
   bool breaks(const Simulation& simulation,
               const std::vector<Happening>& happenings, std::size_t i) const;
   void look_at_energy(const Simulation& simulation, bool first);
-  void add_body(const multibody::BodyMotion& body);
+  void add_motion(const multibody::BodyMotion& body);
   void add(double number) { memory_.rows.numbers.push_back(number); }
 
   const Case& case_;

@@ -181,8 +181,8 @@ Outcome run_case(const Case& c, const RunOptions& options) {
                   run.simulation->time(),    run.recorder.take_memory(),
                   run.all_counts(),          {},
                   run.simulation->history(), no_checkpoint};
-  for (int load = 0; load < static_cast<int>(c.loads.size()); ++load) {
-    outcome.modes.push_back(run.simulation->sample().mode(load));
+  for (int body = 0; body < static_cast<int>(c.bodies.size()); ++body) {
+    outcome.modes.push_back(run.simulation->sample().mode(body));
   }
   return outcome;
 }

@@ -32,7 +32,7 @@ double variable(Variable over, const Instant& at) {
     case Variable::time:
       return at.time - at.begin;
     case Variable::angle:
-      return hinge_angle(at.c.loads[at.body - 1].hinge, at.bodies[0], at.on());
+      return hinge_angle(at.c.bodies[at.body - 1].hinge, at.bodies[0], at.on());
     case Variable::none:
       break;
   }
@@ -55,7 +55,7 @@ void add_what(const AppliedForce& f, const Instant& at) {
 void add_what(const Motor& f, const Instant& at) {
   const Vector3d moment =
       f.moment(variable(f.variable, at)) *
-      (at.bodies[0].rotation * at.c.loads[at.body - 1].hinge.axis);
+      (at.bodies[0].rotation * at.c.bodies[at.body - 1].hinge.axis);
   at.force().moment += moment;
   at.forces[0].moment -= moment;
 }
@@ -70,22 +70,22 @@ void add_what(const Thrust& f, const Instant& at) {
                     body.rotation * (part * f.force));
 }
 
-// Between the load and the carrier, along one line: momentum is kept.
+// Between the body and the carrier, along one line: momentum is kept.
 void add_between(const Instant& at, const Vector3d& point,
-                 const Vector3d& on_load) {
-  at.force().add_at(at.on(), point, on_load);
-  at.forces[0].add_at(at.bodies[0], point, -on_load);
+                 const Vector3d& on_body) {
+  at.force().add_at(at.on(), point, on_body);
+  at.forces[0].add_at(at.bodies[0], point, -on_body);
 }
 
 void add_what(const Spring& f, const Instant& at) {
-  const BodyMotion& load = at.on();
+  const BodyMotion& body = at.on();
   const BodyMotion& carrier = at.bodies[0];
-  const Vector3d end = load.point(f.point);
+  const Vector3d end = body.point(f.point);
   const Vector3d line = end - carrier.point(f.carrier_point);
   const double length = line.norm();
   if (length == 0) return;
   const Vector3d unit = line / length;
-  const double rate = unit.dot(load.point_velocity(f.point) -
+  const double rate = unit.dot(body.point_velocity(f.point) -
                                carrier.point_velocity(f.carrier_point));
   add_between(
       at, end,
@@ -136,10 +136,10 @@ void add_what(const Aerodynamic& f, const Instant& at) {
   const auto c = [&](const std::vector<Table<double>>& tables) {
     return coefficient(f.pressures, tables, pressure, angle);
   };
-  const double load = pressure * f.area;
+  const double force = pressure * f.area;
   at.force().add_at(body, body.point(f.point),
-                    load * (c(f.normal) * normal - c(f.axial) * axis));
-  at.force().moment += load * f.length * c(f.moment) * axis.cross(normal);
+                    force * (c(f.normal) * normal - c(f.axial) * axis));
+  at.force().moment += force * f.length * c(f.moment) * axis.cross(normal);
 }
 
 // Times at which the rows of a table have kinks.
@@ -153,9 +153,9 @@ void add_rows(const std::vector<double>& at, double begin,
 double History::time_of(const Clock& clock, int body, const Case& c) const {
   if (clock.event < 0) return clock.time;
   const auto& times = events[clock.event];
-  const auto& loads = c.events[clock.event].loads;
-  const bool own = body > 0 && std::find(loads.begin(), loads.end(),
-                                         body - 1) != loads.end();
+  const auto& bodies = c.events[clock.event].bodies;
+  const bool own = body > 0 && std::find(bodies.begin(), bodies.end(),
+                                         body - 1) != bodies.end();
   const double event =
       own ? times[body - 1] : *std::min_element(times.begin(), times.end());
   return event + clock.delay;

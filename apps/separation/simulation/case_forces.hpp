@@ -11,14 +11,14 @@ namespace separation {
 /// What has happened so far, as far as forces depend on it.
 struct History {
   static constexpr double not_yet = std::numeric_limits<double>::infinity();
-  /// Time of event e for load i: events[e][i]; not_yet.
+  /// Time of event e for body i: events[e][i]; not_yet.
   std::vector<std::vector<double>> events;
   /// Of each force: a pusher at the end of its stroke pushes no more.
   std::vector<char> spent;
 
   History() = default;
   explicit History(const Case& c)
-      : events(c.events.size(), std::vector<double>(c.loads.size(), not_yet)),
+      : events(c.events.size(), std::vector<double>(c.bodies.size(), not_yet)),
         spent(c.forces.size(), false) {}
 
   /// When a clock strikes for a body: of an event that is not about the body

@@ -15,27 +15,27 @@ using multibody::BodyMotion;
 using multibody::HingeMode;
 
 // Of a pusher that begins. A thousandth of the stroke, and of directions a
-// tenth, are what figures of some digits leave. Where a load on a hinge is
+// tenth, are what figures of some digits leave. Where a body on a hinge is
 // driven its centre of mass does not tell.
 Fault fault_of(const Pusher& pusher, const BodyMotion& carrier,
-               const BodyMotion& load, bool is_free) {
+               const BodyMotion& body, bool is_free) {
   const Vector3d direction = carrier.rotation * pusher.direction;
-  const Vector3d at_load = load.point(pusher.point);
+  const Vector3d at_body = body.point(pusher.point);
   const Vector3d at_carrier = carrier.point(pusher.carrier_point);
-  if ((at_load - at_carrier).dot(direction) < -1e-3 * pusher.stroke) {
+  if ((at_body - at_carrier).dot(direction) < -1e-3 * pusher.stroke) {
     return Fault::behind;
   }
-  const Vector3d to_load = load.position - at_load;
+  const Vector3d to_body = body.position - at_body;
   const Vector3d to_carrier = carrier.position - at_carrier;
   const bool inwards = is_free &&
-                       to_load.dot(direction) < -0.1 * to_load.norm() &&
+                       to_body.dot(direction) < -0.1 * to_body.norm() &&
                        to_carrier.dot(direction) > 0.1 * to_carrier.norm();
   return inwards ? Fault::inwards : Fault::none;
 }
 
 double length_of(const Spring& spring, const BodyMotion& carrier,
-                 const BodyMotion& load) {
-  return (load.point(spring.point) - carrier.point(spring.carrier_point))
+                 const BodyMotion& body) {
+  return (body.point(spring.point) - carrier.point(spring.carrier_point))
       .norm();
 }
 
@@ -43,7 +43,7 @@ Fault find_fault(const Force& force, const Simulation& simulation,
                  bool begins) {
   const auto& sample = simulation.sample();
   const BodyMotion& carrier = sample.carrier();
-  const BodyMotion& body = sample.bodies()[force.body];
+  const BodyMotion& body = sample.motions()[force.body];
   if (const auto* pusher = std::get_if<Pusher>(&force.what)) {
     return begins ? fault_of(*pusher, carrier, body,
                              sample.mode(force.body - 1) == HingeMode::released)
@@ -56,8 +56,8 @@ Fault find_fault(const Force& force, const Simulation& simulation,
   if (begins && length < 1e-12 && spring->free_length > 0) {
     return Fault::no_direction;
   }
-  const Load& load = simulation.of().loads[force.body - 1];
-  const bool has_come_off = load.hinge.kind != multibody::JointKind::none &&
+  const Hinge& hinge = simulation.of().bodies[force.body - 1].hinge;
+  const bool has_come_off = hinge.kind != multibody::HingeKind::none &&
                             sample.mode(force.body - 1) == HingeMode::released;
   // Longer than rounding of lengths and tolerances of steps make it.
   const bool pulls = length > (1 + 1e-6) * spring->free_length;
@@ -104,7 +104,7 @@ void look_at_forces(const Simulation& simulation,
     const bool watched = record.fault == Fault::none &&
                          std::holds_alternative<Spring>(force.what);
     if (record.acted && !watched) continue;
-    const auto now = simulation.force(static_cast<int>(f), sample.bodies());
+    const auto now = simulation.force(static_cast<int>(f), sample.motions());
     if (!now) continue;
     record.acted |= !now->force.isZero(0) || !now->moment.isZero(0);
     const bool begins = !record.on;
@@ -120,9 +120,9 @@ std::vector<std::string> force_faults(const Case& c,
   std::vector<std::string> texts;
   for (std::size_t f = 0; f < records.size(); ++f) {
     if (records[f].fault == Fault::none) continue;
-    texts.push_back(
-        fmt::format("force \"{}\" {}", c.forces[f].name,
-                    fault_text(c.body(c.forces[f].body).name, records[f])));
+    texts.push_back(fmt::format(
+        "force \"{}\" {}", c.forces[f].name,
+        fault_text(c.rigid_body(c.forces[f].body).name, records[f])));
   }
   return texts;
 }
@@ -141,7 +141,7 @@ std::vector<std::string> idle_forces(const Case& c, const History& history,
     const bool began = history.time_of(force.begin, force.body, c) < end_time;
     const bool used_up = history.spent[f] && !records[f].on;
     const std::size_t way = !began ? 0 : used_up ? 2 : 1;
-    idle[{force.name, way}].push_back(c.body(force.body).name);
+    idle[{force.name, way}].push_back(c.rigid_body(force.body).name);
   }
   std::vector<std::string> texts;
   for (const auto& [key, bodies] : idle) {

@@ -14,14 +14,14 @@ struct ForceRecord {
   /// What it does is hardly what was meant.
   enum class Fault {
     none,
-    /// A pusher: its point on the load is behind that on the carrier.
+    /// A pusher: its point on the body is behind that on the carrier.
     behind,
-    /// A pusher of a free load: ahead of it is the carrier's centre of mass,
-    /// and behind it the load's.
+    /// A pusher of a free body: ahead of it is the carrier's centre of mass,
+    /// and behind it the body's.
     inwards,
     /// A spring with a free length: its points are in one place.
     no_direction,
-    /// A spring: longer than its free length when the load has come off.
+    /// A spring: longer than its free length when the body has come off.
     pulls_back
   } fault = Fault::none;
   double fault_time = 0;  ///< s

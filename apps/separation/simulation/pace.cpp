@@ -17,10 +17,10 @@ using multibody::HingeMode;
 
 // Mean inertia of a body about its hinge, or about its centre of mass.
 double inertia_of(const Case& c, int body) {
-  double inertia = c.body(body).inertia.trace() / 3;
+  double inertia = c.rigid_body(body).inertia.trace() / 3;
   if (body > 0) {
-    const Hinge& hinge = c.loads[body - 1].hinge;
-    inertia += c.body(body).mass * hinge.load_point.squaredNorm();
+    const Hinge& hinge = c.bodies[body - 1].hinge;
+    inertia += c.rigid_body(body).mass * hinge.body_point.squaredNorm();
   }
   return inertia;
 }
@@ -29,12 +29,12 @@ double inertia_of(const Case& c, int body) {
 // of one number at a time: of place and rotation, 1e-6 m and rad, above the
 // rounding of places; of velocities, in which forces have no kinks, 1e-3.
 double rate_of(const Simulation& simulation, int force) {
-  const auto sample = simulation.sample().bodies();
+  const auto sample = simulation.sample().motions();
   const auto now = simulation.force(force, sample);
   if (!now) return 0;
   const Case& c = simulation.of();
   const int body = c.forces[force].body;
-  const double mass = c.body(body).mass;
+  const double mass = c.rigid_body(body).mass;
   const double inertia = inertia_of(c, body);
   constexpr double place = 1e-6;
   constexpr double speed = 1e-3;
@@ -71,11 +71,11 @@ std::string holder_text(const Simulation& simulation) {
   if (body < 0) return {};
   const auto& sample = simulation.sample();
   const bool hinged = body > 0 && sample.mode(body - 1) != HingeMode::released;
-  Vector3d rate = sample.bodies()[body].angular_velocity;
+  Vector3d rate = sample.motions()[body].angular_velocity;
   if (hinged) rate -= sample.carrier().angular_velocity;
   return fmt::format(
       "; held by {}\"{}\" ({:.2g} deg/s)", hinged ? "the hinge of " : "",
-      simulation.of().body(body).name, rate.norm() / contact::degree);
+      simulation.of().rigid_body(body).name, rate.norm() / contact::degree);
 }
 
 std::string force_text(const Simulation& simulation) {
@@ -91,7 +91,8 @@ std::string force_text(const Simulation& simulation) {
   if (fastest < 0) return {};
   return fmt::format("; the fastest force is \"{}\" on \"{}\" ({:.1g} s)",
                      forces[fastest].name,
-                     simulation.of().body(forces[fastest].body).name, 1 / rate);
+                     simulation.of().rigid_body(forces[fastest].body).name,
+                     1 / rate);
 }
 
 }  // namespace

@@ -14,33 +14,33 @@ namespace separation {
 namespace {
 
 using Eigen::Vector3d;
+using multibody::HingeKind;
 using multibody::HingeMode;
-using multibody::JointKind;
 using multibody::MotionSample;
 
 multibody::MotionStart start_of(const Case& c) {
   multibody::MotionStart start;
   start.carrier = c.carrier_start;
-  for (const Load& load : c.loads) start.loads.push_back(load.start);
+  for (const Body& body : c.bodies) start.bodies.push_back(body.start);
   return start;
 }
 
 std::vector<multibody::HingeFriction> friction_of(const Case& c,
                                                   FrictionChoice choice) {
   std::vector<multibody::HingeFriction> friction;
-  for (const Load& load : c.loads) {
-    friction.push_back(make_friction(load.hinge, choice));
+  for (const Body& body : c.bodies) {
+    friction.push_back(make_friction(body.hinge, choice));
   }
   return friction;
 }
 
 }  // namespace
 
-NodeReactions node_reactions(const Load& load,
+NodeReactions node_reactions(const Body& body,
                              const multibody::HingeSample& hinge) {
   NodeReactions result{hinge.reaction_force, Vector3d::Zero()};
-  if (hinge.mode != HingeMode::locked || !load.lock) return result;
-  const Vector3d d = load.lock->load_point - load.hinge.load_point;
+  if (hinge.mode != HingeMode::locked || !body.lock) return result;
+  const Vector3d d = body.lock->body_point - body.hinge.body_point;
   result.lock = hinge.reaction_moment.cross(d) / d.squaredNorm();
   result.hinge -= result.lock;
   return result;
@@ -58,34 +58,34 @@ Simulation::Simulation(const Case& c, FrictionChoice friction)
 
 Simulation::~Simulation() = default;
 
-double Simulation::angle(int load) const { return angle(sample(), load); }
+double Simulation::angle(int body) const { return angle(sample(), body); }
 
-double Simulation::angle(const MotionSample& sample, int load) const {
-  const Hinge& hinge = case_.loads[load].hinge;
-  if (hinge.kind == JointKind::none) return NAN;
-  if (hinge.kind == JointKind::axis &&
-      sample.mode(load) != HingeMode::released) {
-    return sample.angle(load);
+double Simulation::angle(const MotionSample& sample, int body) const {
+  const Hinge& hinge = case_.bodies[body].hinge;
+  if (hinge.kind == HingeKind::none) return NAN;
+  if (hinge.kind == HingeKind::axis &&
+      sample.mode(body) != HingeMode::released) {
+    return sample.angle(body);
   }
-  return hinge_angle(hinge, sample.carrier(), sample.load(load));
+  return hinge_angle(hinge, sample.carrier(), sample.body(body));
 }
 
-// Every event of every load becomes a function of the motion, every pusher
+// Every event of every body becomes a function of the motion, every pusher
 // one that ends its push. A pusher's stroke at its beginning is
 // end_pushes()'s business; the end of its time belongs to it, as steps end
 // there and its stroke may be used up in the last one.
 void Simulation::add_events() {
   for (int e = 0; e < static_cast<int>(case_.events.size()); ++e) {
     const Event& event = case_.events[e];
-    sense_.emplace_back(case_.loads.size(), 1.0);
+    sense_.emplace_back(case_.bodies.size(), 1.0);
     if (event.trigger == Event::Trigger::time ||
         event.trigger == Event::Trigger::after) {
       continue;
     }
-    for (const int load : event.loads) {
-      const Happening h{e, load};
-      if (event.trigger == Event::Trigger::angle && event.value < angle(load)) {
-        sense_[e][load] = -1;
+    for (const int body : event.bodies) {
+      const Happening h{e, body};
+      if (event.trigger == Event::Trigger::angle && event.value < angle(body)) {
+        sense_[e][body] = -1;
       }
       motion_.add_event({[this, h](const MotionSample& sample) {
                            return has_happened(h) || !is_armed(h)
@@ -109,7 +109,7 @@ void Simulation::add_events() {
                time > history_.time_of(force.end, body, case_)) {
              return -1.0;
            }
-           return stroke_used(*pusher, body, sample.bodies()) - pusher->stroke;
+           return stroke_used(*pusher, body, sample.motions()) - pusher->stroke;
          },
          multibody::MotionEvent::Crossing::rising});
     meanings_.push_back({{-1, -1}, f});
@@ -117,14 +117,14 @@ void Simulation::add_events() {
 }
 
 bool Simulation::has_happened(const Happening& h) const {
-  return history_.events[h.event][h.load] != History::not_yet;
+  return history_.events[h.event][h.body] != History::not_yet;
 }
 
 bool Simulation::is_armed(const Happening& h) const {
   const int after = case_.events[h.event].after;
   if (after < 0) return true;
   const Clock clock{0, after, 0};
-  return history_.time_of(clock, h.load + 1, case_) != History::not_yet;
+  return history_.time_of(clock, h.body + 1, case_) != History::not_yet;
 }
 
 // Of an event that does not depend on the motion.
@@ -132,7 +132,7 @@ double Simulation::due_time(const Happening& h) const {
   const Event& event = case_.events[h.event];
   if (event.trigger == Event::Trigger::time) return event.value;
   if (event.trigger != Event::Trigger::after) return History::not_yet;
-  return history_.time_of({0, event.after, event.value}, h.load + 1, case_);
+  return history_.time_of({0, event.after, event.value}, h.body + 1, case_);
 }
 
 // Crosses 0 upwards when the event comes.
@@ -140,11 +140,11 @@ double Simulation::condition(const MotionSample& sample,
                              const Happening& h) const {
   const Event& event = case_.events[h.event];
   if (event.trigger == Event::Trigger::angle) {
-    return sense_[h.event][h.load] * (angle(sample, h.load) - event.value);
+    return sense_[h.event][h.body] * (angle(sample, h.body) - event.value);
   }
-  if (sample.mode(h.load) == HingeMode::released) return -1;
+  if (sample.mode(h.body) == HingeMode::released) return -1;
   const NodeReactions reactions =
-      node_reactions(case_.loads[h.load], sample.hinge(h.load));
+      node_reactions(case_.bodies[h.body], sample.hinge(h.body));
   const Vector3d& force =
       event.node == Event::Node::lock ? reactions.lock : reactions.hinge;
   return force.norm() / event.value - 1;
@@ -158,8 +158,8 @@ void Simulation::find_due() {
   const bool changed = std::exchange(changed_, false);
   for (int e = 0; e < static_cast<int>(case_.events.size()); ++e) {
     const Event& event = case_.events[e];
-    for (const int load : event.loads) {
-      const Happening h{e, load};
+    for (const int body : event.bodies) {
+      const Happening h{e, body};
       if (has_happened(h) || !is_armed(h)) continue;
       const bool timed = event.trigger == Event::Trigger::time ||
                          event.trigger == Event::Trigger::after;
@@ -174,8 +174,8 @@ void Simulation::find_due() {
 double Simulation::next_time() const {
   double next = History::not_yet;
   for (int e = 0; e < static_cast<int>(case_.events.size()); ++e) {
-    for (const int load : case_.events[e].loads) {
-      const Happening h{e, load};
+    for (const int body : case_.events[e].bodies) {
+      const Happening h{e, body};
       if (!has_happened(h)) next = std::min(next, due_time(h));
     }
   }
@@ -195,7 +195,7 @@ bool Simulation::end_pushes() {
     const auto* pusher = std::get_if<Pusher>(&force.what);
     if (pusher == nullptr || history_.spent[f] ||
         history_.time_of(force.begin, force.body, case_) != time() ||
-        stroke_used(*pusher, force.body, sample().bodies()) < pusher->stroke) {
+        stroke_used(*pusher, force.body, sample().motions()) < pusher->stroke) {
       continue;
     }
     history_.spent[f] = true;
@@ -209,15 +209,15 @@ void Simulation::renew_forces() {
   motion_.set_forces(forces_);
 }
 
-// Why the motion failed, and where by the names of load and joint.
+// Why the motion failed, and where by the names of body and joint.
 std::string Simulation::failure_text() const {
   const multibody::MotionFailure& failure = *motion_.failure();
-  if (failure.load < 0) return failure.reason;
-  const Load& load = case_.loads[failure.load];
-  std::string place = fmt::format("\"{}\"", load.body.name);
+  if (failure.body < 0) return failure.reason;
+  const Body& body = case_.bodies[failure.body];
+  std::string place = fmt::format("\"{}\"", body.rigid.name);
   if (failure.joint >= 0) {
     place += fmt::format(", joint \"{}\"",
-                         load.hinge.joints[failure.joint].joint.name);
+                         body.hinge.joints[failure.joint].joint.name);
   }
   return fmt::format("{} ({})", failure.reason, place);
 }
@@ -253,18 +253,18 @@ Simulation::Stop Simulation::advance_to(double end) {
     }
   }
   if (due_.empty()) return Stop::time;
-  // Together: all loads of an event when it comes for one.
+  // Together: all bodies of an event when it comes for one.
   const auto own = due_;
   for (const Happening& h : own) {
     const Event& event = case_.events[h.event];
     if (!event.together) continue;
-    for (const int load : event.loads) {
+    for (const int body : event.bodies) {
       const auto same = [&](const Happening& other) {
-        return other.event == h.event && other.load == load;
+        return other.event == h.event && other.body == body;
       };
-      if (!has_happened({h.event, load}) &&
+      if (!has_happened({h.event, body}) &&
           std::none_of(due_.begin(), due_.end(), same)) {
-        due_.push_back({h.event, load});
+        due_.push_back({h.event, body});
       }
     }
   }
@@ -277,20 +277,20 @@ Simulation::Stop Simulation::advance_to(double end) {
 
 bool Simulation::perform(const Happening& h) {
   const Event& event = case_.events[h.event];
-  history_.events[h.event][h.load] = time();
-  const HingeMode mode = sample().mode(h.load);
+  history_.events[h.event][h.body] = time();
+  const HingeMode mode = sample().mode(h.body);
   if (event.action == Event::Action::break_lock) {
-    if (mode == HingeMode::locked) motion_.unlock(h.load);
+    if (mode == HingeMode::locked) motion_.unlock(h.body);
     return true;
   }
   if (mode == HingeMode::locked) {
     message_ = fmt::format(
         "t = {:.6g} s: event \"{}\": the hinge of \"{}\" breaks while its lock "
         "still holds: break the lock first",
-        time(), event.name, case_.loads[h.load].body.name);
+        time(), event.name, case_.bodies[h.body].rigid.name);
     return false;
   }
-  if (mode != HingeMode::released) motion_.release(h.load);
+  if (mode != HingeMode::released) motion_.release(h.body);
   return true;
 }
 

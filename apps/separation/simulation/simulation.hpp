@@ -14,23 +14,23 @@
 
 namespace separation {
 
-/// Forces that the nodes of a load put on it, given load axes, N.
+/// Forces that the nodes of a body put on it, body axes, N.
 struct NodeReactions {
   Eigen::Vector3d hinge;  ///< the upper node (the only one after the lock)
   Eigen::Vector3d lock;   ///< the lower node, normal to the line between both
 };
 
-/// How hinge and lock share what holds a locked load: R and M about the hinge
+/// How hinge and lock share what holds a locked body: R and M about the hinge
 /// are known; with d from hinge to lock, the lock takes M x d/|d|^2 and the
 /// hinge the rest of the force. What turns about d itself no force normal to d
 /// can hold: it is left to the nodes' fittings.
-NodeReactions node_reactions(const Load& load,
+NodeReactions node_reactions(const Body& body,
                              const multibody::HingeSample& hinge);
 
-/// An event that has come for a load.
+/// An event that has come for a body.
 struct Happening {
   int event;
-  int load;
+  int body;
 };
 
 /// All that is needed to go on later.
@@ -83,10 +83,10 @@ class Simulation {
   bool apply();
   const std::string& message() const { return message_; }
 
-  /// Angle of a load's hinge, also after its release: hinge_angle(). NaN
+  /// Angle of a body's hinge, also after its release: hinge_angle(). NaN
   /// without a hinge.
-  double angle(int load) const;
-  double angle(const multibody::MotionSample& sample, int load) const;
+  double angle(int body) const;
+  double angle(const multibody::MotionSample& sample, int body) const;
 
   SimulationState save() const { return {motion_.save(), history_}; }
   void restore(const SimulationState& state);
@@ -110,7 +110,7 @@ class Simulation {
   History history_;
   std::shared_ptr<const CaseForces> forces_;
   multibody::Motion motion_;
-  /// +1: an angle event of a load waits for larger angles; [event][load].
+  /// +1: an angle event of a body waits for larger angles; [event][body].
   std::vector<std::vector<double>> sense_;
   /// Of each motion event: the happening or the force (pusher).
   struct Meaning {

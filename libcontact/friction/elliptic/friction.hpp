@@ -4,7 +4,7 @@
 
 namespace contact {
 
-/// Friction integrals and coefficients of a spherical joint with the cosine
+/// Friction integrals and coefficients of a ball joint with the cosine
 /// pressure (3.3), by the exact elliptic form: complete elliptic integrals
 /// K, E, Pi of the modulus min(z, 1/z), z = sin theta0/cos a, and the slip
 /// speed integral (docs/elliptic_form.md).

@@ -9,9 +9,9 @@ int main() {
       60 * contact::degree, contact::SlipAxis::from_degrees(30));
   const contact::ElasticPair steel({2e11, 0.3}, {2e11, 0.3});
   std::printf("chi = %.15f, E = %.6e Pa\n", friction.coefficient.force,
-              steel.reduced_modulus());
+              steel.effective_modulus());
   return std::abs(friction.coefficient.force - 1.0434762830369307) < 1e-14 &&
-                 std::abs(steel.reduced_modulus() * 0.91 / 2e11 - 1) < 1e-14
+                 std::abs(steel.effective_modulus() * 0.91 / 2e11 - 1) < 1e-14
              ? 0
              : 1;
 }

@@ -7,9 +7,9 @@
 using Eigen::Vector3d;
 
 int main() {
-  const auto ball = contact::JointKind::spherical;
+  const auto ball = contact::JointKind::ball;
   const contact::ElasticPair steel({2e11, 0.3}, {2e11, 0.3});  // Pa, 1
-  const contact::SphericalJoint joint(
+  const contact::BallJoint joint(
       contact::JointGeometry::ball(0.02, 20e-6), steel,  // radius, clearance
       contact::FrictionLaw(0.15, 2e4),                   // f0, adhesion
       contact::make_half_angle_law("tanh", ball, steel),

@@ -4,8 +4,8 @@
 
 #include "libcontact/base/instruction_set.hpp"
 #include "multibody/dynamics/carrier_equations.hpp"
+#include "multibody/system/active_forces.hpp"
 #include "multibody/system/constants.hpp"
-#include "multibody/system/loading.hpp"
 #include "multibody/system/state_layout.hpp"
 
 namespace multibody::detail {
@@ -14,20 +14,20 @@ namespace multibody::detail {
 class DynamicsKernel {
  public:
   virtual ~DynamicsKernel() = default;
-  virtual void set_mode(int load, JointMode mode) = 0;
+  virtual void set_mode(int body, JointMode mode) = 0;
   virtual void evaluate(const double* state,
-                        const CarrierLoading<double>& carrier,
-                        const LoadForces<double>* loads) = 0;
+                        const CarrierActiveForces<double>& carrier,
+                        const LinkForces<double>* bodies) = 0;
   virtual void evaluate_prescribed(
-      const double* state, const LoadForces<double>* loads,
+      const double* state, const LinkForces<double>* bodies,
       const CarrierAcceleration<double>& carrier) = 0;
   virtual void add_friction(const Vec3<double>* change) = 0;
   virtual void add_friction(const VectorRows& change) = 0;
   virtual const CarrierAcceleration<double>& carrier() const = 0;
-  virtual Vec3<double> relative_acceleration(int load) const = 0;
+  virtual Vec3<double> relative_acceleration(int body) const = 0;
   virtual void relative_accelerations(Vec3<double>* to) const = 0;
-  virtual Vec3<double> angular_acceleration(int load) const = 0;
-  virtual Mat3<double> axes(int load) const = 0;
+  virtual Vec3<double> angular_acceleration(int body) const = 0;
+  virtual Mat3<double> axes(int body) const = 0;
   virtual void rates(const double* state, const Vec3<double>& gravity,
                      double* to) const = 0;
   virtual void reactions(Reaction<double>* to) const = 0;

@@ -13,17 +13,17 @@ class DynamicsKernelOf final : public DynamicsKernel {
  public:
   explicit DynamicsKernelOf(const SystemConstants& constants)
       : two_step_(constants) {}
-  void set_mode(int load, JointMode mode) override {
-    two_step_.set_mode(load, mode);
+  void set_mode(int body, JointMode mode) override {
+    two_step_.set_mode(body, mode);
   }
-  void evaluate(const double* state, const CarrierLoading<double>& carrier,
-                const LoadForces<double>* loads) override {
-    two_step_.evaluate(state, carrier, numbers(loads));
+  void evaluate(const double* state, const CarrierActiveForces<double>& carrier,
+                const LinkForces<double>* bodies) override {
+    two_step_.evaluate(state, carrier, numbers(bodies));
   }
   void evaluate_prescribed(
-      const double* state, const LoadForces<double>* loads,
+      const double* state, const LinkForces<double>* bodies,
       const CarrierAcceleration<double>& carrier) override {
-    two_step_.evaluate_prescribed(state, numbers(loads), carrier);
+    two_step_.evaluate_prescribed(state, numbers(bodies), carrier);
   }
   void add_friction(const Vec3<double>* change) override {
     two_step_.add_friction(&change->x);
@@ -34,17 +34,17 @@ class DynamicsKernelOf final : public DynamicsKernel {
   const CarrierAcceleration<double>& carrier() const override {
     return two_step_.carrier();
   }
-  Vec3<double> relative_acceleration(int load) const override {
-    return two_step_.relative_acceleration(load);
+  Vec3<double> relative_acceleration(int body) const override {
+    return two_step_.relative_acceleration(body);
   }
   void relative_accelerations(Vec3<double>* to) const override {
     two_step_.relative_accelerations(
-        [to](int load, const Vec3<double>& a) { to[load] = a; });
+        [to](int body, const Vec3<double>& a) { to[body] = a; });
   }
-  Vec3<double> angular_acceleration(int load) const override {
-    return two_step_.angular_acceleration(load);
+  Vec3<double> angular_acceleration(int body) const override {
+    return two_step_.angular_acceleration(body);
   }
-  Mat3<double> axes(int load) const override { return two_step_.axes(load); }
+  Mat3<double> axes(int body) const override { return two_step_.axes(body); }
   void rates(const double* state, const Vec3<double>& gravity,
              double* to) const override {
     two_step_.rates(state, gravity, to);
@@ -55,9 +55,9 @@ class DynamicsKernelOf final : public DynamicsKernel {
   void forces(const VectorRows& to) const override { two_step_.forces(to); }
 
  private:
-  static const double* numbers(const LoadForces<double>* loads) {
-    static_assert(sizeof(LoadForces<double>) == 9 * sizeof(double));
-    return reinterpret_cast<const double*>(loads);
+  static const double* numbers(const LinkForces<double>* bodies) {
+    static_assert(sizeof(LinkForces<double>) == 9 * sizeof(double));
+    return reinterpret_cast<const double*>(bodies);
   }
 
   TwoStep<double, S> two_step_;

@@ -3,20 +3,20 @@
 #include <cmath>
 
 #include "multibody/dynamics/carrier_equations.hpp"
+#include "multibody/system/active_forces.hpp"
 #include "multibody/system/constants.hpp"
-#include "multibody/system/loading.hpp"
 #include "multibody/system/state_layout.hpp"
 
 namespace multibody {
 
-/// One load that does not turn in its joint: the formulas of the axis with
-/// D = E, in which the load counts as one piece with the carrier and its
+/// One body that does not turn in its joint: the formulas of the axis with
+/// D = E, in which the body counts as one piece with the carrier and its
 /// moment M is what has to be held. A friction moment has no place here.
 template <class T, class P>
-class HeldLoad {
+class HeldLink {
  public:
-  static double constant(const SystemConstants& s, int load, std::size_t i) {
-    return number_of(s.held(load), i);
+  static double constant(const SystemConstants& s, int body, std::size_t i) {
+    return number_of(s.held(body), i);
   }
   template <class F>
   void set_constants(F number) {
@@ -24,7 +24,7 @@ class HeldLoad {
   }
 
   CarrierMatrix<P> fixed_part() const {
-    return {};  // everything depends on where the load was stopped
+    return {};  // everything depends on where the body was stopped
   }
 
   void add_to(CarrierForces<T>& forces) const {
@@ -65,13 +65,13 @@ class HeldLoad {
     m.y -= k_.pole_offset * r.x;
     return {r, m};
   }
-  /// Load axes to carrier axes.
+  /// Link axes to carrier axes.
   const Mat3<T>& axes() const { return c_; }
 
  protected:
   [[gnu::always_inline]] void set_motion(const Mat3<T>& axes,
                                          const CarrierMotion<T>& carrier,
-                                         const LoadForces<T>& forces) {
+                                         const LinkForces<T>& forces) {
     c_ = axes;
     const Vec3<T> w = transposed_times(c_, carrier.w);
     const Vec3<T> a = transposed_times(c_, carrier.squared * k_.hinge) -
@@ -88,20 +88,20 @@ class HeldLoad {
   Vec3<T> moment_;  ///< M_com - w x I w
 };
 
-/// Held in a spherical joint.
+/// Held in a ball joint.
 template <class T, class P>
-class HeldSpherical : public HeldLoad<T, P> {
+class HeldBall : public HeldLink<T, P> {
  public:
   static constexpr int state_begin = 0;
   static constexpr int state_size = 4;
-  static constexpr bool serves(JointKind kind, JointMode mode) {
-    return kind == JointKind::spherical && mode == JointMode::held;
+  static constexpr bool serves(HingeKind kind, JointMode mode) {
+    return kind == HingeKind::ball && mode == JointMode::held;
   }
   /// @param state  quaternion of C_i
   [[gnu::always_inline]] void set_motion(const T* state,
                                          const CarrierMotion<T>& carrier,
-                                         const LoadForces<T>& forces) {
-    HeldLoad<T, P>::set_motion(
+                                         const LinkForces<T>& forces) {
+    HeldLink<T, P>::set_motion(
         rotation(Quaternion<T>{state[0], state[1], state[2], state[3]}),
         carrier, forces);
   }
@@ -109,20 +109,20 @@ class HeldSpherical : public HeldLoad<T, P> {
 
 /// Held on an axis.
 template <class T, class P>
-class HeldAxis : public HeldLoad<T, P> {
+class HeldAxis : public HeldLink<T, P> {
  public:
   static constexpr int state_begin = 0;
   static constexpr int state_size = 1;
-  static constexpr bool serves(JointKind kind, JointMode mode) {
-    return kind == JointKind::axis && mode == JointMode::held;
+  static constexpr bool serves(HingeKind kind, JointMode mode) {
+    return kind == HingeKind::axis && mode == JointMode::held;
   }
   /// @param state  angle
   [[gnu::always_inline]] void set_motion(const T* state,
                                          const CarrierMotion<T>& carrier,
-                                         const LoadForces<T>& forces) {
+                                         const LinkForces<T>& forces) {
     using std::cos;
     using std::sin;
-    HeldLoad<T, P>::set_motion(
+    HeldLink<T, P>::set_motion(
         turned_about_z(this->k_.zero, cos(state[0]), sin(state[0])), carrier,
         forces);
   }

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "multibody/dynamics/carrier_equations.hpp"
+#include "multibody/system/active_forces.hpp"
 #include "multibody/system/constants.hpp"
-#include "multibody/system/loading.hpp"
 #include "multibody/system/state_layout.hpp"
 
 namespace multibody {
@@ -21,12 +21,12 @@ constexpr int lane_count() {
   }
 }
 
-/// Scalars of one resolution: T of the state, S of the loads (T, or lanes over
-/// loads if T is double). Loads are taken in packets of `width`.
+/// Scalars of one resolution: T of the state, S of the bodies (T, or lanes over
+/// bodies if T is double). Bodies are taken in packets of `width`.
 template <class T, class S>
 struct Lanes {
   static constexpr int width = lane_count<S>();
-  /// Of a load's parameters.
+  /// Of a body's parameters.
   using Parameter = std::conditional_t<(width > 1), S, double>;
 
   static T at(const S& s, int lane) {
@@ -39,21 +39,21 @@ struct Lanes {
   static Vec3<T> at(const Vec3<S>& v, int lane) {
     return {at(v.x, lane), at(v.y, lane), at(v.z, lane)};
   }
-  /// Vectors of a packet's loads; of empty lanes what is beyond the last load,
+  /// Vectors of a packet's bodies; of empty lanes what is beyond the last body,
   /// or 0.
   template <class Packet>
   [[gnu::always_inline]] static Vec3<S> read(const Packet& packet,
                                              const VectorRows& rows) {
     const auto row = [&](int k) {
       if constexpr (width == 1) {
-        return rows.at(packet.load[0])[k * VectorRows::lanes];
+        return rows.at(packet.body[0])[k * VectorRows::lanes];
       } else if (packet.in_order) {
-        return S(rows.at(packet.load[0]) + k * VectorRows::lanes,
+        return S(rows.at(packet.body[0]) + k * VectorRows::lanes,
                  std::experimental::element_aligned);
       } else {
         return S([&](auto lane) {
-          const int load = packet.load[lane];
-          return load < 0 ? 0.0 : rows.at(load)[k * VectorRows::lanes];
+          const int body = packet.body[lane];
+          return body < 0 ? 0.0 : rows.at(body)[k * VectorRows::lanes];
         });
       }
     };
@@ -65,14 +65,14 @@ struct Lanes {
                                            const VectorRows& rows) {
     const auto row = [&](const S& x, int k) {
       if constexpr (width == 1) {
-        rows.at(packet.load[0])[k * VectorRows::lanes] = x;
+        rows.at(packet.body[0])[k * VectorRows::lanes] = x;
       } else if (packet.in_order) {
-        x.copy_to(rows.at(packet.load[0]) + k * VectorRows::lanes,
+        x.copy_to(rows.at(packet.body[0]) + k * VectorRows::lanes,
                   std::experimental::element_aligned);
       } else {
         for (int lane = 0; lane < width; ++lane) {
-          const int load = packet.load[lane];
-          if (load >= 0) rows.at(load)[k * VectorRows::lanes] = x[lane];
+          const int body = packet.body[lane];
+          if (body >= 0) rows.at(body)[k * VectorRows::lanes] = x[lane];
         }
       }
     };
@@ -84,10 +84,10 @@ struct Lanes {
   static CarrierAcceleration<S> spread(const CarrierAcceleration<T>& c) {
     return {spread(c.linear), spread(c.angular)};
   }
-  /// Numbers base[index * stride ...] of every lane; `empty` where the load is
+  /// Numbers base[index * stride ...] of every lane; `empty` where the body is
   /// negative.
   template <int n>
-  [[gnu::always_inline]] static void read(const int (&load)[width],
+  [[gnu::always_inline]] static void read(const int (&body)[width],
                                           const int (&index)[width],
                                           const T* base, int stride,
                                           const double* empty, S (&to)[n]) {
@@ -96,7 +96,7 @@ struct Lanes {
     } else {
       const T* from[width];
       for (int lane = 0; lane < width; ++lane) {
-        from[lane] = load[lane] < 0 ? empty : base + index[lane] * stride;
+        from[lane] = body[lane] < 0 ? empty : base + index[lane] * stride;
       }
       for (int k = 0; k < n; ++k) {
         to[k] = S([&](auto lane) { return from[lane][k]; });
@@ -104,7 +104,7 @@ struct Lanes {
     }
   }
 
-  /// Over the loads of a packet.
+  /// Over the bodies of a packet.
   template <class X>
   static auto sum(const X& s) {
     if constexpr (width == 1) {
@@ -149,10 +149,10 @@ struct Lanes {
   }
 };
 
-/// The loads of one kind in packets. Kernel is one of SphericalLoad, AxisLoad,
-/// HeldSpherical, HeldAxis, FreeLoad.
+/// The bodies of one kind in packets. Kernel is one of BallLink, AxisLink,
+/// HeldBall, HeldAxis, FreeLink.
 template <class T, class S, template <class, class> class KernelTemplate>
-class LoadGroup {
+class LinkGroup {
  public:
   using L = Lanes<T, S>;
   using Kernel = KernelTemplate<S, typename L::Parameter>;
@@ -160,29 +160,29 @@ class LoadGroup {
 
   struct Packet {
     Kernel kernel;
-    int load[width];    ///< -1: empty lane, whose constants are all 0
+    int body[width];    ///< -1: empty lane, whose constants are all 0
     int offset[width];  ///< where its state begins
-    bool in_order;      ///< loads that follow on each other, as in VectorRows
+    bool in_order;      ///< bodies that follow on each other, as in VectorRows
   };
 
-  void reserve(int loads) { packets_.reserve((loads + width - 1) / width); }
+  void reserve(int bodies) { packets_.reserve((bodies + width - 1) / width); }
   void clear() {
     packets_.clear();
     lanes_used_ = width;
   }
-  static constexpr bool serves(JointKind kind, JointMode mode) {
+  static constexpr bool serves(HingeKind kind, JointMode mode) {
     return Kernel::serves(kind, mode);
   }
-  /// Appends a load and says where it went; finish() makes the kernels.
-  void add(int load, int offset, int& packet_index, int& lane) {
+  /// Appends a body and says where it went; finish() makes the kernels.
+  void add(int body, int offset, int& packet_index, int& lane) {
     if (lanes_used_ == width) {
       Packet& packet = packets_.emplace_back();
-      for (int& empty : packet.load) empty = -1;
+      for (int& empty : packet.body) empty = -1;
       lanes_used_ = 0;
     }
     packet_index = static_cast<int>(packets_.size()) - 1;
     lane = lanes_used_++;
-    packets_.back().load[lane] = load;
+    packets_.back().body[lane] = body;
     packets_.back().offset[lane] = offset + Kernel::state_begin;
   }
   void finish(const SystemConstants& system) {
@@ -197,11 +197,11 @@ class LoadGroup {
   const std::vector<Packet>& packets() const { return packets_; }
 
  private:
-  static bool is_in_order(const Packet& packet, int loads) {
-    const int first = packet.load[0];
+  static bool is_in_order(const Packet& packet, int bodies) {
+    const int first = packet.body[0];
     for (int lane = 1; lane < width; ++lane) {
       const int next = first + lane;
-      if (packet.load[lane] != (next < loads ? next : -1)) return false;
+      if (packet.body[lane] != (next < bodies ? next : -1)) return false;
     }
     return first % width == 0;
   }
@@ -211,8 +211,8 @@ class LoadGroup {
                                          const SystemConstants& system,
                                          std::size_t i) {
     const auto number = [&](auto lane) {
-      const int load = packet.load[lane];
-      return load < 0 ? 0.0 : Kernel::constant(system, load, i);
+      const int body = packet.body[lane];
+      return body < 0 ? 0.0 : Kernel::constant(system, body, i);
     };
     if constexpr (width > 1) {
       return typename L::Parameter(number);

@@ -3,14 +3,14 @@
 #include <cmath>
 
 #include "multibody/dynamics/carrier_equations.hpp"
+#include "multibody/system/active_forces.hpp"
 #include "multibody/system/constants.hpp"
-#include "multibody/system/loading.hpp"
 #include "multibody/system/state_layout.hpp"
 
 namespace multibody {
 
-/// One load on an axis, (1.6)-(1.8), eliminating the turn about the axis
-/// only: the load counts as one piece with the carrier, less p p^T/J_zz for
+/// One body on an axis, (1.6)-(1.8), eliminating the turn about the axis
+/// only: the body counts as one piece with the carrier, less p p^T/J_zz for
 /// the turn it is free to make. J_i is never inverted, so its inertia may
 /// vanish. With w the angular velocity and t' the rate of the angle,
 ///   G = F - m a,           a: acceleration of the centre of mass,
@@ -18,15 +18,15 @@ namespace multibody {
 ///   tau = M_t,z + K_z - arm G_y   (both for V' = w' = t'' = 0),
 ///   J_zz t'' = tau - p_linear . V' - p . w'.
 template <class T, class P>
-class AxisLoad {
+class AxisLink {
  public:
   static constexpr int state_begin = 0;
   static constexpr int state_size = 2;
-  static constexpr bool serves(JointKind kind, JointMode mode) {
-    return kind == JointKind::axis && mode == JointMode::turning;
+  static constexpr bool serves(HingeKind kind, JointMode mode) {
+    return kind == HingeKind::axis && mode == JointMode::turning;
   }
-  static double constant(const SystemConstants& s, int load, std::size_t i) {
-    return number_of(s.axis(load), i);
+  static double constant(const SystemConstants& s, int body, std::size_t i) {
+    return number_of(s.axis(body), i);
   }
   template <class F>
   void set_constants(F number) {
@@ -43,7 +43,7 @@ class AxisLoad {
   /// @param state  angle and its rate
   [[gnu::always_inline]] void set_motion(const T* state,
                                          const CarrierMotion<T>& carrier,
-                                         const LoadForces<T>& forces) {
+                                         const LinkForces<T>& forces) {
     using std::cos;
     using std::sin;
     cos_ = cos(state[0]);
@@ -71,8 +71,8 @@ class AxisLoad {
     tau_ = friction_.z + moment_.z - k_.arm * g_.y;
   }
 
-  /// The load's part of the carrier's right-hand sides: force and moment
-  /// about the foot that the load cannot take up by turning.
+  /// The body's part of the carrier's right-hand sides: force and moment
+  /// about the foot that the body cannot take up by turning.
   void add_to(CarrierForces<T>& forces) const {
     const Sym3<P>& i = k_.inertia;
     const T t = k_.inverse_jzz * tau_;
@@ -82,7 +82,7 @@ class AxisLoad {
     forces.subtract(c_ * force, k_.hinge, c_ * moment);
   }
 
-  /// The load's part of the carrier's matrix, less fixed_part().
+  /// The body's part of the carrier's matrix, less fixed_part().
   void add_to(CarrierMatrix<T>& matrix) const {
     const T cos2 = 1.0 - 2.0 * (sin_ * sin_);
     const T sin2 = 2.0 * (sin_ * cos_);
@@ -114,13 +114,13 @@ class AxisLoad {
     forces.b -= t * p_;
   }
 
-  /// Relative angular acceleration, load axes: (0, 0, t'').
+  /// Relative angular acceleration, link axes: (0, 0, t'').
   Vec3<T> relative_acceleration(const CarrierAcceleration<T>& carrier) const {
     return {T(0.0), T(0.0),
             k_.inverse_jzz * (tau_ + k_.mass_arm * dot(c_.y, carrier.linear) -
                               dot(p_, carrier.angular))};
   }
-  /// Absolute angular acceleration, load axes.
+  /// Absolute angular acceleration, link axes.
   Vec3<T> angular_acceleration(const CarrierAcceleration<T>& carrier) const {
     return transposed_times(c_, carrier.angular) + turned_ +
            relative_acceleration(carrier);
@@ -140,7 +140,7 @@ class AxisLoad {
             {m.x + k_.pole_offset * r.y,
              m.y + k_.arm * r.z - k_.pole_offset * r.x, T(0.0)}};
   }
-  /// Load axes to carrier axes.
+  /// Link axes to carrier axes.
   const Mat3<T>& axes() const { return c_; }
 
  private:

@@ -1,4 +1,4 @@
-#include "libcontact/joint/cylindrical_joint.hpp"
+#include "libcontact/joint/pin_joint.hpp"
 
 #include <gtest/gtest.h>
 
@@ -17,7 +17,6 @@
 
 namespace {
 
-using contact::CylindricalJoint;
 using contact::ElasticPair;
 using contact::FixedPointStep;
 using contact::FrictionLaw;
@@ -27,6 +26,7 @@ using contact::JointGeometry;
 using contact::JointKind;
 using contact::JointSolution;
 using contact::JointState;
+using contact::PinJoint;
 using contact::Status;
 using contact::ViscousLaw;
 using contact::test::AccuracyReport;
@@ -38,12 +38,12 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double rho = 0.04;
 constexpr double length = 0.1;
 
-CylindricalJoint steel_pin(const FrictionModel& friction,
-                           JointBody inner = JointBody::carrier) {
+PinJoint steel_pin(const FrictionModel& friction,
+                   JointBody inner = JointBody::carrier) {
   const ElasticPair pair({2e11, 0.3}, {2e11, 0.3});
   return {JointGeometry::pin(rho, 4e-5, length, inner), pair, friction,
-          contact::make_half_angle_law("blend", JointKind::cylindrical, pair),
-          std::make_unique<contact::CosinePressure>(JointKind::cylindrical)};
+          contact::make_half_angle_law("blend", JointKind::pin, pair),
+          std::make_unique<contact::CosinePressure>(JointKind::pin)};
 }
 
 // The closed forms at a known R_n, written out for the cosine pressure.
@@ -51,8 +51,7 @@ struct ClosedForm {
   double f;
   double moment;
 
-  ClosedForm(const CylindricalJoint& joint, double f0, double adhesion,
-             double force) {
+  ClosedForm(const PinJoint& joint, double f0, double adhesion, double force) {
     const double t = joint.contact().half_angle(force).half_angle;
     const double s = std::sin(t);
     const double c = std::cos(t);
@@ -62,7 +61,7 @@ struct ClosedForm {
   }
 };
 
-TEST(CylindricalJoint, SolvesItsClosedForms) {
+TEST(PinJoint, SolvesItsClosedForms) {
   RandomSlips random(1);
   AccuracyReport residual("f/tan g - 1", 2e-13);
   // (s - t c)/(t - s c) cancels at small t: loads that keep t above 0.1.
@@ -75,8 +74,8 @@ TEST(CylindricalJoint, SolvesItsClosedForms) {
     const double adhesion =
         random.uniform() < 0.2 ? 0 : random.log_uniform(1e3, 1e10);
     const JointBody inner =
-        random.uniform() < 0.5 ? JointBody::carrier : JointBody::load;
-    const CylindricalJoint joint = steel_pin(FrictionLaw(f0, adhesion), inner);
+        random.uniform() < 0.5 ? JointBody::carrier : JointBody::body;
+    const PinJoint joint = steel_pin(FrictionLaw(f0, adhesion), inner);
     const Vector3d axis = random.direction();
     const Vector3d reaction = random.log_uniform(1e3, 1e8) * random.direction();
     const double rate = random.uniform() - 0.5;
@@ -87,7 +86,7 @@ TEST(CylindricalJoint, SolvesItsClosedForms) {
       EXPECT_EQ(s.friction_moment.norm(), 0);
       continue;
     }
-    const ClosedForm expected(joint, f0, adhesion, s.compressive_force);
+    const ClosedForm expected(joint, f0, adhesion, s.normal_force);
     residual.add_error(std::abs(expected.f / s.force_coefficient - 1), label);
     if (s.half_angle > 0.1) {
       moment.add(-s.friction_moment.dot(axis),
@@ -96,7 +95,7 @@ TEST(CylindricalJoint, SolvesItsClosedForms) {
     const Vector3d radial = reaction - reaction.dot(axis) * axis;
     directions.add_error((s.reaction - radial).norm() / radial.norm(), label);
     directions.add_error(
-        (s.compressive_force * s.normal + s.friction_force - radial).norm() /
+        (s.normal_force * s.normal + s.friction_force - radial).norm() /
             radial.norm(),
         label);
     directions.add_error(
@@ -106,7 +105,7 @@ TEST(CylindricalJoint, SolvesItsClosedForms) {
     const JointSolution warm = joint.solve(1.001 * reaction, axis, rate, s);
     ASSERT_EQ(warm.status, Status::ok) << label;
     residual.add_error(
-        std::abs(ClosedForm(joint, f0, adhesion, warm.compressive_force).f /
+        std::abs(ClosedForm(joint, f0, adhesion, warm.normal_force).f /
                      warm.force_coefficient -
                  1),
         label + " moved");
@@ -117,14 +116,13 @@ TEST(CylindricalJoint, SolvesItsClosedForms) {
 }
 
 // Without adhesion tan g = f0, and as theta0 -> 0 the moment is rho R_t.
-TEST(CylindricalJoint, CoulombsLimit) {
+TEST(PinJoint, CoulombsLimit) {
   for (const double f0 : {1e-3, 0.2, 3.0}) {
-    const CylindricalJoint joint = steel_pin(FrictionLaw(f0));
+    const PinJoint joint = steel_pin(FrictionLaw(f0));
     for (const double force : {1e-4, 1e5}) {
       const JointSolution s = joint.solve({force, 0, 0}, {0, 0, 1}, 1);
       EXPECT_NEAR(s.force_coefficient / f0, 1, 1e-15);
-      EXPECT_NEAR(s.compressive_force * std::sqrt(1 + f0 * f0) / force, 1,
-                  1e-15);
+      EXPECT_NEAR(s.normal_force * std::sqrt(1 + f0 * f0) / force, 1, 1e-15);
     }
     const JointSolution s = joint.solve({1e-4, 0, 0}, {0, 0, 1}, 1);
     // theta0 = 4e-6 here, and S = 1 + O(theta0^2).
@@ -133,14 +131,14 @@ TEST(CylindricalJoint, CoulombsLimit) {
   }
 }
 
-TEST(CylindricalJoint, ViscousGrowsWithTheRate) {
-  const CylindricalJoint joint = steel_pin(ViscousLaw(2e6, 0.3));
+TEST(PinJoint, ViscousGrowsWithTheRate) {
+  const PinJoint joint = steel_pin(ViscousLaw(2e6, 0.3));
   const Vector3d reaction(2e4, 0, 0);
   const Vector3d axis(0, 0, 1);
   for (const double rate : {1e-9, 1e-3, 1.0, 50.0}) {
     const JointSolution s = joint.solve(reaction, axis, rate);
     const ClosedForm expected(joint, 0.3 * rho * rate, 2e6 * rho * rate,
-                              s.compressive_force);
+                              s.normal_force);
     EXPECT_NEAR(expected.f / s.force_coefficient, 1, 2e-13);
     EXPECT_NEAR(-s.friction_moment.z() / expected.moment, 1, 1e-12);
   }
@@ -149,8 +147,8 @@ TEST(CylindricalJoint, ViscousGrowsWithTheRate) {
   EXPECT_EQ(joint.utilisation(reaction, axis, 0), 0);
 }
 
-TEST(CylindricalJoint, HoldsAtRestWhatItHasWhenSliding) {
-  const CylindricalJoint joint = steel_pin(FrictionLaw(0.3, 1e8));
+TEST(PinJoint, HoldsAtRestWhatItHasWhenSliding) {
+  const PinJoint joint = steel_pin(FrictionLaw(0.3, 1e8));
   const Vector3d reaction(2e4, 3e4, 0);
   const Vector3d axis(0, 0, 1);
   const double limit = joint.moment_limit(reaction, axis);
@@ -161,8 +159,8 @@ TEST(CylindricalJoint, HoldsAtRestWhatItHasWhenSliding) {
   EXPECT_EQ(joint.solve({0, 0, 5}, axis, 1).state, JointState::unloaded);
 }
 
-TEST(CylindricalJoint, FixedPointAgrees) {
-  const CylindricalJoint joint = steel_pin(FrictionLaw(0.2, 2e7));
+TEST(PinJoint, FixedPointAgrees) {
+  const PinJoint joint = steel_pin(FrictionLaw(0.2, 2e7));
   const Vector3d reaction(1e6, 0, 0);
   std::vector<FixedPointStep> trace(200);
   const auto result = joint.fixed_point(reaction, {0, 0, 1}, 1, trace, 1e-14);
@@ -170,12 +168,11 @@ TEST(CylindricalJoint, FixedPointAgrees) {
   EXPECT_EQ(trace[0].friction_angle, 0);
   EXPECT_NEAR(trace[0].slip_axis_angle, 0, 1e-16);
   const JointSolution s = joint.solve(reaction, {0, 0, 1}, 1);
-  EXPECT_NEAR(trace[result.steps - 1].compressive_force / s.compressive_force,
-              1, 1e-13);
+  EXPECT_NEAR(trace[result.steps - 1].normal_force / s.normal_force, 1, 1e-13);
 }
 
-TEST(CylindricalJoint, NanGivesNanAndNothingAllocates) {
-  const CylindricalJoint joint = steel_pin(FrictionLaw(0.3, 1e8));
+TEST(PinJoint, NanGivesNanAndNothingAllocates) {
+  const PinJoint joint = steel_pin(FrictionLaw(0.3, 1e8));
   const std::size_t before = contact::test::allocation_count();
   for (const double bad : {nan, infinity}) {
     for (const JointSolution& s :
@@ -183,7 +180,7 @@ TEST(CylindricalJoint, NanGivesNanAndNothingAllocates) {
           joint.solve({1, 0, 0}, {0, 0, 1}, bad),
           joint.solve_contact({1, 0, bad}, {0, 0, 1}, 1)}) {
       EXPECT_EQ(s.status, Status::out_of_range);
-      EXPECT_TRUE(std::isnan(s.compressive_force));
+      EXPECT_TRUE(std::isnan(s.normal_force));
     }
   }
   EXPECT_TRUE(std::isnan(joint.utilisation({nan, 0, 0}, {0, 0, 1}, 1)));
@@ -192,16 +189,15 @@ TEST(CylindricalJoint, NanGivesNanAndNothingAllocates) {
   EXPECT_EQ(contact::test::allocation_count(), before);
 }
 
-TEST(CylindricalJoint, RefusesABall) {
+TEST(PinJoint, RefusesABall) {
   const ElasticPair pair({2e11, 0.3}, {2e11, 0.3});
-  EXPECT_EQ(
-      contact::test::error_message([&] {
-        CylindricalJoint(
-            JointGeometry::ball(0.05, 5e-5), pair, FrictionLaw(0.1),
-            contact::make_half_angle_law("tanh", JointKind::spherical, pair),
-            std::make_unique<contact::CosinePressure>(JointKind::spherical));
-      }),
-      "cylindrical joint: geometry of a spherical joint");
+  EXPECT_EQ(contact::test::error_message([&] {
+              PinJoint(
+                  JointGeometry::ball(0.05, 5e-5), pair, FrictionLaw(0.1),
+                  contact::make_half_angle_law("tanh", JointKind::ball, pair),
+                  std::make_unique<contact::CosinePressure>(JointKind::ball));
+            }),
+            "pin joint: geometry of a ball joint");
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "libcontact/joint/spherical_joint.hpp"
+#include "libcontact/joint/ball_joint.hpp"
 
 #include <gtest/gtest.h>
 
@@ -21,6 +21,7 @@
 
 namespace {
 
+using contact::BallJoint;
 using contact::degree;
 using contact::ElasticPair;
 using contact::FixedPointStep;
@@ -32,7 +33,6 @@ using contact::JointKind;
 using contact::JointSolution;
 using contact::JointState;
 using contact::SlipAxis;
-using contact::SphericalJoint;
 using contact::Status;
 using contact::test::AccuracyReport;
 using contact::test::RandomSlip;
@@ -43,24 +43,23 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double pi = std::numbers::pi;
 
-SphericalJoint from_file(const std::string& name) {
-  const contact::Joint joint = contact::read_joint(
+BallJoint from_file(const std::string& name) {
+  const contact::JointSpec joint = contact::read_joint(
       std::filesystem::path(CONTACT_DATA_DIR) / "joints" / (name + ".toml"));
   return {joint.geometry, joint.pair, *joint.friction,
           joint.make_half_angle_law(), joint.make_pressure_law()};
 }
 
-SphericalJoint steel_joint(double f0, double adhesion,
-                           JointBody inner = JointBody::carrier,
-                           double limit_deg = 84.85) {
+BallJoint steel_joint(double f0, double adhesion,
+                      JointBody inner = JointBody::carrier,
+                      double limit_deg = 84.85) {
   const ElasticPair pair({2e11, 0.3}, {2e11, 0.3});
   HalfAngleOptions options;
   options.limit_half_angle = limit_deg * degree;
-  return {
-      JointGeometry::ball(0.05, 0.05e-3, inner), pair,
-      FrictionLaw(f0, adhesion),
-      contact::make_half_angle_law("tanh", JointKind::spherical, pair, options),
-      std::make_unique<contact::CosinePressure>(JointKind::spherical)};
+  return {JointGeometry::ball(0.05, 0.05e-3, inner), pair,
+          FrictionLaw(f0, adhesion),
+          contact::make_half_angle_law("tanh", JointKind::ball, pair, options),
+          std::make_unique<contact::CosinePressure>(JointKind::ball)};
 }
 
 // R at the angle b from Dw = speed z.
@@ -70,10 +69,10 @@ Vector3d reaction_at(double force, double b) {
 
 // |f/tan g - 1| from the contact that the solution names: the definition of
 // a solution, by the friction integrals alone.
-double true_residual(const SphericalJoint& joint, const JointSolution& s) {
+double true_residual(const BallJoint& joint, const JointSolution& s) {
   const auto& friction = std::get<FrictionLaw>(joint.contact().friction());
   const double rho = joint.contact().geometry().radius();
-  const double force = s.compressive_force;
+  const double force = s.normal_force;
   const double half_angle = joint.contact().half_angle(force).half_angle;
   const auto i = contact::exact_friction_integrals(half_angle, s.slip_axis);
   const double adhesion = friction.adhesion() * rho * rho / force;
@@ -85,7 +84,7 @@ double true_residual(const SphericalJoint& joint, const JointSolution& s) {
 // Every digit that was recomputed for example 1, by another program in
 // 30-digit arithmetic: half a unit of the last digit.
 TEST(PaperExamples, ExampleOneForward) {
-  const SphericalJoint joint = from_file("paper_example_1");
+  const BallJoint joint = from_file("paper_example_1");
   const double a = 30 * degree;
   const JointSolution s =
       joint.solve_contact({0, 0, 2e5}, {0, std::cos(a), std::sin(a)});
@@ -100,7 +99,7 @@ TEST(PaperExamples, ExampleOneForward) {
 }
 
 TEST(PaperExamples, ExampleOneFixedPoint) {
-  const SphericalJoint joint = from_file("paper_example_1");
+  const BallJoint joint = from_file("paper_example_1");
   std::vector<FixedPointStep> trace(100);
   const auto result =
       joint.fixed_point(reaction_at(2.63e5, 67.6 * degree), {0, 0, 1}, trace);
@@ -118,7 +117,7 @@ TEST(PaperExamples, ExampleOneFixedPoint) {
     EXPECT_EQ(trace[i].step, static_cast<int>(i) + 1);
     EXPECT_NEAR(trace[i].friction_angle / degree, rows[i].g_deg, 0.5e-2);
     EXPECT_NEAR(trace[i].slip_axis_angle / degree, rows[i].a_deg, 0.5e-2);
-    EXPECT_NEAR(trace[i].compressive_force, rows[i].force, 0.5e2);
+    EXPECT_NEAR(trace[i].normal_force, rows[i].force, 0.5e2);
     EXPECT_NEAR(trace[i].adhesion_number, rows[i].adhesion_number, 0.5e-3);
     EXPECT_NEAR(trace[i].load_parameter, rows[i].mu, 0.5e-3);
     EXPECT_NEAR(trace[i].half_angle / degree, rows[i].theta0_deg, 0.5e-2);
@@ -129,7 +128,7 @@ TEST(PaperExamples, ExampleOneFixedPoint) {
 // The outer loop of example 2: R_y falls with the friction moment of the two
 // joints, (5.1). Each row is one outer step.
 TEST(PaperExamples, ExampleTwo) {
-  const SphericalJoint joint = from_file("paper_example_2");
+  const BallJoint joint = from_file("paper_example_2");
   struct Outer {
     double force, moment, braking;
   };
@@ -143,12 +142,12 @@ TEST(PaperExamples, ExampleTwo) {
       std::vector<FixedPointStep> trace(10);
       joint.fixed_point(reaction, {0, 0, 1}, trace);
       EXPECT_EQ(trace[0].friction_angle, 0);
-      EXPECT_NEAR(trace[0].compressive_force, 1.168e6, 0.5e3);
+      EXPECT_NEAR(trace[0].normal_force, 1.168e6, 0.5e3);
       EXPECT_NEAR(trace[0].adhesion_number, 2.141, 0.5e-3);
       EXPECT_NEAR(trace[0].load_parameter, 3.187, 0.5e-3);
       EXPECT_NEAR(trace[0].half_angle / degree, 64.40, 0.5e-2);
       EXPECT_NEAR(trace[3].friction_angle / degree, 74.72, 0.5e-2);
-      EXPECT_NEAR(trace[3].compressive_force, 3.077e5, 0.5e2);
+      EXPECT_NEAR(trace[3].normal_force, 3.077e5, 0.5e2);
       EXPECT_NEAR(trace[3].adhesion_number, 8.126, 0.5e-3);
       EXPECT_NEAR(trace[3].load_parameter, 0.840, 0.5e-3);
       EXPECT_NEAR(trace[3].half_angle / degree, 47.77, 0.5e-2);
@@ -159,9 +158,9 @@ TEST(PaperExamples, ExampleTwo) {
     }
     s = joint.solve(reaction, {0, 0, 1});
     moment = 2 * s.friction_moment.norm();
-    outer.push_back({s.compressive_force, moment, -6.5e-6 * moment});
+    outer.push_back({s.normal_force, moment, -6.5e-6 * moment});
   }
-  EXPECT_NEAR(s.compressive_force, 2.5214e5, 0.5e1);
+  EXPECT_NEAR(s.normal_force, 2.5214e5, 0.5e1);
   EXPECT_NEAR(s.friction_angle() / degree, 77.52, 0.5e-2);
   EXPECT_NEAR(s.half_angle / degree, 45.34, 0.5e-2);
   // 114915.01: at the tie between 1.1491 and 1.1492.
@@ -184,8 +183,7 @@ struct Check {
     const Vector3d w = input.rate.normalized();
     residual.add_error(true_residual(input.joint, s), label);
     reaction.add_error(
-        (s.compressive_force * s.normal + s.friction_force - input.reaction)
-                .norm() /
+        (s.normal_force * s.normal + s.friction_force - input.reaction).norm() /
             force,
         label);
     directions.add_error(std::abs(s.normal.norm() - 1), label);
@@ -194,7 +192,7 @@ struct Check {
     directions.add_error(std::abs(s.friction_force.dot(s.normal)) / force,
                          label);
     directions.add_error(std::abs(s.friction_force.norm() -
-                                  s.force_coefficient * s.compressive_force) /
+                                  s.force_coefficient * s.normal_force) /
                              force,
                          label);
     const double moment_unit =
@@ -219,7 +217,7 @@ struct Check {
   }
 };
 
-TEST(SphericalJoint, RandomInputsColdAndWarm) {
+TEST(BallJoint, RandomInputsColdAndWarm) {
   RandomSlips random(1);
   Check cold;
   Check warm;
@@ -243,7 +241,7 @@ TEST(SphericalJoint, RandomInputsColdAndWarm) {
 
 // The directions as in the paper's geometry, tan g/tan b and all: another
 // way to the same vectors.
-TEST(SphericalJoint, DirectionsFromFrictionAngle) {
+TEST(BallJoint, DirectionsFromFrictionAngle) {
   RandomSlips random(2);
   AccuracyReport normal("n by g and b", 1e-11);
   AccuracyReport moment("M_t by n", 1e-11);
@@ -267,7 +265,7 @@ TEST(SphericalJoint, DirectionsFromFrictionAngle) {
     const Vector3d n = e * std::cos(g) + m * std::sin(g);
     normal.add_error((n - s.normal).norm(), "input " + std::to_string(i));
     const JointSolution forward =
-        input.joint.solve_contact(s.compressive_force * n, input.rate);
+        input.joint.solve_contact(s.normal_force * n, input.rate);
     if (s.power == 0) continue;  // no friction
     moment.add_error((forward.friction_moment - s.friction_moment).norm() /
                          s.friction_moment.norm(),
@@ -286,11 +284,10 @@ double difference(const JointSolution& s, const JointSolution& t) {
       {(s.normal - t.normal).norm(),
        (s.friction_force - t.friction_force).norm() / s.reaction.norm(),
        part(s.friction_moment, t.friction_moment),
-       std::abs(s.compressive_force - t.compressive_force) /
-           s.reaction.norm()});
+       std::abs(s.normal_force - t.normal_force) / s.reaction.norm()});
 }
 
-TEST(SphericalJoint, TurningRAndDwTurnsTheResult) {
+TEST(BallJoint, TurningRAndDwTurnsTheResult) {
   RandomSlips random(3);
   // Turning rounds R and Dw. Where the result depends on them more than in
   // proportion (adhesion near b = 90 deg, tiny contacts near a = 90 deg), the
@@ -327,7 +324,7 @@ TEST(SphericalJoint, TurningRAndDwTurnsTheResult) {
 }
 
 // Swapping the ball mirrors n, R_t and M_t in the plane of R and Dw.
-TEST(SphericalJoint, BallOnLoadMirrorsBallOnCarrier) {
+TEST(BallJoint, BallOnLoadMirrorsBallOnCarrier) {
   RandomSlips random(4);
   for (int i = 0; i < 200; ++i) {
     const Vector3d reaction = random.log_uniform(1, 1e7) * random.direction();
@@ -337,7 +334,7 @@ TEST(SphericalJoint, BallOnLoadMirrorsBallOnCarrier) {
     const JointSolution s =
         steel_joint(f0, adhesion, JointBody::carrier).solve(reaction, rate);
     const JointSolution t =
-        steel_joint(f0, adhesion, JointBody::load).solve(reaction, rate);
+        steel_joint(f0, adhesion, JointBody::body).solve(reaction, rate);
     const Vector3d plane = reaction.cross(rate).normalized();
     const Eigen::Matrix3d mirror =
         Eigen::Matrix3d::Identity() - 2 * plane * plane.transpose();
@@ -347,12 +344,12 @@ TEST(SphericalJoint, BallOnLoadMirrorsBallOnCarrier) {
               1e-14 * reaction.norm());
     EXPECT_LE((mirror * s.friction_moment - t.friction_moment).norm(),
               1e-14 * s.friction_moment.norm());
-    EXPECT_EQ(s.compressive_force, t.compressive_force);
+    EXPECT_EQ(s.normal_force, t.normal_force);
     EXPECT_EQ(s.power, t.power);
   }
 }
 
-TEST(SphericalJoint, OppositeRateOpposesMoment) {
+TEST(BallJoint, OppositeRateOpposesMoment) {
   RandomSlips random(5);
   for (int i = 0; i < 200; ++i) {
     const RandomSlip input = random.next();
@@ -360,7 +357,7 @@ TEST(SphericalJoint, OppositeRateOpposesMoment) {
     const JointSolution t = input.joint.solve(input.reaction, -input.rate);
     // Turning R and Dw by pi about R x Dw maps one state on the other's
     // mirror: the sizes agree, up to the rounding of the solve.
-    EXPECT_NEAR(t.compressive_force / s.compressive_force, 1, 1e-12);
+    EXPECT_NEAR(t.normal_force / s.normal_force, 1, 1e-12);
     if (s.power < 0) {
       EXPECT_NEAR(t.power / s.power, 1, 1e-12);
     }
@@ -369,7 +366,7 @@ TEST(SphericalJoint, OppositeRateOpposesMoment) {
 }
 
 // The margin b - g against long double, where that has digits left.
-TEST(SphericalJoint, MarginKeepsItsDigits) {
+TEST(BallJoint, MarginKeepsItsDigits) {
   RandomSlips random(6);
   AccuracyReport margin("min(b, pi - b) - g", 1e-12);
   int small = 0;
@@ -395,9 +392,9 @@ TEST(SphericalJoint, MarginKeepsItsDigits) {
 }
 
 // theta0 -> 0, A = 0, a = 0: Coulomb friction of a point, M = rho R_t.
-TEST(SphericalJoint, TinyContactIsCoulombs) {
+TEST(BallJoint, TinyContactIsCoulombs) {
   for (const double f : {1e-3, 0.1, 1.0, 5.0}) {
-    const SphericalJoint joint = steel_joint(f, 0);
+    const BallJoint joint = steel_joint(f, 0);
     const double force = 1e-9;  // theta0 = 1e-5 rad: its square is rounding
     const JointSolution s = joint.solve({force, 0, 0}, {0, 0, 1});
     const double expected = 0.05 * force * f / std::sqrt(1 + f * f);
@@ -408,7 +405,7 @@ TEST(SphericalJoint, TinyContactIsCoulombs) {
 
 // Viscous friction of constant k through the same solver: force and moments
 // are closed forms in theta0 and a (section 3.1 of the paper).
-TEST(SphericalJoint, ViscousFrictionHasItsClosedForms) {
+TEST(BallJoint, ViscousFrictionHasItsClosedForms) {
   RandomSlips random(9);
   const ElasticPair pair({2e11, 0.3}, {2e11, 0.3});
   AccuracyReport force("R_t", 1e-12);
@@ -416,10 +413,10 @@ TEST(SphericalJoint, ViscousFrictionHasItsClosedForms) {
   AccuracyReport balance("R - R_n n - R_t over R", 1e-14);
   for (int i = 0; i < 500; ++i) {
     const double k0 = random.log_uniform(1e3, 1e9);
-    const SphericalJoint joint(
+    const BallJoint joint(
         JointGeometry::ball(0.05, 0.05e-3), pair, contact::ViscousLaw(k0),
-        contact::make_half_angle_law("tanh", JointKind::spherical, pair),
-        contact::make_pressure_law("cosine", JointKind::spherical, pair));
+        contact::make_half_angle_law("tanh", JointKind::ball, pair),
+        contact::make_pressure_law("cosine", JointKind::ball, pair));
     const Vector3d reaction = random.log_uniform(1e2, 1e6) * random.direction();
     const Vector3d rate = random.log_uniform(1e-3, 10) * random.direction();
     const JointSolution cold = joint.solve(reaction, rate);
@@ -441,7 +438,7 @@ TEST(SphericalJoint, ViscousFrictionHasItsClosedForms) {
     moment.add(s.friction_moment.norm(),
                unit * rho * std::hypot(sliding, spinning), label);
     balance.add_error(
-        (s.compressive_force * s.normal + s.friction_force - reaction).norm() /
+        (s.normal_force * s.normal + s.friction_force - reaction).norm() /
             reaction.norm(),
         label);
     EXPECT_LE(s.power, 0);
@@ -451,8 +448,8 @@ TEST(SphericalJoint, ViscousFrictionHasItsClosedForms) {
   balance.check();
 }
 
-TEST(SphericalJoint, RestIsAStateOfItsOwn) {
-  const SphericalJoint joint = steel_joint(0.2, 1e8);
+TEST(BallJoint, RestIsAStateOfItsOwn) {
+  const BallJoint joint = steel_joint(0.2, 1e8);
   const Vector3d reaction(3e4, -4e4, 0);
   const JointSolution s = joint.solve(reaction, Vector3d::Zero());
   EXPECT_EQ(s.status, Status::ok);
@@ -460,10 +457,10 @@ TEST(SphericalJoint, RestIsAStateOfItsOwn) {
   EXPECT_EQ(s.friction_force, Vector3d::Zero());
   EXPECT_EQ(s.friction_moment, Vector3d::Zero());
   EXPECT_EQ(s.power, 0);
-  EXPECT_DOUBLE_EQ(s.compressive_force, 5e4);
+  EXPECT_DOUBLE_EQ(s.normal_force, 5e4);
   EXPECT_TRUE(s.normal.isApprox(Vector3d(0.6, -0.8, 0), 1e-15));
   EXPECT_EQ(s.half_angle,
-            joint.contact().half_angle(s.compressive_force).half_angle);
+            joint.contact().half_angle(s.normal_force).half_angle);
   EXPECT_GT(s.peak_pressure, 0);
   // However slow, sliding is not rest: friction does not depend on speed.
   const Vector3d rate(0, 0.3, 0.7);
@@ -474,12 +471,12 @@ TEST(SphericalJoint, RestIsAStateOfItsOwn) {
             1e-14 * fast.friction_moment.norm());
 }
 
-TEST(SphericalJoint, NoReactionNoContact) {
-  const SphericalJoint joint = steel_joint(0.2, 1e8);
+TEST(BallJoint, NoReactionNoContact) {
+  const BallJoint joint = steel_joint(0.2, 1e8);
   const JointSolution s = joint.solve(Vector3d::Zero(), {1, 2, 3});
   EXPECT_EQ(s.status, Status::ok);
   EXPECT_EQ(s.state, JointState::unloaded);
-  EXPECT_EQ(s.compressive_force, 0);
+  EXPECT_EQ(s.normal_force, 0);
   EXPECT_EQ(s.half_angle, 0);
   EXPECT_EQ(s.contact_area, 0);
   EXPECT_EQ(s.peak_pressure, 0);
@@ -488,8 +485,8 @@ TEST(SphericalJoint, NoReactionNoContact) {
 
 // R -> 0 with adhesion: theta0 falls as cbrt(R_n), so adhesion wins, g -> b
 // and M_t -> 0; every decade solves.
-TEST(SphericalJoint, FallingReaction) {
-  const SphericalJoint joint = steel_joint(0.1, 1e7);
+TEST(BallJoint, FallingReaction) {
+  const BallJoint joint = steel_joint(0.1, 1e7);
   double last_moment = infinity;
   for (int decade = 6; decade >= -280; --decade) {
     const JointSolution s =
@@ -505,13 +502,13 @@ TEST(SphericalJoint, FallingReaction) {
   }
 }
 
-TEST(SphericalJoint, SpinningAboutTheReaction) {
-  const SphericalJoint joint = steel_joint(0.2, 1e8);
+TEST(BallJoint, SpinningAboutTheReaction) {
+  const BallJoint joint = steel_joint(0.2, 1e8);
   for (const double sign : {1.0, -1.0}) {
     const JointSolution s = joint.solve({0, 0, 1e5}, {0, 0, sign});
     EXPECT_EQ(s.status, Status::ok);
     EXPECT_EQ(s.normal, Vector3d(0, 0, 1));
-    EXPECT_EQ(s.compressive_force, 1e5);
+    EXPECT_EQ(s.normal_force, 1e5);
     EXPECT_EQ(s.friction_force.norm(), 0);
     EXPECT_EQ(s.slip_axis.cos, 0);
     EXPECT_EQ(s.slip_axis.sin, sign);
@@ -529,8 +526,8 @@ TEST(SphericalJoint, SpinningAboutTheReaction) {
   }
 }
 
-TEST(SphericalJoint, WithoutFriction) {
-  const SphericalJoint joint = steel_joint(0, 0);
+TEST(BallJoint, WithoutFriction) {
+  const BallJoint joint = steel_joint(0, 0);
   const Vector3d reaction(1e4, 2e4, -3e4);
   const JointSolution s = joint.solve(reaction, {1, 0, 1});
   EXPECT_EQ(s.status, Status::ok);
@@ -539,11 +536,11 @@ TEST(SphericalJoint, WithoutFriction) {
   EXPECT_EQ(s.friction_moment.norm(), 0);
   EXPECT_EQ(s.power, 0);
   EXPECT_EQ(s.friction_angle(), 0);
-  EXPECT_NEAR(s.compressive_force, reaction.norm(), 1e-11);
+  EXPECT_NEAR(s.normal_force, reaction.norm(), 1e-11);
 }
 
-TEST(SphericalJoint, ContactDataFitTheContact) {
-  const SphericalJoint joint = steel_joint(0.1, 0);
+TEST(BallJoint, ContactDataFitTheContact) {
+  const BallJoint joint = steel_joint(0.1, 0);
   const JointSolution s = joint.solve_contact({0, 0, 2e5}, {0, 1, 0});
   // Mean of the normal component of p over the contact's projection is R_n.
   const double c = std::cos(s.half_angle);
@@ -556,7 +553,7 @@ TEST(SphericalJoint, ContactDataFitTheContact) {
   EXPECT_NEAR(s.power, -s.sliding_coefficient * 0.05 * 2e5, 1e-9);
 }
 
-TEST(SphericalJoint, FixedPointAgreesWhereItConverges) {
+TEST(BallJoint, FixedPointAgreesWhereItConverges) {
   RandomSlips random(7);
   int compared = 0;
   for (int i = 0; i < 500; ++i) {
@@ -568,15 +565,15 @@ TEST(SphericalJoint, FixedPointAgreesWhereItConverges) {
     const JointSolution s = input.joint.solve(input.reaction, input.rate);
     const FixedPointStep& last = trace[result.steps - 1];
     // Contraction q leaves tolerance q/(1 - q), q < 0.95 within 500 steps.
-    EXPECT_NEAR(last.compressive_force / s.compressive_force, 1, 1e-11) << i;
+    EXPECT_NEAR(last.normal_force / s.normal_force, 1, 1e-11) << i;
     ++compared;
   }
   EXPECT_GT(compared, 50);
 }
 
-TEST(SphericalJoint, FixedPointReportsWhereItFails) {
+TEST(BallJoint, FixedPointReportsWhereItFails) {
   // g grows past b: (4.2) has no a.
-  const SphericalJoint joint = steel_joint(3, 0);
+  const BallJoint joint = steel_joint(3, 0);
   std::vector<FixedPointStep> trace(10);
   const Vector3d reaction = reaction_at(1e5, 50 * degree);
   EXPECT_EQ(joint.fixed_point(reaction, {0, 0, 1}, trace).status,
@@ -590,27 +587,27 @@ TEST(SphericalJoint, FixedPointReportsWhereItFails) {
 }
 
 // Hertz's law ends at a load: friction can bring R_n below it.
-TEST(SphericalJoint, HalfAngleLawWithAnEnd) {
+TEST(BallJoint, HalfAngleLawWithAnEnd) {
   const ElasticPair pair({2e11, 0.3}, {2e11, 0.3});
   const auto make = [&](double f0) {
-    return SphericalJoint(
+    return BallJoint(
         JointGeometry::ball(0.05, 0.05e-3), pair, FrictionLaw(f0),
-        contact::make_half_angle_law("hertz", JointKind::spherical, pair),
-        std::make_unique<contact::CosinePressure>(JointKind::spherical));
+        contact::make_half_angle_law("hertz", JointKind::ball, pair),
+        std::make_unique<contact::CosinePressure>(JointKind::ball));
   };
   const double end = 1 / make(1).contact().load_parameter(1);
   const Vector3d rate(0, 0, 1);
   const JointSolution inside = make(1).solve({1.2 * end, 0, 0}, rate);
   EXPECT_EQ(inside.status, Status::ok);
-  EXPECT_LT(inside.compressive_force, end);
+  EXPECT_LT(inside.normal_force, end);
   EXPECT_LE(true_residual(make(1), inside), 2e-13);
   const JointSolution outside = make(0.1).solve({1.2 * end, 0, 0}, rate);
   EXPECT_EQ(outside.status, Status::out_of_range);
   EXPECT_TRUE(std::isnan(outside.friction_moment.x()));
 }
 
-TEST(SphericalJoint, NanAndInfinityGiveNan) {
-  const SphericalJoint joint = steel_joint(0.2, 1e8);
+TEST(BallJoint, NanAndInfinityGiveNan) {
+  const BallJoint joint = steel_joint(0.2, 1e8);
   const JointSolution last = joint.solve({1e4, 2e4, 0}, {0, 1, 1});
   for (const double bad : {nan, infinity, -infinity}) {
     for (int i = 0; i < 3; ++i) {
@@ -622,7 +619,7 @@ TEST(SphericalJoint, NanAndInfinityGiveNan) {
             joint.solve_contact(reaction, rate), joint.solve(rate, reaction),
             joint.solve(reaction, {0, 0, 0})}) {
         EXPECT_EQ(s.status, Status::out_of_range);
-        EXPECT_TRUE(std::isnan(s.compressive_force));
+        EXPECT_TRUE(std::isnan(s.normal_force));
         EXPECT_TRUE(s.friction_moment.hasNaN());
         EXPECT_TRUE(std::isnan(s.power));
       }
@@ -636,7 +633,7 @@ TEST(SphericalJoint, NanAndInfinityGiveNan) {
   EXPECT_EQ(joint.solve({1e4, 2e4, 0}, {0, 1, 1}, bad).status, Status::ok);
 }
 
-TEST(SphericalJoint, KernelsDoNotAllocate) {
+TEST(BallJoint, KernelsDoNotAllocate) {
   RandomSlips random(8);
   std::vector<RandomSlip> inputs;
   for (int i = 0; i < 50; ++i) inputs.push_back(random.next());
@@ -652,7 +649,7 @@ TEST(SphericalJoint, KernelsDoNotAllocate) {
   EXPECT_EQ(contact::test::allocation_count(), before);
 }
 
-TEST(SphericalJoint, RefusesWhatDoesNotFit) {
+TEST(BallJoint, RefusesWhatDoesNotFit) {
   using contact::test::error_message;
   const ElasticPair pair({2e11, 0.3}, {2e11, 0.3});
   const auto ball = JointGeometry::ball(0.05, 0.05e-3);
@@ -660,24 +657,23 @@ TEST(SphericalJoint, RefusesWhatDoesNotFit) {
   const auto make = [&](const JointGeometry& geometry, JointKind law,
                         JointKind pressure) {
     return error_message([&] {
-      SphericalJoint(geometry, pair, FrictionLaw(0.1),
-                     contact::make_half_angle_law("tanh", law, pair),
-                     std::make_unique<contact::CosinePressure>(pressure));
+      BallJoint(geometry, pair, FrictionLaw(0.1),
+                contact::make_half_angle_law("tanh", law, pair),
+                std::make_unique<contact::CosinePressure>(pressure));
     });
   };
-  using enum JointKind;
-  EXPECT_EQ(make(pin, cylindrical, cylindrical),
-            "spherical joint: geometry of a cylindrical joint");
-  EXPECT_EQ(make(ball, cylindrical, spherical),
-            "spherical joint: half-angle law for a cylindrical joint: "
-            "allowed: spherical");
-  EXPECT_EQ(make(ball, spherical, cylindrical),
-            "spherical joint: pressure law for a cylindrical joint: "
-            "allowed: spherical");
+  EXPECT_EQ(make(pin, JointKind::pin, JointKind::pin),
+            "ball joint: geometry of a pin joint");
+  EXPECT_EQ(make(ball, JointKind::pin, JointKind::ball),
+            "ball joint: half-angle law for a pin joint: "
+            "allowed: ball");
+  EXPECT_EQ(make(ball, JointKind::ball, JointKind::pin),
+            "ball joint: pressure law for a pin joint: "
+            "allowed: ball");
   EXPECT_EQ(error_message([&] {
-              SphericalJoint(ball, pair, FrictionLaw(0.1), nullptr, nullptr);
+              BallJoint(ball, pair, FrictionLaw(0.1), nullptr, nullptr);
             }),
-            "spherical joint: half-angle or pressure law missing");
+            "ball joint: half-angle or pressure law missing");
 }
 
 }  // namespace

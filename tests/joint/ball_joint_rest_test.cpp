@@ -8,7 +8,7 @@
 #include <string>
 
 #include "libcontact/files/joint_file.hpp"
-#include "libcontact/joint/spherical_joint.hpp"
+#include "libcontact/joint/ball_joint.hpp"
 #include "libcontact/pressure/cosine.hpp"
 #include "support/accuracy_report.hpp"
 #include "support/allocation_count.hpp"
@@ -16,12 +16,12 @@
 
 namespace {
 
+using contact::BallJoint;
 using contact::FrictionLaw;
 using contact::JointKind;
 using contact::JointSolution;
 using contact::JointState;
 using contact::RestSolution;
-using contact::SphericalJoint;
 using contact::Status;
 using contact::test::AccuracyReport;
 using contact::test::RandomSlip;
@@ -32,11 +32,11 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double pi = std::numbers::pi;
 
-SphericalJoint steel_joint(const contact::FrictionModel& friction) {
+BallJoint steel_joint(const contact::FrictionModel& friction) {
   const contact::ElasticPair pair({2e11, 0.3}, {2e11, 0.3});
   return {contact::JointGeometry::ball(0.05, 0.05e-3), pair, friction,
-          contact::make_half_angle_law("tanh", JointKind::spherical, pair),
-          std::make_unique<contact::CosinePressure>(JointKind::spherical)};
+          contact::make_half_angle_law("tanh", JointKind::ball, pair),
+          std::make_unique<contact::CosinePressure>(JointKind::ball)};
 }
 
 // Sliding about u needs just the moment that makes the joint slide about u.
@@ -96,12 +96,11 @@ TEST(JointAtRest, HoldsLessThanTheContactUnderTheWholeReaction) {
   };
   for (const Case& c : {Case{"paper_example_1", 2.63e5, 1.0, 1.174},
                         Case{"paper_example_2", 1.1676e6, 1.0, 1.966}}) {
-    const contact::Joint file =
+    const contact::JointSpec file =
         contact::read_joint(std::filesystem::path(CONTACT_DATA_DIR) / "joints" /
                             (std::string(c.file) + ".toml"));
-    const SphericalJoint joint(file.geometry, file.pair, *file.friction,
-                               file.make_half_angle_law(),
-                               file.make_pressure_law());
+    const BallJoint joint(file.geometry, file.pair, *file.friction,
+                          file.make_half_angle_law(), file.make_pressure_law());
     const Vector3d reaction(0, 0, c.force);
     const contact::MomentSet whole =
         joint.moment_set(joint.solve(reaction, Vector3d::Zero()));
@@ -122,7 +121,7 @@ TEST(JointAtRest, HoldsLessThanTheContactUnderTheWholeReaction) {
 }
 
 TEST(JointAtRest, NoMomentNoSlip) {
-  const SphericalJoint joint = steel_joint(FrictionLaw(0.2, 1e8));
+  const BallJoint joint = steel_joint(FrictionLaw(0.2, 1e8));
   const Vector3d reaction(3e4, 0, 4e4);
   const RestSolution rest = joint.utilisation(reaction, Vector3d::Zero());
   EXPECT_EQ(rest.status, Status::ok);
@@ -138,7 +137,7 @@ TEST(JointAtRest, NoMomentNoSlip) {
 }
 
 TEST(JointAtRest, MomentsAlongAndAcrossTheReaction) {
-  const SphericalJoint joint = steel_joint(FrictionLaw(0.2, 1e8));
+  const BallJoint joint = steel_joint(FrictionLaw(0.2, 1e8));
   const Vector3d reaction(0, 0, 1e5);
   for (const double sign : {1.0, -1.0}) {
     // Spinning about R.
@@ -160,15 +159,15 @@ TEST(JointAtRest, WithoutFrictionOrLoadHoldsNothing) {
   const Vector3d reaction(0, 0, 1e5);
   EXPECT_EQ(steel_joint(FrictionLaw(0)).utilisation(reaction, m).utilisation,
             infinity);
-  const SphericalJoint viscous = steel_joint(contact::ViscousLaw(1e6, 0.1));
+  const BallJoint viscous = steel_joint(contact::ViscousLaw(1e6, 0.1));
   EXPECT_EQ(viscous.utilisation(reaction, m).utilisation, infinity);
   EXPECT_EQ(viscous.utilisation(reaction, Vector3d::Zero()).utilisation, 0);
-  const SphericalJoint dry = steel_joint(FrictionLaw(0.2));
+  const BallJoint dry = steel_joint(FrictionLaw(0.2));
   EXPECT_EQ(dry.utilisation(Vector3d::Zero(), m).utilisation, infinity);
 }
 
 TEST(JointAtRest, NanGivesNanAndNothingAllocates) {
-  const SphericalJoint joint = steel_joint(FrictionLaw(0.2, 1e8));
+  const BallJoint joint = steel_joint(FrictionLaw(0.2, 1e8));
   const std::size_t before = contact::test::allocation_count();
   for (const double bad : {nan, infinity}) {
     for (const RestSolution& rest :

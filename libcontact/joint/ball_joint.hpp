@@ -11,7 +11,7 @@
 
 namespace contact {
 
-/// What a resting joint holds, see SphericalJoint::utilisation().
+/// What a resting joint holds, see BallJoint::utilisation().
 struct RestSolution {
   /// As the slip's; not_converged if no slip direction was found.
   Status status = Status::out_of_range;
@@ -30,35 +30,34 @@ struct RestSolution {
 
 /// Friction of a ball in a seat under a known reaction.
 ///
-/// The reaction R is the sum of the compressive force R_n n and the friction
+/// The reaction R is the sum of the normal force R_n n and the friction
 /// force R_t normal to it; n, R_n, the half-angle theta0 and the friction
 /// coefficient depend on each other. docs/joint.md has the equations.
 ///
-/// Frame: any, the same for all vectors. R, R_t, M_t act on the load; Dw is
-/// the angular velocity of the load relative to the carrier. If the carrier
+/// Frame: any, the same for all vectors. R, R_t, M_t act on the body; Dw is
+/// the angular velocity of the body relative to the carrier. If the carrier
 /// has the ball, n points from the joint's centre to the contact's; if the
-/// load has it, away from it. Either way R_n n is the push on the load.
+/// body has it, away from it. Either way R_n n is the push on the body.
 ///
 /// Const functions do not allocate and do not throw. NaN or infinity in R or
 /// Dw: NaN with out_of_range.
-class SphericalJoint {
+class BallJoint {
  public:
   /// @throws Error if an argument does not fit a ball joint
   ///         (JointContact::JointContact).
-  explicit SphericalJoint(JointContact contact);
-  SphericalJoint(JointGeometry geometry, ElasticPair pair,
-                 FrictionModel friction,
-                 std::shared_ptr<const HalfAngleLaw> half_angle_law,
-                 std::shared_ptr<const PressureLaw> pressure_law)
-      : SphericalJoint(JointContact(geometry, std::move(pair), friction,
-                                    std::move(half_angle_law),
-                                    std::move(pressure_law))) {}
+  explicit BallJoint(JointContact contact);
+  BallJoint(JointGeometry geometry, ElasticPair pair, FrictionModel friction,
+            std::shared_ptr<const HalfAngleLaw> half_angle_law,
+            std::shared_ptr<const PressureLaw> pressure_law)
+      : BallJoint(JointContact(geometry, std::move(pair), friction,
+                               std::move(half_angle_law),
+                               std::move(pressure_law))) {}
 
   const JointContact& contact() const { return contact_; }
 
   /// Friction under the reaction R while the halves turn with Dw.
   ///
-  /// @param reaction  R on the load, N; 0 gives JointState::unloaded
+  /// @param reaction  R on the body, N; 0 gives JointState::unloaded
   /// @param rate      Dw, rad/s; exactly 0 gives JointState::resting: whether
   ///                  a joint rests is the caller's to say, see utilisation()
   JointSolution solve(const Eigen::Vector3d& reaction,
@@ -69,12 +68,12 @@ class SphericalJoint {
                       const Eigen::Vector3d& rate, const JointSolution& last,
                       const SolveOptions& options = {}) const noexcept;
 
-  /// Friction under a known compressive force: nothing to solve. With R in
+  /// Friction under a known normal force: nothing to solve. With R in
   /// its place it is the traditional estimate of friction.
   ///
-  /// @param compressive_force  R_n n on the load, N
+  /// @param normal_force  R_n n on the body, N
   /// @param rate               Dw, rad/s
-  JointSolution solve_contact(const Eigen::Vector3d& compressive_force,
+  JointSolution solve_contact(const Eigen::Vector3d& normal_force,
                               const Eigen::Vector3d& rate) const noexcept;
 
   /// Whether the joint rests under R while holding the moment M, and how near
@@ -91,10 +90,10 @@ class SphericalJoint {
   /// is returned (none of 10,000 random joints had more than one). A viscous
   /// joint holds no moment.
   ///
-  /// @param reaction  R on the load, N
-  /// @param moment    M on the load that friction has to supply, N m
+  /// @param reaction  R on the body, N
+  /// @param moment    M on the body that friction has to supply, N m
   /// @return slip.friction_moment = M/tau, to 1e-12 of |M|/tau
-  ///         (joint/spherical_joint_rest_test.cpp)
+  ///         (joint/ball_joint_rest_test.cpp)
   RestSolution utilisation(const Eigen::Vector3d& reaction,
                            const Eigen::Vector3d& moment,
                            const SolveOptions& options = {}) const noexcept;
@@ -109,7 +108,7 @@ class SphericalJoint {
   /// theta0: what a solver of several bodies iterates on. The set refers to
   /// this joint and must not outlive it.
   MomentSet moment_set(const JointSolution& solution) const noexcept {
-    return {contact_, solution.normal, solution.compressive_force,
+    return {contact_, solution.normal, solution.normal_force,
             solution.half_angle};
   }
 

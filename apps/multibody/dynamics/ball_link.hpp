@@ -1,30 +1,30 @@
 #pragma once
 
 #include "multibody/dynamics/carrier_equations.hpp"
+#include "multibody/system/active_forces.hpp"
 #include "multibody/system/constants.hpp"
-#include "multibody/system/loading.hpp"
 #include "multibody/system/state_layout.hpp"
 
 namespace multibody {
 
-/// One load on a spherical joint, (1.3), (1.4), in the axes in which N_i is
+/// One body on a ball joint, (1.3), (1.4), in the axes in which N_i is
 /// diagonal. With the moments about the centre of mass less the gyroscopic
-/// ones, M = M_com + M_t - w x I w, and U of SphericalConstants,
+/// ones, M = M_com + M_t - w x I w, and U of BallConstants,
 ///   e = diag(1/d_x, 1/d_y) (M_xy - u M_z),
 ///   a = v'_i - F/m - w~^2 r,
 ///   R = N a + m arm (-e_y, e_x, 0),
 ///   w'_x = e_x - k_x a_y,  w'_y = e_y + k_y a_x,
 ///   w'_z = M_z/I_zz - u . w'_xy.
 template <class T, class P>
-class SphericalLoad {
+class BallLink {
  public:
   static constexpr int state_begin = 0;
   static constexpr int state_size = 7;
-  static constexpr bool serves(JointKind kind, JointMode mode) {
-    return kind == JointKind::spherical && mode == JointMode::turning;
+  static constexpr bool serves(HingeKind kind, JointMode mode) {
+    return kind == HingeKind::ball && mode == JointMode::turning;
   }
-  static double constant(const SystemConstants& s, int load, std::size_t i) {
-    return number_of(s.spherical(load), i);
+  static double constant(const SystemConstants& s, int body, std::size_t i) {
+    return number_of(s.ball(body), i);
   }
   template <class F>
   void set_constants(F number) {
@@ -38,7 +38,7 @@ class SphericalLoad {
   /// @param state  quaternion of C_i and relative angular velocity
   [[gnu::always_inline]] void set_motion(const T* state,
                                          const CarrierMotion<T>& carrier,
-                                         const LoadForces<T>& forces) {
+                                         const LinkForces<T>& forces) {
     c_ = rotation(Quaternion<T>{state[0], state[1], state[2], state[3]});
     const Vec3<T> relative{state[4], state[5], state[6]};
     const Vec3<T> w0 = transposed_times(c_, carrier.w);
@@ -61,12 +61,12 @@ class SphericalLoad {
     a_.z += k_.arm * (w.x * w.x + w.y * w.y);
   }
 
-  /// The load's part of the carrier's right-hand sides.
+  /// The body's part of the carrier's right-hand sides.
   void add_to(CarrierForces<T>& forces) const {
     forces.subtract(c_ * force(a_), k_.hinge, c_ * friction_);
   }
 
-  /// The load's part of the carrier's matrix, less fixed_part():
+  /// The body's part of the carrier's matrix, less fixed_part():
   /// N' = C N C^T with diag(n_x - n_y, 0, n_z - n_y) in place of N.
   void add_to(CarrierMatrix<T>& matrix) const {
     const Vec3<T> x = k_.n_xy * c_.x;
@@ -108,19 +108,19 @@ class SphericalLoad {
     forces.subtract(rx * c_.x + ry * c_.y, k_.hinge, c_ * change);
   }
 
-  /// Relative angular acceleration, load axes.
+  /// Relative angular acceleration, link axes.
   Vec3<T> relative_acceleration(const CarrierAcceleration<T>& carrier) const {
     const Vec3<T> a = hinge_acceleration(carrier);
     return angular(a) - transposed_times(c_, carrier.angular) + gyroscopic_;
   }
-  /// Absolute angular acceleration, load axes.
+  /// Absolute angular acceleration, link axes.
   Vec3<T> angular_acceleration(const CarrierAcceleration<T>& carrier) const {
     return angular(hinge_acceleration(carrier));
   }
   Reaction<T> reaction(const CarrierAcceleration<T>& carrier) const {
     return {force(hinge_acceleration(carrier)), {T(0.0), T(0.0), T(0.0)}};
   }
-  /// Load axes to carrier axes.
+  /// Link axes to carrier axes.
   const Mat3<T>& axes() const { return c_; }
 
  private:
@@ -139,7 +139,7 @@ class SphericalLoad {
     return {x, y, spin_ - k_.ux * x - k_.uy * y};
   }
 
-  SphericalConstants<P> k_;
+  BallConstants<P> k_;
   Mat3<T> c_;
   Vec3<T> gyroscopic_;
   Vec3<T> friction_;

@@ -1,24 +1,24 @@
 #pragma once
 
 #include "multibody/dynamics/carrier_equations.hpp"
+#include "multibody/system/active_forces.hpp"
 #include "multibody/system/constants.hpp"
-#include "multibody/system/loading.hpp"
 #include "multibody/system/state_layout.hpp"
 
 namespace multibody {
 
-/// A body of its own: Euler's equations, load axes. It takes no part in the
+/// A body of its own: Euler's equations, link axes. It takes no part in the
 /// carrier's equations.
 template <class T, class P>
-class FreeLoad {
+class FreeLink {
  public:
   static constexpr int state_begin = StateLayout::angular_velocity;
   static constexpr int state_size = 3;
-  static constexpr bool serves(JointKind, JointMode mode) {
+  static constexpr bool serves(HingeKind, JointMode mode) {
     return mode == JointMode::released;
   }
-  static double constant(const SystemConstants& s, int load, std::size_t i) {
-    return number_of(s.free(load), i);
+  static double constant(const SystemConstants& s, int body, std::size_t i) {
+    return number_of(s.free(body), i);
   }
   template <class F>
   void set_constants(F number) {
@@ -29,7 +29,7 @@ class FreeLoad {
   /// @param state  absolute angular velocity
   [[gnu::always_inline]] void set_motion(const T* state,
                                          const CarrierMotion<T>&,
-                                         const LoadForces<T>& forces) {
+                                         const LinkForces<T>& forces) {
     const Vec3<T> w{state[0], state[1], state[2]};
     linear_ = k_.inverse_mass * forces.force;
     angular_ = k_.inverse_inertia * (forces.moment - cross(w, k_.inertia * w));
@@ -38,7 +38,7 @@ class FreeLoad {
   void add_to(CarrierMatrix<T>&) const {}
   void add_friction(const Vec3<T>&, CarrierForces<T>&) {}
 
-  /// Of the centre of mass without gravity, load axes.
+  /// Of the centre of mass without gravity, link axes.
   const Vec3<T>& linear_acceleration() const { return linear_; }
   /// Absolute: there is nothing to be relative to.
   Vec3<T> relative_acceleration(const CarrierAcceleration<T>&) const {

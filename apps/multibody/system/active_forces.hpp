@@ -7,11 +7,11 @@
 
 namespace multibody {
 
-/// What acts on a load, load axes: active force and moment about the centre
+/// What acts on a body, link axes: active force and moment about the centre
 /// of mass, both without gravity, and the moment of friction in its joint
 /// (the opposite one acts on the carrier).
 template <class T>
-struct LoadForces {
+struct LinkForces {
   Vec3<T> force{};     ///< F_ia, N
   Vec3<T> moment{};    ///< N m
   Vec3<T> friction{};  ///< M_it, N m; ignored while the joint is held
@@ -19,7 +19,7 @@ struct LoadForces {
 
 /// What acts on the carrier, carrier axes, without gravity.
 template <class T>
-struct CarrierLoading {
+struct CarrierActiveForces {
   Vec3<T> force{};   ///< F_0a, N
   Vec3<T> moment{};  ///< about the centre of mass, N m
 };
@@ -27,20 +27,20 @@ struct CarrierLoading {
 /// Everything given that acts on the bodies; uniform gravity is not part of
 /// it, since it moves all bodies alike.
 template <class T>
-struct Loading {
-  CarrierLoading<T> carrier;
-  std::vector<LoadForces<T>> loads;
+struct ActiveForces {
+  CarrierActiveForces<T> carrier;
+  std::vector<LinkForces<T>> bodies;
 };
 
-/// Of all loads.
+/// Of all bodies.
 using contact::VectorRows;
 
-/// Reaction on a load in its joint, load axes.
+/// Reaction on a body in its joint, link axes.
 template <class T>
 struct Reaction {
   Vec3<T> force;  ///< R_i with the force of friction in it, N
   /// About the hinge's centre, without the moment of friction, N m: zero in a
-  /// spherical joint, normal to the axis on an axis, and in a held joint the
+  /// ball joint, normal to the axis on an axis, and in a held joint the
   /// moment that friction or a lock has to hold.
   Vec3<T> moment;
 };

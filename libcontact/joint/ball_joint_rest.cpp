@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "libcontact/base/root_finding.hpp"
-#include "libcontact/joint/spherical_joint.hpp"
+#include "libcontact/joint/ball_joint.hpp"
 
 // What a joint at rest holds: H(R) by the sliding moments M_t(R, u).
 namespace contact {
@@ -25,7 +25,7 @@ class SlipSearch {
  public:
   // @param reaction  along Z, with its sign
   // @param angle     between Z and the moment -M that u has to overcome
-  SlipSearch(const SphericalJoint& joint, double reaction, double angle,
+  SlipSearch(const BallJoint& joint, double reaction, double angle,
              const SolveOptions& options)
       : joint_(joint),
         reaction_(0, 0, reaction),
@@ -106,7 +106,7 @@ class SlipSearch {
         .middle();
   }
 
-  const SphericalJoint& joint_;
+  const BallJoint& joint_;
   Vector3d reaction_;
   double angle_;
   SolveOptions options_;
@@ -114,7 +114,7 @@ class SlipSearch {
   int solves_ = 0;
 };
 
-RestSolution solve_rest(const SphericalJoint& joint, const Vector3d& reaction,
+RestSolution solve_rest(const BallJoint& joint, const Vector3d& reaction,
                         const Vector3d& moment, const RestSolution* last,
                         const SolveOptions& options) {
   RestSolution rest;
@@ -185,13 +185,13 @@ RestSolution solve_rest(const SphericalJoint& joint, const Vector3d& reaction,
 
 }  // namespace
 
-RestSolution SphericalJoint::utilisation(
+RestSolution BallJoint::utilisation(
     const Vector3d& reaction, const Vector3d& moment,
     const SolveOptions& options) const noexcept {
   return solve_rest(*this, reaction, moment, nullptr, options);
 }
 
-RestSolution SphericalJoint::utilisation(
+RestSolution BallJoint::utilisation(
     const Vector3d& reaction, const Vector3d& moment, const RestSolution& last,
     const SolveOptions& options) const noexcept {
   return solve_rest(*this, reaction, moment, &last, options);

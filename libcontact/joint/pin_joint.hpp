@@ -20,38 +20,37 @@ namespace contact {
 ///
 /// for dry friction; for viscous friction with k1 rho |w| in place of f0 and
 /// k0 rho |w| in place of A. Without adhesion f = f0 and nothing is left to
-/// solve. It is the equation of SphericalJoint at a = 0: the results have the
+/// solve. It is the equation of BallJoint at a = 0: the results have the
 /// same form, with b = 90 deg and a = 0.
 ///
-/// Frame, sides and signs as in SphericalJoint; `rate` is the angular velocity
-/// of the load relative to the carrier about `axis`. The joint takes force
+/// Frame, sides and signs as in BallJoint; `rate` is the angular velocity
+/// of the body relative to the carrier about `axis`. The joint takes force
 /// normal to the axis only: the part of R along the axis is left out, and
 /// JointSolution::reaction is what is left.
 ///
 /// Const functions do not allocate and do not throw. NaN or infinity: NaN
 /// with out_of_range.
-class CylindricalJoint {
+class PinJoint {
  public:
   /// @throws Error if an argument does not fit a pin joint
   ///         (JointContact::JointContact).
-  explicit CylindricalJoint(JointContact contact);
-  CylindricalJoint(JointGeometry geometry, ElasticPair pair,
-                   FrictionModel friction,
-                   std::shared_ptr<const HalfAngleLaw> half_angle_law,
-                   std::shared_ptr<const PressureLaw> pressure_law)
-      : CylindricalJoint(JointContact(geometry, std::move(pair), friction,
-                                      std::move(half_angle_law),
-                                      std::move(pressure_law))) {}
+  explicit PinJoint(JointContact contact);
+  PinJoint(JointGeometry geometry, ElasticPair pair, FrictionModel friction,
+           std::shared_ptr<const HalfAngleLaw> half_angle_law,
+           std::shared_ptr<const PressureLaw> pressure_law)
+      : PinJoint(JointContact(geometry, std::move(pair), friction,
+                              std::move(half_angle_law),
+                              std::move(pressure_law))) {}
 
   const JointContact& contact() const { return contact_; }
 
   /// Friction under the reaction R while the halves turn.
   ///
-  /// @param reaction  R on the load, N
+  /// @param reaction  R on the body, N
   /// @param axis      unit vector
   /// @param rate      rad/s about the axis; exactly 0 gives
   ///                  JointState::resting
-  /// @return |f/tan g - 1| <= 2e-13 (joint/cylindrical_joint_test.cpp)
+  /// @return |f/tan g - 1| <= 2e-13 (joint/pin_joint_test.cpp)
   JointSolution solve(const Eigen::Vector3d& reaction,
                       const Eigen::Vector3d& axis, double rate,
                       const SolveOptions& options = {}) const noexcept;
@@ -61,13 +60,13 @@ class CylindricalJoint {
                       const JointSolution& last,
                       const SolveOptions& options = {}) const noexcept;
 
-  /// Friction under a known compressive force, see
-  /// SphericalJoint::solve_contact().
-  JointSolution solve_contact(const Eigen::Vector3d& compressive_force,
+  /// Friction under a known normal force, see
+  /// BallJoint::solve_contact().
+  JointSolution solve_contact(const Eigen::Vector3d& normal_force,
                               const Eigen::Vector3d& axis,
                               double rate) const noexcept;
 
-  /// The paper's inner loop, see SphericalJoint::fixed_point().
+  /// The paper's inner loop, see BallJoint::fixed_point().
   FixedPointResult fixed_point(const Eigen::Vector3d& reaction,
                                const Eigen::Vector3d& axis, double rate,
                                std::span<FixedPointStep> trace,
