@@ -1,0 +1,31 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+/// The grammar of messages about what somebody gave. `what` names it, with its
+/// value where it has one: "radius_mm = -50", "--radius -50mm", "radius = -50".
+/// A file's name and line come in front: "j.toml:4: ".
+namespace contact::detail {
+
+/// "WHAT must be RULE": `rule` is what would be right, "above 0".
+std::string must_be(std::string_view what, std::string_view rule);
+
+/// `unknown KIND "WORD": did you mean "NEAREST"? (KNOWN, ...)`, without the
+/// question if nothing is near.
+std::string unknown(std::string_view kind, std::string_view word,
+                    std::span<const std::string> known);
+
+/// "WHAT requires OTHER"
+std::string needs(std::string_view what, std::string_view other);
+
+/// "WHAT conflicts with OTHER"; with a line of the file, "... (line 3)".
+std::string conflicts(std::string_view what, std::string_view other,
+                      int line = 0);
+
+/// `duplicate KIND WHAT (lines 3 and 9)`, without lines if they are 0.
+std::string duplicate(std::string_view kind, std::string_view what,
+                      int first_line = 0, int second_line = 0);
+
+}  // namespace contact::detail
