@@ -2,14 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "cli/file_text.hpp"
 #include "libcontact/base/error.hpp"
-#include "multibody_oracle/json_node.hpp"
-#include "multibody_oracle/json_text.hpp"
 #include "multibody_support/prepared.hpp"
 
 namespace multibody {
@@ -19,155 +19,154 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using nlohmann::json;
 using nlohmann::ordered_json;
-
-constexpr const char* schema = "carrier-loads/1";
+using Keys = std::vector<std::string_view>;
 
 // Redundant data may come from seven printed digits.
 constexpr double agreement = 1e-6;
 
-// Of what is computed or of where the case is from.
-void check_root_keys(const JsonNode& root) {
-  static const std::vector<std::string> keys = {
-      "schema",           "name",    "kind",  "seed",    "oracle",
-      "gravity_inertial", "carrier", "loads", "expected"};
-  root.allow_keys(keys, "the file");
-}
+const Keys file_keys = {"schema",  "name",   "kind",
+                        "seed",    "oracle", "gravity_inertial",
+                        "carrier", "loads",  "expected"};
+const Keys carrier_keys = {
+    "mass",         "inertia_com",      "rotation_to_inertial",
+    "position_com", "velocity_com",     "angular_velocity",
+    "active_force", "active_moment_com"};
+const Keys free_keys = {"kind",
+                        "mass",
+                        "inertia_com",
+                        "rotation_to_carrier",
+                        "relative_angular_velocity",
+                        "angular_velocity",
+                        "active_force",
+                        "active_moment_com"};
+const Keys ball_keys = {"held", "hinge_from_com", "hinge_from_carrier_com",
+                        "friction_moment"};
+const Keys axis_keys = {"hinge_to_load", "hinge_to_carrier_zero", "angle",
+                        "angle_rate"};
 
-void check_carrier_keys(const JsonNode& carrier) {
-  static const std::vector<std::string> keys = {
-      "mass",         "inertia_com",      "rotation_to_inertial",
-      "position_com", "velocity_com",     "angular_velocity",
-      "active_force", "active_moment_com"};
-  carrier.allow_keys(keys, "the carrier");
-}
-
-void check_body_keys(const JsonNode& body, HingeKind kind) {
-  static const std::vector<std::string> free = {"kind",
-                                                "mass",
-                                                "inertia_com",
-                                                "rotation_to_carrier",
-                                                "relative_angular_velocity",
-                                                "angular_velocity",
-                                                "active_force",
-                                                "active_moment_com"};
-  static const auto with = [](std::vector<std::string> keys,
-                              const std::vector<std::string>& more) {
+Keys keys_of(HingeKind kind) {
+  Keys keys = free_keys;
+  const auto add = [&](const Keys& more) {
     keys.insert(keys.end(), more.begin(), more.end());
-    return keys;
   };
-  static const std::vector<std::string> spherical = with(
-      free,
-      {"held", "hinge_from_com", "hinge_from_carrier_com", "friction_moment"});
-  static const std::vector<std::string> axis =
-      with(spherical,
-           {"hinge_to_load", "hinge_to_carrier_zero", "angle", "angle_rate"});
-  switch (kind) {
-    case HingeKind::none:
-      return body.allow_keys(free, "a free load");
-    case HingeKind::ball:
-      return body.allow_keys(spherical, "a load on a ball joint");
-    case HingeKind::axis:
-      return body.allow_keys(axis, "a load on an axis");
+  if (kind != HingeKind::none) add(ball_keys);
+  if (kind == HingeKind::axis) add(axis_keys);
+  return keys;
+}
+
+// A misspelt key would be passed over.
+void refuse_keys_beside(const json& object, const Keys& keys,
+                        std::string_view place) {
+  for (const auto& [key, value] : object.items()) {
+    if (std::ranges::find(keys, key) == keys.end()) {
+      throw contact::Error(fmt::format("{}: unknown key \"{}\" ({})", place,
+                                       key, fmt::join(keys, ", ")));
+    }
   }
 }
 
-HingeKind own_kind(const JsonNode& node) {
-  const std::string kind = node.string();
+Vector3d vector(const json& rows) {
+  if (rows.size() != 3) throw contact::Error(rows.dump() + ": not 3 numbers");
+  return Vector3d(rows.at(0), rows.at(1), rows.at(2));
+}
+
+Vector3d vector_or_zero(const json& object, const char* key) {
+  return object.contains(key) ? vector(object[key]) : Vector3d::Zero();
+}
+
+Matrix3d matrix(const json& rows) {
+  if (rows.size() != 3) throw contact::Error(rows.dump() + ": not 3 rows");
+  Matrix3d result;
+  for (int i = 0; i < 3; ++i) result.row(i) = vector(rows[i]).transpose();
+  return result;
+}
+
+Matrix3d rotation(const json& object, const char* key) {
+  return checked_rotation(matrix(object.at(key)), key);
+}
+
+HingeKind kind_of(const json& body, const std::string& kind_of_all) {
+  std::string kind = kind_of_all == "axes" ? "axis" : kind_of_all;
+  if (kind == "mixed") kind = body.at("kind");
+  if (body.value("kind", kind) != kind) {
+    throw contact::Error("kind: not that of the file");
+  }
   if (kind == "spherical") return HingeKind::ball;
   if (kind == "axis") return HingeKind::axis;
   if (kind == "free") return HingeKind::none;
-  node.fail("spherical, axis or free");
+  throw contact::Error("kind must be spherical, axis or free");
 }
 
-HingeKind body_kind(const JsonNode& body, const std::string& kind_of_all) {
-  if (kind_of_all == "mixed") return own_kind(body["kind"]);
-  const bool spherical = kind_of_all == "spherical";
-  const HingeKind kind = spherical ? HingeKind::ball : HingeKind::axis;
-  if (body.has("kind") && own_kind(body["kind"]) != kind) {
-    body["kind"].fail(spherical ? "spherical, the file's kind"
-                                : "axis, the file's kind");
-  }
-  return kind;
-}
-
-JointMode body_mode(const JsonNode& body, HingeKind kind) {
-  if (kind == HingeKind::none) return JointMode::released;
-  return body.has("held") && body["held"].boolean() ? JointMode::held
-                                                    : JointMode::turning;
-}
-
-Body read_body(const JsonNode& node, HingeKind kind) {
+Body read_body(const json& object, HingeKind kind) {
   Body body;
   body.kind = kind;
-  body.mass = node["mass"].number();
-  body.inertia = node["inertia_com"].matrix();
+  body.mass = object.at("mass");
+  body.inertia = matrix(object.at("inertia_com"));
   if (kind != HingeKind::none) {
-    body.hinge_from_com = node["hinge_from_com"].vector();
-    body.hinge_from_carrier_com = node["hinge_from_carrier_com"].vector();
+    body.hinge_from_com = vector(object.at("hinge_from_com"));
+    body.hinge_from_carrier_com = vector(object.at("hinge_from_carrier_com"));
   }
   if (kind == HingeKind::axis) {
-    body.hinge_to_body = node["hinge_to_load"].rotation();
-    body.hinge_to_carrier_zero = node["hinge_to_carrier_zero"].rotation();
+    body.hinge_to_body = rotation(object, "hinge_to_load");
+    body.hinge_to_carrier_zero = rotation(object, "hinge_to_carrier_zero");
   }
   return body;
 }
 
-void check_agreement(double error, double scale, const JsonNode& node,
-                     const char* key) {
-  if (error <= agreement * scale) return;
-  node[key].fail(
-      fmt::format("a value that agrees with the load's other data "
-                  "to {} (off by {})",
-                  agreement * scale, error));
-}
-
-void read_turn(const JsonNode& node, BodyInstant& body) {
-  body.angle = node["angle"].number();
-  body.angle_rate = node["angle_rate"].number();
-  body.rotation = axis_rotation(body.body, body.angle);
-  body.relative_angular_velocity =
-      body.angle_rate * body.body.hinge_to_body.col(2);
-  if (node.has("rotation_to_carrier")) {
-    const Matrix3d given = node["rotation_to_carrier"].rotation();
-    check_agreement((given - body.rotation).cwiseAbs().maxCoeff(), 1, node,
-                    "rotation_to_carrier");
-  }
-  if (node.has("relative_angular_velocity")) {
-    const Vector3d given = node["relative_angular_velocity"].vector();
-    check_agreement((given - body.relative_angular_velocity).norm(),
-                    1 + std::abs(body.angle_rate), node,
-                    "relative_angular_velocity");
+// What is given twice has to say the same.
+void check_agreement(const char* key, double difference, double size) {
+  if (!(difference <= agreement * size)) {
+    throw contact::Error(fmt::format("{}: off by {} from the body's other data",
+                                     key, difference));
   }
 }
 
-BodyInstant read_body_instant(const JsonNode& node, HingeKind kind,
-                              const Vector3d& carrier_velocity) {
-  check_body_keys(node, kind);
-  BodyInstant body;
-  body.body = read_body(node, kind);
-  body.mode = body_mode(node, kind);
-  if (kind == HingeKind::axis) {
-    read_turn(node, body);
+void read_motion(const json& object, const Vector3d& carrier_velocity,
+                 BodyInstant& body) {
+  if (body.body.kind == HingeKind::axis) {
+    body.angle = object.at("angle");
+    body.angle_rate = object.at("angle_rate");
+    body.rotation = axis_rotation(body.body, body.angle);
+    body.relative_angular_velocity =
+        body.angle_rate * body.body.hinge_to_body.col(2);
   } else {
-    body.rotation = node["rotation_to_carrier"].rotation();
-    body.relative_angular_velocity = node["relative_angular_velocity"].vector();
+    body.rotation = rotation(object, "rotation_to_carrier");
+    body.relative_angular_velocity =
+        vector(object.at("relative_angular_velocity"));
   }
+  const Vector3d w = body.rotation.transpose() * carrier_velocity +
+                     body.relative_angular_velocity;
+  if (object.contains("rotation_to_carrier")) {
+    check_agreement("rotation_to_carrier",
+                    (rotation(object, "rotation_to_carrier") - body.rotation)
+                        .cwiseAbs()
+                        .maxCoeff(),
+                    1);
+  }
+  for (const auto& [key, value] :
+       {std::pair{"relative_angular_velocity", body.relative_angular_velocity},
+        std::pair{"angular_velocity", w}}) {
+    if (!object.contains(key)) continue;
+    check_agreement(key, (vector(object[key]) - value).norm(),
+                    1 + value.norm());
+  }
+}
+
+BodyInstant read_body_instant(const json& object, HingeKind kind,
+                              const Vector3d& carrier_velocity) {
+  BodyInstant body;
+  body.body = read_body(object, kind);
+  body.mode = kind == HingeKind::none       ? JointMode::released
+              : object.value("held", false) ? JointMode::held
+                                            : JointMode::turning;
+  read_motion(object, carrier_velocity, body);
+  body.active_force = vector_or_zero(object, "active_force");
+  body.active_moment_com = vector_or_zero(object, "active_moment_com");
+  body.friction_moment = vector_or_zero(object, "friction_moment");
   if (body.mode == JointMode::held &&
-      !body.relative_angular_velocity.isZero(0)) {
-    node[kind == HingeKind::axis ? "angle_rate" : "relative_angular_velocity"]
-        .fail("0, since the joint is held");
-  }
-  if (node.has("angular_velocity")) {
-    const Vector3d w = body.rotation.transpose() * carrier_velocity +
-                       body.relative_angular_velocity;
-    check_agreement((node["angular_velocity"].vector() - w).norm(),
-                    1 + w.norm(), node, "angular_velocity");
-  }
-  body.active_force = node.vector_or_zero("active_force");
-  body.active_moment_com = node.vector_or_zero("active_moment_com");
-  body.friction_moment = node.vector_or_zero("friction_moment");
-  if (body.mode == JointMode::held && !body.friction_moment.isZero(0)) {
-    node["friction_moment"].fail("0, since the joint is held");
+      !(body.relative_angular_velocity.isZero(0) &&
+        body.friction_moment.isZero(0))) {
+    throw contact::Error("held: its rates and friction_moment must be 0");
   }
   return body;
 }
@@ -198,41 +197,42 @@ ordered_json to_json(const BodyInstant& body, const BodyResult& result) {
 }  // namespace
 
 Instant instant_from_json(const json& file) {
-  const JsonNode root(file, "");
-  if (root["schema"].string() != schema) root["schema"].fail(schema);
-  const std::string kind = root["kind"].string();
-  if (kind != "spherical" && kind != "axes" && kind != "mixed") {
-    root["kind"].fail("spherical, axes or mixed");
+  refuse_keys_beside(file, file_keys, "the file");
+  if (file.at("schema") != "carrier-loads/1") {
+    throw contact::Error("schema must be carrier-loads/1");
   }
-  check_root_keys(root);
-  const JsonNode carrier = root["carrier"];
-  check_carrier_keys(carrier);
+  const json& carrier = file.at("carrier");
+  refuse_keys_beside(carrier, carrier_keys, "carrier");
   Instant instant;
-  instant.carrier = {carrier["mass"].number(), carrier["inertia_com"].matrix()};
-  instant.gravity = root["gravity_inertial"].vector();
-  instant.rotation = carrier["rotation_to_inertial"].rotation();
-  instant.position = carrier.vector_or_zero("position_com");
-  instant.velocity = carrier.vector_or_zero("velocity_com");
-  instant.angular_velocity = carrier["angular_velocity"].vector();
-  instant.active_force = carrier.vector_or_zero("active_force");
-  instant.active_moment_com = carrier.vector_or_zero("active_moment_com");
-  const JsonNode bodies = root["loads"];
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
-    instant.bodies.push_back(read_body_instant(
-        bodies[i], body_kind(bodies[i], kind), instant.angular_velocity));
+  instant.carrier = {carrier.at("mass"), matrix(carrier.at("inertia_com"))};
+  instant.gravity = vector(file.at("gravity_inertial"));
+  instant.rotation = rotation(carrier, "rotation_to_inertial");
+  instant.position = vector_or_zero(carrier, "position_com");
+  instant.velocity = vector_or_zero(carrier, "velocity_com");
+  instant.angular_velocity = vector(carrier.at("angular_velocity"));
+  instant.active_force = vector_or_zero(carrier, "active_force");
+  instant.active_moment_com = vector_or_zero(carrier, "active_moment_com");
+  for (const json& object : file.at("loads")) {
+    const std::string place = fmt::format("loads[{}]", instant.bodies.size());
+    try {
+      const HingeKind kind = kind_of(object, file.at("kind"));
+      refuse_keys_beside(object, keys_of(kind), "the body");
+      instant.bodies.push_back(
+          read_body_instant(object, kind, instant.angular_velocity));
+    } catch (const std::exception& error) {
+      throw contact::Error(fmt::format("{}: {}", place, error.what()));
+    }
   }
   return instant;
 }
 
 Instant read_case(const std::string& file) {
   const std::string text = cli::file_text(file);
-  if (text.empty()) throw contact::Error(file + ": empty");
-  const json parsed = parse_json(text, file);
   try {
-    Instant instant = instant_from_json(parsed);
+    Instant instant = instant_from_json(json::parse(text));
     prepare(instant);  // System's checks, with the file's name
     return instant;
-  } catch (const contact::Error& error) {
+  } catch (const std::exception& error) {
     throw contact::Error(file + ": " + error.what());
   }
 }

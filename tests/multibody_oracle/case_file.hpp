@@ -16,12 +16,12 @@ namespace multibody {
 /// velocities and rotations that are given twice have to agree to 1e-6. Keys
 /// that the format does not have are refused, but for those inside
 /// "expected", which is not looked at.
-/// @throws contact::Error "FILE: key: what is wrong, what is allowed"; where
-///   it is not JSON "FILE:LINE:COLUMN: what is wrong"
+/// @throws contact::Error "FILE: what is wrong"
 Instant read_case(const std::string& file);
 
 /// The same from parsed JSON.
-/// @throws contact::Error "key: what is wrong, what is allowed"
+/// @throws contact::Error; nlohmann::json::exception where a key is missing or
+///   its value of another type
 Instant instant_from_json(const nlohmann::json& json);
 
 /// The result with the keys and in the frames of the format's "expected".
