@@ -24,7 +24,6 @@ int cost_of(std::string_view name, contact::JointKind kind) {
   if (name == "hertz") return ball ? 4 : 2;
   if (name == "arctan") return ball ? 5 : 2;
   if (name == "tanh") return ball ? 6 : 3;
-  if (name == "nominal") return ball ? 5 : 2;
   if (name == "fitted") return ball ? 14 : 10;
   if (name == "exact") return ball ? 25 : 15;
   return ball ? 7 : 4;  // blend and blend:K; paper for a pin

@@ -34,10 +34,9 @@ Each takes a value, a list a,b,c, a range start:stop:step, or
 start:stop:logN for N values in equal ratios.
 
 Laws: hertz, arctan, tanh, blend, blend:K (K arctan + (1-K) tanh), paper
-(blend:0.5 for a pin, tanh for a ball), nominal (fitted to exact
-contacts, Poisson's ratio 0.3), fitted (the same for any pair; the default),
-exact (the theory of elasticity for this pair), or all (but paper, which is
-one of them).
+(blend:0.5 for a pin, tanh for a ball), fitted (a formula fitted to exact
+contacts of any pair; the default), exact (the theory of elasticity for this
+pair), or all (but paper, which is one of them).
 Limit half-angle of arctan, tanh and blend: formula, linear (0.5 <= E1/E2 <= 2),
 or a value in degrees. A joint file may name the law, the limit half-angle
 and the pressure law; options go before it.

@@ -23,7 +23,7 @@ Lengths are in m or carry a unit: 50mm, 25um. The clearance is the difference
 of the radii. Friction, half-angle law and pressure law are those of the files
 unless options name others; of comma lists of laws every pair is computed.
 Half-angle laws as in hinge-angle: hertz, arctan, tanh, blend, blend:K, paper,
-nominal, fitted, exact, or all.
+fitted, exact, or all.
 )";
 
 constexpr std::string_view state_help = R"(

@@ -11,9 +11,8 @@
 namespace contact {
 
 const std::vector<std::string>& half_angle_law_names() {
-  static const std::vector<std::string> names = {"hertz",  "arctan", "tanh",
-                                                 "blend",  "paper",  "nominal",
-                                                 "fitted", "exact"};
+  static const std::vector<std::string> names = {
+      "hertz", "arctan", "tanh", "blend", "paper", "fitted", "exact"};
   return names;
 }
 
@@ -81,9 +80,6 @@ std::unique_ptr<HalfAngleLaw> make_half_angle_law(
     return std::make_unique<TanhLaw>(kind, limit_of(pair, options), slope);
   }
   if (name == "blend") return blend(BlendLaw::recommended_arctan_share(kind));
-  if (name == "nominal") {
-    return std::make_unique<NominalLaw>(kind, pair.modulus_ratio());
-  }
   if (name == "fitted") return std::make_unique<FittedLaw>(kind, pair);
   if (name == "exact") {
     const auto& [loading, walls] = conditions;

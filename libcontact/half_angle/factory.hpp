@@ -27,7 +27,7 @@ struct HalfAngleOptions {
 inline constexpr std::string_view default_half_angle_law = "fitted";
 
 /// Names that make_half_angle_law() knows, in the order of the sources:
-/// hertz, arctan, tanh, blend, paper, nominal, fitted, exact.
+/// hertz, arctan, tanh, blend, paper, fitted, exact.
 const std::vector<std::string>& half_angle_law_names();
 
 /// Whether the law of this name heeds HalfAngleOptions: those of the paper
@@ -45,8 +45,8 @@ bool half_angle_law_allows(std::string_view name,
 /// @param name  "hertz", "arctan", "tanh", "blend" (the paper's k for the
 ///              kind of joint), "blend:K" with K in [0, 1], or "paper" (what
 ///              the paper recommends: blend:0.5 for a pin, tanh for a ball),
-///              "nominal" (NominalLaw), "fitted" (FittedLaw), "exact"
-///              (ExactLaw); these three take none of the options
+///              "fitted" (FittedLaw), "exact" (ExactLaw); these two take none
+///              of the options
 /// @param pair  the materials at the surfaces; with walls those of the walls
 ///              count
 /// @throws Error if the name is not known, an option is out of range or the

@@ -10,7 +10,6 @@
 #include "libcontact/base/units.hpp"
 #include "libcontact/half_angle/coefficients.hpp"
 #include "libcontact/half_angle/fitted_relation.hpp"
-#include "libcontact/pair/poisson_notes.hpp"
 
 namespace contact {
 namespace {
@@ -84,92 +83,6 @@ double FittedLaw::limit_half_angle() const noexcept { return fit_->limit; }
 
 std::vector<std::string> FittedLaw::validity_notes(const ElasticPair&) const {
   return {};
-}
-
-namespace {
-
-// Infinity without infinity/infinity.
-double al_of(double modulus_ratio) {
-  detail::require(modulus_ratio >= 0, "nominal law", "modulus_ratio",
-                  modulus_ratio, "0 to inf");
-  return modulus_ratio < 1 ? (modulus_ratio - 1) / (modulus_ratio + 1)
-                           : (1 - 1 / modulus_ratio) / (1 + 1 / modulus_ratio);
-}
-
-double quadratic(const double (&c)[3], double al) {
-  return c[0] + al * (c[1] + al * c[2]);
-}
-
-double limit_deg(const double (&c)[4], double al) {
-  return c[0] + al * (c[1] + al * (c[2] + al * c[3]));
-}
-
-}  // namespace
-
-NominalLaw::NominalLaw(JointKind kind, double modulus_ratio)
-    : NominalLaw(kind, al_of(modulus_ratio),
-                 kind == JointKind::ball ? detail::nominal_ball
-                                         : detail::nominal_pin) {}
-
-NominalLaw::NominalLaw(JointKind kind, double al,
-                       const detail::NominalCoefficients& table)
-    : SaturatingLaw(
-          kind, LimitHalfAngle::given(limit_deg(table.limit_deg, al) * degree),
-          1),
-      n1_(quadratic(table.n1, al)),
-      n2_(quadratic(table.n2, al)),
-      d1_(quadratic(table.d1, al)),
-      d2_(quadratic(table.d2, al)) {}
-
-std::vector<std::string> NominalLaw::validity_notes(
-    const ElasticPair& pair) const {
-  return detail::poisson_notes("the law is made", pair);
-}
-
-NominalLaw::Shape NominalLaw::shape(double xi) const noexcept {
-  if (xi <= 1) {
-    // g^2 = xi^2 p/q
-    const double p = 1 + xi * (n1_ + xi * n2_);
-    const double q = 1 + xi * (d1_ + xi * (d2_ + xi * (n1_ + xi * n2_)));
-    const double dp = n1_ + 2 * xi * n2_;
-    const double dq = d1_ + xi * (2 * d2_ + xi * (3 * n1_ + xi * 4 * n2_));
-    const double root = std::sqrt(p / q);
-    return {xi * root, root * (1 + xi / 2 * (dp / p - dq / q))};
-  }
-  // The same in y = 1/xi: g^2 = p/q, q - p = y^2 (d2 - 1 + d1 y + y^2).
-  const double y = 1 / xi;
-  const double p = n2_ + y * (n1_ + y);
-  const double q = p + y * y * (d2_ - 1 + y * (d1_ + y));
-  const double dp = n1_ + 2 * y;
-  const double dq = n1_ + y * (2 * d2_ + y * (3 * d1_ + 4 * y));
-  const double value = std::sqrt(p / q);
-  return {value, -y * y / 2 * value * (dp / p - dq / q)};
-}
-
-NominalLaw::InverseResult NominalLaw::inverse_shape(
-    double ratio, double complement) const noexcept {
-  const auto result = [](const RootBracket& root, double xi) {
-    return InverseResult{xi,
-                         root.converged ? Status::ok : Status::not_converged};
-  };
-  // g lies between xi/1.2 and 1.2 xi for small xi.
-  if (ratio <= 0.5) {
-    const RootBracket root =
-        root_between([&](double v) { return shape(v).value - ratio; },
-                     ratio / 1.2, 2 * ratio);
-    return result(root, root.middle());
-  }
-  // q - p = (1 - ratio^2) q in y = 1/xi.
-  const double rest = complement * (1 + ratio);
-  const RootBracket root = root_between(
-      [&](double y) {
-        const double p = n2_ + y * (n1_ + y);
-        const double difference = y * y * (d2_ - 1 + y * (d1_ + y));
-        return (1 - rest) * difference - rest * p;
-      },
-      // rest p -> rest n2 and difference <= some y^2 as y -> 0.
-      0.1 * std::sqrt(rest), 1.2 / ratio);
-  return result(root, 1 / root.middle());
 }
 
 }  // namespace contact

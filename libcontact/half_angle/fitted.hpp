@@ -12,7 +12,6 @@ namespace contact {
 
 namespace detail {
 class FittedHalfAngle;
-struct NominalCoefficients;
 }  // namespace detail
 
 /// A formula for the load at a half-angle, for any elastic pair, fitted to the
@@ -47,45 +46,6 @@ class FittedLaw final : public HalfAngleLaw {
 
  private:
   std::unique_ptr<const detail::FittedHalfAngle> fit_;
-};
-
-/// A direct formula for the half-angle at a load, fitted to the exact contact
-/// of materials with nu1 = nu2 = 0.3:
-///
-///     theta0 = theta0* xi sqrt((1 + n1 xi + n2 xi^2)
-///              / (1 + d1 xi + d2 xi^2 + n1 xi^3 + n2 xi^4)),
-///     xi = x/theta0*,
-///
-/// theta0*, n1, n2, d1, d2 polynomials in (Ebar - 1)/(Ebar + 1):
-/// docs/half_angle.md.
-///
-/// Error of the law for nu = 0.3: 0.05 % (pin), 0.09 % (ball) of theta0 at the
-/// same load, any Ebar, all loads. Other Poisson's ratios move theta0 by
-/// several percent. Accuracy of the code: relative error at most 2e-15
-/// forward, 2e-14 inverse (half_angle/fitted_test.cpp, against 50-digit
-/// arithmetic).
-class NominalLaw final : public SaturatingLaw {
- public:
-  /// @param modulus_ratio  Ebar, [0, infinity]
-  /// @throws Error if out of range.
-  NominalLaw(JointKind kind, double modulus_ratio);
-
-  std::string name() const override { return "nominal"; }
-  /// Another Poisson's ratio than 0.3 in a body that deforms.
-  std::vector<std::string> validity_notes(
-      const ElasticPair& pair) const override;
-
- private:
-  NominalLaw(JointKind kind, double al,
-             const detail::NominalCoefficients& table);
-  Shape shape(double xi) const noexcept override;
-  InverseResult inverse_shape(double ratio,
-                              double complement) const noexcept override;
-
-  double n1_;
-  double n2_;
-  double d1_;
-  double d2_;
 };
 
 }  // namespace contact

@@ -69,7 +69,6 @@ Fit lawson(const Equations& equations, int rows) {
                        .solve(root.cwiseProduct(right));
     const Vector error = (matrix * coefficients - right).cwiseAbs();
     const double largest = error.maxCoeff();
-    // The first step of a rational law has no denominator yet.
     if (i > 0 && largest < best.largest_error) best = {coefficients, largest};
     // The root damps the iteration, 0.05 keeps small errors in play.
     weight = weight.cwiseProduct(
@@ -95,9 +94,6 @@ std::vector<ElasticPair> fit_pairs() {
   }
   return pairs;
 }
-
-// al = (Ebar - 1)/(Ebar + 1)
-double ratio_of(double al) { return (1 + al) / (1 - al); }
 
 }  // namespace
 
@@ -145,87 +141,6 @@ FittedCoefficients fit_fitted_law(JointKind kind) {
   return result;
 }
 
-NominalFit fit_nominal_law(JointKind kind) {
-  constexpr int pairs = 41;
-  constexpr int count = 41;
-  constexpr int orders = 3;    // of the quadratics in al
-  constexpr int unknowns = 4;  // n1, n2, d1, d2
-  std::vector<double> al;
-  Matrix limit_matrix(pairs, 4);
-  Vector limits(pairs);
-  std::vector<std::vector<Sample>> samples;
-  for (int i = 0; i < pairs; ++i) {
-    // Both ends exactly.
-    al.push_back(-std::cos(std::numbers::pi * i / (pairs - 1)));
-    const auto pair =
-        ElasticPair::from_modulus_ratio(ratio_of(al[i]), 0.3, 0.3);
-    limits(i) = ExactLaw(kind, pair).limit_half_angle() / degree;
-    limit_matrix.row(i) << 1, al[i], al[i] * al[i], al[i] * al[i] * al[i];
-    samples.push_back(samples_of(kind, pair, count));
-  }
-  const Vector limit_fit =
-      lawson(
-          [&](const Vector&) {
-            return std::pair<Matrix, Vector>(
-                limits.cwiseInverse().asDiagonal() * limit_matrix,
-                Vector::Ones(pairs));
-          },
-          pairs)
-          .coefficients;
-  const Vector fitted_limits = limit_matrix * limit_fit;
-
-  // r^2 (1 + d1 xi + d2 xi^2 + n1 xi^3 + n2 xi^4) = xi^2 (1 + n1 xi + n2 xi^2)
-  // divided by 2 r^2 times the last denominator: the relative error of r.
-  const auto equations = [&](const Vector& last) {
-    Matrix matrix(pairs * count, unknowns * orders);
-    Vector right(pairs * count);
-    int row = 0;
-    for (int i = 0; i < pairs; ++i) {
-      const double limit = fitted_limits(i) * degree;
-      for (const Sample& sample : samples[i]) {
-        const double x =
-            2 * std::sin(sample.half_angle / 2) *
-            std::pow(sample.relation, -1.0 / detail::load_power(kind));
-        // From 0 to 1 for all loads: xi/(1 + xi) powers, both sides over
-        // (1 + xi)^4.
-        const double xi = x / limit;
-        const double r2 = std::pow(sample.half_angle / limit, 2);
-        const double scale = std::pow(1 + xi, -4);
-        const double xi2 = xi * xi * scale;
-        const double basis[unknowns] = {(r2 - 1) * xi * xi2,
-                                        (r2 - 1) * xi2 * xi * xi,
-                                        r2 * xi * scale, r2 * xi2};
-        const double denominators[unknowns] = {xi * xi2, xi * xi * xi2,
-                                               xi * scale, xi2};
-        double denominator = scale;
-        double order = 1;
-        for (int k = 0; k < orders; ++k) {
-          for (int j = 0; j < unknowns; ++j) {
-            matrix(row, j * orders + k) = basis[j] * order;
-            if (last.size() > 0) {
-              denominator += last(j * orders + k) * denominators[j] * order;
-            }
-          }
-          order *= al[i];
-        }
-        if (last.size() == 0) denominator = 1;
-        matrix.row(row) /= 2 * r2 * denominator;
-        right(row) = (xi2 - r2 * scale) / (2 * r2 * denominator);
-        ++row;
-      }
-    }
-    return std::pair<Matrix, Vector>(std::move(matrix), std::move(right));
-  };
-  const Fit fit = lawson(equations, pairs * count);
-  NominalFit result{
-      {limit_fit.begin(), limit_fit.end()}, {}, fit.largest_error};
-  for (int j = 0; j < unknowns; ++j) {
-    const Vector part = fit.coefficients.segment(j * orders, orders);
-    result.rows.emplace_back(part.begin(), part.end());
-  }
-  return result;
-}
-
 std::string half_angle_coefficients_header() {
   const auto list = [](const std::vector<double>& values) {
     std::string cells;
@@ -240,11 +155,6 @@ std::string half_angle_coefficients_header() {
 /// Made by the program fit-half-angle (reference/half_angle_fit.hpp); do not
 /// edit. Largest relative error of theta0 on the pairs of the fit above each.
 namespace contact::detail {
-
-struct NominalCoefficients {
-  double limit_deg[4];
-  double n1[3], n2[3], d1[3], d2[3];
-};
 )";
   for (const JointKind kind : {JointKind::pin, JointKind::ball}) {
     const char* joint = kind == JointKind::pin ? "pin" : "ball";
@@ -254,13 +164,6 @@ struct NominalCoefficients {
         100 * fitted.largest_error, joint, fitted.rows.size(),
         detail::fitted_terms);
     for (const auto& row : fitted.rows) text += "    " + list(row) + ",\n";
-    text += "};\n";
-    const NominalFit nominal = fit_nominal_law(kind);
-    text += fmt::format(
-        "\n// {:.2g} %\ninline constexpr NominalCoefficients nominal_{} = {{\n"
-        "    {},\n",
-        100 * nominal.largest_error, joint, list(nominal.limit_deg));
-    for (const auto& row : nominal.rows) text += "    " + list(row) + ",\n";
     text += "};\n";
   }
   return text + "\n}  // namespace contact::detail\n";

@@ -22,19 +22,6 @@ struct FittedCoefficients {
 /// half-angles from 0.05 deg to the limit.
 FittedCoefficients fit_fitted_law(JointKind kind);
 
-/// Coefficients of NominalLaw: the limit half-angle in degrees as a cubic in
-/// al = (Ebar - 1)/(Ebar + 1); n1, n2, d1, d2 as quadratics.
-struct NominalFit {
-  std::vector<double> limit_deg;
-  std::vector<std::vector<double>> rows;
-  double largest_error;
-};
-
-/// As fit_fitted_law(); the law is linear in its coefficients once its
-/// denominator is multiplied out, and is weighted by that of the last
-/// iteration. Pairs: 41 modulus ratios from 0 to infinity, nu = 0.3.
-NominalFit fit_nominal_law(JointKind kind);
-
 /// The text of libcontact/half_angle/coefficients.hpp; printed by the
 /// program fit-half-angle.
 std::string half_angle_coefficients_header();

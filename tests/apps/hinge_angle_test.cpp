@@ -379,7 +379,7 @@ TEST(HingeAngle, CompareFindsTheLargestErrors) {
               "law,error_percent,load_parameter,theta0_exact_deg,"
               "theta0_law_deg,cost_tanh,recommended");
     const auto rows = csv_rows(result.out);
-    ASSERT_EQ(rows.size(), 8U);
+    ASSERT_EQ(rows.size(), 7U);
     const auto pair = contact::ElasticPair::from_modulus_ratio(0.4, 0.25, 0.35);
     const auto exact = contact::make_half_angle_law("exact", kind, pair);
     int recommended = 0;
@@ -411,7 +411,6 @@ TEST(HingeAngle, CompareFindsTheLargestErrors) {
       }
       if (row[6] == "yes") {
         ++recommended;
-        // Not nominal: Poisson's ratios are not 0.3.
         EXPECT_EQ(row[0], "fitted");
       }
     }
@@ -446,7 +445,7 @@ TEST(HingeAngle, CostsAreThoseOfThePage) {
     const auto costs = csv_column(
         csv_rows(ProgramFolder()
                      .run("hinge-angle --compare --modulus-ratio 1 --law "
-                          "hertz,arctan,tanh,blend:0.5,nominal,fitted,exact "
+                          "hertz,arctan,tanh,blend:0.5,fitted,exact "
                           "--joint " +
                           std::string(row[0] == "pin" ? "pin" : "ball"))
                      .out),
@@ -464,20 +463,20 @@ TEST(HingeAngle, DocumentedErrorsAreMeasured) {
   const ProgramFolder folder;
   int rows = 0;
   for (const auto& cells : page_rows("half_angle.md", "| Ebar | pin:")) {
-    ASSERT_EQ(cells.size(), 11U);
+    ASSERT_EQ(cells.size(), 9U);
     for (int joint = 0; joint < 2; ++joint) {
       const auto errors = csv_column(
           csv_rows(folder
                        .run(std::string("hinge-angle --compare --law "
-                                        "arctan,tanh,blend:0.5,nominal,fitted "
+                                        "arctan,tanh,blend:0.5,fitted "
                                         "--joint ") +
                             (joint == 0 ? "pin" : "ball") +
                             " --modulus-ratio " + cells[0])
                        .out),
           "error_percent");
-      ASSERT_EQ(errors.size(), 5U);
-      for (std::size_t law = 0; law < 5; ++law) {
-        const double printed = std::stod(cells[1 + 5 * joint + law]);
+      ASSERT_EQ(errors.size(), 4U);
+      for (std::size_t law = 0; law < 4; ++law) {
+        const double printed = std::stod(cells[1 + 4 * joint + law]);
         // Half of the last of two digits; one decimal from 1 on.
         EXPECT_NEAR(std::stod(errors[law]), printed,
                     std::max(1e-6, printed < 1 ? 0.051 * printed : 0.051))
@@ -499,7 +498,7 @@ TEST(HingeAngle, CompareRecommendsTheCheapestWithinTheTolerance) {
     const auto found = std::find(yes.begin(), yes.end(), "yes");
     return found == yes.end() ? "" : names[found - yes.begin()];
   };
-  EXPECT_EQ(recommended("--joint pin"), "nominal");
+  EXPECT_EQ(recommended("--joint pin"), "fitted");
   EXPECT_EQ(recommended("--joint ball --poisson1 0.4"), "fitted");
   EXPECT_EQ(recommended("--joint ball --tolerance 0.001"), "exact");
   EXPECT_EQ(recommended("--joint ball --tolerance 0.001 --law tanh,fitted"),

@@ -742,7 +742,7 @@ TEST(HingeJoint, WrongInputIsOneMessage) {
            {ball + "--reaction 1,2 --beta 30 --law all --pressure cosine,exact "
                    "--plot a.svg",
             "--plot: allowed 8 pairs of half-angle law and pressure law; "
-            "these are 14"},
+            "these are 12"},
            {state + "--plot a.gif", ".svg, .png, .pdf"},
            {state + "--beside none.csv", "cannot open none.csv"},
            {state + "--beside bad.csv", "bad.csv, line 2: row 0"},

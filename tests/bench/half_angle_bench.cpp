@@ -100,17 +100,16 @@ void register_all() {
   benchmark::RegisterBenchmark("tanh", unit);
   for (const JointKind kind : {JointKind::pin, JointKind::ball}) {
     const std::string joint = kind == JointKind::pin ? "pin" : "ball";
-    for (const char* name : {"hertz", "arctan", "tanh", "blend:0.5", "nominal",
-                             "fitted", "exact"}) {
+    for (const char* name :
+         {"hertz", "arctan", "tanh", "blend:0.5", "fitted", "exact"}) {
       benchmark::RegisterBenchmark((joint + "/half_angle/" + name).c_str(),
                                    half_angle, name, kind);
     }
-    for (const char* name :
-         {"tanh", "blend:0.5", "nominal", "fitted", "exact"}) {
+    for (const char* name : {"tanh", "blend:0.5", "fitted", "exact"}) {
       benchmark::RegisterBenchmark((joint + "/load_parameter/" + name).c_str(),
                                    load_parameter, name, kind);
     }
-    for (const char* name : {"nominal", "fitted", "exact"}) {
+    for (const char* name : {"fitted", "exact"}) {
       benchmark::RegisterBenchmark((joint + "/set_up/" + name).c_str(), set_up,
                                    name, kind);
     }

@@ -329,7 +329,7 @@ TEST(JointFile, OneKeyInTwoUnits) {
 TEST(JointFile, LawsAreChecked) {
   EXPECT_EQ(message_with_line(17, "law = \"tan\""),
             "j.toml:17: half_angle.law = \"tan\": half-angle law tan: allowed: "
-            "hertz, arctan, tanh, blend, paper, nominal, fitted, exact");
+            "hertz, arctan, tanh, blend, paper, fitted, exact");
   EXPECT_EQ(message_with_line(17, "law = \"blend:2\""),
             "j.toml:17: half_angle.law = \"blend:2\": blend law: k = 2: "
             "allowed: 0 to 1");

@@ -140,20 +140,6 @@ TEST(FittedLaw, IsThePinsClosedFormForBetaZero) {
       180 * degree);
 }
 
-TEST(NominalLaw, AgainstExactForNuThreeTenths) {
-  AccuracyReport pin("nominal pin", 5e-4);
-  AccuracyReport ball("nominal ball", 9e-4);
-  // Between the modulus ratios of the fit, and the ends.
-  for (const double ratio : {0.0, 1e-6, 0.013, 0.047, 0.12, 0.33, 0.7, 1.0, 1.3,
-                             2.2, 4.7, 13.0, 77.0, 1e6, infinity}) {
-    const Pair pair{ratio, 0.3, 0.3};
-    compare(NominalLaw(JointKind::pin, ratio), pair, pin);
-    compare(NominalLaw(JointKind::ball, ratio), pair, ball);
-  }
-  pin.check();
-  ball.check();
-}
-
 // --- The coefficients -------------------------------------------------------
 
 std::vector<double> numbers_of(const std::string& text) {
@@ -174,9 +160,8 @@ TEST(HalfAngleFit, ReproducesTheCommittedCoefficients) {
   const std::string made = reference::half_angle_coefficients_header();
   const std::vector<double> expected = numbers_of(committed.str());
   const std::vector<double> found = numbers_of(made);
-  // 2 x 5 and 4 x 5 of the fitted law, 2 x (4 + 4 x 3) of the nominal one, and
-  // the four errors in comments.
-  ASSERT_EQ(expected.size(), 66U);
+  // 2 x 5 and 4 x 5, and the two errors in comments.
+  ASSERT_EQ(expected.size(), 32U);
   ASSERT_EQ(found.size(), expected.size());
   for (std::size_t i = 0; i < found.size(); ++i) {
     // Another order of rounding (another instruction set) may move the last
@@ -262,150 +247,57 @@ TEST(FittedLaw, LogSlopeIsTheDerivative) {
   AccuracyReport report("dln(theta0)/dln(load), absolute", 1e-8);
   for (const JointKind kind : kinds) {
     for (const Pair& pair : some_pairs) {
-      const FittedLaw fitted(kind, pair.elastic());
-      const NominalLaw nominal(kind, pair.ratio);
-      for (const HalfAngleLaw* law :
-           {static_cast<const HalfAngleLaw*>(&fitted),
-            static_cast<const HalfAngleLaw*>(&nominal)}) {
-        // (Near 180 deg the third derivative is large.)
-        const double largest = law->limit_half_angle() < 3 ? 1e7 : 1e4;
-        for (double load = 1e-12; load < largest; load *= 5.3) {
-          const double h = 1e-4;
-          const auto log_angle = [&](double shift) {
-            return std::log(law->half_angle(load * std::exp(shift)).half_angle);
-          };
-          report.add_error(std::abs((log_angle(h) - log_angle(-h)) / (2 * h) -
-                                    law->half_angle(load).log_slope),
-                           law->name() + " " + label(kind, pair, load));
-        }
+      const FittedLaw law(kind, pair.elastic());
+      // (Near 180 deg the third derivative is large.)
+      const double largest = law.limit_half_angle() < 3 ? 1e7 : 1e4;
+      for (double load = 1e-12; load < largest; load *= 5.3) {
+        const double h = 1e-4;
+        const auto log_angle = [&](double shift) {
+          return std::log(law.half_angle(load * std::exp(shift)).half_angle);
+        };
+        report.add_error(std::abs((log_angle(h) - log_angle(-h)) / (2 * h) -
+                                  law.half_angle(load).log_slope),
+                         law.name() + " " + label(kind, pair, load));
       }
     }
   }
   report.check();
 }
 
-TEST(FittedLaw, LimitsOfBothLaws) {
+TEST(FittedLaw, Limits) {
   for (const JointKind kind : kinds) {
     const double exponent = kind == JointKind::ball ? 1.0 / 3 : 0.5;
     for (const Pair& pair : some_pairs) {
-      const FittedLaw fitted(kind, pair.elastic());
-      const NominalLaw nominal(kind, pair.ratio);
-      EXPECT_TRUE(fitted.validity_notes(pair.elastic()).empty());
-      for (const HalfAngleLaw* law :
-           {static_cast<const HalfAngleLaw*>(&fitted),
-            static_cast<const HalfAngleLaw*>(&nominal)}) {
-        const double limit = law->limit_half_angle();
-        EXPECT_EQ(law->half_angle(0).half_angle, 0);
-        EXPECT_EQ(law->half_angle(0).log_slope, exponent);
-        EXPECT_EQ(law->load_parameter(0).load_parameter, 0);
-        EXPECT_EQ(law->half_angle(infinity).half_angle, limit);
-        EXPECT_EQ(law->half_angle(infinity).log_slope, 0);
-        EXPECT_EQ(law->load_parameter(limit).load_parameter, infinity);
-        // Hertz: theta0 = x (1 + O(x)).
-        for (const double load : {5e-324, 1e-200, 1e-40, 1e-12}) {
-          const double x = x_from_load_parameter(kind, load);
-          EXPECT_NEAR(law->half_angle(load).half_angle / x, 1, x + 8 * epsilon)
-              << law->name() << " " << label(kind, pair, load);
-        }
-        double last = 0;
-        for (double load = 1e-300; load < 1e300; load *= 1e3) {
-          const auto [angle, status, log_slope] = law->half_angle(load);
-          EXPECT_EQ(status, Status::ok);
-          EXPECT_GE(log_slope, 0);
-          // Rounding of F, a sum of terms up to 30, over its slope, which
-          // vanishes where the contact closes up.
-          const double slack = limit < 3 ? 1e-11 : 1e-2;
-          EXPECT_GE(angle, last - slack) << law->name();
-          EXPECT_LE(angle, limit);
-          last = angle;
-        }
-        EXPECT_NEAR(law->half_angle(1e300).half_angle, limit,
-                    limit < 3 ? 1e-11 : 1e-2);
+      const FittedLaw law(kind, pair.elastic());
+      EXPECT_TRUE(law.validity_notes(pair.elastic()).empty());
+      const double limit = law.limit_half_angle();
+      EXPECT_EQ(law.half_angle(0).half_angle, 0);
+      EXPECT_EQ(law.half_angle(0).log_slope, exponent);
+      EXPECT_EQ(law.load_parameter(0).load_parameter, 0);
+      EXPECT_EQ(law.half_angle(infinity).half_angle, limit);
+      EXPECT_EQ(law.half_angle(infinity).log_slope, 0);
+      EXPECT_EQ(law.load_parameter(limit).load_parameter, infinity);
+      // Hertz: theta0 = x (1 + O(x)).
+      for (const double load : {5e-324, 1e-200, 1e-40, 1e-12}) {
+        const double x = x_from_load_parameter(kind, load);
+        EXPECT_NEAR(law.half_angle(load).half_angle / x, 1, x + 8 * epsilon)
+            << law.name() << " " << label(kind, pair, load);
       }
+      double last = 0;
+      for (double load = 1e-300; load < 1e300; load *= 1e3) {
+        const auto [angle, status, log_slope] = law.half_angle(load);
+        EXPECT_EQ(status, Status::ok);
+        EXPECT_GE(log_slope, 0);
+        // Rounding of F, a sum of terms up to 30, over its slope, which
+        // vanishes where the contact closes up.
+        const double slack = limit < 3 ? 1e-11 : 1e-2;
+        EXPECT_GE(angle, last - slack) << law.name();
+        EXPECT_LE(angle, limit);
+        last = angle;
+      }
+      EXPECT_NEAR(law.half_angle(1e300).half_angle, limit,
+                  limit < 3 ? 1e-11 : 1e-2);
     }
-  }
-}
-
-// g^2 in fifty digits.
-Real nominal_ratio(const detail::NominalCoefficients& table, double al,
-                   const Real& xi) {
-  const auto at = [al](const double(&c)[3]) {
-    return Real(c[0] + al * (c[1] + al * c[2]));
-  };
-  const Real n1 = at(table.n1), n2 = at(table.n2), d1 = at(table.d1),
-             d2 = at(table.d2);
-  return xi * sqrt((1 + n1 * xi + n2 * xi * xi) /
-                   (1 + d1 * xi + d2 * xi * xi + n1 * xi * xi * xi +
-                    n2 * xi * xi * xi * xi));
-}
-
-TEST(NominalLaw, BothWaysAgreeWithFiftyDigits) {
-  AccuracyReport forward("nominal theta0(load)", 2e-15);
-  // The law at the load that the inverse gives is the angle: relative to the
-  // complement near the limit.
-  AccuracyReport back("nominal load(theta0)", 2e-14);
-  for (const JointKind kind : kinds) {
-    const auto& table =
-        kind == JointKind::ball ? detail::nominal_ball : detail::nominal_pin;
-    for (const double ratio : {0.0, 1.0, 3.0, infinity}) {
-      const double al = std::isinf(ratio) ? 1 : (ratio - 1) / (ratio + 1);
-      const NominalLaw law(kind, ratio);
-      const Real limit = law.limit_half_angle();
-      const auto xi_of = [&](double load) {
-        return Real((kind == JointKind::ball ? Real(cbrt(Real(load)))
-                                             : Real(2 * sqrt(Real(load)))) /
-                    limit);
-      };
-      for (double load = 1e-30; load < 1e30; load *= 3.7) {
-        forward.add(Real(law.half_angle(load).half_angle),
-                    Real(limit * nominal_ratio(table, al, xi_of(load))),
-                    label(kind, {ratio, 0.3, 0.3}, load));
-      }
-      for (int i = 1; i < 200; ++i) {
-        const double angle = law.limit_half_angle() * i / 200.0;
-        const LoadParameterResult load = law.load_parameter(angle);
-        EXPECT_EQ(load.status, Status::ok);
-        back.add(
-            Real(limit * nominal_ratio(table, al, xi_of(load.load_parameter))),
-            Real(angle), label(kind, {ratio, 0.3, 0.3}, angle));
-      }
-    }
-  }
-  forward.check();
-  back.check();
-}
-
-TEST(NominalLaw, NoJumpsAtItsSwitches) {
-  for (const JointKind kind : kinds) {
-    const NominalLaw law(kind, 2);
-    const double limit = law.limit_half_angle();
-    // xi = 1 forward, theta0 = theta0*/2 back.
-    const double load = load_parameter_from_x(kind, limit);
-    EXPECT_NEAR(law.half_angle(load * (1 - 4 * epsilon)).half_angle,
-                law.half_angle(load * (1 + 4 * epsilon)).half_angle, 2e-15);
-    EXPECT_NEAR(law.half_angle(load * (1 - 4 * epsilon)).log_slope,
-                law.half_angle(load * (1 + 4 * epsilon)).log_slope, 2e-15);
-    const double below =
-        law.load_parameter(std::nextafter(limit / 2, 0)).load_parameter;
-    const double above =
-        law.load_parameter(std::nextafter(limit / 2, 4)).load_parameter;
-    EXPECT_NEAR(below / above, 1, 1e-13);
-  }
-}
-
-TEST(NominalLaw, NotesAndErrors) {
-  using Notes = std::vector<std::string>;
-  const NominalLaw law(JointKind::ball, 1);
-  EXPECT_EQ(law.validity_notes(Pair{1, 0.3, 0.31}.elastic()), Notes{});
-  EXPECT_EQ(law.validity_notes(Pair{0, 0.3, 0.45}.elastic()), Notes{});
-  EXPECT_EQ(law.validity_notes(Pair{1, 0.45, 0.3}.elastic()),
-            Notes{"the law is made for Poisson's ratio 0.3; the inner body has "
-                  "0.45"});
-  for (const double bad : {-0.1, nan}) {
-    EXPECT_EQ(error_message([&] {
-                NominalLaw(JointKind::ball, bad);
-              }).rfind("nominal law: modulus_ratio = ", 0),
-              0U);
   }
 }
 

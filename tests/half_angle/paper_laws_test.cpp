@@ -667,7 +667,7 @@ TEST(MakeHalfAngleLaw, KnowsEveryName) {
   EXPECT_EQ(name("blend:1", JointKind::ball), "blend:1");
   EXPECT_EQ(name("paper", JointKind::pin), "blend:0.5");
   EXPECT_EQ(name("paper", JointKind::ball), "tanh");
-  for (const char* law : {"nominal", "fitted", "exact"}) {
+  for (const char* law : {"fitted", "exact"}) {
     EXPECT_EQ(name(law, JointKind::ball), law);
     EXPECT_EQ(name(law, JointKind::pin), law);
     EXPECT_FALSE(contact::takes_half_angle_options(law));
@@ -701,10 +701,10 @@ TEST(MakeHalfAngleLaw, RefusesWhatItDoesNotKnow) {
   };
   EXPECT_EQ(message("tan"),
             "half-angle law tan: allowed: hertz, arctan, tanh, blend, paper, "
-            "nominal, fitted, exact");
+            "fitted, exact");
   EXPECT_EQ(message(""),
             "half-angle law : allowed: hertz, arctan, tanh, blend, paper, "
-            "nominal, fitted, exact");
+            "fitted, exact");
   EXPECT_EQ(message("blend:half"),
             "half-angle law blend:half: allowed: blend:K with K a number from "
             "0 to 1");

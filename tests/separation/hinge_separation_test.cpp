@@ -1389,7 +1389,7 @@ TEST(HingeSeparation, BadInputHasOneMessageAndLeavesNothing) {
             "the end of the case\n");
   EXPECT_EQ(message("data/cases/soyuz.toml --law tahn"),
             "hinge-separation: --law tahn: allowed hertz, arctan, tanh, blend, "
-            "paper, nominal, fitted, exact\n");
+            "paper, fitted, exact\n");
   const std::string ball =
       "joint \"nose ball, 200 mm\": half-angle law blend:x: ";
   EXPECT_EQ(message("data/cases/soyuz.toml --law blend:x"),

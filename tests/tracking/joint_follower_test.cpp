@@ -316,8 +316,7 @@ double miss_on_the_way(const std::vector<Path>& all) {
 
 // Measured: 1.7e-15.
 TEST(JointFollower, EveryHalfAngleLawIsFollowedThroughItsWindows) {
-  for (const char* const law :
-       {"tanh", "arctan", "blend", "nominal", "fitted", "exact"}) {
+  for (const char* const law : {"tanh", "arctan", "blend", "fitted", "exact"}) {
     const double largest = miss_on_the_way(growing({.half_angle = law}));
     std::printf("%s: %.1e\n", law, largest);
     EXPECT_LT(largest, 1e-14) << law;
