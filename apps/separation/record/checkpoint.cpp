@@ -8,7 +8,6 @@
 #include <cstring>
 #include <filesystem>
 #include <nlohmann/json.hpp>
-#include <span>
 #include <sstream>
 #include <string_view>
 #include <utility>
@@ -18,179 +17,55 @@
 #include "libcontact/base/error.hpp"
 #include "libcontact/base/text.hpp"
 
+// What goes into a checkpoint, there and back.
+template <>
+struct nlohmann::adl_serializer<Eigen::Vector3d> {
+  static void to_json(json& j, const Eigen::Vector3d& v) {
+    j = {v.x(), v.y(), v.z()};
+  }
+  static void from_json(const json& j, Eigen::Vector3d& v) {
+    v = Eigen::Vector3d(j.at(0), j.at(1), j.at(2));
+  }
+};
+
+namespace multibody {
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(MotionState, time, numbers, modes,
+                                   directions, friction, straight_from, paces,
+                                   hinge_angles, step)
+}  // namespace multibody
+
 namespace separation {
+
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(History, events, spent)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SimulationState, motion, history)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(JointPeaks, reaction, reaction_time,
+                                   pressure, half_angle, moment)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(BodyRecord::Release, time, angle, rate,
+                                   rates, velocity)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(BodyRecord, peak_reaction,
+                                   peak_reaction_time, peak_lock,
+                                   peak_lock_time, work, rest_time, joints,
+                                   release)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Note, time, body, what)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PairRecord, smallest, time, overlap_from,
+                                   overlap_to, not_found)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ForceRecord, on, acted, fault, fault_time)
+// Without rows and notes, which have a file of their own.
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Recorder::Memory, bodies, pairs, forces,
+                                   modes, last_time, first_balance,
+                                   largest_drift, largest_energy, begun)
+
 namespace {
 
-using Eigen::Vector3d;
 using nlohmann::json;
 
 constexpr const char* program_format = "hinge-separation checkpoint ";
 constexpr const char* format_name = "hinge-separation checkpoint 7";
 
-json vectors_json(const std::vector<Vector3d>& vectors) {
-  json numbers = json::array();
-  for (const Vector3d& v : vectors) {
-    for (const double x : v) numbers.push_back(x);
-  }
-  return numbers;
-}
-std::vector<Vector3d> vectors_from(const json& numbers) {
-  std::vector<Vector3d> vectors;
-  for (std::size_t i = 0; i + 2 < numbers.size(); i += 3) {
-    vectors.emplace_back(numbers[i].get<double>(), numbers[i + 1].get<double>(),
-                         numbers[i + 2].get<double>());
-  }
-  return vectors;
-}
+using Notes = std::vector<Note>;
 
-// By structured bindings, so that what is new in the state is not forgotten.
-json motion_json(const multibody::MotionState& s) {
-  const auto& [time, numbers, modes, directions, friction, straight_from, paces,
-               hinge_angles, step] = s;
-  json words = json::array();
-  for (const auto mode : modes) words.push_back(static_cast<int>(mode));
-  return {{"time", time},
-          {"numbers", numbers},
-          {"modes", words},
-          {"directions", vectors_json(directions)},
-          {"friction", vectors_json(friction)},
-          {"straight_from", straight_from},
-          {"paces", paces},
-          {"hinge_angles", hinge_angles},
-          {"step", step}};
-}
-multibody::MotionState motion_from(const json& j) {
-  multibody::MotionState s;
-  auto& [time, numbers, modes, directions, friction, straight_from, paces,
-         hinge_angles, step] = s;
-  time = j.at("time");
-  numbers = j.at("numbers").get<std::vector<double>>();
-  for (const int mode : j.at("modes")) {
-    modes.push_back(static_cast<multibody::HingeMode>(mode));
-  }
-  directions = vectors_from(j.at("directions"));
-  friction = vectors_from(j.at("friction"));
-  straight_from = j.at("straight_from").get<std::vector<double>>();
-  paces = j.at("paces").get<std::vector<double>>();
-  hinge_angles = j.at("hinge_angles").get<std::vector<double>>();
-  step = j.at("step");
-  return s;
-}
-
-json bodies_json(const std::vector<BodyRecord>& bodies) {
-  json result = json::array();
-  for (const BodyRecord& r : bodies) {
-    json joints = json::array();
-    for (const JointPeaks& p : r.joints) {
-      joints.push_back(
-          {p.reaction, p.reaction_time, p.pressure, p.half_angle, p.moment});
-    }
-    const auto& release = r.release;
-    result.push_back(
-        {{"peaks",
-          {r.peak_reaction, r.peak_reaction_time, r.peak_lock, r.peak_lock_time,
-           r.work, r.rest_time}},
-         {"joints", joints},
-         {"release", {release.time, release.angle, release.rate}},
-         {"release_vectors", vectors_json({release.rates, release.velocity})}});
-  }
-  return result;
-}
-std::vector<BodyRecord> bodies_from(const json& j) {
-  std::vector<BodyRecord> bodies;
-  for (const json& item : j) {
-    BodyRecord& r = bodies.emplace_back();
-    const auto peaks = item.at("peaks").get<std::vector<double>>();
-    r.peak_reaction = peaks.at(0);
-    r.peak_reaction_time = peaks.at(1);
-    r.peak_lock = peaks.at(2);
-    r.peak_lock_time = peaks.at(3);
-    r.work = peaks.at(4);
-    r.rest_time = peaks.at(5);
-    for (const json& joint : item.at("joints")) {
-      const auto p = joint.get<std::vector<double>>();
-      r.joints.push_back({p.at(0), p.at(1), p.at(2), p.at(3), p.at(4)});
-    }
-    const auto release = item.at("release").get<std::vector<double>>();
-    const auto vectors = vectors_from(item.at("release_vectors"));
-    r.release = {release.at(0), release.at(1), release.at(2), vectors.at(0),
-                 vectors.at(1)};
-  }
-  return bodies;
-}
-
-json notes_json(std::span<const Note> notes) {
-  json result = json::array();
-  for (const Note& note : notes) {
-    result.push_back({note.time, note.body, note.what});
-  }
-  return result;
-}
-void add_notes(const json& from, std::vector<Note>& notes) {
-  for (const json& note : from) {
-    notes.push_back({note.at(0), note.at(1), note.at(2)});
-  }
-}
-
-// Without rows, and with the notes from `notes` on.
-json memory_json(const Recorder::Memory& m, std::size_t notes) {
-  json pairs = json::array();
-  for (const PairRecord& p : m.pairs) {
-    pairs.push_back(
-        {p.smallest, p.time, p.overlap_from, p.overlap_to, p.not_found});
-  }
-  json forces = json::array();
-  for (const ForceRecord& f : m.forces) {
-    forces.push_back({f.on, f.acted, static_cast<int>(f.fault), f.fault_time});
-  }
-  return {{"columns", m.rows.columns},
-          {"bodies", bodies_json(m.bodies)},
-          {"notes", notes_json(std::span(m.notes).subspan(notes))},
-          {"pairs", pairs},
-          {"forces", forces},
-          {"modes", m.modes},
-          {"last_time", m.last_time},
-          {"first_balance", m.first_balance},
-          {"largest_drift", m.largest_drift},
-          {"largest_energy", m.largest_energy},
-          {"begun", m.begun}};
-}
-Recorder::Memory memory_from(const json& j) {
-  Recorder::Memory m;
-  m.rows.columns = j.at("columns").get<std::vector<std::string>>();
-  m.bodies = bodies_from(j.at("bodies"));
-  for (const json& item : j.at("pairs")) {
-    const auto p = item.get<std::vector<double>>();
-    m.pairs.push_back(
-        {p.at(0), p.at(1), p.at(2), p.at(3), static_cast<long>(p.at(4))});
-  }
-  for (const json& f : j.at("forces")) {
-    m.forces.push_back({f.at(0).get<bool>(), f.at(1).get<bool>(),
-                        static_cast<ForceRecord::Fault>(f.at(2).get<int>()),
-                        f.at(3).get<double>()});
-  }
-  m.modes = j.at("modes").get<std::vector<int>>();
-  m.last_time = j.at("last_time");
-  m.first_balance = j.at("first_balance");
-  m.largest_drift = j.at("largest_drift");
-  m.largest_energy = j.at("largest_energy");
-  m.begun = j.at("begun");
-  return m;
-}
-
-// The history begins as that of any case; only its numbers are in the file.
-json history_json(const History& history) {
-  return {
-      {"events", history.events},
-      {"spent", std::vector<int>(history.spent.begin(), history.spent.end())}};
-}
-History history_from(const json& j) {
-  History history;
-  history.events = j.at("events").get<std::vector<std::vector<double>>>();
-  for (const int spent : j.at("spent")) {
-    history.spent.push_back(static_cast<char>(spent));
-  }
-  return history;
+void add(const json& from, Notes& notes) {
+  for (const Note& note : from.get<Notes>()) notes.push_back(note);
 }
 
 constexpr std::size_t sum_size = 8;  // in hexadecimal digits
@@ -278,10 +153,10 @@ void add_rows(const std::string& file, const json& header,
   std::istringstream stream(bytes);
   for (long block = rows.at("blocks"); block > 0; --block) {
     const json j = json::from_cbor(stream, false);
-    for (const json& number : j.at("numbers")) {
-      memory.rows.numbers.push_back(number);
-    }
-    add_notes(j.at("notes"), memory.notes);
+    const auto numbers = j.at("numbers").get<std::vector<double>>();
+    memory.rows.numbers.insert(memory.rows.numbers.end(), numbers.begin(),
+                               numbers.end());
+    add(j.at("notes"), memory.notes);
   }
 }
 
@@ -314,14 +189,14 @@ void CheckpointWriter::append(const Recorder::Memory& memory, double time) {
   while (notes < memory.notes.size() && memory.notes[notes].time < time) {
     ++notes;
   }
-  json numbers = json::array();
-  for (std::size_t i = numbers_; i < memory.rows.numbers.size(); ++i) {
-    numbers.push_back(memory.rows.numbers[i]);
-  }
+  const auto& numbers = memory.rows.numbers;
+  const auto note = memory.notes.begin();
   const auto bytes = json::to_cbor(
-      {{"numbers", std::move(numbers)},
-       {"notes",
-        notes_json(std::span(memory.notes).subspan(notes_, notes - notes_))}});
+      {{"numbers", std::vector<double>(
+                       numbers.begin() + static_cast<std::ptrdiff_t>(numbers_),
+                       numbers.end())},
+       {"notes", Notes(note + static_cast<std::ptrdiff_t>(notes_),
+                       note + static_cast<std::ptrdiff_t>(notes))}});
   stream_.write(reinterpret_cast<const char*>(bytes.data()),
                 static_cast<std::streamsize>(bytes.size()));
   stream_.flush();
@@ -343,9 +218,12 @@ void CheckpointWriter::write(long next_output,
   const json j = {{"identity", identity_},
                   {"next_output", next_output},
                   {"every", every_},
-                  {"motion", motion_json(simulation.motion)},
-                  {"history", history_json(simulation.history)},
-                  {"memory", memory_json(memory, notes_)},
+                  {"simulation", simulation},
+                  {"memory", memory},
+                  {"columns", memory.rows.columns},
+                  {"notes", Notes(memory.notes.begin() +
+                                      static_cast<std::ptrdiff_t>(notes_),
+                                  memory.notes.end())},
                   {"rows",
                    {{"number", number_},
                     {"blocks", blocks_},
@@ -370,13 +248,11 @@ Checkpoint read_checkpoint(const std::string& file,
           ": a checkpoint of a run of another case file, other "
           "joints or other options");
     }
-    Checkpoint result{
-        j.at("next_output").get<long>(),
-        j.at("every").get<double>(),
-        {motion_from(j.at("motion")), history_from(j.at("history"))},
-        memory_from(j.at("memory"))};
+    Checkpoint result{j.at("next_output"), j.at("every"), j.at("simulation"),
+                      j.at("memory")};
+    result.memory.rows.columns = j.at("columns");
     add_rows(file, j, result.memory);
-    add_notes(j.at("memory").at("notes"), result.memory.notes);
+    add(j.at("notes"), result.memory.notes);
     return result;
   } catch (const json::exception&) {
     throw contact::Error(file + ": not a checkpoint of hinge-separation");
