@@ -7,33 +7,49 @@
 
 namespace contact::detail {
 
-GaussLegendre::GaussLegendre(int size) : node(size), weight(size) {
-  // The zeros that are not negative, increasing.
-  const auto zeros = boost::math::legendre_p_zeros<double>(size);
-  const int half = size / 2;
-  const int middle = size % 2;
-  for (int i = 0; i < static_cast<int>(zeros.size()); ++i) {
-    const double x = zeros[i];
-    const double slope = boost::math::legendre_p_prime(size, x);
-    const double w = 2 / ((1 - x) * (1 + x) * slope * slope);
-    const int right = half + i;
-    const int left = half + middle - 1 - i;
-    node(right) = x;
-    weight(right) = w;
-    node(left) = -x;
-    weight(left) = w;
+template <class Real>
+GaussRule<Real>::GaussRule(int size) : node(size), weight(size) {
+  using Array = Eigen::ArrayX<long double>;
+  const int half = (size + 1) / 2;
+  // The largest zeros, decreasing, by Tricomi's formula to order size^-4.
+  const double n3 = 8.0 * size * size * size;
+  Array x(half);
+  for (int i = 0; i < half; ++i) {
+    x(i) = (1 - (size - 1) / n3) *
+           std::cos(std::numbers::pi * (i + 0.75) / (size + 0.5));
   }
+  Array rest, slope;
+  // Three of Newton's steps, and the slope.
+  for (int step = 0; step < 4; ++step) {
+    Array previous = Array::Ones(half);
+    Array current = x;
+    for (int n = 2; n <= size; ++n) {
+      previous = (2 * n - 1.0L) / n * x * current - (n - 1.0L) / n * previous;
+      previous.swap(current);
+    }
+    rest = (1 - x) * (1 + x);
+    slope = size * (previous - x * current) / rest;
+    if (step < 3) x -= current / slope;
+  }
+  const Array w = 2 / (rest * slope.square());
+  node.head(half) = -x.matrix().cast<Real>();
+  node.tail(half) = x.matrix().reverse().cast<Real>();
+  if (size % 2 == 1) node(half - 1) = 0;
+  weight.head(half) = w.matrix().cast<Real>();
+  weight.tail(half) = weight.head(half).reverse();
 }
+template struct GaussRule<double>;
+template struct GaussRule<long double>;
 
-Eigen::VectorXd even_legendre(int count, double x) {
-  Eigen::VectorXd values(count);
-  double previous = 1;
-  double current = x;
+Eigen::MatrixXd even_legendre(int count, const Eigen::VectorXd& x) {
+  Eigen::MatrixXd values(x.size(), count);
+  Eigen::ArrayXd previous = Eigen::ArrayXd::Ones(x.size());
+  Eigen::ArrayXd current = x;
   for (int n = 0; n < 2 * count - 1; ++n) {
-    if (n % 2 == 0) values(n / 2) = previous;
-    const double next = boost::math::legendre_next(n + 1, x, current, previous);
-    previous = current;
-    current = next;
+    if (n % 2 == 0) values.col(n / 2) = previous;
+    previous = (2 * n + 3.0) / (n + 2) * x.array() * current -
+               (n + 1.0) / (n + 2) * previous;
+    previous.swap(current);
   }
   return values;
 }

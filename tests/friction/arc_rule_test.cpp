@@ -16,8 +16,9 @@ namespace {
 
 using boost::math::beta;
 using boost::math::digamma;
-using contact::detail::ArcTerms;
 using contact::detail::CapRule;
+using contact::detail::large_logarithm_arc_rules;
+using contact::detail::logarithm_arc_rules;
 using contact::test::AccuracyReport;
 
 // sum of weight T^(j - held) ln T; `held` powers are in the weights.
@@ -36,18 +37,18 @@ double log_moment(double x, double y, double differentiated) {
   return beta(x, y) / 2 * (digamma(differentiated) - digamma(x + y));
 }
 
-std::string label(int index, int j) {
+std::string label(std::size_t index, int j) {
   return "rule " + std::to_string(index) + ", T^" + std::to_string(j);
 }
 
 // The leading logarithm, for moduli from 0 to the last that an arc takes.
 TEST(ArcRule, LogarithmAlongAnArc) {
-  for (const auto& [terms, name, budget] :
-       {std::tuple{ArcTerms::logarithm, "logarithm", 6e-11},
-        {ArcTerms::large_logarithm, "large logarithm", 2e-11}}) {
+  for (const auto& [rules, name, budget] :
+       {std::tuple{logarithm_arc_rules, "logarithm", 6e-11},
+        {large_logarithm_arc_rules, "large logarithm", 2e-11}}) {
     AccuracyReport report(name, budget);
-    for (int index = 0; index < 14; ++index) {
-      const CapRule& rule = arc_rules(terms)[index];
+    for (std::size_t index = 0; index < rules.size(); ++index) {
+      const CapRule& rule = rules[index];
       // cos^2j over [0, pi/2].
       for (int j = 1; j <= 2; ++j) {
         report.add(sum(rule, j, 1, false), beta(j + 0.5, 0.5) / 2,
@@ -65,7 +66,7 @@ TEST(ArcRule, CorrectedLogarithmsAreExact) {
   AccuracyReport report("corrected", 1e-14);
   for (int index = 0; index < 3; ++index) {
     // Gauss' rule in x = sn u: (1 - x^2)^j over [0, 1].
-    const CapRule& rule = contact::detail::chord_rules()[index];
+    const CapRule& rule = contact::detail::chord_rules[index];
     for (int j = 2; j <= 7; ++j) {
       report.add(sum(rule, j, 0, true), log_moment(0.5, j + 1.0, j + 1.0),
                  label(index, j) + " ln T");
@@ -76,15 +77,16 @@ TEST(ArcRule, CorrectedLogarithmsAreExact) {
 
 // What the padding of a rule repeats counts nothing.
 TEST(ArcRule, PaddingHasNoWeight) {
-  for (int index = 0; index < contact::detail::cap_rule_count; ++index) {
-    for (const CapRule* rule : {&contact::detail::short_rules()[index],
-                                &contact::detail::chord_rules()[index],
-                                &contact::detail::whole_chord_rules()[index],
-                                &arc_rules(ArcTerms::smooth)[index]}) {
-      ASSERT_EQ(rule->padded_size % CapRule::lanes, 0);
-      for (int i = rule->size; i < rule->padded_size; ++i) {
-        EXPECT_EQ(rule->weight[i], 0);
-        EXPECT_GT(rule->cosine_squared[i], 0);
+  for (const contact::detail::CapRules& rules :
+       {contact::detail::cap_rules, contact::detail::short_rules,
+        contact::detail::chord_rules, contact::detail::whole_chord_rules,
+        contact::detail::smooth_arc_rules, logarithm_arc_rules,
+        large_logarithm_arc_rules}) {
+    for (const CapRule& rule : rules) {
+      ASSERT_EQ(rule.padded_size % CapRule::lanes, 0);
+      for (int i = rule.size; i < rule.padded_size; ++i) {
+        EXPECT_EQ(rule.weight[i], 0);
+        EXPECT_GT(rule.cosine_squared[i], 0);
       }
     }
   }

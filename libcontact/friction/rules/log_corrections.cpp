@@ -1,4 +1,4 @@
-#include "libcontact/friction/kernel/log_corrections.hpp"
+#include "libcontact/friction/rules/log_corrections.hpp"
 
 #include <Eigen/Dense>
 #include <algorithm>
@@ -33,7 +33,7 @@ LogCorrections::LogCorrections(int n, Vanishing vanishing, Weight weight,
 }
 
 LogCorrections LogCorrections::midpoint(int n, Real steps) {
-  const Real quarter = std::numbers::pi_v<Real> / 2;
+  const Real quarter = pi / 2;
   const auto vanishing = [=](int i) {
     const Real c = std::cos(quarter * (i + 0.5L) / steps);
     return c * c;
@@ -51,15 +51,13 @@ LogCorrections LogCorrections::midpoint(int n, Real steps) {
   return {n, vanishing, [=](int) { return quarter / steps; }, moment};
 }
 
-LogCorrections LogCorrections::gauss(const GaussLegendre& rule) {
+LogCorrections LogCorrections::gauss(const GaussRule<Real>& rule) {
   const int n = static_cast<int>(rule.node.size()) / 2;
   const auto vanishing = [&](int i) {
-    const Real x = static_cast<Real>(rule.node(n + i));
+    const Real x = rule.node(n + i);
     return (1 - x) * (1 + x);
   };
-  const auto weight = [&](int i) {
-    return static_cast<Real>(rule.weight(n + i));
-  };
+  const auto weight = [&](int i) { return rule.weight(n + i); };
   // The derivative of half of B(1/2, j + 1).
   const auto moment = [](int j) {
     Real beta = 1;
@@ -73,7 +71,7 @@ LogCorrections LogCorrections::gauss(const GaussLegendre& rule) {
   return {n, vanishing, weight, moment};
 }
 
-LogCorrections::Real LogCorrections::log_square(Real cosine, int i) const {
+Real LogCorrections::log_square(Real cosine, int i) const {
   return 2 * std::log(cosine) + (i < first_ ? 0 : value_[i - first_]);
 }
 

@@ -2,9 +2,12 @@
 
 #include <Eigen/Core>
 
+#include "libcontact/friction/rules/modulus.hpp"
+
 namespace contact::detail {
 
-struct GaussLegendre;
+template <class Real>
+struct GaussRule;
 
 namespace rules {
 
@@ -14,12 +17,10 @@ namespace rules {
 /// powers are smooth enough for any rule.
 class LogCorrections {
  public:
-  using Real = long double;
-
   /// Midpoints (i + 1/2) (pi/2)/steps, i < n, T = cos^2.
   static LogCorrections midpoint(int n, Real steps);
   /// The upper half of a rule, T = 1 - x^2.
-  static LogCorrections gauss(const GaussLegendre& rule);
+  static LogCorrections gauss(const GaussRule<Real>& rule);
 
   /// ln cos^2 at node i with its correction. The cosine may be that of another
   /// variable, sqrt T times a smooth function.
