@@ -7,8 +7,7 @@
 
 namespace contact::detail {
 
-template <class Real>
-GaussRule<Real>::GaussRule(int size) : node(size), weight(size) {
+GaussLegendre::GaussLegendre(int size) : node(size), weight(size) {
   using Array = Eigen::ArrayX<long double>;
   const int half = (size + 1) / 2;
   // The largest zeros, decreasing, by Tricomi's formula to order size^-4.
@@ -32,14 +31,12 @@ GaussRule<Real>::GaussRule(int size) : node(size), weight(size) {
     if (step < 3) x -= current / slope;
   }
   const Array w = 2 / (rest * slope.square());
-  node.head(half) = -x.matrix().cast<Real>();
-  node.tail(half) = x.matrix().reverse().cast<Real>();
+  node.head(half) = -x.matrix().cast<double>();
+  node.tail(half) = x.matrix().reverse().cast<double>();
   if (size % 2 == 1) node(half - 1) = 0;
-  weight.head(half) = w.matrix().cast<Real>();
+  weight.head(half) = w.matrix().cast<double>();
   weight.tail(half) = weight.head(half).reverse();
 }
-template struct GaussRule<double>;
-template struct GaussRule<long double>;
 
 Eigen::MatrixXd even_legendre(int count, const Eigen::VectorXd& x) {
   Eigen::MatrixXd values(x.size(), count);

@@ -26,8 +26,7 @@ namespace contact {
 ///         at most 1e-10 for theta0 <= 120 deg (friction/any_pressure_test.cpp,
 ///         against quadrature of the definition and by parts). NaN if an
 ///         argument is NaN or out of its interval.
-/// Does not throw. The first calls with a law other than CosinePressure make
-/// tables of nodes, later ones do not allocate.
+/// Neither throws nor allocates.
 FrictionIntegrals friction_integrals(const PressureLaw& law, double half_angle,
                                      SlipAxis axis);
 

@@ -10,6 +10,7 @@
 #include <string>
 #include <tuple>
 
+#include "libcontact/reference/friction_rules.hpp"
 #include "support/accuracy_report.hpp"
 
 namespace {
@@ -75,14 +76,49 @@ TEST(ArcRule, CorrectedLogarithmsAreExact) {
   report.check();
 }
 
+using contact::detail::CapRules;
+using contact::reference::RuleNodes;
+
+struct Family {
+  const char* name;
+  CapRules rules;
+  RuleNodes (*reference)(int index, int size);
+};
+const Family families[] = {
+    {"cap", contact::detail::cap_rules, contact::reference::midpoint_rule},
+    {"short", contact::detail::short_rules, contact::reference::midpoint_rule},
+    {"smooth arc", contact::detail::smooth_arc_rules,
+     contact::reference::arc_rule},
+    {"logarithm arc", logarithm_arc_rules, contact::reference::arc_rule},
+    {"large logarithm arc", large_logarithm_arc_rules,
+     contact::reference::arc_rule},
+    {"chord", contact::detail::chord_rules, contact::reference::chord_rule},
+    {"whole chord", contact::detail::whole_chord_rules,
+     contact::reference::whole_chord_rule}};
+
+// Every number of the generated tables against 50 digits.
+TEST(FrictionRules, AreTheNearestDoubles) {
+  for (const auto& [name, rules, reference] : families) {
+    ASSERT_FALSE(rules.empty());
+    for (std::size_t index = 0; index < rules.size(); ++index) {
+      const CapRule& rule = rules[index];
+      const RuleNodes nodes = reference(static_cast<int>(index), rule.size);
+      for (int i = 0; i < rule.size; ++i) {
+        SCOPED_TRACE(name + std::string(", node ") + std::to_string(i) +
+                     " of rule " + std::to_string(index));
+        EXPECT_EQ(rule.cosine_squared[i], nodes[i].cosine_squared);
+        EXPECT_EQ(rule.sine_squared[i], nodes[i].sine_squared);
+        EXPECT_EQ(rule.weight[i], nodes[i].weight);
+        EXPECT_EQ(rule.log_cosine_squared[i], nodes[i].log_cosine_squared);
+      }
+    }
+  }
+}
+
 // What the padding of a rule repeats counts nothing.
-TEST(ArcRule, PaddingHasNoWeight) {
-  for (const contact::detail::CapRules& rules :
-       {contact::detail::cap_rules, contact::detail::short_rules,
-        contact::detail::chord_rules, contact::detail::whole_chord_rules,
-        contact::detail::smooth_arc_rules, logarithm_arc_rules,
-        large_logarithm_arc_rules}) {
-    for (const CapRule& rule : rules) {
+TEST(FrictionRules, PaddingHasNoWeight) {
+  for (const Family& family : families) {
+    for (const CapRule& rule : family.rules) {
       ASSERT_EQ(rule.padded_size % CapRule::lanes, 0);
       for (int i = rule.size; i < rule.padded_size; ++i) {
         EXPECT_EQ(rule.weight[i], 0);

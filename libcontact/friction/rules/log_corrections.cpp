@@ -1,78 +1,73 @@
 #include "libcontact/friction/rules/log_corrections.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/LU>
 #include <algorithm>
-#include <cmath>
-#include <numbers>
-
-#include "libcontact/base/gauss_legendre.hpp"
+#include <boost/multiprecision/eigen.hpp>
 
 namespace contact::detail::rules {
+namespace {
 
-/// @param vanishing, weight  T and weight of node i of n
+/// By measurement; with 8 of 8 nodes the corrections are wild.
+constexpr int most = 7;
+
 /// @param moment  integral of T^j ln T
-template <class Vanishing, class Weight, class Moment>
-LogCorrections::LogCorrections(int n, Vanishing vanishing, Weight weight,
-                               Moment moment) {
+template <class Moment>
+std::vector<Real> corrections(const std::vector<Real>& t,
+                              const std::vector<Real>& weight, Moment moment) {
+  const int n = static_cast<int>(t.size());
   const int count = std::min(most, n - 1);
-  first_ = n - count;
-  Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic, 0, most, most> powers(
-      count, count);
-  Column missing(count);
+  const int first = n - count;
+  Eigen::MatrixX<Real> powers(count, count);
+  Eigen::VectorX<Real> missing(count);
   for (int row = 0; row < count; ++row) {
     const int j = row + 2;
     missing[row] = moment(j);
     for (int i = 0; i < n; ++i) {
-      const Real t = vanishing(i);
-      const Real value = weight(i) * std::pow(t, j);
-      missing[row] -= value * std::log(t);
-      if (i >= first_) powers(row, i - first_) = value;
+      const Real value = weight[i] * pow(t[i], j);
+      missing[row] -= value * log(t[i]);
+      if (i >= first) powers(row, i - first) = value;
     }
   }
-  value_ = powers.fullPivLu().solve(missing);
+  const Eigen::VectorX<Real> found = powers.fullPivLu().solve(missing);
+  std::vector<Real> result(first);
+  result.insert(result.end(), found.begin(), found.end());
+  return result;
 }
 
-LogCorrections LogCorrections::midpoint(int n, Real steps) {
-  const Real quarter = pi / 2;
-  const auto vanishing = [=](int i) {
-    const Real c = std::cos(quarter * (i + 0.5L) / steps);
-    return c * c;
-  };
+const Real ln_2 = boost::math::constants::ln_two<Real>();
+
+}  // namespace
+
+std::vector<Real> midpoint_log_corrections(int n) {
+  const Real step = pi / (2 * n + 1);
+  std::vector<Real> t;
+  for (int i = 0; i < n; ++i) t.push_back(pow(cos(step * (i + 0.5)), 2));
   // The derivative of half of Euler's B(j + 1/2, 1/2).
-  const auto moment = [=](int j) {
-    Real beta = quarter;
-    Real log = -2 * std::numbers::ln2_v<Real>;
+  return corrections(t, std::vector<Real>(n, step), [](int j) {
+    Real beta = pi / 2;
+    Real sum = -2 * ln_2;
     for (int i = 1; i <= j; ++i) {
       beta *= (2 * i - Real(1)) / (2 * i);
-      log += Real(2) / (2 * i - 1) - Real(1) / i;
+      sum += Real(2) / (2 * i - 1) - Real(1) / i;
     }
-    return beta * log;
-  };
-  return {n, vanishing, [=](int) { return quarter / steps; }, moment};
+    return beta * sum;
+  });
 }
 
-LogCorrections LogCorrections::gauss(const GaussRule<Real>& rule) {
-  const int n = static_cast<int>(rule.node.size()) / 2;
-  const auto vanishing = [&](int i) {
-    const Real x = rule.node(n + i);
-    return (1 - x) * (1 + x);
-  };
-  const auto weight = [&](int i) { return rule.weight(n + i); };
+std::vector<Real> gauss_log_corrections(const std::vector<Real>& x,
+                                        const std::vector<Real>& weight) {
+  std::vector<Real> t;
+  for (const Real& v : x) t.push_back((1 - v) * (1 + v));
   // The derivative of half of B(1/2, j + 1).
-  const auto moment = [](int j) {
+  return corrections(t, weight, [](int j) {
     Real beta = 1;
-    Real log = 2 * std::numbers::ln2_v<Real> - 2;
+    Real sum = 2 * ln_2 - 2;
     for (int i = 1; i <= j; ++i) {
       beta *= 2 * i / (2 * i + Real(1));
-      log += Real(1) / i - Real(2) / (2 * i + 1);
+      sum += Real(1) / i - Real(2) / (2 * i + 1);
     }
-    return beta * log;
-  };
-  return {n, vanishing, weight, moment};
-}
-
-Real LogCorrections::log_square(Real cosine, int i) const {
-  return 2 * std::log(cosine) + (i < first_ ? 0 : value_[i - first_]);
+    return beta * sum;
+  });
 }
 
 }  // namespace contact::detail::rules

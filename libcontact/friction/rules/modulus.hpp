@@ -2,14 +2,16 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <numbers>
+#include <boost/math/constants/constants.hpp>
+#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <vector>
 
 namespace contact::detail::rules {
 
-using Real = long double;
-inline constexpr Real pi = std::numbers::pi_v<Real>;
+using Real =
+    boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>,
+                                  boost::multiprecision::et_off>;
+inline const Real pi = boost::math::constants::pi<Real>();
 
 /// A node of a rule, as kernel/cap_rule.hpp has it.
 struct Node {
@@ -31,7 +33,7 @@ class Modulus {
   /// At u, with the weight dn(u) du.
   Node node(Real u, Real du) const {
     const Real z = pi / 2 * u / (swapped() ? kc : k);
-    const Thetas at = thetas(swapped() ? std::cosh(z) : std::cos(z));
+    const Thetas at = thetas(swapped() ? Real(cosh(z)) : Real(cos(z)));
     const Real cn = at_0_[2] / at_0_[0] * at[0] / at[2];
     const Real dn = at_0_[2] / at_0_[1] * at[1] / at[2];
     // Of K' at iz: Jacobi's imaginary transformation (16.20).
@@ -54,10 +56,10 @@ class Modulus {
   /// K by the arithmetic-geometric mean.
   static Real quarter_period(Real complementary_squared) {
     Real a = 1;
-    Real b = std::sqrt(complementary_squared);
-    while (a - b > 1e-10L) {
+    Real b = sqrt(complementary_squared);
+    while (a - b > 1e-26) {
       const Real mean = (a + b) / 2;
-      b = std::sqrt(a * b);
+      b = sqrt(a * b);
       a = mean;
     }
     return pi / (a + b);
@@ -65,16 +67,16 @@ class Modulus {
   bool swapped() const { return k > kc; }
   /// By the cosine of z; the nome is at most exp(-pi).
   Thetas thetas(Real cosine) const {
-    const Real q = std::exp(-pi * std::max(k, kc) / std::min(k, kc));
+    const Real q = exp(-pi * std::max(k, kc) / std::min(k, kc));
     Thetas sum{cosine, 1, 1};
     Real even = 1;  // cos 2nz
     Real odd = cosine;
     Real power = 1;  // q^n^2
-    for (int n = 1; n <= 6; ++n) {
+    for (int n = 1; n <= 8; ++n) {
       even = 2 * cosine * odd - even;
       odd = 2 * cosine * even - odd;
-      power *= std::pow(q, 2 * n - 1);
-      sum[0] += power * std::pow(q, n) * odd;
+      power *= pow(q, 2 * n - 1);
+      sum[0] += power * pow(q, n) * odd;
       sum[1] += 2 * power * even;
       sum[2] += (n % 2 == 0 ? 2 : -2) * power * even;
     }
