@@ -1,7 +1,5 @@
 #include "libcontact/base/gauss_legendre.hpp"
 
-#include <boost/math/special_functions/chebyshev.hpp>
-#include <boost/math/special_functions/legendre.hpp>
 #include <cmath>
 #include <numbers>
 
@@ -51,39 +49,29 @@ Eigen::MatrixXd even_legendre(int count, const Eigen::VectorXd& x) {
   return values;
 }
 
-EvenLegendreSlope::EvenLegendreSlope(std::span<const double> u)
-    : terms_(static_cast<int>(u.size()) - 1) {
-  // u' = sum over odd k of c_k P_k, c_k = (2k+1) sum_{2j > k} u_j, from
-  // P_{n+1}' - P_{n-1}' = (2n+1) P_n.
-  std::array<double, max_terms> c;
-  double sum = 0;
-  for (int j = terms_; j >= 1; --j) {
-    sum += u[j];
-    c[j - 1] = (4 * j - 1) * sum;
-  }
-  // A polynomial of degree terms_ - 1 in v^2: its values at as many Chebyshev
+Eigen::MatrixXd even_legendre_slope(int count) {
+  // Polynomials of degree `terms` - 1 in v^2: their values at as many Chebyshev
   // points make the series.
-  for (int i = 0; i < terms_; ++i) {
-    const double angle = std::numbers::pi * (i + 0.5) / terms_;
+  const int terms = count - 1;
+  Eigen::MatrixXd value(terms, count);
+  Eigen::MatrixXd transform(terms, terms);
+  for (int i = 0; i < terms; ++i) {
+    const double angle = std::numbers::pi * (i + 0.5) / terms;
     const double v = std::cos(angle / 2);
-    double previous = 1;
-    double current = v;
-    double value = 0;
-    for (int k = 1; k < 2 * terms_; ++k) {
-      if (k % 2 == 1) value += c[k / 2] * current / v;
-      const double next = boost::math::legendre_next(k, v, current, previous);
-      previous = current;
-      current = next;
+    // P_{2j}' - P_{2j-2}' = (4j - 1) P_{2j-1}.
+    double even = 1;
+    double odd = v;
+    value(i, 0) = 0;
+    for (int j = 1; j < count; ++j) {
+      value(i, j) = value(i, j - 1) + (4 * j - 1) * odd / v;
+      even = ((4 * j - 1) * v * odd - (2 * j - 1) * even) / (2 * j);
+      odd = ((4 * j + 1) * v * even - 2 * j * odd) / (2 * j + 1);
     }
-    for (int k = 0; k < terms_; ++k) {
-      series_[k] += 2 * value / terms_ * std::cos(k * angle);
+    for (int k = 0; k < terms; ++k) {
+      transform(k, i) = (k == 0 ? 1.0 : 2.0) / terms * std::cos(k * angle);
     }
   }
-}
-
-double EvenLegendreSlope::operator()(double v) const {
-  return boost::math::chebyshev_clenshaw_recurrence(series_.data(), terms_,
-                                                    2 * v * v - 1);
+  return transform * value;
 }
 
 }  // namespace contact::detail

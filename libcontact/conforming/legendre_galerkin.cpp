@@ -34,14 +34,14 @@ LegendreGalerkin::LegendreGalerkin(int n) {
   for (int m = 0; m < nodes; ++m) {
     // v + x at a node is -v at its mirror image.
     const double half_length = 1 - node(m) / 2;
-    const Eigen::MatrixXd p =
+    const Eigen::MatrixXd left =
         even_legendre(n, (half_length * (1 + inner.node.array()) - 1).matrix());
-    const Eigen::MatrixXd product =
-        p.transpose() *
+    const Eigen::MatrixXd right =
         (2 * half_length * weight(m) * inner.weight).asDiagonal() *
-        p.colwise().reverse();
-    for (int i = 0, row = 0; i < n; ++i) {
-      for (int j = 0; j <= i; ++j, ++row) correlation(row, m) = product(i, j);
+        left.colwise().reverse();
+    for (int i = 0; i < n; ++i) {
+      correlation.col(m).segment(i * (i + 1) / 2, i + 1).noalias() =
+          right.leftCols(i + 1).transpose() * left.col(i);
     }
   }
 
@@ -51,6 +51,8 @@ LegendreGalerkin::LegendreGalerkin(int n) {
   edge_term = even_legendre(n, fine.node).transpose() *
               (fine.weight.array() * rest.square() / 4 * rest.log()).matrix();
   for (int i = 0; i < n; ++i) edge_term(i) *= 2 * i + 0.5;
+
+  slope = even_legendre_slope(n);
 
   // Half of a rule for even functions: smooth right sides need few more
   // nodes than the polynomials.
