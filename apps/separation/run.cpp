@@ -163,7 +163,7 @@ void print_validity(const Case& c) {
   std::set<std::string> notes;
   for (const Load& load : c.loads) {
     for (const HingeJoint& joint : load.hinge.joints) {
-      for (const std::string& note : joint.joint.validity_notes()) {
+      for (const std::string& note : joint.contact.validity_notes()) {
         notes.insert(fmt::format("joint {}: {}", joint.joint.name, note));
       }
     }

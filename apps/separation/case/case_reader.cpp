@@ -222,13 +222,13 @@ void check_system(const TomlTable& table, const Body& carrier,
   }
 }
 
-void read_load(const TomlTable& table, const JointLaws& laws, Case& c,
-               CaseNames& names) {
+void read_load(const TomlTable& table, const JointLaws& laws,
+               contact::SharedLaws& made, Case& c, CaseNames& names) {
   Load load;
   load.body = read_body(table);
   load.group = load.body.name;
   if (const auto hinge = table.optional_table("hinge")) {
-    load.hinge = read_hinge(*hinge, load.body, c.carrier, laws);
+    load.hinge = read_hinge(*hinge, load.body, c.carrier, laws, made);
   }
   load.lock = read_lock(table, load.body, load.hinge);
   const auto start = table.optional_table("start");
@@ -372,7 +372,8 @@ Case read_all(const TomlTable& file, const JointLaws& laws) {
   if (loads.empty()) {
     file.fail_missing("load", "a case has one or more [[load]]");
   }
-  for (const TomlTable& load : loads) read_load(load, laws, c, names);
+  contact::SharedLaws made;
+  for (const TomlTable& load : loads) read_load(load, laws, made, c, names);
   read_events(file, c, names);
   read_forces(file, names, c);
   read_clearance(file, names, c);

@@ -20,7 +20,8 @@ using Eigen::Vector3d;
 using multibody::JointKind;
 
 // What is wrong with them is the command line's, not the file's.
-void take_laws(const JointLaws& laws, contact::Joint& joint) {
+void take_laws(const JointLaws& laws, contact::SharedLaws& made,
+               contact::Joint& joint) {
   const auto take = [&](const char* option, const std::string& name,
                         std::string& law, const auto& make) {
     if (name.empty()) return;
@@ -33,12 +34,13 @@ void take_laws(const JointLaws& laws, contact::Joint& joint) {
     }
   };
   take("--law", laws.half_angle, joint.half_angle_law,
-       [&] { joint.make_half_angle_law(); });
+       [&] { made.half_angle(joint); });
   take("--pressure", laws.pressure, joint.pressure_law,
-       [&] { joint.make_pressure_law(); });
+       [&] { made.pressure(joint); });
 }
 
-contact::Joint read_joint_of(const TomlTable& table, const JointLaws& laws) {
+contact::Joint read_joint_of(const TomlTable& table, const JointLaws& laws,
+                             contact::SharedLaws& made) {
   const auto file = table.optional_text("file");
   contact::Joint joint = [&] {
     if (!file) return contact::joint_from_table(table);
@@ -51,7 +53,7 @@ contact::Joint read_joint_of(const TomlTable& table, const JointLaws& laws) {
       table.fail("file", error.what());
     }
   }();
-  take_laws(laws, joint);
+  take_laws(laws, made, joint);
   if (!joint.friction) {
     table.fail(file ? "file" : "friction",
                "neither the joint nor its materials have [friction]");
@@ -59,10 +61,11 @@ contact::Joint read_joint_of(const TomlTable& table, const JointLaws& laws) {
   return joint;
 }
 
-HingeJoint read_hinge_joint(const TomlTable& table, const JointLaws& laws) {
-  contact::Joint joint = read_joint_of(table, laws);
+HingeJoint read_hinge_joint(const TomlTable& table, const JointLaws& laws,
+                            contact::SharedLaws& made) {
+  contact::Joint joint = read_joint_of(table, laws, made);
   JointContact contact(joint.geometry, joint.pair, *joint.friction,
-                       joint.make_half_angle_law(), joint.make_pressure_law());
+                       made.half_angle(joint), made.pressure(joint));
   return {std::move(joint),
           table.optional_number("position", Interval::any(), Dimension::length)
               .value_or(0),
@@ -151,7 +154,7 @@ contact::JointNode make_node(const Hinge& hinge) {
 }  // namespace
 
 Hinge read_hinge(const TomlTable& table, const Body& load, const Body& carrier,
-                 const JointLaws& laws) {
+                 const JointLaws& laws, contact::SharedLaws& made) {
   Hinge hinge;
   hinge.kind = table.choice("kind", {"spherical", "axis"}) == 0
                    ? JointKind::spherical
@@ -171,7 +174,7 @@ Hinge read_hinge(const TomlTable& table, const Body& load, const Body& carrier,
   }
   const auto joints = table.tables("joint");
   for (const TomlTable& joint : joints) {
-    hinge.joints.push_back(read_hinge_joint(joint, laws));
+    hinge.joints.push_back(read_hinge_joint(joint, laws, made));
   }
   if (!ball) hinge.sharing = read_sharing(table, joints.size());
   if (ball && joints.size() > 1) {
