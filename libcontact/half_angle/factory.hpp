@@ -22,7 +22,8 @@ struct HalfAngleOptions {
   /// paper's own digits.
   double initial_slope = 1;
 
-  friend bool operator==(const HalfAngleOptions&, const HalfAngleOptions&) = default;
+  friend bool operator==(const HalfAngleOptions&,
+                         const HalfAngleOptions&) = default;
 };
 
 /// The law of joints and programs that name none.

@@ -24,8 +24,8 @@ namespace contact {
 ///
 /// with the a_k and b_k, times 2 sin(theta0/2) (pin) or its square (ball), as
 /// Chebyshev series in theta0 (pin) or sqrt(theta0) (ball). The constructor
-/// solves the contact at 28 half-angles or more, some milliseconds for a ball:
-/// make one law per joint. Threads may share one.
+/// solves the contact at 28 half-angles or more, a millisecond or two for a
+/// ball: joints that are alike share one, threads may.
 ///
 /// Accuracy (pressure/family_test.cpp): within 5e-8 of the peak of the
 /// solver's own pressure for theta0 <= 120 deg, 2e-7 up to the largest; S
