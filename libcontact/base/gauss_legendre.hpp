@@ -1,8 +1,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
-#include <span>
 
 namespace contact::detail {
 
@@ -14,21 +12,11 @@ struct GaussLegendre {
   Eigen::VectorXd weight;
 };
 
-/// P_0(x), P_2(x), ..., P_{2 (count - 1)}(x).
-Eigen::VectorXd even_legendre(int count, double x);
+/// Row i: P_0(x_i), P_2(x_i), ..., P_{2 (count - 1)}(x_i).
+Eigen::MatrixXd even_legendre(int count, const Eigen::VectorXd& x);
 
-/// u'(v)/v for u = sum u_j P_{2j}(v), |v| <= 1: even in v, finite at 0. Kept
-/// as a Chebyshev series in v^2.
-class EvenLegendreSlope {
- public:
-  static constexpr int max_terms = 64;
-  /// @param coefficients  u_j, 2 to max_terms of them
-  explicit EvenLegendreSlope(std::span<const double> coefficients);
-  double operator()(double v) const;
-
- private:
-  int terms_;
-  std::array<double, max_terms> series_{};
-};
+/// Takes u_j, j < count, to the coefficients of the Chebyshev series in
+/// 2 v^2 - 1 of u'(v)/v, u = sum u_j P_{2j}(v): even in v, finite at 0.
+Eigen::MatrixXd even_legendre_slope(int count);
 
 }  // namespace contact::detail

@@ -2,6 +2,7 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -38,6 +39,7 @@ using Columns =
 using Vector = Columns<1>;
 using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0,
                              most_unknowns, most_unknowns>;
+using Lanes = Eigen::Array<double, 8, 1>;
 template <int max>
 using Buffer = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, max, 1>;
 
@@ -58,15 +60,25 @@ class EdgeCorrectedSlope {
                      double log_coefficient)
       : at_edge_(slope(h) /
                  (1 + log_coefficient / (2 * pi) * slope(galerkin.edge_term))),
-        edge_(log_coefficient / (2 * pi) * at_edge_),
-        smooth_(without_edge_term(h, galerkin, edge_)) {}
+        edge_(log_coefficient / (2 * pi) * at_edge_) {
+    smooth_.noalias() = galerkin.slope * (h - edge_ * galerkin.edge_term);
+  }
 
   // s: that of the series without its part of chi, whose slope is 0.
   double at_edge() const { return at_edge_; }
 
-  // At v, given with 1 - v^2.
-  double operator()(double v, double rest) const {
-    return smooth_(v) - edge_ * rest * (std::log(rest) + 0.5);
+  // By v^2, 1 - v^2 and its logarithm; Clenshaw's recurrence.
+  Lanes operator()(const Lanes& square, const Lanes& rest,
+                   const Lanes& log_rest) const {
+    const Lanes twice = 4 * square - 2;
+    Lanes b0 = Lanes::Zero();
+    Lanes b1 = Lanes::Zero();
+    for (Eigen::Index k = smooth_.size() - 1; k > 0; --k) {
+      const Lanes b = twice * b0 - b1 + smooth_(k);
+      b1 = b0;
+      b0 = b;
+    }
+    return twice / 2 * b0 - b1 + smooth_(0) - edge_ * rest * (log_rest + 0.5);
   }
 
  private:
@@ -76,16 +88,52 @@ class EdgeCorrectedSlope {
     for (int j = 1; j < h.size(); ++j) sum -= j * (2 * j + 1) * h(j);
     return sum;
   }
-  static detail::EvenLegendreSlope without_edge_term(
-      const Vector& h, const LegendreGalerkin& galerkin, double edge) {
-    const Vector smooth = h - edge * galerkin.edge_term;
-    return detail::EvenLegendreSlope(
-        {smooth.data(), static_cast<std::size_t>(smooth.size())});
-  }
 
   double at_edge_;
   double edge_;
-  detail::EvenLegendreSlope smooth_;
+  Vector smooth_;
+};
+
+// f^2 = t^2 + (theta0^2 - t^2) s^2 with s = 1 - u^2 and Gauss' rule in u on
+// [0, 1]; half of ds.
+struct EdgeRule {
+  explicit EdgeRule(int size) {
+    const detail::GaussLegendre gauss(size);
+    const Eigen::ArrayXd u = (1 + gauss.node.array()) / 2;
+    weight = gauss.weight.array() * u;
+    share = (1 - u.square()).square();
+    rest = u.square() * (2 - u.square());
+    log_rest = rest.log();
+  }
+  Eigen::ArrayXd weight, share;   // s^2
+  Eigen::ArrayXd rest, log_rest;  // 1 - s^2
+};
+
+// (cos t - cos f)/(f^2 - t^2) for f and t up to pi, by synthetic division of
+// the cosine's power series in f^2.
+class CosineQuotient {
+ public:
+  explicit CosineQuotient(double t) {
+    double factorial = 1;
+    for (int k = 1; k <= terms; ++k) {
+      factorial *= -2 * k * (2 * k - 1.0);
+      coefficient_[k - 1] = -1 / factorial;
+    }
+    for (int k = terms - 1; k > 0; --k) {
+      coefficient_[k - 1] += t * t * coefficient_[k];
+    }
+  }
+  Lanes operator()(const Lanes& square) const {
+    Lanes sum = Lanes::Constant(coefficient_[terms - 1]);
+    for (int k = terms - 2; k >= 0; --k) {
+      sum = sum * square + coefficient_[k];
+    }
+    return sum;
+  }
+
+ private:
+  static constexpr int terms = 15;
+  std::array<double, terms> coefficient_;
 };
 
 }  // namespace
@@ -297,9 +345,9 @@ ContactPressure BallContact::pressure(double half_angle,
   // f^2 = t^2 + (theta0^2 - t^2) s^2 the integrand is smooth in s on [0, 1],
   // but for a logarithm at s = 1, which s = 1 - u^2 takes away.
   // As h has twice the unknowns for its degree, 32 nodes take 32 of them.
-  static const detail::GaussLegendre usual(32);
-  static const detail::GaussLegendre fine(2 * most_unknowns);
-  const detail::GaussLegendre& rule = unknowns_ > max_unknowns ? fine : usual;
+  static const EdgeRule usual(32);
+  static const EdgeRule fine(2 * most_unknowns);
+  const EdgeRule& rule = unknowns_ > max_unknowns ? fine : usual;
   const detail::EdgeFit& fit =
       detail::EdgeFit::table(terms == 0 ? this->terms() : terms);
   if (!(half_angle > 0 && half_angle <= largest_)) return {nan, nan, {}, {}};
@@ -319,20 +367,22 @@ ContactPressure BallContact::pressure(double half_angle,
     const double rest = 2 * std::atan(b * fit.square(i) * share /
                                       ((1 + cosine) * (1 + b * b * cosine)));
     const double square = rest * (theta0 + t);  // theta0^2 - t^2
-    double p = 0;
-    for (int k = 0; k < rule.node.size(); ++k) {
-      const double u = (1 + rule.node(k)) / 2;
-      const double s = (1 - u) * (1 + u);
-      const double part = square * s * s;  // f^2 - t^2
-      const double f = std::sqrt(t * t + part);
-      const double difference = part / (f + t);  // f - t
-      p -= rule.weight(k) * u *
-           slope(f / theta0, square * u * u * (1 + s) / (theta0 * theta0)) *
-           std::sqrt(part /
-                     (2 * std::sin((f + t) / 2) * std::sin(difference / 2)));
+    const CosineQuotient quotient(t);
+    const double largest_rest = square / (theta0 * theta0);
+    const double log_largest = std::log(largest_rest);
+    Lanes p = Lanes::Zero();
+    for (int k = 0; k < rule.share.size(); k += Lanes::SizeAtCompileTime) {
+      const auto at = [k](const Eigen::ArrayXd& x) -> Lanes {
+        return x.segment<Lanes::SizeAtCompileTime>(k);
+      };
+      const Lanes f2 = t * t + square * at(rule.share);
+      p -= at(rule.weight) *
+           slope(f2 / (theta0 * theta0), largest_rest * at(rule.rest),
+                 log_largest + at(rule.log_rest)) /
+           quotient(f2).sqrt();
     }
     // In units of R_n/rho^2 = 2 pi H_1.
-    values(i) = p * std::sqrt(square / 2) / (2 * pi * theta0 * theta0);
+    values(i) = p.sum() * std::sqrt(square / 2) / (2 * pi * theta0 * theta0);
   }
   // dp/dx at the edge, where theta0 - t = sin(theta0/2) x^2.
   const double edge_slope =

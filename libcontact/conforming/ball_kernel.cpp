@@ -5,6 +5,7 @@
 #include <boost/math/constants/constants.hpp>
 #include <boost/math/special_functions/zeta.hpp>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace contact::detail {
@@ -46,10 +47,17 @@ struct Fraction {
   std::array<double, 4> denominator;  // powers 0 to 3 of N
 };
 
-// sum_{n >= 0} (n + 1/2)^-s, continued to s <= 1; s != 1.
-double half_zeta(int s) {
-  return std::expm1(s * std::numbers::ln2) *
-         boost::math::zeta(static_cast<double>(s));
+// sum_{n >= 0} (n + 1/2)^-s, continued to s <= 1, for s = `last` - i.
+template <int count, int last>
+std::array<double, count> half_zetas() {
+  std::array<double, count> zetas;
+  for (int i = 0; i < count; ++i) {
+    const double s = last - i;
+    zetas[i] = s == 1
+                   ? std::numeric_limits<double>::quiet_NaN()
+                   : std::expm1(s * std::numbers::ln2) * boost::math::zeta(s);
+  }
+  return zetas;
 }
 
 // Real part of i^k.
@@ -99,6 +107,7 @@ BallKernel::BallKernel(const BallConstants& constants) {
   // Functions, 1.11 (8))
   //   (ix)^m/m! (H_m + 2 ln 2 - ln(-ix)) + sum_{k != m} zeta(m+1-k, 1/2)
   //   (ix)^k/k!,  -ln(-ix) = -ln x + i pi/2.
+  static const auto zetas = half_zetas<powers + 2 * series_terms, powers>();
   double harmonic = 0;
   double factorial_m = 1;
   for (int m = 0; m < powers; ++m) {
@@ -120,15 +129,15 @@ BallKernel::BallKernel(const BallConstants& constants) {
       if (k > 0) factorial_k *= k * (k - 1.0);
       if (k == m) continue;
       even_[j] +=
-          q[m] * half_zeta(m + 1 - k) * real_power_of_i(k) / factorial_k;
+          q[m] * zetas[powers - m - 1 + k] * real_power_of_i(k) / factorial_k;
     }
   }
 }
 
 void BallKernel::evaluate(std::span<const double> x,
                           std::span<double> kappa) const {
-  // Lanes over nodes: enough of them to hide the latency of the recurrence.
-  constexpr int lanes = 16;
+  // Lanes over nodes: as many as there are registers for.
+  constexpr int lanes = 8;
   using Lanes = Eigen::Array<double, lanes, 1>;
   const auto horner = [](const auto& coefficients, const Lanes& y2) {
     Lanes sum = Lanes::Constant(coefficients.back());
@@ -144,7 +153,8 @@ void BallKernel::evaluate(std::span<const double> x,
     // kappa(2 pi - x) = -kappa(x).
     const Lanes y = given.min(2 * pi - given);
     const Lanes y2 = y * y;
-    const Lanes c = 2 * y.cos();
+    const Lanes half = (y / 2).cos();
+    const Lanes c = 4 * half * half - 2;
     Lanes b0 = Lanes::Zero();
     Lanes b1 = Lanes::Zero();
     for (int n = direct_terms - 1; n >= 0; --n) {
@@ -153,7 +163,7 @@ void BallKernel::evaluate(std::span<const double> x,
       b0 = next;
     }
     const Lanes sum = horner(even_, y2) + horner(logarithmic_, y2) * y.log() +
-                      horner(odd_, y2) * y + (b0 - b1) * (y / 2).cos();
+                      horner(odd_, y2) * y + (b0 - b1) * half;
     const Lanes result = (given > pi).select(-sum, sum);
     std::copy_n(result.begin(), used, kappa.begin() + first);
   }

@@ -26,7 +26,7 @@ double cavity_compliance(int n, double poissons_ratio);
 /// summed once for an elastic pair. d_n is a rational function of N = n + 1/2
 /// that tends to 0 like 1/N; its first eight powers of 1/N are summed in
 /// closed form (a logarithm times a polynomial, and power series), the rest
-/// falls like N^-9 and is summed to N = 96.
+/// falls like N^-9 and is summed to N = 64.
 class BallKernel {
  public:
   explicit BallKernel(const BallConstants& constants);
@@ -42,7 +42,7 @@ class BallKernel {
   // 25 terms reach 1e-15 at x = pi: the series converge within 2 pi.
   static constexpr int series_terms = 25;
   static constexpr int powers = 8;
-  static constexpr int direct_terms = 96;
+  static constexpr int direct_terms = 64;
 
   std::array<double, series_terms> even_{};     // of x^2
   std::array<double, powers / 2> logarithmic_;  // of x^2, times ln x

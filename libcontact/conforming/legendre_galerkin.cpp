@@ -24,52 +24,43 @@ LegendreGalerkin::LegendreGalerkin(int n) {
   const int nodes = 6 * n + 16;
   const GaussLegendre outer(nodes);
   const GaussLegendre inner(2 * n);
-  node.resize(nodes);
+  // dx = 6 y^2 dy
+  const Eigen::ArrayXd y = (1 + outer.node.array()) / 2;
+  const Eigen::VectorXd weight = 3 * y.square() * outer.weight.array();
+  node = 2 * y.cube();
+  edge.noalias() = even_legendre(n, (1 - node.array()).matrix()).transpose() *
+                   weight.asDiagonal();
   correlation.resize(n * (n + 1) / 2, nodes);
-  edge.resize(n, nodes);
-  Eigen::MatrixXd left(n, inner.node.size());
-  Eigen::MatrixXd right(n, inner.node.size());
   for (int m = 0; m < nodes; ++m) {
-    const double y = (1 + outer.node(m)) / 2;
-    const double x = 2 * y * y * y;
-    const double weight = 3 * y * y * outer.weight(m);  // dx = 6 y^2 dy
-    node(m) = x;
-    edge.col(m) = weight * even_legendre(n, 1 - x);
-    const double half_length = 1 - x / 2;
-    for (int k = 0; k < inner.node.size(); ++k) {
-      const double v = -1 + half_length * (1 + inner.node(k));
-      left.col(k) =
-          half_length * inner.weight(k) * weight * even_legendre(n, v);
-      right.col(k) = even_legendre(n, v + x);
-    }
-    const Eigen::MatrixXd product = left * right.transpose();
-    for (int i = 0, row = 0; i < n; ++i) {
-      for (int j = 0; j <= i; ++j, ++row) {
-        correlation(row, m) = product(i, j) + product(j, i);
-      }
+    // v + x at a node is -v at its mirror image.
+    const double half_length = 1 - node(m) / 2;
+    const Eigen::MatrixXd left =
+        even_legendre(n, (half_length * (1 + inner.node.array()) - 1).matrix());
+    const Eigen::MatrixXd right =
+        (2 * half_length * weight(m) * inner.weight).asDiagonal() *
+        left.colwise().reverse();
+    for (int i = 0; i < n; ++i) {
+      correlation.col(m).segment(i * (i + 1) / 2, i + 1).noalias() =
+          right.leftCols(i + 1).transpose() * left.col(i);
     }
   }
 
   // 128 nodes integrate the logarithm to 1e-12, up to 32 unknowns.
   const GaussLegendre fine(std::max(128, 4 * n));
-  edge_term = Eigen::VectorXd::Zero(n);
-  for (int k = 0; k < fine.node.size(); ++k) {
-    const double rest = (1 - fine.node(k)) * (1 + fine.node(k));
-    edge_term += fine.weight(k) * rest * rest / 4 * std::log(rest) *
-                 even_legendre(n, fine.node(k));
-  }
+  const Eigen::ArrayXd rest = (1 - fine.node.array()) * (1 + fine.node.array());
+  edge_term = even_legendre(n, fine.node).transpose() *
+              (fine.weight.array() * rest.square() / 4 * rest.log()).matrix();
   for (int i = 0; i < n; ++i) edge_term(i) *= 2 * i + 0.5;
+
+  slope = even_legendre_slope(n);
 
   // Half of a rule for even functions: smooth right sides need few more
   // nodes than the polynomials.
   const int half = n + 12;
   const GaussLegendre rule(2 * half);
   projection_node = rule.node.tail(half);
-  projection.resize(n, half);
-  for (int k = 0; k < half; ++k) {
-    projection.col(k) =
-        2 * rule.weight(half + k) * even_legendre(n, projection_node(k));
-  }
+  projection.noalias() = even_legendre(n, projection_node).transpose() *
+                         (2 * rule.weight.tail(half)).asDiagonal();
 }
 
 }  // namespace contact::detail

@@ -22,11 +22,14 @@ struct LegendreGalerkin {
 
   explicit LegendreGalerkin(int unknowns);
 
-  Eigen::VectorXd node;         ///< x
-  Eigen::MatrixXd correlation;  ///< (i (i+1)/2 + j, node), j <= i
-  Eigen::MatrixXd edge;         ///< (i, node): ∫ P_{2i}(v) k(1 - v) dv
+  Eigen::VectorXd node;  ///< x
+  /// (i (i+1)/2 + j, node), j <= i
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>
+      correlation;
+  Eigen::MatrixXd edge;  ///< (i, node): ∫ P_{2i}(v) k(1 - v) dv
   /// Legendre coefficients of ((1 - v^2)^2/4) ln(1 - v^2).
   Eigen::VectorXd edge_term;
+  Eigen::MatrixXd slope;  ///< even_legendre_slope()
   Eigen::VectorXd projection_node;
   Eigen::MatrixXd projection;  ///< (i, projection node): ∫ P_{2i} g dv, g even
 };

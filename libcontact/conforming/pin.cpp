@@ -465,15 +465,21 @@ ContactPressure PinContact::pressure(double half_angle,
   }
 
   detail::EdgeFit::Points values(fit.points());
-  for (int i = 0; i < fit.points(); ++i) {
-    const double square = fit.square(i) * edge.tangent_share(fit.square(i));
-    double b0 = 0;
-    double b1 = 0;
+  using Lanes = Eigen::Array<double, 8, 1>;
+  constexpr int lanes = Lanes::SizeAtCompileTime;
+  for (int i = 0; i < fit.points(); i += lanes) {
+    Lanes square = fit.square.segment<lanes>(i);
+    square *= edge.tangent_share(square);
+    const Lanes twice = 2 - 4 * square;
+    Lanes b0 = Lanes::Zero();
+    Lanes b1 = Lanes::Zero();
     for (int k = count - 1; k >= 0; --k) {
-      b1 = std::exchange(b0, 2 * (1 - 2 * square) * b0 - b1 + a[k]);
+      const Lanes next = twice * b0 - b1 + a[k];
+      b1 = b0;
+      b0 = next;
     }
-    values(i) = std::sqrt(square) *
-                (b0 + b1 + share * slope * square * std::log(square) / 2);
+    values.segment<lanes>(i) =
+        square.sqrt() * (b0 + b1 + share * slope / 2 * square * square.log());
   }
   return fit(half_angle, 2 * solution.mean, values,
              detail::EdgeFit::leading_logarithm(slope / root, constants_.beta,

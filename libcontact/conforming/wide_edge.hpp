@@ -41,7 +41,8 @@ class WideEdge {
   }
 
   /// y^2/x^2 at a given x^2.
-  double tangent_share(double square) const {
+  template <class V>
+  V tangent_share(const V& square) const {
     return 1 / (c_ + (1 - c_) * square);
   }
   /// x^2/y^2 at a given y^2.

@@ -145,6 +145,12 @@ InnerLoading loading_from_table(const TomlTable& file, const JointSpec& joint) {
   return loading;
 }
 
+// What any law may depend on beside its name and options.
+bool are_alike(const JointSpec& a, const JointSpec& b) {
+  return a.geometry.kind() == b.geometry.kind() && a.pair == b.pair &&
+         a.conditions == b.conditions;
+}
+
 }  // namespace
 
 MaterialPair read_material_pair(const std::filesystem::path& path) {
@@ -154,6 +160,28 @@ MaterialPair read_material_pair(const std::filesystem::path& path) {
 MaterialPair parse_material_pair(std::string_view text,
                                  const std::string& source) {
   return material_pair_from_table(TomlTable::from_text(text, source));
+}
+
+std::shared_ptr<const HalfAngleLaw> SharedLaws::half_angle(
+    const JointSpec& joint) {
+  for (const auto& [other, law] : half_angle_) {
+    if (are_alike(joint, other) &&
+        joint.half_angle_law == other.half_angle_law &&
+        joint.half_angle_options == other.half_angle_options) {
+      return law;
+    }
+  }
+  return half_angle_.emplace_back(joint, joint.make_half_angle_law()).second;
+}
+
+std::shared_ptr<const PressureLaw> SharedLaws::pressure(
+    const JointSpec& joint) {
+  for (const auto& [other, law] : pressure_) {
+    if (are_alike(joint, other) && joint.pressure_law == other.pressure_law) {
+      return law;
+    }
+  }
+  return pressure_.emplace_back(joint, joint.make_pressure_law()).second;
 }
 
 std::unique_ptr<HalfAngleLaw> JointSpec::make_half_angle_law() const {
@@ -179,7 +207,7 @@ JointSpec joint_from_table(const TomlTable& table) {
   const JointGeometry geometry = geometry_from_table(table);
   const MaterialPair materials = materials_from_table(table);
   auto walls = walls_from_table(table, geometry.radius(), materials.elastic);
-  // The only laws that know walls.
+  // The only laws that know walls; they are for all joints, and take long.
   constexpr std::string_view exact = "exact";
   JointSpec joint{
       .name = std::move(name),
@@ -206,7 +234,7 @@ JointSpec joint_from_table(const TomlTable& table) {
                                                      degrees_per_radian_range);
     if (degrees) options.initial_slope = *degrees * degree;
     try {
-      joint.make_half_angle_law();
+      if (joint.half_angle_law != exact) joint.make_half_angle_law();
     } catch (const Error& error) {
       half_angle->fail("law", error.what());
     }
@@ -226,7 +254,7 @@ JointSpec joint_from_table(const TomlTable& table) {
   if (const auto pressure = table.optional_table("pressure")) {
     joint.pressure_law = pressure->text("law");
     try {
-      joint.make_pressure_law();
+      if (joint.pressure_law != exact) joint.make_pressure_law();
     } catch (const Error& error) {
       pressure->fail("law", error.what());
     }

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "libcontact/files/toml_reader.hpp"
@@ -56,6 +57,19 @@ struct JointSpec {
   LoadScale load_scale() const { return {geometry, pair}; }
   /// Notes of the geometry and of the half-angle law.
   std::vector<std::string> validity_notes() const;
+};
+
+/// The laws of joints that belong together: those that are alike share one.
+class SharedLaws {
+ public:
+  /// As the functions of JointSpec make them.
+  std::shared_ptr<const HalfAngleLaw> half_angle(const JointSpec& joint);
+  std::shared_ptr<const PressureLaw> pressure(const JointSpec& joint);
+
+ private:
+  std::vector<std::pair<Joint, std::shared_ptr<const HalfAngleLaw>>>
+      half_angle_;
+  std::vector<std::pair<Joint, std::shared_ptr<const PressureLaw>>> pressure_;
 };
 
 JointSpec read_joint(const std::filesystem::path& path);

@@ -26,8 +26,7 @@ namespace contact {
 ///         at most 1e-10 for theta0 <= 120 deg (friction/any_pressure_test.cpp,
 ///         against quadrature of the definition and by parts). NaN if an
 ///         argument is NaN or out of its interval.
-/// Does not throw. The first calls with a law other than CosinePressure make
-/// tables of nodes, later ones do not allocate.
+/// Neither throws nor allocates.
 FrictionIntegrals friction_integrals(const PressureLaw& law, double half_angle,
                                      SlipAxis axis);
 
@@ -35,8 +34,7 @@ FrictionIntegrals friction_integrals(const PressureLaw& law, double half_angle,
 /// on; input, output, errors and NaN as in exact_friction_integrals() for many
 /// points. The same numbers to 4e-11 (friction/any_pressure_test.cpp): the
 /// pressure is interpolated between half-angles of the batch, and a point
-/// shares the nodes of a neighbour that needs more. Allocates nothing after the
-/// first call.
+/// shares the nodes of a neighbour that needs more. Allocates nothing.
 void friction_integrals(const PressureLaw& law, const FrictionBatchInput& in,
                         const FrictionBatchOutput& out,
                         InstructionSet set = best_instruction_set());

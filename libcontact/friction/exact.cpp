@@ -9,7 +9,7 @@ namespace detail {
 
 FrictionIntegrals exact_point(const CapKernel& kernel,
                               const PreparedCap<double>& cap) {
-  const CapRule& rule = cap_rule(cap_rule_index()(cap.point.m));
+  const CapRule& rule = cap_rules[cap_rule_index(cap.point.m)];
   const CapResult<double> r = assemble(
       cap,
       kernel.one(cap.point, rule, cap.pole_inside, arc_range(cap.point.c)));

@@ -21,6 +21,9 @@ struct HalfAngleOptions {
   /// dtheta0/dx at x = 0 of arctan, tanh and blend; 57.3 * degree for the
   /// paper's own digits.
   double initial_slope = 1;
+
+  friend bool operator==(const HalfAngleOptions&,
+                         const HalfAngleOptions&) = default;
 };
 
 /// The law of joints and programs that name none.

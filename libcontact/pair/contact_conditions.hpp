@@ -16,6 +16,9 @@ struct ContactConditions {
   /// Walls and coatings. The materials at the surfaces are then those of
   /// walls->surfaces().
   std::optional<LayeredPair> walls = {};
+
+  friend bool operator==(const ContactConditions&,
+                         const ContactConditions&) = default;
 };
 
 /// For messages of laws that do not know them: "finite walls", or

@@ -13,6 +13,8 @@ namespace contact {
 struct Layer {
   double thickness;   ///< m, > 0
   Material material;  ///< elastic
+
+  friend bool operator==(const Layer&, const Layer&) = default;
 };
 
 /// What lies behind the layers of a body.
@@ -34,6 +36,8 @@ class Backing {
   /// Of a medium.
   const Material& material() const { return material_; }
 
+  friend bool operator==(const Backing&, const Backing&) = default;
+
  private:
   Backing(Kind kind, Material material)
       : kind_(kind), material_(std::move(material)) {}
@@ -48,6 +52,8 @@ class Backing {
 struct LayeredBody {
   std::vector<Layer> layers;
   Backing backing;
+
+  friend bool operator==(const LayeredBody&, const LayeredBody&) = default;
 };
 
 /// The two bodies of a joint whose walls count, validated once.
@@ -73,6 +79,8 @@ class LayeredPair {
   /// Thickness of the thinner one of the two layers at the contact over the
   /// radius; infinite if no body has layers.
   double relative_thickness() const;
+
+  friend bool operator==(const LayeredPair&, const LayeredPair&) = default;
 
  private:
   double radius_;

@@ -14,6 +14,8 @@ struct Material {
   double poissons_ratio;
   /// For messages only; may be empty.
   std::string name = {};
+
+  friend bool operator==(const Material&, const Material&) = default;
 };
 
 namespace detail {
@@ -86,6 +88,7 @@ class ElasticPair {
   /// deform are incompressible.
   double dundurs_beta() const { return dundurs_beta_; }
 
+  friend bool operator==(const ElasticPair&, const ElasticPair&) = default;
   /// True if inner and outer body have the same elastic constants.
   bool identical() const;
 

@@ -31,50 +31,85 @@ struct Resultants {
   double sum;
 };
 
-// By Gauss' rule in phi, where the integrand is analytic but for
-// phi^4 ln(phi).
+// Gauss' rule for integrals over x = sin(phi) with x^2 ln x, phi = (pi/2) v^2.
+template <int size>
+struct EdgeRule {
+  EdgeRule() {
+    const detail::GaussLegendre gauss(size);
+    for (int i = 0; i < size; ++i) {
+      const double v = (1 + gauss.node(i)) / 2;
+      const double phi = pi / 2 * v * v;
+      square[i] = std::sin(phi) * std::sin(phi);
+      weight[i] = pi / 2 * gauss.weight(i) * v * std::cos(phi);
+    }
+  }
+  std::array<double, size> square;  // x^2
+  std::array<double, size> weight;
+};
+
+// By parts, which take the slope dp/dx for p.
+template <int size>
 Resultants resultants(JointKind kind, const ContactPressure& p) {
-  static const detail::GaussLegendre usual(48);
-  static const detail::GaussLegendre fine(128);
-  const detail::GaussLegendre& rule =
-      p.coefficients().size() > EdgeFit::wide_terms ? fine : usual;
+  static const EdgeRule<size> rule;
+  std::array<double, size> slope;
+  p.edge_slopes(rule.square, slope);
   const WideEdge edge(p.half_angle());
   const double b = std::tan(p.half_angle() / 2);
   Resultants r{0, 0};
-  for (int i = 0; i < rule.node.size(); ++i) {
-    const double phi = pi / 4 * (1 + rule.node(i));
-    const double x = std::sin(phi);
-    const double share = edge.cosine() * edge.tangent_share(x * x);
-    const double t = 2 * std::atan(b * std::cos(phi) * std::sqrt(share));
-    // dt by d(x^2); a pin has two sides.
-    const double area = pi / 4 * rule.weight(i) * std::sin(2 * phi) /
-                        edge.square_slope(t) *
-                        (kind == JointKind::ball ? 2 * pi * std::sin(t) : 2.0);
-    r.sum += p.pressure(t) * area;
-    r.load += p.pressure(t) * area * std::cos(t);
+  for (int i = 0; i < size; ++i) {
+    const double tangent2 =
+        b * b * (1 - rule.square[i] * edge.tangent_share(rule.square[i]));
+    const double u = 2 * tangent2 / (1 + tangent2);  // 1 - cos t
+    const double dp = rule.weight[i] * slope[i];
+    if (kind == JointKind::ball) {
+      r.sum += 2 * pi * u * dp;
+      r.load += pi * u * (2 - u) * dp;
+    } else {
+      r.sum += 4 * std::atan(std::sqrt(tangent2)) * dp;
+      r.load += 2 * std::sqrt(u * (2 - u)) * dp;
+    }
   }
   return r;
 }
 
+// Whether the limit half-angle is less than usual_largest.
+template <class Contact>
+bool ends_early(const Contact& contact) {
+  return contact.reciprocal_load(usual_largest) < 0;
+}
+
+// The limit half-angle, unless it is less than usual_largest; infinite if the
+// solver does not reach it.
+template <class Contact>
+double end(const Contact& contact) {
+  if (ends_early(contact)) return usual_largest;
+  const ExactHalfAngle limit = contact.limit_half_angle();
+  return limit.status == Status::ok ? limit.half_angle : infinity;
+}
+
 }  // namespace
 
-void ExactPressure::Series::add(std::span<const double> values, int i,
-                                int count) {
-  rows_.resize(count);
-  for (int j = 0; j < count; ++j) {
-    const double factor =
-        (j == 0 ? 1.0 : 2.0) / count * std::cos(j * pi * (i + 0.5) / count);
-    for (int k = 0; k < width_; ++k) rows_[j][k] += factor * values[k];
+ExactPressure::Series::Series(const Eigen::MatrixXd& values)
+    : width_(static_cast<int>(values.cols())) {
+  const int count = static_cast<int>(values.rows());
+  Eigen::MatrixXd chebyshev(count, count);  // of a degree in a column
+  for (int i = 0; i < count; ++i) {
+    chebyshev(i, 1) = std::cos(pi * (i + 0.5) / count);
   }
-  if (i + 1 < count) return;
-  // The last point: rows that are rounding go.
-  const auto largest = [&](const Column& row) {
-    double m = 0;
-    for (const double v : row) m = std::max(m, std::abs(v));
-    return m;
-  };
-  const double rounding = 1e-15 * largest(rows_.front());
-  while (largest(rows_.back()) < rounding) rows_.pop_back();
+  chebyshev.col(0).setConstant(0.5);
+  for (int j = 2; j < count; ++j) {
+    chebyshev.col(j) = 2 * chebyshev.col(1).cwiseProduct(chebyshev.col(j - 1)) -
+                       (j == 2 ? 2 : 1) * chebyshev.col(j - 2);
+  }
+  const Eigen::MatrixXd series = 2.0 / count * chebyshev.transpose() * values;
+  // Rows that are rounding, or little more, are none.
+  const double negligible = 1e-13 * series.row(0).cwiseAbs().maxCoeff();
+  int rows = count;
+  while (series.row(rows - 1).cwiseAbs().maxCoeff() < negligible) --rows;
+  rows_.resize(rows);
+  for (int j = 0; j < rows; ++j) {
+    std::ranges::copy(series.row(j), rows_[j].begin());
+  }
 }
 
 ExactPressure::Column ExactPressure::Series::evaluate(double v) const {
@@ -104,17 +139,19 @@ ExactPressure::ExactPressure(JointKind kind, const ElasticPair& pair,
     : PressureLaw(kind) {
   if (kind == JointKind::ball) {
     // More unknowns for the pressure; the limit is that of the half-angles.
-    tabulate(BallContact(pair, loading, 24),
-             BallContact(pair, loading).limit_half_angle(), infinity);
+    const BallContact contact(pair, loading, 24);
+    tabulate(
+        contact,
+        ends_early(contact) ? usual_largest : end(BallContact(pair, loading)),
+        infinity);
     return;
   }
   const PinContact contact(pair, loading);
-  const ExactHalfAngle limit = contact.limit_half_angle();
-  if (limit.status == Status::ok) {
-    tabulate(contact, limit, infinity);
+  if (const double last = end(contact); std::isfinite(last)) {
+    tabulate(contact, last, infinity);
   } else {
     const PinContact fine(pair, loading, PinContact::max_unknowns);
-    tabulate(fine, fine.limit_half_angle(), infinity);
+    tabulate(fine, end(fine), infinity);
   }
 }
 
@@ -124,41 +161,41 @@ ExactPressure::ExactPressure(JointKind kind, const LayeredPair& pair,
   const double thickness = pair.relative_thickness();
   if (kind == JointKind::ball) {
     const BallContact contact(pair, loading);
-    tabulate(contact, contact.limit_half_angle(), thickness);
+    tabulate(contact, end(contact), thickness);
   } else {
     const PinContact contact(pair, loading);
-    tabulate(contact, contact.limit_half_angle(), thickness);
+    tabulate(contact, end(contact), thickness);
   }
 }
 
 template <class Contact>
-void ExactPressure::tabulate(const Contact& contact,
-                             const ExactHalfAngle& limit, double thickness) {
+void ExactPressure::tabulate(const Contact& contact, double end,
+                             double thickness) {
   const JointKind kind = joint_kind();
-  const double wanted =
-      limit.status == Status::ok ? limit.half_angle : contact.largest();
-  largest_ = std::min(std::max(wanted, usual_largest), contact.largest());
+  largest_ = std::min(std::max(end, usual_largest), contact.largest());
   variable_.emplace(kind, largest_, thickness);
   const bool wide = largest_ > usual_largest;
   terms_ = has_walls() ? contact.terms()
            : wide      ? EdgeFit::wide_terms
                        : EdgeFit::usual_terms;
   const int count = wide || has_walls() ? 64 : 28;
-  contact_ = Series(terms_ + logarithms + 1);
+  Eigen::MatrixXd values(count, terms_ + logarithms + 1);
   for (int i = 0; i < count; ++i) {
     const double half_angle = chebyshev_half_angle(i, count);
     const ContactPressure solved = contact.pressure(half_angle, terms_);
     // The solver's own load is off by its truncation.
-    const auto [load, sum] = resultants(kind, solved);
+    const auto [load, sum] = terms_ > EdgeFit::usual_terms
+                                 ? resultants<128>(kind, solved)
+                                 : resultants<48>(kind, solved);
     const double scale = 1 / (load * in_pressure_units(1, half_angle));
-
-    Column value{};
-    const auto end = std::ranges::copy(solved.coefficients(), value.begin());
-    std::ranges::copy(solved.logarithmic(), end.out);
-    for (double& v : value) v *= scale;
-    value[contact_.width() - 1] = sum / load;
-    contact_.add(value, i, count);
+    auto row = values.row(i);
+    for (int k = 0; k < terms_; ++k) row(k) = scale * solved.coefficients()[k];
+    for (int k = 0; k < logarithms; ++k) {
+      row(terms_ + k) = scale * solved.logarithmic()[k];
+    }
+    row(terms_ + logarithms) = sum / load;
   }
+  contact_ = Series(values);
   tabulate_expansion();
 }
 
@@ -166,31 +203,32 @@ void ExactPressure::tabulate_expansion() {
   constexpr int terms = PressureExpansion::max_terms;
   // More than contact_ has: the share of the logarithm depends on theta0 too.
   const int count = largest_ > usual_largest || has_walls() ? 96 : 44;
+  std::vector<Column> contacts;
   for (int i = 0; i < count; ++i) {
     const double half_angle = chebyshev_half_angle(i, count);
+    const Column& value = contacts.emplace_back(evaluate(half_angle));
     if (half_angle > usual_largest) continue;
-    const Column value = evaluate(half_angle);
     // Far below the accuracy of the law; equal materials need few terms.
     const double negligible = 1e-13 * std::abs(value[0]);
     for (int k = expansion_size_; k < std::min(terms, terms_); ++k) {
       if (std::abs(value[k]) > negligible) expansion_size_ = k + 1;
     }
   }
-  expansion_ = Series(terms + logarithms);
+  Eigen::MatrixXd values(count, logarithms + expansion_size_);
   for (int i = 0; i < count; ++i) {
-    const double half_angle = chebyshev_half_angle(i, count);
-    const Column value = evaluate(half_angle);
+    const Column& value = contacts[i];
     const std::span b = std::span(value).subspan(terms_, logarithms);
     std::array<double, terms> a{};
     std::copy_n(value.begin(), expansion_size_, a.begin());
     auto c = detail::edge_polynomial(a);
-    detail::to_plain_logarithm(WideEdge(half_angle).cosine(), b,
-                               std::span(c).first(expansion_size_));
-    Column expansion{};
-    const auto rest = std::ranges::copy(c, expansion.begin()).out;
-    std::ranges::copy(b, rest);
-    expansion_.add(expansion, i, count);
+    detail::to_plain_logarithm(
+        WideEdge(chebyshev_half_angle(i, count)).cosine(), b,
+        std::span(c).first(expansion_size_));
+    auto row = values.row(i);
+    for (int k = 0; k < logarithms; ++k) row(k) = b[k];
+    for (int k = 0; k < expansion_size_; ++k) row(logarithms + k) = c[k];
   }
+  expansion_ = Series(values);
 }
 
 double ExactPressure::chebyshev_half_angle(int i, int count) const noexcept {
@@ -217,7 +255,7 @@ double ExactPressure::in_pressure_units(double value,
 
 ContactPressure ExactPressure::contact(double half_angle) const noexcept {
   Column values = evaluate(half_angle);
-  const double force_ratio = values[contact_.width() - 1];
+  const double force_ratio = values[terms_ + logarithms];
   for (double& v : values) v = in_pressure_units(v, half_angle);
   const std::span all(values);
   return {half_angle, force_ratio, all.first(terms_),
@@ -255,15 +293,13 @@ void ExactPressure::edge_slopes(double half_angle,
 }
 
 PressureExpansion ExactPressure::expansion(double half_angle) const noexcept {
-  constexpr int terms = PressureExpansion::max_terms;
   PressureExpansion result{.size = expansion_size_};
   const Column values = expansion_.evaluate(chebyshev_variable(half_angle));
   const double unit = in_pressure_units(1, half_angle);
-  const auto scaled = [unit](double value) { return value * unit; };
-  const std::span all(values);
-  std::ranges::transform(all.first(terms), result.coefficient.begin(), scaled);
-  std::ranges::transform(all.subspan(terms, logarithms),
-                         result.logarithmic.begin(), scaled);
+  for (int k = 0; k < logarithms; ++k) result.logarithmic[k] = unit * values[k];
+  for (int k = 0; k < expansion_size_; ++k) {
+    result.coefficient[k] = unit * values[logarithms + k];
+  }
   result.edge_constant = WideEdge(half_angle).constant();
   return result;
 }
@@ -281,7 +317,7 @@ double ExactPressure::centre(double half_angle) const noexcept {
 }
 
 double ExactPressure::force_ratio(double half_angle) const noexcept {
-  return evaluate(half_angle)[contact_.width() - 1];
+  return evaluate(half_angle)[terms_ + logarithms];
 }
 
 }  // namespace contact

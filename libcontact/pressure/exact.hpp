@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <array>
 #include <optional>
 #include <span>
@@ -23,8 +24,8 @@ namespace contact {
 ///
 /// with the a_k and b_k, times 2 sin(theta0/2) (pin) or its square (ball), as
 /// Chebyshev series in theta0 (pin) or sqrt(theta0) (ball). The constructor
-/// solves the contact at 28 half-angles or more, some milliseconds for a ball:
-/// make one law per joint. Threads may share one.
+/// solves the contact at 28 half-angles or more, a millisecond or two for a
+/// ball: joints that are alike share one, threads may.
 ///
 /// Accuracy (pressure/family_test.cpp): within 5e-8 of the peak of the
 /// solver's own pressure for theta0 <= 120 deg, 2e-7 up to the largest; S
@@ -70,21 +71,20 @@ class ExactPressure final : public PressureLaw {
   /// Chebyshev series of several functions of theta0, one row a degree.
   class Series {
    public:
-    explicit Series(int width) : width_(width) {}
-    int width() const { return width_; }
-    /// Takes the functions' values at point i of count.
-    void add(std::span<const double> values, int i, int count);
+    Series() = default;
+    /// @param values  of the functions, in columns, at the points of
+    ///                chebyshev_half_angle()
+    explicit Series(const Eigen::MatrixXd& values);
     /// At v in [-1, 1].
     Column evaluate(double v) const;
 
    private:
     static constexpr int most_rows = 96;
-    int width_;
+    int width_ = 0;
     std::vector<Column> rows_;
   };
   template <class Contact>
-  void tabulate(const Contact& contact, const ExactHalfAngle& limit,
-                double thickness);
+  void tabulate(const Contact& contact, double end, double thickness);
   void tabulate_expansion();
   bool has_walls() const { return variable_->has_walls(); }
   /// Point i of Chebyshev's rule in the variable of the series.
@@ -98,8 +98,8 @@ class ExactPressure final : public PressureLaw {
   std::optional<detail::HalfAngleVariable> variable_;
   int terms_ = 0;
   int expansion_size_ = 1;  // terms that count
-  Series contact_{0};       // a_k, b_k, S
-  Series expansion_{0};     // c_k, b_k of expansion()
+  Series contact_;          // a_k, b_k, S
+  Series expansion_;        // b_k, c_k of expansion()
 };
 
 }  // namespace contact

@@ -71,11 +71,6 @@ void scalar(benchmark::State& state, const std::string& name, double low,
             double high) {
   const auto law = contact::make_pressure_law(name, JointKind::ball, pair());
   const Points p(low, high);
-  // The first call of each kind makes its rules.
-  for (std::size_t k = 0; k < count; ++k) {
-    contact::friction_integrals(*law, p.half_angle[k],
-                                {p.axis_sin[k], p.axis_cos[k]});
-  }
   std::size_t i = 0;
   for (auto _ : state) {
     const std::size_t k = i++ % count;

@@ -124,15 +124,21 @@ TEST(LegendreGalerkin, MatchesSphericalBesselSums) {
 
 TEST(EvenLegendreSlope, MatchesTheDerivative) {
   const std::vector<double> u = {0.3, -1.2, 0.7, 0.05, -0.4};
-  const detail::EvenLegendreSlope slope(u);
+  const Eigen::VectorXd series =
+      detail::even_legendre_slope(static_cast<int>(u.size())) *
+      Eigen::VectorXd::Map(u.data(), static_cast<Eigen::Index>(u.size()));
   for (const double v : {1e-12, 0.1, 0.5, 0.99, 1.0}) {
     double expected = 0;
     for (std::size_t j = 1; j < u.size(); ++j) {
       expected +=
           u[j] * boost::math::legendre_p_prime(static_cast<int>(2 * j), v) / v;
     }
+    double slope = 0;
+    for (int k = 0; k < series.size(); ++k) {
+      slope += series(k) * std::cos(2 * k * std::acos(v));
+    }
     // Derivatives of size 40 with alternating signs.
-    EXPECT_NEAR(slope(v), expected, 1e-13 * 40) << v;
+    EXPECT_NEAR(slope, expected, 1e-13 * 40) << v;
   }
 }
 

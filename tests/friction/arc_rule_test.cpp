@@ -10,14 +10,16 @@
 #include <string>
 #include <tuple>
 
+#include "libcontact/reference/friction_rules.hpp"
 #include "support/accuracy_report.hpp"
 
 namespace {
 
 using boost::math::beta;
 using boost::math::digamma;
-using contact::detail::ArcTerms;
 using contact::detail::CapRule;
+using contact::detail::large_logarithm_arc_rules;
+using contact::detail::logarithm_arc_rules;
 using contact::test::AccuracyReport;
 
 // sum of weight T^(j - held) ln T; `held` powers are in the weights.
@@ -36,18 +38,18 @@ double log_moment(double x, double y, double differentiated) {
   return beta(x, y) / 2 * (digamma(differentiated) - digamma(x + y));
 }
 
-std::string label(int index, int j) {
+std::string label(std::size_t index, int j) {
   return "rule " + std::to_string(index) + ", T^" + std::to_string(j);
 }
 
 // The leading logarithm, for moduli from 0 to the last that an arc takes.
 TEST(ArcRule, LogarithmAlongAnArc) {
-  for (const auto& [terms, name, budget] :
-       {std::tuple{ArcTerms::logarithm, "logarithm", 6e-11},
-        {ArcTerms::large_logarithm, "large logarithm", 2e-11}}) {
+  for (const auto& [rules, name, budget] :
+       {std::tuple{logarithm_arc_rules, "logarithm", 6e-11},
+        {large_logarithm_arc_rules, "large logarithm", 2e-11}}) {
     AccuracyReport report(name, budget);
-    for (int index = 0; index < 14; ++index) {
-      const CapRule& rule = arc_rules(terms)[index];
+    for (std::size_t index = 0; index < rules.size(); ++index) {
+      const CapRule& rule = rules[index];
       // cos^2j over [0, pi/2].
       for (int j = 1; j <= 2; ++j) {
         report.add(sum(rule, j, 1, false), beta(j + 0.5, 0.5) / 2,
@@ -65,7 +67,7 @@ TEST(ArcRule, CorrectedLogarithmsAreExact) {
   AccuracyReport report("corrected", 1e-14);
   for (int index = 0; index < 3; ++index) {
     // Gauss' rule in x = sn u: (1 - x^2)^j over [0, 1].
-    const CapRule& rule = contact::detail::chord_rules()[index];
+    const CapRule& rule = contact::detail::chord_rules[index];
     for (int j = 2; j <= 7; ++j) {
       report.add(sum(rule, j, 0, true), log_moment(0.5, j + 1.0, j + 1.0),
                  label(index, j) + " ln T");
@@ -74,17 +76,53 @@ TEST(ArcRule, CorrectedLogarithmsAreExact) {
   report.check();
 }
 
+using contact::detail::CapRules;
+using contact::reference::RuleNodes;
+
+struct Family {
+  const char* name;
+  CapRules rules;
+  RuleNodes (*reference)(int index, int size);
+};
+const Family families[] = {
+    {"cap", contact::detail::cap_rules, contact::reference::midpoint_rule},
+    {"short", contact::detail::short_rules, contact::reference::midpoint_rule},
+    {"smooth arc", contact::detail::smooth_arc_rules,
+     contact::reference::arc_rule},
+    {"logarithm arc", logarithm_arc_rules, contact::reference::arc_rule},
+    {"large logarithm arc", large_logarithm_arc_rules,
+     contact::reference::arc_rule},
+    {"chord", contact::detail::chord_rules, contact::reference::chord_rule},
+    {"whole chord", contact::detail::whole_chord_rules,
+     contact::reference::whole_chord_rule}};
+
+// Every number of the generated tables against 50 digits.
+TEST(FrictionRules, AreTheNearestDoubles) {
+  for (const auto& [name, rules, reference] : families) {
+    ASSERT_FALSE(rules.empty());
+    for (std::size_t index = 0; index < rules.size(); ++index) {
+      const CapRule& rule = rules[index];
+      const RuleNodes nodes = reference(static_cast<int>(index), rule.size);
+      for (int i = 0; i < rule.size; ++i) {
+        SCOPED_TRACE(name + std::string(", node ") + std::to_string(i) +
+                     " of rule " + std::to_string(index));
+        EXPECT_EQ(rule.cosine_squared[i], nodes[i].cosine_squared);
+        EXPECT_EQ(rule.sine_squared[i], nodes[i].sine_squared);
+        EXPECT_EQ(rule.weight[i], nodes[i].weight);
+        EXPECT_EQ(rule.log_cosine_squared[i], nodes[i].log_cosine_squared);
+      }
+    }
+  }
+}
+
 // What the padding of a rule repeats counts nothing.
-TEST(ArcRule, PaddingHasNoWeight) {
-  for (int index = 0; index < contact::detail::cap_rule_count; ++index) {
-    for (const CapRule* rule : {&contact::detail::short_rules()[index],
-                                &contact::detail::chord_rules()[index],
-                                &contact::detail::whole_chord_rules()[index],
-                                &arc_rules(ArcTerms::smooth)[index]}) {
-      ASSERT_EQ(rule->padded_size % CapRule::lanes, 0);
-      for (int i = rule->size; i < rule->padded_size; ++i) {
-        EXPECT_EQ(rule->weight[i], 0);
-        EXPECT_GT(rule->cosine_squared[i], 0);
+TEST(FrictionRules, PaddingHasNoWeight) {
+  for (const Family& family : families) {
+    for (const CapRule& rule : family.rules) {
+      ASSERT_EQ(rule.padded_size % CapRule::lanes, 0);
+      for (int i = rule.size; i < rule.padded_size; ++i) {
+        EXPECT_EQ(rule.weight[i], 0);
+        EXPECT_GT(rule.cosine_squared[i], 0);
       }
     }
   }

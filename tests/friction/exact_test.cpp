@@ -103,7 +103,7 @@ TEST(ExactFriction, PolynomialsAreTheInterpolantsTheyClaimToBe) {
 auto branches(double half_angle, SlipAxis axis) {
   const auto cap = contact::detail::prepare(half_angle, axis.sin, axis.cos);
   const double c = cap.point.c;
-  return std::tuple{contact::detail::cap_rule_index()(cap.point.m),
+  return std::tuple{contact::detail::cap_rule_index(cap.point.m),
                     cap.pole_inside, cap.beyond_hemisphere,
                     contact::detail::arc_range(c), c < 0.7};
 }

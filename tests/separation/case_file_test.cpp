@@ -600,6 +600,39 @@ TEST(CaseFile, JointsOfAFileHaveNamesOfTheirOwn) {
   EXPECT_EQ(c.bodies[0].hinge.joints[0].joint.name, "left pin");
 }
 
+std::vector<const contact::JointContact*> contacts(const Case& c) {
+  std::vector<const contact::JointContact*> all;
+  for (const separation::Load& load : c.loads) {
+    for (const auto& joint : load.hinge.joints) all.push_back(&joint.contact);
+  }
+  return all;
+}
+
+// The good case with a second load, whose joint names the same file.
+std::string with_second_load() {
+  std::vector<std::string> lines = good_lines;
+  std::vector<std::string> load(lines.begin() + 10, lines.begin() + 29);
+  load[1] = "name = \"leg\"";
+  lines.insert(lines.begin() + 29, load.begin(), load.end());
+  return text_of(lines);
+}
+
+TEST(CaseFile, JointsThatAreAlikeShareTheirLaws) {
+  const fs::path cases = fs::path(CONTACT_DATA_DIR) / "cases";
+  const Case arms = separation::read_case(cases / "platform.toml");
+  const Case one_file =
+      parse_case(with_second_load(), "c.toml", {"exact", "exact"});
+  ASSERT_EQ(contacts(arms).size(), 6U);
+  ASSERT_EQ(contacts(one_file).size(), 4U);
+  for (const Case* c : {&arms, &one_file}) {
+    const auto all = contacts(*c);
+    for (const contact::JointContact* other : all) {
+      EXPECT_EQ(&other->half_angle_law(), &all[0]->half_angle_law());
+      EXPECT_EQ(&other->pressure_law(), &all[0]->pressure_law());
+    }
+  }
+}
+
 TEST(CaseFile, LawsOfTheCommandLineAreTaken) {
   const Case c = parse_case(text_of(good_lines), "c.toml", {"tanh", ""});
   EXPECT_EQ(c.bodies[0].hinge.joints[0].joint.half_angle_law, "tanh");

@@ -39,7 +39,7 @@ struct RigidBody {
 struct HingeJoint {
   contact::JointSpec joint;
   double position;  ///< along the axis from the hinge's centre, m
-  /// Of the joint's laws, made once: those of finite walls take their time.
+  /// Joints of the case that are alike have the same laws.
   contact::JointContact contact;
 };
 

@@ -222,13 +222,13 @@ void check_system(const TomlTable& table, const RigidBody& carrier,
   }
 }
 
-void read_body(const TomlTable& table, const JointLaws& laws, Case& c,
-               CaseNames& names) {
+void read_body(const TomlTable& table, const JointLaws& laws,
+               contact::SharedLaws& made, Case& c, CaseNames& names) {
   Body body;
   body.rigid = read_rigid_body(table);
   body.group = body.rigid.name;
   if (const auto hinge = table.optional_table("hinge")) {
-    body.hinge = read_hinge(*hinge, body.rigid, c.carrier, laws);
+    body.hinge = read_hinge(*hinge, body.rigid, c.carrier, laws, made);
   }
   body.lock = read_lock(table, body.rigid.com, body.hinge);
   const auto start = table.optional_table("start");
@@ -373,7 +373,8 @@ Case read_all(const TomlTable& file, const JointLaws& laws) {
   if (bodies.empty()) {
     file.fail_missing("body", "a case has one or more [[body]]");
   }
-  for (const TomlTable& body : bodies) read_body(body, laws, c, names);
+  contact::SharedLaws made;
+  for (const TomlTable& body : bodies) read_body(body, laws, made, c, names);
   read_events(file, c, names);
   read_forces(file, names, c);
   read_clearance(file, names, c);

@@ -20,7 +20,8 @@ using Eigen::Vector3d;
 using multibody::HingeKind;
 
 // What is wrong with them is the command line's, not the file's.
-void take_laws(const JointLaws& laws, contact::JointSpec& joint) {
+void take_laws(const JointLaws& laws, contact::SharedLaws& made,
+               contact::JointSpec& joint) {
   const auto take = [&](const char* option, const std::string& name,
                         std::string& law, const auto& make) {
     if (name.empty()) return;
@@ -33,13 +34,13 @@ void take_laws(const JointLaws& laws, contact::JointSpec& joint) {
     }
   };
   take("--law", laws.half_angle, joint.half_angle_law,
-       [&] { joint.make_half_angle_law(); });
+       [&] { made.half_angle(joint); });
   take("--pressure", laws.pressure, joint.pressure_law,
-       [&] { joint.make_pressure_law(); });
+       [&] { made.pressure(joint); });
 }
 
-contact::JointSpec read_joint_of(const TomlTable& table,
-                                 const JointLaws& laws) {
+contact::JointSpec read_joint_of(const TomlTable& table, const JointLaws& laws,
+                                 contact::SharedLaws& made) {
   const auto file = table.optional_text("file");
   contact::JointSpec joint = [&] {
     if (!file) return contact::joint_from_table(table);
@@ -52,7 +53,7 @@ contact::JointSpec read_joint_of(const TomlTable& table,
       table.fail("file", error.what());
     }
   }();
-  take_laws(laws, joint);
+  take_laws(laws, made, joint);
   if (!joint.friction) {
     table.fail(file ? "file" : "friction",
                "neither the joint nor its materials have [friction]");
@@ -60,10 +61,11 @@ contact::JointSpec read_joint_of(const TomlTable& table,
   return joint;
 }
 
-HingeJoint read_hinge_joint(const TomlTable& table, const JointLaws& laws) {
-  contact::JointSpec joint = read_joint_of(table, laws);
+HingeJoint read_hinge_joint(const TomlTable& table, const JointLaws& laws,
+                            contact::SharedLaws& made) {
+  contact::JointSpec joint = read_joint_of(table, laws, made);
   JointContact contact(joint.geometry, joint.pair, *joint.friction,
-                       joint.make_half_angle_law(), joint.make_pressure_law());
+                       made.half_angle(joint), made.pressure(joint));
   return {std::move(joint),
           table.optional_number("position", Interval::any(), Dimension::length)
               .value_or(0),
@@ -150,7 +152,8 @@ contact::JointNode make_node(const Hinge& hinge) {
 }  // namespace
 
 Hinge read_hinge(const TomlTable& table, const RigidBody& body,
-                 const RigidBody& carrier, const JointLaws& laws) {
+                 const RigidBody& carrier, const JointLaws& laws,
+                 contact::SharedLaws& made) {
   Hinge hinge;
   hinge.kind = table.choice("kind", {"ball", "axis"}) == 0 ? HingeKind::ball
                                                            : HingeKind::axis;
@@ -169,7 +172,7 @@ Hinge read_hinge(const TomlTable& table, const RigidBody& body,
   }
   const auto joints = table.tables("joint");
   for (const TomlTable& joint : joints) {
-    hinge.joints.push_back(read_hinge_joint(joint, laws));
+    hinge.joints.push_back(read_hinge_joint(joint, laws, made));
   }
   if (!ball) hinge.sharing = read_sharing(table, joints.size());
   if (ball && joints.size() > 1) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "libcontact/files/joint_file.hpp"
 #include "libcontact/files/toml_reader.hpp"
 #include "separation/case/case.hpp"
 
@@ -12,8 +13,10 @@ struct JointLaws {
 };
 
 /// [body.hinge]: everything that does not depend on the copy.
-Hinge read_hinge(const contact::TomlTable& table, const RigidBody& body,
-                 const RigidBody& carrier, const JointLaws& laws);
+/// @param made  laws of the case's joints
+Hinge read_hinge(const contact::TomlTable& table, const Body& body,
+                 const Body& carrier, const JointLaws& laws,
+                 contact::SharedLaws& made);
 
 /// The friction of a hinge.
 /// @throws contact::Error if its joints do not go together, which read_hinge()

@@ -105,6 +105,7 @@ std::vector<double> Clearance::distances(std::span<const BodyMotion> bodies) {
     body.translation() -= origin;
     for (Solids::Solid& solid : solids_->of_body[i]) {
       solid.object.setTransform(body * solid.place);
+      solid.object.computeAABB();
     }
   }
   std::vector<double> result;
@@ -112,6 +113,10 @@ std::vector<double> Clearance::distances(std::span<const BodyMotion> bodies) {
     double smallest = std::numeric_limits<double>::infinity();
     for (const Solids::Solid& a : solids_->of_body[pair.a]) {
       for (const Solids::Solid& b : solids_->of_body[pair.b]) {
+        // Their boxes are as far from each other, or nearer.
+        if (a.object.getAABB().distance(b.object.getAABB()) > smallest) {
+          continue;
+        }
         const double d = distance(a.object, b.object);
         if (std::isnan(smallest)) continue;
         smallest = std::isnan(d) ? d : std::min(smallest, d);

@@ -54,29 +54,23 @@ struct ArcArrays {
   }
 };
 
-/// The rules along circles of a contact. Those that all but touch the edge
-/// weigh little: the rule of k'^2 = 5.6e-4 serves all of a smaller one, and
-/// where more nodes are taken for the logarithm that of 1.1e-3, to 6e-11 up to
-/// 120 deg.
+/// The rules along circles of a contact.
 class AlongRules {
  public:
   explicit AlongRules(ArcTerms terms)
-      : last_(terms == ArcTerms::smooth ? 13 : 12),
-        arc_(arc_rules(terms)),
-        whole_(short_rules()),
-        index_(cap_rule_index()) {}
+      : arc_(terms == ArcTerms::smooth      ? smooth_arc_rules
+             : terms == ArcTerms::logarithm ? logarithm_arc_rules
+                                            : large_logarithm_arc_rules) {}
 
   template <Circles circles>
   const CapRule& get(double complementary_squared) const {
-    const int index = std::min(index_(complementary_squared), last_);
-    return circles == Circles::whole ? whole_[index] : arc_[index];
+    const std::size_t index = std::min<std::size_t>(
+        cap_rule_index(complementary_squared), arc_.size() - 1);
+    return circles == Circles::whole ? short_rules[index] : arc_[index];
   }
 
  private:
-  int last_;
-  const CapRules& arc_;
-  const CapRules& whole_;
-  const CapRuleIndex& index_;
+  const CapRules arc_;
 };
 
 /// hmin(), but for NaN.
@@ -147,17 +141,18 @@ template <class V, class Sum>
                                                           bool beyond,
                                                           double k2, double m,
                                                           Sum sum) {
-  const CapRuleIndex& index = cap_rule_index();
   if (pole_inside) {
-    return sum.template operator()<Circles::inside>(short_rules()[index(m)]);
+    return sum.template operator()<Circles::inside>(
+        short_rules[cap_rule_index(m)]);
   }
   if (!beyond) {
-    return sum.template operator()<Circles::outside>(chord_rules()[index(m)]);
+    return sum.template operator()<Circles::outside>(
+        chord_rules[cap_rule_index(m)]);
   }
   const PressureSums<V> cut =
-      sum.template operator()<Circles::outside>(chord_rules()[index(m)]);
-  const PressureSums<V> whole =
-      sum.template operator()<Circles::whole>(whole_chord_rules()[index(k2)]);
+      sum.template operator()<Circles::outside>(chord_rules[cap_rule_index(m)]);
+  const PressureSums<V> whole = sum.template operator()<Circles::whole>(
+      whole_chord_rules[cap_rule_index(k2)]);
   return {cut.force + whole.force, cut.sliding + whole.sliding,
           cut.spinning + whole.spinning};
 }

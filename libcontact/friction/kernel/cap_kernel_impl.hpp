@@ -87,9 +87,9 @@ void sum_group(const CapPoint<V>& points, const mask_of<V>& group,
   constexpr int count = static_cast<int>(V::size());
   int most = 0;
   for (int i = 0; i < count; ++i) {
-    if (group[i]) most = std::max(most, cap_rule_index()(points.m[i]));
+    if (group[i]) most = std::max(most, cap_rule_index(points.m[i]));
   }
-  const CapRule& rule = cap_rule(most);
+  const CapRule& rule = cap_rules[most];
   // In units of one node in four lanes; a point alone is brought together from
   // its lanes besides.
   const int together = rule.size * count / 4;
@@ -109,7 +109,7 @@ void sum_group(const CapPoint<V>& points, const mask_of<V>& group,
     const CapPoint<double> point{points.s[i], points.c[i], points.sa[i],
                                  points.q[i], points.k[i], points.m[i]};
     const CapSums<double> found =
-        one(point, cap_rule(cap_rule_index()(point.m)), pole_inside, range);
+        one(point, cap_rules[cap_rule_index(point.m)], pole_inside, range);
     for_sums<V>([&](auto sum, auto of_one) { (sums.*sum)[i] = found.*of_one; });
   }
 }
@@ -220,7 +220,7 @@ class Block {
     for (int key = 0, first = 0; key < keys; ++key) {
       const int end = ends_[key];
       if (first == end) continue;
-      const CapRule& rule = cap_rule(key / branches);
+      const CapRule& rule = cap_rules[key / branches];
       with_branches(key / ranges % 2 != 0, static_cast<ArcRange>(key % ranges),
                     [&]<bool inside, ArcRange arc>() {
                       sum_group<inside, arc>(first, end, rule);
@@ -260,9 +260,9 @@ class Block {
 
   /// Counting sort by key.
   void sort() {
-    const CapRuleIndex& index = cap_rule_index();
     for (int i = 0; i < count_; ++i) {
-      const int key = index(m_[i]) * branches + static_cast<int>(branch_[i]);
+      const int key =
+          cap_rule_index(m_[i]) * branches + static_cast<int>(branch_[i]);
       key_[i] = static_cast<short>(key);
       ++ends_[key];
     }

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 namespace contact::detail {
 
@@ -14,38 +15,64 @@ namespace contact::detail {
 /// Arrays are padded to a multiple of `lanes` with nodes of weight 0.
 struct CapRule {
   static constexpr int lanes = 8;
-  static constexpr int longest = 152;
+  static constexpr int longest = 120;
   int size;
   int padded_size;
   const double* cosine_squared;  ///< cos^2 am(u_i, k)
   const double* sine_squared;    ///< sin^2 am(u_i, k)
   const double* weight;          ///< K/n dn(u_i, k)
-  /// What stands for ln cos^2 am(u_i, k); arc_rules() and chord_rules() only.
+  /// What stands for ln cos^2 am(u_i, k); rules for logarithms only, else 0.
   const double* log_cosine_squared;
 };
 
 /// One rule serves a range of moduli: k only steers the nodes, the integrand
 /// has its own modulus.
+using CapRules = std::span<const CapRule>;
+/// Rule i at index i. These and those of arc_rule.hpp are constants, which
+/// the program make-friction-rules (../rules) writes while the library is
+/// built.
+extern const CapRules cap_rules;
+
+/// Where ranges of k'^2 end, from 1 downwards: four steps while few nodes
+/// suffice and one more or less counts, then octaves. Below 2^-54 the modulus
+/// no longer differs from 1 in double precision.
 inline constexpr int cap_rule_count = 57;
-const CapRule& cap_rule(int index);
-using CapRules = std::array<CapRule, cap_rule_count>;
+inline constexpr auto cap_rule_ends = [] {
+  std::array<double, cap_rule_count> ends{0.875, 0.625, 0.5, 0.375, 0.25};
+  for (std::size_t i = 5; i < ends.size(); ++i) ends[i] = ends[i - 1] / 2;
+  return ends;
+}();
+static_assert(cap_rule_ends.back() == 0x1p-54);
 
 /// From the complementary modulus squared k'^2 in [0, 1] to the index of the
 /// rule that serves it; any other value, NaN too, gives some rule.
-struct CapRuleIndex {
+class CapRuleIndex {
+ public:
+  constexpr CapRuleIndex() {
+    constexpr std::int64_t width = std::int64_t{1} << shift;
+    for (int step = 0; step < steps; ++step) {
+      // The smallest number of the step.
+      const double m = std::bit_cast<double>(one - (step + 1) * width + 1);
+      std::uint8_t i = 0;
+      while (i + 1 < cap_rule_count && m < cap_rule_ends[i]) ++i;
+      rule_of_step_[step] = i;
+    }
+  }
+
+  [[gnu::always_inline]] int operator()(double m) const {
+    const std::int64_t step = (one - std::bit_cast<std::int64_t>(m)) >> shift;
+    return rule_of_step_[static_cast<std::size_t>(step < 0        ? 0
+                                                  : step >= steps ? steps - 1
+                                                                  : step)];
+  }
+
+ private:
   /// Steps of a quarter of an octave: exponent and two mantissa bits.
   static constexpr int shift = 50;
   static constexpr int steps = 217;
   static constexpr std::int64_t one = std::bit_cast<std::int64_t>(1.0);
-  std::array<std::uint8_t, steps> rule_of_step;
-
-  [[gnu::always_inline]] int operator()(double m) const {
-    const std::int64_t step = (one - std::bit_cast<std::int64_t>(m)) >> shift;
-    return rule_of_step[static_cast<std::size_t>(step < 0        ? 0
-                                                 : step >= steps ? steps - 1
-                                                                 : step)];
-  }
+  std::array<std::uint8_t, steps> rule_of_step_{};
 };
-const CapRuleIndex& cap_rule_index();
+inline constexpr CapRuleIndex cap_rule_index;
 
 }  // namespace contact::detail
