@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "libcontact/base/check.hpp"
+#include "libcontact/base/gauss_legendre.hpp"
 #include "libcontact/conforming/edge_fit.hpp"
 #include "libcontact/conforming/half_angle_root.hpp"
 #include "libcontact/conforming/pin_wall_modes.hpp"
@@ -344,6 +345,47 @@ ExactHalfAngle PinContact::limit_half_angle() const noexcept {
   return half_angle(infinity);
 }
 
+namespace {
+
+// sum (c_n - 1/n) p_n cos nt, n >= 2, of homogeneous bodies, averaged with the
+// weight of approach(): of p = b sum y_k sin((2k+1) phi) with the kernel
+// sum (beta n + 1)/(n (n^2 - 1)) cos nx, which is smooth but for x = 0.
+double average_without_walls(double half_angle, double beta,
+                             const Unknowns& y) {
+  static const detail::GaussLegendre rule(96);
+  const auto points = y.size() + 8;  // of psi, sin(t/2) = sin(theta0/2) cos psi
+  const double b = std::tan(half_angle / 2);
+  const auto kernel = [beta](double x) {
+    const double half = std::sin(x / 2);
+    return beta * (0.5 + std::cos(x) / 4 - (pi - x) / 2 * std::sin(x)) +
+           2 * half * half * std::log(2 * half) + 0.75 * std::cos(x) - 0.5;
+  };
+  double sum = 0;
+  for (int i = 0; i < points; ++i) {
+    const double psi = pi / 2 * (i + 0.5) / points;
+    const double t = 2 * std::asin(std::sin(half_angle / 2) * std::cos(psi));
+    const double middle = std::acos(std::tan(t / 2) / b);  // phi of t
+    for (const auto& [from, to] : {std::pair(0.0, middle), {middle, pi}}) {
+      for (int k = 0; k < rule.node.size(); ++k) {
+        const double phi = (from + to) / 2 + (to - from) / 2 * rule.node(k);
+        const double tangent = b * std::cos(phi);
+        const double x = std::abs(t - 2 * std::atan(tangent));
+        double b0 = 0;
+        double b1 = 0;
+        for (auto j = y.size() - 1; j >= 0; --j) {
+          b1 = std::exchange(b0, 2 * std::cos(2 * phi) * b0 - b1 + y(j));
+        }
+        const double sine = std::sin(phi);
+        sum += (to - from) / 2 * rule.weight(k) * kernel(x) * (b0 + b1) * sine *
+               sine / (1 + tangent * tangent);
+      }
+    }
+  }
+  return 2 * b * b * sum / (pi * points);
+}
+
+}  // namespace
+
 ContactApproach PinContact::approach(double half_angle) const noexcept {
   if (!(half_angle > 0 && half_angle <= largest_)) return {nan, nan};
   if (!wall_ || loading_.is_back() || std::isnan(wall_->first)) {
@@ -358,33 +400,24 @@ ContactApproach PinContact::approach(double half_angle) const noexcept {
   const double sine = std::sin(half_angle / 2);
 
   // The equation before its differentiation, averaged with the weight that
-  // turns cos nt into (P_n + P_{n-1})(cos theta0)/2. Its terms fall like n^-4
-  // beyond 1/theta0.
-  const int end = std::max(
-      wall_->end(), static_cast<int>(std::clamp(400 / half_angle, 3e3, 1e5)));
+  // turns cos nt into (P_n + P_{n-1})(cos theta0)/2.
   const Eigen::VectorXd series = t * solution.y;
-  double sum = (mean_share - beta - 2 * std::log(sine)) * solution.mean;
+  double sum = (mean_share - beta - 2 * std::log(sine)) * solution.mean +
+               average_without_walls(half_angle, beta, solution.y);
   Eigen::VectorXd singular = Eigen::VectorXd::Zero(t.rows());
   double before = 1;
   double now = std::cos(half_angle);
   const double first_average = (1 + now) / 2;
   sum += (wall_->first - 1) * first_average;
-  system.modes->visit(2, end, [&](int first, const auto& g) {
+  system.modes->visit(2, wall_->end(), [&](int first, const auto& g) {
     for (int i = 0; i < g.rows(); ++i) {
       const double n = first + i;
       const double next =
           ((2 * n - 1) * std::cos(half_angle) * now - (n - 1) * before) / n;
-      const double average = (next + now) / 2;
+      const double average = (next + now) / 2 * wall_->correction[first + i];
       before = std::exchange(now, next);
-      // c_n - 1/n
-      double compliance = (beta * n + 1) / (n * (n - 1) * (n + 1));
-      if (first + i < wall_->end()) {
-        const double correction = wall_->correction[first + i];
-        compliance += correction;
-        singular +=
-            (n - 1) * (n + 1) * correction * average * g.row(i).transpose();
-      }
-      sum += compliance * average * b / pi * g.row(i).dot(series);
+      singular += (n - 1) * (n + 1) * average * g.row(i).transpose();
+      sum += average * b / pi * g.row(i).dot(series);
     }
   });
 

@@ -14,6 +14,7 @@
 #include "support/accuracy_report.hpp"
 #include "support/error_message.hpp"
 #include "support/reference_table.hpp"
+#include "support/wall.hpp"
 
 // Balls and pins with finite walls against independent solutions, and their
 // limits.
@@ -25,35 +26,6 @@ using contact::test::ReferenceTable;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double pi = std::numbers::pi;
-
-Material material(const ReferenceTable& table, std::size_t row,
-                  const std::string& name, const std::string& nu) {
-  return {table.value(row, name), table.value(row, nu)};
-}
-
-void add_layer(const ReferenceTable& table, std::size_t row,
-               const std::string& name, std::vector<Layer>& layers) {
-  if (table.text(row, name + "_t").empty()) return;
-  layers.push_back({table.value(row, name + "_t"),
-                    material(table, row, name + "_E", name + "_nu")});
-}
-
-LayeredPair pair_of(const ReferenceTable& table, std::size_t row) {
-  LayeredBody inner{{},
-                    table.text(row, "E1").empty()
-                        ? Backing::rigid()
-                        : Backing::medium(material(table, row, "E1", "nu1"))};
-  add_layer(table, row, "coat", inner.layers);
-  const std::string end = table.text(row, "end");
-  LayeredBody outer{{},
-                    end == "rigid"  ? Backing::rigid()
-                    : end == "free" ? Backing::held()
-                                    : Backing::medium(material(
-                                          table, row, "end_E", "end_nu"))};
-  add_layer(table, row, "La", outer.layers);
-  add_layer(table, row, "Lb", outer.layers);
-  return {table.value(row, "rho"), inner, outer};
-}
 
 // Forces in N and N/m at a half-angle, by the units of both solvers.
 struct Units {
@@ -89,7 +61,7 @@ void compare(const std::string& file) {
   AccuracyReport sum("S", 1e-6);
   for (std::size_t row = 0; row < table.size(); ++row) {
     const std::string label = table.label(row);
-    const LayeredPair pair = pair_of(table, row);
+    const LayeredPair pair = test::reference_pair(table, row);
     const double clearance = table.value(row, "clearance");
     const double theta0 = table.value(row, "theta0_deg") * degree;
     const Contact contact(pair);
