@@ -166,17 +166,20 @@ void ExactPressure::tabulate_expansion() {
   constexpr int terms = PressureExpansion::max_terms;
   // More than contact_ has: the share of the logarithm depends on theta0 too.
   const int count = largest_ > usual_largest || has_walls() ? 96 : 44;
+  // What friction under walls is good for; beyond 16 terms it is slower.
+  const double small = has_walls() ? 1e-7 : 1e-13;
+  const int most = has_walls() ? terms : 16;
   for (int i = 0; i < count; ++i) {
     const double half_angle = chebyshev_half_angle(i, count);
     if (half_angle > usual_largest) continue;
     const Column value = evaluate(half_angle);
     // Far below the accuracy of the law; equal materials need few terms.
-    const double negligible = 1e-13 * std::abs(value[0]);
-    for (int k = expansion_size_; k < std::min(terms, terms_); ++k) {
+    const double negligible = small * std::abs(value[0]);
+    for (int k = expansion_size_; k < std::min(most, terms_); ++k) {
       if (std::abs(value[k]) > negligible) expansion_size_ = k + 1;
     }
   }
-  expansion_ = Series(terms + logarithms);
+  expansion_ = Series(logarithms + expansion_size_);
   for (int i = 0; i < count; ++i) {
     const double half_angle = chebyshev_half_angle(i, count);
     const Column value = evaluate(half_angle);
@@ -187,8 +190,8 @@ void ExactPressure::tabulate_expansion() {
     detail::to_plain_logarithm(WideEdge(half_angle).cosine(), b,
                                std::span(c).first(expansion_size_));
     Column expansion{};
-    const auto rest = std::ranges::copy(c, expansion.begin()).out;
-    std::ranges::copy(b, rest);
+    const auto rest = std::ranges::copy(b, expansion.begin()).out;
+    std::copy_n(c.begin(), expansion_size_, rest);
     expansion_.add(expansion, i, count);
   }
 }
@@ -255,15 +258,15 @@ void ExactPressure::edge_slopes(double half_angle,
 }
 
 PressureExpansion ExactPressure::expansion(double half_angle) const noexcept {
-  constexpr int terms = PressureExpansion::max_terms;
   PressureExpansion result{.size = expansion_size_};
   const Column values = expansion_.evaluate(chebyshev_variable(half_angle));
   const double unit = in_pressure_units(1, half_angle);
   const auto scaled = [unit](double value) { return value * unit; };
   const std::span all(values);
-  std::ranges::transform(all.first(terms), result.coefficient.begin(), scaled);
-  std::ranges::transform(all.subspan(terms, logarithms),
-                         result.logarithmic.begin(), scaled);
+  std::ranges::transform(all.first(logarithms), result.logarithmic.begin(),
+                         scaled);
+  std::ranges::transform(all.subspan(logarithms, expansion_size_),
+                         result.coefficient.begin(), scaled);
   result.edge_constant = WideEdge(half_angle).constant();
   return result;
 }

@@ -65,7 +65,7 @@ TEST(ArcRule, CorrectedLogarithmsAreExact) {
   AccuracyReport report("corrected", 1e-14);
   for (int index = 0; index < 3; ++index) {
     // Gauss' rule in x = sn u: (1 - x^2)^j over [0, 1].
-    const CapRule& rule = contact::detail::chord_rules()[index];
+    const CapRule& rule = contact::detail::chord_rules(ArcTerms::smooth)[index];
     for (int j = 2; j <= 7; ++j) {
       report.add(sum(rule, j, 0, true), log_moment(0.5, j + 1.0, j + 1.0),
                  label(index, j) + " ln T");
@@ -77,10 +77,11 @@ TEST(ArcRule, CorrectedLogarithmsAreExact) {
 // What the padding of a rule repeats counts nothing.
 TEST(ArcRule, PaddingHasNoWeight) {
   for (int index = 0; index < contact::detail::cap_rule_count; ++index) {
-    for (const CapRule* rule : {&contact::detail::short_rules()[index],
-                                &contact::detail::chord_rules()[index],
-                                &contact::detail::whole_chord_rules()[index],
-                                &arc_rules(ArcTerms::smooth)[index]}) {
+    for (const CapRule* rule :
+         {&contact::detail::short_rules(ArcTerms::smooth)[index],
+          &contact::detail::chord_rules(ArcTerms::smooth)[index],
+          &contact::detail::whole_chord_rules(ArcTerms::smooth)[index],
+          &arc_rules(ArcTerms::smooth)[index]}) {
       ASSERT_EQ(rule->padded_size % CapRule::lanes, 0);
       for (int i = rule->size; i < rule->padded_size; ++i) {
         EXPECT_EQ(rule->weight[i], 0);

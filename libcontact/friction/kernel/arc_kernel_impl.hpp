@@ -63,7 +63,7 @@ class AlongRules {
   explicit AlongRules(ArcTerms terms)
       : last_(terms == ArcTerms::smooth ? 13 : 12),
         arc_(arc_rules(terms)),
-        whole_(short_rules()),
+        whole_(short_rules(terms)),
         index_(cap_rule_index()) {}
 
   template <Circles circles>
@@ -87,16 +87,18 @@ double smallest(const Lanes& x) {
 /// Calls f.template operator()<terms, with_logarithm>(), terms >= size.
 template <class F>
 auto with_terms(int size, bool with_logarithm, F f) {
-  static_assert(PressureExpansion::max_terms == 16);
+  static_assert(PressureExpansion::max_terms == 32);
   if (with_logarithm) {
-    return size <= 12 ? f.template operator()<12, true>()
-                      : f.template operator()<16, true>();
+    return size <= 12   ? f.template operator()<12, true>()
+           : size <= 16 ? f.template operator()<16, true>()
+                        : f.template operator()<32, true>();
   }
   return size <= 1    ? f.template operator()<1, false>()
          : size <= 4  ? f.template operator()<4, false>()
          : size <= 8  ? f.template operator()<8, false>()
          : size <= 12 ? f.template operator()<12, false>()
-                      : f.template operator()<16, false>();
+         : size <= 16 ? f.template operator()<16, false>()
+                      : f.template operator()<32, false>();
 }
 
 /// One contact, its arcs in lanes along them.
@@ -143,37 +145,40 @@ class OneContact {
 /// Calls f.template operator()<circles>(outer rule) for each family of circles
 /// that a contact needs and adds up.
 template <class V, class Sum>
-[[gnu::always_inline]] inline PressureSums<V> sum_circles(bool pole_inside,
+[[gnu::always_inline]] inline PressureSums<V> sum_circles(ArcTerms terms,
+                                                          bool pole_inside,
                                                           bool beyond,
                                                           double k2, double m,
                                                           Sum sum) {
   const CapRuleIndex& index = cap_rule_index();
   if (pole_inside) {
-    return sum.template operator()<Circles::inside>(short_rules()[index(m)]);
+    return sum.template operator()<Circles::inside>(
+        short_rules(terms)[index(m)]);
   }
   if (!beyond) {
-    return sum.template operator()<Circles::outside>(chord_rules()[index(m)]);
+    return sum.template operator()<Circles::outside>(
+        chord_rules(terms)[index(m)]);
   }
   const PressureSums<V> cut =
-      sum.template operator()<Circles::outside>(chord_rules()[index(m)]);
-  const PressureSums<V> whole =
-      sum.template operator()<Circles::whole>(whole_chord_rules()[index(k2)]);
+      sum.template operator()<Circles::outside>(chord_rules(terms)[index(m)]);
+  const PressureSums<V> whole = sum.template operator()<Circles::whole>(
+      whole_chord_rules(terms)[index(k2)]);
   return {cut.force + whole.force, cut.sliding + whole.sliding,
           cut.spinning + whole.spinning};
 }
 
 PressureSums<double> root_pressure(const ArcPoint<double>& p, bool pole_inside,
                                    const PressureExpansion& pressure) {
-  return with_terms(pressure.size, pressure.has_logarithm(),
-                    [&]<int terms, bool with_logarithm>() {
-                      const OneContact<terms, with_logarithm> contact(
-                          p, pressure, arc_terms(pressure));
-                      return sum_circles<double>(
-                          pole_inside, p.c < 0, p.k * p.k, p.m,
-                          [&]<Circles circles>(const CapRule& rule) {
-                            return contact.template sum<circles>(rule);
-                          });
-                    });
+  return with_terms(
+      pressure.size, pressure.has_logarithm(),
+      [&]<int terms, bool with_logarithm>() {
+        const ArcTerms along = arc_terms(pressure);
+        const OneContact<terms, with_logarithm> contact(p, pressure, along);
+        return sum_circles<double>(along, pole_inside, p.c < 0, p.k * p.k, p.m,
+                                   [&]<Circles circles>(const CapRule& rule) {
+                                     return contact.template sum<circles>(rule);
+                                   });
+      });
 }
 
 /// A contact in each lane; what root_pressure() does for one.
@@ -200,7 +205,7 @@ PressureSums<Lanes> root_pressures(
     return scaled<circles>(p, total);
   };
   // So does the outer rule of the highest modulus.
-  return sum_circles<Lanes>(pole_inside, beyond, smallest(p.k * p.k),
+  return sum_circles<Lanes>(arc_terms, pole_inside, beyond, smallest(p.k * p.k),
                             smallest(p.m), sum);
 }
 

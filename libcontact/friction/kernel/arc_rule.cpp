@@ -37,10 +37,10 @@ class ArcRules : public RuleSet {
 /// The rules of short_rules().
 class ShortRules : public RuleSet {
  public:
-  ShortRules() {
-    for_ranges([this](int index, const Modulus& modulus) {
+  explicit ShortRules(Real extra) {
+    for_ranges([=, this](int index, const Modulus& modulus) {
       const Real k = modulus.k;
-      const int n = node_count(5.5L * k / modulus.kc + 1);
+      const int n = node_count(5.5L * k / modulus.kc + extra);
       fill(index, n,
            [&](int i) { return modulus.node(k * (i + 0.5L) / n, k / n); });
     });
@@ -63,12 +63,12 @@ struct HalfGauss {
 /// there.
 class ChordRules : public RuleSet {
  public:
-  ChordRules() {
-    for_ranges([this](int index, const Modulus& modulus) {
+  explicit ChordRules(Real extra) {
+    for_ranges([=, this](int index, const Modulus& modulus) {
       const Real k = modulus.k;
       const Real rate = std::asinh(modulus.kc / k);
       const Real sine_rate = std::atanh(std::sqrt(modulus.m));
-      const HalfGauss gauss(node_count(9 / std::max(rate, sine_rate) + 1));
+      const HalfGauss gauss(node_count(9 / std::max(rate, sine_rate) + extra));
       if (sine_rate < rate) {
         fill(index, gauss.n, [&](int i) {
           Node node = modulus.chord_node(k * gauss.x(i), k * gauss.weight(i));
@@ -91,10 +91,10 @@ class ChordRules : public RuleSet {
 /// u = K x (3 - x^2)/2, which takes the edge off the logarithm.
 class WholeChordRules : public RuleSet {
  public:
-  WholeChordRules() {
-    for_ranges([this](int index, const Modulus& modulus) {
+  explicit WholeChordRules(Real extra) {
+    for_ranges([=, this](int index, const Modulus& modulus) {
       const Real k = modulus.k;
-      const HalfGauss gauss(node_count(7 / std::asinh(modulus.kc / k) + 4));
+      const HalfGauss gauss(node_count(7 / std::asinh(modulus.kc / k) + extra));
       fill(index, gauss.n, [&](int i) {
         const Real x = gauss.x(i);
         return modulus.chord_node(
@@ -104,6 +104,18 @@ class WholeChordRules : public RuleSet {
     });
   }
 };
+
+constexpr Real high_order = 10;
+
+template <class Rules>
+const CapRules& usual_or_fine(ArcTerms terms, Real extra) {
+  if (terms == ArcTerms::high_order) {
+    static const Rules fine(extra + high_order);
+    return fine.rules();
+  }
+  static const Rules usual(extra);
+  return usual.rules();
+}
 
 }  // namespace
 
@@ -117,26 +129,27 @@ const CapRules& arc_rules(ArcTerms terms) {
       static const ArcRules rules(2.5L, 8);
       return rules.rules();
     }
-    default: {
+    case ArcTerms::large_logarithm: {
       static const ArcRules rules(3.5L, 9);
+      return rules.rules();
+    }
+    default: {
+      static const ArcRules rules(high_order, 17);
       return rules.rules();
     }
   }
 }
 
-const CapRules& short_rules() {
-  static const ShortRules rules;
-  return rules.rules();
+const CapRules& short_rules(ArcTerms terms) {
+  return usual_or_fine<ShortRules>(terms, 1);
 }
 
-const CapRules& chord_rules() {
-  static const ChordRules rules;
-  return rules.rules();
+const CapRules& chord_rules(ArcTerms terms) {
+  return usual_or_fine<ChordRules>(terms, 1);
 }
 
-const CapRules& whole_chord_rules() {
-  static const WholeChordRules rules;
-  return rules.rules();
+const CapRules& whole_chord_rules(ArcTerms terms) {
+  return usual_or_fine<WholeChordRules>(terms, 4);
 }
 
 }  // namespace contact::detail

@@ -12,6 +12,7 @@ enum class ArcTerms {
   smooth,           ///< nothing
   logarithm,        ///< a small logarithm, or terms of a high order
   large_logarithm,  ///< more of both
+  high_order,       ///< terms beyond the 16th, to 1e-8: thin liners
 };
 
 /// Along an arc the edge cuts: like cap_rule(), for integrands with the factor
@@ -21,7 +22,8 @@ const CapRules& arc_rules(ArcTerms terms);
 
 /// Like cap_rule(), with fewer nodes: whole circles, and over all circles
 /// through a pole in the contact.
-const CapRules& short_rules();
+/// All integrands along whole circles are smooth.
+const CapRules& short_rules(ArcTerms terms);
 
 /// Over circles, for integrands that are even in u but not about the quarter
 /// period,
@@ -29,10 +31,10 @@ const CapRules& short_rules();
 ///   k)):
 /// the circles cut by the edge of a contact with no pole or two. G may have
 /// cos^4(chi) ln cos^2(chi).
-const CapRules& chord_rules();
+const CapRules& chord_rules(ArcTerms terms);
 
 /// The same for the whole circles of a contact with two poles, where G behaves
 /// like cos^2(chi) ln cos(chi).
-const CapRules& whole_chord_rules();
+const CapRules& whole_chord_rules(ArcTerms terms);
 
 }  // namespace contact::detail
