@@ -166,12 +166,13 @@ struct PinContact::Wall {
       : correction(harmonics.correction), first(harmonics.first) {}
 
   int end() const { return static_cast<int>(correction.size()); }
-  // Dc_n (n^2 - 1) of n, n + 1, ...
-  Eigen::VectorXd weights(int n, Eigen::Index count) const {
-    Eigen::VectorXd weight(count);
-    for (Eigen::Index i = 0; i < count; ++i) {
-      const double order = static_cast<double>(n + i);
-      weight(i) = (order - 1) * (order + 1) * correction[n + i];
+  // What the terms of a sum over Dc_n (n^2 - 1) are multiplied with.
+  Eigen::VectorXd weights(const detail::HarmonicSamples& samples) const {
+    Eigen::VectorXd weight(samples.n.size());
+    for (Eigen::Index i = 0; i < weight.size(); ++i) {
+      const double n = samples.n[i];
+      weight(i) = samples.weight[i] * (n - 1) * (n + 1) *
+                  correction[static_cast<std::size_t>(n)];
     }
     return weight;
   }
@@ -183,9 +184,11 @@ struct PinContact::Wall {
     const Eigen::MatrixXd& t = modes.transformation();
     const Eigen::VectorXd series = t.leftCols(y.size()) * y;
     Eigen::VectorXd sum = Eigen::VectorXd::Zero(t.rows());
-    modes.visit(2, end(), [&](int n, const auto& g) {
+    const detail::HarmonicSamples samples(half_angle, end());
+    const Eigen::VectorXd weight = weights(samples);
+    modes.visit(samples.n, [&](int i, const auto& g) {
       const Eigen::VectorXd p = g * series;
-      sum += g.transpose() * weights(n, g.rows()).cwiseProduct(p);
+      sum += g.transpose() * weight.segment(i, g.rows()).cwiseProduct(p);
     });
     return t.transpose() * sum / (2 * pi);
   }
@@ -284,9 +287,11 @@ PinContact::System::System(const PinContact& pin, double half_angle)
   modes.emplace(half_angle, pin.unknowns_);
   const Eigen::MatrixXd& t = modes->transformation();
   Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(t.rows(), t.rows());
-  modes->visit(2, pin.wall_->end(), [&](int n, const auto& g) {
+  const detail::HarmonicSamples samples(half_angle, pin.wall_->end());
+  const Eigen::VectorXd weight = pin.wall_->weights(samples);
+  modes->visit(samples.n, [&](int i, const auto& g) {
     const Eigen::MatrixXd weighted =
-        pin.wall_->weights(n, g.rows()).asDiagonal() * g;
+        weight.segment(i, g.rows()).asDiagonal() * g;
     sum.triangularView<Eigen::Lower>() += weighted.transpose() * g;
   });
   const Eigen::MatrixXd all = sum.selfadjointView<Eigen::Lower>() * t;
@@ -347,13 +352,31 @@ ExactHalfAngle PinContact::limit_half_angle() const noexcept {
 
 namespace {
 
+// (P_n + P_{n-1})(cos theta0)/2, n < end; 1 at n = 0.
+std::vector<double> averages(double half_angle, int end) {
+  std::vector<double> average = {1};
+  double before = 1;
+  double now = std::cos(half_angle);
+  for (int n = 1; n < end; ++n) {
+    average.push_back((now + before) / 2);
+    const double next =
+        ((2 * n + 1) * std::cos(half_angle) * now - n * before) / (n + 1);
+    before = std::exchange(now, next);
+  }
+  return average;
+}
+
 // sum (c_n - 1/n) p_n cos nt, n >= 2, of homogeneous bodies, averaged with the
 // weight of approach(): of p = b sum y_k sin((2k+1) phi) with the kernel
 // sum (beta n + 1)/(n (n^2 - 1)) cos nx, which is smooth but for x = 0.
 double average_without_walls(double half_angle, double beta,
                              const Unknowns& y) {
-  static const detail::GaussLegendre rule(96);
-  const auto points = y.size() + 8;  // of psi, sin(t/2) = sin(theta0/2) cos psi
+  static const detail::GaussLegendre usual(56);
+  static const detail::GaussLegendre fine(96);
+  const detail::GaussLegendre& rule =
+      y.size() > PinContact::default_unknowns ? fine : usual;
+  const int points = static_cast<int>(y.size()) +
+                     8;  // of psi, sin(t/2) = sin(theta0/2) cos psi
   const double b = std::tan(half_angle / 2);
   const auto kernel = [beta](double x) {
     const double half = std::sin(x / 2);
@@ -404,21 +427,21 @@ ContactApproach PinContact::approach(double half_angle) const noexcept {
   const Eigen::VectorXd series = t * solution.y;
   double sum = (mean_share - beta - 2 * std::log(sine)) * solution.mean +
                average_without_walls(half_angle, beta, solution.y);
-  Eigen::VectorXd singular = Eigen::VectorXd::Zero(t.rows());
-  double before = 1;
-  double now = std::cos(half_angle);
-  const double first_average = (1 + now) / 2;
+  const double first_average = (1 + std::cos(half_angle)) / 2;
   sum += (wall_->first - 1) * first_average;
-  system.modes->visit(2, wall_->end(), [&](int first, const auto& g) {
+  const std::vector<double> average = averages(half_angle, wall_->end());
+  const detail::HarmonicSamples samples(half_angle, wall_->end());
+  const Eigen::VectorXd weight = wall_->weights(samples);
+  Eigen::VectorXd singular = Eigen::VectorXd::Zero(t.rows());
+  system.modes->visit(samples.n, [&](int first, const auto& g) {
+    Eigen::VectorXd part = weight.segment(first, g.rows());
+    const Eigen::VectorXd p = b / pi * (g * series);
     for (int i = 0; i < g.rows(); ++i) {
-      const double n = first + i;
-      const double next =
-          ((2 * n - 1) * std::cos(half_angle) * now - (n - 1) * before) / n;
-      const double average = (next + now) / 2 * wall_->correction[first + i];
-      before = std::exchange(now, next);
-      singular += (n - 1) * (n + 1) * average * g.row(i).transpose();
-      sum += average * b / pi * g.row(i).dot(series);
+      const double n = samples.n[first + i];
+      part(i) *= average[static_cast<std::size_t>(n)];
+      sum += part(i) / ((n - 1) * (n + 1)) * p(i);
     }
+    singular += g.transpose() * part;
   });
 
   // The rate of the pressure as the load grows is g_s + h, g_s with a

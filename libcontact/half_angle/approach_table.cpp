@@ -11,8 +11,8 @@ namespace {
 constexpr double pi = std::numbers::pi;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-// A tenth of what the tables promise.
-constexpr double negligible = 1e-8;
+// Coefficients at the end fall like k^-5.
+constexpr double negligible = 2e-8;
 
 double square(double half_angle) {
   const double s = 2 * std::sin(half_angle / 2);
