@@ -26,11 +26,11 @@ void forward(const Eigen::ArrayXd& x, Rows out) {
 }
 
 // The same for one x below it, by Miller's algorithm: backwards from where J
-// is 1e-17 of what it is at the largest order or at x, scaled by
-// J_0 + 2 sum J_2m = 1.
+// is below 1e-17, scaled by J_0 + 2 sum J_2m = 1.
 void backward(double x, Eigen::VectorXd& out) {
   const int last = 2 * static_cast<int>(out.size()) - 1;
-  const int start = last + 31 + 2 * static_cast<int>(std::sqrt(10.0 * last));
+  const int start = static_cast<int>(x + 12 * std::cbrt(x)) + 12;
+  out.setZero();
   double after = 0;
   double now = 1e-280;
   double sum = 0;
