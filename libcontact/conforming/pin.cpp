@@ -375,8 +375,8 @@ double average_without_walls(double half_angle, double beta,
   static const detail::GaussLegendre fine(96);
   const detail::GaussLegendre& rule =
       y.size() > PinContact::default_unknowns ? fine : usual;
-  const int points = static_cast<int>(y.size()) +
-                     8;  // of psi, sin(t/2) = sin(theta0/2) cos psi
+  // Of psi, sin(t/2) = sin(theta0/2) cos psi.
+  const int points = static_cast<int>(y.size()) + 8;
   const double b = std::tan(half_angle / 2);
   const auto kernel = [beta](double x) {
     const double half = std::sin(x / 2);

@@ -11,6 +11,7 @@
 #include "libcontact/base/units.hpp"
 #include "libcontact/conforming/ball.hpp"
 #include "libcontact/conforming/pin.hpp"
+#include "libcontact/conforming/pin_wall_modes.hpp"
 #include "support/accuracy_report.hpp"
 #include "support/error_message.hpp"
 #include "support/reference_table.hpp"
@@ -288,6 +289,31 @@ TYPED_TEST(Walled, LimitHalfAngles) {
     EXPECT_EQ(limit.status, Status::ok);
     EXPECT_NEAR(limit.half_angle / degree, ball ? c.ball : c.pin, 6e-4)
         << c.thickness << " " << c.nu << " " << c.held;
+  }
+}
+
+TEST(HarmonicSamples, GiveTheSum) {
+  // Of exp(-2 n t) n cos^2(n theta), theta up to theta0: the fastest products.
+  constexpr int end = 6000;
+  constexpr double t = 0.003;
+  for (const double theta0 : {1e-4, 0.01, 0.1, 0.5, 0.8, 1.2, 1.3, 2.5}) {
+    const detail::HarmonicSamples samples(theta0, end);
+    if (theta0 < 1.25) {
+      EXPECT_LT(samples.n.size(), 0.6 * end) << theta0;
+    }
+    for (const double share : {0.0, 0.5, 1.0}) {
+      const auto term = [&](double n) {
+        const double cosine = std::cos(n * share * theta0);
+        return std::exp(-2 * n * t) * n * cosine * cosine;
+      };
+      double all = 0;
+      for (int n = 2; n < end; ++n) all += term(n);
+      double sampled = 0;
+      for (std::size_t i = 0; i < samples.n.size(); ++i) {
+        sampled += samples.weight[i] * term(samples.n[i]);
+      }
+      EXPECT_NEAR(sampled / all, 1, 1e-12) << theta0 << " " << share;
+    }
   }
 }
 
