@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
 # Redraws figures 3, 4, 5, 8 and 9 of the paper from the programs' output,
-# the limit half-angles of other materials and pressure profiles:
+# the limit half-angles of other materials, pressure profiles and the error of
+# leaving walls out:
 #   plots/figures.sh BUILD_DIR OUTPUT_DIR
 # leaves NAME.svg, NAME.png and the tables they show, as CSV.
 set -euo pipefail
 if [ $# -ne 2 ]; then
-  sed -n '2,5s/^# \{0,1\}//p' "$0" >&2
+  sed -n '2,6s/^# \{0,1\}//p' "$0" >&2
   exit 2
 fi
 plots=$(cd "$(dirname "$0")" && pwd)
@@ -78,6 +79,42 @@ for method in exact planar; do
     --method $method --output figure8_$method.csv
 done
 
+# How wrong a seat without an end is: a ball and a pin of steel in a wall of a
+# polymer or bronze, at the load at which the infinite seat has 40 deg.
+source "$plots/../scripts/walled_joint.sh"
+one() { # FILE LOAD: half-angle and peak
+  "$programs/hinge-angle" --joint "$1" --load "$2" --law exact --pressure exact |
+    tail -n 1 | cut -d, -f4,5
+}
+{
+  echo kind,material,backing,thickness_over_radius,half_angle_error_percent,\
+peak_error_percent
+  for kind in spherical cylindrical; do
+    for name in polymer bronze; do
+      [ $name = polymer ] && wall="1 0.4" || wall="110 0.34"
+      joint=(walled_joint wall.toml $kind 10 10 "210 0.3" "$wall")
+      "${joint[@]}"
+      load=$("$programs/hinge-angle" --joint wall.toml --law exact --inverse \
+        --theta0 40 | tail -n 1 | cut -d, -f2)
+      infinite=$(one wall.toml "$load")
+      for backing in rigid steel held; do
+        for i in {0..18}; do
+          t=$(ratio $((i - 12)) 6)
+          "${joint[@]}" "${backing/steel/210 0.3}" \
+            "$(awk -v t="$t" 'BEGIN { printf "%.6g", 10 * t }')"
+          awk -F, -v what="$kind,$name,$backing,$t" -v a="$infinite" \
+            -v b="$(one wall.toml "$load")" 'BEGIN {
+              split(a, x); split(b, y)
+              printf "%s,%.6g,%.6g\n", what, 100 * (x[1] / y[1] - 1),
+                100 * (x[2] / y[2] - 1)
+            }'
+        done
+      done
+    done
+  done
+  rm wall.toml
+} >wall_errors.csv
+
 # One picture: NAME SVG_SIZE PNG_SIZE
 draw() {
   gnuplot -e "set terminal svg $2 rounded linewidth 1.2 background 'white'" \
@@ -97,5 +134,6 @@ for figure in 8 9; do
 done
 draw pressure_profiles "size 1160,520 font 'sans,18'" \
   "size 1740,780 font 'sans,21'"
+draw wall_errors "size 1080,900 font 'sans,18'" "size 1620,1350 font 'sans,21'"
 draw limit_angles "size 1080,520 font 'sans,18'" \
   "size 1620,780 font 'sans,21'"

@@ -16,12 +16,37 @@ void count(contact::Status status, Failures& failures) {
 
 }  // namespace
 
-std::string AngleTable::peak_column(const NamedLaw& law) const {
+AngleTable::AngleTable(const Setup& setup, const Loads& loads,
+                       const std::vector<NamedLaw>& laws,
+                       const cli::NamedPressure& pressure)
+    : setup_(setup), loads_(loads), laws_(laws), pressure_(pressure) {
+  if (!setup.geometry) return;
+  for (const NamedLaw& law : laws) {
+    if (!cli::JointApproach::of(*law.law)) continue;
+    approach_.emplace(law.law, *setup.geometry, setup.pair, 1);
+  }
+}
+
+void AngleTable::add_columns(const NamedLaw& law,
+                             std::vector<std::string>& names) const {
   const std::string& pressure = pressure_.name;
-  return fmt::format(
+  names.push_back(fmt::format(
       "p_peak_{}{}_{}", law.name,
       pressure == contact::default_pressure_law ? "" : "_by_" + pressure,
-      loads_.have_load() ? "Pa" : "over_mean");
+      loads_.have_load() ? "Pa" : "over_mean"));
+  if (!approach_ || !cli::JointApproach::of(*law.law)) return;
+  for (std::string& name : cli::JointApproach::columns(setup_.kind)) {
+    names.push_back(std::move(name));
+  }
+}
+
+void AngleTable::write(const NamedLaw& law, double half_angle,
+                       double load_parameter, cli::RowWriter& row) const {
+  row.number(peak_pressure(half_angle, load_parameter));
+  if (!approach_ || !cli::JointApproach::of(*law.law)) return;
+  const contact::ContactApproach value = (*approach_)(half_angle);
+  row.number(value.approach);
+  row.number(value.stiffness);
 }
 
 std::vector<std::string> AngleTable::columns() const {
@@ -31,7 +56,7 @@ std::vector<std::string> AngleTable::columns() const {
   names.emplace_back("x");
   for (const NamedLaw& law : laws_) {
     names.push_back(fmt::format("theta0_{}_deg", law.name));
-    names.push_back(peak_column(law));
+    add_columns(law, names);
   }
   return names;
 }
@@ -42,7 +67,7 @@ std::vector<std::string> AngleTable::inverse_columns() const {
     if (loads_.have_load()) names.push_back("load_" + law.name);
     names.push_back("load_parameter_" + law.name);
     names.push_back("x_" + law.name);
-    names.push_back(peak_column(law));
+    add_columns(law, names);
   }
   return names;
 }
@@ -61,7 +86,7 @@ void AngleTable::write_row(LoadVariable variable, double load,
     const contact::HalfAngleResult result = laws_[i].law->half_angle(parameter);
     count(result.status, failures[i]);
     row.number(result.half_angle / contact::degree);
-    row.number(peak_pressure(result.half_angle, parameter));
+    write(laws_[i], result.half_angle, parameter, row);
   }
   row.end();
 }
@@ -81,7 +106,7 @@ void AngleTable::write_inverse_row(double theta0_deg, cli::RowWriter& row,
     if (loads_.have_load()) row.number(load_as(LoadVariable::load));
     row.number(parameter);
     row.number(load_as(LoadVariable::x));
-    row.number(peak_pressure(half_angle, parameter));
+    write(laws_[i], half_angle, parameter, row);
   }
   row.end();
 }

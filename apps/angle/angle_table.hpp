@@ -1,11 +1,13 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "angle/loads.hpp"
 #include "angle/setup.hpp"
+#include "cli/joint_approach.hpp"
 #include "cli/laws.hpp"
 #include "cli/table.hpp"
 
@@ -29,11 +31,11 @@ class AngleTable {
   /// @param pressure  for the peak pressure
   AngleTable(const Setup& setup, const Loads& loads,
              const std::vector<NamedLaw>& laws,
-             const cli::NamedPressure& pressure)
-      : setup_(setup), loads_(loads), laws_(laws), pressure_(pressure) {}
+             const cli::NamedPressure& pressure);
 
   /// load (if the joint has a geometry), load_parameter, x, then for each law
-  /// theta0_LAW_deg and p_peak_LAW_Pa or p_peak_LAW_over_mean.
+  /// theta0_LAW_deg and p_peak_LAW_Pa or p_peak_LAW_over_mean; with a geometry
+  /// and the law exact those of cli::JointApproach.
   std::vector<std::string> columns() const;
   /// @param load      in terms of `variable`, [0, infinity]
   /// @param failures  for each law; added to
@@ -41,13 +43,17 @@ class AngleTable {
                  std::vector<Failures>& failures) const;
 
   /// theta0_deg, then for each law load_LAW (if the joint has a geometry),
-  /// load_parameter_LAW, x_LAW and the peak pressure.
+  /// load_parameter_LAW, x_LAW and the peak pressure; approach and stiffness as
+  /// above.
   std::vector<std::string> inverse_columns() const;
   void write_inverse_row(double theta0_deg, cli::RowWriter& row,
                          std::vector<Failures>& failures) const;
 
  private:
-  std::string peak_column(const NamedLaw& law) const;
+  /// The columns behind the half-angle or the load.
+  void add_columns(const NamedLaw& law, std::vector<std::string>& names) const;
+  void write(const NamedLaw& law, double half_angle, double load_parameter,
+             cli::RowWriter& row) const;
   // Pa, or in pressure units (R_n/rho1^2, P/rho1) without a geometry.
   double peak_pressure(double half_angle, double load_parameter) const;
 
@@ -55,6 +61,7 @@ class AngleTable {
   const Loads& loads_;
   const std::vector<NamedLaw>& laws_;
   const cli::NamedPressure& pressure_;
+  std::optional<cli::JointApproach> approach_;
 };
 
 }  // namespace hinge_angle

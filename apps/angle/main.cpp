@@ -46,9 +46,15 @@ for each law
   theta0_LAW_deg          half-angle of the contact, degrees
   p_peak_LAW_Pa           peak pressure, Pa, or in dimensionless runs
   p_peak_LAW_over_mean    over the mean R_n/R^2 (ball) or P/R (pin)
-With another pressure law than cosine: p_peak_LAW_by_PRESSURE_Pa.
+With another pressure law than cosine: p_peak_LAW_by_PRESSURE_Pa. The law exact
+of a joint with a size has two more,
+  approach_m              how far the load presses the bodies together, from
+                          first touch
+  stiffness_N_per_m       d load/d approach; pin: stiffness_N_per_m2
+They are empty for a pin in an infinite hole, which gives way without end, for
+loading through the back and without load.
 With --inverse: theta0_deg, then for each law load_LAW, load_parameter_LAW,
-x_LAW and the peak pressure. Where a law has no value (hertz for x > 1) the
+x_LAW and the others. Where a law has no value (hertz for x > 1) the
 cell is empty, in JSON null.
 
 With --compare one row for each law (all unless --law names some), between the

@@ -70,8 +70,11 @@ Columns: law and pressure (names), state (sliding, resting, unloaded; with
 
 constexpr std::string_view examples = R"(
 Forces and moments act on the load. What has no meaning at rest or without
-load is empty, in JSON null. With --moment-xyz the last four are there too, and
-the others are those of the slip about u at 1 rad/s that would begin.
+load is empty, in JSON null. The law exact alone has approach_m and
+stiffness_N_per_m; they are empty for a pin in an infinite hole, which gives way
+without end, and for loading through the back. With --moment-xyz the last four
+are there too, and the others are those of the slip about u at 1 rad/s that
+would begin.
 --summary prints a line for each quantity instead. --plot draws the friction
 moment over the swept force or angle, dashed the traditional estimate from R.
 
@@ -91,7 +94,7 @@ std::string footer() {
   std::string text(help);
   text += cli::loading_help;
   text += state_help;
-  for (const auto& quantity : hinge_joint::quantities(true)) {
+  for (const auto& quantity : hinge_joint::quantities(true, true)) {
     text += quantity.meaning.empty()
                 ? fmt::format("  {}\n", quantity.name)
                 : fmt::format("  {:<19} {}\n", quantity.name, quantity.meaning);

@@ -99,8 +99,9 @@ Problems write_points(const NamedJoint& joint, const Options& options,
   }
   const cli::PointColumns columns(header.line, form.columns, header.place);
 
-  const bool rest = form.question == Question::rest;
-  std::vector<std::string> names = solution_columns(rest, {});
+  const std::vector<Quantity> quantities = hinge_joint::quantities(
+      form.question == Question::rest, joint.approach.has_value());
+  std::vector<std::string> names = solution_columns(quantities, {});
   const std::size_t cells = names.size();
   for (std::string& name : cli::distinct_names(columns.riding, names)) {
     names.push_back(std::move(name));
@@ -125,7 +126,7 @@ Problems write_points(const NamedJoint& joint, const Options& options,
                 answer(joint, form.question,
                        state_of(form.question, block, i, pin, rate));
             block.problems.add(a.solution.status);
-            write_cells(row, joint, rest, a, 1, {});
+            write_cells(row, joint, quantities, a, 1, {});
           } else {
             row.text("ERROR");
             for (std::size_t j = 1; j < cells; ++j) row.empty();

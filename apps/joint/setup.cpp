@@ -143,9 +143,16 @@ Setup make_setup(const Options& options) {
   Setup setup{joint.name, {}, cli::LawNotes(half_angles, joint.pair)};
   for (const cli::NamedLaw& law : half_angles) {
     for (const cli::NamedPressure& pressure : shapes) {
-      setup.joints.push_back({law.name, pressure.name,
-                              AnyJoint({joint.geometry, joint.pair, friction,
-                                        law.law, pressure.law})});
+      NamedJoint& added = setup.joints.emplace_back(
+          NamedJoint{law.name,
+                     pressure.name,
+                     AnyJoint({joint.geometry, joint.pair, friction, law.law,
+                               pressure.law}),
+                     {}});
+      if (cli::JointApproach::of(*law.law)) {
+        added.approach.emplace(law.law, joint.geometry, joint.pair,
+                               joint.geometry.length());
+      }
     }
   }
   return setup;

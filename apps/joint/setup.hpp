@@ -1,8 +1,11 @@
 #pragma once
 
+#include <algorithm>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "cli/joint_approach.hpp"
 #include "cli/laws.hpp"
 #include "cli/program.hpp"
 #include "joint/any_joint.hpp"
@@ -52,6 +55,8 @@ struct NamedJoint {
   std::string law;
   std::string pressure;
   AnyJoint joint;
+  /// Of the half-angle law exact.
+  std::optional<cli::JointApproach> approach;
 };
 
 /// The joint that is asked for, once for each pair of laws.
@@ -59,6 +64,13 @@ struct Setup {
   std::string name;  ///< of the joint file, or ""
   std::vector<NamedJoint> joints;
   cli::LawNotes law_notes;
+
+  /// Whether any of them has one.
+  bool has_approach() const {
+    return std::ranges::any_of(joints, [](const NamedJoint& joint) {
+      return joint.approach.has_value();
+    });
+  }
 };
 
 /// Throws contact::Error if the options do not fit together or a value is not

@@ -1,7 +1,7 @@
 #include "joint/solution_row.hpp"
 
-#include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "libcontact/base/units.hpp"
@@ -29,9 +29,7 @@ double as_given(const Answer& a, Question given_in, double Input::Given::*what,
   return given ? (*a.given).*what : solved;
 }
 
-// The last ones are those of rest.
-constexpr std::size_t rest_quantities = 4;
-constexpr std::array<Quantity, 44> all = {{
+constexpr Quantity usual_quantities[] = {
     {"evaluations", "contacts that the solver evaluated",
      [](const Answer& a) { return double(a.solution.evaluations); }},
     {"residual", "estimate of |f/tan g - 1| that is left",
@@ -118,13 +116,23 @@ constexpr std::array<Quantity, 44> all = {{
      [](const Answer& a) { return a.solution.peak_pressure; }},
     {"contact_area_m2", "area of the contact",
      [](const Answer& a) { return a.solution.contact_area; }},
+};
+
+constexpr Quantity approach_quantities[] = {
+    {"approach_m", "of the two bodies, from first touch",
+     [](const Answer& a) { return a.approach.approach; }},
+    {"stiffness_N_per_m", "d R_n/d approach",
+     [](const Answer& a) { return a.approach.stiffness; }},
+};
+
+constexpr Quantity rest_quantities[] = {
     {"utilisation", "tau, the share of M_t that M needs: holds if <= 1",
      [](const Answer& a) { return a.utilisation; }},
     {"u_x", "direction in which the joint would begin to slide",
      [](const Answer& a) { return a.direction.x(); }},
     {"u_y", "", [](const Answer& a) { return a.direction.y(); }},
     {"u_z", "", [](const Answer& a) { return a.direction.z(); }},
-}};
+};
 
 }  // namespace
 
@@ -137,7 +145,8 @@ Answer answer(const NamedJoint& named, Question question, const Input& input) {
            .traditional = nan,
            .moment_coefficient = nan,
            .utilisation = nan,
-           .direction = Vector3d::Constant(nan)};
+           .direction = Vector3d::Constant(nan),
+           .approach = {nan, nan}};
   switch (question) {
     case Question::reaction:
       a.solution = joint.solve(input.force, input.turn);
@@ -155,6 +164,7 @@ Answer answer(const NamedJoint& named, Question question, const Input& input) {
     }
   }
   const contact::JointSolution& s = a.solution;
+  if (named.approach) a.approach = (*named.approach)(s.half_angle);
   const double force = s.reaction.stableNorm();
   const double moment = s.friction_moment.stableNorm();
   a.traditional =
@@ -191,8 +201,15 @@ std::string_view status_text(contact::Status status) {
   return "not_converged";
 }
 
-std::span<const Quantity> quantities(bool rest) {
-  return std::span(all).first(all.size() - (rest ? 0 : rest_quantities));
+std::vector<Quantity> quantities(bool rest, bool approach) {
+  std::vector<Quantity> all(std::begin(usual_quantities),
+                            std::end(usual_quantities));
+  const auto add = [&all](const auto& more) {
+    all.insert(all.end(), std::begin(more), std::end(more));
+  };
+  if (approach) add(approach_quantities);
+  if (rest) add(rest_quantities);
+  return all;
 }
 
 }  // namespace hinge_joint

@@ -2,8 +2,8 @@
 
 #include <Eigen/Core>
 #include <optional>
-#include <span>
 #include <string_view>
+#include <vector>
 
 #include "joint/input.hpp"
 #include "joint/setup.hpp"
@@ -24,6 +24,8 @@ struct Answer {
   /// Of Question::rest: tau, u.
   double utilisation;
   Eigen::Vector3d direction;
+  /// Of the half-angle law exact, SI units; NaN of others.
+  contact::ContactApproach approach;
 };
 
 Answer answer(const NamedJoint& joint, Question question, const Input& input);
@@ -41,7 +43,8 @@ struct Quantity {
 };
 
 /// All of them in the order of the columns.
-/// @param rest  with those of Question::rest
-std::span<const Quantity> quantities(bool rest);
+/// @param rest      with those of Question::rest
+/// @param approach  with those of the half-angle law exact
+std::vector<Quantity> quantities(bool rest, bool approach);
 
 }  // namespace hinge_joint

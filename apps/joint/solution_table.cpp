@@ -17,8 +17,8 @@ struct Block {
   Problems problems;
 };
 
-bool is_rest(const Inputs& inputs) {
-  return inputs.question() == Question::rest;
+std::vector<Quantity> quantities_of(const Setup& setup, const Inputs& inputs) {
+  return quantities(inputs.question() == Question::rest, setup.has_approach());
 }
 
 }  // namespace
@@ -28,21 +28,23 @@ void Problems::add(contact::Status status) {
   if (status == contact::Status::not_converged) ++not_converged;
 }
 
-std::vector<std::string> solution_columns(bool rest, const Beside& beside) {
+std::vector<std::string> solution_columns(std::span<const Quantity> columns,
+                                          const Beside& beside) {
   std::vector<std::string> names = {"law", "pressure", "state", "status"};
-  for (const Quantity& quantity : quantities(rest)) {
+  for (const Quantity& quantity : columns) {
     names.emplace_back(quantity.name);
   }
   return with_beside(names, beside);
 }
 
-void write_cells(cli::RowWriter& to, const NamedJoint& joint, bool rest,
-                 const Answer& a, std::size_t row, const Beside& beside) {
+void write_cells(cli::RowWriter& to, const NamedJoint& joint,
+                 std::span<const Quantity> columns, const Answer& a,
+                 std::size_t row, const Beside& beside) {
   to.text(joint.law);
   to.text(joint.pressure);
   to.text(state_text(a));
   to.text(status_text(a.solution.status));
-  for (const Quantity& quantity : quantities(rest)) {
+  for (const Quantity& quantity : columns) {
     write_number(to, quantity.of(a), quantity.name, row, beside);
   }
 }
@@ -52,10 +54,10 @@ Problems write_solutions(const Setup& setup, const Inputs& inputs,
                          const cli::OutputOptions& options) {
   // Large against the cost of passing a block between threads.
   constexpr std::size_t block_rows = 256;
-  const bool rest = is_rest(inputs);
+  const std::vector<Quantity> columns = quantities_of(setup, inputs);
   const std::size_t size = inputs.size() * setup.joints.size();
   cli::Output output(options.output);
-  const cli::Table table(options.format, solution_columns(rest, beside));
+  const cli::Table table(options.format, solution_columns(columns, beside));
   cli::TableWriter writer(output, table);
   cli::Progress progress("rows", size);
   Problems problems;
@@ -76,7 +78,7 @@ Problems write_solutions(const Setup& setup, const Inputs& inputs,
           const Answer a =
               answer(joint, inputs.question(), inputs[i / setup.joints.size()]);
           block.problems.add(a.solution.status);
-          write_cells(row, joint, rest, a, i + 1, beside);
+          write_cells(row, joint, columns, a, i + 1, beside);
           row.end();
         }
       },
@@ -117,7 +119,7 @@ Problems write_summary(const Setup& setup, const Inputs& inputs,
   text_row("pressure", joint.pressure, "pressure law");
   text_row("state", state_text(a), "");
   text_row("status", status_text(a.solution.status), "of the solver");
-  for (const Quantity& quantity : quantities(is_rest(inputs))) {
+  for (const Quantity& quantity : quantities_of(setup, inputs)) {
     row.text(quantity.name);
     row.number(quantity.of(a) + 0.0);  // no -0
     if (!beside.empty()) row.number(beside.at(1, quantity.name));

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <span>
+
 #include "joint/beside.hpp"
 #include "joint/input.hpp"
 #include "joint/setup.hpp"
@@ -27,9 +29,11 @@ Problems write_summary(const Setup& setup, const Inputs& inputs,
                        const Beside& beside, const cli::OutputOptions& options);
 
 /// Names of the columns of write_solutions().
-std::vector<std::string> solution_columns(bool rest, const Beside& beside);
+std::vector<std::string> solution_columns(std::span<const Quantity> columns,
+                                          const Beside& beside);
 /// Cells of one row; ends it not.
-void write_cells(cli::RowWriter& to, const NamedJoint& joint, bool rest,
-                 const Answer& a, std::size_t row, const Beside& beside);
+void write_cells(cli::RowWriter& to, const NamedJoint& joint,
+                 std::span<const Quantity> columns, const Answer& a,
+                 std::size_t row, const Beside& beside);
 
 }  // namespace hinge_joint

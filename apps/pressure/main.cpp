@@ -44,8 +44,8 @@ sigma_Y_0 (moment) of pure sliding and sigma_Z_90 (moment) of pure spinning.
 A joint with a size and the half-angle law exact has approach_m too, how far the
 load presses the two bodies together from first touch, and the stiffness there,
 stiffness_N_per_m or, for a pin, whose loads are per length,
-stiffness_N_per_m2. Both are empty for a pin in an infinite hole, which gives way
-without end, for loading through the back and without load.
+stiffness_N_per_m2. Both are empty for a pin in an infinite hole, which gives
+way without end, for loading through the back and without load.
 Where a law has no value the cell is empty, in JSON null.
 
 Examples:

@@ -14,7 +14,9 @@ PressureTable::PressureTable(const hinge_angle::Setup& setup,
                              const cli::NamedLaw& law,
                              const std::vector<NamedPressure>& pressures)
     : setup_(setup), law_(law.name), pressures_(pressures) {
-  if (setup.geometry && law.law->name() == "exact") approach_.emplace(setup);
+  if (setup.geometry && cli::JointApproach::of(*law.law)) {
+    approach_.emplace(law.law, *setup.geometry, setup.pair, 1);
+  }
 }
 
 double PressureTable::scale(const LoadedContact& contact) const {
@@ -82,8 +84,9 @@ std::vector<std::string> PressureTable::summary_columns() const {
   names.emplace_back("S");
   if (ball) names.insert(names.end(), {"chi_0", "sigma_Y_0", "sigma_Z_90"});
   if (approach_) {
-    names.emplace_back("approach_m");
-    names.emplace_back(ball ? "stiffness_N_per_m" : "stiffness_N_per_m2");
+    for (auto& name : cli::JointApproach::columns(setup_.kind)) {
+      names.push_back(std::move(name));
+    }
   }
   return names;
 }
@@ -97,8 +100,8 @@ void PressureTable::write_summary(const LoadedContact& contact,
                           ? 4 * std::numbers::pi * sine * sine * radius * radius
                           : 2 * half_angle * radius;
   const bool unloaded = setup_.geometry && contact.load == 0;
-  const JointApproach::Value approach =
-      approach_ ? (*approach_)(half_angle) : JointApproach::Value{};
+  const contact::ContactApproach approach =
+      approach_ ? (*approach_)(half_angle) : contact::ContactApproach{};
   for (const NamedPressure& law : pressures_) {
     write_contact(contact, row);
     row.text(law_);

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "angle/setup.hpp"
+#include "cli/joint_approach.hpp"
 #include "cli/laws.hpp"
 #include "cli/table.hpp"
-#include "pressure/joint_approach.hpp"
 #include "pressure/loaded_contacts.hpp"
 
 namespace hinge_pressure {
@@ -53,7 +53,7 @@ class PressureTable {
 
   const hinge_angle::Setup& setup_;
   std::string law_;
-  std::optional<JointApproach> approach_;
+  std::optional<cli::JointApproach> approach_;
   const std::vector<NamedPressure>& pressures_;
 };
 

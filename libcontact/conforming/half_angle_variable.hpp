@@ -23,6 +23,7 @@ class HalfAngleVariable {
         range_(std::log1p(largest / thickness)) {}
 
   bool has_walls() const { return std::isfinite(thickness_); }
+  double thickness() const { return thickness_; }
 
   /// u and du/dtheta0.
   std::pair<double, double> operator()(double half_angle) const {

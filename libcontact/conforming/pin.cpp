@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "libcontact/base/check.hpp"
+#include "libcontact/base/gauss_legendre.hpp"
 #include "libcontact/conforming/edge_fit.hpp"
 #include "libcontact/conforming/half_angle_root.hpp"
 #include "libcontact/conforming/pin_wall_modes.hpp"
@@ -165,12 +166,13 @@ struct PinContact::Wall {
       : correction(harmonics.correction), first(harmonics.first) {}
 
   int end() const { return static_cast<int>(correction.size()); }
-  // Dc_n (n^2 - 1) of n, n + 1, ...
-  Eigen::VectorXd weights(int n, Eigen::Index count) const {
-    Eigen::VectorXd weight(count);
-    for (Eigen::Index i = 0; i < count; ++i) {
-      const double order = static_cast<double>(n + i);
-      weight(i) = (order - 1) * (order + 1) * correction[n + i];
+  // What the terms of a sum over Dc_n (n^2 - 1) are multiplied with.
+  Eigen::VectorXd weights(const detail::HarmonicSamples& samples) const {
+    Eigen::VectorXd weight(samples.n.size());
+    for (Eigen::Index i = 0; i < weight.size(); ++i) {
+      const double n = samples.n[i];
+      weight(i) = samples.weight[i] * (n - 1) * (n + 1) *
+                  correction[static_cast<std::size_t>(n)];
     }
     return weight;
   }
@@ -182,9 +184,11 @@ struct PinContact::Wall {
     const Eigen::MatrixXd& t = modes.transformation();
     const Eigen::VectorXd series = t.leftCols(y.size()) * y;
     Eigen::VectorXd sum = Eigen::VectorXd::Zero(t.rows());
-    modes.visit(2, end(), [&](int n, const auto& g) {
+    const detail::HarmonicSamples samples(half_angle, end());
+    const Eigen::VectorXd weight = weights(samples);
+    modes.visit(samples.n, [&](int i, const auto& g) {
       const Eigen::VectorXd p = g * series;
-      sum += g.transpose() * weights(n, g.rows()).cwiseProduct(p);
+      sum += g.transpose() * weight.segment(i, g.rows()).cwiseProduct(p);
     });
     return t.transpose() * sum / (2 * pi);
   }
@@ -283,9 +287,11 @@ PinContact::System::System(const PinContact& pin, double half_angle)
   modes.emplace(half_angle, pin.unknowns_);
   const Eigen::MatrixXd& t = modes->transformation();
   Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(t.rows(), t.rows());
-  modes->visit(2, pin.wall_->end(), [&](int n, const auto& g) {
+  const detail::HarmonicSamples samples(half_angle, pin.wall_->end());
+  const Eigen::VectorXd weight = pin.wall_->weights(samples);
+  modes->visit(samples.n, [&](int i, const auto& g) {
     const Eigen::MatrixXd weighted =
-        pin.wall_->weights(n, g.rows()).asDiagonal() * g;
+        weight.segment(i, g.rows()).asDiagonal() * g;
     sum.triangularView<Eigen::Lower>() += weighted.transpose() * g;
   });
   const Eigen::MatrixXd all = sum.selfadjointView<Eigen::Lower>() * t;
@@ -344,6 +350,65 @@ ExactHalfAngle PinContact::limit_half_angle() const noexcept {
   return half_angle(infinity);
 }
 
+namespace {
+
+// (P_n + P_{n-1})(cos theta0)/2, n < end; 1 at n = 0.
+std::vector<double> averages(double half_angle, int end) {
+  std::vector<double> average = {1};
+  double before = 1;
+  double now = std::cos(half_angle);
+  for (int n = 1; n < end; ++n) {
+    average.push_back((now + before) / 2);
+    const double next =
+        ((2 * n + 1) * std::cos(half_angle) * now - n * before) / (n + 1);
+    before = std::exchange(now, next);
+  }
+  return average;
+}
+
+// sum (c_n - 1/n) p_n cos nt, n >= 2, of homogeneous bodies, averaged with the
+// weight of approach(): of p = b sum y_k sin((2k+1) phi) with the kernel
+// sum (beta n + 1)/(n (n^2 - 1)) cos nx, which is smooth but for x = 0.
+double average_without_walls(double half_angle, double beta,
+                             const Unknowns& y) {
+  static const detail::GaussLegendre usual(56);
+  static const detail::GaussLegendre fine(96);
+  const detail::GaussLegendre& rule =
+      y.size() > PinContact::default_unknowns ? fine : usual;
+  // Of psi, sin(t/2) = sin(theta0/2) cos psi.
+  const int points = static_cast<int>(y.size()) + 8;
+  const double b = std::tan(half_angle / 2);
+  const auto kernel = [beta](double x) {
+    const double half = std::sin(x / 2);
+    return beta * (0.5 + std::cos(x) / 4 - (pi - x) / 2 * std::sin(x)) +
+           2 * half * half * std::log(2 * half) + 0.75 * std::cos(x) - 0.5;
+  };
+  double sum = 0;
+  for (int i = 0; i < points; ++i) {
+    const double psi = pi / 2 * (i + 0.5) / points;
+    const double t = 2 * std::asin(std::sin(half_angle / 2) * std::cos(psi));
+    const double middle = std::acos(std::tan(t / 2) / b);  // phi of t
+    for (const auto& [from, to] : {std::pair(0.0, middle), {middle, pi}}) {
+      for (int k = 0; k < rule.node.size(); ++k) {
+        const double phi = (from + to) / 2 + (to - from) / 2 * rule.node(k);
+        const double tangent = b * std::cos(phi);
+        const double x = std::abs(t - 2 * std::atan(tangent));
+        double b0 = 0;
+        double b1 = 0;
+        for (auto j = y.size() - 1; j >= 0; --j) {
+          b1 = std::exchange(b0, 2 * std::cos(2 * phi) * b0 - b1 + y(j));
+        }
+        const double sine = std::sin(phi);
+        sum += (to - from) / 2 * rule.weight(k) * kernel(x) * (b0 + b1) * sine *
+               sine / (1 + tangent * tangent);
+      }
+    }
+  }
+  return 2 * b * b * sum / (pi * points);
+}
+
+}  // namespace
+
 ContactApproach PinContact::approach(double half_angle) const noexcept {
   if (!(half_angle > 0 && half_angle <= largest_)) return {nan, nan};
   if (!wall_ || loading_.is_back() || std::isnan(wall_->first)) {
@@ -358,34 +423,25 @@ ContactApproach PinContact::approach(double half_angle) const noexcept {
   const double sine = std::sin(half_angle / 2);
 
   // The equation before its differentiation, averaged with the weight that
-  // turns cos nt into (P_n + P_{n-1})(cos theta0)/2. Its terms fall like n^-4
-  // beyond 1/theta0.
-  const int end = std::max(
-      wall_->end(), static_cast<int>(std::clamp(400 / half_angle, 3e3, 1e5)));
+  // turns cos nt into (P_n + P_{n-1})(cos theta0)/2.
   const Eigen::VectorXd series = t * solution.y;
-  double sum = (mean_share - beta - 2 * std::log(sine)) * solution.mean;
-  Eigen::VectorXd singular = Eigen::VectorXd::Zero(t.rows());
-  double before = 1;
-  double now = std::cos(half_angle);
-  const double first_average = (1 + now) / 2;
+  double sum = (mean_share - beta - 2 * std::log(sine)) * solution.mean +
+               average_without_walls(half_angle, beta, solution.y);
+  const double first_average = (1 + std::cos(half_angle)) / 2;
   sum += (wall_->first - 1) * first_average;
-  system.modes->visit(2, end, [&](int first, const auto& g) {
+  const std::vector<double> average = averages(half_angle, wall_->end());
+  const detail::HarmonicSamples samples(half_angle, wall_->end());
+  const Eigen::VectorXd weight = wall_->weights(samples);
+  Eigen::VectorXd singular = Eigen::VectorXd::Zero(t.rows());
+  system.modes->visit(samples.n, [&](int first, const auto& g) {
+    Eigen::VectorXd part = weight.segment(first, g.rows());
+    const Eigen::VectorXd p = b / pi * (g * series);
     for (int i = 0; i < g.rows(); ++i) {
-      const double n = first + i;
-      const double next =
-          ((2 * n - 1) * std::cos(half_angle) * now - (n - 1) * before) / n;
-      const double average = (next + now) / 2;
-      before = std::exchange(now, next);
-      // c_n - 1/n
-      double compliance = (beta * n + 1) / (n * (n - 1) * (n + 1));
-      if (first + i < wall_->end()) {
-        const double correction = wall_->correction[first + i];
-        compliance += correction;
-        singular +=
-            (n - 1) * (n + 1) * correction * average * g.row(i).transpose();
-      }
-      sum += compliance * average * b / pi * g.row(i).dot(series);
+      const double n = samples.n[first + i];
+      part(i) *= average[static_cast<std::size_t>(n)];
+      sum += part(i) / ((n - 1) * (n + 1)) * p(i);
     }
+    singular += g.transpose() * part;
   });
 
   // The rate of the pressure as the load grows is g_s + h, g_s with a

@@ -26,11 +26,11 @@ void forward(const Eigen::ArrayXd& x, Rows out) {
 }
 
 // The same for one x below it, by Miller's algorithm: backwards from where J
-// is 1e-17 of what it is at the largest order or at x, scaled by
-// J_0 + 2 sum J_2m = 1.
+// is below 1e-17, scaled by J_0 + 2 sum J_2m = 1.
 void backward(double x, Eigen::VectorXd& out) {
   const int last = 2 * static_cast<int>(out.size()) - 1;
-  const int start = last + 31 + 2 * static_cast<int>(std::sqrt(10.0 * last));
+  const int start = static_cast<int>(x + 12 * std::cbrt(x)) + 12;
+  out.setZero();
   double after = 0;
   double now = 1e-280;
   double sum = 0;
@@ -95,7 +95,7 @@ PinWallModes::PinWallModes(double half_angle, int unknowns)
 }
 
 void PinWallModes::visit(
-    int first, int end,
+    std::span<const double> n,
     const std::function<void(int, const Block&)>& use) const {
   constexpr int block = 128;
   const Eigen::Index orders = transformation_.rows();
@@ -106,10 +106,11 @@ void PinWallModes::visit(
     factor(j) = (j % 2 == 0 ? pi : -pi) * (2 * j + 1);
   }
   const double last_order = 2.0 * static_cast<double>(orders) - 1;
-  for (int n = first; n < end; n += block) {
-    const int count = std::min(block, end - n);
+  const int size = static_cast<int>(n.size());
+  for (int first = 0; first < size; first += block) {
+    const int count = std::min(block, size - first);
     const Eigen::ArrayXd order =
-        Eigen::ArrayXd::LinSpaced(count, n, n + count - 1);
+        Eigen::Map<const Eigen::ArrayXd>(n.data() + first, count);
     int low = 0;
     for (; low < count && order(low) * half_angle_ <= last_order; ++low) {
       backward(order(low) * half_angle_, one);
@@ -121,7 +122,42 @@ void PinWallModes::visit(
     }
     modes.topRows(count).array().colwise() /= order;
     modes.topRows(count) *= factor.asDiagonal();
-    use(n, modes.topRows(count));
+    use(first, modes.topRows(count));
+  }
+}
+
+HarmonicSamples::HarmonicSamples(double half_angle, int end) {
+  // A fade of width s lets exp(-(s margin)^2/2) pass at the first frequency
+  // that a stride takes for 0, and is complete at `wide` s.
+  constexpr double wide = 8.5;
+  const auto width = [half_angle](int stride) {
+    return wide / (2 * pi / stride - 2 * half_angle);
+  };
+  int stride = 1;
+  double fewest = end;
+  for (int i = 2; i < 64 && i * half_angle < 0.8 * pi; ++i) {
+    const double count = 2 * wide * width(i) + end / i;
+    if (count < fewest) {
+      fewest = count;
+      stride = i;
+    }
+  }
+  const double s = width(stride);
+  const double middle = 2 + wide * s;
+  const auto add = [&](int order, double share) {
+    n.push_back(order);
+    weight.push_back(share);
+  };
+  for (int i = 2; i < end; ++i) {
+    const double fade =
+        stride > 1 ? std::erfc((middle - i) / (s * std::numbers::sqrt2)) / 2
+                   : 0;
+    const bool sampled = i % stride == 0;
+    if (i < middle + wide * s || stride == 1) {
+      add(i, 1 - fade + (sampled ? stride * fade : 0));
+    } else if (sampled) {
+      add(i, stride);
+    }
   }
 }
 

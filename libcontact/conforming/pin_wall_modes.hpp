@@ -2,6 +2,8 @@
 
 #include <Eigen/Core>
 #include <functional>
+#include <span>
+#include <vector>
 
 namespace contact::detail {
 
@@ -22,10 +24,11 @@ class PinWallModes {
   /// @param unknowns    k < unknowns
   PinWallModes(double half_angle, int unknowns);
 
-  /// Calls use(n, g) with g_n, as a matrix of rows n, n + 1, ..., from `first`
-  /// to before `end`, block by block.
+  /// Calls use(i, g) with g_n, n = order[i], as a matrix of rows i, i + 1, ...,
+  /// block by block.
+  /// @param order  increasing
   using Block = Eigen::Ref<const Eigen::MatrixXd, 0, Eigen::OuterStride<>>;
-  void visit(int first, int end,
+  void visit(std::span<const double> order,
              const std::function<void(int, const Block&)>& use) const;
 
   const Eigen::MatrixXd& transformation() const { return transformation_; }
@@ -33,6 +36,18 @@ class PinWallModes {
  private:
   double half_angle_;
   Eigen::MatrixXd transformation_;  // T
+};
+
+/// Some n with which a sum over n = 2, 3, ... of c_n a_n b_n is found, the a_n
+/// and b_n being harmonics of functions on [-theta0, theta0], c_n smooth in n.
+/// Such a product contains frequencies up to 2 theta0 in n, so that every
+/// stride below pi/theta0 gives the same sum, to 1e-15; the first n are taken
+/// one by one, the others fade in.
+struct HarmonicSamples {
+  /// @param end  of the sum
+  HarmonicSamples(double half_angle, int end);
+  std::vector<double> n;
+  std::vector<double> weight;
 };
 
 }  // namespace contact::detail

@@ -8,13 +8,21 @@
 #include "libcontact/conforming/ball.hpp"
 #include "libcontact/conforming/pin.hpp"
 #include "libcontact/conforming/pin_closed_form.hpp"
+#include "libcontact/half_angle/approach_table.hpp"
 #include "libcontact/half_angle/fitted.hpp"
 #include "libcontact/half_angle/table.hpp"
 
 namespace contact {
+
+struct detail::ExactRelation {
+  HalfAngleTable load;
+  ApproachTable::Solver approach = {};  // none: no contact has one
+};
+
 namespace {
 
-using detail::HalfAngleTable;
+using detail::ApproachTable;
+using detail::ExactRelation;
 
 // beta and w_2 are known to 4e-16; what so little of them does is below
 // rounding.
@@ -31,36 +39,38 @@ bool closes_up(JointKind kind, const ElasticPair& pair, InnerLoading loading) {
 }
 
 template <class Contact>
-HalfAngleTable table_of(JointKind kind, const Contact& contact,
-                        const ExactHalfAngle& limit,
-                        double thickness = infinity) {
-  return {kind,
-          [&contact](double theta) { return contact.reciprocal_load(theta); },
-          limit.half_angle, limit.status == Status::ok, thickness};
+ExactRelation relation_of(JointKind kind, const Contact& contact,
+                          const ExactHalfAngle& limit,
+                          double thickness = infinity) {
+  return {{kind,
+           [&contact](double theta) { return contact.reciprocal_load(theta); },
+           limit.half_angle, limit.status == Status::ok, thickness},
+          [contact](double theta) { return contact.approach(theta); }};
 }
 
 template <class Pair>
-HalfAngleTable ball_table(const Pair& pair, InnerLoading loading,
-                          double thickness = infinity) {
+ExactRelation ball_relation(const Pair& pair, InnerLoading loading,
+                            double thickness = infinity) {
   const BallContact ball(pair, loading);
-  return table_of(JointKind::ball, ball, ball.limit_half_angle(), thickness);
+  return relation_of(JointKind::ball, ball, ball.limit_half_angle(), thickness);
 }
 
-HalfAngleTable pin_table(const ElasticPair& pair, InnerLoading loading) {
+ExactRelation pin_relation(const ElasticPair& pair, InnerLoading loading) {
   constexpr JointKind kind = JointKind::pin;
   if (!loading.is_back() && std::abs(pair.dundurs_beta()) <= negligible) {
     const PinClosedForm pin(pair.outer_compliance_share());
-    return {kind, [&pin](double theta) { return pin.reciprocal_load(theta); },
-            pin.limit_half_angle(), true};
+    return {{kind, [&pin](double theta) { return pin.reciprocal_load(theta); },
+             pin.limit_half_angle(), true}};
   }
   const PinContact pin(pair, loading);
   const ExactHalfAngle limit = pin.limit_half_angle();
-  if (limit.status == Status::ok) return table_of(kind, pin, limit);
+  if (limit.status == Status::ok) return relation_of(kind, pin, limit);
   const PinContact fine(pair, loading, PinContact::max_unknowns);
-  return table_of(kind, fine, fine.limit_half_angle());
+  return relation_of(kind, fine, fine.limit_half_angle());
 }
 
-HalfAngleTable walled_pin_table(const LayeredPair& pair, InnerLoading loading) {
+ExactRelation walled_pin_relation(const LayeredPair& pair,
+                                  InnerLoading loading) {
   constexpr JointKind kind = JointKind::pin;
   const double thickness = pair.relative_thickness();
   const PinContact pin(pair, loading);
@@ -69,10 +79,10 @@ HalfAngleTable walled_pin_table(const LayeredPair& pair, InnerLoading loading) {
     // Thin walls have as many unknowns, or more.
     const PinContact fine(pair, loading, PinContact::max_unknowns);
     if (fine.largest() > pin.largest()) {
-      return table_of(kind, fine, fine.limit_half_angle(), thickness);
+      return relation_of(kind, fine, fine.limit_half_angle(), thickness);
     }
   }
-  return table_of(kind, pin, limit, thickness);
+  return relation_of(kind, pin, limit, thickness);
 }
 
 }  // namespace
@@ -84,41 +94,55 @@ ExactLaw::ExactLaw(JointKind kind, const ElasticPair& pair,
     closed_form_ = std::make_unique<const FittedLaw>(kind, pair);
     return;
   }
-  table_ = std::make_unique<const HalfAngleTable>(
-      kind == JointKind::pin ? pin_table(pair, loading)
-                             : ball_table(pair, loading));
+  relation_ = std::make_unique<const ExactRelation>(
+      kind == JointKind::pin ? pin_relation(pair, loading)
+                             : ball_relation(pair, loading));
 }
 
 ExactLaw::ExactLaw(JointKind kind, const LayeredPair& pair,
                    InnerLoading loading)
     : HalfAngleLaw(kind),
-      table_(std::make_unique<const HalfAngleTable>(
+      relation_(std::make_unique<const ExactRelation>(
           kind == JointKind::pin
-              ? walled_pin_table(pair, loading)
-              : ball_table(pair, loading, pair.relative_thickness()))) {}
+              ? walled_pin_relation(pair, loading)
+              : ball_relation(pair, loading, pair.relative_thickness()))) {}
 
 ExactLaw::~ExactLaw() = default;
 
 HalfAngleResult ExactLaw::half_angle(double load_parameter) const noexcept {
-  return table_ ? table_->half_angle(load_parameter)
-                : closed_form_->half_angle(load_parameter);
+  return relation_ ? relation_->load.half_angle(load_parameter)
+                   : closed_form_->half_angle(load_parameter);
 }
 
 LoadParameterResult ExactLaw::load_parameter(double half_angle) const noexcept {
-  return table_ ? table_->load_parameter(half_angle)
-                : closed_form_->load_parameter(half_angle);
+  return relation_ ? relation_->load.load_parameter(half_angle)
+                   : closed_form_->load_parameter(half_angle);
 }
 
 double ExactLaw::limit_half_angle() const noexcept {
-  return table_ ? table_->largest() : closed_form_->limit_half_angle();
+  return relation_ ? relation_->load.largest()
+                   : closed_form_->limit_half_angle();
+}
+
+ContactApproach ExactLaw::approach(double half_angle) const {
+  std::call_once(approach_asked_, [this] {
+    if (!relation_ || !relation_->approach) return;
+    const auto& [load, solver] = *relation_;
+    // A contact has an approach at all half-angles or at none.
+    if (std::isnan(solver(load.largest() / 2).approach)) return;
+    approach_ =
+        std::make_unique<const ApproachTable>(joint_kind(), load, solver);
+  });
+  return approach_ ? (*approach_)(half_angle)
+                   : HalfAngleLaw::approach(half_angle);
 }
 
 std::vector<std::string> ExactLaw::validity_notes(const ElasticPair&) const {
-  if (!table_ || table_->reaches_limit()) return {};
+  if (!relation_ || relation_->load.reaches_limit()) return {};
   return {
       detail::message("the exact solution ends at {:.4g} deg, before the limit "
                       "half-angle of this pair",
-                      table_->largest() / degree)};
+                      relation_->load.largest() / degree)};
 }
 
 }  // namespace contact

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "libcontact/base/error.hpp"
+#include "libcontact/pair/inner_loading.hpp"
 #include "libcontact/pair/joint_geometry.hpp"
 #include "libcontact/pair/material.hpp"
 
@@ -55,6 +56,13 @@ class HalfAngleLaw {
 
   /// Largest half-angle of the law, rad.
   virtual double limit_half_angle() const noexcept = 0;
+
+  /// Approach and stiffness at a half-angle in (0, limit_half_angle()). NaN
+  /// outside, and of a law or a joint that has none; ExactLaw has.
+  virtual ContactApproach approach(double /*half_angle*/) const {
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    return {nan, nan};
+  }
 
   /// Where the law is used outside the range for which its source states it:
   /// one sentence each, empty if it is inside. Programs print them as

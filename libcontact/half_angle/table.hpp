@@ -45,6 +45,7 @@ class HalfAngleTable {
 
   double largest() const noexcept { return largest_; }
   bool reaches_limit() const noexcept { return is_limit_; }
+  double thickness() const noexcept { return variable_.thickness(); }
 
  private:
   void tabulate(const std::function<double(double)>& reciprocal);

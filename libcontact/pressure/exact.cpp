@@ -203,14 +203,17 @@ void ExactPressure::tabulate_expansion() {
   constexpr int terms = PressureExpansion::max_terms;
   // More than contact_ has: the share of the logarithm depends on theta0 too.
   const int count = largest_ > usual_largest || has_walls() ? 96 : 44;
+  // What friction under walls is good for; beyond 16 terms it is slower.
+  const double small = has_walls() ? 1e-7 : 1e-13;
+  const int most = has_walls() ? terms : 16;
   std::vector<Column> contacts;
   for (int i = 0; i < count; ++i) {
     const double half_angle = chebyshev_half_angle(i, count);
     const Column& value = contacts.emplace_back(evaluate(half_angle));
     if (half_angle > usual_largest) continue;
     // Far below the accuracy of the law; equal materials need few terms.
-    const double negligible = 1e-13 * std::abs(value[0]);
-    for (int k = expansion_size_; k < std::min(terms, terms_); ++k) {
+    const double negligible = small * std::abs(value[0]);
+    for (int k = expansion_size_; k < std::min(most, terms_); ++k) {
       if (std::abs(value[k]) > negligible) expansion_size_ = k + 1;
     }
   }

@@ -43,7 +43,7 @@ class ExactPressure final : public PressureLaw {
                 InnerLoading loading = InnerLoading::centre());
 
   /// Of a joint with walls: within 1e-6 of the peak of the solver's own
-  /// pressure (pressure/walls_test.cpp). expansion() has the first 16 sines of
+  /// pressure (pressure/walls_test.cpp). expansion() has the first 32 sines of
   /// 32 or 64. The constructor solves the contact at 64 half-angles.
   /// @throws Error for a coated inner body that is loaded through the back.
   ExactPressure(JointKind kind, const LayeredPair& pair,

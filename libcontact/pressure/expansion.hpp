@@ -19,7 +19,7 @@ namespace contact {
 /// PressureLaw. ln X and not ln x: along a great circle X is a constant times
 /// a cosine.
 struct PressureExpansion {
-  static constexpr int max_terms = 16;
+  static constexpr int max_terms = 32;
   double cosine_share = 0;
   double edge_constant = 1;  ///< v, >= 1
   int size = 0;

@@ -97,7 +97,8 @@ double bessel_over_argument(double z) {
 // in theta0^2. Both converge like 6^-k or faster.
 class CircleExpansion {
  public:
-  static constexpr int terms = PressureExpansion::max_terms;
+  static constexpr int terms = 16;
+  static_assert(terms <= PressureExpansion::max_terms);
   using Coefficients = std::array<double, terms>;
 
   CircleExpansion() {
@@ -118,15 +119,16 @@ class CircleExpansion {
   PressureExpansion operator()(double half_angle, double factor) const {
     PressureExpansion result{
         .edge_constant = detail::WideEdge(half_angle).constant(),
-        .coefficient =
-            half_angle > tabulated ? solve(half_angle) : evaluate(half_angle)};
-    result.size = terms;
+        .size = terms};
+    std::ranges::copy(
+        half_angle > tabulated ? solve(half_angle) : evaluate(half_angle),
+        result.coefficient.begin());
     const double negligible = 1e-13 * std::abs(result.coefficient[0]);
     while (result.size > 1 &&
            std::abs(result.coefficient[result.size - 1]) < negligible) {
       --result.size;
     }
-    for (double& c : result.coefficient) c *= factor;
+    for (int k = 0; k < terms; ++k) result.coefficient[k] *= factor;
     return result;
   }
 

@@ -135,6 +135,33 @@ TEST(HingeAngle, DimensionalRowsAreTheLibrarys) {
   }
 }
 
+TEST(HingeAngle, ApproachAndStiffness) {
+  // Of hinge-pressure's joint at 2 kN, back and forth; exact alone has them.
+  const ProgramFolder folder;
+  const std::string hip = "hinge-angle --joint data/joints/hip_cocr_uhmwpe";
+  const std::string walled = folder.run(hip + "_walled.toml --load 0,2000").out;
+  const auto column = [](const std::string& csv, const std::string& name) {
+    return csv_column(csv_rows(csv), name);
+  };
+  EXPECT_EQ(column(walled, "approach_m")[0], "");
+  const double approach = std::stod(column(walled, "approach_m")[1]);
+  EXPECT_NEAR(approach, 45.7e-6, 5e-8);
+  EXPECT_NEAR(std::stod(column(walled, "stiffness_N_per_m")[1]), 7.03e7, 5e4);
+  const std::string back = folder
+                               .run(hip + "_walled.toml --inverse --theta0 " +
+                                    column(walled, "theta0_exact_deg")[1])
+                               .out;
+  EXPECT_NEAR(std::stod(column(back, "approach_m")[0]) / approach, 1, 1e-9);
+  const std::string laws = " --load 2000 --law fitted,exact,hertz";
+  EXPECT_EQ(first_line(folder.run(hip + ".toml" + laws).out),
+            "load,load_parameter,x,theta0_fitted_deg,p_peak_fitted_Pa,"
+            "theta0_exact_deg,p_peak_exact_Pa,approach_m,stiffness_N_per_m,"
+            "theta0_hertz_deg,p_peak_hertz_Pa");
+  const std::string pin =
+      folder.run("hinge-angle --joint data/joints/pin_joint.toml" + laws).out;
+  EXPECT_EQ(column(pin, "stiffness_N_per_m2")[0], "");
+}
+
 TEST(HingeAngle, PaperExample1) {
   // Section 5.1 of the paper as recomputed: mu 0.5460, theta0 42.593 deg.
   const ProgramResult result = ProgramFolder().run(

@@ -11,9 +11,11 @@
 #include "libcontact/base/units.hpp"
 #include "libcontact/conforming/ball.hpp"
 #include "libcontact/conforming/pin.hpp"
+#include "libcontact/conforming/pin_wall_modes.hpp"
 #include "support/accuracy_report.hpp"
 #include "support/error_message.hpp"
 #include "support/reference_table.hpp"
+#include "support/wall.hpp"
 
 // Balls and pins with finite walls against independent solutions, and their
 // limits.
@@ -25,35 +27,6 @@ using contact::test::ReferenceTable;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double pi = std::numbers::pi;
-
-Material material(const ReferenceTable& table, std::size_t row,
-                  const std::string& name, const std::string& nu) {
-  return {table.value(row, name), table.value(row, nu)};
-}
-
-void add_layer(const ReferenceTable& table, std::size_t row,
-               const std::string& name, std::vector<Layer>& layers) {
-  if (table.text(row, name + "_t").empty()) return;
-  layers.push_back({table.value(row, name + "_t"),
-                    material(table, row, name + "_E", name + "_nu")});
-}
-
-LayeredPair pair_of(const ReferenceTable& table, std::size_t row) {
-  LayeredBody inner{{},
-                    table.text(row, "E1").empty()
-                        ? Backing::rigid()
-                        : Backing::medium(material(table, row, "E1", "nu1"))};
-  add_layer(table, row, "coat", inner.layers);
-  const std::string end = table.text(row, "end");
-  LayeredBody outer{{},
-                    end == "rigid"  ? Backing::rigid()
-                    : end == "free" ? Backing::held()
-                                    : Backing::medium(material(
-                                          table, row, "end_E", "end_nu"))};
-  add_layer(table, row, "La", outer.layers);
-  add_layer(table, row, "Lb", outer.layers);
-  return {table.value(row, "rho"), inner, outer};
-}
 
 // Forces in N and N/m at a half-angle, by the units of both solvers.
 struct Units {
@@ -89,7 +62,7 @@ void compare(const std::string& file) {
   AccuracyReport sum("S", 1e-6);
   for (std::size_t row = 0; row < table.size(); ++row) {
     const std::string label = table.label(row);
-    const LayeredPair pair = pair_of(table, row);
+    const LayeredPair pair = test::reference_pair(table, row);
     const double clearance = table.value(row, "clearance");
     const double theta0 = table.value(row, "theta0_deg") * degree;
     const Contact contact(pair);
@@ -316,6 +289,31 @@ TYPED_TEST(Walled, LimitHalfAngles) {
     EXPECT_EQ(limit.status, Status::ok);
     EXPECT_NEAR(limit.half_angle / degree, ball ? c.ball : c.pin, 6e-4)
         << c.thickness << " " << c.nu << " " << c.held;
+  }
+}
+
+TEST(HarmonicSamples, GiveTheSum) {
+  // Of exp(-2 n t) n cos^2(n theta), theta up to theta0: the fastest products.
+  constexpr int end = 6000;
+  constexpr double t = 0.003;
+  for (const double theta0 : {1e-4, 0.01, 0.1, 0.5, 0.8, 1.2, 1.3, 2.5}) {
+    const detail::HarmonicSamples samples(theta0, end);
+    if (theta0 < 1.25) {
+      EXPECT_LT(samples.n.size(), 0.6 * end) << theta0;
+    }
+    for (const double share : {0.0, 0.5, 1.0}) {
+      const auto term = [&](double n) {
+        const double cosine = std::cos(n * share * theta0);
+        return std::exp(-2 * n * t) * n * cosine * cosine;
+      };
+      double all = 0;
+      for (int n = 2; n < end; ++n) all += term(n);
+      double sampled = 0;
+      for (std::size_t i = 0; i < samples.n.size(); ++i) {
+        sampled += samples.weight[i] * term(samples.n[i]);
+      }
+      EXPECT_NEAR(sampled / all, 1, 1e-12) << theta0 << " " << share;
+    }
   }
 }
 

@@ -330,6 +330,45 @@ TEST(ExactLaw, LoadThroughTheBack) {
   }
 }
 
+TEST(ExactLaw, ApproachOfInfiniteSeats) {
+  AccuracyReport approach("approach", 1e-6);
+  AccuracyReport stiffness("stiffness", 1e-6);
+  for (const Pair& pair : pairs) {
+    const BallContact contact(pair.elastic());
+    const ExactLaw law(JointKind::ball, pair.elastic());
+    const double limit = law.limit_half_angle();
+    for (const double theta0 : {1e-5, 1e-3, 0.03, 0.4, 1.2, 0.97 * limit}) {
+      const ContactApproach near = law.approach(theta0);
+      const ContactApproach solved = contact.approach(theta0);
+      const std::string text = label(law, pair, theta0);
+      approach.add(near.approach, solved.approach, text);
+      stiffness.add(near.stiffness, solved.stiffness, text);
+    }
+    for (const double bad : {nan, -1.0, 0.0, 1.001 * limit}) {
+      EXPECT_TRUE(std::isnan(law.approach(bad).approach));
+      EXPECT_TRUE(std::isnan(law.approach(bad).stiffness));
+    }
+  }
+  approach.check();
+  stiffness.check();
+}
+
+TEST(ExactLaw, NoApproach) {
+  // Of a pin in an infinite hole, loaded through the back, of other laws.
+  const ElasticPair pair = pairs[1].elastic();
+  const InnerLoading back = InnerLoading::back(0.3);
+  const ExactLaw pin(JointKind::pin, pair);
+  const ExactLaw roller(JointKind::pin, pair, back);
+  const ExactLaw ball(JointKind::ball, pair, back);
+  const auto fitted = make_half_angle_law("fitted", kinds[0], pair);
+  const std::initializer_list<const HalfAngleLaw*> laws = {&pin, &roller, &ball,
+                                                           fitted.get()};
+  for (const HalfAngleLaw* law : laws) {
+    EXPECT_TRUE(std::isnan(law->approach(0.5).approach));
+    EXPECT_TRUE(std::isnan(law->approach(0.5).stiffness));
+  }
+}
+
 TEST(InnerLoading, Text) {
   EXPECT_EQ(to_string(InnerLoading::centre()), "centre");
   EXPECT_EQ(to_string(InnerLoading::back(0)), "back:0");
@@ -346,16 +385,17 @@ TEST(ExactLaw, OneLawServesManyThreads) {
   const auto sum = [&law] {
     double total = 0;
     for (double load = 1e-3; load < 1e3; load *= 1.01) {
-      total += law.half_angle(load).half_angle;
+      const double half_angle = law.half_angle(load).half_angle;
+      total += half_angle + law.approach(half_angle).stiffness;
     }
     return total;
   };
-  const double expected = sum();
   std::vector<double> sums(4);
   {
     std::vector<std::jthread> threads;
     for (double& s : sums) threads.emplace_back([&s, &sum] { s = sum(); });
   }
+  const double expected = sum();
   for (const double s : sums) EXPECT_EQ(s, expected);
 }
 

@@ -32,6 +32,8 @@ void compare(JointKind kind) {
   AccuracyReport load("load at theta0", 1e-6);
   AccuracyReport angle("theta0 -> load -> theta0", 1e-12);
   AccuracyReport slope("log_slope", 1e-5);
+  AccuracyReport approach("approach", 1e-6);
+  AccuracyReport stiffness("stiffness", 1e-6);
   for (const Wall& wall : walls) {
     const std::string label = to_string(kind) + ", " + wall.label();
     const Contact contact(wall.pair());
@@ -47,6 +49,10 @@ void compare(JointKind kind) {
       EXPECT_EQ(tabulated.status, Status::ok);
       load.add(tabulated.load_parameter, 1 / contact.reciprocal_load(theta0),
                label);
+      const ContactApproach near = law.approach(theta0);
+      const ContactApproach solved = contact.approach(theta0);
+      approach.add(near.approach, solved.approach, label);
+      stiffness.add(near.stiffness, solved.stiffness, label);
       const HalfAngleResult back = law.half_angle(tabulated.load_parameter);
       EXPECT_EQ(back.status, Status::ok);
       angle.add(back.half_angle, theta0, label);
@@ -61,7 +67,10 @@ void compare(JointKind kind) {
                 label);
     }
   }
-  for (const AccuracyReport* report : {&load, &angle, &slope}) report->check();
+  for (const AccuracyReport* report :
+       {&load, &angle, &slope, &approach, &stiffness}) {
+    report->check();
+  }
 }
 
 TEST(WalledExactLaw, IsTheSolverOfBalls) {
@@ -69,6 +78,38 @@ TEST(WalledExactLaw, IsTheSolverOfBalls) {
 }
 
 TEST(WalledExactLaw, IsTheSolverOfPins) { compare<PinContact>(JointKind::pin); }
+
+void compare_approach(const std::string& file, JointKind kind) {
+  const test::ReferenceTable table(file);
+  AccuracyReport approach("approach", 1e-6);
+  AccuracyReport stiffness("stiffness", 1e-6);
+  for (std::size_t row = 0; row < table.size(); ++row) {
+    const std::string label = to_string(kind) + ", " + table.label(row);
+    const LayeredPair pair = test::reference_pair(table, row);
+    const ContactApproach a =
+        ExactLaw(kind, pair).approach(table.value(row, "theta0_deg") * degree);
+    if (table.text(row, "approach").empty()) {
+      EXPECT_TRUE(std::isnan(a.approach)) << label;
+      EXPECT_TRUE(std::isnan(a.stiffness)) << label;
+      continue;
+    }
+    const double unit = pair.surfaces().effective_modulus() *
+                        (kind == JointKind::ball ? pair.radius() : 1);
+    approach.add(a.approach * table.value(row, "clearance"),
+                 table.value(row, "approach"), label);
+    stiffness.add(a.stiffness * unit, table.value(row, "stiffness"), label);
+  }
+  approach.check();
+  stiffness.check();
+}
+
+TEST(WalledExactLaw, ApproachOfTheReferenceBalls) {
+  compare_approach("walls/walls_ball.csv", JointKind::ball);
+}
+
+TEST(WalledExactLaw, ApproachOfTheReferencePins) {
+  compare_approach("walls/walls_pin.csv", JointKind::pin);
+}
 
 TEST(WalledExactLaw, SmallLoadsAreHertzian) {
   for (const JointKind kind : {JointKind::ball, JointKind::pin}) {

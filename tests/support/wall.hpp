@@ -1,8 +1,10 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "libcontact/pair/layers.hpp"
+#include "support/reference_table.hpp"
 
 namespace contact::test {
 
@@ -22,5 +24,39 @@ struct Wall {
            (held ? ", held" : "");
   }
 };
+
+inline Material reference_material(const ReferenceTable& table, std::size_t row,
+                                   const std::string& name,
+                                   const std::string& nu) {
+  return {table.value(row, name), table.value(row, nu)};
+}
+
+inline void add_reference_layer(const ReferenceTable& table, std::size_t row,
+                                const std::string& name,
+                                std::vector<Layer>& layers) {
+  if (table.text(row, name + "_t").empty()) return;
+  layers.push_back({table.value(row, name + "_t"),
+                    reference_material(table, row, name + "_E", name + "_nu")});
+}
+
+/// The joint of a row of data/reference/walls/walls_{ball,pin}.csv.
+inline LayeredPair reference_pair(const ReferenceTable& table,
+                                  std::size_t row) {
+  LayeredBody inner{
+      {},
+      table.text(row, "E1").empty()
+          ? Backing::rigid()
+          : Backing::medium(reference_material(table, row, "E1", "nu1"))};
+  add_reference_layer(table, row, "coat", inner.layers);
+  const std::string end = table.text(row, "end");
+  LayeredBody outer{{},
+                    end == "rigid"  ? Backing::rigid()
+                    : end == "free" ? Backing::held()
+                                    : Backing::medium(reference_material(
+                                          table, row, "end_E", "end_nu"))};
+  add_reference_layer(table, row, "La", outer.layers);
+  add_reference_layer(table, row, "Lb", outer.layers);
+  return {table.value(row, "rho"), inner, outer};
+}
 
 }  // namespace contact::test

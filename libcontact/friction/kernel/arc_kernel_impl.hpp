@@ -58,19 +58,18 @@ struct ArcArrays {
 class AlongRules {
  public:
   explicit AlongRules(ArcTerms terms)
-      : arc_(terms == ArcTerms::smooth      ? smooth_arc_rules
-             : terms == ArcTerms::logarithm ? logarithm_arc_rules
-                                            : large_logarithm_arc_rules) {}
+      : arc_(arc_rules(terms)), whole_(short_rules_of(terms)) {}
 
   template <Circles circles>
   const CapRule& get(double complementary_squared) const {
     const std::size_t index = std::min<std::size_t>(
         cap_rule_index(complementary_squared), arc_.size() - 1);
-    return circles == Circles::whole ? short_rules[index] : arc_[index];
+    return circles == Circles::whole ? whole_[index] : arc_[index];
   }
 
  private:
   const CapRules arc_;
+  const CapRules whole_;
 };
 
 /// hmin(), but for NaN.
@@ -81,16 +80,18 @@ double smallest(const Lanes& x) {
 /// Calls f.template operator()<terms, with_logarithm>(), terms >= size.
 template <class F>
 auto with_terms(int size, bool with_logarithm, F f) {
-  static_assert(PressureExpansion::max_terms == 16);
+  static_assert(PressureExpansion::max_terms == 32);
   if (with_logarithm) {
-    return size <= 12 ? f.template operator()<12, true>()
-                      : f.template operator()<16, true>();
+    return size <= 12   ? f.template operator()<12, true>()
+           : size <= 16 ? f.template operator()<16, true>()
+                        : f.template operator()<32, true>();
   }
   return size <= 1    ? f.template operator()<1, false>()
          : size <= 4  ? f.template operator()<4, false>()
          : size <= 8  ? f.template operator()<8, false>()
          : size <= 12 ? f.template operator()<12, false>()
-                      : f.template operator()<16, false>();
+         : size <= 16 ? f.template operator()<16, false>()
+                      : f.template operator()<32, false>();
 }
 
 /// One contact, its arcs in lanes along them.
@@ -137,38 +138,39 @@ class OneContact {
 /// Calls f.template operator()<circles>(outer rule) for each family of circles
 /// that a contact needs and adds up.
 template <class V, class Sum>
-[[gnu::always_inline]] inline PressureSums<V> sum_circles(bool pole_inside,
+[[gnu::always_inline]] inline PressureSums<V> sum_circles(ArcTerms terms,
+                                                          bool pole_inside,
                                                           bool beyond,
                                                           double k2, double m,
                                                           Sum sum) {
   if (pole_inside) {
     return sum.template operator()<Circles::inside>(
-        short_rules[cap_rule_index(m)]);
+        short_rules_of(terms)[cap_rule_index(m)]);
   }
+  const CapRules chords = chord_rules_of(terms);
   if (!beyond) {
-    return sum.template operator()<Circles::outside>(
-        chord_rules[cap_rule_index(m)]);
+    return sum.template operator()<Circles::outside>(chords[cap_rule_index(m)]);
   }
   const PressureSums<V> cut =
-      sum.template operator()<Circles::outside>(chord_rules[cap_rule_index(m)]);
+      sum.template operator()<Circles::outside>(chords[cap_rule_index(m)]);
   const PressureSums<V> whole = sum.template operator()<Circles::whole>(
-      whole_chord_rules[cap_rule_index(k2)]);
+      whole_chord_rules_of(terms)[cap_rule_index(k2)]);
   return {cut.force + whole.force, cut.sliding + whole.sliding,
           cut.spinning + whole.spinning};
 }
 
 PressureSums<double> root_pressure(const ArcPoint<double>& p, bool pole_inside,
                                    const PressureExpansion& pressure) {
-  return with_terms(pressure.size, pressure.has_logarithm(),
-                    [&]<int terms, bool with_logarithm>() {
-                      const OneContact<terms, with_logarithm> contact(
-                          p, pressure, arc_terms(pressure));
-                      return sum_circles<double>(
-                          pole_inside, p.c < 0, p.k * p.k, p.m,
-                          [&]<Circles circles>(const CapRule& rule) {
-                            return contact.template sum<circles>(rule);
-                          });
-                    });
+  return with_terms(
+      pressure.size, pressure.has_logarithm(),
+      [&]<int terms, bool with_logarithm>() {
+        const ArcTerms along = arc_terms(pressure);
+        const OneContact<terms, with_logarithm> contact(p, pressure, along);
+        return sum_circles<double>(along, pole_inside, p.c < 0, p.k * p.k, p.m,
+                                   [&]<Circles circles>(const CapRule& rule) {
+                                     return contact.template sum<circles>(rule);
+                                   });
+      });
 }
 
 /// A contact in each lane; what root_pressure() does for one.
@@ -195,7 +197,7 @@ PressureSums<Lanes> root_pressures(
     return scaled<circles>(p, total);
   };
   // So does the outer rule of the highest modulus.
-  return sum_circles<Lanes>(pole_inside, beyond, smallest(p.k * p.k),
+  return sum_circles<Lanes>(arc_terms, pole_inside, beyond, smallest(p.k * p.k),
                             smallest(p.m), sum);
 }
 

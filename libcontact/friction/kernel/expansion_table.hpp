@@ -20,6 +20,8 @@ namespace contact::detail {
   constexpr int many = 12;
   constexpr double large = 0.02;
   constexpr double small = 1e-8;
+  constexpr int most_of_usual = 16;
+  if (p.size > most_of_usual) return ArcTerms::high_order;
   const double first = std::abs(p.coefficient[0]);
   if (p.has_logarithm()) {
     return p.size > many || std::abs(p.logarithmic[0]) > large * first

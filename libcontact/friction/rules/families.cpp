@@ -87,26 +87,16 @@ struct HalfGauss {
   std::vector<Real> x, weight;
 };
 
-}  // namespace
-
-// At most 3e-16 of error over all contacts and axes.
-Rules cap_rules() { return midpoints(8, 0.35); }
-Rules short_rules() { return midpoints(5.5, 1); }
-
-Rules smooth_arc_rules() { return arcs(14, 0.5, 1); }
-Rules logarithm_arc_rules() { return arcs(13, 2.5, 8); }
-Rules large_logarithm_arc_rules() { return arcs(13, 3.5, 9); }
-
 // Gauss' in u on [-K, K], whose ellipse passes through i K', or in sn u on
 // [-1, 1], whose ellipse passes through 1/k. Errors fall like exp(-4 n rate).
 // At the end cos(am u) is sqrt(1 - x^2) in sn u, but like 1 - x^2 in u: the
 // logarithm of cos^5 needs no corrections there.
-Rules chord_rules() {
-  return for_ranges(cap_rule_count, [](const Modulus& modulus) {
+Rules chords(double extra) {
+  return for_ranges(cap_rule_count, [=](const Modulus& modulus) {
     const Real k = modulus.k;
     const Real rate = asinh(Real(modulus.kc / k));
     const Real sine_rate = atanh(sqrt(modulus.m));
-    const int n = node_count(9 / std::max(rate, sine_rate) + 1);
+    const int n = node_count(9 / std::max(rate, sine_rate) + extra);
     const HalfGauss gauss(n);
     if (sine_rate < rate) {
       return nodes(n, [&](int i) {
@@ -125,10 +115,10 @@ Rules chord_rules() {
 
 // Gauss' in x on [-1, 1] with u = K x (3 - x^2)/2, which takes the edge off
 // the logarithm.
-Rules whole_chord_rules() {
-  return for_ranges(cap_rule_count, [](const Modulus& modulus) {
+Rules whole_chords(double extra) {
+  return for_ranges(cap_rule_count, [=](const Modulus& modulus) {
     const Real k = modulus.k;
-    const int n = node_count(7 / asinh(Real(modulus.kc / k)) + 4);
+    const int n = node_count(7 / asinh(Real(modulus.kc / k)) + extra);
     const HalfGauss gauss(n);
     return nodes(n, [&](int i) {
       const Real& x = gauss.x[i];
@@ -137,5 +127,25 @@ Rules whole_chord_rules() {
     });
   });
 }
+
+// Nodes more for pressures with terms beyond the 16th.
+constexpr double high_order = 10;
+
+}  // namespace
+
+// At most 3e-16 of error over all contacts and axes.
+Rules cap_rules() { return midpoints(8, 0.35); }
+Rules short_rules() { return midpoints(5.5, 1); }
+Rules high_order_short_rules() { return midpoints(5.5, 1 + high_order); }
+
+Rules smooth_arc_rules() { return arcs(14, 0.5, 1); }
+Rules logarithm_arc_rules() { return arcs(13, 2.5, 8); }
+Rules large_logarithm_arc_rules() { return arcs(13, 3.5, 9); }
+Rules high_order_arc_rules() { return arcs(13, high_order, 17); }
+
+Rules chord_rules() { return chords(1); }
+Rules high_order_chord_rules() { return chords(1 + high_order); }
+Rules whole_chord_rules() { return whole_chords(4); }
+Rules high_order_whole_chord_rules() { return whole_chords(4 + high_order); }
 
 }  // namespace contact::detail::rules

@@ -13,8 +13,12 @@ Rules cap_rules();
 Rules smooth_arc_rules();
 Rules logarithm_arc_rules();
 Rules large_logarithm_arc_rules();
+Rules high_order_arc_rules();
 Rules short_rules();
+Rules high_order_short_rules();
 Rules chord_rules();
+Rules high_order_chord_rules();
 Rules whole_chord_rules();
+Rules high_order_whole_chord_rules();
 
 }  // namespace contact::detail::rules

@@ -15,9 +15,13 @@ constexpr std::pair<const char*, Rules (*)()> families[] = {
     {"smooth_arc_rules", smooth_arc_rules},
     {"logarithm_arc_rules", logarithm_arc_rules},
     {"large_logarithm_arc_rules", large_logarithm_arc_rules},
+    {"high_order_arc_rules", high_order_arc_rules},
     {"short_rules", short_rules},
+    {"high_order_short_rules", high_order_short_rules},
     {"chord_rules", chord_rules},
-    {"whole_chord_rules", whole_chord_rules}};
+    {"high_order_chord_rules", high_order_chord_rules},
+    {"whole_chord_rules", whole_chord_rules},
+    {"high_order_whole_chord_rules", high_order_whole_chord_rules}};
 
 /// The arrays of one CapRule; the padding repeats the last node.
 void print_numbers(const char* name, int index, Rule rule) {

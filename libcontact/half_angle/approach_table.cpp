@@ -1,0 +1,105 @@
+#include "libcontact/half_angle/approach_table.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace contact::detail {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+// Coefficients at the end fall like k^-5.
+constexpr double negligible = 2e-8;
+
+double square(double half_angle) {
+  const double s = 2 * std::sin(half_angle / 2);
+  return s * s;
+}
+
+}  // namespace
+
+ApproachTable::ApproachTable(JointKind kind, const HalfAngleTable& load,
+                             const Solver& solver)
+    : kind_(kind),
+      load_(load),
+      variable_(JointKind::ball, load.largest(), load.thickness()) {
+  if (!variable_.has_walls()) {
+    tabulate(40, solver);
+    return;
+  }
+  tabulate(64, solver);
+  if (!is_resolved()) tabulate(128, solver);  // thin free rings
+}
+
+void ApproachTable::tabulate(int count, const Solver& solver) {
+  series_.assign(count, {0, 0});
+  for (int i = 0; i < count; ++i) {
+    const double phi = pi * (i + 0.5) / count;
+    const double cosine = std::cos(phi / 2);
+    const double sine = std::sin(phi / 2);
+    const auto [half_angle, rest] =
+        variable_.half_angle(cosine * cosine, sine * sine);
+    const ContactApproach solved = solver(half_angle);
+    const double complement = load_.reaches_limit() ? rest : 1;
+    const double l = logarithm(half_angle);
+    const auto h = [&](double value) {
+      return std::log(complement * (value / square(half_angle) - l));
+    };
+    // The growth and the stiffness are each other's reciprocal.
+    const Pair value = {h(solved.approach),
+                        h(stiffness(half_angle, solved.stiffness))};
+    for (int k = 0; k < count; ++k) {
+      const double factor = (k == 0 ? 1.0 : 2.0) / count * std::cos(k * phi);
+      series_[k].approach += factor * value.approach;
+      series_[k].growth += factor * value.growth;
+    }
+  }
+}
+
+bool ApproachTable::is_resolved() const {
+  return std::all_of(series_.end() - 4, series_.end(), [](const Pair& c) {
+    return std::abs(c.approach) < negligible && std::abs(c.growth) < negligible;
+  });
+}
+
+double ApproachTable::logarithm(double half_angle) const {
+  if (kind_ == JointKind::ball) return 0;
+  // A share that leaves something at any half-angle.
+  const double scale = std::min(variable_.thickness(), 1.0) / 8;
+  return std::log1p(scale / (2 * std::sin(half_angle / 2))) / 2;
+}
+
+double ApproachTable::stiffness(double half_angle, double growth) const {
+  // R_n = (2/3) mu eps rho E, P = (pi/2) lambda eps E.
+  const double unit = kind_ == JointKind::ball ? 2.0 / 3 : pi / 2;
+  return unit * load_.load_parameter(half_angle).load_parameter / growth;
+}
+
+ContactApproach ApproachTable::operator()(double half_angle) const noexcept {
+  if (!(half_angle > 0 && half_angle < load_.largest())) return {nan, nan};
+  const double v = 2 * variable_(half_angle).first - 1;
+  // Clenshaw's recurrence.
+  Pair now{0, 0}, before{0, 0};
+  for (std::size_t k = series_.size() - 1; k > 0; --k) {
+    const Pair next = {
+        series_[k].approach + 2 * v * now.approach - before.approach,
+        series_[k].growth + 2 * v * now.growth - before.growth};
+    before = now;
+    now = next;
+  }
+  const double complement =
+      load_.reaches_limit() ? (load_.largest() - half_angle) / load_.largest()
+                            : 1;
+  const double l = logarithm(half_angle);
+  const auto value = [&](double h) {
+    return square(half_angle) * (std::exp(h) / complement + l);
+  };
+  return {value(series_[0].approach + v * now.approach - before.approach),
+          stiffness(half_angle,
+                    value(series_[0].growth + v * now.growth - before.growth))};
+}
+
+}  // namespace contact::detail
