@@ -67,9 +67,10 @@ class SharedLaws {
   std::shared_ptr<const PressureLaw> pressure(const JointSpec& joint);
 
  private:
-  std::vector<std::pair<Joint, std::shared_ptr<const HalfAngleLaw>>>
+  std::vector<std::pair<JointSpec, std::shared_ptr<const HalfAngleLaw>>>
       half_angle_;
-  std::vector<std::pair<Joint, std::shared_ptr<const PressureLaw>>> pressure_;
+  std::vector<std::pair<JointSpec, std::shared_ptr<const PressureLaw>>>
+      pressure_;
 };
 
 JointSpec read_joint(const std::filesystem::path& path);

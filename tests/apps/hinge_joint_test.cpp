@@ -322,7 +322,7 @@ TEST(HingeJoint, ApproachAndStiffness) {
   EXPECT_EQ(fitted.names().back(), "contact_area_m2");
 
   folder.write("bush.toml",
-               "name = \"bush\"\nkind = \"cylindrical\"\n[geometry]\n"
+               "name = \"bush\"\nkind = \"pin\"\n[geometry]\n"
                "radius_mm = 25\nradial_clearance_um = 25\nlength_mm = 30\n"
                "[materials.inner]\nyoungs_modulus_GPa = 210\n"
                "poissons_ratio = 0.3\n[materials.outer]\n"
