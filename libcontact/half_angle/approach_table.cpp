@@ -44,9 +44,10 @@ void ApproachTable::tabulate(int count, const Solver& solver) {
         variable_.half_angle(cosine * cosine, sine * sine);
     const ContactApproach solved = solver(half_angle);
     const double complement = load_.reaches_limit() ? rest : 1;
+    const double unit = square(half_angle);
     const double l = logarithm(half_angle);
     const auto h = [&](double value) {
-      return std::log(complement * (value / square(half_angle) - l));
+      return std::log(complement * (value / unit - l));
     };
     // The growth and the stiffness are each other's reciprocal.
     const Pair value = {h(solved.approach),

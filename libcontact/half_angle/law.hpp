@@ -57,8 +57,8 @@ class HalfAngleLaw {
   /// Largest half-angle of the law, rad.
   virtual double limit_half_angle() const noexcept = 0;
 
-  /// Approach and stiffness at a half-angle in (0, limit_half_angle()). NaN
-  /// outside, and of a law or a joint that has none; ExactLaw has.
+  /// Approach and stiffness at a half-angle in (0, limit_half_angle()), NaN
+  /// outside. ExactLaw has them, and makes a table when first asked.
   virtual ContactApproach approach(double /*half_angle*/) const {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     return {nan, nan};
