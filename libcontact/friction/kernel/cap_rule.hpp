@@ -49,10 +49,10 @@ static_assert(cap_rule_ends.back() == 0x1p-54);
 class CapRuleIndex {
  public:
   constexpr CapRuleIndex() {
-    constexpr std::int64_t width = std::int64_t{1} << shift;
+    constexpr std::int64_t step_size = std::int64_t{1} << shift;
     for (int step = 0; step < steps; ++step) {
       // The smallest number of the step.
-      const double m = std::bit_cast<double>(one - (step + 1) * width + 1);
+      const double m = std::bit_cast<double>(one - (step + 1) * step_size + 1);
       std::uint8_t i = 0;
       while (i + 1 < cap_rule_count && m < cap_rule_ends[i]) ++i;
       rule_of_step_[step] = i;
