@@ -101,6 +101,17 @@ TEST(Pages, LinksLeadSomewhere) {
   EXPECT_GT(links, 50);
 }
 
+TEST(Pages, TimesOfTheReadmeAreMeasured) {
+  const std::string measured = contents(root / "libcontact/docs/speed.md");
+  int times = 0;
+  for (const std::string& line : prose(root / "README.md")) {
+    if (!std::regex_search(line, std::regex(R"(^\|.*\d [nm]s )"))) continue;
+    ++times;
+    EXPECT_NE(measured.find(line + '\n'), measured.npos) << line;
+  }
+  EXPECT_EQ(times, 4);
+}
+
 /// The names in each installed header, functions with their "(".
 std::vector<std::set<std::string>> headers() {
   std::vector<std::set<std::string>> found;
