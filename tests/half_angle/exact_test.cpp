@@ -251,7 +251,7 @@ TEST(ExactLaw, EndsWhereTheSolverEnds) {
   }
 }
 
-// docs/half_angle.md, "The extremes": rigid bodies, nu from 0 to 0.5, Ebar from
+// docs/fitted_laws.md, "The extremes": rigid bodies, nu from 0 to 0.5, Ebar from
 // 1e-6 to 1e6, half-angles from 1e-4 deg to 1e-3 deg from the limit, loads to
 // 1e8. Only nearly incompressible inner bodies in nearly rigid outer ones end
 // before their limit.
