@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Redraws figures 3, 4, 5, 8 and 9 of the paper from the programs' output,
-# the limit half-angles of other materials, pressure profiles and the error of
-# leaving walls out:
+# the limit half-angles of other materials, pressure profiles, the error of
+# leaving walls out, a separation of boosters and the sketch of a hinge:
 #   plots/figures.sh BUILD_DIR OUTPUT_DIR
 # leaves NAME.svg, NAME.png and the tables they show, as CSV.
 set -euo pipefail
@@ -89,7 +89,7 @@ one() { # FILE LOAD: half-angle and peak
 {
   echo kind,material,backing,thickness_over_radius,half_angle_error_percent,\
 peak_error_percent
-  for kind in spherical cylindrical; do
+  for kind in ball pin; do
     for name in polymer bronze; do
       [ $name = polymer ] && wall="1 0.4" || wall="110 0.34"
       joint=(walled_joint wall.toml $kind 10 10 "210 0.3" "$wall")
@@ -115,13 +115,19 @@ peak_error_percent
   rm wall.toml
 } >wall_errors.csv
 
+# Four boosters leaving a core.
+times='0.5 1 1.4 2.2 3'
+"$programs/hinge-separation" "$plots/../data/cases/soyuz.toml" \
+  --history separation.csv --output separation.json --no-clearance
+awk -v times="$times" -f "$plots/outlines.awk" separation.csv >outlines.csv
+
 # One picture: NAME SVG_SIZE PNG_SIZE
 draw() {
   gnuplot -e "set terminal svg $2 rounded linewidth 1.2 background 'white'" \
-    -e "set output '$1.svg'; plots = '$plots'" \
+    -e "set output '$1.svg'; plots = '$plots'; times = '$times'" \
     "$plots/style.gp" "$plots/$1.gp"
   gnuplot -e "set terminal pngcairo $3 rounded linewidth 1.7" \
-    -e "set output '$1.png'; plots = '$plots'" \
+    -e "set output '$1.png'; plots = '$plots'; times = '$times'" \
     "$plots/style.gp" "$plots/$1.gp"
 }
 for figure in 3 4 5; do
@@ -137,3 +143,5 @@ draw pressure_profiles "size 1160,520 font 'sans,18'" \
 draw wall_errors "size 1080,900 font 'sans,18'" "size 1620,1350 font 'sans,21'"
 draw limit_angles "size 1080,520 font 'sans,18'" \
   "size 1620,780 font 'sans,21'"
+draw separation "size 900,553 font 'sans,17'" "size 1350,830 font 'sans,20'"
+draw hinge "size 740,600 font 'sans,18'" "size 1110,900 font 'sans,22'"

@@ -7,7 +7,7 @@ set xtics 20
 set yrange [0:*]
 set xlabel 'angle from the centre, deg'
 unset colorbox
-files = 'pressure_cylinder.csv pressure_sphere.csv'
+files = 'pressure_pin.csv pressure_ball.csv'
 set multiplot
 do for [i = 1:2] {
   set lmargin at screen 0.095 + 0.4 * (i - 1)

@@ -32,7 +32,7 @@ do for [row = 1:2] {
     } else {
       unset key
     }
-    kind = i == 1 ? 'spherical' : 'cylindrical'
+    kind = i == 1 ? 'ball' : 'pin'
     is(material, backing) = (strcol(1) eq kind && strcol(2) eq material && \
       strcol(3) eq backing) ? column(row == 1 ? 6 : 5) : NaN
     array backings[3] = ['rigid', 'steel', 'held']

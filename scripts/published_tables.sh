@@ -34,8 +34,8 @@ metal() {
       place
   }'
 }
-durom() { walled_joint joint.toml spherical 25 72.5 "$@"; }
-metasul() { walled_joint joint.toml spherical 14 60 "$cocr" "$cocr" "$@"; }
+durom() { walled_joint joint.toml ball 25 72.5 "$@"; }
+metasul() { walled_joint joint.toml ball 14 60 "$cocr" "$cocr" "$@"; }
 
 echo "Metal on metal, 3200 N:"
 echo
@@ -84,7 +84,7 @@ echo "| published | - | 40 to 50 | - | worse | good |"
 for head in 22.225 28 32; do
   for clearance in 80 100 150; do
     radius=$(awk -v d=$head 'BEGIN {print d / 2}')
-    walled_joint joint.toml spherical "$radius" $clearance "$cocr" \
+    walled_joint joint.toml ball "$radius" $clearance "$cocr" \
       "$polyethylene" rigid 8
     columns=$(column "$radius" 0.${clearance/80/08} 8 1000 0.4 2500)
     echo "$(solve 2500),$columns" |
@@ -105,7 +105,7 @@ for thickness in 5 12; do
   printf '| %s |' $thickness
   for clearance in 50 100 150; do
     for radius in 14 18; do
-      walled_joint joint.toml spherical $radius $clearance "$cocr" \
+      walled_joint joint.toml ball $radius $clearance "$cocr" \
         "$polyethylene" rigid $thickness
       solve 2000
     done | awk -F, 'NR == 1 {first = $2} END {printf " %.2f |", first / $2}'
@@ -120,10 +120,10 @@ echo "| insert, mm | radius of the contact | peak |"
 echo "|---|---|---|"
 echo "| at least 5, published | Hertz usable | Hertz usable |"
 for insert in 3 5 8; do
-  walled_joint joint.toml spherical 14 40 "$alumina" "$alumina" "110 0.3" \
+  walled_joint joint.toml ball 14 40 "$alumina" "$alumina" "110 0.3" \
     $insert
   exact=$(solve 2500)
-  walled_joint joint.toml spherical 14 40 "$alumina" "$alumina"
+  walled_joint joint.toml ball 14 40 "$alumina" "$alumina"
   "$bin/hinge-angle" --joint joint.toml --load 2500 --law hertz | tail -n 1 |
     awk -F, -v insert=$insert -v exact="$exact" '{
       pi = atan2(0, -1)

@@ -52,13 +52,13 @@ row() {
 
 cd "$work"
 cocr="230 0.3" steel="210 0.3" ptfe="1 0.42" bronze="110 0.34"
-hip() { walled_joint "$1.toml" spherical 14 100 "$cocr" "${@:2}"; }
+hip() { walled_joint "$1.toml" ball 14 100 "$cocr" "${@:2}"; }
 hip pe "1 0.4"
 hip pe_shell "1 0.4" rigid 8
 hip pe46 "1 0.46"
 hip pe46_shell "1 0.46" rigid 8
 hip pe_bone "1 0.4" "1 0.3" 8 "2 110 0.3"
-liner() { walled_joint "$1.toml" spherical 25 25 "$steel" "${@:2}"; }
+liner() { walled_joint "$1.toml" ball 25 25 "$steel" "${@:2}"; }
 liner ptfe "$ptfe"
 liner steel "$steel"
 liner ptfe_steel "$ptfe" "$steel" 0.4

@@ -197,7 +197,7 @@ TEST(FittedLaw, ClosedFormsAgreeWithFiftyDigits) {
       };
       const std::string name =
           std::to_string(theta) + " " + std::to_string(constant);
-      // Both kinds as docs/half_angle.md writes them; absolute where F
+      // Both kinds as docs/fitted_laws.md writes them; absolute where F
       // changes its sign. Below 1e-12 fifty digits cancel as well.
       const Real pin = c * c - constant * (2 * s * s * s * s - c * c * log(c));
       report.add_error(double(abs(value(JointKind::pin) - pin)), name);

@@ -34,6 +34,8 @@ run(${WORK}/build/outside)
 message(STATUS "find_package: ${output}")
 run(${WORK}/build/pendulum)
 message(STATUS "docs/simulator.md: ${output}")
+run(${WORK}/build/hip)
+message(STATUS "README.md: ${output}")
 
 file(GLOB_RECURSE pc ${prefix}/*/contact.pc)
 get_filename_component(pc_folder ${pc} DIRECTORY)

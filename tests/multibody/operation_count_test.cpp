@@ -150,7 +150,7 @@ TEST(OperationCount, PlainFormulasAgreeWithTheResolution) {
   }
 }
 
-// The table in apps/multibody/README.md.
+// The table in apps/multibody/equations.md.
 TEST(OperationCount, IsWhatTheReadmeSays) {
   const auto evaluation = [](Mix mix) {
     return line_of([=](int l) { return Exploiting(mix, l).evaluate(); });

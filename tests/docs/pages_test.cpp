@@ -1,0 +1,146 @@
+// What the pages refer to is there: files and headings that links name, and the
+// names in the tables of NOTATION.md.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path root = CONTACT_SOURCE_DIR;
+
+std::string contents(const fs::path& file) {
+  std::ostringstream text;
+  text << std::ifstream(file).rdbuf();
+  return text.str();
+}
+
+/// Lines outside blocks of code and formulas.
+std::vector<std::string> prose(const fs::path& page) {
+  std::istringstream text(contents(page));
+  std::vector<std::string> lines;
+  bool is_code = false;
+  for (std::string line; std::getline(text, line);) {
+    if (line.starts_with("```")) {
+      is_code = !is_code;
+    } else if (!is_code && !line.starts_with("    ")) {
+      lines.push_back(line);
+    }
+  }
+  return lines;
+}
+
+/// Everything that a pattern's first group matches.
+std::vector<std::string> matches(const std::string& text, const char* pattern) {
+  const std::regex regex(pattern);
+  std::vector<std::string> found;
+  for (std::sregex_iterator i(text.begin(), text.end(), regex), end; i != end;
+       ++i) {
+    found.push_back((*i)[1]);
+  }
+  return found;
+}
+
+/// How GitHub names the headings of a page.
+std::set<std::string> anchors(const fs::path& page) {
+  std::set<std::string> names;
+  for (const std::string& line : prose(page)) {
+    const std::size_t level = line.find_first_not_of('#');
+    if (level == 0 || level == line.npos || line[level] != ' ') continue;
+    std::string name;
+    for (const unsigned char c : line.substr(level + 1)) {
+      if (c == ' ') name += '-';
+      if (std::isalnum(c) || c == '-' || c == '_') {
+        name += static_cast<char>(std::tolower(c));
+      }
+    }
+    EXPECT_TRUE(names.insert(name).second) << page << ": two of " << name;
+  }
+  return names;
+}
+
+std::vector<fs::path> pages() {
+  std::vector<fs::path> found;
+  for (const auto& entry : fs::directory_iterator(root)) {
+    if (entry.path().extension() == ".md") found.push_back(entry.path());
+  }
+  for (const char* folder : {"apps", "data", "libcontact"}) {
+    for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
+      if (entry.path().extension() == ".md") found.push_back(entry.path());
+    }
+  }
+  return found;
+}
+
+TEST(Pages, LinksLeadSomewhere) {
+  int links = 0;
+  for (const fs::path& page : pages()) {
+    std::string text;
+    for (const std::string& line : prose(page)) text += line + '\n';
+    for (const std::string& link : matches(text, R"(\]\(([^)\s]+)\))")) {
+      if (link.find("://") != link.npos) continue;
+      ++links;
+      const std::size_t hash = link.find('#');
+      const fs::path file =
+          hash == 0 ? page : page.parent_path() / link.substr(0, hash);
+      ASSERT_TRUE(fs::exists(file)) << page << ": " << link;
+      if (hash == link.npos) continue;
+      EXPECT_TRUE(anchors(file).contains(link.substr(hash + 1)))
+          << page << ": " << link;
+    }
+  }
+  EXPECT_GT(links, 50);
+}
+
+TEST(Pages, TimesOfTheReadmeAreMeasured) {
+  const std::string measured = contents(root / "libcontact/docs/speed.md");
+  int times = 0;
+  for (const std::string& line : prose(root / "README.md")) {
+    if (!std::regex_search(line, std::regex(R"(^\|.*\d [nm]s )"))) continue;
+    ++times;
+    EXPECT_NE(measured.find(line + '\n'), measured.npos) << line;
+  }
+  EXPECT_EQ(times, 4);
+}
+
+/// The names in each installed header, functions with their "(".
+std::vector<std::set<std::string>> headers() {
+  std::vector<std::set<std::string>> found;
+  std::istringstream files(contents(CONTACT_PUBLIC_HEADERS));
+  for (std::string file; std::getline(files, file);) {
+    const std::string code = std::regex_replace(
+        contents(root / "libcontact" / file), std::regex("//[^\n]*"), "");
+    const auto names = matches(code, R"((\w+\(?))");
+    found.emplace_back(names.begin(), names.end());
+  }
+  return found;
+}
+
+// `Class::member()`: one header has both, and member is a function.
+TEST(Notation, NamesAreInTheInstalledHeaders) {
+  const auto known = headers();
+  int count = 0;
+  for (const std::string& line : prose(root / "libcontact" / "NOTATION.md")) {
+    if (!line.starts_with("| ")) continue;
+    for (const std::string& name : matches(line, "`([^`]+)`")) {
+      ++count;
+      const auto parts = matches(name, R"((\w+\(?))");
+      EXPECT_TRUE(std::ranges::any_of(known, [&](const auto& header) {
+        return std::ranges::all_of(
+            parts, [&](const auto& part) { return header.contains(part); });
+      })) << name;
+    }
+  }
+  EXPECT_GT(count, 50);
+}
+
+}  // namespace
