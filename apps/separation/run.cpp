@@ -161,7 +161,7 @@ void check_case(const Options& o, const Case& c) {
 // Of the joints, once for each reason.
 void print_validity(const Case& c) {
   std::set<std::string> notes;
-  for (const Load& body : c.bodies) {
+  for (const Body& body : c.bodies) {
     for (const HingeJoint& joint : body.hinge.joints) {
       for (const std::string& note : joint.contact.validity_notes()) {
         notes.insert(fmt::format("joint {}: {}", joint.joint.name, note));

@@ -997,18 +997,18 @@ TEST(SharedLaws, AreThoseOfJointsThatAreAlike) {
   const auto half_angle = [&](const JointSpec& joint) {
     return laws.half_angle(joint).get();
   };
-  const auto pressure = [&](const Joint& joint) {
+  const auto pressure = [&](const JointSpec& joint) {
     return laws.pressure(joint).get();
   };
   const fs::path folder = fs::path(CONTACT_DATA_DIR) / "joints";
-  const Joint joint = contact::read_joint(folder / "wheel_ball.toml");
-  Joint other = joint;
+  const JointSpec joint = contact::read_joint(folder / "wheel_ball.toml");
+  JointSpec other = joint;
   other.name = "another";
   EXPECT_EQ(half_angle(other), half_angle(joint));
   EXPECT_EQ(pressure(other), pressure(joint));
   other.half_angle_law = "tanh";
   EXPECT_NE(half_angle(other), half_angle(joint));
-  Joint third = other;
+  JointSpec third = other;
   third.half_angle_options.limit_half_angle = 1;
   EXPECT_NE(half_angle(third), half_angle(other));
   EXPECT_EQ(pressure(third), pressure(joint));
@@ -1016,7 +1016,7 @@ TEST(SharedLaws, AreThoseOfJointsThatAreAlike) {
   EXPECT_NE(pressure(third), pressure(joint));
   for (const char* file : {"wheel_pin.toml", "hip_cocr_uhmwpe.toml",
                            "hip_cocr_uhmwpe_walled.toml"}) {
-    const Joint unlike = contact::read_joint(folder / file);
+    const JointSpec unlike = contact::read_joint(folder / file);
     EXPECT_NE(half_angle(unlike), half_angle(joint)) << file;
     EXPECT_NE(pressure(unlike), pressure(joint)) << file;
   }

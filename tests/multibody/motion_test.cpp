@@ -1278,9 +1278,9 @@ TEST(Motion, RotationsStayOrthogonalOverAMillionSteps) {
   Motion motion(System(heavy_carrier(), {body}), {}, nullptr, start, options);
   ASSERT_EQ(motion.advance_to(2000), Stop::time);
   EXPECT_GE(motion.counts().steps, 1'000'000);
-  for (const BodyMotion& body : motion.sample().motions()) {
+  for (const BodyMotion& seen : motion.sample().motions()) {
     const Matrix3d miss =
-        body.rotation.transpose() * body.rotation - Matrix3d::Identity();
+        seen.rotation.transpose() * seen.rotation - Matrix3d::Identity();
     EXPECT_LT(miss.cwiseAbs().maxCoeff(), 1e-12);
     EXPECT_GT(body.rotation.determinant(), 0);
   }

@@ -602,14 +602,14 @@ TEST(CaseFile, JointsOfAFileHaveNamesOfTheirOwn) {
 
 std::vector<const contact::JointContact*> contacts(const Case& c) {
   std::vector<const contact::JointContact*> all;
-  for (const separation::Load& load : c.loads) {
-    for (const auto& joint : load.hinge.joints) all.push_back(&joint.contact);
+  for (const separation::Body& body : c.bodies) {
+    for (const auto& joint : body.hinge.joints) all.push_back(&joint.contact);
   }
   return all;
 }
 
-// The good case with a second load, whose joint names the same file.
-std::string with_second_load() {
+// The good case with a second body, whose joint names the same file.
+std::string with_second_body() {
   std::vector<std::string> lines = good_lines;
   std::vector<std::string> load(lines.begin() + 10, lines.begin() + 29);
   load[1] = "name = \"leg\"";
@@ -621,7 +621,7 @@ TEST(CaseFile, JointsThatAreAlikeShareTheirLaws) {
   const fs::path cases = fs::path(CONTACT_DATA_DIR) / "cases";
   const Case arms = separation::read_case(cases / "platform.toml");
   const Case one_file =
-      parse_case(with_second_load(), "c.toml", {"exact", "exact"});
+      parse_case(with_second_body(), "c.toml", {"exact", "exact"});
   ASSERT_EQ(contacts(arms).size(), 6U);
   ASSERT_EQ(contacts(one_file).size(), 4U);
   for (const Case* c : {&arms, &one_file}) {

@@ -113,14 +113,14 @@ void MotionImpl::stop_hinge(int body, std::vector<double>& state) {
       Map<Vector3d>(s + 4).setZero();
     }
   }
-  ActiveForces<double> forces;
-  forces.bodies.resize(size());
+  ActiveForces<double> moments;
+  moments.bodies.resize(size());
   const auto answer = [&](const Vector3d& moment) {
-    forces.bodies[body].friction = vec3(moment);
+    moments.bodies[body].friction = vec3(moment);
     if (options.carrier_drive) {
-      impulse.evaluate_prescribed(still.data(), forces, {});
+      impulse.evaluate_prescribed(still.data(), moments, {});
     } else {
-      impulse.evaluate(still.data(), forces);
+      impulse.evaluate(still.data(), moments);
     }
     return Vector3d(vec3(impulse.relative_acceleration(body)));
   };
