@@ -611,9 +611,9 @@ std::vector<const contact::JointContact*> contacts(const Case& c) {
 // The good case with a second body, whose joint names the same file.
 std::string with_second_body() {
   std::vector<std::string> lines = good_lines;
-  std::vector<std::string> load(lines.begin() + 10, lines.begin() + 29);
-  load[1] = "name = \"leg\"";
-  lines.insert(lines.begin() + 29, load.begin(), load.end());
+  std::vector<std::string> body(lines.begin() + 10, lines.begin() + 29);
+  body[1] = "name = \"leg\"";
+  lines.insert(lines.begin() + 29, body.begin(), body.end());
   return text_of(lines);
 }
 

@@ -14,8 +14,8 @@ struct JointLaws {
 
 /// [body.hinge]: everything that does not depend on the copy.
 /// @param made  laws of the case's joints
-Hinge read_hinge(const contact::TomlTable& table, const Body& body,
-                 const Body& carrier, const JointLaws& laws,
+Hinge read_hinge(const contact::TomlTable& table, const RigidBody& body,
+                 const RigidBody& carrier, const JointLaws& laws,
                  contact::SharedLaws& made);
 
 /// The friction of a hinge.
