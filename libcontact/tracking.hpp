@@ -1,7 +1,7 @@
 #pragma once
 
-/// Many sliding joints followed side by side; for simulators. Not part of
+/// Many sliding joints tracked side by side; for simulators. Not part of
 /// contact.hpp.
 // clang-format off
-#include "libcontact/tracking/joint_follower.hpp"
+#include "libcontact/tracking/joint_tracker.hpp"
 // clang-format on

@@ -30,6 +30,7 @@ using multibody::NodeFriction;
 using multibody::OuterStep;
 using multibody::PinFriction;
 using multibody::Prepared;
+using multibody::vec3;
 using multibody::test::ball_and_pin;
 using multibody::test::ball_joint;
 using multibody::test::Mix;
@@ -128,7 +129,7 @@ TEST(CoupledDynamics, FrictionFitsTheReactionsItCauses) {
               static_cast<double>(iterations) / static_cast<double>(cases));
 }
 
-struct Followed {
+struct Tracked {
   double largest_miss = 0;
   long evaluations = 0, iterations = 0;
 
@@ -161,7 +162,7 @@ double largest_miss(const Case& c, const CoupledDynamics& coupled) {
 }
 
 // Along a run; steps of two kinds, as stages of a step see them.
-void follow(Case& c, CoupledDynamics& coupled, int steps, Followed& followed) {
+void track(Case& c, CoupledDynamics& coupled, int steps, Tracked& tracked) {
   std::vector<double>& state = c.prepared.state;
   std::vector<double> rates(state.size());
   for (int k = 0; k < steps; ++k) {
@@ -169,20 +170,20 @@ void follow(Case& c, CoupledDynamics& coupled, int steps, Followed& followed) {
     const CoupledReport report =
         coupled.evaluate(state.data(), c.prepared.forces);
     ASSERT_EQ(report.status, CoupledStatus::ok);
-    ++followed.evaluations;
-    followed.iterations += report.iterations;
+    ++tracked.evaluations;
+    tracked.iterations += report.iterations;
     const double miss = largest_miss(c, coupled);
-    if (!(miss <= followed.largest_miss)) followed.largest_miss = miss;
+    if (!(miss <= tracked.largest_miss)) tracked.largest_miss = miss;
     coupled.dynamics().rates(state.data(), {}, rates.data());
     const double step = k % 3 == 0 ? 1e-7 : 5e-4;
     for (std::size_t n = 0; n < state.size(); ++n) state[n] += step * rates[n];
   }
 }
 
-// The same along runs, where joints are followed from moments that are
+// The same along runs, where joints are tracked from moments that are
 // extrapolated. Measured: 2.0e-10.
-TEST(CoupledDynamics, FollowedFrictionFitsTheReactionsItCauses) {
-  Followed followed;
+TEST(CoupledDynamics, TrackedFrictionFitsTheReactionsItCauses) {
+  Tracked tracked;
   for (const Mix mix : {Mix::balls, Mix::axes}) {
     for (const int bodies : {1, 3, 4, 6, 11, 16}) {
       for (std::uint64_t seed = 1; seed <= 10; ++seed) {
@@ -193,18 +194,18 @@ TEST(CoupledDynamics, FollowedFrictionFitsTheReactionsItCauses) {
           }
         }
         CoupledDynamics coupled(c.prepared.system, c.friction);
-        ASSERT_NO_FATAL_FAILURE(follow(c, coupled, 40, followed));
+        ASSERT_NO_FATAL_FAILURE(track(c, coupled, 40, tracked));
       }
     }
   }
-  followed.print();
-  EXPECT_LT(followed.largest_miss, 1e-9);
+  tracked.print();
+  EXPECT_LT(tracked.largest_miss, 1e-9);
 }
 
 // Balls and pins side by side, one of them resting; on carriers that are free
 // and on such whose motion is prescribed. Measured: 2.0e-10.
-TEST(CoupledDynamics, FrictionOfBallsAndPinsIsFollowed) {
-  Followed followed;
+TEST(CoupledDynamics, FrictionOfBallsAndPinsIsTracked) {
+  Tracked tracked;
   for (const bool prescribed : {false, true}) {
     for (const int bodies : {3, 6, 11}) {
       for (std::uint64_t seed = 1; seed <= 10; ++seed) {
@@ -216,7 +217,7 @@ TEST(CoupledDynamics, FrictionOfBallsAndPinsIsFollowed) {
           coupled.prescribe_carrier(multibody::CarrierAcceleration<double>{
               {1, -2, 0.5}, {0.3, 0.1, -0.7}});
         }
-        ASSERT_NO_FATAL_FAILURE(follow(c, coupled, 40, followed));
+        ASSERT_NO_FATAL_FAILURE(track(c, coupled, 40, tracked));
         if (prescribed) {
           EXPECT_EQ(coupled.dynamics().carrier().linear.y, -2);
           EXPECT_EQ(coupled.dynamics().carrier().angular.z, -0.7);
@@ -226,8 +227,8 @@ TEST(CoupledDynamics, FrictionOfBallsAndPinsIsFollowed) {
       }
     }
   }
-  followed.print();
-  EXPECT_LT(followed.largest_miss, 1e-9);
+  tracked.print();
+  EXPECT_LT(tracked.largest_miss, 1e-9);
 }
 
 // Where an evaluation starts from does not matter. Measured: 1.3e-10.
@@ -238,8 +239,8 @@ TEST(CoupledDynamics, MomentsSetInBetweenLeadToTheSame) {
       for (const double share : {0.0, 0.9, -0.5}) {
         Case c = mixed_case(bodies, seed);
         CoupledDynamics coupled(c.prepared.system, c.friction);
-        Followed followed;
-        ASSERT_NO_FATAL_FAILURE(follow(c, coupled, 5, followed));
+        Tracked tracked;
+        ASSERT_NO_FATAL_FAILURE(track(c, coupled, 5, tracked));
         set_signs(coupled, c);
         for (int i = 0; i < bodies; ++i) {
           coupled.set_friction_moment(i, share * coupled.friction_moment(i));
@@ -257,8 +258,8 @@ TEST(CoupledDynamics, MomentsSetInBetweenLeadToTheSame) {
               std::max(largest, (coupled.friction_moment(i) - expected).norm() /
                                     expected.norm());
         }
-        ASSERT_NO_FATAL_FAILURE(follow(c, coupled, 5, followed));
-        EXPECT_LT(followed.largest_miss, 1e-9);
+        ASSERT_NO_FATAL_FAILURE(track(c, coupled, 5, tracked));
+        EXPECT_LT(tracked.largest_miss, 1e-9);
       }
     }
   }
@@ -310,7 +311,7 @@ struct StickyPin {
 
 // A light carrier, with kappa = 0.26, has one moment; then it is held, which
 // makes it the case of motion_test.cpp, M = -0.1455 |(1, 10 + 10 M)|.
-TEST(CoupledDynamics, SeveralMomentsAreSeenAfterOneWasFollowed) {
+TEST(CoupledDynamics, SeveralMomentsAreSeenAfterOneWasTracked) {
   // Held and without motion R = -F + m a, a_y half of F_y.
   StickyPin pin({0.11, 50 * Eigen::Matrix3d::Identity()}, Vector3d(0, 0, 0),
                 Vector3d(-1, 20, 0));
@@ -338,19 +339,19 @@ TEST(CoupledDynamics, SeveralMomentsAreSeenAfterOneWasFollowed) {
 
 // A carrier that gives way in one direction: at 90 degrees there is one moment,
 // at 0 there are several. The same is said of the angles between whether the
-// joint has been followed there, by small steps or a jump, or not.
-TEST(CoupledDynamics, FollowingDoesNotHideSeveralMoments) {
+// joint has been tracked there, by small steps or a jump, or not.
+TEST(CoupledDynamics, TrackingDoesNotHideSeveralMoments) {
   Eigen::Matrix3d inertia = 50 * Eigen::Matrix3d::Identity();
   inertia(2, 2) = 0.1;
   StickyPin pin({100, inertia}, Vector3d(0, 1, 0), Vector3d(-1, 20, 0));
   constexpr double right = std::numbers::pi / 2;
-  const auto same = [&](CoupledDynamics& followed, double angle) {
+  const auto same = [&](CoupledDynamics& tracked, double angle) {
     CoupledDynamics fresh = pin.coupled();
     const CoupledStatus expected = pin.evaluate(fresh, angle).status;
-    EXPECT_EQ(pin.evaluate(followed, angle).status, expected) << angle;
-    EXPECT_EQ(followed.solutions().size(), fresh.solutions().size()) << angle;
+    EXPECT_EQ(pin.evaluate(tracked, angle).status, expected) << angle;
+    EXPECT_EQ(tracked.solutions().size(), fresh.solutions().size()) << angle;
     if (expected == CoupledStatus::ok) {
-      EXPECT_NEAR(followed.friction_moment(0).z(), fresh.friction_moment(0).z(),
+      EXPECT_NEAR(tracked.friction_moment(0).z(), fresh.friction_moment(0).z(),
                   1e-9 * std::abs(fresh.friction_moment(0).z()))
           << angle;
     }

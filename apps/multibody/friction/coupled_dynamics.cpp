@@ -44,7 +44,7 @@ CoupledDynamics::Impl::Impl(const System& system,
                             const CoupledOptions& coupled_options)
     : options(coupled_options),
       dynamics(system, options.instruction_set),
-      follower(friction, options.instruction_set) {
+      tracker(friction, options.instruction_set) {
   if (static_cast<int>(friction.size()) != system.size()) {
     throw contact::Error(
         fmt::format("friction of {} hinges, allowed is one for each of the {} "
@@ -61,7 +61,7 @@ CoupledDynamics::Impl::Impl(const System& system,
   }
   reactions_.resize(system.size());
   change_.resize(system.size());
-  forget_way();
+  forget_path();
   rows_.reserve(system.size());
 }
 
@@ -75,10 +75,10 @@ void CoupledDynamics::Impl::set_mode(int body, HingeMode mode) {
   hinge.mode = mode;
   hinge.straight = hinge.follows = false;
   hinge.slope.setZero();
-  follower.forget(body);
-  forget_way();
+  tracker.stop(body);
+  forget_path();
   last_pause_ = pause_ = 0;
-  usual_contraction_ = usual_gain_ = follow_gain_ = 1;
+  usual_contraction_ = usual_gain_ = 1;
   hinge.utilisation_of = -1;
   rows_known_ = false;
 }
@@ -111,7 +111,7 @@ void CoupledDynamics::Impl::take_rates(const double* state) {
       const double rate = dry ? sign * std::max(sign * s[1], least) : s[1];
       hinge.rate = Vector3d(0, 0, rate);
     }
-    follower.set_rate(i, hinge.rate);
+    tracker.set_rate(i, hinge.rate);
   }
 }
 
@@ -132,7 +132,7 @@ void CoupledDynamics::Impl::start(const double* state,
 }
 
 void CoupledDynamics::Impl::apply_change() {
-  forget_acting();
+  forget_applied();
   for (const int i : rows_) {
     hinges[i].moment += vec3(change_[i]);
     forces_->bodies[i].friction = vec3(hinges[i].moment);
@@ -187,7 +187,7 @@ bool CoupledDynamics::Impl::converged_is_unique() {
   for (const int i : rows_) {
     const Hinge& hinge = hinges[i];
     const Vec3<double>& force = reaction(i).force;
-    const double moment = hinge.answer.squaredNorm();
+    const double moment = hinge.solved.squaredNorm();
     const double rough = hinge.leverage * hinge.leverage * moment;
     if (rough < near_one * near_one * dot(force, force) &&
         report.contraction < near_one) {
@@ -384,7 +384,7 @@ const Vector3d& CoupledDynamics::friction_moment(int body) const {
 }
 void CoupledDynamics::set_friction_moment(int body, const Vector3d& moment) {
   impl_->hinges[body].moment = moment;
-  impl_->forget_way();
+  impl_->forget_path();
 }
 const Reaction<double>& CoupledDynamics::reaction(int body) const {
   return impl_->reaction(body);

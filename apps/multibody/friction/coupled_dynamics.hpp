@@ -23,7 +23,7 @@ struct CoupledOptions {
   /// The same of a ball joint: above what the direction found for its sliding
   /// leaves uncertain of its acceleration, so that it is clear where it goes.
   double ball_slip_threshold = 1e-8;
-  /// By which bodies are resolved and joints are followed: a supported one.
+  /// By which bodies are resolved and joints are tracked: a supported one.
   contact::InstructionSet instruction_set = contact::best_instruction_set();
 };
 
@@ -83,10 +83,11 @@ struct OuterStep {
 /// The friction moments M_i of the sliding hinges depend on the reactions R_i
 /// and these on all M_i: M = F(R(M)), the paper's outer loop (section 4). R(M)
 /// is affine, and only its changes are computed (Dynamics::add_friction). The
-/// joints are followed by their slopes (contact::JointFollower); where that is
-/// not safe they are solved, each hinge with Newton steps and a secant slope.
-/// Where that fails, or kappa >= 1 allows several solutions or none (Painleve),
-/// all solutions are looked for and the report says how many there are.
+/// joints are tracked by their secant slopes (contact::JointTracker); where
+/// that is not safe they are solved, each hinge with Newton steps and a secant
+/// slope. Where that fails, or kappa >= 1 allows several solutions or none
+/// (Painleve), all solutions are looked for and the report says how many there
+/// are.
 ///
 /// Friction moments are those of the joints alone under the reactions found,
 /// to 1e-9 (measured 2e-10, multibody/coupled_dynamics_test.cpp).

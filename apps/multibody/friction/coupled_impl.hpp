@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "multibody/friction/coupled_dynamics.hpp"
-#include "multibody/friction/friction_follower.hpp"
+#include "multibody/friction/friction_tracker.hpp"
 #include "multibody/friction/hinge_solver.hpp"
 
 namespace multibody {
@@ -35,12 +35,12 @@ class CoupledDynamics::Impl {
     double leverage = 0;
     /// M_t that the motion has been worked out with, and M_t(R) for it.
     Eigen::Vector3d moment = Eigen::Vector3d::Zero();
-    Eigen::Vector3d answer = Eigen::Vector3d::Zero();
+    Eigen::Vector3d solved = Eigen::Vector3d::Zero();
     Eigen::Vector3d rate = Eigen::Vector3d::Zero();
     Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();
-    /// Estimate of d(answer)/d(moment), kept from evaluation to evaluation.
+    /// Estimate of d(solved)/d(moment), kept from evaluation to evaluation.
     Eigen::Matrix3d slope = Eigen::Matrix3d::Zero();
-    Eigen::Vector3d last_moment, last_answer;
+    Eigen::Vector3d last_moment, last_solved;
     /// Beginning to slide: size of its accelerations.
     double pace = 1;
     /// Beginning to slide: what it could not hold, and where it gave way.
@@ -64,9 +64,9 @@ class CoupledDynamics::Impl {
   }
   /// Changes the moments by `change_` and follows with the motion.
   void apply_change();
-  /// Fills every active hinge's answer; the residual.
+  /// Fills every active hinge's `solved`; the residual.
   /// @param floor  moments below it, times the tolerance, are rounding
-  double answer(double floor = 0);
+  double solve_hinges(double floor = 0);
   /// Ends an evaluation whose friction or utilisation in this hinge is NaN.
   void fail_at(int body);
   /// Worked out when first asked for.
@@ -81,7 +81,7 @@ class CoupledDynamics::Impl {
   /// The joints of a hinge under the reactions found.
   std::span<const contact::JointSolution> joints(int body);
   /// Where the motion comes from says nothing on where it goes.
-  void forget_way();
+  void forget_path();
   CoupledRounding noise() const;
   void take_rates(const double* state);
   void list_rows();
@@ -119,7 +119,7 @@ class CoupledDynamics::Impl {
 
   CoupledOptions options;
   Dynamics dynamics;
-  FrictionFollower follower;
+  FrictionTracker tracker;
   std::vector<Hinge> hinges;
   std::optional<CarrierAcceleration<double>> prescribed;
   CoupledReport report;
@@ -127,24 +127,21 @@ class CoupledDynamics::Impl {
   std::vector<CoupledSolution> solutions;
 
  private:
-  /// Motions go on: as far as the state goes the way that it went last, moments
-  /// do as well.
+  // coupled_loop.cpp
   void extrapolate(const double* state);
-  double take_step(const double* state);
-  /// After follow().
-  void remember();
+  void keep();
   void converge();
-  bool follow();
-  bool follow_from_here();
-  bool predict();
+  bool track();
+  bool track_joints();
   double relax(double enough);
+  void learn_contraction(double residual);
   void move();
   void take_reactions();
-  void take_acting_moments();
+  void take_applied_moments();
   /// After any other change of moments.
-  void forget_acting();
+  void forget_applied();
   void loop();
-  void learn();
+  void update_slopes();
   void set_steps();
   bool converged_is_unique();
   void set_moments(const Eigen::VectorXd& x);
@@ -160,30 +157,28 @@ class CoupledDynamics::Impl {
   bool settle_directions(const std::vector<int>& balls);
   bool driven(int body) const;
 
-  // State of the last evaluation but for small moves, and its way from the one
-  // before.
-  Eigen::VectorXd way_end_, way_, step_;
-  bool way_begun_ = false;
-  double way_length_ = 0;  // squared; 0: not known
-  double step_square_ = 0;
-  int way_stays_ = 0;
+  // State of the last evaluation tracked, its move from the one before, that of
+  // the present one from it; how many have been kept since the path began.
+  Eigen::VectorXd path_end_, path_, step_;
+  double path_square_ = 0, step_square_ = 0;  // of their lengths
+  int kept_ = 0;
   std::vector<Vec3<double>> change_;
   std::vector<Reaction<double>> reactions_;
   bool reactions_known_ = true;  // none before the first evaluation
   std::vector<int> rows_;        // active hinges
   bool rows_known_ = false;
   long evaluation_ = 0;
-  // Whether the follower's acting moments are those of the hinges; as follow()
+  // Whether the tracker's applied moments are those of the hinges; as track()
   // left them the largest, squared, and the largest (leverage |M_t|/|R|)^2,
   // infinity if it is not known.
-  bool acting_known_ = false;
-  double largest_acting_ = 0;
+  bool applied_known_ = false;
+  double largest_applied_ = 0;
   double largest_leverage_ = 0;
+  double last_residual_ = 0;  // before the last step of relax(); 0: none yet
   double usual_contraction_ = 1;
-  double usual_gain_ = 1;   // residual after a step over that before
-  double follow_gain_ = 1;  // the same of follow()
+  double usual_gain_ = 1;  // residual after a step of loop() over that before
   int loops_ = 0;
-  int pause_ = 0;  // evaluations until following is tried again
+  int pause_ = 0;  // evaluations until tracking is tried again
   int last_pause_ = 0;
   const double* state_ = nullptr;
   ActiveForces<double>* forces_ = nullptr;

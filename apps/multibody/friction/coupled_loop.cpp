@@ -1,5 +1,5 @@
 // The outer loop of CoupledDynamics: friction moments and reactions brought
-// into agreement, by the joints followed or by their solvers.
+// into agreement, by the joints tracked or by their solvers.
 
 #include <Eigen/LU>
 #include <algorithm>
@@ -21,108 +21,78 @@ constexpr double small_share = 1e-3;
 
 }  // namespace
 
-double CoupledDynamics::Impl::answer(double floor) {
+double CoupledDynamics::Impl::solve_hinges(double floor) {
   double largest = 0;
   for (const int i : rows_) {
     Hinge& hinge = hinges[i];
-    hinge.answer = hinge.solver.slide(reaction(i), hinge.rate);
+    hinge.solved = hinge.solver.slide(reaction(i), hinge.rate);
     hinge.solver_is_behind = false;
-    largest = std::max(largest, hinge.answer.norm());
-    if (!hinge.answer.allFinite()) report.body = i;
+    largest = std::max(largest, hinge.solved.norm());
+    if (!hinge.solved.allFinite()) report.body = i;
   }
   double residual = 0;
   for (const int i : rows_) {
     const Hinge& hinge = hinges[i];
-    const double miss = (hinge.answer - hinge.moment).norm();
-    if (miss == 0) continue;
-    const double own = miss / (hinge.answer.norm() + hinge.moment.norm() +
-                               small_share * largest + floor);
+    const double difference = (hinge.solved - hinge.moment).norm();
+    if (difference == 0) continue;
+    const double own = difference / (hinge.solved.norm() + hinge.moment.norm() +
+                                     small_share * largest + floor);
     // NaN stays, whatever follows.
     if (!(own <= residual) && !std::isnan(residual)) residual = own;
   }
   return residual;
 }
 
-// The state less the end of the way: in step_, step_square_.
-// @return its product with the way
-double CoupledDynamics::Impl::take_step(const double* state) {
-  // All in one go over the numbers.
-  using Chunk = Eigen::Array4d;
-  constexpr Eigen::Index width = 4;
-  Chunk squares = Chunk::Zero();
-  Chunk products = Chunk::Zero();
-  const Eigen::Index size = way_end_.size();
-  Eigen::Index i = 0;
-  for (; i + width <= size; i += width) {
-    const Chunk d = Eigen::Map<const Chunk>(state + i) -
-                    Eigen::Map<const Chunk>(way_end_.data() + i);
-    Eigen::Map<Chunk>(step_.data() + i) = d;
-    squares += d * d;
-    products += d * Eigen::Map<const Chunk>(way_.data() + i);
-  }
-  step_square_ = squares.sum();
-  double product = products.sum();
-  for (; i < size; ++i) {
-    const double d = state[i] - way_end_[i];
-    step_[i] = d;
-    step_square_ += d * d;
-    product += d * way_[i];
-  }
-  return product;
-}
-
+// Where the state goes on in the direction of its last move, moments do too.
 void CoupledDynamics::Impl::extrapolate(const double* state) {
-  const double along = take_step(state);
-  if (way_length_ == 0) return;
-  // A way of its own, or too far to tell.
-  constexpr double straight = 0.99;  // cosine, squared
+  step_ =
+      Eigen::Map<const Eigen::VectorXd>(state, path_end_.size()) - path_end_;
+  step_square_ = step_.squaredNorm();
+  if (kept_ < 2) return;
+  // More than 6 deg off (cosine, squared), or too far to tell.
+  constexpr double straight = 0.99;
   constexpr double furthest = 4;
-  const double share = along / way_length_;
-  if (!(along * along >= straight * step_square_ * way_length_) ||
+  const double along = step_.dot(path_);
+  const double share = along / path_square_;
+  if (!(share * along >= straight * step_square_) ||
       std::abs(share) > furthest) {
     return;
   }
-  follower.extrapolate(share);
-  for (const int i : rows_) hinges[i].moment = follower.acting_moment(i);
+  tracker.joints().extrapolate(share);
+  for (const int i : rows_) hinges[i].moment = tracker.applied_moment(i);
 }
 
-void CoupledDynamics::Impl::remember() {
-  // Stages of a step can be where others were; but not many of them.
-  constexpr double small = 1e-2;  // squared
-  constexpr int many = 4;
-  const double square = step_square_;
-  if (square <= small * way_length_ && ++way_stays_ < many) return;
-  way_stays_ = 0;
-  way_length_ = way_begun_ ? square : 0;
-  way_begun_ = true;
-  way_end_ += step_;
-  way_.swap(step_);
-  follower.remember();
+// After track().
+void CoupledDynamics::Impl::keep() {
+  if (step_square_ == 0) return;
+  path_end_ += step_;
+  path_.swap(step_);
+  path_square_ = step_square_;
+  ++kept_;
+  tracker.joints().keep();
 }
 
-void CoupledDynamics::Impl::forget_way() {
-  way_end_.setZero(dynamics.layout().size());
-  way_.setZero(way_end_.size());
-  step_ = way_;
-  way_begun_ = false;
-  way_length_ = 0;
-  forget_acting();
+void CoupledDynamics::Impl::forget_path() {
+  path_end_.setZero(dynamics.layout().size());
+  path_ = step_ = path_end_;
+  kept_ = 0;
+  forget_applied();
 }
 
-void CoupledDynamics::Impl::forget_acting() {
-  acting_known_ = false;
+void CoupledDynamics::Impl::forget_applied() {
+  applied_known_ = false;
   largest_leverage_ = std::numeric_limits<double>::infinity();
 }
 
-// Change of all answers over change of all moments, each in units of its own
+// Change of what was solved over that of all moments, each in units of its own
 // size; and the slopes of those hinges whose own moment changed notably, by
-// Broyden's update. The answers of others changed with their neighbours'.
-void CoupledDynamics::Impl::learn() {
+// Broyden's update. Others changed with their neighbours.
+void CoupledDynamics::Impl::update_slopes() {
   double dx = 0;
   double dg = 0;
   double most = 0;
   const auto change = [](const Hinge& hinge) {
-    const double size = hinge.answer.squaredNorm();
+    const double size = hinge.solved.squaredNorm();
     return size == 0 ? 0
                      : (hinge.moment - hinge.last_moment).squaredNorm() / size;
   };
@@ -132,8 +102,8 @@ void CoupledDynamics::Impl::learn() {
     if (own == 0) continue;
     most = std::max(most, own);
     dx += own;
-    dg += (hinge.answer - hinge.last_answer).squaredNorm() /
-          hinge.answer.squaredNorm();
+    dg += (hinge.solved - hinge.last_solved).squaredNorm() /
+          hinge.solved.squaredNorm();
   }
   constexpr double rounding = 1e-20;  // of squares
   if (!(dx > rounding)) return;
@@ -144,8 +114,9 @@ void CoupledDynamics::Impl::learn() {
     Hinge& hinge = hinges[i];
     if (change(hinge) < notable * most) continue;
     const Vector3d by = hinge.moment - hinge.last_moment;
-    const Vector3d miss = hinge.answer - hinge.last_answer - hinge.slope * by;
-    hinge.slope += miss * by.transpose() / by.squaredNorm();
+    const Vector3d residual =
+        hinge.solved - hinge.last_solved - hinge.slope * by;
+    hinge.slope += residual * by.transpose() / by.squaredNorm();
   }
 }
 
@@ -155,144 +126,135 @@ void CoupledDynamics::Impl::set_steps() {
   constexpr double longest = 3;  // times the plain step
   for (const int i : rows_) {
     Hinge& hinge = hinges[i];
-    const Vector3d miss = hinge.answer - hinge.moment;
+    const Vector3d residual = hinge.solved - hinge.moment;
     if (hinge.slope.norm() >= strong && report.contraction < strong) {
       hinge.slope.setZero();  // of another time
     }
-    Vector3d step = (Matrix3d::Identity() - hinge.slope).inverse() * miss;
+    Vector3d step = (Matrix3d::Identity() - hinge.slope).inverse() * residual;
     // Too far to trust, or no number: let it crawl; the search follows if it
     // does not arrive.
-    if (!(step.norm() <= longest * miss.norm())) step = 0.5 * miss;
+    if (!(step.norm() <= longest * residual.norm())) step = 0.5 * residual;
     hinge.last_moment = hinge.moment;
-    hinge.last_answer = hinge.answer;
+    hinge.last_solved = hinge.solved;
     change_[i] = vec3(step);
   }
 }
 
-// Moments that fit the reactions they cause if friction is what the follower
-// says near its place: every joint for itself, by what it answered before.
+// From what the last step of relax() has left.
+void CoupledDynamics::Impl::learn_contraction(double residual) {
+  // Of smaller steps rounding is left, whatever the contraction.
+  constexpr double telling = 1e-9;
+  if (!(last_residual_ > telling)) return;
+  const double contraction = residual / last_residual_;
+  report.contraction = std::max(report.contraction, contraction);
+  usual_contraction_ = std::max(contraction, 0.7 * usual_contraction_);
+}
+
+// Moments that fit the reactions they cause if friction is as the tracker
+// predicts near its last contacts, by simple iteration.
 // @return what is left, relative; large if it does not contract
 double CoupledDynamics::Impl::relax(double enough) {
+  // In nodes, where rounds contract by 0.01, to 1e-12; what contracts less is
+  // predicted again.
   constexpr int round_limit = 6;
+  // Contractions differ from round to round.
   constexpr double safety = 2;
-  // Of rounding nothing is learnt.
-  constexpr double telling = 1e-9;
-  // Moments that do not go where they went before answer less well.
-  constexpr double usual_share = 0.03;
+  // Ten times the moment applied; 0.5 would be infinity.
+  constexpr double lost = 0.45;
   double left = 1;
-  const contact::JointFollower::Largest& found = follower.largest();
+  contact::JointTracker& joints = tracker.joints();
+  const contact::JointTracker::Largest& found = joints.largest();
   for (int round = 0; round < round_limit; ++round) {
-    if (round > 0) follower.extend();
-    const double miss = found.miss;
-    if (round == 0) report.residual = miss;
-    if (found.moved > telling) {
-      report.contraction = std::max(report.contraction, found.contraction);
-      usual_contraction_ =
-          std::max(found.contraction, 0.7 * usual_contraction_);
-      // At first the contacts' news is in the miss.
-      if (round > 0 || found.gain < follow_gain_) {
-        follow_gain_ = std::max(found.gain, 0.7 * follow_gain_);
-      }
+    if (round > 0) {
+      joints.extend();
+      learn_contraction(found.residual);
+    } else {
+      report.residual = found.residual;
     }
-    if (miss <= enough) return miss;
-    if (!(miss < 1)) return 1;  // no number, or lost
-    follower.act();
+    if (found.residual <= enough) return found.residual;
+    if (!(found.residual < lost)) return 1;
+    last_residual_ = found.residual;
+    joints.apply();
     move();
-    left = safety * std::max(follow_gain_, usual_share * usual_contraction_) *
-           miss;
+    left = safety * usual_contraction_ * last_residual_;
     if (left <= enough) return left;
   }
   return left;
 }
 
-// What the follower changed: motion and reactions.
+// What the tracker changed: motion and reactions.
 void CoupledDynamics::Impl::move() {
   if (prescribed) {
-    take_acting_moments();
+    take_applied_moments();
     dynamics.evaluate_prescribed(state_, *forces_, *prescribed);
   } else {
-    follower.move(dynamics, rows_, change_);
+    tracker.move(dynamics, rows_, change_);
   }
   take_reactions();
 }
 
 void CoupledDynamics::Impl::take_reactions() {
-  follower.take_reactions(dynamics, rows_, reactions_);
-  reactions_known_ = !follower.is_direct();
+  tracker.take_reactions(dynamics, rows_, reactions_);
+  reactions_known_ = !tracker.is_direct();
 }
 
-void CoupledDynamics::Impl::take_acting_moments() {
+void CoupledDynamics::Impl::take_applied_moments() {
   constexpr double large = std::numeric_limits<double>::infinity();  // for NaN
-  largest_acting_ = largest_leverage_ = 0;
+  largest_applied_ = largest_leverage_ = 0;
   for (const int i : rows_) {
     Hinge& hinge = hinges[i];
-    const Vector3d moment = follower.acting_moment(i);
-    hinge.moment = hinge.answer = moment;
+    const Vector3d moment = tracker.applied_moment(i);
+    hinge.moment = hinge.solved = moment;
     forces_->bodies[i].friction = vec3(moment);
     const double square = moment.squaredNorm();
     const double bound = hinge.leverage * hinge.leverage * square;
     const Vec3<double> force =
-        follower.is_direct() ? follower.force(i) : reaction(i).force;
-    largest_acting_ = std::max(largest_acting_, square);
+        tracker.is_direct() ? tracker.force(i) : reaction(i).force;
+    largest_applied_ = std::max(largest_applied_, square);
     const double share = bound / dot(force, force);
     largest_leverage_ = std::max(largest_leverage_, share >= 0 ? share : large);
   }
-  acting_known_ = true;
+  applied_known_ = true;
 }
 
 // The outer loop with one evaluation of the friction of all hinges for each
-// iteration, as long as the follower knows its way.
-bool CoupledDynamics::Impl::follow() {
+// iteration, as long as the tracker can be trusted.
+bool CoupledDynamics::Impl::track() {
   take_reactions();
-  if (!acting_known_) {
-    largest_acting_ = 0;
+  if (!applied_known_) {
+    largest_applied_ = 0;
     for (const int i : rows_) {
       const Vector3d& moment = hinges[i].moment;
-      follower.set_acting_moment(i, moment);
-      largest_acting_ = std::max(largest_acting_, moment.squaredNorm());
+      tracker.set_applied_moment(i, moment);
+      largest_applied_ = std::max(largest_applied_, moment.squaredNorm());
     }
   }
   // Half of what small moments count.
-  follower.set_moment_floor(small_share * std::sqrt(largest_acting_));
-  const bool found = follow_from_here();
-  take_acting_moments();
+  tracker.joints().set_moment_floor(small_share * std::sqrt(largest_applied_));
+  const bool found = track_joints();
+  take_applied_moments();
   return found;
 }
 
-// @return whether all hinges are where it knows its way
-bool CoupledDynamics::Impl::predict() {
-  // Contacts are evaluated where reactions are as near as this to those found
-  // in the end: then slopes, wrong by some percent, do for the rest.
-  constexpr double near = 1e-9;
-  follower.predict();
-  if (!follower.largest().tracks) return false;
-  // Moments and reactions answer to each other.
-  relax(near / std::max(usual_contraction_, 1e-3));
-  return true;
-}
-
-bool CoupledDynamics::Impl::follow_from_here() {
+bool CoupledDynamics::Impl::track_joints() {
   constexpr int iteration_limit = 4;
-  // Beyond this what is linear in the reactions misses the tolerance.
-  constexpr double far = 2e-6;
-  // Contacts that are worse than this share of the tolerance are evaluated a
-  // second time.
-  constexpr double share_of_few = 0.5;
-  follower.choose_all();
+  // Contacts are evaluated where moments are as near as this to those found in
+  // the end, and reactions nearer: then slopes, wrong by some percent, do for
+  // the rest.
+  constexpr double near = 1e-7;
+  contact::JointTracker& joints = tracker.joints();
+  const contact::JointTracker::Largest& found = joints.largest();
   for (report.iterations = 1; report.iterations <= iteration_limit;
        ++report.iterations) {
-    if (!predict()) return false;
-    if (!(follower.largest().shift < far) && !predict()) return false;
-    follower.evaluate();
-    const double few = share_of_few * options.tolerance;
-    if (!(follower.largest().error <= few)) {
-      follower.choose_worse_than(few);
-      follower.predict();
-      follower.evaluate();
-    }
+    joints.predict();
+    last_residual_ = 0;
+    if (!found.is_trusted()) return false;
+    relax(near);
+    joints.correct();
+    learn_contraction(found.uncorrected);
     double left = relax(0.1 * options.tolerance);
     if (trace) trace->push_back({report.iterations, report.residual});
-    left += follower.largest().error;
+    left += found.error;
     if (left <= options.tolerance) {
       report.residual = left;
       for (const int i : rows_) hinges[i].solver_is_behind = true;
@@ -302,16 +264,16 @@ bool CoupledDynamics::Impl::follow_from_here() {
   return false;
 }
 
-// Following first, where it is likely to work: not again and again where it
+// Tracking first, where it is likely to work: not again and again where it
 // does not. Otherwise, or with what has been reached, the loop below.
 void CoupledDynamics::Impl::converge() {
   constexpr double strong = 0.3;  // contraction
   constexpr int longest_pause = 64;
   const bool weak = usual_contraction_ < strong;
   if (weak && pause_ == 0 &&
-      follower.count() == static_cast<int>(rows_.size())) {
-    if (follow()) {
-      remember();
+      tracker.count() == static_cast<int>(rows_.size())) {
+    if (track()) {
+      keep();
       last_pause_ = 0;
       return;
     }
@@ -320,16 +282,16 @@ void CoupledDynamics::Impl::converge() {
   } else if (pause_ > 0) {
     --pause_;
   }
-  forget_way();
+  forget_path();
   loop();
   if (!weak || pause_ > 0 || report.status != CoupledStatus::ok) return;
   for (const int i : rows_) {
-    follower.start(i, hinges[i].solver, hinges[i].rate);
+    tracker.start(i, hinges[i].solver, hinges[i].rate);
   }
 }
 
 void CoupledDynamics::Impl::loop() {
-  // Now and then the gain of a step is looked at, whether it is needed or not.
+  // Now and then what a step leaves is looked at, whether it is needed or not.
   constexpr int look_every = 8;
   const bool look = ++loops_ % look_every == 0;
   double last = 0;
@@ -342,7 +304,7 @@ void CoupledDynamics::Impl::loop() {
     if (report.iterations == patience) {
       floor = noise().moment / options.tolerance;
     }
-    report.residual = answer(floor);
+    report.residual = solve_hinges(floor);
     if (trace) trace->push_back({report.iterations, report.residual});
     if (!std::isfinite(report.residual)) {
       report.status = CoupledStatus::out_of_range;
@@ -359,7 +321,7 @@ void CoupledDynamics::Impl::loop() {
       return;
     }
     if (!first) {
-      learn();
+      update_slopes();
       usual_gain_ = std::max(report.residual / last, 0.7 * usual_gain_);
     }
     set_steps();

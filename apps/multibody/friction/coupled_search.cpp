@@ -45,10 +45,10 @@ void CoupledDynamics::Impl::set_moments(const VectorXd& x) {
 // M_t(R(x)) - x
 VectorXd CoupledDynamics::Impl::mismatch(const VectorXd& x) {
   set_moments(x);
-  answer();
+  solve_hinges();
   VectorXd f(x.size());
   for (std::size_t k = 0; k < rows_.size(); ++k) {
-    f.segment<3>(3 * k) = hinges[rows_[k]].answer - x.segment<3>(3 * k);
+    f.segment<3>(3 * k) = hinges[rows_[k]].solved - x.segment<3>(3 * k);
   }
   return f;
 }
@@ -151,7 +151,7 @@ void CoupledDynamics::Impl::search() {
   if (found.size() == 1) {
     mismatch(found[0]);
     report.status = CoupledStatus::ok;
-    report.residual = answer();
+    report.residual = solve_hinges();
     report.body = -1;
     return;
   }

@@ -1,0 +1,149 @@
+#include "multibody/friction/friction_tracker.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <numeric>
+#include <span>
+#include <utility>
+
+#include "multibody/system/eigen_conversion.hpp"
+
+namespace multibody {
+namespace {
+
+using contact::JointContact;
+using Eigen::Vector3d;
+
+// Contacts of a hinge that can be tracked.
+std::vector<JointContact> contacts_of(const HingeFriction& friction) {
+  constexpr auto consistent = FrictionEstimate::consistent;
+  std::vector<JointContact> contacts;
+  if (const auto* ball = std::get_if<BallFriction>(&friction)) {
+    if (ball->estimate == consistent) contacts.push_back(ball->joint.contact());
+  } else if (const auto* pin = std::get_if<PinFriction>(&friction)) {
+    if (pin->estimate == consistent) contacts.push_back(pin->joint.contact());
+  } else if (const auto* node = std::get_if<NodeFriction>(&friction)) {
+    if (node->estimate != consistent) return contacts;
+    for (const contact::NodeJoint& joint : node->node.joints()) {
+      contacts.push_back(
+          std::visit([](const auto& j) { return j.contact(); }, joint.joint));
+    }
+  }
+  return contacts;
+}
+
+std::vector<JointContact> all_contacts(
+    const std::vector<HingeFriction>& friction) {
+  std::vector<JointContact> all;
+  for (const HingeFriction& f : friction) {
+    std::ranges::move(contacts_of(f), std::back_inserter(all));
+  }
+  return all;
+}
+
+}  // namespace
+
+FrictionTracker::FrictionTracker(const std::vector<HingeFriction>& friction,
+                                 contact::InstructionSet set)
+    : joints_(all_contacts(friction), set) {
+  for (const HingeFriction& f : friction) add(f);
+}
+
+void FrictionTracker::add(const HingeFriction& friction) {
+  const std::size_t first = shares_.size();
+  const std::size_t count = contacts_of(friction).size();
+  const bool is_axis = !std::holds_alternative<BallFriction>(friction);
+  hinges_.push_back(
+      {static_cast<int>(first), static_cast<int>(first + count), is_axis});
+  shares_.resize(first + count, {1, 0, is_axis ? 0.0 : 1.0});
+  const auto* const of_node = std::get_if<NodeFriction>(&friction);
+  is_direct_ = is_direct_ && !of_node && count == 1;
+  if (!of_node || count == 0) return;
+  // What a node makes of forces and moments of 1.
+  std::vector<Vector3d> radial(count), moment(count), axial(count);
+  const Vector3d x = Vector3d::UnitX(), y = Vector3d::UnitY(),
+                 z = Vector3d::UnitZ(), none = Vector3d::Zero();
+  const contact::JointNode& node = of_node->node;
+  node.distribute(x, none, z, none, radial);
+  node.distribute(none, y, z, none, moment);
+  node.distribute(z, none, z, none, axial);
+  for (std::size_t k = 0; k < count; ++k) {
+    shares_[first + k] = {radial[k].x(), moment[k].x(), axial[k].z()};
+  }
+}
+
+void FrictionTracker::start(int hinge, const HingeSolver& solver,
+                            const Vector3d& rate) {
+  stop(hinge);
+  const auto [first, end, is_axis] = hinges_[hinge];
+  for (int k = first; k < end; ++k) {
+    joints_.start(k, solver.joints()[k - first], rate);
+    joints_.set_applied_moment(k, solver.joint_moment(k - first));
+  }
+  count_ += is_tracked(hinge);
+}
+
+void FrictionTracker::stop(int hinge) {
+  count_ -= is_tracked(hinge);
+  const auto [first, end, is_axis] = hinges_[hinge];
+  for (int k = first; k < end; ++k) joints_.stop(k);
+}
+
+bool FrictionTracker::is_tracked(int hinge) const {
+  const auto [first, end, is_axis] = hinges_[hinge];
+  int k = first;
+  while (k < end && joints_.is_tracked(k)) ++k;
+  return first < end && k == end;
+}
+
+// Of a node only the sum of the joints' moments along the axis is known: the
+// first joint takes what it has changed by.
+void FrictionTracker::set_applied_moment(int hinge, const Vector3d& moment) {
+  const int first = hinges_[hinge].first;
+  joints_.set_applied_moment(
+      first, moment - (applied_moment(hinge) - joints_.applied_moment(first)));
+}
+
+void FrictionTracker::take_reactions(const Dynamics& dynamics,
+                                     std::span<const int> hinges,
+                                     std::span<Reaction<double>> reactions) {
+  if (is_direct_) {
+    dynamics.forces(joints_.reactions());
+    return;
+  }
+  dynamics.reactions(reactions);
+  for (const int i : hinges) set_reactions(hinges_[i], reactions[i]);
+}
+
+void FrictionTracker::set_reactions(const Hinge& hinge,
+                                    const Reaction<double>& reaction) {
+  const auto& [force, moment] = reaction;
+  // Moments of friction across the axis load a node as well.
+  double held_x = moment.y;
+  double held_y = -moment.x;
+  for (int k = hinge.first; k < hinge.end; ++k) {
+    const Vector3d applied = joints_.applied_moment(k);
+    held_x -= applied.y();
+    held_y += applied.x();
+  }
+  for (int k = hinge.first; k < hinge.end; ++k) {
+    const Share& share = shares_[k];
+    joints_.set_reaction(k, {share.radial * force.x + share.moment * held_x,
+                             share.radial * force.y + share.moment * held_y,
+                             share.axial * force.z});
+  }
+}
+
+void FrictionTracker::move(Dynamics& dynamics, std::span<const int> hinges,
+                           std::span<Vec3<double>> change) {
+  if (is_direct_) {
+    dynamics.add_friction(joints_.steps());
+    return;
+  }
+  for (const int i : hinges) {
+    change[i] = vec3(sum(i, [&](int k) { return joints_.step(k); }));
+  }
+  dynamics.add_friction(change);
+}
+
+}  // namespace multibody

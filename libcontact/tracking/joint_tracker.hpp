@@ -1,0 +1,190 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <vector>
+
+#include "libcontact/base/instruction_set.hpp"
+#include "libcontact/base/vector_rows.hpp"
+#include "libcontact/joint/contact.hpp"
+#include "libcontact/joint/solution.hpp"
+#include "libcontact/tracking/tracker_exchange.hpp"
+
+namespace contact {
+
+namespace detail {
+struct CapKernel;
+struct TrackerJoints;
+struct TrackerKernel;
+template <class T>
+struct TrackerState;
+}  // namespace detail
+
+/// Friction of several sliding joints, side by side, tracked through small
+/// changes of R and Dw with one evaluation of each contact: for solvers of
+/// several bodies, which evaluate all joints again and again.
+///
+/// What the last evaluation of a contact found, and the secant slopes of f, c_Y
+/// and c_Z over R_n and a, predict M_t for a new R and Dw, and how it changes
+/// with R: predict(), then extend() for other R nearby. correct() evaluates
+/// each contact where the prediction leads, corrects it by what was missed, and
+/// the slopes by Broyden's update. error() says how wrong M_t is likely to be,
+/// largest() the same and more of all joints.
+///
+/// For what BallJoint and PinJoint solve in general this is no
+/// substitute: it needs a solution to start from, R not too near to Dw, and
+/// small changes. is_trusted() says whether it has all that.
+///
+/// R and Dw in any frame, for each joint another one if one likes; Dw of a pin
+/// along its axis; of its R what is normal to that counts. No call but the
+/// constructor allocates or throws.
+class JointTracker {
+ public:
+  /// By the best instruction set.
+  /// @param contacts  of balls and pins, with friction
+  explicit JointTracker(std::vector<JointContact> contacts);
+  /// @param set  a supported one; what it takes for the integrals of other
+  ///   pressures than the cosine is the best all the same
+  JointTracker(std::vector<JointContact> contacts, InstructionSet set);
+
+  int size() const { return static_cast<int>(contacts_.size()); }
+
+  /// Begins to track a joint, with two evaluations for its slopes.
+  /// @param solution  of this joint, sliding
+  /// @param rate      Dw for which it was found
+  void start(int joint, const JointSolution& solution,
+             const Eigen::Vector3d& rate) noexcept;
+  /// No longer: the joint is left out of correct().
+  void stop(int joint) noexcept { at(&Exchange::tracked, joint) = 0; }
+  bool is_tracked(int joint) const noexcept {
+    return at(&Exchange::tracked, joint) != 0;
+  }
+
+  /// @param rate  Dw, rad/s, not 0
+  void set_rate(int joint, const Eigen::Vector3d& rate) noexcept {
+    set(&Exchange::rate, joint, rate);
+  }
+  /// @param reaction  R on the body, N, not 0
+  void set_reaction(int joint, const Eigen::Vector3d& reaction) noexcept {
+    set(&Exchange::reaction, joint, reaction);
+  }
+  Eigen::Vector3d reaction(int joint) const noexcept {
+    return get(&Exchange::reaction, joint);
+  }
+
+  /// M_t by the slopes, nothing evaluated.
+  void predict() noexcept;
+  /// The same for reactions close to those of the last predict() or correct(),
+  /// Dw as it was there: a linear function of R.
+  void extend() noexcept;
+  /// M_t for R with each contact evaluated once.
+  void correct() noexcept;
+
+  /// Whether the last predict() or correct() stayed where the slopes are of
+  /// use: moves of R, b, R_n, ... up to 10 %, no NaN, sin b above 0.01.
+  bool is_trusted(int joint) const noexcept {
+    return is_tracked(joint) && at(&Exchange::trust, joint) < 1;
+  }
+  /// M_t for R and Dw, N m.
+  Eigen::Vector3d moment(int joint) const noexcept {
+    return get(&Exchange::moment, joint);
+  }
+  /// What M_t is likely to be wrong by, over |M_t|, from how wrong the slopes
+  /// were found lately: after correct() at most 0.62 of it on 1200 random paths
+  /// (tracking/joint_tracker_test.cpp).
+  double error(int joint) const noexcept { return at(&Exchange::error, joint); }
+
+  /// For those who bring M_t together with the motion that it causes: the
+  /// moment with which that has been worked out, N m.
+  void set_applied_moment(int joint, const Eigen::Vector3d& moment) noexcept {
+    set(&Exchange::applied, joint, moment);
+  }
+  Eigen::Vector3d applied_moment(int joint) const noexcept {
+    return get(&Exchange::applied, joint);
+  }
+  /// What the last predict(), extend() or correct() left: of the joints tracked
+  /// the largest, infinity for NaN.
+  using Largest = detail::TrackerLargest;
+  const Largest& largest() const noexcept { return largest_; }
+  /// @param floor  > 0, N m; 1e-100 at first
+  void set_moment_floor(double floor) noexcept {
+    moment_floor_ = floor * floor;
+  }
+  /// Applies the moments M_t.
+  void apply() noexcept;
+  /// What apply() changed, N m; 0 of a joint that is not tracked.
+  Eigen::Vector3d step(int joint) const noexcept {
+    return get(&Exchange::step, joint);
+  }
+  /// Keeps the applied moments, as the end of a stretch that began with the
+  /// last ones kept.
+  void keep() noexcept;
+  /// Applied moments beyond that end, by this share of the stretch.
+  void extrapolate(double share) noexcept;
+
+  /// Of all joints: what set_reaction() sets (beyond size() it is not read) and
+  /// step() tells, 0 beyond size().
+  VectorRows reactions() noexcept { return rows(&Exchange::reaction); }
+  VectorRows steps() noexcept { return rows(&Exchange::step); }
+
+ private:
+  using Exchange = detail::TrackerExchange;
+  using Vectors = Exchange::Vectors;
+  struct Values {  // f/cos a, c_Y/cos a, c_Z/sin a
+    double friction, sliding, spinning;
+  };
+  Values values(int joint, double force, SlipAxis axis,
+                double half_angle) const noexcept;
+  bool set_window(int joint, double force,
+                  detail::TrackerState<double>& state) const noexcept;
+  void evaluate_contact(int joint) noexcept;
+  detail::TrackerJoints joints() noexcept;
+  double* number(int joint, std::size_t k) noexcept;
+  detail::TrackerState<double> state(int joint) noexcept;
+  void set_state(int joint, const detail::TrackerState<double>& state) noexcept;
+
+  // 8 joints are one exchange.
+  static std::size_t packet(int joint) {
+    return static_cast<unsigned>(joint) / Exchange::size;
+  }
+  static unsigned lane(int joint) {
+    return static_cast<unsigned>(joint) % Exchange::size;
+  }
+  double& at(Exchange::Row Exchange::*row, int joint) noexcept {
+    return (exchange_[packet(joint)].*row)[lane(joint)];
+  }
+  double at(Exchange::Row Exchange::*row, int joint) const noexcept {
+    return (exchange_[packet(joint)].*row)[lane(joint)];
+  }
+  Eigen::Vector3d get(Vectors Exchange::*v, int joint) const noexcept {
+    const Vectors& from = exchange_[packet(joint)].*v;
+    const unsigned k = lane(joint);
+    return {from.x[k], from.y[k], from.z[k]};
+  }
+  void set(Vectors Exchange::*v, int joint, const Eigen::Vector3d& x) noexcept {
+    Vectors& to = exchange_[packet(joint)].*v;
+    const unsigned k = lane(joint);
+    to.x[k] = x.x();
+    to.y[k] = x.y();
+    to.z[k] = x.z();
+  }
+  VectorRows rows(Vectors Exchange::*v) noexcept {
+    return {(exchange_[0].*v).x, sizeof(Exchange) / sizeof(double)};
+  }
+
+  struct alignas(64) Line {
+    double of[8];
+  };
+  std::vector<JointContact> contacts_;
+  const detail::TrackerKernel* kernel_;
+  const detail::CapKernel* integrals_;
+  std::vector<Exchange> exchange_;
+  std::vector<Line> states_;  // TrackerState in lanes of the kernel
+  bool any_plain_ = false;
+  std::vector<char> is_plain_;    // the exact integrals alone make its values
+  std::vector<char> is_smooth_;   // its law is, as far as it has been seen
+  double moment_floor_ = 1e-200;  // squared
+  Largest largest_{};
+};
+
+}  // namespace contact

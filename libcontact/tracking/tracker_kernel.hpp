@@ -1,0 +1,35 @@
+#pragma once
+
+#include "libcontact/base/instruction_set.hpp"
+#include "libcontact/tracking/tracker_exchange.hpp"
+
+namespace contact::detail {
+
+/// All joints of a JointTracker.
+struct TrackerJoints {
+  int size;
+  TrackerExchange* exchange;  ///< of 8 joints each
+  void* states;  ///< a TrackerState of lanes for TrackerKernel::lanes joints
+  double moment_floor;  ///< squared
+};
+
+/// The arithmetic of JointTracker around the evaluation of the contacts,
+/// lanes over joints, compiled once per instruction set.
+struct TrackerKernel {
+  int lanes;
+  TrackerLargest (*predict)(const TrackerJoints&);
+  TrackerLargest (*extend)(const TrackerJoints&);
+  /// extend(), and the contacts to be evaluated.
+  TrackerLargest (*prepare)(const TrackerJoints&);
+  /// What was found there: slopes and moments are corrected.
+  TrackerLargest (*correct)(const TrackerJoints&);
+  void (*step)(const TrackerJoints&);
+  void (*keep)(const TrackerJoints&);
+  void (*extrapolate)(const TrackerJoints&, double share);
+};
+
+/// The kernel for a supported instruction set: lanes that few joints cannot
+/// fill cost more than they bring.
+const TrackerKernel& tracker_kernel(InstructionSet set, int joints);
+
+}  // namespace contact::detail

@@ -1,0 +1,8 @@
+#include "libcontact/tracking/tracker_kernel_impl.hpp"
+
+namespace contact::detail {
+
+extern const TrackerKernel tracker_kernel_avx512;
+constinit const TrackerKernel tracker_kernel_avx512 = make_kernel();
+
+}  // namespace contact::detail

@@ -1,0 +1,10 @@
+// Few joints: half of the registers' width, but all 32 of them.
+#define CONTACT_LANES 4
+#include "libcontact/tracking/tracker_kernel_impl.hpp"
+
+namespace contact::detail {
+
+extern const TrackerKernel tracker_kernel_avx512_four;
+constinit const TrackerKernel tracker_kernel_avx512_four = make_kernel();
+
+}  // namespace contact::detail

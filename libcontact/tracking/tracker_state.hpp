@@ -1,0 +1,115 @@
+#pragma once
+
+#include "libcontact/base/vec3.hpp"
+
+/// What JointTracker keeps: numbers of one joint (T = double), or of
+/// several in lanes.
+namespace contact::detail {
+
+/// How far series, slopes and windows are good: moves of ln R,
+/// ln R_n, b, ... With moves of 10 % the seventh order of the series is 1e-8.
+constexpr double trust_radius = 0.1;
+/// 1/sin b up to which a joint is tracked: M_t over R changes as quickly.
+constexpr double largest_inverse_sine = 100;
+/// sin a and cos a of contacts are taken at least so large: what is divided by
+/// them tends to a constant. Its square can still be told from 0.
+constexpr double smallest_axis = 1e-150;
+
+/// A move of the contact.
+template <class T>
+struct ContactMove {
+  T force, cosine;  ///< of x = ln R_n and y = ln cos^2 a
+};
+
+/// F, one of f/cos a, c_Y/cos a, c_Z/sin a, around the contact last evaluated.
+template <class T>
+struct Secants {
+  T value;                ///< F there; for the speed 1 if viscous
+  T by_force, by_cosine;  ///< d ln F over dx and dy
+  T curvature;            ///< half of d^2 ln F along the last move
+};
+
+/// Two functions of R_n alone, as Newton's polynomials near the middle.
+template <class T>
+struct Window {
+  static constexpr int size = 12;
+  /// Chebyshev's nodes, cos((2 i + 1) pi/24), in an order that keeps rounding
+  /// small.
+  static constexpr double nodes[size] = {
+      0.991445,  -0.991445, -0.130526, 0.608761, -0.608761, 0.382683,
+      -0.793353, 0.92388,   -0.382683, -0.92388, 0.793353,  0.130526};
+  T middle, inverse_half_width;  ///< of R_n
+  T first[size], second[size];   ///< divided differences
+
+  T place(const T& force) const {
+    return (force - middle) * inverse_half_width;
+  }
+  /// @param place  -1 to 1
+  [[gnu::always_inline]] static T value(const T (&differences)[size],
+                                        const T& place) {
+    T sum = differences[size - 1];
+#pragma GCC unroll 12
+    for (int i = size - 2; i >= 0; --i) {
+      sum = sum * (place - nodes[i]) + differences[i];
+    }
+    return sum;
+  }
+};
+
+/// R and Dw: e = w cos b + p sin b, q = w x p.
+template <class T>
+struct ReactionFrame {
+  Vec3<T> w, p, q;
+  T reaction, inverse_reaction;
+  T sine, cosine;  ///< of min(b, pi - b)
+  T inverse_sine;
+  T sign;   ///< of cos b
+  T speed;  ///< |Dw|, 1 if friction is dry
+};
+
+/// SlipTriangle, and what a Newton step by the secants made of it.
+template <class T>
+struct SlipState {
+  T tangent;  ///< tan psi
+  T sin_psi, cos_psi, cos_g, axis_sine, axis_cosine;
+  ContactMove<T> move;  ///< from the contact last evaluated
+  T step;               ///< of ln tan psi, the last
+  T squares;            ///< of its steps, their sum
+  T inverse_slope;      ///< d ln tan psi over d(residual)
+  T trust;              ///< largest move over trust_radius
+};
+
+template <class T>
+struct TrackerState {
+  // Of the joint.
+  T radius;                    ///< rho, m
+  T side;                      ///< s of docs/joint.md (7)
+  T is_ball, is_viscous;       ///< 1 or 0
+  T is_plain;                  ///< 1: the exact integrals alone make its values
+  T pressure_part, area_part;  ///< JointContact::Strength at speed 1
+
+  // The last solution.
+  T last_inverse_reaction, last_sine, last_cosine, last_speed;
+  T last_tangent, last_residual;  ///< ln tan psi - ln f/cos a of the contact
+  T tangent_by_reaction, tangent_by_angle;  ///< d ln tan psi over d ln R, db
+
+  // The contact last evaluated.
+  T inverse_force, inverse_axis_cosine;  ///< 1/R_n, 1/cos a
+  Secants<T> friction, sliding, spinning;
+  ContactMove<T> last_move;  ///< to it, from the one before
+  T inverse_square;          ///< 1/length^2 of this move
+  T slope_error;  ///< how wrong slopes have lately been: d ln F per length
+  Window<T> window;
+
+  // The last prediction, and M_t from there.
+  ReactionFrame<T> frame;
+  SlipState<T> slip;
+  Vec3<T> reaction, moment;
+  Mat3<T> jacobian;  ///< dM_t/dR
+  T error;           ///< relative, of `moment`
+
+  // The applied moment kept last, and its change from the one before.
+  Vec3<T> kept, stretch;
+};
+
+}  // namespace contact::detail
