@@ -93,7 +93,7 @@ double AngleTable::peak_pressure(double half_angle,
   // The contact shrinks with the load, but slower.
   if (load_parameter == 0) return 0;
   return pressure_.law->peak(half_angle) *
-         setup_.geometry->pressure_unit(loads_.convert(
+         joint_.geometry->pressure_unit(loads_.convert(
              LoadVariable::load_parameter, load_parameter, LoadVariable::load));
 }
 

@@ -7,27 +7,26 @@ using contact::BallContact;
 using contact::PinContact;
 
 template <class Contact>
-Contact make(const hinge_angle::Setup& setup) {
-  const auto& [loading, walls] = setup.conditions;
-  return walls ? Contact(*walls, loading) : Contact(setup.pair, loading);
+Contact make(const cli::Joint& joint) {
+  const auto& [loading, walls] = joint.conditions;
+  return walls ? Contact(*walls, loading) : Contact(joint.pair, loading);
 }
 
-std::variant<BallContact, PinContact> contact_of(
-    const hinge_angle::Setup& setup) {
-  if (setup.kind == contact::JointKind::ball) {
-    return make<BallContact>(setup);
+std::variant<BallContact, PinContact> contact_of(const cli::Joint& joint) {
+  if (joint.kind == contact::JointKind::ball) {
+    return make<BallContact>(joint);
   }
-  return make<PinContact>(setup);
+  return make<PinContact>(joint);
 }
 
 }  // namespace
 
-JointApproach::JointApproach(const hinge_angle::Setup& setup)
-    : contact_(contact_of(setup)),
-      length_unit_(setup.geometry->radial_clearance()),
-      stiffness_unit_(setup.pair.effective_modulus() *
-                      (setup.kind == contact::JointKind::ball
-                           ? setup.geometry->radius()
+JointApproach::JointApproach(const cli::Joint& joint)
+    : contact_(contact_of(joint)),
+      length_unit_(joint.geometry->radial_clearance()),
+      stiffness_unit_(joint.pair.effective_modulus() *
+                      (joint.kind == contact::JointKind::ball
+                           ? joint.geometry->radius()
                            : 1)) {}
 
 JointApproach::Value JointApproach::operator()(double half_angle) const {

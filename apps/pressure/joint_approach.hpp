@@ -2,7 +2,7 @@
 
 #include <variant>
 
-#include "angle/setup.hpp"
+#include "cli/joint_options.hpp"
 #include "libcontact/conforming/ball.hpp"
 #include "libcontact/conforming/pin.hpp"
 
@@ -13,8 +13,8 @@ namespace hinge_pressure {
 /// (docs/speed.md, "half-angle at a load" is some ten of them).
 class JointApproach {
  public:
-  /// @param setup  has a geometry
-  explicit JointApproach(const hinge_angle::Setup& setup);
+  /// @param joint  has a geometry
+  explicit JointApproach(const cli::Joint& joint);
 
   /// From first touch of the unloaded bodies.
   struct Value {
