@@ -72,19 +72,19 @@ cli::LowerPanel error_panel(const std::vector<cli::Curve>& curves,
 
 }  // namespace
 
-std::string draw(const Loads& scale, const Input& input, const Setup& setup,
-                 const std::vector<NamedLaw>& laws, const std::string& file) {
+std::string draw(const Loads& scale, const Input& input,
+                 const cli::Joint& joint, const std::string& file) {
   const std::vector<double> values = shown_values(input.values);
   cli::LinePlot plot;
-  plot.title = setup.title();
-  plot.x_label = load_label(input.variable, setup.kind);
+  plot.title = joint.title();
+  plot.x_label = load_label(input.variable, joint.kind);
   plot.y_label = "contact half-angle θ₀, deg";
   // Laws reach a half-angle at loads that are decades apart.
   plot.logarithmic_x = input.inverse || input.values.is_logarithmic();
   const bool has_tanh =
-      std::any_of(laws.begin(), laws.end(),
+      std::any_of(joint.laws.begin(), joint.laws.end(),
                   [](const NamedLaw& law) { return law.name == "tanh"; });
-  for (const NamedLaw& law : laws) {
+  for (const NamedLaw& law : joint.laws) {
     // A ball's blend: the same curve twice.
     if (has_tanh && law.law->name() == "blend:0") continue;
     cli::Curve curve{law.name, {}, {}, law.name == "exact"};

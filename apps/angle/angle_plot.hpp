@@ -5,7 +5,6 @@
 
 #include "angle/angle_table.hpp"
 #include "angle/input.hpp"
-#include "angle/setup.hpp"
 
 namespace hinge_angle {
 
@@ -13,7 +12,7 @@ namespace hinge_angle {
 /// them, a panel below has the others' errors: percent of the exact
 /// half-angle at the same load.
 /// @return as cli::draw()
-std::string draw(const Loads& scale, const Input& input, const Setup& setup,
-                 const std::vector<NamedLaw>& laws, const std::string& file);
+std::string draw(const Loads& scale, const Input& input,
+                 const cli::Joint& joint, const std::string& file);
 
 }  // namespace hinge_angle

@@ -16,14 +16,15 @@ void count(contact::Status status, Failures& failures) {
 
 }  // namespace
 
-AngleTable::AngleTable(const Setup& setup, const Loads& loads,
-                       const std::vector<NamedLaw>& laws,
-                       const cli::NamedPressure& pressure)
-    : setup_(setup), loads_(loads), laws_(laws), pressure_(pressure) {
-  if (!setup.geometry) return;
-  for (const NamedLaw& law : laws) {
+AngleTable::AngleTable(const cli::Joint& joint, const Loads& loads)
+    : joint_(joint),
+      loads_(loads),
+      laws_(joint.laws),
+      pressure_(joint.pressures[0]) {
+  if (!joint.geometry) return;
+  for (const NamedLaw& law : laws_) {
     if (!cli::JointApproach::of(*law.law)) continue;
-    approach_.emplace(law.law, *setup.geometry, setup.pair, 1);
+    approach_.emplace(law.law, *joint.geometry, joint.pair, 1);
   }
 }
 
@@ -35,7 +36,7 @@ void AngleTable::add_columns(const NamedLaw& law,
       pressure == contact::default_pressure_law ? "" : "_by_" + pressure,
       loads_.have_load() ? "Pa" : "over_mean"));
   if (!approach_ || !cli::JointApproach::of(*law.law)) return;
-  for (std::string& name : cli::JointApproach::columns(setup_.kind)) {
+  for (std::string& name : cli::JointApproach::columns(joint_.kind)) {
     names.push_back(std::move(name));
   }
 }
@@ -118,7 +119,7 @@ double AngleTable::peak_pressure(double half_angle,
   // The contact shrinks with the load, but slower.
   if (load_parameter == 0) return 0;
   return pressure_.law->peak(half_angle) *
-         setup_.geometry->pressure_unit(loads_.convert(
+         joint_.geometry->pressure_unit(loads_.convert(
              LoadVariable::load_parameter, load_parameter, LoadVariable::load));
 }
 

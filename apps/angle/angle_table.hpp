@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "angle/loads.hpp"
-#include "angle/setup.hpp"
 #include "cli/joint_approach.hpp"
+#include "cli/joint_options.hpp"
 #include "cli/laws.hpp"
 #include "cli/table.hpp"
 
@@ -25,13 +25,9 @@ struct Failures {
 /// Columns and rows of the half-angles of one joint by several laws.
 class AngleTable {
  public:
-  /// @param setup     must outlive the table, as must the others
-  /// @param loads     of the same joint
-  /// @param laws      for the joint's kind and pair
-  /// @param pressure  for the peak pressure
-  AngleTable(const Setup& setup, const Loads& loads,
-             const std::vector<NamedLaw>& laws,
-             const cli::NamedPressure& pressure);
+  /// @param joint  with one pressure law; must outlive the table
+  /// @param loads  of the same joint; must outlive the table
+  AngleTable(const cli::Joint& joint, const Loads& loads);
 
   /// load (if the joint has a geometry), load_parameter, x, then for each law
   /// theta0_LAW_deg and p_peak_LAW_Pa or p_peak_LAW_over_mean; with a geometry
@@ -57,7 +53,7 @@ class AngleTable {
   // Pa, or in pressure units (R_n/rho1^2, P/rho1) without a geometry.
   double peak_pressure(double half_angle, double load_parameter) const;
 
-  const Setup& setup_;
+  const cli::Joint& joint_;
   const Loads& loads_;
   const std::vector<NamedLaw>& laws_;
   const cli::NamedPressure& pressure_;

@@ -7,8 +7,8 @@
 #include <string_view>
 
 #include "cli/output.hpp"
+#include "cli/refuse.hpp"
 #include "cli/table.hpp"
-#include "libcontact/base/error.hpp"
 #include "libcontact/base/units.hpp"
 #include "libcontact/half_angle/exact.hpp"
 
@@ -86,21 +86,19 @@ LawComparison compare_law(const NamedLaw& law,
 }  // namespace
 
 std::vector<LawComparison> compare(const Loads& scale, const Input& input,
-                                   const Setup& setup,
-                                   const std::vector<NamedLaw>& laws,
+                                   const cli::Joint& joint,
                                    double tolerance_percent) {
-  const contact::ExactLaw exact(setup.kind, setup.pair);
+  const contact::ExactLaw exact(joint.kind, joint.pair);
   const std::vector<double> loads = load_parameters(scale, input);
   std::vector<LawComparison> result;
-  for (const NamedLaw& law : laws) {
+  for (const NamedLaw& law : joint.laws) {
     result.push_back(compare_law(law, exact, loads));
   }
   if (std::all_of(result.begin(), result.end(), [](const auto& law) {
         return std::isnan(law.error_percent);
       })) {
-    throw contact::Error(
-        "--compare: allowed loads above 0 and within the exact solution; there "
-        "is none");
+    cli::refuse_without("--compare",
+                        "a load above 0 and within the exact solution");
   }
   const auto best = std::min_element(
       result.begin(), result.end(),
@@ -117,10 +115,10 @@ std::vector<LawComparison> compare(const Loads& scale, const Input& input,
 }
 
 void write_comparison(const std::vector<LawComparison>& laws,
-                      const Loads& scale, const Setup& setup,
+                      const Loads& scale, const cli::Joint& joint,
                       const cli::OutputOptions& options) {
   std::vector<std::string> columns = {"law", "error_percent"};
-  if (setup.geometry) columns.emplace_back("load");
+  if (joint.geometry) columns.emplace_back("load");
   for (const char* name : {"load_parameter", "theta0_exact_deg",
                            "theta0_law_deg", "cost_tanh", "recommended"}) {
     columns.emplace_back(name);
@@ -133,7 +131,7 @@ void write_comparison(const std::vector<LawComparison>& laws,
   for (const LawComparison& law : laws) {
     row.text(law.name);
     row.number(law.error_percent);
-    if (setup.geometry) {
+    if (joint.geometry) {
       row.number(scale.convert(LoadVariable::load_parameter, law.load_parameter,
                                LoadVariable::load));
     }

@@ -5,7 +5,8 @@
 
 #include "angle/angle_table.hpp"
 #include "angle/input.hpp"
-#include "angle/setup.hpp"
+#include "cli/joint_options.hpp"
+#include "cli/program.hpp"
 
 namespace hinge_angle {
 
@@ -27,15 +28,14 @@ struct LawComparison {
 /// at 400 loads in equal ratios and at both ends. The cheapest law within the
 /// tolerance is recommended, exact if there is no other.
 std::vector<LawComparison> compare(const Loads& scale, const Input& input,
-                                   const Setup& setup,
-                                   const std::vector<NamedLaw>& laws,
+                                   const cli::Joint& joint,
                                    double tolerance_percent);
 
 /// The comparison as a table: law, error_percent, load (if the joint has a
 /// geometry), load_parameter, theta0_exact_deg, theta0_law_deg, cost_tanh,
 /// recommended (yes or empty).
 void write_comparison(const std::vector<LawComparison>& laws,
-                      const Loads& scale, const Setup& setup,
+                      const Loads& scale, const cli::Joint& joint,
                       const cli::OutputOptions& options);
 
 }  // namespace hinge_angle

@@ -1,69 +1,53 @@
 #include "angle/input.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
+#include <CLI/CLI.hpp>
 #include <limits>
-#include <string>
-#include <string_view>
-
-#include "libcontact/base/error.hpp"
+#include "cli/program.hpp"
+#include "cli/refuse.hpp"
 
 namespace hinge_angle {
-namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+void add_load_options(CLI::App& app, LoadOptions& options) {
+  app.option_defaults()->group("Load");
+  app.add_option("--load", options.load, "N, or N/m for a pin")
+      ->option_text("VALUES");
+  app.add_option("--load-parameter", options.load_parameter, "mu or lambda")
+      ->option_text("VALUES");
+  app.add_option("--x", options.x, "cbrt(mu) or 2 sqrt(lambda)")
+      ->option_text("VALUES");
+  cli::exclude(app, "--load", {"--load-parameter", "--x"});
+  cli::exclude(app, "--load-parameter", {"--x"});
+}
 
-}  // namespace
-
-Input make_input(const Options& options, const Setup& setup) {
-  if (options.inverse || !options.theta0.empty()) {
-    if (!options.inverse || options.theta0.empty() || !options.load.empty() ||
-        !options.load_parameter.empty() || !options.x.empty()) {
-      throw contact::Error("--inverse and --theta0: belong together, no load");
-    }
-    if (options.compare) {
-      throw contact::Error("--compare: takes a load, not --inverse");
-    }
-    // Curves are drawn over the load where there is one.
-    return {setup.geometry ? LoadVariable::load : LoadVariable::load_parameter,
-            true, cli::Sweep("--theta0", options.theta0, {0, 180, "deg"})};
-  }
-  const bool ball = setup.kind == contact::JointKind::ball;
-  struct Source {
-    std::string_view option;
-    const std::string& text;
-    LoadVariable variable;
-    std::string_view unit;
+Input make_input(const LoadOptions& options, const cli::Joint& joint) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const auto load = [&](LoadVariable variable, const char* option,
+                        const std::string& values, const char* unit) {
+    return Input{variable, false,
+                 cli::Sweep(option, values, {0, infinity, unit})};
   };
-  const std::array<Source, 3> sources = {{
-      {"--load", options.load, LoadVariable::load, ball ? "N" : "N/m"},
-      {"--load-parameter", options.load_parameter, LoadVariable::load_parameter,
-       ""},
-      {"--x", options.x, LoadVariable::x, ""},
-  }};
-  const auto given = [](const Source& source) { return !source.text.empty(); };
-  const auto count = std::count_if(sources.begin(), sources.end(), given);
-  if (count == 0 && options.compare) {
-    // From where Hertz holds to where the limit does.
-    return {
-        LoadVariable::load_parameter, false,
-        cli::Sweep("--load-parameter", "1e-6:1e8:log281", {0, infinity, ""})};
+  if (!options.theta0.empty()) {
+    // Curves are drawn over the load where there is one.
+    return Input{
+        joint.geometry ? LoadVariable::load : LoadVariable::load_parameter,
+        true, cli::Sweep("--theta0", options.theta0, {0, 180, "deg"})};
   }
-  if (count != 1) {
-    throw contact::Error(
-        fmt::format("{} one of --load, --load-parameter, --x (see --help)",
-                    count == 0 ? "needs" : "needs no more than"));
+  if (!options.load_parameter.empty()) {
+    return load(LoadVariable::load_parameter, "--load-parameter",
+                options.load_parameter, "");
   }
-  const Source& source = *std::find_if(sources.begin(), sources.end(), given);
-  if (source.variable == LoadVariable::load && !setup.geometry) {
-    throw contact::Error(
-        "--load: a dimensionless joint takes --load-parameter or --x; a load "
-        "needs --radius and --clearance");
+  if (!options.x.empty()) return load(LoadVariable::x, "--x", options.x, "");
+  if (options.load.empty()) {
+    cli::refuse_without("a load",
+                        "one of --load, --load-parameter, --x (see --help)");
   }
-  return {source.variable, false,
-          cli::Sweep(source.option, source.text, {0, infinity, source.unit})};
+  if (!joint.geometry) {
+    cli::refuse_without("--load",
+                        "--radius and --clearance; a dimensionless joint has "
+                        "--load-parameter and --x");
+  }
+  return load(LoadVariable::load, "--load", options.load,
+              joint.kind == contact::JointKind::ball ? "N" : "N/m");
 }
 
 }  // namespace hinge_angle

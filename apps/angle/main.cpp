@@ -3,9 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "angle/options.hpp"
 #include "angle/run.hpp"
-#include "cli/laws.hpp"
 #include "cli/program.hpp"
 
 namespace {
@@ -18,9 +16,8 @@ The joint is one of
   --joint ball|pin --pair FILE.toml --radius R --clearance EPS
   --joint ball|pin --pair FILE.toml              dimensionless
   --joint ball|pin --modulus-ratio E1/E2         dimensionless
-with body 1 the ball or pin and body 2 the seat or hole. Lengths are in m or
-carry a unit: 50mm, 25um. The clearance is the difference of the radii. A
-modulus ratio of 0 is a rigid seat, inf a rigid ball or pin.
+with body 1 the ball or pin and body 2 the seat or hole. A modulus ratio of 0 is
+a rigid seat, inf a rigid ball or pin.
 )";
 
 constexpr std::string_view load_help = R"(
@@ -69,6 +66,7 @@ whenever exact is one of several laws.
 Examples:
   hinge-angle --joint pin --modulus-ratio 1 --load-parameter 0.001:10:log9 --law hertz,arctan,tanh,blend
   hinge-angle --joint ball --pair data/materials/steel_bronze.toml --radius 50mm --clearance 50um --load 1e4:1e6:log5
+  hinge-angle --joint ball --pair data/materials/cocr_uhmwpe.toml --radius 14mm --clearance 100um --wall 8mm --backing rigid --load 2000
   hinge-angle --joint ball --modulus-ratio 0 --limit-angle 92.5 --x 0:2:0.5 --law tanh --format markdown
   hinge-angle --joint data/joints/paper_example_1.toml --load 1e4:1e6:log9 --law hertz,arctan,tanh
   hinge-angle --compare --joint data/joints/hip_cocr_uhmwpe.toml --load 100:5000:log50 --format markdown
@@ -78,39 +76,31 @@ Examples:
 )";
 
 void add_options(CLI::App& app, Options& options) {
-  add_joint_options(app, options);
-  add_load_options(app, options);
-  app.add_flag("--inverse", options.inverse,
-               "from half-angles to loads, with --theta0")
-      ->group("Load");
-  app.add_option("--theta0", options.theta0, "half-angles, deg, 0 to 180")
-      ->option_text("ANGLES")
-      ->group("Load");
+  add_joint_options(app, options.joint);
+  add_load_options(app, options.load);
+  auto* inverse = app.add_flag("--inverse")
+                      ->description("from half-angles to loads")
+                      ->option_text(" ");
+  auto* theta0 = app.add_option("--theta0", options.load.theta0,
+                                "half-angles, deg, 0 to 180")
+                     ->option_text("ANGLES");
+  inverse->needs(theta0);
+  theta0->needs(inverse);
+  cli::exclude(app, "--inverse", {"--load", "--load-parameter", "--x"});
 
-  app.add_option("--law", options.laws, "a comma list; default fitted")
-      ->delimiter(',')
-      ->option_text("NAMES")
-      ->group("Law");
+  add_law_options(app, options.joint, cli::Laws::several, cli::Laws::one);
   auto* compare =
       app.add_flag("--compare", options.compare,
                    "how far each law is from exact over the range of the load")
-          ->group("Law");
+          ->option_text(" ");
   app.add_option("--tolerance", options.tolerance,
                  "percent of theta0 that --compare takes for good; default 0.1")
       ->option_text("PERCENT")
-      ->needs(compare)
-      ->group("Law");
-  app.add_option("--limit-angle", options.limit_angle,
-                 "formula, linear, or degrees; default formula")
-      ->option_text("NAME|ANGLE")
-      ->group("Law");
-  app.add_option("--pressure", options.pressure,
-                 "cosine (default), sqrt_tan, sqrt_theta, mixture, exact")
-      ->option_text("NAME")
-      ->group("Law");
-  cli::add_output_options(app, options.output);
-  cli::add_jobs_option(app, options.output);
-  app.footer(std::string(help) + std::string(cli::loading_help) +
+      ->needs(compare);
+  add_output_options(app, options.output);
+  add_jobs_option(app, options.output);
+  cli::exclude(app, "--compare", {"--inverse", "--pressure", "--jobs"});
+  app.footer(std::string(help) + std::string(cli::joint_help) +
              std::string(load_help) + std::string(cli::exit_status_help));
 }
 

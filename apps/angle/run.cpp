@@ -10,12 +10,12 @@
 #include "angle/angle_table.hpp"
 #include "angle/compare.hpp"
 #include "angle/input.hpp"
-#include "cli/laws.hpp"
 #include "cli/output.hpp"
 #include "cli/progress.hpp"
+#include "cli/quantity.hpp"
+#include "cli/refuse.hpp"
 #include "cli/stream/ordered_blocks.hpp"
 #include "cli/table.hpp"
-#include "libcontact/base/error.hpp"
 
 namespace hinge_angle {
 namespace {
@@ -98,37 +98,51 @@ cli::ExitStatus write_half_angles(const AngleTable& angles, const Input& input,
   return status;
 }
 
+// All laws unless some are named.
+cli::Joint compared_joint(cli::JointOptions options) {
+  if (options.laws.empty()) options.laws = {"all"};
+  cli::Joint joint = make_joint(options);
+  if (joint.conditions.loading.is_back() || joint.conditions.walls) {
+    cli::refuse_beside("--compare",
+                       to_string(joint.conditions) +
+                           ": its laws are of a force at the centre and an "
+                           "infinite outer body");
+  }
+  return joint;
+}
+
+Input compared_input(LoadOptions options, const cli::Joint& joint) {
+  // From where Hertz holds to where the limit does.
+  if (!options.given()) options.load_parameter = "1e-6:1e8:log281";
+  return make_input(options, joint);
+}
+
 }  // namespace
 
 cli::ExitStatus run(const Options& options) {
-  const Setup setup = make_setup(options);
-  const std::vector<NamedLaw> laws =
-      cli::make_half_angle_laws(setup.half_angle_laws, setup.kind, setup.pair,
-                                setup.half_angle_options, setup.conditions);
-  const cli::NamedPressure pressure = cli::make_pressure_law(
-      setup.pressure_law, setup.kind, setup.pair, setup.conditions);
-  const Loads loads(setup.kind, setup.geometry, setup.pair);
-  const AngleTable angles(setup, loads, laws, pressure);
-  const Input input = make_input(options, setup);
+  const cli::Joint joint = options.compare ? compared_joint(options.joint)
+                                           : make_joint(options.joint);
+  const double tolerance =
+      cli::parse_value("--tolerance", options.tolerance, {0, 100, "%"});
+  const Loads loads(joint.kind, joint.geometry, joint.pair);
+  const AngleTable angles(joint, loads);
+  const Input input = options.compare ? compared_input(options.load, joint)
+                                      : make_input(options.load, joint);
   if (!options.output.plot.empty() && input.values.size() == 1) {
-    throw contact::Error("--plot: needs a range of loads or half-angles");
+    cli::refuse_without("--plot", "a range of loads or half-angles");
   }
   std::vector<LawComparison> comparison;
-  if (options.compare) {
-    comparison = compare(loads, input, setup, laws, setup.tolerance);
-  }
-  cli::warn_of_validity("hinge-angle", setup.geometry_notes(),
-                        cli::LawNotes(laws, setup.pair));
+  if (options.compare) comparison = compare(loads, input, joint, tolerance);
+  warn_of_validity("hinge-angle", joint);
 
   cli::ExitStatus status = cli::all_good;
   if (options.compare) {
-    write_comparison(comparison, loads, setup, options.output);
+    write_comparison(comparison, loads, joint, options.output);
   } else {
-    status = write_half_angles(angles, input, laws, options.output);
+    status = write_half_angles(angles, input, joint.laws, options.output);
   }
   if (options.output.plot.empty()) return status;
-  const std::string problem =
-      draw(loads, input, setup, laws, options.output.plot);
+  const std::string problem = draw(loads, input, joint, options.output.plot);
   if (problem.empty()) return status;
   cli::warn("hinge-angle", problem);
   return cli::some_bad;

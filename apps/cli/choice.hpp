@@ -3,7 +3,9 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
 
 namespace cli {
@@ -15,19 +17,17 @@ struct Choice {
   T value;
 };
 
-/// What `word` stands for. Throws contact::Error with the allowed words:
-/// "--format xml: allowed csv, json, markdown, latex".
+/// What `word` stands for. Throws contact::Error with the words that are known:
+/// `unknown format "xml" (csv, json, markdown, latex)`, of --format.
 template <class Choices>
 auto choice(std::string_view option, std::string_view word,
             const Choices& choices) {
-  std::string names;
+  std::vector<std::string> names;
   for (const auto& item : choices) {
     if (item.name == word) return item.value;
-    names += names.empty() ? " " : ", ";
-    names += item.name;
+    names.emplace_back(item.name);
   }
-  throw contact::Error(std::string(option) + ' ' + std::string(word) +
-                       ": allowed" + names);
+  throw contact::Error(contact::detail::unknown(option.substr(2), word, names));
 }
 
 }  // namespace cli

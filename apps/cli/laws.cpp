@@ -1,59 +1,37 @@
 #include "cli/laws.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
-#include <limits>
+#include <map>
 
-#include "cli/program.hpp"
 #include "cli/quantity.hpp"
+#include "cli/refuse.hpp"
+#include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
 #include "libcontact/base/units.hpp"
 
 namespace cli {
 namespace {
 
-void refuse_repetition(std::string_view option,
-                       const std::vector<std::string>& names) {
-  for (auto name = names.begin(); name != names.end(); ++name) {
-    if (std::find(names.begin(), name, *name) == name) continue;
-    throw contact::Error(
-        fmt::format("{} {}: allowed once, is there twice", option, *name));
-  }
-}
-
-// A law that depends on the loading, with it.
-std::string with_loading(const std::string& name,
-                         const contact::InnerLoading& loading) {
-  if (name != "exact" || !loading.is_back()) return name;
-  return fmt::format("{}_{}", name, to_string(loading));
-}
-
 // The names asked for, `all` for the word "all".
 std::vector<std::string> law_names(std::string_view option,
                                    const std::vector<std::string>& asked,
                                    std::vector<std::string> otherwise,
-                                   const std::vector<std::string>& all) {
-  refuse_repetition(option, asked);
+                                   std::vector<std::string> all) {
+  for (auto name = asked.begin(); name != asked.end(); ++name) {
+    if (std::find(asked.begin(), name, *name) == name) continue;
+    throw contact::Error(contact::detail::duplicate(option, *name));
+  }
   if (asked.empty()) return otherwise;
   if (std::find(asked.begin(), asked.end(), "all") == asked.end()) return asked;
-  if (asked.size() > 1) {
-    throw contact::Error(fmt::format("{} {}: all is allowed alone", option,
-                                     fmt::join(asked, ",")));
-  }
-  return all;
+  if (asked.size() == 1) return all;
+  const std::string text = fmt::format("{}", fmt::join(asked, ","));
+  refuse(option, text, "all alone, or names");
 }
 
 }  // namespace
-
-void add_loading_option(CLI::App& app, std::string& loading,
-                        const std::string& group) {
-  app.add_option("--loading", loading,
-                 "of the ball or pin: centre (default) or back:PSI")
-      ->option_text("NAME")
-      ->group(group);
-}
 
 contact::InnerLoading parse_loading(const std::string& text,
                                     const contact::InnerLoading& otherwise) {
@@ -65,9 +43,8 @@ contact::InnerLoading parse_loading(const std::string& text,
                            ? parse_number(text.substr(back.size()))
                            : std::nullopt;
   if (!degrees || !patch.contains(*degrees)) {
-    throw contact::Error(fmt::format(
-        "--loading {}: allowed centre, or back:PSI with PSI from {}", text,
-        patch.text()));
+    refuse("--loading", text,
+           "centre, or back:PSI with PSI from " + patch.text());
   }
   return contact::InnerLoading::back(*degrees * contact::degree);
 }
@@ -80,7 +57,7 @@ std::vector<std::string> half_angle_laws(
     return name == "paper" ||  // one of the others
            !contact::half_angle_law_allows(name, conditions);
   });
-  return law_names("--law", asked, std::move(otherwise), all);
+  return law_names("--law", asked, std::move(otherwise), std::move(all));
 }
 
 std::vector<std::string> pressure_laws(
@@ -90,7 +67,7 @@ std::vector<std::string> pressure_laws(
   std::erase_if(all, [&](const std::string& name) {
     return !contact::pressure_law_allows(name, conditions);
   });
-  return law_names("--pressure", asked, std::move(otherwise), all);
+  return law_names("--pressure", asked, std::move(otherwise), std::move(all));
 }
 
 void set_limit_angle(const std::string& text,
@@ -102,87 +79,38 @@ void set_limit_angle(const std::string& text,
   if (text != "linear" && text != "formula") {
     const auto degrees = parse_number(text);
     if (!degrees || !(*degrees > 0 && *degrees < 180)) {
-      throw contact::Error(
-          fmt::format("--limit-angle {}: allowed formula, linear, or an angle "
-                      "above 0, below 180 deg",
-                      text));
+      refuse("--limit-angle", text,
+             "formula, linear, or an angle above 0, below 180 deg");
     }
     options.limit_half_angle = *degrees * contact::degree;
   }
   if (std::none_of(laws.begin(), laws.end(),
                    contact::takes_half_angle_options)) {
-    throw contact::Error(
-        fmt::format("--limit-angle {}: allowed with the laws arctan, tanh, "
-                    "blend and paper; none of them is asked for",
-                    text));
+    refuse_without(given("--limit-angle", text),
+                   "one of the laws arctan, tanh, blend, "
+                   "paper; none of them is asked for");
   }
 }
 
-std::vector<NamedLaw> make_half_angle_laws(
-    const std::vector<std::string>& names, contact::JointKind kind,
-    const contact::ElasticPair& pair, const contact::HalfAngleOptions& options,
-    const contact::ContactConditions& conditions) {
-  std::vector<NamedLaw> laws;
-  for (const std::string& name : names) {
-    laws.push_back(
-        {with_loading(name, conditions.loading),
-         contact::make_half_angle_law(name, kind, pair, options, conditions)});
-  }
-  return laws;
+std::string with_loading(const std::string& name,
+                         const contact::InnerLoading& loading) {
+  if (name != "exact" || !loading.is_back()) return name;
+  return fmt::format("{}_{}", name, to_string(loading));
 }
 
-NamedPressure make_pressure_law(const std::string& name,
-                                contact::JointKind kind,
-                                const contact::ElasticPair& pair,
-                                const contact::ContactConditions& conditions) {
-  return {with_loading(name, conditions.loading),
-          contact::make_pressure_law(name, kind, pair, conditions)};
-}
-
-std::vector<NamedPressure> make_pressure_laws(
-    const std::vector<std::string>& names, contact::JointKind kind,
-    const contact::ElasticPair& pair,
-    const contact::ContactConditions& conditions) {
-  std::vector<NamedPressure> laws;
-  for (const std::string& name : names) {
-    laws.push_back(make_pressure_law(name, kind, pair, conditions));
-  }
-  return laws;
-}
-
-contact::ElasticPair pair_of_modulus_ratio(std::string_view ratio,
-                                           std::string_view poisson1,
-                                           std::string_view poisson2) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  constexpr Allowed poisson{0, 0.5, ""};
-  return contact::ElasticPair::from_modulus_ratio(
-      parse_value("--modulus-ratio", ratio, {0, infinity, ""}),
-      parse_value("--poisson1", poisson1, poisson),
-      parse_value("--poisson2", poisson2, poisson));
-}
-
-LawNotes::LawNotes(const std::vector<NamedLaw>& laws,
-                   const contact::ElasticPair& pair) {
+std::vector<std::string> law_notes(const std::vector<NamedLaw>& laws,
+                                   const contact::ElasticPair& pair) {
+  std::map<std::string, std::vector<std::string>> laws_by_reason;
   for (const NamedLaw& named : laws) {
     for (const std::string& reason : named.law->validity_notes(pair)) {
-      laws_by_reason_[reason].push_back(named.name);
+      laws_by_reason[reason].push_back(named.name);
     }
   }
-}
-
-std::vector<std::string> LawNotes::texts() const {
   std::vector<std::string> texts;
-  for (const auto& [reason, laws] : laws_by_reason_) {
-    texts.push_back(fmt::format("law {}: {}", fmt::join(laws, ", "), reason));
+  for (const auto& [reason, names] : laws_by_reason) {
+    texts.push_back(fmt::format("law {}: {}", fmt::join(names, ", "), reason));
   }
   return texts;
-}
-
-void warn_of_validity(std::string_view program,
-                      const std::vector<std::string>& geometry,
-                      const LawNotes& laws) {
-  for (const std::string& text : geometry) warn(program, text);
-  for (const std::string& text : laws.texts()) warn(program, text);
 }
 
 }  // namespace cli

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <map>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -11,12 +10,7 @@
 #include "libcontact/pair/material.hpp"
 #include "libcontact/pressure/factory.hpp"
 
-namespace CLI {
-class App;
-}
-
-/// The laws of half-angle and pressure that options name. One place for all
-/// programs, so that the same mistake has the same message.
+/// The laws of half-angle and pressure that options name.
 namespace cli {
 
 /// A half-angle law under the name by which it was asked for; with a loading
@@ -33,25 +27,8 @@ struct NamedPressure {
   std::shared_ptr<const contact::PressureLaw> law;
 };
 
-/// What --help says of --loading.
-inline constexpr std::string_view loading_help =
-    "Loading: centre (the force enters the ball or pin by a stem or shaft, or "
-    "is its\n"
-    "own weight; the default) or back:PSI (a loose ball or roller pressed from "
-    "behind\n"
-    "on a patch of half-angle PSI, 0 to 90 deg, by a uniform pressure). Only "
-    "the\n"
-    "half-angle law exact knows the latter, its name in the output is then\n"
-    "exact_back:PSI; the pressure law exact follows it, mixture is refused.\n"
-    "Walls and coatings are in joint files: [wall] and [[coating]]. With them "
-    "all\n"
-    "laws are exact, others are refused.\n";
-
-/// Adds --loading.
-void add_loading_option(CLI::App& app, std::string& loading,
-                        const std::string& group);
 /// What --loading says, `otherwise` if it was not given. Throws contact::Error
-/// for a text that is not allowed.
+/// for anything else than centre and back:PSI.
 contact::InnerLoading parse_loading(const std::string& text,
                                     const contact::InnerLoading& otherwise);
 
@@ -74,45 +51,14 @@ void set_limit_angle(const std::string& text,
                      const std::vector<std::string>& laws,
                      contact::HalfAngleOptions& options);
 
-/// The laws of these names. Throws contact::Error if there is no such law, or
-/// if it does not allow the conditions.
-std::vector<NamedLaw> make_half_angle_laws(
-    const std::vector<std::string>& names, contact::JointKind kind,
-    const contact::ElasticPair& pair, const contact::HalfAngleOptions& options,
-    const contact::ContactConditions& conditions);
-NamedPressure make_pressure_law(const std::string& name,
-                                contact::JointKind kind,
-                                const contact::ElasticPair& pair,
-                                const contact::ContactConditions& conditions);
-std::vector<NamedPressure> make_pressure_laws(
-    const std::vector<std::string>& names, contact::JointKind kind,
-    const contact::ElasticPair& pair,
-    const contact::ContactConditions& conditions);
-
-/// The pair of --modulus-ratio, --poisson1 and --poisson2. Throws
-/// contact::Error for values that are not allowed.
-contact::ElasticPair pair_of_modulus_ratio(std::string_view ratio,
-                                           std::string_view poisson1,
-                                           std::string_view poisson2);
+/// A name with the loading, if the law depends on it.
+std::string with_loading(const std::string& name,
+                         const contact::InnerLoading& loading);
 
 /// Where half-angle laws are used outside their ranges: each reason once,
-/// with the laws that it holds for.
-class LawNotes {
- public:
-  LawNotes() = default;
-  LawNotes(const std::vector<NamedLaw>& laws, const contact::ElasticPair& pair);
-
-  /// "law tanh, blend: the limit half-angle is ..."
-  std::vector<std::string> texts() const;
-
- private:
-  std::map<std::string, std::vector<std::string>> laws_by_reason_;
-};
-
-/// Warns of the use of a joint and of laws outside their ranges.
-/// @param geometry  notes of the joint's geometry, if it has one
-void warn_of_validity(std::string_view program,
-                      const std::vector<std::string>& geometry,
-                      const LawNotes& laws);
+/// with the laws that it holds for: "law tanh, blend: the limit half-angle is
+/// ..."
+std::vector<std::string> law_notes(const std::vector<NamedLaw>& laws,
+                                   const contact::ElasticPair& pair);
 
 }  // namespace cli

@@ -14,12 +14,17 @@
 #include "cli/gnuplot.hpp"
 #include "cli/output.hpp"
 #include "cli/plot.hpp"
+#include "cli/quantity.hpp"
+#include "cli/refuse.hpp"
+#include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
 #include "libcontact/base/text.hpp"
 #include "libcontact/version.hpp"
 
 namespace cli {
 namespace {
+
+using contact::detail::must_be;
 
 constexpr std::array<Choice<Format>, 4> formats = {
     {{"csv", Format::csv},
@@ -50,8 +55,7 @@ void refuse_empty(const CLI::App& app) {
   for (const CLI::Option* option : app.get_options()) {
     for (const std::string& text : option->results()) {
       if (!text.empty()) continue;
-      throw contact::Error(option->get_name() +
-                           ": is empty, allowed: a value, or no such option");
+      refuse(option->get_name(), text, "a value, or the option left out");
     }
   }
 }
@@ -61,59 +65,67 @@ void refuse_control_characters(int argc, char** argv) {
   for (int i = 1; i < argc; ++i) {
     const std::string_view text = argv[i];
     if (!contact::detail::has_control_characters(text)) continue;
-    throw contact::Error(fmt::format("{}: control characters are not allowed",
-                                     contact::detail::printable(text)));
+    throw contact::Error(must_be(contact::detail::printable(text),
+                                 "without control characters"));
   }
 }
 
 }  // namespace
 
 void add_output_options(CLI::App& app, OutputOptions& options) {
+  app.option_defaults()->group("Output");
   app.add_option_function<std::string>(
          "--format",
          [&options](const std::string& name) {
            options.format = choice("--format", name, formats);
          },
          "csv (default), json, markdown, latex")
-      ->option_text("NAME")
-      ->group("Output");
+      ->option_text("NAME");
   app.add_option("--output", options.output,
                  "file to write; default standard output")
-      ->option_text("FILE")
-      ->group("Output");
+      ->option_text("FILE");
   app.add_option_function<std::string>(
          "--plot",
          [&options](const std::string& file) {
            if (!is_picture_name(file)) {
-             throw contact::Error("--plot " + file +
-                                  ": allowed names end in .svg, .png, .pdf");
+             refuse("--plot", file, "a name that ends in .svg, .png, .pdf");
            }
            options.plot = file;
          },
          "picture to draw: .svg, .png or .pdf")
-      ->option_text("FILE")
-      ->group("Output");
+      ->option_text("FILE");
   // Before anything is read, computed or said.
   app.parse_complete_callback([&options] {
     Output::check(options.output);
     if (options.plot.empty()) return;
     if (same_file(options.plot, options.output)) {
-      throw contact::Error("--plot " + options.plot +
-                           ": allowed another file than that of --output");
+      refuse("--plot", options.plot, "another file than that of --output");
     }
     Output::check(options.plot);
   });
 }
 
 void add_jobs_option(CLI::App& app, OutputOptions& options) {
-  app.add_option("--jobs", options.jobs, "threads, 1 (default) to 256")
+  app.add_option_function<std::string>(
+         "--jobs",
+         [&options](const std::string& text) {
+           options.jobs = parse_count("--jobs", text, 1, 256);
+         },
+         "threads, 1 (default) to 256")
       ->option_text("N")
-      ->check(CLI::Range(1, 256))
       ->group("Output");
+}
+
+void exclude(CLI::App& app, const char* option,
+             std::initializer_list<const char*> others) {
+  for (const char* other : others) {
+    app.get_option(option)->excludes(app.get_option(other));
+  }
 }
 
 int run_program(CLI::App& app, int argc, char** argv,
                 const std::function<ExitStatus()>& body) {
+  app.option_defaults()->group("Options");
   app.set_version_flag("--version",
                        app.get_name() + " (libcontact) " + contact::version,
                        "print the version");
@@ -130,6 +142,15 @@ int run_program(CLI::App& app, int argc, char** argv,
     complain(app.get_name(),
              fmt::format("not expected: {} (see {} --help)",
                          fmt::join(app.remaining(), " "), app.get_name()));
+  } catch (const CLI::ExcludesError& error) {  // "A excludes B"
+    std::string text = error.what();
+    constexpr std::string_view excludes = " excludes ";
+    const std::size_t at = text.find(excludes);
+    complain(app.get_name(),
+             contact::detail::conflicts(text.substr(0, at),
+                                        text.substr(at + excludes.size())));
+  } catch (const CLI::RequiresError& error) {
+    complain(app.get_name(), error.what());
   } catch (const CLI::ParseError& error) {
     complain(app.get_name(),
              fmt::format("{} (see {} --help)", error.what(), app.get_name()));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <initializer_list>
 #include <string>
 #include <string_view>
 
@@ -44,6 +45,10 @@ struct OutputOptions {
 void add_output_options(CLI::App& app, OutputOptions& options);
 /// Adds --jobs.
 void add_jobs_option(CLI::App& app, OutputOptions& options);
+
+/// Has an option conflict with others.
+void exclude(CLI::App& app, const char* option,
+             std::initializer_list<const char*> others);
 
 /// Sets up --help and --version, reads the command line and runs `body`,
 /// which returns an ExitStatus; turns exceptions into the one message

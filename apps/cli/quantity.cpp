@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "libcontact/base/error.hpp"
+#include "cli/refuse.hpp"
 
 namespace cli {
 namespace {
@@ -24,9 +24,7 @@ double parse_value(std::string_view option, std::string_view text,
                    const Allowed& allowed) {
   const auto value = parse_number(text);
   if (!value || !allowed.contains(*value)) {
-    throw contact::Error(fmt::format("{} {}: {}allowed {}", option, text,
-                                     value ? "" : "not a number, ",
-                                     allowed.text()));
+    refuse(option, text, allowed.rule(value.has_value()));
   }
   return *value;
 }
@@ -36,8 +34,7 @@ int parse_count(std::string_view option, std::string_view text, int min,
   const auto value = parse_number(text);
   if (!value || !(*value >= min && *value <= max) ||
       *value != std::floor(*value)) {
-    throw contact::Error(fmt::format("{} {}: allowed a whole number, {} to {}",
-                                     option, text, min, max));
+    refuse(option, text, fmt::format("a whole number, {} to {}", min, max));
   }
   return static_cast<int>(*value);
 }
@@ -56,10 +53,7 @@ std::array<double, 3> parse_vector(std::string_view option,
     rest.remove_prefix(comma == std::string_view::npos ? rest.size()
                                                        : comma + 1);
   }
-  if (!good) {
-    throw contact::Error(
-        fmt::format("{} {}: allowed X,Y,Z, {}", option, text, what));
-  }
+  if (!good) refuse(option, text, fmt::format("X,Y,Z, {}", what));
   return vector;
 }
 
@@ -73,12 +67,10 @@ double parse_length(std::string_view option, std::string_view text) {
     break;
   }
   const auto number = parse_number(digits);
-  if (!number || !std::isfinite(*number) || *number <= 0) {
-    throw contact::Error(
-        fmt::format("{} {}: allowed a length above 0, in m or with one of "
-                    "the units mm, um",
-                    option, text));
+  if (!number || !std::isfinite(*number)) {
+    refuse(option, text, "a length, in m or with one of the units mm, um");
   }
+  if (*number <= 0) refuse(option, text, "above 0");
   return *number / per_metre;
 }
 

@@ -7,18 +7,14 @@
 #include <cmath>
 #include <limits>
 
-#include "libcontact/base/error.hpp"
+#include "cli/quantity.hpp"
+#include "cli/refuse.hpp"
 
 namespace cli {
 namespace {
 
 // More values than anyone tabulates; a mistyped step is caught instead.
 constexpr double most_values = 1e9;
-
-[[noreturn]] void fail(std::string_view option, std::string_view text,
-                       std::string_view why) {
-  throw contact::Error(fmt::format("{} {}: {}", option, text, why));
-}
 
 // Splits at every `separator`.
 std::vector<std::string_view> split(std::string_view text, char separator) {
@@ -99,9 +95,8 @@ Sweep::Piece Sweep::parse_piece(std::string_view option,
     const auto number =
         parse_number(i == 2 && is_log ? parts[2].substr(3) : parts[i]);
     if (!number || parts.size() == 2 || parts.size() > 3) {
-      fail(option, text.empty() ? "(empty item)" : text,
-           "expected a value, a list a,b,c, start:stop:step or "
-           "start:stop:logN");
+      refuse(option, text.empty() ? "(empty item)" : text,
+             "a value, a list a,b,c, start:stop:step or start:stop:logN");
     }
     numbers[i] = *number;
   }
@@ -112,19 +107,19 @@ Sweep::Piece Sweep::parse_piece(std::string_view option,
     return value;
   }
   if (!std::isfinite(start) || !std::isfinite(stop) || !std::isfinite(step)) {
-    fail(option, text, "a range needs finite numbers");
+    refuse(option, text, "a range of finite numbers");
   }
   if (is_log) {
     if (!(start > 0 && stop > 0)) {
-      fail(option, text, "the ends of a logarithmic range must be above 0");
+      refuse(option, text, "a logarithmic range with ends above 0");
     }
     if (step < 2 || step != std::floor(step)) {
-      fail(option, text, "logN needs a whole number of values, 2 or more");
+      refuse(option, text, "logN with a whole number of values, 2 or more");
     }
     return logarithmic(start, stop, step);
   }
   if (step == 0 || (stop - start) / step < 0) {
-    fail(option, text, "the step must lead from the start to the stop");
+    refuse(option, text, "a range whose step leads from start to stop");
   }
   return linear(start, stop, step);
 }
@@ -135,13 +130,11 @@ Sweep::Sweep(std::string_view option, std::string_view text,
   for (const std::string_view item : split(text, ',')) {
     Piece piece = parse_piece(option, item);
     if (static_cast<double>(end + piece.count) > most_values) {
-      fail(option, text, "more than 1e9 values");
+      refuse(option, text, "at most 1e9 values");
     }
     for (const double value : {piece.first, piece.last}) {
       if (!allowed.contains(value)) {
-        fail(option, text,
-             fmt::format("{} is outside the allowed {}", number_text(value),
-                         allowed.text()));
+        refuse(option, number_text(value), allowed.text());
       }
     }
     piece.end = end += piece.count;

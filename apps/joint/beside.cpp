@@ -11,10 +11,13 @@
 #include "cli/number.hpp"
 #include "cli/stream/csv.hpp"
 #include "cli/stream/line_blocks.hpp"
+#include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
 
 namespace hinge_joint {
 namespace {
+
+using contact::detail::must_be;
 
 constexpr std::array<std::string_view, 5> names = {"joint", "table", "row",
                                                    "column", "value"};
@@ -76,10 +79,10 @@ Beside::Beside(const std::string& path, std::string_view joint,
     const auto row = cli::parse_number(fields[at[2]]);
     const auto value = cli::parse_number(fields[at[4]]);
     if (!row || !(*row >= 1) || *row != std::floor(*row) || *row > 1e6) {
-      records.fail(fmt::format("row {}: allowed 1 or above", fields[at[2]]));
+      records.fail(must_be("row " + fields[at[2]], "1 or above"));
     }
     if (!value) {
-      records.fail(fmt::format("value {}: not a number", fields[at[4]]));
+      records.fail(must_be("value " + fields[at[4]], "a number"));
     }
     if (fields[at[0]] != joint || fields[at[1]] != table) continue;
     columns_[fields[at[3]]][static_cast<std::size_t>(*row)] = *value;

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include "cli/quantity.hpp"
+#include "cli/refuse.hpp"
+#include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
 #include "libcontact/base/units.hpp"
 
@@ -17,22 +19,16 @@ Vector3d vector(std::string_view option, std::string_view text,
   return {v[0], v[1], v[2]};
 }
 
-[[noreturn]] void refuse(const std::string& message) {
-  throw contact::Error(message + " (see hinge-joint --help)");
-}
-
 // The angle of a sweep, which a pin does not have.
 cli::Sweep angle_sweep(std::string_view option, const std::string& text,
-                       std::string_view force, const cli::Allowed& allowed,
-                       bool pin, std::string_view pin_angle) {
-  if (pin) {
-    if (!text.empty()) {
-      refuse(fmt::format("{} {}: a pin has no such angle", option, text));
-    }
-    return {option, pin_angle, allowed};
+                       const char* force, const cli::Allowed& allowed, bool pin,
+                       std::string_view pin_angle) {
+  if (pin && !text.empty()) {
+    cli::refuse_beside(cli::given(option, text),
+                       "--joint: a pin has no such angle");
   }
-  if (text.empty()) refuse(fmt::format("{}: needs {} too", force, option));
-  return {option, text, allowed};
+  if (!pin && text.empty()) cli::refuse_without(force, option);
+  return {option, pin ? pin_angle : text, allowed};
 }
 
 }  // namespace
@@ -52,20 +48,11 @@ Input state_from_contact(double normal_force, double a_deg, double rate) {
 }
 
 Inputs::Inputs(const Options& options, bool pin) {
-  const bool xyz = !options.reaction_xyz.empty();
   const bool reaction = !options.reaction.empty();
-  const bool contact = !options.normal_force.empty();
-  if (xyz + reaction + contact != 1) {
-    refuse("needs one of --reaction-xyz, --reaction, --normal-force, --points");
-  }
-  if (!options.beta.empty() && !reaction) refuse("--beta: needs --reaction");
-  if (!options.alpha.empty() && !contact) {
-    refuse("--alpha: needs --normal-force");
-  }
-  if (xyz) {
-    if (!options.rate.empty()) refuse("--rate: --reaction-xyz has --rate-xyz");
-    if (options.rate_xyz.empty() == options.moment_xyz.empty()) {
-      refuse("--reaction-xyz: needs --rate-xyz or, at rest, --moment-xyz");
+  if (!options.reaction_xyz.empty()) {
+    if (options.rate_xyz.empty() && options.moment_xyz.empty()) {
+      cli::refuse_without("--reaction-xyz",
+                          "--rate-xyz or, at rest, --moment-xyz");
     }
     vectors_.force =
         vector("--reaction-xyz", options.reaction_xyz, "a force in N");
@@ -78,8 +65,10 @@ Inputs::Inputs(const Options& options, bool pin) {
     }
     return;
   }
-  if (!options.rate_xyz.empty() || !options.moment_xyz.empty()) {
-    refuse("--rate-xyz, --moment-xyz: need --reaction-xyz");
+  if (!reaction && options.normal_force.empty()) {
+    cli::refuse_without("a state",
+                        "one of --reaction-xyz, --reaction, "
+                        "--normal-force, --points (see --help)");
   }
   if (!options.rate.empty()) {
     rate_ = cli::parse_value("--rate", options.rate, allowed_rate);
@@ -99,8 +88,10 @@ Inputs::Inputs(const Options& options, bool pin) {
   if (static_cast<double>(forces_->size()) *
           static_cast<double>(angles_->size()) >
       most) {
-    refuse(fmt::format("{} forces and {} angles: allowed 1e12 states",
-                       forces_->size(), angles_->size()));
+    throw contact::Error(
+        contact::detail::must_be(fmt::format("{} forces and {} angles",
+                                             forces_->size(), angles_->size()),
+                                 "at most 1e12 states"));
   }
 }
 

@@ -215,11 +215,6 @@ OuterLaw make_outer_law(const Options& options) {
   if (!options.joints.empty()) {
     law.joints = cli::parse_count("--joints", options.joints, 1, most);
   }
-  if (!options.braking.empty() && options.trace) {
-    throw contact::Error(fmt::format(
-        "--braking {}: not with --trace, whose steps have no braking",
-        options.braking));
-  }
   if (!options.braking.empty()) {
     law.braking = cli::parse_value("--braking", options.braking,
                                    {-1e100, 1e100, "deg/s^2 per N m"});

@@ -5,7 +5,6 @@
 #include <string>
 #include <string_view>
 
-#include "cli/laws.hpp"
 #include "cli/program.hpp"
 #include "joint/run.hpp"
 #include "joint/solution_row.hpp"
@@ -19,9 +18,8 @@ The joint is one of
   --joint FILE.toml           a joint file
   --joint ball --pair FILE.toml --radius R --clearance EPS
   --joint pin --pair FILE.toml --radius R --clearance EPS --length L
-Lengths are in m or carry a unit: 50mm, 25um. The clearance is the difference
-of the radii. Friction, half-angle law and pressure law are those of the files
-unless options name others; of comma lists of laws every pair is computed.
+Friction, half-angle law and pressure law are those of the files unless options
+name others; of comma lists of laws every pair is computed.
 Half-angle laws as in hinge-angle: hertz, arctan, tanh, blend, blend:K, paper,
 fitted, exact, or all.
 )";
@@ -92,7 +90,7 @@ Examples:
 
 std::string footer() {
   std::string text(help);
-  text += cli::loading_help;
+  text += cli::joint_help;
   text += state_help;
   for (const auto& quantity : hinge_joint::quantities(true, true)) {
     text += quantity.meaning.empty()
@@ -102,74 +100,57 @@ std::string footer() {
   return text + std::string(examples) + std::string(cli::exit_status_help);
 }
 
-void add_joint(CLI::App& app, Options& options) {
-  const auto text = [&app](const char* name, std::string& value,
-                           const char* what, const char* kind) {
-    app.add_option(name, value, what)->option_text(kind)->group("Joint");
-  };
-  app.add_option("--joint", options.joint, "ball, pin or a joint file")
-      ->option_text("KIND|FILE")
-      ->required()
-      ->group("Joint");
-  text("--pair", options.pair, "materials of the two bodies, a TOML file",
-       "FILE");
-  text("--radius", options.radius, "of the ball or pin, m or with a unit",
-       "LENGTH");
-  text("--clearance", options.clearance, "radial, m or with a unit", "LENGTH");
-  text("--length", options.length, "of a pin, m or with a unit", "LENGTH");
-  text("--inner-body", options.inner_body,
-       "body with the ball or pin: carrier (default) or load", "NAME");
-  text("--friction", options.friction, "f0 of f = f0 + A/p", "NUMBER");
-  text("--adhesion", options.adhesion, "A of f = f0 + A/p, Pa; default 0",
-       "NUMBER");
-  text("--viscous", options.viscous,
-       "k0, Pa s/m, or k0,k1 (s/m): friction stress (k0 + k1 p) v", "NUMBERS");
-  app.add_option("--law", options.laws,
-                 "half-angle laws, a comma list or all; default fitted")
-      ->delimiter(',')
-      ->option_text("NAMES")
-      ->group("Joint");
-  text("--limit-angle", options.limit_angle,
-       "limit half-angle: formula, linear, or degrees", "NAME|ANGLE");
-  cli::add_loading_option(app, options.loading, "Joint");
-  app.add_option("--pressure", options.pressures,
-                 "pressure laws, a comma list or all; default cosine")
-      ->delimiter(',')
-      ->option_text("NAMES")
-      ->group("Joint");
+void add_friction(CLI::App& app, Options& options) {
+  app.option_defaults()->group("Friction");
+  app.add_option("--friction", options.friction, "f0 of f = f0 + A/p")
+      ->option_text("NUMBER");
+  app.add_option("--adhesion", options.adhesion,
+                 "A of f = f0 + A/p, Pa; default 0")
+      ->option_text("NUMBER");
+  app.add_option("--viscous", options.viscous,
+                 "k0, Pa s/m, or k0,k1 (s/m): friction stress (k0 + k1 p) v")
+      ->option_text("NUMBERS");
+  cli::exclude(app, "--viscous", {"--friction", "--adhesion"});
 }
 
 void add_state(CLI::App& app, Options& options) {
+  app.option_defaults()->group("State");
   const auto text = [&app](const char* name, std::string& value,
                            const char* what, const char* kind) {
-    app.add_option(name, value, what)->option_text(kind)->group("State");
+    return app.add_option(name, value, what)->option_text(kind);
   };
-  text("--reaction-xyz", options.reaction_xyz, "R on the load, N", "X,Y,Z");
-  text("--rate-xyz", options.rate_xyz, "Dw, rad/s", "X,Y,Z");
-  text("--moment-xyz", options.moment_xyz, "M to hold at rest, N m", "X,Y,Z");
-  text("--reaction", options.reaction, "R, N", "VALUES");
+  auto* xyz =
+      text("--reaction-xyz", options.reaction_xyz, "R on the load, N", "X,Y,Z");
+  text("--rate-xyz", options.rate_xyz, "Dw, rad/s", "X,Y,Z")->needs(xyz);
+  text("--moment-xyz", options.moment_xyz, "M to hold at rest, N m", "X,Y,Z")
+      ->needs(xyz);
+  auto* reaction = text("--reaction", options.reaction, "R, N", "VALUES");
   text("--beta", options.beta, "angle between R and Dw, deg, 0 to 180",
-       "ANGLES");
-  text("--normal-force", options.normal_force, "R_n, N", "VALUES");
-  text("--alpha", options.alpha, "slip axis angle, deg, -90 to 90", "ANGLES");
+       "ANGLES")
+      ->needs(reaction);
+  auto* normal =
+      text("--normal-force", options.normal_force, "R_n, N", "VALUES");
+  text("--alpha", options.alpha, "slip axis angle, deg, -90 to 90", "ANGLES")
+      ->needs(normal);
   text("--points", options.points, "CSV file of states, - for standard input",
        "FILE");
   text("--rate", options.rate, "|Dw|, rad/s; default 1", "NUMBER");
+  cli::exclude(app, "--reaction-xyz",
+               {"--reaction", "--normal-force", "--rate"});
+  cli::exclude(app, "--reaction", {"--normal-force"});
+  cli::exclude(app, "--rate-xyz", {"--moment-xyz"});
 }
 
 void add_loops(CLI::App& app, Options& options) {
+  app.option_defaults()->group("Loops");
   app.add_flag("--trace", options.trace, "the paper's inner loop")
-      ->group("Loops");
+      ->option_text(" ");
   auto* outer = app.add_option("--outer", options.outer,
                                "outer loop: change of R, N per N m of M")
-                    ->option_text("X,Y,Z")
-                    ->group("Loops");
+                    ->option_text("X,Y,Z");
   const auto text = [&app, outer](const char* name, std::string& value,
                                   const char* what, const char* kind) {
-    app.add_option(name, value, what)
-        ->option_text(kind)
-        ->needs(outer)
-        ->group("Loops");
+    return app.add_option(name, value, what)->option_text(kind)->needs(outer);
   };
   text("--joints", options.joints, "M is that of so many joints; default 1",
        "N");
@@ -180,23 +161,35 @@ void add_loops(CLI::App& app, Options& options) {
        "LIST");
 }
 
+void add_output(CLI::App& app, Options& options) {
+  app.option_defaults()->group("Output");
+  app.add_flag("--summary", options.summary,
+               "a line for each quantity instead of a column")
+      ->option_text(" ");
+  app.add_option("--beside", options.beside, "CSV file of numbers to compare")
+      ->option_text("FILE");
+  add_output_options(app, options.output);
+  add_jobs_option(app, options.output);
+  cli::exclude(app, "--points",
+               {"--reaction-xyz", "--reaction", "--normal-force", "--trace",
+                "--outer", "--summary", "--beside", "--plot"});
+  cli::exclude(app, "--trace", {"--braking", "--summary", "--plot", "--jobs"});
+  cli::exclude(app, "--outer", {"--summary", "--plot", "--jobs"});
+  cli::exclude(app, "--summary", {"--jobs"});
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   CLI::App app("Friction of a ball or pin joint under a known reaction",
                "hinge-joint");
   Options options;
-  add_joint(app, options);
+  add_joint_options(app, options.joint);
+  add_law_options(app, options.joint, cli::Laws::several, cli::Laws::several);
+  add_friction(app, options);
   add_state(app, options);
   add_loops(app, options);
-  app.add_flag("--summary", options.summary,
-               "a line for each quantity instead of a column")
-      ->group("Output");
-  app.add_option("--beside", options.beside, "CSV file of numbers to compare")
-      ->option_text("FILE")
-      ->group("Output");
-  cli::add_output_options(app, options.output);
-  cli::add_jobs_option(app, options.output);
+  add_output(app, options);
   app.footer(footer());
   return cli::run_program(app, argc, argv,
                           [&] { return hinge_joint::run(options); });

@@ -9,9 +9,11 @@
 #include "cli/output.hpp"
 #include "cli/progress.hpp"
 #include "cli/quantity.hpp"
+#include "cli/refuse.hpp"
 #include "cli/stream/ordered_blocks.hpp"
 #include "cli/stream/points.hpp"
 #include "joint/input.hpp"
+#include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
 
 namespace hinge_joint {
@@ -48,18 +50,18 @@ std::vector<Form> forms(bool pin) {
 }
 
 Form find_form(const cli::PointHeader& header, bool pin) {
-  std::string allowed;
+  std::string columns;
   for (const Form& form : forms(pin)) {
     if (header.has(form.columns)) return form;
-    if (!allowed.empty()) allowed += "; ";
+    if (!columns.empty()) columns += "; ";
     for (std::size_t i = 0; i < form.columns.size(); ++i) {
-      if (i > 0) allowed += ',';
-      allowed += form.columns[i].name;
+      if (i > 0) columns += ',';
+      columns += form.columns[i].name;
     }
   }
   throw contact::Error(
-      fmt::format("{}: no state in the header: allowed: columns {}",
-                  header.place, allowed));
+      fmt::format("{}: {}", header.place,
+                  contact::detail::needs("a state", "the columns " + columns)));
 }
 
 Input state_of(Question question, const cli::PointLines& block, std::size_t i,
@@ -94,8 +96,8 @@ Problems write_points(const NamedJoint& joint, const Options& options,
   const cli::PointHeader header = cli::read_header(reader);
   const Form form = find_form(header, pin);
   if (!options.rate.empty() && form.columns.size() == 6) {
-    throw contact::Error(fmt::format("--rate {}: not with the vectors of {}",
-                                     options.rate, header.place));
+    cli::refuse_beside(cli::given("--rate", options.rate),
+                       "the vectors of " + header.place);
   }
   const cli::PointColumns columns(header.line, form.columns, header.place);
 

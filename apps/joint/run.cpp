@@ -7,24 +7,18 @@
 #include <string>
 #include <vector>
 
-#include "cli/laws.hpp"
+#include "cli/refuse.hpp"
 #include "joint/beside.hpp"
 #include "joint/input.hpp"
 #include "joint/loop_table.hpp"
 #include "joint/point_table.hpp"
 #include "joint/solution_table.hpp"
 #include "joint/torque_plot.hpp"
-#include "libcontact/base/error.hpp"
 
 namespace hinge_joint {
 namespace {
 
-void warn_of_validity(const Setup& setup) {
-  cli::warn_of_validity(
-      "hinge-joint",
-      setup.joints[0].joint.contact().geometry().validity_notes(),
-      setup.law_notes);
-}
+constexpr const char* one_row = "one state, one law and one pressure law";
 
 // A pin takes no force along its axis.
 void warn_of_axial_force(const Setup& setup, const Inputs& inputs) {
@@ -44,7 +38,7 @@ void warn_of_axial_force(const Setup& setup, const Inputs& inputs) {
 
 // What is to be said before the work, once nothing is left to refuse.
 void warn_of_states(const Setup& setup, const Inputs& inputs) {
-  warn_of_validity(setup);
+  warn_of_validity("hinge-joint", setup.given);
   warn_of_axial_force(setup, inputs);
 }
 
@@ -52,14 +46,12 @@ void warn_of_states(const Setup& setup, const Inputs& inputs) {
 const NamedJoint& only_joint(const Setup& setup, const Inputs& inputs,
                              std::string_view option) {
   if (inputs.size() != 1 || setup.joints.size() != 1) {
-    throw contact::Error(fmt::format(
-        "{}: allowed for one state, one law and one pressure law", option));
+    cli::refuse_without(option, one_row);
   }
   const Input input = inputs[0];
   if (inputs.question() != Question::reaction || input.force.isZero(0) ||
       input.turn.isZero(0)) {
-    throw contact::Error(
-        fmt::format("{}: needs a reaction and a rate that are not 0", option));
+    cli::refuse_without(option, "a reaction and a rate that are not 0");
   }
   return setup.joints[0];
 }
@@ -67,12 +59,9 @@ const NamedJoint& only_joint(const Setup& setup, const Inputs& inputs,
 cli::ExitStatus run_loops(const Options& options, const Setup& setup,
                           const Inputs& inputs) {
   const bool outer = !options.outer.empty();
-  if (options.summary || !options.output.plot.empty()) {
-    throw contact::Error("--trace, --outer: not with --summary or --plot");
-  }
   const NamedJoint& joint =
       only_joint(setup, inputs, outer ? "--outer" : "--trace");
-  const Beside beside(options.beside, setup.name,
+  const Beside beside(options.beside, setup.given.name,
                       !outer          ? "trace"
                       : options.trace ? "inner"
                                       : "outer");
@@ -102,61 +91,38 @@ cli::ExitStatus report(const Problems& problems) {
              : cli::some_bad;
 }
 
-// Points take the place of all options that give a state.
 cli::ExitStatus run_points(const Options& options, const Setup& setup) {
-  bool alone = !options.trace && !options.summary;
-  for (const auto* text :
-       {&options.reaction_xyz, &options.rate_xyz, &options.moment_xyz,
-        &options.reaction, &options.beta, &options.normal_force, &options.alpha,
-        &options.outer, &options.beside, &options.output.plot}) {
-    alone = alone && text->empty();
-  }
-  if (!alone) {
-    throw contact::Error(
-        "--points: of the state only with --rate; not with --trace, --outer, "
-        "--summary, --beside, --plot");
-  }
   if (setup.joints.size() != 1) {
-    throw contact::Error("--points: allowed one law and one pressure law");
+    cli::refuse_without("--points", "one law and one pressure law");
   }
-  return report(
-      write_points(setup.joints[0], options, [&] { warn_of_validity(setup); }));
-}
-
-// Work that is not shared among threads.
-void refuse_jobs(const Options& options) {
-  if (options.output.jobs == 1) return;
-  if (options.trace || options.summary || !options.outer.empty()) {
-    throw contact::Error("--jobs: not with --trace, --outer or --summary");
-  }
+  return report(write_points(setup.joints[0], options, [&] {
+    warn_of_validity("hinge-joint", setup.given);
+  }));
 }
 
 // What draw_torque() can draw.
 void check_plot(const Setup& setup, const Inputs& inputs) {
   if (!inputs.forces() || inputs.size() == 1) {
-    throw contact::Error(
-        "--plot: needs a range of --reaction, --normal-force, --beta or "
-        "--alpha");
+    cli::refuse_without(
+        "--plot", "a range of --reaction, --normal-force, --beta or --alpha");
   }
   if (setup.joints.size() > most_pairs_of_laws) {
-    throw contact::Error(fmt::format(
-        "--plot: allowed {} pairs of half-angle law and pressure law; these "
-        "are {}",
-        most_pairs_of_laws, setup.joints.size()));
+    cli::refuse_without("--plot",
+                        fmt::format("at most {} pairs of half-angle law and "
+                                    "pressure law; these are {}",
+                                    most_pairs_of_laws, setup.joints.size()));
   }
 }
 
 // What write_summary() can write.
 void check_summary(const Setup& setup, const Inputs& inputs) {
   if (inputs.size() == 1 && setup.joints.size() == 1) return;
-  throw contact::Error(
-      "--summary: allowed for one state, one law and one pressure law");
+  cli::refuse_without("--summary", one_row);
 }
 
 }  // namespace
 
 cli::ExitStatus run(const Options& options) {
-  refuse_jobs(options);
   const Setup setup = make_setup(options);
   if (!options.points.empty()) return run_points(options, setup);
   const Inputs inputs(options, setup.joints[0].joint.is_pin());
@@ -166,7 +132,7 @@ cli::ExitStatus run(const Options& options) {
   const bool plot = !options.output.plot.empty();
   if (plot) check_plot(setup, inputs);
   if (options.summary) check_summary(setup, inputs);
-  const Beside beside(options.beside, setup.name, "solution");
+  const Beside beside(options.beside, setup.given.name, "solution");
   warn_of_states(setup, inputs);
   cli::ExitStatus status = report(
       options.summary ? write_summary(setup, inputs, beside, options.output)

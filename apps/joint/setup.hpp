@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "cli/joint_approach.hpp"
-#include "cli/laws.hpp"
+#include "cli/joint_options.hpp"
 #include "cli/program.hpp"
 #include "joint/any_joint.hpp"
 
@@ -15,19 +15,10 @@ namespace hinge_joint {
 /// The command line of hinge-joint as it was written; "" for options that
 /// were not given.
 struct Options {
-  std::string joint;
-  std::string pair;
-  std::string radius;
-  std::string clearance;
-  std::string length;
-  std::string inner_body;
+  cli::JointOptions joint = {.use = cli::JointUse::friction};
   std::string friction;
   std::string adhesion;
   std::string viscous;
-  std::vector<std::string> laws;
-  std::string limit_angle;
-  std::string loading;
-  std::vector<std::string> pressures;
 
   std::string reaction_xyz;
   std::string rate_xyz;
@@ -61,9 +52,8 @@ struct NamedJoint {
 
 /// The joint that is asked for, once for each pair of laws.
 struct Setup {
-  std::string name;  ///< of the joint file, or ""
+  cli::Joint given;
   std::vector<NamedJoint> joints;
-  cli::LawNotes law_notes;
 
   /// Whether any of them has one.
   bool has_approach() const {

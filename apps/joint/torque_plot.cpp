@@ -39,7 +39,8 @@ class Labels {
   }
 
   std::string title(const Setup& setup, double member) const {
-    std::string text = setup.name.empty() ? "friction moment" : setup.name;
+    std::string text =
+        setup.given.name.empty() ? "friction moment" : setup.given.name;
     const NamedJoint& first = setup.joints[0];
     if (!members_ && member_) text += ", " + member_text(member);
     if (!laws_) text += ", law " + first.law;

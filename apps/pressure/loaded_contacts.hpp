@@ -4,7 +4,7 @@
 
 #include "angle/input.hpp"
 #include "angle/loads.hpp"
-#include "angle/setup.hpp"
+#include "cli/joint_options.hpp"
 #include "libcontact/half_angle/law.hpp"
 
 /// The parts of the program hinge-pressure.
@@ -23,13 +23,12 @@ struct LoadedContact {
 /// long sweep takes no memory.
 class LoadedContacts {
  public:
-  /// @param input  a load, not inverse; must outlive this, as must the law
-  LoadedContacts(const hinge_angle::Input& input,
-                 const hinge_angle::Setup& setup,
-                 const contact::HalfAngleLaw& law)
+  /// @param input  a load, not inverse; must outlive this, as must the joint
+  /// @param joint  with one half-angle law
+  LoadedContacts(const hinge_angle::Input& input, const cli::Joint& joint)
       : input_(input),
-        loads_(setup.kind, setup.geometry, setup.pair),
-        law_(law) {}
+        loads_(joint.kind, joint.geometry, joint.pair),
+        law_(*joint.laws[0].law) {}
 
   std::size_t size() const { return input_.values.size(); }
   LoadedContact operator[](std::size_t index) const;

@@ -3,8 +3,6 @@
 #include <string>
 #include <string_view>
 
-#include "angle/options.hpp"
-#include "cli/laws.hpp"
 #include "cli/program.hpp"
 #include "pressure/run.hpp"
 
@@ -56,31 +54,19 @@ Examples:
 )";
 
 void add_options(CLI::App& app, Options& options) {
-  hinge_angle::add_joint_options(app, options.contact);
-  hinge_angle::add_load_options(app, options.contact);
-  app.add_option("--law", options.contact.laws,
-                 "half-angle law; default the joint's, or fitted")
-      ->expected(1)
-      ->option_text("NAME")
-      ->group("Law");
-  app.add_option("--limit-angle", options.contact.limit_angle,
-                 "formula, linear, or degrees; default formula")
-      ->option_text("NAME|ANGLE")
-      ->group("Law");
-  app.add_option("--pressure", options.pressures, "a comma list; default all")
-      ->delimiter(',')
-      ->option_text("NAMES")
-      ->group("Law");
+  add_joint_options(app, options.joint);
+  hinge_angle::add_load_options(app, options.load);
+  add_law_options(app, options.joint, cli::Laws::one, cli::Laws::several);
+  app.option_defaults()->group("Profile");
   auto* summary = app.add_flag("--summary", options.summary,
                                "peak, mean, area and S in place of profiles")
-                      ->group("Profile");
+                      ->option_text(" ");
   app.add_option("--points", options.points,
                  "rows from the centre to the edge; default 101")
       ->option_text("N")
-      ->excludes(summary)
-      ->group("Profile");
-  cli::add_output_options(app, options.contact.output);
-  app.footer(std::string(help) + std::string(cli::loading_help) +
+      ->excludes(summary);
+  add_output_options(app, options.output);
+  app.footer(std::string(help) + std::string(cli::joint_help) +
              std::string(column_help) + std::string(cli::exit_status_help));
 }
 

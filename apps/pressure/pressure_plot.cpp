@@ -17,10 +17,9 @@ constexpr std::size_t most_curves = 15;
 constexpr double megapascal = 1e6;
 
 // "2000 N", "μ = 0.5"
-std::string load_text(const hinge_angle::Setup& setup,
-                      const LoadedContact& contact) {
-  const bool ball = setup.kind == contact::JointKind::ball;
-  if (!setup.geometry) {
+std::string load_text(const cli::Joint& joint, const LoadedContact& contact) {
+  const bool ball = joint.kind == contact::JointKind::ball;
+  if (!joint.geometry) {
     return fmt::format("{} = {:.6g}", ball ? "μ" : "λ", contact.load_parameter);
   }
   return fmt::format("{:.6g} {}", contact.load, ball ? "N" : "N/m");
@@ -40,19 +39,18 @@ std::vector<LoadedContact> shown_contacts(const LoadedContacts& contacts,
 
 }  // namespace
 
-std::string draw(const PressureTable& pressures,
-                 const hinge_angle::Setup& setup,
-                 const std::vector<NamedPressure>& laws,
+std::string draw(const PressureTable& pressures, const cli::Joint& joint,
                  const LoadedContacts& contacts, const std::string& file) {
-  const bool pascal = setup.geometry.has_value();
+  const std::vector<NamedPressure>& laws = joint.pressures;
+  const bool pascal = joint.geometry.has_value();
   cli::LinePlot plot;
-  plot.title = setup.title();
-  if (setup.conditions.loading.is_back()) {
-    plot.title += ", loading " + to_string(setup.conditions.loading);
+  plot.title = joint.title();
+  if (joint.conditions.loading.is_back()) {
+    plot.title += ", loading " + to_string(joint.conditions.loading);
   }
   plot.x_label = "angle from the centre of the contact, deg";
   plot.y_label = pascal ? "pressure, MPa"
-                 : setup.kind == contact::JointKind::ball
+                 : joint.kind == contact::JointKind::ball
                      ? "pressure over Rₙ/ρ²"
                      : "pressure over P/ρ";
   // Several laws have the colours, and the title the loads; one law leaves the
@@ -65,14 +63,14 @@ std::string draw(const PressureTable& pressures,
   if (!one_law && contacts.size() > 1) {
     std::string loads;
     for (const LoadedContact& contact : shown) {
-      loads += (loads.empty() ? "" : "; ") + load_text(setup, contact);
+      loads += (loads.empty() ? "" : "; ") + load_text(joint, contact);
     }
     plot.title += ": " + loads;
   }
   for (const LoadedContact& contact : shown) {
     for (std::size_t i = 0; i < laws.size(); ++i) {
       const bool first = plot.curves.size() < laws.size();
-      cli::Curve curve{one_law ? load_text(setup, contact)
+      cli::Curve curve{one_law ? load_text(joint, contact)
                        : first ? laws[i].name
                                : "",
                        {},

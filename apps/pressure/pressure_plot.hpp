@@ -11,9 +11,7 @@ namespace hinge_pressure {
 /// each law and load; the colours are those of the laws, or of the loads if
 /// there is one law.
 /// @return as cli::draw()
-std::string draw(const PressureTable& pressures,
-                 const hinge_angle::Setup& setup,
-                 const std::vector<NamedPressure>& laws,
+std::string draw(const PressureTable& pressures, const cli::Joint& joint,
                  const LoadedContacts& contacts, const std::string& file);
 
 }  // namespace hinge_pressure

@@ -10,48 +10,46 @@
 
 namespace hinge_pressure {
 
-PressureTable::PressureTable(const hinge_angle::Setup& setup,
-                             const cli::NamedLaw& law,
-                             const std::vector<NamedPressure>& pressures)
-    : setup_(setup), law_(law.name), pressures_(pressures) {
-  if (setup.geometry && cli::JointApproach::of(*law.law)) {
-    approach_.emplace(law.law, *setup.geometry, setup.pair, 1);
+PressureTable::PressureTable(const cli::Joint& joint) : joint_(joint) {
+  const auto& law = joint.laws[0].law;
+  if (joint.geometry && cli::JointApproach::of(*law)) {
+    approach_.emplace(law, *joint.geometry, joint.pair, 1);
   }
 }
 
 double PressureTable::scale(const LoadedContact& contact) const {
-  return setup_.geometry ? setup_.geometry->pressure_unit(contact.load) : 1;
+  return joint_.geometry ? joint_.geometry->pressure_unit(contact.load) : 1;
 }
 
 double PressureTable::pressure(const NamedPressure& law,
                                const LoadedContact& contact,
                                double theta) const {
   // The contact shrinks with the load, but slower.
-  if (setup_.geometry && contact.load == 0) return 0;
+  if (joint_.geometry && contact.load == 0) return 0;
   return scale(contact) * law.law->pressure(theta, contact.half_angle);
 }
 
 void PressureTable::write_contact(const LoadedContact& contact,
                                   cli::RowWriter& row) const {
-  if (setup_.geometry) row.number(contact.load);
+  if (joint_.geometry) row.number(contact.load);
   row.number(contact.load_parameter);
   row.number(contact.half_angle / contact::degree);
-  if (setup_.conditions.loading.is_back())
-    row.text(to_string(setup_.conditions.loading));
+  if (joint_.conditions.loading.is_back())
+    row.text(to_string(joint_.conditions.loading));
 }
 
 std::vector<std::string> PressureTable::contact_columns() const {
   std::vector<std::string> names;
-  if (setup_.geometry) names.emplace_back("load");
+  if (joint_.geometry) names.emplace_back("load");
   names.insert(names.end(), {"load_parameter", "theta0_deg"});
-  if (setup_.conditions.loading.is_back()) names.emplace_back("loading");
+  if (joint_.conditions.loading.is_back()) names.emplace_back("loading");
   return names;
 }
 
 std::vector<std::string> PressureTable::profile_columns() const {
   std::vector<std::string> names = contact_columns();
   names.emplace_back("theta_deg");
-  for (const NamedPressure& law : pressures_) {
+  for (const NamedPressure& law : joint_.pressures) {
     names.push_back(fmt::format("p_{}_{}", law.name, unit()));
   }
   return names;
@@ -63,7 +61,7 @@ void PressureTable::write_profile(const LoadedContact& contact, int points,
     const double theta = contact.half_angle * i / (points - 1);
     write_contact(contact, row);
     row.number(theta / contact::degree);
-    for (const NamedPressure& law : pressures_) {
+    for (const NamedPressure& law : joint_.pressures) {
       row.number(pressure(law, contact, theta));
     }
     row.end();
@@ -75,8 +73,8 @@ std::vector<std::string> PressureTable::summary_columns() const {
   names.insert(names.end(), {"law", "pressure"});
   names.push_back("p_peak_" + unit());
   names.push_back("p_mean_" + unit());
-  const bool ball = setup_.kind == contact::JointKind::ball;
-  if (setup_.geometry) {
+  const bool ball = joint_.kind == contact::JointKind::ball;
+  if (joint_.geometry) {
     names.emplace_back(ball ? "contact_area_m2" : "contact_width_m");
   } else {
     names.emplace_back(ball ? "contact_area_over_R2" : "contact_width_over_R");
@@ -84,7 +82,7 @@ std::vector<std::string> PressureTable::summary_columns() const {
   names.emplace_back("S");
   if (ball) names.insert(names.end(), {"chi_0", "sigma_Y_0", "sigma_Z_90"});
   if (approach_) {
-    for (auto& name : cli::JointApproach::columns(setup_.kind)) {
+    for (auto& name : cli::JointApproach::columns(joint_.kind)) {
       names.push_back(std::move(name));
     }
   }
@@ -94,23 +92,23 @@ std::vector<std::string> PressureTable::summary_columns() const {
 void PressureTable::write_summary(const LoadedContact& contact,
                                   cli::RowWriter& row) const {
   const double half_angle = contact.half_angle;
-  const double radius = setup_.geometry ? setup_.geometry->radius() : 1;
+  const double radius = joint_.geometry ? joint_.geometry->radius() : 1;
   const double sine = std::sin(half_angle / 2);
-  const double area = setup_.kind == contact::JointKind::ball
+  const double area = joint_.kind == contact::JointKind::ball
                           ? 4 * std::numbers::pi * sine * sine * radius * radius
                           : 2 * half_angle * radius;
-  const bool unloaded = setup_.geometry && contact.load == 0;
+  const bool unloaded = joint_.geometry && contact.load == 0;
   const contact::ContactApproach approach =
       approach_ ? (*approach_)(half_angle) : contact::ContactApproach{};
-  for (const NamedPressure& law : pressures_) {
+  for (const NamedPressure& law : joint_.pressures) {
     write_contact(contact, row);
-    row.text(law_);
+    row.text(joint_.laws[0].name);
     row.text(law.name);
     row.number(unloaded ? 0 : scale(contact) * law.law->peak(half_angle));
     row.number(unloaded ? 0 : scale(contact) * law.law->mean(half_angle));
     row.number(area);
     row.number(law.law->force_ratio(half_angle));
-    if (setup_.kind == contact::JointKind::ball) {
+    if (joint_.kind == contact::JointKind::ball) {
       const auto coefficients = [&](contact::SlipAxis axis) {
         return contact::friction_integrals(*law.law, half_angle, axis)
             .coefficient;

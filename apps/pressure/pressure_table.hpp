@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "angle/setup.hpp"
 #include "cli/joint_approach.hpp"
+#include "cli/joint_options.hpp"
 #include "cli/laws.hpp"
 #include "cli/table.hpp"
 #include "pressure/loaded_contacts.hpp"
@@ -18,10 +18,8 @@ using cli::NamedPressure;
 /// where the joint has no geometry.
 class PressureTable {
  public:
-  /// @param setup      must outlive the table, as must the laws
-  /// @param law        of the half-angles
-  PressureTable(const hinge_angle::Setup& setup, const cli::NamedLaw& law,
-                const std::vector<NamedPressure>& pressures);
+  /// @param joint  with one half-angle law; must outlive the table
+  explicit PressureTable(const cli::Joint& joint);
 
   /// load (if the joint has a geometry), load_parameter, theta0_deg, loading
   /// (if it is through the back), theta_deg, p_LAW_Pa or p_LAW_over_mean for
@@ -44,17 +42,15 @@ class PressureTable {
   double pressure(const NamedPressure& law, const LoadedContact& contact,
                   double theta) const;
   /// "Pa" or "over_mean".
-  std::string unit() const { return setup_.geometry ? "Pa" : "over_mean"; }
+  std::string unit() const { return joint_.geometry ? "Pa" : "over_mean"; }
 
  private:
   std::vector<std::string> contact_columns() const;
   void write_contact(const LoadedContact& contact, cli::RowWriter& row) const;
   double scale(const LoadedContact& contact) const;
 
-  const hinge_angle::Setup& setup_;
-  std::string law_;
+  const cli::Joint& joint_;
   std::optional<cli::JointApproach> approach_;
-  const std::vector<NamedPressure>& pressures_;
 };
 
 }  // namespace hinge_pressure

@@ -6,12 +6,10 @@
 #include <vector>
 
 #include "angle/input.hpp"
-#include "cli/laws.hpp"
 #include "cli/output.hpp"
 #include "cli/progress.hpp"
 #include "cli/quantity.hpp"
 #include "cli/table.hpp"
-#include "libcontact/base/error.hpp"
 #include "libcontact/base/units.hpp"
 #include "pressure/pressure_plot.hpp"
 #include "pressure/pressure_table.hpp"
@@ -20,7 +18,6 @@ namespace hinge_pressure {
 namespace {
 
 using hinge_angle::Input;
-using hinge_angle::Setup;
 
 // Loads without a half-angle, or one that has not converged, and half-angles
 // beyond a pressure law.
@@ -74,7 +71,7 @@ class Gaps {
 
 void write_table(const PressureTable& pressures, const LoadedContacts& contacts,
                  int points, const Options& options, Gaps& gaps) {
-  const cli::OutputOptions& to = options.contact.output;
+  const cli::OutputOptions& to = options.output;
   cli::Output output(to.output);
   const cli::Table table(to.format, options.summary
                                         ? pressures.summary_columns()
@@ -102,31 +99,17 @@ void write_table(const PressureTable& pressures, const LoadedContacts& contacts,
 }  // namespace
 
 cli::ExitStatus run(const Options& options) {
-  const Setup setup = hinge_angle::make_setup(options.contact);
-  if (setup.half_angle_laws.size() != 1) {
-    throw contact::Error("--law: one half-angle law here (see --help)");
-  }
-  const std::vector<NamedPressure> pressures = cli::make_pressure_laws(
-      cli::pressure_laws(options.pressures.empty()
-                             ? std::vector<std::string>{"all"}
-                             : options.pressures,
-                         {}, setup.conditions),
-      setup.kind, setup.pair, setup.conditions);
-  const Input input = hinge_angle::make_input(options.contact, setup);
+  const cli::Joint joint = make_joint(options.joint);
+  const Input input = make_input(options.load, joint);
   const int points = cli::parse_count("--points", options.points, 2, 1'000'000);
-  const auto laws =
-      cli::make_half_angle_laws(setup.half_angle_laws, setup.kind, setup.pair,
-                                setup.half_angle_options, setup.conditions);
-  cli::warn_of_validity("hinge-pressure", setup.geometry_notes(),
-                        cli::LawNotes(laws, setup.pair));
-  const LoadedContacts contacts(input, setup, *laws[0].law);
-  const PressureTable table(setup, laws[0], pressures);
-  Gaps gaps(pressures);
+  warn_of_validity("hinge-pressure", joint);
+  const LoadedContacts contacts(input, joint);
+  const PressureTable table(joint);
+  Gaps gaps(joint.pressures);
   write_table(table, contacts, points, options, gaps);
-  const cli::ExitStatus status = gaps.report(laws[0].name);
-  const std::string& picture = options.contact.output.plot;
-  if (picture.empty()) return status;
-  const std::string problem = draw(table, setup, pressures, contacts, picture);
+  const cli::ExitStatus status = gaps.report(joint.laws[0].name);
+  if (options.output.plot.empty()) return status;
+  const std::string problem = draw(table, joint, contacts, options.output.plot);
   if (problem.empty()) return status;
   cli::warn("hinge-pressure", problem);
   return cli::some_bad;

@@ -2,18 +2,19 @@
 
 #include <string>
 
-#include "angle/setup.hpp"
+#include "angle/input.hpp"
 #include "cli/program.hpp"
 
 namespace hinge_pressure {
 
 /// The command line of hinge-pressure as it was written.
 struct Options {
-  /// Joint, load, half-angle law, limit angle, output.
-  hinge_angle::Options contact;
-  std::vector<std::string> pressures;
+  cli::JointOptions joint = {.use = cli::JointUse::contact,
+                             .pressures = {"all"}};
+  hinge_angle::LoadOptions load;
   std::string points = "101";
   bool summary = false;
+  cli::OutputOptions output;
 };
 
 /// The whole program. Throws contact::Error for options that are wrong.

@@ -58,28 +58,25 @@ void add_options(CLI::App& app, Options& options) {
   app.add_option("CASE.toml", options.case_file, "the case file")
       ->required()
       ->option_text(" ");
+  app.option_defaults()->group("Run");
   app.add_flag("--compare", options.compare,
                "ideal, full and traditional friction side by side")
-      ->group("Run");
+      ->option_text(" ");
   app.add_option("--friction", options.friction,
                  "full, ideal or traditional; default: the case's")
-      ->option_text("NAME")
-      ->group("Run");
+      ->option_text("NAME");
   app.add_option("--law", options.half_angle_law,
                  "half-angle law of all joints; default: the joints'")
-      ->option_text("NAME")
-      ->group("Run");
+      ->option_text("NAME");
   app.add_option("--pressure", options.pressure_law,
                  "pressure law of all joints; default: the joints'")
-      ->option_text("NAME")
-      ->group("Run");
+      ->option_text("NAME");
   app.add_flag("--no-clearance", options.no_clearance,
                "do not work out distances")
-      ->group("Run");
+      ->option_text(" ");
   auto* checkpoint = app.add_option("--checkpoint", options.checkpoint,
                                     "file to write on the way, for --resume")
-                         ->option_text("FILE")
-                         ->group("Run");
+                         ->option_text("FILE");
   app.add_option_function<std::string>(
          "--checkpoint-every",
          [&options](const std::string& text) {
@@ -88,11 +85,9 @@ void add_options(CLI::App& app, Options& options) {
          },
          "after as many seconds of the motion")
       ->option_text("SECONDS")
-      ->needs(checkpoint)
-      ->group("Run");
+      ->needs(checkpoint);
   app.add_option("--resume", options.resume, "checkpoint to go on from")
-      ->option_text("FILE")
-      ->group("Run");
+      ->option_text("FILE");
   app.add_option_function<std::string>(
          "--step-limit",
          [&options](const std::string& text) {
@@ -100,8 +95,7 @@ void add_options(CLI::App& app, Options& options) {
            options.step_limit = cli::parse_count("--step-limit", text, 1, most);
          },
          "stop after as many steps, with what there is")
-      ->option_text("N")
-      ->group("Run");
+      ->option_text("N");
   app.add_option_function<std::string>(
          "--time-limit",
          [&options](const std::string& text) {
@@ -109,17 +103,18 @@ void add_options(CLI::App& app, Options& options) {
                cli::parse_value("--time-limit", text, {1e-3, 1e9, "s"});
          },
          "stop after as many seconds of wall-clock time")
-      ->option_text("SECONDS")
-      ->group("Run");
+      ->option_text("SECONDS");
+  app.option_defaults()->group("Output");
   app.add_option("--history", options.history,
                  "time history: .csv, .h5 or .hdf5, - for CSV on stdout")
-      ->option_text("FILE")
-      ->group("Output");
+      ->option_text("FILE");
   app.add_option("--events", options.events,
                  "list of events: .csv, - for stdout")
-      ->option_text("FILE")
-      ->group("Output");
+      ->option_text("FILE");
   cli::add_output_options(app, options.output);
+  cli::exclude(app, "--compare",
+               {"--no-clearance", "--history", "--events", "--plot",
+                "--friction", "--checkpoint", "--resume"});
   app.get_option("--format")
       ->description(
           "of --compare: csv (default), json, markdown,\nlatex; the summary is "

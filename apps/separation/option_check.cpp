@@ -1,11 +1,11 @@
 #include "separation/option_check.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <algorithm>
 #include <vector>
 
+#include "cli/quantity.hpp"
+#include "cli/refuse.hpp"
+#include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
 #include "libcontact/half_angle/factory.hpp"
 #include "libcontact/pressure/factory.hpp"
@@ -20,39 +20,21 @@ bool is_standard_output(const std::string& name) {
 
 void refuse_idle_law(const char* option, const std::string& name) {
   if (name.empty()) return;
-  throw contact::Error(fmt::format(
-      "{} {}: allowed with friction, not with --friction ideal", option, name));
+  cli::refuse_beside(cli::given(option, name), "--friction ideal");
 }
 
 // The summary goes there unless it has a file.
 void check_standard_output(const char* option, const std::string& name,
                            const Options& options) {
   if (name != "-" || !is_standard_output(options.output.output)) return;
-  throw contact::Error(
-      fmt::format("{} -: standard output has the summary; allowed with "
-                  "--output FILE for that",
-                  option));
+  cli::refuse_without(cli::given(option, name),
+                      "--output FILE: standard output has the summary");
 }
 
 void check_law(const char* option, const std::string& name,
                const std::vector<std::string>& names) {
   if (name.empty() || std::ranges::find(names, name) != names.end()) return;
-  throw contact::Error(
-      fmt::format("{} {}: allowed {}", option, name, fmt::join(names, ", ")));
-}
-
-void check_compare(const Options& o) {
-  if (o.no_clearance) {
-    throw contact::Error(
-        "--compare: allowed without --no-clearance: it has no distances");
-  }
-  const bool checkpoints = !o.checkpoint.empty() || !o.resume.empty();
-  if (checkpoints || !o.history.empty() || !o.events.empty() ||
-      !o.output.plot.empty() || !o.friction.empty()) {
-    throw contact::Error(
-        "--compare: allowed without --history, --events, --plot, --friction, "
-        "--checkpoint, --resume");
-  }
+  throw contact::Error(contact::detail::unknown(option + 2, name, names));
 }
 
 void check_run(const Options& o, bool format_given) {
@@ -61,8 +43,7 @@ void check_run(const Options& o, bool format_given) {
     refuse_idle_law("--pressure", o.pressure_law);
   }
   if (format_given && o.output.format != cli::Format::json) {
-    throw contact::Error(
-        "--format: the summary is JSON; tables need --compare");
+    cli::refuse_without("--format", "--compare: the summary is JSON");
   }
   check_standard_output("--history", o.history, o);
   check_standard_output("--events", o.events, o);
@@ -74,18 +55,14 @@ void check_options(const Options& o, bool format_given) {
   if (!o.events.empty()) {
     check_ending("--events", o.events, {".csv"}, ".csv; - for standard output");
   }
-  if (o.compare) {
-    check_compare(o);
-  } else {
-    check_run(o, format_given);
-  }
+  if (!o.compare) check_run(o, format_given);
   // blend:K has a number; the joints look at it.
   if (!o.half_angle_law.starts_with("blend:")) {
     check_law("--law", o.half_angle_law, contact::half_angle_law_names());
   }
   check_law("--pressure", o.pressure_law, contact::pressure_law_names());
   if (!o.checkpoint.empty() && o.checkpoint_every == 0 && o.resume.empty()) {
-    throw contact::Error("--checkpoint: allowed with --checkpoint-every");
+    cli::refuse_without("--checkpoint", "--checkpoint-every");
   }
 }
 

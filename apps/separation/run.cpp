@@ -17,6 +17,9 @@
 #include "cli/file_text.hpp"
 #include "cli/interrupts.hpp"
 #include "cli/output.hpp"
+#include "cli/quantity.hpp"
+#include "cli/refuse.hpp"
+#include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
 #include "separation/case/case_reader.hpp"
 #include "separation/output/compare.hpp"
@@ -28,6 +31,8 @@
 
 namespace separation {
 namespace {
+
+using contact::detail::must_be;
 
 constexpr const char* program = "hinge-separation";
 
@@ -105,9 +110,8 @@ void check_names(const Options& o, const Case& c) {
     if (to.empty()) return;
     const auto [place, is_new] = taken.emplace(to, option);
     if (is_new) return;
-    throw contact::Error(
-        fmt::format("{} {}: allowed another file than that of {}", option,
-                    to == "-" ? "-" : name, place->second));
+    cli::refuse(option, to == "-" ? "-" : name,
+                "another file than that of " + place->second);
   };
   take("CASE.toml", o.case_file);
   take("--output", o.output.output);
@@ -132,29 +136,26 @@ void check_names(const Options& o, const Case& c) {
 
 // What the case has nothing for.
 void check_case(const Options& o, const Case& c) {
-  const auto needs_joints = [&](const char* option, const std::string& name) {
-    if (name.empty() || c.has_joints()) return;
-    throw contact::Error(
-        fmt::format("{} {}: allowed for a case with joints: {} has none",
-                    option, name, o.case_file));
+  const auto needs_joints = [&](bool given, const std::string& option) {
+    if (!given || c.has_joints()) return;
+    cli::refuse_without(option,
+                        "a case with joints: " + o.case_file + " has none");
   };
-  needs_joints("--law", o.half_angle_law);
-  needs_joints("--pressure", o.pressure_law);
+  needs_joints(!o.half_angle_law.empty(),
+               cli::given("--law", o.half_angle_law));
+  needs_joints(!o.pressure_law.empty(),
+               cli::given("--pressure", o.pressure_law));
+  needs_joints(o.compare, "--compare");
   if (o.checkpoint_every > c.end_time) {
-    throw contact::Error(
-        fmt::format("--checkpoint-every {:.6g}: allowed up to {:.6g} s, the "
-                    "end of the case",
-                    o.checkpoint_every, c.end_time));
-  }
-  if (o.compare && !c.has_joints()) {
-    throw contact::Error(fmt::format(
-        "--compare: allowed for a case with joints: {} has none", o.case_file));
+    throw contact::Error(must_be(
+        fmt::format("--checkpoint-every {:.6g}", o.checkpoint_every),
+        fmt::format("up to {:.6g} s, the end of the case", c.end_time)));
   }
   if (!o.output.plot.empty() &&
       picture_names(c, !o.no_clearance, o.output.plot).empty()) {
-    throw contact::Error(fmt::format(
-        "--plot {}: allowed for a case with hinges or distances: {} has none",
-        o.output.plot, o.case_file));
+    cli::refuse_without(
+        cli::given("--plot", o.output.plot),
+        "a case with hinges or distances: " + o.case_file + " has none");
   }
 }
 

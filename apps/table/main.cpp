@@ -25,9 +25,7 @@ Columns, all without units but the angles:
 With another pressure than cosine the weight is p(t)/p(0), R_n = rho^2 p(0)
 I_normal, and the names of the columns that depend on it end in that
 pressure's: chi_exact. Pressures: cosine, sqrt_tan, sqrt_theta, and mixture and
-exact, which need the materials by --joint, --pair or --modulus-ratio. A ball
-that is pressed from behind, on a patch of half-angle PSI (0 to 90 deg), has
---loading back:PSI and columns chi_exact_back:PSI.
+exact, which need the materials by --joint, --pair or --modulus-ratio.
 CSV and JSON have the shortest numbers that read back as the same double.
 markdown and latex are for print, with 4 significant digits: of a grid a
 two-way table of one --quantity, of --points a list. A picture shows one
@@ -39,11 +37,15 @@ name that is taken); lines that start with # before the header are skipped.
 A bad line gives "ERROR: line N: ..." on standard error and in the table, in
 its place, a row with ERROR, empty cells and its other columns.
 
+)";
+
+constexpr std::string_view examples = R"(
 Examples:
   hinge-table --theta0 0:95:5 --alpha 0:90:7.5
   hinge-table --theta0 45 --alpha 30 --format json
   hinge-table --theta0 5:85:20 --alpha 0:90:15 --quantity sigma_Z --format markdown
   hinge-table --theta0 20:80:20 --alpha 0,45,90 --pressure exact --modulus-ratio 1
+  hinge-table --theta0 20:80:20 --alpha 0,45,90 --modulus-ratio 100 --wall 0.5 --backing rigid
   hinge-table --theta0 1:90:log50 --alpha 0,45,90 --output table.csv --jobs 2
   printf 'theta0_deg,alpha_deg,note\n40,15,pin\n' | hinge-table --points -
 
@@ -61,11 +63,11 @@ int main(int argc, char** argv) {
   auto* alpha =
       app.add_option("--alpha", options.alpha, "slip axis angles, deg")
           ->option_text("ANGLES");
+  theta0->needs(alpha);
+  alpha->needs(theta0);
   app.add_option("--points", options.points,
                  "CSV file of points, - for standard input")
-      ->option_text("FILE")
-      ->excludes(theta0)
-      ->excludes(alpha);
+      ->option_text("FILE");
   app.add_option("--method", options.method,
                  "exact (default), elliptic, quadrature, planar, viscous, "
                  "cosine")
@@ -73,36 +75,17 @@ int main(int argc, char** argv) {
   app.add_option("--tolerance", options.tolerance,
                  "of --method quadrature, relative; default 1e-10")
       ->option_text("NUMBER");
-  app.add_option("--pressure", options.pressure,
-                 "pressure law; default that of --joint, or cosine")
-      ->option_text("NAME");
-  auto* joint = app.add_option("--joint", options.joint,
-                               "a ball joint's file: materials, pressure")
-                    ->option_text("FILE");
-  auto* pair = app.add_option("--pair", options.pair, "a file of materials")
-                   ->option_text("FILE")
-                   ->excludes(joint);
-  auto* ratio = app.add_option("--modulus-ratio", options.modulus_ratio,
-                               "E1/E2, ball over seat, 0 to inf")
-                    ->option_text("NUMBER")
-                    ->excludes(joint)
-                    ->excludes(pair);
-  app.add_option("--poisson1", options.poisson1, "of the ball; default 0.3")
-      ->option_text("NUMBER")
-      ->needs(ratio);
-  app.add_option("--poisson2", options.poisson2, "of the seat; default 0.3")
-      ->option_text("NUMBER")
-      ->needs(ratio);
-  app.add_option("--loading", options.loading,
-                 "of the ball, for the pressure exact: centre (default) or "
-                 "back:PSI")
-      ->option_text("NAME");
   app.add_option("--quantity", options.quantity,
                  "of a grid in markdown, latex and pictures; default chi")
       ->option_text("NAME");
-  cli::add_output_options(app, options.output);
-  cli::add_jobs_option(app, options.output);
-  app.footer(std::string(help) + std::string(cli::exit_status_help));
+  add_joint_options(app, options.joint);
+  add_law_options(app, options.joint, cli::Laws::one, cli::Laws::one);
+  add_output_options(app, options.output);
+  add_jobs_option(app, options.output);
+  cli::exclude(app, "--points",
+               {"--theta0", "--alpha", "--quantity", "--plot"});
+  app.footer(std::string(help) + std::string(cli::joint_help) +
+             std::string(examples) + std::string(cli::exit_status_help));
   return cli::run_program(app, argc, argv,
                           [&] { return hinge_table::run(options); });
 }

@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "cli/choice.hpp"
+#include "cli/quantity.hpp"
+#include "cli/refuse.hpp"
 #include "libcontact/friction/any_pressure.hpp"
 #include "libcontact/friction/elliptic/friction.hpp"
 #include "libcontact/friction/integrals.hpp"
@@ -102,10 +104,11 @@ Method find_method(const std::string& name, double tolerance,
   MethodFunction function = cli::choice("--method", name, methods);
   if ((name == "elliptic" || name == "planar" || name == "cosine") &&
       pressure->name() != contact::default_pressure_law) {
-    throw contact::Error(fmt::format(
-        "--method {}: for the pressure cosine only; --pressure {} goes with "
-        "exact, quadrature, viscous",
-        name, pressure->name()));
+    cli::refuse_without(
+        cli::given("--method", name),
+        fmt::format("the pressure cosine; {} goes with exact, quadrature, "
+                    "viscous",
+                    pressure->name()));
   }
   return {std::move(function), named.name, pressure->largest_half_angle()};
 }

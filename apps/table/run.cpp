@@ -12,19 +12,20 @@
 #include "cli/plot.hpp"
 #include "cli/progress.hpp"
 #include "cli/quantity.hpp"
+#include "cli/refuse.hpp"
 #include "cli/stream/line_blocks.hpp"
 #include "cli/stream/ordered_blocks.hpp"
 #include "cli/stream/points.hpp"
 #include "cli/sweep.hpp"
 #include "cli/table.hpp"
-#include "libcontact/base/error.hpp"
 #include "libcontact/base/units.hpp"
 #include "table/method.hpp"
 #include "table/point_block.hpp"
-#include "table/pressure_choice.hpp"
 
 namespace hinge_table {
 namespace {
+
+using cli::given;
 
 // The quantity of printed tables and pictures.
 std::size_t quantity_index(const std::string& name) {
@@ -38,19 +39,37 @@ std::size_t quantity_index(const std::string& name) {
 double tolerance_of(const Options& options) {
   if (options.tolerance.empty()) return 1e-10;
   if (options.method != "quadrature") {
-    throw contact::Error(
-        fmt::format("--tolerance {}: allowed with --method quadrature; this is "
-                    "{}",
-                    options.tolerance, options.method));
+    cli::refuse_without(given("--tolerance", options.tolerance),
+                        "--method quadrature");
   }
   return cli::parse_value("--tolerance", options.tolerance, {1e-13, 1e-2, ""});
 }
 
-[[noreturn]] void refuse_quantity(const Options& options) {
-  throw contact::Error(fmt::format(
-      "--quantity {}: allowed for a grid in markdown or latex, or with --plot; "
-      "lists have all quantities",
-      options.quantity));
+// A ball, as far as its pressure depends on it: refuses what changes nothing in
+// the table.
+cli::Joint make_ball(const cli::JointOptions& options) {
+  cli::Joint ball = make_joint(options);
+  const std::string materials = options.materials();
+  const std::string name = ball.pressures[0].law->name();
+  const bool by_materials = name == "mixture" || name == "exact";
+  if (by_materials && materials.empty()) {
+    cli::refuse_without(given("--pressure", name),
+                        "materials by --joint, --pair or "
+                        "--modulus-ratio");
+  }
+  if (!options.loading.empty() && name != "exact") {
+    cli::refuse_without(given("--loading", options.loading),
+                        "--pressure exact");
+  }
+  // A file may at least name a pressure that is not the usual one.
+  const bool named =
+      options.pressures.empty() && name != contact::default_pressure_law;
+  if (!materials.empty() && !by_materials && !named) {
+    cli::refuse_without(materials,
+                        "--pressure mixture or exact: cosine, sqrt_tan and "
+                        "sqrt_theta are the same for all materials");
+  }
+  return ball;
 }
 
 // The name of a quantity; those that depend on the pressure say on which if it
@@ -256,27 +275,31 @@ cli::ExitStatus report(const Problems& problems, const Method& method) {
 
 cli::ExitStatus run_grid(const Options& options, const Method& method,
                          const std::string& joint) {
-  if (options.theta0.empty() || options.alpha.empty()) {
-    throw contact::Error(
-        "needs --theta0 and --alpha, or --points (see hinge-table --help)");
+  if (options.theta0.empty()) {
+    cli::refuse_without(
+        "a table",
+        "--theta0 and --alpha, or --points (see hinge-table --help)");
   }
   const std::size_t quantity = quantity_index(options.quantity);
   const Grid grid{{"--theta0", options.theta0, point_columns[0].allowed},
                   {"--alpha", options.alpha, point_columns[1].allowed}};
   if (!options.output.plot.empty() && grid.size() == 1) {
-    throw contact::Error("--plot: needs a range of --theta0 or --alpha");
+    cli::refuse_without("--plot", "a range of --theta0 or --alpha");
   }
   const bool two_way = options.output.format >= cli::Format::markdown;
   if (!two_way && options.output.plot.empty() && !options.quantity.empty()) {
-    refuse_quantity(options);
+    cli::refuse_without(
+        given("--quantity", options.quantity),
+        "--format markdown or latex, or --plot; lists have all quantities");
   }
   // Wider ones cannot be printed, and their header has to fit in memory.
   constexpr std::size_t most_columns = 1000;
   if (two_way && grid.alpha.size() > most_columns) {
-    throw contact::Error(fmt::format(
-        "--alpha {}: allowed {} values in markdown and latex, where "
-        "each is a column; these are {}",
-        options.alpha, most_columns, grid.alpha.size()));
+    cli::refuse(
+        "--alpha", options.alpha,
+        fmt::format("at most {} values in markdown and latex, where each is a "
+                    "column; these are {}",
+                    most_columns, grid.alpha.size()));
   }
   const cli::ExitStatus status =
       report(two_way ? write_two_way(grid, method, quantity, options.output)
@@ -293,13 +316,10 @@ cli::ExitStatus run_grid(const Options& options, const Method& method,
 
 cli::ExitStatus run(const Options& options) {
   const double tolerance = tolerance_of(options);
-  const PressureChoice pressure = chosen_pressure(options);
-  const Method method = find_method(options.method, tolerance, pressure.law);
-  if (options.points.empty()) return run_grid(options, method, pressure.joint);
-  if (!options.quantity.empty()) refuse_quantity(options);
-  if (!options.output.plot.empty()) {
-    throw contact::Error("--plot: needs a grid (--theta0 and --alpha)");
-  }
+  const cli::Joint ball = make_ball(options.joint);
+  const Method method =
+      find_method(options.method, tolerance, ball.pressures[0]);
+  if (options.points.empty()) return run_grid(options, method, ball.name);
   return report(write_points(options, method), method);
 }
 

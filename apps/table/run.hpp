@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "cli/joint_options.hpp"
 #include "cli/program.hpp"
 
 namespace hinge_table {
@@ -16,15 +17,7 @@ struct Options {
   std::string quantity;
   // Of the method quadrature; without it 1e-10.
   std::string tolerance;
-  // Without it: the joint file's, or cosine.
-  std::string pressure;
-  std::string loading;
-  // Of the materials, one of these three.
-  std::string joint;
-  std::string pair;
-  std::string modulus_ratio;
-  std::string poisson1 = "0.3";
-  std::string poisson2 = "0.3";
+  cli::JointOptions joint = {.use = cli::JointUse::pressure};
   cli::OutputOptions output;
 };
 

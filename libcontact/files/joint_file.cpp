@@ -184,6 +184,14 @@ std::shared_ptr<const PressureLaw> SharedLaws::pressure(
   return pressure_.emplace_back(joint, joint.make_pressure_law()).second;
 }
 
+Material read_material(const std::filesystem::path& path) {
+  const TomlTable file = TomlTable::from_file(path);
+  file.refuse_keys_beside(material_keys());
+  Material material = material_from_table(file);
+  file.refuse_unknown_keys();
+  return material;
+}
+
 std::unique_ptr<HalfAngleLaw> JointSpec::make_half_angle_law() const {
   return contact::make_half_angle_law(half_angle_law, geometry.kind(), pair,
                                       half_angle_options, conditions);

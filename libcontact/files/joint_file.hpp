@@ -35,6 +35,9 @@ MaterialPair read_material_pair(const std::filesystem::path& path);
 MaterialPair parse_material_pair(std::string_view text,
                                  const std::string& source);
 
+/// One material: the keys of [inner].
+Material read_material(const std::filesystem::path& path);
+
 /// A joint file: all that is known of one joint.
 struct JointSpec {
   std::string name;

@@ -21,6 +21,7 @@
 #include "cli/number.hpp"
 #include "cli/output.hpp"
 #include "cli/quantity.hpp"
+#include "cli/refuse.hpp"
 #include "cli/stream/csv.hpp"
 #include "cli/stream/line_blocks.hpp"
 #include "cli/stream/ordered_blocks.hpp"
@@ -100,20 +101,17 @@ TEST(Sweep, LogarithmicEndsAndDecadesAreExact) {
 }
 
 TEST(Sweep, MessagesNameOptionValueAndRange) {
-  EXPECT_EQ(sweep_error("200"),
-            "--theta0 200: 200 is outside the allowed -90 to 120 deg");
-  EXPECT_EQ(sweep_error("0:125:5"),
-            "--theta0 0:125:5: 125 is outside the allowed -90 to 120 deg");
-  EXPECT_EQ(sweep_error("nan"),
-            "--theta0 nan: nan is outside the allowed -90 to 120 deg");
+  EXPECT_EQ(sweep_error("200"), "--theta0 200 must be -90 to 120 deg");
+  EXPECT_EQ(sweep_error("0:125:5"), "--theta0 125 must be -90 to 120 deg");
+  EXPECT_EQ(sweep_error("nan"), "--theta0 nan must be -90 to 120 deg");
   for (const char* text : {"", "abc", "1:2", "1:2:3:4", "1,,2", "1:2:logx",
                            "1e999", "0x10", "1 2"}) {
-    EXPECT_NE(sweep_error(text).find("expected a value, a list"),
+    EXPECT_NE(sweep_error(text).find("must be a value, a list"),
               std::string::npos)
         << text;
   }
   for (const char* text : {"0:10:0", "0:10:-1", "10:0:1"}) {
-    EXPECT_NE(sweep_error(text).find("step must lead"), std::string::npos);
+    EXPECT_NE(sweep_error(text).find("step leads"), std::string::npos);
   }
   EXPECT_NE(sweep_error("0:inf:1").find("finite"), std::string::npos);
   EXPECT_NE(sweep_error("0:10:log5").find("above 0"), std::string::npos);
@@ -144,12 +142,8 @@ TEST(Number, Rounded) {
 TEST(Choice, NamesWhatIsAllowed) {
   constexpr std::array<cli::Choice<int>, 2> words = {{{"one", 1}, {"two", 2}}};
   EXPECT_EQ(cli::choice("--count", "two", words), 2);
-  try {
-    cli::choice("--count", "three", words);
-    FAIL();
-  } catch (const contact::Error& error) {
-    EXPECT_STREQ(error.what(), "--count three: allowed one, two");
-  }
+  EXPECT_EQ(error_message([&] { cli::choice("--count", "tow", words); }),
+            "unknown count \"tow\": did you mean \"two\"? (one, two)");
 }
 
 TEST(Text, PrintableIsOneLineOfUtf8) {
@@ -265,15 +259,15 @@ TEST(Quantity, ValuesAndVectors) {
   EXPECT_EQ(error_message([] {
               cli::parse_value("--x", "2", {0, 1, "N"});
             }),
-            "--x 2: allowed 0 to 1 N");
+            "--x 2 must be 0 to 1 N");
   EXPECT_EQ(error_message([] {
               cli::parse_value("--x", "1N", {0, 1, "N"});
             }),
-            "--x 1N: not a number, allowed 0 to 1 N");
+            "--x 1N must be a number, 0 to 1 N");
   for (const char* bad :
        {"", "1,2", "1,2,3,4", "1,,3", "1,2,x", "1,2,nan", "1,2,inf"}) {
     EXPECT_EQ(error_message([&] { cli::parse_vector("--v", bad, "in N"); }),
-              std::string("--v ") + bad + ": allowed X,Y,Z, in N");
+              cli::given("--v", bad) + " must be X,Y,Z, in N");
   }
 }
 
@@ -283,7 +277,7 @@ TEST(Quantity, Counts) {
   for (const char* text : {"1", "11", "2.5", "nan", "x", ""}) {
     EXPECT_EQ(
         error_message([&] { cli::parse_count("--points", text, 2, 10); }),
-        std::string("--points ") + text + ": allowed a whole number, 2 to 10");
+        cli::given("--points", text) + " must be a whole number, 2 to 10");
   }
 }
 
@@ -307,7 +301,7 @@ TEST(Laws, AllAreThoseThatAllowTheLoading) {
   EXPECT_EQ(error_message([&] {
               cli::pressure_laws({"exact", "exact"}, {}, {centre});
             }),
-            "--pressure exact: allowed once, is there twice");
+            "duplicate --pressure exact");
 }
 
 TEST(Table, DistinctNames) {

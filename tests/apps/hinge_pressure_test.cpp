@@ -305,42 +305,4 @@ TEST(HingePressure, HalfAnglesThatHaveNotConvergedAreSaidSo) {
       << result.err;
 }
 
-TEST(HingePressure, WrongOptionsGiveOneMessageAndNoFile) {
-  struct Wrong {
-    std::string arguments;
-    std::string message;
-  };
-  const std::string joint = "--joint " + hip + " ";
-  for (const auto& [arguments, message] : std::vector<Wrong>{
-           {joint, "needs one of --load"},
-           {joint + "--load ten", "--load ten"},
-           {joint + "--load -5", "--load -5"},
-           {joint + "--load 5 --points 1", "--points 1"},
-           {joint + "--load 5 --points 2.5",
-            "--points 2.5: allowed a whole number, 2 to 1000000"},
-           {joint + "--load 5 --pressure all,exact", "all is allowed alone"},
-           {joint + "--load 5 --law tanh --limit-angle 200",
-            "--limit-angle 200: allowed formula, linear, or an angle"},
-           {joint + "--load 5 --pressure flat", "flat"},
-           {joint + "--load 5 --pressure exact,exact", "exact: allowed once"},
-           {joint + "--load 5 --summary --points 5", "--points"},
-           {joint + "--load 5,,6", "(empty item)"},
-           {joint + "--load 5 --plot none/p.svg", "none/p.svg"},
-           {joint + "--load 5 --loading back:20",
-            "loading back:20: half-angle law fitted: allowed: exact"},
-           {joint + "--load 5 --law exact --loading back:20 --pressure mixture",
-            "loading back:20: pressure law mixture: allowed: cosine"},
-           {joint + "--load 5 --law all", "--law: one half-angle law"},
-           {"--joint cube --load 5", "--joint cube"},
-       }) {
-    const ProgramFolder folder;
-    const ProgramResult result =
-        folder.run("hinge-pressure --output p.csv " + arguments);
-    EXPECT_EQ(result.status, 2) << arguments;
-    EXPECT_NE(result.err.find(message), std::string::npos) << arguments << '\n'
-                                                           << result.err;
-    EXPECT_TRUE(folder.files().empty());
-  }
-}
-
 }  // namespace

@@ -154,7 +154,7 @@ TEST(Pictures, NamesWithControlCharactersAreRefused) {
     const ProgramResult result = folder.run(run + " \"" + evil + '"');
     EXPECT_EQ(result.status, 2) << run;
     EXPECT_EQ(result.err, run.substr(0, run.find(' ')) + ": " + shown +
-                              ": control characters are not allowed\n");
+                              " must be without control characters\n");
     EXPECT_EQ(result.out, "");
     EXPECT_TRUE(folder.files().empty()) << run;
   }

@@ -726,7 +726,8 @@ TEST(DataFiles, LedgerNamesEveryFile) {
   const fs::path data = CONTACT_DATA_DIR;
   std::ifstream stream(data / "README.md");
   const std::string ledger{std::istreambuf_iterator<char>(stream), {}};
-  for (const char* folder : {"materials", "joints", "cases", "reference"}) {
+  for (const char* folder :
+       {"materials", "backings", "joints", "cases", "reference"}) {
     for (const auto& entry : fs::recursive_directory_iterator(data / folder)) {
       const std::string extension = entry.path().extension().string();
       if (extension != ".toml" && extension != ".csv") continue;

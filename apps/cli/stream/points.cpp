@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "cli/stream/csv.hpp"
+#include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
 #include "libcontact/base/text.hpp"
 
@@ -24,7 +25,8 @@ std::string_view trimmed(std::string_view text) {
 // A field as a message shows it.
 std::string shown(std::string_view raw) {
   constexpr std::size_t longest = 40;
-  return contact::detail::printable(trimmed(raw), longest);
+  const std::string_view text = trimmed(raw);
+  return text.empty() ? "(empty)" : contact::detail::printable(text, longest);
 }
 
 // The number in a field; NaN and a text in `why` if it is none.
@@ -33,9 +35,9 @@ double number(const PointColumn& column, std::string_view raw,
   const auto value =
       raw.starts_with('"') ? parse_number(field_value(raw)) : parse_number(raw);
   if (value && column.allowed.contains(*value)) return *value;
-  why = fmt::format("{} = {}: {}, allowed {}", column.name, shown(raw),
-                    value ? "outside the range" : "not a number",
-                    column.allowed.text());
+  why =
+      contact::detail::must_be(fmt::format("{} = {}", column.name, shown(raw)),
+                               column.allowed.rule(value.has_value()));
   return nan;
 }
 
@@ -117,8 +119,8 @@ PointColumns::PointColumns(std::string_view header,
     }
     std::size_t& column = at[found - needed.begin()];
     if (column != count) {
-      throw contact::Error(
-          fmt::format("{}: column {} occurs twice", place, names[i]));
+      throw contact::Error(fmt::format(
+          "{}: {}", place, contact::detail::duplicate("column", names[i])));
     }
     column = i;
   }

@@ -1,0 +1,113 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "cli/laws.hpp"
+#include "libcontact/pair/friction_law.hpp"
+
+namespace CLI {
+class App;
+class Option;
+}  // namespace CLI
+
+/// A joint as all programs take it from the command line.
+namespace cli {
+
+/// What a program has use for.
+enum class JointUse {
+  pressure,  ///< a ball's pressure law, and materials if that needs them
+  contact,   ///< half-angles: materials, with a size or dimensionless
+  friction,  ///< all
+};
+
+/// How many laws of a kind a program takes.
+enum class Laws { one, several };
+
+/// The command line as it was written; "" for options that were not given.
+struct JointOptions {
+  JointUse use;
+  std::string joint = {};
+  std::string pair = {};
+  std::string modulus_ratio = {};
+  std::string poisson1 = "0.3";
+  std::string poisson2 = "0.3";
+  std::string radius = {};
+  std::string clearance = {};
+  std::string length = {};
+  std::string inner_body = {};
+  std::string wall = {};
+  std::string backing = {};
+  std::string loading = {};
+
+  // Without these: what the joint file says, or the library's defaults.
+  std::vector<std::string> laws = {};
+  std::string limit_angle = {};
+  std::vector<std::string> pressures = {};
+  bool one_law = false;
+  bool one_pressure = false;
+
+  /// Options that a joint file takes the place of.
+  std::vector<const CLI::Option*> instead_of_file = {};
+
+  bool names_file() const { return joint.ends_with(".toml"); }
+  /// Where the materials are from, for messages: "--pair FILE"; "" if from
+  /// nowhere.
+  std::string materials() const;
+};
+
+/// Adds --joint and what describes a joint without a file.
+void add_joint_options(CLI::App& app, JointOptions& options);
+/// Adds --law, --limit-angle (but for JointUse::pressure) and --pressure.
+void add_law_options(CLI::App& app, JointOptions& options, Laws half_angle,
+                     Laws pressure);
+
+/// What --help says of lengths, --loading and --wall.
+inline constexpr std::string_view joint_help =
+    R"(Lengths are in m or carry a unit: 50mm, 25um. The clearance is the difference
+of the radii.
+Loading: centre (the force enters the ball or pin by a stem or shaft, or is its
+own weight; the default) or back:PSI (a loose ball or roller pressed from behind
+on a patch of half-angle PSI, 0 to 90 deg, by a uniform pressure). Only the
+half-angle law exact knows the latter, its name in the output is then
+exact_back:PSI; the pressure law exact follows it, mixture is refused.
+Wall: --wall T makes the seat or hole a layer of its material, T thick, on
+--backing rigid, held (free, but for a traction that balances the load) or a
+material's .toml file. Without --radius T is a number, thickness over radius.
+More layers and coatings are in joint files: [wall] and [[coating]]. With them
+all laws are exact, others are refused.
+)";
+
+/// What is known of a joint, and its laws.
+struct Joint {
+  contact::JointKind kind;
+  contact::ElasticPair pair;
+  /// Without it only dimensionless loads and pressures.
+  std::optional<contact::JointGeometry> geometry = {};
+  std::optional<contact::FrictionModel> friction = {};
+  std::string half_angle_law = std::string(contact::default_half_angle_law);
+  contact::HalfAngleOptions half_angle_options = {};
+  std::string pressure_law = std::string(contact::default_pressure_law);
+  contact::ContactConditions conditions = {};
+  std::string name = {};       ///< of a joint file
+  std::string materials = {};  ///< of a file of materials
+
+  /// Those that are asked for; half-angle laws not for JointUse::pressure.
+  std::vector<NamedLaw> laws = {};
+  std::vector<NamedPressure> pressures = {};
+
+  /// Of pictures.
+  std::string title() const;
+};
+
+/// The joint that the options describe. Throws contact::Error if they do not
+/// fit together or a value is not allowed.
+Joint make_joint(const JointOptions& options);
+
+/// Warns of the use of the joint and of its half-angle laws outside their
+/// ranges.
+void warn_of_validity(std::string_view program, const Joint& joint);
+
+}  // namespace cli
