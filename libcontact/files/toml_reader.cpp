@@ -5,12 +5,12 @@
 #include <cmath>
 #include <cstring>
 #include <fstream>
-#include <functional>
 #include <iterator>
-#include <map>
 #include <numbers>
+#include <set>
 #include <span>
 #include <sstream>
+#include <stdexcept>
 #include <utility>
 
 // toml++ 3.3 takes it for impossible that an accented, Greek or Cyrillic letter
@@ -30,6 +30,7 @@
 #include <toml++/toml.h>
 // clang-format on
 
+#include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
 #include "libcontact/base/text.hpp"
 #include "libcontact/base/units.hpp"
@@ -40,6 +41,7 @@ namespace {
 // value in SI = value * multiply / divide; powers of ten are divided where
 // that is exact, so that 50 mm is the double nearest to 0.05 m.
 struct Unit {
+  Dimension dimension;
   std::string_view ending;
   std::string_view symbol;
   double multiply = 1;
@@ -54,78 +56,54 @@ constexpr std::size_t longest_line = 300;
 // Of arrays as messages show them: as much as of a text.
 constexpr std::size_t longest_array = 60;
 
-constexpr double rpm = std::numbers::pi / 30;
-
 std::span<const Unit> units(Dimension dimension) {
-  static constexpr Unit number[] = {{"", ""}};
-  static constexpr Unit length[] = {{"m", "m"},
-                                    {"mm", "mm", 1, 1e3},
-                                    {"um", "um", 1, 1e6},
-                                    {"km", "km", 1e3}};
-  static constexpr Unit stress[] = {{"Pa", "Pa"},
-                                    {"kPa", "kPa", 1e3},
-                                    {"MPa", "MPa", 1e6},
-                                    {"GPa", "GPa", 1e9}};
-  static constexpr Unit force[] = {
-      {"N", "N"}, {"kN", "kN", 1e3}, {"MN", "MN", 1e6}};
-  static constexpr Unit line_force[] = {
-      {"N_per_m", "N/m"}, {"kN_per_m", "kN/m", 1e3}, {"N_per_mm", "N/mm", 1e3}};
-  static constexpr Unit moment[] = {
-      {"N_m", "N m"}, {"kN_m", "kN m", 1e3}, {"N_mm", "N mm", 1, 1e3}};
-  static constexpr Unit angle[] = {{"rad", "rad"}, {"deg", "deg", degree}};
-  static constexpr Unit angular_velocity[] = {{"rad_per_s", "rad/s"},
-                                              {"deg_per_s", "deg/s", degree},
-                                              {"rpm", "rpm", rpm}};
-  static constexpr Unit angular_acceleration[] = {
-      {"rad_per_s2", "rad/s^2"}, {"deg_per_s2", "deg/s^2", degree}};
-  static constexpr Unit velocity[] = {{"m_per_s", "m/s"},
-                                      {"mm_per_s", "mm/s", 1, 1e3},
-                                      {"km_per_h", "km/h", 1, 3.6}};
-  static constexpr Unit acceleration[] = {{"m_per_s2", "m/s^2"}};
-  static constexpr Unit time[] = {{"s", "s"}, {"ms", "ms", 1, 1e3}};
-  static constexpr Unit mass[] = {
-      {"kg", "kg"}, {"g", "g", 1, 1e3}, {"t", "t", 1e3}};
-  static constexpr Unit inertia[] = {{"kg_m2", "kg m^2"}};
-  static constexpr Unit viscous_constant[] = {{"Pa_s_per_m", "Pa s/m"},
-                                              {"kPa_s_per_m", "kPa s/m", 1e3},
-                                              {"MPa_s_per_m", "MPa s/m", 1e6},
-                                              {"GPa_s_per_m", "GPa s/m", 1e9}};
-  static constexpr Unit inverse_velocity[] = {{"s_per_m", "s/m"}};
-  switch (dimension) {
-    case Dimension::number:
-      return number;
-    case Dimension::length:
-      return length;
-    case Dimension::stress:
-      return stress;
-    case Dimension::force:
-      return force;
-    case Dimension::line_force:
-      return line_force;
-    case Dimension::moment:
-      return moment;
-    case Dimension::angle:
-      return angle;
-    case Dimension::angular_velocity:
-      return angular_velocity;
-    case Dimension::angular_acceleration:
-      return angular_acceleration;
-    case Dimension::velocity:
-      return velocity;
-    case Dimension::acceleration:
-      return acceleration;
-    case Dimension::time:
-      return time;
-    case Dimension::mass:
-      return mass;
-    case Dimension::inertia:
-      return inertia;
-    case Dimension::viscous_constant:
-      return viscous_constant;
-    case Dimension::inverse_velocity:
-      return inverse_velocity;
-  }
-  return number;
+  using enum Dimension;
+  constexpr double rpm = std::numbers::pi / 30;
+  // In the order of the dimensions.
+  static constexpr Unit all[] = {
+      {number, "", ""},
+      {length, "m", "m"},
+      {length, "mm", "mm", 1, 1e3},
+      {length, "um", "um", 1, 1e6},
+      {length, "km", "km", 1e3},
+      {stress, "Pa", "Pa"},
+      {stress, "kPa", "kPa", 1e3},
+      {stress, "MPa", "MPa", 1e6},
+      {stress, "GPa", "GPa", 1e9},
+      {force, "N", "N"},
+      {force, "kN", "kN", 1e3},
+      {force, "MN", "MN", 1e6},
+      {line_force, "N_per_m", "N/m"},
+      {line_force, "kN_per_m", "kN/m", 1e3},
+      {line_force, "N_per_mm", "N/mm", 1e3},
+      {moment, "N_m", "N m"},
+      {moment, "kN_m", "kN m", 1e3},
+      {moment, "N_mm", "N mm", 1, 1e3},
+      {angle, "rad", "rad"},
+      {angle, "deg", "deg", degree},
+      {angular_velocity, "rad_per_s", "rad/s"},
+      {angular_velocity, "deg_per_s", "deg/s", degree},
+      {angular_velocity, "rpm", "rpm", rpm},
+      {angular_acceleration, "rad_per_s2", "rad/s^2"},
+      {angular_acceleration, "deg_per_s2", "deg/s^2", degree},
+      {velocity, "m_per_s", "m/s"},
+      {velocity, "mm_per_s", "mm/s", 1, 1e3},
+      {velocity, "km_per_h", "km/h", 1, 3.6},
+      {acceleration, "m_per_s2", "m/s^2"},
+      {Dimension::time, "s", "s"},
+      {Dimension::time, "ms", "ms", 1, 1e3},
+      {mass, "kg", "kg"},
+      {mass, "g", "g", 1, 1e3},
+      {mass, "t", "t", 1e3},
+      {inertia, "kg_m2", "kg m^2"},
+      {viscous_constant, "Pa_s_per_m", "Pa s/m"},
+      {viscous_constant, "kPa_s_per_m", "kPa s/m", 1e3},
+      {viscous_constant, "MPa_s_per_m", "MPa s/m", 1e6},
+      {viscous_constant, "GPa_s_per_m", "GPa s/m", 1e9},
+      {inverse_velocity, "s_per_m", "s/m"}};
+  const auto found =
+      std::ranges::equal_range(all, dimension, {}, &Unit::dimension);
+  return {found.begin(), found.end()};
 }
 
 // A key's spelling with its unit, from the list of its dimension.
@@ -145,45 +123,54 @@ std::vector<Spelling> spellings(std::string_view key, Dimension dimension) {
   return result;
 }
 
-// "radius (in m), radius_m, radius_mm"
-std::string spellings_text(std::string_view key, Dimension dimension) {
-  std::string text;
-  for (const Spelling& spelling : spellings(key, dimension)) {
-    if (!text.empty()) text += ", ";
-    text += spelling.key;
-    if (spelling.key == key && !spelling.unit->symbol.empty()) {
-      text += detail::message(" (in {})", spelling.unit->symbol);
-    }
+// "radius (in m), radius_m or radius_mm"
+std::string spellings_text(const KnownKey& key) {
+  std::vector<std::string> all;
+  for (const Spelling& spelling : spellings(key.key, key.dimension)) {
+    all.push_back(spelling.key);
   }
-  return text;
+  if (all.size() > 1) {
+    all[0] += detail::message(" (in {})", units(key.dimension)[0].symbol);
+  }
+  return detail::either(all);
 }
 
-std::string allowed_text(const Interval& allowed, const Unit& unit) {
-  const bool any_low = allowed.low == -Interval::largest;
-  const bool any_high = allowed.high == Interval::largest;
+// What a number must be, in a unit of the key; a lone 0 needs none.
+std::string range_text(const Interval& range, const Unit& unit) {
+  const bool any_low = range.low == -Interval::largest;
+  const bool any_high = range.high == Interval::largest;
   const auto bound = [&](double value) {
     const std::string number = detail::message("{:.6g}", unit.from_si(value));
-    return unit.symbol.empty() ? number
-                               : detail::message("{} {}", number, unit.symbol);
+    return unit.symbol.empty() || (value == 0 && any_high)
+               ? number
+               : detail::message("{} {}", number, unit.symbol);
   };
   std::string text;
   if (any_low && any_high) {
     text = "a finite number";
   } else if (any_high) {
-    text = allowed.low_excluded ? "above " + bound(allowed.low)
-                                : bound(allowed.low) + " or above";
+    text = range.low_excluded ? "above " + bound(range.low)
+                              : bound(range.low) + " or above";
   } else if (any_low) {
-    text = (allowed.high_excluded ? "below " : "up to ") + bound(allowed.high);
-  } else if (!allowed.low_excluded && !allowed.high_excluded) {
-    text = detail::message("{:.6g} to {}", unit.from_si(allowed.low),
-                           bound(allowed.high));
+    text = (range.high_excluded ? "below " : "up to ") + bound(range.high);
+  } else if (!range.low_excluded && !range.high_excluded) {
+    text = detail::message("{:.6g} to {}", unit.from_si(range.low),
+                           bound(range.high));
   } else {
     text = detail::message(
-        "{} {:.6g}, {} {}", allowed.low_excluded ? "above" : "from",
-        unit.from_si(allowed.low), allowed.high_excluded ? "below" : "up to",
-        bound(allowed.high));
+        "{} {:.6g} and {} {}", range.low_excluded ? "above" : "from",
+        unit.from_si(range.low), range.high_excluded ? "below" : "up to",
+        bound(range.high));
   }
-  return allowed.or_infinity ? text + ", or inf" : text;
+  return range.or_infinity ? text + " or inf" : text;
+}
+
+std::string shape_text(const ArrayShape& shape) {
+  const std::string text = detail::message("an array of {}{}", shape.rows,
+                                           shape.or_more ? " or more" : "");
+  return shape.columns == 0
+             ? text + " numbers"
+             : detail::message("{} arrays of {} numbers", text, shape.columns);
 }
 
 std::string value_text(const toml::node& node);
@@ -226,449 +213,64 @@ std::string value_text(const toml::node& node) {
 }
 
 // A file that ends where a table begins has no line for it.
-unsigned line_of(const toml::node& node) {
-  return std::max(1u, unsigned(node.source().begin.line));
+int line_of(const toml::node& node) {
+  return std::max(1, static_cast<int>(node.source().begin.line));
 }
-
-}  // namespace
-
-bool Interval::contains(double value) const {
-  if (std::isinf(value)) return or_infinity && value > 0;
-  return (low_excluded ? value > low : value >= low) &&
-         (high_excluded ? value < high : value <= high);
-}
-
-struct TomlTable::File {
-  std::string source;
-  std::filesystem::path folder;
-  toml::table root;
-  // Of each table: spellings asked for, with the key they belong to.
-  std::map<const void*, std::map<std::string, std::string>> known;
-};
-
-// A key that was found.
-struct TomlTable::Entry {
-  std::string place;  // "FILE:LINE: TABLE.KEY"
-  std::string spelling;
-  const toml::node* node;
-  const Unit* unit;
-
-  // "PLACE = VALUE: allowed: ALLOWED"
-  [[noreturn]] void refuse(const std::string& allowed) const {
-    throw Error(detail::message("{} = {}: allowed: {}", place,
-                                value_text(*node), allowed));
-  }
-
-  // A number of this key, or of its array, at `index`: "[3]", "[2][1]".
-  double number(const toml::node& value, const Interval& allowed,
-                const std::string& index = "") const {
-    double result = 0;
-    if (const auto floating = value.as_floating_point()) {
-      result = floating->get();
-    } else if (const auto integer = value.as_integer()) {
-      result = static_cast<double>(integer->get());
-    } else {
-      throw Error(detail::message("{}{} = {}: allowed: a number", place, index,
-                                  value_text(value)));
-    }
-    result = unit->to_si(result);
-    if (!allowed.contains(result)) {
-      const bool says_so = allowed.low == -Interval::largest ||
-                           allowed.high != Interval::largest;
-      throw Error(
-          detail::message("{}{} = {}: allowed: {}{}", place, index,
-                          value_text(value), allowed_text(allowed, *unit),
-                          std::isinf(result) && !says_so ? ", finite" : ""));
-    }
-    return result;
-  }
-
-  // `count` numbers of an array, at `index`, appended to `to`.
-  void numbers(const toml::node& array, std::size_t count,
-               const Interval& allowed, std::vector<double>& to,
-               const std::string& index = "") const {
-    const toml::array* values = array.as_array();
-    if (values == nullptr || values->size() != count) {
-      throw Error(detail::message("{}{} = {}: allowed: an array of {} numbers",
-                                  place, index, value_text(array), count));
-    }
-    std::size_t i = 0;
-    for (const toml::node& value : *values) {
-      to.push_back(
-          number(value, allowed, detail::message("{}[{}]", index, ++i)));
-    }
-  }
-
-  // `columns` numbers of each of its arrays.
-  std::vector<double> rows(const toml::array& array, std::size_t columns,
-                           const Interval& allowed) const {
-    std::vector<double> result;
-    std::size_t i = 0;
-    for (const toml::node& row : array) {
-      numbers(row, columns, allowed, result, detail::message("[{}]", ++i));
-    }
-    return result;
-  }
-};
-
-TomlTable::TomlTable(std::shared_ptr<File> file, const void* table,
-                     std::string path)
-    : file_(std::move(file)), table_(table), path_(std::move(path)) {}
-
-TomlTable TomlTable::from_file(const std::filesystem::path& path) {
-  const auto refuse = [&path](const std::string& why) {
-    throw Error(detail::message("{}: cannot be read: {}",
-                                detail::printable(path.string(), longest_line),
-                                why));
-  };
-  if (detail::has_control_characters(path.native())) {
-    refuse("control characters are not allowed");
-  }
-  std::error_code error;
-  const auto status = std::filesystem::status(path, error);
-  if (error) refuse(error.message());
-  // A device could be endless.
-  if (!std::filesystem::is_regular_file(status) &&
-      !std::filesystem::is_fifo(status)) {
-    refuse("not a file");
-  }
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream) refuse(std::strerror(errno));
-  const std::string text{std::istreambuf_iterator<char>(stream), {}};
-  if (stream.bad()) refuse(std::strerror(errno));
-  return parse(text, path.string(), path.parent_path());
-}
-
-TomlTable TomlTable::from_text(std::string_view text,
-                               const std::string& source) {
-  return parse(text, source, {});
-}
-
-TomlTable TomlTable::parse(std::string_view text, const std::string& source,
-                           std::filesystem::path folder) {
-  auto file = std::make_shared<File>();
-  file->source = source;
-  file->folder = std::move(folder);
-  try {
-    file->root = toml::parse(text);
-  } catch (const toml::parse_error& error) {
-    throw Error(detail::message(
-        "{}:{}: {}", source, unsigned(error.source().begin.line),
-        detail::printable(error.description(), longest_line)));
-  }
-  const void* root = &file->root;
-  return TomlTable(std::move(file), root, "");
-}
-
-namespace {
 
 const toml::table& as_table(const void* table) {
   return *static_cast<const toml::table*>(table);
 }
 
-// Keys of A-Z a-z 0-9 _ - as they are, others quoted.
-std::string key_text(std::string_view key) {
-  const bool bare = !key.empty() && key.find_first_not_of(
-                                        "ABCDEFGHIJKLMNOPQRSTUVWXYZ"
-                                        "abcdefghijklmnopqrstuvwxyz"
-                                        "0123456789_-") == key.npos;
-  const std::string shown = detail::printable(key);
-  return bare ? shown : '"' + shown + '"';
+std::string joined(const std::string& path, const std::string& key) {
+  return path.empty() ? key : path + '.' + key;
 }
 
-std::string joined(const std::string& path, std::string_view key) {
-  return path.empty() ? key_text(key) : path + '.' + key_text(key);
+// "TABLE.KEY = VALUE"; of a table its name is enough.
+std::string named(const std::string& path, const std::string& key,
+                  const toml::node& value) {
+  const std::string name = joined(path, key);
+  return value.is_table() ? name
+                          : detail::message("{} = {}", name, value_text(value));
 }
 
-}  // namespace
-
-std::optional<TomlTable::Entry> TomlTable::find(std::string_view key,
-                                                Dimension dimension) const {
-  std::optional<Entry> found;
-  auto& known = file_->known[table_];
-  for (const Spelling& spelling : spellings(key, dimension)) {
-    known[spelling.key] = key;
-    const toml::node* node = as_table(table_).get(spelling.key);
-    if (node == nullptr) continue;
-    Entry entry{detail::message("{}:{}: {}", file_->source, line_of(*node),
-                                joined(path_, spelling.key)),
-                spelling.key, node, spelling.unit};
-    if (found) {
-      throw Error(
-          detail::message("{}: allowed: not together with {} in line {}",
-                          entry.place, found->spelling, line_of(*found->node)));
-    }
-    found = std::move(entry);
+// Of these keys those of the table's kind; all if it is missing or wrong.
+std::vector<const KnownKey*> of_kind(const toml::table& table,
+                                     const KnownKeys& keys) {
+  const auto kind = table["kind"].value<std::string>();
+  std::vector<const KnownKey*> all;
+  std::vector<const KnownKey*> fitting;
+  bool named = false;
+  for (const KnownKey& key : keys) {
+    const bool fits = kind && detail::message(" {} ", key.kinds)
+                                      .find(detail::message(" {} ", *kind)) !=
+                                  std::string::npos;
+    all.push_back(&key);
+    if (fits || key.kinds.empty()) fitting.push_back(&key);
+    named = named || fits;
   }
-  return found;
+  return named ? fitting : all;
 }
 
-std::optional<TomlTable::Entry> TomlTable::find(std::string_view key) const {
-  return find(key, Dimension::number);
-}
-
-void TomlTable::missing(std::string_view key, Dimension dimension) const {
-  std::string hint;
-  std::vector<std::string> strange;
-  const auto& known = file_->known[table_];
-  for (const auto& [name, node] : as_table(table_)) {
-    if (!known.contains(std::string(name.str()))) {
-      strange.emplace_back(name.str());
+// The known spelling that a user has most likely meant by a key; "" for none:
+// its new name, one that is nearly the same, or the same but for an ending,
+// such as a unit that it does not take. One that is there was not meant, unless
+// a table [x.y] beside a misspelt [x] has made it.
+std::string meant_by(const std::string& key, const toml::table& table,
+                     const std::vector<const KnownKey*>& known) {
+  std::vector<std::string> likely;
+  for (const KnownKey* other : known) {
+    const auto now = spellings(other->key, other->dimension);
+    const auto before = spellings(other->former, other->dimension);
+    for (std::size_t i = 0; i < now.size(); ++i) {
+      if (before[i].key == key && !other->former.empty()) return now[i].key;
+      if (table.get(key)->is_table() || !table.contains(now[i].key)) {
+        likely.push_back(now[i].key);
+      }
     }
   }
-  for (const Spelling& spelling : spellings(key, dimension)) {
-    const std::string meant = detail::nearest(spelling.key, strange);
-    if (meant.empty()) continue;
-    hint = detail::message(" (is it {} in line {}?)", key_text(meant),
-                           line_of(*as_table(table_).get(meant)));
-    break;
-  }
-  // Of a single spelling there is nothing to say.
-  const std::string allowed =
-      dimension == Dimension::number
-          ? ""
-          : ": allowed: " + spellings_text(key, dimension);
-  throw Error(detail::message("{}:{}: {} is missing{}{}", file_->source,
-                              line_of(as_table(table_)), joined(path_, key),
-                              allowed, hint));
-}
-
-std::optional<double> TomlTable::optional_number(std::string_view key,
-                                                 const Interval& allowed,
-                                                 Dimension dimension) const {
-  const auto entry = find(key, dimension);
-  if (!entry) return {};
-  return entry->number(*entry->node, allowed);
-}
-
-double TomlTable::number(std::string_view key, const Interval& allowed,
-                         Dimension dimension) const {
-  const auto value = optional_number(key, allowed, dimension);
-  if (!value) missing(key, dimension);
-  return *value;
-}
-
-std::optional<std::vector<double>> TomlTable::optional_numbers(
-    std::string_view key, std::size_t size, const Interval& allowed,
-    Dimension dimension) const {
-  const auto entry = find(key, dimension);
-  if (!entry) return {};
-  std::vector<double> result;
-  entry->numbers(*entry->node, size, allowed, result);
-  return result;
-}
-
-std::vector<double> TomlTable::numbers(std::string_view key, std::size_t size,
-                                       const Interval& allowed,
-                                       Dimension dimension) const {
-  auto values = optional_numbers(key, size, allowed, dimension);
-  if (!values) missing(key, dimension);
-  return *std::move(values);
-}
-
-std::optional<std::vector<double>> TomlTable::optional_matrix(
-    std::string_view key, std::size_t rows, std::size_t columns,
-    const Interval& allowed, Dimension dimension) const {
-  const auto entry = find(key, dimension);
-  if (!entry) return {};
-  const toml::array* array = entry->node->as_array();
-  if (array == nullptr || array->size() != rows) {
-    entry->refuse(
-        detail::message("an array of {} arrays of {} numbers", rows, columns));
-  }
-  return entry->rows(*array, columns, allowed);
-}
-
-std::vector<double> TomlTable::matrix(std::string_view key, std::size_t rows,
-                                      std::size_t columns,
-                                      const Interval& allowed,
-                                      Dimension dimension) const {
-  auto values = optional_matrix(key, rows, columns, allowed, dimension);
-  if (!values) missing(key, dimension);
-  return *std::move(values);
-}
-
-std::optional<std::vector<double>> TomlTable::optional_list(
-    std::string_view key, std::size_t least, const Interval& allowed,
-    Dimension dimension) const {
-  const auto entry = find(key, dimension);
-  if (!entry) return {};
-  const toml::array* array = entry->node->as_array();
-  if (array == nullptr || array->size() < least) {
-    entry->refuse(detail::message("an array of {} or more numbers", least));
-  }
-  std::vector<double> result;
-  entry->numbers(*array, array->size(), allowed, result);
-  return result;
-}
-
-std::vector<double> TomlTable::list(std::string_view key, std::size_t least,
-                                    const Interval& allowed,
-                                    Dimension dimension) const {
-  auto values = optional_list(key, least, allowed, dimension);
-  if (!values) missing(key, dimension);
-  return *std::move(values);
-}
-
-std::vector<double> TomlTable::rows(std::string_view key, std::size_t least,
-                                    std::size_t columns,
-                                    const Interval& allowed,
-                                    Dimension dimension) const {
-  const auto entry = find(key, dimension);
-  if (!entry) missing(key, dimension);
-  const toml::array* array = entry->node->as_array();
-  if (array == nullptr || array->size() < least) {
-    entry->refuse(detail::message("an array of {} or more arrays of {} numbers",
-                                  least, columns));
-  }
-  return entry->rows(*array, columns, allowed);
-}
-
-std::optional<std::int64_t> TomlTable::optional_integer(
-    std::string_view key, std::int64_t low, std::int64_t high) const {
-  const auto entry = find(key);
-  if (!entry) return {};
-  const auto value = entry->node->as_integer();
-  if (value == nullptr || value->get() < low || value->get() > high) {
-    entry->refuse(detail::message("an integer, {} to {}", low, high));
-  }
-  return value->get();
-}
-
-std::int64_t TomlTable::integer(std::string_view key, std::int64_t low,
-                                std::int64_t high) const {
-  const auto value = optional_integer(key, low, high);
-  if (!value) missing(key, Dimension::number);
-  return *value;
-}
-
-std::optional<bool> TomlTable::optional_boolean(std::string_view key) const {
-  const auto entry = find(key);
-  if (!entry) return {};
-  const auto value = entry->node->as_boolean();
-  if (value == nullptr) entry->refuse("true or false");
-  return value->get();
-}
-
-bool TomlTable::boolean(std::string_view key) const {
-  const auto value = optional_boolean(key);
-  if (!value) missing(key, Dimension::number);
-  return *value;
-}
-
-std::optional<std::string> TomlTable::optional_text(
-    std::string_view key) const {
-  const auto entry = find(key);
-  if (!entry) return {};
-  const auto value = entry->node->as_string();
-  if (value == nullptr || value->get().empty()) {
-    entry->refuse("a string, not empty");
-  }
-  return value->get();
-}
-
-std::string TomlTable::text(std::string_view key) const {
-  auto value = optional_text(key);
-  if (!value) missing(key, Dimension::number);
-  return *std::move(value);
-}
-
-std::vector<std::string> TomlTable::texts(std::string_view key) const {
-  const auto entry = find(key);
-  if (!entry) return {};
-  std::vector<std::string> result;
-  const auto add = [&](const toml::node& node) {
-    const auto value = node.as_string();
-    if (value == nullptr || value->get().empty()) {
-      entry->refuse("a string or an array of strings, none empty");
-    }
-    result.push_back(value->get());
-  };
-  const toml::array* array = entry->node->as_array();
-  if (array == nullptr || array->empty()) {
-    add(*entry->node);
-  } else {
-    for (const toml::node& node : *array) add(node);
-  }
-  return result;
-}
-
-std::optional<std::size_t> TomlTable::optional_choice(
-    std::string_view key, const std::vector<std::string>& words,
-    std::string_view otherwise) const {
-  const auto entry = find(key);
-  if (!entry) return {};
-  if (const auto value = entry->node->as_string()) {
-    for (std::size_t i = 0; i < words.size(); ++i) {
-      if (words[i] == value->get()) return i;
-    }
-  }
-  entry->refuse(detail::message("\"{}\"{}{}", detail::joined(words, "\", \""),
-                                otherwise.empty() ? "" : ", ", otherwise));
-}
-
-std::size_t TomlTable::choice(std::string_view key,
-                              const std::vector<std::string>& words,
-                              std::string_view otherwise) const {
-  const auto value = optional_choice(key, words, otherwise);
-  if (!value) missing(key, Dimension::number);
-  return *value;
-}
-
-bool TomlTable::is_table(std::string_view key) const {
-  const auto entry = find(key);
-  return entry && entry->node->is_table();
-}
-
-std::optional<TomlTable> TomlTable::optional_table(std::string_view key) const {
-  const auto entry = find(key);
-  if (!entry) return {};
-  const toml::table* inner = entry->node->as_table();
-  if (inner == nullptr) entry->refuse("a table");
-  return TomlTable(file_, inner, joined(path_, key));
-}
-
-TomlTable TomlTable::table(std::string_view key) const {
-  const auto inner = optional_table(key);
-  if (!inner) {
-    throw Error(detail::message("{}:{}: the table [{}] is missing",
-                                file_->source, line_of(as_table(table_)),
-                                joined(path_, key)));
-  }
-  return *inner;
-}
-
-std::vector<TomlTable> TomlTable::tables(std::string_view key) const {
-  const auto entry = find(key);
-  if (!entry) return {};
-  const toml::array* array = entry->node->as_array();
-  std::vector<TomlTable> result;
-  if (array != nullptr) {
-    for (const toml::node& node : *array) {
-      if (!node.is_table()) entry->refuse("an array of tables");
-      result.push_back(TomlTable(
-          file_, node.as_table(),
-          detail::message("{}[{}]", joined(path_, key), result.size() + 1)));
-    }
-  }
-  if (result.empty()) entry->refuse("an array of tables");
-  return result;
-}
-
-bool TomlTable::has(std::string_view key, Dimension dimension) const {
-  return find(key, dimension).has_value();
-}
-
-namespace {
-
-// The known key that a user has most likely meant; "" for none: one that is
-// nearly the same, or the same but for an ending, such as a unit that it does
-// not take.
-std::string meant_by(const std::string& key,
-                     const std::vector<std::string>& known) {
-  std::string meant = detail::nearest(key, known);
+  std::string meant = detail::nearest(key, likely);
   if (!meant.empty()) return meant;
-  for (const std::string& other : known) {
+  for (const std::string& other : likely) {
     if (key.starts_with(other + '_') && other.size() > meant.size()) {
       meant = other;
     }
@@ -676,22 +278,49 @@ std::string meant_by(const std::string& key,
   return meant;
 }
 
-// Of these keys those of the table's kind; all if it is missing or wrong.
-std::vector<KnownKey> of_kind(const toml::table& table,
-                              const std::vector<KnownKey>& keys) {
-  const auto kind = table["kind"].value<std::string>();
-  const auto is_named = [&](const KnownKey& key) {
-    return kind &&
-           detail::message(" {} ", key.kinds)
-                   .find(detail::message(" {} ", *kind)) != std::string::npos;
-  };
-  if (std::ranges::none_of(keys, is_named)) return keys;
-  std::vector<KnownKey> result;
-  std::ranges::copy_if(
-      keys, std::back_inserter(result),
-      [&](const KnownKey& key) { return key.kinds.empty() || is_named(key); });
-  return result;
-}
+// The first key of a file that is not known, or not read.
+struct Stranger {
+  const std::set<const toml::node*>* read = nullptr;
+  int line = 0;
+  std::string complaint = {};
+
+  void look_for(const toml::node& node, const KnownKeys& keys,
+                const std::string& path) {
+    if (const toml::array* array = node.as_array()) {
+      std::size_t index = 0;
+      for (const toml::node& element : *array) {
+        look_for(element, keys, detail::message("{}[{}]", path, ++index));
+      }
+    }
+    const toml::table* table = node.as_table();
+    if (table == nullptr) return;
+    const auto known = of_kind(*table, keys);
+    for (const auto& [name, value] : *table) {
+      const std::string key(name.str());
+      const auto found = std::ranges::find_if(known, [&](const KnownKey* k) {
+        const auto all = spellings(k->key, k->dimension);
+        return std::ranges::find(all, key, &Spelling::key) != all.end();
+      });
+      if (found == known.end()) {
+        std::vector<std::string> names;
+        for (const KnownKey* k : known) names.emplace_back(k->key);
+        note(value, detail::unknown("key", joined(path, detail::printable(key)),
+                                    meant_by(key, *table, known), names));
+      } else if (read != nullptr && !read->contains(&value)) {
+        note(value, detail::must_be(named(path, key, value), "left out here"));
+      } else if (!(*found)->inside.empty()) {
+        // A table in the place of a value is refused when that is read.
+        look_for(value, (*found)->inside, joined(path, key));
+      }
+    }
+  }
+
+  void note(const toml::node& node, std::string what) {
+    if (line > 0 && line <= line_of(node)) return;
+    line = line_of(node);
+    complaint = std::move(what);
+  }
+};
 
 // The same for nodes that say the same. Texts have their length, so that
 // nothing in them is taken for what is around them.
@@ -720,102 +349,323 @@ std::string canonical(const toml::node& node) {
 
 }  // namespace
 
-void TomlTable::refuse_unknown_keys() const {
-  const toml::node* first = nullptr;
-  std::string message;
-  const auto look_at = [&](const toml::table& table, const toml::node& value,
-                           const std::string& key, const std::string& place) {
-    if (first != nullptr && line_of(*first) <= line_of(value)) return;
-    first = &value;
-    // Spellings that are not there. Beside a misspelt table [x] the right one
-    // may be there for the sake of [x.y].
-    std::vector<std::string> likely;
-    std::vector<std::string> keys;
-    for (const auto& [spelling, asked] : file_->known[&table]) {
-      if (value.is_table() || !table.contains(spelling)) {
-        likely.push_back(spelling);
-      }
-      if (spelling == asked) keys.push_back(asked);
-    }
-    const std::string meant = meant_by(key, likely);
-    message = detail::message(
-        "{}:{}: {}: unknown key: {}", file_->source, line_of(value), place,
-        meant.empty()
-            ? detail::message("allowed: {}", detail::joined(keys, ", "))
-            : detail::message("did you mean {}?", meant));
-  };
-  const std::function<void(const toml::node&, const std::string&)> visit =
-      [&](const toml::node& node, const std::string& path) {
-        if (const toml::array* array = node.as_array()) {
-          std::size_t index = 0;
-          for (const toml::node& element : *array) {
-            visit(element, detail::message("{}[{}]", path, ++index));
-          }
-        } else if (const toml::table* table = node.as_table()) {
-          for (const auto& [name, value] : *table) {
-            const std::string key(name.str());
-            const std::string place = joined(path, key);
-            if (file_->known[table].contains(key)) {
-              visit(value, place);
-            } else {
-              look_at(*table, value, key, place);
-            }
-          }
-        }
-      };
-  visit(file_->root, "");
-  if (first != nullptr) throw Error(message);
+bool Interval::contains(double value) const {
+  if (std::isinf(value)) return or_infinity && value > 0;
+  return (low_excluded ? value > low : value >= low) &&
+         (high_excluded ? value < high : value <= high);
 }
 
-void TomlTable::refuse_keys_beside(const std::vector<KnownKey>& known) const {
-  using Asked = decltype(file_->known);
-  // As if all of them had been asked for; what has been comes back.
-  struct Return {
-    Asked& place;
-    Asked asked;
-    ~Return() { place = std::move(asked); }
-  } const back{file_->known, std::exchange(file_->known, {})};
-  const std::function<void(const toml::node&, const std::vector<KnownKey>&)>
-      ask = [&](const toml::node& node, const std::vector<KnownKey>& keys) {
-        if (const toml::array* array = node.as_array()) {
-          for (const toml::node& element : *array) ask(element, keys);
-        }
-        const toml::table* table = node.as_table();
-        if (table == nullptr) return;
-        for (const KnownKey& key : of_kind(*table, keys)) {
-          for (const Spelling& spelling : spellings(key.key, key.dimension)) {
-            file_->known[table].emplace(spelling.key, key.key);
-          }
-          if (const toml::node* inner = table->get(key.key)) {
-            ask(*inner, key.inside);
-          }
-        }
-      };
-  ask(file_->root, known);
-  refuse_unknown_keys();
+struct TomlTable::File {
+  std::string source;
+  std::filesystem::path folder;
+  KnownKeys keys;
+  toml::table root = {};
+  mutable std::set<const toml::node*> read = {};
+
+  void refuse(Stranger strange) const {
+    strange.look_for(root, keys, "");
+    if (strange.line == 0) return;
+    throw Error(
+        detail::message("{}:{}: {}", source, strange.line, strange.complaint));
+  }
+};
+
+// A key that was found.
+struct TomlTable::Entry {
+  std::string place;  // "FILE:LINE: TABLE.KEY"
+  std::string spelling;
+  const toml::node* node;
+  const Unit* unit;
+
+  [[noreturn]] void must_be(std::string_view rule) const {
+    must_be(*node, "", rule);
+  }
+
+  // Of what stands at `index` of its array: "[3]", "[2][1]".
+  [[noreturn]] void must_be(const toml::node& value, const std::string& index,
+                            std::string_view rule) const {
+    throw Error(detail::must_be(
+        detail::message("{}{} = {}", place, index, value_text(value)), rule));
+  }
+
+  double number(const toml::node& value, const Interval& range,
+                const std::string& index = "") const {
+    const auto given = value.is_number() ? value.value<double>() : std::nullopt;
+    if (!given) must_be(value, index, "a number");
+    const double result = unit->to_si(*given);
+    if (range.contains(result)) return result;
+    const bool says_so =
+        range.low == -Interval::largest || range.high != Interval::largest;
+    must_be(value, index,
+            range_text(range, *unit) +
+                (std::isinf(result) && !says_so ? " and finite" : ""));
+  }
+
+  // Appended to `to`.
+  void numbers(const toml::node& value, const ArrayShape& shape,
+               const Interval& range, const std::string& index,
+               std::vector<double>& to) const {
+    const toml::array* array = value.as_array();
+    if (array == nullptr || array->size() < shape.rows ||
+        (array->size() > shape.rows && !shape.or_more)) {
+      must_be(value, index, shape_text(shape));
+    }
+    std::size_t i = 0;
+    for (const toml::node& element : *array) {
+      const std::string at = detail::message("{}[{}]", index, ++i);
+      if (shape.columns == 0) {
+        to.push_back(number(element, range, at));
+      } else {
+        numbers(element, {shape.columns}, range, at, to);
+      }
+    }
+  }
+
+  std::string text(const toml::node& value, std::string_view rule) const {
+    const auto given = value.as_string();
+    if (given == nullptr || given->get().empty()) must_be(rule);
+    return given->get();
+  }
+};
+
+TomlTable::TomlTable(std::shared_ptr<const File> file, const void* table,
+                     const KnownKeys* keys, std::string path)
+    : file_(std::move(file)),
+      table_(table),
+      keys_(keys),
+      path_(std::move(path)) {}
+
+TomlTable TomlTable::from_file(const std::filesystem::path& path,
+                               KnownKeys keys) {
+  const auto refuse = [&path](const std::string& why) {
+    throw Error(detail::message("{}: cannot be read: {}",
+                                detail::printable(path.string(), longest_line),
+                                why));
+  };
+  if (detail::has_control_characters(path.native())) {
+    refuse("its name has control characters");
+  }
+  std::error_code error;
+  const auto status = std::filesystem::status(path, error);
+  if (error) refuse(error.message());
+  // A device could be endless.
+  if (!std::filesystem::is_regular_file(status) &&
+      !std::filesystem::is_fifo(status)) {
+    refuse("not a file");
+  }
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream) refuse(std::strerror(errno));
+  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  if (stream.bad()) refuse(std::strerror(errno));
+  return parse(text, path.string(), path.parent_path(), std::move(keys));
 }
+
+TomlTable TomlTable::from_text(std::string_view text, const std::string& source,
+                               KnownKeys keys) {
+  return parse(text, source, {}, std::move(keys));
+}
+
+TomlTable TomlTable::parse(std::string_view text, const std::string& source,
+                           std::filesystem::path folder, KnownKeys keys) {
+  auto file =
+      std::make_shared<File>(File{source, std::move(folder), std::move(keys)});
+  try {
+    file->root = toml::parse(text);
+  } catch (const toml::parse_error& error) {
+    throw Error(detail::message(
+        "{}:{}: {}", source, unsigned(error.source().begin.line),
+        detail::printable(error.description(), longest_line)));
+  }
+  file->refuse({});
+  const auto& [root, known] = std::tie(file->root, file->keys);
+  return TomlTable(file, &root, &known, "");
+}
+
+const KnownKey& TomlTable::declared(std::string_view key) const {
+  for (const KnownKey* known : of_kind(as_table(table_), *keys_)) {
+    if (known->key == key) return *known;
+  }
+  throw std::logic_error(detail::message("{} is not declared", key));
+}
+
+std::optional<TomlTable::Entry> TomlTable::find(std::string_view key) const {
+  std::optional<Entry> found;
+  for (const auto& [spelling, unit] : spellings(key, declared(key).dimension)) {
+    const toml::node* node = as_table(table_).get(spelling);
+    if (node == nullptr) continue;
+    file_->read.insert(node);
+    const int line = line_of(*node);
+    if (found) {
+      const int other = line_of(*found->node);
+      throw Error(detail::message(
+          "{}:{}: {}", file_->source, std::max(line, other),
+          detail::duplicate("key",
+                            detail::message("{} as {} and {}",
+                                            joined(path_, std::string(key)),
+                                            found->spelling, spelling),
+                            std::min(line, other), std::max(line, other))));
+    }
+    found = Entry{detail::message("{}:{}: {}", file_->source, line,
+                                  joined(path_, spelling)),
+                  spelling, node, unit};
+  }
+  return found;
+}
+
+TomlTable::Entry TomlTable::at(std::string_view key) const {
+  auto entry = find(key);
+  if (!entry) needs(spellings_text(declared(key)));
+  return *std::move(entry);
+}
+
+TomlTable TomlTable::inner(const void* table, std::string_view key,
+                           std::string path) const {
+  return {file_, table, &declared(key).inside, std::move(path)};
+}
+
+bool TomlTable::has(std::string_view key) const {
+  return find(key).has_value();
+}
+
+bool TomlTable::is_table(std::string_view key) const {
+  const auto entry = find(key);
+  return entry && entry->node->is_table();
+}
+
+double TomlTable::number(std::string_view key, const Interval& range) const {
+  const Entry entry = at(key);
+  return entry.number(*entry.node, range);
+}
+
+std::vector<double> TomlTable::numbers(std::string_view key,
+                                       const ArrayShape& shape,
+                                       const Interval& range) const {
+  const Entry entry = at(key);
+  std::vector<double> result;
+  entry.numbers(*entry.node, shape, range, "", result);
+  return result;
+}
+
+std::int64_t TomlTable::integer(std::string_view key, std::int64_t low,
+                                std::int64_t high) const {
+  const Entry entry = at(key);
+  const auto value = entry.node->as_integer();
+  if (value == nullptr || value->get() < low || value->get() > high) {
+    entry.must_be(detail::message("an integer, {} to {}", low, high));
+  }
+  return value->get();
+}
+
+bool TomlTable::flag(std::string_view key) const {
+  const auto entry = find(key);
+  if (!entry) return false;
+  const auto value = entry->node->as_boolean();
+  if (value == nullptr) entry->must_be("true or false");
+  return value->get();
+}
+
+std::string TomlTable::text(std::string_view key) const {
+  const Entry entry = at(key);
+  return entry.text(*entry.node, "a string, not empty");
+}
+
+std::vector<std::string> TomlTable::texts(std::string_view key) const {
+  const auto entry = find(key);
+  if (!entry) return {};
+  constexpr const char* rule = "a string or an array of strings, none empty";
+  const toml::array* array = entry->node->as_array();
+  if (array == nullptr || array->empty()) {
+    return {entry->text(*entry->node, rule)};
+  }
+  std::vector<std::string> result;
+  for (const toml::node& node : *array) {
+    result.push_back(entry->text(node, rule));
+  }
+  return result;
+}
+
+std::size_t TomlTable::choice(std::string_view key,
+                              const std::vector<std::string>& words,
+                              std::string_view otherwise) const {
+  const Entry entry = at(key);
+  std::vector<std::string> quoted;
+  for (const std::string& word : words) {
+    if (entry.node->value<std::string>() == word) return quoted.size();
+    quoted.push_back('"' + word + '"');
+  }
+  if (!otherwise.empty()) quoted.emplace_back(otherwise);
+  entry.must_be(detail::either(quoted));
+}
+
+TomlTable TomlTable::table(std::string_view key) const {
+  const auto entry = find(key);
+  const std::string path = joined(path_, std::string(key));
+  if (!entry) needs(detail::message("the table [{}]", path));
+  if (!entry->node->is_table()) entry->must_be("a table");
+  return inner(entry->node->as_table(), key, path);
+}
+
+std::vector<TomlTable> TomlTable::tables(std::string_view key) const {
+  const auto entry = find(key);
+  if (!entry) return {};
+  std::vector<TomlTable> result;
+  if (const toml::array* array = entry->node->as_array()) {
+    for (const toml::node& node : *array) {
+      if (!node.is_table()) entry->must_be("an array of tables");
+      result.push_back(
+          inner(node.as_table(), key,
+                detail::message("{}[{}]", joined(path_, std::string(key)),
+                                result.size() + 1)));
+    }
+  }
+  if (result.empty()) entry->must_be("an array of tables");
+  return result;
+}
+
+// "FILE:LINE", of the table.
+std::string TomlTable::line() const {
+  return detail::message("{}:{}", file_->source, line_of(as_table(table_)));
+}
+
+// "FILE:LINE: TABLE.KEY = VALUE", as much of it as there is.
+std::string TomlTable::subject(std::string_view key) const {
+  const auto entry = find(key);
+  if (!entry) {
+    return detail::message("{}: {}", line(), joined(path_, std::string(key)));
+  }
+  return detail::message("{}:{}: {}", file_->source, line_of(*entry->node),
+                         named(path_, entry->spelling, *entry->node));
+}
+
+void TomlTable::must_be(std::string_view key, std::string_view rule) const {
+  throw Error(detail::must_be(subject(key), rule));
+}
+
+void TomlTable::needs(std::string_view key, std::string_view other) const {
+  throw Error(detail::needs(subject(key), other));
+}
+
+void TomlTable::fail(std::string_view key, std::string_view message) const {
+  throw Error(detail::message("{}: {}", subject(key), message));
+}
+
+void TomlTable::needs(std::string_view other) const {
+  throw Error(detail::needs(
+      detail::message("{}: {}", line(), path_.empty() ? "the file" : path_),
+      other));
+}
+
+void TomlTable::refuse_both(std::string_view key,
+                            std::string_view other) const {
+  const auto entry = find(other);
+  if (!entry || !has(key)) return;
+  throw Error(
+      detail::conflicts(subject(key), entry->spelling, line_of(*entry->node)));
+}
+
+void TomlTable::refuse_idle() const { file_->refuse({&file_->read}); }
 
 std::string TomlTable::canonical_text() const { return canonical(file_->root); }
-
-void TomlTable::fail(std::string_view key, const std::string& message) const {
-  for (const auto& [spelling, asked] : file_->known[table_]) {
-    const toml::node* node = as_table(table_).get(spelling);
-    if (asked != key || node == nullptr) continue;
-    throw Error(detail::message("{}:{}: {} = {}: {}", file_->source,
-                                line_of(*node), joined(path_, spelling),
-                                value_text(*node), message));
-  }
-  throw Error(detail::message("{}:{}: {}: {}", file_->source,
-                              line_of(as_table(table_)), joined(path_, key),
-                              message));
-}
-
-void TomlTable::fail_missing(std::string_view key,
-                             const std::string& why) const {
-  throw Error(detail::message("{}:{}: {} is missing: {}", file_->source,
-                              line_of(as_table(table_)), joined(path_, key),
-                              why));
-}
 
 const std::string& TomlTable::source() const { return file_->source; }
 

@@ -719,7 +719,7 @@ TEST(HingeJoint, WrongInputIsOneMessage) {
             "below 180 deg"},
            {state + "--limit-angle 0", "--limit-angle 0: allowed formula"},
            {state + "--loading back:20",
-            "loading back:20: half-angle law tanh: allowed: exact"},
+            "half-angle law tanh must be exact with loading back:20"},
            {state + "--loading front", "--loading front: allowed centre, or"},
            {state + "--outer 0,0,0 --inner-steps 2.5", "a whole number"},
            {state + "--outer 0,0,0 --trace --braking 1",

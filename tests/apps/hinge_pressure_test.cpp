@@ -327,9 +327,9 @@ TEST(HingePressure, WrongOptionsGiveOneMessageAndNoFile) {
            {joint + "--load 5,,6", "(empty item)"},
            {joint + "--load 5 --plot none/p.svg", "none/p.svg"},
            {joint + "--load 5 --loading back:20",
-            "loading back:20: half-angle law fitted: allowed: exact"},
+            "half-angle law fitted must be exact with loading back:20"},
            {joint + "--load 5 --law exact --loading back:20 --pressure mixture",
-            "loading back:20: pressure law mixture: allowed: cosine"},
+            "pressure law mixture must be cosine"},
            {joint + "--load 5 --law all", "--law: one half-angle law"},
            {"--joint cube --load 5", "--joint cube"},
        }) {

@@ -509,23 +509,23 @@ TEST(LimitHalfAngle, RefusesWhatIsOutOfRange) {
     return error_message([&] { LimitHalfAngle::given(value); });
   };
   EXPECT_EQ(given(1.5), "(no error)");
-  EXPECT_EQ(given(0),
-            "half-angle law: limit_half_angle = 0: allowed: above 0, below pi "
-            "rad");
+  EXPECT_EQ(
+      given(0),
+      "half-angle law: limit_half_angle = 0 must be above 0 and below pi rad");
   EXPECT_EQ(given(84.85),
-            "half-angle law: limit_half_angle = 84.85: allowed: above 0, "
+            "half-angle law: limit_half_angle = 84.85 must be above 0 and "
             "below pi rad");
   EXPECT_EQ(given(nan),
-            "half-angle law: limit_half_angle = nan: allowed: above 0, below "
+            "half-angle law: limit_half_angle = nan must be above 0 and below "
             "pi rad");
   EXPECT_EQ(error_message([] { LimitHalfAngle::arctan_formula(-0.1); }),
-            "limit half-angle: modulus_ratio = -0.1: allowed: 0 to inf");
+            "limit half-angle: modulus_ratio = -0.1 must be 0 to inf");
   EXPECT_EQ(error_message([] { LimitHalfAngle::arctan_formula(nan); }),
-            "limit half-angle: modulus_ratio = nan: allowed: 0 to inf");
+            "limit half-angle: modulus_ratio = nan must be 0 to inf");
   EXPECT_EQ(error_message([] { LimitHalfAngle::linear_formula(2.5); }),
-            "linear limit half-angle: modulus_ratio = 2.5: allowed: 0.5 to 2");
+            "linear limit half-angle: modulus_ratio = 2.5 must be 0.5 to 2");
   EXPECT_EQ(error_message([] { LimitHalfAngle::linear_formula(0.4); }),
-            "linear limit half-angle: modulus_ratio = 0.4: allowed: 0.5 to 2");
+            "linear limit half-angle: modulus_ratio = 0.4 must be 0.5 to 2");
 }
 
 // --- What the laws are worth ------------------------------------------------
@@ -700,26 +700,26 @@ TEST(MakeHalfAngleLaw, RefusesWhatItDoesNotKnow) {
         [&] { make_half_angle_law(name, JointKind::ball, pair, options); });
   };
   EXPECT_EQ(message("tan"),
-            "half-angle law tan: allowed: hertz, arctan, tanh, blend, paper, "
-            "nominal, fitted, exact");
+            "unknown half-angle law \"tan\": did you mean \"tanh\"? (hertz, "
+            "arctan, tanh, blend, paper, nominal, fitted, exact)");
   EXPECT_EQ(message(""),
-            "half-angle law : allowed: hertz, arctan, tanh, blend, paper, "
-            "nominal, fitted, exact");
-  EXPECT_EQ(message("blend:half"),
-            "half-angle law blend:half: allowed: blend:K with K a number from "
-            "0 to 1");
-  EXPECT_EQ(message("blend:"),
-            "half-angle law blend:: allowed: blend:K with K a number from 0 "
-            "to 1");
-  EXPECT_EQ(message("blend:0.5x"),
-            "half-angle law blend:0.5x: allowed: blend:K with K a number from "
-            "0 to 1");
-  EXPECT_EQ(message("blend:1.5"), "blend law: k = 1.5: allowed: 0 to 1");
-  EXPECT_EQ(message("blend:nan"), "blend law: k = nan: allowed: 0 to 1");
+            "unknown half-angle law \"\" (hertz, arctan, tanh, blend, paper, "
+            "nominal, fitted, exact)");
+  EXPECT_EQ(
+      message("blend:half"),
+      "half-angle law blend:half must be blend:K with K a number from 0 to 1");
+  EXPECT_EQ(
+      message("blend:"),
+      "half-angle law blend: must be blend:K with K a number from 0 to 1");
+  EXPECT_EQ(
+      message("blend:0.5x"),
+      "half-angle law blend:0.5x must be blend:K with K a number from 0 to 1");
+  EXPECT_EQ(message("blend:1.5"), "blend law: k = 1.5 must be 0 to 1");
+  EXPECT_EQ(message("blend:nan"), "blend law: k = nan must be 0 to 1");
   EXPECT_EQ(message("tanh", {.linear_limit = true}),
-            "linear limit half-angle: modulus_ratio = 3: allowed: 0.5 to 2");
+            "linear limit half-angle: modulus_ratio = 3 must be 0.5 to 2");
   EXPECT_EQ(message("tanh", {.initial_slope = 0}),
-            "half-angle law: initial_slope = 0: allowed: above 0, finite");
+            "half-angle law: initial_slope = 0 must be above 0 and finite");
 }
 
 TEST(ValidityNotes, SayWhatIsOutsideTheRange) {

@@ -205,7 +205,7 @@ TEST(MultibodyEval, InertiaIsJudgedBesideTheLargest) {
   folder.write("c.json", file.dump());
   EXPECT_EQ(folder.run("multibody-eval c.json").err,
             "multibody-eval: c.json: carrier.inertia_com: smallest principal "
-            "moment 10 kg m^2, allowed is above 1000000 kg m^2, the rounding "
+            "moment = 10 kg m^2 must be above 1000000 kg m^2, the rounding "
             "of the largest moment\n");
 }
 

@@ -68,23 +68,23 @@ TEST(JointGeometry, RefusesWhatIsOutOfRange) {
   EXPECT_EQ(ball(0.1, std::nextafter(0.1, 0.0)), "(no error)");
   EXPECT_EQ(ball(0.1, 1e-300), "(no error)");
   EXPECT_EQ(ball(0.1, 0.1),
-            "ball joint: radial_clearance = 0.1: allowed: above 0 m, "
-            "below the radius 0.1 m");
-  EXPECT_EQ(ball(0.1, 0),
-            "ball joint: radial_clearance = 0: allowed: above 0 m, below "
+            "ball joint: radial_clearance = 0.1 must be above 0 m and below "
             "the radius 0.1 m");
+  EXPECT_EQ(ball(0.1, 0),
+            "ball joint: radial_clearance = 0 must be above 0 m and below the "
+            "radius 0.1 m");
   EXPECT_EQ(ball(0.1, nan),
-            "ball joint: radial_clearance = nan: allowed: above 0 m, "
-            "below the radius 0.1 m");
+            "ball joint: radial_clearance = nan must be above 0 m and below "
+            "the radius 0.1 m");
   EXPECT_EQ(ball(-0.1, 1e-4),
-            "ball joint: radius = -0.1: allowed: above 0 m, finite");
+            "ball joint: radius = -0.1 must be above 0 m and finite");
   EXPECT_EQ(ball(infinity, 1e-4),
-            "ball joint: radius = inf: allowed: above 0 m, finite");
+            "ball joint: radius = inf must be above 0 m and finite");
   EXPECT_EQ(ball(nan, 1e-4),
-            "ball joint: radius = nan: allowed: above 0 m, finite");
+            "ball joint: radius = nan must be above 0 m and finite");
   EXPECT_EQ(pin(0.01), "(no error)");
-  EXPECT_EQ(pin(0), "pin joint: length = 0: allowed: above 0 m, finite");
-  EXPECT_EQ(pin(nan), "pin joint: length = nan: allowed: above 0 m, finite");
+  EXPECT_EQ(pin(0), "pin joint: length = 0 must be above 0 m and finite");
+  EXPECT_EQ(pin(nan), "pin joint: length = nan must be above 0 m and finite");
 }
 
 TEST(LoadScale, AgreesWithFiftyDigits) {
@@ -208,15 +208,15 @@ TEST(FrictionLaw, RefusesWhatIsOutOfRange) {
   };
   EXPECT_EQ(message(0, 0), "(no error)");
   EXPECT_EQ(message(-0.1, 0),
-            "friction law: coefficient = -0.1: allowed: 0 or above, finite");
+            "friction law: coefficient = -0.1 must be 0 or above and finite");
   EXPECT_EQ(message(nan, 0),
-            "friction law: coefficient = nan: allowed: 0 or above, finite");
+            "friction law: coefficient = nan must be 0 or above and finite");
   EXPECT_EQ(message(infinity, 0),
-            "friction law: coefficient = inf: allowed: 0 or above, finite");
+            "friction law: coefficient = inf must be 0 or above and finite");
   EXPECT_EQ(message(0.1, -1),
-            "friction law: adhesion = -1: allowed: 0 Pa or above, finite");
+            "friction law: adhesion = -1 must be 0 Pa or above and finite");
   EXPECT_EQ(message(0.1, nan),
-            "friction law: adhesion = nan: allowed: 0 Pa or above, finite");
+            "friction law: adhesion = nan must be 0 Pa or above and finite");
 }
 
 }  // namespace
