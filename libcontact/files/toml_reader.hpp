@@ -2,13 +2,14 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
+
+#include "libcontact/files/dimension.hpp"
 
 /// Checked reading of TOML files: every key is declared, has a type, a unit in
 /// its name and a range, and no other key may be there.
@@ -17,46 +18,6 @@
 /// of base/complaint.hpp, "FILE:LINE: TABLE.KEY = VALUE must be WHAT". Results
 /// are in SI units.
 namespace contact {
-
-/// What a key measures, which fixes the unit endings it takes: the length
-/// `radius` may be spelled radius (in m), radius_m, radius_mm, radius_um.
-/// A key without an ending is in the first unit of its list.
-enum class Dimension {
-  number,                ///< no unit, no ending
-  length,                ///< m, mm, um, km
-  stress,                ///< Pa, kPa, MPa, GPa
-  force,                 ///< N, kN, MN
-  line_force,            ///< N_per_m, kN_per_m, N_per_mm
-  moment,                ///< N_m, kN_m, N_mm
-  angle,                 ///< rad, deg
-  angular_velocity,      ///< rad_per_s, deg_per_s, rpm
-  angular_acceleration,  ///< rad_per_s2, deg_per_s2
-  velocity,              ///< m_per_s, mm_per_s, km_per_h
-  acceleration,          ///< m_per_s2
-  time,                  ///< s, ms
-  mass,                  ///< kg, g, t
-  inertia,               ///< kg_m2
-  viscous_constant,      ///< Pa_s_per_m, kPa_s_per_m, ... GPa_s_per_m
-  inverse_velocity,      ///< s_per_m
-};
-
-/// Values that a number may take, in SI units. Always finite, unless
-/// `or_infinity`.
-struct Interval {
-  double low;
-  double high;
-  bool low_excluded = false;
-  bool high_excluded = false;
-  bool or_infinity = false;  ///< +infinity too
-
-  static constexpr double largest = std::numeric_limits<double>::max();
-  static constexpr Interval any() { return {-largest, largest}; }
-  static constexpr Interval positive() { return {0, largest, true}; }
-  static constexpr Interval non_negative() { return {0, largest}; }
-
-  /// False for NaN.
-  bool contains(double value) const;
-};
 
 /// How many numbers an array has.
 struct ArrayShape {
@@ -96,8 +57,9 @@ class TomlTable {
   static TomlTable from_file(const std::filesystem::path& path, KnownKeys keys);
   /// Reads a text.
   /// @param source  what messages call it
+  /// @param folder  what paths in it are relative to
   static TomlTable from_text(std::string_view text, const std::string& source,
-                             KnownKeys keys);
+                             KnownKeys keys, std::filesystem::path folder = {});
 
   /// True if the key is there, in any of its dimension's spellings.
   bool has(std::string_view key) const;
@@ -175,8 +137,6 @@ class TomlTable {
 
   TomlTable(std::shared_ptr<const File> file, const void* table,
             const KnownKeys* keys, std::string path);
-  static TomlTable parse(std::string_view text, const std::string& source,
-                         std::filesystem::path folder, KnownKeys keys);
   template <class Value, class... Parameters, class... Arguments>
   std::optional<Value> optional(Value (TomlTable::*read)(std::string_view,
                                                          Parameters...) const,
@@ -185,7 +145,6 @@ class TomlTable {
     if (!has(key)) return {};
     return (this->*read)(key, arguments...);
   }
-  std::string line() const;
   std::string subject(std::string_view key) const;
   const KnownKey& declared(std::string_view key) const;
   std::optional<Entry> find(std::string_view key) const;

@@ -307,7 +307,7 @@ TEST_F(JointFolder, ErrorsOfThePairFileNameBothFiles) {
   EXPECT_EQ(message(),
             joint +
                 ":7: materials.pair = \"../materials/p.toml\" conflicts "
-                "with inner (line 8)");
+                "with materials.inner (line 8)");
 }
 
 TEST_F(JointFolder, FilesThatCannotBeRead) {

@@ -224,12 +224,6 @@ TEST(MakePressureLaw, KnowsItsNames) {
     EXPECT_EQ(law->name(), name);
     EXPECT_EQ(law->joint_kind(), JointKind::pin);
   }
-  EXPECT_EQ(contact::test::error_message([] {
-              contact::make_pressure_law("flat", JointKind::ball,
-                                         steel_in_polymer());
-            }),
-            "unknown pressure law \"flat\" (cosine, sqrt_tan, sqrt_theta, "
-            "mixture, exact)");
 }
 
 TEST(MakePressureLaw, FollowsTheLoadingOrRefusesIt) {
