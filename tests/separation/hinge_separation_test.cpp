@@ -1363,9 +1363,8 @@ TEST(HingeSeparation, BadInputHasOneMessageAndLeavesNothing) {
         << result.err;
     return result.err;
   };
-  EXPECT_EQ(
-      message("c.toml --history h.csv"),
-      "hinge-separation: c.toml:3: run.end_time_s = 0 must be above 0\n");
+  EXPECT_EQ(message("c.toml --history h.csv"),
+            "hinge-separation: c.toml:3: run.end_time_s = 0 must be above 0\n");
   EXPECT_EQ(message("none.toml"),
             "hinge-separation: none.toml: cannot be read: No such file or "
             "directory\n");
