@@ -10,10 +10,21 @@ std::string must_be(std::string_view what, std::string_view rule) {
 
 std::string unknown(std::string_view kind, std::string_view word,
                     std::span<const std::string> known) {
-  const std::string near = nearest(word, known);
-  std::string text = message("unknown {} \"{}\"", kind, printable(word));
+  return unknown(kind, printable(word), nearest(word, known), known);
+}
+
+std::string unknown(std::string_view kind, std::string_view shown,
+                    std::string_view near, std::span<const std::string> known) {
+  std::string text = message("unknown {} \"{}\"", kind, shown);
   if (!near.empty()) text += message(": did you mean \"{}\"?", near);
   return known.empty() ? text : message("{} ({})", text, joined(known, ", "));
+}
+
+std::string either(std::span<const std::string> words) {
+  return words.size() < 2
+             ? joined(words, "")
+             : message("{} or {}", joined(words.first(words.size() - 1), ", "),
+                       words.back());
 }
 
 std::string needs(std::string_view what, std::string_view other) {

@@ -16,6 +16,13 @@ std::string must_be(std::string_view what, std::string_view rule);
 /// question if nothing is near.
 std::string unknown(std::string_view kind, std::string_view word,
                     std::span<const std::string> known);
+/// The same where the caller knows what is nearest; "" for nothing.
+/// @param shown  the word, printable
+std::string unknown(std::string_view kind, std::string_view shown,
+                    std::string_view near, std::span<const std::string> known);
+
+/// "A, B or C"
+std::string either(std::span<const std::string> words);
 
 /// "WHAT requires OTHER"
 std::string needs(std::string_view what, std::string_view other);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
 #include "libcontact/conforming/layer_compliance.hpp"
 
@@ -34,7 +35,7 @@ int walled_unknowns(const LayeredPair& pair) {
 
 void require_uncoated(const LayeredPair& pair, const InnerLoading& loading) {
   if (!loading.is_back() || pair.inner().layers.empty()) return;
-  throw Error("loading = back: allowed: for an inner body without coatings");
+  throw Error(needs("loading = back", "an inner body without coatings"));
 }
 
 }  // namespace contact::detail

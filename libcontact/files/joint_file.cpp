@@ -22,8 +22,7 @@ ElasticPair pair_from_table(const TomlTable& table) {
   const TomlTable outer_table = table.table("outer");
   const Material outer = material_from_table(outer_table);
   if (std::isinf(inner.youngs_modulus) && std::isinf(outer.youngs_modulus)) {
-    outer_table.fail("youngs_modulus",
-                     "the inner body is rigid too: allowed: at most one");
+    outer_table.must_be("youngs_modulus", "finite: the inner body is rigid");
   }
   return ElasticPair(inner, outer);
 }
@@ -32,39 +31,39 @@ ElasticPair pair_from_table(const TomlTable& table) {
 std::optional<FrictionModel> friction_from_table(const TomlTable& table) {
   const auto friction = table.optional_table("friction");
   if (!friction) return {};
-  const Interval allowed = Interval::non_negative();
-  const auto constant = friction->optional_number("viscous_constant", allowed,
-                                                  Dimension::viscous_constant);
-  const auto slope = friction->optional_number(
-      "viscous_pressure_slope", allowed, Dimension::inverse_velocity);
-  const auto adhesion =
-      friction->optional_number("adhesion", allowed, Dimension::stress);
+  const Interval range = Interval::non_negative();
+  const auto constant = friction->optional_number("viscous_constant", range);
+  const auto slope = friction->optional_number("viscous_pressure_slope", range);
+  const auto adhesion = friction->optional_number("adhesion", range);
   if (!constant && !slope) {
-    return FrictionLaw(friction->number("coefficient", allowed),
+    return FrictionLaw(friction->number("coefficient", range),
                        adhesion.value_or(0));
   }
-  if (adhesion || friction->has("coefficient")) {
-    friction->fail(constant ? "viscous_constant" : "viscous_pressure_slope",
-                   "allowed: not together with coefficient or adhesion");
-  }
+  const char* const viscous =
+      constant ? "viscous_constant" : "viscous_pressure_slope";
+  friction->refuse_both(viscous, "coefficient");
+  friction->refuse_both(viscous, "adhesion");
   return ViscousLaw(constant.value_or(0), slope.value_or(0));
 }
 
-std::vector<KnownKey> friction_keys() {
+KnownKeys friction_keys() {
   return {{"coefficient"},
           {"adhesion", Dimension::stress},
           {"viscous_constant", Dimension::viscous_constant},
           {"viscous_pressure_slope", Dimension::inverse_velocity}};
 }
 
+KnownKeys material_pair_keys() {
+  return {{"name"},
+          table_key("inner", material_keys()),
+          table_key("outer", material_keys()),
+          table_key("friction", friction_keys())};
+}
+
 MaterialPair material_pair_from_table(const TomlTable& table) {
-  table.refuse_keys_beside({{"name"},
-                            {"inner", Dimension::number, material_keys()},
-                            {"outer", Dimension::number, material_keys()},
-                            {"friction", Dimension::number, friction_keys()}});
   MaterialPair pair{table.text("name"), pair_from_table(table),
                     friction_from_table(table)};
-  table.refuse_unknown_keys();
+  table.refuse_idle();
   return pair;
 }
 
@@ -75,25 +74,19 @@ JointGeometry geometry_from_table(const TomlTable& joint) {
           ? JointBody::carrier
           : JointBody::body;
   const TomlTable table = joint.table("geometry");
-  const double radius =
-      table.number("radius", Interval::positive(), Dimension::length);
+  const double radius = table.number("radius", Interval::positive());
   const auto relative =
       table.optional_number("relative_clearance", {0, 1, true, true});
-  if (relative && table.has("radial_clearance", Dimension::length)) {
-    table.fail("relative_clearance",
-               "allowed: not together with radial_clearance");
-  }
+  table.refuse_both("relative_clearance", "radial_clearance");
   const double clearance =
       relative ? *relative * radius
-               : table.number("radial_clearance", {0, radius, true, true},
-                              Dimension::length);
+               : table.number("radial_clearance", {0, radius, true, true});
   // A relative clearance and a radius near 5e-324 may round to either end.
   if (!(clearance > 0 && clearance < radius)) {
     table.fail("relative_clearance", "the clearance rounds to 0 or the radius");
   }
   if (ball) return JointGeometry::ball(radius, clearance, inner_body);
-  const double length =
-      table.number("length", Interval::positive(), Dimension::length);
+  const double length = table.number("length", Interval::positive());
   return JointGeometry::pin(radius, clearance, length, inner_body);
 }
 
@@ -102,9 +95,8 @@ MaterialPair materials_from_table(const TomlTable& joint) {
   const TomlTable table = joint.table("materials");
   const auto file = table.optional_text("pair");
   if (!file) return {"", pair_from_table(table), {}};
-  if (table.has("inner") || table.has("outer")) {
-    table.fail("pair", "allowed: not together with [inner] and [outer]");
-  }
+  table.refuse_both("pair", "inner");
+  table.refuse_both("pair", "outer");
   try {
     return read_material_pair(table.folder() / *file);
   } catch (const Error& error) {
@@ -117,30 +109,29 @@ InnerLoading loading_from_table(const TomlTable& file, const JointSpec& joint) {
   const auto table = file.optional_table("loading");
   if (!table) return InnerLoading::centre();
   if (table->choice("kind", {"centre", "back"}) == 0) {
-    if (table->has("patch_half_angle", Dimension::angle)) {
-      table->fail("patch_half_angle", "allowed: with kind = \"back\"");
+    if (table->has("patch_half_angle")) {
+      table->needs("patch_half_angle", "kind = \"back\"");
     }
     return InnerLoading::centre();
   }
-  const InnerLoading loading = InnerLoading::back(table->number(
-      "patch_half_angle", {0, std::numbers::pi / 2}, Dimension::angle));
+  const InnerLoading loading = InnerLoading::back(
+      table->number("patch_half_angle", {0, std::numbers::pi / 2}));
   const auto& walls = joint.conditions.walls;
   if (walls && !walls->inner().layers.empty()) {
-    table->fail("kind",
-                "conflicts with [[coating]]: a coated ball or pin can be "
-                "loaded at its centre only");
+    table->needs("kind",
+                 "an inner body without [[coating]]: a coated ball or pin can "
+                 "be loaded at its centre only");
   }
   const ContactConditions conditions{loading, walls};
   if (!half_angle_law_allows(joint.half_angle_law, conditions)) {
-    table->fail("kind",
-                "allowed: with the half-angle law exact; this joint has " +
-                    joint.half_angle_law);
+    table->needs("kind", "the half-angle law exact; this joint has " +
+                             joint.half_angle_law);
   }
   if (!pressure_law_allows(joint.pressure_law, conditions)) {
-    table->fail("kind",
-                "allowed: with the pressure laws cosine, sqrt_tan, sqrt_theta "
-                "and exact; this joint has " +
-                    joint.pressure_law);
+    table->needs("kind",
+                 "one of the pressure laws cosine, sqrt_tan, sqrt_theta and "
+                 "exact; this joint has " +
+                     joint.pressure_law);
   }
   return loading;
 }
@@ -154,12 +145,14 @@ bool are_alike(const JointSpec& a, const JointSpec& b) {
 }  // namespace
 
 MaterialPair read_material_pair(const std::filesystem::path& path) {
-  return material_pair_from_table(TomlTable::from_file(path));
+  return material_pair_from_table(
+      TomlTable::from_file(path, material_pair_keys()));
 }
 
 MaterialPair parse_material_pair(std::string_view text,
                                  const std::string& source) {
-  return material_pair_from_table(TomlTable::from_text(text, source));
+  return material_pair_from_table(
+      TomlTable::from_text(text, source, material_pair_keys()));
 }
 
 std::shared_ptr<const HalfAngleLaw> SharedLaws::half_angle(
@@ -233,8 +226,7 @@ JointSpec joint_from_table(const TomlTable& table) {
     joint.half_angle_law =
         half_angle->optional_text("law").value_or(joint.half_angle_law);
     options.limit_half_angle = half_angle->optional_number(
-        "limit_half_angle", {0, std::numbers::pi, true, true},
-        Dimension::angle);
+        "limit_half_angle", {0, std::numbers::pi, true, true});
     options.linear_limit =
         half_angle->optional_choice("limit_formula", {"arctan", "linear"})
             .value_or(0) == 1;
@@ -247,16 +239,14 @@ JointSpec joint_from_table(const TomlTable& table) {
       half_angle->fail("law", error.what());
     }
     if (!takes_half_angle_options(joint.half_angle_law)) {
-      const auto refuse = [&](const char* key, Dimension dimension) {
-        if (!half_angle->has(key, dimension)) return;
-        half_angle->fail(key,
-                         "allowed: with the laws arctan, tanh, blend and "
-                         "paper; this joint has " +
-                             joint.half_angle_law);
-      };
-      refuse("limit_half_angle", Dimension::angle);
-      refuse("limit_formula", Dimension::number);
-      refuse("degrees_per_radian", Dimension::number);
+      for (const char* key :
+           {"limit_half_angle", "limit_formula", "degrees_per_radian"}) {
+        if (!half_angle->has(key)) continue;
+        half_angle->needs(key,
+                          "one of the laws arctan, tanh, blend and paper; this "
+                          "joint has " +
+                              joint.half_angle_law);
+      }
     }
   }
   if (const auto pressure = table.optional_table("pressure")) {
@@ -271,33 +261,25 @@ JointSpec joint_from_table(const TomlTable& table) {
   return joint;
 }
 
-std::vector<KnownKey> joint_keys() {
-  std::vector<KnownKey> keys = {
+KnownKeys joint_keys() {
+  KnownKeys keys = {
       {"name"},
       {"kind"},
       {"inner_body"},
-      {"geometry",
-       Dimension::number,
-       {{"radius", Dimension::length},
-        {"radial_clearance", Dimension::length},
-        {"relative_clearance"},
-        {"length", Dimension::length}}},
-      {"materials",
-       Dimension::number,
-       {{"pair"},
-        {"inner", Dimension::number, material_keys()},
-        {"outer", Dimension::number, material_keys()}}},
-      {"friction", Dimension::number, friction_keys()},
-      {"half_angle",
-       Dimension::number,
-       {{"law"},
-        {"limit_half_angle", Dimension::angle},
-        {"limit_formula"},
-        {"degrees_per_radian"}}},
-      {"pressure", Dimension::number, {{"law"}}},
-      {"loading",
-       Dimension::number,
-       {{"kind"}, {"patch_half_angle", Dimension::angle}}}};
+      table_key("geometry", {{"radius", Dimension::length},
+                             {"radial_clearance", Dimension::length},
+                             {"relative_clearance"},
+                             {"length", Dimension::length}}),
+      table_key("materials", {{"pair"},
+                              table_key("inner", material_keys()),
+                              table_key("outer", material_keys())}),
+      table_key("friction", friction_keys()),
+      table_key("half_angle", {{"law"},
+                               {"limit_half_angle", Dimension::angle},
+                               {"limit_formula"},
+                               {"degrees_per_radian"}}),
+      table_key("pressure", {{"law"}}),
+      table_key("loading", {{"kind"}, {"patch_half_angle", Dimension::angle}})};
   std::ranges::copy(wall_keys(), std::back_inserter(keys));
   return keys;
 }
@@ -305,20 +287,19 @@ std::vector<KnownKey> joint_keys() {
 namespace {
 
 JointSpec whole_joint(const TomlTable& file) {
-  file.refuse_keys_beside(joint_keys());
   JointSpec joint = joint_from_table(file);
-  file.refuse_unknown_keys();
+  file.refuse_idle();
   return joint;
 }
 
 }  // namespace
 
 JointSpec read_joint(const std::filesystem::path& path) {
-  return whole_joint(TomlTable::from_file(path));
+  return whole_joint(TomlTable::from_file(path, joint_keys()));
 }
 
 JointSpec parse_joint(std::string_view text, const std::string& source) {
-  return whole_joint(TomlTable::from_text(text, source));
+  return whole_joint(TomlTable::from_text(text, source, joint_keys()));
 }
 
 }  // namespace contact

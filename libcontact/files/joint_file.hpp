@@ -19,7 +19,7 @@
 /// Material pairs and joints from TOML files (keys: docs/joint_file.md).
 ///
 /// Every reader throws contact::Error with one line that names file, line,
-/// key, value and what is allowed; unknown keys are refused.
+/// key, value and what they must be; unknown keys are refused.
 namespace contact {
 
 /// A material pair file.
@@ -79,11 +79,10 @@ class SharedLaws {
 JointSpec read_joint(const std::filesystem::path& path);
 /// @param source  what messages call the text
 JointSpec parse_joint(std::string_view text, const std::string& source);
-/// A joint that is part of a larger file; leaves unknown keys to the caller,
-/// who has joint_keys() for them. Paths are relative to the folder of the
-/// table's file.
+/// A joint that is part of a larger file, which has joint_keys() among its own.
+/// Paths are relative to the folder of the table's file.
 JointSpec joint_from_table(const TomlTable& table);
 /// All keys that a joint may have.
-std::vector<KnownKey> joint_keys();
+KnownKeys joint_keys();
 
 }  // namespace contact

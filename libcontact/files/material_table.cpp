@@ -11,8 +11,7 @@ Material material_from_table(const TomlTable& table, Rigid rigid) {
       .low = 1e3, .high = 1e13, .or_infinity = rigid == Rigid::allowed};
   constexpr Interval poissons_ratio_range{0, 0.5};
   const std::string name = table.optional_text("name").value_or("");
-  const double modulus =
-      table.number("youngs_modulus", youngs_modulus_range, Dimension::stress);
+  const double modulus = table.number("youngs_modulus", youngs_modulus_range);
   // A rigid body's Poisson's ratio has no influence.
   const double ratio =
       std::isinf(modulus)
@@ -22,7 +21,7 @@ Material material_from_table(const TomlTable& table, Rigid rigid) {
   return {modulus, ratio, name};
 }
 
-std::vector<KnownKey> material_keys() {
+KnownKeys material_keys() {
   return {{"name"}, {"youngs_modulus", Dimension::stress}, {"poissons_ratio"}};
 }
 

@@ -13,6 +13,6 @@ enum class Rigid { allowed, refused };
 /// name, youngs_modulus and poissons_ratio of a table.
 Material material_from_table(const TomlTable& table,
                              Rigid rigid = Rigid::allowed);
-std::vector<KnownKey> material_keys();
+KnownKeys material_keys();
 
 }  // namespace contact

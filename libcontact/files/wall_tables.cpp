@@ -10,16 +10,15 @@ namespace contact {
 namespace {
 
 double thickness_from_table(const TomlTable& layer, double radius) {
-  const double thickness =
-      layer.number("thickness", Interval::positive(), Dimension::length);
+  const double thickness = layer.number("thickness", Interval::positive());
   // Thicker ones are as good as infinite; powers of 1e300 would overflow.
   constexpr double largest_ratio = 1e6;
   constexpr double smallest_ratio = LayeredPair::smallest_relative_thickness;
   if (thickness < smallest_ratio * radius ||
       thickness > largest_ratio * radius) {
-    layer.fail("thickness",
-               detail::message("allowed: {:g} to {:g} of the radius of {:g} m",
-                               smallest_ratio, largest_ratio, radius));
+    layer.must_be("thickness",
+                  detail::message("{:g} to {:g} of the radius of {:g} m",
+                                  smallest_ratio, largest_ratio, radius));
   }
   return thickness;
 }
@@ -33,14 +32,14 @@ Layer layer_from_table(const TomlTable& table, double radius) {
 Layer first_layer(const TomlTable& table, double radius,
                   const Material& outer) {
   for (const KnownKey& key : material_keys()) {
-    if (table.has(key.key, key.dimension)) {
+    if (table.has(key.key)) {
       return layer_from_table(table, radius);
     }
   }
   if (std::isinf(outer.youngs_modulus)) {
-    table.fail_missing("youngs_modulus",
-                       "the outer body of the materials is rigid, a layer is "
-                       "elastic");
+    table.needs(
+        "youngs_modulus: the outer body of the materials is rigid, a "
+        "layer is elastic");
   }
   return {thickness_from_table(table, radius), outer};
 }
@@ -49,10 +48,10 @@ Backing backing_from_table(const TomlTable& wall) {
   constexpr const char* material =
       "a material { youngs_modulus, poissons_ratio }";
   if (!wall.has("backing")) {
-    wall.fail_missing("backing",
-                      detail::message("allowed: \"rigid\", \"held\", {}, "
-                                      "behind the layers",
-                                      material));
+    wall.needs(
+        detail::message("backing: \"rigid\", \"held\" or {}, behind the "
+                        "layers",
+                        material));
   }
   if (wall.is_table("backing")) {
     return Backing::medium(material_from_table(wall.table("backing")));
@@ -67,9 +66,9 @@ LayeredBody wall_from_table(const TomlTable& joint, double radius,
   const auto wall = joint.optional_table("wall");
   if (!wall) return {{}, Backing::medium(outer)};
   if (!wall->has("layer")) {
-    wall->fail_missing("layer",
-                       "a wall has at least one [[wall.layer]]; an outer body "
-                       "that is rigid as a whole has youngs_modulus = inf");
+    wall->needs(
+        "at least one [[wall.layer]]; an outer body that is rigid as a "
+        "whole has youngs_modulus = inf");
   }
   std::vector<Layer> layers;
   for (const TomlTable& table : wall->tables("layer")) {
@@ -87,11 +86,10 @@ LayeredBody coated_body(const TomlTable& joint, double radius,
     coatings.push_back(layer_from_table(table, radius));
     thickness += coatings.back().thickness;
     if (thickness >= radius) {
-      table.fail(
-          "thickness",
-          detail::message(
-              "allowed: all coatings together below the radius of {:g} m",
-              radius));
+      table.must_be("thickness",
+                    detail::message("less: all coatings together are below the "
+                                    "radius of {:g} m",
+                                    radius));
     }
   }
   return {std::move(coatings), Backing::medium(core)};
@@ -108,14 +106,12 @@ std::optional<LayeredPair> walls_from_table(const TomlTable& joint,
   return LayeredPair(radius, std::move(inner), std::move(outer));
 }
 
-std::vector<KnownKey> wall_keys() {
-  std::vector<KnownKey> layer = material_keys();
+KnownKeys wall_keys() {
+  KnownKeys layer = material_keys();
   layer.push_back({"thickness", Dimension::length});
-  return {{"wall",
-           Dimension::number,
-           {{"backing", Dimension::number, material_keys()},
-            {"layer", Dimension::number, layer}}},
-          {"coating", Dimension::number, layer}};
+  return {table_key("wall", {table_key("backing", material_keys()),
+                             table_key("layer", layer)}),
+          table_key("coating", layer)};
 }
 
 }  // namespace contact

@@ -16,6 +16,6 @@ std::optional<LayeredPair> walls_from_table(const TomlTable& joint,
                                             double radius,
                                             const ElasticPair& pair);
 /// wall and coating.
-std::vector<KnownKey> wall_keys();
+KnownKeys wall_keys();
 
 }  // namespace contact

@@ -3,6 +3,7 @@
 #include <charconv>
 #include <limits>
 
+#include "libcontact/base/complaint.hpp"
 #include "libcontact/base/text.hpp"
 #include "libcontact/half_angle/exact.hpp"
 #include "libcontact/half_angle/fitted.hpp"
@@ -34,10 +35,9 @@ double parse_share(std::string_view text) {
   const char* const end = text.data() + text.size();
   const auto [stop, error] = std::from_chars(text.data(), end, share);
   if (error != std::errc() || stop != end) {
-    throw Error(
-        detail::message("half-angle law blend:{}: allowed: blend:K with K "
-                        "a number from 0 to 1",
-                        text));
+    throw Error(detail::must_be(
+        detail::message("half-angle law blend:{}", detail::printable(text)),
+        "blend:K with K a number from 0 to 1"));
   }
   return share;
 }
@@ -59,9 +59,9 @@ std::unique_ptr<HalfAngleLaw> make_half_angle_law(
     std::string_view name, JointKind kind, const ElasticPair& pair,
     const HalfAngleOptions& options, const ContactConditions& conditions) {
   if (!half_angle_law_allows(name, conditions)) {
-    throw Error(detail::message("{}: half-angle law {}: allowed: exact",
-                                to_string(conditions),
-                                detail::printable(name)));
+    throw Error(detail::must_be(
+        detail::message("half-angle law {}", detail::printable(name)),
+        "exact with " + to_string(conditions)));
   }
   if (name == "paper") {
     name = kind == JointKind::ball ? "tanh" : "blend";
@@ -89,9 +89,7 @@ std::unique_ptr<HalfAngleLaw> make_half_angle_law(
   if (name.starts_with(blend_prefix)) {
     return blend(parse_share(name.substr(blend_prefix.size())));
   }
-  throw Error(detail::message("half-angle law {}: allowed: {}",
-                              detail::printable(name),
-                              detail::joined(half_angle_law_names(), ", ")));
+  throw Error(detail::unknown("half-angle law", name, half_angle_law_names()));
 }
 
 }  // namespace contact

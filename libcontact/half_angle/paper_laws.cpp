@@ -46,7 +46,7 @@ double tanh_inverse(double ratio, double complement) {
 LimitHalfAngle LimitHalfAngle::given(double half_angle) {
   detail::require(half_angle > 0 && half_angle < std::numbers::pi,
                   "half-angle law", "limit_half_angle", half_angle,
-                  "above 0, below pi rad");
+                  "above 0 and below pi rad");
   return {half_angle, false};
 }
 
@@ -116,7 +116,7 @@ SaturatingLaw::SaturatingLaw(JointKind kind, LimitHalfAngle limit,
     : HalfAngleLaw(kind), limit_(limit), initial_slope_(initial_slope) {
   detail::require(initial_slope > 0 && std::isfinite(initial_slope),
                   "half-angle law", "initial_slope", initial_slope,
-                  "above 0, finite");
+                  "above 0 and finite");
 }
 
 HalfAngleResult SaturatingLaw::half_angle(

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
 #include "libcontact/joint/solver.hpp"
 
@@ -11,7 +12,8 @@ using Eigen::Vector3d;
 
 BallJoint::BallJoint(JointContact contact) : contact_(std::move(contact)) {
   if (contact_.geometry().kind() != JointKind::ball) {
-    throw Error("ball joint: geometry of a pin joint");
+    throw Error(detail::must_be("ball joint: geometry of a pin joint",
+                                "of a ball joint"));
   }
 }
 

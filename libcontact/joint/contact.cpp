@@ -5,6 +5,7 @@
 #include <numbers>
 #include <utility>
 
+#include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
 #include "libcontact/base/text.hpp"
 #include "libcontact/base/units.hpp"
@@ -15,9 +16,10 @@ namespace {
 
 void check_kind(JointKind joint, JointKind law, const char* what) {
   if (joint == law) return;
-  throw Error(detail::message("{} joint: {} law for a {} joint: allowed: {}",
-                              to_string(joint), what, to_string(law),
-                              to_string(joint)));
+  throw Error(
+      detail::must_be(detail::message("{} joint: {} law for a {} joint",
+                                      to_string(joint), what, to_string(law)),
+                      detail::message("for a {} joint", to_string(joint))));
 }
 
 }  // namespace
@@ -33,7 +35,8 @@ JointContact::JointContact(JointGeometry geometry, ElasticPair pair,
       pressure_law_(std::move(pressure_law)) {
   const JointKind kind = geometry_.kind();
   if (!half_angle_law_ || !pressure_law_) {
-    throw Error(to_string(kind) + " joint: half-angle or pressure law missing");
+    throw Error(detail::needs(to_string(kind) + " joint",
+                              "a half-angle law and a pressure law"));
   }
   check_kind(kind, half_angle_law_->joint_kind(), "half-angle");
   check_kind(kind, pressure_law_->joint_kind(), "pressure");

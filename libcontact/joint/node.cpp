@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "libcontact/base/check.hpp"
+#include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
 #include "libcontact/base/text.hpp"
 
@@ -32,43 +33,43 @@ const JointContact& contact_of(const NodeJoint& joint) {
 
 void check_joints(const std::vector<NodeJoint>& joints) {
   if (joints.size() < 2) {
-    throw Error(detail::message(
-        "{}: {} joint: allowed: at least 2, to hold moments across the axis",
-        place, joints.size()));
+    throw Error(
+        detail::needs(detail::message("{} of {} joint", place, joints.size()),
+                      "at least 2, to hold moments across the axis"));
   }
   if (count_balls(joints) == 0) {
-    throw Error(detail::message(
-        "{}: no ball joint takes the force along the axis", place));
+    throw Error(
+        detail::needs(place, "a ball joint, to take the force along the axis"));
   }
   std::vector<double> positions;
   for (const NodeJoint& joint : joints) {
     detail::require(std::isfinite(joint.position), place, "position",
-                    joint.position, "finite, m");
+                    joint.position, "finite");
     positions.push_back(joint.position);
   }
   std::ranges::sort(positions);
   const auto twin = std::ranges::adjacent_find(positions);
   if (twin != positions.end()) {
-    throw Error(
-        detail::message("{}: two joints at position {} m", place, *twin));
+    throw Error(detail::message(
+        "{}: {}", place,
+        detail::duplicate("position", detail::message("{} m", *twin))));
   }
 }
 
 void check_rule(const SharingRule& rule, const std::vector<NodeJoint>& joints) {
   if (rule.radial_stiffness.size() != joints.size() ||
       rule.axial_share.size() != joints.size()) {
-    throw Error(
-        detail::message("{}: sharing rule for {} and {} joints: allowed: "
-                        "one value for each of the {} joints",
-                        place, rule.radial_stiffness.size(),
-                        rule.axial_share.size(), joints.size()));
+    throw Error(detail::needs(
+        detail::message("{}: sharing rule for {} and {} joints", place,
+                        rule.radial_stiffness.size(), rule.axial_share.size()),
+        detail::message("one value for each of the {} joints", joints.size())));
   }
   double sum = 0;
   for (std::size_t i = 0; i < joints.size(); ++i) {
     const double stiffness = rule.radial_stiffness[i];
     const double share = rule.axial_share[i];
     detail::require(stiffness > 0 && std::isfinite(stiffness), place,
-                    "radial_stiffness", stiffness, "above 0, finite");
+                    "radial_stiffness", stiffness, "above 0 and finite");
     detail::require(is_ball(joints[i]) ? share >= 0 : share == 0, place,
                     "axial_share", share,
                     is_ball(joints[i]) ? "0 or above" : "0 for a pin");
@@ -82,16 +83,16 @@ void check_rule(const SharingRule& rule, const std::vector<NodeJoint>& joints) {
 // The rule that statics gives.
 SharingRule determinate_rule(const std::vector<NodeJoint>& joints) {
   if (joints.size() > 2) {
-    throw Error(detail::message(
-        "{}: {} joints share the force across the axis: statically "
-        "indeterminate: allowed: 2 joints, or a sharing rule",
-        place, joints.size()));
+    throw Error(detail::needs(
+        detail::message("{} of {} joints", place, joints.size()),
+        "a sharing rule: more than 2 share the force across the axis, "
+        "statically indeterminate"));
   }
   if (count_balls(joints) > 1) {
-    throw Error(detail::message(
-        "{}: {} ball joints share the force along the axis: statically "
-        "indeterminate: allowed: 1 ball joint, or a sharing rule",
-        place, count_balls(joints)));
+    throw Error(detail::needs(
+        detail::message("{} of {} ball joints", place, count_balls(joints)),
+        "a sharing rule: more than 1 shares the force along the axis, "
+        "statically indeterminate"));
   }
   return SharingRule::equal(joints);
 }

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
 #include "libcontact/joint/solver.hpp"
 
@@ -19,7 +20,8 @@ Vector3d across(const Vector3d& force, const Vector3d& axis) {
 
 PinJoint::PinJoint(JointContact contact) : contact_(std::move(contact)) {
   if (contact_.geometry().kind() != JointKind::pin) {
-    throw Error("pin joint: geometry of a ball joint");
+    throw Error(detail::must_be("pin joint: geometry of a ball joint",
+                                "of a pin joint"));
   }
 }
 

@@ -30,13 +30,14 @@ JointGeometry::JointGeometry(JointKind kind, double radius,
       inner_body_(inner_body) {
   const std::string place = to_string(kind) + " joint";
   detail::require(radius > 0 && std::isfinite(radius), place, "radius", radius,
-                  "above 0 m, finite");
-  detail::require(radial_clearance > 0 && radial_clearance < radius, place,
-                  "radial_clearance", radial_clearance,
-                  detail::message("above 0 m, below the radius {} m", radius));
+                  "above 0 m and finite");
+  detail::require(
+      radial_clearance > 0 && radial_clearance < radius, place,
+      "radial_clearance", radial_clearance,
+      detail::message("above 0 m and below the radius {} m", radius));
   if (kind == JointKind::pin) {
     detail::require(length > 0 && std::isfinite(length), place, "length",
-                    length, "above 0 m, finite");
+                    length, "above 0 m and finite");
   }
 }
 

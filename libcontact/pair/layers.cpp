@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "libcontact/base/check.hpp"
+#include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
 #include "libcontact/base/text.hpp"
 
@@ -54,10 +55,11 @@ void check(double radius, const LayeredBody& inner, const LayeredBody& outer) {
   detail::require(coatings < radius, "coatings", "thickness", coatings,
                   detail::message("below the radius of {:g} m", radius));
   if (inner.backing.kind() == Backing::Kind::held) {
-    throw Error("coatings: backing = held: allowed: rigid or a material");
+    throw Error(
+        detail::must_be("coatings: backing = held", "rigid or a material"));
   }
   if (outer.layers.empty() && outer.backing.kind() == Backing::Kind::held) {
-    throw Error("wall: backing = held: allowed: behind at least one layer");
+    throw Error(detail::needs("wall: backing = held", "at least one layer"));
   }
 }
 

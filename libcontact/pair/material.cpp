@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "libcontact/base/check.hpp"
+#include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
 
 namespace contact {
@@ -27,7 +28,7 @@ double beta_part(double nu) { return (1 - 2 * nu) / (2 * (1 - nu)); }
 void detail::check_material(const Material& material, std::string place) {
   if (!material.name.empty()) place += " " + material.name;
   require(material.youngs_modulus > 0, place, "youngs_modulus",
-          material.youngs_modulus, "above 0 Pa, inf for a rigid body");
+          material.youngs_modulus, "above 0 Pa or inf for a rigid body");
   check_poissons_ratio(material.poissons_ratio, place);
 }
 
@@ -41,7 +42,8 @@ ElasticPair::ElasticPair(Material inner, Material outer, double modulus_ratio)
   detail::check_material(inner_, "inner material");
   detail::check_material(outer_, "outer material");
   if (std::isinf(inner_.youngs_modulus) && std::isinf(outer_.youngs_modulus)) {
-    throw Error("elastic pair: both bodies are rigid: allowed: at most one");
+    throw Error(detail::conflicts("elastic pair: rigid inner body",
+                                  "rigid outer body"));
   }
   const double c1 =
       one_minus_square(inner_.poissons_ratio) / inner_.youngs_modulus;

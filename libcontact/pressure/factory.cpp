@@ -1,5 +1,6 @@
 #include "libcontact/pressure/factory.hpp"
 
+#include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
 #include "libcontact/base/text.hpp"
 #include "libcontact/pressure/cosine.hpp"
@@ -25,13 +26,14 @@ std::unique_ptr<PressureLaw> make_pressure_law(
     std::string_view name, JointKind kind, const ElasticPair& pair,
     const ContactConditions& conditions) {
   if (!pressure_law_allows(name, conditions)) {
-    std::vector<std::string> allowed = pressure_law_names();
-    std::erase_if(allowed, [&](const std::string& other) {
+    std::vector<std::string> fitting = pressure_law_names();
+    std::erase_if(fitting, [&](const std::string& other) {
       return !pressure_law_allows(other, conditions);
     });
-    throw Error(detail::message("{}: pressure law {}: allowed: {}",
-                                to_string(conditions), detail::printable(name),
-                                detail::joined(allowed, ", ")));
+    throw Error(detail::must_be(
+        detail::message("pressure law {}", detail::printable(name)),
+        detail::message("{} with {}", detail::either(fitting),
+                        to_string(conditions))));
   }
   if (name == "cosine") return std::make_unique<CosinePressure>(kind);
   if (name == "sqrt_tan") return std::make_unique<SqrtTanPressure>(kind);
@@ -42,9 +44,7 @@ std::unique_ptr<PressureLaw> make_pressure_law(
     return walls ? std::make_unique<ExactPressure>(kind, *walls, loading)
                  : std::make_unique<ExactPressure>(kind, pair, loading);
   }
-  throw Error(detail::message("pressure law {}: allowed: {}",
-                              detail::printable(name),
-                              detail::joined(pressure_law_names(), ", ")));
+  throw Error(detail::unknown("pressure law", name, pressure_law_names()));
 }
 
 }  // namespace contact

@@ -9,6 +9,7 @@
 #include <boost/multiprecision/eigen.hpp>
 #include <utility>
 
+#include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
 #include "libcontact/friction/elliptic/integrals_real.hpp"
 
@@ -117,8 +118,8 @@ std::vector<Sample> extrema(EllipticKind kind, int order,
 
 EllipticLogFit fit_elliptic_log_form(EllipticKind kind, int order) {
   if (order < 1 || order > 9) {
-    throw Error("elliptic log form: order = " + std::to_string(order) +
-                ": allowed: 1 to 9");
+    throw Error(detail::must_be(
+        "elliptic log form: order = " + std::to_string(order), "1 to 9"));
   }
   const std::size_t wanted = 2 * order + 1;
   std::vector<Sample> grid;

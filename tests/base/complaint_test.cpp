@@ -15,6 +15,11 @@ TEST(Complaint, HasOneGrammar) {
             "tanh)");
   EXPECT_EQ(unknown("law", "cubic", laws),
             "unknown law \"cubic\" (hertz, arctan, tanh)");
+  EXPECT_EQ(unknown("key", "a.tahn", "tanh", laws),
+            "unknown key \"a.tahn\": did you mean \"tanh\"? (hertz, arctan, "
+            "tanh)");
+  EXPECT_EQ(either(laws), "hertz, arctan or tanh");
+  EXPECT_EQ(either(std::vector<std::string>{"one"}), "one");
   EXPECT_EQ(needs("--length", "--joint pin"), "--length requires --joint pin");
   EXPECT_EQ(conflicts("radius_m", "radius_mm", 3),
             "radius_m conflicts with radius_mm (line 3)");

@@ -182,29 +182,28 @@ TEST(LayeredPair, SaysWhatIsWrong) {
   };
   EXPECT_EQ(message(0.01, seat, seat), "(no error)");
   EXPECT_EQ(message(0.01, seat, coated(0)),
-            "wall layer 1: thickness = 0: allowed: above 0 m");
+            "wall layer 1: thickness = 0 must be above 0 m");
   EXPECT_EQ(message(0.01, coated(-1e-3), seat),
-            "coating 1: thickness = -0.001: allowed: above 0 m");
+            "coating 1: thickness = -0.001 must be above 0 m");
   EXPECT_EQ(message(0.01, coated(9e-8), seat),
-            "coating 1: thickness = 9e-08: allowed: at least 1e-5 of the "
-            "radius of 0.01 m");
+            "coating 1: thickness = 9e-08 must be at least 1e-5 of the radius "
+            "of 0.01 m");
   EXPECT_EQ(message(0.01, coated(0.01), seat),
-            "coatings: thickness = 0.01: allowed: below the radius of 0.01 m");
+            "coatings: thickness = 0.01 must be below the radius of 0.01 m");
   EXPECT_EQ(message(0, seat, seat),
-            "layered pair: radius = 0: allowed: above 0 m");
+            "layered pair: radius = 0 must be above 0 m");
   EXPECT_EQ(message(0.01, {{}, Backing::held()}, seat),
-            "coatings: backing = held: allowed: rigid or a material");
+            "coatings: backing = held must be rigid or a material");
   EXPECT_EQ(message(0.01, seat, {{}, Backing::held()}),
-            "wall: backing = held: allowed: behind at least one layer");
-  EXPECT_EQ(
-      message(0.01, seat, {{{0.001, {infinity, 0.3}}}, Backing::rigid()}),
-      "wall layer 1: youngs_modulus = inf: allowed: finite; a rigid body is a "
-      "backing");
+            "wall: backing = held requires at least one layer");
+  EXPECT_EQ(message(0.01, seat, {{{0.001, {infinity, 0.3}}}, Backing::rigid()}),
+            "wall layer 1: youngs_modulus = inf must be finite; a rigid body "
+            "is a backing");
   EXPECT_EQ(message(0.01, seat,
                     {{{0.001, steel}, {0.001, {1e9, 0.6}}}, Backing::rigid()}),
-            "wall layer 2: poissons_ratio = 0.6: allowed: 0 to 0.5");
+            "wall layer 2: poissons_ratio = 0.6 must be 0 to 0.5");
   EXPECT_EQ(message(0.01, {{}, Backing::rigid()}, {{}, Backing::rigid()}),
-            "elastic pair: both bodies are rigid: allowed: at most one");
+            "elastic pair: rigid inner body conflicts with rigid outer body");
 }
 
 }  // namespace

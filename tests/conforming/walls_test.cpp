@@ -438,7 +438,7 @@ TYPED_TEST(Walled, LoadThroughTheBack) {
   const LayeredPair coated(1, {{{0.1, {1, 0.4}}}, Backing::medium({5, 0.3})},
                            {{}, Backing::medium({5, 0.3})});
   EXPECT_EQ(test::error_message([&] { TypeParam(coated, back); }),
-            "loading = back: allowed: for an inner body without coatings");
+            "loading = back requires an inner body without coatings");
 }
 
 TYPED_TEST(Walled, BadArguments) {

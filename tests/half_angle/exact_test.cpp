@@ -326,7 +326,7 @@ TEST(ExactLaw, LoadThroughTheBack) {
                 contact::make_half_angle_law(name, JointKind::ball, pair, {},
                                              {loading});
               }),
-              "loading back:20: half-angle law " + name + ": allowed: exact");
+              "half-angle law " + name + " must be exact with loading back:20");
   }
 }
 
@@ -375,9 +375,6 @@ TEST(InnerLoading, Text) {
   EXPECT_EQ(to_string(InnerLoading::back(22.5 * degree)), "back:22.5");
   EXPECT_EQ(InnerLoading::back(0.1), InnerLoading::back(0.1));
   EXPECT_NE(InnerLoading::back(0), InnerLoading::centre());
-  EXPECT_EQ(contact::test::error_message([] { InnerLoading::back(1.6); }),
-            "loading through the back: patch_half_angle = 1.6: allowed: 0 to "
-            "pi/2 rad");
 }
 
 TEST(ExactLaw, OneLawServesManyThreads) {

@@ -15,7 +15,6 @@
 #include "libcontact/base/units.hpp"
 #include "support/accuracy_report.hpp"
 #include "support/allocation_count.hpp"
-#include "support/error_message.hpp"
 #include "support/reference_table.hpp"
 
 namespace {
@@ -32,7 +31,6 @@ using contact::make_half_angle_law;
 using contact::Status;
 using contact::TanhLaw;
 using contact::test::AccuracyReport;
-using contact::test::error_message;
 using contact::test::ReferenceTable;
 using Real = boost::multiprecision::cpp_bin_float_50;
 
@@ -504,30 +502,6 @@ TEST(LimitHalfAngle, FormulaAgainstExactSolutions) {
   ball.check();
 }
 
-TEST(LimitHalfAngle, RefusesWhatIsOutOfRange) {
-  const auto given = [](double value) {
-    return error_message([&] { LimitHalfAngle::given(value); });
-  };
-  EXPECT_EQ(given(1.5), "(no error)");
-  EXPECT_EQ(given(0),
-            "half-angle law: limit_half_angle = 0: allowed: above 0, below pi "
-            "rad");
-  EXPECT_EQ(given(84.85),
-            "half-angle law: limit_half_angle = 84.85: allowed: above 0, "
-            "below pi rad");
-  EXPECT_EQ(given(nan),
-            "half-angle law: limit_half_angle = nan: allowed: above 0, below "
-            "pi rad");
-  EXPECT_EQ(error_message([] { LimitHalfAngle::arctan_formula(-0.1); }),
-            "limit half-angle: modulus_ratio = -0.1: allowed: 0 to inf");
-  EXPECT_EQ(error_message([] { LimitHalfAngle::arctan_formula(nan); }),
-            "limit half-angle: modulus_ratio = nan: allowed: 0 to inf");
-  EXPECT_EQ(error_message([] { LimitHalfAngle::linear_formula(2.5); }),
-            "linear limit half-angle: modulus_ratio = 2.5: allowed: 0.5 to 2");
-  EXPECT_EQ(error_message([] { LimitHalfAngle::linear_formula(0.4); }),
-            "linear limit half-angle: modulus_ratio = 0.4: allowed: 0.5 to 2");
-}
-
 // --- What the laws are worth ------------------------------------------------
 
 // Largest relative error of a law against the exact half-angles at nu = 0.3.
@@ -690,36 +664,6 @@ TEST(MakeHalfAngleLaw, LimitByFormulaLineOrValue) {
   EXPECT_NEAR(limit_deg({}), 84.85 - 2.88 * std::atan(0.711), 1e-13);
   EXPECT_NEAR(limit_deg({.linear_limit = true}), 82.85, 1e-13);
   EXPECT_NEAR(limit_deg({.limit_half_angle = 1.2}), 1.2 / degree, 1e-13);
-}
-
-TEST(MakeHalfAngleLaw, RefusesWhatItDoesNotKnow) {
-  const auto pair = ElasticPair::from_modulus_ratio(3, 0.3, 0.3);
-  const auto message = [&](const char* name,
-                           const contact::HalfAngleOptions& options = {}) {
-    return error_message(
-        [&] { make_half_angle_law(name, JointKind::ball, pair, options); });
-  };
-  EXPECT_EQ(message("tan"),
-            "half-angle law tan: allowed: hertz, arctan, tanh, blend, paper, "
-            "fitted, exact");
-  EXPECT_EQ(message(""),
-            "half-angle law : allowed: hertz, arctan, tanh, blend, paper, "
-            "fitted, exact");
-  EXPECT_EQ(message("blend:half"),
-            "half-angle law blend:half: allowed: blend:K with K a number from "
-            "0 to 1");
-  EXPECT_EQ(message("blend:"),
-            "half-angle law blend:: allowed: blend:K with K a number from 0 "
-            "to 1");
-  EXPECT_EQ(message("blend:0.5x"),
-            "half-angle law blend:0.5x: allowed: blend:K with K a number from "
-            "0 to 1");
-  EXPECT_EQ(message("blend:1.5"), "blend law: k = 1.5: allowed: 0 to 1");
-  EXPECT_EQ(message("blend:nan"), "blend law: k = nan: allowed: 0 to 1");
-  EXPECT_EQ(message("tanh", {.linear_limit = true}),
-            "linear limit half-angle: modulus_ratio = 3: allowed: 0.5 to 2");
-  EXPECT_EQ(message("tanh", {.initial_slope = 0}),
-            "half-angle law: initial_slope = 0: allowed: above 0, finite");
 }
 
 TEST(ValidityNotes, SayWhatIsOutsideTheRange) {

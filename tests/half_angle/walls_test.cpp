@@ -142,7 +142,7 @@ TEST(WalledExactLaw, RefusesCoatingsLoadedFromBehind) {
   EXPECT_EQ(test::error_message([&] {
               ExactLaw(JointKind::ball, pair, InnerLoading::back(0.1));
             }),
-            "loading = back: allowed: for an inner body without coatings");
+            "loading = back requires an inner body without coatings");
 }
 
 }  // namespace

@@ -663,17 +663,17 @@ TEST(BallJoint, RefusesWhatDoesNotFit) {
     });
   };
   EXPECT_EQ(make(pin, JointKind::pin, JointKind::pin),
-            "ball joint: geometry of a pin joint");
+            "ball joint: geometry of a pin joint must be of a ball joint");
   EXPECT_EQ(make(ball, JointKind::pin, JointKind::ball),
-            "ball joint: half-angle law for a pin joint: "
-            "allowed: ball");
-  EXPECT_EQ(make(ball, JointKind::ball, JointKind::pin),
-            "ball joint: pressure law for a pin joint: "
-            "allowed: ball");
+            "ball joint: half-angle law for a pin joint must be for a ball "
+            "joint");
+  EXPECT_EQ(
+      make(ball, JointKind::ball, JointKind::pin),
+      "ball joint: pressure law for a pin joint must be for a ball joint");
   EXPECT_EQ(error_message([&] {
               BallJoint(ball, pair, FrictionLaw(0.1), nullptr, nullptr);
             }),
-            "ball joint: half-angle or pressure law missing");
+            "ball joint requires a half-angle law and a pressure law");
 }
 
 }  // namespace

@@ -211,30 +211,31 @@ TEST(JointNode, RefusesWhatStaticsDoesNotSettle) {
     return error_message([&] { JointNode(joints, rule); });
   };
   EXPECT_EQ(message({ball(0, f)}),
-            "joint node: 1 joint: allowed: at least 2, to hold moments across "
+            "joint node of 1 joint requires at least 2, to hold moments across "
             "the axis");
-  EXPECT_EQ(message({pin(0, f), pin(1, f)}),
-            "joint node: no ball joint takes the force along the axis");
+  EXPECT_EQ(
+      message({pin(0, f), pin(1, f)}),
+      "joint node requires a ball joint, to take the force along the axis");
   EXPECT_EQ(message({ball(1, f), pin(1, f)}),
-            "joint node: two joints at position 1 m");
+            "joint node: duplicate position 1 m");
   EXPECT_EQ(message({ball(0, f), pin(nan, f)}),
-            "joint node: position = nan: allowed: finite, m");
+            "joint node: position = nan must be finite");
   EXPECT_EQ(message({ball(0, f), pin(1, f), pin(2, f)}),
-            "joint node: 3 joints share the force across the axis: statically "
-            "indeterminate: allowed: 2 joints, or a sharing rule");
+            "joint node of 3 joints requires a sharing rule: more than 2 share "
+            "the force across the axis, statically indeterminate");
   EXPECT_EQ(message({ball(0, f), ball(1, f)}),
-            "joint node: 2 ball joints share the force along the axis: "
-            "statically indeterminate: allowed: 1 ball joint, or a "
-            "sharing rule");
-  EXPECT_EQ(message({ball(0, f), ball(1, f)}, SharingRule{{1}, {1, 0}}),
-            "joint node: sharing rule for 1 and 2 joints: allowed: one value "
-            "for each of the 2 joints");
+            "joint node of 2 ball joints requires a sharing rule: more than 1 "
+            "shares the force along the axis, statically indeterminate");
+  EXPECT_EQ(
+      message({ball(0, f), ball(1, f)}, SharingRule{{1}, {1, 0}}),
+      "joint node: sharing rule for 1 and 2 joints requires one value for "
+      "each of the 2 joints");
   EXPECT_EQ(message({ball(0, f), pin(1, f)}, SharingRule{{1, 1}, {0.5, 0.5}}),
-            "joint node: axial_share = 0.5: allowed: 0 for a pin");
+            "joint node: axial_share = 0.5 must be 0 for a pin");
   EXPECT_EQ(message({ball(0, f), ball(1, f)}, SharingRule{{1, 0}, {1, 0}}),
-            "joint node: radial_stiffness = 0: allowed: above 0, finite");
+            "joint node: radial_stiffness = 0 must be above 0 and finite");
   EXPECT_EQ(message({ball(0, f), ball(1, f)}, SharingRule{{1, 1}, {1, 1}}),
-            "joint node: sum of axial_share = 2: allowed: 1");
+            "joint node: sum of axial_share = 2 must be 1");
 }
 
 TEST(JointNode, NanGivesStatusAndNothingAllocates) {

@@ -1417,23 +1417,20 @@ TEST(Motion, BadInputIsRefusedByName) {
         [&] { Motion(system, std::move(friction), nullptr, start, options); });
   };
   EXPECT_EQ(with({BallFriction{ball_joint(FrictionLaw(0.1))}}, start_of(1)),
-            "bodies[0].friction: a ball joint alone, allowed on a ball "
-            "hinge");
+            "bodies[0].friction: a ball joint alone requires a ball hinge");
   EXPECT_EQ(with({}, start_of(2)),
-            "start of 2 bodies, allowed is one for each of the 1 bodies");
+            "start of 2 bodies must be of 1, one for each body");
   MotionStart start = start_of(1);
   start.bodies[0].angle_rate = std::nan("");
-  EXPECT_EQ(with({}, start),
-            "start.bodies[0]: has a number that is not finite");
+  EXPECT_EQ(with({}, start), "start.bodies[0] must be finite");
   start.bodies[0].angle_rate = 1;
   start.bodies[0].locked = true;
   EXPECT_EQ(with({}, start),
-            "start.bodies[0]: locked but moving, allowed is a "
-            "relative velocity of 0");
+            "start.bodies[0]: relative velocity must be 0 while the body is "
+            "locked");
   MotionOptions options;
   options.step = 0;
-  EXPECT_EQ(with({}, start_of(1), options),
-            "motion: step 0, allowed is above 0");
+  EXPECT_EQ(with({}, start_of(1), options), "motion: step = 0 must be above 0");
 }
 
 }  // namespace

@@ -10,7 +10,6 @@
 
 #include "libcontact/pair/friction_law.hpp"
 #include "support/accuracy_report.hpp"
-#include "support/error_message.hpp"
 
 namespace {
 
@@ -21,7 +20,6 @@ using contact::JointGeometry;
 using contact::JointKind;
 using contact::LoadScale;
 using contact::test::AccuracyReport;
-using contact::test::error_message;
 using Real = boost::multiprecision::cpp_bin_float_50;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -56,35 +54,6 @@ TEST(JointGeometry, NotesAClearanceThatIsNotSmall) {
   EXPECT_EQ(notes[0],
             "relative clearance 0.05 exceeds 0.05: the theory is of first "
             "order in it");
-}
-
-TEST(JointGeometry, RefusesWhatIsOutOfRange) {
-  const auto ball = [](double radius, double clearance) {
-    return error_message([&] { JointGeometry::ball(radius, clearance); });
-  };
-  const auto pin = [](double length) {
-    return error_message([&] { JointGeometry::pin(0.1, 1e-4, length); });
-  };
-  EXPECT_EQ(ball(0.1, std::nextafter(0.1, 0.0)), "(no error)");
-  EXPECT_EQ(ball(0.1, 1e-300), "(no error)");
-  EXPECT_EQ(ball(0.1, 0.1),
-            "ball joint: radial_clearance = 0.1: allowed: above 0 m, "
-            "below the radius 0.1 m");
-  EXPECT_EQ(ball(0.1, 0),
-            "ball joint: radial_clearance = 0: allowed: above 0 m, below "
-            "the radius 0.1 m");
-  EXPECT_EQ(ball(0.1, nan),
-            "ball joint: radial_clearance = nan: allowed: above 0 m, "
-            "below the radius 0.1 m");
-  EXPECT_EQ(ball(-0.1, 1e-4),
-            "ball joint: radius = -0.1: allowed: above 0 m, finite");
-  EXPECT_EQ(ball(infinity, 1e-4),
-            "ball joint: radius = inf: allowed: above 0 m, finite");
-  EXPECT_EQ(ball(nan, 1e-4),
-            "ball joint: radius = nan: allowed: above 0 m, finite");
-  EXPECT_EQ(pin(0.01), "(no error)");
-  EXPECT_EQ(pin(0), "pin joint: length = 0: allowed: above 0 m, finite");
-  EXPECT_EQ(pin(nan), "pin joint: length = nan: allowed: above 0 m, finite");
 }
 
 TEST(LoadScale, AgreesWithFiftyDigits) {
@@ -200,23 +169,6 @@ TEST(FrictionLaw, StressAndCoefficient) {
   EXPECT_EQ(FrictionLaw(0.3).coefficient_at(0), 0.3);
   EXPECT_TRUE(std::isnan(law.coefficient_at(nan)));
   EXPECT_TRUE(std::isnan(law.stress_at(nan)));
-}
-
-TEST(FrictionLaw, RefusesWhatIsOutOfRange) {
-  const auto message = [](double f0, double adhesion) {
-    return error_message([&] { FrictionLaw(f0, adhesion); });
-  };
-  EXPECT_EQ(message(0, 0), "(no error)");
-  EXPECT_EQ(message(-0.1, 0),
-            "friction law: coefficient = -0.1: allowed: 0 or above, finite");
-  EXPECT_EQ(message(nan, 0),
-            "friction law: coefficient = nan: allowed: 0 or above, finite");
-  EXPECT_EQ(message(infinity, 0),
-            "friction law: coefficient = inf: allowed: 0 or above, finite");
-  EXPECT_EQ(message(0.1, -1),
-            "friction law: adhesion = -1: allowed: 0 Pa or above, finite");
-  EXPECT_EQ(message(0.1, nan),
-            "friction law: adhesion = nan: allowed: 0 Pa or above, finite");
 }
 
 }  // namespace

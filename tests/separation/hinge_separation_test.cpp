@@ -1301,8 +1301,8 @@ TEST(HingeSeparation, CheckpointsKnowTheirJoints) {
               "file, other joints or other options\n");
   }
   EXPECT_EQ(folder.run("hinge-separation c.toml --law tanh").err,
-            "hinge-separation: --law tanh: joint \"ball\": finite walls: "
-            "half-angle law tanh: allowed: exact\n");
+            "hinge-separation: --law tanh: joint \"ball\": half-angle law tanh "
+            "must be exact with finite walls\n");
 }
 
 // Every column, with hinges that are gone and values that are missing.
@@ -1391,7 +1391,7 @@ TEST(HingeSeparation, OverlapAndEarlyEndAreReported) {
   folder.write("c.toml", text);
   const ProgramResult none = folder.run("hinge-separation c.toml");
   EXPECT_EQ(none.status, 2);
-  EXPECT_NE(none.err.find("allowed: a body with shapes"), std::string::npos);
+  EXPECT_NE(none.err.find("must be a body with shapes"), std::string::npos);
   const std::string shape =
       "[[%.shape]]\nkind = \"capsule\"\nfrom_m = [0, 0, 0]\n"
       "to_m = [0.2, 0, 0]\nradius_m = 0.9\n";

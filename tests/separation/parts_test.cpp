@@ -530,8 +530,8 @@ TEST_F(CheckpointFile, OtherFilesAreToldFromDamagedOnes) {
   EXPECT_EQ(message_of("\xa1\x66"
                        "formathinge-separation checkpoint 4"),
             file_ +
-                ": a checkpoint of another version of hinge-separation, "
-                "allowed is \"hinge-separation checkpoint 7\"");
+                ": a checkpoint of another version of hinge-separation must be "
+                "\"hinge-separation checkpoint 7\"");
   folder_.write("c", bytes_);
   EXPECT_EQ(error_message(
                 [this] { separation::read_checkpoint(file_, "another run"); }),

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
 #include "multibody/friction/coupled_impl.hpp"
 #include "multibody/system/eigen_conversion.hpp"
@@ -46,10 +47,9 @@ CoupledDynamics::Impl::Impl(const System& system,
       dynamics(system, options.instruction_set),
       tracker(friction, options.instruction_set) {
   if (static_cast<int>(friction.size()) != system.size()) {
-    throw contact::Error(
-        fmt::format("friction of {} hinges, allowed is one for each of the {} "
-                    "bodies",
-                    friction.size(), system.size()));
+    throw contact::Error(contact::detail::must_be(
+        fmt::format("friction of {} hinges", friction.size()),
+        fmt::format("of {}, one for each body", system.size())));
   }
   for (int i = 0; i < system.size(); ++i) {
     const Link& link = system.links()[i];

@@ -8,6 +8,7 @@
 #include <limits>
 #include <utility>
 
+#include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
 #include "multibody/system/eigen_conversion.hpp"
 
@@ -48,8 +49,8 @@ HingeSolver::HingeSolver(HingeFriction friction, const Link& link, int body)
       axes_(link.axes),
       is_axis_(link.kind == HingeKind::axis) {
   const auto refuse = [&](const char* what, const char* where) {
-    throw contact::Error(fmt::format("bodies[{}].friction: {}, allowed on {}",
-                                     body, what, where));
+    throw contact::Error(contact::detail::needs(
+        fmt::format("bodies[{}].friction: {}", body, what), where));
   };
   if (const auto* ball = std::get_if<BallFriction>(&friction_)) {
     if (link.kind != HingeKind::ball) {

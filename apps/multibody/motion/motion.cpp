@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
 #include "multibody/motion/motion_impl.hpp"
 #include "multibody/system/kinematics.hpp"
@@ -28,8 +29,8 @@ double default_stop_speed(const MotionOptions& options) {
 
 void check_positive(double value, const char* name) {
   if (!(value > 0)) {
-    throw contact::Error(
-        fmt::format("motion: {} {}, allowed is above 0", name, value));
+    throw contact::Error(contact::detail::must_be(
+        fmt::format("motion: {} = {}", name, value), "above 0"));
   }
 }
 
@@ -45,7 +46,7 @@ void check_options(const MotionOptions& options) {
 BodyMotion checked_body(const BodyMotion& body, const std::string& place) {
   if (!body.position.allFinite() || !body.velocity.allFinite() ||
       !body.angular_velocity.allFinite()) {
-    throw contact::Error(place + ": has a number that is not finite");
+    throw contact::Error(contact::detail::must_be(place, "finite"));
   }
   BodyMotion result = body;
   result.rotation = checked_rotation(body.rotation, place + ".rotation");
@@ -73,13 +74,12 @@ void put_hinged(const BodyStart& start, const Link& link,
                       std::all_of(rate, rate + rates,
                                   [](double x) { return std::isfinite(x); });
   if (!finite) {
-    throw contact::Error(place + ": has a number that is not finite");
+    throw contact::Error(contact::detail::must_be(place, "finite"));
   }
   if (start.locked &&
       std::any_of(rate, rate + rates, [](double x) { return x != 0; })) {
-    throw contact::Error(place +
-                         ": locked but moving, allowed is a relative "
-                         "velocity of 0");
+    throw contact::Error(contact::detail::must_be(
+        place + ": relative velocity", "0 while the body is locked"));
   }
 }
 
@@ -128,9 +128,9 @@ MotionImpl::MotionImpl(const System& motion_system,
 
 std::vector<double> MotionImpl::start_state(const MotionStart& start) {
   if (static_cast<int>(start.bodies.size()) != size()) {
-    throw contact::Error(fmt::format(
-        "start of {} bodies, allowed is one for each of the {} bodies",
-        start.bodies.size(), size()));
+    throw contact::Error(contact::detail::must_be(
+        fmt::format("start of {} bodies", start.bodies.size()),
+        fmt::format("of {}, one for each body", size())));
   }
   std::vector<double> state(number_count());
   put_body(checked_body(start.carrier, "start.carrier"), Matrix3d::Identity(),

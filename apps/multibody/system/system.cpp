@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
 
 namespace multibody {
@@ -17,18 +18,17 @@ using Eigen::Vector3d;
 // A moment of inertia that small beside the largest is rounding of zero.
 constexpr double zero_inertia = 1e-14;
 
-[[noreturn]] void fail(const std::string& place, const std::string& message) {
-  throw contact::Error(place + ": " + message);
+[[noreturn]] void refuse(const std::string& what, const std::string& rule) {
+  throw contact::Error(contact::detail::must_be(what, rule));
 }
 
 void check_mass(double mass, const std::string& place) {
   if (std::isfinite(mass) && mass > 0) return;
-  fail(place + ".mass",
-       fmt::format("{} kg, allowed is a finite number above 0", mass));
+  refuse(fmt::format("{}.mass = {} kg", place, mass), "above 0 and finite");
 }
 
 void check_finite(const Vector3d& v, const std::string& place) {
-  if (!v.allFinite()) fail(place, "has a number that is not finite");
+  if (!v.allFinite()) refuse(place, "finite");
 }
 
 std::string above_rounding(double scale) {
@@ -39,12 +39,12 @@ std::string above_rounding(double scale) {
 // The symmetric part; principal moments >= 0, or all > 0.
 Matrix3d checked_inertia(const Matrix3d& inertia, bool positive,
                          const std::string& place) {
-  if (!inertia.allFinite()) fail(place, "has a number that is not finite");
+  if (!inertia.allFinite()) refuse(place, "finite");
   const double scale = inertia.cwiseAbs().maxCoeff();
   const double skew = (inertia - inertia.transpose()).cwiseAbs().maxCoeff();
   // Products of inertia printed with seven digits still pass.
   if (skew > 1e-6 * scale) {
-    fail(place, fmt::format("not symmetric, off by {} kg m^2", skew));
+    refuse(place, fmt::format("symmetric, it is off by {} kg m^2", skew));
   }
   const Matrix3d symmetric = 0.5 * (inertia + inertia.transpose());
   const double smallest =
@@ -52,10 +52,9 @@ Matrix3d checked_inertia(const Matrix3d& inertia, bool positive,
           .eigenvalues()[0];
   if (positive ? smallest <= zero_inertia * scale
                : smallest < -zero_inertia * scale) {
-    fail(place, fmt::format("smallest principal moment {} kg m^2, allowed is "
-                            "{}",
-                            smallest,
-                            positive ? above_rounding(scale) : "at least 0"));
+    refuse(fmt::format("{}: smallest principal moment = {} kg m^2", place,
+                       smallest),
+           positive ? above_rounding(scale) : "0 or above");
   }
   return symmetric;
 }
@@ -102,10 +101,11 @@ Link ball_link(const Body& body, const std::string& place) {
   const bool can_turn = link.arm * link.arm * body.mass > 0;
   const double smallest = link.inertia.diagonal().minCoeff();
   if (!can_turn && !(smallest > zero_inertia * scale)) {
-    fail(place + ".inertia_com",
-         fmt::format("smallest moment about the joint {} kg m^2, allowed is "
-                     "{}, or a joint away from the centre of mass",
-                     smallest, above_rounding(scale)));
+    refuse(fmt::format(
+               "{}.inertia_com: smallest moment about the joint = {} kg m^2",
+               place, smallest),
+           fmt::format("{}, or the joint away from the centre of mass",
+                       above_rounding(scale)));
   }
   // A point on a thread has no spin; what rounding left of it goes.
   if (link.inertia(2, 2) <= zero_inertia * scale) {
@@ -133,9 +133,9 @@ Link axis_link(const Body& body, const std::string& place) {
   const double about_axis =
       link.inertia(2, 2) + body.mass * link.arm * link.arm;
   if (!(about_axis > zero_inertia * body.inertia.trace())) {
-    fail(place + ".inertia_com",
-         fmt::format("inertia about the axis {} kg m^2, allowed is {}",
-                     about_axis, above_rounding(body.inertia.trace())));
+    refuse(fmt::format("{}.inertia_com: inertia about the axis = {} kg m^2",
+                       place, about_axis),
+           above_rounding(body.inertia.trace()));
   }
   return link;
 }
@@ -169,7 +169,7 @@ Matrix3d checked_rotation(const Matrix3d& matrix, const std::string& place) {
                            .maxCoeff();
   // Seven printed digits pass.
   if (!(error <= 1e-6) || matrix.determinant() < 0) {
-    fail(place, "not a rotation matrix (orthogonal to 1e-6, right-handed)");
+    refuse(place, "a rotation matrix (orthogonal to 1e-6, right-handed)");
   }
   return Eigen::Quaterniond(matrix).normalized().toRotationMatrix();
 }

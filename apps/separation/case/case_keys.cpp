@@ -7,11 +7,8 @@ namespace {
 
 using contact::Dimension;
 using contact::KnownKey;
-using Keys = std::vector<KnownKey>;
-
-KnownKey table(std::string_view key, Keys inside) {
-  return {key, Dimension::number, std::move(inside)};
-}
+using contact::table_key;
+using Keys = contact::KnownKeys;
 
 Keys with(Keys keys, const Keys& more) {
   keys.insert(keys.end(), more.begin(), more.end());
@@ -42,12 +39,13 @@ Keys rigid_body_keys() {
           {"com", Dimension::length},
           {"inertia", Dimension::inertia},
           {"principal_inertia", Dimension::inertia},
-          table("shape", {{"kind"},
-                          {"from", Dimension::length},
-                          {"to", Dimension::length},
-                          {"radius", Dimension::length},
-                          {"points", Dimension::length}}),
-          table("direction", {{"name"}, {"vector"}})};
+          table_key("shape",
+                    with(with({{"kind"}}, of("capsule cylinder cone",
+                                             {{"from", Dimension::length},
+                                              {"to", Dimension::length},
+                                              {"radius", Dimension::length}})),
+                         of("hull", {{"points", Dimension::length}}))),
+          table_key("direction", {{"name"}, {"vector"}})};
 }
 
 Keys start_keys() {
@@ -58,35 +56,39 @@ Keys start_keys() {
 }
 
 Keys hinge_keys() {
-  return {{"kind"},
-          {"name"},
-          {"body_point", Dimension::length},
-          {"carrier_point", Dimension::length},
-          {"zero_rotation", Dimension::angle},
-          {"axis", Dimension::number, {}, "axis"},
-          {"sharing", Dimension::number, {}, "axis"},
-          {"radial_stiffness", Dimension::number, {}, "axis"},
-          {"axial_share", Dimension::number, {}, "axis"},
-          {"body_direction", Dimension::number, {}, "ball"},
-          {"carrier_direction", Dimension::number, {}, "ball"},
-          table("joint", with(contact::joint_keys(),
+  return {
+      {"kind"},
+      {"name"},
+      {"body_point", Dimension::length, {}, {}, "load_point"},
+      {"carrier_point", Dimension::length},
+      {"zero_rotation", Dimension::angle},
+      {"axis", Dimension::number, {}, "axis"},
+      {"sharing", Dimension::number, {}, "axis"},
+      {"radial_stiffness", Dimension::number, {}, "axis"},
+      {"axial_share", Dimension::number, {}, "axis"},
+      {"body_direction", Dimension::number, {}, "ball", "load_direction"},
+      {"carrier_direction", Dimension::number, {}, "ball"},
+      table_key("joint", with(contact::joint_keys(),
                               {{"file"}, {"position", Dimension::length}}))};
 }
 
 Keys body_keys() {
   return with(
       rigid_body_keys(),
-      {table("hinge", hinge_keys()),
-       table("lock", {{"name"}, {"body_point", Dimension::length}}),
-       table("start",
-             with(start_keys(), {{"angle", Dimension::angle},
-                                 {"rate", Dimension::angular_velocity}})),
-       table("pattern", {{"count"}, {"axis"}, {"first", Dimension::angle}})});
+      {table_key("hinge", hinge_keys()),
+       table_key(
+           "lock",
+           {{"name"}, {"body_point", Dimension::length, {}, {}, "load_point"}}),
+       table_key("start",
+                 with(start_keys(), {{"angle", Dimension::angle},
+                                     {"rate", Dimension::angular_velocity}})),
+       table_key("pattern",
+                 {{"count"}, {"axis"}, {"first", Dimension::angle}})});
 }
 
 Keys event_keys() {
   return {{"name"},
-          {"bodies"},
+          {"bodies", Dimension::number, {}, {}, "loads"},
           {"breaks"},
           {"after"},
           {"together"},
@@ -144,19 +146,21 @@ Keys force_keys() {
 }  // namespace
 
 Keys case_keys() {
-  return {{"name"},
-          {"gravity", Dimension::acceleration},
-          table("run", run_keys()),
-          table("carrier",
-                with(rigid_body_keys(),
-                     {table("start", start_keys()),
-                      table("drive", {{"acceleration", Dimension::acceleration},
-                                      {"angular_acceleration",
-                                       Dimension::angular_acceleration}})})),
-          table("body", body_keys()),
-          table("event", event_keys()),
-          table("force", force_keys()),
-          table("clearance", {{"a"}, {"b"}})};
+  return {
+      {"name"},
+      {"gravity", Dimension::acceleration},
+      table_key("run", run_keys()),
+      table_key(
+          "carrier",
+          with(rigid_body_keys(),
+               {table_key("start", start_keys()),
+                table_key("drive", {{"acceleration", Dimension::acceleration},
+                                    {"angular_acceleration",
+                                     Dimension::angular_acceleration}})})),
+      {"body", Dimension::number, body_keys(), {}, "load"},
+      table_key("event", event_keys()),
+      table_key("force", force_keys()),
+      table_key("clearance", {{"a"}, {"b"}})};
 }
 
 }  // namespace separation

@@ -1,19 +1,13 @@
 #include "separation/case/case_names.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <algorithm>
+
+#include "libcontact/base/complaint.hpp"
 
 namespace separation {
 namespace {
 
 using contact::TomlTable;
-
-[[noreturn]] void refuse(const TomlTable& table, std::string_view key,
-                         const std::vector<std::string>& names) {
-  table.fail(key, fmt::format("allowed: {}", fmt::join(names, ", ")));
-}
 
 std::vector<std::string> body_names(const Case& c, bool with_carrier) {
   std::vector<std::string> names;
@@ -45,7 +39,10 @@ std::vector<int> CaseNames::rigid_bodies(std::string_view name) const {
 std::vector<int> CaseNames::rigid_bodies_of(const TomlTable& table,
                                             std::string_view key) const {
   auto found = rigid_bodies(table.text(key));
-  if (found.empty()) refuse(table, key, body_names(of, true));
+  if (found.empty()) {
+    table.fail(key, contact::detail::unknown("body", table.text(key),
+                                             body_names(of, true)));
+  }
   return found;
 }
 
@@ -55,7 +52,8 @@ std::vector<int> CaseNames::bodies_of(const TomlTable& table,
   for (const std::string& name : table.texts(key)) {
     const auto found = rigid_bodies(name);
     if (found.empty() || found.front() == 0) {
-      refuse(table, key, body_names(of, false));
+      table.fail(key,
+                 contact::detail::unknown("body", name, body_names(of, false)));
     }
     for (const int body : found) {
       if (std::find(bodies.begin(), bodies.end(), body - 1) == bodies.end()) {
@@ -76,14 +74,11 @@ int CaseNames::event_of(const TomlTable& table, std::string_view key,
   const auto name = table.optional_text(key);
   if (!name) return -1;
   const auto found = std::find(events.begin(), events.end(), *name);
-  if (found == events.end() || *found == except) {
-    std::vector<std::string> allowed = events;
-    std::erase(allowed, except);
-    if (allowed.empty()) {
-      table.fail(key, except.empty() ? "there are no events"
-                                     : "there is no other event");
-    }
-    refuse(table, key, allowed);
+  if (*name == except) table.must_be(key, "another event");
+  if (found == events.end()) {
+    std::vector<std::string> others = events;
+    std::erase(others, except);
+    table.fail(key, contact::detail::unknown("event", *name, others));
   }
   return static_cast<int>(found - events.begin());
 }

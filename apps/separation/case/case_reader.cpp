@@ -35,30 +35,28 @@ constexpr double most_rows = 1e6;
 // Keys that the other integrator reads.
 void refuse_idle_keys(const TomlTable& table,
                       multibody::Integrator integrator) {
-  const auto refuse = [&](std::string_view key, Dimension dimension,
-                          const char* other) {
-    if (!table.has(key, dimension)) return;
-    table.fail(key, fmt::format("allowed: with integrator = \"{}\"", other));
+  const auto refuse = [&](std::string_view key, const char* other) {
+    if (table.has(key)) table.needs(key, other);
   };
   if (integrator == multibody::Integrator::adaptive) {
-    refuse("step", Dimension::time, "rk4");
+    refuse("step", "integrator = \"rk4\"");
   } else {
-    refuse("relative_tolerance", Dimension::number, "adaptive");
-    refuse("absolute_tolerance", Dimension::number, "adaptive");
-    refuse("longest_step", Dimension::time, "adaptive");
+    for (const char* key :
+         {"relative_tolerance", "absolute_tolerance", "longest_step"}) {
+      refuse(key, "integrator = \"adaptive\"");
+    }
   }
 }
 
 void read_run(const TomlTable& table, Case& c) {
   auto& options = c.options;
-  c.end_time = table.number("end_time", Interval::positive(), Dimension::time);
-  c.output_step =
-      table
-          .optional_number("output_step", Interval::positive(), Dimension::time)
-          .value_or(c.end_time / 200);
+  c.end_time = table.number("end_time", Interval::positive());
+  c.output_step = table.optional_number("output_step", Interval::positive())
+                      .value_or(c.end_time / 200);
   if (c.end_time / c.output_step > most_rows) {
-    table.fail("output_step", fmt::format("allowed: {} rows at most",
-                                          static_cast<long>(most_rows)));
+    table.must_be("output_step",
+                  fmt::format("{:g} s or above: {:g} rows at most",
+                              c.end_time / most_rows, most_rows));
   }
   c.friction = static_cast<FrictionChoice>(
       table.optional_choice("friction", {"full", "ideal", "traditional"})
@@ -75,13 +73,10 @@ void read_run(const TomlTable& table, Case& c) {
   options.absolute_tolerance =
       table.optional_number("absolute_tolerance", tolerance)
           .value_or(default_absolute_tolerance);
-  options.step =
-      table.optional_number("step", Interval::positive(), Dimension::time)
-          .value_or(options.step);
+  options.step = table.optional_number("step", Interval::positive())
+                     .value_or(options.step);
   options.longest_step =
-      table
-          .optional_number("longest_step", Interval::positive(),
-                           Dimension::time)
+      table.optional_number("longest_step", Interval::positive())
           .value_or(options.longest_step);
 }
 
@@ -90,13 +85,12 @@ BodyMotion read_free_start(const std::optional<TomlTable>& table) {
   BodyMotion start{Vector3d::Zero(), Vector3d::Zero(), Matrix3d::Identity(),
                    Vector3d::Zero()};
   if (!table) return start;
-  start.position = vector_or_zero(*table, "position", Dimension::length);
-  start.velocity = vector_or_zero(*table, "velocity", Dimension::velocity);
+  start.position = vector_or_zero(*table, "position");
+  start.velocity = vector_or_zero(*table, "velocity");
   start.rotation =
       optional_rotation(*table, "rotation").value_or(Matrix3d::Identity());
   start.angular_velocity =
-      start.rotation *
-      vector_or_zero(*table, "angular_velocity", Dimension::angular_velocity);
+      start.rotation * vector_or_zero(*table, "angular_velocity");
   return start;
 }
 
@@ -107,18 +101,14 @@ multibody::BodyStart read_body_start(const std::optional<TomlTable>& table,
   if (hinge.kind == HingeKind::none) {
     start.body = read_free_start(table);
   } else if (table && hinge.kind == HingeKind::axis) {
-    start.angle =
-        table->optional_number("angle", Interval::any(), Dimension::angle)
-            .value_or(0);
-    start.angle_rate = table
-                           ->optional_number("rate", Interval::any(),
-                                             Dimension::angular_velocity)
-                           .value_or(0);
+    start.angle = table->optional_number("angle", Interval::any()).value_or(0);
+    start.angle_rate =
+        table->optional_number("rate", Interval::any()).value_or(0);
   } else if (table) {
     start.rotation *=
         optional_rotation(*table, "rotation").value_or(Matrix3d::Identity());
     start.relative_angular_velocity =
-        vector_or_zero(*table, "angular_velocity", Dimension::angular_velocity);
+        vector_or_zero(*table, "angular_velocity");
   }
   return start;
 }
@@ -128,22 +118,22 @@ std::optional<Lock> read_lock(const TomlTable& body, const Vector3d& com,
   const auto table = body.optional_table("lock");
   if (!table) return {};
   if (hinge.kind == HingeKind::none) {
-    body.fail("lock", "allowed: for a body with a hinge");
+    body.needs("lock", "a hinge");
   }
   Lock lock{table->optional_text("name").value_or("lock"),
-            vector(*table, "body_point", Dimension::length) - com};
+            vector(*table, "body_point") - com};
   const Vector3d arm = lock.body_point - hinge.body_point;
   if (!(arm.norm() > 0)) {
-    table->fail("body_point", "allowed: a point apart from the hinge");
+    table->must_be("body_point", "a point apart from the hinge");
   }
   if (hinge.kind == HingeKind::axis) {
     const Vector3d axis = hinge.zero_rotation.transpose() * hinge.axis;
     const double scale = lock.body_point.norm() + hinge.body_point.norm();
     // Rounding of the points' entries and of the axis.
     if (!(arm.cross(axis).norm() > 1e-12 * scale)) {
-      table->fail("body_point",
-                  "allowed: a point off the hinge's axis: on it a lock holds "
-                  "nothing");
+      table->must_be("body_point",
+                     "a point off the hinge's axis: on it a lock holds "
+                     "nothing");
     }
   }
   return lock;
@@ -164,12 +154,11 @@ Pattern read_pattern(const TomlTable& body, const Hinge& hinge) {
   const auto table = body.optional_table("pattern");
   if (!table) return {};
   if (hinge.kind == HingeKind::none) {
-    body.fail("pattern", "allowed: for a body with a hinge");
+    body.needs("pattern", "a hinge");
   }
   return {static_cast<int>(table->integer("count", 2, 1000)),
           direction(*table, "axis"),
-          table->optional_number("first", Interval::any(), Dimension::angle)
-              .value_or(0)};
+          table->optional_number("first", Interval::any()).value_or(0)};
 }
 
 Body turned(Body body, const Matrix3d& turn, const Vector3d& carrier_com) {
@@ -189,12 +178,12 @@ void check_name(const TomlTable& table, const Case& c,
   const std::string column = column_name(name);
   const auto refuse_as = [&](const std::string& other) {
     if (column_name(other) != column) return;
-    table.fail("name",
-               other == name
-                   ? "allowed: a name that no other body has"
-                   : fmt::format("allowed: a name that is not that of \"{}\" "
-                                 "in columns, where blanks are underscores",
-                                 other));
+    table.must_be("name",
+                  other == name
+                      ? "a name that no other body has"
+                      : fmt::format("a name that is not that of \"{}\" "
+                                    "in columns, where blanks are underscores",
+                                    other));
   };
   refuse_as(c.carrier.name);
   for (const Body& body : c.bodies) {
@@ -215,9 +204,7 @@ void check_system(const TomlTable& table, const RigidBody& carrier,
   } catch (const contact::Error& error) {
     const std::string message = error.what();
     const auto colon = message.find(": ");
-    table.fail(table.has("principal_inertia", Dimension::inertia)
-                   ? "principal_inertia"
-                   : "inertia",
+    table.fail(table.has("principal_inertia") ? "principal_inertia" : "inertia",
                colon == message.npos ? message : message.substr(colon + 2));
   }
 }
@@ -236,9 +223,9 @@ void read_body(const TomlTable& table, const JointLaws& laws,
   body.start.locked = body.lock.has_value();
   if (body.lock && (body.start.angle_rate != 0 ||
                     body.start.relative_angular_velocity.norm() > 0)) {
-    start->fail(
+    start->must_be(
         body.hinge.kind == HingeKind::axis ? "rate" : "angular_velocity",
-        "allowed: 0 while the body is locked");
+        "0 while the body is locked");
   }
   check_system(table, c.carrier, {body});
   const Pattern pattern = read_pattern(table, body.hinge);
@@ -278,7 +265,7 @@ void read_events(const TomlTable& file, Case& c, CaseNames& names) {
     const std::string name = table.text("name");
     if (std::find(names.events.begin(), names.events.end(), name) !=
         names.events.end()) {
-      table.fail("name", "allowed: a name that no other event has");
+      table.must_be("name", "a name that no other event has");
     }
     names.events.push_back(name);
   }
@@ -288,9 +275,9 @@ void read_events(const TomlTable& file, Case& c, CaseNames& names) {
   for (std::size_t i = 0; i < tables.size(); ++i) {
     const std::string circle = circle_of(c.events, static_cast<int>(i));
     if (circle.empty()) continue;
-    tables[i].fail("after", fmt::format("allowed: an event that does not wait "
-                                        "for this one: {}",
-                                        circle));
+    tables[i].must_be("after", fmt::format("an event that does not wait "
+                                           "for this one: {}",
+                                           circle));
   }
 }
 
@@ -298,7 +285,7 @@ void read_forces(const TomlTable& file, const CaseNames& names, Case& c) {
   std::set<std::string> taken;
   for (const TomlTable& table : file.tables("force")) {
     if (!taken.insert(table.text("name")).second) {
-      table.fail("name", "allowed: a name that no other force has");
+      table.must_be("name", "a name that no other force has");
     }
     for (Force& force : read_force(table, names)) {
       c.forces.push_back(std::move(force));
@@ -314,7 +301,7 @@ void read_clearance(const TomlTable& file, const CaseNames& names, Case& c) {
   const auto shaped = [&](const TomlTable& table, std::string_view key) {
     auto bodies = names.rigid_bodies_of(table, key);
     if (c.rigid_body(bodies.front()).shapes.empty()) {
-      table.fail(key, "allowed: a body with shapes");
+      table.must_be(key, "a body with shapes");
     }
     return bodies;
   };
@@ -322,7 +309,7 @@ void read_clearance(const TomlTable& file, const CaseNames& names, Case& c) {
     const auto of_a = shaped(table, "a");
     const auto of_b = shaped(table, "b");
     if (of_a.size() == 1 && of_a == of_b) {
-      table.fail("b", "allowed: another body than a");
+      table.must_be("b", "another body than a");
     }
     for (const int a : of_a) {
       for (const int b : of_b) {
@@ -351,46 +338,43 @@ void read_clearance(const TomlTable& file, const CaseNames& names, Case& c) {
 }
 
 Case read_all(const TomlTable& file, const JointLaws& laws) {
-  file.refuse_keys_beside(case_keys());
   Case c;
   c.file = file.source();
   c.content = file.canonical_text();
   c.name = file.text("name");
   read_run(file.table("run"), c);
-  c.options.gravity = vector_or_zero(file, "gravity", Dimension::acceleration);
+  c.options.gravity = vector_or_zero(file, "gravity");
   const TomlTable carrier = file.table("carrier");
   c.carrier = read_rigid_body(carrier);
   check_system(carrier, c.carrier, {});
   c.carrier_start = read_free_start(carrier.optional_table("start"));
   if (const auto drive = carrier.optional_table("drive")) {
-    c.options.carrier_drive = {
-        vector_or_zero(*drive, "acceleration", Dimension::acceleration),
-        vector_or_zero(*drive, "angular_acceleration",
-                       Dimension::angular_acceleration)};
+    c.options.carrier_drive = {vector_or_zero(*drive, "acceleration"),
+                               vector_or_zero(*drive, "angular_acceleration")};
   }
   CaseNames names{c, {}, {}};
   const auto bodies = file.tables("body");
   if (bodies.empty()) {
-    file.fail_missing("body", "a case has one or more [[body]]");
+    file.needs("one or more [[body]]");
   }
   contact::SharedLaws made;
   for (const TomlTable& body : bodies) read_body(body, laws, made, c, names);
   read_events(file, c, names);
   read_forces(file, names, c);
   read_clearance(file, names, c);
-  file.refuse_unknown_keys();
+  file.refuse_idle();
   return c;
 }
 
 }  // namespace
 
 Case read_case(const std::filesystem::path& path, const JointLaws& laws) {
-  return read_all(TomlTable::from_file(path), laws);
+  return read_all(TomlTable::from_file(path, case_keys()), laws);
 }
 
 Case parse_case(std::string_view text, const std::string& source,
                 const JointLaws& laws) {
-  return read_all(TomlTable::from_text(text, source), laws);
+  return read_all(TomlTable::from_text(text, source, case_keys()), laws);
 }
 
 }  // namespace separation

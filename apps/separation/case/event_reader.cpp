@@ -13,47 +13,35 @@ namespace {
 struct Condition {
   Event::Trigger trigger;
   std::string_view key;
-  Interval allowed;
-  Dimension dimension;
+  Interval range;
 };
 constexpr std::array<Condition, 3> conditions = {{
-    {Event::Trigger::time, "time", Interval::non_negative(), Dimension::time},
+    {Event::Trigger::time, "time", Interval::non_negative()},
     {Event::Trigger::angle,
      "angle",
-     {-100 * std::numbers::pi, 100 * std::numbers::pi},
-     Dimension::angle},
-    {Event::Trigger::reaction, "reaction", Interval::positive(),
-     Dimension::force},
+     {-100 * std::numbers::pi, 100 * std::numbers::pi}},
+    {Event::Trigger::reaction, "reaction", Interval::positive()},
 }};
 
 void read_condition(const TomlTable& table, Event& event) {
   const Condition* found = nullptr;
   for (const Condition& condition : conditions) {
-    const auto value = table.optional_number(condition.key, condition.allowed,
-                                             condition.dimension);
+    const auto value = table.optional_number(condition.key, condition.range);
     if (!value) continue;
-    if (found != nullptr) {
-      table.fail(condition.key,
-                 fmt::format("allowed: not together with {}", found->key));
-    }
+    if (found != nullptr) table.refuse_both(condition.key, found->key);
     found = &condition;
     event.trigger = condition.trigger;
     event.value = *value;
   }
-  const auto delay =
-      table.optional_number("delay", Interval::non_negative(), Dimension::time);
+  const auto delay = table.optional_number("delay", Interval::non_negative());
   if (found != nullptr) {
-    if (delay) {
-      table.fail("delay",
-                 fmt::format("allowed: not together with {}", found->key));
-    }
-    if (event.trigger == Event::Trigger::time && event.after >= 0) {
-      table.fail("after", "allowed: not together with time; see delay");
-    }
+    table.refuse_both("delay", found->key);
+    // An event some time after another has a delay.
+    table.refuse_both("after", "time");
     return;
   }
   if (event.after < 0) {
-    table.fail_missing("time", "an event needs time, angle, reaction or after");
+    table.needs("time, angle, reaction or after");
   }
   event.trigger = Event::Trigger::after;
   event.value = delay.value_or(0);
@@ -66,27 +54,26 @@ void check_nodes(const TomlTable& table, const CaseNames& names,
     const Body& body = names.of.bodies[i];
     const bool hinge = body.hinge.kind != multibody::HingeKind::none;
     if (event.action == Event::Action::break_hinge ? !hinge : !body.lock) {
-      table.fail("breaks",
-                 fmt::format("body \"{}\" has none", body.rigid.name));
+      table.needs("breaks", fmt::format("one on body \"{}\"", body.rigid.name));
     }
     if (event.trigger == Event::Trigger::angle && !hinge) {
-      table.fail("angle",
-                 fmt::format("body \"{}\" has no hinge", body.rigid.name));
+      table.needs("angle",
+                  fmt::format("a hinge on body \"{}\"", body.rigid.name));
     }
     // 180 deg but for the rounding of units.
     constexpr double most = std::numbers::pi * (1 + 1e-15);
     if (event.trigger == Event::Trigger::angle &&
         body.hinge.kind == multibody::HingeKind::ball &&
         (event.value < 0 || event.value > most)) {
-      table.fail("angle",
-                 fmt::format("allowed: 0 deg to 180 deg on the ball hinge "
-                             "of body \"{}\": it is the angle between two "
-                             "directions",
-                             body.rigid.name));
+      table.must_be("angle",
+                    fmt::format("0 deg to 180 deg on the ball hinge "
+                                "of body \"{}\": it is the angle between two "
+                                "directions",
+                                body.rigid.name));
     }
     if (event.trigger == Event::Trigger::reaction &&
         (event.node == Event::Node::lock ? !body.lock : !hinge)) {
-      table.fail("node", fmt::format("body \"{}\" has none", body.rigid.name));
+      table.needs("node", fmt::format("one on body \"{}\"", body.rigid.name));
     }
   }
 }
@@ -100,12 +87,12 @@ Event read_event(const TomlTable& table, const CaseNames& names) {
   event.action =
       static_cast<Event::Action>(table.choice("breaks", {"lock", "hinge"}));
   event.after = names.event_of(table, "after", event.name);
-  event.together = table.optional_boolean("together").value_or(false);
+  event.together = table.flag("together");
   read_condition(table, event);
   event.node = static_cast<Event::Node>(
       table.optional_choice("node", {"hinge", "lock"}).value_or(0));
   if (table.has("node") && event.trigger != Event::Trigger::reaction) {
-    table.fail("node", "allowed: with reaction");
+    table.needs("node", "reaction");
   }
   check_nodes(table, names, event);
   return event;

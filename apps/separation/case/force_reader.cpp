@@ -16,18 +16,13 @@ using Eigen::Vector3d;
 // KEY_at (a time), or KEY_at_event with KEY_delay.
 Clock read_clock(const TomlTable& table, const CaseNames& names,
                  const std::string& key, const Clock& otherwise) {
-  const auto time = table.optional_number(key + "_at", Interval::non_negative(),
-                                          Dimension::time);
+  const auto time =
+      table.optional_number(key + "_at", Interval::non_negative());
   const int event = names.event_of(table, key + "_at_event");
-  const auto delay = table.optional_number(
-      key + "_delay", Interval::non_negative(), Dimension::time);
-  if (time && event >= 0) {
-    table.fail(key + "_at_event",
-               fmt::format("allowed: not together with {}_at", key));
-  }
-  if (delay && event < 0) {
-    table.fail(key + "_delay", fmt::format("allowed: with {}_at_event", key));
-  }
+  const auto delay =
+      table.optional_number(key + "_delay", Interval::non_negative());
+  table.refuse_both(key + "_at_event", key + "_at");
+  if (delay && event < 0) table.needs(key + "_delay", key + "_at_event");
   if (event >= 0) return {0, event, delay.value_or(0)};
   return time ? Clock{*time, -1, 0} : otherwise;
 }
@@ -42,19 +37,17 @@ void check_clocks(const TomlTable& table, const Force& force) {
   const double to = timed ? end.time : end.delay;
   if (to > from) return;
   const char* const key = timed ? "ends_at" : "ends_delay";
-  table.fail(table.has(key, Dimension::time) ? key : "ends_at_event",
-             fmt::format("allowed: later than the force begins, {:.6g} s{}",
-                         from, timed ? "" : " after the event"));
+  table.must_be(table.has(key) ? key : "ends_at_event",
+                fmt::format("later than the force begins, {:.6g} s{}", from,
+                            timed ? "" : " after the event"));
 }
 
 // A vector, or with a table one for each of its rows.
 Table<Vector3d> read_vectors(const TomlTable& table, std::string_view key,
-                             Dimension dimension,
                              const std::vector<double>& at) {
-  if (!table.has(key, dimension)) return {{0}, {Vector3d::Zero()}};
-  if (at.empty()) return {{0}, {vector(table, key, dimension)}};
-  const auto numbers =
-      table.matrix(key, at.size(), 3, Interval::any(), dimension);
+  if (!table.has(key)) return {{0}, {Vector3d::Zero()}};
+  if (at.empty()) return {{0}, {vector(table, key)}};
+  const auto numbers = table.numbers(key, {at.size(), 3}, Interval::any());
   Table<Vector3d> result{at, {}};
   for (std::size_t i = 0; i < numbers.size(); i += 3) {
     result.values.emplace_back(numbers[i], numbers[i + 1], numbers[i + 2]);
@@ -68,26 +61,24 @@ struct RowsOver {
   std::vector<double> at;
 };
 RowsOver read_variable(const TomlTable& table, multibody::HingeKind hinge) {
-  const bool over_time = table.has("time", Dimension::time);
-  const bool over_angle = table.has("angle", Dimension::angle);
-  if (over_time && over_angle) {
-    table.fail("angle", "allowed: not together with time");
-  }
+  const bool over_time = table.has("time");
+  const bool over_angle = table.has("angle");
+  table.refuse_both("angle", "time");
   if (over_angle && hinge == multibody::HingeKind::none) {
-    table.fail("angle", "allowed: for a body on a hinge");
+    table.needs("angle", "a body on a hinge");
   }
   if (over_time) {
-    return {Variable::time, increasing(table, "time", Dimension::time)};
+    return {Variable::time, increasing(table, "time")};
   }
   if (over_angle) {
-    const auto at = increasing(table, "angle", Dimension::angle);
+    const auto at = increasing(table, "angle");
     // 180 deg but for the rounding of units.
     constexpr double most = std::numbers::pi * (1 + 1e-15);
     if (hinge == multibody::HingeKind::ball &&
         (at.front() < 0 || at.back() > most)) {
-      table.fail("angle",
-                 "allowed: 0 deg to 180 deg on a ball hinge: it is the "
-                 "angle between two directions");
+      table.must_be("angle",
+                    "0 deg to 180 deg on a ball hinge: it is the "
+                    "angle between two directions");
     }
     return {Variable::angle, at};
   }
@@ -99,83 +90,69 @@ AppliedForce read_applied(const TomlTable& table, const RigidBody& body,
   AppliedForce force;
   force.inertial =
       table.optional_choice("axes", {"body", "inertial"}).value_or(0) == 1;
-  force.point =
-      optional_vector(table, "point", Dimension::length).value_or(body.com) -
-      body.com;
+  force.point = optional_vector(table, "point").value_or(body.com) - body.com;
   const RowsOver rows = read_variable(table, hinge);
   force.variable = rows.variable;
-  if (!table.has("force", Dimension::force) &&
-      !table.has("moment", Dimension::moment)) {
-    table.fail_missing("force", "there is no moment either");
+  if (!table.has("force") && !table.has("moment")) {
+    table.needs("force or moment");
   }
-  force.force = read_vectors(table, "force", Dimension::force, rows.at);
-  force.moment = read_vectors(table, "moment", Dimension::moment, rows.at);
+  force.force = read_vectors(table, "force", rows.at);
+  force.moment = read_vectors(table, "moment", rows.at);
   return force;
 }
 
 Motor read_motor(const TomlTable& table) {
   const RowsOver rows = read_variable(table, multibody::HingeKind::axis);
   if (rows.variable == Variable::none) {
-    return {
-        rows.variable,
-        {{0}, {table.number("moment", Interval::any(), Dimension::moment)}}};
+    return {rows.variable, {{0}, {table.number("moment", Interval::any())}}};
   }
-  return {rows.variable,
-          {rows.at, table.numbers("moment", rows.at.size(), Interval::any(),
-                                  Dimension::moment)}};
+  return {
+      rows.variable,
+      {rows.at, table.numbers("moment", {rows.at.size()}, Interval::any())}};
 }
 
 Thrust read_thrust(const TomlTable& table, const CaseNames& names,
                    const RigidBody& body) {
   Thrust thrust;
-  thrust.point = vector(table, "point", Dimension::length) - body.com;
-  thrust.force =
-      table.number("thrust", Interval::non_negative(), Dimension::force) *
-      direction(table, "direction");
+  thrust.point = vector(table, "point") - body.com;
+  thrust.force = table.number("thrust", Interval::non_negative()) *
+                 direction(table, "direction");
   thrust.cutoff = read_clock(table, names, "cutoff", never);
   thrust.decay =
-      table.optional_number("decay", Interval::positive(), Dimension::time)
-          .value_or(0);
+      table.optional_number("decay", Interval::positive()).value_or(0);
   if (thrust.decay > 0 && thrust.cutoff.event < 0 &&
       std::isinf(thrust.cutoff.time)) {
-    table.fail("decay", "allowed: with cutoff_at or cutoff_at_event");
+    table.needs("decay", "cutoff_at or cutoff_at_event");
   }
   return thrust;
 }
 
 Vector3d carrier_point(const TomlTable& table, const CaseNames& names,
                        int body) {
-  return names.turns[body] * vector(table, "carrier_point", Dimension::length) -
+  return names.turns[body] * vector(table, "carrier_point") -
          names.of.carrier.com;
 }
 
 Spring read_spring(const TomlTable& table, const CaseNames& names,
                    const Vector3d& com, int body) {
-  return {
-      vector(table, "point", Dimension::length) - com,
-      carrier_point(table, names, body),
-      table.number("stiffness", Interval::non_negative(),
-                   Dimension::line_force),
-      table.number("free_length", Interval::non_negative(), Dimension::length),
-      table.optional_number("damping_N_s_per_m", Interval::non_negative())
-          .value_or(0)};
+  return {vector(table, "point") - com, carrier_point(table, names, body),
+          table.number("stiffness", Interval::non_negative()),
+          table.number("free_length", Interval::non_negative()),
+          table.optional_number("damping_N_s_per_m", Interval::non_negative())
+              .value_or(0)};
 }
 
 Pusher read_pusher(const TomlTable& table, const CaseNames& names,
                    const Vector3d& com, int body) {
   Pusher pusher;
-  pusher.point = vector(table, "point", Dimension::length) - com;
+  pusher.point = vector(table, "point") - com;
   pusher.carrier_point = carrier_point(table, names, body);
   pusher.direction = names.turns[body] * direction(table, "direction");
-  pusher.first_force =
-      table.number("first_force", Interval::non_negative(), Dimension::force);
+  pusher.first_force = table.number("first_force", Interval::non_negative());
   pusher.last_force =
-      table
-          .optional_number("last_force", Interval::non_negative(),
-                           Dimension::force)
+      table.optional_number("last_force", Interval::non_negative())
           .value_or(pusher.first_force);
-  pusher.stroke =
-      table.number("stroke", Interval::positive(), Dimension::length);
+  pusher.stroke = table.number("stroke", Interval::positive());
   return pusher;
 }
 
@@ -190,10 +167,10 @@ std::vector<Table<double>> read_coefficients(const TomlTable& table,
     result.assign(pressures, zero);
   } else if (pressures == 1) {
     result.push_back(
-        {angles, table.numbers(key, angles.size(), Interval::any())});
+        {angles, table.numbers(key, {angles.size()}, Interval::any())});
   } else {
     const auto numbers =
-        table.matrix(key, pressures, angles.size(), Interval::any());
+        table.numbers(key, {pressures, angles.size()}, Interval::any());
     for (std::size_t i = 0; i < pressures; ++i) {
       const auto row = numbers.begin() + i * angles.size();
       result.push_back({angles, {row, row + angles.size()}});
@@ -205,44 +182,34 @@ std::vector<Table<double>> read_coefficients(const TomlTable& table,
 void read_flow(const TomlTable& table, Aerodynamic& air) {
   if (const auto density = table.optional_number("density_kg_per_m3",
                                                  Interval::non_negative())) {
-    if (table.has("dynamic_pressure", Dimension::stress)) {
-      table.fail("density_kg_per_m3",
-                 "allowed: not together with dynamic_pressure");
-    }
+    table.refuse_both("density_kg_per_m3", "dynamic_pressure");
     air.density = *density;
-    air.wind = vector_or_zero(table, "wind", Dimension::velocity);
+    air.wind = vector_or_zero(table, "wind");
     return;
   }
   air.flow = direction(table, "flow");
-  if (!table.has("time", Dimension::time)) {
+  if (!table.has("time")) {
     air.dynamic_pressure = {
-        {0},
-        {table.number("dynamic_pressure", Interval::non_negative(),
-                      Dimension::stress)}};
+        {0}, {table.number("dynamic_pressure", Interval::non_negative())}};
     return;
   }
-  const auto at = increasing(table, "time", Dimension::time);
-  air.dynamic_pressure = {
-      at, table.numbers("dynamic_pressure", at.size(), Interval::non_negative(),
-                        Dimension::stress)};
+  const auto at = increasing(table, "time");
+  air.dynamic_pressure = {at, table.numbers("dynamic_pressure", {at.size()},
+                                            Interval::non_negative())};
 }
 
 Aerodynamic read_aerodynamic(const TomlTable& table, const RigidBody& body) {
   Aerodynamic air;
   air.axis = direction(table, "axis");
-  air.point =
-      optional_vector(table, "point", Dimension::length).value_or(body.com) -
-      body.com;
+  air.point = optional_vector(table, "point").value_or(body.com) - body.com;
   air.area = table.number("reference_area_m2", Interval::positive());
-  air.length = table
-                   .optional_number("reference_length", Interval::positive(),
-                                    Dimension::length)
+  air.length = table.optional_number("reference_length", Interval::positive())
                    .value_or(1);
   read_flow(table, air);
-  const auto angles = increasing(table, "angle", Dimension::angle);
+  const auto angles = increasing(table, "angle");
   air.pressures = {0};
-  if (table.has("table_pressure", Dimension::stress)) {
-    air.pressures = increasing(table, "table_pressure", Dimension::stress);
+  if (table.has("table_pressure")) {
+    air.pressures = increasing(table, "table_pressure");
   }
   const std::size_t rows = air.pressures.size();
   air.axial = read_coefficients(table, "axial", angles, rows);
@@ -276,16 +243,16 @@ std::vector<Force> read_force(const TomlTable& table, const CaseNames& names) {
         force.what = read_thrust(table, names, body);
         break;
       case 2:
-        if (i == 0) table.fail("body", "allowed: a body");
+        if (i == 0) table.must_be("body", "a body, not the carrier");
         force.what = read_spring(table, names, body.com, i - 1);
         break;
       case 3:
-        if (i == 0) table.fail("body", "allowed: a body");
+        if (i == 0) table.must_be("body", "a body, not the carrier");
         force.what = read_pusher(table, names, body.com, i - 1);
         break;
       case 4:
         if (hinge != multibody::HingeKind::axis) {
-          table.fail("body", "allowed: a body on an axis");
+          table.must_be("body", "a body on an axis");
         }
         force.what = read_motor(table);
         break;

@@ -1,12 +1,12 @@
 #include "separation/case/hinge_reader.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
 #include "separation/case/reading.hpp"
 
@@ -55,8 +55,7 @@ contact::JointSpec read_joint_of(const TomlTable& table, const JointLaws& laws,
   }();
   take_laws(laws, made, joint);
   if (!joint.friction) {
-    table.fail(file ? "file" : "friction",
-               "neither the joint nor its materials have [friction]");
+    table.needs("[friction], of the joint or of its materials");
   }
   return joint;
 }
@@ -67,25 +66,21 @@ HingeJoint read_hinge_joint(const TomlTable& table, const JointLaws& laws,
   JointContact contact(joint.geometry, joint.pair, *joint.friction,
                        made.half_angle(joint), made.pressure(joint));
   return {std::move(joint),
-          table.optional_number("position", Interval::any(), Dimension::length)
-              .value_or(0),
+          table.optional_number("position", Interval::any()).value_or(0),
           std::move(contact)};
 }
 
 std::optional<contact::SharingRule> read_sharing(const TomlTable& table,
                                                  std::size_t joints) {
   if (table.optional_choice("sharing", {"equal"})) {
-    if (table.has("radial_stiffness")) {
-      table.fail("sharing", "allowed: not together with radial_stiffness");
-    }
+    table.refuse_both("sharing", "radial_stiffness");
     return contact::SharingRule{};  // filled in when the joints are known
   }
-  auto stiffness =
-      table.optional_numbers("radial_stiffness", joints, Interval::positive());
+  auto stiffness = table.optional_numbers("radial_stiffness", {joints},
+                                          Interval::positive());
   if (!stiffness) return {};
-  return contact::SharingRule{
-      *std::move(stiffness),
-      table.numbers("axial_share", joints, Interval{0, 1})};
+  return contact::SharingRule{*std::move(stiffness),
+                              table.numbers("axial_share", {joints}, {0, 1})};
 }
 
 Vector3d named_direction(const TomlTable& table, std::string_view key,
@@ -94,14 +89,14 @@ Vector3d named_direction(const TomlTable& table, std::string_view key,
     if (direction.name == name) return direction.vector;
   }
   if (body.directions.empty()) {
-    table.fail(key, fmt::format("\"{}\" has no directions", body.name));
+    table.needs(key, fmt::format("directions of \"{}\"", body.name));
   }
   std::vector<std::string> names;
   for (const NamedDirection& direction : body.directions) {
     names.push_back(direction.name);
   }
-  table.fail(key, fmt::format("allowed: {}, the directions of \"{}\"",
-                              fmt::join(names, ", "), body.name));
+  table.must_be(key, fmt::format("a direction of \"{}\": {}", body.name,
+                                 contact::detail::either(names)));
 }
 
 // Directions of the angle of a ball joint: two named ones, or the line from
@@ -117,12 +112,8 @@ void read_angle(const TomlTable& table, const RigidBody& body,
         named_direction(table, "carrier_direction", carrier, *of_carrier);
     return;
   }
-  if (of_body) {
-    table.fail("body_direction", "allowed: together with carrier_direction");
-  }
-  if (of_carrier) {
-    table.fail("carrier_direction", "allowed: together with body_direction");
-  }
+  if (of_body) table.needs("body_direction", "carrier_direction");
+  if (of_carrier) table.needs("carrier_direction", "body_direction");
   hinge.body_direction = hinge.body_point.norm() > 0
                              ? Vector3d(-hinge.body_point.normalized())
                              : Vector3d::UnitX();
@@ -158,10 +149,8 @@ Hinge read_hinge(const TomlTable& table, const RigidBody& body,
   hinge.kind = table.choice("kind", {"ball", "axis"}) == 0 ? HingeKind::ball
                                                            : HingeKind::axis;
   hinge.name = table.optional_text("name").value_or("hinge");
-  hinge.body_point =
-      vector_or_zero(table, "body_point", Dimension::length) - body.com;
-  hinge.carrier_point =
-      vector(table, "carrier_point", Dimension::length) - carrier.com;
+  hinge.body_point = vector_or_zero(table, "body_point") - body.com;
+  hinge.carrier_point = vector(table, "carrier_point") - carrier.com;
   hinge.zero_rotation =
       optional_rotation(table, "zero_rotation").value_or(Matrix3d::Identity());
   const bool ball = hinge.kind == HingeKind::ball;
@@ -176,15 +165,13 @@ Hinge read_hinge(const TomlTable& table, const RigidBody& body,
   }
   if (!ball) hinge.sharing = read_sharing(table, joints.size());
   if (ball && joints.size() > 1) {
-    joints[1].fail("kind", "allowed: one joint on a ball hinge");
+    table.needs("a single joint: it is a ball hinge");
   }
   if (ball && joints.size() == 1 && !is_ball(hinge.joints[0])) {
-    joints[0].fail("kind", "allowed: a ball joint on a ball hinge");
+    joints[0].must_be("kind", "\"ball\" on a ball hinge");
   }
   if (!ball && joints.size() == 1 && is_ball(hinge.joints[0])) {
-    joints[0].fail("kind",
-                   "allowed on an axis: one pin, or two joints and more, one "
-                   "of them a ball");
+    table.needs("one pin, or two joints and more, one of them a ball");
   }
   try {
     make_friction(hinge, FrictionChoice::full);

@@ -10,29 +10,25 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 std::optional<Vector3d> optional_vector(const TomlTable& table,
-                                        std::string_view key,
-                                        Dimension dimension) {
-  const auto values =
-      table.optional_numbers(key, 3, Interval::any(), dimension);
+                                        std::string_view key) {
+  const auto values = table.optional_numbers(key, {3}, Interval::any());
   if (!values) return {};
   return Vector3d((*values)[0], (*values)[1], (*values)[2]);
 }
 
-Vector3d vector(const TomlTable& table, std::string_view key,
-                Dimension dimension) {
-  const auto values = table.numbers(key, 3, Interval::any(), dimension);
+Vector3d vector(const TomlTable& table, std::string_view key) {
+  const auto values = table.numbers(key, {3}, Interval::any());
   return {values[0], values[1], values[2]};
 }
 
-Vector3d vector_or_zero(const TomlTable& table, std::string_view key,
-                        Dimension dimension) {
-  return optional_vector(table, key, dimension).value_or(Vector3d::Zero());
+Vector3d vector_or_zero(const TomlTable& table, std::string_view key) {
+  return optional_vector(table, key).value_or(Vector3d::Zero());
 }
 
 Vector3d direction(const TomlTable& table, std::string_view key) {
   const Vector3d v = vector(table, key);
   const Vector3d unit = v.stableNormalized();
-  if (!(unit.norm() > 0.5)) table.fail(key, "allowed: a vector that is not 0");
+  if (!(unit.norm() > 0.5)) table.must_be(key, "a vector that is not 0");
   return unit;
 }
 
@@ -45,17 +41,17 @@ Matrix3d rotation_of(const Vector3d& vector) {
 std::optional<Matrix3d> optional_rotation(const TomlTable& table,
                                           std::string_view key) {
   // More turns than anyone means.
-  constexpr Interval allowed{-100 * std::numbers::pi, 100 * std::numbers::pi};
-  const auto v = table.optional_numbers(key, 3, allowed, Dimension::angle);
+  constexpr Interval range{-100 * std::numbers::pi, 100 * std::numbers::pi};
+  const auto v = table.optional_numbers(key, {3}, range);
   if (!v) return {};
   return rotation_of({(*v)[0], (*v)[1], (*v)[2]});
 }
 
-std::vector<double> increasing(const TomlTable& table, std::string_view key,
-                               Dimension dimension) {
-  auto values = table.list(key, 1, Interval::any(), dimension);
+std::vector<double> increasing(const TomlTable& table, std::string_view key) {
+  auto values =
+      table.numbers(key, {.rows = 1, .or_more = true}, Interval::any());
   if (!std::is_sorted(values.begin(), values.end(), std::less_equal<>())) {
-    table.fail(key, "allowed: numbers that grow from one to the next");
+    table.must_be(key, "numbers that grow from one to the next");
   }
   return values;
 }

@@ -9,25 +9,20 @@
 /// What the readers of case files share.
 namespace separation {
 
-using contact::Dimension;
 using contact::Interval;
 using contact::TomlTable;
 
-std::optional<Eigen::Vector3d> optional_vector(
-    const TomlTable& table, std::string_view key,
-    Dimension dimension = Dimension::number);
-Eigen::Vector3d vector(const TomlTable& table, std::string_view key,
-                       Dimension dimension = Dimension::number);
-Eigen::Vector3d vector_or_zero(const TomlTable& table, std::string_view key,
-                               Dimension dimension = Dimension::number);
+std::optional<Eigen::Vector3d> optional_vector(const TomlTable& table,
+                                               std::string_view key);
+Eigen::Vector3d vector(const TomlTable& table, std::string_view key);
+Eigen::Vector3d vector_or_zero(const TomlTable& table, std::string_view key);
 /// A direction of any length but 0, made a unit vector.
 Eigen::Vector3d direction(const TomlTable& table, std::string_view key);
 /// A rotation vector (axis times angle); none if the key is missing.
 std::optional<Eigen::Matrix3d> optional_rotation(const TomlTable& table,
                                                  std::string_view key);
 /// Numbers that grow from one to the next.
-std::vector<double> increasing(const TomlTable& table, std::string_view key,
-                               Dimension dimension);
+std::vector<double> increasing(const TomlTable& table, std::string_view key);
 
 /// The rotation by the vector's length about it.
 Eigen::Matrix3d rotation_of(const Eigen::Vector3d& vector);

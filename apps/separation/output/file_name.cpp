@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
 
 namespace separation {
@@ -20,7 +21,7 @@ bool ends_in(std::string_view name, std::string_view ending) {
 
 void check_ending(std::string_view option, const std::string& name,
                   const std::vector<std::string_view>& endings,
-                  std::string_view allowed) {
+                  std::string_view words) {
   std::error_code ignored;
   const bool pipe = std::filesystem::exists(name, ignored) &&
                     !std::filesystem::is_regular_file(name, ignored);
@@ -29,7 +30,8 @@ void check_ending(std::string_view option, const std::string& name,
     if (ends_in(name, ending)) return;
   }
   throw contact::Error(
-      fmt::format("{} {}: allowed names end in {}", option, name, allowed));
+      contact::detail::must_be(fmt::format("{} {}", option, name),
+                               fmt::format("a name that ends in {}", words)));
 }
 
 }  // namespace separation

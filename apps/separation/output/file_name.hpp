@@ -10,12 +10,12 @@ namespace separation {
 bool ends_in(std::string_view name, std::string_view ending);
 
 /// Names of files that an option takes.
-/// @param endings  allowed ones; so are "-" and what is there and is not a
+/// @param endings  good ones; so are "-" and what is there and is not a
 ///   regular file
-/// @param allowed  the endings in words, for messages
-/// @throws contact::Error "OPTION NAME: allowed names end in ALLOWED"
+/// @param words  the endings in words, for messages
+/// @throws contact::Error "OPTION NAME must be a name that ends in WORDS"
 void check_ending(std::string_view option, const std::string& name,
                   const std::vector<std::string_view>& endings,
-                  std::string_view allowed);
+                  std::string_view words);
 
 }  // namespace separation

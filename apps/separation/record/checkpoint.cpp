@@ -14,6 +14,7 @@
 
 #include "cli/file_text.hpp"
 #include "cli/output.hpp"
+#include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
 #include "libcontact/base/text.hpp"
 
@@ -96,10 +97,9 @@ json header_of(const std::string& file) {
     throw contact::Error(file + ": not a checkpoint of hinge-separation");
   }
   if (!contains(bytes, format_name)) {
-    throw contact::Error(
-        fmt::format("{}: a checkpoint of another version of hinge-separation, "
-                    "allowed is \"{}\"",
-                    file, format_name));
+    throw contact::Error(contact::detail::must_be(
+        file + ": a checkpoint of another version of hinge-separation",
+        fmt::format("\"{}\"", format_name)));
   }
   const std::size_t size = bytes.size() - sum_size;
   const std::string sum = check_sum(std::string_view(bytes).substr(0, size));

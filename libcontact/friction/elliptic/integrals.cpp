@@ -4,6 +4,7 @@
 #include <numbers>
 #include <string>
 
+#include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
 #include "libcontact/friction/elliptic/integrals_real.hpp"
 #include "libcontact/friction/elliptic/log_coefficients.hpp"
@@ -51,8 +52,9 @@ double elliptic_e_chebyshev(double x) {
 
 EllipticLogForm::EllipticLogForm(int order) : order_(order) {
   if (order < 1 || order > max_order) {
-    throw Error("elliptic log form: order = " + std::to_string(order) +
-                ": allowed: 1 to " + std::to_string(max_order));
+    throw Error(
+        detail::must_be("elliptic log form: order = " + std::to_string(order),
+                        "1 to " + std::to_string(max_order)));
   }
 }
 

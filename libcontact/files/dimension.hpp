@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cmath>
+#include <limits>
+
+/// What the numbers of files measure, and what they may be.
+namespace contact {
+
+/// What a key measures, which fixes the unit endings it takes: the length
+/// `radius` may be spelled radius (in m), radius_m, radius_mm, radius_um.
+/// A key without an ending is in the first unit of its list.
+enum class Dimension {
+  number,                ///< no unit, no ending
+  length,                ///< m, mm, um, km
+  stress,                ///< Pa, kPa, MPa, GPa
+  force,                 ///< N, kN, MN
+  line_force,            ///< N_per_m, kN_per_m, N_per_mm
+  moment,                ///< N_m, kN_m, N_mm
+  angle,                 ///< rad, deg
+  angular_velocity,      ///< rad_per_s, deg_per_s, rpm
+  angular_acceleration,  ///< rad_per_s2, deg_per_s2
+  velocity,              ///< m_per_s, mm_per_s, km_per_h
+  acceleration,          ///< m_per_s2
+  time,                  ///< s, ms
+  mass,                  ///< kg, g, t
+  inertia,               ///< kg_m2
+  viscous_constant,      ///< Pa_s_per_m, kPa_s_per_m, ... GPa_s_per_m
+  inverse_velocity,      ///< s_per_m
+};
+
+/// Values that a number may take, in SI units. Always finite, unless
+/// `or_infinity`.
+struct Interval {
+  double low;
+  double high;
+  bool low_excluded = false;
+  bool high_excluded = false;
+  bool or_infinity = false;  ///< +infinity too
+
+  static constexpr double largest = std::numeric_limits<double>::max();
+  static constexpr Interval any() { return {-largest, largest}; }
+  static constexpr Interval positive() { return {0, largest, true}; }
+  static constexpr Interval non_negative() { return {0, largest}; }
+
+  /// False for NaN.
+  bool contains(double value) const {
+    if (std::isinf(value)) return or_infinity && value > 0;
+    return (low_excluded ? value > low : value >= low) &&
+           (high_excluded ? value < high : value <= high);
+  }
+};
+
+}  // namespace contact

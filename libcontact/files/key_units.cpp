@@ -1,0 +1,116 @@
+#include "libcontact/files/key_units.hpp"
+
+#include <algorithm>
+#include <numbers>
+
+#include "libcontact/base/complaint.hpp"
+#include "libcontact/base/text.hpp"
+#include "libcontact/base/units.hpp"
+
+namespace contact::detail {
+namespace {
+
+constexpr double rpm = std::numbers::pi / 30;
+
+// In the order of Dimension.
+constexpr KeyUnit units[][4] = {
+    {{""}},
+    {{"m"}, {"mm", 1, 1e3}, {"um", 1, 1e6}, {"km", 1e3}},
+    {{"Pa"}, {"kPa", 1e3}, {"MPa", 1e6}, {"GPa", 1e9}},
+    {{"N"}, {"kN", 1e3}, {"MN", 1e6}},
+    {{"N_per_m"}, {"kN_per_m", 1e3}, {"N_per_mm", 1e3}},
+    {{"N_m"}, {"kN_m", 1e3}, {"N_mm", 1, 1e3}},
+    {{"rad"}, {"deg", degree}},
+    {{"rad_per_s"}, {"deg_per_s", degree}, {"rpm", rpm}},
+    {{"rad_per_s2"}, {"deg_per_s2", degree}},
+    {{"m_per_s"}, {"mm_per_s", 1, 1e3}, {"km_per_h", 1, 3.6}},
+    {{"m_per_s2"}},
+    {{"s"}, {"ms", 1, 1e3}},
+    {{"kg"}, {"g", 1, 1e3}, {"t", 1e3}},
+    {{"kg_m2"}},
+    {{"Pa_s_per_m"},
+     {"kPa_s_per_m", 1e3},
+     {"MPa_s_per_m", 1e6},
+     {"GPa_s_per_m", 1e9}},
+    {{"s_per_m"}},
+};
+
+// "kg m^2" of "kg_m2", "Pa s/m" of "Pa_s_per_m".
+std::string symbol(std::string_view ending) {
+  const auto per = ending.find("_per_");
+  if (per != ending.npos) {
+    return message("{}/{}", symbol(ending.substr(0, per)),
+                   symbol(ending.substr(per + 5)));
+  }
+  if (ending.ends_with('2')) {
+    return symbol(ending.substr(0, ending.size() - 1)) + "^2";
+  }
+  std::string text(ending);
+  std::ranges::replace(text, '_', ' ');
+  return text;
+}
+
+}  // namespace
+
+std::span<const KeyUnit> units_of(Dimension dimension) {
+  const std::span<const KeyUnit> all = units[static_cast<int>(dimension)];
+  const auto end = std::find_if(all.begin() + 1, all.end(),
+                                [](const auto& u) { return u.ending.empty(); });
+  return {all.begin(), end};
+}
+
+std::vector<std::string> spellings(std::string_view key, Dimension dimension) {
+  std::vector<std::string> result = {std::string(key)};
+  for (const KeyUnit& unit : units_of(dimension)) {
+    if (!unit.ending.empty())
+      result.push_back(message("{}_{}", key, unit.ending));
+  }
+  return result;
+}
+
+std::string spellings_text(std::string_view key, Dimension dimension) {
+  auto all = spellings(key, dimension);
+  if (all.size() > 1) {
+    all[0] += message(" (in {})", symbol(units_of(dimension)[0].ending));
+  }
+  return either(all);
+}
+
+const KeyUnit* unit_in(std::string_view spelling, std::string_view key,
+                       Dimension dimension) {
+  const auto units = units_of(dimension);
+  const auto all = spellings(key, dimension);
+  const auto at = std::ranges::find(all, spelling) - all.begin();
+  if (at == std::ssize(all)) return nullptr;
+  return &units[at == 0 ? 0 : at - 1];
+}
+
+std::string range_text(const Interval& range, const KeyUnit& unit) {
+  const bool any_low = range.low == -Interval::largest;
+  const bool any_high = range.high == Interval::largest;
+  const double low = unit.from_si(range.low);
+  const double high = unit.from_si(range.high);
+  const auto in_unit = [&](double value) {
+    return unit.ending.empty() || (value == 0 && any_high)
+               ? message("{:.6g}", value)
+               : message("{:.6g} {}", value, symbol(unit.ending));
+  };
+  std::string text;
+  if (any_low && any_high) {
+    text = "a finite number";
+  } else if (any_high) {
+    text =
+        message(range.low_excluded ? "above {}" : "{} or above", in_unit(low));
+  } else if (any_low) {
+    text =
+        message(range.high_excluded ? "below {}" : "up to {}", in_unit(high));
+  } else if (!range.low_excluded && !range.high_excluded) {
+    text = message("{:.6g} to {}", low, in_unit(high));
+  } else {
+    text = message("{} {:.6g} and {} {}", range.low_excluded ? "above" : "from",
+                   low, range.high_excluded ? "below" : "up to", in_unit(high));
+  }
+  return range.or_infinity ? text + " or inf" : text;
+}
+
+}  // namespace contact::detail

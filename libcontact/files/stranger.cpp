@@ -1,0 +1,99 @@
+#include "libcontact/files/stranger.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include "libcontact/base/complaint.hpp"
+#include "libcontact/base/text.hpp"
+#include "libcontact/files/key_units.hpp"
+
+namespace contact::detail {
+namespace {
+
+// The known spelling that a user has most likely meant by a key; "" for none:
+// its new name, one that is nearly the same, or the same but for an ending,
+// such as a unit that it does not take. One that is there was not meant, unless
+// a table [x.y] beside a misspelt [x] has made it.
+std::string meant_by(const std::string& key, const toml::table& table,
+                     const std::vector<const KnownKey*>& known) {
+  std::vector<std::string> likely;
+  for (const KnownKey* other : known) {
+    const auto now = spellings(other->key, other->dimension);
+    const auto before = spellings(other->former, other->dimension);
+    const auto renamed = std::ranges::find(before, key) - before.begin();
+    if (!other->former.empty() && renamed < std::ssize(before)) {
+      return now[renamed];
+    }
+    for (const std::string& spelling : now) {
+      if (table.get(key)->is_table() || !table.contains(spelling)) {
+        likely.push_back(spelling);
+      }
+    }
+  }
+  std::string meant = nearest(key, likely);
+  if (!meant.empty()) return meant;
+  for (const std::string& other : likely) {
+    if (key.starts_with(other + '_') && other.size() > meant.size()) {
+      meant = other;
+    }
+  }
+  return meant;
+}
+
+}  // namespace
+
+std::vector<const KnownKey*> of_kind(const toml::table& table,
+                                     const KnownKeys& keys) {
+  const auto kind = table["kind"].value<std::string>();
+  std::vector<const KnownKey*> all;
+  std::vector<const KnownKey*> fitting;
+  bool named = false;
+  for (const KnownKey& key : keys) {
+    const bool fits =
+        kind && message(" {} ", key.kinds).find(message(" {} ", *kind)) !=
+                    std::string::npos;
+    all.push_back(&key);
+    if (fits || key.kinds.empty()) fitting.push_back(&key);
+    named = named || fits;
+  }
+  return named ? fitting : all;
+}
+
+void Stranger::look_for(const toml::node& in, const KnownKeys& keys,
+                        const std::string& path) {
+  if (const toml::array* array = in.as_array()) {
+    std::size_t index = 0;
+    for (const toml::node& element : *array) {
+      look_for(element, keys, message("{}[{}]", path, ++index));
+    }
+  }
+  const toml::table* table = in.as_table();
+  if (table == nullptr) return;
+  const auto known = of_kind(*table, keys);
+  for (const auto& [name, value] : *table) {
+    const std::string key(name.str());
+    const auto found = std::ranges::find_if(known, [&](const KnownKey* k) {
+      return unit_in(key, k->key, k->dimension) != nullptr;
+    });
+    if (found == known.end()) {
+      std::vector<std::string> names;
+      for (const KnownKey* k : known) names.emplace_back(k->key);
+      note(value, unknown("key", joined(path, printable(key)),
+                          meant_by(key, *table, known), names));
+    } else if (read != nullptr && !read->contains(&value)) {
+      note(value, must_be(named(joined(path, key), value), "left out here"));
+    } else if (!(*found)->inside.empty()) {
+      // A table in the place of a value is refused when that is read.
+      look_for(value, (*found)->inside, joined(path, key));
+    }
+  }
+}
+
+void Stranger::note(const toml::node& value, std::string what) {
+  if (node != nullptr && line_of(*node) <= line_of(value)) return;
+  node = &value;
+  complaint = std::move(what);
+}
+
+}  // namespace contact::detail

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <set>
+#include <string>
+#include <vector>
+
+#include "libcontact/files/toml_nodes.hpp"
+#include "libcontact/files/toml_reader.hpp"
+
+namespace contact::detail {
+
+/// Of these keys those of the table's kind; all if it is missing or wrong.
+std::vector<const KnownKey*> of_kind(const toml::table& table,
+                                     const KnownKeys& keys);
+
+/// The first key of a file that is not known, or not read.
+struct Stranger {
+  /// Null if only unknown ones are looked for.
+  const std::set<const toml::node*>* read = nullptr;
+  const toml::node* node = nullptr;
+  std::string complaint = {};
+
+  void look_for(const toml::node& in, const KnownKeys& keys,
+                const std::string& path);
+
+ private:
+  void note(const toml::node& value, std::string what);
+};
+
+}  // namespace contact::detail
