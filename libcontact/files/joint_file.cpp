@@ -178,11 +178,7 @@ std::shared_ptr<const PressureLaw> SharedLaws::pressure(
 }
 
 Material read_material(const std::filesystem::path& path) {
-  const TomlTable file = TomlTable::from_file(path);
-  file.refuse_keys_beside(material_keys());
-  Material material = material_from_table(file);
-  file.refuse_unknown_keys();
-  return material;
+  return material_from_table(TomlTable::from_file(path, material_keys()));
 }
 
 std::unique_ptr<HalfAngleLaw> JointSpec::make_half_angle_law() const {
