@@ -142,10 +142,8 @@ cli::ExitStatus run(const Options& options) {
     status = write_half_angles(angles, input, joint.laws, options.output);
   }
   if (options.output.plot.empty()) return status;
-  const std::string problem = draw(loads, input, joint, options.output.plot);
-  if (problem.empty()) return status;
-  cli::warn("hinge-angle", problem);
-  return cli::some_bad;
+  return cli::drawn("hinge-angle",
+                    draw(loads, input, joint, options.output.plot), status);
 }
 
 }  // namespace hinge_angle

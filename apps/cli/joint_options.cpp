@@ -21,11 +21,10 @@ using contact::JointGeometry;
 using contact::JointKind;
 using contact::detail::needs;
 
+// The group of options that a joint file takes the place of.
+constexpr const char* without_file = "Joint without a file";
+
 Joint joint_from_file(const JointOptions& o) {
-  for (const CLI::Option* option : o.instead_of_file) {
-    if (option->count() == 0) continue;
-    refuse_beside(option->get_name(), given("--joint", o.joint));
-  }
   const contact::JointSpec joint = contact::read_joint(o.joint);
   return {.kind = joint.geometry.kind(),
           .pair = joint.pair,
@@ -128,7 +127,11 @@ Joint bodies_from_options(const JointOptions& o) {
               .pair = pair.elastic,
               .friction = pair.friction,
               .materials = pair.name};
-  if (!o.radius.empty()) joint.geometry = geometry_of(o, kind);
+  if (!o.radius.empty()) {
+    joint.geometry = geometry_of(o, kind);
+  } else if (o.use == JointUse::friction) {
+    refuse_without(given("--joint", o.joint), "--radius and --clearance");
+  }
   return joint;
 }
 
@@ -184,57 +187,62 @@ void add_joint_options(CLI::App& app, JointOptions& o) {
   const bool pressure = o.use == JointUse::pressure;
   const bool friction = o.use == JointUse::friction;
   app.option_defaults()->group("Joint");
-  const auto instead_of_file = [&](const char* name, std::string& value,
-                                   const char* what, const char* kind) {
-    auto* option = app.add_option(name, value, what)->option_text(kind);
-    o.instead_of_file.push_back(option);
-    return option;
-  };
-  app.add_option("--joint", o.joint,
-                 pressure ? "ball (default) or a ball joint's file"
-                          : "ball, pin or a joint file")
+  // Called before needs() are looked at.
+  app.add_option_function<std::string>(
+         "--joint",
+         [&app, &o](const std::string& text) {
+           o.joint = text;
+           if (!o.names_file()) return;
+           for (const CLI::Option* option : app.get_options()) {
+             if (option->count() == 0 || option->get_group() != without_file) {
+               continue;
+             }
+             refuse_beside(option->get_name(), given("--joint", text));
+           }
+         },
+         pressure ? "ball (default) or a ball joint's file"
+                  : "ball, pin or a joint file")
       ->option_text("KIND|FILE")
       ->required(!pressure);
-  auto* pair = instead_of_file(
-      "--pair", o.pair, "materials of the two bodies, a TOML file", "FILE");
-  if (!friction) {
-    auto* ratio = instead_of_file("--modulus-ratio", o.modulus_ratio,
-                                  "E1/E2, 0 to inf", "NUMBER");
-    ratio->excludes(pair);
-    instead_of_file("--poisson1", o.poisson1, "of the ball or pin; default 0.3",
-                    "NUMBER")
-        ->needs(ratio);
-    instead_of_file("--poisson2", o.poisson2,
-                    "of the seat or hole; default 0.3", "NUMBER")
-        ->needs(ratio);
-  }
-  if (!pressure) {
-    auto* radius = instead_of_file(
-        "--radius", o.radius, "of the ball or pin, m or with a unit", "LENGTH");
-    auto* clearance = instead_of_file("--clearance", o.clearance,
-                                      "radial, m or with a unit", "LENGTH");
-    radius->needs(pair)->needs(clearance);
-    clearance->needs(radius);
-    if (friction) pair->needs(radius);
-  }
-  if (friction) {
-    instead_of_file("--length", o.length, "of a pin, m or with a unit",
-                    "LENGTH");
-    instead_of_file("--inner-body", o.inner_body,
-                    "body with the ball or pin: carrier (default) or load",
-                    "NAME");
-  }
-  auto* wall = instead_of_file("--wall", o.wall,
-                               "thickness of the seat or hole; default: no end",
-                               "LENGTH");
-  auto* backing = instead_of_file("--backing", o.backing,
-                                  "behind the wall: rigid, held or a material",
-                                  "NAME|FILE");
-  wall->needs(backing);
-  backing->needs(wall);
   app.add_option("--loading", o.loading,
                  "of the ball or pin: centre (default) or back:PSI")
       ->option_text("NAME");
+  app.option_defaults()->group(without_file);
+  const auto add = [&app](const char* name, std::string& value,
+                          const char* what, const char* kind) {
+    return app.add_option(name, value, what)->option_text(kind);
+  };
+  auto* pair =
+      add("--pair", o.pair, "materials of the two bodies, a TOML file", "FILE");
+  if (!friction) {
+    auto* ratio =
+        add("--modulus-ratio", o.modulus_ratio, "E1/E2, 0 to inf", "NUMBER");
+    ratio->excludes(pair);
+    add("--poisson1", o.poisson1, "of the ball or pin; default 0.3", "NUMBER")
+        ->needs(ratio);
+    add("--poisson2", o.poisson2, "of the seat or hole; default 0.3", "NUMBER")
+        ->needs(ratio);
+  }
+  if (!pressure) {
+    auto* radius = add("--radius", o.radius,
+                       "of the ball or pin, m or with a unit", "LENGTH");
+    auto* clearance =
+        add("--clearance", o.clearance, "radial, m or with a unit", "LENGTH");
+    radius->needs(pair)->needs(clearance);
+    clearance->needs(radius);
+  }
+  if (friction) {
+    add("--length", o.length, "of a pin, m or with a unit", "LENGTH");
+    add("--inner-body", o.inner_body,
+        "body with the ball or pin: carrier (default) or load", "NAME");
+  }
+  auto* wall = add("--wall", o.wall,
+                   "thickness of the seat or hole; default: no end", "LENGTH");
+  auto* backing =
+      add("--backing", o.backing, "behind the wall: rigid, held or a material",
+          "NAME|FILE");
+  wall->needs(backing);
+  backing->needs(wall);
 }
 
 void add_law_options(CLI::App& app, JointOptions& o, Laws half_angle,

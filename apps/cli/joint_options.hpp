@@ -10,7 +10,6 @@
 
 namespace CLI {
 class App;
-class Option;
 }  // namespace CLI
 
 /// A joint as all programs take it from the command line.
@@ -48,9 +47,6 @@ struct JointOptions {
   std::vector<std::string> pressures = {};
   bool one_law = false;
   bool one_pressure = false;
-
-  /// Options that a joint file takes the place of.
-  std::vector<const CLI::Option*> instead_of_file = {};
 
   bool names_file() const { return joint.ends_with(".toml"); }
   /// Where the materials are from, for messages: "--pair FILE"; "" if from

@@ -164,4 +164,11 @@ void warn(std::string_view program, std::string_view message) {
   complain(program, fmt::format("warning: {}", message));
 }
 
+ExitStatus drawn(std::string_view program, const std::string& problem,
+                 ExitStatus status) {
+  if (problem.empty()) return status;
+  warn(program, problem);
+  return some_bad;
+}
+
 }  // namespace cli

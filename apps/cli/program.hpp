@@ -50,6 +50,11 @@ void add_jobs_option(CLI::App& app, OutputOptions& options);
 void exclude(CLI::App& app, const char* option,
              std::initializer_list<const char*> others);
 
+/// What a program ends with that has drawn a picture: `status`, or with a
+/// problem, of which it warns, some_bad.
+ExitStatus drawn(std::string_view program, const std::string& problem,
+                 ExitStatus status);
+
 /// Sets up --help and --version, reads the command line and runs `body`,
 /// which returns an ExitStatus; turns exceptions into the one message
 /// "NAME: ..." on standard error and `failed`.

@@ -138,10 +138,8 @@ cli::ExitStatus run(const Options& options) {
       options.summary ? write_summary(setup, inputs, beside, options.output)
                       : write_solutions(setup, inputs, beside, options.output));
   if (!plot) return status;
-  const std::string problem = draw_torque(setup, inputs, options.output.plot);
-  if (problem.empty()) return status;
-  cli::warn("hinge-joint", problem);
-  return cli::some_bad;
+  return cli::drawn("hinge-joint",
+                    draw_torque(setup, inputs, options.output.plot), status);
 }
 
 }  // namespace hinge_joint

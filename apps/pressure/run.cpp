@@ -109,10 +109,8 @@ cli::ExitStatus run(const Options& options) {
   write_table(table, contacts, points, options, gaps);
   const cli::ExitStatus status = gaps.report(joint.laws[0].name);
   if (options.output.plot.empty()) return status;
-  const std::string problem = draw(table, joint, contacts, options.output.plot);
-  if (problem.empty()) return status;
-  cli::warn("hinge-pressure", problem);
-  return cli::some_bad;
+  return cli::drawn("hinge-pressure",
+                    draw(table, joint, contacts, options.output.plot), status);
 }
 
 }  // namespace hinge_pressure

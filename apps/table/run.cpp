@@ -306,10 +306,8 @@ cli::ExitStatus run_grid(const Options& options, const Method& method,
                      : write_list(grid, method, options.output),
              method);
   if (options.output.plot.empty()) return status;
-  const std::string problem = draw(grid, method, quantity, joint, options);
-  if (problem.empty()) return status;
-  cli::warn("hinge-table", problem);
-  return cli::some_bad;
+  return cli::drawn("hinge-table", draw(grid, method, quantity, joint, options),
+                    status);
 }
 
 }  // namespace
