@@ -1282,7 +1282,7 @@ TEST(Motion, RotationsStayOrthogonalOverAMillionSteps) {
     const Matrix3d miss =
         seen.rotation.transpose() * seen.rotation - Matrix3d::Identity();
     EXPECT_LT(miss.cwiseAbs().maxCoeff(), 1e-12);
-    EXPECT_GT(body.rotation.determinant(), 0);
+    EXPECT_GT(seen.rotation.determinant(), 0);
   }
 }
 
