@@ -1418,9 +1418,10 @@ TEST(HingeSeparation, BadInputHasOneMessageAndLeavesNothing) {
   EXPECT_EQ(message(slosh + "--compare"),
             "hinge-separation: --compare: allowed for a case with joints: "
             "data/cases/slosh.toml has none\n");
-  EXPECT_EQ(message(slosh + "--history h.txt"),
-            "hinge-separation: --history h.txt: allowed names end in .csv, "
-            ".h5 or .hdf5; - for CSV on standard output\n");
+  EXPECT_EQ(
+      message(slosh + "--history h.txt"),
+      "hinge-separation: --history h.txt must be a name that ends in .csv, "
+      ".h5 or .hdf5; - for CSV on standard output\n");
   EXPECT_EQ(message(slosh + "--output a.csv --history ./a.csv"),
             "hinge-separation: --history ./a.csv: allowed another file than "
             "that of --output\n");
@@ -1435,9 +1436,10 @@ TEST(HingeSeparation, BadInputHasOneMessageAndLeavesNothing) {
   EXPECT_EQ(message(slosh + "--events - --history - --output s.json"),
             "hinge-separation: --events -: allowed another file than that of "
             "--history\n");
-  EXPECT_EQ(message(slosh + "--events e.json"),
-            "hinge-separation: --events e.json: allowed names end in .csv; - "
-            "for standard output\n");
+  EXPECT_EQ(
+      message(slosh + "--events e.json"),
+      "hinge-separation: --events e.json must be a name that ends in .csv; - "
+      "for standard output\n");
   EXPECT_EQ(message(slosh + "--checkpoint c_angles.svg --checkpoint-every 1 "
                             "--plot c.svg"),
             "hinge-separation: --plot c_angles.svg: allowed another file than "
