@@ -78,11 +78,13 @@ std::string spellings_text(std::string_view key, Dimension dimension) {
 
 const KeyUnit* unit_in(std::string_view spelling, std::string_view key,
                        Dimension dimension) {
-  const auto units = units_of(dimension);
-  const auto all = spellings(key, dimension);
-  const auto at = std::ranges::find(all, spelling) - all.begin();
-  if (at == std::ssize(all)) return nullptr;
-  return &units[at == 0 ? 0 : at - 1];
+  if (!spelling.starts_with(key)) return nullptr;
+  const std::string_view rest = spelling.substr(key.size());
+  const auto all = units_of(dimension);
+  if (rest.empty()) return &all.front();
+  if (rest.size() == 1 || rest.front() != '_') return nullptr;
+  const auto unit = std::ranges::find(all, rest.substr(1), &KeyUnit::ending);
+  return unit == all.end() ? nullptr : &*unit;
 }
 
 std::string range_text(const Interval& range, const KeyUnit& unit) {

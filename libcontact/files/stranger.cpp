@@ -11,6 +11,16 @@
 namespace contact::detail {
 namespace {
 
+// Of words with blanks between them.
+bool has_word(std::string_view words, std::string_view word) {
+  while (!words.empty()) {
+    const auto end = std::min(words.find(' '), words.size());
+    if (words.substr(0, end) == word) return true;
+    words.remove_prefix(std::min(end + 1, words.size()));
+  }
+  return false;
+}
+
 // The known spelling that a user has most likely meant by a key; "" for none:
 // its new name, one that is nearly the same, or the same but for an ending,
 // such as a unit that it does not take. One that is there was not meant, unless
@@ -50,9 +60,7 @@ std::vector<const KnownKey*> of_kind(const toml::table& table,
   std::vector<const KnownKey*> fitting;
   bool named = false;
   for (const KnownKey& key : keys) {
-    const bool fits =
-        kind && message(" {} ", key.kinds).find(message(" {} ", *kind)) !=
-                    std::string::npos;
+    const bool fits = kind && has_word(key.kinds, *kind);
     all.push_back(&key);
     if (fits || key.kinds.empty()) fitting.push_back(&key);
     named = named || fits;

@@ -58,8 +58,8 @@ struct TomlTable::File {
 
 // A key that was found.
 struct TomlTable::Entry {
-  std::string place;  // "FILE:LINE: "
-  std::string name;   // "TABLE.KEY"
+  const File* file;
+  std::string name;  // "TABLE.KEY"
   const toml::node* node;
   const detail::KeyUnit* unit;
 
@@ -70,7 +70,7 @@ struct TomlTable::Entry {
   // Of what stands at `index` of its array: "[3]", "[2][1]".
   [[noreturn]] void must_be(const toml::node& value, const std::string& index,
                             std::string_view rule) const {
-    throw Error(place +
+    throw Error(file->at(*node) +
                 detail::must_be(detail::named(name + index, value), rule));
   }
 
@@ -174,16 +174,16 @@ std::optional<TomlTable::Entry> TomlTable::find(std::string_view key) const {
   const KnownKey& known = declared(key);
   std::optional<Entry> found;
   for (const auto& [name, node] : as_table(table_)) {
-    const std::string spelling(name.str());
-    const auto unit = detail::unit_in(spelling, known.key, known.dimension);
+    const auto unit = detail::unit_in(name.str(), known.key, known.dimension);
     if (unit == nullptr) continue;
     file_->read.insert(&node);
-    Entry entry{file_->at(node), detail::joined(path_, spelling), &node, unit};
+    Entry entry{file_.get(), detail::joined(path_, std::string(name.str())),
+                &node, unit};
     if (found) {
       if (detail::line_of(node) < detail::line_of(*found->node))
         std::swap(entry, *found);
       throw Error(
-          entry.place +
+          file_->at(*entry.node) +
           detail::duplicate(
               "key", detail::message("{} as {}", found->name, entry.name),
               detail::line_of(*found->node), detail::line_of(*entry.node)));
@@ -306,7 +306,8 @@ std::vector<TomlTable> TomlTable::tables(std::string_view key) const {
 // "FILE:LINE: TABLE.KEY = VALUE", as much of it as there is.
 std::string TomlTable::subject(std::string_view key) const {
   const auto entry = find(key);
-  return entry ? entry->place + detail::named(entry->name, *entry->node)
+  return entry ? file_->at(*entry->node) +
+                     detail::named(entry->name, *entry->node)
                : file_->at(as_table(table_)) +
                      detail::joined(path_, std::string(key));
 }

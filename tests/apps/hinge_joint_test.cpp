@@ -707,4 +707,102 @@ TEST(HingeJoint, RowsWithoutAValueSaySo) {
   EXPECT_NE(result.err.find("rows without a value: 1"), std::string::npos);
 }
 
+<<<<<<< HEAD
+=======
+TEST(HingeJoint, WrongInputIsOneMessage) {
+  const ProgramFolder folder;
+  folder.write("bad.csv", "joint,table,row,column,value\na,solution,0,f,1\n");
+  folder.write("vectors.csv",
+               "R_x_N,R_y_N,R_z_N,w_x_rad_per_s,w_y_rad_per_s,w_z_rad_per_s\n");
+  struct Case {
+    std::string options;
+    std::string message;
+  };
+  const std::string pin = "--joint data/joints/pin_joint.toml ";
+  const std::string ball = "--joint data/joints/paper_example_1.toml ";
+  const std::string state = ball + "--reaction 1e5 --beta 30 ";
+  for (const Case& c : std::vector<Case>{
+           {ball, "needs one of --reaction-xyz, --reaction, --normal-force"},
+           {ball + "--reaction 1", "--reaction: needs --beta too"},
+           {ball + "--reaction 1 --beta 200", "0 to 180 deg"},
+           {ball + "--reaction -1 --beta 20", "0 to 1e+100 N"},
+           {ball + "--normal-force 1 --alpha 91", "-90 to 90 deg"},
+           {ball + "--normal-force 1 --beta 9", "--beta: needs --reaction"},
+           {ball + "--reaction-xyz 1,2 --rate-xyz 0,0,1",
+            "--reaction-xyz 1,2: allowed X,Y,Z, a force in N"},
+           {ball + "--reaction-xyz 1,2,inf --rate-xyz 0,0,1", "1,2,inf"},
+           {ball + "--reaction-xyz 1,2,3",
+            "needs --rate-xyz or, at rest, --moment-xyz"},
+           {pin + "--reaction 1 --beta 3", "a pin has no such angle"},
+           {ball + "--points none.csv", "cannot open none.csv"},
+           {ball + "--points bad.csv", "bad.csv, line 1: no state in the "},
+           {ball + "--points bad.csv --reaction 1", "--points: of the state"},
+           {ball + "--points bad.csv --summary", "--points: of the state"},
+           {ball + "--points bad.csv --law tanh,arctan", "one law"},
+           {state + "--law foo", "unknown half-angle law \"foo\""},
+           {state + "--pressure foo", "unknown pressure law \"foo\""},
+           {state + "--friction -1", "--friction -1: allowed 0 to"},
+           {state + "--viscous 1,x",
+            "--viscous 1,x: allowed k0 (Pa s/m) or k0,k1 (s/m), each 0 to"},
+           {state + "--viscous 1,2,3", "--viscous 1,2,3: allowed k0"},
+           {state + "--viscous ''", "--viscous: is empty"},
+           {state + "--law all,tanh", "--law all,tanh: all is allowed alone"},
+           {state + "--viscous 1 --friction 1", "not with --friction"},
+           {state + "--radius 3mm", "the file has materials and geometry"},
+           {state + "--limit-angle 181",
+            "--limit-angle 181: allowed formula, linear, or an angle above 0, "
+            "below 180 deg"},
+           {state + "--limit-angle 0", "--limit-angle 0: allowed formula"},
+           {state + "--loading back:20",
+            "half-angle law tanh must be exact with loading back:20"},
+           {state + "--loading front", "--loading front: allowed centre, or"},
+           {state + "--outer 0,0,0 --inner-steps 2.5", "a whole number"},
+           {state + "--outer 0,0,0 --trace --braking 1",
+            "--braking 1: not with --trace"},
+           {state + "--trace --jobs 2", "--jobs: not with --trace"},
+           {state + "--summary --jobs 2", "--jobs: not with --trace"},
+           {ball + "--points vectors.csv --rate 2",
+            "--rate 2: not with the vectors of vectors.csv, line 1"},
+           {ball + "--reaction 1:1e9:1 --beta 0:90:1e-6", "allowed 1e12"},
+           {state + "--law fitted --limit-angle 80", "none of them"},
+           {state + "--joints 2", "--joints requires --outer"},
+           {state + "--outer 0,0", "a change of R in N per N m"},
+           {state + "--outer 0,0,0 --joints 1.5", "whole number"},
+           {state + "--outer 0,0,0 --inner-steps 0", "1 to 1000"},
+           {state + "--outer 0,0,0 --plot a.svg", "not with"},
+           {ball + "--reaction 1,2 --beta 30 --trace", "one state"},
+           {ball + "--reaction 0 --beta 30 --trace", "not 0"},
+           {ball + "--reaction 1,2 --beta 30 --summary", "one state"},
+           {state + "--plot a.svg", "needs a range"},
+           {ball + "--reaction 1,2 --beta 30 --law all --pressure cosine,exact "
+                   "--plot a.svg",
+            "--plot: allowed 8 pairs of half-angle law and pressure law; "
+            "these are 14"},
+           {state + "--plot a.gif", ".svg, .png, .pdf"},
+           {state + "--beside none.csv", "cannot open none.csv"},
+           {state + "--beside bad.csv", "bad.csv, line 2: row 0"},
+           {state + "--beside data/reference/elliptic.csv", "no column"},
+           {pin + "--reaction 1 --law blend "
+                  "--beside data/reference/paper_examples.csv",
+            "nothing for joint"},
+           {"--joint none.toml --reaction 1 --beta 1", "none.toml"},
+           {"--joint cube --reaction 1 --beta 1", "ball, pin"},
+           {"--joint ball --reaction 1 --beta 1", "needs --pair"},
+           {"--joint pin --pair data/materials/steel_steel.toml "
+            "--radius 1mm --clearance 1um --friction 0.1 --reaction 1",
+            "--length"},
+           {"--joint ball --pair data/materials/steel_steel.toml "
+            "--radius 1mm --clearance 1um --reaction 1 --beta 3",
+            "needs --friction"}}) {
+    const ProgramResult result =
+        folder.run("hinge-joint " + c.options + " --output result.csv");
+    EXPECT_EQ(result.status, 2) << c.options;
+    EXPECT_NE(result.err.find(c.message), std::string::npos)
+        << c.options << '\n'
+        << result.err;
+    EXPECT_FALSE(folder.has("result.csv")) << c.options;
+  }
+}
+
+>>>>>>> 029f2293028e472b4f0ca2a125b29983e7308792
 }  // namespace

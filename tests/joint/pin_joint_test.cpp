@@ -197,7 +197,7 @@ TEST(PinJoint, RefusesABall) {
                   contact::make_half_angle_law("tanh", JointKind::ball, pair),
                   std::make_unique<contact::CosinePressure>(JointKind::ball));
             }),
-            "pin joint: geometry of a ball joint");
+            "pin joint: geometry of a ball joint must be of a pin joint");
 }
 
 }  // namespace
