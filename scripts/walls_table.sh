@@ -63,7 +63,7 @@ liner ptfe "$ptfe"
 liner steel "$steel"
 liner ptfe_steel "$ptfe" "$steel" 0.4
 liner ptfe_ring "$ptfe" held 0.4 "8 $steel"
-bush() { walled_joint "$1.toml" cylindrical 25 25 "$steel" "$bronze" "${@:2}"; }
+bush() { walled_joint "$1.toml" pin 25 25 "$steel" "$bronze" "${@:2}"; }
 bush bronze
 bush bronze_steel "$steel" 5
 bush bronze_housing held 5 "25 $steel"

@@ -1,4 +1,4 @@
-// Command lines that the programs refuse, from tests/messages/options_*.txt:
+// Command lines that the programs refuse, from tests/messages/options/*.txt:
 // one message, exit status 2, and no file is made or changed.
 #include <gtest/gtest.h>
 
@@ -26,7 +26,7 @@ struct Case {
 };
 
 std::vector<Case> cases(const std::string& name, const ProgramFolder& folder) {
-  std::ifstream stream(CONTACT_MESSAGES_DIR "/options_" + name + ".txt");
+  std::ifstream stream(CONTACT_MESSAGES_DIR "/options/" + name + ".txt");
   std::vector<Case> all;
   for (std::string line; std::getline(stream, line);) {
     if (line.empty() || line.starts_with('#')) continue;

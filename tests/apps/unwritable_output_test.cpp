@@ -11,7 +11,7 @@ namespace {
 using contact::test::ProgramFolder;
 using contact::test::ProgramResult;
 
-// Runs of tests/messages/options_output.txt that would say something first.
+// Runs of tests/messages/options/output.txt that would say something first.
 TEST(UnwritableOutput, ComesBeforeWarnings) {
   const ProgramFolder folder;
   const std::string ball =

@@ -156,6 +156,8 @@ carrier_point_m = [3, 0.5, 0]
 axis = [0, 0, 2]
 [[body.hinge.joint]]
 file = "@DATA@/joints/pin_joint.toml"
+[body.lock]
+body_point_m = [2, 0, 0]
 [[event]])"),
                                {"exact", "exact"});
   ASSERT_EQ(contacts(arms).size(), 6U);

@@ -15,7 +15,7 @@ namespace contact::detail {
 /// Arrays are padded to a multiple of `lanes` with nodes of weight 0.
 struct CapRule {
   static constexpr int lanes = 8;
-  static constexpr int longest = 120;
+  static constexpr int longest = 128;
   int size;
   int padded_size;
   const double* cosine_squared;  ///< cos^2 am(u_i, k)

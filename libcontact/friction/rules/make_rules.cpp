@@ -1,4 +1,5 @@
 #include <cstdio>
+#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -28,6 +29,9 @@ void print_numbers(const char* name, int index, Rule rule) {
   while (rule.size() % CapRule::lanes != 0) {
     rule.push_back(rule.back());
     rule.back().weight = 0;
+  }
+  if (rule.size() > CapRule::longest) {
+    throw std::length_error("CapRule::longest is too small");
   }
   std::printf("constexpr double %s_%d[][%zu] = {", name, index, rule.size());
   const auto print_row = [&](auto number) {
