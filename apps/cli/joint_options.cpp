@@ -46,7 +46,7 @@ JointKind kind_of(const JointOptions& o) {
 
 JointGeometry geometry_of(const JointOptions& o, JointKind kind) {
   constexpr std::array<Choice<JointBody>, 2> bodies = {
-      {{"carrier", JointBody::carrier}, {"load", JointBody::body}}};
+      {{"carrier", JointBody::carrier}, {"body", JointBody::body}}};
   const JointBody inner = o.inner_body.empty()
                               ? JointBody::carrier
                               : choice("--inner-body", o.inner_body, bodies);
@@ -234,7 +234,7 @@ void add_joint_options(CLI::App& app, JointOptions& o) {
   if (friction) {
     add("--length", o.length, "of a pin, m or with a unit", "LENGTH");
     add("--inner-body", o.inner_body,
-        "body with the ball or pin: carrier (default) or load", "NAME");
+        "body with the ball or pin: carrier (default) or body", "NAME");
   }
   auto* wall = add("--wall", o.wall,
                    "thickness of the seat or hole; default: no end", "LENGTH");

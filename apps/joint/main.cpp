@@ -26,11 +26,11 @@ fitted, exact, or all.
 
 constexpr std::string_view state_help = R"(
 The state is one of
-  --reaction-xyz X,Y,Z --rate-xyz X,Y,Z    R on the load, N; angular velocity
-                                           Dw of the load against the carrier,
+  --reaction-xyz X,Y,Z --rate-xyz X,Y,Z    R on the body, N; angular velocity
+                                           Dw of the body against the carrier,
                                            rad/s; 0,0,0: at rest
   --reaction-xyz X,Y,Z --moment-xyz X,Y,Z  at rest: whether the joint holds
-                                           the moment M on the load, N m
+                                           the moment M on the body, N m
   --reaction R --beta B      R in N at B degrees from Dw; Dw along Z, R in the
                              plane XOZ
   --normal-force F --alpha A normal force R_n in N, slip axis angle in
@@ -67,7 +67,7 @@ Columns: law and pressure (names), state (sliding, resting, unloaded; with
 )";
 
 constexpr std::string_view examples = R"(
-Forces and moments act on the load. What has no meaning at rest or without
+Forces and moments act on the body. What has no meaning at rest or without
 load is empty, in JSON null. The law exact alone has approach_m and
 stiffness_N_per_m; they are empty for a pin in an infinite hole, which gives way
 without end, and for loading through the back. With --moment-xyz the last four
@@ -120,7 +120,7 @@ void add_state(CLI::App& app, Options& options) {
     return app.add_option(name, value, what)->option_text(kind);
   };
   auto* xyz =
-      text("--reaction-xyz", options.reaction_xyz, "R on the load, N", "X,Y,Z");
+      text("--reaction-xyz", options.reaction_xyz, "R on the body, N", "X,Y,Z");
   text("--rate-xyz", options.rate_xyz, "Dw, rad/s", "X,Y,Z")->needs(xyz);
   text("--moment-xyz", options.moment_xyz, "M to hold at rest, N m", "X,Y,Z")
       ->needs(xyz);

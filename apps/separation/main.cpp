@@ -14,7 +14,7 @@ using separation::Options;
 
 constexpr std::string_view help = R"(
 The case file says what the bodies, hinges, forces and events are; its keys
-are in apps/separation/README.md, examples in data/cases.
+are in apps/separation/case_file.md, examples in data/cases.
 
 The summary (JSON, --output) has the events, for each body peak reactions,
 work of friction, time at rest, angle and rates at release, for each joint

@@ -242,7 +242,7 @@ TEST(HingeJoint, OptionsDescribeTheJointOfAFile) {
   EXPECT_EQ(folder
                 .run("hinge-joint --joint ball --pair "
                      "data/materials/cocr_uhmwpe.toml --radius 14mm "
-                     "--clearance 100um --inner-body load" +
+                     "--clearance 100um --inner-body body" +
                      state)
                 .out,
             file);

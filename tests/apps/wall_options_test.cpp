@@ -44,7 +44,7 @@ TEST_F(WallOptions, RigidShell) {
     EXPECT_EQ(out(program + hip_), expected) << program;
   }
   const std::string state = "hinge-joint --reaction 2000 --beta 30,90 --joint ";
-  EXPECT_EQ(out(state + hip_ + "--inner-body load"), out(state + hip_file_));
+  EXPECT_EQ(out(state + hip_ + "--inner-body body"), out(state + hip_file_));
 }
 
 TEST_F(WallOptions, MaterialOfAFile) {

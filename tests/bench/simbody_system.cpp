@@ -14,7 +14,7 @@ SimTK::Rotation simtk_rotation(const Eigen::Matrix3d& m) {
                                       m(1, 1), m(1, 2), m(2, 0), m(2, 1),
                                       m(2, 2)));
 }
-SimTK::Body::Rigid body(double mass, const Eigen::Matrix3d& i) {
+SimTK::Body::Rigid rigid_body(double mass, const Eigen::Matrix3d& i) {
   return SimTK::Body::Rigid(SimTK::MassProperties(
       mass, SimTK::Vec3(0),
       SimTK::Inertia(i(0, 0), i(1, 1), i(2, 2), i(0, 1), i(0, 2), i(1, 2))));
@@ -37,12 +37,13 @@ SimbodySystem::SimbodySystem(const Instant& instant)
   Parts& p = *parts_;
   SimTK::Force::UniformGravity(p.forces, p.matter, simtk(instant.gravity));
   MobilizedBody::Free carrier(
-      p.matter.Ground(), body(instant.carrier.mass, instant.carrier.inertia));
+      p.matter.Ground(),
+      rigid_body(instant.carrier.mass, instant.carrier.inertia));
   p.carrier = carrier;
   std::vector<MobilizedBody>& bodies = p.bodies;
   for (const BodyInstant& body : instant.bodies) {
     const Body& l = body.body;
-    const SimTK::Body::Rigid b = body(l.mass, l.inertia);
+    const SimTK::Body::Rigid b = rigid_body(l.mass, l.inertia);
     if (l.kind == HingeKind::axis) {
       bodies.push_back(MobilizedBody::Pin(
           carrier,

@@ -50,7 +50,7 @@ struct Hinge {
   /// Body axes of the body and of the carrier, m.
   Eigen::Vector3d body_point = Eigen::Vector3d::Zero();
   Eigen::Vector3d carrier_point = Eigen::Vector3d::Zero();
-  /// Link axes to carrier axes at angle zero.
+  /// Body axes to carrier axes at angle zero.
   Eigen::Matrix3d zero_rotation = Eigen::Matrix3d::Identity();
   /// axis: unit, carrier axes.
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();

@@ -10,7 +10,7 @@ multibody::System system_of(const Case& c);
 
 /// Angle of a body from its rotation relative to the carrier: about the axis,
 /// (-pi, pi], or between the two directions of a ball hinge, [0, pi].
-/// @param rotation  link axes to carrier axes
+/// @param rotation  body axes to carrier axes
 double hinge_angle(const Hinge& hinge, const Eigen::Matrix3d& rotation);
 
 /// The same of a body on its way. On an axis full turns are counted; after its

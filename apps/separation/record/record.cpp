@@ -86,7 +86,7 @@ bool is_held(HingeMode mode) {
   return mode == HingeMode::locked || mode == HingeMode::resting;
 }
 
-// Its derivative; of a ball joint |d(Dw)/dt| in link axes.
+// Its derivative; of a ball joint |d(Dw)/dt| in body axes.
 double acceleration_of(const Simulation& simulation, int body) {
   const Hinge& hinge = simulation.of().bodies[body].hinge;
   const auto& sample = simulation.sample();

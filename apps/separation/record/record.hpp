@@ -48,7 +48,7 @@ struct BodyRecord {
     double time = History::not_yet;
     double angle = 0;  ///< rad
     double rate = 0;   ///< of the angle on an axis, else |Dw|
-    /// Dw, link axes, rad/s.
+    /// Dw, body axes, rad/s.
     Eigen::Vector3d rates = Eigen::Vector3d::Zero();
     /// Of the centre of mass against the carrier's, carrier axes, m/s.
     Eigen::Vector3d velocity = Eigen::Vector3d::Zero();
