@@ -1,6 +1,13 @@
 #pragma once
 
 /// libcontact in physics order: each stage includes only earlier ones.
+///
+/// For all of it: constructors and factories check their arguments, allocate
+/// and throw contact::Error. Const functions do neither, unless they return a
+/// container or text; what they cannot compute is NaN, or has a status. Any
+/// number of threads may call const functions of one object at a time, and
+/// those of different objects without a thought. What is made at first use
+/// (tables of the exact laws) is made once, whoever asks first.
 // clang-format off
 #include "libcontact/version.hpp"
 #include "libcontact/base/error.hpp"

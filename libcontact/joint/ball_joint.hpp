@@ -107,10 +107,12 @@ class BallJoint {
   /// The moments that the contact of a solution holds at fixed n, R_n and
   /// theta0: what a solver of several bodies iterates on. The set refers to
   /// this joint and must not outlive it.
-  MomentSet moment_set(const JointSolution& solution) const noexcept {
+  MomentSet moment_set(const JointSolution& solution) const& noexcept {
     return {contact_, solution.normal, solution.normal_force,
             solution.half_angle};
   }
+  /// Would refer to a joint that is gone.
+  MomentSet moment_set(const JointSolution&) const&& = delete;
 
   /// The paper's inner loop (section 4): g_1 = 0, then a, R_n, theta0, f and
   /// g = atan f in turn. It may crawl or fail where solve() does not.

@@ -40,10 +40,12 @@ struct MomentProx {
 class MomentSet {
  public:
   /// @param normal             n, unit vector
-  /// @param normal_force  R_n, N, >= 0
+  /// @param normal_force       R_n, N, >= 0
   /// @param half_angle         theta0, rad
   MomentSet(const JointContact& contact, const Eigen::Vector3d& normal,
             double normal_force, double half_angle) noexcept;
+  MomentSet(const JointContact&&, const Eigen::Vector3d&, double,
+            double) = delete;
 
   /// Phi, W for Dw in rad/s; 0 at 0.
   double support(const Eigen::Vector3d& rate) const noexcept;

@@ -67,6 +67,16 @@ Matrix3d random_inertia(RandomSlips& random) {
          turn.transpose();
 }
 
+// It would refer to a joint that is gone.
+template <class Joint>
+concept HasMomentSet = requires(Joint joint, const JointSolution& solution) {
+  std::forward<Joint>(joint).moment_set(solution);
+};
+static_assert(HasMomentSet<const BallJoint&>);
+static_assert(!HasMomentSet<BallJoint>);
+static_assert(!std::is_constructible_v<MomentSet, contact::JointContact,
+                                       Vector3d, double, double>);
+
 TEST(MomentSet, AgreesWithTheSolutionThatMadeIt) {
   RandomSlips random(1);
   AccuracyReport moment("moment(Dw) against M_t, times theta0^2", 3e-14);
