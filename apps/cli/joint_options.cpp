@@ -19,7 +19,6 @@ using contact::Backing;
 using contact::JointBody;
 using contact::JointGeometry;
 using contact::JointKind;
-using contact::detail::needs;
 
 // The group of options that a joint file takes the place of.
 constexpr const char* without_file = "Joint without a file";

@@ -24,14 +24,14 @@ using Rule = std::vector<Node>;
 /// relative accuracy lasts up to u = K.
 class Modulus {
  public:
-  explicit Modulus(Real complementary_squared)
+  explicit Modulus(const Real& complementary_squared)
       : m(complementary_squared),
         k(quarter_period(m)),
         kc(quarter_period(1 - m)),
         at_0_(thetas(1)) {}
 
   /// At u, with the weight dn(u) du.
-  Node node(Real u, Real du) const {
+  Node node(const Real& u, const Real& du) const {
     const Real z = pi / 2 * u / (swapped() ? kc : k);
     const Thetas at = thetas(swapped() ? Real(cosh(z)) : Real(cos(z)));
     const Real cn = at_0_[2] / at_0_[0] * at[0] / at[2];
@@ -40,7 +40,7 @@ class Modulus {
     return swapped() ? Node{1 / cn, du * dn / cn} : Node{cn, du * dn};
   }
   /// The same times cos(am u).
-  Node chord_node(Real u, Real du) const {
+  Node chord_node(const Real& u, const Real& du) const {
     Node result = node(u, du);
     result.weight *= result.cosine;
     return result;
@@ -54,7 +54,7 @@ class Modulus {
   using Thetas = std::array<Real, 3>;
 
   /// K by the arithmetic-geometric mean.
-  static Real quarter_period(Real complementary_squared) {
+  static Real quarter_period(const Real& complementary_squared) {
     Real a = 1;
     Real b = sqrt(complementary_squared);
     while (a - b > 1e-26) {
@@ -66,7 +66,7 @@ class Modulus {
   }
   bool swapped() const { return k > kc; }
   /// By the cosine of z; the nome is at most exp(-pi).
-  Thetas thetas(Real cosine) const {
+  Thetas thetas(const Real& cosine) const {
     const Real q = exp(-pi * std::max(k, kc) / std::min(k, kc));
     Thetas sum{cosine, 1, 1};
     Real even = 1;  // cos 2nz
