@@ -1,5 +1,6 @@
 #include "libcontact/pressure/sqrt.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>

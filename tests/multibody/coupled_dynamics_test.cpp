@@ -35,7 +35,6 @@ using multibody::test::ball_and_pin;
 using multibody::test::ball_joint;
 using multibody::test::Mix;
 using multibody::test::pin_joint;
-using multibody::test::Random;
 
 struct Case {
   Prepared prepared;
@@ -253,7 +252,7 @@ TEST(CoupledDynamics, MomentsSetInBetweenLeadToTheSame) {
               CoupledStatus::ok);
         }
         for (int i = 0; i < bodies; ++i) {
-          const Vector3d expected = fresh.friction_moment(i);
+          const Vector3d& expected = fresh.friction_moment(i);
           largest =
               std::max(largest, (coupled.friction_moment(i) - expected).norm() /
                                     expected.norm());
