@@ -1,5 +1,6 @@
 #include "separation/output/compare.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 
