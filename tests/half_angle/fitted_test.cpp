@@ -18,17 +18,14 @@
 #include "libcontact/half_angle/fitted_relation.hpp"
 #include "libcontact/reference/half_angle_fit.hpp"
 #include "support/accuracy_report.hpp"
-#include "support/error_message.hpp"
 
 namespace {
 
 using namespace contact;
 using contact::test::AccuracyReport;
-using contact::test::error_message;
 using Real = boost::multiprecision::cpp_bin_float_50;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr JointKind kinds[] = {JointKind::ball, JointKind::pin};
 
