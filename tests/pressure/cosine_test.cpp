@@ -81,7 +81,7 @@ template <class R>
 void compare(Reports& reports, const CosinePressure& law, double half_angle) {
   const JointKind kind = law.joint_kind();
   const bool ball = kind == JointKind::ball;
-  const R pi_ = boost::math::constants::pi<R>();
+  const R& pi_ = boost::math::constants::pi<R>();
   const R t0 = half_angle;
   const R c = cos(t0);
   const R normal =
