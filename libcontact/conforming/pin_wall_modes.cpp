@@ -136,7 +136,8 @@ HarmonicSamples::HarmonicSamples(double half_angle, int end) {
   int stride = 1;
   double fewest = end;
   for (int i = 2; i < 64 && i * half_angle < 0.8 * pi; ++i) {
-    const double count = 2 * wide * width(i) + end / i;
+    const int strided = end / i;
+    const double count = 2 * wide * width(i) + strided;
     if (count < fewest) {
       fewest = count;
       stride = i;
@@ -148,16 +149,15 @@ HarmonicSamples::HarmonicSamples(double half_angle, int end) {
     n.push_back(order);
     weight.push_back(share);
   };
-  for (int i = 2; i < end; ++i) {
+  int i = 2;
+  for (; i < end && (stride == 1 || i < middle + wide * s); ++i) {
     const double fade =
         stride > 1 ? std::erfc((middle - i) / (s * std::numbers::sqrt2)) / 2
                    : 0;
-    const bool sampled = i % stride == 0;
-    if (i < middle + wide * s || stride == 1) {
-      add(i, 1 - fade + (sampled ? stride * fade : 0));
-    } else if (sampled) {
-      add(i, stride);
-    }
+    add(i, 1 - fade + (i % stride == 0 ? stride * fade : 0));
+  }
+  for (i += (stride - i % stride) % stride; i < end; i += stride) {
+    add(i, stride);
   }
 }
 

@@ -1,6 +1,7 @@
 #include "libcontact/half_angle/approach_table.hpp"
 
 #include <algorithm>
+#include <boost/math/special_functions/chebyshev.hpp>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -35,7 +36,8 @@ ApproachTable::ApproachTable(JointKind kind, const HalfAngleTable& load,
 }
 
 void ApproachTable::tabulate(int count, const Solver& solver) {
-  series_.assign(count, {0, 0});
+  approach_.assign(count, 0);
+  growth_.assign(count, 0);
   for (int i = 0; i < count; ++i) {
     const double phi = pi * (i + 0.5) / count;
     const double cosine = std::cos(phi / 2);
@@ -50,20 +52,22 @@ void ApproachTable::tabulate(int count, const Solver& solver) {
       return std::log(complement * (value / unit - l));
     };
     // The growth and the stiffness are each other's reciprocal.
-    const Pair value = {h(solved.approach),
-                        h(stiffness(half_angle, solved.stiffness))};
+    const double approach = h(solved.approach);
+    const double growth = h(stiffness(half_angle, solved.stiffness));
     for (int k = 0; k < count; ++k) {
-      const double factor = (k == 0 ? 1.0 : 2.0) / count * std::cos(k * phi);
-      series_[k].approach += factor * value.approach;
-      series_[k].growth += factor * value.growth;
+      const double factor = 2.0 / count * std::cos(k * phi);
+      approach_[k] += factor * approach;
+      growth_[k] += factor * growth;
     }
   }
 }
 
 bool ApproachTable::is_resolved() const {
-  return std::all_of(series_.end() - 4, series_.end(), [](const Pair& c) {
-    return std::abs(c.approach) < negligible && std::abs(c.growth) < negligible;
-  });
+  const auto ends = [](const Series& series) {
+    return std::all_of(series.end() - 4, series.end(),
+                       [](double c) { return std::abs(c) < negligible; });
+  };
+  return ends(approach_) && ends(growth_);
 }
 
 double ApproachTable::logarithm(double half_angle) const {
@@ -82,25 +86,16 @@ double ApproachTable::stiffness(double half_angle, double growth) const {
 ContactApproach ApproachTable::operator()(double half_angle) const noexcept {
   if (!(half_angle > 0 && half_angle < load_.largest())) return {nan, nan};
   const double v = 2 * variable_(half_angle).first - 1;
-  // Clenshaw's recurrence.
-  Pair now{0, 0}, before{0, 0};
-  for (std::size_t k = series_.size() - 1; k > 0; --k) {
-    const Pair next = {
-        series_[k].approach + 2 * v * now.approach - before.approach,
-        series_[k].growth + 2 * v * now.growth - before.growth};
-    before = now;
-    now = next;
-  }
   const double complement =
       load_.reaches_limit() ? (load_.largest() - half_angle) / load_.largest()
                             : 1;
   const double l = logarithm(half_angle);
-  const auto value = [&](double h) {
+  const auto value = [&](const Series& series) {
+    const double h = boost::math::chebyshev_clenshaw_recurrence(
+        series.data(), series.size(), v);
     return square(half_angle) * (std::exp(h) / complement + l);
   };
-  return {value(series_[0].approach + v * now.approach - before.approach),
-          stiffness(half_angle,
-                    value(series_[0].growth + v * now.growth - before.growth))};
+  return {value(approach_), stiffness(half_angle, value(growth_))};
 }
 
 }  // namespace contact::detail

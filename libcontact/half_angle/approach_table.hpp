@@ -32,10 +32,7 @@ class ApproachTable {
   ContactApproach operator()(double half_angle) const noexcept;
 
  private:
-  struct Pair {
-    double approach;
-    double growth;
-  };
+  using Series = std::vector<double>;  // its first coefficient doubled
   void tabulate(int count, const Solver& solver);
   bool is_resolved() const;
   double logarithm(double half_angle) const;
@@ -44,7 +41,7 @@ class ApproachTable {
   JointKind kind_;
   const HalfAngleTable& load_;
   HalfAngleVariable variable_;
-  std::vector<Pair> series_;
+  Series approach_, growth_;  // of ln h
 };
 
 }  // namespace contact::detail

@@ -3,11 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <fstream>
 #include <map>
 #include <string>
 #include <vector>
 
+#include "support/edited_file.hpp"
 #include "support/program.hpp"
 
 namespace {
@@ -26,9 +26,9 @@ struct Case {
 };
 
 std::vector<Case> cases(const std::string& name, const ProgramFolder& folder) {
-  std::ifstream stream(CONTACT_MESSAGES_DIR "/options/" + name + ".txt");
   std::vector<Case> all;
-  for (std::string line; std::getline(stream, line);) {
+  for (const std::string& line : contact::test::lines_of(
+           contact::test::messages_folder / "options" / (name + ".txt"))) {
     if (line.empty() || line.starts_with('#')) continue;
     if (line.starts_with("$ ")) {
       all.push_back({line.substr(2), ""});
