@@ -1,7 +1,9 @@
 #include "angle/input.hpp"
 
 #include <CLI/CLI.hpp>
+
 #include <limits>
+
 #include "cli/program.hpp"
 #include "cli/refuse.hpp"
 

@@ -61,8 +61,8 @@ std::string named(const std::string& key, const toml::node& value) {
   return value.is_table() ? key : key + " = " + value_text(value);
 }
 
-// The same for nodes that say the same. Texts have their length, so that
-// nothing in them is taken for what is around them.
+// Texts have their length, so that nothing in them is taken for what is around
+// them.
 std::string canonical(const toml::node& node) {
   std::string text;
   if (const auto table = node.as_table()) {

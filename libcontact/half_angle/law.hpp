@@ -11,7 +11,7 @@
 
 /// Half-angle theta0 of the contact against load, in both directions.
 ///
-/// The load parameter is mu (spherical) or lambda (cylindrical), see
+/// The load parameter is mu (ball) or lambda (pin), see
 /// LoadScale; x is cbrt(mu) or 2 sqrt(lambda). Angles in radians.
 namespace contact {
 

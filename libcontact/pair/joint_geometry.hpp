@@ -90,8 +90,8 @@ class JointGeometry {
 ///
 /// | joint | load | load parameter |
 /// |---|---|---|
-/// | spherical | R_n, N | mu = 3 R_n/(2 ebar rho1^2 E) |
-/// | cylindrical | P, N/m | lambda = 2 P/(pi ebar rho1 E) |
+/// | ball | R_n, N | mu = 3 R_n/(2 ebar rho1^2 E) |
+/// | pin | P, N/m | lambda = 2 P/(pi ebar rho1 E) |
 ///
 /// E is the effective modulus of the paper (twice E*), ebar = eps/rho1.
 /// Accuracy: relative error at most 5e-16 both ways

@@ -169,7 +169,7 @@ TEST(OperationCount, IsWhatTheReadmeSays) {
   EXPECT_EQ(as_written(Mix::axes), (Line{805, 303}));
 }
 
-// Fewer than the paper's own counts (section 4), 456 L + 295 for spherical
+// Fewer than the paper's own counts (section 4), 456 L + 295 for ball
 // joints and 837 L + 286 for axes, from one body on.
 TEST(OperationCount, IsBelowThePapers) {
   for (int bodies = 1; bodies <= 8; ++bodies) {

@@ -7,7 +7,7 @@
 #include "multibody_support/instant.hpp"
 
 /// The traditional way, section 1.3 of the paper: the conditions of all joints
-/// at once, a symmetric system of 3 (spherical), 5 (axis) or 6 (held)
+/// at once, a symmetric system of 3 (ball), 5 (axis) or 6 (held)
 /// equations for each body, solved by Cholesky. Moments of the bodies about
 /// their centres of mass, in body axes: another formulation than the
 /// library's, in any real type.

@@ -8,7 +8,7 @@
 /// What an application says about the forces on its bodies.
 namespace multibody {
 
-/// A body on its way. Body 0 is the carrier, body 1 + i the body i.
+/// A body on its way. In rows of them the carrier comes first.
 struct BodyMotion {
   Eigen::Vector3d position;  ///< of the centre of mass, inertial axes, m
   Eigen::Vector3d velocity;  ///< of the centre of mass, inertial axes, m/s

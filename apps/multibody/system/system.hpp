@@ -44,7 +44,7 @@ struct Body {
 
 /// A body in its own axes of calculation.
 ///
-/// Spherical: z along r, x and y so that N_i of (1.3) is diagonal; the hinge
+/// Ball: z along r, x and y so that N_i of (1.3) is diagonal; the hinge
 /// is at (0, 0, arm). Axis: z along the axis, the origin of moments moved
 /// along the axis to the foot of the perpendicular from the centre of mass,
 /// which is at (arm, 0, 0). None: the body axes.

@@ -18,7 +18,7 @@
 ///
 /// Body axes: the directions of the axes in which the file describes a body,
 /// origin at its centre of mass; the file's own origin is gone after reading.
-/// Body 0 is the carrier, body 1 + i the body i.
+/// rigid_body(0) is the carrier, rigid_body(1 + i) that of bodies[i].
 namespace separation {
 
 struct NamedDirection {
@@ -47,7 +47,7 @@ struct HingeJoint {
 struct Hinge {
   std::string name;
   multibody::HingeKind kind = multibody::HingeKind::none;
-  /// Body axes of the body and of the carrier, m.
+  /// Axes of the body and of the carrier, m.
   Eigen::Vector3d body_point = Eigen::Vector3d::Zero();
   Eigen::Vector3d carrier_point = Eigen::Vector3d::Zero();
   /// Body axes to carrier axes at angle zero.
@@ -57,7 +57,7 @@ struct Hinge {
   std::vector<HingeJoint> joints;
   /// axis: shares of an indeterminate node.
   std::optional<contact::SharingRule> sharing;
-  /// Spherical: the angle is that between these.
+  /// ball: the angle is that between these.
   Eigen::Vector3d body_direction = Eigen::Vector3d::UnitX();
   Eigen::Vector3d carrier_direction = Eigen::Vector3d::UnitX();
 };
@@ -65,7 +65,7 @@ struct Hinge {
 /// The lower node: holds a body until it breaks.
 struct Lock {
   std::string name;
-  Eigen::Vector3d body_point;  ///< body axes of the body, m
+  Eigen::Vector3d body_point;  ///< body axes, m
 };
 
 struct Body {
