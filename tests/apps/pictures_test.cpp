@@ -143,6 +143,7 @@ TEST(Pictures, NamesWithControlCharactersAreRefused) {
         "hinge-angle --joint ball --modulus-ratio 1 --x 0.1:1:0.1 --plot",
         "hinge-angle --x 1 --joint",
         "hinge-pressure --joint ball --modulus-ratio 1 --x 1 --plot",
+        // NOLINTNEXTLINE(bugprone-suspicious-missing-comma): it is one command.
         "hinge-joint --joint data/joints/hip_cocr_uhmwpe.toml --reaction "
         "1:9:1 --beta 30 --plot",
         "hinge-separation data/cases/slosh.toml --plot",

@@ -35,7 +35,9 @@ struct SimbodySystem::Parts {
 SimbodySystem::SimbodySystem(const Instant& instant)
     : parts_(std::make_unique<Parts>()) {
   Parts& p = *parts_;
-  SimTK::Force::UniformGravity(p.forces, p.matter, simtk(instant.gravity));
+  // A handle: the force itself stays with p.forces.
+  const SimTK::Force::UniformGravity gravity(p.forces, p.matter,
+                                             simtk(instant.gravity));
   MobilizedBody::Free carrier(
       p.matter.Ground(),
       rigid_body(instant.carrier.mass, instant.carrier.inertia));

@@ -26,7 +26,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // A body of the table: radius 1, moduli in units of the surface layer's.
 LayeredBody body_of(const ReferenceTable& table, std::size_t row) {
-  const std::string end = table.text(row, "end");
+  const std::string& end = table.text(row, "end");
   LayeredBody body{{},
                    end == "rigid" ? Backing::rigid()
                    : end == "free"

@@ -86,7 +86,7 @@ TEST(PinClosedForm, PressureFollowsItsFormula) {
       const auto formula = [&b2](const Real& y2_) -> Real {
         const Real s1 = sqrt(b2 + 1);
         const Real s2 = sqrt(b2 - y2_);
-        const Real pi50 = boost::math::constants::pi<Real>();
+        const Real& pi50 = boost::math::constants::pi<Real>();
         return 2 / (pi50 * s1) * s2 / (1 + y2_) +
                log((s1 + s2) / (s1 - s2)) / (2 * pi50 * b2 * (1 + b2));
       };

@@ -50,7 +50,7 @@ Real arc_h(const Real& x) {
 // powers of x - centre.
 std::vector<Real> interpolant(Real (*f)(const Real&), const Real& lower,
                               int n) {
-  const Real pi = boost::math::constants::pi<Real>();
+  const Real& pi = boost::math::constants::pi<Real>();
   const Real centre = (lower + 1) / 2;
   const Real half = (1 - lower) / 2;
   std::vector<Real> power(n, Real(0));

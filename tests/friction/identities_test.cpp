@@ -6,6 +6,7 @@
 #include <functional>
 #include <limits>
 #include <numbers>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -38,7 +39,9 @@ struct Method {
   }
 };
 
-void PrintTo(const Method& method, std::ostream* out) { *out << method.name; }
+std::ostream& operator<<(std::ostream& out, const Method& method) {
+  return out << method.name;
+}
 
 // Away from the edge (theta0 + |a| = 90 deg), where second derivatives are
 // infinite; both sides of it, and both poles inside at 110 deg, 10 deg.

@@ -137,7 +137,7 @@ TEST(ViscousFriction, AgreesWithTheClosedFormsAtHundredDigits) {
       const Real c = cos(Real(theta0));
       const Real u = 2 * pow(sin(Real(theta0) / 2), 2);
       const Real q = axis.cos, sa = axis.sin;
-      const Real p = boost::math::constants::pi<Real>();
+      const Real& p = boost::math::constants::pi<Real>();
       // The polynomials in c of the sheet's form cancel up to u^3.
       const Real normal = p / 3 * u * u * (2 + c);
       const Real jp = p * (u * u - u * u * u / 3 + u * u * u * u / 12) * q;

@@ -79,7 +79,7 @@ TEST(FrictionSpecial, AgreeWithTheEllipticMethodAtFiftyDigits) {
   sliding.check();
   spinning.check();
   AccuracyReport hemisphere("theta0 = 90 deg", budget);
-  const Real right_angle = boost::math::constants::half_pi<Real>();
+  const Real& right_angle = boost::math::constants::half_pi<Real>();
   for (const double sa : {1e-9, 0.001, 0.1, 0.6, 0.99, 1 - 1e-9}) {
     const Real cosine = sqrt((1 - Real(sa)) * (1 + Real(sa)));
     add_all(hemisphere, hemisphere_friction_integrals({sa, double(cosine)}),

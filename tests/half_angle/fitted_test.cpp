@@ -199,7 +199,7 @@ TEST(FittedLaw, ClosedFormsAgreeWithFiftyDigits) {
       const Real pin = c * c - constant * (2 * s * s * s * s - c * c * log(c));
       report.add_error(double(abs(value(JointKind::pin) - pin)), name);
       if (theta < 1e-12) continue;
-      const Real pi = boost::math::constants::pi<Real>();
+      const Real& pi = boost::math::constants::pi<Real>();
       const Real disc = t - sin(t) * cos(t);
       const Real h1 = disc / 2 + sin(t) * sin(t) * sin(t) / 3;
       const Real h0 = disc / 2 + sin(t) - t * cos(t);

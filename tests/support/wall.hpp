@@ -48,7 +48,7 @@ inline LayeredPair reference_pair(const ReferenceTable& table,
           ? Backing::rigid()
           : Backing::medium(reference_material(table, row, "E1", "nu1"))};
   add_reference_layer(table, row, "coat", inner.layers);
-  const std::string end = table.text(row, "end");
+  const std::string& end = table.text(row, "end");
   LayeredBody outer{{},
                     end == "rigid"  ? Backing::rigid()
                     : end == "free" ? Backing::held()

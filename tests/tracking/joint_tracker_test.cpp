@@ -69,7 +69,7 @@ struct Path {
 
   bool is_pin() const { return contact.geometry().kind() == JointKind::pin; }
   Vector3d rate_at(double t) const {
-    const Vector3d w = std::exp(-growth * t) * rate;
+    Vector3d w = std::exp(-growth * t) * rate;
     if (is_pin()) return w;
     return Eigen::AngleAxisd(t, rate_axis) * w;
   }

@@ -27,7 +27,7 @@ Vector3d vector_or_zero(const TomlTable& table, std::string_view key) {
 
 Vector3d direction(const TomlTable& table, std::string_view key) {
   const Vector3d v = vector(table, key);
-  const Vector3d unit = v.stableNormalized();
+  Vector3d unit = v.stableNormalized();
   if (!(unit.norm() > 0.5)) table.must_be(key, "a vector that is not 0");
   return unit;
 }

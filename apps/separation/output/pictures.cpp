@@ -162,7 +162,7 @@ std::string draw_pictures(const Case& c, const Rows& rows, bool clearance,
   if (clearance && !c.clearance.empty()) plots.push_back(clearances(c, rows));
   const auto names = picture_names(c, clearance, file);
   for (std::size_t i = 0; i < plots.size(); ++i) {
-    const std::string problem = cli::draw(plots[i], names[i]);
+    std::string problem = cli::draw(plots[i], names[i]);
     if (!problem.empty()) return problem;
   }
   return {};
