@@ -9,4 +9,6 @@
 #include "libcontact/pressure/mixture.hpp"
 #include "libcontact/pressure/exact.hpp"
 #include "libcontact/pressure/factory.hpp"
+#include "libcontact/pressure/hertz.hpp"
+#include "libcontact/pressure/validity.hpp"
 // clang-format on

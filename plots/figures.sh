@@ -83,8 +83,9 @@ done
 # polymer or bronze, at the load at which the infinite seat has 40 deg.
 source "$plots/../scripts/walled_joint.sh"
 one() { # FILE LOAD: half-angle and peak
-  "$programs/hinge-angle" --joint "$1" --load "$2" --law exact --pressure exact |
-    tail -n 1 | cut -d, -f4,5
+  "$programs/hinge-angle" --joint "$1" --load "$2" --law exact \
+    --pressure exact --columns theta0_exact_deg,p_peak_exact_by_exact_Pa |
+    tail -n 1
 }
 {
   echo kind,material,backing,thickness_over_radius,half_angle_error_percent,\

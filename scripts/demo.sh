@@ -42,7 +42,7 @@ half_angle() { # NAME LOADS
 }
 half_angle hip_cocr_uhmwpe 1:5000:log100
 half_angle spherical_plain_bearing 10:1e6:log100
-half_angle pin_joint 1e3:1e8:log100
+half_angle pin_joint 50:5e6:log100
 hinge-angle --joint ball --pair data/materials/steel_bronze.toml \
   --radius 50mm --clearance 50um --load 1e3:1e7:log100 \
   --output "$out/half_angle_steel_bronze.csv" \

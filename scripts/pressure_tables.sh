@@ -53,14 +53,14 @@ echo "Balls, S / peak / chi / sigma_Y / sigma_Z:"
 echo
 echo "$head"
 for ratio in 0 1 inf; do
-  rows ball $ratio "S p_peak_over_mean chi_0 sigma_Y_0 sigma_Z_90"
+  rows ball $ratio "S p_peak_over_nominal chi_0 sigma_Y_0 sigma_Z_90"
 done
 echo
 echo "Pins, S / peak:"
 echo
 echo "$head"
 for ratio in 0 1 inf; do
-  rows pin $ratio "S p_peak_over_mean"
+  rows pin $ratio "S p_peak_over_nominal"
 done
 
 # One column of one answer: COLUMN OPTIONS...

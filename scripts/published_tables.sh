@@ -124,11 +124,12 @@ for insert in 3 5 8; do
     $insert
   exact=$(solve 2500)
   walled_joint joint.toml ball 14 40 "$alumina" "$alumina"
-  "$bin/hinge-angle" --joint joint.toml --load 2500 --law hertz | tail -n 1 |
-    awk -F, -v insert=$insert -v exact="$exact" '{
+  "$bin/hinge-angle" --joint joint.toml --load 2500 --law hertz \
+    --columns theta0_hertz_deg | tail -n 1 |
+    awk -v insert=$insert -v exact="$exact" '{
       pi = atan2(0, -1)
       split(exact, is)
-      radius = 14e-3 * $4 * pi / 180
+      radius = 14e-3 * $1 * pi / 180
       printf "| %s | %+.1f %% | %+.1f %% |\n", insert,
         100 * (14e-3 * sin(is[1] * pi / 180) / radius - 1),
         100 * (is[2] / (1.5 * 2500 / (pi * radius^2)) - 1)

@@ -18,7 +18,7 @@ walled_joint() {
   {
     printf 'name = "joint"\nkind = "%s"\n[geometry]\n' "$2"
     printf 'radius_mm = %s\nradial_clearance_um = %s\n' "$3" "$4"
-    if [ "$2" = pin ]; then echo 'length_mm = 1'; fi
+    if [ "$2" = pin ]; then echo 'length_m = 1'; fi
     printf '[materials.inner]\n'
     material "$5" '\n'
     printf '[materials.outer]\n'

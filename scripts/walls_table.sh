@@ -46,7 +46,7 @@ row() {
         both("theta0_deg", "%.1f", 1), change("theta0_deg"),
         pair("p_peak_Pa", 1e6), change("p_peak_Pa"), both("S", "%.3f", 1),
         ball ? both("sigma_Z_90", "%.3f", 1) : "-", pair("approach_m", 1e-6),
-        ball ? pair("stiffness_N_per_m", 1e6) : pair("stiffness_N_per_m2", 1e9)
+        pair("stiffness_N_per_m", ball ? 1e6 : 1e9)
     }'
 }
 

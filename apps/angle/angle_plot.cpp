@@ -6,16 +6,19 @@
 #include <cmath>
 
 #include "cli/plot.hpp"
+#include "cli/refuse.hpp"
 #include "libcontact/base/units.hpp"
 
 namespace hinge_angle {
 namespace {
 
-std::string load_label(LoadVariable variable, contact::JointKind kind) {
-  const bool ball = kind == contact::JointKind::ball;
+std::string load_label(LoadVariable variable, const cli::Joint& joint) {
+  const bool ball = joint.kind == contact::JointKind::ball;
   switch (variable) {
     case LoadVariable::load:
-      return ball ? "normal force, N" : "force per unit length, N/m";
+      return joint.has_length ? "normal force, N" : "force per length, N/m";
+    case LoadVariable::line_load:
+      return "force per length, N/m";
     case LoadVariable::x:
       return ball ? "x = cbrt(μ)" : "x = 2 sqrt(λ)";
     case LoadVariable::load_parameter:
@@ -70,48 +73,78 @@ cli::LowerPanel error_panel(const std::vector<cli::Curve>& curves,
   return panel;
 }
 
+// A ball's blend beside tanh: the same curve twice.
+bool is_twin(const NamedLaw& law, const cli::Joint& joint) {
+  return law.law->name() == "blend:0" &&
+         std::ranges::any_of(joint.laws, [](const NamedLaw& other) {
+           return other.name == "tanh";
+         });
+}
+
+cli::Curve curve_of(const NamedLaw& law, const cli::Joint& joint,
+                    const Input& input) {
+  const Loads loads(joint);
+  cli::Curve curve{law.name, {}, {}, law.name == "exact"};
+  for (const double value : shown_values(input.values)) {
+    if (input.inverse) {
+      curve.x.push_back(loads.convert(
+          LoadVariable::load_parameter,
+          law.law->load_parameter(value * contact::degree).load_parameter,
+          input.variable));
+      curve.y.push_back(value);
+    } else {
+      curve.x.push_back(value);
+      curve.y.push_back(
+          law.law
+              ->half_angle(loads.convert(input.variable, value,
+                                         LoadVariable::load_parameter))
+              .half_angle /
+          contact::degree);
+    }
+  }
+  return curve;
+}
+
 }  // namespace
 
-std::string draw(const Loads& scale, const Input& input,
-                 const cli::Joint& joint, const std::string& file) {
-  const std::vector<double> values = shown_values(input.values);
+void check_curves(const std::vector<cli::Joint>& joints) {
+  const std::size_t curves = joints.size() * joints[0].laws.size();
+  if (curves <= cli::most_curves) return;
+  cli::refuse_without("--plot", fmt::format("at most {} curves; these are {}",
+                                            cli::most_curves, curves));
+}
+
+std::string draw(const std::vector<Input>& inputs,
+                 const std::vector<cli::Joint>& joints,
+                 const std::string& file) {
+  const Input& first = inputs[0];
+  const bool several = joints.size() > 1;
   cli::LinePlot plot;
-  plot.title = joint.title();
-  plot.x_label = load_label(input.variable, joint.kind);
+  plot.title = several ? "" : joints[0].title();
+  if (several && joints[0].laws.size() == 1) {
+    plot.title = "law " + joints[0].laws[0].name;
+  }
+  plot.family = several && joints[0].laws.size() == 1;
+  plot.x_label = load_label(first.variable, joints[0]);
   plot.y_label = "contact half-angle θ₀, deg";
   // Laws reach a half-angle at loads that are decades apart.
-  plot.logarithmic_x = input.inverse || input.values.is_logarithmic();
-  const bool has_tanh =
-      std::any_of(joint.laws.begin(), joint.laws.end(),
-                  [](const NamedLaw& law) { return law.name == "tanh"; });
-  for (const NamedLaw& law : joint.laws) {
-    // A ball's blend: the same curve twice.
-    if (has_tanh && law.law->name() == "blend:0") continue;
-    cli::Curve curve{law.name, {}, {}, law.name == "exact"};
-    curve.colour = static_cast<int>(plot.curves.size()) + 1;
-    for (const double value : values) {
-      if (input.inverse) {
-        curve.x.push_back(scale.convert(
-            LoadVariable::load_parameter,
-            law.law->load_parameter(value * contact::degree).load_parameter,
-            input.variable));
-        curve.y.push_back(value);
-      } else {
-        curve.x.push_back(value);
-        curve.y.push_back(
-            law.law
-                ->half_angle(scale.convert(input.variable, value,
-                                           LoadVariable::load_parameter))
-                .half_angle /
-            contact::degree);
+  plot.logarithmic_x = first.inverse || first.values.is_logarithmic();
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    for (const NamedLaw& law : joints[i].laws) {
+      if (is_twin(law, joints[i])) continue;
+      cli::Curve curve = curve_of(law, joints[i], inputs[i]);
+      if (several) {
+        curve.label = difference_text(joints[i].differences) +
+                      (plot.family ? "" : ", " + law.name);
       }
+      if (!plot.family) curve.colour = static_cast<int>(plot.curves.size()) + 1;
+      plot.curves.push_back(std::move(curve));
     }
-    plot.curves.push_back(std::move(curve));
   }
   const auto exact =
       std::find_if(plot.curves.begin(), plot.curves.end(),
                    [](const cli::Curve& c) { return c.label == "exact"; });
-  if (exact != plot.curves.end() && plot.curves.size() > 1 && !input.inverse) {
+  if (exact != plot.curves.end() && plot.curves.size() > 1 && !first.inverse) {
     plot.lower = error_panel(plot.curves, *exact);
   }
   return cli::draw(plot, file);

@@ -2,48 +2,70 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "libcontact/base/units.hpp"
+#include "libcontact/pressure/hertz.hpp"
 
 namespace hinge_angle {
 namespace {
 
-void count(contact::Status status, Failures& failures) {
-  if (status == contact::Status::out_of_range) ++failures.out_of_range;
-  if (status == contact::Status::not_converged) ++failures.not_converged;
+void count(contact::Status status, Findings& findings) {
+  if (status == contact::Status::out_of_range) ++findings.out_of_range;
+  if (status == contact::Status::not_converged) ++findings.not_converged;
 }
 
 }  // namespace
 
-AngleTable::AngleTable(const cli::Joint& joint, const Loads& loads)
+void Findings::add(const Findings& more) {
+  out_of_range += more.out_of_range;
+  not_converged += more.not_converged;
+  largest_half_angle = std::max(largest_half_angle, more.largest_half_angle);
+  largest_peak = std::max(largest_peak, more.largest_peak);
+}
+
+AngleTable::AngleTable(const cli::Joint& joint, const Input& input,
+                       bool own_hertz)
     : joint_(joint),
-      loads_(loads),
+      input_(input),
+      loads_(joint),
+      own_hertz_(own_hertz),
       laws_(joint.laws),
       pressure_(joint.pressures[0]) {
   if (!joint.geometry) return;
   for (const NamedLaw& law : laws_) {
-    if (!cli::JointApproach::of(*law.law)) continue;
-    approach_.emplace(law.law, *joint.geometry, joint.pair, 1);
+    if (cli::JointApproach::of(*law.law)) approach_.emplace(law.law, joint);
   }
+}
+
+bool AngleTable::is_own_hertz(const NamedLaw& law) const {
+  return own_hertz_ && law.name == "hertz";
 }
 
 void AngleTable::add_columns(const NamedLaw& law,
                              std::vector<std::string>& names) const {
-  const std::string& pressure = pressure_.name;
-  names.push_back(fmt::format(
-      "p_peak_{}{}_{}", law.name,
-      pressure == contact::default_pressure_law ? "" : "_by_" + pressure,
-      loads_.have_load() ? "Pa" : "over_mean"));
+  names.push_back(fmt::format("p_peak_{}_by_{}_{}", law.name,
+                              is_own_hertz(law) ? "hertz" : pressure_.name,
+                              loads_.have_load() ? "Pa" : "over_nominal"));
   if (!approach_ || !cli::JointApproach::of(*law.law)) return;
-  for (std::string& name : cli::JointApproach::columns(joint_.kind)) {
+  for (std::string& name : approach_->columns()) {
     names.push_back(std::move(name));
   }
 }
 
 void AngleTable::write(const NamedLaw& law, double half_angle,
-                       double load_parameter, cli::RowWriter& row) const {
-  row.number(peak_pressure(half_angle, load_parameter));
+                       double load_parameter, cli::RowWriter& row,
+                       Findings& findings) const {
+  const double peak = peak_pressure(law, half_angle, load_parameter);
+  row.number(peak);
+  // NaN is not larger than anything.
+  if (half_angle > findings.largest_half_angle) {
+    findings.largest_half_angle = half_angle;
+  }
+  if (loads_.have_load() && peak > findings.largest_peak) {
+    findings.largest_peak = peak;
+  }
   if (!approach_ || !cli::JointApproach::of(*law.law)) return;
   const contact::ContactApproach value = (*approach_)(half_angle);
   row.number(value.approach);
@@ -52,9 +74,23 @@ void AngleTable::write(const NamedLaw& law, double half_angle,
 
 std::vector<std::string> AngleTable::columns() const {
   std::vector<std::string> names;
-  if (loads_.have_load()) names.emplace_back("load");
+  if (input_.inverse) {
+    names.emplace_back("theta0_deg");
+    for (const NamedLaw& law : laws_) {
+      if (loads_.have_load()) names.push_back(loads_.column(law.name));
+      names.push_back("load_parameter_" + law.name);
+      names.push_back("x_" + law.name);
+      if (loads_.have_load()) {
+        names.push_back(fmt::format("p_nominal_{}_Pa", law.name));
+      }
+      add_columns(law, names);
+    }
+    return names;
+  }
+  if (loads_.have_load()) names.push_back(loads_.column());
   names.emplace_back("load_parameter");
   names.emplace_back("x");
+  if (loads_.have_load()) names.emplace_back("p_nominal_Pa");
   for (const NamedLaw& law : laws_) {
     names.push_back(fmt::format("theta0_{}_deg", law.name));
     add_columns(law, names);
@@ -62,65 +98,72 @@ std::vector<std::string> AngleTable::columns() const {
   return names;
 }
 
-std::vector<std::string> AngleTable::inverse_columns() const {
-  std::vector<std::string> names = {"theta0_deg"};
-  for (const NamedLaw& law : laws_) {
-    if (loads_.have_load()) names.push_back("load_" + law.name);
-    names.push_back("load_parameter_" + law.name);
-    names.push_back("x_" + law.name);
-    add_columns(law, names);
-  }
-  return names;
-}
-
-void AngleTable::write_row(LoadVariable variable, double load,
-                           cli::RowWriter& row,
-                           std::vector<Failures>& failures) const {
-  const double parameter =
-      loads_.convert(variable, load, LoadVariable::load_parameter);
-  if (loads_.have_load()) {
-    row.number(loads_.convert(variable, load, LoadVariable::load));
-  }
-  row.number(parameter);
-  row.number(loads_.convert(variable, load, LoadVariable::x));
-  for (std::size_t i = 0; i < laws_.size(); ++i) {
-    const contact::HalfAngleResult result = laws_[i].law->half_angle(parameter);
-    count(result.status, failures[i]);
-    row.number(result.half_angle / contact::degree);
-    write(laws_[i], result.half_angle, parameter, row);
+void AngleTable::write_row(std::size_t index, cli::RowWriter& row,
+                           std::vector<Findings>& findings) const {
+  cli::write_differences(joint_.differences, row);
+  const double value = input_.values[index];
+  if (input_.inverse) {
+    write_half_angle_row(value, row, findings);
+  } else {
+    write_load_row(value, row, findings);
   }
   row.end();
 }
 
-void AngleTable::write_inverse_row(double theta0_deg, cli::RowWriter& row,
-                                   std::vector<Failures>& failures) const {
+void AngleTable::write_load_row(double load, cli::RowWriter& row,
+                                std::vector<Findings>& findings) const {
+  const auto load_as = [&](LoadVariable variable) {
+    return loads_.convert(input_.variable, load, variable);
+  };
+  const double parameter = load_as(LoadVariable::load_parameter);
+  if (loads_.have_load()) row.number(load_as(LoadVariable::load));
+  row.number(parameter);
+  row.number(load_as(LoadVariable::x));
+  if (loads_.have_load()) row.number(loads_.nominal_pressure(parameter));
+  for (std::size_t i = 0; i < laws_.size(); ++i) {
+    const contact::HalfAngleResult result = laws_[i].law->half_angle(parameter);
+    count(result.status, findings[i]);
+    row.number(result.half_angle / contact::degree);
+    write(laws_[i], result.half_angle, parameter, row, findings[i]);
+  }
+}
+
+void AngleTable::write_half_angle_row(double theta0_deg, cli::RowWriter& row,
+                                      std::vector<Findings>& findings) const {
   const double half_angle = theta0_deg * contact::degree;
   row.number(theta0_deg);
   for (std::size_t i = 0; i < laws_.size(); ++i) {
     const contact::LoadParameterResult result =
         laws_[i].law->load_parameter(half_angle);
     const double parameter = result.load_parameter;
-    count(result.status, failures[i]);
+    count(result.status, findings[i]);
     const auto load_as = [&](LoadVariable variable) {
       return loads_.convert(LoadVariable::load_parameter, parameter, variable);
     };
     if (loads_.have_load()) row.number(load_as(LoadVariable::load));
     row.number(parameter);
     row.number(load_as(LoadVariable::x));
-    write(laws_[i], half_angle, parameter, row);
+    if (loads_.have_load()) row.number(loads_.nominal_pressure(parameter));
+    write(laws_[i], half_angle, parameter, row, findings[i]);
   }
-  row.end();
 }
 
-double AngleTable::peak_pressure(double half_angle,
+double AngleTable::peak_pressure(const NamedLaw& law, double half_angle,
                                  double load_parameter) const {
   if (std::isnan(load_parameter)) return load_parameter;
-  if (!loads_.have_load()) return pressure_.law->peak(half_angle);
+  const bool hertz = is_own_hertz(law);
+  if (!loads_.have_load()) {
+    return hertz ? contact::hertz_peak_over_nominal(joint_.kind, half_angle)
+                 : pressure_.law->peak(half_angle) *
+                       cli::nominal_area(joint_.kind);
+  }
   // The contact shrinks with the load, but slower.
   if (load_parameter == 0) return 0;
-  return pressure_.law->peak(half_angle) *
-         joint_.geometry->pressure_unit(loads_.convert(
-             LoadVariable::load_parameter, load_parameter, LoadVariable::load));
+  const double load = loads_.law_load(load_parameter);
+  return hertz
+             ? contact::hertz_peak_pressure(*joint_.geometry, load, half_angle)
+             : pressure_.law->peak(half_angle) *
+                   joint_.geometry->pressure_unit(load);
 }
 
 }  // namespace hinge_angle

@@ -85,11 +85,10 @@ LawComparison compare_law(const NamedLaw& law,
 
 }  // namespace
 
-std::vector<LawComparison> compare(const Loads& scale, const Input& input,
-                                   const cli::Joint& joint,
+std::vector<LawComparison> compare(const Input& input, const cli::Joint& joint,
                                    double tolerance_percent) {
   const contact::ExactLaw exact(joint.kind, joint.pair);
-  const std::vector<double> loads = load_parameters(scale, input);
+  const std::vector<double> loads = load_parameters(Loads(joint), input);
   std::vector<LawComparison> result;
   for (const NamedLaw& law : joint.laws) {
     result.push_back(compare_law(law, exact, loads));
@@ -115,10 +114,11 @@ std::vector<LawComparison> compare(const Loads& scale, const Input& input,
 }
 
 void write_comparison(const std::vector<LawComparison>& laws,
-                      const Loads& scale, const cli::Joint& joint,
+                      const cli::Joint& joint,
                       const cli::OutputOptions& options) {
+  const Loads loads(joint);
   std::vector<std::string> columns = {"law", "error_percent"};
-  if (joint.geometry) columns.emplace_back("load");
+  if (joint.geometry) columns.push_back(loads.column());
   for (const char* name : {"load_parameter", "theta0_exact_deg",
                            "theta0_law_deg", "cost_tanh", "recommended"}) {
     columns.emplace_back(name);
@@ -132,7 +132,7 @@ void write_comparison(const std::vector<LawComparison>& laws,
     row.text(law.name);
     row.number(law.error_percent);
     if (joint.geometry) {
-      row.number(scale.convert(LoadVariable::load_parameter, law.load_parameter,
+      row.number(loads.convert(LoadVariable::load_parameter, law.load_parameter,
                                LoadVariable::load));
     }
     row.number(law.load_parameter);

@@ -27,15 +27,14 @@ struct LawComparison {
 /// Compares the laws between the smallest and the largest load of the input,
 /// at 400 loads in equal ratios and at both ends. The cheapest law within the
 /// tolerance is recommended, exact if there is no other.
-std::vector<LawComparison> compare(const Loads& scale, const Input& input,
-                                   const cli::Joint& joint,
+std::vector<LawComparison> compare(const Input& input, const cli::Joint& joint,
                                    double tolerance_percent);
 
-/// The comparison as a table: law, error_percent, load (if the joint has a
-/// geometry), load_parameter, theta0_exact_deg, theta0_law_deg, cost_tanh,
-/// recommended (yes or empty).
+/// The comparison as a table: law, error_percent, load_N or load_N_per_m (if
+/// the joint has a geometry), load_parameter, theta0_exact_deg, theta0_law_deg,
+/// cost_tanh, recommended (yes or empty).
 void write_comparison(const std::vector<LawComparison>& laws,
-                      const Loads& scale, const cli::Joint& joint,
+                      const cli::Joint& joint,
                       const cli::OutputOptions& options);
 
 }  // namespace hinge_angle

@@ -5,13 +5,15 @@
 #include <limits>
 
 #include "cli/program.hpp"
+#include "cli/quantity.hpp"
 #include "cli/refuse.hpp"
 
 namespace hinge_angle {
 
 void add_load_options(CLI::App& app, LoadOptions& options) {
   app.option_defaults()->group("Load");
-  app.add_option("--load", options.load, "N, or N/m for a pin")
+  app.add_option("--load", options.load,
+                 "N or with a unit; of a pin without a length N/m")
       ->option_text("VALUES");
   app.add_option("--load-parameter", options.load_parameter, "mu or lambda")
       ->option_text("VALUES");
@@ -21,35 +23,58 @@ void add_load_options(CLI::App& app, LoadOptions& options) {
   cli::exclude(app, "--load-parameter", {"--x"});
 }
 
-Input make_input(const LoadOptions& options, const cli::Joint& joint) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  const auto load = [&](LoadVariable variable, const char* option,
-                        const std::string& values, const char* unit) {
-    return Input{variable, false,
-                 cli::Sweep(option, values, {0, infinity, unit})};
-  };
-  if (!options.theta0.empty()) {
-    // Curves are drawn over the load where there is one.
-    return Input{
-        joint.geometry ? LoadVariable::load : LoadVariable::load_parameter,
-        true, cli::Sweep("--theta0", options.theta0, {0, 180, "deg"})};
-  }
-  if (!options.load_parameter.empty()) {
-    return load(LoadVariable::load_parameter, "--load-parameter",
-                options.load_parameter, "");
-  }
-  if (!options.x.empty()) return load(LoadVariable::x, "--x", options.x, "");
-  if (options.load.empty()) {
-    cli::refuse_without("a load",
-                        "one of --load, --load-parameter, --x (see --help)");
-  }
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// --load, whose unit may say whether it is a force or per length of a pin.
+Input load_input(const std::string& text, const cli::Joint& joint) {
+  using contact::Dimension;
   if (!joint.geometry) {
     cli::refuse_without("--load",
                         "--radius and --clearance; a dimensionless joint has "
                         "--load-parameter and --x");
   }
-  return load(LoadVariable::load, "--load", options.load,
-              joint.kind == contact::JointKind::ball ? "N" : "N/m");
+  const bool pin = joint.kind == contact::JointKind::pin;
+  const auto unit =
+      cli::unit_dimension(text, {Dimension::force, Dimension::line_force});
+  if (pin && unit == Dimension::force && !joint.has_length) {
+    cli::refuse_without(cli::given("--load", text), "--length");
+  }
+  const bool per_length =
+      pin && (unit ? unit == Dimension::line_force : !joint.has_length);
+  // Without a length the load is per length.
+  return {per_length && joint.has_length ? LoadVariable::line_load
+                                         : LoadVariable::load,
+          false,
+          cli::Sweep("--load", text, {0, infinity, per_length ? "N/m" : "N"},
+                     per_length ? Dimension::line_force : Dimension::force)};
+}
+
+}  // namespace
+
+Input make_input(const LoadOptions& options, const cli::Joint& joint) {
+  if (!options.theta0.empty()) {
+    // Curves are drawn over the load where there is one.
+    return {joint.geometry ? LoadVariable::load : LoadVariable::load_parameter,
+            true,
+            cli::Sweep("--theta0", options.theta0, {0, 180, "deg"},
+                       contact::Dimension::angle)};
+  }
+  if (!options.load_parameter.empty()) {
+    return {LoadVariable::load_parameter, false,
+            cli::Sweep("--load-parameter", options.load_parameter,
+                       {0, infinity, ""})};
+  }
+  if (!options.x.empty()) {
+    return {LoadVariable::x, false,
+            cli::Sweep("--x", options.x, {0, infinity, ""})};
+  }
+  if (options.load.empty()) {
+    cli::refuse_without("a load",
+                        "one of --load, --load-parameter, --x (see --help)");
+  }
+  return load_input(options.load, joint);
 }
 
 }  // namespace hinge_angle

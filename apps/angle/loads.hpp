@@ -1,34 +1,52 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
+#include "cli/joint_options.hpp"
 #include "libcontact/pair/joint_geometry.hpp"
-#include "libcontact/pair/material.hpp"
 
 namespace hinge_angle {
 
 /// In what a load is given.
-enum class LoadVariable { load, load_parameter, x };
+enum class LoadVariable {
+  load,       ///< N; N/m of a pin without a length
+  line_load,  ///< N/m of a pin
+  load_parameter,
+  x
+};
 
 /// The loads of one joint in terms of each variable.
 class Loads {
  public:
-  /// @param geometry  without it there are load_parameter and x alone
-  Loads(contact::JointKind kind,
-        const std::optional<contact::JointGeometry>& geometry,
-        const contact::ElasticPair& pair)
-      : kind_(kind) {
-    if (geometry) scale_.emplace(*geometry, pair);
-  }
+  /// @param joint  without a geometry there are load_parameter and x alone
+  explicit Loads(const cli::Joint& joint);
 
   /// Whether `load` is one of them.
   bool have_load() const { return scale_.has_value(); }
+  /// Whether `load` is per length.
+  bool per_length() const { return per_length_; }
+  /// "load_N" or "load_N_per_m"; of a law "load_LAW_N".
+  std::string column(const std::string& law = "") const;
+  /// "N" or "N/m"
+  std::string unit() const { return per_length_ ? "N/m" : "N"; }
   /// A load in terms of another variable.
   double convert(LoadVariable from, double load, LoadVariable to) const;
+  /// The load of the laws, R_n, N, or P, N/m.
+  double law_load(double load_parameter) const {
+    return scale_->load(load_parameter);
+  }
+  /// Nominal pressure, Pa.
+  double nominal_pressure(double load_parameter) const {
+    return geometry_->nominal_pressure(
+        geometry_->force_from_load(law_load(load_parameter)));
+  }
 
  private:
   contact::JointKind kind_;
+  std::optional<contact::JointGeometry> geometry_;
   std::optional<contact::LoadScale> scale_;
+  bool per_length_;
 };
 
 }  // namespace hinge_angle

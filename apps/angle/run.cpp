@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,7 @@
 #include "cli/refuse.hpp"
 #include "cli/stream/ordered_blocks.hpp"
 #include "cli/table.hpp"
+#include "libcontact/pressure/validity.hpp"
 
 namespace hinge_angle {
 namespace {
@@ -25,76 +27,109 @@ struct Block {
   std::size_t first;
   std::size_t last;
   cli::Text rows;
-  std::vector<Failures> failures;
+  std::vector<std::vector<Findings>> findings;  // of each joint and law
 };
 
-// Writes the table; returns what the laws could not give.
-std::vector<Failures> write_table(const AngleTable& angles, const Input& input,
-                                  std::size_t laws,
-                                  const cli::OutputOptions& options) {
+// One table of several joints, one after the other.
+class Tables {
+ public:
+  Tables(const std::vector<cli::Joint>& joints,
+         const std::vector<Input>& inputs, bool own_hertz) {
+    std::vector<std::vector<std::string>> columns;
+    for (std::size_t i = 0; i < joints.size(); ++i) {
+      tables_.emplace_back(joints[i], inputs[i], own_hertz);
+      columns.push_back(tables_.back().columns());
+      none_.emplace_back(joints[i].laws.size());
+    }
+    columns_ = joint_columns(joints, columns);
+  }
+
+  const std::vector<std::string>& columns() const { return columns_; }
+  /// Rows of all joints, of which each has as many.
+  std::size_t size() const { return tables_.size() * tables_[0].size(); }
+  void write(Block& block, cli::RowWriter& row) const {
+    block.findings = none_;
+    const std::size_t each = tables_[0].size();
+    for (std::size_t i = block.first; i < block.last; ++i) {
+      tables_[i / each].write_row(i % each, row, block.findings[i / each]);
+    }
+  }
+  const std::vector<std::vector<Findings>>& none() const { return none_; }
+
+ private:
+  std::vector<AngleTable> tables_;
+  std::vector<std::string> columns_;
+  std::vector<std::vector<Findings>> none_;
+};
+
+// Writes the table; returns what is to be said of each joint and law.
+std::vector<std::vector<Findings>> write_table(
+    const Tables& tables, const cli::OutputOptions& options) {
   constexpr std::size_t block_rows = 256;
   cli::Output output(options.output);
-  const cli::Table table(options.format, input.inverse
-                                             ? angles.inverse_columns()
-                                             : angles.columns());
+  const cli::Table table(options.format, tables.columns());
   cli::TableWriter writer(output, table);
-  cli::Progress progress("rows", input.values.size());
-  std::vector<Failures> failures(laws);
+  cli::Progress progress("rows", tables.size());
+  auto findings = tables.none();
   std::size_t taken = 0;
   cli::ordered_blocks<Block>(
       options.jobs,
       [&](Block& block) {
         block.first = taken;
-        block.last = taken = std::min(taken + block_rows, input.values.size());
+        block.last = taken = std::min(taken + block_rows, tables.size());
         return block.first < block.last;
       },
       [&](Block& block) {
         block.rows.clear();
-        block.failures.assign(laws, {});
         cli::RowWriter row(table, block.rows);
-        for (std::size_t i = block.first; i < block.last; ++i) {
-          if (input.inverse) {
-            angles.write_inverse_row(input.values[i], row, block.failures);
-          } else {
-            angles.write_row(input.variable, input.values[i], row,
-                             block.failures);
-          }
-        }
+        tables.write(block, row);
       },
       [&](const Block& block) {
         writer.write(block.rows.view());
         progress.add(block.last - block.first);
-        for (std::size_t i = 0; i < laws; ++i) {
-          failures[i].out_of_range += block.failures[i].out_of_range;
-          failures[i].not_converged += block.failures[i].not_converged;
+        for (std::size_t j = 0; j < findings.size(); ++j) {
+          for (std::size_t i = 0; i < findings[j].size(); ++i) {
+            findings[j][i].add(block.findings[j][i]);
+          }
         }
       });
   writer.finish();
   output.commit();
-  return failures;
+  return findings;
 }
 
-// The table; says what the laws could not give.
-cli::ExitStatus write_half_angles(const AngleTable& angles, const Input& input,
-                                  const std::vector<NamedLaw>& laws,
-                                  const cli::OutputOptions& options) {
-  const auto failures = write_table(angles, input, laws.size(), options);
+// What the laws could not give, and should not have.
+cli::ExitStatus report(const std::vector<cli::Joint>& joints,
+                       const std::vector<std::vector<Findings>>& findings,
+                       std::size_t rows) {
   cli::ExitStatus status = cli::all_good;
-  for (std::size_t i = 0; i < laws.size(); ++i) {
-    const auto [out_of_range, not_converged] = failures[i];
-    if (out_of_range > 0) {
+  std::set<std::string> notes;
+  for (std::size_t i = 0; i < joints[0].laws.size(); ++i) {
+    const std::string& law = joints[0].laws[i].name;
+    Findings all;
+    for (std::size_t j = 0; j < joints.size(); ++j) {
+      const Findings& one = findings[j][i];
+      all.add(one);
+      for (const std::string& note :
+           contact::contact_notes(joints[j].kind, joints[j].pair,
+                                  one.largest_half_angle, one.largest_peak)) {
+        notes.insert(fmt::format("law {}: {}", law, note));
+      }
+    }
+    if (all.out_of_range > 0) {
       cli::warn("hinge-angle",
                 fmt::format("law {}: no value for {} of {} rows, which "
                             "are outside its range",
-                            laws[i].name, out_of_range, input.values.size()));
+                            law, all.out_of_range, rows));
     }
-    if (not_converged > 0) {
+    if (all.not_converged > 0) {
       cli::warn("hinge-angle",
-                fmt::format("law {}: {} of {} rows have not converged",
-                            laws[i].name, not_converged, input.values.size()));
+                fmt::format("law {}: {} of {} rows have not converged", law,
+                            all.not_converged, rows));
       status = cli::some_bad;
     }
   }
+  for (const std::string& note : notes) cli::warn("hinge-angle", note);
   return status;
 }
 
@@ -117,33 +152,47 @@ Input compared_input(LoadOptions options, const cli::Joint& joint) {
   return make_input(options, joint);
 }
 
+void check_plot(const cli::OutputOptions& options,
+                const std::vector<Input>& inputs) {
+  if (options.plot.empty() || inputs[0].values.size() > 1) return;
+  cli::refuse_without("--plot", "a range of loads or half-angles");
+}
+
+cli::ExitStatus run_comparison(const Options& options) {
+  const std::vector<cli::Joint> joints = {compared_joint(options.joint)};
+  const double tolerance =
+      cli::parse_value("--tolerance", options.tolerance, {0, 100, "%"});
+  const std::vector<Input> inputs = {compared_input(options.load, joints[0])};
+  check_plot(options.output, inputs);
+  const auto comparison = compare(inputs[0], joints[0], tolerance);
+  warn_of_validity("hinge-angle", joints);
+  write_comparison(comparison, joints[0], options.output);
+  if (options.output.plot.empty()) return cli::all_good;
+  return cli::drawn("hinge-angle", draw(inputs, joints, options.output.plot),
+                    cli::all_good);
+}
+
 }  // namespace
 
 cli::ExitStatus run(const Options& options) {
-  const cli::Joint joint = options.compare ? compared_joint(options.joint)
-                                           : make_joint(options.joint);
-  const double tolerance =
-      cli::parse_value("--tolerance", options.tolerance, {0, 100, "%"});
-  const Loads loads(joint.kind, joint.geometry, joint.pair);
-  const AngleTable angles(joint, loads);
-  const Input input = options.compare ? compared_input(options.load, joint)
-                                      : make_input(options.load, joint);
-  if (!options.output.plot.empty() && input.values.size() == 1) {
-    cli::refuse_without("--plot", "a range of loads or half-angles");
+  if (options.compare) return run_comparison(options);
+  const std::vector<cli::Joint> joints = make_joints(options.joint);
+  std::vector<Input> inputs;
+  for (const cli::Joint& joint : joints) {
+    inputs.push_back(make_input(options.load, joint));
   }
-  std::vector<LawComparison> comparison;
-  if (options.compare) comparison = compare(loads, input, joint, tolerance);
-  warn_of_validity("hinge-angle", joint);
-
-  cli::ExitStatus status = cli::all_good;
-  if (options.compare) {
-    write_comparison(comparison, loads, joint, options.output);
-  } else {
-    status = write_half_angles(angles, input, joint.laws, options.output);
-  }
+  const bool own_hertz =
+      options.joint.pressures.empty() &&
+      joints[0].pressure_law == contact::default_pressure_law;
+  const Tables tables(joints, inputs, own_hertz);
+  check_plot(options.output, inputs);
+  if (!options.output.plot.empty()) check_curves(joints);
+  warn_of_validity("hinge-angle", joints);
+  const auto findings = write_table(tables, options.output);
+  const cli::ExitStatus status = report(joints, findings, tables.size());
   if (options.output.plot.empty()) return status;
-  return cli::drawn("hinge-angle",
-                    draw(loads, input, joint, options.output.plot), status);
+  return cli::drawn("hinge-angle", draw(inputs, joints, options.output.plot),
+                    status);
 }
 
 }  // namespace hinge_angle

@@ -5,9 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "cli/joint_options.hpp"
 #include "libcontact/half_angle/law.hpp"
-#include "libcontact/pair/joint_geometry.hpp"
-#include "libcontact/pair/material.hpp"
 
 namespace cli {
 
@@ -20,17 +19,16 @@ class JointApproach {
     return law.name() == "exact";
   }
 
-  /// @param length  of the pin that the stiffness is for: its own, or 1 m where
-  ///                loads are per length
+  /// @param joint  with a geometry
   JointApproach(std::shared_ptr<const contact::HalfAngleLaw> law,
-                const contact::JointGeometry& geometry,
-                const contact::ElasticPair& pair, double length)
+                const Joint& joint)
       : law_(std::move(law)),
-        clearance_(geometry.radial_clearance()),
-        stiffness_(pair.effective_modulus() *
-                   (geometry.kind() == contact::JointKind::ball
-                        ? geometry.radius()
-                        : length)) {}
+        per_length_(!joint.has_length),
+        clearance_(joint.geometry->radial_clearance()),
+        stiffness_(joint.pair.effective_modulus() *
+                   (joint.kind == contact::JointKind::ball
+                        ? joint.geometry->radius()
+                        : joint.geometry->length())) {}
 
   /// approach, m, from first touch of the unloaded bodies; stiffness,
   /// d load/d approach. NaN where there is none: without load, loaded through
@@ -41,15 +39,14 @@ class JointApproach {
   }
 
   /// Names of both columns.
-  /// @param kind  of a joint whose loads are per length if it is a pin
-  static std::vector<std::string> columns(contact::JointKind kind) {
-    return {"approach_m", kind == contact::JointKind::ball
-                              ? "stiffness_N_per_m"
-                              : "stiffness_N_per_m2"};
+  std::vector<std::string> columns() const {
+    return {"approach_m",
+            per_length_ ? "stiffness_N_per_m2" : "stiffness_N_per_m"};
   }
 
  private:
   std::shared_ptr<const contact::HalfAngleLaw> law_;
+  bool per_length_;
   double clearance_;
   double stiffness_;
 };

@@ -1,15 +1,21 @@
 #include "cli/joint_options.hpp"
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 
 #include "cli/choice.hpp"
+#include "cli/key_settings.hpp"
 #include "cli/program.hpp"
 #include "cli/quantity.hpp"
 #include "cli/refuse.hpp"
+#include "libcontact/base/complaint.hpp"
+#include "libcontact/base/error.hpp"
 #include "libcontact/files/joint_file.hpp"
 
 namespace cli {
@@ -23,8 +29,9 @@ using contact::JointKind;
 // The group of options that a joint file takes the place of.
 constexpr const char* without_file = "Joint without a file";
 
-Joint joint_from_file(const JointOptions& o) {
-  const contact::JointSpec joint = contact::read_joint(o.joint);
+Joint joint_from_file(const JointOptions& o,
+                      const contact::KeySettings& settings) {
+  const contact::JointSpec joint = contact::read_joint(o.joint, settings);
   return {.kind = joint.geometry.kind(),
           .pair = joint.pair,
           .geometry = joint.geometry,
@@ -124,6 +131,7 @@ Joint bodies_from_options(const JointOptions& o) {
   const contact::MaterialPair pair = contact::read_material_pair(o.pair);
   Joint joint{.kind = kind,
               .pair = pair.elastic,
+              .has_length = kind == JointKind::ball || !o.length.empty(),
               .friction = pair.friction,
               .materials = pair.name};
   if (!o.radius.empty()) {
@@ -150,6 +158,14 @@ void refuse_several(std::string_view option,
   refuse(option, "all", "one law");
 }
 
+// Whether all laws of a joint, named alike, are those of another one.
+bool have_laws_in_common(const Joint& a, const Joint& b) {
+  return a.kind == b.kind && a.pair == b.pair && a.conditions == b.conditions &&
+         a.half_angle_law == b.half_angle_law &&
+         a.half_angle_options == b.half_angle_options &&
+         a.pressure_law == b.pressure_law;
+}
+
 void make_laws(const JointOptions& o, Joint& joint) {
   const contact::ContactConditions& conditions = joint.conditions;
   if (o.use != JointUse::pressure) {
@@ -174,6 +190,16 @@ void make_laws(const JointOptions& o, Joint& joint) {
   }
 }
 
+Joint joint_of(const JointOptions& o, const contact::KeySettings& settings) {
+  Joint joint =
+      o.names_file() ? joint_from_file(o, settings) : joint_from_options(o);
+  if (o.use == JointUse::pressure && joint.kind == JointKind::pin) {
+    refuse("--joint", o.joint, "a ball joint");
+  }
+  joint.conditions.loading = parse_loading(o.loading, joint.conditions.loading);
+  return joint;
+}
+
 }  // namespace
 
 std::string JointOptions::materials() const {
@@ -187,22 +213,35 @@ void add_joint_options(CLI::App& app, JointOptions& o) {
   const bool friction = o.use == JointUse::friction;
   app.option_defaults()->group("Joint");
   // Called before needs() are looked at.
-  app.add_option_function<std::string>(
-         "--joint",
-         [&app, &o](const std::string& text) {
-           o.joint = text;
-           if (!o.names_file()) return;
-           for (const CLI::Option* option : app.get_options()) {
-             if (option->count() == 0 || option->get_group() != without_file) {
-               continue;
-             }
-             refuse_beside(option->get_name(), given("--joint", text));
-           }
-         },
-         pressure ? "ball (default) or a ball joint's file"
-                  : "ball, pin or a joint file")
-      ->option_text("KIND|FILE")
-      ->required(!pressure);
+  auto* joint =
+      app.add_option_function<std::vector<std::string>>(
+             "--joint",
+             [&app, &o](const std::vector<std::string>& texts) {
+               o.joints = texts;
+               o.joint = texts[0];
+               if (!o.names_file()) return;
+               for (const CLI::Option* option : app.get_options()) {
+                 if (option->count() == 0 ||
+                     option->get_group() != without_file) {
+                   continue;
+                 }
+                 refuse_beside(option->get_name(), given("--joint", texts[0]));
+               }
+             },
+             pressure ? "ball (default) or a ball joint's file"
+                      : "ball, pin, or a joint file; files more than once")
+          ->option_text("KIND|FILE")
+          ->required(!pressure)
+          ->allow_extra_args(false);
+  if (pressure) {
+    joint->expected(1);
+  } else {
+    app.add_option("--set", o.settings,
+                   "a key of the joint file and its values, a list or range")
+        ->option_text("KEY=VALUES")
+        ->allow_extra_args(false)
+        ->needs(joint);
+  }
   app.add_option("--loading", o.loading,
                  "of the ball or pin: centre (default) or back:PSI")
       ->option_text("NAME");
@@ -229,9 +268,10 @@ void add_joint_options(CLI::App& app, JointOptions& o) {
         add("--clearance", o.clearance, "radial, m or with a unit", "LENGTH");
     radius->needs(pair)->needs(clearance);
     clearance->needs(radius);
+    add("--length", o.length, "of a pin, m or with a unit", "LENGTH")
+        ->needs(radius);
   }
   if (friction) {
-    add("--length", o.length, "of a pin, m or with a unit", "LENGTH");
     add("--inner-body", o.inner_body,
         "body with the ball or pin: carrier (default) or body", "NAME");
   }
@@ -279,26 +319,105 @@ std::string Joint::title() const {
          (materials.empty() ? "" : ", " + materials);
 }
 
-Joint make_joint(const JointOptions& options) {
-  Joint joint = options.names_file() ? joint_from_file(options)
-                                     : joint_from_options(options);
-  if (options.use == JointUse::pressure && joint.kind == JointKind::pin) {
-    refuse("--joint", options.joint, "a ball joint");
+std::string difference_text(const std::vector<Difference>& differences) {
+  std::string text;
+  for (const auto& [column, value] : differences) {
+    text += text.empty() ? "" : ", ";
+    text += column == "joint" ? value : column + " = " + value;
   }
-  joint.conditions.loading =
-      parse_loading(options.loading, joint.conditions.loading);
-  make_laws(options, joint);
-  return joint;
+  return text;
 }
 
-void warn_of_validity(std::string_view program, const Joint& joint) {
-  if (joint.geometry) {
-    for (const auto& text : joint.geometry->validity_notes()) {
-      warn(program, text);
+std::vector<Joint> make_joints(const JointOptions& options) {
+  const std::vector<contact::KeySettings> variants =
+      key_settings(options.settings);
+  std::vector<Joint> joints;
+  JointOptions one = options;
+  for (std::size_t i = 0; i < std::max<std::size_t>(1, one.joints.size());
+       ++i) {
+    if (!one.joints.empty()) one.joint = one.joints[i];
+    if (!one.names_file()) {
+      if (one.joints.size() > 1) refuse("--joint", one.joint, "a .toml file");
+      if (!one.settings.empty()) refuse_without("--set", "a joint file");
+    }
+    for (const contact::KeySettings& settings : variants) {
+      Joint joint = joint_of(one, settings);
+      if (one.joints.size() > 1) {
+        joint.differences.push_back({"joint", joint.name});
+      }
+      for (const auto& [key, value] : settings) {
+        joint.differences.push_back({key, value});
+      }
+      if (!joints.empty() && have_laws_in_common(joints.back(), joint)) {
+        joint.laws = joints.back().laws;
+        joint.pressures = joints.back().pressures;
+      } else {
+        make_laws(one, joint);
+      }
+      joints.push_back(std::move(joint));
     }
   }
-  for (const auto& text : law_notes(joint.laws, joint.pair)) {
-    warn(program, text);
+  return joints;
+}
+
+Joint make_joint(const JointOptions& options) {
+  std::vector<Joint> joints = make_joints(options);
+  if (joints.size() > 1) {
+    throw contact::Error(contact::detail::must_be(
+        fmt::format("{} joints of --joint and --set", joints.size()),
+        "one joint here"));
+  }
+  return std::move(joints[0]);
+}
+
+std::vector<std::string> joint_columns(
+    const std::vector<Joint>& joints,
+    const std::vector<std::vector<std::string>>& columns) {
+  std::vector<std::string> names;
+  for (const Difference& difference : joints[0].differences) {
+    names.push_back(difference.column);
+  }
+  for (const auto& other : columns) {
+    const auto [a, b] = std::ranges::mismatch(columns[0], other);
+    if (a == columns[0].end() && b == other.end()) continue;
+    throw contact::Error(contact::detail::must_be(
+        fmt::format(
+            "the joints of --joint and --set, {} and {}",
+            difference_text(joints[0].differences),
+            difference_text(joints[&other - columns.data()].differences)),
+        fmt::format("alike: of one kind, with the same laws; the tables have "
+                    "the columns {} and {}",
+                    a == columns[0].end() ? "-" : *a,
+                    b == other.end() ? "-" : *b)));
+  }
+  names.insert(names.end(), columns[0].begin(), columns[0].end());
+  return names;
+}
+
+void write_differences(const std::vector<Difference>& differences,
+                       RowWriter& row) {
+  for (const Difference& difference : differences) {
+    if (const auto number = parse_number(difference.value)) {
+      row.number(*number);
+    } else {
+      row.text(difference.value);
+    }
+  }
+}
+
+void warn_of_validity(std::string_view program,
+                      const std::vector<Joint>& joints) {
+  std::vector<std::string> said;
+  const auto say = [&](const std::vector<std::string>& notes) {
+    for (const std::string& note : notes) {
+      if (std::ranges::find(said, note) != said.end()) continue;
+      said.push_back(note);
+      warn(program, note);
+    }
+  };
+  for (const Joint& joint : joints) {
+    if (joint.geometry) say(joint.geometry->validity_notes());
+    say(law_notes(joint.laws, joint.pair));
   }
 }
 

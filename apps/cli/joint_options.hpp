@@ -1,11 +1,13 @@
 #pragma once
 
+#include <numbers>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "cli/laws.hpp"
+#include "cli/table.hpp"
 #include "libcontact/pair/friction_law.hpp"
 
 namespace CLI {
@@ -28,6 +30,9 @@ enum class Laws { one, several };
 /// The command line as it was written; "" for options that were not given.
 struct JointOptions {
   JointUse use;
+  std::vector<std::string> joints = {};
+  std::vector<std::string> settings = {};  ///< of --set
+  /// The one of `joints` that is made.
   std::string joint = {};
   std::string pair = {};
   std::string modulus_ratio = {};
@@ -76,16 +81,28 @@ More layers and coatings are in joint files: [wall] and [[coating]]. With them
 all laws are exact, others are refused.
 )";
 
+/// In what a joint differs from the others of a run: a cell of tables.
+struct Difference {
+  std::string column;  ///< "joint" or a key of --set
+  std::string value;
+};
+
+/// "radius_mm = 20, ..."; "" for the only joint.
+std::string difference_text(const std::vector<Difference>& differences);
+
 /// What is known of a joint, and its laws.
 struct Joint {
   contact::JointKind kind;
   contact::ElasticPair pair;
   /// Without it only dimensionless loads and pressures.
   std::optional<contact::JointGeometry> geometry = {};
+  /// Of a pin without one loads are per length; its geometry has 1 m.
+  bool has_length = true;
   std::optional<contact::FrictionModel> friction = {};
   std::string half_angle_law = std::string(contact::default_half_angle_law);
   contact::HalfAngleOptions half_angle_options = {};
   std::string pressure_law = std::string(contact::default_pressure_law);
+  std::vector<Difference> differences = {};
   contact::ContactConditions conditions = {};
   std::string name = {};       ///< of a joint file
   std::string materials = {};  ///< of a file of materials
@@ -98,12 +115,31 @@ struct Joint {
   std::string title() const;
 };
 
-/// The joint that the options describe. Throws contact::Error if they do not
-/// fit together or a value is not allowed.
+/// The joints that the options describe: one, or one for each file of --joint
+/// and combination of the values of --set. Throws contact::Error if they do
+/// not fit together or a value is not allowed.
+std::vector<Joint> make_joints(const JointOptions& options);
+/// The only one.
 Joint make_joint(const JointOptions& options);
 
-/// Warns of the use of the joint and of its half-angle laws outside their
-/// ranges.
-void warn_of_validity(std::string_view program, const Joint& joint);
+/// Columns of the differences, then those of the tables of some joints, which
+/// have to be the same. Throws contact::Error if they are not.
+std::vector<std::string> joint_columns(
+    const std::vector<Joint>& joints,
+    const std::vector<std::vector<std::string>>& columns);
+/// The cells of a joint's differences.
+void write_differences(const std::vector<Difference>& differences,
+                       RowWriter& row);
+
+/// Area of the nominal pressure in units of rho^2 (ball) or of rho times the
+/// length (pin): from pressures in pressure units to those over the nominal.
+inline double nominal_area(contact::JointKind kind) {
+  return kind == contact::JointKind::ball ? std::numbers::pi : 2;
+}
+
+/// Warns of the use of joints and of their half-angle laws outside their
+/// ranges, once for each reason.
+void warn_of_validity(std::string_view program,
+                      const std::vector<Joint>& joints);
 
 }  // namespace cli

@@ -1,10 +1,14 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace cli {
+
+/// What a legend holds.
+inline constexpr std::size_t most_curves = 15;
 
 /// One line of a line plot.
 struct Curve {

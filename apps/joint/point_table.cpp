@@ -103,7 +103,7 @@ Problems write_points(const NamedJoint& joint, const Options& options,
 
   const std::vector<Quantity> quantities = hinge_joint::quantities(
       form.question == Question::rest, joint.approach.has_value());
-  std::vector<std::string> names = solution_columns(quantities, {});
+  std::vector<std::string> names = solution_columns(joint, quantities, {});
   const std::size_t cells = names.size();
   for (std::string& name : cli::distinct_names(columns.riding, names)) {
     names.push_back(std::move(name));
@@ -127,7 +127,7 @@ Problems write_points(const NamedJoint& joint, const Options& options,
             const Answer a =
                 answer(joint, form.question,
                        state_of(form.question, block, i, pin, rate));
-            block.problems.add(a.solution.status);
+            block.problems.add(a, 0);
             write_cells(row, joint, quantities, a, 1, {});
           } else {
             row.text("ERROR");
@@ -140,8 +140,7 @@ Problems write_points(const NamedJoint& joint, const Options& options,
       [&](const Block& block) {
         writer.write(block.rows.view());
         progress.add(block.size());
-        problems.out_of_range += block.problems.out_of_range;
-        problems.not_converged += block.problems.not_converged;
+        problems.add(block.problems);
         problems.bad_lines += block.bad_lines;
         if (block.bad_lines == 0) return;
         progress.clear();

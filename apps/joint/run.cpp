@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -14,11 +15,13 @@
 #include "joint/point_table.hpp"
 #include "joint/solution_table.hpp"
 #include "joint/torque_plot.hpp"
+#include "libcontact/pressure/validity.hpp"
 
 namespace hinge_joint {
 namespace {
 
-constexpr const char* one_row = "one state, one law and one pressure law";
+constexpr const char* one_row =
+    "one joint, one state, one law and one pressure law";
 
 // A pin takes no force along its axis.
 void warn_of_axial_force(const Setup& setup, const Inputs& inputs) {
@@ -61,7 +64,7 @@ cli::ExitStatus run_loops(const Options& options, const Setup& setup,
   const bool outer = !options.outer.empty();
   const NamedJoint& joint =
       only_joint(setup, inputs, outer ? "--outer" : "--trace");
-  const Beside beside(options.beside, setup.given.name,
+  const Beside beside(options.beside, setup.given[0].name,
                       !outer          ? "trace"
                       : options.trace ? "inner"
                                       : "outer");
@@ -73,7 +76,23 @@ cli::ExitStatus run_loops(const Options& options, const Setup& setup,
                      options.output);
 }
 
-cli::ExitStatus report(const Problems& problems) {
+// The largest contacts of each joint and pair of laws.
+void warn_of_contacts(const Problems& problems, const Setup& setup) {
+  std::set<std::string> notes;
+  for (std::size_t i = 0; i < problems.largest.size(); ++i) {
+    const contact::JointContact& contact = setup.joints[i].joint.contact();
+    const auto& [half_angle, peak] = problems.largest[i];
+    for (const std::string& note : contact::contact_notes(
+             contact.geometry().kind(), contact.pair(), half_angle, peak)) {
+      notes.insert(fmt::format("law {}, pressure {}: {}", setup.joints[i].law,
+                               setup.joints[i].pressure, note));
+    }
+  }
+  for (const std::string& note : notes) cli::warn("hinge-joint", note);
+}
+
+cli::ExitStatus report(const Problems& problems, const Setup& setup) {
+  warn_of_contacts(problems, setup);
   // Bad lines have had their messages.
   if (problems.out_of_range > 0) {
     cli::warn("hinge-joint",
@@ -93,11 +112,12 @@ cli::ExitStatus report(const Problems& problems) {
 
 cli::ExitStatus run_points(const Options& options, const Setup& setup) {
   if (setup.joints.size() != 1) {
-    cli::refuse_without("--points", "one law and one pressure law");
+    cli::refuse_without("--points", "one joint, one law and one pressure law");
   }
-  return report(write_points(setup.joints[0], options, [&] {
-    warn_of_validity("hinge-joint", setup.given);
-  }));
+  return report(
+      write_points(setup.joints[0], options,
+                   [&] { warn_of_validity("hinge-joint", setup.given); }),
+      setup);
 }
 
 // What draw_torque() can draw.
@@ -108,8 +128,8 @@ void check_plot(const Setup& setup, const Inputs& inputs) {
   }
   if (setup.joints.size() > most_pairs_of_laws) {
     cli::refuse_without("--plot",
-                        fmt::format("at most {} pairs of half-angle law and "
-                                    "pressure law; these are {}",
+                        fmt::format("at most {} curves of joints, half-angle "
+                                    "laws and pressure laws; these are {}",
                                     most_pairs_of_laws, setup.joints.size()));
   }
 }
@@ -132,11 +152,12 @@ cli::ExitStatus run(const Options& options) {
   const bool plot = !options.output.plot.empty();
   if (plot) check_plot(setup, inputs);
   if (options.summary) check_summary(setup, inputs);
-  const Beside beside(options.beside, setup.given.name, "solution");
+  const Beside beside(options.beside, setup.given[0].name, "solution");
   warn_of_states(setup, inputs);
   cli::ExitStatus status = report(
       options.summary ? write_summary(setup, inputs, beside, options.output)
-                      : write_solutions(setup, inputs, beside, options.output));
+                      : write_solutions(setup, inputs, beside, options.output),
+      setup);
   if (!plot) return status;
   return cli::drawn("hinge-joint",
                     draw_torque(setup, inputs, options.output.plot), status);

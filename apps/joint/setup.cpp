@@ -4,6 +4,8 @@
 
 #include "cli/quantity.hpp"
 #include "cli/refuse.hpp"
+#include "libcontact/base/complaint.hpp"
+#include "libcontact/base/error.hpp"
 
 namespace hinge_joint {
 namespace {
@@ -58,21 +60,26 @@ contact::FrictionModel make_friction(
 }  // namespace
 
 Setup make_setup(const Options& options) {
-  Setup setup{make_joint(options.joint), {}};
-  const cli::Joint& joint = setup.given;
-  const contact::FrictionModel friction =
-      make_friction(options, joint.friction);
-  for (const cli::NamedLaw& law : joint.laws) {
-    for (const cli::NamedPressure& pressure : joint.pressures) {
-      NamedJoint& added = setup.joints.emplace_back(
-          NamedJoint{law.name,
-                     pressure.name,
-                     AnyJoint({*joint.geometry, joint.pair, friction, law.law,
-                               pressure.law}),
-                     {}});
-      if (cli::JointApproach::of(*law.law)) {
-        added.approach.emplace(law.law, *joint.geometry, joint.pair,
-                               joint.geometry->length());
+  Setup setup{make_joints(options.joint), {}};
+  for (const cli::Joint& joint : setup.given) {
+    if (joint.kind != setup.given[0].kind) {
+      throw contact::Error(contact::detail::must_be(
+          "the joints of --joint and --set", "all balls or all pins"));
+    }
+    const contact::FrictionModel friction =
+        make_friction(options, joint.friction);
+    for (const cli::NamedLaw& law : joint.laws) {
+      for (const cli::NamedPressure& pressure : joint.pressures) {
+        NamedJoint& added = setup.joints.emplace_back(
+            NamedJoint{law.name,
+                       pressure.name,
+                       AnyJoint({*joint.geometry, joint.pair, friction, law.law,
+                                 pressure.law}),
+                       {},
+                       joint.differences});
+        if (cli::JointApproach::of(*law.law)) {
+          added.approach.emplace(law.law, joint);
+        }
       }
     }
   }

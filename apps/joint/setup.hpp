@@ -48,11 +48,13 @@ struct NamedJoint {
   AnyJoint joint;
   /// Of the half-angle law exact.
   std::optional<cli::JointApproach> approach;
+  std::vector<cli::Difference> differences = {};
 };
 
-/// The joint that is asked for, once for each pair of laws.
+/// The joints that are asked for, all of one kind, each once for each pair of
+/// laws.
 struct Setup {
-  cli::Joint given;
+  std::vector<cli::Joint> given;
   std::vector<NamedJoint> joints;
 
   /// Whether any of them has one.

@@ -114,6 +114,10 @@ constexpr Quantity usual_quantities[] = {
      [](const Answer& a) { return a.solution.half_angle / degree; }},
     {"p_peak_Pa", "peak pressure",
      [](const Answer& a) { return a.solution.peak_pressure; }},
+    {"p_mean_Pa", "mean pressure over the contact",
+     [](const Answer& a) { return a.mean_pressure; }},
+    {"p_nominal_Pa", "R over the projected area, pi rho^2 or 2 rho L",
+     [](const Answer& a) { return a.nominal_pressure; }},
     {"contact_area_m2", "area of the contact",
      [](const Answer& a) { return a.solution.contact_area; }},
 };
@@ -144,6 +148,8 @@ Answer answer(const NamedJoint& named, Question question, const Input& input) {
            .solution = {},
            .traditional = nan,
            .moment_coefficient = nan,
+           .mean_pressure = nan,
+           .nominal_pressure = nan,
            .utilisation = nan,
            .direction = Vector3d::Constant(nan),
            .approach = {nan, nan}};
@@ -169,6 +175,10 @@ Answer answer(const NamedJoint& named, Question question, const Input& input) {
   const double moment = s.friction_moment.stableNorm();
   a.traditional =
       joint.solve_contact(s.reaction, a.rate).friction_moment.stableNorm();
+  a.mean_pressure = s.normal_force == 0 ? 0
+                                        : joint.contact().mean_pressure(
+                                              s.normal_force, s.half_angle);
+  a.nominal_pressure = joint.contact().geometry().nominal_pressure(force);
   const double rho = joint.contact().geometry().radius();
   a.moment_coefficient = force > 0 ? moment / (rho * force) : 0;
   return a;

@@ -21,6 +21,8 @@ struct Answer {
   double traditional;
   /// |M_t|/(rho R).
   double moment_coefficient;
+  double mean_pressure;     ///< Pa
+  double nominal_pressure;  ///< Pa
   /// Of Question::rest: tau, u.
   double utilisation;
   Eigen::Vector3d direction;

@@ -23,14 +23,37 @@ std::vector<Quantity> quantities_of(const Setup& setup, const Inputs& inputs) {
 
 }  // namespace
 
-void Problems::add(contact::Status status) {
-  if (status == contact::Status::out_of_range) ++out_of_range;
-  if (status == contact::Status::not_converged) ++not_converged;
+void Problems::add(const Answer& answer, std::size_t joint) {
+  const contact::JointSolution& s = answer.solution;
+  if (s.status == contact::Status::out_of_range) ++out_of_range;
+  if (s.status == contact::Status::not_converged) ++not_converged;
+  largest.resize(std::max(largest.size(), joint + 1));
+  auto& [half_angle, peak] = largest[joint];
+  // NaN is not larger than anything.
+  if (s.half_angle > half_angle) half_angle = s.half_angle;
+  if (s.peak_pressure > peak) peak = s.peak_pressure;
 }
 
-std::vector<std::string> solution_columns(std::span<const Quantity> columns,
+void Problems::add(const Problems& more) {
+  out_of_range += more.out_of_range;
+  not_converged += more.not_converged;
+  bad_lines += more.bad_lines;
+  largest.resize(std::max(largest.size(), more.largest.size()));
+  for (std::size_t i = 0; i < more.largest.size(); ++i) {
+    const auto& [half_angle, peak] = more.largest[i];
+    largest[i].half_angle = std::max(largest[i].half_angle, half_angle);
+    largest[i].peak_pressure = std::max(largest[i].peak_pressure, peak);
+  }
+}
+
+std::vector<std::string> solution_columns(const NamedJoint& joint,
+                                          std::span<const Quantity> columns,
                                           const Beside& beside) {
-  std::vector<std::string> names = {"law", "pressure", "state", "status"};
+  std::vector<std::string> names;
+  for (const cli::Difference& difference : joint.differences) {
+    names.push_back(difference.column);
+  }
+  names.insert(names.end(), {"law", "pressure", "state", "status"});
   for (const Quantity& quantity : columns) {
     names.emplace_back(quantity.name);
   }
@@ -40,6 +63,7 @@ std::vector<std::string> solution_columns(std::span<const Quantity> columns,
 void write_cells(cli::RowWriter& to, const NamedJoint& joint,
                  std::span<const Quantity> columns, const Answer& a,
                  std::size_t row, const Beside& beside) {
+  cli::write_differences(joint.differences, to);
   to.text(joint.law);
   to.text(joint.pressure);
   to.text(state_text(a));
@@ -57,7 +81,8 @@ Problems write_solutions(const Setup& setup, const Inputs& inputs,
   const std::vector<Quantity> columns = quantities_of(setup, inputs);
   const std::size_t size = inputs.size() * setup.joints.size();
   cli::Output output(options.output);
-  const cli::Table table(options.format, solution_columns(columns, beside));
+  const cli::Table table(options.format,
+                         solution_columns(setup.joints[0], columns, beside));
   cli::TableWriter writer(output, table);
   cli::Progress progress("rows", size);
   Problems problems;
@@ -74,10 +99,11 @@ Problems write_solutions(const Setup& setup, const Inputs& inputs,
         block.problems = {};
         cli::RowWriter row(table, block.rows);
         for (std::size_t i = block.first; i < block.last; ++i) {
-          const NamedJoint& joint = setup.joints[i % setup.joints.size()];
+          const std::size_t j = i % setup.joints.size();
+          const NamedJoint& joint = setup.joints[j];
           const Answer a =
               answer(joint, inputs.question(), inputs[i / setup.joints.size()]);
-          block.problems.add(a.solution.status);
+          block.problems.add(a, j);
           write_cells(row, joint, columns, a, i + 1, beside);
           row.end();
         }
@@ -85,8 +111,7 @@ Problems write_solutions(const Setup& setup, const Inputs& inputs,
       [&](const Block& block) {
         writer.write(block.rows.view());
         progress.add(block.last - block.first);
-        problems.out_of_range += block.problems.out_of_range;
-        problems.not_converged += block.problems.not_converged;
+        problems.add(block.problems);
       });
   writer.finish();
   output.commit();
@@ -130,7 +155,7 @@ Problems write_summary(const Setup& setup, const Inputs& inputs,
   writer.finish();
   output.commit();
   Problems problems;
-  problems.add(a.solution.status);
+  problems.add(a, 0);
   return problems;
 }
 

@@ -9,17 +9,25 @@
 
 namespace hinge_joint {
 
-/// Answers that are no solutions.
+/// Answers that are no solutions, and the largest contacts.
 struct Problems {
+  struct Largest {
+    double half_angle = 0;     ///< rad
+    double peak_pressure = 0;  ///< Pa
+  };
+
   std::size_t out_of_range = 0;
   std::size_t not_converged = 0;
   std::size_t bad_lines = 0;
+  std::vector<Largest> largest = {};  ///< of each of Setup::joints
 
-  void add(contact::Status status);
+  /// @param joint  its number in Setup::joints
+  void add(const Answer& answer, std::size_t joint);
+  void add(const Problems& more);
 };
 
-/// A row for each state and pair of laws: law, pressure, state, status and
-/// the quantities().
+/// A row for each state, joint and pair of laws: its differences, law,
+/// pressure, state, status and the quantities().
 Problems write_solutions(const Setup& setup, const Inputs& inputs,
                          const Beside& beside,
                          const cli::OutputOptions& options);
@@ -29,7 +37,8 @@ Problems write_summary(const Setup& setup, const Inputs& inputs,
                        const Beside& beside, const cli::OutputOptions& options);
 
 /// Names of the columns of write_solutions().
-std::vector<std::string> solution_columns(std::span<const Quantity> columns,
+std::vector<std::string> solution_columns(const NamedJoint& joint,
+                                          std::span<const Quantity> columns,
                                           const Beside& beside);
 /// Cells of one row; ends it not.
 void write_cells(cli::RowWriter& to, const NamedJoint& joint,

@@ -39,8 +39,9 @@ class Labels {
   }
 
   std::string title(const Setup& setup, double member) const {
+    const std::string& name = setup.given[0].name;
     std::string text =
-        setup.given.name.empty() ? "friction moment" : setup.given.name;
+        name.empty() || setup.given.size() > 1 ? "friction moment" : name;
     const NamedJoint& first = setup.joints[0];
     if (!members_ && member_) text += ", " + member_text(member);
     if (!laws_) text += ", law " + first.law;
@@ -53,6 +54,7 @@ class Labels {
       text += (text.empty() ? "" : ", ") + part;
     };
     if (members_) add(member_text(member));
+    if (!joint.differences.empty()) add(difference_text(joint.differences));
     if (laws_) add(joint.law);
     if (pressures_) add(joint.pressure);
     return text;

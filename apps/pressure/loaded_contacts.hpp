@@ -12,7 +12,7 @@ namespace hinge_pressure {
 
 /// A load and the contact that it makes.
 struct LoadedContact {
-  /// N or N/m; in dimensionless runs the load parameter.
+  /// As hinge_angle::Loads has it; in dimensionless runs the load parameter.
   double load;
   double load_parameter;
   double half_angle;  ///< rad; NaN if the half-angle law has none
@@ -26,12 +26,11 @@ class LoadedContacts {
   /// @param input  a load, not inverse; must outlive this, as must the joint
   /// @param joint  with one half-angle law
   LoadedContacts(const hinge_angle::Input& input, const cli::Joint& joint)
-      : input_(input),
-        loads_(joint.kind, joint.geometry, joint.pair),
-        law_(*joint.laws[0].law) {}
+      : input_(input), loads_(joint), law_(*joint.laws[0].law) {}
 
   std::size_t size() const { return input_.values.size(); }
   LoadedContact operator[](std::size_t index) const;
+  const hinge_angle::Loads& loads() const { return loads_; }
 
  private:
   const hinge_angle::Input& input_;

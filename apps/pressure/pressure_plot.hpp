@@ -8,10 +8,15 @@
 namespace hinge_pressure {
 
 /// Draws the pressure over the angle from the contact's centre, a curve for
-/// each law and load; the colours are those of the laws, or of the loads if
-/// there is one law.
+/// each joint, law and load; the colours are those of the laws, or of the
+/// joints or loads if there is one law.
 /// @return as cli::draw()
-std::string draw(const PressureTable& pressures, const cli::Joint& joint,
-                 const LoadedContacts& contacts, const std::string& file);
+std::string draw(const std::vector<PressureTable>& tables,
+                 const std::vector<cli::Joint>& joints,
+                 const std::vector<LoadedContacts>& contacts,
+                 const std::string& file);
+
+/// Throws contact::Error if a picture of them would have too many curves.
+void check_curves(const std::vector<cli::Joint>& joints);
 
 }  // namespace hinge_pressure

@@ -10,15 +10,19 @@
 
 namespace hinge_pressure {
 
-PressureTable::PressureTable(const cli::Joint& joint) : joint_(joint) {
+PressureTable::PressureTable(const cli::Joint& joint)
+    : joint_(joint), loads_(joint) {
   const auto& law = joint.laws[0].law;
   if (joint.geometry && cli::JointApproach::of(*law)) {
-    approach_.emplace(law, *joint.geometry, joint.pair, 1);
+    approach_.emplace(law, joint);
   }
 }
 
+// A pressure unit in Pa, or in nominal pressures.
 double PressureTable::scale(const LoadedContact& contact) const {
-  return joint_.geometry ? joint_.geometry->pressure_unit(contact.load) : 1;
+  return joint_.geometry ? joint_.geometry->pressure_unit(
+                               loads_.law_load(contact.load_parameter))
+                         : cli::nominal_area(joint_.kind);
 }
 
 double PressureTable::pressure(const NamedPressure& law,
@@ -31,6 +35,7 @@ double PressureTable::pressure(const NamedPressure& law,
 
 void PressureTable::write_contact(const LoadedContact& contact,
                                   cli::RowWriter& row) const {
+  cli::write_differences(joint_.differences, row);
   if (joint_.geometry) row.number(contact.load);
   row.number(contact.load_parameter);
   row.number(contact.half_angle / contact::degree);
@@ -40,7 +45,7 @@ void PressureTable::write_contact(const LoadedContact& contact,
 
 std::vector<std::string> PressureTable::contact_columns() const {
   std::vector<std::string> names;
-  if (joint_.geometry) names.emplace_back("load");
+  if (joint_.geometry) names.push_back(loads_.column());
   names.insert(names.end(), {"load_parameter", "theta0_deg"});
   if (joint_.conditions.loading.is_back()) names.emplace_back("loading");
   return names;
@@ -73,6 +78,7 @@ std::vector<std::string> PressureTable::summary_columns() const {
   names.insert(names.end(), {"law", "pressure"});
   names.push_back("p_peak_" + unit());
   names.push_back("p_mean_" + unit());
+  if (joint_.geometry) names.emplace_back("p_nominal_Pa");
   const bool ball = joint_.kind == contact::JointKind::ball;
   if (joint_.geometry) {
     names.emplace_back(ball ? "contact_area_m2" : "contact_width_m");
@@ -82,9 +88,7 @@ std::vector<std::string> PressureTable::summary_columns() const {
   names.emplace_back("S");
   if (ball) names.insert(names.end(), {"chi_0", "sigma_Y_0", "sigma_Z_90"});
   if (approach_) {
-    for (auto& name : cli::JointApproach::columns(joint_.kind)) {
-      names.push_back(std::move(name));
-    }
+    for (auto& name : approach_->columns()) names.push_back(std::move(name));
   }
   return names;
 }
@@ -106,6 +110,9 @@ void PressureTable::write_summary(const LoadedContact& contact,
     row.text(law.name);
     row.number(unloaded ? 0 : scale(contact) * law.law->peak(half_angle));
     row.number(unloaded ? 0 : scale(contact) * law.law->mean(half_angle));
+    if (joint_.geometry) {
+      row.number(loads_.nominal_pressure(contact.load_parameter));
+    }
     row.number(area);
     row.number(law.law->force_ratio(half_angle));
     if (joint_.kind == contact::JointKind::ball) {

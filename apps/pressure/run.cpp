@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <string>
 #include <vector>
 
 #include "angle/input.hpp"
@@ -11,6 +13,7 @@
 #include "cli/quantity.hpp"
 #include "cli/table.hpp"
 #include "libcontact/base/units.hpp"
+#include "libcontact/pressure/validity.hpp"
 #include "pressure/pressure_plot.hpp"
 #include "pressure/pressure_table.hpp"
 
@@ -19,27 +22,35 @@ namespace {
 
 using hinge_angle::Input;
 
-// Loads without a half-angle, or one that has not converged, and half-angles
-// beyond a pressure law.
-class Gaps {
+// What is to be said of the contacts of one joint: loads without a half-angle,
+// or one that has not converged, half-angles beyond a pressure law, the
+// largest contact.
+class Findings {
  public:
-  explicit Gaps(const std::vector<NamedPressure>& pressures)
-      : pressures_(pressures), beyond_(pressures.size()) {}
+  Findings(const cli::Joint& joint, const PressureTable& table)
+      : joint_(joint),
+        table_(table),
+        beyond_(joint.pressures.size()),
+        peak_(joint.pressures.size()) {}
 
   void add(const LoadedContact& contact) {
     ++all_;
     if (std::isnan(contact.half_angle)) ++none_;
     if (contact.status == contact::Status::not_converged) ++rough_;
+    // NaN is not larger than anything.
+    if (contact.half_angle > half_angle_) half_angle_ = contact.half_angle;
     for (std::size_t i = 0; i < beyond_.size(); ++i) {
-      const double largest = pressures_[i].law->largest_half_angle();
+      const NamedPressure& law = joint_.pressures[i];
+      const double largest = law.law->largest_half_angle();
       if (contact.half_angle > largest) ++beyond_[i];
+      if (!joint_.geometry) continue;
+      const double peak = table_.pressure(law, contact, 0);
+      if (peak > peak_[i]) peak_[i] = peak;
     }
   }
 
-  cli::ExitStatus report(const std::string& half_angle_law) const {
-    const auto say = [](const std::string& text) {
-      cli::warn("hinge-pressure", text);
-    };
+  cli::ExitStatus report() const {
+    const std::string& half_angle_law = joint_.laws[0].name;
     if (none_ > 0) {
       say(
           fmt::format("law {}: no half-angle for {} of {} loads, which are "
@@ -50,67 +61,116 @@ class Gaps {
       say(fmt::format("law {}: {} of {} half-angles have not converged",
                       half_angle_law, rough_, all_));
     }
-    for (std::size_t i = 0; i < beyond_.size(); ++i) {
-      if (beyond_[i] == 0) continue;
-      const double largest = pressures_[i].law->largest_half_angle();
-      say(fmt::format(
-          "pressure {}: none for {} of {} loads, whose half-angle "
-          "is above {:.6g} deg",
-          pressures_[i].name, beyond_[i], all_, largest / contact::degree));
+    for (const auto& note :
+         contact_notes(joint_.kind, joint_.pair, half_angle_, 0)) {
+      say(fmt::format("law {}: {}", half_angle_law, note));
     }
+    for (std::size_t i = 0; i < beyond_.size(); ++i) report_pressure(i);
     return rough_ > 0 ? cli::some_bad : cli::all_good;
   }
 
  private:
-  const std::vector<NamedPressure>& pressures_;
+  void report_pressure(std::size_t i) const {
+    const NamedPressure& law = joint_.pressures[i];
+    if (beyond_[i] > 0) {
+      const double largest = law.law->largest_half_angle();
+      say(
+          fmt::format("pressure {}: none for {} of {} loads, whose half-angle "
+                      "is above {:.6g} deg",
+                      law.name, beyond_[i], all_, largest / contact::degree));
+    }
+    for (const auto& note :
+         contact_notes(joint_.kind, joint_.pair, 0, peak_[i])) {
+      say(fmt::format("pressure {}: {}", law.name, note));
+    }
+  }
+  void say(const std::string& text) const {
+    const std::string which = difference_text(joint_.differences);
+    cli::warn("hinge-pressure", which.empty() ? text : which + ": " + text);
+  }
+
+  const cli::Joint& joint_;
+  const PressureTable& table_;
   std::size_t all_ = 0;
   std::size_t none_ = 0;
   std::size_t rough_ = 0;
+  double half_angle_ = 0;
   std::vector<std::size_t> beyond_;  // of each pressure law
+  std::vector<double> peak_;
 };
 
-void write_table(const PressureTable& pressures, const LoadedContacts& contacts,
-                 int points, const Options& options, Gaps& gaps) {
+std::vector<std::string> columns(const std::vector<cli::Joint>& joints,
+                                 const std::vector<PressureTable>& tables,
+                                 bool summary) {
+  std::vector<std::vector<std::string>> names;
+  for (const PressureTable& table : tables) {
+    names.push_back(summary ? table.summary_columns()
+                            : table.profile_columns());
+  }
+  return joint_columns(joints, names);
+}
+
+cli::ExitStatus write_table(const std::vector<cli::Joint>& joints,
+                            const std::vector<PressureTable>& tables,
+                            const std::vector<LoadedContacts>& contacts,
+                            int points, const Options& options) {
   const cli::OutputOptions& to = options.output;
   cli::Output output(to.output);
-  const cli::Table table(to.format, options.summary
-                                        ? pressures.summary_columns()
-                                        : pressures.profile_columns());
+  const cli::Table table(to.format, columns(joints, tables, options.summary));
   cli::TableWriter writer(output, table);
   cli::Text rows;
-  cli::Progress progress("loads", contacts.size());
-  for (std::size_t i = 0; i < contacts.size(); ++i) {
-    const LoadedContact contact = contacts[i];
-    gaps.add(contact);
-    rows.clear();
-    cli::RowWriter row(table, rows);
-    if (options.summary) {
-      pressures.write_summary(contact, row);
-    } else {
-      pressures.write_profile(contact, points, row);
+  cli::RowWriter row(table, rows);
+  cli::Progress progress("loads", joints.size() * contacts[0].size());
+  std::vector<Findings> findings;
+  for (std::size_t j = 0; j < joints.size(); ++j) {
+    Findings& found = findings.emplace_back(joints[j], tables[j]);
+    for (std::size_t i = 0; i < contacts[j].size(); ++i) {
+      const LoadedContact contact = contacts[j][i];
+      found.add(contact);
+      rows.clear();
+      if (options.summary) {
+        tables[j].write_summary(contact, row);
+      } else {
+        tables[j].write_profile(contact, points, row);
+      }
+      writer.write(rows.view());
+      progress.add(1);
     }
-    writer.write(rows.view());
-    progress.add(1);
   }
   writer.finish();
   output.commit();
+  cli::ExitStatus status = cli::all_good;
+  for (const Findings& found : findings) {
+    status = std::max(status, found.report());
+  }
+  return status;
 }
 
 }  // namespace
 
 cli::ExitStatus run(const Options& options) {
-  const cli::Joint joint = make_joint(options.joint);
-  const Input input = make_input(options.load, joint);
+  const std::vector<cli::Joint> joints = make_joints(options.joint);
+  std::vector<Input> inputs;
+  for (const cli::Joint& joint : joints) {
+    inputs.push_back(make_input(options.load, joint));
+  }
   const int points = cli::parse_count("--points", options.points, 2, 1'000'000);
-  warn_of_validity("hinge-pressure", joint);
-  const LoadedContacts contacts(input, joint);
-  const PressureTable table(joint);
-  Gaps gaps(joint.pressures);
-  write_table(table, contacts, points, options, gaps);
-  const cli::ExitStatus status = gaps.report(joint.laws[0].name);
-  if (options.output.plot.empty()) return status;
+  std::vector<LoadedContacts> contacts;
+  std::vector<PressureTable> tables;
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    contacts.emplace_back(inputs[i], joints[i]);
+    tables.emplace_back(joints[i]);
+  }
+  columns(joints, tables, options.summary);  // refuses unlike joints
+  const bool plot = !options.output.plot.empty();
+  if (plot) check_curves(joints);
+  warn_of_validity("hinge-pressure", joints);
+  const cli::ExitStatus status =
+      write_table(joints, tables, contacts, points, options);
+  if (!plot) return status;
   return cli::drawn("hinge-pressure",
-                    draw(table, joint, contacts, options.output.plot), status);
+                    draw(tables, joints, contacts, options.output.plot),
+                    status);
 }
 
 }  // namespace hinge_pressure

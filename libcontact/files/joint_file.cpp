@@ -290,8 +290,9 @@ JointSpec whole_joint(const TomlTable& file) {
 
 }  // namespace
 
-JointSpec read_joint(const std::filesystem::path& path) {
-  return whole_joint(TomlTable::from_file(path, joint_keys()));
+JointSpec read_joint(const std::filesystem::path& path,
+                     const KeySettings& settings) {
+  return whole_joint(TomlTable::from_file(path, joint_keys(), settings));
 }
 
 JointSpec parse_joint(std::string_view text, const std::string& source) {

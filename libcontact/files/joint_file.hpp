@@ -76,7 +76,9 @@ class SharedLaws {
       pressure_;
 };
 
-JointSpec read_joint(const std::filesystem::path& path);
+/// @param settings  keys whose values are others than in the file
+JointSpec read_joint(const std::filesystem::path& path,
+                     const KeySettings& settings = {});
 /// @param source  what messages call the text
 JointSpec parse_joint(std::string_view text, const std::string& source);
 /// A joint that is part of a larger file, which has joint_keys() among its own.

@@ -18,11 +18,18 @@ Material material_from_table(const TomlTable& table, Rigid rigid) {
           ? table.optional_number("poissons_ratio", poissons_ratio_range)
                 .value_or(0)
           : table.number("poissons_ratio", poissons_ratio_range);
-  return {modulus, ratio, name};
+  Material material{modulus, ratio, name};
+  const auto limit =
+      table.optional_number("limit_pressure", Interval::positive());
+  if (limit) material.limit_pressure = *limit;
+  return material;
 }
 
 KnownKeys material_keys() {
-  return {{"name"}, {"youngs_modulus", Dimension::stress}, {"poissons_ratio"}};
+  return {{"name"},
+          {"youngs_modulus", Dimension::stress},
+          {"poissons_ratio"},
+          {"limit_pressure", Dimension::stress}};
 }
 
 }  // namespace contact

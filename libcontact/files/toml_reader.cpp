@@ -15,6 +15,7 @@
 #include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
 #include "libcontact/base/text.hpp"
+#include "libcontact/files/key_setting.hpp"
 #include "libcontact/files/key_units.hpp"
 #include "libcontact/files/stranger.hpp"
 
@@ -45,8 +46,11 @@ struct TomlTable::File {
   toml::table root = {};
   mutable std::set<const toml::node*> read = {};
 
-  // "FILE:LINE: "
+  // "FILE:LINE: ", or "FILE with KEY: " of what a setting has put there.
   std::string at(const toml::node& node) const {
+    if (const auto& setting = node.source().path) {
+      return detail::message("{} with {}: ", source, *setting);
+    }
     return detail::message("{}:{}: ", source, detail::line_of(node));
   }
   void refuse(detail::Stranger strange) const {
@@ -124,7 +128,7 @@ TomlTable::TomlTable(std::shared_ptr<const File> file, const void* table,
       path_(std::move(path)) {}
 
 TomlTable TomlTable::from_file(const std::filesystem::path& path,
-                               KnownKeys keys) {
+                               KnownKeys keys, const KeySettings& settings) {
   const auto refuse = [&path](const std::string& why) {
     throw Error(detail::message("{}: cannot be read: {}",
                                 detail::printable(path.string(), longest_line),
@@ -145,11 +149,13 @@ TomlTable TomlTable::from_file(const std::filesystem::path& path,
   if (!stream) refuse(std::strerror(errno));
   const std::string text{std::istreambuf_iterator<char>(stream), {}};
   if (stream.bad()) refuse(std::strerror(errno));
-  return from_text(text, path.string(), std::move(keys), path.parent_path());
+  return from_text(text, path.string(), std::move(keys), path.parent_path(),
+                   settings);
 }
 
 TomlTable TomlTable::from_text(std::string_view text, const std::string& source,
-                               KnownKeys keys, std::filesystem::path folder) {
+                               KnownKeys keys, std::filesystem::path folder,
+                               const KeySettings& settings) {
   auto file =
       std::make_shared<File>(File{source, std::move(folder), std::move(keys)});
   try {
@@ -158,6 +164,9 @@ TomlTable TomlTable::from_text(std::string_view text, const std::string& source,
     throw Error(detail::message(
         "{}:{}: {}", source, unsigned(error.source().begin.line),
         detail::printable(error.description(), longest_line)));
+  }
+  for (const KeySetting& setting : settings) {
+    detail::set_key(file->root, file->keys, setting.key, setting.value);
   }
   file->refuse({});
   return TomlTable(file, &file->root, &file->keys, "");

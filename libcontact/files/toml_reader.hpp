@@ -44,6 +44,14 @@ inline KnownKey table_key(std::string_view key, KnownKeys inside) {
   return {key, Dimension::number, std::move(inside)};
 }
 
+/// A key of a file that is given another value: as `wall.layer[1].thickness_mm`
+/// = `8`. It takes the place of the same key in another unit.
+struct KeySetting {
+  std::string key;    ///< with the tables that it stands in
+  std::string value;  ///< as in TOML; a text may stand without quotes
+};
+using KeySettings = std::vector<KeySetting>;
+
 /// One table of a TOML file. A cheap handle; the file lives as long as any of
 /// its tables.
 ///
@@ -54,12 +62,15 @@ class TomlTable {
   /// Reads a file whose keys are among these. Throws Error if it cannot be
   /// read, is not TOML or has another key, with the first one and the nearest
   /// that is known: it may be why something else is missing.
-  static TomlTable from_file(const std::filesystem::path& path, KnownKeys keys);
+  /// @param settings  made before anything is looked at
+  static TomlTable from_file(const std::filesystem::path& path, KnownKeys keys,
+                             const KeySettings& settings = {});
   /// Reads a text.
   /// @param source  what messages call it
   /// @param folder  what paths in it are relative to
   static TomlTable from_text(std::string_view text, const std::string& source,
-                             KnownKeys keys, std::filesystem::path folder = {});
+                             KnownKeys keys, std::filesystem::path folder = {},
+                             const KeySettings& settings = {});
 
   /// True if the key is there, in any of its dimension's spellings.
   bool has(std::string_view key) const;

@@ -79,6 +79,10 @@ class JointContact {
   double peak_pressure(double normal_force, double half_angle) const noexcept {
     return pressure_law_->peak(half_angle) * normal_force / unit_pressure_area_;
   }
+  /// Mean pressure over the contact, Pa.
+  double mean_pressure(double normal_force, double half_angle) const noexcept {
+    return pressure_law_->mean(half_angle) * normal_force / unit_pressure_area_;
+  }
 
  private:
   JointGeometry geometry_;

@@ -13,6 +13,9 @@ namespace {
 // The theory is of first order in eps/rho1; beyond this its error is no
 // longer small beside that of the half-angle laws (2 to 10 %).
 constexpr double largest_relative_clearance = 0.05;
+// 0.25 um in a radius of 25 mm: errors of form and roughness of the best ground
+// surfaces are of this size, and a degree or two of temperature changes it.
+constexpr double smallest_relative_clearance = 1e-5;
 
 }  // namespace
 
@@ -53,11 +56,19 @@ JointGeometry JointGeometry::pin(double radius, double radial_clearance,
 }
 
 std::vector<std::string> JointGeometry::validity_notes() const {
-  if (relative_clearance() <= largest_relative_clearance) return {};
-  return {
-      detail::message("relative clearance {:.3g} exceeds {}: the theory is of "
-                      "first order in it",
-                      relative_clearance(), largest_relative_clearance)};
+  if (relative_clearance() > largest_relative_clearance) {
+    return {
+        detail::message("relative clearance {:.3g} exceeds {}: the theory is "
+                        "of first order in it",
+                        relative_clearance(), largest_relative_clearance)};
+  }
+  if (relative_clearance() < smallest_relative_clearance) {
+    return {detail::message(
+        "relative clearance {:.3g} is below {:g}: errors of form and warmth "
+        "change clearances as small as this",
+        relative_clearance(), smallest_relative_clearance)};
+  }
+  return {};
 }
 
 LoadScale::LoadScale(const JointGeometry& geometry, const ElasticPair& pair) {

@@ -29,10 +29,12 @@ void detail::check_material(const Material& material, std::string place) {
   if (!material.name.empty()) place += " " + material.name;
   require(material.youngs_modulus > 0, place, "youngs_modulus",
           material.youngs_modulus, "above 0 Pa or inf for a rigid body");
+  require(material.limit_pressure > 0, place, "limit_pressure",
+          material.limit_pressure, "above 0 Pa or inf for none");
   check_poissons_ratio(material.poissons_ratio, place);
 }
 
-ElasticPair::ElasticPair(Material inner, Material outer)
+ElasticPair::ElasticPair(const Material& inner, const Material& outer)
     : ElasticPair(inner, outer, inner.youngs_modulus / outer.youngs_modulus) {}
 
 ElasticPair::ElasticPair(Material inner, Material outer, double modulus_ratio)

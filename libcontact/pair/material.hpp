@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <string>
 
 /// Elastic constants of the two bodies of a joint. Body 1 is the inner one
@@ -14,6 +15,9 @@ struct Material {
   double poissons_ratio;
   /// For messages only; may be empty.
   std::string name = {};
+  /// Largest contact pressure that it bears, Pa, (0, infinity]: where it
+  /// yields or creeps, or what a catalogue allows. For warnings only.
+  double limit_pressure = std::numeric_limits<double>::infinity();
 
   friend bool operator==(const Material&, const Material&) = default;
 };
@@ -51,7 +55,7 @@ class ElasticPair {
   /// @param inner  body 1: ball or pin
   /// @param outer  body 2: seat or hole
   /// @throws Error if a constant is out of range or both bodies are rigid.
-  ElasticPair(Material inner, Material outer);
+  ElasticPair(const Material& inner, const Material& outer);
 
   /// A pair known by its dimensionless constants only. The moduli are scaled
   /// so that effective_modulus() is 1: forces are then in units of E rho1^2.

@@ -12,7 +12,7 @@
 /// Pressure laws by their names.
 namespace contact {
 
-/// The law of joints and programs that name none.
+/// The law of joints that name none, whose materials are known.
 inline constexpr std::string_view default_pressure_law = "cosine";
 
 /// Names that make_pressure_law() knows: cosine, sqrt_tan, sqrt_theta,

@@ -31,7 +31,8 @@ TEST(FullDisk, ResultsAreWholeOrNotThere) {
       "hinge-table --theta0 0:90:9 --alpha 0:90:9",
       "hinge-angle --joint ball --modulus-ratio 1 --x 0.1:1:0.1",
       "hinge-pressure --joint ball --modulus-ratio 1 --x 1",
-      "hinge-joint --joint data/joints/hip_cocr_uhmwpe.toml "
+      // One text on two lines.
+      "hinge-joint --joint data/joints/hip_cocr_uhmwpe.toml "  // NOLINT
       "--reaction 100:900:100 --beta 30",
       "hinge-separation data/cases/slosh.toml"};
   for (const std::string& run : runs) {

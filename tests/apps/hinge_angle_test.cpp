@@ -52,15 +52,15 @@ TEST(HingeAngle, PeakColumnsNameThePressure) {
         name);
     ASSERT_EQ(result.status, 0) << result.err;
     const auto rows = csv_rows(result.out);
-    const std::string by = name == "cosine" ? "" : "_by_" + name;
-    const double peak =
-        std::stod(csv_column(rows, "p_peak_exact" + by + "_over_mean")[0]);
+    const double peak = std::stod(
+        csv_column(rows, "p_peak_exact_by_" + name + "_over_nominal")[0]);
     const double half_angle =
         std::stod(csv_column(rows, "theta0_exact_deg")[0]) * contact::degree;
     const auto law =
         contact::make_pressure_law(name, contact::JointKind::ball, pair);
     // theta0 comes back from degrees.
-    EXPECT_NEAR(peak / law->peak(half_angle), 1, 1e-13) << name;
+    EXPECT_NEAR(peak / (std::numbers::pi * law->peak(half_angle)), 1, 1e-13)
+        << name;
   }
 }
 
@@ -70,17 +70,21 @@ TEST(HingeAngle, DimensionlessRowsAreTheLibrarys) {
     const ProgramResult result = ProgramFolder().run(
         "hinge-angle --modulus-ratio 0.5 --poisson1 0.25 --poisson2 0.3 "
         "--x 0,0.25:3:0.25,inf --law hertz,arctan,tanh,blend,blend:0.3,paper "
-        "--joint " +
+        "--pressure cosine --joint " +
         joint);
     EXPECT_EQ(result.status, 0) << result.err;
-    EXPECT_EQ(first_line(result.out),
-              "load_parameter,x,theta0_hertz_deg,p_peak_hertz_over_mean,"
-              "theta0_arctan_deg,p_peak_arctan_over_mean,theta0_tanh_deg,"
-              "p_peak_tanh_over_mean,theta0_blend_deg,p_peak_blend_over_mean,"
-              "theta0_blend:0.3_deg,p_peak_blend:0.3_over_mean,"
-              "theta0_paper_deg,p_peak_paper_over_mean");
+    EXPECT_EQ(
+        first_line(result.out),
+        "load_parameter,x,theta0_hertz_deg,p_peak_hertz_by_cosine_over_nominal,"
+        "theta0_arctan_deg,p_peak_arctan_by_cosine_over_nominal,theta0_tanh_"
+        "deg,"
+        "p_peak_tanh_by_cosine_over_nominal,theta0_blend_deg,p_peak_blend_by_"
+        "cosine_over_nominal,"
+        "theta0_blend:0.3_deg,p_peak_blend:0.3_by_cosine_over_nominal,"
+        "theta0_paper_deg,p_peak_paper_by_cosine_over_nominal");
     const auto pair = contact::ElasticPair::from_modulus_ratio(0.5, 0.25, 0.3);
     const contact::CosinePressure pressure(kind);
+    const double area = kind == JointKind::ball ? std::numbers::pi : 2;
     const auto rows = numbers(result.out);
     ASSERT_EQ(rows.size(), 14U);
     for (const auto& row : rows) {
@@ -95,7 +99,7 @@ TEST(HingeAngle, DimensionlessRowsAreTheLibrarys) {
         if (expected.status == contact::Status::ok) {
           // The numbers read back as the same doubles.
           EXPECT_EQ(row[column], half_angle / contact::degree) << name;
-          EXPECT_EQ(row[column + 1], pressure.peak(half_angle)) << name;
+          EXPECT_EQ(row[column + 1], pressure.peak(half_angle) * area) << name;
         } else {
           EXPECT_TRUE(std::isnan(row[column])) << name;
           EXPECT_TRUE(std::isnan(row[column + 1])) << name;
@@ -112,25 +116,28 @@ TEST(HingeAngle, DimensionalRowsAreTheLibrarys) {
     const contact::JointSpec joint =
         contact::read_joint(std::string(CONTACT_DATA_DIR) + '/' + file);
     const ProgramResult result = ProgramFolder().run(
-        "hinge-angle --law tanh --load 0,100:1e6:log7 --joint data/" + file);
+        "hinge-angle --law tanh --pressure cosine --load 0,100:1e6:log7 "
+        "--joint data/" +
+        file);
     EXPECT_EQ(result.status, 0) << result.err;
     EXPECT_EQ(first_line(result.out),
-              "load,load_parameter,x,theta0_tanh_deg,p_peak_tanh_Pa");
+              "load_N,load_parameter,x,p_nominal_Pa,theta0_tanh_deg,"
+              "p_peak_tanh_by_cosine_Pa");
     const auto law = contact::make_half_angle_law(
         "tanh", joint.geometry.kind(), joint.pair, joint.half_angle_options);
     const contact::CosinePressure pressure(joint.geometry.kind());
     const auto rows = numbers(result.out);
     ASSERT_EQ(rows.size(), 8U);
     for (const auto& row : rows) {
-      EXPECT_EQ(row[1], joint.load_scale().load_parameter(row[0]));
+      const double load = joint.geometry.load_from_force(row[0]);
+      EXPECT_EQ(row[1], joint.load_scale().load_parameter(load));
       const double half_angle = law->half_angle(row[1]).half_angle;
-      EXPECT_EQ(row[3], half_angle / contact::degree);
-      const double peak = row[0] == 0
-                              ? 0
-                              : pressure.peak(half_angle) *
-                                    joint.geometry.pressure_unit(row[0]);
-      // The order of three multiplications is the program's own.
-      EXPECT_NEAR(row[4], peak, 1e-15 * peak);
+      EXPECT_EQ(row[4], half_angle / contact::degree);
+      const double peak = row[0] == 0 ? 0
+                                      : pressure.peak(half_angle) *
+                                            joint.geometry.pressure_unit(load);
+      // The order of multiplications is the program's own.
+      EXPECT_NEAR(row[5], peak, 2e-15 * peak);
     }
   }
 }
@@ -154,12 +161,13 @@ TEST(HingeAngle, ApproachAndStiffness) {
   EXPECT_NEAR(std::stod(column(back, "approach_m")[0]) / approach, 1, 1e-9);
   const std::string laws = " --load 2000 --law fitted,exact,hertz";
   EXPECT_EQ(first_line(folder.run(hip + ".toml" + laws).out),
-            "load,load_parameter,x,theta0_fitted_deg,p_peak_fitted_Pa,"
-            "theta0_exact_deg,p_peak_exact_Pa,approach_m,stiffness_N_per_m,"
-            "theta0_hertz_deg,p_peak_hertz_Pa");
+            "load_N,load_parameter,x,p_nominal_Pa,theta0_fitted_deg,"
+            "p_peak_fitted_by_cosine_Pa,theta0_exact_deg,"
+            "p_peak_exact_by_cosine_Pa,approach_m,stiffness_N_per_m,"
+            "theta0_hertz_deg,p_peak_hertz_by_hertz_Pa");
   const std::string pin =
       folder.run("hinge-angle --joint data/joints/pin_joint.toml" + laws).out;
-  EXPECT_EQ(column(pin, "stiffness_N_per_m2")[0], "");
+  EXPECT_EQ(column(pin, "stiffness_N_per_m")[0], "");
 }
 
 TEST(HingeAngle, PaperExample1) {
@@ -169,7 +177,7 @@ TEST(HingeAngle, PaperExample1) {
   EXPECT_EQ(result.err, "");
   const auto rows = numbers(result.out);
   EXPECT_NEAR(rows.at(0).at(1), 0.5460, 5e-5);
-  EXPECT_NEAR(rows.at(0).at(3), 42.593, 5e-4);
+  EXPECT_NEAR(rows.at(0).at(4), 42.593, 5e-4);
 }
 
 TEST(HingeAngle, WaysToGiveAJointAgree) {
@@ -250,9 +258,11 @@ TEST(HingeAngle, LoadedThroughTheBack) {
     const double half_angle = law.half_angle(3).half_angle;
     EXPECT_EQ(std::stod(csv_column(rows, "theta0_exact_back:20_deg")[0]),
               half_angle / contact::degree);
-    EXPECT_EQ(std::stod(csv_column(
-                  rows, "p_peak_exact_back:20_by_exact_back:20_over_mean")[0]),
-              contact::ExactPressure(kind, pair, loading).peak(half_angle));
+    EXPECT_EQ(
+        std::stod(csv_column(
+            rows, "p_peak_exact_back:20_by_exact_back:20_over_nominal")[0]),
+        contact::ExactPressure(kind, pair, loading).peak(half_angle) *
+            (ball ? std::numbers::pi : 2));
   }
   // docs/conforming.md: 66.55 deg under a force at the centre, 73.13 here.
   const std::string load = "--law exact --load-parameter 3 --loading ";
@@ -294,7 +304,9 @@ TEST(HingeAngle, HertzBeyondItsRange) {
     EXPECT_EQ(result.status, 0);
     EXPECT_EQ(result.err,
               "hinge-angle: warning: law hertz: no value for 3 of 5 rows, "
-              "which are outside its range\n");
+              "which are outside its range\n"
+              "hinge-angle: warning: law hertz: half-angle 90 deg is beyond "
+              "88.01 deg, the limit half-angle of these materials\n");
     const auto cells = csv_column(csv_rows(result.out), "theta0_hertz_deg");
     EXPECT_EQ(cells[1], "90");
     EXPECT_EQ(cells[2], "");
@@ -304,7 +316,7 @@ TEST(HingeAngle, HertzBeyondItsRange) {
       nlohmann::json::parse(folder.run(command + "--format json").out);
   EXPECT_EQ(json.at(1).at("theta0_hertz_deg"), 90);
   EXPECT_TRUE(json.at(2).at("theta0_hertz_deg").is_null());
-  EXPECT_TRUE(json.at(2).at("p_peak_hertz_over_mean").is_null());
+  EXPECT_TRUE(json.at(2).at("p_peak_hertz_by_hertz_over_nominal").is_null());
 }
 
 TEST(HingeAngle, InverseGoesBack) {
@@ -323,9 +335,13 @@ TEST(HingeAngle, InverseGoesBack) {
       const auto back = csv_rows(
           folder.run(start + "--inverse --theta0 " + list + " --law " + law)
               .out);
-      for (const std::string name : {"load", "load_parameter", "x"}) {
+      for (const auto& [name, of_law] :
+           {std::pair<std::string, std::string>{"load_N", "load_" + law + "_N"},
+            {"load_parameter", "load_parameter_" + law},
+            {"x", "x_" + law},
+            {"p_nominal_Pa", "p_nominal_" + law + "_Pa"}}) {
         const auto expected = csv_column(there, name);
-        const auto found = csv_column(back, name + "_" + law);
+        const auto found = csv_column(back, of_law);
         ASSERT_EQ(found.size(), 9U);
         for (std::size_t i = 0; i < 9; ++i) {
           // Errors of 1e-14 of a law and its inverse, times the slope of the
@@ -335,8 +351,10 @@ TEST(HingeAngle, InverseGoesBack) {
               << law << ' ' << name;
         }
       }
-      const auto peak = csv_column(there, "p_peak_" + law + "_Pa");
-      const auto peak_back = csv_column(back, "p_peak_" + law + "_Pa");
+      const std::string by =
+          "p_peak_" + law + (law == "hertz" ? "_by_hertz_Pa" : "_by_cosine_Pa");
+      const auto peak = csv_column(there, by);
+      const auto peak_back = csv_column(back, by);
       EXPECT_NEAR(std::stod(peak[8]), std::stod(peak_back[8]),
                   1e-12 * std::stod(peak[8]));
     }
@@ -349,7 +367,8 @@ TEST(HingeAngle, InverseBeyondTheLimitHasNoValue) {
       "84,86 --law tanh");
   EXPECT_EQ(result.status, 0);
   EXPECT_EQ(first_line(result.out),
-            "theta0_deg,load_parameter_tanh,x_tanh,p_peak_tanh_over_mean");
+            "theta0_deg,load_parameter_tanh,x_tanh,p_peak_tanh_by_cosine_over_"
+            "nominal");
   EXPECT_EQ(csv_rows(result.out)[2],
             (std::vector<std::string>{"86", "", "", ""}));
   EXPECT_NE(result.err.find("law tanh: no value for 1 of 2 rows"),
@@ -541,7 +560,7 @@ TEST(HingeAngle, CompareRecommendsTheCheapestWithinTheTolerance) {
                    .run("hinge-angle --compare --load 1e5 --joint "
                         "data/joints/pin_joint.toml")
                    .out);
-  EXPECT_EQ(rows[0][2], "load");
+  EXPECT_EQ(rows[0][2], "load_N");
   EXPECT_NEAR(std::stod(rows[1][2]), 1e5, 1e-9);
 }
 

@@ -57,7 +57,8 @@ TEST(HingeTable, GridHasTheLibrarysValuesToTheLastDigit) {
   EXPECT_EQ(result.out.substr(0, result.out.find('\n')), header);
   ASSERT_EQ(rows.size(), 1U + 9 * 9);
   for (std::size_t i = 1; i < rows.size(); ++i) {
-    const double theta0_deg = 15.0 * static_cast<double>((i - 1) / 9);
+    const std::size_t step = (i - 1) / 9;
+    const double theta0_deg = 15.0 * static_cast<double>(step);
     const double alpha_deg = -90 + 22.5 * static_cast<double>((i - 1) % 9);
     const auto expected = library_row(theta0_deg, alpha_deg);
     ASSERT_EQ(rows[i].size(), expected.size());

@@ -112,7 +112,7 @@ TEST(WalledPin, MatchesTheReference) {
 }
 
 // A wall of one layer under a rigid ball or pin, radius 1.
-LayeredPair single(double thickness, double nu, Backing backing,
+LayeredPair single(double thickness, double nu, const Backing& backing,
                    Backing inner = Backing::rigid()) {
   return {1, {{}, std::move(inner)}, {{{thickness, {1, nu}}}, backing}};
 }

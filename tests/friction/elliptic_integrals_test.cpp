@@ -91,7 +91,7 @@ TEST(Elliptic, LegendreRelation) {
     const Real k = elliptic_k(Real(x)), e = elliptic_e(Real(x));
     const Real k1 = elliptic_k(Real(1 - Real(x)));
     const Real e1 = elliptic_e(Real(1 - Real(x)));
-    const Real half_pi = boost::math::constants::half_pi<Real>();
+    const Real& half_pi = boost::math::constants::half_pi<Real>();
     // 50 digits less one for the differences of terms up to 15.
     EXPECT_LT(abs(Real(e * k1 + e1 * k - k * k1 - half_pi)), 1e-48) << x;
   }

@@ -71,6 +71,8 @@ struct Eigen::NumTraits<multibody::test::Counted>
   using Real = multibody::test::Counted;
   using NonInteger = multibody::test::Counted;
   using Nested = multibody::test::Counted;
+  // Eigen's names.
+  // NOLINTBEGIN(readability-identifier-naming)
   enum {
     IsComplex = 0,
     IsInteger = 0,
@@ -80,4 +82,5 @@ struct Eigen::NumTraits<multibody::test::Counted>
     AddCost = 1,
     MulCost = 1
   };
+  // NOLINTEND(readability-identifier-naming)
 };

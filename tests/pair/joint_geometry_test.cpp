@@ -54,6 +54,19 @@ TEST(JointGeometry, NotesAClearanceThatIsNotSmall) {
   EXPECT_EQ(notes[0],
             "relative clearance 0.05 exceeds 0.05: the theory is of first "
             "order in it");
+  EXPECT_TRUE(JointGeometry::ball(1, 1e-5).validity_notes().empty());
+  const auto small =
+      JointGeometry::pin(1, std::nextafter(1e-5, 0.0), 1).validity_notes();
+  ASSERT_EQ(small.size(), 1u);
+  EXPECT_EQ(small[0],
+            "relative clearance 1e-05 is below 1e-05: errors of form and "
+            "warmth change clearances as small as this");
+}
+
+TEST(JointGeometry, NominalPressureIsThatOfTheProjectedArea) {
+  EXPECT_DOUBLE_EQ(JointGeometry::ball(0.5, 1e-3).nominal_pressure(3),
+                   12 / std::numbers::pi);
+  EXPECT_DOUBLE_EQ(JointGeometry::pin(0.5, 1e-3, 2).nominal_pressure(3), 1.5);
 }
 
 TEST(LoadScale, AgreesWithFiftyDigits) {

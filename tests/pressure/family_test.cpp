@@ -17,11 +17,14 @@
 #include "libcontact/conforming/pin.hpp"
 #include "libcontact/conforming/pin_closed_form.hpp"
 #include "libcontact/half_angle/exact.hpp"
+#include "libcontact/half_angle/paper_laws.hpp"
 #include "libcontact/pressure/exact.hpp"
 #include "libcontact/pressure/factory.hpp"
+#include "libcontact/pressure/hertz.hpp"
 #include "libcontact/pressure/mixture.hpp"
 #include "libcontact/pressure/mixture_coefficients.hpp"
 #include "libcontact/pressure/sqrt.hpp"
+#include "libcontact/pressure/validity.hpp"
 #include "libcontact/reference/pressure_mixture_fit.hpp"
 #include "support/accuracy_report.hpp"
 #include "support/allocation_count.hpp"
@@ -601,6 +604,69 @@ TEST(MixturePressure, CoefficientsAreThoseOfTheFit) {
       EXPECT_NEAR(contrast, 0, 5e-4) << h;
     }
   }
+}
+
+// Hertz' formulas in the radii of both bodies and Young's moduli, in 50 digits.
+TEST(HertzPeakPressure, IsThatOfBothRadii) {
+  const ElasticPair pair({207e9, 0.292}, {111e9, 0.349});
+  const Real modulus = 1 / ((1 - Real(0.292) * 0.292) / 207e9 +
+                            (1 - Real(0.349) * 0.349) / 111e9);
+  const Real pi50 = boost::math::constants::pi<Real>();
+  // Roundings of the load parameter, of theta0 and of the peak.
+  AccuracyReport error("hertz_peak_pressure", 2e-15);
+  const auto compare = [&](const contact::JointGeometry& joint, double load,
+                           const Real& expected) {
+    const double theta0 =
+        contact::HertzLaw(joint.kind())
+            .half_angle(contact::LoadScale(joint, pair).load_parameter(load))
+            .half_angle;
+    error.add(Real(contact::hertz_peak_pressure(joint, load, theta0)), expected,
+              to_string(joint.kind()));
+  };
+  const double radius = 0.25;
+  for (const double clearance : {1. / 65536, 1. / 1024, 1. / 128}) {
+    const Real curvature =
+        1 / Real(radius) - 1 / (Real(radius) + Real(clearance));
+    for (const double load : {1.0, 1024.0, 65536.0}) {
+      const Real a = cbrt(3 * load / (4 * modulus * curvature));
+      compare(contact::JointGeometry::ball(radius, clearance), load,
+              3 * load / (2 * pi50 * a * a));
+      const Real b = sqrt(4 * load / (pi50 * modulus * curvature));
+      compare(contact::JointGeometry::pin(radius, clearance, 0.5), load,
+              2 * load / (pi50 * b));
+    }
+  }
+  error.check();
+  EXPECT_DOUBLE_EQ(contact::hertz_peak_over_nominal(JointKind::ball, pi / 6),
+                   6);
+  EXPECT_DOUBLE_EQ(contact::hertz_peak_over_nominal(JointKind::pin, pi / 6),
+                   8 / pi);
+}
+
+TEST(ContactNotes, SayWhereTheTheoryAndTheMaterialsEnd) {
+  contact::Material polymer{1e9, 0.4, "polymer"};
+  polymer.limit_pressure = 2e7;
+  const ElasticPair pair({2e11, 0.3}, polymer);
+  const auto notes = [&](double half_angle, double peak) {
+    return contact::contact_notes(JointKind::ball, pair, half_angle, peak);
+  };
+  EXPECT_TRUE(notes(0.5, 2e7).empty());
+  EXPECT_TRUE(notes(nan, nan).empty());
+  ASSERT_EQ(notes(0.5, 3e7).size(), 1u);
+  EXPECT_EQ(notes(0.5, 3e7)[0],
+            "peak pressure 30 MPa is above 20 MPa, the limit pressure of the "
+            "outer body, polymer");
+  EXPECT_EQ(notes(0.5, 5e7).size(), 1u);
+  ASSERT_EQ(notes(0.5, 2.65e9).size(), 2u);
+  EXPECT_EQ(notes(0.5, 2.65e9)[0],
+            "peak pressure 2650 MPa is above 50 MPa, 5 % of the smaller "
+            "Young's modulus: linear elasticity does not hold");
+  const double limit =
+      contact::ExactLaw(JointKind::ball, pair).limit_half_angle();
+  EXPECT_TRUE(notes(limit, 1).empty());
+  ASSERT_EQ(notes(1.01 * limit, 1).size(), 1u);
+  EXPECT_NE(notes(1.01 * limit, 1)[0].find("the limit half-angle"),
+            std::string::npos);
 }
 
 }  // namespace

@@ -46,7 +46,7 @@ Matrix3d checked_inertia(const Matrix3d& inertia, bool positive,
   if (skew > 1e-6 * scale) {
     refuse(place, fmt::format("symmetric, it is off by {} kg m^2", skew));
   }
-  const Matrix3d symmetric = 0.5 * (inertia + inertia.transpose());
+  Matrix3d symmetric = 0.5 * (inertia + inertia.transpose());
   const double smallest =
       Eigen::SelfAdjointEigenSolver<Matrix3d>(symmetric, Eigen::EigenvaluesOnly)
           .eigenvalues()[0];

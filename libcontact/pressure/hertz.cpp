@@ -1,0 +1,24 @@
+#include "libcontact/pressure/hertz.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace contact {
+
+double hertz_peak_over_nominal(JointKind kind, double half_angle) noexcept {
+  const double sine = std::sin(half_angle);
+  return kind == JointKind::ball ? 1.5 / (sine * sine)
+                                 : 4 / std::numbers::pi / sine;
+}
+
+double hertz_peak_pressure(const JointGeometry& geometry, double load,
+                           double half_angle) noexcept {
+  const double radii = 1 + geometry.relative_clearance();
+  const double shrink = geometry.kind() == JointKind::ball
+                            ? std::cbrt(radii * radii)
+                            : std::sqrt(radii);
+  return hertz_peak_over_nominal(geometry.kind(), half_angle) *
+         geometry.nominal_pressure(geometry.force_from_load(load)) / shrink;
+}
+
+}  // namespace contact

@@ -1,0 +1,146 @@
+// What designers read off the programs: peaks that say by which pressure,
+// forces of pins, catalogues' pressures, warnings.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "support/program.hpp"
+
+namespace {
+
+using contact::test::csv_column;
+using contact::test::csv_rows;
+using contact::test::ProgramFolder;
+using contact::test::ProgramResult;
+
+class Designer : public testing::Test {
+ protected:
+  ProgramResult run(const std::string& command) const {
+    ProgramResult result = folder_.run(command);
+    EXPECT_EQ(result.status, 0) << command << '\n' << result.err;
+    return result;
+  }
+  double value(const std::string& command, const std::string& column) const {
+    return std::stod(csv_column(csv_rows(run(command).out), column)[0]);
+  }
+  bool warns(const std::string& command, const std::string& of) const {
+    return run(command).err.find(of) != std::string::npos;
+  }
+
+  ProgramFolder folder_;
+  const std::string ball_ =
+      " --joint ball --pair data/materials/steel_bronze.toml --radius 50mm "
+      "--clearance 50um ";
+  const std::string pin_ =
+      " --joint pin --pair data/materials/steel_bronze.toml --radius 20mm "
+      "--clearance 40um ";
+};
+
+// 1.5 F/(pi a^2), a^3 = 3 F/(4 E* (1/50 mm - 1/50.05 mm)).
+TEST_F(Designer, HertzPeaksAreHertzOwn) {
+  const std::string hertz = "hinge-angle --law hertz --load 1e4" + ball_;
+  const std::string column = "p_peak_hertz_by_hertz_Pa";
+  EXPECT_NEAR(value(hertz, column), 17.191e6, 1e3);
+  EXPECT_NEAR(value(hertz + "--pressure cosine", "p_peak_hertz_by_cosine_Pa"),
+              22.714e6, 1e3);
+  const double theta0 =
+      value(hertz, "theta0_hertz_deg") * std::numbers::pi / 180;
+  // Without a size over the nominal pressure.
+  EXPECT_NEAR(value("hinge-angle --law hertz --joint ball --modulus-ratio 1 "
+                    "--x " +
+                        std::to_string(std::sin(theta0)),
+                    "p_peak_hertz_by_hertz_over_nominal") *
+                  1e4 / (std::numbers::pi * 0.05 * 0.05),
+              17.203e6, 2e3);
+}
+
+// A pin's load is a force if its length is known, by whatever program.
+TEST_F(Designer, LoadsOfPinsSayWhatTheyAre) {
+  const std::string angle = "hinge-angle --pressure exact" + pin_;
+  const std::string peak = "p_peak_fitted_by_exact_Pa";
+  const double with_length = value(angle + "--length 50mm --load 20000", peak);
+  EXPECT_EQ(value(angle + "--length 50mm --load 20kN", peak), with_length);
+  EXPECT_EQ(value(angle + "--length 50mm --load 20kN", "load_N"), 20000);
+  EXPECT_EQ(value(angle + "--load 400kN_per_m", "load_N_per_m"), 4e5);
+  // 20 kN on 50 mm; a rounding or two of the load.
+  for (const std::string load :
+       {"--load 4e5", "--load 400kN/m", "--length 50mm --load 400N_per_mm"}) {
+    EXPECT_NEAR(value(angle + load, peak) / with_length, 1, 1e-14) << load;
+  }
+  // The same force, the same joint, another program. It is normal to the
+  // contact if there is no friction.
+  EXPECT_NEAR(value("hinge-joint --friction 0 --pressure exact --reaction 20kN "
+                    "--length 50mm" +
+                        pin_,
+                    "p_peak_Pa") /
+                  with_length,
+              1, 1e-13);
+  EXPECT_EQ(value("hinge-pressure --summary --pressure exact --load 20kN "
+                  "--length 50mm" +
+                      pin_,
+                  "p_peak_Pa"),
+            with_length);
+}
+
+TEST_F(Designer, NominalPressuresAreOfTheProjectedArea) {
+  const double ball = 1e4 / (std::numbers::pi * 0.05 * 0.05);
+  const double pin = 2e4 / (0.04 * 0.05);
+  const std::string of_pin = pin_ + "--length 50mm ";
+  for (const std::string program :
+       {"hinge-angle --load ", "hinge-pressure --summary --load ",
+        "hinge-joint --friction 0.1 --reaction "}) {
+    const bool joint = program.starts_with("hinge-joint");
+    EXPECT_NEAR(value(program + "1e4" + ball_ + (joint ? "--beta 90" : ""),
+                      "p_nominal_Pa") /
+                    ball,
+                1, 1e-15)
+        << program;
+    EXPECT_NEAR(value(program + "2e4" + of_pin, "p_nominal_Pa") / pin, 1, 1e-15)
+        << program;
+  }
+  // Peak, mean and nominal of one contact stand in one row.
+  const std::string row =
+      "hinge-joint --friction 0 --reaction 1e4 --beta 90" + ball_;
+  EXPECT_GT(value(row, "p_peak_Pa"), value(row, "p_mean_Pa"));
+  EXPECT_GT(value(row, "p_mean_Pa"), value(row, "p_nominal_Pa"));
+}
+
+TEST_F(Designer, WarningsOfWhatMaterialsDoNotBear) {
+  folder_.write("pair.toml",
+                "name = \"steel in polymer\"\n"
+                "[inner]\nyoungs_modulus_GPa = 200\npoissons_ratio = 0.3\n"
+                "[outer]\nname = \"polymer\"\nyoungs_modulus_GPa = 1\n"
+                "poissons_ratio = 0.4\nlimit_pressure_MPa = 20\n");
+  const std::string joint =
+      " --joint ball --pair pair.toml --radius 10mm --clearance 100um ";
+  const std::string limit =
+      "MPa is above 20 MPa, the limit pressure of the "
+      "outer body, polymer";
+  const std::string linear = "5 % of the smaller Young's modulus";
+  for (const std::string program :
+       {"hinge-angle --load ", "hinge-pressure --summary --load ",
+        "hinge-joint --friction 0.1 --beta 90 --reaction "}) {
+    EXPECT_EQ(run(program + "100" + joint).err, "") << program;
+    EXPECT_TRUE(warns(program + "100,2e4" + joint, limit)) << program;
+    EXPECT_FALSE(warns(program + "2e3" + joint, linear)) << program;
+    EXPECT_TRUE(warns(program + "1e5" + joint, linear)) << program;
+  }
+  EXPECT_TRUE(
+      warns("hinge-angle --load 1 --joint ball --pair pair.toml "
+            "--radius 10mm --clearance 0.01um",
+            "relative clearance 1e-06 is below 1e-05"));
+}
+
+// The paper's limit of 92.5 deg for a rigid seat is beyond that of a ball with
+// nu = 0.4 in it.
+TEST_F(Designer, WarningsOfHalfAnglesBeyondTheLimit) {
+  const std::string angle =
+      "hinge-angle --joint ball --modulus-ratio 0 --poisson1 0.4 "
+      "--limit-angle 130 --law tanh --x ";
+  EXPECT_FALSE(warns(angle + "1", "limit half-angle of these materials"));
+  EXPECT_TRUE(warns(angle + "1,100", "limit half-angle of these materials"));
+}
+
+}  // namespace
