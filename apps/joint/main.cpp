@@ -48,7 +48,15 @@ pairs are computed, angles running fastest.
 
 Other columns of --points are handed on behind the results, unchanged ("_in"
 is added to a name that is taken). A bad line gives "ERROR: line N: ..." on
-standard error and in the table, in its place, a row with ERROR.
+standard error and in the table, in its place, a row with ERROR. From a pipe
+each line is answered as it comes.
+--points --summary prints the largest values (in size) of reaction, normal
+force, friction moment, f_M, peak pressure, half-angle and power, where they
+are, and their means; --points --plot draws moment, reaction and peak pressure.
+With a column of the time that never falls (time_s, t_s, time, t in s, time_ms,
+t_ms) these are over the time, and dissipated_energy_J is the heat of the cycle,
+minus the work of friction, by the trapezoidal rule from the first line to the
+last. Without, lines are counted. What has no solution is left out, and counted.
 
 --trace prints the paper's inner loop step by step: law, pressure, step, g_deg,
 a_deg, R_n_N, Abar, load_parameter, theta0_deg, f (the next step's tan g).
@@ -172,7 +180,7 @@ void add_output(CLI::App& app, Options& options) {
   add_jobs_option(app, options.output);
   cli::exclude(app, "--points",
                {"--reaction-xyz", "--reaction", "--normal-force", "--trace",
-                "--outer", "--summary", "--beside", "--plot"});
+                "--outer", "--beside"});
   cli::exclude(app, "--trace", {"--braking", "--summary", "--plot", "--jobs"});
   cli::exclude(app, "--outer", {"--summary", "--plot", "--jobs"});
   cli::exclude(app, "--summary", {"--jobs"});

@@ -11,6 +11,7 @@
 #include "joint/beside.hpp"
 #include "joint/input.hpp"
 #include "joint/loop_table.hpp"
+#include "joint/point_plot.hpp"
 #include "joint/point_table.hpp"
 #include "joint/solution_table.hpp"
 #include "joint/torque_plot.hpp"
@@ -95,9 +96,18 @@ cli::ExitStatus run_points(const Options& options, const Setup& setup) {
   if (setup.joints.size() != 1) {
     cli::refuse_without("--points", "one law and one pressure law");
   }
-  return report(write_points(setup.joints[0], options, [&] {
+  const PointResult result = write_points(setup.joints[0], options, [&] {
     warn_of_validity("hinge-joint", setup.given);
-  }));
+  });
+  const std::string& plot = options.output.plot;
+  if (!result.series.time_problem().empty()) {
+    cli::warn("hinge-joint",
+              result.series.time_problem() + "; the time is left out");
+  }
+  const cli::ExitStatus status = report(result.problems);
+  if (plot.empty()) return status;
+  return cli::drawn("hinge-joint", draw_points(setup, result.series, plot),
+                    status);
 }
 
 // What draw_torque() can draw.
