@@ -11,6 +11,7 @@
 #include "joint/beside.hpp"
 #include "joint/input.hpp"
 #include "joint/loop_table.hpp"
+#include "joint/measured_moment.hpp"
 #include "joint/point_plot.hpp"
 #include "joint/point_table.hpp"
 #include "joint/solution_table.hpp"
@@ -133,7 +134,7 @@ void check_summary(const Setup& setup, const Inputs& inputs) {
 }  // namespace
 
 cli::ExitStatus run(const Options& options) {
-  const Setup setup = make_setup(options);
+  Setup setup = make_setup(options);
   if (!options.points.empty()) return run_points(options, setup);
   const Inputs inputs(options, setup.joints[0].joint.is_pin());
   if (options.trace || !options.outer.empty()) {
@@ -142,6 +143,9 @@ cli::ExitStatus run(const Options& options) {
   const bool plot = !options.output.plot.empty();
   if (plot) check_plot(setup, inputs);
   if (options.summary) check_summary(setup, inputs);
+  if (!options.measured_moment.empty()) {
+    find_friction(options.measured_moment, inputs, setup);
+  }
   const Beside beside(options.beside, setup.given.name, "solution");
   warn_of_states(setup, inputs);
   cli::ExitStatus status = report(

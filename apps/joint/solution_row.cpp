@@ -100,7 +100,7 @@ constexpr Quantity usual_quantities[] = {
      [](const Answer& a) { return a.solution.force_coefficient; }},
     {"f_R", "effective coefficient R_t/R = sin g",
      [](const Answer& a) { return a.solution.friction_direction.sin; }},
-    {"f_M", "effective coefficient M_t/(rho R)",
+    {"f_M", "M_t/(rho R), the coefficient of friction of catalogues",
      [](const Answer& a) { return a.moment_coefficient; }},
     {"f_sliding", "sliding moment over rho R_n",
      [](const Answer& a) { return a.solution.sliding_coefficient; }},
@@ -134,6 +134,11 @@ constexpr Quantity rest_quantities[] = {
     {"u_z", "", [](const Answer& a) { return a.direction.z(); }},
 };
 
+constexpr Quantity friction_quantities[] = {
+    {"f0", "friction coefficient of the surface, with which M_t is as measured",
+     [](const Answer& a) { return a.coefficient; }},
+};
+
 }  // namespace
 
 Answer answer(const NamedJoint& named, Question question, const Input& input) {
@@ -144,6 +149,7 @@ Answer answer(const NamedJoint& named, Question question, const Input& input) {
            .solution = {},
            .traditional = nan,
            .moment_coefficient = nan,
+           .coefficient = nan,
            .utilisation = nan,
            .direction = Vector3d::Constant(nan),
            .approach = {nan, nan}};
@@ -170,6 +176,10 @@ Answer answer(const NamedJoint& named, Question question, const Input& input) {
   a.traditional =
       joint.solve_contact(s.reaction, a.rate).friction_moment.stableNorm();
   const double rho = joint.contact().geometry().radius();
+  if (const auto* dry =
+          std::get_if<contact::FrictionLaw>(&joint.contact().friction())) {
+    a.coefficient = dry->coefficient();
+  }
   a.moment_coefficient = force > 0 ? moment / (rho * force) : 0;
   return a;
 }
@@ -201,7 +211,7 @@ std::string_view status_text(contact::Status status) {
   return "not_converged";
 }
 
-std::vector<Quantity> quantities(bool rest, bool approach) {
+std::vector<Quantity> quantities(bool rest, bool approach, bool friction) {
   std::vector<Quantity> all(std::begin(usual_quantities),
                             std::end(usual_quantities));
   const auto add = [&all](const auto& more) {
@@ -209,6 +219,7 @@ std::vector<Quantity> quantities(bool rest, bool approach) {
   };
   if (approach) add(approach_quantities);
   if (rest) add(rest_quantities);
+  if (friction) add(friction_quantities);
   return all;
 }
 

@@ -21,6 +21,8 @@ struct Answer {
   double traditional;
   /// |M_t|/(rho R).
   double moment_coefficient;
+  /// f0 of dry friction.
+  double coefficient;
   /// Of Question::rest: tau, u.
   double utilisation;
   Eigen::Vector3d direction;
@@ -45,6 +47,8 @@ struct Quantity {
 /// All of them in the order of the columns.
 /// @param rest      with those of Question::rest
 /// @param approach  with those of the half-angle law exact
-std::vector<Quantity> quantities(bool rest, bool approach);
+/// @param friction  with f0
+std::vector<Quantity> quantities(bool rest, bool approach,
+                                 bool friction = false);
 
 }  // namespace hinge_joint
