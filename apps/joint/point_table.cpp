@@ -13,7 +13,7 @@
 #include "cli/stream/ordered_blocks.hpp"
 #include "cli/stream/points.hpp"
 #include "joint/input.hpp"
-#include "joint/point_summary.hpp"
+#include "joint/points/summary.hpp"
 #include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
 

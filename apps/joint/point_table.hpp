@@ -2,7 +2,7 @@
 
 #include <functional>
 
-#include "joint/point_series.hpp"
+#include "joint/points/series.hpp"
 #include "joint/setup.hpp"
 #include "joint/solution_table.hpp"
 

@@ -12,8 +12,8 @@
 #include "joint/input.hpp"
 #include "joint/loop_table.hpp"
 #include "joint/measured_moment.hpp"
-#include "joint/point_plot.hpp"
 #include "joint/point_table.hpp"
+#include "joint/points/plot.hpp"
 #include "joint/solution_table.hpp"
 #include "joint/torque_plot.hpp"
 

@@ -1,4 +1,4 @@
-#include "joint/point_summary.hpp"
+#include "joint/points/summary.hpp"
 
 #include <fmt/format.h>
 

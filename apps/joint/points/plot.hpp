@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "joint/point_series.hpp"
+#include "joint/points/series.hpp"
 #include "joint/setup.hpp"
 
 namespace hinge_joint {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "joint/point_series.hpp"
+#include "joint/points/series.hpp"
 #include "joint/setup.hpp"
 
 namespace hinge_joint {

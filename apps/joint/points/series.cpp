@@ -1,4 +1,4 @@
-#include "joint/point_series.hpp"
+#include "joint/points/series.hpp"
 
 #include <fmt/format.h>
 

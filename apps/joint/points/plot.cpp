@@ -1,4 +1,4 @@
-#include "joint/point_plot.hpp"
+#include "joint/points/plot.hpp"
 
 #include <fmt/format.h>
 
