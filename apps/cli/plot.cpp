@@ -121,6 +121,59 @@ constexpr std::string_view lower_panel =
     "unset title\nunset key\nset tmargin at screen 0.44\n"
     "set bmargin at screen 0.19\nset format x '%g'\n";
 
+// Places of the values that a picture of some 1,000 dots across can show: all,
+// or of each stretch the lowest and the highest.
+std::vector<std::size_t> shown(const std::vector<double>& y) {
+  constexpr std::size_t stretches = 1000;
+  const std::size_t length = std::max<std::size_t>(1, y.size() / stretches);
+  std::vector<std::size_t> places;
+  for (std::size_t first = 0; first < y.size(); first += length) {
+    const std::size_t end = std::min(first + length, y.size());
+    std::size_t low = first;
+    std::size_t high = first;
+    for (std::size_t i = first; i < end; ++i) {
+      if (std::isnan(y[low]) || y[i] < y[low]) low = i;
+      if (std::isnan(y[high]) || y[i] > y[high]) high = i;
+    }
+    places.push_back(std::min(low, high));
+    if (low != high) places.push_back(std::max(low, high));
+  }
+  return places;
+}
+
+// A round number of which at most five make up the largest value: there is no
+// room for more labels.
+double label_step(double largest) {
+  if (!(largest > 0)) return 1;
+  const double step = largest / 5;
+  const double power = std::pow(10, std::floor(std::log10(step)));
+  for (const int digit : {1, 2, 5}) {
+    if (digit * power >= step) return digit * power;
+  }
+  return 10 * power;
+}
+
+// A panel's data and axis; the prefix leaves its labels few digits.
+std::string panel_script(const std::vector<double>& x, const Panel& panel,
+                         std::size_t number) {
+  double largest = 0;
+  for (const double y : panel.y) largest = std::max(largest, y);
+  const auto [unit, prefix] = largest >= 1e6   ? std::pair{1e6, "M"}
+                              : largest >= 1e4 ? std::pair{1e3, "k"}
+                                               : std::pair{1., ""};
+  std::string script = fmt::format("$panel{} << END\n", number);
+  for (const std::size_t i : shown(panel.y)) {
+    script += number_text(x[i]) + ' ' + number_text(panel.y[i] / unit) + '\n';
+  }
+  const std::string label =
+      fmt::format("{}, {}{}", panel.label, prefix, panel.unit);
+  return script + fmt::format(
+                      "END\nset ylabel {}\nset ytics {}\n"
+                      "plot $panel{} using 1:2 with lines lt {}\n",
+                      gnuplot_text(label), label_step(largest / unit), number,
+                      number + 1);
+}
+
 }  // namespace
 
 std::string draw(const LinePlot& plot, const std::string& file) {
@@ -150,6 +203,36 @@ std::string draw(const LinePlot& plot, const std::string& file) {
                         gnuplot_text(plot.lower->y_label),
                         number_text(-plot.lower->half_range),
                         number_text(plot.lower->half_range), lower);
+  return draw_script(script + "unset multiplot\n", file);
+}
+
+std::string draw(const PanelPlot& plot, const std::string& file) {
+  // Parts of the picture's height.
+  constexpr double top = 0.89;
+  constexpr double bottom = 0.19;
+  constexpr double gap = 0.04;
+  const double step =
+      (top - bottom + gap) / static_cast<double>(plot.panels.size());
+  std::string script = fmt::format(
+      "set title {}\nset multiplot\nset lmargin at screen 0.16\n"
+      "set rmargin at screen 0.96\nunset key\nset format x ''\n"
+      "set yrange [0:*]\n",
+      gnuplot_text(plot.title));
+  if (!plot.x.empty() && plot.x.front() < plot.x.back()) {
+    script += fmt::format("set xrange [{}:{}]\n", number_text(plot.x.front()),
+                          number_text(plot.x.back()));
+  }
+  for (std::size_t i = 0; i < plot.panels.size(); ++i) {
+    const double upper = top - step * static_cast<double>(i);
+    script += fmt::format(
+        "set tmargin at screen {:.4f}\nset bmargin at screen {:.4f}\n", upper,
+        upper - step + gap);
+    if (i + 1 == plot.panels.size()) {
+      script += fmt::format("set format x '%g'\nset xlabel {}\n",
+                            gnuplot_text(plot.x_label));
+    }
+    script += panel_script(plot.x, plot.panels[i], i) + "unset title\n";
+  }
   return draw_script(script + "unset multiplot\n", file);
 }
 

@@ -44,4 +44,22 @@ struct LinePlot {
 /// @return as for draw_script()
 std::string draw(const LinePlot& plot, const std::string& file);
 
+/// A curve with an axis of its own.
+struct Panel {
+  std::string label;
+  std::string unit;       ///< takes a prefix for large values
+  std::vector<double> y;  ///< not below 0; NaN leaves a gap
+};
+
+/// Panels one above the other over the same x.
+struct PanelPlot {
+  std::string title;
+  std::string x_label;  ///< with its unit
+  std::vector<double> x;
+  std::vector<Panel> panels;
+};
+
+/// As above. Of points too many to be told apart the extremes are drawn.
+std::string draw(const PanelPlot& plot, const std::string& file);
+
 }  // namespace cli

@@ -48,7 +48,20 @@ pairs are computed, angles running fastest.
 
 Other columns of --points are handed on behind the results, unchanged ("_in"
 is added to a name that is taken). A bad line gives "ERROR: line N: ..." on
-standard error and in the table, in its place, a row with ERROR.
+standard error and in the table, in its place, a row with ERROR. From a pipe
+each line is answered as it comes.
+--points --summary prints the largest values (in size) of reaction, normal
+force, friction moment, f_M, peak pressure, half-angle and power, where they
+are, and their means; --points --plot draws moment, reaction and peak pressure.
+With a column of the time that never falls (time_s, t_s, time, t in s, time_ms,
+t_ms) these are over the time, and dissipated_energy_J is the heat of the cycle,
+minus the work of friction, by the trapezoidal rule from the first line to the
+last. Without, lines are counted. What has no solution is left out, and counted.
+
+f_M = M_t/(rho R) is what catalogues call the coefficient of friction; f0 is
+that of the surface. --measured-moment M finds f0, 0 to 3, from |M_t| in one
+state that slides, with the adhesion of the joint or of --adhesion; all is
+printed with that f0, the last column.
 
 --trace prints the paper's inner loop step by step: law, pressure, step, g_deg,
 a_deg, R_n_N, Abar, load_parameter, theta0_deg, f (the next step's tan g).
@@ -70,9 +83,9 @@ constexpr std::string_view examples = R"(
 Forces and moments act on the body. What has no meaning at rest or without
 load is empty, in JSON null. The law exact alone has approach_m and
 stiffness_N_per_m; they are empty for a pin in an infinite hole, which gives way
-without end, and for loading through the back. With --moment-xyz the last four
-are there too, and the others are those of the slip about u at 1 rad/s that
-would begin.
+without end, and for loading through the back. With --moment-xyz utilisation
+and u are there too, and the others are those of the slip about u at 1 rad/s
+that would begin; with --measured-moment f0 is.
 --summary prints a line for each quantity instead. --plot draws the friction
 moment over the swept force or angle, dashed the traditional estimate from R.
 
@@ -83,6 +96,7 @@ Examples:
   hinge-joint --joint data/joints/paper_example_2.toml --reaction-xyz 1.122e6,3.23e5,0 --rate-xyz 0,0,1 --outer 0,-0.026,0 --joints 2 --braking=-6.5e-6 --inner-steps 4,3 --beside data/reference/paper_examples.csv --format markdown
   hinge-joint --joint data/joints/hip_cocr_uhmwpe.toml --law tanh --reaction 10:5000:log50 --beta 30,60,90 --output hip.csv
   hinge-joint --joint ball --pair data/materials/steel_bronze.toml --radius 50mm --clearance 50um --friction 0.15 --law tanh --reaction-xyz 1e5,2e4,0 --moment-xyz 300,0,500 --format json
+  hinge-joint --joint data/joints/pin_joint.toml --reaction 2e4 --measured-moment 40 --summary
   hinge-joint --joint data/joints/pin_joint.toml --law hertz,blend --reaction 1e3,1e4
   printf 'time_s,R_N,b_deg\n0,1e5,90\n0.1,2e5,80\n' | hinge-joint --joint data/joints/paper_example_1.toml --points -
 
@@ -92,7 +106,7 @@ std::string footer() {
   std::string text(help);
   text += cli::joint_help;
   text += state_help;
-  for (const auto& quantity : hinge_joint::quantities(true, true)) {
+  for (const auto& quantity : hinge_joint::quantities(true, true, true)) {
     text += quantity.meaning.empty()
                 ? fmt::format("  {}\n", quantity.name)
                 : fmt::format("  {:<19} {}\n", quantity.name, quantity.meaning);
@@ -110,7 +124,11 @@ void add_friction(CLI::App& app, Options& options) {
   app.add_option("--viscous", options.viscous,
                  "k0, Pa s/m, or k0,k1 (s/m): friction stress (k0 + k1 p) v")
       ->option_text("NUMBERS");
+  app.add_option("--measured-moment", options.measured_moment,
+                 "|M_t|, N m, from which f0 is found")
+      ->option_text("NUMBER");
   cli::exclude(app, "--viscous", {"--friction", "--adhesion"});
+  cli::exclude(app, "--measured-moment", {"--friction", "--viscous"});
 }
 
 void add_state(CLI::App& app, Options& options) {
@@ -172,10 +190,12 @@ void add_output(CLI::App& app, Options& options) {
   add_jobs_option(app, options.output);
   cli::exclude(app, "--points",
                {"--reaction-xyz", "--reaction", "--normal-force", "--trace",
-                "--outer", "--summary", "--beside", "--plot"});
+                "--outer", "--beside"});
   cli::exclude(app, "--trace", {"--braking", "--summary", "--plot", "--jobs"});
   cli::exclude(app, "--outer", {"--summary", "--plot", "--jobs"});
   cli::exclude(app, "--summary", {"--jobs"});
+  cli::exclude(app, "--measured-moment",
+               {"--moment-xyz", "--points", "--trace", "--outer"});
 }
 
 }  // namespace

@@ -12,7 +12,9 @@
 #include "joint/beside.hpp"
 #include "joint/input.hpp"
 #include "joint/loop_table.hpp"
+#include "joint/measured_moment.hpp"
 #include "joint/point_table.hpp"
+#include "joint/points/plot.hpp"
 #include "joint/solution_table.hpp"
 #include "joint/torque_plot.hpp"
 #include "libcontact/pressure/validity.hpp"
@@ -114,10 +116,18 @@ cli::ExitStatus run_points(const Options& options, const Setup& setup) {
   if (setup.joints.size() != 1) {
     cli::refuse_without("--points", "one joint, one law and one pressure law");
   }
-  return report(
-      write_points(setup.joints[0], options,
-                   [&] { warn_of_validity("hinge-joint", setup.given); }),
-      setup);
+  const PointResult result = write_points(setup.joints[0], options, [&] {
+    warn_of_validity("hinge-joint", setup.given);
+  });
+  const std::string& plot = options.output.plot;
+  if (!result.series.time_problem().empty()) {
+    cli::warn("hinge-joint",
+              result.series.time_problem() + "; the time is left out");
+  }
+  const cli::ExitStatus status = report(result.problems, setup);
+  if (plot.empty()) return status;
+  return cli::drawn("hinge-joint", draw_points(setup, result.series, plot),
+                    status);
 }
 
 // What draw_torque() can draw.
@@ -143,7 +153,7 @@ void check_summary(const Setup& setup, const Inputs& inputs) {
 }  // namespace
 
 cli::ExitStatus run(const Options& options) {
-  const Setup setup = make_setup(options);
+  Setup setup = make_setup(options);
   if (!options.points.empty()) return run_points(options, setup);
   const Inputs inputs(options, setup.joints[0].joint.is_pin());
   if (options.trace || !options.outer.empty()) {
@@ -152,6 +162,9 @@ cli::ExitStatus run(const Options& options) {
   const bool plot = !options.output.plot.empty();
   if (plot) check_plot(setup, inputs);
   if (options.summary) check_summary(setup, inputs);
+  if (!options.measured_moment.empty()) {
+    find_friction(options.measured_moment, inputs, setup);
+  }
   const Beside beside(options.beside, setup.given[0].name, "solution");
   warn_of_states(setup, inputs);
   cli::ExitStatus status = report(

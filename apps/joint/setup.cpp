@@ -30,10 +30,31 @@ contact::ViscousLaw viscous_law(const std::string& text) {
   return contact::ViscousLaw(*k0, *k1);
 }
 
+// Dry friction whose f0 is to be found.
+contact::FrictionLaw adhesion_alone(
+    const Options& options,
+    const std::optional<contact::FrictionModel>& of_joint) {
+  if (!options.adhesion.empty()) {
+    return contact::FrictionLaw(
+        0,
+        cli::parse_value("--adhesion", options.adhesion, {0, largest, "Pa"}));
+  }
+  if (!of_joint) return contact::FrictionLaw(0);
+  const auto* dry = std::get_if<contact::FrictionLaw>(&*of_joint);
+  if (dry == nullptr) {
+    cli::refuse_without("--measured-moment",
+                        "--adhesion: the joint's friction is viscous");
+  }
+  return contact::FrictionLaw(0, dry->adhesion());
+}
+
 contact::FrictionModel make_friction(
     const Options& options,
     const std::optional<contact::FrictionModel>& of_joint) {
   if (!options.viscous.empty()) return viscous_law(options.viscous);
+  if (!options.measured_moment.empty()) {
+    return adhesion_alone(options, of_joint);
+  }
   if (options.friction.empty() && !of_joint) {
     cli::refuse_without(given("--joint", options.joint.joint),
                         "--friction or --viscous: neither the joint nor "
@@ -60,7 +81,7 @@ contact::FrictionModel make_friction(
 }  // namespace
 
 Setup make_setup(const Options& options) {
-  Setup setup{make_joints(options.joint), {}};
+  Setup setup{.given = make_joints(options.joint), .joints = {}};
   for (const cli::Joint& joint : setup.given) {
     if (joint.kind != setup.given[0].kind) {
       throw contact::Error(contact::detail::must_be(

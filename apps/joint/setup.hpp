@@ -19,6 +19,7 @@ struct Options {
   std::string friction;
   std::string adhesion;
   std::string viscous;
+  std::string measured_moment;
 
   std::string reaction_xyz;
   std::string rate_xyz;
@@ -56,6 +57,9 @@ struct NamedJoint {
 struct Setup {
   std::vector<cli::Joint> given;
   std::vector<NamedJoint> joints;
+
+  /// Whether f0 is that of --measured-moment.
+  bool friction_found = false;
 
   /// Whether any of them has one.
   bool has_approach() const {

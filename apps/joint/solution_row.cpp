@@ -100,7 +100,7 @@ constexpr Quantity usual_quantities[] = {
      [](const Answer& a) { return a.solution.force_coefficient; }},
     {"f_R", "effective coefficient R_t/R = sin g",
      [](const Answer& a) { return a.solution.friction_direction.sin; }},
-    {"f_M", "effective coefficient M_t/(rho R)",
+    {"f_M", "M_t/(rho R), the coefficient of friction of catalogues",
      [](const Answer& a) { return a.moment_coefficient; }},
     {"f_sliding", "sliding moment over rho R_n",
      [](const Answer& a) { return a.solution.sliding_coefficient; }},
@@ -138,6 +138,11 @@ constexpr Quantity rest_quantities[] = {
     {"u_z", "", [](const Answer& a) { return a.direction.z(); }},
 };
 
+constexpr Quantity friction_quantities[] = {
+    {"f0", "friction coefficient of the surface, with which M_t is as measured",
+     [](const Answer& a) { return a.coefficient; }},
+};
+
 }  // namespace
 
 Answer answer(const NamedJoint& named, Question question, const Input& input) {
@@ -150,6 +155,7 @@ Answer answer(const NamedJoint& named, Question question, const Input& input) {
            .moment_coefficient = nan,
            .mean_pressure = nan,
            .nominal_pressure = nan,
+           .coefficient = nan,
            .utilisation = nan,
            .direction = Vector3d::Constant(nan),
            .approach = {nan, nan}};
@@ -180,6 +186,10 @@ Answer answer(const NamedJoint& named, Question question, const Input& input) {
                                               s.normal_force, s.half_angle);
   a.nominal_pressure = joint.contact().geometry().nominal_pressure(force);
   const double rho = joint.contact().geometry().radius();
+  if (const auto* dry =
+          std::get_if<contact::FrictionLaw>(&joint.contact().friction())) {
+    a.coefficient = dry->coefficient();
+  }
   a.moment_coefficient = force > 0 ? moment / (rho * force) : 0;
   return a;
 }
@@ -211,7 +221,7 @@ std::string_view status_text(contact::Status status) {
   return "not_converged";
 }
 
-std::vector<Quantity> quantities(bool rest, bool approach) {
+std::vector<Quantity> quantities(bool rest, bool approach, bool friction) {
   std::vector<Quantity> all(std::begin(usual_quantities),
                             std::end(usual_quantities));
   const auto add = [&all](const auto& more) {
@@ -219,6 +229,7 @@ std::vector<Quantity> quantities(bool rest, bool approach) {
   };
   if (approach) add(approach_quantities);
   if (rest) add(rest_quantities);
+  if (friction) add(friction_quantities);
   return all;
 }
 

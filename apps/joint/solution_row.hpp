@@ -23,6 +23,8 @@ struct Answer {
   double moment_coefficient;
   double mean_pressure;     ///< Pa
   double nominal_pressure;  ///< Pa
+  /// f0 of dry friction.
+  double coefficient;
   /// Of Question::rest: tau, u.
   double utilisation;
   Eigen::Vector3d direction;
@@ -47,6 +49,8 @@ struct Quantity {
 /// All of them in the order of the columns.
 /// @param rest      with those of Question::rest
 /// @param approach  with those of the half-angle law exact
-std::vector<Quantity> quantities(bool rest, bool approach);
+/// @param friction  with f0
+std::vector<Quantity> quantities(bool rest, bool approach,
+                                 bool friction = false);
 
 }  // namespace hinge_joint

@@ -18,7 +18,8 @@ struct Block {
 };
 
 std::vector<Quantity> quantities_of(const Setup& setup, const Inputs& inputs) {
-  return quantities(inputs.question() == Question::rest, setup.has_approach());
+  return quantities(inputs.question() == Question::rest, setup.has_approach(),
+                    setup.friction_found);
 }
 
 }  // namespace

@@ -37,6 +37,13 @@ class JointContact {
                std::shared_ptr<const HalfAngleLaw> half_angle_law,
                std::shared_ptr<const PressureLaw> pressure_law);
 
+  /// The same contact with another friction.
+  JointContact with_friction(FrictionModel friction) const {
+    JointContact other = *this;
+    other.friction_ = friction;
+    return other;
+  }
+
   const JointGeometry& geometry() const { return geometry_; }
   const ElasticPair& pair() const { return pair_; }
   const FrictionModel& friction() const { return friction_; }

@@ -89,7 +89,9 @@ bool LineReader::next(LineBlock& block) {
   block.first_line = next_number_;
   block.text.swap(rest_);
   rest_.clear();
-  std::size_t end = 0;
+  // Whole lines that came with a header are not kept back until more come: who
+  // writes them may wait for the answer.
+  std::size_t end = block.text.rfind('\n') + 1;
   while (end == 0 && block.text.size() <= longest_line) {
     if (!fill(block.text)) {
       end = block.text.size();

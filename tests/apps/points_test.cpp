@@ -1,0 +1,227 @@
+// Files of points as duty cycles: answered line by line, summarised, drawn.
+#include <gtest/gtest.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "cli/number.hpp"
+#include "support/program.hpp"
+
+namespace {
+
+using contact::test::csv_column;
+using contact::test::csv_rows;
+using contact::test::ProgramFolder;
+using contact::test::ProgramResult;
+
+const std::string joint =
+    "hinge-joint --joint data/joints/paper_example_1.toml ";
+
+// What is at the other end of two pipes writes a line and waits for the
+// answer; the header comes with the first line, as from a program that writes
+// whole buffers. 20 s are long against the time of a row.
+TEST(Points, AreAnsweredLineByLine) {
+  const ProgramFolder folder;
+  folder.write("dialogue.sh",
+               "coproc P { $1 --points -; }\n"
+               "ask() { printf \"$1\" >&${P[1]}; }\n"
+               "hear() { read -t 20 -r line <&${P[0]} && echo \"$line\"; }\n"
+               "ask \"$2\\n1$3\\n\" && hear && hear && ask \"2$3\\n\" && hear "
+               "&& ask \"3$3\" && ask \"\\n4$3\\n\" && hear && hear\n"
+               "status=$?\nkill $P_PID 2>/dev/null\nexit $status\n");
+  const std::string header_and_line[2][3] = {
+      {joint + "--jobs 1", "R_N,b_deg,name", "e5,90,R"},
+      {"hinge-table --jobs 2", "theta0_deg,alpha_deg,name", "0,20,x"}};
+  for (const auto& [program, header, line] : header_and_line) {
+    std::string points = header + '\n';
+    for (const char* row : {"1", "2", "3", "4"}) points += row + line + '\n';
+    folder.write("points.csv", points);
+    const ProgramResult dialogue =
+        folder.run("bash dialogue.sh '" + program + "' " + header + ' ' + line);
+    EXPECT_EQ(dialogue.status, 0) << dialogue.err;
+    EXPECT_EQ(dialogue.out, folder.run(program + " --points points.csv").out);
+  }
+}
+
+// A value of --summary.
+std::string value(const ProgramResult& summary, const std::string& quantity,
+                  const std::string& column = "value") {
+  const auto rows = csv_rows(summary.out);
+  const auto names = csv_column(rows, "quantity");
+  const auto at = std::ranges::find(names, quantity) - names.begin();
+  return csv_column(rows, column).at(static_cast<std::size_t>(at));
+}
+double number(const ProgramResult& summary, const std::string& quantity) {
+  return cli::parse_number(value(summary, quantity)).value_or(NAN);
+}
+
+// Peaks and means are those of the rows; the time is uneven.
+TEST(Points, SummaryIsThatOfTheRows) {
+  const ProgramFolder folder;
+  const std::vector<double> time = {0, 0.5, 0.75, 1.75};
+  folder.write("cycle.csv",
+               "R_N,note,b_deg,t\n1e5,a,90,0\n3e5,b,80,0.5\n2e5,c,20,.75\n"
+               "1e5,d,90,\"1.75\"\n");
+  const std::string run = joint + "--rate 2 --points cycle.csv ";
+  const ProgramResult summary = folder.run(run + "--summary");
+  EXPECT_EQ(summary.status, 0) << summary.err;
+  const auto rows = csv_rows(folder.run(run).out);
+  EXPECT_EQ(value(summary, "law"), csv_column(rows, "law")[0]);
+  EXPECT_EQ(value(summary, "pressure"), csv_column(rows, "pressure")[0]);
+  EXPECT_EQ(value(summary, "states"), "4");
+  EXPECT_EQ(value(summary, "left_out"), "0");
+  EXPECT_EQ(value(summary, "duration_s"), "1.75");
+  for (const std::string name : {"R_N", "R_n_N", "M_t_N_m", "f_M", "p_peak_Pa",
+                                 "theta0_deg", "power_W"}) {
+    std::vector<double> values;
+    for (const std::string& cell : csv_column(rows, name)) {
+      values.push_back(cli::parse_number(cell).value());
+    }
+    const auto larger = [](double a, double b) {
+      return std::abs(a) < std::abs(b);
+    };
+    const auto peak = std::ranges::max_element(values, larger);
+    EXPECT_EQ(number(summary, "largest_" + name), *peak);
+    const auto at = peak - values.begin();
+    EXPECT_EQ(value(summary, "largest_" + name, "at_state"),
+              std::to_string(at + 1));
+    EXPECT_EQ(value(summary, "largest_" + name, "at_time_s"),
+              cli::number_text(time[at]));
+    double integral = 0;
+    for (std::size_t i = 1; i < 4; ++i) {
+      integral += (values[i - 1] + values[i]) / 2 * (time[i] - time[i - 1]);
+    }
+    // Rounding of three terms.
+    EXPECT_NEAR(number(summary, "mean_" + name), integral / 1.75,
+                1e-15 * std::abs(integral));
+    if (name != "power_W") continue;
+    EXPECT_LT(integral, 0);
+    EXPECT_NEAR(number(summary, "dissipated_energy_J"), -integral,
+                -1e-15 * integral);
+  }
+}
+
+// A pin turns to and fro under a constant load: |M_t| is constant, and the work
+// of a cycle is M_t times the way, 4 times the amplitude.
+TEST(Points, DissipatedEnergyOfAPin) {
+  const ProgramFolder folder;
+  constexpr int steps = 400;
+  std::string points =
+      "time_ms,R_x_N,R_y_N,R_z_N,w_x_rad_per_s,"
+      "w_y_rad_per_s,w_z_rad_per_s\n";
+  for (int i = 0; i <= steps; ++i) {
+    points += fmt::format("{},1000,0,0,0,0,{}\n", 2000. * i / steps,
+                          std::cos(2 * std::numbers::pi * i / steps));
+  }
+  folder.write("cycle.csv", points);
+  const ProgramResult summary = folder.run(
+      "hinge-joint --joint data/joints/pin_joint.toml --summary --points "
+      "cycle.csv");
+  EXPECT_EQ(summary.status, 0) << summary.err;
+  // The amplitude is 2 s/(2 pi). Of a rectified cosine the trapezoidal rule
+  // misses h^2/12 (f'(end) - f'(begin)) in each half: relatively
+  // (2 pi/steps)^2/12.
+  const double way = 4 / std::numbers::pi;
+  EXPECT_NEAR(number(summary, "dissipated_energy_J"),
+              number(summary, "largest_M_t_N_m") * way,
+              number(summary, "largest_M_t_N_m") * way * 2.1e-5);
+}
+
+// Bad lines, states without a solution, and a time that cannot be one.
+TEST(Points, WhatIsLeftOutIsSaid) {
+  const ProgramFolder folder;
+  const std::string run =
+      "hinge-joint --joint data/joints/pin_joint.toml --summary --points ";
+  folder.write("points.csv", "R_N,time_s\n1e3,0\nx,1\n1e99,2\n2e3,3\n");
+  const ProgramResult summary = folder.run(run + "points.csv --law hertz");
+  EXPECT_EQ(summary.status, 1);
+  EXPECT_EQ(value(summary, "states"), "2");
+  EXPECT_EQ(value(summary, "left_out"), "2");
+  EXPECT_EQ(number(summary, "mean_R_N"), 1500);
+  EXPECT_EQ(value(summary, "largest_R_N", "at_state"), "4");
+  EXPECT_NE(summary.err.find("ERROR: line 3: R_N = x must be"),
+            std::string::npos);
+  EXPECT_NE(summary.err.find("rows without a value: 1;"), std::string::npos);
+
+  for (const auto& [time, problem] :
+       {std::pair{"0.5",
+                  "time_s of state 3 must be a number that is not below "
+                  "the one before it"},
+        {"x",
+         "time_s of state 3 must be a number that is not below the one "
+         "before it"}}) {
+    folder.write("back.csv",
+                 "R_N,time_s\n1e3,0\n2e3,1\n1e3," + std::string(time) + "\n");
+    const ProgramResult back = folder.run(run + "back.csv");
+    EXPECT_EQ(back.status, 0);
+    EXPECT_NE(back.err.find(std::string("hinge-joint: warning: ") + problem +
+                            "; the time is left out\n"),
+              std::string::npos)
+        << back.err;
+    EXPECT_EQ(back.out.find("at_time_s"), std::string::npos);
+    EXPECT_EQ(back.out.find("dissipated"), std::string::npos);
+    EXPECT_NEAR(number(back, "mean_R_N"), 4000. / 3, 1e-12);
+  }
+}
+
+TEST(Points, SummaryAtRest) {
+  const ProgramFolder folder;
+  folder.write("rest.csv",
+               "time,R_x_N,R_y_N,R_z_N,M_x_N_m,M_y_N_m,M_z_N_m\n"
+               "0,1e5,2e4,0,300,0,500\n1,1e5,2e4,0,600,0,1000\n");
+  const std::string run = joint + "--points rest.csv ";
+  const ProgramResult summary = folder.run(run + "--summary");
+  EXPECT_EQ(value(summary, "largest_utilisation"),
+            csv_column(csv_rows(folder.run(run).out), "utilisation")[1]);
+  EXPECT_EQ(summary.out.find("power"), std::string::npos);
+  EXPECT_EQ(summary.out.find("dissipated"), std::string::npos);
+}
+
+TEST(Points, AreDrawn) {
+  const ProgramFolder folder;
+  if (folder.run("command -v gnuplot").status != 0) {
+    GTEST_SKIP() << "gnuplot is not installed";
+  }
+  // As many as are thinned out, and one peak that must not get lost.
+  std::string points = "t_s,R_N,b_deg\n";
+  for (int i = 0; i < 5000; ++i) {
+    points += fmt::format("{},{},60\n", i, i == 3333 ? 9000 : 1000);
+  }
+  folder.write("points.csv", points);
+  const auto drawn = [&](const std::string& options) {
+    const ProgramResult result =
+        folder.run(joint + options + " --plot p.svg --output t.csv");
+    EXPECT_EQ(result.status, 0) << result.err;
+    return folder.read("p.svg");
+  };
+  const auto has = [](const std::string& svg, const std::string& text) {
+    return svg.find("<text>" + text + "<") != std::string::npos;
+  };
+  const std::string svg = drawn("--points points.csv");
+  EXPECT_EQ(csv_rows(folder.read("t.csv")).size(), 5001U);
+  EXPECT_LT(svg.size(), 200000U);
+  for (const char* text : {"time, s", "Mₜ, N m", "R, N", "peak p, MPa"}) {
+    EXPECT_TRUE(has(svg, text)) << text;
+  }
+  EXPECT_TRUE(has(svg, " 8000"));  // on the axis of R
+  folder.write("contact.csv", "R_n_N,a_deg\n1e5,20\n2e5,20\n");
+  const std::string contact = drawn("--summary --points contact.csv");
+  EXPECT_NE(folder.read("t.csv").find("largest_R_n_N,2e+05,2,"),
+            std::string::npos);
+  EXPECT_TRUE(has(contact, "state"));
+  EXPECT_TRUE(has(contact, "Rₙ, kN"));
+
+  folder.write("bad.csv", "R_N,b_deg\nx,20\n");
+  const ProgramResult bad =
+      folder.run(joint + "--points bad.csv --plot bad.svg");
+  EXPECT_EQ(bad.status, 1);
+  EXPECT_NE(bad.err.find("no picture bad.svg: no state has a solution\n"),
+            std::string::npos);
+}
+
+}  // namespace
