@@ -1,24 +1,25 @@
 #include "cli/number.hpp"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
 #include <cstdio>
 
 namespace cli {
+namespace {
+
+constexpr std::string_view blanks = " \t";
+
+}  // namespace
 
 std::string Allowed::text() const {
   const std::string interval = number_text(min) + " to " + number_text(max);
   return unit.empty() ? interval : interval + ' ' + std::string(unit);
 }
 
-std::optional<double> parse_number(std::string_view text) {
-  while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) {
-    text.remove_prefix(1);
-  }
-  while (!text.empty() && (text.back() == ' ' || text.back() == '\t')) {
-    text.remove_suffix(1);
-  }
+std::optional<double> take_number(std::string_view& text) {
+  text.remove_prefix(std::min(text.find_first_not_of(blanks), text.size()));
   // from_chars knows no plus sign; "+-1" stays wrong.
   if (text.size() > 1 && text[0] == '+' && text[1] != '-') {
     text.remove_prefix(1);
@@ -26,7 +27,14 @@ std::optional<double> parse_number(std::string_view text) {
   double value = 0;
   const char* const end = text.data() + text.size();
   const auto [stop, error] = std::from_chars(text.data(), end, value);
-  if (error != std::errc() || stop != end) return std::nullopt;
+  if (error != std::errc()) return std::nullopt;
+  text.remove_prefix(static_cast<std::size_t>(stop - text.data()));
+  return value;
+}
+
+std::optional<double> parse_number(std::string_view text) {
+  const auto value = take_number(text);
+  if (text.find_first_not_of(blanks) != text.npos) return std::nullopt;
   return value;
 }
 

@@ -31,6 +31,10 @@ struct Allowed {
 /// is not a number or does not fit a double.
 std::optional<double> parse_number(std::string_view text);
 
+/// The number that `text` begins with, blanks and sign as above, which is taken
+/// off it; no value if there is none.
+std::optional<double> take_number(std::string_view& text);
+
 /// Characters that `write_number` may need.
 inline constexpr std::size_t longest_number = 32;
 

@@ -5,28 +5,121 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 
 #include "cli/refuse.hpp"
 
 namespace cli {
 namespace {
 
-struct Unit {
-  std::string_view suffix;
-  double per_metre;  // exact, so that 50mm is the double nearest to 0.05
-};
-// Longer suffixes first: "mm" ends in "m".
-constexpr std::array<Unit, 3> units = {{{"mm", 1e3}, {"um", 1e6}, {"m", 1}}};
+using contact::Dimension;
+using contact::Unit;
+
+// What the numbers of a list or range stand between.
+constexpr const char* separators = ",:";
+
+// "N/m" and "N_per_m" are one, and so are "N_m", "N*m", "N m" and "Nm".
+std::string spelling(std::string_view unit) {
+  constexpr std::string_view per = "_per_";
+  std::string text(unit);
+  for (std::size_t at; (at = text.find(per)) != text.npos;) {
+    text.replace(at, per.size(), 1, '/');
+  }
+  std::erase_if(text,
+                [](char c) { return std::strchr("_*^ \t", c) != nullptr; });
+  return text;
+}
+
+// Null for what is no unit of the dimension.
+const Unit* find_unit(std::string_view text, Dimension dimension) {
+  const auto all = contact::units_of(dimension);
+  const auto unit = std::ranges::find(
+      all, spelling(text), [](const Unit& u) { return spelling(u.ending); });
+  return unit == all.end() ? nullptr : &*unit;
+}
+
+// That of a plain number.
+const Unit* plain_unit(Dimension dimension) {
+  return dimension == Dimension::angle ? find_unit("deg", dimension)
+                                       : &contact::units_of(dimension).front();
+}
+
+bool is_blank(std::string_view text) {
+  return text.find_first_not_of(" \t") == text.npos;
+}
+
+// "a number in N, kN, MN or lbf"
+std::string unit_rule(Dimension dimension) {
+  std::vector<std::string> names;
+  for (const Unit& unit : contact::units_of(dimension)) {
+    names.emplace_back(unit.ending);
+  }
+  return "a number in " + contact::detail::either(names);
+}
 
 }  // namespace
 
-double parse_value(std::string_view option, std::string_view text,
-                   const Allowed& allowed) {
-  const auto value = parse_number(text);
+std::vector<std::string_view> split(std::string_view text,
+                                    std::string_view separators) {
+  std::vector<std::string_view> parts;
+  for (;;) {
+    const std::size_t at = text.find_first_of(separators);
+    parts.push_back(text.substr(0, at));
+    if (at == std::string_view::npos) return parts;
+    text.remove_prefix(at + 1);
+  }
+}
+
+std::optional<double> read_quantity(std::string_view option,
+                                    std::string_view text,
+                                    Dimension dimension) {
+  if (dimension == Dimension::number) return parse_number(text);
+  std::string_view rest = text;
+  const auto number = take_number(rest);
+  if (!number || is_blank(rest)) return number;
+  const Unit* unit = find_unit(rest, dimension);
+  if (unit == nullptr) refuse(option, text, unit_rule(dimension));
+  const Unit* plain = plain_unit(dimension);
+  return unit == plain ? *number : plain->from_si(unit->to_si(*number));
+}
+
+void refuse_some_units(std::string_view option, std::string_view text) {
+  bool with = false;
+  bool without = false;
+  for (std::string_view part : split(text, separators)) {
+    const auto number = take_number(part);
+    if (!number) continue;
+    with = with || !is_blank(part);
+    without = without || (is_blank(part) && *number != 0);
+  }
+  if (with && without) {
+    refuse(option, text, "with a unit at every number, or at none");
+  }
+}
+
+std::optional<Dimension> unit_dimension(
+    std::string_view text, std::initializer_list<Dimension> among) {
+  for (std::string_view part : split(text, separators)) {
+    if (!take_number(part) || is_blank(part)) continue;
+    for (const Dimension dimension : among) {
+      if (find_unit(part, dimension) != nullptr) return dimension;
+    }
+  }
+  return std::nullopt;
+}
+
+double parse_quantity(std::string_view option, std::string_view text,
+                      Dimension dimension, const Allowed& allowed) {
+  const auto value = read_quantity(option, text, dimension);
   if (!value || !allowed.contains(*value)) {
     refuse(option, text, allowed.rule(value.has_value()));
   }
   return *value;
+}
+
+double parse_value(std::string_view option, std::string_view text,
+                   const Allowed& allowed) {
+  return parse_quantity(option, text, Dimension::number, allowed);
 }
 
 int parse_count(std::string_view option, std::string_view text, int min,
@@ -40,38 +133,28 @@ int parse_count(std::string_view option, std::string_view text, int min,
 }
 
 std::array<double, 3> parse_vector(std::string_view option,
-                                   std::string_view text,
-                                   std::string_view what) {
+                                   std::string_view text, std::string_view what,
+                                   Dimension dimension) {
+  const auto parts = split(text, ",");
   std::array<double, 3> vector = {};
-  std::string_view rest = text;
-  bool good = std::count(text.begin(), text.end(), ',') == 2;
-  for (std::size_t i = 0; good && i < 3; ++i) {
-    const std::size_t comma = rest.find(',');
-    const auto number = parse_number(rest.substr(0, comma));
+  bool good = parts.size() == vector.size();
+  for (std::size_t i = 0; good && i < vector.size(); ++i) {
+    const auto number = read_quantity(option, parts[i], dimension);
     good = number && std::isfinite(*number);
     if (good) vector[i] = *number;
-    rest.remove_prefix(comma == std::string_view::npos ? rest.size()
-                                                       : comma + 1);
   }
   if (!good) refuse(option, text, fmt::format("X,Y,Z, {}", what));
+  if (dimension != Dimension::number) refuse_some_units(option, text);
   return vector;
 }
 
 double parse_length(std::string_view option, std::string_view text) {
-  std::string_view digits = text;
-  double per_metre = 1;
-  for (const Unit& unit : units) {
-    if (!text.ends_with(unit.suffix)) continue;
-    digits.remove_suffix(unit.suffix.size());
-    per_metre = unit.per_metre;
-    break;
+  const auto length = read_quantity(option, text, Dimension::length);
+  if (!length || !std::isfinite(*length)) {
+    refuse(option, text, unit_rule(Dimension::length));
   }
-  const auto number = parse_number(digits);
-  if (!number || !std::isfinite(*number)) {
-    refuse(option, text, "a length, in m or with one of the units mm, um");
-  }
-  if (*number <= 0) refuse(option, text, "above 0");
-  return *number / per_metre;
+  if (*length <= 0) refuse(option, text, "above 0");
+  return *length;
 }
 
 }  // namespace cli

@@ -1,15 +1,48 @@
 #pragma once
 
 #include <array>
+#include <initializer_list>
+#include <optional>
 #include <string_view>
+#include <vector>
 
 #include "cli/number.hpp"
+#include "libcontact/files/dimension.hpp"
 
+/// Numbers of options, with units or without: "2kN", "30 deg", "1.5". Units are
+/// those of the keys of files; "N/m" and "N_per_m" are one, and so are "N_m",
+/// "N*m" and "Nm". A plain number is in degrees if it is an angle, otherwise in
+/// SI units, and so is what the functions return.
 namespace cli {
 
 /// A number within an interval. Throws contact::Error with the name of its
 /// option for anything else.
-/// @param option  name for messages, such as "--radius"
+/// @param option   name for messages, such as "--adhesion"
+/// @param allowed  in degrees or SI units
+double parse_quantity(std::string_view option, std::string_view text,
+                      contact::Dimension dimension, const Allowed& allowed);
+
+/// A number of one dimension, not looked at further; no value if `text` does
+/// not begin with one. Throws contact::Error for a unit of something else.
+std::optional<double> read_quantity(std::string_view option,
+                                    std::string_view text,
+                                    contact::Dimension dimension);
+
+/// Throws contact::Error if some numbers of a list or range have units and
+/// others, which are not 0, have none: "1:10:1kN" says too little.
+void refuse_some_units(std::string_view option, std::string_view text);
+
+/// Of which of some dimensions the first unit in a value, list or range is;
+/// none if it has no unit, or none of these.
+std::optional<contact::Dimension> unit_dimension(
+    std::string_view text, std::initializer_list<contact::Dimension> among);
+
+/// The parts of a text, cut at each of the separators.
+std::vector<std::string_view> split(std::string_view text,
+                                    std::string_view separators);
+
+/// A number without a unit within an interval. Throws contact::Error for
+/// anything else.
 double parse_value(std::string_view option, std::string_view text,
                    const Allowed& allowed);
 
@@ -19,13 +52,12 @@ int parse_count(std::string_view option, std::string_view text, int min,
 
 /// "X,Y,Z": three numbers, finite. Throws contact::Error for anything else.
 /// @param what  for messages: "a force in N"
-std::array<double, 3> parse_vector(std::string_view option,
-                                   std::string_view text,
-                                   std::string_view what);
+std::array<double, 3> parse_vector(
+    std::string_view option, std::string_view text, std::string_view what,
+    contact::Dimension dimension = contact::Dimension::number);
 
-/// A length in m from "0.05", "0.05m", "50mm" or "25um". Throws contact::Error
+/// A length in m from "0.05", "0.05m", "50mm" or "2in". Throws contact::Error
 /// for anything else and for a length that is not positive and finite.
-/// @param option  name for messages, such as "--radius"
 double parse_length(std::string_view option, std::string_view text);
 
 }  // namespace cli

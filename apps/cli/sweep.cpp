@@ -16,17 +16,6 @@ namespace {
 // More values than anyone tabulates; a mistyped step is caught instead.
 constexpr double most_values = 1e9;
 
-// Splits at every `separator`.
-std::vector<std::string_view> split(std::string_view text, char separator) {
-  std::vector<std::string_view> parts;
-  for (;;) {
-    const std::size_t at = text.find(separator);
-    parts.push_back(text.substr(0, at));
-    if (at == std::string_view::npos) return parts;
-    text.remove_prefix(at + 1);
-  }
-}
-
 // Whether value is a decimal with as many digits as 10^-k, 1/scale = 10^-k:
 // the division of two exact integers is rounded as the decimal text was.
 bool is_decimal(double value, double scale) {
@@ -86,14 +75,15 @@ Sweep::Piece Sweep::logarithmic(double start, double stop, double count) {
   return piece;
 }
 
-Sweep::Piece Sweep::parse_piece(std::string_view option,
-                                std::string_view text) {
-  const auto parts = split(text, ':');
+Sweep::Piece Sweep::parse_piece(std::string_view option, std::string_view text,
+                                contact::Dimension dimension) {
+  const auto parts = split(text, ":");
   const bool is_log = parts.size() == 3 && parts[2].starts_with("log");
   std::array<double, 3> numbers{};
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    const auto number =
-        parse_number(i == 2 && is_log ? parts[2].substr(3) : parts[i]);
+    const auto number = i == 2 && is_log
+                            ? parse_number(parts[2].substr(3))
+                            : read_quantity(option, parts[i], dimension);
     if (!number || parts.size() == 2 || parts.size() > 3) {
       refuse(option, text.empty() ? "(empty item)" : text,
              "a value, a list a,b,c, start:stop:step or start:stop:logN");
@@ -125,10 +115,11 @@ Sweep::Piece Sweep::parse_piece(std::string_view option,
 }
 
 Sweep::Sweep(std::string_view option, std::string_view text,
-             const Allowed& allowed) {
+             const Allowed& allowed, contact::Dimension dimension) {
+  if (dimension != contact::Dimension::number) refuse_some_units(option, text);
   std::size_t end = 0;
-  for (const std::string_view item : split(text, ',')) {
-    Piece piece = parse_piece(option, item);
+  for (const std::string_view item : split(text, ",")) {
+    Piece piece = parse_piece(option, item, dimension);
     if (static_cast<double>(end + piece.count) > most_values) {
       refuse(option, text, "at most 1e9 values");
     }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cli/number.hpp"
+#include "libcontact/files/dimension.hpp"
 
 namespace cli {
 
@@ -16,14 +17,16 @@ namespace cli {
 /// start:stop:step includes the stop when it lies on a step. Decimal inputs
 /// are stepped as exact decimals, so 0:1:0.1 holds 0.3 and not
 /// 0.30000000000000004. start:stop:logN gives N values in equal ratios, both
-/// ends included, round powers of ten exactly.
+/// ends included, round powers of ten exactly. Each number may carry a unit
+/// (quantity.hpp), if all but 0 do: 1kN:10kN:log5.
 class Sweep {
  public:
   /// @param option   name for messages, such as "--theta0"
   /// @param text     what the user wrote
   /// @param allowed  interval that every value must lie in
   /// Throws contact::Error for a bad text or a value that is not allowed.
-  Sweep(std::string_view option, std::string_view text, const Allowed& allowed);
+  Sweep(std::string_view option, std::string_view text, const Allowed& allowed,
+        contact::Dimension dimension = contact::Dimension::number);
 
   std::size_t size() const { return pieces_.back().end; }
   /// Value number `index`, from 0 to size() - 1.
@@ -48,7 +51,8 @@ class Sweep {
     std::size_t end = 0;  ///< number of values up to the end of this piece
     double value(std::size_t i) const;
   };
-  static Piece parse_piece(std::string_view option, std::string_view text);
+  static Piece parse_piece(std::string_view option, std::string_view text,
+                           contact::Dimension dimension);
   static Piece linear(double start, double stop, double step);
   static Piece logarithmic(double start, double stop, double count);
 

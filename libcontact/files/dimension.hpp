@@ -2,6 +2,8 @@
 
 #include <cmath>
 #include <limits>
+#include <span>
+#include <string_view>
 
 /// What the numbers of files measure, and what they may be.
 namespace contact {
@@ -11,9 +13,9 @@ namespace contact {
 /// A key without an ending is in the first unit of its list.
 enum class Dimension {
   number,                ///< no unit, no ending
-  length,                ///< m, mm, um, km
+  length,                ///< m, mm, um, cm, in, km
   stress,                ///< Pa, kPa, MPa, GPa
-  force,                 ///< N, kN, MN
+  force,                 ///< N, kN, MN, lbf
   line_force,            ///< N_per_m, kN_per_m, N_per_mm
   moment,                ///< N_m, kN_m, N_mm
   angle,                 ///< rad, deg
@@ -27,6 +29,21 @@ enum class Dimension {
   viscous_constant,      ///< Pa_s_per_m, kPa_s_per_m, ... GPa_s_per_m
   inverse_velocity,      ///< s_per_m
 };
+
+/// A unit of keys and options. value in SI = value * multiply / divide; powers
+/// of ten are divided where that is exact, so that 50 mm is the double nearest
+/// to 0.05 m.
+struct Unit {
+  std::string_view ending;  ///< of keys: "N_per_m"; "" for none
+  double multiply = 1;
+  double divide = 1;
+
+  double to_si(double value) const { return value * multiply / divide; }
+  double from_si(double value) const { return value * divide / multiply; }
+};
+
+/// The first one is that of a key without an ending.
+std::span<const Unit> units_of(Dimension dimension);
 
 /// Values that a number may take, in SI units. Always finite, unless
 /// `or_infinity`.

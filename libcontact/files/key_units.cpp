@@ -1,39 +1,12 @@
 #include "libcontact/files/key_units.hpp"
 
 #include <algorithm>
-#include <numbers>
 
 #include "libcontact/base/complaint.hpp"
 #include "libcontact/base/text.hpp"
-#include "libcontact/base/units.hpp"
 
 namespace contact::detail {
 namespace {
-
-constexpr double rpm = std::numbers::pi / 30;
-
-// In the order of Dimension.
-constexpr KeyUnit units[][4] = {
-    {{""}},
-    {{"m"}, {"mm", 1, 1e3}, {"um", 1, 1e6}, {"km", 1e3}},
-    {{"Pa"}, {"kPa", 1e3}, {"MPa", 1e6}, {"GPa", 1e9}},
-    {{"N"}, {"kN", 1e3}, {"MN", 1e6}},
-    {{"N_per_m"}, {"kN_per_m", 1e3}, {"N_per_mm", 1e3}},
-    {{"N_m"}, {"kN_m", 1e3}, {"N_mm", 1, 1e3}},
-    {{"rad"}, {"deg", degree}},
-    {{"rad_per_s"}, {"deg_per_s", degree}, {"rpm", rpm}},
-    {{"rad_per_s2"}, {"deg_per_s2", degree}},
-    {{"m_per_s"}, {"mm_per_s", 1, 1e3}, {"km_per_h", 1, 3.6}},
-    {{"m_per_s2"}},
-    {{"s"}, {"ms", 1, 1e3}},
-    {{"kg"}, {"g", 1, 1e3}, {"t", 1e3}},
-    {{"kg_m2"}},
-    {{"Pa_s_per_m"},
-     {"kPa_s_per_m", 1e3},
-     {"MPa_s_per_m", 1e6},
-     {"GPa_s_per_m", 1e9}},
-    {{"s_per_m"}},
-};
 
 // "kg m^2" of "kg_m2", "Pa s/m" of "Pa_s_per_m".
 std::string symbol(std::string_view ending) {
@@ -52,16 +25,9 @@ std::string symbol(std::string_view ending) {
 
 }  // namespace
 
-std::span<const KeyUnit> units_of(Dimension dimension) {
-  const std::span<const KeyUnit> all = units[static_cast<int>(dimension)];
-  const auto end = std::find_if(all.begin() + 1, all.end(),
-                                [](const auto& u) { return u.ending.empty(); });
-  return {all.begin(), end};
-}
-
 std::vector<std::string> spellings(std::string_view key, Dimension dimension) {
   std::vector<std::string> result = {std::string(key)};
-  for (const KeyUnit& unit : units_of(dimension)) {
+  for (const Unit& unit : units_of(dimension)) {
     if (!unit.ending.empty())
       result.push_back(message("{}_{}", key, unit.ending));
   }
@@ -76,18 +42,18 @@ std::string spellings_text(std::string_view key, Dimension dimension) {
   return either(all);
 }
 
-const KeyUnit* unit_in(std::string_view spelling, std::string_view key,
-                       Dimension dimension) {
+const Unit* unit_in(std::string_view spelling, std::string_view key,
+                    Dimension dimension) {
   if (!spelling.starts_with(key)) return nullptr;
   const std::string_view rest = spelling.substr(key.size());
   const auto all = units_of(dimension);
   if (rest.empty()) return &all.front();
   if (rest.size() == 1 || rest.front() != '_') return nullptr;
-  const auto unit = std::ranges::find(all, rest.substr(1), &KeyUnit::ending);
+  const auto unit = std::ranges::find(all, rest.substr(1), &Unit::ending);
   return unit == all.end() ? nullptr : &*unit;
 }
 
-std::string range_text(const Interval& range, const KeyUnit& unit) {
+std::string range_text(const Interval& range, const Unit& unit) {
   const bool any_low = range.low == -Interval::largest;
   const bool any_high = range.high == Interval::largest;
   const double low = unit.from_si(range.low);

@@ -61,7 +61,7 @@ struct TomlTable::Entry {
   const File* file;
   std::string name;  // "TABLE.KEY"
   const toml::node* node;
-  const detail::KeyUnit* unit;
+  const Unit* unit;
 
   [[noreturn]] void must_be(std::string_view rule) const {
     must_be(*node, "", rule);

@@ -9,6 +9,7 @@
 #include <fstream>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <numbers>
 #include <random>
 #include <sstream>
 #include <string>
@@ -269,6 +270,102 @@ TEST(Quantity, ValuesAndVectors) {
     EXPECT_EQ(error_message([&] { cli::parse_vector("--v", bad, "in N"); }),
               cli::given("--v", bad) + " must be X,Y,Z, in N");
   }
+}
+
+using contact::Dimension;
+
+double quantity(const std::string& text, Dimension dimension) {
+  return cli::parse_quantity("--x", text, dimension, any);
+}
+
+TEST(Quantity, DecimalUnitsGiveTheNearestDoubles) {
+  EXPECT_EQ(quantity("50mm", Dimension::length), 0.05);
+  EXPECT_EQ(quantity("1.5cm", Dimension::length), 0.015);
+  EXPECT_EQ(quantity("0.5in", Dimension::length), 0.0127);
+  EXPECT_EQ(quantity(" 7 um ", Dimension::length), 7e-6);
+  EXPECT_EQ(quantity("1lbf", Dimension::force), 4.4482216152605);
+  EXPECT_EQ(quantity("4MPa", Dimension::stress), 4e6);
+  EXPECT_EQ(quantity("5ms", Dimension::time), 0.005);
+  EXPECT_EQ(quantity("2e3", Dimension::force), 2000);
+  EXPECT_EQ(quantity("inf", Dimension::force), infinity);
+}
+
+TEST(Quantity, AnglesAreInDegrees) {
+  EXPECT_EQ(quantity("30", Dimension::angle), 30);
+  EXPECT_EQ(quantity("0.1deg", Dimension::angle), 0.1);
+  EXPECT_DOUBLE_EQ(quantity("0.5rad", Dimension::angle), 90 / std::numbers::pi);
+  EXPECT_DOUBLE_EQ(quantity("100rpm", Dimension::angular_velocity),
+                   std::numbers::pi * 10 / 3);
+}
+
+TEST(Quantity, ManyWaysToWriteAUnit) {
+  for (const char* text : {"3N_m", "3N*m", "3Nm", "3 N m", "3000N_mm"}) {
+    EXPECT_EQ(quantity(text, Dimension::moment), 3) << text;
+  }
+  for (const char* text : {"2kN_per_m", "2kN/m", "2N/mm"}) {
+    EXPECT_EQ(quantity(text, Dimension::line_force), 2000) << text;
+  }
+  EXPECT_EQ(quantity("2kg*m^2", Dimension::inertia), 2);
+  EXPECT_EQ(quantity("2GPa*s/m", Dimension::viscous_constant), 2e9);
+}
+
+TEST(Quantity, MessagesNameTheUnits) {
+  const auto message = [](const char* text, Dimension dimension) {
+    return error_message([&] {
+      cli::parse_quantity("--x", text, dimension, {0, 1e4, "N"});
+    });
+  };
+  EXPECT_EQ(message("1kg", Dimension::force),
+            "--x 1kg must be a number in N, kN, MN or lbf");
+  EXPECT_EQ(message("abc", Dimension::force),
+            "--x abc must be a number, 0 to 10000 N");
+  EXPECT_EQ(message("20kN", Dimension::force), "--x 20kN must be 0 to 10000 N");
+  EXPECT_EQ(message("1N", Dimension::number),
+            "--x 1N must be a number, 0 to 10000 N");
+  EXPECT_EQ(error_message([] {
+              cli::parse_vector("--v", "1,2kN,0", "in N", Dimension::force);
+            }),
+            "--v 1,2kN,0 must be with a unit at every number, or at none");
+  EXPECT_EQ(cli::parse_vector("--v", "1kN,2N,0", "in N", Dimension::force),
+            (std::array<double, 3>{1000, 2, 0}));
+}
+
+TEST(Quantity, DimensionOfAUnit) {
+  const auto dimension = [](const char* text) {
+    return cli::unit_dimension(text, {Dimension::force, Dimension::line_force});
+  };
+  EXPECT_EQ(dimension("20kN"), Dimension::force);
+  EXPECT_EQ(dimension("20kN_per_m"), Dimension::line_force);
+  EXPECT_EQ(dimension("0:20N/mm:log5"), Dimension::line_force);
+  EXPECT_EQ(dimension("0,20 kN"), Dimension::force);
+  for (const char* none : {"20", "1:10:log5", "20m", "", "inf"}) {
+    EXPECT_EQ(dimension(none), std::nullopt) << none;
+  }
+}
+
+TEST(Sweep, NumbersWithUnits) {
+  const auto forces = [](const char* text) {
+    const cli::Sweep sweep("--load", text, {0, infinity, "N"},
+                           Dimension::force);
+    return cli::spread(sweep, sweep.size());
+  };
+  using Values = std::vector<double>;
+  EXPECT_EQ(forces("1kN:100kN:log3"), (Values{1e3, 1e4, 1e5}));
+  EXPECT_EQ(forces("0:2kN:500N"), (Values{0, 500, 1000, 1500, 2000}));
+  EXPECT_EQ(forces("5,0.1:0.3:0.1"), (Values{5, 0.1, 0.2, 0.3}));
+  const auto lengths = cli::Sweep("--x", "0:1mm:0.1mm", any, Dimension::length);
+  ASSERT_EQ(lengths.size(), 11U);
+  for (int i = 0; i <= 10; ++i) EXPECT_EQ(lengths[i], i / 1e4);
+  for (const auto& [text, rule] :
+       {std::pair{"1:10:1kN", "with a unit at every number, or at none"},
+        std::pair{"1,2,5kN", "with a unit at every number, or at none"},
+        std::pair{"1kN:2:log3", "with a unit at every number, or at none"},
+        std::pair{"-1kN", "0 to inf N"}}) {
+    const std::string message = error_message([&, t = text] { forces(t); });
+    EXPECT_TRUE(message.ends_with(rule)) << message;
+  }
+  EXPECT_EQ(error_message([&] { forces("1kN:2m:log3"); }),
+            "--load 2m must be a number in N, kN, MN or lbf");
 }
 
 TEST(Quantity, Counts) {

@@ -474,11 +474,16 @@ TEST(TomlTable, EveryUnit) {
         }
       };
   const double pi = std::acos(-1.0);
-  expect(Dimension::length,
-         {{"m", 3}, {"mm", 3e-3}, {"um", 3e-6}, {"km", 3e3}});
+  expect(Dimension::length, {{"m", 3},
+                             {"mm", 3e-3},
+                             {"um", 3e-6},
+                             {"cm", 0.03},
+                             {"in", 0.0762},
+                             {"km", 3e3}});
   expect(Dimension::stress,
          {{"Pa", 3}, {"kPa", 3e3}, {"MPa", 3e6}, {"GPa", 3e9}});
-  expect(Dimension::force, {{"N", 3}, {"kN", 3e3}, {"MN", 3e6}});
+  expect(Dimension::force,
+         {{"N", 3}, {"kN", 3e3}, {"MN", 3e6}, {"lbf", 13.3446648457815}});
   expect(Dimension::line_force,
          {{"N_per_m", 3}, {"kN_per_m", 3e3}, {"N_per_mm", 3e3}});
   expect(Dimension::moment, {{"N_m", 3}, {"kN_m", 3e3}, {"N_mm", 3e-3}});

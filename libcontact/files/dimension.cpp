@@ -1,0 +1,50 @@
+#include "libcontact/files/dimension.hpp"
+
+#include <algorithm>
+#include <numbers>
+
+#include "libcontact/base/units.hpp"
+
+namespace contact {
+namespace {
+
+constexpr double rpm = std::numbers::pi / 30;
+
+// In the order of Dimension.
+constexpr Unit units[][6] = {
+    {{""}},
+    {{"m"},
+     {"mm", 1, 1e3},
+     {"um", 1, 1e6},
+     {"cm", 1, 1e2},
+     {"in", 254, 1e4},
+     {"km", 1e3}},
+    {{"Pa"}, {"kPa", 1e3}, {"MPa", 1e6}, {"GPa", 1e9}},
+    {{"N"}, {"kN", 1e3}, {"MN", 1e6}, {"lbf", 44482216152605, 1e13}},
+    {{"N_per_m"}, {"kN_per_m", 1e3}, {"N_per_mm", 1e3}},
+    {{"N_m"}, {"kN_m", 1e3}, {"N_mm", 1, 1e3}},
+    {{"rad"}, {"deg", degree}},
+    {{"rad_per_s"}, {"deg_per_s", degree}, {"rpm", rpm}},
+    {{"rad_per_s2"}, {"deg_per_s2", degree}},
+    {{"m_per_s"}, {"mm_per_s", 1, 1e3}, {"km_per_h", 1, 3.6}},
+    {{"m_per_s2"}},
+    {{"s"}, {"ms", 1, 1e3}},
+    {{"kg"}, {"g", 1, 1e3}, {"t", 1e3}},
+    {{"kg_m2"}},
+    {{"Pa_s_per_m"},
+     {"kPa_s_per_m", 1e3},
+     {"MPa_s_per_m", 1e6},
+     {"GPa_s_per_m", 1e9}},
+    {{"s_per_m"}},
+};
+
+}  // namespace
+
+std::span<const Unit> units_of(Dimension dimension) {
+  const std::span<const Unit> all = units[static_cast<int>(dimension)];
+  const auto end = std::find_if(all.begin() + 1, all.end(),
+                                [](const auto& u) { return u.ending.empty(); });
+  return {all.begin(), end};
+}
+
+}  // namespace contact
