@@ -9,6 +9,8 @@
 
 namespace hinge_angle {
 
+using contact::Dimension;
+
 void add_load_options(CLI::App& app, LoadOptions& options) {
   app.option_defaults()->group("Load");
   app.add_option("--load", options.load, "N, or N/m for a pin")
@@ -24,21 +26,24 @@ void add_load_options(CLI::App& app, LoadOptions& options) {
 Input make_input(const LoadOptions& options, const cli::Joint& joint) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   const auto load = [&](LoadVariable variable, const char* option,
-                        const std::string& values, const char* unit) {
+                        const std::string& values, const char* unit = "",
+                        Dimension dimension = Dimension::number) {
     return Input{variable, false,
-                 cli::Sweep(option, values, {0, infinity, unit})};
+                 cli::Sweep(option, values, {0, infinity, unit}, dimension)};
   };
   if (!options.theta0.empty()) {
     // Curves are drawn over the load where there is one.
     return Input{
         joint.geometry ? LoadVariable::load : LoadVariable::load_parameter,
-        true, cli::Sweep("--theta0", options.theta0, {0, 180, "deg"})};
+        true,
+        cli::Sweep("--theta0", options.theta0, {0, 180, "deg"},
+                   Dimension::angle)};
   }
   if (!options.load_parameter.empty()) {
     return load(LoadVariable::load_parameter, "--load-parameter",
-                options.load_parameter, "");
+                options.load_parameter);
   }
-  if (!options.x.empty()) return load(LoadVariable::x, "--x", options.x, "");
+  if (!options.x.empty()) return load(LoadVariable::x, "--x", options.x);
   if (options.load.empty()) {
     cli::refuse_without("a load",
                         "one of --load, --load-parameter, --x (see --help)");
@@ -48,8 +53,9 @@ Input make_input(const LoadOptions& options, const cli::Joint& joint) {
                         "--radius and --clearance; a dimensionless joint has "
                         "--load-parameter and --x");
   }
-  return load(LoadVariable::load, "--load", options.load,
-              joint.kind == contact::JointKind::ball ? "N" : "N/m");
+  const bool ball = joint.kind == contact::JointKind::ball;
+  return load(LoadVariable::load, "--load", options.load, ball ? "N" : "N/m",
+              ball ? Dimension::force : Dimension::line_force);
 }
 
 }  // namespace hinge_angle

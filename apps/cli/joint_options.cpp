@@ -223,15 +223,14 @@ void add_joint_options(CLI::App& app, JointOptions& o) {
         ->needs(ratio);
   }
   if (!pressure) {
-    auto* radius = add("--radius", o.radius,
-                       "of the ball or pin, m or with a unit", "LENGTH");
+    auto* radius = add("--radius", o.radius, "of the ball or pin", "LENGTH");
     auto* clearance =
-        add("--clearance", o.clearance, "radial, m or with a unit", "LENGTH");
+        add("--clearance", o.clearance, "difference of the radii", "LENGTH");
     radius->needs(pair)->needs(clearance);
     clearance->needs(radius);
   }
   if (friction) {
-    add("--length", o.length, "of a pin, m or with a unit", "LENGTH");
+    add("--length", o.length, "of a pin", "LENGTH");
     add("--inner-body", o.inner_body,
         "body with the ball or pin: carrier (default) or body", "NAME");
   }
