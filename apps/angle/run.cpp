@@ -34,9 +34,8 @@ std::vector<Failures> write_table(const AngleTable& angles, const Input& input,
                                   const cli::OutputOptions& options) {
   constexpr std::size_t block_rows = 256;
   cli::Output output(options.output);
-  const cli::Table table(options.format, input.inverse
-                                             ? angles.inverse_columns()
-                                             : angles.columns());
+  const cli::Table table(
+      options, input.inverse ? angles.inverse_columns() : angles.columns());
   cli::TableWriter writer(output, table);
   cli::Progress progress("rows", input.values.size());
   std::vector<Failures> failures(laws);

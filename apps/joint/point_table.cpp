@@ -91,7 +91,9 @@ Problems write_points(const NamedJoint& joint, const Options& options,
   const double rate =
       options.rate.empty()
           ? 1
-          : cli::parse_value("--rate", options.rate, allowed_rate);
+          : cli::parse_quantity("--rate", options.rate,
+                                contact::Dimension::angular_velocity,
+                                allowed_rate);
   cli::LineReader reader(options.points);
   const cli::PointHeader header = cli::read_header(reader);
   const Form form = find_form(header, pin);
@@ -109,7 +111,7 @@ Problems write_points(const NamedJoint& joint, const Options& options,
     names.push_back(std::move(name));
   }
   cli::Output output(options.output.output);
-  const cli::Table table(options.output.format, names);
+  const cli::Table table(options.output, names);
   begin();
   cli::TableWriter writer(output, table);
   cli::Progress progress("points", 0);

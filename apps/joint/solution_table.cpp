@@ -57,7 +57,7 @@ Problems write_solutions(const Setup& setup, const Inputs& inputs,
   const std::vector<Quantity> columns = quantities_of(setup, inputs);
   const std::size_t size = inputs.size() * setup.joints.size();
   cli::Output output(options.output);
-  const cli::Table table(options.format, solution_columns(columns, beside));
+  const cli::Table table(options, solution_columns(columns, beside));
   cli::TableWriter writer(output, table);
   cli::Progress progress("rows", size);
   Problems problems;
@@ -103,7 +103,7 @@ Problems write_summary(const Setup& setup, const Inputs& inputs,
   columns.emplace_back("meaning");
 
   cli::Output output(options.output);
-  const cli::Table table(options.format, columns);
+  const cli::Table table(options, columns);
   cli::TableWriter writer(output, table);
   cli::Text rows;
   cli::RowWriter row(table, rows);

@@ -73,9 +73,8 @@ void write_table(const PressureTable& pressures, const LoadedContacts& contacts,
                  int points, const Options& options, Gaps& gaps) {
   const cli::OutputOptions& to = options.output;
   cli::Output output(to.output);
-  const cli::Table table(to.format, options.summary
-                                        ? pressures.summary_columns()
-                                        : pressures.profile_columns());
+  const cli::Table table(to, options.summary ? pressures.summary_columns()
+                                             : pressures.profile_columns());
   cli::TableWriter writer(output, table);
   cli::Text rows;
   cli::Progress progress("loads", contacts.size());
