@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "cli/output.hpp"
+#include "cli/stream/turned_table.hpp"
 #include "cli/text.hpp"
-#include "cli/turned_table.hpp"
 
 namespace cli {
 

@@ -32,6 +32,8 @@ NAME.x_m to .z_m and .vx_m_per_s to .vz_m_per_s (centre of mass, inertial
 axes), .qw to .qz (body axes to inertial ones), .wx_rad_per_s to .wz_rad_per_s
 (body axes); clearance.A.B_m; energy.*_J.
 
+--columns chooses columns of the history, of CSV and HDF5, or of --compare.
+
 --compare runs the case with ideal joints, full friction and the traditional
 estimate (friction from the reaction instead of the normal force).
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <ostream>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -19,6 +20,7 @@ struct Run {
   std::string command;
   std::vector<std::string> columns;  ///< not in their order
 };
+void PrintTo(const Run& run, std::ostream* to) { *to << run.command; }
 
 const std::vector<Run> runs = {
     {"hinge-angle --joint data/joints/hip_cocr_uhmwpe.toml --load "

@@ -1,6 +1,7 @@
 // Numbers with units at the command line are those without.
 #include <gtest/gtest.h>
 
+#include <ostream>
 #include <string>
 
 #include "support/program.hpp"
@@ -14,6 +15,9 @@ struct Same {
   std::string with;
   std::string without;
 };
+void PrintTo(const Same& same, std::ostream* to) {
+  *to << same.run << same.with;
+}
 
 const std::string hip = " --joint data/joints/hip_cocr_uhmwpe.toml ";
 const std::string pair = " --pair data/materials/steel_bronze.toml ";

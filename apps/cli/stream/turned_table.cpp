@@ -1,4 +1,4 @@
-#include "cli/turned_table.hpp"
+#include "cli/stream/turned_table.hpp"
 
 #include <fmt/format.h>
 
