@@ -124,7 +124,7 @@ void write_comparison(const std::vector<LawComparison>& laws,
     columns.emplace_back(name);
   }
   cli::Output output(options.output);
-  const cli::Table table(options.format, columns);
+  const cli::Table table(options, columns);
   cli::TableWriter writer(output, table);
   cli::Text rows;
   cli::RowWriter row(table, rows);

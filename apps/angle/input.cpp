@@ -10,6 +10,8 @@
 
 namespace hinge_angle {
 
+using contact::Dimension;
+
 void add_load_options(CLI::App& app, LoadOptions& options) {
   app.option_defaults()->group("Load");
   app.add_option("--load", options.load,
@@ -29,7 +31,6 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // --load, whose unit may say whether it is a force or per length of a pin.
 Input load_input(const std::string& text, const cli::Joint& joint) {
-  using contact::Dimension;
   if (!joint.geometry) {
     cli::refuse_without("--load",
                         "--radius and --clearance; a dimensionless joint has "
@@ -59,7 +60,7 @@ Input make_input(const LoadOptions& options, const cli::Joint& joint) {
     return {joint.geometry ? LoadVariable::load : LoadVariable::load_parameter,
             true,
             cli::Sweep("--theta0", options.theta0, {0, 180, "deg"},
-                       contact::Dimension::angle)};
+                       Dimension::angle)};
   }
   if (!options.load_parameter.empty()) {
     return {LoadVariable::load_parameter, false,

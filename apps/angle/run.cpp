@@ -67,7 +67,7 @@ std::vector<std::vector<Findings>> write_table(
     const Tables& tables, const cli::OutputOptions& options) {
   constexpr std::size_t block_rows = 256;
   cli::Output output(options.output);
-  const cli::Table table(options.format, tables.columns());
+  const cli::Table table(options, tables.columns());
   cli::TableWriter writer(output, table);
   cli::Progress progress("rows", tables.size());
   auto findings = tables.none();

@@ -262,10 +262,9 @@ void add_joint_options(CLI::App& app, JointOptions& o) {
         ->needs(ratio);
   }
   if (!pressure) {
-    auto* radius = add("--radius", o.radius,
-                       "of the ball or pin, m or with a unit", "LENGTH");
+    auto* radius = add("--radius", o.radius, "of the ball or pin", "LENGTH");
     auto* clearance =
-        add("--clearance", o.clearance, "radial, m or with a unit", "LENGTH");
+        add("--clearance", o.clearance, "difference of the radii", "LENGTH");
     radius->needs(pair)->needs(clearance);
     clearance->needs(radius);
     add("--length", o.length, "of a pin, m or with a unit", "LENGTH")

@@ -67,8 +67,9 @@ void add_law_options(CLI::App& app, JointOptions& options, Laws half_angle,
 
 /// What --help says of lengths, --loading and --wall.
 inline constexpr std::string_view joint_help =
-    R"(Lengths are in m or carry a unit: 50mm, 25um. The clearance is the difference
-of the radii.
+    R"(Numbers are in SI units, angles in degrees, or carry a unit: 50mm, 1.5cm,
+0.5in, 2kN, 4MPa, 3N*m, 0.5rad, 100rpm, 5ms; of a list or range all but 0 do, or
+none: 1kN:10kN:log5. The clearance is the difference of the radii.
 Loading: centre (the force enters the ball or pin by a stem or shaft, or is its
 own weight; the default) or back:PSI (a loose ball or roller pressed from behind
 on a patch of half-angle PSI, 0 to 90 deg, by a uniform pressure). Only the

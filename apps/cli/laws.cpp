@@ -39,9 +39,11 @@ contact::InnerLoading parse_loading(const std::string& text,
   constexpr Allowed patch{0, 90, "deg"};
   if (text.empty()) return otherwise;
   if (text == "centre") return contact::InnerLoading::centre();
-  const auto degrees = text.starts_with(back)
-                           ? parse_number(text.substr(back.size()))
-                           : std::nullopt;
+  const auto degrees =
+      text.starts_with(back)
+          ? read_quantity("--loading back:", text.substr(back.size()),
+                          contact::Dimension::angle)
+          : std::nullopt;
   if (!degrees || !patch.contains(*degrees)) {
     refuse("--loading", text,
            "centre, or back:PSI with PSI from " + patch.text());
@@ -77,7 +79,8 @@ void set_limit_angle(const std::string& text,
   options.limit_half_angle.reset();
   options.linear_limit = text == "linear";
   if (text != "linear" && text != "formula") {
-    const auto degrees = parse_number(text);
+    const auto degrees =
+        read_quantity("--limit-angle", text, contact::Dimension::angle);
     if (!degrees || !(*degrees > 0 && *degrees < 180)) {
       refuse("--limit-angle", text,
              "formula, linear, or an angle above 0, below 180 deg");

@@ -32,6 +32,14 @@ constexpr std::array<Choice<Format>, 4> formats = {
      {"markdown", Format::markdown},
      {"latex", Format::latex}}};
 
+char parse_separator(const std::string& text) {
+  if (text == "tab") return '\t';
+  if (text.size() != 1 || std::string_view(",;|").find(text) == text.npos) {
+    refuse("--separator", text, "one of ; | tab and the comma");
+  }
+  return text[0];
+}
+
 // On one line, and nothing in it speaks to the terminal.
 void complain(std::string_view program, std::string_view message) {
   fmt::print(stderr, "{}: {}\n", program,
@@ -70,17 +78,53 @@ void refuse_control_characters(int argc, char** argv) {
   }
 }
 
+void add_table_options(CLI::App& app, TableStyle& style) {
+  app.add_option_function<std::string>(
+         "--format",
+         [&style](const std::string& name) {
+           style.format = choice("--format", name, formats);
+         },
+         "csv (default), json, markdown, latex")
+      ->option_text("NAME");
+  app.add_option("--columns", style.columns,
+                 "of the table, only these and in this order")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->option_text("NAMES");
+  app.add_option_function<std::string>(
+         "--separator",
+         [&style](const std::string& text) {
+           style.separator = parse_separator(text);
+         },
+         "of CSV: ; | tab or a comma (default)")
+      ->option_text("CHAR");
+  app.add_flag("--decimal-comma", style.decimal_comma,
+               "0,5 for 0.5 in CSV, and ; for the separator")
+      ->option_text(" ");
+}
+
+// What they are of each other; sets the separator beside decimal commas.
+void settle_table_options(const CLI::App& app, TableStyle& style) {
+  const bool separator = app.count("--separator") > 0;
+  if (style.format != Format::csv && (separator || style.decimal_comma)) {
+    refuse_without(separator ? "--separator" : "--decimal-comma",
+                   "--format csv");
+  }
+  if (style.decimal_comma && !separator) style.separator = ';';
+  if (style.decimal_comma && style.separator == ',') {
+    refuse_beside("--decimal-comma", given("--separator", ","));
+  }
+  for (auto name = style.columns.begin(); name != style.columns.end(); ++name) {
+    if (std::find(style.columns.begin(), name, *name) == name) continue;
+    throw contact::Error(contact::detail::duplicate("--columns", *name));
+  }
+}
+
 }  // namespace
 
 void add_output_options(CLI::App& app, OutputOptions& options) {
   app.option_defaults()->group("Output");
-  app.add_option_function<std::string>(
-         "--format",
-         [&options](const std::string& name) {
-           options.format = choice("--format", name, formats);
-         },
-         "csv (default), json, markdown, latex")
-      ->option_text("NAME");
+  add_table_options(app, options);
   app.add_option("--output", options.output,
                  "file to write; default standard output")
       ->option_text("FILE");
@@ -95,7 +139,8 @@ void add_output_options(CLI::App& app, OutputOptions& options) {
          "picture to draw: .svg, .png or .pdf")
       ->option_text("FILE");
   // Before anything is read, computed or said.
-  app.parse_complete_callback([&options] {
+  app.parse_complete_callback([&app, &options] {
+    settle_table_options(app, options);
     Output::check(options.output);
     if (options.plot.empty()) return;
     if (same_file(options.plot, options.output)) {
@@ -129,7 +174,7 @@ int run_program(CLI::App& app, int argc, char** argv,
   app.set_version_flag("--version",
                        app.get_name() + " (libcontact) " + contact::version,
                        "print the version");
-  app.set_help_flag("--help", "print this help");
+  app.set_help_flag("-h,--help", "print this help");
   app.get_formatter()->column_width(26);
   try {
     refuse_control_characters(argc, argv);

@@ -32,14 +32,14 @@ inline constexpr std::string_view exit_status_help =
     "picture failed and the rest is there; 2 bad option or file, no result.\n";
 
 /// Options that every program has.
-struct OutputOptions {
+struct OutputOptions : TableStyle {
   std::string output;  ///< file name, "" for standard output
-  Format format = Format::csv;
-  std::string plot;  ///< file name, "" for none
+  std::string plot;    ///< file name, "" for none
   int jobs = 1;
 };
 
-/// Adds --output, --format and --plot to a program. That the files can be
+/// Adds --output, --plot, --format and what else there is of tables to a
+/// program. That the files can be
 /// made is found out with the command line; then come what else is refused,
 /// warnings, and the work.
 void add_output_options(CLI::App& app, OutputOptions& options);

@@ -6,9 +6,13 @@
 #include <cassert>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <numeric>
 
 #include "cli/number.hpp"
 #include "cli/stream/csv.hpp"
+#include "libcontact/base/complaint.hpp"
+#include "libcontact/base/error.hpp"
+#include "libcontact/base/text.hpp"
 
 namespace cli {
 namespace {
@@ -81,61 +85,108 @@ std::string padded(const std::string& cell, const std::string& name) {
   return fmt::format("{:>{}}", cell, width);
 }
 
+// Which of the names are asked for, in that order; all if none is.
+std::vector<std::size_t> shown(const std::vector<std::string>& asked,
+                               const std::vector<std::string>& names) {
+  std::vector<std::size_t> places(asked.empty() ? names.size() : 0);
+  std::iota(places.begin(), places.end(), 0);
+  for (const std::string& name : asked) {
+    const auto place = std::ranges::find(names, name) - names.begin();
+    if (place == std::ssize(names)) {
+      // A hundred names help only who is far from all of them.
+      const std::string near = contact::detail::nearest(name, names);
+      throw contact::Error(contact::detail::unknown(
+          "column", name, near,
+          near.empty() ? names : std::vector<std::string>()));
+    }
+    places.push_back(static_cast<std::size_t>(place));
+  }
+  return places;
+}
+
+std::string shown_name(const std::string& name, const TableStyle& style) {
+  switch (style.format) {
+    case Format::csv:
+      return raw_field(name, style.separator);
+    case Format::json:
+      return json_text(name);
+    case Format::markdown:
+      return markdown_text(name);
+    case Format::latex:
+      break;
+  }
+  return latex_text(name);
+}
+
+// Of a row of markdown, as far as the names tell.
+std::size_t width_of(const std::vector<std::string>& names) {
+  std::size_t width = 1;
+  for (const std::string& name : names) width += padded("", name).size() + 3;
+  return width;
+}
+
 }  // namespace
 
-Table::Table(Format format, std::vector<std::string> column_names)
-    : format_(format), names_(std::move(column_names)) {
-  for (std::string& name : names_) {
-    if (format == Format::csv) name = raw_field(name);
-    if (format == Format::json) name = json_text(name);
-    if (format == Format::markdown) name = markdown_text(name);
-    if (format == Format::latex) name = latex_text(name);
-    const bool first = before_.empty();
-    switch (format) {
-      case Format::csv:
-        before_.push_back(first ? "" : ",");
-        break;
-      case Format::json:
-        before_.push_back((first ? ",\n{" : ",") + name + ":");
-        break;
-      case Format::markdown:
-        before_.push_back(first ? "| " : " | ");
-        break;
-      case Format::latex:
-        before_.push_back(first ? "" : " & ");
-        break;
-    }
+Table::Table(TableStyle style, std::vector<std::string> column_names)
+    : style_(std::move(style)),
+      names_(std::move(column_names)),
+      shown_(shown(style_.columns, names_)) {
+  for (std::string& name : names_) name = shown_name(name, style_);
+  turned_ = style_.format >= Format::markdown &&
+            width_of(shown_names()) > TurnedTable::widest;
+  set_marks();
+}
+
+void Table::set_marks() {
+  if (turned_) {
+    before_.assign(shown_.size(), "");
+    return;
   }
-  switch (format) {
+  const auto marks = [this](std::string_view first, std::string_view later,
+                            std::string_view end) {
+    before_.assign(shown_.size(), std::string(later));
+    before_[0] = first;
+    end_of_row_ = end;
+  };
+  switch (style_.format) {
     case Format::csv:
-      end_of_row_ = "\n";
-      break;
+      return marks("", std::string(1, style_.separator), "\n");
     case Format::json:
-      end_of_row_ = "}";
-      break;
+      marks(",\n{", ",", "}");
+      for (std::size_t i = 0; i < shown_.size(); ++i) {
+        before_[i] += names_[shown_[i]] + ":";
+      }
+      return;
     case Format::markdown:
-      end_of_row_ = " |\n";
-      break;
+      return marks("| ", " | ", " |\n");
     case Format::latex:
-      end_of_row_ = " \\\\\n";
-      break;
+      return marks("", " & ", " \\\\\n");
   }
 }
 
+std::vector<std::string> Table::shown_names() const {
+  std::vector<std::string> names;
+  for (const std::size_t column : shown_) names.push_back(names_[column]);
+  return names;
+}
+
 std::string Table::header() const {
-  if (format_ == Format::json) return "[";
+  if (style_.format == Format::json) return "[";
+  if (turned_) return {};
   std::string text;
-  if (format_ == Format::latex) {
-    text = "\\begin{tabular}{" + std::string(columns(), 'r') + "}\n\\hline\n";
+  if (style_.format == Format::latex) {
+    text =
+        "\\begin{tabular}{" + std::string(shown_.size(), 'r') + "}\n\\hline\n";
   }
-  for (std::size_t i = 0; i < columns(); ++i) {
+  const auto names = shown_names();
+  for (std::size_t i = 0; i < names.size(); ++i) {
     text += before_[i];
-    text += format_ == Format::markdown ? padded(names_[i], "") : names_[i];
+    text += style_.format == Format::markdown ? padded(names[i], "") : names[i];
   }
   text += end_of_row_;
-  if (format_ == Format::latex) text += "\\hline\n";
-  if (format_ == Format::markdown) {
-    for (const std::string& name : names_) {
+  if (style_.format == Format::latex) text += "\\hline\n";
+  if (style_.format == Format::markdown) {
+    for (const std::string& name : names) {
       text += "| " + std::string(padded("", name).size() - 1, '-') + ": ";
     }
     text += "|\n";
@@ -144,49 +195,58 @@ std::string Table::header() const {
 }
 
 std::string Table::footer() const {
-  if (format_ == Format::json) return "\n]\n";
-  if (format_ == Format::latex) return "\\hline\n\\end{tabular}\n";
-  return {};
+  if (style_.format == Format::json) return "\n]\n";
+  if (turned_ || style_.format != Format::latex) return {};
+  return "\\hline\n\\end{tabular}\n";
+}
+
+Text& RowWriter::begin_cell() {
+  const std::size_t column = column_++;
+  if (picks_) {
+    starts_.push_back(cells_.view().size());
+    return cells_;
+  }
+  text_.append(table_.before_[column]);
+  return text_;
 }
 
 void RowWriter::number(double value) {
-  if (table_.format_ >= Format::markdown) {
-    return printed(table_.format_ == Format::latex
+  const TableStyle& style = table_.style_;
+  if (style.format >= Format::markdown) {
+    return printed(style.format == Format::latex
                        ? latex_number(value)
                        : rounded_text(value, printed_digits));
   }
   if (std::isnan(value)) return empty();
-  if (std::isinf(value) && table_.format_ == Format::json) {
+  if (std::isinf(value) && style.format == Format::json) {
     return text(number_text(value));
   }
-  const std::string& before = table_.before_[column_++];
-  char* to = text_.reserve(before.size() + longest_number);
-  to = std::copy(before.begin(), before.end(), to);
-  text_.end_at(write_number(to, value));
+  Text& cell = begin_cell();
+  char* const begin = cell.reserve(longest_number);
+  char* const end = write_number(begin, value);
+  if (style.decimal_comma) std::replace(begin, end, '.', ',');
+  cell.end_at(end);
 }
 
 void RowWriter::count(std::size_t value) {
   const std::string text = std::to_string(value);
-  if (table_.format_ >= Format::markdown) return printed(text);
-  text_.append(table_.before_[column_++]);
-  text_.append(text);
+  if (table_.style_.format >= Format::markdown) return printed(text);
+  begin_cell().append(text);
 }
 
 void RowWriter::empty() {
-  if (table_.format_ >= Format::markdown) return printed("-");
-  text_.append(table_.before_[column_++]);
-  if (table_.format_ == Format::json) text_.append("null");
+  if (table_.style_.format >= Format::markdown) return printed("-");
+  Text& cell = begin_cell();
+  if (table_.style_.format == Format::json) cell.append("null");
 }
 
 void RowWriter::text(std::string_view value) {
-  switch (table_.format_) {
+  switch (table_.style_.format) {
     case Format::csv:
-      text_.append(table_.before_[column_++]);
-      text_.append(raw_field(value));
+      begin_cell().append(raw_field(value, table_.style_.separator));
       break;
     case Format::json:
-      text_.append(table_.before_[column_++]);
-      text_.append(json_text(value));
+      begin_cell().append(json_text(value));
       break;
     case Format::markdown:
       printed(markdown_text(value));
@@ -198,41 +258,70 @@ void RowWriter::text(std::string_view value) {
 }
 
 void RowWriter::field(std::string_view raw) {
-  if (table_.format_ != Format::csv) return text(field_value(raw));
-  text_.append(table_.before_[column_++]);
-  text_.append(raw);
+  const TableStyle& style = table_.style_;
+  if (style.format != Format::csv) return text(field_value(raw));
+  if (style.separator == ',') {
+    begin_cell().append(raw);
+    return;
+  }
+  std::string value = field_value(raw);
+  if (style.decimal_comma && parse_number(value)) {
+    std::ranges::replace(value, '.', ',');
+  }
+  text(value);
 }
 
 void RowWriter::printed(std::string_view cell) {
-  text_.append(table_.before_[column_]);
-  if (table_.format_ == Format::markdown) {
-    text_.append(padded(std::string(cell), table_.names_[column_]));
+  const std::string& name = table_.names_[column_];
+  Text& text = begin_cell();
+  if (table_.turned_) {
+    text.append(cell);
+    text.append(TurnedTable::end_of_cell);
+  } else if (table_.style_.format == Format::markdown) {
+    text.append(padded(std::string(cell), name));
   } else {
-    text_.append(cell);
+    text.append(cell);
   }
-  ++column_;
 }
 
 void RowWriter::end() {
-  assert(column_ == table_.columns());
+  assert(column_ == table_.names_.size());
+  if (picks_) {
+    starts_.push_back(cells_.view().size());
+    for (std::size_t i = 0; i < table_.shown_.size(); ++i) {
+      const std::size_t cell = table_.shown_[i];
+      text_.append(table_.before_[i]);
+      text_.append(cells_.view().substr(starts_[cell],
+                                        starts_[cell + 1] - starts_[cell]));
+    }
+    starts_.clear();
+    cells_.clear();
+  }
   text_.append(table_.end_of_row_);
   column_ = 0;
 }
 
 TableWriter::TableWriter(Output& output, const Table& table)
     : output_(output), table_(table) {
+  if (table.is_turned()) {
+    turned_.emplace(table.shown_names(), table.style().format == Format::latex);
+  }
   output_.write(table_.header());
 }
 
 void TableWriter::write(std::string_view rows) {
   if (rows.empty()) return;
+  if (turned_) return output_.write(turned_->add(rows));
   // Every JSON row starts with the comma that ends the row before it.
-  if (first_ && table_.format() == Format::json) rows.remove_prefix(1);
+  if (first_ && table_.style().format == Format::json) rows.remove_prefix(1);
   first_ = false;
   output_.write(rows);
 }
 
-void TableWriter::finish() { output_.write(table_.footer()); }
+void TableWriter::finish() {
+  if (turned_) output_.write(turned_->rest());
+  output_.write(table_.footer());
+}
 
 std::vector<std::string> distinct_names(std::vector<std::string> names,
                                         const std::vector<std::string>& taken) {

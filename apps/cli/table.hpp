@@ -1,18 +1,29 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "cli/output.hpp"
+#include "cli/stream/turned_table.hpp"
 #include "cli/text.hpp"
 
 namespace cli {
 
 enum class Format { csv, json, markdown, latex };
 
-/// A table's columns in one format. Rows are built in any Text by any thread
+/// How a table is written.
+struct TableStyle {
+  Format format = Format::csv;
+  /// Only these, in this order; all if it is empty.
+  std::vector<std::string> columns = {};
+  char separator = ',';        ///< of CSV
+  bool decimal_comma = false;  ///< of CSV
+};
+
+/// A table's columns in one style. Rows are built in any Text by any thread
 /// (RowWriter) and leave through a TableWriter, so a table of any length
 /// takes the memory of a few blocks of rows.
 ///
@@ -20,28 +31,38 @@ enum class Format { csv, json, markdown, latex };
 /// value, is an empty cell in CSV and null in JSON; infinity is inf or -inf in
 /// CSV and the text "inf" or "-inf" in JSON. JSON is an array of objects, one
 /// on each line.
-/// markdown, latex: for print, numbers with 4 significant digits.
+/// markdown, latex: for print, numbers with 4 significant digits; what is too
+/// wide for a page is turned (TurnedTable).
 class Table {
  public:
-  Table(Format format, std::vector<std::string> column_names);
+  /// Throws contact::Error if the style asks for columns that are not there.
+  Table(TableStyle style, std::vector<std::string> column_names);
 
-  Format format() const { return format_; }
-  std::size_t columns() const { return before_.size(); }
+  const TableStyle& style() const { return style_; }
+  /// Names of the columns that are shown, as they are printed.
+  std::vector<std::string> shown_names() const;
+  /// Whether a row is printed as a column.
+  bool is_turned() const { return turned_; }
   std::string header() const;
   std::string footer() const;
 
  private:
   friend class RowWriter;
-  Format format_;
+  void set_marks();
+
+  TableStyle style_;
   std::vector<std::string> names_;
-  std::vector<std::string> before_;  ///< what stands before each cell
+  std::vector<std::size_t> shown_;   ///< which of them, in order
+  std::vector<std::string> before_;  ///< what stands before each shown cell
   std::string end_of_row_;
+  bool turned_ = false;
 };
 
-/// Writes the cells of a row from left to right.
+/// Writes the cells of a row from left to right, those that are not shown too.
 class RowWriter {
  public:
-  RowWriter(const Table& table, Text& text) : table_(table), text_(text) {}
+  RowWriter(const Table& table, Text& text)
+      : table_(table), text_(text), picks_(!table.style_.columns.empty()) {}
 
   void number(double value);
   /// A whole number, in full in every format.
@@ -55,10 +76,15 @@ class RowWriter {
   void end();
 
  private:
+  /// Where the next cell goes.
+  Text& begin_cell();
   void printed(std::string_view cell);
 
   const Table& table_;
   Text& text_;
+  const bool picks_;  ///< cells are put in order at the end of the row
+  Text cells_ = {};
+  std::vector<std::size_t> starts_ = {};  ///< of each in cells_
   std::size_t column_ = 0;
 };
 
@@ -73,6 +99,7 @@ class TableWriter {
  private:
   Output& output_;
   const Table& table_;
+  std::optional<TurnedTable> turned_;
   bool first_ = true;
 };
 

@@ -11,11 +11,12 @@
 namespace hinge_joint {
 namespace {
 
+using contact::Dimension;
 using Eigen::Vector3d;
 
 Vector3d vector(std::string_view option, std::string_view text,
-                std::string_view what) {
-  const auto v = cli::parse_vector(option, text, what);
+                std::string_view what, Dimension dimension) {
+  const auto v = cli::parse_vector(option, text, what, dimension);
   return {v[0], v[1], v[2]};
 }
 
@@ -28,7 +29,7 @@ cli::Sweep angle_sweep(std::string_view option, const std::string& text,
                        "--joint: a pin has no such angle");
   }
   if (!pin && text.empty()) cli::refuse_without(force, option);
-  return {option, pin ? pin_angle : text, allowed};
+  return {option, pin ? pin_angle : text, allowed, Dimension::angle};
 }
 
 }  // namespace
@@ -54,14 +55,15 @@ Inputs::Inputs(const Options& options, bool pin) {
       cli::refuse_without("--reaction-xyz",
                           "--rate-xyz or, at rest, --moment-xyz");
     }
-    vectors_.force =
-        vector("--reaction-xyz", options.reaction_xyz, "a force in N");
+    vectors_.force = vector("--reaction-xyz", options.reaction_xyz,
+                            "a force in N", Dimension::force);
     if (options.moment_xyz.empty()) {
-      vectors_.turn = vector("--rate-xyz", options.rate_xyz, "in rad/s");
+      vectors_.turn = vector("--rate-xyz", options.rate_xyz, "in rad/s",
+                             Dimension::angular_velocity);
     } else {
       question_ = Question::rest;
-      vectors_.turn =
-          vector("--moment-xyz", options.moment_xyz, "a moment in N m");
+      vectors_.turn = vector("--moment-xyz", options.moment_xyz,
+                             "a moment in N m", Dimension::moment);
     }
     return;
   }
@@ -71,15 +73,18 @@ Inputs::Inputs(const Options& options, bool pin) {
                         "--normal-force, --points (see --help)");
   }
   if (!options.rate.empty()) {
-    rate_ = cli::parse_value("--rate", options.rate, allowed_rate);
+    rate_ = cli::parse_quantity("--rate", options.rate,
+                                Dimension::angular_velocity, allowed_rate);
   }
   if (reaction) {
-    forces_.emplace("--reaction", options.reaction, allowed_force);
+    forces_.emplace("--reaction", options.reaction, allowed_force,
+                    Dimension::force);
     angles_ = angle_sweep("--beta", options.beta, "--reaction", allowed_beta,
                           pin, "90");
   } else {
     question_ = Question::contact;
-    forces_.emplace("--normal-force", options.normal_force, allowed_force);
+    forces_.emplace("--normal-force", options.normal_force, allowed_force,
+                    Dimension::force);
     angles_ = angle_sweep("--alpha", options.alpha, "--normal-force",
                           allowed_alpha, pin, "0");
   }

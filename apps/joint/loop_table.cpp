@@ -37,7 +37,7 @@ class NumberTable {
         columns_(std::move(columns)),
         beside_(beside),
         output_(options.output),
-        table_(options.format, names()),
+        table_(options, names()),
         writer_(output_, table_),
         row_(table_, text_) {}
 

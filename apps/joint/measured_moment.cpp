@@ -66,7 +66,8 @@ double found_coefficient(const NamedJoint& joint, const std::string& text,
 void find_friction(const std::string& moment, const Inputs& inputs,
                    Setup& setup) {
   const double measured =
-      cli::parse_value(option, moment, {0, allowed_force.max, "N m"});
+      cli::parse_quantity(option, moment, contact::Dimension::moment,
+                          {0, allowed_force.max, "N m"});
   if (inputs.size() != 1) cli::refuse_without(option, "one state");
   const Input input = inputs[0];
   if (input.force.isZero(0) || input.turn.isZero(0)) {

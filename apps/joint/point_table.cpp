@@ -95,7 +95,9 @@ class Points {
         columns_(header_.line, form_.columns, header_.place),
         pin_(pin) {
     if (options.rate.empty()) return;
-    rate_ = cli::parse_value("--rate", options.rate, allowed_rate);
+    rate_ =
+        cli::parse_quantity("--rate", options.rate,
+                            contact::Dimension::angular_velocity, allowed_rate);
     if (form_.columns.size() == 6) {
       cli::refuse_beside(cli::given("--rate", options.rate),
                          "the vectors of " + header_.place);
@@ -168,7 +170,7 @@ Problems write_rows(Points& points, const NamedJoint& joint,
     names.push_back(std::move(name));
   }
   cli::Output output(options.output.output);
-  const cli::Table table(options.output.format, names);
+  const cli::Table table(options.output, names);
   cli::TableWriter writer(output, table);
   const Problems problems = points.answer(
       joint, options.output.jobs,

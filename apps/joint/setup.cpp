@@ -11,6 +11,7 @@ namespace hinge_joint {
 namespace {
 
 using cli::given;
+using contact::Dimension;
 
 // Far above any friction coefficient, adhesion or viscosity.
 constexpr double largest = 1e30;
@@ -18,11 +19,15 @@ constexpr cli::Allowed strength{0, largest, ""};
 
 // "k0" or "k0,k1".
 contact::ViscousLaw viscous_law(const std::string& text) {
-  const std::size_t comma = text.find(',');
-  const auto k0 = cli::parse_number(text.substr(0, comma));
-  const auto k1 = comma == std::string::npos
-                      ? std::optional<double>(0)
-                      : cli::parse_number(text.substr(comma + 1));
+  const auto parts = cli::split(text, ",");
+  std::optional<double> k0;
+  std::optional<double> k1 = 0;
+  if (parts.size() <= 2) {
+    k0 = cli::read_quantity("--viscous", parts[0], Dimension::viscous_constant);
+  }
+  if (parts.size() == 2) {
+    k1 = cli::read_quantity("--viscous", parts[1], Dimension::inverse_velocity);
+  }
   if (!k0 || !k1 || !strength.contains(*k0) || !strength.contains(*k1)) {
     cli::refuse("--viscous", text,
                 "k0 (Pa s/m) or k0,k1 (s/m), each " + strength.text());
@@ -62,10 +67,11 @@ contact::FrictionModel make_friction(
   }
   if (options.friction.empty() && options.adhesion.empty()) return *of_joint;
   // A coefficient without an adhesion means none.
-  const double adhesion = options.adhesion.empty()
-                              ? 0
-                              : cli::parse_value("--adhesion", options.adhesion,
-                                                 {0, largest, "Pa"});
+  const double adhesion =
+      options.adhesion.empty()
+          ? 0
+          : cli::parse_quantity("--adhesion", options.adhesion,
+                                Dimension::stress, {0, largest, "Pa"});
   if (!options.friction.empty()) {
     return contact::FrictionLaw(
         cli::parse_value("--friction", options.friction, strength), adhesion);

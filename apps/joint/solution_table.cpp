@@ -82,7 +82,7 @@ Problems write_solutions(const Setup& setup, const Inputs& inputs,
   const std::vector<Quantity> columns = quantities_of(setup, inputs);
   const std::size_t size = inputs.size() * setup.joints.size();
   cli::Output output(options.output);
-  const cli::Table table(options.format,
+  const cli::Table table(options,
                          solution_columns(setup.joints[0], columns, beside));
   cli::TableWriter writer(output, table);
   cli::Progress progress("rows", size);
@@ -129,7 +129,7 @@ Problems write_summary(const Setup& setup, const Inputs& inputs,
   columns.emplace_back("meaning");
 
   cli::Output output(options.output);
-  const cli::Table table(options.format, columns);
+  const cli::Table table(options, columns);
   cli::TableWriter writer(output, table);
   cli::Text rows;
   cli::RowWriter row(table, rows);

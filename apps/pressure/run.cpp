@@ -116,7 +116,7 @@ cli::ExitStatus write_table(const std::vector<cli::Joint>& joints,
                             int points, const Options& options) {
   const cli::OutputOptions& to = options.output;
   cli::Output output(to.output);
-  const cli::Table table(to.format, columns(joints, tables, options.summary));
+  const cli::Table table(to, columns(joints, tables, options.summary));
   cli::TableWriter writer(output, table);
   cli::Text rows;
   cli::RowWriter row(table, rows);

@@ -32,6 +32,8 @@ NAME.x_m to .z_m and .vx_m_per_s to .vz_m_per_s (centre of mass, inertial
 axes), .qw to .qz (body axes to inertial ones), .wx_rad_per_s to .wz_rad_per_s
 (body axes); clearance.A.B_m; energy.*_J.
 
+--columns chooses columns of the history, of CSV and HDF5, or of --compare.
+
 --compare runs the case with ideal joints, full friction and the traditional
 estimate (friction from the reaction instead of the normal force).
 
@@ -81,10 +83,11 @@ void add_options(CLI::App& app, Options& options) {
          "--checkpoint-every",
          [&options](const std::string& text) {
            options.checkpoint_every =
-               cli::parse_value("--checkpoint-every", text, {1e-9, 1e9, "s"});
+               cli::parse_quantity("--checkpoint-every", text,
+                                   contact::Dimension::time, {1e-9, 1e9, "s"});
          },
-         "after as many seconds of the motion")
-      ->option_text("SECONDS")
+         "so much of the motion, in s or with a unit")
+      ->option_text("TIME")
       ->needs(checkpoint);
   app.add_option("--resume", options.resume, "checkpoint to go on from")
       ->option_text("FILE");
@@ -100,10 +103,11 @@ void add_options(CLI::App& app, Options& options) {
          "--time-limit",
          [&options](const std::string& text) {
            options.time_limit =
-               cli::parse_value("--time-limit", text, {1e-3, 1e9, "s"});
+               cli::parse_quantity("--time-limit", text,
+                                   contact::Dimension::time, {1e-3, 1e9, "s"});
          },
-         "stop after as many seconds of wall-clock time")
-      ->option_text("SECONDS");
+         "stop after so much wall-clock time, s or with a unit")
+      ->option_text("TIME");
   app.option_defaults()->group("Output");
   app.add_option("--history", options.history,
                  "time history: .csv, .h5 or .hdf5, - for CSV on stdout")

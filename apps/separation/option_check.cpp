@@ -37,7 +37,21 @@ void check_law(const char* option, const std::string& name,
   throw contact::Error(contact::detail::unknown(option + 2, name, names));
 }
 
+// Tables are CSV; all else is not theirs.
+void check_table_options(const Options& o) {
+  if (!o.output.columns.empty() && o.history.empty()) {
+    cli::refuse_without("--columns", "--history or --compare");
+  }
+  const bool csv =
+      !o.events.empty() || (!o.history.empty() && !is_hdf5(o.history));
+  if (csv || (o.output.separator == ',')) return;
+  cli::refuse_without(
+      o.output.decimal_comma ? "--decimal-comma" : "--separator",
+      "--history in CSV, --events or --compare");
+}
+
 void check_run(const Options& o, bool format_given) {
+  check_table_options(o);
   if (o.friction == "ideal") {
     refuse_idle_law("--law", o.half_angle_law);
     refuse_idle_law("--pressure", o.pressure_law);

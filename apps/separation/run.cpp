@@ -286,8 +286,12 @@ RunOptions run_options(const Case& c, const Options& o) {
 cli::ExitStatus simulate(const Case& c, const Options& o) {
   RunOptions options = run_options(c, o);
   // Before the run: files that cannot be made should not cost its result.
+  cli::TableStyle style = o.output;
+  style.format = cli::Format::csv;  // what is asked for is of the summary
   std::optional<HistoryFile> history;
-  if (!o.history.empty()) history.emplace(o.history);
+  if (!o.history.empty()) {
+    history.emplace(o.history, style, history_columns(c, options.clearance));
+  }
   std::optional<cli::Output> events;
   if (!o.events.empty()) events.emplace(o.events);
   cli::Output output(o.output.output);
@@ -324,7 +328,7 @@ cli::ExitStatus simulate(const Case& c, const Options& o) {
   history.reset();  // and the part that it had room for
   if (events) {
     write([&] {
-      events->write(events_csv(outcome));
+      events->write(events_csv(outcome, style));
       events->commit();
     });
   }

@@ -113,8 +113,7 @@ Problems write_points(const Options& options, const Method& method) {
   const cli::PointHeader header = cli::read_header(reader);
   const cli::PointColumns columns(header.line, point_columns, header.place);
   cli::Output output(options.output.output);
-  const cli::Table table(options.output.format,
-                         column_names(method, columns.riding));
+  const cli::Table table(options.output, column_names(method, columns.riding));
   cli::TableWriter writer(output, table);
   cli::Progress progress("points", 0);
   Problems problems;
@@ -191,7 +190,7 @@ Problems write_list(const Grid& grid, const Method& method,
   // Large against the cost of passing a block between threads, small enough
   // for the cache.
   constexpr std::size_t block_rows = 1024;
-  const cli::Table table(options.format, column_names(method, {}));
+  const cli::Table table(options, column_names(method, {}));
   return write_blocks(grid, block_rows, method, options, table,
                       [&](GridBlock& block) { write_rows(table, block); });
 }
@@ -200,12 +199,18 @@ Problems write_list(const Grid& grid, const Method& method,
 Problems write_two_way(const Grid& grid, const Method& method,
                        std::size_t quantity,
                        const cli::OutputOptions& options) {
-  std::vector<std::string> names = {fmt::format(
-      "{}: theta0_deg, alpha_deg", quantity_name(quantity, method))};
+  const auto corner = [&](const char* down_and_across) {
+    return fmt::format("{}: {}", quantity_name(quantity, method),
+                       down_and_across);
+  };
+  std::vector<std::string> names = {corner("theta0_deg, alpha_deg")};
   for (std::size_t i = 0; i < grid.alpha.size(); ++i) {
     names.push_back(cli::number_text(grid.alpha[i]));
   }
-  const cli::Table table(options.format, names);
+  if (cli::Table(options, names).is_turned()) {
+    names[0] = corner("alpha_deg, theta0_deg");
+  }
+  const cli::Table table(options, names);
   return write_blocks(grid, grid.alpha.size(), method, options, table,
                       [&](GridBlock& block) {
                         block.rows.clear();
@@ -281,8 +286,10 @@ cli::ExitStatus run_grid(const Options& options, const Method& method,
         "--theta0 and --alpha, or --points (see hinge-table --help)");
   }
   const std::size_t quantity = quantity_index(options.quantity);
-  const Grid grid{{"--theta0", options.theta0, point_columns[0].allowed},
-                  {"--alpha", options.alpha, point_columns[1].allowed}};
+  const Grid grid{{"--theta0", options.theta0, point_columns[0].allowed,
+                   contact::Dimension::angle},
+                  {"--alpha", options.alpha, point_columns[1].allowed,
+                   contact::Dimension::angle}};
   if (!options.output.plot.empty() && grid.size() == 1) {
     cli::refuse_without("--plot", "a range of --theta0 or --alpha");
   }
@@ -291,6 +298,11 @@ cli::ExitStatus run_grid(const Options& options, const Method& method,
     cli::refuse_without(
         given("--quantity", options.quantity),
         "--format markdown or latex, or --plot; lists have all quantities");
+  }
+  if (two_way && !options.output.columns.empty()) {
+    cli::refuse_without("--columns",
+                        "--format csv or json, or --points: a grid in "
+                        "markdown and latex has one --quantity");
   }
   // Wider ones cannot be printed, and their header has to fit in memory.
   constexpr std::size_t most_columns = 1000;

@@ -188,7 +188,7 @@ TEST(Csv, RawFieldReadsBack) {
 
 // The whole text of a table with one text column and one number column.
 std::string table_text(cli::Format format) {
-  const cli::Table table(format, {"name", "p_Pa"});
+  const cli::Table table({format}, {"name", "p_Pa"});
   cli::Text rows;
   cli::RowWriter row(table, rows);
   for (const double value : {0.1, 1e-7, nan, infinity, -infinity}) {
@@ -239,12 +239,74 @@ TEST(Table, Print) {
             "\\hline\n\\end{tabular}\n");
 }
 
+// One row of three columns and an infinity, in some style.
+std::string row_text(const cli::TableStyle& style) {
+  const cli::Table table(style, {"a", "b;c", "d"});
+  cli::Text rows;
+  cli::RowWriter row(table, rows);
+  for (const double value : {0.5, -infinity}) {
+    row.text("x,y");
+    row.number(value);
+    row.field(value > 0 ? "1.5" : "\"u;v\"");
+    row.end();
+  }
+  return table.header() + std::string(rows.view());
+}
+
+TEST(Table, SeparatorAndDecimalComma) {
+  EXPECT_EQ(row_text({}), "a,b;c,d\n\"x,y\",0.5,1.5\n\"x,y\",-inf,\"u;v\"\n");
+  EXPECT_EQ(row_text({.separator = ';'}),
+            "a;\"b;c\";d\nx,y;0.5;1.5\nx,y;-inf;\"u;v\"\n");
+  EXPECT_EQ(row_text({.separator = '\t', .decimal_comma = true}),
+            "a\tb;c\td\nx,y\t0,5\t1,5\nx,y\t-inf\tu;v\n");
+}
+
+TEST(Table, ColumnsInTheOrderAskedFor) {
+  using cli::Format;
+  EXPECT_EQ(row_text({.columns = {"d", "a"}}),
+            "d,a\n1.5,\"x,y\"\n\"u;v\",\"x,y\"\n");
+  EXPECT_EQ(
+      row_text({.format = Format::json, .columns = {"d", "b;c"}}),
+      "[,\n{\"d\":\"1.5\",\"b;c\":0.5},\n{\"d\":\"u;v\",\"b;c\":\"-inf\"}");
+  EXPECT_EQ(row_text({.format = Format::markdown, .columns = {"b;c"}}),
+            "|    b;c |\n| -----: |\n| 0.5000 |\n|   -inf |\n");
+  EXPECT_EQ(error_message([] { row_text({.columns = {"b;d"}}); }),
+            "unknown column \"b;d\": did you mean \"b;c\"?");
+  EXPECT_EQ(error_message([] { row_text({.columns = {"xyz"}}); }),
+            "unknown column \"xyz\" (a, b;c, d)");
+}
+
+// A table of `rows` rows whose names alone fill a line.
+std::string wide_table(cli::Format format, int rows, cli::Output& output,
+                       const std::filesystem::path& file) {
+  std::vector<std::string> names = {"n"};
+  for (int i = 0; i < 3; ++i) {
+    names.push_back(std::string(40, 'x') + std::to_string(i));
+  }
+  const cli::Table table({format}, names);
+  EXPECT_TRUE(table.is_turned());
+  cli::TableWriter writer(output, table);
+  for (int i = 1; i <= rows; ++i) {
+    cli::Text text;
+    cli::RowWriter row(table, text);
+    row.count(i);
+    for (int j = 0; j < 3; ++j) row.number(i + 0.1 * j);
+    row.end();
+    writer.write(text.view());
+  }
+  writer.finish();
+  output.commit();
+  std::ostringstream text;
+  text << std::ifstream(file).rdbuf();
+  return text.str();
+}
+
 TEST(Table, CountsAreWhole) {
   for (const auto& [format, expected] :
        {std::pair{cli::Format::csv, "123456\n"},
         std::pair{cli::Format::json, ",\n{\"n\":123456}"},
         std::pair{cli::Format::markdown, "| 123456 |\n"}}) {
-    const cli::Table table(format, {"n"});
+    const cli::Table table({format}, {"n"});
     cli::Text rows;
     cli::RowWriter row(table, rows);
     row.count(123456);
@@ -450,6 +512,51 @@ TEST_F(OutputFile, AppearsOnlyWhenComplete) {
   }
   EXPECT_EQ(read("table.csv"), "whole");
   EXPECT_EQ(files(), 1U);
+}
+
+TEST_F(OutputFile, WideTablesAreTurnedInGroups) {
+  const std::string name = folder_ / "table.md";
+  const auto text = [&](cli::Format format, int rows) {
+    cli::Output output(name);
+    return wide_table(format, rows, output, name);
+  };
+  const std::string x(40, 'x');
+  const std::string blank(40, ' ');
+  // 45 + 6 * 8 = 93 characters; a seventh row does not fit.
+  EXPECT_EQ(text(cli::Format::markdown, 7),
+            "| n" + blank +
+                " |     1 |     2 |     3 |     4 |     5 |     6 |\n| :" +
+                std::string(40, '-') +
+                " | ----: | ----: | ----: | ----: | ----: | ----: |\n"
+                "| " +
+                x +
+                "0 | 1.000 | 2.000 | 3.000 | 4.000 | 5.000 | 6.000 |\n"
+                "| " +
+                x +
+                "1 | 1.100 | 2.100 | 3.100 | 4.100 | 5.100 | 6.100 |\n"
+                "| " +
+                x +
+                "2 | 1.200 | 2.200 | 3.200 | 4.200 | 5.200 | 6.200 |\n"
+                "\n"
+                "| n" +
+                blank + " |     7 |\n| :" + std::string(40, '-') +
+                " | ----: |\n"
+                "| " +
+                x +
+                "0 | 7.000 |\n"
+                "| " +
+                x +
+                "1 | 7.100 |\n"
+                "| " +
+                x + "2 | 7.200 |\n");
+  EXPECT_EQ(text(cli::Format::latex, 1),
+            "\\begin{tabular}{lr}\n\\hline\nn" + blank +
+                " &       1 \\\\\n\\hline\n" + x + "0 & $1.000$ \\\\\n" + x +
+                "1 & $1.100$ \\\\\n" + x +
+                "2 & $1.200$ \\\\\n\\hline\n\\end{tabular}\n");
+  EXPECT_EQ(text(cli::Format::markdown, 0),
+            "| n" + blank + " |\n| :" + std::string(40, '-') + " |\n| " + x +
+                "0 |\n| " + x + "1 |\n| " + x + "2 |\n");
 }
 
 TEST_F(OutputFile, KeepsLinksAndSpecialFiles) {

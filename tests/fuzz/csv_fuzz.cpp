@@ -55,7 +55,7 @@ std::string write(const cli::PointColumns& columns, cli::Format format,
                hinge_table::quantities.end());
   const auto riding = cli::distinct_names(columns.riding, names);
   names.insert(names.end(), riding.begin(), riding.end());
-  const cli::Table table(format, names);
+  const cli::Table table({format}, names);
   hinge_table::write_rows(columns, table, block);
   std::string_view rows = block.rows.view();
   if (format == cli::Format::json && !rows.empty()) rows.remove_prefix(1);

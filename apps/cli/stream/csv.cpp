@@ -49,8 +49,9 @@ std::string field_value(std::string_view raw) {
   return value;
 }
 
-std::string raw_field(std::string_view value) {
-  if (value.find_first_of(",\"\r\n") == std::string_view::npos) {
+std::string raw_field(std::string_view value, char separator) {
+  if (value.find_first_of("\"\r\n") == value.npos &&
+      value.find(separator) == value.npos) {
     return std::string(value);
   }
   std::string raw = "\"";

@@ -23,6 +23,7 @@ std::string_view split_record(std::string_view line,
 std::string field_value(std::string_view raw);
 
 /// The raw field for a value: quoted if it has to be.
-std::string raw_field(std::string_view value);
+/// @param separator  of the fields; one that is not a comma is for writing only
+std::string raw_field(std::string_view value, char separator = ',');
 
 }  // namespace cli

@@ -95,7 +95,7 @@ void write_point_summary(const NamedJoint& joint, const PointSeries& series,
   if (series.has_time()) columns.emplace_back("at_time_s");
   columns.emplace_back("meaning");
   cli::Output output(options.output);
-  const cli::Table table(options.format, columns);
+  const cli::Table table(options, columns);
   Lines lines(table, series.has_time());
   lines.text("law", joint.law, "half-angle law");
   lines.text("pressure", joint.pressure, "pressure law");

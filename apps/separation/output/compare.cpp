@@ -100,7 +100,7 @@ void write_comparison(const Case& c, const std::vector<Outcome>& outcomes,
     columns.emplace_back(to_string(outcome.friction));
   }
   cli::Output output(options.output);
-  const cli::Table table(options.format, columns);
+  const cli::Table table(options, columns);
   cli::TableWriter writer(output, table);
   cli::Text text;
   cli::RowWriter row(table, text);

@@ -19,6 +19,10 @@ bool ends_in(std::string_view name, std::string_view ending) {
                             {}, small, small);
 }
 
+bool is_hdf5(std::string_view name) {
+  return ends_in(name, ".h5") || ends_in(name, ".hdf5");
+}
+
 void check_ending(std::string_view option, const std::string& name,
                   const std::vector<std::string_view>& endings,
                   std::string_view words) {

@@ -9,6 +9,9 @@ namespace separation {
 /// True if a file's name ends so, in small or capital letters.
 bool ends_in(std::string_view name, std::string_view ending);
 
+/// Of a history.
+bool is_hdf5(std::string_view name);
+
 /// Names of files that an option takes.
 /// @param endings  good ones; so are "-" and what is there and is not a
 ///   regular file

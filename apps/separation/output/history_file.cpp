@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "cli/output.hpp"
-#include "cli/table.hpp"
 #include "libcontact/base/error.hpp"
 #include "multibody/friction/hinge_friction.hpp"
 #include "separation/output/file_name.hpp"
@@ -24,8 +23,7 @@ constexpr std::array<HingeMode, 4> modes = {
 
 bool is_mode(const std::string& column) { return column.ends_with(".mode"); }
 
-void write_csv(const Rows& rows, cli::Output& output) {
-  const cli::Table table(cli::Format::csv, rows.columns);
+void write_csv(const Rows& rows, const cli::Table& table, cli::Output& output) {
   cli::TableWriter writer(output, table);
   cli::Text text;
   cli::RowWriter row(table, text);
@@ -119,16 +117,18 @@ std::string mode_words() {
   return words;
 }
 
-void write_columns(const Rows& rows, hid_t file) {
+void write_columns(const Rows& rows, const std::vector<std::string>& names,
+                   hid_t file) {
   const Handle links(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
   check(H5Pset_create_intermediate_group(links, 1));
   const hsize_t size = rows.size();
   const Handle space(H5Screate_simple(1, &size, nullptr), H5Sclose);
   std::vector<double> values(rows.size());
-  for (std::size_t j = 0; j < rows.columns.size(); ++j) {
+  for (const std::string& name : names) {
+    const std::size_t j = rows.column(name);
     for (std::size_t i = 0; i < rows.size(); ++i) values[i] = rows.at(i, j);
-    const bool mode = is_mode(rows.columns[j]);
-    const Place place = place_of(rows.columns[j]);
+    const bool mode = is_mode(name);
+    const Place place = place_of(name);
     const Handle data(H5Dcreate2(file, place.path.c_str(),
                                  mode ? H5T_STD_I8LE : H5T_IEEE_F64LE, space,
                                  links, H5P_DEFAULT, H5P_DEFAULT),
@@ -143,7 +143,8 @@ void write_columns(const Rows& rows, hid_t file) {
 // The file as bytes, made in memory and written by us: an HDF5 that cannot
 // write crashes when it closes itself at the end of the program, and does not
 // say why it cannot. It takes twice the memory of the rows, for a moment.
-std::string hdf5_image(const Rows& rows) {
+std::string hdf5_image(const Rows& rows,
+                       const std::vector<std::string>& names) {
   // Its own messages would go to standard error.
   check(H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr));
   const Handle in_memory(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
@@ -151,7 +152,7 @@ std::string hdf5_image(const Rows& rows) {
   check(H5Pset_fapl_core(in_memory, growth, false));
   const Handle file(H5Fcreate("history", H5F_ACC_TRUNC, H5P_DEFAULT, in_memory),
                     H5Fclose);
-  write_columns(rows, file);
+  write_columns(rows, names, file);
   check(H5Fflush(file, H5F_SCOPE_GLOBAL));
   std::string image(check(H5Fget_file_image(file, nullptr, 0)), '\0');
   check(H5Fget_file_image(file, image.data(), image.size()));
@@ -166,15 +167,16 @@ const std::string& checked(const std::string& name) {
 
 }  // namespace
 
-HistoryFile::HistoryFile(const std::string& name)
-    : hdf5_(ends_in(name, ".h5") || ends_in(name, ".hdf5")),
-      output_(checked(name)) {}
+HistoryFile::HistoryFile(const std::string& name, const cli::TableStyle& style,
+                         const std::vector<std::string>& columns)
+    : hdf5_(is_hdf5(name)), table_(style, columns), output_(checked(name)) {}
 
 void HistoryFile::write(const Rows& rows) {
   if (hdf5_) {
-    output_.write(hdf5_image(rows));
+    const auto& asked = table_.style().columns;
+    output_.write(hdf5_image(rows, asked.empty() ? rows.columns : asked));
   } else {
-    write_csv(rows, output_);
+    write_csv(rows, table_, output_);
   }
   output_.commit();
 }

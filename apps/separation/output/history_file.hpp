@@ -1,8 +1,10 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "cli/output.hpp"
+#include "cli/table.hpp"
 #include "separation/record/record.hpp"
 
 namespace separation {
@@ -16,13 +18,17 @@ namespace separation {
 /// attribute "words"; no value is NaN.
 class HistoryFile {
  public:
-  /// @throws contact::Error for other names and if the file cannot be made
-  explicit HistoryFile(const std::string& name);
+  /// @param columns  of the rows; those that the style asks for are written
+  /// @throws contact::Error for other names, if the file cannot be made, and if
+  ///   the style asks for a column that is not there
+  HistoryFile(const std::string& name, const cli::TableStyle& style,
+              const std::vector<std::string>& columns);
   /// @throws contact::Error if it cannot be written
   void write(const Rows& rows);
 
  private:
   bool hdf5_;
+  cli::Table table_;
   cli::Output output_;
 };
 

@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "cli/number.hpp"
-#include "cli/stream/csv.hpp"
 #include "libcontact/base/units.hpp"
 
 namespace separation {
@@ -144,13 +143,18 @@ ordered_json summary(const Case& c, const Outcome& outcome) {
   return j;
 }
 
-std::string events_csv(const Outcome& outcome) {
-  std::string text = "time_s,body,what\n";
+std::string events_csv(const Outcome& outcome, cli::TableStyle style) {
+  style.columns.clear();
+  const cli::Table table(std::move(style), {"time_s", "body", "what"});
+  cli::Text rows;
+  cli::RowWriter row(table, rows);
   for (const Note& note : outcome.memory.notes) {
-    text += cli::number_text(note.time) + ',' + cli::raw_field(note.body) +
-            ',' + cli::raw_field(note.what) + '\n';
+    row.number(note.time);
+    row.text(note.body);
+    row.text(note.what);
+    row.end();
   }
-  return text;
+  return table.header() + std::string(rows.view());
 }
 
 }  // namespace separation

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/table.hpp"
 #include "separation/record/run_case.hpp"
 
 namespace separation {
@@ -22,7 +23,7 @@ std::vector<Missed> missed_events(const Case& c, const Outcome& outcome);
 /// all else in SI units; infinity is the text "inf" or "-inf".
 nlohmann::ordered_json summary(const Case& c, const Outcome& outcome);
 
-/// Events as a CSV table: time_s, body, what.
-std::string events_csv(const Outcome& outcome);
+/// Events as a CSV table: time_s, body, what; all of them in any style.
+std::string events_csv(const Outcome& outcome, cli::TableStyle style);
 
 }  // namespace separation

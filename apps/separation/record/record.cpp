@@ -23,7 +23,9 @@ using multibody::MotionSample;
 
 constexpr const char* comes_to_rest = "comes to rest";
 
-std::vector<std::string> columns_of(const Case& c, bool clearance) {
+}  // namespace
+
+std::vector<std::string> history_columns(const Case& c, bool clearance) {
   std::vector<std::string> columns = {"time_s"};
   const auto add = [&](const std::string& body,
                        std::initializer_list<const char*> names) {
@@ -55,6 +57,8 @@ std::vector<std::string> columns_of(const Case& c, bool clearance) {
   }
   return columns;
 }
+
+namespace {
 
 std::optional<Clearance> make_clearance(const Case& c, bool wanted) {
   if (!wanted || c.clearance.empty()) return {};
@@ -123,7 +127,7 @@ Recorder::Recorder(const Case& c, bool rows, bool clearance, bool refine)
       keep_rows_(rows),
       refine_(refine),
       clearance_(make_clearance(c, clearance)) {
-  memory_.rows.columns = columns_of(c, clearance_.has_value());
+  memory_.rows.columns = history_columns(c, clearance);
   for (const Body& body : c.bodies) {
     memory_.bodies.emplace_back();
     memory_.bodies.back().joints.resize(body.hinge.joints.size());

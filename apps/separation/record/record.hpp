@@ -25,6 +25,10 @@ struct Rows {
   std::size_t column(const std::string& name) const;
 };
 
+/// Columns of the rows of a case.
+/// @param clearance  distances are worked out
+std::vector<std::string> history_columns(const Case& c, bool clearance);
+
 /// Largest values of one joint.
 struct JointPeaks {
   double reaction = 0;       ///< N

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace cli {
+
+/// A printed table that is too wide for a page: a row for each of its columns,
+/// and a column for each of its rows, in groups of as many as fit.
+class TurnedTable {
+ public:
+  /// Characters on a line of what needs no turning.
+  static constexpr std::size_t widest = 100;
+  static constexpr char end_of_cell = '\n';
+
+  /// @param names  of the columns, as they are printed
+  /// @param latex  markdown otherwise
+  TurnedTable(std::vector<std::string> names, bool latex);
+
+  /// Takes the cells of whole rows, an end behind each; returns the groups
+  /// that are full.
+  std::string add(std::string_view cells);
+  /// The last group.
+  std::string rest();
+
+ private:
+  struct Row {
+    std::vector<std::string> cells = {};
+    std::size_t width = 3;
+  };
+  std::string group() const;
+
+  std::vector<std::string> names_;
+  bool latex_;
+  std::size_t names_width_ = 3;
+  std::vector<Row> rows_ = {};
+  std::size_t width_ = 0;  ///< of the group so far
+  bool first_ = true;
+};
+
+}  // namespace cli
