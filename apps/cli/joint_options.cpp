@@ -28,6 +28,7 @@ Joint joint_from_file(const JointOptions& o) {
   return {.kind = joint.geometry.kind(),
           .pair = joint.pair,
           .geometry = joint.geometry,
+          .fit = joint.fit,
           .friction = joint.friction,
           .half_angle_law = joint.half_angle_law,
           .half_angle_options = joint.half_angle_options,
@@ -43,25 +44,23 @@ JointKind kind_of(const JointOptions& o) {
   refuse("--joint", o.joint, "ball, pin or a .toml file");
 }
 
-JointGeometry geometry_of(const JointOptions& o, JointKind kind) {
+JointGeometry geometry_of(const JointOptions& o, JointKind kind,
+                          const JointSize& size) {
   constexpr std::array<Choice<JointBody>, 2> bodies = {
       {{"carrier", JointBody::carrier}, {"body", JointBody::body}}};
   const JointBody inner = o.inner_body.empty()
                               ? JointBody::carrier
                               : choice("--inner-body", o.inner_body, bodies);
-  const double radius = parse_length("--radius", o.radius);
-  const double clearance = parse_length("--clearance", o.clearance);
-  if (clearance >= radius) refuse("--clearance", o.clearance, "below --radius");
   if (kind == JointKind::ball) {
     if (!o.length.empty()) refuse_without("--length", "--joint pin");
-    return JointGeometry::ball(radius, clearance, inner);
+    return JointGeometry::ball(size.radius, size.clearance, inner);
   }
   if (o.length.empty() && o.use == JointUse::friction) {
     refuse_without("--joint pin", "--length");
   }
   // Loads per unit length ask for none.
   return JointGeometry::pin(
-      radius, clearance,
+      size.radius, size.clearance,
       o.length.empty() ? 1 : parse_length("--length", o.length), inner);
 }
 
@@ -126,8 +125,9 @@ Joint bodies_from_options(const JointOptions& o) {
               .pair = pair.elastic,
               .friction = pair.friction,
               .materials = pair.name};
-  if (!o.radius.empty()) {
-    joint.geometry = geometry_of(o, kind);
+  if (const auto size = make_size(o.size)) {
+    joint.geometry = geometry_of(o, kind, *size);
+    joint.fit = size->fit;
   } else if (o.use == JointUse::friction) {
     refuse_without(given("--joint", o.joint), "--radius and --clearance");
   }
@@ -222,14 +222,7 @@ void add_joint_options(CLI::App& app, JointOptions& o) {
     add("--poisson2", o.poisson2, "of the seat or hole; default 0.3", "NUMBER")
         ->needs(ratio);
   }
-  if (!pressure) {
-    auto* radius = add("--radius", o.radius,
-                       "of the ball or pin, m or with a unit", "LENGTH");
-    auto* clearance =
-        add("--clearance", o.clearance, "radial, m or with a unit", "LENGTH");
-    radius->needs(pair)->needs(clearance);
-    clearance->needs(radius);
-  }
+  if (!pressure) add_size_options(app, o.size, pair);
   if (friction) {
     add("--length", o.length, "of a pin, m or with a unit", "LENGTH");
     add("--inner-body", o.inner_body,
@@ -292,6 +285,7 @@ Joint make_joint(const JointOptions& options) {
 }
 
 void warn_of_validity(std::string_view program, const Joint& joint) {
+  if (joint.fit) note(program, to_string(*joint.fit));
   if (joint.geometry) {
     for (const auto& text : joint.geometry->validity_notes()) {
       warn(program, text);

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "cli/joint/joint_size.hpp"
 #include "cli/laws.hpp"
 #include "libcontact/pair/friction_law.hpp"
 
@@ -33,8 +34,7 @@ struct JointOptions {
   std::string modulus_ratio = {};
   std::string poisson1 = "0.3";
   std::string poisson2 = "0.3";
-  std::string radius = {};
-  std::string clearance = {};
+  SizeOptions size = {};
   std::string length = {};
   std::string inner_body = {};
   std::string wall = {};
@@ -62,8 +62,7 @@ void add_law_options(CLI::App& app, JointOptions& options, Laws half_angle,
 
 /// What --help says of lengths, --loading and --wall.
 inline constexpr std::string_view joint_help =
-    R"(Lengths are in m or carry a unit: 50mm, 25um. The clearance is the difference
-of the radii.
+    R"(Lengths are in m or carry a unit: 50mm, 25um.
 Loading: centre (the force enters the ball or pin by a stem or shaft, or is its
 own weight; the default) or back:PSI (a loose ball or roller pressed from behind
 on a patch of half-angle PSI, 0 to 90 deg, by a uniform pressure). Only the
@@ -71,7 +70,7 @@ half-angle law exact knows the latter, its name in the output is then
 exact_back:PSI; the pressure law exact follows it, mixture is refused.
 Wall: --wall T makes the seat or hole a layer of its material, T thick, on
 --backing rigid, held (free, but for a traction that balances the load) or a
-material's .toml file. Without --radius T is a number, thickness over radius.
+material's .toml file. Without a radius T is a number, thickness over radius.
 More layers and coatings are in joint files: [wall] and [[coating]]. With them
 all laws are exact, others are refused.
 )";
@@ -82,6 +81,8 @@ struct Joint {
   contact::ElasticPair pair;
   /// Without it only dimensionless loads and pressures.
   std::optional<contact::JointGeometry> geometry = {};
+  /// What that is from, if a fit.
+  std::optional<contact::Fit> fit = {};
   std::optional<contact::FrictionModel> friction = {};
   std::string half_angle_law = std::string(contact::default_half_angle_law);
   contact::HalfAngleOptions half_angle_options = {};
@@ -102,8 +103,8 @@ struct Joint {
 /// fit together or a value is not allowed.
 Joint make_joint(const JointOptions& options);
 
-/// Warns of the use of the joint and of its half-angle laws outside their
-/// ranges.
+/// Says which clearance a fit gives; warns of the use of the joint and of its
+/// half-angle laws outside their ranges.
 void warn_of_validity(std::string_view program, const Joint& joint);
 
 }  // namespace cli
