@@ -26,10 +26,11 @@ enum class FitClearance { minimum, mean, maximum };
 /// A seat or hole and a ball or pin of one nominal size, with the clearances
 /// that their tolerances leave.
 ///
-/// The limits are those of the standard's tables, and every clearance is the
+/// The limits are tabulated ones, and every clearance is the
 /// double nearest to its decimals (pair/fit_test.cpp, against published tables
 /// and against the formulas that the standard rounds).
-/// Source: ISO 286-1:2010, standard tolerances and fundamental deviations.
+/// Source: standard tolerances and fundamental deviations of ISO 286-1, as
+/// catalogues and books print them (data/README.md).
 class Fit {
  public:
   /// @param hole      of the seat or hole, one of fit_holes

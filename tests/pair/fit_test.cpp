@@ -74,7 +74,8 @@ TEST(Fit, ClassesArePublishedOnes) {
 
 // ISO 286-1, with D the geometric mean of the range in mm (the deviations also
 // in Narayana's "Machine Drawing", table 15.4). It rounds in steps of 1 um that
-// grow to 10 um, and not always to the nearest one; this is how far it goes.
+// grow to 10 um, and not always to the nearest one. The bounds are the largest
+// differences of the published values, measured, not a rule of the standard.
 // Up to 3 mm its values are not those of the formulas.
 double rounding_of_the_standard_um(double value_um) {
   return value_um <= 100 ? 1.22 : value_um <= 200 ? 2.9 : 5;
@@ -114,7 +115,8 @@ TEST(Fit, PublishedFits) {
     double size_mm, minimum_um, maximum_um;
   };
   for (const Published& fit : {
-           // ANSI B4.2-1978, table of preferred hole basis clearance fits.
+           // ANSI B4.2-1978 (R1994), table 12, preferred hole basis metric
+           // clearance fits, as reprinted in Machinery's Handbook.
            Published{"H9", "d9", 3, 20, 70},
            {"H8", "f7", 3, 6, 30},
            {"H7", "g6", 3, 2, 18},
@@ -128,7 +130,8 @@ TEST(Fit, PublishedFits) {
            // Wikipedia, "Engineering fit".
            {"H8", "f7", 50, 25, 89},
            // K. L. Narayana, P. Kannaiah, K. V. Reddy, "Machine Drawing",
-           // chapter 15: bush and shaft.
+           // chapter 15: a bush of 50.000 to 50.025 mm and its shaft with these
+           // clearances. That the fit is H7/f7 is concluded from them.
            {"H7", "f7", 50, 25, 75},
        }) {
     const Fit computed(fit.hole, fit.shaft, fit.size_mm / 1e3);
