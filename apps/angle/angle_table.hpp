@@ -7,9 +7,9 @@
 
 #include "angle/input.hpp"
 #include "angle/loads.hpp"
-#include "cli/joint_approach.hpp"
-#include "cli/joint_options.hpp"
-#include "cli/laws.hpp"
+#include "cli/joint/joint_approach.hpp"
+#include "cli/joint/joint_options.hpp"
+#include "cli/joint/laws.hpp"
 #include "cli/table.hpp"
 
 /// The parts of the program hinge-angle.

@@ -5,7 +5,7 @@
 
 #include "angle/angle_table.hpp"
 #include "angle/input.hpp"
-#include "cli/joint_options.hpp"
+#include "cli/joint/joint_options.hpp"
 #include "cli/program.hpp"
 
 namespace hinge_angle {

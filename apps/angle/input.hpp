@@ -3,7 +3,7 @@
 #include <string>
 
 #include "angle/loads.hpp"
-#include "cli/joint_options.hpp"
+#include "cli/joint/joint_options.hpp"
 #include "cli/sweep.hpp"
 
 namespace hinge_angle {

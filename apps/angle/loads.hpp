@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "cli/joint_options.hpp"
+#include "cli/joint/joint_options.hpp"
 #include "libcontact/pair/joint_geometry.hpp"
 
 namespace hinge_angle {

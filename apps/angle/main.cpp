@@ -67,6 +67,7 @@ Examples:
   hinge-angle --joint pin --modulus-ratio 1 --load-parameter 0.001:10:log9 --law hertz,arctan,tanh,blend
   hinge-angle --joint ball --pair data/materials/steel_bronze.toml --radius 50mm --clearance 50um --load 1e4:1e6:log5
   hinge-angle --joint ball --pair data/materials/cocr_uhmwpe.toml --radius 14mm --clearance 100um --wall 8mm --backing rigid --load 2000
+  hinge-angle --joint pin --pair data/materials/steel_bronze.toml --diameter 50mm --hole H7 --shaft g6 --load 1e5
   hinge-angle --joint ball --modulus-ratio 0 --limit-angle 92.5 --x 0:2:0.5 --law tanh --format markdown
   hinge-angle --joint data/joints/paper_example_1.toml --load 1e4:1e6:log9 --law hertz,arctan,tanh
   hinge-angle --compare --joint data/joints/hip_cocr_uhmwpe.toml --load 100:5000:log50 --format markdown
@@ -100,8 +101,9 @@ void add_options(CLI::App& app, Options& options) {
   add_output_options(app, options.output);
   add_jobs_option(app, options.output);
   cli::exclude(app, "--compare", {"--inverse", "--pressure", "--jobs"});
-  app.footer(std::string(help) + std::string(cli::joint_help) +
-             std::string(load_help) + std::string(cli::exit_status_help));
+  app.footer(std::string(help) + std::string(cli::size_help) +
+             std::string(cli::joint_help) + std::string(load_help) +
+             std::string(cli::exit_status_help));
 }
 
 }  // namespace

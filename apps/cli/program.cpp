@@ -209,6 +209,10 @@ void warn(std::string_view program, std::string_view message) {
   complain(program, fmt::format("warning: {}", message));
 }
 
+void note(std::string_view program, std::string_view message) {
+  complain(program, fmt::format("note: {}", message));
+}
+
 ExitStatus drawn(std::string_view program, const std::string& problem,
                  ExitStatus status) {
   if (problem.empty()) return status;

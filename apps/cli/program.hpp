@@ -63,5 +63,7 @@ int run_program(CLI::App& app, int argc, char** argv,
 
 /// A message that is no error: "PROGRAM: warning: ..." on standard error.
 void warn(std::string_view program, std::string_view message);
+/// What is neither: "PROGRAM: note: ...".
+void note(std::string_view program, std::string_view message);
 
 }  // namespace cli

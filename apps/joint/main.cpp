@@ -104,6 +104,7 @@ Examples:
 
 std::string footer() {
   std::string text(help);
+  text += cli::size_help;
   text += cli::joint_help;
   text += state_help;
   for (const auto& quantity : hinge_joint::quantities(true, true, true)) {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "cli/joint_approach.hpp"
-#include "cli/joint_options.hpp"
+#include "cli/joint/joint_approach.hpp"
+#include "cli/joint/joint_options.hpp"
 #include "cli/program.hpp"
 #include "joint/any_joint.hpp"
 

@@ -4,7 +4,7 @@
 
 #include "angle/input.hpp"
 #include "angle/loads.hpp"
-#include "cli/joint_options.hpp"
+#include "cli/joint/joint_options.hpp"
 #include "libcontact/half_angle/law.hpp"
 
 /// The parts of the program hinge-pressure.

@@ -66,8 +66,9 @@ void add_options(CLI::App& app, Options& options) {
       ->option_text("N")
       ->excludes(summary);
   add_output_options(app, options.output);
-  app.footer(std::string(help) + std::string(cli::joint_help) +
-             std::string(column_help) + std::string(cli::exit_status_help));
+  app.footer(std::string(help) + std::string(cli::size_help) +
+             std::string(cli::joint_help) + std::string(column_help) +
+             std::string(cli::exit_status_help));
 }
 
 }  // namespace

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "cli/joint_approach.hpp"
-#include "cli/joint_options.hpp"
-#include "cli/laws.hpp"
+#include "cli/joint/joint_approach.hpp"
+#include "cli/joint/joint_options.hpp"
+#include "cli/joint/laws.hpp"
 #include "cli/table.hpp"
 #include "pressure/loaded_contacts.hpp"
 

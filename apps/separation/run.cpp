@@ -159,16 +159,22 @@ void check_case(const Options& o, const Case& c) {
   }
 }
 
-// Of the joints, once for each reason.
+// Of the joints, once for each fit and each reason.
 void print_validity(const Case& c) {
+  std::set<std::string> fits;
   std::set<std::string> notes;
   for (const Body& body : c.bodies) {
     for (const HingeJoint& joint : body.hinge.joints) {
+      if (const auto& fit = joint.joint.fit) {
+        fits.insert(
+            fmt::format("joint {}: {}", joint.joint.name, to_string(*fit)));
+      }
       for (const std::string& note : joint.contact.validity_notes()) {
         notes.insert(fmt::format("joint {}: {}", joint.joint.name, note));
       }
     }
   }
+  for (const std::string& fit : fits) cli::note(program, fit);
   for (const std::string& note : notes) cli::warn(program, note);
 }
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "cli/laws.hpp"
+#include "cli/joint/laws.hpp"
 
 /// The parts of the program hinge-table.
 namespace hinge_table {

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "cli/joint_options.hpp"
+#include "cli/joint/joint_options.hpp"
 #include "cli/program.hpp"
 
 namespace hinge_table {

@@ -1,6 +1,7 @@
 #include "libcontact/files/joint_file.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <numbers>
@@ -67,24 +68,81 @@ MaterialPair material_pair_from_table(const TomlTable& table) {
   return pair;
 }
 
-JointGeometry geometry_from_table(const TomlTable& joint) {
+constexpr std::array<std::string_view, 3> clearance_keys = {
+    "radial_clearance", "diametral_clearance", "relative_clearance"};
+
+// hole and shaft, with a diameter.
+std::optional<Fit> fit_from_table(const TomlTable& table) {
+  for (const auto& [key, other] : {std::pair{"hole", "shaft"},
+                                   {"shaft", "hole"},
+                                   {"clearance", "hole"},
+                                   {"hole", "diameter"}}) {
+    if (table.has(key) && !table.has(other)) table.needs(key, other);
+  }
+  if (!table.has("hole")) return {};
+  for (const auto key : clearance_keys) table.refuse_both("hole", key);
+  const std::string hole = table.text("hole");
+  if (!fit_holes.contains(hole)) table.must_be("hole", fit_holes.rule);
+  const std::string shaft = table.text("shaft");
+  if (!fit_shafts.contains(shaft)) table.must_be("shaft", fit_shafts.rule);
+  const double diameter = table.number("diameter", Interval::positive());
+  if (!Fit::has_size(diameter)) {
+    table.must_be("diameter", "3 to 500 mm with a fit");
+  }
+  const auto taken =
+      table.optional_choice("clearance", {"minimum", "mean", "maximum"});
+  Fit fit(hole, shaft, diameter,
+          taken ? static_cast<FitClearance>(*taken) : FitClearance::mean);
+  if (fit.radial_clearance() == 0) {
+    table.must_be("clearance",
+                  "\"mean\" or \"maximum\": " + fit.name() + " may have none");
+  }
+  return fit;
+}
+
+double radius_from_table(const TomlTable& table) {
+  table.refuse_both("diameter", "radius");
+  const auto diameter = table.optional_number("diameter", Interval::positive());
+  if (diameter) return *diameter / 2;
+  if (!table.has("radius")) table.needs("radius or diameter");
+  return table.number("radius", Interval::positive());
+}
+
+// The radial clearance by the only one of clearance_keys that is there.
+double clearance_from_table(const TomlTable& table, double radius) {
+  // What their values are to be multiplied by.
+  const std::array scales = {1.0, 0.5, radius};
+  for (std::size_t i = 0; i < scales.size(); ++i) {
+    const std::string_view key = clearance_keys[i];
+    const auto value =
+        table.optional_number(key, {0, radius / scales[i], true, true});
+    if (!value) continue;
+    for (const auto other : clearance_keys) {
+      if (other != key) table.refuse_both(other, key);
+    }
+    const double clearance = *value * scales[i];
+    // Values near 5e-324 may round to either end.
+    if (!(clearance > 0 && clearance < radius)) {
+      table.fail(key, "the clearance rounds to 0 or the radius");
+    }
+    return clearance;
+  }
+  table.needs(
+      "radial_clearance, diametral_clearance, relative_clearance, or hole and "
+      "shaft");
+}
+
+JointGeometry geometry_from_table(const TomlTable& joint,
+                                  const TomlTable& table,
+                                  const std::optional<Fit>& fit) {
   const bool ball = joint.choice("kind", {"ball", "pin"}) == 0;
   const JointBody inner_body =
       joint.optional_choice("inner_body", {"carrier", "body"}).value_or(0) == 0
           ? JointBody::carrier
           : JointBody::body;
-  const TomlTable table = joint.table("geometry");
-  const double radius = table.number("radius", Interval::positive());
-  const auto relative =
-      table.optional_number("relative_clearance", {0, 1, true, true});
-  table.refuse_both("relative_clearance", "radial_clearance");
+  const double radius = radius_from_table(table);
   const double clearance =
-      relative ? *relative * radius
-               : table.number("radial_clearance", {0, radius, true, true});
-  // A relative clearance and a radius near 5e-324 may round to either end.
-  if (!(clearance > 0 && clearance < radius)) {
-    table.fail("relative_clearance", "the clearance rounds to 0 or the radius");
-  }
+      fit ? fit->radial_clearance() : clearance_from_table(table, radius);
   if (ball) return JointGeometry::ball(radius, clearance, inner_body);
   const double length = table.number("length", Interval::positive());
   return JointGeometry::pin(radius, clearance, length, inner_body);
@@ -201,7 +259,9 @@ std::vector<std::string> JointSpec::validity_notes() const {
 
 JointSpec joint_from_table(const TomlTable& table) {
   std::string name = table.text("name");
-  const JointGeometry geometry = geometry_from_table(table);
+  const TomlTable size = table.table("geometry");
+  const auto fit = fit_from_table(size);
+  const JointGeometry geometry = geometry_from_table(table, size, fit);
   const MaterialPair materials = materials_from_table(table);
   auto walls = walls_from_table(table, geometry.radius(), materials.elastic);
   // The only laws that know walls; they are for all joints, and take long.
@@ -209,6 +269,7 @@ JointSpec joint_from_table(const TomlTable& table) {
   JointSpec joint{
       .name = std::move(name),
       .geometry = geometry,
+      .fit = fit,
       .pair = walls ? walls->surfaces() : materials.elastic,
       .friction = friction_from_table(table),
       .half_angle_law = std::string(walls ? exact : default_half_angle_law),
@@ -263,8 +324,13 @@ KnownKeys joint_keys() {
       {"kind"},
       {"inner_body"},
       table_key("geometry", {{"radius", Dimension::length},
+                             {"diameter", Dimension::length},
                              {"radial_clearance", Dimension::length},
+                             {"diametral_clearance", Dimension::length},
                              {"relative_clearance"},
+                             {"hole"},
+                             {"shaft"},
+                             {"clearance"},
                              {"length", Dimension::length}}),
       table_key("materials", {{"pair"},
                               table_key("inner", material_keys()),

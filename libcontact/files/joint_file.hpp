@@ -11,6 +11,7 @@
 #include "libcontact/files/toml_reader.hpp"
 #include "libcontact/half_angle/factory.hpp"
 #include "libcontact/pair/contact_conditions.hpp"
+#include "libcontact/pair/fit.hpp"
 #include "libcontact/pair/friction_law.hpp"
 #include "libcontact/pair/joint_geometry.hpp"
 #include "libcontact/pair/material.hpp"
@@ -42,6 +43,8 @@ Material read_material(const std::filesystem::path& path);
 struct JointSpec {
   std::string name;
   JointGeometry geometry;
+  /// What the geometry is from, if the file has a fit.
+  std::optional<Fit> fit = {};
   /// At the surfaces, also where there are walls.
   ElasticPair pair;
   /// [friction] of the joint, else of its material pair file.

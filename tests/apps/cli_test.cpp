@@ -18,7 +18,7 @@
 
 #include "cli/choice.hpp"
 #include "cli/interrupts.hpp"
-#include "cli/laws.hpp"
+#include "cli/joint/laws.hpp"
 #include "cli/number.hpp"
 #include "cli/output.hpp"
 #include "cli/quantity.hpp"

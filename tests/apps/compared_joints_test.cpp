@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/key_settings.hpp"
+#include "cli/joint/key_settings.hpp"
 #include "libcontact/files/joint_file.hpp"
 #include "support/program.hpp"
 

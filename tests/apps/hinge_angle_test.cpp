@@ -194,7 +194,10 @@ TEST(HingeAngle, WaysToGiveAJointAgree) {
   ASSERT_EQ(csv_rows(expected).size(), 5U);
   for (const char* lengths :
        {"--radius 50mm --clearance 25um", "--radius 0.05 --clearance 25e-6",
-        "--radius 0.05m --clearance 0.025mm"}) {
+        "--radius 0.05m --clearance 0.025mm",
+        "--diameter 100mm --clearance 25um",
+        "--radius 50mm --diametral-clearance 50um",
+        "--diameter 0.1 --diametral-clearance 0.05mm"}) {
     EXPECT_EQ(folder.run(pair + lengths + rest).out, expected) << lengths;
   }
   // The same materials without the geometry: the same angles over x.
@@ -207,6 +210,45 @@ TEST(HingeAngle, WaysToGiveAJointAgree) {
               std::stod(theta0[0]), 1e-13);
   EXPECT_NEAR(std::stod(csv_column(rows, "theta0_arctan_deg")[1]),
               std::stod(theta0[3]), 1e-13);
+}
+
+// A fit, by options and from a file, is the joint with its clearance, and is
+// said.
+TEST(HingeAngle, Fits) {
+  const ProgramFolder folder;
+  const std::string materials = "data/materials/steel_bronze.toml";
+  const std::string load = " --load 1e5 --law fitted,exact";
+  const std::string pin = "hinge-angle --joint pin --pair " + materials + load;
+  const struct {
+    std::string option, key, radial_um, said;
+  } clearances[] = {
+      {"", "", "14.75", "mean 29.5"},
+      {" --fit-clearance minimum", "clearance = \"minimum\"\n", "4.5",
+       "minimum 9"},
+      {" --fit-clearance maximum", "clearance = \"maximum\"\n", "25",
+       "maximum 50"},
+  };
+  for (const auto& [option, key, radial_um, said] : clearances) {
+    const auto expected =
+        folder.run(pin + " --radius 25mm --clearance " + radial_um + "um");
+    ASSERT_EQ(csv_rows(expected.out).size(), 2U);
+    EXPECT_EQ(expected.err, "");
+    folder.write("fit.toml",
+                 "name = \"fit\"\nkind = \"pin\"\n[geometry]\n"
+                 "diameter_mm = 50\nhole = \"H7\"\nshaft = \"g6\"\n"
+                 "length_mm = 40\n" +
+                     key + "[materials]\npair = \"" + materials + "\"\n");
+    for (const std::string& command :
+         {pin + " --diameter 50mm --hole H7 --shaft g6" + option,
+          "hinge-angle --joint fit.toml" + load}) {
+      const auto result = folder.run(command);
+      EXPECT_EQ(result.out, expected.out) << command;
+      EXPECT_EQ(result.err,
+                "hinge-angle: note: fit H7/g6 at 50 mm: diametral clearance 9 "
+                "to 50 um; " +
+                    said + " um taken\n");
+    }
+  }
 }
 
 TEST(HingeAngle, LoadIsPrintedAsGiven) {

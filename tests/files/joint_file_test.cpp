@@ -109,6 +109,42 @@ TEST(JointFile, DefaultsAndOtherSpellings) {
   EXPECT_EQ(joint.validity_notes().size(), 1u);  // a blend, modulus ratio 0
 }
 
+TEST(JointFile, DiametersAreTwiceTheRadii) {
+  const auto geometry = [](const std::string& size,
+                           const std::string& clearance) {
+    const JointSpec joint =
+        parsed(ball_file().edit("4", size).edit("5", clearance));
+    EXPECT_FALSE(joint.fit.has_value());
+    EXPECT_EQ(joint.geometry.radius(), 0.05) << size;
+    EXPECT_EQ(joint.geometry.radial_clearance(), 50e-6) << clearance;
+  };
+  geometry("diameter_mm = 100", "radial_clearance_um = 50");
+  geometry("diameter = 0.1", "diametral_clearance_um = 100");
+  geometry("radius_mm = 50", "diametral_clearance_mm = 0.1");
+  geometry("diameter_um = 100000", "relative_clearance = 0.001");
+}
+
+TEST(JointFile, Fit) {
+  const auto joint = [](const std::string& clearance) {
+    return parsed(
+        ball_file()
+            .edit("4", "diameter_mm = 50")
+            .edit("5", "hole = \"H7\"\nshaft = \"g6\"\n" + clearance));
+  };
+  // H7/g6 of 50 mm: 9 to 50 um of the diameters.
+  const JointSpec mean = joint("");
+  EXPECT_EQ(mean.fit.value().name(), "H7/g6");
+  EXPECT_EQ(mean.geometry.radius(), 0.025);
+  EXPECT_EQ(mean.geometry.radial_clearance(), 14.75e-6);
+  EXPECT_EQ(joint("clearance = \"mean\"").geometry.radial_clearance(),
+            14.75e-6);
+  EXPECT_EQ(joint("clearance = \"minimum\"").geometry.radial_clearance(),
+            4.5e-6);
+  const JointSpec maximum = joint("clearance = \"maximum\"");
+  EXPECT_EQ(maximum.geometry.radial_clearance(), 25e-6);
+  EXPECT_EQ(maximum.fit.value().taken(), contact::FitClearance::maximum);
+}
+
 TEST(JointFile, LawThatHoldsForEveryPairUnlessNamed) {
   const JointSpec joint = parse_joint(R"(
       name = "ball"

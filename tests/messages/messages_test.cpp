@@ -67,6 +67,7 @@ const std::map<std::string, Call> constructors = {
      }},
     {"ball", [](const A& a) { contact::JointGeometry::ball(a[0], a[1]); }},
     {"pin", [](const A& a) { contact::JointGeometry::pin(a[0], a[1], a[2]); }},
+    {"fit", [](const A& a) { contact::Fit(a.word(0), a.word(1), a[2]); }},
     {"friction_law", [](const A& a) { contact::FrictionLaw(a[0], a[1]); }},
     {"patch", [](const A& a) { contact::InnerLoading::back(a[0]); }},
     {"limit", [](const A& a) { contact::LimitHalfAngle::given(a[0]); }},

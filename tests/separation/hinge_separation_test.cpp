@@ -557,6 +557,22 @@ ends_at_s = 0.9
               pushed(0.07, 0.8), bound);
 }
 
+// On standard error, with the name of the joint.
+TEST(HingeSeparation, FitsAreSaid) {
+  const ProgramFolder folder;
+  std::string text = alone;
+  const std::string size = "radius_mm = 30, radial_clearance_um = 60";
+  text.replace(text.find(size), size.size(),
+               "diameter_mm = 60, hole = \"H7\", shaft = \"f7\"");
+  folder.write("c.toml", text);
+  const ProgramResult result = folder.run("hinge-separation c.toml");
+  EXPECT_EQ(result.status, 0);
+  EXPECT_TRUE(result.err.starts_with(
+      "hinge-separation: note: joint ball: fit H7/f7 at 60 mm: diametral "
+      "clearance 30 to 90 um; mean 60 um taken\n"))
+      << result.err;
+}
+
 // What is in the file for nothing, or does what was hardly meant.
 TEST(HingeSeparation, ForcesThatDoNotDoWhatTheyShouldAreWarnedOf) {
   const ProgramFolder folder;

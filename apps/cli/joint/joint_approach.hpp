@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "cli/joint_options.hpp"
+#include "cli/joint/joint_options.hpp"
 #include "libcontact/half_angle/law.hpp"
 
 namespace cli {

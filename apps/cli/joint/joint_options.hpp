@@ -6,7 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "cli/laws.hpp"
+#include "cli/joint/joint_size.hpp"
+#include "cli/joint/laws.hpp"
 #include "cli/table.hpp"
 #include "libcontact/pair/friction_law.hpp"
 
@@ -38,8 +39,7 @@ struct JointOptions {
   std::string modulus_ratio = {};
   std::string poisson1 = "0.3";
   std::string poisson2 = "0.3";
-  std::string radius = {};
-  std::string clearance = {};
+  SizeOptions size = {};
   std::string length = {};
   std::string inner_body = {};
   std::string wall = {};
@@ -69,7 +69,7 @@ void add_law_options(CLI::App& app, JointOptions& options, Laws half_angle,
 inline constexpr std::string_view joint_help =
     R"(Numbers are in SI units, angles in degrees, or carry a unit: 50mm, 1.5cm,
 0.5in, 2kN, 4MPa, 3N*m, 0.5rad, 100rpm, 5ms; of a list or range all but 0 do, or
-none: 1kN:10kN:log5. The clearance is the difference of the radii.
+none: 1kN:10kN:log5.
 Loading: centre (the force enters the ball or pin by a stem or shaft, or is its
 own weight; the default) or back:PSI (a loose ball or roller pressed from behind
 on a patch of half-angle PSI, 0 to 90 deg, by a uniform pressure). Only the
@@ -77,7 +77,7 @@ half-angle law exact knows the latter, its name in the output is then
 exact_back:PSI; the pressure law exact follows it, mixture is refused.
 Wall: --wall T makes the seat or hole a layer of its material, T thick, on
 --backing rigid, held (free, but for a traction that balances the load) or a
-material's .toml file. Without --radius T is a number, thickness over radius.
+material's .toml file. Without a radius T is a number, thickness over radius.
 More layers and coatings are in joint files: [wall] and [[coating]]. With them
 all laws are exact, others are refused.
 )";
@@ -99,6 +99,8 @@ struct Joint {
   std::optional<contact::JointGeometry> geometry = {};
   /// Of a pin without one loads are per length; its geometry has 1 m.
   bool has_length = true;
+  /// What that is from, if a fit.
+  std::optional<contact::Fit> fit = {};
   std::optional<contact::FrictionModel> friction = {};
   std::string half_angle_law = std::string(contact::default_half_angle_law);
   contact::HalfAngleOptions half_angle_options = {};
@@ -138,8 +140,8 @@ inline double nominal_area(contact::JointKind kind) {
   return kind == contact::JointKind::ball ? std::numbers::pi : 2;
 }
 
-/// Warns of the use of joints and of their half-angle laws outside their
-/// ranges, once for each reason.
+/// Says which clearances fits give; warns of the use of joints and of their
+/// half-angle laws outside their ranges, once for each reason.
 void warn_of_validity(std::string_view program,
                       const std::vector<Joint>& joints);
 

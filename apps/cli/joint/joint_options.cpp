@@ -1,4 +1,4 @@
-#include "cli/joint_options.hpp"
+#include "cli/joint/joint_options.hpp"
 
 #include <fmt/format.h>
 
@@ -7,10 +7,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <set>
 
 #include "cli/choice.hpp"
-#include "cli/key_settings.hpp"
+#include "cli/joint/key_settings.hpp"
 #include "cli/program.hpp"
 #include "cli/quantity.hpp"
 #include "cli/refuse.hpp"
@@ -35,6 +37,7 @@ Joint joint_from_file(const JointOptions& o,
   return {.kind = joint.geometry.kind(),
           .pair = joint.pair,
           .geometry = joint.geometry,
+          .fit = joint.fit,
           .friction = joint.friction,
           .half_angle_law = joint.half_angle_law,
           .half_angle_options = joint.half_angle_options,
@@ -50,25 +53,23 @@ JointKind kind_of(const JointOptions& o) {
   refuse("--joint", o.joint, "ball, pin or a .toml file");
 }
 
-JointGeometry geometry_of(const JointOptions& o, JointKind kind) {
+JointGeometry geometry_of(const JointOptions& o, JointKind kind,
+                          const JointSize& size) {
   constexpr std::array<Choice<JointBody>, 2> bodies = {
       {{"carrier", JointBody::carrier}, {"body", JointBody::body}}};
   const JointBody inner = o.inner_body.empty()
                               ? JointBody::carrier
                               : choice("--inner-body", o.inner_body, bodies);
-  const double radius = parse_length("--radius", o.radius);
-  const double clearance = parse_length("--clearance", o.clearance);
-  if (clearance >= radius) refuse("--clearance", o.clearance, "below --radius");
   if (kind == JointKind::ball) {
     if (!o.length.empty()) refuse_without("--length", "--joint pin");
-    return JointGeometry::ball(radius, clearance, inner);
+    return JointGeometry::ball(size.radius, size.clearance, inner);
   }
   if (o.length.empty() && o.use == JointUse::friction) {
     refuse_without("--joint pin", "--length");
   }
   // Loads per unit length ask for none.
   return JointGeometry::pin(
-      radius, clearance,
+      size.radius, size.clearance,
       o.length.empty() ? 1 : parse_length("--length", o.length), inner);
 }
 
@@ -134,10 +135,14 @@ Joint bodies_from_options(const JointOptions& o) {
               .has_length = kind == JointKind::ball || !o.length.empty(),
               .friction = pair.friction,
               .materials = pair.name};
-  if (!o.radius.empty()) {
-    joint.geometry = geometry_of(o, kind);
+  if (const auto size = make_size(o.size)) {
+    joint.geometry = geometry_of(o, kind, *size);
+    joint.fit = size->fit;
   } else if (o.use == JointUse::friction) {
-    refuse_without(given("--joint", o.joint), "--radius and --clearance");
+    refuse_without(given("--joint", o.joint),
+                   "a size: --radius and --clearance, or --diameter");
+  } else if (!o.length.empty()) {
+    refuse_without("--length", "--radius or --diameter");
   }
   return joint;
 }
@@ -262,13 +267,8 @@ void add_joint_options(CLI::App& app, JointOptions& o) {
         ->needs(ratio);
   }
   if (!pressure) {
-    auto* radius = add("--radius", o.radius, "of the ball or pin", "LENGTH");
-    auto* clearance =
-        add("--clearance", o.clearance, "difference of the radii", "LENGTH");
-    radius->needs(pair)->needs(clearance);
-    clearance->needs(radius);
-    add("--length", o.length, "of a pin, m or with a unit", "LENGTH")
-        ->needs(radius);
+    add_size_options(app, o.size, pair);
+    add("--length", o.length, "of a pin", "LENGTH");
   }
   if (friction) {
     add("--inner-body", o.inner_body,
@@ -406,17 +406,19 @@ void write_differences(const std::vector<Difference>& differences,
 
 void warn_of_validity(std::string_view program,
                       const std::vector<Joint>& joints) {
-  std::vector<std::string> said;
-  const auto say = [&](const std::vector<std::string>& notes) {
-    for (const std::string& note : notes) {
-      if (std::ranges::find(said, note) != said.end()) continue;
-      said.push_back(note);
-      warn(program, note);
-    }
-  };
+  std::set<std::string> said;
   for (const Joint& joint : joints) {
-    if (joint.geometry) say(joint.geometry->validity_notes());
-    say(law_notes(joint.laws, joint.pair));
+    if (joint.fit && said.insert(to_string(*joint.fit)).second) {
+      note(program, to_string(*joint.fit));
+    }
+    std::vector<std::string> notes = law_notes(joint.laws, joint.pair);
+    if (joint.geometry) {
+      std::ranges::copy(joint.geometry->validity_notes(),
+                        std::inserter(notes, notes.begin()));
+    }
+    for (const std::string& text : notes) {
+      if (said.insert(text).second) warn(program, text);
+    }
   }
 }
 

@@ -1,4 +1,4 @@
-#include "cli/key_settings.hpp"
+#include "cli/joint/key_settings.hpp"
 
 #include <algorithm>
 #include <limits>

@@ -1,4 +1,4 @@
-#include "cli/laws.hpp"
+#include "cli/joint/laws.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

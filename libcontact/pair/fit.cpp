@@ -1,0 +1,115 @@
+#include "libcontact/pair/fit.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "libcontact/base/check.hpp"
+#include "libcontact/base/complaint.hpp"
+#include "libcontact/base/error.hpp"
+#include "libcontact/base/text.hpp"
+
+namespace contact {
+namespace {
+
+struct SizeRange {
+  int up_to_mm;  // from above the one before
+  // Of grades 5 to 9, um.
+  std::array<int, 5> tolerances;
+  // Of d, e, f, g, h, um: how far a shaft stays below the nominal size; a hole
+  // stays as far above it. Letters below d divide some of the ranges, these
+  // do not.
+  std::array<int, 5> deviations;
+};
+
+constexpr std::array<SizeRange, 13> size_ranges = {{
+    {3, {4, 6, 10, 14, 25}, {20, 14, 6, 2, 0}},
+    {6, {5, 8, 12, 18, 30}, {30, 20, 10, 4, 0}},
+    {10, {6, 9, 15, 22, 36}, {40, 25, 13, 5, 0}},
+    {18, {8, 11, 18, 27, 43}, {50, 32, 16, 6, 0}},
+    {30, {9, 13, 21, 33, 52}, {65, 40, 20, 7, 0}},
+    {50, {11, 16, 25, 39, 62}, {80, 50, 25, 9, 0}},
+    {80, {13, 19, 30, 46, 74}, {100, 60, 30, 10, 0}},
+    {120, {15, 22, 35, 54, 87}, {120, 72, 36, 12, 0}},
+    {180, {18, 25, 40, 63, 100}, {145, 85, 43, 14, 0}},
+    {250, {20, 29, 46, 72, 115}, {170, 100, 50, 15, 0}},
+    {315, {23, 32, 52, 81, 130}, {190, 110, 56, 17, 0}},
+    {400, {25, 36, 57, 89, 140}, {210, 125, 62, 18, 0}},
+    {500, {27, 40, 63, 97, 155}, {230, 135, 68, 20, 0}},
+}};
+
+// By division: the doubles nearest to the decimals, as the readers of files and
+// options have them.
+double from_mm(double length) { return length / 1e3; }
+double from_um(double length) { return length / 1e6; }
+
+// How far the two limits of a class are from the nominal size.
+struct Limits {
+  int near_um;
+  int far_um;
+};
+
+Limits limits_of(const SizeRange& range, std::string_view tolerance_class) {
+  constexpr std::string_view shafts = "defgh", holes = "DEFGH";
+  const auto letter =
+      std::min(shafts.find(tolerance_class[0]), holes.find(tolerance_class[0]));
+  const int near = range.deviations[letter];
+  return {near, near + range.tolerances[tolerance_class[1] - '5']};
+}
+
+void require_class(const ToleranceClasses& classes, const char* what,
+                   std::string_view name) {
+  if (classes.contains(name)) return;
+  throw Error(detail::must_be(
+      detail::message("fit: {} = \"{}\"", what, detail::printable(name)),
+      classes.rule));
+}
+
+}  // namespace
+
+bool Fit::has_size(double diameter) {
+  return diameter >= from_mm(size_ranges.front().up_to_mm) &&
+         diameter <= from_mm(size_ranges.back().up_to_mm);
+}
+
+Fit::Fit(std::string_view hole, std::string_view shaft, double diameter,
+         FitClearance taken)
+    : diameter_(diameter), taken_(taken) {
+  require_class(fit_holes, "hole", hole);
+  require_class(fit_shafts, "shaft", shaft);
+  detail::require(has_size(diameter), "fit", "diameter", diameter,
+                  "0.003 to 0.5 m");
+  name_ = detail::message("{}/{}", hole, shaft);
+  const SizeRange& range = *std::ranges::find_if(
+      size_ranges, [diameter](int up_to) { return diameter <= from_mm(up_to); },
+      &SizeRange::up_to_mm);
+  const Limits h = limits_of(range, hole), s = limits_of(range, shaft);
+  minimum_um_ = h.near_um + s.near_um;
+  maximum_um_ = h.far_um + s.far_um;
+}
+
+double Fit::clearance(FitClearance which) const {
+  switch (which) {
+    case FitClearance::minimum:
+      return from_um(minimum_um_);
+    case FitClearance::maximum:
+      return from_um(maximum_um_);
+    case FitClearance::mean:
+      break;
+  }
+  return from_um((minimum_um_ + maximum_um_) / 2.0);
+}
+
+std::string to_string(const Fit& fit) {
+  constexpr std::array names = {"minimum", "mean", "maximum"};
+  const auto um = [&fit](FitClearance which) {
+    return fit.clearance(which) * 1e6;
+  };
+  return detail::message(
+      "fit {} at {:.6g} mm: diametral clearance {:.6g} to {:.6g} um; {} {:.6g} "
+      "um taken",
+      fit.name(), fit.diameter() * 1e3, um(FitClearance::minimum),
+      um(FitClearance::maximum), names[static_cast<int>(fit.taken())],
+      um(fit.taken()));
+}
+
+}  // namespace contact
