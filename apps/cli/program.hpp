@@ -38,10 +38,9 @@ struct OutputOptions : TableStyle {
   int jobs = 1;
 };
 
-/// Adds --output, --plot, --format and what else there is of tables to a
-/// program. That the files can be
-/// made is found out with the command line; then come what else is refused,
-/// warnings, and the work.
+/// Adds --output, --plot, --format and the other options of tables to a
+/// program. That the files can be made is found out with the command line; then
+/// come what else is refused, warnings, and the work.
 void add_output_options(CLI::App& app, OutputOptions& options);
 /// Adds --jobs.
 void add_jobs_option(CLI::App& app, OutputOptions& options);

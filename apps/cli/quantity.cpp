@@ -6,8 +6,10 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <string>
 
 #include "cli/refuse.hpp"
+#include "libcontact/base/complaint.hpp"
 
 namespace cli {
 namespace {

@@ -65,7 +65,7 @@ void add_joint_options(CLI::App& app, JointOptions& options);
 void add_law_options(CLI::App& app, JointOptions& options, Laws half_angle,
                      Laws pressure);
 
-/// What --help says of lengths, --loading and --wall.
+/// What --help says of numbers, --loading and --wall.
 inline constexpr std::string_view joint_help =
     R"(Numbers are in SI units, angles in degrees, or carry a unit: 50mm, 1.5cm,
 0.5in, 2kN, 4MPa, 3N*m, 0.5rad, 100rpm, 5ms; of a list or range all but 0 do, or

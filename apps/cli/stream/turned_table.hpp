@@ -19,8 +19,8 @@ class TurnedTable {
   /// @param latex  markdown otherwise
   TurnedTable(std::vector<std::string> names, bool latex);
 
-  /// Takes the cells of whole rows, an end behind each; returns the groups
-  /// that are full.
+  /// Takes the cells of whole rows, an end behind each and none inside; returns
+  /// the groups that are full.
   std::string add(std::string_view cells);
   /// The last group.
   std::string rest();
