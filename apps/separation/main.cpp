@@ -27,7 +27,10 @@ Angles are in degrees, all else in SI units; the keys name the unit.
 Columns of the history: time_s; of each body with a hinge NAME.mode (sliding,
 resting, locked, released), .angle_deg, .rate_deg_per_s,
 .acceleration_deg_per_s2, .reaction_N, .lock_reaction_N, .friction_moment_N_m,
-.utilisation, .theta0_deg, .peak_pressure_Pa, .friction_work_J; of each body
+.utilisation, .theta0_deg, .peak_pressure_Pa, .friction_work_J, .reaction_x_N to
+.reaction_z_N, .lock_reaction_x_N to .lock_reaction_z_N, .friction_moment_x_N_m
+to .friction_moment_z_N_m (on the body, inertial axes; the work is what
+friction has taken, never negative); of each body
 NAME.x_m to .z_m and .vx_m_per_s to .vz_m_per_s (centre of mass, inertial
 axes), .qw to .qz (body axes to inertial ones), .wx_rad_per_s to .wz_rad_per_s
 (body axes); clearance.A.B_m; energy.*_J.

@@ -531,7 +531,7 @@ TEST_F(CheckpointFile, OtherFilesAreToldFromDamagedOnes) {
                        "formathinge-separation checkpoint 4"),
             file_ +
                 ": a checkpoint of another version of hinge-separation must be "
-                "\"hinge-separation checkpoint 7\"");
+                "\"hinge-separation checkpoint 8\"");
   folder_.write("c", bytes_);
   EXPECT_EQ(error_message(
                 [this] { separation::read_checkpoint(file_, "another run"); }),

@@ -61,7 +61,7 @@ namespace {
 using nlohmann::json;
 
 constexpr const char* program_format = "hinge-separation checkpoint ";
-constexpr const char* format_name = "hinge-separation checkpoint 7";
+constexpr const char* format_name = "hinge-separation checkpoint 8";
 
 using Notes = std::vector<Note>;
 
