@@ -1632,6 +1632,47 @@ TEST(HingeSeparation, NamesInCapitalsAreTheSame) {
   EXPECT_GT(H5Fis_hdf5((folder.path() / "H.H5").c_str()), 0);
 }
 
+// A carrier alone and one beside a free body: every output is there, and
+// resuming works.
+TEST(HingeSeparation, CasesWithoutHingesRun) {
+  const ProgramFolder folder;
+  const std::string carrier = R"(
+name = "alone"
+run = { end_time_s = 1 }
+[carrier]
+name = "core"
+density_kg_per_m3 = 1000
+start = { velocity_m_per_s = [0, 1, 0] }
+shape = [{ kind = "capsule", from = [0, 0, 0], to = [1, 0, 0], radius = 0.1 }]
+)";
+  folder.write("alone.toml", carrier);
+  folder.write("free.toml", carrier + R"(
+[[body]]
+name = "stone"
+density_kg_per_m3 = 1000
+start = { position_m = [0, 3, 0] }
+shape = [{ kind = "capsule", from = [0, 0, 0], to = [1, 0, 0], radius = 0.1 }]
+)");
+  for (const std::string name : {"alone", "free"}) {
+    const std::string run = "hinge-separation " + name + ".toml ";
+    const ProgramResult first =
+        folder.run(run +
+                   "--history a.csv --events e.csv --output a.json "
+                   "--checkpoint c.cbor --checkpoint-every 0.4" +
+                   (name == "free" ? " --plot p.svg" : ""));
+    ASSERT_EQ(first.status, 0) << first.err;
+    EXPECT_EQ(first.err, "");
+    EXPECT_EQ(folder.read("e.csv"), "time_s,body,what\n");
+    EXPECT_NEAR(History(folder.read("a.csv"))["core.y_m"].back(), 1, 1e-12);
+    EXPECT_EQ(folder.run(run + "--resume c.cbor --history b.csv").status, 0);
+    EXPECT_EQ(folder.read("a.csv"), folder.read("b.csv"));
+    EXPECT_EQ(folder.run(run + "--history a.h5").status, 0);
+  }
+  EXPECT_TRUE(folder.has("p_clearance.svg"));
+  EXPECT_NEAR(json::parse(folder.read("a.json"))["clearance"][0]["smallest_m"],
+              3 - 1 - 2 * 0.1, 1e-5);
+}
+
 TEST(HingeSeparation, PicturesAreThere) {
   const ProgramFolder folder;
   if (folder.run("command -v gnuplot").status != 0) GTEST_SKIP();

@@ -26,12 +26,12 @@ double value(const Rows& rows, std::size_t row, const std::string& column) {
   return rows.at(row, rows.column(column));
 }
 
-// NAME_x_UNIT, NAME_y_UNIT and NAME_z_UNIT.
+// NAMEx_UNIT, NAMEy_UNIT and NAMEz_UNIT.
 Vector3d vector(const Rows& rows, std::size_t row, const std::string& name,
                 const std::string& unit) {
-  return {value(rows, row, name + "_x_" + unit),
-          value(rows, row, name + "_y_" + unit),
-          value(rows, row, name + "_z_" + unit)};
+  return {value(rows, row, name + "x_" + unit),
+          value(rows, row, name + "y_" + unit),
+          value(rows, row, name + "z_" + unit)};
 }
 
 // A balanced wheel of 20 kg and 2 kg m^2 on a horizontal pin along y, on a
@@ -72,9 +72,9 @@ TEST(HistoryVectors, ActOnTheBodyAndStandInInertialAxes) {
   for (std::size_t i = 0; i < rows.size(); ++i) {
     ASSERT_GT(value(rows, i, "wheel.rate_deg_per_s"), 0);
     // To rounding and the tolerance of the outer loop.
-    const Vector3d force = vector(rows, i, "wheel.reaction", "N");
+    const Vector3d force = vector(rows, i, "wheel.reaction_", "N");
     EXPECT_LE((force - Vector3d(0, 0, 200)).norm(), 200e-12) << force;
-    const Vector3d moment = vector(rows, i, "wheel.friction_moment", "N_m");
+    const Vector3d moment = vector(rows, i, "wheel.friction_moment_", "N_m");
     EXPECT_LE((moment - Vector3d(0, -first, 0)).norm(), 1e-9 * first) << moment;
   }
 }
@@ -117,7 +117,7 @@ TEST(HistoryVectors, HaveTheLengthsOfTheOtherColumns) {
       const auto expect_length = [&](std::size_t row, const std::string& what,
                                      const std::string& unit) {
         const double length = value(rows, row, column + what + "_" + unit);
-        EXPECT_NEAR(vector(rows, row, column + what, unit).norm(), length,
+        EXPECT_NEAR(vector(rows, row, column + what + "_", unit).norm(), length,
                     1e-13 * length);
         return length;
       };
@@ -129,6 +129,55 @@ TEST(HistoryVectors, HaveTheLengthsOfTheOtherColumns) {
       }
     }
     EXPECT_GT(largest_lock, 0) << name;
+  }
+}
+
+// A stone alone in space, and two of them: thrown, pushed and turning about a
+// principal axis.
+TEST(WithoutHinges, BodiesFlyOnParabolas) {
+  const std::string file = R"(
+name = "stones"
+gravity_m_per_s2 = [0, 0, -10]
+run = { end_time_s = 2 }
+[carrier]
+name = "stone"
+mass_kg = 2
+principal_inertia_kg_m2 = [1, 2, 3]
+[carrier.start]
+velocity_m_per_s = [1, 2, 3]
+angular_velocity_rad_per_s = [0, 0, 0.3]
+[[force]]
+name = "push"
+body = "stone"
+kind = "applied"
+axes = "inertial"
+force_N = [0, 4, 0]
+)";
+  const std::string other = R"(
+[[body]]
+name = "other"
+mass_kg = 5
+principal_inertia_kg_m2 = [1, 1, 1]
+start = { position_m = [9, 0, 0], velocity_m_per_s = [0, 1, 0] }
+)";
+  for (const std::string& more : {std::string(), other}) {
+    const Case c = parse_case(file + more, "c.toml");
+    const Outcome outcome = run_case(c, {});
+    ASSERT_EQ(outcome.failure, "");
+    const Rows& rows = outcome.memory.rows;
+    const std::size_t last = rows.size() - 1;
+    EXPECT_EQ(last, 200U);
+    const auto place = [&](const std::string& body) {
+      return vector(rows, last, body + ".", "m");
+    };
+    // Parabolas are exact but for rounding.
+    EXPECT_LE((place("stone") - Vector3d(2, 8, -14)).norm(), 1e-12);
+    EXPECT_NEAR(2 * std::acos(value(rows, last, "stone.qw")), 0.6, 1e-8);
+    EXPECT_LE(outcome.memory.largest_drift, 1e-8 * 300);
+    EXPECT_EQ(separation::summary(c, outcome)["bodies"].size(),
+              more.empty() ? 0U : 1U);
+    if (more.empty()) continue;
+    EXPECT_LE((place("other") - Vector3d(9, 2, -20)).norm(), 1e-12);
   }
 }
 

@@ -353,12 +353,10 @@ Case read_all(const TomlTable& file, const JointLaws& laws) {
                                vector_or_zero(*drive, "angular_acceleration")};
   }
   CaseNames names{c, {}, {}};
-  const auto bodies = file.tables("body");
-  if (bodies.empty()) {
-    file.needs("one or more [[body]]");
-  }
   contact::SharedLaws made;
-  for (const TomlTable& body : bodies) read_body(body, laws, made, c, names);
+  for (const TomlTable& body : file.tables("body")) {
+    read_body(body, laws, made, c, names);
+  }
   read_events(file, c, names);
   read_forces(file, names, c);
   read_clearance(file, names, c);
