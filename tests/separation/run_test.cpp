@@ -3,7 +3,9 @@
 
 #include <Eigen/Core>
 #include <cmath>
+#include <cstring>
 #include <string>
+#include <utility>
 
 #include "libcontact/base/units.hpp"
 #include "separation/case/case_reader.hpp"
@@ -21,6 +23,8 @@ using separation::run_case;
 
 constexpr double degree = contact::degree;
 const std::string pin_joint = CONTACT_DATA_DIR "/joints/pin_joint.toml";
+const std::string ball_joint =
+    CONTACT_DATA_DIR "/joints/spherical_plain_bearing.toml";
 
 double value(const Rows& rows, std::size_t row, const std::string& column) {
   return rows.at(row, rows.column(column));
@@ -179,6 +183,236 @@ start = { position_m = [9, 0, 0], velocity_m_per_s = [0, 1, 0] }
     if (more.empty()) continue;
     EXPECT_LE((place("other") - Vector3d(9, 2, -20)).norm(), 1e-12);
   }
+}
+
+// The carrier stays where it is, but for the rounding of dense output, and so
+// does the energy.
+void expect_fixed_carrier(const Outcome& outcome) {
+  ASSERT_EQ(outcome.failure, "");
+  const Rows& rows = outcome.memory.rows;
+  const auto expect_same = [&](std::size_t row, const std::string& name,
+                               const std::string& unit) {
+    const Vector3d first = vector(rows, 0, name, unit);
+    EXPECT_LE((vector(rows, row, name, unit) - first).norm(),
+              1e-15 * first.norm());
+  };
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    expect_same(i, "ground.", "m");
+    expect_same(i, "ground.v", "m_per_s");
+    expect_same(i, "ground.w", "rad_per_s");
+  }
+  // Some 100 steps at tolerances of 1e-8.
+  EXPECT_LE(outcome.memory.largest_drift, 1e-7 * outcome.memory.largest_energy);
+}
+
+// For hours, under gravity and turned so that rounding has its part in the
+// forces: 1e-15 of them would make 5e-7 m.
+TEST(FixedCarrier, DoesNotDrift) {
+  const Outcome outcome = run_case(parse_case(R"(
+name = "wheel"
+gravity_m_per_s2 = [1, -2, -10]
+run = { end_time_s = 3e4 }
+[carrier]
+name = "ground"
+fixed = true
+start = { position_m = [1, 2, 3], rotation_deg = [10, 20, 30] }
+[[body]]
+name = "wheel"
+mass_kg = 4
+principal_inertia_kg_m2 = [0.1, 0.5, 0.6]
+hinge = { kind = "axis", axis = [0, 0, 1] }
+start = { rate_deg_per_s = 1 }
+)",
+                                              "c.toml"),
+                                   {});
+  expect_fixed_carrier(outcome);
+}
+
+// On a pin along z, of a turned carrier; angle 0 is upwards, along y.
+TEST(FixedCarrier, PhysicalPendulumOnAPin) {
+  Case c = parse_case(R"(
+name = "pendulum"
+gravity_m_per_s2 = [0, -10, 0]
+run = { end_time_s = 1 }
+[carrier]
+name = "ground"
+fixed = true
+start = { position_m = [1, 2, 3], rotation_deg = [0, 0, 90] }
+[[body]]
+name = "arm"
+mass_kg = 4
+com_m = [0.3, 0, 0]
+principal_inertia_kg_m2 = [0.1, 0.5, 0.6]
+hinge = { kind = "axis", axis = [0, 0, 1] }
+start = { angle_deg = 120 }
+)",
+                      "c.toml");
+  constexpr double mass = 4;
+  constexpr double arm = 0.3;
+  constexpr double stiffness = mass * 10 * arm / (0.6 + mass * arm * arm);
+  const double first = 60 * degree;  // from hanging
+  c.end_time =
+      4 * std::comp_ellint_1(std::sin(first / 2)) / std::sqrt(stiffness);
+  c.output_step = c.end_time / 200;
+  const Outcome outcome = run_case(c, {});
+  expect_fixed_carrier(outcome);
+  const Rows& rows = outcome.memory.rows;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const double angle = value(rows, i, "arm.angle_deg") * degree;
+    const double from_hanging = angle - 180 * degree;
+    const double square =
+        2 * stiffness * (std::cos(from_hanging) - std::cos(first));
+    const double acceleration = -stiffness * std::sin(from_hanging);
+    const Vector3d along(-std::sin(angle), std::cos(angle), 0);
+    const Vector3d across(-std::cos(angle), -std::sin(angle), 0);
+    const Vector3d reaction =
+        mass *
+        (arm * (acceleration * across - square * along) - Vector3d(0, -10, 0));
+    // Tolerances of the steps, some 100 of them.
+    EXPECT_NEAR(std::pow(value(rows, i, "arm.rate_deg_per_s") * degree, 2),
+                square, 1e-6);
+    EXPECT_LE((vector(rows, i, "arm.reaction_", "N") - reaction).norm(), 1e-6);
+    EXPECT_LE(
+        (vector(rows, i, "arm.", "m") - Vector3d(1, 2, 3) - arm * along).norm(),
+        1e-12);
+  }
+  // After a whole period.
+  EXPECT_NEAR(value(rows, rows.size() - 1, "arm.angle_deg"), 120, 1e-6);
+}
+
+// On a ball, tilted by 30 deg and turning about the vertical at the rate at
+// which it stays so.
+TEST(FixedCarrier, ConicalPendulumOnABall) {
+  constexpr double mass = 4;
+  constexpr double arm = 0.3;
+  const double tilt = 30 * degree;
+  const double rate = std::sqrt(
+      mass * 10 * arm / ((0.5 + mass * arm * arm - 0.1) * std::cos(tilt)));
+  Case c = parse_case(R"(
+name = "pendulum"
+gravity_m_per_s2 = [0, 0, -10]
+run = { end_time_s = 3 }
+carrier = { name = "ground", fixed = true }
+[[body]]
+name = "arm"
+mass_kg = 4
+com_m = [0.3, 0, 0]
+principal_inertia_kg_m2 = [0.1, 0.5, 0.5]
+hinge = { kind = "ball" }
+start = { rotation_deg = [0, 60, 0] }
+)",
+                      "c.toml");
+  c.bodies[0].start.relative_angular_velocity =
+      rate * Vector3d(-std::cos(tilt), 0, std::sin(tilt));
+  const Outcome outcome = run_case(c, {});
+  expect_fixed_carrier(outcome);
+  const Rows& rows = outcome.memory.rows;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const double turned = rate * value(rows, i, "time_s");
+    const Vector3d out =
+        arm * std::sin(tilt) * Vector3d(std::cos(turned), std::sin(turned), 0);
+    const Vector3d place = out - Vector3d(0, 0, arm * std::cos(tilt));
+    const Vector3d reaction = mass * (Vector3d(0, 0, 10) - rate * rate * out);
+    // Tolerances of the steps, some 100 of them.
+    EXPECT_LE((vector(rows, i, "arm.", "m") - place).norm(), 1e-7);
+    EXPECT_LE((vector(rows, i, "arm.reaction_", "N") - reaction).norm(), 1e-5);
+  }
+}
+
+// What swings, turns and comes to rest on a carrier, with friction.
+std::string shaken(const std::string& carrier) {
+  std::string text = R"(
+name = "bodies"
+[run]
+end_time_s = 4
+relative_tolerance = 1e-11
+absolute_tolerance = 1e-11
+[carrier]
+name = "ground"
+)" + carrier + R"(
+[[body]]
+name = "arm"
+mass_kg = 40
+com_m = [0.3, 0, 0]
+principal_inertia_kg_m2 = [0.1, 0.5, 0.6]
+start = { angle_deg = -60 }
+[body.hinge]
+kind = "axis"
+axis = [0, 1, 0]
+joint = [{ file = "PIN" }]
+[[body]]
+name = "wheel"
+mass_kg = 40
+principal_inertia_kg_m2 = [0.5, 0.5, 0.5]
+start = { rate_deg_per_s = 30 }
+[body.hinge]
+kind = "axis"
+axis = [0, 1, 0]
+carrier_point_m = [0, -3, 0]
+joint = [{ file = "PIN" }]
+[[body]]
+name = "bob"
+mass_kg = 40
+com_m = [0.3, 0, 0]
+principal_inertia_kg_m2 = [0.1, 0.5, 0.6]
+start = { rotation_deg = [0, 20, 0], angular_velocity_rad_per_s = [0, 0, 2] }
+[body.hinge]
+kind = "ball"
+carrier_point_m = [0, 3, 0]
+joint = [{ file = "BALL" }]
+)";
+  for (const auto& [word, file] :
+       {std::pair("PIN", pin_joint), std::pair("BALL", ball_joint)}) {
+    for (auto at = text.find(word); at != text.npos; at = text.find(word)) {
+      text.replace(at, std::strlen(word), file);
+    }
+  }
+  for (const std::string body : {"arm", "wheel", "bob"}) {
+    text += "[[force]]\nname = \"weight of " + body + "\"\nbody = \"" + body +
+            "\"\nkind = \"applied\"\naxes = \"inertial\"\n"
+            "force_N = [0, 0, -400]\n";
+  }
+  return text;
+}
+
+// Under 1200 N and 1200 N m a carrier of 1e12 kg and 1e12 kg m^2 moves by
+// 1e-8 m in 4 s and turns as much.
+TEST(FixedCarrier, IsTheLimitOfAHeavyOne) {
+  const auto run = [](const std::string& carrier) {
+    return run_case(parse_case(shaken(carrier), "c.toml"), {});
+  };
+  const Outcome fixed = run("fixed = true");
+  const Outcome heavy =
+      run("mass_kg = 1e12\nprincipal_inertia_kg_m2 = [1e12, 1e12, 1e12]");
+  expect_fixed_carrier(fixed);
+  ASSERT_EQ(heavy.failure, "");
+  const Rows& a = fixed.memory.rows;
+  const Rows& b = heavy.memory.rows;
+  ASSERT_EQ(a.columns, b.columns);
+  ASSERT_EQ(a.size(), b.size());
+  constexpr double moved = 1e-8;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    for (const std::string body : {"arm", "wheel", "bob"}) {
+      EXPECT_EQ(value(a, i, body + ".mode"), value(b, i, body + ".mode"));
+      EXPECT_NEAR(value(a, i, body + ".angle_deg"),
+                  value(b, i, body + ".angle_deg"), moved / degree);
+      const auto difference = [&](const std::string& name,
+                                  const std::string& unit) {
+        return (vector(a, i, body + name, unit) -
+                vector(b, i, body + name, unit))
+            .norm();
+      };
+      EXPECT_LE(difference(".", "m"), 3 * moved);
+      // Of 1700 N and 3.3 N m at most.
+      EXPECT_LE(difference(".reaction_", "N"), 1700 * moved);
+      EXPECT_LE(difference(".friction_moment_", "N_m"), 3.3 * moved);
+    }
+  }
+  const std::size_t last = a.size() - 1;
+  EXPECT_EQ(value(a, 0, "wheel.mode"),
+            static_cast<int>(multibody::HingeMode::sliding));
+  EXPECT_EQ(value(a, last, "wheel.mode"),
+            static_cast<int>(multibody::HingeMode::resting));
 }
 
 }  // namespace

@@ -28,9 +28,13 @@ struct NamedDirection {
 
 struct RigidBody {
   std::string name;
-  double mass;              ///< kg
-  Eigen::Vector3d com;      ///< in the file's axes of the body, m
-  Eigen::Matrix3d inertia;  ///< about the centre of mass, kg m^2
+  double mass = 0;  ///< kg
+  /// In the file's axes of the body, m.
+  Eigen::Vector3d com = Eigen::Vector3d::Zero();
+  /// About the centre of mass, kg m^2.
+  Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();
+  /// A carrier that stands in inertial space: mass, com and inertia are 0.
+  bool fixed = false;
   std::vector<Shape> shapes;
   std::vector<NamedDirection> directions;
 };

@@ -94,6 +94,18 @@ BodyMotion read_free_start(const std::optional<TomlTable>& table) {
   return start;
 }
 
+BodyMotion read_carrier_start(const TomlTable& carrier, bool fixed) {
+  const auto table = carrier.optional_table("start");
+  if (table && fixed) {
+    for (const char* key : {"velocity", "angular_velocity"}) {
+      if (table->has(key)) {
+        table->must_be(key, "left out: the carrier is fixed");
+      }
+    }
+  }
+  return read_free_start(table);
+}
+
 multibody::BodyStart read_body_start(const std::optional<TomlTable>& table,
                                      const Hinge& hinge) {
   multibody::BodyStart start;
@@ -345,9 +357,12 @@ Case read_all(const TomlTable& file, const JointLaws& laws) {
   read_run(file.table("run"), c);
   c.options.gravity = vector_or_zero(file, "gravity");
   const TomlTable carrier = file.table("carrier");
-  c.carrier = read_rigid_body(carrier);
+  c.carrier = read_carrier(carrier);
+  if (c.carrier.fixed && file.tables("body").empty()) {
+    carrier.needs("fixed", "one or more [[body]]");
+  }
   check_system(carrier, c.carrier, {});
-  c.carrier_start = read_free_start(carrier.optional_table("start"));
+  c.carrier_start = read_carrier_start(carrier, c.carrier.fixed);
   if (const auto drive = carrier.optional_table("drive")) {
     c.options.carrier_drive = {vector_or_zero(*drive, "acceleration"),
                                vector_or_zero(*drive, "angular_acceleration")};

@@ -235,6 +235,9 @@ std::vector<Force> read_force(const TomlTable& table, const CaseNames& names) {
     const auto hinge =
         i > 0 ? names.of.bodies[i - 1].hinge.kind : multibody::HingeKind::none;
     force.body = i;
+    if (i == 0 && body.fixed) {
+      table.must_be("body", "a body, not the carrier, which is fixed");
+    }
     switch (kind) {
       case 0:
         force.what = read_applied(table, body, hinge);
