@@ -185,6 +185,53 @@ start = { position_m = [9, 0, 0], velocity_m_per_s = [0, 1, 0] }
   }
 }
 
+// Forces that jump three times, at times that rounding does not hit: momentum
+// and place are those of the table's integrals, to rounding.
+class TimeTables : public testing::TestWithParam<std::string> {};
+INSTANTIATE_TEST_SUITE_P(Integrators, TimeTables,
+                         testing::Values("adaptive", "rk4"));
+
+TEST_P(TimeTables, JumpsGiveTheImpulseOfTheTable) {
+  const Case c = parse_case(R"(
+name = "stone"
+run = { end_time_s = 1.5, output_step_s = 0.05, integrator = ")" +
+                                GetParam() + R"(" }
+[carrier]
+name = "stone"
+mass_kg = 2
+principal_inertia_kg_m2 = [1, 1, 1]
+[[force]]
+name = "push"
+body = "stone"
+kind = "applied"
+starts_at_s = 0.1
+time_s = [0, 0.2, 0.2, 0.7, 0.7, 1.1, 1.1]
+force_N = [[3, 0, 0], [5, 0, 0], [-2, 0, 0], [-2, 0, 0], [7, 0, 0], [0, 0, 0],
+           [1, 0, 0]]
+)",
+                            "c.toml");
+  const Outcome outcome = run_case(c, {});
+  ASSERT_EQ(outcome.failure, "");
+  // Of the pieces: from, to, force at both ends.
+  constexpr double pieces[][4] = {
+      {0.1, 0.3, 3, 5}, {0.3, 0.8, -2, -2}, {0.8, 1.2, 7, 0}, {1.2, 9, 1, 1}};
+  const Rows& rows = outcome.memory.rows;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const double time = value(rows, i, "time_s");
+    double impulse = 0;
+    double moved = 0;  // times the mass
+    for (const auto& [from, to, first, last] : pieces) {
+      if (time <= from) break;
+      const double t = std::min(time, to) - from;
+      const double slope = (last - first) / (to - from);
+      moved += impulse * t + first * t * t / 2 + slope * t * t * t / 6;
+      impulse += first * t + slope * t * t / 2;
+    }
+    EXPECT_NEAR(value(rows, i, "stone.vx_m_per_s"), impulse / 2, 1e-13);
+    EXPECT_NEAR(value(rows, i, "stone.x_m"), moved / 2, 1e-13);
+  }
+}
+
 // The carrier stays where it is, but for the rounding of dense output, and so
 // does the energy.
 void expect_fixed_carrier(const Outcome& outcome) {
