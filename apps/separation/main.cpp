@@ -43,7 +43,8 @@ hinges) and NAME_clearance.svg (with shapes).
 
 --checkpoint FILE keeps its rows in FILE.rows1 or FILE.rows2: copy and rename
 the two together. A run that goes on with --resume FILE comes to the same
-results to the last byte, and goes on with checkpoints as often as before.
+results to the last byte, and goes on with checkpoints as often as before. With
+--end-time it ends later or earlier than the case says; output times stay.
 
 A run that stops early, at --step-limit, --time-limit or by SIGINT or SIGTERM,
 writes its results so far, as one that fails does, and says what held it.
@@ -68,6 +69,14 @@ void add_options(CLI::App& app, Options& options) {
   app.add_option("--friction", options.friction,
                  "full, ideal or traditional; default: the case's")
       ->option_text("NAME");
+  app.add_option_function<std::string>(
+         "--end-time",
+         [&options](const std::string& text) {
+           options.end_time =
+               cli::parse_value("--end-time", text, {1e-9, 1e9, "s"});
+         },
+         "of the motion; default: the case's")
+      ->option_text("SECONDS");
   app.add_option("--law", options.half_angle_law,
                  "half-angle law of all joints; default: the joints'")
       ->option_text("NAME");

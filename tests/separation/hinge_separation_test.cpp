@@ -996,6 +996,59 @@ TEST(HingeSeparation, ResumedRunIsTheSame) {
             "hinge-separation\n");
 }
 
+// Prolonged or cut short on resuming: as if the end had been so from the start.
+TEST(HingeSeparation, ResumedRunsEndWhenTheyAreTold) {
+  const ProgramFolder folder;
+  const auto run = [&](const std::string& more) {
+    return folder.run("hinge-separation data/cases/platform.toml " + more);
+  };
+  const std::string every = " --checkpoint-every 2 --checkpoint ";
+  const auto at_once = [&](const std::string& end) {
+    ASSERT_EQ(
+        run("--history a.csv --events ae.csv --output a.json --end-time " +
+            end + every + "a.cbor")
+            .status,
+        0);
+  };
+  at_once("8");
+  std::rename((folder.path() / "a.cbor").c_str(),
+              (folder.path() / "c.cbor").c_str());
+  std::rename((folder.path() / "a.cbor.rows1").c_str(),
+              (folder.path() / "c.cbor.rows1").c_str());
+  // 9.03 s is no output time.
+  for (const std::string end : {"12", "9.03", "8"}) {
+    at_once(end);
+    const ProgramResult resumed =
+        run("--history b.csv --events be.csv --output b.json "
+            "--resume c.cbor --end-time " +
+            end);
+    ASSERT_EQ(resumed.status, 0) << resumed.err;
+    EXPECT_TRUE(folder.read("a.csv") == folder.read("b.csv")) << end;
+    EXPECT_EQ(folder.read("ae.csv"), folder.read("be.csv")) << end;
+    json a = json::parse(folder.read("a.json"));
+    json b = json::parse(folder.read("b.json"));
+    EXPECT_EQ(b["end_time_s"], cli::parse_number(end).value());
+    a.erase("counts");
+    b.erase("counts");
+    EXPECT_EQ(a, b) << end;
+  }
+  const ProgramResult early = run("--resume c.cbor --end-time 7.9");
+  EXPECT_EQ(early.status, 2);
+  EXPECT_EQ(early.err,
+            "hinge-separation: c.cbor: a checkpoint at t = 8 s requires "
+            "--end-time of 8 s or above: this run ends at 7.9 s\n");
+  // Of an end that is no output time the row stays.
+  ASSERT_EQ(
+      run("--end-time 8.03 --checkpoint-every 8.01 --checkpoint d.cbor").status,
+      0);
+  ASSERT_EQ(run("--resume d.cbor --end-time 12 --history d.csv").status, 0);
+  at_once("12");
+  const History d(folder.read("d.csv"));
+  const History a(folder.read("a.csv"));
+  EXPECT_EQ(d.size(), a.size() + 1);
+  EXPECT_NEAR(d["arm_2.angle_deg"].back(), a["arm_2.angle_deg"].back(), 1e-5);
+}
+
 // Comments, blanks and the notation of numbers are not what is run.
 TEST(HingeSeparation, CheckpointsAreOfWhatTheCaseSays) {
   const ProgramFolder folder;

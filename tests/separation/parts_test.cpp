@@ -478,7 +478,7 @@ class CheckpointFile : public testing::Test {
     separation::Recorder recorder(c, true, false, false);
     recorder.look(simulation);
     separation::CheckpointWriter writer(file_, "a run", 1);
-    writer.write(1, simulation.save(), recorder.memory());
+    writer.write(simulation.save(), recorder.memory());
     bytes_ = folder_.read("c");
   }
 
@@ -544,13 +544,13 @@ TEST_F(CheckpointFile, NotesOfItsOwnInstantMayGo) {
   separation::CheckpointWriter writer(file_, "a run", 1);
   memory.notes = {{1, "tank", "early"}, {2, "tank", "taken back"}};
   state.motion.time = 2;
-  writer.write(2, state, memory);
+  writer.write(state, memory);
   ASSERT_EQ(read().size(), 2u);
   EXPECT_EQ(read()[1].what, "taken back");
   memory.notes.pop_back();
   memory.notes.push_back({2.5, "tank", "late"});
   state.motion.time = 3;
-  writer.write(3, state, memory);
+  writer.write(state, memory);
   ASSERT_EQ(read().size(), 2u);
   EXPECT_EQ(read()[0].what, "early");
   EXPECT_EQ(read()[1].what, "late");

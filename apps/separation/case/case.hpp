@@ -208,6 +208,9 @@ struct Event {
 /// Which friction a run has.
 enum class FrictionChoice { full, ideal, traditional };
 
+/// More rows than anyone looks at, and memory for them.
+inline constexpr double most_rows = 1e6;
+
 struct Case {
   std::string name;
   std::string file;

@@ -29,9 +29,6 @@ using multibody::HingeKind;
 // Looser than Motion's own: 1e-8 m or rad is more than any case knows.
 constexpr double default_absolute_tolerance = 1e-8;
 
-// More rows than anyone looks at, and memory for them.
-constexpr double most_rows = 1e6;
-
 // Keys that the other integrator reads.
 void refuse_idle_keys(const TomlTable& table,
                       multibody::Integrator integrator) {
