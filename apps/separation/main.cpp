@@ -27,7 +27,10 @@ Angles are in degrees, all else in SI units; the keys name the unit.
 Columns of the history: time_s; of each body with a hinge NAME.mode (sliding,
 resting, locked, released), .angle_deg, .rate_deg_per_s,
 .acceleration_deg_per_s2, .reaction_N, .lock_reaction_N, .friction_moment_N_m,
-.utilisation, .theta0_deg, .peak_pressure_Pa, .friction_work_J; of each body
+.utilisation, .theta0_deg, .peak_pressure_Pa, .friction_work_J, .reaction_x_N to
+.reaction_z_N, .lock_reaction_x_N to .lock_reaction_z_N, .friction_moment_x_N_m
+to .friction_moment_z_N_m (on the body, inertial axes; the work is what
+friction has taken, never negative); of each body
 NAME.x_m to .z_m and .vx_m_per_s to .vz_m_per_s (centre of mass, inertial
 axes), .qw to .qz (body axes to inertial ones), .wx_rad_per_s to .wz_rad_per_s
 (body axes); clearance.A.B_m; energy.*_J.
@@ -42,7 +45,8 @@ hinges) and NAME_clearance.svg (with shapes).
 
 --checkpoint FILE keeps its rows in FILE.rows1 or FILE.rows2: copy and rename
 the two together. A run that goes on with --resume FILE comes to the same
-results to the last byte, and goes on with checkpoints as often as before.
+results to the last byte, and goes on with checkpoints as often as before. With
+--end-time it ends later or earlier than the case says; output times stay.
 
 A run that stops early, at --step-limit, --time-limit or by SIGINT or SIGTERM,
 writes its results so far, as one that fails does, and says what held it.
@@ -67,6 +71,14 @@ void add_options(CLI::App& app, Options& options) {
   app.add_option("--friction", options.friction,
                  "full, ideal or traditional; default: the case's")
       ->option_text("NAME");
+  app.add_option_function<std::string>(
+         "--end-time",
+         [&options](const std::string& text) {
+           options.end_time =
+               cli::parse_value("--end-time", text, {1e-9, 1e9, "s"});
+         },
+         "of the motion; default: the case's")
+      ->option_text("SECONDS");
   app.add_option("--law", options.half_angle_law,
                  "half-angle law of all joints; default: the joints'")
       ->option_text("NAME");

@@ -134,6 +134,19 @@ void check_names(const Options& o, const Case& c) {
   }
 }
 
+Case case_of(const Options& o) {
+  Case c = read_case(o.case_file, {o.half_angle_law, o.pressure_law});
+  if (o.end_time == 0) return c;
+  c.end_time = o.end_time;
+  const double most = most_rows * c.output_step;
+  if (c.end_time > most) {
+    cli::refuse(
+        "--end-time", fmt::format("{:.6g}", c.end_time),
+        fmt::format("up to {:.6g} s: {:g} rows at most", most, most_rows));
+  }
+  return c;
+}
+
 // What the case has nothing for.
 void check_case(const Options& o, const Case& c) {
   const auto needs_joints = [&](bool given, const std::string& option) {
@@ -356,8 +369,7 @@ cli::ExitStatus simulate(const Case& c, const Options& o) {
 
 cli::ExitStatus run(const Options& options) {
   check_outputs(options);
-  const Case c = read_case(options.case_file,
-                           {options.half_angle_law, options.pressure_law});
+  const Case c = case_of(options);
   check_case(options, c);
   check_names(options, c);
   return options.compare ? compare(c, options) : simulate(c, options);

@@ -13,6 +13,7 @@ struct Options {
   std::string events;
   bool compare = false;
   std::string friction;  ///< "" for the case's
+  double end_time = 0;   ///< s, 0 for the case's
   std::string half_angle_law;
   std::string pressure_law;
   bool no_clearance = false;

@@ -60,10 +60,10 @@ void checkpoint(benchmark::State& state) {
   std::filesystem::create_directory(folder);
   {
     separation::CheckpointWriter writer(folder / "c.cbor", "bench", 1);
-    writer.write(1, simulation.save(), memory);
+    writer.write(simulation.save(), memory);
     for (auto _ : state) {
       add_row();
-      writer.write(1, simulation.save(), memory);
+      writer.write(simulation.save(), memory);
     }
   }
   std::filesystem::remove_all(folder);

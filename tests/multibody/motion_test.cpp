@@ -1433,4 +1433,18 @@ TEST(Motion, BadInputIsRefusedByName) {
   EXPECT_EQ(with({}, start_of(1), options), "motion: step = 0 must be above 0");
 }
 
+TEST(Motion, FixedCarrierStaysWhereItIs) {
+  const System system({.fixed = true}, {wheel(1, 1)});
+  const auto with = [&](MotionStart start, const MotionOptions& options) {
+    return message_of([&] { Motion(system, {}, nullptr, start, options); });
+  };
+  EXPECT_EQ(with(start_of(1), {}), "");
+  EXPECT_EQ(with(start_of(1), on_fixed_carrier()),
+            "motion: carrier_drive conflicts with a fixed carrier");
+  MotionStart start = start_of(1);
+  start.carrier.velocity.x() = 1;
+  EXPECT_EQ(with(start, {}),
+            "start.carrier: velocity must be 0: the carrier is fixed");
+}
+
 }  // namespace

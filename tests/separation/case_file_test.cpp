@@ -70,6 +70,20 @@ TEST(CaseFile, ReadsEverything) {
   EXPECT_EQ(c.clearance[0].b, 2);
 }
 
+// The origins of body and carrier, where points are left out.
+TEST(CaseFile, PointsOfAHingeDefaultAlike) {
+  const auto hinge = [](const char* points) {
+    const Case c = parsed(case_file().edit("24", points));
+    return std::pair(c.bodies[0].hinge.body_point,
+                     c.bodies[0].hinge.carrier_point);
+  };
+  const auto left_out = hinge("");
+  EXPECT_EQ(left_out.first, Vector3d(-1, 0, 0));  // from the centre of mass
+  EXPECT_EQ(left_out.second, Vector3d(-1, 0, 0));
+  EXPECT_EQ(hinge("body_point_m = [0, 0, 0]\ncarrier_point_m = [0, 0, 0]"),
+            left_out);
+}
+
 TEST(CaseFile, AnglesOfTheAxisComeBack) {
   const Case c = parsed(case_file());
   const separation::Hinge& hinge = c.bodies[1].hinge;

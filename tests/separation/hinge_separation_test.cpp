@@ -1012,6 +1012,59 @@ TEST(HingeSeparation, ResumedRunIsTheSame) {
             "hinge-separation\n");
 }
 
+// Prolonged or cut short on resuming: as if the end had been so from the start.
+TEST(HingeSeparation, ResumedRunsEndWhenTheyAreTold) {
+  const ProgramFolder folder;
+  const auto run = [&](const std::string& more) {
+    return folder.run("hinge-separation data/cases/platform.toml " + more);
+  };
+  const std::string every = " --checkpoint-every 2 --checkpoint ";
+  const auto at_once = [&](const std::string& end) {
+    ASSERT_EQ(
+        run("--history a.csv --events ae.csv --output a.json --end-time " +
+            end + every + "a.cbor")
+            .status,
+        0);
+  };
+  at_once("8");
+  std::rename((folder.path() / "a.cbor").c_str(),
+              (folder.path() / "c.cbor").c_str());
+  std::rename((folder.path() / "a.cbor.rows1").c_str(),
+              (folder.path() / "c.cbor.rows1").c_str());
+  // 9.03 s is no output time.
+  for (const std::string end : {"12", "9.03", "8"}) {
+    at_once(end);
+    const ProgramResult resumed =
+        run("--history b.csv --events be.csv --output b.json "
+            "--resume c.cbor --end-time " +
+            end);
+    ASSERT_EQ(resumed.status, 0) << resumed.err;
+    EXPECT_TRUE(folder.read("a.csv") == folder.read("b.csv")) << end;
+    EXPECT_EQ(folder.read("ae.csv"), folder.read("be.csv")) << end;
+    json a = json::parse(folder.read("a.json"));
+    json b = json::parse(folder.read("b.json"));
+    EXPECT_EQ(b["end_time_s"], cli::parse_number(end).value());
+    a.erase("counts");
+    b.erase("counts");
+    EXPECT_EQ(a, b) << end;
+  }
+  const ProgramResult early = run("--resume c.cbor --end-time 7.9");
+  EXPECT_EQ(early.status, 2);
+  EXPECT_EQ(early.err,
+            "hinge-separation: c.cbor: a checkpoint at t = 8 s requires "
+            "--end-time of 8 s or above: this run ends at 7.9 s\n");
+  // Of an end that is no output time the row stays.
+  ASSERT_EQ(
+      run("--end-time 8.03 --checkpoint-every 8.01 --checkpoint d.cbor").status,
+      0);
+  ASSERT_EQ(run("--resume d.cbor --end-time 12 --history d.csv").status, 0);
+  at_once("12");
+  const History d(folder.read("d.csv"));
+  const History a(folder.read("a.csv"));
+  EXPECT_EQ(d.size(), a.size() + 1);
+  EXPECT_NEAR(d["arm_2.angle_deg"].back(), a["arm_2.angle_deg"].back(), 1e-5);
+}
+
 // Comments, blanks and the notation of numbers are not what is run.
 TEST(HingeSeparation, CheckpointsAreOfWhatTheCaseSays) {
   const ProgramFolder folder;
@@ -1646,6 +1699,47 @@ TEST(HingeSeparation, NamesInCapitalsAreTheSame) {
   EXPECT_TRUE(folder.read("h.csv") == folder.read("H.CSV"));
   EXPECT_EQ(folder.read("e.csv"), folder.read("E.CSV"));
   EXPECT_GT(H5Fis_hdf5((folder.path() / "H.H5").c_str()), 0);
+}
+
+// A carrier alone and one beside a free body: every output is there, and
+// resuming works.
+TEST(HingeSeparation, CasesWithoutHingesRun) {
+  const ProgramFolder folder;
+  const std::string carrier = R"(
+name = "alone"
+run = { end_time_s = 1 }
+[carrier]
+name = "core"
+density_kg_per_m3 = 1000
+start = { velocity_m_per_s = [0, 1, 0] }
+shape = [{ kind = "capsule", from = [0, 0, 0], to = [1, 0, 0], radius = 0.1 }]
+)";
+  folder.write("alone.toml", carrier);
+  folder.write("free.toml", carrier + R"(
+[[body]]
+name = "stone"
+density_kg_per_m3 = 1000
+start = { position_m = [0, 3, 0] }
+shape = [{ kind = "capsule", from = [0, 0, 0], to = [1, 0, 0], radius = 0.1 }]
+)");
+  for (const std::string name : {"alone", "free"}) {
+    const std::string run = "hinge-separation " + name + ".toml ";
+    const ProgramResult first =
+        folder.run(run +
+                   "--history a.csv --events e.csv --output a.json "
+                   "--checkpoint c.cbor --checkpoint-every 0.4" +
+                   (name == "free" ? " --plot p.svg" : ""));
+    ASSERT_EQ(first.status, 0) << first.err;
+    EXPECT_EQ(first.err, "");
+    EXPECT_EQ(folder.read("e.csv"), "time_s,body,what\n");
+    EXPECT_NEAR(History(folder.read("a.csv"))["core.y_m"].back(), 1, 1e-12);
+    EXPECT_EQ(folder.run(run + "--resume c.cbor --history b.csv").status, 0);
+    EXPECT_EQ(folder.read("a.csv"), folder.read("b.csv"));
+    EXPECT_EQ(folder.run(run + "--history a.h5").status, 0);
+  }
+  EXPECT_TRUE(folder.has("p_clearance.svg"));
+  EXPECT_NEAR(json::parse(folder.read("a.json"))["clearance"][0]["smallest_m"],
+              3 - 1 - 2 * 0.1, 1e-5);
 }
 
 TEST(HingeSeparation, PicturesAreThere) {

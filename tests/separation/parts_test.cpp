@@ -1,5 +1,6 @@
 // Parts of hinge-separation against independent routes: inertia of solids,
 // distances, forces that keep momentum.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -359,6 +360,38 @@ TEST(CaseForces, AppliedInBothAxes) {
                {0, 0, 4}, zero);
 }
 
+// At a jump a table has its second value, and just before it its first,
+// whatever rounding makes of the time since the force began.
+TEST(CaseForces, JumpsOfTablesOverTime) {
+  for (const double begin : {0.0, 0.1, 1 / 3.0, 0.7, 12.3}) {
+    for (const double jump : {0.1, 0.2, 0.3, 0.7, 1 / 3.0}) {
+      const auto force = [&](double time) {
+        return forces_of(
+                   fmt::format("kind = \"applied\"\nstarts_at_s = {}\n"
+                               "time_s = [0, {}, {}, 9]\n"
+                               "force_N = [[0, 0, 1], [0, 0, 2], [0, 0, -5], "
+                               "[0, 0, -5]]\n",
+                               begin, jump, jump),
+                   time)
+            .body.force.z();
+      };
+      EXPECT_EQ(force(begin), 1);
+      EXPECT_NEAR(force(std::nextafter(begin + jump, 0)), 2, 1e-13);
+      EXPECT_NEAR(force(begin + jump), -5, 1e-13);
+    }
+  }
+}
+
+TEST(CaseForces, ThrustEndsWithoutDecay) {
+  const std::string thrust =
+      "kind = \"thrust\"\npoint_m = [1, 1, 0]\ndirection = [2, 0, 0]\n"
+      "thrust_N = 6\ncutoff_at_s = 3\n";
+  const Vector3d zero = Vector3d::Zero();
+  expect_force(forces_of(thrust, std::nextafter(3, 0)).body, {0, 6, 0},
+               {0, 0, -6});
+  expect_force(forces_of(thrust, 3).body, zero, zero);
+}
+
 TEST(CaseForces, ThrustDecays) {
   const std::string thrust =
       "kind = \"thrust\"\npoint_m = [1, 1, 0]\ndirection = [2, 0, 0]\n"
@@ -445,7 +478,7 @@ class CheckpointFile : public testing::Test {
     separation::Recorder recorder(c, true, false, false);
     recorder.look(simulation);
     separation::CheckpointWriter writer(file_, "a run", 1);
-    writer.write(1, simulation.save(), recorder.memory());
+    writer.write(simulation.save(), recorder.memory());
     bytes_ = folder_.read("c");
   }
 
@@ -511,13 +544,13 @@ TEST_F(CheckpointFile, NotesOfItsOwnInstantMayGo) {
   separation::CheckpointWriter writer(file_, "a run", 1);
   memory.notes = {{1, "tank", "early"}, {2, "tank", "taken back"}};
   state.motion.time = 2;
-  writer.write(2, state, memory);
+  writer.write(state, memory);
   ASSERT_EQ(read().size(), 2u);
   EXPECT_EQ(read()[1].what, "taken back");
   memory.notes.pop_back();
   memory.notes.push_back({2.5, "tank", "late"});
   state.motion.time = 3;
-  writer.write(3, state, memory);
+  writer.write(state, memory);
   ASSERT_EQ(read().size(), 2u);
   EXPECT_EQ(read()[0].what, "early");
   EXPECT_EQ(read()[1].what, "late");
@@ -531,7 +564,7 @@ TEST_F(CheckpointFile, OtherFilesAreToldFromDamagedOnes) {
                        "formathinge-separation checkpoint 4"),
             file_ +
                 ": a checkpoint of another version of hinge-separation must be "
-                "\"hinge-separation checkpoint 7\"");
+                "\"hinge-separation checkpoint 8\"");
   folder_.write("c", bytes_);
   EXPECT_EQ(error_message(
                 [this] { separation::read_checkpoint(file_, "another run"); }),

@@ -42,6 +42,7 @@ void Dynamics::set_mode(int body, JointMode mode) {
 void Dynamics::evaluate(const double* state,
                         const ActiveForces<double>& forces) {
   assert(static_cast<int>(forces.bodies.size()) == size());
+  assert(constants_->carrier_mass() > 0);
   kernel_->evaluate(state, forces.carrier, forces.bodies.data());
 }
 

@@ -43,7 +43,8 @@ class Dynamics {
   const StateLayout& layout() const { return layout_; }
 
   /// Full evaluation. Positions, velocities of the centres of mass and the
-  /// carrier's rotation do not matter here.
+  /// carrier's rotation do not matter here. Not for a fixed carrier, whose
+  /// acceleration is prescribed: the opposite of gravity.
   /// @param state    layout().size() numbers
   /// @param forces  size() bodies
   void evaluate(const double* state, const ActiveForces<double>& forces);

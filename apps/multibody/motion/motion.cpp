@@ -43,6 +43,21 @@ void check_options(const MotionOptions& options) {
   check_positive(options.stall_span, "stall_span");
 }
 
+// To the dynamics it is one whose accelerations are given: no equation of the
+// carrier is left to solve, and hinges on it do not feel each other.
+void prescribe_fixed(const MotionStart& start, MotionOptions& options) {
+  if (options.carrier_drive) {
+    throw contact::Error(
+        contact::detail::conflicts("motion: carrier_drive", "a fixed carrier"));
+  }
+  if (!start.carrier.velocity.isZero(0) ||
+      !start.carrier.angular_velocity.isZero(0)) {
+    throw contact::Error(contact::detail::must_be("start.carrier: velocity",
+                                                  "0: the carrier is fixed"));
+  }
+  options.carrier_drive = CarrierDrive{};
+}
+
 BodyMotion checked_body(const BodyMotion& body, const std::string& place) {
   if (!body.position.allFinite() || !body.velocity.allFinite() ||
       !body.angular_velocity.allFinite()) {
@@ -99,6 +114,7 @@ MotionImpl::MotionImpl(const System& motion_system,
       now(start.time),
       sample(this) {
   check_options(options);
+  if (system.carrier().fixed) prescribe_fixed(start, options);
   joint_modes.resize(size());
   straight_from.resize(size());
   recent_.resize(size());

@@ -74,7 +74,8 @@ struct MotionOptions {
   /// momentum kept and the energy booked. 0: 100 absolute_tolerance, at least
   /// 1e-9, or rk4: 1e-8.
   double stop_speed = 0;
-  /// Set: the carrier moves as prescribed (zero: at rest or uniformly).
+  /// Set: the carrier moves as prescribed (zero: at rest or uniformly). Not for
+  /// a fixed one (Carrier::fixed).
   std::optional<CarrierDrive> carrier_drive;
   CoupledOptions coupling;
 };

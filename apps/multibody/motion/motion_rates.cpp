@@ -82,6 +82,8 @@ bool MotionImpl::rates(double time, const double* state, double* to) {
     return false;
   }
   coupled.dynamics().rates(state, vec3(options.gravity), to);
+  // It does not drift, whatever rounding leaves of gravity.
+  if (system.carrier().fixed) std::fill_n(to, StateLayout::body_size, 0.0);
   for (int i = 0; i < size(); ++i) {
     const bool slides =
         coupled.mode(i) == HingeMode::sliding && coupled.has_friction(i);

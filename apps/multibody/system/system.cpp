@@ -176,9 +176,13 @@ Matrix3d checked_rotation(const Matrix3d& matrix, const std::string& place) {
 
 System::System(const Carrier& carrier, const std::vector<Body>& bodies)
     : carrier_(carrier) {
-  check_mass(carrier.mass, "carrier");
-  carrier_.inertia =
-      checked_inertia(carrier.inertia, true, "carrier.inertia_com");
+  if (carrier.fixed) {
+    carrier_ = {.fixed = true};
+  } else {
+    check_mass(carrier.mass, "carrier");
+    carrier_.inertia =
+        checked_inertia(carrier.inertia, true, "carrier.inertia_com");
+  }
   links_.reserve(bodies.size());
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     links_.push_back(make_link(bodies[i], fmt::format("bodies[{}]", i)));

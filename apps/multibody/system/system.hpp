@@ -23,8 +23,12 @@ enum class HingeKind {
 
 /// The body that carries the others.
 struct Carrier {
-  double mass;              ///< kg, > 0
-  Eigen::Matrix3d inertia;  ///< about the centre of mass, carrier axes, kg m^2
+  double mass = 0;  ///< kg, > 0
+  /// About the centre of mass, carrier axes, kg m^2.
+  Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();
+  /// It stands in inertial space: hinges on it are hinges to the ground. Mass
+  /// and inertia do not count, and any point of it is its centre of mass.
+  bool fixed = false;
 };
 
 /// A body and its hinge, as a person describes it.

@@ -72,9 +72,8 @@ std::optional<Matrix3d> read_inertia(const TomlTable& table) {
   return {};
 }
 
-}  // namespace
-
-RigidBody read_rigid_body(const TomlTable& table) {
+// Name, shapes and directions.
+RigidBody read_form(const TomlTable& table) {
   RigidBody body;
   body.name = table.text("name");
   // It becomes part of the names of columns and data sets.
@@ -87,6 +86,24 @@ RigidBody read_rigid_body(const TomlTable& table) {
   for (const TomlTable& named : table.tables("direction")) {
     body.directions.push_back({named.text("name"), direction(named, "vector")});
   }
+  return body;
+}
+
+}  // namespace
+
+RigidBody read_carrier(const TomlTable& table) {
+  if (!table.flag("fixed")) return read_rigid_body(table);
+  for (const char* key : {"mass", "density_kg_per_m3", "com", "inertia",
+                          "principal_inertia", "drive"}) {
+    table.refuse_both(key, "fixed");
+  }
+  RigidBody carrier = read_form(table);
+  carrier.fixed = true;
+  return carrier;
+}
+
+RigidBody read_rigid_body(const TomlTable& table) {
+  RigidBody body = read_form(table);
   const auto mass = table.optional_number("mass", Interval::positive());
   const auto density =
       table.optional_number("density_kg_per_m3", Interval::positive());

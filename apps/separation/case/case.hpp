@@ -28,9 +28,13 @@ struct NamedDirection {
 
 struct RigidBody {
   std::string name;
-  double mass;              ///< kg
-  Eigen::Vector3d com;      ///< in the file's axes of the body, m
-  Eigen::Matrix3d inertia;  ///< about the centre of mass, kg m^2
+  double mass = 0;  ///< kg
+  /// In the file's axes of the body, m.
+  Eigen::Vector3d com = Eigen::Vector3d::Zero();
+  /// About the centre of mass, kg m^2.
+  Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();
+  /// A carrier that stands in inertial space: mass, com and inertia are 0.
+  bool fixed = false;
   std::vector<Shape> shapes;
   std::vector<NamedDirection> directions;
 };
@@ -84,19 +88,32 @@ struct Clock {
 };
 inline constexpr Clock never{std::numeric_limits<double>::infinity(), -1, 0};
 
-/// Values over a variable, linear between the rows and constant outside.
+/// Values over a variable, linear between the rows and constant outside. Two
+/// rows at one place are a jump, from the first one's value to the second's,
+/// which is that of the place itself.
 template <class Value>
 struct Table {
   std::vector<double> at;  ///< increasing; a single row is a constant
   std::vector<Value> values;
 
-  Value operator()(double x) const {
-    if (!(x > at.front())) return values.front();
-    if (x >= at.back()) return values.back();
-    std::size_t i = 1;
-    while (at[i] < x) ++i;
-    const double part = (x - at[i - 1]) / (at[i] - at[i - 1]);
+  /// @param origin  what the rows count from
+  Value operator()(double x, double origin = 0) const {
+    const double from_origin = x - origin;
+    std::size_t i = 0;
+    // A jump is at origin + at[i], as the break of the forces is: the rounding
+    // of the difference puts x on no other side of it.
+    while (i < at.size() &&
+           (jumps(i) ? origin + at[i] <= x : at[i] <= from_origin)) {
+      ++i;
+    }
+    if (i == 0) return values.front();
+    if (i == at.size()) return values.back();
+    const double part = (from_origin - at[i - 1]) / (at[i] - at[i - 1]);
     return values[i - 1] + part * (values[i] - values[i - 1]);
+  }
+  bool jumps(std::size_t i) const {
+    return (i > 0 && at[i - 1] == at[i]) ||
+           (i + 1 < at.size() && at[i] == at[i + 1]);
   }
 };
 
@@ -190,6 +207,9 @@ struct Event {
 
 /// Which friction a run has.
 enum class FrictionChoice { full, ideal, traditional };
+
+/// More rows than anyone looks at, and memory for them.
+inline constexpr double most_rows = 1e6;
 
 struct Case {
   std::string name;

@@ -153,7 +153,8 @@ Keys case_keys() {
       table_key(
           "carrier",
           with(rigid_body_keys(),
-               {table_key("start", start_keys()),
+               {{"fixed"},
+                table_key("start", start_keys()),
                 table_key("drive", {{"acceleration", Dimension::acceleration},
                                     {"angular_acceleration",
                                      Dimension::angular_acceleration}})})),

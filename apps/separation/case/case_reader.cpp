@@ -29,9 +29,6 @@ using multibody::HingeKind;
 // Looser than Motion's own: 1e-8 m or rad is more than any case knows.
 constexpr double default_absolute_tolerance = 1e-8;
 
-// More rows than anyone looks at, and memory for them.
-constexpr double most_rows = 1e6;
-
 // Keys that the other integrator reads.
 void refuse_idle_keys(const TomlTable& table,
                       multibody::Integrator integrator) {
@@ -92,6 +89,18 @@ BodyMotion read_free_start(const std::optional<TomlTable>& table) {
   start.angular_velocity =
       start.rotation * vector_or_zero(*table, "angular_velocity");
   return start;
+}
+
+BodyMotion read_carrier_start(const TomlTable& carrier, bool fixed) {
+  const auto table = carrier.optional_table("start");
+  if (table && fixed) {
+    for (const char* key : {"velocity", "angular_velocity"}) {
+      if (table->has(key)) {
+        table->must_be(key, "left out: the carrier is fixed");
+      }
+    }
+  }
+  return read_free_start(table);
 }
 
 multibody::BodyStart read_body_start(const std::optional<TomlTable>& table,
@@ -345,20 +354,21 @@ Case read_all(const TomlTable& file, const JointLaws& laws) {
   read_run(file.table("run"), c);
   c.options.gravity = vector_or_zero(file, "gravity");
   const TomlTable carrier = file.table("carrier");
-  c.carrier = read_rigid_body(carrier);
+  c.carrier = read_carrier(carrier);
+  if (c.carrier.fixed && file.tables("body").empty()) {
+    carrier.needs("fixed", "one or more [[body]]");
+  }
   check_system(carrier, c.carrier, {});
-  c.carrier_start = read_free_start(carrier.optional_table("start"));
+  c.carrier_start = read_carrier_start(carrier, c.carrier.fixed);
   if (const auto drive = carrier.optional_table("drive")) {
     c.options.carrier_drive = {vector_or_zero(*drive, "acceleration"),
                                vector_or_zero(*drive, "angular_acceleration")};
   }
   CaseNames names{c, {}, {}};
-  const auto bodies = file.tables("body");
-  if (bodies.empty()) {
-    file.needs("one or more [[body]]");
-  }
   contact::SharedLaws made;
-  for (const TomlTable& body : bodies) read_body(body, laws, made, c, names);
+  for (const TomlTable& body : file.tables("body")) {
+    read_body(body, laws, made, c, names);
+  }
   read_events(file, c, names);
   read_forces(file, names, c);
   read_clearance(file, names, c);

@@ -83,6 +83,7 @@ void check_nodes(const TomlTable& table, const CaseNames& names,
 Event read_event(const TomlTable& table, const CaseNames& names) {
   Event event;
   event.name = table.text("name");
+  if (names.of.bodies.empty()) table.needs("one or more [[body]]");
   event.bodies = names.bodies_of(table, "bodies");
   event.action =
       static_cast<Event::Action>(table.choice("breaks", {"lock", "hinge"}));

@@ -68,7 +68,7 @@ RowsOver read_variable(const TomlTable& table, multibody::HingeKind hinge) {
     table.needs("angle", "a body on a hinge");
   }
   if (over_time) {
-    return {Variable::time, increasing(table, "time")};
+    return {Variable::time, times_with_jumps(table, "time")};
   }
   if (over_angle) {
     const auto at = increasing(table, "angle");
@@ -193,7 +193,7 @@ void read_flow(const TomlTable& table, Aerodynamic& air) {
         {0}, {table.number("dynamic_pressure", Interval::non_negative())}};
     return;
   }
-  const auto at = increasing(table, "time");
+  const auto at = times_with_jumps(table, "time");
   air.dynamic_pressure = {at, table.numbers("dynamic_pressure", {at.size()},
                                             Interval::non_negative())};
 }
@@ -235,6 +235,9 @@ std::vector<Force> read_force(const TomlTable& table, const CaseNames& names) {
     const auto hinge =
         i > 0 ? names.of.bodies[i - 1].hinge.kind : multibody::HingeKind::none;
     force.body = i;
+    if (i == 0 && body.fixed) {
+      table.must_be("body", "a body, not the carrier, which is fixed");
+    }
     switch (kind) {
       case 0:
         force.what = read_applied(table, body, hinge);

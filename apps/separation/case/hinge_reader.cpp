@@ -150,7 +150,7 @@ Hinge read_hinge(const TomlTable& table, const RigidBody& body,
                                                            : HingeKind::axis;
   hinge.name = table.optional_text("name").value_or("hinge");
   hinge.body_point = vector_or_zero(table, "body_point") - body.com;
-  hinge.carrier_point = vector(table, "carrier_point") - carrier.com;
+  hinge.carrier_point = vector_or_zero(table, "carrier_point") - carrier.com;
   hinge.zero_rotation =
       optional_rotation(table, "zero_rotation").value_or(Matrix3d::Identity());
   const bool ball = hinge.kind == HingeKind::ball;

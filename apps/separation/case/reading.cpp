@@ -47,13 +47,29 @@ std::optional<Matrix3d> optional_rotation(const TomlTable& table,
   return rotation_of({(*v)[0], (*v)[1], (*v)[2]});
 }
 
+namespace {
+constexpr contact::ArrayShape one_or_more{.rows = 1, .or_more = true};
+}  // namespace
+
 std::vector<double> increasing(const TomlTable& table, std::string_view key) {
-  auto values =
-      table.numbers(key, {.rows = 1, .or_more = true}, Interval::any());
+  auto values = table.numbers(key, one_or_more, Interval::any());
   if (!std::is_sorted(values.begin(), values.end(), std::less_equal<>())) {
     table.must_be(key, "numbers that grow from one to the next");
   }
   return values;
+}
+
+std::vector<double> times_with_jumps(const TomlTable& table,
+                                     std::string_view key) {
+  auto times = table.numbers(key, one_or_more, Interval::any());
+  bool in_order = std::is_sorted(times.begin(), times.end());
+  for (std::size_t i = 2; i < times.size(); ++i) {
+    in_order = in_order && times[i - 2] < times[i];
+  }
+  if (!in_order) {
+    table.must_be(key, "times in order, the same one at most twice: a jump");
+  }
+  return times;
 }
 
 }  // namespace separation

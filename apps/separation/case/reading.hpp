@@ -24,6 +24,10 @@ std::optional<Eigen::Matrix3d> optional_rotation(const TomlTable& table,
 /// Numbers that grow from one to the next.
 std::vector<double> increasing(const TomlTable& table, std::string_view key);
 
+/// Times of a table: the same one twice is a jump.
+std::vector<double> times_with_jumps(const TomlTable& table,
+                                     std::string_view key);
+
 /// The rotation by the vector's length about it.
 Eigen::Matrix3d rotation_of(const Eigen::Vector3d& vector);
 

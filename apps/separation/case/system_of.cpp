@@ -29,7 +29,7 @@ multibody::System system_of(const Case& c) {
     }
     bodies.push_back(part);
   }
-  return {{c.carrier.mass, c.carrier.inertia}, bodies};
+  return {{c.carrier.mass, c.carrier.inertia, c.carrier.fixed}, bodies};
 }
 
 double hinge_angle(const Hinge& hinge, const Matrix3d& rotation) {

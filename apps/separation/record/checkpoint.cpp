@@ -61,7 +61,7 @@ namespace {
 using nlohmann::json;
 
 constexpr const char* program_format = "hinge-separation checkpoint ";
-constexpr const char* format_name = "hinge-separation checkpoint 7";
+constexpr const char* format_name = "hinge-separation checkpoint 8";
 
 using Notes = std::vector<Note>;
 
@@ -211,12 +211,10 @@ void CheckpointWriter::append(const Recorder::Memory& memory, double time) {
   ++blocks_;
 }
 
-void CheckpointWriter::write(long next_output,
-                             const SimulationState& simulation,
+void CheckpointWriter::write(const SimulationState& simulation,
                              const Recorder::Memory& memory) {
   append(memory, simulation.motion.time);
   const json j = {{"identity", identity_},
-                  {"next_output", next_output},
                   {"every", every_},
                   {"simulation", simulation},
                   {"memory", memory},
@@ -248,8 +246,7 @@ Checkpoint read_checkpoint(const std::string& file,
           ": a checkpoint of a run of another case file, other "
           "joints or other options");
     }
-    Checkpoint result{j.at("next_output"), j.at("every"), j.at("simulation"),
-                      j.at("memory")};
+    Checkpoint result{j.at("every"), j.at("simulation"), j.at("memory")};
     result.memory.rows.columns = j.at("columns");
     add_rows(file, j, result.memory);
     add(j.at("notes"), result.memory.notes);

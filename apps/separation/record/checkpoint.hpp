@@ -11,7 +11,6 @@ namespace separation {
 
 /// A run in the middle.
 struct Checkpoint {
-  long next_output;
   double every;  ///< s of the motion between checkpoints
   SimulationState simulation;
   Recorder::Memory memory;
@@ -39,8 +38,7 @@ class CheckpointWriter {
 
   /// @param memory  that of the last call, with what is new
   /// @throws contact::Error if it cannot be written
-  void write(long next_output, const SimulationState& simulation,
-             const Recorder::Memory& memory);
+  void write(const SimulationState& simulation, const Recorder::Memory& memory);
 
  private:
   void append(const Recorder::Memory& memory, double time);

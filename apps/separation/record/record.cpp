@@ -39,6 +39,10 @@ std::vector<std::string> history_columns(const Case& c, bool clearance) {
           {"mode", "angle_deg", "rate_deg_per_s", "acceleration_deg_per_s2",
            "reaction_N", "lock_reaction_N", "friction_moment_N_m",
            "utilisation", "theta0_deg", "peak_pressure_Pa", "friction_work_J"});
+      add(body,
+          {"reaction_x_N", "reaction_y_N", "reaction_z_N", "lock_reaction_x_N",
+           "lock_reaction_y_N", "lock_reaction_z_N", "friction_moment_x_N_m",
+           "friction_moment_y_N_m", "friction_moment_z_N_m"});
     }
     add(body,
         {"x_m", "y_m", "z_m", "vx_m_per_s", "vy_m_per_s", "vz_m_per_s", "qw",
@@ -270,6 +274,11 @@ void Recorder::add_hinge(const Simulation& simulation, int i) {
   add(half_angle / degree);
   add(pressure);
   add(hinge.dissipated);
+  const Eigen::Matrix3d& to_inertial = simulation.sample().body(i).rotation;
+  for (const Vector3d& v :
+       {reactions.hinge, reactions.lock, hinge.friction_moment}) {
+    for (const double x : Vector3d(to_inertial * v)) add(x + 0.0);  // no -0
+  }
 }
 
 // A body that turns back rests for no time at all: that is no news.

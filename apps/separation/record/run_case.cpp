@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "cli/progress.hpp"
+#include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
 #include "separation/record/checkpoint.hpp"
 #include "separation/simulation/pace.hpp"
@@ -23,13 +24,17 @@ class OutputTimes {
         step_(only_events ? c.end_time : c.output_step),
         // A last step of a rounding error's length is none.
         count_(std::max(
-            1L, static_cast<long>(std::ceil(c.end_time / step_ - 1e-9)))) {}
+            1L, static_cast<long>(std::ceil(c.end_time / step_ - rounding)))) {}
   long count() const { return count_; }
+  long after(double time) const {
+    return static_cast<long>(std::floor(time / step_ + rounding)) + 1;
+  }
   double operator[](long i) const {
     return i >= count_ ? end_ : static_cast<double>(i) * step_;
   }
 
  private:
+  static constexpr double rounding = 1e-9;  // of a step
   double end_;
   double step_;
   long count_;
@@ -122,6 +127,16 @@ double checkpoint_after(double time, double every) {
   return every * (std::floor(time / every * (1 + 1e-12)) + 1) * (1 - 1e-12);
 }
 
+// A run may end at another time than the one that it goes on from, but not
+// before it has begun; that of rounding aside.
+void check_end(const std::string& file, double from, double end) {
+  if (end >= from * (1 - 1e-12)) return;
+  throw contact::Error(contact::detail::needs(
+      fmt::format("{}: a checkpoint at t = {:.6g} s", file, from),
+      fmt::format("--end-time of {:.6g} s or above: this run ends at {:.6g} s",
+                  from, end)));
+}
+
 }  // namespace
 
 Outcome run_case(const Case& c, const RunOptions& options) {
@@ -137,9 +152,11 @@ Outcome run_case(const Case& c, const RunOptions& options) {
     run.recorder.look(*run.simulation);
   } else {
     Checkpoint from = read_checkpoint(options.resume, options.identity);
+    const double time = from.simulation.motion.time;
+    check_end(options.resume, time, c.end_time);
     run.recorder.restore(std::move(from.memory));
     run.go_on_from(from.simulation, c, options.friction);
-    i = from.next_output;
+    i = times.after(time);
     if (!(every > 0)) every = from.every;
   }
   std::optional<CheckpointWriter> writer;
@@ -166,7 +183,7 @@ Outcome run_case(const Case& c, const RunOptions& options) {
       // One that cannot be written costs nothing but itself and later ones:
       // what is behind a row that was cut short could not be found.
       try {
-        writer->write(i + 1, state, run.recorder.memory());
+        writer->write(state, run.recorder.memory());
         run.way_on = fmt::format("; --resume {} goes on from t = {:.6g} s",
                                  options.checkpoint, state.motion.time);
       } catch (const contact::Error& error) {

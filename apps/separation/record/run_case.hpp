@@ -39,7 +39,8 @@ struct Outcome {
 };
 
 /// @throws contact::Error if the motion cannot begin, or the checkpoint to go
-///   on from cannot be read or is of another run, or the first one not begun
+///   on from cannot be read, is of another run or of a time beyond the end, or
+///   the first one not begun
 Outcome run_case(const Case& c, const RunOptions& options);
 
 }  // namespace separation

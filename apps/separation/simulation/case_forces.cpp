@@ -26,24 +26,30 @@ struct Instant {
   BodyForce& force() const { return forces[body]; }
 };
 
-// Where a table is read.
-double variable(Variable over, const Instant& at) {
+// Where a table is read, and what its rows count from.
+struct Place {
+  double x;
+  double origin;
+};
+Place place_in(Variable over, const Instant& at) {
   switch (over) {
     case Variable::time:
-      return at.time - at.begin;
+      return {at.time, at.begin};
     case Variable::angle:
-      return hinge_angle(at.c.bodies[at.body - 1].hinge, at.bodies[0], at.on());
+      return {
+          hinge_angle(at.c.bodies[at.body - 1].hinge, at.bodies[0], at.on()),
+          0};
     case Variable::none:
       break;
   }
-  return 0;
+  return {0, 0};
 }
 
 void add_what(const AppliedForce& f, const Instant& at) {
   const BodyMotion& body = at.on();
-  const double x = variable(f.variable, at);
-  Vector3d force = f.force(x);
-  Vector3d moment = f.moment(x);
+  const auto [x, origin] = place_in(f.variable, at);
+  Vector3d force = f.force(x, origin);
+  Vector3d moment = f.moment(x, origin);
   if (!f.inertial) {
     force = body.rotation * force;
     moment = body.rotation * moment;
@@ -53,8 +59,9 @@ void add_what(const AppliedForce& f, const Instant& at) {
 }
 
 void add_what(const Motor& f, const Instant& at) {
+  const auto [x, origin] = place_in(f.variable, at);
   const Vector3d moment =
-      f.moment(variable(f.variable, at)) *
+      f.moment(x, origin) *
       (at.bodies[0].rotation * at.c.bodies[at.body - 1].hinge.axis);
   at.force().moment += moment;
   at.forces[0].moment -= moment;
@@ -62,7 +69,7 @@ void add_what(const Motor& f, const Instant& at) {
 
 void add_what(const Thrust& f, const Instant& at) {
   double part = 1;
-  if (at.time > at.cutoff) {
+  if (at.time >= at.cutoff) {
     part = f.decay > 0 ? std::exp((at.cutoff - at.time) / f.decay) : 0;
   }
   const BodyMotion& body = at.on();
@@ -125,7 +132,7 @@ void add_what(const Aerodynamic& f, const Instant& at) {
     pressure = f.density * speed * speed / 2;
   } else {
     if (f.dynamic_pressure.at.empty()) return;
-    pressure = f.dynamic_pressure(at.time - at.begin);
+    pressure = f.dynamic_pressure(at.time, at.begin);
   }
   const Vector3d axis = body.rotation * f.axis;
   const Vector3d across = flow - flow.dot(axis) * axis;
@@ -142,7 +149,7 @@ void add_what(const Aerodynamic& f, const Instant& at) {
   at.force().moment += force * f.length * c(f.moment) * axis.cross(normal);
 }
 
-// Times at which the rows of a table have kinks.
+// Times at which the rows of a table have kinks and jumps.
 void add_rows(const std::vector<double>& at, double begin,
               std::vector<double>& breaks) {
   for (const double x : at) breaks.push_back(begin + x);

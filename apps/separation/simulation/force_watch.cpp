@@ -45,9 +45,10 @@ Fault find_fault(const Force& force, const Simulation& simulation,
   const BodyMotion& carrier = sample.carrier();
   const BodyMotion& body = sample.motions()[force.body];
   if (const auto* pusher = std::get_if<Pusher>(&force.what)) {
-    return begins ? fault_of(*pusher, carrier, body,
-                             sample.mode(force.body - 1) == HingeMode::released)
-                  : Fault::none;
+    // Where the middle of a fixed carrier is nobody says.
+    const bool is_free = sample.mode(force.body - 1) == HingeMode::released &&
+                         !simulation.of().carrier.fixed;
+    return begins ? fault_of(*pusher, carrier, body, is_free) : Fault::none;
   }
   const auto* spring = std::get_if<Spring>(&force.what);
   if (spring == nullptr || !(spring->stiffness > 0)) return Fault::none;

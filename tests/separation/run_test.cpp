@@ -1,0 +1,465 @@
+// Whole runs of hinge-separation against closed forms.
+#include <gtest/gtest.h>
+
+#include <Eigen/Core>
+#include <cmath>
+#include <cstring>
+#include <string>
+#include <utility>
+
+#include "libcontact/base/units.hpp"
+#include "separation/case/case_reader.hpp"
+#include "separation/output/summary.hpp"
+#include "separation/record/run_case.hpp"
+
+namespace {
+
+using Eigen::Vector3d;
+using separation::Case;
+using separation::Outcome;
+using separation::parse_case;
+using separation::Rows;
+using separation::run_case;
+
+constexpr double degree = contact::degree;
+const std::string pin_joint = CONTACT_DATA_DIR "/joints/pin_joint.toml";
+const std::string ball_joint =
+    CONTACT_DATA_DIR "/joints/spherical_plain_bearing.toml";
+
+double value(const Rows& rows, std::size_t row, const std::string& column) {
+  return rows.at(row, rows.column(column));
+}
+
+// NAMEx_UNIT, NAMEy_UNIT and NAMEz_UNIT.
+Vector3d vector(const Rows& rows, std::size_t row, const std::string& name,
+                const std::string& unit) {
+  return {value(rows, row, name + "x_" + unit),
+          value(rows, row, name + "y_" + unit),
+          value(rows, row, name + "z_" + unit)};
+}
+
+// A balanced wheel of 20 kg and 2 kg m^2 on a horizontal pin along y, on a
+// carrier that is turned and held. Its reaction is its weight, so the friction
+// moment on it is constant, against its turn.
+Case wheel() {
+  return parse_case(R"(
+name = "wheel"
+gravity_m_per_s2 = [0, 0, -10]
+run = { end_time_s = 0.5, output_step_s = 0.01 }
+[carrier]
+name = "base"
+mass_kg = 100
+principal_inertia_kg_m2 = [1, 1, 1]
+start = { rotation_deg = [0, 0, 90] }
+drive = { acceleration_m_per_s2 = [0, 0, 0] }
+[[body]]
+name = "wheel"
+mass_kg = 20
+principal_inertia_kg_m2 = [2, 3, 3]
+start = { angle_deg = 20, rate_deg_per_s = 200 }
+[body.hinge]
+kind = "axis"
+axis = [1, 0, 0]
+carrier_point_m = [1, 2, 3]
+zero_rotation_deg = [10, 0, 0]
+[[body.hinge.joint]]
+file = ")" + pin_joint + "\"\n",
+                    "c.toml");
+}
+
+TEST(HistoryVectors, ActOnTheBodyAndStandInInertialAxes) {
+  const Outcome outcome = run_case(wheel(), {});
+  ASSERT_EQ(outcome.failure, "");
+  const Rows& rows = outcome.memory.rows;
+  const double first = value(rows, 0, "wheel.friction_moment_N_m");
+  ASSERT_GT(first, 0.3);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    ASSERT_GT(value(rows, i, "wheel.rate_deg_per_s"), 0);
+    // To rounding and the tolerance of the outer loop.
+    const Vector3d force = vector(rows, i, "wheel.reaction_", "N");
+    EXPECT_LE((force - Vector3d(0, 0, 200)).norm(), 200e-12) << force;
+    const Vector3d moment = vector(rows, i, "wheel.friction_moment_", "N_m");
+    EXPECT_LE((moment - Vector3d(0, -first, 0)).norm(), 1e-9 * first) << moment;
+  }
+}
+
+// What friction takes out of the motion is positive.
+TEST(FrictionWork, IsPositiveAndWhatTheMotionLoses) {
+  const Case c = wheel();
+  const Outcome outcome = run_case(c, {});
+  const Rows& rows = outcome.memory.rows;
+  const double moment = value(rows, 0, "wheel.friction_moment_N_m");
+  const auto turned = [&](std::size_t row) {
+    return (value(rows, row, "wheel.angle_deg") - 20) * degree;
+  };
+  double before = 0;
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    const double work = value(rows, i, "wheel.friction_work_J");
+    EXPECT_GT(work, before);
+    before = work;
+    // To the tolerance of the steps, 1e-8 for angles.
+    EXPECT_NEAR(work, moment * turned(i), 1e-8 * moment);
+    EXPECT_NEAR(
+        work,
+        value(rows, 0, "energy.kinetic_J") - value(rows, i, "energy.kinetic_J"),
+        1e-8 * moment);
+    EXPECT_EQ(work, value(rows, i, "energy.dissipated_J"));
+  }
+  EXPECT_EQ(separation::summary(c, outcome)["bodies"][0]["work_of_friction_J"],
+            before);
+}
+
+TEST(HistoryVectors, HaveTheLengthsOfTheOtherColumns) {
+  for (const std::string name : {"soyuz", "platform"}) {
+    Case c = separation::read_case(CONTACT_DATA_DIR "/cases/" + name + ".toml");
+    c.clearance.clear();
+    const Outcome outcome = run_case(c, {});
+    const Rows& rows = outcome.memory.rows;
+    double largest_lock = 0;
+    for (const separation::Body& body : c.bodies) {
+      const std::string column = separation::column_name(body.rigid.name);
+      const auto expect_length = [&](std::size_t row, const std::string& what,
+                                     const std::string& unit) {
+        const double length = value(rows, row, column + what + "_" + unit);
+        EXPECT_NEAR(vector(rows, row, column + what + "_", unit).norm(), length,
+                    1e-13 * length);
+        return length;
+      };
+      for (std::size_t i = 0; i < rows.size(); ++i) {
+        expect_length(i, ".reaction", "N");
+        expect_length(i, ".friction_moment", "N_m");
+        largest_lock =
+            std::max(largest_lock, expect_length(i, ".lock_reaction", "N"));
+      }
+    }
+    EXPECT_GT(largest_lock, 0) << name;
+  }
+}
+
+// A stone alone in space, and two of them: thrown, pushed and turning about a
+// principal axis.
+TEST(WithoutHinges, BodiesFlyOnParabolas) {
+  const std::string file = R"(
+name = "stones"
+gravity_m_per_s2 = [0, 0, -10]
+run = { end_time_s = 2 }
+[carrier]
+name = "stone"
+mass_kg = 2
+principal_inertia_kg_m2 = [1, 2, 3]
+[carrier.start]
+velocity_m_per_s = [1, 2, 3]
+angular_velocity_rad_per_s = [0, 0, 0.3]
+[[force]]
+name = "push"
+body = "stone"
+kind = "applied"
+axes = "inertial"
+force_N = [0, 4, 0]
+)";
+  const std::string other = R"(
+[[body]]
+name = "other"
+mass_kg = 5
+principal_inertia_kg_m2 = [1, 1, 1]
+start = { position_m = [9, 0, 0], velocity_m_per_s = [0, 1, 0] }
+)";
+  for (const std::string& more : {std::string(), other}) {
+    const Case c = parse_case(file + more, "c.toml");
+    const Outcome outcome = run_case(c, {});
+    ASSERT_EQ(outcome.failure, "");
+    const Rows& rows = outcome.memory.rows;
+    const std::size_t last = rows.size() - 1;
+    EXPECT_EQ(last, 200U);
+    const auto place = [&](const std::string& body) {
+      return vector(rows, last, body + ".", "m");
+    };
+    // Parabolas are exact but for rounding.
+    EXPECT_LE((place("stone") - Vector3d(2, 8, -14)).norm(), 1e-12);
+    EXPECT_NEAR(2 * std::acos(value(rows, last, "stone.qw")), 0.6, 1e-8);
+    EXPECT_LE(outcome.memory.largest_drift, 1e-8 * 300);
+    EXPECT_EQ(separation::summary(c, outcome)["bodies"].size(),
+              more.empty() ? 0U : 1U);
+    if (more.empty()) continue;
+    EXPECT_LE((place("other") - Vector3d(9, 2, -20)).norm(), 1e-12);
+  }
+}
+
+// Forces that jump three times, at times that rounding does not hit: momentum
+// and place are those of the table's integrals, to rounding.
+class TimeTables : public testing::TestWithParam<std::string> {};
+INSTANTIATE_TEST_SUITE_P(Integrators, TimeTables,
+                         testing::Values("adaptive", "rk4"));
+
+TEST_P(TimeTables, JumpsGiveTheImpulseOfTheTable) {
+  const Case c = parse_case(R"(
+name = "stone"
+run = { end_time_s = 1.5, output_step_s = 0.05, integrator = ")" +
+                                GetParam() + R"(" }
+[carrier]
+name = "stone"
+mass_kg = 2
+principal_inertia_kg_m2 = [1, 1, 1]
+[[force]]
+name = "push"
+body = "stone"
+kind = "applied"
+starts_at_s = 0.1
+time_s = [0, 0.2, 0.2, 0.7, 0.7, 1.1, 1.1]
+force_N = [[3, 0, 0], [5, 0, 0], [-2, 0, 0], [-2, 0, 0], [7, 0, 0], [0, 0, 0],
+           [1, 0, 0]]
+)",
+                            "c.toml");
+  const Outcome outcome = run_case(c, {});
+  ASSERT_EQ(outcome.failure, "");
+  // Of the pieces: from, to, force at both ends.
+  constexpr double pieces[][4] = {
+      {0.1, 0.3, 3, 5}, {0.3, 0.8, -2, -2}, {0.8, 1.2, 7, 0}, {1.2, 9, 1, 1}};
+  const Rows& rows = outcome.memory.rows;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const double time = value(rows, i, "time_s");
+    double impulse = 0;
+    double moved = 0;  // times the mass
+    for (const auto& [from, to, first, last] : pieces) {
+      if (time <= from) break;
+      const double t = std::min(time, to) - from;
+      const double slope = (last - first) / (to - from);
+      moved += impulse * t + first * t * t / 2 + slope * t * t * t / 6;
+      impulse += first * t + slope * t * t / 2;
+    }
+    EXPECT_NEAR(value(rows, i, "stone.vx_m_per_s"), impulse / 2, 1e-13);
+    EXPECT_NEAR(value(rows, i, "stone.x_m"), moved / 2, 1e-13);
+  }
+}
+
+// The carrier stays where it is, but for the rounding of dense output, and so
+// does the energy.
+void expect_fixed_carrier(const Outcome& outcome) {
+  ASSERT_EQ(outcome.failure, "");
+  const Rows& rows = outcome.memory.rows;
+  const auto expect_same = [&](std::size_t row, const std::string& name,
+                               const std::string& unit) {
+    const Vector3d first = vector(rows, 0, name, unit);
+    EXPECT_LE((vector(rows, row, name, unit) - first).norm(),
+              1e-15 * first.norm());
+  };
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    expect_same(i, "ground.", "m");
+    expect_same(i, "ground.v", "m_per_s");
+    expect_same(i, "ground.w", "rad_per_s");
+  }
+  // Some 100 steps at tolerances of 1e-8.
+  EXPECT_LE(outcome.memory.largest_drift, 1e-7 * outcome.memory.largest_energy);
+}
+
+// For hours, under gravity and turned so that rounding has its part in the
+// forces: 1e-15 of them would make 5e-7 m.
+TEST(FixedCarrier, DoesNotDrift) {
+  const Outcome outcome = run_case(parse_case(R"(
+name = "wheel"
+gravity_m_per_s2 = [1, -2, -10]
+run = { end_time_s = 3e4 }
+[carrier]
+name = "ground"
+fixed = true
+start = { position_m = [1, 2, 3], rotation_deg = [10, 20, 30] }
+[[body]]
+name = "wheel"
+mass_kg = 4
+principal_inertia_kg_m2 = [0.1, 0.5, 0.6]
+hinge = { kind = "axis", axis = [0, 0, 1] }
+start = { rate_deg_per_s = 1 }
+)",
+                                              "c.toml"),
+                                   {});
+  expect_fixed_carrier(outcome);
+}
+
+// On a pin along z, of a turned carrier; angle 0 is upwards, along y.
+TEST(FixedCarrier, PhysicalPendulumOnAPin) {
+  Case c = parse_case(R"(
+name = "pendulum"
+gravity_m_per_s2 = [0, -10, 0]
+run = { end_time_s = 1 }
+[carrier]
+name = "ground"
+fixed = true
+start = { position_m = [1, 2, 3], rotation_deg = [0, 0, 90] }
+[[body]]
+name = "arm"
+mass_kg = 4
+com_m = [0.3, 0, 0]
+principal_inertia_kg_m2 = [0.1, 0.5, 0.6]
+hinge = { kind = "axis", axis = [0, 0, 1] }
+start = { angle_deg = 120 }
+)",
+                      "c.toml");
+  constexpr double mass = 4;
+  constexpr double arm = 0.3;
+  constexpr double stiffness = mass * 10 * arm / (0.6 + mass * arm * arm);
+  const double first = 60 * degree;  // from hanging
+  c.end_time =
+      4 * std::comp_ellint_1(std::sin(first / 2)) / std::sqrt(stiffness);
+  c.output_step = c.end_time / 200;
+  const Outcome outcome = run_case(c, {});
+  expect_fixed_carrier(outcome);
+  const Rows& rows = outcome.memory.rows;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const double angle = value(rows, i, "arm.angle_deg") * degree;
+    const double from_hanging = angle - 180 * degree;
+    const double square =
+        2 * stiffness * (std::cos(from_hanging) - std::cos(first));
+    const double acceleration = -stiffness * std::sin(from_hanging);
+    const Vector3d along(-std::sin(angle), std::cos(angle), 0);
+    const Vector3d across(-std::cos(angle), -std::sin(angle), 0);
+    const Vector3d reaction =
+        mass *
+        (arm * (acceleration * across - square * along) - Vector3d(0, -10, 0));
+    // Tolerances of the steps, some 100 of them.
+    EXPECT_NEAR(std::pow(value(rows, i, "arm.rate_deg_per_s") * degree, 2),
+                square, 1e-6);
+    EXPECT_LE((vector(rows, i, "arm.reaction_", "N") - reaction).norm(), 1e-6);
+    EXPECT_LE(
+        (vector(rows, i, "arm.", "m") - Vector3d(1, 2, 3) - arm * along).norm(),
+        1e-12);
+  }
+  // After a whole period.
+  EXPECT_NEAR(value(rows, rows.size() - 1, "arm.angle_deg"), 120, 1e-6);
+}
+
+// On a ball, tilted by 30 deg and turning about the vertical at the rate at
+// which it stays so.
+TEST(FixedCarrier, ConicalPendulumOnABall) {
+  constexpr double mass = 4;
+  constexpr double arm = 0.3;
+  const double tilt = 30 * degree;
+  const double rate = std::sqrt(
+      mass * 10 * arm / ((0.5 + mass * arm * arm - 0.1) * std::cos(tilt)));
+  Case c = parse_case(R"(
+name = "pendulum"
+gravity_m_per_s2 = [0, 0, -10]
+run = { end_time_s = 3 }
+carrier = { name = "ground", fixed = true }
+[[body]]
+name = "arm"
+mass_kg = 4
+com_m = [0.3, 0, 0]
+principal_inertia_kg_m2 = [0.1, 0.5, 0.5]
+hinge = { kind = "ball" }
+start = { rotation_deg = [0, 60, 0] }
+)",
+                      "c.toml");
+  c.bodies[0].start.relative_angular_velocity =
+      rate * Vector3d(-std::cos(tilt), 0, std::sin(tilt));
+  const Outcome outcome = run_case(c, {});
+  expect_fixed_carrier(outcome);
+  const Rows& rows = outcome.memory.rows;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const double turned = rate * value(rows, i, "time_s");
+    const Vector3d out =
+        arm * std::sin(tilt) * Vector3d(std::cos(turned), std::sin(turned), 0);
+    const Vector3d place = out - Vector3d(0, 0, arm * std::cos(tilt));
+    const Vector3d reaction = mass * (Vector3d(0, 0, 10) - rate * rate * out);
+    // Tolerances of the steps, some 100 of them.
+    EXPECT_LE((vector(rows, i, "arm.", "m") - place).norm(), 1e-7);
+    EXPECT_LE((vector(rows, i, "arm.reaction_", "N") - reaction).norm(), 1e-5);
+  }
+}
+
+// What swings, turns and comes to rest on a carrier, with friction.
+std::string shaken(const std::string& carrier) {
+  std::string text = R"(
+name = "bodies"
+[run]
+end_time_s = 4
+relative_tolerance = 1e-11
+absolute_tolerance = 1e-11
+[carrier]
+name = "ground"
+)" + carrier + R"(
+[[body]]
+name = "arm"
+mass_kg = 40
+com_m = [0.3, 0, 0]
+principal_inertia_kg_m2 = [0.1, 0.5, 0.6]
+start = { angle_deg = -60 }
+[body.hinge]
+kind = "axis"
+axis = [0, 1, 0]
+joint = [{ file = "PIN" }]
+[[body]]
+name = "wheel"
+mass_kg = 40
+principal_inertia_kg_m2 = [0.5, 0.5, 0.5]
+start = { rate_deg_per_s = 30 }
+[body.hinge]
+kind = "axis"
+axis = [0, 1, 0]
+carrier_point_m = [0, -3, 0]
+joint = [{ file = "PIN" }]
+[[body]]
+name = "bob"
+mass_kg = 40
+com_m = [0.3, 0, 0]
+principal_inertia_kg_m2 = [0.1, 0.5, 0.6]
+start = { rotation_deg = [0, 20, 0], angular_velocity_rad_per_s = [0, 0, 2] }
+[body.hinge]
+kind = "ball"
+carrier_point_m = [0, 3, 0]
+joint = [{ file = "BALL" }]
+)";
+  for (const auto& [word, file] :
+       {std::pair("PIN", pin_joint), std::pair("BALL", ball_joint)}) {
+    for (auto at = text.find(word); at != text.npos; at = text.find(word)) {
+      text.replace(at, std::strlen(word), file);
+    }
+  }
+  for (const std::string body : {"arm", "wheel", "bob"}) {
+    text += "[[force]]\nname = \"weight of " + body + "\"\nbody = \"" + body +
+            "\"\nkind = \"applied\"\naxes = \"inertial\"\n"
+            "force_N = [0, 0, -400]\n";
+  }
+  return text;
+}
+
+// Under 1200 N and 1200 N m a carrier of 1e12 kg and 1e12 kg m^2 moves by
+// 1e-8 m in 4 s and turns as much.
+TEST(FixedCarrier, IsTheLimitOfAHeavyOne) {
+  const auto run = [](const std::string& carrier) {
+    return run_case(parse_case(shaken(carrier), "c.toml"), {});
+  };
+  const Outcome fixed = run("fixed = true");
+  const Outcome heavy =
+      run("mass_kg = 1e12\nprincipal_inertia_kg_m2 = [1e12, 1e12, 1e12]");
+  expect_fixed_carrier(fixed);
+  ASSERT_EQ(heavy.failure, "");
+  const Rows& a = fixed.memory.rows;
+  const Rows& b = heavy.memory.rows;
+  ASSERT_EQ(a.columns, b.columns);
+  ASSERT_EQ(a.size(), b.size());
+  constexpr double moved = 1e-8;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    for (const std::string body : {"arm", "wheel", "bob"}) {
+      EXPECT_EQ(value(a, i, body + ".mode"), value(b, i, body + ".mode"));
+      EXPECT_NEAR(value(a, i, body + ".angle_deg"),
+                  value(b, i, body + ".angle_deg"), moved / degree);
+      const auto difference = [&](const std::string& name,
+                                  const std::string& unit) {
+        return (vector(a, i, body + name, unit) -
+                vector(b, i, body + name, unit))
+            .norm();
+      };
+      EXPECT_LE(difference(".", "m"), 3 * moved);
+      // Of 1700 N and 3.3 N m at most.
+      EXPECT_LE(difference(".reaction_", "N"), 1700 * moved);
+      EXPECT_LE(difference(".friction_moment_", "N_m"), 3.3 * moved);
+    }
+  }
+  const std::size_t last = a.size() - 1;
+  EXPECT_EQ(value(a, 0, "wheel.mode"),
+            static_cast<int>(multibody::HingeMode::sliding));
+  EXPECT_EQ(value(a, last, "wheel.mode"),
+            static_cast<int>(multibody::HingeMode::resting));
+}
+
+}  // namespace
