@@ -15,7 +15,7 @@ do for [i = 1:2] {
   set bmargin at screen 0.2
   set tmargin at screen 0.9
   set title i == 1 ? 'pin in a hole' : 'ball in a seat'
-  set ylabel i == 1 ? 'pressure over P/ρ' : 'pressure over R_n/ρ^2'
+  set ylabel i == 1 ? 'pressure over P/(2ρ)' : 'pressure over R_n/(πρ^2)'
   if (i == 1) {
     unset key
   } else {

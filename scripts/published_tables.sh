@@ -19,13 +19,14 @@ cocr="230 0.3" polyethylene="1 0.4" bone="0.8 0.3" alumina="380 0.26"
 # LOAD: theta0_deg,p_peak_Pa,contact_area_m2 of joint.toml
 solve() {
   "$bin/hinge-pressure" --joint joint.toml --load "$1" --law exact \
-    --pressure exact --summary | tail -n 1 | cut -d, -f3,6,8
+    --pressure exact --summary \
+    --columns theta0_deg,p_peak_Pa,contact_area_m2 | tail -n 1
 }
 # LOAD: where its peak is, deg
 place() {
   "$bin/hinge-pressure" --joint joint.toml --load "$1" --law exact \
-    --pressure exact --points 2001 |
-    awk -F, 'NR > 1 && $5 > peak {peak = $5; at = $4} END {printf "%.1f", at}'
+    --pressure exact --points 2001 --columns theta_deg,p_exact_Pa |
+    awk -F, 'NR > 1 && $2 > peak {peak = $2; at = $1} END {printf "%.1f", at}'
 }
 # TEXT: the metal hip of joint.toml as a row
 metal() {
@@ -144,7 +145,9 @@ echo "|---|---|---|"
 echo "| SKF, published | 1 | 0.7 |"
 angles=20,40,60,70
 loads=$("$bin/hinge-angle" --joint ball --modulus-ratio 1 --law exact \
-  --inverse --theta0 $angles | tail -n +2 | cut -d, -f2 | paste -sd,)
+  --inverse --theta0 $angles --columns load_parameter_exact | tail -n +2 |
+  paste -sd,)
 "$bin/hinge-pressure" --joint ball --modulus-ratio 1 --law exact \
-  --pressure exact --load-parameter "$loads" --summary | tail -n +2 |
-  awk -F, '{printf "| %.0f | %.3f | %.3f |\n", $2, $10, $11}'
+  --pressure exact --load-parameter "$loads" --summary \
+  --columns theta0_deg,sigma_Y_0,sigma_Z_90 | tail -n +2 |
+  awk -F, '{printf "| %.0f | %.3f | %.3f |\n", $1, $2, $3}'

@@ -22,7 +22,8 @@ a rigid seat, inf a rigid ball or pin.
 
 constexpr std::string_view load_help = R"(
 The load is one of
-  --load            normal force, N (ball) or N/m of length (pin)
+  --load            normal force, N; of a pin without a length N/m. A unit says
+                    it too: 20kN, 20kN/m
   --load-parameter  mu = 3 R_n/(2 ebar rho1^2 E) (ball) or
                     lambda = 2 P/(pi ebar rho1 E) (pin), with
                     E = 2/((1-nu1^2)/E1 + (1-nu2^2)/E2), ebar = EPS/R
@@ -38,26 +39,34 @@ Limit half-angle of arctan, tanh and blend: formula, linear (0.5 <= E1/E2 <= 2),
 or a value in degrees. A joint file may name the law, the limit half-angle
 and the pressure law; options go before it.
 
-Columns: load (N or N/m; not in dimensionless runs), load_parameter, x, then
-for each law
+Columns of several joints (--joint more than once, --set): joint, and the keys.
+Then load_N (load_N_per_m of a pin without a length; neither in dimensionless
+runs), load_parameter, x, and
+  p_nominal_Pa            what catalogues call bearing pressure: force over
+                          pi R^2 (ball), over 2 R L (pin)
+and for each law
   theta0_LAW_deg          half-angle of the contact, degrees
-  p_peak_LAW_Pa           peak pressure, Pa, or in dimensionless runs
-  p_peak_LAW_over_mean    over the mean R_n/R^2 (ball) or P/R (pin)
-With another pressure law than cosine: p_peak_LAW_by_PRESSURE_Pa. The law exact
-of a joint with a size has two more,
+  p_peak_LAW_by_PRESSURE_Pa  peak pressure, Pa, by a pressure law: exact unless
+                          the joint or --pressure names another; of hertz
+                          Hertz' own. In dimensionless runs
+  p_peak_LAW_by_PRESSURE_over_nominal
+                          over the nominal pressure
+The law exact of a joint with a size has two more,
   approach_m              how far the load presses the bodies together, from
                           first touch
-  stiffness_N_per_m       d load/d approach; pin: stiffness_N_per_m2
+  stiffness_N_per_m       d load/d approach; loads per length: _N_per_m2
 They are empty for a pin in an infinite hole, which gives way without end, for
 loading through the back and without load.
-With --inverse: theta0_deg, then for each law load_LAW, load_parameter_LAW,
-x_LAW and the others. Where a law has no value (hertz for x > 1) the
-cell is empty, in JSON null.
+With --inverse: theta0_deg, then for each law load_LAW_N, load_parameter_LAW,
+x_LAW, p_nominal_LAW_Pa and the others. Where a law has no value (hertz for
+x > 1) the cell is empty, in JSON null.
+A peak above 5 % of the smaller Young's modulus or above the limit_pressure of a
+material, and half-angles beyond the limit of the materials are warned of.
 
 With --compare one row for each law (all unless --law names some), between the
 smallest and the largest load given, without one from 1e-6 to 1e8 of the load
 parameter: error_percent, the largest difference from the exact half-angle at
-the same load (inf if the law has no value); load, load_parameter,
+the same load (inf if the law has no value); load_N, load_parameter,
 theta0_exact_deg and theta0_law_deg where that is; cost_tanh, one half-angle as
 a multiple of a std::tanh, roughly; recommended: yes for the cheapest law
 within --tolerance. The picture of --plot has the errors below the half-angles
@@ -73,6 +82,7 @@ Examples:
   hinge-angle --compare --joint data/joints/hip_cocr_uhmwpe.toml --load 100:5000:log50 --format markdown
   hinge-angle --joint ball --modulus-ratio 2 --poisson1 0.4 --x 0.01:100:log200 --law all --output ball.csv --plot ball.svg
   hinge-angle --joint pin --modulus-ratio 1 --inverse --theta0 0:80:20 --format json
+  hinge-angle --joint data/joints/hip_cocr_uhmwpe.toml --set geometry.radial_clearance_um=50,100,150 --load 500:3000:500 --plot hips.svg
 
 )";
 

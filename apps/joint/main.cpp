@@ -75,7 +75,8 @@ in the others; with --trace all steps of the inner loops are printed.
 columns joint (name in the joint file), table (solution, trace, outer, inner),
 row (from 1), column, value.
 
-Columns: law and pressure (names), state (sliding, resting, unloaded; with
+Columns: joint and the keys of --set if there are several joints, law and
+pressure (names), state (sliding, resting, unloaded; with
 --moment-xyz holds or slips), status (ok, out_of_range, not_converged), then
 )";
 

@@ -26,29 +26,32 @@ elasticity for this pair), or all (default). Each carries the whole load.
 
 constexpr std::string_view column_help = R"(
 Columns, a row for each angle from the centre of the contact to its edge:
-  load                load, N or N/m; not in dimensionless runs
+  joint, KEY          of several joints (--joint more than once, --set)
+  load_N              load (load_N_per_m: of a pin without a length); not in
+                      dimensionless runs
   load_parameter      mu or lambda
   theta0_deg          half-angle of the contact
   loading             back:PSI; not with a force at the centre
   theta_deg           angle from the centre of the contact
   p_LAW_Pa            pressure, Pa, or in dimensionless runs
-  p_LAW_over_mean     over the mean R_n/R^2 (ball) or P/R (pin)
-With --summary a row for each load and pressure law: load, load_parameter,
+  p_LAW_over_nominal  over the nominal pressure: force over pi R^2 (ball), over
+                      2 R L (pin)
+With --summary a row for each load and pressure law: load_N, load_parameter,
 theta0_deg, law (of the half-angle), pressure (the law), p_peak_Pa, p_mean_Pa
-(or _over_mean), contact_area_m2 or contact_width_m (dimensionless:
+(or _over_nominal), p_nominal_Pa, contact_area_m2 or contact_width_m (dimensionless:
 contact_area_over_R2, contact_width_over_R), S (sum of the pressures over the
 force that they carry); for a ball the friction coefficients chi_0 (force),
 sigma_Y_0 (moment) of pure sliding and sigma_Z_90 (moment) of pure spinning.
 A joint with a size and the half-angle law exact has approach_m too, how far the
 load presses the two bodies together from first touch, and the stiffness there,
-stiffness_N_per_m or, for a pin, whose loads are per length,
-stiffness_N_per_m2. Both are empty for a pin in an infinite hole, which gives
-way without end, for loading through the back and without load.
+stiffness_N_per_m or, if loads are per length, stiffness_N_per_m2. Both are empty
+for a pin in an infinite hole, which gives way without end, for loading through
+the back and without load.
 Where a law has no value the cell is empty, in JSON null.
 
 Examples:
   hinge-pressure --joint data/joints/hip_cocr_uhmwpe.toml --load 500,2000 --summary --format markdown
-  hinge-pressure --joint data/joints/pin_joint.toml --load 1e6 --law exact --points 21
+  hinge-pressure --joint data/joints/pin_joint.toml --load 50kN --law exact --points 21
   hinge-pressure --joint ball --modulus-ratio 0 --x 1.5 --pressure cosine,exact --output ball.csv --plot ball.svg
 
 )";

@@ -218,7 +218,8 @@ TEST(HingeAngle, Fits) {
   const ProgramFolder folder;
   const std::string materials = "data/materials/steel_bronze.toml";
   const std::string load = " --load 1e5 --law fitted,exact";
-  const std::string pin = "hinge-angle --joint pin --pair " + materials + load;
+  const std::string pin =
+      "hinge-angle --joint pin --length 40mm --pair " + materials + load;
   const struct {
     std::string option, key, radial_um, said;
   } clearances[] = {

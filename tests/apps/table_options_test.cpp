@@ -25,13 +25,13 @@ void PrintTo(const Run& run, std::ostream* to) { *to << run.command; }
 const std::vector<Run> runs = {
     {"hinge-angle --joint data/joints/hip_cocr_uhmwpe.toml --load "
      "100:2000:log3",
-     {"theta0_fitted_deg", "load"}},
+     {"theta0_fitted_deg", "load_N"}},
     {"hinge-angle --compare --joint data/joints/hip_cocr_uhmwpe.toml "
      "--load 100:2000:log3",
      {"recommended", "law"}},
     {"hinge-pressure --joint data/joints/hip_cocr_uhmwpe.toml --load 2000 "
      "--points 3",
-     {"theta_deg", "p_exact_Pa", "load"}},
+     {"theta_deg", "p_exact_Pa", "load_N"}},
     {"hinge-table --theta0 10,20 --alpha 0,30", {"chi", "theta0_deg"}},
     {"printf 'theta0_deg,alpha_deg,t\\n40,15,0.5\\n' | hinge-table --points -",
      {"t", "chi"}},
