@@ -129,7 +129,7 @@ for insert in 3 5 8; do
     --columns theta0_hertz_deg | tail -n 1 |
     awk -v insert=$insert -v exact="$exact" '{
       pi = atan2(0, -1)
-      split(exact, is)
+      split(exact, is, ",")
       radius = 14e-3 * $1 * pi / 180
       printf "| %s | %+.1f %% | %+.1f %% |\n", insert,
         100 * (14e-3 * sin(is[1] * pi / 180) / radius - 1),
