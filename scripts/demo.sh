@@ -40,8 +40,8 @@ half_angle() { # NAME LOADS
     --law all \
     --output "$out/half_angle_$1.csv" $(picture "half_angle_$1")
 }
-half_angle hip_cocr_uhmwpe 1:5000:log100
-half_angle spherical_plain_bearing 10:1e6:log100
+half_angle hip_cocr_uhmwpe_infinite 1:5000:log100
+half_angle spherical_plain_bearing_infinite 10:1e6:log100
 half_angle pin_joint 50:5e6:log100
 hinge-angle --joint ball --pair data/materials/steel_bronze.toml \
   --radius 50mm --clearance 50um --load 1e3:1e7:log100 \
@@ -90,7 +90,7 @@ hinge-separation data/cases/soyuz.toml --output "$out/soyuz.json" \
 } >"$out/separation_comparison.md"
 
 echo "Pressure of a hip joint"
-hinge-pressure --joint data/joints/hip_cocr_uhmwpe.toml --load 2000 \
+hinge-pressure --joint data/joints/hip_cocr_uhmwpe_infinite.toml --load 2000 \
   --output "$out/pressure_hip.csv" $(picture pressure_hip)
 
 if command -v gnuplot >/dev/null; then

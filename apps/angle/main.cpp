@@ -79,7 +79,7 @@ Examples:
   hinge-angle --joint pin --pair data/materials/steel_bronze.toml --diameter 50mm --hole H7 --shaft g6 --load 1e5
   hinge-angle --joint ball --modulus-ratio 0 --limit-angle 92.5 --x 0:2:0.5 --law tanh --format markdown
   hinge-angle --joint data/joints/paper_example_1.toml --load 1e4:1e6:log9 --law hertz,arctan,tanh
-  hinge-angle --compare --joint data/joints/hip_cocr_uhmwpe.toml --load 100:5000:log50 --format markdown
+  hinge-angle --compare --joint data/joints/hip_cocr_uhmwpe_infinite.toml --load 100:5000:log50 --format markdown
   hinge-angle --joint ball --modulus-ratio 2 --poisson1 0.4 --x 0.01:100:log200 --law all --output ball.csv --plot ball.svg
   hinge-angle --joint pin --modulus-ratio 1 --inverse --theta0 0:80:20 --format json
   hinge-angle --joint data/joints/hip_cocr_uhmwpe.toml --set geometry.radial_clearance_um=50,100,150 --load 500:3000:500 --plot hips.svg

@@ -95,7 +95,7 @@ Examples:
   hinge-joint --joint data/joints/paper_example_1.toml --normal-force 2e5 --alpha 30 --summary --beside data/reference/paper_examples.csv
   hinge-joint --joint data/joints/paper_example_1.toml --reaction 2.63e5 --beta 67.6 --trace --beside data/reference/paper_examples.csv
   hinge-joint --joint data/joints/paper_example_2.toml --reaction-xyz 1.122e6,3.23e5,0 --rate-xyz 0,0,1 --outer 0,-0.026,0 --joints 2 --braking=-6.5e-6 --inner-steps 4,3 --beside data/reference/paper_examples.csv --format markdown
-  hinge-joint --joint data/joints/hip_cocr_uhmwpe.toml --law tanh --reaction 10:5000:log50 --beta 30,60,90 --output hip.csv
+  hinge-joint --joint data/joints/hip_cocr_uhmwpe.toml --reaction 10:5000:log50 --beta 30,60,90 --output hip.csv
   hinge-joint --joint ball --pair data/materials/steel_bronze.toml --radius 50mm --clearance 50um --friction 0.15 --law tanh --reaction-xyz 1e5,2e4,0 --moment-xyz 300,0,500 --format json
   hinge-joint --joint data/joints/pin_joint.toml --reaction 2e4 --measured-moment 40 --summary
   hinge-joint --joint data/joints/pin_joint.toml --law hertz,blend --reaction 1e3,1e4

@@ -21,6 +21,7 @@
 #include "cli/refuse.hpp"
 #include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
+#include "libcontact/pressure/validity.hpp"
 #include "separation/case/case_reader.hpp"
 #include "separation/output/compare.hpp"
 #include "separation/output/history_file.hpp"
@@ -191,6 +192,24 @@ void print_validity(const Case& c) {
   for (const std::string& note : notes) cli::warn(program, note);
 }
 
+// Joints whose largest contact leaves the theory or what its materials bear.
+void print_contacts(const Case& c, const Outcome& outcome) {
+  std::set<std::string> notes;
+  for (std::size_t b = 0; b < c.bodies.size(); ++b) {
+    const auto& joints = c.bodies[b].hinge.joints;
+    for (std::size_t j = 0; j < joints.size(); ++j) {
+      const JointPeaks& peaks = outcome.memory.bodies[b].joints[j];
+      const contact::JointContact& contact = joints[j].contact;
+      for (const std::string& note :
+           contact_notes(contact.geometry().kind(), contact.pair(),
+                         peaks.half_angle, peaks.pressure)) {
+        notes.insert(fmt::format("joint {}: {}", joints[j].joint.name, note));
+      }
+    }
+  }
+  for (const std::string& note : notes) cli::warn(program, note);
+}
+
 void print_overlaps(const Case& c, const Outcome& outcome) {
   for (std::size_t i = 0; i < c.clearance.size(); ++i) {
     const PairRecord& pair = outcome.memory.pairs[i];
@@ -332,6 +351,7 @@ cli::ExitStatus simulate(const Case& c, const Options& o) {
     status = cli::some_bad;
   }
   print_faults(c, outcome);
+  print_contacts(c, outcome);
   print_overlaps(c, outcome);
   print_drift(c, outcome);
   // What one file has no room for costs the others nothing.

@@ -18,6 +18,8 @@
 namespace hinge_table {
 namespace {
 
+constexpr std::string_view papers_pressure = "cosine";
+
 using Pressure = std::shared_ptr<const contact::PressureLaw>;
 
 MethodFunction exact(const Pressure& pressure) {
@@ -63,7 +65,7 @@ MethodFunction pointwise(PointMethod function) {
 
 #ifdef CONTACT_WITH_REFERENCE
 MethodFunction quadrature(double tolerance, const Pressure& pressure) {
-  const bool cosine = pressure->name() == contact::default_pressure_law;
+  const bool cosine = pressure->name() == papers_pressure;
   return [tolerance, pressure, cosine](const Points& points,
                                        const Columns& columns) {
     std::size_t missed = 0;
@@ -103,7 +105,7 @@ Method find_method(const std::string& name, double tolerance,
   };
   MethodFunction function = cli::choice("--method", name, methods);
   if ((name == "elliptic" || name == "planar" || name == "cosine") &&
-      pressure->name() != contact::default_pressure_law) {
+      pressure->name() != papers_pressure) {
     cli::refuse_without(
         cli::given("--method", name),
         fmt::format("the pressure cosine; {} goes with exact, quadrature, "

@@ -72,15 +72,11 @@ cli::Joint make_ball(const cli::JointOptions& options) {
   return ball;
 }
 
-// The name of a quantity; those that depend on the pressure say on which if it
-// is not the cosine pressure.
+// The name of a quantity; those that depend on the pressure say on which.
 std::string quantity_name(std::size_t quantity, const Method& method) {
   const std::string_view name = quantities[quantity];
-  if (method.pressure == contact::default_pressure_law ||
-      name.ends_with("_a")) {
-    return std::string(name);
-  }
-  return fmt::format("{}_{}", name, method.pressure);
+  return name.ends_with("_a") ? std::string(name)
+                              : fmt::format("{}_{}", name, method.pressure);
 }
 
 std::vector<std::string> column_names(const Method& method,
@@ -235,11 +231,8 @@ std::string draw(const Grid& grid, const Method& method, std::size_t quantity,
   const cli::Sweep& family = over_alpha ? grid.theta0 : grid.alpha;
 
   cli::LinePlot plot;
-  plot.title =
-      fmt::format("{}, method {}", quantities[quantity], options.method);
-  if (method.pressure != contact::default_pressure_law) {
-    plot.title += ", pressure " + method.pressure;
-  }
+  plot.title = fmt::format("{}, method {}, pressure {}", quantities[quantity],
+                           options.method, method.pressure);
   if (!joint.empty()) plot.title += ", " + joint;
   plot.x_label =
       over_alpha ? "slip axis angle α, deg" : "contact half-angle θ₀, deg";

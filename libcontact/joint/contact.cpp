@@ -28,7 +28,7 @@ JointContact::JointContact(JointGeometry geometry, ElasticPair pair,
                            FrictionModel friction,
                            std::shared_ptr<const HalfAngleLaw> half_angle_law,
                            std::shared_ptr<const PressureLaw> pressure_law)
-    : geometry_(std::move(geometry)),
+    : geometry_(geometry),
       pair_(std::move(pair)),
       friction_(friction),
       half_angle_law_(std::move(half_angle_law)),

@@ -13,7 +13,7 @@
 namespace contact {
 
 /// The law of joints that name none, whose materials are known.
-inline constexpr std::string_view default_pressure_law = "cosine";
+inline constexpr std::string_view default_pressure_law = "exact";
 
 /// Names that make_pressure_law() knows: cosine, sqrt_tan, sqrt_theta,
 /// mixture, exact.

@@ -31,13 +31,14 @@ class ComparedJoints : public testing::Test {
   }
 
   ProgramFolder folder_;
-  const std::string hip_ = " --joint data/joints/hip_cocr_uhmwpe.toml ";
+  const std::string hip_ =
+      " --joint data/joints/hip_cocr_uhmwpe_infinite.toml ";
 };
 
 // Every key in its own unit, in the place of the file's; the rows are those of
 // files that say so.
 TEST_F(ComparedJoints, RowsAreThoseOfTheirFiles) {
-  std::string text = folder_.read("data/joints/hip_cocr_uhmwpe.toml");
+  std::string text = folder_.read("data/joints/hip_cocr_uhmwpe_infinite.toml");
   const std::string in_file = "radial_clearance_um = 100";
   ASSERT_NE(text.find(in_file), std::string::npos);
   text.replace(text.find(in_file), in_file.size(),
@@ -59,7 +60,7 @@ TEST_F(ComparedJoints, RowsAreThoseOfTheirFiles) {
     }
     EXPECT_EQ(without(both, 1), expected) << program;
     const std::string files =
-        " --joint other.toml --joint data/joints/hip_cocr_uhmwpe.toml";
+        " --joint other.toml --joint data/joints/hip_cocr_uhmwpe_infinite.toml";
     const Rows named = rows(program + files);
     EXPECT_EQ(named[0][0], "joint");
     EXPECT_EQ(named[1][0], "\"hip, 28 mm CoCrMo head in UHMWPE\"");
@@ -69,7 +70,7 @@ TEST_F(ComparedJoints, RowsAreThoseOfTheirFiles) {
 
 TEST_F(ComparedJoints, AllCombinationsTheLastKeyFastest) {
   const Rows all = rows(
-      "hinge-angle --x 1 --joint data/joints/hip_cocr_uhmwpe_walled.toml "
+      "hinge-angle --x 1 --joint data/joints/hip_cocr_uhmwpe.toml "
       "--set 'wall.layer[1].thickness_mm=4:8:4' "
       "--set wall.backing=rigid,held");
   ASSERT_EQ(all.size(), 5u);

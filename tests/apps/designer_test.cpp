@@ -143,4 +143,40 @@ TEST_F(Designer, WarningsOfHalfAnglesBeyondTheLimit) {
   EXPECT_TRUE(warns(angle + "1,100", "limit half-angle of these materials"));
 }
 
+// The same of whole motions: a wheel of 20 kg on a pin of 1 mm by 1 mm.
+TEST_F(Designer, WarningsOfJointsOfMotions) {
+  folder_.write("case.toml", R"(
+name = "wheel"
+gravity_m_per_s2 = [0, 0, -10]
+run = { end_time_s = 0.1, output_step_s = 0.1 }
+[carrier]
+name = "ground"
+fixed = true
+[[body]]
+name = "wheel"
+mass_kg = 20
+principal_inertia_kg_m2 = [2, 3, 3]
+start = { rate_deg_per_s = 200 }
+[body.hinge]
+kind = "axis"
+axis = [0, 1, 0]
+[[body.hinge.joint]]
+name = "tiny"
+kind = "pin"
+geometry = { radius_mm = 1, radial_clearance_um = 1, length_mm = 1 }
+friction = { coefficient = 0.1 }
+materials = { inner = { youngs_modulus_GPa = 200, poissons_ratio = 0.3 }, outer = { youngs_modulus_GPa = 1, poissons_ratio = 0.4, limit_pressure_MPa = 40 } }
+)");
+  const ProgramResult result =
+      run("hinge-separation case.toml --output out.json");
+  EXPECT_NE(result.err.find("joint tiny: peak pressure"), std::string::npos)
+      << result.err;
+  EXPECT_NE(result.err.find("MPa is above 40 MPa, the limit pressure of the "
+                            "outer body"),
+            std::string::npos);
+  const std::string summary = folder_.read("out.json");
+  EXPECT_NE(summary.find("\"pressure_law\": \"exact\""), std::string::npos);
+  EXPECT_NE(summary.find("\"half_angle_law\": \"fitted\""), std::string::npos);
+}
+
 }  // namespace

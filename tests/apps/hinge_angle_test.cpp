@@ -112,7 +112,7 @@ TEST(HingeAngle, DimensionlessRowsAreTheLibrarys) {
 
 TEST(HingeAngle, DimensionalRowsAreTheLibrarys) {
   for (const std::string file :
-       {"joints/pin_joint.toml", "joints/hip_cocr_uhmwpe.toml"}) {
+       {"joints/pin_joint.toml", "joints/hip_cocr_uhmwpe_infinite.toml"}) {
     const contact::JointSpec joint =
         contact::read_joint(std::string(CONTACT_DATA_DIR) + '/' + file);
     const ProgramResult result = ProgramFolder().run(
@@ -146,7 +146,7 @@ TEST(HingeAngle, ApproachAndStiffness) {
   // Of hinge-pressure's joint at 2 kN, back and forth; exact alone has them.
   const ProgramFolder folder;
   const std::string hip = "hinge-angle --joint data/joints/hip_cocr_uhmwpe";
-  const std::string walled = folder.run(hip + "_walled.toml --load 0,2000").out;
+  const std::string walled = folder.run(hip + ".toml --load 0,2000").out;
   const auto column = [](const std::string& csv, const std::string& name) {
     return csv_column(csv_rows(csv), name);
   };
@@ -155,15 +155,15 @@ TEST(HingeAngle, ApproachAndStiffness) {
   EXPECT_NEAR(approach, 45.7e-6, 5e-8);
   EXPECT_NEAR(std::stod(column(walled, "stiffness_N_per_m")[1]), 7.03e7, 5e4);
   const std::string back = folder
-                               .run(hip + "_walled.toml --inverse --theta0 " +
+                               .run(hip + ".toml --inverse --theta0 " +
                                     column(walled, "theta0_exact_deg")[1])
                                .out;
   EXPECT_NEAR(std::stod(column(back, "approach_m")[0]) / approach, 1, 1e-9);
   const std::string laws = " --load 2000 --law fitted,exact,hertz";
-  EXPECT_EQ(first_line(folder.run(hip + ".toml" + laws).out),
+  EXPECT_EQ(first_line(folder.run(hip + "_infinite.toml" + laws).out),
             "load_N,load_parameter,x,p_nominal_Pa,theta0_fitted_deg,"
-            "p_peak_fitted_by_cosine_Pa,theta0_exact_deg,"
-            "p_peak_exact_by_cosine_Pa,approach_m,stiffness_N_per_m,"
+            "p_peak_fitted_by_exact_Pa,theta0_exact_deg,"
+            "p_peak_exact_by_exact_Pa,approach_m,stiffness_N_per_m,"
             "theta0_hertz_deg,p_peak_hertz_by_hertz_Pa");
   const std::string pin =
       folder.run("hinge-angle --joint data/joints/pin_joint.toml" + laws).out;
@@ -364,7 +364,8 @@ TEST(HingeAngle, HertzBeyondItsRange) {
 
 TEST(HingeAngle, InverseGoesBack) {
   const ProgramFolder folder;
-  for (const std::string joint : {"pin_joint", "spherical_plain_bearing"}) {
+  for (const std::string joint :
+       {"pin_joint", "spherical_plain_bearing_infinite"}) {
     const std::string start =
         "hinge-angle --joint data/joints/" + joint + ".toml ";
     for (const std::string law : {"hertz", "arctan", "tanh", "blend:0.4"}) {
@@ -395,7 +396,7 @@ TEST(HingeAngle, InverseGoesBack) {
         }
       }
       const std::string by =
-          "p_peak_" + law + (law == "hertz" ? "_by_hertz_Pa" : "_by_cosine_Pa");
+          "p_peak_" + law + (law == "hertz" ? "_by_hertz_Pa" : "_by_exact_Pa");
       const auto peak = csv_column(there, by);
       const auto peak_back = csv_column(back, by);
       EXPECT_NEAR(std::stod(peak[8]), std::stod(peak_back[8]),
@@ -410,7 +411,7 @@ TEST(HingeAngle, InverseBeyondTheLimitHasNoValue) {
       "84,86 --law tanh");
   EXPECT_EQ(result.status, 0);
   EXPECT_EQ(first_line(result.out),
-            "theta0_deg,load_parameter_tanh,x_tanh,p_peak_tanh_by_cosine_over_"
+            "theta0_deg,load_parameter_tanh,x_tanh,p_peak_tanh_by_exact_over_"
             "nominal");
   EXPECT_EQ(csv_rows(result.out)[2],
             (std::vector<std::string>{"86", "", "", ""}));
@@ -623,7 +624,7 @@ TEST(HingeAngle, Plots) {
     GTEST_SKIP() << "gnuplot is not installed";
   }
   const ProgramResult result = folder.run(
-      "hinge-angle --joint data/joints/hip_cocr_uhmwpe.toml --load "
+      "hinge-angle --joint data/joints/hip_cocr_uhmwpe_infinite.toml --load "
       "10:5000:log50 --law hertz,arctan,tanh --plot hip.svg --output hip.csv");
   EXPECT_EQ(result.status, 0) << result.err;
   EXPECT_EQ(folder.files(), (std::vector<std::string>{"hip.csv", "hip.svg"}));

@@ -236,7 +236,9 @@ TEST(HingeJoint, OptionsDescribeTheJointOfAFile) {
   const ProgramFolder folder;
   const std::string state = " --law tanh --reaction 1e4 --beta 50";
   const std::string file =
-      folder.run("hinge-joint --joint data/joints/hip_cocr_uhmwpe.toml" + state)
+      folder
+          .run("hinge-joint --joint data/joints/hip_cocr_uhmwpe_infinite.toml" +
+               state)
           .out;
   EXPECT_EQ(csv_rows(file).size(), 2U);
   EXPECT_EQ(folder
@@ -288,8 +290,8 @@ TEST(HingeJoint, FiniteWalls) {
   const ProgramFolder folder;
   const std::string state = " --reaction-xyz 2e3,0,1e3 --rate-xyz 0,0,2 ";
   const std::string hip = "hinge-joint --joint data/joints/hip_cocr_uhmwpe";
-  const Columns table(folder.run(hip + "_walled.toml" + state));
-  const contact::JointSpec file = joint_file("hip_cocr_uhmwpe_walled");
+  const Columns table(folder.run(hip + ".toml" + state));
+  const contact::JointSpec file = joint_file("hip_cocr_uhmwpe");
   const auto& walls = file.conditions.walls.value();
   const contact::JointKind kind = contact::JointKind::ball;
   const contact::BallJoint joint(
@@ -300,7 +302,7 @@ TEST(HingeJoint, FiniteWalls) {
   EXPECT_EQ(table.text(1, "pressure"), "exact");
   expect_solution(table, 1, joint.solve({2e3, 0, 1e3}, {0, 0, 2}));
   const Columns infinite(
-      folder.run(hip + ".toml --law exact --pressure exact" + state));
+      folder.run(hip + "_infinite.toml --law exact --pressure exact" + state));
   EXPECT_LT(table.at(1, "theta0_deg"), 0.95 * infinite.at(1, "theta0_deg"));
   EXPECT_LT(table.at(1, "M_t_N_m"), infinite.at(1, "M_t_N_m"));
 }
@@ -310,15 +312,16 @@ TEST(HingeJoint, ApproachAndStiffness) {
   const ProgramFolder folder;
   const std::string hip = "hinge-joint --joint data/joints/hip_cocr_uhmwpe";
   const std::string state = " --normal-force 0,2000 --alpha 30";
-  const Columns walled(folder.run(hip + "_walled.toml" + state));
+  const Columns walled(folder.run(hip + ".toml" + state));
   EXPECT_NEAR(walled.at(2, "approach_m"), 45.7e-6, 5e-8);
   EXPECT_NEAR(walled.at(2, "stiffness_N_per_m"), 7.03e7, 5e4);
   EXPECT_EQ(walled.text(1, "approach_m"), "");
-  const Columns laws(folder.run(hip + ".toml --law fitted,exact" + state));
+  const Columns laws(
+      folder.run(hip + "_infinite.toml --law fitted,exact" + state));
   EXPECT_EQ(laws.text(3, "law"), "fitted");
   EXPECT_EQ(laws.text(3, "approach_m"), "");
   EXPECT_NEAR(laws.at(4, "approach_m"), 89.6e-6, 5e-8);
-  const Columns fitted(folder.run(hip + ".toml --law fitted" + state));
+  const Columns fitted(folder.run(hip + "_infinite.toml --law fitted" + state));
   EXPECT_EQ(fitted.names().back(), "contact_area_m2");
 
   folder.write("bush.toml",

@@ -72,10 +72,11 @@ TEST_P(RoundTrip, FindsTheFriction) {
 INSTANTIATE_TEST_SUITE_P(
     MeasuredMoment, RoundTrip,
     testing::Values(
-        Case{"hip_cocr_uhmwpe", "--reaction 2e3 --beta 90", "--law tanh"},
-        Case{"hip_cocr_uhmwpe", "--reaction 2e3 --beta 40",
+        Case{"hip_cocr_uhmwpe_infinite", "--reaction 2e3 --beta 90",
+             "--law tanh"},
+        Case{"hip_cocr_uhmwpe_infinite", "--reaction 2e3 --beta 40",
              "--law exact --pressure exact"},
-        Case{"hip_cocr_uhmwpe", "--normal-force 2e3 --alpha 30",
+        Case{"hip_cocr_uhmwpe_infinite", "--normal-force 2e3 --alpha 30",
              "--pressure sqrt_tan"},
         Case{"paper_example_1",
              "--reaction-xyz 1e5,2e4,-3e4 --rate-xyz 0.1,0.2,-3", "--law tanh"},
@@ -84,8 +85,7 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"pin_joint", "--reaction 100", "--law hertz"},
         Case{"pin_joint", "--reaction 2e5", "--law exact --pressure exact"},
         Case{"pin_joint", "--normal-force 2e5", "--pressure cosine"},
-        Case{"spherical_plain_bearing_walled", "--reaction 1e5 --beta 70",
-             ""}));
+        Case{"spherical_plain_bearing", "--reaction 1e5 --beta 70", ""}));
 
 // A pin without adhesion, by hand: tan g = f0 and f_M = f0 S cos g, so that
 // f0 = f_M/sqrt(S^2 - f_M^2).

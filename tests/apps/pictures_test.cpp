@@ -144,7 +144,8 @@ TEST(Pictures, NamesWithControlCharactersAreRefused) {
         "hinge-angle --x 1 --joint",
         "hinge-pressure --joint ball --modulus-ratio 1 --x 1 --plot",
         // NOLINTNEXTLINE(bugprone-suspicious-missing-comma): it is one command.
-        "hinge-joint --joint data/joints/hip_cocr_uhmwpe.toml --reaction "
+        "hinge-joint --joint data/joints/hip_cocr_uhmwpe_infinite.toml "
+        "--reaction "
         "1:9:1 --beta 30 --plot",
         "hinge-separation data/cases/slosh.toml --plot",
         "hinge-separation data/cases/slosh.toml --history",
@@ -160,7 +161,7 @@ TEST(Pictures, NamesWithControlCharactersAreRefused) {
     EXPECT_TRUE(folder.files().empty()) << run;
   }
   // Names within files too.
-  std::string joint = folder.read("data/joints/hip_cocr_uhmwpe.toml");
+  std::string joint = folder.read("data/joints/hip_cocr_uhmwpe_infinite.toml");
   folder.write("c.toml", "pair = \"a\\nb.toml\"\n" + joint);
   EXPECT_EQ(folder.run("hinge-angle --load 1 --joint c.toml").status, 2);
 }
@@ -175,7 +176,7 @@ TEST(Pictures, NamesAreShownAsTheyAre) {
     return text.replace(text.find(old), old.size(), by);
   };
   const std::string joint =
-      replaced(folder.read("data/joints/hip_cocr_uhmwpe.toml"),
+      replaced(folder.read("data/joints/hip_cocr_uhmwpe_infinite.toml"),
                "\"hip, 28 mm CoCrMo head in UHMWPE\"", toml(wild_joint));
   folder.write("j.toml", replaced(joint, "../", "data/"));
   const std::string slosh =
@@ -226,7 +227,8 @@ TEST(Pictures, LongLabelsAreCut) {
 TEST(Pictures, TitlesNameTheJoint) {
   const ProgramFolder folder;
   if (!have_gnuplot(folder)) GTEST_SKIP() << no_gnuplot;
-  const std::string joint = "--joint data/joints/hip_cocr_uhmwpe.toml ";
+  const std::string joint =
+      "--joint data/joints/hip_cocr_uhmwpe_infinite.toml ";
   const auto title = [&](const std::string& run, const std::string& expected) {
     EXPECT_EQ(folder.run(run + " --plot p.svg >/dev/null").status, 0) << run;
     EXPECT_TRUE(has(texts(folder.read("p.svg")), expected)) << run;
@@ -241,7 +243,7 @@ TEST(Pictures, TitlesNameTheJoint) {
   title("hinge-pressure --load 10 --pressure cosine " + joint,
         name + ", cosine");
   title("hinge-joint --reaction 1:9:1 --beta 30 " + joint,
-        name + ", β = 30°, law fitted, pressure cosine");
+        name + ", β = 30°, law fitted, pressure exact");
   title("hinge-table --theta0 45 --alpha 0:90:9 --pressure exact " + joint,
         "chi, method exact, pressure exact, " + name);
 }

@@ -23,19 +23,21 @@ struct Run {
 void PrintTo(const Run& run, std::ostream* to) { *to << run.command; }
 
 const std::vector<Run> runs = {
-    {"hinge-angle --joint data/joints/hip_cocr_uhmwpe.toml --load "
+    {"hinge-angle --joint data/joints/hip_cocr_uhmwpe_infinite.toml --load "
      "100:2000:log3",
      {"theta0_fitted_deg", "load_N"}},
-    {"hinge-angle --compare --joint data/joints/hip_cocr_uhmwpe.toml "
+    {"hinge-angle --compare --joint data/joints/hip_cocr_uhmwpe_infinite.toml "
      "--load 100:2000:log3",
      {"recommended", "law"}},
-    {"hinge-pressure --joint data/joints/hip_cocr_uhmwpe.toml --load 2000 "
+    {"hinge-pressure --joint data/joints/hip_cocr_uhmwpe_infinite.toml --load "
+     "2000 "
      "--points 3",
      {"theta_deg", "p_exact_Pa", "load_N"}},
-    {"hinge-table --theta0 10,20 --alpha 0,30", {"chi", "theta0_deg"}},
+    {"hinge-table --theta0 10,20 --alpha 0,30", {"chi_cosine", "theta0_deg"}},
     {"printf 'theta0_deg,alpha_deg,t\\n40,15,0.5\\n' | hinge-table --points -",
-     {"t", "chi"}},
-    {"hinge-joint --joint data/joints/hip_cocr_uhmwpe.toml --reaction 1,2 "
+     {"t", "chi_cosine"}},
+    {"hinge-joint --joint data/joints/hip_cocr_uhmwpe_infinite.toml --reaction "
+     "1,2 "
      "--beta 30",
      {"theta0_deg", "state", "R_N"}},
     {"hinge-joint --joint data/joints/paper_example_1.toml --reaction 2.63e5 "
@@ -105,7 +107,8 @@ std::size_t widest_line(const std::string& text) {
 TEST(PrintedTables, FitOnAPage) {
   const ProgramFolder folder;
   for (const std::string run :
-       {"hinge-joint --joint data/joints/hip_cocr_uhmwpe.toml --beta 30 "
+       {"hinge-joint --joint data/joints/hip_cocr_uhmwpe_infinite.toml --beta "
+        "30 "
         "--reaction 10:1000:log20",
         "hinge-table --theta0 5:90:5 --alpha 0:90:5",
         "hinge-angle --joint ball --modulus-ratio 1 --x 0.1:1:0.1 --law all",

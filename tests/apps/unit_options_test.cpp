@@ -19,7 +19,7 @@ void PrintTo(const Same& same, std::ostream* to) {
   *to << same.run << same.with;
 }
 
-const std::string hip = " --joint data/joints/hip_cocr_uhmwpe.toml ";
+const std::string hip = " --joint data/joints/hip_cocr_uhmwpe_infinite.toml ";
 const std::string pair = " --pair data/materials/steel_bronze.toml ";
 const std::string ball = pair + "--joint ball --clearance 50um --radius ";
 

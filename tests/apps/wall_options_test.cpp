@@ -26,7 +26,7 @@ class WallOptions : public testing::Test {
   }
 
   const ProgramFolder folder_;
-  const std::string hip_file_ = "data/joints/hip_cocr_uhmwpe_walled.toml ";
+  const std::string hip_file_ = "data/joints/hip_cocr_uhmwpe.toml ";
   const std::string hip_pair_ = "ball --pair data/materials/cocr_uhmwpe.toml ";
   const std::string hip_ = hip_pair_ +
                            "--radius 14mm --clearance 100um --wall 8mm "
@@ -52,7 +52,7 @@ TEST_F(WallOptions, MaterialOfAFile) {
   EXPECT_EQ(out(load + "ball --pair data/materials/steel_ptfe_liner.toml "
                        "--radius 17.5mm --clearance 15um --wall 0.4mm "
                        "--backing data/backings/carbon_steel.toml"),
-            out(load + "data/joints/spherical_plain_bearing_walled.toml"));
+            out(load + "data/joints/spherical_plain_bearing.toml"));
 }
 
 TEST_F(WallOptions, HeldPin) {

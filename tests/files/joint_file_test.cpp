@@ -437,17 +437,16 @@ TEST(DataFiles, TheWalledHip) {
         joint.geometry.pressure_unit(2000) * pressure->peak(half_angle) / 1e6,
         pressure->force_ratio(half_angle)};
   };
-  const auto walled = contact_of("hip_cocr_uhmwpe_walled.toml", "exact");
+  const auto walled = contact_of("hip_cocr_uhmwpe.toml", "exact");
   EXPECT_NEAR(walled[0], 43.47, 5e-3);
   EXPECT_NEAR(walled[1], 11.33, 5e-3);
   EXPECT_NEAR(walled[2], 1.115, 5e-4);
-  const auto infinite = contact_of("hip_cocr_uhmwpe.toml", "exact");
+  const auto infinite = contact_of("hip_cocr_uhmwpe_infinite.toml", "exact");
   EXPECT_NEAR(infinite[0], 48.05, 5e-3);
   EXPECT_NEAR(infinite[1], 8.84, 5e-3);
   EXPECT_NEAR(infinite[2], 1.149, 5e-4);
 
-  const JointSpec hip =
-      contact::read_joint(folder / "hip_cocr_uhmwpe_walled.toml");
+  const JointSpec hip = contact::read_joint(folder / "hip_cocr_uhmwpe.toml");
   const contact::ContactApproach approach =
       contact::BallContact(*hip.conditions.walls).approach(walled[0] * degree);
   EXPECT_NEAR(approach.approach * hip.geometry.radial_clearance(), 45.7e-6,
@@ -704,10 +703,10 @@ TEST(SharedLaws, AreThoseOfJointsThatAreAlike) {
   third.half_angle_options.limit_half_angle = 1;
   EXPECT_NE(half_angle(third), half_angle(other));
   EXPECT_EQ(pressure(third), pressure(joint));
-  third.pressure_law = "exact";
+  third.pressure_law = "cosine";
   EXPECT_NE(pressure(third), pressure(joint));
-  for (const char* file : {"wheel_pin.toml", "hip_cocr_uhmwpe.toml",
-                           "hip_cocr_uhmwpe_walled.toml"}) {
+  for (const char* file : {"wheel_pin.toml", "hip_cocr_uhmwpe_infinite.toml",
+                           "hip_cocr_uhmwpe.toml"}) {
     const JointSpec unlike = contact::read_joint(folder / file);
     EXPECT_NE(half_angle(unlike), half_angle(joint)) << file;
     EXPECT_NE(pressure(unlike), pressure(joint)) << file;

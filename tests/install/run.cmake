@@ -22,7 +22,7 @@ if(private)
 endif()
 if(EXISTS ${BUILD}/bin/hinge-angle)
   run(${prefix}/bin/hinge-angle --load 2000
-    --joint ${prefix}/share/libcontact/joints/hip_cocr_uhmwpe.toml)
+    --joint ${prefix}/share/libcontact/joints/hip_cocr_uhmwpe_infinite.toml)
   message(STATUS "installed program and joint: ${output}")
 endif()
 

@@ -455,6 +455,7 @@ kind = "ball"
 geometry = { radius_mm = 50, radial_clearance_um = 100 }
 materials = { pair = "data/materials/steel_bronze.toml" }
 friction = { coefficient = 1 }
+pressure = { law = "cosine" }
 )";
   }
   for (const std::string tolerance : {"1e-8", "1e-10"}) {

@@ -24,7 +24,7 @@ using separation::run_case;
 constexpr double degree = contact::degree;
 const std::string pin_joint = CONTACT_DATA_DIR "/joints/pin_joint.toml";
 const std::string ball_joint =
-    CONTACT_DATA_DIR "/joints/spherical_plain_bearing.toml";
+    CONTACT_DATA_DIR "/joints/spherical_plain_bearing_infinite.toml";
 
 double value(const Rows& rows, std::size_t row, const std::string& column) {
   return rows.at(row, rows.column(column));

@@ -126,8 +126,10 @@ Joint bodies_from_options(const JointOptions& o) {
         o.use == JointUse::friction ? "--pair" : "--pair or --modulus-ratio";
     if (!o.joint.empty()) refuse_without(given("--joint", o.joint), either);
     if (!o.wall.empty()) refuse_without("--wall", either);
-    // For laws that do not look at it.
-    return {kind, contact::ElasticPair::from_modulus_ratio(1, 0.3, 0.3)};
+    // The paper's law, which looks at no materials.
+    return {.kind = kind,
+            .pair = contact::ElasticPair::from_modulus_ratio(1, 0.3, 0.3),
+            .pressure_law = "cosine"};
   }
   const contact::MaterialPair pair = contact::read_material_pair(o.pair);
   Joint joint{.kind = kind,
@@ -306,9 +308,12 @@ void add_law_options(CLI::App& app, JointOptions& o, Laws half_angle,
         ->option_text("NAME|ANGLE");
   }
   add("--pressure", o.pressures, pressure,
-      o.one_pressure        ? "pressure law; default the joint's, or cosine"
+      o.use == JointUse::pressure
+          ? "pressure law; default the joint's, or exact; cosine without "
+            "materials"
+      : o.one_pressure      ? "pressure law; default the joint's, or exact"
       : o.pressures.empty() ? "a comma list or all; default the joint's, or "
-                              "cosine"
+                              "exact"
                             : "a comma list or all; default all");
 }
 

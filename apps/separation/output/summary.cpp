@@ -23,6 +23,8 @@ void name_infinity(ordered_json& value) {
 
 ordered_json joint_json(const HingeJoint& joint, const JointPeaks& peaks) {
   return {{"name", joint.joint.name},
+          {"half_angle_law", joint.contact.half_angle_law().name()},
+          {"pressure_law", joint.contact.pressure_law().name()},
           {"peak_reaction_N", peaks.reaction},
           {"peak_reaction_time_s", peaks.reaction_time},
           {"peak_pressure_Pa", peaks.pressure},
