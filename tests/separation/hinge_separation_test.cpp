@@ -1577,7 +1577,17 @@ moment_N_m = [[0, 0, 0], [0, 0, 3e6]]
         EXPECT_EQ(result.status, 1);
         const json summary = json::parse(result.out);
         const std::string failure = summary["failure"];
-        EXPECT_EQ(result.err,
+        // Hertz ends beyond the limit of some materials, which is said too.
+        std::string said = result.err;
+        const auto line =
+            said.find("hinge-separation: warning: joint bearing: ");
+        if (line != said.npos) {
+          EXPECT_NE(
+              said.find("the limit half-angle of these materials\n", line),
+              said.npos);
+          said.erase(line);
+        }
+        EXPECT_EQ(said,
                   "hinge-separation: warning: ended early: " + failure + '\n');
         double time = NAN, force = NAN;
         ASSERT_EQ(std::sscanf(failure.c_str(),
