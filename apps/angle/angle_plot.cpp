@@ -137,6 +137,7 @@ std::string draw(const std::vector<Input>& inputs,
         curve.label = difference_text(joints[i].differences) +
                       (plot.family ? "" : ", " + law.name);
       }
+      if (plot.family) curve.dashed = false;
       if (!plot.family) curve.colour = static_cast<int>(plot.curves.size()) + 1;
       plot.curves.push_back(std::move(curve));
     }

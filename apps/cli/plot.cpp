@@ -191,6 +191,17 @@ std::string draw(const LinePlot& plot, const std::string& file) {
   const std::string x_label =
       fmt::format("set xlabel {}\n", gnuplot_text(plot.x_label));
   if (!plot.lower) {
+    // Beside long labels there is little room for the curves, above many.
+    constexpr std::size_t long_label = 20;
+    constexpr std::ptrdiff_t few = 4;
+    const auto labels = [&plot](std::size_t size) {
+      return std::ranges::count_if(plot.curves, [size](const Curve& curve) {
+        return curve.label.size() > size;
+      });
+    };
+    if (labels(long_label) > 0 && labels(0) <= few) {
+      script += "set key outside bottom center Left reverse maxcols 1\n";
+    }
     return draw_script(script + x_label + "plot " + lines + '\n', file);
   }
   const std::string lower =

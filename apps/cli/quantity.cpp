@@ -62,10 +62,10 @@ std::string unit_rule(Dimension dimension) {
 }  // namespace
 
 std::vector<std::string_view> split(std::string_view text,
-                                    std::string_view separators) {
+                                    std::string_view cuts) {
   std::vector<std::string_view> parts;
   for (;;) {
-    const std::size_t at = text.find_first_of(separators);
+    const std::size_t at = text.find_first_of(cuts);
     parts.push_back(text.substr(0, at));
     if (at == std::string_view::npos) return parts;
     text.remove_prefix(at + 1);

@@ -37,9 +37,9 @@ void refuse_some_units(std::string_view option, std::string_view text);
 std::optional<contact::Dimension> unit_dimension(
     std::string_view text, std::initializer_list<contact::Dimension> among);
 
-/// The parts of a text, cut at each of the separators.
+/// The parts of a text between any of some characters.
 std::vector<std::string_view> split(std::string_view text,
-                                    std::string_view separators);
+                                    std::string_view cuts);
 
 /// A number without a unit within an interval. Throws contact::Error for
 /// anything else.

@@ -172,7 +172,7 @@ Problems write_rows(Points& points, const NamedJoint& joint,
   cli::Output output(options.output.output);
   const cli::Table table(options.output, names);
   cli::TableWriter writer(output, table);
-  const Problems problems = points.answer(
+  Problems problems = points.answer(
       joint, options.output.jobs,
       [&](Block& block, std::size_t i, const Answer* a) {
         cli::RowWriter row(table, block.rows);
@@ -197,7 +197,7 @@ Problems write_rows(Points& points, const NamedJoint& joint,
 
 Problems summarise(Points& points, const NamedJoint& joint,
                    const Options& options, PointSeries& series) {
-  const Problems problems = points.answer(
+  Problems problems = points.answer(
       joint, options.output.jobs,
       [&](Block& block, std::size_t i, const Answer* a) {
         keep(series, block, i, a);

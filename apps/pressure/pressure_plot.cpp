@@ -37,32 +37,44 @@ std::vector<LoadedContact> shown_contacts(const LoadedContacts& contacts,
   return shown;
 }
 
-// What the curves of a picture have in common and in what they differ.
+// What the curves of a picture have in common and in what they differ. Of two
+// laws the second is dashed, and joints and loads have the colours; more laws
+// have the colours, and the title the loads.
 struct Labels {
   bool joints;
-  bool laws;
   bool loads;
+  std::size_t laws;
 
-  std::string operator()(const cli::Joint& joint, const LoadedContact& contact,
-                         const NamedPressure& law) const {
+  bool laws_have_colours() const {
+    return laws > 2 || (laws == 2 && !family());
+  }
+  bool family() const { return joints || loads; }
+
+  std::string curve(const cli::Joint& joint, const LoadedContact& contact,
+                    std::size_t law) const {
+    if (laws_have_colours()) return joint.pressures[law].name;
+    if (law > 0) return "";
     std::string text = difference_text(joint.differences);
-    const auto add = [&text](bool wanted, const std::string& part) {
-      if (wanted) text += (text.empty() ? "" : ", ") + part;
-    };
-    add(loads, load_text(joint, contact));
-    add(laws, law.name);
+    if (loads || !joints) {
+      text += (text.empty() ? "" : ", ") + load_text(joint, contact);
+    }
     return text;
   }
   std::string title(const cli::Joint& joint,
-                    const LoadedContact& contact) const {
-    std::string text = joints ? "" : joint.title();
-    const auto add = [&text](bool wanted, const std::string& part) {
-      if (wanted) text += (text.empty() ? "" : ", ") + part;
-    };
-    add(joint.conditions.loading.is_back(),
-        "loading " + to_string(joint.conditions.loading));
-    add(!loads, load_text(joint, contact));
-    add(!laws, joint.pressures[0].name);
+                    const std::vector<LoadedContact>& contacts) const {
+    std::string text = joints ? "pressure" : joint.title();
+    if (joint.conditions.loading.is_back()) {
+      text += ", loading " + to_string(joint.conditions.loading);
+    }
+    if (laws == 1) text += ", " + joint.pressures[0].name;
+    if (laws == 2 && family()) {
+      text += fmt::format(", {}; dashed: {}", joint.pressures[0].name,
+                          joint.pressures[1].name);
+    }
+    const bool loads_in_title = laws_have_colours() ? loads : joints && !loads;
+    for (std::size_t i = 0; loads_in_title && i < contacts.size(); ++i) {
+      text += (i == 0 ? ": " : "; ") + load_text(joint, contacts[i]);
+    }
     return text;
   }
 };
@@ -81,10 +93,14 @@ cli::Curve curve_of(const PressureTable& table, const NamedPressure& law,
 }  // namespace
 
 void check_curves(const std::vector<cli::Joint>& joints) {
-  const std::size_t curves = joints.size() * joints[0].pressures.size();
-  if (curves <= cli::most_curves) return;
-  cli::refuse_without("--plot", fmt::format("at most {} curves; these are {}",
-                                            cli::most_curves, curves));
+  const std::size_t laws = joints[0].pressures.size();
+  if (joints.size() > 1 && laws > 2) {
+    cli::refuse_without("--plot", "one joint, or at most two pressure laws");
+  }
+  if (joints.size() * laws <= cli::most_curves) return;
+  cli::refuse_without(
+      "--plot", fmt::format("at most {} curves; these are {}", cli::most_curves,
+                            joints.size() * laws));
 }
 
 std::string draw(const std::vector<PressureTable>& tables,
@@ -96,25 +112,28 @@ std::string draw(const std::vector<PressureTable>& tables,
   const auto shown = [&](std::size_t j) {
     return shown_contacts(contacts[j], cli::most_curves / laws / joints.size());
   };
-  // The only curve is called by its load.
-  const bool alone = joints.size() == 1 && laws == 1;
-  const Labels labels{joints.size() > 1, laws > 1,
-                      alone || shown(0).size() > 1};
+  const Labels labels{joints.size() > 1, shown(0).size() > 1, laws};
   cli::LinePlot plot;
-  plot.title = labels.title(first, contacts[0][0]);
+  plot.title = labels.title(first, shown(0));
   plot.x_label = "angle from the centre of the contact, deg";
   plot.y_label = first.geometry ? "pressure, MPa" : "pressure over nominal";
-  // Several laws have the colours; one law leaves them to joints and loads.
-  plot.family = !labels.laws && joints.size() * shown(0).size() > 1;
+  plot.family = labels.family() && laws == 1;
+  int group = 0;  // a joint and a load
   for (std::size_t j = 0; j < joints.size(); ++j) {
     for (const LoadedContact& contact : shown(j)) {
+      ++group;
       for (std::size_t i = 0; i < laws; ++i) {
         const NamedPressure& law = joints[j].pressures[i];
         cli::Curve curve =
             curve_of(tables[j], law, contact, first.geometry ? megapascal : 1);
-        curve.label = labels(joints[j], contact, law);
-        curve.dashed = labels.laws && law.name.starts_with("exact");
-        curve.colour = labels.laws ? static_cast<int>(i) + 1 : 0;
+        const bool by_law = labels.laws_have_colours();
+        if (!by_law || group == 1) {
+          curve.label = labels.curve(joints[j], contact, i);
+        }
+        curve.dashed = by_law ? law.name.starts_with("exact") : i == 1;
+        if (!plot.family) {
+          curve.colour = by_law ? static_cast<int>(i) + 1 : group;
+        }
         plot.curves.push_back(std::move(curve));
       }
     }

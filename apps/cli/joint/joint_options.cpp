@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <iterator>
 #include <limits>
 #include <set>
@@ -327,7 +328,12 @@ std::string difference_text(const std::vector<Difference>& differences) {
   std::string text;
   for (const auto& [column, value] : differences) {
     text += text.empty() ? "" : ", ";
-    text += column == "joint" ? value : column + " = " + value;
+    // A key without the tables that it stands in.
+    if (column != "joint") {
+      text += column.substr(column.rfind('.') + 1);
+      text += " = ";
+    }
+    text += value;
   }
   return text;
 }
@@ -347,7 +353,8 @@ std::vector<Joint> make_joints(const JointOptions& options) {
     for (const contact::KeySettings& settings : variants) {
       Joint joint = joint_of(one, settings);
       if (one.joints.size() > 1) {
-        joint.differences.push_back({"joint", joint.name});
+        joint.differences.push_back(
+            {"joint", std::filesystem::path(one.joint).stem().string()});
       }
       for (const auto& [key, value] : settings) {
         joint.differences.push_back({key, value});

@@ -85,7 +85,7 @@ all laws are exact, others are refused.
 /// In what a joint differs from the others of a run: a cell of tables.
 struct Difference {
   std::string column;  ///< "joint" or a key of --set
-  std::string value;
+  std::string value;   ///< name of the file without its ending, or the key's
 };
 
 /// "radius_mm = 20, ..."; "" for the only joint.
