@@ -90,7 +90,7 @@ hinge-separation data/cases/soyuz.toml --output "$out/soyuz.json" \
 } >"$out/separation_comparison.md"
 
 echo "Pressure of a hip joint"
-hinge-pressure --joint data/joints/hip_cocr_uhmwpe_infinite.toml --load 2000 \
+hinge-pressure --joint data/joints/hip_cocr_uhmwpe_infinite.toml --load 2000 --pressure all \
   --output "$out/pressure_hip.csv" $(picture pressure_hip)
 
 if command -v gnuplot >/dev/null; then

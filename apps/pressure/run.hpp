@@ -9,8 +9,7 @@ namespace hinge_pressure {
 
 /// The command line of hinge-pressure as it was written.
 struct Options {
-  cli::JointOptions joint = {.use = cli::JointUse::contact,
-                             .pressures = {"all"}};
+  cli::JointOptions joint = {.use = cli::JointUse::contact};
   hinge_angle::LoadOptions load;
   std::string points = "101";
   bool summary = false;

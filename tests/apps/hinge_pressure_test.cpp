@@ -42,7 +42,9 @@ std::vector<double> numbers(const std::string& csv, const std::string& name) {
 TEST(HingePressure, ProfileIsTheLibrarys) {
   const ProgramFolder folder;
   const ProgramResult result = folder.run(
-      "hinge-pressure --law tanh --points 6 --load 500,2000 --joint " + hip);
+      "hinge-pressure --law tanh --pressure all --points 6 --load 500,2000 "
+      "--joint " +
+      hip);
   ASSERT_EQ(result.status, 0) << result.err;
   EXPECT_EQ(first_line(result.out),
             "load_N,load_parameter,theta0_deg,theta_deg,p_cosine_Pa,"
@@ -86,7 +88,7 @@ TEST(HingePressure, ProfilesCarryTheLoad) {
     const double rho = joint.geometry.radius();
     const double load = ball ? 1500 : 1e5;
     const ProgramResult result =
-        folder.run("hinge-pressure --points 4001 --load " +
+        folder.run("hinge-pressure --pressure all --points 4001 --load " +
                    std::to_string(load) + " --joint " + joint_file);
     ASSERT_EQ(result.status, 0) << result.err;
     const auto theta = numbers(result.out, "theta_deg");
@@ -113,7 +115,7 @@ TEST(HingePressure, ProfilesCarryTheLoad) {
 
 TEST(HingePressure, SummaryHasPeakMeanAreaAndSum) {
   const ProgramResult result = ProgramFolder().run(
-      "hinge-pressure --summary --load 2000 --joint " + hip);
+      "hinge-pressure --summary --pressure all --load 2000 --joint " + hip);
   ASSERT_EQ(result.status, 0) << result.err;
   EXPECT_EQ(first_line(result.out),
             "load_N,load_parameter,theta0_deg,law,pressure,p_peak_Pa,p_mean_Pa,"
@@ -178,7 +180,7 @@ TEST(HingePressure, LoadedThroughTheBack) {
   const ProgramFolder folder;
   const std::string command =
       "hinge-pressure --joint pin --modulus-ratio 1 --load-parameter 0.5 "
-      "--law exact --loading back:30 ";
+      "--law exact --loading back:30 --pressure all ";
   const ProgramResult profile = folder.run(command + "--points 3");
   ASSERT_EQ(profile.status, 0) << profile.err;
   EXPECT_EQ(first_line(profile.out),

@@ -312,10 +312,8 @@ void add_law_options(CLI::App& app, JointOptions& o, Laws half_angle,
       o.use == JointUse::pressure
           ? "pressure law; default the joint's, or exact; cosine without "
             "materials"
-      : o.one_pressure      ? "pressure law; default the joint's, or exact"
-      : o.pressures.empty() ? "a comma list or all; default the joint's, or "
-                              "exact"
-                            : "a comma list or all; default all");
+      : o.one_pressure ? "pressure law; default the joint's, or exact"
+                       : "a comma list or all; default the joint's, or exact");
 }
 
 std::string Joint::title() const {
