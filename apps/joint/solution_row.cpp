@@ -43,7 +43,7 @@ constexpr Quantity usual_quantities[] = {
      [](const Answer& a) { return a.solution.reaction.x(); }},
     {"R_y_N", "", [](const Answer& a) { return a.solution.reaction.y(); }},
     {"R_z_N", "", [](const Answer& a) { return a.solution.reaction.z(); }},
-    {"w_x_rad_per_s", "angular velocity Dw, load against carrier",
+    {"w_x_rad_per_s", "angular velocity Dw, body against carrier",
      [](const Answer& a) { return a.rate.x(); }},
     {"w_y_rad_per_s", "", [](const Answer& a) { return a.rate.y(); }},
     {"w_z_rad_per_s", "", [](const Answer& a) { return a.rate.z(); }},

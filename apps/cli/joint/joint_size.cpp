@@ -60,16 +60,17 @@ void add_size_options(CLI::App& app, SizeOptions& o, CLI::Option* pair) {
                        const char* kind) {
     return app.add_option(name, value, what)->option_text(kind)->needs(pair);
   };
-  add("--radius", o.radius, "of the ball or pin, m or with a unit", "LENGTH");
-  auto* diameter = add("--diameter", o.diameter,
-                       "instead of it; of a fit: the nominal size", "LENGTH");
-  add("--clearance", o.clearance, "radial, m or with a unit", "LENGTH");
-  add("--diametral-clearance", o.diametral_clearance, "instead of it",
+  add("--radius", o.radius, "of the ball or pin", "LENGTH");
+  auto* diameter =
+      add("--diameter", o.diameter,
+          "in place of --radius; of a fit the nominal size", "LENGTH");
+  add("--clearance", o.clearance, "difference of the radii", "LENGTH");
+  add("--diametral-clearance", o.diametral_clearance, "of the diameters",
       "LENGTH");
-  auto* hole =
-      add("--hole", o.hole, "instead of it: a fit by ISO 286, as H7", "NAME");
+  auto* hole = add("--hole", o.hole,
+                   "in place of a clearance: a fit by ISO 286, as H7", "NAME");
   auto* shaft =
-      add("--shaft", o.shaft, "of the ball or pin with it, as g6", "NAME");
+      add("--shaft", o.shaft, "of the ball or pin in that hole, as g6", "NAME");
   add("--fit-clearance", o.fit_clearance,
       "of a fit: minimum, mean (default) or maximum", "NAME")
       ->needs(hole);
