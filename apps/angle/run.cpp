@@ -64,10 +64,10 @@ class Tables {
 
 // Writes the table; returns what is to be said of each joint and law.
 std::vector<std::vector<Findings>> write_table(
-    const Tables& tables, const cli::OutputOptions& options) {
+    const Tables& tables, const cli::Table& table,
+    const cli::OutputOptions& options) {
   constexpr std::size_t block_rows = 256;
   cli::Output output(options.output);
-  const cli::Table table(options, tables.columns());
   cli::TableWriter writer(output, table);
   cli::Progress progress("rows", tables.size());
   auto findings = tables.none();
@@ -187,8 +187,9 @@ cli::ExitStatus run(const Options& options) {
   const Tables tables(joints, inputs, own_hertz);
   check_plot(options.output, inputs);
   if (!options.output.plot.empty()) check_curves(joints);
+  const cli::Table table(options.output, tables.columns());
   warn_of_validity("hinge-angle", joints);
-  const auto findings = write_table(tables, options.output);
+  const auto findings = write_table(tables, table, options.output);
   const cli::ExitStatus status = report(joints, findings, tables.size());
   if (options.output.plot.empty()) return status;
   return cli::drawn("hinge-angle", draw(inputs, joints, options.output.plot),

@@ -166,11 +166,10 @@ cli::ExitStatus run(const Options& options) {
     find_friction(options.measured_moment, inputs, setup);
   }
   const Beside beside(options.beside, setup.given[0].name, "solution");
-  warn_of_states(setup, inputs);
-  cli::ExitStatus status = report(
-      options.summary ? write_summary(setup, inputs, beside, options.output)
-                      : write_solutions(setup, inputs, beside, options.output),
-      setup);
+  const auto begin = [&] { warn_of_states(setup, inputs); };
+  const auto write = options.summary ? write_summary : write_solutions;
+  const cli::ExitStatus status =
+      report(write(setup, inputs, beside, options.output, begin), setup);
   if (!plot) return status;
   return cli::drawn("hinge-joint",
                     draw_torque(setup, inputs, options.output.plot), status);

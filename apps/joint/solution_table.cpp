@@ -76,7 +76,8 @@ void write_cells(cli::RowWriter& to, const NamedJoint& joint,
 
 Problems write_solutions(const Setup& setup, const Inputs& inputs,
                          const Beside& beside,
-                         const cli::OutputOptions& options) {
+                         const cli::OutputOptions& options,
+                         const std::function<void()>& begin) {
   // Large against the cost of passing a block between threads.
   constexpr std::size_t block_rows = 256;
   const std::vector<Quantity> columns = quantities_of(setup, inputs);
@@ -84,6 +85,7 @@ Problems write_solutions(const Setup& setup, const Inputs& inputs,
   cli::Output output(options.output);
   const cli::Table table(options,
                          solution_columns(setup.joints[0], columns, beside));
+  begin();
   cli::TableWriter writer(output, table);
   cli::Progress progress("rows", size);
   Problems problems;
@@ -120,16 +122,17 @@ Problems write_solutions(const Setup& setup, const Inputs& inputs,
 }
 
 Problems write_summary(const Setup& setup, const Inputs& inputs,
-                       const Beside& beside,
-                       const cli::OutputOptions& options) {
+                       const Beside& beside, const cli::OutputOptions& options,
+                       const std::function<void()>& begin) {
   const NamedJoint& joint = setup.joints[0];
-  const Answer a = answer(joint, inputs.question(), inputs[0]);
   std::vector<std::string> columns = {"quantity", "value"};
   if (!beside.empty()) columns.emplace_back("value_printed");
   columns.emplace_back("meaning");
 
   cli::Output output(options.output);
   const cli::Table table(options, columns);
+  begin();
+  const Answer a = answer(joint, inputs.question(), inputs[0]);
   cli::TableWriter writer(output, table);
   cli::Text rows;
   cli::RowWriter row(table, rows);

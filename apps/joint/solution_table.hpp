@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <span>
 
 #include "joint/beside.hpp"
@@ -30,11 +31,13 @@ struct Problems {
 /// pressure, state, status and the quantities().
 Problems write_solutions(const Setup& setup, const Inputs& inputs,
                          const Beside& beside,
-                         const cli::OutputOptions& options);
+                         const cli::OutputOptions& options,
+                         const std::function<void()>& begin);
 
 /// The only state and pair of laws: a row for each quantity.
 Problems write_summary(const Setup& setup, const Inputs& inputs,
-                       const Beside& beside, const cli::OutputOptions& options);
+                       const Beside& beside, const cli::OutputOptions& options,
+                       const std::function<void()>& begin);
 
 /// Names of the columns of write_solutions().
 std::vector<std::string> solution_columns(const NamedJoint& joint,

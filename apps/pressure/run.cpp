@@ -113,10 +113,9 @@ std::vector<std::string> columns(const std::vector<cli::Joint>& joints,
 cli::ExitStatus write_table(const std::vector<cli::Joint>& joints,
                             const std::vector<PressureTable>& tables,
                             const std::vector<LoadedContacts>& contacts,
-                            int points, const Options& options) {
-  const cli::OutputOptions& to = options.output;
-  cli::Output output(to.output);
-  const cli::Table table(to, columns(joints, tables, options.summary));
+                            int points, const cli::Table& table,
+                            const Options& options) {
+  cli::Output output(options.output.output);
   cli::TableWriter writer(output, table);
   cli::Text rows;
   cli::RowWriter row(table, rows);
@@ -161,12 +160,13 @@ cli::ExitStatus run(const Options& options) {
     contacts.emplace_back(inputs[i], joints[i]);
     tables.emplace_back(joints[i]);
   }
-  columns(joints, tables, options.summary);  // refuses unlike joints
+  const cli::Table table(options.output,
+                         columns(joints, tables, options.summary));
   const bool plot = !options.output.plot.empty();
   if (plot) check_curves(joints);
   warn_of_validity("hinge-pressure", joints);
   const cli::ExitStatus status =
-      write_table(joints, tables, contacts, points, options);
+      write_table(joints, tables, contacts, points, table, options);
   if (!plot) return status;
   return cli::drawn("hinge-pressure",
                     draw(tables, joints, contacts, options.output.plot),
