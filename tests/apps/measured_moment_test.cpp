@@ -35,8 +35,8 @@ struct Case {
   const char* state;
   const char* laws;
 };
-void PrintTo(const Case& c, std::ostream* to) {
-  *to << c.joint << ' ' << c.state << ' ' << c.laws;
+std::ostream& operator<<(std::ostream& to, const Case& c) {
+  return to << c.joint << ' ' << c.state << ' ' << c.laws;
 }
 class RoundTrip : public testing::TestWithParam<Case> {};
 

@@ -20,7 +20,9 @@ struct Run {
   std::string command;
   std::vector<std::string> columns;  ///< not in their order
 };
-void PrintTo(const Run& run, std::ostream* to) { *to << run.command; }
+std::ostream& operator<<(std::ostream& to, const Run& run) {
+  return to << run.command;
+}
 
 const std::vector<Run> runs = {
     {"hinge-angle --joint data/joints/hip_cocr_uhmwpe_infinite.toml --load "

@@ -15,8 +15,8 @@ struct Same {
   std::string with;
   std::string without;
 };
-void PrintTo(const Same& same, std::ostream* to) {
-  *to << same.run << same.with;
+std::ostream& operator<<(std::ostream& to, const Same& same) {
+  return to << same.run << same.with;
 }
 
 const std::string hip = " --joint data/joints/hip_cocr_uhmwpe_infinite.toml ";

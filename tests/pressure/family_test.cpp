@@ -611,7 +611,7 @@ TEST(HertzPeakPressure, IsThatOfBothRadii) {
   const ElasticPair pair({207e9, 0.292}, {111e9, 0.349});
   const Real modulus = 1 / ((1 - Real(0.292) * 0.292) / 207e9 +
                             (1 - Real(0.349) * 0.349) / 111e9);
-  const Real pi50 = boost::math::constants::pi<Real>();
+  const Real& pi50 = boost::math::constants::pi<Real>();
   // Roundings of the load parameter, of theta0 and of the peak.
   AccuracyReport error("hertz_peak_pressure", 2e-15);
   const auto compare = [&](const contact::JointGeometry& joint, double load,
