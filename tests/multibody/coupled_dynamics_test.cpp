@@ -112,11 +112,11 @@ TEST(CoupledDynamics, FrictionFitsTheReactionsItCauses) {
             const Vector3d axis = link.axes.col(2);
             const auto joint = std::get<PinFriction>(c.friction[i]).joint;
             const Vector3d radial = force - force.dot(axis) * axis;
-            expected = joint.solve(radial, axis, s[1]).friction_moment;
+            expected = joint.solve({radial, s[1] * axis, axis}).friction_moment;
           } else {
             const auto joint = std::get<BallFriction>(c.friction[i]).joint;
             const Vector3d rate = link.axes * Vector3d(s[4], s[5], s[6]);
-            expected = joint.solve(force, rate).friction_moment;
+            expected = joint.solve({force, rate}).friction_moment;
           }
           const Vector3d found = link.axes * coupled.friction_moment(i);
           EXPECT_LT((found - expected).norm(), 1e-9 * expected.norm());
@@ -538,8 +538,8 @@ TEST(CoupledDynamics, BallJointsBeginToSlideWhereTheyAccelerate) {
       const Vector3d expected =
           std::get<BallFriction>(c.friction[i])
               .joint
-              .solve(link.axes * vec3(coupled.reaction(i).force),
-                     link.axes * alpha)
+              .solve({link.axes * vec3(coupled.reaction(i).force),
+                      link.axes * alpha})
               .friction_moment;
       EXPECT_LT((link.axes * coupled.friction_moment(i) - expected).norm(),
                 1e-5 * expected.norm())

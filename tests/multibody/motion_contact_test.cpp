@@ -68,11 +68,11 @@ LawPointer ending(const contact::JointContact& contact) {
   return std::make_shared<EndingLaw>(contact.geometry().kind(),
                                      contact.load_parameter(law_end));
 }
-contact::BallJoint ending_ball() {
+contact::Joint ending_ball() {
   return ball_joint(friction, radius,
                     ending(ball_joint(friction, radius).contact()));
 }
-contact::PinJoint ending_pin() {
+contact::Joint ending_pin() {
   return pin_joint(friction, radius,
                    ending(pin_joint(friction, radius).contact()));
 }

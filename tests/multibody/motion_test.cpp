@@ -40,6 +40,7 @@ using multibody::Stop;
 using multibody::System;
 using multibody::test::ball_and_pin;
 using multibody::test::ball_joint;
+using multibody::test::moment_limit;
 using multibody::test::pin_joint;
 
 constexpr double g = 9.81;
@@ -84,8 +85,7 @@ class Torque : public ForceModel {
 TEST(Motion, ConstantFrictionStopsAWheelAndItStays) {
   const double mass = 20, about = 0.4, w0 = 3;
   const auto joint = pin_joint(FrictionLaw(0.2, 1e4));
-  const double friction =
-      joint.moment_limit(Vector3d(0, mass * g, 0), Vector3d::UnitZ());
+  const double friction = moment_limit(joint, {0, mass * g, 0});
   ASSERT_GT(friction, 0);
   for (const Integrator integrator : {Integrator::adaptive, Integrator::rk4}) {
     for (const double sign : {1.0, -1.0}) {
@@ -121,7 +121,7 @@ TEST(Motion, BallJointStopsAboutItsAxisWhenItShould) {
   for (const Integrator integrator : {Integrator::adaptive, Integrator::rk4}) {
     for (const Vector3d& axis : {Vector3d(0, 1, 0), Vector3d(0, 0, -1)}) {
       const double friction =
-          joint.solve(Vector3d(0, mass * g, 0), axis).friction_moment.norm();
+          joint.solve({{0, mass * g, 0}, axis}).friction_moment.norm();
       MotionOptions options = on_fixed_carrier();
       options.integrator = integrator;
       MotionStart start = start_of(1);
@@ -145,8 +145,7 @@ TEST(Motion, BallJointStopsAboutItsAxisWhenItShould) {
 TEST(Motion, RampedTorqueStartsSlidingAtTheRightInstant) {
   const double mass = 20, about = 0.4, slope = 1.7;
   const auto joint = pin_joint(FrictionLaw(0.2, 1e4));
-  const double friction =
-      joint.moment_limit(Vector3d(0, mass * g, 0), Vector3d::UnitZ());
+  const double friction = moment_limit(joint, {0, mass * g, 0});
   for (const Integrator integrator : {Integrator::adaptive, Integrator::rk4}) {
     MotionOptions options = on_fixed_carrier();
     options.integrator = integrator;
@@ -441,8 +440,7 @@ TEST(Motion, RestingHingeNeitherCreepsNorChatters) {
   options.integrator = Integrator::rk4;
   options.step = 1e-3;
   const auto joint = pin_joint(FrictionLaw(0.2, 1e4));
-  const double held =
-      joint.moment_limit(Vector3d(0, 20 * g, 0), Vector3d::UnitZ());
+  const double held = moment_limit(joint, {0, 20 * g, 0});
   const auto torque = std::make_shared<Torque>(
       [=](double t) { return 0.6 * held * std::sin(3 * t); });
   MotionStart start = start_of(1);
@@ -462,8 +460,7 @@ TEST(Motion, RestingHingeNeitherCreepsNorChatters) {
 TEST(Motion, SlidesAndSticksAgainAndAgain) {
   const double mass = 20, about = 0.4, turns = 2;
   const auto joint = pin_joint(FrictionLaw(0.2, 1e4));
-  const double held =
-      joint.moment_limit(Vector3d(0, mass * g, 0), Vector3d::UnitZ());
+  const double held = moment_limit(joint, {0, mass * g, 0});
   for (const double size : {1.3, 1.0001}) {
     const auto torque = std::make_shared<Torque>(
         [=](double t) { return size * held * std::sin(turns * t); });
@@ -501,8 +498,7 @@ TEST(Motion, ViscousHingeSlowsDownForEver) {
   const double mass = 20, about = 0.4, w0 = 3;
   const auto joint = pin_joint(contact::ViscousLaw(2e3));
   const double per_rate =
-      -joint.solve(Vector3d(0, mass * g, 0), Vector3d::UnitZ(), 1)
-           .friction_moment.z();
+      -joint.solve({{0, mass * g, 0}, Vector3d::UnitZ()}).friction_moment.z();
   ASSERT_GT(per_rate, 0);
   MotionStart start = start_of(1);
   start.bodies[0].angle_rate = w0;
@@ -778,8 +774,7 @@ TEST(Motion, OnsetsOfBallJointsDoNotChatter) {
 
 TEST(Motion, AHingeThatChangesAgainAndAgainStopsTheMotion) {
   const auto joint = pin_joint(FrictionLaw(0.2, 1e4));
-  const double held =
-      joint.moment_limit(Vector3d(0, 20 * g, 0), Vector3d::UnitZ());
+  const double held = moment_limit(joint, {0, 20 * g, 0});
   const auto torque = std::make_shared<Torque>(
       [=](double t) { return 1.3 * held * std::sin(2 * t); });
   MotionOptions options = on_fixed_carrier();
@@ -800,8 +795,7 @@ TEST(Motion, AHingeThatChangesAgainAndAgainStopsTheMotion) {
 // what it holds, 1.02 just after its beginning.
 TEST(Motion, APeakNearTheBeginningOfAStepEndsTheRest) {
   const auto joint = pin_joint(FrictionLaw(0.2, 1e4));
-  const double held =
-      joint.moment_limit(Vector3d(0, 20 * g, 0), Vector3d::UnitZ());
+  const double held = moment_limit(joint, {0, 20 * g, 0});
   const auto torque = std::make_shared<Torque>(
       [=](double t) { return held * (1.02 - 1.4 * (t - 0.15) * (t - 0.15)); });
   MotionOptions options = on_fixed_carrier();
@@ -1126,8 +1120,7 @@ TEST(Motion, ReactionsThatPeakWithinAStepAreFound) {
 TEST(Motion, AShortStopWithinAStepIsFound) {
   const double mass = 20, about = 0.4, w = 2;
   const auto joint = pin_joint(FrictionLaw(0.2, 1e4));
-  const double held =
-      joint.moment_limit(Vector3d(0, mass * g, 0), Vector3d::UnitZ());
+  const double held = moment_limit(joint, {0, mass * g, 0});
   for (const Integrator integrator : {Integrator::adaptive, Integrator::rk4}) {
     MotionOptions options = on_fixed_carrier();
     options.integrator = integrator;
@@ -1313,11 +1306,11 @@ TEST(Motion, GoesOnFromASavedStateAsIfNothingHadHappened) {
 // to a share of that: with an inertia of 1e9 kg m^2 a tolerance that belongs to
 // other accelerations would leave the direction to itself.
 TEST(Motion, GoesOnInTheMiddleOfASlowOnset) {
-  const contact::BallJoint joint = ball_joint(FrictionLaw(0.3));
+  const contact::Joint joint = ball_joint(FrictionLaw(0.3));
   Body body{HingeKind::ball, 50, 1e9 * Matrix3d::Identity()};
   const Vector3d weight(0, 50 * g, 0);
   const double held =
-      joint.solve(weight, Vector3d::UnitX()).friction_moment.norm();
+      joint.solve({weight, Vector3d::UnitX()}).friction_moment.norm();
   // Turns in the plane normal to the reaction, in which all directions hold
   // alike, and grows through what is held at 10 s.
   class Turning : public ForceModel {

@@ -25,8 +25,7 @@ std::vector<JointContact> contacts_of(const HingeFriction& friction) {
   } else if (const auto* node = std::get_if<NodeFriction>(&friction)) {
     if (node->estimate != consistent) return contacts;
     for (const contact::NodeJoint& joint : node->node.joints()) {
-      contacts.push_back(
-          std::visit([](const auto& j) { return j.contact(); }, joint.joint));
+      contacts.push_back(joint.joint.contact());
     }
   }
   return contacts;

@@ -2,9 +2,8 @@
 
 #include <variant>
 
-#include "libcontact/joint/ball_joint.hpp"
+#include "libcontact/joint/joint.hpp"
 #include "libcontact/joint/node.hpp"
-#include "libcontact/joint/pin_joint.hpp"
 
 /// What friction sits in the hinge of a body.
 namespace multibody {
@@ -17,7 +16,7 @@ enum class FrictionEstimate {
 
 /// A ball joint on a ball body (HingeKind::ball).
 struct BallFriction {
-  contact::BallJoint joint;
+  contact::Joint joint;
   FrictionEstimate estimate = FrictionEstimate::consistent;
 };
 
@@ -34,7 +33,7 @@ struct NodeFriction {
 /// axial force and moments across the axis are taken by something without
 /// friction.
 struct PinFriction {
-  contact::PinJoint joint;
+  contact::Joint joint;
   FrictionEstimate estimate = FrictionEstimate::consistent;
 };
 

@@ -32,14 +32,8 @@ bool holds(const contact::JointContact& contact) {
   return strength.pressure_part > 0 || strength.area_part > 0;
 }
 
-const contact::JointContact& contact_of(const contact::NodeJoint& joint) {
-  return std::visit(
-      [](const auto& j) -> const contact::JointContact& { return j.contact(); },
-      joint.joint);
-}
-
 bool joint_holds(const contact::NodeJoint& joint) {
-  return holds(contact_of(joint));
+  return holds(joint.joint.contact());
 }
 
 }  // namespace
@@ -77,8 +71,8 @@ Vector3d HingeSolver::slide(const Reaction<double>& reaction,
   if (const auto* ball = std::get_if<BallFriction>(&friction_)) {
     const Vector3d turn = axes_ * rate;
     last = ball->estimate == FrictionEstimate::consistent
-               ? ball->joint.solve(force, turn, last, inner)
-               : ball->joint.solve_contact(force, turn);
+               ? ball->joint.solve({force, turn}, last, inner)
+               : ball->joint.solve_contact({force, turn});
     if (last.status != contact::Status::ok) return nan_vector();
     return axes_.transpose() * last.friction_moment;
   }
@@ -86,8 +80,8 @@ Vector3d HingeSolver::slide(const Reaction<double>& reaction,
   if (const auto* pin = std::get_if<PinFriction>(&friction_)) {
     const Vector3d radial = force - force.dot(axis) * axis;
     last = pin->estimate == FrictionEstimate::consistent
-               ? pin->joint.solve(radial, axis, rate.z(), last, inner)
-               : pin->joint.solve_contact(radial, axis, rate.z());
+               ? pin->joint.solve({radial, rate.z() * axis, axis}, last, inner)
+               : pin->joint.solve_contact({radial, rate.z() * axis, axis});
     if (last.status != contact::Status::ok) return nan_vector();
     return {0, 0, last.friction_moment.dot(axis)};
   }
@@ -119,13 +113,8 @@ void HingeSolver::estimate_joints(const contact::JointNode& node, double rate) {
   const Vector3d axis = axes_.col(2);
   for (std::size_t k = 0; k < joints_.size(); ++k) {
     const Vector3d force = node_.joints[k].reaction;
-    if (const auto* ball =
-            std::get_if<contact::BallJoint>(&node.joints()[k].joint)) {
-      joints_[k] = ball->solve_contact(force, rate * axis);
-    } else {
-      joints_[k] = std::get<contact::PinJoint>(node.joints()[k].joint)
-                       .solve_contact(force, axis, rate);
-    }
+    joints_[k] = node.joints()[k].joint.solve_contact(
+        {.normal_force = force, .angular_velocity = rate * axis, .axis = axis});
   }
 }
 
@@ -133,14 +122,14 @@ double HingeSolver::utilisation_of(const BallFriction& ball,
                                    const Vector3d& force,
                                    const Vector3d& moment) {
   if (ball.estimate == FrictionEstimate::consistent) {
-    rest_ = ball.joint.utilisation(force, moment, rest_);
+    rest_ = ball.joint.utilisation({force, moment}, rest_);
     joints_[0] = rest_.slip;
     slip_direction_ = axes_.transpose() * rest_.direction;
     return rest_.utilisation;
   }
   // n = R/|R| whatever the direction of slip.
   const Vector3d across = force.unitOrthogonal();
-  joints_[0] = ball.joint.solve_contact(force, across);
+  joints_[0] = ball.joint.solve_contact({force, across});
   if (joints_[0].status != contact::Status::ok) {
     return std::numeric_limits<double>::quiet_NaN();
   }
@@ -199,12 +188,12 @@ const contact::JointContact& HingeSolver::contact(int joint) const {
   if (const auto* pin = std::get_if<PinFriction>(&friction_)) {
     return pin->joint.contact();
   }
-  return contact_of(std::get<NodeFriction>(friction_).node.joints()[joint]);
+  return std::get<NodeFriction>(friction_).node.joints()[joint].joint.contact();
 }
 
 Vector3d HingeSolver::prox(const Matrix3d& inertia,
                            const Vector3d& free) const {
-  const contact::BallJoint& joint = std::get<BallFriction>(friction_).joint;
+  const contact::Joint& joint = std::get<BallFriction>(friction_).joint;
   const Matrix3d given = axes_ * inertia * axes_.transpose();
   return axes_.transpose() *
          joint.moment_set(joints_[0]).prox(given, axes_ * free).rate;
