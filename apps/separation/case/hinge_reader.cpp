@@ -183,12 +183,9 @@ multibody::HingeFriction make_friction(const Hinge& hinge,
   const FrictionEstimate estimate = choice == FrictionChoice::traditional
                                         ? FrictionEstimate::traditional
                                         : FrictionEstimate::consistent;
-  const HingeJoint& first = hinge.joints.front();
-  if (hinge.kind == HingeKind::ball) {
-    return multibody::BallFriction{contact::Joint(first.contact), estimate};
-  }
   if (hinge.joints.size() == 1) {
-    return multibody::PinFriction{contact::Joint(first.contact), estimate};
+    return multibody::JointFriction{contact::Joint(hinge.joints[0].contact),
+                                    estimate};
   }
   return multibody::NodeFriction{make_node(hinge), estimate};
 }

@@ -27,8 +27,8 @@ int main() {
     const Eigen::Matrix3d A = attitude.toRotationMatrix();
     const Eigen::Matrix3d J = A * inertia.asDiagonal() * A.transpose();
     const Vector3d c = A * centre, torque = c.cross(weight);
-    const auto rest = joint.utilisation({.reaction = R, .moment = -torque});
-    if (w.isZero(0) && rest.utilisation <= 1) break;
+    const contact::Joint::Hold hold = {.reaction = R, .moment = -torque};
+    if (w.isZero(0) && joint.utilisation(hold).utilisation <= 1) break;
     // Friction under this reaction.
     s = joint.solve({.reaction = R, .angular_velocity = w}, s);
     // One implicit step: where the joint holds the rate becomes exactly 0.
