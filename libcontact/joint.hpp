@@ -6,7 +6,6 @@
 #include "libcontact/joint/contact.hpp"
 #include "libcontact/joint/solution.hpp"
 #include "libcontact/joint/moment_set.hpp"
-#include "libcontact/joint/ball_joint.hpp"
-#include "libcontact/joint/pin_joint.hpp"
+#include "libcontact/joint/joint.hpp"
 #include "libcontact/joint/node.hpp"
 // clang-format on

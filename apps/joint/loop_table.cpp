@@ -102,16 +102,18 @@ void warn_of(const contact::FixedPointResult& result) {
 
 // Contact under R when the friction angle is that of f: M_t of a state that
 // the inner loop has not finished.
-JointSolution contact_at(const NamedJoint& named, const Vector3d& reaction,
-                         const Vector3d& rate, double f) {
+JointSolution contact_at(const contact::Joint& joint,
+                         const contact::Joint::Slip& slip, double f) {
+  const auto& [reaction, rate, axis] = slip;
   const double force = reaction.stableNorm();
   const double cos_b =
-      named.joint.is_pin() ? 0 : reaction.dot(rate) / force / rate.stableNorm();
+      joint.is_pin() ? 0 : reaction.dot(rate) / force / rate.stableNorm();
   const double cos_g = 1 / std::hypot(1, f);
   const double sin_a = cos_b / cos_g;
   const double cos_a = std::sqrt((1 - sin_a) * (1 + sin_a));
-  return named.joint.solve_contact(force * cos_g * Vector3d(cos_a, 0, sin_a),
-                                   Vector3d(0, 0, rate.stableNorm()));
+  return joint.solve_contact(
+      {.normal_force = force * cos_g * Vector3d(cos_a, 0, sin_a),
+       .angular_velocity = {0, 0, rate.stableNorm()}});
 }
 
 // The rounds of the outer loop.
@@ -133,22 +135,25 @@ class OuterLoop {
   /// number of steps is given.
   contact::FixedPointResult next(std::size_t round, bool trace) {
     contact::FixedPointResult result = {Status::ok, 0, 0};
-    const Vector3d r = reaction();
+    const contact::Joint::Slip slip = {.reaction = reaction(),
+                                       .angular_velocity = input_.turn};
     if (trace || !law_.inner_steps.empty()) {
       steps_.resize(
           law_.inner_steps.empty()
               ? step_limit
               : law_.inner_steps[std::min(round, law_.inner_steps.size() - 1)]);
-      result = joint_.joint.fixed_point(r, input_.turn, steps_, friction_);
+      result = joint_.joint.fixed_point(
+          slip, steps_,
+          {.step_limit = static_cast<int>(steps_.size()), .start = friction_});
       steps_.resize(result.steps);
       if (!steps_.empty()) friction_ = steps_.back().friction_coefficient;
-      contact_ = contact_at(joint_, r, input_.turn, friction_);
+      contact_ = contact_at(joint_.joint, slip, friction_);
       // A number of steps that was asked for is no failure.
       if (!law_.inner_steps.empty() && result.status == Status::not_converged) {
         result.status = Status::ok;
       }
     } else {
-      contact_ = joint_.joint.solve(r, input_.turn);
+      contact_ = joint_.joint.solve(slip);
       friction_ = contact_.force_coefficient;
       result.status = contact_.status;
     }
@@ -194,8 +199,8 @@ cli::ExitStatus write_trace(const NamedJoint& joint, const Input& input,
                             const Beside& beside,
                             const cli::OutputOptions& options) {
   std::vector<FixedPointStep> steps(step_limit);
-  const auto result =
-      joint.joint.fixed_point(input.force, input.turn, steps, 0);
+  const auto result = joint.joint.fixed_point({input.force, input.turn}, steps,
+                                              {.step_limit = step_limit});
   NumberTable table(joint, step_columns, beside, options);
   for (int i = 0; i < result.steps; ++i) table.row(step_values(steps[i]), 1);
   table.finish();

@@ -15,19 +15,22 @@ namespace {
 constexpr const char* option = "--measured-moment";
 
 // With another f0.
-AnyJoint with_friction(const AnyJoint& joint, double coefficient) {
+contact::Joint with_friction(const contact::Joint& joint, double coefficient) {
   const contact::JointContact& contact = joint.contact();
   const auto& friction = std::get<contact::FrictionLaw>(contact.friction());
-  return AnyJoint(contact.with_friction(
+  return contact::Joint(contact.with_friction(
       contact::FrictionLaw(coefficient, friction.adhesion())));
 }
 
 // |M_t|; NaN without a solution.
-double moment_of(const AnyJoint& joint, Question question, const Input& input) {
+double moment_of(const contact::Joint& joint, Question question,
+                 const Input& input) {
   const contact::JointSolution solution =
       question == Question::contact
-          ? joint.solve_contact(input.force, input.turn)
-          : joint.solve(input.force, input.turn);
+          ? joint.solve_contact(
+                {.normal_force = input.force, .angular_velocity = input.turn})
+          : joint.solve(
+                {.reaction = input.force, .angular_velocity = input.turn});
   return solution.status == contact::Status::ok
              ? solution.friction_moment.stableNorm()
              : std::numeric_limits<double>::quiet_NaN();

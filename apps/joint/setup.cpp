@@ -100,8 +100,8 @@ Setup make_setup(const Options& options) {
         NamedJoint& added = setup.joints.emplace_back(
             NamedJoint{law.name,
                        pressure.name,
-                       AnyJoint({*joint.geometry, joint.pair, friction, law.law,
-                                 pressure.law}),
+                       contact::Joint({*joint.geometry, joint.pair, friction,
+                                       law.law, pressure.law}),
                        {},
                        joint.differences});
         if (cli::JointApproach::of(*law.law)) {

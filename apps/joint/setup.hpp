@@ -8,7 +8,7 @@
 #include "cli/joint/joint_approach.hpp"
 #include "cli/joint/joint_options.hpp"
 #include "cli/program.hpp"
-#include "joint/any_joint.hpp"
+#include "libcontact/joint/joint.hpp"
 
 namespace hinge_joint {
 
@@ -46,7 +46,7 @@ struct Options {
 struct NamedJoint {
   std::string law;
   std::string pressure;
-  AnyJoint joint;
+  contact::Joint joint;
   /// Of the half-angle law exact.
   std::optional<cli::JointApproach> approach;
   std::vector<cli::Difference> differences = {};

@@ -146,7 +146,7 @@ constexpr Quantity friction_quantities[] = {
 }  // namespace
 
 Answer answer(const NamedJoint& named, Question question, const Input& input) {
-  const AnyJoint& joint = named.joint;
+  const contact::Joint& joint = named.joint;
   Answer a{.question = question,
            .given = input.given,
            .rate = input.turn,
@@ -161,13 +161,16 @@ Answer answer(const NamedJoint& named, Question question, const Input& input) {
            .approach = {nan, nan}};
   switch (question) {
     case Question::reaction:
-      a.solution = joint.solve(input.force, input.turn);
+      a.solution = joint.solve(
+          {.reaction = input.force, .angular_velocity = input.turn});
       break;
     case Question::contact:
-      a.solution = joint.solve_contact(input.force, input.turn);
+      a.solution = joint.solve_contact(
+          {.normal_force = input.force, .angular_velocity = input.turn});
       break;
     case Question::rest: {
-      const auto rest = joint.utilisation(input.force, input.turn);
+      const auto rest =
+          joint.utilisation({.reaction = input.force, .moment = input.turn});
       a.solution = rest.slip;
       a.solution.status = rest.status;
       a.utilisation = rest.utilisation;
@@ -179,8 +182,9 @@ Answer answer(const NamedJoint& named, Question question, const Input& input) {
   if (named.approach) a.approach = (*named.approach)(s.half_angle);
   const double force = s.reaction.stableNorm();
   const double moment = s.friction_moment.stableNorm();
-  a.traditional =
-      joint.solve_contact(s.reaction, a.rate).friction_moment.stableNorm();
+  const contact::JointSolution traditional = joint.solve_contact(
+      {.normal_force = s.reaction, .angular_velocity = a.rate});
+  a.traditional = traditional.friction_moment.stableNorm();
   a.mean_pressure = s.normal_force == 0 ? 0
                                         : joint.contact().mean_pressure(
                                               s.normal_force, s.half_angle);

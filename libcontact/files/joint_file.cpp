@@ -7,7 +7,9 @@
 #include <numbers>
 #include <utility>
 
+#include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
+#include "libcontact/base/text.hpp"
 #include "libcontact/base/units.hpp"
 #include "libcontact/files/material_table.hpp"
 #include "libcontact/files/wall_tables.hpp"
@@ -237,6 +239,20 @@ std::shared_ptr<const PressureLaw> SharedLaws::pressure(
 
 Material read_material(const std::filesystem::path& path) {
   return material_from_table(TomlTable::from_file(path, material_keys()));
+}
+
+JointContact JointSpec::contact() const {
+  SharedLaws own;
+  return contact(own);
+}
+
+JointContact JointSpec::contact(SharedLaws& laws) const {
+  if (!friction) {
+    throw Error(detail::needs(detail::message("joint \"{}\"", name),
+                              "[friction], of the joint or of its materials"));
+  }
+  return {geometry, pair, *friction, laws.half_angle(*this),
+          laws.pressure(*this)};
 }
 
 std::unique_ptr<HalfAngleLaw> JointSpec::make_half_angle_law() const {

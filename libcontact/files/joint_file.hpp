@@ -10,6 +10,7 @@
 
 #include "libcontact/files/toml_reader.hpp"
 #include "libcontact/half_angle/factory.hpp"
+#include "libcontact/joint/contact.hpp"
 #include "libcontact/pair/contact_conditions.hpp"
 #include "libcontact/pair/fit.hpp"
 #include "libcontact/pair/friction_law.hpp"
@@ -39,6 +40,8 @@ MaterialPair parse_material_pair(std::string_view text,
 /// One material: the keys of [inner].
 Material read_material(const std::filesystem::path& path);
 
+class SharedLaws;
+
 /// A joint file: all that is known of one joint.
 struct JointSpec {
   std::string name;
@@ -56,6 +59,15 @@ struct JointSpec {
   std::string pressure_law;
   /// [loading], [wall] and [[coating]], for both.
   ContactConditions conditions = {};
+
+  /// What a Joint is made of:
+  ///
+  ///     contact::Joint hip(contact::read_joint("hip.toml").contact());
+  ///
+  /// @throws Error if there is no friction
+  JointContact contact() const;
+  /// The same, of several joints that share their laws.
+  JointContact contact(SharedLaws& laws) const;
 
   std::unique_ptr<HalfAngleLaw> make_half_angle_law() const;
   std::unique_ptr<PressureLaw> make_pressure_law() const;

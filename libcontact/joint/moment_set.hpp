@@ -33,7 +33,7 @@ struct MomentProx {
 /// (A0, Afun: docs/friction.md). This potential exists at fixed n, R_n and
 /// theta0 only: under a fixed reaction R all three move with Dw, M_t has no
 /// potential, and what a resting joint holds is
-/// BallJoint::utilisation(), not this set with n = R/|R|.
+/// Joint::utilisation(), not this set with n = R/|R|.
 ///
 /// A set refers to the joint that made it and must not outlive it. Const
 /// functions do not allocate and do not throw; NaN gives NaN.

@@ -17,18 +17,10 @@ using Eigen::Vector3d;
 
 constexpr const char* place = "joint node";
 
-bool is_ball(const NodeJoint& joint) {
-  return std::holds_alternative<BallJoint>(joint.joint);
-}
+bool is_ball(const NodeJoint& joint) { return !joint.joint.is_pin(); }
 
 int count_balls(const std::vector<NodeJoint>& joints) {
   return static_cast<int>(std::ranges::count_if(joints, is_ball));
-}
-
-const JointContact& contact_of(const NodeJoint& joint) {
-  return std::visit(
-      [](const auto& j) -> const JointContact& { return j.contact(); },
-      joint.joint);
 }
 
 void check_joints(const std::vector<NodeJoint>& joints) {
@@ -172,13 +164,11 @@ void JointNode::solve(const Vector3d& reaction, const Vector3d& moment,
       const Vector3d force = share.force * radial + share.moment * held;
       change = std::max(change, (force - across(joint.reaction, axis)).norm());
       largest = std::max(largest, force.norm());
-      if (const auto* ball = std::get_if<BallJoint>(&joints_[i].joint)) {
-        joint =
-            ball->solve(force + share.axial * axial * axis, rate * axis, joint);
-      } else {
-        const auto& pin = std::get<PinJoint>(joints_[i].joint);
-        joint = pin.solve(force, axis, rate, joint);
-      }
+      joint = joints_[i].joint.solve(
+          {.reaction = force + share.axial * axial * axis,
+           .angular_velocity = rate * axis,
+           .axis = axis},
+          joint);
       s.friction_moment += joint.friction_moment.dot(axis);
       s.cross_moment += across(joint.friction_moment, axis);
       s.power += joint.power;
@@ -218,7 +208,7 @@ double JointNode::utilisation(const Vector3d& reaction, const Vector3d& moment,
   if (needed == 0) return 0;
   double held = 0;
   for (std::size_t i = 0; i < joints_.size(); ++i) {
-    if (contact_of(joints_[i]).is_viscous()) continue;
+    if (joints_[i].joint.contact().is_viscous()) continue;
     held += std::abs(solution.joints[i].friction_moment.dot(axis));
   }
   return std::abs(needed) / held;

@@ -3,17 +3,15 @@
 #include <Eigen/Core>
 #include <optional>
 #include <span>
-#include <variant>
 #include <vector>
 
-#include "libcontact/joint/ball_joint.hpp"
-#include "libcontact/joint/pin_joint.hpp"
+#include "libcontact/joint/joint.hpp"
 
 namespace contact {
 
 /// One joint of a node.
 struct NodeJoint {
-  std::variant<BallJoint, PinJoint> joint;
+  Joint joint;
   /// Of its centre along the axis from the node's pole, m.
   double position;
 };

@@ -7,7 +7,7 @@
 #include "libcontact/base/units.hpp"
 #include "libcontact/friction/integrals.hpp"
 
-/// What the joint solvers return. All vectors are in the frame of the given
+/// What a Joint returns. All vectors are in the frame of the given
 /// reaction; forces and moments act on the body (the opposite ones on the
 /// carrier); Dw is the angular velocity of the body relative to the carrier.
 namespace contact {
@@ -143,6 +143,16 @@ struct FixedPointStep {
   double load_parameter;        ///< mu
   double half_angle;            ///< theta0, rad
   double friction_coefficient;  ///< f, of which the next g is the arctangent
+};
+
+/// When the inner loop starts and stops.
+struct FixedPointOptions {
+  /// Stop when |f/tan g - 1| is at most this.
+  double tolerance = 1e-12;
+  int step_limit = 1000;
+  /// tan g_1, instead of the paper's 0: the last f, when the loop goes on
+  /// under another reaction.
+  double start = 0;
 };
 
 /// How the inner loop ended.

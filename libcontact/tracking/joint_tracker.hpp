@@ -31,9 +31,9 @@ struct TrackerState;
 /// the slopes by Broyden's update. error() says how wrong M_t is likely to be,
 /// largest() the same and more of all joints.
 ///
-/// For what BallJoint and PinJoint solve in general this is no
-/// substitute: it needs a solution to start from, R not too near to Dw, and
-/// small changes. is_trusted() says whether it has all that.
+/// For what a Joint solves in general this is no substitute: it needs a
+/// solution to start from, R not too near to Dw, and small changes.
+/// is_trusted() says whether it has all that.
 ///
 /// R and Dw in any frame, for each joint another one if one likes; Dw of a pin
 /// along its axis; of its R what is normal to that counts. No call but the

@@ -13,8 +13,7 @@
 #include "libcontact/base/units.hpp"
 #include "libcontact/files/joint_file.hpp"
 #include "libcontact/half_angle/exact.hpp"
-#include "libcontact/joint/ball_joint.hpp"
-#include "libcontact/joint/pin_joint.hpp"
+#include "libcontact/joint/joint.hpp"
 #include "libcontact/pressure/exact.hpp"
 #include "support/program.hpp"
 
@@ -114,10 +113,10 @@ TEST(HingeJoint, BallRowsAreTheLibrarys) {
   ASSERT_EQ(table.size(), 2U);
   std::size_t row = 0;
   for (const std::string law : {"tanh", "arctan"}) {
-    const contact::BallJoint joint(contact_of(file, law));
+    const contact::Joint joint(contact_of(file, law));
     const Vector3d reaction(1e5, -2e4, 3e4);
     const Vector3d rate(0.1, 0.2, -3);
-    const auto s = joint.solve(reaction, rate);
+    const auto s = joint.solve({reaction, rate});
     ++row;
     EXPECT_EQ(table.text(row, "law"), law);
     EXPECT_EQ(table.text(row, "pressure"), "cosine");
@@ -129,7 +128,7 @@ TEST(HingeJoint, BallRowsAreTheLibrarys) {
                      s.friction_moment.norm() / (0.05 * reaction.norm()));
     EXPECT_DOUBLE_EQ(
         table.at(row, "M_traditional_N_m"),
-        joint.solve_contact(reaction, rate).friction_moment.norm());
+        joint.solve_contact({reaction, rate}).friction_moment.norm());
   }
 }
 
@@ -143,12 +142,12 @@ TEST(HingeJoint, AllLaws) {
 }
 
 TEST(HingeJoint, PinRowsAreTheLibrarys) {
-  const contact::PinJoint joint(contact_of(joint_file("pin_joint"), "blend"));
+  const contact::Joint joint(contact_of(joint_file("pin_joint"), "blend"));
   const std::string program =
       "hinge-joint --joint data/joints/pin_joint.toml --law blend ";
   const Columns xyz(ProgramFolder().run(
       program + "--reaction-xyz 1e3,2e3,3e3 --rate-xyz 0,4,0"));
-  expect_solution(xyz, 1, joint.solve({1e3, 2e3, 3e3}, {0, 1, 0}, 4));
+  expect_solution(xyz, 1, joint.solve({{1e3, 2e3, 3e3}, {0, 4, 0}}));
   const Columns sweep(
       ProgramFolder().run(program + "--reaction 0:2e4:5e3 --rate 2"));
   ASSERT_EQ(sweep.size(), 5U);
@@ -156,7 +155,7 @@ TEST(HingeJoint, PinRowsAreTheLibrarys) {
   EXPECT_EQ(sweep.text(1, "a_deg"), "");
   for (std::size_t i = 2; i <= 5; ++i) {
     const double force = 5e3 * static_cast<double>(i - 1);
-    expect_solution(sweep, i, joint.solve({force, 0, 0}, {0, 0, 1}, 2));
+    expect_solution(sweep, i, joint.solve({{force, 0, 0}, {0, 0, 2}}));
   }
 }
 
@@ -268,14 +267,14 @@ TEST(HingeJoint, LoadedThroughTheBack) {
   const contact::JointSpec file = joint_file("paper_example_1");
   const auto loading = contact::InnerLoading::back(20 * degree);
   const contact::JointKind kind = contact::JointKind::ball;
-  const contact::BallJoint joint(
-      file.geometry, file.pair, *file.friction,
-      std::make_shared<contact::ExactLaw>(kind, file.pair, loading),
-      std::make_shared<contact::ExactPressure>(kind, file.pair, loading));
+  const contact::Joint joint(
+      {file.geometry, file.pair, *file.friction,
+       std::make_shared<contact::ExactLaw>(kind, file.pair, loading),
+       std::make_shared<contact::ExactPressure>(kind, file.pair, loading)});
   EXPECT_EQ(table.text(1, "law"), "exact_back:20");
   EXPECT_EQ(table.text(1, "pressure"), "exact_back:20");
   EXPECT_EQ(table.text(2, "pressure"), "cosine");
-  expect_solution(table, 1, joint.solve({3e5, 0, 1e5}, {0, 0, 2}));
+  expect_solution(table, 1, joint.solve({{3e5, 0, 1e5}, {0, 0, 2}}));
   const Columns centre(
       folder.run(example_1 + "--law exact --pressure exact" + state));
   EXPECT_GT(table.at(1, "theta0_deg"), centre.at(1, "theta0_deg"));
@@ -294,13 +293,13 @@ TEST(HingeJoint, FiniteWalls) {
   const contact::JointSpec file = joint_file("hip_cocr_uhmwpe");
   const auto& walls = file.conditions.walls.value();
   const contact::JointKind kind = contact::JointKind::ball;
-  const contact::BallJoint joint(
-      file.geometry, file.pair, *file.friction,
-      std::make_shared<contact::ExactLaw>(kind, walls),
-      std::make_shared<contact::ExactPressure>(kind, walls));
+  const contact::Joint joint(
+      {file.geometry, file.pair, *file.friction,
+       std::make_shared<contact::ExactLaw>(kind, walls),
+       std::make_shared<contact::ExactPressure>(kind, walls)});
   EXPECT_EQ(table.text(1, "law"), "exact");
   EXPECT_EQ(table.text(1, "pressure"), "exact");
-  expect_solution(table, 1, joint.solve({2e3, 0, 1e3}, {0, 0, 2}));
+  expect_solution(table, 1, joint.solve({{2e3, 0, 1e3}, {0, 0, 2}}));
   const Columns infinite(
       folder.run(hip + "_infinite.toml --law exact --pressure exact" + state));
   EXPECT_LT(table.at(1, "theta0_deg"), 0.95 * infinite.at(1, "theta0_deg"));
@@ -418,11 +417,10 @@ TEST(HingeJoint, ViscousFriction) {
 }
 
 TEST(HingeJoint, RestIsTheLibrarys) {
-  const contact::BallJoint joint(
-      contact_of(joint_file("paper_example_1"), "tanh"));
+  const contact::Joint joint(contact_of(joint_file("paper_example_1"), "tanh"));
   const Vector3d reaction(1e5, 2e4, 0);
   const Vector3d moment(300, 0, 500);
-  const auto rest = joint.utilisation(reaction, moment);
+  const auto rest = joint.utilisation({reaction, moment});
   const ProgramFolder folder;
   const Columns table(folder.run(
       example_1 + "--reaction-xyz 1e5,2e4,0 --moment-xyz 300,0,500"));

@@ -13,15 +13,14 @@
 #include "libcontact/base/units.hpp"
 #include "libcontact/friction/exact.hpp"
 #include "libcontact/half_angle/factory.hpp"
-#include "libcontact/joint/ball_joint.hpp"
-#include "libcontact/joint/pin_joint.hpp"
+#include "libcontact/joint/joint.hpp"
 #include "libcontact/pressure/cosine.hpp"
 #include "support/random_slip.hpp"
 
 namespace {
 
-using contact::BallJoint;
 using contact::FixedPointResult;
+using contact::Joint;
 using contact::JointSolution;
 using contact::Status;
 using contact::test::RandomSlip;
@@ -44,8 +43,8 @@ struct States {
     next.reaction += move * input.reaction.norm() * random.direction();
     next.rate += move * input.rate.norm() * random.direction();
     inputs.push_back(input);
-    solutions.push_back(input.joint.solve(input.reaction, input.rate));
-    moved_solutions.push_back(next.joint.solve(next.reaction, next.rate));
+    solutions.push_back(input.joint.solve(input.slip()));
+    moved_solutions.push_back(next.joint.solve(next.slip()));
     moved.push_back(std::move(next));
   }
 };
@@ -70,10 +69,10 @@ States steel_states() {
     const double f0 = 0.05 + 0.25 * random.uniform();
     const double adhesion =
         random.uniform() < 0.5 ? 0 : f0 * random.log_uniform(1e6, 1e9);
-    const BallJoint joint(
-        geometry, pair, contact::FrictionLaw(f0, adhesion),
-        contact::make_half_angle_law("tanh", contact::JointKind::ball, pair),
-        std::make_unique<contact::CosinePressure>(contact::JointKind::ball));
+    const Joint joint(
+        {geometry, pair, contact::FrictionLaw(f0, adhesion),
+         contact::make_half_angle_law("tanh", contact::JointKind::ball, pair),
+         std::make_unique<contact::CosinePressure>(contact::JointKind::ball)});
     const double force = scale.load(random.log_uniform(0.005, 20));
     states.add({joint, force * random.direction(), random.direction()}, random);
   }
@@ -168,14 +167,14 @@ void unit(benchmark::State& state, const States& states) {
 void warm(benchmark::State& state, const States& states) {
   solve_bench(state, states, [&](std::size_t i) {
     const RandomSlip& input = states.moved[i];
-    return input.joint.solve(input.reaction, input.rate, states.solutions[i]);
+    return input.joint.solve(input.slip(), states.solutions[i]);
   });
 }
 
 void cold(benchmark::State& state, const States& states) {
   solve_bench(state, states, [&](std::size_t i) {
     const RandomSlip& input = states.moved[i];
-    return input.joint.solve(input.reaction, input.rate);
+    return input.joint.solve(input.slip());
   });
 }
 
@@ -184,7 +183,7 @@ void cold(benchmark::State& state, const States& states) {
 void fixed_point(benchmark::State& state, const States& states) {
   const auto solve = [&](std::size_t i) {
     const RandomSlip& input = states.moved[i];
-    return input.joint.fixed_point(input.reaction, input.rate, {});
+    return input.joint.fixed_point(input.slip(), {});
   };
   std::vector<std::size_t> good;
   double steps = 0;
@@ -209,7 +208,7 @@ void known_contact(benchmark::State& state, const States& states) {
   run(state, states, [&](std::size_t i) {
     const RandomSlip& input = states.moved[i];
     benchmark::DoNotOptimize(
-        input.joint.solve_contact(input.reaction, input.rate)
+        input.joint.solve_contact({input.reaction, input.rate})
             .friction_moment.data());
   });
 }

@@ -105,10 +105,10 @@ struct Stretch {
             multibody::NodeFriction{multibody::test::ball_and_pin(law, 0.2)});
       } else if (on_axis) {
         friction.emplace_back(
-            multibody::PinFriction{multibody::test::pin_joint(law, 0.02)});
+            multibody::JointFriction{multibody::test::pin_joint(law, 0.02)});
       } else {
         friction.emplace_back(
-            multibody::BallFriction{multibody::test::ball_joint(law, 0.01)});
+            multibody::JointFriction{multibody::test::ball_joint(law, 0.01)});
       }
       multibody::BodyStart& to = start.bodies.emplace_back();
       to.rotation = body.rotation;
@@ -268,7 +268,7 @@ void our_flight(benchmark::State& state) {
 void our_flight_with_friction(benchmark::State& state) {
   const Instant instant = launcher();
   const std::vector<multibody::HingeFriction> friction(
-      4, multibody::BallFriction{multibody::test::ball_joint(
+      4, multibody::JointFriction{multibody::test::ball_joint(
              contact::FrictionLaw(0.15, 1e5), 0.05)});
   multibody::MotionCounts counts;
   double hinge_changes = 0;

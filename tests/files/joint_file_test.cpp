@@ -683,6 +683,27 @@ TEST(TomlTable, OutlivesItsParent) {
   EXPECT_EQ(inner.source(), "t");
 }
 
+TEST(JointFile, ContactIsMadeOfAllThatTheFileSays) {
+  const JointSpec joint = contact::read_joint(
+      fs::path(CONTACT_DATA_DIR) / "joints" / "hip_cocr_uhmwpe_infinite.toml");
+  const contact::JointContact one = joint.contact();
+  EXPECT_EQ(one.geometry().radius(), joint.geometry.radius());
+  EXPECT_EQ(one.pair(), joint.pair);
+  EXPECT_EQ(dry(one.friction()).coefficient(),
+            dry(joint.friction).coefficient());
+  EXPECT_EQ(one.half_angle_law().name(), joint.make_half_angle_law()->name());
+  EXPECT_EQ(one.pressure_law().name(), joint.make_pressure_law()->name());
+  contact::SharedLaws laws;
+  EXPECT_EQ(&joint.contact(laws).half_angle_law(),
+            laws.half_angle(joint).get());
+  JointSpec frictionless = joint;
+  frictionless.name = "hip";
+  frictionless.friction.reset();
+  EXPECT_EQ(contact::test::error_message([&] { frictionless.contact(); }),
+            "joint \"hip\" requires [friction], of the joint or of its "
+            "materials");
+}
+
 TEST(SharedLaws, AreThoseOfJointsThatAreAlike) {
   contact::SharedLaws laws;
   const auto half_angle = [&](const JointSpec& joint) {

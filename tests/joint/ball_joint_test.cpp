@@ -1,4 +1,4 @@
-#include "libcontact/joint/ball_joint.hpp"
+#include "libcontact/joint/joint.hpp"
 
 #include <gtest/gtest.h>
 
@@ -21,12 +21,12 @@
 
 namespace {
 
-using contact::BallJoint;
 using contact::degree;
 using contact::ElasticPair;
 using contact::FixedPointStep;
 using contact::FrictionLaw;
 using contact::HalfAngleOptions;
+using contact::Joint;
 using contact::JointBody;
 using contact::JointGeometry;
 using contact::JointKind;
@@ -43,23 +43,23 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double pi = std::numbers::pi;
 
-BallJoint from_file(const std::string& name) {
-  const contact::JointSpec joint = contact::read_joint(
-      std::filesystem::path(CONTACT_DATA_DIR) / "joints" / (name + ".toml"));
-  return {joint.geometry, joint.pair, *joint.friction,
-          joint.make_half_angle_law(), joint.make_pressure_law()};
+Joint from_file(const std::string& name) {
+  return Joint(contact::read_joint(std::filesystem::path(CONTACT_DATA_DIR) /
+                                   "joints" / (name + ".toml"))
+                   .contact());
 }
 
-BallJoint steel_joint(double f0, double adhesion,
-                      JointBody inner = JointBody::carrier,
-                      double limit_deg = 84.85) {
+Joint steel_joint(double f0, double adhesion,
+                  JointBody inner = JointBody::carrier,
+                  double limit_deg = 84.85) {
   const ElasticPair pair({2e11, 0.3}, {2e11, 0.3});
   HalfAngleOptions options;
   options.limit_half_angle = limit_deg * degree;
-  return {JointGeometry::ball(0.05, 0.05e-3, inner), pair,
-          FrictionLaw(f0, adhesion),
-          contact::make_half_angle_law("tanh", JointKind::ball, pair, options),
-          std::make_unique<contact::CosinePressure>(JointKind::ball)};
+  return Joint(
+      {JointGeometry::ball(0.05, 0.05e-3, inner), pair,
+       FrictionLaw(f0, adhesion),
+       contact::make_half_angle_law("tanh", JointKind::ball, pair, options),
+       std::make_unique<contact::CosinePressure>(JointKind::ball)});
 }
 
 // R at the angle b from Dw = speed z.
@@ -69,7 +69,7 @@ Vector3d reaction_at(double force, double b) {
 
 // |f/tan g - 1| from the contact that the solution names: the definition of
 // a solution, by the friction integrals alone.
-double true_residual(const BallJoint& joint, const JointSolution& s) {
+double true_residual(const Joint& joint, const JointSolution& s) {
   const auto& friction = std::get<FrictionLaw>(joint.contact().friction());
   const double rho = joint.contact().geometry().radius();
   const double force = s.normal_force;
@@ -84,10 +84,10 @@ double true_residual(const BallJoint& joint, const JointSolution& s) {
 // Every digit that was recomputed for example 1, by another program in
 // 30-digit arithmetic: half a unit of the last digit.
 TEST(PaperExamples, ExampleOneForward) {
-  const BallJoint joint = from_file("paper_example_1");
+  const Joint joint = from_file("paper_example_1");
   const double a = 30 * degree;
   const JointSolution s =
-      joint.solve_contact({0, 0, 2e5}, {0, std::cos(a), std::sin(a)});
+      joint.solve_contact({{0, 0, 2e5}, {0, std::cos(a), std::sin(a)}});
   EXPECT_NEAR(s.load_parameter, 0.5460, 0.5e-4);
   EXPECT_NEAR(s.half_angle / degree, 42.593, 0.5e-3);
   EXPECT_NEAR(s.adhesion_number, 5, 1e-12);
@@ -99,10 +99,10 @@ TEST(PaperExamples, ExampleOneForward) {
 }
 
 TEST(PaperExamples, ExampleOneFixedPoint) {
-  const BallJoint joint = from_file("paper_example_1");
+  const Joint joint = from_file("paper_example_1");
   std::vector<FixedPointStep> trace(100);
   const auto result =
-      joint.fixed_point(reaction_at(2.63e5, 67.6 * degree), {0, 0, 1}, trace);
+      joint.fixed_point({reaction_at(2.63e5, 67.6 * degree), {0, 0, 1}}, trace);
   ASSERT_EQ(result.status, Status::ok);
   struct Row {
     double g_deg, a_deg, force, adhesion_number, mu, theta0_deg;
@@ -128,7 +128,7 @@ TEST(PaperExamples, ExampleOneFixedPoint) {
 // The outer loop of example 2: R_y falls with the friction moment of the two
 // joints, (5.1). Each row is one outer step.
 TEST(PaperExamples, ExampleTwo) {
-  const BallJoint joint = from_file("paper_example_2");
+  const Joint joint = from_file("paper_example_2");
   struct Outer {
     double force, moment, braking;
   };
@@ -140,7 +140,7 @@ TEST(PaperExamples, ExampleTwo) {
     if (step == 0) {
       EXPECT_NEAR(reaction.norm(), 1.1676e6, 0.5e2);
       std::vector<FixedPointStep> trace(10);
-      joint.fixed_point(reaction, {0, 0, 1}, trace);
+      joint.fixed_point({reaction, {0, 0, 1}}, trace);
       EXPECT_EQ(trace[0].friction_angle, 0);
       EXPECT_NEAR(trace[0].normal_force, 1.168e6, 0.5e3);
       EXPECT_NEAR(trace[0].adhesion_number, 2.141, 0.5e-3);
@@ -153,10 +153,10 @@ TEST(PaperExamples, ExampleTwo) {
       EXPECT_NEAR(trace[3].half_angle / degree, 47.77, 0.5e-2);
       // Friction taken from R: about twice too much.
       const JointSolution traditional =
-          joint.solve_contact(reaction, {0, 0, 1});
+          joint.solve_contact({reaction, {0, 0, 1}});
       EXPECT_NEAR(2 * traditional.friction_moment.norm(), 2.26e5, 0.5e3);
     }
-    s = joint.solve(reaction, {0, 0, 1});
+    s = joint.solve({reaction, {0, 0, 1}});
     moment = 2 * s.friction_moment.norm();
     outer.push_back({s.normal_force, moment, -6.5e-6 * moment});
   }
@@ -224,14 +224,14 @@ TEST(BallJoint, RandomInputsColdAndWarm) {
   for (int i = 0; i < 3000; ++i) {
     RandomSlip input = random.next();
     const std::string label = "input " + std::to_string(i);
-    const JointSolution s = input.joint.solve(input.reaction, input.rate);
+    const JointSolution s = input.joint.solve(input.slip());
     cold.add(input, s, label);
     // Moved by a thousandth, and anywhere at all.
     for (const double move : {1e-3, 1.0}) {
       RandomSlip moved = input;
       moved.reaction += move * input.reaction.norm() * random.direction();
       moved.rate += move * input.rate.norm() * random.direction();
-      const JointSolution t = moved.joint.solve(moved.reaction, moved.rate, s);
+      const JointSolution t = moved.joint.solve(moved.slip(), s);
       warm.add(moved, t, label + " moved");
     }
   }
@@ -247,7 +247,7 @@ TEST(BallJoint, DirectionsFromFrictionAngle) {
   AccuracyReport moment("M_t by n", 1e-11);
   for (int i = 0; i < 2000; ++i) {
     const RandomSlip input = random.next();
-    const JointSolution s = input.joint.solve(input.reaction, input.rate);
+    const JointSolution s = input.joint.solve(input.slip());
     const double b = s.reaction_angle();
     const double side =
         input.joint.contact().geometry().inner_body() == JointBody::carrier
@@ -265,7 +265,7 @@ TEST(BallJoint, DirectionsFromFrictionAngle) {
     const Vector3d n = e * std::cos(g) + m * std::sin(g);
     normal.add_error((n - s.normal).norm(), "input " + std::to_string(i));
     const JointSolution forward =
-        input.joint.solve_contact(s.normal_force * n, input.rate);
+        input.joint.solve_contact({s.normal_force * n, input.rate});
     if (s.power == 0) continue;  // no friction
     moment.add_error((forward.friction_moment - s.friction_moment).norm() /
                          s.friction_moment.norm(),
@@ -296,12 +296,12 @@ TEST(BallJoint, TurningRAndDwTurnsTheResult) {
   AccuracyReport scaled("turned result over condition", 1e-14);
   for (int i = 0; i < 3000; ++i) {
     const RandomSlip input = random.next();
-    const JointSolution s = input.joint.solve(input.reaction, input.rate);
+    const JointSolution s = input.joint.solve(input.slip());
     const Eigen::Matrix3d turn =
         Eigen::AngleAxisd(pi * random.uniform(), random.direction())
             .toRotationMatrix();
     JointSolution t =
-        input.joint.solve(turn * input.reaction, turn * input.rate);
+        input.joint.solve({turn * input.reaction, turn * input.rate});
     for (Vector3d* v : {&t.normal, &t.friction_force, &t.friction_moment}) {
       *v = turn.transpose() * *v;
     }
@@ -310,9 +310,9 @@ TEST(BallJoint, TurningRAndDwTurnsTheResult) {
       constexpr double move = 1e-12;
       const Vector3d moved =
           input.reaction + move * input.reaction.norm() * random.direction();
-      condition =
-          std::max(condition,
-                   difference(s, input.joint.solve(moved, input.rate)) / move);
+      condition = std::max(
+          condition,
+          difference(s, input.joint.solve({moved, input.rate})) / move);
     }
     const std::string label = "input " + std::to_string(i);
     if (condition < 10) plain.add_error(difference(s, t), label);
@@ -332,9 +332,9 @@ TEST(BallJoint, BallOnLoadMirrorsBallOnCarrier) {
     const double f0 = random.uniform();
     const double adhesion = random.log_uniform(1e3, 1e10);
     const JointSolution s =
-        steel_joint(f0, adhesion, JointBody::carrier).solve(reaction, rate);
+        steel_joint(f0, adhesion, JointBody::carrier).solve({reaction, rate});
     const JointSolution t =
-        steel_joint(f0, adhesion, JointBody::body).solve(reaction, rate);
+        steel_joint(f0, adhesion, JointBody::body).solve({reaction, rate});
     const Vector3d plane = reaction.cross(rate).normalized();
     const Eigen::Matrix3d mirror =
         Eigen::Matrix3d::Identity() - 2 * plane * plane.transpose();
@@ -353,8 +353,8 @@ TEST(BallJoint, OppositeRateOpposesMoment) {
   RandomSlips random(5);
   for (int i = 0; i < 200; ++i) {
     const RandomSlip input = random.next();
-    const JointSolution s = input.joint.solve(input.reaction, input.rate);
-    const JointSolution t = input.joint.solve(input.reaction, -input.rate);
+    const JointSolution s = input.joint.solve(input.slip());
+    const JointSolution t = input.joint.solve({input.reaction, -input.rate});
     // Turning R and Dw by pi about R x Dw maps one state on the other's
     // mirror: the sizes agree, up to the rounding of the solve.
     EXPECT_NEAR(t.normal_force / s.normal_force, 1, 1e-12);
@@ -372,7 +372,7 @@ TEST(BallJoint, MarginKeepsItsDigits) {
   int small = 0;
   for (int i = 0; i < 4000; ++i) {
     const RandomSlip input = random.next();
-    const JointSolution s = input.joint.solve(input.reaction, input.rate);
+    const JointSolution s = input.joint.solve(input.slip());
     // sin g = sin b sin psi and the solver's own tan psi, in 64 bits.
     const long double t = s.memory.tangent;
     const long double sb = s.memory.reaction.sin;
@@ -394,9 +394,9 @@ TEST(BallJoint, MarginKeepsItsDigits) {
 // theta0 -> 0, A = 0, a = 0: Coulomb friction of a point, M = rho R_t.
 TEST(BallJoint, TinyContactIsCoulombs) {
   for (const double f : {1e-3, 0.1, 1.0, 5.0}) {
-    const BallJoint joint = steel_joint(f, 0);
+    const Joint joint = steel_joint(f, 0);
     const double force = 1e-9;  // theta0 = 1e-5 rad: its square is rounding
-    const JointSolution s = joint.solve({force, 0, 0}, {0, 0, 1});
+    const JointSolution s = joint.solve({{force, 0, 0}, {0, 0, 1}});
     const double expected = 0.05 * force * f / std::sqrt(1 + f * f);
     EXPECT_NEAR(s.friction_moment.norm() / expected, 1, 1e-9);
     EXPECT_NEAR(s.force_coefficient / f, 1, 1e-9);
@@ -413,14 +413,14 @@ TEST(BallJoint, ViscousFrictionHasItsClosedForms) {
   AccuracyReport balance("R - R_n n - R_t over R", 1e-14);
   for (int i = 0; i < 500; ++i) {
     const double k0 = random.log_uniform(1e3, 1e9);
-    const BallJoint joint(
-        JointGeometry::ball(0.05, 0.05e-3), pair, contact::ViscousLaw(k0),
-        contact::make_half_angle_law("tanh", JointKind::ball, pair),
-        contact::make_pressure_law("cosine", JointKind::ball, pair));
+    const Joint joint(
+        {JointGeometry::ball(0.05, 0.05e-3), pair, contact::ViscousLaw(k0),
+         contact::make_half_angle_law("tanh", JointKind::ball, pair),
+         contact::make_pressure_law("cosine", JointKind::ball, pair)});
     const Vector3d reaction = random.log_uniform(1e2, 1e6) * random.direction();
     const Vector3d rate = random.log_uniform(1e-3, 10) * random.direction();
-    const JointSolution cold = joint.solve(reaction, rate);
-    const JointSolution s = joint.solve(reaction, 1.001 * rate, cold);
+    const JointSolution cold = joint.solve({reaction, rate});
+    const JointSolution s = joint.solve({reaction, 1.001 * rate}, cold);
     ASSERT_EQ(s.status, Status::ok);
     const double rho = 0.05;
     const double c = std::cos(s.half_angle);
@@ -449,9 +449,9 @@ TEST(BallJoint, ViscousFrictionHasItsClosedForms) {
 }
 
 TEST(BallJoint, RestIsAStateOfItsOwn) {
-  const BallJoint joint = steel_joint(0.2, 1e8);
+  const Joint joint = steel_joint(0.2, 1e8);
   const Vector3d reaction(3e4, -4e4, 0);
-  const JointSolution s = joint.solve(reaction, Vector3d::Zero());
+  const JointSolution s = joint.solve({reaction, Vector3d::Zero()});
   EXPECT_EQ(s.status, Status::ok);
   EXPECT_EQ(s.state, JointState::resting);
   EXPECT_EQ(s.friction_force, Vector3d::Zero());
@@ -464,16 +464,16 @@ TEST(BallJoint, RestIsAStateOfItsOwn) {
   EXPECT_GT(s.peak_pressure, 0);
   // However slow, sliding is not rest: friction does not depend on speed.
   const Vector3d rate(0, 0.3, 0.7);
-  const JointSolution fast = joint.solve(reaction, rate);
-  const JointSolution slow = joint.solve(reaction, 1e-300 * rate);
+  const JointSolution fast = joint.solve({reaction, rate});
+  const JointSolution slow = joint.solve({reaction, 1e-300 * rate});
   EXPECT_EQ(slow.state, JointState::sliding);
   EXPECT_LE((slow.friction_moment - fast.friction_moment).norm(),
             1e-14 * fast.friction_moment.norm());
 }
 
 TEST(BallJoint, NoReactionNoContact) {
-  const BallJoint joint = steel_joint(0.2, 1e8);
-  const JointSolution s = joint.solve(Vector3d::Zero(), {1, 2, 3});
+  const Joint joint = steel_joint(0.2, 1e8);
+  const JointSolution s = joint.solve({Vector3d::Zero(), {1, 2, 3}});
   EXPECT_EQ(s.status, Status::ok);
   EXPECT_EQ(s.state, JointState::unloaded);
   EXPECT_EQ(s.normal_force, 0);
@@ -486,11 +486,11 @@ TEST(BallJoint, NoReactionNoContact) {
 // R -> 0 with adhesion: theta0 falls as cbrt(R_n), so adhesion wins, g -> b
 // and M_t -> 0; every decade solves.
 TEST(BallJoint, FallingReaction) {
-  const BallJoint joint = steel_joint(0.1, 1e7);
+  const Joint joint = steel_joint(0.1, 1e7);
   double last_moment = infinity;
   for (int decade = 6; decade >= -280; --decade) {
     const JointSolution s =
-        joint.solve(reaction_at(std::pow(10.0, decade), 1.0), {0, 0, 1});
+        joint.solve({reaction_at(std::pow(10.0, decade), 1.0), {0, 0, 1}});
     ASSERT_EQ(s.status, Status::ok) << decade;
     const double moment = s.friction_moment.stableNorm();
     EXPECT_LT(moment, last_moment) << decade;
@@ -503,9 +503,9 @@ TEST(BallJoint, FallingReaction) {
 }
 
 TEST(BallJoint, SpinningAboutTheReaction) {
-  const BallJoint joint = steel_joint(0.2, 1e8);
+  const Joint joint = steel_joint(0.2, 1e8);
   for (const double sign : {1.0, -1.0}) {
-    const JointSolution s = joint.solve({0, 0, 1e5}, {0, 0, sign});
+    const JointSolution s = joint.solve({{0, 0, 1e5}, {0, 0, sign}});
     EXPECT_EQ(s.status, Status::ok);
     EXPECT_EQ(s.normal, Vector3d(0, 0, 1));
     EXPECT_EQ(s.normal_force, 1e5);
@@ -520,16 +520,16 @@ TEST(BallJoint, SpinningAboutTheReaction) {
                                     1e8 * 0.05 * 0.05 * i.area.spinning);
     EXPECT_NEAR(s.friction_moment.z(), -sign * expected, 1e-14 * expected);
     // The neighbours go over into it.
-    const JointSolution near = joint.solve({1e-9, 0, 1e5}, {0, 0, sign});
+    const JointSolution near = joint.solve({{1e-9, 0, 1e5}, {0, 0, sign}});
     EXPECT_LE((near.friction_moment - s.friction_moment).norm(),
               1e-12 * expected);
   }
 }
 
 TEST(BallJoint, WithoutFriction) {
-  const BallJoint joint = steel_joint(0, 0);
+  const Joint joint = steel_joint(0, 0);
   const Vector3d reaction(1e4, 2e4, -3e4);
-  const JointSolution s = joint.solve(reaction, {1, 0, 1});
+  const JointSolution s = joint.solve({reaction, {1, 0, 1}});
   EXPECT_EQ(s.status, Status::ok);
   EXPECT_LE((s.normal - reaction.normalized()).norm(), 1e-15);
   EXPECT_EQ(s.friction_force.norm(), 0);
@@ -540,8 +540,8 @@ TEST(BallJoint, WithoutFriction) {
 }
 
 TEST(BallJoint, ContactDataFitTheContact) {
-  const BallJoint joint = steel_joint(0.1, 0);
-  const JointSolution s = joint.solve_contact({0, 0, 2e5}, {0, 1, 0});
+  const Joint joint = steel_joint(0.1, 0);
+  const JointSolution s = joint.solve_contact({{0, 0, 2e5}, {0, 1, 0}});
   // Mean of the normal component of p over the contact's projection is R_n.
   const double c = std::cos(s.half_angle);
   EXPECT_NEAR(s.contact_area, 2 * pi * 0.05 * 0.05 * (1 - c), 1e-15);
@@ -559,10 +559,10 @@ TEST(BallJoint, FixedPointAgreesWhereItConverges) {
   for (int i = 0; i < 500; ++i) {
     const RandomSlip input = random.next();
     std::vector<FixedPointStep> trace(500);
-    const auto result =
-        input.joint.fixed_point(input.reaction, input.rate, trace, 1e-13, 500);
+    const auto result = input.joint.fixed_point(
+        input.slip(), trace, {.tolerance = 1e-13, .step_limit = 500});
     if (result.status != Status::ok) continue;
-    const JointSolution s = input.joint.solve(input.reaction, input.rate);
+    const JointSolution s = input.joint.solve(input.slip());
     const FixedPointStep& last = trace[result.steps - 1];
     // Contraction q leaves tolerance q/(1 - q), q < 0.95 within 500 steps.
     EXPECT_NEAR(last.normal_force / s.normal_force, 1, 1e-11) << i;
@@ -573,15 +573,16 @@ TEST(BallJoint, FixedPointAgreesWhereItConverges) {
 
 TEST(BallJoint, FixedPointReportsWhereItFails) {
   // g grows past b: (4.2) has no a.
-  const BallJoint joint = steel_joint(3, 0);
+  const Joint joint = steel_joint(3, 0);
   std::vector<FixedPointStep> trace(10);
   const Vector3d reaction = reaction_at(1e5, 50 * degree);
-  EXPECT_EQ(joint.fixed_point(reaction, {0, 0, 1}, trace).status,
+  EXPECT_EQ(joint.fixed_point({reaction, {0, 0, 1}}, trace).status,
             Status::out_of_range);
-  EXPECT_EQ(joint.solve(reaction, {0, 0, 1}).status, Status::ok);
+  EXPECT_EQ(joint.solve({reaction, {0, 0, 1}}).status, Status::ok);
   // A short limit.
   EXPECT_EQ(steel_joint(0.1, 4e7)
-                .fixed_point(reaction, {0, 0, 1}, trace, 1e-12, 3)
+                .fixed_point({reaction, {0, 0, 1}}, trace,
+                             {.tolerance = 1e-12, .step_limit = 3})
                 .status,
             Status::not_converged);
 }
@@ -590,47 +591,47 @@ TEST(BallJoint, FixedPointReportsWhereItFails) {
 TEST(BallJoint, HalfAngleLawWithAnEnd) {
   const ElasticPair pair({2e11, 0.3}, {2e11, 0.3});
   const auto make = [&](double f0) {
-    return BallJoint(
-        JointGeometry::ball(0.05, 0.05e-3), pair, FrictionLaw(f0),
-        contact::make_half_angle_law("hertz", JointKind::ball, pair),
-        std::make_unique<contact::CosinePressure>(JointKind::ball));
+    return Joint({JointGeometry::ball(0.05, 0.05e-3), pair, FrictionLaw(f0),
+                  contact::make_half_angle_law("hertz", JointKind::ball, pair),
+                  std::make_unique<contact::CosinePressure>(JointKind::ball)});
   };
   const double end = 1 / make(1).contact().load_parameter(1);
   const Vector3d rate(0, 0, 1);
-  const JointSolution inside = make(1).solve({1.2 * end, 0, 0}, rate);
+  const JointSolution inside = make(1).solve({{1.2 * end, 0, 0}, rate});
   EXPECT_EQ(inside.status, Status::ok);
   EXPECT_LT(inside.normal_force, end);
   EXPECT_LE(true_residual(make(1), inside), 2e-13);
-  const JointSolution outside = make(0.1).solve({1.2 * end, 0, 0}, rate);
+  const JointSolution outside = make(0.1).solve({{1.2 * end, 0, 0}, rate});
   EXPECT_EQ(outside.status, Status::out_of_range);
   EXPECT_TRUE(std::isnan(outside.friction_moment.x()));
 }
 
 TEST(BallJoint, NanAndInfinityGiveNan) {
-  const BallJoint joint = steel_joint(0.2, 1e8);
-  const JointSolution last = joint.solve({1e4, 2e4, 0}, {0, 1, 1});
+  const Joint joint = steel_joint(0.2, 1e8);
+  const JointSolution last = joint.solve({{1e4, 2e4, 0}, {0, 1, 1}});
   for (const double bad : {nan, infinity, -infinity}) {
     for (int i = 0; i < 3; ++i) {
       Vector3d reaction(1e4, 2e4, 0);
       Vector3d rate(0, 1, 1);
       reaction[i] = bad;
       for (const JointSolution& s :
-           {joint.solve(reaction, rate), joint.solve(reaction, rate, last),
-            joint.solve_contact(reaction, rate), joint.solve(rate, reaction),
-            joint.solve(reaction, {0, 0, 0})}) {
+           {joint.solve({reaction, rate}), joint.solve({reaction, rate}, last),
+            joint.solve_contact({reaction, rate}),
+            joint.solve({rate, reaction}),
+            joint.solve({reaction, {0, 0, 0}})}) {
         EXPECT_EQ(s.status, Status::out_of_range);
         EXPECT_TRUE(std::isnan(s.normal_force));
         EXPECT_TRUE(s.friction_moment.hasNaN());
         EXPECT_TRUE(std::isnan(s.power));
       }
       std::vector<FixedPointStep> trace(5);
-      EXPECT_EQ(joint.fixed_point(reaction, rate, trace).status,
+      EXPECT_EQ(joint.fixed_point({reaction, rate}, trace).status,
                 Status::out_of_range);
     }
   }
   // A spoilt solution is no start, and does no harm.
-  const JointSolution bad = joint.solve({nan, 0, 0}, {0, 1, 1});
-  EXPECT_EQ(joint.solve({1e4, 2e4, 0}, {0, 1, 1}, bad).status, Status::ok);
+  const JointSolution bad = joint.solve({{nan, 0, 0}, {0, 1, 1}});
+  EXPECT_EQ(joint.solve({{1e4, 2e4, 0}, {0, 1, 1}}, bad).status, Status::ok);
 }
 
 TEST(BallJoint, KernelsDoNotAllocate) {
@@ -638,13 +639,14 @@ TEST(BallJoint, KernelsDoNotAllocate) {
   std::vector<RandomSlip> inputs;
   for (int i = 0; i < 50; ++i) inputs.push_back(random.next());
   std::vector<FixedPointStep> trace(20);
-  inputs[0].joint.solve(inputs[0].reaction, inputs[0].rate);
+  inputs[0].joint.solve(inputs[0].slip());
   const std::size_t before = contact::test::allocation_count();
   for (const RandomSlip& input : inputs) {
-    const JointSolution s = input.joint.solve(input.reaction, input.rate);
-    input.joint.solve(1.001 * input.reaction, input.rate, s);
-    input.joint.solve_contact(input.reaction, input.rate);
-    input.joint.fixed_point(input.reaction, input.rate, trace, 1e-12, 20);
+    const JointSolution s = input.joint.solve(input.slip());
+    input.joint.solve({1.001 * input.reaction, input.rate}, s);
+    input.joint.solve_contact({input.reaction, input.rate});
+    input.joint.fixed_point(input.slip(), trace,
+                            {.tolerance = 1e-12, .step_limit = 20});
   }
   EXPECT_EQ(contact::test::allocation_count(), before);
 }
@@ -657,13 +659,16 @@ TEST(BallJoint, RefusesWhatDoesNotFit) {
   const auto make = [&](const JointGeometry& geometry, JointKind law,
                         JointKind pressure) {
     return error_message([&] {
-      BallJoint(geometry, pair, FrictionLaw(0.1),
-                contact::make_half_angle_law("tanh", law, pair),
-                std::make_unique<contact::CosinePressure>(pressure));
+      Joint({geometry, pair, FrictionLaw(0.1),
+             contact::make_half_angle_law("tanh", law, pair),
+             std::make_unique<contact::CosinePressure>(pressure)});
     });
   };
-  EXPECT_EQ(make(pin, JointKind::pin, JointKind::pin),
-            "ball joint: geometry of a pin joint must be of a ball joint");
+  EXPECT_EQ(make(pin, JointKind::ball, JointKind::pin),
+            "pin joint: half-angle law for a ball joint must be for a pin "
+            "joint");
+  EXPECT_EQ(make(pin, JointKind::pin, JointKind::ball),
+            "pin joint: pressure law for a ball joint must be for a pin joint");
   EXPECT_EQ(make(ball, JointKind::pin, JointKind::ball),
             "ball joint: half-angle law for a pin joint must be for a ball "
             "joint");
@@ -671,7 +676,7 @@ TEST(BallJoint, RefusesWhatDoesNotFit) {
       make(ball, JointKind::ball, JointKind::pin),
       "ball joint: pressure law for a pin joint must be for a ball joint");
   EXPECT_EQ(error_message([&] {
-              BallJoint(ball, pair, FrictionLaw(0.1), nullptr, nullptr);
+              Joint({ball, pair, FrictionLaw(0.1), nullptr, nullptr});
             }),
             "ball joint requires a half-angle law and a pressure law");
 }

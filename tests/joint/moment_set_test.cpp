@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "libcontact/half_angle/factory.hpp"
-#include "libcontact/joint/ball_joint.hpp"
+#include "libcontact/joint/joint.hpp"
 #include "libcontact/pressure/cosine.hpp"
 #include "support/accuracy_report.hpp"
 #include "support/allocation_count.hpp"
@@ -17,7 +17,7 @@
 
 namespace {
 
-using contact::BallJoint;
+using contact::Joint;
 using contact::JointSolution;
 using contact::MomentProx;
 using contact::MomentSet;
@@ -45,7 +45,7 @@ std::vector<RandomSet> random_sets(RandomSlips& random, int count) {
   std::vector<RandomSet> sets;
   while (static_cast<int>(sets.size()) < count) {
     RandomSlip input = random.next();
-    const JointSolution s = input.joint.solve(input.reaction, input.rate);
+    const JointSolution s = input.joint.solve(input.slip());
     // Sizes of moments whose squares are normal numbers.
     const double moment = s.friction_moment.stableNorm();
     if (!(moment > 1e-100 && moment < 1e100)) continue;
@@ -72,8 +72,8 @@ template <class Joint>
 concept HasMomentSet = requires(Joint joint, const JointSolution& solution) {
   std::forward<Joint>(joint).moment_set(solution);
 };
-static_assert(HasMomentSet<const BallJoint&>);
-static_assert(!HasMomentSet<BallJoint>);
+static_assert(HasMomentSet<const Joint&>);
+static_assert(!HasMomentSet<Joint>);
 static_assert(!std::is_constructible_v<MomentSet, contact::JointContact,
                                        Vector3d, double, double>);
 
@@ -233,16 +233,16 @@ TEST(MomentSet, ProjectionIsTheNearestPoint) {
 TEST(MomentSet, WithoutFrictionOrLoadHoldsNothing) {
   const contact::ElasticPair pair({2e11, 0.3}, {2e11, 0.3});
   const auto make = [&](const contact::FrictionModel& friction) {
-    return BallJoint(
-        contact::JointGeometry::ball(0.05, 0.05e-3), pair, friction,
-        contact::make_half_angle_law("tanh", contact::JointKind::ball, pair),
-        std::make_unique<contact::CosinePressure>(contact::JointKind::ball));
+    return Joint(
+        {contact::JointGeometry::ball(0.05, 0.05e-3), pair, friction,
+         contact::make_half_angle_law("tanh", contact::JointKind::ball, pair),
+         std::make_unique<contact::CosinePressure>(contact::JointKind::ball)});
   };
   const Vector3d m(1, 2, 3);
-  for (const BallJoint& joint :
+  for (const Joint& joint :
        {make(contact::FrictionLaw(0)), make(contact::ViscousLaw(1e6, 0.1))}) {
     const JointSolution rest =
-        joint.solve(Vector3d(0, 0, 1e5), Vector3d::Zero());
+        joint.solve({Vector3d(0, 0, 1e5), Vector3d::Zero()});
     const MomentSet set = joint.moment_set(rest);
     EXPECT_EQ(set.support(m), 0);
     EXPECT_EQ(set.utilisation(m), infinity);
@@ -250,8 +250,8 @@ TEST(MomentSet, WithoutFrictionOrLoadHoldsNothing) {
     EXPECT_EQ(set.project(m), Vector3d::Zero());
     EXPECT_EQ(set.prox(Matrix3d::Identity(), m).rate, m);
   }
-  const BallJoint dry = make(contact::FrictionLaw(0.3));
-  const JointSolution empty = dry.solve(Vector3d::Zero(), Vector3d::Zero());
+  const Joint dry = make(contact::FrictionLaw(0.3));
+  const JointSolution empty = dry.solve({Vector3d::Zero(), Vector3d::Zero()});
   EXPECT_EQ(dry.moment_set(empty).utilisation(m), infinity);
 }
 

@@ -17,10 +17,10 @@
 
 namespace {
 
-using contact::BallJoint;
 using contact::ElasticPair;
 using contact::FrictionLaw;
 using contact::FrictionModel;
+using contact::Joint;
 using contact::JointGeometry;
 using contact::JointKind;
 using contact::JointNode;
@@ -28,7 +28,6 @@ using contact::JointSolution;
 using contact::JointState;
 using contact::NodeJoint;
 using contact::NodeSolution;
-using contact::PinJoint;
 using contact::SharingRule;
 using contact::Status;
 using contact::test::AccuracyReport;
@@ -41,17 +40,16 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 const ElasticPair steel({2e11, 0.3}, {2e11, 0.3});
 
 NodeJoint ball(double position, const FrictionModel& friction) {
-  return {
-      BallJoint(JointGeometry::ball(0.05, 5e-5), steel, friction,
-                contact::make_half_angle_law("tanh", JointKind::ball, steel),
-                std::make_unique<contact::CosinePressure>(JointKind::ball)),
-      position};
+  return {Joint({JointGeometry::ball(0.05, 5e-5), steel, friction,
+                 contact::make_half_angle_law("tanh", JointKind::ball, steel),
+                 std::make_unique<contact::CosinePressure>(JointKind::ball)}),
+          position};
 }
 
 NodeJoint pin(double position, const FrictionModel& friction) {
-  return {PinJoint(JointGeometry::pin(0.04, 4e-5, 0.08), steel, friction,
-                   contact::make_half_angle_law("blend", JointKind::pin, steel),
-                   std::make_unique<contact::CosinePressure>(JointKind::pin)),
+  return {Joint({JointGeometry::pin(0.04, 4e-5, 0.08), steel, friction,
+                 contact::make_half_angle_law("blend", JointKind::pin, steel),
+                 std::make_unique<contact::CosinePressure>(JointKind::pin)}),
           position};
 }
 
@@ -139,8 +137,8 @@ TEST(JointNode, TwoBallsShare) {
   NodeSolution s = node.make_solution();
   node.solve(2 * reaction, Vector3d::Zero(), axis, 0.1, s);
   ASSERT_EQ(s.status, Status::ok);
-  const auto& alone = std::get<BallJoint>(joints[0].joint);
-  const JointSolution one = alone.solve(reaction, 0.1 * axis);
+  const Joint& alone = joints[0].joint;
+  const JointSolution one = alone.solve({reaction, 0.1 * axis});
   EXPECT_NEAR(s.friction_moment / (2 * one.friction_moment.z()), 1, 1e-13);
   // Unequal springs and axial shares.
   const JointNode uneven(joints, SharingRule{{1, 3}, {0.2, 0.8}});

@@ -1,4 +1,4 @@
-#include "libcontact/joint/pin_joint.hpp"
+#include "libcontact/joint/joint.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,6 @@
 #include "libcontact/pressure/cosine.hpp"
 #include "support/accuracy_report.hpp"
 #include "support/allocation_count.hpp"
-#include "support/error_message.hpp"
 #include "support/random_slip.hpp"
 
 namespace {
@@ -21,12 +20,13 @@ using contact::ElasticPair;
 using contact::FixedPointStep;
 using contact::FrictionLaw;
 using contact::FrictionModel;
+using contact::Joint;
 using contact::JointBody;
 using contact::JointGeometry;
 using contact::JointKind;
 using contact::JointSolution;
 using contact::JointState;
-using contact::PinJoint;
+using contact::RestSolution;
 using contact::Status;
 using contact::ViscousLaw;
 using contact::test::AccuracyReport;
@@ -38,12 +38,12 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double rho = 0.04;
 constexpr double length = 0.1;
 
-PinJoint steel_pin(const FrictionModel& friction,
-                   JointBody inner = JointBody::carrier) {
+Joint steel_pin(const FrictionModel& friction,
+                JointBody inner = JointBody::carrier) {
   const ElasticPair pair({2e11, 0.3}, {2e11, 0.3});
-  return {JointGeometry::pin(rho, 4e-5, length, inner), pair, friction,
-          contact::make_half_angle_law("blend", JointKind::pin, pair),
-          std::make_unique<contact::CosinePressure>(JointKind::pin)};
+  return Joint({JointGeometry::pin(rho, 4e-5, length, inner), pair, friction,
+                contact::make_half_angle_law("blend", JointKind::pin, pair),
+                std::make_unique<contact::CosinePressure>(JointKind::pin)});
 }
 
 // The closed forms at a known R_n, written out for the cosine pressure.
@@ -51,7 +51,7 @@ struct ClosedForm {
   double f;
   double moment;
 
-  ClosedForm(const PinJoint& joint, double f0, double adhesion, double force) {
+  ClosedForm(const Joint& joint, double f0, double adhesion, double force) {
     const double t = joint.contact().half_angle(force).half_angle;
     const double s = std::sin(t);
     const double c = std::cos(t);
@@ -75,11 +75,11 @@ TEST(PinJoint, SolvesItsClosedForms) {
         random.uniform() < 0.2 ? 0 : random.log_uniform(1e3, 1e10);
     const JointBody inner =
         random.uniform() < 0.5 ? JointBody::carrier : JointBody::body;
-    const PinJoint joint = steel_pin(FrictionLaw(f0, adhesion), inner);
+    const Joint joint = steel_pin(FrictionLaw(f0, adhesion), inner);
     const Vector3d axis = random.direction();
     const Vector3d reaction = random.log_uniform(1e3, 1e8) * random.direction();
     const double rate = random.uniform() - 0.5;
-    const JointSolution s = joint.solve(reaction, axis, rate);
+    const JointSolution s = joint.solve({reaction, rate * axis, axis});
     const std::string label = "input " + std::to_string(i);
     ASSERT_EQ(s.status, Status::ok) << label;
     if (f0 == 0 && adhesion == 0) {
@@ -102,7 +102,8 @@ TEST(PinJoint, SolvesItsClosedForms) {
         s.friction_moment.cross(axis).norm() / s.friction_moment.norm(), label);
     EXPECT_LT(s.power, 0) << label;
     EXPECT_LT(s.friction_force.dot(s.slip_velocity), 0) << label;
-    const JointSolution warm = joint.solve(1.001 * reaction, axis, rate, s);
+    const JointSolution warm =
+        joint.solve({1.001 * reaction, rate * axis, axis}, s);
     ASSERT_EQ(warm.status, Status::ok) << label;
     residual.add_error(
         std::abs(ClosedForm(joint, f0, adhesion, warm.normal_force).f /
@@ -118,13 +119,13 @@ TEST(PinJoint, SolvesItsClosedForms) {
 // Without adhesion tan g = f0, and as theta0 -> 0 the moment is rho R_t.
 TEST(PinJoint, CoulombsLimit) {
   for (const double f0 : {1e-3, 0.2, 3.0}) {
-    const PinJoint joint = steel_pin(FrictionLaw(f0));
+    const Joint joint = steel_pin(FrictionLaw(f0));
     for (const double force : {1e-4, 1e5}) {
-      const JointSolution s = joint.solve({force, 0, 0}, {0, 0, 1}, 1);
+      const JointSolution s = joint.solve({{force, 0, 0}, {0, 0, 1}});
       EXPECT_NEAR(s.force_coefficient / f0, 1, 1e-15);
       EXPECT_NEAR(s.normal_force * std::sqrt(1 + f0 * f0) / force, 1, 1e-15);
     }
-    const JointSolution s = joint.solve({1e-4, 0, 0}, {0, 0, 1}, 1);
+    const JointSolution s = joint.solve({{1e-4, 0, 0}, {0, 0, 1}});
     // theta0 = 4e-6 here, and S = 1 + O(theta0^2).
     EXPECT_NEAR(-s.friction_moment.z() / (rho * s.friction_force.norm()), 1,
                 1e-10);
@@ -132,72 +133,103 @@ TEST(PinJoint, CoulombsLimit) {
 }
 
 TEST(PinJoint, ViscousGrowsWithTheRate) {
-  const PinJoint joint = steel_pin(ViscousLaw(2e6, 0.3));
+  const Joint joint = steel_pin(ViscousLaw(2e6, 0.3));
   const Vector3d reaction(2e4, 0, 0);
   const Vector3d axis(0, 0, 1);
   for (const double rate : {1e-9, 1e-3, 1.0, 50.0}) {
-    const JointSolution s = joint.solve(reaction, axis, rate);
+    const JointSolution s = joint.solve({reaction, rate * axis});
     const ClosedForm expected(joint, 0.3 * rho * rate, 2e6 * rho * rate,
                               s.normal_force);
     EXPECT_NEAR(expected.f / s.force_coefficient, 1, 2e-13);
     EXPECT_NEAR(-s.friction_moment.z() / expected.moment, 1, 1e-12);
   }
-  EXPECT_EQ(joint.moment_limit(reaction, axis), 0);
-  EXPECT_EQ(joint.utilisation(reaction, axis, 1), infinity);
-  EXPECT_EQ(joint.utilisation(reaction, axis, 0), 0);
+  // It holds nothing.
+  EXPECT_EQ(joint.utilisation({reaction, axis}).utilisation, infinity);
+  EXPECT_EQ(joint.utilisation({reaction, Vector3d::Zero(), axis}).utilisation,
+            0);
 }
 
 TEST(PinJoint, HoldsAtRestWhatItHasWhenSliding) {
-  const PinJoint joint = steel_pin(FrictionLaw(0.3, 1e8));
+  const Joint joint = steel_pin(FrictionLaw(0.3, 1e8));
   const Vector3d reaction(2e4, 3e4, 0);
   const Vector3d axis(0, 0, 1);
-  const double limit = joint.moment_limit(reaction, axis);
-  EXPECT_EQ(limit, -joint.solve(reaction, axis, 1e-9).friction_moment.z());
-  EXPECT_EQ(joint.utilisation(reaction, axis, 0.5 * limit), 0.5);
-  EXPECT_EQ(joint.utilisation(reaction, axis, -2 * limit), 2);
-  EXPECT_EQ(joint.solve(reaction, axis, 0).state, JointState::resting);
-  EXPECT_EQ(joint.solve({0, 0, 5}, axis, 1).state, JointState::unloaded);
+  const RestSolution one = joint.utilisation({reaction, axis});
+  const double limit = one.slip.friction_moment.z();
+  EXPECT_EQ(one.utilisation, 1 / limit);
+  EXPECT_EQ(one.direction, -axis);
+  EXPECT_EQ(limit, -joint.solve({reaction, 1e-9 * axis}).friction_moment.z());
+  EXPECT_EQ(joint.utilisation({reaction, 0.5 * limit * axis}).utilisation, 0.5);
+  EXPECT_EQ(joint.utilisation({reaction, -2 * limit * axis}).utilisation, 2);
+  for (const double sign : {1.0, -1.0}) {
+    EXPECT_EQ(joint.utilisation({Vector3d::Zero(), sign * axis}).utilisation,
+              infinity);
+  }
+  EXPECT_EQ(joint.solve({reaction, 0 * axis}).state, JointState::resting);
+  EXPECT_EQ(joint.solve({{0, 0, 5}, axis}).state, JointState::unloaded);
 }
 
 TEST(PinJoint, FixedPointAgrees) {
-  const PinJoint joint = steel_pin(FrictionLaw(0.2, 2e7));
+  const Joint joint = steel_pin(FrictionLaw(0.2, 2e7));
   const Vector3d reaction(1e6, 0, 0);
   std::vector<FixedPointStep> trace(200);
-  const auto result = joint.fixed_point(reaction, {0, 0, 1}, 1, trace, 1e-14);
+  const auto result =
+      joint.fixed_point({reaction, {0, 0, 1}}, trace, {.tolerance = 1e-14});
   ASSERT_EQ(result.status, Status::ok);
   EXPECT_EQ(trace[0].friction_angle, 0);
   EXPECT_NEAR(trace[0].slip_axis_angle, 0, 1e-16);
-  const JointSolution s = joint.solve(reaction, {0, 0, 1}, 1);
+  const JointSolution s = joint.solve({reaction, {0, 0, 1}});
   EXPECT_NEAR(trace[result.steps - 1].normal_force / s.normal_force, 1, 1e-13);
 }
 
 TEST(PinJoint, NanGivesNanAndNothingAllocates) {
-  const PinJoint joint = steel_pin(FrictionLaw(0.3, 1e8));
+  const Joint joint = steel_pin(FrictionLaw(0.3, 1e8));
   const std::size_t before = contact::test::allocation_count();
   for (const double bad : {nan, infinity}) {
     for (const JointSolution& s :
-         {joint.solve({bad, 0, 0}, {0, 0, 1}, 1),
-          joint.solve({1, 0, 0}, {0, 0, 1}, bad),
-          joint.solve_contact({1, 0, bad}, {0, 0, 1}, 1)}) {
+         {joint.solve({{bad, 0, 0}, {0, 0, 1}}),
+          joint.solve({{1, 0, 0}, {0, 0, bad}}),
+          joint.solve({{1, 0, 0}, {0, 0, bad}, {0, 0, 1}}),
+          joint.solve_contact({{1, 0, bad}, {0, 0, 1}})}) {
       EXPECT_EQ(s.status, Status::out_of_range);
       EXPECT_TRUE(std::isnan(s.normal_force));
     }
   }
-  EXPECT_TRUE(std::isnan(joint.utilisation({nan, 0, 0}, {0, 0, 1}, 1)));
-  const JointSolution s = joint.solve({1e4, 0, 0}, {0, 0, 1}, 1);
-  joint.solve({1e4, 1, 0}, {0, 0, 1}, 1, s);
+  for (const RestSolution& rest :
+       {joint.utilisation({{nan, 0, 0}, {0, 0, 1}}),
+        joint.utilisation({{nan, 0, 0}, {0, 0, 0}}),
+        joint.utilisation({{1e4, 0, 0}, {0, 0, nan}, {0, 0, 1}})}) {
+    EXPECT_EQ(rest.status, Status::out_of_range);
+    EXPECT_TRUE(std::isnan(rest.utilisation));
+    EXPECT_TRUE(rest.direction.hasNaN());
+  }
+  const JointSolution s = joint.solve({{1e4, 0, 0}, {0, 0, 1}});
+  joint.solve({{1e4, 1, 0}, {0, 0, 1}}, s);
   EXPECT_EQ(contact::test::allocation_count(), before);
 }
 
-TEST(PinJoint, RefusesABall) {
-  const ElasticPair pair({2e11, 0.3}, {2e11, 0.3});
-  EXPECT_EQ(contact::test::error_message([&] {
-              PinJoint(
-                  JointGeometry::ball(0.05, 5e-5), pair, FrictionLaw(0.1),
-                  contact::make_half_angle_law("tanh", JointKind::ball, pair),
-                  std::make_unique<contact::CosinePressure>(JointKind::ball));
-            }),
-            "pin joint: geometry of a ball joint must be of a pin joint");
+// With no axis, the direction of Dw or M is the pin's.
+TEST(PinJoint, AxisIsTheGivenOneOrThatOfTheTurn) {
+  const Joint joint = steel_pin(FrictionLaw(0.3, 1e8));
+  const Vector3d reaction(2e4, 3e4, 1e4);
+  const Vector3d axis = Vector3d(1, 2, -2) / 3;
+  const Vector3d radial = reaction - reaction.dot(axis) * axis;
+  const JointSolution given = joint.solve({reaction, 0.6 * axis, axis});
+  const JointSolution found = joint.solve({reaction, 0.6 * axis});
+  EXPECT_TRUE(given.reaction.isApprox(radial, 1e-15));
+  EXPECT_TRUE(found.reaction.isApprox(radial, 1e-15));
+  EXPECT_TRUE(found.friction_moment.isApprox(given.friction_moment, 1e-14));
+  const JointSolution contact = joint.solve_contact({reaction, 0.6 * axis});
+  EXPECT_NEAR(contact.normal_force / radial.norm(), 1, 1e-15);
+  // Rest has none of its own.
+  EXPECT_TRUE(joint.solve({reaction, Vector3d::Zero(), axis})
+                  .reaction.isApprox(radial, 1e-15));
+  EXPECT_EQ(joint.solve({reaction, Vector3d::Zero()}).reaction, reaction);
+  // Of a moment the part about a given axis counts.
+  const Vector3d across = axis.unitOrthogonal();
+  EXPECT_NEAR(
+      joint.utilisation({reaction, 7 * axis + 5 * across, axis}).utilisation /
+          joint.utilisation({reaction, 7 * axis}).utilisation,
+      1, 1e-14);
 }
 
 }  // namespace

@@ -12,25 +12,23 @@
 #include "libcontact/base/units.hpp"
 #include "libcontact/friction/any_pressure.hpp"
 #include "libcontact/half_angle/factory.hpp"
-#include "libcontact/joint/ball_joint.hpp"
+#include "libcontact/joint/joint.hpp"
 #include "libcontact/joint/moment_set.hpp"
 #include "libcontact/joint/node.hpp"
-#include "libcontact/joint/pin_joint.hpp"
 #include "libcontact/pressure/exact.hpp"
 #include "libcontact/pressure/factory.hpp"
 #include "support/accuracy_report.hpp"
 
 namespace {
 
-using contact::BallJoint;
 using contact::degree;
 using contact::ElasticPair;
 using contact::FrictionLaw;
 using contact::FrictionModel;
+using contact::Joint;
 using contact::JointGeometry;
 using contact::JointKind;
 using contact::JointSolution;
-using contact::PinJoint;
 using contact::Status;
 using contact::ViscousLaw;
 using contact::test::AccuracyReport;
@@ -38,21 +36,20 @@ using Eigen::Vector3d;
 
 ElasticPair unlike_pair() { return ElasticPair({2e11, 0.3}, {1.1e11, 0.35}); }
 
-BallJoint ball_joint(const std::string& pressure,
-                     const FrictionModel& friction) {
+Joint ball_joint(const std::string& pressure, const FrictionModel& friction) {
   const ElasticPair pair = unlike_pair();
   const JointKind kind = JointKind::ball;
-  return {JointGeometry::ball(0.05, 0.05e-3), pair, friction,
-          contact::make_half_angle_law("exact", kind, pair),
-          contact::make_pressure_law(pressure, kind, pair)};
+  return Joint({JointGeometry::ball(0.05, 0.05e-3), pair, friction,
+                contact::make_half_angle_law("exact", kind, pair),
+                contact::make_pressure_law(pressure, kind, pair)});
 }
 
-PinJoint pin_joint(const std::string& pressure, const FrictionModel& friction) {
+Joint pin_joint(const std::string& pressure, const FrictionModel& friction) {
   const ElasticPair pair = unlike_pair();
   const JointKind kind = JointKind::pin;
-  return {JointGeometry::pin(0.05, 0.05e-3, 0.1), pair, friction,
-          contact::make_half_angle_law("exact", kind, pair),
-          contact::make_pressure_law(pressure, kind, pair)};
+  return Joint({JointGeometry::pin(0.05, 0.05e-3, 0.1), pair, friction,
+                contact::make_half_angle_law("exact", kind, pair),
+                contact::make_pressure_law(pressure, kind, pair)});
 }
 
 Vector3d random_direction(std::mt19937& random) {
@@ -75,11 +72,11 @@ TEST(JointPressure, BallSolvesItsEquationAndKeepsItsVectors) {
     for (int i = 0; i < 300; ++i) {
       const FrictionLaw friction(1.5 * uniform(random),
                                  i % 3 == 0 ? 0 : 1e8 * uniform(random));
-      const BallJoint joint = ball_joint(name, friction);
+      const Joint joint = ball_joint(name, friction);
       const double force = std::pow(10, 2 + 5 * uniform(random));
       const Vector3d reaction = force * random_direction(random);
       const Vector3d rate = 3 * random_direction(random);
-      const JointSolution s = joint.solve(reaction, rate);
+      const JointSolution s = joint.solve({reaction, rate});
       const std::string row = name + " " + std::to_string(i);
       ASSERT_EQ(s.status, Status::ok) << row;
       EXPECT_LE(s.power, 0) << row;
@@ -96,7 +93,7 @@ TEST(JointPressure, BallSolvesItsEquationAndKeepsItsVectors) {
           row);
       const Eigen::Matrix3d turn =
           Eigen::AngleAxisd(2.1, random_direction(random)).toRotationMatrix();
-      const JointSolution other = joint.solve(turn * reaction, turn * rate);
+      const JointSolution other = joint.solve({turn * reaction, turn * rate});
       turned.add_error(
           vector_error(other.friction_moment, turn * s.friction_moment), row);
     }
@@ -111,8 +108,9 @@ TEST(JointPressure, SmallContactsDoNotSeeThePressure) {
   // theta0 is 1e-2 deg, 1 - cos theta0 some 1e-8.
   const double f = 0.3;
   for (const std::string& name : contact::pressure_law_names()) {
-    const JointSolution s = ball_joint(name, FrictionLaw(f))
-                                .solve(Vector3d(1e-6, 0, 0), Vector3d(0, 0, 1));
+    const JointSolution s =
+        ball_joint(name, FrictionLaw(f))
+            .solve({Vector3d(1e-6, 0, 0), Vector3d(0, 0, 1)});
     EXPECT_LT(s.half_angle, 0.02 * degree) << name;
     EXPECT_NEAR(s.friction_moment.norm() / (0.05 * 1e-6 * f / std::hypot(1, f)),
                 1, 1e-7)
@@ -126,7 +124,7 @@ TEST(JointPressure, PlanarDiscOfHertz) {
   for (const std::string& name : contact::pressure_law_names()) {
     const JointSolution s =
         ball_joint(name, FrictionLaw(0.2))
-            .solve_contact(Vector3d(0, 0, 1), Vector3d(0, 0, 1));
+            .solve_contact({Vector3d(0, 0, 1), Vector3d(0, 0, 1)});
     const double factor =
         name == "cosine" ? 8.0 / 15 : 3 * std::numbers::pi / 16;
     // theta0 is 0.9 deg here: theta0^2 is 3e-4, and the mixture has 0.6 % of
@@ -143,7 +141,7 @@ TEST(JointPressure, SpinningMomentShowsTheChoice) {
   for (const double force : {1e3, 1e5, 1e7}) {
     const auto moment = [&](const char* name) {
       return ball_joint(name, friction)
-          .solve_contact(Vector3d(0, 0, force), Vector3d(0, 0, 1))
+          .solve_contact({Vector3d(0, 0, force), Vector3d(0, 0, 1)})
           .friction_moment.norm();
     };
     const double excess = moment("exact") / moment("cosine") - 1;
@@ -158,7 +156,7 @@ TEST(JointPressure, MomentsAreTheGradientOfThePotential) {
     // Differences of fourth order; the exact pressure's integrals are good to
     // 3e-9.
     AccuracyReport report(name + ": M = -dPhi/dDw", 1e-8);
-    const BallJoint joint = ball_joint(name, FrictionLaw(0.3, 2e7));
+    const Joint joint = ball_joint(name, FrictionLaw(0.3, 2e7));
     std::mt19937 random(5);
     for (const double theta0_deg : {10.0, 45.0, 80.0}) {
       const contact::MomentSet set(joint.contact(), Vector3d::UnitZ(), 1e5,
@@ -186,10 +184,10 @@ TEST(JointPressure, MomentsAreTheGradientOfThePotential) {
 
 TEST(JointPressure, RestAndProxWork) {
   for (const std::string& name : contact::pressure_law_names()) {
-    const BallJoint joint = ball_joint(name, FrictionLaw(0.3, 2e7));
+    const Joint joint = ball_joint(name, FrictionLaw(0.3, 2e7));
     const Vector3d reaction(3e4, 1e4, -2e4);
-    const JointSolution slip = joint.solve(reaction, Vector3d(0.2, -1, 0.4));
-    const auto rest = joint.utilisation(reaction, 0.5 * slip.friction_moment);
+    const JointSolution slip = joint.solve({reaction, Vector3d(0.2, -1, 0.4)});
+    const auto rest = joint.utilisation({reaction, 0.5 * slip.friction_moment});
     EXPECT_EQ(rest.status, Status::ok) << name;
     EXPECT_NEAR(rest.utilisation, 0.5, 1e-8) << name;
     const contact::MomentSet set(joint.contact(), Vector3d::UnitX(), 1e4,
@@ -203,9 +201,8 @@ TEST(JointPressure, RestAndProxWork) {
 TEST(JointPressure, PinTakesTheForceRatio) {
   const double f0 = 0.2;
   for (const std::string& name : contact::pressure_law_names()) {
-    const PinJoint joint = pin_joint(name, FrictionLaw(f0, 3e6));
-    const JointSolution s =
-        joint.solve(Vector3d(1e5, 2e5, 0), Vector3d::UnitZ(), 2);
+    const Joint joint = pin_joint(name, FrictionLaw(f0, 3e6));
+    const JointSolution s = joint.solve({{1e5, 2e5, 0}, {0, 0, 2}});
     ASSERT_EQ(s.status, Status::ok) << name;
     const double ratio =
         joint.contact().pressure_law().force_ratio(s.half_angle);
@@ -217,9 +214,9 @@ TEST(JointPressure, PinTakesTheForceRatio) {
 
 TEST(JointPressure, ViscousJoints) {
   for (const std::string& name : contact::pressure_law_names()) {
-    const BallJoint joint = ball_joint(name, ViscousLaw(1e3, 0.02));
+    const Joint joint = ball_joint(name, ViscousLaw(1e3, 0.02));
     const JointSolution s =
-        joint.solve(Vector3d(1e4, 3e4, -2e4), Vector3d(5, -2, 4));
+        joint.solve({Vector3d(1e4, 3e4, -2e4), Vector3d(5, -2, 4)});
     EXPECT_EQ(s.status, Status::ok) << name;
     EXPECT_LT(s.power, 0) << name;
   }
@@ -241,22 +238,22 @@ TEST(JointPressure, HalfAnglesBeyondTheLawHaveNoResult) {
   const ElasticPair pair = unlike_pair();
   contact::HalfAngleOptions options;
   options.limit_half_angle = 150 * degree;
-  const BallJoint joint(
-      JointGeometry::ball(0.05, 0.05e-3), pair, FrictionLaw(0.1),
-      contact::make_half_angle_law("tanh", JointKind::ball, pair, options),
-      contact::make_pressure_law("exact", JointKind::ball, pair));
+  const Joint joint(
+      {JointGeometry::ball(0.05, 0.05e-3), pair, FrictionLaw(0.1),
+       contact::make_half_angle_law("tanh", JointKind::ball, pair, options),
+       contact::make_pressure_law("exact", JointKind::ball, pair)});
   const JointSolution s =
-      joint.solve_contact(Vector3d(0, 0, 1e12), Vector3d(0, 1, 1));
+      joint.solve_contact({Vector3d(0, 0, 1e12), Vector3d(0, 1, 1)});
   EXPECT_TRUE(std::isnan(s.friction_moment.norm()));
   EXPECT_EQ(joint.contact().validity_notes().back(),
             "pressure law exact ends at 120 deg, before the limit half-angle "
             "of law tanh");
   // An exact half-angle law ends where the exact pressure does.
   const ElasticPair soft({1e8, 0.49}, {2e11, 0.3});
-  const BallJoint same(
-      JointGeometry::ball(0.05, 0.05e-3), soft, FrictionLaw(0.1),
-      contact::make_half_angle_law("exact", JointKind::ball, soft),
-      contact::make_pressure_law("exact", JointKind::ball, soft));
+  const Joint same(
+      {JointGeometry::ball(0.05, 0.05e-3), soft, FrictionLaw(0.1),
+       contact::make_half_angle_law("exact", JointKind::ball, soft),
+       contact::make_pressure_law("exact", JointKind::ball, soft)});
   EXPECT_TRUE(same.contact().validity_notes().empty());
 }
 

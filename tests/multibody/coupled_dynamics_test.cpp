@@ -18,7 +18,6 @@ namespace {
 
 using contact::FrictionLaw;
 using Eigen::Vector3d;
-using multibody::BallFriction;
 using multibody::CoupledDynamics;
 using multibody::CoupledReport;
 using multibody::CoupledStatus;
@@ -26,9 +25,9 @@ using multibody::HingeFriction;
 using multibody::HingeKind;
 using multibody::HingeMode;
 using multibody::Instant;
+using multibody::JointFriction;
 using multibody::NodeFriction;
 using multibody::OuterStep;
-using multibody::PinFriction;
 using multibody::Prepared;
 using multibody::vec3;
 using multibody::test::ball_and_pin;
@@ -55,9 +54,9 @@ Case case_of(Instant instant, bool at_rest, double radius, double arms = 1) {
       body.body.inertia *= arms;
     }
     if (body.body.kind == HingeKind::axis) {
-      friction.emplace_back(PinFriction{pin_joint(law, radius)});
+      friction.emplace_back(JointFriction{pin_joint(law, radius)});
     } else {
-      friction.emplace_back(BallFriction{ball_joint(law, radius)});
+      friction.emplace_back(JointFriction{ball_joint(law, radius)});
     }
   }
   return {prepare(instant), std::move(friction)};
@@ -107,17 +106,12 @@ TEST(CoupledDynamics, FrictionFitsTheReactionsItCauses) {
           const multibody::Link& link = c.prepared.system.links()[i];
           const Vector3d force = link.axes * vec3(coupled.reaction(i).force);
           const double* s = &c.prepared.state[coupled.layout().offset(i)];
-          Vector3d expected;
-          if (link.kind == HingeKind::axis) {
-            const Vector3d axis = link.axes.col(2);
-            const auto joint = std::get<PinFriction>(c.friction[i]).joint;
-            const Vector3d radial = force - force.dot(axis) * axis;
-            expected = joint.solve(radial, axis, s[1]).friction_moment;
-          } else {
-            const auto joint = std::get<BallFriction>(c.friction[i]).joint;
-            const Vector3d rate = link.axes * Vector3d(s[4], s[5], s[6]);
-            expected = joint.solve(force, rate).friction_moment;
-          }
+          const auto& joint = std::get<JointFriction>(c.friction[i]).joint;
+          const bool is_axis = link.kind == HingeKind::axis;
+          const Vector3d rate =
+              is_axis ? Vector3d(0, 0, s[1]) : Vector3d(s[4], s[5], s[6]);
+          const Vector3d expected =
+              joint.solve({force, link.axes * rate}).friction_moment;
           const Vector3d found = link.axes * coupled.friction_moment(i);
           EXPECT_LT((found - expected).norm(), 1e-9 * expected.norm());
         }
@@ -277,7 +271,7 @@ struct StickyPin {
   StickyPin(const multibody::Carrier& carrier, const Vector3d& hinge,
             const Vector3d& force)
       : system(carrier, {body_at(hinge)}) {
-    friction.emplace_back(PinFriction{
+    friction.emplace_back(JointFriction{
         pin_joint(FrictionLaw(sine / std::sqrt(1 - sine * sine)), radius)});
     forces.bodies.resize(1);
     forces.bodies[0].force =
@@ -536,10 +530,10 @@ TEST(CoupledDynamics, BallJointsBeginToSlideWhereTheyAccelerate) {
           << seed;
       const multibody::Link& link = c.prepared.system.links()[i];
       const Vector3d expected =
-          std::get<BallFriction>(c.friction[i])
+          std::get<JointFriction>(c.friction[i])
               .joint
-              .solve(link.axes * vec3(coupled.reaction(i).force),
-                     link.axes * alpha)
+              .solve({link.axes * vec3(coupled.reaction(i).force),
+                      link.axes * alpha})
               .friction_moment;
       EXPECT_LT((link.axes * coupled.friction_moment(i) - expected).norm(),
                 1e-5 * expected.norm())

@@ -20,7 +20,6 @@ namespace {
 using contact::FrictionLaw;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
-using multibody::BallFriction;
 using multibody::BodyForce;
 using multibody::BodyMotion;
 using multibody::CarrierDrive;
@@ -31,12 +30,12 @@ using multibody::HingeKind;
 using multibody::HingeMode;
 using multibody::HingeSample;
 using multibody::Integrator;
+using multibody::JointFriction;
 using multibody::Motion;
 using multibody::MotionFailure;
 using multibody::MotionOptions;
 using multibody::MotionStart;
 using multibody::NodeFriction;
-using multibody::PinFriction;
 using multibody::Stop;
 using multibody::System;
 using multibody::test::ball_joint;
@@ -68,11 +67,11 @@ LawPointer ending(const contact::JointContact& contact) {
   return std::make_shared<EndingLaw>(contact.geometry().kind(),
                                      contact.load_parameter(law_end));
 }
-contact::BallJoint ending_ball() {
+contact::Joint ending_ball() {
   return ball_joint(friction, radius,
                     ending(ball_joint(friction, radius).contact()));
 }
-contact::PinJoint ending_pin() {
+contact::Joint ending_pin() {
   return pin_joint(friction, radius,
                    ending(pin_joint(friction, radius).contact()));
 }
@@ -93,9 +92,9 @@ std::vector<Hinge> hinges() {
     const std::string by =
         estimate == FrictionEstimate::consistent ? "" : ", traditional";
     all.push_back({"ball" + by, HingeKind::ball,
-                   BallFriction{ending_ball(), estimate}, 0, 1});
+                   JointFriction{ending_ball(), estimate}, 0, 1});
     all.push_back({"pin" + by, HingeKind::axis,
-                   PinFriction{ending_pin(), estimate}, 0, 1});
+                   JointFriction{ending_pin(), estimate}, 0, 1});
     for (const int joint : {0, 1}) {
       std::vector<contact::NodeJoint> joints;
       joints.push_back(

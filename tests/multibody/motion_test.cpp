@@ -18,7 +18,6 @@ namespace {
 using contact::FrictionLaw;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
-using multibody::BallFriction;
 using multibody::Body;
 using multibody::BodyForce;
 using multibody::BodyMotion;
@@ -31,15 +30,16 @@ using multibody::HingeKind;
 using multibody::HingeMode;
 using multibody::HingeSample;
 using multibody::Integrator;
+using multibody::JointFriction;
 using multibody::Motion;
 using multibody::MotionOptions;
 using multibody::MotionStart;
 using multibody::NodeFriction;
-using multibody::PinFriction;
 using multibody::Stop;
 using multibody::System;
 using multibody::test::ball_and_pin;
 using multibody::test::ball_joint;
+using multibody::test::moment_limit;
 using multibody::test::pin_joint;
 
 constexpr double g = 9.81;
@@ -84,8 +84,7 @@ class Torque : public ForceModel {
 TEST(Motion, ConstantFrictionStopsAWheelAndItStays) {
   const double mass = 20, about = 0.4, w0 = 3;
   const auto joint = pin_joint(FrictionLaw(0.2, 1e4));
-  const double friction =
-      joint.moment_limit(Vector3d(0, mass * g, 0), Vector3d::UnitZ());
+  const double friction = moment_limit(joint, {0, mass * g, 0});
   ASSERT_GT(friction, 0);
   for (const Integrator integrator : {Integrator::adaptive, Integrator::rk4}) {
     for (const double sign : {1.0, -1.0}) {
@@ -95,7 +94,7 @@ TEST(Motion, ConstantFrictionStopsAWheelAndItStays) {
       MotionStart start = start_of(1);
       start.bodies[0].angle_rate = sign * w0;
       Motion motion(System(heavy_carrier(), {wheel(mass, about)}),
-                    {PinFriction{joint}}, nullptr, start, options);
+                    {JointFriction{joint}}, nullptr, start, options);
       const double stop = about * w0 / friction;
       EXPECT_EQ(motion.sample().mode(0), HingeMode::sliding);
       ASSERT_EQ(motion.advance_to(stop + 5), Stop::time);
@@ -121,12 +120,12 @@ TEST(Motion, BallJointStopsAboutItsAxisWhenItShould) {
   for (const Integrator integrator : {Integrator::adaptive, Integrator::rk4}) {
     for (const Vector3d& axis : {Vector3d(0, 1, 0), Vector3d(0, 0, -1)}) {
       const double friction =
-          joint.solve(Vector3d(0, mass * g, 0), axis).friction_moment.norm();
+          joint.solve({{0, mass * g, 0}, axis}).friction_moment.norm();
       MotionOptions options = on_fixed_carrier();
       options.integrator = integrator;
       MotionStart start = start_of(1);
       start.bodies[0].relative_angular_velocity = w0 * axis;
-      Motion motion(System(heavy_carrier(), {body}), {BallFriction{joint}},
+      Motion motion(System(heavy_carrier(), {body}), {JointFriction{joint}},
                     nullptr, start, options);
       const double stop = about * w0 / friction;
       ASSERT_EQ(motion.advance_to(2 * stop), Stop::time);
@@ -145,8 +144,7 @@ TEST(Motion, BallJointStopsAboutItsAxisWhenItShould) {
 TEST(Motion, RampedTorqueStartsSlidingAtTheRightInstant) {
   const double mass = 20, about = 0.4, slope = 1.7;
   const auto joint = pin_joint(FrictionLaw(0.2, 1e4));
-  const double friction =
-      joint.moment_limit(Vector3d(0, mass * g, 0), Vector3d::UnitZ());
+  const double friction = moment_limit(joint, {0, mass * g, 0});
   for (const Integrator integrator : {Integrator::adaptive, Integrator::rk4}) {
     MotionOptions options = on_fixed_carrier();
     options.integrator = integrator;
@@ -154,7 +152,7 @@ TEST(Motion, RampedTorqueStartsSlidingAtTheRightInstant) {
     const auto torque =
         std::make_shared<Torque>([=](double t) { return slope * t; });
     Motion motion(System(heavy_carrier(), {wheel(mass, about)}),
-                  {PinFriction{joint}}, torque, start_of(1), options);
+                  {JointFriction{joint}}, torque, start_of(1), options);
     const double begin = friction / slope;
     EXPECT_EQ(motion.sample().mode(0), HingeMode::resting);
     ASSERT_EQ(motion.advance_to(begin + 2), Stop::time);
@@ -180,12 +178,12 @@ TEST(Motion, WithoutFrictionATorqueTurnsTheWheelAtOnce) {
     double gravity;
   };
   const std::vector<Wheel> wheels = {
-      {HingeKind::axis, PinFriction{pin_joint(none)}, g},
+      {HingeKind::axis, JointFriction{pin_joint(none)}, g},
       {HingeKind::axis, NodeFriction{ball_and_pin(none, 0.2)}, g},
-      {HingeKind::ball, BallFriction{ball_joint(none)}, g},
-      {HingeKind::axis, PinFriction{pin_joint(FrictionLaw(0.2, 1e4))}, 0},
+      {HingeKind::ball, JointFriction{ball_joint(none)}, g},
+      {HingeKind::axis, JointFriction{pin_joint(FrictionLaw(0.2, 1e4))}, 0},
       {HingeKind::axis, NodeFriction{ball_and_pin(FrictionLaw(0.2), 0.2)}, 0},
-      {HingeKind::ball, BallFriction{ball_joint(FrictionLaw(0.2))}, 0}};
+      {HingeKind::ball, JointFriction{ball_joint(FrictionLaw(0.2))}, 0}};
   for (std::size_t k = 0; k < wheels.size(); ++k) {
     for (const Integrator integrator :
          {Integrator::adaptive, Integrator::rk4}) {
@@ -238,7 +236,7 @@ TEST(Motion, BallJointStopsInFiniteTimeWithBoundedWork) {
     options.integrator = c.integrator;
     options.step = 1e-3;
     Motion motion(System(heavy_carrier(), {body}),
-                  {BallFriction{ball_joint(FrictionLaw(0.2, 1e4), c.radius)}},
+                  {JointFriction{ball_joint(FrictionLaw(0.2, 1e4), c.radius)}},
                   nullptr, start, options);
     const double before = motion.sample().energy().balance();
     ASSERT_EQ(motion.advance_to(200), Stop::time);
@@ -284,7 +282,7 @@ TEST(Motion, NoneOrSeveralFrictionMomentsAreReported) {
   body.inertia.diagonal() << 1e-3, 1e-3, mass * 0.05 * 0.05;
   body.hinge_from_com = Vector3d(arm, 0, 0);
   const System system(heavy_carrier(), {body});
-  const auto friction = PinFriction{
+  const auto friction = JointFriction{
       pin_joint(FrictionLaw(sine / std::sqrt(1 - sine * sine)), radius)};
   // Without motion R = -F + m a, a_y = F_y m arm^2/J/m.
   const auto force_for = [&](double rx, double ry) {
@@ -390,7 +388,7 @@ Mixed mixed_system(std::uint64_t seed, bool friction) {
     } else if (i % 2) {
       m.friction.push_back(NodeFriction{ball_and_pin(law, 0.2)});
     } else {
-      m.friction.push_back(BallFriction{ball_joint(law, 0.02)});
+      m.friction.push_back(JointFriction{ball_joint(law, 0.02)});
     }
   }
   m.start.carrier.velocity = random.vector(1);
@@ -441,13 +439,12 @@ TEST(Motion, RestingHingeNeitherCreepsNorChatters) {
   options.integrator = Integrator::rk4;
   options.step = 1e-3;
   const auto joint = pin_joint(FrictionLaw(0.2, 1e4));
-  const double held =
-      joint.moment_limit(Vector3d(0, 20 * g, 0), Vector3d::UnitZ());
+  const double held = moment_limit(joint, {0, 20 * g, 0});
   const auto torque = std::make_shared<Torque>(
       [=](double t) { return 0.6 * held * std::sin(3 * t); });
   MotionStart start = start_of(1);
   start.bodies[0].angle = 0.7;
-  Motion motion(System(heavy_carrier(), {body}), {PinFriction{joint}}, torque,
+  Motion motion(System(heavy_carrier(), {body}), {JointFriction{joint}}, torque,
                 start, options);
   ASSERT_EQ(motion.advance_to(1000), Stop::time);
   EXPECT_GE(motion.counts().steps, 1'000'000);
@@ -462,13 +459,12 @@ TEST(Motion, RestingHingeNeitherCreepsNorChatters) {
 TEST(Motion, SlidesAndSticksAgainAndAgain) {
   const double mass = 20, about = 0.4, turns = 2;
   const auto joint = pin_joint(FrictionLaw(0.2, 1e4));
-  const double held =
-      joint.moment_limit(Vector3d(0, mass * g, 0), Vector3d::UnitZ());
+  const double held = moment_limit(joint, {0, mass * g, 0});
   for (const double size : {1.3, 1.0001}) {
     const auto torque = std::make_shared<Torque>(
         [=](double t) { return size * held * std::sin(turns * t); });
     Motion motion(System(heavy_carrier(), {wheel(mass, about)}),
-                  {PinFriction{joint}}, torque, start_of(1),
+                  {JointFriction{joint}}, torque, start_of(1),
                   on_fixed_carrier());
     const double period = 2 * std::numbers::pi / turns;
     ASSERT_EQ(motion.advance_to(5 * period), Stop::time);
@@ -501,13 +497,12 @@ TEST(Motion, ViscousHingeSlowsDownForEver) {
   const double mass = 20, about = 0.4, w0 = 3;
   const auto joint = pin_joint(contact::ViscousLaw(2e3));
   const double per_rate =
-      -joint.solve(Vector3d(0, mass * g, 0), Vector3d::UnitZ(), 1)
-           .friction_moment.z();
+      -joint.solve({{0, mass * g, 0}, Vector3d::UnitZ()}).friction_moment.z();
   ASSERT_GT(per_rate, 0);
   MotionStart start = start_of(1);
   start.bodies[0].angle_rate = w0;
   Motion motion(System(heavy_carrier(), {wheel(mass, about)}),
-                {PinFriction{joint}}, nullptr, start, on_fixed_carrier());
+                {JointFriction{joint}}, nullptr, start, on_fixed_carrier());
   const double time = 3 * about / per_rate;
   ASSERT_EQ(motion.advance_to(time), Stop::time);
   EXPECT_TRUE(motion.changes().empty());
@@ -515,7 +510,7 @@ TEST(Motion, ViscousHingeSlowsDownForEver) {
   // At rest it stays there without being held.
   start.bodies[0].angle_rate = 0;
   Motion still(System(heavy_carrier(), {wheel(mass, about)}),
-               {PinFriction{joint}}, nullptr, start, on_fixed_carrier());
+               {JointFriction{joint}}, nullptr, start, on_fixed_carrier());
   still.advance_to(1);
   EXPECT_EQ(still.sample().mode(0), HingeMode::sliding);
   EXPECT_EQ(still.sample().hinge(0).angle_rate, 0);
@@ -532,7 +527,7 @@ TEST(Motion, TraditionalEstimateBrakesTooHard) {
     if (node) {
       friction = NodeFriction{contact::JointNode(std::move(joints)), estimate};
     } else {
-      friction = PinFriction{pin_joint(FrictionLaw(f), 0.02), estimate};
+      friction = JointFriction{pin_joint(FrictionLaw(f), 0.02), estimate};
     }
     MotionStart start = start_of(1);
     start.bodies[0].angle_rate = 3;
@@ -602,9 +597,9 @@ TEST(Motion, RandomSystemsRunThrough) {
         at.angle_rate = random.uniform(-2, 2);
       }
       if (!axis) {
-        friction.emplace_back(BallFriction{ball_joint(law, radius)});
+        friction.emplace_back(JointFriction{ball_joint(law, radius)});
       } else if (random.uniform(0, 1) < 0.5) {
-        friction.emplace_back(PinFriction{pin_joint(law, radius)});
+        friction.emplace_back(JointFriction{pin_joint(law, radius)});
       } else {
         friction.emplace_back(NodeFriction{ball_and_pin(law, 0.3)});
       }
@@ -686,7 +681,7 @@ TEST(Motion, BallJointsHoldAndLetGoTogether) {
     body.hinge_from_carrier_com = turn * Vector3d(-1, 0, 1);
     start.bodies[i].rotation = turn;
     bodies.push_back(body);
-    friction.push_back(BallFriction{ball_joint(FrictionLaw(0.3), 0.05)});
+    friction.push_back(JointFriction{ball_joint(FrictionLaw(0.3), 0.05)});
   }
   class Thrust : public ForceModel {
    public:
@@ -728,7 +723,7 @@ Motion two_arms(double friction, double tolerance) {
         Eigen::AngleAxisd(std::numbers::pi / 60, Vector3d::UnitX())
             .toRotationMatrix();
     bodies.push_back(body);
-    joints.push_back(BallFriction{ball_joint(FrictionLaw(friction), 0.05)});
+    joints.push_back(JointFriction{ball_joint(FrictionLaw(friction), 0.05)});
   }
   Carrier carrier{50, Matrix3d::Zero()};
   carrier.inertia.diagonal() << 1, 2, 2.5;
@@ -778,15 +773,14 @@ TEST(Motion, OnsetsOfBallJointsDoNotChatter) {
 
 TEST(Motion, AHingeThatChangesAgainAndAgainStopsTheMotion) {
   const auto joint = pin_joint(FrictionLaw(0.2, 1e4));
-  const double held =
-      joint.moment_limit(Vector3d(0, 20 * g, 0), Vector3d::UnitZ());
+  const double held = moment_limit(joint, {0, 20 * g, 0});
   const auto torque = std::make_shared<Torque>(
       [=](double t) { return 1.3 * held * std::sin(2 * t); });
   MotionOptions options = on_fixed_carrier();
   options.stall_changes = 3;
   options.stall_span = 100;
-  Motion motion(System(heavy_carrier(), {wheel(20, 0.4)}), {PinFriction{joint}},
-                torque, start_of(1), options);
+  Motion motion(System(heavy_carrier(), {wheel(20, 0.4)}),
+                {JointFriction{joint}}, torque, start_of(1), options);
   ASSERT_EQ(motion.advance_to(100), Stop::failed);
   EXPECT_EQ(motion.changes().size(), 3u);
   EXPECT_EQ(motion.failure()->body, 0);
@@ -800,15 +794,14 @@ TEST(Motion, AHingeThatChangesAgainAndAgainStopsTheMotion) {
 // what it holds, 1.02 just after its beginning.
 TEST(Motion, APeakNearTheBeginningOfAStepEndsTheRest) {
   const auto joint = pin_joint(FrictionLaw(0.2, 1e4));
-  const double held =
-      joint.moment_limit(Vector3d(0, 20 * g, 0), Vector3d::UnitZ());
+  const double held = moment_limit(joint, {0, 20 * g, 0});
   const auto torque = std::make_shared<Torque>(
       [=](double t) { return held * (1.02 - 1.4 * (t - 0.15) * (t - 0.15)); });
   MotionOptions options = on_fixed_carrier();
   options.integrator = Integrator::rk4;
   options.step = 1;
-  Motion motion(System(heavy_carrier(), {wheel(20, 0.4)}), {PinFriction{joint}},
-                torque, start_of(1), options);
+  Motion motion(System(heavy_carrier(), {wheel(20, 0.4)}),
+                {JointFriction{joint}}, torque, start_of(1), options);
   ASSERT_EQ(motion.advance_to(1), Stop::time);
   ASSERT_FALSE(motion.changes().empty());
   EXPECT_EQ(motion.changes()[0].to, HingeMode::sliding);
@@ -1126,8 +1119,7 @@ TEST(Motion, ReactionsThatPeakWithinAStepAreFound) {
 TEST(Motion, AShortStopWithinAStepIsFound) {
   const double mass = 20, about = 0.4, w = 2;
   const auto joint = pin_joint(FrictionLaw(0.2, 1e4));
-  const double held =
-      joint.moment_limit(Vector3d(0, mass * g, 0), Vector3d::UnitZ());
+  const double held = moment_limit(joint, {0, mass * g, 0});
   for (const Integrator integrator : {Integrator::adaptive, Integrator::rk4}) {
     MotionOptions options = on_fixed_carrier();
     options.integrator = integrator;
@@ -1135,9 +1127,9 @@ TEST(Motion, AShortStopWithinAStepIsFound) {
     MotionStart start = start_of(1);
     start.bodies[0].angle_rate = w * (1 - 1e-4);
     Motion motion(System(heavy_carrier(), {wheel(mass, about)}),
-                  {PinFriction{joint}}, std::make_shared<Torque>([=](double t) {
-                    return held + about * 2 * w * (t - 1);
-                  }),
+                  {JointFriction{joint}},
+                  std::make_shared<Torque>(
+                      [=](double t) { return held + about * 2 * w * (t - 1); }),
                   start, options);
     ASSERT_EQ(motion.advance_to(2), Stop::time);
     ASSERT_EQ(motion.changes().size(), 2u);
@@ -1313,11 +1305,11 @@ TEST(Motion, GoesOnFromASavedStateAsIfNothingHadHappened) {
 // to a share of that: with an inertia of 1e9 kg m^2 a tolerance that belongs to
 // other accelerations would leave the direction to itself.
 TEST(Motion, GoesOnInTheMiddleOfASlowOnset) {
-  const contact::BallJoint joint = ball_joint(FrictionLaw(0.3));
+  const contact::Joint joint = ball_joint(FrictionLaw(0.3));
   Body body{HingeKind::ball, 50, 1e9 * Matrix3d::Identity()};
   const Vector3d weight(0, 50 * g, 0);
   const double held =
-      joint.solve(weight, Vector3d::UnitX()).friction_moment.norm();
+      joint.solve({weight, Vector3d::UnitX()}).friction_moment.norm();
   // Turns in the plane normal to the reaction, in which all directions hold
   // alike, and grows through what is held at 10 s.
   class Turning : public ForceModel {
@@ -1335,14 +1327,14 @@ TEST(Motion, GoesOnInTheMiddleOfASlowOnset) {
   };
   const System system(heavy_carrier(), {body});
   const auto forces = std::make_shared<Turning>(held);
-  Motion one(system, {BallFriction{joint}}, forces, start_of(1),
+  Motion one(system, {JointFriction{joint}}, forces, start_of(1),
              on_fixed_carrier());
   ASSERT_EQ(one.advance_to(15), Stop::time);
   ASSERT_EQ(one.changes().size(), 1u);
   EXPECT_NEAR(one.changes()[0].time, 10, 1e-4);
   const multibody::MotionState saved = one.save();
   ASSERT_GT(saved.paces[0], 0);
-  Motion other(system, {BallFriction{joint}}, forces, start_of(1),
+  Motion other(system, {JointFriction{joint}}, forces, start_of(1),
                on_fixed_carrier());
   other.restore(saved);
   for (const double time : {16.0, 20.0, 40.0}) {
@@ -1416,7 +1408,7 @@ TEST(Motion, BadInputIsRefusedByName) {
     return message_of(
         [&] { Motion(system, std::move(friction), nullptr, start, options); });
   };
-  EXPECT_EQ(with({BallFriction{ball_joint(FrictionLaw(0.1))}}, start_of(1)),
+  EXPECT_EQ(with({JointFriction{ball_joint(FrictionLaw(0.1))}}, start_of(1)),
             "bodies[0].friction: a ball joint alone requires a ball hinge");
   EXPECT_EQ(with({}, start_of(2)),
             "start of 2 bodies must be of 1, one for each body");

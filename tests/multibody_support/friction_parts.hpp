@@ -7,9 +7,8 @@
 #include <vector>
 
 #include "libcontact/half_angle/factory.hpp"
-#include "libcontact/joint/ball_joint.hpp"
+#include "libcontact/joint/joint.hpp"
 #include "libcontact/joint/node.hpp"
-#include "libcontact/joint/pin_joint.hpp"
 #include "libcontact/pressure/cosine.hpp"
 
 /// Joints of steel for tests of motions.
@@ -53,20 +52,29 @@ class EndingLaw final : public contact::HalfAngleLaw {
   double end_;
 };
 
-inline contact::BallJoint ball_joint(
+inline contact::Joint ball_joint(
     const contact::FrictionModel& friction, double radius = 0.05,
     LawPointer law = tanh_law(contact::JointKind::ball)) {
-  return {contact::JointGeometry::ball(radius, 1e-3 * radius), steel_pair(),
-          friction, std::move(law),
-          std::make_unique<contact::CosinePressure>(contact::JointKind::ball)};
+  return contact::Joint(
+      {contact::JointGeometry::ball(radius, 1e-3 * radius), steel_pair(),
+       friction, std::move(law),
+       std::make_unique<contact::CosinePressure>(contact::JointKind::ball)});
 }
 
-inline contact::PinJoint pin_joint(
+inline contact::Joint pin_joint(
     const contact::FrictionModel& friction, double radius = 0.05,
     LawPointer law = tanh_law(contact::JointKind::pin)) {
-  return {contact::JointGeometry::pin(radius, 1e-3 * radius, 0.1), steel_pair(),
-          friction, std::move(law),
-          std::make_unique<contact::CosinePressure>(contact::JointKind::pin)};
+  return contact::Joint(
+      {contact::JointGeometry::pin(radius, 1e-3 * radius, 0.1), steel_pair(),
+       friction, std::move(law),
+       std::make_unique<contact::CosinePressure>(contact::JointKind::pin)});
+}
+
+/// Largest moment about z that a joint holds at rest.
+inline double moment_limit(const contact::Joint& joint,
+                           const Eigen::Vector3d& reaction) {
+  return joint.utilisation({reaction, Eigen::Vector3d::UnitZ()})
+      .slip.friction_moment.z();
 }
 
 /// A ball and a pin, `distance` apart about the hinge's centre.

@@ -18,8 +18,7 @@ using Eigen::Vector3d;
 constexpr double pi = std::numbers::pi;
 
 // f of a contact, by the friction integrals alone.
-double friction_coefficient(const BallJoint& joint, double force,
-                            SlipAxis axis) {
+double friction_coefficient(const Joint& joint, double force, SlipAxis axis) {
   const auto& friction = std::get<FrictionLaw>(joint.contact().friction());
   const double rho = joint.contact().geometry().radius();
   const auto i = exact_friction_integrals(
@@ -70,8 +69,8 @@ void run_fixed_point(const RandomSlip& input, const JointSolution& s,
                      JointSweep& sweep) {
   constexpr int limit = 500;
   constexpr int slow = 50;
-  const auto result =
-      input.joint.fixed_point(input.reaction, input.rate, {}, 1e-12, limit);
+  const auto result = input.joint.fixed_point(
+      input.slip(), {}, {.tolerance = 1e-12, .step_limit = limit});
   if (result.status == Status::ok) sweep.fixed_point.add(result.steps);
   const bool fails = result.status == Status::out_of_range;
   sweep.fixed_point_fails += fails;
@@ -133,8 +132,8 @@ class Path {
   JointSolution at(double x) const {
     const Eigen::AngleAxisd turn(x * reaction_turn_, reaction_axis_);
     const Eigen::AngleAxisd rate_turn(x * rate_turn_, rate_axis_);
-    return start_.joint.solve(std::exp(growth_ * x) * (turn * start_.reaction),
-                              rate_turn * start_.rate);
+    return start_.joint.solve({std::exp(growth_ * x) * (turn * start_.reaction),
+                               rate_turn * start_.rate});
   }
 
   // Whether there may be several roots (docs/joint.md).
@@ -239,7 +238,7 @@ JointSweep joint_sweep(std::uint64_t inputs, std::uint64_t seed) {
   for (std::uint64_t i = 0; i < inputs; ++i) {
     RandomSlip input = random.next();
     const std::string label = "input " + std::to_string(i);
-    const JointSolution s = input.joint.solve(input.reaction, input.rate);
+    const JointSolution s = input.joint.solve(input.slip());
     check_solution(input, s, label, sweep);
     sweep.cold.add(s.evaluations);
     run_fixed_point(input, s, sweep);
@@ -255,7 +254,7 @@ JointSweep joint_sweep(std::uint64_t inputs, std::uint64_t seed) {
     constexpr double move = 1e-3;
     input.reaction += move * input.reaction.norm() * random.direction();
     input.rate += move * input.rate.norm() * random.direction();
-    const JointSolution t = input.joint.solve(input.reaction, input.rate, s);
+    const JointSolution t = input.joint.solve(input.slip(), s);
     check_solution(input, t, label + " moved", sweep);
     sweep.warm.add(t.evaluations);
   }

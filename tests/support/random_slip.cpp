@@ -64,10 +64,10 @@ RandomSlip RandomSlips::next() {
                                                 : log_uniform(1e-6, 1e4);
   const JointBody inner =
       uniform() < 0.5 ? JointBody::carrier : JointBody::body;
-  BallJoint joint(JointGeometry::ball(radius, clearance, inner), pair,
-                  FrictionLaw(f0, adhesion * force / (radius * radius)),
-                  make_half_angle_law(name, JointKind::ball, pair, options),
-                  std::make_unique<CosinePressure>(JointKind::ball));
+  Joint joint({JointGeometry::ball(radius, clearance, inner), pair,
+               FrictionLaw(f0, adhesion * force / (radius * radius)),
+               make_half_angle_law(name, JointKind::ball, pair, options),
+               std::make_unique<CosinePressure>(JointKind::ball)});
   const double b = angle();
   const double speed = log_uniform(1e-9, 1e3);
   const Vector3d w = direction();

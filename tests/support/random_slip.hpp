@@ -3,15 +3,19 @@
 #include <Eigen/Core>
 #include <random>
 
-#include "libcontact/joint/ball_joint.hpp"
+#include "libcontact/joint/joint.hpp"
 
 namespace contact::test {
 
 /// One ball joint with a reaction and an angular velocity.
 struct RandomSlip {
-  BallJoint joint;
+  Joint joint;
   Eigen::Vector3d reaction;
   Eigen::Vector3d rate;
+
+  Joint::Slip slip() const {
+    return {.reaction = reaction, .angular_velocity = rate};
+  }
 };
 
 /// Random inputs over all that a joint can meet: f0 from 0 to 5, A rho^2/R

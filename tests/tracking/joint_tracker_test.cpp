@@ -11,8 +11,7 @@
 #include <vector>
 
 #include "libcontact/half_angle/factory.hpp"
-#include "libcontact/joint/ball_joint.hpp"
-#include "libcontact/joint/pin_joint.hpp"
+#include "libcontact/joint/joint.hpp"
 #include "libcontact/pressure/factory.hpp"
 #include "support/allocation_count.hpp"
 #include "support/random_slip.hpp"
@@ -21,7 +20,6 @@
 // at every point.
 namespace {
 
-using contact::BallJoint;
 using contact::FrictionLaw;
 using contact::FrictionModel;
 using contact::InstructionSet;
@@ -82,9 +80,8 @@ struct Path {
     return solve(reaction_at(t), rate_at(t));
   }
   JointSolution solve(const Vector3d& r, const Vector3d& w) const {
-    if (!is_pin()) return BallJoint(contact).solve(r, w);
-    const Vector3d axis = rate.normalized();
-    return contact::PinJoint(contact).solve(r, axis, w.dot(axis));
+    return contact::Joint(contact).solve(
+        {.reaction = r, .angular_velocity = w, .axis = rate.normalized()});
   }
 };
 

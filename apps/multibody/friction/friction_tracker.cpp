@@ -18,15 +18,12 @@ using Eigen::Vector3d;
 std::vector<JointContact> contacts_of(const HingeFriction& friction) {
   constexpr auto consistent = FrictionEstimate::consistent;
   std::vector<JointContact> contacts;
-  if (const auto* ball = std::get_if<BallFriction>(&friction)) {
-    if (ball->estimate == consistent) contacts.push_back(ball->joint.contact());
-  } else if (const auto* pin = std::get_if<PinFriction>(&friction)) {
-    if (pin->estimate == consistent) contacts.push_back(pin->joint.contact());
+  if (const auto* one = std::get_if<JointFriction>(&friction)) {
+    if (one->estimate == consistent) contacts.push_back(one->joint.contact());
   } else if (const auto* node = std::get_if<NodeFriction>(&friction)) {
     if (node->estimate != consistent) return contacts;
     for (const contact::NodeJoint& joint : node->node.joints()) {
-      contacts.push_back(
-          std::visit([](const auto& j) { return j.contact(); }, joint.joint));
+      contacts.push_back(joint.joint.contact());
     }
   }
   return contacts;
@@ -52,7 +49,8 @@ FrictionTracker::FrictionTracker(const std::vector<HingeFriction>& friction,
 void FrictionTracker::add(const HingeFriction& friction) {
   const std::size_t first = shares_.size();
   const std::size_t count = contacts_of(friction).size();
-  const bool is_axis = !std::holds_alternative<BallFriction>(friction);
+  const auto* const alone = std::get_if<JointFriction>(&friction);
+  const bool is_axis = !alone || alone->joint.is_pin();
   hinges_.push_back(
       {static_cast<int>(first), static_cast<int>(first + count), is_axis});
   shares_.resize(first + count, {1, 0, is_axis ? 0.0 : 1.0});

@@ -2,9 +2,8 @@
 
 #include <variant>
 
-#include "libcontact/joint/ball_joint.hpp"
+#include "libcontact/joint/joint.hpp"
 #include "libcontact/joint/node.hpp"
-#include "libcontact/joint/pin_joint.hpp"
 
 /// What friction sits in the hinge of a body.
 namespace multibody {
@@ -15,9 +14,11 @@ enum class FrictionEstimate {
   traditional,  ///< R in place of R_n, as is customary: too much friction
 };
 
-/// A ball joint on a ball body (HingeKind::ball).
-struct BallFriction {
-  contact::BallJoint joint;
+/// A ball alone on a ball body (HingeKind::ball), or a pin on the axis of an
+/// axis body (HingeKind::axis). The pin takes the radial force; the axial force
+/// and moments across the axis are taken by something without friction.
+struct JointFriction {
+  contact::Joint joint;
   FrictionEstimate estimate = FrictionEstimate::consistent;
 };
 
@@ -30,17 +31,8 @@ struct NodeFriction {
   FrictionEstimate estimate = FrictionEstimate::consistent;
 };
 
-/// One pin on the axis of an axis body, which takes the radial force; the
-/// axial force and moments across the axis are taken by something without
-/// friction.
-struct PinFriction {
-  contact::PinJoint joint;
-  FrictionEstimate estimate = FrictionEstimate::consistent;
-};
-
 /// std::monostate: an ideal hinge. It turns freely and never rests.
-using HingeFriction =
-    std::variant<std::monostate, BallFriction, NodeFriction, PinFriction>;
+using HingeFriction = std::variant<std::monostate, JointFriction, NodeFriction>;
 
 /// What a hinge does.
 enum class HingeMode {

@@ -32,14 +32,8 @@ bool holds(const contact::JointContact& contact) {
   return strength.pressure_part > 0 || strength.area_part > 0;
 }
 
-const contact::JointContact& contact_of(const contact::NodeJoint& joint) {
-  return std::visit(
-      [](const auto& j) -> const contact::JointContact& { return j.contact(); },
-      joint.joint);
-}
-
 bool joint_holds(const contact::NodeJoint& joint) {
-  return holds(contact_of(joint));
+  return holds(joint.joint.contact());
 }
 
 }  // namespace
@@ -52,44 +46,39 @@ HingeSolver::HingeSolver(HingeFriction friction, const Link& link, int body)
     throw contact::Error(contact::detail::needs(
         fmt::format("bodies[{}].friction: {}", body, what), where));
   };
-  if (const auto* ball = std::get_if<BallFriction>(&friction_)) {
-    if (link.kind != HingeKind::ball) {
+  if (const auto* one = std::get_if<JointFriction>(&friction_)) {
+    if (one->joint.is_pin()) {
+      if (!is_axis_) refuse("a pin joint", "an axis");
+    } else if (link.kind != HingeKind::ball) {
       refuse("a ball joint alone", "a ball hinge");
     }
     joints_.resize(1);
-    can_rest_ = holds(ball->joint.contact());
+    can_rest_ = holds(one->joint.contact());
   } else if (const auto* node = std::get_if<NodeFriction>(&friction_)) {
     if (!is_axis_) refuse("a node of joints", "an axis");
     node_ = node->node.make_solution();
     joints_.resize(node_.joints.size());
     can_rest_ = std::ranges::any_of(node->node.joints(), joint_holds);
-  } else if (const auto* pin = std::get_if<PinFriction>(&friction_)) {
-    if (!is_axis_) refuse("a pin joint", "an axis");
-    joints_.resize(1);
-    can_rest_ = holds(pin->joint.contact());
   }
 }
 
 Vector3d HingeSolver::slide(const Reaction<double>& reaction,
                             const Vector3d& rate) {
-  const Vector3d force = axes_ * vec3(reaction.force);
-  JointSolution& last = joints_[0];
-  if (const auto* ball = std::get_if<BallFriction>(&friction_)) {
-    const Vector3d turn = axes_ * rate;
-    last = ball->estimate == FrictionEstimate::consistent
-               ? ball->joint.solve(force, turn, last, inner)
-               : ball->joint.solve_contact(force, turn);
-    if (last.status != contact::Status::ok) return nan_vector();
-    return axes_.transpose() * last.friction_moment;
-  }
   const Vector3d axis = axes_.col(2);
-  if (const auto* pin = std::get_if<PinFriction>(&friction_)) {
-    const Vector3d radial = force - force.dot(axis) * axis;
-    last = pin->estimate == FrictionEstimate::consistent
-               ? pin->joint.solve(radial, axis, rate.z(), last, inner)
-               : pin->joint.solve_contact(radial, axis, rate.z());
+  if (const auto* one = std::get_if<JointFriction>(&friction_)) {
+    const Vector3d force = axes_ * vec3(reaction.force);
+    const contact::Joint::Slip slip =
+        is_axis_ ? contact::Joint::Slip{force - force.dot(axis) * axis,
+                                        rate.z() * axis, axis}
+                 : contact::Joint::Slip{force, axes_ * rate};
+    JointSolution& last = joints_[0];
+    last = one->estimate == FrictionEstimate::consistent
+               ? one->joint.solve(slip, last, inner)
+               : one->joint.solve_contact(
+                     {slip.reaction, slip.angular_velocity, slip.axis});
     if (last.status != contact::Status::ok) return nan_vector();
-    return {0, 0, last.friction_moment.dot(axis)};
+    if (is_axis_) return {0, 0, last.friction_moment.dot(axis)};
+    return axes_.transpose() * last.friction_moment;
   }
   if (!solve_node(reaction, rate.z())) return nan_vector();
   double sum = 0;
@@ -119,28 +108,23 @@ void HingeSolver::estimate_joints(const contact::JointNode& node, double rate) {
   const Vector3d axis = axes_.col(2);
   for (std::size_t k = 0; k < joints_.size(); ++k) {
     const Vector3d force = node_.joints[k].reaction;
-    if (const auto* ball =
-            std::get_if<contact::BallJoint>(&node.joints()[k].joint)) {
-      joints_[k] = ball->solve_contact(force, rate * axis);
-    } else {
-      joints_[k] = std::get<contact::PinJoint>(node.joints()[k].joint)
-                       .solve_contact(force, axis, rate);
-    }
+    joints_[k] = node.joints()[k].joint.solve_contact(
+        {.normal_force = force, .angular_velocity = rate * axis, .axis = axis});
   }
 }
 
-double HingeSolver::utilisation_of(const BallFriction& ball,
+double HingeSolver::utilisation_of(const JointFriction& ball,
                                    const Vector3d& force,
                                    const Vector3d& moment) {
   if (ball.estimate == FrictionEstimate::consistent) {
-    rest_ = ball.joint.utilisation(force, moment, rest_);
+    rest_ = ball.joint.utilisation({force, moment}, rest_);
     joints_[0] = rest_.slip;
     slip_direction_ = axes_.transpose() * rest_.direction;
     return rest_.utilisation;
   }
   // n = R/|R| whatever the direction of slip.
   const Vector3d across = force.unitOrthogonal();
-  joints_[0] = ball.joint.solve_contact(force, across);
+  joints_[0] = ball.joint.solve_contact({force, across});
   if (joints_[0].status != contact::Status::ok) {
     return std::numeric_limits<double>::quiet_NaN();
   }
@@ -157,9 +141,9 @@ double HingeSolver::utilisation_of(const BallFriction& ball,
 }
 
 double HingeSolver::utilisation(const Reaction<double>& held) {
-  if (const auto* ball = std::get_if<BallFriction>(&friction_)) {
-    return utilisation_of(*ball, axes_ * vec3(held.force),
-                          axes_ * vec3(held.moment));
+  if (!is_axis_) {
+    return utilisation_of(std::get<JointFriction>(friction_),
+                          axes_ * vec3(held.force), axes_ * vec3(held.moment));
   }
   const double needed = held.moment.z;
   const double sign = needed > 0 ? -1 : 1;
@@ -193,18 +177,15 @@ int HingeSolver::failed_joint() const {
 }
 
 const contact::JointContact& HingeSolver::contact(int joint) const {
-  if (const auto* ball = std::get_if<BallFriction>(&friction_)) {
-    return ball->joint.contact();
+  if (const auto* one = std::get_if<JointFriction>(&friction_)) {
+    return one->joint.contact();
   }
-  if (const auto* pin = std::get_if<PinFriction>(&friction_)) {
-    return pin->joint.contact();
-  }
-  return contact_of(std::get<NodeFriction>(friction_).node.joints()[joint]);
+  return std::get<NodeFriction>(friction_).node.joints()[joint].joint.contact();
 }
 
 Vector3d HingeSolver::prox(const Matrix3d& inertia,
                            const Vector3d& free) const {
-  const contact::BallJoint& joint = std::get<BallFriction>(friction_).joint;
+  const contact::Joint& joint = std::get<JointFriction>(friction_).joint;
   const Matrix3d given = axes_ * inertia * axes_.transpose();
   return axes_.transpose() *
          joint.moment_set(joints_[0]).prox(given, axes_ * free).rate;

@@ -58,7 +58,7 @@ class HingeSolver {
   bool solve_node(const Reaction<double>& reaction, double rate);
   double moment_limit(const Reaction<double>& held, double sign);
   void estimate_joints(const contact::JointNode& node, double rate);
-  double utilisation_of(const BallFriction& ball, const Eigen::Vector3d& force,
+  double utilisation_of(const JointFriction& ball, const Eigen::Vector3d& force,
                         const Eigen::Vector3d& moment);
 
   HingeFriction friction_;

@@ -63,8 +63,7 @@ contact::JointSpec read_joint_of(const TomlTable& table, const JointLaws& laws,
 HingeJoint read_hinge_joint(const TomlTable& table, const JointLaws& laws,
                             contact::SharedLaws& made) {
   contact::JointSpec joint = read_joint_of(table, laws, made);
-  JointContact contact(joint.geometry, joint.pair, *joint.friction,
-                       made.half_angle(joint), made.pressure(joint));
+  JointContact contact = joint.contact(made);
   return {std::move(joint),
           table.optional_number("position", Interval::any()).value_or(0),
           std::move(contact)};
@@ -127,11 +126,7 @@ bool is_ball(const HingeJoint& joint) {
 contact::JointNode make_node(const Hinge& hinge) {
   std::vector<contact::NodeJoint> joints;
   for (const HingeJoint& joint : hinge.joints) {
-    if (is_ball(joint)) {
-      joints.push_back({contact::BallJoint(joint.contact), joint.position});
-    } else {
-      joints.push_back({contact::PinJoint(joint.contact), joint.position});
-    }
+    joints.push_back({contact::Joint(joint.contact), joint.position});
   }
   auto sharing = hinge.sharing;
   if (sharing && sharing->radial_stiffness.empty()) {
@@ -188,12 +183,9 @@ multibody::HingeFriction make_friction(const Hinge& hinge,
   const FrictionEstimate estimate = choice == FrictionChoice::traditional
                                         ? FrictionEstimate::traditional
                                         : FrictionEstimate::consistent;
-  const HingeJoint& first = hinge.joints.front();
-  if (hinge.kind == HingeKind::ball) {
-    return multibody::BallFriction{contact::BallJoint(first.contact), estimate};
-  }
   if (hinge.joints.size() == 1) {
-    return multibody::PinFriction{contact::PinJoint(first.contact), estimate};
+    return multibody::JointFriction{contact::Joint(hinge.joints[0].contact),
+                                    estimate};
   }
   return multibody::NodeFriction{make_node(hinge), estimate};
 }

@@ -9,11 +9,11 @@ using Eigen::Vector3d;
 int main() {
   const auto ball = contact::JointKind::ball;
   const contact::ElasticPair steel({2e11, 0.3}, {2e11, 0.3});  // Pa, 1
-  const contact::BallJoint joint(
-      contact::JointGeometry::ball(0.02, 20e-6), steel,  // radius, clearance
-      contact::FrictionLaw(0.15, 2e4),                   // f0, adhesion
-      contact::make_half_angle_law("tanh", ball, steel),
-      contact::make_pressure_law("cosine", ball, steel));
+  const contact::Joint joint(
+      {contact::JointGeometry::ball(0.02, 20e-6), steel,  // radius, clearance
+       contact::FrictionLaw(0.15, 2e4),                   // f0, adhesion
+       contact::make_half_angle_law("tanh", ball, steel),
+       contact::make_pressure_law("cosine", ball, steel)});
 
   const double m = 5, dt = 1e-3;
   const Vector3d weight(0, 0, -9.81 * m), centre(0, 0, -0.4);  // body axes
@@ -27,8 +27,10 @@ int main() {
     const Eigen::Matrix3d A = attitude.toRotationMatrix();
     const Eigen::Matrix3d J = A * inertia.asDiagonal() * A.transpose();
     const Vector3d c = A * centre, torque = c.cross(weight);
-    if (w.isZero(0) && joint.utilisation(R, -torque).utilisation <= 1) break;
-    s = joint.solve(R, w, s);  // friction under this reaction
+    const contact::Joint::Hold hold = {.reaction = R, .moment = -torque};
+    if (w.isZero(0) && joint.utilisation(hold).utilisation <= 1) break;
+    // Friction under this reaction.
+    s = joint.solve({.reaction = R, .angular_velocity = w}, s);
     // One implicit step: where the joint holds the rate becomes exactly 0.
     const Vector3d free = w + dt * J.inverse() * (torque - w.cross(J * w));
     const auto next = joint.moment_set(s).prox(J / dt, free);

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "libcontact/files/joint_file.hpp"
-#include "libcontact/joint/ball_joint.hpp"
+#include "libcontact/joint/joint.hpp"
 #include "libcontact/pressure/cosine.hpp"
 #include "support/accuracy_report.hpp"
 #include "support/allocation_count.hpp"
@@ -16,8 +16,8 @@
 
 namespace {
 
-using contact::BallJoint;
 using contact::FrictionLaw;
+using contact::Joint;
 using contact::JointKind;
 using contact::JointSolution;
 using contact::JointState;
@@ -32,11 +32,11 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double pi = std::numbers::pi;
 
-BallJoint steel_joint(const contact::FrictionModel& friction) {
+Joint steel_joint(const contact::FrictionModel& friction) {
   const contact::ElasticPair pair({2e11, 0.3}, {2e11, 0.3});
-  return {contact::JointGeometry::ball(0.05, 0.05e-3), pair, friction,
-          contact::make_half_angle_law("tanh", JointKind::ball, pair),
-          std::make_unique<contact::CosinePressure>(JointKind::ball)};
+  return Joint({contact::JointGeometry::ball(0.05, 0.05e-3), pair, friction,
+                contact::make_half_angle_law("tanh", JointKind::ball, pair),
+                std::make_unique<contact::CosinePressure>(JointKind::ball)});
 }
 
 // Sliding about u needs just the moment that makes the joint slide about u.
@@ -53,13 +53,13 @@ TEST(JointAtRest, OnsetOfSlipIsTheLimitOfSlowSliding) {
   double most_solves = 0;
   for (int i = 0; i < 1500; ++i) {
     const RandomSlip input = random.next();
-    const JointSolution slip = input.joint.solve(input.reaction, input.rate);
+    const JointSolution slip = input.joint.solve(input.slip());
     if (slip.power == 0) continue;
     const double condition =
         (1 + slip.memory.tangent) / std::min(1.0, slip.half_angle);
     const double tau = random.log_uniform(1e-3, 1e3);
     const Vector3d m = tau * slip.friction_moment;
-    const RestSolution rest = input.joint.utilisation(input.reaction, m);
+    const RestSolution rest = input.joint.utilisation({input.reaction, m});
     const std::string label = "input " + std::to_string(i);
     ASSERT_EQ(rest.status, Status::ok) << label;
     moment.add_error(
@@ -71,9 +71,10 @@ TEST(JointAtRest, OnsetOfSlipIsTheLimitOfSlowSliding) {
     if (condition < 100) plain.add_error(error, label);
     scaled.add_error(error / condition, label);
     const RestSolution warm = input.joint.utilisation(
-        input.reaction, m + 1e-3 * m.norm() * random.direction(), rest);
+        {input.reaction, m + 1e-3 * m.norm() * random.direction()}, rest);
     ASSERT_EQ(warm.status, Status::ok) << label;
-    const RestSolution back = input.joint.utilisation(input.reaction, m, warm);
+    const RestSolution back =
+        input.joint.utilisation({input.reaction, m}, warm);
     warm_report.add_error(
         std::abs(back.utilisation / rest.utilisation - 1) / condition, label);
     most_solves = std::max<double>(most_solves, back.solves);
@@ -96,21 +97,20 @@ TEST(JointAtRest, HoldsLessThanTheContactUnderTheWholeReaction) {
   };
   for (const Case& c : {Case{"paper_example_1", 2.63e5, 1.0, 1.174},
                         Case{"paper_example_2", 1.1676e6, 1.0, 1.966}}) {
-    const contact::JointSpec file =
+    const Joint joint(
         contact::read_joint(std::filesystem::path(CONTACT_DATA_DIR) / "joints" /
-                            (std::string(c.file) + ".toml"));
-    const BallJoint joint(file.geometry, file.pair, *file.friction,
-                          file.make_half_angle_law(), file.make_pressure_law());
+                            (std::string(c.file) + ".toml"))
+            .contact());
     const Vector3d reaction(0, 0, c.force);
     const contact::MomentSet whole =
-        joint.moment_set(joint.solve(reaction, Vector3d::Zero()));
+        joint.moment_set(joint.solve({reaction, Vector3d::Zero()}));
     double least = infinity;
     double most = 0;
     for (int i = 0; i <= 90; ++i) {
       const double angle = i * pi / 180;
       const Vector3d m(1e3 * std::sin(angle), 0, 1e3 * std::cos(angle));
       const double ratio =
-          joint.utilisation(reaction, m).utilisation / whole.utilisation(m);
+          joint.utilisation({reaction, m}).utilisation / whole.utilisation(m);
       least = std::min(least, ratio);
       most = std::max(most, ratio);
     }
@@ -121,33 +121,33 @@ TEST(JointAtRest, HoldsLessThanTheContactUnderTheWholeReaction) {
 }
 
 TEST(JointAtRest, NoMomentNoSlip) {
-  const BallJoint joint = steel_joint(FrictionLaw(0.2, 1e8));
+  const Joint joint = steel_joint(FrictionLaw(0.2, 1e8));
   const Vector3d reaction(3e4, 0, 4e4);
-  const RestSolution rest = joint.utilisation(reaction, Vector3d::Zero());
+  const RestSolution rest = joint.utilisation({reaction, Vector3d::Zero()});
   EXPECT_EQ(rest.status, Status::ok);
   EXPECT_EQ(rest.utilisation, 0);
   EXPECT_EQ(rest.slip.state, JointState::resting);
   EXPECT_TRUE(rest.slip.normal.isApprox(reaction / 5e4, 1e-15));
   EXPECT_EQ(rest.direction, Vector3d::Zero());
   // Towards it.
-  const RestSolution near = joint.utilisation(reaction, {1e-9, 0, 0});
+  const RestSolution near = joint.utilisation({reaction, {1e-9, 0, 0}});
   EXPECT_EQ(near.status, Status::ok);
   EXPECT_GT(near.utilisation, 0);
   EXPECT_LT(near.utilisation, 1e-9);
 }
 
 TEST(JointAtRest, MomentsAlongAndAcrossTheReaction) {
-  const BallJoint joint = steel_joint(FrictionLaw(0.2, 1e8));
+  const Joint joint = steel_joint(FrictionLaw(0.2, 1e8));
   const Vector3d reaction(0, 0, 1e5);
   for (const double sign : {1.0, -1.0}) {
     // Spinning about R.
-    const RestSolution spin = joint.utilisation(reaction, {0, 0, 10 * sign});
+    const RestSolution spin = joint.utilisation({reaction, {0, 0, 10 * sign}});
     EXPECT_EQ(spin.status, Status::ok);
     EXPECT_LE((spin.direction - Vector3d(0, 0, -sign)).norm(), 1e-14);
     EXPECT_NEAR(spin.utilisation * spin.slip.friction_moment.z(), 10 * sign,
                 1e-11);
     // Sliding about an axis normal to R: a = 0.
-    const RestSolution slide = joint.utilisation(reaction, {10 * sign, 0, 0});
+    const RestSolution slide = joint.utilisation({reaction, {10 * sign, 0, 0}});
     EXPECT_EQ(slide.status, Status::ok);
     EXPECT_LE((slide.direction - Vector3d(-sign, 0, 0)).norm(), 1e-14);
     EXPECT_NEAR(slide.slip.slip_axis_angle(), 0, 1e-14);
@@ -157,29 +157,29 @@ TEST(JointAtRest, MomentsAlongAndAcrossTheReaction) {
 TEST(JointAtRest, WithoutFrictionOrLoadHoldsNothing) {
   const Vector3d m(1, 2, 3);
   const Vector3d reaction(0, 0, 1e5);
-  EXPECT_EQ(steel_joint(FrictionLaw(0)).utilisation(reaction, m).utilisation,
+  EXPECT_EQ(steel_joint(FrictionLaw(0)).utilisation({reaction, m}).utilisation,
             infinity);
-  const BallJoint viscous = steel_joint(contact::ViscousLaw(1e6, 0.1));
-  EXPECT_EQ(viscous.utilisation(reaction, m).utilisation, infinity);
-  EXPECT_EQ(viscous.utilisation(reaction, Vector3d::Zero()).utilisation, 0);
-  const BallJoint dry = steel_joint(FrictionLaw(0.2));
-  EXPECT_EQ(dry.utilisation(Vector3d::Zero(), m).utilisation, infinity);
+  const Joint viscous = steel_joint(contact::ViscousLaw(1e6, 0.1));
+  EXPECT_EQ(viscous.utilisation({reaction, m}).utilisation, infinity);
+  EXPECT_EQ(viscous.utilisation({reaction, Vector3d::Zero()}).utilisation, 0);
+  const Joint dry = steel_joint(FrictionLaw(0.2));
+  EXPECT_EQ(dry.utilisation({Vector3d::Zero(), m}).utilisation, infinity);
 }
 
 TEST(JointAtRest, NanGivesNanAndNothingAllocates) {
-  const BallJoint joint = steel_joint(FrictionLaw(0.2, 1e8));
+  const Joint joint = steel_joint(FrictionLaw(0.2, 1e8));
   const std::size_t before = contact::test::allocation_count();
   for (const double bad : {nan, infinity}) {
     for (const RestSolution& rest :
-         {joint.utilisation({bad, 0, 0}, {0, 0, 1}),
-          joint.utilisation({1e5, 0, 0}, {0, 0, bad})}) {
+         {joint.utilisation({{bad, 0, 0}, {0, 0, 1}}),
+          joint.utilisation({{1e5, 0, 0}, {0, 0, bad}})}) {
       EXPECT_EQ(rest.status, Status::out_of_range);
       EXPECT_TRUE(std::isnan(rest.utilisation));
       EXPECT_TRUE(rest.direction.hasNaN());
     }
   }
-  const RestSolution rest = joint.utilisation({1e5, 0, 0}, {1, 2, 3});
-  joint.utilisation({1e5, 0, 0}, {1, 2, 3.003}, rest);
+  const RestSolution rest = joint.utilisation({{1e5, 0, 0}, {1, 2, 3}});
+  joint.utilisation({{1e5, 0, 0}, {1, 2, 3.003}}, rest);
   EXPECT_EQ(contact::test::allocation_count(), before);
 }
 

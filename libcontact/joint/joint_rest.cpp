@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "libcontact/base/root_finding.hpp"
-#include "libcontact/joint/ball_joint.hpp"
+#include "libcontact/joint/joint.hpp"
 
 // What a joint at rest holds: H(R) by the sliding moments M_t(R, u).
 namespace contact {
@@ -25,7 +25,7 @@ class SlipSearch {
  public:
   // @param reaction  along Z, with its sign
   // @param angle     between Z and the moment -M that u has to overcome
-  SlipSearch(const BallJoint& joint, double reaction, double angle,
+  SlipSearch(const Joint& joint, double reaction, double angle,
              const SolveOptions& options)
       : joint_(joint),
         reaction_(0, 0, reaction),
@@ -39,7 +39,7 @@ class SlipSearch {
   // Angle between Z and -M_t(R, u), less what it has to be: rises with c.
   double excess(double c) {
     const Vector3d u(std::sin(c), 0, std::cos(c));
-    last_ = joint_.solve(reaction_, u, last_, options_);
+    last_ = joint_.solve({reaction_, u}, last_, options_);
     ++solves_;
     const Vector3d& m = last_.friction_moment;
     const double value = std::atan2(std::hypot(m.x(), m.y()), -m.z()) - angle_;
@@ -106,7 +106,7 @@ class SlipSearch {
         .middle();
   }
 
-  const BallJoint& joint_;
+  const Joint& joint_;
   Vector3d reaction_;
   double angle_;
   SolveOptions options_;
@@ -114,20 +114,43 @@ class SlipSearch {
   int solves_ = 0;
 };
 
-RestSolution solve_rest(const BallJoint& joint, const Vector3d& reaction,
-                        const Vector3d& moment, const RestSolution* last,
-                        const SolveOptions& options) {
+// Whether there is no answer; then it is made NaN.
+bool has_no_answer(RestSolution& rest, const Vector3d& moment) {
+  rest.status = moment.allFinite() ? rest.slip.status : Status::out_of_range;
+  if (rest.status == Status::ok) return false;
+  rest.utilisation = nan;
+  rest.direction.setConstant(nan);
+  return true;
+}
+
+// The sliding that friction would oppose with a moment of this sign.
+RestSolution pin_utilisation(const Joint& joint, const Joint::Hold& hold,
+                             const SolveOptions& options) {
+  const Vector3d& moment = hold.moment;
+  const Vector3d axis =
+      hold.axis.isZero(0) ? Vector3d(moment.stableNormalized()) : hold.axis;
+  const double needed = moment.dot(axis);
   RestSolution rest;
-  rest.slip = joint.solve(reaction, Vector3d::Zero());
-  rest.status = rest.slip.status;
+  if (needed != 0) rest.direction = needed > 0 ? Vector3d(-axis) : axis;
+  const Vector3d& u = rest.direction;
+  rest.slip = joint.solve({hold.reaction, u, axis}, options);
+  rest.solves = 1;
+  if (has_no_answer(rest, moment) || needed == 0) return rest;
+  const double limit = joint.contact().is_viscous()
+                           ? 0
+                           : std::abs(rest.slip.friction_moment.dot(u));
+  rest.utilisation = std::abs(needed) / limit;
+  return rest;
+}
+
+RestSolution ball_utilisation(const Joint& joint, const Joint::Hold& hold,
+                              const RestSolution* last,
+                              const SolveOptions& options) {
+  const auto& [reaction, moment, axis] = hold;
+  RestSolution rest;
+  rest.slip = joint.solve({reaction, Vector3d::Zero()});
   const double needed = moment.stableNorm();
-  if (rest.status != Status::ok || !moment.allFinite()) {
-    rest.status = Status::out_of_range;
-    rest.utilisation = nan;
-    rest.direction.setConstant(nan);
-    return rest;
-  }
-  if (needed == 0) return rest;
+  if (has_no_answer(rest, moment) || needed == 0) return rest;
   const JointContact::Strength strength = joint.contact().strength(0);
   if (rest.slip.state == JointState::unloaded ||
       (strength.pressure_part == 0 && strength.area_part == 0)) {
@@ -185,16 +208,16 @@ RestSolution solve_rest(const BallJoint& joint, const Vector3d& reaction,
 
 }  // namespace
 
-RestSolution BallJoint::utilisation(
-    const Vector3d& reaction, const Vector3d& moment,
-    const SolveOptions& options) const noexcept {
-  return solve_rest(*this, reaction, moment, nullptr, options);
+RestSolution Joint::utilisation(const Hold& hold,
+                                const SolveOptions& options) const noexcept {
+  return is_pin() ? pin_utilisation(*this, hold, options)
+                  : ball_utilisation(*this, hold, nullptr, options);
 }
 
-RestSolution BallJoint::utilisation(
-    const Vector3d& reaction, const Vector3d& moment, const RestSolution& last,
-    const SolveOptions& options) const noexcept {
-  return solve_rest(*this, reaction, moment, &last, options);
+RestSolution Joint::utilisation(const Hold& hold, const RestSolution& last,
+                                const SolveOptions& options) const noexcept {
+  return is_pin() ? pin_utilisation(*this, hold, options)
+                  : ball_utilisation(*this, hold, &last, options);
 }
 
 }  // namespace contact

@@ -1,4 +1,4 @@
-#include "libcontact/joint/solver.hpp"
+#include "libcontact/joint/joint.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -7,9 +7,12 @@
 
 #include "libcontact/joint/slip_equation.hpp"
 
-namespace contact::detail {
+namespace contact {
 namespace {
 
+using detail::SlipEquation;
+using detail::SlipRoot;
+using detail::SlipTriangle;
 using Eigen::Vector3d;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -39,8 +42,13 @@ double side(const JointContact& contact) {
   return contact.geometry().inner_body() == JointBody::carrier ? 1.0 : -1.0;
 }
 
-bool is_pin(const JointContact& contact) {
-  return contact.geometry().kind() == JointKind::pin;
+// Of a force what the joint takes: of a pin's, what is normal to its axis.
+Vector3d taken(const Joint& joint, const Vector3d& force,
+               const Vector3d& angular_velocity, const Vector3d& axis) {
+  if (!joint.is_pin()) return force;
+  const Vector3d u =
+      axis.isZero(0) ? Vector3d(angular_velocity.stableNormalized()) : axis;
+  return force - force.dot(u) * u;
 }
 
 JointSolution not_a_number(Status status, const Vector3d& reaction) {
@@ -126,17 +134,17 @@ void set_vectors(JointSolution& s, const JointContact& contact,
 
 }  // namespace
 
-JointSolution solve_reaction(const JointContact& contact,
-                             const Vector3d& reaction, const Vector3d& rate,
-                             const JointSolution* last,
-                             const SolveOptions& options) noexcept {
+JointSolution Joint::solve_from(const SlipMemory& last, const Slip& slip,
+                                const SolveOptions& options) const noexcept {
+  const Vector3d reaction =
+      taken(*this, slip.reaction, slip.angular_velocity, slip.axis);
   const Polar force(reaction);
-  const Polar spin(rate);
+  const Polar spin(slip.angular_velocity);
   if (!(force.length < infinity && spin.length < infinity)) {
     return not_a_number(Status::out_of_range, reaction);
   }
   if (force.length == 0 || spin.length == 0) {
-    return at_rest(contact, reaction, force);
+    return at_rest(contact_, reaction, force);
   }
   const Vector3d& w = spin.direction;
   const Vector3d& e = force.direction;
@@ -144,15 +152,14 @@ JointSolution solve_reaction(const JointContact& contact,
   const Vector3d cross = w.cross(e);
   const double sin_b = cross.norm();
   // A pin's reaction is normal to its axis, rounding or not.
-  const double cos_b = is_pin(contact) ? 0 : w.dot(e);
+  const double cos_b = is_pin() ? 0 : w.dot(e);
   const Vector3d q = sin_b > 0 ? Vector3d(cross / sin_b) : w.unitOrthogonal();
   const Vector3d p = q.cross(w);
 
-  const JointContact::Strength strength = contact.strength(spin.length);
-  const SlipEquation equation(contact, strength, force.length,
+  const JointContact::Strength strength = contact_.strength(spin.length);
+  const SlipEquation equation(contact_, strength, force.length,
                               {sin_b, std::abs(cos_b)});
-  const SlipRoot root =
-      solve_slip(equation, last ? last->memory : SlipMemory{}, options);
+  const SlipRoot root = solve_slip(equation, last, options);
   if (root.status == Status::out_of_range) {
     return not_a_number(root.status, reaction);
   }
@@ -172,27 +179,27 @@ JointSolution solve_reaction(const JointContact& contact,
   s.force_coefficient = sin_g / t.cos_g;
   s.sliding_coefficient = root.point.sliding;
   s.spinning_coefficient = std::copysign(root.point.spinning, cos_b);
-  set_contact(s, contact, root.point.normal_force,
+  set_contact(s, contact_, root.point.normal_force,
               root.point.half_angle.half_angle, strength);
-  const double turn = side(contact) * t.sin_psi;
+  const double turn = side(contact_) * t.sin_psi;
   const SlipFrame frame = {w, t.cos_psi * p + turn * q,
                            t.cos_psi * q - turn * p};
-  set_vectors(s, contact, frame, spin.length, force.length * sin_g);
+  set_vectors(s, contact_, frame, spin.length, force.length * sin_g);
   return s;
 }
 
-JointSolution solve_contact(const JointContact& contact,
-                            const Vector3d& normal_force,
-                            const Vector3d& rate) noexcept {
+JointSolution Joint::solve_contact(const KnownContact& known) const noexcept {
+  const Vector3d normal_force =
+      taken(*this, known.normal_force, known.angular_velocity, known.axis);
   const Polar force(normal_force);
-  const Polar spin(rate);
+  const Polar spin(known.angular_velocity);
   if (!(force.length < infinity && spin.length < infinity)) {
     return not_a_number(Status::out_of_range, normal_force);
   }
   if (force.length == 0 || spin.length == 0) {
-    return at_rest(contact, normal_force, force);
+    return at_rest(contact_, normal_force, force);
   }
-  const HalfAngleResult half_angle = contact.half_angle(force.length);
+  const HalfAngleResult half_angle = contact_.half_angle(force.length);
   if (half_angle.status != Status::ok) {
     return not_a_number(half_angle.status, normal_force);
   }
@@ -205,10 +212,10 @@ JointSolution solve_contact(const JointContact& contact,
   s.status = Status::ok;
   s.state = JointState::sliding;
   s.evaluations = 1;
-  s.slip_axis = {is_pin(contact) ? 0 : w.dot(force.direction), cos_a};
-  const JointContact::Strength strength = contact.strength(spin.length);
+  s.slip_axis = {is_pin() ? 0 : w.dot(force.direction), cos_a};
+  const JointContact::Strength strength = contact_.strength(spin.length);
   const FrictionIntegrals i =
-      contact.integrals(half_angle.half_angle, s.slip_axis);
+      contact_.integrals(half_angle.half_angle, s.slip_axis);
   const double area = strength.area_part / force.length;
   const auto coefficient = [&](double pressure_part, double area_part) {
     return strength.pressure_part * pressure_part + area * area_part;
@@ -219,8 +226,8 @@ JointSolution solve_contact(const JointContact& contact,
   const double f = s.force_coefficient;
   const double hypotenuse_f = std::hypot(1, f);
   s.friction_direction = {f / hypotenuse_f, 1 / hypotenuse_f};
-  set_contact(s, contact, force.length, half_angle.half_angle, strength);
-  set_vectors(s, contact, {w, t.cross(w), t}, spin.length, f * force.length);
+  set_contact(s, contact_, force.length, half_angle.half_angle, strength);
+  set_vectors(s, contact_, {w, t.cross(w), t}, spin.length, f * force.length);
   s.reaction = normal_force + s.friction_force;
   // cos b = sin a cos g; sin b is the length of what R has normal to w.
   s.reaction_direction = {s.friction_direction.cos * std::hypot(cos_a, f),
@@ -228,19 +235,20 @@ JointSolution solve_contact(const JointContact& contact,
   return s;
 }
 
-FixedPointResult fixed_point(const JointContact& contact,
-                             const Vector3d& reaction, const Vector3d& rate,
-                             std::span<FixedPointStep> trace, double tolerance,
-                             int step_limit, double start) noexcept {
+FixedPointResult Joint::fixed_point(
+    const Slip& slip, std::span<FixedPointStep> trace,
+    const FixedPointOptions& options) const noexcept {
+  const Vector3d& rate = slip.angular_velocity;
+  const Vector3d reaction = taken(*this, slip.reaction, rate, slip.axis);
   const double force = reaction.stableNorm();
   const double speed = rate.stableNorm();
   // Parallel vectors may round to more than 1.
   const double cos_b =
       std::clamp((reaction / force).dot(rate / speed), -1.0, 1.0);
-  const JointContact::Strength strength = contact.strength(speed);
+  const JointContact::Strength strength = contact_.strength(speed);
   FixedPointResult result = {Status::not_converged, 0, 0};
-  double f = start;  // 0: g_1 = 0 (4.3)
-  while (result.steps < step_limit) {
+  double f = options.start;  // 0: g_1 = 0 (4.3)
+  while (result.steps < options.step_limit) {
     const double g = std::atan(f);
     const double cos_g = 1 / std::hypot(1, f);
     const double sin_a = cos_b / cos_g;  // (4.2)
@@ -250,8 +258,8 @@ FixedPointResult fixed_point(const JointContact& contact,
     }
     const SlipAxis axis = {sin_a, std::sqrt((1 - sin_a) * (1 + sin_a))};
     const double normal_force = force * cos_g;  // (4.1)
-    const double half_angle = contact.half_angle(normal_force).half_angle;
-    const FrictionIntegrals i = contact.integrals(half_angle, axis);
+    const double half_angle = contact_.half_angle(normal_force).half_angle;
+    const FrictionIntegrals i = contact_.integrals(half_angle, axis);
     const double next = strength.pressure_part * i.coefficient.force +
                         strength.area_part / normal_force * i.area.force;
     if (static_cast<std::size_t>(result.steps) < trace.size()) {
@@ -261,13 +269,13 @@ FixedPointResult fixed_point(const JointContact& contact,
           std::atan2(axis.sin, axis.cos),
           normal_force,
           strength.area_part / (strength.pressure_part * normal_force),
-          contact.load_parameter(normal_force),
+          contact_.load_parameter(normal_force),
           half_angle,
           next};
     }
     ++result.steps;
     result.residual = next == f ? 0 : std::abs(next / f - 1);
-    if (result.residual <= tolerance) {
+    if (result.residual <= options.tolerance) {
       result.status = Status::ok;
       break;
     }
@@ -280,4 +288,4 @@ FixedPointResult fixed_point(const JointContact& contact,
   return result;
 }
 
-}  // namespace contact::detail
+}  // namespace contact

@@ -1,0 +1,145 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+#include <utility>
+
+#include "libcontact/joint/contact.hpp"
+#include "libcontact/joint/moment_set.hpp"
+#include "libcontact/joint/solution.hpp"
+
+namespace contact {
+
+/// What a resting joint holds, see Joint::utilisation().
+struct RestSolution {
+  /// As the slip's; not_converged if no slip direction was found.
+  Status status = Status::out_of_range;
+  /// tau: the joint holds if it is <= 1, and M/tau is the most it holds in
+  /// that direction. Infinite if there is no friction to hold a moment, NaN
+  /// if out_of_range or no slip direction was found.
+  double utilisation = 0;
+  /// u, unit vector: the direction in which the joint would begin to slide;
+  /// 0 if M = 0.
+  Eigen::Vector3d direction = Eigen::Vector3d::Zero();
+  /// The sliding about u (|Dw| = 1 rad/s) whose moment is M/tau: n, R_n,
+  /// theta0. JointState::resting if M = 0.
+  JointSolution slip;
+  /// Sliding solutions that were needed.
+  int solves = 0;
+};
+
+/// Friction of a ball in a seat or a pin in a hole under a known reaction.
+///
+/// The reaction R is the sum of the normal force R_n n and the friction
+/// force R_t normal to it; n, R_n, the half-angle theta0 and the friction
+/// coefficient depend on each other. docs/joint.md has the equations. That of
+/// a pin is the ball's with R normal to Dw: b = 90 deg, a = 0.
+///
+/// Frame: any, the same for all vectors. R, R_t, M_t act on the body; Dw is
+/// the angular velocity of the body relative to the carrier. If the carrier
+/// has the ball or pin, n points from the joint's centre to the contact's; if
+/// the body has it, away from it. Either way R_n n is the push on the body.
+///
+/// A pin takes force normal to its axis only: the part of R along it is left
+/// out, and JointSolution::reaction is what is left. Its axis is the unit
+/// vector `axis`, with Dw along it, or, where that is 0, the direction of Dw
+/// or M; if these are 0 too nothing is left out. A ball has no axis.
+///
+/// Const functions do not allocate and do not throw. NaN or infinity in R or
+/// Dw: NaN with out_of_range.
+class Joint {
+ public:
+  explicit Joint(JointContact contact) : contact_(std::move(contact)) {}
+
+  const JointContact& contact() const { return contact_; }
+  bool is_pin() const { return contact_.geometry().kind() == JointKind::pin; }
+
+  struct Slip {
+    /// R on the body, N; 0 gives JointState::unloaded.
+    Eigen::Vector3d reaction;
+    /// Dw, rad/s; exactly 0 gives JointState::resting: whether a joint rests
+    /// is the caller's to say, see utilisation().
+    Eigen::Vector3d angular_velocity;
+    Eigen::Vector3d axis = Eigen::Vector3d::Zero();
+  };
+  /// Friction under a reaction while the halves turn.
+  /// @return |f/tan g - 1| <= 2e-13 (joint/ball_joint_test.cpp,
+  ///         joint/pin_joint_test.cpp)
+  JointSolution solve(const Slip& slip,
+                      const SolveOptions& options = {}) const noexcept {
+    return solve_from({}, slip, options);
+  }
+  /// The same, starting from a solution for a similar R and Dw.
+  JointSolution solve(const Slip& slip, const JointSolution& last,
+                      const SolveOptions& options = {}) const noexcept {
+    return solve_from(last.memory, slip, options);
+  }
+
+  struct KnownContact {
+    /// R_n n on the body, N.
+    Eigen::Vector3d normal_force;
+    /// Dw, rad/s.
+    Eigen::Vector3d angular_velocity;
+    Eigen::Vector3d axis = Eigen::Vector3d::Zero();
+  };
+  /// Friction under a known normal force: nothing to solve. With R in
+  /// its place it is the traditional estimate of friction.
+  JointSolution solve_contact(const KnownContact& known) const noexcept;
+
+  struct Hold {
+    /// R on the body, N.
+    Eigen::Vector3d reaction;
+    /// M on the body that friction has to supply, N m; of a pin its part
+    /// about the axis counts.
+    Eigen::Vector3d moment;
+    Eigen::Vector3d axis = Eigen::Vector3d::Zero();
+  };
+  /// Whether the joint rests under R while holding the moment M, and how near
+  /// it is to sliding.
+  ///
+  /// While a joint rests n is not known. Consistent with sliding, it holds
+  ///
+  ///     H(R) = { tau M_t(R, u) : |u| = 1, 0 <= tau <= 1 },
+  ///
+  /// M_t(R, u) the moment of solve(): the onset of slip and the limit of slow
+  /// sliding agree. For a needed moment of a ball, M = tau M_t(R, u) is
+  /// solved: by the symmetry about R one equation in the angle b of u and R.
+  /// Were there several u, the smallest tau of those that 16 intervals of b
+  /// tell apart is returned (none of 10,000 random joints had more than one).
+  /// A viscous joint holds no moment.
+  ///
+  /// @return slip.friction_moment = M/tau, to 1e-12 of |M|/tau
+  ///         (joint/joint_rest_test.cpp)
+  RestSolution utilisation(const Hold& hold,
+                           const SolveOptions& options = {}) const noexcept;
+  /// The same, starting from an answer for a similar R and M; looks for one
+  /// u only, the one close to the last.
+  RestSolution utilisation(const Hold& hold, const RestSolution& last,
+                           const SolveOptions& options = {}) const noexcept;
+
+  /// The moments that the contact of a ball's solution holds at fixed n, R_n
+  /// and theta0: what a solver of several bodies iterates on. The set refers
+  /// to this joint and must not outlive it.
+  MomentSet moment_set(const JointSolution& solution) const& noexcept {
+    return {contact_, solution.normal, solution.normal_force,
+            solution.half_angle};
+  }
+  /// Would refer to a joint that is gone.
+  MomentSet moment_set(const JointSolution&) const&& = delete;
+
+  /// The paper's inner loop (section 4): g_1 = 0, then a, R_n, theta0, f and
+  /// g = atan f in turn. It may crawl or fail where solve() does not.
+  ///
+  /// @param trace  filled with the steps, as many as it has room for
+  FixedPointResult fixed_point(
+      const Slip& slip, std::span<FixedPointStep> trace,
+      const FixedPointOptions& options = {}) const noexcept;
+
+ private:
+  JointSolution solve_from(const SlipMemory& last, const Slip& slip,
+                           const SolveOptions& options) const noexcept;
+
+  JointContact contact_;
+};
+
+}  // namespace contact
