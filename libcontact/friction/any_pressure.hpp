@@ -13,7 +13,8 @@ namespace contact {
 /// For the others the same great circles, with a sum over points of each in
 /// place of the closed forms: the pressure comes as PressureExpansion, whose
 /// square-root edge a change of variable along the circle takes away. No
-/// integrand is singular at a pole.
+/// integrand is singular at a pole. For laws without an expansion, those of
+/// one's own (ShapedPressure), by parts over the area integrals.
 ///
 /// @param law         of a ball
 /// @param half_angle  theta0, rad, [0, law.largest_half_angle()]
