@@ -11,7 +11,7 @@
 #include "libcontact/friction/exact.hpp"
 #include "libcontact/friction/kernel/cap_kernel.hpp"
 #include "libcontact/friction/kernel/exact_call.hpp"
-#include "libcontact/pressure/cosine.hpp"
+#include "libcontact/pressure/expansion.hpp"
 #include "libcontact/tracking/tracker_kernel.hpp"
 #include "libcontact/tracking/tracker_state.hpp"
 
@@ -48,7 +48,7 @@ JointTracker::JointTracker(std::vector<JointContact> contacts,
     s.is_ball = geometry.kind() == JointKind::ball;
     s.is_viscous = contact.is_viscous();
     is_plain_[i] = s.is_ball != 0 && !contact.is_viscous() &&
-                   dynamic_cast<const CosinePressure*>(&contact.pressure_law());
+                   detail::expansion_form(contact.pressure_law()).is_cosine();
     s.is_plain = is_plain_[i];
     s.pressure_part = strength.pressure_part;
     s.area_part = strength.area_part;
