@@ -130,9 +130,8 @@ FrictionIntegrals viscous_friction_integrals(const PressureLaw& law,
 }
 
 FrictionIntegrals friction_integrals(const PressureLaw& law, double half_angle,
-                                     SlipAxis axis) {
-  static const CapKernel& kernel = detail::cap_kernel(best_instruction_set());
-  return one_point(law, half_angle, axis, kernel);
+                                     SlipAxis axis, InstructionSet set) {
+  return one_point(law, half_angle, axis, detail::cap_kernel(set));
 }
 
 void friction_integrals(const PressureLaw& law, const FrictionBatchInput& in,

@@ -70,7 +70,8 @@ FrictionIntegrals JointContact::integrals(double half_angle,
   if (geometry_.kind() == JointKind::ball) {
     return is_viscous()
                ? viscous_friction_integrals(*pressure_law_, half_angle, axis)
-               : friction_integrals(*pressure_law_, half_angle, axis);
+               : friction_integrals(*pressure_law_, half_angle, axis,
+                                    instruction_set_);
   }
   const double span = 2 * geometry_.length() / geometry_.radius();
   FrictionIntegrals pin;

@@ -11,6 +11,8 @@
 #include <vector>
 
 #include "libcontact/friction/any_pressure.hpp"
+#include "libcontact/half_angle/factory.hpp"
+#include "libcontact/joint/contact.hpp"
 #include "libcontact/pressure/cosine.hpp"
 #include "libcontact/pressure/shaped.hpp"
 #include "libcontact/pressure/sqrt.hpp"
@@ -22,6 +24,7 @@
 namespace {
 
 using contact::degree;
+using contact::ElasticPair;
 using contact::FrictionIntegrals;
 using contact::FrictionTriple;
 using contact::JointKind;
@@ -180,6 +183,48 @@ TEST(OwnPressure, BatchIsTheScalarCall) {
         contact::friction_integrals(law, in[0][i], {in[1][i], in[2][i]});
     EXPECT_EQ(sliding[i], one.coefficient.sliding) << i;
     EXPECT_EQ(normal[i], one.normal) << i;
+  }
+}
+
+// A requested instruction set makes the numbers, and not the best one.
+TEST(InstructionSets, AreThoseOfADirectCall) {
+  const ElasticPair steel({2e11, 0.3}, {2e11, 0.3});
+  const auto ball = JointKind::ball;
+  const std::array<std::shared_ptr<const contact::PressureLaw>, 3> laws = {
+      std::make_shared<contact::CosinePressure>(ball),
+      std::make_shared<contact::SqrtThetaPressure>(ball),
+      std::make_shared<Own>(ball, "worn", worn)};
+  for (const auto& law : laws) {
+    const contact::JointContact contact(
+        contact::JointGeometry::ball(0.02, 20e-6), steel,
+        contact::FrictionLaw(0.1),
+        contact::make_half_angle_law("tanh", ball, steel), law);
+    int differences = 0;
+    for (int i = 1; i < 60; ++i) {
+      const double theta0 = 0.03 * i;
+      const SlipAxis axis = SlipAxis::from_degrees(1.4 * i);
+      double baseline = 0;
+      for (const auto set : contact::supported_instruction_sets()) {
+        const FrictionTriple direct =
+            contact::friction_integrals(*law, theta0, axis, set).coefficient;
+        const FrictionTriple found = contact.with_instruction_set(set)
+                                         .integrals(theta0, axis)
+                                         .coefficient;
+        EXPECT_EQ(found.sliding, direct.sliding) << law->name();
+        EXPECT_EQ(found.spinning, direct.spinning) << law->name();
+        double force = 0;
+        contact::FrictionBatchOutput out{};
+        out.force = {&force, 1};
+        contact::friction_integrals(
+            *law, {{&theta0, 1}, {&axis.sin, 1}, {&axis.cos, 1}}, out, set);
+        if (law != laws[0]) EXPECT_EQ(force, direct.force) << law->name();
+        if (set == contact::InstructionSet::baseline) baseline = direct.force;
+        differences += direct.force != baseline;
+      }
+    }
+    if (contact::supported_instruction_sets().size() > 1) {
+      EXPECT_GT(differences, 0) << law->name();
+    }
   }
 }
 
