@@ -2,7 +2,6 @@
 #include <cmath>
 #include <cstdio>
 #include <libcontact/contact.hpp>
-#include <libcontact/pressure.hpp>
 #include <memory>
 
 class Worn final : public contact::ShapedPressure {
