@@ -1,6 +1,6 @@
 #pragma once
 
-/// Materials and joints from TOML files.
+/// Materials and joints from TOML files: library contact::files.
 // clang-format off
 #include "libcontact/files/toml_reader.hpp"
 #include "libcontact/files/joint_file.hpp"

@@ -1,5 +1,5 @@
 # Headers, library, find_package(contact) and pkg-config file.
-install(TARGETS contact EXPORT contact-targets
+install(TARGETS contact contact_files EXPORT contact-targets
   LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 foreach(header IN LISTS public_headers)
@@ -22,10 +22,12 @@ install(FILES
   ${PROJECT_BINARY_DIR}/contactConfig.cmake
   ${PROJECT_BINARY_DIR}/contactConfigVersion.cmake
   DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/contact)
-configure_file(${PROJECT_SOURCE_DIR}/cmake/contact.pc.in
-  ${PROJECT_BINARY_DIR}/contact.pc @ONLY)
-install(FILES ${PROJECT_BINARY_DIR}/contact.pc
-  DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+foreach(pc contact.pc contact-files.pc)
+  configure_file(${PROJECT_SOURCE_DIR}/cmake/${pc}.in
+    ${PROJECT_BINARY_DIR}/${pc} @ONLY)
+  install(FILES ${PROJECT_BINARY_DIR}/${pc}
+    DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+endforeach()
 # Examples of materials and joints, which the programs and users start from.
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/data/joints
   ${PROJECT_SOURCE_DIR}/data/materials

@@ -2,9 +2,9 @@
 
 /// Pressure over the contact.
 // clang-format off
-#include "libcontact/pressure/expansion.hpp"
 #include "libcontact/pressure/law.hpp"
 #include "libcontact/pressure/cosine.hpp"
+#include "libcontact/pressure/shaped.hpp"
 #include "libcontact/pressure/sqrt.hpp"
 #include "libcontact/pressure/mixture.hpp"
 #include "libcontact/pressure/exact.hpp"

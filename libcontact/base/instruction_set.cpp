@@ -23,12 +23,21 @@ bool is_supported(InstructionSet set) {
 #endif
 }
 
+const std::vector<InstructionSet>& supported_instruction_sets() {
+  static const std::vector<InstructionSet> sets = [] {
+    std::vector<InstructionSet> all;
+    for (const InstructionSet set :
+         {InstructionSet::baseline, InstructionSet::avx2,
+          InstructionSet::avx512}) {
+      if (is_supported(set)) all.push_back(set);
+    }
+    return all;
+  }();
+  return sets;
+}
+
 InstructionSet best_instruction_set() {
-  for (const InstructionSet set :
-       {InstructionSet::avx512, InstructionSet::avx2}) {
-    if (is_supported(set)) return set;
-  }
-  return InstructionSet::baseline;
+  return supported_instruction_sets().back();
 }
 
 const char* name(InstructionSet set) {

@@ -8,11 +8,12 @@
 
 #include "libcontact/base/error.hpp"
 #include "libcontact/base/gauss_legendre.hpp"
+#include "libcontact/friction/by_parts.hpp"
 #include "libcontact/friction/exact.hpp"
 #include "libcontact/friction/kernel/exact_call.hpp"
 #include "libcontact/friction/kernel/expansion_table.hpp"
 #include "libcontact/friction/models.hpp"
-#include "libcontact/pressure/cosine.hpp"
+#include "libcontact/pressure/expansion.hpp"
 
 namespace contact {
 namespace {
@@ -21,10 +22,6 @@ using detail::CapKernel;
 using detail::PressureSums;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
-bool is_cosine(const PressureLaw& law) {
-  return dynamic_cast<const CosinePressure*>(&law) != nullptr;
-}
 
 /// Contacts of this size or less are small beside every slip axis angle but
 /// 90 deg itself; the integrals of smaller ones underflow.
@@ -37,17 +34,24 @@ void set_scale(double peak, FrictionIntegrals& r) {
   r.pressure = {c.force / peak, c.sliding / peak, c.spinning / peak};
 }
 
-/// A law other than CosinePressure, one point.
+/// One point.
 FrictionIntegrals one_point(const PressureLaw& law, double half_angle,
                             SlipAxis axis, const CapKernel& kernel) {
   const auto cap = detail::prepare(half_angle, axis.sin, axis.cos);
   FrictionIntegrals r = detail::exact_point(kernel, cap);
+  const PressureExpansion p = detail::expansion_of(law, half_angle);
+  if (p.is_cosine()) return r;
   if (half_angle >= 0 && half_angle <= smallest_half_angle) {
     r.normal = 0;
     r.pressure = {0, 0, 0};
     return r;
   }
-  const PressureExpansion p = law.expansion(half_angle);
+  if (p.is_empty()) {
+    r.coefficient =
+        detail::coefficients_by_parts(law, half_angle, axis, kernel);
+    set_scale(law.peak(half_angle), r);
+    return r;
+  }
   const auto& [s, abs_c, sa, q, k, m] = cap.point;
   const double c = cap.beyond_hemisphere ? -abs_c : abs_c;
   // At the centre: x = 1; 1 - c over the cosine pressure's I_n.
@@ -111,7 +115,10 @@ double second_moment(const PressureLaw& law, double half_angle) {
 FrictionIntegrals viscous_friction_integrals(const PressureLaw& law,
                                              double half_angle, SlipAxis axis) {
   FrictionIntegrals r = viscous_friction_integrals(half_angle, axis);
-  if (is_cosine(law) || half_angle <= smallest_half_angle) return r;
+  if (half_angle <= smallest_half_angle ||
+      detail::expansion_of(law, half_angle).is_cosine()) {
+    return r;
+  }
   const double peak = law.peak(half_angle);
   const double m = second_moment(law, half_angle);
   FrictionTriple& c = r.coefficient;
@@ -123,17 +130,16 @@ FrictionIntegrals viscous_friction_integrals(const PressureLaw& law,
 }
 
 FrictionIntegrals friction_integrals(const PressureLaw& law, double half_angle,
-                                     SlipAxis axis) {
-  static const CapKernel& kernel = detail::cap_kernel(best_instruction_set());
-  if (is_cosine(law)) return exact_friction_integrals(half_angle, axis);
-  return one_point(law, half_angle, axis, kernel);
+                                     SlipAxis axis, InstructionSet set) {
+  return one_point(law, half_angle, axis, detail::cap_kernel(set));
 }
 
 void friction_integrals(const PressureLaw& law, const FrictionBatchInput& in,
                         const FrictionBatchOutput& out, InstructionSet set) {
   detail::check_batch(in, out, set);
   const CapKernel& kernel = detail::cap_kernel(set);
-  if (is_cosine(law)) return kernel.batch(in, out, nullptr);
+  const PressureExpansion form = detail::expansion_form(law);
+  if (form.is_cosine()) return kernel.batch(in, out, nullptr);
 
   // The half-angles that a table serves.
   const double largest = std::min(detail::ExpansionTable::largest_half_angle,
@@ -150,7 +156,7 @@ void friction_integrals(const PressureLaw& law, const FrictionBatchInput& in,
     upper = std::max(upper, half_angle);
     ++count;
   }
-  const bool use_table = count >= fewest_for_a_table;
+  const bool use_table = count >= fewest_for_a_table && !form.is_empty();
   if (use_table) {
     const detail::ExpansionTable table(law, lower, upper);
     kernel.batch(in, out, &table);

@@ -13,11 +13,13 @@ namespace contact {
 /// For the others the same great circles, with a sum over points of each in
 /// place of the closed forms: the pressure comes as PressureExpansion, whose
 /// square-root edge a change of variable along the circle takes away. No
-/// integrand is singular at a pole.
+/// integrand is singular at a pole. For laws without an expansion, those of
+/// one's own (ShapedPressure), by parts over the area integrals.
 ///
 /// @param law         of a ball
 /// @param half_angle  theta0, rad, [0, law.largest_half_angle()]
 /// @param axis        slip axis, sine and cosine of a in [-pi/2, pi/2]
+/// @param set         a supported one
 /// @return As FrictionIntegrals says, with two differences for laws other than
 ///         CosinePressure: the weight of `pressure` is p/p(0), so that
 ///         R_n = rho^2 p(0) normal; and normal = 1/peak. Force and sliding
@@ -27,8 +29,9 @@ namespace contact {
 ///         against quadrature of the definition and by parts). NaN if an
 ///         argument is NaN or out of its interval.
 /// Neither throws nor allocates.
-FrictionIntegrals friction_integrals(const PressureLaw& law, double half_angle,
-                                     SlipAxis axis);
+FrictionIntegrals friction_integrals(
+    const PressureLaw& law, double half_angle, SlipAxis axis,
+    InstructionSet set = best_instruction_set());
 
 /// friction_integrals() for many points, vectorised over points from 100 points
 /// on; input, output, errors and NaN as in exact_friction_integrals() for many

@@ -43,10 +43,10 @@ void check_batch(const FrictionBatchInput& in, const FrictionBatchOutput& out,
 
 }  // namespace detail
 
-FrictionIntegrals exact_friction_integrals(double half_angle, SlipAxis axis) {
+FrictionIntegrals exact_friction_integrals(double half_angle, SlipAxis axis,
+                                           InstructionSet set) {
   using namespace detail;
-  static const CapKernel& kernel = cap_kernel(best_instruction_set());
-  return exact_point(kernel, prepare(half_angle, axis.sin, axis.cos));
+  return exact_point(cap_kernel(set), prepare(half_angle, axis.sin, axis.cos));
 }
 
 void exact_friction_integrals(const FrictionBatchInput& in,

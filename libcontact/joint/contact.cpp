@@ -44,9 +44,8 @@ JointContact::JointContact(JointGeometry geometry, ElasticPair pair,
       geometry_.force_from_load(LoadScale(geometry_, pair_).unit_load());
   unit_pressure_area_ =
       geometry_.force_from_load(1) / geometry_.pressure_unit(1);
-  // Those of viscous friction make a rule on first use: here, so that no
-  // solution has to allocate.
-  if (is_viscous()) integrals(0.5, SlipAxis{0, 1});
+  // Some make a rule on first use: here, so that no solution has to allocate.
+  integrals(0.5, SlipAxis{0, 1});
 }
 
 std::vector<std::string> JointContact::validity_notes() const {
@@ -71,7 +70,8 @@ FrictionIntegrals JointContact::integrals(double half_angle,
   if (geometry_.kind() == JointKind::ball) {
     return is_viscous()
                ? viscous_friction_integrals(*pressure_law_, half_angle, axis)
-               : friction_integrals(*pressure_law_, half_angle, axis);
+               : friction_integrals(*pressure_law_, half_angle, axis,
+                                    instruction_set_);
   }
   const double span = 2 * geometry_.length() / geometry_.radius();
   FrictionIntegrals pin;

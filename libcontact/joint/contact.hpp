@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "libcontact/base/instruction_set.hpp"
 #include "libcontact/friction/integrals.hpp"
 #include "libcontact/half_angle/law.hpp"
 #include "libcontact/pair/friction_law.hpp"
@@ -41,6 +42,14 @@ class JointContact {
   JointContact with_friction(FrictionModel friction) const {
     JointContact other = *this;
     other.friction_ = friction;
+    return other;
+  }
+
+  /// The same contact, its integrals by another instruction set than the best.
+  /// @param set  a supported one
+  JointContact with_instruction_set(InstructionSet set) const {
+    JointContact other = *this;
+    other.instruction_set_ = set;
     return other;
   }
 
@@ -97,6 +106,7 @@ class JointContact {
   FrictionModel friction_;
   std::shared_ptr<const HalfAngleLaw> half_angle_law_;
   std::shared_ptr<const PressureLaw> pressure_law_;
+  InstructionSet instruction_set_ = best_instruction_set();
   double unit_force_;          // R_n at load parameter 1
   double unit_pressure_area_;  // rho^2 or rho l
 };

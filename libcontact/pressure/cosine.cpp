@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "libcontact/base/cancellation.hpp"
+#include "libcontact/pressure/expansion.hpp"
 
 namespace contact {
 namespace {

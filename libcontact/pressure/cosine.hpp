@@ -32,10 +32,12 @@ class CosinePressure final : public PressureLaw {
   double slope(double theta, double half_angle) const noexcept override;
   void edge_slopes(double half_angle, std::span<const double> edge_variable,
                    std::span<double> out) const noexcept override;
-  PressureExpansion expansion(double half_angle) const noexcept override;
   double peak(double half_angle) const noexcept override;
   double force_ratio(double half_angle) const noexcept override;
   double largest_half_angle() const noexcept override;
+
+ private:
+  PressureExpansion expansion(double half_angle) const noexcept override;
 };
 
 /// I_n of the cosine pressure: the force that p0 = 1 carries, in units of

@@ -12,6 +12,7 @@
 #include "libcontact/conforming/pin.hpp"
 #include "libcontact/conforming/wide_edge.hpp"
 #include "libcontact/pressure/edge_polynomial.hpp"
+#include "libcontact/pressure/expansion.hpp"
 #include "libcontact/pressure/plain_logarithm.hpp"
 
 namespace contact {

@@ -54,7 +54,6 @@ class ExactPressure final : public PressureLaw {
   double slope(double theta, double half_angle) const noexcept override;
   void edge_slopes(double half_angle, std::span<const double> edge_variable,
                    std::span<double> out) const noexcept override;
-  PressureExpansion expansion(double half_angle) const noexcept override;
   double peak(double half_angle) const noexcept override;
   double force_ratio(double half_angle) const noexcept override;
   double largest_half_angle() const noexcept override { return largest_; }
@@ -63,6 +62,7 @@ class ExactPressure final : public PressureLaw {
   ContactPressure contact(double half_angle) const noexcept;
 
  private:
+  PressureExpansion expansion(double half_angle) const noexcept override;
   static constexpr int logarithms = ContactPressure::logarithms;
   // a_k, b_k, S and some more.
   static constexpr int max_width = 72;

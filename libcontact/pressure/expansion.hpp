@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <span>
 
+#include "libcontact/pressure/law.hpp"
+
 namespace contact {
 
 /// A pressure as the sum of the cosine pressure and one that starts like a
@@ -17,7 +19,8 @@ namespace contact {
 /// to which the friction integrals have short ways. x and X are 0 at the edge
 /// and 1 at the centre for every v; with v = 1, x is the edge variable of
 /// PressureLaw. ln X and not ln x: along a great circle X is a constant times
-/// a cosine.
+/// a cosine. Which of the parts there are at all, a law says for all
+/// half-angles at once; NaN for theta0 that it is not defined for.
 struct PressureExpansion {
   static constexpr int max_terms = 32;
   double cosine_share = 0;
@@ -30,9 +33,26 @@ struct PressureExpansion {
   std::span<const double> coefficients() const {
     return std::span(coefficient).first(static_cast<std::size_t>(size));
   }
+  /// Nothing: the law has no expansion.
+  bool is_empty() const {
+    return cosine_share == 0 && size == 0 && !has_logarithm();
+  }
+  /// The cosine pressure itself.
+  bool is_cosine() const {
+    return cosine_share == 1 && size == 0 && !has_logarithm();
+  }
   bool has_logarithm() const {
     return logarithmic[0] != 0 || logarithmic[1] != 0 || logarithmic[2] != 0;
   }
 };
+
+namespace detail {
+
+/// Which parts a law's expansion has, for is_empty() and is_cosine().
+inline PressureExpansion expansion_form(const PressureLaw& law) noexcept {
+  return expansion_of(law, law.largest_half_angle() / 2);
+}
+
+}  // namespace detail
 
 }  // namespace contact

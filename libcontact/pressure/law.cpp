@@ -3,7 +3,16 @@
 #include <cmath>
 #include <numbers>
 
+#include "libcontact/pressure/expansion.hpp"
+
 namespace contact {
+
+PressureExpansion detail::expansion_of(const PressureLaw& law,
+                                       double half_angle) noexcept {
+  return law.expansion(half_angle);
+}
+
+PressureExpansion PressureLaw::expansion(double) const noexcept { return {}; }
 
 double PressureLaw::mean(double half_angle) const noexcept {
   const double force = force_ratio(half_angle);

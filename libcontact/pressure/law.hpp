@@ -4,7 +4,6 @@
 #include <string>
 
 #include "libcontact/pair/joint_geometry.hpp"
-#include "libcontact/pressure/expansion.hpp"
 
 /// Contact pressure p(theta), theta = angle from the centre of the contact.
 ///
@@ -12,7 +11,14 @@
 /// ball, P/rho for a pin; so it depends on the half-angle theta0 alone.
 namespace contact {
 
-/// A pressure law for one kind of joint. Const functions that do not allocate
+class PressureLaw;
+struct PressureExpansion;
+namespace detail {
+PressureExpansion expansion_of(const PressureLaw&, double half_angle) noexcept;
+}
+
+/// A pressure law for one kind of joint; one's own is a ShapedPressure
+/// (shaped.hpp). Const functions that do not allocate
 /// and do not throw; NaN gives NaN.
 ///
 /// Every law is normalised to carry the load,
@@ -51,10 +57,6 @@ class PressureLaw {
                            std::span<const double> edge_variable,
                            std::span<double> out) const noexcept = 0;
 
-  /// p as the friction integrals take it, for every half-angle; NaN beyond
-  /// largest_half_angle() and where theta0 is NaN.
-  virtual PressureExpansion expansion(double half_angle) const noexcept = 0;
-
   /// p(0), the largest pressure; infinite at theta0 = 0.
   virtual double peak(double half_angle) const noexcept = 0;
 
@@ -79,6 +81,13 @@ class PressureLaw {
   }
 
  private:
+  friend PressureExpansion detail::expansion_of(const PressureLaw&,
+                                                double) noexcept;
+  /// What makes the friction integrals of our own laws fast
+  /// (pressure/expansion.hpp, which is not installed). Here there is none:
+  /// friction follows from edge_slopes().
+  virtual PressureExpansion expansion(double half_angle) const noexcept;
+
   JointKind kind_;
 };
 

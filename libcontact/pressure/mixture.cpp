@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "libcontact/pressure/expansion.hpp"
 #include "libcontact/pressure/mixture_coefficients.hpp"
 
 namespace contact {
@@ -76,7 +77,7 @@ void MixturePressure::edge_slopes(double half_angle,
 
 PressureExpansion MixturePressure::expansion(double half_angle) const noexcept {
   const double w = sqrt_tan_share(half_angle);
-  PressureExpansion result = sqrt_tan_.expansion(half_angle);
+  PressureExpansion result = detail::expansion_of(sqrt_tan_, half_angle);
   result.cosine_share = 1 - w;
   result.coefficient[0] *= w;
   return result;

@@ -42,7 +42,6 @@ class MixturePressure final : public PressureLaw {
   double slope(double theta, double half_angle) const noexcept override;
   void edge_slopes(double half_angle, std::span<const double> edge_variable,
                    std::span<double> out) const noexcept override;
-  PressureExpansion expansion(double half_angle) const noexcept override;
   double peak(double half_angle) const noexcept override;
   double force_ratio(double half_angle) const noexcept override;
   double largest_half_angle() const noexcept override;
@@ -51,6 +50,7 @@ class MixturePressure final : public PressureLaw {
   double sqrt_tan_share(double half_angle) const noexcept;
 
  private:
+  PressureExpansion expansion(double half_angle) const noexcept override;
   double mix(double half_angle, double sqrt_tan, double cosine) const noexcept;
 
   SqrtTanPressure sqrt_tan_;

@@ -8,6 +8,7 @@
 
 #include "libcontact/conforming/wide_edge.hpp"
 #include "libcontact/pressure/edge_polynomial.hpp"
+#include "libcontact/pressure/expansion.hpp"
 
 namespace contact {
 namespace {

@@ -27,10 +27,12 @@ class SqrtTanPressure final : public PressureLaw {
   double slope(double theta, double half_angle) const noexcept override;
   void edge_slopes(double half_angle, std::span<const double> edge_variable,
                    std::span<double> out) const noexcept override;
-  PressureExpansion expansion(double half_angle) const noexcept override;
   double peak(double half_angle) const noexcept override;
   double force_ratio(double half_angle) const noexcept override;
   double largest_half_angle() const noexcept override;
+
+ private:
+  PressureExpansion expansion(double half_angle) const noexcept override;
 };
 
 /// p = peak sqrt(1 - (theta/theta0)^2), for 0 <= theta0 <= 175 deg. Hertz'
@@ -54,10 +56,12 @@ class SqrtThetaPressure final : public PressureLaw {
   double slope(double theta, double half_angle) const noexcept override;
   void edge_slopes(double half_angle, std::span<const double> edge_variable,
                    std::span<double> out) const noexcept override;
-  PressureExpansion expansion(double half_angle) const noexcept override;
   double peak(double half_angle) const noexcept override;
   double force_ratio(double half_angle) const noexcept override;
   double largest_half_angle() const noexcept override;
+
+ private:
+  PressureExpansion expansion(double half_angle) const noexcept override;
 };
 
 }  // namespace contact

@@ -8,10 +8,8 @@
 #include <tuple>
 #include <utility>
 
-#include "libcontact/friction/exact.hpp"
 #include "libcontact/friction/kernel/cap_kernel.hpp"
-#include "libcontact/friction/kernel/exact_call.hpp"
-#include "libcontact/pressure/cosine.hpp"
+#include "libcontact/pressure/expansion.hpp"
 #include "libcontact/tracking/tracker_kernel.hpp"
 #include "libcontact/tracking/tracker_state.hpp"
 
@@ -39,6 +37,7 @@ JointTracker::JointTracker(std::vector<JointContact> contacts,
       is_smooth_(contacts_.size()) {
   static_assert(Exchange::size == detail::CapKernel::few_points);
   for (int i = 0; i < size(); ++i) {
+    contacts_[i] = contacts_[i].with_instruction_set(set);
     const JointContact& contact = contacts_[i];
     const JointGeometry& geometry = contact.geometry();
     const JointContact::Strength strength = contact.strength(1);
@@ -48,7 +47,7 @@ JointTracker::JointTracker(std::vector<JointContact> contacts,
     s.is_ball = geometry.kind() == JointKind::ball;
     s.is_viscous = contact.is_viscous();
     is_plain_[i] = s.is_ball != 0 && !contact.is_viscous() &&
-                   dynamic_cast<const CosinePressure*>(&contact.pressure_law());
+                   detail::expansion_form(contact.pressure_law()).is_cosine();
     s.is_plain = is_plain_[i];
     s.pressure_part = strength.pressure_part;
     s.area_part = strength.area_part;
@@ -92,12 +91,7 @@ JointTracker::Values JointTracker::values(int joint, double force,
   const JointContact::Strength strength = contact.strength(1);
   axis = {std::max(axis.sin, detail::smallest_axis),
           std::max(axis.cos, detail::smallest_axis)};
-  // Not by contact.integrals(), which takes the best instruction set.
-  const FrictionIntegrals i =
-      is_plain_[joint]
-          ? detail::exact_point(*integrals_,
-                                detail::prepare(half_angle, axis.sin, axis.cos))
-          : contact.integrals(half_angle, axis);
+  const FrictionIntegrals i = contact.integrals(half_angle, axis);
   const auto value = [&](double pressure, double area, double over) {
     return (strength.pressure_part * pressure +
             strength.area_part / force * area) /

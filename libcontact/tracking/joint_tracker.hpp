@@ -43,8 +43,7 @@ class JointTracker {
   /// By the best instruction set.
   /// @param contacts  of balls and pins, with friction
   explicit JointTracker(std::vector<JointContact> contacts);
-  /// @param set  a supported one; what it takes for the integrals of other
-  ///   pressures than the cosine is the best all the same
+  /// @param set  a supported one, whatever that of the contacts
   JointTracker(std::vector<JointContact> contacts, InstructionSet set);
 
   int size() const { return static_cast<int>(contacts_.size()); }

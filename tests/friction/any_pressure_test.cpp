@@ -14,6 +14,7 @@
 
 #include "libcontact/friction/exact.hpp"
 #include "libcontact/pressure/exact.hpp"
+#include "libcontact/pressure/expansion.hpp"
 #include "libcontact/pressure/factory.hpp"
 #include "libcontact/pressure/mixture.hpp"
 #include "libcontact/pressure/sqrt.hpp"
@@ -532,10 +533,12 @@ TEST(FrictionPressure, LogarithmsAreResolved) {
   batch.check();
 }
 
-// A law without a term of the kind x (2 x^2 - 1)^k.
+// A law without a term of the kind x (2 x^2 - 1)^k: the cosine pressure or a
+// part of it.
 class OnlyCosine final : public PressureLaw {
  public:
-  OnlyCosine() : PressureLaw(ball), cosine_(ball) {}
+  explicit OnlyCosine(double share)
+      : PressureLaw(ball), cosine_(ball), share_(share) {}
   std::string name() const override { return "only cosine"; }
   double largest_half_angle() const noexcept override {
     return cosine_.largest_half_angle();
@@ -554,7 +557,9 @@ class OnlyCosine final : public PressureLaw {
   }
   contact::PressureExpansion expansion(
       double half_angle) const noexcept override {
-    return cosine_.expansion(half_angle);
+    auto result = contact::detail::expansion_of(cosine_, half_angle);
+    result.cosine_share *= share_;
+    return result;
   }
   void edge_slopes(double half_angle, std::span<const double> y,
                    std::span<double> out) const noexcept override {
@@ -563,10 +568,10 @@ class OnlyCosine final : public PressureLaw {
 
  private:
   contact::CosinePressure cosine_;
+  double share_;
 };
 
 TEST(FrictionPressure, ExpansionsMayHaveNoTerms) {
-  const OnlyCosine law;
   AccuracyReport report("a share of the cosine pressure alone", 1e-13);
   Input in;
   for (int i = 1; i <= 120; ++i) {
@@ -577,17 +582,22 @@ TEST(FrictionPressure, ExpansionsMayHaveNoTerms) {
   }
   std::array<std::vector<double>, 3> r;
   for (auto& column : r) column.resize(in[0].size());
-  contact::friction_integrals(law, {in[0], in[1], in[2]},
-                              {{}, {}, {}, {}, {}, {}, {}, r[0], r[1], r[2]});
-  for (std::size_t i = 0; i < in[0].size(); ++i) {
-    const SlipAxis axis{in[1][i], in[2][i]};
-    const FrictionTriple expected =
-        contact::exact_friction_integrals(in[0][i], axis).coefficient;
-    compare(report,
-            contact::friction_integrals(law, in[0][i], axis).coefficient,
-            expected, std::to_string(i));
-    compare(report, {r[0][i], r[1][i], r[2][i]}, expected,
-            std::to_string(i) + ", batch");
+  for (const double share : {1.0, 0.5}) {
+    const OnlyCosine law(share);
+    contact::friction_integrals(law, {in[0], in[1], in[2]},
+                                {{}, {}, {}, {}, {}, {}, {}, r[0], r[1], r[2]});
+    for (std::size_t i = 0; i < in[0].size(); ++i) {
+      const SlipAxis axis{in[1][i], in[2][i]};
+      const FrictionTriple whole =
+          contact::exact_friction_integrals(in[0][i], axis).coefficient;
+      const FrictionTriple expected = {
+          share * whole.force, share * whole.sliding, share * whole.spinning};
+      compare(report,
+              contact::friction_integrals(law, in[0][i], axis).coefficient,
+              expected, std::to_string(i));
+      compare(report, {r[0][i], r[1][i], r[2][i]}, expected,
+              std::to_string(i) + ", batch");
+    }
   }
   report.check();
 }

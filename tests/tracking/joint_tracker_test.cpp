@@ -155,16 +155,6 @@ double relative_error(const Vector3d& found, const JointSolution& expected) {
          expected.friction_moment.norm();
 }
 
-std::vector<InstructionSet> supported_sets() {
-  std::vector<InstructionSet> sets;
-  for (const InstructionSet set :
-       {InstructionSet::baseline, InstructionSet::avx2,
-        InstructionSet::avx512}) {
-    if (contact::is_supported(set)) sets.push_back(set);
-  }
-  return sets;
-}
-
 // Largest relative errors of M_t, and the largest error over error().
 struct Errors {
   double predicted = 0, evaluated = 0, share = 0;
@@ -264,7 +254,7 @@ TEST(JointTracker, AllInstructionSetsAgree) {
   for (const int count : {1, 3, 4, 5, 13}) {
     const std::vector<Path> all = paths(3, count);
     std::vector<std::vector<Vector3d>> found;
-    for (const InstructionSet set : supported_sets()) {
+    for (const InstructionSet set : contact::supported_instruction_sets()) {
       JointTracker tracker = started(all, set);
       advance(tracker, all, 1e-3);
       std::vector<Vector3d>& moments = found.emplace_back();
@@ -297,6 +287,32 @@ std::vector<Path> growing(const LawNames& laws, double ball = 2e4,
   }
   return all;
 }
+
+// Bit for bit those of its own set, whatever the contacts have: with pressures
+// that the tracker's own kernels do not know.
+TEST(JointTracker, TakesItsInstructionSetForAllIntegrals) {
+  for (const InstructionSet set : contact::supported_instruction_sets()) {
+    std::vector<Vector3d> expected;
+    for (const InstructionSet other : contact::supported_instruction_sets()) {
+      std::vector<Path> all = growing({"tanh", "sqrt_theta"});
+      const std::vector<JointContact> plain = contacts(all);
+      std::vector<JointContact> given;
+      for (const JointContact& c : plain) {
+        given.push_back(c.with_instruction_set(other));
+      }
+      JointTracker tracker(given, set);
+      start(tracker, all, 0);
+      advance(tracker, all, 1e-3);
+      for (int i = 0; i < tracker.size(); ++i) {
+        if (other == contact::InstructionSet::baseline) {
+          expected.push_back(tracker.moment(i));
+        }
+        EXPECT_EQ(tracker.moment(i), expected[i]);
+      }
+    }
+  }
+}
+
 double largest_error(const std::vector<Path>& all) {
   JointTracker tracker = started(all);
   constexpr int steps = 3000;
@@ -441,7 +457,7 @@ TEST(JointTracker, ASecondCorrectionLeavesLittle) {
 // Contacts are evaluated where R has gone on, moments extended by their slopes.
 TEST(JointTracker, CorrectsWhereItHasBeenExtended) {
   const std::vector<Path> all = paths(8, 20);
-  for (const InstructionSet set : supported_sets()) {
+  for (const InstructionSet set : contact::supported_instruction_sets()) {
     JointTracker tracker = started(all, set);
     advance(tracker, all, 1e-3);
     const JointTracker before = tracker;
@@ -501,7 +517,7 @@ TEST(JointTracker, OneThatIsLostIsSeenInTheLargest) {
     if (pins) std::erase_if(many, [](const Path& p) { return !p.is_pin(); });
     for (const int size : {1, 3, 5, 9}) {
       const std::vector<Path> all(many.begin(), many.begin() + size);
-      for (const InstructionSet set : supported_sets()) {
+      for (const InstructionSet set : contact::supported_instruction_sets()) {
         JointTracker tracker = started(all, set);
         advance(tracker, all, 1e-4);
         EXPECT_TRUE(tracker.largest().is_trusted());
@@ -536,7 +552,7 @@ TEST(JointTracker, StepsAreZeroBeyondTheJoints) {
   const std::vector<Path> many = paths(10, 17);
   for (int size = 1; size <= 17; ++size) {
     const std::vector<Path> all(many.begin(), many.begin() + size);
-    for (const InstructionSet set : supported_sets()) {
+    for (const InstructionSet set : contact::supported_instruction_sets()) {
       JointTracker tracker(contacts(all), set);
       const auto step = [&](int joint, int k) {
         constexpr int lanes = contact::VectorRows::lanes;

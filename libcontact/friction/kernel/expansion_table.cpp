@@ -38,7 +38,7 @@ ExpansionTable::ExpansionTable(const PressureLaw& law, double lower,
   for (int i = 0; i < rows; ++i) {
     const double root = middle + (high - low) / 2 * transform.point[i];
     const double half_angle = rows > 1 ? root * root : lower;
-    const PressureExpansion p = law.expansion(half_angle);
+    const PressureExpansion p = expansion_of(law, half_angle);
     const double h = std::sin(half_angle / 2);
     const double scale = 4 * h * h;
     size = std::max(size, p.size);

@@ -1,0 +1,274 @@
+// Pressures of which nothing but the shape is known.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "libcontact/friction/any_pressure.hpp"
+#include "libcontact/half_angle/factory.hpp"
+#include "libcontact/joint/contact.hpp"
+#include "libcontact/pressure/cosine.hpp"
+#include "libcontact/pressure/shaped.hpp"
+#include "libcontact/pressure/sqrt.hpp"
+#include "libcontact/reference/quadrature.hpp"
+#include "support/accuracy_report.hpp"
+#include "support/allocation_count.hpp"
+#include "support/error_message.hpp"
+
+namespace {
+
+using contact::degree;
+using contact::ElasticPair;
+using contact::FrictionIntegrals;
+using contact::FrictionTriple;
+using contact::JointKind;
+using contact::ShapedPressure;
+using contact::SlipAxis;
+using contact::test::AccuracyReport;
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+// What ShapedPressure promises.
+constexpr double budget = 1e-9;
+
+class Own final : public ShapedPressure {
+ public:
+  using Shape = std::function<double(double, double)>;
+  Own(JointKind kind, std::string name, Shape shape, double largest = 2.5)
+      : ShapedPressure(kind, std::move(name), largest),
+        shape_(std::move(shape)) {}
+
+ private:
+  double shape(double theta, double half_angle) const noexcept override {
+    return shape_(theta, half_angle);
+  }
+  Shape shape_;
+};
+
+double falling(double t, double theta0) {
+  return (1 - t / theta0) * (1 + t / theta0);
+}
+// 3/4: between Hertz' edge and a flat one; worn: flat-topped; cone: linear
+// from the centre to the edge.
+double three_quarters(double t, double theta0) {
+  return 7 * std::pow(falling(t, theta0), 0.75);
+}
+double worn(double t, double theta0) {
+  return std::sqrt(1 - std::pow(t / theta0, 8));
+}
+double parabola(double t, double theta0) { return falling(t, theta0); }
+double cone(double t, double theta0) { return 1 - t / theta0; }
+
+std::vector<Own> own_laws(JointKind kind) {
+  return {Own(kind, "three quarters", three_quarters), Own(kind, "worn", worn),
+          Own(kind, "parabola", parabola), Own(kind, "cone", cone)};
+}
+
+void compare(AccuracyReport& report, const FrictionTriple& computed,
+             const FrictionTriple& expected, const std::string& row) {
+  report.add(computed.force, expected.force, row + ", force");
+  report.add(computed.sliding, expected.sliding, row + ", sliding");
+  report.add(computed.spinning, expected.spinning, row + ", spinning");
+}
+
+std::string label(double theta0_deg, double alpha_deg) {
+  return "theta0 = " + std::to_string(theta0_deg) +
+         " deg, a = " + std::to_string(alpha_deg) + " deg";
+}
+
+// Poles outside, inside, near the edge, near the centre; two.
+TEST(OwnPressure, FrictionAgreesWithQuadratureOfTheDefinition) {
+  for (const Own& law : own_laws(JointKind::ball)) {
+    AccuracyReport report(law.name(), budget);
+    for (const auto& [theta0_deg, alpha_deg] : {std::array{1e-3, 20.0},
+                                                {5.0, 20.0},
+                                                {30.0, 45.0},
+                                                {30.0, 60.01},
+                                                {45.0, 89.0},
+                                                {60.0, 50.0},
+                                                {85.0, 20.0},
+                                                {100.0, 40.0},
+                                                {115.0, 10.0},
+                                                {120.0, 30.0}}) {
+      const SlipAxis axis = SlipAxis::from_degrees(alpha_deg);
+      const auto expected = contact::reference::quadrature_friction_integrals(
+          law, theta0_deg * degree, axis, 1e-10);
+      const auto computed =
+          contact::friction_integrals(law, theta0_deg * degree, axis);
+      const std::string row = label(theta0_deg, alpha_deg);
+      compare(report, computed.coefficient, expected.value.coefficient, row);
+      compare(report, computed.pressure, expected.value.pressure, row);
+      report.add(computed.normal, expected.value.normal, row + ", normal");
+      compare(report, computed.area, expected.value.area, row);
+    }
+    report.check();
+  }
+}
+
+// The same pressure by its shape and by its expansion.
+template <class Law>
+void check_against(const std::string& name) {
+  for (const JointKind kind : {JointKind::ball, JointKind::pin}) {
+    const Law known(kind);
+    const Own own(kind, name, [&](double t, double theta0) {
+      return 0.3 * theta0 * known.pressure(t, theta0);
+    });
+    AccuracyReport report(name, budget);
+    AccuracyReport slopes(name + ", slopes", 1e-6);
+    for (const double theta0_deg : {1e-4, 1.0, 20.0, 89.0, 95.0, 119.0}) {
+      const double theta0 = theta0_deg * degree;
+      const std::string row = label(theta0_deg, 0);
+      report.add(own.peak(theta0), known.peak(theta0), row + ", peak");
+      report.add(own.mean(theta0), known.mean(theta0), row + ", mean");
+      report.add(own.force_ratio(theta0), known.force_ratio(theta0), row);
+      for (const double share : {0.0, 0.3, 0.999}) {
+        report.add(own.pressure(-share * theta0, theta0),
+                   known.pressure(share * theta0, theta0), row + ", p");
+      }
+      for (const double share : {1e-3, -0.3, 0.999}) {
+        slopes.add(own.slope(share * theta0, theta0),
+                   known.slope(share * theta0, theta0), row + ", slope");
+      }
+      // The last two with a pole just outside and inside the edge.
+      for (const double a_deg :
+           {0.1, 5.0, 40.0, 80.0, 89.99, 90 - theta0_deg * (1 + 1e-6),
+            90 - theta0_deg * (1 - 1e-6)}) {
+        if (kind == JointKind::pin) continue;
+        const SlipAxis axis = SlipAxis::from_degrees(a_deg);
+        const std::string at = label(theta0_deg, a_deg);
+        compare(
+            report, contact::friction_integrals(own, theta0, axis).coefficient,
+            contact::friction_integrals(known, theta0, axis).coefficient, at);
+        compare(
+            report,
+            contact::viscous_friction_integrals(own, theta0, axis).coefficient,
+            contact::viscous_friction_integrals(known, theta0, axis)
+                .coefficient,
+            at + ", viscous");
+      }
+    }
+    report.check();
+    slopes.check();
+  }
+}
+
+TEST(OwnPressure, IsTheLawOfTheSameShape) {
+  check_against<contact::CosinePressure>("cosine");
+  check_against<contact::SqrtTanPressure>("sqrt_tan");
+  check_against<contact::SqrtThetaPressure>("sqrt_theta");
+}
+
+TEST(OwnPressure, BatchIsTheScalarCall) {
+  const Own law(JointKind::ball, "worn", worn);
+  std::array<std::vector<double>, 3> in;
+  for (int i = 0; i < 150; ++i) {
+    const SlipAxis axis = SlipAxis::from_degrees(0.6 * i);
+    in[0].push_back(0.014 * i);
+    in[1].push_back(axis.sin);
+    in[2].push_back(axis.cos);
+  }
+  std::vector<double> sliding(150), normal(150);
+  contact::FrictionBatchOutput out{};
+  out.sliding = sliding;
+  out.normal = normal;
+  contact::friction_integrals(law, {in[0], in[1], in[2]}, out);
+  for (std::size_t i = 0; i < 150; ++i) {
+    const FrictionIntegrals one =
+        contact::friction_integrals(law, in[0][i], {in[1][i], in[2][i]});
+    EXPECT_EQ(sliding[i], one.coefficient.sliding) << i;
+    EXPECT_EQ(normal[i], one.normal) << i;
+  }
+}
+
+// A requested instruction set makes the numbers, and not the best one.
+TEST(InstructionSets, AreThoseOfADirectCall) {
+  const ElasticPair steel({2e11, 0.3}, {2e11, 0.3});
+  const auto ball = JointKind::ball;
+  const std::array<std::shared_ptr<const contact::PressureLaw>, 3> laws = {
+      std::make_shared<contact::CosinePressure>(ball),
+      std::make_shared<contact::SqrtThetaPressure>(ball),
+      std::make_shared<Own>(ball, "worn", worn)};
+  for (const auto& law : laws) {
+    const contact::JointContact contact(
+        contact::JointGeometry::ball(0.02, 20e-6), steel,
+        contact::FrictionLaw(0.1),
+        contact::make_half_angle_law("tanh", ball, steel), law);
+    int differences = 0;
+    for (int i = 1; i < 60; ++i) {
+      const double theta0 = 0.03 * i;
+      const SlipAxis axis = SlipAxis::from_degrees(1.4 * i);
+      double baseline = 0;
+      for (const auto set : contact::supported_instruction_sets()) {
+        const FrictionTriple direct =
+            contact::friction_integrals(*law, theta0, axis, set).coefficient;
+        const FrictionTriple found = contact.with_instruction_set(set)
+                                         .integrals(theta0, axis)
+                                         .coefficient;
+        EXPECT_EQ(found.sliding, direct.sliding) << law->name();
+        EXPECT_EQ(found.spinning, direct.spinning) << law->name();
+        double force = 0;
+        contact::FrictionBatchOutput out{};
+        out.force = {&force, 1};
+        contact::friction_integrals(
+            *law, {{&theta0, 1}, {&axis.sin, 1}, {&axis.cos, 1}}, out, set);
+        if (law != laws[0]) EXPECT_EQ(force, direct.force) << law->name();
+        if (set == contact::InstructionSet::baseline) baseline = direct.force;
+        differences += direct.force != baseline;
+      }
+    }
+    if (contact::supported_instruction_sets().size() > 1) {
+      EXPECT_GT(differences, 0) << law->name();
+    }
+  }
+}
+
+TEST(OwnPressure, EndsAndNan) {
+  const Own law(JointKind::ball, "cone", cone);
+  EXPECT_EQ(law.peak(0), infinity);
+  EXPECT_EQ(law.mean(0), infinity);
+  EXPECT_EQ(law.pressure(0, 0), infinity);
+  EXPECT_EQ(law.force_ratio(0), 1);
+  EXPECT_EQ(law.slope(0, 1), 0);
+  EXPECT_EQ(law.pressure(1.1, 1), 0);
+  EXPECT_EQ(law.slope(1.1, 1), 0);
+  const auto none =
+      contact::friction_integrals(law, 0, SlipAxis::from_degrees(40));
+  EXPECT_EQ(none.coefficient.sliding, 1);
+  for (const double bad : {nan, -0.1, 2.6}) {
+    EXPECT_TRUE(std::isnan(law.peak(bad)));
+    EXPECT_TRUE(std::isnan(law.force_ratio(bad)));
+    EXPECT_TRUE(std::isnan(law.pressure(0.1, bad)));
+    EXPECT_TRUE(std::isnan(law.slope(0.1, bad)));
+    const auto r =
+        contact::friction_integrals(law, bad, SlipAxis::from_degrees(30));
+    EXPECT_TRUE(std::isnan(r.coefficient.force));
+    EXPECT_TRUE(std::isnan(r.normal));
+  }
+  const double x = 0.5;
+  double slope = 0;
+  law.edge_slopes(nan, {&x, 1}, {&slope, 1});
+  EXPECT_TRUE(std::isnan(slope));
+  EXPECT_TRUE(std::isnan(law.pressure(nan, 1)));
+  EXPECT_EQ(contact::test::error_message(
+                [] { Own(JointKind::ball, "far", cone, 3.1); }),
+            "pressure law far: largest_half_angle = 3.1 must be in (0, 175 "
+            "deg]");
+}
+
+TEST(OwnPressure, NothingAllocatesAfterTheFirstCall) {
+  const Own law(JointKind::ball, "cone", cone);
+  const SlipAxis axis = SlipAxis::from_degrees(40);
+  contact::friction_integrals(law, 1, axis);
+  const std::size_t before = contact::test::allocation_count();
+  contact::friction_integrals(law, 1.1, axis);
+  law.slope(0.3, 1);
+  EXPECT_EQ(contact::test::allocation_count(), before);
+}
+
+}  // namespace
