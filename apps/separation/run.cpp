@@ -23,12 +23,13 @@
 #include "libcontact/base/error.hpp"
 #include "libcontact/pressure/validity.hpp"
 #include "separation/case/case_reader.hpp"
+#include "separation/long_run.hpp"
 #include "separation/output/compare.hpp"
 #include "separation/output/history_file.hpp"
 #include "separation/output/pictures.hpp"
 #include "separation/output/summary.hpp"
-#include "separation/record/run_case.hpp"
 #include "separation/simulation/force_watch.hpp"
+#include "separation/stop_rule.hpp"
 
 namespace separation {
 namespace {
@@ -287,9 +288,8 @@ cli::ExitStatus compare(const Case& c, const Options& o) {
     RunOptions run;
     run.friction = choice;
     run.clearance = false;
-    run.progress = true;
     run.stop = stop;
-    outcomes.push_back(run_case(c, run));
+    outcomes.push_back(run_long(c, run).outcome);
     if (outcomes.back().failure.empty()) continue;
     cli::warn(program,
               fmt::format("friction {}: {}", name, outcomes.back().failure));
@@ -306,19 +306,21 @@ RunOptions run_options(const Case& c, const Options& o) {
                      ? c.friction
                      : cli::choice("--friction", o.friction, friction_choices);
   run.clearance = !o.no_clearance;
-  run.progress = true;
-  run.checkpoint = o.checkpoint;
-  run.checkpoint_every = o.checkpoint_every;
-  run.resume = o.resume;
-  run.identity =
+  return run;
+}
+
+Checkpoints checkpoints_of(const Case& c, const Options& o,
+                           const RunOptions& run) {
+  Checkpoints result{o.checkpoint, o.checkpoint_every, o.resume};
+  result.identity =
       fmt::format("{}\n{}\n", static_cast<int>(run.friction), run.clearance);
   for (const Body& body : c.bodies) {
     for (const HingeJoint& joint : body.hinge.joints) {
-      run.identity += text_of(joint.joint);
+      result.identity += text_of(joint.joint);
     }
   }
-  run.identity += c.content;
-  return run;
+  result.identity += c.content;
+  return result;
 }
 
 cli::ExitStatus simulate(const Case& c, const Options& o) {
@@ -338,7 +340,8 @@ cli::ExitStatus simulate(const Case& c, const Options& o) {
   // Until everything is written.
   const cli::Interrupts interrupts;
   options.stop = stop_rule(interrupts, o.step_limit, o.time_limit);
-  const Outcome outcome = run_case(c, options);
+  const auto [outcome, no_checkpoint] =
+      run_long(c, options, checkpoints_of(c, o, options));
   cli::ExitStatus status = cli::all_good;
   if (!outcome.failure.empty()) {
     cli::warn(program, "ended early: " + outcome.failure);
@@ -346,8 +349,8 @@ cli::ExitStatus simulate(const Case& c, const Options& o) {
   } else {
     print_missed(c, outcome);
   }
-  if (!outcome.no_checkpoint.empty()) {
-    cli::warn(program, outcome.no_checkpoint);
+  if (!no_checkpoint.empty()) {
+    cli::warn(program, no_checkpoint);
     status = cli::some_bad;
   }
   print_faults(c, outcome);

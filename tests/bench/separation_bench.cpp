@@ -9,7 +9,7 @@
 
 #include "separation/case/case_reader.hpp"
 #include "separation/record/checkpoint.hpp"
-#include "separation/record/run_case.hpp"
+#include "separation/record/run.hpp"
 
 namespace {
 

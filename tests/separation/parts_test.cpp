@@ -19,7 +19,7 @@
 #include "separation/output/summary.hpp"
 #include "separation/record/checkpoint.hpp"
 #include "separation/record/peaks.hpp"
-#include "separation/record/run_case.hpp"
+#include "separation/record/run.hpp"
 #include "separation/simulation/case_forces.hpp"
 #include "support/error_message.hpp"
 #include "support/program.hpp"
@@ -539,7 +539,7 @@ TEST_F(CheckpointFile, NotesOfItsOwnInstantMayGo) {
   separation::Recorder::Memory memory = recorder.take_memory();
   separation::SimulationState state = simulation.save();
   const auto read = [&] {
-    return separation::read_checkpoint(file_, "a run").memory.notes;
+    return separation::read_checkpoint(file_, "a run").state.memory.notes;
   };
   separation::CheckpointWriter writer(file_, "a run", 1);
   memory.notes = {{1, "tank", "early"}, {2, "tank", "taken back"}};

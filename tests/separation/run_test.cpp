@@ -10,7 +10,7 @@
 #include "libcontact/base/units.hpp"
 #include "separation/case/case_reader.hpp"
 #include "separation/output/summary.hpp"
-#include "separation/record/run_case.hpp"
+#include "separation/record/run.hpp"
 
 namespace {
 

@@ -294,7 +294,7 @@ bool MotionImpl::step() {
   return true;
 }
 
-Stop MotionImpl::advance_to(double time) {
+Stop MotionImpl::advance_to(double time, bool look) {
   event = -1;
   for (long steps = 0; !failure; ++steps) {
     if (pending && pending->time <= time) {
@@ -305,6 +305,7 @@ Stop MotionImpl::advance_to(double time) {
     }
     if (stepper->end() >= time) {
       now = std::max(now, time);
+      if (!look) return Stop::time;
       trial_.resize(number_count());
       stepper->interpolate(now, trial_);
       look_at(now, trial_);
@@ -353,11 +354,11 @@ void MotionImpl::look_back(
   look(sample);
 }
 
-MotionState MotionImpl::save() {
-  go_to(now);
+MotionState MotionImpl::state_of(double time,
+                                 std::span<const double> numbers) const {
   MotionState s;
-  s.time = now;
-  s.numbers = view_state;
+  s.time = time;
+  s.numbers.assign(numbers.begin(), numbers.end());
   for (int i = 0; i < size(); ++i) {
     s.modes.push_back(coupled.mode(i));
     s.directions.push_back(coupled.direction(i));
@@ -368,6 +369,17 @@ MotionState MotionImpl::save() {
     s.hinge_angles.push_back(motions[1 + i].hinge_angle);
   }
   s.step = stepper->next_step();
+  return s;
+}
+
+MotionState MotionImpl::save() {
+  go_to(now);
+  return state_of(now, view_state);
+}
+
+MotionState MotionImpl::step_state() const {
+  MotionState s = state_of(stepper->begin(), stepper->begin_state());
+  s.step = stepper->end() - stepper->begin();
   return s;
 }
 
@@ -403,7 +415,9 @@ Motion::Motion(Motion&&) noexcept = default;
 Motion& Motion::operator=(Motion&&) noexcept = default;
 
 double Motion::time() const { return impl_->now; }
-Stop Motion::advance_to(double time) { return impl_->advance_to(time); }
+Stop Motion::advance_to(double time, bool look) {
+  return impl_->advance_to(time, look);
+}
 int Motion::event() const { return impl_->event; }
 const std::optional<MotionFailure>& Motion::failure() const {
   return impl_->failure;
@@ -445,6 +459,7 @@ void Motion::look_back(
 const std::vector<HingeChange>& Motion::changes() const {
   return impl_->changes;
 }
+MotionState Motion::step_state() const { return impl_->step_state(); }
 MotionState Motion::save() const { return impl_->save(); }
 void Motion::restore(const MotionState& state) { impl_->restore(state); }
 MotionCounts Motion::counts() const { return impl_->counts; }

@@ -234,7 +234,9 @@ class Motion {
   /// Moves on to `time`, or to the first event or failure before it. Each
   /// event stops once at each crossing.
   /// @param time  >= time()
-  Stop advance_to(double time);
+  /// @param look  false: sample() is not made that of `time`, which leaves no
+  ///   trace: what follows is the same to the last bit as without this stop
+  Stop advance_to(double time, bool look = true);
   /// Index of the event that stopped advance_to().
   int event() const;
   /// Set if advance_to(), or anything else that changes the motion, failed.
@@ -280,6 +282,11 @@ class Motion {
   /// Sticking, sliding, locking and releasing so far, in order.
   const std::vector<HingeChange>& changes() const;
 
+  /// The beginning of the step that time() is in: another motion that is
+  /// restored there comes to time() too, and what is asked of it leaves no
+  /// trace here. (Friction is found from what was found before: whoever looks
+  /// changes the last bits of what follows.)
+  MotionState step_state() const;
   MotionState save() const;
   void restore(const MotionState& state);
 

@@ -29,12 +29,14 @@ class MotionImpl {
              const MotionOptions& options);
 
   // motion.cpp
-  Stop advance_to(double time);
+  Stop advance_to(double time, bool look);
   void go_to(double time);
   void restart(std::vector<double> state);
   void look_back(double time,
                  const std::function<void(const MotionSample&)>& look);
   int held_by() const;
+  MotionState state_of(double time, std::span<const double> numbers) const;
+  MotionState step_state() const;
   MotionState save();
   void restore(const MotionState& state);
 

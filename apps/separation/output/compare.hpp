@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "cli/program.hpp"
-#include "separation/record/run_case.hpp"
+#include "separation/record/run.hpp"
 
 namespace separation {
 

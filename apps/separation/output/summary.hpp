@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "cli/table.hpp"
-#include "separation/record/run_case.hpp"
+#include "separation/record/run.hpp"
 
 namespace separation {
 

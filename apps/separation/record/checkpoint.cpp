@@ -246,10 +246,11 @@ Checkpoint read_checkpoint(const std::string& file,
           ": a checkpoint of a run of another case file, other "
           "joints or other options");
     }
-    Checkpoint result{j.at("every"), j.at("simulation"), j.at("memory")};
-    result.memory.rows.columns = j.at("columns");
-    add_rows(file, j, result.memory);
-    add(j.at("notes"), result.memory.notes);
+    Checkpoint result{j.at("every"), {j.at("simulation"), j.at("memory")}};
+    Recorder::Memory& memory = result.state.memory;
+    memory.rows.columns = j.at("columns");
+    add_rows(file, j, memory);
+    add(j.at("notes"), memory.notes);
     return result;
   } catch (const json::exception&) {
     throw contact::Error(file + ": not a checkpoint of hinge-separation");

@@ -4,16 +4,14 @@
 #include <fstream>
 #include <string>
 
-#include "separation/record/record.hpp"
-#include "separation/simulation/simulation.hpp"
+#include "separation/record/run.hpp"
 
 namespace separation {
 
 /// A run in the middle.
 struct Checkpoint {
   double every;  ///< s of the motion between checkpoints
-  SimulationState simulation;
-  Recorder::Memory memory;
+  RunState state;
 };
 
 /// The checkpoint of a run, renewed on its way.

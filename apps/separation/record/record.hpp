@@ -87,6 +87,11 @@ class Recorder {
   void look(const Simulation& simulation);
   /// Takes notice of peaks and distances, without a row.
   void look_between(const Simulation& simulation);
+  /// Remembers changes and peaks up to now, without a row.
+  void catch_up(const Simulation& simulation) {
+    look_at_changes(simulation);
+    look_between(simulation);
+  }
   /// What is about to happen: call it before Simulation::apply().
   void before(const Simulation& simulation,
               const std::vector<Happening>& happenings);

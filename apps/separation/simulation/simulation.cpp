@@ -234,11 +234,12 @@ void Simulation::note_motion_event() {
   }
 }
 
-Simulation::Stop Simulation::advance_to(double end) {
+Simulation::Stop Simulation::advance_to(double end, bool look) {
   due_.clear();
   find_due();
   while (due_.empty() && time() < end) {
-    switch (motion_.advance_to(std::min(end, next_time()))) {
+    const double next = next_time();
+    switch (motion_.advance_to(std::min(end, next), look || next <= end)) {
       case multibody::Stop::failed:
         message_ = failure_text();
         return Stop::failed;

@@ -76,7 +76,8 @@ class Simulation {
     failed,  ///< message() says why
     halted,  ///< as halt_when() wanted
   };
-  Stop advance_to(double time);
+  /// @param look  as for Motion::advance_to()
+  Stop advance_to(double time, bool look = true);
   const std::vector<Happening>& happenings() const { return due_; }
   /// Breaks what the events that are due break.
   /// @return false if that cannot be: message() says why
@@ -88,6 +89,10 @@ class Simulation {
   double angle(int body) const;
   double angle(const multibody::MotionSample& sample, int body) const;
 
+  /// As Motion::step_state().
+  SimulationState step_state() const {
+    return {motion_.step_state(), history_};
+  }
   SimulationState save() const { return {motion_.save(), history_}; }
   void restore(const SimulationState& state);
 

@@ -1,16 +1,9 @@
 #pragma once
 
-#include <chrono>
-#include <functional>
-#include <string>
-
 #include "cli/interrupts.hpp"
+#include "separation/record/run.hpp"
 
 namespace separation {
-
-/// Asked before every step of a run with the number of steps so far: why the
-/// run has to stop, "" to go on.
-using StopRule = std::function<std::string(long steps)>;
 
 /// Stops at SIGINT and SIGTERM, after so many steps, and after so many seconds
 /// from now.
