@@ -20,5 +20,6 @@
 #include "libcontact/pressure/cosine.hpp"
 #include "libcontact/friction.hpp"
 #include "libcontact/joint.hpp"
+#include "libcontact/duty.hpp"
 #include "libcontact/files.hpp"
 // clang-format on
