@@ -22,4 +22,5 @@
 #include "libcontact/pressure/factory.hpp"
 #include "libcontact/friction.hpp"
 #include "libcontact/joint.hpp"
+#include "libcontact/duty.hpp"
 // clang-format on

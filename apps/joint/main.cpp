@@ -86,7 +86,8 @@ load is empty, in JSON null. The law exact alone has approach_m and
 stiffness_N_per_m; they are empty for a pin in an infinite hole, which gives way
 without end, and for loading through the back. With --moment-xyz utilisation
 and u are there too, and the others are those of the slip about u at 1 rad/s
-that would begin; with --measured-moment f0 is.
+that would begin; with --measured-moment f0 is; with --pv those from pv_max_W_per_m2
+on are, what bearings are rated by.
 --summary prints a line for each quantity instead. --plot draws the friction
 moment over the swept force or angle, dashed the traditional estimate from R.
 
@@ -98,6 +99,7 @@ Examples:
   hinge-joint --joint data/joints/hip_cocr_uhmwpe.toml --reaction 10:5000:log50 --beta 30,60,90 --output hip.csv
   hinge-joint --joint ball --pair data/materials/steel_bronze.toml --radius 50mm --clearance 50um --friction 0.15 --law tanh --reaction-xyz 1e5,2e4,0 --moment-xyz 300,0,500 --format json
   hinge-joint --joint data/joints/pin_joint.toml --reaction 2e4 --measured-moment 40 --summary
+  hinge-joint --joint data/joints/hip_cocr_uhmwpe.toml --reaction 2000 --beta 30,60,90 --rate 2 --pv --format markdown --columns b_deg,pv_nominal_W_per_m2,pv_max_W_per_m2,pv_max_theta_deg
   hinge-joint --joint data/joints/pin_joint.toml --law hertz,blend --reaction 1e3,1e4
   printf 'time_s,R_N,b_deg\n0,1e5,90\n0.1,2e5,80\n' | hinge-joint --joint data/joints/paper_example_1.toml --points -
 
@@ -108,7 +110,7 @@ std::string footer() {
   text += cli::size_help;
   text += cli::joint_help;
   text += state_help;
-  for (const auto& quantity : hinge_joint::quantities(true, true, true)) {
+  for (const auto& quantity : hinge_joint::quantities(true, true, true, true)) {
     text += quantity.meaning.empty()
                 ? fmt::format("  {}\n", quantity.name)
                 : fmt::format("  {:<19} {}\n", quantity.name, quantity.meaning);
@@ -186,6 +188,9 @@ void add_output(CLI::App& app, Options& options) {
   app.add_flag("--summary", options.summary,
                "a line for each quantity instead of a column")
       ->option_text(" ");
+  app.add_flag("--pv", options.pv,
+               "with p v and heat over the contact, slip_coefficient")
+      ->option_text(" ");
   app.add_option("--beside", options.beside, "CSV file of numbers to compare")
       ->option_text("FILE");
   add_output_options(app, options.output);
@@ -193,8 +198,9 @@ void add_output(CLI::App& app, Options& options) {
   cli::exclude(app, "--points",
                {"--reaction-xyz", "--reaction", "--normal-force", "--trace",
                 "--outer", "--beside"});
-  cli::exclude(app, "--trace", {"--braking", "--summary", "--plot", "--jobs"});
-  cli::exclude(app, "--outer", {"--summary", "--plot", "--jobs"});
+  cli::exclude(app, "--trace",
+               {"--braking", "--summary", "--plot", "--jobs", "--pv"});
+  cli::exclude(app, "--outer", {"--summary", "--plot", "--jobs", "--pv"});
   cli::exclude(app, "--summary", {"--jobs"});
   cli::exclude(app, "--measured-moment",
                {"--moment-xyz", "--points", "--trace", "--outer"});

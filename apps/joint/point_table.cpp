@@ -162,8 +162,9 @@ void keep(const PointSeries& series, Block& block, std::size_t i,
 Problems write_rows(Points& points, const NamedJoint& joint,
                     const Options& options, PointSeries* series) {
   const cli::PointColumns& columns = points.columns();
-  const std::vector<Quantity> quantities = hinge_joint::quantities(
-      points.question() == Question::rest, joint.approach.has_value());
+  const std::vector<Quantity> quantities =
+      hinge_joint::quantities(points.question() == Question::rest,
+                              joint.approach.has_value(), false, options.pv);
   std::vector<std::string> names = solution_columns(joint, quantities, {});
   const std::size_t cells = names.size();
   for (std::string& name : cli::distinct_names(columns.riding, names)) {

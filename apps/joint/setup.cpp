@@ -103,7 +103,8 @@ Setup make_setup(const Options& options) {
                        contact::Joint({*joint.geometry, joint.pair, friction,
                                        law.law, pressure.law}),
                        {},
-                       joint.differences});
+                       joint.differences,
+                       options.pv});
         if (cli::JointApproach::of(*law.law)) {
           added.approach.emplace(law.law, joint);
         }

@@ -38,6 +38,7 @@ struct Options {
   std::string inner_steps;
 
   bool summary = false;
+  bool pv = false;
   std::string beside;
   cli::OutputOptions output;
 };
@@ -50,6 +51,8 @@ struct NamedJoint {
   /// Of the half-angle law exact.
   std::optional<cli::JointApproach> approach;
   std::vector<cli::Difference> differences = {};
+  /// Whether p v and heat are wanted.
+  bool pv = false;
 };
 
 /// The joints that are asked for, all of one kind, each once for each pair of

@@ -122,6 +122,31 @@ constexpr Quantity usual_quantities[] = {
      [](const Answer& a) { return a.solution.contact_area; }},
 };
 
+constexpr Quantity pv_quantities[] = {
+    {"pv_max_W_per_m2", "largest p v over the contact",
+     [](const Answer& a) { return a.pv.value; }},
+    {"pv_max_theta_deg", "its angle from the centre of the contact",
+     [](const Answer& a) { return if_sliding(a, a.pv.theta / degree); }},
+    {"pv_max_x", "its direction from the joint's centre",
+     [](const Answer& a) { return if_sliding(a, a.pv.place.x()); }},
+    {"pv_max_y", "",
+     [](const Answer& a) { return if_sliding(a, a.pv.place.y()); }},
+    {"pv_max_z", "",
+     [](const Answer& a) { return if_sliding(a, a.pv.place.z()); }},
+    {"pv_mean_W_per_m2", "mean p v over the contact",
+     [](const Answer& a) { return a.pv_mean; }},
+    {"pv_nominal_W_per_m2", "p v of catalogues, p_nominal_Pa times rho |Dw|",
+     [](const Answer& a) { return a.pv_nominal; }},
+    {"nominal_area_m2", "projected area of these two: pi rho^2 or 2 rho L",
+     [](const Answer& a) { return a.nominal_area; }},
+    {"q_max_W_per_m2", "largest heat flux of friction, into both bodies",
+     [](const Answer& a) { return a.heat.value; }},
+    {"q_max_theta_deg", "its angle from the centre of the contact",
+     [](const Answer& a) { return if_sliding(a, a.heat.theta / degree); }},
+    {"slip_coefficient", "L: all p v is rho |Dw| R_n L",
+     [](const Answer& a) { return if_sliding(a, a.slip_coefficient); }},
+};
+
 constexpr Quantity approach_quantities[] = {
     {"approach_m", "of the two bodies, from first touch",
      [](const Answer& a) { return a.approach.approach; }},
@@ -143,6 +168,16 @@ constexpr Quantity friction_quantities[] = {
      [](const Answer& a) { return a.coefficient; }},
 };
 
+void add_pv(const contact::JointContact& contact, Answer& a) {
+  const contact::SlidingContact sliding(contact, a.solution, a.rate);
+  a.nominal_area = 1 / contact.geometry().nominal_pressure(1);
+  a.pv = sliding.largest_pv();
+  a.heat = sliding.largest_heat_flux();
+  a.pv_mean = sliding.pv_mean();
+  a.pv_nominal = sliding.pv_nominal();
+  a.slip_coefficient = sliding.slip_coefficient();
+}
+
 }  // namespace
 
 Answer answer(const NamedJoint& named, Question question, const Input& input) {
@@ -155,6 +190,12 @@ Answer answer(const NamedJoint& named, Question question, const Input& input) {
            .moment_coefficient = nan,
            .mean_pressure = nan,
            .nominal_pressure = nan,
+           .nominal_area = nan,
+           .pv = {},
+           .heat = {},
+           .pv_mean = nan,
+           .pv_nominal = nan,
+           .slip_coefficient = nan,
            .coefficient = nan,
            .utilisation = nan,
            .direction = Vector3d::Constant(nan),
@@ -194,6 +235,7 @@ Answer answer(const NamedJoint& named, Question question, const Input& input) {
           std::get_if<contact::FrictionLaw>(&joint.contact().friction())) {
     a.coefficient = dry->coefficient();
   }
+  if (named.pv) add_pv(joint.contact(), a);
   a.moment_coefficient = force > 0 ? moment / (rho * force) : 0;
   return a;
 }
@@ -225,7 +267,8 @@ std::string_view status_text(contact::Status status) {
   return "not_converged";
 }
 
-std::vector<Quantity> quantities(bool rest, bool approach, bool friction) {
+std::vector<Quantity> quantities(bool rest, bool approach, bool friction,
+                                 bool pv) {
   std::vector<Quantity> all(std::begin(usual_quantities),
                             std::end(usual_quantities));
   const auto add = [&all](const auto& more) {
@@ -234,6 +277,7 @@ std::vector<Quantity> quantities(bool rest, bool approach, bool friction) {
   if (approach) add(approach_quantities);
   if (rest) add(rest_quantities);
   if (friction) add(friction_quantities);
+  if (pv) add(pv_quantities);
   return all;
 }
 

@@ -7,6 +7,7 @@
 
 #include "joint/input.hpp"
 #include "joint/setup.hpp"
+#include "libcontact/duty/sliding_contact.hpp"
 #include "libcontact/joint/solution.hpp"
 
 namespace hinge_joint {
@@ -23,6 +24,13 @@ struct Answer {
   double moment_coefficient;
   double mean_pressure;     ///< Pa
   double nominal_pressure;  ///< Pa
+  double nominal_area;      ///< m^2
+  /// Of p |v| and of heat over the contact, if NamedJoint::pv.
+  contact::ContactPeak pv;
+  contact::ContactPeak heat;
+  double pv_mean;     ///< W/m^2
+  double pv_nominal;  ///< W/m^2
+  double slip_coefficient;
   /// f0 of dry friction.
   double coefficient;
   /// Of Question::rest: tau, u.
@@ -50,7 +58,8 @@ struct Quantity {
 /// @param rest      with those of Question::rest
 /// @param approach  with those of the half-angle law exact
 /// @param friction  with f0
-std::vector<Quantity> quantities(bool rest, bool approach,
-                                 bool friction = false);
+/// @param pv        with those of NamedJoint::pv
+std::vector<Quantity> quantities(bool rest, bool approach, bool friction,
+                                 bool pv);
 
 }  // namespace hinge_joint

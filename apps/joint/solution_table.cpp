@@ -19,7 +19,7 @@ struct Block {
 
 std::vector<Quantity> quantities_of(const Setup& setup, const Inputs& inputs) {
   return quantities(inputs.question() == Question::rest, setup.has_approach(),
-                    setup.friction_found);
+                    setup.friction_found, setup.joints[0].pv);
 }
 
 }  // namespace

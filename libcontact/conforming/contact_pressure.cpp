@@ -101,8 +101,9 @@ double ContactPressure::slope(double theta) const noexcept {
   const detail::WideEdge edge(half_angle_);
   const double square = edge.square(t);
   // d(x^2) = 2 x dx
-  return std::copysign(
-      slope_at(square) * edge.square_slope(t) / (2 * std::sqrt(square)), theta);
+  // A free ring's pressure rises towards the edge: the sign is the series'.
+  return std::copysign(1.0, theta) * slope_at(square) * edge.square_slope(t) /
+         (2 * std::sqrt(square));
 }
 
 double ContactPressure::peak() const noexcept { return pressure(peak_angle()); }

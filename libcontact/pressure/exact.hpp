@@ -60,6 +60,7 @@ class ExactPressure final : public PressureLaw {
 
   /// The whole pressure at one half-angle: cheaper than many pressure().
   ContactPressure contact(double half_angle) const noexcept;
+  bool has_walls() const { return variable_->has_walls(); }
 
  private:
   PressureExpansion expansion(double half_angle) const noexcept override;
@@ -86,7 +87,6 @@ class ExactPressure final : public PressureLaw {
   template <class Contact>
   void tabulate(const Contact& contact, double end, double thickness);
   void tabulate_expansion();
-  bool has_walls() const { return variable_->has_walls(); }
   /// Point i of Chebyshev's rule in the variable of the series.
   double chebyshev_half_angle(int i, int count) const noexcept;
   double chebyshev_variable(double half_angle) const noexcept;

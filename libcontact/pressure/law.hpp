@@ -44,9 +44,9 @@ class PressureLaw {
   /// @param half_angle  theta0, rad, [0, largest_half_angle()]; NaN outside
   virtual double pressure(double theta, double half_angle) const noexcept = 0;
 
-  /// -dp/dtheta, pressure units per rad, >= 0 for theta in [0, theta0]; odd in
-  /// theta, 0 outside the contact. Infinite at the edge where the law starts
-  /// like a square root.
+  /// -dp/dtheta, pressure units per rad; odd in theta, 0 outside the contact.
+  /// >= 0 for theta in [0, theta0], but where thin walls move the peak
+  /// outwards. Infinite at the edge where the law starts like a square root.
   virtual double slope(double theta, double half_angle) const noexcept = 0;
 
   /// dp/dx of the edge variable at many points of one contact; finite.

@@ -24,6 +24,6 @@ TEST_P(HelpExamples, Run) {
 INSTANTIATE_TEST_SUITE_P(Programs, HelpExamples,
                          testing::Values("hinge-table", "hinge-angle",
                                          "hinge-joint", "hinge-pressure",
-                                         "hinge-separation"));
+                                         "hinge-separation", "hinge-duty"));
 
 }  // namespace

@@ -11,6 +11,7 @@
 
 #include "cli/number.hpp"
 #include "libcontact/base/units.hpp"
+#include "libcontact/duty/sliding_contact.hpp"
 #include "libcontact/files/joint_file.hpp"
 #include "libcontact/half_angle/exact.hpp"
 #include "libcontact/joint/joint.hpp"
@@ -707,6 +708,39 @@ TEST(HingeJoint, RowsWithoutAValueSaySo) {
   EXPECT_EQ(table.text(2, "status"), "out_of_range");
   EXPECT_EQ(table.text(2, "M_t_N_m"), "");
   EXPECT_NE(result.err.find("rows without a value: 1"), std::string::npos);
+}
+
+// The columns of --pv are the numbers of SlidingContact, and none without it.
+TEST(HingeJoint, Pv) {
+  const ProgramFolder folder;
+  const std::string run =
+      "hinge-joint --joint data/joints/paper_example_1.toml --law exact "
+      "--reaction-xyz 2e5,1e4,-3e4 --rate-xyz 0.1,1,-2 ";
+  EXPECT_EQ(folder.run(run).out.find("pv_"), std::string::npos);
+  const Columns table(folder.run(run + "--pv"));
+  const contact::BallJoint joint(
+      contact_of(joint_file("paper_example_1"), "exact"));
+  const Vector3d rate(0.1, 1, -2);
+  const contact::SlidingContact sliding(
+      joint.contact(), joint.solve({2e5, 1e4, -3e4}, rate), rate);
+  const contact::ContactPeak& pv = sliding.largest_pv();
+  EXPECT_EQ(table.at(1, "pv_max_W_per_m2"), pv.value);
+  EXPECT_EQ(table.at(1, "pv_max_theta_deg"), pv.theta / degree);
+  EXPECT_EQ(table.at(1, "pv_max_x"), pv.place.x());
+  EXPECT_EQ(table.at(1, "pv_max_y"), pv.place.y());
+  EXPECT_EQ(table.at(1, "pv_max_z"), pv.place.z());
+  EXPECT_EQ(table.at(1, "pv_mean_W_per_m2"), sliding.pv_mean());
+  EXPECT_EQ(table.at(1, "pv_nominal_W_per_m2"), sliding.pv_nominal());
+  EXPECT_EQ(table.at(1, "q_max_W_per_m2"), sliding.largest_heat_flux().value);
+  EXPECT_EQ(table.at(1, "slip_coefficient"), sliding.slip_coefficient());
+  const double rho = joint.contact().geometry().radius();
+  // A division apart.
+  EXPECT_NEAR(table.at(1, "nominal_area_m2") * table.at(1, "p_nominal_Pa") /
+                  table.at(1, "R_N"),
+              1, 1e-15);
+  EXPECT_NEAR(table.at(1, "pv_nominal_W_per_m2") /
+                  (table.at(1, "p_nominal_Pa") * rho * rate.norm()),
+              1, 1e-15);
 }
 
 }  // namespace

@@ -35,7 +35,7 @@ std::array<Quantity, point_numbers> point_quantities(Question question) {
       "p_peak_Pa",
       "theta0_deg",
       rest ? "utilisation" : "power_W"};
-  const std::vector<Quantity> all = quantities(rest, false);
+  const std::vector<Quantity> all = quantities(rest, false, false, false);
   std::array<Quantity, point_numbers> found = {};
   std::ranges::transform(names, found.begin(), [&](std::string_view name) {
     return *std::ranges::find(all, name, &Quantity::name);

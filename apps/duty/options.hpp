@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+
+#include "cli/joint/joint_options.hpp"
+#include "cli/program.hpp"
+
+/// The parts of the program hinge-duty.
+namespace hinge_duty {
+
+/// The command line as it was written; "" for options that were not given.
+struct Options {
+  cli::JointOptions joint = {.use = cli::JointUse::friction};
+  std::string cycle;
+  std::string period;
+  std::string euler;
+  std::string force_on;
+  std::string force_in;
+  std::string wear_seat;
+  std::string wear_inner;
+  std::string map;
+  std::string grid;
+  std::string states;
+  cli::OutputOptions output;
+};
+
+}  // namespace hinge_duty

@@ -1,0 +1,183 @@
+#include "duty/run.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/output.hpp"
+#include "cli/quantity.hpp"
+#include "cli/refuse.hpp"
+#include "duty/cycle_file.hpp"
+#include "duty/report.hpp"
+#include "joint/any_joint.hpp"
+#include "libcontact/base/units.hpp"
+
+namespace hinge_duty {
+namespace {
+
+using contact::CycleInstant;
+using contact::degree;
+using contact::JointBody;
+using contact::JointCycle;
+using contact::WearMap;
+
+struct WearOptions {
+  std::optional<double> seat;
+  std::optional<double> inner;
+  bool wanted;  ///< at all
+  int grid;
+};
+
+std::optional<double> wear_coefficient(const char* option,
+                                       const std::string& text) {
+  if (text.empty()) return {};
+  return cli::parse_value(option, text, {0, 1e30, "mm^3/(N m)"});
+}
+
+WearOptions wear_options(const Options& options) {
+  WearOptions wear{wear_coefficient("--wear-seat", options.wear_seat),
+                   wear_coefficient("--wear-inner", options.wear_inner), false,
+                   2000};
+  wear.wanted = wear.seat || wear.inner || !options.map.empty();
+  if (options.grid.empty()) return wear;
+  if (!wear.wanted) {
+    cli::refuse_without(cli::given("--grid", options.grid),
+                        "--map, --wear-seat or --wear-inner");
+  }
+  wear.grid = cli::parse_count("--grid", options.grid, 10, 1'000'000);
+  return wear;
+}
+
+// Those beside --output and --plot.
+void check_files(const Options& options) {
+  for (const auto& [option, file] :
+       {std::pair("--map", &options.map), {"--states", &options.states}}) {
+    if (file->empty()) continue;
+    if (*file == "-") cli::refuse(option, *file, "the name of a file");
+    cli::Output::check(*file);
+  }
+  const std::vector<std::pair<std::string, std::string>> files = {
+      {"--output", options.output.output},
+      {"--plot", options.output.plot},
+      {"--map", options.map},
+      {"--states", options.states}};
+  for (auto one = files.begin(); one != files.end(); ++one) {
+    for (auto other = files.begin(); other != one; ++other) {
+      if (one->second.empty() || one->second != other->second) continue;
+      cli::refuse(one->first, one->second,
+                  "another file than that of " + other->first);
+    }
+  }
+}
+
+contact::JointContact contact_of(const cli::Joint& joint,
+                                 const Options& options) {
+  if (!joint.friction) {
+    cli::refuse_without(cli::given("--joint", options.joint.joint),
+                        "friction: neither the joint nor its materials "
+                        "have one");
+  }
+  return {*joint.geometry, joint.pair, *joint.friction, joint.laws[0].law,
+          joint.pressures[0].law};
+}
+
+// Beyond 90 deg a ball that sinks into its worn seat leaves the seat's rim.
+void check_wear(const JointCycle& cycle) {
+  const CycleInstant widest = cycle.largest(
+      [](const CycleInstant& i) { return i.solution.half_angle; });
+  const double angle = widest.solution.half_angle / degree;
+  if (angle <= 90) return;
+  throw contact::Error(contact::detail::must_be(
+      fmt::format("the half-angle of a joint that wears, {:.4g} deg at "
+                  "{:.4g} s,",
+                  angle, widest.time),
+      "at most 90 deg"));
+}
+
+BodyWear wear_of(const JointCycle& cycle, JointBody body,
+                 const WearOptions& options) {
+  const WearMap map(cycle, body);
+  BodyWear wear;
+  const bool inner = body == cycle.contact().geometry().inner_body();
+  wear.body = body == JointBody::carrier ? "carrier" : "body";
+  wear.surface = inner ? "inner" : "seat";
+  wear.k = inner ? options.inner : options.seat;
+  wear.points = map.grid(options.grid);
+  for (const auto& point : wear.points) wear.wear.push_back(map.at(point));
+  wear.deepest = map.deepest(wear.points, wear.wear);
+  wear.volume_defect = map.volume_defect(wear.wear);
+  return wear;
+}
+
+void warn_of_cycle(const JointCycle& cycle) {
+  const double closure = cycle.cycle().closure() / degree;
+  if (closure > 0.1) {
+    cli::warn("hinge-duty",
+              fmt::format("the rates turn the body by {:.3g} deg more or less "
+                          "than whole turns: its wear map and forces in its "
+                          "axes are not those of a cycle",
+                          closure));
+  }
+  if (cycle.contact().geometry().kind() != contact::JointKind::pin) return;
+  double axial = 0;
+  for (const CycleInstant& row : cycle.rows()) {
+    axial = std::max(axial, std::abs(row.state.reaction.z()));
+  }
+  if (axial == 0) return;
+  cli::warn("hinge-duty",
+            fmt::format("a pin takes no force along its axis: R_z of up to "
+                        "{:.4g} N is left out",
+                        axial));
+}
+
+}  // namespace
+
+cli::ExitStatus run(const Options& options) {
+  check_files(options);
+  const WearOptions wear_options = hinge_duty::wear_options(options);
+  const cli::Joint joint = make_joint(options.joint);
+  const hinge_joint::AnyJoint any(contact_of(joint, options));
+  const contact::DutyCycle duty = read_cycle(options, any.is_pin());
+  const JointCycle cycle(duty, any.contact(),
+                         [&any](const auto& reaction, const auto& rate) {
+                           return any.solve(reaction, rate);
+                         });
+  std::vector<BodyWear> wear;
+  if (wear_options.wanted) {
+    check_wear(cycle);
+    for (const JointBody body : {JointBody::carrier, JointBody::body}) {
+      wear.push_back(wear_of(cycle, body, wear_options));
+    }
+  }
+  cli::warn_of_validity("hinge-duty", {joint});
+  warn_of_cycle(cycle);
+
+  cli::Output output(options.output.output);
+  std::optional<cli::Output> states;
+  std::optional<cli::Output> map;
+  write_summary(cycle, wear, output, options.output);
+  if (!options.states.empty()) {
+    states.emplace(options.states);
+    write_states(cycle, *states, options.output);
+  }
+  if (!options.map.empty()) {
+    map.emplace(options.map);
+    write_map(wear, any.is_pin(), *map, options.output);
+  }
+  if (states) states->commit();
+  if (map) map->commit();
+  output.commit();
+  const std::string& plot = options.output.plot;
+  if (plot.empty()) return cli::all_good;
+  const std::string title =
+      fmt::format("{}, law {}, pressure {}", joint.title(), joint.laws[0].name,
+                  joint.pressures[0].name);
+  return cli::drawn("hinge-duty", draw_cycle(cycle, title, plot),
+                    cli::all_good);
+}
+
+}  // namespace hinge_duty

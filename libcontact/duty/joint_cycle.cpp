@@ -1,0 +1,61 @@
+#include "libcontact/duty/joint_cycle.hpp"
+
+#include <algorithm>
+#include <boost/math/tools/minima.hpp>
+#include <cmath>
+#include <utility>
+
+#include "libcontact/base/complaint.hpp"
+#include "libcontact/base/error.hpp"
+#include "libcontact/base/text.hpp"
+
+namespace contact {
+
+JointCycle::JointCycle(const DutyCycle& cycle, const JointContact& contact,
+                       Solve solve)
+    : cycle_(&cycle), contact_(&contact), solve_(std::move(solve)) {
+  for (const double time : cycle.times()) rows_.push_back(at(time));
+  const bool is_pin = contact.geometry().kind() == JointKind::pin;
+  for (const auto& [time, weight] : cycle.nodes(is_pin)) {
+    nodes_.push_back(at(time));
+    nodes_.back().weight = weight;
+  }
+}
+
+CycleInstant JointCycle::at(double time) const {
+  CycleInstant instant{time, 0, cycle_->at(time), {}};
+  const CycleState& state = instant.state;
+  instant.solution = solve_(state.reaction, state.rate);
+  if (instant.solution.status != Status::ok) {
+    throw Error(detail::must_be(
+        detail::message("the reaction at {:.6g} s, {:.6g} N", time,
+                        state.reaction.norm()),
+        "one for which the half-angle law and the pressure law have a value"));
+  }
+  return instant;
+}
+
+double JointCycle::integral(const Quantity& quantity) const {
+  double sum = 0;
+  for (const CycleInstant& node : nodes_) sum += node.weight * quantity(node);
+  return sum;
+}
+
+CycleInstant JointCycle::largest(const Quantity& quantity) const {
+  const auto best = std::ranges::max_element(rows_, {}, quantity);
+  const double first = cycle_->times().front();
+  const double period = cycle_->period();
+  const double before = best == rows_.begin() ? rows_.back().time - period
+                                              : std::prev(best)->time;
+  const double after =
+      std::next(best) == rows_.end() ? first + period : std::next(best)->time;
+  // Half the digits of a double: a maximum has no more.
+  const double time =
+      boost::math::tools::brent_find_minima(
+          [&](double t) { return -quantity(at(t)); }, before, after, 26)
+          .first;
+  CycleInstant found = at(time < first ? time + period : time);
+  return quantity(found) > quantity(*best) ? found : *best;
+}
+
+}  // namespace contact

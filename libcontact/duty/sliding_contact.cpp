@@ -1,0 +1,191 @@
+#include "libcontact/duty/sliding_contact.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <boost/math/tools/minima.hpp>
+#include <cmath>
+
+#include "libcontact/base/root_finding.hpp"
+#include "libcontact/friction/any_pressure.hpp"
+
+namespace contact {
+namespace {
+
+using Eigen::Vector3d;
+
+// Part of a triple about the slip axis.
+double about(const FrictionTriple& triple, SlipAxis axis) {
+  return triple.sliding * axis.cos + triple.spinning * axis.sin;
+}
+
+// Where a function on [0, end] with few maxima is largest.
+template <class Function>
+double highest(const Function& function, double end) {
+  constexpr int steps = 64;
+  int largest = 0;
+  for (int i = 1; i < steps; ++i) {
+    if (function(end * i / steps) > function(end * largest / steps)) {
+      largest = i;
+    }
+  }
+  // Half the digits of a double: a maximum has no more.
+  return boost::math::tools::brent_find_minima(
+             [&](double x) { return -function(x); },
+             end * std::max(largest - 1, 0) / steps,
+             end * (largest + 1) / steps, 26)
+      .first;
+}
+
+}  // namespace
+
+SlidingContact::SlidingContact(const JointContact& contact,
+                               const JointSolution& solution,
+                               const Vector3d& rate) noexcept
+    : contact_(&contact),
+      profile_(contact.pressure_law(), solution.half_angle),
+      rate_(rate),
+      half_angle_(solution.half_angle),
+      normal_force_(solution.normal_force),
+      axis_{std::abs(solution.slip_axis.sin), solution.slip_axis.cos} {
+  const JointGeometry& geometry = contact.geometry();
+  const double rho = geometry.radius();
+  const bool is_carrier = geometry.inner_body() == JointBody::carrier;
+  centre_ = is_carrier ? solution.normal : Vector3d(-solution.normal);
+  pressure_unit_ =
+      geometry.pressure_unit(geometry.load_from_force(normal_force_));
+  rim_speed_ = rho * rate.stableNorm();
+  if (const auto* dry = std::get_if<FrictionLaw>(&contact.friction())) {
+    heat_stress_ = {dry->coefficient(), dry->adhesion(), 1};
+  } else {
+    const auto& viscous = std::get<ViscousLaw>(contact.friction());
+    heat_stress_ = {viscous.pressure_slope(), viscous.constant(), 2};
+  }
+  largest_pv_ = largest_heat_flux_ = {0, 0, centre_};
+  if (normal_force_ == 0 || rim_speed_ == 0) {
+    pressure_unit_ = rim_speed_ = 0;
+    return;
+  }
+  add_totals(solution);
+  pv_nominal_ =
+      geometry.nominal_pressure(solution.reaction.stableNorm()) * rim_speed_;
+  largest_pv_ = largest({1, 0, 1});
+  largest_heat_flux_ = largest_pv_;
+  if (heat_stress_.constant_part == 0 && heat_stress_.power == 1) {
+    largest_heat_flux_.value *= heat_stress_.pressure_part;
+  } else {
+    largest_heat_flux_ = largest(heat_stress_);
+  }
+}
+
+void SlidingContact::add_totals(const JointSolution& s) noexcept {
+  const JointContact& contact = *contact_;
+  const auto& [pressure_part, constant_part, power] = heat_stress_;
+  // All that friction needed the integrals for.
+  if (constant_part == 0 && power == 1 && s.force_coefficient > 0) {
+    heat_ = -s.power;
+    slip_coefficient_ = heat_ / (rim_speed_ * normal_force_ * pressure_part);
+    return;
+  }
+  const FrictionIntegrals i = contact.integrals(half_angle_, axis_);
+  const auto strength = contact.strength(rate_.stableNorm());
+  heat_ = rim_speed_ * (strength.pressure_part * normal_force_ *
+                            about(i.coefficient, axis_) +
+                        strength.area_part * about(i.area, axis_));
+  // Integrals of viscous friction have |v| twice.
+  const bool other = power == 2 && contact.geometry().kind() == JointKind::ball;
+  slip_coefficient_ =
+      other
+          ? about(friction_integrals(contact.pressure_law(), half_angle_, axis_)
+                      .coefficient,
+                  axis_)
+          : about(i.coefficient, axis_);
+}
+
+double SlidingContact::pressure_at(double theta) const noexcept {
+  return pressure_unit_ == 0 ? 0 : pressure_unit_ * profile_.pressure(theta);
+}
+
+double SlidingContact::pressure(const Vector3d& place) const noexcept {
+  return pressure_at(2 * std::asin(std::min((place - centre_).norm() / 2, 1.)));
+}
+
+Vector3d SlidingContact::slip(const Vector3d& place) const noexcept {
+  return contact_->geometry().radius() * rate_.cross(place);
+}
+
+double SlidingContact::pv(const Vector3d& place) const noexcept {
+  return pressure(place) * slip(place).norm();
+}
+
+double SlidingContact::heat_flux(const Vector3d& place) const noexcept {
+  const double chord = (place - centre_).norm();
+  if (pressure_unit_ == 0 || chord > 2 * std::sin(half_angle_ / 2)) return 0;
+  const auto& [pressure_part, constant_part, power] = heat_stress_;
+  return (pressure_part * pressure(place) + constant_part) *
+         std::pow(slip(place).norm(), power);
+}
+
+// The largest |v| over rho |Dw| on the parallel theta.
+double SlidingContact::share_of_speed(double theta) const noexcept {
+  const double cosine = std::cos(theta);
+  const double sine = std::sin(theta);
+  if (axis_.sin * cosine <= axis_.cos * sine) return 1;  // theta >= a
+  return axis_.cos * cosine + axis_.sin * sine;
+}
+
+double SlidingContact::peak_angle(const Stress& stress) const noexcept {
+  const auto strength = [&](double theta) {
+    return stress.pressure_part * pressure_at(theta) + stress.constant_part;
+  };
+  if (profile_.has_peak_outside()) {
+    return highest(
+        [&](double theta) {
+          return strength(theta) *
+                 std::pow(share_of_speed(theta), stress.power);
+        },
+        half_angle_);
+  }
+  // Of the logarithm of strength and speed, times the strength squared: finite
+  // at the edge, where slopes may be infinite and p is 0.
+  const auto slope = [&](double theta) {
+    const double s = strength(theta);
+    const double change =
+        -stress.pressure_part * pressure_unit_ * profile_.slope(theta);
+    const double cosine = std::cos(theta);
+    const double sine = std::sin(theta);
+    const double ahead = axis_.sin * cosine - axis_.cos * sine;
+    if (ahead <= 0) return s * change;
+    return s * (change * (axis_.cos * cosine + axis_.sin * sine) +
+                stress.power * s * ahead);
+  };
+  const double at_centre = slope(0);
+  if (!(at_centre > 0)) return 0;
+  const double inside = half_angle_ * (1 - 1e-12);
+  const double at_edge = slope(inside);
+  if (at_edge >= 0) return half_angle_;  // adhesion prevails
+  return shrink_bracket(slope, 0., inside, at_centre, at_edge, 50).middle();
+}
+
+ContactPeak SlidingContact::largest(const Stress& stress) const noexcept {
+  const double theta = peak_angle(stress);
+  const double cosine = std::cos(theta);
+  const double sine = std::sin(theta);
+  const Vector3d w = rate_.stableNormalized();
+  const double value =
+      (stress.pressure_part * pressure_at(theta) + stress.constant_part) *
+      std::pow(rim_speed_ * share_of_speed(theta), stress.power);
+  if (theta == 0) return {value, 0, centre_};
+  // Away from Dw; of a pin round it.
+  const Vector3d across = centre_.cross(w);
+  const bool is_pin = contact_->geometry().kind() == JointKind::pin;
+  Vector3d to = is_pin ? across : Vector3d(across.cross(centre_));
+  if (to.isZero(0)) to = centre_.unitOrthogonal();
+  if (w.dot(centre_) > 0 && !is_pin) to = -to;
+  return {value, theta, cosine * centre_ + sine * to.normalized()};
+}
+
+double SlidingContact::pv_mean() const noexcept {
+  return pressure_unit_ == 0 ? 0 : pv_total() / contact_->area(half_angle_);
+}
+
+}  // namespace contact

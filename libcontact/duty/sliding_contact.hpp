@@ -1,0 +1,100 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "libcontact/duty/pressure_profile.hpp"
+#include "libcontact/joint/contact.hpp"
+#include "libcontact/joint/solution.hpp"
+
+namespace contact {
+
+/// Where a quantity is largest over a contact.
+struct ContactPeak {
+  double value;
+  double theta;           ///< from the contact's centre, rad
+  Eigen::Vector3d place;  ///< unit vector from the joint's centre
+};
+
+/// What a bearing is rated by, over the contact of a joint that slides: slip,
+/// p v, and the heat flux, which is friction stress times slip and heats both
+/// bodies together. All of it is 0 at rest and without load, NaN where the
+/// solution is NaN.
+///
+/// Places are unit vectors r from the joint's centre, of a pin normal to its
+/// axis; frame and signs as in BallJoint. Theory: docs/duty.md.
+///
+/// Refers to the contact and must not outlive it. Nothing allocates or throws.
+class SlidingContact {
+ public:
+  /// @param solution  of a joint with this contact
+  /// @param rate      Dw of that solution, rad/s
+  SlidingContact(const JointContact& contact, const JointSolution& solution,
+                 const Eigen::Vector3d& rate) noexcept;
+  SlidingContact(const JointContact&&, const JointSolution&,
+                 const Eigen::Vector3d&) = delete;
+
+  /// Unit vector from the joint's centre to the contact's.
+  const Eigen::Vector3d& centre() const { return centre_; }
+  /// p, Pa; 0 outside of the contact.
+  double pressure(const Eigen::Vector3d& place) const noexcept;
+  /// Of the body's surface against the carrier's, m/s.
+  Eigen::Vector3d slip(const Eigen::Vector3d& place) const noexcept;
+  /// p |v|, W/m^2.
+  double pv(const Eigen::Vector3d& place) const noexcept;
+  /// W/m^2; 0 outside of the contact.
+  double heat_flux(const Eigen::Vector3d& place) const noexcept;
+
+  /// Both lie in the plane of n and Dw, on the side turned away from Dw, and
+  /// off the centre unless a = 0. theta to 1e-12, 1e-7 where thin walls
+  /// move the peak pressure off the centre
+  /// (duty/sliding_contact_test.cpp, against closed forms).
+  const ContactPeak& largest_pv() const { return largest_pv_; }
+  const ContactPeak& largest_heat_flux() const { return largest_heat_flux_; }
+
+  /// L, the mean of |v|/(rho |Dw|) with the weight p, times S: of a pin S.
+  double slip_coefficient() const { return slip_coefficient_; }
+  /// Of p |v| over the contact, W: rho |Dw| R_n L.
+  double pv_total() const {
+    return rim_speed_ * normal_force_ * slip_coefficient_;
+  }
+  /// pv_total() over the area of the contact, W/m^2.
+  double pv_mean() const noexcept;
+  /// That of catalogues, W/m^2: R over the projected area of
+  /// JointGeometry::nominal_pressure(), times rho |Dw|.
+  double pv_nominal() const { return pv_nominal_; }
+  /// Of the heat flux, W: minus the power of friction, to 1e-12
+  /// (duty/sliding_contact_test.cpp).
+  double heat() const { return heat_; }
+
+ private:
+  /// A friction stress or p itself: (pressure_part p + constant_part) times
+  /// |v| to some power.
+  struct Stress {
+    double pressure_part;
+    double constant_part;
+    int power;
+  };
+  ContactPeak largest(const Stress& stress) const noexcept;
+  double peak_angle(const Stress& stress) const noexcept;
+  void add_totals(const JointSolution& solution) noexcept;
+  double share_of_speed(double theta) const noexcept;
+  double pressure_at(double theta) const noexcept;
+
+  const JointContact* contact_;
+  detail::PressureProfile profile_;
+  Eigen::Vector3d rate_;
+  Eigen::Vector3d centre_;
+  double half_angle_;
+  double normal_force_;
+  double pressure_unit_;  // Pa
+  double rim_speed_;      // rho |Dw|, m/s
+  SlipAxis axis_;         // sin a >= 0
+  Stress heat_stress_;    // of q
+  double slip_coefficient_ = 0;
+  double heat_ = 0;
+  double pv_nominal_ = 0;
+  ContactPeak largest_pv_;
+  ContactPeak largest_heat_flux_;
+};
+
+}  // namespace contact

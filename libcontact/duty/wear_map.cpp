@@ -1,0 +1,118 @@
+#include "libcontact/duty/wear_map.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace contact {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+using std::numbers::pi;
+
+// Of work done along directions, sum of |f| d d^T: one eigenvalue is 0, the
+// others have this sum and product.
+double cross_shear(const Matrix3d& work) {
+  const double sum = work.trace();
+  if (sum == 0) return std::numeric_limits<double>::quiet_NaN();
+  const double product = (sum * sum - work.squaredNorm()) / 2;
+  const double root = std::sqrt(std::max(sum * sum - 4 * product, 0.0));
+  return std::max(2 * product / (sum + root), 0.0) / sum;
+}
+
+}  // namespace
+
+WearMap::WearMap(const JointCycle& cycle, JointBody body)
+    : geometry_(cycle.contact().geometry()),
+      total_(cycle.integral(
+          [&](const CycleInstant& i) { return cycle.sliding(i).pv_total(); })) {
+  for (const CycleInstant& node : cycle.nodes()) {
+    const JointSolution& s = node.solution;
+    if (s.state != JointState::sliding) continue;
+    const Eigen::Quaterniond to_body = body == JointBody::body
+                                           ? node.state.turn.conjugate()
+                                           : Eigen::Quaterniond::Identity();
+    instants_.push_back(
+        {{cycle.contact().pressure_law(), s.half_angle},
+         to_body * cycle.sliding(node).centre(),
+         2 * std::sin(s.half_angle / 2),
+         node.weight * geometry_.radius() * (to_body * node.state.rate),
+         geometry_.pressure_unit(geometry_.load_from_force(s.normal_force))});
+  }
+}
+
+WearMap::Wear WearMap::at(const Vector3d& point) const {
+  double pv = 0;
+  Matrix3d work = Matrix3d::Zero();
+  for (const Instant& i : instants_) {
+    const double chord = (point - i.centre).norm();
+    if (chord >= i.chord) continue;
+    const double p =
+        i.pressure_unit * i.profile.pressure(2 * std::asin(chord / 2));
+    const Vector3d slip = i.slip.cross(point);
+    const double length = slip.norm();
+    if (length == 0) continue;
+    pv += p * length;
+    work += p / length * slip * slip.transpose();
+  }
+  return {pv, cross_shear(work)};
+}
+
+std::vector<Vector3d> WearMap::grid(int count) const {
+  const bool is_pin = geometry_.kind() == JointKind::pin;
+  std::vector<Vector3d> points;
+  for (int i = 0; i < count; ++i) {
+    const double turn =
+        is_pin ? 2 * pi * i / count - pi : i * pi * (3 - std::sqrt(5.0));
+    const double z = is_pin ? 0 : 1 - (2 * i + 1.0) / count;
+    const double r = std::sqrt(1 - z * z);
+    points.emplace_back(r * std::cos(turn), r * std::sin(turn), z);
+  }
+  return points;
+}
+
+double WearMap::cell_area(int count) const {
+  const double rho = geometry_.radius();
+  return geometry_.kind() == JointKind::pin
+             ? 2 * pi * rho * geometry_.length() / count
+             : 4 * pi * rho * rho / count;
+}
+
+double WearMap::volume_defect(const std::vector<Wear>& wear) const {
+  double sum = 0;
+  for (const Wear& w : wear) sum += w.pv;
+  return sum * cell_area(static_cast<int>(wear.size())) / total_ - 1;
+}
+
+WearMap::Deepest WearMap::deepest(const std::vector<Vector3d>& points,
+                                  const std::vector<Wear>& wear) const {
+  const auto best = std::ranges::max_element(wear, {}, &Wear::pv);
+  Deepest found{points[static_cast<std::size_t>(best - wear.begin())], *best};
+  const bool is_pin = geometry_.kind() == JointKind::pin;
+  const double count = static_cast<double>(points.size());
+  // Steps in four directions (of a pin two), halved where none leads up: the
+  // map has kinks, on which methods that use slopes stick.
+  double step = is_pin ? 2 * pi / count : std::sqrt(4 * pi / count);
+  while (step > 1e-6) {
+    const Vector3d across = is_pin
+                                ? Vector3d(Vector3d::UnitZ().cross(found.point))
+                                : found.point.unitOrthogonal();
+    const Vector3d other = found.point.cross(across);
+    Deepest next = found;
+    for (const Vector3d& to :
+         {across, Vector3d(-across), other, Vector3d(-other)}) {
+      if (is_pin && to.z() != 0) continue;
+      const Vector3d point = (found.point + step * to).normalized();
+      const Wear there = at(point);
+      if (there.pv > next.wear.pv) next = {point, there};
+    }
+    if (next.wear.pv == found.wear.pv) step /= 2;
+    found = next;
+  }
+  return found;
+}
+
+}  // namespace contact

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "libcontact/duty/joint_cycle.hpp"
+#include "libcontact/duty/pressure_profile.hpp"
+
+namespace contact {
+
+/// Where and how one body of a joint wears on a cycle, by Archard's law with
+/// the geometry of the unworn joint: the depth is k times the integral of p |v|
+/// over the time.
+///
+/// Points are unit vectors from the joint's centre, in the body's own axes; of
+/// a pin normal to Z.
+class WearMap {
+ public:
+  WearMap(const JointCycle& cycle, JointBody body);
+
+  struct Wear {
+    double pv;  ///< integral of p |v| over one period, Pa m
+    /// Share of the friction work across the principal direction of slip: 0
+    /// along one line, 1/2 without a direction; NaN where there is no wear.
+    double cross_shear;
+  };
+  Wear at(const Eigen::Vector3d& point) const;
+
+  /// N points, each of the same area: Fibonacci's sphere, or a circle.
+  std::vector<Eigen::Vector3d> grid(int count) const;
+  /// The area of one of them, m^2.
+  double cell_area(int count) const;
+  /// The sum over a grid against the integral of p |v| over time and contact,
+  /// minus 1: at most 2/N of a hip's cycle (duty/joint_cycle_test.cpp).
+  double volume_defect(const std::vector<Wear>& wear) const;
+
+  struct Deepest {
+    Eigen::Vector3d point;
+    Wear wear;
+  };
+  /// The largest of a grid, improved between its neighbours; to 1e-4
+  /// (duty/joint_cycle_test.cpp).
+  Deepest deepest(const std::vector<Eigen::Vector3d>& points,
+                  const std::vector<Wear>& wear) const;
+
+ private:
+  struct Instant {
+    detail::PressureProfile profile;
+    Eigen::Vector3d centre;  // of the contact
+    double chord;            // from there to the edge
+    Eigen::Vector3d slip;    // times a point: slip, m
+    double pressure_unit;    // Pa
+  };
+
+  JointGeometry geometry_;
+  double total_;  // J
+  std::vector<Instant> instants_;
+};
+
+}  // namespace contact

@@ -1,0 +1,129 @@
+// The program hinge-duty, run as its users run it.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "support/program.hpp"
+#include "support/reference_table.hpp"
+
+namespace {
+
+using contact::test::csv_column;
+using contact::test::csv_rows;
+using contact::test::ProgramFolder;
+using contact::test::ProgramResult;
+using contact::test::ReferenceTable;
+
+const std::string data = "data/reference/duty/";
+const std::string hip = "hinge-duty --joint " + data +
+                        "cycle_hip.toml --cycle " + data +
+                        "cycle_hip_in.csv --euler zxy ";
+const std::string pin = "hinge-duty --joint " + data +
+                        "cycle_pin.toml --cycle " + data + "cycle_pin_in.csv ";
+
+double value(const std::string& summary, const std::string& quantity) {
+  const auto rows = csv_rows(summary);
+  for (const auto& row : rows) {
+    if (row[0] == quantity) return std::stod(row[1]);
+  }
+  ADD_FAILURE() << "no " << quantity;
+  return NAN;
+}
+
+class HingeDuty : public testing::Test {
+ protected:
+  std::string out(const std::string& command) const {
+    const ProgramResult result = folder_.run(command);
+    EXPECT_EQ(result.status, 0) << command << '\n' << result.err;
+    return result.out;
+  }
+  const ProgramFolder folder_;
+};
+
+// Accuracies as in tests/duty/joint_cycle_test.cpp.
+TEST_F(HingeDuty, Summary) {
+  const ReferenceTable table("duty/cycle_hip_summary.csv");
+  const std::string text = out(hip + "--wear-seat 1e-6 --wear-inner 1e-9");
+  const auto check = [&](const char* mine, const std::string& other,
+                         double tolerance) {
+    for (std::size_t row = 0; row < table.size(); ++row) {
+      if (table.text(row, "quantity") != other) continue;
+      EXPECT_NEAR(value(text, mine) / table.value(row, "value"), 1, tolerance)
+          << mine;
+      return;
+    }
+    ADD_FAILURE() << other;
+  };
+  check("period_s", "period_s", 1e-15);
+  check("energy_J", "energy_J", 3e-9);
+  check("mean_heat_W", "mean_heat_W", 3e-9);
+  check("sliding_distance_m", "sliding_distance_m", 3e-9);
+  check("volume_seat_mm3", "volume_seat_mm3", 3e-9);
+  check("volume_inner_mm3", "volume_inner_mm3", 3e-9);
+  check("largest_M_t_N_m", "max_moment_N_m", 1e-8);
+  check("least_M_t_x_N_m", "M_x_min_at_samples_N_m", 1e-11);
+  check("largest_M_t_z_N_m", "M_z_max_at_samples_N_m", 1e-11);
+  check("largest_pv_max_W_per_m2", "pv_max_W_per_m2", 1e-8);
+  check("largest_theta0_deg", "theta0_max_deg", 1e-8);
+  check("least_theta0_deg", "theta0_min_deg", 1e-8);
+  check("largest_depth_carrier_mm", "max_depth_carrier_mm", 3e-5);
+  check("largest_depth_body_mm", "max_depth_body_mm", 3e-5);
+  EXPECT_LT(std::abs(value(text, "volume_defect_carrier")), 2. / 2000);
+  EXPECT_LT(std::abs(value(text, "volume_defect_body")), 2. / 2000);
+}
+
+TEST_F(HingeDuty, MapAndStates) {
+  out(pin + "--wear-seat 2e-7 --map map.csv --grid 360 --states states.csv");
+  const auto map = csv_rows(folder_.read("map.csv"));
+  const ReferenceTable expected("duty/cycle_pin_map.csv");
+  const auto body = csv_column(map, "body");
+  const auto beta = csv_column(map, "beta_deg");
+  const auto pv = csv_column(map, "pv_integral_Pa_m");
+  const auto depth = csv_column(map, "depth_mm");
+  int found = 0;
+  for (std::size_t row = 0; row < expected.size(); ++row) {
+    for (std::size_t i = 0; i < body.size(); ++i) {
+      if (body[i] != expected.text(row, "body") ||
+          std::abs(std::stod(beta[i]) - expected.value(row, "beta_deg")) >
+              1e-9) {
+        continue;
+      }
+      ++found;
+      EXPECT_NEAR(std::stod(pv[i]), expected.value(row, "pv_integral_Pa_m"),
+                  1e2);  // 1e-4 of the largest
+      // The body has the seat; the carrier's k was not given.
+      EXPECT_EQ(depth[i].empty(), body[i] == "carrier");
+    }
+  }
+  EXPECT_EQ(found, 20);  // points that wear
+  const auto states = csv_rows(folder_.read("states.csv"));
+  EXPECT_EQ(states.size(),
+            1 + ReferenceTable("duty/cycle_pin_states.csv").size());
+}
+
+// Without a k there are no volumes, and without a map no wear.
+TEST_F(HingeDuty, NoWearUnlessAsked) {
+  const std::string text = out(hip);
+  EXPECT_EQ(text.find("volume_"), text.npos);
+  EXPECT_EQ(text.find("depth_"), text.npos);
+}
+
+// Its states are a cycle of rates with the same heat.
+TEST_F(HingeDuty, RatesOfItsStates) {
+  const double energy = value(out(hip + "--states states.csv"), "energy_J");
+  const std::string again =
+      out("hinge-duty --joint " + data + "cycle_hip.toml --cycle states.csv");
+  // A spline of rates is not the derivative of a spline of angles.
+  EXPECT_NEAR(value(again, "energy_J") / energy, 1, 1e-5);
+  EXPECT_LT(value(again, "closure_deg"), 1e-3);
+  // The opposite force on the other body is the same.
+  folder_.write("c.csv", folder_.read("states.csv"));
+  EXPECT_EQ(out("hinge-duty --joint " + data +
+                "cycle_hip.toml --cycle c.csv --force-in carrier "
+                "--force-on body"),
+            again);
+}
+
+}  // namespace
