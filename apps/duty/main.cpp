@@ -36,7 +36,8 @@ the friction work across its main direction: 0 on a line, 0.5 without one).
 Output: quantity, value, at_time_s, x, y, z (where it is), meaning. With wear
 volume_defect says how well the map's sum fits the volume: 2/N for N points.
 --states: a row for each row of the cycle, columns as of hinge-joint --pv, and
-heat_W and pv_total_W over the contact.
+heat_W and pv_total_W over the contact. --plot draws R, the friction moment and
+the largest p and p v over the time.
 
 )";
 

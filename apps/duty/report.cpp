@@ -294,13 +294,12 @@ std::string draw_cycle(const JointCycle& cycle, const std::string& title,
                       .x = {},
                       .panels = {{"R", "N", {}},
                                  {"Mₜ", "N m", {}},
-                                 {"heat", "W", {}},
-                                 {"peak p", "Pa", {}},
-                                 {"largest p v", "W/m²", {}}}};
+                                 {"p", "Pa", {}},
+                                 {"p v", "W/m²", {}}}};
   for (const CycleInstant& i : cycle.rows()) {
     const contact::SlidingContact sliding = cycle.sliding(i);
     const double values[] = {i.solution.reaction.norm(), moment(i),
-                             sliding.heat(), i.solution.peak_pressure,
+                             i.solution.peak_pressure,
                              sliding.largest_pv().value};
     plot.x.push_back(i.time);
     for (std::size_t k = 0; k < plot.panels.size(); ++k) {

@@ -31,6 +31,7 @@ void write_states(const contact::JointCycle& cycle, cli::Output& output,
 /// A row for each point that wears.
 void write_map(const std::vector<BodyWear>& wear, bool is_pin,
                cli::Output& output, const cli::OutputOptions& options);
+/// Draws reaction, friction moment, and the largest p and p v over the contact.
 /// @return "" or why there is no picture
 std::string draw_cycle(const contact::JointCycle& cycle,
                        const std::string& title, const std::string& file);

@@ -173,10 +173,7 @@ cli::ExitStatus run(const Options& options) {
   output.commit();
   const std::string& plot = options.output.plot;
   if (plot.empty()) return cli::all_good;
-  const std::string title =
-      fmt::format("{}, law {}, pressure {}", joint.title(), joint.laws[0].name,
-                  joint.pressures[0].name);
-  return cli::drawn("hinge-duty", draw_cycle(cycle, title, plot),
+  return cli::drawn("hinge-duty", draw_cycle(cycle, joint.title(), plot),
                     cli::all_good);
 }
 

@@ -126,4 +126,11 @@ TEST_F(HingeDuty, RatesOfItsStates) {
             again);
 }
 
+TEST_F(HingeDuty, Picture) {
+  out(pin + "--plot pin.svg");
+  const std::string picture = folder_.read("pin.svg");
+  EXPECT_NE(picture.find("p v"), picture.npos);
+  EXPECT_NE(picture.find("time, s"), picture.npos);
+}
+
 }  // namespace
