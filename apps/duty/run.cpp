@@ -13,7 +13,6 @@
 #include "cli/refuse.hpp"
 #include "duty/cycle_file.hpp"
 #include "duty/report.hpp"
-#include "joint/any_joint.hpp"
 #include "libcontact/base/units.hpp"
 
 namespace hinge_duty {
@@ -140,12 +139,9 @@ cli::ExitStatus run(const Options& options) {
   check_files(options);
   const WearOptions wear_options = hinge_duty::wear_options(options);
   const cli::Joint joint = make_joint(options.joint);
-  const hinge_joint::AnyJoint any(contact_of(joint, options));
-  const contact::DutyCycle duty = read_cycle(options, any.is_pin());
-  const JointCycle cycle(duty, any.contact(),
-                         [&any](const auto& reaction, const auto& rate) {
-                           return any.solve(reaction, rate);
-                         });
+  const contact::Joint friction(contact_of(joint, options));
+  const contact::DutyCycle duty = read_cycle(options, friction.is_pin());
+  const JointCycle cycle(duty, friction);
   std::vector<BodyWear> wear;
   if (wear_options.wanted) {
     check_wear(cycle);
@@ -166,7 +162,7 @@ cli::ExitStatus run(const Options& options) {
   }
   if (!options.map.empty()) {
     map.emplace(options.map);
-    write_map(wear, any.is_pin(), *map, options.output);
+    write_map(wear, friction.is_pin(), *map, options.output);
   }
   if (states) states->commit();
   if (map) map->commit();

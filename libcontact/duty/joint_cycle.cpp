@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <boost/math/tools/minima.hpp>
 #include <cmath>
-#include <utility>
 
 #include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
@@ -11,12 +10,10 @@
 
 namespace contact {
 
-JointCycle::JointCycle(const DutyCycle& cycle, const JointContact& contact,
-                       Solve solve)
-    : cycle_(&cycle), contact_(&contact), solve_(std::move(solve)) {
+JointCycle::JointCycle(const DutyCycle& cycle, const Joint& joint)
+    : cycle_(&cycle), joint_(&joint) {
   for (const double time : cycle.times()) rows_.push_back(at(time));
-  const bool is_pin = contact.geometry().kind() == JointKind::pin;
-  for (const auto& [time, weight] : cycle.nodes(is_pin)) {
+  for (const auto& [time, weight] : cycle.nodes(joint.is_pin())) {
     nodes_.push_back(at(time));
     nodes_.back().weight = weight;
   }
@@ -25,7 +22,9 @@ JointCycle::JointCycle(const DutyCycle& cycle, const JointContact& contact,
 CycleInstant JointCycle::at(double time) const {
   CycleInstant instant{time, 0, cycle_->at(time), {}};
   const CycleState& state = instant.state;
-  instant.solution = solve_(state.reaction, state.rate);
+  instant.solution = joint_->solve({.reaction = state.reaction,
+                                    .angular_velocity = state.rate,
+                                    .axis = Eigen::Vector3d::UnitZ()});
   if (instant.solution.status != Status::ok) {
     throw Error(detail::must_be(
         detail::message("the reaction at {:.6g} s, {:.6g} N", time,

@@ -6,8 +6,7 @@
 
 #include "libcontact/duty/duty_cycle.hpp"
 #include "libcontact/duty/sliding_contact.hpp"
-#include "libcontact/joint/contact.hpp"
-#include "libcontact/joint/solution.hpp"
+#include "libcontact/joint/joint.hpp"
 
 namespace contact {
 
@@ -20,23 +19,21 @@ struct CycleInstant {
 };
 
 /// A joint on its duty cycle: friction at the times of the cycle and at the
-/// nodes of its integrals. Refers to cycle and contact.
+/// nodes of its integrals. Refers to cycle and joint.
 class JointCycle {
  public:
-  /// Friction under R and Dw: BallJoint::solve(), PinJoint::solve().
-  using Solve = std::function<JointSolution(const Eigen::Vector3d& reaction,
-                                            const Eigen::Vector3d& rate)>;
+  /// @param joint  a pin turns about Z
   /// @throws Error if the laws of the contact have no value at some time.
-  JointCycle(const DutyCycle& cycle, const JointContact& contact, Solve solve);
+  JointCycle(const DutyCycle& cycle, const Joint& joint);
 
   const DutyCycle& cycle() const { return *cycle_; }
-  const JointContact& contact() const { return *contact_; }
+  const JointContact& contact() const { return joint_->contact(); }
   /// At the times of the cycle; of no weight.
   const std::vector<CycleInstant>& rows() const { return rows_; }
   const std::vector<CycleInstant>& nodes() const { return nodes_; }
   CycleInstant at(double time) const;
   SlidingContact sliding(const CycleInstant& instant) const {
-    return {*contact_, instant.solution, instant.state.rate};
+    return {contact(), instant.solution, instant.state.rate};
   }
 
   using Quantity = std::function<double(const CycleInstant&)>;
@@ -49,8 +46,7 @@ class JointCycle {
 
  private:
   const DutyCycle* cycle_;
-  const JointContact* contact_;
-  Solve solve_;
+  const Joint* joint_;
   std::vector<CycleInstant> rows_;
   std::vector<CycleInstant> nodes_;
 };

@@ -21,7 +21,7 @@ struct ContactPeak {
 /// solution is NaN.
 ///
 /// Places are unit vectors r from the joint's centre, of a pin normal to its
-/// axis; frame and signs as in BallJoint. Theory: docs/duty.md.
+/// axis; frame and signs as in Joint. Theory: docs/duty.md.
 ///
 /// Refers to the contact and must not outlive it. Nothing allocates or throws.
 class SlidingContact {

@@ -13,8 +13,7 @@
 #include "libcontact/base/units.hpp"
 #include "libcontact/duty/wear_map.hpp"
 #include "libcontact/files/joint_file.hpp"
-#include "libcontact/joint/ball_joint.hpp"
-#include "libcontact/joint/pin_joint.hpp"
+#include "libcontact/joint/joint.hpp"
 #include "support/accuracy_report.hpp"
 #include "support/reference_table.hpp"
 
@@ -25,7 +24,6 @@ using contact::degree;
 using contact::DutyCycle;
 using contact::ForceFrame;
 using contact::JointBody;
-using contact::JointContact;
 using contact::JointCycle;
 using contact::JointKind;
 using contact::PeriodicSpline;
@@ -62,8 +60,7 @@ struct Reference {
         spec(contact::read_joint(std::filesystem::path(CONTACT_DATA_DIR) /
                                  "reference" / "duty" /
                                  ("cycle_" + name + ".toml"))),
-        contact(spec.geometry, spec.pair, *spec.friction,
-                spec.make_half_angle_law(), spec.make_pressure_law()) {
+        joint(spec.contact()) {
     const ReferenceTable table("duty/cycle_" + name + "_summary.csv");
     for (std::size_t row = 0; row < table.size(); ++row) {
       summary[table.text(row, "quantity")] = table.value(row, "value");
@@ -85,26 +82,13 @@ struct Reference {
             spline(vectors(in, angles, degree)),
             TurnSequence(pin ? "z" : "zxy")};
   }
-  JointCycle run(const DutyCycle& duty) const {
-    if (spec.geometry.kind() == JointKind::ball) {
-      return {duty, contact,
-              [joint = contact::BallJoint(contact)](const Vector3d& reaction,
-                                                    const Vector3d& rate) {
-                return joint.solve(reaction, rate);
-              }};
-    }
-    return {duty, contact,
-            [joint = contact::PinJoint(contact)](const Vector3d& reaction,
-                                                 const Vector3d& rate) {
-              return joint.solve(reaction, Vector3d::UnitZ(), rate.z());
-            }};
-  }
+  JointCycle run(const DutyCycle& duty) const { return {duty, joint}; }
 
   ReferenceTable in;
   ReferenceTable states;
   ReferenceTable map;
   contact::JointSpec spec;
-  JointContact contact;
+  contact::Joint joint;
   std::map<std::string, double> summary;
   std::vector<double> times;
 };

@@ -10,8 +10,7 @@
 #include "libcontact/base/units.hpp"
 #include "libcontact/files/joint_file.hpp"
 #include "libcontact/half_angle/factory.hpp"
-#include "libcontact/joint/ball_joint.hpp"
-#include "libcontact/joint/pin_joint.hpp"
+#include "libcontact/joint/joint.hpp"
 #include "libcontact/pressure/factory.hpp"
 #include "support/accuracy_report.hpp"
 #include "support/random_slip.hpp"
@@ -19,18 +18,17 @@
 
 namespace {
 
-using contact::BallJoint;
 using contact::ContactPeak;
 using contact::degree;
 using contact::ElasticPair;
 using contact::FrictionLaw;
 using contact::FrictionModel;
+using contact::Joint;
 using contact::JointBody;
 using contact::JointContact;
 using contact::JointGeometry;
 using contact::JointKind;
 using contact::JointSolution;
-using contact::PinJoint;
 using contact::SlidingContact;
 using contact::ViscousLaw;
 using contact::test::AccuracyReport;
@@ -196,13 +194,11 @@ TEST(SlidingContact, TotalsAndLargest) {
       const Vector3d rate = 2 * random.direction();
       const JointContact ball = contact_of(
           JointGeometry::ball(0.014, 1e-4, inner), friction, pressure);
-      check_state(ball, BallJoint(ball).solve(reaction, rate), rate, heat,
+      check_state(ball, Joint(ball).solve({reaction, rate}), rate, heat,
                   totals);
       const JointContact pin = contact_of(
           JointGeometry::pin(0.014, 1e-4, 0.02, inner), friction, pressure);
-      check_state(pin,
-                  PinJoint(pin).solve(reaction, rate.normalized(), rate.norm()),
-                  rate, heat, totals);
+      check_state(pin, Joint(pin).solve({reaction, rate}), rate, heat, totals);
     }
   }
   heat.check();
@@ -254,12 +250,12 @@ poissons_ratio = 0.3
 }
 
 TEST(SlidingContact, NothingAtRestOrWithoutLoad) {
-  const BallJoint joint(contact_of(JointGeometry::ball(0.014, 1e-4),
-                                   FrictionLaw(0.1, 1e6), "exact"));
+  const Joint joint(contact_of(JointGeometry::ball(0.014, 1e-4),
+                               FrictionLaw(0.1, 1e6), "exact"));
   for (const auto& [reaction, rate] :
        {std::pair(Vector3d(1e3, 0, 0), Vector3d(0, 0, 0)),
         std::pair(Vector3d(0, 0, 0), Vector3d(1, 0, 0))}) {
-    const SlidingContact sliding(joint.contact(), joint.solve(reaction, rate),
+    const SlidingContact sliding(joint.contact(), joint.solve({reaction, rate}),
                                  rate);
     EXPECT_EQ(sliding.largest_pv().value, 0);
     EXPECT_EQ(sliding.largest_heat_flux().value, 0);
