@@ -341,7 +341,11 @@ FrictionIntegrals quadrature(double half_angle, SlipAxis axis) {
 }
 
 // Errors: docstrings of the methods; elliptic in double from 20 deg.
-const Method exact_method{"exact", exact_friction_integrals, 2e-15, 0};
+const Method exact_method{"exact",
+                          [](double half_angle, SlipAxis axis) {
+                            return exact_friction_integrals(half_angle, axis);
+                          },
+                          2e-15, 0};
 const Method batch_method{"batch", batch, 2e-15, 0};
 const Method elliptic_method{"elliptic", elliptic_friction_integrals, 3e-12,
                              20};
