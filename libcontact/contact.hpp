@@ -20,5 +20,6 @@
 #include "libcontact/pressure/cosine.hpp"
 #include "libcontact/friction.hpp"
 #include "libcontact/joint.hpp"
+#include "libcontact/identify.hpp"
 #include "libcontact/files.hpp"
 // clang-format on

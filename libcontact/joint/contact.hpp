@@ -43,6 +43,10 @@ class JointContact {
     other.friction_ = friction;
     return other;
   }
+  /// The same contact with another clearance.
+  /// @param radial_clearance  m
+  /// @throws Error if it is out of range.
+  JointContact with_clearance(double radial_clearance) const;
 
   const JointGeometry& geometry() const { return geometry_; }
   const ElasticPair& pair() const { return pair_; }

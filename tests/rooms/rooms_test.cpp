@@ -24,6 +24,7 @@ const std::vector<std::string> rooms = {
     "libcontact/pressure",
     "libcontact/friction",
     "libcontact/joint",
+    "libcontact/identify",
     "libcontact/tracking",
     "libcontact/files",
     "libcontact/reference",
