@@ -23,7 +23,7 @@ TEST_P(HelpExamples, Run) {
 
 INSTANTIATE_TEST_SUITE_P(Programs, HelpExamples,
                          testing::Values("hinge-table", "hinge-angle",
-                                         "hinge-joint", "hinge-pressure",
-                                         "hinge-separation"));
+                                         "hinge-joint", "hinge-identify",
+                                         "hinge-pressure", "hinge-separation"));
 
 }  // namespace

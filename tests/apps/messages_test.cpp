@@ -94,7 +94,7 @@ TEST_P(Messages, AreOneLineAndLeaveNoFile) {
 
 INSTANTIATE_TEST_SUITE_P(Of, Messages,
                          testing::Values("table", "angle", "pressure", "joint",
-                                         "separation", "output"),
+                                         "identify", "separation", "output"),
                          [](const auto& name) { return name.param; });
 
 }  // namespace

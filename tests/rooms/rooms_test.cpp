@@ -33,6 +33,7 @@ const std::vector<std::string> rooms = {
     "apps/angle",
     "apps/pressure",
     "apps/joint",
+    "apps/identify",
     "apps/multibody/system",
     "apps/multibody/dynamics",
     "apps/multibody/friction",
