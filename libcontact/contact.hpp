@@ -23,4 +23,5 @@
 #include "libcontact/friction.hpp"
 #include "libcontact/joint.hpp"
 #include "libcontact/duty.hpp"
+#include "libcontact/identify.hpp"
 // clang-format on

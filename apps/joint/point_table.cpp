@@ -1,8 +1,5 @@
 #include "joint/point_table.hpp"
 
-#include <fmt/format.h>
-
-#include <array>
 #include <cstdio>
 #include <vector>
 
@@ -13,70 +10,14 @@
 #include "cli/stream/ordered_blocks.hpp"
 #include "cli/stream/points.hpp"
 #include "joint/input.hpp"
+#include "joint/points/form.hpp"
 #include "joint/points/summary.hpp"
-#include "libcontact/base/complaint.hpp"
-#include "libcontact/base/error.hpp"
 
 namespace hinge_joint {
 namespace {
 
-constexpr cli::Allowed any_force{-allowed_force.max, allowed_force.max, "N"};
-constexpr cli::Allowed any_rate{-allowed_rate.max, allowed_rate.max, "rad/s"};
-constexpr cli::Allowed any_moment{-allowed_force.max, allowed_force.max, "N m"};
-
-// The ways in which a file gives states, vectors first: outputs of this
-// program have the columns of several.
-struct Form {
-  Question question;
-  std::vector<cli::PointColumn> columns;
-};
-
-std::vector<Form> forms(bool pin) {
-  const std::vector<cli::PointColumn> reaction = {
-      {"R_x_N", any_force}, {"R_y_N", any_force}, {"R_z_N", any_force}};
-  std::vector<Form> all = {{Question::reaction, reaction},
-                           {Question::rest, reaction},
-                           {Question::reaction, {{"R_N", allowed_force}}},
-                           {Question::contact, {{"R_n_N", allowed_force}}}};
-  for (const char* name : {"w_x_rad_per_s", "w_y_rad_per_s", "w_z_rad_per_s"}) {
-    all[0].columns.push_back({name, any_rate});
-  }
-  for (const char* name : {"M_x_N_m", "M_y_N_m", "M_z_N_m"}) {
-    all[1].columns.push_back({name, any_moment});
-  }
-  if (pin) return all;
-  all[2].columns.push_back({"b_deg", allowed_beta});
-  all[3].columns.push_back({"a_deg", allowed_alpha});
-  return all;
-}
-
-Form find_form(const cli::PointHeader& header, bool pin) {
-  std::string columns;
-  for (const Form& form : forms(pin)) {
-    if (header.has(form.columns)) return form;
-    if (!columns.empty()) columns += "; ";
-    for (std::size_t i = 0; i < form.columns.size(); ++i) {
-      if (i > 0) columns += ',';
-      columns += form.columns[i].name;
-    }
-  }
-  throw contact::Error(
-      fmt::format("{}: {}", header.place,
-                  contact::detail::needs("a state", "the columns " + columns)));
-}
-
-Input state_of(Question question, const cli::PointLines& block, std::size_t i,
-               bool pin, double rate) {
-  const auto value = [&](std::size_t column) {
-    return block.values[column][i];
-  };
-  if (block.values.size() == 6) {
-    return {{value(0), value(1), value(2)}, {value(3), value(4), value(5)}};
-  }
-  return question == Question::contact
-             ? state_from_contact(value(0), pin ? 0 : value(1), rate)
-             : state_from_reaction(value(0), pin ? 90 : value(1), rate);
-}
+constexpr Question all_questions[] = {Question::reaction, Question::contact,
+                                      Question::rest};
 
 // Some points on their way through the program.
 struct Block : cli::PointLines {
@@ -91,14 +32,14 @@ class Points {
   Points(const Options& options, bool pin)
       : reader_(options.points),
         header_(cli::read_header(reader_)),
-        form_(find_form(header_, pin)),
+        form_(find_form(header_, pin, all_questions)),
         columns_(header_.line, form_.columns, header_.place),
         pin_(pin) {
     if (options.rate.empty()) return;
     rate_ =
         cli::parse_quantity("--rate", options.rate,
                             contact::Dimension::angular_velocity, allowed_rate);
-    if (form_.columns.size() == 6) {
+    if (form_.has_vectors()) {
       cli::refuse_beside(cli::given("--rate", options.rate),
                          "the vectors of " + header_.place);
     }
@@ -127,7 +68,7 @@ class Points {
               continue;
             }
             const Answer a = hinge_joint::answer(
-                joint, question(), state_of(question(), block, i, pin_, rate_));
+                joint, question(), state_of(form_, block, i, pin_, rate_));
             block.problems.add(a, 0);
             each(block, i, &a);
           }

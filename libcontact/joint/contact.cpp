@@ -22,6 +22,11 @@ void check_kind(JointKind joint, JointKind law, const char* what) {
                       detail::message("for a {} joint", to_string(joint))));
 }
 
+double force_at_load_parameter_one(const JointGeometry& geometry,
+                                   const ElasticPair& pair) {
+  return geometry.force_from_load(LoadScale(geometry, pair).unit_load());
+}
+
 }  // namespace
 
 JointContact::JointContact(JointGeometry geometry, ElasticPair pair,
@@ -40,12 +45,23 @@ JointContact::JointContact(JointGeometry geometry, ElasticPair pair,
   }
   check_kind(kind, half_angle_law_->joint_kind(), "half-angle");
   check_kind(kind, pressure_law_->joint_kind(), "pressure");
-  unit_force_ =
-      geometry_.force_from_load(LoadScale(geometry_, pair_).unit_load());
+  unit_force_ = force_at_load_parameter_one(geometry_, pair_);
   unit_pressure_area_ =
       geometry_.force_from_load(1) / geometry_.pressure_unit(1);
   // Some make a rule on first use: here, so that no solution has to allocate.
   integrals(0.5, SlipAxis{0, 1});
+}
+
+JointContact JointContact::with_clearance(double radial_clearance) const {
+  JointContact other = *this;
+  other.geometry_ =
+      geometry_.kind() == JointKind::ball
+          ? JointGeometry::ball(geometry_.radius(), radial_clearance,
+                                geometry_.inner_body())
+          : JointGeometry::pin(geometry_.radius(), radial_clearance,
+                               geometry_.length(), geometry_.inner_body());
+  other.unit_force_ = force_at_load_parameter_one(other.geometry_, pair_);
+  return other;
 }
 
 std::vector<std::string> JointContact::validity_notes() const {

@@ -44,6 +44,10 @@ class JointContact {
     other.friction_ = friction;
     return other;
   }
+  /// The same contact with another clearance.
+  /// @param radial_clearance  m
+  /// @throws Error if it is out of range.
+  JointContact with_clearance(double radial_clearance) const;
 
   /// The same contact, its integrals by another instruction set than the best.
   /// @param set  a supported one

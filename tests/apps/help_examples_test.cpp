@@ -24,6 +24,7 @@ TEST_P(HelpExamples, Run) {
 INSTANTIATE_TEST_SUITE_P(Programs, HelpExamples,
                          testing::Values("hinge-table", "hinge-angle",
                                          "hinge-joint", "hinge-pressure",
-                                         "hinge-separation", "hinge-duty"));
+                                         "hinge-separation", "hinge-duty",
+                                         "hinge-identify"));
 
 }  // namespace

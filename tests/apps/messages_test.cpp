@@ -94,7 +94,8 @@ TEST_P(Messages, AreOneLineAndLeaveNoFile) {
 
 INSTANTIATE_TEST_SUITE_P(Of, Messages,
                          testing::Values("table", "angle", "pressure", "joint",
-                                         "separation", "output", "duty"),
+                                         "separation", "output", "duty",
+                                         "identify"),
                          [](const auto& name) { return name.param; });
 
 }  // namespace

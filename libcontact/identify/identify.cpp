@@ -1,0 +1,361 @@
+#include "libcontact/identify/identify.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "libcontact/base/complaint.hpp"
+#include "libcontact/base/error.hpp"
+#include "libcontact/base/text.hpp"
+#include "libcontact/identify/statistics.hpp"
+
+namespace contact {
+namespace {
+
+using detail::Measurements;
+using detail::Minimum;
+using detail::MomentModel;
+using detail::Point;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+void check(bool good, std::string_view what, std::string_view rule) {
+  if (!good) throw Error(detail::must_be(what, rule));
+}
+
+bool is_good(const MeasuredMoment& datum) {
+  const bool finite = datum.is_vector()
+                          ? std::get<Eigen::Vector3d>(datum.moment).allFinite()
+                          : std::isfinite(std::get<double>(datum.moment));
+  return finite && datum.reaction.allFinite() && datum.rate.allFinite() &&
+         !datum.reaction.isZero(0) && !datum.rate.isZero(0) &&
+         datum.sigma > 0 && std::isfinite(datum.sigma);
+}
+
+// Numbers of a point.
+std::vector<int> numbers_of(const std::vector<FrictionParameter>& parameters) {
+  std::vector<int> numbers;
+  for (const FrictionParameter parameter : parameters) {
+    numbers.push_back(static_cast<int>(parameter));
+  }
+  std::vector<int> sorted = numbers;
+  std::ranges::sort(sorted);
+  check(!numbers.empty() && std::ranges::adjacent_find(sorted) == sorted.end(),
+        "parameters to fit", "at least one, each once");
+  return numbers;
+}
+
+Measurements measurements(std::span<const MeasuredMoment> data,
+                          Eigen::Index size) {
+  Measurements all{VectorXd(size), VectorXd(size)};
+  Eigen::Index at = 0;
+  for (const MeasuredMoment& datum : data) {
+    if (datum.is_vector()) {
+      all.moment.segment<3>(at) = std::get<Eigen::Vector3d>(datum.moment);
+    } else {
+      all.moment[at] = std::get<double>(datum.moment);
+    }
+    all.sigma.segment(at, datum.size()).setConstant(datum.sigma);
+    at += datum.size();
+  }
+  return all;
+}
+
+// Number of the datum that a measured number is of, from 1.
+std::size_t datum_of(std::span<const MeasuredMoment> data,
+                     Eigen::Index number) {
+  std::size_t datum = 0;
+  while (number >= data[datum].size()) number -= data[datum++].size();
+  return datum + 1;
+}
+
+// Throws Error where the laws have no value.
+void check_states(const VectorXd& moments,
+                  std::span<const MeasuredMoment> data) {
+  for (Eigen::Index i = 0; i < moments.size(); ++i) {
+    if (std::isfinite(moments[i])) continue;
+    throw Error(detail::message(
+        "state {} has no solution: the half-angle law or the pressure law has "
+        "no value there",
+        datum_of(data, i)));
+  }
+}
+
+// One problem: what is measured and how it is fitted.
+class Identification {
+ public:
+  Identification(const JointContact& joint,
+                 std::span<const MeasuredMoment> data,
+                 const IdentifyOptions& options)
+      : data_(data),
+        options_(options),
+        model_(joint, data),
+        measured_(measurements(data, model_.size())),
+        free_(numbers_of(options.parameters)),
+        degrees_(static_cast<int>(model_.size()) -
+                 static_cast<int>(free_.size())) {
+    check(degrees_ > 0, detail::message("{} measured numbers", model_.size()),
+          detail::message("more than the {} parameters to fit", free_.size()));
+    quantile_ = detail::student_quantile(options.level, degrees_);
+    const auto& friction = std::get<FrictionLaw>(joint.friction());
+    given_ = model_.point(friction.coefficient(), friction.adhesion(),
+                          joint.geometry().radial_clearance());
+  }
+
+  FrictionFit fit() {
+    FrictionFit fit;
+    const Fitted effective = fitted(rough_start(), {0});
+    Point start = given_;
+    for (const int i : free_) {
+      if (i == 0) start[0] = std::max(effective.point[0], 0.0);
+      if (i == 1) start[1] = 0;
+    }
+    const Fitted best = fitted(start, free_);
+    fit.status = best.status == Status::ok ? effective.status : best.status;
+    fit.parameters = options_.parameters;
+    fit.degrees_of_freedom = degrees_;
+    fit.effective_coefficient = estimates(effective, {0})[0];
+    fit.estimates = estimates(best, free_);
+    describe(best, fit);
+    if (options_.profile && !options_.huber) add_profiles(best, fit);
+    return fit;
+  }
+
+ private:
+  // A least loss with what its intervals need.
+  struct Fitted : Minimum {
+    VectorXd weight;
+    VectorXd residuals;
+    double scale = 0;
+    MatrixXd slopes;      // of the residuals in `inside`
+    MatrixXd covariance;  // of `inside`
+  };
+
+  // Effective f0 with A = 0 from one state of weak friction, to some %.
+  Point rough_start() const {
+    constexpr double trial = 0.1;
+    Point point = given_;
+    point[0] = trial;
+    point[1] = 0;
+    const VectorXd moments = model_.moments(point);
+    check_states(moments, data_);
+    const VectorXd x = moments.cwiseQuotient(measured_.sigma);
+    const VectorXd y = measured_.moment.cwiseQuotient(measured_.sigma);
+    point[0] = std::clamp(trial * x.dot(y) / x.squaredNorm(), 0.0, 3.0);
+    return point;
+  }
+
+  Fitted fitted(const Point& start, const std::vector<int>& free) const {
+    Fitted all;
+    all.weight = VectorXd::Ones(model_.size());
+    static_cast<Minimum&>(all) =
+        least_squares(model_, measured_, all.weight, start, free);
+    if (options_.huber && all.status == Status::ok) {
+      const detail::HuberMinimum found =
+          huber(model_, measured_, all.point, free);
+      static_cast<Minimum&>(all) = found;
+      all.weight = found.weight;
+      all.scale = found.scale;
+    }
+    all.residuals = measured_.residuals(model_.moments(all.point));
+    all.chi2 = all.residuals.squaredNorm();
+    const auto n = static_cast<double>(model_.size() - free.size());
+    if (!options_.huber) all.scale = std::sqrt(all.chi2 / n);
+    all.slopes = measured_.sigma.cwiseInverse().asDiagonal() *
+                 model_.slopes(all.point, all.inside);
+    all.covariance =
+        all.scale * all.scale * detail::inverse_of_square(all.slopes);
+    if (options_.huber) {
+      all.covariance *= detail::huber_factor(all.residuals / all.scale,
+                                             static_cast<int>(free.size()));
+    }
+    return all;
+  }
+
+  // A number of a point in SI units, and its change with that of the point.
+  double value(const Point& p, int number) const {
+    return number == 0   ? p[0]
+           : number == 1 ? p[1] * model_.unit()
+                         : std::exp(p[2]);
+  }
+  double unit(const Point& p, int number) const {
+    return number == 0 ? 1 : number == 1 ? model_.unit() : std::exp(p[2]);
+  }
+
+  std::vector<Estimate> estimates(const Fitted& best,
+                                  const std::vector<int>& free) const {
+    const int degrees =
+        static_cast<int>(model_.size()) - static_cast<int>(free.size());
+    const double quantile = detail::student_quantile(options_.level, degrees);
+    std::vector<Estimate> all;
+    for (const int number : free) {
+      Estimate& e = all.emplace_back();
+      e.value = value(best.point, number);
+      const auto at = std::ranges::find(best.inside, number);
+      e.at_bound = at == best.inside.end();
+      if (e.at_bound) continue;
+      const auto i = at - best.inside.begin();
+      e.standard_error =
+          unit(best.point, number) * std::sqrt(best.covariance(i, i));
+      const double reach = quantile * e.standard_error;
+      e.interval = {e.value - reach, e.value + reach};
+    }
+    return all;
+  }
+
+  void describe(const Fitted& best, FrictionFit& fit) const {
+    const auto n = static_cast<Eigen::Index>(free_.size());
+    fit.covariance = fit.correlation = MatrixXd::Constant(n, n, nan);
+    const auto place = [&](int number) {
+      return std::ranges::find(free_, number) - free_.begin();
+    };
+    for (std::size_t a = 0; a < best.inside.size(); ++a) {
+      for (std::size_t b = 0; b < best.inside.size(); ++b) {
+        const auto i = static_cast<Eigen::Index>(a);
+        const auto j = static_cast<Eigen::Index>(b);
+        const MatrixXd& c = best.covariance;
+        const int x = best.inside[a];
+        const int y = best.inside[b];
+        fit.covariance(place(x), place(y)) =
+            unit(best.point, x) * unit(best.point, y) * c(i, j);
+        fit.correlation(place(x), place(y)) =
+            i == j ? 1 : correlation(best.slopes, i, j);
+      }
+    }
+    fit.condition = detail::scaled_condition(best.slopes);
+    fit.chi2 = best.chi2;
+    fit.scale = best.scale;
+    fit.residual = best.residuals;
+    fit.weight = best.weight;
+    fit.moment =
+        measured_.moment + best.residuals.cwiseProduct(measured_.sigma);
+    fit.moment_error =
+        measured_.sigma.cwiseProduct((best.slopes * best.covariance)
+                                         .cwiseProduct(best.slopes)
+                                         .rowwise()
+                                         .sum()
+                                         .cwiseSqrt());
+    fit.joint = model_.joint_at(best.point);
+    describe_trends(best, fit);
+  }
+
+  // Of exact data the covariance is 0, the correlation is not.
+  static double correlation(const MatrixXd& slopes, Eigen::Index i,
+                            Eigen::Index j) {
+    const MatrixXd c = detail::inverse_of_square(slopes);
+    return c(i, j) / std::sqrt(c(i, i) * c(j, j));
+  }
+
+  void describe_trends(const Fitted& best, FrictionFit& fit) const {
+    const Eigen::Index n = model_.size();
+    VectorXd load(n);
+    VectorXd direction(n);
+    VectorXd rate(n);
+    Eigen::Index at = 0;
+    for (const MeasuredMoment& datum : data_) {
+      const int size = datum.size();
+      const double force = datum.reaction.stableNorm();
+      const double speed = datum.rate.stableNorm();
+      load.segment(at, size).setConstant(std::log(force));
+      rate.segment(at, size).setConstant(speed);
+      direction.segment(at, size).setConstant(
+          angle_between(datum.reaction, datum.rate));
+      at += size;
+    }
+    // Those that count little by Huber's loss count little here.
+    const VectorXd counted = best.residuals.cwiseProduct(best.weight);
+    const auto over = [&](const VectorXd& x) {
+      return detail::trend(counted, x, best.slopes, options_.level);
+    };
+    fit.load_trend = over(load);
+    fit.rate_trend = over(rate);
+    fit.direction_trend.value = nan;
+    if (fit.joint->geometry().kind() == JointKind::ball) {
+      fit.direction_trend = over(direction);
+    }
+  }
+
+  static double angle_between(const Eigen::Vector3d& a,
+                              const Eigen::Vector3d& b) {
+    const Eigen::Vector3d x = a.stableNormalized();
+    const Eigen::Vector3d y = b.stableNormalized();
+    return 2 * std::atan2((x - y).norm(), (x + y).norm());
+  }
+
+  void add_profiles(const Fitted& best, FrictionFit& fit) const {
+    if (best.status != Status::ok || !(best.chi2 > 0)) return;
+    const MatrixXd slopes = measured_.sigma.cwiseInverse().asDiagonal() *
+                            model_.slopes(best.point, free_);
+    const VectorXd step =
+        best.scale *
+        detail::inverse_of_square(slopes).diagonal().cwiseAbs().cwiseSqrt();
+    for (std::size_t i = 0; i < free_.size(); ++i) {
+      const int number = free_[i];
+      const ConfidenceInterval ends = detail::profile(
+          model_, measured_, best, free_, number,
+          step[static_cast<Eigen::Index>(i)], quantile_, degrees_);
+      const auto si = [&](double x) {
+        Point p = best.point;
+        p[number] = x;
+        return value(p, number);
+      };
+      fit.estimates[i].profile = {si(ends.low), si(ends.high)};
+    }
+  }
+
+  std::span<const MeasuredMoment> data_;
+  const IdentifyOptions& options_;
+  MomentModel model_;
+  Measurements measured_;
+  std::vector<int> free_;
+  int degrees_;
+  double quantile_ = 0;
+  Point given_;
+};
+
+}  // namespace
+
+FrictionFit identify_friction(const JointContact& joint,
+                              std::span<const MeasuredMoment> data,
+                              const IdentifyOptions& options) {
+  check(!joint.is_viscous(), "friction of the joint", "dry");
+  check(!data.empty(), "measured moments", "at least one");
+  check(options.level > 0 && options.level < 1,
+        detail::message("level = {}", options.level), "inside (0, 1)");
+  for (std::size_t i = 0; i < data.size(); ++i) {
+    check(is_good(data[i]), detail::message("measured moment {}", i + 1),
+          "finite, of a reaction and a rate that are not 0, with sigma above "
+          "0");
+  }
+  return Identification(joint, data, options).fit();
+}
+
+Estimate predicted_moment(const FrictionFit& fit,
+                          const Eigen::Vector3d& reaction,
+                          const Eigen::Vector3d& rate, double level) {
+  const MeasuredMoment state{reaction, rate, 0.0, 1};
+  const MomentModel model(*fit.joint, {&state, 1});
+  const auto& friction = std::get<FrictionLaw>(fit.joint->friction());
+  const double clearance = fit.joint->geometry().radial_clearance();
+  const Point point =
+      model.point(friction.coefficient(), friction.adhesion(), clearance);
+  const double unit[] = {1, model.unit(), clearance};
+  VectorXd slope = VectorXd::Zero(fit.covariance.rows());
+  MatrixXd covariance = fit.covariance;
+  for (Eigen::Index i = 0; i < slope.size(); ++i) {
+    if (std::isnan(covariance(i, i))) continue;
+    const int number = static_cast<int>(fit.parameters[i]);
+    slope[i] = model.slope(point, number)[0] / unit[number];
+  }
+  covariance = covariance.array().isNaN().select(0, covariance);
+  Estimate moment;
+  moment.value = model.moments(point)[0];
+  moment.standard_error = std::sqrt(slope.dot(covariance * slope));
+  const double reach = detail::student_quantile(level, fit.degrees_of_freedom) *
+                       moment.standard_error;
+  moment.interval = {moment.value - reach, moment.value + reach};
+  return moment;
+}
+
+}  // namespace contact

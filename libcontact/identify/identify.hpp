@@ -1,0 +1,106 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <limits>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "libcontact/identify/measured.hpp"
+#include "libcontact/joint/contact.hpp"
+
+/// Friction parameters from measured moments (docs/identify.md).
+namespace contact {
+
+/// What is looked for.
+enum class FrictionParameter {
+  coefficient,  ///< f0
+  adhesion,     ///< A, Pa
+  clearance,    ///< eps, m
+};
+
+struct IdentifyOptions {
+  std::vector<FrictionParameter> parameters = {FrictionParameter::coefficient,
+                                               FrictionParameter::adhesion};
+  /// Huber's loss instead of least squares: a few wrong data do no harm.
+  bool huber = false;
+  /// Intervals by refitting too, see Estimate::profile. Not with huber.
+  bool profile = false;
+  /// Probability of the intervals, inside (0, 1).
+  double level = 0.95;
+};
+
+struct ConfidenceInterval {
+  double low = std::numeric_limits<double>::quiet_NaN();
+  double high = std::numeric_limits<double>::quiet_NaN();
+};
+
+/// A number that is found. NaN: there is none.
+struct Estimate {
+  double value = 0;
+  double standard_error = std::numeric_limits<double>::quiet_NaN();
+  /// value -+ quantile of Student's t times the standard error.
+  ConfidenceInterval interval = {};
+  /// Where the other parameters are fitted anew and chi2 rises by t^2 chi2/dof;
+  /// it ends at 0, and is infinite where chi2 never rises so far.
+  ConfidenceInterval profile = {};
+  /// Held at f0 = 0 or A = 0, below which the data would have it.
+  bool at_bound = false;
+};
+
+/// The friction of a joint that fits measured moments.
+struct FrictionFit {
+  Status status = Status::not_converged;
+  std::vector<FrictionParameter> parameters;
+  std::vector<Estimate> estimates;  ///< of each
+  /// f0 alone with A = 0, at the joint's own clearance, by the same loss.
+  Estimate effective_coefficient;
+  /// Covariance and correlations of the estimates; NaN of those at_bound.
+  Eigen::MatrixXd covariance;
+  Eigen::MatrixXd correlation;
+  /// Condition number of the slopes of the moments, each column scaled to 1:
+  /// how badly the data tell the parameters apart.
+  double condition = 1;
+  /// Sum of squares of the residuals, unweighted.
+  double chi2 = 0;
+  int degrees_of_freedom = 0;
+  /// Standard error of the data in units of sigma: sqrt(chi2/dof), or Huber's
+  /// scale.
+  double scale = 0;
+  /// Of each number that was measured, in their order: the moment of the fit,
+  /// N m, its standard error, (fit - measured)/sigma, and Huber's weight.
+  Eigen::VectorXd moment;
+  Eigen::VectorXd moment_error;
+  Eigen::VectorXd residual;
+  Eigen::VectorXd weight;
+  /// Residuals, in sigma, over ln R, b (rad) and |Dw| (rad/s): slopes of a
+  /// fourth parameter that the fit leaves out. Without value where the data do
+  /// not vary enough, and direction of a pin.
+  Estimate load_trend;
+  Estimate direction_trend;
+  Estimate rate_trend;
+  /// The joint with these parameters.
+  std::optional<JointContact> joint;
+};
+
+/// Finds friction parameters with which a joint has measured moments. Those
+/// that are not looked for are the joint's.
+///
+/// Estimates are those of an independent program to 1e-7, profiles to 1e-5;
+/// exact data give their parameters back to 1e-8 (identify/identify_test.cpp).
+/// @throws Error for a viscous joint, a parameter that is named twice, data
+///         that are too few or out of range or for which the joint's laws have
+///         no value.
+FrictionFit identify_friction(const JointContact& joint,
+                              std::span<const MeasuredMoment> data,
+                              const IdentifyOptions& options = {});
+
+/// What a fit says of a moment in another state.
+/// @param reaction, rate  as in MeasuredMoment
+/// @param level  probability of the interval
+/// @return -M_t . Dw/|Dw|, N m, with the standard error of the fit
+Estimate predicted_moment(const FrictionFit& fit,
+                          const Eigen::Vector3d& reaction,
+                          const Eigen::Vector3d& rate, double level = 0.95);
+
+}  // namespace contact

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+#include <vector>
+
+#include "libcontact/identify/measured.hpp"
+#include "libcontact/joint/contact.hpp"
+#include "libcontact/joint/solution.hpp"
+
+/// The moments of a joint as functions of what is unknown of it.
+namespace contact::detail {
+
+/// f0, A over a unit(), logarithm of the clearance: numbers of one size, in
+/// which the moments are nearly linear.
+using Point = Eigen::Vector3d;
+
+/// Moments of some states, all numbers of the first one, then of the second.
+/// For one thread.
+class MomentModel {
+ public:
+  /// @param joint  with dry friction
+  MomentModel(JointContact joint, std::span<const MeasuredMoment> states);
+
+  Eigen::Index size() const { return size_; }
+  /// Unit of A, Pa: a nominal pressure.
+  double unit() const { return unit_; }
+  Point point(double coefficient, double adhesion, double clearance) const;
+  JointContact joint_at(const Point& point) const;
+
+  /// Below f0 = 0 or A = 0 they go on smoothly, as 2 T(0) - T(-x). What has no
+  /// solution is NaN.
+  Eigen::VectorXd moments(const Point& point) const;
+  /// Their slope in one number of the point, by central differences: relative
+  /// error some 1e-8.
+  Eigen::VectorXd slope(const Point& point, int number) const;
+  /// Those in some numbers, a column each.
+  Eigen::MatrixXd slopes(const Point& point,
+                         const std::vector<int>& numbers) const;
+
+ private:
+  Eigen::VectorXd solved(const Point& point) const;
+
+  JointContact joint_;
+  std::span<const MeasuredMoment> states_;
+  Eigen::Index size_ = 0;
+  double unit_ = 1;
+  /// Of each state, from which the next one starts: half the time.
+  mutable std::vector<JointSolution> last_;
+};
+
+}  // namespace contact::detail

@@ -1,0 +1,117 @@
+// hinge-identify: forms of data, warnings, files of residuals and pictures.
+// Numbers are those of tests/identify/identify_test.cpp.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "cli/number.hpp"
+#include "support/program.hpp"
+
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+using contact::test::csv_column;
+using contact::test::csv_rows;
+using contact::test::ProgramFolder;
+using contact::test::ProgramResult;
+
+const std::string rig = "hinge-identify --joint data/duty/torque_rig.toml ";
+const std::string wide = rig + "--data data/duty/torque_rig.csv ";
+
+double cell(const ProgramResult& result, const std::string& quantity,
+            const std::string& column = "value") {
+  EXPECT_EQ(result.status, 0) << result.err;
+  const auto rows = csv_rows(result.out);
+  const auto names = csv_column(rows, "quantity");
+  const auto at = std::ranges::find(names, quantity) - names.begin();
+  return cli::parse_number(csv_column(rows, column).at(at)).value_or(NAN);
+}
+
+TEST(HingeIdentify, PrintsTheFit) {
+  const ProgramResult result = ProgramFolder().run(wide + "--profile");
+  EXPECT_THAT(result.err, Not(HasSubstr("cannot tell")));
+  EXPECT_NEAR(cell(result, "f0"), 0.1204223949, 1e-8);
+  EXPECT_NEAR(cell(result, "A_Pa", "standard_error"), 6339.644267, 0.01);
+  EXPECT_NEAR(cell(result, "A_Pa", "profile_low"), 980714.2344, 10);
+  EXPECT_NEAR(cell(result, "correlation_f0_A"), -0.9243180636, 1e-6);
+  EXPECT_GT(cell(result, "f0_effective"), 0.14);
+}
+
+// Moments that hinge-joint prints, with its columns, give its friction back.
+TEST(HingeIdentify, ReadsWhatHingeJointPrints) {
+  const ProgramFolder folder;
+  for (const std::string joint : {"pin_joint", "paper_example_1"}) {
+    const std::string name = "--joint data/joints/" + joint + ".toml ";
+    const bool pin = joint == "pin_joint";
+    const ProgramResult result =
+        folder.run("hinge-joint " + name +
+                   "--friction 0.2 --adhesion 3e6 --reaction "
+                   "1e4:1e5:log8 " +
+                   (pin ? "" : "--beta 50,80 ") + "| hinge-identify " + name +
+                   "--data - --sigma-rel 0.01");
+    EXPECT_NEAR(cell(result, "f0"), 0.2, 1e-8) << joint;
+    EXPECT_NEAR(cell(result, "A_Pa"), 3e6, 0.1) << joint;
+  }
+}
+
+TEST(HingeIdentify, ErrorsOfTheData) {
+  const ProgramFolder folder;
+  const std::string data =
+      "printf 'R_N,b_deg,rate_rad_per_s,torque_N_m\\n1e3,90,1,3\\n"
+      "4e3,90,2,12\\n1e4,90,3,31\\n' | " +
+      rig + "--data - --fit f0 ";
+  EXPECT_EQ(cell(folder.run(data + "--sigma-abs 1"), "dof"), 2);
+  folder.run(data + "--sigma-abs 3 --sigma-rel 0.1 --residuals r.csv");
+  const auto rows = csv_rows(folder.read("r.csv"));
+  EXPECT_EQ(csv_column(rows, "rate_rad_per_s").at(1), "2");
+  EXPECT_NEAR(*cli::parse_number(csv_column(rows, "sigma_N_m").at(2)),
+              std::hypot(3, 3.1), 1e-14);
+}
+
+TEST(HingeIdentify, WarnsOfWhatDataCannotTell) {
+  const ProgramFolder folder;
+  const auto says = [&](const std::string& command) {
+    const ProgramResult result = folder.run(command);
+    EXPECT_EQ(result.status, 0);
+    return result.err;
+  };
+  const auto set = [](const std::string& name) {
+    return "grep '^set,\\|^" + name + ",' data/reference/duty/identify.csv | " +
+           rig + "--data - ";
+  };
+  EXPECT_THAT(says(set("narrow")),
+              HasSubstr("hinge-identify: warning: the data cannot tell the "
+                        "parameters apart: condition 116, largest over "
+                        "smallest load 1.15, correlation -0.9999; vary the "
+                        "load more, or take f0_effective\n"));
+  EXPECT_THAT(says(set("wide_outliers")),
+              HasSubstr("4 of 40 residuals are beyond 5 standard errors by "
+                        "their median; --huber keeps them off\n"));
+  EXPECT_THAT(says(set("wide_outliers") + "--huber"),
+              Not(HasSubstr("residuals")));
+  EXPECT_THAT(says(wide + "--fit f0,A,clearance"),
+              HasSubstr("its interval is skew: take that of --profile, or "
+                        "measure it\n"));
+  EXPECT_THAT(says("printf 'R_N,b_deg,torque_N_m\\n1e3,90,2\\n4e3,90,9\\n"
+                   "1e4,90,26\\n2e4,90,55\\n' | " +
+                   rig + "--data - --sigma-rel 0.01"),
+              HasSubstr("A is held at 0: the data would have it below\n"));
+}
+
+TEST(HingeIdentify, Pictures) {
+  const ProgramFolder folder;
+  if (folder.run("command -v gnuplot").status != 0) GTEST_SKIP();
+  EXPECT_EQ(folder.run(wide + "--plot p.svg").status, 0);
+  const std::string picture = folder.read("p.svg");
+  for (const char* text : {"fit, β = 60°", "fit, β = 90°", "measured",
+                           "residual, σ", "|Δω|, rad/s"}) {
+    EXPECT_NE(picture.find(text), std::string::npos) << text;
+  }
+}
+
+}  // namespace

@@ -1,0 +1,354 @@
+// Friction parameters from measured moments: against the estimates of an
+// independent program, exact data, and what the data cannot tell.
+#include "libcontact/identify/identify.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "libcontact/base/units.hpp"
+#include "libcontact/half_angle/factory.hpp"
+#include "libcontact/joint/joint.hpp"
+#include "libcontact/pressure/factory.hpp"
+#include "support/error_message.hpp"
+#include "support/reference_table.hpp"
+
+namespace {
+
+using contact::Estimate;
+using contact::FrictionFit;
+using contact::FrictionLaw;
+using contact::FrictionParameter;
+using contact::IdentifyOptions;
+using contact::JointContact;
+using contact::JointGeometry;
+using contact::JointKind;
+using contact::MeasuredMoment;
+using contact::Status;
+using contact::test::ReferenceTable;
+using Eigen::Vector3d;
+
+constexpr auto f0 = FrictionParameter::coefficient;
+constexpr auto adhesion = FrictionParameter::adhesion;
+constexpr auto clearance = FrictionParameter::clearance;
+
+// Steel in bronze, as the reference data.
+JointContact steel_in_bronze(JointKind kind,
+                             contact::FrictionModel friction = FrictionLaw(0),
+                             const std::string& pressure = "cosine") {
+  const contact::ElasticPair pair({207e9, 0.292}, {111e9, 0.349});
+  return {kind == JointKind::ball ? JointGeometry::ball(0.025, 25e-6)
+                                  : JointGeometry::pin(0.02, 40e-6, 0.05),
+          pair, friction, contact::make_half_angle_law("tanh", kind, pair),
+          contact::make_pressure_law(pressure, kind, pair)};
+}
+
+Vector3d reaction(double force, double b_deg) {
+  return {force * std::sin(b_deg * contact::degree), 0,
+          force * std::cos(b_deg * contact::degree)};
+}
+
+Vector3d moment(const JointContact& joint, const Vector3d& force) {
+  return contact::Joint(joint)
+      .solve({force, Vector3d::UnitZ()})
+      .friction_moment;
+}
+
+std::vector<MeasuredMoment> reference_data(const std::string& set) {
+  const ReferenceTable table("duty/identify.csv");
+  std::vector<MeasuredMoment> data;
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    if (table.text(i, "set") != set) continue;
+    data.push_back({reaction(table.value(i, "R_N"), table.value(i, "b_deg")),
+                    Vector3d::UnitZ(), table.value(i, "torque_N_m"),
+                    table.value(i, "sigma_N_m")});
+  }
+  return data;
+}
+
+// Moments of a joint under loads in equal ratios, two directions in turn.
+std::vector<MeasuredMoment> exact_data(const JointContact& joint, double least,
+                                       double ratio, bool vectors) {
+  constexpr int count = 20;
+  std::vector<MeasuredMoment> data;
+  for (int i = 0; i < count; ++i) {
+    const Vector3d force = reaction(
+        least * std::pow(ratio, i / (count - 1.0)),
+        joint.geometry().kind() == JointKind::pin || i % 2 == 0 ? 90 : 60);
+    const Vector3d m = moment(joint, force);
+    data.push_back({force, Vector3d::UnitZ(), -m.z(), 0.005 * m.norm()});
+    if (vectors) data.back().moment = m;
+  }
+  return data;
+}
+
+// With relative noise, the same each time.
+void add_noise(std::vector<MeasuredMoment>& data, double relative) {
+  std::mt19937 engine(1);
+  std::normal_distribution<double> normal;
+  for (MeasuredMoment& datum : data) {
+    std::get<double>(datum.moment) *= 1 + relative * normal(engine);
+  }
+}
+
+IdentifyOptions options_of(const std::string& method) {
+  IdentifyOptions options;
+  options.huber = method == "huber";
+  options.profile = !options.huber;
+  if (method == "lsq3") options.parameters = {f0, adhesion, clearance};
+  return options;
+}
+
+const std::map<std::string, FrictionParameter> names = {
+    {"f0", f0}, {"A_Pa", adhesion}, {"radial_clearance_m", clearance}};
+
+// All rows of an independent program: estimates to 1e-7, profiles to 1e-5 of
+// themselves, as accurate as they are.
+TEST(Identify, ReferenceData) {
+  const ReferenceTable table("duty/identify_expected.csv");
+  ASSERT_EQ(table.size(), 12U);
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    SCOPED_TRACE(table.label(i) + " " + table.text(i, "parameter"));
+    const std::string& method = table.text(i, "method");
+    const FrictionFit fit = identify_friction(
+        steel_in_bronze(JointKind::ball), reference_data(table.text(i, "set")),
+        options_of(method));
+    ASSERT_EQ(fit.status, Status::ok);
+    const auto near = [&](double value, const char* column, double tolerance) {
+      if (table.text(i, column).empty()) return;
+      const double expected = table.value(i, column);
+      EXPECT_NEAR(value, expected, tolerance * std::abs(expected)) << column;
+    };
+    const bool effective = method == "lsq_f0_only_A_0";
+    const auto at =
+        std::ranges::find(fit.parameters, names.at(table.text(i, "parameter")));
+    ASSERT_NE(at, fit.parameters.end());
+    const Estimate& e = effective ? fit.effective_coefficient
+                                  : fit.estimates[at - fit.parameters.begin()];
+    near(e.value, "estimate", 1e-7);
+    near(e.standard_error, "standard_error", 1e-6);
+    near(e.interval.low, "linear_low", 1e-6);
+    near(e.interval.high, "linear_high", 1e-6);
+    near(e.profile.low, "profile_low", 1e-5);
+    near(e.profile.high, "profile_high", 1e-5);
+    if (effective) continue;
+    near(fit.chi2, "chi2", 1e-7);
+    near(fit.degrees_of_freedom, "dof", 0);
+    near(fit.scale, "scale", 1e-7);
+    near(fit.correlation(0, 1), "correlation_f0_A", 1e-6);
+  }
+}
+
+// Exact data give their parameters back: to 1e-8, what differences of 1e-4
+// leave of the slopes.
+TEST(Identify, RecoversExactData) {
+  for (const JointKind kind : {JointKind::ball, JointKind::pin}) {
+    for (const char* pressure : {"cosine", "exact"}) {
+      for (const bool vectors : {false, true}) {
+        for (const bool huber : {false, true}) {
+          SCOPED_TRACE(to_string(kind) + " " + pressure +
+                       (vectors ? " vectors" : "") + (huber ? " huber" : ""));
+          const JointContact truth =
+              steel_in_bronze(kind, FrictionLaw(0.15, 2e6), pressure);
+          const FrictionFit fit = identify_friction(
+              steel_in_bronze(kind, FrictionLaw(0), pressure),
+              exact_data(truth, 2e3, 20, vectors),
+              {.parameters = {adhesion, f0}, .huber = huber, .profile = true});
+          ASSERT_EQ(fit.status, Status::ok);
+          EXPECT_NEAR(fit.estimates[0].value, 2e6, 1e-8 * 2e6);
+          EXPECT_NEAR(fit.estimates[1].value, 0.15, 1e-8 * 0.15);
+          EXPECT_LT(fit.scale, 1e-7);
+        }
+      }
+    }
+  }
+}
+
+TEST(Identify, RecoversTheClearance) {
+  const JointContact truth =
+      steel_in_bronze(JointKind::ball, FrictionLaw(0.15, 2e6));
+  const FrictionFit fit = identify_friction(
+      truth.with_clearance(60e-6).with_friction(FrictionLaw(0)),
+      exact_data(truth, 2e3, 20, false),
+      {.parameters = {f0, adhesion, clearance}});
+  ASSERT_EQ(fit.status, Status::ok);
+  EXPECT_NEAR(fit.estimates[0].value, 0.15, 1e-8 * 0.15);
+  EXPECT_NEAR(fit.estimates[1].value, 2e6, 1e-8 * 2e6);
+  EXPECT_NEAR(fit.estimates[2].value, 25e-6, 1e-8 * 25e-6);
+  EXPECT_NEAR(fit.joint->geometry().radial_clearance(), 25e-6, 1e-12);
+  EXPECT_GT(fit.condition, 30);
+}
+
+// Parameters that are not looked for are the joint's.
+TEST(Identify, OtherParametersAreGiven) {
+  const JointContact truth =
+      steel_in_bronze(JointKind::ball, FrictionLaw(0.15, 2e6));
+  const auto data = exact_data(truth, 2e3, 20, false);
+  const auto fitted = [&](FrictionParameter parameter, FrictionLaw given) {
+    return identify_friction(truth.with_friction(given), data,
+                             {.parameters = {parameter}})
+        .estimates[0]
+        .value;
+  };
+  EXPECT_NEAR(fitted(f0, FrictionLaw(0, 2e6)), 0.15, 1e-9);
+  EXPECT_NEAR(fitted(adhesion, FrictionLaw(0.15)), 2e6, 0.02);
+  EXPECT_NEAR(fitted(clearance, FrictionLaw(0.15, 2e6)), 25e-6, 1e-12);
+}
+
+// Four of forty data are off by up to 35 %: Huber's estimate has a tenth of
+// the error, and the truth is inside.
+TEST(Identify, HuberKeepsOutliersOff) {
+  const auto data = reference_data("wide_outliers");
+  const JointContact joint = steel_in_bronze(JointKind::ball);
+  const FrictionFit squares = identify_friction(joint, data);
+  const FrictionFit huber = identify_friction(joint, data, {.huber = true});
+  EXPECT_LT(std::abs(huber.estimates[0].value - 0.12),
+            std::abs(squares.estimates[0].value - 0.12) / 5);
+  EXPECT_LT(huber.estimates[0].standard_error,
+            squares.estimates[0].standard_error / 10);
+  EXPECT_LT(huber.estimates[0].interval.low, 0.12);
+  EXPECT_GT(huber.estimates[0].interval.high, 0.12);
+  EXPECT_LT(huber.weight.minCoeff(), 0.1);
+  EXPECT_EQ(huber.weight.maxCoeff(), 1);
+}
+
+// The model is nearly linear in f0 and A: ends differ by 1 % of the width.
+TEST(Identify, ProfileIsLinearForTwoParameters) {
+  const FrictionFit fit =
+      identify_friction(steel_in_bronze(JointKind::ball),
+                        reference_data("wide"), {.profile = true});
+  for (const Estimate& e : fit.estimates) {
+    const double width = e.interval.high - e.interval.low;
+    EXPECT_NEAR(e.profile.low, e.interval.low, 0.01 * width);
+    EXPECT_NEAR(e.profile.high, e.interval.high, 0.01 * width);
+    EXPECT_NE(e.profile.low, e.interval.low);
+  }
+}
+
+// Loads that hardly differ tell nothing: the correlation and the standard
+// errors of the table in docs/identify.md, which are those of many data of
+// relative error delta, over delta/sqrt(N).
+TEST(Identify, LoadRatioDecides) {
+  const JointContact truth =
+      steel_in_bronze(JointKind::ball, FrictionLaw(0.12, 1e6));
+  const auto fit = [&](double ratio) {
+    std::vector<MeasuredMoment> data;
+    for (int i = 0; i < 40; ++i) {
+      const Vector3d force = reaction(2e3 * std::pow(ratio, i / 39.0), 90);
+      const double m = moment(truth, force).norm();
+      data.push_back({force, Vector3d::UnitZ(), m, 0.01 * m});
+    }
+    return identify_friction(truth, data);
+  };
+  const FrictionFit narrow = fit(1.1);
+  EXPECT_NEAR(narrow.correlation(0, 1), -0.9999, 5e-5);
+  EXPECT_GT(narrow.condition, 30);
+  const FrictionFit wide = fit(20);
+  EXPECT_NEAR(wide.correlation(0, 1), -0.93, 0.01);
+  EXPECT_LT(wide.condition, 30);
+}
+
+// A torque that falls faster than any A allows: A = 0 is held, its profile ends
+// there, and f0 is the effective one.
+TEST(Identify, AdhesionIsHeldAtZero) {
+  const JointContact truth = steel_in_bronze(JointKind::ball, FrictionLaw(0.1));
+  auto data = exact_data(truth, 2e3, 20, false);
+  add_noise(data, 0.002);
+  for (MeasuredMoment& datum : data) {
+    std::get<double>(datum.moment) *=
+        std::pow(datum.reaction.norm() / 1e4, 0.02);
+  }
+  const FrictionFit fit = identify_friction(truth, data, {.profile = true});
+  ASSERT_EQ(fit.status, Status::ok);
+  EXPECT_TRUE(fit.estimates[1].at_bound);
+  EXPECT_EQ(fit.estimates[1].value, 0);
+  EXPECT_TRUE(std::isnan(fit.estimates[1].standard_error));
+  EXPECT_EQ(fit.estimates[1].profile.low, 0);
+  EXPECT_GT(fit.estimates[1].profile.high, 0);
+  EXPECT_FALSE(fit.estimates[0].at_bound);
+  EXPECT_NEAR(fit.estimates[0].value, fit.effective_coefficient.value, 1e-9);
+  EXPECT_TRUE(std::isnan(fit.correlation(0, 1)));
+  EXPECT_EQ(fit.condition, 1);
+  // Moments that drive: no friction at all.
+  for (MeasuredMoment& datum : data) datum.moment = -1.0;
+  const FrictionFit none = identify_friction(truth, data);
+  EXPECT_EQ(none.estimates[0].value, 0);
+  EXPECT_EQ(none.estimates[1].value, 0);
+}
+
+// What the fit leaves out shows as a trend, what is not there does not.
+TEST(Identify, Trends) {
+  const JointContact truth =
+      steel_in_bronze(JointKind::ball, FrictionLaw(0.12, 1e6));
+  auto data = exact_data(truth, 2e3, 20, false);
+  for (std::size_t i = 0; i < data.size(); ++i) {
+    data[i].rate *= 1 + static_cast<double>(i * 7 % 5);
+  }
+  add_noise(data, 0.005);
+  const auto shows = [](const Estimate& trend) {
+    return trend.interval.low > 0 || trend.interval.high < 0;
+  };
+  // At 95 % one trend in twenty would be a false alarm.
+  const IdentifyOptions options{.level = 0.999};
+  const FrictionFit plain = identify_friction(truth, data, options);
+  EXPECT_FALSE(shows(plain.rate_trend));
+  EXPECT_FALSE(shows(plain.load_trend));
+  for (MeasuredMoment& datum : data) {  // 0.02 per rad/s is 4 sigma
+    std::get<double>(datum.moment) *= 1 - 0.02 * datum.rate.norm();
+  }
+  const FrictionFit falling = identify_friction(truth, data, options);
+  EXPECT_GT(falling.rate_trend.interval.low, 0);
+  EXPECT_FALSE(shows(falling.load_trend));
+  // With one rate there is none to see; a pin has no direction.
+  EXPECT_TRUE(std::isnan(
+      identify_friction(truth, reference_data("wide")).rate_trend.value));
+  const JointContact pin =
+      steel_in_bronze(JointKind::pin, FrictionLaw(0.12, 1e6));
+  EXPECT_TRUE(std::isnan(identify_friction(pin, exact_data(pin, 2e3, 20, false))
+                             .direction_trend.value));
+}
+
+// A prediction at a measured state is the fit there.
+TEST(Identify, Prediction) {
+  const auto data = reference_data("wide");
+  const FrictionFit fit =
+      identify_friction(steel_in_bronze(JointKind::ball), data);
+  for (const int i : {0, 17, 39}) {
+    const Estimate there =
+        predicted_moment(fit, data[i].reaction, data[i].rate);
+    EXPECT_NEAR(there.value, fit.moment[i], 1e-12 * fit.moment[i]);
+    EXPECT_NEAR(there.standard_error, fit.moment_error[i],
+                1e-6 * fit.moment_error[i]);
+  }
+}
+
+TEST(Identify, BadInput) {
+  const JointContact joint = steel_in_bronze(JointKind::ball);
+  auto data = reference_data("wide");
+  const auto message = [&](const JointContact& of,
+                           const IdentifyOptions& options = {}) {
+    return contact::test::error_message(
+        [&] { identify_friction(of, data, options); });
+  };
+  EXPECT_EQ(message(joint.with_friction(contact::ViscousLaw(1))),
+            "friction of the joint must be dry");
+  EXPECT_EQ(message(joint, {.parameters = {f0, f0}}),
+            "parameters to fit must be at least one, each once");
+  EXPECT_EQ(message(joint, {.level = 1}), "level = 1 must be inside (0, 1)");
+  data[3].sigma = -1;
+  EXPECT_EQ(message(joint),
+            "measured moment 4 must be finite, of a reaction and a rate that "
+            "are not 0, with sigma above 0");
+  data.resize(2);
+  EXPECT_EQ(message(joint),
+            "2 measured numbers must be more than the 2 parameters to fit");
+  data.clear();
+  EXPECT_EQ(message(joint), "measured moments must be at least one");
+}
+
+}  // namespace
