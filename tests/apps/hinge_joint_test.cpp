@@ -718,11 +718,11 @@ TEST(HingeJoint, Pv) {
       "--reaction-xyz 2e5,1e4,-3e4 --rate-xyz 0.1,1,-2 ";
   EXPECT_EQ(folder.run(run).out.find("pv_"), std::string::npos);
   const Columns table(folder.run(run + "--pv"));
-  const contact::BallJoint joint(
+  const contact::Joint joint(
       contact_of(joint_file("paper_example_1"), "exact"));
   const Vector3d rate(0.1, 1, -2);
   const contact::SlidingContact sliding(
-      joint.contact(), joint.solve({2e5, 1e4, -3e4}, rate), rate);
+      joint.contact(), joint.solve({{2e5, 1e4, -3e4}, rate}), rate);
   const contact::ContactPeak& pv = sliding.largest_pv();
   EXPECT_EQ(table.at(1, "pv_max_W_per_m2"), pv.value);
   EXPECT_EQ(table.at(1, "pv_max_theta_deg"), pv.theta / degree);

@@ -217,7 +217,9 @@ TEST(InstructionSets, AreThoseOfADirectCall) {
         out.force = {&force, 1};
         contact::friction_integrals(
             *law, {{&theta0, 1}, {&axis.sin, 1}, {&axis.cos, 1}}, out, set);
-        if (law != laws[0]) EXPECT_EQ(force, direct.force) << law->name();
+        if (law != laws[0]) {
+          EXPECT_EQ(force, direct.force) << law->name();
+        }
         if (set == contact::InstructionSet::baseline) baseline = direct.force;
         differences += direct.force != baseline;
       }
