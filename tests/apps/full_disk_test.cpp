@@ -28,11 +28,17 @@ bool have_gnuplot(const ProgramFolder& folder) {
 
 TEST(FullDisk, ResultsAreWholeOrNotThere) {
   const std::string joint = "data/joints/hip_cocr_uhmwpe_infinite.toml";
+  const std::string duty = "data/reference/duty/cycle_hip";
+  const std::string rig = "data/duty/torque_rig";
   const std::vector<std::string> runs = {
       "hinge-table --theta0 0:90:9 --alpha 0:90:9",
       "hinge-angle --joint ball --modulus-ratio 1 --x 0.1:1:0.1",
       "hinge-pressure --joint ball --modulus-ratio 1 --x 1",
       "hinge-joint --joint " + joint + " --reaction 100:900:100 --beta 30",
+      "hinge-duty --law fitted --joint " + duty + ".toml --euler zxy --cycle " +
+          duty + "_in.csv",
+      "hinge-identify --law fitted --fit f0,A --joint " + rig +
+          ".toml --data " + rig + ".csv",
       "hinge-separation data/cases/slosh.toml"};
   for (const std::string& run : runs) {
     for (const int room : {0, 100}) {
