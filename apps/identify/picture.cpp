@@ -72,8 +72,8 @@ std::vector<double> directions(const FrictionFit& fit,
     all.push_back(std::round(direction_deg(d)));
   }
   std::ranges::sort(all);
-  const auto repeated = std::ranges::unique(all);
-  all.erase(repeated.begin(), repeated.end());
+  // Clang 14 knows no ranges that algorithms return.
+  all.erase(std::unique(all.begin(), all.end()), all.end());
   constexpr std::size_t most = 4;
   if (all.size() <= most) return all;
   return {all.front(), all[all.size() / 2], all.back()};

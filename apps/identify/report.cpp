@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "cli/output.hpp"
 #include "cli/table.hpp"
@@ -19,8 +18,6 @@ using contact::Estimate;
 using contact::FrictionFit;
 using contact::FrictionParameter;
 using contact::MeasuredMoment;
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 struct Parameter {
   std::string_view column;

@@ -340,8 +340,8 @@ cli::ExitStatus simulate(const Case& c, const Options& o) {
   // Until everything is written.
   const cli::Interrupts interrupts;
   options.stop = stop_rule(interrupts, o.step_limit, o.time_limit);
-  const auto [outcome, no_checkpoint] =
-      run_long(c, options, checkpoints_of(c, o, options));
+  const LongRun run = run_long(c, options, checkpoints_of(c, o, options));
+  const Outcome& outcome = run.outcome;
   cli::ExitStatus status = cli::all_good;
   if (!outcome.failure.empty()) {
     cli::warn(program, "ended early: " + outcome.failure);
@@ -349,8 +349,8 @@ cli::ExitStatus simulate(const Case& c, const Options& o) {
   } else {
     print_missed(c, outcome);
   }
-  if (!no_checkpoint.empty()) {
-    cli::warn(program, no_checkpoint);
+  if (!run.no_checkpoint.empty()) {
+    cli::warn(program, run.no_checkpoint);
     status = cli::some_bad;
   }
   print_faults(c, outcome);

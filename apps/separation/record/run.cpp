@@ -158,7 +158,7 @@ SimulationState Run::renew() {
     look_here();
     recorder_.catch_up(*simulation_);
   }
-  const SimulationState state = simulation_->save();
+  SimulationState state = simulation_->save();
   gone_ = counts();
   go_on_from(state);
   return state;
