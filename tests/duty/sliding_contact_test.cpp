@@ -87,8 +87,8 @@ TEST(SlidingContact, Reference) {
         state(geometry.force_from_load(value("load")),
               value("theta0_deg") * degree, value("alpha_deg") * degree);
     const SlidingContact sliding(contact, s, rate_of(s, value("w_rad_per_s")));
-    const ContactPeak pv = sliding.largest_pv();
-    const ContactPeak heat = sliding.largest_heat_flux();
+    const ContactPeak& pv = sliding.largest_pv();
+    const ContactPeak& heat = sliding.largest_heat_flux();
     values.add(pv.value, value("pv_max_W_per_m2"), label);
     values.add(heat.value, value("heat_max_W_per_m2"), label);
     totals.add(sliding.pv_mean(), value("pv_mean_W_per_m2"), label);
@@ -136,8 +136,8 @@ void check_state(const JointContact& contact, const JointSolution& s,
                  AccuracyReport& totals) {
   const SlidingContact sliding(contact, s, rate);
   heat.add(sliding.heat(), -s.power, contact.pressure_law().name());
-  const ContactPeak pv = sliding.largest_pv();
-  const ContactPeak flux = sliding.largest_heat_flux();
+  const ContactPeak& pv = sliding.largest_pv();
+  const ContactPeak& flux = sliding.largest_heat_flux();
   EXPECT_NEAR(sliding.pv(pv.place) / pv.value, 1, 1e-9);
   // Where adhesion puts it on the edge rounding may put it outside.
   const Vector3d inside = (pv.place + 1e-9 * sliding.centre()).normalized();
@@ -147,7 +147,7 @@ void check_state(const JointContact& contact, const JointSolution& s,
   EXPECT_GT(sliding.pv(inside), 0);
   const bool pin = contact.geometry().kind() == JointKind::pin;
   const double rho = contact.geometry().radius();
-  const Vector3d c = sliding.centre();
+  const Vector3d& c = sliding.centre();
   const Vector3d across =
       pin ? Vector3d(c.cross(rate).normalized()) : c.unitOrthogonal();
   const int count = 100;
@@ -240,7 +240,7 @@ poissons_ratio = 0.3
                                 table.value(row, "theta0_deg") * degree, 0);
   const Vector3d rate(0, 2, 0);
   const SlidingContact sliding(contact, s, rate);
-  const ContactPeak pv = sliding.largest_pv();
+  const ContactPeak& pv = sliding.largest_pv();
   // The file has its place by three digits; the law of pressure is good to 1e-6
   // of its peak.
   EXPECT_NEAR(pv.theta / degree, table.value(row, "theta_pmax_deg"), 2e-3);
