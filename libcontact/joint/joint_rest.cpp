@@ -146,7 +146,8 @@ RestSolution pin_utilisation(const Joint& joint, const Joint::Hold& hold,
 RestSolution ball_utilisation(const Joint& joint, const Joint::Hold& hold,
                               const RestSolution* last,
                               const SolveOptions& options) {
-  const auto& [reaction, moment, axis] = hold;
+  const Vector3d& reaction = hold.reaction;
+  const Vector3d& moment = hold.moment;
   RestSolution rest;
   rest.slip = joint.solve({reaction, Vector3d::Zero()});
   const double needed = moment.stableNorm();
