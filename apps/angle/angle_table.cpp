@@ -21,8 +21,7 @@ void count(contact::Status status, Findings& findings) {
 void Findings::add(const Findings& more) {
   out_of_range += more.out_of_range;
   not_converged += more.not_converged;
-  largest_half_angle = std::max(largest_half_angle, more.largest_half_angle);
-  largest_peak = std::max(largest_peak, more.largest_peak);
+  largest.add(more.largest);
 }
 
 AngleTable::AngleTable(const cli::Joint& joint, const Input& input,
@@ -59,13 +58,7 @@ void AngleTable::write(const NamedLaw& law, double half_angle,
                        Findings& findings) const {
   const double peak = peak_pressure(law, half_angle, load_parameter);
   row.number(peak);
-  // NaN is not larger than anything.
-  if (half_angle > findings.largest_half_angle) {
-    findings.largest_half_angle = half_angle;
-  }
-  if (loads_.have_load() && peak > findings.largest_peak) {
-    findings.largest_peak = peak;
-  }
+  findings.largest.add(half_angle, loads_.have_load() ? peak : 0);
   if (!approach_ || !cli::JointApproach::of(*law.law)) return;
   const contact::ContactApproach value = (*approach_)(half_angle);
   row.number(value.approach);

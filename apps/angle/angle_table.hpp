@@ -11,6 +11,7 @@
 #include "cli/joint/joint_options.hpp"
 #include "cli/joint/laws.hpp"
 #include "cli/table.hpp"
+#include "libcontact/pressure/validity.hpp"
 
 /// The parts of the program hinge-angle.
 namespace hinge_angle {
@@ -21,8 +22,7 @@ using cli::NamedLaw;
 struct Findings {
   std::size_t out_of_range = 0;  ///< without a value
   std::size_t not_converged = 0;
-  double largest_half_angle = 0;  ///< rad
-  double largest_peak = 0;        ///< Pa; 0 in dimensionless runs
+  contact::LargestContact largest;  ///< peaks not of dimensionless runs
 
   void add(const Findings& more);
 };

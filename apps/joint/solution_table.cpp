@@ -29,10 +29,7 @@ void Problems::add(const Answer& answer, std::size_t joint) {
   if (s.status == contact::Status::out_of_range) ++out_of_range;
   if (s.status == contact::Status::not_converged) ++not_converged;
   largest.resize(std::max(largest.size(), joint + 1));
-  auto& [half_angle, peak] = largest[joint];
-  // NaN is not larger than anything.
-  if (s.half_angle > half_angle) half_angle = s.half_angle;
-  if (s.peak_pressure > peak) peak = s.peak_pressure;
+  largest[joint].add(s.half_angle, s.peak_pressure);
 }
 
 void Problems::add(const Problems& more) {
@@ -41,9 +38,7 @@ void Problems::add(const Problems& more) {
   bad_lines += more.bad_lines;
   largest.resize(std::max(largest.size(), more.largest.size()));
   for (std::size_t i = 0; i < more.largest.size(); ++i) {
-    const auto& [half_angle, peak] = more.largest[i];
-    largest[i].half_angle = std::max(largest[i].half_angle, half_angle);
-    largest[i].peak_pressure = std::max(largest[i].peak_pressure, peak);
+    largest[i].add(more.largest[i]);
   }
 }
 

@@ -7,20 +7,17 @@
 #include "joint/input.hpp"
 #include "joint/setup.hpp"
 #include "joint/solution_row.hpp"
+#include "libcontact/pressure/validity.hpp"
 
 namespace hinge_joint {
 
 /// Answers that are no solutions, and the largest contacts.
 struct Problems {
-  struct Largest {
-    double half_angle = 0;     ///< rad
-    double peak_pressure = 0;  ///< Pa
-  };
-
   std::size_t out_of_range = 0;
   std::size_t not_converged = 0;
   std::size_t bad_lines = 0;
-  std::vector<Largest> largest = {};  ///< of each of Setup::joints
+  std::vector<contact::LargestContact> largest =
+      {};  ///< of each of Setup::joints
 
   /// @param joint  its number in Setup::joints
   void add(const Answer& answer, std::size_t joint);

@@ -25,4 +25,21 @@ inline constexpr double largest_pressure_share = 0.05;
 std::vector<std::string> contact_notes(JointKind kind, const ElasticPair& pair,
                                        double half_angle, double peak_pressure);
 
+/// The largest half-angle and peak of some contacts, for contact_notes().
+struct LargestContact {
+  double half_angle = 0;     ///< theta0, rad
+  double peak_pressure = 0;  ///< Pa
+
+  /// NaN is not larger than anything.
+  void add(double other_half_angle, double other_peak_pressure) {
+    if (other_half_angle > half_angle) half_angle = other_half_angle;
+    if (other_peak_pressure > peak_pressure) {
+      peak_pressure = other_peak_pressure;
+    }
+  }
+  void add(const LargestContact& other) {
+    add(other.half_angle, other.peak_pressure);
+  }
+};
+
 }  // namespace contact
