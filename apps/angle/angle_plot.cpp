@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "cli/plot.hpp"
-#include "cli/refuse.hpp"
 #include "libcontact/base/units.hpp"
 
 namespace hinge_angle {
@@ -108,10 +107,7 @@ cli::Curve curve_of(const NamedLaw& law, const cli::Joint& joint,
 }  // namespace
 
 void check_curves(const std::vector<cli::Joint>& joints) {
-  const std::size_t curves = joints.size() * joints[0].laws.size();
-  if (curves <= cli::most_curves) return;
-  cli::refuse_without("--plot", fmt::format("at most {} curves; these are {}",
-                                            cli::most_curves, curves));
+  cli::check_curves(joints.size() * joints[0].laws.size());
 }
 
 std::string draw(const std::vector<Input>& inputs,

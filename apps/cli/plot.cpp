@@ -9,6 +9,7 @@
 
 #include "cli/gnuplot.hpp"
 #include "cli/number.hpp"
+#include "cli/refuse.hpp"
 #include "libcontact/base/text.hpp"
 
 namespace cli {
@@ -175,6 +176,12 @@ std::string panel_script(const std::vector<double>& x, const Panel& panel,
 }
 
 }  // namespace
+
+void check_curves(std::size_t curves) {
+  if (curves <= most_curves) return;
+  refuse_without("--plot", fmt::format("at most {} curves; these are {}",
+                                       most_curves, curves));
+}
 
 std::string draw(const LinePlot& plot, const std::string& file) {
   std::string script;

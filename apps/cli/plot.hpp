@@ -9,6 +9,8 @@ namespace cli {
 
 /// What a legend holds.
 inline constexpr std::size_t most_curves = 15;
+/// Throws contact::Error if there are more.
+void check_curves(std::size_t curves);
 
 /// One line of a line plot.
 struct Curve {

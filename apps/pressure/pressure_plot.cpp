@@ -97,10 +97,7 @@ void check_curves(const std::vector<cli::Joint>& joints) {
   if (joints.size() > 1 && laws > 2) {
     cli::refuse_without("--plot", "one joint, or at most two pressure laws");
   }
-  if (joints.size() * laws <= cli::most_curves) return;
-  cli::refuse_without(
-      "--plot", fmt::format("at most {} curves; these are {}", cli::most_curves,
-                            joints.size() * laws));
+  cli::check_curves(joints.size() * laws);
 }
 
 std::string draw(const std::vector<PressureTable>& tables,
