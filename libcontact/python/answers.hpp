@@ -145,7 +145,7 @@ void bind_answers(py::module_& m, const char* name,
           [fields](const Answers<Row>& a) {
             return detail::to_dict(a, fields);
           },
-          "to_dict($self)\n--\n\nAll quantities as columns of one dimension, "
+          "to_dict(self)\n--\n\nAll quantities as columns of one dimension, "
           "vectors as three\n(NAME_x, NAME_y, NAME_z): "
           "pandas.DataFrame(s.to_dict()).")
       .def(py::pickle(&detail::state_of<Row>, &detail::from_state<Row>));

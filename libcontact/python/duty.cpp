@@ -200,7 +200,7 @@ void bind_integrals(py::class_<Cycle>& type) {
       "Of p v over contact and time, J; times k it is the worn volume.");
 }
 
-constexpr const char* wear_doc = R"(_wear($self, body, points)
+constexpr const char* wear_doc = R"(_wear(self, body, points)
 --
 
 See Cycle.wear().)";
@@ -240,7 +240,7 @@ void bind_duty(py::module_& m) {
       },
       "p v and heat at the rows: a Rating.");
   type.def("largest", &largest, py::arg("quantity"),
-           R"(largest($self, quantity)
+           R"(largest(self, quantity)
 --
 
 The largest value in the cycle and its time, s; to 1e-8.

@@ -1,6 +1,7 @@
 #include <pybind11/eigen.h>
 #include <pybind11/stl.h>
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -62,7 +63,11 @@ std::unique_ptr<FrictionFit> identify(const FileJoint& joint,
         if (is_vector) datum.moment = vector_at(at[2]);
         data.push_back(datum);
       });
-  const contact::JointContact& contact = joint.joint().contact();
+  // What is looked for need not be there.
+  const bool finds_coefficient =
+      std::ranges::count(options.parameters, FrictionParameter::coefficient);
+  const contact::JointContact& contact =
+      finds_coefficient ? joint.contact() : joint.joint().contact();
   const py::gil_scoped_release unlocked;
   return std::make_unique<FrictionFit>(
       contact::identify_friction(contact, data, options));
@@ -156,7 +161,7 @@ void bind_identify(py::module_& m) {
            "Slope of the residuals over |Dw|, rad/s.");
   type.def("predict", &predict, py::arg("reaction"),
            py::arg("angular_velocity"),
-           R"(predict($self, reaction, angular_velocity)
+           R"(predict(self, reaction, angular_velocity)
 --
 
 The moment that turns the joint in other states by this fit, and its standard

@@ -314,7 +314,7 @@ void bind_contact(py::class_<FileJoint>& type) {
       [](const JointContact& c, double force) {
         return c.half_angle(force).half_angle;
       },
-      "half_angle($self, normal_force)\n--\n\n"
+      "half_angle(self, normal_force)\n--\n\n"
       "theta0 of the contact, rad; NaN where the law has none.\n\n"
       "normal_force: R_n, N, (...).");
   of(
@@ -322,60 +322,60 @@ void bind_contact(py::class_<FileJoint>& type) {
       [](const JointContact& c, double force) {
         return c.load_parameter(force);
       },
-      "load_parameter($self, normal_force)\n--\n\n"
+      "load_parameter(self, normal_force)\n--\n\n"
       "mu of a ball, lambda of a pin. normal_force: R_n, N, (...).");
   of(
       "peak_pressure",
       [](const JointContact& c, double force) {
         return c.peak_pressure(force, c.half_angle(force).half_angle);
       },
-      "peak_pressure($self, normal_force)\n--\n\n"
+      "peak_pressure(self, normal_force)\n--\n\n"
       "Pa. normal_force: R_n, N, (...), above 0.");
   of(
       "mean_pressure",
       [](const JointContact& c, double force) {
         return c.mean_pressure(force, c.half_angle(force).half_angle);
       },
-      "mean_pressure($self, normal_force)\n--\n\n"
+      "mean_pressure(self, normal_force)\n--\n\n"
       "Over the contact's own area, Pa. normal_force: R_n, N, (...), above 0.");
   of(
       "nominal_pressure",
       [](const JointContact& c, double force) {
         return c.geometry().nominal_pressure(force);
       },
-      "nominal_pressure($self, normal_force)\n--\n\n"
+      "nominal_pressure(self, normal_force)\n--\n\n"
       "Of catalogues: force over projected area, Pa. normal_force: N, (...).");
   of(
       "contact_area",
       [](const JointContact& c, double force) {
         return c.area(c.half_angle(force).half_angle);
       },
-      "contact_area($self, normal_force)\n--\n\n"
+      "contact_area(self, normal_force)\n--\n\n"
       "m^2. normal_force: R_n, N, (...).");
   of("approach", &approach,
-     "approach($self, normal_force)\n--\n\n"
+     "approach(self, normal_force)\n--\n\n"
      "How far R_n presses the ball or pin into its seat or hole, from first\n"
      "touch, m. NaN unless the half-angle law is exact, and where there is "
      "none:\na pin in an infinite hole, loaded through the back.\n\n"
      "normal_force: R_n, N, (...), above 0. To 2e-7 of itself.");
   of("stiffness", &stiffness,
-     "stiffness($self, normal_force)\n--\n\n"
+     "stiffness(self, normal_force)\n--\n\n"
      "d R_n/d approach, N/m. NaN and accuracy as of approach().\n\n"
      "normal_force: R_n, N, (...), above 0.");
   type.def("pressure", &pressure, py::arg("theta"), py::arg("normal_force"),
-           "pressure($self, theta, normal_force)\n--\n\n"
+           "pressure(self, theta, normal_force)\n--\n\n"
            "Contact pressure, Pa; 0 outside of the contact.\n\n"
            "theta: angle from the contact's centre, rad, (...).\n"
            "normal_force: R_n, N, (...), above 0.");
   type.def(
       "notes",
       [](const FileJoint& self) { return self.spec().validity_notes(); },
-      "notes($self)\n--\n\n"
+      "notes(self)\n--\n\n"
       "Where the joint leaves the range of the theory, a sentence each.");
 }
 
 constexpr const char* solve_doc =
-    R"(solve($self, reaction, angular_velocity, *, axis=None, warm=False)
+    R"(solve(self, reaction, angular_velocity, *, axis=None, warm=False)
 --
 
 Friction of the joint while its halves turn, under a known reaction.
@@ -395,7 +395,7 @@ void bind_solutions(py::class_<FileJoint>& type) {
            py::kw_only(), keyword_axis, py::arg("warm") = false, solve_doc);
   type.def("solve_contact", &solve_contact, py::arg("normal_force"),
            py::arg("angular_velocity"), py::kw_only(), keyword_axis,
-           R"(solve_contact($self, normal_force, angular_velocity, *, axis=None)
+           R"(solve_contact(self, normal_force, angular_velocity, *, axis=None)
 --
 
 Friction under a known normal force: nothing to solve. With the reaction in its
@@ -405,7 +405,7 @@ normal_force: R_n n on the body, N, (..., 3).
 angular_velocity, axis: as in solve().)");
   type.def("utilisation", &utilisation, py::arg("reaction"), py::arg("moment"),
            py::kw_only(), keyword_axis,
-           R"(utilisation($self, reaction, moment, *, axis=None)
+           R"(utilisation(self, reaction, moment, *, axis=None)
 --
 
 Whether the joint rests under a reaction while friction supplies a moment, and
@@ -416,7 +416,7 @@ moment: M on the body that friction has to supply, N m, (..., 3).
 
 Returns a RestSolution.)");
   type.def("pv", &pv, py::arg("reaction"), py::arg("angular_velocity"),
-           R"(pv($self, reaction, angular_velocity)
+           R"(pv(self, reaction, angular_velocity)
 --
 
 p v and heat over the contact while the halves turn: their largest values with
@@ -429,7 +429,7 @@ the place, means, sums. Arguments as in solve(). Returns a Rating.)");
                      places);
       },
       py::arg("reaction"), py::arg("angular_velocity"), py::arg("places"),
-      R"(pv_at($self, reaction, angular_velocity, places)
+      R"(pv_at(self, reaction, angular_velocity, places)
 --
 
 A dict of "pressure" (Pa), "pv" and "heat_flux" (W/m^2) at places of the

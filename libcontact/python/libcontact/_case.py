@@ -83,5 +83,5 @@ class Case(FileText, _core.Case):
 
 def _column(name: str, numbers: NDArray[np.float64]) -> NDArray[Any]:
     if name.endswith(".mode"):
-        return np.array(_core._modes)[numbers.astype(int)]
+        return np.array(_core._modes).take(numbers.astype(int))
     return numbers.copy()

@@ -167,12 +167,12 @@ class FileText:
     def _identity(self) -> tuple[object, ...]:
         tables = self.to_dict()
         of_files = [s for s in self._settings if is_of_file(tables, s[0])]
-        return self._canonical, self._folder, sorted(of_files)
+        return type(self), self._canonical, self._folder, sorted(of_files)
 
     def __eq__(self, other: object) -> bool:
-        if type(other) is not type(self):
+        if not isinstance(other, FileText):
             return NotImplemented
-        return self is other or self._identity() == other._identity()
+        return self._identity() == other._identity()
 
     def __hash__(self) -> int:
         return hash(self._canonical)

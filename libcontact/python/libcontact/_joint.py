@@ -83,7 +83,7 @@ class Joint(FileText, _core.Joint):
         self._read(toml_text(tables), "", "", ())
 
     def __eq__(self, other: object) -> bool:
-        if type(other) is not type(self):
+        if not isinstance(other, Joint):
             return NotImplemented
         return self._same(other)
 
@@ -251,7 +251,7 @@ def half_angle(
     *,
     kind: str = "ball",
     **keys: Key,
-) -> Any:
+) -> NDArray[np.float64]:
     """theta0 of the contact by a law, rad; NaN where it has none.
 
     load_parameter: mu of a ball, lambda of a pin, (...).
@@ -271,7 +271,7 @@ def load_parameter(
     *,
     kind: str = "ball",
     **keys: Key,
-) -> Any:
+) -> NDArray[np.float64]:
     """The inverse of half_angle().
 
     half_angle: theta0, rad, (...).
@@ -295,7 +295,7 @@ def pressure(
     *,
     kind: str = "ball",
     **keys: Key,
-) -> Any:
+) -> NDArray[np.float64]:
     """Contact pressure by a law, in R_n/rho^2 (ball) or P/rho (pin).
 
     theta: angle from the contact's centre, rad, (...).
