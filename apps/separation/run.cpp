@@ -15,6 +15,7 @@
 #include "cli/choice.hpp"
 #include "cli/file_text.hpp"
 #include "cli/interrupts.hpp"
+#include "cli/joint/key_settings.hpp"
 #include "cli/output.hpp"
 #include "cli/quantity.hpp"
 #include "cli/refuse.hpp"
@@ -97,7 +98,8 @@ void check_names(const Options& o, const Case& c) {
 }
 
 Case case_of(const Options& o) {
-  Case c = read_case(o.case_file, {o.half_angle_law, o.pressure_law});
+  Case c = read_case(o.case_file, {o.half_angle_law, o.pressure_law},
+                     cli::single_settings(o.settings));
   if (o.end_time == 0) return c;
   c.end_time = o.end_time;
   const double most = most_rows * c.output_step;
