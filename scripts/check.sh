@@ -20,7 +20,7 @@ usage() {
 
 # Tests neither install nor fail for what is missing.
 missing() {
-  echo "check: $1 is missing, nothing was checked"
+  echo "skipped: $1 is missing"
   exit 77
 }
 
@@ -64,7 +64,7 @@ check_symbols() {
         }
       }
       if (length(all_sets) < 2) {
-        print "check: no objects for AVX, nothing was checked"
+        print "skipped: objects for AVX are missing"
         exit 77
       }
       exit bad
