@@ -5,6 +5,7 @@
 
 #include "libcontact/duty/sliding_contact.hpp"
 #include "libcontact/friction/any_pressure.hpp"
+#include "libcontact/pressure/validity.hpp"
 #include "libcontact/python/answers.hpp"
 #include "libcontact/python/file_joint.hpp"
 #include "libcontact/python/ratings.hpp"
@@ -173,6 +174,24 @@ double stiffness(const JointContact& contact, double force) {
          contact.pair().effective_modulus() * length;
 }
 
+std::vector<std::string> notes(const FileJoint& self,
+                               const std::optional<Numbers>& force) {
+  std::vector<std::string> all = self.spec().validity_notes();
+  if (!force) return all;
+  const JointContact& contact = self.contact();
+  contact::LargestContact largest;
+  Rows({{"normal_force", *force, 0}}).for_each([&](const double* const* at) {
+    const double half_angle = contact.half_angle(*at[0]).half_angle;
+    largest.add(half_angle, contact.peak_pressure(*at[0], half_angle));
+  });
+  for (auto& note :
+       contact::contact_notes(contact.geometry().kind(), self.spec().pair,
+                              largest.half_angle, largest.peak_pressure)) {
+    all.push_back(std::move(note));
+  }
+  return all;
+}
+
 // Of a law alone, as functions of the module.
 py::object law_half_angle(const FileJoint& self, const Numbers& parameter) {
   const auto& law = self.contact().half_angle_law();
@@ -265,7 +284,8 @@ void bind_size(py::class_<FileJoint>& type) {
         doc);
   };
   type.def_property_readonly(
-      "name", [](const FileJoint& self) { return self.spec().name; });
+      "name", [](const FileJoint& self) { return self.spec().name; },
+      "As the file has it.");
   number(
       "kind",
       [](const JointContact& c) { return to_string(c.geometry().kind()); },
@@ -286,10 +306,12 @@ void bind_size(py::class_<FileJoint>& type) {
       "E = 2 E* of the surfaces, Pa.");
   number(
       "half_angle_law",
-      [](const JointContact& c) { return c.half_angle_law().name(); }, "");
+      [](const JointContact& c) { return c.half_angle_law().name(); },
+      "Its name: \"fitted\", \"exact\", ...");
   number(
       "pressure_law",
-      [](const JointContact& c) { return c.pressure_law().name(); }, "");
+      [](const JointContact& c) { return c.pressure_law().name(); },
+      "Its name: \"exact\", \"cosine\", ...");
   number(
       "limit_half_angle",
       [](const JointContact& c) {
@@ -367,11 +389,14 @@ void bind_contact(py::class_<FileJoint>& type) {
            "Contact pressure, Pa; 0 outside of the contact.\n\n"
            "theta: angle from the contact's centre, rad, (...).\n"
            "normal_force: R_n, N, (...), above 0.");
-  type.def(
-      "notes",
-      [](const FileJoint& self) { return self.spec().validity_notes(); },
-      "notes(self)\n--\n\n"
-      "Where the joint leaves the range of the theory, a sentence each.");
+  type.def("notes", &notes, py::arg("normal_force") = py::none(),
+           R"(notes(self, normal_force=None)
+--
+
+Where the joint leaves the range of the theory, and what its materials bear, a
+sentence each: what the programs warn of.
+
+normal_force: the loads that it has, R_n, N, (...).)");
 }
 
 constexpr const char* solve_doc =

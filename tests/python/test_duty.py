@@ -134,6 +134,12 @@ class Cycles(unittest.TestCase):
         ):  # fmt: skip
             with self.assertRaisesRegex(libcontact.Error, message):
                 joint.cycle(cycle[0], force(c), **cycle[1])
+        tight = joint.replace(
+            {"half_angle.limit_half_angle_deg": 120,
+             "geometry.radial_clearance_um": 0.1})
+        wide = tight.cycle(time, force(c), angles=angles + 1, sequence="zxy")
+        with self.assertRaisesRegex(libcontact.Error, "at most 90 deg"):
+            wide.wear()
         with self.assertRaisesRegex(libcontact.Error, "points = 3 must be"):
             hip_cycle().wear(points=3)
         with self.assertRaisesRegex(libcontact.Error, "quantity = "):

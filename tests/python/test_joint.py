@@ -207,6 +207,15 @@ class Files(unittest.TestCase):
                 other[key]
         self.assertEqual(hip["geometry.radius_mm"], 14)
 
+    def test_say_where_the_theory_ends(self):
+        self.assertEqual(hip.notes([500, 2000]), [])
+        (note,) = hip.notes([500, 20e3])
+        _, said = program(
+            "hinge-angle", "--joint", hip_file, "--load", "500,20e3")
+        self.assertIn(note, said)
+        wide = hip.replace({"geometry.radial_clearance_mm": 2})
+        self.assertEqual(len(wide.notes()), 1)
+
     def test_pickle_copy_and_compare(self):
         other = hip.replace({"materials.inner.youngs_modulus_MPa": 2e5})
         for joint in hip, other, libcontact.Joint(**walled):

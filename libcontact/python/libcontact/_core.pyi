@@ -161,7 +161,9 @@ class Joint:
     def pressure(
         self, theta: ArrayLike, normal_force: ArrayLike
     ) -> _Floats: ...
-    def notes(self) -> list[str]: ...
+    def notes(
+        self, normal_force: ArrayLike | None = None
+    ) -> list[str]: ...
     def solve(
         self,
         reaction: ArrayLike,

@@ -178,6 +178,14 @@ class Cycle(_core.Cycle):
         body: "body" or "carrier".
         points: how many, each of the same area.
         """
+        widest, time = self.largest("half_angle")
+        if widest > np.pi / 2:
+            # Beyond, a ball that sinks into its worn seat leaves its rim.
+            raise _core.Error(
+                "the half-angle of a joint that wears, "
+                f"{np.degrees(widest):.4g} deg at {time:.4g} s, must be at "
+                "most 90 deg"
+            )
         return Wear(self._wear(body, points))
 
 
