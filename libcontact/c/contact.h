@@ -6,9 +6,9 @@
  *
  * A function returns a contact_status. Where it is not CONTACT_OK
  * contact_last_message() says why in one line; results are NaN, or for
- * CONTACT_NOT_CONVERGED the best that was found. A null pointer where it is not
- * allowed is refused (CONTACT_BAD_INPUT). Joints, runs and
- * saved bytes are given back by their _free(), which takes NULL too.
+ * CONTACT_NOT_CONVERGED the best that was found. A null pointer where none is
+ * allowed is refused (CONTACT_BAD_INPUT). Joints, runs and saved bytes are
+ * given back by their _free(), which takes NULL too.
  *
  * Threads: a joint may be used by many at once; a run by one at a time, other
  * runs by others. No function writes files, prints or touches signals. */

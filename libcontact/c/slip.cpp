@@ -148,13 +148,15 @@ contact_status solve_rows(const Joint& joint, const contact_slips& slips,
   const SolveOptions options = options_of(slips);
   contact_status status = CONTACT_OK;
   std::size_t bad = 0;
-  JointSolution s;
+  JointSolution last;
   for (std::size_t i = 0; i < slips.count; ++i) {
     Joint::Slip slip = {
         vector(slips.reaction, slips.reaction_stride, i),
         vector(slips.angular_velocity, slips.angular_velocity_stride, i)};
     if (slips.axis) slip.axis = vector(slips.axis, slips.axis_stride, i);
-    s = slips.warm ? joint.solve(slip, s, options) : joint.solve(slip, options);
+    const JointSolution s = slips.warm ? joint.solve(slip, last, options)
+                                       : joint.solve(slip, options);
+    last.memory = s.memory;
     auto* const to = reinterpret_cast<contact_solution*>(
         reinterpret_cast<char*>(solutions) +
         static_cast<std::ptrdiff_t>(i) * stride);

@@ -123,9 +123,9 @@ void raise(double& peak, double& peak_time, double value, double time) {
 std::size_t Rows::column(const std::string& name) const {
   const auto found = std::find(columns.begin(), columns.end(), name);
   if (found == columns.end()) {
-    throw contact::Error(contact::detail::unknown(
-        "column", contact::detail::printable(name),
-        contact::detail::nearest(name, columns), {}));
+    throw contact::Error(
+        contact::detail::unknown("column", contact::detail::printable(name),
+                                 contact::detail::nearest(name, columns), {}));
   }
   return static_cast<std::size_t>(found - columns.begin());
 }
