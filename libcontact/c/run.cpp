@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <cstring>
 #include <limits>
 #include <new>
 #include <string>
@@ -148,7 +147,8 @@ contact_status contact_run_save(contact_run* run, void** bytes,
     const std::string saved = separation::saved_bytes(r.run.save(), r.identity);
     void* const copy = std::malloc(saved.size());
     if (!copy) throw std::bad_alloc();
-    to = std::memcpy(copy, saved.data(), saved.size());
+    std::ranges::copy(saved, static_cast<char*>(copy));
+    to = copy;
     length = saved.size();
     return CONTACT_OK;
   });

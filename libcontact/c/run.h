@@ -30,7 +30,7 @@ double contact_run_end_time(const contact_run* run); /* s; NaN of NULL */
 /* The columns of hinge-separation's history (apps/separation/output.md): modes,
  * angles, reactions, pressures, positions, velocities, distances, energies. */
 size_t contact_run_column_count(const contact_run* run);
-/* NULL behind the last one. Valid as long as the run. */
+/* NULL behind the last one. Valid until the run is restored or freed. */
 const char* contact_run_column(const contact_run* run, size_t i);
 /* CONTACT_BAD_INPUT if there is none of that name. */
 contact_status contact_run_find_column(const contact_run* run, const char* name,
@@ -39,7 +39,8 @@ contact_status contact_run_find_column(const contact_run* run, const char* name,
 contact_status contact_run_values(const contact_run* run, double* values,
                                   size_t count);
 /* The history so far: rows of contact_run_column_count() numbers at the case's
- * output times and events. Valid until the run goes on. */
+ * output times and events. NULL behind the last one; valid until the run goes
+ * on, is restored or freed. */
 size_t contact_run_row_count(const contact_run* run);
 const double* contact_run_row(const contact_run* run, size_t i);
 
@@ -50,7 +51,7 @@ typedef struct contact_event {
   const char* what;
 } contact_event;
 size_t contact_run_event_count(const contact_run* run);
-/* Texts are valid until the run goes on. */
+/* Its texts are valid as long as a row. */
 contact_status contact_run_event(const contact_run* run, size_t i,
                                  contact_event* event);
 

@@ -187,7 +187,6 @@ RestSolution start_of(const contact_rest& last) {
 }  // namespace contact::c
 
 using contact::Joint;
-using contact::JointSolution;
 using contact::RestSolution;
 using contact::c::call;
 using contact::c::given;

@@ -22,7 +22,6 @@ namespace {
 using contact::Joint;
 using contact::JointSolution;
 using contact::RestSolution;
-using contact::Status;
 using contact::test::c_joint;
 using contact::test::CJoint;
 using contact::test::RandomSlips;
