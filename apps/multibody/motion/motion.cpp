@@ -109,7 +109,10 @@ MotionImpl::MotionImpl(const System& motion_system,
       options(motion_options),
       stop_speed(default_stop_speed(motion_options)),
       forces(std::move(force_model)),
-      coupled(system, std::move(friction), motion_options.coupling),
+      coupled(system,
+              friction.empty() ? std::vector<HingeFriction>(system.size())
+                               : std::move(friction),
+              motion_options.coupling),
       impulse(system),
       now(start.time),
       sample(this) {
@@ -165,7 +168,7 @@ std::vector<double> MotionImpl::start_state(const MotionStart& start) {
     const Vector3d rate = rate_of(i, state.data());
     if (body.locked) {
       change_mode(i, HingeMode::locked);
-    } else if (rate.isZero(0) && coupled.can_rest(i)) {
+    } else if (rate.isZero(0) && coupled.hinge(i).can_rest) {
       change_mode(i, HingeMode::resting);
     } else {
       change_mode(i, HingeMode::sliding);
@@ -226,14 +229,14 @@ void MotionImpl::show_step(double time) {
 // the last step can be tried again.
 bool MotionImpl::keep_directions() {
   bool any = false;
-  for (int i = 0; i < size(); ++i) any |= coupled.follows_acceleration(i);
+  for (int i = 0; i < size(); ++i) any |= coupled.hinge(i).follows;
   if (!any) return false;
   const std::vector<double> state(stepper->begin_state().begin(),
                                   stepper->begin_state().end());
   look_at(stepper->begin(), state);
   work_out();
   for (int i = 0; i < size(); ++i) {
-    if (coupled.follows_acceleration(i)) coupled.slide_straight(i, true);
+    if (coupled.hinge(i).follows) coupled.slide_straight(i, true);
   }
   stepper->restart(stepper->begin(), state);
   return true;
@@ -363,9 +366,8 @@ MotionState MotionImpl::state_of(double time,
     s.modes.push_back(coupled.mode(i));
     s.directions.push_back(coupled.direction(i));
     s.friction.push_back(coupled.friction_moment(i));
-    s.straight_from.push_back(coupled.slides_straight(i) ? straight_from[i]
-                                                         : 0);
-    s.paces.push_back(coupled.follows_acceleration(i) ? coupled.pace(i) : 0);
+    s.straight_from.push_back(coupled.hinge(i).straight ? straight_from[i] : 0);
+    s.paces.push_back(coupled.hinge(i).follows ? coupled.hinge(i).pace : 0);
     s.hinge_angles.push_back(motions[1 + i].hinge_angle);
   }
   s.step = stepper->next_step();

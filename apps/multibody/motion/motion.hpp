@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "multibody/friction/coupled_dynamics.hpp"
+#include "multibody/friction/coupled_report.hpp"
 #include "multibody/friction/hinge_friction.hpp"
 #include "multibody/system/force_model.hpp"
 #include "multibody/system/system.hpp"

@@ -225,7 +225,7 @@ void MotionImpl::sample_step() {
   if (user == 0 && !slips) return;
   for (int i = 0; slips && i < size(); ++i) {
     slip_directions[i] = coupled.direction(i);
-    if (!coupled.follows_acceleration(i)) continue;
+    if (!coupled.hinge(i).follows) continue;
     // Where it was going when the step began.
     const Eigen::Vector3d rate = rate_of(i, stepper->begin_state().data());
     if (!rate.isZero(0)) slip_directions[i] = rate.normalized();

@@ -194,8 +194,8 @@ std::optional<MotionImpl::Found> MotionImpl::find_event() {
     if (const auto time = crossing(watch)) add({*time, watch});
   };
   for (int i = 0; i < size(); ++i) {
-    if (coupled.mode(i) == HingeMode::sliding && coupled.can_rest(i)) {
-      if (is_axis(i) || coupled.slides_straight(i)) {
+    if (coupled.mode(i) == HingeMode::sliding && coupled.hinge(i).can_rest) {
+      if (is_axis(i) || coupled.hinge(i).straight) {
         if (const auto time = slip_end(i)) add({*time, {Kind::slip_ends, i}});
         if (!is_axis(i)) look_for(Kind::speeds_up, i);
       } else {

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "multibody/friction/coupled_dynamics.hpp"
 #include "multibody/motion/motion.hpp"
 #include "multibody/motion/stepper.hpp"
 
@@ -111,8 +112,9 @@ class MotionImpl {
     bool rises;
   };
   bool slides_to_stop(int body) const {
-    return coupled.mode(body) == HingeMode::sliding && coupled.can_rest(body) &&
-           (is_axis(body) || coupled.slides_straight(body));
+    return coupled.mode(body) == HingeMode::sliding &&
+           coupled.hinge(body).can_rest &&
+           (is_axis(body) || coupled.hinge(body).straight);
   }
   double sample_time(int k) const;
   void sample_step();

@@ -62,7 +62,8 @@ std::string MotionFailure::message() const {
 void MotionImpl::set_failure(const CoupledReport& report, double time) {
   const std::string why =
       report.status == CoupledStatus::no_contact
-          ? reason(coupled.contact(report.body, report.joint), report.force)
+          ? reason(coupled.hinge(report.body).solver.contact(report.joint),
+                   report.force)
           : reason(report.status);
   failure = MotionFailure{report.status,
                           time,
@@ -175,7 +176,7 @@ bool MotionImpl::resolve_rest(const std::vector<double>& state, int forced) {
       // nothing: until it has grown it has the direction of the acceleration.
       if (coupled.mode(i) == HingeMode::sliding && !is_axis(i)) {
         straight_from[i] = std::max(onset_speed / 2, stop_speed);
-        coupled.follow_acceleration(i);
+        coupled.follow_acceleration(i, coupled.hinge(i).pace);
       }
     }
   }
@@ -225,7 +226,7 @@ void MotionImpl::unlock(int body) {
   if (coupled.mode(body) != HingeMode::locked) return;
   go_to(now);
   const HingeMode to =
-      coupled.can_rest(body) ? HingeMode::resting : HingeMode::sliding;
+      coupled.hinge(body).can_rest ? HingeMode::resting : HingeMode::sliding;
   changes.push_back({now, body, HingeMode::locked, to});
   change_mode(body, to);
   const std::vector<double> state = view_state;

@@ -86,7 +86,7 @@ bool MotionImpl::rates(double time, const double* state, double* to) {
   if (system.carrier().fixed) std::fill_n(to, StateLayout::body_size, 0.0);
   for (int i = 0; i < size(); ++i) {
     const bool slides =
-        coupled.mode(i) == HingeMode::sliding && coupled.has_friction(i);
+        coupled.mode(i) == HingeMode::sliding && coupled.hinge(i).has_friction;
     to[dissipated_at(i)] =
         slides ? -coupled.friction_moment(i).dot(rate_of(i, state)) : 0;
     to[held_at(i)] = held_rate(i);
@@ -144,7 +144,7 @@ HingeSample MotionImpl::hinge(int body) {
   const Reaction<double>& reaction = coupled.reaction(body);
   s.reaction_force = link.axes * vec3(reaction.force);
   s.reaction_moment = link.axes * vec3(reaction.moment);
-  if (coupled.has_friction(body) && s.mode != HingeMode::locked) {
+  if (coupled.hinge(body).has_friction && s.mode != HingeMode::locked) {
     s.joints = coupled.joints(body);
     if (s.mode == HingeMode::sliding) {
       s.friction_moment = link.axes * coupled.friction_moment(body);
