@@ -8,8 +8,10 @@
 #include <exception>
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -25,9 +27,11 @@
 #include "separation/case/case_reader.hpp"
 #include "separation/long_run.hpp"
 #include "separation/output/compare.hpp"
+#include "separation/output/file_name.hpp"
 #include "separation/output/history_file.hpp"
 #include "separation/output/pictures.hpp"
 #include "separation/output/summary.hpp"
+#include "separation/replay/page.hpp"
 #include "separation/simulation/force_watch.hpp"
 #include "separation/stop_rule.hpp"
 
@@ -88,6 +92,7 @@ void check_outputs(const Options& o) {
   for (const std::string& name : {o.history, o.events, o.checkpoint}) {
     if (!name.empty()) cli::Output::check(name);
   }
+  for (const std::string& name : o.replays) cli::Output::check(name);
 }
 
 // Where a name leads, "-" for standard output; "" for what may have several
@@ -125,6 +130,7 @@ void check_names(const Options& o, const Case& c) {
       take("--checkpoint", o.checkpoint + end);
     }
   }
+  for (const std::string& name : o.replays) take("--replay", name);
   // To go on with the same checkpoint is as usual.
   if (!o.resume.empty() && destination(o.resume) != destination(o.checkpoint)) {
     take("--resume", o.resume);
@@ -174,8 +180,21 @@ void check_case(const Options& o, const Case& c) {
   }
 }
 
+// What is said as it is found, and again in a replay.
+class Warnings {
+ public:
+  void add(std::string text) {
+    cli::warn(program, text);
+    texts_.push_back(std::move(text));
+  }
+  const std::vector<std::string>& texts() const { return texts_; }
+
+ private:
+  std::vector<std::string> texts_;
+};
+
 // Of the joints, once for each fit and each reason.
-void print_validity(const Case& c) {
+void print_validity(const Case& c, Warnings& warnings) {
   std::set<std::string> fits;
   std::set<std::string> notes;
   for (const Body& body : c.bodies) {
@@ -190,11 +209,11 @@ void print_validity(const Case& c) {
     }
   }
   for (const std::string& fit : fits) cli::note(program, fit);
-  for (const std::string& note : notes) cli::warn(program, note);
+  for (const std::string& note : notes) warnings.add(note);
 }
 
 // Joints whose largest contact leaves the theory or what its materials bear.
-void print_contacts(const Case& c, const Outcome& outcome) {
+void print_contacts(const Case& c, const Outcome& outcome, Warnings& warnings) {
   std::set<std::string> notes;
   for (std::size_t b = 0; b < c.bodies.size(); ++b) {
     const auto& joints = c.bodies[b].hinge.joints;
@@ -208,61 +227,57 @@ void print_contacts(const Case& c, const Outcome& outcome) {
       }
     }
   }
-  for (const std::string& note : notes) cli::warn(program, note);
+  for (const std::string& note : notes) warnings.add(note);
 }
 
-void print_overlaps(const Case& c, const Outcome& outcome) {
+void print_overlaps(const Case& c, const Outcome& outcome, Warnings& warnings) {
   for (std::size_t i = 0; i < c.clearance.size(); ++i) {
     const PairRecord& pair = outcome.memory.pairs[i];
     if (pair.not_found > 0) {
-      cli::warn(
-          program,
+      warnings.add(
           fmt::format("the distance of {} and {} was not found {} times",
                       c.rigid_body(c.clearance[i].a).name,
                       c.rigid_body(c.clearance[i].b).name, pair.not_found));
     }
     if (pair.overlap_from == History::not_yet) continue;
-    cli::warn(program,
-              fmt::format("{} and {} overlap from t = {:.6g} s to {:.6g} s",
-                          c.rigid_body(c.clearance[i].a).name,
-                          c.rigid_body(c.clearance[i].b).name,
-                          pair.overlap_from, pair.overlap_to));
+    warnings.add(fmt::format("{} and {} overlap from t = {:.6g} s to {:.6g} s",
+                             c.rigid_body(c.clearance[i].a).name,
+                             c.rigid_body(c.clearance[i].b).name,
+                             pair.overlap_from, pair.overlap_to));
   }
 }
 
 // Forces that do what was hardly meant.
-void print_faults(const Case& c, const Outcome& outcome) {
+void print_faults(const Case& c, const Outcome& outcome, Warnings& warnings) {
   for (const std::string& fault : force_faults(c, outcome.memory.forces)) {
-    cli::warn(program, fault);
+    warnings.add(fault);
   }
 }
 
 // Events that are in the file for nothing, and forces.
-void print_missed(const Case& c, const Outcome& outcome) {
+void print_missed(const Case& c, const Outcome& outcome, Warnings& warnings) {
   for (const Missed& missed : missed_events(c, outcome)) {
-    cli::warn(program,
-              fmt::format("event \"{}\" did not come for {}", missed.event,
-                          fmt::join(missed.bodies, ", ")));
+    warnings.add(fmt::format("event \"{}\" did not come for {}", missed.event,
+                             fmt::join(missed.bodies, ", ")));
   }
   for (const std::string& idle : idle_forces(
            c, outcome.history, outcome.memory.forces, outcome.end_time)) {
-    cli::warn(program, idle);
+    warnings.add(idle);
   }
 }
 
 // Steps that are too long show in the balance of the energies.
-void print_drift(const Case& c, const Outcome& outcome) {
+void print_drift(const Case& c, const Outcome& outcome, Warnings& warnings) {
   const Recorder::Memory& memory = outcome.memory;
   constexpr double notable = 1e-5;
   if (c.options.carrier_drive ||
       !(memory.largest_drift > notable * memory.largest_energy)) {
     return;
   }
-  cli::warn(program,
-            fmt::format("the energy strays by {:.2g} J, {:.2g} of its largest "
-                        "part: shorter steps or smaller tolerances",
-                        memory.largest_drift,
-                        memory.largest_drift / memory.largest_energy));
+  warnings.add(fmt::format(
+      "the energy strays by {:.2g} J, {:.2g} of its largest "
+      "part: shorter steps or smaller tolerances",
+      memory.largest_drift, memory.largest_drift / memory.largest_energy));
 }
 
 // `status`, but for a run that a signal has stopped.
@@ -278,8 +293,74 @@ cli::ExitStatus status_of(const cli::Interrupts& interrupts,
   }
 }
 
+// The files of --replay, which are made before the run.
+class Replays {
+ public:
+  Replays(const Case& c, const Options& o) {
+    for (const std::string& name : o.replays) {
+      if (is_page(name) && !parts_) {
+        parts_.emplace(name);
+        if (!o.no_case) case_text_ = text_of_case(c);
+      }
+      files_.push_back({name, std::make_unique<cli::Output>(name)});
+    }
+  }
+
+  // What one file has no room for costs the others nothing.
+  cli::ExitStatus write(const Case& c, std::vector<ShownRun> runs,
+                        Warnings& warnings) {
+    cli::ExitStatus status = cli::all_good;
+    if (files_.empty()) return status;
+    Replay replay{c, std::move(runs), {}, case_text_};
+    for (std::string& fault : replay_faults(replay)) {
+      warnings.add(std::move(fault));
+    }
+    replay.warnings = warnings.texts();
+    for (auto& [name, file] : files_) {
+      try {
+        file->write(is_page(name) ? page(replay, name) : replay_glb(replay));
+        file->commit();
+      } catch (const std::exception& error) {
+        cli::warn(program, error.what());
+        status = cli::some_bad;
+      }
+      file.reset();
+    }
+    return status;
+  }
+
+ private:
+  // A pipe has been read.
+  static std::string text_of_case(const Case& c) {
+    std::error_code ignored;
+    return std::filesystem::is_regular_file(c.file, ignored)
+               ? cli::file_text(c.file)
+               : c.content;
+  }
+
+  std::string page(const Replay& replay, const std::string& name) const {
+    Page page = replay_page(replay, *parts_);
+    if (page.every > 1) {
+      cli::note(program,
+                fmt::format("{} has one of {} rows, to stay below {} MB", name,
+                            page.every, most_page / 1'000'000));
+    }
+    return std::move(page.text);
+  }
+
+  struct File {
+    std::string name;
+    std::unique_ptr<cli::Output> output;
+  };
+  std::vector<File> files_;
+  std::optional<PageParts> parts_;
+  std::string case_text_;
+};
+
 cli::ExitStatus compare(const Case& c, const Options& o) {
-  print_validity(c);
+  Replays replays(c, o);
+  Warnings warnings;
+  print_validity(c, warnings);
   const cli::Interrupts interrupts;
   const StopRule stop = stop_rule(interrupts, o.step_limit, o.time_limit);
   std::vector<Outcome> outcomes;
@@ -287,15 +368,18 @@ cli::ExitStatus compare(const Case& c, const Options& o) {
   for (const auto& [name, choice] : friction_choices) {
     RunOptions run;
     run.friction = choice;
-    run.clearance = false;
+    run.clearance = !o.replays.empty();
     run.stop = stop;
     outcomes.push_back(run_long(c, run).outcome);
     if (outcomes.back().failure.empty()) continue;
-    cli::warn(program,
-              fmt::format("friction {}: {}", name, outcomes.back().failure));
+    warnings.add(fmt::format("friction {}: {}", name, outcomes.back().failure));
     status = cli::some_bad;
   }
   std::swap(outcomes[0], outcomes[1]);  // ideal, full, traditional
+  if (replays.write(c, {{"full", &outcomes[1]}, {"ideal", &outcomes[0]}},
+                    warnings) != cli::all_good) {
+    status = cli::some_bad;
+  }
   write_comparison(c, outcomes, o.output);
   return status_of(interrupts, status);
 }
@@ -334,8 +418,10 @@ cli::ExitStatus simulate(const Case& c, const Options& o) {
   }
   std::optional<cli::Output> events;
   if (!o.events.empty()) events.emplace(o.events);
+  Replays replays(c, o);
   cli::Output output(o.output.output);
-  print_validity(c);
+  Warnings warnings;
+  print_validity(c, warnings);
 
   // Until everything is written.
   const cli::Interrupts interrupts;
@@ -344,19 +430,19 @@ cli::ExitStatus simulate(const Case& c, const Options& o) {
   const Outcome& outcome = run.outcome;
   cli::ExitStatus status = cli::all_good;
   if (!outcome.failure.empty()) {
-    cli::warn(program, "ended early: " + outcome.failure);
+    warnings.add("ended early: " + outcome.failure);
     status = cli::some_bad;
   } else {
-    print_missed(c, outcome);
+    print_missed(c, outcome, warnings);
   }
   if (!run.no_checkpoint.empty()) {
-    cli::warn(program, run.no_checkpoint);
+    warnings.add(run.no_checkpoint);
     status = cli::some_bad;
   }
-  print_faults(c, outcome);
-  print_contacts(c, outcome);
-  print_overlaps(c, outcome);
-  print_drift(c, outcome);
+  print_faults(c, outcome, warnings);
+  print_contacts(c, outcome, warnings);
+  print_overlaps(c, outcome, warnings);
+  print_drift(c, outcome, warnings);
   // What one file has no room for costs the others nothing.
   const auto write = [&status](const auto& file) {
     try {
@@ -375,6 +461,9 @@ cli::ExitStatus simulate(const Case& c, const Options& o) {
     });
   }
   events.reset();
+  if (replays.write(c, {{"", &outcome}}, warnings) != cli::all_good) {
+    status = cli::some_bad;
+  }
   output.write(summary(c, outcome).dump(2) + '\n');
   output.commit();
   if (!o.output.plot.empty()) {
