@@ -61,6 +61,7 @@ Examples:
   hinge-separation data/cases/soyuz.toml --history soyuz.csv --output soyuz.json
   hinge-separation data/cases/two_stage_turn.toml --compare --format markdown
   hinge-separation data/cases/flywheels.toml --friction ideal
+  hinge-separation data/cases/soyuz.toml --set run.end_time_s=3 --set 'body[booster].hinge.joint[1].friction.coefficient=0.2'
   hinge-separation data/cases/slosh.toml --history slosh.h5 --events slosh_events.csv
   hinge-separation data/cases/soyuz.toml --replay soyuz.html --replay soyuz.glb
   hinge-separation data/cases/platform.toml --checkpoint platform.cbor --checkpoint-every 2
@@ -86,6 +87,11 @@ void add_options(CLI::App& app, Options& options) {
          },
          "of the motion; default: the case's")
       ->option_text("SECONDS");
+  app.add_option("--set", options.settings,
+                 "another value of a key of the case or of a file of its\n"
+                 "joints; more than once for several")
+      ->option_text("KEY=VALUE")
+      ->allow_extra_args(false);
   app.add_option("--law", options.half_angle_law,
                  "half-angle law of all joints; default: the joints'")
       ->option_text("NAME");

@@ -12,12 +12,12 @@
 #include <optional>
 #include <set>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include "cli/choice.hpp"
 #include "cli/file_text.hpp"
 #include "cli/interrupts.hpp"
+#include "cli/joint/key_settings.hpp"
 #include "cli/output.hpp"
 #include "cli/quantity.hpp"
 #include "cli/refuse.hpp"
@@ -31,6 +31,7 @@
 #include "separation/output/history_file.hpp"
 #include "separation/output/pictures.hpp"
 #include "separation/output/summary.hpp"
+#include "separation/record/saved_state.hpp"
 #include "separation/replay/page.hpp"
 #include "separation/simulation/force_watch.hpp"
 #include "separation/stop_rule.hpp"
@@ -46,46 +47,6 @@ constexpr std::array<cli::Choice<FrictionChoice>, 3> friction_choices = {
     {{"full", FrictionChoice::full},
      {"ideal", FrictionChoice::ideal},
      {"traditional", FrictionChoice::traditional}}};
-
-std::string text_of(const contact::Material& material) {
-  return fmt::format("{} {} ", material.youngs_modulus,
-                     material.poissons_ratio);
-}
-
-std::string text_of(const contact::LayeredBody& body) {
-  std::string text;
-  for (const contact::Layer& layer : body.layers) {
-    text += fmt::format("{} ", layer.thickness) + text_of(layer.material);
-  }
-  return text + fmt::format("{} ", static_cast<int>(body.backing.kind())) +
-         text_of(body.backing.material());
-}
-
-// Numbers of a joint, which may come from other files than the case's.
-std::string text_of(const contact::JointSpec& joint) {
-  const contact::JointGeometry& g = joint.geometry;
-  const contact::ElasticPair& pair = joint.pair;
-  std::string text = fmt::format(
-      "{} {} {} {} {} {} {} {} {} {}", static_cast<int>(g.inner_body()),
-      g.radius(), g.radial_clearance(), g.length(), pair.modulus_ratio(),
-      pair.contact_modulus(), pair.inner_compliance_share(),
-      pair.dundurs_beta(), joint.half_angle_law, joint.pressure_law);
-  const auto& limit = joint.half_angle_options;
-  const auto& [loading, walls] = joint.conditions;
-  text += fmt::format(" {} {} {} {} {}", limit.limit_half_angle.value_or(0),
-                      limit.linear_limit, limit.initial_slope,
-                      loading.is_back(), loading.patch_half_angle());
-  if (walls) {
-    text += " walls " + text_of(walls->inner()) + text_of(walls->outer());
-  }
-  if (const auto* dry = std::get_if<contact::FrictionLaw>(&*joint.friction)) {
-    return text +
-           fmt::format(" dry {} {}\n", dry->coefficient(), dry->adhesion());
-  }
-  const auto& viscous = std::get<contact::ViscousLaw>(*joint.friction);
-  return text + fmt::format(" viscous {} {}\n", viscous.constant(),
-                            viscous.pressure_slope());
-}
 
 // Beside the files that every program has.
 void check_outputs(const Options& o) {
@@ -143,7 +104,8 @@ void check_names(const Options& o, const Case& c) {
 }
 
 Case case_of(const Options& o) {
-  Case c = read_case(o.case_file, {o.half_angle_law, o.pressure_law});
+  Case c = read_case(o.case_file, {o.half_angle_law, o.pressure_law},
+                     cli::single_settings(o.settings));
   if (o.end_time == 0) return c;
   c.end_time = o.end_time;
   const double most = most_rows * c.output_step;
@@ -393,20 +355,6 @@ RunOptions run_options(const Case& c, const Options& o) {
   return run;
 }
 
-Checkpoints checkpoints_of(const Case& c, const Options& o,
-                           const RunOptions& run) {
-  Checkpoints result{o.checkpoint, o.checkpoint_every, o.resume};
-  result.identity =
-      fmt::format("{}\n{}\n", static_cast<int>(run.friction), run.clearance);
-  for (const Body& body : c.bodies) {
-    for (const HingeJoint& joint : body.hinge.joints) {
-      result.identity += text_of(joint.joint);
-    }
-  }
-  result.identity += c.content;
-  return result;
-}
-
 cli::ExitStatus simulate(const Case& c, const Options& o) {
   RunOptions options = run_options(c, o);
   // Before the run: files that cannot be made should not cost its result.
@@ -426,7 +374,9 @@ cli::ExitStatus simulate(const Case& c, const Options& o) {
   // Until everything is written.
   const cli::Interrupts interrupts;
   options.stop = stop_rule(interrupts, o.step_limit, o.time_limit);
-  const LongRun run = run_long(c, options, checkpoints_of(c, o, options));
+  const LongRun run = run_long(
+      c, options,
+      {o.checkpoint, o.checkpoint_every, o.resume, identity_of(c, options)});
   const Outcome& outcome = run.outcome;
   cli::ExitStatus status = cli::all_good;
   if (!outcome.failure.empty()) {

@@ -13,8 +13,9 @@ struct Options {
   std::string history;  ///< file name, "" for none
   std::string events;
   bool compare = false;
-  std::string friction;  ///< "" for the case's
-  double end_time = 0;   ///< s, 0 for the case's
+  std::string friction;               ///< "" for the case's
+  double end_time = 0;                ///< s, 0 for the case's
+  std::vector<std::string> settings;  ///< KEY=VALUE
   std::string half_angle_law;
   std::string pressure_law;
   bool no_clearance = false;

@@ -158,7 +158,9 @@ MaterialPair materials_from_table(const TomlTable& joint) {
   table.refuse_both("pair", "inner");
   table.refuse_both("pair", "outer");
   try {
-    return read_material_pair(table.folder() / *file);
+    return material_pair_from_table(
+        TomlTable::from_file(table.folder() / *file, material_pair_keys(),
+                             table.settings_of_file()));
   } catch (const Error& error) {
     table.fail("pair", error.what());
   }
@@ -348,7 +350,7 @@ KnownKeys joint_keys() {
                              {"shaft"},
                              {"clearance"},
                              {"length", Dimension::length}}),
-      table_key("materials", {{"pair"},
+      table_key("materials", {{.key = "pair", .of_file = material_pair_keys()},
                               table_key("inner", material_keys()),
                               table_key("outer", material_keys())}),
       table_key("friction", friction_keys()),
@@ -377,8 +379,11 @@ JointSpec read_joint(const std::filesystem::path& path,
   return whole_joint(TomlTable::from_file(path, joint_keys(), settings));
 }
 
-JointSpec parse_joint(std::string_view text, const std::string& source) {
-  return whole_joint(TomlTable::from_text(text, source, joint_keys()));
+JointSpec parse_joint(std::string_view text, const std::string& source,
+                      const KeySettings& settings,
+                      const std::filesystem::path& folder) {
+  return whole_joint(
+      TomlTable::from_text(text, source, joint_keys(), folder, settings));
 }
 
 }  // namespace contact

@@ -95,7 +95,10 @@ class SharedLaws {
 JointSpec read_joint(const std::filesystem::path& path,
                      const KeySettings& settings = {});
 /// @param source  what messages call the text
-JointSpec parse_joint(std::string_view text, const std::string& source);
+/// @param folder  what paths in it are relative to
+JointSpec parse_joint(std::string_view text, const std::string& source,
+                      const KeySettings& settings = {},
+                      const std::filesystem::path& folder = {});
 /// A joint that is part of a larger file, which has joint_keys() among its own.
 /// Paths are relative to the folder of the table's file.
 JointSpec joint_from_table(const TomlTable& table);

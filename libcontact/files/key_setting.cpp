@@ -13,20 +13,17 @@
 namespace contact::detail {
 namespace {
 
-// A step of a key's way through its file: "layer[1]", without an index 0.
+// A step of a key's way through its file: "layer[1]", "body[slosh]".
 struct Step {
   std::string_view name;
-  std::size_t index = 0;
+  std::string_view which = {};
 };
 
 Step step_of(std::string_view text) {
   const auto bracket = text.find('[');
-  Step step{text.substr(0, bracket)};
   if (bracket == text.npos || !text.ends_with(']')) return {text};
-  const auto digits = text.substr(bracket + 1, text.size() - bracket - 2);
-  const auto end = digits.data() + digits.size();
-  return std::from_chars(digits.data(), end, step.index).ptr == end ? step
-                                                                    : Step{};
+  return {text.substr(0, bracket),
+          text.substr(bracket + 1, text.size() - bracket - 2)};
 }
 
 const KnownKey* known(const KnownKeys* keys, std::string_view name) {
@@ -37,16 +34,40 @@ const KnownKey* known(const KnownKeys* keys, std::string_view name) {
   return found == keys->end() ? nullptr : &*found;
 }
 
+// Of an array of tables, by number or name; null if there is none.
+toml::table* table_among(toml::array& tables, std::string_view which) {
+  std::size_t index = 0;
+  const auto end = which.data() + which.size();
+  const auto number = std::from_chars(which.data(), end, index);
+  const bool is_number = number.ec == std::errc() && number.ptr == end;
+  for (toml::node& node : tables) {
+    toml::table* table = node.as_table();
+    if (is_number ? --index == 0
+                  : table != nullptr && (*table)["name"] == which) {
+      return table;
+    }
+  }
+  return nullptr;
+}
+
 // The table that a step leads to, made if it is not there; null if something
 // else is.
 toml::table* table_at(toml::table& from, const Step& step) {
-  if (step.index == 0) {
+  if (step.which.empty()) {
     return from.insert(step.name, toml::table{}).first->second.as_table();
   }
   toml::node* node = from.get(step.name);
   toml::array* array = node == nullptr ? nullptr : node->as_array();
-  if (array == nullptr || step.index > array->size()) return nullptr;
-  return (*array)[step.index - 1].as_table();
+  return array == nullptr ? nullptr : table_among(*array, step.which);
+}
+
+// Whether a key that a table does not have is left to a file that it names.
+bool is_of_file(const toml::table& table, const KnownKeys* keys,
+                std::string_view name) {
+  if (keys == nullptr || table.contains(name)) return false;
+  return std::ranges::any_of(*keys, [&](const KnownKey& key) {
+    return table.contains(key.key) && known(&key.of_file, name) != nullptr;
+  });
 }
 
 // {value = VALUE}, whose nodes say where they are from; what is no TOML is a
@@ -61,20 +82,21 @@ toml::table parsed(const std::string& value, const std::string& source) {
 
 }  // namespace
 
-void set_key(toml::table& file, const KnownKeys& keys, const std::string& key,
-             const std::string& value) {
-  const std::string setting =
-      message("{} = {}", printable(key), printable(value));
+KeyOfFile set_key(toml::table& file, const KnownKeys& keys,
+                  const KeySetting& setting) {
+  const std::string text =
+      message("{} = {}", printable(setting.key), printable(setting.value));
   const auto refuse = [&] {
-    throw Error(must_be(setting,
-                        "a key of the file: TABLE.KEY or "
-                        "TABLE.LAYER[NUMBER].KEY"));
+    throw Error(must_be(text,
+                        "a key of the file: TABLE.KEY, TABLE[NUMBER].KEY or "
+                        "TABLE[NAME].KEY"));
   };
   toml::table* table = &file;
   const KnownKeys* in = &keys;
-  std::string_view rest = key;
+  std::string_view rest = setting.key;
   for (auto dot = rest.find('.'); dot != rest.npos; dot = rest.find('.')) {
     const Step step = step_of(rest.substr(0, dot));
+    if (is_of_file(*table, in, step.name)) return {table, std::string(rest)};
     const KnownKey* next = known(in, step.name);
     const bool is_value = next != nullptr && next->inside.empty();
     table = is_value ? nullptr : table_at(*table, step);
@@ -82,8 +104,9 @@ void set_key(toml::table& file, const KnownKeys& keys, const std::string& key,
     in = next == nullptr ? nullptr : &next->inside;
     rest.remove_prefix(dot + 1);
   }
-  if (rest.empty() || has_control_characters(value) ||
-      value.find("'''") != value.npos) {
+  if (is_of_file(*table, in, rest)) return {table, std::string(rest)};
+  if (rest.empty() || has_control_characters(setting.value) ||
+      setting.value.find("'''") != setting.value.npos) {
     refuse();
   }
   if (const KnownKey* leaf = known(in, rest)) {
@@ -91,9 +114,10 @@ void set_key(toml::table& file, const KnownKeys& keys, const std::string& key,
       table->erase(other);
     }
   }
-  toml::table made = parsed(value, setting);
+  toml::table made = parsed(setting.value, text);
   made.get("value")->visit(
       [&](auto& node) { table->insert_or_assign(rest, std::move(node)); });
+  return {nullptr, {}};
 }
 
 }  // namespace contact::detail

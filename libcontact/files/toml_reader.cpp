@@ -6,6 +6,7 @@
 #include <cstring>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <set>
 #include <span>
 #include <sstream>
@@ -45,6 +46,8 @@ struct TomlTable::File {
   KnownKeys keys;
   toml::table root = {};
   mutable std::set<const toml::node*> read = {};
+  // By the table that names the file.
+  std::map<const toml::table*, KeySettings> for_files = {};
 
   // "FILE:LINE: ", or "FILE with KEY: " of what a setting has put there.
   std::string at(const toml::node& node) const {
@@ -166,7 +169,10 @@ TomlTable TomlTable::from_text(std::string_view text, const std::string& source,
         detail::printable(error.description(), longest_line)));
   }
   for (const KeySetting& setting : settings) {
-    detail::set_key(file->root, file->keys, setting.key, setting.value);
+    const auto [table, rest] = detail::set_key(file->root, file->keys, setting);
+    if (table != nullptr) {
+      file->for_files[table].push_back({rest, setting.value});
+    }
   }
   file->refuse({});
   return TomlTable(file, &file->root, &file->keys, "");
@@ -355,5 +361,10 @@ std::string TomlTable::canonical_text() const {
 const std::string& TomlTable::source() const { return file_->source; }
 
 const std::filesystem::path& TomlTable::folder() const { return file_->folder; }
+
+KeySettings TomlTable::settings_of_file() const {
+  const auto found = file_->for_files.find(&as_table(table_));
+  return found == file_->for_files.end() ? KeySettings{} : found->second;
+}
 
 }  // namespace contact

@@ -36,6 +36,8 @@ struct KnownKey {
   std::string_view kinds = {};
   /// What it was called in old files, for the message about them.
   std::string_view former = {};
+  /// Keys of the file that it names.
+  std::vector<KnownKey> of_file = {};
 };
 using KnownKeys = std::vector<KnownKey>;
 
@@ -45,7 +47,10 @@ inline KnownKey table_key(std::string_view key, KnownKeys inside) {
 }
 
 /// A key of a file that is given another value: as `wall.layer[1].thickness_mm`
-/// = `8`. It takes the place of the same key in another unit.
+/// = `8`. It takes the place of the same key in another unit. A table among
+/// several is called by its number or by its `name`, as in
+/// `body[slosh].mass_t`. What a table leaves to a file that it names is a key
+/// of the table.
 struct KeySetting {
   std::string key;    ///< with the tables that it stands in
   std::string value;  ///< as in TOML; a text may stand without quotes
@@ -141,6 +146,8 @@ class TomlTable {
   const std::string& source() const;
   /// Its folder; empty for a text.
   const std::filesystem::path& folder() const;
+  /// Settings of keys of the file that this table names.
+  KeySettings settings_of_file() const;
 
  private:
   struct File;

@@ -1,4 +1,5 @@
 // Case files: what a good one means. What is said of bad ones: tests/messages.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -201,6 +202,66 @@ TEST(CaseFile, LawsOfTheCommandLineAreTaken) {
             "--pressure cosin" + joint +
                 "unknown pressure law \"cosin\": did you mean \"cosine\"? "
                 "(cosine, sqrt_tan, sqrt_theta, mixture, exact)");
+}
+
+// Of the case, of a file that it names, and of a file that that one names.
+TEST(CaseFile, SettingsReachTheFilesOfItsJoints) {
+  const fs::path file = CONTACT_DATA_DIR "/cases/flywheels.toml";
+  const Case plain = separation::read_case(file);
+  const std::string& name = plain.bodies[1].rigid.name;
+  const std::string joint = "body[2].hinge.joint[1].";
+  const Case changed = separation::read_case(
+      file, {},
+      {{"body[" + name + "].mass_kg", "3"},
+       {joint + "position_mm", "-20"},
+       {joint + "geometry.radial_clearance_um", "80"},
+       {joint + "materials.outer.youngs_modulus_GPa", "50"},
+       {joint + "friction.coefficient", "0.25"}});
+  EXPECT_EQ(changed.bodies[1].rigid.mass, 3);
+  const auto& was = plain.bodies[1].hinge.joints[0];
+  const auto& is = changed.bodies[1].hinge.joints[0];
+  EXPECT_EQ(is.position, -0.02);
+  EXPECT_DOUBLE_EQ(is.joint.geometry.radial_clearance(), 80e-6);
+  EXPECT_EQ(is.joint.geometry.radius(), was.joint.geometry.radius());
+  EXPECT_NE(is.joint.pair.contact_modulus(), was.joint.pair.contact_modulus());
+  EXPECT_EQ(std::get<contact::FrictionLaw>(*is.joint.friction).coefficient(),
+            0.25);
+  EXPECT_EQ(changed.bodies[0].hinge.joints[0].joint.pair, was.joint.pair);
+}
+
+TEST(CaseFile, SettingsThatAreWrongAreNamed) {
+  const auto message = [](const std::string& key, const std::string& value) {
+    try {
+      separation::read_case(CONTACT_DATA_DIR "/cases/flywheels.toml", {},
+                            {{key, value}});
+    } catch (const contact::Error& error) {
+      std::string text = error.what();
+      for (const std::string folder = CONTACT_DATA_DIR "/";
+           text.find(folder) != text.npos;) {
+        text.erase(text.find(folder), folder.size());
+      }
+      return text;
+    }
+    return std::string();
+  };
+  EXPECT_EQ(message("body[rotor].mass_kg", "1"),
+            "body[rotor].mass_kg = 1 must be a key of the file: TABLE.KEY, "
+            "TABLE[NUMBER].KEY or TABLE[NAME].KEY");
+  const std::string joint = "body[1].hinge.joint[1].";
+  const std::string in_case =
+      "cases/flywheels.toml:43: body[1].hinge.joint[1].file = "
+      "\"../joints/wheel_ball.toml\": cases/../joints/wheel_ball.toml";
+  EXPECT_EQ(message(joint + "geometry.radius_mm", "-1"),
+            in_case +
+                " with geometry.radius_mm = -1: geometry.radius_mm = -1 "
+                "must be above 0");
+  EXPECT_THAT(message(joint + "geometry.colour", "red"),
+              testing::StartsWith(in_case + " with geometry.colour = red: "
+                                            "unknown key \"geometry.colour\""));
+  EXPECT_THAT(message(joint + "colour", "red"),
+              testing::StartsWith("cases/flywheels.toml with "
+                                  "body[1].hinge.joint[1].colour = red: "
+                                  "unknown key"));
 }
 
 TEST(CaseFile, AllCasesOfTheProjectAreGood) {

@@ -1013,6 +1013,26 @@ TEST(HingeSeparation, ResumedRunIsTheSame) {
             "hinge-separation\n");
 }
 
+TEST(HingeSeparation, SettingsAreAsIfTheFileSaidSo) {
+  const ProgramFolder folder;
+  std::string text = folder.read("data/cases/flywheels.toml");
+  const std::string end = "end_time_s = ";
+  ASSERT_NE(text.find(end), std::string::npos);
+  text.replace(text.find(end), end.size(), "end_time_s = 0.05 # ");
+  for (std::size_t at; (at = text.find("\"../")) != text.npos;) {
+    text.replace(at, 4, "\"data/");
+  }
+  folder.write("other.toml", text);
+  const auto history = [&](const std::string& command) {
+    const ProgramResult result = folder.run("hinge-separation " + command +
+                                            " --history - --output s.json");
+    EXPECT_EQ(result.status, 0) << result.err;
+    return result.out;
+  };
+  EXPECT_EQ(history("data/cases/flywheels.toml --set run.end_time_ms=50"),
+            history("other.toml"));
+}
+
 // Prolonged or cut short on resuming: as if the end had been so from the start.
 TEST(HingeSeparation, ResumedRunsEndWhenTheyAreTold) {
   const ProgramFolder folder;

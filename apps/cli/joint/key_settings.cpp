@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <string_view>
+#include <utility>
 
 #include "cli/number.hpp"
 #include "cli/quantity.hpp"
@@ -37,22 +38,35 @@ std::vector<std::string> values_of(std::string_view text) {
   return values;
 }
 
+// The text as it is, of a key that is not among the earlier ones.
+contact::KeySetting setting_of(const std::string& text, const char* rule,
+                               const contact::KeySettings& earlier) {
+  const auto equals = text.find('=');
+  if (equals == 0 || equals == text.npos) refuse(option, text, rule);
+  std::string key = text.substr(0, equals);
+  if (std::ranges::count(earlier, key, &contact::KeySetting::key) > 0) {
+    throw contact::Error(contact::detail::duplicate(option, key));
+  }
+  return {std::move(key), text.substr(equals + 1)};
+}
+
 }  // namespace
+
+contact::KeySettings single_settings(const std::vector<std::string>& texts) {
+  contact::KeySettings all;
+  for (const std::string& text : texts) {
+    all.push_back(setting_of(text, "KEY=VALUE", all));
+  }
+  return all;
+}
 
 std::vector<contact::KeySettings> key_settings(
     const std::vector<std::string>& texts) {
   std::vector<contact::KeySettings> all(1);
   for (const std::string& text : texts) {
-    const auto equals = text.find('=');
-    if (equals == 0 || equals == text.npos) {
-      refuse(option, text, "KEY=VALUE or KEY=VALUE,VALUE,...");
-    }
-    const std::string key = text.substr(0, equals);
-    for (const contact::KeySetting& other : all[0]) {
-      if (other.key != key) continue;
-      throw contact::Error(contact::detail::duplicate(option, key));
-    }
-    const auto values = values_of(std::string_view(text).substr(equals + 1));
+    const auto [key, list] =
+        setting_of(text, "KEY=VALUE or KEY=VALUE,VALUE,...", all[0]);
+    const auto values = values_of(list);
     if (all.size() * values.size() > most_joints) {
       refuse(option, text, "at most 10000 joints in all");
     }

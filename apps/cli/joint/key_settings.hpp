@@ -16,4 +16,7 @@ namespace cli {
 std::vector<contact::KeySettings> key_settings(
     const std::vector<std::string>& texts);
 
+/// The same of --set KEY=VALUE, where commas are the value's.
+contact::KeySettings single_settings(const std::vector<std::string>& texts);
+
 }  // namespace cli

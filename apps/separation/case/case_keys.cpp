@@ -56,20 +56,21 @@ Keys start_keys() {
 }
 
 Keys hinge_keys() {
-  return {
-      {"kind"},
-      {"name"},
-      {"body_point", Dimension::length, {}, {}, "load_point"},
-      {"carrier_point", Dimension::length},
-      {"zero_rotation", Dimension::angle},
-      {"axis", Dimension::number, {}, "axis"},
-      {"sharing", Dimension::number, {}, "axis"},
-      {"radial_stiffness", Dimension::number, {}, "axis"},
-      {"axial_share", Dimension::number, {}, "axis"},
-      {"body_direction", Dimension::number, {}, "ball", "load_direction"},
-      {"carrier_direction", Dimension::number, {}, "ball"},
-      table_key("joint", with(contact::joint_keys(),
-                              {{"file"}, {"position", Dimension::length}}))};
+  return {{"kind"},
+          {"name"},
+          {"body_point", Dimension::length, {}, {}, "load_point"},
+          {"carrier_point", Dimension::length},
+          {"zero_rotation", Dimension::angle},
+          {"axis", Dimension::number, {}, "axis"},
+          {"sharing", Dimension::number, {}, "axis"},
+          {"radial_stiffness", Dimension::number, {}, "axis"},
+          {"axial_share", Dimension::number, {}, "axis"},
+          {"body_direction", Dimension::number, {}, "ball", "load_direction"},
+          {"carrier_direction", Dimension::number, {}, "ball"},
+          table_key("joint",
+                    with(contact::joint_keys(),
+                         {{.key = "file", .of_file = contact::joint_keys()},
+                          {"position", Dimension::length}}))};
 }
 
 Keys body_keys() {

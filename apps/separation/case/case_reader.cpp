@@ -378,13 +378,16 @@ Case read_all(const TomlTable& file, const JointLaws& laws) {
 
 }  // namespace
 
-Case read_case(const std::filesystem::path& path, const JointLaws& laws) {
-  return read_all(TomlTable::from_file(path, case_keys()), laws);
+Case read_case(const std::filesystem::path& path, const JointLaws& laws,
+               const contact::KeySettings& settings) {
+  return read_all(TomlTable::from_file(path, case_keys(), settings), laws);
 }
 
 Case parse_case(std::string_view text, const std::string& source,
-                const JointLaws& laws) {
-  return read_all(TomlTable::from_text(text, source, case_keys()), laws);
+                const JointLaws& laws, const contact::KeySettings& settings,
+                const std::filesystem::path& folder) {
+  return read_all(
+      TomlTable::from_text(text, source, case_keys(), folder, settings), laws);
 }
 
 }  // namespace separation

@@ -12,9 +12,15 @@ namespace separation {
 /// Reads a case file; its keys: README.md of this folder.
 /// @throws contact::Error with one line that names file, line, key, value and
 ///   what is allowed
-Case read_case(const std::filesystem::path& path, const JointLaws& laws = {});
+/// @param settings  keys whose values are others than in the case, its joint
+///   files and their materials: "body[1].hinge.joint[1].materials.inner..."
+Case read_case(const std::filesystem::path& path, const JointLaws& laws = {},
+               const contact::KeySettings& settings = {});
 /// @param source  what messages call the text
+/// @param folder  what paths in it are relative to
 Case parse_case(std::string_view text, const std::string& source,
-                const JointLaws& laws = {});
+                const JointLaws& laws = {},
+                const contact::KeySettings& settings = {},
+                const std::filesystem::path& folder = {});
 
 }  // namespace separation

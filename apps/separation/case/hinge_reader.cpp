@@ -46,7 +46,8 @@ contact::JointSpec read_joint_of(const TomlTable& table, const JointLaws& laws,
     if (!file) return contact::joint_from_table(table);
     const auto name = table.optional_text("name");
     try {
-      contact::JointSpec read = contact::read_joint(table.folder() / *file);
+      contact::JointSpec read =
+          contact::read_joint(table.folder() / *file, table.settings_of_file());
       if (name) read.name = *name;
       return read;
     } catch (const Error& error) {
