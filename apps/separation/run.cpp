@@ -1,21 +1,17 @@
 #include "separation/run.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
 #include <exception>
 #include <filesystem>
 #include <map>
-#include <memory>
 #include <optional>
-#include <set>
 #include <utility>
 #include <vector>
 
 #include "cli/choice.hpp"
-#include "cli/file_text.hpp"
 #include "cli/interrupts.hpp"
 #include "cli/joint/key_settings.hpp"
 #include "cli/output.hpp"
@@ -23,7 +19,6 @@
 #include "cli/refuse.hpp"
 #include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
-#include "libcontact/pressure/validity.hpp"
 #include "separation/case/case_reader.hpp"
 #include "separation/long_run.hpp"
 #include "separation/output/compare.hpp"
@@ -32,16 +27,14 @@
 #include "separation/output/pictures.hpp"
 #include "separation/output/summary.hpp"
 #include "separation/record/saved_state.hpp"
-#include "separation/replay/page.hpp"
-#include "separation/simulation/force_watch.hpp"
+#include "separation/replays.hpp"
 #include "separation/stop_rule.hpp"
+#include "separation/warnings.hpp"
 
 namespace separation {
 namespace {
 
 using contact::detail::must_be;
-
-constexpr const char* program = "hinge-separation";
 
 constexpr std::array<cli::Choice<FrictionChoice>, 3> friction_choices = {
     {{"full", FrictionChoice::full},
@@ -142,106 +135,6 @@ void check_case(const Options& o, const Case& c) {
   }
 }
 
-// What is said as it is found, and again in a replay.
-class Warnings {
- public:
-  void add(std::string text) {
-    cli::warn(program, text);
-    texts_.push_back(std::move(text));
-  }
-  const std::vector<std::string>& texts() const { return texts_; }
-
- private:
-  std::vector<std::string> texts_;
-};
-
-// Of the joints, once for each fit and each reason.
-void print_validity(const Case& c, Warnings& warnings) {
-  std::set<std::string> fits;
-  std::set<std::string> notes;
-  for (const Body& body : c.bodies) {
-    for (const HingeJoint& joint : body.hinge.joints) {
-      if (const auto& fit = joint.joint.fit) {
-        fits.insert(
-            fmt::format("joint {}: {}", joint.joint.name, to_string(*fit)));
-      }
-      for (const std::string& note : joint.contact.validity_notes()) {
-        notes.insert(fmt::format("joint {}: {}", joint.joint.name, note));
-      }
-    }
-  }
-  for (const std::string& fit : fits) cli::note(program, fit);
-  for (const std::string& note : notes) warnings.add(note);
-}
-
-// Joints whose largest contact leaves the theory or what its materials bear.
-void print_contacts(const Case& c, const Outcome& outcome, Warnings& warnings) {
-  std::set<std::string> notes;
-  for (std::size_t b = 0; b < c.bodies.size(); ++b) {
-    const auto& joints = c.bodies[b].hinge.joints;
-    for (std::size_t j = 0; j < joints.size(); ++j) {
-      const JointPeaks& peaks = outcome.memory.bodies[b].joints[j];
-      const contact::JointContact& contact = joints[j].contact;
-      for (const std::string& note :
-           contact_notes(contact.geometry().kind(), contact.pair(),
-                         peaks.half_angle, peaks.pressure)) {
-        notes.insert(fmt::format("joint {}: {}", joints[j].joint.name, note));
-      }
-    }
-  }
-  for (const std::string& note : notes) warnings.add(note);
-}
-
-void print_overlaps(const Case& c, const Outcome& outcome, Warnings& warnings) {
-  for (std::size_t i = 0; i < c.clearance.size(); ++i) {
-    const PairRecord& pair = outcome.memory.pairs[i];
-    if (pair.not_found > 0) {
-      warnings.add(
-          fmt::format("the distance of {} and {} was not found {} times",
-                      c.rigid_body(c.clearance[i].a).name,
-                      c.rigid_body(c.clearance[i].b).name, pair.not_found));
-    }
-    if (pair.overlap_from == History::not_yet) continue;
-    warnings.add(fmt::format("{} and {} overlap from t = {:.6g} s to {:.6g} s",
-                             c.rigid_body(c.clearance[i].a).name,
-                             c.rigid_body(c.clearance[i].b).name,
-                             pair.overlap_from, pair.overlap_to));
-  }
-}
-
-// Forces that do what was hardly meant.
-void print_faults(const Case& c, const Outcome& outcome, Warnings& warnings) {
-  for (const std::string& fault : force_faults(c, outcome.memory.forces)) {
-    warnings.add(fault);
-  }
-}
-
-// Events that are in the file for nothing, and forces.
-void print_missed(const Case& c, const Outcome& outcome, Warnings& warnings) {
-  for (const Missed& missed : missed_events(c, outcome)) {
-    warnings.add(fmt::format("event \"{}\" did not come for {}", missed.event,
-                             fmt::join(missed.bodies, ", ")));
-  }
-  for (const std::string& idle : idle_forces(
-           c, outcome.history, outcome.memory.forces, outcome.end_time)) {
-    warnings.add(idle);
-  }
-}
-
-// Steps that are too long show in the balance of the energies.
-void print_drift(const Case& c, const Outcome& outcome, Warnings& warnings) {
-  const Recorder::Memory& memory = outcome.memory;
-  constexpr double notable = 1e-5;
-  if (c.options.carrier_drive ||
-      !(memory.largest_drift > notable * memory.largest_energy)) {
-    return;
-  }
-  warnings.add(fmt::format(
-      "the energy strays by {:.2g} J, {:.2g} of its largest "
-      "part: shorter steps or smaller tolerances",
-      memory.largest_drift, memory.largest_drift / memory.largest_energy));
-}
-
 // `status`, but for a run that a signal has stopped.
 cli::ExitStatus status_of(const cli::Interrupts& interrupts,
                           cli::ExitStatus status) {
@@ -255,74 +148,10 @@ cli::ExitStatus status_of(const cli::Interrupts& interrupts,
   }
 }
 
-// The files of --replay, which are made before the run.
-class Replays {
- public:
-  Replays(const Case& c, const Options& o) {
-    for (const std::string& name : o.replays) {
-      if (is_page(name) && !parts_) {
-        parts_.emplace(name);
-        if (!o.no_case) case_text_ = text_of_case(c);
-      }
-      files_.push_back({name, std::make_unique<cli::Output>(name)});
-    }
-  }
-
-  // What one file has no room for costs the others nothing.
-  cli::ExitStatus write(const Case& c, std::vector<ShownRun> runs,
-                        Warnings& warnings) {
-    cli::ExitStatus status = cli::all_good;
-    if (files_.empty()) return status;
-    Replay replay{c, std::move(runs), {}, case_text_};
-    for (std::string& fault : replay_faults(replay)) {
-      warnings.add(std::move(fault));
-    }
-    replay.warnings = warnings.texts();
-    for (auto& [name, file] : files_) {
-      try {
-        file->write(is_page(name) ? page(replay, name) : replay_glb(replay));
-        file->commit();
-      } catch (const std::exception& error) {
-        cli::warn(program, error.what());
-        status = cli::some_bad;
-      }
-      file.reset();
-    }
-    return status;
-  }
-
- private:
-  // A pipe has been read.
-  static std::string text_of_case(const Case& c) {
-    std::error_code ignored;
-    return std::filesystem::is_regular_file(c.file, ignored)
-               ? cli::file_text(c.file)
-               : c.content;
-  }
-
-  std::string page(const Replay& replay, const std::string& name) const {
-    Page page = replay_page(replay, *parts_);
-    if (page.every > 1) {
-      cli::note(program,
-                fmt::format("{} has one of {} rows, to stay below {} MB", name,
-                            page.every, most_page / 1'000'000));
-    }
-    return std::move(page.text);
-  }
-
-  struct File {
-    std::string name;
-    std::unique_ptr<cli::Output> output;
-  };
-  std::vector<File> files_;
-  std::optional<PageParts> parts_;
-  std::string case_text_;
-};
-
 cli::ExitStatus compare(const Case& c, const Options& o) {
   Replays replays(c, o);
   Warnings warnings;
-  print_validity(c, warnings);
+  warn_of_joints(c, warnings);
   const cli::Interrupts interrupts;
   const StopRule stop = stop_rule(interrupts, o.step_limit, o.time_limit);
   std::vector<Outcome> outcomes;
@@ -338,8 +167,8 @@ cli::ExitStatus compare(const Case& c, const Options& o) {
     status = cli::some_bad;
   }
   std::swap(outcomes[0], outcomes[1]);  // ideal, full, traditional
-  if (replays.write(c, {{"full", &outcomes[1]}, {"ideal", &outcomes[0]}},
-                    warnings) != cli::all_good) {
+  if (!replays.write(c, {{"full", &outcomes[1]}, {"ideal", &outcomes[0]}},
+                     warnings)) {
     status = cli::some_bad;
   }
   write_comparison(c, outcomes, o.output);
@@ -369,7 +198,7 @@ cli::ExitStatus simulate(const Case& c, const Options& o) {
   Replays replays(c, o);
   cli::Output output(o.output.output);
   Warnings warnings;
-  print_validity(c, warnings);
+  warn_of_joints(c, warnings);
 
   // Until everything is written.
   const cli::Interrupts interrupts;
@@ -379,26 +208,18 @@ cli::ExitStatus simulate(const Case& c, const Options& o) {
       {o.checkpoint, o.checkpoint_every, o.resume, identity_of(c, options)});
   const Outcome& outcome = run.outcome;
   cli::ExitStatus status = cli::all_good;
-  if (!outcome.failure.empty()) {
-    warnings.add("ended early: " + outcome.failure);
-    status = cli::some_bad;
-  } else {
-    print_missed(c, outcome, warnings);
-  }
+  if (!outcome.failure.empty()) status = cli::some_bad;
+  warn_of_run(c, outcome, warnings);
   if (!run.no_checkpoint.empty()) {
     warnings.add(run.no_checkpoint);
     status = cli::some_bad;
   }
-  print_faults(c, outcome, warnings);
-  print_contacts(c, outcome, warnings);
-  print_overlaps(c, outcome, warnings);
-  print_drift(c, outcome, warnings);
   // What one file has no room for costs the others nothing.
   const auto write = [&status](const auto& file) {
     try {
       file();
     } catch (const std::exception& error) {
-      cli::warn(program, error.what());
+      cli::warn(program_name, error.what());
       status = cli::some_bad;
     }
   };
@@ -411,7 +232,7 @@ cli::ExitStatus simulate(const Case& c, const Options& o) {
     });
   }
   events.reset();
-  if (replays.write(c, {{"", &outcome}}, warnings) != cli::all_good) {
+  if (!replays.write(c, {{"", &outcome}}, warnings)) {
     status = cli::some_bad;
   }
   output.write(summary(c, outcome).dump(2) + '\n');
@@ -420,7 +241,7 @@ cli::ExitStatus simulate(const Case& c, const Options& o) {
     const std::string problem =
         draw_pictures(c, outcome.memory.rows, options.clearance, o.output.plot);
     if (!problem.empty()) {
-      cli::warn(program, problem);
+      cli::warn(program_name, problem);
       status = cli::some_bad;
     }
   }

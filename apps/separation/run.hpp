@@ -24,8 +24,8 @@ struct Options {
   std::string resume;
   std::vector<std::string> replays;  ///< .glb, .html
   bool no_case = false;              ///< not in the .html
-  int step_limit = 0;     ///< 0: none
-  double time_limit = 0;  ///< s of wall-clock time; 0: none
+  int step_limit = 0;                ///< 0: none
+  double time_limit = 0;             ///< s of wall-clock time; 0: none
   cli::OutputOptions output;
 };
 

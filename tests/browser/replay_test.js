@@ -185,7 +185,7 @@ test('the keyboard alone suffices', async () => {
     }
     const nameless = await page.evaluate(() => [...document.querySelectorAll(
         'button, input, select')].filter((element) =>
-        !(element.ariaLabel || element.textContent.trim() ||
+        element.offsetParent && !(element.ariaLabel || element.textContent.trim() ||
           element.closest('label'))).map((element) => element.outerHTML));
     assert.deepStrictEqual(nameless, []);
     const time = () => page.evaluate(() => replay.time);
