@@ -359,7 +359,7 @@ class Picture {
                                  k & 4 ? min.z : max.z)));
     const from = this.camera.position.length() > 0 ?
         this.camera.position.clone().sub(this.controls.target).normalize() :
-        new THREE.Vector3(0.35, 0.3, 1).normalize();
+        new THREE.Vector3(-0.5, 0.5, 1).normalize();
     box.getCenter(this.controls.target);
     let distance = 4 * box.getBoundingSphere(new THREE.Sphere()).radius;
     // Nearer, until they fill most of the picture.
@@ -416,24 +416,32 @@ class Labels {
   }
   place() {
     const {picture} = this;
-    const move = (label, point, on, lift) => {
+    const placed = [];
+    const move = (label, point, on, down) => {
       const {x, y, visible} = on ? picture.project(point) : {visible: false};
       label.hidden = !visible;
-      if (visible) {
-        label.style.transform =
-            `translate(${x.toFixed(1)}px, ${(y - lift).toFixed(1)}px) ` +
-            'translate(-50%, -50%)';
+      if (!visible) return;
+      // Below those that are in its place.
+      const width = label.textContent.length * 7 + 14;
+      const here = {x, y: y + down, width};
+      const covers = (other) => Math.abs(here.y - other.y) < 16 &&
+          2 * Math.abs(x - other.x) < width + other.width;
+      for (let tries = 0; tries < 6 && placed.some(covers); ++tries) {
+        here.y += 16;
       }
+      placed.push(here);
+      label.style.transform = `translate(${x.toFixed(1)}px, ` +
+          `${here.y.toFixed(1)}px) translate(-50%, -50%)`;
     };
-    const named = at('show_names').checked;
-    this.names.forEach((label, i) =>
-        move(label, picture.bodies[i].position, named, -16));
     const {gap} = picture;
-    move(this.distance, gap && gap.middle, gap !== undefined, 16);
     if (gap) {
       const text = show(take.at(pairColumn(gap.pair)), 'm');
       if (this.distance.textContent !== text) this.distance.textContent = text;
     }
+    move(this.distance, gap && gap.middle, gap !== undefined, -16);
+    const named = at('show_names').checked;
+    this.names.forEach((label, i) =>
+        move(label, picture.bodies[i].position, named, 16));
   }
 }
 

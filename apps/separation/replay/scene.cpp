@@ -236,8 +236,10 @@ class Writer {
     const int mesh =
         add_mesh(mesh_of(i), name, colour_of(i), take.faint ? 0.35 : 1);
     const BodyPath path(case_, *take.rows, take.kept, i);
-    const KeyFrames keys = key_frames(path, tolerance_ * shown_position * size_,
-                                      tolerance_ * shown_turn);
+    // Of what may be wrong a tenth is for what happens between the rows.
+    const double most = 0.9 * tolerance_;
+    const KeyFrames keys =
+        key_frames(path, most * shown_position * size_, most * shown_turn);
     const Pose& first = keys.poses.front();
     BodyNodes nodes;
     ordered_json node = {{"name", name},
