@@ -46,6 +46,7 @@ const std::vector<std::string> rooms = {
     "apps/separation/clearance",
     "apps/separation/record",
     "apps/separation/output",
+    "apps/separation/replay",
     "apps/separation",
     "libcontact/c",
 };
