@@ -46,7 +46,9 @@ const std::vector<std::string> rooms = {
     "apps/separation/clearance",
     "apps/separation/record",
     "apps/separation/output",
+    "apps/separation/replay",
     "apps/separation",
+    "libcontact/python",
     "libcontact/c",
 };
 

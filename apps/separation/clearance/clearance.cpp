@@ -59,12 +59,11 @@ Isometry3d place_of(const BodyMotion& body) {
 }
 
 // FCL gives -1 for solids that overlap.
-double distance(const fcl::CollisionObjectd& a,
-                const fcl::CollisionObjectd& b) {
+double distance(const fcl::CollisionObjectd& a, const fcl::CollisionObjectd& b,
+                bool points, fcl::DistanceResultd& result) {
   fcl::DistanceRequestd request;
-  request.enable_nearest_points = false;
+  request.enable_nearest_points = points;
   request.distance_tolerance = 1e-9;
-  fcl::DistanceResultd result;
   try {
     return std::max(0.0, fcl::distance(&a, &b, request, result));
   } catch (const std::exception&) {
@@ -97,8 +96,8 @@ Clearance::~Clearance() = default;
 Clearance::Clearance(Clearance&&) noexcept = default;
 Clearance& Clearance::operator=(Clearance&&) noexcept = default;
 
-std::vector<double> Clearance::distances(std::span<const BodyMotion> bodies) {
-  // Relative to the first body: far from the origin digits would be lost.
+// Relative to the first body: far from the origin digits would be lost.
+void Clearance::place(std::span<const BodyMotion> bodies) {
   const Vector3d origin = bodies.front().position;
   for (std::size_t i = 0; i < solids_->of_body.size(); ++i) {
     Isometry3d body = place_of(bodies[i]);
@@ -108,23 +107,51 @@ std::vector<double> Clearance::distances(std::span<const BodyMotion> bodies) {
       solid.object.computeAABB();
     }
   }
-  std::vector<double> result;
-  for (const Pair& pair : pairs_) {
-    double smallest = std::numeric_limits<double>::infinity();
-    for (const Solids::Solid& a : solids_->of_body[pair.a]) {
-      for (const Solids::Solid& b : solids_->of_body[pair.b]) {
-        // Their boxes are as far from each other, or nearer.
-        if (a.object.getAABB().distance(b.object.getAABB()) > smallest) {
-          continue;
-        }
-        const double d = distance(a.object, b.object);
-        if (std::isnan(smallest)) continue;
-        smallest = std::isnan(d) ? d : std::min(smallest, d);
+}
+
+// Of the solids of a pair of bodies.
+struct Clearance::Nearest {
+  double distance = std::numeric_limits<double>::infinity();
+  const fcl::CollisionObjectd* a = nullptr;
+  const fcl::CollisionObjectd* b = nullptr;
+};
+
+Clearance::Nearest Clearance::nearest(const Pair& pair) const {
+  Nearest nearest;
+  for (const Solids::Solid& a : solids_->of_body[pair.a]) {
+    for (const Solids::Solid& b : solids_->of_body[pair.b]) {
+      // Their boxes are as far from each other, or nearer.
+      if (a.object.getAABB().distance(b.object.getAABB()) > nearest.distance) {
+        continue;
+      }
+      fcl::DistanceResultd result;
+      const double d = distance(a.object, b.object, false, result);
+      if (std::isnan(nearest.distance)) continue;
+      if (std::isnan(d) || d < nearest.distance) {
+        nearest = {d, &a.object, &b.object};
       }
     }
-    result.push_back(smallest);
   }
+  return nearest;
+}
+
+std::vector<double> Clearance::distances(std::span<const BodyMotion> bodies) {
+  place(bodies);
+  std::vector<double> result;
+  for (const Pair& pair : pairs_) result.push_back(nearest(pair).distance);
   return result;
+}
+
+std::optional<std::pair<Vector3d, Vector3d>> Clearance::nearest_points(
+    std::span<const BodyMotion> bodies, std::size_t pair) {
+  place(bodies);
+  const Nearest solids = nearest(pairs_[pair]);
+  if (!(solids.distance > 0) || solids.a == nullptr) return {};
+  fcl::DistanceResultd result;
+  distance(*solids.a, *solids.b, true, result);
+  const Vector3d& origin = bodies.front().position;
+  return std::pair<Vector3d, Vector3d>{result.nearest_points[0] + origin,
+                                       result.nearest_points[1] + origin};
 }
 
 }  // namespace separation

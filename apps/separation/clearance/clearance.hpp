@@ -2,6 +2,8 @@
 
 #include <Eigen/Core>
 #include <memory>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "multibody/system/force_model.hpp"
@@ -36,8 +38,17 @@ class Clearance {
   /// Distance of each pair, m; 0 if they overlap, NaN if it was not found.
   std::vector<double> distances(std::span<const multibody::BodyMotion> bodies);
 
+  /// Where the bodies of a pair are nearest to each other, inertial axes, m;
+  /// nothing if they overlap or it was not found.
+  std::optional<std::pair<Eigen::Vector3d, Eigen::Vector3d>> nearest_points(
+      std::span<const multibody::BodyMotion> bodies, std::size_t pair);
+
  private:
   struct Solids;
+  struct Nearest;
+  void place(std::span<const multibody::BodyMotion> bodies);
+  Nearest nearest(const Pair& pair) const;
+
   std::unique_ptr<Solids> solids_;
   std::vector<Pair> pairs_;
 };
