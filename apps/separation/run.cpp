@@ -22,6 +22,7 @@
 #include "separation/case/case_reader.hpp"
 #include "separation/long_run.hpp"
 #include "separation/output/compare.hpp"
+#include "separation/output/events_table.hpp"
 #include "separation/output/file_name.hpp"
 #include "separation/output/history_file.hpp"
 #include "separation/output/pictures.hpp"
