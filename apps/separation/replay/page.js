@@ -110,6 +110,8 @@ function largest(name) {
 
 // ---------------------------------------------------------------- the picture
 
+const colours =
+    {reaction: '#e0345c', moment: '#9a5fe0', distance: '#e0218a'};
 // Dark to light, as the legend: of 0 to 1.
 const scale = ['#440154', '#3b528b', '#21918c', '#5ec962', '#fde725'];
 function scaleColour(part, into) {
@@ -176,7 +178,8 @@ class Picture {
   // What is drawn beside the bodies, in inertial axes about the carrier.
   addMarks() {
     const top = (colour) => new THREE.MeshBasicMaterial(
-        {color: colour, depthTest: false, transparent: true});
+        {color: new THREE.Color(colour).convertSRGBToLinear(),
+         depthTest: false, transparent: true});
     const shaft = new THREE.CylinderBufferGeometry(1, 1, 1, 12);
     shaft.translate(0, 0.5, 0);
     const head = new THREE.ConeBufferGeometry(1, 1, 16);
@@ -196,8 +199,8 @@ class Picture {
     this.hinges = hinged.map((body) => ({
       body,
       object: this.bodies[data.bodies.indexOf(body)],
-      reaction: arrow('#c0143c', 1),
-      moment: arrow('#7b3fbf', 2),
+      reaction: arrow(colours.reaction, 1),
+      moment: arrow(colours.moment, 2),
       patch: add(new THREE.BufferGeometry(), new THREE.MeshBasicMaterial(
           {side: THREE.DoubleSide, depthTest: false, transparent: true,
            opacity: 0.92}), 2),
@@ -206,7 +209,7 @@ class Picture {
     this.most = {reaction: largest('reaction_N'),
                  moment: largest('friction_moment_N_m'),
                  pressure: largest('peak_pressure_Pa')};
-    this.line = add(shaft, top('#e0218a'), 4);
+    this.line = add(shaft, top(colours.distance), 4);
     this.line.visible = false;
   }
 
@@ -359,7 +362,7 @@ class Picture {
                                  k & 4 ? min.z : max.z)));
     const from = this.camera.position.length() > 0 ?
         this.camera.position.clone().sub(this.controls.target).normalize() :
-        new THREE.Vector3(-0.5, 0.5, 1).normalize();
+        new THREE.Vector3(0.4, 0.35, 1).normalize();
     box.getCenter(this.controls.target);
     let distance = 4 * box.getBoundingSphere(new THREE.Sphere()).radius;
     // Nearer, until they fill most of the picture.
@@ -453,9 +456,9 @@ function addLegend({most}) {
     make('b', p, mark).style.color = colour;
     p.append(text);
   };
-  entry('→', '#d0204a', `reaction, up to ${show(most.reaction, 'N')}`);
+  entry('→', colours.reaction, `reaction, up to ${show(most.reaction, 'N')}`);
   if (!(most.moment > 0)) return;
-  entry('↠', '#8d55cf', `friction, up to ${show(most.moment, 'N m')}`);
+  entry('↠', colours.moment, `friction, up to ${show(most.moment, 'N m')}`);
   const p = line('pressure 0');
   make('i', p);
   p.append(show(most.pressure, 'Pa'));
