@@ -97,7 +97,7 @@ class JointNode {
 
   /// |needed|/(the moment of sliding that opposes it): the node holds the
   /// moment `needed` about its axis at rest if this is <= 1. Viscous joints
-  /// hold nothing.
+  /// hold nothing. NaN if a joint has a friction stress.
   /// @param solution  as for solve(); the incipient sliding
   double utilisation(const Eigen::Vector3d& reaction,
                      const Eigen::Vector3d& moment, const Eigen::Vector3d& axis,
