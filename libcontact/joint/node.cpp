@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "libcontact/base/check.hpp"
@@ -203,6 +204,9 @@ double JointNode::utilisation(const Hold& hold,
   double held = 0;
   for (std::size_t i = 0; i < joints_.size(); ++i) {
     if (joints_[i].joint.contact().is_viscous()) continue;
+    if (joints_[i].joint.contact().stress()) {
+      return std::numeric_limits<double>::quiet_NaN();
+    }
     held += std::abs(solution.joints[i].friction_moment.dot(axis));
   }
   return std::abs(needed) / held;

@@ -111,7 +111,8 @@ class JointNode {
     double needed;
   };
   /// |needed|/(the moment of sliding that opposes it): the node holds the
-  /// moment `needed` at rest if this is <= 1. Viscous joints hold nothing.
+  /// moment `needed` at rest if this is <= 1. Viscous joints hold nothing. NaN
+  /// if a joint has a friction stress.
   /// @param solution  as for solve(); the incipient sliding
   double utilisation(const Hold& hold, NodeSolution& solution) const noexcept;
 
