@@ -10,7 +10,6 @@
 #include <map>
 #include <optional>
 #include <set>
-#include <variant>
 #include <vector>
 
 #include "cli/choice.hpp"
@@ -24,6 +23,7 @@
 #include "libcontact/base/error.hpp"
 #include "libcontact/pressure/validity.hpp"
 #include "separation/case/case_reader.hpp"
+#include "separation/case/identity.hpp"
 #include "separation/long_run.hpp"
 #include "separation/output/compare.hpp"
 #include "separation/output/history_file.hpp"
@@ -43,46 +43,6 @@ constexpr std::array<cli::Choice<FrictionChoice>, 3> friction_choices = {
     {{"full", FrictionChoice::full},
      {"ideal", FrictionChoice::ideal},
      {"traditional", FrictionChoice::traditional}}};
-
-std::string text_of(const contact::Material& material) {
-  return fmt::format("{} {} ", material.youngs_modulus,
-                     material.poissons_ratio);
-}
-
-std::string text_of(const contact::LayeredBody& body) {
-  std::string text;
-  for (const contact::Layer& layer : body.layers) {
-    text += fmt::format("{} ", layer.thickness) + text_of(layer.material);
-  }
-  return text + fmt::format("{} ", static_cast<int>(body.backing.kind())) +
-         text_of(body.backing.material());
-}
-
-// Numbers of a joint, which may come from other files than the case's.
-std::string text_of(const contact::JointSpec& joint) {
-  const contact::JointGeometry& g = joint.geometry;
-  const contact::ElasticPair& pair = joint.pair;
-  std::string text = fmt::format(
-      "{} {} {} {} {} {} {} {} {} {}", static_cast<int>(g.inner_body()),
-      g.radius(), g.radial_clearance(), g.length(), pair.modulus_ratio(),
-      pair.contact_modulus(), pair.inner_compliance_share(),
-      pair.dundurs_beta(), joint.half_angle_law, joint.pressure_law);
-  const auto& limit = joint.half_angle_options;
-  const auto& [loading, walls] = joint.conditions;
-  text += fmt::format(" {} {} {} {} {}", limit.limit_half_angle.value_or(0),
-                      limit.linear_limit, limit.initial_slope,
-                      loading.is_back(), loading.patch_half_angle());
-  if (walls) {
-    text += " walls " + text_of(walls->inner()) + text_of(walls->outer());
-  }
-  if (const auto* dry = std::get_if<contact::FrictionLaw>(&*joint.friction)) {
-    return text +
-           fmt::format(" dry {} {}\n", dry->coefficient(), dry->adhesion());
-  }
-  const auto& viscous = std::get<contact::ViscousLaw>(*joint.friction);
-  return text + fmt::format(" viscous {} {}\n", viscous.constant(),
-                            viscous.pressure_slope());
-}
 
 // Beside the files that every program has.
 void check_outputs(const Options& o) {
@@ -316,12 +276,7 @@ Checkpoints checkpoints_of(const Case& c, const Options& o,
   Checkpoints result{o.checkpoint, o.checkpoint_every, o.resume};
   result.identity =
       fmt::format("{}\n{}\n", static_cast<int>(run.friction), run.clearance);
-  for (const Body& body : c.bodies) {
-    for (const HingeJoint& joint : body.hinge.joints) {
-      result.identity += text_of(joint.joint);
-    }
-  }
-  result.identity += c.content;
+  result.identity += identity(c);
   return result;
 }
 
