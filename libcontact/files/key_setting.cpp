@@ -72,6 +72,18 @@ bool is_of_file(const toml::table& table, const KnownKeys* keys,
   });
 }
 
+// The name under which a table has a key, in whatever unit; the one that was
+// given if it has none.
+std::string name_in(const toml::table& table, const KnownKey* key,
+                    std::string_view given) {
+  if (key != nullptr && !table.contains(given)) {
+    for (const std::string& other : spellings(key->key, key->dimension)) {
+      if (table.contains(other)) return other;
+    }
+  }
+  return std::string(given);
+}
+
 // What a number, or all numbers of an array, are when multiplied, as in TOML;
 // "" for anything else.
 std::string multiplied(const toml::node& node, double factor) {
@@ -150,10 +162,14 @@ KeyOfFile set_key(toml::table& file, const KnownKeys& keys,
     refuse();
   }
   const Step leaf = step_of(rest);
-  toml::node* there = table->get(leaf.name);
+  const KnownKey* key = known(in, leaf.name);
+  const auto factor = factor_of(setting.value);
+  const std::string name =
+      factor ? name_in(*table, key, leaf.name) : std::string(leaf.name);
+  toml::node* there = table->get(name);
   if (!leaf.which.empty()) there = element(there, leaf.which);
   std::string value = setting.value;
-  if (const auto factor = factor_of(value)) {
+  if (factor) {
     value = there == nullptr ? "" : multiplied(*there, *factor);
     if (value.empty()) {
       throw Error(needs(text, "a number, or numbers, to multiply"));
@@ -163,18 +179,18 @@ KeyOfFile set_key(toml::table& file, const KnownKeys& keys,
   toml::node& node = *made.get("value");
   if (!leaf.which.empty()) {
     if (there == nullptr) refuse();
-    toml::array& array = *table->get_as<toml::array>(leaf.name);
+    toml::array& array = *table->get_as<toml::array>(name);
     const auto place = std::ranges::find_if(
         array, [there](const toml::node& other) { return &other == there; });
     node.visit([&](auto& v) { array.replace(place, std::move(v)); });
     return {nullptr, {}};
   }
-  if (const KnownKey* key = known(in, rest)) {
+  if (key != nullptr) {
     for (const std::string& other : spellings(key->key, key->dimension)) {
       table->erase(other);
     }
   }
-  node.visit([&](auto& v) { table->insert_or_assign(rest, std::move(v)); });
+  node.visit([&](auto& v) { table->insert_or_assign(name, std::move(v)); });
   return {nullptr, {}};
 }
 

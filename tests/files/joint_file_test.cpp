@@ -566,11 +566,13 @@ TEST(TomlTable, SettingsOfElementsAndFactors) {
   EXPECT_EQ(with("m", "*-0.5").numbers("m", {2, 2}, any),
             (std::vector<double>{-0.5, -1, -1.5, -2}));
   EXPECT_EQ(with("n", "*1.5").number("n", any), 10.5);
-  EXPECT_EQ(message([&] { with("v_mm[4]", "4"); }),
+  EXPECT_EQ(error_message([&] { with("v_mm[4]", "4"); }),
             "v_mm[4] = 4 must be a key of the file: TABLE.KEY, "
             "TABLE[NUMBER].KEY or TABLE[NAME].KEY");
-  EXPECT_EQ(message([&] { with("v_m", "*2"); }),
-            "v_m = *2 requires a number, or numbers, to multiply");
+  // In whatever unit it is.
+  EXPECT_EQ(with("v_m[1]", "*2").numbers("v", {3}, any)[0], 0.002);
+  EXPECT_EQ(error_message([&] { with("x", "*2"); }),
+            "x = *2 requires a number, or numbers, to multiply");
 }
 
 // A file is parsed once: what becomes of it later is not seen.
@@ -742,7 +744,7 @@ TEST(JointFile, ContactIsMadeOfAllThatTheFileSays) {
   JointSpec frictionless = joint;
   frictionless.name = "hip";
   frictionless.friction.reset();
-  EXPECT_EQ(contact::test::error_message([&] { frictionless.contact(); }),
+  EXPECT_EQ(error_message([&] { frictionless.contact(); }),
             "joint \"hip\" requires [friction], of the joint or of its "
             "materials");
 }

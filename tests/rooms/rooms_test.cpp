@@ -46,6 +46,7 @@ const std::vector<std::string> rooms = {
     "apps/separation/record",
     "apps/separation/output",
     "apps/separation",
+    "apps/study",
 };
 
 const fs::path root = CONTACT_SOURCE_DIR;
