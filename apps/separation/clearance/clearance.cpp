@@ -59,8 +59,8 @@ Isometry3d place_of(const BodyMotion& body) {
 }
 
 // FCL gives -1 for solids that overlap.
-double distance(const fcl::CollisionObjectd& a,
-                const fcl::CollisionObjectd& b) {
+double distance_of(const fcl::CollisionObjectd& a,
+                   const fcl::CollisionObjectd& b) {
   fcl::DistanceRequestd request;
   request.enable_nearest_points = false;
   request.distance_tolerance = 1e-9;
@@ -97,32 +97,41 @@ Clearance::~Clearance() = default;
 Clearance::Clearance(Clearance&&) noexcept = default;
 Clearance& Clearance::operator=(Clearance&&) noexcept = default;
 
-std::vector<double> Clearance::distances(std::span<const BodyMotion> bodies) {
+void Clearance::place(int body, const BodyMotion& motion,
+                      const Vector3d& origin) {
+  Isometry3d place = place_of(motion);
+  place.translation() -= origin;
+  for (Solids::Solid& solid : solids_->of_body[body]) {
+    solid.object.setTransform(place * solid.place);
+    solid.object.computeAABB();
+  }
+}
+
+double Clearance::distance(std::size_t pair,
+                           std::span<const BodyMotion> bodies) {
+  const auto [a_body, b_body] = pairs_[pair];
   // Relative to the first body: far from the origin digits would be lost.
   const Vector3d origin = bodies.front().position;
-  for (std::size_t i = 0; i < solids_->of_body.size(); ++i) {
-    Isometry3d body = place_of(bodies[i]);
-    body.translation() -= origin;
-    for (Solids::Solid& solid : solids_->of_body[i]) {
-      solid.object.setTransform(body * solid.place);
-      solid.object.computeAABB();
+  for (const int body : {a_body, b_body}) place(body, bodies[body], origin);
+  double smallest = std::numeric_limits<double>::infinity();
+  for (const Solids::Solid& a : solids_->of_body[a_body]) {
+    for (const Solids::Solid& b : solids_->of_body[b_body]) {
+      // Their boxes are as far from each other, or nearer.
+      if (a.object.getAABB().distance(b.object.getAABB()) > smallest) {
+        continue;
+      }
+      const double d = distance_of(a.object, b.object);
+      if (std::isnan(smallest)) continue;
+      smallest = std::isnan(d) ? d : std::min(smallest, d);
     }
   }
+  return smallest;
+}
+
+std::vector<double> Clearance::distances(std::span<const BodyMotion> bodies) {
   std::vector<double> result;
-  for (const Pair& pair : pairs_) {
-    double smallest = std::numeric_limits<double>::infinity();
-    for (const Solids::Solid& a : solids_->of_body[pair.a]) {
-      for (const Solids::Solid& b : solids_->of_body[pair.b]) {
-        // Their boxes are as far from each other, or nearer.
-        if (a.object.getAABB().distance(b.object.getAABB()) > smallest) {
-          continue;
-        }
-        const double d = distance(a.object, b.object);
-        if (std::isnan(smallest)) continue;
-        smallest = std::isnan(d) ? d : std::min(smallest, d);
-      }
-    }
-    result.push_back(smallest);
+  for (std::size_t i = 0; i < pairs_.size(); ++i) {
+    result.push_back(distance(i, bodies));
   }
   return result;
 }

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "multibody/system/force_model.hpp"
@@ -35,9 +36,14 @@ class Clearance {
 
   /// Distance of each pair, m; 0 if they overlap, NaN if it was not found.
   std::vector<double> distances(std::span<const multibody::BodyMotion> bodies);
+  /// Of one of them.
+  double distance(std::size_t pair,
+                  std::span<const multibody::BodyMotion> bodies);
 
  private:
   struct Solids;
+  void place(int body, const multibody::BodyMotion& motion,
+             const Eigen::Vector3d& origin);
   std::unique_ptr<Solids> solids_;
   std::vector<Pair> pairs_;
 };
