@@ -120,17 +120,19 @@ struct TomlTable::Entry {
                 detail::must_be(detail::named(name + index, value), rule));
   }
 
+  // `index` makes the place in an array for a message: "[3]", "[2][1]".
+  template <class Index>
   double number(const toml::node& value, const Interval& range,
-                const std::string& index = "") const {
+                const Index& index) const {
     const auto integer = value.as_integer();
     const auto floating = value.as_floating_point();
-    if (!integer && !floating) must_be(value, index, "a number");
+    if (!integer && !floating) must_be(value, index(), "a number");
     const double result = unit->to_si(
         floating ? floating->get() : static_cast<double>(integer->get()));
     if (range.contains(result)) return result;
     const bool says_so =
         range.low == -Interval::largest || range.high != Interval::largest;
-    must_be(value, index,
+    must_be(value, index(),
             detail::range_text(range, *unit) +
                 (std::isinf(result) && !says_so ? " and finite" : ""));
   }
@@ -146,11 +148,12 @@ struct TomlTable::Entry {
     }
     std::size_t i = 0;
     for (const toml::node& element : *array) {
-      const std::string at = detail::message("{}[{}]", index, ++i);
+      ++i;
+      const auto at = [&] { return detail::message("{}[{}]", index, i); };
       if (shape.columns == 0) {
         to.push_back(number(element, range, at));
       } else {
-        numbers(element, {shape.columns}, range, at, to);
+        numbers(element, {shape.columns}, range, at(), to);
       }
     }
   }
@@ -291,7 +294,7 @@ bool TomlTable::is_table(std::string_view key) const {
 
 double TomlTable::number(std::string_view key, const Interval& range) const {
   const Entry entry = at(key);
-  return entry.number(*entry.node, range);
+  return entry.number(*entry.node, range, [] { return ""; });
 }
 
 std::vector<double> TomlTable::numbers(std::string_view key,
