@@ -20,14 +20,14 @@ usage() {
 
 # Tests neither install nor fail for what is missing.
 missing() {
-  echo "check: $1 is missing, nothing was checked"
+  echo "skipped: $1 is missing"
   exit 77
 }
 
 check_format() {
   clang-format --version 2>/dev/null | grep -q 'version 14\.' ||
     missing "clang-format 14"
-  find libcontact apps tests -name '*.[ch]pp' -print0 |
+  find libcontact apps tests -regex '.*\.[ch]\(pp\)?' -print0 |
     xargs -0 clang-format --dry-run --Werror
 }
 
@@ -64,7 +64,7 @@ check_symbols() {
         }
       }
       if (length(all_sets) < 2) {
-        print "check: no objects for AVX, nothing was checked"
+        print "skipped: objects for AVX are missing"
         exit 77
       }
       exit bad

@@ -80,7 +80,8 @@ beside=(--beside data/reference/paper_examples.csv --format markdown)
 
 echo "Separation of four boosters"
 hinge-separation data/cases/soyuz.toml --output "$out/soyuz.json" \
-  --history "$out/soyuz.csv" --events "$out/soyuz_events.csv" $(picture soyuz)
+  --history "$out/soyuz.csv" --events "$out/soyuz_events.csv" \
+  --replay "$out/soyuz.html" --replay "$out/soyuz.glb" $(picture soyuz)
 {
   echo "# Ideal joints, friction, and the traditional estimate of friction"
   for case in two_stage_turn soyuz; do

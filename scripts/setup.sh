@@ -2,7 +2,9 @@
 # Installs what the project needs and the machine lacks (Debian, Ubuntu).
 # Says what it will install before it does; does nothing when all is there.
 #   scripts/setup.sh [LIST...]
-# installs the packages of other lists than scripts/packages.txt.
+# installs the packages of other lists than scripts/packages.txt, which has what
+# the build needs: packages-extra.txt (some tests; without them these are
+# skipped), packages-check.txt (scripts/check.sh).
 set -euo pipefail
 cd "$(dirname "$0")/.."
 

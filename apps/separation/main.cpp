@@ -42,6 +42,12 @@ estimate (friction from the reaction instead of the normal force).
 --plot NAME.svg draws NAME_angles.svg, NAME_rates.svg, NAME_reactions.svg (with
 hinges) and NAME_clearance.svg (with shapes).
 
+--replay NAME.html is one page with the bodies in motion, their reactions,
+friction and contacts, curves, events, summary, warnings and the case file, which
+opens in a browser without a network. --replay NAME.glb has the bodies and their
+motion for other viewers. With --compare both show full friction and, faint,
+ideal joints.
+
 --checkpoint FILE keeps its rows in FILE.rows1 or FILE.rows2: copy and rename
 the two together. A run that goes on with --resume FILE comes to the same
 results to the last byte, and goes on with checkpoints as often as before. With
@@ -56,6 +62,7 @@ Examples:
   hinge-separation data/cases/flywheels.toml --friction ideal
   hinge-separation data/cases/soyuz.toml --set run.end_time_s=3 --set 'body[booster].hinge.joint[1].friction.coefficient=0.2'
   hinge-separation data/cases/slosh.toml --history slosh.h5 --events slosh_events.csv
+  hinge-separation data/cases/soyuz.toml --replay soyuz.html --replay soyuz.glb
   hinge-separation data/cases/platform.toml --checkpoint platform.cbor --checkpoint-every 2
 
 )";
@@ -132,6 +139,18 @@ void add_options(CLI::App& app, Options& options) {
   app.add_option("--events", options.events,
                  "list of events: .csv, - for stdout")
       ->option_text("FILE");
+  auto* replay =
+      app.add_option("--replay", options.replays,
+                     "the motion in 3D: .html, a page for any browser,\n"
+                     ".glb (glTF); may be given twice")
+          ->option_text("FILE")
+          ->expected(1)
+          ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+          ->allow_extra_args(false);
+  app.add_flag("--no-case", options.no_case,
+               "leave the case file out of the page")
+      ->option_text(" ")
+      ->needs(replay);
   cli::add_output_options(app, options.output);
   cli::exclude(app, "--compare",
                {"--no-clearance", "--history", "--events", "--plot",

@@ -63,12 +63,25 @@ void check_run(const Options& o, bool format_given) {
   check_standard_output("--events", o.events, o);
 }
 
+void check_replays(const Options& o) {
+  bool page = false;
+  for (const std::string& name : o.replays) {
+    if (!ends_in(name, ".glb") && !is_page(name)) {
+      cli::refuse("--replay", name, "a name that ends in .glb or .html");
+    }
+    page = page || is_page(name);
+  }
+  if (o.no_case && !page)
+    cli::refuse_without("--no-case", "--replay NAME.html");
+}
+
 }  // namespace
 
 void check_options(const Options& o, bool format_given) {
   if (!o.events.empty()) {
     check_ending("--events", o.events, {".csv"}, ".csv; - for standard output");
   }
+  check_replays(o);
   if (!o.compare) check_run(o, format_given);
   // blend:K has a number; the joints look at it.
   if (!o.half_angle_law.starts_with("blend:")) {

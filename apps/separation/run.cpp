@@ -1,7 +1,6 @@
 #include "separation/run.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -9,11 +8,10 @@
 #include <filesystem>
 #include <map>
 #include <optional>
-#include <set>
+#include <utility>
 #include <vector>
 
 #include "cli/choice.hpp"
-#include "cli/file_text.hpp"
 #include "cli/interrupts.hpp"
 #include "cli/joint/key_settings.hpp"
 #include "cli/output.hpp"
@@ -21,23 +19,23 @@
 #include "cli/refuse.hpp"
 #include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
-#include "libcontact/pressure/validity.hpp"
 #include "separation/case/case_reader.hpp"
-#include "separation/case/identity.hpp"
 #include "separation/long_run.hpp"
 #include "separation/output/compare.hpp"
+#include "separation/output/events_table.hpp"
+#include "separation/output/file_name.hpp"
 #include "separation/output/history_file.hpp"
 #include "separation/output/pictures.hpp"
 #include "separation/output/summary.hpp"
-#include "separation/simulation/force_watch.hpp"
+#include "separation/record/saved_state.hpp"
+#include "separation/replays.hpp"
 #include "separation/stop_rule.hpp"
+#include "separation/warnings.hpp"
 
 namespace separation {
 namespace {
 
 using contact::detail::must_be;
-
-constexpr const char* program = "hinge-separation";
 
 constexpr std::array<cli::Choice<FrictionChoice>, 3> friction_choices = {
     {{"full", FrictionChoice::full},
@@ -49,6 +47,7 @@ void check_outputs(const Options& o) {
   for (const std::string& name : {o.history, o.events, o.checkpoint}) {
     if (!name.empty()) cli::Output::check(name);
   }
+  for (const std::string& name : o.replays) cli::Output::check(name);
 }
 
 // Where a name leads, "-" for standard output; "" for what may have several
@@ -86,6 +85,7 @@ void check_names(const Options& o, const Case& c) {
       take("--checkpoint", o.checkpoint + end);
     }
   }
+  for (const std::string& name : o.replays) take("--replay", name);
   // To go on with the same checkpoint is as usual.
   if (!o.resume.empty() && destination(o.resume) != destination(o.checkpoint)) {
     take("--resume", o.resume);
@@ -136,97 +136,6 @@ void check_case(const Options& o, const Case& c) {
   }
 }
 
-// Of the joints, once for each fit and each reason.
-void print_validity(const Case& c) {
-  std::set<std::string> fits;
-  std::set<std::string> notes;
-  for (const Body& body : c.bodies) {
-    for (const HingeJoint& joint : body.hinge.joints) {
-      if (const auto& fit = joint.joint.fit) {
-        fits.insert(
-            fmt::format("joint {}: {}", joint.joint.name, to_string(*fit)));
-      }
-      for (const std::string& note : joint.contact.validity_notes()) {
-        notes.insert(fmt::format("joint {}: {}", joint.joint.name, note));
-      }
-    }
-  }
-  for (const std::string& fit : fits) cli::note(program, fit);
-  for (const std::string& note : notes) cli::warn(program, note);
-}
-
-// Joints whose largest contact leaves the theory or what its materials bear.
-void print_contacts(const Case& c, const Outcome& outcome) {
-  std::set<std::string> notes;
-  for (std::size_t b = 0; b < c.bodies.size(); ++b) {
-    const auto& joints = c.bodies[b].hinge.joints;
-    for (std::size_t j = 0; j < joints.size(); ++j) {
-      const JointPeaks& peaks = outcome.memory.bodies[b].joints[j];
-      const contact::JointContact& contact = joints[j].contact;
-      for (const std::string& note :
-           contact_notes(contact.geometry().kind(), contact.pair(),
-                         peaks.half_angle, peaks.pressure)) {
-        notes.insert(fmt::format("joint {}: {}", joints[j].joint.name, note));
-      }
-    }
-  }
-  for (const std::string& note : notes) cli::warn(program, note);
-}
-
-void print_overlaps(const Case& c, const Outcome& outcome) {
-  for (std::size_t i = 0; i < c.clearance.size(); ++i) {
-    const PairRecord& pair = outcome.memory.pairs[i];
-    if (pair.not_found > 0) {
-      cli::warn(
-          program,
-          fmt::format("the distance of {} and {} was not found {} times",
-                      c.rigid_body(c.clearance[i].a).name,
-                      c.rigid_body(c.clearance[i].b).name, pair.not_found));
-    }
-    if (pair.overlap_from == History::not_yet) continue;
-    cli::warn(program,
-              fmt::format("{} and {} overlap from t = {:.6g} s to {:.6g} s",
-                          c.rigid_body(c.clearance[i].a).name,
-                          c.rigid_body(c.clearance[i].b).name,
-                          pair.overlap_from, pair.overlap_to));
-  }
-}
-
-// Forces that do what was hardly meant.
-void print_faults(const Case& c, const Outcome& outcome) {
-  for (const std::string& fault : force_faults(c, outcome.memory.forces)) {
-    cli::warn(program, fault);
-  }
-}
-
-// Events that are in the file for nothing, and forces.
-void print_missed(const Case& c, const Outcome& outcome) {
-  for (const Missed& missed : missed_events(c, outcome)) {
-    cli::warn(program,
-              fmt::format("event \"{}\" did not come for {}", missed.event,
-                          fmt::join(missed.bodies, ", ")));
-  }
-  for (const std::string& idle : idle_forces(
-           c, outcome.history, outcome.memory.forces, outcome.end_time)) {
-    cli::warn(program, idle);
-  }
-}
-
-// Steps that are too long show in the balance of the energies.
-void print_drift(const Case& c, const Outcome& outcome) {
-  const Recorder::Memory& memory = outcome.memory;
-  constexpr double notable = 1e-5;
-  if (c.options.carrier_drive ||
-      !(memory.largest_drift > notable * memory.largest_energy)) {
-    return;
-  }
-  cli::warn(program,
-            fmt::format("the energy strays by {:.2g} J, {:.2g} of its largest "
-                        "part: shorter steps or smaller tolerances",
-                        memory.largest_drift,
-                        memory.largest_drift / memory.largest_energy));
-}
-
 // `status`, but for a run that a signal has stopped.
 cli::ExitStatus status_of(const cli::Interrupts& interrupts,
                           cli::ExitStatus status) {
@@ -241,7 +150,9 @@ cli::ExitStatus status_of(const cli::Interrupts& interrupts,
 }
 
 cli::ExitStatus compare(const Case& c, const Options& o) {
-  print_validity(c);
+  Replays replays(c, o);
+  Warnings warnings;
+  warn_of_joints(c, warnings);
   const cli::Interrupts interrupts;
   const StopRule stop = stop_rule(interrupts, o.step_limit, o.time_limit);
   std::vector<Outcome> outcomes;
@@ -249,15 +160,18 @@ cli::ExitStatus compare(const Case& c, const Options& o) {
   for (const auto& [name, choice] : friction_choices) {
     RunOptions run;
     run.friction = choice;
-    run.clearance = false;
+    run.clearance = !o.replays.empty();
     run.stop = stop;
     outcomes.push_back(run_long(c, run).outcome);
     if (outcomes.back().failure.empty()) continue;
-    cli::warn(program,
-              fmt::format("friction {}: {}", name, outcomes.back().failure));
+    warnings.add(fmt::format("friction {}: {}", name, outcomes.back().failure));
     status = cli::some_bad;
   }
   std::swap(outcomes[0], outcomes[1]);  // ideal, full, traditional
+  if (!replays.write(c, {{"full", &outcomes[1]}, {"ideal", &outcomes[0]}},
+                     warnings)) {
+    status = cli::some_bad;
+  }
   write_comparison(c, outcomes, o.output);
   return status_of(interrupts, status);
 }
@@ -271,15 +185,6 @@ RunOptions run_options(const Case& c, const Options& o) {
   return run;
 }
 
-Checkpoints checkpoints_of(const Case& c, const Options& o,
-                           const RunOptions& run) {
-  Checkpoints result{o.checkpoint, o.checkpoint_every, o.resume};
-  result.identity =
-      fmt::format("{}\n{}\n", static_cast<int>(run.friction), run.clearance);
-  result.identity += identity(c);
-  return result;
-}
-
 cli::ExitStatus simulate(const Case& c, const Options& o) {
   RunOptions options = run_options(c, o);
   // Before the run: files that cannot be made should not cost its result.
@@ -291,35 +196,31 @@ cli::ExitStatus simulate(const Case& c, const Options& o) {
   }
   std::optional<cli::Output> events;
   if (!o.events.empty()) events.emplace(o.events);
+  Replays replays(c, o);
   cli::Output output(o.output.output);
-  print_validity(c);
+  Warnings warnings;
+  warn_of_joints(c, warnings);
 
   // Until everything is written.
   const cli::Interrupts interrupts;
   options.stop = stop_rule(interrupts, o.step_limit, o.time_limit);
-  const LongRun run = run_long(c, options, checkpoints_of(c, o, options));
+  const LongRun run = run_long(
+      c, options,
+      {o.checkpoint, o.checkpoint_every, o.resume, identity_of(c, options)});
   const Outcome& outcome = run.outcome;
   cli::ExitStatus status = cli::all_good;
-  if (!outcome.failure.empty()) {
-    cli::warn(program, "ended early: " + outcome.failure);
-    status = cli::some_bad;
-  } else {
-    print_missed(c, outcome);
-  }
+  if (!outcome.failure.empty()) status = cli::some_bad;
+  warn_of_run(c, outcome, warnings);
   if (!run.no_checkpoint.empty()) {
-    cli::warn(program, run.no_checkpoint);
+    warnings.add(run.no_checkpoint);
     status = cli::some_bad;
   }
-  print_faults(c, outcome);
-  print_contacts(c, outcome);
-  print_overlaps(c, outcome);
-  print_drift(c, outcome);
   // What one file has no room for costs the others nothing.
   const auto write = [&status](const auto& file) {
     try {
       file();
     } catch (const std::exception& error) {
-      cli::warn(program, error.what());
+      cli::warn(program_name, error.what());
       status = cli::some_bad;
     }
   };
@@ -332,13 +233,16 @@ cli::ExitStatus simulate(const Case& c, const Options& o) {
     });
   }
   events.reset();
+  if (!replays.write(c, {{"", &outcome}}, warnings)) {
+    status = cli::some_bad;
+  }
   output.write(summary(c, outcome).dump(2) + '\n');
   output.commit();
   if (!o.output.plot.empty()) {
     const std::string problem =
         draw_pictures(c, outcome.memory.rows, options.clearance, o.output.plot);
     if (!problem.empty()) {
-      cli::warn(program, problem);
+      cli::warn(program_name, problem);
       status = cli::some_bad;
     }
   }

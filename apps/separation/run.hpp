@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "cli/program.hpp"
 
@@ -21,8 +22,10 @@ struct Options {
   std::string checkpoint;
   double checkpoint_every = 0;  ///< s
   std::string resume;
-  int step_limit = 0;     ///< 0: none
-  double time_limit = 0;  ///< s of wall-clock time; 0: none
+  std::vector<std::string> replays;  ///< .glb, .html
+  bool no_case = false;              ///< not in the .html
+  int step_limit = 0;                ///< 0: none
+  double time_limit = 0;             ///< s of wall-clock time; 0: none
   cli::OutputOptions output;
 };
 

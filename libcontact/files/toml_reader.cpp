@@ -89,6 +89,7 @@ struct TomlTable::File {
   // "FILE:LINE: ", or "FILE with KEY: " of what a setting has put there. Nodes
   // that are copies of others know no line.
   std::string at(const toml::node& node) const {
+    if (source.empty()) return "";
     if (const auto& setting = node.source().path) {
       return detail::message("{} with {}: ", source, *setting);
     }
@@ -420,6 +421,12 @@ void TomlTable::refuse_idle() const { file_->refuse({&file_->read}); }
 
 std::string TomlTable::canonical_text() const {
   return detail::canonical(as_table(table_));
+}
+
+std::string TomlTable::toml_text() const {
+  std::ostringstream text;
+  text << file_->root;
+  return text.str();
 }
 
 const std::string& TomlTable::source() const { return file_->source; }

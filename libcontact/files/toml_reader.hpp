@@ -74,7 +74,7 @@ class TomlTable {
   static TomlTable from_file(const std::filesystem::path& path, KnownKeys keys,
                              const KeySettings& settings = {});
   /// Reads a text.
-  /// @param source  what messages call it
+  /// @param source  what messages call it; "": they name no place
   /// @param folder  what paths in it are relative to
   static TomlTable from_text(std::string_view text, const std::string& source,
                              KnownKeys keys, std::filesystem::path folder = {},
@@ -144,6 +144,8 @@ class TomlTable {
   /// What the table says, in one form: the same for files that differ only in
   /// comments, blanks, the order of keys or the notation of numbers.
   std::string canonical_text() const;
+  /// The file with its settings as TOML, which reads as the same.
+  std::string toml_text() const;
 
   /// The file, or the name given to from_text().
   const std::string& source() const;

@@ -89,6 +89,22 @@ TEST(FullDisk, HistoriesAreWholeOrNotThere) {
   EXPECT_EQ(folder.read("e.csv"), whole.read("e.csv"));
 }
 
+TEST(FullDisk, ReplaysAreWholeOrNotThere) {
+  const std::string run = "hinge-separation data/cases/soyuz.toml ";
+  const ProgramResult expected = ProgramFolder().run(run);
+  for (const int room : {0, 1000, 100000}) {
+    const ProgramFolder folder;
+    const ProgramResult result =
+        folder.run(with_room(room, run + "--replay a.glb"));
+    EXPECT_EQ(result.status, 1) << room;
+    EXPECT_EQ(result.err,
+              "hinge-separation: warning: cannot write a.glb: No space left on "
+              "device\n");
+    EXPECT_EQ(result.out, expected.out);
+    EXPECT_TRUE(folder.files().empty());
+  }
+}
+
 // A checkpoint that cannot be written costs nothing but itself; the one before
 // it stays good.
 TEST(FullDisk, CheckpointsAreWholeOrNotThere) {

@@ -5,6 +5,7 @@
 
 #include <numbers>
 
+#include "multibody/friction/coupled_dynamics.hpp"
 #include "multibody/motion/motion.hpp"
 #include "multibody_support/dense_solver.hpp"
 #include "multibody_support/friction_parts.hpp"

@@ -27,18 +27,12 @@ using contact::test::AccuracyReport;
 using contact::test::ReferenceTable;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double pi = std::numbers::pi;
 
 // The tables hold "inf" as Ebar and load.
 double number(const ReferenceTable& table, std::size_t row,
               const char* column) {
   return table.text(row, column) == "inf" ? infinity : table.value(row, column);
-}
-
-// 10^(k/10) for a k, of which the argument is a rounded print.
-double decade_tenth(double printed) {
-  return std::pow(10, std::round(10 * std::log10(printed)) / 10);
 }
 
 double kernel_value(const detail::BallKernel& kernel, double x) {
@@ -242,23 +236,6 @@ TEST(BallContact, ErrorEstimateIsAnUpperBound) {
   }
 }
 
-TEST(BallContact, ReproducesTheHalfAngles) {
-  const ReferenceTable table("conforming/sphere_theta0.csv");
-  AccuracyReport report("theta0, deg", 1e-4);  // the table's own accuracy
-  for (std::size_t row = 0; row < table.size(); ++row) {
-    const BallContact ball(
-        ElasticPair::from_modulus_ratio(table.value(row, "Ebar"), 0.3, 0.3));
-    const ExactHalfAngle result =
-        ball.half_angle(decade_tenth(number(table, row, "mu")));
-    EXPECT_EQ(result.status, Status::ok) << table.label(row);
-    EXPECT_LE(result.evaluations, 20) << table.label(row);
-    report.add_error(
-        std::abs(result.half_angle / degree - table.value(row, "theta0_deg")),
-        table.label(row));
-  }
-  report.check();
-}
-
 TEST(BallContact, ReproducesTheLoads) {
   const ReferenceTable table("conforming/sphere_mu_of_theta0.csv");
   // The table's half-angles are good to 1e-4 deg.
@@ -275,51 +252,6 @@ TEST(BallContact, ReproducesTheLoads) {
   report.check();
 }
 
-TEST(BallContact, ReproducesTheLimitAngles) {
-  const ReferenceTable table("conforming/sphere_limit_angle.csv");
-  AccuracyReport report("theta0*, deg", 2e-4);  // largest difference 1.7e-4
-  // deg, at nu_2 = 0.45 and 0.49; this solution is converged to 1e-7 deg.
-  for (std::size_t row = 0; row < table.size(); ++row) {
-    const BallContact ball(ElasticPair::from_modulus_ratio(
-        number(table, row, "Ebar"), table.value(row, "nu1"),
-        table.value(row, "nu2")));
-    report.add_error(std::abs(ball.limit_half_angle().half_angle / degree -
-                              table.value(row, "theta_lim_exact_deg")),
-                     table.label(row));
-  }
-  report.check();
-}
-
-TEST(BallContact, ReproducesThePressures) {
-  const ReferenceTable table("conforming/pressure_profiles.csv");
-  AccuracyReport report("p / peak", 1e-6);  // asked for
-  for (std::size_t row = 0; row < table.size(); ++row) {
-    if (table.text(row, "joint") != "sphere") continue;
-    const BallContact ball(
-        ElasticPair::from_modulus_ratio(number(table, row, "Ebar"), 0.3, 0.3));
-    // The last profile of each pair is at the limit angle, printed with four
-    // decimals of a degree like its angles.
-    double theta0 = table.value(row, "theta0_deg") * degree;
-    const double limit = ball.limit_half_angle().half_angle;
-    double tolerance = 0;
-    if (std::abs(theta0 - limit) < 1e-4 * degree) {
-      theta0 = limit;
-      tolerance = 5e-5 * degree;  // times the slope
-    }
-    const double theta = table.value(row, "theta_deg") * degree;
-    // At the edge itself the slope is infinite and p is 0.
-    if (theta > 0.9999 * theta0) continue;
-    const ContactPressure p = ball.pressure(theta0);
-    const double expected =
-        table.value(row, "p_exact*rho^2/Rn (sphere) or p*rho/P (cyl)");
-    const double error = std::abs(p.pressure(theta) - expected);
-    report.add_error(
-        std::max(0.0, error - tolerance * p.slope(theta)) / p.peak(),
-        table.label(row));
-  }
-  report.check();
-}
-
 // ∫ f over [0, theta0]; sin substitution against the square-root edge.
 template <class F>
 double integrate_contact(const F& f, double half_angle) {
@@ -330,11 +262,9 @@ double integrate_contact(const F& f, double half_angle) {
       0.0, pi / 2, 5, 1e-12);
 }
 
-TEST(BallContact, ReproducesSThePeakAndTheFrictionCoefficients) {
+TEST(BallContact, ReproducesTheFrictionCoefficients) {
   const ReferenceTable table("conforming/pressure_friction.csv");
-  AccuracyReport ratio("S", 1e-6);    // six decimals of 1
-  AccuracyReport peak("peak", 2e-6);  // six decimals of 0.6 to 60
-  AccuracyReport chi("chi", 2e-6);    // six decimals of 1, at a = 0
+  AccuracyReport chi("chi", 2e-6);  // six decimals of 1, at a = 0
   AccuracyReport sliding("sigma_Y", 2e-6);
   for (std::size_t row = 0; row < table.size(); ++row) {
     if (table.text(row, "joint") != "sphere") continue;
@@ -345,8 +275,6 @@ TEST(BallContact, ReproducesSThePeakAndTheFrictionCoefficients) {
     const double limit = ball.limit_half_angle().half_angle;
     if (std::abs(theta0 - limit) < 1e-4 * degree) theta0 = limit;
     const ContactPressure p = ball.pressure(theta0);
-    ratio.add(p.force_ratio(), table.value(row, "S_exact"), table.label(row));
-    peak.add(p.peak(), table.value(row, "pmax_exact"), table.label(row));
     // a = 0: with k = sin t the inner integrals over f are
     // 4 cos t K(k) and 4 E(k).
     chi.add(integrate_contact(
@@ -364,8 +292,6 @@ TEST(BallContact, ReproducesSThePeakAndTheFrictionCoefficients) {
                     theta0),
                 table.value(row, "sigmaY_exact"), table.label(row));
   }
-  ratio.check();
-  peak.check();
   chi.check();
   sliding.check();
 }
@@ -424,134 +350,16 @@ TEST(BallContact, PressureConverges) {
   RecordProperty("max_error", std::to_string(1e9 * worst) + "e-9");
 }
 
-TEST(BallContact, TendsToHertz) {
-  // theta0 -> x, and the pressure to an ellipsoid with the peak
-  // 3/(2 pi theta0^2).
-  for (const double ratio : {0.0, 1.0, infinity}) {
-    const BallContact ball(ElasticPair::from_modulus_ratio(ratio, 0.1, 0.4));
-    for (const double mu : {1e-24, 1e-17, 1e-9}) {
-      const double x = std::cbrt(mu);
-      const double theta0 = ball.half_angle(mu).half_angle;
-      // The next term is of the order A x ln x with A <= 0.4/pi.
-      EXPECT_NEAR(theta0, x, 0.3 * x * x * std::log(1 / x) + 1e-13 * x)
-          << ratio << " " << mu;
-      const ContactPressure p = ball.pressure(theta0);
-      for (const double share : {0.0, 0.6, 0.99}) {
-        const double hertz = 3 / (2 * pi * theta0 * theta0) *
-                             std::sqrt((1 - share) * (1 + share));
-        EXPECT_NEAR(p.pressure(share * theta0) / hertz, 1,
-                    theta0 * std::log(1 / theta0) + 1e-12);
-      }
-    }
-  }
-}
-
-TEST(BallContact, ReachesTheExtremes) {
-  // Rigid and nearly rigid bodies, Poisson's ratio from end to end, loads up
-  // to 1e8, half-angles from 1e-4 deg to 1e-3 deg from the limit: there and
-  // back again.
-  for (const double ratio : {0.0, 1e-6, 1.0, 1e6, infinity}) {
-    for (const double nu1 : {0.0, 0.3, 0.5}) {
-      for (const double nu2 : {0.0, 0.5}) {
-        const BallContact ball(
-            ElasticPair::from_modulus_ratio(ratio, nu1, nu2));
-        const std::string label = std::to_string(ratio) + " " +
-                                  std::to_string(nu1) + " " +
-                                  std::to_string(nu2);
-        const ExactHalfAngle limit = ball.limit_half_angle();
-        if (ratio == 0 && nu1 == 0.5) {
-          // An incompressible ball in a rigid seat: the limit is 180 deg.
-          EXPECT_EQ(limit.status, Status::not_converged) << label;
-          EXPECT_EQ(limit.half_angle, ball.largest()) << label;
-          EXPECT_EQ(ball.half_angle(1e6).status, Status::ok);
-          continue;
-        }
-        EXPECT_EQ(limit.status, Status::ok) << label;
-        for (const double theta0 :
-             {1e-4 * degree, 1.0, limit.half_angle - 1e-3 * degree}) {
-          const ExactLoad load = ball.load_parameter(theta0);
-          ASSERT_EQ(load.status, Status::ok) << label;
-          const ExactHalfAngle back = ball.half_angle(load.load_parameter);
-          EXPECT_EQ(back.status, Status::ok) << label;
-          // The root's own tolerance; where the limit nears 180 deg the curve
-          // is flat (1/mu = 1e-7 at 173 deg) and its rounding shows.
-          EXPECT_NEAR(back.half_angle, theta0,
-                      (theta0 < 2.5 ? 1e-12 : 1e-8) * theta0)
-              << label;
-        }
-        const double theta8 = ball.half_angle(1e8).half_angle;
-        EXPECT_LT(theta8, limit.half_angle) << label;
-        if (limit.half_angle < 2) {
-          // theta0* - theta0 goes like 1/mu, by less than 10 rad.
-          EXPECT_GT(theta8, limit.half_angle - 1e-7) << label;
-        }
-      }
-    }
-  }
-}
-
+// What is known of a ball in a rigid seat at mu = 3, to its digits: 66.6 deg by
+// a centre force, 71.6 to 73.1 deg from patches of 60 to 20 deg.
 TEST(BallContact, LoadThroughTheBack) {
   const ElasticPair pair = ElasticPair::from_modulus_ratio(0, 0.3, 0.3);
-  const BallContact centre(pair);
-  // A ball that does not deform cannot tell.
-  const ElasticPair rigid = ElasticPair::from_modulus_ratio(infinity, 0.3, 0.3);
-  EXPECT_EQ(BallContact(rigid, InnerLoading::back(0.5)).reciprocal_load(1),
-            BallContact(rigid).reciprocal_load(1));
-  // What is known of a ball in a rigid seat at mu = 3, to its digits: 66.6 deg
-  // by a centre force, 71.6 to 73.1 deg from patches of 60 to 20 deg.
-  EXPECT_NEAR(centre.half_angle(3).half_angle / degree, 66.6, 0.06);
-  const auto from_back = [&pair](double psi_deg) {
-    return BallContact(pair, InnerLoading::back(psi_deg * degree))
-               .half_angle(3)
-               .half_angle /
-           degree;
+  const auto angle_deg = [&pair](InnerLoading loading) {
+    return BallContact(pair, loading).half_angle(3).half_angle / degree;
   };
-  EXPECT_NEAR(from_back(60), 71.6, 0.05);
-  EXPECT_NEAR(from_back(20), 73.1, 0.05);
-  for (const double mu : {0.01, 1.0, 100.0}) {
-    double before = centre.half_angle(mu).half_angle;
-    for (const double psi : {1.2, 0.8, 0.4, 0.1, 0.0}) {
-      const BallContact ball(pair, InnerLoading::back(psi));
-      const double theta0 = ball.half_angle(mu).half_angle;
-      EXPECT_GT(theta0, before) << mu << " " << psi;
-      before = theta0;
-      const ContactPressure p = ball.pressure(theta0);
-      EXPECT_NEAR(integrate_contact(
-                      [&p](double t) {
-                        return 2 * pi * p.pressure(t) * std::cos(t) *
-                               std::sin(t);
-                      },
-                      theta0),
-                  1, 1e-7);
-    }
-    // A point force is the limit of small patches, quadratic in psi.
-    const double tiny =
-        BallContact(pair, InnerLoading::back(1e-6)).half_angle(mu).half_angle;
-    EXPECT_NEAR(tiny, before, 1e-11);
-  }
-  const BallContact wide(pair, InnerLoading::back(pi / 2));
-  EXPECT_LT(wide.largest(), pi / 2);
-  EXPECT_TRUE(std::isnan(wide.reciprocal_load(pi / 2)));
-}
-
-TEST(BallContact, BadArguments) {
-  const ElasticPair pair = ElasticPair::from_modulus_ratio(1, 0.3, 0.3);
-  EXPECT_THROW(BallContact(pair, InnerLoading::centre(), 7), Error);
-  EXPECT_THROW(BallContact(pair, InnerLoading::centre(), 33), Error);
-  const BallContact ball(pair);
-  EXPECT_EQ(ball.half_angle(0).half_angle, 0);
-  EXPECT_EQ(ball.load_parameter(0).load_parameter, 0);
-  const double limit = ball.limit_half_angle().half_angle;
-  EXPECT_EQ(ball.load_parameter(limit + 1e-6).status, Status::out_of_range);
-  for (const double bad : {nan, -1.0}) {
-    EXPECT_EQ(ball.half_angle(bad).status, Status::out_of_range);
-    EXPECT_TRUE(std::isnan(ball.half_angle(bad).half_angle));
-    EXPECT_EQ(ball.load_parameter(bad).status, Status::out_of_range);
-    EXPECT_TRUE(std::isnan(ball.load_parameter(bad).load_parameter));
-    EXPECT_TRUE(std::isnan(ball.reciprocal_load(bad)));
-    EXPECT_TRUE(std::isnan(ball.pressure(bad).peak()));
-    EXPECT_TRUE(std::isnan(ball.pressure(bad).force_ratio()));
-  }
+  EXPECT_NEAR(angle_deg(InnerLoading::centre()), 66.6, 0.06);
+  EXPECT_NEAR(angle_deg(InnerLoading::back(60 * degree)), 71.6, 0.05);
+  EXPECT_NEAR(angle_deg(InnerLoading::back(20 * degree)), 73.1, 0.05);
 }
 
 }  // namespace

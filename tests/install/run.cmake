@@ -1,7 +1,8 @@
 # Installs a build tree into an empty folder, then builds and runs the outside
 # project against it twice: by find_package and by pkg-config.
+# The same for the door to C, if it was built.
 # -D BUILD=tree -D SOURCE=outside project -D WORK=folder -D COMPILER=...
-# -D FLAGS=...
+# -D C_COMPILER=... -D FLAGS=...
 function(run)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE status
     OUTPUT_VARIABLE output ERROR_VARIABLE output)
@@ -71,3 +72,35 @@ separate_arguments(pc_flags UNIX_COMMAND "${output}")
 run(${COMPILER} -std=c++20 ${flags} ${SOURCE}/files.cpp
   -o ${WORK}/files_by_pkg_config ${pc_flags})
 run(${WORK}/files_by_pkg_config ${joint})
+
+if(NOT EXISTS ${prefix}/include/libcontact/c)
+  return()
+endif()
+set(top ${SOURCE}/../../..)
+file(GLOB_RECURSE library ${prefix}/*/libcontact_c.so)
+run(${CMAKE_COMMAND} -S ${SOURCE}_c -B ${WORK}/build_c
+  -D CMAKE_PREFIX_PATH=${prefix} -D CMAKE_BUILD_TYPE=Release
+  -D CMAKE_C_COMPILER=${C_COMPILER} -D "CMAKE_C_FLAGS=${FLAGS}"
+  -D CMAKE_CXX_COMPILER=${COMPILER} -D "CMAKE_CXX_FLAGS=${FLAGS}")
+run(${CMAKE_COMMAND} --build ${WORK}/build_c)
+run(${CMAKE_COMMAND} -E chdir ${top} ${WORK}/build_c/turning)
+set(by_cmake "${output}")
+message(STATUS "contact::c: ${output}")
+run(${WORK}/build_c/bridge)
+message(STATUS "C++17: ${output}")
+if(NOT output MATCHES "C.. 201703: utilisation 0\\.[0-9]+")
+  message(FATAL_ERROR "unexpected")
+endif()
+run(${WORK}/build_c/threads ${library} ${top}/data/joints/pin_joint.toml
+  ${top}/data/cases/two_stage_turn.toml)
+message(STATUS "dlopen: ${output}")
+run(pkg-config --cflags --libs --define-prefix contact-c)
+separate_arguments(pc_flags UNIX_COMMAND "${output}")
+get_filename_component(folder ${library} DIRECTORY)
+run(${C_COMPILER} -std=c11 -pedantic -Wall -Werror ${flags}
+  ${SOURCE}_c/turning.c -o ${WORK}/c_by_pkg_config ${pc_flags}
+  -Wl,-rpath,${folder})
+run(${CMAKE_COMMAND} -E chdir ${top} ${WORK}/c_by_pkg_config)
+if(NOT output STREQUAL by_cmake)
+  message(FATAL_ERROR "by pkg-config: ${output}")
+endif()

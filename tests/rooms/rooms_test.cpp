@@ -15,7 +15,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Folders with their subfolders, lowest first: the physics, then the programs.
+// Folders with their subfolders, lowest first: the physics, then the programs,
+// then the doors to other languages.
 const std::vector<std::string> rooms = {
     "libcontact/base",
     "libcontact/pair",
@@ -45,8 +46,11 @@ const std::vector<std::string> rooms = {
     "apps/separation/clearance",
     "apps/separation/record",
     "apps/separation/output",
+    "apps/separation/replay",
     "apps/separation",
     "apps/study",
+    "libcontact/python",
+    "libcontact/c",
 };
 
 const fs::path root = CONTACT_SOURCE_DIR;
@@ -72,7 +76,7 @@ std::vector<std::string> sources(const std::string& folder) {
   std::vector<std::string> files;
   for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
     const std::string ending = entry.path().extension().string();
-    if (ending == ".hpp" || ending == ".cpp") {
+    if (ending == ".hpp" || ending == ".cpp" || ending == ".h") {
       files.push_back(fs::relative(entry.path(), root).string());
     }
   }

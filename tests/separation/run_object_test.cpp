@@ -13,6 +13,7 @@
 
 #include "separation/case/case_reader.hpp"
 #include "separation/output/summary.hpp"
+#include "separation/record/saved_state.hpp"
 #include "support/error_message.hpp"
 
 namespace {
@@ -103,6 +104,39 @@ TEST_P(Runs, GoOnFromASavedStateToTheSameEnd) {
     EXPECT_NEAR(whole.memory.bodies[b].peak_reaction,
                 pieces.memory.bodies[b].peak_reaction,
                 1e-5 * whole.memory.bodies[b].peak_reaction);
+  }
+}
+
+TEST_P(Runs, GoOnFromSavedBytesToTheSameEnd) {
+  const Case c = case_of(GetParam());
+  const std::string identity = separation::identity_of(c, {});
+  CaseRun first(c);
+  first.advance_to(0.41 * c.end_time);
+  const std::string bytes = separation::saved_bytes(first.save(), identity);
+  ASSERT_EQ(first.advance_to(c.end_time), Status::finished);
+  CaseRun second(c);
+  second.restore(separation::saved_state(bytes, identity));
+  ASSERT_EQ(second.advance_to(c.end_time), Status::finished);
+  expect_same(c, first.outcome(), second.outcome(), false);
+}
+
+TEST(SavedBytes, OfOthersAndDamagedOnesAreRefused) {
+  const Case c = case_of("two_stage_turn");
+  const std::string bytes = separation::saved_bytes(CaseRun(c).save(), "own");
+  const auto message = [](const std::string& from, const char* identity) {
+    return contact::test::error_message(
+        [&] { separation::saved_state(from, identity); });
+  };
+  EXPECT_EQ(message(bytes, "other"),
+            "the saved state: a checkpoint of a run of another case file, "
+            "other joints or other options");
+  EXPECT_EQ(message("some text", "own"),
+            "the saved state: not a checkpoint of hinge-separation");
+  for (std::size_t i = 0; i < bytes.size(); i += bytes.size() / 50) {
+    std::string damaged = bytes;
+    damaged[i] = static_cast<char>(damaged[i] ^ 0x10);
+    EXPECT_NE(message(damaged, "own"), "(no error)") << i;
+    EXPECT_NE(message(bytes.substr(0, i), "own"), "(no error)") << i;
   }
 }
 

@@ -37,6 +37,7 @@ class Dynamics {
 
   int size() const { return static_cast<int>(modes_.size()); }
   JointMode mode(int body) const { return modes_[body]; }
+  const std::vector<JointMode>& modes() const { return modes_; }
   /// Changes what a joint does. Turning and held joints have the same numbers
   /// in the state; releasing one changes the layout.
   void set_mode(int body, JointMode mode);

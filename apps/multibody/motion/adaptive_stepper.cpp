@@ -97,7 +97,7 @@ class AdaptiveStepper final : public Stepper {
 
   // Hermite's cubic between the ends: ARKODE's own dense output evaluates
   // rates at every call.
-  void estimate(double time, std::span<double> state) override {
+  void estimate_inside(double time, std::span<double> state) override {
     const double h = end_ - begin_;
     if (!begin_known_) {
       begin_rates_.resize(from_.size());

@@ -2,324 +2,253 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
-#include "libcontact/base/complaint.hpp"
-#include "libcontact/base/error.hpp"
-#include "multibody/motion/motion_impl.hpp"
-#include "multibody/system/kinematics.hpp"
+#include "multibody/motion/hinge_changes.hpp"
+#include "multibody/motion/hinge_events.hpp"
+#include "multibody/motion/motion_start.hpp"
+#include "multibody/motion/user_events.hpp"
 
 namespace multibody {
 namespace {
 
-using Eigen::Map;
-using Eigen::Matrix3d;
-using Eigen::Vector3d;
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
-double default_stop_speed(const MotionOptions& options) {
-  if (options.stop_speed > 0) return options.stop_speed;
-  // Below 1e-9 rad/s the rounding of the accelerations counts.
-  return options.integrator == Integrator::rk4
-             ? 1e-8
-             : std::max(100 * options.absolute_tolerance, 1e-9);
+const char* reason(CoupledStatus status) {
+  switch (status) {
+    case CoupledStatus::not_converged:
+      return "the friction moments and the reactions do not settle";
+    case CoupledStatus::no_solution:
+      return "no friction moments were found that fit the reactions they cause";
+    case CoupledStatus::several_solutions:
+      return "several friction moments fit the reactions they cause";
+    case CoupledStatus::out_of_range:
+      return "a force or a velocity is not a finite number";
+    case CoupledStatus::no_contact:
+      return "a contact has no value";
+    case CoupledStatus::ok:
+      return "steps as short as can be do not meet the tolerance";
+  }
+  return "";
 }
 
-void check_positive(double value, const char* name) {
-  if (!(value > 0)) {
-    throw contact::Error(contact::detail::must_be(
-        fmt::format("motion: {} = {}", name, value), "above 0"));
-  }
-}
-
-void check_options(const MotionOptions& options) {
-  check_positive(options.relative_tolerance, "relative_tolerance");
-  check_positive(options.absolute_tolerance, "absolute_tolerance");
-  check_positive(options.step, "step");
-  check_positive(options.longest_step, "longest_step");
-  check_positive(options.stall_changes, "stall_changes");
-  check_positive(options.stall_span, "stall_span");
-}
-
-// To the dynamics it is one whose accelerations are given: no equation of the
-// carrier is left to solve, and hinges on it do not feel each other.
-void prescribe_fixed(const MotionStart& start, MotionOptions& options) {
-  if (options.carrier_drive) {
-    throw contact::Error(
-        contact::detail::conflicts("motion: carrier_drive", "a fixed carrier"));
-  }
-  if (!start.carrier.velocity.isZero(0) ||
-      !start.carrier.angular_velocity.isZero(0)) {
-    throw contact::Error(contact::detail::must_be("start.carrier: velocity",
-                                                  "0: the carrier is fixed"));
-  }
-  options.carrier_drive = CarrierDrive{};
-}
-
-BodyMotion checked_body(const BodyMotion& body, const std::string& place) {
-  if (!body.position.allFinite() || !body.velocity.allFinite() ||
-      !body.angular_velocity.allFinite()) {
-    throw contact::Error(contact::detail::must_be(place, "finite"));
-  }
-  BodyMotion result = body;
-  result.rotation = checked_rotation(body.rotation, place + ".rotation");
-  return result;
-}
-
-// Numbers of a body on the carrier.
-void put_hinged(const BodyStart& start, const Link& link,
-                const std::string& place, double* to) {
-  if (link.kind == HingeKind::axis) {
-    to[0] = start.angle;
-    to[1] = start.angle_rate;
-  } else {
-    const Matrix3d c =
-        checked_rotation(start.rotation, place + ".rotation") * link.axes;
-    const Eigen::Quaterniond q(c);
-    Map<Eigen::Vector4d>{to} =
-        Eigen::Vector4d(q.w(), q.x(), q.y(), q.z()).normalized();
-    Map<Vector3d>{to + 4} =
-        link.axes.transpose() * start.relative_angular_velocity;
-  }
-  const double* rate = link.kind == HingeKind::axis ? to + 1 : to + 4;
-  const int rates = link.kind == HingeKind::axis ? 1 : 3;
-  const bool finite = std::isfinite(to[0]) &&
-                      std::all_of(rate, rate + rates,
-                                  [](double x) { return std::isfinite(x); });
-  if (!finite) {
-    throw contact::Error(contact::detail::must_be(place, "finite"));
-  }
-  if (start.locked &&
-      std::any_of(rate, rate + rates, [](double x) { return x != 0; })) {
-    throw contact::Error(contact::detail::must_be(
-        place + ": relative velocity", "0 while the body is locked"));
-  }
+std::string reason(const contact::JointContact& contact, double force) {
+  const std::string law = contact.half_angle_law().name();
+  return std::isfinite(contact.half_angle(force).half_angle)
+             ? fmt::format(
+                   "half-angle law {} and pressure law {} give no friction "
+                   "under {:.6g} N",
+                   law, contact.pressure_law().name(), force)
+             : fmt::format("half-angle law {} has no value under {:.6g} N", law,
+                           force);
 }
 
 }  // namespace
 
-MotionImpl::MotionImpl(const System& motion_system,
-                       std::vector<HingeFriction> friction,
-                       std::shared_ptr<const ForceModel> force_model,
-                       const MotionStart& start,
-                       const MotionOptions& motion_options)
-    : system(motion_system),
-      options(motion_options),
-      stop_speed(default_stop_speed(motion_options)),
-      forces(std::move(force_model)),
-      coupled(system, std::move(friction), motion_options.coupling),
-      impulse(system),
-      now(start.time),
-      sample(this) {
-  check_options(options);
-  if (system.carrier().fixed) prescribe_fixed(start, options);
-  joint_modes.resize(size());
-  straight_from.resize(size());
-  recent_.resize(size());
-  slip_directions.resize(size());
-  motions.resize(1 + size());
-  rate_motions_.resize(1 + size());
-  body_forces_.resize(1 + size());
-  forces_.bodies.resize(size());
-  held_units_.resize(size());
-  // A step that ends at a break of the forces sees those before it.
-  const auto right_hand_side = [this](double time, const double* state,
-                                      double* to) {
-    const double before = std::nextafter(next_break, time - 1);
-    return rates(time < next_break ? time : before, state, to);
+std::string MotionFailure::message() const {
+  if (body < 0) return reason;
+  if (joint < 0) return fmt::format("{} (body {})", reason, body);
+  return fmt::format("{} (body {}, joint {})", reason, body, joint);
+}
+
+Motion::Motion(const System& system, std::vector<HingeFriction> friction,
+               std::shared_ptr<const ForceModel> forces,
+               const MotionStart& start, const MotionOptions& options)
+    : options_(checked_options(system, start, options)), now_(start.time) {
+  equations_ = std::make_unique<Equations>(system, std::move(friction),
+                                           std::move(forces), options_);
+  view_ = std::make_unique<MotionSample>(*equations_);
+  const auto rates = [equations = equations_.get()](
+                         double time, const double* state, double* to) {
+    return equations->rates_in_step(time, state, to);
   };
-  stepper = options.integrator == Integrator::rk4
-                ? make_rk4_stepper(right_hand_side, options.step)
-                : make_adaptive_stepper(
-                      right_hand_side,
-                      {options.relative_tolerance, options.absolute_tolerance,
-                       options.longest_step, size()});
-  const std::vector<double> state = start_state(start);
+  stepper_ = options_.integrator == Integrator::rk4
+                 ? make_rk4_stepper(rates, options_.step)
+                 : make_adaptive_stepper(
+                       rates, {options_.relative_tolerance,
+                               options_.absolute_tolerance,
+                               options_.longest_step, system.size()});
+  hinges_ = std::make_unique<HingeChanges>(*equations_, *view_, options_);
+  hinge_events_ = std::make_unique<HingeEvents>(*equations_, *view_, *stepper_,
+                                                *hinges_, options_);
+  user_events_ = std::make_unique<UserEvents>(*view_);
+  resume(start_state(*equations_, start));
   // Whoever is at rest at the start has not come to rest.
-  if (resolve_rest(state, -1)) restart(state);
-  changes.clear();
+  hinges_->forget();
 }
 
-std::vector<double> MotionImpl::start_state(const MotionStart& start) {
-  if (static_cast<int>(start.bodies.size()) != size()) {
-    throw contact::Error(contact::detail::must_be(
-        fmt::format("start of {} bodies", start.bodies.size()),
-        fmt::format("of {}, one for each body", size())));
+Motion::~Motion() = default;
+Motion::Motion(Motion&&) noexcept = default;
+Motion& Motion::operator=(Motion&&) noexcept = default;
+
+void Motion::set_failure(const CoupledReport& report, double time) {
+  const std::string why = report.status == CoupledStatus::no_contact
+                              ? reason(equations_->coupled.hinge(report.body)
+                                           .solver.contact(report.joint),
+                                       report.force)
+                              : reason(report.status);
+  failure_ = MotionFailure{report.status,
+                           time,
+                           report.body,
+                           fmt::format("at {} s: {}", time, why),
+                           {},
+                           report.joint};
+  if (report.status == CoupledStatus::several_solutions) {
+    failure_->solutions.assign(equations_->coupled.solutions().begin(),
+                               equations_->coupled.solutions().end());
   }
-  std::vector<double> state(number_count());
-  put_body(checked_body(start.carrier, "start.carrier"), Matrix3d::Identity(),
-           state.data());
-  for (int i = 0; i < size(); ++i) {
-    const Link& link = system.links()[i];
-    const BodyStart& body = start.bodies[i];
-    const std::string place = fmt::format("start.bodies[{}]", i);
-    double* to = &state[coupled.layout().offset(i)];
-    if (link.kind == HingeKind::none) {
-      put_body(checked_body(body.body, place), link.axes, to);
-      change_mode(i, HingeMode::released);
-      continue;
-    }
-    put_hinged(body, link, place, to);
-    const Vector3d rate = rate_of(i, state.data());
-    if (body.locked) {
-      change_mode(i, HingeMode::locked);
-    } else if (rate.isZero(0) && coupled.can_rest(i)) {
-      change_mode(i, HingeMode::resting);
-    } else {
-      change_mode(i, HingeMode::sliding);
-      if (!rate.isZero(0)) coupled.set_direction(i, rate.normalized());
-    }
-  }
-  return state;
 }
 
-void MotionImpl::restart(std::vector<double> state) {
-  normalise(system, coupled.layout(), joint_modes, state.data());
-  pending.reset();
-  stepper->restart(now, state);
-  look_at(now, state);
+// From a state in which hinges may rest, slip or be free otherwise than before.
+bool Motion::resume(std::vector<double> state, int forced) {
+  const CoupledReport report = hinges_->resolve_rest(now_, state, forced);
+  if (report.status != CoupledStatus::ok) set_failure(report, now_);
+  if (failure_) return false;
+  restart(std::move(state));
+  return true;
 }
 
-bool MotionImpl::redo_step_to(double time) {
-  const double begin = stepper->begin();
-  const std::vector<double> state(stepper->begin_state().begin(),
-                                  stepper->begin_state().end());
+void Motion::restart(std::vector<double> state) {
+  normalise(equations_->system, equations_->coupled.layout(),
+            equations_->modes(), state.data());
+  pending_.reset();
+  stepper_->restart(now_, state);
+  view_->show(now_, state);
+}
+
+bool Motion::redo_step_to(double time) {
   // A single step, unless the error control wants several.
-  stepper->set_next_step(time - begin);
-  stepper->restart(begin, state);
-  return stepper->step(time);
+  stepper_->set_next_step(time - stepper_->begin());
+  stepper_->restart_at_begin();
+  return stepper_->step(time);
 }
 
 // The state at a time of the last step by a step that ends there, so that no
 // interpolation gets into what follows.
-void MotionImpl::go_to(double time) {
-  if (time != stepper->end()) redo_step_to(time);
-  while (stepper->end() < time) {
-    if (!stepper->step(time)) break;
+void Motion::go_to(double time) {
+  if (time != stepper_->end()) redo_step_to(time);
+  while (stepper_->end() < time) {
+    if (!stepper_->step(time)) break;
   }
-  look_at(time, stepper->end_state());
-  pending.reset();
+  view_->show(time, stepper_->end_state());
+  pending_.reset();
 }
 
 // After a break nothing of the step before it may be used.
-bool MotionImpl::pass_break() {
-  constexpr double never = std::numeric_limits<double>::infinity();
-  const double next = forces ? forces->next_break(stepper->end()) : never;
-  if (next == next_break) return false;
-  next_break = next;
-  const std::vector<double> state(stepper->end_state().begin(),
-                                  stepper->end_state().end());
-  stepper->restart(stepper->end(), state);
+bool Motion::pass_break() {
+  const ForceModel* forces = equations_->forces.get();
+  const double next = forces ? forces->next_break(stepper_->end()) : infinity;
+  if (next == equations_->next_break) return false;
+  equations_->next_break = next;
+  stepper_->restart_at_end();
   return true;
 }
 
-void MotionImpl::show_step(double time) {
-  if (!step_watch) return;
-  look_at(time, stepper->end_state());
-  step_watch(sample);
+void Motion::show_step(double time) {
+  if (!step_watch_) return;
+  view_->show(time, stepper_->end_state());
+  step_watch_(*view_);
 }
 
 // Where the direction of a ball joint that has just begun to slide comes to an
 // end with nothing near to go on to, it stays until the joint is faster. True:
 // the last step can be tried again.
-bool MotionImpl::keep_directions() {
-  bool any = false;
-  for (int i = 0; i < size(); ++i) any |= coupled.follows_acceleration(i);
-  if (!any) return false;
-  const std::vector<double> state(stepper->begin_state().begin(),
-                                  stepper->begin_state().end());
-  look_at(stepper->begin(), state);
-  work_out();
-  for (int i = 0; i < size(); ++i) {
-    if (coupled.follows_acceleration(i)) coupled.slide_straight(i, true);
+bool Motion::keep_directions() {
+  CoupledDynamics& coupled = equations_->coupled;
+  std::vector<int> following;
+  for (int i = 0; i < coupled.size(); ++i) {
+    if (coupled.hinge(i).follows) following.push_back(i);
   }
-  stepper->restart(stepper->begin(), state);
+  if (following.empty()) return false;
+  view_->show(stepper_->begin(), stepper_->begin_state());
+  view_->work_out();
+  for (const int i : following) coupled.slide_straight(i, true);
+  stepper_->restart_at_begin();
   return true;
 }
 
-bool MotionImpl::step() {
-  constexpr double early = -std::numeric_limits<double>::infinity();
-  show_step(std::min(stepper->end(), std::nextafter(next_break, early)));
-  if (pass_break()) show_step(stepper->end());
-  const double from = stepper->end();
-  if (!stepper->step(next_break)) {
+std::optional<StepEvent> Motion::find_event() {
+  user_events_->sample(*stepper_);
+  const std::optional<StepEvent> hinge = hinge_events_->first();
+  const std::optional<StepEvent> user = user_events_->first(*stepper_);
+  return !hinge || (user && user->time < hinge->time) ? user : hinge;
+}
+
+bool Motion::step() {
+  const double before_break = std::nextafter(equations_->next_break, -infinity);
+  show_step(std::min(stepper_->end(), before_break));
+  if (pass_break()) show_step(stepper_->end());
+  const double from = stepper_->end();
+  if (!stepper_->step(equations_->next_break)) {
     if (keep_directions()) return true;
-    now = from;
-    look_at(now, stepper->begin_state());
+    now_ = from;
+    view_->show(now_, stepper_->begin_state());
     // Why, if a coupled evaluation did not come out.
-    const bool coupled_failed =
-        failed_report.status != CoupledStatus::ok && failed_time >= from;
-    set_failure(coupled_failed ? failed_report : CoupledReport{},
-                coupled_failed ? failed_time : from);
+    const CoupledReport& failed = equations_->failed_report;
+    if (failed.status != CoupledStatus::ok && equations_->failed_time >= from) {
+      set_failure(failed, equations_->failed_time);
+    } else {
+      set_failure({}, from);
+    }
     return false;
   }
-  ++counts.steps;
-  pending = find_event();
-  if (!pending) {
-    for (std::size_t i = 0; i < events.size(); ++i) {
-      note_user_value(static_cast<int>(i), samples.user[i].back());
-    }
+  ++steps_;
+  pending_.reset();
+  const std::optional<StepEvent> found = find_event();
+  if (!found) {
+    user_events_->go_on();
     return true;
   }
-  const Found found = *pending;
-  const double planned = stepper->next_step();
-  if (found.time <= stepper->begin()) {
-    const std::vector<double> state(stepper->begin_state().begin(),
-                                    stepper->begin_state().end());
-    stepper->restart(stepper->begin(), state);
-  } else if (found.time < stepper->end() && !redo_step_to(found.time)) {
-    if (keep_directions()) {
-      pending.reset();
-      return true;
-    }
-    set_failure({}, stepper->end());
+  const double planned = stepper_->next_step();
+  if (found->time <= stepper_->begin()) {
+    stepper_->restart_at_begin();
+  } else if (found->time < stepper_->end() && !redo_step_to(found->time)) {
+    if (keep_directions()) return true;
+    set_failure({}, stepper_->end());
     return false;
   }
   // Several steps instead: what comes before the event may still be asked for,
   // so they are taken one by one.
-  if (stepper->end() < found.time) {
-    pending.reset();
-    look_at(stepper->end(), stepper->end_state());
-    note_user_values();
+  if (stepper_->end() < found->time) {
+    view_->show(stepper_->end(), stepper_->end_state());
+    user_events_->go_on_from_view();
     return true;
   }
   // A step that ends early for the sake of others says nothing of the next one;
   // what follows the change of a hinge wants short ones at first.
-  if (found.watch.kind == Watch::Kind::user) {
-    stepper->set_next_step(std::max(stepper->next_step(), planned));
+  if (found->kind == StepEvent::Kind::user) {
+    stepper_->set_next_step(std::max(stepper_->next_step(), planned));
   }
-  pending = found;
+  pending_ = found;
   return true;
 }
 
-Stop MotionImpl::advance_to(double time, bool look) {
-  event = -1;
-  for (long steps = 0; !failure; ++steps) {
-    if (pending && pending->time <= time) {
-      const Found found = *pending;
-      pending.reset();
-      if (handle(found)) return failure ? Stop::failed : Stop::event;
+Stop Motion::advance_to(double time, bool look) {
+  event_ = -1;
+  for (long steps = 0; !failure_; ++steps) {
+    if (pending_ && pending_->time <= time) {
+      if (handle(*std::exchange(pending_, {}))) {
+        return failure_ ? Stop::failed : Stop::event;
+      }
       continue;
     }
-    if (stepper->end() >= time) {
-      now = std::max(now, time);
-      if (!look) return Stop::time;
-      trial_.resize(number_count());
-      stepper->interpolate(now, trial_);
-      look_at(now, trial_);
+    if (stepper_->end() >= time) {
+      now_ = std::max(now_, time);
+      if (look) view_->show(*stepper_, now_);
       return Stop::time;
     }
-    if (steps >= options.step_limit) {
-      set_failure({}, stepper->end());
-      failure->reason = fmt::format("at {} s: {} steps were not enough",
-                                    stepper->end(), options.step_limit);
+    if (steps >= options_.step_limit) {
+      set_failure({}, stepper_->end());
+      failure_->reason = fmt::format("at {} s: {} steps were not enough",
+                                     stepper_->end(), options_.step_limit);
       break;
     }
-    if (halt && halt()) {
-      now = stepper->end();
-      look_at(now, stepper->end_state());
+    if (halt_ && halt_()) {
+      now_ = stepper_->end();
+      view_->show(stepper_->end(), stepper_->end_state());
       return Stop::halted;
     }
     if (!step()) break;
@@ -327,161 +256,177 @@ Stop MotionImpl::advance_to(double time, bool look) {
   return Stop::failed;
 }
 
-// A state has the numbers of the bodies, the work of friction of each body, the
-// work of the forces, and what each body's hinge holds.
-int MotionImpl::held_by() const {
-  const int number = stepper->largest_error();
-  if (number < 0 || number == work_at()) return -1;
-  if (number > work_at()) return 1 + number - held_at(0);
-  if (number >= dissipated_at(0)) return 1 + number - dissipated_at(0);
-  int body = 0;
-  while (body < size() && number >= coupled.layout().offset(body)) ++body;
-  return body;
-}
-
-void MotionImpl::look_back(
-    double time, const std::function<void(const MotionSample&)>& look) {
-  // Back again, whatever look() throws.
-  struct Return {
-    MotionImpl& motion;
-    double time;
-    std::vector<double> state;
-    ~Return() { motion.look_at(time, state); }
-  } const back{*this, view_time, view_state};
-  trial_.resize(number_count());
-  stepper->interpolate(time, trial_);
-  look_at(time, trial_);
-  look(sample);
-}
-
-MotionState MotionImpl::state_of(double time,
-                                 std::span<const double> numbers) const {
-  MotionState s;
-  s.time = time;
-  s.numbers.assign(numbers.begin(), numbers.end());
-  for (int i = 0; i < size(); ++i) {
-    s.modes.push_back(coupled.mode(i));
-    s.directions.push_back(coupled.direction(i));
-    s.friction.push_back(coupled.friction_moment(i));
-    s.straight_from.push_back(coupled.slides_straight(i) ? straight_from[i]
-                                                         : 0);
-    s.paces.push_back(coupled.follows_acceleration(i) ? coupled.pace(i) : 0);
-    s.hinge_angles.push_back(motions[1 + i].hinge_angle);
+// True: an event of the application, or an end.
+bool Motion::handle(const StepEvent& found) {
+  now_ = found.time;
+  view_->show(now_, stepper_->end_state());
+  const int i = found.index;
+  if (found.kind == StepEvent::Kind::user) {
+    user_events_->report(found);
+    event_ = i;
+    return true;
   }
-  s.step = stepper->next_step();
-  return s;
-}
-
-MotionState MotionImpl::save() {
-  go_to(now);
-  return state_of(now, view_state);
-}
-
-MotionState MotionImpl::step_state() const {
-  MotionState s = state_of(stepper->begin(), stepper->begin_state());
-  s.step = stepper->end() - stepper->begin();
-  return s;
-}
-
-void MotionImpl::restore(const MotionState& s) {
-  failure.reset();
-  now = s.time;
-  recent_.assign(size(), {});
-  for (int i = 0; i < size(); ++i) {
-    change_mode(i, s.modes[i]);
-    coupled.set_direction(i, s.directions[i]);
-    coupled.set_friction_moment(i, s.friction[i]);
-    straight_from[i] = s.straight_from[i];
-    coupled.slide_straight(i, s.straight_from[i] > 0);
-    if (s.paces[i] > 0) coupled.follow_acceleration(i, s.paces[i]);
-    keep_hinge_angle(i, s.hinge_angles[i]);
+  if (changes_time_ != now_) changes_here_ = 0;
+  changes_time_ = now_;
+  const CoupledReport stuck{.status = CoupledStatus::not_converged, .body = i};
+  if (++changes_here_ > 8 * equations_->size() + 16) {
+    set_failure(stuck, now_);
+    return true;
   }
-  stepper->set_next_step(s.step);
-  pending.reset();
-  stepper->restart(now, s.numbers);
-  look_at(now, s.numbers);
-  for (std::size_t i = 0; i < events.size(); ++i) {
-    user_values[i] = events[i].function(sample);
+  std::vector<double> state = view_->state();
+  if (const auto reason = hinges_->stalls(now_, i)) {
+    set_failure(stuck, now_);
+    failure_->reason = *reason;
+    return true;
   }
+  switch (found.kind) {
+    case StepEvent::Kind::slows_down:
+    case StepEvent::Kind::speeds_up:
+      hinges_->slide_straight(i, found.kind == StepEvent::Kind::slows_down);
+      restart(std::move(state));
+      break;
+    case StepEvent::Kind::rest_ends:
+      if (!resume(std::move(state), i)) return true;
+      break;
+    default:
+      hinges_->stop(i, state);
+      hinges_->change(now_, i, HingeMode::resting);
+      if (!resume(std::move(state))) return true;
+  }
+  const std::optional<int> jumped = user_events_->jumped();
+  if (jumped) event_ = *jumped;
+  return jumped.has_value();
 }
 
-Motion::Motion(const System& system, std::vector<HingeFriction> friction,
-               std::shared_ptr<const ForceModel> forces,
-               const MotionStart& start, const MotionOptions& options)
-    : impl_(std::make_unique<MotionImpl>(system, std::move(friction),
-                                         std::move(forces), start, options)) {}
-Motion::~Motion() = default;
-Motion::Motion(Motion&&) noexcept = default;
-Motion& Motion::operator=(Motion&&) noexcept = default;
+void Motion::release(int body) {
+  if (view_->mode(body) == HingeMode::released) return;
+  go_to(now_);
+  const CoupledDynamics& coupled = equations_->coupled;
+  const StateLayout before = coupled.layout();
+  const std::vector<double> from = view_->state();
+  hinges_->change(now_, body, HingeMode::released);
+  equations_->keep_hinge_angle(body, view_->motions()[1 + body].hinge_angle);
+  std::vector<double> state(equations_->number_count());
+  std::copy_n(from.begin(), StateLayout::body_size, state.begin());
+  for (int i = 0; i < coupled.size(); ++i) {
+    const Link& link = equations_->system.links()[i];
+    double* to = &state[equations_->offset(i)];
+    if (i == body) {
+      put_body(view_->motions()[1 + i], link.axes, to);
+    } else {
+      std::copy_n(&from[before.offset(i)],
+                  StateLayout::link_size(link.kind, equations_->modes()[i]),
+                  to);
+    }
+  }
+  std::copy(from.begin() + before.size(), from.end(),
+            state.begin() + coupled.layout().size());
+  resume(std::move(state));
+}
 
-double Motion::time() const { return impl_->now; }
-Stop Motion::advance_to(double time, bool look) {
-  return impl_->advance_to(time, look);
+void Motion::lock(int body) {
+  const HingeMode before = view_->mode(body);
+  if (before == HingeMode::locked || before == HingeMode::released) return;
+  go_to(now_);
+  std::vector<double> state = view_->state();
+  hinges_->stop(body, state);
+  hinges_->change(now_, body, HingeMode::locked);
+  resume(std::move(state));
 }
-int Motion::event() const { return impl_->event; }
-const std::optional<MotionFailure>& Motion::failure() const {
-  return impl_->failure;
+
+void Motion::unlock(int body) {
+  if (view_->mode(body) != HingeMode::locked) return;
+  go_to(now_);
+  const bool can_rest = equations_->coupled.hinge(body).can_rest;
+  hinges_->change(now_, body,
+                  can_rest ? HingeMode::resting : HingeMode::sliding);
+  resume(view_->state());
 }
-const MotionSample& Motion::sample() const { return impl_->sample; }
-void Motion::release(int body) { impl_->release(body); }
-void Motion::lock(int body) { impl_->lock(body); }
-void Motion::unlock(int body) { impl_->unlock(body); }
+
 void Motion::set_forces(std::shared_ptr<const ForceModel> forces) {
-  impl_->go_to(impl_->now);
-  impl_->forces = std::move(forces);
-  const std::vector<double> state = impl_->view_state;
-  if (impl_->resolve_rest(state, -1)) impl_->restart(state);
+  go_to(now_);
+  equations_->forces = std::move(forces);
+  resume(view_->state());
 }
+
 int Motion::add_event(MotionEvent event) {
-  impl_->events.push_back(std::move(event));
-  impl_->go_to(impl_->now);
-  impl_->user_values.push_back(impl_->events.back().function(impl_->sample));
-  impl_->needs_forces.push_back(false);
-  impl_->crossings.emplace_back();
-  impl_->samples.user.emplace_back();
-  return static_cast<int>(impl_->events.size()) - 1;
+  go_to(now_);
+  return user_events_->add(std::move(event));
 }
-void Motion::watch_steps(std::function<void(const MotionSample&)> look) {
-  impl_->step_watch = std::move(look);
-}
-void Motion::halt_when(std::function<bool()> halt) {
-  impl_->halt = std::move(halt);
-}
-double Motion::step_begin() const { return impl_->stepper->begin(); }
-double Motion::last_step() const {
-  return impl_->stepper->end() - impl_->stepper->begin();
-}
-int Motion::held_by() const { return impl_->held_by(); }
+
 void Motion::look_back(
     double time, const std::function<void(const MotionSample&)>& look) const {
-  impl_->look_back(time, look);
+  // Back again, whatever look() throws.
+  struct Return {
+    MotionSample& view;
+    double time;
+    std::vector<double> state;
+    ~Return() { view.show(time, state); }
+  } const back{*view_, view_->time(), view_->state()};
+  view_->show(*stepper_, time);
+  look(*view_);
+}
+
+MotionState Motion::state_of(double time, std::span<const double> numbers,
+                             double step) const {
+  MotionState state;
+  state.time = time;
+  state.numbers.assign(numbers.begin(), numbers.end());
+  for (int i = 0; i < equations_->size(); ++i) {
+    const Hinge& hinge = equations_->coupled.hinge(i);
+    state.modes.push_back(hinge.mode);
+    state.directions.push_back(hinge.direction);
+    state.friction.push_back(hinge.moment);
+    state.straight_from.push_back(hinge.straight ? hinges_->straight_from(i)
+                                                 : 0);
+    state.paces.push_back(hinge.follows ? hinge.pace : 0);
+    state.hinge_angles.push_back(view_->motions()[1 + i].hinge_angle);
+  }
+  state.step = step;
+  return state;
+}
+
+MotionState Motion::save() {
+  go_to(now_);
+  return state_of(now_, view_->state(), stepper_->next_step());
+}
+
+MotionState Motion::step_state() const {
+  return state_of(stepper_->begin(), stepper_->begin_state(), last_step());
+}
+
+void Motion::restore(const MotionState& state) {
+  failure_.reset();
+  now_ = state.time;
+  CoupledDynamics& coupled = equations_->coupled;
+  for (int i = 0; i < coupled.size(); ++i) {
+    coupled.set_mode(i, state.modes[i]);
+    coupled.set_direction(i, state.directions[i]);
+    coupled.set_friction_moment(i, state.friction[i]);
+    coupled.slide_straight(i, state.straight_from[i] > 0);
+    if (state.paces[i] > 0) coupled.follow_acceleration(i, state.paces[i]);
+    hinges_->restore(i, state.straight_from[i]);
+    view_->keep_hinge_angle(i, state.hinge_angles[i]);
+    equations_->keep_hinge_angle(i, state.hinge_angles[i]);
+  }
+  stepper_->set_next_step(state.step);
+  pending_.reset();
+  stepper_->restart(now_, state.numbers);
+  view_->show(now_, state.numbers);
+  user_events_->restart();
+}
+
+const MotionSample& Motion::sample() const { return *view_; }
+double Motion::step_begin() const { return stepper_->begin(); }
+double Motion::last_step() const { return stepper_->end() - stepper_->begin(); }
+int Motion::held_by() const {
+  return equations_->owner_of(stepper_->largest_error());
 }
 const std::vector<HingeChange>& Motion::changes() const {
-  return impl_->changes;
+  return hinges_->all();
 }
-MotionState Motion::step_state() const { return impl_->step_state(); }
-MotionState Motion::save() const { return impl_->save(); }
-void Motion::restore(const MotionState& state) { impl_->restore(state); }
-MotionCounts Motion::counts() const { return impl_->counts; }
-
-double MotionSample::time() const { return motion_->view_time; }
-std::span<const BodyMotion> MotionSample::motions() const {
-  return motion_->motions;
+MotionCounts Motion::counts() const {
+  return {equations_->evaluations, steps_, equations_->outer_iterations};
 }
-HingeMode MotionSample::mode(int body) const {
-  return motion_->coupled.mode(body);
-}
-double MotionSample::angle(int body) const {
-  return motion_->view_state[motion_->coupled.layout().offset(body)];
-}
-HingeSample MotionSample::hinge(int body) const { return motion_->hinge(body); }
-Vector3d MotionSample::acceleration(int place) const {
-  // A hinged body's velocity is not among the numbers of the state.
-  return motion_->acceleration(place);
-}
-Vector3d MotionSample::angular_acceleration(int place) const {
-  return motion_->angular_acceleration(place);
-}
-EnergyBook MotionSample::energy() const { return motion_->energy(); }
 
 }  // namespace multibody

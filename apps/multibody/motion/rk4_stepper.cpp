@@ -53,7 +53,7 @@ class Rk4Stepper final : public Stepper {
 
   // Hermite's cubic between the ends, whose last rates are the first of the
   // next step.
-  void estimate(double time, std::span<double> state) override {
+  void estimate_inside(double time, std::span<double> state) override {
     const double h = end_ - begin_;
     if (!end_known_) {
       end_rates_.resize(to_.size());

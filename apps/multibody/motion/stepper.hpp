@@ -1,9 +1,11 @@
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <limits>
 #include <memory>
 #include <span>
+#include <vector>
 
 namespace multibody {
 
@@ -42,13 +44,30 @@ class Stepper {
   /// In the last step, begin() <= time <= end().
   virtual void interpolate(double time, std::span<double> state) = 0;
   /// The same as nearly as it can be had for next to nothing.
-  virtual void estimate(double time, std::span<double> state) = 0;
+  void estimate(double time, std::span<double> state) {
+    if (time == begin()) {
+      std::ranges::copy(begin_state(), state.begin());
+    } else if (time == end()) {
+      std::ranges::copy(end_state(), state.begin());
+    } else {
+      estimate_inside(time, state);
+    }
+  }
   /// The number of the state whose error in the last step is the largest
   /// against what is allowed: what keeps steps short. -1: errors are not known.
   virtual int largest_error() = 0;
   /// Length of the next step, s; for a later restart.
   virtual double next_step() const = 0;
   virtual void set_next_step(double step) = 0;
+  /// From the beginning of the last step, or from its end, again.
+  void restart_at_begin() { restart(begin(), copy(begin_state())); }
+  void restart_at_end() { restart(end(), copy(end_state())); }
+
+ private:
+  static std::vector<double> copy(std::span<const double> state) {
+    return {state.begin(), state.end()};
+  }
+  virtual void estimate_inside(double time, std::span<double> state) = 0;
 };
 
 /// Classical Runge-Kutta of fourth order with a fixed step; between, the same

@@ -54,6 +54,14 @@ Vector3d relative_rate(const Link& link, const double* s) {
   return link.kind == HingeKind::ball ? vector_at(s + 4) : Vector3d(0, 0, s[1]);
 }
 
+void set_relative_rate(const Link& link, double* s, const Vector3d& rate) {
+  if (link.kind == HingeKind::ball) {
+    Eigen::Map<Vector3d>(s + 4) = rate;
+  } else {
+    s[1] = rate.z();
+  }
+}
+
 void set_bodies(const System& system, const StateLayout& layout,
                 std::span<const JointMode> modes, const double* state,
                 std::span<BodyMotion> bodies) {

@@ -16,6 +16,8 @@ namespace multibody {
 Eigen::Matrix3d relative_rotation(const Link& link, const double* link_state);
 /// Relative angular velocity, link axes.
 Eigen::Vector3d relative_rate(const Link& link, const double* link_state);
+void set_relative_rate(const Link& link, double* link_state,
+                       const Eigen::Vector3d& rate);
 
 /// @param bodies  1 + number of bodies; the hinge angle of a body that is
 ///                released stays what it is

@@ -60,11 +60,11 @@ Isometry3d place_of(const BodyMotion& body) {
 
 // FCL gives -1 for solids that overlap.
 double distance_of(const fcl::CollisionObjectd& a,
-                   const fcl::CollisionObjectd& b) {
+                   const fcl::CollisionObjectd& b, bool points,
+                   fcl::DistanceResultd& result) {
   fcl::DistanceRequestd request;
-  request.enable_nearest_points = false;
+  request.enable_nearest_points = points;
   request.distance_tolerance = 1e-9;
-  fcl::DistanceResultd result;
   try {
     return std::max(0.0, fcl::distance(&a, &b, request, result));
   } catch (const std::exception&) {
@@ -97,35 +97,48 @@ Clearance::~Clearance() = default;
 Clearance::Clearance(Clearance&&) noexcept = default;
 Clearance& Clearance::operator=(Clearance&&) noexcept = default;
 
-void Clearance::place(int body, const BodyMotion& motion,
-                      const Vector3d& origin) {
-  Isometry3d place = place_of(motion);
-  place.translation() -= origin;
-  for (Solids::Solid& solid : solids_->of_body[body]) {
-    solid.object.setTransform(place * solid.place);
-    solid.object.computeAABB();
+// Relative to the first body: far from the origin digits would be lost.
+void Clearance::place(const Pair& pair, std::span<const BodyMotion> bodies) {
+  for (const int i : {pair.a, pair.b}) {
+    Isometry3d body = place_of(bodies[i]);
+    body.translation() -= bodies.front().position;
+    for (Solids::Solid& solid : solids_->of_body[i]) {
+      solid.object.setTransform(body * solid.place);
+      solid.object.computeAABB();
+    }
   }
+}
+
+// Of the solids of a pair of bodies.
+struct Clearance::Nearest {
+  double distance = std::numeric_limits<double>::infinity();
+  const fcl::CollisionObjectd* a = nullptr;
+  const fcl::CollisionObjectd* b = nullptr;
+};
+
+Clearance::Nearest Clearance::nearest(const Pair& pair) const {
+  Nearest nearest;
+  for (const Solids::Solid& a : solids_->of_body[pair.a]) {
+    for (const Solids::Solid& b : solids_->of_body[pair.b]) {
+      // Their boxes are as far from each other, or nearer.
+      if (a.object.getAABB().distance(b.object.getAABB()) > nearest.distance) {
+        continue;
+      }
+      fcl::DistanceResultd result;
+      const double d = distance_of(a.object, b.object, false, result);
+      if (std::isnan(nearest.distance)) continue;
+      if (std::isnan(d) || d < nearest.distance) {
+        nearest = {d, &a.object, &b.object};
+      }
+    }
+  }
+  return nearest;
 }
 
 double Clearance::distance(std::size_t pair,
                            std::span<const BodyMotion> bodies) {
-  const auto [a_body, b_body] = pairs_[pair];
-  // Relative to the first body: far from the origin digits would be lost.
-  const Vector3d origin = bodies.front().position;
-  for (const int body : {a_body, b_body}) place(body, bodies[body], origin);
-  double smallest = std::numeric_limits<double>::infinity();
-  for (const Solids::Solid& a : solids_->of_body[a_body]) {
-    for (const Solids::Solid& b : solids_->of_body[b_body]) {
-      // Their boxes are as far from each other, or nearer.
-      if (a.object.getAABB().distance(b.object.getAABB()) > smallest) {
-        continue;
-      }
-      const double d = distance_of(a.object, b.object);
-      if (std::isnan(smallest)) continue;
-      smallest = std::isnan(d) ? d : std::min(smallest, d);
-    }
-  }
-  return smallest;
+  place(pairs_[pair], bodies);
+  return nearest(pairs_[pair]).distance;
 }
 
 std::vector<double> Clearance::distances(std::span<const BodyMotion> bodies) {
@@ -134,6 +147,18 @@ std::vector<double> Clearance::distances(std::span<const BodyMotion> bodies) {
     result.push_back(distance(i, bodies));
   }
   return result;
+}
+
+std::optional<std::pair<Vector3d, Vector3d>> Clearance::nearest_points(
+    std::span<const BodyMotion> bodies, std::size_t pair) {
+  place(pairs_[pair], bodies);
+  const Nearest solids = nearest(pairs_[pair]);
+  if (!(solids.distance > 0) || solids.a == nullptr) return {};
+  fcl::DistanceResultd result;
+  distance_of(*solids.a, *solids.b, true, result);
+  const Vector3d& origin = bodies.front().position;
+  return std::pair<Vector3d, Vector3d>{result.nearest_points[0] + origin,
+                                       result.nearest_points[1] + origin};
 }
 
 }  // namespace separation

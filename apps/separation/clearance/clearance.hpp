@@ -2,7 +2,9 @@
 
 #include <Eigen/Core>
 #include <memory>
+#include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "multibody/system/force_model.hpp"
@@ -40,10 +42,17 @@ class Clearance {
   double distance(std::size_t pair,
                   std::span<const multibody::BodyMotion> bodies);
 
+  /// Where the bodies of a pair are nearest to each other, inertial axes, m;
+  /// nothing if they overlap or it was not found.
+  std::optional<std::pair<Eigen::Vector3d, Eigen::Vector3d>> nearest_points(
+      std::span<const multibody::BodyMotion> bodies, std::size_t pair);
+
  private:
   struct Solids;
-  void place(int body, const multibody::BodyMotion& motion,
-             const Eigen::Vector3d& origin);
+  struct Nearest;
+  void place(const Pair& pair, std::span<const multibody::BodyMotion> bodies);
+  Nearest nearest(const Pair& pair) const;
+
   std::unique_ptr<Solids> solids_;
   std::vector<Pair> pairs_;
 };

@@ -23,6 +23,8 @@ bool is_hdf5(std::string_view name) {
   return ends_in(name, ".h5") || ends_in(name, ".hdf5");
 }
 
+bool is_page(std::string_view name) { return ends_in(name, ".html"); }
+
 void check_ending(std::string_view option, const std::string& name,
                   const std::vector<std::string_view>& endings,
                   std::string_view words) {

@@ -12,6 +12,9 @@ bool ends_in(std::string_view name, std::string_view ending);
 /// Of a history.
 bool is_hdf5(std::string_view name);
 
+/// Of a replay.
+bool is_page(std::string_view name);
+
 /// Names of files that an option takes.
 /// @param endings  good ones; so are "-" and what is there and is not a
 ///   regular file

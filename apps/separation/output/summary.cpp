@@ -3,7 +3,6 @@
 #include <cmath>
 #include <utility>
 
-#include "cli/number.hpp"
 #include "libcontact/base/units.hpp"
 
 namespace separation {
@@ -17,7 +16,7 @@ void name_infinity(ordered_json& value) {
   if (value.is_structured()) {
     for (ordered_json& item : value) name_infinity(item);
   } else if (value.is_number_float() && std::isinf(value.get<double>())) {
-    value = cli::number_text(value.get<double>());
+    value = value.get<double>() > 0 ? "inf" : "-inf";
   }
 }
 
@@ -143,20 +142,6 @@ ordered_json summary(const Case& c, const Outcome& outcome) {
                  {"outer_iterations", outcome.counts.outer_iterations}};
   name_infinity(j);
   return j;
-}
-
-std::string events_csv(const Outcome& outcome, cli::TableStyle style) {
-  style.columns.clear();
-  const cli::Table table(std::move(style), {"time_s", "body", "what"});
-  cli::Text rows;
-  cli::RowWriter row(table, rows);
-  for (const Note& note : outcome.memory.notes) {
-    row.number(note.time);
-    row.text(note.body);
-    row.text(note.what);
-    row.end();
-  }
-  return table.header() + std::string(rows.view());
 }
 
 }  // namespace separation

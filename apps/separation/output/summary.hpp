@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "cli/table.hpp"
 #include "separation/record/run.hpp"
 
 namespace separation {
@@ -22,8 +21,5 @@ std::vector<Missed> missed_events(const Case& c, const Outcome& outcome);
 /// What a run came to (keys: README.md of this folder). Angles in degrees,
 /// all else in SI units; infinity is the text "inf" or "-inf".
 nlohmann::ordered_json summary(const Case& c, const Outcome& outcome);
-
-/// Events as a CSV table: time_s, body, what; all of them in any style.
-std::string events_csv(const Outcome& outcome, cli::TableStyle style);
 
 }  // namespace separation

@@ -7,61 +7,18 @@
 #include <cstddef>
 #include <cstring>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <sstream>
-#include <string_view>
 #include <utility>
 
 #include "cli/file_text.hpp"
 #include "cli/output.hpp"
-#include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
-#include "libcontact/base/text.hpp"
-
-// What goes into a checkpoint, there and back.
-template <>
-struct nlohmann::adl_serializer<Eigen::Vector3d> {
-  static void to_json(json& j, const Eigen::Vector3d& v) {
-    j = {v.x(), v.y(), v.z()};
-  }
-  static void from_json(const json& j, Eigen::Vector3d& v) {
-    v = Eigen::Vector3d(j.at(0), j.at(1), j.at(2));
-  }
-};
-
-namespace multibody {
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(MotionState, time, numbers, modes,
-                                   directions, friction, straight_from, paces,
-                                   hinge_angles, step)
-}  // namespace multibody
+#include "separation/record/state_json.hpp"
 
 namespace separation {
-
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(History, events, spent)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SimulationState, motion, history)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(JointPeaks, reaction, reaction_time,
-                                   pressure, half_angle, moment)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(BodyRecord::Release, time, angle, rate,
-                                   rates, velocity)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(BodyRecord, peak_reaction,
-                                   peak_reaction_time, peak_lock,
-                                   peak_lock_time, work, rest_time, joints,
-                                   release)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Note, time, body, what)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PairRecord, smallest, time, overlap_from,
-                                   overlap_to, not_found)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ForceRecord, on, acted, fault, fault_time)
-// Without rows and notes, which have a file of their own.
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Recorder::Memory, bodies, pairs, forces,
-                                   modes, last_time, first_balance,
-                                   largest_drift, largest_energy, begun)
-
 namespace {
 
 using nlohmann::json;
-
-constexpr const char* program_format = "hinge-separation checkpoint ";
-constexpr const char* format_name = "hinge-separation checkpoint 8";
 
 using Notes = std::vector<Note>;
 
@@ -69,49 +26,9 @@ void add(const json& from, Notes& notes) {
   for (const Note& note : from.get<Notes>()) notes.push_back(note);
 }
 
-constexpr std::size_t sum_size = 8;  // in hexadecimal digits
-
-bool contains(std::string_view bytes, std::string_view text) {
-  return bytes.find(text) != bytes.npos;
-}
-
-std::string check_sum(std::string_view bytes) {
-  boost::crc_32_type sum;
-  sum.process_bytes(bytes.data(), bytes.size());
-  return fmt::format("{:08x}", sum.checksum());
-}
-
-// The format's name is there twice, as the first line and in the header: a
-// damaged file is still told from one that is something else.
-std::string file_of(json header) {
-  header["format"] = format_name;
-  std::string bytes = fmt::format("{}\n", format_name);
-  json::to_cbor(header, bytes);
-  return bytes + check_sum(bytes);
-}
-
 // A checkpoint without its rows.
 json header_of(const std::string& file) {
-  const std::string bytes = cli::file_text(file);
-  if (!contains(bytes, program_format)) {
-    throw contact::Error(file + ": not a checkpoint of hinge-separation");
-  }
-  if (!contains(bytes, format_name)) {
-    throw contact::Error(contact::detail::must_be(
-        file + ": a checkpoint of another version of hinge-separation",
-        fmt::format("\"{}\"", format_name)));
-  }
-  const std::size_t size = bytes.size() - sum_size;
-  const std::string sum = check_sum(std::string_view(bytes).substr(0, size));
-  const std::string written = bytes.substr(size);
-  if (sum != written) {
-    throw contact::Error(
-        fmt::format("{}: damaged: check sum {}, the file says {}", file, sum,
-                    contact::detail::printable(written)));
-  }
-  const std::size_t begin = bytes.find('\n') + 1;
-  return json::from_cbor(bytes.begin() + static_cast<std::ptrdiff_t>(begin),
-                         bytes.begin() + static_cast<std::ptrdiff_t>(size));
+  return unpacked(cli::file_text(file), file);
 }
 
 // The file of a checkpoint's rows has the checkpoint's own name, so that both
@@ -228,7 +145,7 @@ void CheckpointWriter::write(const SimulationState& simulation,
                     {"bytes", bytes_},
                     {"sum", sum_.checksum()}}}};
   cli::Output output(file_);
-  output.write(file_of(j));
+  output.write(packed(j));
   output.commit();
   written_ = true;
   std::error_code ignored;
@@ -240,12 +157,7 @@ Checkpoint read_checkpoint(const std::string& file,
                            const std::string& identity) {
   try {
     const json j = header_of(file);
-    if (j.at("identity") != identity) {
-      throw contact::Error(
-          file +
-          ": a checkpoint of a run of another case file, other "
-          "joints or other options");
-    }
+    check_identity(j, identity, file);
     Checkpoint result{j.at("every"), {j.at("simulation"), j.at("memory")}};
     Recorder::Memory& memory = result.state.memory;
     memory.rows.columns = j.at("columns");
@@ -253,7 +165,7 @@ Checkpoint read_checkpoint(const std::string& file,
     add(j.at("notes"), memory.notes);
     return result;
   } catch (const json::exception&) {
-    throw contact::Error(file + ": not a checkpoint of hinge-separation");
+    refuse_stranger(file);
   }
 }
 

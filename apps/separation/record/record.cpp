@@ -8,7 +8,9 @@
 #include <cmath>
 #include <utility>
 
+#include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
+#include "libcontact/base/text.hpp"
 #include "libcontact/base/units.hpp"
 
 namespace separation {
@@ -125,7 +127,9 @@ void raise(double& peak, double& peak_time, double value, double time) {
 std::size_t Rows::column(const std::string& name) const {
   const auto found = std::find(columns.begin(), columns.end(), name);
   if (found == columns.end()) {
-    throw contact::Error("no column " + name);
+    throw contact::Error(
+        contact::detail::unknown("column", contact::detail::printable(name),
+                                 contact::detail::nearest(name, columns), {}));
   }
   return static_cast<std::size_t>(found - columns.begin());
 }

@@ -93,7 +93,7 @@ class Simulation {
   SimulationState step_state() const {
     return {motion_.step_state(), history_};
   }
-  SimulationState save() const { return {motion_.save(), history_}; }
+  SimulationState save() { return {motion_.save(), history_}; }
   void restore(const SimulationState& state);
 
  private:

@@ -1,0 +1,87 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "libcontact/base/instruction_set.hpp"
+
+/// What is asked of an instant with friction, and how it came out.
+namespace multibody {
+
+/// When the outer loop stops.
+struct CoupledOptions {
+  /// Stop when every hinge's |M_t - M_t(R)| <= tolerance (|M_t| + |M_t(R)|),
+  /// or is sure to be after the step that has been made.
+  double tolerance = 1e-10;
+  int iteration_limit = 60;
+  /// A resting hinge begins to slide when its utilisation exceeds 1 by this:
+  /// above the rounding of tau, so that a moment right at the limit holds.
+  double slip_threshold = 1e-10;
+  /// The same of a ball joint: above what the direction found for its sliding
+  /// leaves uncertain of its acceleration, so that it is clear where it goes.
+  double ball_slip_threshold = 1e-8;
+  /// By which bodies are resolved and joints are tracked: a supported one.
+  contact::InstructionSet instruction_set = contact::best_instruction_set();
+};
+
+/// How an instant with friction came out.
+enum class CoupledStatus {
+  ok,
+  /// The outer loop did not get there, and no search settled the matter.
+  not_converged,
+  /// No friction moments were found that fit the reactions they cause; on a
+  /// single axis there are none.
+  no_solution,
+  /// There are several; none is preferred.
+  several_solutions,
+  /// A number is not finite.
+  out_of_range,
+  /// A joint's contact has no finite values under the force on it: its laws
+  /// end below.
+  no_contact,
+};
+
+/// Friction moments that fit the reactions they cause.
+struct CoupledSolution {
+  /// Of each body, link axes, N m; 0 where no friction is looked for.
+  std::vector<Eigen::Vector3d> moments;
+};
+
+/// How an evaluation went.
+struct CoupledReport {
+  CoupledStatus status = CoupledStatus::ok;
+  int iterations = 0;  ///< friction of all hinges, then motion
+  /// Largest |M_t - M_t(R)|/(|M_t| + |M_t(R)|), after the last step as it is
+  /// expected.
+  double residual = 0;
+  /// Largest ratio of the changes of M_t(R) to those of M_t between two
+  /// iterations; at most kappa = |dM/dR||dR/dM| on one hinge.
+  double contraction = 0;
+  int body = -1;  ///< where it failed, -1: nowhere in particular
+  /// no_contact: which joint of that body's hinge, and the force on it, N.
+  int joint = -1;
+  double force = 0;
+};
+
+/// What rounding makes of reactions that cancel: an upper estimate.
+struct CoupledRounding {
+  double force;   ///< N
+  double moment;  ///< N m
+};
+
+/// A step of the outer loop.
+struct OuterStep {
+  int iteration;
+  double residual;
+};
+
+/// Of an evaluation on its way.
+struct CoupledProgress : CoupledReport {
+  std::vector<OuterStep>* trace = nullptr;  ///< null: none is wanted
+  void start() { *this = {{}, trace}; }
+  void add_step() {
+    if (trace) trace->push_back({iterations, residual});
+  }
+};
+
+}  // namespace multibody

@@ -1,0 +1,179 @@
+#include "multibody/friction/search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <unsupported/Eigen/NonLinearOptimization>
+
+#include "libcontact/base/root_finding.hpp"
+#include "multibody/system/eigen_conversion.hpp"
+
+namespace multibody {
+namespace {
+
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+// Solutions nearer than this are one.
+constexpr double same = 1e-6;
+
+void add_new(std::vector<VectorXd>& found, const VectorXd& x) {
+  const auto is_same = [&](const VectorXd& y) {
+    return (x - y).norm() <= same * (x.norm() + y.norm());
+  };
+  if (std::ranges::none_of(found, is_same)) found.push_back(x);
+}
+
+class Search {
+ public:
+  explicit Search(Hinges& hinges) : hinges_(hinges), active_(hinges.active()) {}
+
+  VectorXd moments() const {
+    VectorXd x(3 * active_.size());
+    for (std::size_t k = 0; k < active_.size(); ++k) {
+      x.segment<3>(3 * k) = hinges_[active_[k]].moment;
+    }
+    return x;
+  }
+
+  void set_moments(const VectorXd& x) {
+    for (std::size_t k = 0; k < active_.size(); ++k) {
+      hinges_.change(active_[k]) =
+          vec3(Vector3d(x.segment<3>(3 * k) - hinges_[active_[k]].moment));
+    }
+    hinges_.apply_changes();
+  }
+
+  // M_t(R(x)) - x
+  VectorXd mismatch(const VectorXd& x) {
+    set_moments(x);
+    hinges_.solve();
+    VectorXd f(x.size());
+    for (std::size_t k = 0; k < active_.size(); ++k) {
+      f.segment<3>(3 * k) = hinges_[active_[k]].solved - x.segment<3>(3 * k);
+    }
+    return f;
+  }
+
+  // From where the outer loop left off.
+  std::vector<VectorXd> scan(const VectorXd& before) {
+    const bool one_axis = active_.size() == 1 && hinges_[active_[0]].is_axis;
+    return one_axis ? scan_axis() : scan_starts(before);
+  }
+
+ private:
+  // Powell's hybrid method (MINPACK): Newton's alone gets stuck where a
+  // friction near its limit turns with the reaction.
+  bool solve_from(VectorXd& x) {
+    struct Function {
+      Search* search;
+      int operator()(const VectorXd& at, VectorXd& f) const {
+        f = search->mismatch(at);
+        return f.allFinite() ? 0 : -1;
+      }
+    };
+    Function function{this};
+    Eigen::HybridNonLinearSolver<Function> solver(function);
+    solver.parameters.xtol = 1e-14;
+    solver.parameters.maxfev = 100 * (x.size() + 1);
+    solver.solveNumericalDiff(x);
+    // Whatever it says of its steps.
+    constexpr double tolerance = 1e-10;
+    const VectorXd f = mismatch(x);
+    return f.norm() <= tolerance * (x.norm() + (f + x).norm());
+  }
+
+  // One axis: every change of sign of the mismatch over all moments that oppose
+  // the sliding, from 0 to far beyond any that could fit.
+  std::vector<VectorXd> scan_axis() {
+    std::vector<VectorXd> found;
+    const double sign = -hinges_[active_[0]].rate.z();
+    const auto value = [&](double size) {
+      VectorXd x = VectorXd::Zero(3);
+      x[2] = std::copysign(size, sign);
+      const double f = mismatch(x)[2];
+      return sign > 0 ? f : -f;  // > 0: more friction than x
+    };
+    const double at_zero = value(0);
+    if (!(at_zero > 0)) {
+      if (at_zero == 0) found.push_back(VectorXd::Zero(3));
+      return found;
+    }
+    // The mismatch is that of a norm and a line, nearly: two roots at most,
+    // and far from 0 it is straight. 1 % apart, two roots between neighbours
+    // differ by less than that.
+    constexpr double factor = 1.01;
+    constexpr double furthest = 1e6;
+    double low = 0;
+    double low_value = at_zero;
+    for (double size = 1e-3 * at_zero; size < furthest * at_zero;
+         size *= factor) {
+      const double f = value(size);
+      if (!std::isfinite(f)) break;
+      if ((f <= 0) != (low_value <= 0)) {
+        const double root =
+            contact::shrink_bracket(value, low, size, low_value, f, 50)
+                .middle();
+        VectorXd x = VectorXd::Zero(3);
+        x[2] = std::copysign(root, sign);
+        found.push_back(x);
+      }
+      low = size;
+      low_value = f;
+    }
+    return found;
+  }
+
+  // Several hinges: from where the outer loop left off, and from moments of
+  // many sizes.
+  std::vector<VectorXd> scan_starts(const VectorXd& before) {
+    std::vector<VectorXd> found;
+    const VectorXd zero = VectorXd::Zero(3 * active_.size());
+    const VectorXd slid = mismatch(zero);
+    std::vector<VectorXd> starts;
+    if (before.allFinite()) starts.push_back(before);
+    for (const double share : {0., 0.3, 1., 3., 10., 30., 100.}) {
+      starts.push_back(share * slid);
+    }
+    for (VectorXd& x : starts) {
+      if (solve_from(x)) add_new(found, x);
+    }
+    return found;
+  }
+
+  Hinges& hinges_;
+  const std::vector<int>& active_;
+};
+
+}  // namespace
+
+std::vector<CoupledSolution> search(Hinges& hinges, CoupledReport& report) {
+  Search search(hinges);
+  const std::vector<int>& active = hinges.active();
+  const VectorXd before = search.moments();
+  std::vector<VectorXd> found = search.scan(before);
+  if (report.status == CoupledStatus::ok) add_new(found, before);
+
+  std::vector<CoupledSolution> solutions;
+  for (const VectorXd& x : found) {
+    CoupledSolution& s = solutions.emplace_back();
+    s.moments.assign(hinges.size(), Vector3d::Zero());
+    for (std::size_t k = 0; k < active.size(); ++k) {
+      s.moments[active[k]] = x.segment<3>(3 * k);
+    }
+  }
+  if (found.size() == 1) {
+    search.mismatch(found[0]);
+    report.status = CoupledStatus::ok;
+    report.residual = hinges.solve();
+    report.body = -1;
+    return solutions;
+  }
+  report.status = found.empty() ? CoupledStatus::no_solution
+                                : CoupledStatus::several_solutions;
+  if (report.body < 0) report.body = active[0];
+  // The next evaluation has to find its own way.
+  search.set_moments(VectorXd::Zero(before.size()));
+  return solutions;
+}
+
+}  // namespace multibody

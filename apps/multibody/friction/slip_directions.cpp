@@ -1,0 +1,156 @@
+#include "multibody/friction/slip_directions.hpp"
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+#include "multibody/system/eigen_conversion.hpp"
+
+namespace multibody {
+
+using Eigen::MatrixXd;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+bool is_driven(const Hinges& hinges, int body) {
+  const Hinge& hinge = hinges[body];
+  constexpr double rounding = 1e-8;
+  const double along = hinges.acceleration(body).dot(hinge.direction);
+  return along < (hinge.is_axis ? 0 : -rounding * hinge.pace);
+}
+
+std::vector<Vector3d> SlipDirections::get() const {
+  std::vector<Vector3d> all;
+  for (const Onset& ball : balls_) {
+    all.push_back(hinges_[ball.body].direction);
+  }
+  return all;
+}
+
+void SlipDirections::set(const std::vector<Vector3d>& directions) {
+  for (std::size_t k = 0; k < directions.size(); ++k) {
+    hinge(k).direction = directions[k];
+  }
+}
+
+// What has to vanish, in units of the accelerations, along the tangents.
+bool SlipDirections::across(VectorXd& parts) {
+  if (!evaluate_()) return false;
+  for (std::size_t k = 0; k < balls_.size(); ++k) {
+    const Vector3d alpha = hinges_.acceleration(balls_[k].body);
+    const Vector3d& u = hinge(k).direction;
+    parts.segment<2>(2 * k) = tangents_.middleCols<2>(2 * k).transpose() *
+                              (alpha - alpha.dot(u) * u) / hinge(k).pace;
+  }
+  return true;
+}
+
+// Newton's method with slopes by differences. Going on with the direction of
+// the acceleration instead may take forever: the contact turns about R with
+// it.
+bool SlipDirections::settle() {
+  const Eigen::Index size = tangents_.cols();
+  std::vector<Vector3d> from;
+  const auto turn = [&](const VectorXd& step) {
+    for (std::size_t k = 0; k < balls_.size(); ++k) {
+      hinge(k).direction =
+          (from[k] + tangents_.middleCols<2>(2 * k) * step.segment<2>(2 * k))
+              .normalized();
+    }
+  };
+  constexpr int step_limit = 60;
+  constexpr double tolerance = 1e-9;
+  // Longer steps leave what slopes are good for.
+  constexpr double longest = 0.5;
+  VectorXd left(size), other(size);
+  for (int step = 0; step < step_limit; ++step) {
+    from = get();
+    for (std::size_t k = 0; k < from.size(); ++k) {
+      const Vector3d t = from[k].unitOrthogonal();
+      tangents_.middleCols<2>(2 * k) << t, from[k].cross(t);
+    }
+    if (!across(left)) return false;
+    if (left.cwiseAbs().maxCoeff() <= tolerance) return true;
+    constexpr double h = 1e-6;
+    MatrixXd slopes(size, size);
+    for (Eigen::Index j = 0; j < size; ++j) {
+      turn(h * VectorXd::Unit(size, j));
+      if (!across(other)) return false;
+      slopes.col(j) = (other - left) / h;
+    }
+    VectorXd change = -slopes.fullPivLu().solve(left);
+    change *= std::min(1.0, longest / change.cwiseAbs().maxCoeff());
+    bool nearer = false;
+    for (double share = 1; share > 1e-4 && !nearer; share /= 2) {
+      turn(share * change);
+      if (!across(other)) return false;
+      nearer = other.norm() < left.norm();
+    }
+    if (!nearer) return false;
+  }
+  return false;
+}
+
+// From where the resting joints give way, else from where contacts frozen as
+// they are would let them go (MomentSet::prox), else from where they would go
+// without friction, else bit by bit.
+bool SlipDirections::find() {
+  if (balls_.empty()) return true;
+  const auto settled = [&] {
+    return settle() && std::ranges::none_of(balls_, [&](const Onset& ball) {
+             return is_driven(hinges_, ball.body);
+           });
+  };
+  std::vector<Vector3d> free, frozen;
+  for (const Onset& ball : balls_) {
+    const Hinges::Felt feels = hinges_.felt(ball.body);
+    Hinge& hinge = hinges_[ball.body];
+    free.push_back(feels.free.normalized());
+    const Vector3d rate = hinge.solver.prox(feels.inertia, feels.free);
+    frozen.push_back(rate.isZero(0) ? hinge.direction : rate.normalized());
+    const Vector3d alpha = hinges_.acceleration(ball.body);
+    hinge.pace = std::max(feels.free.norm(), (feels.free - alpha).norm());
+  }
+  if (settled()) return true;
+  for (const std::vector<Vector3d>& start : {frozen, free}) {
+    set(start);
+    if (settled()) return true;
+  }
+  return follow_excess();
+}
+
+// From where the moments on the bodies are just what the resting joints can
+// hold, so that the directions are known, to what they are, bit by bit.
+bool SlipDirections::follow_excess() {
+  std::vector<Vec3<double>> full;
+  for (const Onset& ball : balls_) {
+    full.push_back(forces_.bodies[ball.body].moment);
+    hinges_[ball.body].direction = ball.direction;
+  }
+  const auto set_share = [&](double share) {
+    for (std::size_t k = 0; k < balls_.size(); ++k) {
+      const Vector3d less = (1 - share) * balls_[k].excess;
+      forces_.bodies[balls_[k].body].moment = full[k] - vec3(less);
+    }
+  };
+  double done = 0;
+  double step = 1.0 / 16;
+  constexpr double least = 1e-4;
+  while (done < 1 && step > least) {
+    const std::vector<Vector3d> before = get();
+    const double next = std::min(1.0, done + step);
+    set_share(next);
+    if (settle()) {
+      done = next;
+      step *= 2;
+      continue;
+    }
+    set(before);
+    step /= 4;
+  }
+  set_share(1);
+  return done == 1 && settle();
+}
+
+}  // namespace multibody

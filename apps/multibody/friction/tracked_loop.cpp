@@ -1,0 +1,218 @@
+#include "multibody/friction/tracked_loop.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "multibody/system/eigen_conversion.hpp"
+
+namespace multibody {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+}  // namespace
+
+TrackedLoop::TrackedLoop(Hinges& hinges,
+                         const std::vector<HingeFriction>& friction,
+                         const CoupledOptions& options)
+    : hinges_(hinges),
+
+      tracker_(friction, options.instruction_set),
+      tolerance_(options.tolerance) {
+  forget_path();
+}
+
+void TrackedLoop::extrapolate(const double* state) {
+  for (const int i : hinges_.active()) tracker_.set_rate(i, hinges_[i].rate);
+  step_ =
+      Eigen::Map<const Eigen::VectorXd>(state, path_end_.size()) - path_end_;
+  step_square_ = step_.squaredNorm();
+  if (kept_ < 2) return;
+  // More than 6 deg off (cosine, squared), or too far to tell.
+  constexpr double straight = 0.99;
+  constexpr double furthest = 4;
+  const double along = step_.dot(path_);
+  const double share = along / path_square_;
+  if (!(share * along >= straight * step_square_) ||
+      std::abs(share) > furthest) {
+    return;
+  }
+  tracker_.joints().extrapolate(share);
+  for (const int i : hinges_.active())
+    hinges_[i].moment = tracker_.applied_moment(i);
+}
+
+// After track().
+void TrackedLoop::keep() {
+  if (step_square_ == 0) return;
+  path_end_ += step_;
+  path_.swap(step_);
+  path_square_ = step_square_;
+  ++kept_;
+  tracker_.joints().keep();
+}
+
+void TrackedLoop::forget_path() {
+  path_end_.setZero(hinges_.dynamics().layout().size());
+  path_ = step_ = path_end_;
+  kept_ = 0;
+  applied_at_ = -1;
+}
+
+double TrackedLoop::largest_leverage() const {
+  return applied_known() ? largest_leverage_ : infinity;
+}
+
+void TrackedLoop::stop(int body) {
+  tracker_.stop(body);
+  forget_path();
+  last_pause_ = pause_ = 0;
+  usual_contraction_ = 1;
+}
+
+void TrackedLoop::learn_contraction(double contraction) {
+  usual_contraction_ = std::max(contraction, 0.7 * usual_contraction_);
+}
+
+// From what the last step of relax() has left.
+void TrackedLoop::learn_step(double residual) {
+  // Of smaller steps rounding is left, whatever the contraction.
+  constexpr double telling = 1e-9;
+  if (!(last_residual_ > telling)) return;
+  const double contraction = residual / last_residual_;
+  report_->contraction = std::max(report_->contraction, contraction);
+  learn_contraction(contraction);
+}
+
+// Moments that fit the reactions they cause if friction is as the tracker
+// predicts near its last contacts, by simple iteration.
+// @return what is left, relative; large if it does not contract
+double TrackedLoop::relax(double enough) {
+  // In nodes, where rounds contract by 0.01, to 1e-12; what contracts less is
+  // predicted again.
+  constexpr int round_limit = 6;
+  // Contractions differ from round to round.
+  constexpr double safety = 2;
+  // Ten times the moment applied; 0.5 would be infinity.
+  constexpr double lost = 0.45;
+  double left = 1;
+  contact::JointTracker& joints = tracker_.joints();
+  const contact::JointTracker::Largest& found = joints.largest();
+  for (int round = 0; round < round_limit; ++round) {
+    if (round > 0) {
+      joints.extend();
+      learn_step(found.residual);
+    } else {
+      report_->residual = found.residual;
+    }
+    if (found.residual <= enough) return found.residual;
+    if (!(found.residual < lost)) return 1;
+    last_residual_ = found.residual;
+    joints.apply();
+    if (hinges_.is_prescribed()) take_applied_moments();
+    hinges_.move(tracker_);
+    left = safety * usual_contraction_ * last_residual_;
+    if (left <= enough) return left;
+  }
+  return left;
+}
+
+void TrackedLoop::take_applied_moments() {
+  largest_applied_ = largest_leverage_ = 0;
+  for (const int i : hinges_.active()) {
+    const Vector3d moment = tracker_.applied_moment(i);
+    hinges_.take_moment(i, moment);
+    const double square = moment.squaredNorm();
+    const double leverage = hinges_[i].leverage;
+    const double bound = leverage * leverage * square;
+    const Vec3<double> force =
+        tracker_.is_direct() ? tracker_.force(i) : hinges_.reaction(i).force;
+    largest_applied_ = std::max(largest_applied_, square);
+    const double share = bound / dot(force, force);
+    largest_leverage_ =
+        std::max(largest_leverage_, share >= 0 ? share : infinity);
+  }
+  applied_at_ = hinges_.change_count();
+}
+
+// The outer loop with one evaluation of the friction of all hinges for each
+// iteration, as long as the tracker can be trusted.
+bool TrackedLoop::track() {
+  hinges_.give_reactions(tracker_);
+  if (!applied_known()) {
+    largest_applied_ = 0;
+    for (const int i : hinges_.active()) {
+      const Vector3d& moment = hinges_[i].moment;
+      tracker_.set_applied_moment(i, moment);
+      largest_applied_ = std::max(largest_applied_, moment.squaredNorm());
+    }
+  }
+  // Half of what small moments count.
+  tracker_.joints().set_moment_floor(Hinges::small_share *
+                                     std::sqrt(largest_applied_));
+  const bool found = track_joints();
+  take_applied_moments();
+  return found;
+}
+
+bool TrackedLoop::track_joints() {
+  constexpr int iteration_limit = 4;
+  // Contacts are evaluated where moments are as near as this to those found in
+  // the end, and reactions nearer: then slopes, wrong by some percent, do for
+  // the rest.
+  constexpr double near = 1e-7;
+  contact::JointTracker& joints = tracker_.joints();
+  const contact::JointTracker::Largest& found = joints.largest();
+  for (report_->iterations = 1; report_->iterations <= iteration_limit;
+       ++report_->iterations) {
+    joints.predict();
+    last_residual_ = 0;
+    if (!found.is_trusted()) return false;
+    relax(near);
+    joints.correct();
+    learn_step(found.uncorrected);
+    double left = relax(0.1 * tolerance_);
+    report_->add_step();
+    left += found.error;
+    if (left <= tolerance_) {
+      report_->residual = left;
+      for (const int i : hinges_.active()) hinges_[i].solver_is_behind = true;
+      return true;
+    }
+  }
+  return false;
+}
+
+// Not again and again where it does not work.
+bool TrackedLoop::converge(CoupledProgress& report) {
+  report_ = &report;
+  constexpr double strong = 0.3;  // contraction
+  constexpr int longest_pause = 64;
+  is_weak_ = usual_contraction_ < strong;
+  if (is_weak_ && pause_ == 0 &&
+      tracker_.count() == static_cast<int>(hinges_.active().size())) {
+    if (track()) {
+      keep();
+      last_pause_ = 0;
+      return true;
+    }
+    pause_ = last_pause_;
+    last_pause_ = std::min(2 * last_pause_ + 1, longest_pause);
+  } else if (pause_ > 0) {
+    --pause_;
+  }
+  forget_path();
+  return false;
+}
+
+void TrackedLoop::start() {
+  if (!is_weak_ || pause_ > 0) return;
+  for (const int i : hinges_.active()) {
+    tracker_.start(i, hinges_[i].solver, hinges_[i].rate);
+  }
+}
+
+}  // namespace multibody

@@ -1,0 +1,244 @@
+#include "multibody/motion/hinge_events.hpp"
+
+#include <algorithm>
+#include <boost/math/tools/minima.hpp>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <tuple>
+
+#include "multibody/system/eigen_conversion.hpp"
+
+namespace multibody {
+
+using Eigen::Vector3d;
+
+namespace {
+
+// The highest value within a step that is negative at both ends, and its time;
+// only as far as it may be of interest.
+std::pair<double, double> peak_between(const StepFunction& tau, double low,
+                                       double low_value, double high,
+                                       double high_value) {
+  const double middle = low + (high - low) / 2;
+  const double value = tau(middle);
+  if (value > 0) return {middle, value};
+  // The parabola through the three: does it have a peak inside, that comes
+  // near 0? Steps follow what hinges hold, so that it is not far from it.
+  constexpr double near = 0.1;
+  const double bend = 2 * value - low_value - high_value;
+  const double slope = high_value - low_value;
+  const bool inside = bend > 0 && std::abs(slope) < 2 * bend;
+  if (!inside || value + slope * slope / (8 * bend) < -near) {
+    return {middle, value};
+  }
+  constexpr int bits = 20;  // of time: values there differ by 1e-12 from it
+  std::uintmax_t steps = 40;
+  const auto [time, below] = boost::math::tools::brent_find_minima(
+      [&](double t) { return -tau(t); }, low, high, bits, steps);
+  return {time, -below};
+}
+
+}  // namespace
+
+HingeEvents::HingeEvents(Equations& equations, MotionSample& view,
+                         Stepper& stepper, const HingeChanges& hinges,
+                         const MotionOptions& options)
+    : view_(view),
+      equations_(equations),
+      coupled_(equations.coupled),
+      stepper_(stepper),
+      hinges_(hinges),
+      fixed_steps_(options.integrator == Integrator::rk4),
+      slips_(equations.size()) {}
+
+template <class Value>
+StepFunction HingeEvents::function(Value value) {
+  return {stepper_.begin(), stepper_.end(), [this, value](double time) {
+            if (time == stepper_.begin()) {
+              view_.show(time, stepper_.begin_state());
+            } else {
+              view_.show(stepper_, time);
+            }
+            return value();
+          }};
+}
+
+bool HingeEvents::slides_to_stop(int body) const {
+  const Hinge& hinge = coupled_.hinge(body);
+  return hinge.mode == HingeMode::sliding && hinge.can_rest &&
+         (hinge.is_axis || hinge.straight);
+}
+
+void HingeEvents::sample_slip() {
+  std::vector<int> bodies;
+  for (int i = 0; i < equations_.size(); ++i) {
+    if (!slides_to_stop(i)) continue;
+    bodies.push_back(i);
+    slips_[i].direction = coupled_.direction(i);
+    // Where it was going when the step began.
+    const Vector3d rate = equations_.rate_of(i, stepper_.begin_state().data());
+    if (coupled_.hinge(i).follows && !rate.isZero(0)) {
+      slips_[i].direction = rate.normalized();
+    }
+  }
+  trial_.resize(equations_.number_count());
+  for (const int k : {6, 3, 0, 1, 2, 4, 5}) {
+    if (bodies.empty()) return;
+    stepper_.estimate(StepFunction::point(k, stepper_.begin(), stepper_.end()),
+                      trial_);
+    for (const int i : bodies) {
+      slips_[i].rates[k] =
+          equations_.rate_of(i, trial_.data()).dot(slips_[i].direction);
+    }
+  }
+}
+
+// Where sliding in a known direction passes 0.
+std::optional<double> HingeEvents::slip_end(int body) {
+  const StepFunction along = function(
+      [this, body] { return view_.rate_of(body).dot(slips_[body].direction); });
+  StepFunction::Values values = slips_[body].rates;
+  const double t0 = stepper_.begin();
+  const double t1 = stepper_.end();
+  if (!(values[0] > 0)) {
+    if (values.back() <= 0) {
+      // Begun and stopped within the step; or it never got under way.
+      for (double part = t1 - t0; t0 + part > t0; part /= 2) {
+        const double way = along(t0 + part);
+        if (way > 0) return along.locate(t0 + part, way, t1, values.back());
+      }
+      return t0;
+    }
+    values[0] = just_crossed;
+  }
+  const auto crossed =
+      along.first_crossing(values, values[0], MotionEvent::Crossing::falling);
+  return crossed ? std::optional(crossed->time) : std::nullopt;
+}
+
+// Fixed steps do not get shorter towards a stop: it comes where one implicit
+// step would end the motion.
+bool HingeEvents::stops_in_step(int body) {
+  const double h = stepper_.end() - stepper_.begin();
+  view_.show(stepper_.begin(), stepper_.begin_state());
+  if (!view_.work_out()) return false;
+  const Vector3d rate = view_.rate_of(body);
+  const Vector3d alpha = vec3(coupled_.dynamics().relative_acceleration(body));
+  // What follows is some work.
+  constexpr double near = 10;
+  return rate.norm() < near * h * alpha.norm() &&
+         coupled_.stops_within(body, rate, h);
+}
+
+std::optional<double> HingeEvents::slowing(int body) {
+  const StepFunction excess = function([this, body] {
+    return view_.rate_of(body).norm() - hinges_.stop_speed();
+  });
+  const double t0 = stepper_.begin();
+  const double t1 = stepper_.end();
+  const double end = excess(t1);
+  if (fixed_steps_ && stops_in_step(body)) return t0;
+  if (!(end <= 0)) return {};
+  const double begin = excess(t0);
+  if (begin > 0) return excess.locate(t0, begin, t1, end);
+  // So slow all along: it counts when it does not become faster.
+  return end <= begin ? std::optional(t1) : std::nullopt;
+}
+
+std::optional<double> HingeEvents::speeding(int body) {
+  const StepFunction excess = function([this, body] {
+    return view_.rate_of(body).norm() - 2 * hinges_.straight_from(body);
+  });
+  const double t0 = stepper_.begin();
+  const double t1 = stepper_.end();
+  const double end = excess(t1);
+  if (!(end > 0)) return {};
+  const double begin = excess(t0);
+  return begin > 0 ? t0 : excess.locate(t0, begin, t1, end);
+}
+
+std::optional<double> HingeEvents::turning(int body) {
+  const Vector3d before =
+      equations_.rate_of(body, stepper_.begin_state().data());
+  const StepFunction along = function(
+      [this, body, &before] { return view_.rate_of(body).dot(before); });
+  const double t0 = stepper_.begin();
+  const double t1 = stepper_.end();
+  const double end = along(t1);
+  if (!(end < 0)) return {};
+  const double time = along.locate(t0, along(t0), t1, end);
+  // It may turn about without coming to a stop.
+  constexpr double stopped = 0.1;
+  return view_.rate_of(body).norm() <= stopped * before.norm()
+             ? std::optional(time)
+             : std::nullopt;
+}
+
+// Where a resting hinge holds no longer, or has a contact without a value,
+// whose tau is NaN: resolve_rest() tells the two apart.
+std::optional<double> HingeEvents::rest_end(int body) {
+  const StepFunction tau = function([this, body] {
+    if (!view_.work_out()) return std::numeric_limits<double>::quiet_NaN();
+    // Without any reaction it is infinite.
+    constexpr double most = 1e6;
+    return std::min(coupled_.utilisation(body), most) -
+           coupled_.slip_limit(body);
+  });
+  const double t0 = stepper_.begin();
+  double last_value = tau(stepper_.end());
+  const double begin = tau(t0);
+  if (!(begin <= 0)) return t0;
+  double last = stepper_.end();
+  // Of a joint without body tau jumps from 0 to infinity where a moment begins
+  // to grow: that is known to the shortest step that can be made, which has
+  // some roundings of time.
+  const double soon = std::max(1e-10 * (last - t0), 1e-14 * std::abs(t0));
+  const auto passed = [&](double time, double at_time) {
+    return std::max(t0 + soon, tau.locate(t0, begin, time, at_time));
+  };
+  std::optional<double> lost;
+  for (;;) {
+    if (std::isnan(last_value)) {
+      // Not to the rounding of time: so far on that it is NaN again when the
+      // step is made to end there.
+      constexpr int bits = 25;
+      double known = t0;
+      lost = last;
+      for (int i = 0; i < bits; ++i) {
+        const double middle = known + (*lost - known) / 2;
+        (std::isnan(tau(middle)) ? *lost : known) = middle;
+      }
+      last = known;
+      last_value = tau(known);
+    }
+    if (last_value > 0) return passed(last, last_value);
+    const auto peak = peak_between(tau, t0, begin, last, last_value);
+    if (peak.second > 0) return passed(peak.first, peak.second);
+    if (!std::isnan(peak.second)) return lost;
+    std::tie(last, last_value) = peak;
+  }
+}
+
+std::optional<StepEvent> HingeEvents::first() {
+  sample_slip();
+  std::optional<StepEvent> first;
+  const auto add = [&](Kind kind, int body, std::optional<double> time) {
+    if (time && (!first || *time < first->time)) first = {kind, body, *time};
+  };
+  for (int i = 0; i < equations_.size(); ++i) {
+    const Hinge& hinge = coupled_.hinge(i);
+    if (slides_to_stop(i)) {
+      add(Kind::slip_ends, i, slip_end(i));
+      if (!hinge.is_axis) add(Kind::speeds_up, i, speeding(i));
+    } else if (hinge.mode == HingeMode::sliding && hinge.can_rest) {
+      add(Kind::slows_down, i, slowing(i));
+      add(Kind::slip_turns, i, turning(i));
+    } else if (hinge.mode == HingeMode::resting) {
+      add(Kind::rest_ends, i, rest_end(i));
+    }
+  }
+  return first;
+}
+
+}  // namespace multibody

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+#include "multibody/motion/crossings.hpp"
+#include "multibody/motion/hinge_changes.hpp"
+
+namespace multibody {
+
+/// Where within a step hinges stop, slow down, turn or give way.
+class HingeEvents {
+ public:
+  /// Refers to all of them.
+  HingeEvents(Equations& equations, MotionSample& view, Stepper& stepper,
+              const HingeChanges& hinges, const MotionOptions& options);
+
+  /// The first of them in the last step.
+  std::optional<StepEvent> first();
+
+ private:
+  using Kind = StepEvent::Kind;
+  /// Slides in a known direction, to where that velocity passes 0.
+  bool slides_to_stop(int body) const;
+  void sample_slip();
+  std::optional<double> slip_end(int body);
+  std::optional<double> slowing(int body);
+  std::optional<double> speeding(int body);
+  std::optional<double> turning(int body);
+  std::optional<double> rest_end(int body);
+  bool stops_in_step(int body);
+  /// Of a value in view that passes 0.
+  template <class Value>
+  StepFunction function(Value value);
+
+  MotionSample& view_;
+  Equations& equations_;
+  CoupledDynamics& coupled_;
+  Stepper& stepper_;
+  const HingeChanges& hinges_;
+  bool fixed_steps_;
+  // Of each body, in the last step: direction in which sliding is looked at
+  // for its end, and the rate along it.
+  struct Slip {
+    Eigen::Vector3d direction;
+    StepFunction::Values rates;
+  };
+  std::vector<Slip> slips_;
+  std::vector<double> trial_;
+};
+
+}  // namespace multibody

@@ -1,0 +1,147 @@
+#include "multibody/motion/motion_sample.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include "multibody/motion/equations.hpp"
+#include "multibody/motion/stepper.hpp"
+#include "multibody/system/eigen_conversion.hpp"
+
+namespace multibody {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+MotionSample::MotionSample(Equations& equations)
+    : equations_(equations), motions_(1 + equations.size()) {}
+
+void MotionSample::show(double time, std::span<const double> state) {
+  time_ = time;
+  state_.assign(state.begin(), state.end());
+  set_bodies(equations_.system, equations_.coupled.layout(), equations_.modes(),
+             state_.data(), motions_);
+  worked_out_ = false;
+}
+
+void MotionSample::show(Stepper& stepper, double time) {
+  trial_.resize(equations_.number_count());
+  stepper.interpolate(time, trial_);
+  show(time, trial_);
+}
+
+void MotionSample::show_estimate(Stepper& stepper, double time) {
+  trial_.resize(equations_.number_count());
+  stepper.estimate(time, trial_);
+  show(time, trial_);
+}
+
+bool MotionSample::work_out() const {
+  asked_ = true;
+  if (!worked_out_) {
+    rates_.resize(state_.size());
+    worked_well_ = equations_.rates(time_, state_.data(), rates_.data());
+    worked_out_ = true;
+  }
+  return worked_well_;
+}
+
+HingeMode MotionSample::mode(int body) const {
+  return equations_.coupled.mode(body);
+}
+double MotionSample::angle(int body) const {
+  return state_[equations_.offset(body)];
+}
+Vector3d MotionSample::rate_of(int body) const {
+  return equations_.rate_of(body, state_.data());
+}
+
+HingeSample MotionSample::hinge(int body) const {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  const Link& link = equations_.system.links()[body];
+  HingeSample s;
+  s.mode = equations_.coupled.mode(body);
+  s.dissipated = state_[equations_.dissipated_at(body)];
+  s.angle = s.angle_rate = s.utilisation = nan;
+  s.friction_moment.setZero();
+  if (s.mode == HingeMode::released) {
+    s.rotation.setConstant(nan);
+    s.relative_angular_velocity.setConstant(nan);
+    s.reaction_force.setZero();
+    s.reaction_moment.setZero();
+    return s;
+  }
+  const bool known = work_out();
+  const double* numbers = &state_[equations_.offset(body)];
+  s.rotation = relative_rotation(link, numbers) * link.axes.transpose();
+  s.relative_angular_velocity = link.axes * relative_rate(link, numbers);
+  if (equations_.is_axis(body)) {
+    s.angle = numbers[0];
+    s.angle_rate = numbers[1];
+  }
+  if (!known) {
+    s.reaction_force.setConstant(nan);
+    s.reaction_moment.setConstant(nan);
+    s.friction_moment.setConstant(nan);
+    return s;
+  }
+  const Reaction<double>& reaction = equations_.coupled.reaction(body);
+  s.reaction_force = link.axes * vec3(reaction.force);
+  s.reaction_moment = link.axes * vec3(reaction.moment);
+  if (equations_.coupled.hinge(body).has_friction &&
+      s.mode != HingeMode::locked) {
+    s.joints = equations_.coupled.joints(body);
+    if (s.mode == HingeMode::sliding) {
+      s.friction_moment = link.axes * equations_.coupled.friction_moment(body);
+      s.utilisation = 1;
+    } else {
+      s.utilisation = equations_.coupled.utilisation(body);
+    }
+  }
+  return s;
+}
+
+Vector3d MotionSample::acceleration(int place) const {
+  if (!work_out()) return Vector3d::Constant(NAN);
+  constexpr int v = StateLayout::velocity;
+  if (place == 0) return Eigen::Map<const Vector3d>(&rates_[v]);
+  const int body = place - 1;
+  if (equations_.coupled.mode(body) == HingeMode::released) {
+    return Eigen::Map<const Vector3d>(&rates_[equations_.offset(body) + v]);
+  }
+  // (F + R)/m and gravity
+  const Link& link = equations_.system.links()[body];
+  const Vector3d force = vec3(equations_.active.bodies[body].force) +
+                         vec3(equations_.coupled.reaction(body).force);
+  return equations_.gravity +
+         motions_[place].rotation * link.axes * force / link.mass;
+}
+
+Vector3d MotionSample::angular_acceleration(int place) const {
+  if (!work_out()) return Vector3d::Constant(NAN);
+  if (place == 0) {
+    return motions_[0].rotation *
+           vec3(equations_.coupled.dynamics().carrier().angular);
+  }
+  return motions_[place].rotation * equations_.system.links()[place - 1].axes *
+         vec3(equations_.coupled.dynamics().angular_acceleration(place - 1));
+}
+
+EnergyBook MotionSample::energy() const {
+  EnergyBook book{};
+  const Carrier& carrier = equations_.system.carrier();
+  book.kinetic = kinetic_energy(carrier.mass, carrier.inertia,
+                                Matrix3d::Identity(), motions_[0]);
+  book.gravity = -carrier.mass * equations_.gravity.dot(motions_[0].position);
+  for (int i = 0; i < equations_.size(); ++i) {
+    const Link& link = equations_.system.links()[i];
+    book.kinetic +=
+        kinetic_energy(link.mass, link.inertia, link.axes, motions_[1 + i]);
+    book.gravity -=
+        link.mass * equations_.gravity.dot(motions_[1 + i].position);
+    book.dissipated += state_[equations_.dissipated_at(i)];
+  }
+  book.active_work = state_[equations_.work_at()];
+  return book;
+}
+
+}  // namespace multibody

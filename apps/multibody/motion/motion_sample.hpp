@@ -1,0 +1,121 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "libcontact/joint/solution.hpp"
+#include "multibody/friction/hinge_friction.hpp"
+#include "multibody/system/force_model.hpp"
+
+/// What is seen of a motion at one time.
+namespace multibody {
+
+/// What a hinge does at one time; body axes.
+/// Where no friction moments are found that fit, or several are, forces and
+/// moments are NaN and there are no joints.
+struct HingeSample {
+  HingeMode mode;
+  /// C: body axes to carrier axes.
+  Eigen::Matrix3d rotation;
+  Eigen::Vector3d relative_angular_velocity;  ///< exactly 0 at rest, rad/s
+  double angle;                               ///< axis only, rad
+  double angle_rate;                          ///< axis only, rad/s
+  Eigen::Vector3d reaction_force;  ///< R, with the force of friction, N
+  /// About the hinge's centre; at rest and locked: all that is held, else
+  /// without friction_moment; N m.
+  Eigen::Vector3d reaction_moment;
+  Eigen::Vector3d friction_moment;  ///< sliding: M_t on the body, N m
+  /// resting: tau, the share of what friction can hold that is needed;
+  /// sliding with friction: 1; NaN otherwise.
+  double utilisation;
+  double dissipated;  ///< work of friction since the start, >= 0, J
+  /// Of each joint of the hinge, in the order of the node; empty without
+  /// friction or if locked or released. At rest: the sliding that is near;
+  /// there, and where a ball joint just begins or ends its sliding, power and
+  /// slip velocity are those of 1 rad/s.
+  std::span<const contact::JointSolution> joints;
+};
+
+/// Energies and works since the start, J.
+struct EnergyBook {
+  double kinetic;
+  double gravity;      ///< potential of uniform gravity, 0 at the origin
+  double active_work;  ///< done by the force model
+  double dissipated;   ///< by all hinges
+  /// kinetic + gravity - active_work + dissipated: stays what it was at the
+  /// start, while no carrier drive does work.
+  double balance() const {
+    return kinetic + gravity - active_work + dissipated;
+  }
+};
+
+class Equations;
+class Stepper;
+
+/// The motion at one time, possibly in the middle of a step. Kinematics are
+/// there at once; forces are worked out when they are first asked for.
+class MotionSample {
+ public:
+  double time() const { return time_; }
+  /// Carrier, then the bodies.
+  std::span<const BodyMotion> motions() const { return motions_; }
+  const BodyMotion& carrier() const { return motions()[0]; }
+  const BodyMotion& body(int body) const { return motions()[1 + body]; }
+  HingeMode mode(int body) const;
+  /// Of a body on an axis, rad: cheap, nothing has to be worked out.
+  double angle(int body) const;
+  /// Works out accelerations and reactions.
+  HingeSample hinge(int body) const;
+  /// Accelerations of motions()[place]: of the centre of mass, gravity
+  /// included, and angular; inertial axes.
+  Eigen::Vector3d acceleration(int place) const;
+  Eigen::Vector3d angular_acceleration(int place) const;
+  EnergyBook energy() const;
+
+  // What follows is for the motion itself: it changes what is shown.
+  /// Refers to the equations.
+  explicit MotionSample(Equations& equations);
+  MotionSample(const MotionSample&) = delete;
+  MotionSample& operator=(const MotionSample&) = delete;
+  void show(double time, std::span<const double> state);
+  /// In the last step; its ends as they are.
+  void show(Stepper& stepper, double time);
+  /// The same inside it, about, for next to nothing.
+  void show_estimate(Stepper& stepper, double time);
+  /// Accelerations and reactions, once; false: there are none.
+  bool work_out() const;
+  /// They are no longer those of the hinges.
+  void forget() { worked_out_ = false; }
+  const std::vector<double>& state() const { return state_; }
+  /// Relative angular velocity, link axes.
+  Eigen::Vector3d rate_of(int body) const;
+  /// For when the body is released.
+  void keep_hinge_angle(int body, double angle) {
+    motions_[1 + body].hinge_angle = angle;
+  }
+  /// Whether accelerations and reactions were asked for since the last time.
+  bool was_asked() { return std::exchange(asked_, false); }
+
+ private:
+  Equations& equations_;
+  double time_ = 0;
+  std::vector<double> state_, trial_;
+  std::vector<BodyMotion> motions_;
+  mutable std::vector<double> rates_;
+  mutable bool asked_ = false, worked_out_ = false, worked_well_ = false;
+};
+
+/// An application's event: a function that crosses 0, continuous between
+/// changes of hinges and breaks of the forces. Crossings that come back within
+/// a step are found where the function is about a polynomial of degree 6 over
+/// it; MotionOptions::longest_step helps where it is not.
+struct MotionEvent {
+  enum class Crossing { rising, falling, either };
+  std::function<double(const MotionSample&)> function;
+  Crossing crossing = Crossing::either;
+};
+
+}  // namespace multibody

@@ -1,0 +1,128 @@
+#include "multibody/motion/motion_start.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "libcontact/base/complaint.hpp"
+#include "libcontact/base/error.hpp"
+#include "multibody/system/kinematics.hpp"
+
+namespace multibody {
+namespace {
+
+using Eigen::Map;
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+void check_positive(double value, const char* name) {
+  if (!(value > 0)) {
+    throw contact::Error(contact::detail::must_be(
+        fmt::format("motion: {} = {}", name, value), "above 0"));
+  }
+}
+
+// To the dynamics it is one whose accelerations are given: no equation of the
+// carrier is left to solve, and hinges on it do not feel each other.
+void prescribe_fixed(const MotionStart& start, MotionOptions& options) {
+  if (options.carrier_drive) {
+    throw contact::Error(
+        contact::detail::conflicts("motion: carrier_drive", "a fixed carrier"));
+  }
+  if (!start.carrier.velocity.isZero(0) ||
+      !start.carrier.angular_velocity.isZero(0)) {
+    throw contact::Error(contact::detail::must_be("start.carrier: velocity",
+                                                  "0: the carrier is fixed"));
+  }
+  options.carrier_drive = CarrierDrive{};
+}
+
+BodyMotion checked_body(const BodyMotion& body, const std::string& place) {
+  if (!body.position.allFinite() || !body.velocity.allFinite() ||
+      !body.angular_velocity.allFinite()) {
+    throw contact::Error(contact::detail::must_be(place, "finite"));
+  }
+  BodyMotion result = body;
+  result.rotation = checked_rotation(body.rotation, place + ".rotation");
+  return result;
+}
+
+// Numbers of a body on the carrier.
+void put_hinged(const BodyStart& start, const Link& link,
+                const std::string& place, double* to) {
+  if (link.kind == HingeKind::axis) {
+    to[0] = start.angle;
+    to[1] = start.angle_rate;
+  } else {
+    const Matrix3d c =
+        checked_rotation(start.rotation, place + ".rotation") * link.axes;
+    const Eigen::Quaterniond q(c);
+    Map<Eigen::Vector4d>{to} =
+        Eigen::Vector4d(q.w(), q.x(), q.y(), q.z()).normalized();
+    Map<Vector3d>{to + 4} =
+        link.axes.transpose() * start.relative_angular_velocity;
+  }
+  const Vector3d rate = relative_rate(link, to);
+  if (!std::isfinite(to[0]) || !rate.allFinite()) {
+    throw contact::Error(contact::detail::must_be(place, "finite"));
+  }
+  if (start.locked && !rate.isZero(0)) {
+    throw contact::Error(contact::detail::must_be(
+        place + ": relative velocity", "0 while the body is locked"));
+  }
+}
+
+}  // namespace
+
+MotionOptions checked_options(const System& system, const MotionStart& start,
+                              const MotionOptions& given) {
+  MotionOptions options = given;
+  check_positive(options.relative_tolerance, "relative_tolerance");
+  check_positive(options.absolute_tolerance, "absolute_tolerance");
+  check_positive(options.step, "step");
+  check_positive(options.longest_step, "longest_step");
+  check_positive(options.stall_changes, "stall_changes");
+  check_positive(options.stall_span, "stall_span");
+  if (system.carrier().fixed) prescribe_fixed(start, options);
+  return options;
+}
+
+std::vector<double> start_state(Equations& equations,
+                                const MotionStart& start) {
+  const System& system = equations.system;
+  CoupledDynamics& coupled = equations.coupled;
+  if (static_cast<int>(start.bodies.size()) != system.size()) {
+    throw contact::Error(contact::detail::must_be(
+        fmt::format("start of {} bodies", start.bodies.size()),
+        fmt::format("of {}, one for each body", system.size())));
+  }
+  std::vector<double> state(equations.number_count());
+  put_body(checked_body(start.carrier, "start.carrier"), Matrix3d::Identity(),
+           state.data());
+  for (int i = 0; i < system.size(); ++i) {
+    const Link& link = system.links()[i];
+    const BodyStart& body = start.bodies[i];
+    const std::string place = fmt::format("start.bodies[{}]", i);
+    double* to = &state[equations.offset(i)];
+    if (link.kind == HingeKind::none) {
+      put_body(checked_body(body.body, place), link.axes, to);
+      coupled.set_mode(i, HingeMode::released);
+      continue;
+    }
+    put_hinged(body, link, place, to);
+    const Vector3d rate = equations.rate_of(i, state.data());
+    if (body.locked) {
+      coupled.set_mode(i, HingeMode::locked);
+    } else if (rate.isZero(0) && coupled.hinge(i).can_rest) {
+      coupled.set_mode(i, HingeMode::resting);
+    } else {
+      coupled.set_mode(i, HingeMode::sliding);
+      if (!rate.isZero(0)) coupled.set_direction(i, rate.normalized());
+    }
+  }
+  return state;
+}
+
+}  // namespace multibody

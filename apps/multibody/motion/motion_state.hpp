@@ -1,0 +1,72 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "multibody/friction/coupled_report.hpp"
+#include "multibody/friction/hinge_friction.hpp"
+
+/// What is kept of a motion, and of its end.
+namespace multibody {
+
+/// A change of a hinge.
+struct HingeChange {
+  double time;
+  int body;
+  HingeMode from;
+  HingeMode to;
+};
+
+/// What happens within a step.
+struct StepEvent {
+  enum class Kind {
+    slip_ends,   ///< sliding about a known direction passes 0
+    slows_down,  ///< a ball joint is about to stop: it slides straight on
+    speeds_up,   ///< it does not stop after all
+    slip_turns,  ///< it turns against itself within a step
+    rest_ends,
+    user,  ///< an application's event
+  };
+  Kind kind;
+  int index;  ///< body or event
+  double time;
+  bool rises = false;  ///< user: which way
+};
+
+/// Work so far.
+struct MotionCounts {
+  long evaluations = 0;  ///< of accelerations
+  long steps = 0;
+  long outer_iterations = 0;
+};
+
+/// How a motion ended that cannot go on.
+struct MotionFailure {
+  CoupledStatus status;  ///< ok: the integrator gave up
+  double time;
+  int body;            ///< -1: none in particular
+  std::string reason;  ///< "at 0.3 s: ...", without the body
+  /// Of several_solutions: the friction moments, link axes.
+  std::vector<CoupledSolution> solutions;
+  int joint = -1;  ///< of no_contact: which one of the body's hinge
+
+  /// The reason, with body and joint by their numbers.
+  std::string message() const;
+};
+
+/// All that is needed to go on later: a value.
+struct MotionState {
+  double time = 0;
+  std::vector<double> numbers;
+  std::vector<HingeMode> modes;
+  std::vector<Eigen::Vector3d> directions;
+  std::vector<Eigen::Vector3d> friction;
+  std::vector<double> straight_from;  ///< of balls that slide straight, else 0
+  /// Of them those that just began: size of their accelerations, else 0.
+  std::vector<double> paces;
+  std::vector<double> hinge_angles;  ///< as BodyMotion::hinge_angle
+  double step = 0;
+};
+
+}  // namespace multibody

@@ -1,0 +1,108 @@
+#include "multibody/motion/user_events.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace multibody {
+
+int UserEvents::add(MotionEvent event) {
+  const double value = event.function(view_);
+  all_.push_back({std::move(event), value});
+  return static_cast<int>(all_.size()) - 1;
+}
+
+void UserEvents::restart() {
+  for (Watched& w : all_) w.before = w.event.function(view_);
+}
+
+// Functions that ask for forces are looked at in the middle and at the end
+// only, as long as they are further from 0 than they move in the step.
+void UserEvents::sample(Stepper& stepper) {
+  if (all_.empty()) return;
+  for (Watched& w : all_) w.full = true;
+  const auto look = [&](int k, bool all) {
+    const auto is_due = [&](const Watched& w) { return all || w.full; };
+    if (std::ranges::none_of(all_, is_due)) return;
+    view_.show_estimate(stepper,
+                        StepFunction::point(k, stepper.begin(), stepper.end()));
+    for (Watched& w : all_) {
+      if (!is_due(w)) continue;
+      view_.was_asked();
+      w.values[k] = w.event.function(view_);
+      w.needs_forces |= view_.was_asked();
+    }
+  };
+  using F = StepFunction;
+  look(F::last, true);
+  look(F::middle, true);
+  for (Watched& w : all_) {
+    const std::array three{w.before, w.values[F::middle], w.values[F::last]};
+    w.full = !w.needs_forces || !F::is_far(three);
+  }
+  for (const int k : {0, 1, 2, 4, 5}) look(k, false);
+}
+
+std::optional<StepEvent> UserEvents::first(Stepper& stepper) {
+  std::optional<StepEvent> first;
+  for (int i = 0; i < static_cast<int>(all_.size()); ++i) {
+    Watched& w = all_[i];
+    w.crossed.reset();
+    if (!w.full) continue;
+    const StepFunction function(stepper.begin(), stepper.end(),
+                                [&](double time) {
+                                  view_.show(stepper, time);
+                                  return w.event.function(view_);
+                                });
+    w.crossed = function.first_crossing(w.values, w.before, w.event.crossing);
+    if (w.crossed && (!first || w.crossed->time < first->time)) {
+      first = {StepEvent::Kind::user, i, w.crossed->time, w.crossed->rises};
+    }
+  }
+  return first;
+}
+
+void UserEvents::go_on() {
+  for (Watched& w : all_) note(w, w.values.back());
+}
+
+void UserEvents::go_on_from_view() {
+  for (Watched& w : all_) note(w, w.event.function(view_));
+}
+
+void UserEvents::report(const StepEvent& event) {
+  go_on_from_view();
+  all_[event.index].before = event.rises ? just_crossed : -just_crossed;
+}
+
+// What the function is now. One that has crossed 0 since, as wanted, keeps the
+// old value: the crossing is reported in the next step. One that is just at 0,
+// where rounding would say which side that is, counts as on the side that it
+// crosses from.
+void UserEvents::note(Watched& w, double value) {
+  constexpr double rounding = 1e-12;
+  const double size = std::max(std::abs(w.values[StepFunction::middle]),
+                               std::abs(w.values[StepFunction::last]));
+  if (std::abs(value) <= rounding * size) {
+    if (w.crossed) w.before = w.crossed->rises ? -just_crossed : just_crossed;
+  } else if (!is_crossing(w.before, value, w.event.crossing)) {
+    w.before = value;
+  }
+}
+
+std::optional<int> UserEvents::jumped() {
+  std::optional<int> first;
+  for (int i = 0; i < static_cast<int>(all_.size()); ++i) {
+    Watched& w = all_[i];
+    const double after = w.event.function(view_);
+    if (!first && is_crossing(w.before, after, w.event.crossing)) {
+      first = i;
+      w.before = after;
+    } else {
+      note(w, after);
+    }
+  }
+  return first;
+}
+
+}  // namespace multibody

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "separation/record/run.hpp"
+
+/// A replay as one page that needs no network.
+namespace separation {
+
+/// What a page is made of beside runs, read before they begin.
+class PageParts {
+ public:
+  /// Reads three.js and dygraphs from the folders `javascript` of XDG_DATA_DIRS
+  /// (else /usr/local/share and /usr/share).
+  /// @throws contact::Error "--replay FILE requires ..." what to install
+  explicit PageParts(const std::string& file);
+
+  /// The template with scripts, styles and this data.
+  std::string page(const std::string& title, const std::string& data) const;
+
+ private:
+  std::string scripts_, style_;
+};
+
+/// A run and its place in a comparison.
+struct ShownRun {
+  std::string name;  ///< "" for the only one
+  const Outcome* outcome;
+};
+
+/// What is written of one or of two runs of a case; the second one is faint.
+struct Replay {
+  const Case& c;
+  std::vector<ShownRun> runs;
+  std::vector<std::string> warnings;
+  std::string case_text;  ///< "" leaves it out
+};
+
+/// Animated glTF, all rows.
+std::string replay_glb(const Replay& replay);
+
+/// A page of at most `most_page` bytes: of more rows than fit every second,
+/// fourth, ... is shown.
+struct Page {
+  std::string text;
+  int every;  ///< of which rows one is shown
+};
+inline constexpr std::size_t most_page = 50'000'000;
+Page replay_page(const Replay& replay, const PageParts& parts,
+                 std::size_t most = most_page);
+
+/// What cannot be shown as it is: bodies without shapes, turns that are too
+/// fast for the rows.
+std::vector<std::string> replay_faults(const Replay& replay);
+
+}  // namespace separation

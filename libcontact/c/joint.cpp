@@ -1,0 +1,194 @@
+#include "libcontact/c/joint.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+
+#include "libcontact/base/text.hpp"
+#include "libcontact/c/call.hpp"
+#include "libcontact/files/joint_file.hpp"
+
+namespace contact::c {
+namespace {
+
+JointKind kind_of(int kind) {
+  switch (kind) {
+    case CONTACT_BALL:
+      return JointKind::ball;
+    case CONTACT_PIN:
+      return JointKind::pin;
+  }
+  throw Error(detail::must_be("contact_joint_make: kind",
+                              "CONTACT_BALL or CONTACT_PIN"));
+}
+
+FrictionModel friction_of(const contact_joint_numbers& n) {
+  if (n.viscous) return ViscousLaw(n.viscous_constant, n.viscous_slope);
+  return FrictionLaw(n.coefficient, n.adhesion);
+}
+
+JointContact made_of(const contact_joint_numbers& n) {
+  const JointKind kind = kind_of(n.kind);
+  const JointBody inner =
+      n.body_has_inner ? JointBody::body : JointBody::carrier;
+  const ElasticPair pair({n.inner.youngs_modulus, n.inner.poissons_ratio},
+                         {n.outer.youngs_modulus, n.outer.poissons_ratio});
+  const auto name = [](const char* given, std::string_view otherwise) {
+    return given ? given : otherwise;
+  };
+  return {
+      kind == JointKind::ball
+          ? JointGeometry::ball(n.radius, n.radial_clearance, inner)
+          : JointGeometry::pin(n.radius, n.radial_clearance, n.length, inner),
+      pair, friction_of(n),
+      make_half_angle_law(name(n.half_angle_law, default_half_angle_law), kind,
+                          pair),
+      make_pressure_law(name(n.pressure_law, default_pressure_law), kind,
+                        pair)};
+}
+
+// OK if all results are numbers; else the argument is to blame.
+contact_status status_of(std::initializer_list<double> results,
+                         std::string_view name, double argument,
+                         std::string_view rule = "in the range of the laws") {
+  if (std::ranges::none_of(results, [](double x) { return std::isnan(x); })) {
+    return CONTACT_OK;
+  }
+  return report(
+      CONTACT_OUT_OF_RANGE,
+      detail::must_be(detail::message("{} = {}", name, argument), rule));
+}
+
+const JointContact& contact_of(const contact_joint* joint, const char* name) {
+  return given(joint, name).joint.contact();
+}
+
+}  // namespace
+}  // namespace contact::c
+
+using contact::c::call;
+using contact::c::contact_of;
+using contact::c::given;
+using contact::c::hand_over;
+using contact::c::status_of;
+
+contact_status contact_joint_read(const char* path,
+                                  const contact_setting* settings,
+                                  std::size_t count, contact_joint** joint) {
+  return call([=] {
+    given(joint, "contact_joint_read: joint");
+    return hand_over(
+        joint, contact::read_joint(&given(path, "contact_joint_read: path"),
+                                   contact::c::settings_of(
+                                       settings, count, "contact_joint_read"))
+                   .contact());
+  });
+}
+
+contact_status contact_joint_parse(const char* text, const char* folder,
+                                   contact_joint** joint) {
+  return call([=] {
+    given(joint, "contact_joint_parse: joint");
+    return hand_over(
+        joint, contact::parse_joint(&given(text, "contact_joint_parse: text"),
+                                    "joint", {}, folder ? folder : "")
+                   .contact());
+  });
+}
+
+contact_status contact_joint_make(const contact_joint_numbers* numbers,
+                                  contact_joint** joint) {
+  return call([=] {
+    given(joint, "contact_joint_make: joint");
+    return hand_over(joint, contact::c::made_of(
+                                given(numbers, "contact_joint_make: numbers")));
+  });
+}
+
+void contact_joint_free(contact_joint* joint) { delete joint; }
+
+const char* contact_joint_note(const contact_joint* joint, std::size_t i) {
+  return joint && i < joint->notes.size() ? joint->notes[i].c_str() : nullptr;
+}
+
+contact_status contact_joint_patch(const contact_joint* joint,
+                                   double normal_force, contact_patch* patch) {
+  return call([=] {
+    const auto& contact = contact_of(joint, "contact_joint_patch: joint");
+    contact_patch& p = given(patch, "contact_joint_patch: patch");
+    p.load_parameter = contact.load_parameter(normal_force);
+    p.half_angle = contact.half_angle(normal_force).half_angle;
+    p.peak_pressure = contact.peak_pressure(normal_force, p.half_angle);
+    p.mean_pressure = contact.mean_pressure(normal_force, p.half_angle);
+    p.area = contact.area(p.half_angle);
+    return status_of({p.half_angle, p.peak_pressure, p.mean_pressure},
+                     "contact_joint_patch: normal_force", normal_force);
+  });
+}
+
+contact_status contact_joint_normal_force(const contact_joint* joint,
+                                          double half_angle,
+                                          double* normal_force) {
+  return call([=] {
+    const auto& contact =
+        contact_of(joint, "contact_joint_normal_force: joint");
+    const contact::LoadScale scale(contact.geometry(), contact.pair());
+    double& force =
+        given(normal_force, "contact_joint_normal_force: normal_force");
+    force = contact.geometry().force_from_load(scale.load(
+        contact.half_angle_law().load_parameter(half_angle).load_parameter));
+    return status_of({force}, "contact_joint_normal_force: half_angle",
+                     half_angle);
+  });
+}
+
+contact_status contact_joint_pressure(const contact_joint* joint,
+                                      double normal_force, double theta,
+                                      double* pressure) {
+  return call([=] {
+    const auto& contact = contact_of(joint, "contact_joint_pressure: joint");
+    const auto& geometry = contact.geometry();
+    double& p = given(pressure, "contact_joint_pressure: pressure");
+    p = contact.pressure_law().pressure(
+            theta, contact.half_angle(normal_force).half_angle) *
+        geometry.pressure_unit(geometry.load_from_force(normal_force));
+    return status_of({p}, "contact_joint_pressure: normal_force", normal_force);
+  });
+}
+
+contact_status contact_joint_approach(const contact_joint* joint,
+                                      double normal_force, double* approach,
+                                      double* stiffness) {
+  return call([=] {
+    const auto& contact = contact_of(joint, "contact_joint_approach: joint");
+    const auto& geometry = contact.geometry();
+    double& delta = given(approach, "contact_joint_approach: approach");
+    double& slope = given(stiffness, "contact_joint_approach: stiffness");
+    const auto unit = contact.half_angle_law().approach(
+        contact.half_angle(normal_force).half_angle);
+    delta = unit.approach * geometry.radial_clearance();
+    slope = unit.stiffness *
+            (contact.pair().effective_modulus() *
+             (geometry.kind() == contact::JointKind::ball ? geometry.radius()
+                                                          : geometry.length()));
+    return status_of({delta, slope}, "contact_joint_approach: normal_force",
+                     normal_force, "of a joint that has an approach");
+  });
+}
+
+contact_status contact_joint_friction(const contact_joint* joint,
+                                      double half_angle, double slip_axis_angle,
+                                      contact_friction* friction) {
+  return call([=] {
+    const auto i =
+        contact_of(joint, "contact_joint_friction: joint")
+            .integrals(half_angle,
+                       contact::SlipAxis::from_angle(slip_axis_angle));
+    given(friction, "contact_joint_friction: friction") = {
+        {i.coefficient.force, i.coefficient.sliding, i.coefficient.spinning},
+        {i.area.force, i.area.sliding, i.area.spinning}};
+    return status_of(
+        {i.coefficient.force, i.coefficient.sliding, i.coefficient.spinning},
+        "contact_joint_friction: half_angle", half_angle);
+  });
+}

@@ -1,0 +1,38 @@
+/* What all functions of the C interface share. */
+#ifndef LIBCONTACT_C_STATUS_H
+#define LIBCONTACT_C_STATUS_H
+
+/* NOLINTBEGIN(readability-identifier-naming,modernize-*) */
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* "0.1.0" */
+const char* contact_version(void);
+
+typedef enum contact_status {
+  CONTACT_OK = 0,
+  CONTACT_OUT_OF_RANGE = 1,  /* no value there: the results are NaN */
+  CONTACT_NOT_CONVERGED = 2, /* not to the tolerance: the best found */
+  CONTACT_BAD_INPUT = 3,     /* a file, a key, a number or a call is refused */
+  CONTACT_RUN_FAILED = 4,    /* a motion cannot go on */
+  CONTACT_FAILURE = 5        /* no memory, or an error of the library */
+} contact_status;
+
+/* Of the calling thread's last call that did not return CONTACT_OK; "" before
+ * there was one. Valid until the thread's next call. */
+const char* contact_last_message(void);
+
+/* A key of a file that is given another value, as "geometry.radius_mm" = "25";
+ * of a joint of a case as the hinge-separation manual says. */
+typedef struct contact_setting {
+  const char* key;
+  const char* value;
+} contact_setting;
+
+#ifdef __cplusplus
+}
+#endif
+/* NOLINTEND(readability-identifier-naming,modernize-*) */
+
+#endif

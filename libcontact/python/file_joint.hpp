@@ -1,0 +1,53 @@
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "libcontact/files/joint_file.hpp"
+#include "libcontact/joint/joint.hpp"
+
+namespace contact_python {
+
+/// Keys and their values, as Python has them.
+using Settings = std::vector<std::pair<std::string, std::string>>;
+contact::KeySettings key_settings(const Settings& settings);
+
+/// A joint from the text of a joint file.
+class FileJoint {
+ public:
+  /// @throws contact::Error as read_joint()
+  FileJoint(const std::string& text, const std::string& source,
+            const std::filesystem::path& folder,
+            const contact::KeySettings& settings);
+
+  const contact::JointSpec& spec() const { return spec_; }
+  const contact::JointContact& contact() const { return joint_.contact(); }
+  /// @throws contact::Error if it has no friction
+  const contact::Joint& joint() const;
+  /// The file with its settings, as TOML.
+  const std::string& toml() const { return toml_; }
+  /// What the file says, in one form.
+  const std::string& canonical() const { return canonical_; }
+  /// Whether both say the same.
+  bool operator==(const FileJoint& other) const;
+
+ private:
+  explicit FileJoint(const contact::TomlTable& file);
+
+  std::string toml_;
+  std::string canonical_;
+  contact::JointSpec spec_;
+  contact::Joint joint_;  // without friction where there is none
+};
+
+/// Adds the classes and functions of one subject to the module.
+void bind_joint(pybind11::module_& m);
+void bind_duty(pybind11::module_& m);
+void bind_identify(pybind11::module_& m);
+void bind_case(pybind11::module_& m);
+
+}  // namespace contact_python

@@ -1,0 +1,78 @@
+"""Friction of hinges: ball joints and pin joints with clearance.
+
+Arrays in, arrays out, in SI units and radians; degrees only where a name ends
+in _deg, and units of files where it ends in one. Shapes of arguments broadcast
+by NumPy's rules; vectors are (..., 3).
+
+    >>> import libcontact
+    >>> hip = libcontact.Joint.from_file("hip.toml")
+    >>> s = hip.solve([0, 0, 2000], [1.7, 0, 1])
+    >>> s.half_angle, s.friction_moment
+
+Whatever is wrong with an input raises Error, with the messages of the programs.
+"""
+
+import enum
+
+from ._case import Case, Event, Outcome
+from ._core import (
+    Coefficients,
+    Error,
+    Estimate,
+    Rating,
+    RestSolution,
+    Solution,
+    __version__,
+)
+from ._joint import (
+    Cycle,
+    Fit,
+    Joint,
+    Wear,
+    friction_coefficients,
+    half_angle,
+    identify,
+    load_parameter,
+    pressure,
+)
+
+
+class Status(enum.IntEnum):
+    """How an evaluation ended: what Solution.status has."""
+
+    OK = 0
+    OUT_OF_RANGE = 1
+    NOT_CONVERGED = 2
+
+
+class State(enum.IntEnum):
+    """What the halves of a joint do: what Solution.state has."""
+
+    SLIDING = 0
+    RESTING = 1
+    UNLOADED = 2
+
+
+__all__ = [
+    "Case",
+    "Coefficients",
+    "Cycle",
+    "Error",
+    "Estimate",
+    "Event",
+    "Fit",
+    "Joint",
+    "Outcome",
+    "Rating",
+    "RestSolution",
+    "Solution",
+    "State",
+    "Status",
+    "Wear",
+    "__version__",
+    "friction_coefficients",
+    "half_angle",
+    "identify",
+    "load_parameter",
+    "pressure",
+]

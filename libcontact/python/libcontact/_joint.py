@@ -1,0 +1,333 @@
+"""Joints from keywords, and functions of laws without a joint."""
+
+import functools
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _core
+from ._files import FileText, toml_text, value_text
+
+Key = float | str | Mapping[str, object] | Sequence[object] | None
+
+# Tables of the joint file whose keys are keywords, without unit.
+_tables = {
+    "geometry": (
+        "radius diameter radial_clearance diametral_clearance "
+        "relative_clearance hole shaft clearance length"
+    ),
+    "materials": "pair inner outer",
+    "friction": (
+        "coefficient adhesion viscous_constant viscous_pressure_slope"
+    ),
+    "half_angle": "limit_half_angle limit_formula degrees_per_radian",
+    "loading": "patch_half_angle",
+}
+_table_of = {k: table for table, keys in _tables.items() for k in keys.split()}
+# What a text is in these tables.
+_main_key = {"half_angle": "law", "pressure": "law", "loading": "kind"}
+
+
+def _table_with(keyword: str) -> str | None:
+    """The table of a keyword such as radius_mm; None: it is one, or unknown."""
+    if keyword == "inner_body":
+        return None
+    matching = [
+        k for k in _table_of if keyword == k or keyword.startswith(k + "_")
+    ]
+    return _table_of[max(matching, key=len)] if matching else None
+
+
+def _nested(keywords: Mapping[str, Key]) -> dict[str, Any]:
+    """Keywords as the tables of a joint file."""
+    tables: dict[str, Any] = {}
+    for keyword, value in keywords.items():
+        if value is None:
+            continue
+        if isinstance(value, str) and keyword in _main_key:
+            value = {_main_key[keyword]: value}
+        table = _table_with(keyword)
+        if table is not None:
+            tables.setdefault(table, {})[keyword] = value
+        elif isinstance(value, Mapping):
+            tables.setdefault(keyword, {}).update(value)
+        else:
+            tables[keyword] = value
+    return tables
+
+
+class Joint(FileText, _core.Joint):
+    """A ball joint or a pin joint: geometry, materials, friction, laws.
+
+        hip = libcontact.Joint(
+            kind="ball", radius_mm=14, radial_clearance_um=100,
+            inner={"youngs_modulus_GPa": 230, "poissons_ratio": 0.3},
+            outer={"youngs_modulus_GPa": 1, "poissons_ratio": 0.4},
+            wall={"backing": "rigid", "layer": [{"thickness_mm": 8}]},
+            coefficient=0.062)
+
+    Keywords are the keys of joint files with their units (libcontact's
+    docs/joint_file.md): those of [geometry], [materials] and [friction] without
+    their tables; `half_angle`, `pressure` (names of laws), `loading`, `wall`
+    and `coating` as in the file. None is left out. Whole tables may be given
+    as dicts.
+
+    Nothing of a joint changes: replace() makes another. Joints compare by what
+    they say, may be pickled and shared by threads, and go through fork.
+    """
+
+    def __init__(self, *, kind: str, **keys: Key) -> None:
+        tables = _nested({"name": "joint", "kind": kind} | keys)
+        self._read(toml_text(tables), "", "", ())
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Joint):
+            return NotImplemented
+        return self._same(other)
+
+    __hash__ = FileText.__hash__
+
+    def cycle(
+        self,
+        time: ArrayLike,
+        force: ArrayLike,
+        *,
+        angles: ArrayLike | None = None,
+        sequence: str | None = None,
+        rates: ArrayLike | None = None,
+        period: float | None = None,
+        force_on: str = "body",
+        force_in: str = "carrier",
+    ) -> "Cycle":
+        """The joint on a duty cycle: one period of force and motion, through
+        whose rows go periodic cubic splines.
+
+        time: s, (n,), ascending.
+        force: N, (n, 3); on "body" or "carrier" and in the axes of either.
+        angles: rad, (n, 3), intrinsic rotations of the body about the axes of
+            `sequence`, "zxy" or another; of a pin (n,), about z.
+        rates: instead of it, Dw in axes of the carrier, rad/s, (n, 3).
+        period: s; of even times it may be left out.
+        """
+        times = np.asarray(time, dtype=float)
+        if (angles is None) == (rates is None):
+            raise _core.Error("a cycle requires angles or rates")
+        motion = np.asarray(rates if angles is None else angles, dtype=float)
+        if angles is not None and self.kind == "pin":
+            motion = np.stack([motion, 0 * motion, 0 * motion], axis=-1)
+            sequence = "z"
+        if angles is not None and sequence is None:
+            raise _core.Error("angles requires sequence, such as \"zxy\"")
+        if angles is None and sequence is not None:
+            raise _core.Error(f"sequence = \"{sequence}\" requires angles")
+        return Cycle(
+            self, times, force, motion, sequence,
+            _period(times) if period is None else period, force_on, force_in,
+        )  # fmt: skip
+
+
+def _period(times: NDArray[np.float64]) -> float:
+    steps = np.diff(times)
+    # Of times that were rounded to some digits.
+    if len(steps) == 0 or np.ptp(steps) > 2e-3 * np.mean(steps):
+        raise _core.Error(
+            "times with uneven steps requires period: "
+            "the time from the first row to its return"
+        )
+    return float(times[-1] - times[0] + np.mean(steps))
+
+
+class Wear:
+    """Where a body of a joint wears on a cycle, by Archard's law: the depth is
+    k times the integral of p |v| over the time, k in m^2/N.
+
+    Attributes: `points`, unit vectors from the joint's centre in the body's
+    axes, (n, 3), each of the area `cell_area`, m^2; `pv_integral` there, Pa m,
+    and `cross_shear`, (n,); the same of the deepest point, `deepest_point`,
+    `deepest_pv_integral`, `deepest_cross_shear`; `volume_defect`, the sum over
+    the points against the exact integral, minus 1.
+    """
+
+    body: str
+    points: NDArray[np.float64]
+    pv_integral: NDArray[np.float64]
+    cross_shear: NDArray[np.float64]
+    cell_area: float
+    volume_defect: float
+    deepest_point: NDArray[np.float64]
+    deepest_pv_integral: float
+    deepest_cross_shear: float
+
+    def __init__(self, attributes: dict[str, Any]) -> None:
+        self.__dict__.update(attributes)
+
+
+class Cycle(_core.Cycle):
+    """A joint on a duty cycle, see Joint.cycle()."""
+
+    @property
+    def mean_heat(self) -> float:
+        """Of friction, W."""
+        return self.energy / self.period
+
+    def wear(self, body: str = "body", points: int = 2000) -> Wear:
+        """Where one of the bodies wears.
+
+        body: "body" or "carrier".
+        points: how many, each of the same area.
+        """
+        widest, time = self.largest("half_angle")
+        if widest > np.pi / 2:
+            # Beyond, a ball that sinks into its worn seat leaves its rim.
+            raise _core.Error(
+                "the half-angle of a joint that wears, "
+                f"{np.degrees(widest):.4g} deg at {time:.4g} s, must be at "
+                "most 90 deg"
+            )
+        return Wear(self._wear(body, points))
+
+
+class Fit(_core.Fit):
+    """Friction parameters that fit measured moments, see identify()."""
+
+    def __getitem__(self, parameter: str) -> _core.Estimate:
+        return self.parameters[parameter]
+
+
+def identify(
+    joint: Joint,
+    reaction: ArrayLike,
+    angular_velocity: ArrayLike,
+    moment: ArrayLike,
+    *,
+    sigma: ArrayLike = 1.0,
+    parameters: Sequence[str] = ("coefficient", "adhesion"),
+    huber: bool = False,
+    profile: bool = False,
+    level: float = 0.95,
+) -> Fit:
+    """Friction parameters of a joint from moments measured while it slides.
+
+    reaction: R on the body, N, (..., 3).
+    angular_velocity: Dw, body against carrier, rad/s, (..., 3).
+    moment: that turns the joint, -M_t . Dw/|Dw|, N m, (...); or M_t on the
+        body, (..., 3).
+    sigma: standard errors of the moments; their ratios alone count.
+    parameters: of "coefficient", "adhesion" (Pa), "clearance" (m).
+    huber: Huber's loss: a few wrong data do no harm.
+    profile: intervals by refitting too.
+    level: probability of the intervals.
+    """
+    return Fit(
+        joint, reaction, angular_velocity, moment, sigma, list(parameters),
+        huber, profile, level,
+    )  # fmt: skip
+
+
+@functools.lru_cache(maxsize=64)
+def _cached(text: str) -> Joint:
+    return Joint._of(text, "", "", ())
+
+
+def _unit_joint(keys: Mapping[str, Key]) -> Joint:
+    """A joint that has the laws of these keywords; of size 1 unless they say
+    otherwise, which only walls heed."""
+    size = {"radius": 1.0, "relative_clearance": 1e-3, "length": 1.0}
+    if keys["kind"] == "ball":
+        del size["length"]
+    if any(key.startswith(("radius", "diameter")) for key in keys):
+        del size["radius"]
+    return _cached(toml_text(_nested({"name": "joint"} | size | dict(keys))))
+
+
+_shapes = ("cosine", "sqrt_tan", "sqrt_theta")
+_any_material = {"youngs_modulus": 1e9, "poissons_ratio": 0.3}
+
+
+def _with_law(pressure: str, keys: Mapping[str, Key]) -> Joint:
+    """Pressures that are plain shapes do without materials."""
+    same = {"inner": _any_material, "outer": _any_material}
+    given = dict(keys) | {"pressure": pressure}
+    return _unit_joint(same | given if pressure in _shapes else given)
+
+
+def half_angle(
+    load_parameter: ArrayLike,
+    law: str = "fitted",
+    *,
+    kind: str = "ball",
+    **keys: Key,
+) -> NDArray[np.float64]:
+    """theta0 of the contact by a law, rad; NaN where it has none.
+
+    load_parameter: mu of a ball, lambda of a pin, (...).
+    law: "hertz", "arctan", "tanh", "blend", "paper", "fitted" or "exact".
+    keys: `inner` and `outer`, the materials, and others of Joint.
+    """
+    joint = _unit_joint(
+        {"kind": kind, "half_angle": law, "pressure": _pressure_for(keys)}
+        | keys
+    )
+    return joint._half_angle(load_parameter)
+
+
+def load_parameter(
+    half_angle: ArrayLike,
+    law: str = "fitted",
+    *,
+    kind: str = "ball",
+    **keys: Key,
+) -> NDArray[np.float64]:
+    """The inverse of half_angle().
+
+    half_angle: theta0, rad, (...).
+    """
+    joint = _unit_joint(
+        {"kind": kind, "half_angle": law, "pressure": _pressure_for(keys)}
+        | keys
+    )
+    return joint._load_parameter(half_angle)
+
+
+def _pressure_for(keys: Mapping[str, Key]) -> str:
+    """What need not be made for a half-angle."""
+    return "exact" if {"wall", "coating"} & keys.keys() else "cosine"
+
+
+def pressure(
+    theta: ArrayLike,
+    half_angle: ArrayLike,
+    pressure: str = "exact",
+    *,
+    kind: str = "ball",
+    **keys: Key,
+) -> NDArray[np.float64]:
+    """Contact pressure by a law, in R_n/rho^2 (ball) or P/rho (pin).
+
+    theta: angle from the contact's centre, rad, (...).
+    half_angle: theta0, rad, (...).
+    pressure: "cosine", "sqrt_tan", "sqrt_theta", "mixture" or "exact"; the
+        last two depend on the materials `inner` and `outer`.
+    keys: others of Joint.
+    """
+    joint = _with_law(pressure, {"kind": kind} | keys)
+    return joint._pressure(theta, half_angle)
+
+
+def friction_coefficients(
+    theta0: ArrayLike,
+    alpha: ArrayLike,
+    pressure: str = "cosine",
+    **keys: Key,
+) -> _core.Coefficients:
+    """Coefficients of a ball's friction: chi, sigma_Y and sigma_Z as
+    attributes `force`, `sliding` and `spinning`.
+
+    theta0: half-angle of the contact, rad, (...).
+    alpha: slip axis angle, rad, (...): 0 sliding, pi/2 spinning.
+    pressure, keys: as in pressure().
+    """
+    joint = _with_law(pressure, {"kind": "ball"} | keys)
+    return joint._friction_coefficients(theta0, alpha)

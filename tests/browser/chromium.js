@@ -1,0 +1,46 @@
+// Chromium without a window, for pages from files: what every test of a page
+// and scripts that draw one stand on.
+'use strict';
+const fs = require('fs');
+const os = require('os');
+const path = require('path');
+const {chromium} = require('playwright-core');
+
+const settings = [
+  '--headless=new', '--no-sandbox', '--use-angle=swiftshader',
+  '--enable-unsafe-swiftshader', '--no-first-run',
+  '--disable-background-networking', '--disable-component-update',
+  '--disable-sync', '--disable-quic',
+];
+
+// Calls use(page, said) with a page on which `file` is open and ready; `said`
+// has everything that a good page does not do: console messages, errors,
+// requests for anything but itself. `prepare` sees the page before.
+async function withPage(file, options, use, prepare = async () => {}) {
+  const profile = fs.mkdtempSync(path.join(os.tmpdir(), 'replay-'));
+  const context = await chromium.launchPersistentContext(profile, {
+    executablePath: '/usr/bin/chromium', headless: false, args: settings,
+    viewport: {width: 1280, height: 800}, ...options,
+  });
+  try {
+    const page = await context.newPage();
+    page.setDefaultTimeout(120e3);  // machines of tests are busy
+    const url = 'file://' + path.resolve(file);
+    const said = [];
+    page.on('console', (message) => said.push(message.text()));
+    page.on('pageerror', (error) => said.push(error.message));
+    page.on('dialog', (dialog) => said.push(dialog.message()));
+    page.on('request', (request) => {
+      if (request.url() !== url) said.push(request.url().slice(0, 200));
+    });
+    await prepare(page);
+    await page.goto(url);
+    await page.evaluate(() => replay.ready);
+    return await use(page, said);
+  } finally {
+    await context.close();
+    fs.rmSync(profile, {recursive: true, force: true});
+  }
+}
+
+module.exports = {withPage};

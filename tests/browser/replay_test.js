@@ -1,0 +1,347 @@
+// Replays of hinge-separation in a real browser, beside the histories and
+// summaries of the same runs: node replay_test.js BUILD_DIR
+'use strict';
+const assert = require('assert');
+const {execFileSync} = require('child_process');
+const fs = require('fs');
+const os = require('os');
+const path = require('path');
+const {test} = require('node:test');
+const validator = require('gltf-validator');
+const {withPage} = require('./chromium.js');
+
+const program =
+    path.resolve(process.env.CONTACT_BUILD, 'bin/hinge-separation');
+const cases = path.resolve(__dirname, '../../data/cases');
+const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'replays-'));
+process.on('exit', () => fs.rmSync(folder, {recursive: true}));
+const file = (name) => path.join(folder, name);
+
+// What it prints.
+const run = (name, ...options) =>
+    execFileSync(program, [name, ...options],
+                 {cwd: folder, stdio: ['ignore', 'pipe', 'ignore']});
+
+// A history as columns of numbers (modes: words).
+function history(name) {
+  const [head, ...lines] =
+      fs.readFileSync(file(name), 'utf8').trimEnd().split('\n');
+  const rows = lines.map((line) => line.split(','));
+  return Object.fromEntries(head.split(',').map((column, j) => [
+    column, rows.map(({[j]: cell}) => cell === '' ? NaN :
+        Number.isNaN(Number(cell)) ? cell : Number(cell))]));
+}
+
+// The same numbers in every run of the tests.
+function random(seed) {
+  let state = seed;
+  return () => (state = (state * 48271) % 2147483647) / 2147483647;
+}
+
+// A case with other keys in its [run].
+function withRun(name, keys) {
+  const text = fs.readFileSync(path.join(cases, name + '.toml'), 'utf8')
+      .replaceAll('"../', `"${path.dirname(cases)}/`)
+      .replace(/output_step_s = .*\n/, '').replace('[run]\n', `[run]\n${keys}\n`);
+  fs.writeFileSync(file(`fine_${name}.toml`), text);
+  return file(`fine_${name}.toml`);
+}
+
+const toRow = (column, i) => (name) => column[name][i];
+
+// From the carrier's centre of mass, as replays have it.
+function poseOf(columns, i, body) {
+  const at = toRow(columns, i);
+  return {
+    position: ['x_m', 'y_m', 'z_m'].map(
+        (axis) => at(`${body}.${axis}`) - at(`${columns.carrier}.${axis}`)),
+    rotation: ['qx', 'qy', 'qz', 'qw'].map((part) => at(`${body}.${part}`)),
+  };
+}
+
+const difference = (a, b) => Math.hypot(...a.map((x, i) => x - b[i]));
+// Between two turns given as quaternions, deg.
+const turn = (a, b) => 360 / Math.PI * Math.asin(Math.min(1, Math.min(
+    difference(a, b), difference(a, b.map((x) => -x))) / 2));
+
+test('the validator finds nothing in any case, alone or compared', async () => {
+  for (const name of fs.readdirSync(cases)) {
+    const compare = name === 'two_stage_turn.toml' ? ['--compare'] : [];
+    run(path.join(cases, name), '--replay', 'a.glb', ...compare);
+    const {issues} = await validator.validateBytes(
+        new Uint8Array(fs.readFileSync(file('a.glb'))));
+    assert.deepStrictEqual(issues.messages, [], name);
+  }
+});
+
+// The page's poses are those of three.js, which reads the glTF in it. Against
+// runs with eight times as many rows, at times between those of the replay.
+for (const [name, step] of Object.entries({
+  soyuz: 0.02, two_stage_turn: 0.01, slosh: 0.05, flywheels: 0.1,
+  platform: 0.1})) {
+  test(`poses of ${name} are those of a finer history`, async () => {
+    const outputStep = (by) => `output_step_s = ${step / by}`;
+    run(withRun(name, outputStep(8)), '--history', 'fine.csv');
+    run(withRun(name, outputStep(1)), '--replay', 'a.html');
+    const fine = history('fine.csv');
+    const bodies = Object.keys(fine).filter((column) => column.endsWith('.qw'))
+        .map((column) => column.slice(0, -3));
+    fine.carrier = bodies[0];
+    const next = random(21);
+    const rows = Array.from(
+        {length: 20}, () => Math.floor(next() * fine.time_s.length));
+    await withPage(file('a.html'), {}, async (page, said) => {
+      const {size, poses} = await page.evaluate((times) => ({
+        size: JSON.parse(document.getElementById('data').textContent).size,
+        poses: times.map((time) => {
+          replay.go(time);
+          replay.update();
+          return JSON.parse(document.getElementById('data').textContent)
+              .bodies.map((_, body) => replay.pose(body));
+        }),
+      }), rows.map((row) => fine.time_s[row]));
+      rows.forEach((row, i) => bodies.forEach((body, j) => {
+        const is = poses[i][j];
+        const want = poseOf(fine, row, body);
+        const where = `${body} at ${fine.time_s[row]} s`;
+        assert.ok(difference(is.position, want.position) <= 1e-4 * size, where);
+        assert.ok(turn(is.rotation, want.rotation) <= 0.05, where);
+      }));
+      assert.deepStrictEqual(said, []);
+    });
+  });
+}
+
+// As the page shows numbers: with 4 digits and a prefix.
+const prefixes = {G: 1e9, M: 1e6, k: 1e3, m: 1e-3, µ: 1e-6};
+function shown(text) {
+  if (text === '–') return NaN;
+  const [, number, prefix] =
+      text.match(/^(-?[\d.e+-]+) ?([GMkmµ](?=N|Pa|J|m))?/);
+  return Number(number) * (prefixes[prefix] || 1);
+}
+
+test('numbers of soyuz are those of the history and the summary', async () => {
+  const summary = JSON.parse(run(
+      path.join(cases, 'soyuz.toml'), '--history', 'a.csv', '--replay',
+      'a.html'));
+  assert.ok(fs.statSync(file('a.html')).size <= 2e6);
+  const rows = history('a.csv');
+  await withPage(file('a.html'), {}, async (page, said) => {
+    for (const i of [0, 100, rows.time_s.length - 1]) {
+      const cells = await page.evaluate((time) => {
+        replay.go(time);
+        replay.update();
+        return [...document.querySelectorAll('[data-column]')].map(
+            ({dataset, textContent}) => [dataset.column, textContent]);
+      }, rows.time_s[i]);
+      assert.ok(cells.length >= 4 * 8);
+      for (const [column, text] of cells) {
+        const want = rows[column][i];
+        const is = shown(text);
+        assert.ok(Object.is(is, want) || Math.abs(is - want) <=
+            0.6e-3 * Math.abs(want), `${column}: ${text}, ${want}`);
+      }
+    }
+    const text = await page.textContent('#summary');
+    for (const {peak_reaction_N: peak} of summary.bodies.filter(
+        (body) => body.peak_reaction_N)) {
+      assert.ok(text.includes(String(Number(peak.toPrecision(6)))));
+    }
+    assert.strictEqual(await page.locator('#events button').count(),
+                       summary.events.length);
+    // An event is gone to, by its button and by its key.
+    const last = summary.events.length - 1;
+    await page.locator('#events button').nth(last).click();
+    assert.strictEqual(await page.evaluate(() => replay.time),
+                       summary.events[last].time_s);
+    await page.keyboard.press('[');
+    const before = await page.evaluate(() => replay.time);
+    assert.ok(summary.events.some((event) => event.time_s === before));
+    assert.ok(before < summary.events[last].time_s);
+    assert.ok((await page.textContent('#about')).includes('fitted'));
+    assert.ok((await page.textContent('#case pre')).includes(
+        '# Masses, sizes and thrusts of a Soyuz-FG'));
+    assert.deepStrictEqual(said, []);
+  });
+  run(path.join(cases, 'soyuz.toml'), '--replay', 'a.html', '--no-case');
+  assert.ok(!fs.readFileSync(file('a.html'), 'utf8').includes('Soyuz-FG'));
+});
+
+test('the keyboard alone suffices', async () => {
+  run(path.join(cases, 'soyuz.toml'), '--replay', 'a.html');
+  await withPage(file('a.html'), {}, async (page, said) => {
+    const reached = new Set();
+    for (let i = 0; i < 40; ++i) {
+      await page.keyboard.press('Tab');
+      reached.add(await page.evaluate(() => document.activeElement.id ||
+          document.activeElement.tagName));
+    }
+    for (const id of ['view', 'time', 'play', 'previous', 'next', 'speed',
+                      'follow', 'fit', 'show_forces', 'BUTTON', 'SUMMARY']) {
+      assert.ok(reached.has(id), id);
+    }
+    const nameless = await page.evaluate(() => [...document.querySelectorAll(
+        'button, input, select')].filter((element) =>
+        element.offsetParent && !(element.ariaLabel || element.textContent.trim() ||
+          element.closest('label'))).map((element) => element.outerHTML));
+    assert.deepStrictEqual(nameless, []);
+    const time = () => page.evaluate(() => replay.time);
+    await page.focus('#time');
+    await page.keyboard.press('PageUp');
+    assert.ok(await time() > 0);
+    await page.focus('#view');
+    await page.keyboard.press('Home');
+    assert.strictEqual(await time(), 0);
+    await page.keyboard.press('.');
+    assert.strictEqual(await time(), 0.02);
+    await page.keyboard.press(' ');
+    await page.waitForFunction(() => replay.time > 0.3);
+    await page.keyboard.press(' ');
+    const picture = () => page.locator('#view').screenshot();
+    const before = await picture();
+    await page.keyboard.press('ArrowLeft');
+    await page.waitForTimeout(300);
+    assert.notDeepStrictEqual(await picture(), before);
+    await page.keyboard.press('f');
+    assert.strictEqual(await page.inputValue('#follow'), '1');
+    assert.deepStrictEqual(said, []);
+  });
+});
+
+test('on a phone, in the dark and in the light nothing is wider than the screen',
+     async () => {
+  run(path.join(cases, 'platform.toml'), '--replay', 'a.html');
+  for (const colorScheme of ['dark', 'light']) {
+    await withPage(file('a.html'),
+                   {colorScheme, viewport: {width: 360, height: 740}},
+                   async (page, said) => {
+      const [has, room, back] = await page.evaluate(() => [
+        document.scrollingElement.scrollWidth, innerWidth,
+        getComputedStyle(document.body).backgroundColor]);
+      assert.ok(has <= room);
+      const light = Number(back.match(/\d+/)[0]);
+      assert.ok(colorScheme === 'dark' ? light < 60 : light > 200);
+      assert.deepStrictEqual(said, []);
+    });
+  }
+});
+
+test('without WebGL curves and tables are there', async () => {
+  run(path.join(cases, 'soyuz.toml'), '--replay', 'a.html');
+  const noWebgl = (page) => page.addInitScript(() => {
+    const get = HTMLCanvasElement.prototype.getContext;
+    HTMLCanvasElement.prototype.getContext = function(kind, ...rest) {
+      return kind.includes('webgl') ? null : get.call(this, kind, ...rest);
+    };
+  });
+  await withPage(file('a.html'), {}, async (page) => {
+    assert.ok(await page.isVisible('#no_webgl'));
+    assert.ok(!await page.isVisible('#fit'));
+    assert.strictEqual(await page.locator('.graph canvas').count(), 12);
+    await page.keyboard.press(']');
+    await page.waitForFunction(() => replay.time === 0.5 &&
+        document.getElementById('clock').textContent === '0.500 s');
+    assert.ok((await page.textContent('#values')).includes('kN'));
+  }, noWebgl);
+});
+
+test('who wants no motion gets two pictures a second', async () => {
+  run(path.join(cases, 'soyuz.toml'), '--replay', 'a.html');
+  const count = (reducedMotion) => withPage(
+      file('a.html'), {reducedMotion}, (page) => page.evaluate(async () => {
+        const clocks = new Set();
+        replay.play(true);
+        const end = performance.now() + 1500;
+        while (performance.now() < end) {
+          clocks.add(document.getElementById('clock').textContent);
+          await new Promise(requestAnimationFrame);
+        }
+        return clocks.size;
+      }));
+  assert.ok(await count('reduce') <= 4);
+  assert.ok(await count('no-preference') > 4);
+});
+
+test('text of files stays text', async () => {
+  const nasty = '</script><script>alert(1)</script><img src=x onerror=alert(2)>';
+  const quotes = '\'quoted" &amp; {{data}} \\u003c \u2028 ]]>';
+  const name = JSON.stringify(`${nasty}${quotes}`);
+  const body = JSON.stringify(`<b onclick='alert(3)'>\\${nasty.slice(0, 8)}`
+      .replace('/', '|'));
+  fs.writeFileSync(file('nasty.toml'), `
+name = ${name} # <!-- <script> --> ${nasty}
+run = { end_time_s = 1 }
+carrier = { name = "a", mass_kg = 1, principal_inertia_kg_m2 = [1, 1, 1] }
+[[body]]
+name = ${body}
+mass_kg = 1
+principal_inertia_kg_m2 = [1, 1, 1]
+[body.hinge]
+kind = "ball"
+name = ${name}
+body_point_m = [0, 0, 1]
+[[event]]
+name = ${name}
+time_s = 0.5
+breaks = "hinge"
+`);
+  run(file('nasty.toml'), '--replay', 'a.html', '--replay', 'a.glb');
+  const {issues} = await validator.validateBytes(
+      new Uint8Array(fs.readFileSync(file('a.glb'))));
+  assert.strictEqual(issues.numErrors + issues.numWarnings, 0);
+  await withPage(file('a.html'), {}, async (page, said) => {
+    assert.strictEqual(await page.title(), JSON.parse(name));
+    assert.strictEqual(await page.textContent('h1'), JSON.parse(name));
+    const labels = await page.locator('#labels .body').allTextContents();
+    assert.deepStrictEqual(labels, ['a', JSON.parse(body)]);
+    assert.strictEqual(await page.locator('script').count(), 2);
+    assert.strictEqual(await page.locator('img, b[onclick]').count(), 0);
+    assert.ok((await page.textContent('#case pre')).includes(nasty));
+    // What scripts and requests there might yet be, the policy forbids.
+    const blocked = await page.evaluate(() => new Promise((resolve) => {
+      document.addEventListener('securitypolicyviolation',
+                                (event) => resolve(event.effectiveDirective));
+      const script = document.createElement('script');
+      script.textContent = 'alert(4)';
+      document.body.append(script);
+    }));
+    assert.strictEqual(blocked, 'script-src-elem');
+    await assert.rejects(page.evaluate(() => fetch('https://example.org')));
+    assert.ok(!said.some((text) => /^\d$/.test(text)));
+  });
+});
+
+test('fifty bodies and 10,000 rows leave the page 4 ms a frame', async () => {
+  fs.writeFileSync(file('many.toml'), `
+name = "fifty pendulums"
+gravity_m_per_s2 = [0, 0, -9.81]
+run = { end_time_s = 10, output_step_s = 1e-3 }
+carrier = { name = "ring", fixed = true }
+[[body]]
+name = "pendulum"
+mass_kg = 1
+principal_inertia_kg_m2 = [0.01, 0.01, 0.01]
+pattern = { count = 50, axis = [0, 0, 1] }
+start = { rate_deg_per_s = 100 }
+[body.hinge]
+kind = "axis"
+body_point_m = [0, 0, 1]
+carrier_point_m = [5, 0, 0]
+axis = [0, 1, 0]
+`);
+  run(file('many.toml'), '--replay', 'a.html');
+  assert.ok(fs.statSync(file('a.html')).size <= 50e6);
+  await withPage(file('a.html'), {}, async (page) => {
+    const times = await page.evaluate(() => Array.from({length: 60}, (_, i) => {
+      replay.go(i / 6 + 0.123);
+      replay.update();
+      return replay.ownTime;
+    }));
+    times.sort((a, b) => a - b);
+    console.log(`own script: ${times[30].toFixed(2)} ms a frame (median), ` +
+        `${times[59].toFixed(2)} at most`);
+    // The least third: other programs may have the processor at times.
+    assert.ok(times[20] <= 4, `${times[20]} ms`);
+  });
+});

@@ -1,0 +1,370 @@
+// Joints from C are those of C++ to the last bit.
+#include "libcontact/joint/joint.hpp"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "c/door.hpp"
+#include "libcontact/files/joint_file.hpp"
+#include "libcontact/half_angle/factory.hpp"
+#include "libcontact/pressure/factory.hpp"
+#include "support/random_slip.hpp"
+
+namespace {
+
+using contact::Joint;
+using contact::JointSolution;
+using contact::RestSolution;
+using contact::test::c_joint;
+using contact::test::CJoint;
+using contact::test::RandomSlips;
+using Eigen::Vector3d;
+
+const std::string joints = CONTACT_DATA_DIR "/joints/";
+// Balls with and without a wall, pins.
+const std::vector<std::string> names = {"hip_cocr_uhmwpe", "paper_example_2",
+                                        "pin_joint", "wheel_pin"};
+
+// NaN too.
+void expect_same(double a, double b) {
+  EXPECT_EQ(std::bit_cast<std::uint64_t>(a), std::bit_cast<std::uint64_t>(b))
+      << a << " and " << b;
+}
+void expect_same(const double (&a)[3], const Vector3d& b) {
+  for (int i = 0; i < 3; ++i) expect_same(a[i], b[i]);
+}
+
+void expect_same(const contact_solution& a, const JointSolution& b) {
+  EXPECT_EQ(static_cast<int>(a.status), static_cast<int>(b.status));
+  EXPECT_EQ(static_cast<int>(a.state), static_cast<int>(b.state));
+  EXPECT_EQ(a.evaluations, b.evaluations);
+  expect_same(a.residual, b.residual);
+  expect_same(a.reaction, b.reaction);
+  expect_same(a.normal, b.normal);
+  expect_same(a.normal_force, b.normal_force);
+  expect_same(a.friction_force, b.friction_force);
+  expect_same(a.friction_moment, b.friction_moment);
+  expect_same(a.slip_velocity, b.slip_velocity);
+  expect_same(a.power, b.power);
+  expect_same(a.reaction_angle[0], b.reaction_direction.sin);
+  expect_same(a.reaction_angle[1], b.reaction_direction.cos);
+  expect_same(a.friction_angle[0], b.friction_direction.sin);
+  expect_same(a.friction_angle[1], b.friction_direction.cos);
+  expect_same(a.slip_axis_angle[0], b.slip_axis.sin);
+  expect_same(a.slip_axis_angle[1], b.slip_axis.cos);
+  expect_same(a.force_coefficient, b.force_coefficient);
+  expect_same(a.sliding_coefficient, b.sliding_coefficient);
+  expect_same(a.spinning_coefficient, b.spinning_coefficient);
+  expect_same(a.adhesion_number, b.adhesion_number);
+  expect_same(a.load_parameter, b.load_parameter);
+  expect_same(a.half_angle, b.half_angle);
+  expect_same(a.peak_pressure, b.peak_pressure);
+  expect_same(a.contact_area, b.contact_area);
+}
+
+contact_slip c_slip(const Joint::Slip& slip) {
+  contact_slip c = {};
+  for (int i = 0; i < 3; ++i) {
+    c.reaction[i] = slip.reaction[i];
+    c.angular_velocity[i] = slip.angular_velocity[i];
+    c.axis[i] = slip.axis[i];
+  }
+  return c;
+}
+
+// A joint of both languages, and slips of which each is near the one before.
+struct Both {
+  explicit Both(const std::string& name)
+      : cpp(contact::read_joint(joints + name + ".toml").contact()),
+        c(c_joint(joints + name + ".toml")) {
+    RandomSlips random(7);
+    Vector3d reaction = 1000 * random.direction();
+    Vector3d rate = random.direction();
+    for (int i = 0; i < 300; ++i) {
+      slips.push_back({reaction, rate,
+                       cpp.is_pin() ? rate.normalized() : Vector3d::Zero()});
+      reaction += 30 * random.direction();
+      rate += 0.03 * random.direction();
+    }
+    slips[20].reaction.setZero();
+    slips[21].angular_velocity.setZero();
+  }
+
+  Joint cpp;
+  CJoint c;
+  std::vector<Joint::Slip> slips;
+};
+
+class Joints : public testing::TestWithParam<std::string> {};
+INSTANTIATE_TEST_SUITE_P(CDoor, Joints, testing::ValuesIn(names));
+
+TEST_P(Joints, SlideAsInCpp) {
+  const Both both(GetParam());
+  contact_solution s;
+  for (const Joint::Slip& slip : both.slips) {
+    const contact_slip c = c_slip(slip);
+    ASSERT_EQ(contact_joint_solve(both.c.get(), &c, nullptr, &s), CONTACT_OK);
+    expect_same(s, both.cpp.solve(slip));
+    EXPECT_EQ(contact_joint_solve_contact(both.c.get(), &c, &s), CONTACT_OK);
+    expect_same(s, both.cpp.solve_contact(
+                       {slip.reaction, slip.angular_velocity, slip.axis}));
+  }
+}
+
+TEST_P(Joints, StartFromTheLastSolutionAsInCpp) {
+  const Both both(GetParam());
+  contact_solution s = {};
+  JointSolution last;
+  int cold = 0, warm = 0;
+  for (const Joint::Slip& slip : both.slips) {
+    const contact_slip c = c_slip(slip);
+    ASSERT_EQ(contact_joint_solve(both.c.get(), &c, &s, &s), CONTACT_OK);
+    last = both.cpp.solve(slip, last);
+    expect_same(s, last);
+    warm += s.evaluations;
+    cold += both.cpp.solve(slip).evaluations;
+  }
+  EXPECT_LT(warm, cold);
+}
+
+// Of a user's own structure, there and back.
+struct Record {
+  char name;
+  double reaction[3], rate[3], axis[3];
+  contact_solution solution;
+};
+
+TEST_P(Joints, SolveRowsWithStrides) {
+  const Both both(GetParam());
+  const std::size_t n = both.slips.size();
+  std::vector<Record> records(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    const contact_slip c = c_slip(both.slips[i]);
+    std::copy_n(c.reaction, 3, records[i].reaction);
+    std::copy_n(c.angular_velocity, 3, records[i].rate);
+    std::copy_n(c.axis, 3, records[i].axis);
+  }
+  constexpr auto stride = static_cast<std::ptrdiff_t>(sizeof(Record));
+  contact_slips slips = {};
+  slips.count = n;
+  slips.reaction = records[0].reaction;
+  slips.angular_velocity = records[0].rate;
+  slips.axis = records[0].axis;
+  slips.reaction_stride = slips.angular_velocity_stride = slips.axis_stride =
+      stride;
+  for (const bool warm : {false, true}) {
+    slips.warm = warm;
+    ASSERT_EQ(contact_joint_solve_rows(both.c.get(), &slips,
+                                       &records[0].solution, stride),
+              CONTACT_OK);
+    JointSolution last;
+    for (std::size_t i = 0; i < n; ++i) {
+      last = warm ? both.cpp.solve(both.slips[i], last)
+                  : both.cpp.solve(both.slips[i]);
+      expect_same(records[i].solution, last);
+    }
+  }
+  // From the last to the first, all with the rate of the third, no axis.
+  std::vector<contact_solution> solutions(n);
+  slips.reaction = records[n - 1].reaction;
+  slips.reaction_stride = -stride;
+  slips.angular_velocity = records[2].rate;
+  slips.angular_velocity_stride = 0;
+  slips.axis = nullptr;
+  slips.warm = 0;
+  ASSERT_EQ(contact_joint_solve_rows(both.c.get(), &slips, solutions.data(),
+                                     sizeof solutions[0]),
+            CONTACT_OK);
+  for (std::size_t i = 0; i < n; ++i) {
+    expect_same(solutions[i], both.cpp.solve({both.slips[n - 1 - i].reaction,
+                                              both.slips[2].angular_velocity}));
+  }
+}
+
+TEST_P(Joints, RestAsInCpp) {
+  const Both both(GetParam());
+  contact_rest warm = {};
+  RestSolution last;
+  for (std::size_t i = 0; i < 20; ++i) {
+    const Joint::Slip& slip = both.slips[i];
+    const Joint::Hold hold = {slip.reaction, slip.angular_velocity, slip.axis};
+    const contact_slip c = c_slip(slip);
+    contact_hold h = {};
+    std::copy_n(c.reaction, 3, h.reaction);
+    std::copy_n(c.angular_velocity, 3, h.moment);
+    std::copy_n(c.axis, 3, h.axis);
+    const auto compare = [](const contact_rest& a, const RestSolution& b) {
+      EXPECT_EQ(static_cast<int>(a.status), static_cast<int>(b.status));
+      EXPECT_EQ(a.solves, b.solves);
+      expect_same(a.utilisation, b.utilisation);
+      expect_same(a.direction, b.direction);
+      expect_same(a.slip, b.slip);
+    };
+    ASSERT_EQ(contact_joint_utilisation(both.c.get(), &h, &warm, &warm),
+              CONTACT_OK);
+    last = both.cpp.utilisation(hold, last);
+    compare(warm, last);
+    contact_rest cold;
+    ASSERT_EQ(contact_joint_utilisation(both.c.get(), &h, nullptr, &cold),
+              CONTACT_OK);
+    compare(cold, both.cpp.utilisation(hold));
+  }
+}
+
+TEST_P(Joints, HaveTheContactOfCpp) {
+  const Both both(GetParam());
+  const auto& contact = both.cpp.contact();
+  const auto& geometry = contact.geometry();
+  for (const double force : {1e-3, 20., 700., 3000.}) {
+    contact_patch patch;
+    ASSERT_EQ(contact_joint_patch(both.c.get(), force, &patch), CONTACT_OK);
+    const double half_angle = contact.half_angle(force).half_angle;
+    expect_same(patch.load_parameter, contact.load_parameter(force));
+    expect_same(patch.half_angle, half_angle);
+    expect_same(patch.peak_pressure, contact.peak_pressure(force, half_angle));
+    expect_same(patch.mean_pressure, contact.mean_pressure(force, half_angle));
+    expect_same(patch.area, contact.area(half_angle));
+    double back;
+    ASSERT_EQ(contact_joint_normal_force(both.c.get(), half_angle, &back),
+              CONTACT_OK);
+    EXPECT_NEAR(back, force, 1e-9 * force);  // law.hpp: both directions
+    double p;
+    ASSERT_EQ(contact_joint_pressure(both.c.get(), force, half_angle / 3, &p),
+              CONTACT_OK);
+    expect_same(p, contact.pressure_law().pressure(half_angle / 3, half_angle) *
+                       geometry.pressure_unit(geometry.load_from_force(force)));
+    ASSERT_EQ(contact_joint_pressure(both.c.get(), force, 0, &p), CONTACT_OK);
+    EXPECT_NEAR(p, patch.peak_pressure, 1e-12 * p);
+    contact_friction f;
+    ASSERT_EQ(contact_joint_friction(both.c.get(), half_angle, 0.3, &f),
+              CONTACT_OK);
+    const auto i =
+        contact.integrals(half_angle, contact::SlipAxis::from_angle(0.3));
+    expect_same(f.coefficient[0], i.coefficient.force);
+    expect_same(f.coefficient[1], i.coefficient.sliding);
+    expect_same(f.coefficient[2], i.coefficient.spinning);
+    expect_same(f.area[0], i.area.force);
+    expect_same(f.area[1], i.area.sliding);
+    expect_same(f.area[2], i.area.spinning);
+  }
+}
+
+// The stiffness is the slope of the approach: central differences, to 1e-6.
+TEST(JointFromC, ApproachHasItsSlope) {
+  const CJoint hip = c_joint(joints + "hip_cocr_uhmwpe.toml");
+  double less, more, at, stiffness, ignored;
+  const double force = 1500, step = 1;
+  ASSERT_EQ(contact_joint_approach(hip.get(), force, &at, &stiffness),
+            CONTACT_OK);
+  contact_joint_approach(hip.get(), force - step, &less, &ignored);
+  contact_joint_approach(hip.get(), force + step, &more, &ignored);
+  EXPECT_LT(less, at);
+  EXPECT_NEAR(2 * step / (more - less), stiffness, 1e-5 * stiffness);
+}
+
+std::string contents(const std::string& file) {
+  std::ostringstream text;
+  text << std::ifstream(file).rdbuf();
+  return text.str();
+}
+
+TEST(JointFromC, IsTheSameFromAFileATextAndNumbers) {
+  const std::string file = joints + "pin_joint.toml";
+  contact_joint* read = nullptr;
+  contact_joint* parsed = nullptr;
+  contact_joint* made = nullptr;
+  const contact_setting longer = {"geometry.length_mm", "70"};
+  ASSERT_EQ(contact_joint_read(file.c_str(), &longer, 1, &read), CONTACT_OK);
+  std::string text = contents(file);
+  text.replace(text.find("length_mm = 50"), 14, "length_mm = 70");
+  ASSERT_EQ(contact_joint_parse(text.c_str(), joints.c_str(), &parsed),
+            CONTACT_OK)
+      << contact_last_message();
+  const auto spec = contact::read_joint(file);
+  contact_joint_numbers numbers = {};
+  numbers.kind = CONTACT_PIN;
+  numbers.radius = spec.geometry.radius();
+  numbers.radial_clearance = spec.geometry.radial_clearance();
+  numbers.length = 0.07;
+  numbers.inner = {spec.pair.inner().youngs_modulus,
+                   spec.pair.inner().poissons_ratio};
+  numbers.outer = {spec.pair.outer().youngs_modulus,
+                   spec.pair.outer().poissons_ratio};
+  numbers.coefficient = 0.1;
+  ASSERT_EQ(contact_joint_make(&numbers, &made), CONTACT_OK);
+  const contact_slip slip = {{3000, 0, 100}, {0, 0, 2}, {}};
+  contact_solution s[3];
+  contact_joint* all[] = {read, parsed, made};
+  for (int i = 0; i < 3; ++i) {
+    ASSERT_EQ(contact_joint_solve(all[i], &slip, nullptr, &s[i]), CONTACT_OK);
+    contact_joint_free(all[i]);
+  }
+  for (int i = 1; i < 3; ++i) {
+    for (int k = 0; k < 3; ++k) {
+      expect_same(s[i].friction_moment[k], s[0].friction_moment[k]);
+    }
+    expect_same(s[i].peak_pressure, s[0].peak_pressure);
+  }
+}
+
+TEST(JointFromC, MadeOfNumbersHasTheirFrictionAndLaws) {
+  const contact::ElasticPair pair({2e11, 0.3}, {1e11, 0.34});
+  contact_joint_numbers n = {};
+  n.body_has_inner = 1;
+  n.radius = 0.02;
+  n.radial_clearance = 1e-4;
+  n.inner = {2e11, 0.3};
+  n.outer = {1e11, 0.34};
+  n.half_angle_law = "tanh";
+  n.pressure_law = "cosine";
+  n.coefficient = 0.2;
+  n.adhesion = 1e5;
+  n.viscous_constant = 3e4;
+  n.viscous_slope = 0.01;
+  const auto geometry =
+      contact::JointGeometry::ball(0.02, 1e-4, contact::JointBody::body);
+  const auto ball = contact::JointKind::ball;
+  const auto cpp = [&](contact::FrictionModel friction) {
+    return Joint({geometry, pair, friction,
+                  contact::make_half_angle_law("tanh", ball, pair),
+                  contact::make_pressure_law("cosine", ball, pair)});
+  };
+  const Joint::Slip slip = {{10, 200, 3000}, {1, 0.2, 0.5}};
+  for (const bool viscous : {false, true}) {
+    n.viscous = viscous;
+    contact_joint* joint = nullptr;
+    ASSERT_EQ(contact_joint_make(&n, &joint), CONTACT_OK);
+    const contact_slip c = c_slip(slip);
+    contact_solution s;
+    ASSERT_EQ(contact_joint_solve(joint, &c, nullptr, &s), CONTACT_OK);
+    if (viscous) {
+      expect_same(s, cpp(contact::ViscousLaw(3e4, 0.01)).solve(slip));
+    } else {
+      expect_same(s, cpp(contact::FrictionLaw(0.2, 1e5)).solve(slip));
+    }
+    contact_joint_free(joint);
+  }
+}
+
+TEST(JointFromC, SaysWhereItLeavesTheTheory) {
+  const CJoint fine = c_joint(joints + "pin_joint.toml");
+  EXPECT_EQ(contact_joint_note(fine.get(), 0), nullptr);
+  const contact_setting loose = {"geometry.radial_clearance_um", "2000"};
+  contact_joint* joint = nullptr;
+  ASSERT_EQ(contact_joint_read((joints + "pin_joint.toml").c_str(), &loose, 1,
+                               &joint),
+            CONTACT_OK);
+  ASSERT_NE(contact_joint_note(joint, 0), nullptr);
+  EXPECT_NE(std::string(contact_joint_note(joint, 0)).find("clearance"),
+            std::string::npos);
+  contact_joint_free(joint);
+}
+
+}  // namespace

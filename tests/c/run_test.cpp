@@ -1,0 +1,121 @@
+// Runs from C are those of C++ to the last bit.
+#include "separation/record/run.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <string>
+#include <vector>
+
+#include "c/door.hpp"
+#include "separation/case/case_reader.hpp"
+
+namespace {
+
+using contact::test::c_run;
+using contact::test::CRun;
+using contact::test::expect_failure;
+
+const std::string cases = CONTACT_DATA_DIR "/cases/";
+
+void expect_same(const double* a, const double* b, std::size_t count) {
+  EXPECT_EQ(std::memcmp(a, b, count * sizeof(double)), 0);
+}
+
+class CaseRuns : public testing::TestWithParam<std::string> {};
+INSTANTIATE_TEST_SUITE_P(CDoor, CaseRuns,
+                         testing::Values("soyuz", "two_stage_turn", "slosh"));
+
+TEST_P(CaseRuns, AreThoseOfCpp) {
+  const std::string file = cases + GetParam() + ".toml";
+  const contact_setting setting = {"run.relative_tolerance", "1e-8"};
+  const CRun c = c_run(file, &setting, 1);
+  const auto of =
+      separation::read_case(file, {}, {{"run.relative_tolerance", "1e-8"}});
+  separation::Run cpp(of, {.friction = of.friction});
+  ASSERT_EQ(contact_run_end_time(c.get()), of.end_time);
+  const std::size_t columns = contact_run_column_count(c.get());
+  ASSERT_EQ(columns, cpp.columns().size());
+  for (std::size_t i = 0; i < columns; ++i) {
+    const char* name = contact_run_column(c.get(), i);
+    ASSERT_EQ(name, cpp.columns()[i]);
+    std::size_t found;
+    ASSERT_EQ(contact_run_find_column(c.get(), name, &found), CONTACT_OK);
+    EXPECT_EQ(found, i);
+  }
+  EXPECT_EQ(contact_run_column(c.get(), columns), nullptr);
+  std::vector<double> values(columns);
+  for (double t = 0; t < 1.1 * of.end_time; t += 0.17 * of.end_time) {
+    ASSERT_EQ(contact_run_advance(c.get(), t), CONTACT_OK);
+    cpp.advance_to(t);
+    EXPECT_EQ(contact_run_time(c.get()), cpp.time());
+    ASSERT_EQ(contact_run_values(c.get(), values.data(), columns), CONTACT_OK);
+    expect_same(values.data(), cpp.values().data(), columns);
+  }
+  EXPECT_EQ(contact_run_time(c.get()), of.end_time);
+  const auto& memory = cpp.memory();
+  ASSERT_EQ(contact_run_row_count(c.get()), memory.rows.size());
+  for (std::size_t i = 0; i < memory.rows.size(); ++i) {
+    expect_same(contact_run_row(c.get(), i),
+                memory.rows.numbers.data() + i * columns, columns);
+  }
+  EXPECT_EQ(contact_run_row(c.get(), memory.rows.size()), nullptr);
+  ASSERT_EQ(contact_run_event_count(c.get()), memory.notes.size());
+  for (std::size_t i = 0; i < memory.notes.size(); ++i) {
+    contact_event event;
+    ASSERT_EQ(contact_run_event(c.get(), i, &event), CONTACT_OK);
+    EXPECT_EQ(event.time, memory.notes[i].time);
+    EXPECT_EQ(event.body, memory.notes[i].body);
+    EXPECT_EQ(event.what, memory.notes[i].what);
+  }
+}
+
+TEST_P(CaseRuns, GoOnFromSavedBytes) {
+  const std::string file = cases + GetParam() + ".toml";
+  const CRun first = c_run(file);
+  const CRun second = c_run(file);
+  const double end = contact_run_end_time(first.get());
+  ASSERT_EQ(contact_run_advance(first.get(), 0.4 * end), CONTACT_OK);
+  void* bytes = nullptr;
+  std::size_t size = 0;
+  ASSERT_EQ(contact_run_save(first.get(), &bytes, &size), CONTACT_OK);
+  ASSERT_EQ(contact_run_restore(second.get(), bytes, size), CONTACT_OK);
+  contact_free(bytes);
+  EXPECT_EQ(contact_run_time(second.get()), contact_run_time(first.get()));
+  for (const CRun* run : {&first, &second}) {
+    ASSERT_EQ(contact_run_advance(run->get(), end), CONTACT_OK);
+  }
+  const std::size_t rows = contact_run_row_count(first.get());
+  ASSERT_EQ(contact_run_row_count(second.get()), rows);
+  for (std::size_t i = 0; i < rows; ++i) {
+    expect_same(contact_run_row(first.get(), i),
+                contact_run_row(second.get(), i),
+                contact_run_column_count(first.get()));
+  }
+}
+
+// The [run] of the file says which, as for the program.
+TEST(RunFromC, HasTheFrictionOfItsCase) {
+  const contact_setting ideal = {"run.friction", "ideal"};
+  const CRun run = c_run(cases + "two_stage_turn.toml", &ideal, 1);
+  std::size_t work;
+  ASSERT_EQ(contact_run_find_column(run.get(), "stage.friction_work_J", &work),
+            CONTACT_OK);
+  ASSERT_EQ(contact_run_advance(run.get(), 1), CONTACT_OK);
+  const std::size_t rows = contact_run_row_count(run.get());
+  EXPECT_EQ(contact_run_row(run.get(), rows - 1)[work], 0);
+}
+
+// "failed" of the motion: velocities that overflow.
+TEST(RunFromC, ThatCannotGoOnSaysWhy) {
+  const contact_setting fast = {"body[1].start.rate_rpm", "1e300"};
+  const CRun run = c_run(cases + "flywheels.toml", &fast, 1);
+  for (int i = 0; i < 2; ++i) {  // it stays so
+    expect_failure(contact_run_advance(run.get(), 1), CONTACT_RUN_FAILED,
+                   "at 0 s: a force or a velocity is not a finite number "
+                   "(\"wheel x\")");
+  }
+  EXPECT_EQ(contact_run_time(run.get()), 0);
+}
+
+}  // namespace

@@ -1,0 +1,52 @@
+"""What the tests of the Python package share."""
+
+import csv
+import io
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+
+source = Path(__file__).resolve().parents[2]
+build = Path(os.environ["CONTACT_BUILD"])
+hip_file = source / "data/joints/hip_cocr_uhmwpe.toml"
+pin_file = source / "data/joints/pin_joint.toml"
+
+
+def program(name, *arguments):
+    """Standard output and standard error of a program."""
+    done = subprocess.run(
+        [build / "bin" / name, *map(str, arguments)],
+        capture_output=True, text=True, cwd=source,
+    )  # fmt: skip
+    return done.stdout, done.stderr
+
+
+def table(name, *arguments):
+    """Rows of the CSV table that a program prints."""
+    return list(csv.DictReader(io.StringIO(program(name, *arguments)[0])))
+
+
+def random_rows(n, seed=1):
+    """Reactions and angular velocities."""
+    random = np.random.default_rng(seed)
+    return random.normal(size=(n, 3)) * 1e3, random.normal(size=(n, 3))
+
+
+def cxx_rows(joint_file, reaction, rate, times=1):
+    """What C++ answers, (n, 12), and its processor seconds."""
+    done = subprocess.run(
+        [build / "tests/joint_rows", joint_file, str(times)],
+        input=np.concatenate([reaction, rate], axis=1).tobytes(),
+        capture_output=True, check=True,
+    )  # fmt: skip
+    return np.frombuffer(done.stdout).reshape(-1, 12), float(done.stderr)
+
+
+def python(code, **options):
+    """A Python of its own."""
+    return subprocess.run(
+        [sys.executable, "-c", code], capture_output=True, text=True, **options
+    )

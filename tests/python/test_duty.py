@@ -1,0 +1,206 @@
+"""Duty cycles, wear and identification: the numbers of the programs."""
+
+import csv
+import unittest
+
+import libcontact
+import numpy as np
+from support import hip_file, random_rows, source, table
+
+folder = source / "data/reference/duty"
+
+
+def columns(file):
+    with open(file) as lines:
+        rows = list(csv.reader(line for line in lines if line[0] != "#"))
+    return dict(zip(rows[0], np.array(rows[1:], dtype=float).T))
+
+
+def force(c):
+    return np.stack([c["R_x_N"], c["R_y_N"], c["R_z_N"]], axis=1)
+
+
+def hip_cycle():
+    c = columns(folder / "cycle_hip_in.csv")
+    angles = np.radians(
+        [c["flexion_deg"], c["adduction_deg"], c["internal_rotation_deg"]]).T
+    joint = libcontact.Joint.from_file(folder / "cycle_hip.toml")
+    return joint.cycle(c["time_s"], force(c), angles=angles, sequence="zxy")
+
+
+def summary(name, *arguments):
+    rows = table(
+        "hinge-duty", "--joint", folder / f"{name}.toml", "--cycle",
+        folder / f"{name}_in.csv", *arguments)  # fmt: skip
+    return {row["quantity"]: row for row in rows}
+
+
+class Ratings(unittest.TestCase):
+    def test_are_those_of_hinge_joint(self):
+        (row,) = table(
+            "hinge-joint", "--joint", hip_file, "--reaction", 2000, "--beta",
+            30, "--rate", 2, "--pv")  # fmt: skip
+        hip = libcontact.Joint.from_file(hip_file)
+        rate = [float(row[f"w_{x}_rad_per_s"]) for x in "xyz"]
+        reaction = [float(row[f"R_{x}_N"]) for x in "xyz"]
+        pv = hip.pv(reaction, rate)
+        self.assertAlmostEqual(
+            np.degrees(pv.pv_max_theta), float(row["pv_max_theta_deg"]))
+        for value, name in (
+            (pv.pv_max, "pv_max"), (pv.pv_mean, "pv_mean"),
+            (pv.pv_nominal, "pv_nominal"), (pv.heat_flux_max, "q_max"),
+        ):  # fmt: skip
+            self.assertAlmostEqual(
+                value / float(row[name + "_W_per_m2"]), 1, delta=1e-13)
+        at_peak = hip.pv_at(reaction, rate, pv.pv_max_place)
+        self.assertAlmostEqual(at_peak["pv"] / pv.pv_max, 1, delta=1e-9)
+
+    def test_heat_is_the_power_lost(self):
+        hip = libcontact.Joint.from_file(hip_file)
+        rows = random_rows(20)
+        np.testing.assert_allclose(
+            hip.pv(*rows).heat, -hip.solve(*rows).power, rtol=1e-12)
+
+
+class Cycles(unittest.TestCase):
+    def test_of_a_hip_are_those_of_hinge_duty(self):
+        said = summary(
+            "cycle_hip", "--euler", "zxy", "--wear-seat", 1, "--grid", 500)
+        cycle = hip_cycle()
+        for value, name in (
+            (cycle.energy, "energy_J"),
+            (cycle.mean_heat, "mean_heat_W"),
+            (cycle.sliding_distance, "sliding_distance_m"),
+            (cycle.pv_integral, "pv_integral_J"),
+        ):
+            self.assertAlmostEqual(
+                value / float(said[name]["value"]), 1, delta=1e-13)
+        for quantity, name in (
+            ("friction_moment", "largest_M_t_N_m"),
+            ("peak_pressure", "largest_p_peak_Pa"),
+            ("pv_max", "largest_pv_max_W_per_m2"),
+        ):
+            value, time = cycle.largest(quantity)
+            self.assertAlmostEqual(
+                value / float(said[name]["value"]), 1, delta=1e-12)
+            # A flat maximum: its place is half as exact.
+            self.assertAlmostEqual(
+                time, float(said[name]["at_time_s"]), delta=1e-6)
+        for body in "body", "carrier":
+            wear = cycle.wear(body, points=500)
+            of_program = said[f"largest_pv_integral_{body}_Pa_m"]
+            self.assertAlmostEqual(
+                wear.deepest_pv_integral / float(of_program["value"]), 1,
+                delta=1e-9)  # fmt: skip
+            total = wear.pv_integral.sum() * wear.cell_area
+            self.assertAlmostEqual(
+                total / cycle.pv_integral - 1, wear.volume_defect)
+            self.assertEqual(wear.points.shape, (500, 3))
+
+    def test_at_the_rows_are_those_of_the_reference(self):
+        states = columns(folder / "cycle_hip_states.csv")
+        cycle = hip_cycle()
+        np.testing.assert_allclose(
+            np.degrees(cycle.solution.half_angle), states["theta0_deg"],
+            rtol=1e-9)  # fmt: skip
+        np.testing.assert_array_equal(cycle.time, states["time_s"])
+        self.assertEqual(cycle.rating.shape, cycle.solution.shape)
+
+    def test_of_a_pin_take_one_angle(self):
+        c = columns(folder / "cycle_pin_in.csv")
+        (angle,) = (c[name] for name in c if name.endswith("_deg"))
+        joint = libcontact.Joint.from_file(folder / "cycle_pin.toml")
+        cycle = joint.cycle(c["time_s"], force(c), angles=np.radians(angle))
+        energy = summary("cycle_pin")["energy_J"]["value"]
+        self.assertAlmostEqual(cycle.energy / float(energy), 1, delta=1e-12)
+
+    def test_of_bad_input_are_refused(self):
+        c = columns(folder / "cycle_hip_in.csv")
+        joint = libcontact.Joint.from_file(folder / "cycle_hip.toml")
+        time, angles = c["time_s"], np.zeros((len(c["time_s"]), 3))
+        uneven = time**2
+        for cycle, message in (
+            ((time, {}), "requires angles or rates"),
+            ((time, {"angles": angles}), "angles requires sequence"),
+            ((time, {"angles": angles, "sequence": "zxq"}), "sequence"),
+            ((time, {"rates": angles, "sequence": "zxy"}), "requires angles"),
+            ((time, {"rates": angles, "force_on": "air"}),
+             'force_on = "air" must be "carrier" or "body"'),
+            ((uneven, {"rates": angles}), "uneven steps requires period"),
+            ((time[::-1], {"rates": angles, "period": 1.0}), "must be"),
+            ((time, {"rates": angles, "period": 0.5}), "must be"),
+            ((time, {"rates": angles[:, :2]}), r"rates of shape"),
+            ((time[:4], {"rates": angles}), "must be"),
+        ):  # fmt: skip
+            with self.assertRaisesRegex(libcontact.Error, message):
+                joint.cycle(cycle[0], force(c), **cycle[1])
+        tight = joint.replace(
+            {"half_angle.limit_half_angle_deg": 120,
+             "geometry.radial_clearance_um": 0.1})
+        wide = tight.cycle(time, force(c), angles=angles + 1, sequence="zxy")
+        with self.assertRaisesRegex(libcontact.Error, "at most 90 deg"):
+            wide.wear()
+        with self.assertRaisesRegex(libcontact.Error, "points = 3 must be"):
+            hip_cycle().wear(points=3)
+        with self.assertRaisesRegex(libcontact.Error, "quantity = "):
+            hip_cycle().largest("colour")
+
+
+class Identification(unittest.TestCase):
+    rig = source / "data/duty/torque_rig.toml"
+    data = source / "data/duty/torque_rig.csv"
+
+    def arguments(self):
+        c = columns(self.data)
+        zero = 0 * c["R_N"]
+        b = np.radians(c["b_deg"])
+        joint = libcontact.Joint.from_file(self.rig)
+        reaction = np.stack([zero, zero, c["R_N"]], axis=1)
+        rate = np.stack([np.sin(b), zero, np.cos(b)], axis=1)
+        return joint, reaction, rate, c["torque_N_m"], c["sigma_N_m"]
+
+    def test_is_that_of_hinge_identify(self):
+        *arguments, sigma = self.arguments()
+        fit = libcontact.identify(*arguments, sigma=sigma)
+        rows = table("hinge-identify", "--joint", self.rig, "--data", self.data)
+        said = {row["quantity"]: row for row in rows}
+        self.assertTrue(fit.converged)
+        for estimate, name in (
+            (fit["coefficient"], "f0"), (fit["adhesion"], "A_Pa"),
+            (fit.effective_coefficient, "f0_effective"),
+            (fit.load_trend, "load_trend"),
+        ):  # fmt: skip
+            self.assertAlmostEqual(
+                estimate.value / float(said[name]["value"]), 1, delta=1e-7)
+            self.assertAlmostEqual(
+                estimate.interval[1] / float(said[name]["high"]), 1,
+                delta=1e-7)  # fmt: skip
+        self.assertEqual(fit.correlation.shape, (2, 2))
+        self.assertEqual(fit.residual.shape, sigma.shape)
+        moment, error = fit.predict(*arguments[1:3])
+        np.testing.assert_allclose(moment, fit.moment, rtol=1e-12)
+        np.testing.assert_allclose(error, fit.moment_error, rtol=1e-9)
+
+    def test_of_vectors_gives_back_what_made_them(self):
+        joint, reaction, rate, _, _ = self.arguments()
+        joint = joint.replace(
+            {"friction.coefficient": 0.2, "friction.adhesion_MPa": 1})
+        moment = joint.solve(reaction, rate).friction_moment
+        fit = libcontact.identify(joint, reaction, rate, moment)
+        self.assertAlmostEqual(
+            fit["coefficient"].value / joint["friction.coefficient"], 1,
+            delta=1e-8)  # fmt: skip
+        self.assertEqual(fit.residual.shape, (3 * len(rate),))
+
+    def test_of_bad_input_is_refused(self):
+        *arguments, _ = self.arguments()
+        for options, message in (
+            ({"parameters": ["colour"]}, 'parameters: "colour" must be'),
+            ({"sigma": 0}, "must be"), ({"level": 2}, "must be"),
+        ):  # fmt: skip
+            with self.assertRaisesRegex(libcontact.Error, message):
+                libcontact.identify(*arguments, **options)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,272 @@
+"""Joints: their numbers are C++'s, their messages the programs'."""
+
+import copy
+import multiprocessing
+import pickle
+import signal
+import threading
+import unittest
+from concurrent.futures import ThreadPoolExecutor
+
+import libcontact
+import numpy as np
+from support import cxx_rows, hip_file, pin_file, program, random_rows, table
+
+hip = libcontact.Joint.from_file(hip_file)
+
+walled = dict(
+    kind="ball", radius_mm=14, radial_clearance_um=100,
+    inner={"youngs_modulus_GPa": 230, "poissons_ratio": 0.3},
+    outer={"youngs_modulus_GPa": 1, "poissons_ratio": 0.4},
+    wall={"backing": "rigid", "layer": [{"thickness_mm": 8}]},
+    coefficient=0.062,
+)  # fmt: skip
+
+
+def numbers(s):
+    return np.column_stack(
+        [s.normal_force, s.half_angle, s.friction_moment, s.normal, s.power,
+         s.slip_axis_angle, s.peak_pressure, s.residual])  # fmt: skip
+
+
+class Numbers(unittest.TestCase):
+    def test_are_those_of_cxx_to_the_last_bit(self):
+        for file in hip_file, pin_file:
+            rows = random_rows(3000)
+            s = libcontact.Joint.from_file(file).solve(*rows)
+            of_cxx, _ = cxx_rows(file, *rows)
+            self.assertEqual(numbers(s).tobytes(), of_cxx.tobytes())
+
+    def test_warm_rows_differ_in_the_last_digits(self):
+        rows = random_rows(2000)
+        cold, warm = hip.solve(*rows), hip.solve(*rows, warm=True)
+        np.testing.assert_allclose(
+            warm.normal_force, cold.normal_force, rtol=1e-12)  # fmt: skip
+        self.assertFalse(np.array_equal(warm.normal_force, cold.normal_force))
+
+    def test_of_a_contact_are_those_of_hinge_angle(self):
+        (row, other) = table(
+            "hinge-angle", "--joint", hip_file, "--load", "500,2000",
+            "--law", "exact")  # fmt: skip
+        force = [500, 2000]
+        exact = hip.replace({"half_angle.law": "exact"})
+        for name, values in (
+            ("theta0_exact_deg", np.degrees(exact.half_angle(force))),
+            ("load_parameter", exact.load_parameter(force)),
+            ("p_peak_exact_by_exact_Pa", exact.peak_pressure(force)),
+            ("p_nominal_Pa", exact.nominal_pressure(force)),
+            ("approach_m", exact.approach(force)),
+            ("stiffness_N_per_m", exact.stiffness(force)),
+        ):
+            of_program = [float(row[name]), float(other[name])]
+            np.testing.assert_allclose(
+                values, of_program, rtol=1e-13, err_msg=name)  # fmt: skip
+        self.assertAlmostEqual(
+            hip.pressure(0, 500.0) / hip.peak_pressure(500.0), 1, delta=1e-14)
+        self.assertEqual(hip.pressure(2.0, 500.0), 0)
+
+    def test_of_laws_are_those_of_joints(self):
+        keys = {k: walled[k] for k in ("inner", "outer", "wall", "radius_mm")}
+        theta0 = libcontact.half_angle(
+            hip.load_parameter([500, 2000]), "exact", **keys)  # fmt: skip
+        np.testing.assert_array_equal(theta0, hip.half_angle([500, 2000]))
+        back = libcontact.load_parameter(theta0, "exact", **keys)
+        np.testing.assert_allclose(back, hip.load_parameter([500, 2000]))
+        p = libcontact.pressure(0.1, theta0, **keys) * [500, 2000] / 0.014**2
+        np.testing.assert_allclose(p, hip.pressure(0.1, [500, 2000]))
+
+    def test_of_friction_are_those_of_hinge_table(self):
+        rows = table(
+            "hinge-table", "--theta0", "10:90:4", "--alpha", "0:90:5")  # fmt: skip
+        column = lambda name: np.array([float(row[name]) for row in rows])
+        c = libcontact.friction_coefficients(
+            np.radians(column("theta0_deg")), np.radians(column("alpha_deg")))
+        for values, name in (
+            (c.force, "chi"), (c.sliding, "sigma_Y"), (c.spinning, "sigma_Z")
+        ):  # fmt: skip
+            # Degrees become radians, and cos 90 deg 6e-17.
+            np.testing.assert_allclose(
+                values, column(name + "_cosine"), rtol=1e-14, atol=1e-15)
+
+    def test_of_rest_are_those_of_hinge_joint(self):
+        (row,) = table(
+            "hinge-joint", "--joint", hip_file, "--reaction-xyz", "0,0,2000",
+            "--moment-xyz", "1,0,0.5")  # fmt: skip
+        rest = hip.utilisation([0, 0, 2000], [1, 0, 0.5])
+        self.assertEqual(rest.utilisation, float(row["utilisation"]))
+        self.assertTrue(rest.holds)
+
+    def test_without_a_value_are_nan_and_said_so(self):
+        s = hip.solve([[0, 0, np.nan], [0, 0, 1.0]], [0, 0, 1])
+        self.assertEqual(
+            list(s.status),
+            [libcontact.Status.OUT_OF_RANGE, libcontact.Status.OK])
+        self.assertTrue(np.isnan(s.half_angle[0]))
+        self.assertEqual(hip.solve([0, 0, 1], [0, 0, 0]).state,
+                         libcontact.State.RESTING)
+
+
+class Shapes(unittest.TestCase):
+    def test_broadcast(self):
+        reaction, rate = random_rows(12)
+        grid = hip.solve(reaction.reshape(4, 3, 3), rate[:3])
+        self.assertEqual(grid.shape, (4, 3))
+        self.assertEqual(grid.normal.shape, (4, 3, 3))
+        one = hip.solve(reaction[7], rate[1])
+        self.assertEqual(one.shape, ())
+        self.assertIsInstance(one.half_angle, float)
+        self.assertEqual(one.half_angle, grid.half_angle[2, 1])
+        column = hip.solve(reaction[:4, None], rate[None, :5])
+        self.assertEqual(
+            column.half_angle[2, 4],
+            hip.solve(reaction[2], rate[4]).half_angle)
+        none = hip.solve(np.empty((0, 3)), rate[0])
+        self.assertEqual(none.half_angle.shape, (0,))
+
+    def test_of_any_memory(self):
+        reaction, rate = random_rows(6)
+        straight = hip.solve(reaction[::2], rate[::2]).power
+        turned = hip.solve(np.asfortranarray(reaction)[::2], rate[::2].tolist())
+        np.testing.assert_array_equal(turned.power, straight)
+        whole = hip.solve(np.array([0, 0, 2000]), np.float32([1, 0, 1]))
+        self.assertEqual(
+            whole.power, hip.solve([0, 0, 2000.0], [1, 0, 1.0]).power)
+
+    def test_become_columns(self):
+        s = hip.solve(*random_rows(5))
+        columns = s.to_dict()
+        self.assertEqual({len(c) for c in columns.values()}, {5})
+        np.testing.assert_array_equal(columns["normal_y"], s.normal[:, 1])
+        again = pickle.loads(pickle.dumps(s))
+        np.testing.assert_array_equal(again.normal, s.normal)
+
+    def test_that_do_not_fit_are_refused(self):
+        for arguments, message in (
+            (([1, 2], [0, 0, 1]),
+             "reaction of shape (2,) must be of shape (..., 3)"),
+            ((np.ones((4, 3)), np.ones((5, 3))),
+             "arguments of (4,) and (5,) rows must be of shapes that "
+             "broadcast together"),
+        ):  # fmt: skip
+            with self.assertRaises(libcontact.Error) as caught:
+                hip.solve(*arguments)
+            self.assertEqual(str(caught.exception), message)
+
+
+class Files(unittest.TestCase):
+    def test_by_keywords_say_the_same(self):
+        said = libcontact.Joint(**walled, inner_body="body")
+        rows = random_rows(50)
+        np.testing.assert_array_equal(
+            said.solve(*rows).friction_moment,
+            hip.solve(*rows).friction_moment)
+        self.assertEqual(libcontact.Joint(**said.to_dict()), said)
+
+    def test_have_the_messages_of_the_programs(self):
+        for key, value in ("geometry.radius_mm", -5), ("wall.backing", "air"):
+            _, said = program(
+                "hinge-joint", "--joint", hip_file, "--set", f"{key}={value}",
+                "--reaction", "1", "--beta", "60")  # fmt: skip
+            with self.assertRaises(libcontact.Error) as caught:
+                hip.replace({key: value})
+            setting = str(caught.exception).replace('"air": wall', "air: wall")
+            self.assertEqual("hinge-joint: " + setting + "\n", said)
+
+    def test_without_a_place_have_messages_without(self):
+        for keys, message in (
+            ({"radius_mm": -50}, "geometry.radius_mm = -50 must be above 0"),
+            ({"radius_mm": 50},
+             "geometry requires radial_clearance, diametral_clearance, "
+             "relative_clearance, or hole and shaft"),
+            ({"diametral_clearance_um": 5}, "geometry requires radius or "
+             "diameter"),
+        ):  # fmt: skip
+            with self.assertRaises(libcontact.Error) as caught:
+                libcontact.Joint(kind="ball", **keys)
+            self.assertEqual(str(caught.exception), message)
+        with self.assertRaisesRegex(TypeError, "no number"):
+            libcontact.Joint(kind="ball", radius_mm=print)
+        with self.assertRaises(FileNotFoundError):
+            libcontact.Joint.from_file("gone.toml")
+        frictionless = {k: v for k, v in walled.items() if k != "coefficient"}
+        with self.assertRaisesRegex(libcontact.Error, r"requires \[friction\]"):
+            libcontact.Joint(**frictionless).solve([0, 0, 1], [0, 0, 1])
+
+    def test_have_keys(self):
+        self.assertEqual(hip["geometry.radius_mm"], 14)
+        self.assertEqual(hip["wall.layer[1].thickness_mm"], 8)
+        self.assertEqual(hip["materials.inner.youngs_modulus_GPa"], 230)
+        other = hip.replace({"geometry.radius_m": 0.015,
+                             "materials.inner.youngs_modulus_MPa": 2e5})
+        self.assertEqual(other.radius, 0.015)
+        self.assertEqual(other["geometry.radius_m"], 0.015)
+        self.assertEqual(other["materials.inner.youngs_modulus_MPa"], 2e5)
+        for key in ("geometry.radius_mm", "materials.inner.youngs_modulus_GPa",
+                    "wall.layer[2]", "geometry.radius_mm.x"):
+            with self.assertRaises(KeyError):
+                other[key]
+        self.assertEqual(hip["geometry.radius_mm"], 14)
+
+    def test_say_where_the_theory_ends(self):
+        self.assertEqual(hip.notes([500, 2000]), [])
+        (note,) = hip.notes([500, 20e3])
+        _, said = program(
+            "hinge-angle", "--joint", hip_file, "--load", "500,20e3")
+        self.assertIn(note, said)
+        wide = hip.replace({"geometry.radial_clearance_mm": 2})
+        self.assertEqual(len(wide.notes()), 1)
+
+    def test_pickle_copy_and_compare(self):
+        other = hip.replace({"materials.inner.youngs_modulus_MPa": 2e5})
+        for joint in hip, other, libcontact.Joint(**walled):
+            again = pickle.loads(pickle.dumps(joint))
+            self.assertEqual(again, joint)
+            self.assertEqual(hash(again), hash(joint))
+            self.assertEqual(again.solve([0, 0, 1e3], [1, 0, 1]).power,
+                             joint.solve([0, 0, 1e3], [1, 0, 1]).power)
+            self.assertIs(copy.deepcopy(joint), joint)
+        self.assertNotEqual(hip, other)
+        self.assertNotEqual(hip, "hip")
+
+
+def moment_of_hip(rows):
+    return hip.solve(*rows).friction_moment
+
+
+class Side(unittest.TestCase):
+    """By side: threads and processes."""
+
+    def test_threads_and_forks_have_the_same_answers(self):
+        rows = [random_rows(5000, seed) for seed in range(4)]
+        alone = [moment_of_hip(r) for r in rows]
+        with ThreadPoolExecutor(4) as threads:
+            of_threads = list(threads.map(moment_of_hip, rows))
+        with multiprocessing.get_context("fork").Pool(2) as forks:
+            of_forks = forks.map(moment_of_hip, rows)
+        for of_others in of_threads, of_forks:
+            for mine, theirs in zip(alone, of_others):
+                np.testing.assert_array_equal(mine, theirs)
+
+    def test_others_go_on_while_rows_are_solved(self):
+        rows = random_rows(100_000)
+        solved = threading.Event()
+        thread = threading.Thread(
+            target=lambda: (hip.solve(*rows), solved.set()))
+        thread.start()
+        turns = 0
+        while not solved.wait(1e-3):
+            turns += 1
+        thread.join()
+        # With the lock held it would be asked once, at the end.
+        self.assertGreater(turns, 10)
+
+    def test_ctrl_c_ends_it(self):
+        rows = random_rows(2_000_000)
+        signal.setitimer(signal.ITIMER_REAL, 0.2)
+        signal.signal(signal.SIGALRM, signal.default_int_handler)
+        with self.assertRaises(KeyboardInterrupt):
+            hip.solve(*rows)
+
+
+if __name__ == "__main__":
+    unittest.main()
