@@ -208,14 +208,11 @@ JointGeometry geometry_from_table(const TomlTable& joint,
 // [materials]: pair = "FILE", or [materials.inner] and [materials.outer].
 MaterialPair materials_from_table(const TomlTable& joint) {
   const TomlTable table = joint.table("materials");
-  const auto file = table.optional_text("pair");
-  if (!file) return {"", pair_from_table(table), {}};
+  if (!table.has("pair")) return {"", pair_from_table(table), {}};
   table.refuse_both("pair", "inner");
   table.refuse_both("pair", "outer");
   try {
-    return material_pair_from_table(
-        TomlTable::from_file(table.folder() / *file, material_pair_keys(),
-                             table.settings_of_file()));
+    return material_pair_from_table(table.file("pair", material_pair_keys));
   } catch (const Error& error) {
     table.fail("pair", error.what());
   }
@@ -419,25 +416,21 @@ KnownKeys joint_keys() {
   return keys;
 }
 
-namespace {
-
-JointSpec whole_joint(const TomlTable& file) {
+JointSpec joint_of_file(const TomlTable& file) {
   JointSpec joint = joint_from_table(file);
   file.refuse_idle();
   return joint;
 }
 
-}  // namespace
-
 JointSpec read_joint(const std::filesystem::path& path,
                      const KeySettings& settings) {
-  return whole_joint(TomlTable::from_file(path, joint_keys(), settings));
+  return joint_of_file(TomlTable::from_file(path, joint_keys(), settings));
 }
 
 JointSpec parse_joint(std::string_view text, const std::string& source,
                       const KeySettings& settings,
                       const std::filesystem::path& folder) {
-  return whole_joint(
+  return joint_of_file(
       TomlTable::from_text(text, source, joint_keys(), folder, settings));
 }
 
