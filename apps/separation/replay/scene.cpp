@@ -74,11 +74,12 @@ class Writer {
     add_marks();
   }
 
-  std::vector<BodyNodes> add(const Take& take) {
-    std::vector<BodyNodes> nodes;
+  // The numbers of its bodies' nodes.
+  std::vector<int> add(const Take& take) {
+    std::vector<int> nodes;
     for (int i = 0; i <= static_cast<int>(case_.bodies.size()); ++i) {
       nodes.push_back(add_body(take, i));
-      json_["nodes"][0]["children"].push_back(nodes.back().body);
+      json_["nodes"][0]["children"].push_back(nodes.back());
     }
     return nodes;
   }
@@ -235,7 +236,7 @@ class Writer {
     return mesh;
   }
 
-  BodyNodes add_body(const Take& take, int i) {
+  int add_body(const Take& take, int i) {
     const std::string name = case_.rigid_body(i).name +
                              (take.name.empty() ? "" : " (" + take.name + ")");
     if (i == static_cast<int>(solids_.size())) {
@@ -249,7 +250,6 @@ class Writer {
     const KeyFrames keys =
         key_frames(path, most * shown_position * size_, most * shown_turn);
     const Pose& first = keys.poses.front();
-    BodyNodes nodes;
     ordered_json node = {{"name", name},
                          {"mesh", mesh},
                          {"translation", numbers(first.position)},
@@ -257,21 +257,19 @@ class Writer {
     if (i > 0) {
       const Body& body = case_.bodies[i - 1];
       if (hinge_mesh_ >= 0 && body.hinge.kind != multibody::HingeKind::none) {
-        nodes.hinge =
+        node["children"].push_back(
             add_mark(take, i, hinge_mesh_, name + ": " + body.hinge.name,
-                     body.hinge.body_point, HingeMode::released);
-        node["children"].push_back(nodes.hinge);
+                     body.hinge.body_point, HingeMode::released));
       }
       if (body.lock) {
-        nodes.lock =
+        node["children"].push_back(
             add_mark(take, i, lock_mesh_, name + ": " + body.lock->name,
-                     body.lock->body_point, HingeMode::locked);
-        node["children"].push_back(nodes.lock);
+                     body.lock->body_point, HingeMode::locked));
       }
     }
-    nodes.body = add_node(std::move(node));
-    add_motion(nodes.body, keys);
-    return nodes;
+    const int number = add_node(std::move(node));
+    add_motion(number, keys);
+    return number;
   }
 
   // Gone from the first row on with this mode, or (locked) without it.
@@ -380,7 +378,10 @@ Scene make_scene(const Case& c, const std::vector<Take>& takes,
                  double tolerance) {
   Scene scene{{}, size_of(c, takes.front()), {}};
   Writer writer(c, scene.size, tolerance);
-  for (const Take& take : takes) scene.nodes.push_back(writer.add(take));
+  for (const Take& take : takes) {
+    const auto nodes = writer.add(take);
+    if (scene.nodes.empty()) scene.nodes = nodes;
+  }
   scene.glb = writer.file();
   return scene;
 }
