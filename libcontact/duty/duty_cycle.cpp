@@ -128,6 +128,9 @@ std::vector<DutyCycle::Node> DutyCycle::nodes(bool is_pin) const {
     };
     // Fine enough for the three roots that a cubic may have.
     constexpr int parts = 8;
+    // The edge of a pin's contact passes all points of a line at once: a kink
+    // in their wear, which finer intervals make up for.
+    constexpr int every = 2;
     const std::size_t count = ends.size();
     for (std::size_t i = 1; i < count; ++i) {
       for (int k = 0; k < parts; ++k) {
@@ -135,6 +138,7 @@ std::vector<DutyCycle::Node> DutyCycle::nodes(bool is_pin) const {
         const double low = ends[i - 1] + k * width;
         const double at_low = rate(low);
         const double at_high = rate(low + width);
+        if (k > 0 && k % every == 0) ends.push_back(low);
         if (!(at_low * at_high < 0)) continue;
         ends.push_back(
             shrink_bracket(rate, low, low + width, at_low, at_high, 53)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <string>
 #include <utility>
@@ -100,12 +101,15 @@ class JointContact {
     double normal_force;  ///< R_n, N
     double speed;         ///< |Dw|, rad/s
   };
+  static constexpr Load no_load = {std::numeric_limits<double>::quiet_NaN(),
+                                   std::numeric_limits<double>::quiet_NaN()};
   /// Friction integrals for this joint's kind, friction and pressure law.
   /// @param half_angle  theta0, rad
   /// @param axis        slip axis; without influence for a pin
-  /// @param load        without influence but for a friction stress
+  /// @param load        without influence but for a friction stress, which is
+  ///                    NaN without
   FrictionIntegrals integrals(double half_angle, SlipAxis axis,
-                              const Load& load) const noexcept;
+                              const Load& load = no_load) const noexcept;
 
   /// What the integrals are multiplied with.
   struct Strength {
