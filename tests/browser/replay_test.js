@@ -205,6 +205,15 @@ test('the keyboard alone suffices', async () => {
     assert.notDeepStrictEqual(await picture(), before);
     await page.keyboard.press('f');
     assert.strictEqual(await page.inputValue('#follow'), '1');
+    // The booster is in the middle then, and stays there.
+    for (const time of [0.4, 3, 5]) {
+      const offset = await page.evaluate((t) => {
+        replay.go(t);
+        replay.update();
+        return replay.offset(1);
+      }, time);
+      assert.ok(Math.hypot(...offset) < 0.5, `${time} s: ${offset}`);
+    }
     assert.deepStrictEqual(said, []);
   });
 });
@@ -265,7 +274,7 @@ test('who wants no motion gets two pictures a second', async () => {
 
 test('text of files stays text', async () => {
   const nasty = '</script><script>alert(1)</script><img src=x onerror=alert(2)>';
-  const quotes = '\'quoted" &amp; {{data}} \\u003c \u2028 ]]>';
+  const quotes = '\'quoted" &amp; {{data}} \\u003c \u2028\u0001\u001b ]]>';
   const name = JSON.stringify(`${nasty}${quotes}`);
   const body = JSON.stringify(`<b onclick='alert(3)'>\\${nasty.slice(0, 8)}`
       .replace('/', '|'));
@@ -291,7 +300,9 @@ breaks = "hinge"
       new Uint8Array(fs.readFileSync(file('a.glb'))));
   assert.strictEqual(issues.numErrors + issues.numWarnings, 0);
   await withPage(file('a.html'), {}, async (page, said) => {
-    assert.strictEqual(await page.title(), JSON.parse(name));
+    // Titles of windows have no control characters.
+    assert.strictEqual(await page.title(),
+                       JSON.parse(name).replace(/[\u0001\u001b]/g, ''));
     assert.strictEqual(await page.textContent('h1'), JSON.parse(name));
     const labels = await page.locator('#labels .body').allTextContents();
     assert.deepStrictEqual(labels, ['a', JSON.parse(body)]);

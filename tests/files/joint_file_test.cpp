@@ -718,6 +718,25 @@ TEST(TomlTable, RangesReadAsSentences) {
   EXPECT_EQ(rule({-Interval::largest, 2, false, true}), "below 2");
 }
 
+TEST(TomlTable, TextWithoutANameHasMessagesWithoutAPlace) {
+  const std::string cube = "kind = 'cube'\nname = 'x'\n[geometry]";
+  for (const contact::KeySettings& settings :
+       {contact::KeySettings{}, {{"kind", "\"cube\""}}}) {
+    EXPECT_EQ(error_message([&] { parse_joint(cube, "", settings); }),
+              "kind = \"cube\" must be \"ball\" or \"pin\"");
+  }
+}
+
+TEST(TomlTable, IsWrittenAsItReads) {
+  const auto read = [](const std::string& text) {
+    return TomlTable::from_text(
+        text, "x", {{"a"}, contact::table_key("t", {{"b"}, {"c"}})}, {},
+        {{"t.c", "[0.1, inf, 1e300]"}});
+  };
+  const TomlTable table = read("# why\na = 'x\"\\y'\n[t]\nb = true\n");
+  EXPECT_EQ(read(table.toml_text()).canonical_text(), table.canonical_text());
+}
+
 TEST(TomlTable, OutlivesItsParent) {
   const TomlTable inner = [] {
     return TomlTable::from_text("[a]\nx = 1", "t",

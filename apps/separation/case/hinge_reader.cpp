@@ -57,6 +57,11 @@ contact::JointSpec read_joint_of(const TomlTable& table, const JointLaws& laws,
   if (!joint.friction) {
     table.needs("[friction], of the joint or of its materials");
   }
+  if (std::holds_alternative<contact::FrictionStress>(*joint.friction)) {
+    table.needs(
+        "[friction] with coefficient and adhesion, or viscous: with a law of "
+        "its own joints are for hinge-joint and hinge-duty");
+  }
   return joint;
 }
 

@@ -111,8 +111,7 @@ ordered_json body_json(const Case& c, int i) {
   if (i == 0) return j;
   const Body& body = c.bodies[i - 1];
   if (body.hinge.kind == HingeKind::none) return j;
-  j["hinge"] = {{"name", body.hinge.name},
-                {"point", numbers(body.hinge.body_point)}};
+  j["hinge"] = {{"point", numbers(body.hinge.body_point)}};
   if (body.hinge.kind == HingeKind::axis) {
     j["hinge"]["axis"] = numbers(body.hinge.axis);
   }
@@ -122,7 +121,7 @@ ordered_json body_json(const Case& c, int i) {
     j["hinge"]["inner"] =
         inner == contact::JointBody::carrier ? "carrier" : "body";
   }
-  if (body.lock) j["lock"] = {{"point", numbers(body.lock->body_point)}};
+  j["lock"] = body.lock.has_value();
   return j;
 }
 
@@ -197,7 +196,7 @@ std::string nearest_points(const Case& c, const Take& take) {
 }
 
 ordered_json take_json(const Replay& replay, const ShownRun& run,
-                       const Take& take, const std::vector<BodyNodes>& nodes) {
+                       const Take& take) {
   const Case& c = replay.c;
   const auto& names = take.rows->columns;
   std::vector<double> times;
@@ -211,9 +210,6 @@ ordered_json take_json(const Replay& replay, const ShownRun& run,
   if (!c.clearance.empty() &&
       names[names.size() - 6].starts_with("clearance.")) {
     j["nearest"] = nearest_points(c, take);
-  }
-  for (const BodyNodes& n : nodes) {
-    j["nodes"].push_back({n.body, n.hinge, n.lock});
   }
   j["summary"] = summary(c, *run.outcome);
   return j;
@@ -234,12 +230,9 @@ std::string data_of(const Replay& replay, int every) {
   const Case& c = replay.c;
   const std::vector<Take> takes = takes_of(replay, every);
   const Scene scene = make_scene(c, takes, every);
-  const Vector3d up = upwards(c);
-  ordered_json j = {{"title", c.name},
-                    {"program", fmt::format("hinge-separation (libcontact) {}",
+  ordered_json j = {{"program", fmt::format("hinge-separation (libcontact) {}",
                                             contact::version)},
                     {"size", scene.size},
-                    {"up", numbers(up)},
                     {"every", every}};
   for (int i = 0; i <= static_cast<int>(c.bodies.size()); ++i) {
     j["bodies"].push_back(body_json(c, i));
@@ -247,11 +240,11 @@ std::string data_of(const Replay& replay, int every) {
   j["pairs"] = ordered_json::array();
   for (const auto& [a, b] : c.clearance) j["pairs"].push_back({a, b});
   for (std::size_t i = 0; i < takes.size(); ++i) {
-    j["takes"].push_back(
-        take_json(replay, replay.runs[i], takes[i], scene.nodes[i]));
+    j["takes"].push_back(take_json(replay, replay.runs[i], takes[i]));
   }
   j["warnings"] = replay.warnings;
   j["case"] = replay.case_text;
+  j["nodes"] = scene.nodes;
   j["glb"] = base64(scene.glb);
   const std::string text =
       j.dump(-1, ' ', true, ordered_json::error_handler_t::replace);

@@ -74,11 +74,12 @@ class Writer {
     add_marks();
   }
 
-  std::vector<BodyNodes> add(const Take& take) {
-    std::vector<BodyNodes> nodes;
+  // The numbers of its bodies' nodes.
+  std::vector<int> add(const Take& take) {
+    std::vector<int> nodes;
     for (int i = 0; i <= static_cast<int>(case_.bodies.size()); ++i) {
       nodes.push_back(add_body(take, i));
-      json_["nodes"][0]["children"].push_back(nodes.back().body);
+      json_["nodes"][0]["children"].push_back(nodes.back());
     }
     return nodes;
   }
@@ -167,10 +168,20 @@ class Writer {
     return add_floats(values, "VEC3", 3, vertices, range);
   }
 
-  int add_mesh(const Mesh& mesh, const std::string& name,
-               const std::string& colour, double alpha) {
+  ordered_json add_solid(const Mesh& mesh) {
     constexpr int indices = 34963;
     constexpr int unsigned_int = 5125;
+    return {
+        {"attributes",
+         {{"POSITION", add_vectors(mesh.positions, true)},
+          {"NORMAL", add_vectors(mesh.normals, false)}}},
+        {"indices", add_accessor(add_view(mesh.corners, indices), unsigned_int,
+                                 mesh.corners.size(), "SCALAR")}};
+  }
+
+  // A solid with a colour of its own.
+  int add_mesh(ordered_json solid, const std::string& name,
+               const std::string& colour, double alpha) {
     ordered_json material = {
         {"name", name},
         {"pbrMetallicRoughness",
@@ -179,15 +190,9 @@ class Writer {
           {"roughnessFactor", 0.6}}}};
     if (alpha < 1) material["alphaMode"] = "BLEND";
     json_["materials"].push_back(std::move(material));
-    const ordered_json primitive = {
-        {"attributes",
-         {{"POSITION", add_vectors(mesh.positions, true)},
-          {"NORMAL", add_vectors(mesh.normals, false)}}},
-        {"indices", add_accessor(add_view(mesh.corners, indices), unsigned_int,
-                                 mesh.corners.size(), "SCALAR")},
-        {"material", json_["materials"].size() - 1}};
+    solid["material"] = json_["materials"].size() - 1;
     json_["meshes"].push_back(
-        {{"name", name}, {"primitives", ordered_json::array({primitive})}});
+        {{"name", name}, {"primitives", ordered_json::array({solid})}});
     return static_cast<int>(json_["meshes"].size()) - 1;
   }
 
@@ -211,8 +216,9 @@ class Writer {
     cube.add(convex_hull(corners));
     const bool locks = std::ranges::any_of(
         case_.bodies, [](const Body& body) { return body.lock.has_value(); });
-    if (case_.has_hinges()) hinge_mesh_ = add_mesh(ball, "hinge", "#202020", 1);
-    if (locks) lock_mesh_ = add_mesh(cube, "lock", "#b01010", 1);
+    if (case_.has_hinges())
+      hinge_mesh_ = add_mesh(add_solid(ball), "hinge", "#202020", 1);
+    if (locks) lock_mesh_ = add_mesh(add_solid(cube), "lock", "#b01010", 1);
   }
 
   // A body's shapes; the same for all takes but for the colour.
@@ -230,18 +236,20 @@ class Writer {
     return mesh;
   }
 
-  BodyNodes add_body(const Take& take, int i) {
+  int add_body(const Take& take, int i) {
     const std::string name = case_.rigid_body(i).name +
                              (take.name.empty() ? "" : " (" + take.name + ")");
+    if (i == static_cast<int>(solids_.size())) {
+      solids_.push_back(add_solid(mesh_of(i)));
+    }
     const int mesh =
-        add_mesh(mesh_of(i), name, colour_of(i), take.faint ? 0.35 : 1);
+        add_mesh(solids_[i], name, colour_of(i), take.faint ? 0.35 : 1);
     const BodyPath path(case_, *take.rows, take.kept, i);
     // Of what may be wrong a tenth is for what happens between the rows.
     const double most = 0.9 * tolerance_;
     const KeyFrames keys =
         key_frames(path, most * shown_position * size_, most * shown_turn);
     const Pose& first = keys.poses.front();
-    BodyNodes nodes;
     ordered_json node = {{"name", name},
                          {"mesh", mesh},
                          {"translation", numbers(first.position)},
@@ -249,21 +257,19 @@ class Writer {
     if (i > 0) {
       const Body& body = case_.bodies[i - 1];
       if (hinge_mesh_ >= 0 && body.hinge.kind != multibody::HingeKind::none) {
-        nodes.hinge =
+        node["children"].push_back(
             add_mark(take, i, hinge_mesh_, name + ": " + body.hinge.name,
-                     body.hinge.body_point, HingeMode::released);
-        node["children"].push_back(nodes.hinge);
+                     body.hinge.body_point, HingeMode::released));
       }
       if (body.lock) {
-        nodes.lock =
+        node["children"].push_back(
             add_mark(take, i, lock_mesh_, name + ": " + body.lock->name,
-                     body.lock->body_point, HingeMode::locked);
-        node["children"].push_back(nodes.lock);
+                     body.lock->body_point, HingeMode::locked));
       }
     }
-    nodes.body = add_node(std::move(node));
-    add_motion(nodes.body, keys);
-    return nodes;
+    const int number = add_node(std::move(node));
+    add_motion(number, keys);
+    return number;
   }
 
   // Gone from the first row on with this mode, or (locked) without it.
@@ -332,6 +338,7 @@ class Writer {
   ordered_json channels_ = ordered_json::array();
   ordered_json samplers_ = ordered_json::array();
   std::string data_;
+  std::vector<ordered_json> solids_;  // of bodies
   int hinge_mesh_ = -1;
   int lock_mesh_ = -1;
 };
@@ -371,7 +378,10 @@ Scene make_scene(const Case& c, const std::vector<Take>& takes,
                  double tolerance) {
   Scene scene{{}, size_of(c, takes.front()), {}};
   Writer writer(c, scene.size, tolerance);
-  for (const Take& take : takes) scene.nodes.push_back(writer.add(take));
+  for (const Take& take : takes) {
+    const auto nodes = writer.add(take);
+    if (scene.nodes.empty()) scene.nodes = nodes;
+  }
   scene.glb = writer.file();
   return scene;
 }

@@ -17,17 +17,10 @@ struct Take {
   std::vector<std::size_t> kept;  ///< of the rows: replay_rows()
 };
 
-/// A nodes' numbers in the glTF, -1 for none.
-struct BodyNodes {
-  int body;
-  int hinge = -1;
-  int lock = -1;
-};
-
 struct Scene {
   std::string glb;  ///< the file's bytes
   double size;      ///< how far from the carrier's centre bodies reach at first
-  std::vector<std::vector<BodyNodes>> nodes;  ///< of each take and body
+  std::vector<int> nodes;  ///< of the bodies of the first take, in the glTF
 };
 
 /// What a position and a turn between key frames may be wrong by: a part of

@@ -1,0 +1,158 @@
+// Curves over time, with a cursor.
+
+const graphs = [];
+// The legend sets style attributes, which the page's policy forbids.
+Dygraph.PLUGINS =
+    Dygraph.PLUGINS.filter((plugin) => plugin !== Dygraph.Plugins.Legend);
+
+// A curve of each run; NaN leaves a gap.
+function hingeCurves(quantity, dashed) {
+  return takes.flatMap((run, k) => hinged.map((body) => {
+    const values = run.column(`${body.column}.${quantity}`);
+    const mode = run.column(`${body.column}.mode`);
+    const ends = dashed ? 2 : released;
+    return {run, colour: body.colour, faint: k > 0, dashed,
+            at: (i) => (dashed ? mode[i] === ends : mode[i] < ends) ?
+                values[i] : null};
+  }));
+}
+
+function plainCurves(list) {
+  return takes.flatMap((run, k) => list.map(([name, colour]) => {
+    const values = run.column(name);
+    return {run, colour, faint: k > 0, at: (i) => values[i]};
+  }));
+}
+
+// Rows of all runs under one another: each has times of its own. Of rows too
+// many to be told apart there are two of each so many: with the least and the
+// largest value of each curve, whichever is first.
+function rowsOf(curves) {
+  const most = 1500;
+  const rows = [];
+  for (const run of takes) {
+    const {time} = run;
+    const own = curves.map((curve) => curve.run === run ? curve.at : () => null);
+    const step = time.length > 2 * most ? Math.ceil(time.length / most) : 1;
+    if (step === 1) {
+      time.forEach((t, i) => rows.push([t, ...own.map((value) => value(i))]));
+      continue;
+    }
+    for (let from = 0; from < time.length; from += step) {
+      const to = Math.min(time.length, from + step);
+      const ends = own.map((value) => extremes(value, from, to));
+      rows.push([time[from], ...ends.map((pair) => pair[0])],
+                [time[to - 1], ...ends.map((pair) => pair[1])]);
+    }
+  }
+  return takes.length > 1 ? rows.sort((a, b) => a[0] - b[0]) : rows;
+}
+
+// In the order of their rows.
+function extremes(value, from, to) {
+  let low = from;
+  let high = from;
+  for (let i = from; i < to; ++i) {
+    if (value(i) < value(low)) low = i;
+    if (value(i) > value(high)) high = i;
+  }
+  return low < high ? [value(low), value(high)] : [value(high), value(low)];
+}
+
+function addGraph(title, curves, unit, logarithmic) {
+  const box = make('div', at('curves'), undefined, 'curve');
+  make('h2', box, title);
+  const place = make('div', box, undefined, 'graph');
+  const style = getComputedStyle(document.documentElement);
+  const options = {};
+  curves.forEach((curve, i) => {
+    options[`c${i}`] = {
+      strokePattern: curve.dashed ? [2, 3] : curve.faint ? [7, 4] : null,
+      strokeWidth: curve.faint ? 1.2 : 1.8,
+    };
+  });
+  const graph = new Dygraph(place, rowsOf(curves), {
+    labels: ['time', ...curves.map((_, i) => `c${i}`)],
+    colors: curves.map((curve) => curve.colour),
+    series: options,
+    logscale: logarithmic,
+    connectSeparatedPoints: takes.length > 1,
+    gridLineColor: style.getPropertyValue('--line').trim(),
+    axisLineColor: style.getPropertyValue('--line').trim(),
+    highlightCircleSize: 0,
+    rightGap: 10,
+    axes: {
+      x: {axisLabelFormatter: (t) => String(Number(t.toPrecision(6)))},
+      y: {axisLabelWidth: 62, pixelsPerLabel: 26,
+          axisLabelFormatter: (y) => show(y, unit)},
+    },
+    clickCallback: (event, x) => go(x),
+  });
+  const cursor = make('div', place, undefined, 'cursor');
+  graphs.push({graph, cursor});
+}
+
+function spread(curves) {
+  let low = Infinity;
+  let high = 0;
+  for (const {run, at: value} of curves) {
+    for (let i = 0; i < run.time.length; ++i) {
+      low = Math.min(low, value(i));
+      high = Math.max(high, value(i));
+    }
+  }
+  return low > 0 ? high / low : 1;
+}
+
+function addCurves() {
+  const key = make('ul', at('curves'), undefined, 'key');
+  const add = (name, colour) => {
+    const item = make('li', key);
+    make('span', item, undefined, 'swatch').style.background = colour;
+    item.append(name);
+  };
+  hinged.forEach((body) => add(body.name, body.colour));
+  if (takes.length > 1) {
+    make('li', key, `line: ${takes[0].name}, dashed: ${takes[1].name}`);
+  }
+  if (hinged.length > 0) {
+    addGraph('Angle of the hinge, deg', hingeCurves('angle_deg'), '');
+    addGraph('Rate of the hinge, deg/s', hingeCurves('rate_deg_per_s'), '');
+    const locked = data.bodies.some((body) => body.lock);
+    addGraph(locked ? 'Reaction (dotted: of the lock)' : 'Reaction',
+             [...hingeCurves('reaction_N'),
+              ...(locked ? hingeCurves('lock_reaction_N', true) : [])], 'N');
+    if (largest('friction_moment_N_m') > 0) {
+      addGraph('Friction moment', hingeCurves('friction_moment_N_m'), 'N m');
+    }
+  }
+  if (take.nearest) {
+    // The carrier to a body has that body's colour.
+    const curves = plainCurves(data.pairs.map(([, b], i) =>
+        [pairColumn(i), data.bodies[b].colour]));
+    const wide = spread(curves) > 50;
+    addGraph('Clearance of ' + (data.pairs.length > 1 ?
+        'each two bodies (colour: of the second)' : pairName(0)),
+             curves, 'm', wide);
+  }
+  const energies = {kinetic: '#0072b2', gravity: '#009e73',
+                    active_work: '#e69f00', dissipated: '#d55e00'};
+  addGraph('Energy', plainCurves(Object.entries(energies).map(
+      ([name, colour]) => [`energy.${name}_J`, colour])), 'J');
+  const words = make('ul', at('curves').lastChild, undefined, 'key');
+  for (const [name, colour] of Object.entries(energies)) {
+    const item = make('li', words);
+    make('span', item, undefined, 'swatch').style.background = colour;
+    item.append(name.replace('_', ' '));
+  }
+}
+
+function placeCursors() {
+  for (const {graph, cursor} of graphs) {
+    const area = graph.getArea();
+    const x = graph.toDomXCoord(now);
+    cursor.hidden = x < area.x || x > area.x + area.w;
+    cursor.style.transform = `translate(${x}px, ${area.y}px)`;
+    cursor.style.height = `${area.h}px`;
+  }
+}

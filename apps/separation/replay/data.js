@@ -1,0 +1,106 @@
+// What the page of a replay (page.html) reads and how it writes it. All text goes
+// into the page as text, never as markup.
+const data = JSON.parse(document.getElementById('data').textContent);
+const at = (id) => document.getElementById(id);
+const still = matchMedia('(prefers-reduced-motion: reduce)').matches;
+const released = 3;
+const modes = ['sliding', 'resting', 'locked', 'released'];
+
+function make(tag, parent, text, className) {
+  const element = document.createElement(tag);
+  if (text !== undefined) element.textContent = text;
+  if (className) element.className = className;
+  if (parent) parent.append(element);
+  return element;
+}
+
+function bytes(base64) {
+  const text = atob(base64);
+  const result = new Uint8Array(text.length);
+  for (let i = 0; i < text.length; ++i) result[i] = text.charCodeAt(i);
+  return result;
+}
+
+// 4 digits, with a prefix for the units that take one: "1.234 MN".
+function show(value, unit) {
+  if (!Number.isFinite(value)) return '–';
+  const prefixes = {9: 'G', 6: 'M', 3: 'k', 0: '', '-3': 'm', '-6': 'µ'};
+  if (!/^(N|N m|Pa|J|m)$/.test(unit)) {
+    return `${round(value)}${unit ? ' ' + unit : ''}`;
+  }
+  const largest = unit === 'm' ? 0 : 9;
+  const exponent = value === 0 ? 0 : Math.min(largest, Math.max(
+      -6, 3 * Math.floor(Math.log10(Math.abs(value)) / 3)));
+  return `${round(value / 10 ** exponent)} ${prefixes[exponent]}${unit}`;
+}
+const round = (value) => String(Number(value.toPrecision(4)));
+const seconds = (time) => `${time.toFixed(3)} s`;
+
+// A run: its rows under the names of the history's columns.
+class Take {
+  constructor(json) {
+    this.name = json.name;
+    this.summary = json.summary;
+    this.time = new Float64Array(bytes(json.time).buffer);
+    this.packed = json.columns;
+    this.columns = new Map();
+    this.nearest =
+        json.nearest && new Float32Array(bytes(json.nearest).buffer);
+    this.row = 0;
+    this.part = 0;
+  }
+  get start() { return this.time[0]; }
+  get end() { return this.time[this.time.length - 1]; }
+  column(name) {
+    if (!this.columns.has(name)) {
+      const packed = this.packed[name];
+      this.columns.set(
+          name, packed && new Float32Array(bytes(packed).buffer));
+    }
+    return this.columns.get(name);
+  }
+  // The last row at this time or before it, and how far it is to the next.
+  go(time) {
+    let low = 0;
+    let high = this.time.length;
+    while (high - low > 1) {
+      const middle = (low + high) >> 1;
+      if (this.time[middle] <= time) low = middle; else high = middle;
+    }
+    this.row = low;
+    const rest = this.time[low + 1] - this.time[low];
+    this.part = rest > 0 ? (time - this.time[low]) / rest : 0;
+  }
+  at(name) {
+    const column = this.column(name);
+    if (!column) return NaN;
+    const from = column[this.row];
+    return this.part > 0 ?
+        from + this.part * (column[this.row + 1] - from) : from;
+  }
+  mode(body) {
+    const column = this.column(`${body.column}.mode`);
+    return column ? column[this.row] : NaN;
+  }
+  // Until its hinge breaks.
+  held(body) { return this.mode(body) < released; }
+}
+
+const takes = data.takes.map((json) => new Take(json));
+const take = takes[0];
+const hinged = data.bodies.filter((body) => body.hinge);
+const events = take.summary.events;
+const pairName = (pair) =>
+    data.pairs[pair].map((body) => data.bodies[body].name).join(', ');
+const pairColumn = (pair) => 'clearance.' +
+    data.pairs[pair].map((body) => data.bodies[body].column).join('.') + '_m';
+
+function largest(name) {
+  let result = 0;
+  for (const body of hinged) {
+    for (const x of take.column(`${body.column}.${name}`)) {
+      if (x > result) result = x;
+    }
+  }
+  return result;
+}

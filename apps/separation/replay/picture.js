@@ -1,0 +1,365 @@
+// The bodies in motion, with what is drawn and written beside them.
+
+const colours =
+    {reaction: '#e0345c', moment: '#9a5fe0', distance: '#e0218a'};
+// Dark to light, as the legend: of 0 to 1.
+const scale = ['#440154', '#3b528b', '#21918c', '#5ec962', '#fde725'];
+function scaleColour(part, into) {
+  const place = Math.min(0.9999, Math.max(0, part)) * (scale.length - 1);
+  const i = Math.floor(place);
+  return into.set(scale[i]).lerp(new THREE.Color(scale[i + 1]), place - i);
+}
+
+// Of glTF's animations, in three.js.
+const properties =
+    {translation: 'position', rotation: 'quaternion', scale: 'scale'};
+
+class Picture {
+  constructor(canvas) {
+    this.renderer = new THREE.WebGLRenderer(
+        {canvas, antialias: true, alpha: true});
+    this.renderer.gammaOutput = true;
+    this.renderer.setPixelRatio(Math.min(2, devicePixelRatio));
+    this.size = data.size;
+    this.scene = new THREE.Scene();
+    this.camera = new THREE.PerspectiveCamera(
+        32, 1, 0.01 * this.size, 400 * this.size);
+    this.scene.add(this.camera);
+    this.scene.add(new THREE.HemisphereLight(0xffffff, 0x667788, 0.75));
+    const lamp = new THREE.DirectionalLight(0xffffff, 0.75);
+    lamp.position.set(0.6, 1, 0.8);
+    this.camera.add(lamp);
+    this.controls = new THREE.OrbitControls(this.camera, canvas);
+    this.controls.enableKeys = false;
+    this.controls.enableDamping = false;
+    this.follow = 0;
+    this.target = new THREE.Vector3();
+  }
+
+  async load() {
+    const gltf = await new Promise((resolve, reject) =>
+        new THREE.GLTFLoader().parse(bytes(data.glb).buffer, '', resolve,
+                                     reject));
+    this.root = gltf.scene.children[0];
+    this.scene.add(gltf.scene);
+    const node = (i) => gltf.parser.getDependency('node', i);
+    this.tracks = [];
+    // One track for each channel, in the same order: nodes by their numbers,
+    // since names may be alike.
+    const [motion] = gltf.animations;
+    const [channels] = (gltf.parser.json.animations || []).map(
+        (animation) => animation.channels);
+    for (let i = 0; motion && i < motion.tracks.length; ++i) {
+      const {node: number, path} = channels[i].target;
+      const object = await node(number);
+      this.tracks.push({
+        object,
+        property: object[properties[path]],
+        values: motion.tracks[i].createInterpolant(),
+      });
+    }
+    this.bodies = [];
+    for (const i of data.nodes) this.bodies.push(await node(i));
+    this.addMarks();
+    this.resize();
+    this.fit();
+  }
+
+  // What is drawn beside the bodies, in inertial axes about the carrier.
+  addMarks() {
+    const top = (colour) => new THREE.MeshBasicMaterial(
+        {color: new THREE.Color(colour).convertSRGBToLinear(),
+         depthTest: false, transparent: true});
+    const shaft = new THREE.CylinderBufferGeometry(1, 1, 1, 12);
+    shaft.translate(0, 0.5, 0);
+    const head = new THREE.ConeBufferGeometry(1, 1, 16);
+    head.translate(0, -0.5, 0);
+    const add = (geometry, material, order) => {
+      const mesh = new THREE.Mesh(geometry, material);
+      mesh.renderOrder = order;
+      mesh.frustumCulled = false;
+      this.root.add(mesh);
+      return mesh;
+    };
+    const arrow = (colour, heads) => {
+      const material = top(colour);
+      return {shaft: add(shaft, material, 3), heads: Array.from(
+          {length: heads}, () => add(head, material, 3))};
+    };
+    this.hinges = hinged.map((body) => ({
+      body,
+      object: this.bodies[data.bodies.indexOf(body)],
+      reaction: arrow(colours.reaction, 1),
+      moment: arrow(colours.moment, 2),
+      patch: add(new THREE.BufferGeometry(), new THREE.MeshBasicMaterial(
+          {side: THREE.DoubleSide, depthTest: false, transparent: true,
+           opacity: 0.92}), 2),
+    }));
+    this.patches = new Map();
+    this.most = {reaction: largest('reaction_N'),
+                 moment: largest('friction_moment_N_m'),
+                 pressure: largest('peak_pressure_Pa')};
+    this.line = add(shaft, top(colours.distance), 4);
+    this.line.visible = false;
+  }
+
+  // A cap of a ball about y, or a strip of a pin along z, of a half-angle in
+  // whole degrees.
+  patch(degrees, pin) {
+    const key = pin ? -degrees - 1 : degrees;
+    if (!this.patches.has(key)) {
+      const radius = 0.035 * this.size;
+      const t = degrees * Math.PI / 180;
+      let shape;
+      if (pin) {
+        shape = new THREE.CylinderBufferGeometry(
+            radius, radius, 2 * radius, 24, 1, true, -t, 2 * t);
+        shape.rotateX(Math.PI / 2);  // the axis to z, its middle to -y
+        shape.rotateZ(Math.PI);
+      } else {
+        shape = new THREE.SphereBufferGeometry(
+            radius, 32, 12, 0, 2 * Math.PI, 0, t);
+      }
+      this.patches.set(key, shape);
+    }
+    return this.patches.get(key);
+  }
+
+  set(time) {
+    for (const {object, property, values} of this.tracks) {
+      property.fromArray(values.evaluate(time));
+      object.visible = object.scale.x > 0;
+    }
+    for (const hinge of this.hinges) this.setHinge(hinge);
+    this.setLine();
+    this.setTarget();
+  }
+
+  vector(body, quantity, unit, into) {
+    return into.set(...['x', 'y', 'z'].map(
+        (axis) => take.at(`${body.column}.${quantity}_${axis}_${unit}`)));
+  }
+
+  setHinge(hinge) {
+    const {body, object, patch} = hinge;
+    const on = at('show_forces').checked && take.held(body);
+    hinge.centre = new THREE.Vector3(...body.hinge.point)
+        .applyQuaternion(object.quaternion).add(object.position);
+    const force = this.vector(body, 'reaction', 'N', new THREE.Vector3());
+    const moment =
+        this.vector(body, 'friction_moment', 'N_m', new THREE.Vector3());
+    this.setArrow(hinge.reaction, on, hinge.centre, force, this.most.reaction);
+    this.setArrow(hinge.moment, on && moment.length() > 0, hinge.centre, moment,
+                  this.most.moment);
+    this.setPatch(hinge, on, force, patch);
+  }
+
+  setPatch({body, centre}, on, force, patch) {
+    const angle = take.at(`${body.column}.theta0_deg`);
+    patch.visible = on && angle > 0 && force.length() > 0;
+    if (!patch.visible) return;
+    const pin = body.hinge.axis !== undefined;
+    patch.geometry = this.patch(Math.max(1, Math.round(angle)), pin);
+    patch.position.copy(centre);
+    // Towards the side on which the inner body is pressed.
+    const up = force.clone().multiplyScalar(
+        body.hinge.inner === 'carrier' ? 1 : -1);
+    let along = new THREE.Vector3(0, 0, 1);
+    if (pin) {
+      along = new THREE.Vector3(...body.hinge.axis)
+          .applyQuaternion(this.bodies[0].quaternion);
+      up.addScaledVector(along, -up.dot(along));
+    } else if (Math.abs(up.z) > 0.9 * up.length()) {
+      along.set(1, 0, 0);
+    }
+    up.normalize();
+    const across = new THREE.Vector3().crossVectors(up, along).normalize();
+    along.crossVectors(across, up);
+    patch.quaternion.setFromRotationMatrix(
+        new THREE.Matrix4().makeBasis(across, up, along));
+    const pressure = take.at(`${body.column}.peak_pressure_Pa`);
+    scaleColour(pressure / this.most.pressure, patch.material.color);
+    patch.material.color.convertSRGBToLinear();
+  }
+
+  setArrow({shaft, heads}, on, from, vector, most) {
+    for (const part of [shaft, ...heads]) part.visible = on && most > 0;
+    if (!shaft.visible) return;
+    const length = 0.42 * this.size * vector.length() / most;
+    const headLength = Math.min(0.035 * this.size, 0.6 * length / heads.length);
+    const width = 0.3 * headLength;
+    const way = vector.clone().normalize();
+    const turn = new THREE.Quaternion().setFromUnitVectors(
+        new THREE.Vector3(0, 1, 0), way);
+    shaft.position.copy(from);
+    shaft.quaternion.copy(turn);
+    shaft.scale.set(0.3 * width + 1e-9, Math.max(1e-9, length - headLength),
+                    0.3 * width + 1e-9);
+    heads.forEach((head, i) => {
+      head.position.copy(from)
+          .addScaledVector(way, length - 0.85 * i * headLength);
+      head.quaternion.copy(turn);
+      head.scale.set(width + 1e-9, headLength + 1e-9, width + 1e-9);
+    });
+  }
+
+  // Between the two bodies that are nearest, by the points of the last row.
+  setLine() {
+    this.gap = undefined;
+    const points = take.nearest;
+    const i = 7 * take.row;
+    this.line.visible =
+        at('show_distance').checked && points !== undefined && points[i] >= 0;
+    if (!this.line.visible) return;
+    const ends = data.pairs[points[i]].map((body, j) =>
+        new THREE.Vector3().fromArray(points, i + 1 + 3 * j)
+            .applyQuaternion(this.bodies[body].quaternion)
+            .add(this.bodies[body].position));
+    const span = ends[1].clone().sub(ends[0]);
+    this.line.position.copy(ends[0]);
+    this.line.quaternion.setFromUnitVectors(
+        new THREE.Vector3(0, 1, 0), span.clone().normalize());
+    const width = 0.0018 * this.size;
+    this.line.scale.set(width, Math.max(1e-9, span.length()), width);
+    this.gap = {pair: points[i], middle: ends[0].lerp(ends[1], 0.5)};
+  }
+
+  placeOf(body) {
+    return this.root.localToWorld(this.bodies[body].position.clone());
+  }
+
+  // Into the middle, seen as before.
+  setFollow(body) {
+    this.follow = body;
+    this.target.copy(this.controls.target);
+    this.setTarget();
+  }
+
+  // The camera moves with the body.
+  setTarget() {
+    const way = this.placeOf(this.follow).sub(this.target);
+    this.target.add(way);
+    this.camera.position.add(way);
+    this.controls.target.add(way);
+  }
+
+  resize() {
+    const {clientWidth, clientHeight} = at('scene');
+    this.width = clientWidth;
+    this.height = clientHeight;
+    this.renderer.setSize(clientWidth, clientHeight, false);
+    this.camera.aspect = clientWidth / clientHeight;
+    this.camera.updateProjectionMatrix();
+  }
+
+  // All bodies, as they are now, from where the camera is.
+  fit() {
+    this.root.updateWorldMatrix(true, true);
+    const boxes = this.bodies.map(
+        (body) => new THREE.Box3().setFromObject(body));
+    const box = boxes.reduce((all, one) => all.union(one), new THREE.Box3());
+    const corners = boxes.flatMap(({min, max}) => [0, 1, 2, 3, 4, 5, 6, 7].map(
+        (k) => new THREE.Vector3(k & 1 ? min.x : max.x, k & 2 ? min.y : max.y,
+                                 k & 4 ? min.z : max.z)));
+    const from = this.camera.position.length() > 0 ?
+        this.camera.position.clone().sub(this.controls.target).normalize() :
+        new THREE.Vector3(0.4, 0.35, 1).normalize();
+    box.getCenter(this.controls.target);
+    let distance = 4 * box.getBoundingSphere(new THREE.Sphere()).radius;
+    // Nearer, until they fill most of the picture.
+    for (let i = 0; i < 4; ++i) {
+      this.camera.position.copy(this.controls.target)
+          .addScaledVector(from, distance);
+      this.controls.update();
+      this.camera.updateMatrixWorld();
+      const reach = corners.map((corner) => corner.clone().project(this.camera))
+          .map((p) => Math.max(Math.abs(p.x), Math.abs(p.y)));
+      distance *= Math.max(...reach) / 0.9;
+    }
+  }
+
+  turn(across, up) {
+    const way = this.camera.position.clone().sub(this.controls.target);
+    const ball = new THREE.Spherical().setFromVector3(way);
+    ball.theta += across;
+    ball.phi += up;
+    ball.makeSafe();
+    this.camera.position.copy(this.controls.target)
+        .add(way.setFromSpherical(ball));
+  }
+
+  zoom(factor) {
+    this.camera.position.sub(this.controls.target).multiplyScalar(factor)
+        .add(this.controls.target);
+  }
+
+  // Where a point of the root's axes is in the picture, px.
+  project(point) {
+    const p = this.root.localToWorld(point.clone()).project(this.camera);
+    return {x: (p.x + 1) / 2 * this.width, y: (1 - p.y) / 2 * this.height,
+            visible: p.z < 1};
+  }
+
+  draw() {
+    this.controls.update();
+    this.renderer.render(this.scene, this.camera);
+  }
+}
+
+// Names of bodies and the smallest distance, over the picture.
+class Labels {
+  constructor(picture) {
+    this.picture = picture;
+    this.names = data.bodies.map((body) => {
+      const label = make('div', at('labels'), body.name, 'body');
+      label.style.borderColor = body.colour;
+      return label;
+    });
+    this.distance = make('div', at('labels'), '', 'distance');
+  }
+  place() {
+    const {picture} = this;
+    const placed = [];
+    const move = (label, point, on, down) => {
+      const {x, y, visible} = on ? picture.project(point) : {visible: false};
+      label.hidden = !visible;
+      if (!visible) return;
+      // Below those that are in its place.
+      const width = label.textContent.length * 7 + 14;
+      const here = {x, y: y + down, width};
+      const covers = (other) => Math.abs(here.y - other.y) < 16 &&
+          2 * Math.abs(x - other.x) < width + other.width;
+      for (let tries = 0; tries < 6 && placed.some(covers); ++tries) {
+        here.y += 16;
+      }
+      placed.push(here);
+      label.style.transform = `translate(${x.toFixed(1)}px, ` +
+          `${here.y.toFixed(1)}px) translate(-50%, -50%)`;
+    };
+    const {gap} = picture;
+    if (gap) {
+      const text = show(take.at(pairColumn(gap.pair)), 'm');
+      if (this.distance.textContent !== text) this.distance.textContent = text;
+    }
+    move(this.distance, gap && gap.middle, gap !== undefined, -16);
+    const named = at('show_names').checked;
+    this.names.forEach((label, i) =>
+        move(label, picture.bodies[i].position, named, 16));
+  }
+}
+
+function addLegend({most}) {
+  const line = (text) => make('p', at('legend'), text);
+  if (hinged.length === 0) return;
+  const entry = (mark, colour, text) => {
+    const p = line('');
+    make('b', p, mark).style.color = colour;
+    p.append(text);
+  };
+  entry('→', colours.reaction, `reaction, up to ${show(most.reaction, 'N')}`);
+  if (!(most.moment > 0)) return;
+  entry('↠', colours.moment, `friction, up to ${show(most.moment, 'N m')}`);
+  const p = line('pressure 0');
+  make('i', p);
+  p.append(show(most.pressure, 'Pa'));
+}
