@@ -72,6 +72,8 @@ void add_options(CLI::App& app, Options& options) {
   app.add_flag("--quantities", options.quantities,
                "all numbers of the nominal run")
       ->option_text(" ");
+  count("--parts", "ranges of so many rows, for --rows", 1, 100'000'000,
+        options.parts);
   auto* run = count("--run", "this run again; 0 is the nominal one", 0, most,
                     options.run);
   text("--history", "of --run: .csv, .h5 or .hdf5", "FILE", options.history)
@@ -80,7 +82,7 @@ void add_options(CLI::App& app, Options& options) {
   text("--csv", "all rows as CSV", "FILE", options.csv);
   text("--hdf5", "all rows as HDF5", "FILE", options.hdf5);
   cli::add_jobs_option(app, options.output);
-  for (const char* other : {"--check", "--quantities", "--run"}) {
+  for (const char* other : {"--check", "--quantities", "--parts", "--run"}) {
     cli::exclude(app, other,
                  {"--rows", "--merge", "--csv", "--hdf5", "--plot"});
   }

@@ -113,6 +113,18 @@ cli::ExitStatus check(const Options& o, const Study& study) {
   return cli::all_good;
 }
 
+// All rows in ranges, a line each, for --rows.
+cli::ExitStatus list_parts(const Options& o, const Study& study) {
+  cli::Output output(o.output.output);
+  const auto size = static_cast<std::uint64_t>(o.parts);
+  for (std::uint64_t first = 0; first <= study.runs(); first += size) {
+    output.write(fmt::format("{}:{}\n", first,
+                             std::min(first + size - 1, study.runs())));
+  }
+  output.commit();
+  return cli::all_good;
+}
+
 // A run again, bit for bit; with its history.
 cli::ExitStatus repeat(const Options& o, const Study& study) {
   const auto run = static_cast<std::uint64_t>(*o.run);
@@ -144,20 +156,19 @@ cli::ExitStatus repeat(const Options& o, const Study& study) {
   return cli::some_bad;
 }
 
-// How fast it goes, and how long it will.
+// On a terminal: how fast it goes, and how long it will.
 class Pace {
  public:
   explicit Pace(std::size_t total) : total_(total) {}
   void add() {
     ++done_;
-    if (!progress_.is_due()) return;
+    if (!progress_.is_terminal() || !progress_.is_due()) return;
     const double seconds =
         std::chrono::duration<double>(Clock::now() - begin_).count();
     const double rate = static_cast<double>(done_) / seconds;
-    progress_.say(
-        fmt::format("{}{} of {} runs, {:.3g} runs/s, {:.0f} s left",
-                    progress_.is_terminal() ? "" : "hinge-study: ", done_,
-                    total_, rate, static_cast<double>(total_ - done_) / rate));
+    progress_.say(fmt::format("{} of {} runs, {:.3g} runs/s, {:.0f} s left",
+                              done_, total_, rate,
+                              static_cast<double>(total_ - done_) / rate));
   }
 
  private:
@@ -251,6 +262,7 @@ cli::ExitStatus run(const Options& o) {
   const Study study(o.file, changes_of(o));
   if (o.quantities) return list_quantities(o, study);
   if (o.check) return check(o, study);
+  if (o.parts > 0) return list_parts(o, study);
   if (o.run) return repeat(o, study);
   return run_study(o, study);
 }

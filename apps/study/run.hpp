@@ -18,6 +18,7 @@ struct Options {
   std::vector<std::string> merge;
   bool check = false;
   bool quantities = false;
+  int parts = 0;  ///< 0: not asked for
   std::optional<int> run;
   std::string history;
   std::string csv;

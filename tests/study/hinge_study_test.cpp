@@ -68,6 +68,11 @@ TEST_F(HingeStudy, SameBytesInAnyThreadsAndParts) {
   EXPECT_TRUE(more[0].starts_with(serial[0]));
 }
 
+TEST_F(HingeStudy, PartsAreAllRows) {
+  EXPECT_EQ(run("s.toml --parts 100"), "0:99\n100:199\n200:299\n300:300\n");
+  EXPECT_EQ(run("s.toml --parts 301"), "0:300\n");
+}
+
 TEST_F(HingeStudy, KilledItGoesOnToTheSameBytes) {
   const auto serial = results("a");
   const std::string whole = folder_.read("a");

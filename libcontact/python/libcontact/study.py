@@ -1,0 +1,95 @@
+"""Studies on any executor of concurrent.futures: threads, Dask, MPI.
+
+A study is shared out in parts of its runs. Each is computed by the program
+hinge-study where the executor has a worker, and comes back as the bytes of a
+journal. From all of them hinge-study writes the results, which are the same
+bytes as those of the study on one machine. A part that is lost with its worker
+is computed again, by the executor or by the same call repeated.
+
+    >>> from concurrent.futures import ThreadPoolExecutor
+    >>> import libcontact.study
+    >>> with ThreadPoolExecutor() as executor:
+    ...     print(libcontact.study.run("study.toml", executor, ["--csv", "rows.csv"]))
+
+Workers need hinge-study on their PATH, and the study's files by the same name.
+"""
+
+import os
+import subprocess
+import tempfile
+from collections.abc import Sequence
+from concurrent.futures import Executor, as_completed
+from pathlib import Path
+
+from ._core import Error
+
+__all__ = ["compute_part", "run"]
+
+
+def _hinge_study(*arguments: str) -> str:
+    done = subprocess.run(
+        ["hinge-study", *arguments], text=True, capture_output=True, check=False
+    )
+    # 1: runs or a picture failed, and the rest is there.
+    if done.returncode not in (0, 1):
+        raise Error(done.stderr.strip() or f"hinge-study: {done.returncode}")
+    return done.stdout
+
+
+def compute_part(study: str, choice: Sequence[str], rows: str) -> bytes:
+    """The journal of some rows, "A:B"."""
+    with tempfile.TemporaryDirectory() as folder:
+        journal = Path(folder) / "part"
+        _hinge_study(study, *choice, "--rows", rows, "--journal", str(journal))
+        return journal.read_bytes()
+
+
+def run(
+    study: str | os.PathLike[str],
+    executor: Executor,
+    options: Sequence[str] = (),
+    *,
+    runs: int | None = None,
+    seed: int | None = None,
+    part: int = 100,
+    folder: str | os.PathLike[str] | None = None,
+) -> str:
+    """Runs a study by an executor; returns the table for people.
+
+    study    study file
+    options  of hinge-study, for the results: ["--csv", "rows.csv"]
+    runs, seed  instead of the file's
+    part     rows of a part
+    folder   where parts are kept that are done; STUDY.parts
+    """
+    name = os.fspath(study)
+    choice = [
+        word
+        for option, value in (("--runs", runs), ("--seed", seed))
+        if value is not None
+        for word in (option, str(value))
+    ]
+    kept = Path(folder or Path(name).stem + ".parts")
+    kept.mkdir(parents=True, exist_ok=True)
+    ranges = _hinge_study(name, *choice, "--parts", str(part)).split()
+    files = {rows: kept / rows.replace(":", "-") for rows in ranges}
+    futures = {
+        executor.submit(compute_part, name, choice, rows): file
+        for rows, file in files.items()
+        if not file.exists()
+    }
+    for future in as_completed(futures):
+        # Whole or not at all, whenever this program is killed.
+        unfinished = futures[future].with_suffix(".unfinished")
+        unfinished.write_bytes(future.result())
+        unfinished.rename(futures[future])
+    parts = [str(file) for file in files.values()]
+    return _hinge_study(
+        name,
+        *choice,
+        *options,
+        "--journal",
+        str(kept / "journal"),
+        "--merge",
+        *parts,
+    )
