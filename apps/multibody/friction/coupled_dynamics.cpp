@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <ranges>
 
 #include "multibody/friction/search.hpp"
 #include "multibody/system/eigen_conversion.hpp"
@@ -172,11 +171,11 @@ void CoupledDynamics::solve() {
     report_.add_step();
     if (!std::isfinite(report_.residual)) {
       report_.status = CoupledStatus::out_of_range;
-      for (const int i : std::views::reverse(hinges_->active())) {
-        if (hinge(i).solved.allFinite()) continue;
-        fail_at(i);
-        break;
-      }
+      const std::vector<int>& active = hinges_->active();
+      const auto lost =
+          std::find_if(active.rbegin(), active.rend(),
+                       [&](int i) { return !at(i).solved.allFinite(); });
+      if (lost != active.rend()) fail_at(*lost);
       return;
     }
     if (report_.residual <= options_.tolerance) return;
