@@ -6,4 +6,5 @@
 #include "libcontact/duty/duty_cycle.hpp"
 #include "libcontact/duty/joint_cycle.hpp"
 #include "libcontact/duty/wear_map.hpp"
+#include "libcontact/duty/wear_in.hpp"
 // clang-format on

@@ -6,6 +6,7 @@
 #include "libcontact/friction/exact.hpp"
 #include "libcontact/friction/batch.hpp"
 #include "libcontact/friction/any_pressure.hpp"
+#include "libcontact/friction/stress_rule.hpp"
 #include "libcontact/friction/elliptic/integrals.hpp"
 #include "libcontact/friction/elliptic/friction.hpp"
 #include "libcontact/friction/special.hpp"

@@ -6,5 +6,6 @@
 #include "libcontact/half_angle/paper_laws.hpp"
 #include "libcontact/half_angle/fitted.hpp"
 #include "libcontact/half_angle/exact.hpp"
+#include "libcontact/half_angle/worn.hpp"
 #include "libcontact/half_angle/factory.hpp"
 // clang-format on

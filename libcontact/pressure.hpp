@@ -8,6 +8,8 @@
 #include "libcontact/pressure/sqrt.hpp"
 #include "libcontact/pressure/mixture.hpp"
 #include "libcontact/pressure/exact.hpp"
+#include "libcontact/pressure/worn.hpp"
+#include "libcontact/pressure/profile.hpp"
 #include "libcontact/pressure/factory.hpp"
 #include "libcontact/pressure/hertz.hpp"
 #include "libcontact/pressure/validity.hpp"

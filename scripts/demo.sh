@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
 # Set-up, build, and the main job: friction-coefficient tables, half-angle
-# curves of real joints, a separation of stages and the paper's figures, in
-# demo-output/.
+# curves of real joints, a separation of stages, once and 1,705 times with
+# scatter, and the paper's figures, in demo-output/.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 scripts/setup.sh
 cmake --preset release
 cmake --build --preset release --target hinge-table hinge-angle \
-  hinge-pressure hinge-joint hinge-separation
+  hinge-pressure hinge-joint hinge-separation hinge-study
 
 out=demo-output
 mkdir -p "$out"
@@ -89,6 +89,12 @@ hinge-separation data/cases/soyuz.toml --output "$out/soyuz.json" \
     hinge-separation "data/cases/$case.toml" --compare --format markdown
   done
 } >"$out/separation_comparison.md"
+
+echo "The same 1,705 times with scatter"
+hinge-study data/studies/soyuz.toml --jobs "$(nproc)" \
+  --journal "$out/soyuz_study.journal" --csv "$out/soyuz_study.csv" \
+  --output "$out/soyuz_study.json" $(picture soyuz_study) \
+  >"$out/soyuz_study.md"
 
 echo "Pressure of a hip joint"
 hinge-pressure --joint data/joints/hip_cocr_uhmwpe_infinite.toml --load 2000 --pressure all \

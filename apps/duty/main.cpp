@@ -33,6 +33,13 @@ bodies, unit vectors in the body's own axes, of a pin the angle beta from X
 towards Y: pv_integral_Pa_m (times k: depth), depth_mm, cross_shear (share of
 the friction work across its main direction: 0 on a line, 0.5 without one).
 
+--cycles N wears the seat or hole in, with k of --wear-seat: after blocks of
+cycles the contact is widened by the volume that is gone (v, over pi rho^2 eps
+or 2 rho eps l), and has the pressure p ~ cos theta once that is more than what
+the load presses in. Good to 0.4 deg while theta0 < 90 deg; it knows nothing of
+creep, walls that wear through, edges and wear of the ball or pin. worn_...:
+after N cycles; --blocks: on the way.
+
 Output: quantity, value, at_time_s, x, y, z (where it is), meaning. With wear
 volume_defect says how well the map's sum fits the volume: 2/N for N points.
 --states: a row for each row of the cycle, columns as of hinge-joint --pv, and
@@ -45,6 +52,7 @@ constexpr std::string_view examples = R"(
 Examples:
   hinge-duty --joint data/reference/duty/cycle_hip.toml --cycle data/reference/duty/cycle_hip_in.csv --euler zxy --format markdown
   hinge-duty --joint data/reference/duty/cycle_hip.toml --cycle data/reference/duty/cycle_hip_in.csv --euler zxy --wear-seat 1e-6 --map map.csv --output hip.csv
+  hinge-duty --joint data/reference/duty/cycle_hip.toml --cycle data/reference/duty/cycle_hip_in.csv --euler zxy --wear-seat 1e-6 --cycles 5e6 --blocks blocks.csv --format markdown
   hinge-duty --joint data/reference/duty/cycle_pin.toml --cycle data/reference/duty/cycle_pin_in.csv --wear-seat 2e-7 --wear-inner 5e-8 --states states.csv
 
 )";
@@ -70,6 +78,9 @@ void add_cycle(CLI::App& app, Options& options) {
        "NUMBER");
   text("--map", options.map, "CSV file of the wear of both bodies", "FILE");
   text("--grid", options.grid, "points of each body; default 2000", "N");
+  text("--cycles", options.cycles,
+       "number of cycles in which wear of the seat changes the contact", "N");
+  text("--blocks", options.blocks, "CSV file of the joint as it wears", "FILE");
 }
 
 }  // namespace
@@ -79,6 +90,7 @@ int main(int argc, char** argv) {
   Options options;
   add_joint_options(app, options.joint);
   add_law_options(app, options.joint, cli::Laws::one, cli::Laws::one);
+  add_friction_options(app, options.friction);
   add_cycle(app, options);
   add_output_options(app, options.output);
   app.add_option("--states", options.states,

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "cli/joint/friction_options.hpp"
 #include "cli/joint/joint_options.hpp"
 #include "cli/program.hpp"
 
@@ -11,6 +12,7 @@ namespace hinge_duty {
 /// The command line as it was written; "" for options that were not given.
 struct Options {
   cli::JointOptions joint = {.use = cli::JointUse::friction};
+  cli::FrictionOptions friction;
   std::string cycle;
   std::string period;
   std::string euler;
@@ -20,6 +22,8 @@ struct Options {
   std::string wear_inner;
   std::string map;
   std::string grid;
+  std::string cycles;
+  std::string blocks;
   std::string states;
   cli::OutputOptions output;
 };

@@ -176,9 +176,58 @@ void write_wear(const BodyWear& wear, double pv_integral, Lines& to) {
             "of the map's volume against k pv_integral_J");
 }
 
+// What wear_in() says at some time.
+struct WornQuantity {
+  const char* name;
+  double (*of)(const contact::WornState&);
+  const char* meaning;
+};
+constexpr WornQuantity worn_quantities[] = {
+    {"cycles", [](const contact::WornState& w) { return w.cycles; },
+     "after them"},
+    {"wear_number", [](const contact::WornState& w) { return w.wear_number; },
+     "volume over pi rho^2 eps, of a pin 2 rho eps l"},
+    {"volume_seat_mm3",
+     [](const contact::WornState& w) { return w.volume / (mm * mm * mm); },
+     "worn off; reliable"},
+    {"penetration_mm",
+     [](const contact::WornState& w) { return w.penetration / mm; },
+     "deepest wear, to 8 %, once most of it is wear; no creep"},
+    {"theta0_deg",
+     [](const contact::WornState& w) { return w.half_angle / degree; },
+     "largest, to 0.4 deg"},
+    {"p_peak_Pa", [](const contact::WornState& w) { return w.peak_pressure; },
+     "largest"},
+    {"pv_max_W_per_m2", [](const contact::WornState& w) { return w.pv; },
+     "largest"},
+    {"energy_J", [](const contact::WornState& w) { return w.energy; },
+     "of a cycle"},
+    {"mean_M_t_N_m", [](const contact::WornState& w) { return w.mean_moment; },
+     "mean of the friction moment"},
+    {"worn_in", [](const contact::WornState& w) { return w.worn_in ? 1. : 0; },
+     "1: pressure p ~ cos theta, 0: that of the joint"},
+};
+
 }  // namespace
 
+void write_blocks(const std::vector<contact::WornState>& worn,
+                  cli::Output& output, const cli::OutputOptions& options) {
+  std::vector<std::string> columns;
+  for (const WornQuantity& q : worn_quantities) columns.emplace_back(q.name);
+  const cli::Table table(all_columns(options), columns);
+  cli::Text text;
+  cli::RowWriter to(table, text);
+  for (const contact::WornState& state : worn) {
+    for (const WornQuantity& q : worn_quantities) to.number(q.of(state));
+    to.end();
+  }
+  cli::TableWriter writer(output, table);
+  writer.write(text.view());
+  writer.finish();
+}
+
 void write_summary(const JointCycle& cycle, const std::vector<BodyWear>& wear,
+                   const std::vector<contact::WornState>& worn,
                    cli::Output& output, const cli::OutputOptions& options) {
   const cli::Table table(
       options, {"quantity", "value", "at_time_s", "x", "y", "z", "meaning"});
@@ -188,6 +237,13 @@ void write_summary(const JointCycle& cycle, const std::vector<BodyWear>& wear,
   const double pv_integral = cycle.integral(
       [&](const CycleInstant& i) { return cycle.sliding(i).pv_total(); });
   for (const BodyWear& w : wear) write_wear(w, pv_integral, lines);
+  if (!worn.empty()) {
+    for (const WornQuantity& q : worn_quantities) {
+      const std::string name = q.name;
+      lines.number(name.starts_with("worn") ? name : "worn_" + name,
+                   q.of(worn.back()), q.meaning);
+    }
+  }
   cli::TableWriter writer(output, table);
   writer.write(lines.view());
   writer.finish();

@@ -6,6 +6,7 @@
 
 #include "cli/program.hpp"
 #include "libcontact/duty/joint_cycle.hpp"
+#include "libcontact/duty/wear_in.hpp"
 #include "libcontact/duty/wear_map.hpp"
 
 namespace hinge_duty {
@@ -22,9 +23,14 @@ struct BodyWear {
 };
 
 /// A line for each quantity of the cycle.
+/// @param worn  of wear_in(); may be empty
 void write_summary(const contact::JointCycle& cycle,
-                   const std::vector<BodyWear>& wear, cli::Output& output,
-                   const cli::OutputOptions& options);
+                   const std::vector<BodyWear>& wear,
+                   const std::vector<contact::WornState>& worn,
+                   cli::Output& output, const cli::OutputOptions& options);
+/// A row for each block of cycles, and one for the end.
+void write_blocks(const std::vector<contact::WornState>& worn,
+                  cli::Output& output, const cli::OutputOptions& options);
 /// A row for each row of the cycle's file.
 void write_states(const contact::JointCycle& cycle, cli::Output& output,
                   const cli::OutputOptions& options);

@@ -53,8 +53,9 @@ WearOptions wear_options(const Options& options) {
 
 // Those beside --output and --plot.
 void check_files(const Options& options) {
-  for (const auto& [option, file] :
-       {std::pair("--map", &options.map), {"--states", &options.states}}) {
+  for (const auto& [option, file] : {std::pair("--map", &options.map),
+                                     {"--states", &options.states},
+                                     {"--blocks", &options.blocks}}) {
     if (file->empty()) continue;
     if (*file == "-") cli::refuse(option, *file, "the name of a file");
     cli::Output::check(*file);
@@ -63,7 +64,8 @@ void check_files(const Options& options) {
       {"--output", options.output.output},
       {"--plot", options.output.plot},
       {"--map", options.map},
-      {"--states", options.states}};
+      {"--states", options.states},
+      {"--blocks", options.blocks}};
   for (auto one = files.begin(); one != files.end(); ++one) {
     for (auto other = files.begin(); other != one; ++other) {
       if (one->second.empty() || one->second != other->second) continue;
@@ -75,13 +77,9 @@ void check_files(const Options& options) {
 
 contact::JointContact contact_of(const cli::Joint& joint,
                                  const Options& options) {
-  if (!joint.friction) {
-    cli::refuse_without(cli::given("--joint", options.joint.joint),
-                        "friction: neither the joint nor its materials "
-                        "have one");
-  }
-  return {*joint.geometry, joint.pair, *joint.friction, joint.laws[0].law,
-          joint.pressures[0].law};
+  return {*joint.geometry, joint.pair,
+          make_friction(options.friction, joint.friction, options.joint),
+          joint.laws[0].law, joint.pressures[0].law};
 }
 
 // Beyond 90 deg a ball that sinks into its worn seat leaves the seat's rim.
@@ -95,6 +93,40 @@ void check_wear(const JointCycle& cycle) {
                   "{:.4g} s,",
                   angle, widest.time),
       "at most 90 deg"));
+}
+
+// The joint in the course of --cycles; empty without it.
+std::vector<contact::WornState> worn_states(const Options& options,
+                                            const WearOptions& wear,
+                                            const JointCycle& cycle) {
+  if (options.cycles.empty()) {
+    if (options.blocks.empty()) return {};
+    cli::refuse_without("--blocks", "--cycles");
+  }
+  const std::string given = cli::given("--cycles", options.cycles);
+  if (!wear.seat) cli::refuse_without(given, "--wear-seat");
+  const double cycles =
+      cli::parse_value("--cycles", options.cycles, {0, 1e15, ""});
+  if (wear.inner && *wear.inner > 0) {
+    cli::warn("hinge-duty",
+              "--cycles: wear of the ball or pin does not change the contact");
+  }
+  constexpr double si = 1e-9;  // of mm^3/(N m)
+  return contact::wear_in(cycle.cycle(), cycle.contact(), *wear.seat * si,
+                          cycles);
+}
+
+// Where the wear comes through a wall.
+void warn_of_walls(const cli::Joint& joint,
+                   const std::vector<contact::WornState>& worn) {
+  const auto& walls = joint.conditions.walls;
+  if (!walls || worn.empty() || walls->outer().layers.empty()) return;
+  const double thickness = walls->outer().layers.front().thickness;
+  if (worn.back().penetration < thickness / 2) return;
+  cli::warn("hinge-duty",
+            fmt::format("--cycles: {:.3g} mm of a layer of {:.3g} mm are gone; "
+                        "the contact is that of the whole layer",
+                        worn.back().penetration * 1e3, thickness * 1e3));
 }
 
 BodyWear wear_of(const JointCycle& cycle, JointBody body,
@@ -149,13 +181,16 @@ cli::ExitStatus run(const Options& options) {
       wear.push_back(wear_of(cycle, body, wear_options));
     }
   }
+  const auto worn = worn_states(options, wear_options, cycle);
   cli::warn_of_validity("hinge-duty", {joint});
   warn_of_cycle(cycle);
+  warn_of_walls(joint, worn);
 
   cli::Output output(options.output.output);
   std::optional<cli::Output> states;
   std::optional<cli::Output> map;
-  write_summary(cycle, wear, output, options.output);
+  std::optional<cli::Output> blocks;
+  write_summary(cycle, wear, worn, output, options.output);
   if (!options.states.empty()) {
     states.emplace(options.states);
     write_states(cycle, *states, options.output);
@@ -164,7 +199,12 @@ cli::ExitStatus run(const Options& options) {
     map.emplace(options.map);
     write_map(wear, friction.is_pin(), *map, options.output);
   }
+  if (!options.blocks.empty()) {
+    blocks.emplace(options.blocks);
+    write_blocks(worn, *blocks, options.output);
+  }
   if (states) states->commit();
+  if (blocks) blocks->commit();
   if (map) map->commit();
   output.commit();
   const std::string& plot = options.output.plot;

@@ -61,7 +61,7 @@ contact::FrictionModel given_friction(
   const auto* dry = std::get_if<FrictionLaw>(&model);
   if (dry == nullptr) {
     cli::refuse_without("--fit " + options.fit,
-                        "dry friction: the joint's is viscous");
+                        "dry friction: the joint's is not");
   }
   if (!f0 && !joint.friction && options.friction.empty()) {
     cli::refuse_without("--fit " + options.fit,

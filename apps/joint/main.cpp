@@ -119,19 +119,10 @@ std::string footer() {
 }
 
 void add_friction(CLI::App& app, Options& options) {
-  app.option_defaults()->group("Friction");
-  app.add_option("--friction", options.friction, "f0 of f = f0 + A/p")
-      ->option_text("NUMBER");
-  app.add_option("--adhesion", options.adhesion,
-                 "A of f = f0 + A/p, Pa; default 0")
-      ->option_text("NUMBER");
-  app.add_option("--viscous", options.viscous,
-                 "k0, Pa s/m, or k0,k1 (s/m): friction stress (k0 + k1 p) v")
-      ->option_text("NUMBERS");
+  add_friction_options(app, options.friction);
   app.add_option("--measured-moment", options.measured_moment,
                  "|M_t|, N m, from which f0 is found")
       ->option_text("NUMBER");
-  cli::exclude(app, "--viscous", {"--friction", "--adhesion"});
   cli::exclude(app, "--measured-moment", {"--friction", "--viscous"});
 }
 

@@ -144,6 +144,14 @@ void check_plot(const Setup& setup, const Inputs& inputs) {
   }
 }
 
+void check_rest(const Setup& setup, const Inputs& inputs) {
+  if (inputs.question() != Question::rest) return;
+  for (const NamedJoint& joint : setup.joints) {
+    const std::string refusal = joint.joint.contact().rest_refusal();
+    if (!refusal.empty()) cli::refuse_without("--moment-xyz", refusal);
+  }
+}
+
 // What write_summary() can write.
 void check_summary(const Setup& setup, const Inputs& inputs) {
   if (inputs.size() == 1 && setup.joints.size() == 1) return;
@@ -161,6 +169,7 @@ cli::ExitStatus run(const Options& options) {
   }
   const bool plot = !options.output.plot.empty();
   if (plot) check_plot(setup, inputs);
+  check_rest(setup, inputs);
   if (options.summary) check_summary(setup, inputs);
   if (!options.measured_moment.empty()) {
     find_friction(options.measured_moment, inputs, setup);

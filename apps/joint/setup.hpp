@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/joint/friction_options.hpp"
 #include "cli/joint/joint_approach.hpp"
 #include "cli/joint/joint_options.hpp"
 #include "cli/program.hpp"
@@ -16,9 +17,7 @@ namespace hinge_joint {
 /// were not given.
 struct Options {
   cli::JointOptions joint = {.use = cli::JointUse::friction};
-  std::string friction;
-  std::string adhesion;
-  std::string viscous;
+  cli::FrictionOptions friction;
   std::string measured_moment;
 
   std::string reaction_xyz;

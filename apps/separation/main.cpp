@@ -19,9 +19,8 @@ are in apps/separation/case_file.md, examples in data/cases.
 The summary (JSON, --output) has the events, for each body peak reactions,
 work of friction, time at rest, angle and rates at release, for each joint
 peak reaction, peak pressure and largest half-angle theta0, the smallest
-clearances and the energy balance. Peaks are looked for within the steps too,
-clearances at the output times, the ends of steps, and the instants before and
-after each event.
+clearances and the energy balance. Peaks and smallest clearances are looked for
+within the steps too.
 Angles are in degrees, all else in SI units; the keys name the unit.
 
 Columns of the history: time_s; of each body with a hinge NAME.mode (sliding,

@@ -180,10 +180,15 @@ contact_status contact_joint_friction(const contact_joint* joint,
                                       double half_angle, double slip_axis_angle,
                                       contact_friction* friction) {
   return call([=] {
-    const auto i =
-        contact_of(joint, "contact_joint_friction: joint")
-            .integrals(half_angle,
-                       contact::SlipAxis::from_angle(slip_axis_angle));
+    const auto& contact = contact_of(joint, "contact_joint_friction: joint");
+    if (contact.stress()) {
+      throw Error(detail::must_be(
+          "contact_joint_friction: joint",
+          "one whose friction coefficients depend on half-angle and slip axis "
+          "alone; of a friction stress solve()"));
+    }
+    const auto i = contact.integrals(
+        half_angle, contact::SlipAxis::from_angle(slip_axis_angle), {});
     given(friction, "contact_joint_friction: friction") = {
         {i.coefficient.force, i.coefficient.sliding, i.coefficient.spinning},
         {i.area.force, i.area.sliding, i.area.spinning}};

@@ -97,7 +97,8 @@ typedef struct contact_friction {
   double area[3];
 } contact_friction;
 /* half_angle: theta0, rad. slip_axis_angle: a, rad, -pi/2 to pi/2, from pure
- * sliding (0) to pure spinning; without influence for a pin. */
+ * sliding (0) to pure spinning; without influence for a pin. CONTACT_BAD_INPUT
+ * for a stress of pressure and speed, which has no such integrals. */
 contact_status contact_joint_friction(const contact_joint* joint,
                                       double half_angle, double slip_axis_angle,
                                       contact_friction* friction);

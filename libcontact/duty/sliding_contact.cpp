@@ -56,9 +56,9 @@ SlidingContact::SlidingContact(const JointContact& contact,
   rim_speed_ = rho * rate.stableNorm();
   if (const auto* dry = std::get_if<FrictionLaw>(&contact.friction())) {
     heat_stress_ = {dry->coefficient(), dry->adhesion(), 1};
-  } else {
-    const auto& viscous = std::get<ViscousLaw>(contact.friction());
-    heat_stress_ = {viscous.pressure_slope(), viscous.constant(), 2};
+  } else if (const auto* viscous =
+                 std::get_if<ViscousLaw>(&contact.friction())) {
+    heat_stress_ = {viscous->pressure_slope(), viscous->constant(), 2};
   }
   largest_pv_ = largest_heat_flux_ = {0, 0, centre_};
   if (normal_force_ == 0 || rim_speed_ == 0) {
@@ -70,7 +70,9 @@ SlidingContact::SlidingContact(const JointContact& contact,
       geometry.nominal_pressure(solution.reaction.stableNorm()) * rim_speed_;
   largest_pv_ = largest({1, 0, 1});
   largest_heat_flux_ = largest_pv_;
-  if (heat_stress_.constant_part == 0 && heat_stress_.power == 1) {
+  if (contact.stress()) {
+    largest_heat_flux_ = largest_of_stress();
+  } else if (heat_stress_.constant_part == 0 && heat_stress_.power == 1) {
     largest_heat_flux_.value *= heat_stress_.pressure_part;
   } else {
     largest_heat_flux_ = largest(heat_stress_);
@@ -79,6 +81,18 @@ SlidingContact::SlidingContact(const JointContact& contact,
 
 void SlidingContact::add_totals(const JointSolution& s) noexcept {
   const JointContact& contact = *contact_;
+  const bool is_ball = contact.geometry().kind() == JointKind::ball;
+  const auto pressed = [&] {
+    return about(friction_integrals(contact.pressure_law(), half_angle_, axis_)
+                     .coefficient,
+                 axis_);
+  };
+  if (contact.stress()) {
+    heat_ = -s.power;
+    slip_coefficient_ =
+        is_ball ? pressed() : contact.pressure_law().force_ratio(half_angle_);
+    return;
+  }
   const auto& [pressure_part, constant_part, power] = heat_stress_;
   // All that friction needed the integrals for.
   if (constant_part == 0 && power == 1 && s.force_coefficient > 0) {
@@ -86,19 +100,15 @@ void SlidingContact::add_totals(const JointSolution& s) noexcept {
     slip_coefficient_ = heat_ / (rim_speed_ * normal_force_ * pressure_part);
     return;
   }
-  const FrictionIntegrals i = contact.integrals(half_angle_, axis_);
+  const FrictionIntegrals i = contact.integrals(
+      half_angle_, axis_, {normal_force_, rate_.stableNorm()});
   const auto strength = contact.strength(rate_.stableNorm());
   heat_ = rim_speed_ * (strength.pressure_part * normal_force_ *
                             about(i.coefficient, axis_) +
                         strength.area_part * about(i.area, axis_));
   // Integrals of viscous friction have |v| twice.
-  const bool other = power == 2 && contact.geometry().kind() == JointKind::ball;
   slip_coefficient_ =
-      other
-          ? about(friction_integrals(contact.pressure_law(), half_angle_, axis_)
-                      .coefficient,
-                  axis_)
-          : about(i.coefficient, axis_);
+      power == 2 && is_ball ? pressed() : about(i.coefficient, axis_);
 }
 
 double SlidingContact::pressure_at(double theta) const noexcept {
@@ -120,9 +130,8 @@ double SlidingContact::pv(const Vector3d& place) const noexcept {
 double SlidingContact::heat_flux(const Vector3d& place) const noexcept {
   const double chord = (place - centre_).norm();
   if (pressure_unit_ == 0 || chord > 2 * std::sin(half_angle_ / 2)) return 0;
-  const auto& [pressure_part, constant_part, power] = heat_stress_;
-  return (pressure_part * pressure(place) + constant_part) *
-         std::pow(slip(place).norm(), power);
+  const double speed = slip(place).norm();
+  return friction_stress(contact_->friction(), pressure(place), speed) * speed;
 }
 
 // The largest |v| over rho |Dw| on the parallel theta.
@@ -168,12 +177,26 @@ double SlidingContact::peak_angle(const Stress& stress) const noexcept {
 
 ContactPeak SlidingContact::largest(const Stress& stress) const noexcept {
   const double theta = peak_angle(stress);
+  return peak_at(
+      theta,
+      (stress.pressure_part * pressure_at(theta) + stress.constant_part) *
+          std::pow(rim_speed_ * share_of_speed(theta), stress.power));
+}
+
+ContactPeak SlidingContact::largest_of_stress() const noexcept {
+  const auto flux = [&](double theta) {
+    const double speed = rim_speed_ * share_of_speed(theta);
+    return contact_->stress()->stress_at(pressure_at(theta), speed) * speed;
+  };
+  const double inside = highest(flux, half_angle_);
+  const double theta = flux(0) >= flux(inside) ? 0 : inside;
+  return peak_at(theta, flux(theta));
+}
+
+ContactPeak SlidingContact::peak_at(double theta, double value) const noexcept {
   const double cosine = std::cos(theta);
   const double sine = std::sin(theta);
   const Vector3d w = rate_.stableNormalized();
-  const double value =
-      (stress.pressure_part * pressure_at(theta) + stress.constant_part) *
-      std::pow(rim_speed_ * share_of_speed(theta), stress.power);
   if (theta == 0) return {value, 0, centre_};
   // Away from Dw; of a pin round it.
   const Vector3d across = centre_.cross(w);

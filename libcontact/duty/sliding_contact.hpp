@@ -2,9 +2,9 @@
 
 #include <Eigen/Core>
 
-#include "libcontact/duty/pressure_profile.hpp"
 #include "libcontact/joint/contact.hpp"
 #include "libcontact/joint/solution.hpp"
+#include "libcontact/pressure/profile.hpp"
 
 namespace contact {
 
@@ -46,7 +46,8 @@ class SlidingContact {
 
   /// Both lie in the plane of n and Dw, on the side turned away from Dw, and
   /// off the centre unless a = 0. theta to 1e-12, 1e-7 where thin walls
-  /// move the peak pressure off the centre
+  /// move the peak pressure off the centre and for the heat flux of a
+  /// FrictionStress, which is taken to grow with the slip
   /// (duty/sliding_contact_test.cpp, against closed forms).
   const ContactPeak& largest_pv() const { return largest_pv_; }
   const ContactPeak& largest_heat_flux() const { return largest_heat_flux_; }
@@ -68,13 +69,15 @@ class SlidingContact {
 
  private:
   /// A friction stress or p itself: (pressure_part p + constant_part) times
-  /// |v| to some power.
+  /// |v| to some power. Not of FrictionStress.
   struct Stress {
     double pressure_part;
     double constant_part;
     int power;
   };
   ContactPeak largest(const Stress& stress) const noexcept;
+  ContactPeak peak_at(double theta, double value) const noexcept;
+  ContactPeak largest_of_stress() const noexcept;
   double peak_angle(const Stress& stress) const noexcept;
   void add_totals(const JointSolution& solution) noexcept;
   double share_of_speed(double theta) const noexcept;

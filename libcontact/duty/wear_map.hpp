@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "libcontact/duty/joint_cycle.hpp"
-#include "libcontact/duty/pressure_profile.hpp"
+#include "libcontact/pressure/profile.hpp"
 
 namespace contact {
 

@@ -36,6 +36,7 @@ constexpr Unit units[][6] = {
      {"MPa_s_per_m", 1e6},
      {"GPa_s_per_m", 1e9}},
     {{"s_per_m"}},
+    {{"m_per_s_Pa"}, {"mm_per_s_MPa", 1, 1e9}},
 };
 
 }  // namespace

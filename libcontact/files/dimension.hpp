@@ -28,6 +28,7 @@ enum class Dimension {
   inertia,               ///< kg_m2
   viscous_constant,      ///< Pa_s_per_m, kPa_s_per_m, ... GPa_s_per_m
   inverse_velocity,      ///< s_per_m
+  hersey,                ///< m_per_s_Pa, mm_per_s_MPa
 };
 
 /// A unit of keys and options. value in SI = value * multiply / divide; powers

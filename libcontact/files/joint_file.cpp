@@ -30,10 +30,55 @@ ElasticPair pair_from_table(const TomlTable& table) {
   return ElasticPair(inner, outer);
 }
 
+FrictionStress curve_from_table(
+    const TomlTable& friction, std::string_view points,
+    FrictionStress (*make)(const FrictionStress::Table&)) {
+  const ArrayShape two_or_more{.rows = 2, .or_more = true};
+  FrictionStress::Table table;
+  table.points = friction.numbers(points, two_or_more, Interval::positive());
+  table.coefficients =
+      friction.numbers("coefficients", two_or_more, Interval::non_negative());
+  if (friction.optional_choice("curve", {"spline", "linear"}).value_or(0)) {
+    table.curve = TableCurve::linear;
+  }
+  try {
+    return make(table);
+  } catch (const Error& error) {
+    friction.fail("coefficients", error.what());
+  }
+}
+
+// A stress of pressure and speed, by the name of its law.
+FrictionStress stress_from_table(const TomlTable& friction) {
+  const Interval coefficient = Interval::non_negative();
+  switch (friction.choice(
+      "law", {"stribeck", "power", "pressure_table", "hersey_table"})) {
+    case 0: {
+      const double fs = friction.number("static_coefficient", coefficient);
+      const double fc = friction.number("dynamic_coefficient", coefficient);
+      return FrictionStress::stribeck(
+          fs, fc, friction.number("stribeck_velocity", Interval::positive()));
+    }
+    case 1: {
+      const double f = friction.number("coefficient", coefficient);
+      const double p =
+          friction.number("reference_pressure", Interval::positive());
+      return FrictionStress::power(f, p, friction.number("exponent", {0, 1}));
+    }
+    case 2:
+      return curve_from_table(friction, "pressures",
+                              &FrictionStress::of_pressure);
+    default:
+      return curve_from_table(friction, "speeds_over_pressure",
+                              &FrictionStress::of_hersey);
+  }
+}
+
 // Viscous friction has either of its two numbers, dry friction a coefficient.
 std::optional<FrictionModel> friction_from_table(const TomlTable& table) {
   const auto friction = table.optional_table("friction");
   if (!friction) return {};
+  if (friction->has("law")) return stress_from_table(*friction);
   const Interval range = Interval::non_negative();
   const auto constant = friction->optional_number("viscous_constant", range);
   const auto slope = friction->optional_number("viscous_pressure_slope", range);
@@ -53,7 +98,17 @@ KnownKeys friction_keys() {
   return {{"coefficient"},
           {"adhesion", Dimension::stress},
           {"viscous_constant", Dimension::viscous_constant},
-          {"viscous_pressure_slope", Dimension::inverse_velocity}};
+          {"viscous_pressure_slope", Dimension::inverse_velocity},
+          {"law"},
+          {"static_coefficient"},
+          {"dynamic_coefficient"},
+          {"stribeck_velocity", Dimension::velocity},
+          {"reference_pressure", Dimension::stress},
+          {"exponent"},
+          {"pressures", Dimension::stress},
+          {"speeds_over_pressure", Dimension::hersey},
+          {"coefficients"},
+          {"curve"}};
 }
 
 KnownKeys material_pair_keys() {
@@ -153,14 +208,11 @@ JointGeometry geometry_from_table(const TomlTable& joint,
 // [materials]: pair = "FILE", or [materials.inner] and [materials.outer].
 MaterialPair materials_from_table(const TomlTable& joint) {
   const TomlTable table = joint.table("materials");
-  const auto file = table.optional_text("pair");
-  if (!file) return {"", pair_from_table(table), {}};
+  if (!table.has("pair")) return {"", pair_from_table(table), {}};
   table.refuse_both("pair", "inner");
   table.refuse_both("pair", "outer");
   try {
-    return material_pair_from_table(
-        TomlTable::from_file(table.folder() / *file, material_pair_keys(),
-                             table.settings_of_file()));
+    return material_pair_from_table(table.file("pair", material_pair_keys));
   } catch (const Error& error) {
     table.fail("pair", error.what());
   }
@@ -364,25 +416,21 @@ KnownKeys joint_keys() {
   return keys;
 }
 
-namespace {
-
-JointSpec whole_joint(const TomlTable& file) {
+JointSpec joint_of_file(const TomlTable& file) {
   JointSpec joint = joint_from_table(file);
   file.refuse_idle();
   return joint;
 }
 
-}  // namespace
-
 JointSpec read_joint(const std::filesystem::path& path,
                      const KeySettings& settings) {
-  return whole_joint(TomlTable::from_file(path, joint_keys(), settings));
+  return joint_of_file(TomlTable::from_file(path, joint_keys(), settings));
 }
 
 JointSpec parse_joint(std::string_view text, const std::string& source,
                       const KeySettings& settings,
                       const std::filesystem::path& folder) {
-  return whole_joint(
+  return joint_of_file(
       TomlTable::from_text(text, source, joint_keys(), folder, settings));
 }
 

@@ -102,6 +102,8 @@ JointSpec parse_joint(std::string_view text, const std::string& source,
 /// A joint that is part of a larger file, which has joint_keys() among its own.
 /// Paths are relative to the folder of the table's file.
 JointSpec joint_from_table(const TomlTable& table);
+/// A joint that is all of a file with joint_keys().
+JointSpec joint_of_file(const TomlTable& file);
 /// All keys that a joint may have.
 KnownKeys joint_keys();
 

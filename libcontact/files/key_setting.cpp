@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
+#include <optional>
 #include <string_view>
 #include <utility>
 
@@ -70,6 +72,56 @@ bool is_of_file(const toml::table& table, const KnownKeys* keys,
   });
 }
 
+// The name under which a table has a key, in whatever unit; the one that was
+// given if it has none.
+std::string name_in(const toml::table& table, const KnownKey* key,
+                    std::string_view given) {
+  if (key != nullptr && !table.contains(given)) {
+    for (const std::string& other : spellings(key->key, key->dimension)) {
+      if (table.contains(other)) return other;
+    }
+  }
+  return std::string(given);
+}
+
+// What a number, or all numbers of an array, are when multiplied, as in TOML;
+// "" for anything else.
+std::string multiplied(const toml::node& node, double factor) {
+  if (const auto number = node.value<double>()) {
+    return message("{}", *number * factor);
+  }
+  const toml::array* array = node.as_array();
+  if (array == nullptr) return {};
+  std::string text;
+  for (const toml::node& element : *array) {
+    const std::string next = multiplied(element, factor);
+    if (next.empty()) return {};
+    text += (text.empty() ? "[" : ", ") + next;
+  }
+  return text + ']';
+}
+
+// The factor of a value "*1.05".
+std::optional<double> factor_of(std::string_view value) {
+  if (!value.starts_with('*')) return {};
+  double factor = 0;
+  const auto [end, error] =
+      std::from_chars(value.data() + 1, value.data() + value.size(), factor);
+  const bool whole = end == value.data() + value.size();
+  if (error != std::errc() || !whole || !std::isfinite(factor)) return {};
+  return factor;
+}
+
+// The node of an array that "[2]" calls; null if there is none.
+toml::node* element(toml::node* array, std::string_view which) {
+  if (array == nullptr || array->as_array() == nullptr) return nullptr;
+  std::size_t index = 0;
+  const auto end = which.data() + which.size();
+  const auto [stop, error] = std::from_chars(which.data(), end, index);
+  const bool is_number = error == std::errc() && stop == end;
+  return is_number ? array->as_array()->get(index - 1) : nullptr;
+}
+
 // {value = VALUE}, whose nodes say where they are from; what is no TOML is a
 // text.
 toml::table parsed(const std::string& value, const std::string& source) {
@@ -109,14 +161,36 @@ KeyOfFile set_key(toml::table& file, const KnownKeys& keys,
       setting.value.find("'''") != setting.value.npos) {
     refuse();
   }
-  if (const KnownKey* leaf = known(in, rest)) {
-    for (const std::string& other : spellings(leaf->key, leaf->dimension)) {
+  const Step leaf = step_of(rest);
+  const KnownKey* key = known(in, leaf.name);
+  const auto factor = factor_of(setting.value);
+  const std::string name =
+      factor ? name_in(*table, key, leaf.name) : std::string(leaf.name);
+  toml::node* there = table->get(name);
+  if (!leaf.which.empty()) there = element(there, leaf.which);
+  std::string value = setting.value;
+  if (factor) {
+    value = there == nullptr ? "" : multiplied(*there, *factor);
+    if (value.empty()) {
+      throw Error(needs(text, "a number, or numbers, to multiply"));
+    }
+  }
+  toml::table made = parsed(value, text);
+  toml::node& node = *made.get("value");
+  if (!leaf.which.empty()) {
+    if (there == nullptr) refuse();
+    toml::array& array = *table->get_as<toml::array>(name);
+    const auto place = std::ranges::find_if(
+        array, [there](const toml::node& other) { return &other == there; });
+    node.visit([&](auto& v) { array.replace(place, std::move(v)); });
+    return {nullptr, {}};
+  }
+  if (key != nullptr) {
+    for (const std::string& other : spellings(key->key, key->dimension)) {
       table->erase(other);
     }
   }
-  toml::table made = parsed(setting.value, text);
-  made.get("value")->visit(
-      [&](auto& node) { table->insert_or_assign(rest, std::move(node)); });
+  node.visit([&](auto& v) { table->insert_or_assign(name, std::move(v)); });
   return {nullptr, {}};
 }
 

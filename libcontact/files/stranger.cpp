@@ -68,6 +68,22 @@ std::vector<const KnownKey*> of_kind(const toml::table& table,
   return named ? fitting : all;
 }
 
+// Called for every key that is read: without the list of of_kind().
+const KnownKey* known_key(const toml::table& table, const KnownKeys& keys,
+                          std::string_view name) {
+  const toml::value<std::string>* kind = table["kind"].as_string();
+  const auto fits = [kind](const KnownKey& key) {
+    return kind != nullptr && has_word(key.kinds, kind->get());
+  };
+  const KnownKey* other = nullptr;
+  for (const KnownKey& key : keys) {
+    if (key.key != name) continue;
+    if (key.kinds.empty() || fits(key)) return &key;
+    if (other == nullptr) other = &key;
+  }
+  return other == nullptr || std::ranges::any_of(keys, fits) ? nullptr : other;
+}
+
 void Stranger::look_for(const toml::node& in, const KnownKeys& keys,
                         const std::string& path) {
   if (const toml::array* array = in.as_array()) {

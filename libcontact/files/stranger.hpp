@@ -2,6 +2,7 @@
 
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "libcontact/files/toml_nodes.hpp"
@@ -12,6 +13,10 @@ namespace contact::detail {
 /// Of these keys those of the table's kind; all if it is missing or wrong.
 std::vector<const KnownKey*> of_kind(const toml::table& table,
                                      const KnownKeys& keys);
+
+/// That of this name among them; null if there is none.
+const KnownKey* known_key(const toml::table& table, const KnownKeys& keys,
+                          std::string_view name);
 
 /// The first key of a file that is not known, or not read.
 struct Stranger {

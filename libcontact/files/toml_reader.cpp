@@ -7,6 +7,7 @@
 #include <fstream>
 #include <iterator>
 #include <map>
+#include <mutex>
 #include <set>
 #include <span>
 #include <sstream>
@@ -34,31 +35,69 @@ std::string shape_text(const ArrayShape& shape) {
              : detail::message("{} arrays of {} numbers", text, shape.columns);
 }
 
+std::string text_of(const std::filesystem::path& path) {
+  const auto refuse = [&path](const std::string& why) {
+    throw Error(detail::message("{}: cannot be read: {}",
+                                detail::printable(path.string(), longest_line),
+                                why));
+  };
+  if (detail::has_control_characters(path.native())) {
+    refuse("its name has control characters");
+  }
+  std::error_code error;
+  const auto status = std::filesystem::status(path, error);
+  if (error) refuse(error.message());
+  // A device could be endless.
+  if (!std::filesystem::is_regular_file(status) &&
+      !std::filesystem::is_fifo(status)) {
+    refuse("not a file");
+  }
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream) refuse(std::strerror(errno));
+  std::string text{std::istreambuf_iterator<char>(stream), {}};
+  if (stream.bad()) refuse(std::strerror(errno));
+  return text;
+}
+
 const toml::table& as_table(const void* table) {
   return *static_cast<const toml::table*>(table);
 }
 
 }  // namespace
 
+struct TomlTable::Parsed {
+  std::shared_ptr<const KnownKeys> keys;
+  toml::table root;
+};
+
+struct TomlTable::Cache {
+  std::mutex mutex = {};
+  std::map<std::string, Parsed> files = {};  // by their paths
+};
+
 struct TomlTable::File {
   std::string source;
   std::filesystem::path folder;
-  KnownKeys keys;
+  std::shared_ptr<const KnownKeys> keys;
   toml::table root = {};
+  // Of the files that it names too; null if they are read anew.
+  std::shared_ptr<Cache> cache = {};
   mutable std::set<const toml::node*> read = {};
   // By the table that names the file.
   std::map<const toml::table*, KeySettings> for_files = {};
 
-  // "FILE:LINE: ", or "FILE with KEY: " of what a setting has put there.
+  // "FILE:LINE: ", or "FILE with KEY: " of what a setting has put there. Nodes
+  // that are copies of others know no line.
   std::string at(const toml::node& node) const {
     if (source.empty()) return "";
     if (const auto& setting = node.source().path) {
       return detail::message("{} with {}: ", source, *setting);
     }
+    if (cache) return source + ": ";
     return detail::message("{}:{}: ", source, detail::line_of(node));
   }
   void refuse(detail::Stranger strange) const {
-    strange.look_for(root, keys, "");
+    strange.look_for(root, *keys, "");
     if (strange.node == nullptr) return;
     throw Error(at(*strange.node) + strange.complaint);
   }
@@ -82,17 +121,19 @@ struct TomlTable::Entry {
                 detail::must_be(detail::named(name + index, value), rule));
   }
 
+  // `index` makes the place in an array for a message: "[3]", "[2][1]".
+  template <class Index>
   double number(const toml::node& value, const Interval& range,
-                const std::string& index = "") const {
+                const Index& index) const {
     const auto integer = value.as_integer();
     const auto floating = value.as_floating_point();
-    if (!integer && !floating) must_be(value, index, "a number");
+    if (!integer && !floating) must_be(value, index(), "a number");
     const double result = unit->to_si(
         floating ? floating->get() : static_cast<double>(integer->get()));
     if (range.contains(result)) return result;
     const bool says_so =
         range.low == -Interval::largest || range.high != Interval::largest;
-    must_be(value, index,
+    must_be(value, index(),
             detail::range_text(range, *unit) +
                 (std::isinf(result) && !says_so ? " and finite" : ""));
   }
@@ -108,11 +149,12 @@ struct TomlTable::Entry {
     }
     std::size_t i = 0;
     for (const toml::node& element : *array) {
-      const std::string at = detail::message("{}[{}]", index, ++i);
+      ++i;
+      const auto at = [&] { return detail::message("{}[{}]", index, i); };
       if (shape.columns == 0) {
         to.push_back(number(element, range, at));
       } else {
-        numbers(element, {shape.columns}, range, at, to);
+        numbers(element, {shape.columns}, range, at(), to);
       }
     }
   }
@@ -133,57 +175,79 @@ TomlTable::TomlTable(std::shared_ptr<const File> file, const void* table,
 
 TomlTable TomlTable::from_file(const std::filesystem::path& path,
                                KnownKeys keys, const KeySettings& settings) {
-  const auto refuse = [&path](const std::string& why) {
-    throw Error(detail::message("{}: cannot be read: {}",
-                                detail::printable(path.string(), longest_line),
-                                why));
-  };
-  if (detail::has_control_characters(path.native())) {
-    refuse("its name has control characters");
-  }
-  std::error_code error;
-  const auto status = std::filesystem::status(path, error);
-  if (error) refuse(error.message());
-  // A device could be endless.
-  if (!std::filesystem::is_regular_file(status) &&
-      !std::filesystem::is_fifo(status)) {
-    refuse("not a file");
-  }
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream) refuse(std::strerror(errno));
-  const std::string text{std::istreambuf_iterator<char>(stream), {}};
-  if (stream.bad()) refuse(std::strerror(errno));
-  return from_text(text, path.string(), std::move(keys), path.parent_path(),
-                   settings);
+  return from_text(text_of(path), path.string(), std::move(keys),
+                   path.parent_path(), settings);
 }
 
 TomlTable TomlTable::from_text(std::string_view text, const std::string& source,
                                KnownKeys keys, std::filesystem::path folder,
                                const KeySettings& settings) {
-  auto file =
-      std::make_shared<File>(File{source, std::move(folder), std::move(keys)});
+  return of(parsed(text, source, std::move(keys)), source, std::move(folder),
+            settings, {});
+}
+
+TomlTable::Parsed TomlTable::parsed(std::string_view text,
+                                    const std::string& source, KnownKeys keys) {
   try {
-    file->root = toml::parse(text);
+    return {std::make_shared<const KnownKeys>(std::move(keys)),
+            toml::parse(text)};
   } catch (const toml::parse_error& error) {
     throw Error(detail::message(
         "{}:{}: {}", source, unsigned(error.source().begin.line),
         detail::printable(error.description(), longest_line)));
   }
+}
+
+TomlTable TomlTable::of(Parsed parsed, const std::string& source,
+                        std::filesystem::path folder,
+                        const KeySettings& settings,
+                        std::shared_ptr<Cache> cache) {
+  const auto file = std::make_shared<File>(
+      File{source, std::move(folder), std::move(parsed.keys),
+           std::move(parsed.root), std::move(cache)});
   for (const KeySetting& setting : settings) {
-    const auto [table, rest] = detail::set_key(file->root, file->keys, setting);
+    const auto [table, rest] =
+        detail::set_key(file->root, *file->keys, setting);
     if (table != nullptr) {
       file->for_files[table].push_back({rest, setting.value});
     }
   }
   file->refuse({});
-  return TomlTable(file, &file->root, &file->keys, "");
+  return TomlTable(file, &file->root, file->keys.get(), "");
+}
+
+TomlTable TomlTable::cached(const std::shared_ptr<Cache>& cache,
+                            const std::filesystem::path& path,
+                            KnownKeys (*keys)(), const KeySettings& settings) {
+  const std::string source = path.string();
+  const Parsed* known = nullptr;
+  {
+    const std::lock_guard lock(cache->mutex);
+    auto found = cache->files.find(source);
+    if (found == cache->files.end()) {
+      found =
+          cache->files.emplace(source, parsed(text_of(path), source, keys()))
+              .first;
+    }
+    known = &found->second;
+  }
+  return of(*known, source, path.parent_path(), settings, cache);
+}
+
+TomlFiles::TomlFiles() : cache_(std::make_shared<TomlTable::Cache>()) {}
+
+TomlTable TomlFiles::open(const std::filesystem::path& path,
+                          KnownKeys (*keys)(),
+                          const KeySettings& settings) const {
+  return TomlTable::cached(cache_, path, keys, settings);
 }
 
 const KnownKey& TomlTable::declared(std::string_view key) const {
-  for (const KnownKey* known : detail::of_kind(as_table(table_), *keys_)) {
-    if (known->key == key) return *known;
+  const KnownKey* known = detail::known_key(as_table(table_), *keys_, key);
+  if (known == nullptr) {
+    throw std::logic_error(detail::message("{} is not declared", key));
   }
-  throw std::logic_error(detail::message("{} is not declared", key));
+  return *known;
 }
 
 std::optional<TomlTable::Entry> TomlTable::find(std::string_view key) const {
@@ -231,7 +295,7 @@ bool TomlTable::is_table(std::string_view key) const {
 
 double TomlTable::number(std::string_view key, const Interval& range) const {
   const Entry entry = at(key);
-  return entry.number(*entry.node, range);
+  return entry.number(*entry.node, range, [] { return ""; });
 }
 
 std::vector<double> TomlTable::numbers(std::string_view key,
@@ -356,7 +420,7 @@ void TomlTable::refuse_both(std::string_view key,
 void TomlTable::refuse_idle() const { file_->refuse({&file_->read}); }
 
 std::string TomlTable::canonical_text() const {
-  return detail::canonical(file_->root);
+  return detail::canonical(as_table(table_));
 }
 
 std::string TomlTable::toml_text() const {
@@ -369,9 +433,13 @@ const std::string& TomlTable::source() const { return file_->source; }
 
 const std::filesystem::path& TomlTable::folder() const { return file_->folder; }
 
-KeySettings TomlTable::settings_of_file() const {
+TomlTable TomlTable::file(std::string_view key, KnownKeys (*keys)()) const {
+  const std::filesystem::path path = folder() / text(key);
   const auto found = file_->for_files.find(&as_table(table_));
-  return found == file_->for_files.end() ? KeySettings{} : found->second;
+  const KeySettings settings =
+      found == file_->for_files.end() ? KeySettings{} : found->second;
+  return file_->cache ? cached(file_->cache, path, keys, settings)
+                      : from_file(path, keys(), settings);
 }
 
 }  // namespace contact

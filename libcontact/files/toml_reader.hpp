@@ -49,13 +49,16 @@ inline KnownKey table_key(std::string_view key, KnownKeys inside) {
 /// A key of a file that is given another value: as `wall.layer[1].thickness_mm`
 /// = `8`. It takes the place of the same key in another unit. A table among
 /// several is called by its number or by its `name`, as in
-/// `body[slosh].mass_t`. What a table leaves to a file that it names is a key
-/// of the table.
+/// `body[slosh].mass_t`, a number of an array by its place: `com_m[1]`. What a
+/// table leaves to a file that it names is a key of the table. The value
+/// `*1.05` multiplies what is there: a number, or all numbers of an array.
 struct KeySetting {
   std::string key;    ///< with the tables that it stands in
   std::string value;  ///< as in TOML; a text may stand without quotes
 };
 using KeySettings = std::vector<KeySetting>;
+
+class TomlFiles;
 
 /// One table of a TOML file. A cheap handle; the file lives as long as any of
 /// its tables.
@@ -138,7 +141,7 @@ class TomlTable {
   /// for, because of what else is there. Call it when everything is read.
   void refuse_idle() const;
 
-  /// What the file says, in one form: the same for files that differ only in
+  /// What the table says, in one form: the same for files that differ only in
   /// comments, blanks, the order of keys or the notation of numbers.
   std::string canonical_text() const;
   /// The file with its settings as TOML, which reads as the same.
@@ -148,13 +151,25 @@ class TomlTable {
   const std::string& source() const;
   /// Its folder; empty for a text.
   const std::filesystem::path& folder() const;
-  /// Settings of keys of the file that this table names.
-  KeySettings settings_of_file() const;
+  /// The file that a text names, relative to this one, with the settings that
+  /// are left to it. Throws Error as from_file().
+  TomlTable file(std::string_view key, KnownKeys (*keys)()) const;
 
  private:
+  friend class TomlFiles;
   struct File;
+  struct Parsed;
+  struct Cache;
   struct Entry;
 
+  static Parsed parsed(std::string_view text, const std::string& source,
+                       KnownKeys keys);
+  static TomlTable of(Parsed parsed, const std::string& source,
+                      std::filesystem::path folder, const KeySettings& settings,
+                      std::shared_ptr<Cache> cache);
+  static TomlTable cached(const std::shared_ptr<Cache>& cache,
+                          const std::filesystem::path& path,
+                          KnownKeys (*keys)(), const KeySettings& settings);
   TomlTable(std::shared_ptr<const File> file, const void* table,
             const KnownKeys* keys, std::string path);
   template <class Value, class... Parameters, class... Arguments>
@@ -176,6 +191,20 @@ class TomlTable {
   const void* table_;
   const KnownKeys* keys_;
   std::string path_;
+};
+
+/// Files that are parsed once and read again and again, each time with other
+/// settings, and so are the files that they name. Any thread may open one.
+/// Messages have no lines.
+class TomlFiles {
+ public:
+  TomlFiles();
+  /// As TomlTable::from_file() when it was opened first.
+  TomlTable open(const std::filesystem::path& path, KnownKeys (*keys)(),
+                 const KeySettings& settings = {}) const;
+
+ private:
+  std::shared_ptr<TomlTable::Cache> cache_;
 };
 
 }  // namespace contact

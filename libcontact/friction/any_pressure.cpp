@@ -59,12 +59,15 @@ FrictionIntegrals one_point(const PressureLaw& law, double half_angle,
   const double share = p.cosine_share;
   double peak = share == 0 ? 0 : share * (one_minus_c / r.normal);
   for (const double coefficient : p.coefficients()) peak += coefficient;
+  peak += p.edge_pressure;
   const PressureSums<double> root =
       kernel.root_pressure({s, c, sa, q, k, m}, cap.pole_inside, p);
   FrictionTriple& f = r.coefficient;
   if (share == 0) f = {0, 0, 0};
-  f = {root.force + share * f.force, root.sliding + share * f.sliding,
-       root.spinning + share * f.spinning};
+  const double edge = p.edge_pressure;
+  f = {root.force + share * f.force + edge * r.area.force,
+       root.sliding + share * f.sliding + edge * r.area.sliding,
+       root.spinning + share * f.spinning + edge * r.area.spinning};
   set_scale(peak, r);
   return r;
 }
@@ -120,7 +123,10 @@ FrictionIntegrals viscous_friction_integrals(const PressureLaw& law,
     return r;
   }
   const double peak = law.peak(half_angle);
-  const double m = second_moment(law, half_angle);
+  const double h = std::sin(half_angle / 2);
+  const double m = second_moment(law, half_angle) +
+                   detail::expansion_of(law, half_angle).edge_pressure * 8 *
+                       std::numbers::pi / 3 * (3 - 2 * h * h) * std::pow(h, 4);
   FrictionTriple& c = r.coefficient;
   c = {axis.cos, (law.force_ratio(half_angle) - m / 2) * axis.cos,
        m * axis.sin};
@@ -156,7 +162,8 @@ void friction_integrals(const PressureLaw& law, const FrictionBatchInput& in,
     upper = std::max(upper, half_angle);
     ++count;
   }
-  const bool use_table = count >= fewest_for_a_table && !form.is_empty();
+  const bool use_table = count >= fewest_for_a_table && !form.is_empty() &&
+                         form.edge_pressure == 0;
   if (use_table) {
     const detail::ExpansionTable table(law, lower, upper);
     kernel.batch(in, out, &table);

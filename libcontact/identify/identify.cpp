@@ -319,7 +319,8 @@ class Identification {
 FrictionFit identify_friction(const JointContact& joint,
                               std::span<const MeasuredMoment> data,
                               const IdentifyOptions& options) {
-  check(!joint.is_viscous(), "friction of the joint", "dry");
+  check(std::holds_alternative<FrictionLaw>(joint.friction()),
+        "friction of the joint", "dry");
   check(!data.empty(), "measured moments", "at least one");
   check(options.level > 0 && options.level < 1,
         detail::message("level = {}", options.level), "inside (0, 1)");

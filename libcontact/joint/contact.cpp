@@ -10,6 +10,9 @@
 #include "libcontact/base/text.hpp"
 #include "libcontact/base/units.hpp"
 #include "libcontact/friction/any_pressure.hpp"
+#include "libcontact/friction/stress_rule.hpp"
+#include "libcontact/half_angle/worn.hpp"
+#include "libcontact/pressure/worn.hpp"
 
 namespace contact {
 namespace {
@@ -35,7 +38,7 @@ JointContact::JointContact(JointGeometry geometry, ElasticPair pair,
                            std::shared_ptr<const PressureLaw> pressure_law)
     : geometry_(geometry),
       pair_(std::move(pair)),
-      friction_(friction),
+      friction_(std::move(friction)),
       half_angle_law_(std::move(half_angle_law)),
       pressure_law_(std::move(pressure_law)) {
   const JointKind kind = geometry_.kind();
@@ -49,7 +52,7 @@ JointContact::JointContact(JointGeometry geometry, ElasticPair pair,
   unit_pressure_area_ =
       geometry_.force_from_load(1) / geometry_.pressure_unit(1);
   // Some make a rule on first use: here, so that no solution has to allocate.
-  integrals(0.5, SlipAxis{0, 1});
+  integrals(0.5, SlipAxis{0, 1}, {1, 1});
 }
 
 JointContact JointContact::with_clearance(double radial_clearance) const {
@@ -61,6 +64,16 @@ JointContact JointContact::with_clearance(double radial_clearance) const {
           : JointGeometry::pin(geometry_.radius(), radial_clearance,
                                geometry_.length(), geometry_.inner_body());
   other.unit_force_ = force_at_load_parameter_one(other.geometry_, pair_);
+  return other;
+}
+
+JointContact JointContact::worn(double wear_number, bool worn_in) const {
+  JointContact other = *this;
+  other.half_angle_law_ =
+      std::make_shared<WornHalfAngle>(half_angle_law_, wear_number);
+  if (worn_in) {
+    other.pressure_law_ = std::make_shared<WornPressure>(geometry_.kind());
+  }
   return other;
 }
 
@@ -78,11 +91,41 @@ std::vector<std::string> JointContact::validity_notes() const {
         "half-angle of law {}",
         pressure_law_->name(), largest / degree, half_angle_law_->name()));
   }
+  if (stress() && !stress()->note().empty()) notes.push_back(stress()->note());
   return notes;
 }
 
-FrictionIntegrals JointContact::integrals(double half_angle,
-                                          SlipAxis axis) const noexcept {
+std::string JointContact::rest_refusal() const {
+  if (!stress() || stress()->over_speed() != StressOverSpeed::falls) return {};
+  return "friction that does not fall with the speed: else a joint sticks and "
+         "slips, and the moments that it holds are no convex set";
+}
+
+FrictionIntegrals JointContact::stress_integrals(
+    double half_angle, SlipAxis axis, const Load& load) const noexcept {
+  const bool is_ball = geometry_.kind() == JointKind::ball;
+  const double rho = geometry_.radius();
+  const StressedContact contact = {
+      half_angle,
+      geometry_.pressure_unit(geometry_.load_from_force(load.normal_force)),
+      rho * load.speed};
+  const FrictionTriple sum =
+      is_ball
+          ? contact::stress_integrals(*pressure_law_, contact, axis, *stress())
+          : pin_stress_integrals(*pressure_law_, contact, *stress());
+  const double area = rho * (is_ball ? rho : geometry_.length());
+  const double scale = area / load.normal_force;
+  FrictionIntegrals i{};
+  i.coefficient = {scale * sum.force, scale * sum.sliding,
+                   scale * sum.spinning};
+  i.normal = 1;
+  i.pressure = i.coefficient;
+  return i;
+}
+
+FrictionIntegrals JointContact::integrals(double half_angle, SlipAxis axis,
+                                          const Load& load) const noexcept {
+  if (stress()) return stress_integrals(half_angle, axis, load);
   if (geometry_.kind() == JointKind::ball) {
     return is_viscous()
                ? viscous_friction_integrals(*pressure_law_, half_angle, axis)
@@ -104,6 +147,7 @@ JointContact::Strength JointContact::strength(double speed) const noexcept {
   if (const auto* dry = std::get_if<FrictionLaw>(&friction_)) {
     return {dry->coefficient(), dry->adhesion() * rho * rho};
   }
+  if (stress()) return {1, 0};
   const auto& viscous = std::get<ViscousLaw>(friction_);
   const double scale = rho * speed;
   return {viscous.pressure_slope() * scale,

@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "libcontact/base/instruction_set.hpp"
@@ -30,7 +31,8 @@ namespace contact {
 ///
 ///     c = {1, S, 0},  a = (l/rho) {2 sin theta0, 2 theta0, 0}
 ///
-/// at any slip axis, with S of PressureLaw::force_ratio().
+/// at any slip axis, with S of PressureLaw::force_ratio(). A FrictionStress has
+/// no such parts: c is then the whole, over R_n, with a strength of (1, 0).
 class JointContact {
  public:
   /// @throws Error if the kinds of joint differ or a law is missing.
@@ -41,13 +43,19 @@ class JointContact {
   /// The same contact with another friction.
   JointContact with_friction(FrictionModel friction) const {
     JointContact other = *this;
-    other.friction_ = friction;
+    other.friction_ = std::move(friction);
     return other;
   }
   /// The same contact with another clearance.
   /// @param radial_clearance  m
   /// @throws Error if it is out of range.
   JointContact with_clearance(double radial_clearance) const;
+
+  /// The same contact whose seat or hole has worn, see WornHalfAngle.
+  /// @param wear_number  v, [0, infinity)
+  /// @param worn_in      whether the pressure is WornPressure
+  /// @throws Error if v is out of range.
+  JointContact worn(double wear_number, bool worn_in) const;
 
   /// The same contact, its integrals by another instruction set than the best.
   /// @param set  a supported one
@@ -65,9 +73,16 @@ class JointContact {
   bool is_viscous() const {
     return std::holds_alternative<ViscousLaw>(friction_);
   }
+  /// The stress of pressure and speed, if friction is one; else null.
+  const FrictionStress* stress() const {
+    return std::get_if<FrictionStress>(&friction_);
+  }
+  /// Why the joint has no answer at rest, for messages; "" if it has one.
+  std::string rest_refusal() const;
 
-  /// Notes of geometry and half-angle law on use outside their range, and one
-  /// if the pressure law ends before the half-angle law.
+  /// Notes of geometry and half-angle law on use outside their range, one if
+  /// the pressure law ends before the half-angle law, and what costs a friction
+  /// stress accuracy.
   std::vector<std::string> validity_notes() const;
 
   /// mu or lambda.
@@ -80,17 +95,24 @@ class JointContact {
     return half_angle_law_->half_angle(load_parameter(normal_force));
   }
 
+  /// What a friction stress depends on beside half-angle and slip axis.
+  struct Load {
+    double normal_force;  ///< R_n, N
+    double speed;         ///< |Dw|, rad/s
+  };
   /// Friction integrals for this joint's kind, friction and pressure law.
   /// @param half_angle  theta0, rad
   /// @param axis        slip axis; without influence for a pin
-  FrictionIntegrals integrals(double half_angle, SlipAxis axis) const noexcept;
+  /// @param load        without influence but for a friction stress
+  FrictionIntegrals integrals(double half_angle, SlipAxis axis,
+                              const Load& load) const noexcept;
 
   /// What the integrals are multiplied with.
   struct Strength {
     double pressure_part;  ///< f0 or k1 rho |Dw|
     double area_part;      ///< A rho^2 or k0 rho^3 |Dw|, N
   };
-  /// @param speed  |Dw|, rad/s; without influence for dry friction
+  /// @param speed  |Dw|, rad/s; without influence but for viscous friction
   Strength strength(double speed) const noexcept;
 
   /// Area of the contact, m^2: 4 pi rho^2 sin^2(theta0/2) or 2 rho l theta0.
@@ -105,6 +127,9 @@ class JointContact {
   }
 
  private:
+  FrictionIntegrals stress_integrals(double half_angle, SlipAxis axis,
+                                     const Load& load) const noexcept;
+
   JointGeometry geometry_;
   ElasticPair pair_;
   FrictionModel friction_;

@@ -156,8 +156,7 @@ JointSolution Joint::solve_from(const SlipMemory& last, const Slip& slip,
   const Vector3d q = sin_b > 0 ? Vector3d(cross / sin_b) : w.unitOrthogonal();
   const Vector3d p = q.cross(w);
 
-  const JointContact::Strength strength = contact_.strength(spin.length);
-  const SlipEquation equation(contact_, strength, force.length,
+  const SlipEquation equation(contact_, spin.length, force.length,
                               {sin_b, std::abs(cos_b)});
   const SlipRoot root = solve_slip(equation, last, options);
   if (root.status == Status::out_of_range) {
@@ -180,7 +179,7 @@ JointSolution Joint::solve_from(const SlipMemory& last, const Slip& slip,
   s.sliding_coefficient = root.point.sliding;
   s.spinning_coefficient = std::copysign(root.point.spinning, cos_b);
   set_contact(s, contact_, root.point.normal_force,
-              root.point.half_angle.half_angle, strength);
+              root.point.half_angle.half_angle, equation.strength());
   const double turn = side(contact_) * t.sin_psi;
   const SlipFrame frame = {w, t.cos_psi * p + turn * q,
                            t.cos_psi * q - turn * p};
@@ -214,8 +213,8 @@ JointSolution Joint::solve_contact(const KnownContact& known) const noexcept {
   s.evaluations = 1;
   s.slip_axis = {is_pin() ? 0 : w.dot(force.direction), cos_a};
   const JointContact::Strength strength = contact_.strength(spin.length);
-  const FrictionIntegrals i =
-      contact_.integrals(half_angle.half_angle, s.slip_axis);
+  const FrictionIntegrals i = contact_.integrals(
+      half_angle.half_angle, s.slip_axis, {force.length, spin.length});
   const double area = strength.area_part / force.length;
   const auto coefficient = [&](double pressure_part, double area_part) {
     return strength.pressure_part * pressure_part + area * area_part;
@@ -259,7 +258,8 @@ FixedPointResult Joint::fixed_point(
     const SlipAxis axis = {sin_a, std::sqrt((1 - sin_a) * (1 + sin_a))};
     const double normal_force = force * cos_g;  // (4.1)
     const double half_angle = contact_.half_angle(normal_force).half_angle;
-    const FrictionIntegrals i = contact_.integrals(half_angle, axis);
+    const FrictionIntegrals i =
+        contact_.integrals(half_angle, axis, {normal_force, speed});
     const double next = strength.pressure_part * i.coefficient.force +
                         strength.area_part / normal_force * i.area.force;
     if (static_cast<std::size_t>(result.steps) < trace.size()) {

@@ -106,7 +106,9 @@ class Joint {
   /// solved: by the symmetry about R one equation in the angle b of u and R.
   /// Were there several u, the smallest tau of those that 16 intervals of b
   /// tell apart is returned (none of 10,000 random joints had more than one).
-  /// A viscous joint holds no moment.
+  /// A viscous joint holds no moment. One with a friction stress holds what
+  /// tau(p, 0) holds; if tau falls with the speed there is no answer
+  /// (JointContact::rest_refusal()).
   ///
   /// @return slip.friction_moment = M/tau, to 1e-12 of |M|/tau
   ///         (joint/joint_rest_test.cpp)

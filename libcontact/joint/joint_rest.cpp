@@ -207,16 +207,42 @@ RestSolution ball_utilisation(const Joint& joint, const Joint::Hold& hold,
   return rest;
 }
 
+bool depends_on_speed(const JointContact& contact) {
+  return contact.stress() &&
+         contact.stress()->over_speed() != StressOverSpeed::constant;
+}
+
+// utilisation() with tau(p, 0); none if tau falls with the speed.
+template <class... Arguments>
+RestSolution at_rest(const JointContact& contact,
+                     const Arguments&... arguments) {
+  const FrictionStress& stress = *contact.stress();
+  if (stress.over_speed() == StressOverSpeed::falls) {
+    RestSolution none;
+    none.utilisation = nan;
+    none.direction.setConstant(nan);
+    return none;
+  }
+  return Joint(contact.with_friction(stress.at_rest()))
+      .utilisation(arguments...);
+}
+
 }  // namespace
 
 RestSolution Joint::utilisation(const Hold& hold,
                                 const SolveOptions& options) const noexcept {
+  if (depends_on_speed(contact_)) {
+    return at_rest(contact_, hold, options);
+  }
   return is_pin() ? pin_utilisation(*this, hold, options)
                   : ball_utilisation(*this, hold, nullptr, options);
 }
 
 RestSolution Joint::utilisation(const Hold& hold, const RestSolution& last,
                                 const SolveOptions& options) const noexcept {
+  if (depends_on_speed(contact_)) {
+    return at_rest(contact_, hold, last, options);
+  }
   return is_pin() ? pin_utilisation(*this, hold, options)
                   : ball_utilisation(*this, hold, &last, options);
 }

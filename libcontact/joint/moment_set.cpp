@@ -48,17 +48,25 @@ SlipAxis from_cotangent(double cotangent) {
 
 MomentSet::MomentSet(const JointContact& contact, const Vector3d& normal,
                      double normal_force, double half_angle) noexcept
-    : contact_(&contact), normal_(normal), half_angle_(half_angle) {
+    : contact_(&contact),
+      normal_(normal),
+      normal_force_(normal_force),
+      half_angle_(half_angle) {
   const double rho = contact.geometry().radius();
   const JointContact::Strength strength = contact.strength(0);
   pressure_part_ = rho * strength.pressure_part * normal_force;
   area_part_ = rho * strength.area_part;
+  const FrictionStress* stress = contact.stress();
+  if (stress && stress->over_speed() == StressOverSpeed::falls) {
+    pressure_part_ = nan;
+  }
   most_sliding_ = edge({0, 1}).sliding;
   most_spinning_ = edge({1, 0}).spinning;
 }
 
 MomentSet::Edge MomentSet::edge(SlipAxis axis) const noexcept {
-  const FrictionIntegrals i = contact_->integrals(half_angle_, axis);
+  const FrictionIntegrals i =
+      contact_->integrals(half_angle_, axis, {normal_force_, 0});
   return {
       pressure_part_ * i.coefficient.sliding + area_part_ * i.area.sliding,
       pressure_part_ * i.coefficient.spinning + area_part_ * i.area.spinning};

@@ -23,7 +23,9 @@ struct MomentProx {
 
 /// The friction moments of one contact whose n, R_n and theta0 are FIXED: a
 /// convex set C, even in M and round about n. Dry friction only; a viscous
-/// joint holds no moment and its set is {0}.
+/// joint holds no moment and its set is {0}. That of a friction stress is of
+/// tau(p, 0); if tau falls with the speed the power is not convex, and
+/// everything is NaN.
 ///
 /// Its support function is the friction power
 ///
@@ -87,6 +89,7 @@ class MomentSet {
 
   const JointContact* contact_;
   Eigen::Vector3d normal_;
+  double normal_force_;
   double half_angle_;
   double pressure_part_;  // rho f0 R_n
   double area_part_;      // A rho^3

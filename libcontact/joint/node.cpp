@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "libcontact/base/check.hpp"
@@ -139,9 +140,16 @@ NodeSolution JointNode::make_solution() const {
   return solution;
 }
 
-void JointNode::solve(const Vector3d& reaction, const Vector3d& moment,
-                      const Vector3d& axis, double rate,
-                      NodeSolution& solution) const noexcept {
+JointNode JointNode::with_instruction_set(InstructionSet set) const {
+  JointNode other = *this;
+  for (NodeJoint& joint : other.joints_) {
+    joint.joint = Joint(joint.joint.contact().with_instruction_set(set));
+  }
+  return other;
+}
+
+void JointNode::solve(const Slip& slip, NodeSolution& solution) const noexcept {
+  const auto& [reaction, moment, axis, rate] = slip;
   // Friction moments count little in the balance (rho/distance), so a few
   // rounds do; more only where joints are closer than their radii.
   constexpr int round_limit = 100;
@@ -160,7 +168,7 @@ void JointNode::solve(const Vector3d& reaction, const Vector3d& moment,
     s.cross_moment.setZero();
     for (std::size_t i = 0; i < joints_.size(); ++i) {
       JointSolution& joint = s.joints[i];
-      const Shares& share = shares_[i];
+      const Share& share = shares_[i];
       const Vector3d force = share.force * radial + share.moment * held;
       change = std::max(change, (force - across(joint.reaction, axis)).norm());
       largest = std::max(largest, force.norm());
@@ -187,28 +195,18 @@ void JointNode::solve(const Vector3d& reaction, const Vector3d& moment,
   }
 }
 
-void JointNode::distribute(const Vector3d& reaction, const Vector3d& moment,
-                           const Vector3d& axis, const Vector3d& cross_moment,
-                           std::span<Vector3d> forces) const noexcept {
-  const Vector3d along = reaction.dot(axis) * axis;
-  const Vector3d radial = reaction - along;
-  const Vector3d held = (moment - cross_moment).cross(axis);  // sum z_j R_j
-  for (std::size_t i = 0; i < joints_.size(); ++i) {
-    const Shares& share = shares_[i];
-    forces[i] =
-        share.force * radial + share.moment * held + share.axial * along;
-  }
-}
-
-double JointNode::utilisation(const Vector3d& reaction, const Vector3d& moment,
-                              const Vector3d& axis, double needed,
+double JointNode::utilisation(const Hold& hold,
                               NodeSolution& solution) const noexcept {
+  const auto& [reaction, moment, axis, needed] = hold;
   // Sliding that friction would oppose with the moment that is needed.
-  solve(reaction, moment, axis, needed > 0 ? -1 : 1, solution);
+  solve({reaction, moment, axis, needed > 0 ? -1.0 : 1.0}, solution);
   if (needed == 0) return 0;
   double held = 0;
   for (std::size_t i = 0; i < joints_.size(); ++i) {
     if (joints_[i].joint.contact().is_viscous()) continue;
+    if (joints_[i].joint.contact().stress()) {
+      return std::numeric_limits<double>::quiet_NaN();
+    }
     held += std::abs(solution.joints[i].friction_moment.dot(axis));
   }
   return std::abs(needed) / held;

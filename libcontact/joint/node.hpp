@@ -2,7 +2,6 @@
 
 #include <Eigen/Core>
 #include <optional>
-#include <span>
 #include <vector>
 
 #include "libcontact/joint/joint.hpp"
@@ -72,46 +71,54 @@ class JointNode {
   /// A solution with room for the joints: solve() then does not allocate.
   NodeSolution make_solution() const;
 
+  /// The same node, its joints' integrals by another instruction set than the
+  /// best.
+  /// @param set  a supported one
+  JointNode with_instruction_set(InstructionSet set) const;
+
+  struct Slip {
+    /// R on the body, N.
+    Eigen::Vector3d reaction;
+    /// M on the body about the pole, N m; its part along the axis is left out.
+    Eigen::Vector3d moment;
+    /// u, unit vector.
+    Eigen::Vector3d axis;
+    /// rad/s about the axis; exactly 0: all joints rest.
+    double rate;
+  };
   /// Friction under R and M while the body turns about the axis.
-  ///
-  /// @param reaction  R on the body, N
-  /// @param moment    M on the body about the pole, N m; its part along the
-  ///                  axis is left out
-  /// @param axis      u, unit vector
-  /// @param rate      rad/s about the axis; exactly 0: all joints rest
   /// @param solution  from make_solution() or an earlier call, which is then
   ///                  the start; then the result, which reproduces R and M
   ///                  to 1e-12 of |R| and |R| x distance (joint/node_test.cpp)
-  void solve(const Eigen::Vector3d& reaction, const Eigen::Vector3d& moment,
-             const Eigen::Vector3d& axis, double rate,
-             NodeSolution& solution) const noexcept;
+  void solve(const Slip& slip, NodeSolution& solution) const noexcept;
 
-  /// R_j of the joints under R and M, once the parts of their friction moments
-  /// normal to the axis are known.
-  /// @param cross_moment  sum of these parts, N m
-  /// @param forces        one for each joint
-  void distribute(const Eigen::Vector3d& reaction,
-                  const Eigen::Vector3d& moment, const Eigen::Vector3d& axis,
-                  const Eigen::Vector3d& cross_moment,
-                  std::span<Eigen::Vector3d> forces) const noexcept;
+  /// What a joint takes: share `force` of R and `moment` of M x u normal to the
+  /// axis, M less the parts of the joints' friction moments normal to the axis;
+  /// share `axial` of R along it.
+  struct Share {
+    double force;
+    double moment;  ///< 1/m
+    double axial;
+  };
+  const std::vector<Share>& shares() const { return shares_; }
 
+  struct Hold {
+    /// R and M as in Slip.
+    Eigen::Vector3d reaction;
+    Eigen::Vector3d moment;
+    Eigen::Vector3d axis;
+    /// About the axis, N m.
+    double needed;
+  };
   /// |needed|/(the moment of sliding that opposes it): the node holds the
-  /// moment `needed` about its axis at rest if this is <= 1. Viscous joints
-  /// hold nothing.
+  /// moment `needed` at rest if this is <= 1. Viscous joints hold nothing. NaN
+  /// if a joint has a friction stress.
   /// @param solution  as for solve(); the incipient sliding
-  double utilisation(const Eigen::Vector3d& reaction,
-                     const Eigen::Vector3d& moment, const Eigen::Vector3d& axis,
-                     double needed, NodeSolution& solution) const noexcept;
+  double utilisation(const Hold& hold, NodeSolution& solution) const noexcept;
 
  private:
   std::vector<NodeJoint> joints_;
-  // Radial force of a joint: force_share R + moment_share (M x u).
-  struct Shares {
-    double force;
-    double moment;
-    double axial;
-  };
-  std::vector<Shares> shares_;
+  std::vector<Share> shares_;
 };
 
 }  // namespace contact

@@ -232,7 +232,8 @@ void SlipEquation::shift_triangle(SlipPoint& point, double step) const {
 
 void SlipEquation::set_friction(SlipPoint& p) const {
   const SlipAxis axis = {p.triangle.axis.sin, positive_cosine(p.triangle)};
-  const FrictionIntegrals i = contact_.integrals(p.half_angle.half_angle, axis);
+  const FrictionIntegrals i = contact_.integrals(p.half_angle.half_angle, axis,
+                                                 {p.normal_force, speed_});
   const double pressure = strength_.pressure_part;
   const double area = strength_.area_part / p.normal_force;
   p.friction =

@@ -25,10 +25,12 @@ class SlipEquation {
  public:
   /// @param reaction_force  R > 0
   /// @param reaction        sine and cosine of b, both >= 0
-  SlipEquation(const JointContact& contact, JointContact::Strength strength,
-               double reaction_force, SineCosine reaction)
+  /// @param speed           |Dw|, rad/s
+  SlipEquation(const JointContact& contact, double speed, double reaction_force,
+               SineCosine reaction)
       : contact_(contact),
-        strength_(strength),
+        speed_(speed),
+        strength_(contact.strength(speed)),
         reaction_force_(reaction_force),
         reaction_(reaction) {}
 
@@ -45,6 +47,7 @@ class SlipEquation {
   /// The same for a step in ln tan psi: short ones by their differentials.
   void shift_triangle(SlipPoint& point, double step) const;
 
+  JointContact::Strength strength() const { return strength_; }
   double reaction_force() const { return reaction_force_; }
   SineCosine reaction() const { return reaction_; }
 
@@ -52,6 +55,7 @@ class SlipEquation {
   void set_friction(SlipPoint& point) const;
 
   const JointContact& contact_;
+  double speed_;
   JointContact::Strength strength_;
   double reaction_force_;
   SineCosine reaction_;

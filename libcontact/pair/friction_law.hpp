@@ -2,8 +2,10 @@
 
 #include <variant>
 
+#include "libcontact/pair/friction_stress.hpp"
+
 /// Friction of the contact surface: dry, with a coefficient that depends on
-/// the contact pressure, or viscous.
+/// the contact pressure, viscous, or any stress of pressure and speed.
 namespace contact {
 
 /// f(p) = f0 + A/p, that is the friction stress f p = f0 p + A.
@@ -68,6 +70,20 @@ class ViscousLaw {
 };
 
 /// The friction of a joint.
-using FrictionModel = std::variant<FrictionLaw, ViscousLaw>;
+using FrictionModel = std::variant<FrictionLaw, ViscousLaw, FrictionStress>;
+
+/// Friction stress, Pa.
+/// @param pressure  p, Pa, >= 0
+/// @param speed     v, m/s, >= 0
+inline double friction_stress(const FrictionModel& friction, double pressure,
+                              double speed) {
+  if (const auto* dry = std::get_if<FrictionLaw>(&friction)) {
+    return dry->stress_at(pressure);
+  }
+  if (const auto* viscous = std::get_if<ViscousLaw>(&friction)) {
+    return viscous->stress_at(pressure, speed);
+  }
+  return std::get<FrictionStress>(friction).stress_at(pressure, speed);
+}
 
 }  // namespace contact

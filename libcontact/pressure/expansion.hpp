@@ -11,7 +11,7 @@ namespace contact {
 /// A pressure as the sum of the cosine pressure and one that starts like a
 /// square root from the edge,
 ///
-///     p = cosine_share p[cosine] + x sum_k c_k (2 x^2 - 1)^k
+///     p = cosine_share p[cosine] + edge_pressure + x sum_k c_k (2 x^2 - 1)^k
 ///         + x^3 ln X sum_k b_k x^(2k),
 ///     X^2 = (cos theta - cos theta0)/(1 - cos theta0),
 ///     x^2 = X^2 (1 + v)/(v + cos theta),
@@ -24,6 +24,7 @@ namespace contact {
 struct PressureExpansion {
   static constexpr int max_terms = 32;
   double cosine_share = 0;
+  double edge_pressure = 0;  ///< pressure units
   double edge_constant = 1;  ///< v, >= 1
   int size = 0;
   /// c_k, pressure units; from `size` on negligible, counted or not.
@@ -35,11 +36,13 @@ struct PressureExpansion {
   }
   /// Nothing: the law has no expansion.
   bool is_empty() const {
-    return cosine_share == 0 && size == 0 && !has_logarithm();
+    return cosine_share == 0 && edge_pressure == 0 && size == 0 &&
+           !has_logarithm();
   }
   /// The cosine pressure itself.
   bool is_cosine() const {
-    return cosine_share == 1 && size == 0 && !has_logarithm();
+    return cosine_share == 1 && edge_pressure == 0 && size == 0 &&
+           !has_logarithm();
   }
   bool has_logarithm() const {
     return logarithmic[0] != 0 || logarithmic[1] != 0 || logarithmic[2] != 0;

@@ -46,7 +46,8 @@ class Cycle {
   Cycle& operator=(const Cycle&) = delete;
 
   const JointCycle& on() const { return on_; }
-  double rate(const CycleInstant& i) const {
+  // rho |Dw|, m/s.
+  double rim_speed(const CycleInstant& i) const {
     return contact().geometry().radius() * i.state.rate.norm();
   }
   const contact::JointContact& contact() const { return on_.contact(); }
@@ -186,7 +187,7 @@ void bind_integrals(py::class_<Cycle>& type) {
       "sliding_distance",
       [](const Cycle& c) {
         return [&c](const CycleInstant& i) {
-          return c.rate(i) * c.on().sliding(i).slip_coefficient();
+          return c.rim_speed(i) * c.on().sliding(i).slip_coefficient();
         };
       },
       "Effective, of one cycle: integral of rho |Dw| L, m.");
@@ -199,11 +200,6 @@ void bind_integrals(py::class_<Cycle>& type) {
       },
       "Of p v over contact and time, J; times k it is the worn volume.");
 }
-
-constexpr const char* wear_doc = R"(_wear(self, body, points)
---
-
-See Cycle.wear().)";
 
 }  // namespace
 
@@ -246,7 +242,7 @@ void bind_duty(py::module_& m) {
 The largest value in the cycle and its time, s; to 1e-8.
 
 quantity: an attribute of Solution or Rating; of a vector its length.)");
-  type.def("_wear", &wear, py::arg("body"), py::arg("points"), wear_doc);
+  type.def("_wear", &wear, py::arg("body"), py::arg("points"));
 }
 
 }  // namespace contact_python

@@ -8,6 +8,8 @@
 #include <tuple>
 #include <utility>
 
+#include "libcontact/base/complaint.hpp"
+#include "libcontact/base/error.hpp"
 #include "libcontact/friction/kernel/cap_kernel.hpp"
 #include "libcontact/pressure/expansion.hpp"
 #include "libcontact/tracking/tracker_kernel.hpp"
@@ -39,6 +41,10 @@ JointTracker::JointTracker(std::vector<JointContact> contacts,
   for (int i = 0; i < size(); ++i) {
     contacts_[i] = contacts_[i].with_instruction_set(set);
     const JointContact& contact = contacts_[i];
+    if (contact.stress()) {
+      throw Error(detail::must_be("friction of a joint that is tracked",
+                                  "dry or viscous"));
+    }
     const JointGeometry& geometry = contact.geometry();
     const JointContact::Strength strength = contact.strength(1);
     State s = state(i);
@@ -91,7 +97,7 @@ JointTracker::Values JointTracker::values(int joint, double force,
   const JointContact::Strength strength = contact.strength(1);
   axis = {std::max(axis.sin, detail::smallest_axis),
           std::max(axis.cos, detail::smallest_axis)};
-  const FrictionIntegrals i = contact.integrals(half_angle, axis);
+  const FrictionIntegrals i = contact.integrals(half_angle, axis, {force, 1});
   const auto value = [&](double pressure, double area, double over) {
     return (strength.pressure_part * pressure +
             strength.area_part / force * area) /

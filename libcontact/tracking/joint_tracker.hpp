@@ -41,7 +41,8 @@ struct TrackerState;
 class JointTracker {
  public:
   /// By the best instruction set.
-  /// @param contacts  of balls and pins, with friction
+  /// @param contacts  of balls and pins, dry or viscous
+  /// @throws Error if one has a friction stress of its own.
   explicit JointTracker(std::vector<JointContact> contacts);
   /// @param set  a supported one, whatever that of the contacts
   JointTracker(std::vector<JointContact> contacts, InstructionSet set);

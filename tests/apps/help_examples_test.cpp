@@ -25,6 +25,6 @@ INSTANTIATE_TEST_SUITE_P(Programs, HelpExamples,
                          testing::Values("hinge-table", "hinge-angle",
                                          "hinge-joint", "hinge-pressure",
                                          "hinge-separation", "hinge-duty",
-                                         "hinge-identify"));
+                                         "hinge-identify", "hinge-study"));
 
 }  // namespace

@@ -42,6 +42,41 @@ class HingeDuty : public testing::Test {
   const ProgramFolder folder_;
 };
 
+// The joint wears in: --blocks ends with what the summary says.
+TEST_F(HingeDuty, Cycles) {
+  const std::string text =
+      out(hip + "--wear-seat 1e-6 --cycles 5e6 --blocks blocks.csv");
+  const auto blocks = csv_rows(folder_.read("blocks.csv"));
+  ASSERT_GT(blocks.size(), 20u);
+  for (std::size_t column = 0; column < blocks[0].size(); ++column) {
+    const std::string& name = blocks[0][column];
+    EXPECT_EQ(std::stod(blocks.back()[column]),
+              value(text, name == "worn_in" ? name : "worn_" + name));
+  }
+  EXPECT_EQ(value(text, "worn_cycles"), 5e6);
+  // The first cycle is that of the unworn joint.
+  EXPECT_NEAR(std::stod(blocks[1][7]) / value(text, "energy_J"), 1, 1e-12);
+  // The contact grows, and with it the moment and the volume of a cycle.
+  EXPECT_GT(value(text, "worn_volume_seat_mm3"),
+            5e6 * value(text, "volume_seat_mm3"));
+  EXPECT_GT(value(text, "worn_theta0_deg"), 70);
+}
+
+// Friction of the options and of laws of pressure and speed.
+TEST_F(HingeDuty, Friction) {
+  const std::string own = out(pin);
+  const std::string half = out(pin + "--friction 0.05");
+  EXPECT_GT(value(own, "energy_J"), value(half, "energy_J"));
+  const std::string stribeck =
+      "hinge-duty --joint data/duty/stribeck_pin.toml --cycle " + data +
+      "cycle_pin_in.csv ";
+  const double least = value(out(stribeck + "--friction 0.05"), "energy_J");
+  const double most = value(out(stribeck + "--friction 0.15"), "energy_J");
+  const double energy = value(out(stribeck), "energy_J");
+  EXPECT_GT(energy, least);
+  EXPECT_LT(energy, most);
+}
+
 // Accuracies as in tests/duty/joint_cycle_test.cpp.
 TEST_F(HingeDuty, Summary) {
   const ReferenceTable table("duty/cycle_hip_summary.csv");

@@ -18,7 +18,7 @@ using contact::test::ProgramResult;
 // A file of cases has lines
 //   file NAME TEXT   a file in the folder, \n for the ends of its lines
 //   $ PROGRAM ...    a command line, with "--output table.csv" unless it has
-//                    another output or is hinge-separation's
+//                    another output or is hinge-separation's or -study's
 //   MESSAGE          what it says behind "PROGRAM: "; "..." stands for any text
 struct Case {
   std::string command;
@@ -74,9 +74,9 @@ TEST_P(Messages, AreOneLineAndLeaveNoFile) {
   const auto before = contents(folder);
   for (const auto& [command, message] : all) {
     const std::string program = command.substr(0, command.find(' '));
-    const bool output = command.find("--output") != command.npos ||
-                        command.ends_with(">&-") ||
-                        program == "hinge-separation";
+    const bool output =
+        command.find("--output") != command.npos || command.ends_with(">&-") ||
+        program == "hinge-separation" || program == "hinge-study";
     const ProgramResult result =
         folder.run(command + (output ? "" : " --output table.csv"));
     EXPECT_EQ(result.status, 2) << command;
@@ -95,7 +95,7 @@ TEST_P(Messages, AreOneLineAndLeaveNoFile) {
 INSTANTIATE_TEST_SUITE_P(Of, Messages,
                          testing::Values("table", "angle", "pressure", "joint",
                                          "separation", "output", "duty",
-                                         "identify"),
+                                         "identify", "study"),
                          [](const auto& name) { return name.param; });
 
 }  // namespace

@@ -126,7 +126,7 @@ TEST(Help, HasAShortName) {
   const ProgramFolder folder;
   for (const std::string program :
        {"hinge-angle", "hinge-pressure", "hinge-table", "hinge-joint",
-        "hinge-separation"}) {
+        "hinge-duty", "hinge-identify", "hinge-separation"}) {
     const auto result = folder.run(program + " -h");
     EXPECT_EQ(result.status, 0) << result.err;
     EXPECT_EQ(result.out, folder.run(program + " --help").out);

@@ -75,6 +75,22 @@ INSTANTIATE_TEST_SUITE_P(
                  pair,
              "--length 3cm --wall 0.5cm", "--length 0.03 --wall 5mm"}));
 
+const std::string duty =
+    "hinge-duty --joint data/reference/duty/cycle_hip.toml --cycle "
+    "data/reference/duty/cycle_hip_in.csv --euler zxy ";
+const std::string rig =
+    "hinge-identify --joint data/duty/torque_rig.toml --data "
+    "data/duty/torque_rig.csv ";
+
+INSTANTIATE_TEST_SUITE_P(
+    Duty, UnitOptions,
+    testing::Values(
+        Same{duty, "--period 1000ms", "--period 1"},
+        Same{duty, "--friction 0.1 --adhesion 0.5kPa",
+             "--friction 0.1 --adhesion 500"},
+        Same{duty, "--viscous 2MPa*s/m,0.1s/m", "--viscous 2e6,0.1"},
+        Same{rig + "--fit f0 ", "--adhesion 1MPa", "--adhesion 1e6"}));
+
 INSTANTIATE_TEST_SUITE_P(Table, UnitOptions,
                          testing::Values(Same{"hinge-table ",
                                               "--theta0 30deg --alpha 45deg",

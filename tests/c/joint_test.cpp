@@ -246,7 +246,7 @@ TEST_P(Joints, HaveTheContactOfCpp) {
     ASSERT_EQ(contact_joint_friction(both.c.get(), half_angle, 0.3, &f),
               CONTACT_OK);
     const auto i =
-        contact.integrals(half_angle, contact::SlipAxis::from_angle(0.3));
+        contact.integrals(half_angle, contact::SlipAxis::from_angle(0.3), {});
     expect_same(f.coefficient[0], i.coefficient.force);
     expect_same(f.coefficient[1], i.coefficient.sliding);
     expect_same(f.coefficient[2], i.coefficient.spinning);
@@ -254,6 +254,27 @@ TEST_P(Joints, HaveTheContactOfCpp) {
     expect_same(f.area[1], i.area.sliding);
     expect_same(f.area[2], i.area.spinning);
   }
+}
+
+// A stress of pressure and speed is solved, but its integrals are no two
+// functions of the half-angle and the slip axis.
+TEST(JointFromC, FrictionStressHasNoCoefficients) {
+  const std::string file = CONTACT_DATA_DIR "/duty/stribeck_pin.toml";
+  const CJoint pin = c_joint(file);
+  const contact_slip slip = {{2000, 0, 0}, {0, 0, 3}, {}};
+  contact_solution solution;
+  ASSERT_EQ(contact_joint_solve(pin.get(), &slip, nullptr, &solution),
+            CONTACT_OK);
+  expect_same(
+      solution.friction_moment,
+      Joint(contact::read_joint(file).contact())
+          .solve({.reaction = {2000, 0, 0}, .angular_velocity = {0, 0, 3}})
+          .friction_moment);
+  contact_friction friction;
+  EXPECT_EQ(contact_joint_friction(pin.get(), 0.5, 0.3, &friction),
+            CONTACT_BAD_INPUT);
+  EXPECT_TRUE(std::string(contact_last_message())
+                  .starts_with("contact_joint_friction: joint must be one"));
 }
 
 // The stiffness is the slope of the approach: central differences, to 1e-6.

@@ -552,6 +552,51 @@ TEST(TomlTable, LongArraysAreCutInMessages) {
             "t.toml:1: a = [\"one\", 2.5, true, ... 7 in all]: no");
 }
 
+TEST(TomlTable, SettingsOfElementsAndFactors) {
+  const contact::KnownKeys keys = {{"v", Dimension::length}, {"m"}, {"n"}};
+  const std::string text = "v_mm = [1, 2.5, -3]\nm = [[1, 2], [3, 4]]\nn = 7\n";
+  const auto with = [&](const std::string& key, const std::string& value) {
+    return TomlTable::from_text(text, "t.toml", keys, {}, {{key, value}});
+  };
+  const auto any = Interval::any();
+  EXPECT_EQ(with("v_mm[2]", "4").numbers("v", {3}, any),
+            (std::vector<double>{0.001, 0.004, -0.003}));
+  EXPECT_EQ(with("v_mm[3]", "*2").numbers("v", {3}, any),
+            (std::vector<double>{0.001, 0.0025, -0.006}));
+  EXPECT_EQ(with("m", "*-0.5").numbers("m", {2, 2}, any),
+            (std::vector<double>{-0.5, -1, -1.5, -2}));
+  EXPECT_EQ(with("n", "*1.5").number("n", any), 10.5);
+  EXPECT_EQ(error_message([&] { with("v_mm[4]", "4"); }),
+            "v_mm[4] = 4 must be a key of the file: TABLE.KEY, "
+            "TABLE[NUMBER].KEY or TABLE[NAME].KEY");
+  // In whatever unit it is.
+  EXPECT_EQ(with("v_m[1]", "*2").numbers("v", {3}, any)[0], 0.002);
+  EXPECT_EQ(error_message([&] { with("x", "*2"); }),
+            "x = *2 requires a number, or numbers, to multiply");
+}
+
+// A file is parsed once: what becomes of it later is not seen.
+TEST_F(JointFolder, AreParsedOnceAndReadWithSettings) {
+  write("a.toml", "b = \"b.toml\"\n");
+  write("b.toml", "x = 1\ny = 2\n");
+  const auto inner = +[] { return contact::KnownKeys{{"x"}, {"y"}}; };
+  const auto outer = +[] {
+    return contact::KnownKeys{{.key = "b", .of_file = {{"x"}, {"y"}}}};
+  };
+  const contact::TomlFiles files;
+  const auto x = [&](const contact::KeySettings& settings) {
+    return files.open(folder_ / "a.toml", outer, settings)
+        .file("b", inner)
+        .number("x", Interval::any());
+  };
+  EXPECT_EQ(x({}), 1);
+  write("b.toml", "x = 5\ny = 2\n");
+  EXPECT_EQ(x({}), 1);
+  EXPECT_EQ(x({{"x", "3"}}), 3);
+  EXPECT_EQ(x({{"x", "*4"}}), 4);
+  EXPECT_EQ(x({}), 1);
+}
+
 TEST(TomlTable, ArraysMatricesIntegersFlags) {
   const contact::KnownKeys keys = {{"v", Dimension::length},
                                    {"m", Dimension::inertia},
@@ -673,6 +718,25 @@ TEST(TomlTable, RangesReadAsSentences) {
   EXPECT_EQ(rule({-Interval::largest, 2, false, true}), "below 2");
 }
 
+TEST(TomlTable, TextWithoutANameHasMessagesWithoutAPlace) {
+  const std::string cube = "kind = 'cube'\nname = 'x'\n[geometry]";
+  for (const contact::KeySettings& settings :
+       {contact::KeySettings{}, {{"kind", "\"cube\""}}}) {
+    EXPECT_EQ(error_message([&] { parse_joint(cube, "", settings); }),
+              "kind = \"cube\" must be \"ball\" or \"pin\"");
+  }
+}
+
+TEST(TomlTable, IsWrittenAsItReads) {
+  const auto read = [](const std::string& text) {
+    return TomlTable::from_text(
+        text, "x", {{"a"}, contact::table_key("t", {{"b"}, {"c"}})}, {},
+        {{"t.c", "[0.1, inf, 1e300]"}});
+  };
+  const TomlTable table = read("# why\na = 'x\"\\y'\n[t]\nb = true\n");
+  EXPECT_EQ(read(table.toml_text()).canonical_text(), table.canonical_text());
+}
+
 TEST(TomlTable, OutlivesItsParent) {
   const TomlTable inner = [] {
     return TomlTable::from_text("[a]\nx = 1", "t",
@@ -699,7 +763,7 @@ TEST(JointFile, ContactIsMadeOfAllThatTheFileSays) {
   JointSpec frictionless = joint;
   frictionless.name = "hip";
   frictionless.friction.reset();
-  EXPECT_EQ(contact::test::error_message([&] { frictionless.contact(); }),
+  EXPECT_EQ(error_message([&] { frictionless.contact(); }),
             "joint \"hip\" requires [friction], of the joint or of its "
             "materials");
 }

@@ -90,7 +90,9 @@ TEST(JointNode, BallAndPinReproduceTheirForceAndMoment) {
     const Vector3d across = given - given.dot(axis) * axis;
     NodeSolution solution = node.make_solution();
     const double rate = random.uniform() - 0.5;
-    node.solve(reaction, given, axis, rate, solution);
+    node.solve(
+        {.reaction = reaction, .moment = given, .axis = axis, .rate = rate},
+        solution);
     const std::string label = "input " + std::to_string(i);
     ASSERT_EQ(solution.status, Status::ok) << label;
     most_rounds = std::max(most_rounds, solution.iterations);
@@ -107,8 +109,14 @@ TEST(JointNode, BallAndPinReproduceTheirForceAndMoment) {
               1e-15 * reaction.norm());
     // A start from another state gives the same.
     NodeSolution again = solution;
-    node.solve(1.01 * reaction, given, axis, rate, again);
-    node.solve(reaction, given, axis, rate, again);
+    node.solve({.reaction = 1.01 * reaction,
+                .moment = given,
+                .axis = axis,
+                .rate = rate},
+               again);
+    node.solve(
+        {.reaction = reaction, .moment = given, .axis = axis, .rate = rate},
+        again);
     EXPECT_NEAR(again.friction_moment / solution.friction_moment, 1, 1e-11);
   }
   force.check();
@@ -120,7 +128,11 @@ TEST(JointNode, BallAndPinReproduceTheirForceAndMoment) {
 TEST(JointNode, LeverRule) {
   const JointNode node({ball(0, FrictionLaw(0)), pin(2, FrictionLaw(0))});
   NodeSolution s = node.make_solution();
-  node.solve({10, 0, 7}, {0, 6, 0}, {0, 0, 1}, 1, s);
+  node.solve({.reaction = {10, 0, 7},
+              .moment = {0, 6, 0},
+              .axis = {0, 0, 1},
+              .rate = 1},
+             s);
   EXPECT_LE((s.joints[0].reaction - Vector3d(7, 0, 7)).norm(), 1e-14);
   EXPECT_LE((s.joints[1].reaction - Vector3d(3, 0, 0)).norm(), 1e-14);
   EXPECT_EQ(s.friction_moment, 0);
@@ -135,7 +147,11 @@ TEST(JointNode, TwoBallsShare) {
   const Vector3d reaction(1.122e6, 3.23e5, 0);
   const Vector3d axis(0, 0, 1);
   NodeSolution s = node.make_solution();
-  node.solve(2 * reaction, Vector3d::Zero(), axis, 0.1, s);
+  node.solve({.reaction = 2 * reaction,
+              .moment = Vector3d::Zero(),
+              .axis = axis,
+              .rate = 0.1},
+             s);
   ASSERT_EQ(s.status, Status::ok);
   const Joint& alone = joints[0].joint;
   const JointSolution one = alone.solve({reaction, 0.1 * axis});
@@ -144,7 +160,11 @@ TEST(JointNode, TwoBallsShare) {
   const JointNode uneven(joints, SharingRule{{1, 3}, {0.2, 0.8}});
   NodeSolution t = uneven.make_solution();
   const Vector3d oblique(2e5, 0, 1e5);
-  uneven.solve(oblique, Vector3d::Zero(), axis, 0, t);
+  uneven.solve({.reaction = oblique,
+                .moment = Vector3d::Zero(),
+                .axis = axis,
+                .rate = 0},
+               t);
   EXPECT_NEAR(t.joints[0].reaction.z(), 0.2e5, 1e-9);
   EXPECT_NEAR(t.joints[1].reaction.z(), 0.8e5, 1e-9);
   // Determinate across the axis: stiffness has no influence.
@@ -162,7 +182,9 @@ TEST(JointNode, ThreeSupportsFollowTheirStiffness) {
   const double forces[] = {2 * 3.0, 1 * 5.0, 3 * 9.0};
   const Vector3d reaction(6 + 5 + 27, 0, 0);
   const Vector3d moment(0, -6 + 0 + 54, 0);
-  node.solve(reaction, moment, {0, 0, 1}, 0, s);
+  node.solve(
+      {.reaction = reaction, .moment = moment, .axis = {0, 0, 1}, .rate = 0},
+      s);
   for (int i = 0; i < 3; ++i) {
     EXPECT_NEAR(s.joints[i].reaction.x(), forces[i], 1e-13) << i;
   }
@@ -175,16 +197,26 @@ TEST(JointNode, RestAndUtilisation) {
   const Vector3d moment(4e4, -1e4, 0);
   const Vector3d axis(0, 0, 1);
   NodeSolution s = node.make_solution();
-  node.solve(reaction, moment, axis, 0, s);
+  node.solve({.reaction = reaction, .moment = moment, .axis = axis, .rate = 0},
+             s);
   EXPECT_EQ(s.status, Status::ok);
   EXPECT_EQ(s.friction_moment, 0);
   EXPECT_EQ(s.joints[0].state, JointState::resting);
   NodeSolution slide = node.make_solution();
-  node.solve(reaction, moment, axis, -1e-6, slide);
-  EXPECT_NEAR(
-      node.utilisation(reaction, moment, axis, 0.3 * slide.friction_moment, s),
-      0.3, 1e-12);
-  EXPECT_EQ(node.utilisation(reaction, moment, axis, 0, s), 0);
+  node.solve(
+      {.reaction = reaction, .moment = moment, .axis = axis, .rate = -1e-6},
+      slide);
+  EXPECT_NEAR(node.utilisation({.reaction = reaction,
+                                .moment = moment,
+                                .axis = axis,
+                                .needed = 0.3 * slide.friction_moment},
+                               s),
+              0.3, 1e-12);
+  EXPECT_EQ(
+      node.utilisation(
+          {.reaction = reaction, .moment = moment, .axis = axis, .needed = 0},
+          s),
+      0);
 }
 
 TEST(JointNode, ViscousJointsGoThroughTheSameNode) {
@@ -192,13 +224,23 @@ TEST(JointNode, ViscousJointsGoThroughTheSameNode) {
   const JointNode node({ball(0, oil), pin(1, oil)});
   NodeSolution s = node.make_solution();
   const Vector3d axis(0, 0, 1);
-  node.solve({1e5, 0, 0}, {0, 4e4, 0}, axis, 1, s);
+  node.solve(
+      {.reaction = {1e5, 0, 0}, .moment = {0, 4e4, 0}, .axis = axis, .rate = 1},
+      s);
   ASSERT_EQ(s.status, Status::ok);
   const double fast = s.friction_moment;
-  node.solve({1e5, 0, 0}, {0, 4e4, 0}, axis, 1e-6, s);
+  node.solve({.reaction = {1e5, 0, 0},
+              .moment = {0, 4e4, 0},
+              .axis = axis,
+              .rate = 1e-6},
+             s);
   // Linear in the rate while friction does not move the contact.
   EXPECT_NEAR(s.friction_moment / (1e-6 * fast), 1, 0.02);
-  EXPECT_EQ(node.utilisation({1e5, 0, 0}, {0, 4e4, 0}, axis, 1, s),
+  EXPECT_EQ(node.utilisation({.reaction = {1e5, 0, 0},
+                              .moment = {0, 4e4, 0},
+                              .axis = axis,
+                              .needed = 1},
+                             s),
             std::numeric_limits<double>::infinity());
 }
 
@@ -241,11 +283,19 @@ TEST(JointNode, NanGivesStatusAndNothingAllocates) {
   const JointNode node({ball(0, friction), pin(1, friction)});
   NodeSolution s = node.make_solution();
   const std::size_t before = contact::test::allocation_count();
-  node.solve({nan, 0, 0}, {0, 0, 0}, {0, 0, 1}, 1, s);
+  node.solve({.reaction = {nan, 0, 0},
+              .moment = {0, 0, 0},
+              .axis = {0, 0, 1},
+              .rate = 1},
+             s);
   EXPECT_EQ(s.status, Status::out_of_range);
   EXPECT_TRUE(std::isnan(s.friction_moment));
   // And recovers.
-  node.solve({1e4, 0, 0}, {0, 0, 0}, {0, 0, 1}, 1, s);
+  node.solve({.reaction = {1e4, 0, 0},
+              .moment = {0, 0, 0},
+              .axis = {0, 0, 1},
+              .rate = 1},
+             s);
   EXPECT_EQ(s.status, Status::ok);
   EXPECT_LT(s.friction_moment, 0);
   EXPECT_EQ(contact::test::allocation_count(), before);

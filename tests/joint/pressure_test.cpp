@@ -227,8 +227,11 @@ TEST(JointPressure, NodesMixPressures) {
       {{ball_joint("exact", FrictionLaw(0.2)), 0.0},
        {pin_joint("mixture", FrictionLaw(0.1)), 0.4}});
   contact::NodeSolution s = node.make_solution();
-  node.solve(Vector3d(1e4, 2e4, 5e3), Vector3d(100, -300, 0), Vector3d::UnitZ(),
-             1.5, s);
+  node.solve({.reaction = {1e4, 2e4, 5e3},
+              .moment = {100, -300, 0},
+              .axis = Vector3d::UnitZ(),
+              .rate = 1.5},
+             s);
   EXPECT_EQ(s.status, Status::ok);
   EXPECT_LT(s.power, 0);
 }

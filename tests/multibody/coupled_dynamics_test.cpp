@@ -14,26 +14,11 @@
 
 // Friction moments that fit the reactions they cause, and which of several
 // hinges hold at rest.
+namespace multibody::test {
 namespace {
 
 using contact::FrictionLaw;
 using Eigen::Vector3d;
-using multibody::CoupledDynamics;
-using multibody::CoupledReport;
-using multibody::CoupledStatus;
-using multibody::HingeFriction;
-using multibody::HingeKind;
-using multibody::HingeMode;
-using multibody::Instant;
-using multibody::JointFriction;
-using multibody::NodeFriction;
-using multibody::OuterStep;
-using multibody::Prepared;
-using multibody::vec3;
-using multibody::test::ball_and_pin;
-using multibody::test::ball_joint;
-using multibody::test::Mix;
-using multibody::test::pin_joint;
 
 struct Case {
   Prepared prepared;
@@ -44,7 +29,7 @@ struct Case {
 Case case_of(Instant instant, bool at_rest, double radius, double arms = 1) {
   const FrictionLaw law(0.2, 1e4);
   std::vector<HingeFriction> friction;
-  for (multibody::BodyInstant& body : instant.bodies) {
+  for (BodyInstant& body : instant.bodies) {
     if (at_rest) {
       body.relative_angular_velocity.setZero();
       body.angle_rate = 0;
@@ -103,7 +88,7 @@ TEST(CoupledDynamics, FrictionFitsTheReactionsItCauses) {
         ++cases;
         for (int i = 0; i < bodies; ++i) {
           // From nothing: the joint alone under this reaction.
-          const multibody::Link& link = c.prepared.system.links()[i];
+          const Link& link = c.prepared.system.links()[i];
           const Vector3d force = link.axes * vec3(coupled.reaction(i).force);
           const double* s = &c.prepared.state[coupled.layout().offset(i)];
           const auto& joint = std::get<JointFriction>(c.friction[i]).joint;
@@ -120,6 +105,30 @@ TEST(CoupledDynamics, FrictionFitsTheReactionsItCauses) {
   }
   std::printf("%.2f outer iterations on average, from no friction\n",
               static_cast<double>(iterations) / static_cast<double>(cases));
+}
+
+// Also by the joints that are handed in, whatever theirs is.
+TEST(CoupledDynamics, TheInstructionSetAskedForIsUsed) {
+  const auto moments = [](Mix mix, contact::InstructionSet joints) {
+    Case c = random_case(mix, 16, 1, false, 0.01);
+    for (HingeFriction& friction : c.friction) {
+      friction = with_instruction_set(friction, joints);
+    }
+    CoupledOptions options;
+    options.instruction_set = contact::InstructionSet::baseline;
+    CoupledDynamics coupled(c.prepared.system, c.friction, options);
+    set_signs(coupled, c);
+    coupled.evaluate(c.prepared.state.data(), c.prepared.forces);
+    std::vector<double> all;
+    for (int i = 0; i < coupled.size(); ++i) {
+      for (const double x : coupled.friction_moment(i)) all.push_back(x);
+    }
+    return all;
+  };
+  for (const Mix mix : {Mix::balls, Mix::axes}) {
+    EXPECT_EQ(moments(mix, contact::best_instruction_set()),
+              moments(mix, contact::InstructionSet::baseline));
+  }
 }
 
 struct Tracked {
@@ -142,7 +151,7 @@ double largest_miss(const Case& c, const CoupledDynamics& coupled) {
     for (const contact::JointSolution& joint : coupled.joints(i)) {
       expected += joint.friction_moment;
     }
-    const multibody::Link& link = c.prepared.system.links()[i];
+    const Link& link = c.prepared.system.links()[i];
     if (link.kind == HingeKind::axis) {
       const Vector3d axis = link.axes.col(2);
       expected = expected.dot(axis) * axis;
@@ -207,8 +216,8 @@ TEST(CoupledDynamics, FrictionOfBallsAndPinsIsTracked) {
         CoupledDynamics coupled(c.prepared.system, c.friction);
         coupled.set_mode(resting, HingeMode::resting);
         if (prescribed) {
-          coupled.prescribe_carrier(multibody::CarrierAcceleration<double>{
-              {1, -2, 0.5}, {0.3, 0.1, -0.7}});
+          coupled.prescribe_carrier(
+              CarrierAcceleration<double>{{1, -2, 0.5}, {0.3, 0.1, -0.7}});
         }
         ASSERT_NO_FATAL_FAILURE(track(c, coupled, 40, tracked));
         if (prescribed) {
@@ -263,12 +272,12 @@ TEST(CoupledDynamics, MomentsSetInBetweenLeadToTheSame) {
 // A body on a pin with strong friction: sin g = 0.97, rho = 0.15 m, kappa =
 // 1.455 where its carrier does not give way (motion_test.cpp).
 struct StickyPin {
-  multibody::System system;
+  System system;
   std::vector<HingeFriction> friction;
   std::vector<double> state;
-  multibody::ActiveForces<double> forces;
+  ActiveForces<double> forces;
 
-  StickyPin(const multibody::Carrier& carrier, const Vector3d& hinge,
+  StickyPin(const Carrier& carrier, const Vector3d& hinge,
             const Vector3d& force)
       : system(carrier, {body_at(hinge)}) {
     friction.emplace_back(JointFriction{
@@ -276,8 +285,8 @@ struct StickyPin {
     forces.bodies.resize(1);
     forces.bodies[0].force =
         multibody::vec3(system.links()[0].axes.transpose() * force);
-    state.resize(multibody::StateLayout::body_size + 2);
-    state[multibody::StateLayout::rotation] = 1;
+    state.resize(StateLayout::body_size + 2);
+    state[StateLayout::rotation] = 1;
     state.back() = 1e-9;
   }
   CoupledDynamics coupled() const {
@@ -286,15 +295,15 @@ struct StickyPin {
     return result;
   }
   CoupledReport evaluate(CoupledDynamics& with, double angle) {
-    state[multibody::StateLayout::body_size] = angle;
+    state[StateLayout::body_size] = angle;
     return with.evaluate(state.data(), forces);
   }
 
   static constexpr double sine = 0.97, radius = 0.15, mass = 1, arm = 0.05;
 
  private:
-  static multibody::Body body_at(const Vector3d& hinge) {
-    multibody::Body body{HingeKind::axis, mass, Eigen::Matrix3d::Zero()};
+  static Body body_at(const Vector3d& hinge) {
+    Body body{HingeKind::axis, mass, Eigen::Matrix3d::Zero()};
     body.inertia.diagonal() << 1e-3, 1e-3, mass * arm * arm;
     body.hinge_from_com = Vector3d(arm, 0, 0);
     body.hinge_from_carrier_com = hinge;
@@ -313,7 +322,7 @@ TEST(CoupledDynamics, SeveralMomentsAreSeenAfterOneWasTracked) {
     ASSERT_EQ(pin.evaluate(coupled, 1e-4 * k).status, CoupledStatus::ok);
     EXPECT_LT(coupled.kappa(0), 0.5);
   }
-  coupled.prescribe_carrier(multibody::CarrierAcceleration<double>{});
+  coupled.prescribe_carrier(CarrierAcceleration<double>{});
   ASSERT_EQ(pin.evaluate(coupled, 0).status, CoupledStatus::several_solutions);
   ASSERT_EQ(coupled.solutions().size(), 2u);
   // M^2 = k^2 (1 + (10 + 10 M)^2)
@@ -322,7 +331,7 @@ TEST(CoupledDynamics, SeveralMomentsAreSeenAfterOneWasTracked) {
   const double root = std::sqrt(b * b - a * c);
   for (const double expected : {(-b + root) / a, (-b - root) / a}) {
     double nearest = 1e9;
-    for (const multibody::CoupledSolution& s : coupled.solutions()) {
+    for (const CoupledSolution& s : coupled.solutions()) {
       nearest = std::min(nearest, std::abs(s.moments[0].z() - expected));
     }
     // The joint's half-angle is small, not 0: S = 1 + O(theta0^2).
@@ -528,7 +537,7 @@ TEST(CoupledDynamics, BallJointsBeginToSlideWhereTheyAccelerate) {
       const Vector3d alpha = vec3(coupled.dynamics().relative_acceleration(i));
       EXPECT_LT((alpha.normalized() - coupled.direction(i)).norm(), 1e-6)
           << seed;
-      const multibody::Link& link = c.prepared.system.links()[i];
+      const Link& link = c.prepared.system.links()[i];
       const Vector3d expected =
           std::get<JointFriction>(c.friction[i])
               .joint
@@ -548,3 +557,4 @@ TEST(CoupledDynamics, BallJointsBeginToSlideWhereTheyAccelerate) {
 }
 
 }  // namespace
+}  // namespace multibody::test

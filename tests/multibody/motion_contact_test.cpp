@@ -15,36 +15,15 @@
 #include "multibody_support/friction_parts.hpp"
 
 // Motions whose contacts come to the end of their law, and steps that meet it.
+namespace multibody::test {
 namespace {
 
 using contact::FrictionLaw;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
-using multibody::BodyForce;
-using multibody::BodyMotion;
-using multibody::CarrierDrive;
-using multibody::CoupledStatus;
-using multibody::FrictionEstimate;
-using multibody::HingeFriction;
-using multibody::HingeKind;
-using multibody::HingeMode;
-using multibody::HingeSample;
-using multibody::Integrator;
-using multibody::JointFriction;
-using multibody::Motion;
-using multibody::MotionFailure;
-using multibody::MotionOptions;
-using multibody::MotionStart;
-using multibody::NodeFriction;
-using multibody::Stop;
-using multibody::System;
-using multibody::test::ball_joint;
-using multibody::test::EndingLaw;
-using multibody::test::LawPointer;
-using multibody::test::pin_joint;
 
 // A force along x and a torque about z on body 0.
-class Pull : public multibody::ForceModel {
+class Pull : public ForceModel {
  public:
   using Function = std::function<double(double)>;
   Pull(Function force, Function torque)
@@ -123,7 +102,7 @@ class ContactEnds : public testing::TestWithParam<Integrator> {
   static Motion motion(const Hinge& hinge, std::shared_ptr<Pull> forces,
                        double rate, bool locked = false) {
     // So heavy that friction, 800 N m, hardly slows it down.
-    const multibody::Body body{hinge.kind, 1000, 1e5 * Matrix3d::Identity()};
+    const Body body{hinge.kind, 1000, 1e5 * Matrix3d::Identity()};
     MotionOptions options;
     options.carrier_drive = CarrierDrive{};
     options.integrator = GetParam();
@@ -285,3 +264,4 @@ INSTANTIATE_TEST_SUITE_P(Motion, ContactEnds,
                          });
 
 }  // namespace
+}  // namespace multibody::test

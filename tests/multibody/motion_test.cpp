@@ -13,34 +13,12 @@
 
 // Motions against closed forms: friction stops and holds, sliding begins where
 // it should, energies and momenta add up.
+namespace multibody::test {
 namespace {
 
 using contact::FrictionLaw;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
-using multibody::Body;
-using multibody::BodyForce;
-using multibody::BodyMotion;
-using multibody::BodyStart;
-using multibody::Carrier;
-using multibody::CarrierDrive;
-using multibody::ForceModel;
-using multibody::HingeFriction;
-using multibody::HingeKind;
-using multibody::HingeMode;
-using multibody::HingeSample;
-using multibody::Integrator;
-using multibody::JointFriction;
-using multibody::Motion;
-using multibody::MotionOptions;
-using multibody::MotionStart;
-using multibody::NodeFriction;
-using multibody::Stop;
-using multibody::System;
-using multibody::test::ball_and_pin;
-using multibody::test::ball_joint;
-using multibody::test::moment_limit;
-using multibody::test::pin_joint;
 
 constexpr double g = 9.81;
 
@@ -60,8 +38,17 @@ MotionStart start_of(int bodies) {
   return start;
 }
 
-MotionOptions on_fixed_carrier() {
+MotionStart turning(double rate) {
+  MotionStart start = start_of(1);
+  start.bodies[0].angle_rate = rate;
+  return start;
+}
+
+MotionOptions on_fixed_carrier(Integrator integrator = Integrator::adaptive,
+                               double step = MotionOptions().step) {
   MotionOptions options;
+  options.integrator = integrator;
+  options.step = step;
   options.carrier_drive = CarrierDrive{};
   options.gravity = Vector3d(0, -g, 0);
   return options;
@@ -81,6 +68,18 @@ class Torque : public ForceModel {
   std::function<double(double)> torque_;
 };
 
+TEST(Motion, ForcesThatAreTakenAwayActNoLonger) {
+  const double about = 0.4;
+  Motion motion(System(heavy_carrier(), {wheel(20, about)}), {},
+                std::make_shared<Torque>([](double) { return 2.0; }),
+                start_of(1), on_fixed_carrier());
+  motion.advance_to(1);
+  EXPECT_NEAR(motion.sample().hinge(0).angle_rate, 2 / about, 1e-9);
+  motion.set_forces(nullptr);
+  motion.advance_to(2);
+  EXPECT_NEAR(motion.sample().hinge(0).angle_rate, 2 / about, 1e-9);
+}
+
 TEST(Motion, ConstantFrictionStopsAWheelAndItStays) {
   const double mass = 20, about = 0.4, w0 = 3;
   const auto joint = pin_joint(FrictionLaw(0.2, 1e4));
@@ -88,11 +87,8 @@ TEST(Motion, ConstantFrictionStopsAWheelAndItStays) {
   ASSERT_GT(friction, 0);
   for (const Integrator integrator : {Integrator::adaptive, Integrator::rk4}) {
     for (const double sign : {1.0, -1.0}) {
-      MotionOptions options = on_fixed_carrier();
-      options.integrator = integrator;
-      options.step = 0.01;
-      MotionStart start = start_of(1);
-      start.bodies[0].angle_rate = sign * w0;
+      MotionOptions options = on_fixed_carrier(integrator, 0.01);
+      MotionStart start = turning(sign * w0);
       Motion motion(System(heavy_carrier(), {wheel(mass, about)}),
                     {JointFriction{joint}}, nullptr, start, options);
       const double stop = about * w0 / friction;
@@ -121,8 +117,7 @@ TEST(Motion, BallJointStopsAboutItsAxisWhenItShould) {
     for (const Vector3d& axis : {Vector3d(0, 1, 0), Vector3d(0, 0, -1)}) {
       const double friction =
           joint.solve({{0, mass * g, 0}, axis}).friction_moment.norm();
-      MotionOptions options = on_fixed_carrier();
-      options.integrator = integrator;
+      MotionOptions options = on_fixed_carrier(integrator);
       MotionStart start = start_of(1);
       start.bodies[0].relative_angular_velocity = w0 * axis;
       Motion motion(System(heavy_carrier(), {body}), {JointFriction{joint}},
@@ -146,9 +141,7 @@ TEST(Motion, RampedTorqueStartsSlidingAtTheRightInstant) {
   const auto joint = pin_joint(FrictionLaw(0.2, 1e4));
   const double friction = moment_limit(joint, {0, mass * g, 0});
   for (const Integrator integrator : {Integrator::adaptive, Integrator::rk4}) {
-    MotionOptions options = on_fixed_carrier();
-    options.integrator = integrator;
-    options.step = 0.01;
+    MotionOptions options = on_fixed_carrier(integrator, 0.01);
     const auto torque =
         std::make_shared<Torque>([=](double t) { return slope * t; });
     Motion motion(System(heavy_carrier(), {wheel(mass, about)}),
@@ -292,8 +285,7 @@ TEST(Motion, NoneOrSeveralFrictionMomentsAreReported) {
     const double rx = two ? 1 : 10, ry = two ? 10 : 3;
     MotionOptions options;
     options.carrier_drive = CarrierDrive{};
-    MotionStart start = start_of(1);
-    start.bodies[0].angle_rate = 1e-9;
+    MotionStart start = turning(1e-9);
     Motion motion(system, {friction}, std::make_shared<Push>(force_for(rx, ry)),
                   start, options);
     EXPECT_EQ(motion.advance_to(1), Stop::failed);
@@ -311,12 +303,10 @@ TEST(Motion, NoneOrSeveralFrictionMomentsAreReported) {
     EXPECT_TRUE(std::isnan(motion.sample().acceleration(1).x()));
     EXPECT_TRUE(std::isnan(motion.sample().angular_acceleration(1).z()));
     if (!two) {
-      EXPECT_EQ(motion.failure()->status,
-                multibody::CoupledStatus::no_solution);
+      EXPECT_EQ(motion.failure()->status, CoupledStatus::no_solution);
       continue;
     }
-    EXPECT_EQ(motion.failure()->status,
-              multibody::CoupledStatus::several_solutions);
+    EXPECT_EQ(motion.failure()->status, CoupledStatus::several_solutions);
     // M^2 = k^2 (rx^2 + (ry + d M)^2)
     const double a = 1 - k * k * d * d, b = -k * k * ry * d,
                  c = -k * k * (rx * rx + ry * ry);
@@ -343,8 +333,8 @@ struct Momentum {
   Vector3d angular = Vector3d::Zero();
 };
 
-Momentum momentum_of(const multibody::MotionSample& sample,
-                     const Carrier& carrier, const std::vector<Body>& bodies) {
+Momentum momentum_of(const MotionSample& sample, const Carrier& carrier,
+                     const std::vector<Body>& bodies) {
   Momentum p;
   for (std::size_t i = 0; i <= bodies.size(); ++i) {
     const BodyMotion& body = sample.motions()[i];
@@ -435,9 +425,7 @@ TEST(Motion, RestingHingeNeitherCreepsNorChatters) {
   // a million steps.
   Body body = wheel(20, 0.4);
   body.hinge_from_com = Vector3d(0.002, -0.001, 0);
-  MotionOptions options = on_fixed_carrier();
-  options.integrator = Integrator::rk4;
-  options.step = 1e-3;
+  MotionOptions options = on_fixed_carrier(Integrator::rk4, 1e-3);
   const auto joint = pin_joint(FrictionLaw(0.2, 1e4));
   const double held = moment_limit(joint, {0, 20 * g, 0});
   const auto torque = std::make_shared<Torque>(
@@ -499,8 +487,7 @@ TEST(Motion, ViscousHingeSlowsDownForEver) {
   const double per_rate =
       -joint.solve({{0, mass * g, 0}, Vector3d::UnitZ()}).friction_moment.z();
   ASSERT_GT(per_rate, 0);
-  MotionStart start = start_of(1);
-  start.bodies[0].angle_rate = w0;
+  MotionStart start = turning(w0);
   Motion motion(System(heavy_carrier(), {wheel(mass, about)}),
                 {JointFriction{joint}}, nullptr, start, on_fixed_carrier());
   const double time = 3 * about / per_rate;
@@ -519,7 +506,7 @@ TEST(Motion, ViscousHingeSlowsDownForEver) {
 // Friction from R in place of R_n stops a wheel sooner, by sqrt(1 + f^2).
 TEST(Motion, TraditionalEstimateBrakesTooHard) {
   const double f = 0.8;
-  const auto stop = [&](multibody::FrictionEstimate estimate, bool node) {
+  const auto stop = [&](FrictionEstimate estimate, bool node) {
     std::vector<contact::NodeJoint> joints;
     joints.push_back({ball_joint(FrictionLaw(f), 0.02), -0.1});
     joints.push_back({pin_joint(FrictionLaw(f), 0.02), 0.1});
@@ -529,18 +516,15 @@ TEST(Motion, TraditionalEstimateBrakesTooHard) {
     } else {
       friction = JointFriction{pin_joint(FrictionLaw(f), 0.02), estimate};
     }
-    MotionStart start = start_of(1);
-    start.bodies[0].angle_rate = 3;
+    MotionStart start = turning(3);
     Motion motion(System(heavy_carrier(), {wheel(20, 0.4)}), {friction},
                   nullptr, start, on_fixed_carrier());
     motion.advance_to(100);
     return motion.changes().at(0).time;
   };
   for (const bool node : {false, true}) {
-    const double consistent =
-        stop(multibody::FrictionEstimate::consistent, node);
-    const double traditional =
-        stop(multibody::FrictionEstimate::traditional, node);
+    const double consistent = stop(FrictionEstimate::consistent, node);
+    const double traditional = stop(FrictionEstimate::traditional, node);
     // The half-angle of R_n is a little smaller than that of R.
     EXPECT_NEAR(consistent / traditional, std::hypot(1, f), 2e-3);
   }
@@ -797,9 +781,7 @@ TEST(Motion, APeakNearTheBeginningOfAStepEndsTheRest) {
   const double held = moment_limit(joint, {0, 20 * g, 0});
   const auto torque = std::make_shared<Torque>(
       [=](double t) { return held * (1.02 - 1.4 * (t - 0.15) * (t - 0.15)); });
-  MotionOptions options = on_fixed_carrier();
-  options.integrator = Integrator::rk4;
-  options.step = 1;
+  MotionOptions options = on_fixed_carrier(Integrator::rk4, 1);
   Motion motion(System(heavy_carrier(), {wheel(20, 0.4)}),
                 {JointFriction{joint}}, torque, start_of(1), options);
   ASSERT_EQ(motion.advance_to(1), Stop::time);
@@ -824,11 +806,9 @@ TEST(Motion, PendulumMeetsItsEllipticPeriod) {
     MotionOptions options = on_fixed_carrier();
     options.relative_tolerance = options.absolute_tolerance = 1e-11;
     Motion motion(System(heavy_carrier(), {body}), {}, nullptr, start, options);
-    const int below =
-        motion.add_event({[](const multibody::MotionSample& s) {
-                            return s.body(0).position.x();
-                          },
-                          multibody::MotionEvent::Crossing::either});
+    const int below = motion.add_event(
+        {[](const MotionSample& s) { return s.body(0).position.x(); },
+         MotionEvent::Crossing::either});
     for (int i = 0; i < 3; ++i) {
       ASSERT_EQ(motion.advance_to(100), Stop::event);
       EXPECT_EQ(motion.event(), below);
@@ -851,14 +831,13 @@ TEST(Motion, AnglesOfAxesCountFullTurns) {
   const double level = 800 * std::numbers::pi / 180;
   const double rate = std::sqrt(1.8 / about);
   for (const Integrator integrator : {Integrator::adaptive, Integrator::rk4}) {
-    MotionOptions options = on_fixed_carrier();
-    options.integrator = integrator;
+    MotionOptions options = on_fixed_carrier(integrator);
     MotionStart start = start_of(1);
     start.bodies[0].angle = first;
     Motion motion(System(heavy_carrier(), {wheel(20, about)}), {},
                   std::make_shared<Spring>(), start, options);
     motion.add_event(
-        {[&](const multibody::MotionSample& s) { return s.angle(0) - level; }});
+        {[&](const MotionSample& s) { return s.angle(0) - level; }});
     const double down = std::acos(level / first) / rate;
     const double period = 2 * std::numbers::pi / rate;
     for (const double time : {down, period - down, period + down}) {
@@ -871,7 +850,7 @@ TEST(Motion, AnglesOfAxesCountFullTurns) {
     motion.release(0);
     const double then = motion.sample().body(0).hinge_angle;
     EXPECT_NEAR(then, level, 1e-7);
-    const multibody::MotionState saved = motion.save();
+    const MotionState saved = motion.save();
     motion.advance_to(2 * period);
     EXPECT_EQ(motion.sample().body(0).hinge_angle, then);
     Motion other(System(heavy_carrier(), {wheel(20, about)}), {}, nullptr,
@@ -924,7 +903,7 @@ TEST(Motion, TimesBeforeAnEventInTheSameStepAreTheirOwn) {
                   on_fixed_carrier());
     int events = 0;
     // Crossed from time to time.
-    motion.add_event({[&](const multibody::MotionSample& sample) {
+    motion.add_event({[&](const MotionSample& sample) {
       return event ? std::sin(40 * sample.angle(0) + 1) : 1.0;
     }});
     std::vector<double> angles;
@@ -946,19 +925,15 @@ TEST(Motion, TimesBeforeAnEventInTheSameStepAreTheirOwn) {
 // A wheel that turns back just after a level, both within a long step: its
 // angle is a polynomial, which the integrators follow exactly.
 TEST(Motion, EventsThatCrossTwiceWithinAStepAreFound) {
-  using multibody::MotionEvent;
-  using multibody::MotionSample;
   const double about = 0.4, rate = 3, brake = 2;
   const double peak = rate * rate * about / (2 * brake);
   for (const Integrator integrator : {Integrator::adaptive, Integrator::rk4}) {
     for (const double share : {0.5, 0.999, 1 - 1e-6, 1 + 1e-6}) {
       const double level = share * peak;
-      MotionOptions options = on_fixed_carrier();
-      options.integrator = integrator;
-      options.step = 0.9;  // the peak comes at 0.6 s
+      MotionOptions options =
+          on_fixed_carrier(integrator, 0.9);  // the peak comes at 0.6 s
       options.longest_step = 3;
-      MotionStart start = start_of(1);
-      start.bodies[0].angle_rate = rate;
+      MotionStart start = turning(rate);
       Motion motion(System(heavy_carrier(), {wheel(20, about)}), {},
                     std::make_shared<Torque>([=](double) { return -brake; }),
                     start, options);
@@ -1001,15 +976,13 @@ TEST(Motion, EventsThatCrossTwiceWithinAStepAreFound) {
 // At the points of the step it is below -0.24, and the polynomial through them
 // stays below -0.16, of which it is unsure by 0.39.
 TEST(Motion, CrossingsThatThePolynomialMissesAreFound) {
-  MotionOptions options = on_fixed_carrier();
-  options.integrator = Integrator::rk4;
-  options.step = 1;
+  MotionOptions options = on_fixed_carrier(Integrator::rk4, 1);
   Motion motion(System(heavy_carrier(), {wheel(20, 0.4)}), {}, nullptr,
                 start_of(1), options);
   motion.add_event({[](const auto& sample) {
                       return std::sin(13 * (sample.time() - 0.5)) - 0.85;
                     },
-                    multibody::MotionEvent::Crossing::rising});
+                    MotionEvent::Crossing::rising});
   ASSERT_EQ(motion.advance_to(1), Stop::event);
   EXPECT_NEAR(motion.time(),
               0.5 + (std::asin(0.85) - 2 * std::numbers::pi) / 13, 1e-12);
@@ -1018,15 +991,13 @@ TEST(Motion, CrossingsThatThePolynomialMissesAreFound) {
 // Exactly 0 where a step ends.
 TEST(Motion, EventsAtTheEndOfAStepComeOnce) {
   for (const double sign : {1., -1.}) {
-    MotionOptions options = on_fixed_carrier();
-    options.integrator = Integrator::rk4;
-    options.step = 0.25;
+    MotionOptions options = on_fixed_carrier(Integrator::rk4, 0.25);
     Motion motion(System(heavy_carrier(), {wheel(20, 0.4)}), {}, nullptr,
                   start_of(1), options);
     motion.add_event(
         {[=](const auto& sample) { return sign * (sample.time() - 1); },
-         sign > 0 ? multibody::MotionEvent::Crossing::rising
-                  : multibody::MotionEvent::Crossing::falling});
+         sign > 0 ? MotionEvent::Crossing::rising
+                  : MotionEvent::Crossing::falling});
     ASSERT_EQ(motion.advance_to(2), Stop::event);
     EXPECT_EQ(motion.time(), 1);
     EXPECT_EQ(motion.advance_to(2), Stop::time);
@@ -1036,13 +1007,10 @@ TEST(Motion, EventsAtTheEndOfAStepComeOnce) {
 TEST(Motion, EveryCrossingWithinAStepIsFoundInOrder) {
   const double about = 0.4;
   const double a = 0.2, b = 0.6, c = 0.9;  // and 0
-  using Crossing = multibody::MotionEvent::Crossing;
+  using Crossing = MotionEvent::Crossing;
   const auto run = [&](Crossing way) {
-    MotionOptions options = on_fixed_carrier();
-    options.integrator = Integrator::rk4;
-    options.step = 1;
-    MotionStart start = start_of(1);
-    start.bodies[0].angle_rate = -a * b * c;
+    MotionOptions options = on_fixed_carrier(Integrator::rk4, 1);
+    MotionStart start = turning(-a * b * c);
     // x'' of t (t - a) (t - b) (t - c)
     Motion motion(System(heavy_carrier(), {wheel(20, about)}), {},
                   std::make_shared<Torque>([&](double t) {
@@ -1050,7 +1018,7 @@ TEST(Motion, EveryCrossingWithinAStepIsFoundInOrder) {
                                     2 * (a * b + b * c + c * a));
                   }),
                   start, options);
-    motion.add_event({[](const multibody::MotionSample& s) {
+    motion.add_event({[](const MotionSample& s) {
                         return s.angle(0) - (s.time() == 0 ? 1e-9 : 0);
                       },
                       way});
@@ -1084,16 +1052,14 @@ TEST(Motion, ReactionsThatPeakWithinAStepAreFound) {
       4 * std::comp_ellint_1(std::sin(amplitude / 2)) * std::sqrt(l / g);
   for (const Integrator integrator : {Integrator::adaptive, Integrator::rk4}) {
     for (const double share : {0.99, 1 - 1e-6, 1 + 1e-6}) {
-      MotionOptions options = on_fixed_carrier();
-      options.integrator = integrator;
-      options.step = 0.01;
+      MotionOptions options = on_fixed_carrier(integrator, 0.01);
       Motion motion(System(heavy_carrier(), {body}), {}, nullptr, start,
                     options);
       const double level = share * most;
-      motion.add_event({[=](const multibody::MotionSample& s) {
+      motion.add_event({[=](const MotionSample& s) {
                           return s.hinge(0).reaction_force.norm() / level - 1;
                         },
-                        multibody::MotionEvent::Crossing::rising});
+                        MotionEvent::Crossing::rising});
       for (int swing = 0; swing < 10 && share < 1; ++swing) {
         ASSERT_EQ(motion.advance_to(100), Stop::event) << share << swing;
         const double angle = std::acos(
@@ -1121,11 +1087,8 @@ TEST(Motion, AShortStopWithinAStepIsFound) {
   const auto joint = pin_joint(FrictionLaw(0.2, 1e4));
   const double held = moment_limit(joint, {0, mass * g, 0});
   for (const Integrator integrator : {Integrator::adaptive, Integrator::rk4}) {
-    MotionOptions options = on_fixed_carrier();
-    options.integrator = integrator;
-    options.step = 0.07;
-    MotionStart start = start_of(1);
-    start.bodies[0].angle_rate = w * (1 - 1e-4);
+    MotionOptions options = on_fixed_carrier(integrator, 0.07);
+    MotionStart start = turning(w * (1 - 1e-4));
     Motion motion(System(heavy_carrier(), {wheel(mass, about)}),
                   {JointFriction{joint}},
                   std::make_shared<Torque>(
@@ -1158,14 +1121,12 @@ TEST(Motion, ForcesJumpWhereTheySay) {
   const double about = 0.4;
   const System system(heavy_carrier(), {wheel(20, about)});
   for (const Integrator integrator : {Integrator::adaptive, Integrator::rk4}) {
-    MotionOptions options = on_fixed_carrier();
-    options.integrator = integrator;
-    options.step = 0.01;
+    MotionOptions options = on_fixed_carrier(integrator, 0.01);
     Motion motion(system, {}, std::make_shared<Pulse>(), start_of(1), options);
     // Who watches the steps sees the torque on both sides of its jumps.
     std::map<double, double> seen;
     double last = 0;
-    motion.watch_steps([&](const multibody::MotionSample& sample) {
+    motion.watch_steps([&](const MotionSample& sample) {
       EXPECT_GE(sample.time(), last);
       last = sample.time();
       seen[last] = about * sample.angular_acceleration(1).z();
@@ -1201,9 +1162,7 @@ TEST(Motion, HaltsBetweenStepsAndKnowsWhatHoldsThem) {
   };
   const System system(heavy_carrier(), {wheel(20, 0.4), wheel(20, 0.4)});
   for (const Integrator integrator : {Integrator::adaptive, Integrator::rk4}) {
-    MotionOptions options = on_fixed_carrier();
-    options.integrator = integrator;
-    options.step = 5e-5;
+    MotionOptions options = on_fixed_carrier(integrator, 5e-5);
     MotionStart start = start_of(2);
     start.bodies[0].angle_rate = start.bodies[1].angle_rate = 2;
     const auto make = [&] {
@@ -1286,7 +1245,7 @@ TEST(Motion, GoesOnFromASavedStateAsIfNothingHadHappened) {
   options.step = 5e-3;
   Motion one(system, m.friction, nullptr, m.start, options);
   one.advance_to(1);
-  const multibody::MotionState saved = one.save();
+  const MotionState saved = one.save();
   one.advance_to(2);
   Motion other(system, m.friction, nullptr, m.start, options);
   other.restore(saved);
@@ -1332,7 +1291,7 @@ TEST(Motion, GoesOnInTheMiddleOfASlowOnset) {
   ASSERT_EQ(one.advance_to(15), Stop::time);
   ASSERT_EQ(one.changes().size(), 1u);
   EXPECT_NEAR(one.changes()[0].time, 10, 1e-4);
-  const multibody::MotionState saved = one.save();
+  const MotionState saved = one.save();
   ASSERT_GT(saved.paces[0], 0);
   Motion other(system, {JointFriction{joint}}, forces, start_of(1),
                on_fixed_carrier());
@@ -1412,8 +1371,7 @@ TEST(Motion, BadInputIsRefusedByName) {
             "bodies[0].friction: a ball joint alone requires a ball hinge");
   EXPECT_EQ(with({}, start_of(2)),
             "start of 2 bodies must be of 1, one for each body");
-  MotionStart start = start_of(1);
-  start.bodies[0].angle_rate = std::nan("");
+  MotionStart start = turning(std::nan(""));
   EXPECT_EQ(with({}, start), "start.bodies[0] must be finite");
   start.bodies[0].angle_rate = 1;
   start.bodies[0].locked = true;
@@ -1440,3 +1398,4 @@ TEST(Motion, FixedCarrierStaysWhereItIs) {
 }
 
 }  // namespace
+}  // namespace multibody::test

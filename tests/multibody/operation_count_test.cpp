@@ -9,18 +9,8 @@
 #include "multibody_support/prepared.hpp"
 #include "multibody_support/random_instant.hpp"
 
+namespace multibody::test {
 namespace {
-
-using multibody::CarrierActiveForces;
-using multibody::HingeKind;
-using multibody::Instant;
-using multibody::Prepared;
-using multibody::SystemConstants;
-using multibody::TwoStep;
-using multibody::Vec3;
-using multibody::test::Counted;
-using multibody::test::Mix;
-using multibody::test::PlainTwoStep;
 
 // count = per_body L + fixed
 struct Line {
@@ -102,7 +92,7 @@ typename PlainTwoStep<T>::Input plain_input(const Instant& instant) {
   in.w0 = instant.angular_velocity.cast<T>();
   in.force = instant.active_force.cast<T>();
   in.moment = instant.active_moment_com.cast<T>();
-  for (const multibody::BodyInstant& body : instant.bodies) {
+  for (const BodyInstant& body : instant.bodies) {
     const bool axis = body.body.kind == HingeKind::axis;
     const Eigen::Matrix3d& b = body.body.hinge_to_body;
     const Eigen::Matrix3d c =
@@ -133,7 +123,7 @@ TEST(OperationCount, PlainFormulasAgreeWithTheResolution) {
       const Instant instant = random_instant(mix, 4, seed);
       PlainTwoStep<double> two_step(instant);
       two_step.evaluate(plain_input<double>(instant));
-      const multibody::InstantResult expected = evaluate(instant);
+      const InstantResult expected = evaluate(instant);
       const auto error = [](const Eigen::Vector3d& a,
                             const Eigen::Vector3d& b) {
         return (a - b).norm() / (1 + b.norm());
@@ -179,3 +169,4 @@ TEST(OperationCount, IsBelowThePapers) {
 }
 
 }  // namespace
+}  // namespace multibody::test

@@ -75,6 +75,21 @@ class Numbers(unittest.TestCase):
         p = libcontact.pressure(0.1, theta0, **keys) * [500, 2000] / 0.014**2
         np.testing.assert_allclose(p, hip.pressure(0.1, [500, 2000]))
 
+    def test_of_plain_laws_need_no_materials(self):
+        self.assertAlmostEqual(
+            libcontact.half_angle(0.001, "hertz"), np.arcsin(0.1))
+        self.assertGreater(libcontact.pressure(0, 0.3, "cosine"), 0)
+        with self.assertRaisesRegex(
+            libcontact.Error, "^a joint requires inner and outer"
+        ):  # fmt: skip
+            libcontact.half_angle(1, "exact")
+
+    def test_of_a_pin_are_about_its_axis(self):
+        pin = libcontact.Joint.from_file(pin_file)
+        s = pin.solve([300, 0, 500], [0, 0, 2.0], axis=[0, 0, 1])
+        np.testing.assert_array_equal(s.reaction, [300, 0, 0])
+        self.assertEqual(s.power, pin.solve([300, 0, 0], [0, 0, 2.0]).power)
+
     def test_of_friction_are_those_of_hinge_table(self):
         rows = table(
             "hinge-table", "--theta0", "10:90:4", "--alpha", "0:90:5")  # fmt: skip
@@ -173,19 +188,22 @@ class Files(unittest.TestCase):
             self.assertEqual("hinge-joint: " + setting + "\n", said)
 
     def test_without_a_place_have_messages_without(self):
+        materials = {k: walled[k] for k in ("inner", "outer")}
         for keys, message in (
-            ({"radius_mm": -50}, "geometry.radius_mm = -50 must be above 0"),
-            ({"radius_mm": 50},
+            ({}, "a joint requires inner and outer, the two materials, or pair"),
+            ({"radius_mm": -50, **materials},
+             "geometry.radius_mm = -50 must be above 0"),
+            ({"radius_mm": 50, **materials},
              "geometry requires radial_clearance, diametral_clearance, "
              "relative_clearance, or hole and shaft"),
-            ({"diametral_clearance_um": 5}, "geometry requires radius or "
+            ({"diametral_clearance_um": 5, **materials}, "geometry requires radius or "
              "diameter"),
         ):  # fmt: skip
             with self.assertRaises(libcontact.Error) as caught:
                 libcontact.Joint(kind="ball", **keys)
             self.assertEqual(str(caught.exception), message)
         with self.assertRaisesRegex(TypeError, "no number"):
-            libcontact.Joint(kind="ball", radius_mm=print)
+            libcontact.Joint(kind="ball", radius_mm=print, **materials)
         with self.assertRaises(FileNotFoundError):
             libcontact.Joint.from_file("gone.toml")
         frictionless = {k: v for k, v in walled.items() if k != "coefficient"}

@@ -48,6 +48,7 @@ const std::vector<std::string> rooms = {
     "apps/separation/output",
     "apps/separation/replay",
     "apps/separation",
+    "apps/study",
     "libcontact/python",
     "libcontact/c",
 };

@@ -16,6 +16,7 @@
 #include "separation/case/case_reader.hpp"
 #include "separation/case/shape.hpp"
 #include "separation/clearance/clearance.hpp"
+#include "separation/clearance/pair_way.hpp"
 #include "separation/output/summary.hpp"
 #include "separation/record/checkpoint.hpp"
 #include "separation/record/peaks.hpp"
@@ -300,6 +301,53 @@ void expect_force(const BodyForce& f, const Vector3d& force,
   // Some roundings of numbers up to some tens.
   EXPECT_LE((f.force - force).norm(), 1e-13) << f.force.transpose();
   EXPECT_LE((f.moment - moment).norm(), 1e-13) << f.moment.transpose();
+}
+
+// From a distance that is known, wherever the bodies have moved since; and of
+// none between two distances.
+TEST(PairWay, IsNeverAboveTheDistance) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  const auto vector = [&] {
+    return Vector3d(uniform(random), uniform(random), uniform(random));
+  };
+  const Shape rod{.kind = ShapeKind::capsule,
+                  .from = {-0.3, 0.1, 0},
+                  .to = {0.8, 0, 0.2},
+                  .radius = 0.1};
+  Clearance clearance({{rod}, {rod}}, {{0, 1}});
+  for (int trial = 0; trial < 300; ++trial) {
+    separation::PairWay way({0, 1}, separation::reach(rod));
+    std::vector<multibody::BodyMotion> bodies;
+    for (int i = 0; i < 2; ++i) {
+      bodies.push_back({vector() + Vector3d(3. * i, 0, 0), vector(),
+                        Matrix3d::Identity(), vector()});
+    }
+    // Both fly and turn at constant rates: their speeds do not change.
+    const double step = 0.3;
+    way.move_on(0, bodies);
+    way.know(clearance.distance(0, bodies));
+    double least = 1e9;
+    constexpr int parts = 20;
+    const auto start = bodies;
+    for (int part = 1; part <= parts; ++part) {
+      const double t = step * part / parts;
+      for (int i = 0; i < 2; ++i) {
+        const Vector3d& w = start[i].angular_velocity;
+        bodies[i].position = start[i].position + t * start[i].velocity;
+        bodies[i].rotation =
+            Eigen::AngleAxisd(t * w.norm(), w.normalized()) * start[i].rotation;
+      }
+      least = std::min(least, clearance.distance(0, bodies));
+    }
+    way.move_on(step, bodies);
+    const double now = clearance.distance(0, bodies);
+    // FCL's accuracy.
+    EXPECT_LE(way.least_now(), now + 2e-5);
+    way.know(now);
+    EXPECT_EQ(way.least_now(), now);
+    EXPECT_LE(way.least_since(), least + 2e-5);
+  }
 }
 
 // Two quantities that peak at 0.7 and 0.4, one that grows, one that has had a

@@ -185,6 +185,53 @@ start = { position_m = [9, 0, 0], velocity_m_per_s = [0, 1, 0] }
   }
 }
 
+// Balls of 0.5 m that fly past each other 2 m apart, and a rod of 4 m that
+// turns past a ball: with one output, at the end, the smallest distance is
+// between looks.
+TEST(SmallestClearance, BetweenTheLooks) {
+  const auto smallest =
+      [](const std::string& start, const std::string& rod, bool rows) {
+        const Case c =
+            parse_case(
+                R"(
+name = "past"
+run = { end_time_s = 5, output_step_s = 5 }
+[carrier]
+name = "a"
+mass_kg = 1
+principal_inertia_kg_m2 = [1, 1, 1]
+shape = [{ kind = "capsule", from_m = [0, 0, 0], to_m = [0, 0, 0], radius_m = 0.5 }]
+[[body]]
+name = "b"
+mass_kg = 1
+com_m = [0, 0, 0]
+principal_inertia_kg_m2 = [1, 1, 1]
+shape = [{ kind = "capsule", from_m = [)" +
+                    rod + R"(, 0, 0], to_m = [-)" + rod +
+                    R"(, 0, 0], radius_m = 0.5 }]
+start = )" + start + '\n',
+                "past.toml");
+        separation::RunOptions options;
+        options.rows = rows;
+        return run_case(c, options).memory.pairs[0];
+      };
+  for (const bool rows : {false, true}) {
+    const auto past =
+        smallest("{ position_m = [-10, 2, 0], velocity_m_per_s = [4, 0, 0] }",
+                 "0", rows);
+    // FCL's accuracy; the time goes as its root.
+    EXPECT_NEAR(past.smallest, 1, 2e-5);
+    EXPECT_NEAR(past.time, 2.5, 5e-3);
+    // Its end points at the ball after 60 of the 100 deg.
+    const auto turning = smallest(
+        "{ position_m = [0, 4, 0], rotation_deg = [0, 0, 30], "
+        "angular_velocity_deg_per_s = [0, 0, 20] }",
+        "2", rows);
+    EXPECT_NEAR(turning.smallest, 1, 2e-5);
+    EXPECT_NEAR(turning.time, 3, 5e-3);
+  }
+}
+
 // Forces that jump three times, at times that rounding does not hit: momentum
 // and place are those of the table's integrals, to rounding.
 class TimeTables : public testing::TestWithParam<std::string> {};

@@ -426,6 +426,10 @@ void warn_of_validity(std::string_view program,
       std::ranges::copy(joint.geometry->validity_notes(),
                         std::inserter(notes, notes.begin()));
     }
+    const auto* stress =
+        joint.friction ? std::get_if<contact::FrictionStress>(&*joint.friction)
+                       : nullptr;
+    if (stress && !stress->note().empty()) notes.push_back(stress->note());
     for (const std::string& text : notes) {
       if (said.insert(text).second) warn(program, text);
     }

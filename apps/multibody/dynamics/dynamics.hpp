@@ -1,20 +1,14 @@
 #pragma once
 
+#include <cassert>
 #include <memory>
 #include <span>
 #include <vector>
 
 #include "libcontact/base/instruction_set.hpp"
-#include "multibody/dynamics/carrier_equations.hpp"
-#include "multibody/system/active_forces.hpp"
-#include "multibody/system/state_layout.hpp"
+#include "multibody/dynamics/kernel/dynamics_kernel.hpp"
 
 namespace multibody {
-
-class SystemConstants;
-namespace detail {
-class DynamicsKernel;
-}
 
 /// Accelerations and reactions of a carrier with its bodies, resolved in two
 /// steps (TwoStep), one motion in double precision. The work is proportional
@@ -31,9 +25,6 @@ class Dynamics {
   /// @param set  instruction set, a supported one
   explicit Dynamics(const System& system, contact::InstructionSet set =
                                               contact::best_instruction_set());
-  ~Dynamics();
-  Dynamics(Dynamics&&) noexcept;
-  Dynamics& operator=(Dynamics&&) noexcept;
 
   int size() const { return static_cast<int>(modes_.size()); }
   JointMode mode(int body) const { return modes_[body]; }
@@ -59,34 +50,51 @@ class Dynamics {
   /// for each body, ignored where a joint is held or released. Motion,
   /// matrices and factors stay: only what the change adds is computed. Agrees
   /// with a full evaluation to 1e-14 (multibody/dynamics_test.cpp).
-  void add_friction(std::span<const Vec3<double>> change);
+  void add_friction(std::span<const Vec3<double>> change) {
+    assert(static_cast<int>(change.size()) == size());
+    kernel_->add_friction(change.data());
+  }
   /// @param change  0 beyond size(), in the last packet
-  void add_friction(const VectorRows& change);
+  void add_friction(const VectorRows& change) { kernel_->add_friction(change); }
 
   /// Accelerations of the carrier, gravity not included.
-  const CarrierAcceleration<double>& carrier() const;
+  const CarrierAcceleration<double>& carrier() const {
+    return kernel_->carrier();
+  }
   /// After an evaluation in the present modes.
   /// Angular acceleration of a body, link axes: derivative in link axes of the
   /// relative angular velocity, (0, 0, t'') on an axis, 0 while held; of a
   /// released body the absolute one. rad/s^2
-  Vec3<double> relative_acceleration(int body) const;
+  Vec3<double> relative_acceleration(int body) const {
+    return kernel_->relative_acceleration(body);
+  }
   /// That of all bodies.
   /// @param to  size() of them
-  void relative_accelerations(std::span<Vec3<double>> to) const;
+  void relative_accelerations(std::span<Vec3<double>> to) const {
+    assert(static_cast<int>(to.size()) == size());
+    kernel_->relative_accelerations(to.data());
+  }
   /// Absolute angular acceleration of a body, link axes.
-  Vec3<double> angular_acceleration(int body) const;
+  Vec3<double> angular_acceleration(int body) const {
+    return kernel_->angular_acceleration(body);
+  }
   /// d(state)/dt after evaluate() of the same state.
   /// @param gravity  inertial axes, m/s^2
   /// @param to       layout().size() numbers
   void rates(const double* state, const Vec3<double>& gravity,
-             double* to) const;
+             double* to) const {
+    kernel_->rates(state, gravity, to);
+  }
   /// Reactions in all joints; 0 where released.
   /// @param to  size() of them
-  void reactions(std::span<Reaction<double>> to) const;
+  void reactions(std::span<Reaction<double>> to) const {
+    assert(static_cast<int>(to.size()) == size());
+    kernel_->reactions(to.data());
+  }
   /// Their forces; numbers beyond size() in the last packet may be written.
-  void forces(const VectorRows& to) const;
+  void forces(const VectorRows& to) const { kernel_->forces(to); }
   /// C_i: link axes to carrier axes; 0 if released.
-  Mat3<double> axes(int body) const;
+  Mat3<double> axes(int body) const { return kernel_->axes(body); }
 
  private:
   std::vector<HingeKind> kinds_;

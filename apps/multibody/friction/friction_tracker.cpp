@@ -14,19 +14,16 @@ namespace {
 using contact::JointContact;
 using Eigen::Vector3d;
 
-// Contacts of a hinge that can be tracked.
+// Of a hinge that can be tracked.
 std::vector<JointContact> contacts_of(const HingeFriction& friction) {
-  constexpr auto consistent = FrictionEstimate::consistent;
-  std::vector<JointContact> contacts;
-  if (const auto* one = std::get_if<JointFriction>(&friction)) {
-    if (one->estimate == consistent) contacts.push_back(one->joint.contact());
-  } else if (const auto* node = std::get_if<NodeFriction>(&friction)) {
-    if (node->estimate != consistent) return contacts;
-    for (const contact::NodeJoint& joint : node->node.joints()) {
-      contacts.push_back(joint.joint.contact());
+  const auto is_consistent = [](const auto& of) {
+    if constexpr (requires { of.estimate; }) {
+      return of.estimate == FrictionEstimate::consistent;
     }
-  }
-  return contacts;
+    return false;
+  };
+  return std::visit(is_consistent, friction) ? contacts(friction)
+                                             : std::vector<JointContact>();
 }
 
 std::vector<JointContact> all_contacts(
@@ -57,17 +54,7 @@ void FrictionTracker::add(const HingeFriction& friction) {
   const auto* const of_node = std::get_if<NodeFriction>(&friction);
   is_direct_ = is_direct_ && !of_node && count == 1;
   if (!of_node || count == 0) return;
-  // What a node makes of forces and moments of 1.
-  std::vector<Vector3d> radial(count), moment(count), axial(count);
-  const Vector3d x = Vector3d::UnitX(), y = Vector3d::UnitY(),
-                 z = Vector3d::UnitZ(), none = Vector3d::Zero();
-  const contact::JointNode& node = of_node->node;
-  node.distribute(x, none, z, none, radial);
-  node.distribute(none, y, z, none, moment);
-  node.distribute(z, none, z, none, axial);
-  for (std::size_t k = 0; k < count; ++k) {
-    shares_[first + k] = {radial[k].x(), moment[k].x(), axial[k].z()};
-  }
+  std::ranges::copy(of_node->node.shares(), shares_.begin() + first);
 }
 
 void FrictionTracker::start(int hinge, const HingeSolver& solver,
@@ -125,9 +112,9 @@ void FrictionTracker::set_reactions(const Hinge& hinge,
     held_y += applied.x();
   }
   for (int k = hinge.first; k < hinge.end; ++k) {
-    const Share& share = shares_[k];
-    joints_.set_reaction(k, {share.radial * force.x + share.moment * held_x,
-                             share.radial * force.y + share.moment * held_y,
+    const contact::JointNode::Share& share = shares_[k];
+    joints_.set_reaction(k, {share.force * force.x + share.moment * held_x,
+                             share.force * force.y + share.moment * held_y,
                              share.axial * force.z});
   }
 }

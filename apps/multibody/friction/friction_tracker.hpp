@@ -65,11 +65,6 @@ class FrictionTracker {
     int first, end;  ///< its joints, none: cannot be tracked
     bool is_axis;
   };
-  /// What a joint gets of the radial and axial force on its hinge, and of the
-  /// moment held across the axis (JointNode::distribute()).
-  struct Share {
-    double radial, moment, axial;
-  };
   void add(const HingeFriction& friction);
   void set_reactions(const Hinge& hinge, const Reaction<double>& reaction);
   /// Of vectors of a hinge's joints; on an axis along it.
@@ -83,7 +78,7 @@ class FrictionTracker {
 
   std::vector<Hinge> hinges_;
   contact::JointTracker joints_;
-  std::vector<Share> shares_;
+  std::vector<contact::JointNode::Share> shares_;
   int count_ = 0;
   bool is_direct_ = true;
 };

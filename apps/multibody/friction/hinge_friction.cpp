@@ -2,6 +2,28 @@
 
 namespace multibody {
 
+std::vector<contact::JointContact> contacts(const HingeFriction& friction) {
+  std::vector<contact::JointContact> all;
+  if (const auto* one = std::get_if<JointFriction>(&friction)) {
+    all.push_back(one->joint.contact());
+  } else if (const auto* node = std::get_if<NodeFriction>(&friction)) {
+    for (const contact::NodeJoint& joint : node->node.joints()) {
+      all.push_back(joint.joint.contact());
+    }
+  }
+  return all;
+}
+
+HingeFriction with_instruction_set(HingeFriction friction,
+                                   contact::InstructionSet set) {
+  if (auto* one = std::get_if<JointFriction>(&friction)) {
+    one->joint = contact::Joint(one->joint.contact().with_instruction_set(set));
+  } else if (auto* node = std::get_if<NodeFriction>(&friction)) {
+    node->node = node->node.with_instruction_set(set);
+  }
+  return friction;
+}
+
 const char* to_string(HingeMode mode) {
   switch (mode) {
     case HingeMode::sliding:

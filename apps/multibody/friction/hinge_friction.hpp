@@ -1,6 +1,7 @@
 #pragma once
 
 #include <variant>
+#include <vector>
 
 #include "libcontact/joint/joint.hpp"
 #include "libcontact/joint/node.hpp"
@@ -33,6 +34,13 @@ struct NodeFriction {
 
 /// std::monostate: an ideal hinge. It turns freely and never rests.
 using HingeFriction = std::variant<std::monostate, JointFriction, NodeFriction>;
+
+/// Of its joints, in the order of the node.
+std::vector<contact::JointContact> contacts(const HingeFriction& friction);
+
+/// The same friction, its integrals by an instruction set: a supported one.
+HingeFriction with_instruction_set(HingeFriction friction,
+                                   contact::InstructionSet set);
 
 /// What a hinge does.
 enum class HingeMode {

@@ -32,14 +32,11 @@ bool holds(const contact::JointContact& contact) {
   return strength.pressure_part > 0 || strength.area_part > 0;
 }
 
-bool joint_holds(const contact::NodeJoint& joint) {
-  return holds(joint.joint.contact());
-}
-
 }  // namespace
 
 HingeSolver::HingeSolver(HingeFriction friction, const Link& link, int body)
     : friction_(std::move(friction)),
+      contacts_(contacts(friction_)),
       axes_(link.axes),
       is_axis_(link.kind == HingeKind::axis) {
   const auto refuse = [&](const char* what, const char* where) {
@@ -52,14 +49,12 @@ HingeSolver::HingeSolver(HingeFriction friction, const Link& link, int body)
     } else if (link.kind != HingeKind::ball) {
       refuse("a ball joint alone", "a ball hinge");
     }
-    joints_.resize(1);
-    can_rest_ = holds(one->joint.contact());
   } else if (const auto* node = std::get_if<NodeFriction>(&friction_)) {
     if (!is_axis_) refuse("a node of joints", "an axis");
     node_ = node->node.make_solution();
-    joints_.resize(node_.joints.size());
-    can_rest_ = std::ranges::any_of(node->node.joints(), joint_holds);
   }
+  joints_.resize(contacts_.size());
+  can_rest_ = std::ranges::any_of(contacts_, holds);
 }
 
 Vector3d HingeSolver::slide(const Reaction<double>& reaction,
@@ -91,8 +86,11 @@ Vector3d HingeSolver::slide(const Reaction<double>& reaction,
 // The joints of a node that turns.
 bool HingeSolver::solve_node(const Reaction<double>& reaction, double rate) {
   const auto& [node, estimate] = std::get<NodeFriction>(friction_);
-  node.solve(axes_ * vec3(reaction.force), axes_ * vec3(reaction.moment),
-             axes_.col(2), rate, node_);
+  node.solve({.reaction = axes_ * vec3(reaction.force),
+              .moment = axes_ * vec3(reaction.moment),
+              .axis = axes_.col(2),
+              .rate = rate},
+             node_);
   std::ranges::copy(node_.joints, joints_.begin());
   // Where joints carry little, rounding keeps a node from its own tolerance.
   constexpr double fair = 1e-11;
@@ -114,27 +112,26 @@ void HingeSolver::estimate_joints(const contact::JointNode& node, double rate) {
 }
 
 double HingeSolver::utilisation_of(const JointFriction& ball,
-                                   const Vector3d& force,
-                                   const Vector3d& moment) {
+                                   const contact::Joint::Hold& hold) {
   if (ball.estimate == FrictionEstimate::consistent) {
-    rest_ = ball.joint.utilisation({force, moment}, rest_);
+    rest_ = ball.joint.utilisation(hold, rest_);
     joints_[0] = rest_.slip;
     slip_direction_ = axes_.transpose() * rest_.direction;
     return rest_.utilisation;
   }
   // n = R/|R| whatever the direction of slip.
-  const Vector3d across = force.unitOrthogonal();
-  joints_[0] = ball.joint.solve_contact({force, across});
+  const Vector3d across = hold.reaction.unitOrthogonal();
+  joints_[0] = ball.joint.solve_contact({hold.reaction, across});
   if (joints_[0].status != contact::Status::ok) {
     return std::numeric_limits<double>::quiet_NaN();
   }
   const contact::MomentSet set = ball.joint.moment_set(joints_[0]);
-  const double tau = set.utilisation(moment);
+  const double tau = set.utilisation(hold.moment);
   slip_direction_.setZero();
   if (tau > 0 && std::isfinite(tau)) {
     // The edge's normal where the moment leaves the set.
     const Vector3d u =
-        set.prox(Matrix3d::Identity(), -1.000001 / tau * moment).rate;
+        set.prox(Matrix3d::Identity(), -1.000001 / tau * hold.moment).rate;
     if (!u.isZero(0)) slip_direction_ = axes_.transpose() * u.normalized();
   }
   return tau;
@@ -143,7 +140,8 @@ double HingeSolver::utilisation_of(const JointFriction& ball,
 double HingeSolver::utilisation(const Reaction<double>& held) {
   if (!is_axis_) {
     return utilisation_of(std::get<JointFriction>(friction_),
-                          axes_ * vec3(held.force), axes_ * vec3(held.moment));
+                          {.reaction = axes_ * vec3(held.force),
+                           .moment = axes_ * vec3(held.moment)});
   }
   const double needed = held.moment.z;
   const double sign = needed > 0 ? -1 : 1;
@@ -162,7 +160,7 @@ double HingeSolver::moment_limit(const Reaction<double>& held, double sign) {
   }
   double limit = 0;
   for (std::size_t k = 0; k < joints_.size(); ++k) {
-    if (!joint_holds(node->node.joints()[k])) continue;
+    if (!holds(contacts_[k])) continue;
     limit += std::abs(joints_[k].friction_moment.dot(axes_.col(2)));
   }
   return limit;
@@ -174,13 +172,6 @@ int HingeSolver::failed_joint() const {
   });
   return failed == joints_.end() ? 0
                                  : static_cast<int>(failed - joints_.begin());
-}
-
-const contact::JointContact& HingeSolver::contact(int joint) const {
-  if (const auto* one = std::get_if<JointFriction>(&friction_)) {
-    return one->joint.contact();
-  }
-  return std::get<NodeFriction>(friction_).node.joints()[joint].joint.contact();
 }
 
 Vector3d HingeSolver::prox(const Matrix3d& inertia,

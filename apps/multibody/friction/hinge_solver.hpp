@@ -52,16 +52,19 @@ class HingeSolver {
   std::span<const contact::JointSolution> joints() const { return joints_; }
   /// If that gave NaN: the joint that it comes from.
   int failed_joint() const;
-  const contact::JointContact& contact(int joint) const;
+  const contact::JointContact& contact(int joint) const {
+    return contacts_[joint];
+  }
 
  private:
   bool solve_node(const Reaction<double>& reaction, double rate);
   double moment_limit(const Reaction<double>& held, double sign);
   void estimate_joints(const contact::JointNode& node, double rate);
-  double utilisation_of(const JointFriction& ball, const Eigen::Vector3d& force,
-                        const Eigen::Vector3d& moment);
+  double utilisation_of(const JointFriction& ball,
+                        const contact::Joint::Hold& hold);
 
   HingeFriction friction_;
+  std::vector<contact::JointContact> contacts_;
   Eigen::Matrix3d axes_;  // link axes to body axes
   bool is_axis_;
   bool can_rest_ = false;

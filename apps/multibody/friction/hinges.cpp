@@ -62,7 +62,9 @@ Hinges::Hinges(const System& system, const std::vector<HingeFriction>& friction,
         fmt::format("of {}, one for each body", system.size())));
   }
   for (int i = 0; i < system.size(); ++i) {
-    hinges_.emplace_back(friction[i], system.links()[i], i);
+    hinges_.emplace_back(
+        with_instruction_set(friction[i], options.instruction_set),
+        system.links()[i], i);
   }
   active_.reserve(system.size());
 }

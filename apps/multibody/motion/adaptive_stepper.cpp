@@ -19,23 +19,17 @@ void silent(int, const char*, const char*, char*, void*) {}
 class AdaptiveStepper final : public Stepper {
  public:
   AdaptiveStepper(RateFunction rates, const AdaptiveOptions& options)
-      : rates_(std::move(rates)), options_(options) {
+      : Stepper(std::move(rates)), options_(options) {
     SUNContext_Create(nullptr, &context_);
   }
   ~AdaptiveStepper() override {
     forget();
     SUNContext_Free(&context_);
   }
-  AdaptiveStepper(const AdaptiveStepper&) = delete;
-  AdaptiveStepper& operator=(const AdaptiveStepper&) = delete;
 
   void restart(double time, std::span<const double> state) override {
-    begin_ = end_ = time;
     if (state.size() != to_.size()) forget();
-    from_.assign(state.begin(), state.end());
-    to_.assign(state.begin(), state.end());
-    begin_known_ = false;
-    last_time_ = std::numeric_limits<double>::quiet_NaN();
+    Stepper::restart(time, state);
     wall_ = -std::numeric_limits<double>::infinity();
     if (memory_) {
       begin_with(next_step_);
@@ -62,30 +56,6 @@ class AdaptiveStepper final : public Stepper {
     ERKStepSetInitStep(memory_, next_step_);
   }
 
-  bool step(double limit) override {
-    begin_known_ = last_time_ == end_ && last_state_ == to_;
-    if (begin_known_) begin_rates_ = last_rates_;
-    begin_ = end_;
-    from_ = to_;
-    double end = end_;
-    while (!try_step(limit, end)) {
-      if (!shorten()) return false;
-    }
-    end_ = end;
-    // Now: its place is used by what comes between steps.
-    ERKStepGetEstLocalErrors(memory_, errors_);
-    // A step that a limit cuts short is not what the next one should be like.
-    const double planned = end < limit ? 0 : next_step_;
-    ERKStepGetCurrentStep(memory_, &next_step_);
-    next_step_ = std::max(next_step_, planned);
-    return true;
-  }
-
-  double begin() const override { return begin_; }
-  double end() const override { return end_; }
-  std::span<const double> begin_state() const override { return from_; }
-  std::span<const double> end_state() const override { return to_; }
-
   void interpolate(double time, std::span<double> state) override {
     if (time == end_ || ERKStepGetDky(memory_, time, 0, other_) < 0) {
       std::ranges::copy(to_, state.begin());
@@ -93,30 +63,6 @@ class AdaptiveStepper final : public Stepper {
     }
     const double* y = N_VGetArrayPointer(other_);
     std::copy_n(y, state.size(), state.begin());
-  }
-
-  // Hermite's cubic between the ends: ARKODE's own dense output evaluates
-  // rates at every call.
-  void estimate_inside(double time, std::span<double> state) override {
-    const double h = end_ - begin_;
-    if (!begin_known_) {
-      begin_rates_.resize(from_.size());
-      begin_known_ = rates_(begin_, from_.data(), begin_rates_.data());
-    }
-    // The last stage of a step is at its end.
-    if (last_time_ != end_ || last_state_ != to_) {
-      last_state_ = to_;
-      last_rates_.resize(to_.size());
-      last_time_ = rates_(end_, to_.data(), last_rates_.data())
-                       ? end_
-                       : std::numeric_limits<double>::quiet_NaN();
-    }
-    if (!(h > 0) || !begin_known_ || last_time_ != end_) {
-      interpolate(time, state);
-      return;
-    }
-    hermite(from_, begin_rates_, to_, last_rates_, h, (time - begin_) / h,
-            state);
   }
 
   int largest_error() override {
@@ -132,10 +78,22 @@ class AdaptiveStepper final : public Stepper {
     return largest;
   }
 
-  double next_step() const override { return next_step_; }
-  void set_next_step(double step) override { next_step_ = step; }
-
  private:
+  bool make_step(double limit) override {
+    double end = end_;
+    while (!try_step(limit, end)) {
+      if (!shorten()) return false;
+    }
+    end_ = end;
+    // Now: its place is used by what comes between steps.
+    ERKStepGetEstLocalErrors(memory_, errors_);
+    // A step that a limit cuts short is not what the next one should be like.
+    const double planned = end < limit ? 0 : next_step_;
+    ERKStepGetCurrentStep(memory_, &next_step_);
+    next_step_ = std::max(next_step_, planned);
+    return true;
+  }
+
   // From begin_, with a first step; 0: ARKODE finds one.
   void begin_with(double step) {
     ERKStepReInit(memory_, rate, begin_, vector_);
@@ -226,21 +184,12 @@ class AdaptiveStepper final : public Stepper {
     vector_ = other_ = errors_ = nullptr;
   }
 
-  RateFunction rates_;
   AdaptiveOptions options_;
   SUNContext context_ = nullptr;
   void* memory_ = nullptr;
   N_Vector vector_ = nullptr;  // has the numbers of to_
   N_Vector other_ = nullptr;
   N_Vector errors_ = nullptr;  // of the last step
-  double begin_ = 0;
-  double end_ = 0;
-  double next_step_ = 0;  // 0: ARKODE finds one
-  std::vector<double> from_, to_;
-  // Rates at the beginning of a step, and those of the last evaluation.
-  bool begin_known_ = false;
-  double last_time_ = std::numeric_limits<double>::quiet_NaN();
-  std::vector<double> begin_rates_, last_state_, last_rates_;
   // Time without rates of the last try; that of the last step in which there
   // was one, and how far before it such steps began.
   double failed_at_ = std::numeric_limits<double>::quiet_NaN();

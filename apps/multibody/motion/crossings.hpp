@@ -45,6 +45,12 @@ class StepFunction {
   /// has happened. (Values may be NaN in between.)
   double locate(double low, double low_value, double high,
                 double high_value) const;
+  double at_begin() const { return at_(begin_); }
+  double at_end() const { return at_(end_); }
+  /// The same between the ends.
+  double locate(double begin_value, double end_value) const {
+    return locate(begin_, begin_value, end_, end_value);
+  }
   struct Crossed {
     double time;
     bool rises;

@@ -34,10 +34,15 @@ Equations::Equations(const System& motion_system,
               friction.empty() ? std::vector<HingeFriction>(system.size())
                                : std::move(friction),
               options.coupling),
-      forces(std::move(force_model)),
       held_units_(size()),
       body_forces_(1 + size()),
       motions_(1 + size()) {
+  set_forces(std::move(force_model));
+}
+
+void Equations::set_forces(std::shared_ptr<const ForceModel> model) {
+  forces = std::move(model);
+  active = {};
   active.bodies.resize(size());
 }
 

@@ -49,6 +49,8 @@ class Equations {
   bool rates(double time, const double* state, double* to);
   /// The same in a step, which sees the forces before the next break.
   bool rates_in_step(double time, const double* state, double* to);
+  /// @param model  may be null
+  void set_forces(std::shared_ptr<const ForceModel> model);
   /// Makes what hinges hold now the unit of the numbers for it.
   void set_held_units();
   /// For when the body is released.

@@ -135,27 +135,23 @@ std::optional<double> HingeEvents::slowing(int body) {
   const StepFunction excess = function([this, body] {
     return view_.rate_of(body).norm() - hinges_.stop_speed();
   });
-  const double t0 = stepper_.begin();
-  const double t1 = stepper_.end();
-  const double end = excess(t1);
-  if (fixed_steps_ && stops_in_step(body)) return t0;
+  const double end = excess.at_end();
+  if (fixed_steps_ && stops_in_step(body)) return stepper_.begin();
   if (!(end <= 0)) return {};
-  const double begin = excess(t0);
-  if (begin > 0) return excess.locate(t0, begin, t1, end);
+  const double begin = excess.at_begin();
+  if (begin > 0) return excess.locate(begin, end);
   // So slow all along: it counts when it does not become faster.
-  return end <= begin ? std::optional(t1) : std::nullopt;
+  return end <= begin ? std::optional(stepper_.end()) : std::nullopt;
 }
 
 std::optional<double> HingeEvents::speeding(int body) {
   const StepFunction excess = function([this, body] {
     return view_.rate_of(body).norm() - 2 * hinges_.straight_from(body);
   });
-  const double t0 = stepper_.begin();
-  const double t1 = stepper_.end();
-  const double end = excess(t1);
+  const double end = excess.at_end();
   if (!(end > 0)) return {};
-  const double begin = excess(t0);
-  return begin > 0 ? t0 : excess.locate(t0, begin, t1, end);
+  const double begin = excess.at_begin();
+  return begin > 0 ? stepper_.begin() : excess.locate(begin, end);
 }
 
 std::optional<double> HingeEvents::turning(int body) {
@@ -163,11 +159,9 @@ std::optional<double> HingeEvents::turning(int body) {
       equations_.rate_of(body, stepper_.begin_state().data());
   const StepFunction along = function(
       [this, body, &before] { return view_.rate_of(body).dot(before); });
-  const double t0 = stepper_.begin();
-  const double t1 = stepper_.end();
-  const double end = along(t1);
+  const double end = along.at_end();
   if (!(end < 0)) return {};
-  const double time = along.locate(t0, along(t0), t1, end);
+  const double time = along.locate(along.at_begin(), end);
   // It may turn about without coming to a stop.
   constexpr double stopped = 0.1;
   return view_.rate_of(body).norm() <= stopped * before.norm()
@@ -186,8 +180,8 @@ std::optional<double> HingeEvents::rest_end(int body) {
            coupled_.slip_limit(body);
   });
   const double t0 = stepper_.begin();
-  double last_value = tau(stepper_.end());
-  const double begin = tau(t0);
+  double last_value = tau.at_end();
+  const double begin = tau.at_begin();
   if (!(begin <= 0)) return t0;
   double last = stepper_.end();
   // Of a joint without body tau jumps from 0 to infinity where a moment begins

@@ -345,7 +345,7 @@ void Motion::unlock(int body) {
 
 void Motion::set_forces(std::shared_ptr<const ForceModel> forces) {
   go_to(now_);
-  equations_->forces = std::move(forces);
+  equations_->set_forces(std::move(forces));
   resume(view_->state());
 }
 

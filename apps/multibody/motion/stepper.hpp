@@ -1,10 +1,10 @@
 #pragma once
 
-#include <algorithm>
 #include <functional>
 #include <limits>
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace multibody {
@@ -13,61 +13,51 @@ namespace multibody {
 using RateFunction =
     std::function<bool(double time, const double* state, double* rates)>;
 
-/// Hermite's cubic through states and rates at the ends of a step.
-/// @param h  length of the step, s
-/// @param s  share of it, 0 to 1
-inline void hermite(std::span<const double> from,
-                    std::span<const double> from_rates,
-                    std::span<const double> to,
-                    std::span<const double> to_rates, double h, double s,
-                    std::span<double> state) {
-  const double rest = 1 - s;
-  for (std::size_t i = 0; i < to.size(); ++i) {
-    state[i] = rest * rest * ((1 + 2 * s) * from[i] + s * h * from_rates[i]) +
-               s * s * ((3 - 2 * s) * to[i] - rest * h * to_rates[i]);
-  }
-}
-
 /// Steps through time, one at a time. One step lies between start and end.
 class Stepper {
  public:
+  explicit Stepper(RateFunction rates) : rates_(std::move(rates)) {}
   virtual ~Stepper() = default;
+  Stepper(const Stepper&) = delete;
+  Stepper& operator=(const Stepper&) = delete;
+
   /// From here on, possibly with another number of unknowns.
-  virtual void restart(double time, std::span<const double> state) = 0;
+  virtual void restart(double time, std::span<const double> state);
+  /// From the beginning of the last step, or from its end, again.
+  void restart_at_begin() { restart(begin_, std::vector(from_)); }
+  void restart_at_end() { restart(end_, std::vector(to_)); }
   /// One step, which ends at `limit` at the latest.
   /// @return false if it cannot be made
-  virtual bool step(double limit) = 0;
-  virtual double begin() const = 0;
-  virtual double end() const = 0;
-  virtual std::span<const double> begin_state() const = 0;
-  virtual std::span<const double> end_state() const = 0;
+  bool step(double limit);
+  double begin() const { return begin_; }
+  double end() const { return end_; }
+  std::span<const double> begin_state() const { return from_; }
+  std::span<const double> end_state() const { return to_; }
   /// In the last step, begin() <= time <= end().
   virtual void interpolate(double time, std::span<double> state) = 0;
-  /// The same as nearly as it can be had for next to nothing.
-  void estimate(double time, std::span<double> state) {
-    if (time == begin()) {
-      std::ranges::copy(begin_state(), state.begin());
-    } else if (time == end()) {
-      std::ranges::copy(end_state(), state.begin());
-    } else {
-      estimate_inside(time, state);
-    }
-  }
+  /// The same as nearly as it can be had for next to nothing: Hermite's cubic
+  /// between the ends.
+  void estimate(double time, std::span<double> state);
   /// The number of the state whose error in the last step is the largest
   /// against what is allowed: what keeps steps short. -1: errors are not known.
-  virtual int largest_error() = 0;
+  virtual int largest_error() { return -1; }
   /// Length of the next step, s; for a later restart.
-  virtual double next_step() const = 0;
-  virtual void set_next_step(double step) = 0;
-  /// From the beginning of the last step, or from its end, again.
-  void restart_at_begin() { restart(begin(), copy(begin_state())); }
-  void restart_at_end() { restart(end(), copy(end_state())); }
+  double next_step() const { return next_step_; }
+  virtual void set_next_step(double step) { next_step_ = step; }
 
- private:
-  static std::vector<double> copy(std::span<const double> state) {
-    return {state.begin(), state.end()};
-  }
-  virtual void estimate_inside(double time, std::span<double> state) = 0;
+ protected:
+  /// From begin_ and from_ to end_ and to_.
+  virtual bool make_step(double limit) = 0;
+
+  RateFunction rates_;
+  double begin_ = 0;
+  double end_ = 0;
+  double next_step_ = 0;
+  std::vector<double> from_, to_;
+  // Rates at the beginning of a step, and those of the last evaluation.
+  bool begin_known_ = false;
+  double last_time_ = 0;  ///< NaN: not known
+  std::vector<double> begin_rates_, last_state_, last_rates_;
 };
 
 /// Classical Runge-Kutta of fourth order with a fixed step; between, the same

@@ -346,10 +346,19 @@ void read_clearance(const TomlTable& file, const CaseNames& names, Case& c) {
                     c.clearance.end());
 }
 
-Case read_all(const TomlTable& file, const JointLaws& laws) {
+Case whole_case(const TomlTable& file, const JointLaws& laws) {
+  contact::SharedLaws made;
+  Case c = case_of_file(file, laws, made);
+  c.content = file.canonical_text();
+  return c;
+}
+
+}  // namespace
+
+Case case_of_file(const TomlTable& file, const JointLaws& laws,
+                  contact::SharedLaws& made) {
   Case c;
   c.file = file.source();
-  c.content = file.canonical_text();
   c.name = file.text("name");
   read_run(file.table("run"), c);
   c.options.gravity = vector_or_zero(file, "gravity");
@@ -365,7 +374,6 @@ Case read_all(const TomlTable& file, const JointLaws& laws) {
                                vector_or_zero(*drive, "angular_acceleration")};
   }
   CaseNames names{c, {}, {}};
-  contact::SharedLaws made;
   for (const TomlTable& body : file.tables("body")) {
     read_body(body, laws, made, c, names);
   }
@@ -376,17 +384,15 @@ Case read_all(const TomlTable& file, const JointLaws& laws) {
   return c;
 }
 
-}  // namespace
-
 Case read_case(const std::filesystem::path& path, const JointLaws& laws,
                const contact::KeySettings& settings) {
-  return read_all(TomlTable::from_file(path, case_keys(), settings), laws);
+  return whole_case(TomlTable::from_file(path, case_keys(), settings), laws);
 }
 
 Case parse_case(std::string_view text, const std::string& source,
                 const JointLaws& laws, const contact::KeySettings& settings,
                 const std::filesystem::path& folder) {
-  return read_all(
+  return whole_case(
       TomlTable::from_text(text, source, case_keys(), folder, settings), laws);
 }
 

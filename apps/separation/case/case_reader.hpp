@@ -23,4 +23,9 @@ Case parse_case(std::string_view text, const std::string& source,
                 const contact::KeySettings& settings = {},
                 const std::filesystem::path& folder = {});
 
+/// From a file that is open, with case_keys(); `content` is left empty.
+/// @param made  laws of joints, those of other cases too
+Case case_of_file(const contact::TomlTable& file, const JointLaws& laws,
+                  contact::SharedLaws& made);
+
 }  // namespace separation

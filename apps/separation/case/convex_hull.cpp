@@ -67,9 +67,7 @@ Shape tidied(const std::vector<Vector3d>& points,
   return shape;
 }
 
-}  // namespace
-
-Shape convex_hull(const std::vector<Vector3d>& points) {
+Shape hull_of(const std::vector<Vector3d>& points) {
   if (points.size() < 4) throw contact::Error("a hull needs 4 or more points");
   std::vector<double> coordinates;
   for (const Vector3d& point : points) {
@@ -92,6 +90,19 @@ Shape convex_hull(const std::vector<Vector3d>& points) {
     faces.push_back(face);
   }
   return tidied(points, faces);
+}
+
+}  // namespace
+
+// Studies read the same points again and again.
+Shape convex_hull(const std::vector<Vector3d>& points) {
+  thread_local std::vector<Vector3d> last;
+  thread_local Shape hull{ShapeKind::hull};
+  if (points != last || points.empty()) {
+    hull = hull_of(points);
+    last = points;
+  }
+  return hull;
 }
 
 }  // namespace separation

@@ -41,13 +41,12 @@ void take_laws(const JointLaws& laws, contact::SharedLaws& made,
 
 contact::JointSpec read_joint_of(const TomlTable& table, const JointLaws& laws,
                                  contact::SharedLaws& made) {
-  const auto file = table.optional_text("file");
   contact::JointSpec joint = [&] {
-    if (!file) return contact::joint_from_table(table);
+    if (!table.has("file")) return contact::joint_from_table(table);
     const auto name = table.optional_text("name");
     try {
       contact::JointSpec read =
-          contact::read_joint(table.folder() / *file, table.settings_of_file());
+          contact::joint_of_file(table.file("file", contact::joint_keys));
       if (name) read.name = *name;
       return read;
     } catch (const Error& error) {
@@ -57,6 +56,11 @@ contact::JointSpec read_joint_of(const TomlTable& table, const JointLaws& laws,
   take_laws(laws, made, joint);
   if (!joint.friction) {
     table.needs("[friction], of the joint or of its materials");
+  }
+  if (std::holds_alternative<contact::FrictionStress>(*joint.friction)) {
+    table.needs(
+        "[friction] with coefficient and adhesion, or viscous: with a law of "
+        "its own joints are for hinge-joint and hinge-duty");
   }
   return joint;
 }

@@ -85,6 +85,14 @@ SolidProperties hull(const Shape& s) {
 
 }  // namespace
 
+double reach(const Shape& shape) {
+  double ends = std::max(shape.from.norm(), shape.to.norm());
+  for (const Eigen::Vector3d& point : shape.points) {
+    ends = std::max(ends, point.norm());
+  }
+  return ends + shape.radius;
+}
+
 void Shape::move(const Vector3d& by) {
   from += by;
   to += by;

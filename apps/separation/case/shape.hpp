@@ -30,6 +30,9 @@ struct Shape {
   void move(const Eigen::Vector3d& by);
 };
 
+/// No point of the solid is farther from the origin, m.
+double reach(const Shape& shape);
+
 /// The convex hull of points; its corners are those points that it needs.
 /// @throws contact::Error if the points are fewer than 4 or (nearly) in one
 ///   plane

@@ -59,8 +59,9 @@ Isometry3d place_of(const BodyMotion& body) {
 }
 
 // FCL gives -1 for solids that overlap.
-double distance(const fcl::CollisionObjectd& a, const fcl::CollisionObjectd& b,
-                bool points, fcl::DistanceResultd& result) {
+double distance_of(const fcl::CollisionObjectd& a,
+                   const fcl::CollisionObjectd& b, bool points,
+                   fcl::DistanceResultd& result) {
   fcl::DistanceRequestd request;
   request.enable_nearest_points = points;
   request.distance_tolerance = 1e-9;
@@ -97,11 +98,10 @@ Clearance::Clearance(Clearance&&) noexcept = default;
 Clearance& Clearance::operator=(Clearance&&) noexcept = default;
 
 // Relative to the first body: far from the origin digits would be lost.
-void Clearance::place(std::span<const BodyMotion> bodies) {
-  const Vector3d origin = bodies.front().position;
-  for (std::size_t i = 0; i < solids_->of_body.size(); ++i) {
+void Clearance::place(const Pair& pair, std::span<const BodyMotion> bodies) {
+  for (const int i : {pair.a, pair.b}) {
     Isometry3d body = place_of(bodies[i]);
-    body.translation() -= origin;
+    body.translation() -= bodies.front().position;
     for (Solids::Solid& solid : solids_->of_body[i]) {
       solid.object.setTransform(body * solid.place);
       solid.object.computeAABB();
@@ -125,7 +125,7 @@ Clearance::Nearest Clearance::nearest(const Pair& pair) const {
         continue;
       }
       fcl::DistanceResultd result;
-      const double d = distance(a.object, b.object, false, result);
+      const double d = distance_of(a.object, b.object, false, result);
       if (std::isnan(nearest.distance)) continue;
       if (std::isnan(d) || d < nearest.distance) {
         nearest = {d, &a.object, &b.object};
@@ -135,20 +135,27 @@ Clearance::Nearest Clearance::nearest(const Pair& pair) const {
   return nearest;
 }
 
+double Clearance::distance(std::size_t pair,
+                           std::span<const BodyMotion> bodies) {
+  place(pairs_[pair], bodies);
+  return nearest(pairs_[pair]).distance;
+}
+
 std::vector<double> Clearance::distances(std::span<const BodyMotion> bodies) {
-  place(bodies);
   std::vector<double> result;
-  for (const Pair& pair : pairs_) result.push_back(nearest(pair).distance);
+  for (std::size_t i = 0; i < pairs_.size(); ++i) {
+    result.push_back(distance(i, bodies));
+  }
   return result;
 }
 
 std::optional<std::pair<Vector3d, Vector3d>> Clearance::nearest_points(
     std::span<const BodyMotion> bodies, std::size_t pair) {
-  place(bodies);
+  place(pairs_[pair], bodies);
   const Nearest solids = nearest(pairs_[pair]);
   if (!(solids.distance > 0) || solids.a == nullptr) return {};
   fcl::DistanceResultd result;
-  distance(*solids.a, *solids.b, true, result);
+  distance_of(*solids.a, *solids.b, true, result);
   const Vector3d& origin = bodies.front().position;
   return std::pair<Vector3d, Vector3d>{result.nearest_points[0] + origin,
                                        result.nearest_points[1] + origin};

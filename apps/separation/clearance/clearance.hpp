@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <memory>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -37,6 +38,9 @@ class Clearance {
 
   /// Distance of each pair, m; 0 if they overlap, NaN if it was not found.
   std::vector<double> distances(std::span<const multibody::BodyMotion> bodies);
+  /// Of one of them.
+  double distance(std::size_t pair,
+                  std::span<const multibody::BodyMotion> bodies);
 
   /// Where the bodies of a pair are nearest to each other, inertial axes, m;
   /// nothing if they overlap or it was not found.
@@ -46,7 +50,7 @@ class Clearance {
  private:
   struct Solids;
   struct Nearest;
-  void place(std::span<const multibody::BodyMotion> bodies);
+  void place(const Pair& pair, std::span<const multibody::BodyMotion> bodies);
   Nearest nearest(const Pair& pair) const;
 
   std::unique_ptr<Solids> solids_;

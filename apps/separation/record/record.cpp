@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <boost/math/tools/minima.hpp>
 #include <cmath>
 #include <utility>
 
@@ -24,6 +25,9 @@ using multibody::HingeSample;
 using multibody::MotionSample;
 
 constexpr const char* comes_to_rest = "comes to rest";
+
+// Distances are computed to 1e-5 m: no smaller one is looked for below this.
+constexpr double negligible = 1e-6;
 
 }  // namespace
 
@@ -141,12 +145,20 @@ Recorder::Recorder(const Case& c, bool rows, bool clearance, bool refine)
     memory_.bodies.back().joints.resize(body.hinge.joints.size());
   }
   memory_.pairs.resize(c.clearance.size());
+  for (std::size_t i = 0; clearance_ && i < c.clearance.size(); ++i) {
+    double radius = 0;
+    for (const Shape& shape : c.rigid_body(c.clearance[i].b).shapes) {
+      radius = std::max(radius, reach(shape));
+    }
+    ways_.emplace_back(clearance_->pairs()[i], radius);
+  }
   memory_.forces.resize(c.forces.size());
 }
 
 void Recorder::go_on_with(const Simulation& simulation) {
   changes_seen_ = simulation.motion().changes().size();
   looks_.clear();
+  for (PairWay& way : ways_) way.forget();
 }
 
 void Recorder::add_motion(const BodyMotion& body) {
@@ -339,23 +351,66 @@ void Recorder::look_at_changes(const Simulation& simulation) {
   memory_.last_time = time;
 }
 
-void Recorder::look_at_distances(const MotionSample& sample, bool keep) {
-  if (!clearance_) return;
-  const auto distances = clearance_->distances(sample.motions());
-  const double time = sample.time();
-  for (std::size_t i = 0; i < distances.size(); ++i) {
-    PairRecord& pair = memory_.pairs[i];
-    if (distances[i] < pair.smallest) {
-      pair.smallest = distances[i];
-      pair.time = time;
-    }
-    if (std::isnan(distances[i])) ++pair.not_found;
-    if (distances[i] <= 0) {
-      pair.overlap_from = std::min(pair.overlap_from, time);
-      pair.overlap_to = time;
-    }
-    if (keep) add(distances[i]);
+void Recorder::note_distance(std::size_t i, double distance, double time) {
+  PairRecord& pair = memory_.pairs[i];
+  if (distance < pair.smallest) {
+    pair.smallest = distance;
+    pair.time = time;
   }
+  if (std::isnan(distance)) ++pair.not_found;
+  if (distance <= 0) {
+    pair.overlap_from = std::min(pair.overlap_from, time);
+    pair.overlap_to = std::max(pair.overlap_to, time);
+  }
+}
+
+// Without rows distances are computed only where one may be smaller than known,
+// or an overlap may go on.
+void Recorder::look_at_distances(const Simulation& simulation, bool keep) {
+  const MotionSample& sample = simulation.sample();
+  const double time = sample.time();
+  for (std::size_t i = 0; i < ways_.size(); ++i) {
+    PairWay& way = ways_[i];
+    way.move_on(time, sample.motions());
+    const double known = memory_.pairs[i].smallest;
+    const double least = std::min(way.least_now(), way.least_since());
+    if (!keep && least > 0 && least > known - negligible) continue;
+    const double distance = clearance_->distance(i, sample.motions());
+    way.know(distance);
+    note_distance(i, distance, time);
+    if (keep) add(distance);
+    const bool may_be_smaller =
+        way.least_since() < memory_.pairs[i].smallest - negligible;
+    if (refine_ && may_be_smaller && way.since() < time &&
+        way.since() >= simulation.motion().step_begin()) {
+      search_distance(simulation, i);
+    }
+  }
+}
+
+// The smallest distance of a pair between the last look and this one, if the
+// parabola through both and the middle has one.
+void Recorder::search_distance(const Simulation& simulation, std::size_t i) {
+  const auto distance = [&](double time) {
+    double value = 0;
+    simulation.motion().look_back(time, [&](const MotionSample& sample) {
+      value = clearance_->distance(i, sample.motions());
+    });
+    note_distance(i, value, time);
+    return value;
+  };
+  const double begin = ways_[i].since();
+  const double end = simulation.sample().time();
+  const std::array<double, 3> at = {distance(begin),
+                                    distance((begin + end) / 2), distance(end)};
+  // Differences that are below the accuracy of distances make no valley.
+  constexpr double accuracy = 1e-5;
+  const double bend = at[0] - 2 * at[1] + at[2];
+  const double slope = (at[2] - at[0]) / 2;
+  if (!(bend > accuracy * (1 + at[1])) || !(std::abs(slope) < bend)) return;
+  constexpr int bits = 20;
+  std::uintmax_t steps = 30;
+  boost::math::tools::brent_find_minima(distance, begin, end, bits, steps);
 }
 
 void Recorder::look_at_energy(const Simulation& simulation, bool first) {
@@ -389,7 +444,7 @@ void Recorder::look(const Simulation& simulation) {
     add_hinge(simulation, i);
     add_motion(sample.body(i));
   }
-  look_at_distances(sample, keep_rows_);
+  look_at_distances(simulation, keep_rows_);
   look_at_forces(simulation, memory_.forces);
   look_at_energy(simulation, first);
   if (refine_) refine_peaks(simulation);
@@ -401,7 +456,7 @@ void Recorder::look_between(const Simulation& simulation) {
   for (int i = 0; i < static_cast<int>(case_.bodies.size()); ++i) {
     look_at_peaks(sample, i);
   }
-  look_at_distances(sample, false);
+  look_at_distances(simulation, false);
   look_at_forces(simulation, memory_.forces);
   if (refine_) refine_peaks(simulation);
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "separation/clearance/clearance.hpp"
+#include "separation/clearance/pair_way.hpp"
 #include "separation/record/peaks.hpp"
 #include "separation/simulation/force_watch.hpp"
 #include "separation/simulation/simulation.hpp"
@@ -80,7 +81,8 @@ class Recorder {
  public:
   /// @param rows       keep the time history
   /// @param clearance  work out distances
-  /// @param refine     look for peaks between the times that are looked at
+  /// @param refine     look for peaks and smallest distances between the times
+  ///                   that are looked at
   Recorder(const Case& c, bool rows, bool clearance, bool refine);
 
   /// Looks at it now.
@@ -127,7 +129,9 @@ class Recorder {
   void add_hinge(const Simulation& simulation, int body);
   void look_at_changes(const Simulation& simulation);
   void note_change(const multibody::HingeChange& change);
-  void look_at_distances(const multibody::MotionSample& sample, bool keep);
+  void look_at_distances(const Simulation& simulation, bool keep);
+  void note_distance(std::size_t pair, double distance, double time);
+  void search_distance(const Simulation& simulation, std::size_t pair);
   bool breaks(const Simulation& simulation,
               const std::vector<Happening>& happenings, std::size_t i) const;
   void look_at_energy(const Simulation& simulation, bool first);
@@ -138,8 +142,9 @@ class Recorder {
   bool keep_rows_;
   bool refine_;
   std::optional<Clearance> clearance_;
-  std::vector<double> seen_;  ///< what look_at_peaks() has seen
-  std::vector<Look> looks_;   ///< the last two on a smooth way
+  std::vector<PairWay> ways_;  ///< of its pairs
+  std::vector<double> seen_;   ///< what look_at_peaks() has seen
+  std::vector<Look> looks_;    ///< the last two on a smooth way
   std::size_t changes_seen_ = 0;
   Memory memory_;
 };

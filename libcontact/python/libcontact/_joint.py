@@ -55,6 +55,10 @@ def _nested(keywords: Mapping[str, Key]) -> dict[str, Any]:
             tables.setdefault(keyword, {}).update(value)
         else:
             tables[keyword] = value
+    if "materials" not in tables:
+        raise _core.Error(
+            "a joint requires inner and outer, the two materials, or pair"
+        )
     return tables
 
 
@@ -242,15 +246,15 @@ def _unit_joint(keys: Mapping[str, Key]) -> Joint:
     return _cached(toml_text(_nested({"name": "joint"} | size | dict(keys))))
 
 
-_shapes = ("cosine", "sqrt_tan", "sqrt_theta")
 _any_material = {"youngs_modulus": 1e9, "poissons_ratio": 0.3}
+# Laws that do without materials.
+_plain = ("cosine", "sqrt_tan", "sqrt_theta", "hertz")
 
 
-def _with_law(pressure: str, keys: Mapping[str, Key]) -> Joint:
-    """Pressures that are plain shapes do without materials."""
+def _law_joint(law: str, keys: Mapping[str, Key]) -> Joint:
+    """The same, where one law counts."""
     same = {"inner": _any_material, "outer": _any_material}
-    given = dict(keys) | {"pressure": pressure}
-    return _unit_joint(same | given if pressure in _shapes else given)
+    return _unit_joint(same | keys if law in _plain else keys)
 
 
 def half_angle(
@@ -266,9 +270,10 @@ def half_angle(
     law: "hertz", "arctan", "tanh", "blend", "paper", "fitted" or "exact".
     keys: `inner` and `outer`, the materials, and others of Joint.
     """
-    joint = _unit_joint(
+    joint = _law_joint(
+        law,
         {"kind": kind, "half_angle": law, "pressure": _pressure_for(keys)}
-        | keys
+        | keys,
     )
     return joint._half_angle(load_parameter)
 
@@ -284,9 +289,10 @@ def load_parameter(
 
     half_angle: theta0, rad, (...).
     """
-    joint = _unit_joint(
+    joint = _law_joint(
+        law,
         {"kind": kind, "half_angle": law, "pressure": _pressure_for(keys)}
-        | keys
+        | keys,
     )
     return joint._load_parameter(half_angle)
 
@@ -312,7 +318,7 @@ def pressure(
         last two depend on the materials `inner` and `outer`.
     keys: others of Joint.
     """
-    joint = _with_law(pressure, {"kind": kind} | keys)
+    joint = _law_joint(pressure, {"kind": kind, "pressure": pressure} | keys)
     return joint._pressure(theta, half_angle)
 
 
@@ -329,5 +335,5 @@ def friction_coefficients(
     alpha: slip axis angle, rad, (...): 0 sliding, pi/2 spinning.
     pressure, keys: as in pressure().
     """
-    joint = _with_law(pressure, {"kind": "ball"} | keys)
+    joint = _law_joint(pressure, {"kind": "ball", "pressure": pressure} | keys)
     return joint._friction_coefficients(theta0, alpha)

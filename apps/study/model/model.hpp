@@ -1,0 +1,49 @@
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "libcontact/files/toml_reader.hpp"
+#include "study/plan/plan.hpp"
+
+namespace study {
+
+/// What came of a run: numbers by their names, or why it failed.
+struct Result {
+  std::string failure;
+  std::map<std::string, double> numbers;
+};
+
+/// What is looked at on the way.
+struct Effort {
+  bool peaks = true;
+  bool clearance = true;
+};
+
+/// What a study runs again and again, from several threads at once.
+class Model {
+ public:
+  virtual ~Model() = default;
+
+  /// Bodies or forces that a dispersion has a draw for, each; 0 if it has one
+  /// for all.
+  /// @throws contact::Error of a key that has no copies
+  virtual int copies(const Dispersion& dispersion) const = 0;
+
+  /// Settings of the keys: the first ones are of all copies and of the first,
+  /// the second ones of all and of the second ...
+  using Settings = std::vector<contact::KeySettings>;
+  /// Reads with these values only.
+  /// @throws contact::Error if they make no case
+  virtual void check(const Settings& settings) const = 0;
+  /// @throws contact::Error if they make no case
+  virtual Result run(const Settings& settings, const Effort& effort,
+                     const std::function<std::string()>& stop) const = 0;
+  /// What the numbers depend on beside the settings.
+  virtual std::string identity() const = 0;
+};
+
+}  // namespace study

@@ -1,0 +1,209 @@
+#include "study/model/separation_model.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "libcontact/base/complaint.hpp"
+#include "libcontact/base/error.hpp"
+#include "separation/case/case_keys.hpp"
+#include "separation/case/case_reader.hpp"
+#include "separation/case/identity.hpp"
+#include "separation/output/summary.hpp"
+
+namespace study {
+namespace {
+
+using nlohmann::ordered_json;
+using separation::Case;
+using separation::column_name;
+
+// "body[WHICH]." of a key: its WHICH; "" for another key.
+std::string which_of(const std::string& key, const std::string& table) {
+  if (!key.starts_with(table + '[')) return {};
+  const auto from = table.size() + 1;
+  return key.substr(from, key.find(']') - from);
+}
+
+// Places of the items whose name is `which`, or that of the which-th name.
+template <class Items, class Name>
+std::vector<std::size_t> places(const Items& items, const std::string& which,
+                                const Name& name) {
+  std::string wanted = which;
+  std::size_t number = 0;
+  const char* end = which.data() + which.size();
+  if (std::from_chars(which.data(), end, number).ptr == end) {
+    std::vector<std::string> names;
+    for (const auto& item : items) {
+      if (std::ranges::find(names, name(item)) == names.end()) {
+        names.push_back(name(item));
+      }
+    }
+    if (number >= 1 && number <= names.size()) wanted = names[number - 1];
+  }
+  std::vector<std::size_t> result;
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    if (name(items[i]) == wanted) result.push_back(i);
+  }
+  return result;
+}
+
+void add(const ordered_json& value, const std::string& name,
+         std::map<std::string, double>& to) {
+  if (value.is_number()) {
+    to.emplace(name, value.get<double>());
+  } else if (value.is_object()) {
+    for (const auto& [key, inner] : value.items()) {
+      add(inner, fmt::format("{}.{}", name, key), to);
+    }
+  } else if (value.is_array()) {
+    for (std::size_t i = 0; i < value.size(); ++i) {
+      add(value[i], fmt::format("{}[{}]", name, i + 1), to);
+    }
+  }
+}
+
+void add_bodies(const ordered_json& bodies, std::map<std::string, double>& to) {
+  for (const ordered_json& body : bodies) {
+    const auto name = column_name(body["name"].get<std::string>());
+    for (const auto& [key, value] : body.items()) {
+      add(value, name + '.' + (key == "joints" ? "joint" : key), to);
+    }
+  }
+}
+
+void add_events(const Case& c, const separation::Outcome& outcome,
+                std::map<std::string, double>& to) {
+  for (std::size_t e = 0; e < c.events.size(); ++e) {
+    for (const int body : c.events[e].bodies) {
+      const double time = outcome.history.events[e][body];
+      if (time == separation::History::not_yet) continue;
+      to.emplace(
+          fmt::format("event.{}.{}.time_s", column_name(c.events[e].name),
+                      column_name(c.bodies[body].rigid.name)),
+          time);
+    }
+  }
+}
+
+// NaN where a distance was not found at some time.
+void add_clearance(const Case& c, const separation::Outcome& outcome,
+                   std::map<std::string, double>& to) {
+  double smallest = separation::History::not_yet;
+  for (std::size_t i = 0; i < c.clearance.size(); ++i) {
+    const separation::PairRecord& pair = outcome.memory.pairs[i];
+    if (pair.smallest == separation::History::not_yet) continue;
+    const auto name = fmt::format(
+        "clearance.{}.{}.", column_name(c.rigid_body(c.clearance[i].a).name),
+        column_name(c.rigid_body(c.clearance[i].b).name));
+    const double value = pair.not_found > 0 ? std::nan("") : pair.smallest;
+    to.emplace(name + "smallest_m", value);
+    to.emplace(name + "time_s", pair.time);
+    if (!(value >= smallest)) smallest = value;
+  }
+  if (smallest != separation::History::not_yet) {
+    to.emplace("clearance.smallest_m", smallest);
+  }
+}
+
+}  // namespace
+
+std::map<std::string, double> numbers_of(const Case& c,
+                                         const separation::Outcome& outcome) {
+  const ordered_json json = separation::summary(c, outcome);
+  std::map<std::string, double> numbers;
+  add(json["end_time_s"], "end_time_s", numbers);
+  add(json["energy"], "energy", numbers);
+  const double drift = outcome.memory.largest_drift;
+  if (!c.options.carrier_drive && outcome.memory.largest_energy > 0) {
+    numbers.emplace("energy.drift", drift / outcome.memory.largest_energy);
+  }
+  add_bodies(json["bodies"], numbers);
+  add_events(c, outcome, numbers);
+  add_clearance(c, outcome, numbers);
+  return numbers;
+}
+
+SeparationModel::SeparationModel(const Plan& plan)
+    : file_(plan.case_file),
+      nominal_(separation::case_of_file(
+          contact::TomlTable::from_file(file_, separation::case_keys()), {},
+          laws_)) {
+  for (const Dispersion& dispersion : plan.dispersions) {
+    if (!dispersion.each) continue;
+    each_.push_back(places_of(dispersion.key));
+    if (each_.back().places.size() > 1) continue;
+    dispersion.table.needs("each",
+                           "a key of a body with a pattern, or of a "
+                           "force on one: body[NAME].KEY or force[NAME].KEY");
+  }
+}
+
+SeparationModel::Copies SeparationModel::places_of(
+    const std::string& key) const {
+  const std::string body = which_of(key, "body");
+  if (!body.empty()) {
+    return {false, places(nominal_.bodies, body,
+                          [](const separation::Body& b) { return b.group; })};
+  }
+  const std::string force = which_of(key, "force");
+  return {true, places(nominal_.forces, force,
+                       [](const separation::Force& f) { return f.name; })};
+}
+
+int SeparationModel::copies(const Dispersion& dispersion) const {
+  return dispersion.each
+             ? static_cast<int>(places_of(dispersion.key).places.size())
+             : 0;
+}
+
+Case SeparationModel::read(const contact::KeySettings& settings,
+                           contact::SharedLaws& laws) const {
+  return separation::case_of_file(
+      files_.open(file_, separation::case_keys, settings), {}, laws);
+}
+
+// Each copy from a reading of its own.
+Case SeparationModel::case_of(const Settings& settings) const {
+  contact::SharedLaws laws = laws_;
+  Case c = read(settings[0], laws);
+  for (std::size_t copy = 1; copy < settings.size(); ++copy) {
+    Case other = read(settings[copy], laws);
+    for (const Copies& each : each_) {
+      if (copy >= each.places.size()) continue;
+      const std::size_t place = each.places[copy];
+      if (each.of_forces) {
+        c.forces[place] = std::move(other.forces[place]);
+      } else {
+        c.bodies[place] = other.bodies[place];
+      }
+    }
+  }
+  return c;
+}
+
+Result SeparationModel::run(const Settings& settings, const Effort& effort,
+                            const std::function<std::string()>& stop) const {
+  Case c = case_of(settings);
+  // What a number is does not depend on when rows of a history would be.
+  c.output_step = c.end_time;
+  separation::RunOptions options;
+  options.friction = c.friction;
+  options.rows = false;
+  options.clearance = effort.clearance;
+  options.only_events = !effort.peaks && !effort.clearance;
+  if (stop) options.stop = [&stop](long) { return stop(); };
+  const separation::Outcome outcome = separation::run_case(c, options);
+  return {outcome.failure, numbers_of(c, outcome)};
+}
+
+std::string SeparationModel::identity() const {
+  return separation::identity(nominal_) +
+         files_.open(file_, separation::case_keys).canonical_text();
+}
+
+}  // namespace study

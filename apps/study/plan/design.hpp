@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "study/plan/draws.hpp"
+#include "study/plan/plan.hpp"
+
+namespace study {
+
+/// A number that is drawn: of a dispersion, or of one copy of it.
+struct Draw {
+  std::string name;  ///< the key; of the second copy "KEY@2"
+  std::size_t dispersion;
+  int copy;  ///< from 1; 0: of all
+};
+
+/// What the numbers of each run are. Run 0 is the nominal one and has none.
+class Design {
+ public:
+  /// @param copies  of each dispersion; 0: one draw for all
+  /// @throws contact::Error if the runs do not fit the sampling
+  Design(const Plan& plan, const std::vector<int>& copies);
+
+  const std::vector<Draw>& draws() const { return draws_; }
+  /// What scatters by itself: the factors, then the draws.
+  const std::vector<std::string>& sources() const { return sources_; }
+
+  /// In (0, 1), one of each source.
+  std::vector<double> uniforms(std::uint64_t run) const;
+  /// Numbers of the draws.
+  std::vector<double> numbers(std::uint64_t run) const {
+    return numbers_of(uniforms(run));
+  }
+  std::vector<double> numbers_of(const std::vector<double>& uniforms) const;
+  /// Of a draw that is not pushed by factors.
+  double number(std::size_t draw, double u) const {
+    return plan_.dispersions[draws_[draw].dispersion].quantile(u);
+  }
+  /// Runs of a group of Saltelli's design: A, B, and A with a column of B for
+  /// each source.
+  std::size_t group() const { return sources_.size() + 2; }
+
+ private:
+  std::vector<double> sobol(std::uint64_t point, std::size_t from) const;
+
+  const Plan& plan_;
+  std::vector<Draw> draws_;
+  std::vector<std::string> sources_;
+  std::vector<Stream> streams_;
+};
+
+}  // namespace study

@@ -1,0 +1,139 @@
+#include "study/plan/distribution.hpp"
+
+#include <algorithm>
+#include <boost/math/distributions/lognormal.hpp>
+#include <boost/math/distributions/normal.hpp>
+#include <boost/math/distributions/triangular.hpp>
+#include <numeric>
+#include <vector>
+
+namespace study {
+namespace {
+
+using contact::Interval;
+using contact::TomlTable;
+
+constexpr contact::ArrayShape one_or_more{.rows = 1, .or_more = true};
+
+// Low and high of a range, both of which are there.
+std::pair<double, double> read_range(const TomlTable& table) {
+  const double low = table.number("low", Interval::any());
+  const double high = table.number("high", Interval::any());
+  if (!(low < high)) table.must_be("high", "above low");
+  return {low, high};
+}
+
+// A distribution of Boost, cut off at low and high if they are there.
+template <class Distribution>
+Quantile truncated(const TomlTable& table, const Distribution& all) {
+  const auto low = table.optional_number("low", Interval::any());
+  const auto high = table.optional_number("high", Interval::any());
+  if (low && high && !(*low < *high)) table.must_be("high", "above low");
+  const auto below = [&all](double x) {
+    return x <= range(all).first ? 0.0 : cdf(all, x);
+  };
+  const double from = low ? below(*low) : 0;
+  const double to = high ? below(*high) : 1;
+  // What is left of it is drawn from: not only its last digits.
+  constexpr double least = 1e-6;
+  if (!(to - from > least)) {
+    table.must_be(low ? "low" : "high",
+                  "a limit that leaves a millionth of the distribution");
+  }
+  const double bottom = low.value_or(-Interval::largest);
+  const double top = high.value_or(Interval::largest);
+  return [all, from, to, bottom, top](double u) {
+    return std::clamp(quantile(all, from + (to - from) * u), bottom, top);
+  };
+}
+
+Quantile read_triangular(const TomlTable& table) {
+  const auto [low, high] = read_range(table);
+  const double mode = table.number("mode", {low, high});
+  return [all = boost::math::triangular(low, mode, high)](double u) {
+    return quantile(all, u);
+  };
+}
+
+// Linear between the points of the cumulative probability.
+Quantile read_table(const TomlTable& table) {
+  auto values =
+      table.numbers("values", {.rows = 2, .or_more = true}, Interval::any());
+  auto part = table.numbers("cumulative", {.rows = values.size()}, {0, 1});
+  const auto rises = [](const std::vector<double>& numbers) {
+    return std::is_sorted(numbers.begin(), numbers.end(), std::less_equal<>());
+  };
+  if (!rises(values)) table.must_be("values", "numbers that grow");
+  if (!rises(part) || part.front() != 0 || part.back() != 1) {
+    table.must_be("cumulative", "numbers that grow from 0 to 1");
+  }
+  return [values, part](double u) {
+    const auto above = std::upper_bound(part.begin() + 1, part.end() - 1, u);
+    const auto i = static_cast<std::size_t>(above - part.begin());
+    const double share = (u - part[i - 1]) / (part[i] - part[i - 1]);
+    return values[i - 1] + share * (values[i] - values[i - 1]);
+  };
+}
+
+Quantile read_list(const TomlTable& table) {
+  auto values = table.numbers("values", one_or_more, Interval::any());
+  std::vector<double> until(values.size(), 1);
+  if (const auto weights = table.optional_numbers(
+          "weights", {.rows = values.size()}, Interval::positive())) {
+    until = *weights;
+  }
+  std::partial_sum(until.begin(), until.end(), until.begin());
+  return [values, until](double u) {
+    const auto place =
+        std::upper_bound(until.begin(), until.end() - 1, u * until.back());
+    return values[static_cast<std::size_t>(place - until.begin())];
+  };
+}
+
+}  // namespace
+
+Quantile read_distribution(const TomlTable& table) {
+  using boost::math::lognormal;
+  using boost::math::normal;
+  switch (table.choice("kind", {"normal", "log_normal", "uniform", "triangular",
+                                "table", "list"})) {
+    case 0:
+      return truncated(table,
+                       normal(table.number("mean", Interval::any()),
+                              table.number("deviation", Interval::positive())));
+    case 1:
+      return truncated(
+          table,
+          lognormal(std::log(table.number("median", Interval::positive())),
+                    table.number("log_deviation", Interval::positive())));
+    case 2:
+      return [range = read_range(table)](double u) {
+        return range.first + (range.second - range.first) * u;
+      };
+    case 3:
+      return read_triangular(table);
+    case 4:
+      return read_table(table);
+    default:
+      return read_list(table);
+  }
+}
+
+contact::KnownKeys distribution_keys() {
+  const auto key = [](std::string_view name, std::string_view kinds) {
+    return contact::KnownKey{name, contact::Dimension::number, {}, kinds};
+  };
+  return {{"kind"},
+          key("mean", "normal"),
+          key("deviation", "normal"),
+          key("median", "log_normal"),
+          key("log_deviation", "log_normal"),
+          key("low", "normal log_normal uniform triangular"),
+          key("high", "normal log_normal uniform triangular"),
+          key("mode", "triangular"),
+          key("values", "table list"),
+          key("cumulative", "table"),
+          key("weights", "list")};
+}
+
+}  // namespace study

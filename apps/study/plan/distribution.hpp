@@ -1,0 +1,18 @@
+#pragma once
+
+#include <functional>
+
+#include "libcontact/files/toml_reader.hpp"
+
+namespace study {
+
+/// How a number scatters, in the unit of its key: the number below which a
+/// draw lies with probability u, for u in (0, 1).
+using Quantile = std::function<double(double u)>;
+
+/// Reads a distribution from a table with distribution_keys(): its `kind` and
+/// what belongs to that.
+Quantile read_distribution(const contact::TomlTable& table);
+contact::KnownKeys distribution_keys();
+
+}  // namespace study

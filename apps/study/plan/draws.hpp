@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+namespace study {
+
+/// Random numbers that depend on a seed, a key and a run alone (Philox 4x32 of
+/// Random123): the same on any machine, in any order and any thread. Another
+/// key leaves those of the others as they are.
+class Stream {
+ public:
+  Stream(std::uint64_t seed, std::string_view key);
+
+  /// Uniform in (0, 1): odd multiples of 2^-53, as 1 - u is.
+  double uniform(std::uint64_t run) const;
+  /// 64 random bits.
+  std::uint64_t bits(std::uint64_t counter) const;
+  /// Where i goes in a random order of 0 ... n - 1.
+  std::uint64_t permuted(std::uint64_t i, std::uint64_t n) const;
+
+ private:
+  std::uint64_t seed_;
+  std::uint64_t key_;
+};
+
+/// The odd multiple of 2^-53 in (0, 1) that the upper bits say.
+double uniform_of(std::uint64_t bits);
+/// The smallest and the largest of them.
+inline constexpr double lowest_uniform = 0x1p-53;
+inline constexpr double highest_uniform = 1 - 0x1p-53;
+
+/// FNV-1a.
+std::uint64_t hash_of(std::string_view text);
+
+}  // namespace study

@@ -1,0 +1,170 @@
+#include "study/plan/plan.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "libcontact/base/complaint.hpp"
+#include "libcontact/base/error.hpp"
+
+namespace study {
+namespace {
+
+using contact::Interval;
+using contact::table_key;
+using contact::TomlTable;
+
+}  // namespace
+
+contact::KnownKeys study_keys() {
+  contact::KnownKeys dispersion = distribution_keys();
+  for (const char* key : {"key", "relative", "each", "factors", "loadings"}) {
+    dispersion.push_back({key});
+  }
+  return {
+      {"name"},
+      {"case"},
+      {"joint"},
+      table_key("load", {{"reaction", contact::Dimension::force},
+                         {"beta", contact::Dimension::angle},
+                         {"rate", contact::Dimension::angular_velocity}}),
+      {"runs"},
+      {"seed"},
+      {"sampling"},
+      {"quantities"},
+      table_key("factor", {{"name"}}),
+      table_key("dispersion", dispersion),
+      table_key(
+          "requirement",
+          {{"quantity"}, {"at_least"}, {"at_most"}, {"success"}, {"risk"}})};
+}
+
+namespace {
+
+std::vector<std::string> read_factors(const TomlTable& file) {
+  std::vector<std::string> names;
+  for (const TomlTable& table : file.tables("factor")) {
+    std::string name = table.text("name");
+    if (std::ranges::find(names, name) != names.end()) {
+      table.must_be("name", "a name that no other factor has");
+    }
+    names.push_back(std::move(name));
+  }
+  return names;
+}
+
+std::vector<Share> read_shares(const TomlTable& table,
+                               const std::vector<std::string>& factors) {
+  const auto names = table.texts("factors");
+  if (names.empty()) {
+    if (table.has("loadings")) table.needs("loadings", "factors");
+    return {};
+  }
+  const auto loadings = table.numbers("loadings", {names.size()}, {-1, 1});
+  std::vector<Share> shares;
+  double sum = 0;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const auto found = std::ranges::find(factors, names[i]);
+    if (found == factors.end()) {
+      table.fail("factors",
+                 contact::detail::unknown("factor", names[i], factors));
+    }
+    shares.push_back(
+        {static_cast<std::size_t>(found - factors.begin()), loadings[i]});
+    sum += loadings[i] * loadings[i];
+  }
+  if (sum > 1) {
+    table.must_be("loadings", "numbers whose squares add up to 1 at most");
+  }
+  return shares;
+}
+
+Dispersion read_dispersion(const TomlTable& table, const Plan& plan) {
+  const std::string key = table.text("key");
+  for (const Dispersion& other : plan.dispersions) {
+    if (other.key == key) {
+      table.must_be("key", "a key that no other dispersion has");
+    }
+  }
+  return {.key = key,
+          .relative = table.flag("relative"),
+          .each = table.flag("each"),
+          .quantile = read_distribution(table),
+          .shares = read_shares(table, plan.factors),
+          .content = table.canonical_text(),
+          .table = table};
+}
+
+Requirement read_requirement(const TomlTable& table) {
+  table.refuse_both("at_least", "at_most");
+  const bool at_least = table.has("at_least");
+  if (!at_least && !table.has("at_most")) table.needs("at_least or at_most");
+  constexpr Interval share{0, 1, true, true};
+  return {
+      .quantity = table.text("quantity"),
+      .at_least = at_least,
+      .limit = table.number(at_least ? "at_least" : "at_most", Interval::any()),
+      .demand = {.success = table.number("success", share),
+                 .risk = table.optional_number("risk", share)
+                             .value_or(Demand{}.risk)},
+      .table = table};
+}
+
+// As many as the file says; else those that the requirements need if no run
+// fails.
+std::uint64_t read_runs(const TomlTable& file, const Plan& plan) {
+  if (file.has("runs")) {
+    return static_cast<std::uint64_t>(file.integer("runs", 1, most_runs));
+  }
+  if (plan.requirements.empty()) file.needs("runs or [[requirement]]");
+  std::uint64_t runs = 0;
+  for (const Requirement& requirement : plan.requirements) {
+    runs = std::max<std::uint64_t>(runs, runs_needed(0, requirement.demand));
+  }
+  return runs;
+}
+
+}  // namespace
+
+Plan read_plan(const std::filesystem::path& path, const PlanChanges& changes) {
+  const TomlTable file = TomlTable::from_file(path, study_keys());
+  Plan plan{.name = file.text("name"),
+            .case_file = {},
+            .joint_file = {},
+            .runs = 0,
+            .seed = 1,
+            .sampling = Sampling::random,
+            .factors = read_factors(file),
+            .dispersions = {},
+            .requirements = {},
+            .quantities = file.texts("quantities"),
+            .path = path,
+            .file = file};
+  file.refuse_both("case", "joint");
+  if (const auto name = file.optional_text("case")) {
+    plan.case_file = file.folder() / *name;
+  } else {
+    plan.joint_file = file.folder() / file.text("joint");
+  }
+  if (const auto names = file.optional_choice(
+          "sampling", {sampling_names.begin(), sampling_names.end()})) {
+    plan.sampling = static_cast<Sampling>(*names);
+  }
+  if (file.has("seed")) {
+    plan.seed = static_cast<std::uint64_t>(
+        file.integer("seed", 0, std::numeric_limits<std::int64_t>::max()));
+  }
+  for (const TomlTable& table : file.tables("dispersion")) {
+    plan.dispersions.push_back(read_dispersion(table, plan));
+  }
+  if (plan.dispersions.empty()) file.needs("one or more [[dispersion]]");
+  for (const TomlTable& table : file.tables("requirement")) {
+    plan.requirements.push_back(read_requirement(table));
+  }
+  plan.runs = changes.runs.value_or(read_runs(file, plan));
+  plan.seed = changes.seed.value_or(plan.seed);
+  return plan;
+}
+
+}  // namespace study

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+
+#include "cli/table.hpp"
+#include "study/rows/journal.hpp"
+#include "study/study.hpp"
+
+namespace study {
+
+/// Writes all rows in their order: run, inputs, quantities, status ("ok" or
+/// why it failed).
+void write_csv(const Study& study, const Journal& journal,
+               cli::TableStyle style, const std::string& file);
+
+/// The same as a data set for each column: run, status (0 ok, 1 failed),
+/// inputs/NAME, quantities/NAME. It is made in memory.
+void write_hdf5(const Study& study, const Journal& journal,
+                const std::string& file);
+
+}  // namespace study

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+#include <vector>
+
+/// What drives a number: rank correlation, regression, Sobol' indices.
+namespace study {
+
+/// Ranks from 1; equal numbers share theirs. NaN has rank NaN and none counts
+/// it.
+std::vector<double> ranks(std::span<const double> values);
+
+/// Correlation of two columns where both are numbers; NaN where either does
+/// not vary. Of ranks it is Spearman's.
+double correlation(std::span<const double> a, std::span<const double> b);
+
+/// Sums of a linear regression, a row at a time.
+class Regression {
+ public:
+  explicit Regression(std::size_t inputs);
+  /// Rows with a NaN are left out.
+  void add(std::span<const double> inputs, double output);
+
+  struct Answer {
+    /// Change of the output, in its deviations, by one deviation of an input;
+    /// 0 of an input that does not vary.
+    std::vector<double> standardised;
+    /// Share of the variance that they explain, R^2.
+    double explained;
+  };
+  /// NaN where the output does not vary or rows are too few.
+  Answer solve() const;
+
+ private:
+  Eigen::VectorXd origin_;  ///< the first row, so that sums lose no digits
+  Eigen::VectorXd sums_;
+  Eigen::MatrixXd products_;
+  double count_ = 0;
+};
+
+/// Share of the variance by one source alone, and by all that it is part of,
+/// each with its standard error.
+struct SobolIndex {
+  double first;
+  double first_error;
+  double total;
+  double total_error;
+};
+
+/// Indices from the outputs of Saltelli's design, groups of A, B and A with a
+/// column of B for each source: the estimators of Saltelli et al. (2010) and
+/// of Jansen. Groups with a NaN are left out.
+std::vector<SobolIndex> sobol_indices(std::span<const double> outputs,
+                                      std::size_t sources);
+
+}  // namespace study

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+
+/// What random runs say of a probability, by counting them alone (Hanson and
+/// Beard, NASA/TP-2010-216447): of the distribution nothing is assumed.
+namespace study {
+
+/// What is asked of a share of runs.
+struct Demand {
+  double success = 0.9973;  ///< share of all possible runs that has to succeed
+  double risk = 0.1;        ///< of the consumer: that of a wrong "met"
+};
+
+/// Probability that of n runs at most k fail if each fails with probability p.
+double at_most(std::size_t k, std::size_t n, double p);
+
+/// Runs that are needed with so many failures among them: the fewest for which
+/// at_most(failures, n, 1 - success) <= risk.
+/// @throws contact::Error if there are more than 1e9
+std::size_t runs_needed(std::size_t failures, const Demand& demand);
+
+enum class Answer {
+  met,      ///< but for the risk
+  not_met,  ///< the share that fails is above 1 - success but for the risk
+  open,     ///< more runs are needed to say
+};
+Answer answer(std::size_t failures, std::size_t runs, const Demand& demand);
+
+/// Clopper and Pearson's bounds of the probability of failure, each exceeded
+/// with the risk.
+struct Bounds {
+  double low;
+  double high;
+};
+Bounds failure_bounds(std::size_t failures, std::size_t runs, double risk);
+
+/// A percentile of sorted numbers: between their neighbours (share p of the
+/// way), and the order statistics that bound the true one, each wrong with the
+/// risk at most; none where there are too few runs.
+struct Percentile {
+  double value;
+  std::optional<double> low;
+  std::optional<double> high;
+};
+Percentile percentile(std::span<const double> sorted, double p, double risk);
+
+}  // namespace study

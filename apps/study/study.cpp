@@ -1,0 +1,254 @@
+#include "study/study.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "libcontact/base/complaint.hpp"
+#include "libcontact/base/error.hpp"
+#include "study/model/joint_model.hpp"
+#include "study/model/separation_model.hpp"
+
+namespace study {
+namespace {
+
+using contact::Error;
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+// `*` stands for any characters.
+bool matches(std::string_view pattern, std::string_view text) {
+  const auto star = pattern.find('*');
+  if (star == pattern.npos) return pattern == text;
+  if (!text.starts_with(pattern.substr(0, star))) return false;
+  pattern.remove_prefix(star + 1);
+  for (std::size_t i = star; i <= text.size(); ++i) {
+    if (matches(pattern, text.substr(i))) return true;
+  }
+  return false;
+}
+
+std::unique_ptr<Model> make_model(const Plan& plan) {
+  if (plan.joint_file.empty()) return std::make_unique<SeparationModel>(plan);
+  return std::make_unique<JointModel>(plan);
+}
+
+// The ends of a distribution are missed by rounding errors.
+double rounded(double x) { return std::stod(fmt::format("{:.12g}", x)); }
+
+// Of a number of the summary that is found on the way only.
+bool is_peak(const std::string& quantity) {
+  return quantity.find(".peak_") != quantity.npos ||
+         quantity.find(".largest_") != quantity.npos;
+}
+bool is_clearance(const std::string& quantity) {
+  return quantity.starts_with("clearance.");
+}
+
+}  // namespace
+
+Study::Study(const std::filesystem::path& file, const PlanChanges& changes)
+    : plan_(read_plan(file, changes)), model_(make_model(plan_)) {
+  std::vector<int> copies;
+  for (const Dispersion& dispersion : plan_.dispersions) {
+    copies.push_back(model_->copies(dispersion));
+  }
+  design_ = std::make_unique<Design>(plan_, copies);
+  check_draws();
+  nominal_ = model_->run({{}}, {}, {});
+  if (!nominal_.failure.empty()) {
+    throw Error("the nominal run failed: " + nominal_.failure);
+  }
+  find_quantities();
+}
+
+// What the distributions allow has to be allowed by the files.
+void Study::check_draws() const {
+  for (std::size_t i = 0; i < plan_.dispersions.size(); ++i) {
+    const Dispersion& dispersion = plan_.dispersions[i];
+    for (const double u : {lowest_uniform, 0.5, highest_uniform}) {
+      try {
+        model_->check(settings_of(i, rounded(dispersion.quantile(u))));
+      } catch (const Error& error) {
+        dispersion.table.fail("key", error.what());
+      }
+    }
+  }
+}
+
+std::vector<std::string> Study::matching(const std::string& pattern,
+                                         const contact::TomlTable& table,
+                                         const char* key) const {
+  std::vector<std::string> found;
+  std::vector<std::string> all;
+  for (const auto& [name, value] : nominal_.numbers) {
+    all.push_back(name);
+    if (matches(pattern, name)) found.push_back(name);
+  }
+  if (!found.empty()) return found;
+  // All of them would fill a page.
+  const std::string message =
+      contact::detail::unknown("quantity", pattern, all);
+  table.fail(key, message.substr(0, message.find(" (")) +
+                      "; --quantities lists those of the nominal run");
+}
+
+void Study::find_quantities() {
+  const auto place = [this](const std::string& name) {
+    const auto found = std::ranges::find(quantities_, name);
+    const auto at = static_cast<std::size_t>(found - quantities_.begin());
+    if (found == quantities_.end()) quantities_.push_back(name);
+    return at;
+  };
+  for (const Requirement& requirement : plan_.requirements) {
+    std::vector<std::size_t>& places = required_.emplace_back();
+    for (const std::string& name :
+         matching(requirement.quantity, requirement.table, "quantity")) {
+      places.push_back(place(name));
+    }
+  }
+  for_requirements_ = quantities_.size();
+  for (const std::string& pattern : plan_.quantities) {
+    for (const auto& name : matching(pattern, plan_.file, "quantities")) {
+      place(name);
+    }
+  }
+  if (nominal_.numbers.contains(energy_drift)) place(energy_drift);
+  effort_.peaks = std::ranges::any_of(quantities_, is_peak);
+  effort_.clearance = std::ranges::any_of(quantities_, is_clearance);
+}
+
+std::vector<std::string> Study::columns() const {
+  std::vector<std::string> names;
+  for (const Draw& draw : design_->draws()) names.push_back(draw.name);
+  names.insert(names.end(), quantities_.begin(), quantities_.end());
+  return names;
+}
+
+double Study::value_of(std::size_t requirement, const Row& row) const {
+  const bool at_least = plan_.requirements[requirement].at_least;
+  double worst = nan;
+  for (const std::size_t place : required_[requirement]) {
+    const double value = row.numbers[inputs() + place];
+    if (std::isnan(value)) return nan;
+    worst = at_least ? std::fmin(worst, value) : std::fmax(worst, value);
+  }
+  return worst;
+}
+
+Model::Settings Study::settings_of(const std::vector<double>& numbers) const {
+  int readings = 1;
+  for (const Draw& draw : design_->draws()) {
+    readings = std::max(readings, draw.copy);
+  }
+  Model::Settings settings(static_cast<std::size_t>(readings));
+  for (int reading = 1; reading <= readings; ++reading) {
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+      const Draw& draw = design_->draws()[i];
+      if (draw.copy != 0 && draw.copy != reading) continue;
+      const Dispersion& dispersion = plan_.dispersions[draw.dispersion];
+      settings[static_cast<std::size_t>(reading - 1)].push_back(
+          {dispersion.key,
+           fmt::format("{}{}", dispersion.relative ? "*" : "", numbers[i])});
+    }
+  }
+  return settings;
+}
+
+// One key alone, of all copies alike.
+Model::Settings Study::settings_of(std::size_t dispersion,
+                                   double number) const {
+  const Dispersion& d = plan_.dispersions[dispersion];
+  const contact::KeySettings one = {
+      {d.key, fmt::format("{}{}", d.relative ? "*" : "", number)}};
+  const int copies = std::max(1, model_->copies(d));
+  return Model::Settings(static_cast<std::size_t>(copies), one);
+}
+
+Row Study::row(std::uint64_t run,
+               const std::function<std::string()>& stop) const {
+  Row row{run, {}, {}};
+  Model::Settings settings = {{}};
+  if (run == 0) {
+    for (const Draw& draw : design_->draws()) {
+      const bool relative = plan_.dispersions[draw.dispersion].relative;
+      row.numbers.push_back(relative ? 1 : nan);
+    }
+  } else {
+    row.numbers = design_->numbers(run);
+    settings = settings_of(row.numbers);
+  }
+  Result result;
+  try {
+    result = model_->run(settings, effort_, stop);
+  } catch (const Error& error) {
+    result.failure = error.what();
+  }
+  row.failure = result.failure;
+  for (const std::string& quantity : quantities_) {
+    const auto found = result.numbers.find(quantity);
+    const bool has = row.failure.empty() && found != result.numbers.end();
+    row.numbers.push_back(has ? found->second : nan);
+  }
+  return row;
+}
+
+separation::Case Study::case_of(std::uint64_t run) const {
+  const auto* model = dynamic_cast<const SeparationModel*>(model_.get());
+  if (model == nullptr) {
+    throw Error(contact::detail::needs("a history", "the study of a case"));
+  }
+  return model->case_of(run == 0 ? Model::Settings{{}}
+                                 : settings_of(design_->numbers(run)));
+}
+
+namespace {
+
+// What a driven carrier has of energy is not of the motion's.
+bool same_but_energy(std::map<std::string, double> a,
+                     std::map<std::string, double> b) {
+  for (auto* numbers : {&a, &b}) {
+    std::erase_if(*numbers, [](const auto& number) {
+      return number.first.starts_with("energy.");
+    });
+  }
+  return a == b;
+}
+
+}  // namespace
+
+std::vector<std::string> Study::idle_keys() const {
+  // One of them may be the nominal value.
+  constexpr double probes[] = {0.8413, 0.25};
+  std::vector<std::string> idle;
+  for (std::size_t i = 0; i < plan_.dispersions.size(); ++i) {
+    const Dispersion& dispersion = plan_.dispersions[i];
+    const bool acts = std::ranges::any_of(probes, [&](double u) {
+      const Result result =
+          model_->run(settings_of(i, dispersion.quantile(u)), {}, {});
+      return !result.failure.empty() ||
+             !same_but_energy(result.numbers, nominal_.numbers);
+    });
+    if (!acts) idle.push_back(dispersion.key);
+  }
+  return idle;
+}
+
+std::string Study::identity() const {
+  std::string text = model_->identity();
+  for (const Dispersion& dispersion : plan_.dispersions) {
+    text += dispersion.content;
+  }
+  for (const std::string& name : columns()) text += name + '\n';
+  text += fmt::format("{} {}", static_cast<int>(plan_.sampling), plan_.seed);
+  // Cells of a Latin hypercube are as many as runs.
+  if (plan_.sampling == Sampling::latin_hypercube) {
+    text += fmt::format(" {}", plan_.runs);
+  }
+  return text;
+}
+
+}  // namespace study

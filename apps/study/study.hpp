@@ -1,0 +1,81 @@
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "separation/case/case.hpp"
+#include "study/model/model.hpp"
+#include "study/plan/design.hpp"
+#include "study/plan/plan.hpp"
+#include "study/rows/row.hpp"
+
+namespace study {
+
+/// The quantity that every row of a case has: the largest drift of the balance
+/// of energies over the largest of them.
+inline constexpr const char* energy_drift = "energy.drift";
+
+/// A study: of each run its row, a function of the file and the run's number
+/// alone, in any order and from any thread.
+class Study {
+ public:
+  /// @throws contact::Error if a dispersion does not fit its key, the nominal
+  ///   run fails, or it has no number of a requirement's name
+  explicit Study(const std::filesystem::path& file,
+                 const PlanChanges& changes = {});
+  Study(const Study&) = delete;
+  Study& operator=(const Study&) = delete;
+
+  const Plan& plan() const { return plan_; }
+  const Design& design() const { return *design_; }
+  /// Rows are those of 0, the nominal one, to runs().
+  std::uint64_t runs() const { return plan_.runs; }
+
+  /// Names of a row's numbers: inputs, quantities.
+  std::vector<std::string> columns() const;
+  std::size_t inputs() const { return design_->draws().size(); }
+  const std::vector<std::string>& quantities() const { return quantities_; }
+  /// As many of them are there for requirements; others follow.
+  std::size_t required() const { return for_requirements_; }
+  /// All numbers of the nominal run by their names.
+  const std::map<std::string, double>& nominal() const {
+    return nominal_.numbers;
+  }
+  /// What a requirement looks at, of a row's quantities the worst.
+  double value_of(std::size_t requirement, const Row& row) const;
+
+  /// @param stop  asked on the way: why the run has to end; "" to go on
+  Row row(std::uint64_t run,
+          const std::function<std::string()>& stop = {}) const;
+  /// The case of a run, for its history; throws Error of a joint.
+  separation::Case case_of(std::uint64_t run) const;
+
+  /// Keys that, given another value, change no number of the summary, the
+  /// energies aside.
+  std::vector<std::string> idle_keys() const;
+  /// Whatever its rows depend on.
+  std::string identity() const;
+
+ private:
+  Model::Settings settings_of(const std::vector<double>& numbers) const;
+  Model::Settings settings_of(std::size_t dispersion, double number) const;
+  void check_draws() const;
+  void find_quantities();
+  std::vector<std::string> matching(const std::string& pattern,
+                                    const contact::TomlTable& table,
+                                    const char* key) const;
+
+  Plan plan_;
+  std::unique_ptr<Model> model_;
+  std::unique_ptr<Design> design_;
+  Result nominal_;  ///< with all numbers
+  std::vector<std::string> quantities_;
+  std::vector<std::vector<std::size_t>> required_;  ///< of quantities_
+  std::size_t for_requirements_ = 0;
+  Effort effort_;
+};
+
+}  // namespace study

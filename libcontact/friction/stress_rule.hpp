@@ -1,0 +1,43 @@
+#pragma once
+
+#include "libcontact/friction/integrals.hpp"
+#include "libcontact/pair/friction_stress.hpp"
+#include "libcontact/pressure/law.hpp"
+
+namespace contact {
+
+/// A friction stress over a contact that slides.
+struct StressedContact {
+  double half_angle;     ///< theta0, rad
+  double pressure_unit;  ///< JointGeometry::pressure_unit(), Pa
+  double rim_speed;      ///< rho |Dw|, m/s
+};
+
+/// Points that stress_integrals() takes along each direction.
+inline constexpr int usual_stress_points = 24;
+
+/// Friction force over rho^2 and moments over rho^3 of a ball's contact, Pa:
+///
+///     ∬ tau e dO,  e = v/|v|;  about Y and Z ∬ tau (-e x r) dO
+///
+/// Up to 90 deg along great circles through the slip axis, beyond by the
+/// definition with double exponential nodes (docs/friction_stress.md).
+/// @param points  of the great circles, each way
+/// @return relative error at most 1e-10 for tau that is smooth in p and v; for
+///         powers of p 1e-7 with 24 points, 1e-9 with 64 and 1e-10 with 128;
+///         1e-10 beyond 90 deg (joint/friction_stress_test.cpp). NaN where the
+///         law has no value and at theta0 = 0.
+/// Does not throw; with the usual number of points nothing allocates but in
+/// the first call.
+FrictionTriple stress_integrals(const PressureLaw& law,
+                                const StressedContact& contact, SlipAxis axis,
+                                const FrictionStress& stress,
+                                int points = usual_stress_points);
+
+/// The same of a pin: force over rho l, sliding moment over rho^2 l, Pa.
+FrictionTriple pin_stress_integrals(const PressureLaw& law,
+                                    const StressedContact& contact,
+                                    const FrictionStress& stress,
+                                    int points = usual_stress_points);
+
+}  // namespace contact

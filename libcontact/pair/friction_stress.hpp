@@ -1,0 +1,85 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace contact {
+
+/// How a friction stress changes with the sliding speed at constant pressure.
+enum class StressOverSpeed {
+  constant,
+  rises,
+  /// Somewhere: no convex set of moments, so that nothing can be said of rest;
+  /// real joints stick and slip there.
+  falls,
+};
+
+/// What lies between the points of a table of friction coefficients.
+enum class TableCurve {
+  spline,  ///< natural cubic spline in the logarithm, two continuous slopes
+  linear,  ///< in the logarithm; costs friction up to some 1e-3
+};
+
+/// A friction stress tau(p, v) of pressure and sliding speed, by one of the
+/// named laws, by a table, or one's own. tau must not fall with p: the
+/// equations of a joint could then have several solutions.
+///
+/// Cheap to copy.
+class FrictionStress {
+ public:
+  /// Pa, of p in Pa and v in m/s, both >= 0 and finite: >= 0, 0 or more at
+  /// p = 0. Does not throw, and may be called by several threads.
+  using Function = std::function<double(double pressure, double speed)>;
+
+  /// One's own.
+  FrictionStress(Function stress, StressOverSpeed over_speed);
+
+  /// p (fc + (fs - fc) exp(-v/vs)): from fs at rest to fc when sliding.
+  /// @param static_coefficient, dynamic_coefficient  fs, fc, [0, infinity)
+  /// @param speed  vs, m/s, (0, infinity)
+  /// @throws Error if an argument is out of range.
+  static FrictionStress stribeck(double static_coefficient,
+                                 double dynamic_coefficient, double speed);
+  /// f p (p/p_r)^-m.
+  /// @param coefficient  f, [0, infinity), at the pressure p_r
+  /// @param pressure     p_r, Pa, (0, infinity)
+  /// @param exponent     m, [0, 1]
+  /// @throws Error if an argument is out of range.
+  static FrictionStress power(double coefficient, double pressure,
+                              double exponent);
+
+  /// Coefficients of friction at some points; constant outside of them.
+  struct Table {
+    std::vector<double> points;        ///< 2 or more, > 0, ascending
+    std::vector<double> coefficients;  ///< as many, >= 0
+    TableCurve curve = TableCurve::spline;
+  };
+  /// p f(p), points in Pa.
+  /// @throws Error if the table is not so, or if the curve through it falls
+  ///         below 0 or makes p f fall with p.
+  static FrictionStress of_pressure(const Table& table);
+  /// p f(v/p), points in m/(s Pa): a Hersey number over the viscosity.
+  /// @throws Error as of_pressure()
+  static FrictionStress of_hersey(const Table& table);
+
+  /// tau, Pa.
+  double stress_at(double pressure, double speed) const {
+    return (*stress_)(pressure, at_rest_ ? 0 : speed);
+  }
+  StressOverSpeed over_speed() const { return over_speed_; }
+  /// tau(p, 0) at every speed.
+  FrictionStress at_rest() const;
+  /// What costs accuracy, for programs to warn of; "" for nothing.
+  const std::string& note() const { return note_; }
+
+ private:
+  std::shared_ptr<const Function> stress_;
+  StressOverSpeed over_speed_;
+  bool at_rest_ = false;
+  std::string note_;
+};
+
+}  // namespace contact

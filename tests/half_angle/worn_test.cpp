@@ -1,0 +1,143 @@
+#include "libcontact/half_angle/worn.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+#include <string>
+
+#include "libcontact/base/units.hpp"
+#include "libcontact/friction/any_pressure.hpp"
+#include "libcontact/friction/stress_rule.hpp"
+#include "libcontact/half_angle/factory.hpp"
+#include "libcontact/pressure/worn.hpp"
+#include "support/accuracy_report.hpp"
+#include "support/error_message.hpp"
+#include "support/reference_table.hpp"
+
+namespace {
+
+using contact::degree;
+using contact::FrictionTriple;
+using contact::JointKind;
+using contact::SlipAxis;
+using contact::Status;
+using contact::WornHalfAngle;
+using contact::WornPressure;
+using contact::test::AccuracyReport;
+using contact::test::ReferenceTable;
+
+// Computed apart from the library, 1e-11 (its angles have 12 digits).
+TEST(Worn, Reference) {
+  const ReferenceTable table("duty/wear_in.csv");
+  ASSERT_EQ(table.size(), 58u);
+  AccuracyReport angles("theta0", 1e-11);
+  AccuracyReport depths("penetration", 1e-11);
+  AccuracyReport pins("S of pins", 1e-11);
+  for (std::size_t row = 0; row < table.size(); ++row) {
+    const auto value = [&](const char* column) {
+      return table.value(row, column);
+    };
+    const JointKind kind =
+        table.text(row, "joint") == "pin" ? JointKind::pin : JointKind::ball;
+    const double v = value("wear_number");
+    const double elastic = value("theta0_elastic_deg") * degree;
+    const double theta0 = WornHalfAngle::half_angle_of_overlap(
+        kind, WornHalfAngle::overlap(kind, elastic) + v);
+    const std::string label = table.label(row);
+    angles.add(theta0, value("theta0_worn_deg") * degree, label);
+    depths.add(1 / std::cos(theta0) - 1, value("penetration_over_clearance"),
+               label);
+    if (kind == JointKind::ball) continue;
+    pins.add(WornPressure(kind).force_ratio(theta0),
+             value("moment_coefficient_a0"), label);
+  }
+  angles.check();
+  depths.check();
+  pins.check();
+}
+
+std::shared_ptr<const contact::HalfAngleLaw> law(JointKind kind) {
+  const auto pair = contact::ElasticPair::from_modulus_ratio(60, 0.3, 0.4);
+  return contact::make_half_angle_law("tanh", kind, pair);
+}
+
+TEST(Worn, LawInBothDirections) {
+  AccuracyReport back("load parameter and back", 1e-11);
+  // Of differences over 1e-4.
+  AccuracyReport slopes("slope of the logarithm", 1e-6);
+  for (const JointKind kind : {JointKind::ball, JointKind::pin}) {
+    for (const double v : {0., 1e-6, 0.1, 3.}) {
+      const WornHalfAngle worn(law(kind), v);
+      for (const double load : {1e-3, 0.1, 0.5}) {
+        const auto found = worn.half_angle(load);
+        ASSERT_EQ(found.status, Status::ok);
+        EXPECT_LT(found.half_angle, worn.limit_half_angle());
+        // What is far more worn than pressed forgets the load.
+        if (v < 1e-3) {
+          back.add(worn.load_parameter(found.half_angle).load_parameter, load,
+                   std::to_string(v));
+        }
+        const double h = 1e-4;
+        const double slope =
+            std::log(worn.half_angle(load * (1 + h)).half_angle /
+                     worn.half_angle(load * (1 - h)).half_angle) /
+            std::log((1 + h) / (1 - h));
+        slopes.add_error(std::abs(found.log_slope - slope), std::to_string(v));
+      }
+      EXPECT_EQ(worn.half_angle(-1).status, Status::out_of_range);
+      EXPECT_EQ(worn.load_parameter(1.6).status, Status::out_of_range);
+    }
+  }
+  back.check();
+  slopes.check();
+}
+
+TEST(Worn, SmallAngles) {
+  AccuracyReport report("theta0 of its own g", 1e-14);
+  for (const JointKind kind : {JointKind::ball, JointKind::pin}) {
+    for (double theta = 1e-60; theta < 1.57; theta *= 1.7) {
+      const double g = WornHalfAngle::overlap(kind, theta);
+      report.add(WornHalfAngle::half_angle_of_overlap(kind, g), theta,
+                 std::to_string(theta));
+    }
+  }
+  report.check();
+}
+
+// Against points over the contact: 24 each way, smooth, 1e-10.
+TEST(Worn, FrictionOfTheWornPressure) {
+  AccuracyReport report("coefficients", 2e-10);
+  const WornPressure pressure(JointKind::ball);
+  const contact::FrictionStress one([](double p, double) { return p; },
+                                    contact::StressOverSpeed::constant);
+  for (const double theta0 : {1., 20., 50., 75., 89.}) {
+    for (const double a : {0., 10., 45., 80.}) {
+      const SlipAxis axis = SlipAxis::from_degrees(a);
+      const FrictionTriple exact =
+          contact::friction_integrals(pressure, theta0 * degree, axis)
+              .coefficient;
+      const FrictionTriple i = contact::stress_integrals(
+          pressure, {theta0 * degree, 1, 1}, axis, one);
+      const std::string label = std::to_string(theta0);
+      report.add(i.force, exact.force, label);
+      report.add(i.sliding, exact.sliding, label);
+      if (a > 0) report.add(i.spinning, exact.spinning, label);
+    }
+  }
+  report.check();
+  // As theta0 -> 0 all pressures slide alike.
+  EXPECT_NEAR(contact::friction_integrals(pressure, 0, SlipAxis{0, 1})
+                  .coefficient.force,
+              1, 1e-15);
+  EXPECT_TRUE(std::isnan(
+      contact::friction_integrals(pressure, 1.6, {0, 1}).coefficient.force));
+}
+
+TEST(Worn, Messages) {
+  EXPECT_EQ(contact::test::error_message(
+                [] { WornHalfAngle(law(JointKind::ball), -1); }),
+            "worn half-angle: wear_number = -1 must be 0 or above and finite");
+}
+
+}  // namespace

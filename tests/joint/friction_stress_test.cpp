@@ -1,0 +1,367 @@
+#include "libcontact/pair/friction_stress.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <string>
+
+#include "libcontact/base/error.hpp"
+#include "libcontact/base/units.hpp"
+#include "libcontact/duty/sliding_contact.hpp"
+#include "libcontact/files/joint_file.hpp"
+#include "libcontact/friction/any_pressure.hpp"
+#include "libcontact/friction/stress_rule.hpp"
+#include "libcontact/joint/joint.hpp"
+#include "libcontact/joint/node.hpp"
+#include "libcontact/pressure/factory.hpp"
+#include "libcontact/tracking/joint_tracker.hpp"
+#include "support/accuracy_report.hpp"
+#include "support/error_message.hpp"
+#include "support/random_slip.hpp"
+#include "support/reference_table.hpp"
+
+namespace {
+
+using contact::degree;
+using contact::FrictionLaw;
+using contact::FrictionStress;
+using contact::FrictionTriple;
+using contact::Joint;
+using contact::JointContact;
+using contact::JointKind;
+using contact::JointSolution;
+using contact::JointSpec;
+using contact::SlidingContact;
+using contact::SlipAxis;
+using contact::StressOverSpeed;
+using contact::TableCurve;
+using contact::test::AccuracyReport;
+using contact::test::RandomSlips;
+using contact::test::ReferenceTable;
+using Eigen::Vector3d;
+
+JointSpec bearing() {
+  return contact::read_joint("data/reference/duty/general_bearing.toml");
+}
+
+FrictionStress coulomb(double f0, double adhesion) {
+  return {[=](double p, double) { return f0 * p + adhesion; },
+          StressOverSpeed::constant};
+}
+
+// The law that a row of the reference data names.
+FrictionStress law_of(const std::string& name) {
+  if (name.starts_with("stribeck")) {
+    return FrictionStress::stribeck(0.15, 0.05, 0.01);
+  }
+  if (name.starts_with("power")) return FrictionStress::power(0.1, 1e7, 0.25);
+  EXPECT_TRUE(name.starts_with("coulomb")) << name;
+  return coulomb(0.06, 2e5);
+}
+
+JointContact contact_with(const FrictionStress& stress) {
+  JointSpec joint = bearing();
+  joint.friction = stress;
+  return joint.contact();
+}
+
+// Reference: by the definition, 1e-10. Powers of the pressure end like roots
+// of higher order, which takes more points.
+TEST(FrictionStress, IntegralsOfReference) {
+  const ReferenceTable table("duty/general_friction.csv");
+  ASSERT_EQ(table.size(), 18u);
+  AccuracyReport fine("64 points, powers 128", 1e-10);
+  AccuracyReport usual("24 points, smooth", 1e-10);
+  AccuracyReport power("24 points, powers", 1e-7);
+  for (std::size_t row = 0; row < table.size(); ++row) {
+    const auto value = [&](const char* column) {
+      return table.value(row, column);
+    };
+    const double rho = value("rho_m");
+    const auto law = contact::make_pressure_law(
+        table.text(row, "pressure"), JointKind::ball, bearing().pair);
+    const SlipAxis axis = SlipAxis::from_degrees(value("alpha_deg"));
+    const bool is_power = table.text(row, "tau").starts_with("power");
+    for (const int points :
+         {is_power ? 128 : 64, contact::usual_stress_points}) {
+      AccuracyReport& report = points >= 64 ? fine : is_power ? power : usual;
+      const FrictionTriple i = contact::stress_integrals(
+          *law,
+          {value("theta0_deg") * degree, value("R_n_N") / (rho * rho),
+           rho * value("w_rad_per_s")},
+          axis, law_of(table.text(row, "tau")), points);
+      const double force = rho * rho * i.force;
+      const double y = rho * rho * rho * i.sliding;
+      const double z = rho * rho * rho * i.spinning;
+      const double size = std::hypot(value("M_Y_N_m"), value("M_Z_N_m"));
+      report.add(force, value("R_t_N"), table.label(row));
+      report.add_error(std::abs(y - value("M_Y_N_m")) / size, table.label(row));
+      report.add_error(std::abs(z - value("M_Z_N_m")) / size, table.label(row));
+      report.add(value("w_rad_per_s") * (y * axis.cos + z * axis.sin),
+                 value("heat_W"), table.label(row));
+    }
+  }
+  fine.check();
+  usual.check();
+  power.check();
+}
+
+TEST(FrictionStress, JointsOfReference) {
+  const ReferenceTable table("duty/general_joint.csv");
+  ASSERT_EQ(table.size(), 9u);
+  // With the usual points.
+  AccuracyReport forces("R_n, R_t", 1e-10);
+  AccuracyReport moments("M_t, heat", 1e-10);
+  AccuracyReport angles("theta0, a, rad", 1e-10);
+  AccuracyReport power("powers of p", 1e-7);
+  for (std::size_t row = 0; row < table.size(); ++row) {
+    const auto value = [&](const char* column) {
+      return table.value(row, column);
+    };
+    const Joint joint(contact_with(law_of(table.text(row, "tau"))));
+    const double b = value("b_deg") * degree;
+    const JointSolution s =
+        joint.solve({value("R_N") * Vector3d(std::sin(b), 0, std::cos(b)),
+                     {0, 0, value("w_rad_per_s")}});
+    const std::string label = table.label(row);
+    ASSERT_EQ(s.status, contact::Status::ok) << label;
+    const double rho = joint.contact().geometry().radius();
+    const double y = rho * s.normal_force * s.sliding_coefficient;
+    const double z = rho * s.normal_force * s.spinning_coefficient;
+    const double size = std::hypot(value("M_Y_N_m"), value("M_Z_N_m"));
+    if (table.text(row, "tau").starts_with("power")) {
+      power.add(-s.power, value("heat_W"), label);
+      power.add(s.friction_force.norm(), value("R_t_N"), label);
+      continue;
+    }
+    forces.add(s.normal_force, value("R_n_N"), label);
+    forces.add(s.friction_force.norm(), value("R_t_N"), label);
+    moments.add_error(std::abs(y - value("M_Y_N_m")) / size, label);
+    moments.add_error(std::abs(z - value("M_Z_N_m")) / size, label);
+    moments.add(-s.power, value("heat_W"), label);
+    angles.add_error(std::abs(s.half_angle - value("theta0_deg") * degree),
+                     label);
+    angles.add_error(std::abs(s.slip_axis_angle() - value("a_deg") * degree),
+                     label);
+  }
+  forces.check();
+  moments.check();
+  angles.check();
+  power.check();
+}
+
+// Against the closed forms and integrals of dry friction, up to 120 deg and
+// where the slip axis pierces the edge or the centre.
+TEST(FrictionStress, DryFrictionByPoints) {
+  // friction_integrals() promise 1e-10.
+  AccuracyReport usual("up to 90 deg, 24 points", 2e-10);
+  AccuracyReport fine("up to 90 deg, 64 points", 2e-10);
+  AccuracyReport wide("beyond", 2e-10);
+  for (const char* name : {"cosine", "sqrt_tan", "sqrt_theta"}) {
+    const auto law =
+        contact::make_pressure_law(name, JointKind::ball, bearing().pair);
+    for (const double theta0 :
+         {1e-4, 1., 20., 45., 80., 89., 90., 100., 120.}) {
+      for (const double a : {0., 1e-7, 3., 45., 60., 88., 89.9999, 90.}) {
+        const SlipAxis axis = SlipAxis::from_degrees(a);
+        const auto exact =
+            contact::friction_integrals(*law, theta0 * degree, axis);
+        for (const int points : {24, 64}) {
+          const FrictionTriple i = contact::stress_integrals(
+              *law, {theta0 * degree, 1, 1}, axis, coulomb(0.5, 0.25), points);
+          AccuracyReport& report = theta0 > 90    ? wide
+                                   : points == 24 ? usual
+                                                  : fine;
+          const std::string label = std::string(name) + " " +
+                                    std::to_string(theta0) + " " +
+                                    std::to_string(a);
+          const double force =
+              0.5 * exact.coefficient.force + 0.25 * exact.area.force;
+          const double y =
+              0.5 * exact.coefficient.sliding + 0.25 * exact.area.sliding;
+          const double z =
+              0.5 * exact.coefficient.spinning + 0.25 * exact.area.spinning;
+          // At a = 90 deg neither is there.
+          const double size = std::max(std::abs(force), 1e-6);
+          report.add_error(std::abs(i.force - force) / size, label);
+          report.add_error(std::abs(i.sliding - y) / std::max(y, 1e-6), label);
+          report.add_error(std::abs(i.spinning - z) / std::hypot(y, z), label);
+        }
+      }
+    }
+  }
+  usual.check();
+  fine.check();
+  wide.check();
+}
+
+// The definition beyond 90 deg goes on where the great circles end.
+TEST(FrictionStress, RulesMeetAt90Degrees) {
+  AccuracyReport report("Stribeck at 90 deg", 1e-8);
+  const auto law =
+      contact::make_pressure_law("sqrt_tan", JointKind::ball, bearing().pair);
+  for (const double a : {0., 20., 70., 90.}) {
+    const auto at = [&](double theta0) {
+      return contact::stress_integrals(*law, {theta0, 1e7, 0.03},
+                                       SlipAxis::from_degrees(a),
+                                       FrictionStress::stribeck(.15, .05, .01));
+    };
+    const FrictionTriple below = at(90 * degree);
+    const FrictionTriple above = at(std::nextafter(90 * degree, 2));
+    const std::string label = std::to_string(a);
+    const double size = std::hypot(below.sliding, below.spinning);
+    report.add_error(std::abs(above.force - below.force) / size, label);
+    report.add_error(std::abs(above.sliding - below.sliding) / size, label);
+    report.add_error(std::abs(above.spinning - below.spinning) / size, label);
+  }
+  report.check();
+}
+
+// A joint by points is the joint by closed forms: solution, rest, moment set
+// and heat, balls and pins.
+TEST(FrictionStress, IsDryFriction) {
+  for (const char* file :
+       {"data/joints/hip_cocr_uhmwpe.toml", "data/joints/pin_joint.toml"}) {
+    JointSpec spec = contact::read_joint(file);
+    spec.conditions = {};
+    spec.half_angle_law = "tanh";
+    spec.pressure_law = "cosine";
+    spec.friction = FrictionLaw(0.12, 3e4);
+    const Joint dry(spec.contact());
+    spec.friction = coulomb(0.12, 3e4);
+    const Joint general(spec.contact());
+    AccuracyReport report(std::string("against dry friction, ") + file, 1e-8);
+    RandomSlips random(7);
+    for (int i = 0; i < 40; ++i) {
+      Joint::Slip slip{Vector3d::Random() * 2e3, Vector3d::Random()};
+      if (dry.is_pin()) slip.angular_velocity = Vector3d(0, 0, 2);
+      const JointSolution a = dry.solve(slip);
+      const JointSolution b = general.solve(slip);
+      const std::string label = std::to_string(i);
+      ASSERT_EQ(b.status, contact::Status::ok);
+      report.add(b.friction_moment.norm(), a.friction_moment.norm(), label);
+      report.add((b.reaction - b.friction_force).norm(), a.normal_force, label);
+      const SlidingContact s(dry.contact(), a, slip.angular_velocity);
+      const SlidingContact t(general.contact(), b, slip.angular_velocity);
+      report.add(t.heat(), s.heat(), label);
+      report.add(t.pv_total(), s.pv_total(), label);
+      report.add(t.largest_heat_flux().value, s.largest_heat_flux().value,
+                 label);
+      report.add(t.heat_flux(t.centre()), s.heat_flux(s.centre()), label);
+      const Joint::Hold hold{slip.reaction, slip.angular_velocity};
+      report.add(general.utilisation(hold).utilisation,
+                 dry.utilisation(hold).utilisation, label);
+      if (dry.is_pin()) continue;
+      report.add(general.moment_set(b).support(slip.angular_velocity),
+                 dry.moment_set(a).support(slip.angular_velocity), label);
+      const Vector3d free = Vector3d::Random() * 100;
+      const auto inertia = Eigen::Matrix3d::Identity();
+      report.add(general.moment_set(b).prox(inertia, free).rate.norm(),
+                 dry.moment_set(a).prox(inertia, free).rate.norm(), label);
+    }
+    report.check();
+  }
+}
+
+// Rest is that of tau(p, 0), or not at all.
+TEST(FrictionStress, Rest) {
+  const Joint::Hold hold{{0, 300, 900}, {2, 3, 1}};
+  const Joint falls(contact_with(FrictionStress::stribeck(0.15, 0.05, 0.01)));
+  const Joint rises(contact_with(FrictionStress::stribeck(0.05, 0.15, 0.01)));
+  const Joint dry(contact_with(coulomb(0.05, 0)));
+  EXPECT_NE(falls.contact().rest_refusal(), "");
+  EXPECT_EQ(falls.utilisation(hold).status, contact::Status::out_of_range);
+  EXPECT_TRUE(std::isnan(falls.utilisation(hold).utilisation));
+  const JointSolution s = falls.solve({hold.reaction, hold.moment});
+  EXPECT_TRUE(std::isnan(falls.moment_set(s).support({1, 0, 0})));
+  EXPECT_TRUE(std::isnan(falls.moment_set(s).utilisation({1, 0, 0})));
+  EXPECT_TRUE(std::isnan(falls.moment_set(s)
+                             .prox(Eigen::Matrix3d::Identity(), {1, 0, 0})
+                             .rate.x()));
+  EXPECT_EQ(rises.contact().rest_refusal(), "");
+  EXPECT_NEAR(rises.utilisation(hold).utilisation,
+              dry.utilisation(hold).utilisation,
+              1e-8 * dry.utilisation(hold).utilisation);
+  const contact::JointNode node({{falls, 0}, {dry, 1}},
+                                contact::SharingRule{{1, 1}, {0.5, 0.5}});
+  contact::NodeSolution solution = node.make_solution();
+  EXPECT_TRUE(std::isnan(
+      node.utilisation({0, 0, 900}, {0, 0, 0}, {0, 0, 1}, 1, solution)));
+  EXPECT_EQ(contact::test::error_message(
+                [&] { contact::JointTracker({falls.contact()}); }),
+            "friction of a joint that is tracked must be dry or viscous");
+}
+
+// The friction of a curve through points of a smooth law over five decades:
+// 4e-6 with 32, 1e-8 with 128; with straight lines 1e-3.
+TEST(FrictionStress, TablesOfPressure) {
+  const auto law = [](double p) { return 0.05 + 0.1 / (1 + p / 2e6); };
+  const auto moment = [](const FrictionStress& stress) {
+    const Joint joint(contact_with(stress));
+    return joint.solve({{0, 2000, 1500}, {0, 0, 1}}).friction_moment.norm();
+  };
+  const double exact = moment({[&](double p, double) { return p * law(p); },
+                               StressOverSpeed::constant});
+  const auto error = [&](int count, TableCurve curve) {
+    FrictionStress::Table table{{}, {}, curve};
+    for (int i = 0; i < count; ++i) {
+      table.points.push_back(1e3 * std::pow(1e5, i / (count - 1.0)));
+      table.coefficients.push_back(law(table.points.back()));
+    }
+    return std::abs(moment(FrictionStress::of_pressure(table)) / exact - 1);
+  };
+  EXPECT_LT(error(32, TableCurve::spline), 1e-5);
+  EXPECT_LT(error(128, TableCurve::spline), 2e-8);
+  EXPECT_GT(error(32, TableCurve::linear), 1e-4);
+  EXPECT_LT(error(32, TableCurve::linear), 3e-3);
+}
+
+TEST(FrictionStress, TablesOfHerseyNumbers) {
+  // Constant outside, the points themselves inside.
+  const FrictionStress falling = FrictionStress::of_hersey(
+      {{1e-10, 1e-9, 1e-8}, {0.2, 0.1, 0.15}, TableCurve::spline});
+  EXPECT_EQ(falling.over_speed(), StressOverSpeed::falls);
+  EXPECT_DOUBLE_EQ(falling.stress_at(1e6, 0), 0.2e6);
+  EXPECT_DOUBLE_EQ(falling.stress_at(1e6, 1e-3), 0.1e6);
+  EXPECT_DOUBLE_EQ(falling.stress_at(1e6, 1), 0.15e6);
+  EXPECT_EQ(falling.stress_at(0, 0), 0);
+  EXPECT_EQ(falling.note(), "");
+  const FrictionStress rising = FrictionStress::of_hersey(
+      {{1e-10, 1e-8}, {0.1, 0.2}, TableCurve::linear});
+  EXPECT_EQ(rising.over_speed(), StressOverSpeed::rises);
+  EXPECT_DOUBLE_EQ(rising.stress_at(1e6, 1e-3), 0.15e6);
+  EXPECT_NE(rising.note(), "");
+}
+
+TEST(FrictionStress, Messages) {
+  const auto of_pressure = [](std::vector<double> p, std::vector<double> f) {
+    return contact::test::error_message([&] {
+      FrictionStress::of_pressure({p, f});
+    });
+  };
+  EXPECT_EQ(of_pressure({1e6}, {0.1}),
+            "friction over pressure: 1 points and 1 coefficients must be as "
+            "many of both, 2 or more");
+  EXPECT_EQ(of_pressure({2e6, 1e6}, {0.1, 0.1}),
+            "friction over pressure: point = 1000000 must be above 2000000, "
+            "the point before it");
+  EXPECT_EQ(of_pressure({1e6, 2e6}, {0.3, 0.1}),
+            "friction over pressure: the curve through the coefficients must "
+            "be so that p f does not fall with p");
+  EXPECT_EQ(of_pressure({1e6, 2e6, 3e6}, {0.1, -0.1, 0.1}),
+            "friction over pressure: coefficient = -0.1 must be 0 or above");
+  EXPECT_EQ(contact::test::error_message([] {
+              FrictionStress::of_hersey({{1e-9, 2e-9}, {0.1, 0.3}});
+            }),
+            "friction over v/p: the curve through the coefficients must be so "
+            "that p f does not fall with p");
+  EXPECT_EQ(contact::test::error_message(
+                [] { FrictionStress::power(0.1, 1e6, 1.5); }),
+            "power friction: exponent = 1.5 must be 0 to 1");
+  EXPECT_EQ(contact::test::error_message(
+                [] { FrictionStress::stribeck(0.1, 0.1, 0); }),
+            "stribeck friction: speed = 0 must be above 0 m/s and finite");
+}
+
+}  // namespace

@@ -1,0 +1,373 @@
+// A study as a function of its file and the run's number; its journal.
+#include "study/study.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <numbers>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "libcontact/joint/joint.hpp"
+#include "separation/case/case_reader.hpp"
+#include "study/findings/findings.hpp"
+#include "study/model/separation_model.hpp"
+#include "study/rows/journal.hpp"
+#include "study/workers.hpp"
+#include "support/error_message.hpp"
+
+namespace {
+
+namespace fs = std::filesystem;
+using contact::test::error_message;
+using study::Journal;
+using study::Row;
+using study::Study;
+
+// To the last bit, NaN too.
+void expect_same(const Row& a, const Row& b) {
+  EXPECT_EQ(study::to_bytes(a), study::to_bytes(b));
+}
+
+const std::string joint_text =
+    "name = 'ball'\nkind = 'ball'\n"
+    "geometry = { radius_mm = 50, radial_clearance_um = 100 }\n"
+    "materials = { pair = '" CONTACT_DATA_DIR
+    "/materials/steel_steel.toml' }\n"
+    "friction = { coefficient = 0.1 }\nhalf_angle = { law = 'fitted' }\n"
+    "pressure = { law = 'sqrt_tan' }\n";
+
+const std::string ball_text =
+    "name = 'balls'\njoint = 'j.toml'\nruns = 40\nquantities = ['R_n_N']\n"
+    "load = { reaction_kN = 100, beta_deg = 60 }\n"
+    "[[requirement]]\nquantity = 'M_t_N_m'\nat_most = 500\nsuccess = 0.9\n"
+    "[[dispersion]]\nkey = 'friction.coefficient'\nkind = 'uniform'\n"
+    "low = 0.05\nhigh = 0.15\n"
+    "[[dispersion]]\nkey = 'load.reaction_N'\nkind = 'normal'\nmean = 100000\n"
+    "deviation = 5000\nlow = 50000\n";
+
+class StudyFolder : public testing::Test {
+ protected:
+  void SetUp() override {
+    const auto* info = testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = fs::path(testing::TempDir()) /
+              (std::string("contact_study_") + info->name());
+    fs::create_directories(folder_);
+    write("j.toml", joint_text);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  std::string write(const std::string& name, const std::string& text) const {
+    std::ofstream(folder_ / name, std::ios::binary) << text;
+    return (folder_ / name).string();
+  }
+  std::string read(const std::string& name) const {
+    std::ifstream file(folder_ / name, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+  }
+  std::string ball(const std::string& from = "", const std::string& to = "") {
+    std::string text = ball_text;
+    if (!from.empty()) text.replace(text.find(from), from.size(), to);
+    return write("s.toml", text);
+  }
+  std::string path(const std::string& name) const {
+    return (folder_ / name).string();
+  }
+
+  fs::path folder_;
+};
+
+using BallStudy = StudyFolder;
+
+// By the library itself, with the draws that the columns show.
+TEST_F(BallStudy, RowsAreWhatTheJointSays) {
+  const Study study(ball());
+  ASSERT_EQ(study.columns(),
+            (std::vector<std::string>{"friction.coefficient", "load.reaction_N",
+                                      "M_t_N_m", "R_n_N"}));
+  contact::JointSpec spec = contact::read_joint(path("j.toml"));
+  for (const std::uint64_t run : {1, 7, 40}) {
+    const Row row = study.row(run);
+    EXPECT_TRUE(row.failure.empty());
+    spec.friction = contact::FrictionLaw(row.numbers[0]);
+    const double b = std::numbers::pi / 3;
+    const auto solution =
+        contact::Joint(spec.contact())
+            .solve(
+                {row.numbers[1] * Eigen::Vector3d(std::sin(b), 0, std::cos(b)),
+                 {0, 0, 1}});
+    // The angle is read from degrees.
+    EXPECT_NEAR(row.numbers[2] / solution.friction_moment.norm(), 1, 1e-13);
+    EXPECT_NEAR(row.numbers[3] / solution.normal_force, 1, 1e-13);
+  }
+}
+
+TEST_F(BallStudy, RunZeroIsNominal) {
+  const Study study(ball());
+  const Row row = study.row(0);
+  EXPECT_TRUE(std::isnan(row.numbers[0]));
+  EXPECT_EQ(row.numbers[2], study.nominal().at("M_t_N_m"));
+}
+
+TEST_F(BallStudy, AnyThreadAndOrderGiveTheSameRows) {
+  const Study study(ball());
+  std::vector<Row> rows(41);
+  {
+    std::vector<std::jthread> threads;
+    for (int t = 0; t < 4; ++t) {
+      threads.emplace_back([&, t] {
+        for (int run = 40 - t; run >= 0; run -= 4) {
+          rows[run] = study.row(static_cast<std::uint64_t>(run));
+        }
+      });
+    }
+  }
+  const Study again(ball());
+  for (std::uint64_t run = 0; run <= 40; ++run) {
+    expect_same(rows[run], again.row(run));
+  }
+}
+
+TEST_F(BallStudy, WhatDoesNotFitIsNamed) {
+  const auto message = [&](const std::string& from, const std::string& to) {
+    const std::string name = ball(from, to);
+    std::string text = error_message([&] { const Study study(name); });
+    for (const std::string& file : {name, path("j.toml")}) {
+      for (auto at = text.find(file); at != text.npos; at = text.find(file)) {
+        text.replace(at, file.size(), fs::path(file).filename().string());
+      }
+    }
+    return text;
+  };
+  EXPECT_EQ(message("quantity = 'M_t_N_m'", "quantity = 'M_t'"),
+            "s.toml:7: requirement[1].quantity = \"M_t\": unknown quantity "
+            "\"M_t\"; --quantities lists those of the nominal run");
+  EXPECT_EQ(message("quantity = 'M_t_N_m'", "quantity = 'M_t_Nm'"),
+            "s.toml:7: requirement[1].quantity = \"M_t_Nm\": unknown quantity "
+            "\"M_t_Nm\": did you mean \"M_t_N_m\"?; --quantities lists those "
+            "of the nominal run");
+  EXPECT_EQ(message("low = 0.05\n", "low = -0.01\n"),
+            "s.toml:11: dispersion[1].key = \"friction.coefficient\": j.toml "
+            "with friction.coefficient = -0.01: friction.coefficient = -0.01 "
+            "must be 0 or above");
+  EXPECT_EQ(message("key = 'friction.coefficient'", "key = 'friction.coef'"),
+            "s.toml:11: dispersion[1].key = \"friction.coef\": j.toml with "
+            "friction.coef = 0.05: unknown key \"friction.coef\" (coefficient, "
+            "adhesion, viscous_constant, viscous_pressure_slope)");
+  EXPECT_EQ(message("kind = 'uniform'\n", "kind = 'uniform'\neach = true\n"),
+            "s.toml:13: dispersion[1].each = true requires a case with bodies "
+            "that have a pattern");
+}
+
+// Programs warn of it, but no number depends on what a material bears.
+TEST_F(BallStudy, KeysWithoutEffectAreNamed) {
+  EXPECT_EQ(Study(ball()).idle_keys(), std::vector<std::string>{});
+  const std::string key = "materials.outer.limit_pressure_MPa";
+  const std::string file =
+      ball("[[dispersion]]", "[[dispersion]]\nkey = '" + key +
+                                 "'\nkind = 'uniform'\nlow = 100\n"
+                                 "high = 200\n[[dispersion]]");
+  EXPECT_EQ(Study(file).idle_keys(), std::vector<std::string>{key});
+}
+
+// A run that fails is a row with its reason and a miss.
+TEST_F(BallStudy, FailedRunsAreMisses) {
+  // A half-angle of 90 deg and more is beyond Hertz's law.
+  std::string joint = joint_text;
+  joint.replace(joint.find("'fitted'"), 8, "'hertz'");
+  write("j.toml", joint);
+  const Study study(
+      ball("kind = 'normal'\nmean = 100000\ndeviation = 5000\n"
+           "low = 50000\n",
+           "kind = 'list'\nvalues = [1e5, 1e9]\n"));
+  std::size_t failed = 0;
+  Journal journal(path("j"), study.identity(), study.columns().size(),
+                  Journal::Use::write);
+  for (std::uint64_t run = 0; run <= study.runs(); ++run) {
+    const Row row = study.row(run);
+    journal.append(row);
+    if (row.failure.empty()) continue;
+    ++failed;
+    EXPECT_EQ(row.failure, "the load is out of the range of the laws");
+    EXPECT_TRUE(std::isnan(row.numbers[2]));
+  }
+  EXPECT_GT(failed, 10u);
+  const auto findings = study::find(study, journal);
+  EXPECT_EQ(findings.failed, failed);
+  EXPECT_GE(findings.requirements[0].misses, failed);
+  EXPECT_EQ(findings.requirements[0].answer, study::Answer::not_met);
+}
+
+TEST_F(BallStudy, OnlyRandomRunsHaveAVerdict) {
+  for (const char* sampling : {"random", "sobol", "latin_hypercube"}) {
+    const Study study(ball(
+        "runs = 40", std::string("runs = 40\nsampling = '") + sampling + "'"));
+    Journal journal(path(sampling), study.identity(), study.columns().size(),
+                    Journal::Use::write);
+    std::vector<std::uint64_t> runs(41);
+    for (std::size_t i = 0; i < runs.size(); ++i) runs[i] = i;
+    study::compute(
+        study, runs, 2, journal, [] { return ""; }, [] {});
+    const auto findings = study::find(study, journal);
+    EXPECT_EQ(findings.requirements[0].answer.has_value(),
+              sampling == std::string("random"));
+    EXPECT_EQ(findings.requirements[0].percentile.high.has_value(),
+              sampling == std::string("random"));
+  }
+}
+
+const std::string case_text = fs::path(CONTACT_DATA_DIR) / "cases/soyuz.toml";
+
+// One draw for each copy: the case's bodies and forces are those of a case that
+// is read with the draw of its copy.
+TEST_F(StudyFolder, CopiesHaveDrawsOfTheirOwn) {
+  const std::string text =
+      "name = 's'\ncase = '" + case_text +
+      "'\nruns = 3\n[[dispersion]]\n"
+      "key = 'force[booster engine].thrust_kN'\neach = true\nkind = 'uniform'\n"
+      "low = 590\nhigh = 610\n"
+      "[[dispersion]]\nkey = 'body[booster].mass_t'\neach = true\n"
+      "kind = 'uniform'\nlow = 4\nhigh = 5\n"
+      "[[dispersion]]\nkey = 'carrier.mass_t'\nkind = 'uniform'\nlow = 90\n"
+      "high = 99\n";
+  const Study study(write("s.toml", text));
+  ASSERT_EQ(study.inputs(), 9u);
+  const auto draws = study.design().numbers(2);
+  const separation::Case c = study.case_of(2);
+  EXPECT_DOUBLE_EQ(c.carrier.mass, 1000 * draws[8]);
+  for (std::size_t copy = 0; copy < 4; ++copy) {
+    EXPECT_DOUBLE_EQ(c.bodies[copy].rigid.mass, 1000 * draws[4 + copy]);
+    const auto& thrust = std::get<separation::Thrust>(c.forces[1 + copy].what);
+    EXPECT_NEAR(thrust.force.norm(), 1000 * draws[copy], 1e-6);
+  }
+  EXPECT_EQ(error_message([&] {
+              std::string wrong = text;
+              wrong.replace(wrong.find("'carrier.mass_t'"), 16,
+                            "'carrier.mass_t'\neach = true");
+              const Study no(write("s.toml", wrong));
+            }),
+            path("s.toml") +
+                ":18: dispersion[3].each = true requires a key of a body with "
+                "a pattern, or of a force on one: body[NAME].KEY or "
+                "force[NAME].KEY");
+}
+
+TEST_F(StudyFolder, ADrivenCarriersMassHasNoEffect) {
+  write("c.toml",
+        "name = 'c'\nrun = { end_time_s = 0.2 }\n"
+        "[carrier]\nname = 'a'\nmass_kg = 5\n"
+        "principal_inertia_kg_m2 = [1, 1, 1]\n"
+        "drive = { acceleration = [1, 0, 0] }\n"
+        "[[body]]\nname = 'b'\nmass_kg = 1\ncom_m = [0.5, 0, 0]\n"
+        "principal_inertia_kg_m2 = [1, 1, 1]\n"
+        "hinge = { kind = 'axis', axis = [0, 0, 1] }\n"
+        "start = { rate_deg_per_s = 30 }\n");
+  const std::string text =
+      "name = 's'\ncase = 'c.toml'\nruns = 3\n"
+      "[[dispersion]]\nkey = 'carrier.mass_kg'\nkind = 'uniform'\n"
+      "low = 4\nhigh = 6\n"
+      "[[dispersion]]\nkey = 'body[b].mass_kg'\nkind = 'uniform'\n"
+      "low = 1\nhigh = 2\n";
+  const Study study(write("s.toml", text));
+  EXPECT_EQ(study.idle_keys(), std::vector<std::string>{"carrier.mass_kg"});
+}
+
+// Keys that change neither geometry nor materials leave the laws as they are.
+TEST_F(StudyFolder, LawsAreSharedWithTheNominalCase) {
+  const study::Plan plan = study::read_plan(
+      write("s.toml", "name = 's'\ncase = '" + case_text +
+                          "'\nruns = 1\n[[dispersion]]\nkey = 'carrier.mass_t'"
+                          "\nkind = 'uniform'\nlow = 90\nhigh = 99\n"));
+  const study::SeparationModel model(plan);
+  const std::string joint = "body[1].hinge.joint[1].";
+  const auto law = [&](const contact::KeySettings& settings) {
+    return &model.case_of({settings})
+                .bodies[0]
+                .hinge.joints[0]
+                .contact.pressure_law();
+  };
+  const auto* nominal = law({});
+  EXPECT_EQ(nominal, law({{joint + "friction.coefficient", "0.2"},
+                          {joint + "friction.adhesion_MPa", "1"},
+                          {"carrier.mass_t", "90"}}));
+  EXPECT_NE(nominal, law({{joint + "materials.inner.poissons_ratio", "0.25"}}));
+}
+
+class JournalFile : public StudyFolder {
+ protected:
+  static Row row(std::uint64_t run) {
+    return {run,
+            run % 3 == 0 ? "it failed" : "",
+            {1.5 * static_cast<double>(run), std::nan("")}};
+  }
+  void fill(const std::string& name, std::uint64_t rows) const {
+    Journal journal(path(name), "study", 2, Journal::Use::write);
+    for (std::uint64_t i = 0; i < rows; ++i) {
+      if (!journal.has(i)) journal.append(row(i));
+    }
+  }
+};
+
+// A writer may be killed at any byte: what was whole is there, and the journal
+// goes on to the same bytes.
+TEST_F(JournalFile, CutAnywhereItGoesOn) {
+  fill("a", 8);
+  const std::string whole = read("a");
+  std::size_t rows = 0;
+  for (std::size_t size = 0; size <= whole.size(); ++size) {
+    write("b", whole.substr(0, size));
+    {
+      const Journal journal(path("b"), "study", 2, Journal::Use::write);
+      EXPECT_GE(journal.size(), rows);
+      rows = journal.size();
+      for (std::uint64_t i = 0; i < rows; ++i) {
+        expect_same(journal.at(i), row(i));
+      }
+    }
+    fill("b", 8);
+    ASSERT_EQ(read("b"), whole) << size;
+  }
+  EXPECT_EQ(rows, 8u);
+}
+
+// A byte that is another is seen, wherever it is.
+TEST_F(JournalFile, DamageIsSeen) {
+  fill("a", 6);
+  const std::string whole = read("a");
+  for (std::size_t i = 0; i < whole.size(); ++i) {
+    std::string damaged = whole;
+    damaged[i] = static_cast<char>(damaged[i] ^ 0x41);
+    write("b", damaged);
+    EXPECT_NE(error_message([&] {
+                const Journal journal(path("b"), "study", 2,
+                                      Journal::Use::read);
+              }),
+              "(no error)")
+        << i;
+  }
+}
+
+TEST_F(JournalFile, OthersAreRefused) {
+  fill("a", 2);
+  const auto message = [&](const std::string& name, const char* study,
+                           std::size_t numbers = 2) {
+    const std::string text = error_message([&] {
+      const Journal journal(path(name), study, numbers, Journal::Use::write);
+    });
+    return text.substr(std::min(text.size(), path(name).size()));
+  };
+  EXPECT_EQ(message("a", "another"),
+            ": the study of this journal must be the same, with the same files "
+            "and seed; remove it or name another one with --journal");
+  EXPECT_EQ(message("a", "study", 3), message("a", "another"));
+  write("c", "time_s,x\n1,2\n");
+  EXPECT_EQ(message("c", "study"),
+            ": the file must be a journal of hinge-study");
+  const Journal open(path("a"), "study", 2, Journal::Use::write);
+  EXPECT_EQ(message("a", "study"), ": another program writes to this journal");
+}
+
+}  // namespace
