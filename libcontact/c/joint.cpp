@@ -182,7 +182,7 @@ contact_status contact_joint_friction(const contact_joint* joint,
   return call([=] {
     const auto& contact = contact_of(joint, "contact_joint_friction: joint");
     if (contact.stress()) {
-      throw Error(detail::must_be(
+      throw contact::Error(contact::detail::must_be(
           "contact_joint_friction: joint",
           "one whose friction coefficients depend on half-angle and slip axis "
           "alone; of a friction stress solve()"));

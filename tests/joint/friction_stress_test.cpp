@@ -286,8 +286,11 @@ TEST(FrictionStress, Rest) {
   const contact::JointNode node({{falls, 0}, {dry, 1}},
                                 contact::SharingRule{{1, 1}, {0.5, 0.5}});
   contact::NodeSolution solution = node.make_solution();
-  EXPECT_TRUE(std::isnan(
-      node.utilisation({0, 0, 900}, {0, 0, 0}, {0, 0, 1}, 1, solution)));
+  EXPECT_TRUE(std::isnan(node.utilisation({.reaction = {0, 0, 900},
+                                           .moment = {0, 0, 0},
+                                           .axis = {0, 0, 1},
+                                           .needed = 1},
+                                          solution)));
   EXPECT_EQ(contact::test::error_message(
                 [&] { contact::JointTracker({falls.contact()}); }),
             "friction of a joint that is tracked must be dry or viscous");
