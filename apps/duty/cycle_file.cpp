@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -13,6 +15,7 @@
 #include "cli/quantity.hpp"
 #include "cli/refuse.hpp"
 #include "cli/stream/points.hpp"
+#include "duty/sto_header.hpp"
 #include "libcontact/base/units.hpp"
 
 namespace hinge_duty {
@@ -31,6 +34,16 @@ constexpr cli::Allowed any_angle{-1e6, 1e6, "deg"};
 const std::array<std::string, 3> rate_names = {"w_x_rad_per_s", "w_y_rad_per_s",
                                                "w_z_rad_per_s"};
 constexpr std::size_t motion_at = 4;  // behind time and force
+
+// What the columns of a file are called, and where they are.
+struct Columns {
+  std::vector<std::string> names = {"time_s", "R_x_N", "R_y_N", "R_z_N"};
+  std::vector<cli::PointColumn> needed;
+  cli::PointHeader header;
+  bool is_angles = false;
+  double angle_unit = contact::degree;
+  std::optional<StoHeader> sto;
+};
 
 JointBody body_of(const char* option, const std::string& text,
                   JointBody otherwise) {
@@ -61,20 +74,98 @@ std::vector<std::string> motion_names(const cli::PointColumns& columns,
                : "three columns of angles, NAME_deg, in the order of --euler, "
                  "or w_x_rad_per_s, w_y_rad_per_s and w_z_rad_per_s");
   }
-  if (!is_pin && options.euler.empty()) {
-    cli::refuse_without(
-        fmt::format("{}: the angles {}", place, fmt::join(angles, ", ")),
-        "--euler: the sequence of their axes, such as zxy");
-  }
   return angles;
+}
+
+std::vector<std::string> column_names(const char* option,
+                                      const std::string& text,
+                                      std::size_t count) {
+  std::vector<std::string> names;
+  for (const std::string_view name : cli::split(text, ",")) {
+    names.emplace_back(name);
+  }
+  if (names.size() == count) return names;
+  cli::refuse(option, text,
+              count == 1 ? "the name of one column"
+                         : "the names of three columns, with commas");
+}
+
+bool is_sto(const std::string& file) {
+  return file.ends_with(".sto") || file.ends_with(".mot");
+}
+
+void check_columns_options(const Options& options) {
+  for (const auto& [option, text] :
+       {std::pair("--force-columns", &options.force_columns),
+        {"--angle-columns", &options.angle_columns}}) {
+    if (is_sto(options.cycle) && text->empty()) {
+      cli::refuse_without(cli::given("--cycle", options.cycle),
+                          fmt::format("{} NAMES", option));
+    }
+    if (!is_sto(options.cycle) && !text->empty()) {
+      cli::refuse_without(cli::given(option, *text),
+                          "--cycle FILE.sto or FILE.mot");
+    }
+  }
+}
+
+// The columns of OpenSim's table that the options name.
+void name_sto_columns(const Options& options, bool is_pin, Columns& columns) {
+  columns.names = column_names("--force-columns", options.force_columns, 3);
+  columns.names.insert(columns.names.begin(), "time");
+  const auto angles =
+      column_names("--angle-columns", options.angle_columns, is_pin ? 1 : 3);
+  columns.names.insert(columns.names.end(), angles.begin(), angles.end());
+  columns.is_angles = true;
+  if (!columns.sto->in_degrees) columns.angle_unit = 1;
+}
+
+void name_csv_columns(const Options& options, bool is_pin, Columns& columns) {
+  const auto& [line, place] = columns.header;
+  std::vector<cli::PointColumn> states;
+  for (const std::string& name : columns.names) {
+    states.push_back({name, any_force});
+  }
+  const auto motion = motion_names({line, states, place}, place, options,
+                                   is_pin, columns.is_angles);
+  columns.names.insert(columns.names.end(), motion.begin(), motion.end());
+}
+
+Columns read_columns(cli::LineReader& reader, const Options& options,
+                     bool is_pin) {
+  Columns columns;
+  if (is_sto(options.cycle)) {
+    columns.sto = read_sto_header(reader);
+    columns.header = columns.sto->columns;
+    name_sto_columns(options, is_pin, columns);
+  } else {
+    columns.header = cli::read_header(reader);
+    name_csv_columns(options, is_pin, columns);
+  }
+  const auto angles = std::span(columns.names).subspan(motion_at);
+  if (columns.is_angles && !is_pin && options.euler.empty()) {
+    cli::refuse_without(fmt::format("{}: the angles {}", columns.header.place,
+                                    fmt::join(angles, ", ")),
+                        "--euler: the sequence of their axes, such as zxy");
+  }
+  for (std::size_t i = 0; i < columns.names.size(); ++i) {
+    columns.needed.push_back({columns.names[i], i == 0          ? any_time
+                                                : i < motion_at ? any_force
+                                                : columns.is_angles
+                                                    ? any_angle
+                                                    : any_rate});
+  }
+  return columns;
 }
 
 // The values of all lines, column by column.
 std::vector<std::vector<double>> read_lines(cli::LineReader& reader,
-                                            const cli::PointColumns& columns) {
+                                            const cli::PointColumns& columns,
+                                            bool is_sto) {
   std::vector<std::vector<double>> values(columns.needed.size());
   cli::PointLines block;
   while (reader.next(block.lines)) {
+    if (is_sto) std::ranges::replace(block.lines.text, '\t', ',');
     cli::read_points(columns, block);
     if (block.bad_lines > 0) {
       std::string_view message = block.messages;
@@ -90,7 +181,8 @@ std::vector<std::vector<double>> read_lines(cli::LineReader& reader,
   return values;
 }
 
-void check_times(const std::vector<double>& times, const std::string& name) {
+void check_times(const std::vector<double>& times, const std::string& name,
+                 const std::string& column) {
   if (times.size() < 4) {
     throw contact::Error(contact::detail::must_be(
         fmt::format("{}: {} rows", name, times.size()), "4 or more"));
@@ -98,7 +190,7 @@ void check_times(const std::vector<double>& times, const std::string& name) {
   for (std::size_t i = 1; i < times.size(); ++i) {
     if (times[i] > times[i - 1]) continue;
     throw contact::Error(contact::detail::must_be(
-        fmt::format("{}: time_s = {}", name, times[i]),
+        fmt::format("{}: {} = {}", name, column, times[i]),
         fmt::format("above {}, the time before it", times[i - 1])));
   }
 }
@@ -161,26 +253,20 @@ contact::DutyCycle read_cycle(const Options& options, bool is_pin) {
   const contact::ForceFrame frame{
       body_of("--force-on", options.force_on, JointBody::body),
       body_of("--force-in", options.force_in, JointBody::carrier)};
+  check_columns_options(options);
   cli::LineReader reader(options.cycle);
-  const cli::PointHeader header = cli::read_header(reader);
-  std::vector<cli::PointColumn> needed = {{"time_s", any_time},
-                                          {"R_x_N", any_force},
-                                          {"R_y_N", any_force},
-                                          {"R_z_N", any_force}};
-  bool is_angles = false;
-  const std::vector<std::string> names =
-      motion_names({header.line, needed, header.place}, header.place, options,
-                   is_pin, is_angles);
-  for (const std::string& name : names) {
-    needed.push_back({name, is_angles ? any_angle : any_rate});
-  }
-  const auto values = read_lines(reader, {header.line, needed, header.place});
+  const Columns columns = read_columns(reader, options, is_pin);
+  const bool is_angles = columns.is_angles;
+  const auto& [line, place] = columns.header;
+  const auto values = read_lines(reader, {line, columns.needed, place},
+                                 columns.sto.has_value());
   const std::vector<double>& times = values[0];
-  check_times(times, reader.name());
+  if (columns.sto) check_sto_rows(*columns.sto, times.size(), reader.name());
+  check_times(times, reader.name(), columns.names[0]);
   const double period = period_of(times, reader.name(), options);
   PeriodicSpline forces(times, period, vectors(values, 1, 1));
   const std::vector<Vector3d> motion =
-      vectors(values, motion_at, is_angles ? contact::degree : 1);
+      vectors(values, motion_at, is_angles ? columns.angle_unit : 1);
   if (is_pin && !is_angles) check_pin_rates(motion, reader.name());
   PeriodicSpline spline(times, period, motion);
   if (!is_angles) return {std::move(forces), frame, std::move(spline)};

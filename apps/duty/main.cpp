@@ -27,11 +27,17 @@ and one of
                      its angle; a pin's axis is Z
 Periodic cubic splines go through all columns. Other columns are left out.
 
+--cycle FILE.sto or FILE.mot is a table of OpenSim: column time, and those that
+--force-columns and --angle-columns name; angles are in rad without a line
+inDegrees=yes. Cut it to one period, without the row that repeats the first.
+
 Wear is Archard's: depth k times the integral of p v. k has no default. It is
 that of the unworn joint. --map writes it for points of equal area on both
 bodies, unit vectors in the body's own axes, of a pin the angle beta from X
 towards Y: pv_integral_Pa_m (times k: depth), depth_mm, cross_shear (share of
 the friction work across its main direction: 0 on a line, 0.5 without one).
+--map-plot draws it: balls from outside, above the middle of the wear, areas
+equal, circles 30 deg apart, axes of the body; pins over beta.
 
 --cycles N wears the seat or hole in, with k of --wear-seat: after blocks of
 cycles the contact is widened by the volume that is gone (v, over pi rho^2 eps
@@ -51,9 +57,10 @@ the largest p and p v over the time.
 constexpr std::string_view examples = R"(
 Examples:
   hinge-duty --joint data/reference/duty/cycle_hip.toml --cycle data/reference/duty/cycle_hip_in.csv --euler zxy --format markdown
-  hinge-duty --joint data/reference/duty/cycle_hip.toml --cycle data/reference/duty/cycle_hip_in.csv --euler zxy --wear-seat 1e-6 --map map.csv --output hip.csv
+  hinge-duty --joint data/reference/duty/cycle_hip.toml --cycle data/reference/duty/cycle_hip_in.csv --euler zxy --wear-seat 1e-6 --map map.csv --map-plot map.svg --output hip.csv
   hinge-duty --joint data/reference/duty/cycle_hip.toml --cycle data/reference/duty/cycle_hip_in.csv --euler zxy --wear-seat 1e-6 --cycles 5e6 --blocks blocks.csv --format markdown
   hinge-duty --joint data/reference/duty/cycle_pin.toml --cycle data/reference/duty/cycle_pin_in.csv --wear-seat 2e-7 --wear-inner 5e-8 --states states.csv
+  hinge-duty --joint data/joints/hip_cocr_uhmwpe.toml --cycle data/duty/hip_cycle.sto --euler zxy --force-columns hip_on_leg_in_pelvis_fx,hip_on_leg_in_pelvis_fy,hip_on_leg_in_pelvis_fz --angle-columns hip_flexion_r,hip_adduction_r,hip_rotation_r
 
 )";
 
@@ -63,10 +70,16 @@ void add_cycle(CLI::App& app, Options& options) {
                            const char* what, const char* kind) {
     return app.add_option(name, value, what)->option_text(kind);
   };
-  text("--cycle", options.cycle, "CSV file, - for standard input", "FILE")
+  text("--cycle", options.cycle,
+       "CSV file, - for standard input; or table of OpenSim, .sto or .mot",
+       "FILE")
       ->required();
   text("--period", options.period, "of the cycle, s", "TIME");
   text("--euler", options.euler, "axes of the angles, such as zxy", "SEQUENCE");
+  text("--force-columns", options.force_columns,
+       "of .sto, .mot: columns of R_x, R_y, R_z, N, with commas", "NAMES");
+  text("--angle-columns", options.angle_columns,
+       "of .sto, .mot: columns of the angles, as inDegrees says", "NAMES");
   text("--force-on", options.force_on,
        "that the forces act on: body (default) or carrier", "BODY");
   text("--force-in", options.force_in,
@@ -77,6 +90,8 @@ void add_cycle(CLI::App& app, Options& options) {
   text("--wear-inner", options.wear_inner, "k of the ball or pin, mm^3/(N m)",
        "NUMBER");
   text("--map", options.map, "CSV file of the wear of both bodies", "FILE");
+  text("--map-plot", options.map_plot,
+       "picture of the wear of both bodies: .svg, .png or .pdf", "FILE");
   text("--grid", options.grid, "points of each body; default 2000", "N");
   text("--cycles", options.cycles,
        "number of cycles in which wear of the seat changes the contact", "N");

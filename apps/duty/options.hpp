@@ -16,11 +16,14 @@ struct Options {
   std::string cycle;
   std::string period;
   std::string euler;
+  std::string force_columns;
+  std::string angle_columns;
   std::string force_on;
   std::string force_in;
   std::string wear_seat;
   std::string wear_inner;
   std::string map;
+  std::string map_plot;
   std::string grid;
   std::string cycles;
   std::string blocks;

@@ -8,10 +8,12 @@
 #include <string>
 #include <vector>
 
+#include "cli/gnuplot.hpp"
 #include "cli/output.hpp"
 #include "cli/quantity.hpp"
 #include "cli/refuse.hpp"
 #include "duty/cycle_file.hpp"
+#include "duty/map_picture.hpp"
 #include "duty/report.hpp"
 #include "libcontact/base/units.hpp"
 
@@ -41,11 +43,12 @@ WearOptions wear_options(const Options& options) {
   WearOptions wear{wear_coefficient("--wear-seat", options.wear_seat),
                    wear_coefficient("--wear-inner", options.wear_inner), false,
                    2000};
-  wear.wanted = wear.seat || wear.inner || !options.map.empty();
+  wear.wanted = wear.seat || wear.inner || !options.map.empty() ||
+                !options.map_plot.empty();
   if (options.grid.empty()) return wear;
   if (!wear.wanted) {
     cli::refuse_without(cli::given("--grid", options.grid),
-                        "--map, --wear-seat or --wear-inner");
+                        "--map, --map-plot, --wear-seat or --wear-inner");
   }
   wear.grid = cli::parse_count("--grid", options.grid, 10, 1'000'000);
   return wear;
@@ -54,16 +57,22 @@ WearOptions wear_options(const Options& options) {
 // Those beside --output and --plot.
 void check_files(const Options& options) {
   for (const auto& [option, file] : {std::pair("--map", &options.map),
+                                     {"--map-plot", &options.map_plot},
                                      {"--states", &options.states},
                                      {"--blocks", &options.blocks}}) {
     if (file->empty()) continue;
     if (*file == "-") cli::refuse(option, *file, "the name of a file");
     cli::Output::check(*file);
   }
+  if (!options.map_plot.empty() && !cli::is_picture_name(options.map_plot)) {
+    cli::refuse("--map-plot", options.map_plot,
+                "a name that ends in .svg, .png, .pdf");
+  }
   const std::vector<std::pair<std::string, std::string>> files = {
       {"--output", options.output.output},
       {"--plot", options.output.plot},
       {"--map", options.map},
+      {"--map-plot", options.map_plot},
       {"--states", options.states},
       {"--blocks", options.blocks}};
   for (auto one = files.begin(); one != files.end(); ++one) {
@@ -134,6 +143,7 @@ BodyWear wear_of(const JointCycle& cycle, JointBody body,
   const WearMap map(cycle, body);
   BodyWear wear;
   const bool inner = body == cycle.contact().geometry().inner_body();
+  wear.part = body;
   wear.body = body == JointBody::carrier ? "carrier" : "body";
   wear.surface = inner ? "inner" : "seat";
   wear.k = inner ? options.inner : options.seat;
@@ -207,10 +217,16 @@ cli::ExitStatus run(const Options& options) {
   if (blocks) blocks->commit();
   if (map) map->commit();
   output.commit();
-  const std::string& plot = options.output.plot;
-  if (plot.empty()) return cli::all_good;
-  return cli::drawn("hinge-duty", draw_cycle(cycle, joint.title(), plot),
-                    cli::all_good);
+  cli::ExitStatus status = cli::all_good;
+  if (const std::string& plot = options.output.plot; !plot.empty()) {
+    status = cli::drawn("hinge-duty", draw_cycle(cycle, joint.title(), plot),
+                        status);
+  }
+  if (const std::string& plot = options.map_plot; !plot.empty()) {
+    status = cli::drawn("hinge-duty",
+                        draw_map(cycle, wear, joint.title(), plot), status);
+  }
+  return status;
 }
 
 }  // namespace hinge_duty

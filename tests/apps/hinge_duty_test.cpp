@@ -161,11 +161,48 @@ TEST_F(HingeDuty, RatesOfItsStates) {
             again);
 }
 
+// A table of OpenSim, in degrees or not, is the CSV file with the same numbers.
+TEST_F(HingeDuty, OpenSim) {
+  const std::string joint =
+      "hinge-duty --joint data/joints/hip_cocr_uhmwpe.toml --euler zxy ";
+  const std::string f = "hip_on_leg_in_pelvis_f";
+  const std::string columns = "--force-columns " + f + "x," + f + "y," + f +
+                              "z --angle-columns hip_flexion_r,"
+                              "hip_adduction_r,hip_rotation_r --cycle ";
+  const std::string expected = out(joint + "--cycle data/duty/hip_cycle.csv");
+  EXPECT_EQ(out(joint + columns + "data/duty/hip_cycle.sto"), expected);
+  out("awk -F'\\t' -v OFS='\\t' -v CONVFMT=%.17g '/^inDegrees/ {next} NF > 1 "
+      "&& "
+      "$1 != \"time\" {for (i = 5; i <= 7; ++i) $i *= atan2(0, -1)/180} "
+      "{print}' data/duty/hip_cycle.sto > radians.mot");
+  EXPECT_NEAR(value(out(joint + columns + "radians.mot"), "energy_J") /
+                  value(expected, "energy_J"),
+              1, 1e-14);
+}
+
 TEST_F(HingeDuty, Picture) {
   out(pin + "--plot pin.svg");
   const std::string picture = folder_.read("pin.svg");
   EXPECT_NE(picture.find("p v"), picture.npos);
   EXPECT_NE(picture.find("time, s"), picture.npos);
+}
+
+// Of a ball two images with the axes that are seen, the seat's from its back;
+// of a pin two curves; one name of k, the seat's.
+TEST_F(HingeDuty, MapPicture) {
+  out(hip + "--wear-seat 1e-6 --map-plot hip.svg");
+  const std::string ball = folder_.read("hip.svg");
+  EXPECT_NE(ball.find("seat (carrier): deepest 1.7e-07 mm"), ball.npos);
+  EXPECT_NE(ball.find("inner (body)<"), ball.npos);
+  EXPECT_NE(ball.find(">Y<"), ball.npos);
+  EXPECT_EQ(ball.find("−Y"), ball.npos);
+  EXPECT_NE(ball.find("<image"), ball.npos);
+  EXPECT_NE(ball.find("<image", ball.find("<image") + 1), ball.npos);
+  out(pin + "--wear-seat 2e-7 --map-plot pin.svg");
+  const std::string curves = folder_.read("pin.svg");
+  EXPECT_NE(curves.find("seat (body)"), curves.npos);
+  EXPECT_NE(curves.find("inner (carrier)"), curves.npos);
+  EXPECT_EQ(curves.find("<image"), curves.npos);
 }
 
 }  // namespace

@@ -16,7 +16,8 @@ using contact::test::ProgramFolder;
 using contact::test::ProgramResult;
 
 // A file of cases has lines
-//   file NAME TEXT   a file in the folder, \n for the ends of its lines
+//   file NAME TEXT   a file in the folder, \n for the ends of its lines,
+//                    \t for tabs
 //   $ PROGRAM ...    a command line, with "--output table.csv" unless it has
 //                    another output or is hinge-separation's or -study's
 //   MESSAGE          what it says behind "PROGRAM: "; "..." stands for any text
@@ -35,8 +36,10 @@ std::vector<Case> cases(const std::string& name, const ProgramFolder& folder) {
     } else if (line.starts_with("file ")) {
       const std::size_t end = line.find(' ', 5);
       std::string text = line.substr(end + 1);
-      for (std::size_t at; (at = text.find("\\n")) != text.npos;) {
-        text.replace(at, 2, "\n");
+      for (const auto& [code, c] : {std::pair{"\\n", "\n"}, {"\\t", "\t"}}) {
+        for (std::size_t at; (at = text.find(code)) != text.npos;) {
+          text.replace(at, 2, c);
+        }
       }
       folder.write(line.substr(5, end - 5), text);
     } else {
