@@ -42,7 +42,8 @@ using contact::test::ReferenceTable;
 using Eigen::Vector3d;
 
 JointSpec bearing() {
-  return contact::read_joint("data/reference/duty/general_bearing.toml");
+  return contact::read_joint(CONTACT_DATA_DIR
+                             "/reference/duty/general_bearing.toml");
 }
 
 FrictionStress coulomb(double f0, double adhesion) {
@@ -221,8 +222,8 @@ TEST(FrictionStress, RulesMeetAt90Degrees) {
 // A joint by points is the joint by closed forms: solution, rest, moment set
 // and heat, balls and pins.
 TEST(FrictionStress, IsDryFriction) {
-  for (const char* file :
-       {"data/joints/hip_cocr_uhmwpe.toml", "data/joints/pin_joint.toml"}) {
+  for (const char* file : {CONTACT_DATA_DIR "/joints/hip_cocr_uhmwpe.toml",
+                           CONTACT_DATA_DIR "/joints/pin_joint.toml"}) {
     JointSpec spec = contact::read_joint(file);
     spec.conditions = {};
     spec.half_angle_law = "tanh";

@@ -156,7 +156,10 @@ TEST_F(BallStudy, WhatDoesNotFitIsNamed) {
   EXPECT_EQ(message("key = 'friction.coefficient'", "key = 'friction.coef'"),
             "s.toml:11: dispersion[1].key = \"friction.coef\": j.toml with "
             "friction.coef = 0.05: unknown key \"friction.coef\" (coefficient, "
-            "adhesion, viscous_constant, viscous_pressure_slope)");
+            "adhesion, viscous_constant, viscous_pressure_slope, law, "
+            "static_coefficient, dynamic_coefficient, stribeck_velocity, "
+            "reference_pressure, exponent, pressures, coefficients, "
+            "speeds_over_pressure, curve)");
   EXPECT_EQ(message("kind = 'uniform'\n", "kind = 'uniform'\neach = true\n"),
             "s.toml:13: dispersion[1].each = true requires a case with bodies "
             "that have a pattern");
