@@ -116,6 +116,11 @@ void name_sto_columns(const Options& options, bool is_pin, Columns& columns) {
   const auto angles =
       column_names("--angle-columns", options.angle_columns, is_pin ? 1 : 3);
   columns.names.insert(columns.names.end(), angles.begin(), angles.end());
+  for (const std::string& name : columns.names) {
+    if (std::ranges::count(columns.names, name) == 1) continue;
+    throw contact::Error("--force-columns and --angle-columns: " +
+                         contact::detail::duplicate("column", name));
+  }
   columns.is_angles = true;
   if (!columns.sto->in_degrees) columns.angle_unit = 1;
 }

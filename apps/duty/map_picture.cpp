@@ -74,7 +74,7 @@ std::string axis_labels(const View& view) {
   for (int k = 0; k < 3; ++k) {
     for (const int sign : {1, -1}) {
       const Vector3d axis = sign * Vector3d::Unit(k);
-      if ((axis - view.up).norm() > view.radius) continue;
+      if ((axis - view.up).norm() >= view.radius) continue;
       const Eigen::Vector2d at = view.at(axis);
       script += fmt::format(
           "set label '{}{}' at {},{} front point pt 7 ps 0.4 lc rgb '#ee6677' "
