@@ -158,8 +158,8 @@ TEST_F(BallStudy, WhatDoesNotFitIsNamed) {
             "friction.coef = 0.05: unknown key \"friction.coef\" (coefficient, "
             "adhesion, viscous_constant, viscous_pressure_slope, law, "
             "static_coefficient, dynamic_coefficient, stribeck_velocity, "
-            "reference_pressure, exponent, pressures, coefficients, "
-            "speeds_over_pressure, curve)");
+            "reference_pressure, exponent, pressures, "
+            "speeds_over_pressure, coefficients, curve)");
   EXPECT_EQ(message("kind = 'uniform'\n", "kind = 'uniform'\neach = true\n"),
             "s.toml:13: dispersion[1].each = true requires a case with bodies "
             "that have a pattern");
