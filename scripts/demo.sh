@@ -93,7 +93,8 @@ hinge-separation data/cases/soyuz.toml --output "$out/soyuz.json" \
 echo "The same 1,705 times with scatter"
 hinge-study data/studies/soyuz.toml --jobs "$(nproc)" \
   --journal "$out/soyuz_study.journal" --csv "$out/soyuz_study.csv" \
-  --output "$out/soyuz_study.json" $(picture soyuz_study) \
+  --output "$out/soyuz_study.json" --report "$out/soyuz_study.html" \
+  $(picture soyuz_study) \
   >"$out/soyuz_study.md"
 
 echo "Pressure of a hip joint"

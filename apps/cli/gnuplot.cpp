@@ -120,7 +120,11 @@ void run_gnuplot(const MemoryFile& script, const MemoryFile& picture) {
   throw contact::Error("gnuplot: " + (last.empty() ? "failed" : last));
 }
 
-std::string drawn(std::string_view script, const Kind& kind) {
+// Throws contact::Error why there is no picture.
+std::string drawn(std::string_view script, std::string_view file) {
+  const Kind& kind = *kind_of(file);
+  const std::string reason = why_not(kind);
+  if (!reason.empty()) throw contact::Error(reason);
   const MemoryFile commands;
   commands.write(
       fmt::format("set encoding utf8\nset terminal {} noenhanced "
@@ -128,7 +132,11 @@ std::string drawn(std::string_view script, const Kind& kind) {
                   kind.terminal, kind.options, plot_style, script));
   const MemoryFile picture;
   run_gnuplot(commands, picture);
-  return picture.text();
+  std::string text = picture.text();
+  if (!is_whole_picture(text, file)) {
+    throw contact::Error("gnuplot left it unfinished");
+  }
+  return text;
 }
 
 }  // namespace
@@ -149,22 +157,19 @@ std::string gnuplot_text(std::string_view text) {
 }
 
 std::string draw_script(std::string_view script, const std::string& file) {
-  const Kind& kind = *kind_of(file);
-  std::string reason = why_not(kind);
   try {
-    if (reason.empty()) {
-      Output output(file);
-      const std::string picture = drawn(script, kind);
-      if (!is_whole_picture(picture, file)) {
-        throw contact::Error("gnuplot left it unfinished");
-      }
-      output.write(picture);
-      output.commit();
-    }
+    const std::string picture = drawn(script, file);
+    Output output(file);
+    output.write(picture);
+    output.commit();
   } catch (const contact::Error& error) {
-    reason = error.what();
+    return "no picture " + file + ": " + error.what();
   }
-  return reason.empty() ? reason : "no picture " + file + ": " + reason;
+  return {};
+}
+
+std::string svg_of(std::string_view script) {
+  return drawn(script, "picture.svg");
 }
 
 }  // namespace cli

@@ -21,6 +21,10 @@ bool is_whole_picture(std::string_view picture, std::string_view file);
 ///         file cannot be written
 std::string draw_script(std::string_view script, const std::string& file);
 
+/// The picture as the text of an SVG file.
+/// @throws contact::Error why there is none, as above
+std::string svg_of(std::string_view script);
+
 /// Text that is shown as it is, quoted for gnuplot: 'it''s'. In single quotes
 /// nothing but themselves and line ends counts for gnuplot: those and other
 /// control characters become \xNN.

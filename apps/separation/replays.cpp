@@ -8,6 +8,7 @@
 
 #include "cli/file_text.hpp"
 #include "cli/program.hpp"
+#include "cli/refuse.hpp"
 #include "separation/output/file_name.hpp"
 
 namespace separation {
@@ -30,7 +31,7 @@ std::string text_of_case(const Case& c, const Options& options) {
 Replays::Replays(const Case& c, const Options& options) {
   for (const std::string& name : options.replays) {
     if (is_page(name) && !parts_) {
-      parts_.emplace(name);
+      parts_.emplace(cli::given("--replay", name));
       if (!options.no_case) case_text_ = text_of_case(c, options);
     }
     files_.push_back({name, std::make_unique<cli::Output>(name)});

@@ -19,7 +19,10 @@ required: apps/study/study_file.md, examples in data/studies.
 Standard output has the table for people: verdict of each requirement, bounds,
 percentiles, what drives the numbers, keys without effect, the worst runs.
 --output has the same as JSON, --csv and --hdf5 a row for each run: run, inputs,
-quantities, status.
+quantities, status. --report NAME.html is all of it as one page with pictures,
+which opens in a browser without a network; the worst runs of a case link to
+their replays beside it, NAME_runN.html. Where gnuplot or three.js is missing
+the page has tables alone, and a warning says so.
 
 Every row is in the journal as soon as it is done. A study that was stopped,
 however, goes on by the same command, to the same bytes. For several machines:
@@ -29,6 +32,7 @@ other journals, and what is missing is computed.
 Examples:
   hinge-study data/studies/lined_bearing.toml --runs 100 --output bearing.json --csv bearing.csv
   hinge-study data/studies/soyuz.toml --check --format markdown
+  hinge-study data/studies/soyuz.toml --runs 50 --report soyuz_study.html
   hinge-study data/studies/soyuz.toml --run 17 --history run17.csv
   hinge-study data/studies/soyuz.toml --quantities --format markdown
 
@@ -81,12 +85,16 @@ void add_options(CLI::App& app, Options& options) {
   cli::add_output_options(app, options.output);
   text("--csv", "all rows as CSV", "FILE", options.csv);
   text("--hdf5", "all rows as HDF5", "FILE", options.hdf5);
+  text("--report", "all that is said as a page, with pictures", "NAME.html",
+       options.report);
   cli::add_jobs_option(app, options.output);
   for (const char* other : {"--check", "--quantities", "--parts", "--run"}) {
-    cli::exclude(app, other,
-                 {"--rows", "--merge", "--csv", "--hdf5", "--plot"});
+    cli::exclude(
+        app, other,
+        {"--rows", "--merge", "--csv", "--hdf5", "--plot", "--report"});
   }
-  cli::exclude(app, "--rows", {"--csv", "--hdf5", "--plot", "--output"});
+  cli::exclude(app, "--rows",
+               {"--csv", "--hdf5", "--plot", "--output", "--report"});
   app.get_option("--output")
       ->description(
           "the summary, JSON; or the table of --check, --run,\n"

@@ -14,11 +14,13 @@
 #include "cli/progress.hpp"
 #include "cli/refuse.hpp"
 #include "cli/table.hpp"
+#include "separation/output/file_name.hpp"
 #include "separation/output/history_file.hpp"
 #include "separation/record/run.hpp"
 #include "study/findings/findings.hpp"
 #include "study/findings/pictures.hpp"
 #include "study/findings/report.hpp"
+#include "study/report_file.hpp"
 #include "study/rows/journal.hpp"
 #include "study/rows_file.hpp"
 #include "study/workers.hpp"
@@ -241,16 +243,22 @@ cli::ExitStatus run_study(const Options& o, const Study& study) {
   if (!o.rows.empty()) return cli::all_good;
   const Findings findings = find(study, journal);
   write_results(o, study, findings, journal);
-  std::string problem;
-  if (!o.output.plot.empty()) {
-    problem = draw_pictures(study, findings, journal, o.output.plot);
+  cli::ExitStatus status = findings.failed > 0 ? cli::some_bad : cli::all_good;
+  if (o.output.plot.empty() && o.report.empty()) return status;
+  const std::vector<Picture> pictures = pictures_of(study, findings, journal);
+  if (!o.report.empty() &&
+      !write_report(study, findings, pictures, command_of(o), o.report)) {
+    status = cli::some_bad;
   }
-  return cli::drawn(program, problem,
-                    findings.failed > 0 ? cli::some_bad : cli::all_good);
+  if (o.output.plot.empty()) return status;
+  return cli::drawn(program, draw(pictures, o.output.plot), status);
 }
 
 void check_outputs(const Options& o) {
-  for (const std::string& name : {o.csv, o.hdf5}) {
+  if (!o.report.empty() && !separation::is_page(o.report)) {
+    cli::refuse("--report", o.report, "a name that ends in .html");
+  }
+  for (const std::string& name : {o.csv, o.hdf5, o.report}) {
     if (!name.empty()) cli::Output::check(name);
   }
 }

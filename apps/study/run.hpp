@@ -23,6 +23,7 @@ struct Options {
   std::string history;
   std::string csv;
   std::string hdf5;
+  std::string report;  ///< .html
   cli::OutputOptions output;
 };
 

@@ -25,6 +25,15 @@ const std::string balls =
     "[[dispersion]]\nkey = 'load.reaction_N'\nrelative = true\n"
     "kind = 'normal'\nmean = 1\ndeviation = 0.05\nlow = 0.5\nhigh = 1.5\n";
 
+int times_in(const std::string& text, const std::string& part) {
+  int found = 0;
+  for (auto at = text.find(part); at != text.npos;
+       at = text.find(part, at + part.size())) {
+    ++found;
+  }
+  return found;
+}
+
 class HingeStudy : public testing::Test {
  protected:
   void SetUp() override {
@@ -188,6 +197,99 @@ TEST_F(HingeStudy, HistoriesOfARunOfACase) {
                   factor + "' --history d.csv --output d.json");
   EXPECT_EQ(direct.status, 0) << direct.err;
   EXPECT_EQ(folder_.read("h.csv"), folder_.read("d.csv"));
+}
+
+// Names that would end a script or an attribute are text.
+TEST_F(HingeStudy, TheReportIsTheTableAsAPage) {
+  std::string study = balls;
+  study.replace(0, study.find('\n'),
+                R"(name = "a </script><b onload=\"x\" 'y'> & study")");
+  folder_.write("s.toml", study);
+  run("s.toml --report r.html");
+  const std::string page = folder_.read("r.html");
+  for (const char* words :
+       {R"(<h1>a &lt;/script>&lt;b onload="x" 'y'> &amp; study</h1>)",
+        "default-src 'none'", "<h2>Verdicts</h2>", "<h2>Percentiles</h2>",
+        "<th>M_t_N_m at most 700</th><td>99 %</td><td>10 %</td>",
+        "What drives M_t_N_m", "The worst runs for M_t_N_m at most 700",
+        "<code>hinge-study s.toml --run "}) {
+    EXPECT_NE(page.find(words), page.npos) << words;
+  }
+  for (const char* words : {"</script>", "<b ", " style="}) {
+    EXPECT_EQ(page.find(words), page.npos) << words;
+  }
+  if (folder_.run("gnuplot --version").status == 0) {
+    EXPECT_EQ(times_in(page, "<svg"), 2);  // histogram, ranking
+  }
+  // The same study, the same page.
+  run("s.toml --report again.html --jobs 2");
+  EXPECT_EQ(folder_.read("again.html"), page);
+}
+
+TEST_F(HingeStudy, WithoutGnuplotAReportHasTables) {
+  const auto result = folder_.run(
+      "ln -s \"$(command -v hinge-study)\" hinge-study; PATH=.; "
+      "hinge-study s.toml --report r.html --output -");
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_NE(result.err.find("no pictures in r.html: "), std::string::npos);
+  EXPECT_EQ(times_in(result.err, "\n"), 1) << result.err;
+  EXPECT_EQ(times_in(folder_.read("r.html"), "<svg"), 0);
+  EXPECT_EQ(times_in(folder_.read("r.html"), "<code>"), 5);
+}
+
+const std::string turns =
+    "name = 's'\ncase = '" CONTACT_DATA_DIR
+    "/cases/two_stage_turn.toml'\nruns = 6\n"
+    "[[requirement]]\nquantity = 'stage.at_release.rate_deg_per_s'\n"
+    "at_most = 0\nsuccess = 0.9\n"
+    "[[dispersion]]\nkey = 'body[stage].mass_t'\nrelative = true\n"
+    "kind = 'uniform'\nlow = 0.9\nhigh = 1.1\n";
+
+TEST_F(HingeStudy, WorstRunsLinkToTheirReplays) {
+  if (folder_
+          .run("ls /usr/share/javascript/three/three.min.js "
+               "/usr/share/javascript/dygraphs/dygraph.min.js")
+          .status != 0) {
+    GTEST_SKIP() << "libjs-three or libjs-dygraphs";
+  }
+  folder_.write("c.toml", turns);
+  run("c.toml --report 'a \"#b.html'");
+  const std::string page = folder_.read("a \"#b.html");
+  EXPECT_EQ(times_in(page, "<a href="), 5);
+  int pages = 0;
+  for (int i = 0; i <= 6; ++i) {
+    const std::string number = std::to_string(i);
+    const std::string name = "a \"#b_run" + number + ".html";
+    if (!folder_.has(name)) continue;
+    ++pages;
+    EXPECT_EQ(times_in(page, "\"a%20%22%23b_run" + number + ".html\""), 1);
+    // Of this run: with its draw.
+    const std::string row = run("c.toml --run " + number);
+    const auto at = row.find("mass_t,") + 7;
+    EXPECT_EQ(times_in(folder_.read(name),
+                       "# run " + number + ": body[stage].mass_t = *" +
+                           row.substr(at, row.find('\n', at) - at)),
+              1);
+  }
+  EXPECT_EQ(pages, 5);
+}
+
+TEST_F(HingeStudy, WithoutThreeJsAReportHasNoLinks) {
+  folder_.write("c.toml", turns);
+  const auto result = folder_.run(
+      "XDG_DATA_DIRS=/nowhere hinge-study c.toml --report r.html --output -");
+  EXPECT_EQ(result.status, 0);
+  EXPECT_NE(result.err.find(
+                "a replay of each worst run beside r.html requires three.js "
+                "and dygraphs (three/three.min.js is missing): apt install "
+                "libjs-three libjs-dygraphs\n"),
+            std::string::npos)
+      << result.err;
+  EXPECT_EQ(times_in(folder_.read("r.html"), "<a "), 0);
+  EXPECT_EQ(times_in(folder_.read("r.html"), "<code>"), 5);
+  EXPECT_FALSE(std::ranges::any_of(folder_.files(), [](const auto& name) {
+    return name.find("_run") != name.npos;
+  }));
 }
 
 }  // namespace

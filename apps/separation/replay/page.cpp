@@ -25,7 +25,7 @@ using Eigen::Vector3d;
 using multibody::HingeKind;
 using nlohmann::ordered_json;
 
-std::string find_script(const std::string& file, const std::string& name) {
+std::string find_script(const std::string& wanted, const std::string& name) {
   const char* folders = std::getenv("XDG_DATA_DIRS");
   std::istringstream list(folders != nullptr && *folders != '\0'
                               ? folders
@@ -38,10 +38,9 @@ std::string find_script(const std::string& file, const std::string& name) {
       return cli::file_text(path.string());
     }
   }
-  cli::refuse_without(cli::given("--replay", file),
-                      "three.js and dygraphs (" + name +
-                          " is missing): apt install libjs-three "
-                          "libjs-dygraphs");
+  cli::refuse_without(wanted, "three.js and dygraphs (" + name +
+                                  " is missing): apt install libjs-three "
+                                  "libjs-dygraphs");
 }
 
 // Every {{name}} of a text; what is put in is not looked at again.
@@ -58,21 +57,10 @@ std::string fill(std::string_view text,
   }
 }
 
-std::string in_markup(std::string_view text) {
-  std::string result;
-  for (const char c : text) {
-    switch (c) {
-      case '<':
-        result += "&lt;";
-        break;
-      case '&':
-        result += "&amp;";
-        break;
-      default:
-        result += c;
-    }
-  }
-  return result;
+// Of the content, so that the same run gives the same page: whoever wants to
+// put a script into a case's text would have to know it.
+std::string nonce_of(const std::string& content) {
+  return fmt::format("{:016x}", std::hash<std::string>{}(content));
 }
 
 std::string base64(std::string_view bytes) {
@@ -261,32 +249,59 @@ std::string data_of(const Replay& replay, int every) {
 
 }  // namespace
 
-PageParts::PageParts(const std::string& file) {
+std::string in_markup(std::string_view text) {
+  std::string result;
+  for (const char c : text) {
+    switch (c) {
+      case '<':
+        result += "&lt;";
+        break;
+      case '&':
+        result += "&amp;";
+        break;
+      default:
+        result += c;
+    }
+  }
+  return result;
+}
+
+std::string still_page(const std::string& title, const std::string& body) {
+  const std::string nonce = nonce_of(body);
+  const std::string safe_title = in_markup(title);
+  return fill(page_head,
+              [&](std::string_view name) -> std::string_view {
+                if (name == "nonce") return nonce;
+                if (name == "title") return safe_title;
+                return page_style;
+              }) +
+         body + "</body>\n</html>\n";
+}
+
+PageParts::PageParts(const std::string& wanted) {
   for (const char* name :
        {"three/three.min.js", "three/examples/js/loaders/GLTFLoader.js",
         "three/examples/js/controls/OrbitControls.js",
         "dygraphs/dygraph.min.js"}) {
-    scripts_ += find_script(file, name) + '\n';
+    scripts_ += find_script(wanted, name) + '\n';
   }
   scripts_ += page_script;
-  style_ = find_script(file, "dygraphs/dygraph.min.css") + '\n';
+  style_ = find_script(wanted, "dygraphs/dygraph.min.css") + '\n';
   style_ += page_style;
 }
 
 std::string PageParts::page(const std::string& title,
                             const std::string& data) const {
-  // Of the content, so that the same run gives the same page: whoever wants to
-  // put a script into a case's text would have to know it.
-  const std::string nonce =
-      fmt::format("{:016x}", std::hash<std::string>{}(data));
+  const std::string nonce = nonce_of(data);
   const std::string safe_title = in_markup(title);
-  return fill(page_template, [&](std::string_view name) -> std::string_view {
+  const auto part = [&](std::string_view name) -> std::string_view {
     if (name == "nonce") return nonce;
     if (name == "title") return safe_title;
     if (name == "style") return style_;
     if (name == "scripts") return scripts_;
     return data;
-  });
+  };
+  return fill(page_head, part) + fill(page_body, part);
 }
 
 std::string replay_glb(const Replay& replay) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "separation/record/run.hpp"
@@ -13,8 +14,9 @@ class PageParts {
  public:
   /// Reads three.js and dygraphs from the folders `javascript` of XDG_DATA_DIRS
   /// (else /usr/local/share and /usr/share).
-  /// @throws contact::Error "--replay FILE requires ..." what to install
-  explicit PageParts(const std::string& file);
+  /// @param wanted  that needs them: "--replay FILE"
+  /// @throws contact::Error "WANTED requires ..." what to install
+  explicit PageParts(const std::string& wanted);
 
   /// The template with scripts, styles and this data.
   std::string page(const std::string& title, const std::string& data) const;
@@ -22,6 +24,14 @@ class PageParts {
  private:
   std::string scripts_, style_;
 };
+
+/// Text as it stands in markup, not within quotes.
+std::string in_markup(std::string_view text);
+
+/// A page of the same make without scripts.
+/// @param title  as text
+/// @param body  as markup
+std::string still_page(const std::string& title, const std::string& body);
 
 /// A run and its place in a comparison.
 struct ShownRun {

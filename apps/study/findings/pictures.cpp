@@ -61,15 +61,14 @@ std::string upright(double x, int style, int dash, const std::string& label) {
       cli::number_text(x), style, dash, cli::gnuplot_text(label));
 }
 
-std::string draw_histogram(const Study& study, const Journal& journal,
-                           const Judgement& judgement, std::size_t place,
-                           const std::string& file) {
+std::string histogram(const Study& study, const Journal& journal,
+                      const Judgement& judgement, std::size_t place) {
   const Requirement& requirement = study.plan().requirements[place];
   std::vector<double> values = column(study, journal, [&](const Row& row) {
     return study.value_of(place, row);
   });
   std::erase_if(values, [](double x) { return std::isnan(x); });
-  if (values.empty()) return fmt::format("no picture {}: no numbers", file);
+  if (values.empty()) return {};
   std::ranges::sort(values);
   const Classes classes = classes_of(values);
   std::string script = "$counts << END\n";
@@ -92,12 +91,11 @@ std::string draw_histogram(const Study& study, const Journal& journal,
   script += upright(p.value, 3, 1, share);
   if (p.low) script += upright(*p.low, 3, 2, "lower bound");
   if (p.high) script += upright(*p.high, 3, 3, "upper bound");
-  return cli::draw_script(script + '\n', file);
+  return script + '\n';
 }
 
 // The largest of the standardised coefficients, or of the total indices.
-std::string draw_ranking(const Study& study, const Driven& driven,
-                         const std::string& file) {
+std::string ranking(const Study& study, const Driven& driven) {
   constexpr std::size_t shown = 10;
   const bool sobol = !driven.sobol.empty();
   std::vector<std::pair<double, std::string>> bars;
@@ -119,20 +117,28 @@ std::string draw_ranking(const Study& study, const Driven& driven,
     tics += fmt::format("{}{} {}", i == 0 ? "" : ", ",
                         cli::gnuplot_text(bars[i].second), i);
   }
-  script += "END\n" + heading("What drives " + driven.quantity,
+  script += "END\n" + heading("",
                               sobol ? "total Sobol' index"
                                     : "standardised regression coefficient",
                               "");
+  // gnuplot reserves twice the room that names need, and centres the title on
+  // what is left.
+  std::size_t longest = 0;
+  for (const auto& bar : bars) longest = std::max(longest, bar.second.size());
+  script += fmt::format(
+      "set label {} at screen 0.5, 0.96 center\nset lmargin at screen {}\n"
+      "set rmargin at screen 0.94\n",
+      cli::gnuplot_text("What drives " + driven.quantity),
+      std::clamp(0.012 * static_cast<double>(longest) + 0.03, 0.2, 0.64));
   script += fmt::format(
       "unset key\nset xtics 0.2\nset ytics ({})\nset yrange [{}:-0.7]\n"
       "set style fill solid 0.8\nset xzeroaxis lt -1\n"
       "plot $bars using (0):2:(0):1:($2-0.35):($2+0.35) with boxxyerror lt 1\n",
       tics, static_cast<double>(bars.size()) - 0.3);
-  return cli::draw_script(script, file);
+  return script;
 }
 
-std::string draw_envelope(const Envelope& envelope, const std::string& title,
-                          const std::string& file) {
+std::string band(const Envelope& envelope, const std::string& title) {
   std::string script = "$band << END\n";
   for (std::size_t i = 0; i < envelope.times.size(); ++i) {
     script += fmt::format("{}", envelope.times[i]);
@@ -149,29 +155,39 @@ std::string draw_envelope(const Envelope& envelope, const std::string& title,
       "title '5 to 95 %', '' using 1:4 with lines lt 1 title '50 %', "
       "'' using 1:7 with lines lt 2 dt 2 title {1}\n",
       envelope.runs, cli::gnuplot_text(envelope.special));
-  return cli::draw_script(script, file);
+  return script;
 }
 
 }  // namespace
 
-std::string draw_pictures(const Study& study, const Findings& findings,
-                          const Journal& journal, const std::string& file) {
-  std::string problem;
-  const auto note = [&problem](const std::string& other) {
-    if (problem.empty()) problem = other;
-  };
+std::vector<Picture> pictures_of(const Study& study, const Findings& findings,
+                                 const Journal& journal) {
+  std::vector<Picture> pictures;
   for (std::size_t i = 0; i < findings.requirements.size(); ++i) {
-    note(draw_histogram(study, journal, findings.requirements[i], i,
-                        named(file, fmt::format("{}", i + 1))));
+    pictures.push_back(
+        {fmt::format("{}", i + 1),
+         histogram(study, journal, findings.requirements[i], i)});
   }
   for (std::size_t i = 0; i < findings.driven.size(); ++i) {
-    note(draw_ranking(study, findings.driven[i],
-                      named(file, fmt::format("ranking_{}", i + 1))));
+    pictures.push_back(
+        {fmt::format("ranking_{}", i + 1), ranking(study, findings.driven[i])});
   }
-  if (!study.plan().joint_file.empty()) return problem;
+  if (!study.plan().joint_file.empty()) return pictures;
   for (const Envelope& envelope : envelopes(study, findings)) {
-    note(
-        draw_envelope(envelope, study.plan().name, named(file, envelope.name)));
+    pictures.push_back({envelope.name, band(envelope, study.plan().name)});
+  }
+  return pictures;
+}
+
+std::string draw(const std::vector<Picture>& pictures,
+                 const std::string& file) {
+  std::string problem;
+  for (const Picture& picture : pictures) {
+    const std::string name = named(file, picture.name);
+    const std::string other =
+        picture.script.empty() ? fmt::format("no picture {}: no numbers", name)
+                               : cli::draw_script(picture.script, name);
+    if (problem.empty()) problem = other;
   }
   return problem;
 }

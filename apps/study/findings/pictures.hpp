@@ -1,17 +1,26 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "study/findings/findings.hpp"
 
 namespace study {
 
-/// Draws NAME_K.EXT, the histogram of the K-th requirement with its limit and
-/// bounds, NAME_ranking.EXT, what drives it, and of a case NAME_clearance.EXT
-/// and NAME_angles.EXT, between which values the first runs and the worst ones
-/// were over the time.
-/// @return "" or why there are no pictures
-std::string draw_pictures(const Study& study, const Findings& findings,
-                          const Journal& journal, const std::string& file);
+/// What gnuplot draws.
+struct Picture {
+  std::string name;
+  std::string script;  ///< "": there are no numbers
+};
+
+/// "1", ...: the histogram of each requirement with its limit and bounds,
+/// "ranking_1", ...: what drives it, and of a case "clearance" and "angles",
+/// between which values the first runs and the worst ones were over the time.
+std::vector<Picture> pictures_of(const Study& study, const Findings& findings,
+                                 const Journal& journal);
+
+/// Draws each as FILE_NAME.EXT.
+/// @return "" or why there are not all of them
+std::string draw(const std::vector<Picture>& pictures, const std::string& file);
 
 }  // namespace study

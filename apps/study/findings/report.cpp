@@ -43,20 +43,20 @@ const char* to_string(Answer answer) {
   return "open";
 }
 
-using Cells = std::vector<std::string>;
-
 std::string line(const Cells& cells) {
   return fmt::format("| {} |\n", fmt::join(cells, " | "));
 }
 
-std::string table(const Cells& header, const std::vector<Cells>& rows) {
-  std::string text = line(header);
+std::string markdown(const Part& part) {
+  std::string text = part.text.empty() ? "" : part.text + "\n\n";
+  if (part.header.empty()) return text;
+  text += line(part.header);
   text += '|';
-  for (std::size_t i = 0; i < header.size(); ++i) {
+  for (std::size_t i = 0; i < part.header.size(); ++i) {
     text += i == 0 ? "---|" : "---:|";
   }
   text += '\n';
-  for (const Cells& row : rows) text += line(row);
+  for (const Cells& row : part.rows) text += line(row);
   return text + '\n';
 }
 
@@ -67,45 +67,53 @@ std::string verdict_text(const Judgement& judgement, std::size_t runs) {
                      judgement.needed - runs);
 }
 
-std::string requirements_text(const Study& study, const Findings& findings) {
-  std::vector<Cells> verdicts;
-  std::vector<Cells> percentiles;
+void add_requirements(const Study& study, const Findings& findings,
+                      std::vector<Part>& parts) {
+  Part verdicts{.heading = "Verdicts",
+                .header = {"requirement", "success", "risk", "misses",
+                           "verdict", "a miss has at least", "at most"}};
+  Part percentiles{.heading = "Percentiles",
+                   .header = {"requirement", "percentile", "at least",
+                              "estimate", "at most"}};
   const auto& requirements = study.plan().requirements;
   for (std::size_t i = 0; i < requirements.size(); ++i) {
     const Requirement& r = requirements[i];
     const Judgement& j = findings.requirements[i];
     const std::string name = to_string(r);
-    verdicts.push_back({name, percent(r.demand.success), percent(r.demand.risk),
-                        fmt::format("{}", j.misses),
-                        verdict_text(j, study.runs()),
-                        j.answer ? about(j.miss_probability.low) : "-",
-                        j.answer ? about(j.miss_probability.high) : "-"});
-    percentiles.push_back({name, percent(j.share), number(j.percentile.low),
-                           number(j.percentile.value),
-                           number(j.percentile.high)});
+    verdicts.rows.push_back(
+        {name, percent(r.demand.success), percent(r.demand.risk),
+         fmt::format("{}", j.misses), verdict_text(j, study.runs()),
+         j.answer ? about(j.miss_probability.low) : "-",
+         j.answer ? about(j.miss_probability.high) : "-"});
+    percentiles.rows.push_back(
+        {name, percent(j.share), number(j.percentile.low),
+         number(j.percentile.value), number(j.percentile.high)});
+    percentiles.pictures.push_back(fmt::format("{}", i + 1));
   }
-  return table({"requirement", "success", "risk", "misses", "verdict",
-                "a miss has at least", "at most"},
-               verdicts) +
-         table({"requirement", "percentile", "at least", "estimate", "at most"},
-               percentiles);
+  parts.push_back(std::move(verdicts));
+  parts.push_back(std::move(percentiles));
+  if (study.plan().sampling == Sampling::random) return;
+  parts.push_back(
+      {.text = "No verdict: only random runs are independent of each other, "
+               "so that misses can be counted."});
 }
 
-std::string quantities_text(const Findings& findings) {
-  std::vector<Cells> rows;
+Part quantities_part(const Study& study, const Findings& findings) {
+  Part part{.heading = "Numbers",
+            .header = {"quantity", "nominal", "mean", "deviation", "smallest",
+                       "5 %", "50 %", "95 %", "largest", "missing"}};
+  if (study.plan().joint_file.empty()) part.pictures = {"clearance", "angles"};
   for (const Scatter& s : findings.quantities) {
-    rows.push_back({s.quantity, number(s.nominal), number(s.mean),
-                    number(s.deviation), number(s.low), number(s.p5),
-                    number(s.median), number(s.p95), number(s.high),
-                    fmt::format("{}", s.missing)});
+    part.rows.push_back({s.quantity, number(s.nominal), number(s.mean),
+                         number(s.deviation), number(s.low), number(s.p5),
+                         number(s.median), number(s.p95), number(s.high),
+                         fmt::format("{}", s.missing)});
   }
-  return table({"quantity", "nominal", "mean", "deviation", "smallest", "5 %",
-                "50 %", "95 %", "largest", "missing"},
-               rows);
+  return part;
 }
 
 // The strongest first.
-std::string drivers_text(const Study& study, const Driven& driven) {
+Part drivers_part(const Study& study, const Driven& driven) {
   constexpr std::size_t shown = 10;
   std::vector<std::pair<double, Cells>> rows;
   if (driven.sobol.empty()) {
@@ -130,42 +138,32 @@ std::string drivers_text(const Study& study, const Driven& driven) {
   }
   std::ranges::stable_sort(rows, std::greater(),
                            [](const auto& row) { return row.first; });
-  std::vector<Cells> cells;
-  for (std::size_t i = 0; i < std::min(shown, rows.size()); ++i) {
-    cells.push_back(rows[i].second);
-  }
   const bool sobol = !driven.sobol.empty();
-  return (sobol ? fmt::format("What drives {} (shares of its variance):\n\n",
-                              driven.quantity)
-                : fmt::format("What drives {} (regression explains {}):\n\n",
-                              driven.quantity,
-                              about(driven.regression.explained))) +
-         table(sobol ? Cells{"input", "alone", "with others"}
-                     : Cells{"input", "rank correlation", "regression"},
-               cells);
+  Part part{
+      .text = sobol ? fmt::format("What drives {} (shares of its variance):",
+                                  driven.quantity)
+                    : fmt::format("What drives {} (regression explains {}):",
+                                  driven.quantity,
+                                  about(driven.regression.explained)),
+      .header = sobol ? Cells{"input", "alone", "with others"}
+                      : Cells{"input", "rank correlation", "regression"}};
+  for (std::size_t i = 0; i < std::min(shown, rows.size()); ++i) {
+    part.rows.push_back(rows[i].second);
+  }
+  return part;
 }
 
-std::string worst_text(const Study& study, const Findings& findings,
-                       const std::string& command) {
-  std::string text;
-  for (std::size_t i = 0; i < findings.requirements.size(); ++i) {
-    std::vector<Cells> rows;
-    for (const RunValue& run : findings.requirements[i].worst) {
-      rows.push_back({fmt::format("{}", run.run), std::isnan(run.value)
-                                                      ? "failed or without it"
-                                                      : number(run.value)});
-    }
-    text += fmt::format("The worst runs for {}:\n\n",
-                        to_string(study.plan().requirements[i])) +
-            table({"run", "value"}, rows);
+Part worst_part(const Requirement& requirement, const Judgement& judgement) {
+  Part part{
+      .text = fmt::format("The worst runs for {}:", to_string(requirement)),
+      .header = {"run", "value"}};
+  for (const RunValue& run : judgement.worst) {
+    part.rows.push_back(
+        {fmt::format("{}", run.run),
+         std::isnan(run.value) ? "failed or without it" : number(run.value)});
+    part.runs.push_back(run.run);
   }
-  if (text.empty()) return text;
-  const RunValue& worst = findings.requirements[0].worst[0];
-  return text + fmt::format("To repeat one: {} --run {}{}\n\n", command,
-                            worst.run,
-                            study.plan().joint_file.empty()
-                                ? fmt::format(" --history run{}.csv", worst.run)
-                                : "");
+  return part;
 }
 
 ordered_json requirement_json(const Requirement& r, const Judgement& j) {
@@ -251,31 +249,53 @@ ordered_json to_json(const Study& study, const Findings& findings) {
   return j;
 }
 
+std::vector<Part> parts_of(const Study& study, const Findings& findings) {
+  const Plan& plan = study.plan();
+  std::vector<Part> parts;
+  parts.push_back({.heading = "Runs",
+                   .text = fmt::format(
+                       "{} runs ({}, seed {}) and the nominal one; {} failed.",
+                       study.runs(),
+                       sampling_names[static_cast<std::size_t>(plan.sampling)],
+                       plan.seed, findings.failed)});
+  if (findings.failed > 0) {
+    parts.push_back({.text = "The first failure: " + findings.first_failure});
+  }
+  if (!plan.requirements.empty()) add_requirements(study, findings, parts);
+  parts.push_back(quantities_part(study, findings));
+  for (std::size_t i = 0; i < findings.driven.size(); ++i) {
+    parts.push_back(drivers_part(study, findings.driven[i]));
+    parts.back().pictures = {fmt::format("ranking_{}", i + 1)};
+    if (i == 0) parts.back().heading = "Drivers";
+  }
+  for (std::size_t i = 0; i < findings.idle.size(); ++i) {
+    parts.push_back({.text = "No effect on any number: " + findings.idle[i]});
+    if (i == 0) parts.back().heading = "Keys without effect";
+  }
+  for (std::size_t i = 0; i < findings.requirements.size(); ++i) {
+    parts.push_back(worst_part(plan.requirements[i], findings.requirements[i]));
+    if (i == 0) parts.back().heading = "Worst runs";
+  }
+  return parts;
+}
+
+std::string command_of(const Study& study, const std::string& command,
+                       std::uint64_t run) {
+  return fmt::format("{} --run {}{}", command, run,
+                     study.plan().joint_file.empty()
+                         ? fmt::format(" --history run{}.csv", run)
+                         : "");
+}
+
 std::string to_text(const Study& study, const Findings& findings,
                     const std::string& command) {
-  const Plan& plan = study.plan();
-  std::string text = fmt::format(
-      "# {}\n\n{} runs ({}, seed {}) and the nominal one; {} failed.\n\n",
-      plan.name, study.runs(),
-      sampling_names[static_cast<std::size_t>(plan.sampling)], plan.seed,
-      findings.failed);
-  if (findings.failed > 0) {
-    text += fmt::format("The first failure: {}\n\n", findings.first_failure);
-  }
-  if (!plan.requirements.empty()) text += requirements_text(study, findings);
-  if (plan.sampling != Sampling::random && !plan.requirements.empty()) {
+  std::string text = fmt::format("# {}\n\n", study.plan().name);
+  for (const Part& part : parts_of(study, findings)) text += markdown(part);
+  if (!findings.requirements.empty()) {
+    const std::uint64_t worst = findings.requirements[0].worst[0].run;
     text +=
-        "No verdict: only random runs are independent of each other, so that "
-        "misses can be counted.\n\n";
+        fmt::format("To repeat one: {}\n\n", command_of(study, command, worst));
   }
-  text += quantities_text(findings);
-  for (const Driven& driven : findings.driven) {
-    text += drivers_text(study, driven);
-  }
-  for (const std::string& key : findings.idle) {
-    text += fmt::format("No effect on any number: {}\n\n", key);
-  }
-  text += worst_text(study, findings, command);
   text.pop_back();
   return text;
 }
