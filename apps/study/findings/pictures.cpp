@@ -127,12 +127,12 @@ std::string ranking(const Study& study, const Driven& driven) {
   for (const auto& bar : bars) longest = std::max(longest, bar.second.size());
   script += fmt::format(
       "set label {} at screen 0.5, 0.96 center\nset lmargin at screen {}\n"
-      "set rmargin at screen 0.94\n",
+      "set rmargin at screen 0.94\nset tmargin at screen 0.9\n",
       cli::gnuplot_text("What drives " + driven.quantity),
       std::clamp(0.012 * static_cast<double>(longest) + 0.03, 0.2, 0.64));
   script += fmt::format(
       "unset key\nset xtics 0.2\nset ytics ({})\nset yrange [{}:-0.7]\n"
-      "set style fill solid 0.8\nset xzeroaxis lt -1\n"
+      "set style fill solid 0.8\nset yzeroaxis lt -1\n"
       "plot $bars using (0):2:(0):1:($2-0.35):($2+0.35) with boxxyerror lt 1\n",
       tics, static_cast<double>(bars.size()) - 0.3);
   return script;
