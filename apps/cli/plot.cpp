@@ -166,10 +166,18 @@ std::string panel_script(const std::vector<double>& x, const Panel& panel,
   for (const std::size_t i : shown(panel.y)) {
     script += number_text(x[i]) + ' ' + number_text(panel.y[i] / unit) + '\n';
   }
+  script += "END\nunset label\n";
+  if (panel.mark) {
+    const double y = panel.y[*panel.mark] / unit;
+    script += fmt::format(
+        "set label '{:.3g}' at {},{} center front offset 0,-1 point pt 7 "
+        "ps 0.6\n",
+        y, number_text(x[*panel.mark]), number_text(y));
+  }
   const std::string label =
       fmt::format("{}, {}{}", panel.label, prefix, panel.unit);
   return script + fmt::format(
-                      "END\nset ylabel {}\nset ytics {}\n"
+                      "set ylabel {}\nset ytics {}\n"
                       "plot $panel{} using 1:2 with lines lt {}\n",
                       gnuplot_text(label), label_step(largest / unit), number,
                       number + 1);

@@ -49,8 +49,9 @@ std::string draw(const LinePlot& plot, const std::string& file);
 /// A curve with an axis of its own.
 struct Panel {
   std::string label;
-  std::string unit;       ///< takes a prefix for large values
-  std::vector<double> y;  ///< not below 0; NaN leaves a gap
+  std::string unit;                      ///< takes a prefix for large values
+  std::vector<double> y;                 ///< not below 0; NaN leaves a gap
+  std::optional<std::size_t> mark = {};  ///< a point to be shown, with its y
 };
 
 /// Panels one above the other over the same x.

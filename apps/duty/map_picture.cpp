@@ -9,6 +9,7 @@
 #include "cli/gnuplot.hpp"
 #include "cli/number.hpp"
 #include "cli/plot.hpp"
+#include "cli/sphere_view.hpp"
 #include "libcontact/base/units.hpp"
 
 namespace hinge_duty {
@@ -29,79 +30,23 @@ std::string label(const BodyWear& wear) {
                             *wear.k * mm * mm * wear.deepest.wear.pv);
 }
 
-// Lambert's projection from the sphere, equal in area: at the angle t from
-// `up`, 2 sin(t/2) from the middle.
-struct View {
-  Vector3d up;     // towards the eye
-  Vector3d right;  // of the picture
-  Vector3d top;
-  double radius = 0;  // of what is shown
-
-  explicit View(const BodyWear& wear) {
-    up.setZero();
-    for (std::size_t i = 0; i < wear.points.size(); ++i) {
-      up += wear.wear[i].pv * wear.points[i];
-    }
-    up.normalize();
-    // Z at the top unless the eye looks along it.
-    const Vector3d axis = std::abs(up.z()) < 0.9 ? Vector3d::UnitZ().eval()
-                                                 : Vector3d::UnitY().eval();
-    right = axis.cross(up).normalized();
-    top = up.cross(right);
-    for (std::size_t i = 0; i < wear.points.size(); ++i) {
-      if (wear.wear[i].pv == 0) continue;
-      radius = std::max(radius, (wear.points[i] - up).norm());
-    }
-    radius = std::min(1.1 * radius, 2.0);
+// Straight above the middle of the wear.
+cli::SphereView view_of(const BodyWear& wear) {
+  Vector3d middle = Vector3d::Zero();
+  for (std::size_t i = 0; i < wear.points.size(); ++i) {
+    middle += wear.wear[i].pv * wear.points[i];
   }
-  Eigen::Vector2d at(const Vector3d& point) const {
-    const Vector3d flat = point - point.dot(up) * up;
-    const double sine = flat.norm();
-    if (sine == 0) return {0, 0};
-    return (point - up).norm() / sine *
-           Eigen::Vector2d(flat.dot(right), flat.dot(top));
+  cli::SphereView view(middle.normalized());
+  for (std::size_t i = 0; i < wear.points.size(); ++i) {
+    if (wear.wear[i].pv == 0) continue;
+    view.radius = std::max(view.radius, (wear.points[i] - view.up).norm());
   }
-  Vector3d point(double x, double y) const {
-    const double square = x * x + y * y;  // 2 - 2 cos t
-    return std::sqrt(1 - square / 4) * (x * right + y * top) +
-           (1 - square / 2) * up;
-  }
-};
-
-// Axes of the body that can be seen.
-std::string axis_labels(const View& view) {
-  std::string script;
-  for (int k = 0; k < 3; ++k) {
-    for (const int sign : {1, -1}) {
-      const Vector3d axis = sign * Vector3d::Unit(k);
-      if ((axis - view.up).norm() >= view.radius) continue;
-      const Eigen::Vector2d at = view.at(axis);
-      script += fmt::format(
-          "set label '{}{}' at {},{} front point pt 7 ps 0.4 lc rgb '#ee6677' "
-          "offset 0.4,0.4 textcolor rgb '#ee6677'\n",
-          sign < 0 ? "−" : "", "XYZ"[k], cli::number_text(at.x()),
-          cli::number_text(at.y()));
-    }
-  }
-  return script;
+  view.radius = std::min(1.1 * view.radius, 2.0);
+  return view;
 }
 
-// Circles at 30, 60, ... deg from the middle.
-std::string circles(const View& view) {
-  std::string script;
-  for (int t = 30; t < 180; t += 30) {
-    const double radius = 2 * std::sin(t * degree / 2);
-    if (radius > view.radius) break;
-    script += fmt::format(
-        "set object circle at 0,0 size {0} front fs empty border lc rgb "
-        "'#888888' lw 0.7\nset label '{1}°' at 0,-{0} center front offset "
-        "0,0.5 textcolor rgb '#888888'\n",
-        cli::number_text(radius), t);
-  }
-  return script;
-}
-
-std::string data_block(const WearMap& map, const View& view, int number) {
+std::string data_block(const WearMap& map, const cli::SphereView& view,
+                       int number) {
   constexpr int half = 60;  // dots on each side of the middle
   std::string script = fmt::format("$map{} << END\n", number);
   for (int j = -half; j <= half; ++j) {
@@ -130,15 +75,15 @@ std::string draw_balls(const JointCycle& cycle,
       "set cbrange [0:{}]\nset cblabel '∫ p v dt, MPa m'\nset cbtics\n"
       "set tmargin at screen 0.78\nset bmargin at screen 0.12\n",
       cli::gnuplot_text(title), cli::number_text(largest));
-  std::array<View, 2> views = {View(wear[0]), View(wear[1])};
+  std::array<cli::SphereView, 2> views = {view_of(wear[0]), view_of(wear[1])};
   const double radius = std::max(views[0].radius, views[1].radius);
   for (int n = 0; n < 2; ++n) {
     const BodyWear& w = wear[n];
-    View& view = views[n];
+    cli::SphereView& view = views[n];
     view.radius = radius;  // to the same scale
     const double left = 0.02 + 0.41 * n;
     script += data_block(WearMap(cycle, w.part), view, n);
-    script += axis_labels(view) + circles(view);
+    script += view.axis_labels() + view.circles();
     script += fmt::format(
         "set lmargin at screen {}\nset rmargin at screen {}\n"
         "set title {}\nset xrange [-{}:{}]\nset yrange [-{}:{}]\n{}"

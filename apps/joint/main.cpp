@@ -90,6 +90,10 @@ that would begin; with --measured-moment f0 is; with --pv those from pv_max_W_pe
 on are, what bearings are rated by.
 --summary prints a line for each quantity instead. --plot draws the friction
 moment over the swept force or angle, dashed the traditional estimate from R.
+--map draws p, p v and slip over the contact of one state, p and p v with their
+largest values marked: of a ball as it is seen from outside, above the contact's
+centre, in equal areas, with the slip of the body as arrows and circles each 30
+deg; of a pin over the angle.
 
 Examples:
   hinge-joint --joint data/joints/paper_example_1.toml --reaction 2.63e5 --beta 67.6 --summary --format markdown
@@ -100,6 +104,7 @@ Examples:
   hinge-joint --joint ball --pair data/materials/steel_bronze.toml --radius 50mm --clearance 50um --friction 0.15 --law tanh --reaction-xyz 1e5,2e4,0 --moment-xyz 300,0,500 --format json
   hinge-joint --joint data/joints/pin_joint.toml --reaction 2e4 --measured-moment 40 --summary
   hinge-joint --joint data/joints/hip_cocr_uhmwpe.toml --reaction 2000 --beta 30,60,90 --rate 2 --pv --format markdown --columns b_deg,pv_nominal_W_per_m2,pv_max_W_per_m2,pv_max_theta_deg
+  hinge-joint --joint data/joints/hip_cocr_uhmwpe.toml --reaction 2000 --beta 50 --rate 2 --map contact.svg --summary
   hinge-joint --joint data/joints/pin_joint.toml --law hertz,blend --reaction 1e3,1e4
   printf 'time_s,R_N,b_deg\n0,1e5,90\n0.1,2e5,80\n' | hinge-joint --joint data/joints/paper_example_1.toml --points -
 
@@ -182,16 +187,20 @@ void add_output(CLI::App& app, Options& options) {
   app.add_flag("--pv", options.pv,
                "with p v and heat over the contact, slip_coefficient")
       ->option_text(" ");
+  app.add_option("--map", options.map,
+                 "picture of p, p v and slip over the contact of one state")
+      ->option_text("FILE");
   app.add_option("--beside", options.beside, "CSV file of numbers to compare")
       ->option_text("FILE");
   add_output_options(app, options.output);
   add_jobs_option(app, options.output);
   cli::exclude(app, "--points",
                {"--reaction-xyz", "--reaction", "--normal-force", "--trace",
-                "--outer", "--beside"});
+                "--outer", "--beside", "--map"});
   cli::exclude(app, "--trace",
-               {"--braking", "--summary", "--plot", "--jobs", "--pv"});
-  cli::exclude(app, "--outer", {"--summary", "--plot", "--jobs", "--pv"});
+               {"--braking", "--summary", "--plot", "--jobs", "--pv", "--map"});
+  cli::exclude(app, "--outer",
+               {"--summary", "--plot", "--jobs", "--pv", "--map"});
   cli::exclude(app, "--summary", {"--jobs"});
   cli::exclude(app, "--measured-moment",
                {"--moment-xyz", "--points", "--trace", "--outer"});

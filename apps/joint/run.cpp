@@ -8,8 +8,11 @@
 #include <string>
 #include <vector>
 
+#include "cli/gnuplot.hpp"
+#include "cli/output.hpp"
 #include "cli/refuse.hpp"
 #include "joint/beside.hpp"
+#include "joint/contact_picture.hpp"
 #include "joint/input.hpp"
 #include "joint/loop_table.hpp"
 #include "joint/measured_moment.hpp"
@@ -144,6 +147,22 @@ void check_plot(const Setup& setup, const Inputs& inputs) {
   }
 }
 
+// What draw_contact() can draw, and whether the file can be made.
+void check_map(const Options& options, const Setup& setup,
+               const Inputs& inputs) {
+  const std::string& map = options.map;
+  if (inputs.size() != 1 || setup.joints.size() != 1) {
+    cli::refuse_without("--map", one_row);
+  }
+  if (!cli::is_picture_name(map)) {
+    cli::refuse("--map", map, "a name that ends in .svg, .png, .pdf");
+  }
+  if (map == options.output.output) {
+    cli::refuse("--map", map, "another file than that of --output");
+  }
+  cli::Output::check(map);
+}
+
 void check_rest(const Setup& setup, const Inputs& inputs) {
   if (inputs.question() != Question::rest) return;
   for (const NamedJoint& joint : setup.joints) {
@@ -169,6 +188,8 @@ cli::ExitStatus run(const Options& options) {
   }
   const bool plot = !options.output.plot.empty();
   if (plot) check_plot(setup, inputs);
+  const bool map = !options.map.empty();
+  if (map) check_map(options, setup, inputs);
   check_rest(setup, inputs);
   if (options.summary) check_summary(setup, inputs);
   if (!options.measured_moment.empty()) {
@@ -177,11 +198,21 @@ cli::ExitStatus run(const Options& options) {
   const Beside beside(options.beside, setup.given[0].name, "solution");
   const auto begin = [&] { warn_of_states(setup, inputs); };
   const auto write = options.summary ? write_summary : write_solutions;
-  const cli::ExitStatus status =
+  cli::ExitStatus status =
       report(write(setup, inputs, beside, options.output, begin), setup);
-  if (!plot) return status;
-  return cli::drawn("hinge-joint",
-                    draw_torque(setup, inputs, options.output.plot), status);
+  if (plot) {
+    status = cli::drawn(
+        "hinge-joint", draw_torque(setup, inputs, options.output.plot), status);
+  }
+  if (map) {
+    const NamedJoint& joint = setup.joints[0];
+    status = cli::drawn(
+        "hinge-joint",
+        draw_contact(joint, answer(joint, inputs.question(), inputs[0]),
+                     setup.given[0].title(), options.map),
+        status);
+  }
+  return status;
 }
 
 }  // namespace hinge_joint

@@ -38,6 +38,7 @@ struct Options {
 
   bool summary = false;
   bool pv = false;
+  std::string map;
   std::string beside;
   cli::OutputOptions output;
 };

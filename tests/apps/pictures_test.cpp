@@ -1,5 +1,6 @@
 // Pictures of the programs: whole or not there, with every text as it is, and
 // axes that end where the data end.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -246,6 +247,52 @@ TEST(Pictures, TitlesNameTheJoint) {
         name + ", β = 30°, law fitted, pressure exact");
   title("hinge-table --theta0 45 --alpha 0:90:9 --pressure exact " + joint,
         "chi, method exact, pressure exact, " + name);
+}
+
+// Of one state: what --pv says of the largest values, in the titles of three
+// images of a ball and beside the curves of a pin.
+TEST(Pictures, Contacts) {
+  const ProgramFolder folder;
+  if (!have_gnuplot(folder)) GTEST_SKIP() << no_gnuplot;
+  const auto draw = [&](const std::string& joint) {
+    const ProgramResult result =
+        folder.run("hinge-joint --joint data/joints/" + joint +
+                   " --map p.svg --pv --output p.csv --columns p_peak_Pa,"
+                   "pv_max_W_per_m2,pv_max_theta_deg,v_m_per_s");
+    EXPECT_EQ(result.status, 0) << result.err;
+    return texts(folder.read("p.svg"));
+  };
+  const auto value = [&](const std::string& column, double unit) {
+    const auto rows = contact::test::csv_rows(folder.read("p.csv"));
+    return fmt::format(
+        "{:.3g}",
+        std::stod(contact::test::csv_column(rows, column).at(0)) / unit);
+  };
+  const auto ball =
+      draw("hip_cocr_uhmwpe.toml --reaction 2000 --beta 50 --rate 2");
+  EXPECT_TRUE(has(ball, "p, MPa: " + value("p_peak_Pa", 1e6) + " at 0°"));
+  EXPECT_TRUE(has(ball, "p v, MPa m/s: " + value("pv_max_W_per_m2", 1e6) +
+                            " at " + value("pv_max_theta_deg", 1) + "°"));
+  // The contact is wider than a: where it crosses the equator of Dw the slip
+  // is rho |Dw|.
+  EXPECT_TRUE(has(ball, "slip, m/s: to 0.028"));
+  EXPECT_TRUE(has(ball, "−X"));
+  const auto pin = draw("pin_joint.toml --reaction 2e5 --rate 2");
+  EXPECT_TRUE(has(pin, value("p_peak_Pa", 1e6)));
+  EXPECT_TRUE(has(pin, value("pv_max_W_per_m2", 1e6)));
+  EXPECT_TRUE(has(pin, value("v_m_per_s", 1)));
+}
+
+TEST(Pictures, NoPictureOfNoContact) {
+  const ProgramFolder folder;
+  const ProgramResult result = folder.run(
+      "hinge-joint --joint data/joints/pin_joint.toml --reaction 0 --map p.svg "
+      "--columns state");
+  EXPECT_EQ(result.status, 1);
+  EXPECT_EQ(result.out, "state\nunloaded\n");
+  EXPECT_EQ(result.err,
+            "hinge-joint: warning: no picture p.svg: no contact slides\n");
+  EXPECT_EQ(folder.files(), std::vector<std::string>{});
 }
 
 TEST(Pictures, LogarithmicAxesEndWithTheData) {

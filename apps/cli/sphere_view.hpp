@@ -1,0 +1,31 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+
+namespace cli {
+
+/// A part of a sphere as it is seen from outside, in Lambert's projection,
+/// equal in area: at the angle t from `up`, 2 sin(t/2) from the middle.
+struct SphereView {
+  Eigen::Vector3d up;     ///< towards the eye
+  Eigen::Vector3d right;  ///< of the picture
+  Eigen::Vector3d top;
+  double radius = 0;  ///< of what is shown, at most 2
+
+  /// Z at the top, or Y where the eye looks along Z.
+  /// @param towards_eye  unit vector
+  explicit SphereView(const Eigen::Vector3d& towards_eye);
+
+  /// Where a point of the unit sphere is in the picture.
+  Eigen::Vector2d at(const Eigen::Vector3d& point) const;
+  /// The point that is there.
+  Eigen::Vector3d point(double x, double y) const;
+
+  /// gnuplot's labels of the axes X, Y, Z that can be seen.
+  std::string axis_labels() const;
+  /// gnuplot's circles at 30, 60, ... deg from the middle.
+  std::string circles() const;
+};
+
+}  // namespace cli
