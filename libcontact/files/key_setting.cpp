@@ -36,18 +36,32 @@ const KnownKey* known(const KnownKeys* keys, std::string_view name) {
   return found == keys->end() ? nullptr : &*found;
 }
 
+// The number that a text is and nothing else.
+template <class Number>
+std::optional<Number> number_of(std::string_view text) {
+  Number number = 0;
+  const auto end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, number);
+  if (error != std::errc() || stop != end) return {};
+  return number;
+}
+
+// The node of an array that "[2]" calls; null if there is none.
+toml::node* element(toml::node* array, std::string_view which) {
+  if (array == nullptr || array->as_array() == nullptr) return nullptr;
+  const auto index = number_of<std::size_t>(which);
+  return index ? array->as_array()->get(*index - 1) : nullptr;
+}
+
 // Of an array of tables, by number or name; null if there is none.
 toml::table* table_among(toml::array& tables, std::string_view which) {
-  std::size_t index = 0;
-  const auto end = which.data() + which.size();
-  const auto number = std::from_chars(which.data(), end, index);
-  const bool is_number = number.ec == std::errc() && number.ptr == end;
+  if (number_of<std::size_t>(which)) {
+    toml::node* node = element(&tables, which);
+    return node == nullptr ? nullptr : node->as_table();
+  }
   for (toml::node& node : tables) {
     toml::table* table = node.as_table();
-    if (is_number ? --index == 0
-                  : table != nullptr && (*table)["name"] == which) {
-      return table;
-    }
+    if (table != nullptr && (*table)["name"] == which) return table;
   }
   return nullptr;
 }
@@ -104,22 +118,8 @@ std::string multiplied(const toml::node& node, double factor) {
 // The factor of a value "*1.05".
 std::optional<double> factor_of(std::string_view value) {
   if (!value.starts_with('*')) return {};
-  double factor = 0;
-  const auto [end, error] =
-      std::from_chars(value.data() + 1, value.data() + value.size(), factor);
-  const bool whole = end == value.data() + value.size();
-  if (error != std::errc() || !whole || !std::isfinite(factor)) return {};
-  return factor;
-}
-
-// The node of an array that "[2]" calls; null if there is none.
-toml::node* element(toml::node* array, std::string_view which) {
-  if (array == nullptr || array->as_array() == nullptr) return nullptr;
-  std::size_t index = 0;
-  const auto end = which.data() + which.size();
-  const auto [stop, error] = std::from_chars(which.data(), end, index);
-  const bool is_number = error == std::errc() && stop == end;
-  return is_number ? array->as_array()->get(index - 1) : nullptr;
+  const auto factor = number_of<double>(value.substr(1));
+  return factor && std::isfinite(*factor) ? factor : std::nullopt;
 }
 
 // {value = VALUE}, whose nodes say where they are from; what is no TOML is a
@@ -130,6 +130,41 @@ toml::table parsed(const std::string& value, const std::string& source) {
   } catch (const toml::parse_error&) {
     return toml::parse("value = '''" + value + "'''", source);
   }
+}
+
+// Puts a value in its place in a table; false if the array has no such place.
+bool put(toml::table& table, const Step& leaf, const KnownKeys* keys,
+         std::string value, const std::string& setting) {
+  const KnownKey* key = known(keys, leaf.name);
+  const auto factor = factor_of(value);
+  const std::string name =
+      factor ? name_in(table, key, leaf.name) : std::string(leaf.name);
+  const bool is_element = !leaf.which.empty();
+  toml::node* there = table.get(name);
+  if (is_element) there = element(there, leaf.which);
+  if (factor) {
+    value = there == nullptr ? "" : multiplied(*there, *factor);
+    if (value.empty()) {
+      throw Error(needs(setting, "a number, or numbers, to multiply"));
+    }
+  }
+  toml::table made = parsed(value, setting);
+  toml::node& node = *made.get("value");
+  if (is_element) {
+    if (there == nullptr) return false;
+    toml::array& array = *table.get_as<toml::array>(name);
+    const auto place = std::ranges::find_if(
+        array, [there](const toml::node& other) { return &other == there; });
+    node.visit([&](auto& v) { array.replace(place, std::move(v)); });
+    return true;
+  }
+  if (key != nullptr) {
+    for (const std::string& other : spellings(key->key, key->dimension)) {
+      table.erase(other);
+    }
+  }
+  node.visit([&](auto& v) { table.insert_or_assign(name, std::move(v)); });
+  return true;
 }
 
 }  // namespace
@@ -161,36 +196,7 @@ KeyOfFile set_key(toml::table& file, const KnownKeys& keys,
       setting.value.find("'''") != setting.value.npos) {
     refuse();
   }
-  const Step leaf = step_of(rest);
-  const KnownKey* key = known(in, leaf.name);
-  const auto factor = factor_of(setting.value);
-  const std::string name =
-      factor ? name_in(*table, key, leaf.name) : std::string(leaf.name);
-  toml::node* there = table->get(name);
-  if (!leaf.which.empty()) there = element(there, leaf.which);
-  std::string value = setting.value;
-  if (factor) {
-    value = there == nullptr ? "" : multiplied(*there, *factor);
-    if (value.empty()) {
-      throw Error(needs(text, "a number, or numbers, to multiply"));
-    }
-  }
-  toml::table made = parsed(value, text);
-  toml::node& node = *made.get("value");
-  if (!leaf.which.empty()) {
-    if (there == nullptr) refuse();
-    toml::array& array = *table->get_as<toml::array>(name);
-    const auto place = std::ranges::find_if(
-        array, [there](const toml::node& other) { return &other == there; });
-    node.visit([&](auto& v) { array.replace(place, std::move(v)); });
-    return {nullptr, {}};
-  }
-  if (key != nullptr) {
-    for (const std::string& other : spellings(key->key, key->dimension)) {
-      table->erase(other);
-    }
-  }
-  node.visit([&](auto& v) { table->insert_or_assign(name, std::move(v)); });
+  if (!put(*table, step_of(rest), in, setting.value, text)) refuse();
   return {nullptr, {}};
 }
 
