@@ -161,6 +161,11 @@ void add_jobs_option(CLI::App& app, OutputOptions& options) {
       ->group("Output");
 }
 
+CLI::Option* TextOptions::operator()(const char* name, std::string& value,
+                                     const char* what, const char* kind) const {
+  return app_.add_option(name, value, what)->option_text(kind);
+}
+
 void exclude(CLI::App& app, const char* option,
              std::initializer_list<const char*> others) {
   for (const char* other : others) {

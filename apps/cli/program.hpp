@@ -9,7 +9,8 @@
 
 namespace CLI {
 class App;
-}
+class Option;
+}  // namespace CLI
 
 namespace cli {
 
@@ -44,6 +45,17 @@ struct OutputOptions : TableStyle {
 void add_output_options(CLI::App& app, OutputOptions& options);
 /// Adds --jobs.
 void add_jobs_option(CLI::App& app, OutputOptions& options);
+
+/// Adds options that take a text: what it is, and what --help calls it.
+class TextOptions {
+ public:
+  explicit TextOptions(CLI::App& app) : app_(app) {}
+  CLI::Option* operator()(const char* name, std::string& value,
+                          const char* what, const char* kind) const;
+
+ private:
+  CLI::App& app_;
+};
 
 /// Has an option conflict with others.
 void exclude(CLI::App& app, const char* option,

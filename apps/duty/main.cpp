@@ -66,10 +66,7 @@ Examples:
 
 void add_cycle(CLI::App& app, Options& options) {
   app.option_defaults()->group("Cycle");
-  const auto text = [&app](const char* name, std::string& value,
-                           const char* what, const char* kind) {
-    return app.add_option(name, value, what)->option_text(kind);
-  };
+  const cli::TextOptions text(app);
   text("--cycle", options.cycle,
        "CSV file, - for standard input; or table of OpenSim, .sto or .mot",
        "FILE")

@@ -56,10 +56,7 @@ Examples:
 
 void add_data(CLI::App& app, Options& options) {
   app.option_defaults()->group("Data");
-  const auto text = [&app](const char* name, std::string& value,
-                           const char* what, const char* kind) {
-    return app.add_option(name, value, what)->option_text(kind);
-  };
+  const cli::TextOptions text(app);
   text("--data", options.data, "CSV file of moments, - for standard input",
        "FILE")
       ->required();
@@ -72,10 +69,7 @@ void add_data(CLI::App& app, Options& options) {
 
 void add_fit(CLI::App& app, Options& options) {
   app.option_defaults()->group("Fit");
-  const auto text = [&app](const char* name, std::string& value,
-                           const char* what, const char* kind) {
-    return app.add_option(name, value, what)->option_text(kind);
-  };
+  const cli::TextOptions text(app);
   text("--fit", options.fit, "some of f0, A, clearance; default f0,A", "LIST");
   text("--friction", options.friction, "f0, if it is not fitted", "NUMBER");
   text("--adhesion", options.adhesion, "A, Pa, if it is not fitted", "NUMBER");

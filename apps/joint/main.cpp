@@ -133,10 +133,7 @@ void add_friction(CLI::App& app, Options& options) {
 
 void add_state(CLI::App& app, Options& options) {
   app.option_defaults()->group("State");
-  const auto text = [&app](const char* name, std::string& value,
-                           const char* what, const char* kind) {
-    return app.add_option(name, value, what)->option_text(kind);
-  };
+  const cli::TextOptions text(app);
   auto* xyz =
       text("--reaction-xyz", options.reaction_xyz, "R on the body, N", "X,Y,Z");
   text("--rate-xyz", options.rate_xyz, "Dw, rad/s", "X,Y,Z")->needs(xyz);
@@ -166,17 +163,17 @@ void add_loops(CLI::App& app, Options& options) {
   auto* outer = app.add_option("--outer", options.outer,
                                "outer loop: change of R, N per N m of M")
                     ->option_text("X,Y,Z");
-  const auto text = [&app, outer](const char* name, std::string& value,
-                                  const char* what, const char* kind) {
-    return app.add_option(name, value, what)->option_text(kind)->needs(outer);
-  };
+  const cli::TextOptions text(app);
   text("--joints", options.joints, "M is that of so many joints; default 1",
-       "N");
+       "N")
+      ->needs(outer);
   text("--braking", options.braking,
-       "angular acceleration over M, deg/s^2 per N m", "NUMBER");
+       "angular acceleration over M, deg/s^2 per N m", "NUMBER")
+      ->needs(outer);
   text("--inner-steps", options.inner_steps,
        "steps of the inner loop in each round; default: until converged",
-       "LIST");
+       "LIST")
+      ->needs(outer);
 }
 
 void add_output(CLI::App& app, Options& options) {

@@ -254,10 +254,7 @@ void add_joint_options(CLI::App& app, JointOptions& o) {
                  "of the ball or pin: centre (default) or back:PSI")
       ->option_text("NAME");
   app.option_defaults()->group(without_file);
-  const auto add = [&app](const char* name, std::string& value,
-                          const char* what, const char* kind) {
-    return app.add_option(name, value, what)->option_text(kind);
-  };
+  const TextOptions add(app);
   auto* pair =
       add("--pair", o.pair, "materials of the two bodies, a TOML file", "FILE");
   if (!friction) {
