@@ -147,11 +147,9 @@ contact_status contact_joint_pressure(const contact_joint* joint,
                                       double* pressure) {
   return call([=] {
     const auto& contact = contact_of(joint, "contact_joint_pressure: joint");
-    const auto& geometry = contact.geometry();
     double& p = given(pressure, "contact_joint_pressure: pressure");
-    p = contact.pressure_law().pressure(
-            theta, contact.half_angle(normal_force).half_angle) *
-        geometry.pressure_unit(geometry.load_from_force(normal_force));
+    p = contact.pressure(theta, normal_force,
+                         contact.half_angle(normal_force).half_angle);
     return status_of({p}, "contact_joint_pressure: normal_force", normal_force);
   });
 }
@@ -161,16 +159,12 @@ contact_status contact_joint_approach(const contact_joint* joint,
                                       double* stiffness) {
   return call([=] {
     const auto& contact = contact_of(joint, "contact_joint_approach: joint");
-    const auto& geometry = contact.geometry();
     double& delta = given(approach, "contact_joint_approach: approach");
     double& slope = given(stiffness, "contact_joint_approach: stiffness");
-    const auto unit = contact.half_angle_law().approach(
-        contact.half_angle(normal_force).half_angle);
-    delta = unit.approach * geometry.radial_clearance();
-    slope = unit.stiffness *
-            (contact.pair().effective_modulus() *
-             (geometry.kind() == contact::JointKind::ball ? geometry.radius()
-                                                          : geometry.length()));
+    const auto value =
+        contact.approach(contact.half_angle(normal_force).half_angle);
+    delta = value.approach;
+    slope = value.stiffness;
     return status_of({delta, slope}, "contact_joint_approach: normal_force",
                      normal_force, "of a joint that has an approach");
   });

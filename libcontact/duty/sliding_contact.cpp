@@ -51,8 +51,7 @@ SlidingContact::SlidingContact(const JointContact& contact,
   const double rho = geometry.radius();
   const bool is_carrier = geometry.inner_body() == JointBody::carrier;
   centre_ = is_carrier ? solution.normal : Vector3d(-solution.normal);
-  pressure_unit_ =
-      geometry.pressure_unit(geometry.load_from_force(normal_force_));
+  pressure_unit_ = contact.pressure_unit(normal_force_);
   rim_speed_ = rho * rate.stableNorm();
   if (const auto* dry = std::get_if<FrictionLaw>(&contact.friction())) {
     heat_stress_ = {dry->coefficient(), dry->adhesion(), 1};

@@ -40,7 +40,7 @@ WearMap::WearMap(const JointCycle& cycle, JointBody body)
          to_body * cycle.sliding(node).centre(),
          2 * std::sin(s.half_angle / 2),
          node.weight * geometry_.radius() * (to_body * node.state.rate),
-         geometry_.pressure_unit(geometry_.load_from_force(s.normal_force))});
+         cycle.contact().pressure_unit(s.normal_force)});
   }
 }
 

@@ -32,6 +32,17 @@ double force_at_load_parameter_one(const JointGeometry& geometry,
 
 }  // namespace
 
+ContactApproach joint_approach(const HalfAngleLaw& law,
+                               const JointGeometry& geometry,
+                               const ElasticPair& pair,
+                               double half_angle) noexcept {
+  const ContactApproach unit = law.approach(half_angle);
+  const double length = geometry.kind() == JointKind::ball ? geometry.radius()
+                                                           : geometry.length();
+  return {unit.approach * geometry.radial_clearance(),
+          unit.stiffness * (pair.effective_modulus() * length)};
+}
+
 JointContact::JointContact(JointGeometry geometry, ElasticPair pair,
                            FrictionModel friction,
                            std::shared_ptr<const HalfAngleLaw> half_angle_law,
@@ -105,10 +116,8 @@ FrictionIntegrals JointContact::stress_integrals(
     double half_angle, SlipAxis axis, const Load& load) const noexcept {
   const bool is_ball = geometry_.kind() == JointKind::ball;
   const double rho = geometry_.radius();
-  const StressedContact contact = {
-      half_angle,
-      geometry_.pressure_unit(geometry_.load_from_force(load.normal_force)),
-      rho * load.speed};
+  const StressedContact contact = {half_angle, pressure_unit(load.normal_force),
+                                   rho * load.speed};
   const FrictionTriple sum =
       is_ball
           ? contact::stress_integrals(*pressure_law_, contact, axis, *stress())
@@ -152,6 +161,10 @@ JointContact::Strength JointContact::strength(double speed) const noexcept {
   const double scale = rho * speed;
   return {viscous.pressure_slope() * scale,
           viscous.constant() * rho * rho * scale};
+}
+
+ContactApproach JointContact::approach(double half_angle) const noexcept {
+  return joint_approach(*half_angle_law_, geometry_, pair_, half_angle);
 }
 
 double JointContact::area(double half_angle) const noexcept {

@@ -16,6 +16,15 @@
 
 namespace contact {
 
+/// How far a joint's halves are pressed into each other, m from first touch,
+/// and dR_n/d(approach), N/m: HalfAngleLaw::approach() in SI units, with what
+/// is NaN there.
+/// @param half_angle  theta0, rad
+ContactApproach joint_approach(const HalfAngleLaw& law,
+                               const JointGeometry& geometry,
+                               const ElasticPair& pair,
+                               double half_angle) noexcept;
+
 /// The contact of a joint's two halves: everything that is fixed about it
 /// (geometry, elastic pair, friction, laws of half-angle and pressure),
 /// validated once, and the friction of a contact whose normal force and
@@ -125,6 +134,19 @@ class JointContact {
   double peak_pressure(double normal_force, double half_angle) const noexcept {
     return pressure_law_->peak(half_angle) * normal_force / unit_pressure_area_;
   }
+  /// JointGeometry::pressure_unit() under R_n, Pa.
+  double pressure_unit(double normal_force) const noexcept {
+    return geometry_.pressure_unit(geometry_.load_from_force(normal_force));
+  }
+  /// p(theta), Pa; 0 outside the contact.
+  /// @param theta  angle from the contact's centre, rad
+  double pressure(double theta, double normal_force,
+                  double half_angle) const noexcept {
+    return pressure_law_->pressure(theta, half_angle) *
+           pressure_unit(normal_force);
+  }
+  /// joint_approach() of the half-angle law.
+  ContactApproach approach(double half_angle) const noexcept;
   /// Mean pressure over the contact, Pa.
   double mean_pressure(double normal_force, double half_angle) const noexcept {
     return pressure_law_->mean(half_angle) * normal_force / unit_pressure_area_;

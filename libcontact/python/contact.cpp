@@ -34,31 +34,9 @@ py::object pressure(const FileJoint& self, const Numbers& theta,
   const JointContact& contact = self.contact();
   return evaluate({{"theta", theta, 0}, {"normal_force", force, 0}},
                   [&](const double* const* at) {
-                    const double load =
-                        contact.geometry().load_from_force(*at[1]);
-                    return contact.pressure_law().pressure(
-                               *at[0], contact.half_angle(*at[1]).half_angle) *
-                           contact.geometry().pressure_unit(load);
+                    return contact.pressure(
+                        *at[0], *at[1], contact.half_angle(*at[1]).half_angle);
                   });
-}
-
-// delta in m or its derivative in N/m.
-double approach(const JointContact& contact, double force) {
-  return contact.half_angle_law()
-             .approach(contact.half_angle(force).half_angle)
-             .approach *
-         contact.geometry().radial_clearance();
-}
-
-double stiffness(const JointContact& contact, double force) {
-  const auto& geometry = contact.geometry();
-  const double length = geometry.kind() == contact::JointKind::ball
-                            ? geometry.radius()
-                            : geometry.length();
-  return contact.half_angle_law()
-             .approach(contact.half_angle(force).half_angle)
-             .stiffness *
-         contact.pair().effective_modulus() * length;
 }
 
 std::vector<std::string> notes(const FileJoint& self,
@@ -235,16 +213,24 @@ void bind_quantities(py::class_<FileJoint>& type) {
       },
       "contact_area(self, normal_force)\n--\n\n"
       "m^2. normal_force: R_n, N, (...).");
-  of("approach", &approach,
-     "approach(self, normal_force)\n--\n\n"
-     "How far R_n presses the ball or pin into its seat or hole, from first\n"
-     "touch, m. NaN unless the half-angle law is exact, and where there is "
-     "none:\na pin in an infinite hole, loaded through the back.\n\n"
-     "normal_force: R_n, N, (...), above 0. To 2e-7 of itself.");
-  of("stiffness", &stiffness,
-     "stiffness(self, normal_force)\n--\n\n"
-     "d R_n/d approach, N/m. NaN and accuracy as of approach().\n\n"
-     "normal_force: R_n, N, (...), above 0.");
+  of(
+      "approach",
+      [](const JointContact& c, double force) {
+        return c.approach(c.half_angle(force).half_angle).approach;
+      },
+      "approach(self, normal_force)\n--\n\n"
+      "How far R_n presses the ball or pin into its seat or hole, from first\n"
+      "touch, m. NaN unless the half-angle law is exact, and where there is "
+      "none:\na pin in an infinite hole, loaded through the back.\n\n"
+      "normal_force: R_n, N, (...), above 0. To 2e-7 of itself.");
+  of(
+      "stiffness",
+      [](const JointContact& c, double force) {
+        return c.approach(c.half_angle(force).half_angle).stiffness;
+      },
+      "stiffness(self, normal_force)\n--\n\n"
+      "d R_n/d approach, N/m. NaN and accuracy as of approach().\n\n"
+      "normal_force: R_n, N, (...), above 0.");
   type.def("pressure", &pressure, py::arg("theta"), py::arg("normal_force"),
            "pressure(self, theta, normal_force)\n--\n\n"
            "Contact pressure, Pa; 0 outside of the contact.\n\n"

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "cli/joint/joint_options.hpp"
-#include "libcontact/half_angle/law.hpp"
+#include "libcontact/joint/contact.hpp"
 
 namespace cli {
 
@@ -24,18 +24,14 @@ class JointApproach {
                 const Joint& joint)
       : law_(std::move(law)),
         per_length_(!joint.has_length),
-        clearance_(joint.geometry->radial_clearance()),
-        stiffness_(joint.pair.effective_modulus() *
-                   (joint.kind == contact::JointKind::ball
-                        ? joint.geometry->radius()
-                        : joint.geometry->length())) {}
+        geometry_(*joint.geometry),
+        pair_(joint.pair) {}
 
   /// approach, m, from first touch of the unloaded bodies; stiffness,
   /// d load/d approach. NaN where there is none: without load, loaded through
   /// the back, and for a pin in an infinite hole.
   contact::ContactApproach operator()(double half_angle) const {
-    const contact::ContactApproach value = law_->approach(half_angle);
-    return {value.approach * clearance_, value.stiffness * stiffness_};
+    return joint_approach(*law_, geometry_, pair_, half_angle);
   }
 
   /// Names of both columns.
@@ -47,8 +43,8 @@ class JointApproach {
  private:
   std::shared_ptr<const contact::HalfAngleLaw> law_;
   bool per_length_;
-  double clearance_;
-  double stiffness_;
+  contact::JointGeometry geometry_;
+  contact::ElasticPair pair_;
 };
 
 }  // namespace cli
