@@ -83,6 +83,7 @@ std::string histogram(const Study& study, const Journal& journal,
   script += "END\n" + heading(study.plan().name, requirement.quantity, "runs");
   script += fmt::format(
       "top = {}\nset samples 3\nset yrange [0:*]\nset style fill solid 0.5\n"
+      "set key below\n"
       "plot $counts using 1:2:({}) with boxes lt 1 lw 0.5 title '{} runs'",
       1.05 * top, cli::number_text(classes.width), values.size());
   script += upright(requirement.limit, 2, 1, "limit");
