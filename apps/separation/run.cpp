@@ -176,17 +176,17 @@ cli::ExitStatus compare(const Case& c, const Options& o) {
   return status_of(interrupts, status);
 }
 
-RunOptions run_options(const Case& c, const Options& o) {
+RunOptions run_options(const Options& o) {
   RunOptions run;
-  run.friction = o.friction.empty()
-                     ? c.friction
-                     : cli::choice("--friction", o.friction, friction_choices);
+  if (!o.friction.empty()) {
+    run.friction = cli::choice("--friction", o.friction, friction_choices);
+  }
   run.clearance = !o.no_clearance;
   return run;
 }
 
 cli::ExitStatus simulate(const Case& c, const Options& o) {
-  RunOptions options = run_options(c, o);
+  RunOptions options = run_options(o);
   // Before the run: files that cannot be made should not cost its result.
   cli::TableStyle style = o.output;
   style.format = cli::Format::csv;  // what is asked for is of the summary

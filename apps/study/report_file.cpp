@@ -72,9 +72,7 @@ std::string case_text(const Study& study, const separation::Case& c,
 std::string replay_of(const Study& study, std::uint64_t run,
                       const PageParts& parts) {
   const separation::Case c = study.case_of(run);
-  separation::RunOptions options;
-  options.friction = c.friction;
-  const separation::Outcome outcome = separation::run_case(c, options);
+  const separation::Outcome outcome = separation::run_case(c);
   separation::Replay replay{c, {{"", &outcome}}, {}, case_text(study, c, run)};
   replay.warnings = separation::replay_faults(replay);
   if (!outcome.failure.empty()) replay.warnings.push_back(outcome.failure);

@@ -136,13 +136,11 @@ cli::ExitStatus repeat(const Options& o, const Study& study) {
   }
   if (!o.history.empty()) {
     const separation::Case c = study.case_of(run);
-    separation::RunOptions options;
-    options.friction = c.friction;
     cli::TableStyle style = o.output;
     style.format = cli::Format::csv;
     separation::HistoryFile history(o.history, style,
                                     separation::history_columns(c, true));
-    history.write(separation::run_case(c, options).memory.rows);
+    history.write(separation::run_case(c).memory.rows);
   }
   const Row row = study.row(run);
   const auto names = study.columns();

@@ -17,12 +17,11 @@ using contact::detail::message;
 using contact::detail::must_be;
 using separation::Case;
 using separation::Run;
-using separation::RunOptions;
 
 /// What C holds of a run.
 struct contact_run {  // NOLINT(readability-identifier-naming)
-  contact_run(Case c, const RunOptions& options)
-      : identity(identity_of(c, options)), run(std::move(c), options) {}
+  explicit contact_run(Case c)
+      : identity(identity_of(c, {})), run(std::move(c)) {}
 
   const std::string identity;
   Run run;
@@ -50,12 +49,10 @@ contact_status contact_run_open(const char* path,
                                 std::size_t count, contact_run** run) {
   return call([=] {
     given(run, "contact_run_open: run");
-    Case c = separation::read_case(
-        &given(path, "contact_run_open: path"), {},
-        contact::c::settings_of(settings, count, "contact_run_open"));
-    RunOptions options;
-    options.friction = c.friction;
-    return contact::c::hand_over(run, std::move(c), options);
+    return contact::c::hand_over(
+        run, separation::read_case(
+                 &given(path, "contact_run_open: path"), {},
+                 contact::c::settings_of(settings, count, "contact_run_open")));
   });
 }
 

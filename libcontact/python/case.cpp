@@ -92,7 +92,6 @@ py::tuple run(const FileCase& file, bool clearance,
               const py::object& progress) {
   Listener listener(progress, file.of.end_time);
   separation::RunOptions options;
-  options.friction = file.of.friction;
   options.clearance = clearance;
   options.progress = [&](const separation::Run& r) {
     listener.come_to(r.time());

@@ -22,7 +22,7 @@ Run::Run(Case c, RunOptions options)
 }
 
 void Run::start() {
-  simulation_ = std::make_unique<Simulation>(case_, options_.friction);
+  simulation_ = std::make_unique<Simulation>(case_, friction());
   time_ = simulation_->time();
   simulation_->halt_when([this] {
     pace_.note(*simulation_);
@@ -97,7 +97,7 @@ Run::Status Run::advance_to(double time) {
 
 const Simulation& Run::copy() const {
   if (!copy_) {
-    copy_ = std::make_unique<Simulation>(case_, options_.friction);
+    copy_ = std::make_unique<Simulation>(case_, friction());
     copy_->restore(simulation_->step_state());
     copy_->advance_to(time_);
   }
@@ -122,9 +122,9 @@ multibody::MotionCounts Run::counts() const {
 }
 
 Outcome Run::outcome_with(Recorder::Memory memory) const {
-  Outcome outcome{options_.friction,     message_, simulation_->time(),
-                  std::move(memory),     counts(), {},
-                  simulation_->history()};
+  Outcome outcome{
+      friction(), message_, simulation_->time(),   std::move(memory),
+      counts(),   {},       simulation_->history()};
   for (int body = 0; body < static_cast<int>(case_.bodies.size()); ++body) {
     outcome.modes.push_back(simulation_->sample().mode(body));
   }

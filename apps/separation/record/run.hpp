@@ -21,9 +21,9 @@ using StopRule = std::function<std::string(long steps)>;
 
 /// How a case is run.
 struct RunOptions {
-  FrictionChoice friction = FrictionChoice::full;
-  bool rows = true;       ///< keep the time history
-  bool clearance = true;  ///< work out distances
+  std::optional<FrictionChoice> friction = {};  ///< none: as the case has it
+  bool rows = true;                             ///< keep the time history
+  bool clearance = true;                        ///< work out distances
   /// Look only at events and at the end; peaks are those of these times.
   bool only_events = false;
   StopRule stop = {};  ///< none: goes on to its end
@@ -117,6 +117,9 @@ class Run {
   void look_here();
   bool give_up(Status status, std::string why);
   bool is_due_to_stop();
+  FrictionChoice friction() const {
+    return options_.friction.value_or(case_.friction);
+  }
   const Simulation& copy() const;
   Outcome outcome_with(Recorder::Memory memory) const;
 

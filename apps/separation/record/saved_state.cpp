@@ -72,7 +72,8 @@ void refuse_stranger(const std::string& name) {
 }
 
 std::string identity_of(const Case& c, const RunOptions& options) {
-  return fmt::format("{}\n{}\n", static_cast<int>(options.friction),
+  return fmt::format("{}\n{}\n",
+                     static_cast<int>(options.friction.value_or(c.friction)),
                      options.clearance) +
          identity(c);
 }

@@ -142,10 +142,8 @@ std::vector<Envelope> envelopes(const Study& study, const Findings& findings) {
   }
   const auto runs = runs_of(study, findings);
   for (const std::uint64_t run : runs) {
-    const separation::Case c = study.case_of(run);
-    separation::RunOptions options;
-    options.friction = c.friction;
-    const separation::Outcome outcome = separation::run_case(c, options);
+    const separation::Outcome outcome =
+        separation::run_case(study.case_of(run));
     for (Kind& kind : kinds) kind.samples.add(outcome.memory.rows);
   }
   std::vector<Envelope> result;

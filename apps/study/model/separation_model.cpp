@@ -192,7 +192,6 @@ Result SeparationModel::run(const Settings& settings, const Effort& effort,
   // What a number is does not depend on when rows of a history would be.
   c.output_step = c.end_time;
   separation::RunOptions options;
-  options.friction = c.friction;
   options.rows = false;
   options.clearance = effort.clearance;
   options.only_events = !effort.peaks && !effort.clearance;
