@@ -21,8 +21,9 @@ joint file's, or fitted.
 Pressure laws: cosine (the paper's (3.3)), sqrt_tan (sqrt(1 - tan^2(t/2)/
 tan^2(theta0/2))), sqrt_theta (sqrt(1 - (t/theta0)^2)), mixture (cosine and
 sqrt_tan in the share that suits the materials), exact (the theory of
-elasticity for this pair; the default, unless the joint file names another), or
-all. Each carries the whole load.
+elasticity for this pair; the default, unless the joint file names another),
+worn (cos t, of a surface that has worn in; up to 90 deg), or all, which leaves
+worn out. Each carries the whole load.
 )";
 
 constexpr std::string_view column_help = R"(

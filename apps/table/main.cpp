@@ -25,8 +25,8 @@ Columns, all without units but the angles:
 The names of the columns that depend on the pressure end in its: chi_cosine,
 I_p_exact. With another pressure than cosine the weight is p(t)/p(0), R_n = rho^2
 p(0) I_normal. Pressures: cosine (default without materials), sqrt_tan,
-sqrt_theta, and mixture and exact (default with materials), which need the
-materials by --joint, --pair or --modulus-ratio.
+sqrt_theta, worn (up to 90 deg), and mixture and exact (default with materials),
+which need the materials by --joint, --pair or --modulus-ratio.
 CSV and JSON have the shortest numbers that read back as the same double.
 markdown and latex are for print, with 4 significant digits: of a grid a
 two-way table of one --quantity, of --points a list. A picture shows one

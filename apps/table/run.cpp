@@ -66,8 +66,8 @@ cli::Joint make_ball(const cli::JointOptions& options) {
       options.pressures.empty() && name != contact::default_pressure_law;
   if (!materials.empty() && !by_materials && !named) {
     cli::refuse_without(materials,
-                        "--pressure mixture or exact: cosine, sqrt_tan and "
-                        "sqrt_theta are the same for all materials");
+                        "--pressure mixture or exact: all others are the same "
+                        "for all materials");
   }
   return ball;
 }

@@ -243,8 +243,8 @@ InnerLoading loading_from_table(const TomlTable& file, const JointSpec& joint) {
   }
   if (!pressure_law_allows(joint.pressure_law, conditions)) {
     table->needs("kind",
-                 "one of the pressure laws cosine, sqrt_tan, sqrt_theta and "
-                 "exact; this joint has " +
+                 "one of the pressure laws cosine, sqrt_tan, sqrt_theta, "
+                 "exact and worn; this joint has " +
                      joint.pressure_law);
   }
   return loading;

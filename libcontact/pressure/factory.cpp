@@ -7,18 +7,19 @@
 #include "libcontact/pressure/exact.hpp"
 #include "libcontact/pressure/mixture.hpp"
 #include "libcontact/pressure/sqrt.hpp"
+#include "libcontact/pressure/worn.hpp"
 
 namespace contact {
 
 const std::vector<std::string>& pressure_law_names() {
   static const std::vector<std::string> names = {
-      "cosine", "sqrt_tan", "sqrt_theta", "mixture", "exact"};
+      "cosine", "sqrt_tan", "sqrt_theta", "mixture", "exact", "worn"};
   return names;
 }
 
 bool pressure_law_allows(std::string_view name,
                          const ContactConditions& conditions) {
-  if (conditions.walls) return name == "exact";
+  if (conditions.walls) return name == "exact" || name == "worn";
   return !conditions.loading.is_back() || name != "mixture";
 }
 
@@ -44,6 +45,7 @@ std::unique_ptr<PressureLaw> make_pressure_law(
     return walls ? std::make_unique<ExactPressure>(kind, *walls, loading)
                  : std::make_unique<ExactPressure>(kind, pair, loading);
   }
+  if (name == "worn") return std::make_unique<WornPressure>(kind);
   throw Error(detail::unknown("pressure law", name, pressure_law_names()));
 }
 

@@ -16,14 +16,14 @@ namespace contact {
 inline constexpr std::string_view default_pressure_law = "exact";
 
 /// Names that make_pressure_law() knows: cosine, sqrt_tan, sqrt_theta,
-/// mixture, exact.
+/// mixture, exact, worn.
 const std::vector<std::string>& pressure_law_names();
 
 /// Whether the law of this name may be taken under these conditions. Loaded
 /// through the back all but mixture, which is fitted to contacts under a force
-/// at the centre; cosine, sqrt_tan and sqrt_theta are plain shapes, the same
-/// for any pair and loading. With finite walls exact alone: thin liners and
-/// free rings press in other shapes.
+/// at the centre; cosine, sqrt_tan, sqrt_theta and worn are plain shapes, the
+/// same for any pair and loading. With finite walls exact and worn alone: thin
+/// liners and free rings press in other shapes until wear has shaped them.
 bool pressure_law_allows(std::string_view name,
                          const ContactConditions& conditions);
 

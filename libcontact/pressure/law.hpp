@@ -26,8 +26,8 @@ PressureExpansion expansion_of(const PressureLaw&, double half_angle) noexcept;
 ///     ball:  2 pi ∫ p cos t sin t dt = 1,  0 <= t <= theta0          (3.2)
 ///     pin:        ∫ p cos t dt = 1,  -theta0 <= t <= theta0
 ///
-/// and vanishes at the edge. The variable in which all laws are smooth
-/// up to the edge is the edge variable
+/// and all but the worn pressure vanish at the edge. The variable in which all
+/// laws are smooth up to the edge is the edge variable
 ///
 ///     x = sqrt(1 - tan^2(theta/2)/tan^2(theta0/2)),
 ///
@@ -49,7 +49,8 @@ class PressureLaw {
   /// outwards. Infinite at the edge where the law starts like a square root.
   virtual double slope(double theta, double half_angle) const noexcept = 0;
 
-  /// dp/dx of the edge variable at many points of one contact; finite.
+  /// dp/dx of the edge variable at many points of one contact; finite. Over
+  /// [0, 1] they add up to the peak less the pressure at the edge.
   /// @param half_angle  theta0, rad, (0, largest_half_angle()]
   /// @param edge_variable  x, [0, 1]
   /// @param out         as many slopes

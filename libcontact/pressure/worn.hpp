@@ -17,8 +17,9 @@ namespace contact {
 /// | S | 3 s^2/(2 (1 - c^3)) | 2 s/(theta0 + s c) |
 ///
 /// That of a pin is exact, that of a ball where all points slide alike.
-/// Friction integrals are those of the cosine pressure and of the area. 0 to 90
-/// deg.
+/// Friction integrals are those of the cosine pressure and of the area, I[p] +
+/// c I[1]. 0 to 90 deg; relative error of peak and S at most 2e-15
+/// (pressure/family_test.cpp).
 class WornPressure final : public PressureLaw {
  public:
   explicit WornPressure(JointKind kind) : PressureLaw(kind) {}

@@ -138,7 +138,7 @@ TEST(HingeJoint, AllLaws) {
       "hinge-joint --joint data/joints/pin_joint.toml --law all "
       "--pressure all --reaction 1e3"));
   const std::size_t laws = contact::half_angle_law_names().size() - 1;
-  ASSERT_EQ(table.size(), laws * contact::pressure_law_names().size());
+  ASSERT_EQ(table.size(), laws * (contact::pressure_law_names().size() - 1));
   EXPECT_EQ(table.text(1, "law"), contact::half_angle_law_names()[0]);
 }
 

@@ -31,6 +31,13 @@ std::string first_line(const std::string& text) {
   return text.substr(0, text.find('\n'));
 }
 
+// Those of --pressure all.
+std::vector<std::string> all_names() {
+  std::vector<std::string> names = contact::pressure_law_names();
+  std::erase(names, "worn");
+  return names;
+}
+
 std::vector<double> numbers(const std::string& csv, const std::string& name) {
   std::vector<double> values;
   for (const std::string& cell : csv_column(csv_rows(csv), name)) {
@@ -55,7 +62,7 @@ TEST(HingePressure, ProfileIsTheLibrarys) {
   const auto loads = numbers(result.out, "load_N");
   const auto angles = numbers(result.out, "theta_deg");
   ASSERT_EQ(loads.size(), 12U);
-  for (const std::string& name : contact::pressure_law_names()) {
+  for (const std::string& name : all_names()) {
     const auto pressure =
         contact::make_pressure_law(name, joint.geometry.kind(), joint.pair);
     const auto printed = numbers(result.out, "p_" + name + "_Pa");
@@ -92,7 +99,7 @@ TEST(HingePressure, ProfilesCarryTheLoad) {
                    std::to_string(load) + " --joint " + joint_file);
     ASSERT_EQ(result.status, 0) << result.err;
     const auto theta = numbers(result.out, "theta_deg");
-    for (const std::string& name : contact::pressure_law_names()) {
+    for (const std::string& name : all_names()) {
       const auto p = numbers(result.out, "p_" + name + "_Pa");
       double sum = 0;
       const auto integrand = [&](std::size_t i) {
@@ -120,8 +127,7 @@ TEST(HingePressure, SummaryHasPeakMeanAreaAndSum) {
   EXPECT_EQ(first_line(result.out),
             "load_N,load_parameter,theta0_deg,law,pressure,p_peak_Pa,p_mean_Pa,"
             "p_nominal_Pa,contact_area_m2,S,chi_0,sigma_Y_0,sigma_Z_90");
-  EXPECT_EQ(csv_column(csv_rows(result.out), "pressure"),
-            contact::pressure_law_names());
+  EXPECT_EQ(csv_column(csv_rows(result.out), "pressure"), all_names());
   const auto mean = numbers(result.out, "p_mean_Pa");
   const auto area = numbers(result.out, "contact_area_m2");
   const auto sum = numbers(result.out, "S");
@@ -139,7 +145,7 @@ TEST(HingePressure, SummaryHasPeakMeanAreaAndSum) {
   const auto slide = numbers(result.out, "chi_0");
   for (std::size_t i = 0; i < spin.size(); ++i) {
     const auto law = contact::make_pressure_law(
-        contact::pressure_law_names()[i], contact::JointKind::ball, joint.pair);
+        all_names()[i], contact::JointKind::ball, joint.pair);
     // theta0 comes back from degrees.
     EXPECT_NEAR(
         contact::friction_integrals(*law, half_angle, contact::SlipAxis{1, 0})
@@ -153,6 +159,34 @@ TEST(HingePressure, SummaryHasPeakMeanAreaAndSum) {
   // The cosine's peak is 11 to 33 % above the exact one.
   EXPECT_GT(peak[0], 1.1 * peak[4]);
   EXPECT_LT(peak[0], 1.34 * peak[4]);
+}
+
+// By option and joint file; a ball up to 90 deg.
+TEST(HingePressure, Worn) {
+  const ProgramFolder folder;
+  const auto run = [&](const std::string& options) {
+    return folder.run("hinge-pressure --summary --load 1e5 " + options);
+  };
+  const ProgramResult by_option = run("--pressure worn --joint " + pin);
+  EXPECT_EQ(by_option.status, 0) << by_option.err;
+  const double theta0 =
+      numbers(by_option.out, "theta0_deg")[0] * contact::degree;
+  const double s = std::sin(theta0);
+  EXPECT_NEAR(numbers(by_option.out, "S")[0],
+              2 * s / (theta0 + s * std::cos(theta0)), 1e-14);
+  folder.run("sed s=../materials=data/materials= " + pin +
+             " >worn.toml; printf '\\n[pressure]\\nlaw = \"worn\"\\n' "
+             ">> worn.toml");
+  const ProgramResult by_file = run("--joint worn.toml");
+  EXPECT_EQ(by_file.out, by_option.out) << by_file.err;
+  const ProgramResult wide = folder.run(
+      "hinge-pressure --joint ball --modulus-ratio 1 --load-parameter 100 "
+      "--law tanh --limit-angle 120 --summary --pressure worn");
+  EXPECT_EQ(csv_column(csv_rows(wide.out), "S"), std::vector<std::string>{""});
+  EXPECT_NE(wide.err.find("pressure worn: none for 1 of 1 loads, whose "
+                          "half-angle is above 90 deg"),
+            std::string::npos)
+      << wide.err;
 }
 
 TEST(HingePressure, DimensionlessPinAndJson) {

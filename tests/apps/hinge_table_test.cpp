@@ -389,8 +389,11 @@ TEST(HingeTable, OtherPressures) {
     const auto law =
         contact::make_pressure_law(name, contact::JointKind::ball, pair);
     const bool by_materials = name == "mixture" || name == "exact";
-    const ProgramResult result = folder.run(
-        grid + (by_materials ? materials : "") + "--pressure " + name);
+    // The worn pressure ends at 90 deg.
+    const std::string widest = name == "worn" ? "90" : "100";
+    const ProgramResult result =
+        folder.run("hinge-table --theta0 20," + widest + " --alpha 30,90 " +
+                   (by_materials ? materials : "") + "--pressure " + name);
     EXPECT_EQ(result.status, 0) << result.err;
     const auto rows = csv_rows(result.out);
     // The name of the pressure is in that of every column it counts for.
@@ -401,7 +404,7 @@ TEST(HingeTable, OtherPressures) {
     ASSERT_EQ(csv_column(rows, "K_a").size(), 4U);
     for (std::size_t i = 0; i < 4; ++i) {
       const auto expected = contact::friction_integrals(
-          *law, (i < 2 ? 20 : 100) * contact::degree,
+          *law, (i < 2 ? 20 : std::stod(widest)) * contact::degree,
           contact::SlipAxis::from_degrees(i % 2 == 0 ? 30 : 90));
       // The batch's last digits differ from the scalar call's.
       EXPECT_NEAR(std::stod(chi[i]), expected.coefficient.force, 1e-14);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
@@ -50,8 +51,13 @@ std::unique_ptr<PressureLaw> law_of(const std::string& name) {
 
 const std::vector<std::string>& other_names() {
   static const std::vector<std::string> names = {"sqrt_tan", "sqrt_theta",
-                                                 "mixture", "exact"};
+                                                 "mixture", "exact", "worn"};
   return names;
+}
+
+// The worn pressure alone, at 90 deg.
+bool ends_before(const PressureLaw& law, double half_angle) {
+  return law.name() == "worn" && half_angle > law.largest_half_angle();
 }
 
 // The accuracy asked for.
@@ -131,7 +137,11 @@ FrictionTriple by_parts(const PressureLaw& law, double theta0, SlipAxis axis) {
           [&](double u) { return integrand(u, role); }, 0.0, 1.0);
     }
   }
-  return total;
+  const double edge = law.pressure(theta0, theta0);
+  const FrictionTriple area =
+      contact::exact_friction_integrals(theta0, axis).area;
+  return {total.force + edge * area.force, total.sliding + edge * area.sliding,
+          total.spinning + edge * area.spinning};
 }
 
 TEST(FrictionPressure, AgreesWithQuadratureOfTheDefinition) {
@@ -144,6 +154,7 @@ TEST(FrictionPressure, AgreesWithQuadratureOfTheDefinition) {
                                                 {85.0, 20.0},
                                                 {100.0, 40.0},
                                                 {115.0, 10.0}}) {
+      if (ends_before(*law, theta0_deg * degree)) continue;
       const SlipAxis axis = SlipAxis::from_degrees(alpha_deg);
       const auto expected = contact::reference::quadrature_friction_integrals(
           *law, theta0_deg * degree, axis, 1e-10);
@@ -169,6 +180,7 @@ TEST(FrictionPressure, AgreesWithIntegrationByParts) {
     const PressureLaw& law = *each.law;
     AccuracyReport report(each.name, budget);
     const auto add = [&](double theta0_deg, double complement_deg) {
+      if (ends_before(law, theta0_deg * degree)) return;
       const double b = std::min(std::max(complement_deg, 1e-7), 90 - 1e-7);
       const SlipAxis axis = SlipAxis::from_complement(b * degree);
       compare(report,
@@ -270,6 +282,7 @@ TEST(FrictionPressure, SpecialAxes) {
     const auto law = law_of(name);
     for (const double theta0_deg : {10.0, 89.0, 90.0, 100.0, 119.0}) {
       const double half_angle = theta0_deg * degree;
+      if (ends_before(*law, half_angle)) continue;
       const auto slide =
           contact::friction_integrals(*law, half_angle, SlipAxis{0, 1});
       EXPECT_EQ(slide.coefficient.spinning, 0) << name;
@@ -309,6 +322,7 @@ TEST(FrictionPressure, MomentsHaveAPotential) {
     // edge and the method changes; 8e-12 of the exact pressure) over h.
     AccuracyReport report(name + ": dPhi/da", name == "exact" ? 8e-8 : 1e-8);
     for (const double theta0_deg : {20.0, 70.0, 95.0}) {
+      if (ends_before(*law, theta0_deg * degree)) continue;
       for (const double alpha_deg : {5.0, 35.0, 80.0}) {
         const auto triple = [&](double a) {
           return contact::friction_integrals(*law, theta0_deg * degree,
@@ -399,7 +413,7 @@ void check_batch(const Input& in) {
         compare(report, {r[4][i], r[5][i], r[6][i]}, one.area, row);
         report.add(r[0][i], one.normal, row);
       }
-      report.check();
+      if (!ends_before(*law, std::ranges::min(in[0]))) report.check();
       // Columns that are not wanted.
       for (const std::size_t column : {1, 8}) {
         std::vector<double> only(count);
@@ -466,7 +480,8 @@ class MixedPressure final : public PressureLaw {
   double force_ratio(double) const noexcept override { return 1; }
   double peak(double) const noexcept override { return 1; }
   double slope(double, double) const noexcept override { return nan; }
-  double pressure(double, double) const noexcept override { return nan; }
+  // At the edge.
+  double pressure(double, double) const noexcept override { return 0; }
   contact::PressureExpansion expansion(
       double half_angle) const noexcept override {
     return {.cosine_share = 0.3,
@@ -611,6 +626,7 @@ TEST(FrictionPressure, ViscousAnalogueIsItsDefinition) {
     AccuracyReport report(each.name, 1e-11);
     for (const double theta0_deg : {1.0, 40.0, 90.0, 119.0}) {
       const double theta0 = theta0_deg * degree;
+      if (ends_before(law, theta0)) continue;
       const double b = std::tan(theta0 / 2);
       // 2 pi ∫ p f(t) sin t dt in the angle of the edge variable.
       const auto integral = [&](auto f) {

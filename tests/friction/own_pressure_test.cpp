@@ -54,20 +54,21 @@ class Own final : public ShapedPressure {
 double falling(double t, double theta0) {
   return (1 - t / theta0) * (1 + t / theta0);
 }
-// 3/4: between Hertz' edge and a flat one; worn: flat-topped; cone: linear
+// 3/4: between Hertz' edge and a flat one; flat_top: as it says; cone: linear
 // from the centre to the edge.
 double three_quarters(double t, double theta0) {
   return 7 * std::pow(falling(t, theta0), 0.75);
 }
-double worn(double t, double theta0) {
+double flat_top(double t, double theta0) {
   return std::sqrt(1 - std::pow(t / theta0, 8));
 }
 double parabola(double t, double theta0) { return falling(t, theta0); }
 double cone(double t, double theta0) { return 1 - t / theta0; }
 
 std::vector<Own> own_laws(JointKind kind) {
-  return {Own(kind, "three quarters", three_quarters), Own(kind, "worn", worn),
-          Own(kind, "parabola", parabola), Own(kind, "cone", cone)};
+  return {Own(kind, "three quarters", three_quarters),
+          Own(kind, "flat top", flat_top), Own(kind, "parabola", parabola),
+          Own(kind, "cone", cone)};
 }
 
 void compare(AccuracyReport& report, const FrictionTriple& computed,
@@ -165,7 +166,7 @@ TEST(OwnPressure, IsTheLawOfTheSameShape) {
 }
 
 TEST(OwnPressure, BatchIsTheScalarCall) {
-  const Own law(JointKind::ball, "worn", worn);
+  const Own law(JointKind::ball, "flat top", flat_top);
   std::array<std::vector<double>, 3> in;
   for (int i = 0; i < 150; ++i) {
     const SlipAxis axis = SlipAxis::from_degrees(0.6 * i);
@@ -193,7 +194,7 @@ TEST(InstructionSets, AreThoseOfADirectCall) {
   const std::array<std::shared_ptr<const contact::PressureLaw>, 3> laws = {
       std::make_shared<contact::CosinePressure>(ball),
       std::make_shared<contact::SqrtThetaPressure>(ball),
-      std::make_shared<Own>(ball, "worn", worn)};
+      std::make_shared<Own>(ball, "flat top", flat_top)};
   for (const auto& law : laws) {
     const contact::JointContact contact(
         contact::JointGeometry::ball(0.02, 20e-6), steel,

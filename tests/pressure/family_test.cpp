@@ -25,6 +25,7 @@
 #include "libcontact/pressure/mixture_coefficients.hpp"
 #include "libcontact/pressure/sqrt.hpp"
 #include "libcontact/pressure/validity.hpp"
+#include "libcontact/pressure/worn.hpp"
 #include "libcontact/reference/pressure_mixture_fit.hpp"
 #include "support/accuracy_report.hpp"
 #include "support/allocation_count.hpp"
@@ -66,6 +67,11 @@ std::string label(const PressureLaw& law, double half_angle) {
          ", theta0 = " + std::to_string(half_angle / degree) + " deg";
 }
 
+// The worn pressure alone, at 90 deg.
+bool ends_before(const PressureLaw& law, double half_angle) {
+  return law.name() == "worn" && half_angle > law.largest_half_angle();
+}
+
 // ∫ f(t, p(t)) over [0, theta0] in the edge variable's angle phi, in which
 // every law is smooth.
 template <class F>
@@ -91,6 +97,7 @@ TEST(PressureLaw, CarriesTheLoadAndSumsUpToTheForceRatio) {
     for (const auto& law : laws(kind)) {
       for (const double theta0_deg : {0.01, 3.0, 40.0, 77.0, 95.0, 119.0}) {
         const double half_angle = theta0_deg * degree;
+        if (ends_before(*law, half_angle)) continue;
         const bool ball = kind == JointKind::ball;
         const auto weight = [&](double t) {
           return ball ? 2 * pi * std::sin(t) : 2.0;
@@ -118,6 +125,7 @@ TEST(PressureLaw, SlopesAreDerivativesOfThePressure) {
     for (const auto& law : laws(kind)) {
       for (const double theta0_deg : {1.0, 30.0, 80.0, 110.0}) {
         const double half_angle = theta0_deg * degree;
+        if (ends_before(*law, half_angle)) continue;
         const double b = std::tan(half_angle / 2);
         for (const double x : {0.1, 0.35, 0.8, 0.97}) {
           const auto theta = [&](double edge_variable) {
@@ -143,11 +151,12 @@ TEST(PressureLaw, SlopesAreDerivativesOfThePressure) {
 
 TEST(PressureLaw, EdgeSlopesAddUpToThePeak) {
   using Rule = boost::math::quadrature::gauss<double, 60>;
-  AccuracyReport report("integral of edge_slopes", 1e-13);
+  AccuracyReport report("integral of edge_slopes over the peak", 1e-13);
   for (const JointKind kind : kinds) {
     for (const auto& law : laws(kind)) {
       for (const double theta0_deg : {1e-6, 5.0, 60.0, 90.0, 119.0}) {
         const double half_angle = theta0_deg * degree;
+        if (ends_before(*law, half_angle)) continue;
         // x = u^2, since exact pressures have x^2 ln x.
         const double sum = Rule::integrate(
             [&](double u) {
@@ -157,7 +166,10 @@ TEST(PressureLaw, EdgeSlopesAddUpToThePeak) {
               return 2 * u * value;
             },
             0.0, 1.0);
-        report.add(sum, law->peak(half_angle), label(*law, half_angle));
+        const double edge = law->pressure(half_angle, half_angle);
+        const double peak = law->peak(half_angle);
+        report.add_error(std::abs(sum - (peak - edge)) / peak,
+                         label(*law, half_angle));
       }
       // Both ends of the interval.
       std::array<double, 2> ends{0, 1};
@@ -174,11 +186,14 @@ TEST(PressureLaw, SymmetryEdgeAndNan) {
   for (const JointKind kind : kinds) {
     for (const auto& law : laws(kind)) {
       for (const double half_angle : {1e-5, 0.7, 1.9}) {
+        if (ends_before(*law, half_angle)) continue;
         const double t = 0.6 * half_angle;
         EXPECT_EQ(law->pressure(-t, half_angle), law->pressure(t, half_angle));
         EXPECT_EQ(law->slope(-t, half_angle), -law->slope(t, half_angle));
         EXPECT_EQ(law->pressure(0, half_angle), law->peak(half_angle));
-        EXPECT_EQ(law->pressure(half_angle, half_angle), 0);
+        if (law->name() != "worn") {
+          EXPECT_EQ(law->pressure(half_angle, half_angle), 0);
+        }
         EXPECT_EQ(law->slope(0, half_angle), 0);
         const double outside = std::nextafter(half_angle, 4);
         EXPECT_EQ(law->pressure(outside, half_angle), 0) << law->name();
@@ -251,8 +266,8 @@ TEST(MakePressureLaw, FollowsTheLoadingOrRefusesIt) {
       contact::test::error_message([&] {
         contact::make_pressure_law("mixture", JointKind::ball, pair, {back});
       }),
-      "pressure law mixture must be cosine, sqrt_tan, sqrt_theta or exact "
-      "with loading back:25");
+      "pressure law mixture must be cosine, sqrt_tan, sqrt_theta, exact or "
+      "worn with loading back:25");
 }
 
 // Normalisation by quadrature of the definition in 50 digits.
@@ -309,6 +324,59 @@ TEST(SqrtPressures, AgreeWithTheirDefinitionInHighPrecision) {
   }
   peak.check();
   force.check();
+}
+
+// Against the definition by quadrature in 50 digits. Some 10 roundings; those
+// of cos theta at 90 deg are those of the angle.
+TEST(WornPressure, AgreesWithItsDefinitionInHighPrecision) {
+  using Rule = boost::math::quadrature::gauss<Real, 60>;
+  AccuracyReport peak("peak", 2e-15);
+  AccuracyReport force("force_ratio", 2e-15);
+  AccuracyReport slope("edge_slopes", 3e-15);
+  for (const JointKind kind : kinds) {
+    const contact::WornPressure law(kind);
+    for (const double theta0_deg : {1e-6, 0.3, 5.0, 20.0, 60.0, 89.999, 90.0}) {
+      const double half_angle = theta0_deg * degree;
+      const auto integral = [&](auto weight) {
+        return Rule::integrate(
+            [&](const Real& t) -> Real {
+              const Real& turn = boost::math::constants::two_pi<Real>();
+              return weight(t) *
+                     (kind == JointKind::ball ? Real(turn * sin(t)) : Real(2));
+            },
+            Real(0), Real(half_angle));
+      };
+      const Real normal =
+          integral([](const Real& t) -> Real { return cos(t) * cos(t); });
+      const Real sum = integral([](const Real& t) -> Real { return cos(t); });
+      const std::string row = label(law, half_angle);
+      peak.add(Real(law.peak(half_angle)), Real(1 / normal), row);
+      force.add(Real(law.force_ratio(half_angle)), Real(sum / normal), row);
+      // cos theta = (1 - u)/(1 + u), u = b^2 (1 - x^2)
+      const double x = 0.4;
+      double found = 0;
+      law.edge_slopes(half_angle, {&x, 1}, {&found, 1});
+      const Real b = tan(Real(half_angle) / 2);
+      const Real u = b * b * (1 - Real(x) * x);
+      slope.add(Real(found), Real(4 * b * b * x / ((1 + u) * (1 + u)) / normal),
+                row);
+    }
+  }
+  peak.check();
+  force.check();
+  slope.check();
+}
+
+// Whose edge is at 90 deg.
+TEST(WornPressure, IsTheCosinePressureAt90Degrees) {
+  for (const JointKind kind : kinds) {
+    const contact::WornPressure worn(kind);
+    const contact::CosinePressure cosine(kind);
+    const double edge = worn.largest_half_angle();
+    for (const double t : {0.0, 0.4, 1.5}) {
+      EXPECT_NEAR(worn.pressure(t, edge) / cosine.pressure(t, edge), 1, 1e-14);
+    }
+  }
 }
 
 TEST(SqrtPressures, BecomeHertz) {

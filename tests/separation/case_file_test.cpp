@@ -201,7 +201,7 @@ TEST(CaseFile, LawsOfTheCommandLineAreTaken) {
   EXPECT_EQ(message({"", "cosin"}),
             "--pressure cosin" + joint +
                 "unknown pressure law \"cosin\": did you mean \"cosine\"? "
-                "(cosine, sqrt_tan, sqrt_theta, mixture, exact)");
+                "(cosine, sqrt_tan, sqrt_theta, mixture, exact, worn)");
 }
 
 // Of the case, of a file that it names, and of a file that that one names.

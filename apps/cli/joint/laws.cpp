@@ -67,7 +67,8 @@ std::vector<std::string> pressure_laws(
     const contact::ContactConditions& conditions) {
   std::vector<std::string> all = contact::pressure_law_names();
   std::erase_if(all, [&](const std::string& name) {
-    return !contact::pressure_law_allows(name, conditions);
+    return name == "worn" ||  // of another surface, and up to 90 deg
+           !contact::pressure_law_allows(name, conditions);
   });
   return law_names("--pressure", asked, std::move(otherwise), std::move(all));
 }

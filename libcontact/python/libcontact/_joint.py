@@ -248,7 +248,7 @@ def _unit_joint(keys: Mapping[str, Key]) -> Joint:
 
 _any_material = {"youngs_modulus": 1e9, "poissons_ratio": 0.3}
 # Laws that do without materials.
-_plain = ("cosine", "sqrt_tan", "sqrt_theta", "hertz")
+_plain = ("cosine", "sqrt_tan", "sqrt_theta", "worn", "hertz")
 
 
 def _law_joint(law: str, keys: Mapping[str, Key]) -> Joint:
@@ -314,8 +314,8 @@ def pressure(
 
     theta: angle from the contact's centre, rad, (...).
     half_angle: theta0, rad, (...).
-    pressure: "cosine", "sqrt_tan", "sqrt_theta", "mixture" or "exact"; the
-        last two depend on the materials `inner` and `outer`.
+    pressure: "cosine", "sqrt_tan", "sqrt_theta", "worn", "mixture" or
+        "exact"; the last two depend on the materials `inner` and `outer`.
     keys: others of Joint.
     """
     joint = _law_joint(pressure, {"kind": kind, "pressure": pressure} | keys)

@@ -1,12 +1,13 @@
-// The hip of README.md with a pressure of one's own: worn, with a flat top.
+// The hip of README.md with a pressure of one's own, with a flat top.
 #include <cmath>
 #include <cstdio>
 #include <libcontact/contact.hpp>
 #include <memory>
 
-class Worn final : public contact::ShapedPressure {
+class FlatTop final : public contact::ShapedPressure {
  public:
-  explicit Worn(contact::JointKind kind) : ShapedPressure(kind, "worn") {}
+  explicit FlatTop(contact::JointKind kind)
+      : ShapedPressure(kind, "flat_top") {}
 
  private:
   double shape(double theta, double half_angle) const noexcept override {
@@ -21,7 +22,7 @@ int main() {
       contact::JointGeometry::ball(0.014, 100e-6),  // radius, clearance, m
       materials, contact::FrictionLaw(0.062),
       contact::make_half_angle_law("fitted", ball, materials),
-      std::make_shared<Worn>(ball));
+      std::make_shared<FlatTop>(ball));
 
   const double half_angle = hip.half_angle(2000).half_angle;
   const contact::FrictionIntegrals spinning =
