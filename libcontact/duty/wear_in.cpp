@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "libcontact/base/check.hpp"
@@ -10,6 +11,7 @@
 #include "libcontact/base/text.hpp"
 #include "libcontact/base/units.hpp"
 #include "libcontact/duty/joint_cycle.hpp"
+#include "libcontact/friction/special.hpp"
 #include "libcontact/half_angle/worn.hpp"
 
 namespace contact {
@@ -106,6 +108,17 @@ std::vector<WornState> wear_in(const DutyCycle& cycle,
     next.volume = now.volume + block * coefficient * sums.pv;
     next.worn_in = next.volume / unit > sums.fresh_overlap;
   }
+}
+
+double worn_in_sliding_coefficient(double half_angle) {
+  if (half_angle == 0) return 1;
+  if (half_angle > std::numbers::pi / 2) {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+  const FrictionTriple area = sliding_friction_integrals(half_angle).area;
+  const double s = std::sin(half_angle);
+  return 2 * std::numbers::pi * s * s /
+         (area.sliding + std::cos(half_angle) * area.force);
 }
 
 }  // namespace contact

@@ -2,15 +2,21 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 #include "libcontact/base/units.hpp"
 #include "libcontact/duty/joint_cycle.hpp"
 #include "libcontact/files/joint_file.hpp"
+#include "libcontact/friction/any_pressure.hpp"
 #include "libcontact/half_angle/factory.hpp"
 #include "libcontact/pressure/factory.hpp"
+#include "libcontact/pressure/worn.hpp"
+#include "support/accuracy_report.hpp"
 #include "support/error_message.hpp"
+#include "support/reference_table.hpp"
 
 namespace {
 
@@ -95,6 +101,44 @@ TEST(WearIn, BeginsWithTheUnwornJoint) {
   ASSERT_EQ(none.size(), 2u);
   EXPECT_EQ(none[1].cycles, 1e9);
   EXPECT_EQ(none[1].half_angle, none[0].half_angle);
+}
+
+// Computed apart from the library, 1e-11.
+TEST(WearIn, SlidingCoefficientOfAWornInBall) {
+  const contact::test::ReferenceTable table("duty/wear_in.csv");
+  contact::test::AccuracyReport report("sigma_Y, a = 0", 1e-11);
+  for (std::size_t row = 0; row < table.size(); ++row) {
+    if (table.text(row, "joint") != "ball") continue;
+    report.add(contact::worn_in_sliding_coefficient(
+                   table.value(row, "theta0_worn_deg") * contact::degree),
+               table.value(row, "moment_coefficient_a0"), table.label(row));
+  }
+  EXPECT_EQ(report.size(), 29u);
+  report.check();
+}
+
+// What WornPressure says of such a ball, docs/pressure_laws.md; the limits.
+TEST(WearIn, SlidingCoefficientBesideThePressureWorn) {
+  const contact::WornPressure law(JointKind::ball);
+  double largest = 0;
+  for (double theta0_deg = 1; theta0_deg < 90; theta0_deg += 1) {
+    const double theta0 = theta0_deg * contact::degree;
+    const double excess =
+        contact::friction_integrals(law, theta0, contact::SlipAxis{0, 1})
+                .coefficient.sliding /
+            contact::worn_in_sliding_coefficient(theta0) -
+        1;
+    EXPECT_GT(excess, 0);
+    largest = std::max(largest, excess);
+  }
+  EXPECT_NEAR(largest, 0.0041, 5e-5);
+  constexpr double pi = std::numbers::pi;
+  EXPECT_NEAR(contact::worn_in_sliding_coefficient(pi / 2), 4 / pi, 1e-15);
+  EXPECT_EQ(contact::worn_in_sliding_coefficient(0), 1);
+  EXPECT_NEAR(contact::worn_in_sliding_coefficient(1e-9), 1, 1e-15);
+  for (const double bad : {-0.1, 1.6, std::nan("")}) {
+    EXPECT_TRUE(std::isnan(contact::worn_in_sliding_coefficient(bad)));
+  }
 }
 
 TEST(WearIn, Messages) {
