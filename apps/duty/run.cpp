@@ -91,19 +91,6 @@ contact::JointContact contact_of(const cli::Joint& joint,
           joint.laws[0].law, joint.pressures[0].law};
 }
 
-// Beyond 90 deg a ball that sinks into its worn seat leaves the seat's rim.
-void check_wear(const JointCycle& cycle) {
-  const CycleInstant widest = cycle.largest(
-      [](const CycleInstant& i) { return i.solution.half_angle; });
-  const double angle = widest.solution.half_angle / degree;
-  if (angle <= 90) return;
-  throw contact::Error(contact::detail::must_be(
-      fmt::format("the half-angle of a joint that wears, {:.4g} deg at "
-                  "{:.4g} s,",
-                  angle, widest.time),
-      "at most 90 deg"));
-}
-
 // The joint in the course of --cycles; empty without it.
 std::vector<contact::WornState> worn_states(const Options& options,
                                             const WearOptions& wear,
@@ -186,7 +173,6 @@ cli::ExitStatus run(const Options& options) {
   const JointCycle cycle(duty, friction);
   std::vector<BodyWear> wear;
   if (wear_options.wanted) {
-    check_wear(cycle);
     for (const JointBody body : {JointBody::carrier, JointBody::body}) {
       wear.push_back(wear_of(cycle, body, wear_options));
     }

@@ -6,11 +6,8 @@
 #include <numbers>
 
 #include "libcontact/base/check.hpp"
-#include "libcontact/base/complaint.hpp"
-#include "libcontact/base/error.hpp"
-#include "libcontact/base/text.hpp"
-#include "libcontact/base/units.hpp"
 #include "libcontact/duty/joint_cycle.hpp"
+#include "libcontact/duty/wear_map.hpp"
 #include "libcontact/friction/special.hpp"
 #include "libcontact/half_angle/worn.hpp"
 
@@ -30,22 +27,6 @@ struct WornCycle {
   double overlap = 0;        // mean g(theta0)
   double fresh_overlap = 0;  // the same without wear
 };
-
-// The worn laws end at 90 deg.
-void check_half_angles(const DutyCycle& cycle, const JointContact& contact) {
-  const Joint joint(contact);
-  const CycleInstant widest =
-      JointCycle(cycle, joint).largest([](const CycleInstant& i) {
-        return i.solution.half_angle;
-      });
-  const double half_angle = widest.solution.half_angle;
-  if (half_angle < std::numbers::pi / 2) return;
-  throw Error(detail::must_be(
-      detail::message("the half-angle of a joint that wears, {:.4g} deg at "
-                      "{:.4g} s,",
-                      half_angle / degree, widest.time),
-      "below 90 deg"));
-}
 
 WornCycle run_cycle(const JointCycle& cycle, WornState& state) {
   WornCycle sums;
@@ -85,7 +66,8 @@ std::vector<WornState> wear_in(const DutyCycle& cycle,
                   cycles, "0 or above and finite");
   const JointGeometry& geometry = contact.geometry();
   const double unit = unit_volume(geometry);
-  check_half_angles(cycle, contact);
+  const Joint unworn(contact);
+  check_wear(JointCycle(cycle, unworn));
   std::vector<WornState> states;
   WornState next;
   for (;;) {

@@ -35,7 +35,8 @@ struct WornState {
 /// @param cycles       N, >= 0
 /// @return the joint at the beginning of each block and, last, after N cycles
 /// @throws Error if an argument is out of range, the half-angle comes above 90
-///         deg, or the laws have no value at some time of the cycle.
+///         deg (check_wear()), or the laws have no value at some time of the
+///         cycle.
 std::vector<WornState> wear_in(const DutyCycle& cycle,
                                const JointContact& contact, double coefficient,
                                double cycles);

@@ -6,6 +6,11 @@
 #include <limits>
 #include <numbers>
 
+#include "libcontact/base/complaint.hpp"
+#include "libcontact/base/error.hpp"
+#include "libcontact/base/text.hpp"
+#include "libcontact/base/units.hpp"
+
 namespace contact {
 namespace {
 
@@ -25,10 +30,23 @@ double cross_shear(const Matrix3d& work) {
 
 }  // namespace
 
+void check_wear(const JointCycle& cycle) {
+  const CycleInstant widest = cycle.largest(
+      [](const CycleInstant& i) { return i.solution.half_angle; });
+  const double half_angle = widest.solution.half_angle;
+  if (half_angle <= pi / 2) return;
+  throw Error(detail::must_be(
+      detail::message("the half-angle of a joint that wears, {:.4g} deg at "
+                      "{:.4g} s,",
+                      half_angle / degree, widest.time),
+      "at most 90 deg"));
+}
+
 WearMap::WearMap(const JointCycle& cycle, JointBody body)
     : geometry_(cycle.contact().geometry()),
       total_(cycle.integral(
           [&](const CycleInstant& i) { return cycle.sliding(i).pv_total(); })) {
+  check_wear(cycle);
   for (const CycleInstant& node : cycle.nodes()) {
     const JointSolution& s = node.solution;
     if (s.state != JointState::sliding) continue;

@@ -8,6 +8,10 @@
 
 namespace contact {
 
+/// @throws Error if the half-angle comes above 90 deg in the cycle: a ball that
+///         sinks into its worn seat leaves the seat's rim there.
+void check_wear(const JointCycle& cycle);
+
 /// Where and how one body of a joint wears on a cycle, by Archard's law with
 /// the geometry of the unworn joint: the depth is k times the integral of p |v|
 /// over the time.
@@ -16,6 +20,7 @@ namespace contact {
 /// a pin normal to Z.
 class WearMap {
  public:
+  /// @throws Error as check_wear().
   WearMap(const JointCycle& cycle, JointBody body);
 
   struct Wear {

@@ -172,6 +172,16 @@ py::dict wear(const Cycle& cycle, const std::string& body, int points) {
                   "deepest_cross_shear"_a = deepest.wear.cross_shear);
 }
 
+Answers<contact::WornState> wear_in(const Cycle& cycle, double coefficient,
+                                    double cycles) {
+  const py::gil_scoped_release unlocked;
+  Answers<contact::WornState> states;
+  states.rows = contact::wear_in(cycle.on().cycle(), cycle.contact(),
+                                 coefficient, cycles);
+  states.shape = {py::ssize_t(states.rows.size())};
+  return states;
+}
+
 void bind_integrals(py::class_<Cycle>& type) {
   const auto number = [&](const char* name, auto of, const char* doc) {
     type.def_property_readonly(
@@ -242,6 +252,18 @@ void bind_duty(py::module_& m) {
 The largest value in the cycle and its time, s; to 1e-8.
 
 quantity: an attribute of Solution or Rating; of a vector its length.)");
+  bind_answers(m, "WearIn", worn_fields(), "What Cycle.wear_in() returns.");
+  type.def("wear_in", &wear_in, py::arg("coefficient"), py::arg("cycles"),
+           R"(wear_in(self, coefficient, cycles)
+--
+
+The joint in the course of many cycles, whose wear of the seat or hole widens
+the contact (libcontact's docs/duty.md): a WearIn of blocks, (n,). The first is
+without wear, the last after all cycles; between them the worn volume grows by
+at most 10 % of what the bodies overlap.
+
+coefficient: k of the seat or hole, m^2/N; 1 mm^3/(N m) is 1e-9 m^2/N.
+cycles: how many.)");
   type.def("_wear", &wear, py::arg("body"), py::arg("points"));
 }
 

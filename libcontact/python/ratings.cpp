@@ -4,6 +4,7 @@ namespace contact_python {
 namespace {
 
 using contact::JointSolution;
+using contact::WornState;
 
 const Field<JointSolution> of_solution[] = {
     {"status", [](const JointSolution& s) { return int(s.status); },
@@ -85,6 +86,28 @@ const Field<Rating> of_rating[] = {
      "L: pv_total is rho |Dw| R_n L."},
 };
 
+const Field<WornState> of_worn[] = {
+    {"cycles", [](const WornState& w) { return w.cycles; }, "After them."},
+    {"volume", [](const WornState& w) { return w.volume; },
+     "Worn off the seat or hole, m^3; reliable."},
+    {"wear_number", [](const WornState& w) { return w.wear_number; },
+     "v: volume over pi rho^2 eps, of a pin 2 rho eps l."},
+    {"penetration", [](const WornState& w) { return w.penetration; },
+     "Deepest wear, m, to 8 %, once most of it is wear; no creep."},
+    {"worn_in", [](const WornState& w) { return w.worn_in; },
+     "Whether the pressure is that of the law \"worn\"."},
+    {"half_angle", [](const WornState& w) { return w.half_angle; },
+     "Largest of a cycle then, rad, to 0.4 deg."},
+    {"peak_pressure", [](const WornState& w) { return w.peak_pressure; },
+     "Largest of a cycle then, Pa."},
+    {"pv_max", [](const WornState& w) { return w.pv; },
+     "Largest of a cycle then, W/m^2."},
+    {"energy", [](const WornState& w) { return w.energy; },
+     "Of a cycle then, J."},
+    {"mean_moment", [](const WornState& w) { return w.mean_moment; },
+     "Of friction over a cycle then, N m."},
+};
+
 }  // namespace
 
 Rating rating(const contact::SlidingContact& sliding) {
@@ -97,5 +120,7 @@ Rating rating(const contact::SlidingContact& sliding) {
 std::span<const Field<JointSolution>> solution_fields() { return of_solution; }
 
 std::span<const Field<Rating>> rating_fields() { return of_rating; }
+
+std::span<const Field<WornState>> worn_fields() { return of_worn; }
 
 }  // namespace contact_python

@@ -3,6 +3,7 @@
 #include <span>
 
 #include "libcontact/duty/sliding_contact.hpp"
+#include "libcontact/duty/wear_in.hpp"
 #include "libcontact/joint/solution.hpp"
 #include "libcontact/python/answers.hpp"
 
@@ -20,8 +21,9 @@ struct Rating {
 };
 Rating rating(const contact::SlidingContact& sliding);
 
-/// The attributes of both.
+/// The attributes of results.
 std::span<const Field<contact::JointSolution>> solution_fields();
 std::span<const Field<Rating>> rating_fields();
+std::span<const Field<contact::WornState>> worn_fields();
 
 }  // namespace contact_python

@@ -150,7 +150,7 @@ TEST(WearIn, Messages) {
             "wear: coefficient = -1 must be 0 m^2/N or above and finite");
   EXPECT_EQ(message(1, -1, 1e11),
             "wear: cycles = -1 must be 0 or above and finite");
-  EXPECT_TRUE(message(1e-15, 1, 1e5).ends_with("must be below 90 deg"))
+  EXPECT_TRUE(message(1e-15, 1, 1e5).ends_with("must be at most 90 deg"))
       << message(1e-15, 1, 1e5);
 }
 

@@ -1,6 +1,7 @@
 """Duty cycles, wear and identification: the numbers of the programs."""
 
 import csv
+import tempfile
 import unittest
 
 import libcontact
@@ -114,6 +115,31 @@ class Cycles(unittest.TestCase):
         energy = summary("cycle_pin")["energy_J"]["value"]
         self.assertAlmostEqual(cycle.energy / float(energy), 1, delta=1e-12)
 
+    def test_of_a_hip_that_wears_are_those_of_hinge_duty(self):
+        with tempfile.TemporaryDirectory() as work:
+            blocks = work + "/blocks.csv"
+            said = summary(
+                "cycle_hip", "--euler", "zxy", "--wear-seat", "1e-6",
+                "--grid", 10, "--cycles", "5e6", "--blocks", blocks)
+            of_program = columns(blocks)
+        worn = hip_cycle().wear_in(1e-15, 5e6)
+        for values, name in (
+            (worn.cycles, "cycles"), (worn.wear_number, "wear_number"),
+            (worn.volume * 1e9, "volume_seat_mm3"),
+            (worn.penetration * 1e3, "penetration_mm"),
+            (np.degrees(worn.half_angle), "theta0_deg"),
+            (worn.peak_pressure, "p_peak_Pa"),
+            (worn.pv_max, "pv_max_W_per_m2"), (worn.energy, "energy_J"),
+            (worn.mean_moment, "mean_M_t_N_m"), (worn.worn_in, "worn_in"),
+        ):
+            np.testing.assert_allclose(
+                values, of_program[name], rtol=1e-12, err_msg=name)
+            end = name if name == "worn_in" else "worn_" + name
+            self.assertAlmostEqual(
+                values[-1] / float(said[end]["value"]), 1, delta=1e-12)
+        self.assertEqual(worn.worn_in.dtype, bool)
+        self.assertGreater(len(worn), 10)
+
     def test_of_bad_input_are_refused(self):
         c = columns(folder / "cycle_hip_in.csv")
         joint = libcontact.Joint.from_file(folder / "cycle_hip.toml")
@@ -140,6 +166,10 @@ class Cycles(unittest.TestCase):
         wide = tight.cycle(time, force(c), angles=angles + 1, sequence="zxy")
         with self.assertRaisesRegex(libcontact.Error, "at most 90 deg"):
             wide.wear()
+        with self.assertRaisesRegex(libcontact.Error, "at most 90 deg"):
+            wide.wear_in(1e-15, 1e6)
+        with self.assertRaisesRegex(libcontact.Error, "coefficient = -1 must"):
+            hip_cycle().wear_in(-1, 1e6)
         with self.assertRaisesRegex(libcontact.Error, "points = 3 must be"):
             hip_cycle().wear(points=3)
         with self.assertRaisesRegex(libcontact.Error, "quantity = "):

@@ -4,6 +4,7 @@ import copy
 import multiprocessing
 import pickle
 import signal
+import tempfile
 import threading
 import unittest
 from concurrent.futures import ThreadPoolExecutor
@@ -102,6 +103,77 @@ class Numbers(unittest.TestCase):
             # Degrees become radians, and cos 90 deg 6e-17.
             np.testing.assert_allclose(
                 values, column(name + "_cosine"), rtol=1e-14, atol=1e-15)
+
+    def test_of_a_worn_in_seat_are_its_closed_form(self):
+        theta0 = np.radians([5, 40, 90])
+        s, c = np.sin(theta0), np.cos(theta0)
+        np.testing.assert_allclose(
+            libcontact.pressure(0.05, theta0, "worn"),
+            np.cos(0.05) * 1.5 / np.pi / (1 - c**3), rtol=1e-13)
+        np.testing.assert_allclose(
+            libcontact.pressure(0, theta0, "worn", kind="pin"),
+            1 / (theta0 + s * c), rtol=1e-13)
+        self.assertTrue(np.isnan(libcontact.pressure(0, 1.6, "worn")))
+        said = libcontact.Joint(**walled, pressure="worn")
+        self.assertEqual(
+            said, libcontact.Joint(**walled).replace({"pressure.law": "worn"}))
+        (row,) = table(
+            "hinge-joint", "--joint", hip_file, "--pressure", "worn",
+            "--reaction", 2000, "--beta", 90)  # fmt: skip
+        moment = said.solve([2000, 0, 0], [0, 0, 1]).friction_moment
+        self.assertAlmostEqual(
+            np.linalg.norm(moment) / float(row["M_t_N_m"]), 1, delta=1e-13)
+
+    def test_of_friction_stresses_are_those_of_hinge_joint(self):
+        pin = {"kind": "pin", "radius_mm": 20, "radial_clearance_um": 40,
+               "length_mm": 50,
+               "inner": {"youngs_modulus_GPa": 207, "poissons_ratio": 0.292},
+               "outer": {"youngs_modulus_GPa": 111, "poissons_ratio": 0.349}}
+        ratio = np.logspace(-11, -7, 12)
+        for friction in (
+            {"law": "stribeck", "static_coefficient": 0.15,
+             "dynamic_coefficient": 0.05, "stribeck_velocity_mm_per_s": 10},
+            {"law": "power", "coefficient": 0.1, "reference_pressure_MPa": 10,
+             "exponent": 0.25},
+            {"law": "pressure_table", "pressures_MPa": [1, 5, 30],
+             "coefficients": [0.2, 0.15, 0.12], "curve": "linear"},
+            {"law": "hersey_table", "speeds_over_pressure_m_per_s_Pa": ratio,
+             "coefficients": 0.05 + 0.1 / (1 + ratio * 1e9)},
+        ):
+            name = friction["law"]
+            keys = {k: v for k, v in friction.items() if k != "law"}
+            joint = libcontact.Joint(**pin, friction=name, **keys)
+            self.assertEqual(joint, libcontact.Joint(**pin, friction=friction))
+            with tempfile.NamedTemporaryFile("w", suffix=".toml") as file:
+                file.write(joint.to_toml())
+                file.flush()
+                (row,) = table(
+                    "hinge-joint", "--joint", file.name, "--reaction", 2000,
+                    "--rate", 0.3)  # fmt: skip
+            s = joint.solve([2000, 0, 0], [[0, 0, 0.3], [0, 0, 3]])
+            self.assertAlmostEqual(
+                s.friction_moment[0, 2] / float(row["M_t_z_N_m"]), 1,
+                delta=1e-12, msg=name)  # fmt: skip
+            same = name in ("power", "pressure_table")
+            moments = np.abs(s.friction_moment[:, 2])
+            self.assertEqual(np.ptp(moments) < 1e-9 * moments[0], same, name)
+
+    def test_of_friction_stresses_have_keys(self):
+        file = pin_file.parents[1] / "duty/stribeck_pin.toml"
+        pin = libcontact.Joint.from_file(file)
+        power = lambda joint: joint.solve([2000, 0, 0], [0, 0, 3]).power
+        rougher = pin.replace({"friction.dynamic_coefficient": 0.1})
+        self.assertAlmostEqual(power(rougher) / power(pin), 2, delta=0.02)
+        for key, value, message in (
+            ("exponent", 0.2, "must be left out"),
+            ("static_coefficient", -1, "must be"), ("law", "oil", "must be"),
+        ):  # fmt: skip
+            with self.assertRaisesRegex(libcontact.Error, message):
+                pin.replace({"friction." + key: value})
+        # Nothing rests on a stress that falls with the speed.
+        rest = pin.utilisation([2000, 0, 0], [0, 0, 1])
+        self.assertEqual(rest.status, libcontact.Status.OUT_OF_RANGE)
+        self.assertTrue(np.isnan(rest.utilisation))
 
     def test_of_rest_are_those_of_hinge_joint(self):
         (row,) = table(

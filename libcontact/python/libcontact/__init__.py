@@ -22,6 +22,7 @@ from ._core import (
     Rating,
     RestSolution,
     Solution,
+    WearIn,
     __version__,
 )
 from ._joint import (
@@ -69,6 +70,7 @@ __all__ = [
     "State",
     "Status",
     "Wear",
+    "WearIn",
     "__version__",
     "friction_coefficients",
     "half_angle",

@@ -20,14 +20,22 @@ _tables = {
     ),
     "materials": "pair inner outer",
     "friction": (
-        "coefficient adhesion viscous_constant viscous_pressure_slope"
+        "coefficient adhesion viscous_constant viscous_pressure_slope "
+        "static_coefficient dynamic_coefficient stribeck_velocity "
+        "reference_pressure exponent pressures speeds_over_pressure "
+        "coefficients curve"
     ),
     "half_angle": "limit_half_angle limit_formula degrees_per_radian",
     "loading": "patch_half_angle",
 }
 _table_of = {k: table for table, keys in _tables.items() for k in keys.split()}
 # What a text is in these tables.
-_main_key = {"half_angle": "law", "pressure": "law", "loading": "kind"}
+_main_key = {
+    "half_angle": "law",
+    "pressure": "law",
+    "friction": "law",
+    "loading": "kind",
+}
 
 
 def _table_with(keyword: str) -> str | None:
@@ -74,8 +82,8 @@ class Joint(FileText, _core.Joint):
 
     Keywords are the keys of joint files with their units (libcontact's
     docs/joint_file.md): those of [geometry], [materials] and [friction] without
-    their tables; `half_angle`, `pressure` (names of laws), `loading`, `wall`
-    and `coating` as in the file. None is left out. Whole tables may be given
+    their tables; `half_angle`, `pressure`, `friction` (names of laws),
+    `loading`, `wall` and `coating` as in the file. None is left out. Whole tables may be given
     as dicts.
 
     Nothing of a joint changes: replace() makes another. Joints compare by what
@@ -182,14 +190,6 @@ class Cycle(_core.Cycle):
         body: "body" or "carrier".
         points: how many, each of the same area.
         """
-        widest, time = self.largest("half_angle")
-        if widest > np.pi / 2:
-            # Beyond, a ball that sinks into its worn seat leaves its rim.
-            raise _core.Error(
-                "the half-angle of a joint that wears, "
-                f"{np.degrees(widest):.4g} deg at {time:.4g} s, must be at "
-                "most 90 deg"
-            )
         return Wear(self._wear(body, points))
 
 
