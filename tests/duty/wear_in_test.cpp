@@ -119,6 +119,7 @@ TEST(WearIn, SlidingCoefficientOfAWornInBall) {
 
 // What WornPressure says of such a ball, docs/pressure_laws.md; the limits.
 TEST(WearIn, SlidingCoefficientBesideThePressureWorn) {
+  constexpr double pi = std::numbers::pi;
   const contact::WornPressure law(JointKind::ball);
   double largest = 0;
   for (double theta0_deg = 1; theta0_deg < 90; theta0_deg += 1) {
@@ -130,9 +131,16 @@ TEST(WearIn, SlidingCoefficientBesideThePressureWorn) {
         1;
     EXPECT_GT(excess, 0);
     largest = std::max(largest, excess);
+    // Spinning alone wears in to cot theta.
+    const double s = std::sin(theta0);
+    const double spinning =
+        contact::friction_integrals(law, theta0, contact::SlipAxis{1, 0})
+            .coefficient.spinning /
+        (s * s / (theta0 + s * std::cos(theta0)));
+    EXPECT_GT(spinning, 4. / 3);
+    EXPECT_LT(spinning, pi / 2);
   }
   EXPECT_NEAR(largest, 0.0041, 5e-5);
-  constexpr double pi = std::numbers::pi;
   EXPECT_NEAR(contact::worn_in_sliding_coefficient(pi / 2), 4 / pi, 1e-15);
   EXPECT_EQ(contact::worn_in_sliding_coefficient(0), 1);
   EXPECT_NEAR(contact::worn_in_sliding_coefficient(1e-9), 1, 1e-15);
