@@ -56,31 +56,16 @@ WearOptions wear_options(const Options& options) {
 
 // Those beside --output and --plot.
 void check_files(const Options& options) {
+  cli::OutputNames names = names_of(options.output);
   for (const auto& [option, file] : {std::pair("--map", &options.map),
                                      {"--map-plot", &options.map_plot},
                                      {"--states", &options.states},
                                      {"--blocks", &options.blocks}}) {
-    if (file->empty()) continue;
     if (*file == "-") cli::refuse(option, *file, "the name of a file");
-    cli::Output::check(*file);
+    names.add(option, *file);
   }
-  if (!options.map_plot.empty() && !cli::is_picture_name(options.map_plot)) {
-    cli::refuse("--map-plot", options.map_plot,
-                "a name that ends in .svg, .png, .pdf");
-  }
-  const std::vector<std::pair<std::string, std::string>> files = {
-      {"--output", options.output.output},
-      {"--plot", options.output.plot},
-      {"--map", options.map},
-      {"--map-plot", options.map_plot},
-      {"--states", options.states},
-      {"--blocks", options.blocks}};
-  for (auto one = files.begin(); one != files.end(); ++one) {
-    for (auto other = files.begin(); other != one; ++other) {
-      if (one->second.empty() || one->second != other->second) continue;
-      cli::refuse(one->first, one->second,
-                  "another file than that of " + other->first);
-    }
+  if (!options.map_plot.empty()) {
+    cli::check_picture_name("--map-plot", options.map_plot);
   }
 }
 
