@@ -26,9 +26,9 @@ inline constexpr int usual_stress_points = 24;
 /// @param points  n, 4 or more
 /// @return relative error at most 1e-10 for tau that is smooth in p and v and
 ///         for powers of p, 1e-9 for functions of v/p, which change fast
-///         towards the edge;
-///         1e-10 beyond 90 deg (joint/friction_stress_test.cpp). NaN where the
-///         law has no value and at theta0 = 0.
+///         towards the edge; 1e-10 beyond 90 deg
+///         (joint/friction_stress_test.cpp). NaN where the law has no value
+///         and at theta0 = 0.
 /// Does not throw; with the usual number of points nothing allocates but in
 /// the first call.
 FrictionTriple stress_integrals(const PressureLaw& law,
