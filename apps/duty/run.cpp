@@ -54,6 +54,34 @@ WearOptions wear_options(const Options& options) {
   return wear;
 }
 
+std::optional<MeasuredWear> measured_wear(const Options& options) {
+  if (options.measured_volume.empty()) {
+    for (const auto& [option, text] :
+         {std::pair("--measured-error", &options.measured_error),
+          {"--measured-cycles", &options.measured_cycles}}) {
+      if (text->empty()) continue;
+      cli::refuse_without(cli::given(option, *text), "--measured-volume");
+    }
+    return {};
+  }
+  const auto volume = [](const char* option, const std::string& text) {
+    return cli::parse_value(option, text, {0, 1e30, "mm^3"});
+  };
+  MeasuredWear wear{
+      volume("--measured-volume", options.measured_volume), {}, 0};
+  if (options.measured_cycles.empty()) {
+    cli::refuse_without(
+        cli::given("--measured-volume", options.measured_volume),
+        "--measured-cycles");
+  }
+  wear.cycles = cli::parse_value("--measured-cycles", options.measured_cycles,
+                                 {1, 1e15, ""});
+  if (!options.measured_error.empty()) {
+    wear.error = volume("--measured-error", options.measured_error);
+  }
+  return wear;
+}
+
 // Those beside --output and --plot.
 void check_files(const Options& options) {
   for (const auto& [option, file] : {std::pair("--map", &options.map),
@@ -180,6 +208,7 @@ void warn_of_cycle(const JointCycle& cycle) {
 cli::ExitStatus run(const Options& options) {
   check_files(options);
   const WearOptions wear_options = hinge_duty::wear_options(options);
+  const std::optional<MeasuredWear> measured = measured_wear(options);
   const cli::Joint joint = make_joint(options.joint);
   const contact::Joint friction(contact_of(joint, options));
   const contact::DutyCycle duty = read_cycle(options, friction.is_pin());
@@ -200,7 +229,7 @@ cli::ExitStatus run(const Options& options) {
   std::optional<cli::Output> states;
   std::optional<cli::Output> map;
   std::optional<cli::Output> blocks;
-  write_summary(cycle, wear, worn, output, options.output);
+  write_summary(cycle, wear, measured, worn, output, options.output);
   if (!options.states.empty()) {
     states.emplace(options.states);
     write_states(cycle, *states, options.output);
