@@ -91,12 +91,15 @@ void add_cycle(CLI::App& app, Options& options) {
        "NUMBER");
   text("--wear-inner", options.wear_inner, "k of the ball or pin, mm^3/(N m)",
        "NUMBER");
-  text("--measured-volume", options.measured_volume,
-       "that wore off one body, mm^3, for its k", "NUMBER");
+  CLI::Option* volume =
+      text("--measured-volume", options.measured_volume,
+           "that wore off one body, mm^3, for its k", "NUMBER");
   text("--measured-error", options.measured_error, "its standard error, mm^3",
-       "NUMBER");
-  text("--measured-cycles", options.measured_cycles, "in which it wore off",
-       "N");
+       "NUMBER")
+      ->needs(volume);
+  volume->needs(text("--measured-cycles", options.measured_cycles,
+                     "in which it wore off", "N")
+                    ->needs(volume));
   text("--map", options.map, "CSV file of the wear of both bodies", "FILE");
   text("--map-plot", options.map_plot,
        "picture of the wear of both bodies: .svg, .png or .pdf", "FILE");

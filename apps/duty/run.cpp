@@ -55,29 +55,15 @@ WearOptions wear_options(const Options& options) {
 }
 
 std::optional<MeasuredWear> measured_wear(const Options& options) {
-  if (options.measured_volume.empty()) {
-    for (const auto& [option, text] :
-         {std::pair("--measured-error", &options.measured_error),
-          {"--measured-cycles", &options.measured_cycles}}) {
-      if (text->empty()) continue;
-      cli::refuse_without(cli::given(option, *text), "--measured-volume");
-    }
-    return {};
-  }
-  const auto volume = [](const char* option, const std::string& text) {
-    return cli::parse_value(option, text, {0, 1e30, "mm^3"});
-  };
-  MeasuredWear wear{
-      volume("--measured-volume", options.measured_volume), {}, 0};
-  if (options.measured_cycles.empty()) {
-    cli::refuse_without(
-        cli::given("--measured-volume", options.measured_volume),
-        "--measured-cycles");
-  }
+  if (options.measured_volume.empty()) return {};
+  MeasuredWear wear;
+  wear.volume = cli::parse_value("--measured-volume", options.measured_volume,
+                                 {0, 1e30, "mm^3"});
   wear.cycles = cli::parse_value("--measured-cycles", options.measured_cycles,
                                  {1, 1e15, ""});
   if (!options.measured_error.empty()) {
-    wear.error = volume("--measured-error", options.measured_error);
+    wear.error = cli::parse_value("--measured-error", options.measured_error,
+                                  {0, 1e30, "mm^3"});
   }
   return wear;
 }
