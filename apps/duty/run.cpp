@@ -54,6 +54,20 @@ WearOptions wear_options(const Options& options) {
   return wear;
 }
 
+std::optional<MeasuredWear> measured_wear(const Options& options) {
+  if (options.measured_volume.empty()) return {};
+  MeasuredWear wear;
+  wear.volume = cli::parse_value("--measured-volume", options.measured_volume,
+                                 {0, 1e30, "mm^3"});
+  wear.cycles = cli::parse_value("--measured-cycles", options.measured_cycles,
+                                 {1, 1e15, ""});
+  if (!options.measured_error.empty()) {
+    wear.error = cli::parse_value("--measured-error", options.measured_error,
+                                  {0, 1e30, "mm^3"});
+  }
+  return wear;
+}
+
 // Those beside --output and --plot.
 void check_files(const Options& options) {
   cli::OutputNames names = names_of(options.output);
@@ -165,6 +179,7 @@ void warn_of_cycle(const JointCycle& cycle) {
 cli::ExitStatus run(const Options& options) {
   check_files(options);
   const WearOptions wear_options = hinge_duty::wear_options(options);
+  const std::optional<MeasuredWear> measured = measured_wear(options);
   const cli::Joint joint = make_joint(options.joint);
   const contact::Joint friction(contact_of(joint, options));
   const contact::DutyCycle duty = read_cycle(options, friction.is_pin());
@@ -185,7 +200,7 @@ cli::ExitStatus run(const Options& options) {
   std::optional<cli::Output> states;
   std::optional<cli::Output> map;
   std::optional<cli::Output> blocks;
-  write_summary(cycle, wear, worn, output, options.output);
+  write_summary(cycle, wear, measured, worn, output, options.output);
   if (!options.states.empty()) {
     states.emplace(options.states);
     write_states(cycle, *states, options.output);
