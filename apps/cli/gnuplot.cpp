@@ -14,6 +14,7 @@
 
 #include "cli/output.hpp"
 #include "cli/plot_style.hpp"
+#include "cli/refuse.hpp"
 #include "libcontact/base/error.hpp"
 #include "libcontact/base/text.hpp"
 
@@ -141,7 +142,10 @@ std::string drawn(std::string_view script, std::string_view file) {
 
 }  // namespace
 
-bool is_picture_name(std::string_view file) { return kind_of(file) != nullptr; }
+void check_picture_name(std::string_view option, std::string_view file) {
+  if (kind_of(file) != nullptr) return;
+  refuse(option, file, "a name that ends in .svg, .png, .pdf");
+}
 
 bool is_whole_picture(std::string_view picture, std::string_view file) {
   return trimmed(picture).ends_with(kind_of(file)->end);

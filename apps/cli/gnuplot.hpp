@@ -7,7 +7,8 @@
 namespace cli {
 
 /// Whether a picture of this name can be drawn: .svg, .png or .pdf.
-bool is_picture_name(std::string_view file);
+/// @throws contact::Error "OPTION FILE must be ..." if not
+void check_picture_name(std::string_view option, std::string_view file);
 
 /// Whether these bytes, which begin a picture of this name's kind, are all of
 /// it: they end as such pictures end.

@@ -8,11 +8,9 @@
 #include <array>
 #include <cstdio>
 #include <exception>
-#include <filesystem>
 
 #include "cli/choice.hpp"
 #include "cli/gnuplot.hpp"
-#include "cli/output.hpp"
 #include "cli/plot.hpp"
 #include "cli/quantity.hpp"
 #include "cli/refuse.hpp"
@@ -44,17 +42,6 @@ char parse_separator(const std::string& text) {
 void complain(std::string_view program, std::string_view message) {
   fmt::print(stderr, "{}: {}\n", program,
              contact::detail::printable(message, message.npos));
-}
-
-// Whether two names are of one file, which need not be there.
-bool same_file(const std::string& one, const std::string& other) {
-  namespace fs = std::filesystem;
-  std::error_code ignored;
-  // Relative names of files that are not there stay relative otherwise.
-  const auto whole = [&](const std::string& name) {
-    return fs::weakly_canonical(fs::absolute(name, ignored), ignored);
-  };
-  return !other.empty() && whole(one) == whole(other);
 }
 
 // An empty text, as scripts pass it for a variable that is not set, must not
@@ -122,6 +109,12 @@ void settle_table_options(const CLI::App& app, TableStyle& style) {
 
 }  // namespace
 
+OutputNames names_of(const OutputOptions& options, OutputNames names) {
+  names.add("--output", options.output.empty() ? "-" : options.output);
+  names.add("--plot", options.plot);
+  return names;
+}
+
 void add_output_options(CLI::App& app, OutputOptions& options) {
   app.option_defaults()->group("Output");
   add_table_options(app, options);
@@ -131,9 +124,7 @@ void add_output_options(CLI::App& app, OutputOptions& options) {
   app.add_option_function<std::string>(
          "--plot",
          [&options](const std::string& file) {
-           if (!is_picture_name(file)) {
-             refuse("--plot", file, "a name that ends in .svg, .png, .pdf");
-           }
+           check_picture_name("--plot", file);
            options.plot = file;
          },
          "picture to draw: .svg, .png or .pdf")
@@ -141,12 +132,7 @@ void add_output_options(CLI::App& app, OutputOptions& options) {
   // Before anything is read, computed or said.
   app.parse_complete_callback([&app, &options] {
     settle_table_options(app, options);
-    Output::check(options.output);
-    if (options.plot.empty()) return;
-    if (same_file(options.plot, options.output)) {
-      refuse("--plot", options.plot, "another file than that of --output");
-    }
-    Output::check(options.plot);
+    names_of(options);
   });
 }
 

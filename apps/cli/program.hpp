@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "cli/output_names.hpp"
 #include "cli/table.hpp"
 
 namespace CLI {
@@ -38,6 +39,11 @@ struct OutputOptions : TableStyle {
   std::string plot;    ///< file name, "" for none
   int jobs = 1;
 };
+
+/// Those of --output and --plot, for a program to add its own to.
+/// @param names  files that come before
+/// @throws contact::Error as OutputNames::add() does
+OutputNames names_of(const OutputOptions& options, OutputNames names = {});
 
 /// Adds --output, --plot, --format and the other options of tables to a
 /// program. That the files can be made is found out with the command line; then

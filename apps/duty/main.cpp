@@ -39,6 +39,10 @@ the friction work across its main direction: 0 on a line, 0.5 without one).
 --map-plot draws it: balls from outside, above the middle of the wear, areas
 equal, circles 30 deg apart, axes of the body; pins over beta.
 
+--measured-volume V with --measured-cycles N finds k: what was weighed, over
+the density, is N k pv_integral_J, of seat and inner body alike. k is that of
+the unworn joint: --wear-seat k --cycles N says whether the contact widens.
+
 --cycles N wears the seat or hole in, with k of --wear-seat: after blocks of
 cycles the contact is widened by the volume that is gone (v, over pi rho^2 eps
 or 2 rho eps l), and has the pressure p ~ cos theta once that is more than what
@@ -59,6 +63,7 @@ Examples:
   hinge-duty --joint data/reference/duty/cycle_hip.toml --cycle data/reference/duty/cycle_hip_in.csv --euler zxy --format markdown
   hinge-duty --joint data/reference/duty/cycle_hip.toml --cycle data/reference/duty/cycle_hip_in.csv --euler zxy --wear-seat 1e-6 --map map.csv --map-plot map.svg --output hip.csv
   hinge-duty --joint data/reference/duty/cycle_hip.toml --cycle data/reference/duty/cycle_hip_in.csv --euler zxy --wear-seat 1e-6 --cycles 5e6 --blocks blocks.csv --format markdown
+  hinge-duty --joint data/reference/duty/cycle_hip.toml --cycle data/reference/duty/cycle_hip_in.csv --euler zxy --measured-volume 25.6 --measured-error 1.2 --measured-cycles 1e6
   hinge-duty --joint data/reference/duty/cycle_pin.toml --cycle data/reference/duty/cycle_pin_in.csv --wear-seat 2e-7 --wear-inner 5e-8 --states states.csv
   hinge-duty --joint data/joints/hip_cocr_uhmwpe.toml --cycle data/duty/hip_cycle.sto --euler zxy --force-columns hip_on_leg_in_pelvis_fx,hip_on_leg_in_pelvis_fy,hip_on_leg_in_pelvis_fz --angle-columns hip_flexion_r,hip_adduction_r,hip_rotation_r
 
@@ -86,6 +91,15 @@ void add_cycle(CLI::App& app, Options& options) {
        "NUMBER");
   text("--wear-inner", options.wear_inner, "k of the ball or pin, mm^3/(N m)",
        "NUMBER");
+  CLI::Option* volume =
+      text("--measured-volume", options.measured_volume,
+           "that wore off one body, mm^3, for its k", "NUMBER");
+  text("--measured-error", options.measured_error, "its standard error, mm^3",
+       "NUMBER")
+      ->needs(volume);
+  volume->needs(text("--measured-cycles", options.measured_cycles,
+                     "in which it wore off", "N")
+                    ->needs(volume));
   text("--map", options.map, "CSV file of the wear of both bodies", "FILE");
   text("--map-plot", options.map_plot,
        "picture of the wear of both bodies: .svg, .png or .pdf", "FILE");

@@ -22,6 +22,9 @@ struct Options {
   std::string force_in;
   std::string wear_seat;
   std::string wear_inner;
+  std::string measured_volume;
+  std::string measured_error;
+  std::string measured_cycles;
   std::string map;
   std::string map_plot;
   std::string grid;

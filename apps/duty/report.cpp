@@ -176,6 +176,17 @@ void write_wear(const BodyWear& wear, double pv_integral, Lines& to) {
             "of the map's volume against k pv_integral_J");
 }
 
+// V = N k pv_integral.
+void write_measured(const MeasuredWear& measured, double pv_integral,
+                    Lines& to) {
+  const double per_volume = 1 / (measured.cycles * pv_integral);
+  to.number("k_measured_mm3_per_N_m", measured.volume * per_volume,
+            "measured volume over cycles and pv_integral_J");
+  if (!measured.error) return;
+  to.number("k_measured_error_mm3_per_N_m", *measured.error * per_volume,
+            "standard error, of the measured volume alone");
+}
+
 // What wear_in() says at some time.
 struct WornQuantity {
   const char* name;
@@ -227,6 +238,7 @@ void write_blocks(const std::vector<contact::WornState>& worn,
 }
 
 void write_summary(const JointCycle& cycle, const std::vector<BodyWear>& wear,
+                   const std::optional<MeasuredWear>& measured,
                    const std::vector<contact::WornState>& worn,
                    cli::Output& output, const cli::OutputOptions& options) {
   const cli::Table table(
@@ -237,6 +249,7 @@ void write_summary(const JointCycle& cycle, const std::vector<BodyWear>& wear,
   const double pv_integral = cycle.integral(
       [&](const CycleInstant& i) { return cycle.sliding(i).pv_total(); });
   for (const BodyWear& w : wear) write_wear(w, pv_integral, lines);
+  if (measured) write_measured(*measured, pv_integral, lines);
   if (!worn.empty()) {
     for (const WornQuantity& q : worn_quantities) {
       const std::string name = q.name;

@@ -23,10 +23,19 @@ struct BodyWear {
   double volume_defect;
 };
 
+/// What wore off a body that was weighed.
+struct MeasuredWear {
+  double volume;                ///< mm^3
+  std::optional<double> error;  ///< standard error of it
+  double cycles;
+};
+
 /// A line for each quantity of the cycle.
-/// @param worn  of wear_in(); may be empty
+/// @param measured  for k, if there is one
+/// @param worn      of wear_in(); may be empty
 void write_summary(const contact::JointCycle& cycle,
                    const std::vector<BodyWear>& wear,
+                   const std::optional<MeasuredWear>& measured,
                    const std::vector<contact::WornState>& worn,
                    cli::Output& output, const cli::OutputOptions& options);
 /// A row for each block of cycles, and one for the end.

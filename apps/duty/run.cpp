@@ -54,33 +54,32 @@ WearOptions wear_options(const Options& options) {
   return wear;
 }
 
+std::optional<MeasuredWear> measured_wear(const Options& options) {
+  if (options.measured_volume.empty()) return {};
+  MeasuredWear wear;
+  wear.volume = cli::parse_value("--measured-volume", options.measured_volume,
+                                 {0, 1e30, "mm^3"});
+  wear.cycles = cli::parse_value("--measured-cycles", options.measured_cycles,
+                                 {1, 1e15, ""});
+  if (!options.measured_error.empty()) {
+    wear.error = cli::parse_value("--measured-error", options.measured_error,
+                                  {0, 1e30, "mm^3"});
+  }
+  return wear;
+}
+
 // Those beside --output and --plot.
 void check_files(const Options& options) {
+  cli::OutputNames names = names_of(options.output);
   for (const auto& [option, file] : {std::pair("--map", &options.map),
                                      {"--map-plot", &options.map_plot},
                                      {"--states", &options.states},
                                      {"--blocks", &options.blocks}}) {
-    if (file->empty()) continue;
     if (*file == "-") cli::refuse(option, *file, "the name of a file");
-    cli::Output::check(*file);
+    names.add(option, *file);
   }
-  if (!options.map_plot.empty() && !cli::is_picture_name(options.map_plot)) {
-    cli::refuse("--map-plot", options.map_plot,
-                "a name that ends in .svg, .png, .pdf");
-  }
-  const std::vector<std::pair<std::string, std::string>> files = {
-      {"--output", options.output.output},
-      {"--plot", options.output.plot},
-      {"--map", options.map},
-      {"--map-plot", options.map_plot},
-      {"--states", options.states},
-      {"--blocks", options.blocks}};
-  for (auto one = files.begin(); one != files.end(); ++one) {
-    for (auto other = files.begin(); other != one; ++other) {
-      if (one->second.empty() || one->second != other->second) continue;
-      cli::refuse(one->first, one->second,
-                  "another file than that of " + other->first);
-    }
+  if (!options.map_plot.empty()) {
+    cli::check_picture_name("--map-plot", options.map_plot);
   }
 }
 
@@ -167,6 +166,7 @@ void warn_of_cycle(const JointCycle& cycle) {
 cli::ExitStatus run(const Options& options) {
   check_files(options);
   const WearOptions wear_options = hinge_duty::wear_options(options);
+  const std::optional<MeasuredWear> measured = measured_wear(options);
   const cli::Joint joint = make_joint(options.joint);
   const contact::Joint friction(contact_of(joint, options));
   const contact::DutyCycle duty = read_cycle(options, friction.is_pin());
@@ -186,7 +186,7 @@ cli::ExitStatus run(const Options& options) {
   std::optional<cli::Output> states;
   std::optional<cli::Output> map;
   std::optional<cli::Output> blocks;
-  write_summary(cycle, wear, worn, output, options.output);
+  write_summary(cycle, wear, measured, worn, output, options.output);
   if (!options.states.empty()) {
     states.emplace(options.states);
     write_states(cycle, *states, options.output);

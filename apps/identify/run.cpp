@@ -90,7 +90,7 @@ contact::JointContact make_contact(
 }  // namespace
 
 cli::ExitStatus run(const Options& options) {
-  if (!options.residuals.empty()) cli::Output::check(options.residuals);
+  names_of(options.output).add("--residuals", options.residuals);
   const cli::Joint joint = make_joint(options.joint);
   const contact::IdentifyOptions identify = identify_options(options);
   const contact::JointContact contact =

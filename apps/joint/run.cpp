@@ -154,13 +154,8 @@ void check_map(const Options& options, const Setup& setup,
   if (inputs.size() != 1 || setup.joints.size() != 1) {
     cli::refuse_without("--map", one_row);
   }
-  if (!cli::is_picture_name(map)) {
-    cli::refuse("--map", map, "a name that ends in .svg, .png, .pdf");
-  }
-  if (map == options.output.output) {
-    cli::refuse("--map", map, "another file than that of --output");
-  }
-  cli::Output::check(map);
+  cli::check_picture_name("--map", map);
+  names_of(options.output).add("--map", map);
 }
 
 void check_rest(const Setup& setup, const Inputs& inputs) {

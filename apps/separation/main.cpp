@@ -68,6 +68,7 @@ Examples:
 )";
 
 void add_options(CLI::App& app, Options& options) {
+  const cli::TextOptions text(app);
   app.add_option("CASE.toml", options.case_file, "the case file")
       ->required()
       ->option_text(" ");
@@ -75,9 +76,8 @@ void add_options(CLI::App& app, Options& options) {
   app.add_flag("--compare", options.compare,
                "ideal, full and traditional friction side by side")
       ->option_text(" ");
-  app.add_option("--friction", options.friction,
-                 "full, ideal or traditional; default: the case's")
-      ->option_text("NAME");
+  text("--friction", options.friction,
+       "full, ideal or traditional; default: the case's", "NAME");
   app.add_option_function<std::string>(
          "--end-time",
          [&options](const std::string& text) {
@@ -91,18 +91,15 @@ void add_options(CLI::App& app, Options& options) {
                  "joints; more than once for several")
       ->option_text("KEY=VALUE")
       ->allow_extra_args(false);
-  app.add_option("--law", options.half_angle_law,
-                 "half-angle law of all joints; default: the joints'")
-      ->option_text("NAME");
-  app.add_option("--pressure", options.pressure_law,
-                 "pressure law of all joints; default: the joints'")
-      ->option_text("NAME");
+  text("--law", options.half_angle_law,
+       "half-angle law of all joints; default: the joints'", "NAME");
+  text("--pressure", options.pressure_law,
+       "pressure law of all joints; default: the joints'", "NAME");
   app.add_flag("--no-clearance", options.no_clearance,
                "do not work out distances")
       ->option_text(" ");
-  auto* checkpoint = app.add_option("--checkpoint", options.checkpoint,
-                                    "file to write on the way, for --resume")
-                         ->option_text("FILE");
+  auto* checkpoint = text("--checkpoint", options.checkpoint,
+                          "file to write on the way, for --resume", "FILE");
   app.add_option_function<std::string>(
          "--checkpoint-every",
          [&options](const std::string& text) {
@@ -113,8 +110,7 @@ void add_options(CLI::App& app, Options& options) {
          "so much of the motion, in s or with a unit")
       ->option_text("TIME")
       ->needs(checkpoint);
-  app.add_option("--resume", options.resume, "checkpoint to go on from")
-      ->option_text("FILE");
+  text("--resume", options.resume, "checkpoint to go on from", "FILE");
   app.add_option_function<std::string>(
          "--step-limit",
          [&options](const std::string& text) {
@@ -133,12 +129,10 @@ void add_options(CLI::App& app, Options& options) {
          "stop after so much wall-clock time, s or with a unit")
       ->option_text("TIME");
   app.option_defaults()->group("Output");
-  app.add_option("--history", options.history,
-                 "time history: .csv, .h5 or .hdf5, - for CSV on stdout")
-      ->option_text("FILE");
-  app.add_option("--events", options.events,
-                 "list of events: .csv, - for stdout")
-      ->option_text("FILE");
+  text("--history", options.history,
+       "time history: .csv, .h5 or .hdf5, - for CSV on stdout", "FILE");
+  text("--events", options.events, "list of events: .csv, - for stdout",
+       "FILE");
   auto* replay =
       app.add_option("--replay", options.replays,
                      "the motion in 3D: .html, a page for any browser,\n"

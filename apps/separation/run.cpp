@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <exception>
-#include <filesystem>
-#include <map>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -15,6 +13,7 @@
 #include "cli/interrupts.hpp"
 #include "cli/joint/key_settings.hpp"
 #include "cli/output.hpp"
+#include "cli/output_names.hpp"
 #include "cli/quantity.hpp"
 #include "cli/refuse.hpp"
 #include "libcontact/base/complaint.hpp"
@@ -42,58 +41,29 @@ constexpr std::array<cli::Choice<FrictionChoice>, 3> friction_choices = {
      {"ideal", FrictionChoice::ideal},
      {"traditional", FrictionChoice::traditional}}};
 
-// Beside the files that every program has.
-void check_outputs(const Options& o) {
-  for (const std::string& name : {o.history, o.events, o.checkpoint}) {
-    if (!name.empty()) cli::Output::check(name);
-  }
-  for (const std::string& name : o.replays) cli::Output::check(name);
-}
-
-// Where a name leads, "-" for standard output; "" for what may have several
-// names or readers, as /dev/null.
-std::string destination(const std::string& name) {
-  if (name.empty() || name == "-") return "-";
-  std::error_code ignored;
-  if (std::filesystem::exists(name, ignored) &&
-      !std::filesystem::is_regular_file(name, ignored)) {
-    return {};
-  }
-  const auto path = std::filesystem::weakly_canonical(
-      std::filesystem::absolute(name, ignored), ignored);
-  return path.empty() ? name : path.string();
-}
-
 // Every file that is written has a name of its own.
-void check_names(const Options& o, const Case& c) {
-  std::map<std::string, std::string> taken;
-  const auto take = [&](const std::string& option, const std::string& name) {
-    const std::string to = destination(name);
-    if (to.empty()) return;
-    const auto [place, is_new] = taken.emplace(to, option);
-    if (is_new) return;
-    cli::refuse(option, to == "-" ? "-" : name,
-                "another file than that of " + place->second);
-  };
-  take("CASE.toml", o.case_file);
-  take("--output", o.output.output);
-  if (!o.history.empty()) take("--history", o.history);
-  if (!o.events.empty()) take("--events", o.events);
+cli::OutputNames names_of(const Options& o) {
+  cli::OutputNames inputs;
+  inputs.keep("CASE.toml", o.case_file);
+  cli::OutputNames names = names_of(o.output, inputs);
+  names.add("--history", o.history);
+  names.add("--events", o.events);
   if (!o.checkpoint.empty()) {
-    take("--checkpoint", o.checkpoint);
-    for (const char* end : {".rows1", ".rows2"}) {
-      take("--checkpoint", o.checkpoint + end);
+    for (const char* end : {"", ".rows1", ".rows2"}) {
+      names.add("--checkpoint", o.checkpoint + end);
     }
   }
-  for (const std::string& name : o.replays) take("--replay", name);
+  for (const std::string& name : o.replays) names.add("--replay", name);
   // To go on with the same checkpoint is as usual.
-  if (!o.resume.empty() && destination(o.resume) != destination(o.checkpoint)) {
-    take("--resume", o.resume);
-  }
+  if (!cli::same_file(o.resume, o.checkpoint)) names.keep("--resume", o.resume);
+  return names;
+}
+
+void keep_pictures(const Options& o, const Case& c, cli::OutputNames names) {
   if (o.output.plot.empty()) return;
   for (const std::string& name :
        picture_names(c, !o.no_clearance, o.output.plot)) {
-    take("--plot", name);
+    names.keep("--plot", name);
   }
 }
 
@@ -252,10 +222,10 @@ cli::ExitStatus simulate(const Case& c, const Options& o) {
 }  // namespace
 
 cli::ExitStatus run(const Options& options) {
-  check_outputs(options);
+  const cli::OutputNames names = names_of(options);
   const Case c = case_of(options);
   check_case(options, c);
-  check_names(options, c);
+  keep_pictures(options, c, names);
   return options.compare ? compare(c, options) : simulate(c, options);
 }
 

@@ -256,9 +256,14 @@ void check_outputs(const Options& o) {
   if (!o.report.empty() && !separation::is_page(o.report)) {
     cli::refuse("--report", o.report, "a name that ends in .html");
   }
-  for (const std::string& name : {o.csv, o.hdf5, o.report}) {
-    if (!name.empty()) cli::Output::check(name);
-  }
+  cli::OutputNames inputs;
+  inputs.keep("STUDY.toml", o.file);
+  cli::OutputNames names = names_of(o.output, inputs);
+  names.add("--csv", o.csv);
+  names.add("--hdf5", o.hdf5);
+  names.add("--report", o.report);
+  names.add("--history", o.history);
+  names.keep("--journal", journal_of(o));
 }
 
 }  // namespace

@@ -59,26 +59,22 @@ int main(int argc, char** argv) {
       "Friction integrals and coefficients of a ball joint with dry friction",
       "hinge-table");
   hinge_table::Options options;
-  auto* theta0 = app.add_option("--theta0", options.theta0, "half-angles, deg")
-                     ->option_text("ANGLES");
+  const cli::TextOptions text(app);
+  auto* theta0 = text("--theta0", options.theta0, "half-angles, deg", "ANGLES");
   auto* alpha =
-      app.add_option("--alpha", options.alpha, "slip axis angles, deg")
-          ->option_text("ANGLES");
+      text("--alpha", options.alpha, "slip axis angles, deg", "ANGLES");
   theta0->needs(alpha);
   alpha->needs(theta0);
-  app.add_option("--points", options.points,
-                 "CSV file of points, - for standard input")
-      ->option_text("FILE");
-  app.add_option("--method", options.method,
-                 "exact (default), elliptic, quadrature, planar, viscous, "
-                 "cosine")
-      ->option_text("NAME");
-  app.add_option("--tolerance", options.tolerance,
-                 "of --method quadrature, relative; default 1e-10")
-      ->option_text("NUMBER");
-  app.add_option("--quantity", options.quantity,
-                 "of a grid in markdown, latex and pictures; default chi")
-      ->option_text("NAME");
+  text("--points", options.points, "CSV file of points, - for standard input",
+       "FILE");
+  text("--method", options.method,
+       "exact (default), elliptic, quadrature, planar, viscous, "
+       "cosine",
+       "NAME");
+  text("--tolerance", options.tolerance,
+       "of --method quadrature, relative; default 1e-10", "NUMBER");
+  text("--quantity", options.quantity,
+       "of a grid in markdown, latex and pictures; default chi", "NAME");
   add_joint_options(app, options.joint);
   add_law_options(app, options.joint, cli::Laws::one, cli::Laws::one);
   add_output_options(app, options.output);

@@ -147,15 +147,17 @@ std::vector<DutyCycle::Node> DutyCycle::nodes(bool is_pin) const {
     }
     std::sort(ends.begin(), ends.end());
   }
-  using Rule = boost::math::quadrature::gauss<double, 4>;
+  using Four = boost::math::quadrature::gauss<double, 4>;
+  using Eight = boost::math::quadrature::gauss<double, 8>;
+  const auto& places = is_pin ? Four::abscissa() : Eight::abscissa();
+  const auto& weights = is_pin ? Four::weights() : Eight::weights();
   std::vector<Node> nodes;
   for (std::size_t i = 1; i < ends.size(); ++i) {
     const double middle = (ends[i] + ends[i - 1]) / 2;
     const double half = (ends[i] - ends[i - 1]) / 2;
-    for (std::size_t k = 0; k < Rule::abscissa().size(); ++k) {
+    for (std::size_t k = 0; k < places.size(); ++k) {
       for (const double side : {-half, half}) {
-        nodes.push_back(
-            {middle + side * Rule::abscissa()[k], half * Rule::weights()[k]});
+        nodes.push_back({middle + side * places[k], half * weights[k]});
       }
     }
   }

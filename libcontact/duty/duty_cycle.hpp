@@ -64,15 +64,14 @@ class DutyCycle {
   /// 0 of angles.
   double closure() const { return closure_; }
 
-  /// Gauss's rule of four points in each interval of the times, of a pin in
-  /// each quarter.
+  /// Gauss's rule of eight points in each interval of the times, of a pin four
+  /// in each quarter.
   struct Node {
     double time;
     double weight;  ///< s
   };
   /// @param is_pin  with further ends of intervals where the rate about Z
-  /// changes its
-  ///                sign, which brings a kink
+  ///                changes its sign, which brings a kink
   std::vector<Node> nodes(bool is_pin) const;
 
  private:

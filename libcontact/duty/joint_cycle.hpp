@@ -37,7 +37,7 @@ class JointCycle {
   }
 
   using Quantity = std::function<double(const CycleInstant&)>;
-  /// Over one period; to 3e-9 for smooth cycles of 100 times
+  /// Over one period; to 1e-9 for smooth cycles of 100 times
   /// (duty/joint_cycle_test.cpp).
   double integral(const Quantity& quantity) const;
   /// The largest value, to 1e-8: the largest of the rows, improved between its

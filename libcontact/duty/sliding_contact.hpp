@@ -1,12 +1,16 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 
 #include "libcontact/joint/contact.hpp"
 #include "libcontact/joint/solution.hpp"
 #include "libcontact/pressure/profile.hpp"
 
 namespace contact {
+namespace detail {
+class ExpandedPressure;
+}
 
 /// Where a quantity is largest over a contact.
 struct ContactPeak {
@@ -75,10 +79,13 @@ class SlidingContact {
     double constant_part;
     int power;
   };
-  ContactPeak largest(const Stress& stress) const noexcept;
+  using Expanded = std::optional<detail::ExpandedPressure>;
+  ContactPeak largest(const Stress& stress,
+                      const Expanded& expanded) const noexcept;
   ContactPeak peak_at(double theta, double value) const noexcept;
   ContactPeak largest_of_stress() const noexcept;
-  double peak_angle(const Stress& stress) const noexcept;
+  double peak_angle(const Stress& stress,
+                    const Expanded& expanded) const noexcept;
   void add_totals(const JointSolution& solution) noexcept;
   double share_of_speed(double theta) const noexcept;
   double pressure_at(double theta) const noexcept;
@@ -89,10 +96,11 @@ class SlidingContact {
   Eigen::Vector3d centre_;
   double half_angle_;
   double normal_force_;
-  double pressure_unit_;  // Pa
-  double rim_speed_;      // rho |Dw|, m/s
-  SlipAxis axis_;         // sin a >= 0
-  Stress heat_stress_;    // of q
+  double pressure_unit_;          // Pa
+  double rim_speed_;              // rho |Dw|, m/s
+  SlipAxis axis_;                 // sin a >= 0
+  Stress heat_stress_;            // of q
+  bool peak_is_outside_ = false;  // of p: not at the centre
   double slip_coefficient_ = 0;
   double heat_ = 0;
   double pv_nominal_ = 0;

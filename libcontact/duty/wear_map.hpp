@@ -29,6 +29,8 @@ class WearMap {
     /// along one line, 1/2 without a direction; NaN where there is no wear.
     double cross_shear;
   };
+  /// To 1e-5 of the largest p v of a cycle of 100 times
+  /// (duty/joint_cycle_test.cpp).
   Wear at(const Eigen::Vector3d& point) const;
 
   /// N points, each of the same area: Fibonacci's sphere, or a circle.
@@ -43,7 +45,7 @@ class WearMap {
     Eigen::Vector3d point;
     Wear wear;
   };
-  /// The largest of a grid, improved between its neighbours; to 1e-4
+  /// The largest of a grid, improved between its neighbours; to 1e-5
   /// (duty/joint_cycle_test.cpp).
   Deepest deepest(const std::vector<Eigen::Vector3d>& points,
                   const std::vector<Wear>& wear) const;

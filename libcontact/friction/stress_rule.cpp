@@ -18,20 +18,46 @@ namespace {
 using detail::GaussLegendre;
 using std::numbers::pi;
 
-// Gauss's rule, made anew unless it is the usual one.
-class Gauss {
+// Gauss's rules for the planes through the slip axis and for the points in
+// each. Edges ask for more points than planes do.
+struct Rules {
+  GaussLegendre planes;
+  GaussLegendre across;
+
+  explicit Rules(int points) : planes(points - 2), across(points + 2) {}
+};
+
+// Made anew unless they are the usual ones.
+class RulesOf {
  public:
-  explicit Gauss(int points) {
+  explicit RulesOf(int points) {
     if (points != usual_stress_points) own_.emplace(points);
   }
-  const GaussLegendre& rule() const {
-    static const GaussLegendre usual(usual_stress_points);
+  const Rules& operator*() const {
+    static const Rules usual(usual_stress_points);
     return own_ ? *own_ : usual;
   }
 
  private:
-  std::optional<GaussLegendre> own_;
+  std::optional<Rules> own_;
 };
+
+// Places in an interval and how fast they move.
+struct Place {
+  double at;
+  double rate;
+};
+
+// From 0 to 1, s in [0, 1], slowly at the end: powers of the distance to the
+// edge, of which friction stresses may have any, become higher ones.
+Place to_end(double s) { return {s * (2 - s), 2 - 2 * s}; }
+// The same from -1 to 1, t in [-1, 1], and odd.
+Place to_both_ends(double t) {
+  const double q = t * t;
+  const double rest = (1 - t) * (1 + t);
+  return {t * (35 - q * (35 - q * (21 - 5 * q))) / 16,
+          35. / 16 * rest * rest * rest};
+}
 
 // The stress at places of a contact.
 class Stress {
@@ -85,18 +111,21 @@ void along_planes(double s, double q, const GaussLegendre& gauss,
   const auto parts = static_cast<Eigen::Index>(std::ceil(end / longest_part));
   const double part = end / static_cast<double>(parts);
   for (Eigen::Index i = 0; i < parts * size; ++i) {
-    // Periodic with a pole inside, else with odd powers at the end.
     const Eigen::Index k = i % size;
-    const double start = static_cast<double>(i / size) * part;
-    const double node =
-        pole_inside ? (static_cast<double>(k) + 0.5) / static_cast<double>(size)
-                    : (1 + gauss.node[k]) / 2;
-    const double width = part * (pole_inside ? 1 / static_cast<double>(size)
-                                             : gauss.weight[k] / 2);
+    double node = (1 + gauss.node[k]) / 2;
+    double width = part * gauss.weight[k] / 2;
+    if (pole_inside) {  // periodic
+      node = (static_cast<double>(k) + 0.5) / static_cast<double>(size);
+      width = part / static_cast<double>(size);
+    } else if (i >= (parts - 1) * size) {  // the last arcs are short
+      width *= 1.5 * (1 - node) * (1 + node);
+      node *= (3 - node * node) / 2;
+    }
+    const double u = part * (static_cast<double>(i / size) + node);
     double cn = 0;
     double dn = 0;
-    const double sn = boost::math::jacobi_elliptic(modulus, start + node * part,
-                                                   &cn, &dn, Double());
+    const double sn =
+        boost::math::jacobi_elliptic(modulus, u, &cn, &dn, Double());
     if (pole_inside) {
       visit(Plane{sn, cn, std::sqrt((s - q) * (s + q) + q * q * cn * cn),
                   dn * width});
@@ -108,42 +137,62 @@ void along_planes(double s, double q, const GaussLegendre& gauss,
   }
 }
 
+// Calls visit(x, dx) with the places [-d, d] of an arc.
+template <class Visit>
+void across_arc(double d, const GaussLegendre& gauss, const Visit& visit) {
+  for (Eigen::Index k = 0; k < gauss.node.size(); ++k) {
+    const auto [share, rate] = to_both_ends(gauss.node[k]);
+    visit(d * share, d * rate * gauss.weight[k]);
+  }
+}
+
+// The same from x = pole on, where e changes its sign, to either end.
+template <class Visit>
+void across_both_sides(double d, double pole, const GaussLegendre& gauss,
+                       const Visit& visit) {
+  const double start = std::asin(pole / d);  // x = d sin V
+  for (const double end : {-pi / 2, pi / 2}) {
+    for (Eigen::Index k = 0; k < gauss.node.size(); ++k) {
+      const auto [share, rate] = to_end((1 + gauss.node[k]) / 2);
+      const double v = start + (end - start) * share;
+      const double dv = std::abs(end - start) * rate * gauss.weight[k] / 2;
+      visit(d * std::sin(v), d * std::cos(v) * dv);
+    }
+  }
+}
+
 // Along great circles through the slip axis.
 FrictionTriple by_planes(double half_angle, SlipAxis axis, const Stress& stress,
-                         const GaussLegendre& gauss) {
+                         const Rules& rules) {
   const double c = std::cos(half_angle);
   const double s = std::sin(half_angle);
   const double q = axis.cos;
   const double sa = axis.sin;
   FrictionTriple sum{0, 0, 0};
-  along_planes(s, q, gauss, [&](const Plane& plane) {
+  along_planes(s, q, rules.planes, [&](const Plane& plane) {
     const double out = q * plane.sine;  // of the plane: the contact's centre
     const double r = std::sqrt((1 - out) * (1 + out));
     const double d = std::atan2(plane.distance, c);
     const double middle = std::atan2(q * plane.cosine, sa);
-    const auto add = [&](double from, double to) {
-      const double half = (to - from) / 2;
-      for (Eigen::Index k = 0; k < gauss.node.size(); ++k) {
-        const double v = (from + to) / 2 + half * gauss.node[k];
-        const double x = d * std::sin(v);
-        const double cos_x = std::cos(x);
-        const double colatitude = middle + x;
-        const double w = std::sin(colatitude);
-        const double across = std::cos(colatitude) * plane.cosine;
-        const double theta =
-            std::atan2(std::hypot(std::sin(x), out * cos_x), r * cos_x);
-        const double dx = d * std::cos(v) * half * gauss.weight[k];
-        // |w| times the sign of w in front of e.
-        const double t = stress(theta, std::abs(w)) * dx * plane.weight * w;
-        sum.force += t * plane.cosine;
-        sum.sliding += t * (w * q + sa * across);
-        sum.spinning += t * (w * sa - q * across);
-      }
+    const auto add = [&](double x, double dx) {
+      const double cos_x = std::cos(x);
+      const double colatitude = middle + x;
+      const double w = std::sin(colatitude);
+      const double across = std::cos(colatitude) * plane.cosine;
+      const double theta =
+          std::atan2(std::hypot(std::sin(x), out * cos_x), r * cos_x);
+      // |w| times the sign of w in front of e.
+      const double t = stress(theta, std::abs(w)) * dx * plane.weight * w;
+      sum.force += t * plane.cosine;
+      sum.sliding += t * (w * q + sa * across);
+      sum.spinning += t * (w * sa - q * across);
     };
-    // e changes its sign at the pole.
-    const double pole = s >= q && middle < d ? -std::asin(middle / d) : -pi / 2;
-    if (pole > -pi / 2) add(-pi / 2, pole);
-    add(pole, pi / 2);
+    const bool crosses_pole = s >= q && middle < d;
+    if (crosses_pole) {
+      across_both_sides(d, -middle, rules.across, add);
+    } else {
+      across_arc(d, rules.across, add);
+    }
   });
   // Both sides of the plane of slip axis and centre.
   return {2 * sum.force, 2 * sum.sliding, 2 * sum.spinning};
@@ -228,11 +277,11 @@ FrictionTriple stress_integrals(const PressureLaw& law,
       share < 1 ? std::sqrt(1 - least_cosine * least_cosine) : sine,
       std::max(axis.cos, least_cosine)};
   const Stress field(law, contact, stress);
-  const Gauss gauss(points);
+  const RulesOf rules(points);
   const FrictionTriple sum =
       contact.half_angle > pi / 2
           ? by_definition(contact.half_angle, used, field)
-          : by_planes(contact.half_angle, used, field, gauss.rule());
+          : by_planes(contact.half_angle, used, field, *rules);
   return {share * sum.force, share * sum.sliding,
           std::copysign(sum.spinning, axis.sin)};
 }
@@ -241,16 +290,17 @@ FrictionTriple pin_stress_integrals(const PressureLaw& law,
                                     const StressedContact& contact,
                                     const FrictionStress& stress, int points) {
   const Stress field(law, contact, stress);
-  const Gauss gauss(points);
-  const GaussLegendre& rule = gauss.rule();
+  const RulesOf rules(points);
+  const auto& [node, weight] = (*rules).across;
   FrictionTriple sum{0, 0, 0};
-  for (Eigen::Index k = 0; k < rule.node.size(); ++k) {
+  for (Eigen::Index k = 0; k < node.size(); ++k) {
+    const auto [share, rate] = to_end((1 + node[k]) / 2);
     // The sine takes away the root at the edge.
-    const double v = pi / 4 * (1 + rule.node[k]);
+    const double v = pi / 2 * share;
     const double theta = contact.half_angle * std::sin(v);
     // Both sides.
     const double t = 2 * field(theta, 1) * contact.half_angle * std::cos(v) *
-                     pi / 4 * rule.weight[k];
+                     pi / 4 * rate * weight[k];
     sum.force += t * std::cos(theta);
     sum.sliding += t;
   }

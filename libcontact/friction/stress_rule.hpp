@@ -13,7 +13,8 @@ struct StressedContact {
   double rim_speed;      ///< rho |Dw|, m/s
 };
 
-/// Points that stress_integrals() takes along each direction.
+/// Of stress_integrals(): n - 2 great circles of n + 2 points, or twice that
+/// where they cross the slip axis.
 inline constexpr int usual_stress_points = 24;
 
 /// Friction force over rho^2 and moments over rho^3 of a ball's contact, Pa:
@@ -22,11 +23,12 @@ inline constexpr int usual_stress_points = 24;
 ///
 /// Up to 90 deg along great circles through the slip axis, beyond by the
 /// definition with double exponential nodes (docs/friction_stress.md).
-/// @param points  of the great circles, each way
-/// @return relative error at most 1e-10 for tau that is smooth in p and v; for
-///         powers of p 1e-7 with 24 points, 1e-9 with 64 and 1e-10 with 128;
-///         1e-10 beyond 90 deg (joint/friction_stress_test.cpp). NaN where the
-///         law has no value and at theta0 = 0.
+/// @param points  n, 4 or more
+/// @return relative error at most 1e-10 for tau that is smooth in p and v and
+///         for powers of p, 1e-9 for functions of v/p, which change fast
+///         towards the edge; 1e-10 beyond 90 deg
+///         (joint/friction_stress_test.cpp). NaN where the law has no value
+///         and at theta0 = 0.
 /// Does not throw; with the usual number of points nothing allocates but in
 /// the first call.
 FrictionTriple stress_integrals(const PressureLaw& law,

@@ -287,14 +287,18 @@ class Identification {
     if (best.status != Status::ok || !(best.chi2 > 0)) return;
     const MatrixXd slopes = measured_.sigma.cwiseInverse().asDiagonal() *
                             model_.slopes(best.point, free_);
-    const VectorXd step =
-        best.scale *
-        detail::inverse_of_square(slopes).diagonal().cwiseAbs().cwiseSqrt();
+    const MatrixXd covariance = detail::inverse_of_square(slopes);
     for (std::size_t i = 0; i < free_.size(); ++i) {
       const int number = free_[i];
+      const auto column = covariance.col(static_cast<Eigen::Index>(i));
+      const double variance = std::abs(column[static_cast<Eigen::Index>(i)]);
+      Point along = Point::Zero();
+      for (std::size_t k = 0; k < free_.size(); ++k) {
+        along[free_[k]] = column[static_cast<Eigen::Index>(k)] / variance;
+      }
       const ConfidenceInterval ends = detail::profile(
-          model_, measured_, best, free_, number,
-          step[static_cast<Eigen::Index>(i)], quantile_, degrees_);
+          model_, measured_, best, free_, number, along,
+          best.scale * std::sqrt(variance), quantile_, degrees_);
       const auto si = [&](double x) {
         Point p = best.point;
         p[number] = x;
@@ -347,7 +351,7 @@ Estimate predicted_moment(const FrictionFit& fit,
   for (Eigen::Index i = 0; i < slope.size(); ++i) {
     if (std::isnan(covariance(i, i))) continue;
     const int number = static_cast<int>(fit.parameters[i]);
-    slope[i] = model.slope(point, number)[0] / unit[number];
+    slope[i] = model.slopes(point, {number})(0, 0) / unit[number];
   }
   covariance = covariance.array().isNaN().select(0, covariance);
   Estimate moment;

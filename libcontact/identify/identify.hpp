@@ -87,7 +87,7 @@ struct FrictionFit {
 /// that are not looked for are the joint's.
 ///
 /// Estimates are those of an independent program to 1e-7, profiles to 1e-5;
-/// exact data give their parameters back to 1e-8 (identify/identify_test.cpp).
+/// exact data give their parameters back to 1e-11 (identify/identify_test.cpp).
 /// @throws Error for a viscous joint, a parameter that is named twice, data
 ///         that are too few or out of range or for which the joint's laws have
 ///         no value.

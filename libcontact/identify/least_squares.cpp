@@ -60,7 +60,7 @@ bool converged(Eigen::LevenbergMarquardtSpace::Status status) {
 // Without bounds.
 Minimum unbounded(const MomentModel& model, const Measurements& measured,
                   const VectorXd& weight, const Point& start,
-                  const std::vector<int>& free) {
+                  const std::vector<int>& free, double tolerance) {
   Unknowns unknowns(model, measured, weight, start, free);
   VectorXd x(free.size());
   for (std::size_t i = 0; i < free.size(); ++i) {
@@ -71,8 +71,9 @@ Minimum unbounded(const MomentModel& model, const Measurements& measured,
   bool good = true;
   if (!free.empty()) {
     Eigen::LevenbergMarquardt<Unknowns> solver(unknowns);
-    // Steps shrink so fast that the last one leaves some 1e-14.
-    solver.parameters.xtol = 1e-10;
+    solver.parameters.xtol = tolerance;
+    // Data that ask for more tell nothing.
+    solver.parameters.maxfev = 100;
     solver.parameters.ftol = std::numeric_limits<double>::epsilon();
     good = converged(solver.minimize(x));
   }
@@ -88,8 +89,8 @@ Minimum unbounded(const MomentModel& model, const Measurements& measured,
 
 Minimum least_squares(const MomentModel& model, const Measurements& measured,
                       const VectorXd& weight, const Point& start,
-                      const std::vector<int>& free) {
-  Minimum found = unbounded(model, measured, weight, start, free);
+                      const std::vector<int>& free, double tolerance) {
+  Minimum found = unbounded(model, measured, weight, start, free, tolerance);
   for (;;) {
     const auto below = std::ranges::min_element(
         found.inside, {}, [&](int i) { return i < 2 ? found.point[i] : 0; });
@@ -99,7 +100,7 @@ Minimum least_squares(const MomentModel& model, const Measurements& measured,
     std::erase(left, *below);
     Point at_bound = found.point;
     at_bound[*below] = 0;
-    found = unbounded(model, measured, weight, at_bound, left);
+    found = unbounded(model, measured, weight, at_bound, left, tolerance);
   }
 }
 

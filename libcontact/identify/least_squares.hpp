@@ -30,9 +30,10 @@ struct Minimum {
 /// The least sum of weight residual^2 over some numbers of the point, f0 and A
 /// not below 0, by Levenberg-Marquardt (MINPACK's lmder): what falls below 0 is
 /// held there and the others are found anew.
+/// @param tolerance  of the last step but one, relative; the last is its square
 Minimum least_squares(const MomentModel& model, const Measurements& measured,
                       const Eigen::VectorXd& weight, const Point& start,
-                      const std::vector<int>& free);
+                      const std::vector<int>& free, double tolerance = 1e-10);
 
 /// Median of |residual| over that of normal errors of 1.
 double robust_scale(const Eigen::VectorXd& residuals);

@@ -1,14 +1,17 @@
 #include "libcontact/identify/moment_model.hpp"
 
+#include <Eigen/Geometry>
 #include <cmath>
 #include <limits>
 #include <utility>
 
 #include "libcontact/joint/joint.hpp"
+#include "libcontact/joint/slip_equation.hpp"
 
 namespace contact::detail {
 namespace {
 
+using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
@@ -27,9 +30,67 @@ void solve_all(const JointContact& contact,
   }
 }
 
+// Of a state at any tan psi, be it the root or not: f/cos a, and the parts of
+// M_t along w = Dw/|Dw| and along d, the direction of n normal to it.
+Vector3d trial(const JointContact& contact, const JointSolution& solution,
+               double tangent) {
+  const SineCosine b = solution.reaction_direction;
+  // Friction is dry: any speed will do.
+  const SlipEquation equation(contact, 1, solution.reaction.stableNorm(),
+                              {b.sin, std::abs(b.cos)});
+  const SlipPoint p = equation.at(tangent);
+  const SlipAxis a = p.triangle.axis;
+  const double scale = contact.geometry().radius() * p.normal_force;
+  return {
+      p.friction, -scale * (p.sliding * a.cos + p.spinning * a.sin),
+      std::copysign(scale, b.cos) * (p.sliding * a.sin - p.spinning * a.cos)};
+}
+
+// dM_t/dx from the slopes of trials, in a number x and in tan psi. As tan psi
+// is f/cos a it moves by (df/cos a)/dx / (1 - (df/cos a)/dtan psi), and turns
+// d.
+Vector3d moment_slope(const MeasuredMoment& state,
+                      const JointSolution& solution, const Vector3d& by_number,
+                      const Vector3d& by_tangent) {
+  const Vector3d w = state.rate.stableNormalized();
+  const Vector3d turning = solution.slip_velocity.stableNormalized();
+  // Exactly normal to w, also where n is w but for rounding.
+  Vector3d d = turning.cross(w);
+  if (solution.normal.dot(d) < 0) d = -d;
+  const double tangent = solution.memory.tangent;
+  const double move = by_number[0] / (1 - by_tangent[0]);
+  const double turn = move / (1 + tangent * tangent);
+  const Vector3d change = by_number + move * by_tangent;
+  return change[1] * w + change[2] * d +
+         turn * solution.friction_moment.dot(d) * turning;
+}
+
+// Puts a moment where the measured numbers of its state are.
+template <class Numbers>
+void put(Numbers&& numbers, const MeasuredMoment& state,
+         const Vector3d& moment) {
+  if (state.is_vector()) {
+    numbers = moment;
+  } else {
+    numbers[0] = -moment.dot(state.rate.stableNormalized());
+  }
+}
+
 // Far beyond any fit that means something, and still a joint.
 constexpr double least_relative_clearance = 1e-9;
 constexpr double largest_relative_clearance = 0.9;
+constexpr double largest_friction = 1e6;
+
+// Points with f0 or A below 0, and what stands for them.
+bool is_inside(const Point& p) { return p[0] >= 0 && p[1] >= 0; }
+Point inside(Point p) {
+  p.head<2>() = p.head<2>().cwiseMax(0);
+  return p;
+}
+Point mirrored(Point p) {
+  p.head<2>() = p.head<2>().cwiseAbs();
+  return p;
+}
 
 }  // namespace
 
@@ -51,12 +112,15 @@ Point MomentModel::point(double coefficient, double adhesion,
 }
 
 JointContact MomentModel::joint_at(const Point& p) const {
-  const double radius = joint_.geometry().radius();
-  const double clearance =
-      std::clamp(std::exp(p[2]), least_relative_clearance * radius,
-                 largest_relative_clearance * radius);
-  return joint_.with_clearance(clearance).with_friction(
-      FrictionLaw(p[0], p[1] * unit_));
+  return joint_.with_clearance(std::exp(p[2]))
+      .with_friction(FrictionLaw(p[0], p[1] * unit_));
+}
+
+bool MomentModel::is_usable(const Point& p) const {
+  const double clearance = std::exp(p[2]) / joint_.geometry().radius();
+  return p.head<2>().cwiseAbs().maxCoeff() <= largest_friction &&
+         clearance >= least_relative_clearance &&
+         clearance <= largest_relative_clearance && p.allFinite();
 }
 
 VectorXd MomentModel::solved(const Point& point) const {
@@ -65,45 +129,69 @@ VectorXd MomentModel::solved(const Point& point) const {
   Eigen::Index at = 0;
   for (std::size_t i = 0; i < states_.size(); ++i) {
     const MeasuredMoment& state = states_[i];
-    const Vector3d& moment = last_[i].friction_moment;
-    if (last_[i].status != Status::ok) {
-      all.segment(at, state.size()).setConstant(nan);
-    } else if (state.is_vector()) {
-      all.segment<3>(at) = moment;
-    } else {
-      all[at] = -moment.dot(state.rate.stableNormalized());
-    }
+    const bool good = last_[i].status == Status::ok;
+    put(all.segment(at, state.size()), state,
+        good ? last_[i].friction_moment : Vector3d::Constant(nan));
     at += state.size();
   }
   return all;
 }
 
 VectorXd MomentModel::moments(const Point& point) const {
-  if (!point.allFinite() || point.head<2>().cwiseAbs().maxCoeff() > 1e6) {
-    return VectorXd::Constant(size_, nan);
+  if (!is_usable(point)) return VectorXd::Constant(size_, nan);
+  if (is_inside(point)) return solved(point);
+  return 2 * solved(inside(point)) - solved(mirrored(point));
+}
+
+MatrixXd MomentModel::slopes(const Point& point,
+                             const std::vector<int>& numbers) const {
+  if (!is_usable(point)) {
+    return MatrixXd::Constant(size_, numbers.size(), nan);
   }
-  if (point[0] >= 0 && point[1] >= 0) return solved(point);
-  Point inside = point;
-  inside.head<2>() = inside.head<2>().cwiseMax(0);
-  Point mirrored = point;
-  mirrored.head<2>() = mirrored.head<2>().cwiseAbs();
-  return 2 * solved(inside) - solved(mirrored);
-}
-
-VectorXd MomentModel::slope(const Point& point, int number) const {
-  // Moments are so nearly linear in f0 and A that more does no harm; a
-  // clearance that changes by 1e-4 changes them by some 1e-5.
-  const double step =
-      1e-4 * (number == 2 ? 1 : std::max(std::abs(point[number]), 0.01));
-  const Point change = step * Point::Unit(number);
-  return (moments(point + change) - moments(point - change)) / (2 * step);
-}
-
-Eigen::MatrixXd MomentModel::slopes(const Point& point,
-                                    const std::vector<int>& numbers) const {
-  Eigen::MatrixXd all(size_, numbers.size());
+  if (is_inside(point)) return solved_slopes(point, numbers);
+  // Where a number is below 0 the first part does not see it, and the second
+  // one sees it grow as it falls.
+  MatrixXd at_bound = 2 * solved_slopes(inside(point), numbers);
+  MatrixXd beyond = solved_slopes(mirrored(point), numbers);
   for (std::size_t i = 0; i < numbers.size(); ++i) {
-    all.col(static_cast<Eigen::Index>(i)) = slope(point, numbers[i]);
+    if (numbers[i] == 2 || point[numbers[i]] >= 0) continue;
+    at_bound.col(static_cast<Eigen::Index>(i)).setZero();
+    beyond.col(static_cast<Eigen::Index>(i)) *= -1;
+  }
+  return at_bound - beyond;
+}
+
+MatrixXd MomentModel::solved_slopes(const Point& point,
+                                    const std::vector<int>& numbers) const {
+  // Leaves rounding of the integrals, 4e-15, over it, and its square.
+  constexpr double step = 1e-5;
+  const Point wider = point + step * Point::UnitZ();
+  const Point tighter = point - step * Point::UnitZ();
+  solved(point);
+  const JointContact contact = joint_at(point);
+  // Friction is linear in f0 and A: that of 1 is the slope.
+  const JointContact moved[] = {contact.with_friction(FrictionLaw(1, 0)),
+                                contact.with_friction(FrictionLaw(0, unit_)),
+                                joint_at(wider), joint_at(tighter)};
+  MatrixXd all(size_, numbers.size());
+  Eigen::Index at = 0;
+  for (std::size_t i = 0; i < states_.size(); ++i) {
+    const JointSolution& s = last_[i];
+    const double tangent = s.memory.tangent;
+    const double move = step * (1 + tangent);
+    const Vector3d by_tangent = (trial(contact, s, tangent + move) -
+                                 trial(contact, s, tangent - move)) /
+                                (2 * move);
+    for (std::size_t k = 0; k < numbers.size(); ++k) {
+      const int number = numbers[k];
+      Vector3d by_number = trial(moved[number], s, tangent);
+      if (number == 2) {
+        by_number = (by_number - trial(moved[3], s, tangent)) / (2 * step);
+      }
+      put(all.col(static_cast<Eigen::Index>(k)).segment(at, states_[i].size()),
+          states_[i], moment_slope(states_[i], s, by_number, by_tangent));
+    }
+    at += states_[i].size();
   }
   return all;
 }

@@ -29,17 +29,18 @@ class MomentModel {
   JointContact joint_at(const Point& point) const;
 
   /// Below f0 = 0 or A = 0 they go on smoothly, as 2 T(0) - T(-x). What has no
-  /// solution is NaN.
+  /// solution, or no meaning, is NaN.
   Eigen::VectorXd moments(const Point& point) const;
-  /// Their slope in one number of the point, by central differences: relative
-  /// error some 1e-8.
-  Eigen::VectorXd slope(const Point& point, int number) const;
-  /// Those in some numbers, a column each.
+  /// Their slopes in some numbers of the point, a column each: relative error
+  /// some 1e-9 (identify/identify_test.cpp).
   Eigen::MatrixXd slopes(const Point& point,
                          const std::vector<int>& numbers) const;
 
  private:
+  bool is_usable(const Point& point) const;
   Eigen::VectorXd solved(const Point& point) const;
+  Eigen::MatrixXd solved_slopes(const Point& point,
+                                const std::vector<int>& numbers) const;
 
   JointContact joint_;
   std::span<const MeasuredMoment> states_;

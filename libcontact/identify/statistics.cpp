@@ -15,30 +15,31 @@ using Eigen::VectorXd;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// One end of the interval: where `excess`, which is -quantile at `best`, is 0.
+// One end of the interval: where `excess`, which is -quantile at `best`, is 0,
+// or else the bound on that side, 0 or infinite.
 template <class Excess>
 double profile_end(const Excess& excess, double best, double step,
-                   double quantile, double least) {
+                   double quantile, double bound) {
   double near = best;
   double at_near = -quantile;
   constexpr int most_steps = 30;
-  for (int i = 0; i < most_steps; ++i, step *= 2) {
-    const double far = std::max(near + step, least);
+  for (int i = 0; i < most_steps && near != bound; ++i, step *= 2) {
+    const double far =
+        step > 0 ? std::min(near + step, bound) : std::max(near + step, bound);
     const double at_far = excess(far);
-    if (std::isnan(at_far)) return std::copysign(infinity, step);
+    if (std::isnan(at_far)) return bound;
     if (at_far >= 0) {
-      // 1e-9 of the value: far below what an interval means.
-      constexpr int bits = 31;
+      // 1e-6 of the value: far below what an interval means.
+      constexpr int bits = 21;
       return step > 0 ? shrink_bracket(excess, near, far, at_near, at_far, bits)
                             .middle()
                       : shrink_bracket(excess, far, near, at_far, at_near, bits)
                             .middle();
     }
-    if (far == least) return least;
     near = far;
     at_near = at_far;
   }
-  return std::copysign(infinity, step);
+  return bound;
 }
 
 }  // namespace
@@ -103,32 +104,38 @@ Estimate trend(const VectorXd& residuals, const VectorXd& over,
 ConfidenceInterval profile(const MomentModel& model,
                            const Measurements& measured, const Minimum& best,
                            const std::vector<int>& free, int number,
-                           double step, double quantile,
+                           const Point& linear, double step, double quantile,
                            int degrees_of_freedom) {
   std::vector<int> others = free;
   std::erase(others, number);
   const VectorXd weight = VectorXd::Ones(model.size());
-  Point start = best.point;
-  const auto excess = [&](double value) {
-    start[number] = value;
-    const Minimum found = least_squares(model, measured, weight, start, others);
+  const double value = best.point[number];
+  Point last = best.point;
+  Point along = linear;
+  const auto excess = [&](double trial) {
+    const Point start = last + (trial - last[number]) * along;
+    // What this leaves of the others counts by its square.
+    constexpr double tolerance = 1e-6;
+    const Minimum found =
+        least_squares(model, measured, weight, start, others, tolerance);
     if (found.status != Status::ok) {
       return std::numeric_limits<double>::quiet_NaN();
     }
-    start = found.point;
+    if (trial != last[number])
+      along = (found.point - last) / (trial - last[number]);
+    last = found.point;
     const double rise = (found.chi2 - best.chi2) * degrees_of_freedom;
     return std::sqrt(std::max(rise, 0.0) / best.chi2) - quantile;
   };
-  const double value = best.point[number];
-  const double reach = quantile * step;
-  // The logarithm of a clearance has no bound of its own: 1e-3 of it is none.
-  const double least = number < 2 ? 0 : value - std::log(1e3);
+  // A little beyond the end of a linear model, so that it lies within.
+  const double reach = 1.05 * quantile * step;
   ConfidenceInterval ends;
-  ends.high = profile_end(excess, value, reach, quantile, least);
-  start = best.point;
-  ends.low = value > 0 || number == 2
-                 ? profile_end(excess, value, -reach, quantile, least)
-                 : 0;
+  ends.high = profile_end(excess, value, reach, quantile, infinity);
+  last = best.point;
+  along = linear;
+  // The logarithm of a clearance has no bound.
+  ends.low =
+      profile_end(excess, value, -reach, quantile, number == 2 ? -infinity : 0);
   return ends;
 }
 

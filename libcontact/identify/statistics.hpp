@@ -28,11 +28,12 @@ Estimate trend(const Eigen::VectorXd& residuals, const Eigen::VectorXd& over,
 /// An interval by refitting, in units of the point.
 /// @param best    a least sum of squares, its chi2 not 0
 /// @param number  of the point
+/// @param along   how the others go with it where the model is linear
 /// @param step    a standard error, or of its size
 ConfidenceInterval profile(const MomentModel& model,
                            const Measurements& measured, const Minimum& best,
                            const std::vector<int>& free, int number,
-                           double step, double quantile,
+                           const Point& along, double step, double quantile,
                            int degrees_of_freedom);
 
 }  // namespace contact::detail

@@ -28,6 +28,8 @@ class PressureProfile {
   double slope(double theta) const noexcept {
     return exact_ ? exact_->slope(theta) : law_->slope(theta, half_angle_);
   }
+  /// Whether the pressure is that of a joint with walls.
+  bool has_walls() const noexcept { return has_walls_; }
   /// Whether the largest pressure is not at the centre.
   bool has_peak_outside() const noexcept {
     return has_walls_ && exact_->peak_angle() > 0;

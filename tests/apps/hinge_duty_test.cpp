@@ -92,21 +92,36 @@ TEST_F(HingeDuty, Summary) {
     ADD_FAILURE() << other;
   };
   check("period_s", "period_s", 1e-15);
-  check("energy_J", "energy_J", 3e-9);
-  check("mean_heat_W", "mean_heat_W", 3e-9);
-  check("sliding_distance_m", "sliding_distance_m", 3e-9);
-  check("volume_seat_mm3", "volume_seat_mm3", 3e-9);
-  check("volume_inner_mm3", "volume_inner_mm3", 3e-9);
+  check("energy_J", "energy_J", 1e-9);
+  check("mean_heat_W", "mean_heat_W", 1e-9);
+  check("sliding_distance_m", "sliding_distance_m", 1e-9);
+  check("volume_seat_mm3", "volume_seat_mm3", 1e-9);
+  check("volume_inner_mm3", "volume_inner_mm3", 1e-9);
+  check("mean_M_t_N_m", "mean_moment_N_m", 1e-9);
   check("largest_M_t_N_m", "max_moment_N_m", 1e-8);
   check("least_M_t_x_N_m", "M_x_min_at_samples_N_m", 1e-11);
   check("largest_M_t_z_N_m", "M_z_max_at_samples_N_m", 1e-11);
   check("largest_pv_max_W_per_m2", "pv_max_W_per_m2", 1e-8);
   check("largest_theta0_deg", "theta0_max_deg", 1e-8);
   check("least_theta0_deg", "theta0_min_deg", 1e-8);
-  check("largest_depth_carrier_mm", "max_depth_carrier_mm", 3e-5);
-  check("largest_depth_body_mm", "max_depth_body_mm", 3e-5);
+  check("largest_depth_carrier_mm", "max_depth_carrier_mm", 1e-5);
+  check("largest_depth_body_mm", "max_depth_body_mm", 1e-5);
   EXPECT_LT(std::abs(value(text, "volume_defect_carrier")), 2. / 2000);
   EXPECT_LT(std::abs(value(text, "volume_defect_body")), 2. / 2000);
+}
+
+// The k of a measured volume makes this volume.
+TEST_F(HingeDuty, MeasuredWear) {
+  const std::string text = out(
+      hip + "--measured-volume 30 --measured-error 2 --measured-cycles 1e6");
+  const double k = value(text, "k_measured_mm3_per_N_m");
+  EXPECT_NEAR(value(text, "k_measured_error_mm3_per_N_m"), k / 15, 1e-13 * k);
+  const std::string back =
+      out(hip + "--wear-seat " + std::to_string(k * 1e6) + "e-6");
+  EXPECT_NEAR(1e6 * value(back, "volume_seat_mm3"), 30, 1e-4);  // 6 digits
+  EXPECT_EQ(
+      out(hip + "--measured-volume 30 --measured-cycles 1e6").find("error_mm3"),
+      text.npos);
 }
 
 TEST_F(HingeDuty, MapAndStates) {

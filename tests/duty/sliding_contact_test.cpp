@@ -249,6 +249,30 @@ poissons_ratio = 0.3
   EXPECT_NEAR(pv.place.dot(rate), 0, 1e-15);
 }
 
+// Adhesion moves the largest heat to within 1e-8 of the edge, where pressures
+// that start like a root are steep.
+TEST(SlidingContact, LargestHeatBesideTheEdge) {
+  for (const char* pressure : {"sqrt_tan", "sqrt_theta", "mixture", "exact"}) {
+    for (const double adhesion : {1e7, 1e8, 1e9}) {
+      const JointContact contact =
+          contact_of(JointGeometry::ball(0.014, 1e-4),
+                     FrictionLaw(0.1, adhesion), pressure);
+      const JointSolution s = state(100, 0.1, 1.5);
+      const SlidingContact sliding(contact, s, rate_of(s, 2));
+      const ContactPeak& heat = sliding.largest_heat_flux();
+      const auto flux = [&](double theta) {
+        return sliding.heat_flux({0, -std::sin(theta), std::cos(theta)});
+      };
+      EXPECT_LT(heat.theta, s.half_angle);
+      EXPECT_NEAR(flux(heat.theta) / heat.value, 1, 1e-14);
+      // A hundredth of the way to the edge either side.
+      const double step = (s.half_angle - heat.theta) / 100;
+      EXPECT_LE(flux(heat.theta - step), heat.value * (1 + 1e-15));
+      EXPECT_LE(flux(heat.theta + step), heat.value * (1 + 1e-15));
+    }
+  }
+}
+
 TEST(SlidingContact, NothingAtRestOrWithoutLoad) {
   const Joint joint(contact_of(JointGeometry::ball(0.014, 1e-4),
                                FrictionLaw(0.1, 1e6), "exact"));

@@ -19,6 +19,7 @@
 #include "libcontact/half_angle/exact.hpp"
 #include "libcontact/half_angle/paper_laws.hpp"
 #include "libcontact/pressure/exact.hpp"
+#include "libcontact/pressure/expanded.hpp"
 #include "libcontact/pressure/factory.hpp"
 #include "libcontact/pressure/hertz.hpp"
 #include "libcontact/pressure/mixture.hpp"
@@ -180,6 +181,35 @@ TEST(PressureLaw, EdgeSlopesAddUpToThePeak) {
     }
   }
   report.check();
+}
+
+// The expansion of a law is the law, and so are its slopes.
+TEST(ExpandedPressure, IsTheLaw) {
+  // Terms below 1e-13 are left out; slopes have them times their degree.
+  AccuracyReport values("pressures, of the peak", 1e-12);
+  AccuracyReport slopes("slopes, of peak/theta0", 1e-11);
+  for (const JointKind kind : kinds) {
+    for (const auto& law : laws(kind)) {
+      for (const double theta0_deg : {0.01, 3.0, 40.0, 77.0, 89.9}) {
+        const double half_angle = theta0_deg * degree;
+        const contact::detail::ExpandedPressure expanded(*law, half_angle);
+        ASSERT_FALSE(expanded.is_empty()) << law->name();
+        const double peak = law->peak(half_angle);
+        for (const double share : {0.0, 0.1, 0.5, 0.9, 0.999}) {
+          const double t = share * half_angle;
+          const auto [pressure, slope] = expanded.at(t);
+          values.add_error(
+              std::abs(pressure - law->pressure(t, half_angle)) / peak,
+              label(*law, half_angle));
+          slopes.add_error(
+              std::abs(slope - law->slope(t, half_angle)) * half_angle / peak,
+              label(*law, half_angle));
+        }
+      }
+    }
+  }
+  values.check();
+  slopes.check();
 }
 
 TEST(PressureLaw, SymmetryEdgeAndNan) {

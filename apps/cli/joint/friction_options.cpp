@@ -37,14 +37,12 @@ contact::ViscousLaw viscous_law(const std::string& text) {
 
 void add_friction_options(CLI::App& app, FrictionOptions& options) {
   app.option_defaults()->group("Friction");
-  app.add_option("--friction", options.friction, "f0 of f = f0 + A/p")
-      ->option_text("NUMBER");
-  app.add_option("--adhesion", options.adhesion,
-                 "A of f = f0 + A/p, Pa; default 0")
-      ->option_text("NUMBER");
-  app.add_option("--viscous", options.viscous,
-                 "k0, Pa s/m, or k0,k1 (s/m): friction stress (k0 + k1 p) v")
-      ->option_text("NUMBERS");
+  const TextOptions text(app);
+  text("--friction", options.friction, "f0 of f = f0 + A/p", "NUMBER");
+  text("--adhesion", options.adhesion, "A of f = f0 + A/p, Pa; default 0",
+       "NUMBER");
+  text("--viscous", options.viscous,
+       "k0, Pa s/m, or k0,k1 (s/m): friction stress (k0 + k1 p) v", "NUMBERS");
   exclude(app, "--viscous", {"--friction", "--adhesion"});
 }
 

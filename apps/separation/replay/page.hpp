@@ -2,9 +2,8 @@
 
 #include <string>
 #include <string_view>
-#include <vector>
 
-#include "separation/record/run.hpp"
+#include "separation/replay/replay.hpp"
 
 /// A replay as one page that needs no network.
 namespace separation {
@@ -33,23 +32,6 @@ std::string in_markup(std::string_view text);
 /// @param body  as markup
 std::string still_page(const std::string& title, const std::string& body);
 
-/// A run and its place in a comparison.
-struct ShownRun {
-  std::string name;  ///< "" for the only one
-  const Outcome* outcome;
-};
-
-/// What is written of one or of two runs of a case; the second one is faint.
-struct Replay {
-  const Case& c;
-  std::vector<ShownRun> runs;
-  std::vector<std::string> warnings;
-  std::string case_text;  ///< "" leaves it out
-};
-
-/// Animated glTF, all rows.
-std::string replay_glb(const Replay& replay);
-
 /// A page of at most `most_page` bytes: of more rows than fit every second,
 /// fourth, ... is shown.
 struct Page {
@@ -59,9 +41,5 @@ struct Page {
 inline constexpr std::size_t most_page = 50'000'000;
 Page replay_page(const Replay& replay, const PageParts& parts,
                  std::size_t most = most_page);
-
-/// What cannot be shown as it is: bodies without shapes, turns that are too
-/// fast for the rows.
-std::vector<std::string> replay_faults(const Replay& replay);
 
 }  // namespace separation

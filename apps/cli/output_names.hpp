@@ -1,0 +1,29 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+
+namespace cli {
+
+/// The files of one program, of which none may be another's: in the order in
+/// which they are named here, so that messages name the later one. What is
+/// there and not a regular file, as /dev/null, may have several writers.
+class OutputNames {
+ public:
+  /// A file to write, "-" for standard output; nothing if empty.
+  /// @throws contact::Error "OPTION NAME must be another file than that of
+  ///   OTHER", or if it cannot be made
+  void add(std::string_view option, const std::string& name);
+  /// A file that is read or that others make.
+  /// @throws contact::Error as add() does of a shared name
+  void keep(std::string_view option, const std::string& name);
+
+ private:
+  std::map<std::string, std::string> options_;  ///< by where their names lead
+};
+
+/// Whether two names are of one file, which need not be there.
+bool same_file(const std::string& one, const std::string& other);
+
+}  // namespace cli

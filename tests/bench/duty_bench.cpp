@@ -1,0 +1,268 @@
+// What a duty cycle takes: friction stresses of p and v beside dry friction and
+// GSL, places of the largest p v beside the solution they belong to, a hip's
+// cycle, its wear maps, friction from measured moments.
+
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <numbers>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "libcontact/base/units.hpp"
+#include "libcontact/duty/wear_map.hpp"
+#include "libcontact/files/joint_file.hpp"
+#include "libcontact/friction/any_pressure.hpp"
+#include "libcontact/friction/stress_rule.hpp"
+#include "libcontact/half_angle/factory.hpp"
+#include "libcontact/identify/identify.hpp"
+#include "libcontact/joint/joint.hpp"
+#include "libcontact/pressure/factory.hpp"
+#include "libcontact/reference/quadrature.hpp"
+#include "support/random_slip.hpp"
+#include "support/reference_table.hpp"
+
+namespace {
+
+using contact::degree;
+using contact::FrictionStress;
+using contact::FrictionTriple;
+using contact::Joint;
+using contact::JointBody;
+using contact::JointKind;
+using contact::JointSolution;
+using contact::PressureLaw;
+using contact::SlidingContact;
+using contact::SlipAxis;
+using contact::test::ReferenceTable;
+using Eigen::Vector3d;
+
+constexpr std::size_t count = 256;
+
+// Steel ball, polymer seat.
+contact::ElasticPair pair() {
+  return contact::ElasticPair::from_modulus_ratio(7, 0.3, 0.4);
+}
+
+std::unique_ptr<PressureLaw> pressure(const std::string& name) {
+  return contact::make_pressure_law(name, JointKind::ball, pair());
+}
+
+struct Point {
+  contact::StressedContact contact;
+  SlipAxis axis;
+};
+
+// Uniform in theta0 and a up to 90 deg.
+std::vector<Point> points() {
+  std::mt19937_64 random(1);
+  std::uniform_real_distribution<double> angle(0, std::numbers::pi / 2);
+  std::vector<Point> all;
+  while (all.size() < count) {
+    const double half_angle = angle(random);
+    all.push_back(
+        {{half_angle, 3e7, 0.035}, SlipAxis::from_angle(angle(random))});
+  }
+  return all;
+}
+
+// Against four times as many points.
+double largest_error(const PressureLaw& law, const FrictionStress& stress,
+                     const std::vector<Point>& all) {
+  double largest = 0;
+  for (std::size_t i = 0; i < all.size(); i += 16) {
+    const auto& [contact, axis] = all[i];
+    const FrictionTriple t =
+        contact::stress_integrals(law, contact, axis, stress);
+    const FrictionTriple exact =
+        contact::stress_integrals(law, contact, axis, stress, 96);
+    const double size = std::hypot(exact.sliding, exact.spinning);
+    largest = std::max({largest, std::abs(t.force / exact.force - 1),
+                        std::abs(t.sliding - exact.sliding) / size,
+                        std::abs(t.spinning - exact.spinning) / size});
+  }
+  return largest;
+}
+
+void stress(benchmark::State& state, const FrictionStress& stress) {
+  const auto law = pressure("cosine");
+  const std::vector<Point> all = points();
+  std::size_t i = 0;
+  for (auto _ : state) {
+    const auto& [contact, axis] = all[i++ % count];
+    benchmark::DoNotOptimize(
+        contact::stress_integrals(*law, contact, axis, stress));
+  }
+  state.counters["error_1e12"] = 1e12 * largest_error(*law, stress, all);
+}
+
+// The closed forms of f0 p + A.
+void dry(benchmark::State& state) {
+  const auto law = pressure("cosine");
+  const std::vector<Point> all = points();
+  std::size_t i = 0;
+  for (auto _ : state) {
+    const auto& [contact, axis] = all[i++ % count];
+    benchmark::DoNotOptimize(
+        contact::friction_integrals(*law, contact.half_angle, axis));
+  }
+}
+
+// f0 p + A by GSL's adaptive quadrature of the definition.
+void gsl(benchmark::State& state) {
+  const std::vector<Point> all = points();
+  std::size_t i = 0;
+  for (auto _ : state) {
+    const auto& [contact, axis] = all[i++ % count];
+    benchmark::DoNotOptimize(contact::reference::quadrature_friction_integrals(
+        contact.half_angle, axis, 1e-10));
+  }
+}
+
+// Solutions of a joint with adhesion, and the rates they belong to.
+struct Solved {
+  explicit Solved(const std::string& law)
+      : joint({contact::JointGeometry::ball(0.014, 1e-4), pair(),
+               contact::FrictionLaw(0.06, 1e5),
+               contact::make_half_angle_law("tanh", JointKind::ball, pair()),
+               pressure(law)}) {
+    contact::test::RandomSlips random(5);
+    while (slips.size() < count) {
+      slips.push_back({random.log_uniform(1e2, 1e4) * random.direction(),
+                       2 * random.direction()});
+      solutions.push_back(joint.solve(slips.back()));
+    }
+  }
+  Joint joint;
+  std::vector<Joint::Slip> slips;
+  std::vector<JointSolution> solutions;
+};
+
+void solution(benchmark::State& state, const std::string& law) {
+  const Solved solved(law);
+  std::size_t i = 0;
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(solved.joint.solve(solved.slips[i++ % count]));
+  }
+}
+
+// Totals and the places of the largest p v and heat.
+void largest_pv(benchmark::State& state, const std::string& law) {
+  const Solved solved(law);
+  std::size_t i = 0;
+  for (auto _ : state) {
+    const std::size_t k = i++ % count;
+    benchmark::DoNotOptimize(SlidingContact(solved.joint.contact(),
+                                            solved.solutions[k],
+                                            solved.slips[k].angular_velocity));
+  }
+}
+
+// The hip of the reference data, 100 rows.
+struct Hip {
+  static std::vector<Vector3d> columns(const ReferenceTable& table,
+                                       const std::vector<std::string>& names,
+                                       double unit) {
+    std::vector<Vector3d> all(table.size());
+    for (std::size_t row = 0; row < table.size(); ++row) {
+      for (int k = 0; k < 3; ++k) {
+        all[row][k] =
+            unit * table.value(row, names[static_cast<std::size_t>(k)]);
+      }
+    }
+    return all;
+  }
+  static contact::DutyCycle make_duty() {
+    const ReferenceTable table("duty/cycle_hip_in.csv");
+    std::vector<double> times;
+    for (std::size_t row = 0; row < table.size(); ++row) {
+      times.push_back(table.value(row, "time_s"));
+    }
+    const double period = times.back() + times[1] - times[0];
+    return {{times, period, columns(table, {"R_x_N", "R_y_N", "R_z_N"}, 1)},
+            {},
+            {times, period,
+             columns(table,
+                     {"flexion_deg", "adduction_deg", "internal_rotation_deg"},
+                     degree)},
+            contact::TurnSequence("zxy")};
+  }
+  contact::DutyCycle duty = make_duty();
+  Joint joint{contact::read_joint(std::filesystem::path(CONTACT_DATA_DIR) /
+                                  "reference/duty/cycle_hip.toml")
+                  .contact()};
+};
+
+// All that hinge-duty says of a cycle without a map: its sums and the largest
+// p v through time.
+void hip_cycle(benchmark::State& state) {
+  const Hip hip;
+  for (auto _ : state) {
+    const contact::JointCycle cycle(hip.duty, hip.joint);
+    benchmark::DoNotOptimize(
+        cycle.integral([](const auto& i) { return -i.solution.power; }));
+    benchmark::DoNotOptimize(cycle.largest(
+        [&](const auto& i) { return cycle.sliding(i).largest_pv().value; }));
+  }
+}
+
+// 2000 points on each body, and the deepest.
+void hip_wear_maps(benchmark::State& state) {
+  const Hip hip;
+  const contact::JointCycle cycle(hip.duty, hip.joint);
+  for (auto _ : state) {
+    for (const JointBody body : {JointBody::carrier, JointBody::body}) {
+      const contact::WearMap map(cycle, body);
+      const auto grid = map.grid(2000);
+      std::vector<contact::WearMap::Wear> wear;
+      for (const Vector3d& point : grid) wear.push_back(map.at(point));
+      benchmark::DoNotOptimize(map.deepest(grid, wear));
+    }
+  }
+}
+
+// f0 and A from 40 moments of the reference data.
+void identification(benchmark::State& state) {
+  const ReferenceTable table("duty/identify.csv");
+  std::vector<contact::MeasuredMoment> data;
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    if (table.text(i, "set") != "wide") continue;
+    const double b = table.value(i, "b_deg") * degree;
+    data.push_back(
+        {table.value(i, "R_N") * Vector3d(std::sin(b), 0, std::cos(b)),
+         Vector3d::UnitZ(), table.value(i, "torque_N_m"),
+         table.value(i, "sigma_N_m")});
+  }
+  const contact::ElasticPair steel_bronze({207e9, 0.292}, {111e9, 0.349});
+  const contact::JointContact joint(
+      contact::JointGeometry::ball(0.025, 25e-6), steel_bronze,
+      contact::FrictionLaw(0),
+      contact::make_half_angle_law("tanh", JointKind::ball, steel_bronze),
+      contact::make_pressure_law("cosine", JointKind::ball, steel_bronze));
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(contact::identify_friction(joint, data));
+  }
+  state.counters["rows"] = static_cast<double>(data.size());
+}
+
+BENCHMARK(dry);
+BENCHMARK_CAPTURE(stress, stribeck, FrictionStress::stribeck(0.15, 0.05, 0.01));
+BENCHMARK_CAPTURE(stress, power, FrictionStress::power(0.1, 1e7, 0.25));
+BENCHMARK(gsl)->Unit(benchmark::kMillisecond)->Iterations(64);
+BENCHMARK_CAPTURE(solution, cosine, "cosine");
+BENCHMARK_CAPTURE(largest_pv, cosine, "cosine");
+BENCHMARK_CAPTURE(solution, mixture, "mixture");
+BENCHMARK_CAPTURE(largest_pv, mixture, "mixture");
+BENCHMARK_CAPTURE(solution, exact, "exact");
+BENCHMARK_CAPTURE(largest_pv, exact, "exact");
+BENCHMARK(hip_cycle)->Unit(benchmark::kMillisecond);
+BENCHMARK(hip_wear_maps)->Unit(benchmark::kMillisecond);
+BENCHMARK(identification)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+
+BENCHMARK_MAIN();
