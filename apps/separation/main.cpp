@@ -68,7 +68,7 @@ Examples:
 )";
 
 void add_options(CLI::App& app, Options& options) {
-  const cli::TextOptions text(app);
+  const cli::TextOptions add_text(app);
   app.add_option("CASE.toml", options.case_file, "the case file")
       ->required()
       ->option_text(" ");
@@ -76,8 +76,8 @@ void add_options(CLI::App& app, Options& options) {
   app.add_flag("--compare", options.compare,
                "ideal, full and traditional friction side by side")
       ->option_text(" ");
-  text("--friction", options.friction,
-       "full, ideal or traditional; default: the case's", "NAME");
+  add_text("--friction", options.friction,
+           "full, ideal or traditional; default: the case's", "NAME");
   app.add_option_function<std::string>(
          "--end-time",
          [&options](const std::string& text) {
@@ -91,15 +91,15 @@ void add_options(CLI::App& app, Options& options) {
                  "joints; more than once for several")
       ->option_text("KEY=VALUE")
       ->allow_extra_args(false);
-  text("--law", options.half_angle_law,
-       "half-angle law of all joints; default: the joints'", "NAME");
-  text("--pressure", options.pressure_law,
-       "pressure law of all joints; default: the joints'", "NAME");
+  add_text("--law", options.half_angle_law,
+           "half-angle law of all joints; default: the joints'", "NAME");
+  add_text("--pressure", options.pressure_law,
+           "pressure law of all joints; default: the joints'", "NAME");
   app.add_flag("--no-clearance", options.no_clearance,
                "do not work out distances")
       ->option_text(" ");
-  auto* checkpoint = text("--checkpoint", options.checkpoint,
-                          "file to write on the way, for --resume", "FILE");
+  auto* checkpoint = add_text("--checkpoint", options.checkpoint,
+                              "file to write on the way, for --resume", "FILE");
   app.add_option_function<std::string>(
          "--checkpoint-every",
          [&options](const std::string& text) {
@@ -110,7 +110,7 @@ void add_options(CLI::App& app, Options& options) {
          "so much of the motion, in s or with a unit")
       ->option_text("TIME")
       ->needs(checkpoint);
-  text("--resume", options.resume, "checkpoint to go on from", "FILE");
+  add_text("--resume", options.resume, "checkpoint to go on from", "FILE");
   app.add_option_function<std::string>(
          "--step-limit",
          [&options](const std::string& text) {
@@ -129,10 +129,10 @@ void add_options(CLI::App& app, Options& options) {
          "stop after so much wall-clock time, s or with a unit")
       ->option_text("TIME");
   app.option_defaults()->group("Output");
-  text("--history", options.history,
-       "time history: .csv, .h5 or .hdf5, - for CSV on stdout", "FILE");
-  text("--events", options.events, "list of events: .csv, - for stdout",
-       "FILE");
+  add_text("--history", options.history,
+           "time history: .csv, .h5 or .hdf5, - for CSV on stdout", "FILE");
+  add_text("--events", options.events, "list of events: .csv, - for stdout",
+           "FILE");
   auto* replay =
       app.add_option("--replay", options.replays,
                      "the motion in 3D: .html, a page for any browser,\n"
