@@ -83,10 +83,9 @@ TEST_F(HingeDuty, Summary) {
   const std::string text = out(hip + "--wear-seat 1e-6 --wear-inner 1e-9");
   const auto check = [&](const char* mine, const std::string& other,
                          double tolerance) {
-    for (std::size_t row = 0; row < table.size(); ++row) {
-      if (table.text(row, "quantity") != other) continue;
-      EXPECT_NEAR(value(text, mine) / table.value(row, "value"), 1, tolerance)
-          << mine;
+    for (const ReferenceTable::Row row : table) {
+      if (row.text("quantity") != other) continue;
+      EXPECT_NEAR(value(text, mine) / row.value("value"), 1, tolerance) << mine;
       return;
     }
     ADD_FAILURE() << other;
@@ -133,15 +132,14 @@ TEST_F(HingeDuty, MapAndStates) {
   const auto pv = csv_column(map, "pv_integral_Pa_m");
   const auto depth = csv_column(map, "depth_mm");
   int found = 0;
-  for (std::size_t row = 0; row < expected.size(); ++row) {
+  for (const ReferenceTable::Row row : expected) {
     for (std::size_t i = 0; i < body.size(); ++i) {
-      if (body[i] != expected.text(row, "body") ||
-          std::abs(std::stod(beta[i]) - expected.value(row, "beta_deg")) >
-              1e-9) {
+      if (body[i] != row.text("body") ||
+          std::abs(std::stod(beta[i]) - row.value("beta_deg")) > 1e-9) {
         continue;
       }
       ++found;
-      EXPECT_NEAR(std::stod(pv[i]), expected.value(row, "pv_integral_Pa_m"),
+      EXPECT_NEAR(std::stod(pv[i]), row.value("pv_integral_Pa_m"),
                   1e2);  // 1e-4 of the largest
       // The body has the seat; the carrier's k was not given.
       EXPECT_EQ(depth[i].empty(), body[i] == "carrier");

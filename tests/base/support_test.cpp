@@ -16,19 +16,19 @@ namespace {
 TEST(ReferenceTable, KeepsEveryDigit) {
   const ReferenceTable table("friction_integrals.csv");
   ASSERT_EQ(table.size(), 221u);
-  EXPECT_EQ(table.text(0, "chi"), "1.0000000025384784974");
-  EXPECT_EQ(table.value(0, "theta0_deg"), 0.01);
+  EXPECT_EQ(table[0].text("chi"), "1.0000000025384784974");
+  EXPECT_EQ(table[0].value("theta0_deg"), 0.01);
   using Real = boost::multiprecision::cpp_bin_float_50;
-  EXPECT_EQ(table.value<Real>(0, "chi"), Real("1.0000000025384784974"));
-  EXPECT_NE(table.value<Real>(0, "chi"), Real(table.value(0, "chi")));
-  EXPECT_EQ(table.label(0),
+  EXPECT_EQ(table[0].value<Real>("chi"), Real("1.0000000025384784974"));
+  EXPECT_NE(table[0].value<Real>("chi"), Real(table[0].value("chi")));
+  EXPECT_EQ(table[0].label(),
             "friction_integrals.csv:5: theta0_deg=0.01, alpha_deg=0");
 }
 
 TEST(ReferenceTable, SaysWhatIsMissing) {
   EXPECT_THROW(ReferenceTable("none.csv"), Error);
   const ReferenceTable table("friction_integrals.csv");
-  EXPECT_THROW(table.text(0, "none"), Error);
+  EXPECT_THROW(table[0].text("none"), Error);
 }
 
 TEST(AccuracyReport, MeasuresRelativeErrors) {

@@ -167,20 +167,18 @@ struct Hip {
   static std::vector<Vector3d> columns(const ReferenceTable& table,
                                        const std::vector<std::string>& names,
                                        double unit) {
-    std::vector<Vector3d> all(table.size());
-    for (std::size_t row = 0; row < table.size(); ++row) {
-      for (int k = 0; k < 3; ++k) {
-        all[row][k] =
-            unit * table.value(row, names[static_cast<std::size_t>(k)]);
-      }
+    std::vector<Vector3d> all;
+    for (const ReferenceTable::Row row : table) {
+      all.push_back(unit * Vector3d(row.value(names[0]), row.value(names[1]),
+                                    row.value(names[2])));
     }
     return all;
   }
   static contact::DutyCycle make_duty() {
     const ReferenceTable table("duty/cycle_hip_in.csv");
     std::vector<double> times;
-    for (std::size_t row = 0; row < table.size(); ++row) {
-      times.push_back(table.value(row, "time_s"));
+    for (const ReferenceTable::Row row : table) {
+      times.push_back(row.value("time_s"));
     }
     const double period = times.back() + times[1] - times[0];
     return {{times, period, columns(table, {"R_x_N", "R_y_N", "R_z_N"}, 1)},
@@ -229,13 +227,12 @@ void hip_wear_maps(benchmark::State& state) {
 void identification(benchmark::State& state) {
   const ReferenceTable table("duty/identify.csv");
   std::vector<contact::MeasuredMoment> data;
-  for (std::size_t i = 0; i < table.size(); ++i) {
-    if (table.text(i, "set") != "wide") continue;
-    const double b = table.value(i, "b_deg") * degree;
-    data.push_back(
-        {table.value(i, "R_N") * Vector3d(std::sin(b), 0, std::cos(b)),
-         Vector3d::UnitZ(), table.value(i, "torque_N_m"),
-         table.value(i, "sigma_N_m")});
+  for (const ReferenceTable::Row row : table) {
+    if (row.text("set") != "wide") continue;
+    const double b = row.value("b_deg") * degree;
+    data.push_back({row.value("R_N") * Vector3d(std::sin(b), 0, std::cos(b)),
+                    Vector3d::UnitZ(), row.value("torque_N_m"),
+                    row.value("sigma_N_m")});
   }
   const contact::ElasticPair steel_bronze({207e9, 0.292}, {111e9, 0.349});
   const contact::JointContact joint(

@@ -30,9 +30,8 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double pi = std::numbers::pi;
 
 // The tables hold "inf" as Ebar and load.
-double number(const ReferenceTable& table, std::size_t row,
-              const char* column) {
-  return table.text(row, column) == "inf" ? infinity : table.value(row, column);
+double number(const ReferenceTable::Row& row, const char* column) {
+  return row.text(column) == "inf" ? infinity : row.value(column);
 }
 
 double kernel_value(const detail::BallKernel& kernel, double x) {
@@ -240,14 +239,13 @@ TEST(BallContact, ReproducesTheLoads) {
   const ReferenceTable table("conforming/sphere_mu_of_theta0.csv");
   // The table's half-angles are good to 1e-4 deg.
   AccuracyReport report("theta0 at mu, deg", 1e-4);
-  for (std::size_t row = 0; row < table.size(); ++row) {
+  for (const ReferenceTable::Row row : table) {
     const BallContact ball(ElasticPair::from_modulus_ratio(
-        number(table, row, "Ebar"), table.value(row, "nu1"),
-        table.value(row, "nu2")));
-    const ExactHalfAngle result = ball.half_angle(table.value(row, "mu"));
+        number(row, "Ebar"), row.value("nu1"), row.value("nu2")));
+    const ExactHalfAngle result = ball.half_angle(row.value("mu"));
     report.add_error(
-        std::abs(result.half_angle / degree - table.value(row, "theta0_deg")),
-        table.label(row));
+        std::abs(result.half_angle / degree - row.value("theta0_deg")),
+        row.label());
   }
   report.check();
 }
@@ -266,12 +264,12 @@ TEST(BallContact, ReproducesTheFrictionCoefficients) {
   const ReferenceTable table("conforming/pressure_friction.csv");
   AccuracyReport chi("chi", 2e-6);  // six decimals of 1, at a = 0
   AccuracyReport sliding("sigma_Y", 2e-6);
-  for (std::size_t row = 0; row < table.size(); ++row) {
-    if (table.text(row, "joint") != "sphere") continue;
-    const double nu = table.value(row, "nu");
+  for (const ReferenceTable::Row row : table) {
+    if (row.text("joint") != "sphere") continue;
+    const double nu = row.value("nu");
     const BallContact ball(
-        ElasticPair::from_modulus_ratio(number(table, row, "Ebar"), nu, nu));
-    double theta0 = table.value(row, "theta0_deg") * degree;
+        ElasticPair::from_modulus_ratio(number(row, "Ebar"), nu, nu));
+    double theta0 = row.value("theta0_deg") * degree;
     const double limit = ball.limit_half_angle().half_angle;
     if (std::abs(theta0 - limit) < 1e-4 * degree) theta0 = limit;
     const ContactPressure p = ball.pressure(theta0);
@@ -283,14 +281,14 @@ TEST(BallContact, ReproducesTheFrictionCoefficients) {
                          boost::math::ellint_1(std::sin(t));
                 },
                 theta0),
-            table.value(row, "chi_exact"), table.label(row));
+            row.value("chi_exact"), row.label());
     sliding.add(integrate_contact(
                     [&p](double t) {
                       return p.pressure(t) * std::sin(t) * 4 *
                              boost::math::ellint_2(std::sin(t));
                     },
                     theta0),
-                table.value(row, "sigmaY_exact"), table.label(row));
+                row.value("sigmaY_exact"), row.label());
   }
   chi.check();
   sliding.check();

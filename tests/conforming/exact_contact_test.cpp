@@ -84,9 +84,8 @@ struct Pin : PinContact {
 };
 
 // The tables hold "inf" as Ebar and load.
-double number(const ReferenceTable& table, std::size_t row,
-              const char* column) {
-  return table.text(row, column) == "inf" ? infinity : table.value(row, column);
+double number(const ReferenceTable::Row& row, const char* column) {
+  return row.text(column) == "inf" ? infinity : row.value(column);
 }
 
 // 10^(k/10) for a k, of which the argument is a rounded print.
@@ -128,16 +127,16 @@ TYPED_TEST_SUITE(ExactContact, BallAndPin, Names);
 TYPED_TEST(ExactContact, ReproducesTheHalfAngles) {
   const ReferenceTable table(this->file("theta0"));
   AccuracyReport report("theta0, deg", TypeParam::angle_deg);
-  for (std::size_t row = 0; row < table.size(); ++row) {
+  for (const ReferenceTable::Row row : table) {
     // The loads are tenths of decades, printed with six digits.
     const ExactHalfAngle result =
-        this->of(table.value(row, "Ebar"), 0.3, 0.3)
-            .half_angle(decade_tenth(number(table, row, TypeParam::load)));
-    EXPECT_EQ(result.status, Status::ok) << table.label(row);
-    EXPECT_LE(result.evaluations, 20) << table.label(row);
+        this->of(row.value("Ebar"), 0.3, 0.3)
+            .half_angle(decade_tenth(number(row, TypeParam::load)));
+    EXPECT_EQ(result.status, Status::ok) << row.label();
+    EXPECT_LE(result.evaluations, 20) << row.label();
     report.add_error(
-        std::abs(result.half_angle / degree - table.value(row, "theta0_deg")),
-        table.label(row));
+        std::abs(result.half_angle / degree - row.value("theta0_deg")),
+        row.label());
   }
   report.check();
 }
@@ -145,13 +144,12 @@ TYPED_TEST(ExactContact, ReproducesTheHalfAngles) {
 TYPED_TEST(ExactContact, ReproducesTheLimitAngles) {
   const ReferenceTable table(this->file("limit_angle"));
   AccuracyReport report("theta0*, deg", TypeParam::limit_deg);
-  for (std::size_t row = 0; row < table.size(); ++row) {
+  for (const ReferenceTable::Row row : table) {
     const auto contact =
-        this->of(number(table, row, "Ebar"), table.value(row, "nu1"),
-                 table.value(row, "nu2"));
+        this->of(number(row, "Ebar"), row.value("nu1"), row.value("nu2"));
     report.add_error(std::abs(contact.limit_half_angle().half_angle / degree -
-                              table.value(row, "theta_lim_exact_deg")),
-                     table.label(row));
+                              row.value("theta_lim_exact_deg")),
+                     row.label());
   }
   report.check();
 }
@@ -159,28 +157,28 @@ TYPED_TEST(ExactContact, ReproducesTheLimitAngles) {
 TYPED_TEST(ExactContact, ReproducesThePressures) {
   const ReferenceTable table("conforming/pressure_profiles.csv");
   AccuracyReport report("p / peak", 1e-6);  // asked for
-  for (std::size_t row = 0; row < table.size(); ++row) {
-    if (table.text(row, "joint") != TypeParam::name) continue;
-    const auto contact = this->of(number(table, row, "Ebar"), 0.3, 0.3);
+  for (const ReferenceTable::Row row : table) {
+    if (row.text("joint") != TypeParam::name) continue;
+    const auto contact = this->of(number(row, "Ebar"), 0.3, 0.3);
     // The last profile of each pair is at the limit angle, printed with four
     // decimals of a degree like its angles.
-    double theta0 = table.value(row, "theta0_deg") * degree;
+    double theta0 = row.value("theta0_deg") * degree;
     const double limit = contact.limit_half_angle().half_angle;
     double tolerance = 0;
     if (std::abs(theta0 - limit) < 1e-4 * degree) {
       theta0 = limit;
       tolerance = 5e-5 * degree;  // times the slope
     }
-    const double theta = table.value(row, "theta_deg") * degree;
+    const double theta = row.value("theta_deg") * degree;
     // At the edge itself the slope is infinite and p is 0.
     if (theta > 0.9999 * theta0) continue;
     const ContactPressure p = contact.pressure(theta0);
     const double expected =
-        table.value(row, "p_exact*rho^2/Rn (sphere) or p*rho/P (cyl)");
+        row.value("p_exact*rho^2/Rn (sphere) or p*rho/P (cyl)");
     const double error = std::abs(p.pressure(theta) - expected);
     report.add_error(
         std::max(0.0, error - tolerance * p.slope(theta)) / p.peak(),
-        table.label(row));
+        row.label());
   }
   report.check();
 }
@@ -189,16 +187,16 @@ TYPED_TEST(ExactContact, ReproducesSAndThePeakPressure) {
   const ReferenceTable table("conforming/pressure_friction.csv");
   AccuracyReport ratio("S", 1e-6);    // six decimals of 1
   AccuracyReport peak("peak", 2e-6);  // six decimals of 0.6 to 60
-  for (std::size_t row = 0; row < table.size(); ++row) {
-    if (table.text(row, "joint") != TypeParam::name) continue;
-    const double nu = table.value(row, "nu");
-    const auto contact = this->of(number(table, row, "Ebar"), nu, nu);
-    double theta0 = table.value(row, "theta0_deg") * degree;
+  for (const ReferenceTable::Row row : table) {
+    if (row.text("joint") != TypeParam::name) continue;
+    const double nu = row.value("nu");
+    const auto contact = this->of(number(row, "Ebar"), nu, nu);
+    double theta0 = row.value("theta0_deg") * degree;
     const double limit = contact.limit_half_angle().half_angle;
     if (std::abs(theta0 - limit) < 1e-4 * degree) theta0 = limit;
     const ContactPressure p = contact.pressure(theta0);
-    ratio.add(p.force_ratio(), table.value(row, "S_exact"), table.label(row));
-    peak.add(p.peak(), table.value(row, "pmax_exact"), table.label(row));
+    ratio.add(p.force_ratio(), row.value("S_exact"), row.label());
+    peak.add(p.peak(), row.value("pmax_exact"), row.label());
   }
   ratio.check();
   peak.check();

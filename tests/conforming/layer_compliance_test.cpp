@@ -25,41 +25,40 @@ using Side = LayerCompliance::Side;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // A body of the table: radius 1, moduli in units of the surface layer's.
-LayeredBody body_of(const ReferenceTable& table, std::size_t row) {
-  const std::string& end = table.text(row, "end");
+LayeredBody body_of(const ReferenceTable::Row& row) {
+  const std::string& end = row.text("end");
   LayeredBody body{{},
-                   end == "rigid" ? Backing::rigid()
-                   : end == "free"
-                       ? Backing::held()
-                       : Backing::medium({table.value(row, "end_E"),
-                                          table.value(row, "end_nu")})};
+                   end == "rigid"  ? Backing::rigid()
+                   : end == "free" ? Backing::held()
+                                   : Backing::medium({row.value("end_E"),
+                                                      row.value("end_nu")})};
   for (const std::string layer : {"La", "Lb"}) {
-    if (table.text(row, layer + "_t").empty()) continue;
+    if (row.text(layer + "_t").empty()) continue;
     body.layers.push_back(
-        {table.value(row, layer + "_t"),
-         {table.value(row, layer + "_E"), table.value(row, layer + "_nu")}});
+        {row.value(layer + "_t"),
+         {row.value(layer + "_E"), row.value(layer + "_nu")}});
   }
   return body;
 }
 
-JointKind kind_of(const ReferenceTable& table, std::size_t row) {
-  return table.text(row, "kind") == "ball" ? JointKind::ball : JointKind::pin;
+JointKind kind_of(const ReferenceTable::Row& row) {
+  return row.text("kind") == "ball" ? JointKind::ball : JointKind::pin;
 }
 
-Side side_of(const ReferenceTable& table, std::size_t row) {
-  return table.text(row, "side") == "inner" ? Side::inner : Side::outer;
+Side side_of(const ReferenceTable::Row& row) {
+  return row.text("side") == "inner" ? Side::inner : Side::outer;
 }
 
 TEST(LayerCompliance, MatchesTheReference) {
   const ReferenceTable table("walls/cn_values.csv");
   AccuracyReport report("c_n", 1e-10);  // asked for
-  for (std::size_t row = 0; row < table.size(); ++row) {
-    const double modulus = table.value(row, "La_E");
-    const LayerCompliance compliance(kind_of(table, row), side_of(table, row),
-                                     body_of(table, row), 1, modulus);
-    const int n = static_cast<int>(table.value(row, "n"));
-    report.add(4 * compliance(n).total, table.value(row, "C_n*La_E/rho"),
-               table.label(row) + " n=" + std::to_string(n));
+  for (const ReferenceTable::Row row : table) {
+    const double modulus = row.value("La_E");
+    const LayerCompliance compliance(kind_of(row), side_of(row), body_of(row),
+                                     1, modulus);
+    const int n = static_cast<int>(row.value("n"));
+    report.add(4 * compliance(n).total, row.value("C_n*La_E/rho"),
+               row.label() + " n=" + std::to_string(n));
   }
   report.check();
 }

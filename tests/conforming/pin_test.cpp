@@ -225,11 +225,11 @@ TEST(PinContact, ReproducesTheFunctionsAandB) {
   AccuracyReport a_report("a, 32 unknowns", 1e-9);
   AccuracyReport a_default("a, 16 unknowns", 1e-9);
   AccuracyReport b_report("b", 1e-9);
-  for (std::size_t row = 0; row < table.size(); ++row) {
-    const double theta0 = table.value(row, "theta0_deg") * degree;
-    const double beta = table.value(row, "beta");
-    const double expected = table.value(row, "a");
-    const std::string label = table.label(row);
+  for (const ReferenceTable::Row row : table) {
+    const double theta0 = row.value("theta0_deg") * degree;
+    const double beta = row.value("beta");
+    const double expected = row.value("a");
+    const std::string label = row.label();
     const double a =
         PinContact::from_dundurs(0, beta, 32).reciprocal_load(theta0) / 2;
     a_report.add(a, expected, label);
@@ -240,7 +240,7 @@ TEST(PinContact, ReproducesTheFunctionsAandB) {
     // b = p_0/p_1 = S/2, and by the definition.
     const ContactPressure p =
         PinContact::from_dundurs(0.7, beta).pressure(theta0);
-    b_report.add(p.force_ratio() / 2, table.value(row, "b"), label);
+    b_report.add(p.force_ratio() / 2, row.value("b"), label);
     const double difference =
         a16 - PinContact::from_dundurs(1, beta).reciprocal_load(theta0) / 2;
     EXPECT_NEAR(difference, p.force_ratio() / 2, 1e-14 * std::max(a, 10.0));

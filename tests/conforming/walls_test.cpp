@@ -60,14 +60,14 @@ void compare(const std::string& file) {
   AccuracyReport approach("approach", 1e-6);
   AccuracyReport stiffness("stiffness", 1e-6);
   AccuracyReport sum("S", 1e-6);
-  for (std::size_t row = 0; row < table.size(); ++row) {
-    const std::string label = table.label(row);
-    const LayeredPair pair = test::reference_pair(table, row);
-    const double clearance = table.value(row, "clearance");
-    const double theta0 = table.value(row, "theta0_deg") * degree;
+  for (const ReferenceTable::Row row : table) {
+    const std::string label = row.label();
+    const LayeredPair pair = test::reference_pair(row);
+    const double clearance = row.value("clearance");
+    const double theta0 = row.value("theta0_deg") * degree;
     const Contact contact(pair);
     const Units unit = units<Contact>(pair, clearance);
-    const double force = table.value(row, "load");
+    const double force = row.value("load");
 
     const ExactLoad found = contact.load_parameter(theta0);
     EXPECT_EQ(found.status, Status::ok) << label;
@@ -79,23 +79,22 @@ void compare(const std::string& file) {
 
     const ContactPressure p = contact.pressure(theta0);
     const double pressure = force * unit.pressure;
-    centre.add(p.pressure(0) * pressure, table.value(row, "p_centre"), label);
-    peak.add(p.peak() * pressure, table.value(row, "p_max"), label);
+    centre.add(p.pressure(0) * pressure, row.value("p_centre"), label);
+    peak.add(p.peak() * pressure, row.value("p_max"), label);
     angle.add_error(
-        std::abs(p.peak_angle() / degree - table.value(row, "theta_pmax_deg")) /
-            table.value(row, "theta0_deg"),
+        std::abs(p.peak_angle() / degree - row.value("theta_pmax_deg")) /
+            row.value("theta0_deg"),
         label);
-    sum.add(p.force_ratio(), table.value(row, "S"), label);
+    sum.add(p.force_ratio(), row.value("S"), label);
 
     const ContactApproach a = contact.approach(theta0);
-    if (table.text(row, "approach").empty()) {
+    if (row.text("approach").empty()) {
       EXPECT_TRUE(std::isnan(a.approach)) << label;
       EXPECT_TRUE(std::isnan(a.stiffness)) << label;
       continue;
     }
-    approach.add(a.approach * clearance, table.value(row, "approach"), label);
-    stiffness.add(a.stiffness * unit.stiffness, table.value(row, "stiffness"),
-                  label);
+    approach.add(a.approach * clearance, row.value("approach"), label);
+    stiffness.add(a.stiffness * unit.stiffness, row.value("stiffness"), label);
   }
   for (const AccuracyReport* report :
        {&load, &inverse, &centre, &peak, &angle, &approach, &stiffness, &sum}) {

@@ -39,10 +39,11 @@ constexpr double mm = 1e-3;
 
 std::vector<Vector3d> vectors(const ReferenceTable& table,
                               const Columns& columns, double unit = 1) {
-  std::vector<Vector3d> all(table.size(), Vector3d::Zero());
-  for (std::size_t row = 0; row < table.size(); ++row) {
+  std::vector<Vector3d> all;
+  for (const ReferenceTable::Row row : table) {
+    Vector3d& v = all.emplace_back(Vector3d::Zero());
     for (std::size_t k = 0; k < columns.size(); ++k) {
-      all[row][static_cast<int>(k)] = unit * table.value(row, columns[k]);
+      v[static_cast<int>(k)] = unit * row.value(columns[k]);
     }
   }
   return all;
@@ -62,11 +63,11 @@ struct Reference {
                                  ("cycle_" + name + ".toml"))),
         joint(spec.contact()) {
     const ReferenceTable table("duty/cycle_" + name + "_summary.csv");
-    for (std::size_t row = 0; row < table.size(); ++row) {
-      summary[table.text(row, "quantity")] = table.value(row, "value");
+    for (const ReferenceTable::Row row : table) {
+      summary[row.text("quantity")] = row.value("value");
     }
-    for (std::size_t row = 0; row < in.size(); ++row) {
-      times.push_back(in.value(row, "time_s"));
+    for (const ReferenceTable::Row row : in) {
+      times.push_back(row.value("time_s"));
     }
   }
 
@@ -105,15 +106,13 @@ TEST_P(Cycles, States) {
   AccuracyReport directions("Dw, n, M_t over their lengths", 1e-11);
   const ReferenceTable& states = reference_.states;
   ASSERT_EQ(cycle_.rows().size(), states.size());
-  for (std::size_t row = 0; row < states.size(); ++row) {
-    const CycleInstant& i = cycle_.rows()[row];
+  auto instant = cycle_.rows().begin();
+  for (const ReferenceTable::Row row : states) {
+    const CycleInstant& i = *instant++;
     const SlidingContact sliding = cycle_.sliding(i);
-    const std::string label = states.label(row);
-    const auto value = [&](const char* column) {
-      return states.value(row, column);
-    };
+    const std::string label = row.label();
     const auto vector = [&](const char* x, const char* y, const char* z) {
-      return Vector3d(value(x), value(y), value(z));
+      return Vector3d(row.value(x), row.value(y), row.value(z));
     };
     const auto add = [&](const Vector3d& computed, const Vector3d& expected) {
       directions.add_error((computed - expected).norm() / expected.norm(),
@@ -123,14 +122,15 @@ TEST_P(Cycles, States) {
         vector("w_x_rad_per_s", "w_y_rad_per_s", "w_z_rad_per_s"));
     add(i.solution.normal, vector("n_x", "n_y", "n_z"));
     add(i.solution.friction_moment, vector("M_x_N_m", "M_y_N_m", "M_z_N_m"));
-    numbers.add(i.solution.normal_force, value("R_n_N"), label);
-    numbers.add(i.solution.half_angle / degree, value("theta0_deg"), label);
-    numbers.add(sliding.heat(), value("heat_W"), label);
-    numbers.add(i.solution.peak_pressure, value("p_peak_Pa"), label);
-    numbers.add(sliding.largest_pv().value, value("pv_max_W_per_m2"), label);
-    numbers.add(sliding.largest_heat_flux().value, value("heat_max_W_per_m2"),
+    numbers.add(i.solution.normal_force, row.value("R_n_N"), label);
+    numbers.add(i.solution.half_angle / degree, row.value("theta0_deg"), label);
+    numbers.add(sliding.heat(), row.value("heat_W"), label);
+    numbers.add(i.solution.peak_pressure, row.value("p_peak_Pa"), label);
+    numbers.add(sliding.largest_pv().value, row.value("pv_max_W_per_m2"),
                 label);
-    numbers.add(sliding.pv_total(), value("pv_total_W"), label);
+    numbers.add(sliding.largest_heat_flux().value,
+                row.value("heat_max_W_per_m2"), label);
+    numbers.add(sliding.pv_total(), row.value("pv_total_W"), label);
   }
   numbers.check();
   directions.check();
@@ -197,20 +197,18 @@ TEST_P(Cycles, WearMap) {
     const WearMap wear(cycle_, body);
     const double largest =
         summary.at("max_depth_" + name + "_mm") / (k * mm * mm);
-    for (std::size_t row = 0; row < map.size(); ++row) {
-      if (map.text(row, "body") != name) continue;
-      const double beta = pin ? map.value(row, "beta_deg") * degree : 0;
+    for (const ReferenceTable::Row row : map) {
+      if (row.text("body") != name) continue;
+      const double beta = pin ? row.value("beta_deg") * degree : 0;
       const Vector3d point =
           pin ? Vector3d(std::cos(beta), std::sin(beta), 0)
-              : Vector3d(map.value(row, "x"), map.value(row, "y"),
-                         map.value(row, "z"));
+              : Vector3d(row.value("x"), row.value("y"), row.value("z"));
       const WearMap::Wear w = wear.at(point);
-      depth.add_error(
-          std::abs(w.pv - map.value(row, "pv_integral_Pa_m")) / largest,
-          map.label(row));
+      depth.add_error(std::abs(w.pv - row.value("pv_integral_Pa_m")) / largest,
+                      row.label());
       if (!pin && w.pv > 0.1 * largest) {
-        shear.add_error(std::abs(w.cross_shear - map.value(row, "cross_shear")),
-                        map.label(row));
+        shear.add_error(std::abs(w.cross_shear - row.value("cross_shear")),
+                        row.label());
       }
     }
     const int count = 2000;

@@ -70,34 +70,32 @@ TEST(SlidingContact, Reference) {
   // friction_integrals() promise 1e-10; 3e-12 was seen at 80 and 90 deg.
   AccuracyReport totals("mean, total p v and heat", 1e-11);
   AccuracyReport places("theta of the largest, rad", 1e-12);
-  for (std::size_t row = 0; row < table.size(); ++row) {
-    const auto value = [&](const char* column) {
-      return table.value(row, column);
-    };
-    const std::string label = table.label(row);
-    const bool pin = table.text(row, "joint") == "pin";
-    const double rho = value("rho_m");
+  for (const ReferenceTable::Row row : table) {
+    const std::string label = row.label();
+    const bool pin = row.text("joint") == "pin";
+    const double rho = row.value("rho_m");
     const JointGeometry geometry =
-        pin ? JointGeometry::pin(rho, rho / 500, value("length_m"))
+        pin ? JointGeometry::pin(rho, rho / 500, row.value("length_m"))
             : JointGeometry::ball(rho, rho / 500);
     const JointContact contact =
-        contact_of(geometry, FrictionLaw(value("f0"), value("A_Pa")),
-                   table.text(row, "pressure"));
-    const JointSolution s =
-        state(geometry.force_from_load(value("load")),
-              value("theta0_deg") * degree, value("alpha_deg") * degree);
-    const SlidingContact sliding(contact, s, rate_of(s, value("w_rad_per_s")));
+        contact_of(geometry, FrictionLaw(row.value("f0"), row.value("A_Pa")),
+                   row.text("pressure"));
+    const JointSolution s = state(geometry.force_from_load(row.value("load")),
+                                  row.value("theta0_deg") * degree,
+                                  row.value("alpha_deg") * degree);
+    const SlidingContact sliding(contact, s,
+                                 rate_of(s, row.value("w_rad_per_s")));
     const ContactPeak& pv = sliding.largest_pv();
     const ContactPeak& heat = sliding.largest_heat_flux();
-    values.add(pv.value, value("pv_max_W_per_m2"), label);
-    values.add(heat.value, value("heat_max_W_per_m2"), label);
-    totals.add(sliding.pv_mean(), value("pv_mean_W_per_m2"), label);
-    totals.add(sliding.pv_total(), value("pv_total_W"), label);
-    totals.add(sliding.heat(), value("heat_total_W"), label);
-    places.add_error(std::abs(pv.theta - value("pv_theta_deg") * degree),
+    values.add(pv.value, row.value("pv_max_W_per_m2"), label);
+    values.add(heat.value, row.value("heat_max_W_per_m2"), label);
+    totals.add(sliding.pv_mean(), row.value("pv_mean_W_per_m2"), label);
+    totals.add(sliding.pv_total(), row.value("pv_total_W"), label);
+    totals.add(sliding.heat(), row.value("heat_total_W"), label);
+    places.add_error(std::abs(pv.theta - row.value("pv_theta_deg") * degree),
                      label);
-    places.add_error(std::abs(heat.theta - value("heat_theta_deg") * degree),
-                     label);
+    places.add_error(
+        std::abs(heat.theta - row.value("heat_theta_deg") * degree), label);
     // The places are where the values are.
     values.add(sliding.pv(pv.place), pv.value, label + " at its place");
   }
@@ -209,8 +207,8 @@ TEST(SlidingContact, TotalsAndLargest) {
 // data/reference/walls/walls_pin.csv.
 TEST(SlidingContact, PressureWithItsPeakOffTheCentre) {
   const ReferenceTable table("walls/walls_pin.csv");
-  const std::size_t row = 6;
-  ASSERT_EQ(table.text(row, "id"), "7");
+  const ReferenceTable::Row row = table[6];
+  ASSERT_EQ(row.text("id"), "7");
   const contact::JointSpec joint = contact::parse_joint(R"(
 name = "ring"
 kind = "pin"
@@ -236,15 +234,15 @@ poissons_ratio = 0.3
   const JointContact contact(joint.geometry, joint.pair, *joint.friction,
                              joint.make_half_angle_law(),
                              joint.make_pressure_law());
-  const JointSolution s = state(table.value(row, "load"),
-                                table.value(row, "theta0_deg") * degree, 0);
+  const JointSolution s =
+      state(row.value("load"), row.value("theta0_deg") * degree, 0);
   const Vector3d rate(0, 2, 0);
   const SlidingContact sliding(contact, s, rate);
   const ContactPeak& pv = sliding.largest_pv();
   // The file has its place by three digits; the law of pressure is good to 1e-6
   // of its peak.
-  EXPECT_NEAR(pv.theta / degree, table.value(row, "theta_pmax_deg"), 2e-3);
-  EXPECT_NEAR(pv.value / (table.value(row, "p_max") * 0.025 * 2), 1, 2e-6);
+  EXPECT_NEAR(pv.theta / degree, row.value("theta_pmax_deg"), 2e-3);
+  EXPECT_NEAR(pv.value / (row.value("p_max") * 0.025 * 2), 1, 2e-6);
   EXPECT_NEAR(sliding.pv(pv.place) / pv.value, 1, 1e-12);
   EXPECT_NEAR(pv.place.dot(rate), 0, 1e-15);
 }

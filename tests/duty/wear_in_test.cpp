@@ -107,11 +107,11 @@ TEST(WearIn, BeginsWithTheUnwornJoint) {
 TEST(WearIn, SlidingCoefficientOfAWornInBall) {
   const contact::test::ReferenceTable table("duty/wear_in.csv");
   contact::test::AccuracyReport report("sigma_Y, a = 0", 1e-11);
-  for (std::size_t row = 0; row < table.size(); ++row) {
-    if (table.text(row, "joint") != "ball") continue;
+  for (const contact::test::ReferenceTable::Row row : table) {
+    if (row.text("joint") != "ball") continue;
     report.add(contact::worn_in_sliding_coefficient(
-                   table.value(row, "theta0_worn_deg") * contact::degree),
-               table.value(row, "moment_coefficient_a0"), table.label(row));
+                   row.value("theta0_worn_deg") * contact::degree),
+               row.value("moment_coefficient_a0"), row.label());
   }
   EXPECT_EQ(report.size(), 29u);
   report.check();

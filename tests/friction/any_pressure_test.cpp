@@ -230,24 +230,21 @@ TEST(FrictionPressure, AgreesWithTheTabulatedCoefficients) {
   // Printed to six decimals, half-angles to 1e-4 deg.
   constexpr double digits = 2e-6;
   const contact::test::ReferenceTable table("conforming/pressure_friction.csv");
-  for (std::size_t row = 0; row < table.size(); ++row) {
-    if (table.text(row, "joint") != "sphere") continue;
+  for (const contact::test::ReferenceTable::Row row : table) {
+    if (row.text("joint") != "sphere") continue;
     const contact::ExactPressure exact(
-        ball, ElasticPair::from_modulus_ratio(table.value(row, "Ebar"),
-                                              table.value(row, "nu"),
-                                              table.value(row, "nu")));
+        ball, ElasticPair::from_modulus_ratio(
+                  row.value("Ebar"), row.value("nu"), row.value("nu")));
     const contact::SqrtTanPressure sqrt_tan(ball);
     const contact::SqrtThetaPressure sqrt_theta(ball);
-    const double half_angle = table.value(row, "theta0_deg") * degree;
+    const double half_angle = row.value("theta0_deg") * degree;
     const auto check = [&](const PressureLaw& law, const std::string& column) {
       const auto r =
           contact::friction_integrals(law, half_angle, SlipAxis{0, 1});
-      EXPECT_NEAR(r.coefficient.force, table.value(row, "chi_" + column),
-                  digits)
-          << table.label(row);
-      EXPECT_NEAR(r.coefficient.sliding, table.value(row, "sigmaY_" + column),
-                  digits)
-          << table.label(row);
+      EXPECT_NEAR(r.coefficient.force, row.value("chi_" + column), digits)
+          << row.label();
+      EXPECT_NEAR(r.coefficient.sliding, row.value("sigmaY_" + column), digits)
+          << row.label();
     };
     check(exact, "exact");
     check(sqrt_tan, "sqrt");

@@ -31,11 +31,11 @@ void check_table(double budget) {
   const ReferenceTable table("elliptic.csv");
   const auto check = [&](const char* column, auto function) {
     AccuracyReport report(column, budget);
-    for (std::size_t i = 0; i < table.size(); ++i) {
+    for (const ReferenceTable::Row row : table) {
       // The inputs are doubles, also for the comparison at 50 digits.
-      const Number p = table.value(i, "p"), x = table.value(i, "x");
-      report.add(Number(function(p, x)), table.value<Number>(i, column),
-                 table.label(i));
+      const Number p = row.value("p"), x = row.value("x");
+      report.add(Number(function(p, x)), row.value<Number>(column),
+                 row.label());
     }
     report.check();
   };

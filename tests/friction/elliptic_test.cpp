@@ -56,10 +56,11 @@ TEST_P(EllipticFormAtFiftyDigits, AgreesWithTheReferenceToItsLastDigits) {
   std::vector<AccuracyReport> reports;
   // The table holds 20 digits: half a unit of the last one.
   for (const char* column : columns) reports.emplace_back(column, 5e-20);
-  for (std::size_t row = GetParam(); row < table.size(); row += 4) {
-    const RealAxis axis = real_axis(table.value(row, "alpha_deg"));
+  for (std::size_t i = GetParam(); i < table.size(); i += 4) {
+    const ReferenceTable::Row row = table[i];
+    const RealAxis axis = real_axis(row.value("alpha_deg"));
     const auto f = elliptic_friction_integrals<Real>(
-        table.value(row, "theta0_deg") * real_degree(), axis.sin, axis.cos);
+        row.value("theta0_deg") * real_degree(), axis.sin, axis.cos);
     const Real computed[] = {f.normal,
                              f.pressure.force,
                              f.pressure.sliding,
@@ -71,8 +72,7 @@ TEST_P(EllipticFormAtFiftyDigits, AgreesWithTheReferenceToItsLastDigits) {
                              f.coefficient.sliding,
                              f.coefficient.spinning};
     for (std::size_t i = 0; i < reports.size(); ++i) {
-      reports[i].add(computed[i], table.value<Real>(row, columns[i]),
-                     table.label(row));
+      reports[i].add(computed[i], row.value<Real>(columns[i]), row.label());
     }
   }
   for (const AccuracyReport& report : reports) report.check();

@@ -93,17 +93,17 @@ TEST(ExactLaw, ReproducesTheReferenceTables) {
     const ReferenceTable table(file);
     double ratio = nan;
     std::unique_ptr<ExactLaw> law;
-    for (std::size_t row = 0; row < table.size(); ++row) {
-      if (table.value(row, "Ebar") != ratio) {
-        ratio = table.value(row, "Ebar");
+    for (const ReferenceTable::Row row : table) {
+      if (row.value("Ebar") != ratio) {
+        ratio = row.value("Ebar");
         law = std::make_unique<ExactLaw>(kind, Pair{ratio, 0.3, 0.3}.elastic());
       }
       // Tenths of decades, printed with six digits.
       const double load = std::pow(
-          10, std::round(10 * std::log10(table.value(row, load_column))) / 10);
+          10, std::round(10 * std::log10(row.value(load_column))) / 10);
       report.add_error(std::abs(law->half_angle(load).half_angle / degree -
-                                table.value(row, "theta0_deg")),
-                       table.label(row));
+                                row.value("theta0_deg")),
+                       row.label());
     }
     report.check();
   };

@@ -483,17 +483,16 @@ TEST(LimitHalfAngle, FormulaAgainstExactSolutions) {
   AccuracyReport ball("limit formula against exact balls, nu = 0.3", 0.044);
   const auto compare = [](const char* file, AccuracyReport& report) {
     const ReferenceTable table(file);
-    for (std::size_t row = 0; row < table.size(); ++row) {
-      const double ratio = table.value(row, "Ebar");
+    for (const ReferenceTable::Row row : table) {
+      const double ratio = row.value("Ebar");
       const double formula_deg =
           LimitHalfAngle::arctan_formula(ratio).value() / degree;
       // The file's own evaluation of the formula, printed to 1e-4 deg.
-      EXPECT_NEAR(formula_deg, table.value(row, "paper_fit_nu0.3_deg"), 6e-5);
-      if (table.value(row, "nu1") != 0.3 || table.value(row, "nu2") != 0.3) {
+      EXPECT_NEAR(formula_deg, row.value("paper_fit_nu0.3_deg"), 6e-5);
+      if (row.value("nu1") != 0.3 || row.value("nu2") != 0.3) {
         continue;
       }
-      report.add(formula_deg, table.value(row, "theta_lim_exact_deg"),
-                 table.label(row));
+      report.add(formula_deg, row.value("theta_lim_exact_deg"), row.label());
     }
   };
   compare("conforming/cylinder_limit_angle.csv", pin);
@@ -513,10 +512,10 @@ double largest_error(const char* file, const char* load_column,
   const auto law = make_half_angle_law(law_name, kind, pair);
   double largest = 0;
   std::size_t rows = 0;
-  for (std::size_t row = 0; row < table.size(); ++row) {
-    const double load = table.value(row, load_column);
-    if (table.value(row, "Ebar") != ratio || load > largest_load) continue;
-    const double exact = table.value(row, "theta0_deg") * degree;
+  for (const ReferenceTable::Row row : table) {
+    const double load = row.value(load_column);
+    if (row.value("Ebar") != ratio || load > largest_load) continue;
+    const double exact = row.value("theta0_deg") * degree;
     const double error = law->half_angle(load).half_angle / exact - 1;
     largest = std::max(largest, std::abs(error));
     ++rows;
@@ -581,10 +580,10 @@ TEST(PaperLaws, HertzIsFivePercentTooLargeAtLambdaThreeHundredths) {
   const HertzLaw law(JointKind::pin);
   double below = 0;
   double above = 0;
-  for (std::size_t row = 0; row < table.size(); ++row) {
-    if (table.value(row, "Ebar") != 1) continue;
-    const double lambda = table.value(row, "lambda");
-    const double exact = table.value(row, "theta0_deg") * degree;
+  for (const ReferenceTable::Row row : table) {
+    if (row.value("Ebar") != 1) continue;
+    const double lambda = row.value("lambda");
+    const double exact = row.value("theta0_deg") * degree;
     const double error = law.half_angle(lambda).half_angle / exact - 1;
     if (lambda <= 0.03) below = error;
     if (lambda > 0.03 && above == 0) above = error;

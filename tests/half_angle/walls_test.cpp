@@ -83,21 +83,21 @@ void compare_approach(const std::string& file, JointKind kind) {
   const test::ReferenceTable table(file);
   AccuracyReport approach("approach", 1e-6);
   AccuracyReport stiffness("stiffness", 1e-6);
-  for (std::size_t row = 0; row < table.size(); ++row) {
-    const std::string label = to_string(kind) + ", " + table.label(row);
-    const LayeredPair pair = test::reference_pair(table, row);
+  for (const test::ReferenceTable::Row row : table) {
+    const std::string label = to_string(kind) + ", " + row.label();
+    const LayeredPair pair = test::reference_pair(row);
     const ContactApproach a =
-        ExactLaw(kind, pair).approach(table.value(row, "theta0_deg") * degree);
-    if (table.text(row, "approach").empty()) {
+        ExactLaw(kind, pair).approach(row.value("theta0_deg") * degree);
+    if (row.text("approach").empty()) {
       EXPECT_TRUE(std::isnan(a.approach)) << label;
       EXPECT_TRUE(std::isnan(a.stiffness)) << label;
       continue;
     }
     const double unit = pair.surfaces().effective_modulus() *
                         (kind == JointKind::ball ? pair.radius() : 1);
-    approach.add(a.approach * table.value(row, "clearance"),
-                 table.value(row, "approach"), label);
-    stiffness.add(a.stiffness * unit, table.value(row, "stiffness"), label);
+    approach.add(a.approach * row.value("clearance"), row.value("approach"),
+                 label);
+    stiffness.add(a.stiffness * unit, row.value("stiffness"), label);
   }
   approach.check();
   stiffness.check();

@@ -34,23 +34,20 @@ TEST(Worn, Reference) {
   AccuracyReport angles("theta0", 1e-11);
   AccuracyReport depths("penetration", 1e-11);
   AccuracyReport pins("S of pins", 1e-11);
-  for (std::size_t row = 0; row < table.size(); ++row) {
-    const auto value = [&](const char* column) {
-      return table.value(row, column);
-    };
+  for (const ReferenceTable::Row row : table) {
     const JointKind kind =
-        table.text(row, "joint") == "pin" ? JointKind::pin : JointKind::ball;
-    const double v = value("wear_number");
-    const double elastic = value("theta0_elastic_deg") * degree;
+        row.text("joint") == "pin" ? JointKind::pin : JointKind::ball;
+    const double v = row.value("wear_number");
+    const double elastic = row.value("theta0_elastic_deg") * degree;
     const double theta0 = WornHalfAngle::half_angle_of_overlap(
         kind, WornHalfAngle::overlap(kind, elastic) + v);
-    const std::string label = table.label(row);
-    angles.add(theta0, value("theta0_worn_deg") * degree, label);
-    depths.add(1 / std::cos(theta0) - 1, value("penetration_over_clearance"),
-               label);
+    const std::string label = row.label();
+    angles.add(theta0, row.value("theta0_worn_deg") * degree, label);
+    depths.add(1 / std::cos(theta0) - 1,
+               row.value("penetration_over_clearance"), label);
     if (kind == JointKind::ball) continue;
     pins.add(WornPressure(kind).force_ratio(theta0),
-             value("moment_coefficient_a0"), label);
+             row.value("moment_coefficient_a0"), label);
   }
   angles.check();
   depths.check();

@@ -63,11 +63,11 @@ Vector3d moment(const JointContact& joint, const Vector3d& force) {
 std::vector<MeasuredMoment> reference_data(const std::string& set) {
   const ReferenceTable table("duty/identify.csv");
   std::vector<MeasuredMoment> data;
-  for (std::size_t i = 0; i < table.size(); ++i) {
-    if (table.text(i, "set") != set) continue;
-    data.push_back({reaction(table.value(i, "R_N"), table.value(i, "b_deg")),
-                    Vector3d::UnitZ(), table.value(i, "torque_N_m"),
-                    table.value(i, "sigma_N_m")});
+  for (const ReferenceTable::Row row : table) {
+    if (row.text("set") != set) continue;
+    data.push_back({reaction(row.value("R_N"), row.value("b_deg")),
+                    Vector3d::UnitZ(), row.value("torque_N_m"),
+                    row.value("sigma_N_m")});
   }
   return data;
 }
@@ -113,21 +113,21 @@ const std::map<std::string, FrictionParameter> names = {
 TEST(Identify, ReferenceData) {
   const ReferenceTable table("duty/identify_expected.csv");
   ASSERT_EQ(table.size(), 12U);
-  for (std::size_t i = 0; i < table.size(); ++i) {
-    SCOPED_TRACE(table.label(i) + " " + table.text(i, "parameter"));
-    const std::string& method = table.text(i, "method");
-    const FrictionFit fit = identify_friction(
-        steel_in_bronze(JointKind::ball), reference_data(table.text(i, "set")),
-        options_of(method));
+  for (const ReferenceTable::Row row : table) {
+    SCOPED_TRACE(row.label() + " " + row.text("parameter"));
+    const std::string& method = row.text("method");
+    const FrictionFit fit =
+        identify_friction(steel_in_bronze(JointKind::ball),
+                          reference_data(row.text("set")), options_of(method));
     ASSERT_EQ(fit.status, Status::ok);
     const auto near = [&](double value, const char* column, double tolerance) {
-      if (table.text(i, column).empty()) return;
-      const double expected = table.value(i, column);
+      if (row.text(column).empty()) return;
+      const double expected = row.value(column);
       EXPECT_NEAR(value, expected, tolerance * std::abs(expected)) << column;
     };
     const bool effective = method == "lsq_f0_only_A_0";
     const auto at =
-        std::ranges::find(fit.parameters, names.at(table.text(i, "parameter")));
+        std::ranges::find(fit.parameters, names.at(row.text("parameter")));
     ASSERT_NE(at, fit.parameters.end());
     const Estimate& e = effective ? fit.effective_coefficient
                                   : fit.estimates[at - fit.parameters.begin()];

@@ -73,30 +73,28 @@ TEST(FrictionStress, IntegralsOfReference) {
   ASSERT_EQ(table.size(), 18u);
   AccuracyReport fine("64 points", 1e-10);
   AccuracyReport usual("24 points", 1e-10);
-  for (std::size_t row = 0; row < table.size(); ++row) {
-    const auto value = [&](const char* column) {
-      return table.value(row, column);
-    };
-    const double rho = value("rho_m");
+  for (const ReferenceTable::Row row : table) {
+    const double rho = row.value("rho_m");
     const auto law = contact::make_pressure_law(
-        table.text(row, "pressure"), JointKind::ball, bearing().pair);
-    const SlipAxis axis = SlipAxis::from_degrees(value("alpha_deg"));
+        row.text("pressure"), JointKind::ball, bearing().pair);
+    const SlipAxis axis = SlipAxis::from_degrees(row.value("alpha_deg"));
     for (const int points : {64, contact::usual_stress_points}) {
       AccuracyReport& report = points == 64 ? fine : usual;
       const FrictionTriple i = contact::stress_integrals(
           *law,
-          {value("theta0_deg") * degree, value("R_n_N") / (rho * rho),
-           rho * value("w_rad_per_s")},
-          axis, law_of(table.text(row, "tau")), points);
+          {row.value("theta0_deg") * degree, row.value("R_n_N") / (rho * rho),
+           rho * row.value("w_rad_per_s")},
+          axis, law_of(row.text("tau")), points);
       const double force = rho * rho * i.force;
       const double y = rho * rho * rho * i.sliding;
       const double z = rho * rho * rho * i.spinning;
-      const double size = std::hypot(value("M_Y_N_m"), value("M_Z_N_m"));
-      report.add(force, value("R_t_N"), table.label(row));
-      report.add_error(std::abs(y - value("M_Y_N_m")) / size, table.label(row));
-      report.add_error(std::abs(z - value("M_Z_N_m")) / size, table.label(row));
-      report.add(value("w_rad_per_s") * (y * axis.cos + z * axis.sin),
-                 value("heat_W"), table.label(row));
+      const double size =
+          std::hypot(row.value("M_Y_N_m"), row.value("M_Z_N_m"));
+      report.add(force, row.value("R_t_N"), row.label());
+      report.add_error(std::abs(y - row.value("M_Y_N_m")) / size, row.label());
+      report.add_error(std::abs(z - row.value("M_Z_N_m")) / size, row.label());
+      report.add(row.value("w_rad_per_s") * (y * axis.cos + z * axis.sin),
+                 row.value("heat_W"), row.label());
     }
   }
   fine.check();
@@ -167,30 +165,27 @@ TEST(FrictionStress, JointsOfReference) {
   AccuracyReport forces("R_n, R_t", 1e-10);
   AccuracyReport moments("M_t, heat", 1e-10);
   AccuracyReport angles("theta0, a, rad", 1e-10);
-  for (std::size_t row = 0; row < table.size(); ++row) {
-    const auto value = [&](const char* column) {
-      return table.value(row, column);
-    };
-    const Joint joint(contact_with(law_of(table.text(row, "tau"))));
-    const double b = value("b_deg") * degree;
+  for (const ReferenceTable::Row row : table) {
+    const Joint joint(contact_with(law_of(row.text("tau"))));
+    const double b = row.value("b_deg") * degree;
     const JointSolution s =
-        joint.solve({value("R_N") * Vector3d(std::sin(b), 0, std::cos(b)),
-                     {0, 0, value("w_rad_per_s")}});
-    const std::string label = table.label(row);
+        joint.solve({row.value("R_N") * Vector3d(std::sin(b), 0, std::cos(b)),
+                     {0, 0, row.value("w_rad_per_s")}});
+    const std::string label = row.label();
     ASSERT_EQ(s.status, contact::Status::ok) << label;
     const double rho = joint.contact().geometry().radius();
     const double y = rho * s.normal_force * s.sliding_coefficient;
     const double z = rho * s.normal_force * s.spinning_coefficient;
-    const double size = std::hypot(value("M_Y_N_m"), value("M_Z_N_m"));
-    forces.add(s.normal_force, value("R_n_N"), label);
-    forces.add(s.friction_force.norm(), value("R_t_N"), label);
-    moments.add_error(std::abs(y - value("M_Y_N_m")) / size, label);
-    moments.add_error(std::abs(z - value("M_Z_N_m")) / size, label);
-    moments.add(-s.power, value("heat_W"), label);
-    angles.add_error(std::abs(s.half_angle - value("theta0_deg") * degree),
+    const double size = std::hypot(row.value("M_Y_N_m"), row.value("M_Z_N_m"));
+    forces.add(s.normal_force, row.value("R_n_N"), label);
+    forces.add(s.friction_force.norm(), row.value("R_t_N"), label);
+    moments.add_error(std::abs(y - row.value("M_Y_N_m")) / size, label);
+    moments.add_error(std::abs(z - row.value("M_Z_N_m")) / size, label);
+    moments.add(-s.power, row.value("heat_W"), label);
+    angles.add_error(std::abs(s.half_angle - row.value("theta0_deg") * degree),
                      label);
-    angles.add_error(std::abs(s.slip_axis_angle() - value("a_deg") * degree),
-                     label);
+    angles.add_error(
+        std::abs(s.slip_axis_angle() - row.value("a_deg") * degree), label);
   }
   forces.check();
   moments.check();

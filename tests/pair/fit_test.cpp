@@ -49,18 +49,18 @@ constexpr double rounding_um = 1e-9;
 TEST(Fit, ClassesArePublishedOnes) {
   const ReferenceTable table("iso_286_limits.csv");
   ASSERT_EQ(table.size(), 401U);
-  for (std::size_t i = 0; i < table.size(); ++i) {
-    SCOPED_TRACE(table.label(i));
-    std::string name = table.text(i, "class");
+  for (const ReferenceTable::Row row : table) {
+    SCOPED_TRACE(row.label());
+    std::string name = row.text("class");
     const bool letter_alone = name.size() == 1;
     if (letter_alone) name += '7';
     const bool hole = contact::fit_holes.contains(name);
     const auto deviation = [&](bool near) {
       return std::abs(
-          std::stod(table.text(i, hole == near ? "lower_um" : "upper_um")));
+          std::stod(row.text(hole == near ? "lower_um" : "upper_um")));
     };
-    const double over_mm = std::stod(table.text(i, "over_mm"));
-    const double to_mm = std::stod(table.text(i, "to_mm"));
+    const double over_mm = std::stod(row.text("over_mm"));
+    const double to_mm = std::stod(row.text("to_mm"));
     // Both ends of the range, which has the upper one.
     const double from_mm = std::max(3.0, std::nextafter(over_mm, 500));
     for (const double size_mm : {from_mm, to_mm}) {

@@ -207,31 +207,28 @@ TEST(CosinePressure, AgreesWithTheTabulatedProfiles) {
   // theta0 times a slope of at most 1 peak per rad there.
   AccuracyReport report("pressure against profiles, over the peak", 1.8e-6);
   const ReferenceTable table("conforming/pressure_profiles.csv");
-  for (std::size_t row = 0; row < table.size(); ++row) {
-    const bool ball = table.text(row, "joint") == "sphere";
+  for (const ReferenceTable::Row row : table) {
+    const bool ball = row.text("joint") == "sphere";
     const CosinePressure law(ball ? JointKind::ball : JointKind::pin);
-    const double half_angle = table.value(row, "theta0_deg") * degree;
-    const double p =
-        law.pressure(table.value(row, "theta_deg") * degree, half_angle);
-    const double difference = p - table.value(row, "p_paper_3.3");
-    report.add_error(std::abs(difference) / law.peak(half_angle),
-                     table.label(row));
+    const double half_angle = row.value("theta0_deg") * degree;
+    const double p = law.pressure(row.value("theta_deg") * degree, half_angle);
+    const double difference = p - row.value("p_paper_3.3");
+    report.add_error(std::abs(difference) / law.peak(half_angle), row.label());
   }
   report.check();
 }
 
 TEST(CosinePressure, ForceRatioAndPeakOfTheTable) {
   const ReferenceTable table("conforming/pressure_friction.csv");
-  for (std::size_t row = 0; row < table.size(); ++row) {
-    const bool ball = table.text(row, "joint") == "sphere";
+  for (const ReferenceTable::Row row : table) {
+    const bool ball = row.text("joint") == "sphere";
     const CosinePressure law(ball ? JointKind::ball : JointKind::pin);
-    const double half_angle = table.value(row, "theta0_deg") * degree;
+    const double half_angle = row.value("theta0_deg") * degree;
     // Last printed digit: 6 decimals.
-    EXPECT_NEAR(law.force_ratio(half_angle), table.value(row, "S_paper3.3"),
-                6e-7)
-        << table.label(row);
-    EXPECT_NEAR(law.peak(half_angle), table.value(row, "pmax_paper3.3"), 6e-7)
-        << table.label(row);
+    EXPECT_NEAR(law.force_ratio(half_angle), row.value("S_paper3.3"), 6e-7)
+        << row.label();
+    EXPECT_NEAR(law.peak(half_angle), row.value("pmax_paper3.3"), 6e-7)
+        << row.label();
   }
 }
 
@@ -240,12 +237,11 @@ TEST(CosinePressure, OverstatesThePeak) {
   const ReferenceTable table("conforming/pressure_friction.csv");
   double least[2] = {1, 1};
   double most[2] = {0, 0};
-  for (std::size_t row = 0; row < table.size(); ++row) {
-    const bool ball = table.text(row, "joint") == "sphere";
+  for (const ReferenceTable::Row row : table) {
+    const bool ball = row.text("joint") == "sphere";
     const CosinePressure law(ball ? JointKind::ball : JointKind::pin);
-    const double half_angle = table.value(row, "theta0_deg") * degree;
-    const double excess =
-        law.peak(half_angle) / table.value(row, "pmax_exact") - 1;
+    const double half_angle = row.value("theta0_deg") * degree;
+    const double excess = law.peak(half_angle) / row.value("pmax_exact") - 1;
     least[ball] = std::min(least[ball], excess);
     most[ball] = std::max(most[ball], excess);
   }

@@ -427,28 +427,26 @@ TEST(SqrtPressures, BecomeHertz) {
 
 TEST(SqrtPressures, ForceRatiosAndPeaksOfTheTable) {
   const ReferenceTable table("conforming/pressure_friction.csv");
-  for (std::size_t row = 0; row < table.size(); ++row) {
+  for (const ReferenceTable::Row row : table) {
     const JointKind kind =
-        table.text(row, "joint") == "sphere" ? JointKind::ball : JointKind::pin;
+        row.text("joint") == "sphere" ? JointKind::ball : JointKind::pin;
     const contact::SqrtTanPressure sqrt_tan(kind);
     const contact::SqrtThetaPressure sqrt_theta(kind);
-    const double half_angle = table.value(row, "theta0_deg") * degree;
+    const double half_angle = row.value("theta0_deg") * degree;
     // Last printed digit, and half-angles printed to 1e-4 deg: 9e-7 rad.
     const double digit = 2e-6;
-    EXPECT_NEAR(sqrt_tan.force_ratio(half_angle), table.value(row, "S_sqrt"),
+    EXPECT_NEAR(sqrt_tan.force_ratio(half_angle), row.value("S_sqrt"), digit);
+    EXPECT_NEAR(sqrt_tan.peak(half_angle), row.value("pmax_sqrt"), digit);
+    EXPECT_NEAR(sqrt_theta.force_ratio(half_angle), row.value("S_sqrt_theta"),
                 digit);
-    EXPECT_NEAR(sqrt_tan.peak(half_angle), table.value(row, "pmax_sqrt"),
+    EXPECT_NEAR(sqrt_theta.peak(half_angle), row.value("pmax_sqrt_theta"),
                 digit);
-    EXPECT_NEAR(sqrt_theta.force_ratio(half_angle),
-                table.value(row, "S_sqrt_theta"), digit);
-    EXPECT_NEAR(sqrt_theta.peak(half_angle),
-                table.value(row, "pmax_sqrt_theta"), digit);
   }
 }
 
 // nu is 0.3 in the tables.
-ElasticPair table_pair(const ReferenceTable& table, std::size_t row) {
-  return ElasticPair::from_modulus_ratio(table.value(row, "Ebar"), 0.3, 0.3);
+ElasticPair table_pair(const ReferenceTable::Row& row) {
+  return ElasticPair::from_modulus_ratio(row.value("Ebar"), 0.3, 0.3);
 }
 
 TEST(ExactPressure, AgreesWithTheTabulatedProfiles) {
@@ -457,22 +455,20 @@ TEST(ExactPressure, AgreesWithTheTabulatedProfiles) {
   const ReferenceTable table("conforming/pressure_profiles.csv");
   std::unique_ptr<ExactPressure> law;
   std::string last;
-  for (std::size_t row = 0; row < table.size(); ++row) {
-    const std::string key = table.text(row, "joint") + table.text(row, "Ebar");
+  for (const ReferenceTable::Row row : table) {
+    const std::string key = row.text("joint") + row.text("Ebar");
     if (key != last) {
-      law = std::make_unique<ExactPressure>(table.text(row, "joint") == "sphere"
-                                                ? JointKind::ball
-                                                : JointKind::pin,
-                                            table_pair(table, row));
+      law = std::make_unique<ExactPressure>(
+          row.text("joint") == "sphere" ? JointKind::ball : JointKind::pin,
+          table_pair(row));
       last = key;
     }
-    const double half_angle = table.value(row, "theta0_deg") * degree;
-    const double theta = table.value(row, "theta_deg") * degree;
+    const double half_angle = row.value("theta0_deg") * degree;
+    const double theta = row.value("theta_deg") * degree;
     const double difference =
         law->pressure(theta, half_angle) -
-        table.value(row, "p_exact*rho^2/Rn (sphere) or p*rho/P (cyl)");
-    report.add_error(std::abs(difference) / law->peak(half_angle),
-                     table.label(row));
+        row.value("p_exact*rho^2/Rn (sphere) or p*rho/P (cyl)");
+    report.add_error(std::abs(difference) / law->peak(half_angle), row.label());
   }
   report.check();
 }

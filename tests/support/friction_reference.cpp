@@ -12,21 +12,19 @@ const std::vector<FrictionReference>& friction_reference() {
   static const std::vector<FrictionReference> rows = [] {
     const ReferenceTable table("friction_integrals.csv");
     std::vector<FrictionReference> result;
-    for (std::size_t i = 0; i < table.size(); ++i) {
-      const auto number = [&](const char* column) {
-        return table.value(i, column);
-      };
-      const double theta0_deg = number("theta0_deg");
-      const double alpha_deg = number("alpha_deg");
-      result.push_back({theta0_deg,
-                        alpha_deg,
-                        theta0_deg * degree,
-                        SlipAxis::from_degrees(alpha_deg),
-                        {number("I_normal"),
-                         {number("I_p"), number("J_p"), number("K_p")},
-                         {number("I_a"), number("J_a"), number("K_a")},
-                         {number("chi"), number("sigma_Y"), number("sigma_Z")}},
-                        table.label(i)});
+    for (const ReferenceTable::Row row : table) {
+      const double theta0_deg = row.value("theta0_deg");
+      const double alpha_deg = row.value("alpha_deg");
+      result.push_back(
+          {theta0_deg,
+           alpha_deg,
+           theta0_deg * degree,
+           SlipAxis::from_degrees(alpha_deg),
+           {row.value("I_normal"),
+            {row.value("I_p"), row.value("J_p"), row.value("K_p")},
+            {row.value("I_a"), row.value("J_a"), row.value("K_a")},
+            {row.value("chi"), row.value("sigma_Y"), row.value("sigma_Z")}},
+           row.label()});
     }
     return result;
   }();

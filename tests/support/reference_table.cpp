@@ -46,37 +46,39 @@ ReferenceTable::ReferenceTable(const std::filesystem::path& path)
   if (rows_.empty()) throw Error(name_ + ": holds no rows");
 }
 
-const std::string& ReferenceTable::text(std::size_t row,
-                                        std::string_view column) const {
-  const auto found = std::find(columns_.begin(), columns_.end(), column);
-  if (found == columns_.end()) {
-    throw Error(name_ + ": has no column " + std::string(column));
-  }
-  return rows_.at(row)[found - columns_.begin()];
-}
-
 bool ReferenceTable::has(std::string_view column) const {
   return std::find(columns_.begin(), columns_.end(), column) != columns_.end();
 }
 
-std::string ReferenceTable::label(std::size_t row) const {
-  std::string result = name_ + ":" + std::to_string(lines_.at(row)) + ":";
-  for (std::size_t i = 0; i < std::min<std::size_t>(2, columns_.size()); ++i) {
-    result += (i == 0 ? " " : ", ") + columns_[i] + "=" + rows_[row][i];
+const std::string& ReferenceTable::Row::text(std::string_view column) const {
+  const auto& columns = table_->columns_;
+  const auto found = std::find(columns.begin(), columns.end(), column);
+  if (found == columns.end()) {
+    throw Error(table_->name_ + ": has no column " + std::string(column));
+  }
+  return table_->rows_.at(number_)[found - columns.begin()];
+}
+
+std::string ReferenceTable::Row::label() const {
+  const auto& columns = table_->columns_;
+  std::string result =
+      table_->name_ + ":" + std::to_string(table_->lines_.at(number_)) + ":";
+  for (std::size_t i = 0; i < std::min<std::size_t>(2, columns.size()); ++i) {
+    result +=
+        (i == 0 ? " " : ", ") + columns[i] + "=" + table_->rows_[number_][i];
   }
   return result;
 }
 
 template <>
-double ReferenceTable::value<double>(std::size_t row,
-                                     std::string_view column) const {
-  const std::string& cell = text(row, column);
+double ReferenceTable::Row::value<double>(std::string_view column) const {
+  const std::string& cell = text(column);
   double number = 0;
   // from_chars rounds to nearest: the double nearest to the printed decimal.
   const auto [end, error] =
       std::from_chars(cell.data(), cell.data() + cell.size(), number);
   if (error != std::errc() || end != cell.data() + cell.size()) {
-    throw Error(label(row) + ": " + std::string(column) + " is \"" + cell +
+    throw Error(label() + ": " + std::string(column) + " is \"" + cell +
                 "\", not a number");
   }
   return number;

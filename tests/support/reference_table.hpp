@@ -16,20 +16,46 @@ class ReferenceTable {
   /// @param path  file name, relative to data/reference/ of this project
   explicit ReferenceTable(const std::filesystem::path& path);
 
+  /// A row, as long as its table is there.
+  class Row {
+   public:
+    const std::string& text(std::string_view column) const;
+
+    /// The cell as a number: value<double>(...), or any type that is
+    /// constructed from a decimal string (Boost.Multiprecision).
+    template <class Real = double>
+    Real value(std::string_view column) const {
+      return Real(text(column));
+    }
+
+    /// "friction_integrals.csv:17: theta0_deg=0.01, alpha_deg=85": place of the
+    /// row and its first two cells, for reports.
+    std::string label() const;
+
+   private:
+    friend class ReferenceTable;
+    Row(const ReferenceTable& table, std::size_t number)
+        : table_(&table), number_(number) {}
+    const ReferenceTable* table_;
+    std::size_t number_;
+  };
+
   std::size_t size() const { return rows_.size(); }
-  const std::string& text(std::size_t row, std::string_view column) const;
   bool has(std::string_view column) const;
+  Row operator[](std::size_t row) const { return {*this, row}; }
 
-  /// The cell as a number: value<double>(...), or any type that is
-  /// constructed from a decimal string (Boost.Multiprecision).
-  template <class Real = double>
-  Real value(std::size_t row, std::string_view column) const {
-    return Real(text(row, column));
-  }
-
-  /// "friction_integrals.csv:17: theta0_deg=0.01, alpha_deg=85": place of the
-  /// row and its first two cells, for reports.
-  std::string label(std::size_t row) const;
+  struct Iterator {
+    const ReferenceTable* table;
+    std::size_t number;
+    Row operator*() const { return (*table)[number]; }
+    Iterator& operator++() {
+      ++number;
+      return *this;
+    }
+    bool operator==(const Iterator&) const = default;
+  };
+  Iterator begin() const { return {this, 0}; }
+  Iterator end() const { return {this, size()}; }
 
  private:
   std::string name_;
@@ -39,7 +65,6 @@ class ReferenceTable {
 };
 
 template <>
-double ReferenceTable::value<double>(std::size_t row,
-                                     std::string_view column) const;
+double ReferenceTable::Row::value<double>(std::string_view column) const;
 
 }  // namespace contact::test

@@ -25,38 +25,36 @@ struct Wall {
   }
 };
 
-inline Material reference_material(const ReferenceTable& table, std::size_t row,
+inline Material reference_material(const ReferenceTable::Row& row,
                                    const std::string& name,
                                    const std::string& nu) {
-  return {table.value(row, name), table.value(row, nu)};
+  return {row.value(name), row.value(nu)};
 }
 
-inline void add_reference_layer(const ReferenceTable& table, std::size_t row,
+inline void add_reference_layer(const ReferenceTable::Row& row,
                                 const std::string& name,
                                 std::vector<Layer>& layers) {
-  if (table.text(row, name + "_t").empty()) return;
-  layers.push_back({table.value(row, name + "_t"),
-                    reference_material(table, row, name + "_E", name + "_nu")});
+  if (row.text(name + "_t").empty()) return;
+  layers.push_back({row.value(name + "_t"),
+                    reference_material(row, name + "_E", name + "_nu")});
 }
 
 /// The joint of a row of data/reference/walls/walls_{ball,pin}.csv.
-inline LayeredPair reference_pair(const ReferenceTable& table,
-                                  std::size_t row) {
-  LayeredBody inner{
-      {},
-      table.text(row, "E1").empty()
-          ? Backing::rigid()
-          : Backing::medium(reference_material(table, row, "E1", "nu1"))};
-  add_reference_layer(table, row, "coat", inner.layers);
-  const std::string& end = table.text(row, "end");
+inline LayeredPair reference_pair(const ReferenceTable::Row& row) {
+  LayeredBody inner{{},
+                    row.text("E1").empty() ? Backing::rigid()
+                                           : Backing::medium(reference_material(
+                                                 row, "E1", "nu1"))};
+  add_reference_layer(row, "coat", inner.layers);
+  const std::string& end = row.text("end");
   LayeredBody outer{{},
                     end == "rigid"  ? Backing::rigid()
                     : end == "free" ? Backing::held()
                                     : Backing::medium(reference_material(
-                                          table, row, "end_E", "end_nu"))};
-  add_reference_layer(table, row, "La", outer.layers);
-  add_reference_layer(table, row, "Lb", outer.layers);
-  return {table.value(row, "rho"), inner, outer};
+                                          row, "end_E", "end_nu"))};
+  add_reference_layer(row, "La", outer.layers);
+  add_reference_layer(row, "Lb", outer.layers);
+  return {row.value("rho"), inner, outer};
 }
 
 }  // namespace contact::test
