@@ -71,6 +71,13 @@ double falling_root(const Function& function, double at_zero, double guess,
   return x;
 }
 
+// Where (1 - u^2)^n (1 + k u) is largest, u in [0, 1]: a pressure, n 0.5 to 1,
+// times slip on a contact so small that it is flat.
+double flat_peak(double n, double k) {
+  const double r = n / k;
+  return 1 / (r + std::sqrt(r * r + 1 + 2 * n));
+}
+
 }  // namespace
 
 SlidingContact::SlidingContact(const JointContact& contact,
@@ -183,16 +190,17 @@ double SlidingContact::share_of_speed(double theta) const noexcept {
   return axis_.cos * cosine + axis_.sin * sine;
 }
 
+double SlidingContact::value(const Stress& stress,
+                             double theta) const noexcept {
+  return (stress.pressure_part * pressure_at(theta) + stress.constant_part) *
+         std::pow(rim_speed_ * share_of_speed(theta), stress.power);
+}
+
 double SlidingContact::peak_angle(const Stress& stress,
                                   const Expanded& expanded) const noexcept {
   if (peak_is_outside_) {
-    return highest(
-        [&](double theta) {
-          return (stress.pressure_part * pressure_at(theta) +
-                  stress.constant_part) *
-                 std::pow(share_of_speed(theta), stress.power);
-        },
-        half_angle_);
+    return highest([&](double theta) { return value(stress, theta); },
+                   half_angle_);
   }
   const double part = stress.pressure_part * pressure_unit_;
   // Of the logarithm of strength and speed, times the strength squared: finite
@@ -220,11 +228,9 @@ double SlidingContact::peak_angle(const Stress& stress,
     end = half_angle_ * (1 - 1e-12);
     if (slope(end) >= 0) return half_angle_;  // the speed prevails
   }
-  // On a plane, where s falls like (1 - u^2)^n, u = theta/theta0, times 1 + k u
-  // is largest at k/(n + sqrt(n^2 + (1 + 2n) k^2)). Of pressures n is 0.5 to 1.
-  const double n = 0.7 * peak / strength / stress.power;
-  const double r = n * axis_.cos / (half_angle_ * axis_.sin);  // n/k
-  const double guess = half_angle_ / (r + std::sqrt(r * r + 1 + 2 * n));
+  const double guess =
+      half_angle_ * flat_peak(0.7 * peak / strength / stress.power,
+                              half_angle_ * axis_.sin / axis_.cos);
   return falling_root(slope, at_centre, std::min(guess, 0.9 * end), end,
                       half_angle_);
 }
@@ -232,10 +238,7 @@ double SlidingContact::peak_angle(const Stress& stress,
 ContactPeak SlidingContact::largest(const Stress& stress,
                                     const Expanded& expanded) const noexcept {
   const double theta = peak_angle(stress, expanded);
-  return peak_at(
-      theta,
-      (stress.pressure_part * pressure_at(theta) + stress.constant_part) *
-          std::pow(rim_speed_ * share_of_speed(theta), stress.power));
+  return peak_at(theta, value(stress, theta));
 }
 
 ContactPeak SlidingContact::largest_of_stress() const noexcept {

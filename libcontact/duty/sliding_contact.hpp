@@ -80,6 +80,8 @@ class SlidingContact {
     int power;
   };
   using Expanded = std::optional<detail::ExpandedPressure>;
+  /// On the parallel theta, where the slip is largest.
+  double value(const Stress& stress, double theta) const noexcept;
   ContactPeak largest(const Stress& stress,
                       const Expanded& expanded) const noexcept;
   ContactPeak peak_at(double theta, double value) const noexcept;
