@@ -2,8 +2,10 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <boost/math/tools/minima.hpp>
 #include <cmath>
+#include <numbers>
 #include <optional>
 
 #include "libcontact/friction/any_pressure.hpp"
@@ -19,22 +21,29 @@ double about(const FrictionTriple& triple, SlipAxis axis) {
   return triple.sliding * axis.cos + triple.spinning * axis.sin;
 }
 
-// Where a function on [0, end] with few maxima is largest.
+// Where a function on [0, edge] with few maxima is largest; one of them may be
+// narrow and beside the edge, which the sines make wide.
 template <class Function>
-double highest(const Function& function, double end) {
+double highest(const Function& function, double edge) {
   constexpr int steps = 64;
-  int largest = 0;
-  for (int i = 1; i < steps; ++i) {
-    if (function(end * i / steps) > function(end * largest / steps)) {
-      largest = i;
-    }
+  using std::numbers::pi;
+  const auto at = [&](int i) { return pi / 2 * i / steps; };
+  const auto place = [&](double v) {
+    return edge * std::sin(pi / 2 * std::sin(v));
+  };
+  std::array<double, steps + 1> value;
+  for (int i = 0; i <= steps; ++i) value[i] = function(place(at(i)));
+  double best = 0;
+  for (int i = 0; i < steps; ++i) {
+    const int before = std::max(i - 1, 0);
+    if (value[i] < value[before] || value[i] < value[i + 1]) continue;
+    // Half the digits of a double: a maximum has no more.
+    const auto [v, fall] = boost::math::tools::brent_find_minima(
+        [&](double u) { return -function(place(u)); }, at(before), at(i + 1),
+        26);
+    if (-fall > function(best)) best = place(v);
   }
-  // Half the digits of a double: a maximum has no more.
-  return boost::math::tools::brent_find_minima(
-             [&](double x) { return -function(x); },
-             end * std::max(largest - 1, 0) / steps,
-             end * (largest + 1) / steps, 26)
-      .first;
+  return best;
 }
 
 // The root of a function that falls from `at_zero` at 0 to less than 0 at
@@ -115,7 +124,7 @@ SlidingContact::SlidingContact(const JointContact& contact,
     expanded.emplace(contact.pressure_law(), half_angle_);
     if (expanded->is_empty()) expanded.reset();
   }
-  peak_is_outside_ = profile_.has_peak_outside();
+  falls_outwards_ = profile_.falls_outwards();
   largest_pv_ = largest({1, 0, 1}, expanded);
   largest_heat_flux_ = largest_pv_;
   if (contact.stress()) {
@@ -198,7 +207,7 @@ double SlidingContact::value(const Stress& stress,
 
 double SlidingContact::peak_angle(const Stress& stress,
                                   const Expanded& expanded) const noexcept {
-  if (peak_is_outside_) {
+  if (!falls_outwards_) {
     return highest([&](double theta) { return value(stress, theta); },
                    half_angle_);
   }
