@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <boost/math/tools/minima.hpp>
 #include <cmath>
+#include <numbers>
 
 #include "libcontact/conforming/wide_edge.hpp"
 
@@ -108,13 +109,39 @@ double ContactPressure::slope(double theta) const noexcept {
 
 double ContactPressure::peak() const noexcept { return pressure(peak_angle()); }
 
+// Places from the centre to the edge, ever closer towards it, where a free ring
+// presses on a narrow strip: fine enough for the one maximum on either side of
+// the centre.
+double ContactPressure::scan_angle(int i) const noexcept {
+  static const auto shares = [] {
+    using std::numbers::pi;
+    std::array<double, scan_steps + 1> share{};
+    for (int k = 0; k <= scan_steps; ++k) {
+      share[k] = std::sin(pi / 2 * std::sin(pi / 2 * k / scan_steps));
+    }
+    return share;
+  }();
+  return half_angle_ * shares[i];
+}
+
+bool ContactPressure::falls_outwards() const noexcept {
+  double last = pressure_at(1.0);
+  for (int i = 1; i < scan_steps; ++i) {
+    // x^2, close together at both ends; angles would cost more than the series.
+    const double s = 1 - double(i) / scan_steps;
+    const double q = s * s;
+    const double p = pressure_at(q * q * (3 - 2 * q));
+    if (p > last) return false;
+    last = p;
+  }
+  return true;
+}
+
 double ContactPressure::peak_angle() const noexcept {
-  // Fine enough for the one maximum on either side of the centre.
-  constexpr int steps = 32;
   int largest = 0;
   double at_largest = pressure(0);
-  for (int i = 1; i < steps; ++i) {
-    const double p = pressure(half_angle_ * i / steps);
+  for (int i = 1; i < scan_steps; ++i) {
+    const double p = pressure(scan_angle(i));
     if (p > at_largest) {
       largest = i;
       at_largest = p;
@@ -124,8 +151,7 @@ double ContactPressure::peak_angle() const noexcept {
   // Half the digits of a double: a maximum has no more.
   return boost::math::tools::brent_find_minima(
              [this](double theta) { return -pressure(theta); },
-             half_angle_ * (largest - 1) / steps,
-             half_angle_ * (largest + 1) / steps, 26)
+             scan_angle(largest - 1), scan_angle(largest + 1), 26)
       .first;
 }
 

@@ -38,6 +38,9 @@ class ContactPressure {
   /// Where it is, [0, theta0], rad: 0 but for thin walls with a free outer
   /// surface. To 1e-8 of theta0.
   double peak_angle() const noexcept;
+  /// Whether it falls from the centre to the edge: not under such walls, also
+  /// where the largest is at the centre.
+  bool falls_outwards() const noexcept;
   /// S = ∫ p dS/R_n (ball), ∫ p rho dt/P (pin).
   double force_ratio() const noexcept { return force_ratio_; }
   /// a_0, a_1, ...
@@ -60,6 +63,8 @@ class ContactPressure {
   V pressure_at(const V& edge_square) const noexcept;
   template <class V>
   V slope_at(const V& edge_square) const noexcept;
+  static constexpr int scan_steps = 32;
+  double scan_angle(int i) const noexcept;
 
   double half_angle_;
   double force_ratio_;

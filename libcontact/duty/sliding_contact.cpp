@@ -2,8 +2,10 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <boost/math/tools/minima.hpp>
 #include <cmath>
+#include <numbers>
 #include <optional>
 
 #include "libcontact/friction/any_pressure.hpp"
@@ -19,22 +21,29 @@ double about(const FrictionTriple& triple, SlipAxis axis) {
   return triple.sliding * axis.cos + triple.spinning * axis.sin;
 }
 
-// Where a function on [0, end] with few maxima is largest.
+// Where a function on [0, edge] with few maxima is largest; one of them may be
+// narrow and beside the edge, which the sines make wide.
 template <class Function>
-double highest(const Function& function, double end) {
+double highest(const Function& function, double edge) {
   constexpr int steps = 64;
-  int largest = 0;
-  for (int i = 1; i < steps; ++i) {
-    if (function(end * i / steps) > function(end * largest / steps)) {
-      largest = i;
-    }
+  using std::numbers::pi;
+  const auto at = [&](int i) { return pi / 2 * i / steps; };
+  const auto place = [&](double v) {
+    return edge * std::sin(pi / 2 * std::sin(v));
+  };
+  std::array<double, steps + 1> value;
+  for (int i = 0; i <= steps; ++i) value[i] = function(place(at(i)));
+  double best = 0;
+  for (int i = 0; i < steps; ++i) {
+    const int before = std::max(i - 1, 0);
+    if (value[i] < value[before] || value[i] < value[i + 1]) continue;
+    // Half the digits of a double: a maximum has no more.
+    const auto [v, fall] = boost::math::tools::brent_find_minima(
+        [&](double u) { return -function(place(u)); }, at(before), at(i + 1),
+        26);
+    if (-fall > function(best)) best = place(v);
   }
-  // Half the digits of a double: a maximum has no more.
-  return boost::math::tools::brent_find_minima(
-             [&](double x) { return -function(x); },
-             end * std::max(largest - 1, 0) / steps,
-             end * (largest + 1) / steps, 26)
-      .first;
+  return best;
 }
 
 // The root of a function that falls from `at_zero` at 0 to less than 0 at
@@ -69,6 +78,13 @@ double falling_root(const Function& function, double at_zero, double guess,
     }
   }
   return x;
+}
+
+// Where (1 - u^2)^n (1 + k u) is largest, u in [0, 1]: a pressure, n 0.5 to 1,
+// times slip on a contact so small that it is flat.
+double flat_peak(double n, double k) {
+  const double r = n / k;
+  return 1 / (r + std::sqrt(r * r + 1 + 2 * n));
 }
 
 }  // namespace
@@ -108,7 +124,7 @@ SlidingContact::SlidingContact(const JointContact& contact,
     expanded.emplace(contact.pressure_law(), half_angle_);
     if (expanded->is_empty()) expanded.reset();
   }
-  peak_is_outside_ = profile_.has_peak_outside();
+  falls_outwards_ = profile_.falls_outwards();
   largest_pv_ = largest({1, 0, 1}, expanded);
   largest_heat_flux_ = largest_pv_;
   if (contact.stress()) {
@@ -183,16 +199,17 @@ double SlidingContact::share_of_speed(double theta) const noexcept {
   return axis_.cos * cosine + axis_.sin * sine;
 }
 
+double SlidingContact::value(const Stress& stress,
+                             double theta) const noexcept {
+  return (stress.pressure_part * pressure_at(theta) + stress.constant_part) *
+         std::pow(rim_speed_ * share_of_speed(theta), stress.power);
+}
+
 double SlidingContact::peak_angle(const Stress& stress,
                                   const Expanded& expanded) const noexcept {
-  if (peak_is_outside_) {
-    return highest(
-        [&](double theta) {
-          return (stress.pressure_part * pressure_at(theta) +
-                  stress.constant_part) *
-                 std::pow(share_of_speed(theta), stress.power);
-        },
-        half_angle_);
+  if (!falls_outwards_) {
+    return highest([&](double theta) { return value(stress, theta); },
+                   half_angle_);
   }
   const double part = stress.pressure_part * pressure_unit_;
   // Of the logarithm of strength and speed, times the strength squared: finite
@@ -220,11 +237,9 @@ double SlidingContact::peak_angle(const Stress& stress,
     end = half_angle_ * (1 - 1e-12);
     if (slope(end) >= 0) return half_angle_;  // the speed prevails
   }
-  // On a plane, where s falls like (1 - u^2)^n, u = theta/theta0, times 1 + k u
-  // is largest at k/(n + sqrt(n^2 + (1 + 2n) k^2)). Of pressures n is 0.5 to 1.
-  const double n = 0.7 * peak / strength / stress.power;
-  const double r = n * axis_.cos / (half_angle_ * axis_.sin);  // n/k
-  const double guess = half_angle_ / (r + std::sqrt(r * r + 1 + 2 * n));
+  const double guess =
+      half_angle_ * flat_peak(0.7 * peak / strength / stress.power,
+                              half_angle_ * axis_.sin / axis_.cos);
   return falling_root(slope, at_centre, std::min(guess, 0.9 * end), end,
                       half_angle_);
 }
@@ -232,10 +247,7 @@ double SlidingContact::peak_angle(const Stress& stress,
 ContactPeak SlidingContact::largest(const Stress& stress,
                                     const Expanded& expanded) const noexcept {
   const double theta = peak_angle(stress, expanded);
-  return peak_at(
-      theta,
-      (stress.pressure_part * pressure_at(theta) + stress.constant_part) *
-          std::pow(rim_speed_ * share_of_speed(theta), stress.power));
+  return peak_at(theta, value(stress, theta));
 }
 
 ContactPeak SlidingContact::largest_of_stress() const noexcept {

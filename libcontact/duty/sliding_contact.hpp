@@ -49,9 +49,9 @@ class SlidingContact {
   double heat_flux(const Eigen::Vector3d& place) const noexcept;
 
   /// Both lie in the plane of n and Dw, on the side turned away from Dw, and
-  /// off the centre unless a = 0. theta to 1e-12, 1e-7 where thin walls
-  /// move the peak pressure off the centre and for the heat flux of a
-  /// FrictionStress, which is taken to grow with the slip
+  /// off the centre unless a = 0. theta to 1e-12, 1e-7 where under thin walls
+  /// the pressure does not fall from the centre to the edge and for the heat
+  /// flux of a FrictionStress, which is taken to grow with the slip
   /// (duty/sliding_contact_test.cpp, against closed forms).
   const ContactPeak& largest_pv() const { return largest_pv_; }
   const ContactPeak& largest_heat_flux() const { return largest_heat_flux_; }
@@ -80,6 +80,8 @@ class SlidingContact {
     int power;
   };
   using Expanded = std::optional<detail::ExpandedPressure>;
+  /// On the parallel theta, where the slip is largest.
+  double value(const Stress& stress, double theta) const noexcept;
   ContactPeak largest(const Stress& stress,
                       const Expanded& expanded) const noexcept;
   ContactPeak peak_at(double theta, double value) const noexcept;
@@ -96,11 +98,11 @@ class SlidingContact {
   Eigen::Vector3d centre_;
   double half_angle_;
   double normal_force_;
-  double pressure_unit_;          // Pa
-  double rim_speed_;              // rho |Dw|, m/s
-  SlipAxis axis_;                 // sin a >= 0
-  Stress heat_stress_;            // of q
-  bool peak_is_outside_ = false;  // of p: not at the centre
+  double pressure_unit_;        // Pa
+  double rim_speed_;            // rho |Dw|, m/s
+  SlipAxis axis_;               // sin a >= 0
+  Stress heat_stress_;          // of q
+  bool falls_outwards_ = true;  // p
   double slip_coefficient_ = 0;
   double heat_ = 0;
   double pv_nominal_ = 0;

@@ -121,7 +121,8 @@ void along_planes(double s, double q, const GaussLegendre& gauss,
       width *= 1.5 * (1 - node) * (1 + node);
       node *= (3 - node * node) / 2;
     }
-    const double u = part * (static_cast<double>(i / size) + node);
+    const Eigen::Index before = i / size;
+    const double u = part * (static_cast<double>(before) + node);
     double cn = 0;
     double dn = 0;
     const double sn =

@@ -30,9 +30,9 @@ class PressureProfile {
   }
   /// Whether the pressure is that of a joint with walls.
   bool has_walls() const noexcept { return has_walls_; }
-  /// Whether the largest pressure is not at the centre.
-  bool has_peak_outside() const noexcept {
-    return has_walls_ && exact_->peak_angle() > 0;
+  /// Whether the pressure falls from the centre to the edge.
+  bool falls_outwards() const noexcept {
+    return !has_walls_ || exact_->falls_outwards();
   }
 
  private:

@@ -247,6 +247,49 @@ poissons_ratio = 0.3
   EXPECT_NEAR(pv.place.dot(rate), 0, 1e-15);
 }
 
+// Such a ring has a second, narrow peak beside the edge, which may be the
+// largest of p, or of p v alone.
+TEST(SlidingContact, NarrowPeaksBesideTheEdge) {
+  for (const char* thickness : {"0.1", "0.2"}) {
+    const contact::JointSpec spec = contact::parse_joint(std::string(R"(
+name = "ring"
+kind = "ball"
+[geometry]
+radius_mm = 14
+radial_clearance_um = 100
+[materials]
+inner = { youngs_modulus_GPa = 210, poissons_ratio = 0.3 }
+outer = { youngs_modulus_GPa = 1, poissons_ratio = 0.4 }
+[friction]
+coefficient = 0.1
+[wall]
+backing = "held"
+[[wall.layer]]
+thickness_mm = )") + thickness + "\n",
+                                                         "ring");
+    const Joint joint(spec.contact());
+    for (const double force : {1., 30., 3000.}) {
+      for (const double a : {3., 40., 90.}) {
+        const Vector3d rate(0, std::cos(a * degree), std::sin(a * degree));
+        const JointSolution s =
+            joint.solve_contact({Vector3d(0, 0, force), rate});
+        const SlidingContact sliding(joint.contact(), s, rate);
+        const double sign = sliding.centre().z();
+        for (int i = 0; i < 2000; ++i) {
+          const double theta = s.half_angle * i / 2000;
+          const Vector3d place(0, -sign * std::sin(theta),
+                               sign * std::cos(theta));
+          // The peak's place is good to 1e-8 of theta0.
+          EXPECT_LE(sliding.pressure(place), s.peak_pressure * (1 + 1e-9))
+              << thickness << " " << force << " " << theta / degree;
+          EXPECT_LE(sliding.pv(place), sliding.largest_pv().value * (1 + 1e-9))
+              << thickness << " " << force << " " << a << " " << theta / degree;
+        }
+      }
+    }
+  }
+}
+
 // Adhesion moves the largest heat to within 1e-8 of the edge, where pressures
 // that start like a root are steep.
 TEST(SlidingContact, LargestHeatBesideTheEdge) {
