@@ -28,10 +28,11 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double smallest_half_angle = 1e-140;
 
 /// The pressure-weighted integrals from the coefficients.
-void set_scale(double peak, FrictionIntegrals& r) {
+void set_scale(double at_centre, FrictionIntegrals& r) {
   const FrictionTriple& c = r.coefficient;
-  r.normal = 1 / peak;
-  r.pressure = {c.force / peak, c.sliding / peak, c.spinning / peak};
+  r.normal = 1 / at_centre;
+  r.pressure = {c.force / at_centre, c.sliding / at_centre,
+                c.spinning / at_centre};
 }
 
 /// One point.
@@ -49,7 +50,7 @@ FrictionIntegrals one_point(const PressureLaw& law, double half_angle,
   if (p.is_empty()) {
     r.coefficient =
         detail::coefficients_by_parts(law, half_angle, axis, kernel);
-    set_scale(law.peak(half_angle), r);
+    set_scale(law.pressure(0, half_angle), r);
     return r;
   }
   const auto& [s, abs_c, sa, q, k, m] = cap.point;
@@ -57,9 +58,9 @@ FrictionIntegrals one_point(const PressureLaw& law, double half_angle,
   // At the centre: x = 1; 1 - c over the cosine pressure's I_n.
   const double one_minus_c = c < 0 ? 1 - c : s * s / (1 + c);
   const double share = p.cosine_share;
-  double peak = share == 0 ? 0 : share * (one_minus_c / r.normal);
-  for (const double coefficient : p.coefficients()) peak += coefficient;
-  peak += p.edge_pressure;
+  double at_centre = share == 0 ? 0 : share * (one_minus_c / r.normal);
+  for (const double coefficient : p.coefficients()) at_centre += coefficient;
+  at_centre += p.edge_pressure;
   const PressureSums<double> root =
       kernel.root_pressure({s, c, sa, q, k, m}, cap.pole_inside, p);
   FrictionTriple& f = r.coefficient;
@@ -68,7 +69,7 @@ FrictionIntegrals one_point(const PressureLaw& law, double half_angle,
   f = {root.force + share * f.force + edge * r.area.force,
        root.sliding + share * f.sliding + edge * r.area.sliding,
        root.spinning + share * f.spinning + edge * r.area.spinning};
-  set_scale(peak, r);
+  set_scale(at_centre, r);
   return r;
 }
 
@@ -122,7 +123,7 @@ FrictionIntegrals viscous_friction_integrals(const PressureLaw& law,
       detail::expansion_of(law, half_angle).is_cosine()) {
     return r;
   }
-  const double peak = law.peak(half_angle);
+  const double at_centre = law.pressure(0, half_angle);
   const double h = std::sin(half_angle / 2);
   const double m = second_moment(law, half_angle) +
                    detail::expansion_of(law, half_angle).edge_pressure * 8 *
@@ -130,8 +131,8 @@ FrictionIntegrals viscous_friction_integrals(const PressureLaw& law,
   FrictionTriple& c = r.coefficient;
   c = {axis.cos, (law.force_ratio(half_angle) - m / 2) * axis.cos,
        m * axis.sin};
-  if (std::isnan(peak)) c.force = nan;
-  set_scale(peak, r);
+  if (std::isnan(at_centre)) c.force = nan;
+  set_scale(at_centre, r);
   return r;
 }
 

@@ -21,9 +21,9 @@ namespace contact {
 /// @param axis        slip axis, sine and cosine of a in [-pi/2, pi/2]
 /// @param set         a supported one
 /// @return As FrictionIntegrals says, with two differences for laws other than
-///         CosinePressure: the weight of `pressure` is p/p(0), so that
-///         R_n = rho^2 p(0) normal; and normal = 1/peak. Force and sliding
-///         even, spinning odd in a.
+///         CosinePressure: the weight of `pressure` is p/p(0), that of the
+///         contact's centre, so that R_n = rho^2 p(0) normal. Force and
+///         sliding even, spinning odd in a.
 ///         Relative error of each coefficient, given the law's own pressure,
 ///         at most 1e-10 for theta0 <= 120 deg (friction/any_pressure_test.cpp,
 ///         against quadrature of the definition and by parts). NaN if an

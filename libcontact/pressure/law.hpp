@@ -58,7 +58,7 @@ class PressureLaw {
                            std::span<const double> edge_variable,
                            std::span<double> out) const noexcept = 0;
 
-  /// p(0), the largest pressure; infinite at theta0 = 0.
+  /// The largest pressure, p(0) but under thin walls; infinite at theta0 = 0.
   virtual double peak(double half_angle) const noexcept = 0;
 
   /// S = ∫ p dS / R_n (ball), ∫ p rho dt / P (pin): how much larger the sum of

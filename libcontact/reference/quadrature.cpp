@@ -82,7 +82,8 @@ double weight(const Integral& integral, double t) {
       // cos t - cos theta0 without cancellation
       return 2 * std::sin((theta0 - t) / 2) * std::sin((theta0 + t) / 2);
     case Weight::law:
-      return integral.law->pressure(t, theta0) / integral.law->peak(theta0);
+      return integral.law->pressure(t, theta0) /
+             integral.law->pressure(0, theta0);
     default:
       return 1;
   }
@@ -198,8 +199,8 @@ QuadratureResult by_quadrature(const PressureLaw* law, double half_angle,
   QuadratureResult result{};
   const double half = std::sin(half_angle / 2);
   const double rise = 2 * half * half;  // 1 - cos theta0
-  const double normal =
-      law ? 1 / law->peak(half_angle) : pi / 3 * rise * rise * (3 - rise);
+  const double normal = law ? 1 / law->pressure(0, half_angle)
+                            : pi / 3 * rise * rise * (3 - rise);
   result.value.normal = normal;
   triple(law ? Weight::law : Weight::cosine, result.value.pressure,
          result.error.pressure);

@@ -1,8 +1,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <string>
+#include <vector>
 
 #include "libcontact/base/units.hpp"
 #include "libcontact/conforming/ball.hpp"
@@ -76,13 +78,26 @@ TEST(WalledExactPressure, IsTheSolverOfPins) {
   compare<PinContact>(JointKind::pin);
 }
 
+// Such rings press hardest near the edge, from small contacts on: friction
+// integrals have the weight p/p(0) all the same.
+constexpr Wall free_rings[] = {{0.04, 0.4, true}, {0.01, 0.4, true}};
+
 TEST(WalledExactPressure, Friction) {
   // By quadrature of the definition with this very pressure, all its sines.
   // Friction takes 32.
   AccuracyReport thick("friction coefficients, t >= 0.1", 1e-7);
   AccuracyReport thin("friction coefficients, t = 0.03 to 0.01", 1e-7);
-  for (const Wall& wall : walls) {
-    AccuracyReport& report = wall.thickness < 0.1 ? thin : thick;
+  AccuracyReport rings("friction coefficients, rings of 0.04 and 0.01", 5e-6);
+  // What 32 sines leave of p(0), 1e-6 of the peak as all of the law.
+  AccuracyReport scale("with p over p(0)", 1e-6);
+  const ExactPressure ring(JointKind::ball, free_rings[0].pair());
+  EXPECT_GT(ring.peak(0.1), 2 * ring.pressure(0, 0.1));
+  std::vector<Wall> all(std::begin(walls), std::end(walls));
+  all.insert(all.end(), std::begin(free_rings), std::end(free_rings));
+  for (const Wall& wall : all) {
+    AccuracyReport& report = wall.thickness >= 0.1 ? thick
+                             : wall.held           ? rings
+                                                   : thin;
     const ExactPressure law(JointKind::ball, wall.pair());
     for (const double theta0_deg : {5.0, 45.0, 80.0}) {
       for (const double axis_deg : {10.0, 60.0}) {
@@ -102,11 +117,15 @@ TEST(WalledExactPressure, Friction) {
                    label);
         report.add(computed.coefficient.spinning, expected.coefficient.spinning,
                    label);
+        scale.add(computed.normal, expected.normal, label);
+        scale.add(computed.pressure.force, expected.pressure.force, label);
       }
     }
   }
   thick.check();
   thin.check();
+  rings.check();
+  scale.check();
 }
 
 }  // namespace

@@ -83,8 +83,8 @@ class Joint(FileText, _core.Joint):
     Keywords are the keys of joint files with their units (libcontact's
     docs/joint_file.md): those of [geometry], [materials] and [friction] without
     their tables; `half_angle`, `pressure`, `friction` (names of laws),
-    `loading`, `wall` and `coating` as in the file. None is left out. Whole tables may be given
-    as dicts.
+    `loading`, `wall` and `coating` as in the file. None is left out. Whole
+    tables may be given as dicts.
 
     Nothing of a joint changes: replace() makes another. Joints compare by what
     they say, may be pickled and shared by threads, and go through fork.
