@@ -25,9 +25,8 @@ constexpr double mega = 1e6;
 std::string label(const BodyWear& wear) {
   std::string text = fmt::format("{} ({})", wear.surface, wear.body);
   if (!wear.k) return text;
-  constexpr double mm = 1e-3;
-  return text + fmt::format(": deepest {:.2g} mm",
-                            *wear.k * mm * mm * wear.deepest.wear.pv);
+  return text +
+         fmt::format(": deepest {:.2g} mm", wear.depth(wear.deepest.wear));
 }
 
 // Straight above the middle of the wear.

@@ -3,7 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "duty/report.hpp"
+#include "duty/body_wear.hpp"
+#include "libcontact/duty/joint_cycle.hpp"
 
 namespace hinge_duty {
 

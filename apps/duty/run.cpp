@@ -13,8 +13,10 @@
 #include "cli/quantity.hpp"
 #include "cli/refuse.hpp"
 #include "duty/cycle_file.hpp"
+#include "duty/cycle_picture.hpp"
 #include "duty/map_picture.hpp"
-#include "duty/report.hpp"
+#include "duty/summary.hpp"
+#include "duty/tables.hpp"
 #include "libcontact/base/units.hpp"
 
 namespace hinge_duty {

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "libcontact/base/units.hpp"
+#include "libcontact/duty/wear_in.hpp"
+
+namespace hinge_duty {
+
+/// What wear_in() says at some time.
+struct WornQuantity {
+  const char* name;
+  double (*of)(const contact::WornState&);
+  const char* meaning;
+};
+inline constexpr WornQuantity worn_quantities[] = {
+    {"cycles", [](const contact::WornState& w) { return w.cycles; },
+     "after them"},
+    {"wear_number", [](const contact::WornState& w) { return w.wear_number; },
+     "volume over pi rho^2 eps, of a pin 2 rho eps l"},
+    {"volume_seat_mm3",
+     [](const contact::WornState& w) { return 1e9 * w.volume; },
+     "worn off; reliable"},
+    {"penetration_mm",
+     [](const contact::WornState& w) { return 1e3 * w.penetration; },
+     "deepest wear, to 8 %, once most of it is wear; no creep"},
+    {"theta0_deg",
+     [](const contact::WornState& w) { return w.half_angle / contact::degree; },
+     "largest, to 0.4 deg"},
+    {"p_peak_Pa", [](const contact::WornState& w) { return w.peak_pressure; },
+     "largest"},
+    {"pv_max_W_per_m2", [](const contact::WornState& w) { return w.pv; },
+     "largest"},
+    {"energy_J", [](const contact::WornState& w) { return w.energy; },
+     "of a cycle"},
+    {"mean_M_t_N_m", [](const contact::WornState& w) { return w.mean_moment; },
+     "mean of the friction moment"},
+    {"worn_in", [](const contact::WornState& w) { return w.worn_in ? 1. : 0; },
+     "1: pressure p ~ cos theta, 0: that of the joint"},
+};
+
+}  // namespace hinge_duty
