@@ -1,22 +1,18 @@
 #include "duty/cycle_file.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
-#include <span>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "cli/choice.hpp"
 #include "cli/quantity.hpp"
 #include "cli/refuse.hpp"
-#include "cli/stream/points.hpp"
-#include "duty/sto_header.hpp"
-#include "libcontact/base/units.hpp"
+#include "duty/cycle_columns.hpp"
 
 namespace hinge_duty {
 namespace {
@@ -25,142 +21,11 @@ using contact::JointBody;
 using contact::PeriodicSpline;
 using Eigen::Vector3d;
 
-constexpr double largest = 1e100;
-constexpr cli::Allowed any_time{-largest, largest, "s"};
-constexpr cli::Allowed any_force{-largest, largest, "N"};
-constexpr cli::Allowed any_rate{-largest, largest, "rad/s"};
-constexpr cli::Allowed any_angle{-1e6, 1e6, "deg"};
-
-const std::array<std::string, 3> rate_names = {"w_x_rad_per_s", "w_y_rad_per_s",
-                                               "w_z_rad_per_s"};
-constexpr std::size_t motion_at = 4;  // behind time and force
-
-// What the columns of a file are called, and where they are.
-struct Columns {
-  std::vector<std::string> names = {"time_s", "R_x_N", "R_y_N", "R_z_N"};
-  std::vector<cli::PointColumn> needed;
-  cli::PointHeader header;
-  bool is_angles = false;
-  double angle_unit = contact::degree;
-  std::optional<StoHeader> sto;
-};
-
 JointBody body_of(const char* option, const std::string& text,
                   JointBody otherwise) {
   constexpr std::array<cli::Choice<JointBody>, 2> bodies = {
       {{"body", JointBody::body}, {"carrier", JointBody::carrier}}};
   return text.empty() ? otherwise : cli::choice(option, text, bodies);
-}
-
-// The columns of the motion; what they are is in `is_angles`.
-std::vector<std::string> motion_names(const cli::PointColumns& columns,
-                                      const std::string& place,
-                                      const Options& options, bool is_pin,
-                                      bool& is_angles) {
-  std::vector<std::string> angles;
-  std::size_t rates = 0;
-  for (const std::string& name : columns.riding) {
-    if (name.ends_with("_deg")) angles.push_back(name);
-    rates += std::ranges::count(rate_names, name);
-  }
-  is_angles = !options.euler.empty() || rates == 0;
-  if (!is_angles) return {rate_names.begin(), rate_names.end()};
-  const std::size_t wanted = is_pin ? 1 : 3;
-  if (angles.size() != wanted) {
-    cli::refuse_without(
-        place + ": the motion",
-        is_pin ? "one column of an angle, NAME_deg, or w_x_rad_per_s, "
-                 "w_y_rad_per_s and w_z_rad_per_s"
-               : "three columns of angles, NAME_deg, in the order of --euler, "
-                 "or w_x_rad_per_s, w_y_rad_per_s and w_z_rad_per_s");
-  }
-  return angles;
-}
-
-std::vector<std::string> column_names(const char* option,
-                                      const std::string& text,
-                                      std::size_t count) {
-  std::vector<std::string> names;
-  for (const std::string_view name : cli::split(text, ",")) {
-    names.emplace_back(name);
-  }
-  if (names.size() == count) return names;
-  cli::refuse(option, text,
-              count == 1 ? "the name of one column"
-                         : "the names of three columns, with commas");
-}
-
-bool is_sto(const std::string& file) {
-  return file.ends_with(".sto") || file.ends_with(".mot");
-}
-
-void check_columns_options(const Options& options) {
-  for (const auto& [option, text] :
-       {std::pair("--force-columns", &options.force_columns),
-        {"--angle-columns", &options.angle_columns}}) {
-    if (is_sto(options.cycle) && text->empty()) {
-      cli::refuse_without(cli::given("--cycle", options.cycle),
-                          fmt::format("{} NAMES", option));
-    }
-    if (!is_sto(options.cycle) && !text->empty()) {
-      cli::refuse_without(cli::given(option, *text),
-                          "--cycle FILE.sto or FILE.mot");
-    }
-  }
-}
-
-// The columns of OpenSim's table that the options name.
-void name_sto_columns(const Options& options, bool is_pin, Columns& columns) {
-  columns.names = column_names("--force-columns", options.force_columns, 3);
-  columns.names.insert(columns.names.begin(), "time");
-  const auto angles =
-      column_names("--angle-columns", options.angle_columns, is_pin ? 1 : 3);
-  columns.names.insert(columns.names.end(), angles.begin(), angles.end());
-  for (const std::string& name : columns.names) {
-    if (std::ranges::count(columns.names, name) == 1) continue;
-    throw contact::Error("--force-columns and --angle-columns: " +
-                         contact::detail::duplicate("column", name));
-  }
-  columns.is_angles = true;
-  if (!columns.sto->in_degrees) columns.angle_unit = 1;
-}
-
-void name_csv_columns(const Options& options, bool is_pin, Columns& columns) {
-  const auto& [line, place] = columns.header;
-  std::vector<cli::PointColumn> states;
-  for (const std::string& name : columns.names) {
-    states.push_back({name, any_force});
-  }
-  const auto motion = motion_names({line, states, place}, place, options,
-                                   is_pin, columns.is_angles);
-  columns.names.insert(columns.names.end(), motion.begin(), motion.end());
-}
-
-Columns read_columns(cli::LineReader& reader, const Options& options,
-                     bool is_pin) {
-  Columns columns;
-  if (is_sto(options.cycle)) {
-    columns.sto = read_sto_header(reader);
-    columns.header = columns.sto->columns;
-    name_sto_columns(options, is_pin, columns);
-  } else {
-    columns.header = cli::read_header(reader);
-    name_csv_columns(options, is_pin, columns);
-  }
-  const auto angles = std::span(columns.names).subspan(motion_at);
-  if (columns.is_angles && !is_pin && options.euler.empty()) {
-    cli::refuse_without(fmt::format("{}: the angles {}", columns.header.place,
-                                    fmt::join(angles, ", ")),
-                        "--euler: the sequence of their axes, such as zxy");
-  }
-  for (std::size_t i = 0; i < columns.names.size(); ++i) {
-    columns.needed.push_back({columns.names[i], i == 0          ? any_time
-                                                : i < motion_at ? any_force
-                                                : columns.is_angles
-                                                    ? any_angle
-                                                    : any_rate});
-  }
-  return columns;
 }
 
 // The values of all lines, column by column.
@@ -204,9 +69,8 @@ double period_of(const std::vector<double>& times, const std::string& name,
                  const Options& options) {
   const double span = times.back() - times.front();
   if (!options.period.empty()) {
-    const double period =
-        cli::parse_quantity("--period", options.period,
-                            contact::Dimension::time, {0, largest, "s"});
+    const double period = cli::parse_quantity(
+        "--period", options.period, contact::Dimension::time, {0, 1e100, "s"});
     if (period > span) return period;
     cli::refuse("--period", options.period,
                 fmt::format("above {:.6g} s, from the first to the last row "
@@ -258,9 +122,8 @@ contact::DutyCycle read_cycle(const Options& options, bool is_pin) {
   const contact::ForceFrame frame{
       body_of("--force-on", options.force_on, JointBody::body),
       body_of("--force-in", options.force_in, JointBody::carrier)};
-  check_columns_options(options);
   cli::LineReader reader(options.cycle);
-  const Columns columns = read_columns(reader, options, is_pin);
+  const CycleColumns columns = read_columns(reader, options, is_pin);
   const bool is_angles = columns.is_angles;
   const auto& [line, place] = columns.header;
   const auto values = read_lines(reader, {line, columns.needed, place},
@@ -270,8 +133,8 @@ contact::DutyCycle read_cycle(const Options& options, bool is_pin) {
   check_times(times, reader.name(), columns.names[0]);
   const double period = period_of(times, reader.name(), options);
   PeriodicSpline forces(times, period, vectors(values, 1, 1));
-  const std::vector<Vector3d> motion =
-      vectors(values, motion_at, is_angles ? columns.angle_unit : 1);
+  const std::vector<Vector3d> motion = vectors(
+      values, CycleColumns::motion_at, is_angles ? columns.angle_unit : 1);
   if (is_pin && !is_angles) check_pin_rates(motion, reader.name());
   PeriodicSpline spline(times, period, motion);
   if (!is_angles) return {std::move(forces), frame, std::move(spline)};
