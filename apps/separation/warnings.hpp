@@ -13,10 +13,10 @@ inline constexpr const char* program_name = "hinge-separation";
 /// What is said on standard error as it is found, and again in a replay.
 class Warnings {
  public:
-  /// @param aloud  false: in the replay only
+  /// @param aloud  false: nothing on standard error
   explicit Warnings(bool aloud = true) : aloud_(aloud) {}
   void add(std::string text);
-  /// Of no replay.
+  /// What a replay does not say.
   void note(const std::string& text) const;
   const std::vector<std::string>& texts() const { return texts_; }
 
@@ -32,7 +32,7 @@ void warn_of_joints(const Case& c, Warnings& warnings);
 /// What has come of a run and was hardly meant.
 void warn_of_run(const Case& c, const Outcome& outcome, Warnings& warnings);
 
-/// What it cannot show, and gives it all warnings.
+/// What the replay cannot show as it is. It gets this and all warnings before.
 void warn_of_replay(Replay& replay, Warnings& warnings);
 
 }  // namespace separation

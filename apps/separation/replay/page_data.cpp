@@ -69,7 +69,8 @@ ordered_json body_json(const Case& c, int i) {
   return j;
 }
 
-// What the page draws; the glTF has the motion.
+// What the page draws; the glTF has the motion. Components of a lock's reaction
+// are 0 without a lock.
 bool is_shown(const Case& c, const std::string& column) {
   const auto point = column.rfind('.');
   const auto quantity = column.substr(point + 1);

@@ -245,7 +245,7 @@ class Picture {
   }
 
   // The followed body keeps the directions that it has now in the picture, or
-  // directions are inertial again.
+  // directions are inertial again. The stage turns: the camera's upwards is y.
   setTurning(on) {
     this.kept = on ? this.stage.quaternion.clone()
         .multiply(this.turnOf(this.follow)) : undefined;
