@@ -42,8 +42,7 @@ bool Replays::write(const Case& c, std::vector<ShownRun> runs,
                     Warnings& warnings) {
   if (files_.empty()) return true;
   Replay replay{c, std::move(runs), {}, case_text_};
-  for (const std::string& fault : replay_faults(replay)) warnings.add(fault);
-  replay.warnings = warnings.texts();
+  warn_of_replay(replay, warnings);
   bool good = true;
   for (auto& [name, file] : files_) {
     try {

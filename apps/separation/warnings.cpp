@@ -85,8 +85,12 @@ void add_drift(const Case& c, const Outcome& outcome, Warnings& warnings) {
 }  // namespace
 
 void Warnings::add(std::string text) {
-  cli::warn(program_name, text);
+  if (aloud_) cli::warn(program_name, text);
   texts_.push_back(std::move(text));
+}
+
+void Warnings::note(const std::string& text) const {
+  if (aloud_) cli::note(program_name, text);
 }
 
 void warn_of_joints(const Case& c, Warnings& warnings) {
@@ -103,7 +107,7 @@ void warn_of_joints(const Case& c, Warnings& warnings) {
       }
     }
   }
-  for (const std::string& fit : fits) cli::note(program_name, fit);
+  for (const std::string& fit : fits) warnings.note(fit);
   for (const std::string& note : notes) warnings.add(note);
 }
 
@@ -117,6 +121,11 @@ void warn_of_run(const Case& c, const Outcome& outcome, Warnings& warnings) {
   add_contacts(c, outcome, warnings);
   add_overlaps(c, outcome, warnings);
   add_drift(c, outcome, warnings);
+}
+
+void warn_of_replay(Replay& replay, Warnings& warnings) {
+  for (const std::string& fault : replay_faults(replay)) warnings.add(fault);
+  replay.warnings = warnings.texts();
 }
 
 }  // namespace separation

@@ -13,6 +13,7 @@
 #include "libcontact/base/error.hpp"
 #include "separation/record/run.hpp"
 #include "separation/replay/page.hpp"
+#include "separation/warnings.hpp"
 #include "study/findings/page.hpp"
 
 namespace study {
@@ -72,10 +73,12 @@ std::string case_text(const Study& study, const separation::Case& c,
 std::string replay_of(const Study& study, std::uint64_t run,
                       const PageParts& parts) {
   const separation::Case c = study.case_of(run);
+  separation::Warnings warnings(false);
+  warn_of_joints(c, warnings);
   const separation::Outcome outcome = separation::run_case(c);
+  warn_of_run(c, outcome, warnings);
   separation::Replay replay{c, {{"", &outcome}}, {}, case_text(study, c, run)};
-  replay.warnings = separation::replay_faults(replay);
-  if (!outcome.failure.empty()) replay.warnings.push_back(outcome.failure);
+  warn_of_replay(replay, warnings);
   return separation::replay_page(replay, parts).text;
 }
 

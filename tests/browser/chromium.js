@@ -4,6 +4,7 @@
 const fs = require('fs');
 const os = require('os');
 const path = require('path');
+const {pathToFileURL} = require('url');
 const {chromium} = require('playwright-core');
 
 const settings = [
@@ -25,7 +26,7 @@ async function withPage(file, options, use, prepare = async () => {}) {
   try {
     const page = await context.newPage();
     page.setDefaultTimeout(120e3);  // machines of tests are busy
-    const url = 'file://' + path.resolve(file);
+    const {href: url} = pathToFileURL(file);
     const said = [];
     page.on('console', (message) => said.push(message.text()));
     page.on('pageerror', (error) => said.push(error.message));
@@ -35,7 +36,8 @@ async function withPage(file, options, use, prepare = async () => {}) {
     });
     await prepare(page);
     await page.goto(url);
-    await page.evaluate(() => replay.ready);
+    // A report of a study has no data.
+    await page.evaluate(() => document.getElementById('data') && replay.ready);
     return await use(page, said);
   } finally {
     await context.close();

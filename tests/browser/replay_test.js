@@ -59,6 +59,10 @@ function poseOf(columns, i, body) {
   };
 }
 
+// The row of a time.
+const rowAt = (columns, time) =>
+    columns.time_s.findIndex((t) => Math.abs(t - time) < 1e-6);
+
 const difference = (a, b) => Math.hypot(...a.map((x, i) => x - b[i]));
 // Between two turns given as quaternions, deg.
 const turn = (a, b) => 360 / Math.PI * Math.asin(Math.min(1, Math.min(
@@ -178,7 +182,8 @@ test('the keyboard alone suffices', async () => {
           document.activeElement.tagName));
     }
     for (const id of ['view', 'time', 'play', 'previous', 'next', 'speed',
-                      'follow', 'fit', 'show_forces', 'BUTTON', 'SUMMARY']) {
+                      'follow', 'turning', 'fit', 'show_forces', 'BUTTON',
+                      'SUMMARY']) {
       assert.ok(reached.has(id), id);
     }
     const nameless = await page.evaluate(() => [...document.querySelectorAll(
@@ -216,6 +221,107 @@ test('the keyboard alone suffices', async () => {
     }
     assert.deepStrictEqual(said, []);
   });
+});
+
+const cross = ([a, b, c], [x, y, z]) =>
+    [b * z - c * y, c * x - a * z, a * y - b * x];
+// v, turned by a quaternion.
+function turned([x, y, z, w], v) {
+  const half = cross([x, y, z], v).map((c, i) => c + w * v[i]);
+  return cross([x, y, z], half).map((c, i) => v[i] + 2 * c);
+}
+
+// The platform spins, so that its arms move otherwise as seen from it.
+test('who turns with a body sees it at rest and the others from it', async () => {
+  run(path.join(cases, 'platform.toml'), '--history', 'a.csv', '--replay',
+      'a.html');
+  const rows = history('a.csv');
+  rows.carrier = 'platform';
+  const [begin, ...others] = [0.9, 2.5, 10.3].map(
+      (time) => rowAt(rows, time));
+  await withPage(file('a.html'), {}, async (page, said) => {
+    const seen = (row, points) => page.evaluate(([time, of]) => {
+      replay.go(time);
+      replay.update();
+      return of.map(([body, point]) => replay.offset(body, point)).flat();
+    }, [rows.time_s[row], points]);
+    const marks = (body) =>
+        [[0, 0, 1], [0, 1, 0], [1, 0, 0]].map((point) => [body, point]);
+    const inertial = await seen(begin, marks(0));
+    const later = await seen(others[0], marks(0));
+    assert.ok(difference(later, inertial) > 50);
+    await seen(begin, []);
+    await page.focus('#view');
+    await page.keyboard.press('t');
+    assert.ok(await page.isChecked('#turning'));
+    for (const row of [begin, ...others]) {
+      assert.ok(difference(await seen(row, marks(0)), inertial) < 0.5);
+      const {position} = poseOf(rows, row, 'arm_4');
+      const [x, y, z, w] = poseOf(rows, row, 'platform').rotation;
+      const place = turned([-x, -y, -z, w], position);
+      const arm = await seen(row, [[4, [0, 0, 0]]]);
+      assert.ok(difference(arm, await seen(begin, [[0, place]])) < 0.5);
+    }
+    await page.uncheck('#turning');
+    assert.ok(difference(await seen(others[0], marks(0)), later) < 0.5);
+    await page.check('#turning');
+    // Another one goes into the middle as it is: from afar, without much of
+    // perspective.
+    for (let i = 0; i < 20; ++i) await page.keyboard.press('-');
+    const before = await seen(others[1], marks(2));
+    await page.selectOption('#follow', 'arm 2');
+    const after = await seen(others[1], marks(2));
+    const span = (p) => [p[2] - p[0], p[3] - p[1], p[4] - p[0], p[5] - p[1]];
+    assert.ok(difference(span(after), span(before)) <
+        0.05 * Math.hypot(...span(before)));
+    for (const row of others) {
+      assert.ok(difference(await seen(row, marks(2)), after) < 0.5);
+    }
+    assert.deepStrictEqual(said, []);
+  });
+});
+
+test('arrows of locks are their reactions until they break', async () => {
+  run(path.join(cases, 'platform.toml'), '--history', 'a.csv', '--replay',
+      'a.html');
+  const rows = history('a.csv');
+  rows.carrier = 'platform';
+  const most = Math.max(...[1, 2, 3, 4, 5, 6].map(
+      (arm) => Math.max(...rows[`arm_${arm}.lock_reaction_N`])));
+  await withPage(file('a.html'), {}, async (page, said) => {
+    const arrow = (time, arm, kind) => page.evaluate(([t, body, name]) => {
+      replay.go(t);
+      replay.update();
+      return replay.arrow(body, name);
+    }, [time, arm, kind]);
+    const size = await page.evaluate(() => JSON.parse(
+        document.getElementById('data').textContent).size);
+    for (const [time, arm] of [[0.3, 1], [0.9, 5], [3, 4]]) {
+      const row = rowAt(rows, time);
+      const [from, tip] = await arrow(time, arm, 'lock');
+      const {position, rotation} = poseOf(rows, row, `arm_${arm}`);
+      // Of the case, from the middle of the arm.
+      const point = turned(rotation, [0.1 - 0.15, 0, 1 - 0.55]);
+      assert.ok(difference(from, position.map((x, i) => x + point[i])) <
+          1e-3 * size);
+      // 0.42 of the size for the largest one.
+      const force = ['x', 'y', 'z'].map(
+          (axis) => rows[`arm_${arm}.lock_reaction_${axis}_N`][row]);
+      assert.ok(difference(tip, from.map(
+          (x, i) => x + 0.42 * size * force[i] / most)) < 1e-6 * size);
+    }
+    assert.strictEqual(await arrow(1.5, 1, 'lock'), undefined);
+    assert.ok(await arrow(1.5, 1, 'reaction'));
+    assert.ok((await page.textContent('#legend')).includes(
+        'reaction of locks, up to 7.698 N'));
+    await page.uncheck('#show_forces');
+    assert.strictEqual(await arrow(0.3, 1, 'lock'), undefined);
+    assert.deepStrictEqual(said, []);
+  });
+  // Only where there are locks has the page their components.
+  run(path.join(cases, 'two_stage_turn.toml'), '--replay', 'a.html');
+  assert.ok(!fs.readFileSync(file('a.html'), 'utf8').includes(
+      '.lock_reaction_x_N'));
 });
 
 test('on a phone, in the dark and in the light nothing is wider than the screen',

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "support/program.hpp"
@@ -245,13 +246,16 @@ const std::string turns =
     "[[dispersion]]\nkey = 'body[stage].mass_t'\nrelative = true\n"
     "kind = 'uniform'\nlow = 0.9\nhigh = 1.1\n";
 
+bool has_libraries() {
+  return ProgramFolder()
+             .run(
+                 "ls /usr/share/javascript/three/three.min.js "
+                 "/usr/share/javascript/dygraphs/dygraph.min.js")
+             .status == 0;
+}
+
 TEST_F(HingeStudy, WorstRunsLinkToTheirReplays) {
-  if (folder_
-          .run("ls /usr/share/javascript/three/three.min.js "
-               "/usr/share/javascript/dygraphs/dygraph.min.js")
-          .status != 0) {
-    GTEST_SKIP() << "libjs-three or libjs-dygraphs";
-  }
+  if (!has_libraries()) GTEST_SKIP() << "libjs-three or libjs-dygraphs";
   folder_.write("c.toml", turns);
   run("c.toml --report 'a \"#b.html'");
   const std::string page = folder_.read("a \"#b.html");
@@ -272,6 +276,48 @@ TEST_F(HingeStudy, WorstRunsLinkToTheirReplays) {
               1);
   }
   EXPECT_EQ(pages, 5);
+}
+
+// The stage is let go after the end, and passes through the carrier before.
+TEST_F(HingeStudy, ReplaysHaveTheWarningsOfHingeSeparation) {
+  if (!has_libraries()) GTEST_SKIP() << "libjs-three or libjs-dygraphs";
+  std::ifstream file(CONTACT_DATA_DIR "/cases/two_stage_turn.toml");
+  std::string text(std::istreambuf_iterator<char>(file), {});
+  for (const auto& [old, now] :
+       {std::pair{"\"../joints", "\"" CONTACT_DATA_DIR "/joints"},
+        {"\"../joints", "\"" CONTACT_DATA_DIR "/joints"},
+        {"angle_deg = 30", "angle_deg = 300"},
+        {"end_time_s = 2.6", "end_time_s = 2.8"}}) {
+    ASSERT_NE(text.find(old), text.npos) << old;
+    text.replace(text.find(old), std::string(old).size(), now);
+  }
+  folder_.write("case.toml", text);
+  folder_.write("c.toml",
+                "name = 's'\ncase = 'case.toml'\nruns = 3\n"
+                "[[requirement]]\nquantity = 'clearance.smallest_m'\n"
+                "at_least = 0\nsuccess = 0.9\n"
+                "[[dispersion]]\nkey = 'run.end_time_s'\nrelative = true\n"
+                "kind = 'uniform'\nlow = 0.99\nhigh = 1\n");
+  const auto said = folder_.run("hinge-study c.toml --report r.html");
+  EXPECT_EQ(said.status, 0) << said.err;
+  EXPECT_EQ(said.err.find("overlap"), said.err.npos) << said.err;
+  const std::string row = run("c.toml --run 2");
+  const auto at = row.find("end_time_s,") + 11;
+  const auto direct = folder_.run(
+      "hinge-separation case.toml --replay d.html --set "
+      "'run.end_time_s=*" +
+      row.substr(at, row.find('\n', at) - at) + "'");
+  EXPECT_EQ(direct.status, 0) << direct.err;
+  const auto warnings = [&](const std::string& name) {
+    const std::string page = folder_.read(name);
+    const auto from = page.find("\"warnings\":[");
+    return page.substr(from, page.find("\"case\":", from) - from);
+  };
+  const std::string found = warnings("d.html");
+  for (const char* words : {"did not come for stage", "stage overlap from"}) {
+    EXPECT_NE(found.find(words), found.npos) << found;
+  }
+  EXPECT_EQ(warnings("r_run2.html"), found);
 }
 
 TEST_F(HingeStudy, WithoutThreeJsAReportHasNoLinks) {

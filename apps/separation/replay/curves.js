@@ -10,7 +10,7 @@ function hingeCurves(quantity, dashed) {
   return takes.flatMap((run, k) => hinged.map((body) => {
     const values = run.column(`${body.column}.${quantity}`);
     const mode = run.column(`${body.column}.mode`);
-    const ends = dashed ? 2 : released;
+    const ends = dashed ? locked : released;
     return {run, colour: body.colour, faint: k > 0, dashed,
             at: (i) => (dashed ? mode[i] === ends : mode[i] < ends) ?
                 values[i] : null};
@@ -118,10 +118,10 @@ function addCurves() {
   if (hinged.length > 0) {
     addGraph('Angle of the hinge, deg', hingeCurves('angle_deg'), '');
     addGraph('Rate of the hinge, deg/s', hingeCurves('rate_deg_per_s'), '');
-    const locked = data.bodies.some((body) => body.lock);
-    addGraph(locked ? 'Reaction (dotted: of the lock)' : 'Reaction',
+    const locks = data.bodies.some((body) => body.lock);
+    addGraph(locks ? 'Reaction (dotted: of the lock)' : 'Reaction',
              [...hingeCurves('reaction_N'),
-              ...(locked ? hingeCurves('lock_reaction_N', true) : [])], 'N');
+              ...(locks ? hingeCurves('lock_reaction_N', true) : [])], 'N');
     if (largest('friction_moment_N_m') > 0) {
       addGraph('Friction moment', hingeCurves('friction_moment_N_m'), 'N m');
     }

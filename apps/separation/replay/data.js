@@ -4,6 +4,7 @@ const data = JSON.parse(document.getElementById('data').textContent);
 const at = (id) => document.getElementById(id);
 const still = matchMedia('(prefers-reduced-motion: reduce)').matches;
 const released = 3;
+const locked = 2;
 const modes = ['sliding', 'resting', 'locked', 'released'];
 
 function make(tag, parent, text, className) {

@@ -124,6 +124,8 @@ function onKey(event) {
     picture.fit();
   } else if (picture && key === 'f' && target.tagName !== 'SELECT') {
     return follow((picture.follow + 1) % data.bodies.length);
+  } else if (picture && key === 't' && target.tagName !== 'SELECT') {
+    at('turning').click();
   } else if (key === ' ' && !['BUTTON', 'SUMMARY'].includes(target.tagName) &&
              target.type !== 'checkbox') {
     play(!playing);
@@ -173,6 +175,10 @@ function addControls() {
     make('option', at('follow'), body.name).value = i;
   });
   at('follow').onchange = () => follow(Number(at('follow').value));
+  at('turning').onchange = () => {
+    picture.setTurning(at('turning').checked);
+    refresh();
+  };
   at('fit').onclick = () => {
     picture.fit();
     refresh();
@@ -223,9 +229,20 @@ window.replay = {
   // From the carrier's centre of mass, inertial axes.
   pose: (body) => ({position: picture.bodies[body].position.toArray(),
                     rotation: picture.bodies[body].quaternion.toArray()}),
-  // In the picture, px from its middle.
-  offset: (body) => {
-    const {x, y} = picture.project(picture.bodies[body].position);
+  // Of a point in a body's axes (else its centre of mass) in the picture, px
+  // from its middle.
+  offset: (body, point = [0, 0, 0]) => {
+    const {position, quaternion} = picture.bodies[body];
+    const {x, y} = picture.project(new THREE.Vector3(...point)
+        .applyQuaternion(quaternion).add(position));
     return [x - picture.width / 2, y - picture.height / 2];
+  },
+  // A body's 'reaction', 'lock' or 'moment': where the arrow begins and its
+  // tip, in the same axes as poses; nothing where none is drawn.
+  arrow: (body, kind) => {
+    const {shaft, heads} = picture.hinges.find(
+        (hinge) => hinge.body === data.bodies[body])[kind] || {shaft: {}};
+    return shaft.visible ?
+        [shaft.position, heads[0].position].map((p) => p.toArray()) : undefined;
   },
 };

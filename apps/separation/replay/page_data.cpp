@@ -65,17 +65,24 @@ ordered_json body_json(const Case& c, int i) {
     j["hinge"]["inner"] =
         inner == contact::JointBody::carrier ? "carrier" : "body";
   }
-  j["lock"] = body.lock.has_value();
+  if (body.lock) j["lock"] = {{"point", numbers(body.lock->body_point)}};
   return j;
 }
 
-// What the page draws; the glTF has the motion.
-bool is_shown(const std::string& column) {
-  const auto quantity = column.substr(column.rfind('.') + 1);
+// What the page draws; the glTF has the motion. Components of a lock's reaction
+// are 0 without a lock.
+bool is_shown(const Case& c, const std::string& column) {
+  const auto point = column.rfind('.');
+  const auto quantity = column.substr(point + 1);
+  if (quantity.starts_with("lock_reaction_") && quantity != "lock_reaction_N") {
+    return std::ranges::any_of(c.bodies, [&](const Body& body) {
+      return body.lock &&
+             column_name(body.rigid.name) == column.substr(0, point);
+    });
+  }
   for (const char* start :
        {"qw", "qx", "qy", "qz", "x_m", "y_m", "z_m", "vx_", "vy_", "vz_", "wx_",
-        "wy_", "wz_", "time_", "acceleration_", "lock_reaction_x",
-        "lock_reaction_y", "lock_reaction_z"}) {
+        "wy_", "wz_", "time_", "acceleration_"}) {
     if (quantity.starts_with(start)) return false;
   }
   return true;
@@ -149,7 +156,8 @@ ordered_json take_json(const Replay& replay, const ShownRun& run,
   ordered_json j = {{"name", to_string(run.outcome->friction)},
                     {"time", base64(times)}};
   for (std::size_t i = 1; i < names.size(); ++i) {
-    if (is_shown(names[i])) j["columns"][names[i]] = base64(column_of(take, i));
+    if (is_shown(c, names[i]))
+      j["columns"][names[i]] = base64(column_of(take, i));
   }
   const bool has_distances = std::ranges::any_of(
       names, [](const auto& name) { return name.starts_with("clearance."); });

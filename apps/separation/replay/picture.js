@@ -1,7 +1,7 @@
 // The bodies in motion, with what is drawn and written beside them.
 
-const colours =
-    {reaction: '#e0345c', moment: '#9a5fe0', distance: '#e0218a'};
+const colours = {reaction: '#e0345c', lock: '#0e9aa7', moment: '#9a5fe0',
+                 distance: '#e0218a'};
 // Dark to light, as the legend: of 0 to 1.
 const scale = ['#440154', '#3b528b', '#21918c', '#5ec962', '#fde725'];
 function scaleColour(part, into) {
@@ -40,6 +40,7 @@ class Picture {
     const gltf = await new Promise((resolve, reject) =>
         new THREE.GLTFLoader().parse(bytes(data.glb).buffer, '', resolve,
                                      reject));
+    this.stage = gltf.scene;
     this.root = gltf.scene.children[0];
     this.scene.add(gltf.scene);
     const node = (i) => gltf.parser.getDependency('node', i);
@@ -90,6 +91,7 @@ class Picture {
       body,
       object: this.bodies[data.bodies.indexOf(body)],
       reaction: arrow(colours.reaction, 1),
+      lock: body.lock && arrow(colours.lock, 1),
       moment: arrow(colours.moment, 2),
       patch: add(new THREE.BufferGeometry(), new THREE.MeshBasicMaterial(
           {side: THREE.DoubleSide, depthTest: false, transparent: true,
@@ -97,6 +99,7 @@ class Picture {
     }));
     this.patches = new Map();
     this.most = {reaction: largest('reaction_N'),
+                 lock: largest('lock_reaction_N'),
                  moment: largest('friction_moment_N_m'),
                  pressure: largest('peak_pressure_Pa')};
     this.line = add(shaft, top(colours.distance), 4);
@@ -130,6 +133,7 @@ class Picture {
       property.fromArray(values.evaluate(time));
       object.visible = object.scale.x > 0;
     }
+    this.setStage();
     for (const hinge of this.hinges) this.setHinge(hinge);
     this.setLine();
     this.setTarget();
@@ -143,8 +147,15 @@ class Picture {
   setHinge(hinge) {
     const {body, object, patch} = hinge;
     const on = at('show_forces').checked && take.held(body);
-    hinge.centre = new THREE.Vector3(...body.hinge.point)
+    const place = (point) => new THREE.Vector3(...point)
         .applyQuaternion(object.quaternion).add(object.position);
+    hinge.centre = place(body.hinge.point);
+    if (body.lock) {
+      this.setArrow(
+          hinge.lock, on && take.mode(body) === locked, place(body.lock.point),
+          this.vector(body, 'lock_reaction', 'N', new THREE.Vector3()),
+          this.most.lock);
+    }
     const force = this.vector(body, 'reaction', 'N', new THREE.Vector3());
     const moment =
         this.vector(body, 'friction_moment', 'N_m', new THREE.Vector3());
@@ -228,9 +239,33 @@ class Picture {
     return this.root.localToWorld(this.bodies[body].position.clone());
   }
 
+  // From body axes to those of the stage.
+  turnOf(body) {
+    return this.root.quaternion.clone().multiply(this.bodies[body].quaternion);
+  }
+
+  // The followed body keeps the directions that it has now in the picture, or
+  // directions are inertial again. The stage turns: the camera's upwards is y.
+  setTurning(on) {
+    this.kept = on ? this.stage.quaternion.clone()
+        .multiply(this.turnOf(this.follow)) : undefined;
+    this.setStage();
+  }
+
+  setStage() {
+    if (this.kept) {
+      this.stage.quaternion.copy(this.kept)
+          .multiply(this.turnOf(this.follow).conjugate());
+    } else {
+      this.stage.quaternion.set(0, 0, 0, 1);
+    }
+    this.root.updateWorldMatrix(true, false);
+  }
+
   // Into the middle, seen as before.
   setFollow(body) {
     this.follow = body;
+    this.setTurning(this.kept !== undefined);
     this.target.copy(this.controls.target);
     this.setTarget();
   }
@@ -357,6 +392,10 @@ function addLegend({most}) {
     p.append(text);
   };
   entry('→', colours.reaction, `reaction, up to ${show(most.reaction, 'N')}`);
+  if (most.lock > 0) {
+    entry('→', colours.lock,
+          `reaction of locks, up to ${show(most.lock, 'N')}`);
+  }
   if (!(most.moment > 0)) return;
   entry('↠', colours.moment, `friction, up to ${show(most.moment, 'N m')}`);
   const p = line('pressure 0');
