@@ -224,6 +224,7 @@ TEST(Percentile, BoundsHoldAsOftenAsTheySay) {
   const double share = 0.95;
   int above = 0;
   int below = 0;
+  int too_small = 0;
   for (int s = 0; s < studies; ++s) {
     const Stream stream(static_cast<std::uint64_t>(s), "x");
     std::vector<double> sorted;
@@ -233,7 +234,11 @@ TEST(Percentile, BoundsHoldAsOftenAsTheySay) {
     ASSERT_TRUE(p.low && p.high);
     below += *p.high < share;
     above += *p.low > share;
+    too_small += p.value < share;
+    EXPECT_LE(*p.low, p.value);
+    EXPECT_GE(*p.high, p.value);
   }
+  EXPECT_NEAR(too_small, 0.5 * studies, 4 * std::sqrt(0.25 * studies));
   // The exact shares are those of the binomial; 4 deviations of the counts.
   const double most = 0.1 * studies + 4 * std::sqrt(0.09 * studies);
   EXPECT_LT(below, most);
@@ -250,6 +255,15 @@ TEST(Percentile, TheLargestIsABoundWhereTheVerdictIsMet) {
   sorted.push_back(1705);
   EXPECT_EQ(study::percentile(sorted, 0.99865, 0.1).high, 1705);
   EXPECT_EQ(study::percentile(sorted, 1 - 0.99865, 0.1).low, 1);
+}
+
+// Far beyond what so few runs can tell the estimate is no further out.
+TEST(Percentile, EstimatesStayWithinTheirBounds) {
+  const std::vector<double> few = {1, 2, 4, 8};
+  EXPECT_EQ(study::percentile(few, 0.00135, 0.1).value, 1);
+  EXPECT_EQ(study::percentile(few, 0.99865, 0.1).value, 8);
+  EXPECT_EQ(study::percentile(few, 0.5, 0.1).value, 3);
+  EXPECT_EQ(study::percentile({few.data(), 1}, 0.3, 0.1).value, 1);
 }
 
 TEST(Drivers, RanksAndCorrelation) {

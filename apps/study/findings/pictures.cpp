@@ -83,7 +83,7 @@ std::string histogram(const Study& study, const Journal& journal,
   script += "END\n" + heading(study.plan().name, requirement.quantity, "runs");
   script += fmt::format(
       "top = {}\nset samples 3\nset yrange [0:*]\nset style fill solid 0.5\n"
-      "set key below\n"
+      "set key above\n"
       "plot $counts using 1:2:({}) with boxes lt 1 lw 0.5 title '{} runs'",
       1.05 * top, cli::number_text(classes.width), values.size());
   script += upright(requirement.limit, 2, 1, "limit");
@@ -126,16 +126,18 @@ std::string ranking(const Study& study, const Driven& driven) {
   // what is left.
   std::size_t longest = 0;
   for (const auto& bar : bars) longest = std::max(longest, bar.second.size());
+  const double span = std::max(0.0, std::ranges::max(bars).first) -
+                      std::min(0.0, std::ranges::min(bars).first);
   script += fmt::format(
       "set label {} at screen 0.5, 0.96 center\nset lmargin at screen {}\n"
       "set rmargin at screen 0.94\nset tmargin at screen 0.9\n",
       cli::gnuplot_text("What drives " + driven.quantity),
       std::clamp(0.012 * static_cast<double>(longest) + 0.03, 0.2, 0.64));
   script += fmt::format(
-      "unset key\nset xtics 0.2\nset ytics ({})\nset yrange [{}:-0.7]\n"
+      "unset key\nset xtics {}\nset ytics ({})\nset yrange [{}:-0.7]\n"
       "set style fill solid 0.8\nset yzeroaxis lt -1\n"
       "plot $bars using (0):2:(0):1:($2-0.35):($2+0.35) with boxxyerror lt 1\n",
-      tics, static_cast<double>(bars.size()) - 0.3);
+      span > 1.2 ? 0.5 : 0.2, tics, static_cast<double>(bars.size()) - 0.3);
   return script;
 }
 

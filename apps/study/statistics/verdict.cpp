@@ -57,7 +57,11 @@ Percentile percentile(std::span<const double> sorted, double p, double risk) {
   const std::size_t n = sorted.size();
   Percentile result{std::nan(""), {}, {}};
   if (n == 0) return result;
-  const double place = p * static_cast<double>(n - 1);
+  // As often too large as too small, whatever the distribution: Hyndman and Fan
+  // (1996), definition 8.
+  const double place =
+      std::clamp(p * (static_cast<double>(n) + 1. / 3) - 2. / 3, 0.,
+                 static_cast<double>(n - 1));
   const auto i = static_cast<std::size_t>(place);
   const double share = place - static_cast<double>(i);
   // Not a difference of infinities.

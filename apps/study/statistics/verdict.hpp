@@ -37,9 +37,9 @@ struct Bounds {
 };
 Bounds failure_bounds(std::size_t failures, std::size_t runs, double risk);
 
-/// A percentile of sorted numbers: between their neighbours (share p of the
-/// way), and the order statistics that bound the true one, each wrong with the
-/// risk at most; none where there are too few runs.
+/// A percentile of sorted numbers: an estimate between two of them, which is
+/// above the true one half of the times, and the order statistics that bound
+/// that, each wrong with the risk at most; none where there are too few runs.
 struct Percentile {
   double value;
   std::optional<double> low;
