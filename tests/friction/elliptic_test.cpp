@@ -56,8 +56,8 @@ TEST_P(EllipticFormAtFiftyDigits, AgreesWithTheReferenceToItsLastDigits) {
   std::vector<AccuracyReport> reports;
   // The table holds 20 digits: half a unit of the last one.
   for (const char* column : columns) reports.emplace_back(column, 5e-20);
-  for (std::size_t i = GetParam(); i < table.size(); i += 4) {
-    const ReferenceTable::Row row = table[i];
+  for (std::size_t number = GetParam(); number < table.size(); number += 4) {
+    const ReferenceTable::Row row = table[number];
     const RealAxis axis = real_axis(row.value("alpha_deg"));
     const auto f = elliptic_friction_integrals<Real>(
         row.value("theta0_deg") * real_degree(), axis.sin, axis.cos);
