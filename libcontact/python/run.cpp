@@ -22,8 +22,10 @@ namespace {
 /// who wants to know how far it is.
 class Listener {
  public:
-  Listener(py::object progress, double end)
-      : progress_(std::move(progress)), end_(end) {}
+  Listener(py::object progress, const separation::Run& run)
+      : progress_(std::move(progress)),
+        time_(run.time()),
+        end_(run.of().end_time) {}
 
   void come_to(double time) { time_ = time; }
   // As a separation::StopRule.
@@ -49,8 +51,8 @@ class Listener {
   using Clock = std::chrono::steady_clock;
 
   py::object progress_;
+  double time_;
   double end_;
-  double time_ = 0;
   Clock::time_point next_ = Clock::now();
   std::exception_ptr error_;
 };
@@ -100,7 +102,7 @@ class CaseRun {
   }
 
   const char* advance_to(double time, py::object progress) {
-    Listener listener(std::move(progress), run().of().end_time);
+    Listener listener(std::move(progress), run());
     listener_ = &listener;
     alone([&] { run_.advance_to(time); });
     listener.raise();

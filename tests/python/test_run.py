@@ -109,10 +109,11 @@ class Stepped(Test):
         (row,) = np.flatnonzero(history["time_s"] == 1.0)
         for name, column in history.items():
             np.testing.assert_array_equal(run[name], column[row])
-        reaction = run["stage.reaction_x_N":"stage.reaction_z_N"]
+        reaction = run[[f"stage.reaction_{i}_N" for i in "xyz"]]
         self.assertEqual(
             list(reaction), [run[f"stage.reaction_{i}_N"] for i in "xyz"])
-        # Equal values that are others than those of before.
+        self.assertAlmostEqual(
+            np.linalg.norm(reaction) / run["stage.reaction_N"], 1, delta=1e-12)
         run.advance_to(2.0)
         self.assertNotEqual(reaction[0], run["stage.reaction_x_N"])
         run.advance_to(2.5)
@@ -180,7 +181,12 @@ class Interrupted(Test):
 
         with self.assertRaises(ZeroDivisionError):
             run.advance_to(run.end_time, progress=complain)
-        self.assertEqual(run.advance_to(run.end_time), "finished")
+        stopped = run.time
+        times = []
+        status = run.advance_to(
+            run.end_time, progress=lambda *at: times.append(at))
+        self.assertEqual(status, "finished")
+        self.assertEqual(times[0], (stopped, run.end_time))
         self.assert_same(run.outcome(), slow.run())
 
     def test_leaves_other_threads_their_time_but_is_not_theirs(self):

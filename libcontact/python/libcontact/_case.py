@@ -2,7 +2,7 @@
 
 import json
 import warnings
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 from os import PathLike, fspath
 from typing import Any, Literal, NamedTuple
@@ -85,7 +85,7 @@ class Run(_core.Run):
 
         run = Run(case)
         while run.advance_to(run.time + 0.1) == "running":
-            print(run["stage.angle_deg"], run["stage.x_m":"stage.z_m"])
+            print(run["stage.angle_deg"], run["stage.x_m", "stage.y_m"])
 
     Where it stops and what is asked of it there changes nothing of what
     follows, to the last bit: its outcome at the end is that of Case.run().
@@ -126,15 +126,14 @@ class Run(_core.Run):
             warnings.warn(self.message, RuntimeWarning, stacklevel=2)
         return status
 
-    def __getitem__(self, column: str | slice) -> Any:
-        """The value of a column where the run is: a number; of a mode its word.
+    def __getitem__(self, column: str | Iterable[str]) -> Any:
+        """The value of a column where the run is: a number; of a mode its word;
+        of several columns the array of their numbers.
 
-        column: its name; "stage.qw":"stage.qz" is the array of these two and of
-            those between them.
+        column: its name, or several names.
         """
-        if isinstance(column, slice):
-            first, last = map(self._index, (column.start, column.stop))
-            return self.values()[first : last + 1 : column.step]
+        if not isinstance(column, str):
+            return self.values()[[self._index(name) for name in column]]
         value = self.values()[self._index(column)]
         return _core._modes[int(value)] if column.endswith(".mode") else value
 
