@@ -13,7 +13,8 @@ from zipfile import ZIP_DEFLATED, ZipFile
 
 def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
     project = tomllib.loads(Path("pyproject.toml").read_text())["project"]
-    version = re.search(r"VERSION ([\d.]+)", Path("CMakeLists.txt").read_text())
+    cmake_lists = Path("CMakeLists.txt").read_text()
+    version = re.search(r"project\([^)]*VERSION ([\d.]+)", cmake_lists)
     name = f"{project['name']}-{version[1]}"
     platform = re.sub(r"\W", "_", sysconfig.get_platform())
     python = "cp{}{}".format(*sys.version_info)

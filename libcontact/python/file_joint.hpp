@@ -50,5 +50,6 @@ void bind_contact(pybind11::module_& m, pybind11::class_<FileJoint>& joint);
 void bind_duty(pybind11::module_& m);
 void bind_identify(pybind11::module_& m);
 void bind_case(pybind11::module_& m);
+void bind_run(pybind11::module_& m);
 
 }  // namespace contact_python

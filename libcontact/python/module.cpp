@@ -15,4 +15,5 @@ PYBIND11_MODULE(_core, m) {
   contact_python::bind_duty(m);
   contact_python::bind_identify(m);
   contact_python::bind_case(m);
+  contact_python::bind_run(m);
 }

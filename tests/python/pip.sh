@@ -12,7 +12,9 @@ cd "$4"
 bin/python -c 'import libcontact, os
 assert os.path.dirname(libcontact.__file__).startswith(os.getcwd())
 hip = libcontact.Joint.from_file("'"$2"'/data/joints/hip_cocr_uhmwpe.toml")
-print(libcontact.__version__, hip.solve([0, 0, 2000], [1, 0, 1]).power)'
-bin/pip --disable-pip-version-check show libcontact | grep '^Version: '
+print(hip.solve([0, 0, 2000], [1, 0, 1]).power)'
+version=$(bin/python -c 'import libcontact; print(libcontact.__version__)')
+bin/pip --disable-pip-version-check show libcontact |
+  grep -Fx "Version: $version"
 bin/pip uninstall --quiet --yes libcontact
 ! bin/python -c 'import libcontact' 2>/dev/null

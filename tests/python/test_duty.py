@@ -1,6 +1,7 @@
 """Duty cycles, wear and identification: the numbers of the programs."""
 
 import csv
+import pickle
 import tempfile
 import unittest
 
@@ -107,6 +108,13 @@ class Cycles(unittest.TestCase):
         np.testing.assert_array_equal(cycle.time, states["time_s"])
         self.assertEqual(cycle.rating.shape, cycle.solution.shape)
 
+    def test_pickle(self):
+        cycle = hip_cycle()
+        again = pickle.loads(pickle.dumps(cycle))
+        self.assertEqual(again.energy, cycle.energy)
+        np.testing.assert_array_equal(
+            again.rating.pv_max, cycle.rating.pv_max)
+
     def test_of_a_pin_take_one_angle(self):
         c = columns(folder / "cycle_pin_in.csv")
         (angle,) = (c[name] for name in c if name.endswith("_deg"))
@@ -210,6 +218,15 @@ class Identification(unittest.TestCase):
         moment, error = fit.predict(*arguments[1:3])
         np.testing.assert_allclose(moment, fit.moment, rtol=1e-12)
         np.testing.assert_allclose(error, fit.moment_error, rtol=1e-9)
+
+    def test_pickles_as_what_was_measured(self):
+        *arguments, sigma = self.arguments()
+        fit = libcontact.identify(*arguments, sigma=sigma, huber=True)
+        moment = fit.moment
+        arguments[3][:] = 0  # that belongs to the caller
+        again = pickle.loads(pickle.dumps(fit))
+        np.testing.assert_array_equal(again.moment, moment)
+        np.testing.assert_array_equal(again.covariance, fit.covariance)
 
     def test_of_vectors_gives_back_what_made_them(self):
         joint, reaction, rate, _, _ = self.arguments()

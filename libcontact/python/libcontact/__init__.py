@@ -14,7 +14,7 @@ Whatever is wrong with an input raises Error, with the messages of the programs.
 
 import enum
 
-from ._case import Case, Event, Outcome
+from ._case import Case, Event, Outcome, Run
 from ._core import (
     Coefficients,
     Error,
@@ -66,6 +66,7 @@ __all__ = [
     "Outcome",
     "Rating",
     "RestSolution",
+    "Run",
     "Solution",
     "State",
     "Status",

@@ -2,10 +2,10 @@
 
 import json
 import warnings
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 from os import PathLike, fspath
-from typing import Any, NamedTuple
+from typing import Any, Literal, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -68,17 +68,99 @@ class Case(FileText, _core.Case):
         A run that fails on its way gives a RuntimeWarning and what has come of
         it by then.
         """
-        columns, table, events, summary, failure = self._run(
-            clearance, progress
-        )
-        if failure:
-            warnings.warn(failure, RuntimeWarning, stacklevel=2)
-        return Outcome(
-            {name: _column(name, table[:, i]) for i, name in enumerate(columns)},
-            [Event(*event) for event in events],
-            json.loads(summary),
-            failure,
-        )
+        run = _core.Run(self, clearance)
+        run._advance_to(run.end_time, progress)
+        outcome = _outcome(*run._end())
+        if outcome.failure:
+            warnings.warn(outcome.failure, RuntimeWarning, stacklevel=2)
+        return outcome
+
+
+RunStatus = Literal["running", "finished", "failed"]
+
+
+class Run(_core.Run):
+    """A case on its way, for loops that look at it or move something else
+    beside it.
+
+        run = Run(case)
+        while run.advance_to(run.time + 0.1) == "running":
+            print(run["stage.angle_deg"], run["stage.x_m", "stage.y_m"])
+
+    Where it stops and what is asked of it there changes nothing of what
+    follows, to the last bit: its outcome at the end is that of Case.run().
+
+    Values are those of the history by their columns (libcontact's
+    apps/separation/output.md), in the units of their names. Of each body NAME:
+    NAME.x_m, NAME.vx_m_per_s and so on, of the centre of mass in inertial axes;
+    NAME.qw to NAME.qz, the unit quaternion that turns the body's axes into
+    inertial ones; NAME.wx_rad_per_s and so on in the body's axes. Of its hinge:
+    NAME.mode and what hinge, lock and friction do to the body, in inertial
+    axes: NAME.reaction_x_N, NAME.lock_reaction_x_N, NAME.friction_moment_x_N_m
+    and so on.
+
+    Runs have nothing in common: each may have a thread of its own.
+    """
+
+    def __init__(self, case: Case, *, clearance: bool = True) -> None:
+        """At the start. clearance: whether to work out distances."""
+        super().__init__(case, clearance)
+
+    def advance_to(
+        self,
+        time: float,
+        *,
+        progress: Callable[[float, float], object] | None = None,
+    ) -> RunStatus:
+        """Moves on to a time, s, or to the end of the case, whatever is first,
+        with the events on the way. An exception, by Ctrl-C or progress(), stops
+        it; it may go on then.
+
+        progress: as in Case.run().
+
+        "running", it has come there; "finished", to the end of the case; or
+        "failed", with a RuntimeWarning: it cannot go on, see message.
+        """
+        status = self._advance_to(time, progress)
+        if status == "failed":
+            warnings.warn(self.message, RuntimeWarning, stacklevel=2)
+        return status
+
+    def __getitem__(self, column: str | Iterable[str]) -> Any:
+        """The value of a column where the run is: a number; of a mode its word;
+        of several columns the array of their numbers.
+
+        column: its name, or several names.
+        """
+        if not isinstance(column, str):
+            return self.values()[[self._index(name) for name in column]]
+        value = self.values()[self._index(column)]
+        return _core._modes[int(value)] if column.endswith(".mode") else value
+
+    @property
+    def events(self) -> list[Event]:
+        """What has happened so far."""
+        return [Event(*event) for event in self._events]
+
+    def outcome(self) -> Outcome:
+        """What has come of it so far. Its history has rows at the case's output
+        times and events; Case.run() adds one where a run fails."""
+        return _outcome(*self._outcome())
+
+
+def _outcome(
+    columns: list[str],
+    table: NDArray[np.float64],
+    events: list[tuple[float, str, str]],
+    summary: str,
+    failure: str,
+) -> Outcome:
+    return Outcome(
+        {name: _column(name, table[:, i]) for i, name in enumerate(columns)},
+        [Event(*event) for event in events],
+        json.loads(summary),
+        failure,
+    )
 
 
 def _column(name: str, numbers: NDArray[np.float64]) -> NDArray[Any]:

@@ -1,5 +1,6 @@
 """Joints from keywords, and functions of laws without a joint."""
 
+import copy
 import functools
 from collections.abc import Mapping, Sequence
 from typing import Any
@@ -176,8 +177,19 @@ class Wear:
         self.__dict__.update(attributes)
 
 
-class Cycle(_core.Cycle):
-    """A joint on a duty cycle, see Joint.cycle()."""
+class _Made:
+    """Mixed into a class of _core: pickled as what it was made of."""
+
+    def __init__(self, *state: Any) -> None:
+        super().__init__(*state)
+        self._state = copy.deepcopy(state)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self), self._state
+
+
+class Cycle(_Made, _core.Cycle):
+    """A joint on a duty cycle, see Joint.cycle(). It may be pickled."""
 
     @property
     def mean_heat(self) -> float:
@@ -193,8 +205,9 @@ class Cycle(_core.Cycle):
         return Wear(self._wear(body, points))
 
 
-class Fit(_core.Fit):
-    """Friction parameters that fit measured moments, see identify()."""
+class Fit(_Made, _core.Fit):
+    """Friction parameters that fit measured moments, see identify(). It may be
+    pickled, and is fitted anew where it is unpickled."""
 
     def __getitem__(self, parameter: str) -> _core.Estimate:
         return self.parameters[parameter]
