@@ -1,5 +1,7 @@
 #include "duty/tables.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <functional>
 #include <string>
@@ -45,10 +47,10 @@ std::vector<StateColumn> state_columns() {
   const auto vector = [&](const std::string& name, const std::string& unit,
                           Vector of) {
     for (const int k : {0, 1, 2}) {
-      all.push_back(
-          {name + '_' + "xyz"[k] + unit, [of, k](const auto& i, auto&) {
-             return of(i)[k] + 0.0;  // no -0
-           }});
+      all.push_back({fmt::format("{}_{}{}", name, "xyz"[k], unit),
+                     [of, k](const auto& i, auto&) {
+                       return of(i)[k] + 0.0;  // no -0
+                     }});
     }
   };
   using I = const CycleInstant&;
