@@ -11,6 +11,7 @@
 
 #include "cli/choice.hpp"
 #include "cli/gnuplot.hpp"
+#include "cli/output.hpp"
 #include "cli/plot.hpp"
 #include "cli/quantity.hpp"
 #include "cli/refuse.hpp"
@@ -110,8 +111,8 @@ void settle_table_options(const CLI::App& app, TableStyle& style) {
 }  // namespace
 
 OutputNames names_of(const OutputOptions& options, OutputNames names) {
-  names.add("--output", options.output.empty() ? "-" : options.output);
-  names.add("--plot", options.plot);
+  names.keep("--output", options.output.empty() ? "-" : options.output);
+  names.keep("--plot", options.plot);
   return names;
 }
 
@@ -133,6 +134,8 @@ void add_output_options(CLI::App& app, OutputOptions& options) {
   app.parse_complete_callback([&app, &options] {
     settle_table_options(app, options);
     names_of(options);
+    Output::check(options.output);
+    if (!options.plot.empty()) Output::check(options.plot);
   });
 }
 

@@ -40,9 +40,10 @@ struct OutputOptions : TableStyle {
   int jobs = 1;
 };
 
-/// Those of --output and --plot, for a program to add its own to.
+/// Those of --output and --plot, which can be made, for a program to add its
+/// own to.
 /// @param names  files that come before
-/// @throws contact::Error as OutputNames::add() does
+/// @throws contact::Error as OutputNames::keep() does
 OutputNames names_of(const OutputOptions& options, OutputNames names = {});
 
 /// Adds --output, --plot, --format and the other options of tables to a
