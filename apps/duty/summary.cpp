@@ -62,7 +62,7 @@ double moment(const CycleInstant& i) {
   return i.solution.friction_moment.norm();
 }
 
-void write_integrals(const JointCycle& cycle, Lines& to) {
+void write_integrals(const JointCycle& cycle, double pv_integral, Lines& to) {
   const double period = cycle.cycle().period();
   const double rho = cycle.contact().geometry().radius();
   const double energy =
@@ -76,9 +76,7 @@ void write_integrals(const JointCycle& cycle, Lines& to) {
     return rho * i.state.rate.norm() * cycle.sliding(i).slip_coefficient();
   }),
             "effective: integral of rho |Dw| L");
-  to.number("pv_integral_J", cycle.integral([&](const CycleInstant& i) {
-    return cycle.sliding(i).pv_total();
-  }),
+  to.number("pv_integral_J", pv_integral,
             "of p v over contact and time; times k: volume");
   to.number("mean_M_t_N_m", cycle.integral(moment) / period,
             "mean of the friction moment");
@@ -187,10 +185,10 @@ void write_summary(const JointCycle& cycle, const std::vector<BodyWear>& wear,
   const cli::Table table(
       style, {"quantity", "value", "at_time_s", "x", "y", "z", "meaning"});
   Lines lines(table);
-  write_integrals(cycle, lines);
-  write_peaks(cycle, lines);
   const double pv_integral = cycle.integral(
       [&](const CycleInstant& i) { return cycle.sliding(i).pv_total(); });
+  write_integrals(cycle, pv_integral, lines);
+  write_peaks(cycle, lines);
   for (const BodyWear& w : wear) write_wear(w, pv_integral, lines);
   if (measured) write_measured(*measured, pv_integral, lines);
   if (!worn.empty()) {
