@@ -50,7 +50,7 @@ class PressureLaw {
   virtual double slope(double theta, double half_angle) const noexcept = 0;
 
   /// dp/dx of the edge variable at many points of one contact; finite. Over
-  /// [0, 1] they add up to the peak less the pressure at the edge.
+  /// [0, 1] they add up to p(0) less the pressure at the edge.
   /// @param half_angle  theta0, rad, (0, largest_half_angle()]
   /// @param edge_variable  x, [0, 1]
   /// @param out         as many slopes
