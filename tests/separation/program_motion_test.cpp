@@ -58,16 +58,8 @@ TEST(SeparationMotion, MomentaStayBeforeAndAfterTheRelease) {
   EXPECT_GT(relative(h.size() - 1), 2 * relative(0));
 }
 
-// At a reaction level, at an angle already passed when it is armed, together.
-TEST(SeparationMotion, EventsOfAllKinds) {
-  const ProgramFolder folder;
-  const std::string head = R"(
-name = "pendulums"
-gravity_m_per_s2 = [0, -9.81, 0]
-[run]
-end_time_s = 4
-)" + carrier_at_rest("ceiling") +
-                           R"(
+// A point mass on an arm of 1 m that is level at first.
+const std::string hanging_mass = R"(
 [[body]]
 name = "mass"
 mass_kg = 2
@@ -77,7 +69,19 @@ principal_inertia_kg_m2 = [0, 0, 0]
 kind = "axis"
 carrier_point_m = [0, 0, 0]
 axis = [0, 0, -1]
-[body.pattern]
+)";
+
+// At a reaction level, at an angle already passed when it is armed, together.
+TEST(SeparationMotion, EventsOfAllKinds) {
+  const ProgramFolder folder;
+  const std::string head = R"(
+name = "pendulums"
+gravity_m_per_s2 = [0, -9.81, 0]
+[run]
+end_time_s = 4
+)" + carrier_at_rest("ceiling") +
+                           hanging_mass +
+                           R"([body.pattern]
 count = 2
 axis = [0, 0, 1]
 )";
@@ -146,17 +150,8 @@ gravity_m_per_s2 = [0, -9.81, 0]
 [run]
 end_time_s = 4
 output_step_s = )") + step + R"(
-)" + carrier_at_rest("ceiling") + R"(
-[[body]]
-name = "mass"
-mass_kg = 2
-com_m = [1, 0, 0]
-principal_inertia_kg_m2 = [0, 0, 0]
-[body.hinge]
-kind = "axis"
-carrier_point_m = [0, 0, 0]
-axis = [0, 0, -1]
-[[event]]
+)" + carrier_at_rest("ceiling") + hanging_mass +
+                                 R"([[event]]
 name = "tears"
 breaks = "hinge"
 reaction_N = )" + limit + "\n");
