@@ -1,7 +1,6 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 #include <utility>
 
 #include "libcontact/base/complaint.hpp"
@@ -13,9 +12,7 @@
 /// contact_last_message() says what has failed.
 namespace contact::c {
 
-/// Keeps the message; the status.
-contact_status report(contact_status status, std::string_view message) noexcept;
-/// Of the exception that is being handled.
+/// Keeps the message of the exception that is being handled; the status.
 contact_status report_exception() noexcept;
 
 /// Calls `work`, whose status is that of the function.

@@ -1,4 +1,4 @@
-/* Hinge friction from C: joints under a reaction, runs of hinge-separation.
+/* Hinge friction from C: joints under a reaction.
  *
  * SI units and radians. Vectors are in any frame, the same for all of a call.
  * Names and formulas are those of the C++ library (NOTATION.md, docs/joint.md);
@@ -7,16 +7,16 @@
  * A function returns a contact_status. Where it is not CONTACT_OK
  * contact_last_message() says why in one line; results are NaN, or for
  * CONTACT_NOT_CONVERGED the best that was found. A null pointer where none is
- * allowed is refused (CONTACT_BAD_INPUT). Joints, runs and saved bytes are
- * given back by their _free(), which takes NULL too.
+ * allowed is refused (CONTACT_BAD_INPUT). Joints are given back by their
+ * _free(), which takes NULL too.
  *
- * Threads: a joint may be used by many at once; a run by one at a time, other
- * runs by others. No function writes files, prints or touches signals. */
+ * Threads: a joint may be used by many at once. No function writes files,
+ * prints or touches signals. Runs of hinge-separation are a library of their
+ * own: libcontact/c/run.h. */
 #ifndef LIBCONTACT_C_CONTACT_H
 #define LIBCONTACT_C_CONTACT_H
 
 #include "libcontact/c/joint.h"
-#include "libcontact/c/run.h"
 #include "libcontact/c/slip.h"
 #include "libcontact/c/status.h"
 

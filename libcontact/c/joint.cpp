@@ -54,9 +54,10 @@ contact_status status_of(std::initializer_list<double> results,
   if (std::ranges::none_of(results, [](double x) { return std::isnan(x); })) {
     return CONTACT_OK;
   }
-  return report(
+  return contact_report(
       CONTACT_OUT_OF_RANGE,
-      detail::must_be(detail::message("{} = {}", name, argument), rule));
+      detail::must_be(detail::message("{} = {}", name, argument), rule)
+          .c_str());
 }
 
 const JointContact& contact_of(const contact_joint* joint, const char* name) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <cstring>
+#include <string>
 #include <type_traits>
 
 #include "libcontact/base/check.hpp"
@@ -110,12 +111,13 @@ Joint::Slip slip_of(const contact_slip& slip) {
 // The status; `place` names the function, and the row where there are some.
 contact_status reported(contact_status status, std::string_view place) {
   if (status == CONTACT_OK) return status;
-  return report(status,
-                message(status == CONTACT_OUT_OF_RANGE
-                            ? "{}: no solution: numbers must be finite and the "
-                              "contact in the range of the laws"
-                            : "{}: not converged",
-                        place));
+  const std::string said = message(
+      status == CONTACT_OUT_OF_RANGE
+          ? "{}: no solution: numbers must be finite and the contact in "
+            "the range of the laws"
+          : "{}: not converged",
+      place);
+  return contact_report(status, said.c_str());
 }
 
 // Of solve_rows(): what it reads and writes is there.

@@ -23,6 +23,10 @@ typedef enum contact_status {
  * there was one. Valid until the thread's next call. */
 const char* contact_last_message(void);
 
+/* Makes a message that of the calling thread's last call, cut to 2047 bytes,
+ * and returns the status: for libraries that stand on this one, as runs do. */
+contact_status contact_report(contact_status status, const char* message);
+
 /* A key of a file that is given another value, as "geometry.radius_mm" = "25";
  * of a joint of a case as the hinge-separation manual says. */
 typedef struct contact_setting {

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "programs/separation/output/checkpoint.hpp"
 #include "separation/case/case_reader.hpp"
-#include "separation/record/checkpoint.hpp"
-#include "separation/record/run.hpp"
+#include "separation/results/run.hpp"
 
 namespace {
 

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "libcontact/c/contact.h"
+#include "separation/c/run.h"
 
 /// What the tests of the C interface share.
 namespace contact::test {

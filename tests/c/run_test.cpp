@@ -1,5 +1,5 @@
 // Runs from C are those of C++ to the last bit.
-#include "separation/record/run.hpp"
+#include "separation/results/run.hpp"
 
 #include <gtest/gtest.h>
 

@@ -17,8 +17,8 @@
 #include "cli/table.hpp"
 #include "libcontact/base/error.hpp"
 #include "libcontact/pressure/cosine.hpp"
-#include "table/method.hpp"
-#include "table/point_block.hpp"
+#include "programs/table/method.hpp"
+#include "programs/table/point_block.hpp"
 
 namespace {
 

@@ -13,6 +13,10 @@ function(run)
   set(output "${output}" PARENT_SCOPE)
 endfunction()
 
+set(top ${SOURCE}/../../..)
+if(EXISTS ${BUILD}/bin/hinge-separation)
+  set(with_apps ${top})
+endif()
 file(REMOVE_RECURSE ${WORK})
 set(prefix ${WORK}/prefix)
 run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${prefix})
@@ -29,8 +33,18 @@ endif()
 
 run(${CMAKE_COMMAND} -S ${SOURCE} -B ${WORK}/build
   -D CMAKE_PREFIX_PATH=${prefix} -D CMAKE_CXX_COMPILER=${COMPILER}
-  -D "CMAKE_CXX_FLAGS=${FLAGS}" -D CMAKE_BUILD_TYPE=Release)
+  -D "CMAKE_CXX_FLAGS=${FLAGS}" -D CMAKE_BUILD_TYPE=Release
+  -D WITH_APPS=${with_apps})
 run(${CMAKE_COMMAND} --build ${WORK}/build)
+if(with_apps)
+  run(${WORK}/build/swing)
+  if(NOT output MATCHES "rests after 43[.]")
+    message(FATAL_ERROR "contact::multibody: ${output}")
+  endif()
+  message(STATUS "contact::multibody: ${output}")
+  run(${CMAKE_COMMAND} -E chdir ${with_apps} ${WORK}/build/turn)
+  message(STATUS "contact::separation: ${output}")
+endif()
 run(${WORK}/build/outside)
 message(STATUS "find_package: ${output}")
 run(${WORK}/build/pendulum)
@@ -73,15 +87,17 @@ run(${COMPILER} -std=c++20 ${flags} ${SOURCE}/files.cpp
   -o ${WORK}/files_by_pkg_config ${pc_flags})
 run(${WORK}/files_by_pkg_config ${joint})
 
-if(NOT EXISTS ${prefix}/include/libcontact/c)
-  return()
-endif()
-set(top ${SOURCE}/../../..)
 file(GLOB_RECURSE library ${prefix}/*/libcontact_c.so)
+# Whoever wants a joint's moment loads no integrator and no collision library.
+run(ldd ${library})
+if(output MATCHES "sundials|fcl|qhull|hdf5|fmt|ccd")
+  message(FATAL_ERROR "libcontact_c loads ${output}")
+endif()
 run(${CMAKE_COMMAND} -S ${SOURCE}_c -B ${WORK}/build_c
   -D CMAKE_PREFIX_PATH=${prefix} -D CMAKE_BUILD_TYPE=Release
   -D CMAKE_C_COMPILER=${C_COMPILER} -D "CMAKE_C_FLAGS=${FLAGS}"
-  -D CMAKE_CXX_COMPILER=${COMPILER} -D "CMAKE_CXX_FLAGS=${FLAGS}")
+  -D CMAKE_CXX_COMPILER=${COMPILER} -D "CMAKE_CXX_FLAGS=${FLAGS}"
+  -D WITH_APPS=${with_apps})
 run(${CMAKE_COMMAND} --build ${WORK}/build_c)
 run(${CMAKE_COMMAND} -E chdir ${top} ${WORK}/build_c/turning)
 set(by_cmake "${output}")
@@ -91,9 +107,15 @@ message(STATUS "C++17: ${output}")
 if(NOT output MATCHES "C.. 201703: utilisation 0\\.[0-9]+")
   message(FATAL_ERROR "unexpected")
 endif()
-run(${WORK}/build_c/threads ${library} ${top}/data/joints/pin_joint.toml
-  ${top}/data/cases/two_stage_turn.toml)
-message(STATUS "dlopen: ${output}")
+if(with_apps)
+  file(GLOB_RECURSE runs_library ${prefix}/*/libcontact_runs_c.so)
+  run(${WORK}/build_c/threads ${library} ${runs_library}
+    ${top}/data/joints/pin_joint.toml ${top}/data/cases/two_stage_turn.toml)
+  message(STATUS "dlopen: ${output}")
+  run(${CMAKE_COMMAND} -E chdir ${top} ${WORK}/build_c/stages)
+  set(stages_by_cmake "${output}")
+  message(STATUS "contact::runs_c: ${output}")
+endif()
 run(pkg-config --cflags --libs --define-prefix contact-c)
 separate_arguments(pc_flags UNIX_COMMAND "${output}")
 get_filename_component(folder ${library} DIRECTORY)
@@ -103,4 +125,15 @@ run(${C_COMPILER} -std=c11 -pedantic -Wall -Werror ${flags}
 run(${CMAKE_COMMAND} -E chdir ${top} ${WORK}/c_by_pkg_config)
 if(NOT output STREQUAL by_cmake)
   message(FATAL_ERROR "by pkg-config: ${output}")
+endif()
+if(with_apps)
+  run(pkg-config --cflags --libs --define-prefix contact-runs-c)
+  separate_arguments(pc_flags UNIX_COMMAND "${output}")
+  run(${C_COMPILER} -std=c11 -pedantic -Wall -Werror ${flags}
+    ${SOURCE}_c/stages.c -o ${WORK}/stages_by_pkg_config ${pc_flags}
+    -Wl,-rpath,${folder})
+  run(${CMAKE_COMMAND} -E chdir ${top} ${WORK}/stages_by_pkg_config)
+  if(NOT output STREQUAL stages_by_cmake)
+    message(FATAL_ERROR "by pkg-config: ${output}")
+  endif()
 endif()

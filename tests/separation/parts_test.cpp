@@ -13,14 +13,14 @@
 #include <string>
 
 #include "libcontact/base/error.hpp"
+#include "programs/separation/output/checkpoint.hpp"
 #include "separation/case/case_reader.hpp"
 #include "separation/case/shape.hpp"
 #include "separation/clearance/clearance.hpp"
 #include "separation/clearance/pair_way.hpp"
-#include "separation/output/summary.hpp"
-#include "separation/record/checkpoint.hpp"
-#include "separation/record/peaks.hpp"
-#include "separation/record/run.hpp"
+#include "separation/results/peaks.hpp"
+#include "separation/results/run.hpp"
+#include "separation/results/summary.hpp"
 #include "separation/simulation/case_forces.hpp"
 #include "support/error_message.hpp"
 #include "support/program.hpp"

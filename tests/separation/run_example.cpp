@@ -2,7 +2,7 @@
 #include <cstdio>
 
 #include "separation/case/case_reader.hpp"
-#include "separation/record/run.hpp"
+#include "separation/results/run.hpp"
 
 using separation::Run;
 

@@ -1,6 +1,6 @@
 // A run in pieces, saved and restored, beside another one: the same to the
 // last bit.
-#include "separation/record/run.hpp"
+#include "separation/results/run.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "separation/case/case_reader.hpp"
-#include "separation/output/summary.hpp"
-#include "separation/record/saved_state.hpp"
+#include "separation/results/saved_state.hpp"
+#include "separation/results/summary.hpp"
 #include "support/error_message.hpp"
 
 namespace {

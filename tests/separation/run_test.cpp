@@ -9,8 +9,8 @@
 
 #include "libcontact/base/units.hpp"
 #include "separation/case/case_reader.hpp"
-#include "separation/output/summary.hpp"
-#include "separation/record/run.hpp"
+#include "separation/results/run.hpp"
+#include "separation/results/summary.hpp"
 
 namespace {
 

@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "libcontact/joint/joint.hpp"
+#include "programs/study/findings/findings.hpp"
 #include "separation/case/case_reader.hpp"
-#include "study/findings/findings.hpp"
 #include "study/model/separation_model.hpp"
 #include "study/rows/journal.hpp"
 #include "study/workers.hpp"

@@ -13,7 +13,7 @@
 #include "separation/case/case_keys.hpp"
 #include "separation/case/case_reader.hpp"
 #include "separation/case/identity.hpp"
-#include "separation/output/summary.hpp"
+#include "separation/results/summary.hpp"
 
 namespace study {
 namespace {

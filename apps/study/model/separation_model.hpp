@@ -4,7 +4,7 @@
 
 #include "libcontact/files/joint_file.hpp"
 #include "separation/case/case.hpp"
-#include "separation/record/run.hpp"
+#include "separation/results/run.hpp"
 #include "study/model/model.hpp"
 
 namespace study {

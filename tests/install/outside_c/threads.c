@@ -1,8 +1,9 @@
-/* The shared library by dlopen() and from two threads, which share a joint:
+/* Both shared libraries by dlopen() and from two threads, which share a joint:
  * both find the same, and each has the message of its own last failure.
- *   threads LIBRARY JOINT.toml CASE.toml */
+ *   threads LIBRARY RUNS_LIBRARY JOINT.toml CASE.toml */
 #include <dlfcn.h>
 #include <libcontact/c/contact.h>
+#include <libcontact/c/run.h>
 #include <pthread.h>
 #include <stdio.h>
 #include <string.h>
@@ -10,32 +11,38 @@
 enum { rows = 500 };
 
 /* The functions by their names, of the types that the header gives them. */
-#define FUNCTIONS(X)          \
+#define JOINT_FUNCTIONS(X)    \
   X(contact_last_message)     \
   X(contact_joint_read)       \
   X(contact_joint_free)       \
   X(contact_joint_solve_rows) \
-  X(contact_joint_patch)      \
-  X(contact_run_open)         \
-  X(contact_run_free)         \
-  X(contact_run_advance)      \
-  X(contact_run_row_count)    \
-  X(contact_run_row)          \
+  X(contact_joint_patch)
+#define RUN_FUNCTIONS(X)   \
+  X(contact_run_open)      \
+  X(contact_run_free)      \
+  X(contact_run_advance)   \
+  X(contact_run_row_count) \
+  X(contact_run_row)       \
   X(contact_run_column_count)
 #define DECLARE(name) __extension__ static __typeof__(&name) p_##name;
-FUNCTIONS(DECLARE)
+JOINT_FUNCTIONS(DECLARE)
+RUN_FUNCTIONS(DECLARE)
 
-static int load(const char* file) {
+static int load(const char* file, const char* runs_file) {
   void* library = dlopen(file, RTLD_NOW | RTLD_LOCAL);
-  if (!library) return 0;
+  void* runs_library = dlopen(runs_file, RTLD_NOW | RTLD_LOCAL);
+  if (!library || !runs_library) return 0;
     /* What POSIX says of dlsym(): an object pointer that is copied. */
-#define LOAD(name)                              \
+#define LOAD_FROM(library, name)                \
   {                                             \
     void* found = dlsym(library, #name);        \
     memcpy(&p_##name, &found, sizeof p_##name); \
     if (!found) return 0;                       \
   }
-  FUNCTIONS(LOAD)
+#define LOAD(name) LOAD_FROM(library, name)
+#define LOAD_RUNS(name) LOAD_FROM(runs_library, name)
+  JOINT_FUNCTIONS(LOAD)
+  RUN_FUNCTIONS(LOAD_RUNS)
   return 1;
 }
 
@@ -98,14 +105,14 @@ int main(int count, char** arguments) {
   static struct task tasks[2];
   pthread_t threads[2];
   contact_joint* joint;
-  if (count != 4 || !load(arguments[1])) {
+  if (count != 5 || !load(arguments[1], arguments[2])) {
     fprintf(stderr, "%s\n", dlerror());
     return 1;
   }
-  if (p_contact_joint_read(arguments[2], NULL, 0, &joint)) return 1;
+  if (p_contact_joint_read(arguments[3], NULL, 0, &joint)) return 1;
   for (int i = 0; i < 2; ++i) {
     tasks[i].joint = joint;
-    tasks[i].case_file = arguments[3];
+    tasks[i].case_file = arguments[4];
     tasks[i].bad_force = -1 - i;
     tasks[i].good = 1;
     if (pthread_create(&threads[i], NULL, work, &tasks[i])) return 1;

@@ -1,4 +1,4 @@
-/* A hip that turns under 2000 N, and two stages that turn apart. */
+/* A hip that turns under 2000 N. */
 #include <libcontact/c/contact.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -10,7 +10,7 @@ static void must(contact_status status) {
   exit(1);
 }
 
-static void turn_hip(void) {
+int main(void) {
   contact_joint* hip;
   const contact_slip slip = {.reaction = {0, 0, 2000},           /* N */
                              .angular_velocity = {0.8, 0, 0.6}}; /* rad/s */
@@ -20,29 +20,5 @@ static void turn_hip(void) {
   printf("half-angle %.4f rad, peak %.2f MPa, power %.4f W\n", s.half_angle,
          s.peak_pressure / 1e6, s.power);
   contact_joint_free(hip);
-}
-
-static void turn_stages(void) {
-  contact_run* run;
-  const contact_setting rubs = {
-      "body[stage].hinge.joint[1].friction.coefficient", "0.3"};
-  size_t columns, angle;
-  double* values;
-  must(contact_run_open("data/cases/two_stage_turn.toml", &rubs, 1, &run));
-  columns = contact_run_column_count(run);
-  values = malloc(columns * sizeof *values);
-  must(contact_run_find_column(run, "stage.angle_deg", &angle));
-  while (contact_run_time(run) < contact_run_end_time(run)) {
-    must(contact_run_advance(run, contact_run_time(run) + 1));
-    must(contact_run_values(run, values, columns));
-    printf("%.1f s: %.3f deg\n", contact_run_time(run), values[angle]);
-  }
-  free(values);
-  contact_run_free(run);
-}
-
-int main(void) {
-  turn_hip();
-  turn_stages();
   return 0;
 }

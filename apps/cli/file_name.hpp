@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace cli {
+
+/// True if a file's name ends so, in small or capital letters.
+bool ends_in(std::string_view name, std::string_view ending);
+
+/// Of a history.
+bool is_hdf5(std::string_view name);
+
+/// Of a replay.
+bool is_page(std::string_view name);
+
+/// Names of files that an option takes.
+/// @param endings  good ones; so are "-" and what is there and is not a
+///   regular file
+/// @param words  the endings in words, for messages
+/// @throws contact::Error "OPTION NAME must be a name that ends in WORDS"
+void check_ending(std::string_view option, const std::string& name,
+                  const std::vector<std::string_view>& endings,
+                  std::string_view words);
+
+}  // namespace cli

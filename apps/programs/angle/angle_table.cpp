@@ -1,0 +1,162 @@
+#include "programs/angle/angle_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "libcontact/base/units.hpp"
+#include "libcontact/pressure/hertz.hpp"
+
+namespace hinge_angle {
+namespace {
+
+void count(contact::Status status, Findings& findings) {
+  if (status == contact::Status::out_of_range) ++findings.out_of_range;
+  if (status == contact::Status::not_converged) ++findings.not_converged;
+}
+
+}  // namespace
+
+void Findings::add(const Findings& more) {
+  out_of_range += more.out_of_range;
+  not_converged += more.not_converged;
+  largest.add(more.largest);
+}
+
+AngleTable::AngleTable(const cli::Joint& joint, const Input& input,
+                       bool own_hertz)
+    : joint_(joint),
+      input_(input),
+      loads_(joint),
+      own_hertz_(own_hertz),
+      laws_(joint.laws),
+      pressure_(joint.pressures[0]) {
+  if (!joint.geometry) return;
+  for (const NamedLaw& law : laws_) {
+    if (cli::JointApproach::of(*law.law)) approach_.emplace(law.law, joint);
+  }
+}
+
+bool AngleTable::is_own_hertz(const NamedLaw& law) const {
+  return own_hertz_ && law.name == "hertz";
+}
+
+void AngleTable::add_columns(const NamedLaw& law,
+                             std::vector<std::string>& names) const {
+  names.push_back(fmt::format("p_peak_{}_by_{}_{}", law.name,
+                              is_own_hertz(law) ? "hertz" : pressure_.name,
+                              loads_.have_load() ? "Pa" : "over_nominal"));
+  if (!approach_ || !cli::JointApproach::of(*law.law)) return;
+  for (std::string& name : approach_->columns()) {
+    names.push_back(std::move(name));
+  }
+}
+
+void AngleTable::write(const NamedLaw& law, double half_angle,
+                       double load_parameter, cli::RowWriter& row,
+                       Findings& findings) const {
+  const double peak = peak_pressure(law, half_angle, load_parameter);
+  row.number(peak);
+  findings.largest.add(half_angle, loads_.have_load() ? peak : 0);
+  if (!approach_ || !cli::JointApproach::of(*law.law)) return;
+  const contact::ContactApproach value = (*approach_)(half_angle);
+  row.number(value.approach);
+  row.number(value.stiffness);
+}
+
+std::vector<std::string> AngleTable::columns() const {
+  std::vector<std::string> names;
+  if (input_.inverse) {
+    names.emplace_back("theta0_deg");
+    for (const NamedLaw& law : laws_) {
+      if (loads_.have_load()) names.push_back(loads_.column(law.name));
+      names.push_back("load_parameter_" + law.name);
+      names.push_back("x_" + law.name);
+      if (loads_.have_load()) {
+        names.push_back(fmt::format("p_nominal_{}_Pa", law.name));
+      }
+      add_columns(law, names);
+    }
+    return names;
+  }
+  if (loads_.have_load()) names.push_back(loads_.column());
+  names.emplace_back("load_parameter");
+  names.emplace_back("x");
+  if (loads_.have_load()) names.emplace_back("p_nominal_Pa");
+  for (const NamedLaw& law : laws_) {
+    names.push_back(fmt::format("theta0_{}_deg", law.name));
+    add_columns(law, names);
+  }
+  return names;
+}
+
+void AngleTable::write_row(std::size_t index, cli::RowWriter& row,
+                           std::vector<Findings>& findings) const {
+  cli::write_differences(joint_.differences, row);
+  const double value = input_.values[index];
+  if (input_.inverse) {
+    write_half_angle_row(value, row, findings);
+  } else {
+    write_load_row(value, row, findings);
+  }
+  row.end();
+}
+
+void AngleTable::write_load_row(double load, cli::RowWriter& row,
+                                std::vector<Findings>& findings) const {
+  const auto load_as = [&](LoadVariable variable) {
+    return loads_.convert(input_.variable, load, variable);
+  };
+  const double parameter = load_as(LoadVariable::load_parameter);
+  if (loads_.have_load()) row.number(load_as(LoadVariable::load));
+  row.number(parameter);
+  row.number(load_as(LoadVariable::x));
+  if (loads_.have_load()) row.number(loads_.nominal_pressure(parameter));
+  for (std::size_t i = 0; i < laws_.size(); ++i) {
+    const contact::HalfAngleResult result = laws_[i].law->half_angle(parameter);
+    count(result.status, findings[i]);
+    row.number(result.half_angle / contact::degree);
+    write(laws_[i], result.half_angle, parameter, row, findings[i]);
+  }
+}
+
+void AngleTable::write_half_angle_row(double theta0_deg, cli::RowWriter& row,
+                                      std::vector<Findings>& findings) const {
+  const double half_angle = theta0_deg * contact::degree;
+  row.number(theta0_deg);
+  for (std::size_t i = 0; i < laws_.size(); ++i) {
+    const contact::LoadParameterResult result =
+        laws_[i].law->load_parameter(half_angle);
+    const double parameter = result.load_parameter;
+    count(result.status, findings[i]);
+    const auto load_as = [&](LoadVariable variable) {
+      return loads_.convert(LoadVariable::load_parameter, parameter, variable);
+    };
+    if (loads_.have_load()) row.number(load_as(LoadVariable::load));
+    row.number(parameter);
+    row.number(load_as(LoadVariable::x));
+    if (loads_.have_load()) row.number(loads_.nominal_pressure(parameter));
+    write(laws_[i], half_angle, parameter, row, findings[i]);
+  }
+}
+
+double AngleTable::peak_pressure(const NamedLaw& law, double half_angle,
+                                 double load_parameter) const {
+  if (std::isnan(load_parameter)) return load_parameter;
+  const bool hertz = is_own_hertz(law);
+  if (!loads_.have_load()) {
+    return hertz ? contact::hertz_peak_over_nominal(joint_.kind, half_angle)
+                 : pressure_.law->peak(half_angle) *
+                       cli::nominal_area(joint_.kind);
+  }
+  // The contact shrinks with the load, but slower.
+  if (load_parameter == 0) return 0;
+  const double load = loads_.law_load(load_parameter);
+  return hertz
+             ? contact::hertz_peak_pressure(*joint_.geometry, load, half_angle)
+             : pressure_.law->peak(half_angle) *
+                   joint_.geometry->pressure_unit(load);
+}
+
+}  // namespace hinge_angle

@@ -1,0 +1,81 @@
+#include "programs/angle/input.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <limits>
+
+#include "cli/program.hpp"
+#include "cli/quantity.hpp"
+#include "cli/refuse.hpp"
+
+namespace hinge_angle {
+
+using contact::Dimension;
+
+void add_load_options(CLI::App& app, LoadOptions& options) {
+  app.option_defaults()->group("Load");
+  app.add_option("--load", options.load,
+                 "N or with a unit; of a pin without a length N/m")
+      ->option_text("VALUES");
+  app.add_option("--load-parameter", options.load_parameter, "mu or lambda")
+      ->option_text("VALUES");
+  app.add_option("--x", options.x, "cbrt(mu) or 2 sqrt(lambda)")
+      ->option_text("VALUES");
+  cli::exclude(app, "--load", {"--load-parameter", "--x"});
+  cli::exclude(app, "--load-parameter", {"--x"});
+}
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// --load, whose unit may say whether it is a force or per length of a pin.
+Input load_input(const std::string& text, const cli::Joint& joint) {
+  if (!joint.geometry) {
+    cli::refuse_without("--load",
+                        "--radius and --clearance; a dimensionless joint has "
+                        "--load-parameter and --x");
+  }
+  const bool pin = joint.kind == contact::JointKind::pin;
+  const auto unit =
+      cli::unit_dimension(text, {Dimension::force, Dimension::line_force});
+  if (pin && unit == Dimension::force && !joint.has_length) {
+    cli::refuse_without(cli::given("--load", text), "--length");
+  }
+  const bool per_length =
+      pin && (unit ? unit == Dimension::line_force : !joint.has_length);
+  // Without a length the load is per length.
+  return {per_length && joint.has_length ? LoadVariable::line_load
+                                         : LoadVariable::load,
+          false,
+          cli::Sweep("--load", text, {0, infinity, per_length ? "N/m" : "N"},
+                     per_length ? Dimension::line_force : Dimension::force)};
+}
+
+}  // namespace
+
+Input make_input(const LoadOptions& options, const cli::Joint& joint) {
+  if (!options.theta0.empty()) {
+    // Curves are drawn over the load where there is one.
+    return {joint.geometry ? LoadVariable::load : LoadVariable::load_parameter,
+            true,
+            cli::Sweep("--theta0", options.theta0, {0, 180, "deg"},
+                       Dimension::angle)};
+  }
+  if (!options.load_parameter.empty()) {
+    return {LoadVariable::load_parameter, false,
+            cli::Sweep("--load-parameter", options.load_parameter,
+                       {0, infinity, ""})};
+  }
+  if (!options.x.empty()) {
+    return {LoadVariable::x, false,
+            cli::Sweep("--x", options.x, {0, infinity, ""})};
+  }
+  if (options.load.empty()) {
+    cli::refuse_without("a load",
+                        "one of --load, --load-parameter, --x (see --help)");
+  }
+  return load_input(options.load, joint);
+}
+
+}  // namespace hinge_angle

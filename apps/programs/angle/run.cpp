@@ -1,0 +1,199 @@
+#include "programs/angle/run.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "cli/output.hpp"
+#include "cli/progress.hpp"
+#include "cli/quantity.hpp"
+#include "cli/refuse.hpp"
+#include "cli/stream/ordered_blocks.hpp"
+#include "cli/table.hpp"
+#include "libcontact/pressure/validity.hpp"
+#include "programs/angle/angle_plot.hpp"
+#include "programs/angle/angle_table.hpp"
+#include "programs/angle/compare.hpp"
+#include "programs/angle/input.hpp"
+
+namespace hinge_angle {
+namespace {
+
+// Some rows on their way through the program.
+struct Block {
+  std::size_t first;
+  std::size_t last;
+  cli::Text rows;
+  std::vector<std::vector<Findings>> findings;  // of each joint and law
+};
+
+// One table of several joints, one after the other.
+class Tables {
+ public:
+  Tables(const std::vector<cli::Joint>& joints,
+         const std::vector<Input>& inputs, bool own_hertz) {
+    std::vector<std::vector<std::string>> columns;
+    for (std::size_t i = 0; i < joints.size(); ++i) {
+      tables_.emplace_back(joints[i], inputs[i], own_hertz);
+      columns.push_back(tables_.back().columns());
+      none_.emplace_back(joints[i].laws.size());
+    }
+    columns_ = joint_columns(joints, columns);
+  }
+
+  const std::vector<std::string>& columns() const { return columns_; }
+  /// Rows of all joints, of which each has as many.
+  std::size_t size() const { return tables_.size() * tables_[0].size(); }
+  void write(Block& block, cli::RowWriter& row) const {
+    block.findings = none_;
+    const std::size_t each = tables_[0].size();
+    for (std::size_t i = block.first; i < block.last; ++i) {
+      tables_[i / each].write_row(i % each, row, block.findings[i / each]);
+    }
+  }
+  const std::vector<std::vector<Findings>>& none() const { return none_; }
+
+ private:
+  std::vector<AngleTable> tables_;
+  std::vector<std::string> columns_;
+  std::vector<std::vector<Findings>> none_;
+};
+
+// Writes the table; returns what is to be said of each joint and law.
+std::vector<std::vector<Findings>> write_table(
+    const Tables& tables, const cli::Table& table,
+    const cli::OutputOptions& options) {
+  constexpr std::size_t block_rows = 256;
+  cli::Output output(options.output);
+  cli::TableWriter writer(output, table);
+  cli::Progress progress("rows", tables.size());
+  auto findings = tables.none();
+  std::size_t taken = 0;
+  cli::ordered_blocks<Block>(
+      options.jobs,
+      [&](Block& block) {
+        block.first = taken;
+        block.last = taken = std::min(taken + block_rows, tables.size());
+        return block.first < block.last;
+      },
+      [&](Block& block) {
+        block.rows.clear();
+        cli::RowWriter row(table, block.rows);
+        tables.write(block, row);
+      },
+      [&](const Block& block) {
+        writer.write(block.rows.view());
+        progress.add(block.last - block.first);
+        for (std::size_t j = 0; j < findings.size(); ++j) {
+          for (std::size_t i = 0; i < findings[j].size(); ++i) {
+            findings[j][i].add(block.findings[j][i]);
+          }
+        }
+      });
+  writer.finish();
+  output.commit();
+  return findings;
+}
+
+// What the laws could not give, and should not have.
+cli::ExitStatus report(const std::vector<cli::Joint>& joints,
+                       const std::vector<std::vector<Findings>>& findings,
+                       std::size_t rows) {
+  cli::ExitStatus status = cli::all_good;
+  std::set<std::string> notes;
+  for (std::size_t i = 0; i < joints[0].laws.size(); ++i) {
+    const std::string& law = joints[0].laws[i].name;
+    Findings all;
+    for (std::size_t j = 0; j < joints.size(); ++j) {
+      const Findings& one = findings[j][i];
+      all.add(one);
+      for (const std::string& note : contact::contact_notes(
+               joints[j].kind, joints[j].pair, one.largest.half_angle,
+               one.largest.peak_pressure)) {
+        notes.insert(fmt::format("law {}: {}", law, note));
+      }
+    }
+    if (all.out_of_range > 0) {
+      cli::warn("hinge-angle",
+                fmt::format("law {}: no value for {} of {} rows, which "
+                            "are outside its range",
+                            law, all.out_of_range, rows));
+    }
+    if (all.not_converged > 0) {
+      cli::warn("hinge-angle",
+                fmt::format("law {}: {} of {} rows have not converged", law,
+                            all.not_converged, rows));
+      status = cli::some_bad;
+    }
+  }
+  for (const std::string& note : notes) cli::warn("hinge-angle", note);
+  return status;
+}
+
+// All laws unless some are named.
+cli::Joint compared_joint(cli::JointOptions options) {
+  if (options.laws.empty()) options.laws = {"all"};
+  cli::Joint joint = make_joint(options);
+  if (joint.conditions.loading.is_back() || joint.conditions.walls) {
+    cli::refuse_beside("--compare",
+                       to_string(joint.conditions) +
+                           ": its laws are of a force at the centre and an "
+                           "infinite outer body");
+  }
+  return joint;
+}
+
+Input compared_input(LoadOptions options, const cli::Joint& joint) {
+  // From where Hertz holds to where the limit does.
+  if (!options.given()) options.load_parameter = "1e-6:1e8:log281";
+  return make_input(options, joint);
+}
+
+void check_plot(const cli::OutputOptions& options,
+                const std::vector<Input>& inputs) {
+  if (options.plot.empty() || inputs[0].values.size() > 1) return;
+  cli::refuse_without("--plot", "a range of loads or half-angles");
+}
+
+cli::ExitStatus run_comparison(const Options& options) {
+  const std::vector<cli::Joint> joints = {compared_joint(options.joint)};
+  const double tolerance =
+      cli::parse_value("--tolerance", options.tolerance, {0, 100, "%"});
+  const std::vector<Input> inputs = {compared_input(options.load, joints[0])};
+  check_plot(options.output, inputs);
+  const auto comparison = compare(inputs[0], joints[0], tolerance);
+  warn_of_validity("hinge-angle", joints);
+  write_comparison(comparison, joints[0], options.output);
+  if (options.output.plot.empty()) return cli::all_good;
+  return cli::drawn("hinge-angle", draw(inputs, joints, options.output.plot),
+                    cli::all_good);
+}
+
+}  // namespace
+
+cli::ExitStatus run(const Options& options) {
+  if (options.compare) return run_comparison(options);
+  const std::vector<cli::Joint> joints = make_joints(options.joint);
+  std::vector<Input> inputs;
+  for (const cli::Joint& joint : joints) {
+    inputs.push_back(make_input(options.load, joint));
+  }
+  const bool own_hertz =
+      options.joint.pressures.empty() &&
+      joints[0].pressure_law == contact::default_pressure_law;
+  const Tables tables(joints, inputs, own_hertz);
+  check_plot(options.output, inputs);
+  if (!options.output.plot.empty()) check_curves(joints);
+  const cli::Table table(options.output, tables.columns());
+  warn_of_validity("hinge-angle", joints);
+  const auto findings = write_table(tables, table, options.output);
+  const cli::ExitStatus status = report(joints, findings, tables.size());
+  if (options.output.plot.empty()) return status;
+  return cli::drawn("hinge-angle", draw(inputs, joints, options.output.plot),
+                    status);
+}
+
+}  // namespace hinge_angle

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+
+#include "cli/program.hpp"
+#include "programs/angle/input.hpp"
+
+namespace hinge_angle {
+
+/// The command line of hinge-angle as it was written.
+struct Options {
+  cli::JointOptions joint = {.use = cli::JointUse::contact};
+  LoadOptions load;
+  bool compare = false;
+  std::string tolerance = "0.1";
+  cli::OutputOptions output;
+};
+
+/// The whole program. Throws contact::Error for options that are wrong.
+cli::ExitStatus run(const Options& options);
+
+}  // namespace hinge_angle

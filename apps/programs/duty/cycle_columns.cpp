@@ -1,0 +1,142 @@
+#include "programs/duty/cycle_columns.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <span>
+#include <utility>
+
+#include "cli/quantity.hpp"
+#include "cli/refuse.hpp"
+
+namespace hinge_duty {
+namespace {
+
+constexpr double largest = 1e100;
+constexpr cli::Allowed any_time{-largest, largest, "s"};
+constexpr cli::Allowed any_force{-largest, largest, "N"};
+constexpr cli::Allowed any_rate{-largest, largest, "rad/s"};
+constexpr cli::Allowed any_angle{-1e6, 1e6, "deg"};
+
+const std::array<std::string, 3> rate_names = {"w_x_rad_per_s", "w_y_rad_per_s",
+                                               "w_z_rad_per_s"};
+
+// The columns of the motion; what they are is in `is_angles`.
+std::vector<std::string> motion_names(const cli::PointColumns& columns,
+                                      const std::string& place,
+                                      const Options& options, bool is_pin,
+                                      bool& is_angles) {
+  std::vector<std::string> angles;
+  std::size_t rates = 0;
+  for (const std::string& name : columns.riding) {
+    if (name.ends_with("_deg")) angles.push_back(name);
+    rates += std::ranges::count(rate_names, name);
+  }
+  is_angles = !options.euler.empty() || rates == 0;
+  if (!is_angles) return {rate_names.begin(), rate_names.end()};
+  const std::size_t wanted = is_pin ? 1 : 3;
+  if (angles.size() != wanted) {
+    cli::refuse_without(
+        place + ": the motion",
+        is_pin ? "one column of an angle, NAME_deg, or w_x_rad_per_s, "
+                 "w_y_rad_per_s and w_z_rad_per_s"
+               : "three columns of angles, NAME_deg, in the order of --euler, "
+                 "or w_x_rad_per_s, w_y_rad_per_s and w_z_rad_per_s");
+  }
+  return angles;
+}
+
+std::vector<std::string> column_names(const char* option,
+                                      const std::string& text,
+                                      std::size_t count) {
+  std::vector<std::string> names;
+  for (const std::string_view name : cli::split(text, ",")) {
+    names.emplace_back(name);
+  }
+  if (names.size() == count) return names;
+  cli::refuse(option, text,
+              count == 1 ? "the name of one column"
+                         : "the names of three columns, with commas");
+}
+
+bool is_sto(const std::string& file) {
+  return file.ends_with(".sto") || file.ends_with(".mot");
+}
+
+void check_columns_options(const Options& options) {
+  for (const auto& [option, text] :
+       {std::pair("--force-columns", &options.force_columns),
+        {"--angle-columns", &options.angle_columns}}) {
+    if (is_sto(options.cycle) && text->empty()) {
+      cli::refuse_without(cli::given("--cycle", options.cycle),
+                          fmt::format("{} NAMES", option));
+    }
+    if (!is_sto(options.cycle) && !text->empty()) {
+      cli::refuse_without(cli::given(option, *text),
+                          "--cycle FILE.sto or FILE.mot");
+    }
+  }
+}
+
+// The columns of OpenSim's table that the options name.
+void name_sto_columns(const Options& options, bool is_pin,
+                      CycleColumns& columns) {
+  columns.names = column_names("--force-columns", options.force_columns, 3);
+  columns.names.insert(columns.names.begin(), "time");
+  const auto angles =
+      column_names("--angle-columns", options.angle_columns, is_pin ? 1 : 3);
+  columns.names.insert(columns.names.end(), angles.begin(), angles.end());
+  for (const std::string& name : columns.names) {
+    if (std::ranges::count(columns.names, name) == 1) continue;
+    throw contact::Error("--force-columns and --angle-columns: " +
+                         contact::detail::duplicate("column", name));
+  }
+  columns.is_angles = true;
+  if (!columns.sto->in_degrees) columns.angle_unit = 1;
+}
+
+void name_csv_columns(const Options& options, bool is_pin,
+                      CycleColumns& columns) {
+  const auto& [line, place] = columns.header;
+  std::vector<cli::PointColumn> states;
+  for (const std::string& name : columns.names) {
+    states.push_back({name, any_force});
+  }
+  const auto motion = motion_names({line, states, place}, place, options,
+                                   is_pin, columns.is_angles);
+  columns.names.insert(columns.names.end(), motion.begin(), motion.end());
+}
+
+}  // namespace
+
+CycleColumns read_columns(cli::LineReader& reader, const Options& options,
+                          bool is_pin) {
+  check_columns_options(options);
+  CycleColumns columns;
+  if (is_sto(options.cycle)) {
+    columns.sto = read_sto_header(reader);
+    columns.header = columns.sto->columns;
+    name_sto_columns(options, is_pin, columns);
+  } else {
+    columns.header = cli::read_header(reader);
+    name_csv_columns(options, is_pin, columns);
+  }
+  const auto angles = std::span(columns.names).subspan(CycleColumns::motion_at);
+  if (columns.is_angles && !is_pin && options.euler.empty()) {
+    cli::refuse_without(fmt::format("{}: the angles {}", columns.header.place,
+                                    fmt::join(angles, ", ")),
+                        "--euler: the sequence of their axes, such as zxy");
+  }
+  for (std::size_t i = 0; i < columns.names.size(); ++i) {
+    columns.needed.push_back(
+        {columns.names[i], i == 0                        ? any_time
+                           : i < CycleColumns::motion_at ? any_force
+                           : columns.is_angles           ? any_angle
+                                                         : any_rate});
+  }
+  return columns;
+}
+
+}  // namespace hinge_duty

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/stream/points.hpp"
+#include "libcontact/base/units.hpp"
+#include "programs/duty/options.hpp"
+#include "programs/duty/sto_header.hpp"
+
+namespace hinge_duty {
+
+/// What the columns of a cycle's file are called, and where they are: the time,
+/// three of the force, those of the motion.
+struct CycleColumns {
+  std::vector<std::string> names = {"time_s", "R_x_N", "R_y_N", "R_z_N"};
+  static constexpr std::size_t motion_at = 4;
+  std::vector<cli::PointColumn> needed;
+  cli::PointHeader header;
+  bool is_angles = false;
+  double angle_unit = contact::degree;
+  std::optional<StoHeader> sto;
+};
+
+/// Reads the head of a file.
+/// @throws contact::Error if columns are not there or options do not fit them
+CycleColumns read_columns(cli::LineReader& reader, const Options& options,
+                          bool is_pin);
+
+}  // namespace hinge_duty

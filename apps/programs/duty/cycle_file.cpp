@@ -1,0 +1,144 @@
+#include "programs/duty/cycle_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "cli/choice.hpp"
+#include "cli/quantity.hpp"
+#include "cli/refuse.hpp"
+#include "programs/duty/cycle_columns.hpp"
+
+namespace hinge_duty {
+namespace {
+
+using contact::JointBody;
+using contact::PeriodicSpline;
+using Eigen::Vector3d;
+
+JointBody body_of(const char* option, const std::string& text,
+                  JointBody otherwise) {
+  constexpr std::array<cli::Choice<JointBody>, 2> bodies = {
+      {{"body", JointBody::body}, {"carrier", JointBody::carrier}}};
+  return text.empty() ? otherwise : cli::choice(option, text, bodies);
+}
+
+// The values of all lines, column by column.
+std::vector<std::vector<double>> read_lines(cli::LineReader& reader,
+                                            const cli::PointColumns& columns,
+                                            bool is_sto) {
+  std::vector<std::vector<double>> values(columns.needed.size());
+  cli::PointLines block;
+  while (reader.next(block.lines)) {
+    if (is_sto) std::ranges::replace(block.lines.text, '\t', ',');
+    cli::read_points(columns, block);
+    if (block.bad_lines > 0) {
+      std::string_view message = block.messages;
+      message = message.substr(0, message.find('\n'));
+      message.remove_prefix(std::string_view("ERROR: ").size());
+      throw contact::Error(fmt::format("{}, {}", reader.name(), message));
+    }
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      values[i].insert(values[i].end(), block.values[i].begin(),
+                       block.values[i].end());
+    }
+  }
+  return values;
+}
+
+void check_times(const std::vector<double>& times, const std::string& name,
+                 const std::string& column) {
+  if (times.size() < 4) {
+    throw contact::Error(contact::detail::must_be(
+        fmt::format("{}: {} rows", name, times.size()), "4 or more"));
+  }
+  for (std::size_t i = 1; i < times.size(); ++i) {
+    if (times[i] > times[i - 1]) continue;
+    throw contact::Error(contact::detail::must_be(
+        fmt::format("{}: {} = {}", name, column, times[i]),
+        fmt::format("above {}, the time before it", times[i - 1])));
+  }
+}
+
+double period_of(const std::vector<double>& times, const std::string& name,
+                 const Options& options) {
+  const double span = times.back() - times.front();
+  if (!options.period.empty()) {
+    const double period = cli::parse_quantity(
+        "--period", options.period, contact::Dimension::time, {0, 1e100, "s"});
+    if (period > span) return period;
+    cli::refuse("--period", options.period,
+                fmt::format("above {:.6g} s, from the first to the last row "
+                            "of {}",
+                            span, name));
+  }
+  const double step = span / static_cast<double>(times.size() - 1);
+  for (std::size_t i = 1; i < times.size(); ++i) {
+    // Of times that were rounded to some digits.
+    if (std::abs(times[i] - times[i - 1] - step) <= 1e-3 * step) continue;
+    cli::refuse_without(name + ": times with uneven steps",
+                        "--period: the time from the first row to its return");
+  }
+  return span + step;
+}
+
+std::vector<Vector3d> vectors(const std::vector<std::vector<double>>& values,
+                              std::size_t first, double unit) {
+  std::vector<Vector3d> all;
+  for (std::size_t i = 0; i < values[0].size(); ++i) {
+    Vector3d vector = Vector3d::Zero();
+    for (std::size_t k = 0; k < 3 && first + k < values.size(); ++k) {
+      vector[static_cast<int>(k)] = unit * values[first + k][i];
+    }
+    all.push_back(vector);
+  }
+  return all;
+}
+
+void check_pin_rates(const std::vector<Vector3d>& rates,
+                     const std::string& name) {
+  for (const Vector3d& rate : rates) {
+    if (rate.x() == 0 && rate.y() == 0) continue;
+    throw contact::Error(contact::detail::must_be(
+        name + ": w_x_rad_per_s and w_y_rad_per_s of a pin",
+        "0: its axis is Z"));
+  }
+}
+
+}  // namespace
+
+contact::DutyCycle read_cycle(const Options& options, bool is_pin) {
+  if (is_pin && !options.euler.empty()) {
+    cli::refuse_beside(cli::given("--euler", options.euler),
+                       "a pin, which turns about Z");
+  }
+  const contact::TurnSequence sequence(options.euler.empty() ? std::string("z")
+                                                             : options.euler);
+  const contact::ForceFrame frame{
+      body_of("--force-on", options.force_on, JointBody::body),
+      body_of("--force-in", options.force_in, JointBody::carrier)};
+  cli::LineReader reader(options.cycle);
+  const CycleColumns columns = read_columns(reader, options, is_pin);
+  const bool is_angles = columns.is_angles;
+  const auto& [line, place] = columns.header;
+  const auto values = read_lines(reader, {line, columns.needed, place},
+                                 columns.sto.has_value());
+  const std::vector<double>& times = values[0];
+  if (columns.sto) check_sto_rows(*columns.sto, times.size(), reader.name());
+  check_times(times, reader.name(), columns.names[0]);
+  const double period = period_of(times, reader.name(), options);
+  PeriodicSpline forces(times, period, vectors(values, 1, 1));
+  const std::vector<Vector3d> motion = vectors(
+      values, CycleColumns::motion_at, is_angles ? columns.angle_unit : 1);
+  if (is_pin && !is_angles) check_pin_rates(motion, reader.name());
+  PeriodicSpline spline(times, period, motion);
+  if (!is_angles) return {std::move(forces), frame, std::move(spline)};
+  return {std::move(forces), frame, std::move(spline), sequence};
+}
+
+}  // namespace hinge_duty

@@ -1,0 +1,130 @@
+// hinge-duty: heat, p v and wear of one ball or pin joint on a duty cycle.
+#include <CLI/CLI.hpp>
+#include <string>
+#include <string_view>
+
+#include "cli/program.hpp"
+#include "programs/duty/run.hpp"
+
+namespace {
+
+using hinge_duty::Options;
+
+constexpr std::string_view help = R"(
+--cycle FILE.csv has one period of forces and motion, a row for each time:
+  time_s             ascending, 4 rows or more; the last row comes before the
+                     first one returns, after --period or, where the steps are
+                     even, one step
+  R_x_N,R_y_N,R_z_N  force on the body in carrier axes; --force-on, --force-in
+and one of
+  w_x_rad_per_s,w_y_rad_per_s,w_z_rad_per_s
+                     angular velocity Dw, body against carrier, carrier axes
+  NAME_deg, three columns, with --euler SEQUENCE
+                     angles of the body against the carrier in the order of
+                     SEQUENCE, its letters the axes, each as the turns before
+                     it have left it: zxy, xyz, zyz, ...
+  NAME_deg, one column, of a pin
+                     its angle; a pin's axis is Z
+Periodic cubic splines go through all columns. Other columns are left out.
+
+--cycle FILE.sto or FILE.mot is a table of OpenSim: column time, and those that
+--force-columns and --angle-columns name; angles are in rad without a line
+inDegrees=yes. Cut it to one period, without the row that repeats the first.
+
+Wear is Archard's: depth k times the integral of p v. k has no default. It is
+that of the unworn joint. --map writes it for points of equal area on both
+bodies, unit vectors in the body's own axes, of a pin the angle beta from X
+towards Y: pv_integral_Pa_m (times k: depth), depth_mm, cross_shear (share of
+the friction work across its main direction: 0 on a line, 0.5 without one).
+--map-plot draws it: balls from outside, above the middle of the wear, areas
+equal, circles 30 deg apart, axes of the body; pins over beta.
+
+--measured-volume V with --measured-cycles N finds k: what was weighed, over
+the density, is N k pv_integral_J, of seat and inner body alike. k is that of
+the unworn joint: --wear-seat k --cycles N says whether the contact widens.
+
+--cycles N wears the seat or hole in, with k of --wear-seat: after blocks of
+cycles the contact is widened by the volume that is gone (v, over pi rho^2 eps
+or 2 rho eps l), and has the pressure p ~ cos theta once that is more than what
+the load presses in. Good to 0.4 deg while theta0 < 90 deg; it knows nothing of
+creep, walls that wear through, edges and wear of the ball or pin. worn_...:
+after N cycles; --blocks: on the way.
+
+Output: quantity, value, at_time_s, x, y, z (where it is), meaning. With wear
+volume_defect says how well the map's sum fits the volume: 2/N for N points.
+--states: a row for each row of the cycle, columns as of hinge-joint --pv, and
+heat_W and pv_total_W over the contact. --plot draws R, the friction moment and
+the largest p and p v over the time.
+
+)";
+
+constexpr std::string_view examples = R"(
+Examples:
+  hinge-duty --joint data/reference/duty/cycle_hip.toml --cycle data/reference/duty/cycle_hip_in.csv --euler zxy --format markdown
+  hinge-duty --joint data/reference/duty/cycle_hip.toml --cycle data/reference/duty/cycle_hip_in.csv --euler zxy --wear-seat 1e-6 --map map.csv --map-plot map.svg --output hip.csv
+  hinge-duty --joint data/reference/duty/cycle_hip.toml --cycle data/reference/duty/cycle_hip_in.csv --euler zxy --wear-seat 1e-6 --cycles 5e6 --blocks blocks.csv --format markdown
+  hinge-duty --joint data/reference/duty/cycle_hip.toml --cycle data/reference/duty/cycle_hip_in.csv --euler zxy --measured-volume 25.6 --measured-error 1.2 --measured-cycles 1e6
+  hinge-duty --joint data/reference/duty/cycle_pin.toml --cycle data/reference/duty/cycle_pin_in.csv --wear-seat 2e-7 --wear-inner 5e-8 --states states.csv
+  hinge-duty --joint data/joints/hip_cocr_uhmwpe.toml --cycle data/duty/hip_cycle.sto --euler zxy --force-columns hip_on_leg_in_pelvis_fx,hip_on_leg_in_pelvis_fy,hip_on_leg_in_pelvis_fz --angle-columns hip_flexion_r,hip_adduction_r,hip_rotation_r
+
+)";
+
+void add_cycle(CLI::App& app, Options& options) {
+  app.option_defaults()->group("Cycle");
+  const cli::TextOptions text(app);
+  text("--cycle", options.cycle,
+       "CSV file, - for standard input; or table of OpenSim, .sto or .mot",
+       "FILE")
+      ->required();
+  text("--period", options.period, "of the cycle, s", "TIME");
+  text("--euler", options.euler, "axes of the angles, such as zxy", "SEQUENCE");
+  text("--force-columns", options.force_columns,
+       "of .sto, .mot: columns of R_x, R_y, R_z, N, with commas", "NAMES");
+  text("--angle-columns", options.angle_columns,
+       "of .sto, .mot: columns of the angles, as inDegrees says", "NAMES");
+  text("--force-on", options.force_on,
+       "that the forces act on: body (default) or carrier", "BODY");
+  text("--force-in", options.force_in,
+       "in whose axes they are: body or carrier (default)", "BODY");
+  app.option_defaults()->group("Wear");
+  text("--wear-seat", options.wear_seat, "k of the seat or hole, mm^3/(N m)",
+       "NUMBER");
+  text("--wear-inner", options.wear_inner, "k of the ball or pin, mm^3/(N m)",
+       "NUMBER");
+  CLI::Option* volume =
+      text("--measured-volume", options.measured_volume,
+           "that wore off one body, mm^3, for its k", "NUMBER");
+  text("--measured-error", options.measured_error, "its standard error, mm^3",
+       "NUMBER")
+      ->needs(volume);
+  volume->needs(text("--measured-cycles", options.measured_cycles,
+                     "in which it wore off", "N")
+                    ->needs(volume));
+  text("--map", options.map, "CSV file of the wear of both bodies", "FILE");
+  text("--map-plot", options.map_plot,
+       "picture of the wear of both bodies: .svg, .png or .pdf", "FILE");
+  text("--grid", options.grid, "points of each body; default 2000", "N");
+  text("--cycles", options.cycles,
+       "number of cycles in which wear of the seat changes the contact", "N");
+  text("--blocks", options.blocks, "CSV file of the joint as it wears", "FILE");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("Heat, p v and wear of a joint on a duty cycle", "hinge-duty");
+  Options options;
+  add_joint_options(app, options.joint);
+  add_law_options(app, options.joint, cli::Laws::one, cli::Laws::one);
+  add_friction_options(app, options.friction);
+  add_cycle(app, options);
+  add_output_options(app, options.output);
+  app.add_option("--states", options.states,
+                 "CSV file of the states at the rows of the cycle")
+      ->option_text("FILE");
+  app.footer(std::string(help) + std::string(cli::size_help) +
+             std::string(cli::joint_help) + std::string(examples) +
+             std::string(cli::exit_status_help));
+  return cli::run_program(app, argc, argv,
+                          [&] { return hinge_duty::run(options); });
+}

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "libcontact/duty/joint_cycle.hpp"
+#include "programs/duty/body_wear.hpp"
+
+namespace hinge_duty {
+
+/// Draws the integral of p v over both bodies: of a ball seen from outside,
+/// straight above the middle of the wear, with equal areas; of a pin over beta.
+/// @param wear  of both bodies
+/// @return "" or why there is no picture
+std::string draw_map(const contact::JointCycle& cycle,
+                     const std::vector<BodyWear>& wear,
+                     const std::string& title, const std::string& file);
+
+}  // namespace hinge_duty

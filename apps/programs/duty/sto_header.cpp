@@ -1,0 +1,84 @@
+#include "programs/duty/sto_header.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string_view>
+
+#include "cli/number.hpp"
+#include "cli/refuse.hpp"
+
+namespace hinge_duty {
+namespace {
+
+// The text behind "KEY=" or nothing.
+std::optional<std::string_view> value_of(std::string_view line,
+                                         std::string_view key) {
+  const std::size_t at = line.find('=');
+  std::string_view found = line.substr(0, at);
+  found = found.substr(0, found.find_last_not_of(" \t") + 1);
+  if (at == line.npos || found != key) return {};
+  std::string_view value = line.substr(at + 1);
+  value.remove_prefix(std::min(value.find_first_not_of(" \t"), value.size()));
+  return value.substr(0, value.find_last_not_of(" \t") + 1);
+}
+
+double count_of(std::string_view key, std::string_view text,
+                const std::string& place) {
+  const auto count = cli::parse_number(text);
+  if (count && *count >= 0) return *count;
+  throw contact::Error(contact::detail::must_be(
+      fmt::format("{}: {} = {}", place, key, text), "a number, 0 or more"));
+}
+
+bool yes_or_no(std::string_view text, const std::string& place) {
+  if (text == "yes" || text == "no") return text == "yes";
+  throw contact::Error(contact::detail::must_be(
+      fmt::format("{}: inDegrees = {}", place, text), "yes or no"));
+}
+
+}  // namespace
+
+StoHeader read_sto_header(cli::LineReader& reader) {
+  StoHeader header;
+  std::optional<double> columns;
+  for (;;) {
+    const std::string place =
+        fmt::format("{}, line {}", reader.name(), reader.next_number());
+    const auto line = reader.line();
+    if (!line) {
+      cli::refuse_without(reader.name() + ": a table of OpenSim",
+                          "a line endheader");
+    }
+    if (line->starts_with("endheader")) break;
+    if (const auto rows = value_of(*line, "nRows")) {
+      header.rows = count_of("nRows", *rows, place);
+    }
+    if (const auto count = value_of(*line, "nColumns")) {
+      columns = count_of("nColumns", *count, place);
+    }
+    if (const auto answer = value_of(*line, "inDegrees")) {
+      header.in_degrees = yes_or_no(*answer, place);
+    }
+  }
+  header.columns = cli::read_header(reader);
+  std::string& names = header.columns.line;
+  const auto found = 1 + std::ranges::count(names, '\t');
+  if (columns && *columns != static_cast<double>(found)) {
+    throw contact::Error(contact::detail::must_be(
+        fmt::format("{}: nColumns = {}", header.columns.place, *columns),
+        fmt::format("{}, the number of names", found)));
+  }
+  std::ranges::replace(names, '\t', ',');
+  return header;
+}
+
+void check_sto_rows(const StoHeader& header, std::size_t rows,
+                    const std::string& name) {
+  if (!header.rows || *header.rows == static_cast<double>(rows)) return;
+  throw contact::Error(contact::detail::must_be(
+      fmt::format("{}: nRows = {}", name, *header.rows),
+      fmt::format("{}, the number of rows", rows)));
+}
+
+}  // namespace hinge_duty

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <vector>
+
+#include "cli/output.hpp"
+#include "cli/table.hpp"
+#include "libcontact/duty/joint_cycle.hpp"
+#include "libcontact/duty/wear_in.hpp"
+#include "programs/duty/body_wear.hpp"
+
+/// The tables beside the summary, which have all their columns.
+namespace hinge_duty {
+
+/// A row for each block of cycles, and one for the end.
+void write_blocks(const std::vector<contact::WornState>& worn,
+                  cli::Output& output, cli::TableStyle style);
+/// A row for each row of the cycle's file.
+void write_states(const contact::JointCycle& cycle, cli::Output& output,
+                  cli::TableStyle style);
+/// A row for each point that wears.
+void write_map(const std::vector<BodyWear>& wear, bool is_pin,
+               cli::Output& output, cli::TableStyle style);
+
+}  // namespace hinge_duty

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <vector>
+
+#include "libcontact/identify/measured.hpp"
+#include "programs/identify/run.hpp"
+
+namespace hinge_identify {
+
+/// The measured moments of Options::data. Throws contact::Error if columns are
+/// missing, a line is bad, or no errors are given.
+std::vector<contact::MeasuredMoment> read_data(const Options& options,
+                                               bool pin);
+
+}  // namespace hinge_identify

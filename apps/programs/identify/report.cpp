@@ -1,0 +1,242 @@
+#include "programs/identify/report.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+
+#include "cli/output.hpp"
+#include "cli/table.hpp"
+#include "libcontact/base/units.hpp"
+
+namespace hinge_identify {
+namespace {
+
+using contact::Estimate;
+using contact::FrictionFit;
+using contact::FrictionParameter;
+using contact::MeasuredMoment;
+
+struct Parameter {
+  std::string_view column;
+  std::string_view name;
+  std::string_view meaning;
+};
+constexpr Parameter parameters[] = {
+    {"f0", "f0", "friction coefficient at high pressure"},
+    {"A_Pa", "A", "adhesion"},
+    {"radial_clearance_m", "clearance", "difference of the radii"}};
+
+const Parameter& of(FrictionParameter parameter) {
+  return parameters[static_cast<std::size_t>(parameter)];
+}
+
+// Writes the table line by line.
+class Lines {
+ public:
+  Lines(const cli::Table& table, bool profile)
+      : row_(table, text_), profile_(profile) {}
+
+  void estimate(std::string_view name, const Estimate& e,
+                std::string_view meaning) {
+    row_.text(name);
+    for (const double x :
+         {e.value, e.standard_error, e.interval.low, e.interval.high}) {
+      row_.number(x);
+    }
+    if (profile_) {
+      row_.number(e.profile.low);
+      row_.number(e.profile.high);
+    }
+    row_.text(meaning);
+    row_.end();
+  }
+  void number(std::string_view name, double value, std::string_view meaning) {
+    Estimate e;
+    e.value = value;
+    estimate(name, e, meaning);
+  }
+  std::string_view view() const { return text_.view(); }
+
+ private:
+  cli::Text text_;
+  cli::RowWriter row_;
+  bool profile_;
+};
+
+void write_lines(Lines& to, const FrictionFit& fit) {
+  for (std::size_t i = 0; i < fit.estimates.size(); ++i) {
+    const Parameter& p = of(fit.parameters[i]);
+    to.estimate(p.column, fit.estimates[i], p.meaning);
+  }
+  to.estimate("f0_effective", fit.effective_coefficient,
+              "f0 alone, with A = 0 and the joint's clearance");
+  for (Eigen::Index i = 0; i < fit.correlation.rows(); ++i) {
+    for (Eigen::Index j = i + 1; j < fit.correlation.cols(); ++j) {
+      to.number(fmt::format("correlation_{}_{}", of(fit.parameters[i]).name,
+                            of(fit.parameters[j]).name),
+                fit.correlation(i, j), "of their errors");
+    }
+  }
+  to.number(
+      "condition", fit.condition,
+      "scaled condition number: above 30 the data cannot tell them apart");
+  to.number("chi2", fit.chi2, "sum of squares of residuals over sigma");
+  to.number("dof", fit.degrees_of_freedom, "numbers measured less parameters");
+  to.number("chi2_per_dof", fit.chi2 / fit.degrees_of_freedom,
+            "1 if sigma is right");
+  to.number("scale", fit.scale, "error of the data over sigma");
+  to.estimate("load_trend", fit.load_trend,
+              "of residuals, in sigma, over ln R");
+  to.estimate("direction_trend", fit.direction_trend,
+              "of residuals, in sigma per rad, over b");
+  to.estimate("rate_trend", fit.rate_trend,
+              "of residuals, in sigma per rad/s, over |Dw|");
+}
+
+void write_table(const cli::Table& table, std::string_view lines,
+                 const std::string& file) {
+  cli::Output output(file);
+  cli::TableWriter writer(output, table);
+  writer.write(lines);
+  writer.finish();
+  output.commit();
+}
+
+// A number that is measured, and the datum that it is of.
+double measured(const MeasuredMoment& datum, int component) {
+  return datum.is_vector() ? std::get<Eigen::Vector3d>(datum.moment)[component]
+                           : std::get<double>(datum.moment);
+}
+
+// How many residuals are beyond 5 standard errors, by their median.
+std::ptrdiff_t outliers(const FrictionFit& fit) {
+  std::vector<double> sizes(fit.residual.begin(), fit.residual.end());
+  for (double& size : sizes) size = std::abs(size);
+  std::ranges::sort(sizes);
+  constexpr double normal_median = 0.6745;
+  const double limit = 5 * sizes[sizes.size() / 2] / normal_median;
+  return std::ranges::count_if(sizes, [&](double s) { return s > limit; });
+}
+
+double load_ratio(std::span<const MeasuredMoment> data) {
+  const auto [least, most] = std::ranges::minmax(
+      data, {}, [](const MeasuredMoment& d) { return d.reaction.norm(); });
+  return most.reaction.norm() / least.reaction.norm();
+}
+
+// Whether a trend is more than chance: t above that of 99.9 % and more.
+bool shows(const Estimate& trend) {
+  constexpr double most_by_chance = 3.6;
+  return std::abs(trend.value) > most_by_chance * trend.standard_error;
+}
+
+}  // namespace
+
+std::string_view column_of(FrictionParameter parameter) {
+  return of(parameter).column;
+}
+
+double direction_deg(const MeasuredMoment& datum) {
+  return std::atan2(datum.reaction.cross(datum.rate).norm(),
+                    datum.reaction.dot(datum.rate)) /
+         contact::degree;
+}
+
+void write_report(const FrictionFit& fit, bool profile,
+                  const cli::OutputOptions& options) {
+  std::vector<std::string> columns = {"quantity", "value", "standard_error",
+                                      "low", "high"};
+  if (profile) {
+    columns.emplace_back("profile_low");
+    columns.emplace_back("profile_high");
+  }
+  columns.emplace_back("meaning");
+  const cli::Table table(options, columns);
+  Lines lines(table, profile);
+  write_lines(lines, fit);
+  write_table(table, lines.view(), options.output);
+}
+
+void write_residuals(const FrictionFit& fit,
+                     std::span<const MeasuredMoment> data,
+                     const std::string& file,
+                     const cli::OutputOptions& options) {
+  cli::TableStyle style = options;
+  style.format = cli::Format::csv;
+  style.columns = {};
+  const cli::Table table(
+      style,
+      {"datum", "component", "R_N", "b_deg", "rate_rad_per_s", "measured_N_m",
+       "sigma_N_m", "fit_N_m", "fit_error_N_m", "residual", "weight"});
+  cli::Text text;
+  cli::RowWriter row(table, text);
+  Eigen::Index at = 0;
+  for (std::size_t i = 0; i < data.size(); ++i) {
+    for (int component = 0; component < data[i].size(); ++component, ++at) {
+      row.count(i + 1);
+      constexpr std::string_view axes[] = {"x", "y", "z"};
+      row.text(data[i].is_vector() ? axes[component] : "about_rate");
+      for (const double x :
+           {data[i].reaction.norm(), direction_deg(data[i]),
+            data[i].rate.norm(), measured(data[i], component), data[i].sigma,
+            fit.moment[at], fit.moment_error[at], fit.residual[at],
+            fit.weight[at]}) {
+        row.number(x);
+      }
+      row.end();
+    }
+  }
+  write_table(table, text.view(), file);
+}
+
+std::vector<std::string> warnings(const FrictionFit& fit,
+                                  std::span<const MeasuredMoment> data,
+                                  const contact::IdentifyOptions& options) {
+  std::vector<std::string> all;
+  const bool clearance =
+      std::ranges::count(fit.parameters, FrictionParameter::clearance);
+  constexpr double well_told = 30;
+  if (fit.condition > well_told) {
+    std::string text = fmt::format(
+        "the data cannot tell the parameters apart: condition {:.3g}, largest "
+        "over smallest load {:.3g}",
+        fit.condition, load_ratio(data));
+    if (fit.parameters.size() == 2) {
+      text += fmt::format(", correlation {:.4f}", fit.correlation(0, 1));
+    }
+    all.push_back(text + "; vary the load more, or take f0_effective");
+  }
+  for (std::size_t i = 0; i < fit.estimates.size(); ++i) {
+    if (!fit.estimates[i].at_bound) continue;
+    all.push_back(fmt::format("{} is held at 0: the data would have it below",
+                              of(fit.parameters[i]).name));
+  }
+  if (clearance) {
+    all.emplace_back(
+        "a fitted clearance is badly known and its interval is skew: take "
+        "that of --profile, or measure it");
+  }
+  if (const auto count = outliers(fit); count > 0 && !options.huber) {
+    all.push_back(
+        fmt::format("{} of {} residuals are beyond 5 standard errors "
+                    "by their median; --huber keeps them off",
+                    count, fit.residual.size()));
+  }
+  for (const auto& [name, trend] :
+       {std::pair{"load", &fit.load_trend},
+        std::pair{"direction", &fit.direction_trend},
+        std::pair{"rate", &fit.rate_trend}}) {
+    if (shows(*trend)) {
+      all.push_back(fmt::format(
+          "residuals have a trend over the {}, {:.3g} -+ {:.2g} sigma: the "
+          "friction law leaves something out",
+          name, trend->value, trend->standard_error));
+    }
+  }
+  return all;
+}
+
+}  // namespace hinge_identify

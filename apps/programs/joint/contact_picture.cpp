@@ -1,0 +1,209 @@
+#include "programs/joint/contact_picture.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "cli/gnuplot.hpp"
+#include "cli/number.hpp"
+#include "cli/plot.hpp"
+#include "cli/sphere_view.hpp"
+#include "libcontact/base/units.hpp"
+
+namespace hinge_joint {
+namespace {
+
+using contact::ContactPeak;
+using contact::degree;
+using contact::SlidingContact;
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+constexpr double mega = 1e6;
+
+// Of p, which thin walls may move off the centre; in the direction `to`.
+ContactPeak largest_pressure(const SlidingContact& contact, double half_angle,
+                             const Vector3d& to) {
+  ContactPeak peak{0, 0, contact.centre()};
+  constexpr int steps = 1000;
+  for (int i = 0; i <= steps; ++i) {
+    const double theta = half_angle * i / steps;
+    const Vector3d place =
+        std::cos(theta) * contact.centre() + std::sin(theta) * to;
+    const double p = contact.pressure(place);
+    if (p > peak.value) peak = {p, theta, place};
+  }
+  return peak;
+}
+
+// The largest |v| over the contact of a ball, m/s.
+double largest_slip(const SlidingContact& contact, double half_angle,
+                    const Vector3d& rate) {
+  const Vector3d w = rate.stableNormalized();
+  const Vector3d equator = w.unitOrthogonal();
+  const double psi = std::atan2(contact.centre().cross(w).norm(),
+                                std::abs(contact.centre().dot(w)));
+  return contact.slip(equator).norm() *
+         std::sin(std::min(psi + half_angle, 90 * degree));
+}
+
+// Dots with p, p v and |v|, empty outside of the contact.
+std::string dots(const SlidingContact& contact, double half_angle,
+                 const cli::SphereView& view) {
+  constexpr int half = 60;  // dots on each side of the middle
+  const double edge = 2 * std::sin(half_angle / 2);
+  std::string script = "$map << END\n";
+  for (int j = -half; j <= half; ++j) {
+    for (int i = -half; i <= half; ++i) {
+      const double x = view.radius * i / half;
+      const double y = view.radius * j / half;
+      script += cli::number_text(x) + ' ' + cli::number_text(y);
+      if (std::hypot(x, y) > edge) {
+        script += " NaN NaN NaN\n";
+        continue;
+      }
+      const Vector3d place = view.point(x, y);
+      script += ' ' + cli::number_text(contact.pressure(place) / mega) + ' ' +
+                cli::number_text(contact.pv(place) / mega) + ' ' +
+                cli::number_text(contact.slip(place).norm()) + '\n';
+    }
+  }
+  return script + "END\n";
+}
+
+// Arrows about as long as they are apart where the slip is `largest`.
+std::string arrows(const SlidingContact& contact, double half_angle,
+                   const cli::SphereView& view, double largest) {
+  constexpr int half = 4;
+  const double edge = 2 * std::sin(half_angle / 2);
+  const double step = edge / (half + 0.5);
+  std::string script = "$slip << END\n";
+  for (int j = -half; j <= half; ++j) {
+    for (int i = -half; i <= half; ++i) {
+      const Vector2d middle(step * i, step * j);
+      if (middle.norm() + step / 2 > edge) continue;
+      const Vector3d place = view.point(middle.x(), middle.y());
+      const Vector3d slip = contact.slip(place) / largest;
+      constexpr double small = 1e-4;
+      const Vector2d arrow =
+          0.9 * step / small *
+          (view.at((place + small * slip).normalized()) - middle);
+      const Vector2d tail = middle - arrow / 2;
+      script +=
+          fmt::format("{} {} {} {}\n", cli::number_text(tail.x()),
+                      cli::number_text(tail.y()), cli::number_text(arrow.x()),
+                      cli::number_text(arrow.y()));
+    }
+  }
+  return script + "END\n";
+}
+
+// A cross.
+std::string mark(const ContactPeak& peak, const cli::SphereView& view) {
+  const Vector2d at = view.at(peak.place);
+  return fmt::format(
+      "set label '' at {},{} front point pt 2 ps 1.2 lw 2 lc rgb 'black'\n",
+      cli::number_text(at.x()), cli::number_text(at.y()));
+}
+
+std::string draw_ball(const SlidingContact& contact, double half_angle,
+                      const Vector3d& rate, const std::string& title,
+                      const std::string& file) {
+  cli::SphereView view(contact.centre());
+  view.radius = std::min(2.2 * std::sin(half_angle / 2), 2.0);
+  const ContactPeak p = largest_pressure(contact, half_angle, view.right);
+  const ContactPeak& pv = contact.largest_pv();
+  const double slip = largest_slip(contact, half_angle, rate);
+  struct Panel {
+    std::string title;
+    double largest;
+    std::string over;  // what is drawn over the dots
+    std::string plot;
+  };
+  const auto peak_title = [](const char* name, const ContactPeak& peak) {
+    return fmt::format("{}: {:.3g} at {:.3g}°", name, peak.value / mega,
+                       peak.theta / degree + 0.0);
+  };
+  const std::array<Panel, 3> panels = {
+      Panel{peak_title("p, MPa", p), p.value / mega, mark(p, view), ""},
+      Panel{peak_title("p v, MPa m/s", pv), pv.value / mega, mark(pv, view),
+            ""},
+      Panel{fmt::format("slip, m/s: to {:.3g}", slip), slip, "",
+            ", $slip using 1:2:3:4 with vectors head filled size graph "
+            "0.03,20 lw 1 lc rgb 'white'"}};
+  std::string script =
+      dots(contact, half_angle, view) +
+      arrows(contact, half_angle, view, slip) +
+      fmt::format(
+          "set multiplot title {0} offset 0,-0.5\nunset border\nunset tics\n"
+          "unset key\nunset grid\nset size ratio -1\n"
+          "set xrange [-{1}:{1}]\nset yrange [-{1}:{1}]\n"
+          "set tmargin at screen 0.78\nset bmargin at screen 0.24\n"
+          "set format cb '%.3g'\n",
+          cli::gnuplot_text(title), cli::number_text(view.radius));
+  for (int n = 0; n < 3; ++n) {
+    const Panel& panel = panels[n];
+    const double left = 0.02 + 0.325 * n;
+    script += view.axis_labels() + view.circles() + panel.over +
+              fmt::format(
+                  "set lmargin at screen {0}\nset rmargin at screen {1}\n"
+                  "set title {2} font ',15'\nset cbrange [0:{3}]\n"
+                  "set cbtics 0,{4} font ',15'\n"
+                  "set colorbox horizontal user origin screen {5},0.17 size "
+                  "screen 0.25,0.03\nplot $map using 1:2:{6} with image{7}\n"
+                  "unset label\nunset object\n",
+                  left, left + 0.31, cli::gnuplot_text(panel.title),
+                  cli::number_text(panel.largest),
+                  cli::number_text(panel.largest / 2), left + 0.03, n + 3,
+                  panel.plot);
+  }
+  return cli::draw_script(script + "unset multiplot\n", file);
+}
+
+std::string draw_pin(const SlidingContact& contact, double half_angle,
+                     const std::string& title, const std::string& file) {
+  const Vector3d& centre = contact.centre();
+  const Vector3d along = contact.slip(centre).stableNormalized();
+  cli::PanelPlot plot{
+      .title = title,
+      .x_label = "angle from the contact's centre, the way the body slips, deg",
+      .x = {},
+      .panels = {{.label = "p", .unit = "Pa", .y = {}},
+                 {.label = "p v", .unit = "W/m²", .y = {}},
+                 {.label = "slip", .unit = "m/s", .y = {}}}};
+  constexpr int half = 200;  // points on each side
+  for (int i = -half; i <= half; ++i) {
+    const double theta = half_angle * i / half;
+    const Vector3d place = std::cos(theta) * centre + std::sin(theta) * along;
+    plot.x.push_back(theta / degree);
+    plot.panels[0].y.push_back(contact.pressure(place));
+    plot.panels[1].y.push_back(contact.pv(place));
+    plot.panels[2].y.push_back(contact.slip(place).norm());
+  }
+  for (cli::Panel& panel : plot.panels) {
+    panel.mark = std::ranges::max_element(panel.y) - panel.y.begin();
+  }
+  // The same everywhere.
+  plot.panels[2].mark = half;
+  return cli::draw(plot, file);
+}
+
+}  // namespace
+
+std::string draw_contact(const NamedJoint& joint, const Answer& answer,
+                         const std::string& title, const std::string& file) {
+  const contact::JointSolution& s = answer.solution;
+  if (!(s.normal_force > 0) || s.state != contact::JointState::sliding) {
+    return fmt::format("no picture {}: no contact slides", file);
+  }
+  const SlidingContact contact(joint.joint.contact(), s, answer.rate);
+  return joint.joint.is_pin()
+             ? draw_pin(contact, s.half_angle, title, file)
+             : draw_ball(contact, s.half_angle, answer.rate, title, file);
+}
+
+}  // namespace hinge_joint

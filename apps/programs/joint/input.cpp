@@ -1,0 +1,115 @@
+#include "programs/joint/input.hpp"
+
+#include <fmt/format.h>
+
+#include "cli/quantity.hpp"
+#include "cli/refuse.hpp"
+#include "libcontact/base/complaint.hpp"
+#include "libcontact/base/error.hpp"
+#include "libcontact/base/units.hpp"
+
+namespace hinge_joint {
+namespace {
+
+using contact::Dimension;
+using Eigen::Vector3d;
+
+Vector3d vector(std::string_view option, std::string_view text,
+                std::string_view what, Dimension dimension) {
+  const auto v = cli::parse_vector(option, text, what, dimension);
+  return {v[0], v[1], v[2]};
+}
+
+// The angle of a sweep, which a pin does not have.
+cli::Sweep angle_sweep(std::string_view option, const std::string& text,
+                       const char* force, const cli::Allowed& allowed, bool pin,
+                       std::string_view pin_angle) {
+  if (pin && !text.empty()) {
+    cli::refuse_beside(cli::given(option, text),
+                       "--joint: a pin has no such angle");
+  }
+  if (!pin && text.empty()) cli::refuse_without(force, option);
+  return {option, pin ? pin_angle : text, allowed, Dimension::angle};
+}
+
+}  // namespace
+
+Input state_from_reaction(double reaction, double b_deg, double rate) {
+  const auto [sin, cos] = contact::sine_cosine_deg(b_deg);
+  return {{reaction * sin, 0, reaction * cos},
+          {0, 0, rate},
+          Input::Given{reaction, b_deg}};
+}
+
+Input state_from_contact(double normal_force, double a_deg, double rate) {
+  const auto [sin, cos] = contact::sine_cosine_deg(a_deg);
+  return {{0, 0, normal_force},
+          {0, rate * cos, rate * sin},
+          Input::Given{normal_force, a_deg}};
+}
+
+Inputs::Inputs(const Options& options, bool pin) {
+  const bool reaction = !options.reaction.empty();
+  if (!options.reaction_xyz.empty()) {
+    if (options.rate_xyz.empty() && options.moment_xyz.empty()) {
+      cli::refuse_without("--reaction-xyz",
+                          "--rate-xyz or, at rest, --moment-xyz");
+    }
+    vectors_.force = vector("--reaction-xyz", options.reaction_xyz,
+                            "a force in N", Dimension::force);
+    if (options.moment_xyz.empty()) {
+      vectors_.turn = vector("--rate-xyz", options.rate_xyz, "in rad/s",
+                             Dimension::angular_velocity);
+    } else {
+      question_ = Question::rest;
+      vectors_.turn = vector("--moment-xyz", options.moment_xyz,
+                             "a moment in N m", Dimension::moment);
+    }
+    return;
+  }
+  if (!reaction && options.normal_force.empty()) {
+    cli::refuse_without("a state",
+                        "one of --reaction-xyz, --reaction, "
+                        "--normal-force, --points (see --help)");
+  }
+  if (!options.rate.empty()) {
+    rate_ = cli::parse_quantity("--rate", options.rate,
+                                Dimension::angular_velocity, allowed_rate);
+  }
+  if (reaction) {
+    forces_.emplace("--reaction", options.reaction, allowed_force,
+                    Dimension::force);
+    angles_ = angle_sweep("--beta", options.beta, "--reaction", allowed_beta,
+                          pin, "90");
+  } else {
+    question_ = Question::contact;
+    forces_.emplace("--normal-force", options.normal_force, allowed_force,
+                    Dimension::force);
+    angles_ = angle_sweep("--alpha", options.alpha, "--normal-force",
+                          allowed_alpha, pin, "0");
+  }
+  // A row for each, and for up to 35 pairs of laws, has to have a number.
+  constexpr double most = 1e12;
+  if (static_cast<double>(forces_->size()) *
+          static_cast<double>(angles_->size()) >
+      most) {
+    throw contact::Error(
+        contact::detail::must_be(fmt::format("{} forces and {} angles",
+                                             forces_->size(), angles_->size()),
+                                 "at most 1e12 states"));
+  }
+}
+
+Input Inputs::operator[](std::size_t index) const {
+  if (!forces_) return vectors_;
+  return at((*forces_)[index / angles_->size()],
+            (*angles_)[index % angles_->size()]);
+}
+
+Input Inputs::at(double force, double angle_deg) const {
+  return question_ == Question::contact
+             ? state_from_contact(force, angle_deg, rate_)
+             : state_from_reaction(force, angle_deg, rate_);
+}
+
+}  // namespace hinge_joint

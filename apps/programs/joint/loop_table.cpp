@@ -1,0 +1,281 @@
+#include "programs/joint/loop_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <span>
+
+#include "cli/choice.hpp"
+#include "cli/output.hpp"
+#include "cli/quantity.hpp"
+#include "libcontact/base/error.hpp"
+#include "libcontact/base/units.hpp"
+
+namespace hinge_joint {
+namespace {
+
+using contact::degree;
+using contact::FixedPointStep;
+using contact::JointSolution;
+using contact::Status;
+using Eigen::Vector3d;
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr int step_limit = 1000;
+constexpr int round_limit = 200;
+// Of M from round to round, relative.
+constexpr double outer_tolerance = 1e-12;
+
+// A table of numbers of one joint whose rows come one by one.
+class NumberTable {
+ public:
+  NumberTable(const NamedJoint& joint, std::vector<std::string> columns,
+              const Beside& beside, const cli::OutputOptions& options)
+      : joint_(joint),
+        columns_(std::move(columns)),
+        beside_(beside),
+        output_(options.output),
+        table_(options, names()),
+        writer_(output_, table_),
+        row_(table_, text_) {}
+
+  // The first `counts` values are whole numbers.
+  void row(std::span<const double> values, std::size_t counts) {
+    ++count_;
+    row_.text(joint_.law);
+    row_.text(joint_.pressure);
+    for (std::size_t i = 0; i < counts; ++i) {
+      row_.count(static_cast<std::size_t>(values[i]));
+    }
+    for (std::size_t i = counts; i < columns_.size(); ++i) {
+      write_number(row_, values[i], columns_[i], count_, beside_);
+    }
+    row_.end();
+  }
+  void finish() {
+    writer_.write(text_.view());
+    writer_.finish();
+    output_.commit();
+  }
+
+ private:
+  std::vector<std::string> names() const {
+    std::vector<std::string> all = with_beside(columns_, beside_);
+    all.insert(all.begin(), {"law", "pressure"});
+    return all;
+  }
+
+  const NamedJoint& joint_;
+  std::vector<std::string> columns_;
+  const Beside& beside_;
+  cli::Output output_;
+  cli::Table table_;
+  cli::TableWriter writer_;
+  cli::Text text_;
+  cli::RowWriter row_;
+  std::size_t count_ = 0;
+};
+
+const std::vector<std::string> step_columns = {
+    "step", "g_deg",          "a_deg",      "R_n_N",
+    "Abar", "load_parameter", "theta0_deg", "f"};
+
+std::vector<double> step_values(const FixedPointStep& step) {
+  return {static_cast<double>(step.step), step.friction_angle / degree,
+          step.slip_axis_angle / degree,  step.normal_force,
+          step.adhesion_number,           step.load_parameter,
+          step.half_angle / degree,       step.friction_coefficient};
+}
+
+void warn_of(const contact::FixedPointResult& result) {
+  cli::warn("hinge-joint",
+            result.status == Status::not_converged
+                ? fmt::format("the inner loop has not converged in {} steps: "
+                              "|f/tan g - 1| is still {:.1e}",
+                              result.steps, result.residual)
+                : fmt::format("the inner loop fails after step {}: its g is "
+                              "above b, so that (4.2) has no a",
+                              result.steps));
+}
+
+// Contact under R when the friction angle is that of f: M_t of a state that
+// the inner loop has not finished.
+JointSolution contact_at(const contact::Joint& joint,
+                         const contact::Joint::Slip& slip, double f) {
+  const auto& [reaction, rate, axis] = slip;
+  const double force = reaction.stableNorm();
+  const double cos_b =
+      joint.is_pin() ? 0 : reaction.dot(rate) / force / rate.stableNorm();
+  const double cos_g = 1 / std::hypot(1, f);
+  const double sin_a = cos_b / cos_g;
+  const double cos_a = std::sqrt((1 - sin_a) * (1 + sin_a));
+  return joint.solve_contact(
+      {.normal_force = force * cos_g * Vector3d(cos_a, 0, sin_a),
+       .angular_velocity = {0, 0, rate.stableNorm()}});
+}
+
+// The rounds of the outer loop.
+class OuterLoop {
+ public:
+  OuterLoop(const NamedJoint& joint, const Input& input, const OuterLaw& law)
+      : joint_(joint), input_(input), law_(law) {}
+
+  double moment() const { return moment_; }
+  Vector3d reaction() const { return input_.force + moment_ * law_.slope; }
+  /// The contact of the round before: whose moment() it is.
+  const JointSolution& contact() const { return contact_; }
+  /// Its g, of R_n = R cos g; the contact itself may give another one.
+  double friction_angle() const { return std::atan(friction_); }
+  const std::vector<FixedPointStep>& steps() const { return steps_; }
+  bool converged() const { return converged_; }
+
+  /// One round. With `trace` by the inner loop, else by the solver if no
+  /// number of steps is given.
+  contact::FixedPointResult next(std::size_t round, bool trace) {
+    contact::FixedPointResult result = {Status::ok, 0, 0};
+    const contact::Joint::Slip slip = {.reaction = reaction(),
+                                       .angular_velocity = input_.turn};
+    if (trace || !law_.inner_steps.empty()) {
+      steps_.resize(
+          law_.inner_steps.empty()
+              ? step_limit
+              : law_.inner_steps[std::min(round, law_.inner_steps.size() - 1)]);
+      result = joint_.joint.fixed_point(
+          slip, steps_,
+          {.step_limit = static_cast<int>(steps_.size()), .start = friction_});
+      steps_.resize(result.steps);
+      if (!steps_.empty()) friction_ = steps_.back().friction_coefficient;
+      contact_ = contact_at(joint_.joint, slip, friction_);
+      // A number of steps that was asked for is no failure.
+      if (!law_.inner_steps.empty() && result.status == Status::not_converged) {
+        result.status = Status::ok;
+      }
+    } else {
+      contact_ = joint_.joint.solve(slip);
+      friction_ = contact_.force_coefficient;
+      result.status = contact_.status;
+    }
+    const double before = moment_;
+    // M about Dw of all joints; power = M_t . Dw.
+    moment_ = -law_.joints * contact_.power / input_.turn.stableNorm();
+    converged_ = std::abs(moment_ - before) <= outer_tolerance * moment_;
+    return result;
+  }
+
+ private:
+  const NamedJoint& joint_;
+  const Input& input_;
+  const OuterLaw& law_;
+  double moment_ = 0;
+  double friction_ = 0;
+  bool converged_ = false;
+  JointSolution contact_;
+  std::vector<FixedPointStep> steps_;
+};
+
+std::vector<double> round_values(const OuterLoop& loop, std::size_t round,
+                                 double braking) {
+  const Vector3d r = loop.reaction();
+  std::vector<double> values = {static_cast<double>(round + 1), loop.moment()};
+  if (!std::isnan(braking)) values.push_back(braking * loop.moment());
+  for (const double value : {r.stableNorm(), r.x(), r.y(), r.z()}) {
+    values.push_back(value);
+  }
+  const JointSolution& s = loop.contact();
+  for (const double value :
+       {loop.friction_angle() / degree, s.slip_axis_angle() / degree,
+        s.normal_force, s.adhesion_number, s.load_parameter,
+        s.half_angle / degree}) {
+    values.push_back(round == 0 ? nan : value);
+  }
+  return values;
+}
+
+}  // namespace
+
+cli::ExitStatus write_trace(const NamedJoint& joint, const Input& input,
+                            const Beside& beside,
+                            const cli::OutputOptions& options) {
+  std::vector<FixedPointStep> steps(step_limit);
+  const auto result = joint.joint.fixed_point({input.force, input.turn}, steps,
+                                              {.step_limit = step_limit});
+  NumberTable table(joint, step_columns, beside, options);
+  for (int i = 0; i < result.steps; ++i) table.row(step_values(steps[i]), 1);
+  table.finish();
+  if (result.status == Status::ok) return cli::all_good;
+  warn_of(result);
+  return cli::some_bad;
+}
+
+OuterLaw make_outer_law(const Options& options) {
+  const auto slope =
+      cli::parse_vector("--outer", options.outer, "a change of R in N per N m");
+  OuterLaw law{.slope = {slope[0], slope[1], slope[2]},
+               .joints = 1,
+               .braking = nan,
+               .inner_steps = {}};
+  constexpr int most = 1000;
+  if (!options.joints.empty()) {
+    law.joints = cli::parse_count("--joints", options.joints, 1, most);
+  }
+  if (!options.braking.empty()) {
+    law.braking = cli::parse_value("--braking", options.braking,
+                                   {-1e100, 1e100, "deg/s^2 per N m"});
+  }
+  if (!options.inner_steps.empty()) {
+    const cli::Sweep steps("--inner-steps", options.inner_steps, {1, most, ""});
+    for (std::size_t i = 0; i < std::min<std::size_t>(steps.size(), most);
+         ++i) {
+      law.inner_steps.push_back(cli::parse_count(
+          "--inner-steps", cli::number_text(steps[i]), 1, most));
+    }
+  }
+  return law;
+}
+
+cli::ExitStatus write_outer(const NamedJoint& joint, const Input& input,
+                            const OuterLaw& law, bool inner,
+                            const Beside& beside,
+                            const cli::OutputOptions& options) {
+  std::vector<std::string> columns = {"round"};
+  if (inner) {
+    columns.insert(columns.end(), step_columns.begin(), step_columns.end());
+  } else {
+    columns.emplace_back("M_N_m");
+    if (!std::isnan(law.braking)) columns.emplace_back("braking_deg_per_s2");
+    for (const char* name : {"R_N", "R_x_N", "R_y_N", "R_z_N", "g_deg", "a_deg",
+                             "R_n_N", "Abar", "load_parameter", "theta0_deg"}) {
+      columns.emplace_back(name);
+    }
+  }
+  NumberTable table(joint, columns, beside, options);
+  OuterLoop loop(joint, input, law);
+  contact::FixedPointResult result = {Status::ok, 0, 0};
+  for (std::size_t round = 0; round < round_limit; ++round) {
+    if (!inner) table.row(round_values(loop, round, law.braking), 1);
+    if (loop.converged()) break;
+    result = loop.next(round, inner);
+    if (inner) {
+      for (const FixedPointStep& step : loop.steps()) {
+        std::vector<double> values = step_values(step);
+        values.insert(values.begin(), static_cast<double>(round + 1));
+        table.row(values, 2);
+      }
+    }
+    if (result.status != Status::ok) break;
+  }
+  table.finish();
+  if (result.status != Status::ok) {
+    warn_of(result);
+    return cli::some_bad;
+  }
+  if (loop.converged()) return cli::all_good;
+  cli::warn("hinge-joint",
+            fmt::format("the outer loop has not converged in {} rounds",
+                        round_limit));
+  return cli::some_bad;
+}
+
+}  // namespace hinge_joint

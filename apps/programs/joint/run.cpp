@@ -1,0 +1,213 @@
+#include "programs/joint/run.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "cli/gnuplot.hpp"
+#include "cli/output.hpp"
+#include "cli/refuse.hpp"
+#include "libcontact/pressure/validity.hpp"
+#include "programs/joint/beside.hpp"
+#include "programs/joint/contact_picture.hpp"
+#include "programs/joint/input.hpp"
+#include "programs/joint/loop_table.hpp"
+#include "programs/joint/measured_moment.hpp"
+#include "programs/joint/point_table.hpp"
+#include "programs/joint/points/plot.hpp"
+#include "programs/joint/solution_table.hpp"
+#include "programs/joint/torque_plot.hpp"
+
+namespace hinge_joint {
+namespace {
+
+constexpr const char* one_row =
+    "one joint, one state, one law and one pressure law";
+
+// A pin takes no force along its axis.
+void warn_of_axial_force(const Setup& setup, const Inputs& inputs) {
+  if (!setup.joints[0].joint.is_pin() || inputs.forces()) return;
+  const Input input = inputs[0];
+  const Eigen::Vector3d& force = input.force;
+  const Eigen::Vector3d& turn = input.turn;
+  if (force.isZero(0) || turn.isZero(0)) return;
+  const double axial = std::abs(force.dot(turn.stableNormalized()));
+  // Of what rounding leaves of a force normal to the axis.
+  if (axial <= 1e-12 * force.stableNorm()) return;
+  cli::warn("hinge-joint",
+            fmt::format("a pin takes no force along its axis: {:.4g} N "
+                        "of the reaction are left out",
+                        axial));
+}
+
+// What is to be said before the work, once nothing is left to refuse.
+void warn_of_states(const Setup& setup, const Inputs& inputs) {
+  warn_of_validity("hinge-joint", setup.given);
+  warn_of_axial_force(setup, inputs);
+}
+
+// The one state and pair of laws that a loop is run for.
+const NamedJoint& only_joint(const Setup& setup, const Inputs& inputs,
+                             std::string_view option) {
+  if (inputs.size() != 1 || setup.joints.size() != 1) {
+    cli::refuse_without(option, one_row);
+  }
+  const Input input = inputs[0];
+  if (inputs.question() != Question::reaction || input.force.isZero(0) ||
+      input.turn.isZero(0)) {
+    cli::refuse_without(option, "a reaction and a rate that are not 0");
+  }
+  return setup.joints[0];
+}
+
+cli::ExitStatus run_loops(const Options& options, const Setup& setup,
+                          const Inputs& inputs) {
+  const bool outer = !options.outer.empty();
+  const NamedJoint& joint =
+      only_joint(setup, inputs, outer ? "--outer" : "--trace");
+  const Beside beside(options.beside, setup.given[0].name,
+                      !outer          ? "trace"
+                      : options.trace ? "inner"
+                                      : "outer");
+  std::optional<OuterLaw> law;
+  if (outer) law = make_outer_law(options);
+  warn_of_states(setup, inputs);
+  if (!law) return write_trace(joint, inputs[0], beside, options.output);
+  return write_outer(joint, inputs[0], *law, options.trace, beside,
+                     options.output);
+}
+
+// The largest contacts of each joint and pair of laws.
+void warn_of_contacts(const Problems& problems, const Setup& setup) {
+  std::set<std::string> notes;
+  for (std::size_t i = 0; i < problems.largest.size(); ++i) {
+    const contact::JointContact& contact = setup.joints[i].joint.contact();
+    const auto& [half_angle, peak] = problems.largest[i];
+    for (const std::string& note : contact::contact_notes(
+             contact.geometry().kind(), contact.pair(), half_angle, peak)) {
+      notes.insert(fmt::format("law {}, pressure {}: {}", setup.joints[i].law,
+                               setup.joints[i].pressure, note));
+    }
+  }
+  for (const std::string& note : notes) cli::warn("hinge-joint", note);
+}
+
+cli::ExitStatus report(const Problems& problems, const Setup& setup) {
+  warn_of_contacts(problems, setup);
+  // Bad lines have had their messages.
+  if (problems.out_of_range > 0) {
+    cli::warn("hinge-joint",
+              fmt::format("rows without a value: {}; the half-angle law or "
+                          "the pressure law has none there",
+                          problems.out_of_range));
+  }
+  if (problems.not_converged > 0) {
+    cli::warn("hinge-joint", fmt::format("rows that have not converged: {}",
+                                         problems.not_converged));
+  }
+  return problems.out_of_range + problems.not_converged + problems.bad_lines ==
+                 0
+             ? cli::all_good
+             : cli::some_bad;
+}
+
+cli::ExitStatus run_points(const Options& options, const Setup& setup) {
+  if (setup.joints.size() != 1) {
+    cli::refuse_without("--points", "one joint, one law and one pressure law");
+  }
+  const PointResult result = write_points(setup.joints[0], options, [&] {
+    warn_of_validity("hinge-joint", setup.given);
+  });
+  const std::string& plot = options.output.plot;
+  if (!result.series.time_problem().empty()) {
+    cli::warn("hinge-joint",
+              result.series.time_problem() + "; the time is left out");
+  }
+  const cli::ExitStatus status = report(result.problems, setup);
+  if (plot.empty()) return status;
+  return cli::drawn("hinge-joint", draw_points(setup, result.series, plot),
+                    status);
+}
+
+// What draw_torque() can draw.
+void check_plot(const Setup& setup, const Inputs& inputs) {
+  if (!inputs.forces() || inputs.size() == 1) {
+    cli::refuse_without(
+        "--plot", "a range of --reaction, --normal-force, --beta or --alpha");
+  }
+  if (setup.joints.size() > most_pairs_of_laws) {
+    cli::refuse_without("--plot",
+                        fmt::format("at most {} curves of joints, half-angle "
+                                    "laws and pressure laws; these are {}",
+                                    most_pairs_of_laws, setup.joints.size()));
+  }
+}
+
+// What draw_contact() can draw, and whether the file can be made.
+void check_map(const Options& options, const Setup& setup,
+               const Inputs& inputs) {
+  const std::string& map = options.map;
+  if (inputs.size() != 1 || setup.joints.size() != 1) {
+    cli::refuse_without("--map", one_row);
+  }
+  cli::check_picture_name("--map", map);
+  names_of(options.output).add("--map", map);
+}
+
+void check_rest(const Setup& setup, const Inputs& inputs) {
+  if (inputs.question() != Question::rest) return;
+  for (const NamedJoint& joint : setup.joints) {
+    const std::string refusal = joint.joint.contact().rest_refusal();
+    if (!refusal.empty()) cli::refuse_without("--moment-xyz", refusal);
+  }
+}
+
+// What write_summary() can write.
+void check_summary(const Setup& setup, const Inputs& inputs) {
+  if (inputs.size() == 1 && setup.joints.size() == 1) return;
+  cli::refuse_without("--summary", one_row);
+}
+
+}  // namespace
+
+cli::ExitStatus run(const Options& options) {
+  Setup setup = make_setup(options);
+  if (!options.points.empty()) return run_points(options, setup);
+  const Inputs inputs(options, setup.joints[0].joint.is_pin());
+  if (options.trace || !options.outer.empty()) {
+    return run_loops(options, setup, inputs);
+  }
+  const bool plot = !options.output.plot.empty();
+  if (plot) check_plot(setup, inputs);
+  const bool map = !options.map.empty();
+  if (map) check_map(options, setup, inputs);
+  check_rest(setup, inputs);
+  if (options.summary) check_summary(setup, inputs);
+  if (!options.measured_moment.empty()) {
+    find_friction(options.measured_moment, inputs, setup);
+  }
+  const Beside beside(options.beside, setup.given[0].name, "solution");
+  const auto begin = [&] { warn_of_states(setup, inputs); };
+  const auto write = options.summary ? write_summary : write_solutions;
+  cli::ExitStatus status =
+      report(write(setup, inputs, beside, options.output, begin), setup);
+  if (plot) {
+    status = cli::drawn(
+        "hinge-joint", draw_torque(setup, inputs, options.output.plot), status);
+  }
+  if (map) {
+    const NamedJoint& joint = setup.joints[0];
+    status = cli::drawn(
+        "hinge-joint",
+        draw_contact(joint, answer(joint, inputs.question(), inputs[0]),
+                     setup.given[0].title(), options.map),
+        status);
+  }
+  return status;
+}
+
+}  // namespace hinge_joint

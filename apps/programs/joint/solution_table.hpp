@@ -1,0 +1,48 @@
+#pragma once
+
+#include <functional>
+#include <span>
+
+#include "libcontact/pressure/validity.hpp"
+#include "programs/joint/beside.hpp"
+#include "programs/joint/input.hpp"
+#include "programs/joint/setup.hpp"
+#include "programs/joint/solution_row.hpp"
+
+namespace hinge_joint {
+
+/// Answers that are no solutions, and the largest contacts.
+struct Problems {
+  std::size_t out_of_range = 0;
+  std::size_t not_converged = 0;
+  std::size_t bad_lines = 0;
+  std::vector<contact::LargestContact> largest =
+      {};  ///< of each of Setup::joints
+
+  /// @param joint  its number in Setup::joints
+  void add(const Answer& answer, std::size_t joint);
+  void add(const Problems& more);
+};
+
+/// A row for each state, joint and pair of laws: its differences, law,
+/// pressure, state, status and the quantities().
+Problems write_solutions(const Setup& setup, const Inputs& inputs,
+                         const Beside& beside,
+                         const cli::OutputOptions& options,
+                         const std::function<void()>& begin);
+
+/// The only state and pair of laws: a row for each quantity.
+Problems write_summary(const Setup& setup, const Inputs& inputs,
+                       const Beside& beside, const cli::OutputOptions& options,
+                       const std::function<void()>& begin);
+
+/// Names of the columns of write_solutions().
+std::vector<std::string> solution_columns(const NamedJoint& joint,
+                                          std::span<const Quantity> columns,
+                                          const Beside& beside);
+/// Cells of one row; ends it not.
+void write_cells(cli::RowWriter& to, const NamedJoint& joint,
+                 std::span<const Quantity> columns, const Answer& a,
+                 std::size_t row, const Beside& beside);
+
+}  // namespace hinge_joint

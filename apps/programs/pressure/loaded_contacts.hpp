@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstddef>
+
+#include "cli/joint/joint_options.hpp"
+#include "libcontact/half_angle/law.hpp"
+#include "programs/angle/input.hpp"
+#include "programs/angle/loads.hpp"
+
+/// The parts of the program hinge-pressure.
+namespace hinge_pressure {
+
+/// A load and the contact that it makes.
+struct LoadedContact {
+  /// As hinge_angle::Loads has it; in dimensionless runs the load parameter.
+  double load;
+  double load_parameter;
+  double half_angle;  ///< rad; NaN if the half-angle law has none
+  contact::Status status;
+};
+
+/// The contacts of all loads of a sweep, each made when it is asked for: a
+/// long sweep takes no memory.
+class LoadedContacts {
+ public:
+  /// @param input  a load, not inverse; must outlive this, as must the joint
+  /// @param joint  with one half-angle law
+  LoadedContacts(const hinge_angle::Input& input, const cli::Joint& joint)
+      : input_(input), loads_(joint), law_(*joint.laws[0].law) {}
+
+  std::size_t size() const { return input_.values.size(); }
+  LoadedContact operator[](std::size_t index) const;
+  const hinge_angle::Loads& loads() const { return loads_; }
+
+ private:
+  const hinge_angle::Input& input_;
+  hinge_angle::Loads loads_;
+  const contact::HalfAngleLaw& law_;
+};
+
+}  // namespace hinge_pressure

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/joint/joint_approach.hpp"
+#include "cli/joint/joint_options.hpp"
+#include "cli/joint/laws.hpp"
+#include "cli/table.hpp"
+#include "programs/pressure/loaded_contacts.hpp"
+
+namespace hinge_pressure {
+
+using cli::NamedPressure;
+
+/// Pressures of one joint in Pa, or over the nominal pressure where the joint
+/// has no geometry.
+class PressureTable {
+ public:
+  /// @param joint  with one half-angle law; must outlive the table
+  explicit PressureTable(const cli::Joint& joint);
+
+  /// load_N or load_N_per_m (if the joint has a geometry), load_parameter,
+  /// theta0_deg, loading (if it is through the back), theta_deg, p_LAW_Pa or
+  /// p_LAW_over_nominal for each law.
+  std::vector<std::string> profile_columns() const;
+  /// `points` rows from the contact's centre to its edge.
+  void write_profile(const LoadedContact& contact, int points,
+                     cli::RowWriter& row) const;
+
+  /// The first columns as above, law, pressure, p_peak, p_mean and p_nominal
+  /// (with a geometry), area of the contact, S, and for a ball the friction
+  /// coefficients of pure sliding and pure spinning; approach and stiffness if
+  /// the joint has a geometry and the half-angles are exact.
+  std::vector<std::string> summary_columns() const;
+  /// A row for each law.
+  void write_summary(const LoadedContact& contact, cli::RowWriter& row) const;
+
+  /// p at an angle from the centre, rad.
+  double pressure(const NamedPressure& law, const LoadedContact& contact,
+                  double theta) const;
+  /// "Pa" or "over_nominal".
+  std::string unit() const { return joint_.geometry ? "Pa" : "over_nominal"; }
+
+ private:
+  std::vector<std::string> contact_columns() const;
+  void write_contact(const LoadedContact& contact, cli::RowWriter& row) const;
+  double scale(const LoadedContact& contact) const;
+
+  const cli::Joint& joint_;
+  hinge_angle::Loads loads_;
+  std::optional<cli::JointApproach> approach_;
+};
+
+}  // namespace hinge_pressure

@@ -1,0 +1,176 @@
+#include "programs/pressure/run.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "cli/output.hpp"
+#include "cli/progress.hpp"
+#include "cli/quantity.hpp"
+#include "cli/table.hpp"
+#include "libcontact/base/units.hpp"
+#include "libcontact/pressure/validity.hpp"
+#include "programs/angle/input.hpp"
+#include "programs/pressure/pressure_plot.hpp"
+#include "programs/pressure/pressure_table.hpp"
+
+namespace hinge_pressure {
+namespace {
+
+using hinge_angle::Input;
+
+// What is to be said of the contacts of one joint: loads without a half-angle,
+// or one that has not converged, half-angles beyond a pressure law, the
+// largest contact.
+class Findings {
+ public:
+  Findings(const cli::Joint& joint, const PressureTable& table)
+      : joint_(joint),
+        table_(table),
+        beyond_(joint.pressures.size()),
+        peak_(joint.pressures.size()) {}
+
+  void add(const LoadedContact& contact) {
+    ++all_;
+    if (std::isnan(contact.half_angle)) ++none_;
+    if (contact.status == contact::Status::not_converged) ++rough_;
+    // NaN is not larger than anything.
+    if (contact.half_angle > half_angle_) half_angle_ = contact.half_angle;
+    for (std::size_t i = 0; i < beyond_.size(); ++i) {
+      const NamedPressure& law = joint_.pressures[i];
+      const double largest = law.law->largest_half_angle();
+      if (contact.half_angle > largest) ++beyond_[i];
+      if (!joint_.geometry) continue;
+      const double peak = table_.pressure(law, contact, 0);
+      if (peak > peak_[i]) peak_[i] = peak;
+    }
+  }
+
+  cli::ExitStatus report() const {
+    const std::string& half_angle_law = joint_.laws[0].name;
+    if (none_ > 0) {
+      say(
+          fmt::format("law {}: no half-angle for {} of {} loads, which are "
+                      "outside its range",
+                      half_angle_law, none_, all_));
+    }
+    if (rough_ > 0) {
+      say(fmt::format("law {}: {} of {} half-angles have not converged",
+                      half_angle_law, rough_, all_));
+    }
+    for (const auto& note :
+         contact_notes(joint_.kind, joint_.pair, half_angle_, 0)) {
+      say(fmt::format("law {}: {}", half_angle_law, note));
+    }
+    for (std::size_t i = 0; i < beyond_.size(); ++i) report_pressure(i);
+    return rough_ > 0 ? cli::some_bad : cli::all_good;
+  }
+
+ private:
+  void report_pressure(std::size_t i) const {
+    const NamedPressure& law = joint_.pressures[i];
+    if (beyond_[i] > 0) {
+      const double largest = law.law->largest_half_angle();
+      say(
+          fmt::format("pressure {}: none for {} of {} loads, whose half-angle "
+                      "is above {:.6g} deg",
+                      law.name, beyond_[i], all_, largest / contact::degree));
+    }
+    for (const auto& note :
+         contact_notes(joint_.kind, joint_.pair, 0, peak_[i])) {
+      say(fmt::format("pressure {}: {}", law.name, note));
+    }
+  }
+  void say(const std::string& text) const {
+    const std::string which = difference_text(joint_.differences);
+    cli::warn("hinge-pressure", which.empty() ? text : which + ": " + text);
+  }
+
+  const cli::Joint& joint_;
+  const PressureTable& table_;
+  std::size_t all_ = 0;
+  std::size_t none_ = 0;
+  std::size_t rough_ = 0;
+  double half_angle_ = 0;
+  std::vector<std::size_t> beyond_;  // of each pressure law
+  std::vector<double> peak_;
+};
+
+std::vector<std::string> columns(const std::vector<cli::Joint>& joints,
+                                 const std::vector<PressureTable>& tables,
+                                 bool summary) {
+  std::vector<std::vector<std::string>> names;
+  for (const PressureTable& table : tables) {
+    names.push_back(summary ? table.summary_columns()
+                            : table.profile_columns());
+  }
+  return joint_columns(joints, names);
+}
+
+cli::ExitStatus write_table(const std::vector<cli::Joint>& joints,
+                            const std::vector<PressureTable>& tables,
+                            const std::vector<LoadedContacts>& contacts,
+                            int points, const cli::Table& table,
+                            const Options& options) {
+  cli::Output output(options.output.output);
+  cli::TableWriter writer(output, table);
+  cli::Text rows;
+  cli::RowWriter row(table, rows);
+  cli::Progress progress("loads", joints.size() * contacts[0].size());
+  std::vector<Findings> findings;
+  for (std::size_t j = 0; j < joints.size(); ++j) {
+    Findings& found = findings.emplace_back(joints[j], tables[j]);
+    for (std::size_t i = 0; i < contacts[j].size(); ++i) {
+      const LoadedContact contact = contacts[j][i];
+      found.add(contact);
+      rows.clear();
+      if (options.summary) {
+        tables[j].write_summary(contact, row);
+      } else {
+        tables[j].write_profile(contact, points, row);
+      }
+      writer.write(rows.view());
+      progress.add(1);
+    }
+  }
+  writer.finish();
+  output.commit();
+  cli::ExitStatus status = cli::all_good;
+  for (const Findings& found : findings) {
+    status = std::max(status, found.report());
+  }
+  return status;
+}
+
+}  // namespace
+
+cli::ExitStatus run(const Options& options) {
+  const std::vector<cli::Joint> joints = make_joints(options.joint);
+  std::vector<Input> inputs;
+  for (const cli::Joint& joint : joints) {
+    inputs.push_back(make_input(options.load, joint));
+  }
+  const int points = cli::parse_count("--points", options.points, 2, 1'000'000);
+  std::vector<LoadedContacts> contacts;
+  std::vector<PressureTable> tables;
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    contacts.emplace_back(inputs[i], joints[i]);
+    tables.emplace_back(joints[i]);
+  }
+  const cli::Table table(options.output,
+                         columns(joints, tables, options.summary));
+  const bool plot = !options.output.plot.empty();
+  if (plot) check_curves(joints);
+  warn_of_validity("hinge-pressure", joints);
+  const cli::ExitStatus status =
+      write_table(joints, tables, contacts, points, table, options);
+  if (!plot) return status;
+  return cli::drawn("hinge-pressure",
+                    draw(tables, joints, contacts, options.output.plot),
+                    status);
+}
+
+}  // namespace hinge_pressure

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+
+#include "cli/program.hpp"
+#include "programs/angle/input.hpp"
+
+namespace hinge_pressure {
+
+/// The command line of hinge-pressure as it was written.
+struct Options {
+  cli::JointOptions joint = {.use = cli::JointUse::contact};
+  hinge_angle::LoadOptions load;
+  std::string points = "101";
+  bool summary = false;
+  cli::OutputOptions output;
+};
+
+/// The whole program. Throws contact::Error for options that are wrong.
+cli::ExitStatus run(const Options& options);
+
+}  // namespace hinge_pressure

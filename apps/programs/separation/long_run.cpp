@@ -1,0 +1,119 @@
+#include "programs/separation/long_run.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "cli/progress.hpp"
+#include "libcontact/base/complaint.hpp"
+#include "libcontact/base/error.hpp"
+#include "programs/separation/output/checkpoint.hpp"
+
+namespace separation {
+namespace {
+
+using Status = Run::Status;
+
+void show(cli::Progress& progress, const Run& run) {
+  if (!progress.is_due()) return;
+  std::string text = fmt::format("{:.6g} s of {:.6g} s, {} steps, ", run.time(),
+                                 run.of().end_time, run.counts().steps);
+  if (progress.is_terminal()) {
+    text += fmt::format("the last {:.2g} s", run.last_step());
+  } else {
+    text = "hinge-separation: " + text + run.pace();
+  }
+  progress.say(text);
+}
+
+// The time of the first checkpoint after `time`: of the time alone, so that it
+// is the same in a run that was interrupted.
+double checkpoint_after(double time, double every) {
+  if (!(every > 0)) return History::not_yet;
+  // A rounding error before a checkpoint's time is that time.
+  return every * (std::floor(time / every * (1 + 1e-12)) + 1) * (1 - 1e-12);
+}
+
+// A run may end at another time than the one that it goes on from, but not
+// before it has begun; that of rounding aside.
+void check_end(const std::string& file, double from, double end) {
+  if (end >= from * (1 - 1e-12)) return;
+  throw contact::Error(contact::detail::needs(
+      fmt::format("{}: a checkpoint at t = {:.6g} s", file, from),
+      fmt::format("--end-time of {:.6g} s or above: this run ends at {:.6g} s",
+                  from, end)));
+}
+
+// Begins a run where a checkpoint says; how often that run made one.
+double resume(Run& run, const Checkpoints& checkpoints) {
+  Checkpoint from = read_checkpoint(checkpoints.resume, checkpoints.identity);
+  check_end(checkpoints.resume, from.state.simulation.motion.time,
+            run.of().end_time);
+  run.restore(std::move(from.state));
+  return from.every;
+}
+
+// The checkpoint of a run.
+class Keeper {
+ public:
+  Keeper(const Checkpoints& checkpoints, double every) {
+    if (checkpoints.file.empty()) return;
+    file_ = checkpoints.file;
+    writer_.emplace(file_, checkpoints.identity, every);
+  }
+  // Whether one is written or not, the run goes on as if.
+  void keep(Run& run) {
+    const SimulationState state = run.renew();
+    if (!writer_) return;
+    // One that cannot be written costs nothing but itself and later ones: what
+    // is behind a row that was cut short could not be found.
+    try {
+      writer_->write(state, run.memory());
+      way_on_ = fmt::format("; --resume {} goes on from t = {:.6g} s", file_,
+                            state.motion.time);
+    } catch (const contact::Error& error) {
+      failure_ = fmt::format("no checkpoints from t = {:.6g} s on: {}",
+                             state.motion.time, error.what());
+      writer_.reset();
+    }
+  }
+  const std::string& way_on() const { return way_on_; }
+  const std::string& failure() const { return failure_; }
+
+ private:
+  std::string file_;
+  std::optional<CheckpointWriter> writer_;
+  std::string way_on_;  // for who stops the run
+  std::string failure_;
+};
+
+}  // namespace
+
+LongRun run_long(const Case& c, RunOptions options,
+                 const Checkpoints& checkpoints) {
+  cli::Progress progress;
+  options.progress = [&progress](const Run& run) { show(progress, run); };
+  Run run(c, std::move(options));
+  double every = checkpoints.every;
+  if (!checkpoints.resume.empty()) {
+    const double before = resume(run, checkpoints);
+    if (!(every > 0)) every = before;
+  }
+  Keeper keeper(checkpoints, every);
+  Status status;
+  double next = checkpoint_after(run.time(), every);
+  do {
+    status = run.advance_to(run.next_output());
+    if (status == Status::failed || status == Status::stopped) break;
+    if (run.time() < next) continue;
+    next = checkpoint_after(run.time(), every);
+    keeper.keep(run);
+  } while (status != Status::finished);
+  LongRun result{std::move(run).end(), keeper.failure()};
+  if (status == Status::stopped) result.outcome.failure += keeper.way_on();
+  return result;
+}
+
+}  // namespace separation

@@ -1,0 +1,172 @@
+#include "programs/separation/output/checkpoint.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstddef>
+#include <cstring>
+#include <filesystem>
+#include <sstream>
+#include <utility>
+
+#include "cli/file_text.hpp"
+#include "cli/output.hpp"
+#include "libcontact/base/error.hpp"
+#include "separation/results/state_json.hpp"
+
+namespace separation {
+namespace {
+
+using nlohmann::json;
+
+using Notes = std::vector<Note>;
+
+void add(const json& from, Notes& notes) {
+  for (const Note& note : from.get<Notes>()) notes.push_back(note);
+}
+
+// A checkpoint without its rows.
+json header_of(const std::string& file) {
+  return unpacked(cli::file_text(file), file);
+}
+
+// The file of a checkpoint's rows has the checkpoint's own name, so that both
+// may be renamed.
+std::string rows_name(const std::string& file, int number) {
+  return fmt::format("{}.rows{}", file, number);
+}
+
+// What the checkpoint of an earlier run keeps its rows in; "" for none.
+std::string rows_of(const std::string& file) {
+  if (!std::filesystem::exists(file)) return {};
+  return rows_name(file, header_of(file).at("rows").at("number"));
+}
+
+std::string text_of_rows(const std::string& name, const std::string& file) {
+  try {
+    return cli::file_text(name);
+  } catch (const contact::Error& error) {
+    throw contact::Error(fmt::format(
+        "{}; it has the rows of {}: the two are copied and renamed together",
+        error.what(), file));
+  }
+}
+
+// Adds the rows and notes of a file that a checkpoint refers to.
+void add_rows(const std::string& file, const json& header,
+              Recorder::Memory& memory) {
+  const json& rows = header.at("rows");
+  const std::string name = rows_name(file, rows.at("number"));
+  std::string bytes = text_of_rows(name, file);
+  const std::size_t size = rows.at("bytes");
+  bytes.resize(std::min(bytes.size(), size));
+  boost::crc_32_type sum;
+  sum.process_bytes(bytes.data(), bytes.size());
+  if (bytes.size() != size || sum.checksum() != rows.at("sum")) {
+    throw contact::Error(
+        fmt::format("{}: damaged, or not the rows of {}", name, file));
+  }
+  std::istringstream stream(bytes);
+  for (long block = rows.at("blocks"); block > 0; --block) {
+    const json j = json::from_cbor(stream, false);
+    const auto numbers = j.at("numbers").get<std::vector<double>>();
+    memory.rows.numbers.insert(memory.rows.numbers.end(), numbers.begin(),
+                               numbers.end());
+    add(j.at("notes"), memory.notes);
+  }
+}
+
+}  // namespace
+
+CheckpointWriter::CheckpointWriter(std::string file, std::string identity,
+                                   double every)
+    : file_(std::move(file)),
+      identity_(std::move(identity)),
+      every_(every),
+      old_rows_(rows_of(file_)),
+      number_(old_rows_ == rows_name(file_, 1) ? 2 : 1),
+      rows_(rows_name(file_, number_)) {
+  stream_.open(rows_, std::ios::binary | std::ios::trunc);
+  if (!stream_) {
+    throw contact::Error(
+        fmt::format("cannot create {}: {}", rows_, std::strerror(errno)));
+  }
+}
+
+CheckpointWriter::~CheckpointWriter() {
+  std::error_code ignored;
+  if (!written_) std::filesystem::remove(rows_, ignored);
+}
+
+// A hinge that turns back takes back a note of the same instant: those of now
+// may still go.
+void CheckpointWriter::append(const Recorder::Memory& memory, double time) {
+  std::size_t notes = notes_;
+  while (notes < memory.notes.size() && memory.notes[notes].time < time) {
+    ++notes;
+  }
+  const auto& numbers = memory.rows.numbers;
+  const auto note = memory.notes.begin();
+  const auto bytes = json::to_cbor(
+      {{"numbers", std::vector<double>(
+                       numbers.begin() + static_cast<std::ptrdiff_t>(numbers_),
+                       numbers.end())},
+       {"notes", Notes(note + static_cast<std::ptrdiff_t>(notes_),
+                       note + static_cast<std::ptrdiff_t>(notes))}});
+  stream_.write(reinterpret_cast<const char*>(bytes.data()),
+                static_cast<std::streamsize>(bytes.size()));
+  stream_.flush();
+  if (!stream_) {
+    throw contact::Error(
+        fmt::format("cannot write {}: {}", rows_, std::strerror(errno)));
+  }
+  sum_.process_bytes(bytes.data(), bytes.size());
+  bytes_ += bytes.size();
+  numbers_ = memory.rows.numbers.size();
+  notes_ = notes;
+  ++blocks_;
+}
+
+void CheckpointWriter::write(const SimulationState& simulation,
+                             const Recorder::Memory& memory) {
+  append(memory, simulation.motion.time);
+  const json j = {{"identity", identity_},
+                  {"every", every_},
+                  {"simulation", simulation},
+                  {"memory", memory},
+                  {"columns", memory.rows.columns},
+                  {"notes", Notes(memory.notes.begin() +
+                                      static_cast<std::ptrdiff_t>(notes_),
+                                  memory.notes.end())},
+                  {"rows",
+                   {{"number", number_},
+                    {"blocks", blocks_},
+                    {"bytes", bytes_},
+                    {"sum", sum_.checksum()}}}};
+  cli::Output output(file_);
+  output.write(packed(j));
+  output.commit();
+  written_ = true;
+  std::error_code ignored;
+  if (!old_rows_.empty()) std::filesystem::remove(old_rows_, ignored);
+  old_rows_.clear();
+}
+
+Checkpoint read_checkpoint(const std::string& file,
+                           const std::string& identity) {
+  try {
+    const json j = header_of(file);
+    check_identity(j, identity, file);
+    Checkpoint result{j.at("every"), {j.at("simulation"), j.at("memory")}};
+    Recorder::Memory& memory = result.state.memory;
+    memory.rows.columns = j.at("columns");
+    add_rows(file, j, memory);
+    add(j.at("notes"), memory.notes);
+    return result;
+  } catch (const json::exception&) {
+    refuse_stranger(file);
+  }
+}
+
+}  // namespace separation

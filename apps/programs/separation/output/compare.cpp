@@ -1,0 +1,124 @@
+#include "programs/separation/output/compare.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "cli/table.hpp"
+#include "libcontact/base/units.hpp"
+#include "separation/results/summary.hpp"
+
+namespace separation {
+namespace {
+
+using contact::degree;
+
+// A value of one body in one run; NaN where there is none.
+struct Quantity {
+  const char* name;
+  std::function<double(const Outcome&, int body)> value;
+};
+
+// In the first row in which nothing locks the body (NaN: there is none), or in
+// the last.
+double number_in_row(const Case& c, const Outcome& o, int body,
+                     const char* quantity, bool first) {
+  const Rows& rows = o.memory.rows;
+  const std::string name = column_name(c.bodies[body].rigid.name);
+  const std::size_t column = rows.column(name + quantity);
+  if (!first) return rows.at(rows.size() - 1, column);
+  const std::size_t mode = rows.column(name + ".mode");
+  constexpr auto locked = static_cast<double>(multibody::HingeMode::locked);
+  for (std::size_t row = 0; row < rows.size(); ++row) {
+    if (rows.at(row, mode) != locked) return rows.at(row, column);
+  }
+  return NAN;
+}
+
+std::vector<Quantity> quantities(const Case& c) {
+  const auto record = [](const Outcome& o, int body) -> const BodyRecord& {
+    return o.memory.bodies[body];
+  };
+  const auto peak = [record](double JointPeaks::*what) {
+    return [record, what](const Outcome& o, int body) {
+      double largest = o.friction == FrictionChoice::ideal ? NAN : 0;
+      for (const JointPeaks& joint : record(o, body).joints) {
+        largest = std::max(largest, joint.*what);
+      }
+      return largest;
+    };
+  };
+  using Release = BodyRecord::Release;
+  const auto at_release = [record](double Release::*what, double unit) {
+    return [=](const Outcome& o, int body) {
+      const Release& release = record(o, body).release;
+      return release.time == History::not_yet ? NAN : release.*what / unit;
+    };
+  };
+  return {
+      {"acceleration_at_start_deg_per_s2",
+       [&c](const Outcome& o, int body) {
+         return number_in_row(c, o, body, ".acceleration_deg_per_s2", true);
+       }},
+      {"friction_moment_at_start_N_m",
+       [&c](const Outcome& o, int body) {
+         return number_in_row(c, o, body, ".friction_moment_N_m", true);
+       }},
+      {"release_s", at_release(&Release::time, 1)},
+      {"angle_at_release_deg", at_release(&Release::angle, degree)},
+      {"rate_at_release_deg_per_s", at_release(&Release::rate, degree)},
+      {"angle_at_end_deg",
+       [&c](const Outcome& o, int body) {
+         return number_in_row(c, o, body, ".angle_deg", false);
+       }},
+      {"rate_at_end_deg_per_s",
+       [&c](const Outcome& o, int body) {
+         return number_in_row(c, o, body, ".rate_deg_per_s", false);
+       }},
+      {"work_of_friction_J",
+       [=](const Outcome& o, int body) { return record(o, body).work; }},
+      {"peak_reaction_N",
+       [=](const Outcome& o, int body) {
+         return record(o, body).peak_reaction;
+       }},
+      {"largest_friction_moment_of_joint_N_m", peak(&JointPeaks::moment)},
+      {"peak_pressure_Pa", peak(&JointPeaks::pressure)},
+      {"largest_theta0_deg",
+       [half_angle = peak(&JointPeaks::half_angle)](const Outcome& o,
+                                                    int body) {
+         return half_angle(o, body) / degree;
+       }},
+  };
+}
+
+}  // namespace
+
+void write_comparison(const Case& c, const std::vector<Outcome>& outcomes,
+                      const cli::OutputOptions& options) {
+  std::vector<std::string> columns = {"body", "quantity"};
+  for (const Outcome& outcome : outcomes) {
+    columns.emplace_back(to_string(outcome.friction));
+  }
+  cli::Output output(options.output);
+  const cli::Table table(options, columns);
+  cli::TableWriter writer(output, table);
+  cli::Text text;
+  cli::RowWriter row(table, text);
+  const auto all = quantities(c);
+  for (int body = 0; body < static_cast<int>(c.bodies.size()); ++body) {
+    if (c.bodies[body].hinge.kind == multibody::HingeKind::none) continue;
+    for (const Quantity& quantity : all) {
+      row.text(c.bodies[body].rigid.name);
+      row.text(quantity.name);
+      for (const Outcome& outcome : outcomes) {
+        row.number(quantity.value(outcome, body));
+      }
+      row.end();
+    }
+  }
+  writer.write(text.view());
+  writer.finish();
+  output.commit();
+}
+
+}  // namespace separation

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <string>
+
+#include "programs/separation/replay/replay.hpp"
+
+/// A replay as one page that needs no network.
+namespace separation {
+
+/// What a page is made of beside runs, read before they begin.
+class PageParts {
+ public:
+  /// Reads three.js and dygraphs from the folders `javascript` of XDG_DATA_DIRS
+  /// (else /usr/local/share and /usr/share).
+  /// @param wanted  that needs them: "--replay FILE"
+  /// @throws contact::Error "WANTED requires ..." what to install
+  explicit PageParts(const std::string& wanted);
+
+  /// The template with scripts, styles and this data.
+  std::string page(const std::string& title, const std::string& data) const;
+
+ private:
+  std::string scripts_, style_;
+};
+
+/// A page of at most `most_page` bytes: of more rows than fit every second,
+/// fourth, ... is shown.
+struct Page {
+  std::string text;
+  int every;  ///< of which rows one is shown
+};
+inline constexpr std::size_t most_page = 50'000'000;
+Page replay_page(const Replay& replay, const PageParts& parts,
+                 std::size_t most = most_page);
+
+}  // namespace separation

@@ -1,0 +1,204 @@
+#include "programs/separation/replay/page_data.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <string_view>
+
+#include "libcontact/version.hpp"
+#include "programs/separation/replay/motion.hpp"
+#include "programs/separation/replay/scene.hpp"
+#include "separation/clearance/clearance.hpp"
+#include "separation/results/summary.hpp"
+
+namespace separation {
+namespace {
+
+using Eigen::Vector3d;
+using multibody::HingeKind;
+using nlohmann::ordered_json;
+
+std::string base64(std::string_view bytes) {
+  constexpr std::string_view digits =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string result;
+  result.reserve((bytes.size() + 2) / 3 * 4);
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    unsigned block = 0;
+    for (std::size_t j = i; j < i + 3; ++j) {
+      block = block << 8 |
+              (j < bytes.size() ? static_cast<unsigned char>(bytes[j]) : 0U);
+    }
+    for (const int shift : {18, 12, 6, 0}) {
+      result += digits[block >> shift & 63U];
+    }
+  }
+  for (std::size_t i = 0; i < (3 - bytes.size() % 3) % 3; ++i) {
+    result[result.size() - 1 - i] = '=';
+  }
+  return result;
+}
+
+template <class Number>
+std::string base64(const std::vector<Number>& numbers) {
+  return base64({reinterpret_cast<const char*>(numbers.data()),
+                 numbers.size() * sizeof(Number)});
+}
+
+ordered_json numbers(const Vector3d& v) { return {v.x(), v.y(), v.z()}; }
+
+ordered_json body_json(const Case& c, int i) {
+  ordered_json j = {{"name", c.rigid_body(i).name},
+                    {"column", column_name(c.rigid_body(i).name)},
+                    {"colour", colour_of(i)}};
+  if (i == 0) return j;
+  const Body& body = c.bodies[i - 1];
+  if (body.hinge.kind == HingeKind::none) return j;
+  j["hinge"] = {{"point", numbers(body.hinge.body_point)}};
+  if (body.hinge.kind == HingeKind::axis) {
+    j["hinge"]["axis"] = numbers(body.hinge.axis);
+  }
+  if (!body.hinge.joints.empty()) {
+    const auto inner =
+        body.hinge.joints.front().contact.geometry().inner_body();
+    j["hinge"]["inner"] =
+        inner == contact::JointBody::carrier ? "carrier" : "body";
+  }
+  if (body.lock) j["lock"] = {{"point", numbers(body.lock->body_point)}};
+  return j;
+}
+
+// What the page draws; the glTF has the motion. Components of a lock's reaction
+// are 0 without a lock.
+bool is_shown(const Case& c, const std::string& column) {
+  const auto point = column.rfind('.');
+  const auto quantity = column.substr(point + 1);
+  if (quantity.starts_with("lock_reaction_") && quantity != "lock_reaction_N") {
+    return std::ranges::any_of(c.bodies, [&](const Body& body) {
+      return body.lock &&
+             column_name(body.rigid.name) == column.substr(0, point);
+    });
+  }
+  for (const char* start :
+       {"qw", "qx", "qy", "qz", "x_m", "y_m", "z_m", "vx_", "vy_", "vz_", "wx_",
+        "wy_", "wz_", "time_", "acceleration_"}) {
+    if (quantity.starts_with(start)) return false;
+  }
+  return true;
+}
+
+std::vector<float> column_of(const Take& take, std::size_t column) {
+  std::vector<float> values;
+  for (const std::size_t row : take.kept) {
+    values.push_back(static_cast<float>(take.rows->at(row, column)));
+  }
+  return values;
+}
+
+// Where the nearest two bodies are nearest to each other, of each row: the
+// number of the pair, and the points in the axes of the two.
+std::string nearest_points(const Case& c, const Take& take) {
+  std::vector<std::size_t> columns;
+  for (const auto& [a, b] : c.clearance) {
+    columns.push_back(take.rows->column(
+        fmt::format("clearance.{}.{}_m", column_name(c.rigid_body(a).name),
+                    column_name(c.rigid_body(b).name))));
+  }
+  std::vector<std::vector<Shape>> shapes;
+  std::vector<BodyPath> paths;
+  for (int i = 0; i <= static_cast<int>(c.bodies.size()); ++i) {
+    shapes.push_back(c.rigid_body(i).shapes);
+    paths.emplace_back(c, *take.rows, take.kept, i);
+  }
+  std::vector<Clearance::Pair> pairs;
+  for (const auto& [a, b] : c.clearance) pairs.push_back({a, b});
+  Clearance clearance(shapes, pairs);
+  std::vector<multibody::BodyMotion> bodies(paths.size());
+  std::vector<float> result;
+  std::size_t place = 0;
+  for (const std::size_t row : take.kept) {
+    if (take.rows->at(row, 0) > paths[0].time(static_cast<double>(place))) {
+      ++place;
+    }
+    std::size_t nearest = 0;
+    for (std::size_t i = 1; i < columns.size(); ++i) {
+      if (take.rows->at(row, columns[i]) < take.rows->at(row, columns[nearest]))
+        nearest = i;
+    }
+    for (std::size_t i = 0; i < paths.size(); ++i) {
+      const Pose pose = paths[i].pose(static_cast<double>(place));
+      bodies[i].position = pose.position;
+      bodies[i].rotation = pose.rotation.toRotationMatrix();
+    }
+    const auto points = clearance.nearest_points(bodies, nearest);
+    result.push_back(points ? static_cast<float>(nearest) : -1);
+    for (const bool first : {true, false}) {
+      const auto& body = bodies[first ? pairs[nearest].a : pairs[nearest].b];
+      const Vector3d point =
+          !points ? Vector3d::Zero()
+                  : Vector3d(body.rotation.transpose() *
+                             ((first ? points->first : points->second) -
+                              body.position));
+      for (const double x : point) result.push_back(static_cast<float>(x));
+    }
+  }
+  return base64(result);
+}
+
+ordered_json take_json(const Replay& replay, const ShownRun& run,
+                       const Take& take) {
+  const Case& c = replay.c;
+  const auto& names = take.rows->columns;
+  std::vector<double> times;
+  for (const std::size_t row : take.kept)
+    times.push_back(take.rows->at(row, 0));
+  ordered_json j = {{"name", to_string(run.outcome->friction)},
+                    {"time", base64(times)}};
+  for (std::size_t i = 1; i < names.size(); ++i) {
+    if (is_shown(c, names[i]))
+      j["columns"][names[i]] = base64(column_of(take, i));
+  }
+  const bool has_distances = std::ranges::any_of(
+      names, [](const auto& name) { return name.starts_with("clearance."); });
+  if (has_distances) j["nearest"] = nearest_points(c, take);
+  j["summary"] = summary(c, *run.outcome);
+  return j;
+}
+
+}  // namespace
+
+std::string page_data(const Replay& replay, int every) {
+  const Case& c = replay.c;
+  const std::vector<Take> takes = takes_of(replay, every);
+  const Scene scene = make_scene(c, takes, every);
+  ordered_json j = {{"program", fmt::format("hinge-separation (libcontact) {}",
+                                            contact::version)},
+                    {"size", scene.size},
+                    {"every", every}};
+  for (int i = 0; i <= static_cast<int>(c.bodies.size()); ++i) {
+    j["bodies"].push_back(body_json(c, i));
+  }
+  j["pairs"] = ordered_json::array();
+  for (const auto& [a, b] : c.clearance) j["pairs"].push_back({a, b});
+  for (std::size_t i = 0; i < takes.size(); ++i) {
+    j["takes"].push_back(take_json(replay, replay.runs[i], takes[i]));
+  }
+  j["warnings"] = replay.warnings;
+  j["case"] = replay.case_text;
+  j["nodes"] = scene.nodes;
+  j["glb"] = base64(scene.glb);
+  const std::string text =
+      j.dump(-1, ' ', true, ordered_json::error_handler_t::replace);
+  std::string result;
+  for (const char character : text) {
+    if (character == '<') {
+      result += "\\u003c";  // of no end of the element
+    } else {
+      result += character;
+    }
+  }
+  return result;
+}
+
+}  // namespace separation

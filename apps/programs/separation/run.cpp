@@ -1,0 +1,232 @@
+#include "programs/separation/run.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <exception>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "cli/choice.hpp"
+#include "cli/file_name.hpp"
+#include "cli/interrupts.hpp"
+#include "cli/joint/key_settings.hpp"
+#include "cli/output.hpp"
+#include "cli/output_names.hpp"
+#include "cli/quantity.hpp"
+#include "cli/refuse.hpp"
+#include "libcontact/base/complaint.hpp"
+#include "libcontact/base/error.hpp"
+#include "programs/separation/long_run.hpp"
+#include "programs/separation/output/compare.hpp"
+#include "programs/separation/output/events_table.hpp"
+#include "programs/separation/output/history_file.hpp"
+#include "programs/separation/output/pictures.hpp"
+#include "programs/separation/replays.hpp"
+#include "programs/separation/stop_rule.hpp"
+#include "programs/separation/warnings.hpp"
+#include "separation/case/case_reader.hpp"
+#include "separation/results/saved_state.hpp"
+#include "separation/results/summary.hpp"
+
+namespace separation {
+namespace {
+
+using contact::detail::must_be;
+
+constexpr std::array<cli::Choice<FrictionChoice>, 3> friction_choices = {
+    {{"full", FrictionChoice::full},
+     {"ideal", FrictionChoice::ideal},
+     {"traditional", FrictionChoice::traditional}}};
+
+// Every file that is written has a name of its own.
+cli::OutputNames names_of(const Options& o) {
+  cli::OutputNames inputs;
+  inputs.keep("CASE.toml", o.case_file);
+  cli::OutputNames names = names_of(o.output, inputs);
+  names.add("--history", o.history);
+  names.add("--events", o.events);
+  if (!o.checkpoint.empty()) {
+    for (const char* end : {"", ".rows1", ".rows2"}) {
+      names.add("--checkpoint", o.checkpoint + end);
+    }
+  }
+  for (const std::string& name : o.replays) names.add("--replay", name);
+  // To go on with the same checkpoint is as usual.
+  if (!cli::same_file(o.resume, o.checkpoint)) names.keep("--resume", o.resume);
+  return names;
+}
+
+void keep_pictures(const Options& o, const Case& c, cli::OutputNames names) {
+  if (o.output.plot.empty()) return;
+  for (const std::string& name :
+       picture_names(c, !o.no_clearance, o.output.plot)) {
+    names.keep("--plot", name);
+  }
+}
+
+Case case_of(const Options& o) {
+  Case c = read_case(o.case_file, {o.half_angle_law, o.pressure_law},
+                     cli::single_settings(o.settings));
+  if (o.end_time == 0) return c;
+  c.end_time = o.end_time;
+  const double most = most_rows * c.output_step;
+  if (c.end_time > most) {
+    cli::refuse(
+        "--end-time", fmt::format("{:.6g}", c.end_time),
+        fmt::format("up to {:.6g} s: {:g} rows at most", most, most_rows));
+  }
+  return c;
+}
+
+// What the case has nothing for.
+void check_case(const Options& o, const Case& c) {
+  const auto needs_joints = [&](bool given, const std::string& option) {
+    if (!given || c.has_joints()) return;
+    cli::refuse_without(option,
+                        "a case with joints: " + o.case_file + " has none");
+  };
+  needs_joints(!o.half_angle_law.empty(),
+               cli::given("--law", o.half_angle_law));
+  needs_joints(!o.pressure_law.empty(),
+               cli::given("--pressure", o.pressure_law));
+  needs_joints(o.compare, "--compare");
+  if (o.checkpoint_every > c.end_time) {
+    throw contact::Error(must_be(
+        fmt::format("--checkpoint-every {:.6g}", o.checkpoint_every),
+        fmt::format("up to {:.6g} s, the end of the case", c.end_time)));
+  }
+  if (!o.output.plot.empty() &&
+      picture_names(c, !o.no_clearance, o.output.plot).empty()) {
+    cli::refuse_without(
+        cli::given("--plot", o.output.plot),
+        "a case with hinges or distances: " + o.case_file + " has none");
+  }
+}
+
+// `status`, but for a run that a signal has stopped.
+cli::ExitStatus status_of(const cli::Interrupts& interrupts,
+                          cli::ExitStatus status) {
+  switch (interrupts.signal()) {
+    case SIGINT:
+      return cli::interrupted;
+    case SIGTERM:
+      return cli::terminated;
+    default:
+      return status;
+  }
+}
+
+cli::ExitStatus compare(const Case& c, const Options& o) {
+  Replays replays(c, o);
+  Warnings warnings;
+  warn_of_joints(c, warnings);
+  const cli::Interrupts interrupts;
+  const StopRule stop = stop_rule(interrupts, o.step_limit, o.time_limit);
+  std::vector<Outcome> outcomes;
+  cli::ExitStatus status = cli::all_good;
+  for (const auto& [name, choice] : friction_choices) {
+    RunOptions run;
+    run.friction = choice;
+    run.clearance = !o.replays.empty();
+    run.stop = stop;
+    outcomes.push_back(run_long(c, run).outcome);
+    if (outcomes.back().failure.empty()) continue;
+    warnings.add(fmt::format("friction {}: {}", name, outcomes.back().failure));
+    status = cli::some_bad;
+  }
+  std::swap(outcomes[0], outcomes[1]);  // ideal, full, traditional
+  if (!replays.write(c, {{"full", &outcomes[1]}, {"ideal", &outcomes[0]}},
+                     warnings)) {
+    status = cli::some_bad;
+  }
+  write_comparison(c, outcomes, o.output);
+  return status_of(interrupts, status);
+}
+
+RunOptions run_options(const Options& o) {
+  RunOptions run;
+  if (!o.friction.empty()) {
+    run.friction = cli::choice("--friction", o.friction, friction_choices);
+  }
+  run.clearance = !o.no_clearance;
+  return run;
+}
+
+cli::ExitStatus simulate(const Case& c, const Options& o) {
+  RunOptions options = run_options(o);
+  // Before the run: files that cannot be made should not cost its result.
+  cli::TableStyle style = o.output;
+  style.format = cli::Format::csv;  // what is asked for is of the summary
+  std::optional<HistoryFile> history;
+  if (!o.history.empty()) {
+    history.emplace(o.history, style, history_columns(c, options.clearance));
+  }
+  std::optional<cli::Output> events;
+  if (!o.events.empty()) events.emplace(o.events);
+  Replays replays(c, o);
+  cli::Output output(o.output.output);
+  Warnings warnings;
+  warn_of_joints(c, warnings);
+
+  // Until everything is written.
+  const cli::Interrupts interrupts;
+  options.stop = stop_rule(interrupts, o.step_limit, o.time_limit);
+  const LongRun run = run_long(
+      c, options,
+      {o.checkpoint, o.checkpoint_every, o.resume, identity_of(c, options)});
+  const Outcome& outcome = run.outcome;
+  cli::ExitStatus status = cli::all_good;
+  if (!outcome.failure.empty()) status = cli::some_bad;
+  warn_of_run(c, outcome, warnings);
+  if (!run.no_checkpoint.empty()) {
+    warnings.add(run.no_checkpoint);
+    status = cli::some_bad;
+  }
+  // What one file has no room for costs the others nothing.
+  const auto write = [&status](const auto& file) {
+    try {
+      file();
+    } catch (const std::exception& error) {
+      cli::warn(program_name, error.what());
+      status = cli::some_bad;
+    }
+  };
+  if (history) write([&] { history->write(outcome.memory.rows); });
+  history.reset();  // and the part that it had room for
+  if (events) {
+    write([&] {
+      events->write(events_csv(outcome, style));
+      events->commit();
+    });
+  }
+  events.reset();
+  if (!replays.write(c, {{"", &outcome}}, warnings)) {
+    status = cli::some_bad;
+  }
+  output.write(summary(c, outcome).dump(2) + '\n');
+  output.commit();
+  if (!o.output.plot.empty()) {
+    const std::string problem =
+        draw_pictures(c, outcome.memory.rows, options.clearance, o.output.plot);
+    if (!problem.empty()) {
+      cli::warn(program_name, problem);
+      status = cli::some_bad;
+    }
+  }
+  return status_of(interrupts, status);
+}
+
+}  // namespace
+
+cli::ExitStatus run(const Options& options) {
+  const cli::OutputNames names = names_of(options);
+  const Case c = case_of(options);
+  check_case(options, c);
+  keep_pictures(options, c, names);
+  return options.compare ? compare(c, options) : simulate(c, options);
+}
+
+}  // namespace separation

@@ -1,0 +1,161 @@
+#include "programs/study/findings/envelope.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include "separation/results/run.hpp"
+
+namespace study {
+namespace {
+
+using separation::Rows;
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+// Numbers of a row that an envelope is of.
+using Numbers = std::function<std::vector<double>(const Rows&, std::size_t)>;
+
+std::vector<double> smallest_clearance(const Rows& rows, std::size_t row) {
+  double smallest = nan;
+  for (std::size_t j = 0; j < rows.columns.size(); ++j) {
+    if (!rows.columns[j].starts_with("clearance.")) continue;
+    smallest = std::fmin(smallest, rows.at(row, j));
+  }
+  return {smallest};
+}
+
+std::vector<double> angles(const Rows& rows, std::size_t row) {
+  std::vector<double> all;
+  const auto released = static_cast<double>(multibody::HingeMode::released);
+  for (std::size_t j = 0; j < rows.columns.size(); ++j) {
+    if (!rows.columns[j].ends_with(".mode")) continue;
+    // The angle's column comes next.
+    all.push_back(rows.at(row, j) == released ? nan : rows.at(row, j + 1));
+  }
+  return all;
+}
+
+// Numbers at output times of the case, no more than a picture can show.
+class Samples {
+ public:
+  Samples(const separation::Case& c, Numbers numbers)
+      : step_(c.output_step), numbers_(std::move(numbers)) {
+    constexpr double most = 300;
+    step_ *= std::ceil(c.end_time / step_ / most);
+    values_.resize(static_cast<std::size_t>(c.end_time / step_) + 1);
+  }
+
+  void add(const Rows& rows) {
+    special_.assign(values_.size(), nan);
+    std::size_t row = 0;
+    for (std::size_t i = 0; i < values_.size(); ++i) {
+      const auto is_before = [&](std::size_t k) {
+        return rows.at(k, 0) <= time(i) + rounding * step_;
+      };
+      while (row + 1 < rows.size() && is_before(row + 1)) ++row;
+      // A run that failed ends before.
+      if (row + 1 == rows.size() && rows.at(row, 0) < time(i) - step_) break;
+      for (const double x : numbers_(rows, row)) {
+        if (!std::isnan(x)) values_[i].push_back(x);
+        special_[i] = std::fmax(special_[i], x);
+      }
+    }
+  }
+  Envelope envelope() {
+    Envelope result{};
+    for (std::size_t i = 0; i < values_.size(); ++i) {
+      if (values_[i].empty()) continue;
+      std::ranges::sort(values_[i]);
+      result.times.push_back(time(i));
+      auto& shares = result.shares.emplace_back();
+      std::size_t k = 0;
+      for (const double p : {0.0, 0.05, 0.5, 0.95, 1.0}) {
+        shares[k++] = percentile(values_[i], p, 0.5).value;
+      }
+      shares[k] = special_[i];
+    }
+    return result;
+  }
+
+ private:
+  static constexpr double rounding = 1e-6;
+  double time(std::size_t i) const { return static_cast<double>(i) * step_; }
+
+  double step_;
+  Numbers numbers_;
+  std::vector<std::vector<double>> values_;  // at each time
+  std::vector<double> special_;              // of the last run
+};
+
+// The worst run comes last.
+std::vector<std::uint64_t> runs_of(const Study& study,
+                                   const Findings& findings) {
+  constexpr std::uint64_t first = 100;
+  std::set<std::uint64_t> runs;
+  for (std::uint64_t i = 1; i <= std::min(first, study.runs()); ++i) {
+    runs.insert(i);
+  }
+  for (const Judgement& judgement : findings.requirements) {
+    for (const RunValue& worst : judgement.worst) runs.insert(worst.run);
+  }
+  std::uint64_t last = 0;
+  if (!findings.requirements.empty()) {
+    last = findings.requirements[0].worst[0].run;
+  }
+  runs.erase(last);
+  std::vector<std::uint64_t> result(runs.begin(), runs.end());
+  result.push_back(last);
+  return result;
+}
+
+}  // namespace
+
+bool Envelope::is_wide() const {
+  constexpr double wide = 50;
+  double low = std::numeric_limits<double>::infinity();
+  double high = 0;
+  for (const auto& at_time : shares) {
+    low = std::min(low, at_time.front());
+    high = std::max(high, at_time[4]);
+  }
+  return low > 0 && high > wide * low;
+}
+
+std::vector<Envelope> envelopes(const Study& study, const Findings& findings) {
+  const separation::Case nominal = study.case_of(0);
+  struct Kind {
+    const char* name;
+    const char* label;
+    Samples samples;
+  };
+  std::vector<Kind> kinds;
+  if (!nominal.clearance.empty()) {
+    kinds.push_back({"clearance", "smallest clearance, m",
+                     Samples(nominal, smallest_clearance)});
+  }
+  if (nominal.has_hinges()) {
+    kinds.push_back(
+        {"angles", "angles of the hinges, deg", Samples(nominal, angles)});
+  }
+  const auto runs = runs_of(study, findings);
+  for (const std::uint64_t run : runs) {
+    const separation::Outcome outcome =
+        separation::run_case(study.case_of(run));
+    for (Kind& kind : kinds) kind.samples.add(outcome.memory.rows);
+  }
+  std::vector<Envelope> result;
+  for (Kind& kind : kinds) {
+    result.push_back(kind.samples.envelope());
+    result.back().name = kind.name;
+    result.back().label = kind.label;
+    result.back().runs = runs.size();
+    result.back().special =
+        runs.back() == 0 ? "nominal" : fmt::format("run {}", runs.back());
+  }
+  return result;
+}
+
+}  // namespace study

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "programs/study/findings/findings.hpp"
+
+namespace study {
+
+/// Between which values a quantity was over the time.
+struct Envelope {
+  std::string name;   ///< of its picture
+  std::string label;  ///< with its unit
+  std::size_t runs;
+  std::string special;  ///< what the last number is of
+  std::vector<double> times;
+  /// Smallest, 5 %, 50 %, 95 %, largest, and that of the special run; NaN where
+  /// there is none.
+  std::vector<std::array<double, 6>> shares;
+
+  /// All above 0, and far apart.
+  bool is_wide() const;
+};
+
+/// Of the first hundred runs and the worst ones, run again: the smallest
+/// clearance of all pairs, and the angles of all hinges until they break.
+std::vector<Envelope> envelopes(const Study& study, const Findings& findings);
+
+}  // namespace study

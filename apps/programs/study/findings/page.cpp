@@ -1,0 +1,101 @@
+#include "programs/study/findings/page.hpp"
+
+#include <fmt/format.h>
+
+#include "cli/html/markup.hpp"
+#include "libcontact/version.hpp"
+#include "programs/study/findings/report.hpp"
+
+namespace study {
+namespace {
+
+using cli::in_markup;
+
+// A file's name as a relative address, which holds no quotes.
+std::string address(std::string_view name) {
+  constexpr std::string_view plain =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-._~";
+  std::string result;
+  for (const char c : name) {
+    result += plain.find(c) != plain.npos
+                  ? std::string(1, c)
+                  : fmt::format("%{:02X}", static_cast<unsigned char>(c));
+  }
+  return result;
+}
+
+std::string cell(const char* element, const std::string& markup) {
+  return fmt::format("<{0}>{1}</{0}>", element, markup);
+}
+
+// What a row of the worst runs has beside its numbers.
+std::string ways_to(const Study& study, std::uint64_t run,
+                    const std::string& command, const PageExtras& extras) {
+  std::string text;
+  if (!extras.replays.empty()) {
+    const auto found = extras.replays.find(run);
+    text = cell("td", found == extras.replays.end()
+                          ? "-"
+                          : fmt::format("<a href=\"{}\">run {}</a>",
+                                        address(found->second), run));
+  }
+  return text +
+         cell("td", cell("code", in_markup(command_of(study, command, run))));
+}
+
+std::string table(const Study& study, const Part& part,
+                  const std::string& command, const PageExtras& extras) {
+  std::string text = "<div class=\"wide\"><table>\n<thead><tr>";
+  for (const std::string& name : part.header)
+    text += cell("th", in_markup(name));
+  if (!part.runs.empty()) {
+    if (!extras.replays.empty()) text += cell("th", "replay");
+    text += cell("th", "to repeat it");
+  }
+  text += "</tr></thead>\n<tbody>\n";
+  for (std::size_t i = 0; i < part.rows.size(); ++i) {
+    text += "<tr>";
+    const char* element = "th";
+    for (const std::string& content : part.rows[i]) {
+      text += cell(element, in_markup(content));
+      element = "td";
+    }
+    if (!part.runs.empty()) {
+      text += ways_to(study, part.runs[i], command, extras);
+    }
+    text += "</tr>\n";
+  }
+  return text + "</tbody>\n</table></div>\n";
+}
+
+// Without what stands before the element in a file.
+std::string figure(const std::string& svg) {
+  return "<figure>" + svg.substr(svg.find("<svg")) + "</figure>\n";
+}
+
+}  // namespace
+
+std::string report_page(const Study& study, const Findings& findings,
+                        const std::string& command, const PageExtras& extras) {
+  std::string body = fmt::format(
+      "<header>\n<h1>{}</h1>\n<p id=\"about\">hinge-study (libcontact) "
+      "{}</p>\n</header>\n<main class=\"report\">\n",
+      in_markup(study.plan().name), contact::version);
+  const char* end = "";
+  for (const Part& part : parts_of(study, findings)) {
+    if (!part.heading.empty()) {
+      body += fmt::format("{}<section>\n<h2>{}</h2>\n", end,
+                          in_markup(part.heading));
+      end = "</section>\n";
+    }
+    if (!part.text.empty()) body += cell("p", in_markup(part.text)) + '\n';
+    if (!part.header.empty()) body += table(study, part, command, extras);
+    for (const std::string& name : part.pictures) {
+      const auto found = extras.pictures.find(name);
+      if (found != extras.pictures.end()) body += figure(found->second);
+    }
+  }
+  return cli::still_page(study.plan().name, body + end + "</main>\n");
+}
+
+}  // namespace study

@@ -1,0 +1,303 @@
+#include "programs/study/findings/report.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "cli/number.hpp"
+
+namespace study {
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr int digits = 4;
+
+std::string number(double value) { return cli::rounded_text(value, digits); }
+std::string number(const std::optional<double>& value) {
+  return value ? number(*value) : "-";
+}
+std::string percent(double share) {
+  return fmt::format("{:.6g} %", 100 * share);
+}
+std::string about(double share) { return fmt::format("{:.3g} %", 100 * share); }
+
+ordered_json json(double value) {
+  return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr);
+}
+ordered_json json(const std::optional<double>& value) {
+  return value ? json(*value) : ordered_json(nullptr);
+}
+
+const char* to_string(Answer answer) {
+  switch (answer) {
+    case Answer::met:
+      return "met";
+    case Answer::not_met:
+      return "not met";
+    case Answer::open:
+      break;
+  }
+  return "open";
+}
+
+std::string line(const Cells& cells) {
+  return fmt::format("| {} |\n", fmt::join(cells, " | "));
+}
+
+std::string markdown(const Part& part) {
+  std::string text = part.text.empty() ? "" : part.text + "\n\n";
+  if (part.header.empty()) return text;
+  text += line(part.header);
+  text += '|';
+  for (std::size_t i = 0; i < part.header.size(); ++i) {
+    text += i == 0 ? "---|" : "---:|";
+  }
+  text += '\n';
+  for (const Cells& row : part.rows) text += line(row);
+  return text + '\n';
+}
+
+std::string verdict_text(const Judgement& judgement, std::size_t runs) {
+  if (!judgement.answer) return "none";
+  if (*judgement.answer != Answer::open) return to_string(*judgement.answer);
+  return fmt::format("open: {} more runs without a miss",
+                     judgement.needed - runs);
+}
+
+void add_requirements(const Study& study, const Findings& findings,
+                      std::vector<Part>& parts) {
+  Part verdicts{.heading = "Verdicts",
+                .header = {"requirement", "success", "risk", "misses",
+                           "verdict", "a miss has at least", "at most"}};
+  Part percentiles{.heading = "Percentiles",
+                   .header = {"requirement", "percentile", "at least",
+                              "estimate", "at most"}};
+  const auto& requirements = study.plan().requirements;
+  for (std::size_t i = 0; i < requirements.size(); ++i) {
+    const Requirement& r = requirements[i];
+    const Judgement& j = findings.requirements[i];
+    const std::string name = to_string(r);
+    verdicts.rows.push_back(
+        {name, percent(r.demand.success), percent(r.demand.risk),
+         fmt::format("{}", j.misses), verdict_text(j, study.runs()),
+         j.answer ? about(j.miss_probability.low) : "-",
+         j.answer ? about(j.miss_probability.high) : "-"});
+    percentiles.rows.push_back(
+        {name, percent(j.share), number(j.percentile.low),
+         number(j.percentile.value), number(j.percentile.high)});
+    percentiles.pictures.push_back(fmt::format("{}", i + 1));
+  }
+  parts.push_back(std::move(verdicts));
+  parts.push_back(std::move(percentiles));
+  if (study.plan().sampling == Sampling::random) return;
+  parts.push_back(
+      {.text = "No verdict: only random runs are independent of each other, "
+               "so that misses can be counted."});
+}
+
+Part quantities_part(const Study& study, const Findings& findings) {
+  Part part{.heading = "Numbers",
+            .header = {"quantity", "nominal", "mean", "deviation", "smallest",
+                       "5 %", "50 %", "95 %", "largest", "missing"}};
+  if (study.plan().joint_file.empty()) part.pictures = {"clearance", "angles"};
+  for (const Scatter& s : findings.quantities) {
+    part.rows.push_back({s.quantity, number(s.nominal), number(s.mean),
+                         number(s.deviation), number(s.low), number(s.p5),
+                         number(s.median), number(s.p95), number(s.high),
+                         fmt::format("{}", s.missing)});
+  }
+  return part;
+}
+
+// The strongest first.
+Part drivers_part(const Study& study, const Driven& driven) {
+  constexpr std::size_t shown = 10;
+  std::vector<std::pair<double, Cells>> rows;
+  if (driven.sobol.empty()) {
+    for (std::size_t i = 0; i < study.inputs(); ++i) {
+      const double strength = std::abs(driven.regression.standardised[i]);
+      rows.push_back(
+          {std::isnan(strength) ? 0 : strength,
+           {study.design().draws()[i].name, number(driven.spearman[i]),
+            number(driven.regression.standardised[i])}});
+    }
+  } else {
+    for (std::size_t i = 0; i < driven.sobol.size(); ++i) {
+      const SobolIndex& s = driven.sobol[i];
+      const auto with_error = [](double value, double error) {
+        return fmt::format("{:.3f} +- {:.3f}", value, error);
+      };
+      rows.push_back(
+          {std::isnan(s.total) ? 0 : s.total,
+           {study.design().sources()[i], with_error(s.first, s.first_error),
+            with_error(s.total, s.total_error)}});
+    }
+  }
+  std::ranges::stable_sort(rows, std::greater(),
+                           [](const auto& row) { return row.first; });
+  const bool sobol = !driven.sobol.empty();
+  Part part{
+      .text = sobol ? fmt::format("What drives {} (shares of its variance):",
+                                  driven.quantity)
+                    : fmt::format("What drives {} (regression explains {}):",
+                                  driven.quantity,
+                                  about(driven.regression.explained)),
+      .header = sobol ? Cells{"input", "alone", "with others"}
+                      : Cells{"input", "rank correlation", "regression"}};
+  for (std::size_t i = 0; i < std::min(shown, rows.size()); ++i) {
+    part.rows.push_back(rows[i].second);
+  }
+  return part;
+}
+
+Part worst_part(const Requirement& requirement, const Judgement& judgement) {
+  Part part{
+      .text = fmt::format("The worst runs for {}:", to_string(requirement)),
+      .header = {"run", "value"}};
+  for (const RunValue& run : judgement.worst) {
+    part.rows.push_back(
+        {fmt::format("{}", run.run),
+         std::isnan(run.value) ? "failed or without it" : number(run.value)});
+    part.runs.push_back(run.run);
+  }
+  return part;
+}
+
+ordered_json requirement_json(const Requirement& r, const Judgement& j) {
+  ordered_json out = {{"quantity", r.quantity},
+                      {r.at_least ? "at_least" : "at_most", r.limit},
+                      {"success", r.demand.success},
+                      {"risk", r.demand.risk},
+                      {"misses", j.misses}};
+  out["verdict"] = j.answer ? ordered_json(to_string(*j.answer)) : nullptr;
+  if (j.answer) {
+    out["miss_probability"] = {j.miss_probability.low, j.miss_probability.high};
+    out["runs_needed_with_these_misses"] = j.needed;
+  }
+  out["percentile"] = {{"share", j.share},
+                       {"value", json(j.percentile.value)},
+                       {"low", json(j.percentile.low)},
+                       {"high", json(j.percentile.high)}};
+  for (const RunValue& run : j.worst) {
+    out["worst"].push_back({{"run", run.run}, {"value", json(run.value)}});
+  }
+  return out;
+}
+
+ordered_json driven_json(const Study& study, const Driven& d) {
+  ordered_json out = {{"quantity", d.quantity},
+                      {"regression_explains", json(d.regression.explained)}};
+  for (std::size_t i = 0; i < study.inputs(); ++i) {
+    out["inputs"].push_back(
+        {{"input", study.design().draws()[i].name},
+         {"rank_correlation", json(d.spearman[i])},
+         {"regression", json(d.regression.standardised[i])}});
+  }
+  for (std::size_t i = 0; i < d.sobol.size(); ++i) {
+    const SobolIndex& s = d.sobol[i];
+    out["sobol"].push_back({{"source", study.design().sources()[i]},
+                            {"first", json(s.first)},
+                            {"first_error", json(s.first_error)},
+                            {"total", json(s.total)},
+                            {"total_error", json(s.total_error)}});
+  }
+  return out;
+}
+
+}  // namespace
+
+std::string to_string(const Requirement& requirement) {
+  return fmt::format("{} {} {}", requirement.quantity,
+                     requirement.at_least ? "at least" : "at most",
+                     cli::number_text(requirement.limit));
+}
+
+ordered_json to_json(const Study& study, const Findings& findings) {
+  const Plan& plan = study.plan();
+  ordered_json j = {
+      {"study", plan.name},
+      {"runs", study.runs()},
+      {"seed", plan.seed},
+      {"sampling", sampling_names[static_cast<std::size_t>(plan.sampling)]},
+      {"failed_runs", findings.failed},
+      {"requirements", ordered_json::array()},
+      {"quantities", ordered_json::array()},
+      {"drivers", ordered_json::array()},
+      {"keys_without_effect", findings.idle}};
+  for (std::size_t i = 0; i < plan.requirements.size(); ++i) {
+    j["requirements"].push_back(
+        requirement_json(plan.requirements[i], findings.requirements[i]));
+  }
+  for (const Scatter& s : findings.quantities) {
+    j["quantities"].push_back({{"quantity", s.quantity},
+                               {"nominal", json(s.nominal)},
+                               {"mean", json(s.mean)},
+                               {"deviation", json(s.deviation)},
+                               {"smallest", json(s.low)},
+                               {"p5", json(s.p5)},
+                               {"p50", json(s.median)},
+                               {"p95", json(s.p95)},
+                               {"largest", json(s.high)},
+                               {"missing", s.missing}});
+  }
+  for (const Driven& d : findings.driven) {
+    j["drivers"].push_back(driven_json(study, d));
+  }
+  return j;
+}
+
+std::vector<Part> parts_of(const Study& study, const Findings& findings) {
+  const Plan& plan = study.plan();
+  std::vector<Part> parts;
+  parts.push_back({.heading = "Runs",
+                   .text = fmt::format(
+                       "{} runs ({}, seed {}) and the nominal one; {} failed.",
+                       study.runs(),
+                       sampling_names[static_cast<std::size_t>(plan.sampling)],
+                       plan.seed, findings.failed)});
+  if (findings.failed > 0) {
+    parts.push_back({.text = "The first failure: " + findings.first_failure});
+  }
+  if (!plan.requirements.empty()) add_requirements(study, findings, parts);
+  parts.push_back(quantities_part(study, findings));
+  for (std::size_t i = 0; i < findings.driven.size(); ++i) {
+    parts.push_back(drivers_part(study, findings.driven[i]));
+    parts.back().pictures = {fmt::format("ranking_{}", i + 1)};
+    if (i == 0) parts.back().heading = "Drivers";
+  }
+  for (std::size_t i = 0; i < findings.idle.size(); ++i) {
+    parts.push_back({.text = "No effect on any number: " + findings.idle[i]});
+    if (i == 0) parts.back().heading = "Keys without effect";
+  }
+  for (std::size_t i = 0; i < findings.requirements.size(); ++i) {
+    parts.push_back(worst_part(plan.requirements[i], findings.requirements[i]));
+    if (i == 0) parts.back().heading = "Worst runs";
+  }
+  return parts;
+}
+
+std::string command_of(const Study& study, const std::string& command,
+                       std::uint64_t run) {
+  return fmt::format("{} --run {}{}", command, run,
+                     study.plan().joint_file.empty()
+                         ? fmt::format(" --history run{}.csv", run)
+                         : "");
+}
+
+std::string to_text(const Study& study, const Findings& findings,
+                    const std::string& command) {
+  std::string text = fmt::format("# {}\n\n", study.plan().name);
+  for (const Part& part : parts_of(study, findings)) text += markdown(part);
+  if (!findings.requirements.empty()) {
+    const std::uint64_t worst = findings.requirements[0].worst[0].run;
+    text +=
+        fmt::format("To repeat one: {}\n\n", command_of(study, command, worst));
+  }
+  text.pop_back();
+  return text;
+}
+
+}  // namespace study

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "programs/study/findings/findings.hpp"
+
+namespace study {
+
+/// What a study says, for programs; NaN is null.
+nlohmann::ordered_json to_json(const Study& study, const Findings& findings);
+
+using Cells = std::vector<std::string>;
+
+/// A paragraph and a table below it, or one of the two.
+struct Part {
+  std::string heading = {};  ///< "": belongs to the one before
+  std::string text = {};
+  Cells header = {};  ///< none: no table
+  std::vector<Cells> rows = {};
+  std::vector<std::string> pictures = {};  ///< their names
+  std::vector<std::uint64_t> runs = {};    ///< that the rows are of
+};
+
+/// What a study says, for people.
+std::vector<Part> parts_of(const Study& study, const Findings& findings);
+
+/// That repeats a run.
+/// @param command  that begins it
+std::string command_of(const Study& study, const std::string& command,
+                       std::uint64_t run);
+
+/// The parts as Markdown.
+/// @param command  that begins the one for a single run
+std::string to_text(const Study& study, const Findings& findings,
+                    const std::string& command);
+
+/// "clearance.smallest_m at least 0.05"
+std::string to_string(const Requirement& requirement);
+
+}  // namespace study

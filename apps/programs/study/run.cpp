@@ -1,0 +1,280 @@
+#include "programs/study/run.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <memory>
+
+#include "cli/file_name.hpp"
+#include "cli/interrupts.hpp"
+#include "cli/number.hpp"
+#include "cli/output.hpp"
+#include "cli/progress.hpp"
+#include "cli/refuse.hpp"
+#include "cli/table.hpp"
+#include "programs/study/findings/findings.hpp"
+#include "programs/study/findings/pictures.hpp"
+#include "programs/study/findings/report.hpp"
+#include "programs/study/report_file.hpp"
+#include "programs/study/rows_file.hpp"
+#include "separation/results/run.hpp"
+#include "study/rows/journal.hpp"
+#include "study/workers.hpp"
+
+namespace study {
+namespace {
+
+constexpr const char* program = "hinge-study";
+
+PlanChanges changes_of(const Options& o) {
+  PlanChanges changes;
+  if (o.runs > 0) changes.runs = static_cast<std::uint64_t>(o.runs);
+  if (o.seed) changes.seed = static_cast<std::uint64_t>(*o.seed);
+  return changes;
+}
+
+// The options that a run of this study depends on.
+std::string command_of(const Options& o) {
+  std::string command = fmt::format("{} {}", program, o.file);
+  if (o.runs > 0) command += fmt::format(" --runs {}", o.runs);
+  if (o.seed) command += fmt::format(" --seed {}", *o.seed);
+  return command;
+}
+
+// Rows to compute: "A:B", or all.
+struct Range {
+  std::uint64_t first;
+  std::uint64_t last;
+};
+Range range_of(const Options& o, const Study& study) {
+  if (o.rows.empty()) return {0, study.runs()};
+  const auto colon = o.rows.find(':');
+  const auto first = cli::parse_number(o.rows.substr(0, colon));
+  const auto last = colon == o.rows.npos
+                        ? first
+                        : cli::parse_number(o.rows.substr(colon + 1));
+  const auto whole = [&](const std::optional<double>& x) {
+    return x && *x >= 0 && *x <= static_cast<double>(study.runs()) &&
+           *x == std::floor(*x);
+  };
+  if (!whole(first) || !whole(last) || *first > *last) {
+    cli::refuse("--rows", o.rows,
+                fmt::format("A:B, whole numbers, 0 to {}", study.runs()));
+  }
+  return {static_cast<std::uint64_t>(*first),
+          static_cast<std::uint64_t>(*last)};
+}
+
+std::string journal_of(const Options& o) {
+  if (!o.journal.empty()) return o.journal;
+  return std::filesystem::path(o.file).stem().string() + ".journal";
+}
+
+// What stands on standard output and in --output of --check, --run and
+// --quantities.
+template <class Fill>
+void write_table(const Options& o, std::vector<std::string> names,
+                 const Fill& fill) {
+  cli::Output output(o.output.output);
+  const cli::Table table(o.output, std::move(names));
+  cli::TableWriter writer(output, table);
+  cli::Text text;
+  cli::RowWriter cells(table, text);
+  fill(cells);
+  writer.write(text.view());
+  writer.finish();
+  output.commit();
+}
+
+cli::ExitStatus list_quantities(const Options& o, const Study& study) {
+  write_table(o, {"quantity", "nominal"}, [&](cli::RowWriter& cells) {
+    for (const auto& [name, value] : study.nominal()) {
+      cells.text(name);
+      cells.number(value);
+      cells.end();
+    }
+  });
+  return cli::all_good;
+}
+
+cli::ExitStatus check(const Options& o, const Study& study) {
+  std::vector<std::string> names = {"run"};
+  for (const Draw& draw : study.design().draws()) names.push_back(draw.name);
+  constexpr std::uint64_t shown = 10;
+  write_table(o, std::move(names), [&](cli::RowWriter& cells) {
+    for (std::uint64_t run = 1; run <= std::min(shown, study.runs()); ++run) {
+      cells.count(run);
+      for (const double x : study.design().numbers(run)) cells.number(x);
+      cells.end();
+    }
+  });
+  return cli::all_good;
+}
+
+// All rows in ranges, a line each, for --rows.
+cli::ExitStatus list_parts(const Options& o, const Study& study) {
+  cli::Output output(o.output.output);
+  const auto size = static_cast<std::uint64_t>(o.parts);
+  for (std::uint64_t first = 0; first <= study.runs(); first += size) {
+    output.write(fmt::format("{}:{}\n", first,
+                             std::min(first + size - 1, study.runs())));
+  }
+  output.commit();
+  return cli::all_good;
+}
+
+// A run again, bit for bit; with its history.
+cli::ExitStatus repeat(const Options& o, const Study& study) {
+  const auto run = static_cast<std::uint64_t>(*o.run);
+  if (run > study.runs()) {
+    cli::refuse("--run", fmt::format("{}", run),
+                fmt::format("0 to {}", study.runs()));
+  }
+  if (!o.history.empty()) {
+    const separation::Case c = study.case_of(run);
+    cli::TableStyle style = o.output;
+    style.format = cli::Format::csv;
+    separation::HistoryFile history(o.history, style,
+                                    separation::history_columns(c, true));
+    history.write(separation::run_case(c).memory.rows);
+  }
+  const Row row = study.row(run);
+  const auto names = study.columns();
+  write_table(o, {"name", "value"}, [&](cli::RowWriter& cells) {
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      cells.text(names[i]);
+      cells.number(row.numbers[i]);
+      cells.end();
+    }
+  });
+  if (row.failure.empty()) return cli::all_good;
+  cli::warn(program, "the run failed: " + row.failure);
+  return cli::some_bad;
+}
+
+// On a terminal: how fast it goes, and how long it will.
+class Pace {
+ public:
+  explicit Pace(std::size_t total) : total_(total) {}
+  void add() {
+    ++done_;
+    if (!progress_.is_terminal() || !progress_.is_due()) return;
+    const double seconds =
+        std::chrono::duration<double>(Clock::now() - begin_).count();
+    const double rate = static_cast<double>(done_) / seconds;
+    progress_.say(fmt::format("{} of {} runs, {:.3g} runs/s, {:.0f} s left",
+                              done_, total_, rate,
+                              static_cast<double>(total_ - done_) / rate));
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  std::size_t total_;
+  std::size_t done_ = 0;
+  Clock::time_point begin_ = Clock::now();
+  cli::Progress progress_;
+};
+
+// Other journals, whose rows are taken.
+std::vector<std::unique_ptr<Journal>> parts_of(const Options& o,
+                                               const Study& study) {
+  std::vector<std::unique_ptr<Journal>> parts;
+  for (const std::string& name : o.merge) {
+    parts.push_back(std::make_unique<Journal>(
+        name, study.identity(), study.columns().size(), Journal::Use::read));
+  }
+  return parts;
+}
+
+void take_rows(const Journal& from, const Study& study, Journal& to) {
+  for (std::uint64_t run = 0; run <= study.runs(); ++run) {
+    if (from.has(run) && !to.has(run)) to.append(from.at(run));
+  }
+}
+
+void compute_missing(const Study& study, const Range& range, int jobs,
+                     const cli::Interrupts& interrupts, Journal& journal) {
+  std::vector<std::uint64_t> missing;
+  for (std::uint64_t run = range.first; run <= range.last; ++run) {
+    if (!journal.has(run)) missing.push_back(run);
+  }
+  Pace pace(missing.size());
+  compute(
+      study, missing, jobs, journal,
+      [&] { return interrupts.signal() == 0 ? "" : "a signal"; },
+      [&] { pace.add(); });
+}
+
+void write_results(const Options& o, const Study& study,
+                   const Findings& findings, const Journal& journal) {
+  if (!o.csv.empty()) write_csv(study, journal, o.output, o.csv);
+  if (!o.hdf5.empty()) write_hdf5(study, journal, o.hdf5);
+  if (!o.output.output.empty()) {
+    cli::Output output(o.output.output);
+    output.write(to_json(study, findings).dump(2) + '\n');
+    output.commit();
+    if (o.output.output == "-") return;
+  }
+  cli::Output text("");
+  text.write(to_text(study, findings, command_of(o)));
+  text.commit();
+}
+
+cli::ExitStatus run_study(const Options& o, const Study& study) {
+  const Range range = range_of(o, study);
+  const auto parts = parts_of(o, study);
+  Journal journal(journal_of(o), study.identity(), study.columns().size(),
+                  Journal::Use::write);
+  const cli::Interrupts interrupts;
+  for (const auto& part : parts) take_rows(*part, study, journal);
+  compute_missing(study, range, o.output.jobs, interrupts, journal);
+  if (interrupts.signal() != 0) {
+    cli::warn(program, fmt::format("stopped: {} rows are in {}; the same "
+                                   "command goes on",
+                                   journal.size(), journal_of(o)));
+    return interrupts.signal() == SIGINT ? cli::interrupted : cli::terminated;
+  }
+  if (!o.rows.empty()) return cli::all_good;
+  const Findings findings = find(study, journal);
+  write_results(o, study, findings, journal);
+  cli::ExitStatus status = findings.failed > 0 ? cli::some_bad : cli::all_good;
+  if (o.output.plot.empty() && o.report.empty()) return status;
+  const std::vector<Picture> pictures = pictures_of(study, findings, journal);
+  if (!o.report.empty() &&
+      !write_report(study, findings, pictures, command_of(o), o.report)) {
+    status = cli::some_bad;
+  }
+  if (o.output.plot.empty()) return status;
+  return cli::drawn(program, draw(pictures, o.output.plot), status);
+}
+
+void check_outputs(const Options& o) {
+  if (!o.report.empty() && !cli::is_page(o.report)) {
+    cli::refuse("--report", o.report, "a name that ends in .html");
+  }
+  cli::OutputNames inputs;
+  inputs.keep("STUDY.toml", o.file);
+  cli::OutputNames names = names_of(o.output, inputs);
+  names.add("--csv", o.csv);
+  names.add("--hdf5", o.hdf5);
+  names.add("--report", o.report);
+  names.add("--history", o.history);
+  names.keep("--journal", journal_of(o));
+}
+
+}  // namespace
+
+cli::ExitStatus run(const Options& o) {
+  check_outputs(o);
+  const Study study(o.file, changes_of(o));
+  if (o.quantities) return list_quantities(o, study);
+  if (o.check) return check(o, study);
+  if (o.parts > 0) return list_parts(o, study);
+  if (o.run) return repeat(o, study);
+  return run_study(o, study);
+}
+
+}  // namespace study

@@ -1,0 +1,84 @@
+#include "programs/table/point_block.hpp"
+
+#include <utility>
+
+#include "libcontact/base/units.hpp"
+
+namespace hinge_table {
+namespace {
+
+void write_point(const PointBlock& block, std::size_t i, cli::RowWriter& row) {
+  row.number(block.theta0_deg()[i]);
+  row.number(block.alpha_deg()[i]);
+  for (const auto& column : block.results) row.number(column[i]);
+}
+
+}  // namespace
+
+void set_points(std::vector<double> theta0_deg, std::vector<double> alpha_deg,
+                PointBlock& block) {
+  block.good.assign(theta0_deg.size(), 1);
+  block.values.resize(point_columns.size());
+  block.values[0] = std::move(theta0_deg);
+  block.values[1] = std::move(alpha_deg);
+}
+
+void take_grid_points(const cli::Sweep& theta0, const cli::Sweep& alpha,
+                      std::size_t first, std::size_t last, PointBlock& block) {
+  block.good.assign(last - first, 1);
+  block.values.resize(point_columns.size());
+  for (auto& values : block.values) values.clear();
+  for (std::size_t i = first; i < last; ++i) {
+    block.values[0].push_back(theta0[i / alpha.size()]);
+    block.values[1].push_back(alpha[i % alpha.size()]);
+  }
+}
+
+void compute(const Method& method, PointBlock& block) {
+  const std::size_t count = block.size();
+  block.beyond = 0;
+  block.half_angle.resize(count);
+  block.axis_sin.resize(count);
+  block.axis_cos.resize(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    block.half_angle[i] = block.theta0_deg()[i] * contact::degree;
+    if (block.half_angle[i] > method.largest_half_angle) ++block.beyond;
+    const auto [sin, cos] = contact::sine_cosine_deg(block.alpha_deg()[i]);
+    block.axis_sin[i] = sin;
+    block.axis_cos[i] = cos;
+  }
+  Columns columns;
+  for (std::size_t j = 0; j < columns.size(); ++j) {
+    block.results[j].resize(count);
+    columns[j] = block.results[j];
+  }
+  block.inaccurate =
+      method({block.half_angle, block.axis_sin, block.axis_cos}, columns);
+}
+
+void write_rows(const cli::Table& table, PointBlock& block) {
+  block.rows.clear();
+  cli::RowWriter row(table, block.rows);
+  for (std::size_t i = 0; i < block.size(); ++i) {
+    write_point(block, i, row);
+    row.end();
+  }
+}
+
+void write_rows(const cli::PointColumns& columns, const cli::Table& table,
+                PointBlock& block) {
+  block.rows.clear();
+  cli::RowWriter row(table, block.rows);
+  for (std::size_t i = 0; i < block.size(); ++i) {
+    if (block.good[i]) {
+      write_point(block, i, row);
+    } else {
+      row.text("ERROR");
+      for (std::size_t j = 0; j <= quantities.size(); ++j) row.empty();
+    }
+    write_riding(columns, block, i, row);
+    row.end();
+  }
+}
+
+}  // namespace hinge_table

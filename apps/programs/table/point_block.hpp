@@ -1,0 +1,51 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "cli/stream/points.hpp"
+#include "cli/sweep.hpp"
+#include "cli/table.hpp"
+#include "programs/table/method.hpp"
+
+namespace hinge_table {
+
+/// Columns of points: half-angle, slip axis angle.
+inline constexpr std::array<cli::PointColumn, 2> point_columns = {
+    {{"theta0_deg", {0, 120, "deg"}}, {"alpha_deg", {-90, 90, "deg"}}}};
+
+/// Some points on their way through the program; one for each thread, whose
+/// memory is used again for the points that follow.
+struct PointBlock : cli::PointLines {
+  const std::vector<double>& theta0_deg() const { return values[0]; }
+  const std::vector<double>& alpha_deg() const { return values[1]; }
+  std::size_t beyond = 0;  ///< points above the pressure's largest half-angle
+  std::size_t inaccurate = 0;  ///< points that missed the method's tolerance
+
+  std::vector<double> half_angle;
+  std::vector<double> axis_sin;
+  std::vector<double> axis_cos;
+  std::array<std::vector<double>, quantities.size()> results;
+  cli::Text rows;
+};
+
+/// Points given by their values.
+void set_points(std::vector<double> theta0_deg, std::vector<double> alpha_deg,
+                PointBlock& block);
+
+/// Points number `first` to `last` - 1 of a grid, alpha running fastest.
+void take_grid_points(const cli::Sweep& theta0, const cli::Sweep& alpha,
+                      std::size_t first, std::size_t last, PointBlock& block);
+
+void compute(const Method& method, PointBlock& block);
+
+/// The points and their results as rows of a table with the columns
+/// theta0_deg, alpha_deg, quantities.
+void write_rows(const cli::Table& table, PointBlock& block);
+/// The same with the riding columns of a file of points. The row of a bad line
+/// is ERROR, empty cells, and its riding columns if the line could be split.
+void write_rows(const cli::PointColumns& columns, const cli::Table& table,
+                PointBlock& block);
+
+}  // namespace hinge_table

@@ -1,0 +1,329 @@
+#include "programs/table/run.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <vector>
+
+#include "cli/choice.hpp"
+#include "cli/output.hpp"
+#include "cli/plot.hpp"
+#include "cli/progress.hpp"
+#include "cli/quantity.hpp"
+#include "cli/refuse.hpp"
+#include "cli/stream/line_blocks.hpp"
+#include "cli/stream/ordered_blocks.hpp"
+#include "cli/stream/points.hpp"
+#include "cli/sweep.hpp"
+#include "cli/table.hpp"
+#include "libcontact/base/units.hpp"
+#include "programs/table/method.hpp"
+#include "programs/table/point_block.hpp"
+
+namespace hinge_table {
+namespace {
+
+using cli::given;
+
+// The quantity of printed tables and pictures.
+std::size_t quantity_index(const std::string& name) {
+  std::array<cli::Choice<std::size_t>, quantities.size()> choices;
+  for (std::size_t i = 0; i < choices.size(); ++i) {
+    choices[i] = {quantities[i], i};
+  }
+  return cli::choice("--quantity", name.empty() ? "chi" : name, choices);
+}
+
+double tolerance_of(const Options& options) {
+  if (options.tolerance.empty()) return 1e-10;
+  if (options.method != "quadrature") {
+    cli::refuse_without(given("--tolerance", options.tolerance),
+                        "--method quadrature");
+  }
+  return cli::parse_value("--tolerance", options.tolerance, {1e-13, 1e-2, ""});
+}
+
+// A ball, as far as its pressure depends on it: refuses what changes nothing in
+// the table.
+cli::Joint make_ball(const cli::JointOptions& options) {
+  cli::Joint ball = make_joint(options);
+  const std::string materials = options.materials();
+  const std::string name = ball.pressures[0].law->name();
+  const bool by_materials = name == "mixture" || name == "exact";
+  if (by_materials && materials.empty()) {
+    cli::refuse_without(given("--pressure", name),
+                        "materials by --joint, --pair or "
+                        "--modulus-ratio");
+  }
+  if (!options.loading.empty() && name != "exact") {
+    cli::refuse_without(given("--loading", options.loading),
+                        "--pressure exact");
+  }
+  // A file may at least name a pressure that is not the usual one.
+  const bool named =
+      options.pressures.empty() && name != contact::default_pressure_law;
+  if (!materials.empty() && !by_materials && !named) {
+    cli::refuse_without(materials,
+                        "--pressure mixture or exact: all others are the same "
+                        "for all materials");
+  }
+  return ball;
+}
+
+// The name of a quantity; those that depend on the pressure say on which.
+std::string quantity_name(std::size_t quantity, const Method& method) {
+  const std::string_view name = quantities[quantity];
+  return name.ends_with("_a") ? std::string(name)
+                              : fmt::format("{}_{}", name, method.pressure);
+}
+
+std::vector<std::string> column_names(const Method& method,
+                                      std::vector<std::string> riding) {
+  std::vector<std::string> names = {"theta0_deg", "alpha_deg"};
+  for (std::size_t i = 0; i < quantities.size(); ++i) {
+    names.push_back(quantity_name(i, method));
+  }
+  riding = cli::distinct_names(std::move(riding), names);
+  names.insert(names.end(), riding.begin(), riding.end());
+  return names;
+}
+
+// What was not as it should be, over a whole table.
+struct Problems {
+  std::size_t bad_lines = 0;
+  std::size_t inaccurate = 0;
+  std::size_t beyond = 0;
+
+  void add(const PointBlock& block) {
+    bad_lines += block.bad_lines;
+    inaccurate += block.inaccurate;
+    beyond += block.beyond;
+  }
+};
+
+// A table of points from a file or standard input.
+Problems write_points(const Options& options, const Method& method) {
+  cli::LineReader reader(options.points);
+  const cli::PointHeader header = cli::read_header(reader);
+  const cli::PointColumns columns(header.line, point_columns, header.place);
+  cli::Output output(options.output.output);
+  const cli::Table table(options.output, column_names(method, columns.riding));
+  cli::TableWriter writer(output, table);
+  cli::Progress progress("points", 0);
+  Problems problems;
+  cli::ordered_blocks<PointBlock>(
+      options.output.jobs,
+      [&](PointBlock& block) { return reader.next(block.lines); },
+      [&](PointBlock& block) {
+        cli::read_points(columns, block);
+        compute(method, block);
+        write_rows(columns, table, block);
+      },
+      [&](const PointBlock& block) {
+        writer.write(block.rows.view());
+        progress.add(block.size());
+        problems.add(block);
+        if (block.bad_lines == 0) return;
+        progress.clear();
+        std::fputs(block.messages.c_str(), stderr);
+      });
+  writer.finish();
+  output.commit();
+  return problems;
+}
+
+// All pairs of some half-angles and slip axis angles, alpha running fastest.
+struct Grid {
+  cli::Sweep theta0;
+  cli::Sweep alpha;
+  std::size_t size() const { return theta0.size() * alpha.size(); }
+};
+
+// Rows `first` to `last` - 1 of a grid.
+struct GridBlock : PointBlock {
+  std::size_t first;
+  std::size_t last;
+};
+
+// Writes a table of a grid, of whose points `write` makes rows.
+template <class Write>
+Problems write_blocks(const Grid& grid, std::size_t block_size,
+                      const Method& method, const cli::OutputOptions& options,
+                      const cli::Table& table, const Write& write) {
+  cli::Output output(options.output);
+  cli::TableWriter writer(output, table);
+  cli::Progress progress("points", grid.size());
+  Problems problems;
+  std::size_t taken = 0;
+  cli::ordered_blocks<GridBlock>(
+      options.jobs,
+      [&](GridBlock& block) {
+        block.first = taken;
+        block.last = taken = std::min(taken + block_size, grid.size());
+        return block.first < block.last;
+      },
+      [&](GridBlock& block) {
+        take_grid_points(grid.theta0, grid.alpha, block.first, block.last,
+                         block);
+        compute(method, block);
+        write(block);
+      },
+      [&](const GridBlock& block) {
+        writer.write(block.rows.view());
+        progress.add(block.size());
+        problems.add(block);
+      });
+  writer.finish();
+  output.commit();
+  return problems;
+}
+
+// A row for each point.
+Problems write_list(const Grid& grid, const Method& method,
+                    const cli::OutputOptions& options) {
+  // Large against the cost of passing a block between threads, small enough
+  // for the cache.
+  constexpr std::size_t block_rows = 1024;
+  const cli::Table table(options, column_names(method, {}));
+  return write_blocks(grid, block_rows, method, options, table,
+                      [&](GridBlock& block) { write_rows(table, block); });
+}
+
+// One quantity, theta0 down, alpha across.
+Problems write_two_way(const Grid& grid, const Method& method,
+                       std::size_t quantity,
+                       const cli::OutputOptions& options) {
+  const auto corner = [&](const char* down_and_across) {
+    return fmt::format("{}: {}", quantity_name(quantity, method),
+                       down_and_across);
+  };
+  std::vector<std::string> names = {corner("theta0_deg, alpha_deg")};
+  for (std::size_t i = 0; i < grid.alpha.size(); ++i) {
+    names.push_back(cli::number_text(grid.alpha[i]));
+  }
+  if (cli::Table(options, names).is_turned()) {
+    names[0] = corner("alpha_deg, theta0_deg");
+  }
+  const cli::Table table(options, names);
+  return write_blocks(grid, grid.alpha.size(), method, options, table,
+                      [&](GridBlock& block) {
+                        block.rows.clear();
+                        cli::RowWriter row(table, block.rows);
+                        row.text(cli::number_text(block.theta0_deg()[0]));
+                        for (const double value : block.results[quantity])
+                          row.number(value);
+                        row.end();
+                      });
+}
+
+// Draws one quantity: a curve over alpha for each theta0, or, if there is one
+// alpha, over theta0. Returns why there is no picture, or "".
+std::string draw(const Grid& grid, const Method& method, std::size_t quantity,
+                 const std::string& joint, const Options& options) {
+  // What a picture of some 1,000 dots across can show, however long the
+  // table is.
+  constexpr std::size_t most_curves = 12;
+  constexpr std::size_t most_points = 1000;
+  const bool over_alpha = grid.alpha.size() > 1 || grid.theta0.size() == 1;
+  const cli::Sweep& x = over_alpha ? grid.alpha : grid.theta0;
+  const cli::Sweep& family = over_alpha ? grid.theta0 : grid.alpha;
+
+  cli::LinePlot plot;
+  plot.title = fmt::format("{}, method {}, pressure {}", quantities[quantity],
+                           options.method, method.pressure);
+  if (!joint.empty()) plot.title += ", " + joint;
+  plot.x_label =
+      over_alpha ? "slip axis angle α, deg" : "contact half-angle θ₀, deg";
+  plot.y_label = quantities[quantity];
+  plot.logarithmic_x = x.is_logarithmic();
+  plot.family = true;
+  for (const double member : cli::spread(family, most_curves)) {
+    const std::vector<double> xs = cli::spread(x, most_points);
+    const std::vector<double> members(xs.size(), member);
+    PointBlock block;
+    set_points(over_alpha ? members : xs, over_alpha ? xs : members, block);
+    compute(method, block);
+    plot.curves.push_back(
+        {fmt::format("{} = {}°", over_alpha ? "θ₀" : "α", member), xs,
+         block.results[quantity]});
+  }
+  return cli::draw(plot, options.output.plot);
+}
+
+cli::ExitStatus report(const Problems& problems, const Method& method) {
+  if (problems.beyond > 0) {
+    cli::warn("hinge-table",
+              fmt::format("points without a value: {}; the pressure {} ends at "
+                          "{:.6g} deg",
+                          problems.beyond, method.pressure,
+                          method.largest_half_angle / contact::degree));
+  }
+  if (problems.inaccurate > 0) {
+    cli::warn("hinge-table",
+              fmt::format("points that missed the tolerance: {}; their "
+                          "rows have the best values found",
+                          problems.inaccurate));
+  }
+  return problems.bad_lines + problems.inaccurate + problems.beyond == 0
+             ? cli::all_good
+             : cli::some_bad;
+}
+
+cli::ExitStatus run_grid(const Options& options, const Method& method,
+                         const std::string& joint) {
+  if (options.theta0.empty()) {
+    cli::refuse_without(
+        "a table",
+        "--theta0 and --alpha, or --points (see hinge-table --help)");
+  }
+  const std::size_t quantity = quantity_index(options.quantity);
+  const Grid grid{{"--theta0", options.theta0, point_columns[0].allowed,
+                   contact::Dimension::angle},
+                  {"--alpha", options.alpha, point_columns[1].allowed,
+                   contact::Dimension::angle}};
+  if (!options.output.plot.empty() && grid.size() == 1) {
+    cli::refuse_without("--plot", "a range of --theta0 or --alpha");
+  }
+  const bool two_way = options.output.format >= cli::Format::markdown;
+  if (!two_way && options.output.plot.empty() && !options.quantity.empty()) {
+    cli::refuse_without(
+        given("--quantity", options.quantity),
+        "--format markdown or latex, or --plot; lists have all quantities");
+  }
+  if (two_way && !options.output.columns.empty()) {
+    cli::refuse_without("--columns",
+                        "--format csv or json, or --points: a grid in "
+                        "markdown and latex has one --quantity");
+  }
+  // Wider ones cannot be printed, and their header has to fit in memory.
+  constexpr std::size_t most_columns = 1000;
+  if (two_way && grid.alpha.size() > most_columns) {
+    cli::refuse(
+        "--alpha", options.alpha,
+        fmt::format("at most {} values in markdown and latex, where each is a "
+                    "column; these are {}",
+                    most_columns, grid.alpha.size()));
+  }
+  const cli::ExitStatus status =
+      report(two_way ? write_two_way(grid, method, quantity, options.output)
+                     : write_list(grid, method, options.output),
+             method);
+  if (options.output.plot.empty()) return status;
+  return cli::drawn("hinge-table", draw(grid, method, quantity, joint, options),
+                    status);
+}
+
+}  // namespace
+
+cli::ExitStatus run(const Options& options) {
+  const double tolerance = tolerance_of(options);
+  const cli::Joint ball = make_ball(options.joint);
+  const Method method =
+      find_method(options.method, tolerance, ball.pressures[0]);
+  if (options.points.empty()) return run_grid(options, method, ball.name);
+  return report(write_points(options, method), method);
+}
+
+}  // namespace hinge_table

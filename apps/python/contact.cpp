@@ -1,0 +1,267 @@
+// What depends on a normal force, or on the laws alone.
+#include <pybind11/stl.h>
+
+#include "libcontact/friction/any_pressure.hpp"
+#include "libcontact/pressure/validity.hpp"
+#include "python/answers.hpp"
+#include "python/file_joint.hpp"
+
+namespace contact_python {
+namespace {
+
+using contact::JointContact;
+
+struct Coefficients {
+  contact::FrictionTriple of;
+};
+const Field<Coefficients> coefficient_fields[] = {
+    {"force", [](const Coefficients& c) { return c.of.force; },
+     "chi, over f0 R_n."},
+    {"sliding", [](const Coefficients& c) { return c.of.sliding; },
+     "sigma_Y, over f0 rho R_n."},
+    {"spinning", [](const Coefficients& c) { return c.of.spinning; },
+     "sigma_Z, over f0 rho R_n."},
+};
+
+template <class Value>
+py::object of_force(const Numbers& force, const Value& value) {
+  return evaluate({{"normal_force", force, 0}},
+                  [&](const double* const* at) { return value(*at[0]); });
+}
+
+py::object pressure(const FileJoint& self, const Numbers& theta,
+                    const Numbers& force) {
+  const JointContact& contact = self.contact();
+  return evaluate({{"theta", theta, 0}, {"normal_force", force, 0}},
+                  [&](const double* const* at) {
+                    return contact.pressure(
+                        *at[0], *at[1], contact.half_angle(*at[1]).half_angle);
+                  });
+}
+
+std::vector<std::string> notes(const FileJoint& self,
+                               const std::optional<Numbers>& force) {
+  std::vector<std::string> all = self.spec().validity_notes();
+  if (!force) return all;
+  const JointContact& contact = self.contact();
+  contact::LargestContact largest;
+  Rows({{"normal_force", *force, 0}}).for_each([&](const double* const* at) {
+    const double half_angle = contact.half_angle(*at[0]).half_angle;
+    largest.add(half_angle, contact.peak_pressure(*at[0], half_angle));
+  });
+  for (auto& note :
+       contact::contact_notes(contact.geometry().kind(), self.spec().pair,
+                              largest.half_angle, largest.peak_pressure)) {
+    all.push_back(std::move(note));
+  }
+  return all;
+}
+
+// Of a law alone, as functions of the module.
+py::object law_half_angle(const FileJoint& self, const Numbers& parameter) {
+  const auto& law = self.contact().half_angle_law();
+  return evaluate({{"load_parameter", parameter, 0}},
+                  [&](const double* const* at) {
+                    return law.half_angle(*at[0]).half_angle;
+                  });
+}
+
+py::object law_load_parameter(const FileJoint& self,
+                              const Numbers& half_angle) {
+  const auto& law = self.contact().half_angle_law();
+  return evaluate({{"half_angle", half_angle, 0}},
+                  [&](const double* const* at) {
+                    return law.load_parameter(*at[0]).load_parameter;
+                  });
+}
+
+py::object law_pressure(const FileJoint& self, const Numbers& theta,
+                        const Numbers& half_angle) {
+  const auto& law = self.contact().pressure_law();
+  return evaluate(
+      {{"theta", theta, 0}, {"half_angle", half_angle, 0}},
+      [&](const double* const* at) { return law.pressure(*at[0], *at[1]); });
+}
+
+Answers<Coefficients> law_coefficients(const FileJoint& self,
+                                       const Numbers& theta0,
+                                       const Numbers& alpha) {
+  const Rows rows({{"theta0", theta0, 0}, {"alpha", alpha, 0}});
+  std::vector<double> in[3];
+  std::vector<double> out[3];
+  rows.for_each([&](const double* const* at) {
+    const auto axis = contact::SlipAxis::from_angle(*at[1]);
+    in[0].push_back(*at[0]);
+    in[1].push_back(axis.sin);
+    in[2].push_back(axis.cos);
+  });
+  for (auto& column : out) column.resize(rows.size());
+  Answers<Coefficients> result{rows.shape(), {}};
+  const py::gil_scoped_release unlocked;
+  contact::friction_integrals(self.contact().pressure_law(),
+                              {in[0], in[1], in[2]},
+                              {.normal = {},
+                               .force_pressure = {},
+                               .sliding_pressure = {},
+                               .spinning_pressure = {},
+                               .force_area = {},
+                               .sliding_area = {},
+                               .spinning_area = {},
+                               .force = out[0],
+                               .sliding = out[1],
+                               .spinning = out[2]});
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    result.rows.push_back({{out[0][i], out[1][i], out[2][i]}});
+  }
+  return result;
+}
+
+void bind_size(py::class_<FileJoint>& type) {
+  const auto number = [&](const char* name, auto value, const char* doc) {
+    type.def_property_readonly(
+        name, [value](const FileJoint& self) { return value(self.contact()); },
+        doc);
+  };
+  type.def_property_readonly(
+      "name", [](const FileJoint& self) { return self.spec().name; },
+      "As the file has it.");
+  number(
+      "kind",
+      [](const JointContact& c) { return to_string(c.geometry().kind()); },
+      "\"ball\" or \"pin\".");
+  number(
+      "radius", [](const JointContact& c) { return c.geometry().radius(); },
+      "rho of the ball or pin, m.");
+  number(
+      "radial_clearance",
+      [](const JointContact& c) { return c.geometry().radial_clearance(); },
+      "eps, m.");
+  number(
+      "length", [](const JointContact& c) { return c.geometry().length(); },
+      "Of a pin's contact, m; NaN of a ball.");
+  number(
+      "effective_modulus",
+      [](const JointContact& c) { return c.pair().effective_modulus(); },
+      "E = 2 E* of the surfaces, Pa.");
+  number(
+      "half_angle_law",
+      [](const JointContact& c) { return c.half_angle_law().name(); },
+      "Its name: \"fitted\", \"exact\", ...");
+  number(
+      "pressure_law",
+      [](const JointContact& c) { return c.pressure_law().name(); },
+      "Its name: \"exact\", \"cosine\", ...");
+  number(
+      "limit_half_angle",
+      [](const JointContact& c) {
+        return c.half_angle_law().limit_half_angle();
+      },
+      "theta0 at infinite load, rad.");
+}
+
+void bind_quantities(py::class_<FileJoint>& type) {
+  const auto of = [&](const char* name, auto value, const char* doc) {
+    type.def(
+        name,
+        [value](const FileJoint& self, const Numbers& normal_force) {
+          const JointContact& contact = self.contact();
+          return of_force(normal_force,
+                          [&](double force) { return value(contact, force); });
+        },
+        py::arg("normal_force"), doc);
+  };
+  of(
+      "half_angle",
+      [](const JointContact& c, double force) {
+        return c.half_angle(force).half_angle;
+      },
+      "half_angle(self, normal_force)\n--\n\n"
+      "theta0 of the contact, rad; NaN where the law has none.\n\n"
+      "normal_force: R_n, N, (...).");
+  of(
+      "load_parameter",
+      [](const JointContact& c, double force) {
+        return c.load_parameter(force);
+      },
+      "load_parameter(self, normal_force)\n--\n\n"
+      "mu of a ball, lambda of a pin. normal_force: R_n, N, (...).");
+  of(
+      "peak_pressure",
+      [](const JointContact& c, double force) {
+        return c.peak_pressure(force, c.half_angle(force).half_angle);
+      },
+      "peak_pressure(self, normal_force)\n--\n\n"
+      "Pa. normal_force: R_n, N, (...), above 0.");
+  of(
+      "mean_pressure",
+      [](const JointContact& c, double force) {
+        return c.mean_pressure(force, c.half_angle(force).half_angle);
+      },
+      "mean_pressure(self, normal_force)\n--\n\n"
+      "Over the contact's own area, Pa. normal_force: R_n, N, (...), above 0.");
+  of(
+      "nominal_pressure",
+      [](const JointContact& c, double force) {
+        return c.geometry().nominal_pressure(force);
+      },
+      "nominal_pressure(self, normal_force)\n--\n\n"
+      "Of catalogues: force over projected area, Pa. normal_force: N, (...).");
+  of(
+      "contact_area",
+      [](const JointContact& c, double force) {
+        return c.area(c.half_angle(force).half_angle);
+      },
+      "contact_area(self, normal_force)\n--\n\n"
+      "m^2. normal_force: R_n, N, (...).");
+  of(
+      "approach",
+      [](const JointContact& c, double force) {
+        return c.approach(c.half_angle(force).half_angle).approach;
+      },
+      "approach(self, normal_force)\n--\n\n"
+      "How far R_n presses the ball or pin into its seat or hole, from first\n"
+      "touch, m. NaN unless the half-angle law is exact, and where there is "
+      "none:\na pin in an infinite hole, loaded through the back.\n\n"
+      "normal_force: R_n, N, (...), above 0. To 2e-7 of itself.");
+  of(
+      "stiffness",
+      [](const JointContact& c, double force) {
+        return c.approach(c.half_angle(force).half_angle).stiffness;
+      },
+      "stiffness(self, normal_force)\n--\n\n"
+      "d R_n/d approach, N/m. NaN and accuracy as of approach().\n\n"
+      "normal_force: R_n, N, (...), above 0.");
+  type.def("pressure", &pressure, py::arg("theta"), py::arg("normal_force"),
+           "pressure(self, theta, normal_force)\n--\n\n"
+           "Contact pressure, Pa; 0 outside of the contact.\n\n"
+           "theta: angle from the contact's centre, rad, (...).\n"
+           "normal_force: R_n, N, (...), above 0.");
+  type.def("notes", &notes, py::arg("normal_force") = py::none(),
+           R"(notes(self, normal_force=None)
+--
+
+Where the joint leaves the range of the theory, and what its materials bear, a
+sentence each: what the programs warn of.
+
+normal_force: the loads that it has, R_n, N, (...).)");
+}
+
+void bind_laws(py::class_<FileJoint>& type) {
+  type.def("_half_angle", &law_half_angle);
+  type.def("_load_parameter", &law_load_parameter);
+  type.def("_pressure", &law_pressure);
+  type.def("_friction_coefficients", &law_coefficients);
+}
+
+}  // namespace
+
+void bind_contact(py::module_& m, py::class_<FileJoint>& type) {
+  bind_answers(m, "Coefficients",
+               std::span<const Field<Coefficients>>(coefficient_fields),
+               "What friction_coefficients() returns.");
+  bind_size(type);
+  bind_quantities(type);
+  bind_laws(type);
+}
+
+}  // namespace contact_python

@@ -1,0 +1,270 @@
+#include <pybind11/stl.h>
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "libcontact/base/complaint.hpp"
+#include "libcontact/base/error.hpp"
+#include "libcontact/duty/wear_map.hpp"
+#include "python/file_joint.hpp"
+#include "python/ratings.hpp"
+
+namespace contact_python {
+namespace {
+
+using contact::CycleInstant;
+using contact::DutyCycle;
+using contact::JointBody;
+using contact::JointCycle;
+using contact::PeriodicSpline;
+using contact::WearMap;
+using Eigen::Vector3d;
+
+std::vector<Vector3d> vectors(const char* name, const Numbers& array) {
+  std::vector<Vector3d> all;
+  Rows({{name, array, 3}}).for_each([&](const double* const* at) {
+    all.push_back(vector_at(at[0]));
+  });
+  return all;
+}
+
+JointBody body_of(const char* name, const std::string& text) {
+  if (text == "carrier") return JointBody::carrier;
+  if (text == "body") return JointBody::body;
+  throw contact::Error(contact::detail::must_be(name + (" = \"" + text + "\""),
+                                                "\"carrier\" or \"body\""));
+}
+
+/// A joint on its duty cycle, with what it refers to.
+class Cycle {
+ public:
+  Cycle(const contact::Joint& joint, DutyCycle cycle)
+      : joint_(joint), cycle_(std::move(cycle)), on_(cycle_, joint_) {}
+  Cycle(const Cycle&) = delete;
+  Cycle& operator=(const Cycle&) = delete;
+
+  const JointCycle& on() const { return on_; }
+  // rho |Dw|, m/s.
+  double rim_speed(const CycleInstant& i) const {
+    return contact().geometry().radius() * i.state.rate.norm();
+  }
+  const contact::JointContact& contact() const { return on_.contact(); }
+
+ private:
+  contact::Joint joint_;
+  DutyCycle cycle_;
+  JointCycle on_;
+};
+
+std::unique_ptr<Cycle> make_cycle(const FileJoint& joint, const Numbers& time,
+                                  const Numbers& force, const Numbers& motion,
+                                  const std::optional<std::string>& sequence,
+                                  double period, const std::string& force_on,
+                                  const std::string& force_in) {
+  const std::span<const double> times(time.data(), time.size());
+  const contact::ForceFrame frame{body_of("force_on", force_on),
+                                  body_of("force_in", force_in)};
+  PeriodicSpline forces(times, period, vectors("force", force));
+  PeriodicSpline spline(times, period,
+                        vectors(sequence ? "angles" : "rates", motion));
+  const py::gil_scoped_release unlocked;
+  return std::make_unique<Cycle>(
+      joint.joint(),
+      sequence ? DutyCycle(std::move(forces), frame, std::move(spline),
+                           contact::TurnSequence(*sequence))
+               : DutyCycle(std::move(forces), frame, std::move(spline)));
+}
+
+template <class Row, class Function>
+Answers<Row> of_rows(const Cycle& cycle, const Function& row) {
+  Answers<Row> all{{py::ssize_t(cycle.on().rows().size())}, {}};
+  for (const CycleInstant& i : cycle.on().rows()) all.rows.push_back(row(i));
+  return all;
+}
+
+// A quantity by its attribute's name; of a vector its length.
+JointCycle::Quantity quantity(const Cycle& cycle, const std::string& name) {
+  const auto number = [](const auto& field, const auto& row) {
+    return std::visit(
+        [&](auto of) -> double {
+          if constexpr (std::is_same_v<decltype(of(row)), Vector3d>) {
+            return of(row).norm();
+          } else {
+            return of(row);
+          }
+        },
+        field.of);
+  };
+  for (const auto& field : solution_fields()) {
+    if (field.name != name) continue;
+    return [number, &field](const CycleInstant& i) {
+      return number(field, i.solution);
+    };
+  }
+  for (const auto& field : rating_fields()) {
+    if (field.name != name) continue;
+    return [number, &field, &cycle](const CycleInstant& i) {
+      return number(field, rating(cycle.on().sliding(i)));
+    };
+  }
+  throw contact::Error(contact::detail::must_be(
+      "quantity = \"" + name + "\"", "an attribute of Solution or Rating"));
+}
+
+py::object largest(const Cycle& cycle, const std::string& name) {
+  const auto of = quantity(cycle, name);
+  CycleInstant instant;
+  {
+    const py::gil_scoped_release unlocked;
+    instant = cycle.on().largest(of);
+  }
+  return py::make_tuple(of(instant), instant.time);
+}
+
+double integral(const Cycle& cycle, const JointCycle::Quantity& quantity) {
+  const py::gil_scoped_release unlocked;
+  return cycle.on().integral(quantity);
+}
+
+py::array_t<double> array_of(const std::vector<Vector3d>& vectors) {
+  py::array_t<double> array({py::ssize_t(vectors.size()), py::ssize_t{3}});
+  double* to = array.mutable_data();
+  for (const Vector3d& v : vectors) {
+    for (const double x : v) *to++ = x;
+  }
+  return array;
+}
+
+py::dict wear(const Cycle& cycle, const std::string& body, int points) {
+  if (points < 10) {
+    throw contact::Error(contact::detail::must_be(
+        "points = " + std::to_string(points), "10 or more"));
+  }
+  const JointBody of = body_of("body", body);
+  std::vector<Vector3d> grid;
+  std::vector<WearMap::Wear> worn;
+  WearMap::Deepest deepest;
+  double cell_area;
+  double defect;
+  {
+    const py::gil_scoped_release unlocked;
+    const WearMap map(cycle.on(), of);
+    grid = map.grid(points);
+    for (const Vector3d& point : grid) worn.push_back(map.at(point));
+    deepest = map.deepest(grid, worn);
+    defect = map.volume_defect(worn);
+    cell_area = map.cell_area(points);
+  }
+  py::array_t<double> pv(worn.size());
+  py::array_t<double> cross_shear(worn.size());
+  for (std::size_t i = 0; i < worn.size(); ++i) {
+    pv.mutable_at(i) = worn[i].pv;
+    cross_shear.mutable_at(i) = worn[i].cross_shear;
+  }
+  using namespace py::literals;  // NOLINT: _a
+  return py::dict("body"_a = body, "points"_a = array_of(grid),
+                  "pv_integral"_a = pv, "cross_shear"_a = cross_shear,
+                  "cell_area"_a = cell_area, "volume_defect"_a = defect,
+                  "deepest_point"_a = array_of({deepest.point})[py::int_(0)],
+                  "deepest_pv_integral"_a = deepest.wear.pv,
+                  "deepest_cross_shear"_a = deepest.wear.cross_shear);
+}
+
+Answers<contact::WornState> wear_in(const Cycle& cycle, double coefficient,
+                                    double cycles) {
+  const py::gil_scoped_release unlocked;
+  Answers<contact::WornState> states;
+  states.rows = contact::wear_in(cycle.on().cycle(), cycle.contact(),
+                                 coefficient, cycles);
+  states.shape = {py::ssize_t(states.rows.size())};
+  return states;
+}
+
+void bind_integrals(py::class_<Cycle>& type) {
+  const auto number = [&](const char* name, auto of, const char* doc) {
+    type.def_property_readonly(
+        name, [of](const Cycle& c) { return integral(c, of(c)); }, doc);
+  };
+  number(
+      "energy",
+      [](const Cycle&) {
+        return [](const CycleInstant& i) { return -i.solution.power; };
+      },
+      "Dissipated by friction in one cycle, J.");
+  number(
+      "sliding_distance",
+      [](const Cycle& c) {
+        return [&c](const CycleInstant& i) {
+          return c.rim_speed(i) * c.on().sliding(i).slip_coefficient();
+        };
+      },
+      "Effective, of one cycle: integral of rho |Dw| L, m.");
+  number(
+      "pv_integral",
+      [](const Cycle& c) {
+        return [&c](const CycleInstant& i) {
+          return c.on().sliding(i).pv_total();
+        };
+      },
+      "Of p v over contact and time, J; times k it is the worn volume.");
+}
+
+}  // namespace
+
+void bind_duty(py::module_& m) {
+  py::class_<Cycle> type(m, "Cycle", "A joint on a duty cycle.");
+  type.def(py::init(&make_cycle), py::arg("joint"), py::arg("time"),
+           py::arg("force"), py::arg("motion"), py::arg("sequence"),
+           py::arg("period"), py::arg("force_on"), py::arg("force_in"));
+  bind_integrals(type);
+  type.def_property_readonly(
+      "period", [](const Cycle& c) { return c.on().cycle().period(); }, "s");
+  type.def_property_readonly(
+      "closure", [](const Cycle& c) { return c.on().cycle().closure(); },
+      "By what angle the turn of integrated rates fails to close, rad.");
+  type.def_property_readonly(
+      "time",
+      [](const Cycle& c) {
+        return py::array_t<double>(py::cast(c.on().cycle().times()));
+      },
+      "Of the rows, s.");
+  type.def_property_readonly(
+      "solution",
+      [](const Cycle& c) {
+        return of_rows<contact::JointSolution>(
+            c, [](const CycleInstant& i) { return i.solution; });
+      },
+      "Friction at the rows: a Solution.");
+  type.def_property_readonly(
+      "rating",
+      [](const Cycle& c) {
+        return of_rows<Rating>(c, [&](const CycleInstant& i) {
+          return rating(c.on().sliding(i));
+        });
+      },
+      "p v and heat at the rows: a Rating.");
+  type.def("largest", &largest, py::arg("quantity"),
+           R"(largest(self, quantity)
+--
+
+The largest value in the cycle and its time, s; to 1e-8.
+
+quantity: an attribute of Solution or Rating; of a vector its length.)");
+  bind_answers(m, "WearIn", worn_fields(), "What Cycle.wear_in() returns.");
+  type.def("wear_in", &wear_in, py::arg("coefficient"), py::arg("cycles"),
+           R"(wear_in(self, coefficient, cycles)
+--
+
+The joint in the course of many cycles, whose wear of the seat or hole widens
+the contact (libcontact's docs/duty.md): a WearIn of blocks, (n,). The first is
+without wear, the last after all cycles; between them the worn volume grows by
+at most 10 % of what the bodies overlap.
+
+coefficient: k of the seat or hole, m^2/N; 1 mm^3/(N m) is 1e-9 m^2/N.
+cycles: how many.)");
+  type.def("_wear", &wear, py::arg("body"), py::arg("points"));
+}
+
+}  // namespace contact_python

@@ -1,0 +1,171 @@
+#include <pybind11/eigen.h>
+#include <pybind11/stl.h>
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "libcontact/base/complaint.hpp"
+#include "libcontact/identify/identify.hpp"
+#include "python/file_joint.hpp"
+#include "python/rows.hpp"
+
+namespace contact_python {
+namespace {
+
+using contact::ConfidenceInterval;
+using contact::Estimate;
+using contact::FrictionFit;
+using contact::FrictionParameter;
+using contact::MeasuredMoment;
+
+constexpr std::pair<const char*, FrictionParameter> parameters[] = {
+    {"coefficient", FrictionParameter::coefficient},
+    {"adhesion", FrictionParameter::adhesion},
+    {"clearance", FrictionParameter::clearance}};
+
+FrictionParameter parameter_of(const std::string& text) {
+  for (const auto& [name, parameter] : parameters) {
+    if (text == name) return parameter;
+  }
+  throw contact::Error(contact::detail::must_be(
+      "parameters: \"" + text + "\"",
+      "\"coefficient\", \"adhesion\" or \"clearance\""));
+}
+
+std::string name_of(FrictionParameter parameter) {
+  return parameters[static_cast<int>(parameter)].first;
+}
+
+std::unique_ptr<FrictionFit> identify(const FileJoint& joint,
+                                      const Numbers& reaction,
+                                      const Numbers& rate,
+                                      const Numbers& moment,
+                                      const Numbers& sigma,
+                                      const std::vector<std::string>& names,
+                                      bool huber, bool profile, double level) {
+  contact::IdentifyOptions options{{}, huber, profile, level};
+  for (const auto& name : names) {
+    options.parameters.push_back(parameter_of(name));
+  }
+  // A vector of each state, or its component.
+  const Rows states({{"reaction", reaction, 3}});
+  const bool is_vector = moment.ndim() > py::ssize_t(states.shape().size());
+  std::vector<MeasuredMoment> data;
+  Rows({{"reaction", reaction, 3},
+        {"angular_velocity", rate, 3},
+        {"moment", moment, is_vector ? 3 : 0},
+        {"sigma", sigma, 0}})
+      .for_each([&](const double* const* at) {
+        MeasuredMoment datum{vector_at(at[0]), vector_at(at[1]), *at[2],
+                             *at[3]};
+        if (is_vector) datum.moment = vector_at(at[2]);
+        data.push_back(datum);
+      });
+  // What is looked for need not be there.
+  const bool finds_coefficient =
+      std::ranges::count(options.parameters, FrictionParameter::coefficient);
+  const contact::JointContact& contact =
+      finds_coefficient ? joint.contact() : joint.joint().contact();
+  const py::gil_scoped_release unlocked;
+  return std::make_unique<FrictionFit>(
+      contact::identify_friction(contact, data, options));
+}
+
+std::pair<double, double> pair_of(const ConfidenceInterval& interval) {
+  return {interval.low, interval.high};
+}
+
+// What the fit says of states: moments and their standard errors.
+py::tuple predict(const FrictionFit& fit, const Numbers& reaction,
+                  const Numbers& rate) {
+  const auto arguments = {Argument("reaction", reaction, 3),
+                          Argument("angular_velocity", rate, 3)};
+  const auto of = [&](double Estimate::*what) {
+    return evaluate(arguments, [&](const double* const* at) {
+      return contact::predicted_moment(fit, vector_at(at[0]),
+                                       vector_at(at[1])).*
+             what;
+    });
+  };
+  return py::make_tuple(of(&Estimate::value), of(&Estimate::standard_error));
+}
+
+void bind_estimate(py::module_& m) {
+  py::class_<Estimate>(m, "Estimate", "A number that was found.")
+      .def_readonly("value", &Estimate::value, "In SI units; NaN: none.")
+      .def_readonly("standard_error", &Estimate::standard_error, "")
+      .def_property_readonly(
+          "interval", [](const Estimate& e) { return pair_of(e.interval); },
+          "Low and high, by Student's t.")
+      .def_property_readonly(
+          "profile", [](const Estimate& e) { return pair_of(e.profile); },
+          "Low and high, where the others are fitted anew; NaN unless asked.")
+      .def_readonly("at_bound", &Estimate::at_bound,
+                    "Held at 0, below which the data would have it.")
+      .def("__repr__", [](const Estimate& e) {
+        return py::str("{:.6g} +- {:.2g}").format(e.value, e.standard_error);
+      });
+}
+
+}  // namespace
+
+void bind_identify(py::module_& m) {
+  bind_estimate(m);
+  py::class_<FrictionFit> type(
+      m, "Fit", "Friction parameters that fit measured moments.");
+  type.def(py::init(&identify), py::arg("joint"), py::arg("reaction"),
+           py::arg("angular_velocity"), py::arg("moment"), py::arg("sigma"),
+           py::arg("parameters"), py::arg("huber"), py::arg("profile"),
+           py::arg("level"));
+  type.def_property_readonly(
+      "converged",
+      [](const FrictionFit& f) { return f.status == contact::Status::ok; }, "");
+  type.def_property_readonly(
+      "parameters",
+      [](const FrictionFit& f) {
+        py::dict all;
+        for (std::size_t i = 0; i < f.parameters.size(); ++i) {
+          all[py::str(name_of(f.parameters[i]))] = f.estimates[i];
+        }
+        return all;
+      },
+      "Estimates by the names of the parameters.");
+  const auto estimate = [&](const char* name, auto member, const char* doc) {
+    type.def_property_readonly(
+        name, [member](const FrictionFit& f) { return f.*member; }, doc);
+  };
+  estimate("effective_coefficient", &FrictionFit::effective_coefficient,
+           "f0 alone, with A = 0.");
+  estimate("covariance", &FrictionFit::covariance, "Of the parameters.");
+  estimate("correlation", &FrictionFit::correlation, "Of the parameters.");
+  estimate("condition", &FrictionFit::condition,
+           "Condition number: above 30 the data hardly tell the parameters "
+           "apart.");
+  estimate("chi2", &FrictionFit::chi2, "Sum of squares of the residuals.");
+  estimate("degrees_of_freedom", &FrictionFit::degrees_of_freedom, "");
+  estimate("scale", &FrictionFit::scale,
+           "Standard error of the data in units of sigma.");
+  estimate("moment", &FrictionFit::moment,
+           "Of the fit, N m, of each number that was measured.");
+  estimate("moment_error", &FrictionFit::moment_error,
+           "Their standard errors, N m.");
+  estimate("residual", &FrictionFit::residual, "(fit - measured)/sigma.");
+  estimate("weight", &FrictionFit::weight, "Huber's.");
+  estimate("load_trend", &FrictionFit::load_trend,
+           "Slope of the residuals over ln R.");
+  estimate("direction_trend", &FrictionFit::direction_trend,
+           "Slope of the residuals over b, rad.");
+  estimate("rate_trend", &FrictionFit::rate_trend,
+           "Slope of the residuals over |Dw|, rad/s.");
+  type.def("predict", &predict, py::arg("reaction"),
+           py::arg("angular_velocity"),
+           R"(predict(self, reaction, angular_velocity)
+--
+
+The moment that turns the joint in other states by this fit, and its standard
+error, N m. Arguments as in Joint.solve().)");
+}
+
+}  // namespace contact_python

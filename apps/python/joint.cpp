@@ -1,0 +1,269 @@
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include "libcontact/duty/sliding_contact.hpp"
+#include "python/answers.hpp"
+#include "python/file_joint.hpp"
+#include "python/ratings.hpp"
+
+namespace contact_python {
+namespace {
+
+using contact::JointContact;
+using contact::JointSolution;
+using contact::JointSpec;
+using contact::RestSolution;
+using contact::SlidingContact;
+using contact::TomlTable;
+using Eigen::Vector3d;
+
+const Field<RestSolution> rest_fields[] = {
+    {"status", [](const RestSolution& s) { return int(s.status); },
+     "Status, as numbers."},
+    {"holds", [](const RestSolution& s) { return s.utilisation <= 1; },
+     "Whether the joint rests."},
+    {"utilisation", [](const RestSolution& s) { return s.utilisation; },
+     "tau, the share of the moment it can hold in this direction that M "
+     "needs."},
+    {"direction", [](const RestSolution& s) { return s.direction; },
+     "u in which it would begin to slide, (..., 3)."},
+    {"normal_force", [](const RestSolution& s) { return s.slip.normal_force; },
+     "R_n of that sliding, N."},
+    {"friction_moment",
+     [](const RestSolution& s) { return s.slip.friction_moment; },
+     "M_t of that sliding, M/tau, N m, (..., 3)."},
+    {"half_angle", [](const RestSolution& s) { return s.slip.half_angle; },
+     "theta0 of that sliding, rad."},
+};
+
+Answers<JointSolution> solve(const FileJoint& self, const Numbers& reaction,
+                             const Numbers& angular_velocity,
+                             const std::optional<Numbers>& axis, bool warm) {
+  const contact::Joint& joint = self.joint();
+  const Vector3d none = Vector3d::Zero();
+  JointSolution last;
+  return answers<JointSolution>(
+      {{"reaction", reaction, 3},
+       {"angular_velocity", angular_velocity, 3},
+       axis ? Argument("axis", *axis, 3) : Argument(none)},
+      [&](const double* const* at) {
+        const contact::Joint::Slip slip{vector_at(at[0]), vector_at(at[1]),
+                                        vector_at(at[2])};
+        if (!warm) return joint.solve(slip);
+        return last = joint.solve(slip, last);
+      });
+}
+
+Answers<JointSolution> solve_contact(const FileJoint& self,
+                                     const Numbers& normal_force,
+                                     const Numbers& angular_velocity,
+                                     const std::optional<Numbers>& axis) {
+  const contact::Joint& joint = self.joint();
+  const Vector3d none = Vector3d::Zero();
+  return answers<JointSolution>(
+      {{"normal_force", normal_force, 3},
+       {"angular_velocity", angular_velocity, 3},
+       axis ? Argument("axis", *axis, 3) : Argument(none)},
+      [&](const double* const* at) {
+        return joint.solve_contact(
+            {vector_at(at[0]), vector_at(at[1]), vector_at(at[2])});
+      });
+}
+
+Answers<RestSolution> utilisation(const FileJoint& self,
+                                  const Numbers& reaction,
+                                  const Numbers& moment,
+                                  const std::optional<Numbers>& axis) {
+  const contact::Joint& joint = self.joint();
+  const Vector3d none = Vector3d::Zero();
+  return answers<RestSolution>(
+      {{"reaction", reaction, 3},
+       {"moment", moment, 3},
+       axis ? Argument("axis", *axis, 3) : Argument(none)},
+      [&](const double* const* at) {
+        return joint.utilisation(
+            {vector_at(at[0]), vector_at(at[1]), vector_at(at[2])});
+      });
+}
+
+Answers<Rating> pv(const FileJoint& self, const Numbers& reaction,
+                   const Numbers& angular_velocity) {
+  const contact::Joint& joint = self.joint();
+  return answers<Rating>(
+      {{"reaction", reaction, 3}, {"angular_velocity", angular_velocity, 3}},
+      [&](const double* const* at) {
+        const Vector3d rate = vector_at(at[1]);
+        const JointSolution s = joint.solve({vector_at(at[0]), rate});
+        return rating(SlidingContact(joint.contact(), s, rate));
+      });
+}
+
+// Over places of the contact of one state.
+py::dict pv_at(const FileJoint& self, const Vector3d& reaction,
+               const Vector3d& rate, const Numbers& places) {
+  const contact::Joint& joint = self.joint();
+  const JointSolution s = joint.solve({reaction, rate});
+  const SlidingContact sliding(joint.contact(), s, rate);
+  const auto over = [&](double (SlidingContact::*of)(const Vector3d&)
+                            const noexcept) {
+    return evaluate({{"places", places, 3}}, [&](const double* const* at) {
+      return (sliding.*of)(vector_at(at[0]));
+    });
+  };
+  py::dict result;
+  result["pressure"] = over(&SlidingContact::pressure);
+  result["pv"] = over(&SlidingContact::pv);
+  result["heat_flux"] = over(&SlidingContact::heat_flux);
+  return result;
+}
+
+JointSpec checked_spec(const TomlTable& file) {
+  JointSpec spec = contact::joint_from_table(file);
+  file.refuse_idle();
+  return spec;
+}
+
+JointContact contact_of(JointSpec spec) {
+  if (!spec.friction) spec.friction = contact::FrictionLaw(0);
+  return spec.contact();
+}
+
+// A file that another one names with its key `kind`, with settings: a joint or
+// a pair of materials.
+std::string file_toml(const std::string& kind,
+                      const std::filesystem::path& path,
+                      const Settings& settings) {
+  contact::KnownKeys keys = contact::joint_keys();
+  if (kind == "pair") {
+    const auto of = [](const contact::KnownKeys& all, std::string_view key) {
+      return *std::ranges::find(all, key, &contact::KnownKey::key);
+    };
+    keys = of(of(keys, "materials").inside, kind).of_file;
+  }
+  return TomlTable::from_file(path, keys, key_settings(settings)).toml_text();
+}
+
+constexpr const char* solve_doc =
+    R"(solve(self, reaction, angular_velocity, *, axis=None, warm=False)
+--
+
+Friction of the joint while its halves turn, under a known reaction.
+
+reaction: R on the body, N, (..., 3).
+angular_velocity: Dw, body against carrier, rad/s, (..., 3); 0 rests.
+axis: of a pin, unit vector, (..., 3); the direction of Dw if it is None.
+warm: begin each row from the solution of the row before. Rows that are near
+    each other take 0.2 to 0.7 of the time; the last digits differ.
+
+Returns a Solution of the shape to which the arguments broadcast. To 2e-13 of
+the equations; NaN in an argument gives NaN with Status.OUT_OF_RANGE.)";
+
+void bind_solutions(py::class_<FileJoint>& type) {
+  const auto keyword_axis = py::arg("axis") = py::none();
+  type.def("solve", &solve, py::arg("reaction"), py::arg("angular_velocity"),
+           py::kw_only(), keyword_axis, py::arg("warm") = false, solve_doc);
+  type.def("solve_contact", &solve_contact, py::arg("normal_force"),
+           py::arg("angular_velocity"), py::kw_only(), keyword_axis,
+           R"(solve_contact(self, normal_force, angular_velocity, *, axis=None)
+--
+
+Friction under a known normal force: nothing to solve. With the reaction in its
+place it is the traditional estimate.
+
+normal_force: R_n n on the body, N, (..., 3).
+angular_velocity, axis: as in solve().)");
+  type.def("utilisation", &utilisation, py::arg("reaction"), py::arg("moment"),
+           py::kw_only(), keyword_axis,
+           R"(utilisation(self, reaction, moment, *, axis=None)
+--
+
+Whether the joint rests under a reaction while friction supplies a moment, and
+how near it is to sliding.
+
+reaction: R on the body, N, (..., 3).
+moment: M on the body that friction has to supply, N m, (..., 3).
+
+Returns a RestSolution.)");
+  type.def("pv", &pv, py::arg("reaction"), py::arg("angular_velocity"),
+           R"(pv(self, reaction, angular_velocity)
+--
+
+p v and heat over the contact while the halves turn: their largest values with
+the place, means, sums. Arguments as in solve(). Returns a Rating.)");
+  type.def(
+      "pv_at",
+      [](const FileJoint& self, std::array<double, 3> reaction,
+         std::array<double, 3> rate, const Numbers& places) {
+        return pv_at(self, vector_at(reaction.data()), vector_at(rate.data()),
+                     places);
+      },
+      py::arg("reaction"), py::arg("angular_velocity"), py::arg("places"),
+      R"(pv_at(self, reaction, angular_velocity, places)
+--
+
+A dict of "pressure" (Pa), "pv" and "heat_flux" (W/m^2) at places of the
+contact of one state; pressure and heat flux are 0 outside of it.
+
+reaction, angular_velocity: as in solve(), (3,).
+places: unit vectors from the joint's centre, (..., 3).)");
+}
+
+}  // namespace
+
+FileJoint::FileJoint(const std::string& text, const std::string& source,
+                     const std::filesystem::path& folder,
+                     const contact::KeySettings& settings)
+    : FileJoint(TomlTable::from_text(text, source, contact::joint_keys(),
+                                     folder, settings)) {}
+
+FileJoint::FileJoint(const TomlTable& file)
+    : toml_(file.toml_text()),
+      canonical_(file.canonical_text()),
+      spec_(checked_spec(file)),
+      joint_(contact_of(spec_)) {}
+
+contact::KeySettings key_settings(const Settings& settings) {
+  contact::KeySettings all;
+  for (const auto& [key, value] : settings) all.push_back({key, value});
+  return all;
+}
+
+const contact::Joint& FileJoint::joint() const {
+  if (!spec_.friction) spec_.contact();  // says so
+  return joint_;
+}
+
+// All but the materials' file is in the text.
+bool FileJoint::operator==(const FileJoint& other) const {
+  const auto mine = contact().strength(1);
+  const auto theirs = other.contact().strength(1);
+  return canonical_ == other.canonical_ && spec_.pair == other.spec_.pair &&
+         mine.pressure_part == theirs.pressure_part &&
+         mine.area_part == theirs.area_part;
+}
+
+void bind_joint(py::module_& m) {
+  bind_answers(m, "Solution", solution_fields(),
+               "What Joint.solve() returns, and Joint.solve_contact().");
+  bind_answers(m, "RestSolution",
+               std::span<const Field<RestSolution>>(rest_fields),
+               "What Joint.utilisation() returns.");
+  bind_answers(m, "Rating", rating_fields(), "What Joint.pv() returns.");
+  py::class_<FileJoint> type(m, "Joint");
+  type.def(py::init([](const std::string& text, const std::string& source,
+                       const std::filesystem::path& folder,
+                       const Settings& settings) {
+             return std::make_unique<FileJoint>(text, source, folder,
+                                                key_settings(settings));
+           }),
+           py::arg("text"), py::arg("source"), py::arg("folder"),
+           py::arg("settings"), py::call_guard<py::gil_scoped_release>());
+  type.def_property_readonly("_toml", &FileJoint::toml);
+  type.def_property_readonly("_canonical", &FileJoint::canonical);
+  type.def("_same", &FileJoint::operator==);
+  m.def("_file_toml", &file_toml);
+  bind_contact(m, type);
+  bind_solutions(type);
+}
+
+}  // namespace contact_python

@@ -1,0 +1,169 @@
+"""Separations: cases of hinge-separation and what comes of them."""
+
+import json
+import warnings
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, field
+from os import PathLike, fspath
+from typing import Any, Literal, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from . import _core
+from ._files import FileText, toml_text
+
+
+class Event(NamedTuple):
+    """Something that happened."""
+
+    time: float  #: s
+    body: str
+    what: str
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """What has come of a run."""
+
+    #: Columns of the history by their names, "time_s", "stage.angle_deg", ...;
+    #: modes are words.
+    history: dict[str, NDArray[Any]] = field(repr=False)
+    events: list[Event]
+    #: As hinge-separation --output has it.
+    summary: dict[str, Any] = field(repr=False)
+    #: "", or why the run has come no further.
+    failure: str
+
+
+class Case(FileText, _core.Case):
+    """A separation: bodies on hinges with friction, forces, events.
+
+    Made from a file (from_file()) or from its tables as dicts, with keys and
+    units as in case files (libcontact's apps/separation/case_file.md). Nothing
+    of a case changes: replace() makes another. Cases compare by what they say,
+    and may be pickled; one in another process finds its joint files in the
+    same folder.
+    """
+
+    def __init__(
+        self,
+        tables: Mapping[str, object],
+        folder: str | PathLike[str] = "",
+    ) -> None:
+        """folder: what the names of joint files are relative to."""
+        self._read(toml_text(tables), "", fspath(folder), ())
+
+    def run(
+        self,
+        *,
+        clearance: bool = True,
+        progress: Callable[[float, float], object] | None = None,
+    ) -> Outcome:
+        """Moves the bodies to the end of the case. Ctrl-C ends it.
+
+        clearance: whether to work out distances between bodies.
+        progress: called ten times a second with the time and the end, s.
+
+        A run that fails on its way gives a RuntimeWarning and what has come of
+        it by then.
+        """
+        run = _core.Run(self, clearance)
+        run._advance_to(run.end_time, progress)
+        outcome = _outcome(*run._end())
+        if outcome.failure:
+            warnings.warn(outcome.failure, RuntimeWarning, stacklevel=2)
+        return outcome
+
+
+RunStatus = Literal["running", "finished", "failed"]
+
+
+class Run(_core.Run):
+    """A case on its way, for loops that look at it or move something else
+    beside it.
+
+        run = Run(case)
+        while run.advance_to(run.time + 0.1) == "running":
+            print(run["stage.angle_deg"], run["stage.x_m", "stage.y_m"])
+
+    Where it stops and what is asked of it there changes nothing of what
+    follows, to the last bit: its outcome at the end is that of Case.run().
+
+    Values are those of the history by their columns (libcontact's
+    apps/programs/separation/output.md), in the units of their names. Of each body NAME:
+    NAME.x_m, NAME.vx_m_per_s and so on, of the centre of mass in inertial axes;
+    NAME.qw to NAME.qz, the unit quaternion that turns the body's axes into
+    inertial ones; NAME.wx_rad_per_s and so on in the body's axes. Of its hinge:
+    NAME.mode and what hinge, lock and friction do to the body, in inertial
+    axes: NAME.reaction_x_N, NAME.lock_reaction_x_N, NAME.friction_moment_x_N_m
+    and so on.
+
+    Runs have nothing in common: each may have a thread of its own.
+    """
+
+    def __init__(self, case: Case, *, clearance: bool = True) -> None:
+        """At the start. clearance: whether to work out distances."""
+        super().__init__(case, clearance)
+
+    def advance_to(
+        self,
+        time: float,
+        *,
+        progress: Callable[[float, float], object] | None = None,
+    ) -> RunStatus:
+        """Moves on to a time, s, or to the end of the case, whatever is first,
+        with the events on the way. An exception, by Ctrl-C or progress(), stops
+        it; it may go on then.
+
+        progress: as in Case.run().
+
+        "running", it has come there; "finished", to the end of the case; or
+        "failed", with a RuntimeWarning: it cannot go on, see message.
+        """
+        status = self._advance_to(time, progress)
+        if status == "failed":
+            warnings.warn(self.message, RuntimeWarning, stacklevel=2)
+        return status
+
+    def __getitem__(self, column: str | Iterable[str]) -> Any:
+        """The value of a column where the run is: a number; of a mode its word;
+        of several columns the array of their numbers.
+
+        column: its name, or several names.
+        """
+        if not isinstance(column, str):
+            return self.values()[[self._index(name) for name in column]]
+        value = self.values()[self._index(column)]
+        return _core._modes[int(value)] if column.endswith(".mode") else value
+
+    @property
+    def events(self) -> list[Event]:
+        """What has happened so far."""
+        return [Event(*event) for event in self._events]
+
+    def outcome(self) -> Outcome:
+        """What has come of it so far. Its history has rows at the case's output
+        times and events; Case.run() adds one where a run fails."""
+        return _outcome(*self._outcome())
+
+
+def _outcome(
+    columns: list[str],
+    table: NDArray[np.float64],
+    events: list[tuple[float, str, str]],
+    summary: str,
+    failure: str,
+) -> Outcome:
+    return Outcome(
+        {name: _column(name, table[:, i]) for i, name in enumerate(columns)},
+        [Event(*event) for event in events],
+        json.loads(summary),
+        failure,
+    )
+
+
+def _column(name: str, numbers: NDArray[np.float64]) -> NDArray[Any]:
+    if name.endswith(".mode"):
+        return np.array(_core._modes).take(numbers.astype(int))
+    return numbers.copy()

@@ -1,0 +1,242 @@
+#include "separation/results/run.hpp"
+
+#include <pybind11/stl.h>
+
+#include <chrono>
+#include <exception>
+#include <memory>
+#include <utility>
+
+#include "libcontact/base/complaint.hpp"
+#include "libcontact/base/error.hpp"
+#include "python/file_case.hpp"
+#include "python/file_joint.hpp"
+#include "python/rows.hpp"
+#include "separation/results/saved_state.hpp"
+#include "separation/results/summary.hpp"
+
+namespace contact_python {
+namespace {
+
+/// What a run asks Python on its way: whether somebody pressed Ctrl-C, and
+/// who wants to know how far it is.
+class Listener {
+ public:
+  Listener(py::object progress, const separation::Run& run)
+      : progress_(std::move(progress)),
+        time_(run.time()),
+        end_(run.of().end_time) {}
+
+  void come_to(double time) { time_ = time; }
+  // As a separation::StopRule.
+  std::string reason_to_stop() {
+    const auto now = Clock::now();
+    if (now < next_) return "";
+    next_ = now + std::chrono::milliseconds(100);
+    const py::gil_scoped_acquire locked;
+    try {
+      if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+      if (!progress_.is_none()) progress_(time_, end_);
+    } catch (...) {
+      error_ = std::current_exception();
+      return "stopped";
+    }
+    return "";
+  }
+  void raise() const {
+    if (error_) std::rethrow_exception(error_);
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  py::object progress_;
+  double time_;
+  double end_;
+  Clock::time_point next_ = Clock::now();
+  std::exception_ptr error_;
+};
+
+py::array_t<double> table_of(const separation::Rows& rows) {
+  const Shape shape = {py::ssize_t(rows.size()),
+                       py::ssize_t(rows.columns.size())};
+  return py::array_t<double>(shape, rows.numbers.data());
+}
+
+py::list events_of(const separation::Recorder::Memory& memory) {
+  py::list events;
+  for (const separation::Note& note : memory.notes) {
+    events.append(py::make_tuple(note.time, note.body, note.what));
+  }
+  return events;
+}
+
+// Columns and rows of the history, events, summary as JSON, failure.
+py::tuple answer(const separation::Run& run,
+                 const separation::Outcome& outcome) {
+  const auto& memory = outcome.memory;
+  return py::make_tuple(
+      memory.rows.columns, table_of(memory.rows), events_of(memory),
+      separation::summary(run.of(), outcome).dump(), outcome.failure);
+}
+
+const char* word(separation::Run::Status status) {
+  constexpr const char* words[] = {"running", "finished", "failed", "stopped"};
+  return words[static_cast<int>(status)];
+}
+
+/// A run that Python moves on. What takes long goes on without Python's lock;
+/// whoever looks at the run meanwhile is refused.
+class CaseRun {
+ public:
+  CaseRun(const FileCase& file, bool clearance)
+      : identity_(identity_of(file.of, {.clearance = clearance})),
+        run_(file.of, options(clearance)) {}
+  CaseRun(const CaseRun&) = delete;
+  CaseRun& operator=(const CaseRun&) = delete;
+
+  const separation::Run& run() const {
+    if (!is_busy_) return run_;
+    throw contact::Error(contact::detail::must_be(
+        "a run that moves on", "left alone until advance_to() returns"));
+  }
+
+  const char* advance_to(double time, py::object progress) {
+    Listener listener(std::move(progress), run());
+    listener_ = &listener;
+    alone([&] { run_.advance_to(time); });
+    listener.raise();
+    return word(run_.status());
+  }
+  py::bytes save() {
+    std::string bytes;
+    alone([&] { bytes = separation::saved_bytes(run_.save(), identity_); });
+    return bytes;
+  }
+  void restore(const py::bytes& saved) {
+    const std::string bytes = saved;
+    alone([&] { run_.restore(separation::saved_state(bytes, identity_)); });
+  }
+
+  const std::vector<double>& values() {
+    if (values_.empty()) values_ = run().values();
+    return values_;
+  }
+  // With a last row where it is; it cannot go on then.
+  py::tuple end() {
+    separation::Outcome outcome;
+    alone([&] { outcome = std::move(run_).end(); });
+    return answer(run_, outcome);
+  }
+
+ private:
+  separation::RunOptions options(bool clearance) {
+    separation::RunOptions options;
+    options.clearance = clearance;
+    options.progress = [this](const separation::Run& r) {
+      if (listener_) listener_->come_to(r.time());
+    };
+    options.stop = [this](long) {
+      return listener_ ? listener_->reason_to_stop() : "";
+    };
+    return options;
+  }
+
+  template <class Work>
+  void alone(const Work& work) {
+    run();
+    values_.clear();
+    is_busy_ = true;
+    const std::unique_ptr<CaseRun, void (*)(CaseRun*)> at_the_end(
+        this, [](CaseRun* r) {
+          r->is_busy_ = false;
+          r->listener_ = nullptr;
+        });
+    const py::gil_scoped_release unlocked;
+    work();
+  }
+
+  const std::string identity_;
+  Listener* listener_ = nullptr;  // while it moves on
+  bool is_busy_ = false;          // under Python's lock
+  std::vector<double> values_;    // where it is, once somebody has asked
+  separation::Run run_;
+};
+
+std::unique_ptr<CaseRun> make_run(const FileCase& file, bool clearance) {
+  const py::gil_scoped_release unlocked;
+  return std::make_unique<CaseRun>(file, clearance);
+}
+
+std::vector<std::string> mode_words() {
+  std::vector<std::string> words;
+  for (const auto mode :
+       {multibody::HingeMode::sliding, multibody::HingeMode::resting,
+        multibody::HingeMode::locked, multibody::HingeMode::released}) {
+    words.emplace_back(to_string(mode));
+  }
+  return words;
+}
+
+}  // namespace
+
+void bind_run(py::module_& m) {
+  py::class_<CaseRun> type(m, "Run", "A case on its way.");
+  type.def(py::init(&make_run), py::arg("case"), py::arg("clearance"));
+  type.def("_advance_to", &CaseRun::advance_to, py::arg("time"),
+           py::arg("progress"));
+  type.def(
+      "_index",
+      [](const CaseRun& r, const std::string& column) {
+        return r.run().memory().rows.column(column);
+      },
+      py::arg("column"));
+  type.def("_outcome",
+           [](const CaseRun& r) { return answer(r.run(), r.run().outcome()); });
+  type.def("_end", &CaseRun::end);
+  type.def_property_readonly(
+      "_events", [](const CaseRun& r) { return events_of(r.run().memory()); });
+  const auto look = [&](const char* name, auto of, const char* doc) {
+    type.def_property_readonly(
+        name, [of](const CaseRun& r) { return of(r.run()); }, doc);
+  };
+  using separation::Run;
+  look(
+      "time", [](const Run& r) { return r.time(); }, "Where it is, s.");
+  look(
+      "end_time", [](const Run& r) { return r.of().end_time; },
+      "Of the case, s.");
+  look(
+      "status", [](const Run& r) { return word(r.status()); },
+      "What advance_to() returned; \"stopped\" after an exception.");
+  look(
+      "message", [](const Run& r) { return r.message(); },
+      "Why it has failed or was stopped, and where; \"\" otherwise.");
+  look(
+      "columns", [](const Run& r) { return r.columns(); },
+      "Names of the values, in their order.");
+  type.def(
+      "values",
+      [](CaseRun& r) { return py::array_t<double>(py::cast(r.values())); },
+      R"(values(self)
+--
+
+Of all columns where the run is, (n,). A mode is its number: 0 sliding,
+1 resting, 2 locked, 3 released.)");
+  type.def("save", &CaseRun::save, R"(save(self)
+--
+
+All that a run of the same case needs to go on from here, as bytes, with its
+history. This begins the steps anew: this run and restored ones then go on the
+same to the last bit, and differ from one that was never saved by the
+tolerances.)");
+  type.def("restore", &CaseRun::restore, py::arg("saved"),
+           R"(restore(self, saved)
+--
+
+Goes to where a run of the same case and clearance was saved, forwards or back,
+also from a failure. What is refused changes nothing.)");
+  m.attr("_modes") = mode_words();
+}
+
+}  // namespace contact_python

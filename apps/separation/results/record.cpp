@@ -1,0 +1,511 @@
+#include "separation/results/record.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <boost/math/tools/minima.hpp>
+#include <cmath>
+#include <utility>
+
+#include "libcontact/base/complaint.hpp"
+#include "libcontact/base/error.hpp"
+#include "libcontact/base/text.hpp"
+#include "libcontact/base/units.hpp"
+
+namespace separation {
+namespace {
+
+using contact::degree;
+using Eigen::Vector3d;
+using multibody::BodyMotion;
+using multibody::HingeKind;
+using multibody::HingeMode;
+using multibody::HingeSample;
+using multibody::MotionSample;
+
+constexpr const char* comes_to_rest = "comes to rest";
+
+// Distances are computed to 1e-5 m: no smaller one is looked for below this.
+constexpr double negligible = 1e-6;
+
+}  // namespace
+
+std::vector<std::string> history_columns(const Case& c, bool clearance) {
+  std::vector<std::string> columns = {"time_s"};
+  const auto add = [&](const std::string& body,
+                       std::initializer_list<const char*> names) {
+    for (const char* name : names) columns.push_back(body + '.' + name);
+  };
+  for (std::size_t i = 0; i <= c.bodies.size(); ++i) {
+    const std::string body =
+        column_name(c.rigid_body(static_cast<int>(i)).name);
+    if (i > 0 && c.bodies[i - 1].hinge.kind != HingeKind::none) {
+      add(body,
+          {"mode", "angle_deg", "rate_deg_per_s", "acceleration_deg_per_s2",
+           "reaction_N", "lock_reaction_N", "friction_moment_N_m",
+           "utilisation", "theta0_deg", "peak_pressure_Pa", "friction_work_J"});
+      add(body,
+          {"reaction_x_N", "reaction_y_N", "reaction_z_N", "lock_reaction_x_N",
+           "lock_reaction_y_N", "lock_reaction_z_N", "friction_moment_x_N_m",
+           "friction_moment_y_N_m", "friction_moment_z_N_m"});
+    }
+    add(body,
+        {"x_m", "y_m", "z_m", "vx_m_per_s", "vy_m_per_s", "vz_m_per_s", "qw",
+         "qx", "qy", "qz", "wx_rad_per_s", "wy_rad_per_s", "wz_rad_per_s"});
+  }
+  if (clearance) {
+    for (const auto& [a, b] : c.clearance) {
+      columns.push_back(fmt::format("clearance.{}.{}_m",
+                                    column_name(c.rigid_body(a).name),
+                                    column_name(c.rigid_body(b).name)));
+    }
+  }
+  for (const char* name : {"kinetic_J", "gravity_J", "active_work_J",
+                           "dissipated_J", "balance_J"}) {
+    columns.push_back(std::string("energy.") + name);
+  }
+  return columns;
+}
+
+namespace {
+
+std::optional<Clearance> make_clearance(const Case& c, bool wanted) {
+  if (!wanted || c.clearance.empty()) return {};
+  std::vector<std::vector<Shape>> shapes;
+  for (std::size_t i = 0; i <= c.bodies.size(); ++i) {
+    shapes.push_back(c.rigid_body(static_cast<int>(i)).shapes);
+  }
+  std::vector<Clearance::Pair> pairs;
+  for (const auto& [a, b] : c.clearance) pairs.push_back({a, b});
+  return Clearance(shapes, pairs);
+}
+
+// Rate of the angle: on an axis with its sign. After the release that of the
+// bodies' relative angular velocity.
+double rate_of(const Hinge& hinge, const MotionSample& sample, int body) {
+  if (sample.mode(body) != HingeMode::released) {
+    const HingeSample now = sample.hinge(body);
+    return hinge.kind == HingeKind::axis ? now.angle_rate
+                                         : now.relative_angular_velocity.norm();
+  }
+  const Vector3d relative =
+      sample.body(body).angular_velocity - sample.carrier().angular_velocity;
+  return hinge.kind == HingeKind::axis
+             ? (sample.carrier().rotation * hinge.axis).dot(relative)
+             : relative.norm();
+}
+
+bool is_held(HingeMode mode) {
+  return mode == HingeMode::locked || mode == HingeMode::resting;
+}
+
+// Its derivative; of a ball joint |d(Dw)/dt| in body axes.
+double acceleration_of(const Simulation& simulation, int body) {
+  const Hinge& hinge = simulation.of().bodies[body].hinge;
+  const auto& sample = simulation.sample();
+  if (is_held(sample.mode(body))) return 0;  // but for rounding
+  const BodyMotion& carrier = sample.carrier();
+  const BodyMotion& motion = sample.body(body);
+  const Vector3d relative =
+      sample.angular_acceleration(1 + body) - sample.angular_acceleration(0) -
+      carrier.angular_velocity.cross(motion.angular_velocity);
+  if (hinge.kind != HingeKind::axis) return relative.norm();
+  return (carrier.rotation * hinge.axis).dot(relative);
+}
+
+// The time of what stays the same is its first, whatever rounding says.
+void raise(double& peak, double& peak_time, double value, double time) {
+  constexpr double rounding = 1e-13;
+  if (!(value > (1 + rounding) * peak)) return;
+  peak = value;
+  peak_time = time;
+}
+
+}  // namespace
+
+std::size_t Rows::column(const std::string& name) const {
+  const auto found = std::find(columns.begin(), columns.end(), name);
+  if (found == columns.end()) {
+    throw contact::Error(
+        contact::detail::unknown("column", contact::detail::printable(name),
+                                 contact::detail::nearest(name, columns), {}));
+  }
+  return static_cast<std::size_t>(found - columns.begin());
+}
+
+Recorder::Recorder(const Case& c, bool rows, bool clearance, bool refine)
+    : case_(c),
+      keep_rows_(rows),
+      refine_(refine),
+      clearance_(make_clearance(c, clearance)) {
+  memory_.rows.columns = history_columns(c, clearance);
+  for (const Body& body : c.bodies) {
+    memory_.bodies.emplace_back();
+    memory_.bodies.back().joints.resize(body.hinge.joints.size());
+  }
+  memory_.pairs.resize(c.clearance.size());
+  for (std::size_t i = 0; clearance_ && i < c.clearance.size(); ++i) {
+    double radius = 0;
+    for (const Shape& shape : c.rigid_body(c.clearance[i].b).shapes) {
+      radius = std::max(radius, reach(shape));
+    }
+    ways_.emplace_back(clearance_->pairs()[i], radius);
+  }
+  memory_.forces.resize(c.forces.size());
+}
+
+void Recorder::go_on_with(const Simulation& simulation) {
+  changes_seen_ = simulation.motion().changes().size();
+  looks_.clear();
+  for (PairWay& way : ways_) way.forget();
+}
+
+void Recorder::add_motion(const BodyMotion& body) {
+  const Vector3d w = body.rotation.transpose() * body.angular_velocity;
+  const Eigen::Quaterniond q(body.rotation);
+  for (const double x : body.position) add(x);
+  for (const double v : body.velocity) add(v);
+  for (const double x : {q.w(), q.x(), q.y(), q.z()}) add(x);
+  for (const double x : w) add(x);
+}
+
+void Recorder::look_at_peaks(const MotionSample& sample, int i) {
+  const Body& body = case_.bodies[i];
+  BodyRecord& record = memory_.bodies[i];
+  const double time = sample.time();
+  if (body.hinge.kind == HingeKind::none) return;
+  const HingeSample hinge = sample.hinge(i);
+  const NodeReactions reactions = node_reactions(body, hinge);
+  const double force = reactions.hinge.norm();
+  const double lock = reactions.lock.norm();
+  raise(record.peak_reaction, record.peak_reaction_time, force, time);
+  raise(record.peak_lock, record.peak_lock_time, lock, time);
+  seen_.insert(seen_.end(), {force, lock});
+  record.work = std::max(record.work, hinge.dissipated);
+  for (std::size_t j = 0; j < record.joints.size(); ++j) {
+    if (j >= hinge.joints.size()) {
+      seen_.insert(seen_.end(), {0, 0, 0, 0});
+      continue;
+    }
+    const contact::JointSolution& joint = hinge.joints[j];
+    JointPeaks& peaks = record.joints[j];
+    const double reaction = joint.reaction.norm();
+    // At rest the solution is that of the sliding that is near.
+    const double moment =
+        hinge.mode == HingeMode::sliding ? joint.friction_moment.norm() : 0;
+    raise(peaks.reaction, peaks.reaction_time, reaction, time);
+    peaks.pressure = std::max(peaks.pressure, joint.peak_pressure);
+    peaks.half_angle = std::max(peaks.half_angle, joint.half_angle);
+    peaks.moment = std::max(peaks.moment, moment);
+    seen_.insert(seen_.end(),
+                 {reaction, joint.peak_pressure, joint.half_angle, moment});
+  }
+}
+
+// In the order of seen_.
+std::vector<double> Recorder::known_peaks() const {
+  std::vector<double> known;
+  for (std::size_t i = 0; i < case_.bodies.size(); ++i) {
+    if (case_.bodies[i].hinge.kind == HingeKind::none) continue;
+    const BodyRecord& record = memory_.bodies[i];
+    known.insert(known.end(), {record.peak_reaction, record.peak_lock});
+    for (const JointPeaks& peaks : record.joints) {
+      known.insert(known.end(), {peaks.reaction, peaks.pressure,
+                                 peaks.half_angle, peaks.moment});
+    }
+  }
+  return known;
+}
+
+// The peaks at an earlier time of the step.
+Look Recorder::look_back(const Simulation& simulation, double time) {
+  seen_.clear();
+  simulation.motion().look_back(time, [&](const MotionSample& sample) {
+    for (int i = 0; i < static_cast<int>(case_.bodies.size()); ++i) {
+      look_at_peaks(sample, i);
+    }
+  });
+  return {time, seen_};
+}
+
+// Between this look and the last one. Where that is before the step something
+// has changed at its beginning.
+void Recorder::refine_peaks(const Simulation& simulation) {
+  const Look now{simulation.sample().time(), seen_};
+  constexpr double instant = 1e-12;
+  if (!looks_.empty() &&
+      (looks_.back().time < simulation.motion().step_begin() ||
+       now.time - looks_.back().time <= instant * (1 + std::abs(now.time)))) {
+    looks_.clear();
+  }
+  if (!looks_.empty()) refine_between(simulation, looks_.back(), now);
+  if (looks_.size() == 2) looks_.erase(looks_.begin());
+  looks_.push_back(now);
+}
+
+void Recorder::refine_between(const Simulation& simulation, const Look& from,
+                              const Look& to) {
+  if (looks_.size() == 2 &&
+      !may_peak(looks_.front(), from, to, from.time, known_peaks())) {
+    return;
+  }
+  constexpr int middle = peak_nodes / 2;
+  std::array<Look, peak_nodes> looks;
+  looks.front() = from;
+  looks.back() = to;
+  const auto look = [&](int k) {
+    looks[k] = look_back(simulation, peak_node(k, from.time, to.time));
+  };
+  look(middle);
+  if (!may_peak(from, looks[middle], to, from.time, known_peaks())) return;
+  for (int k = 1; k + 1 < peak_nodes; ++k) {
+    if (k != middle) look(k);
+  }
+  for (const double time : peak_times(looks, known_peaks())) {
+    look_back(simulation, time);
+  }
+}
+
+// Columns of a body's hinge.
+void Recorder::add_hinge(const Simulation& simulation, int i) {
+  const Body& body = case_.bodies[i];
+  if (body.hinge.kind == HingeKind::none) return;
+  const HingeSample hinge = simulation.sample().hinge(i);
+  const NodeReactions reactions = node_reactions(body, hinge);
+  double half_angle = NAN;
+  double pressure = NAN;
+  for (const contact::JointSolution& joint : hinge.joints) {
+    half_angle = std::fmax(half_angle, joint.half_angle);
+    pressure = std::fmax(pressure, joint.peak_pressure);
+  }
+  add(static_cast<double>(hinge.mode));
+  add(simulation.angle(i) / degree);
+  add(rate_of(body.hinge, simulation.sample(), i) / degree);
+  add(acceleration_of(simulation, i) / degree);
+  add(reactions.hinge.norm());
+  add(reactions.lock.norm());
+  add(hinge.friction_moment.norm());
+  add(hinge.utilisation);
+  add(half_angle / degree);
+  add(pressure);
+  add(hinge.dissipated);
+  const Eigen::Matrix3d& to_inertial = simulation.sample().body(i).rotation;
+  for (const Vector3d& v :
+       {reactions.hinge, reactions.lock, hinge.friction_moment}) {
+    for (const double x : Vector3d(to_inertial * v)) add(x + 0.0);  // no -0
+  }
+}
+
+// A body that turns back rests for no time at all: that is no news.
+void Recorder::note_change(const multibody::HingeChange& change) {
+  const std::string& body = case_.bodies[change.body].rigid.name;
+  const bool rests = change.to == HingeMode::resting;
+  const auto same =
+      std::find_if(memory_.notes.rbegin(), memory_.notes.rend(),
+                   [&](const Note& note) { return note.body == body; });
+  if (!rests && same != memory_.notes.rend() && same->time == change.time &&
+      same->what == comes_to_rest) {
+    memory_.notes.erase(std::next(same).base());
+    return;
+  }
+  memory_.notes.push_back(
+      {change.time, body, rests ? comes_to_rest : "begins to slide"});
+}
+
+// Sticking and sliding, with the time at rest.
+void Recorder::look_at_changes(const Simulation& simulation) {
+  const double time = simulation.time();
+  const auto& changes = simulation.motion().changes();
+  const auto resting = static_cast<int>(HingeMode::resting);
+  if (!memory_.begun) {
+    memory_.begun = true;
+    memory_.last_time = time;
+    memory_.modes.clear();
+    for (std::size_t i = 0; i < case_.bodies.size(); ++i) {
+      memory_.modes.push_back(
+          static_cast<int>(simulation.sample().mode(static_cast<int>(i))));
+    }
+    changes_seen_ = changes.size();
+    return;
+  }
+  std::vector<double> since(case_.bodies.size(), memory_.last_time);
+  for (; changes_seen_ < changes.size(); ++changes_seen_) {
+    const auto& change = changes[changes_seen_];
+    if (memory_.modes[change.body] == resting) {
+      memory_.bodies[change.body].rest_time += change.time - since[change.body];
+    }
+    since[change.body] = change.time;
+    memory_.modes[change.body] = static_cast<int>(change.to);
+    // Breaks are noted under the event's name.
+    if (change.to == HingeMode::released || change.from == HingeMode::locked) {
+      continue;
+    }
+    note_change(change);
+  }
+  for (std::size_t i = 0; i < case_.bodies.size(); ++i) {
+    if (memory_.modes[i] == resting) {
+      memory_.bodies[i].rest_time += time - since[i];
+    }
+  }
+  memory_.last_time = time;
+}
+
+void Recorder::note_distance(std::size_t i, double distance, double time) {
+  PairRecord& pair = memory_.pairs[i];
+  if (distance < pair.smallest) {
+    pair.smallest = distance;
+    pair.time = time;
+  }
+  if (std::isnan(distance)) ++pair.not_found;
+  if (distance <= 0) {
+    pair.overlap_from = std::min(pair.overlap_from, time);
+    pair.overlap_to = std::max(pair.overlap_to, time);
+  }
+}
+
+// Without rows distances are computed only where one may be smaller than known,
+// or an overlap may go on.
+void Recorder::look_at_distances(const Simulation& simulation, bool keep) {
+  const MotionSample& sample = simulation.sample();
+  const double time = sample.time();
+  for (std::size_t i = 0; i < ways_.size(); ++i) {
+    PairWay& way = ways_[i];
+    way.move_on(time, sample.motions());
+    const double known = memory_.pairs[i].smallest;
+    const double least = std::min(way.least_now(), way.least_since());
+    if (!keep && least > 0 && least > known - negligible) continue;
+    const double distance = clearance_->distance(i, sample.motions());
+    way.know(distance);
+    note_distance(i, distance, time);
+    if (keep) add(distance);
+    const bool may_be_smaller =
+        way.least_since() < memory_.pairs[i].smallest - negligible;
+    if (refine_ && may_be_smaller && way.since() < time &&
+        way.since() >= simulation.motion().step_begin()) {
+      search_distance(simulation, i);
+    }
+  }
+}
+
+// The smallest distance of a pair between the last look and this one, if the
+// parabola through both and the middle has one.
+void Recorder::search_distance(const Simulation& simulation, std::size_t i) {
+  const auto distance = [&](double time) {
+    double value = 0;
+    simulation.motion().look_back(time, [&](const MotionSample& sample) {
+      value = clearance_->distance(i, sample.motions());
+    });
+    note_distance(i, value, time);
+    return value;
+  };
+  const double begin = ways_[i].since();
+  const double end = simulation.sample().time();
+  const std::array<double, 3> at = {distance(begin),
+                                    distance((begin + end) / 2), distance(end)};
+  // Differences that are below the accuracy of distances make no valley.
+  constexpr double accuracy = 1e-5;
+  const double bend = at[0] - 2 * at[1] + at[2];
+  const double slope = (at[2] - at[0]) / 2;
+  if (!(bend > accuracy * (1 + at[1])) || !(std::abs(slope) < bend)) return;
+  constexpr int bits = 20;
+  std::uintmax_t steps = 30;
+  boost::math::tools::brent_find_minima(distance, begin, end, bits, steps);
+}
+
+void Recorder::look_at_energy(const Simulation& simulation, bool first) {
+  const multibody::EnergyBook book = simulation.sample().energy();
+  if (first) memory_.first_balance = book.balance();
+  const double drift = std::abs(book.balance() - memory_.first_balance);
+  memory_.largest_drift = std::max(memory_.largest_drift, drift);
+  for (const double e :
+       {book.kinetic, book.gravity, book.active_work, book.dissipated}) {
+    memory_.largest_energy = std::max(memory_.largest_energy, std::abs(e));
+  }
+  if (!keep_rows_) return;
+  for (const double e : {book.kinetic, book.gravity, book.active_work,
+                         book.dissipated, book.balance()}) {
+    add(e);
+  }
+}
+
+void Recorder::look(const Simulation& simulation) {
+  const bool first = !memory_.begun;
+  seen_.clear();
+  look_at_changes(simulation);
+  const auto& sample = simulation.sample();
+  if (keep_rows_) {
+    add(simulation.time());
+    add_motion(sample.carrier());
+  }
+  for (int i = 0; i < static_cast<int>(case_.bodies.size()); ++i) {
+    look_at_peaks(sample, i);
+    if (!keep_rows_) continue;
+    add_hinge(simulation, i);
+    add_motion(sample.body(i));
+  }
+  look_at_distances(simulation, keep_rows_);
+  look_at_forces(simulation, memory_.forces);
+  look_at_energy(simulation, first);
+  if (refine_) refine_peaks(simulation);
+}
+
+void Recorder::look_between(const Simulation& simulation) {
+  const auto& sample = simulation.sample();
+  seen_.clear();
+  for (int i = 0; i < static_cast<int>(case_.bodies.size()); ++i) {
+    look_at_peaks(sample, i);
+  }
+  look_at_distances(simulation, false);
+  look_at_forces(simulation, memory_.forces);
+  if (refine_) refine_peaks(simulation);
+}
+
+// Whether happenings[i] breaks anything: what is broken already, also by those
+// before it, does not break again, and a locked hinge does not break.
+bool Recorder::breaks(const Simulation& simulation,
+                      const std::vector<Happening>& happenings,
+                      std::size_t i) const {
+  const Happening& h = happenings[i];
+  const auto broken = [&](Event::Action action) {
+    return std::any_of(happenings.begin(), happenings.begin() + i,
+                       [&](const Happening& other) {
+                         return other.body == h.body &&
+                                case_.events[other.event].action == action;
+                       });
+  };
+  const Event::Action action = case_.events[h.event].action;
+  if (broken(action)) return false;
+  const HingeMode mode = simulation.sample().mode(h.body);
+  const bool locked = mode == HingeMode::locked;
+  if (action == Event::Action::break_lock) return locked;
+  return mode != HingeMode::released &&
+         (!locked || broken(Event::Action::break_lock));
+}
+
+void Recorder::before(const Simulation& simulation,
+                      const std::vector<Happening>& happenings) {
+  looks_.clear();
+  const auto& sample = simulation.sample();
+  for (std::size_t i = 0; i < happenings.size(); ++i) {
+    if (!breaks(simulation, happenings, i)) continue;
+    const Happening& h = happenings[i];
+    const Event& event = case_.events[h.event];
+    const Body& body = case_.bodies[h.body];
+    const bool hinge = event.action == Event::Action::break_hinge;
+    memory_.notes.push_back(
+        {simulation.time(), body.rigid.name,
+         fmt::format("{}: {} breaks", event.name,
+                     hinge ? body.hinge.name : body.lock->name)});
+    BodyRecord::Release& release = memory_.bodies[h.body].release;
+    if (!hinge || release.time != History::not_yet) continue;
+    const HingeSample now = sample.hinge(h.body);
+    release = {simulation.time(), simulation.angle(h.body),
+               rate_of(body.hinge, sample, h.body),
+               now.relative_angular_velocity,
+               sample.carrier().rotation.transpose() *
+                   (sample.body(h.body).velocity - sample.carrier().velocity)};
+  }
+}
+
+}  // namespace separation

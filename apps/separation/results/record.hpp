@@ -1,0 +1,152 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "separation/clearance/clearance.hpp"
+#include "separation/clearance/pair_way.hpp"
+#include "separation/results/peaks.hpp"
+#include "separation/simulation/force_watch.hpp"
+#include "separation/simulation/simulation.hpp"
+
+namespace separation {
+
+/// A time history: rows of numbers under named columns. A column that ends in
+/// "mode" holds the number of a multibody::HingeMode.
+struct Rows {
+  std::vector<std::string> columns;
+  std::vector<double> numbers;  ///< row by row
+
+  std::size_t size() const { return numbers.size() / columns.size(); }
+  double at(std::size_t row, std::size_t column) const {
+    return numbers[row * columns.size() + column];
+  }
+  /// Throws contact::Error if there is none.
+  std::size_t column(const std::string& name) const;
+};
+
+/// Columns of the rows of a case.
+/// @param clearance  distances are worked out
+std::vector<std::string> history_columns(const Case& c, bool clearance);
+
+/// Largest values of one joint.
+struct JointPeaks {
+  double reaction = 0;       ///< N
+  double reaction_time = 0;  ///< s
+  double pressure = 0;       ///< Pa
+  double half_angle = 0;     ///< theta0, rad
+  double moment = 0;         ///< of friction, N m
+};
+
+/// What has come of a body.
+struct BodyRecord {
+  double peak_reaction = 0;  ///< of the hinge, N
+  double peak_reaction_time = 0;
+  double peak_lock = 0;  ///< of the lock, N
+  double peak_lock_time = 0;
+  double work = 0;       ///< of friction, J
+  double rest_time = 0;  ///< s
+  std::vector<JointPeaks> joints;
+  /// At the release of the hinge; time infinite if there was none.
+  struct Release {
+    double time = History::not_yet;
+    double angle = 0;  ///< rad
+    double rate = 0;   ///< of the angle on an axis, else |Dw|
+    /// Dw, body axes, rad/s.
+    Eigen::Vector3d rates = Eigen::Vector3d::Zero();
+    /// Of the centre of mass against the carrier's, carrier axes, m/s.
+    Eigen::Vector3d velocity = Eigen::Vector3d::Zero();
+  } release;
+};
+
+/// Something that happened, in words.
+struct Note {
+  double time;
+  std::string body;
+  std::string what;
+};
+
+/// The smallest distance of two bodies.
+struct PairRecord {
+  double smallest = History::not_yet;  ///< m
+  double time = 0;
+  double overlap_from = History::not_yet;  ///< first and last time of overlap
+  double overlap_to = 0;
+  long not_found = 0;  ///< times at which it could not be worked out
+};
+
+/// Looks at a simulation from time to time and remembers.
+class Recorder {
+ public:
+  /// @param rows       keep the time history
+  /// @param clearance  work out distances
+  /// @param refine     look for peaks and smallest distances between the times
+  ///                   that are looked at
+  Recorder(const Case& c, bool rows, bool clearance, bool refine);
+
+  /// Looks at it now.
+  void look(const Simulation& simulation);
+  /// Takes notice of peaks and distances, without a row.
+  void look_between(const Simulation& simulation);
+  /// Remembers changes and peaks up to now, without a row.
+  void catch_up(const Simulation& simulation) {
+    look_at_changes(simulation);
+    look_between(simulation);
+  }
+  /// What is about to happen: call it before Simulation::apply().
+  void before(const Simulation& simulation,
+              const std::vector<Happening>& happenings);
+  /// Everything that must survive an interruption.
+  struct Memory {
+    Rows rows;
+    std::vector<BodyRecord> bodies;
+    std::vector<Note> notes;
+    std::vector<PairRecord> pairs;
+    std::vector<ForceRecord> forces;
+    std::vector<int> modes;  ///< of each body at the last look
+    double last_time = 0;
+    double first_balance = 0;
+    double largest_drift = 0;   ///< of the energy balance, J
+    double largest_energy = 0;  ///< scale of the drift, J
+    bool begun = false;
+  };
+  const Memory& memory() const { return memory_; }
+  /// At the end.
+  Memory take_memory() { return std::move(memory_); }
+  /// As another recorder that was in the middle of a run.
+  void restore(Memory memory) { memory_ = std::move(memory); }
+  /// Goes on with a simulation that was restored.
+  void go_on_with(const Simulation& simulation);
+
+ private:
+  void look_at_peaks(const multibody::MotionSample& sample, int body);
+  Look look_back(const Simulation& simulation, double time);
+  std::vector<double> known_peaks() const;
+  void refine_peaks(const Simulation& simulation);
+  void refine_between(const Simulation& simulation, const Look& from,
+                      const Look& to);
+  void add_hinge(const Simulation& simulation, int body);
+  void look_at_changes(const Simulation& simulation);
+  void note_change(const multibody::HingeChange& change);
+  void look_at_distances(const Simulation& simulation, bool keep);
+  void note_distance(std::size_t pair, double distance, double time);
+  void search_distance(const Simulation& simulation, std::size_t pair);
+  bool breaks(const Simulation& simulation,
+              const std::vector<Happening>& happenings, std::size_t i) const;
+  void look_at_energy(const Simulation& simulation, bool first);
+  void add_motion(const multibody::BodyMotion& body);
+  void add(double number) { memory_.rows.numbers.push_back(number); }
+
+  const Case& case_;
+  bool keep_rows_;
+  bool refine_;
+  std::optional<Clearance> clearance_;
+  std::vector<PairWay> ways_;  ///< of its pairs
+  std::vector<double> seen_;   ///< what look_at_peaks() has seen
+  std::vector<Look> looks_;    ///< the last two on a smooth way
+  std::size_t changes_seen_ = 0;
+  Memory memory_;
+};
+
+}  // namespace separation

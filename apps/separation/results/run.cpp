@@ -1,0 +1,188 @@
+#include "separation/results/run.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "libcontact/base/complaint.hpp"
+#include "libcontact/base/error.hpp"
+
+namespace separation {
+
+using contact::detail::must_be;
+
+Run::Run(Case c, RunOptions options)
+    : case_(std::move(c)),
+      options_(std::move(options)),
+      outputs_(case_, options_.only_events),
+      recorder_(case_, options_.rows, options_.clearance,
+                !options_.only_events) {
+  start();
+  recorder_.look(*simulation_);
+}
+
+void Run::start() {
+  simulation_ = std::make_unique<Simulation>(case_, friction());
+  time_ = simulation_->time();
+  simulation_->halt_when([this] {
+    pace_.note(*simulation_);
+    return is_due_to_stop();
+  });
+  if (options_.only_events && !options_.progress) return;
+  simulation_->watch_steps([this](const multibody::MotionSample& sample) {
+    if (!options_.only_events) recorder_.look_between(*simulation_);
+    if (!options_.progress) return;
+    time_ = sample.time();
+    copy_.reset();
+    options_.progress(*this);
+  });
+}
+
+bool Run::is_due_to_stop() {
+  if (!options_.stop) return false;
+  stopped_by_ = options_.stop(counts().steps);
+  return !stopped_by_.empty();
+}
+
+bool Run::give_up(Status status, std::string why) {
+  status_ = status;
+  message_ = std::move(why);
+  return false;
+}
+
+// Moves on to `time` with all events on the way; false: status() says why.
+bool Run::move_on(double time, bool look) {
+  for (;;) {
+    const Simulation::Stop stop = simulation_->advance_to(time, look);
+    time_ = simulation_->time();
+    copy_.reset();
+    switch (stop) {
+      case Simulation::Stop::time:
+        return true;
+      case Simulation::Stop::failed:
+        return give_up(Status::failed, simulation_->message());
+      case Simulation::Stop::halted:
+        return give_up(
+            Status::stopped,
+            fmt::format("t = {:.6g} s: stopped by {} after {} steps: {}", time_,
+                        stopped_by_, counts().steps, pace()));
+      case Simulation::Stop::event:
+        recorder_.look(*simulation_);
+        recorder_.before(*simulation_, simulation_->happenings());
+        if (!simulation_->apply()) {
+          return give_up(Status::failed, simulation_->message());
+        }
+        recorder_.look(*simulation_);
+    }
+  }
+}
+
+Run::Status Run::advance_to(double time) {
+  if (status_ == Status::failed) return status_;
+  if (!outputs_.has(next_)) return status_ = Status::finished;
+  if (!(time >= time_ - outputs_.instant())) {
+    throw contact::Error(must_be(fmt::format("advance_to: time = {}", time),
+                                 fmt::format("{} s or later", time_)));
+  }
+  status_ = Status::running;
+  message_.clear();
+  for (const long last = outputs_.after(time); next_ < last; ++next_) {
+    if (!move_on(outputs_[next_], true)) return status_;
+    recorder_.look(*simulation_);
+  }
+  if (!outputs_.has(next_)) return status_ = Status::finished;
+  move_on(time, false);
+  return status_;
+}
+
+const Simulation& Run::copy() const {
+  if (!copy_) {
+    copy_ = std::make_unique<Simulation>(case_, friction());
+    copy_->restore(simulation_->step_state());
+    copy_->advance_to(time_);
+  }
+  return *copy_;
+}
+
+std::vector<double> Run::values() const {
+  const Rows& rows = memory().rows;
+  if (rows.size() > 0 && rows.at(rows.size() - 1, 0) == time_) {
+    return {rows.numbers.end() - static_cast<std::ptrdiff_t>(columns().size()),
+            rows.numbers.end()};
+  }
+  Recorder recorder(case_, true, options_.clearance, false);
+  recorder.look(copy());
+  return recorder.take_memory().rows.numbers;
+}
+
+multibody::MotionCounts Run::counts() const {
+  const multibody::MotionCounts now = simulation_->motion().counts();
+  return {gone_.evaluations + now.evaluations, gone_.steps + now.steps,
+          gone_.outer_iterations + now.outer_iterations};
+}
+
+Outcome Run::outcome_with(Recorder::Memory memory) const {
+  Outcome outcome{
+      friction(), message_, simulation_->time(),   std::move(memory),
+      counts(),   {},       simulation_->history()};
+  for (int body = 0; body < static_cast<int>(case_.bodies.size()); ++body) {
+    outcome.modes.push_back(simulation_->sample().mode(body));
+  }
+  return outcome;
+}
+
+// Where advance_to() has not looked.
+void Run::look_here() {
+  if (simulation_->sample().time() != time_) simulation_->advance_to(time_);
+}
+
+Outcome Run::end() && {
+  if (time_ > memory().last_time) {
+    look_here();
+    recorder_.look(*simulation_);
+  }
+  return outcome_with(recorder_.take_memory());
+}
+
+// A new simulation, as a restored run has one.
+void Run::go_on_from(const SimulationState& state) {
+  start();
+  simulation_->restore(state);
+  time_ = simulation_->time();
+  recorder_.go_on_with(*simulation_);
+  copy_.reset();
+}
+
+SimulationState Run::renew() {
+  if (time_ > memory().last_time) {
+    look_here();
+    recorder_.catch_up(*simulation_);
+  }
+  SimulationState state = simulation_->save();
+  gone_ = counts();
+  go_on_from(state);
+  return state;
+}
+
+void Run::restore(RunState state) {
+  if (state.memory.rows.columns != columns() ||
+      state.memory.forces.size() != case_.forces.size() ||
+      state.simulation.history.events.size() != case_.events.size()) {
+    throw contact::Error(must_be("the state to restore",
+                                 "of a run of the same case and options"));
+  }
+  recorder_.restore(std::move(state.memory));
+  gone_ = {};
+  go_on_from(state.simulation);
+  next_ = outputs_.after(time_);
+  status_ = Status::running;
+  message_.clear();
+}
+
+Outcome run_case(const Case& c, const RunOptions& options) {
+  Run run(c, options);
+  run.advance_to(c.end_time);
+  return std::move(run).end();
+}
+
+}  // namespace separation

@@ -1,0 +1,104 @@
+#include "separation/results/saved_state.hpp"
+
+#include <fmt/format.h>
+
+#include <boost/crc.hpp>
+#include <cstddef>
+
+#include "libcontact/base/complaint.hpp"
+#include "libcontact/base/error.hpp"
+#include "libcontact/base/text.hpp"
+#include "separation/case/identity.hpp"
+#include "separation/results/state_json.hpp"
+
+namespace separation {
+namespace {
+
+using nlohmann::json;
+
+constexpr std::string_view program_format = "hinge-separation checkpoint ";
+constexpr std::string_view format_name = "hinge-separation checkpoint 8";
+constexpr std::size_t sum_size = 8;  // in hexadecimal digits
+constexpr const char* source = "the saved state";
+
+bool contains(std::string_view bytes, std::string_view text) {
+  return bytes.find(text) != bytes.npos;
+}
+
+std::string check_sum(std::string_view bytes) {
+  boost::crc_32_type sum;
+  sum.process_bytes(bytes.data(), bytes.size());
+  return fmt::format("{:08x}", sum.checksum());
+}
+
+}  // namespace
+
+std::string packed(json j) {
+  j["format"] = format_name;
+  std::string bytes = fmt::format("{}\n", format_name);
+  json::to_cbor(j, bytes);
+  return bytes + check_sum(bytes);
+}
+
+json unpacked(std::string_view bytes, const std::string& name) {
+  if (!contains(bytes, program_format)) refuse_stranger(name);
+  if (!contains(bytes, format_name)) {
+    throw contact::Error(contact::detail::must_be(
+        name + ": a checkpoint of another version of hinge-separation",
+        fmt::format("\"{}\"", format_name)));
+  }
+  const std::string_view content = bytes.substr(0, bytes.size() - sum_size);
+  const std::string sum = check_sum(content);
+  const std::string_view written = bytes.substr(content.size());
+  if (sum != written) {
+    throw contact::Error(
+        fmt::format("{}: damaged: check sum {}, the file says {}", name, sum,
+                    contact::detail::printable(written)));
+  }
+  const std::size_t begin = content.find('\n') + 1;
+  return json::from_cbor(content.substr(begin));
+}
+
+void check_identity(const json& j, const std::string& identity,
+                    const std::string& name) {
+  if (j.at("identity") == identity) return;
+  throw contact::Error(name +
+                       ": a checkpoint of a run of another case file, other "
+                       "joints or other options");
+}
+
+void refuse_stranger(const std::string& name) {
+  throw contact::Error(name + ": not a checkpoint of hinge-separation");
+}
+
+std::string identity_of(const Case& c, const RunOptions& options) {
+  return fmt::format("{}\n{}\n",
+                     static_cast<int>(options.friction.value_or(c.friction)),
+                     options.clearance) +
+         identity(c);
+}
+
+std::string saved_bytes(const RunState& state, const std::string& identity) {
+  const Recorder::Memory& memory = state.memory;
+  return packed({{"identity", identity},
+                 {"simulation", state.simulation},
+                 {"memory", memory},
+                 {"columns", memory.rows.columns},
+                 {"numbers", memory.rows.numbers},
+                 {"notes", memory.notes}});
+}
+
+RunState saved_state(std::string_view bytes, const std::string& identity) {
+  try {
+    const json j = unpacked(bytes, source);
+    check_identity(j, identity, source);
+    RunState state{j.at("simulation"), j.at("memory")};
+    state.memory.rows = {j.at("columns"), j.at("numbers")};
+    state.memory.notes = j.at("notes");
+    return state;
+  } catch (const json::exception&) {
+    refuse_stranger(source);
+  }
+}
+
+}  // namespace separation

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+
+#include "separation/results/run.hpp"
+
+// What is kept of a run, there and back.
+template <>
+struct nlohmann::adl_serializer<Eigen::Vector3d> {
+  static void to_json(json& j, const Eigen::Vector3d& v) {
+    j = {v.x(), v.y(), v.z()};
+  }
+  static void from_json(const json& j, Eigen::Vector3d& v) {
+    v = Eigen::Vector3d(j.at(0), j.at(1), j.at(2));
+  }
+};
+
+namespace multibody {
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(MotionState, time, numbers, modes,
+                                   directions, friction, straight_from, paces,
+                                   hinge_angles, step)
+}  // namespace multibody
+
+namespace separation {
+
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(History, events, spent)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SimulationState, motion, history)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(JointPeaks, reaction, reaction_time,
+                                   pressure, half_angle, moment)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(BodyRecord::Release, time, angle, rate,
+                                   rates, velocity)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(BodyRecord, peak_reaction,
+                                   peak_reaction_time, peak_lock,
+                                   peak_lock_time, work, rest_time, joints,
+                                   release)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Note, time, body, what)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PairRecord, smallest, time, overlap_from,
+                                   overlap_to, not_found)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ForceRecord, on, acted, fault, fault_time)
+// Without rows and notes, which have a file of their own.
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Recorder::Memory, bodies, pairs, forces,
+                                   modes, last_time, first_balance,
+                                   largest_drift, largest_energy, begun)
+
+/// CBOR between the format's name and a check sum. The name is in it twice, as
+/// the first line and in the JSON: what is damaged is still told from what is
+/// something else.
+std::string packed(nlohmann::json j);
+/// @param source  what messages call the bytes
+/// @throws contact::Error if they are something else, of another version or
+///   damaged
+nlohmann::json unpacked(std::string_view bytes, const std::string& source);
+
+/// @throws contact::Error if it is not the "identity" of j
+void check_identity(const nlohmann::json& j, const std::string& identity,
+                    const std::string& source);
+/// What is no state of a run at all.
+[[noreturn]] void refuse_stranger(const std::string& source);
+
+}  // namespace separation

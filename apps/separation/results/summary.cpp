@@ -1,0 +1,147 @@
+#include "separation/results/summary.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include "libcontact/base/units.hpp"
+
+namespace separation {
+namespace {
+
+using contact::degree;
+using nlohmann::ordered_json;
+
+// Infinity, for which JSON has no number, as in tables.
+void name_infinity(ordered_json& value) {
+  if (value.is_structured()) {
+    for (ordered_json& item : value) name_infinity(item);
+  } else if (value.is_number_float() && std::isinf(value.get<double>())) {
+    value = value.get<double>() > 0 ? "inf" : "-inf";
+  }
+}
+
+ordered_json joint_json(const HingeJoint& joint, const JointPeaks& peaks) {
+  return {{"name", joint.joint.name},
+          {"half_angle_law", joint.contact.half_angle_law().name()},
+          {"pressure_law", joint.contact.pressure_law().name()},
+          {"peak_reaction_N", peaks.reaction},
+          {"peak_reaction_time_s", peaks.reaction_time},
+          {"peak_pressure_Pa", peaks.pressure},
+          {"largest_theta0_deg", peaks.half_angle / degree},
+          {"largest_friction_moment_N_m", peaks.moment}};
+}
+
+ordered_json release_json(const BodyRecord::Release& release) {
+  if (release.time == History::not_yet) return nullptr;
+  const Eigen::Vector3d w = release.rates / degree;
+  const Eigen::Vector3d& v = release.velocity;
+  return {{"time_s", release.time},
+          {"angle_deg", release.angle / degree},
+          {"rate_deg_per_s", release.rate / degree},
+          {"angular_velocity_deg_per_s", {w.x(), w.y(), w.z()}},
+          {"velocity_m_per_s", {v.x(), v.y(), v.z()}}};
+}
+
+ordered_json body_json(const Body& body, const BodyRecord& record,
+                       multibody::HingeMode mode) {
+  ordered_json j = {{"name", body.rigid.name}};
+  if (body.hinge.kind == multibody::HingeKind::none) return j;
+  j["hinge"] = body.hinge.name;
+  j["mode_at_end"] = multibody::to_string(mode);
+  j["peak_reaction_N"] = record.peak_reaction;
+  j["peak_reaction_time_s"] = record.peak_reaction_time;
+  if (body.lock) {
+    j["lock"] = body.lock->name;
+    j["peak_lock_reaction_N"] = record.peak_lock;
+    j["peak_lock_reaction_time_s"] = record.peak_lock_time;
+  }
+  j["work_of_friction_J"] = record.work;
+  j["time_at_rest_s"] = record.rest_time;
+  j["at_release"] = release_json(record.release);
+  j["joints"] = ordered_json::array();
+  for (std::size_t i = 0; i < record.joints.size(); ++i) {
+    j["joints"].push_back(joint_json(body.hinge.joints[i], record.joints[i]));
+  }
+  return j;
+}
+
+ordered_json clearance_json(const Case& c, const Outcome& outcome) {
+  ordered_json list = ordered_json::array();
+  for (std::size_t i = 0; i < c.clearance.size(); ++i) {
+    const PairRecord& pair = outcome.memory.pairs[i];
+    if (pair.smallest == History::not_yet) continue;
+    ordered_json j = {{"a", c.rigid_body(c.clearance[i].a).name},
+                      {"b", c.rigid_body(c.clearance[i].b).name},
+                      {"smallest_m", pair.smallest},
+                      {"time_s", pair.time}};
+    if (pair.overlap_from != History::not_yet) {
+      j["overlap_s"] = {pair.overlap_from, pair.overlap_to};
+    }
+    list.push_back(std::move(j));
+  }
+  return list;
+}
+
+}  // namespace
+
+const char* to_string(FrictionChoice choice) {
+  switch (choice) {
+    case FrictionChoice::full:
+      return "full";
+    case FrictionChoice::ideal:
+      return "ideal";
+    case FrictionChoice::traditional:
+      break;
+  }
+  return "traditional";
+}
+
+std::vector<Missed> missed_events(const Case& c, const Outcome& outcome) {
+  std::vector<Missed> result;
+  for (std::size_t e = 0; e < c.events.size(); ++e) {
+    Missed missed{c.events[e].name, {}};
+    for (const int body : c.events[e].bodies) {
+      if (outcome.history.events[e][body] == History::not_yet) {
+        missed.bodies.push_back(c.bodies[body].rigid.name);
+      }
+    }
+    if (!missed.bodies.empty()) result.push_back(std::move(missed));
+  }
+  return result;
+}
+
+ordered_json summary(const Case& c, const Outcome& outcome) {
+  const Recorder::Memory& memory = outcome.memory;
+  ordered_json j = {{"case", c.name},
+                    {"friction", to_string(outcome.friction)},
+                    {"end_time_s", outcome.end_time}};
+  if (!outcome.failure.empty()) j["failure"] = outcome.failure;
+  j["events"] = ordered_json::array();
+  for (const Note& note : memory.notes) {
+    j["events"].push_back(
+        {{"time_s", note.time}, {"body", note.body}, {"what", note.what}});
+  }
+  j["events_that_did_not_come"] = ordered_json::array();
+  for (const Missed& missed : missed_events(c, outcome)) {
+    j["events_that_did_not_come"].push_back(
+        {{"event", missed.event}, {"bodies", missed.bodies}});
+  }
+  j["bodies"] = ordered_json::array();
+  for (std::size_t i = 0; i < c.bodies.size(); ++i) {
+    j["bodies"].push_back(
+        body_json(c.bodies[i], memory.bodies[i], outcome.modes[i]));
+  }
+  j["clearance"] = clearance_json(c, outcome);
+  // A given motion of the carrier does work that no book shows.
+  j["energy"] = {{"largest_J", memory.largest_energy},
+                 {"largest_drift_J", c.options.carrier_drive
+                                         ? ordered_json(nullptr)
+                                         : ordered_json(memory.largest_drift)}};
+  j["counts"] = {{"steps", outcome.counts.steps},
+                 {"evaluations", outcome.counts.evaluations},
+                 {"outer_iterations", outcome.counts.outer_iterations}};
+  name_infinity(j);
+  return j;
+}
+
+}  // namespace separation

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "separation/results/run.hpp"
+
+namespace separation {
+
+/// "full", "ideal", "traditional"
+const char* to_string(FrictionChoice choice);
+
+/// An event and the bodies for which it has not come.
+struct Missed {
+  std::string event;
+  std::vector<std::string> bodies;
+};
+std::vector<Missed> missed_events(const Case& c, const Outcome& outcome);
+
+/// What a run came to (keys: README.md of this folder). Angles in degrees,
+/// all else in SI units; infinity is the text "inf" or "-inf".
+nlohmann::ordered_json summary(const Case& c, const Outcome& outcome);
+
+}  // namespace separation

@@ -1,0 +1,432 @@
+// Runs of hinge-separation that are stopped, and go on.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "programs/separation/program_runs.hpp"
+
+namespace {
+
+using contact::test::alone;
+using contact::test::carrier_at_rest;
+using contact::test::csv_rows;
+using contact::test::exchanged;
+using contact::test::History;
+using contact::test::json;
+using contact::test::ProgramFolder;
+using contact::test::ProgramResult;
+using contact::test::pushed_case;
+
+void expect_another_case(const ProgramResult& result,
+                         const std::string& checkpoint) {
+  EXPECT_EQ(result.status, 2);
+  EXPECT_EQ(result.err, "hinge-separation: " + checkpoint +
+                            ": a checkpoint of a run of another case file, "
+                            "other joints or other options\n");
+}
+
+TEST(Checkpoint, ResumedRunIsTheSame) {
+  const ProgramFolder folder;
+  // The last checkpoint is gone on from: wheels that slide and rest, arms that
+  // have come off and others, free boosters.
+  const auto compare = [&](const std::string& name, const char* every,
+                           const char* column) {
+    const std::string run = "hinge-separation data/cases/" + name + ".toml ";
+    const std::string checkpoint =
+        std::string(" --checkpoint-every ") + every + " --checkpoint ";
+    ASSERT_EQ(folder
+                  .run(run + "--history a.csv --events ae.csv --output a.json" +
+                       checkpoint + "c.cbor")
+                  .status,
+              0);
+    const ProgramResult resumed =
+        folder.run(run +
+                   "--history b.csv --events be.csv --output b.json "
+                   "--resume c.cbor" +
+                   checkpoint + "d.cbor");
+    ASSERT_EQ(resumed.status, 0) << resumed.err;
+    // Byte by byte; too long to be printed.
+    EXPECT_TRUE(folder.read("a.csv") == folder.read("b.csv")) << name;
+    EXPECT_EQ(folder.read("ae.csv"), folder.read("be.csv")) << name;
+    json a = json::parse(folder.read("a.json"));
+    json b = json::parse(folder.read("b.json"));
+    a.erase("counts");
+    b.erase("counts");
+    EXPECT_EQ(a, b) << name;
+    // Without a checkpoint: other steps, the same motion to their tolerance.
+    ASSERT_EQ(folder.run(run + "--history s.csv").status, 0);
+    const History with(folder.read("a.csv"));
+    const History without(folder.read("s.csv"));
+    ASSERT_EQ(with.size(), without.size()) << name;
+    const double last = without[column].back();
+    EXPECT_NEAR(with[column].back(), last, 1e-6 * std::abs(last)) << name;
+  };
+  compare("flywheels", "21", "wheel_x.angle_deg");
+  compare("platform", "2", "arm_2.friction_work_J");
+  compare("soyuz", "5", "booster_1.x_m");
+
+  const std::string run = "hinge-separation data/cases/soyuz.toml ";
+  const ProgramResult other =
+      folder.run("hinge-separation data/cases/slosh.toml --resume c.cbor");
+  expect_another_case(other, "c.cbor");
+  folder.write("bad.cbor", "nonsense");
+  EXPECT_EQ(folder.run(run + "--resume bad.cbor").err,
+            "hinge-separation: bad.cbor: not a checkpoint of "
+            "hinge-separation\n");
+}
+
+// Prolonged or cut short on resuming: as if the end had been so from the start.
+TEST(Checkpoint, ResumedRunsEndWhenTheyAreTold) {
+  const ProgramFolder folder;
+  const auto run = [&](const std::string& more) {
+    return folder.run("hinge-separation data/cases/platform.toml " + more);
+  };
+  const std::string every = " --checkpoint-every 2 --checkpoint ";
+  const auto at_once = [&](const std::string& end) {
+    ASSERT_EQ(
+        run("--history a.csv --events ae.csv --output a.json --end-time " +
+            end + every + "a.cbor")
+            .status,
+        0);
+  };
+  at_once("8");
+  std::rename((folder.path() / "a.cbor").c_str(),
+              (folder.path() / "c.cbor").c_str());
+  std::rename((folder.path() / "a.cbor.rows1").c_str(),
+              (folder.path() / "c.cbor.rows1").c_str());
+  // 9.03 s is no output time.
+  for (const std::string end : {"12", "9.03", "8"}) {
+    at_once(end);
+    const ProgramResult resumed =
+        run("--history b.csv --events be.csv --output b.json "
+            "--resume c.cbor --end-time " +
+            end);
+    ASSERT_EQ(resumed.status, 0) << resumed.err;
+    EXPECT_TRUE(folder.read("a.csv") == folder.read("b.csv")) << end;
+    EXPECT_EQ(folder.read("ae.csv"), folder.read("be.csv")) << end;
+    json a = json::parse(folder.read("a.json"));
+    json b = json::parse(folder.read("b.json"));
+    EXPECT_EQ(b["end_time_s"], cli::parse_number(end).value());
+    a.erase("counts");
+    b.erase("counts");
+    EXPECT_EQ(a, b) << end;
+  }
+  const ProgramResult early = run("--resume c.cbor --end-time 7.9");
+  EXPECT_EQ(early.status, 2);
+  EXPECT_EQ(early.err,
+            "hinge-separation: c.cbor: a checkpoint at t = 8 s requires "
+            "--end-time of 8 s or above: this run ends at 7.9 s\n");
+  // Of an end that is no output time the row stays.
+  ASSERT_EQ(
+      run("--end-time 8.03 --checkpoint-every 8.01 --checkpoint d.cbor").status,
+      0);
+  ASSERT_EQ(run("--resume d.cbor --end-time 12 --history d.csv").status, 0);
+  at_once("12");
+  const History d(folder.read("d.csv"));
+  const History a(folder.read("a.csv"));
+  EXPECT_EQ(d.size(), a.size() + 1);
+  EXPECT_NEAR(d["arm_2.angle_deg"].back(), a["arm_2.angle_deg"].back(), 1e-5);
+}
+
+// Comments, blanks and the notation of numbers are not what is run.
+TEST(Checkpoint, CheckpointsAreOfWhatTheCaseSays) {
+  const ProgramFolder folder;
+  const std::string text = pushed_case(0, 0, "");
+  const auto resumed = [&](const std::string& changed) {
+    folder.write("c.toml", changed);
+    return folder.run(
+        "hinge-separation c.toml --history b.csv --resume c.cbor");
+  };
+  folder.write("c.toml", text);
+  ASSERT_EQ(folder
+                .run("hinge-separation c.toml --history a.csv --checkpoint "
+                     "c.cbor --checkpoint-every 1.5")
+                .status,
+            0);
+  for (const std::string& same :
+       {"# by hand\n\n" + text,
+        exchanged(text, "mass_kg = 10", "  mass_kg=1.0e1 #"),
+        exchanged(text, "[carrier]\nname = \"c\"\nmass_kg = 10",
+                  "[carrier]\nmass_kg = 10\nname = \"c\"")}) {
+    const ProgramResult result = resumed(same);
+    EXPECT_EQ(result.status, 0) << result.err;
+    EXPECT_TRUE(folder.read("a.csv") == folder.read("b.csv"));
+  }
+  const ProgramResult other =
+      resumed(exchanged(text, "mass_kg = 10", "mass_kg = 11"));
+  expect_another_case(other, "c.cbor");
+}
+
+TEST(Checkpoint, CheckpointsKnowTheirJoints) {
+  const ProgramFolder folder;
+  std::string text = alone;
+  const auto begin = text.find("name = \"ball\"");
+  const auto end = text.find("[body.lock]");
+  folder.write("ball.toml", text.substr(begin, end - begin));
+  text.replace(begin, end - begin, "file = \"ball.toml\"\n");
+  folder.write("c.toml", text);
+  const std::string run = "hinge-separation c.toml --output o.json ";
+  ASSERT_EQ(folder.run(run + "--checkpoint c.cbor --checkpoint-every 1").status,
+            0);
+  EXPECT_EQ(folder.run(run + "--resume c.cbor").status, 0);
+  const std::string ball = exchanged(folder.read("ball.toml"),
+                                     "coefficient = 0.2", "coefficient = 0.3");
+  folder.write("ball.toml", ball);
+  const ProgramResult other = folder.run(run + "--resume c.cbor");
+  expect_another_case(other, "c.cbor");
+
+  // A wall is known by its thickness and its backing.
+  const auto with_wall = [&](const std::string& thickness,
+                             const std::string& backing) {
+    folder.write("ball.toml",
+                 ball + "wall.backing = \"" + backing +
+                     "\"\n[[wall.layer]]\nthickness_mm = " + thickness + '\n');
+  };
+  with_wall("3", "rigid");
+  const ProgramResult walled = folder.run(run +
+                                          "--checkpoint w.cbor "
+                                          "--checkpoint-every 1");
+  EXPECT_EQ(walled.status, 0) << walled.err;
+  EXPECT_EQ(folder.run(run + "--resume w.cbor").status, 0);
+  for (const auto& [thickness, backing] :
+       {std::pair("4", "rigid"), std::pair("3", "held")}) {
+    with_wall(thickness, backing);
+    expect_another_case(folder.run(run + "--resume w.cbor"), "w.cbor");
+  }
+  EXPECT_EQ(folder.run("hinge-separation c.toml --law tanh").err,
+            "hinge-separation: --law tanh: joint \"ball\": half-angle law tanh "
+            "must be exact with finite walls\n");
+}
+
+// A run that is killed leaves a checkpoint whose rows go on further than it
+// says, and it is not lost when another run begins under its name.
+TEST(Checkpoint, CheckpointsStayWholeAndSmall) {
+  const ProgramFolder folder;
+  const std::string run = "hinge-separation data/cases/slosh.toml ";
+  const auto checkpoints = [&](const char* name, const char* every) {
+    EXPECT_EQ(folder
+                  .run(run + "--output o.json --history h.csv --checkpoint " +
+                       name + " --checkpoint-every " + every)
+                  .status,
+              0);
+  };
+  // 0.3 s is no multiple of the output step of 0.05 s in doubles.
+  checkpoints("c.cbor", "0.3");
+  const std::string history = folder.read("h.csv");
+  EXPECT_EQ(folder.files(), (std::vector<std::string>{"c.cbor", "c.cbor.rows1",
+                                                      "h.csv", "o.json"}));
+  // Of 11 s and of 19.9 s: no rows, no growth but for
+  // numbers that have more digits.
+  checkpoints("early.cbor", "11");
+  checkpoints("late.cbor", "19.9");
+  const auto size = [&](const std::string& name) {
+    return static_cast<double>(folder.read(name).size());
+  };
+  EXPECT_NEAR(size("late.cbor"), size("early.cbor"), 100);
+  // Rows once, 8 bytes and a sign for each number, and little else.
+  const std::size_t rows = std::count(history.begin(), history.end(), '\n') - 1;
+  const std::size_t columns = csv_rows(history)[0].size();
+  EXPECT_LT(size("c.cbor.rows1"), 10.0 * static_cast<double>(rows * columns));
+
+  // Gone on from as often as before without being told; into the same file.
+  const auto resumed = [&](const std::string& more) {
+    return folder.run(run + "--output r.json --history r.csv --resume " + more);
+  };
+  folder.write("c.cbor.rows1", folder.read("c.cbor.rows1") + "the next row");
+  EXPECT_EQ(resumed("c.cbor").status, 0);
+  EXPECT_TRUE(folder.read("r.csv") == history);
+  checkpoints("m.cbor", "13");
+  const std::string middle = folder.read("m.cbor");
+  const std::string middle_rows = folder.read("m.cbor.rows1");
+  EXPECT_EQ(resumed("m.cbor --checkpoint m.cbor --checkpoint-every 3").status,
+            0);
+  EXPECT_FALSE(folder.has("m.cbor.rows1"));
+  EXPECT_TRUE(folder.has("m.cbor.rows2"));
+  EXPECT_EQ(resumed("m.cbor").status, 0);
+  checkpoints("m.cbor", "13");
+  EXPECT_TRUE(folder.has("m.cbor.rows1"));
+  EXPECT_FALSE(folder.has("m.cbor.rows2"));
+  EXPECT_TRUE(folder.read("m.cbor") == middle);
+  EXPECT_TRUE(folder.read("m.cbor.rows1") == middle_rows);
+
+  // Rows of another run, cut short, gone.
+  const auto refused = [&](const std::string& expected) {
+    const ProgramResult result = resumed("m.cbor");
+    EXPECT_EQ(result.status, 2);
+    EXPECT_EQ(result.err, "hinge-separation: " + expected + '\n');
+  };
+  folder.write("m.cbor.rows1", folder.read("c.cbor.rows1"));
+  refused("m.cbor.rows1: damaged, or not the rows of m.cbor");
+  folder.write("m.cbor.rows1", middle_rows.substr(0, middle_rows.size() - 1));
+  refused("m.cbor.rows1: damaged, or not the rows of m.cbor");
+  EXPECT_EQ(folder.run("rm m.cbor.rows1").status, 0);
+  const std::string together =
+      "; it has the rows of m.cbor: the two are copied and renamed together";
+  refused("m.cbor.rows1: cannot be read: No such file or directory" + together);
+  // Renamed together, and the copy of one that leaves the other.
+  folder.write("moved.cbor", middle);
+  EXPECT_EQ(resumed("moved.cbor").status, 2);
+  folder.write("moved.cbor.rows1", middle_rows);
+  EXPECT_EQ(resumed("moved.cbor").status, 0);
+  EXPECT_EQ(folder.run("rm m.cbor").status, 0);
+  refused("m.cbor: cannot be read: No such file or directory");
+  EXPECT_EQ(folder.run("mkdir m.cbor").status, 0);
+  refused("m.cbor: cannot be read: a directory");
+  // Something else is not overwritten.
+  folder.write("mine.txt", "mine");
+  EXPECT_EQ(folder
+                .run(run + "--checkpoint mine.txt --checkpoint-every 1 "
+                           "--output x.json")
+                .err,
+            "hinge-separation: mine.txt: not a checkpoint of "
+            "hinge-separation\n");
+  EXPECT_EQ(folder.read("mine.txt"), "mine");
+}
+
+// A station of 1e9 kg m^2 that begins to turn on its ball joint: the direction
+// in which it does follows that of the moment, also from a checkpoint on.
+TEST(Checkpoint, GoesOnInTheMiddleOfASlowOnset) {
+  const ProgramFolder folder;
+  folder.write("c.toml", R"(
+name = "onset"
+gravity_m_per_s2 = [0, -9.81, 0]
+run = { end_time_s = 20, output_step_s = 1, absolute_tolerance = 1e-14 }
+)" + carrier_at_rest("base") +
+                             R"(
+[[body]]
+name = "station"
+mass_kg = 50
+principal_inertia_kg_m2 = [1e9, 1e9, 1e9]
+[body.hinge]
+kind = "ball"
+carrier_point_m = [0, 0, 0]
+[[body.hinge.joint]]
+name = "ball"
+kind = "ball"
+geometry = { radius_mm = 50, radial_clearance_um = 50 }
+materials.inner = { youngs_modulus_GPa = 200, poissons_ratio = 0.3 }
+materials.outer = { youngs_modulus_GPa = 200, poissons_ratio = 0.3 }
+friction = { coefficient = 0.3 }
+[[force]]
+name = "torque"
+body = "station"
+kind = "applied"
+time_s = [0, 20]
+moment_N_m = [[6.9, 0, 0], [7.3, 0, 1.5]]
+)");
+  const std::string run = "hinge-separation c.toml ";
+  ASSERT_EQ(folder.run(run + "--history s.csv --output s.json").status, 0);
+  ASSERT_EQ(folder
+                .run(run + "--history a.csv --output a.json --checkpoint "
+                           "c.cbor --checkpoint-every 12")
+                .status,
+            0);
+  ASSERT_EQ(folder.run(run + "--history b.csv --output b.json --resume c.cbor")
+                .status,
+            0);
+  EXPECT_TRUE(folder.read("b.csv") == folder.read("a.csv"));
+  const History without(folder.read("s.csv"));
+  const History with(folder.read("a.csv"));
+  EXPECT_EQ(with.words("station.mode")[5], "resting");
+  EXPECT_EQ(with.words("station.mode")[12], "sliding");
+  for (const char* column : {"station.wx_rad_per_s", "station.wz_rad_per_s"}) {
+    const double last = without[column].back();
+    EXPECT_NEAR(with[column].back(), last, 1e-8 * std::abs(last)) << column;
+  }
+}
+
+// A damper that makes explicit steps as short as 1e-7 s, in a motion of 1000 s:
+// what has been computed is there however the run is stopped, and it is said
+// what held it.
+class RunsThatCannotGetOn : public testing::Test {
+ protected:
+  RunsThatCannotGetOn() {
+    const std::string text = pushed_case(0, 0, R"(ends_at_s = 0.2
+[[force]]
+name = "damper"
+body = "s"
+kind = "spring"
+point_m = [-0.2, 0, 0]
+carrier_point_m = [0.5, 0, 0]
+stiffness_N_per_m = 0
+free_length_m = 0.3
+damping_N_s_per_m = 1e8
+starts_at_s = 0.5
+)");
+    folder_.write("c.toml",
+                  exchanged(text, "end_time_s = 2",
+                            "end_time_s = 1000\noutput_step_s = 0.25"));
+  }
+  // Its results are those of a run that was stopped, and whole.
+  void expect_results(const ProgramResult& result, int status,
+                      const std::string& why) {
+    EXPECT_EQ(result.status, status) << result.err;
+    const json summary = json::parse(folder_.read("o.json"));
+    const std::string failure = summary["failure"];
+    EXPECT_NE(failure.find(": stopped by " + why + " after "), failure.npos)
+        << failure;
+    EXPECT_NE(failure.find("the fastest force is \"damper\" on \"s\" (5e-08 "
+                           "s)"),
+              failure.npos)
+        << failure;
+    EXPECT_NE(result.err.find(
+                  "hinge-separation: warning: ended early: " + failure + "\n"),
+              std::string::npos);
+    const History h(folder_.read("h.csv"));
+    EXPECT_EQ(h["time_s"].back(), summary["end_time_s"].get<double>());
+    EXPECT_GE(h["time_s"].back(), 0.5);
+    EXPECT_EQ(h["s.x_m"].size(), h.size());
+    EXPECT_TRUE(folder_.read("e.csv").starts_with("time_s,body,what\n"));
+    for (const std::string& file : folder_.files()) {
+      EXPECT_FALSE(file.starts_with(".")) << file;
+    }
+  }
+
+  ProgramFolder folder_;
+  const std::string run_ =
+      "hinge-separation c.toml --history h.csv --events e.csv --output o.json ";
+};
+
+TEST_F(RunsThatCannotGetOn, StopAtLimits) {
+  const ProgramResult steps = folder_.run(run_ + "--step-limit 3000");
+  expect_results(steps, 1, "--step-limit 3000");
+  EXPECT_EQ(json::parse(folder_.read("o.json"))["counts"]["steps"], 3000);
+  EXPECT_EQ(steps.err.find("--resume"), std::string::npos) << steps.err;
+  expect_results(folder_.run(run_ + "--time-limit 2"), 1, "--time-limit 2 s");
+}
+
+// Off a terminal too.
+TEST_F(RunsThatCannotGetOn, SayHowFarTheyAreEveryTenSeconds) {
+  const ProgramResult result = folder_.run(run_ + "--time-limit 11");
+  expect_results(result, 1, "--time-limit 11 s");
+  EXPECT_TRUE(result.err.starts_with("hinge-separation: 0.")) << result.err;
+  EXPECT_NE(result.err.find(" s of 1000 s, "), std::string::npos);
+  EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 2)
+      << result.err;
+}
+
+// A signal that a shell without job control would have its child ignore comes
+// by way of the program env.
+TEST_F(RunsThatCannotGetOn, StopAtSignals) {
+  for (const auto& [name, status] : {std::pair("INT", 130), {"TERM", 143}}) {
+    const ProgramResult result =
+        folder_.run("rm -f c.cbor; env --default-signal=INT " + run_ +
+                    "--checkpoint c.cbor --checkpoint-every 0.5 & program=$!\n"
+                    "while ! [ -e c.cbor ]; do sleep 0.02; done; sleep 0.2; "
+                    "kill -" +
+                    name + " $program; wait $program");
+    expect_results(result, status, std::string("SIG") + name);
+    EXPECT_NE(result.err.find("; --resume c.cbor goes on from t = 0.5 s\n"),
+              std::string::npos)
+        << result.err;
+    expect_results(folder_.run(run_ + "--resume c.cbor --step-limit 3000"), 1,
+                   "--step-limit 3000");
+  }
+}
+
+}  // namespace

@@ -1,0 +1,343 @@
+// What hinge-separation says of cases that go wrong.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "programs/separation/program_runs.hpp"
+
+namespace {
+
+using contact::test::alone;
+using contact::test::carrier_at_rest;
+using contact::test::exchanged;
+using contact::test::History;
+using contact::test::json;
+using contact::test::ProgramFolder;
+using contact::test::ProgramResult;
+using contact::test::pushed_case;
+using contact::test::run_json;
+using contact::test::sample_case;
+
+// What is in the file for nothing, or does what was hardly meant.
+TEST(SeparationWarnings, ForcesThatDoNotDoWhatTheyShouldAreWarnedOf) {
+  const ProgramFolder folder;
+  const auto warnings = [&](const std::string& text) {
+    folder.write("c.toml", text);
+    const ProgramResult result = folder.run("hinge-separation c.toml");
+    EXPECT_EQ(result.status, 0) << result.err;
+    return result.err;
+  };
+  const std::string warning = "hinge-separation: warning: force ";
+  EXPECT_EQ(warnings(pushed_case(0, 0, "")), "");
+  EXPECT_EQ(warnings(pushed_case(0, 1, "starts_at_s = 0.05")), "");
+  for (const char* start : {"", "starts_at_s = 0.35"}) {
+    EXPECT_EQ(warnings(pushed_case(0.125, 0, start)),
+              warning +
+                  "\"push\" never acted on s: its stroke was used up "
+                  "when it started\n");
+  }
+  EXPECT_EQ(warnings(pushed_case(0, 0, "starts_at_s = 5")),
+            warning + "\"push\" did not begin for s\n");
+  EXPECT_EQ(warnings(pushed_case(0, 0, R"([[force]]
+name = "off"
+body = "c"
+kind = "thrust"
+point_m = [0, 0, 0]
+direction = [1, 0, 0]
+thrust_N = 0
+)")),
+            warning + "\"off\" never acted on c\n");
+  // Before it is used the body is behind; the other way round both centres of
+  // mass are where it pushes to.
+  EXPECT_EQ(warnings(pushed_case(-0.05, 0, "")),
+            warning +
+                "\"push\" pushes s and the carrier together: when it "
+                "starts, t = 0 s, point is behind carrier_point as seen "
+                "along direction\n");
+  EXPECT_EQ(warnings(exchanged(pushed_case(0, 0, ""), "[1, 0, 0]\nfirst",
+                               "[-1, 0, 0]\nfirst")),
+            warning +
+                "\"push\" pushes s and the carrier together: when it "
+                "starts, t = 0 s, direction leads from s to the "
+                "carrier\n");
+  const auto with_spring =
+      [](const std::string& end, double free_length, const std::string& more) {
+        return pushed_case(0, 0,
+                           R"([[force]]
+name = "spring"
+body = "s"
+kind = "spring"
+point_m = [-0.2, 0, 0]
+stiffness_N_per_m = 10
+carrier_point_m = )" + end + "\nfree_length_m = " +
+                               cli::number_text(free_length) + "\n" + more);
+      };
+  EXPECT_EQ(warnings(with_spring("[0.8, 0, 0]", 1, "")),
+            warning +
+                "\"spring\" has no direction when it starts, t = 0 s: "
+                "point on s and carrier_point are in one place\n");
+  EXPECT_EQ(warnings(with_spring("[0.8, 0, 0]", 0, "")), "");
+  // A spring between bodies that never were on a hinge may pull.
+  EXPECT_EQ(warnings(with_spring("[0.5, 0, 0]", 0.4, "")), "");
+}
+
+// A compressed spring pushes the body off, and then draws it back.
+TEST(SeparationWarnings, SpringsThatPullBackAreWarnedOf) {
+  const ProgramFolder folder;
+  const auto warnings = [&](const std::string& more) {
+    folder.write("c.toml", alone + R"([[force]]
+name = "tie"
+kind = "spring"
+body = "tip"
+point_m = [0.2, 0.1, 0]
+carrier_point_m = [0.2, 0.1, 0]
+stiffness_N_per_m = 5000
+free_length_m = 1.05
+)" + more);
+    const ProgramResult result =
+        folder.run("hinge-separation c.toml --history h.csv");
+    EXPECT_EQ(result.status, 0);
+    return result.err;
+  };
+  const std::string pulls = warnings("");
+  EXPECT_NE(pulls.find("force \"tie\" pulls tip back after its release, "
+                       "from t = "),
+            pulls.npos)
+      << pulls;
+  EXPECT_EQ(
+      warnings("ends_at_event = \"hinge breaks\"\n").find("\"tie\" pulls"),
+      std::string::npos);
+}
+
+TEST(SeparationWarnings, WhatDidNotHappenIsReported) {
+  const ProgramFolder folder;
+  folder.write("c.toml", alone + R"(
+[[event]]
+name = "far"
+angle_deg = 179
+breaks = "hinge"
+[[event]]
+name = "after far"
+after = "far"
+breaks = "hinge"
+[[force]]
+name = "late"
+body = "core"
+kind = "applied"
+force_N = [1, 0, 0]
+starts_at_event = "far"
+)");
+  const ProgramResult result = folder.run("hinge-separation c.toml");
+  EXPECT_EQ(result.status, 0);
+  EXPECT_EQ(result.err,
+            "hinge-separation: warning: event \"far\" did not come for tip\n"
+            "hinge-separation: warning: event \"after far\" did not come for "
+            "tip\n"
+            "hinge-separation: warning: force \"late\" did not begin for "
+            "core\n"
+            "hinge-separation: warning: force \"spring\" pulls tip back after "
+            "its release, from t = 1.1 s: it is longer than free_length; "
+            "ends_at_event ends it, a pusher only pushes\n");
+  const json missed = json::parse(result.out)["events_that_did_not_come"];
+  ASSERT_EQ(missed.size(), 2U);
+  EXPECT_EQ(missed[0], (json{{"event", "far"}, {"bodies", {"tip"}}}));
+  EXPECT_TRUE(
+      run_json(folder, "data/cases/soyuz.toml")["events_that_did_not_come"]
+          .empty());
+}
+
+TEST(SeparationWarnings, OverlapAndEarlyEndAreReported) {
+  const ProgramFolder folder;
+  std::string text = alone + "[[clearance]]\na = \"core\"\nb = \"tip\"\n";
+  folder.write("c.toml", text);
+  const ProgramResult none = folder.run("hinge-separation c.toml");
+  EXPECT_EQ(none.status, 2);
+  EXPECT_NE(none.err.find("must be a body with shapes"), std::string::npos);
+  const std::string shape =
+      ".shape]]\nkind = \"capsule\"\nfrom_m = [0, 0, 0]\n"
+      "to_m = [0.2, 0, 0]\nradius_m = 0.9\n";
+  text = exchanged(text, "[[body]]", "[[carrier" + shape + "[[body]]");
+  text = exchanged(text, "[body.hinge]", "[[body" + shape + "[body.hinge]");
+  folder.write("c.toml", text);
+  const ProgramResult overlap = folder.run("hinge-separation c.toml");
+  EXPECT_EQ(overlap.status, 0);
+  EXPECT_NE(overlap.err.find("core and tip overlap from t = 0 s to "),
+            std::string::npos)
+      << overlap.err;
+
+  // The hinge breaks while the lock holds.
+  folder.write("c.toml",
+               exchanged(alone, "after = \"lock opens\"\ndelay_s = 0.7",
+                         "time_s = 0.2"));
+  const ProgramResult early =
+      folder.run("hinge-separation c.toml --history h.csv");
+  EXPECT_EQ(early.status, 1);
+  EXPECT_NE(early.err.find("t = 0.2 s: event \"hinge breaks\": the hinge of "
+                           "\"tip\" breaks while its lock still holds"),
+            std::string::npos)
+      << early.err;
+  EXPECT_TRUE(json::parse(early.out).contains("failure"));
+  EXPECT_TRUE(json::parse(early.out)["events"].empty());
+  EXPECT_EQ(History(folder.read("h.csv"))["time_s"].back(), 0.2);
+}
+
+TEST(SeparationWarnings, StepsThatAreTooLongAreWarnedOf) {
+  const ProgramFolder folder;
+  folder.write("c.toml",
+               exchanged(sample_case("slosh"), "[run]\n",
+                         "[run]\nintegrator = \"rk4\"\nstep_s = 0.5\n"));
+  const ProgramResult result = folder.run("hinge-separation c.toml");
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_NE(result.err.find("warning: the energy strays by "),
+            std::string::npos)
+      << result.err;
+}
+
+// The message has the body's name, not its number.
+TEST(SeparationWarnings, FailureNamesTheBody) {
+  const ProgramFolder folder;
+  folder.write("c.toml", exchanged(sample_case("flywheels"), "rate_rpm = 600",
+                                   "rate_rpm = 1e300"));
+  const ProgramResult result = folder.run("hinge-separation c.toml");
+  EXPECT_EQ(result.status, 1);
+  EXPECT_EQ(json::parse(result.out)["failure"],
+            "at 0 s: a force or a velocity is not a finite number "
+            "(\"wheel x\")");
+  EXPECT_EQ(result.err,
+            "hinge-separation: warning: ended early: at 0 s: a force or a "
+            "velocity is not a finite number (\"wheel x\")\n");
+}
+
+// The law of Hertz ends at half-angles of 90 deg: a joint at rest beyond it is
+// not known to hold anything.
+TEST(SeparationWarnings, TheEndOfALawEndsTheRun) {
+  const ProgramFolder folder;
+  const auto case_with = [](const std::string& kind, const std::string& run) {
+    const bool ball = kind == "ball";
+    return "name = \"press and turn\"\n[run]\nend_time_s = 4\n" + run +
+           carrier_at_rest("wall") + R"(
+[[body]]
+name = "arm"
+mass_kg = 1000
+principal_inertia_kg_m2 = [1e5, 1e5, 1e5]
+[body.hinge]
+carrier_point_m = [0, 0, 0]
+)" + (ball ? "kind = \"ball\"\n" : "kind = \"axis\"\naxis = [0, 0, 1]\n") +
+           R"([[body.hinge.joint]]
+name = "bearing"
+inner_body = "body"
+materials = { pair = "data/materials/steel_steel.toml" }
+friction = { coefficient = 0.2 }
+)" +
+           (ball
+                ? "kind = \"ball\"\n"
+                  "geometry = { radius_mm = 100, relative_clearance = 0.001 }\n"
+                : "kind = \"pin\"\n"
+                  "geometry = { radius_mm = 100, relative_clearance = 0.001, "
+                  "length_mm = 100 }\n") +
+           R"(
+[[force]]
+name = "press"
+kind = "applied"
+body = "arm"
+time_s = [0, 1]
+force_MN = [[0, 0, 0], [30, 0, 0]]
+[[force]]
+name = "turn"
+kind = "applied"
+body = "arm"
+time_s = [1, 10]
+moment_N_m = [[0, 0, 0], [0, 0, 3e6]]
+)";
+  };
+  for (const std::string kind : {"ball", "pin"}) {
+    for (const std::string run : {"", "integrator = \"rk4\"\nstep_ms = 10\n"}) {
+      folder.write("c.toml", case_with(kind, run));
+      for (const std::string friction : {"full", "traditional"}) {
+        const std::string arguments = "c.toml --friction " + friction;
+        SCOPED_TRACE(kind + ' ' + run + friction);
+        const json slides = run_json(folder, arguments);
+        EXPECT_EQ(slides["events"][0]["what"], "begins to slide");
+
+        const ProgramResult result =
+            folder.run("hinge-separation " + arguments +
+                       " --law hertz --history h.csv --events e.csv");
+        EXPECT_EQ(result.status, 1);
+        const json summary = json::parse(result.out);
+        const std::string failure = summary["failure"];
+        // Hertz ends beyond the limit of some materials, which is said too.
+        std::string said = result.err;
+        const auto line =
+            said.find("hinge-separation: warning: joint bearing: ");
+        if (line != said.npos) {
+          EXPECT_NE(
+              said.find("the limit half-angle of these materials\n", line),
+              said.npos);
+          said.erase(line);
+        }
+        EXPECT_EQ(said,
+                  "hinge-separation: warning: ended early: " + failure + '\n');
+        double time = NAN, force = NAN;
+        ASSERT_EQ(std::sscanf(failure.c_str(),
+                              "at %lf s: half-angle law hertz has no value "
+                              "under %lf N (\"arm\", joint \"bearing\")",
+                              &time, &force),
+                  2)
+            << failure;
+        EXPECT_TRUE(failure.ends_with("joint \"bearing\")"));
+        // Before the turn begins.
+        EXPECT_LT(time, 1);
+        EXPECT_NEAR(force, 30e6 * time, 1e-5 * force);
+        EXPECT_EQ(summary["end_time_s"], time);
+        const History history(folder.read("h.csv"));
+        EXPECT_EQ(history["time_s"].back(), time);
+        EXPECT_NEAR(history["arm.reaction_N"].back(), force, 1e-5 * force);
+        EXPECT_EQ(folder.read("e.csv"), "time_s,body,what\n");
+      }
+    }
+  }
+}
+
+// What has been reached by then is in the history.
+TEST(SeparationWarnings, FailedRunsAreKeptToTheirEnd) {
+  const ProgramFolder folder;
+  folder.write("c.toml", R"(
+name = "a force that nothing can bear"
+[run]
+end_time_s = 1
+output_step_s = 0.4
+[carrier]
+name = "wall"
+mass_kg = 1000
+principal_inertia_kg_m2 = [100, 100, 100]
+[[body]]
+name = "arm"
+mass_kg = 1
+principal_inertia_kg_m2 = [0.1, 0.1, 0.1]
+[body.hinge]
+kind = "ball"
+body_point_m = [-0.3, 0, 0]
+carrier_point_m = [1, 0, 0]
+[[force]]
+name = "push"
+kind = "applied"
+body = "arm"
+axes = "inertial"
+force_N = [0, 1e308, 0]
+starts_at_s = 0.55
+)");
+  const ProgramResult result =
+      folder.run("hinge-separation c.toml --history h.csv");
+  EXPECT_EQ(result.status, 1) << result.err;
+  const json summary = json::parse(result.out);
+  EXPECT_TRUE(summary.contains("failure"));
+  const std::vector<double> times = History(folder.read("h.csv"))["time_s"];
+  EXPECT_EQ(times.size(), 3u);
+  EXPECT_EQ(times.back(), summary["end_time_s"]);
+  EXPECT_NEAR(times.back(), 0.55, 1e-9);
+}
+
+}  // namespace
