@@ -27,24 +27,23 @@ FrictionModel friction_of(const contact_joint_numbers& n) {
   return FrictionLaw(n.coefficient, n.adhesion);
 }
 
-JointContact made_of(const contact_joint_numbers& n) {
-  const JointKind kind = kind_of(n.kind);
+JointSpec spec_of(const contact_joint_numbers& n) {
   const JointBody inner =
       n.body_has_inner ? JointBody::body : JointBody::carrier;
-  const ElasticPair pair({n.inner.youngs_modulus, n.inner.poissons_ratio},
-                         {n.outer.youngs_modulus, n.outer.poissons_ratio});
-  const auto name = [](const char* given, std::string_view otherwise) {
-    return given ? given : otherwise;
+  const auto material = [](const auto& m) {
+    return Material{m.youngs_modulus, m.poissons_ratio};
   };
+  const auto name = [](const char* given) { return given ? given : ""; };
   return {
-      kind == JointKind::ball
-          ? JointGeometry::ball(n.radius, n.radial_clearance, inner)
-          : JointGeometry::pin(n.radius, n.radial_clearance, n.length, inner),
-      pair, friction_of(n),
-      make_half_angle_law(name(n.half_angle_law, default_half_angle_law), kind,
-                          pair),
-      make_pressure_law(name(n.pressure_law, default_pressure_law), kind,
-                        pair)};
+      .geometry = kind_of(n.kind) == JointKind::ball
+                      ? JointGeometry::ball(n.radius, n.radial_clearance, inner)
+                      : JointGeometry::pin(n.radius, n.radial_clearance,
+                                           n.length, inner),
+      .inner = material(n.inner),
+      .outer = material(n.outer),
+      .friction = friction_of(n),
+      .half_angle_law = name(n.half_angle_law),
+      .pressure_law = name(n.pressure_law)};
 }
 
 // OK if all results are numbers; else the argument is to blame.
@@ -101,8 +100,9 @@ contact_status contact_joint_make(const contact_joint_numbers* numbers,
                                   contact_joint** joint) {
   return call([=] {
     given(joint, "contact_joint_make: joint");
-    return hand_over(joint, contact::c::made_of(
-                                given(numbers, "contact_joint_make: numbers")));
+    return hand_over(joint, contact::c::spec_of(
+                                given(numbers, "contact_joint_make: numbers"))
+                                .contact());
   });
 }
 

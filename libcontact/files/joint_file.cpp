@@ -230,13 +230,12 @@ InnerLoading loading_from_table(const TomlTable& file, const JointSpec& joint) {
   }
   const InnerLoading loading = InnerLoading::back(
       table->number("patch_half_angle", {0, std::numbers::pi / 2}));
-  const auto& walls = joint.conditions.walls;
-  if (walls && !walls->inner().layers.empty()) {
+  if (!joint.inner.layers.empty()) {
     table->needs("kind",
                  "an inner body without [[coating]]: a coated ball or pin can "
                  "be loaded at its centre only");
   }
-  const ContactConditions conditions{loading, walls};
+  const ContactConditions conditions{loading, joint.conditions().walls};
   if (!half_angle_law_allows(joint.half_angle_law, conditions)) {
     table->needs("kind", "the half-angle law exact; this joint has " +
                              joint.half_angle_law);
@@ -248,12 +247,6 @@ InnerLoading loading_from_table(const TomlTable& file, const JointSpec& joint) {
                      joint.pressure_law);
   }
   return loading;
-}
-
-// What any law may depend on beside its name and options.
-bool are_alike(const JointSpec& a, const JointSpec& b) {
-  return a.geometry.kind() == b.geometry.kind() && a.pair == b.pair &&
-         a.conditions == b.conditions;
 }
 
 }  // namespace
@@ -269,62 +262,8 @@ MaterialPair parse_material_pair(std::string_view text,
       TomlTable::from_text(text, source, material_pair_keys()));
 }
 
-std::shared_ptr<const HalfAngleLaw> SharedLaws::half_angle(
-    const JointSpec& joint) {
-  for (const auto& [other, law] : half_angle_) {
-    if (are_alike(joint, other) &&
-        joint.half_angle_law == other.half_angle_law &&
-        joint.half_angle_options == other.half_angle_options) {
-      return law;
-    }
-  }
-  return half_angle_.emplace_back(joint, joint.make_half_angle_law()).second;
-}
-
-std::shared_ptr<const PressureLaw> SharedLaws::pressure(
-    const JointSpec& joint) {
-  for (const auto& [other, law] : pressure_) {
-    if (are_alike(joint, other) && joint.pressure_law == other.pressure_law) {
-      return law;
-    }
-  }
-  return pressure_.emplace_back(joint, joint.make_pressure_law()).second;
-}
-
 Material read_material(const std::filesystem::path& path) {
   return material_from_table(TomlTable::from_file(path, material_keys()));
-}
-
-JointContact JointSpec::contact() const {
-  SharedLaws own;
-  return contact(own);
-}
-
-JointContact JointSpec::contact(SharedLaws& laws) const {
-  if (!friction) {
-    throw Error(detail::needs(detail::message("joint \"{}\"", name),
-                              "[friction], of the joint or of its materials"));
-  }
-  return {geometry, pair, *friction, laws.half_angle(*this),
-          laws.pressure(*this)};
-}
-
-std::unique_ptr<HalfAngleLaw> JointSpec::make_half_angle_law() const {
-  return contact::make_half_angle_law(half_angle_law, geometry.kind(), pair,
-                                      half_angle_options, conditions);
-}
-
-std::unique_ptr<PressureLaw> JointSpec::make_pressure_law() const {
-  return contact::make_pressure_law(pressure_law, geometry.kind(), pair,
-                                    conditions);
-}
-
-std::vector<std::string> JointSpec::validity_notes() const {
-  std::vector<std::string> notes = geometry.validity_notes();
-  for (std::string& note : make_half_angle_law()->validity_notes(pair)) {
-    notes.push_back(std::move(note));
-  }
-  return notes;
 }
 
 JointSpec joint_from_table(const TomlTable& table) {
@@ -333,19 +272,19 @@ JointSpec joint_from_table(const TomlTable& table) {
   const auto fit = fit_from_table(size);
   const JointGeometry geometry = geometry_from_table(table, size, fit);
   const MaterialPair materials = materials_from_table(table);
-  auto walls = walls_from_table(table, geometry.radius(), materials.elastic);
-  // The only laws that know walls; they are for all joints, and take long.
+  // The law that takes long to make; it is for all joints.
   constexpr std::string_view exact = "exact";
   JointSpec joint{
       .name = std::move(name),
       .geometry = geometry,
       .fit = fit,
-      .pair = walls ? walls->surfaces() : materials.elastic,
-      .friction = friction_from_table(table),
-      .half_angle_law = std::string(walls ? exact : default_half_angle_law),
-      .half_angle_options = {},
-      .pressure_law = std::string(walls ? exact : default_pressure_law)};
-  joint.conditions.walls = std::move(walls);
+      .inner = coated_body(table, geometry.radius(), materials.elastic.inner()),
+      .outer =
+          wall_from_table(table, geometry.radius(), materials.elastic.outer()),
+      .friction = friction_from_table(table)};
+  joint.conditions();  // refuses walls that do not fit the radius
+  joint.half_angle_law = joint.half_angle_law_name();
+  joint.pressure_law = joint.pressure_law_name();
   if (!joint.friction) joint.friction = materials.friction;
 
   if (const auto half_angle = table.optional_table("half_angle")) {
@@ -384,7 +323,7 @@ JointSpec joint_from_table(const TomlTable& table) {
       pressure->fail("law", error.what());
     }
   }
-  joint.conditions.loading = loading_from_table(table, joint);
+  joint.loading = loading_from_table(table, joint);
   return joint;
 }
 

@@ -61,6 +61,8 @@ Backing backing_from_table(const TomlTable& wall) {
              : Backing::held();
 }
 
+}  // namespace
+
 LayeredBody wall_from_table(const TomlTable& joint, double radius,
                             const Material& outer) {
   const auto wall = joint.optional_table("wall");
@@ -93,17 +95,6 @@ LayeredBody coated_body(const TomlTable& joint, double radius,
     }
   }
   return {std::move(coatings), Backing::medium(core)};
-}
-
-}  // namespace
-
-std::optional<LayeredPair> walls_from_table(const TomlTable& joint,
-                                            double radius,
-                                            const ElasticPair& pair) {
-  LayeredBody inner = coated_body(joint, radius, pair.inner());
-  LayeredBody outer = wall_from_table(joint, radius, pair.outer());
-  if (inner.layers.empty() && outer.layers.empty()) return {};
-  return LayeredPair(radius, std::move(inner), std::move(outer));
 }
 
 KnownKeys wall_keys() {

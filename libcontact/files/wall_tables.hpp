@@ -1,20 +1,19 @@
 #pragma once
 
-#include <optional>
-#include <vector>
-
 #include "libcontact/files/toml_reader.hpp"
 #include "libcontact/pair/layers.hpp"
 
 namespace contact {
 
-/// [wall] and [[coating]] of a joint; none if it has neither.
+/// The ball or pin with its [[coating]], if there are any.
 /// @param radius  of the ball or pin, m
-/// @param pair    [materials]: the inner body is the core of a coated one, the
-///                outer one the first layer of a wall that names no material
-std::optional<LayeredPair> walls_from_table(const TomlTable& joint,
-                                            double radius,
-                                            const ElasticPair& pair);
+/// @param core    [materials.inner]
+LayeredBody coated_body(const TomlTable& joint, double radius,
+                        const Material& core);
+/// The seat or hole with its [wall], if there is one.
+/// @param outer  [materials.outer]: also of a first layer that names no material
+LayeredBody wall_from_table(const TomlTable& joint, double radius,
+                            const Material& outer);
 /// wall and coating.
 KnownKeys wall_keys();
 

@@ -89,7 +89,7 @@ ExactRelation walled_pin_relation(const LayeredPair& pair,
 
 ExactLaw::ExactLaw(JointKind kind, const ElasticPair& pair,
                    InnerLoading loading)
-    : HalfAngleLaw(kind) {
+    : HalfAngleLaw(kind, MadeFor(pair, {.loading = loading})) {
   if (closes_up(kind, pair, loading)) {
     closed_form_ = std::make_unique<const FittedLaw>(kind, pair);
     return;
@@ -101,7 +101,7 @@ ExactLaw::ExactLaw(JointKind kind, const ElasticPair& pair,
 
 ExactLaw::ExactLaw(JointKind kind, const LayeredPair& pair,
                    InnerLoading loading)
-    : HalfAngleLaw(kind),
+    : HalfAngleLaw(kind, MadeFor(pair.surfaces(), {loading, pair})),
       relation_(std::make_unique<const ExactRelation>(
           kind == JointKind::pin
               ? walled_pin_relation(pair, loading)

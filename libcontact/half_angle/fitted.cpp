@@ -54,7 +54,7 @@ class detail::FittedHalfAngle {
 };
 
 FittedLaw::FittedLaw(JointKind kind, const ElasticPair& pair)
-    : HalfAngleLaw(kind),
+    : HalfAngleLaw(kind, MadeFor(pair)),
       fit_(std::make_unique<const detail::FittedHalfAngle>(kind, pair)) {}
 
 FittedLaw::~FittedLaw() = default;

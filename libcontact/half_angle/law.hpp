@@ -1,10 +1,13 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "libcontact/base/error.hpp"
+#include "libcontact/pair/contact_conditions.hpp"
 #include "libcontact/pair/inner_loading.hpp"
 #include "libcontact/pair/joint_geometry.hpp"
 #include "libcontact/pair/material.hpp"
@@ -72,12 +75,16 @@ class HalfAngleLaw {
       const ElasticPair& pair) const = 0;
 
   JointKind joint_kind() const noexcept { return kind_; }
+  /// The joints that it is for; none if it is for all.
+  const std::optional<MadeFor>& made_for() const noexcept { return made_for_; }
 
  protected:
-  explicit HalfAngleLaw(JointKind kind) : kind_(kind) {}
+  explicit HalfAngleLaw(JointKind kind, std::optional<MadeFor> made_for = {})
+      : kind_(kind), made_for_(std::move(made_for)) {}
 
  private:
   JointKind kind_;
+  std::optional<MadeFor> made_for_;
 };
 
 }  // namespace contact

@@ -47,7 +47,7 @@ LimitHalfAngle LimitHalfAngle::given(double half_angle) {
   detail::require(half_angle > 0 && half_angle < std::numbers::pi,
                   "half-angle law", "limit_half_angle", half_angle,
                   "above 0 and below pi rad");
-  return {half_angle, false};
+  return {half_angle, {}};
 }
 
 LimitHalfAngle LimitHalfAngle::arctan_formula(double modulus_ratio) {
@@ -57,7 +57,7 @@ LimitHalfAngle LimitHalfAngle::arctan_formula(double modulus_ratio) {
       modulus_ratio <= 1
           ? 84.85 + 4.89 * std::atan(0.436 * (1 / modulus_ratio - 1))
           : 84.85 - 2.88 * std::atan(0.711 * (modulus_ratio - 1));
-  return {value_deg * degree, true};
+  return {value_deg * degree, MadeFor(modulus_ratio)};
 }
 
 LimitHalfAngle LimitHalfAngle::linear_formula(double modulus_ratio) {
@@ -67,12 +67,12 @@ LimitHalfAngle LimitHalfAngle::linear_formula(double modulus_ratio) {
   const double value_deg = modulus_ratio <= 1
                                ? 84.85 + 2 * (1 / modulus_ratio - 1)
                                : 84.85 - 2 * (modulus_ratio - 1);
-  return {value_deg * degree, true};
+  return {value_deg * degree, MadeFor(modulus_ratio)};
 }
 
 std::vector<std::string> LimitHalfAngle::validity_notes(
     JointKind kind, const ElasticPair& pair) const {
-  if (!from_formula_) return {};
+  if (!made_for_) return {};
   std::vector<std::string> notes =
       detail::poisson_notes("the limit half-angle is a formula", pair);
   if (kind == JointKind::ball) {
@@ -113,7 +113,9 @@ std::vector<std::string> HertzLaw::validity_notes(const ElasticPair&) const {
 
 SaturatingLaw::SaturatingLaw(JointKind kind, LimitHalfAngle limit,
                              double initial_slope)
-    : HalfAngleLaw(kind), limit_(limit), initial_slope_(initial_slope) {
+    : HalfAngleLaw(kind, limit.made_for()),
+      limit_(limit),
+      initial_slope_(initial_slope) {
   detail::require(initial_slope > 0 && std::isfinite(initial_slope),
                   "half-angle law", "initial_slope", initial_slope,
                   "above 0 and finite");

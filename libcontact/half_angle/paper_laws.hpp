@@ -35,6 +35,8 @@ class LimitHalfAngle {
 
   /// theta0*, rad.
   double value() const { return value_; }
+  /// The ratio of the moduli that a formula was given.
+  const std::optional<MadeFor>& made_for() const { return made_for_; }
 
   /// Sentences on the use of a formula outside its range: another Poisson's
   /// ratio than 0.3 in a body that deforms, or a ball. Empty for given().
@@ -42,11 +44,11 @@ class LimitHalfAngle {
                                           const ElasticPair& pair) const;
 
  private:
-  LimitHalfAngle(double value, bool from_formula)
-      : value_(value), from_formula_(from_formula) {}
+  LimitHalfAngle(double value, std::optional<MadeFor> made_for)
+      : value_(value), made_for_(std::move(made_for)) {}
 
   double value_;
-  bool from_formula_;
+  std::optional<MadeFor> made_for_;  // of a formula
 };
 
 /// Hertz: theta0 = arcsin x (2.1), for x <= 1; beyond it NaN, out_of_range.

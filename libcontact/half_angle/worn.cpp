@@ -51,7 +51,7 @@ double overlap_slope(JointKind kind, double theta) {
 
 WornHalfAngle::WornHalfAngle(std::shared_ptr<const HalfAngleLaw> law,
                              double wear_number)
-    : HalfAngleLaw(law->joint_kind()),
+    : HalfAngleLaw(law->joint_kind(), law->made_for()),
       law_(std::move(law)),
       wear_number_(wear_number) {
   detail::require(wear_number >= 0 && std::isfinite(wear_number),

@@ -11,7 +11,9 @@
 #include "libcontact/base/units.hpp"
 #include "libcontact/friction/any_pressure.hpp"
 #include "libcontact/friction/stress_rule.hpp"
+#include "libcontact/half_angle/factory.hpp"
 #include "libcontact/half_angle/worn.hpp"
+#include "libcontact/pressure/factory.hpp"
 #include "libcontact/pressure/worn.hpp"
 
 namespace contact {
@@ -23,6 +25,18 @@ void check_kind(JointKind joint, JointKind law, const char* what) {
       detail::must_be(detail::message("{} joint: {} law for a {} joint",
                                       to_string(joint), what, to_string(law)),
                       detail::message("for a {} joint", to_string(joint))));
+}
+
+// A law of another joint would give plausible numbers.
+template <class Law>
+void check_made_for(const Law& law, bool allowed, const ElasticPair& pair,
+                    const ContactConditions& conditions, const char* what) {
+  const auto& made_for = law.made_for();
+  if (made_for ? made_for->fits(pair, conditions) : allowed) return;
+  throw Error(detail::must_be(
+      detail::message("{} joint: {} law {}", to_string(law.joint_kind()), what,
+                      law.name()),
+      "made for the materials, the loading and the walls of this joint"));
 }
 
 double force_at_load_parameter_one(const JointGeometry& geometry,
@@ -46,7 +60,8 @@ ContactApproach joint_approach(const HalfAngleLaw& law,
 JointContact::JointContact(JointGeometry geometry, ElasticPair pair,
                            FrictionModel friction,
                            std::shared_ptr<const HalfAngleLaw> half_angle_law,
-                           std::shared_ptr<const PressureLaw> pressure_law)
+                           std::shared_ptr<const PressureLaw> pressure_law,
+                           const ContactConditions& conditions)
     : geometry_(geometry),
       pair_(std::move(pair)),
       friction_(std::move(friction)),
@@ -59,6 +74,18 @@ JointContact::JointContact(JointGeometry geometry, ElasticPair pair,
   }
   check_kind(kind, half_angle_law_->joint_kind(), "half-angle");
   check_kind(kind, pressure_law_->joint_kind(), "pressure");
+  if (conditions.walls && conditions.walls->radius() != geometry_.radius()) {
+    throw Error(detail::must_be(
+        detail::message("{} joint: radius of its walls = {} m", to_string(kind),
+                        conditions.walls->radius()),
+        detail::message("the joint's, {} m", geometry_.radius())));
+  }
+  check_made_for(*half_angle_law_,
+                 half_angle_law_allows(half_angle_law_->name(), conditions),
+                 pair_, conditions, "half-angle");
+  check_made_for(*pressure_law_,
+                 pressure_law_allows(pressure_law_->name(), conditions), pair_,
+                 conditions, "pressure");
   unit_force_ = force_at_load_parameter_one(geometry_, pair_);
   unit_pressure_area_ =
       geometry_.force_from_load(1) / geometry_.pressure_unit(1);

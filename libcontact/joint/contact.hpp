@@ -9,6 +9,7 @@
 #include "libcontact/base/instruction_set.hpp"
 #include "libcontact/friction/integrals.hpp"
 #include "libcontact/half_angle/law.hpp"
+#include "libcontact/pair/contact_conditions.hpp"
 #include "libcontact/pair/friction_law.hpp"
 #include "libcontact/pair/joint_geometry.hpp"
 #include "libcontact/pair/material.hpp"
@@ -45,10 +46,15 @@ ContactApproach joint_approach(const HalfAngleLaw& law,
 /// no such parts: c is then the whole, over R_n, with a strength of (1, 0).
 class JointContact {
  public:
-  /// @throws Error if the kinds of joint differ or a law is missing.
+  /// For laws of one's own, or shared by hand; else make it from a JointSpec.
+  /// @param pair        the materials at the surfaces
+  /// @param conditions  loading and walls that the laws were made for
+  /// @throws Error if the kinds of joint differ, a law is missing, or one was
+  ///   made for other materials, another loading or other walls.
   JointContact(JointGeometry geometry, ElasticPair pair, FrictionModel friction,
                std::shared_ptr<const HalfAngleLaw> half_angle_law,
-               std::shared_ptr<const PressureLaw> pressure_law);
+               std::shared_ptr<const PressureLaw> pressure_law,
+               const ContactConditions& conditions = {});
 
   /// The same contact with another friction.
   JointContact with_friction(FrictionModel friction) const {

@@ -7,6 +7,7 @@
 #include "libcontact/joint/contact.hpp"
 #include "libcontact/joint/moment_set.hpp"
 #include "libcontact/joint/solution.hpp"
+#include "libcontact/joint/spec.hpp"
 
 namespace contact {
 
@@ -49,6 +50,8 @@ struct RestSolution {
 /// Dw: NaN with out_of_range.
 class Joint {
  public:
+  /// @throws Error as JointSpec::contact()
+  explicit Joint(const JointSpec& spec) : contact_(spec.contact()) {}
   explicit Joint(JointContact contact) : contact_(std::move(contact)) {}
 
   const JointContact& contact() const { return contact_; }

@@ -21,6 +21,24 @@ struct ContactConditions {
                          const ContactConditions&) = default;
 };
 
+/// For which joints a law was made whose constants depend on them.
+class MadeFor {
+ public:
+  /// The materials, and what else counts.
+  explicit MadeFor(const ElasticPair& pair, ContactConditions conditions = {});
+  /// Any materials of this ratio of the moduli, the usual conditions.
+  explicit MadeFor(double modulus_ratio) : modulus_ratio_(modulus_ratio) {}
+
+  /// Whether the law holds for these too: ratios of the moduli, Poisson's
+  /// ratios of bodies that are not rigid, loading and walls but for names.
+  bool fits(const ElasticPair& pair, const ContactConditions& conditions) const;
+
+ private:
+  double modulus_ratio_;
+  std::optional<ElasticPair> pair_ = {};
+  ContactConditions conditions_ = {};
+};
+
 /// For messages of laws that do not know them: "finite walls", or
 /// "loading back:20".
 inline std::string to_string(const ContactConditions& conditions) {

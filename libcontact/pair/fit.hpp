@@ -60,6 +60,8 @@ class Fit {
   /// For JointGeometry: half of the clearance that is taken.
   double radial_clearance() const { return clearance(taken_) / 2; }
 
+  friend bool operator==(const Fit&, const Fit&) = default;
+
  private:
   std::string name_;
   double diameter_;

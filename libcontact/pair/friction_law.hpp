@@ -36,6 +36,8 @@ class FrictionLaw {
     return coefficient_ * pressure + adhesion_;
   }
 
+  friend bool operator==(const FrictionLaw&, const FrictionLaw&) = default;
+
  private:
   double coefficient_;
   double adhesion_;
@@ -63,6 +65,8 @@ class ViscousLaw {
   double stress_at(double pressure, double speed) const {
     return (constant_ + pressure_slope_ * pressure) * speed;
   }
+
+  friend bool operator==(const ViscousLaw&, const ViscousLaw&) = default;
 
  private:
   double constant_;

@@ -128,12 +128,17 @@ FrictionStress FrictionStress::stribeck(double static_coefficient,
   require(is_positive_number(speed), place, "speed", speed,
           "above 0 m/s and finite");
   const double more = static_coefficient - dynamic_coefficient;
-  return {[=](double p, double v) {
-            return p * (dynamic_coefficient + more * std::exp(-v / speed));
-          },
-          more > 0   ? StressOverSpeed::falls
-          : more < 0 ? StressOverSpeed::rises
-                     : StressOverSpeed::constant};
+  FrictionStress made(
+      [=](double p, double v) {
+        return p * (dynamic_coefficient + more * std::exp(-v / speed));
+      },
+      more > 0   ? StressOverSpeed::falls
+      : more < 0 ? StressOverSpeed::rises
+                 : StressOverSpeed::constant);
+  made.source_ = {
+      .law = "stribeck",
+      .numbers = {static_coefficient, dynamic_coefficient, speed}};
+  return made;
 }
 
 FrictionStress FrictionStress::power(double coefficient, double pressure,
@@ -146,10 +151,13 @@ FrictionStress FrictionStress::power(double coefficient, double pressure,
   require(exponent >= 0 && exponent <= 1, place, "exponent", exponent,
           "0 to 1");
   const double scale = coefficient * pressure;
-  return {[=](double p, double) {
-            return scale * std::pow(p / pressure, 1 - exponent);
-          },
-          StressOverSpeed::constant};
+  FrictionStress made(
+      [=](double p, double) {
+        return scale * std::pow(p / pressure, 1 - exponent);
+      },
+      StressOverSpeed::constant);
+  made.source_ = {.law = "power", .numbers = {coefficient, pressure, exponent}};
+  return made;
 }
 
 FrictionStress FrictionStress::of_pressure(const Table& table) {
@@ -171,6 +179,7 @@ FrictionStress FrictionStress::of_pressure(const Table& table) {
       },
       StressOverSpeed::constant);
   made.note_ = note_of(table);
+  made.source_ = {.law = "pressure_table", .table = table};
   return made;
 }
 
@@ -198,6 +207,7 @@ FrictionStress FrictionStress::of_hersey(const Table& table) {
       },
       falls ? StressOverSpeed::falls : StressOverSpeed::rises);
   made.note_ = note_of(table);
+  made.source_ = {.law = "hersey_table", .table = table};
   return made;
 }
 

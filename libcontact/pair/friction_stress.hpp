@@ -56,6 +56,8 @@ class FrictionStress {
     std::vector<double> points;        ///< 2 or more, > 0, ascending
     std::vector<double> coefficients;  ///< as many, >= 0
     TableCurve curve = TableCurve::spline;
+
+    friend bool operator==(const Table&, const Table&) = default;
   };
   /// p f(p), points in Pa.
   /// @throws Error if the table is not so, or if the curve through it falls
@@ -75,8 +77,28 @@ class FrictionStress {
   /// What costs accuracy, for programs to warn of; "" for nothing.
   const std::string& note() const { return note_; }
 
+  /// Which of the named laws it is, with the arguments of its function.
+  struct Source {
+    /// "stribeck", "power", "pressure_table" or "hersey_table"; "" if one's own.
+    std::string law = {};
+    /// In the order of the arguments; of a table none.
+    std::vector<double> numbers = {};
+    Table table = {};
+
+    friend bool operator==(const Source&, const Source&) = default;
+  };
+  const Source& source() const { return source_; }
+
+  /// The same law with the same arguments; one's own functions are equal if
+  /// they are copies of one.
+  friend bool operator==(const FrictionStress& a, const FrictionStress& b) {
+    return a.source_ == b.source_ && a.at_rest_ == b.at_rest_ &&
+           (!a.source_.law.empty() || a.stress_ == b.stress_);
+  }
+
  private:
   std::shared_ptr<const Function> stress_;
+  Source source_;
   StressOverSpeed over_speed_;
   bool at_rest_ = false;
   std::string note_;

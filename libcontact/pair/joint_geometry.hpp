@@ -84,6 +84,13 @@ class JointGeometry {
   /// 0.05; and below 1e-5, where no clearance is known.
   std::vector<std::string> validity_notes() const;
 
+  friend bool operator==(const JointGeometry& a, const JointGeometry& b) {
+    return a.kind_ == b.kind_ && a.radius_ == b.radius_ &&
+           a.radial_clearance_ == b.radial_clearance_ &&
+           a.inner_body_ == b.inner_body_ &&
+           (a.kind_ == JointKind::ball || a.length_ == b.length_);
+  }
+
  private:
   JointGeometry(JointKind kind, double radius, double radial_clearance,
                 double length, JointBody inner_body);

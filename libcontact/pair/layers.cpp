@@ -16,14 +16,6 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-Material surface(const LayeredBody& body) {
-  if (!body.layers.empty()) return body.layers.front().material;
-  if (body.backing.kind() == Backing::Kind::medium) {
-    return body.backing.material();
-  }
-  return {infinity, 0};
-}
-
 void check_layers(const LayeredBody& body, double radius, const char* layer) {
   int number = 0;
   for (const Layer& l : body.layers) {
@@ -66,15 +58,15 @@ void check(double radius, const LayeredBody& inner, const LayeredBody& outer) {
 }  // namespace
 
 Backing Backing::medium(Material material) {
-  if (material.youngs_modulus == infinity) return rigid();
-  return Backing(Kind::medium, std::move(material));
+  const bool is_rigid = material.youngs_modulus == infinity;
+  return Backing(is_rigid ? Kind::rigid : Kind::medium, std::move(material));
 }
 
 LayeredPair::LayeredPair(double radius, LayeredBody inner, LayeredBody outer)
     : radius_((check(radius, inner, outer), radius)),
       inner_(std::move(inner)),
       outer_(std::move(outer)),
-      surfaces_(surface(inner_), surface(outer_)) {}
+      surfaces_(inner_.surface(), outer_.surface()) {}
 
 double LayeredPair::relative_thickness() const {
   double thinnest = infinity;

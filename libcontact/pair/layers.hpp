@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -27,13 +28,15 @@ class Backing {
     medium,  ///< elastic: infinite behind a wall, the core of a ball or pin
   };
 
-  static Backing rigid() { return Backing(Kind::rigid, {}); }
+  static Backing rigid() {
+    return Backing(Kind::rigid, {std::numeric_limits<double>::infinity(), 0});
+  }
   static Backing held() { return Backing(Kind::held, {}); }
-  /// @param material  rigid() if it is rigid
+  /// @param material  if it is rigid, the kind is that of rigid()
   static Backing medium(Material material);
 
   Kind kind() const { return kind_; }
-  /// Of a medium.
+  /// Of a medium or a rigid body.
   const Material& material() const { return material_; }
 
   friend bool operator==(const Backing&, const Backing&) = default;
@@ -50,8 +53,20 @@ class Backing {
 /// contact first, and what lies behind them. Without layers it is the backing
 /// alone.
 struct LayeredBody {
+  /// A body of one material.
+  LayeredBody(Material material)  // NOLINT(google-explicit-constructor)
+      : backing(Backing::medium(std::move(material))) {}
+  LayeredBody(std::vector<Layer> of, Backing behind)
+      : layers(std::move(of)), backing(std::move(behind)) {}
+
   std::vector<Layer> layers;
   Backing backing;
+
+  /// The material at the contact. Of a body that is held alone there is none:
+  /// Young's modulus 0.
+  const Material& surface() const {
+    return layers.empty() ? backing.material() : layers.front().material;
+  }
 
   friend bool operator==(const LayeredBody&, const LayeredBody&) = default;
 };

@@ -137,7 +137,7 @@ ExactPressure::Column ExactPressure::Series::evaluate(double v) const {
 
 ExactPressure::ExactPressure(JointKind kind, const ElasticPair& pair,
                              InnerLoading loading)
-    : PressureLaw(kind) {
+    : PressureLaw(kind, MadeFor(pair, {.loading = loading})) {
   if (kind == JointKind::ball) {
     // More unknowns for the pressure; the limit is that of the half-angles.
     const BallContact contact(pair, loading, 24);
@@ -158,7 +158,7 @@ ExactPressure::ExactPressure(JointKind kind, const ElasticPair& pair,
 
 ExactPressure::ExactPressure(JointKind kind, const LayeredPair& pair,
                              InnerLoading loading)
-    : PressureLaw(kind) {
+    : PressureLaw(kind, MadeFor(pair.surfaces(), {loading, pair})) {
   const double thickness = pair.relative_thickness();
   if (kind == JointKind::ball) {
     const BallContact contact(pair, loading);

@@ -1,8 +1,11 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
+#include <utility>
 
+#include "libcontact/pair/contact_conditions.hpp"
 #include "libcontact/pair/joint_geometry.hpp"
 
 /// Contact pressure p(theta), theta = angle from the centre of the contact.
@@ -73,9 +76,12 @@ class PressureLaw {
   double mean(double half_angle) const noexcept;
 
   JointKind joint_kind() const noexcept { return kind_; }
+  /// The joints that it is for; none if it is for all.
+  const std::optional<MadeFor>& made_for() const noexcept { return made_for_; }
 
  protected:
-  explicit PressureLaw(JointKind kind) : kind_(kind) {}
+  explicit PressureLaw(JointKind kind, std::optional<MadeFor> made_for = {})
+      : kind_(kind), made_for_(std::move(made_for)) {}
 
   bool has(double half_angle) const noexcept {
     return half_angle >= 0 && half_angle <= largest_half_angle();
@@ -90,6 +96,7 @@ class PressureLaw {
   virtual PressureExpansion expansion(double half_angle) const noexcept;
 
   JointKind kind_;
+  std::optional<MadeFor> made_for_;
 };
 
 }  // namespace contact

@@ -25,7 +25,7 @@ double pressure_contrast(JointKind kind, const ElasticPair& pair) {
 }
 
 MixturePressure::MixturePressure(JointKind kind, const ElasticPair& pair)
-    : PressureLaw(kind),
+    : PressureLaw(kind, MadeFor(pair)),
       sqrt_tan_(kind),
       cosine_(kind),
       contrast_(pressure_contrast(kind, pair)) {}

@@ -314,10 +314,10 @@ TEST(JointFromC, IsTheSameFromAFileATextAndNumbers) {
   numbers.radius = spec.geometry.radius();
   numbers.radial_clearance = spec.geometry.radial_clearance();
   numbers.length = 0.07;
-  numbers.inner = {spec.pair.inner().youngs_modulus,
-                   spec.pair.inner().poissons_ratio};
-  numbers.outer = {spec.pair.outer().youngs_modulus,
-                   spec.pair.outer().poissons_ratio};
+  numbers.inner = {spec.pair().inner().youngs_modulus,
+                   spec.pair().inner().poissons_ratio};
+  numbers.outer = {spec.pair().outer().youngs_modulus,
+                   spec.pair().outer().poissons_ratio};
   numbers.coefficient = 0.1;
   ASSERT_EQ(contact_joint_make(&numbers, &made), CONTACT_OK);
   const contact_slip slip = {{3000, 0, 100}, {0, 0, 2}, {}};

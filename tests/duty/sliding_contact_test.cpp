@@ -231,7 +231,7 @@ youngs_modulus_GPa = 210
 poissons_ratio = 0.3
 )",
                                                         "ring");
-  const JointContact contact(joint.geometry, joint.pair, *joint.friction,
+  const JointContact contact(joint.geometry, joint.pair(), *joint.friction,
                              joint.make_half_angle_law(),
                              joint.make_pressure_law());
   const JointSolution s =

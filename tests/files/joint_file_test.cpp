@@ -63,10 +63,10 @@ TEST(JointFile, ReadsEverything) {
   // Units by exact powers of ten: the doubles nearest to the decimals.
   EXPECT_EQ(joint.geometry.radius(), 0.05);
   EXPECT_EQ(joint.geometry.radial_clearance(), 50e-6);
-  EXPECT_EQ(joint.pair.inner().name, "steel");
-  EXPECT_EQ(joint.pair.inner().youngs_modulus, 2e11);
-  EXPECT_EQ(joint.pair.outer().youngs_modulus, 1.1e11);
-  EXPECT_EQ(joint.pair.outer().poissons_ratio, 0.34);
+  EXPECT_EQ(joint.pair().inner().name, "steel");
+  EXPECT_EQ(joint.pair().inner().youngs_modulus, 2e11);
+  EXPECT_EQ(joint.pair().outer().youngs_modulus, 1.1e11);
+  EXPECT_EQ(joint.pair().outer().poissons_ratio, 0.34);
   EXPECT_EQ(dry(joint.friction).coefficient(), 0.1);
   EXPECT_EQ(dry(joint.friction).adhesion(), 4e7);
   EXPECT_EQ(joint.half_angle_law, "tanh");
@@ -100,8 +100,8 @@ TEST(JointFile, DefaultsAndOtherSpellings) {
   EXPECT_EQ(joint.geometry.inner_body(), JointBody::body);
   EXPECT_EQ(joint.geometry.radial_clearance(), 0.002 * 0.01);
   EXPECT_EQ(joint.geometry.length(), 0.03);
-  EXPECT_EQ(joint.pair.inner().youngs_modulus, 2.1e11);
-  EXPECT_EQ(joint.pair.modulus_ratio(), 0);
+  EXPECT_EQ(joint.pair().inner().youngs_modulus, 2.1e11);
+  EXPECT_EQ(joint.pair().modulus_ratio(), 0);
   EXPECT_FALSE(joint.friction.has_value());
   EXPECT_EQ(joint.half_angle_law, "paper");
   EXPECT_EQ(joint.pressure_law, contact::default_pressure_law);
@@ -186,15 +186,15 @@ TEST(JointFile, Loading) {
   };
   const JointSpec joint = loaded("kind = \"back\"\npatch_half_angle_deg = 20");
   const auto loading = contact::InnerLoading::back(20 * degree);
-  EXPECT_EQ(joint.conditions.loading, loading);
-  const contact::ExactLaw law(JointKind::ball, joint.pair, loading);
+  EXPECT_EQ(joint.conditions().loading, loading);
+  const contact::ExactLaw law(JointKind::ball, joint.pair(), loading);
   EXPECT_EQ(joint.make_half_angle_law()->half_angle(3).half_angle,
             law.half_angle(3).half_angle);
-  const contact::ExactPressure pressure(JointKind::ball, joint.pair, loading);
+  const contact::ExactPressure pressure(JointKind::ball, joint.pair(), loading);
   EXPECT_EQ(joint.make_pressure_law()->peak(1), pressure.peak(1));
   const auto centre = contact::InnerLoading::centre();
-  EXPECT_EQ(parsed(ball_file()).conditions.loading, centre);
-  EXPECT_EQ(loaded("kind = \"centre\"").conditions.loading, centre);
+  EXPECT_EQ(parsed(ball_file()).conditions().loading, centre);
+  EXPECT_EQ(loaded("kind = \"centre\"").conditions().loading, centre);
 }
 
 // The file with walls in place of its laws.
@@ -211,8 +211,8 @@ TEST(JointFile, Walls) {
       "youngs_modulus_GPa = 2\npoissons_ratio = 0.4\n"
       "[[coating]]\nthickness_um = 500\n"
       "youngs_modulus_GPa = 300\npoissons_ratio = 0.2\n");
-  ASSERT_TRUE(joint.conditions.walls.has_value());
-  const LayeredPair& walls = *joint.conditions.walls;
+  ASSERT_TRUE(joint.conditions().walls.has_value());
+  const LayeredPair walls = joint.conditions().walls.value();
   EXPECT_EQ(walls.radius(), 0.05);
   ASSERT_EQ(walls.outer().layers.size(), 2u);
   EXPECT_EQ(walls.outer().layers[0].thickness, 3e-3);
@@ -224,16 +224,17 @@ TEST(JointFile, Walls) {
   EXPECT_EQ(walls.inner().layers[0].material.youngs_modulus, 3e11);
   EXPECT_EQ(walls.inner().backing.material().name, "steel");
   // The pair is that of the surfaces, and the laws are those that know walls.
-  EXPECT_EQ(joint.pair.inner().youngs_modulus, 3e11);
-  EXPECT_EQ(joint.pair.outer().youngs_modulus, 1.1e11);
+  EXPECT_EQ(joint.pair().inner().youngs_modulus, 3e11);
+  EXPECT_EQ(joint.pair().outer().youngs_modulus, 1.1e11);
   EXPECT_EQ(joint.half_angle_law, "exact");
   EXPECT_EQ(joint.pressure_law, "exact");
   const contact::ExactLaw law(JointKind::ball, walls);
   EXPECT_EQ(joint.make_half_angle_law()->half_angle(3).half_angle,
             law.half_angle(3).half_angle);
-  EXPECT_NE(
-      law.half_angle(3).half_angle,
-      contact::ExactLaw(JointKind::ball, joint.pair).half_angle(3).half_angle);
+  EXPECT_NE(law.half_angle(3).half_angle,
+            contact::ExactLaw(JointKind::ball, joint.pair())
+                .half_angle(3)
+                .half_angle);
   const contact::ExactPressure pressure(JointKind::ball, walls);
   EXPECT_EQ(joint.make_pressure_law()->peak(1), pressure.peak(1));
 
@@ -243,24 +244,24 @@ TEST(JointFile, Walls) {
       "thickness_mm = 30\nyoungs_modulus_GPa = 3\n"
       "poissons_ratio = 0.5\n"
       "[loading]\nkind = \"back\"\npatch_half_angle_deg = 10");
-  EXPECT_EQ(own.pair.outer().youngs_modulus, 3e9);
-  EXPECT_EQ(own.conditions.walls->outer().backing.kind(),
+  EXPECT_EQ(own.pair().outer().youngs_modulus, 3e9);
+  EXPECT_EQ(own.conditions().walls->outer().backing.kind(),
             contact::Backing::Kind::held);
-  EXPECT_TRUE(own.conditions.loading.is_back());
-  EXPECT_TRUE(own.conditions.walls->inner().layers.empty());
+  EXPECT_TRUE(own.conditions().loading.is_back());
+  EXPECT_TRUE(own.conditions().walls->inner().layers.empty());
 
   // A coating alone.
   const JointSpec coated = walled(
       "[[coating]]\nthickness_mm = 1\n"
       "youngs_modulus_GPa = 3\npoissons_ratio = 0.3");
-  EXPECT_TRUE(coated.conditions.walls->outer().layers.empty());
+  EXPECT_TRUE(coated.conditions().walls->outer().layers.empty());
   EXPECT_EQ(coated.half_angle_law, "exact");
 }
 
 TEST(JointFile, RigidBody) {
   const EditedFile file =
       ball_file().edit("8", "youngs_modulus_GPa = inf").edit("9", "");
-  EXPECT_EQ(parsed(file).pair.modulus_ratio(), infinity);
+  EXPECT_EQ(parsed(file).pair().modulus_ratio(), infinity);
 }
 
 TEST(JointFile, TextThatIsNotUtf8HasItsLine) {
@@ -310,7 +311,7 @@ TEST_F(JointFolder, PairFileByRelativePath) {
   const std::string pair_line = "[materials]\npair = \"../materials/p.toml\"\n";
   const JointSpec joint =
       contact::read_joint(write("joints/j.toml", joint_text(pair_line)));
-  EXPECT_EQ(joint.pair.modulus_ratio(), 2);
+  EXPECT_EQ(joint.pair().modulus_ratio(), 2);
   // Friction comes from the pair unless the joint has its own.
   EXPECT_EQ(dry(joint.friction).coefficient(), 0.25);
   const JointSpec own = contact::read_joint(
@@ -320,7 +321,7 @@ TEST_F(JointFolder, PairFileByRelativePath) {
   const JointSpec absolute = contact::read_joint(
       write("joints/absolute.toml",
             joint_text("[materials]\npair = \"" + pair + "\"\n")));
-  EXPECT_EQ(absolute.pair.modulus_ratio(), 2);
+  EXPECT_EQ(absolute.pair().modulus_ratio(), 2);
 }
 
 TEST_F(JointFolder, ErrorsOfThePairFileNameBothFiles) {
@@ -448,12 +449,13 @@ TEST(DataFiles, TheWalledHip) {
 
   const JointSpec hip = contact::read_joint(folder / "hip_cocr_uhmwpe.toml");
   const contact::ContactApproach approach =
-      contact::BallContact(*hip.conditions.walls).approach(walled[0] * degree);
+      contact::BallContact(*hip.conditions().walls)
+          .approach(walled[0] * degree);
   EXPECT_NEAR(approach.approach * hip.geometry.radial_clearance(), 45.7e-6,
               5e-8);
-  EXPECT_NEAR(
-      approach.stiffness * hip.geometry.radius() * hip.pair.effective_modulus(),
-      7.03e7, 5e4);
+  EXPECT_NEAR(approach.stiffness * hip.geometry.radius() *
+                  hip.pair().effective_modulus(),
+              7.03e7, 5e4);
 }
 
 // The same of a liner of 0.4 mm on steel and of a bush in a free housing.
@@ -752,7 +754,7 @@ TEST(JointFile, ContactIsMadeOfAllThatTheFileSays) {
       fs::path(CONTACT_DATA_DIR) / "joints" / "hip_cocr_uhmwpe_infinite.toml");
   const contact::JointContact one = joint.contact();
   EXPECT_EQ(one.geometry().radius(), joint.geometry.radius());
-  EXPECT_EQ(one.pair(), joint.pair);
+  EXPECT_EQ(one.pair(), joint.pair());
   EXPECT_EQ(dry(one.friction()).coefficient(),
             dry(joint.friction).coefficient());
   EXPECT_EQ(one.half_angle_law().name(), joint.make_half_angle_law()->name());

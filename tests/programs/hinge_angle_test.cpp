@@ -124,7 +124,7 @@ TEST(HingeAngle, DimensionalRowsAreTheLibrarys) {
               "load_N,load_parameter,x,p_nominal_Pa,theta0_tanh_deg,"
               "p_peak_tanh_by_cosine_Pa");
     const auto law = contact::make_half_angle_law(
-        "tanh", joint.geometry.kind(), joint.pair, joint.half_angle_options);
+        "tanh", joint.geometry.kind(), joint.pair(), joint.half_angle_options);
     const contact::CosinePressure pressure(joint.geometry.kind());
     const auto rows = numbers(result.out);
     ASSERT_EQ(rows.size(), 8U);

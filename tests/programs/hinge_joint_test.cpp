@@ -65,10 +65,13 @@ class Columns {
 
 contact::JointContact contact_of(const contact::JointSpec& joint,
                                  const std::string& law) {
-  return {joint.geometry, joint.pair, *joint.friction,
-          contact::make_half_angle_law(law, joint.geometry.kind(), joint.pair,
+  return {joint.geometry,
+          joint.pair(),
+          *joint.friction,
+          contact::make_half_angle_law(law, joint.geometry.kind(), joint.pair(),
                                        joint.half_angle_options),
-          joint.make_pressure_law()};
+          joint.make_pressure_law(),
+          joint.conditions()};
 }
 
 contact::JointSpec joint_file(const std::string& name) {
@@ -265,13 +268,10 @@ TEST(HingeJoint, LoadedThroughTheBack) {
   const Columns table(folder.run(
       example_1 + "--law exact --pressure exact,cosine --loading back:20" +
       state));
-  const contact::JointSpec file = joint_file("paper_example_1");
-  const auto loading = contact::InnerLoading::back(20 * degree);
-  const contact::JointKind kind = contact::JointKind::ball;
-  const contact::Joint joint(
-      {file.geometry, file.pair, *file.friction,
-       std::make_shared<contact::ExactLaw>(kind, file.pair, loading),
-       std::make_shared<contact::ExactPressure>(kind, file.pair, loading)});
+  contact::JointSpec file = joint_file("paper_example_1");
+  file.loading = contact::InnerLoading::back(20 * degree);
+  file.half_angle_law = file.pressure_law = "exact";
+  const contact::Joint joint(file);
   EXPECT_EQ(table.text(1, "law"), "exact_back:20");
   EXPECT_EQ(table.text(1, "pressure"), "exact_back:20");
   EXPECT_EQ(table.text(2, "pressure"), "cosine");
@@ -292,12 +292,13 @@ TEST(HingeJoint, FiniteWalls) {
   const std::string hip = "hinge-joint --joint data/joints/hip_cocr_uhmwpe";
   const Columns table(folder.run(hip + ".toml" + state));
   const contact::JointSpec file = joint_file("hip_cocr_uhmwpe");
-  const auto& walls = file.conditions.walls.value();
-  const contact::JointKind kind = contact::JointKind::ball;
+  const auto walls = file.conditions().walls.value();
+  const auto ball = contact::JointKind::ball;
   const contact::Joint joint(
-      {file.geometry, file.pair, *file.friction,
-       std::make_shared<contact::ExactLaw>(kind, walls),
-       std::make_shared<contact::ExactPressure>(kind, walls)});
+      {file.geometry, file.pair(), *file.friction,
+       std::make_shared<contact::ExactLaw>(ball, walls),
+       std::make_shared<contact::ExactPressure>(ball, walls),
+       file.conditions()});
   EXPECT_EQ(table.text(1, "law"), "exact");
   EXPECT_EQ(table.text(1, "pressure"), "exact");
   expect_solution(table, 1, joint.solve({{2e3, 0, 1e3}, {0, 0, 2}}));

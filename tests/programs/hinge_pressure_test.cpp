@@ -58,13 +58,13 @@ TEST(HingePressure, ProfileIsTheLibrarys) {
             "p_sqrt_tan_Pa,p_sqrt_theta_Pa,p_mixture_Pa,p_exact_Pa");
   const contact::JointSpec joint = contact::read_joint(folder.path() / hip);
   const auto law = contact::make_half_angle_law(
-      "tanh", joint.geometry.kind(), joint.pair, joint.half_angle_options);
+      "tanh", joint.geometry.kind(), joint.pair(), joint.half_angle_options);
   const auto loads = numbers(result.out, "load_N");
   const auto angles = numbers(result.out, "theta_deg");
   ASSERT_EQ(loads.size(), 12U);
   for (const std::string& name : all_names()) {
     const auto pressure =
-        contact::make_pressure_law(name, joint.geometry.kind(), joint.pair);
+        contact::make_pressure_law(name, joint.geometry.kind(), joint.pair());
     const auto printed = numbers(result.out, "p_" + name + "_Pa");
     for (std::size_t i = 0; i < loads.size(); ++i) {
       const double theta0 =
@@ -145,7 +145,7 @@ TEST(HingePressure, SummaryHasPeakMeanAreaAndSum) {
   const auto slide = numbers(result.out, "chi_0");
   for (std::size_t i = 0; i < spin.size(); ++i) {
     const auto law = contact::make_pressure_law(
-        all_names()[i], contact::JointKind::ball, joint.pair);
+        all_names()[i], contact::JointKind::ball, joint.pair());
     // theta0 comes back from degrees.
     EXPECT_NEAR(
         contact::friction_integrals(*law, half_angle, contact::SlipAxis{1, 0})

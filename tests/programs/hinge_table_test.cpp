@@ -442,7 +442,7 @@ TEST(HingeTable, BallInALiner) {
   const contact::JointSpec hip = contact::read_joint(
       std::string(CONTACT_DATA_DIR) + "/joints/hip_cocr_uhmwpe.toml");
   const contact::ExactPressure law(contact::JointKind::ball,
-                                   hip.conditions.walls.value());
+                                   hip.conditions().walls.value());
   // The batch's last digits differ from the scalar call's.
   EXPECT_NEAR(
       std::stod(csv_column(csv_rows(result.out), "sigma_Z_exact").at(0)),

@@ -99,8 +99,8 @@ TEST(MeasuredMoment, OfAPinByHand) {
   const double f_m = 450 / (0.02 * 2e5);
   EXPECT_NEAR(number(found, "f_M"), f_m, 1e-14);
   const double s =
-      contact::make_pressure_law("cosine", file.geometry.kind(), file.pair,
-                                 file.conditions)
+      contact::make_pressure_law("cosine", file.geometry.kind(), file.pair(),
+                                 file.conditions())
           ->force_ratio(number(found, "theta0_deg") * contact::degree);
   EXPECT_NEAR(number(found, "f0"), f_m / std::sqrt(s * s - f_m * f_m), 1e-14);
 }

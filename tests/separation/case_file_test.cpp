@@ -223,10 +223,11 @@ TEST(CaseFile, SettingsReachTheFilesOfItsJoints) {
   EXPECT_EQ(is.position, -0.02);
   EXPECT_DOUBLE_EQ(is.joint.geometry.radial_clearance(), 80e-6);
   EXPECT_EQ(is.joint.geometry.radius(), was.joint.geometry.radius());
-  EXPECT_NE(is.joint.pair.contact_modulus(), was.joint.pair.contact_modulus());
+  EXPECT_NE(is.joint.pair().contact_modulus(),
+            was.joint.pair().contact_modulus());
   EXPECT_EQ(std::get<contact::FrictionLaw>(*is.joint.friction).coefficient(),
             0.25);
-  EXPECT_EQ(changed.bodies[0].hinge.joints[0].joint.pair, was.joint.pair);
+  EXPECT_EQ(changed.bodies[0].hinge.joints[0].joint.pair(), was.joint.pair());
 }
 
 TEST(CaseFile, SettingsThatAreWrongAreNamed) {

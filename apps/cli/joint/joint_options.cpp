@@ -36,14 +36,14 @@ Joint joint_from_file(const JointOptions& o,
                       const contact::KeySettings& settings) {
   const contact::JointSpec joint = contact::read_joint(o.joint, settings);
   return {.kind = joint.geometry.kind(),
-          .pair = joint.pair,
+          .pair = joint.pair(),
           .geometry = joint.geometry,
           .fit = joint.fit,
           .friction = joint.friction,
           .half_angle_law = joint.half_angle_law,
           .half_angle_options = joint.half_angle_options,
           .pressure_law = joint.pressure_law,
-          .conditions = joint.conditions,
+          .conditions = joint.conditions(),
           .name = joint.name};
 }
 

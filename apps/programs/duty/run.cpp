@@ -89,7 +89,7 @@ contact::JointContact contact_of(const cli::Joint& joint,
                                  const Options& options) {
   return {*joint.geometry, joint.pair,
           make_friction(options.friction, joint.friction, options.joint),
-          joint.laws[0].law, joint.pressures[0].law};
+          joint.laws[0].law, joint.pressures[0].law, joint.conditions};
 }
 
 // The joint in the course of --cycles; empty without it.

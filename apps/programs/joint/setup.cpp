@@ -51,7 +51,8 @@ Setup make_setup(const Options& options) {
             NamedJoint{law.name,
                        pressure.name,
                        contact::Joint({*joint.geometry, joint.pair, friction,
-                                       law.law, pressure.law}),
+                                       law.law, pressure.law,
+                                       joint.conditions}),
                        {},
                        joint.differences,
                        options.pv});

@@ -6,9 +6,6 @@
 
 namespace separation {
 
-/// The numbers of a joint.
-std::string identity(const contact::JointSpec& joint);
-
 /// What two cases that move alike have in common: the numbers of the joints,
 /// which may come from other files, and the content of the case's.
 std::string identity(const Case& c);

@@ -5,7 +5,6 @@
 
 #include "libcontact/base/units.hpp"
 #include "libcontact/joint/joint.hpp"
-#include "separation/case/identity.hpp"
 
 namespace study {
 
@@ -82,7 +81,7 @@ Result JointModel::run(const Settings& settings, const Effort& /*effort*/,
 }
 
 std::string JointModel::identity() const {
-  return separation::identity(contact::read_joint(joint_)) +
+  return contact::read_joint(joint_).canonical_text() +
          files_.open(study_, study_keys).table("load").canonical_text();
 }
 

@@ -7,13 +7,15 @@
 using Eigen::Vector3d;
 
 int main() {
-  const auto ball = contact::JointKind::ball;
-  const contact::ElasticPair steel({2e11, 0.3}, {2e11, 0.3});  // Pa, 1
+  const contact::Material steel{2e11, 0.3};  // Pa, 1
   const contact::Joint joint(
-      {contact::JointGeometry::ball(0.02, 20e-6), steel,  // radius, clearance
-       contact::FrictionLaw(0.15, 2e4),                   // f0, adhesion
-       contact::make_half_angle_law("tanh", ball, steel),
-       contact::make_pressure_law("cosine", ball, steel)});
+      {.geometry =
+           contact::JointGeometry::ball(0.02, 20e-6),  // radius, clearance
+       .inner = steel,
+       .outer = steel,
+       .friction = contact::FrictionLaw(0.15, 2e4),  // f0, adhesion
+       .half_angle_law = "tanh",
+       .pressure_law = "cosine"});
 
   const double m = 5, dt = 1e-3;
   const Vector3d weight(0, 0, -9.81 * m), centre(0, 0, -0.4);  // body axes

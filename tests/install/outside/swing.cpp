@@ -7,22 +7,23 @@
 
 int main() {
   using Eigen::Vector3d;
-  const auto ball = contact::JointKind::ball;
-  const contact::ElasticPair steel({2e11, 0.3}, {2e11, 0.3});  // Pa, 1
+  const contact::Material steel{2e11, 0.3};  // Pa, 1
   const contact::Joint joint(
-      {contact::JointGeometry::ball(0.02, 20e-6), steel,  // radius, clearance
-       contact::FrictionLaw(0.15, 2e4),                   // f0, adhesion
-       contact::make_half_angle_law("tanh", ball, steel),
-       contact::make_pressure_law("cosine", ball, steel)});
+      {.geometry =
+           contact::JointGeometry::ball(0.02, 20e-6),  // radius, clearance
+       .inner = steel,
+       .outer = steel,
+       .friction = contact::FrictionLaw(0.15, 2e4),  // f0, adhesion
+       .half_angle_law = "tanh",
+       .pressure_law = "cosine"});
 
   const double m = 5, arm = 0.4;  // kg, m
   // About the centre of mass, from that about the joint.
   const Vector3d inertia(0.9 - m * arm * arm, 0.9 - m * arm * arm, 0.02);
-  const multibody::System system(
-      {.fixed = true},  // hangs on the ground
-      {{.mass = m,
-        .inertia = inertia.asDiagonal(),
-        .hinge_from_com = {0, 0, arm}}});
+  const multibody::System system({.fixed = true},  // hangs on the ground
+                                 {{.mass = m,
+                                   .inertia = inertia.asDiagonal(),
+                                   .hinge_from_com = {0, 0, arm}}});
   multibody::MotionStart start;
   start.bodies.resize(1);
   start.bodies[0].rotation = Eigen::AngleAxisd(1, Vector3d::UnitX());
@@ -39,6 +40,5 @@ int main() {
   const Vector3d down =
       motion.sample().motions()[1].rotation * -Vector3d::UnitZ();
   std::printf("rests after %.2f s, %.2f deg from the vertical\n",
-              changes.back().time,
-              std::acos(-down.z()) / contact::degree);
+              changes.back().time, std::acos(-down.z()) / contact::degree);
 }

@@ -1,0 +1,96 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "libcontact/half_angle/factory.hpp"
+#include "libcontact/joint/contact.hpp"
+#include "libcontact/pair/contact_conditions.hpp"
+#include "libcontact/pair/fit.hpp"
+#include "libcontact/pair/friction_law.hpp"
+#include "libcontact/pair/inner_loading.hpp"
+#include "libcontact/pair/joint_geometry.hpp"
+#include "libcontact/pair/layers.hpp"
+#include "libcontact/pressure/factory.hpp"
+
+namespace contact {
+
+class SharedLaws;
+
+/// A joint as a person describes it, each fact once: a value. Files, options, C
+/// and Python make one of these.
+///
+///     const contact::Joint hip({.geometry = JointGeometry::ball(0.014, 1e-4),
+///                               .inner = cobalt,
+///                               .outer = {{{0.008, polyethylene}},
+///                                         Backing::rigid()},
+///                               .friction = FrictionLaw(0.062)});
+///
+/// The functions throw Error for numbers and laws that do not go together.
+struct JointSpec {
+  std::string name = {};  ///< for people
+  JointGeometry geometry;
+  /// What the geometry is from, if from a fit.
+  std::optional<Fit> fit = {};
+  /// Ball or pin: its material, or coatings and a core.
+  LayeredBody inner;
+  /// Seat or hole: its material, which then has no end, or layers and their
+  /// backing.
+  LayeredBody outer;
+  std::optional<FrictionModel> friction = {};
+  InnerLoading loading = InnerLoading::centre();
+  /// For make_half_angle_law(); "": exact with layers, else fitted.
+  std::string half_angle_law = {};
+  HalfAngleOptions half_angle_options = {};
+  /// For make_pressure_law(); "": exact.
+  std::string pressure_law = {};
+
+  /// The materials at the surfaces.
+  ElasticPair pair() const { return {inner.surface(), outer.surface()}; }
+  /// Loading, and walls where a body has layers.
+  ContactConditions conditions() const;
+  /// The laws by their names, where there is none the one that is taken.
+  std::string half_angle_law_name() const;
+  std::string pressure_law_name() const;
+
+  /// What a Joint is made of.
+  /// @throws Error if there is no friction
+  JointContact contact() const;
+  /// The same, of several joints that share their laws.
+  JointContact contact(SharedLaws& laws) const;
+
+  std::unique_ptr<HalfAngleLaw> make_half_angle_law() const;
+  std::unique_ptr<PressureLaw> make_pressure_law() const;
+  /// Load from and to load parameter.
+  LoadScale load_scale() const { return {geometry, pair()}; }
+  /// Notes of the geometry and of the half-angle law.
+  std::vector<std::string> validity_notes() const;
+
+  /// The joint as the text of a joint file (docs/joint_file.md) that needs no
+  /// other file, in SI units and with all digits: read again it gives an equal
+  /// joint, and joints whose texts are equal are equal. A friction stress that
+  /// is one's own function has no keys; it stands there as law = "own", which
+  /// cannot be read.
+  std::string canonical_text() const;
+
+  friend bool operator==(const JointSpec&, const JointSpec&) = default;
+};
+
+/// The laws of joints that belong together: those that are alike share one.
+class SharedLaws {
+ public:
+  /// As the functions of JointSpec make them.
+  std::shared_ptr<const HalfAngleLaw> half_angle(const JointSpec& joint);
+  std::shared_ptr<const PressureLaw> pressure(const JointSpec& joint);
+
+ private:
+  std::vector<std::pair<JointSpec, std::shared_ptr<const HalfAngleLaw>>>
+      half_angle_;
+  std::vector<std::pair<JointSpec, std::shared_ptr<const PressureLaw>>>
+      pressure_;
+};
+
+}  // namespace contact

@@ -1,0 +1,198 @@
+// A joint as the text of a joint file: keys as docs/joint_file.md names them.
+#include <cmath>
+#include <initializer_list>
+#include <iterator>
+#include <limits>
+#include <span>
+#include <string_view>
+
+#include "libcontact/base/text.hpp"
+#include "libcontact/base/units.hpp"
+#include "libcontact/joint/spec.hpp"
+
+namespace contact {
+namespace {
+
+// A TOML text that grows line by line.
+class Toml {
+ public:
+  void table(std::string_view header) {
+    text_ += detail::message("\n{}\n", header);
+  }
+  void number(std::string_view key, double value) {
+    text_ += detail::message("{} = {}\n", key, written(value));
+  }
+  void numbers(std::string_view key, std::span<const double> values) {
+    std::string list;
+    for (const double value : values) {
+      list += (list.empty() ? "" : ", ") + written(value);
+    }
+    text_ += detail::message("{} = [{}]\n", key, list);
+  }
+  void text(std::string_view key, std::string_view value) {
+    text_ += detail::message("{} = {}\n", key, quoted(value));
+  }
+  std::string take() { return std::move(text_); }
+
+ private:
+  // As many digits as bring the number back, in a form that TOML takes for one
+  // with a fraction.
+  static std::string written(double value) {
+    std::string digits = detail::message("{}", value);
+    if (std::isfinite(value) &&
+        digits.find_first_of(".e") == std::string::npos) {
+      digits += ".0";
+    }
+    return digits;
+  }
+  // A basic string of TOML.
+  static std::string quoted(std::string_view value) {
+    std::string result = "\"";
+    for (const char c : value) {
+      const auto code = static_cast<unsigned char>(c);
+      if (c == '"' || c == '\\') {
+        (result += '\\') += c;
+      } else if (code < 0x20 || code == 0x7f) {
+        result += detail::message("\\u{:04x}", code);
+      } else {
+        result += c;
+      }
+    }
+    return result + '"';
+  }
+
+  std::string text_;
+};
+
+void write(Toml& toml, const Material& material) {
+  if (!material.name.empty()) toml.text("name", material.name);
+  toml.number("youngs_modulus_Pa", material.youngs_modulus);
+  toml.number("poissons_ratio", material.poissons_ratio);
+  if (std::isfinite(material.limit_pressure)) {
+    toml.number("limit_pressure_Pa", material.limit_pressure);
+  }
+}
+
+void write(Toml& toml, std::string_view header, const Layer& layer) {
+  toml.table(header);
+  toml.number("thickness_m", layer.thickness);
+  write(toml, layer.material);
+}
+
+void write_geometry(Toml& toml, const JointSpec& joint) {
+  const JointGeometry& g = joint.geometry;
+  toml.table("[geometry]");
+  if (joint.fit) {
+    const std::string fit = joint.fit->name();  // "H7/g6"
+    const auto slash = fit.find('/');
+    constexpr std::string_view taken[] = {"minimum", "mean", "maximum"};
+    toml.number("diameter_m", joint.fit->diameter());
+    toml.text("hole", fit.substr(0, slash));
+    toml.text("shaft", fit.substr(slash + 1));
+    toml.text("clearance", taken[static_cast<int>(joint.fit->taken())]);
+  } else {
+    toml.number("radius_m", g.radius());
+    toml.number("radial_clearance_m", g.radial_clearance());
+  }
+  if (g.kind() == JointKind::pin) toml.number("length_m", g.length());
+}
+
+void write_bodies(Toml& toml, const JointSpec& joint) {
+  toml.table("[materials.inner]");
+  write(toml, joint.inner.backing.material());
+  toml.table("[materials.outer]");
+  write(toml, joint.outer.surface());
+  for (const Layer& coating : joint.inner.layers) {
+    write(toml, "[[coating]]", coating);
+  }
+  if (joint.outer.layers.empty()) return;
+  const Backing& backing = joint.outer.backing;
+  if (backing.kind() == Backing::Kind::medium) {
+    toml.table("[wall.backing]");
+    write(toml, backing.material());
+  } else {
+    toml.table("[wall]");
+    toml.text("backing",
+              backing.kind() == Backing::Kind::held ? "held" : "rigid");
+  }
+  for (const Layer& layer : joint.outer.layers) {
+    write(toml, "[[wall.layer]]", layer);
+  }
+}
+
+void write(Toml& toml, const FrictionLaw& dry) {
+  toml.number("coefficient", dry.coefficient());
+  if (dry.adhesion() != 0) toml.number("adhesion_Pa", dry.adhesion());
+}
+
+void write(Toml& toml, const ViscousLaw& viscous) {
+  toml.number("viscous_constant_Pa_s_per_m", viscous.constant());
+  if (viscous.pressure_slope() != 0) {
+    toml.number("viscous_pressure_slope_s_per_m", viscous.pressure_slope());
+  }
+}
+
+void write(Toml& toml, const FrictionStress& stress) {
+  const auto& [law, numbers, table] = stress.source();
+  toml.text("law", law.empty() ? "own" : law);
+  constexpr std::string_view stribeck[] = {
+      "static_coefficient", "dynamic_coefficient", "stribeck_velocity_m_per_s"};
+  constexpr std::string_view power[] = {"coefficient", "reference_pressure_Pa",
+                                        "exponent"};
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    toml.number(law == "stribeck" ? stribeck[i] : power[i], numbers[i]);
+  }
+  if (table.points.empty()) return;
+  toml.numbers(law == "pressure_table" ? "pressures_Pa"
+                                       : "speeds_over_pressure_m_per_s_Pa",
+               table.points);
+  toml.numbers("coefficients", table.coefficients);
+  if (table.curve == TableCurve::linear) toml.text("curve", "linear");
+}
+
+void write_laws(Toml& toml, const JointSpec& joint) {
+  const HalfAngleOptions& options = joint.half_angle_options;
+  toml.table("[half_angle]");
+  toml.text("law", joint.half_angle_law_name());
+  if (options.limit_half_angle) {
+    toml.number("limit_half_angle_rad", *options.limit_half_angle);
+  }
+  if (options.linear_limit) toml.text("limit_formula", "linear");
+  if (options.initial_slope != 1) {
+    // The key is in degrees; of its neighbours the one that comes back.
+    double degrees = options.initial_slope / degree;
+    for (const double to : {0.0, 100.0}) {
+      const double next = std::nextafter(degrees, to);
+      if (degrees * degree != options.initial_slope &&
+          next * degree == options.initial_slope) {
+        degrees = next;
+      }
+    }
+    toml.number("degrees_per_radian", degrees);
+  }
+  toml.table("[pressure]");
+  toml.text("law", joint.pressure_law_name());
+  if (!joint.loading.is_back()) return;
+  toml.table("[loading]");
+  toml.text("kind", "back");
+  toml.number("patch_half_angle_rad", joint.loading.patch_half_angle());
+}
+
+}  // namespace
+
+std::string JointSpec::canonical_text() const {
+  Toml toml;
+  toml.text("name", name);
+  toml.text("kind", to_string(geometry.kind()));
+  if (geometry.inner_body() == JointBody::body) toml.text("inner_body", "body");
+  write_geometry(toml, *this);
+  write_bodies(toml, *this);
+  if (friction) {
+    toml.table("[friction]");
+    std::visit([&](const auto& f) { write(toml, f); }, *friction);
+  }
+  write_laws(toml, *this);
+  return toml.take();
+}
+
+}  // namespace contact
