@@ -50,7 +50,7 @@ std::vector<std::string> notes(const FileJoint& self,
     largest.add(half_angle, contact.peak_pressure(*at[0], half_angle));
   });
   for (auto& note :
-       contact::contact_notes(contact.geometry().kind(), self.spec().pair,
+       contact::contact_notes(contact.geometry().kind(), self.spec().pair(),
                               largest.half_angle, largest.peak_pressure)) {
     all.push_back(std::move(note));
   }

@@ -11,7 +11,8 @@ namespace contact {
 LayeredBody coated_body(const TomlTable& joint, double radius,
                         const Material& core);
 /// The seat or hole with its [wall], if there is one.
-/// @param outer  [materials.outer]: also of a first layer that names no material
+/// @param outer  [materials.outer]: also of a first layer that names no
+/// material
 LayeredBody wall_from_table(const TomlTable& joint, double radius,
                             const Material& outer);
 /// wall and coating.

@@ -135,9 +135,8 @@ FrictionStress FrictionStress::stribeck(double static_coefficient,
       more > 0   ? StressOverSpeed::falls
       : more < 0 ? StressOverSpeed::rises
                  : StressOverSpeed::constant);
-  made.source_ = {
-      .law = "stribeck",
-      .numbers = {static_coefficient, dynamic_coefficient, speed}};
+  made.source_ = {.law = "stribeck",
+                  .numbers = {static_coefficient, dynamic_coefficient, speed}};
   return made;
 }
 

@@ -79,7 +79,8 @@ class FrictionStress {
 
   /// Which of the named laws it is, with the arguments of its function.
   struct Source {
-    /// "stribeck", "power", "pressure_table" or "hersey_table"; "" if one's own.
+    /// "stribeck", "power", "pressure_table" or "hersey_table"; "" if one's
+    /// own.
     std::string law = {};
     /// In the order of the arguments; of a table none.
     std::vector<double> numbers = {};

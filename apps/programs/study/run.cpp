@@ -15,6 +15,7 @@
 #include "cli/progress.hpp"
 #include "cli/refuse.hpp"
 #include "cli/table.hpp"
+#include "programs/separation/output/history_file.hpp"
 #include "programs/study/findings/findings.hpp"
 #include "programs/study/findings/pictures.hpp"
 #include "programs/study/findings/report.hpp"
