@@ -30,17 +30,15 @@ class FileJoint {
   const contact::Joint& joint() const;
   /// The file with its settings, as TOML.
   const std::string& toml() const { return toml_; }
-  /// What the file says, in one form.
+  /// JointSpec::canonical_text(): joints are equal if it is.
   const std::string& canonical() const { return canonical_; }
-  /// Whether both say the same.
-  bool operator==(const FileJoint& other) const;
 
  private:
   explicit FileJoint(const contact::TomlTable& file);
 
   std::string toml_;
-  std::string canonical_;
   contact::JointSpec spec_;
+  std::string canonical_;
   contact::Joint joint_;  // without friction where there is none
 };
 

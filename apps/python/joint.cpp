@@ -218,8 +218,8 @@ FileJoint::FileJoint(const std::string& text, const std::string& source,
 
 FileJoint::FileJoint(const TomlTable& file)
     : toml_(file.toml_text()),
-      canonical_(file.canonical_text()),
       spec_(checked_spec(file)),
+      canonical_(spec_.canonical_text()),
       joint_(contact_of(spec_)) {}
 
 contact::KeySettings key_settings(const Settings& settings) {
@@ -231,10 +231,6 @@ contact::KeySettings key_settings(const Settings& settings) {
 const contact::Joint& FileJoint::joint() const {
   if (!spec_.friction) spec_.contact();  // says so
   return joint_;
-}
-
-bool FileJoint::operator==(const FileJoint& other) const {
-  return spec_ == other.spec_;
 }
 
 void bind_joint(py::module_& m) {
@@ -255,7 +251,6 @@ void bind_joint(py::module_& m) {
            py::arg("settings"), py::call_guard<py::gil_scoped_release>());
   type.def_property_readonly("_toml", &FileJoint::toml);
   type.def_property_readonly("_canonical", &FileJoint::canonical);
-  type.def("_same", &FileJoint::operator==);
   m.def("_file_toml", &file_toml);
   bind_contact(m, type);
   bind_solutions(type);

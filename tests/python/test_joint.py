@@ -8,6 +8,7 @@ import tempfile
 import threading
 import unittest
 from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
 
 import libcontact
 import numpy as np
@@ -317,6 +318,29 @@ class Files(unittest.TestCase):
             self.assertIs(copy.deepcopy(joint), joint)
         self.assertNotEqual(hip, other)
         self.assertNotEqual(hip, "hip")
+
+    def test_are_equal_if_they_are_alike(self):
+        rest = {k: v for k, v in walled.items() if k != "radius_mm"}
+        in_metres = libcontact.Joint(**rest, radius_m=0.014)
+        self.assertEqual(in_metres, libcontact.Joint(**walled))
+        self.assertEqual(hash(in_metres), hash(libcontact.Joint(**walled)))
+
+    def test_differ_by_the_friction_of_their_materials(self):
+        with tempfile.TemporaryDirectory() as folder:
+            joints = []
+            for speed in 10, 20:
+                pair = Path(folder) / f"{speed}.toml"
+                pair.write_text(
+                    'name = "pair"\n'
+                    "inner = {youngs_modulus_GPa = 210, poissons_ratio = 0.3}\n"
+                    "outer = {youngs_modulus_GPa = 110, poissons_ratio = 0.3}\n"
+                    '[friction]\nlaw = "stribeck"\n'
+                    "static_coefficient = 0.15\ndynamic_coefficient = 0.05\n"
+                    f"stribeck_velocity_mm_per_s = {speed}\n")
+                joints.append(libcontact.Joint(
+                    kind="pin", radius_mm=20, radial_clearance_um=40,
+                    length_mm=50, pair=str(pair)))
+            self.assertNotEqual(*joints)
 
 
 def moment_of_hip(rows):

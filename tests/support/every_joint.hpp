@@ -10,7 +10,6 @@ namespace contact::test {
 struct JointText {
   std::string name;      ///< "pin, viscous, layer on a rigid backing"
   std::string friction;  ///< kind of friction
-  bool rests = true;     ///< friction holds it, and does not fall with speed
   std::string toml;
 };
 
@@ -18,13 +17,12 @@ inline std::vector<JointText> every_joint() {
   struct Part {
     const char* name;
     const char* toml;
-    bool rests = true;
   };
   const Part frictions[] = {
       {"dry", "coefficient = 0.1"},
       {"adhesive", "coefficient = 0.1\nadhesion_kPa = 50"},
-      {"viscous", "viscous_constant_Pa_s_per_m = 2e5", false},
-      {"viscous over pressure", "viscous_pressure_slope_s_per_m = 0.5", false},
+      {"viscous", "viscous_constant_Pa_s_per_m = 2e5"},
+      {"viscous over pressure", "viscous_pressure_slope_s_per_m = 0.5"},
       {"stribeck",
        "law = \"stribeck\"\nstatic_coefficient = 0.15\ndynamic_coefficient = "
        "0.05\nstribeck_velocity_mm_per_s = 10",
@@ -62,7 +60,7 @@ inline std::vector<JointText> every_joint() {
         const bool pin = *kind == 'p';
         all.push_back(
             {std::string(kind) + ", " + friction.name + ", " + wall.name,
-             friction.name, friction.rests,
+             friction.name,
              "name = \"" + std::string(friction.name) + "\"\nkind = \"" + kind +
                  "\"\n[geometry]\nradius_mm = 20\nradial_clearance_um = 40\n" +
                  (pin ? "length_mm = 50\n" : "") +

@@ -98,7 +98,7 @@ class Joint(FileText, _core.Joint):
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Joint):
             return NotImplemented
-        return self._same(other)
+        return self._canonical == other._canonical
 
     __hash__ = FileText.__hash__
 
