@@ -4,7 +4,6 @@
 /// a seat.
 // clang-format off
 #include "libcontact/conforming/contact_pressure.hpp"
-#include "libcontact/conforming/pin_closed_form.hpp"
 #include "libcontact/conforming/pin.hpp"
 #include "libcontact/conforming/ball.hpp"
 // clang-format on

@@ -2,6 +2,6 @@
 
 /// Materials and joints from TOML files: library contact::files.
 // clang-format off
-#include "libcontact/files/toml_reader.hpp"
+#include "libcontact/files/setting.hpp"
 #include "libcontact/files/joint_file.hpp"
 // clang-format on

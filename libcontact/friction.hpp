@@ -6,9 +6,5 @@
 #include "libcontact/friction/exact.hpp"
 #include "libcontact/friction/batch.hpp"
 #include "libcontact/friction/any_pressure.hpp"
-#include "libcontact/friction/stress_rule.hpp"
-#include "libcontact/friction/elliptic/integrals.hpp"
-#include "libcontact/friction/elliptic/friction.hpp"
-#include "libcontact/friction/special.hpp"
 #include "libcontact/friction/models.hpp"
 // clang-format on

@@ -3,9 +3,5 @@
 /// Half-angle of the contact against load, in both directions.
 // clang-format off
 #include "libcontact/half_angle/law.hpp"
-#include "libcontact/half_angle/paper_laws.hpp"
-#include "libcontact/half_angle/fitted.hpp"
-#include "libcontact/half_angle/exact.hpp"
-#include "libcontact/half_angle/worn.hpp"
 #include "libcontact/half_angle/factory.hpp"
 // clang-format on

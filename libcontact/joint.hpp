@@ -4,6 +4,7 @@
 /// what holds at rest.
 // clang-format off
 #include "libcontact/joint/contact.hpp"
+#include "libcontact/joint/spec.hpp"
 #include "libcontact/joint/solution.hpp"
 #include "libcontact/joint/moment_set.hpp"
 #include "libcontact/joint/joint.hpp"

@@ -3,12 +3,7 @@
 /// Pressure over the contact.
 // clang-format off
 #include "libcontact/pressure/law.hpp"
-#include "libcontact/pressure/cosine.hpp"
 #include "libcontact/pressure/shaped.hpp"
-#include "libcontact/pressure/sqrt.hpp"
-#include "libcontact/pressure/mixture.hpp"
-#include "libcontact/pressure/exact.hpp"
-#include "libcontact/pressure/worn.hpp"
 #include "libcontact/pressure/profile.hpp"
 #include "libcontact/pressure/factory.hpp"
 #include "libcontact/pressure/hertz.hpp"

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "libcontact/files/joint_file.hpp"
+#include "libcontact/files/joint_tables.hpp"
 #include "libcontact/joint/joint.hpp"
 
 namespace contact_python {

@@ -6,7 +6,7 @@
 #include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
 #include "libcontact/c/status.h"
-#include "libcontact/files/toml_reader.hpp"
+#include "libcontact/files/setting.hpp"
 
 /// What every function of the C interface does: nothing of C++ gets out, and
 /// contact_last_message() says what has failed.

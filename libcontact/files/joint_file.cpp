@@ -11,6 +11,7 @@
 #include "libcontact/base/error.hpp"
 #include "libcontact/base/text.hpp"
 #include "libcontact/base/units.hpp"
+#include "libcontact/files/joint_tables.hpp"
 #include "libcontact/files/material_table.hpp"
 #include "libcontact/files/wall_tables.hpp"
 

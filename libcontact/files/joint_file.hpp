@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "libcontact/files/toml_reader.hpp"
+#include "libcontact/files/setting.hpp"
 #include "libcontact/joint/spec.hpp"
 #include "libcontact/pair/friction_law.hpp"
 #include "libcontact/pair/material.hpp"
@@ -40,12 +40,5 @@ JointSpec read_joint(const std::filesystem::path& path,
 JointSpec parse_joint(std::string_view text, const std::string& source,
                       const KeySettings& settings = {},
                       const std::filesystem::path& folder = {});
-/// A joint that is part of a larger file, which has joint_keys() among its own.
-/// Paths are relative to the folder of the table's file.
-JointSpec joint_from_table(const TomlTable& table);
-/// A joint that is all of a file with joint_keys().
-JointSpec joint_of_file(const TomlTable& file);
-/// All keys that a joint may have.
-KnownKeys joint_keys();
 
 }  // namespace contact

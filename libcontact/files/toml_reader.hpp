@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "libcontact/files/dimension.hpp"
+#include "libcontact/files/setting.hpp"
 
 /// Checked reading of TOML files: every key is declared, has a type, a unit in
 /// its name and a range, and no other key may be there.
@@ -45,18 +46,6 @@ using KnownKeys = std::vector<KnownKey>;
 inline KnownKey table_key(std::string_view key, KnownKeys inside) {
   return {key, Dimension::number, std::move(inside)};
 }
-
-/// A key of a file that is given another value: as `wall.layer[1].thickness_mm`
-/// = `8`. It takes the place of the same key in another unit. A table among
-/// several is called by its number or by its `name`, as in
-/// `body[slosh].mass_t`, a number of an array by its place: `com_m[1]`. What a
-/// table leaves to a file that it names is a key of the table. The value
-/// `*1.05` multiplies what is there: a number, or all numbers of an array.
-struct KeySetting {
-  std::string key;    ///< with the tables that it stands in
-  std::string value;  ///< as in TOML; a text may stand without quotes
-};
-using KeySettings = std::vector<KeySetting>;
 
 class TomlFiles;
 

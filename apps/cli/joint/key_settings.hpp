@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "libcontact/files/toml_reader.hpp"
+#include "libcontact/files/setting.hpp"
 
 namespace cli {
 

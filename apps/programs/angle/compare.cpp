@@ -10,7 +10,7 @@
 #include "cli/refuse.hpp"
 #include "cli/table.hpp"
 #include "libcontact/base/units.hpp"
-#include "libcontact/half_angle/exact.hpp"
+#include "libcontact/half_angle/factory.hpp"
 
 namespace hinge_angle {
 namespace {
@@ -87,11 +87,12 @@ LawComparison compare_law(const NamedLaw& law,
 
 std::vector<LawComparison> compare(const Input& input, const cli::Joint& joint,
                                    double tolerance_percent) {
-  const contact::ExactLaw exact(joint.kind, joint.pair);
+  const auto exact =
+      contact::make_half_angle_law("exact", joint.kind, joint.pair);
   const std::vector<double> loads = load_parameters(Loads(joint), input);
   std::vector<LawComparison> result;
   for (const NamedLaw& law : joint.laws) {
-    result.push_back(compare_law(law, exact, loads));
+    result.push_back(compare_law(law, *exact, loads));
   }
   if (std::all_of(result.begin(), result.end(), [](const auto& law) {
         return std::isnan(law.error_percent);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "cli/file_name.hpp"
+#include "cli/stream/file_name.hpp"
 #include "cli/quantity.hpp"
 #include "cli/refuse.hpp"
 #include "libcontact/base/complaint.hpp"

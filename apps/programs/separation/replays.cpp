@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <utility>
 
-#include "cli/file_name.hpp"
+#include "cli/stream/file_name.hpp"
 #include "cli/file_text.hpp"
 #include "cli/program.hpp"
 #include "cli/refuse.hpp"

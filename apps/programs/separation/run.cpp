@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "cli/choice.hpp"
-#include "cli/file_name.hpp"
+#include "cli/stream/file_name.hpp"
 #include "cli/interrupts.hpp"
 #include "cli/joint/key_settings.hpp"
 #include "cli/output.hpp"

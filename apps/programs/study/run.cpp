@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <memory>
 
-#include "cli/file_name.hpp"
+#include "cli/stream/file_name.hpp"
 #include "cli/interrupts.hpp"
 #include "cli/number.hpp"
 #include "cli/output.hpp"

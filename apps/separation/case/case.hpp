@@ -8,9 +8,9 @@
 #include <variant>
 #include <vector>
 
-#include "libcontact/files/joint_file.hpp"
 #include "libcontact/joint/contact.hpp"
 #include "libcontact/joint/node.hpp"
+#include "libcontact/joint/spec.hpp"
 #include "multibody/motion/motion.hpp"
 #include "separation/case/shape.hpp"
 
@@ -251,5 +251,11 @@ inline std::string column_name(std::string name) {
   std::replace(name.begin(), name.end(), ' ', '_');
   return name;
 }
+
+/// Laws that the command line puts in place of those of the joint files.
+struct JointLaws {
+  std::string half_angle;  ///< "" for the file's
+  std::string pressure;
+};
 
 }  // namespace separation

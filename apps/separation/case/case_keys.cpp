@@ -1,6 +1,6 @@
 #include "separation/case/case_keys.hpp"
 
-#include "libcontact/files/joint_file.hpp"
+#include "libcontact/files/joint_tables.hpp"
 
 namespace separation {
 namespace {

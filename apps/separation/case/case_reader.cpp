@@ -15,6 +15,7 @@
 #include "separation/case/case_names.hpp"
 #include "separation/case/event_reader.hpp"
 #include "separation/case/force_reader.hpp"
+#include "separation/case/hinge_reader.hpp"
 #include "separation/case/reading.hpp"
 #include "separation/case/system_of.hpp"
 

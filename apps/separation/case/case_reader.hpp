@@ -4,8 +4,13 @@
 #include <string>
 #include <string_view>
 
+#include "libcontact/files/setting.hpp"
 #include "separation/case/case.hpp"
-#include "separation/case/hinge_reader.hpp"
+
+namespace contact {
+class SharedLaws;
+class TomlTable;
+}  // namespace contact
 
 namespace separation {
 

@@ -8,6 +8,7 @@
 
 #include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
+#include "libcontact/files/joint_tables.hpp"
 #include "separation/case/reading.hpp"
 
 namespace separation {

@@ -1,16 +1,9 @@
 #pragma once
 
-#include "libcontact/files/joint_file.hpp"
 #include "libcontact/files/toml_reader.hpp"
 #include "separation/case/case.hpp"
 
 namespace separation {
-
-/// Laws that the command line puts in place of those of the joint files.
-struct JointLaws {
-  std::string half_angle;  ///< "" for the file's
-  std::string pressure;
-};
 
 /// [body.hinge]: everything that does not depend on the copy.
 /// @param made  laws of the case's joints

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "libcontact/base/units.hpp"
+#include "libcontact/files/joint_tables.hpp"
 #include "libcontact/joint/joint.hpp"
 
 namespace study {

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <utility>
 
-#include "cli/file_name.hpp"
+#include "cli/stream/file_name.hpp"
 #include "cli/hdf5/columns.hpp"
 #include "cli/output.hpp"
 #include "multibody/friction/hinge_friction.hpp"

@@ -1,4 +1,4 @@
-#include "cli/file_name.hpp"
+#include "cli/stream/file_name.hpp"
 
 #include <fmt/format.h>
 
