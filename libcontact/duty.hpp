@@ -7,5 +7,6 @@
 #include "libcontact/duty/duty_cycle.hpp"
 #include "libcontact/duty/joint_cycle.hpp"
 #include "libcontact/duty/wear_map.hpp"
+#include "libcontact/duty/wear_notes.hpp"
 #include "libcontact/duty/wear_in.hpp"
 // clang-format on

@@ -9,6 +9,7 @@
 #include "libcontact/pressure/mixture.hpp"
 #include "libcontact/pressure/exact.hpp"
 #include "libcontact/pressure/worn.hpp"
+#include "libcontact/pressure/running_in.hpp"
 #include "libcontact/pressure/profile.hpp"
 #include "libcontact/pressure/factory.hpp"
 #include "libcontact/pressure/hertz.hpp"
