@@ -173,7 +173,8 @@ Vector3d DutyCycle::rate(double time) const {
 // one before, leave 1e-10 with eight points.
 std::vector<double> DutyCycle::reversals(bool is_pin) const {
   constexpr double growth = 3;
-  // Of an interval; what is nearer to a kink adds the square of it.
+  // What turns in less than this share of an interval is taken for a kink; the
+  // error is the square of the share.
   constexpr double kink = 1e-6;
   const auto vector = [&](double time) {
     const Vector3d all = rate(time);

@@ -8,8 +8,9 @@
 namespace contact {
 
 /// @param coefficient  k, m^2/N
-/// @return a sentence if k is not 0 and outside 1e-10 to 1e-3 mm^3/(N m), of
-///         which the sources of docs/duty.md have 7e-8 to 6e-6; "" otherwise
+/// @return a sentence if k is not 0 and outside 1e-10 to 1e-3 mm^3/(N m); ""
+///         otherwise. Of dry liners 7e-8 to 5.5e-6 are published
+///         (docs/bearing_design.md).
 std::string wear_coefficient_note(double coefficient);
 
 /// @param depth  of the wear, m
