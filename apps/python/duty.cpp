@@ -7,6 +7,7 @@
 
 #include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
+#include "libcontact/duty/cycle_rows.hpp"
 #include "libcontact/duty/wear_map.hpp"
 #include "python/file_joint.hpp"
 #include "python/ratings.hpp"
@@ -58,17 +59,34 @@ class Cycle {
   JointCycle on_;
 };
 
+// As a RuntimeWarning at the line that is `level` functions of Python above.
+void warn(const std::string& note, int level) {
+  if (note.empty()) return;
+  if (PyErr_WarnEx(PyExc_RuntimeWarning, note.c_str(), level) != 0) {
+    throw py::error_already_set();
+  }
+}
+
 std::unique_ptr<Cycle> make_cycle(const FileJoint& joint, const Numbers& time,
                                   const Numbers& force, const Numbers& motion,
                                   const std::optional<std::string>& sequence,
-                                  double period, const std::string& force_on,
+                                  std::optional<double> period,
+                                  const std::string& force_on,
                                   const std::string& force_in) {
-  const std::span<const double> times(time.data(), time.size());
   const contact::ForceFrame frame{body_of("force_on", force_on),
                                   body_of("force_in", force_in)};
-  PeriodicSpline forces(times, period, vectors("force", force));
-  PeriodicSpline spline(times, period,
-                        vectors(sequence ? "angles" : "rates", motion));
+  contact::CycleRows rows{{time.data(), time.data() + time.size()},
+                          vectors("force", force),
+                          vectors(sequence ? "angles" : "rates", motion),
+                          period};
+  warn(make_one_period(rows), 3);  // that of Joint.cycle()
+  if (!rows.period) {
+    throw contact::Error(contact::detail::needs(
+        "times with uneven steps",
+        "period: the time from the first row to its return"));
+  }
+  PeriodicSpline forces(rows.times, *rows.period, rows.forces);
+  PeriodicSpline spline(rows.times, *rows.period, rows.motion);
   const py::gil_scoped_release unlocked;
   return std::make_unique<Cycle>(
       joint.joint(),
@@ -174,12 +192,14 @@ py::dict wear(const Cycle& cycle, const std::string& body, int points) {
 
 Answers<contact::WornState> wear_in(const Cycle& cycle, double coefficient,
                                     double cycles) {
-  const py::gil_scoped_release unlocked;
-  Answers<contact::WornState> states;
-  states.rows = contact::wear_in(cycle.on().cycle(), cycle.contact(),
-                                 coefficient, cycles);
-  states.shape = {py::ssize_t(states.rows.size())};
-  return states;
+  contact::WearIn worn;
+  {
+    const py::gil_scoped_release unlocked;
+    worn = contact::wear_in(cycle.on().cycle(), cycle.contact(), coefficient,
+                            cycles);
+  }
+  for (const std::string& note : worn.notes) warn(note, 1);
+  return {{py::ssize_t(worn.states.size())}, std::move(worn.states)};
 }
 
 void bind_integrals(py::class_<Cycle>& type) {
@@ -194,13 +214,19 @@ void bind_integrals(py::class_<Cycle>& type) {
       },
       "Dissipated by friction in one cycle, J.");
   number(
-      "sliding_distance",
+      "sliding_path",
+      [](const Cycle& c) {
+        return [&c](const CycleInstant& i) { return c.rim_speed(i); };
+      },
+      "Of the rim in one cycle: integral of rho |Dw|, m.");
+  number(
+      "effective_sliding_distance",
       [](const Cycle& c) {
         return [&c](const CycleInstant& i) {
           return c.rim_speed(i) * c.on().sliding(i).slip_coefficient();
         };
       },
-      "Effective, of one cycle: integral of rho |Dw| L, m.");
+      "Of one cycle: integral of rho |Dw| L, m.");
   number(
       "pv_integral",
       [](const Cycle& c) {
@@ -224,6 +250,14 @@ void bind_duty(py::module_& m) {
   type.def_property_readonly(
       "closure", [](const Cycle& c) { return c.on().cycle().closure(); },
       "By what angle the turn of integrated rates fails to close, rad.");
+  type.def_property_readonly(
+      "contact_spread",
+      [](const Cycle& c) {
+        const py::gil_scoped_release unlocked;
+        return contact::contact_spread(c.on());
+      },
+      "Root mean square angle of the contact from the middle of its places on "
+      "the seat, weight p v, rad.");
   type.def_property_readonly(
       "time",
       [](const Cycle& c) {
@@ -261,6 +295,9 @@ The joint in the course of many cycles, whose wear of the seat or hole widens
 the contact (libcontact's docs/duty.md): a WearIn of blocks, (n,). The first is
 without wear, the last after all cycles; between them the worn volume grows by
 at most 10 % of what the bodies overlap.
+
+Known where the load stands still in the seat: a RuntimeWarning where
+contact_spread is above 0.3 of the half-angle, refused where it is above it.
 
 coefficient: k of the seat or hole, m^2/N; 1 mm^3/(N m) is 1e-9 m^2/N.
 cycles: how many.)");

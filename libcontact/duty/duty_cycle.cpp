@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <boost/math/quadrature/gauss.hpp>
+#include <boost/math/tools/minima.hpp>
 #include <cmath>
 #include <utility>
 
 #include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
-#include "libcontact/base/root_finding.hpp"
 #include "libcontact/base/text.hpp"
 
 namespace contact {
@@ -21,6 +21,50 @@ Quaterniond turn_by(const Vector3d& vector) {
   const double angle = vector.norm();
   if (angle == 0) return Quaterniond::Identity();
   return Quaterniond(AngleAxisd(angle, vector / angle));
+}
+
+struct Least {
+  double time;
+  double step;  // of the interval in which it is
+};
+
+// Where a function of period `period`, cubics squared between `times`, is
+// least among its neighbours.
+template <class Function>
+std::vector<Least> least_values(const Function& function,
+                                const std::vector<double>& times,
+                                double period) {
+  // Fine enough for the three roots that a cubic may have.
+  constexpr std::size_t parts = 8;
+  const std::size_t size = parts * times.size();
+  const auto time = [&](std::size_t i) {
+    const std::size_t row = i / parts;
+    const double from = row < times.size() ? times[row] : times[0] + period;
+    const double to =
+        row + 1 < times.size() ? times[row + 1] : times[0] + period;
+    return from + static_cast<double>(i % parts) / parts * (to - from);
+  };
+  std::vector<Least> found;
+  double before = time(size - 1) - period;
+  double at_before = function(before);
+  double at_here = function(time(0));
+  for (std::size_t i = 0; i < size; ++i) {
+    const double here = time(i);
+    const double after = time(i + 1);
+    const double at_after = function(after);
+    if (at_before > at_here && at_here <= at_after) {
+      const double span = after - here;
+      // Half the digits of a double: a minimum has no more.
+      const double u = boost::math::tools::brent_find_minima(
+                           [&](double x) { return function(here + span * x); },
+                           (before - here) / span, 1.0, 26)
+                           .first;
+      found.push_back({here + span * u, span * parts});
+    }
+    before = here;
+    at_before = std::exchange(at_here, at_after);
+  }
+  return found;
 }
 
 }  // namespace
@@ -97,9 +141,9 @@ Quaterniond DutyCycle::turned(Quaterniond turn, double from, double to) const {
 CycleState DutyCycle::at(double time) const {
   CycleState state;
   const Vector3d motion = motion_.value(time);
+  state.rate = rate(time);
   if (sequence_) {
     state.turn = sequence_->turn(motion);
-    state.rate = sequence_->rate(motion, motion_.slope(time));
   } else {
     const double first = times().front();
     const double within =
@@ -109,7 +153,6 @@ CycleState DutyCycle::at(double time) const {
     const std::size_t before =
         static_cast<std::size_t>(after - times().begin()) - 1;
     state.turn = turned(turns_[before], times()[before], within);
-    state.rate = motion;
   }
   state.reaction = forces_.value(time);
   if (frame_.axes == JointBody::body) {
@@ -119,34 +162,61 @@ CycleState DutyCycle::at(double time) const {
   return state;
 }
 
+Vector3d DutyCycle::rate(double time) const {
+  const Vector3d motion = motion_.value(time);
+  return sequence_ ? sequence_->rate(motion, motion_.slope(time)) : motion;
+}
+
+// Ends of intervals at the least values of |Dw| that are 0 or small. Near one
+// that is not 0, |Dw| is like sqrt(d^2 + t^2) and its direction turns in the
+// time d: intervals as short as that beside it, each three times as long as the
+// one before, leave 1e-10 with eight points.
+std::vector<double> DutyCycle::reversals(bool is_pin) const {
+  constexpr double growth = 3;
+  // What turns in less than this share of an interval is taken for a kink; the
+  // error is the square of the share.
+  constexpr double kink = 1e-6;
+  const auto vector = [&](double time) {
+    const Vector3d all = rate(time);
+    return is_pin ? Vector3d(0, 0, all.z()) : all;
+  };
+  std::vector<double> found;
+  for (const auto& [least, step] :
+       least_values([&](double time) { return vector(time).squaredNorm(); },
+                    times(), period())) {
+    const double difference = 1e-4 * step;
+    const Vector3d change =
+        vector(least + difference) - vector(least - difference);
+    const double near = vector(least).norm() * 2 * difference / change.norm();
+    if (!(near < step)) continue;  // smooth
+    found.push_back(least);
+    if (near < kink * step) continue;
+    for (double far = near; far < step; far *= growth) {
+      found.push_back(least - far);
+      found.push_back(least + far);
+    }
+  }
+  for (double& time : found) {
+    time -= period() * std::floor((time - times()[0]) / period());
+  }
+  return found;
+}
+
 std::vector<DutyCycle::Node> DutyCycle::nodes(bool is_pin) const {
   std::vector<double> ends = times();
   ends.push_back(times().front() + period());
-  if (is_pin) {
-    const auto rate = [this](double time) {
-      return sequence_ ? motion_.slope(time)[0] : motion_.value(time).z();
-    };
-    // Fine enough for the three roots that a cubic may have.
-    constexpr int parts = 8;
-    // The edge of a pin's contact passes all points of a line at once: a kink
-    // in their wear, which finer intervals make up for.
-    constexpr int every = 2;
-    const std::size_t count = ends.size();
-    for (std::size_t i = 1; i < count; ++i) {
-      for (int k = 0; k < parts; ++k) {
-        const double width = (ends[i] - ends[i - 1]) / parts;
-        const double low = ends[i - 1] + k * width;
-        const double at_low = rate(low);
-        const double at_high = rate(low + width);
-        if (k > 0 && k % every == 0) ends.push_back(low);
-        if (!(at_low * at_high < 0)) continue;
-        ends.push_back(
-            shrink_bracket(rate, low, low + width, at_low, at_high, 53)
-                .middle());
-      }
+  const std::size_t count = ends.size();
+  const std::vector<double> more = reversals(is_pin);
+  ends.insert(ends.end(), more.begin(), more.end());
+  // The edge of a pin's contact passes all points of a line at once: a kink in
+  // their wear, which finer intervals make up for.
+  constexpr int quarters = 4;
+  for (std::size_t i = 1; i < count && is_pin; ++i) {
+    for (int k = 1; k < quarters; ++k) {
+      ends.push_back(ends[i - 1] + k * (ends[i] - ends[i - 1]) / quarters);
     }
-    std::sort(ends.begin(), ends.end());
   }
+  std::sort(ends.begin(), ends.end());
   using Four = boost::math::quadrature::gauss<double, 4>;
   using Eight = boost::math::quadrature::gauss<double, 8>;
   const auto& places = is_pin ? Four::abscissa() : Eight::abscissa();

@@ -65,18 +65,20 @@ class DutyCycle {
   double closure() const { return closure_; }
 
   /// Gauss's rule of eight points in each interval of the times, of a pin four
-  /// in each quarter.
+  /// in each quarter. Intervals are divided where |Dw| has a kink, for it is 0,
+  /// and again and again towards where it nearly has one.
   struct Node {
     double time;
     double weight;  ///< s
   };
-  /// @param is_pin  with further ends of intervals where the rate about Z
-  ///                changes its sign, which brings a kink
+  /// @param is_pin  of the rate the part about Z counts
   std::vector<Node> nodes(bool is_pin) const;
 
  private:
   Eigen::Quaterniond turned(Eigen::Quaterniond turn, double from,
                             double to) const;
+  Eigen::Vector3d rate(double time) const;
+  std::vector<double> reversals(bool is_pin) const;
 
   PeriodicSpline forces_;
   ForceFrame frame_;

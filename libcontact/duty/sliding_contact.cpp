@@ -2,12 +2,10 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
-#include <boost/math/tools/minima.hpp>
 #include <cmath>
-#include <numbers>
 #include <optional>
 
+#include "libcontact/base/highest.hpp"
 #include "libcontact/friction/any_pressure.hpp"
 #include "libcontact/pressure/expanded.hpp"
 
@@ -19,31 +17,6 @@ using Eigen::Vector3d;
 // Part of a triple about the slip axis.
 double about(const FrictionTriple& triple, SlipAxis axis) {
   return triple.sliding * axis.cos + triple.spinning * axis.sin;
-}
-
-// Where a function on [0, edge] with few maxima is largest; one of them may be
-// narrow and beside the edge, which the sines make wide.
-template <class Function>
-double highest(const Function& function, double edge) {
-  constexpr int steps = 64;
-  using std::numbers::pi;
-  const auto at = [&](int i) { return pi / 2 * i / steps; };
-  const auto place = [&](double v) {
-    return edge * std::sin(pi / 2 * std::sin(v));
-  };
-  std::array<double, steps + 1> value;
-  for (int i = 0; i <= steps; ++i) value[i] = function(place(at(i)));
-  double best = 0;
-  for (int i = 0; i < steps; ++i) {
-    const int before = std::max(i - 1, 0);
-    if (value[i] < value[before] || value[i] < value[i + 1]) continue;
-    // Half the digits of a double: a maximum has no more.
-    const auto [v, fall] = boost::math::tools::brent_find_minima(
-        [&](double u) { return -function(place(u)); }, at(before), at(i + 1),
-        26);
-    if (-fall > function(best)) best = place(v);
-  }
-  return best;
 }
 
 // The root of a function that falls from `at_zero` at 0 to less than 0 at
@@ -208,8 +181,8 @@ double SlidingContact::value(const Stress& stress,
 double SlidingContact::peak_angle(const Stress& stress,
                                   const Expanded& expanded) const noexcept {
   if (!falls_outwards_) {
-    return highest([&](double theta) { return value(stress, theta); },
-                   half_angle_);
+    return detail::highest([&](double theta) { return value(stress, theta); },
+                           half_angle_);
   }
   const double part = stress.pressure_part * pressure_unit_;
   // Of the logarithm of strength and speed, times the strength squared: finite
@@ -255,7 +228,7 @@ ContactPeak SlidingContact::largest_of_stress() const noexcept {
     const double speed = rim_speed_ * share_of_speed(theta);
     return contact_->stress()->stress_at(pressure_at(theta), speed) * speed;
   };
-  const double inside = highest(flux, half_angle_);
+  const double inside = detail::highest(flux, half_angle_);
   const double theta = flux(0) >= flux(inside) ? 0 : inside;
   return peak_at(theta, flux(theta));
 }

@@ -4,12 +4,18 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 #include "libcontact/base/check.hpp"
-#include "libcontact/duty/joint_cycle.hpp"
+#include "libcontact/base/complaint.hpp"
+#include "libcontact/base/error.hpp"
+#include "libcontact/base/text.hpp"
+#include "libcontact/base/units.hpp"
 #include "libcontact/duty/wear_map.hpp"
+#include "libcontact/duty/wear_notes.hpp"
 #include "libcontact/friction/special.hpp"
 #include "libcontact/half_angle/worn.hpp"
+#include "libcontact/pressure/running_in.hpp"
 
 namespace contact {
 namespace {
@@ -21,16 +27,31 @@ double unit_volume(const JointGeometry& geometry) {
              : 2 * geometry.length() * size;
 }
 
-// One cycle of a joint that is worn so far.
-struct WornCycle {
-  double pv = 0;             // integral over contact and time, J
-  double overlap = 0;        // mean g(theta0)
-  double fresh_overlap = 0;  // the same without wear
+// What the pressure of a cycle does, with the weight of p v.
+struct Wearing {
+  double pv = 0;          // integral over contact and time, J
+  double overlap = 0;     // mean g(theta0)
+  double half_angle = 0;  // mean theta0
 };
 
-WornCycle run_cycle(const JointCycle& cycle, WornState& state) {
-  WornCycle sums;
+Wearing wearing_of(const JointCycle& cycle) {
+  Wearing sums;
   const JointKind kind = cycle.contact().geometry().kind();
+  for (const CycleInstant& i : cycle.nodes()) {
+    const double pv = i.weight * cycle.sliding(i).pv_total();
+    const double theta0 = i.solution.half_angle;
+    sums.pv += pv;
+    sums.overlap += pv * WornHalfAngle::overlap(kind, theta0);
+    sums.half_angle += pv * theta0;
+  }
+  if (sums.pv > 0) {
+    sums.overlap /= sums.pv;
+    sums.half_angle /= sums.pv;
+  }
+  return sums;
+}
+
+void add_cycle(const JointCycle& cycle, WornState& state) {
   for (const CycleInstant& i : cycle.rows()) {
     state.half_angle = std::max(state.half_angle, i.solution.half_angle);
     state.peak_pressure =
@@ -38,58 +59,132 @@ WornCycle run_cycle(const JointCycle& cycle, WornState& state) {
     state.pv = std::max(state.pv, cycle.sliding(i).largest_pv().value);
   }
   for (const CycleInstant& i : cycle.nodes()) {
-    const double pv = i.weight * cycle.sliding(i).pv_total();
-    const double g = WornHalfAngle::overlap(kind, i.solution.half_angle);
-    sums.pv += pv;
-    sums.overlap += pv * g;
-    sums.fresh_overlap += pv * (g - state.wear_number);
     state.energy -= i.weight * i.solution.power;
     state.mean_moment +=
         i.weight * i.solution.friction_moment.norm() / cycle.cycle().period();
   }
-  if (sums.pv > 0) {
-    sums.overlap /= sums.pv;
-    sums.fresh_overlap /= sums.pv;
+}
+
+// Of overlapping shapes: eps (1/cos theta0 - 1).
+double depth_of_overlap(const JointGeometry& geometry, double overlap) {
+  const double theta0 =
+      WornHalfAngle::half_angle_of_overlap(geometry.kind(), overlap);
+  return geometry.radial_clearance() * (1 / std::cos(theta0) - 1);
+}
+
+// The note on a load that moves, or "".
+std::string check_spread(const JointCycle& cycle) {
+  constexpr double noted = 0.3;
+  const double spread = contact_spread(cycle);
+  const double half_angle = wearing_of(cycle).half_angle;
+  const std::string what = detail::message(
+      "the spread of the contact over the seat, {:.4g} deg,", spread / degree);
+  if (spread > half_angle) {
+    throw Error(detail::must_be(
+        what, detail::message("at most {:.4g} deg, the half-angle: cycles of "
+                              "wear take the load to stand still in the seat",
+                              half_angle / degree)));
   }
-  return sums;
+  if (spread <= noted * half_angle) return {};
+  return detail::message(
+      "{} is {:.2g} of its half-angle: taken as standing still, the worn "
+      "contact is too wide and its peak pressure too low",
+      what, spread / half_angle);
+}
+
+void check_depth(const WornState& state, const JointGeometry& geometry) {
+  const double largest = geometry.radius();
+  // False of NaN too, for wear beyond all numbers.
+  if (depth_of_overlap(geometry, state.wear_number) <= largest) return;
+  throw Error(detail::must_be(
+      detail::message("the depth of the wear after {:.4g} cycles",
+                      state.cycles),
+      detail::message("at most {:.4g} mm, the radius", 1e3 * largest)));
+}
+
+// The state after the next block, without what a cycle does then.
+WornState next_state(const WornState& now, const Wearing& wearing,
+                     double wear_per_pv, double cycles, double unit) {
+  constexpr double largest_growth = 0.1;
+  const double growth = wear_per_pv * wearing.pv / unit;  // of v in a cycle
+  // At least a cycle: what wears so fast is no bearing.
+  const double block =
+      std::min(cycles - now.cycles,
+               std::max(largest_growth * wearing.overlap / growth, 1.0));
+  WornState next;
+  next.cycles = now.cycles + block;
+  next.volume = now.volume + block * wear_per_pv * wearing.pv;
+  next.wear_number = next.volume / unit;
+  return next;
 }
 
 }  // namespace
 
-std::vector<WornState> wear_in(const DutyCycle& cycle,
-                               const JointContact& contact, double coefficient,
-                               double cycles) {
-  constexpr double largest_growth = 0.1;
+double contact_spread(const JointCycle& cycle) {
+  const bool in_body =
+      cycle.contact().geometry().inner_body() == JointBody::carrier;
+  struct Place {
+    Eigen::Vector3d centre;
+    double weight;
+  };
+  std::vector<Place> places;
+  Place sum{Eigen::Vector3d::Zero(), 0};
+  for (const CycleInstant& i : cycle.nodes()) {
+    const SlidingContact sliding = cycle.sliding(i);
+    Place place{sliding.centre(), i.weight * sliding.pv_total()};
+    if (!(place.weight > 0)) continue;
+    if (in_body) place.centre = i.state.turn.conjugate() * place.centre;
+    sum.centre += place.weight * place.centre;
+    sum.weight += place.weight;
+    places.push_back(place);
+  }
+  if (places.empty()) return 0;
+  // A contact that goes round has no middle: any place serves.
+  constexpr double rounding = 1e-12;
+  const Eigen::Vector3d middle = sum.centre.norm() > rounding * sum.weight
+                                     ? sum.centre.normalized()
+                                     : places[0].centre;
+  double squares = 0;
+  for (const auto& [centre, weight] : places) {
+    const double chord = (centre - middle).norm();
+    const double angle = 2 * std::asin(std::min(chord / 2, 1.0));
+    squares += weight * angle * angle;
+  }
+  return std::sqrt(squares / sum.weight);
+}
+
+WearIn wear_in(const DutyCycle& cycle, const JointContact& contact,
+               double coefficient, double cycles) {
   detail::require(coefficient >= 0 && std::isfinite(coefficient), "wear",
                   "coefficient", coefficient, "0 m^2/N or above and finite");
   detail::require(cycles >= 0 && std::isfinite(cycles), "wear", "cycles",
                   cycles, "0 or above and finite");
   const JointGeometry& geometry = contact.geometry();
-  const double unit = unit_volume(geometry);
   const Joint unworn(contact);
-  check_wear(JointCycle(cycle, unworn));
-  std::vector<WornState> states;
+  const JointCycle fresh(cycle, unworn);
+  check_wear(fresh);
+  WearIn result;
+  const auto note = [&](std::string text) {
+    if (!text.empty()) result.notes.push_back(std::move(text));
+  };
+  note(wear_coefficient_note(coefficient));
+  note(check_spread(fresh));
   WornState next;
   for (;;) {
-    WornState& now = states.emplace_back(next);
-    now.wear_number = now.volume / unit;
-    const Joint joint(contact.worn(now.wear_number, now.worn_in));
-    const WornCycle sums = run_cycle(JointCycle(cycle, joint), now);
-    now.penetration = geometry.radial_clearance() *
-                      (1 / std::cos(WornHalfAngle::half_angle_of_overlap(
-                               geometry.kind(), sums.overlap)) -
-                       1);
-    if (now.cycles >= cycles) return states;
-    const double growth = coefficient * sums.pv / unit;  // of v in a cycle
-    // At least a cycle: what wears so fast is no bearing.
-    const double block =
-        std::min(cycles - now.cycles,
-                 std::max(largest_growth * sums.overlap / growth, 1.0));
-    next = {};
-    next.cycles = now.cycles + block;
-    next.volume = now.volume + block * coefficient * sums.pv;
-    next.worn_in = next.volume / unit > sums.fresh_overlap;
+    check_depth(next, geometry);
+    WornState& now = result.states.emplace_back(next);
+    const Joint joint(contact.worn(now.wear_number));
+    const JointCycle worn(cycle, joint);
+    const Wearing wearing = wearing_of(worn);
+    add_cycle(worn, now);
+    now.worn_share = RunningInPressure::worn_share(
+        now.wear_number, wearing.overlap - now.wear_number);
+    now.penetration = depth_of_overlap(geometry, wearing.overlap);
+    if (now.cycles >= cycles) break;
+    next = next_state(now, wearing, coefficient, cycles, unit_volume(geometry));
   }
+  note(wear_depth_note(result.states.back().penetration, geometry));
+  return result;
 }
 
 double worn_in_sliding_coefficient(double half_angle) {

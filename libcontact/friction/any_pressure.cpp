@@ -35,6 +35,12 @@ void set_scale(double at_centre, FrictionIntegrals& r) {
                 c.spinning / at_centre};
 }
 
+/// Pressure at the edge, pressure units. Laws without an expansion say it.
+double edge_pressure(const PressureLaw& law, const PressureExpansion& p,
+                     double half_angle) {
+  return p.is_empty() ? law.pressure(half_angle, half_angle) : p.edge_pressure;
+}
+
 /// One point.
 FrictionIntegrals one_point(const PressureLaw& law, double half_angle,
                             SlipAxis axis, const CapKernel& kernel) {
@@ -48,8 +54,12 @@ FrictionIntegrals one_point(const PressureLaw& law, double half_angle,
     return r;
   }
   if (p.is_empty()) {
-    r.coefficient =
+    const double edge = edge_pressure(law, p, half_angle);
+    const FrictionTriple inside =
         detail::coefficients_by_parts(law, half_angle, axis, kernel);
+    r.coefficient = {inside.force + edge * r.area.force,
+                     inside.sliding + edge * r.area.sliding,
+                     inside.spinning + edge * r.area.spinning};
     set_scale(law.pressure(0, half_angle), r);
     return r;
   }
@@ -119,15 +129,13 @@ double second_moment(const PressureLaw& law, double half_angle) {
 FrictionIntegrals viscous_friction_integrals(const PressureLaw& law,
                                              double half_angle, SlipAxis axis) {
   FrictionIntegrals r = viscous_friction_integrals(half_angle, axis);
-  if (half_angle <= smallest_half_angle ||
-      detail::expansion_of(law, half_angle).is_cosine()) {
-    return r;
-  }
+  const PressureExpansion p = detail::expansion_of(law, half_angle);
+  if (half_angle <= smallest_half_angle || p.is_cosine()) return r;
   const double at_centre = law.pressure(0, half_angle);
   const double h = std::sin(half_angle / 2);
   const double m = second_moment(law, half_angle) +
-                   detail::expansion_of(law, half_angle).edge_pressure * 8 *
-                       std::numbers::pi / 3 * (3 - 2 * h * h) * std::pow(h, 4);
+                   edge_pressure(law, p, half_angle) * 8 * std::numbers::pi /
+                       3 * (3 - 2 * h * h) * std::pow(h, 4);
   FrictionTriple& c = r.coefficient;
   c = {axis.cos, (law.force_ratio(half_angle) - m / 2) * axis.cos,
        m * axis.sin};

@@ -70,10 +70,7 @@ double WornHalfAngle::half_angle_of_overlap(JointKind kind, double overlap) {
   if (!(overlap >= 0)) return nan;
   if (kind == JointKind::pin) return angle_of_tangent_less(overlap);
   // 1 - c
-  const double rise =
-      overlap == 0 ? 0
-                   : overlap / (std::sqrt(overlap + overlap * overlap / 4) +
-                                overlap / 2);
+  const double rise = 1 / (std::sqrt(1 / overlap + 0.25) + 0.5);
   return 2 * std::asin(std::sqrt(rise / 2));
 }
 

@@ -14,7 +14,7 @@
 #include "libcontact/half_angle/factory.hpp"
 #include "libcontact/half_angle/worn.hpp"
 #include "libcontact/pressure/factory.hpp"
-#include "libcontact/pressure/worn.hpp"
+#include "libcontact/pressure/running_in.hpp"
 
 namespace contact {
 namespace {
@@ -105,13 +105,12 @@ JointContact JointContact::with_clearance(double radial_clearance) const {
   return other;
 }
 
-JointContact JointContact::worn(double wear_number, bool worn_in) const {
+JointContact JointContact::worn(double wear_number) const {
   JointContact other = *this;
   other.half_angle_law_ =
       std::make_shared<WornHalfAngle>(half_angle_law_, wear_number);
-  if (worn_in) {
-    other.pressure_law_ = std::make_shared<WornPressure>(geometry_.kind());
-  }
+  other.pressure_law_ =
+      std::make_shared<RunningInPressure>(pressure_law_, wear_number);
   return other;
 }
 

@@ -67,11 +67,11 @@ class JointContact {
   /// @throws Error if it is out of range.
   JointContact with_clearance(double radial_clearance) const;
 
-  /// The same contact whose seat or hole has worn, see WornHalfAngle.
+  /// The same contact whose seat or hole has worn, see WornHalfAngle and
+  /// RunningInPressure.
   /// @param wear_number  v, [0, infinity)
-  /// @param worn_in      whether the pressure is WornPressure
   /// @throws Error if v is out of range.
-  JointContact worn(double wear_number, bool worn_in) const;
+  JointContact worn(double wear_number) const;
 
   /// The same contact, its integrals by another instruction set than the best.
   /// @param set  a supported one

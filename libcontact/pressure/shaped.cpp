@@ -135,6 +135,7 @@ double ShapedPressure::pressure(double theta,
   const double t = std::abs(theta);
   if (t > half_angle) return 0;
   if (half_angle == 0) return peak(half_angle);
+  if (t == half_angle) return 0;  // where rounding may say else
   return shape(t, half_angle) / resultants(half_angle).force;
 }
 

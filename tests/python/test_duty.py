@@ -72,7 +72,10 @@ class Cycles(unittest.TestCase):
         for value, name in (
             (cycle.energy, "energy_J"),
             (cycle.mean_heat, "mean_heat_W"),
-            (cycle.sliding_distance, "sliding_distance_m"),
+            (cycle.sliding_path, "sliding_path_m"),
+            (cycle.effective_sliding_distance,
+             "effective_sliding_distance_m"),
+            (np.degrees(cycle.contact_spread), "contact_spread_deg"),
             (cycle.pv_integral, "pv_integral_J"),
         ):
             self.assertAlmostEqual(
@@ -138,15 +141,42 @@ class Cycles(unittest.TestCase):
             (np.degrees(worn.half_angle), "theta0_deg"),
             (worn.peak_pressure, "p_peak_Pa"),
             (worn.pv_max, "pv_max_W_per_m2"), (worn.energy, "energy_J"),
-            (worn.mean_moment, "mean_M_t_N_m"), (worn.worn_in, "worn_in"),
+            (worn.mean_moment, "mean_M_t_N_m"), (worn.worn_share, "worn_share"),
         ):
             np.testing.assert_allclose(
                 values, of_program[name], rtol=1e-12, err_msg=name)
-            end = name if name == "worn_in" else "worn_" + name
+            end = name if name == "worn_share" else "worn_" + name
             self.assertAlmostEqual(
                 values[-1] / float(said[end]["value"]), 1, delta=1e-12)
-        self.assertEqual(worn.worn_in.dtype, bool)
         self.assertGreater(len(worn), 10)
+
+    def test_with_a_row_that_repeats_the_first_leave_it_out(self):
+        c = columns(folder / "cycle_pin_in.csv")
+        (angle,) = (c[name] for name in c if name.endswith("_deg"))
+        joint = libcontact.Joint.from_file(folder / "cycle_pin.toml")
+        rows = c["time_s"], force(c), np.radians(angle)
+        once = joint.cycle(*rows[:2], angles=rows[2])
+        again = [np.concatenate([row, row[:1]]) for row in rows]
+        again[0][-1] = once.period
+        with self.assertWarnsRegex(RuntimeWarning, "repeats the first") as at:
+            twice = joint.cycle(*again[:2], angles=again[2])
+        self.assertEqual(at.filename, __file__)
+        self.assertEqual(twice.period, once.period)
+        self.assertAlmostEqual(twice.energy / once.energy, 1, delta=1e-14)
+
+    def test_that_wear_warn_of_what_is_not_known(self):
+        c = columns(source / "data/duty/pin_cycle.csv")
+        joint = libcontact.Joint.from_file(
+            source / "data/joints/pin_joint.toml")
+        cycle = joint.cycle(
+            c["time_s"], force(c), angles=np.radians(c["angle_deg"]))
+        with self.assertWarnsRegex(RuntimeWarning, "the spread") as at:
+            cycle.wear_in(2e-16, 1000)
+        self.assertEqual(at.filename, __file__)
+        with self.assertRaisesRegex(libcontact.Error, "at most 20 mm"):
+            cycle.wear_in(1e-9, 1e15)
+        with self.assertWarnsRegex(RuntimeWarning, "coefficient 1 mm"):
+            cycle.wear_in(1e-9, 0)
 
     def test_of_bad_input_are_refused(self):
         c = columns(folder / "cycle_hip_in.csv")

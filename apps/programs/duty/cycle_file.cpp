@@ -12,6 +12,7 @@
 #include "cli/choice.hpp"
 #include "cli/quantity.hpp"
 #include "cli/refuse.hpp"
+#include "libcontact/duty/cycle_rows.hpp"
 #include "programs/duty/cycle_columns.hpp"
 
 namespace hinge_duty {
@@ -65,26 +66,25 @@ void check_times(const std::vector<double>& times, const std::string& name,
   }
 }
 
-double period_of(const std::vector<double>& times, const std::string& name,
-                 const Options& options) {
-  const double span = times.back() - times.front();
+// Makes one period of the rows, says what is left out.
+void set_period(contact::CycleRows& rows, const std::string& name,
+                const Options& options) {
   if (!options.period.empty()) {
-    const double period = cli::parse_quantity(
+    rows.period = cli::parse_quantity(
         "--period", options.period, contact::Dimension::time, {0, 1e100, "s"});
-    if (period > span) return period;
-    cli::refuse("--period", options.period,
-                fmt::format("above {:.6g} s, from the first to the last row "
-                            "of {}",
-                            span, name));
   }
-  const double step = span / static_cast<double>(times.size() - 1);
-  for (std::size_t i = 1; i < times.size(); ++i) {
-    // Of times that were rounded to some digits.
-    if (std::abs(times[i] - times[i - 1] - step) <= 1e-3 * step) continue;
+  const std::string note = make_one_period(rows);
+  if (!note.empty()) cli::warn("hinge-duty", name + ": " + note);
+  if (!rows.period) {
     cli::refuse_without(name + ": times with uneven steps",
                         "--period: the time from the first row to its return");
   }
-  return span + step;
+  const double span = rows.times.back() - rows.times.front();
+  if (*rows.period > span) return;
+  cli::refuse("--period", options.period,
+              fmt::format("above {:.6g} s, from the first to the last row "
+                          "of {}",
+                          span, name));
 }
 
 std::vector<Vector3d> vectors(const std::vector<std::vector<double>>& values,
@@ -128,15 +128,19 @@ contact::DutyCycle read_cycle(const Options& options, bool is_pin) {
   const auto& [line, place] = columns.header;
   const auto values = read_lines(reader, {line, columns.needed, place},
                                  columns.sto.has_value());
-  const std::vector<double>& times = values[0];
-  if (columns.sto) check_sto_rows(*columns.sto, times.size(), reader.name());
-  check_times(times, reader.name(), columns.names[0]);
-  const double period = period_of(times, reader.name(), options);
-  PeriodicSpline forces(times, period, vectors(values, 1, 1));
-  const std::vector<Vector3d> motion = vectors(
-      values, CycleColumns::motion_at, is_angles ? columns.angle_unit : 1);
-  if (is_pin && !is_angles) check_pin_rates(motion, reader.name());
-  PeriodicSpline spline(times, period, motion);
+  contact::CycleRows rows{values[0],
+                          vectors(values, 1, 1),
+                          vectors(values, CycleColumns::motion_at,
+                                  is_angles ? columns.angle_unit : 1),
+                          {}};
+  if (columns.sto) {
+    check_sto_rows(*columns.sto, rows.times.size(), reader.name());
+  }
+  check_times(rows.times, reader.name(), columns.names[0]);
+  set_period(rows, reader.name(), options);
+  if (is_pin && !is_angles) check_pin_rates(rows.motion, reader.name());
+  PeriodicSpline forces(rows.times, *rows.period, rows.forces);
+  PeriodicSpline spline(rows.times, *rows.period, rows.motion);
   if (!is_angles) return {std::move(forces), frame, std::move(spline)};
   return {std::move(forces), frame, std::move(spline), sequence};
 }

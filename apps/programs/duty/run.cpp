@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "cli/gnuplot.hpp"
@@ -13,6 +14,7 @@
 #include "cli/quantity.hpp"
 #include "cli/refuse.hpp"
 #include "libcontact/base/units.hpp"
+#include "libcontact/duty/wear_notes.hpp"
 #include "programs/duty/cycle_file.hpp"
 #include "programs/duty/cycle_picture.hpp"
 #include "programs/duty/map_picture.hpp"
@@ -27,6 +29,8 @@ using contact::degree;
 using contact::JointBody;
 using contact::JointCycle;
 using contact::WearMap;
+
+constexpr double si_coefficient = 1e-9;  // m^2/N of mm^3/(N m)
 
 struct WearOptions {
   std::optional<double> seat;
@@ -87,9 +91,17 @@ void check_files(const Options& options) {
 
 contact::JointContact contact_of(const cli::Joint& joint,
                                  const Options& options) {
-  return {*joint.geometry, joint.pair,
+  return {*joint.geometry,
+          joint.pair,
           make_friction(options.friction, joint.friction, options.joint),
-          joint.laws[0].law, joint.pressures[0].law, joint.conditions};
+          joint.laws[0].law,
+          joint.pressures[0].law,
+          joint.conditions};
+}
+
+void warn_of(std::string_view option, const std::string& note) {
+  if (note.empty()) return;
+  cli::warn("hinge-duty", fmt::format("{}: {}", option, note));
 }
 
 // The joint in the course of --cycles; empty without it.
@@ -108,9 +120,31 @@ std::vector<contact::WornState> worn_states(const Options& options,
     cli::warn("hinge-duty",
               "--cycles: wear of the ball or pin does not change the contact");
   }
-  constexpr double si = 1e-9;  // of mm^3/(N m)
-  return contact::wear_in(cycle.cycle(), cycle.contact(), *wear.seat * si,
-                          cycles);
+  const contact::WearIn worn = contact::wear_in(
+      cycle.cycle(), cycle.contact(), *wear.seat * si_coefficient, cycles);
+  for (const std::string& note : worn.notes) warn_of("--cycles", note);
+  return worn.states;
+}
+
+// Of coefficients, but of one that wear_in() has had, and of the unworn joint's
+// wear in one cycle.
+void warn_of_wear(const Options& options, const WearOptions& wear,
+                  const JointCycle& cycle,
+                  const std::vector<BodyWear>& bodies) {
+  if (wear.seat && options.cycles.empty()) {
+    warn_of("--wear-seat",
+            contact::wear_coefficient_note(*wear.seat * si_coefficient));
+  }
+  if (wear.inner) {
+    warn_of("--wear-inner",
+            contact::wear_coefficient_note(*wear.inner * si_coefficient));
+  }
+  for (const BodyWear& body : bodies) {
+    if (!body.k) continue;
+    warn_of("--wear-" + body.surface + ": one cycle",
+            contact::wear_depth_note(1e-3 * body.depth(body.deepest.wear),
+                                     cycle.contact().geometry()));
+  }
 }
 
 // Where the wear comes through a wall.
@@ -180,6 +214,7 @@ cli::ExitStatus run(const Options& options) {
     }
   }
   const auto worn = worn_states(options, wear_options, cycle);
+  warn_of_wear(options, wear_options, cycle, wear);
   cli::warn_of_validity("hinge-duty", {joint});
   warn_of_cycle(cycle);
   warn_of_walls(joint, worn);

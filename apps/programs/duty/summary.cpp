@@ -72,31 +72,36 @@ void write_integrals(const JointCycle& cycle, double pv_integral, Lines& to) {
             "by which the turn of integrated rates fails to close");
   to.number("energy_J", energy, "dissipated by friction");
   to.number("mean_heat_W", energy / period, "energy over period");
-  to.number("sliding_distance_m", cycle.integral([&](const CycleInstant& i) {
-    return rho * i.state.rate.norm() * cycle.sliding(i).slip_coefficient();
+  to.number("sliding_path_m", cycle.integral([&](const CycleInstant& i) {
+    return rho * i.state.rate.norm();
   }),
-            "effective: integral of rho |Dw| L");
+            "of the rim: integral of rho |Dw|");
+  to.number("effective_sliding_distance_m",
+            cycle.integral([&](const CycleInstant& i) {
+              return rho * i.state.rate.norm() *
+                     cycle.sliding(i).slip_coefficient();
+            }),
+            "integral of rho |Dw| L, what wears under p");
   to.number("pv_integral_J", pv_integral,
             "of p v over contact and time; times k: volume");
   to.number("mean_M_t_N_m", cycle.integral(moment) / period,
             "mean of the friction moment");
+  to.number("contact_spread_deg", contact_spread(cycle) / degree,
+            "of the contact over the seat: rms angle from its middle, weight "
+            "p v");
 }
 
 void write_moments(const JointCycle& cycle, Lines& to) {
   constexpr std::string_view axes[] = {"x", "y", "z"};
   for (int k = 0; k < 3; ++k) {
     for (const int sign : {-1, 1}) {
-      const CycleInstant* most = &cycle.rows()[0];
-      for (const CycleInstant& row : cycle.rows()) {
-        if (sign * row.solution.friction_moment[k] >
-            sign * most->solution.friction_moment[k]) {
-          most = &row;
-        }
-      }
+      const CycleInstant most = cycle.largest([&](const CycleInstant& i) {
+        return sign * i.solution.friction_moment[k];
+      });
       to.at_time(
           fmt::format("{}_M_t_{}_N_m", sign < 0 ? "least" : "largest", axes[k]),
-          most->solution.friction_moment[k], most->time,
-          "moment on the body, of the rows of the file");
+          most.solution.friction_moment[k], most.time,
+          "friction moment on the body");
     }
   }
 }

@@ -24,17 +24,17 @@ inline constexpr WornQuantity worn_quantities[] = {
      "deepest wear, to 8 %, once most of it is wear; no creep"},
     {"theta0_deg",
      [](const contact::WornState& w) { return w.half_angle / contact::degree; },
-     "largest, to 0.4 deg"},
+     "largest, to 1.1 deg"},
     {"p_peak_Pa", [](const contact::WornState& w) { return w.peak_pressure; },
-     "largest"},
+     "largest, to 6 %, of a ball much worn up to 17 % too high"},
     {"pv_max_W_per_m2", [](const contact::WornState& w) { return w.pv; },
-     "largest"},
+     "largest, as p_peak"},
     {"energy_J", [](const contact::WornState& w) { return w.energy; },
      "of a cycle"},
     {"mean_M_t_N_m", [](const contact::WornState& w) { return w.mean_moment; },
      "mean of the friction moment"},
-    {"worn_in", [](const contact::WornState& w) { return w.worn_in ? 1. : 0; },
-     "1: pressure p ~ cos theta, 0: that of the joint"},
+    {"worn_share", [](const contact::WornState& w) { return w.worn_share; },
+     "of p ~ cos theta in the pressure; the rest is that of the joint"},
 };
 
 }  // namespace hinge_duty

@@ -123,6 +123,8 @@ class Joint(FileText, _core.Joint):
             `sequence`, "zxy" or another; of a pin (n,), about z.
         rates: instead of it, Dw in axes of the carrier, rad/s, (n, 3).
         period: s; of even times it may be left out.
+
+        A last row that repeats the first is left out, with a RuntimeWarning.
         """
         times = np.asarray(time, dtype=float)
         if (angles is None) == (rates is None):
@@ -136,20 +138,8 @@ class Joint(FileText, _core.Joint):
         if angles is None and sequence is not None:
             raise _core.Error(f"sequence = \"{sequence}\" requires angles")
         return Cycle(
-            self, times, force, motion, sequence,
-            _period(times) if period is None else period, force_on, force_in,
+            self, times, force, motion, sequence, period, force_on, force_in,
         )  # fmt: skip
-
-
-def _period(times: NDArray[np.float64]) -> float:
-    steps = np.diff(times)
-    # Of times that were rounded to some digits.
-    if len(steps) == 0 or np.ptp(steps) > 2e-3 * np.mean(steps):
-        raise _core.Error(
-            "times with uneven steps requires period: "
-            "the time from the first row to its return"
-        )
-    return float(times[-1] - times[0] + np.mean(steps))
 
 
 class Wear:

@@ -1,0 +1,76 @@
+#include "libcontact/duty/cycle_rows.hpp"
+
+#include <cmath>
+
+#include "libcontact/base/text.hpp"
+
+namespace contact {
+namespace {
+
+using Eigen::Vector3d;
+
+// Columns of rows that are all alike repeat nothing.
+bool has_range(const std::vector<Vector3d>& rows) {
+  for (const Vector3d& row : rows) {
+    if (row != rows.front()) return true;
+  }
+  return false;
+}
+
+bool ends_as_it_begins(const std::vector<Vector3d>& rows) {
+  // Of numbers that were written with some digits, or turned.
+  constexpr double tolerance = 1e-9;
+  Vector3d least = rows.front();
+  Vector3d largest = rows.front();
+  for (const Vector3d& row : rows) {
+    least = least.cwiseMin(row);
+    largest = largest.cwiseMax(row);
+  }
+  const Vector3d difference = (rows.back() - rows.front()).cwiseAbs();
+  return (difference.array() <= tolerance * (largest - least).array()).all();
+}
+
+bool repeats_first(const CycleRows& rows) {
+  const std::size_t count = rows.times.size();
+  // Others are no cycle, which PeriodicSpline says.
+  if (rows.forces.size() != count || rows.motion.size() != count) return false;
+  return (has_range(rows.forces) || has_range(rows.motion)) &&
+         ends_as_it_begins(rows.forces) && ends_as_it_begins(rows.motion);
+}
+
+std::optional<double> even_period(const std::vector<double>& times) {
+  const double span = times.back() - times.front();
+  const double step = span / static_cast<double>(times.size() - 1);
+  // Of times that were rounded to some digits.
+  constexpr double rounding = 1e-3;
+  for (std::size_t i = 1; i < times.size(); ++i) {
+    const double error = times[i] - times[i - 1] - step;
+    if (!(std::abs(error) <= rounding * step)) return {};
+  }
+  return span + step;
+}
+
+}  // namespace
+
+std::string make_one_period(CycleRows& rows) {
+  if (rows.times.size() < 2) return {};
+  const double span = rows.times.back() - rows.times.front();
+  // Of times that are 0.01, 0.02, ...
+  constexpr double rounding = 1e-9;
+  const bool may_repeat =
+      !rows.period || std::abs(*rows.period - span) <= rounding * span;
+  if (!may_repeat || !repeats_first(rows)) {
+    if (!rows.period) rows.period = even_period(rows.times);
+    return {};
+  }
+  if (!rows.period) rows.period = span;
+  rows.times.pop_back();
+  rows.forces.pop_back();
+  rows.motion.pop_back();
+  return detail::message(
+      "the last row repeats the first and is left out: the period is {:.6g} s; "
+      "state a longer one if it is a row of its own",
+      *rows.period);
+}
+
+}  // namespace contact

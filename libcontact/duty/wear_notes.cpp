@@ -1,0 +1,31 @@
+#include "libcontact/duty/wear_notes.hpp"
+
+#include "libcontact/base/text.hpp"
+
+namespace contact {
+
+std::string wear_coefficient_note(double coefficient) {
+  constexpr double unit = 1e-9;  // 1 mm^3/(N m), m^2/N
+  constexpr double least = 1e-10;
+  constexpr double largest = 1e-3;
+  const double k = coefficient / unit;
+  // Rounding of the unit.
+  constexpr double rounding = 1e-12;
+  if (k == 0 || (k >= least * (1 - rounding) && k <= largest * (1 + rounding)))
+    return {};
+  return detail::message(
+      "the wear coefficient {:.4g} mm^3/(N m) is outside {:g} to {:g}, where "
+      "those of bearings are",
+      k, least, largest);
+}
+
+std::string wear_depth_note(double depth, const JointGeometry& geometry) {
+  constexpr double share = 0.1;
+  if (!(depth > share * geometry.radius())) return {};
+  return detail::message(
+      "wear {:.4g} mm deep is more than a tenth of the radius, {:.4g} mm: the "
+      "bodies no longer fit, and nothing here knows their contact",
+      1e3 * depth, 1e3 * geometry.radius());
+}
+
+}  // namespace contact

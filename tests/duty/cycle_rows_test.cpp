@@ -1,0 +1,94 @@
+// Rows of cycles as they are measured: their period, and a row too many.
+#include "libcontact/duty/cycle_rows.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace {
+
+using contact::CycleRows;
+using Eigen::Vector3d;
+
+// A swing in `count` rows of a second each, and `more` of the next period.
+CycleRows swing(int count, int more = 0) {
+  CycleRows rows;
+  for (int i = 0; i < count + more; ++i) {
+    const double phase = 2 * std::numbers::pi * i / count;
+    rows.times.push_back(7 + i);
+    rows.forces.emplace_back(0, -900, 100 * std::cos(phase));
+    rows.motion.emplace_back(std::sin(phase), 0, 0);
+  }
+  return rows;
+}
+
+TEST(CycleRows, GoOnByOneStep) {
+  CycleRows rows = swing(20);
+  EXPECT_EQ(make_one_period(rows), "");
+  EXPECT_DOUBLE_EQ(rows.period.value(), 20);
+  EXPECT_EQ(rows.times.size(), 20u);
+}
+
+// sin(2 pi) is not 0 in doubles: a return to rounding is one.
+TEST(CycleRows, ReturnIsLeftOut) {
+  for (const std::optional<double> period :
+       {std::optional<double>(), std::optional(20.0)}) {
+    CycleRows rows = swing(20, 1);
+    rows.period = period;
+    EXPECT_EQ(make_one_period(rows),
+              "the last row repeats the first and is left out: the period is "
+              "20 s; state a longer one if it is a row of its own");
+    EXPECT_DOUBLE_EQ(rows.period.value(), 20);
+    EXPECT_EQ(rows.times.size(), 20u);
+    EXPECT_EQ(rows.forces.size(), 20u);
+    EXPECT_EQ(rows.motion.size(), 20u);
+  }
+}
+
+// Whoever states a longer period means the row.
+TEST(CycleRows, ReturnWithinALongerPeriodStays) {
+  CycleRows rows = swing(20, 1);
+  rows.period = 21;
+  EXPECT_EQ(make_one_period(rows), "");
+  EXPECT_EQ(rows.times.size(), 21u);
+}
+
+// Uneven steps have a period if their last row returns.
+TEST(CycleRows, UnevenSteps) {
+  CycleRows rows = swing(20, 1);
+  rows.times[3] += 0.3;
+  CycleRows open = rows;
+  EXPECT_NE(make_one_period(rows), "");
+  EXPECT_DOUBLE_EQ(rows.period.value(), 20);
+  open.motion.back().y() = 1e-3;
+  EXPECT_EQ(make_one_period(open), "");
+  EXPECT_FALSE(open.period);
+  EXPECT_EQ(open.times.size(), 21u);
+}
+
+// Nothing moves and no force changes: no row says that a period is over.
+TEST(CycleRows, AllAlikeRepeatNothing) {
+  CycleRows rows{{0, 1, 2, 3},
+                 std::vector<Vector3d>(4, {0, -900, 0}),
+                 std::vector<Vector3d>(4, {0, 0, 2}),
+                 {}};
+  EXPECT_EQ(make_one_period(rows), "");
+  EXPECT_DOUBLE_EQ(rows.period.value(), 4);
+}
+
+// PeriodicSpline refuses what is no cycle.
+TEST(CycleRows, WithoutSenseStayAsTheyAre) {
+  CycleRows none;
+  EXPECT_EQ(make_one_period(none), "");
+  EXPECT_FALSE(none.period);
+  CycleRows rows = swing(5, 1);
+  rows.forces.pop_back();
+  EXPECT_EQ(make_one_period(rows), "");
+  EXPECT_EQ(rows.times.size(), 6u);
+}
+
+}  // namespace
