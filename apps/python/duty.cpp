@@ -38,13 +38,11 @@ JointBody body_of(const char* name, const std::string& text) {
                                                 "\"carrier\" or \"body\""));
 }
 
-/// A joint on its duty cycle, with what it refers to.
+/// A joint on its duty cycle.
 class Cycle {
  public:
   Cycle(const contact::Joint& joint, DutyCycle cycle)
-      : joint_(joint), cycle_(std::move(cycle)), on_(cycle_, joint_) {}
-  Cycle(const Cycle&) = delete;
-  Cycle& operator=(const Cycle&) = delete;
+      : on_(std::move(cycle), joint) {}
 
   const JointCycle& on() const { return on_; }
   // rho |Dw|, m/s.
@@ -54,8 +52,6 @@ class Cycle {
   const contact::JointContact& contact() const { return on_.contact(); }
 
  private:
-  contact::Joint joint_;
-  DutyCycle cycle_;
   JointCycle on_;
 };
 

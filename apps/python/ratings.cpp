@@ -112,9 +112,13 @@ const Field<WornState> of_worn[] = {
 }  // namespace
 
 Rating rating(const contact::SlidingContact& sliding) {
-  return {sliding.largest_pv(),      sliding.largest_heat_flux(),
-          sliding.pv_mean(),         sliding.pv_nominal(),
-          sliding.pv_total(),        sliding.heat(),
+  const auto peaks = sliding.peaks();
+  return {peaks.pv,
+          peaks.heat_flux,
+          sliding.pv_mean(),
+          sliding.pv_nominal(),
+          sliding.pv_total(),
+          sliding.heat(),
           sliding.slip_coefficient()};
 }
 

@@ -3,34 +3,40 @@
 #include <algorithm>
 #include <boost/math/tools/minima.hpp>
 #include <cmath>
+#include <utility>
 
 #include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
 #include "libcontact/base/text.hpp"
 
 namespace contact {
+namespace {
 
-JointCycle::JointCycle(const DutyCycle& cycle, const Joint& joint)
-    : cycle_(&cycle), joint_(&joint) {
-  for (const double time : cycle.times()) rows_.push_back(at(time));
-  for (const auto& [time, weight] : cycle.nodes(joint.is_pin())) {
-    nodes_.push_back(at(time));
+CycleInstant checked(CycleInstant instant) {
+  if (instant.solution.status == Status::ok) return instant;
+  throw Error(detail::must_be(
+      detail::message("the reaction at {:.6g} s, {:.6g} N", instant.time,
+                      instant.state.reaction.norm()),
+      "one for which the half-angle law and the pressure law have a value"));
+}
+
+}  // namespace
+
+JointCycle::JointCycle(DutyCycle cycle, Joint joint)
+    : cycle_(std::move(cycle)), joint_(std::move(joint)) {
+  for (const double time : cycle_.times()) rows_.push_back(checked(at(time)));
+  for (const auto& [time, weight] : cycle_.nodes(joint_.is_pin())) {
+    nodes_.push_back(checked(at(time)));
     nodes_.back().weight = weight;
   }
 }
 
-CycleInstant JointCycle::at(double time) const {
-  CycleInstant instant{time, 0, cycle_->at(time), {}};
+CycleInstant JointCycle::at(double time) const noexcept {
+  CycleInstant instant{time, 0, cycle_.at(time), {}};
   const CycleState& state = instant.state;
-  instant.solution = joint_->solve({.reaction = state.reaction,
-                                    .angular_velocity = state.rate,
-                                    .axis = Eigen::Vector3d::UnitZ()});
-  if (instant.solution.status != Status::ok) {
-    throw Error(detail::must_be(
-        detail::message("the reaction at {:.6g} s, {:.6g} N", time,
-                        state.reaction.norm()),
-        "one for which the half-angle law and the pressure law have a value"));
-  }
+  instant.solution = joint_.solve({.reaction = state.reaction,
+                                   .angular_velocity = state.rate,
+                                   .axis = Eigen::Vector3d::UnitZ()});
   return instant;
 }
 
@@ -42,8 +48,8 @@ double JointCycle::integral(const Quantity& quantity) const {
 
 CycleInstant JointCycle::largest(const Quantity& quantity) const {
   const auto best = std::ranges::max_element(rows_, {}, quantity);
-  const double first = cycle_->times().front();
-  const double period = cycle_->period();
+  const double first = cycle_.times().front();
+  const double period = cycle_.period();
   const double before = best == rows_.begin() ? rows_.back().time - period
                                               : std::prev(best)->time;
   const double after =

@@ -19,22 +19,27 @@ struct CycleInstant {
 };
 
 /// A joint on its duty cycle: friction at the times of the cycle and at the
-/// nodes of its integrals. Refers to cycle and joint.
+/// nodes of its integrals. It has a cycle and a joint of its own; what
+/// sliding() gives refers to the latter.
 class JointCycle {
  public:
   /// @param joint  a pin turns about Z
   /// @throws Error if the laws of the contact have no value at some time.
-  JointCycle(const DutyCycle& cycle, const Joint& joint);
+  JointCycle(DutyCycle cycle, Joint joint);
 
-  const DutyCycle& cycle() const { return *cycle_; }
-  const JointContact& contact() const { return joint_->contact(); }
+  const DutyCycle& cycle() const { return cycle_; }
+  const JointContact& contact() const { return joint_.contact(); }
   /// At the times of the cycle; of no weight.
   const std::vector<CycleInstant>& rows() const { return rows_; }
   const std::vector<CycleInstant>& nodes() const { return nodes_; }
-  CycleInstant at(double time) const;
-  SlidingContact sliding(const CycleInstant& instant) const {
+  /// Its solution has the status out_of_range where the laws have no value.
+  CycleInstant at(double time) const noexcept;
+  SlidingContact sliding(const CycleInstant& instant) const& noexcept {
     return {contact(), instant.solution, instant.state.rate};
   }
+
+  /// Would refer to a joint that is gone.
+  SlidingContact sliding(const CycleInstant&) const&& = delete;
 
   using Quantity = std::function<double(const CycleInstant&)>;
   /// Over one period; to 1e-9 for smooth cycles of 100 times
@@ -45,8 +50,8 @@ class JointCycle {
   CycleInstant largest(const Quantity& quantity) const;
 
  private:
-  const DutyCycle* cycle_;
-  const Joint* joint_;
+  DutyCycle cycle_;
+  Joint joint_;
   std::vector<CycleInstant> rows_;
   std::vector<CycleInstant> nodes_;
 };

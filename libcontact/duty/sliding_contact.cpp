@@ -83,7 +83,6 @@ SlidingContact::SlidingContact(const JointContact& contact,
                  std::get_if<ViscousLaw>(&contact.friction())) {
     heat_stress_ = {viscous->pressure_slope(), viscous->constant(), 2};
   }
-  largest_pv_ = largest_heat_flux_ = {0, 0, centre_};
   if (normal_force_ == 0 || rim_speed_ == 0) {
     pressure_unit_ = rim_speed_ = 0;
     return;
@@ -91,22 +90,33 @@ SlidingContact::SlidingContact(const JointContact& contact,
   add_totals(solution);
   pv_nominal_ =
       geometry.nominal_pressure(solution.reaction.stableNorm()) * rim_speed_;
+}
+
+SlidingContact::Peaks SlidingContact::search(bool pv,
+                                             bool heat_flux) const noexcept {
+  const ContactPeak none = {0, 0, centre_};
+  Peaks found = {none, none};
+  if (rim_speed_ == 0) return found;
   // Under walls it is less accurate than the law, and no faster.
   std::optional<detail::ExpandedPressure> expanded;
   if (!profile_.has_walls()) {
-    expanded.emplace(contact.pressure_law(), half_angle_);
+    expanded.emplace(contact_->pressure_law(), half_angle_);
     if (expanded->is_empty()) expanded.reset();
   }
-  falls_outwards_ = profile_.falls_outwards();
-  largest_pv_ = largest({1, 0, 1}, expanded);
-  largest_heat_flux_ = largest_pv_;
-  if (contact.stress()) {
-    largest_heat_flux_ = largest_of_stress();
-  } else if (heat_stress_.constant_part == 0 && heat_stress_.power == 1) {
-    largest_heat_flux_.value *= heat_stress_.pressure_part;
+  const bool is_alike = !contact_->stress() &&
+                        heat_stress_.constant_part == 0 &&
+                        heat_stress_.power == 1;
+  if (pv || is_alike) found.pv = largest({1, 0, 1}, expanded);
+  if (!heat_flux) return found;
+  if (is_alike) {
+    found.heat_flux = found.pv;
+    found.heat_flux.value *= heat_stress_.pressure_part;
+  } else if (contact_->stress()) {
+    found.heat_flux = largest_of_stress();
   } else {
-    largest_heat_flux_ = largest(heat_stress_, expanded);
+    found.heat_flux = largest(heat_stress_, expanded);
   }
+  return found;
 }
 
 void SlidingContact::add_totals(const JointSolution& s) noexcept {
@@ -180,7 +190,7 @@ double SlidingContact::value(const Stress& stress,
 
 double SlidingContact::peak_angle(const Stress& stress,
                                   const Expanded& expanded) const noexcept {
-  if (!falls_outwards_) {
+  if (!profile_.falls_outwards()) {
     return detail::highest([&](double theta) { return value(stress, theta); },
                            half_angle_);
   }

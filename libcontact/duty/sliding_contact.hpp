@@ -53,8 +53,16 @@ class SlidingContact {
   /// the pressure does not fall from the centre to the edge and for the heat
   /// flux of a FrictionStress, which is taken to grow with the slip
   /// (duty/sliding_contact_test.cpp, against closed forms).
-  const ContactPeak& largest_pv() const { return largest_pv_; }
-  const ContactPeak& largest_heat_flux() const { return largest_heat_flux_; }
+  /// Each call searches; who wants both asks for both.
+  ContactPeak largest_pv() const noexcept { return search(true, false).pv; }
+  ContactPeak largest_heat_flux() const noexcept {
+    return search(false, true).heat_flux;
+  }
+  struct Peaks {
+    ContactPeak pv;
+    ContactPeak heat_flux;
+  };
+  Peaks peaks() const noexcept { return search(true, true); }
 
   /// L, the mean of |v|/(rho |Dw|) with the weight p, times S: of a pin S.
   double slip_coefficient() const { return slip_coefficient_; }
@@ -82,6 +90,8 @@ class SlidingContact {
   using Expanded = std::optional<detail::ExpandedPressure>;
   /// On the parallel theta, where the slip is largest.
   double value(const Stress& stress, double theta) const noexcept;
+  /// The peaks that are wanted.
+  Peaks search(bool pv, bool heat_flux) const noexcept;
   ContactPeak largest(const Stress& stress,
                       const Expanded& expanded) const noexcept;
   ContactPeak peak_at(double theta, double value) const noexcept;
@@ -98,16 +108,13 @@ class SlidingContact {
   Eigen::Vector3d centre_;
   double half_angle_;
   double normal_force_;
-  double pressure_unit_;        // Pa
-  double rim_speed_;            // rho |Dw|, m/s
-  SlipAxis axis_;               // sin a >= 0
-  Stress heat_stress_;          // of q
-  bool falls_outwards_ = true;  // p
+  double pressure_unit_;  // Pa
+  double rim_speed_;      // rho |Dw|, m/s
+  SlipAxis axis_;         // sin a >= 0
+  Stress heat_stress_;    // of q
   double slip_coefficient_ = 0;
   double heat_ = 0;
   double pv_nominal_ = 0;
-  ContactPeak largest_pv_;
-  ContactPeak largest_heat_flux_;
 };
 
 }  // namespace contact

@@ -2,9 +2,12 @@
 
 #include <optional>
 
-#include "libcontact/pressure/exact.hpp"
+#include "libcontact/conforming/contact_pressure.hpp"
 #include "libcontact/pressure/law.hpp"
-#include "libcontact/pressure/running_in.hpp"
+
+namespace contact {
+class WornPressure;
+}
 
 namespace contact::detail {
 
@@ -12,32 +15,12 @@ namespace contact::detail {
 /// joint that wears, are made once.
 class PressureProfile {
  public:
-  PressureProfile(const PressureLaw& law, double half_angle) noexcept
-      : law_(&law), half_angle_(half_angle) {
-    if (const auto* wears = dynamic_cast<const RunningInPressure*>(&law)) {
-      law_ = &wears->law();
-      worn_ = &wears->worn();
-      share_ = wears->share(half_angle);
-    }
-    if (const auto* exact = dynamic_cast<const ExactPressure*>(law_)) {
-      exact_ = exact->contact(half_angle);
-      has_walls_ = exact->has_walls();
-    }
-  }
+  PressureProfile(const PressureLaw& law, double half_angle) noexcept;
 
   /// PressureLaw::pressure()
-  double pressure(double theta) const noexcept {
-    const double p =
-        exact_ ? exact_->pressure(theta) : law_->pressure(theta, half_angle_);
-    return share_ == 0 ? p : with_wear(p, worn_->pressure(theta, half_angle_));
-  }
+  double pressure(double theta) const noexcept;
   /// PressureLaw::slope()
-  double slope(double theta) const noexcept {
-    const double slope =
-        exact_ ? exact_->slope(theta) : law_->slope(theta, half_angle_);
-    return share_ == 0 ? slope
-                       : with_wear(slope, worn_->slope(theta, half_angle_));
-  }
+  double slope(double theta) const noexcept;
   /// Whether the pressure is that of a joint with walls.
   bool has_walls() const noexcept { return has_walls_; }
   /// Whether the pressure falls from the centre to the edge.
@@ -46,10 +29,6 @@ class PressureProfile {
   }
 
  private:
-  double with_wear(double of_law, double of_worn) const noexcept {
-    return RunningInPressure::mixed(share_, of_law, of_worn);
-  }
-
   const PressureLaw* law_;
   const WornPressure* worn_ = nullptr;
   double share_ = 0;  // of the worn pressure

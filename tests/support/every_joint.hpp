@@ -25,8 +25,7 @@ inline std::vector<JointText> every_joint() {
       {"viscous over pressure", "viscous_pressure_slope_s_per_m = 0.5"},
       {"stribeck",
        "law = \"stribeck\"\nstatic_coefficient = 0.15\ndynamic_coefficient = "
-       "0.05\nstribeck_velocity_mm_per_s = 10",
-       false},
+       "0.05\nstribeck_velocity_mm_per_s = 10"},
       {"power",
        "law = \"power\"\ncoefficient = 0.1\nreference_pressure_MPa = 10\n"
        "exponent = 0.2"},
@@ -35,8 +34,7 @@ inline std::vector<JointText> every_joint() {
        "coefficients = [0.12, 0.1, 0.08]"},
       {"table of Hersey's number",
        "law = \"hersey_table\"\nspeeds_over_pressure_mm_per_s_MPa = [0.01, 1, "
-       "100]\ncoefficients = [0.12, 0.1, 0.08]\ncurve = \"linear\"",
-       false},
+       "100]\ncoefficients = [0.12, 0.1, 0.08]\ncurve = \"linear\""},
   };
   const Part walls[] = {
       {"no walls", ""},

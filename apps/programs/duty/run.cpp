@@ -205,8 +205,7 @@ cli::ExitStatus run(const Options& options) {
   const std::optional<MeasuredWear> measured = measured_wear(options);
   const cli::Joint joint = make_joint(options.joint);
   const contact::Joint friction(contact_of(joint, options));
-  const contact::DutyCycle duty = read_cycle(options, friction.is_pin());
-  const JointCycle cycle(duty, friction);
+  const JointCycle cycle(read_cycle(options, friction.is_pin()), friction);
   std::vector<BodyWear> wear;
   if (wear_options.wanted) {
     for (const JointBody body : {JointBody::carrier, JointBody::body}) {

@@ -171,8 +171,9 @@ constexpr Quantity friction_quantities[] = {
 void add_pv(const contact::JointContact& contact, Answer& a) {
   const contact::SlidingContact sliding(contact, a.solution, a.rate);
   a.nominal_area = 1 / contact.geometry().nominal_pressure(1);
-  a.pv = sliding.largest_pv();
-  a.heat = sliding.largest_heat_flux();
+  const auto peaks = sliding.peaks();
+  a.pv = peaks.pv;
+  a.heat = peaks.heat_flux;
   a.pv_mean = sliding.pv_mean();
   a.pv_nominal = sliding.pv_nominal();
   a.slip_coefficient = sliding.slip_coefficient();
