@@ -17,6 +17,7 @@
 #include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
 #include "libcontact/base/text.hpp"
+#include "libcontact/files/key_depth.hpp"
 #include "libcontact/files/key_setting.hpp"
 #include "libcontact/files/key_units.hpp"
 #include "libcontact/files/stranger.hpp"
@@ -188,6 +189,12 @@ TomlTable TomlTable::from_text(std::string_view text, const std::string& source,
 
 TomlTable::Parsed TomlTable::parsed(std::string_view text,
                                     const std::string& source, KnownKeys keys) {
+  if (const std::size_t line = detail::line_of_deep_key(text); line > 0) {
+    throw Error(detail::message(
+        "{}:{}: {}", source, line,
+        detail::must_be("a key", detail::message("of at most {} parts",
+                                                 detail::most_key_parts))));
+  }
   try {
     return {std::make_shared<const KnownKeys>(std::move(keys)),
             toml::parse(text)};
