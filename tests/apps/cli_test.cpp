@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <random>
+#include <set>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -468,7 +469,20 @@ TEST(Laws, AllAreThoseThatAllowTheLoading) {
 
 TEST(Table, DistinctNames) {
   EXPECT_EQ(cli::distinct_names({"a", "chi", "a"}, {"chi", "chi_in"}),
-            (std::vector<std::string>{"a", "chi_in_in", "a_in"}));
+            (std::vector<std::string>{"a", "chi_in2", "a_in"}));
+  EXPECT_EQ(cli::distinct_names({"", "a_in2", "a", "a", "", "a", "a"}, {""}),
+            (std::vector<std::string>{"_in", "a_in2", "a", "a_in", "_in2",
+                                      "a_in3", "a_in4"}));
+}
+
+// Spreadsheets end lines in empty columns. Names that are searched for one by
+// one, or grow with every column, take minutes and gigabytes for these.
+TEST(Table, ManyEqualNamesStayShort) {
+  constexpr std::size_t count = 200'000;
+  const std::vector<std::string> names =
+      cli::distinct_names(std::vector<std::string>(count), {});
+  EXPECT_EQ(std::set<std::string>(names.begin(), names.end()).size(), count);
+  for (const std::string& name : names) ASSERT_LE(name.size(), 9U);
 }
 
 class OutputFile : public testing::Test {
