@@ -66,12 +66,20 @@ mode_t new_file_mode() {
   return 0666 & ~mask;
 }
 
+// If not, errno says why.
+bool can_write(int descriptor) {
+  const int flags = fcntl(descriptor, F_GETFL);
+  if (flags < 0) return false;
+  errno = EBADF;
+  return (flags & O_ACCMODE) != O_RDONLY;
+}
+
 }  // namespace
 
 Output::Output(const std::string& path) {
   if (path.empty() || path == "-") {
     descriptor_ = STDOUT_FILENO;
-    if (fcntl(descriptor_, F_GETFL) < 0) fail("cannot write");
+    if (!can_write(descriptor_)) fail("cannot write");
     return;
   }
   std::error_code ignored;

@@ -34,8 +34,7 @@ class Output {
   const std::filesystem::path& temporary() const { return temporary_; }
 
  private:
-  /// Whether the descriptor is to be closed. One of a standard stream may be:
-  /// it is the next that is free in a program that starts without that stream.
+  /// Whether the descriptor is to be closed.
   bool is_own() const { return descriptor_ >= 0 && !path_.empty(); }
   void discard();
   [[noreturn]] void fail(std::string_view what) const;

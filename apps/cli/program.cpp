@@ -6,7 +6,6 @@
 #include <CLI/CLI.hpp>
 
 #include <array>
-#include <cstdio>
 #include <exception>
 
 #include "cli/choice.hpp"
@@ -15,6 +14,7 @@
 #include "cli/plot.hpp"
 #include "cli/quantity.hpp"
 #include "cli/refuse.hpp"
+#include "cli/stream/standard_streams.hpp"
 #include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
 #include "libcontact/base/text.hpp"
@@ -41,8 +41,8 @@ char parse_separator(const std::string& text) {
 
 // On one line, and nothing in it speaks to the terminal.
 void complain(std::string_view program, std::string_view message) {
-  fmt::print(stderr, "{}: {}\n", program,
-             contact::detail::printable(message, message.npos));
+  say(fmt::format("{}: {}\n", program,
+                  contact::detail::printable(message, message.npos)));
 }
 
 // An empty text, as scripts pass it for a variable that is not set, must not
@@ -171,6 +171,7 @@ int run_program(CLI::App& app, int argc, char** argv,
   app.set_help_flag("-h,--help", "print this help");
   app.get_formatter()->column_width(26);
   try {
+    open_missing_streams();
     refuse_control_characters(argc, argv);
     app.parse(argc, argv);
     refuse_empty(app);
