@@ -15,9 +15,12 @@ namespace cli {
 /// written directly.
 class Output {
  public:
+  /// Whether a file may be replaced that this program has read: by what goes on
+  /// with it, such as a checkpoint.
+  enum class Renews { nothing, what_was_read };
   /// @param path  file name; empty or "-" for standard output
-  /// Throws contact::Error if the file cannot be made.
-  explicit Output(const std::string& path);
+  /// Throws contact::Error if the file cannot be made, or has been read.
+  explicit Output(const std::string& path, Renews renews = Renews::nothing);
   /// Whether it could be made, found out without a trace: what a program asks
   /// first of all its files. Throws contact::Error if not.
   static void check(const std::string& path);
@@ -27,7 +30,8 @@ class Output {
 
   /// Throws contact::Error if the text could not be written.
   void write(std::string_view text);
-  /// Gives the complete file its name. Throws contact::Error if it cannot.
+  /// Gives the complete file its name. Throws contact::Error if it cannot, or
+  /// if what has that name has been read since.
   void commit();
 
   /// Where the text is until `commit`: for other programs that write it.
@@ -41,6 +45,7 @@ class Output {
 
   std::filesystem::path path_;
   std::filesystem::path temporary_;
+  Renews renews_;
   int descriptor_ = -1;
 };
 

@@ -9,6 +9,7 @@
 #include <exception>
 
 #include "cli/choice.hpp"
+#include "cli/files_in_use.hpp"
 #include "cli/gnuplot.hpp"
 #include "cli/output.hpp"
 #include "cli/plot.hpp"
@@ -110,7 +111,8 @@ void settle_table_options(const CLI::App& app, TableStyle& style) {
 
 }  // namespace
 
-OutputNames names_of(const OutputOptions& options, OutputNames names) {
+OutputNames names_of(const OutputOptions& options) {
+  OutputNames names;
   names.keep("--output", options.output.empty() ? "-" : options.output);
   names.keep("--plot", options.plot);
   return names;
@@ -133,9 +135,9 @@ void add_output_options(CLI::App& app, OutputOptions& options) {
   // Before anything is read, computed or said.
   app.parse_complete_callback([&app, &options] {
     settle_table_options(app, options);
-    names_of(options);
-    Output::check(options.output);
-    if (!options.plot.empty()) Output::check(options.plot);
+    OutputNames names;
+    names.add("--output", options.output.empty() ? "-" : options.output);
+    names.add("--plot", options.plot);
   });
 }
 
@@ -172,6 +174,7 @@ int run_program(CLI::App& app, int argc, char** argv,
   app.get_formatter()->column_width(26);
   try {
     open_missing_streams();
+    note_reading();
     refuse_control_characters(argc, argv);
     app.parse(argc, argv);
     refuse_empty(app);

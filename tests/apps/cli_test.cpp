@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "cli/choice.hpp"
+#include "cli/files_in_use.hpp"
 #include "cli/interrupts.hpp"
 #include "cli/joint/laws.hpp"
 #include "cli/number.hpp"
@@ -30,6 +31,7 @@
 #include "cli/sweep.hpp"
 #include "cli/table.hpp"
 #include "libcontact/base/error.hpp"
+#include "libcontact/base/file_text.hpp"
 #include "libcontact/base/text.hpp"
 #include "libcontact/base/units.hpp"
 #include "support/error_message.hpp"
@@ -529,6 +531,29 @@ TEST_F(OutputFile, AppearsOnlyWhenComplete) {
   }
   EXPECT_EQ(read("table.csv"), "whole");
   EXPECT_EQ(files(), 1U);
+}
+
+// The last line of defence, whoever has named the file.
+TEST_F(OutputFile, IsNoFileThatWasRead) {
+  const std::string name = folder_ / "measured.csv";
+  std::ofstream(name) << "measured";
+  cli::note_reading();
+  {
+    cli::Output output(name);
+    output.write("computed");
+    contact::detail::file_text(name);
+    EXPECT_EQ(error_message([&] { output.commit(); }),
+              name + " must be another file than " + name + ", which is read");
+  }
+  EXPECT_EQ(read("measured.csv"), "measured");
+  EXPECT_EQ(files(), 1U);
+  EXPECT_EQ(error_message([&] { cli::Output again(name); }),
+            name + " must be another file than " + name + ", which is read");
+  cli::Output renewed(name, cli::Output::Renews::what_was_read);
+  renewed.write("gone on with");
+  renewed.commit();
+  EXPECT_EQ(read("measured.csv"), "gone on with");
+  contact::detail::watch_reading(nullptr);
 }
 
 TEST_F(OutputFile, WideTablesAreTurnedInGroups) {

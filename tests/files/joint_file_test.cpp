@@ -354,7 +354,7 @@ TEST_F(JointFolder, FilesThatCannotBeRead) {
             (folder_ / "none.toml").string() +
                 ": cannot be read: No such file or directory");
   EXPECT_EQ(message(folder_),
-            folder_.string() + ": cannot be read: not a file");
+            folder_.string() + ": cannot be read: a directory");
   EXPECT_EQ(message("/dev/zero"), "/dev/zero: cannot be read: not a file");
   EXPECT_EQ(message("a\nb.toml"),
             "a\\x0ab.toml: cannot be read: its name has control characters");

@@ -10,9 +10,9 @@
 #include <sstream>
 #include <utility>
 
-#include "cli/file_text.hpp"
 #include "cli/output.hpp"
 #include "libcontact/base/error.hpp"
+#include "libcontact/base/file_text.hpp"
 #include "separation/record/state_json.hpp"
 
 namespace separation {
@@ -28,7 +28,7 @@ void add(const json& from, Notes& notes) {
 
 // A checkpoint without its rows.
 json header_of(const std::string& file) {
-  return unpacked(cli::file_text(file), file);
+  return unpacked(contact::detail::file_text(file), file);
 }
 
 // The file of a checkpoint's rows has the checkpoint's own name, so that both
@@ -44,8 +44,9 @@ std::string rows_of(const std::string& file) {
 }
 
 std::string text_of_rows(const std::string& name, const std::string& file) {
+  contact::detail::tell_reading(name);  // what it complains of is no bad copy
   try {
-    return cli::file_text(name);
+    return contact::detail::file_text(name);
   } catch (const contact::Error& error) {
     throw contact::Error(fmt::format(
         "{}; it has the rows of {}: the two are copied and renamed together",
@@ -144,7 +145,7 @@ void CheckpointWriter::write(const SimulationState& simulation,
                     {"blocks", blocks_},
                     {"bytes", bytes_},
                     {"sum", sum_.checksum()}}}};
-  cli::Output output(file_);
+  cli::Output output(file_, cli::Output::Renews::what_was_read);
   output.write(packed(j));
   output.commit();
   written_ = true;
