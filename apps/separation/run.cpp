@@ -26,6 +26,7 @@
 #include "separation/output/history_file.hpp"
 #include "separation/output/pictures.hpp"
 #include "separation/output/summary.hpp"
+#include "separation/record/checkpoint.hpp"
 #include "separation/record/saved_state.hpp"
 #include "separation/replays.hpp"
 #include "separation/stop_rule.hpp"
@@ -49,8 +50,8 @@ cli::OutputNames names_of(const Options& o) {
   if (!o.checkpoint.empty()) {
     // Read as well, by a run that goes on; replaces nothing but a checkpoint.
     cli::Output::check(o.checkpoint);
-    for (const char* end : {"", ".rows1", ".rows2"}) {
-      names.keep("--checkpoint", o.checkpoint + end);
+    for (const std::string& name : checkpoint_files(o.checkpoint)) {
+      names.keep("--checkpoint", name);
     }
   }
   for (const std::string& name : o.replays) names.add("--replay", name);

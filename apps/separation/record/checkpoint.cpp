@@ -43,6 +43,26 @@ std::string rows_of(const std::string& file) {
   return rows_name(file, header_of(file).at("rows").at("number"));
 }
 
+// Refuses a file of somebody else. What a run that was killed has left there
+// may be replaced: of its first block perhaps the beginning alone.
+void check_rows(const std::string& name) {
+  namespace fs = std::filesystem;
+  // An object of two in CBOR, of which "notes" comes first.
+  constexpr std::string_view beginning = "\xa2\x65notes";
+  std::error_code ignored;
+  const fs::file_status status = fs::status(name, ignored);
+  if (!fs::exists(status)) return;
+  std::string there(beginning.size(), '\0');
+  if (fs::is_regular_file(status)) {
+    std::ifstream stream(name, std::ios::binary);
+    stream.read(there.data(), static_cast<std::streamsize>(there.size()));
+    there.resize(static_cast<std::size_t>(stream.gcount()));
+  }
+  if (beginning.starts_with(there)) return;
+  throw contact::Error(fmt::format(
+      "{}: not the rows of a checkpoint of hinge-separation", name));
+}
+
 std::string text_of_rows(const std::string& name, const std::string& file) {
   contact::detail::tell_reading(name);  // what it complains of is no bad copy
   try {
@@ -80,14 +100,21 @@ void add_rows(const std::string& file, const json& header,
 
 }  // namespace
 
+std::vector<std::string> checkpoint_files(const std::string& file) {
+  return {file, rows_name(file, 1), rows_name(file, 2),
+          CheckpointLock::file_of(file)};
+}
+
 CheckpointWriter::CheckpointWriter(std::string file, std::string identity,
                                    double every)
     : file_(std::move(file)),
+      lock_(file_),
       identity_(std::move(identity)),
       every_(every),
       old_rows_(rows_of(file_)),
       number_(old_rows_ == rows_name(file_, 1) ? 2 : 1),
       rows_(rows_name(file_, number_)) {
+  check_rows(rows_);
   stream_.open(rows_, std::ios::binary | std::ios::trunc);
   if (!stream_) {
     throw contact::Error(
