@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Names by where they lead.
+// Names by the places that they lead to.
 using Names = std::map<fs::path, std::string>;
 
 struct FilesInUse {

@@ -4,12 +4,12 @@
 #include <string>
 #include <string_view>
 
-/// What a program reads and what it writes: no regular file is both, by
-/// whatever name or link. What is read by design where it is written, a journal
-/// or a checkpoint, is not noted here.
+/// Inputs and outputs of the running program: no regular file is both, by
+/// whatever name or link. Journals and checkpoints, which go on in the files
+/// they have read, are not noted as outputs.
 namespace cli {
 
-/// Where a name leads, through links; the file need not be there.
+/// The place that a name leads to through links; no file need be there.
 std::filesystem::path destination(const std::filesystem::path& name);
 
 /// From now on every file that the libraries and programs read is noted.

@@ -15,8 +15,8 @@ namespace cli {
 /// written directly.
 class Output {
  public:
-  /// Whether a file may be replaced that this program has read: by what goes on
-  /// with it, such as a checkpoint.
+  /// An output that goes on with a file, as a checkpoint does, may replace it
+  /// though this program has read it.
   enum class Renews { nothing, what_was_read };
   /// @param path  file name; empty or "-" for standard output
   /// Throws contact::Error if the file cannot be made, or has been read.

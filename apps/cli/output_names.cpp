@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// "" for what may have several names or readers.
+// The place of a file, "" if it may have several writers.
 std::string place_of(const std::string& name) {
   if (name == "-") return name;
   std::error_code ignored;

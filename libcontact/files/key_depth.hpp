@@ -8,7 +8,7 @@
 /// overflow the stack when they are destroyed.
 namespace contact::detail {
 
-/// Far above the four of the longest key that any file has.
+/// Known keys have up to four parts, as body.hinge.joint.file.
 inline constexpr std::size_t most_key_parts = 32;
 
 /// The line of the first key or table header of a TOML text that has more than

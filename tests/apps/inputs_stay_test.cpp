@@ -45,7 +45,7 @@ class InputsStay : public testing::Test {
     const ProgramResult result = folder_.run(run + ' ' + output);
     EXPECT_EQ(result.status, 2) << run << ' ' << output;
     EXPECT_EQ(result.out, "");
-    // In front of it the place of a file that names another one.
+    // A file that is named by another one has its place in front.
     EXPECT_TRUE(result.err.ends_with(": " + output +
                                      " must be another file than " + input +
                                      ", which is read\n"))

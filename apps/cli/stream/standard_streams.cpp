@@ -15,7 +15,7 @@
 namespace cli {
 
 void open_missing_streams() {
-  // Input to be written and output to be read, which nobody does.
+  // Nobody writes to the input and reads from the output.
   constexpr std::array<std::pair<int, int>, 3> streams = {
       {{STDIN_FILENO, O_WRONLY},
        {STDOUT_FILENO, O_RDONLY},

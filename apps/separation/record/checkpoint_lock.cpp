@@ -25,7 +25,7 @@ bool has_name(int file, const std::string& name) {
 
 }  // namespace
 
-// Of one checkpoint, by whatever link it is called.
+// All links to a checkpoint have one lock.
 std::string CheckpointLock::file_of(const std::string& checkpoint) {
   return cli::destination(checkpoint).string() + ".lock";
 }
