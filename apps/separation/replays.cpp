@@ -6,9 +6,9 @@
 #include <filesystem>
 #include <utility>
 
-#include "cli/file_text.hpp"
 #include "cli/program.hpp"
 #include "cli/refuse.hpp"
+#include "libcontact/base/file_text.hpp"
 #include "separation/output/file_name.hpp"
 
 namespace separation {
@@ -18,7 +18,7 @@ namespace {
 std::string text_of_case(const Case& c, const Options& options) {
   std::error_code ignored;
   std::string text = std::filesystem::is_regular_file(c.file, ignored)
-                         ? cli::file_text(c.file)
+                         ? contact::detail::file_text(c.file)
                          : c.content;
   for (const std::string& setting : options.settings) {
     text += "\n# --set " + setting;

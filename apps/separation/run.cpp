@@ -26,6 +26,7 @@
 #include "separation/output/history_file.hpp"
 #include "separation/output/pictures.hpp"
 #include "separation/output/summary.hpp"
+#include "separation/record/checkpoint.hpp"
 #include "separation/record/saved_state.hpp"
 #include "separation/replays.hpp"
 #include "separation/stop_rule.hpp"
@@ -43,19 +44,17 @@ constexpr std::array<cli::Choice<FrictionChoice>, 3> friction_choices = {
 
 // Every file that is written has a name of its own.
 cli::OutputNames names_of(const Options& o) {
-  cli::OutputNames inputs;
-  inputs.keep("CASE.toml", o.case_file);
-  cli::OutputNames names = names_of(o.output, inputs);
+  cli::OutputNames names = names_of(o.output);
   names.add("--history", o.history);
   names.add("--events", o.events);
   if (!o.checkpoint.empty()) {
-    for (const char* end : {"", ".rows1", ".rows2"}) {
-      names.add("--checkpoint", o.checkpoint + end);
+    // Read as well, by a run that goes on; replaces nothing but a checkpoint.
+    cli::Output::check(o.checkpoint);
+    for (const std::string& name : checkpoint_files(o.checkpoint)) {
+      names.keep("--checkpoint", name);
     }
   }
   for (const std::string& name : o.replays) names.add("--replay", name);
-  // To go on with the same checkpoint is as usual.
-  if (!cli::same_file(o.resume, o.checkpoint)) names.keep("--resume", o.resume);
   return names;
 }
 
@@ -63,7 +62,7 @@ void keep_pictures(const Options& o, const Case& c, cli::OutputNames names) {
   if (o.output.plot.empty()) return;
   for (const std::string& name :
        picture_names(c, !o.no_clearance, o.output.plot)) {
-    names.keep("--plot", name);
+    names.add("--plot", name);
   }
 }
 

@@ -256,9 +256,7 @@ void check_outputs(const Options& o) {
   if (!o.report.empty() && !separation::is_page(o.report)) {
     cli::refuse("--report", o.report, "a name that ends in .html");
   }
-  cli::OutputNames inputs;
-  inputs.keep("STUDY.toml", o.file);
-  cli::OutputNames names = names_of(o.output, inputs);
+  cli::OutputNames names = names_of(o.output);
   names.add("--csv", o.csv);
   names.add("--hdf5", o.hdf5);
   names.add("--report", o.report);

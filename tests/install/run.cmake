@@ -16,6 +16,7 @@ endfunction()
 file(REMOVE_RECURSE ${WORK})
 set(prefix ${WORK}/prefix)
 run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${prefix})
+run(${SOURCE}/../runpaths.sh ${prefix})
 
 file(GLOB_RECURSE private ${prefix}/include/*kernel*)
 if(private)

@@ -7,8 +7,8 @@
 #include <functional>
 #include <sstream>
 
-#include "cli/file_text.hpp"
 #include "cli/refuse.hpp"
+#include "libcontact/base/file_text.hpp"
 #include "separation/replay/page_data.hpp"
 #include "separation/replay/page_files.hpp"
 
@@ -25,7 +25,7 @@ std::string find_script(const std::string& wanted, const std::string& name) {
         std::filesystem::path(folder) / "javascript" / name;
     std::error_code ignored;
     if (std::filesystem::exists(path, ignored)) {
-      return cli::file_text(path.string());
+      return contact::detail::file_text(path.string());
     }
   }
   cli::refuse_without(wanted, "three.js and dygraphs (" + name +
