@@ -12,6 +12,7 @@
 #include <cstring>
 #include <mutex>
 
+#include "cli/files_in_use.hpp"
 #include "libcontact/base/error.hpp"
 
 namespace cli {
@@ -66,12 +67,20 @@ mode_t new_file_mode() {
   return 0666 & ~mask;
 }
 
+// If not, errno says why.
+bool can_write(int descriptor) {
+  const int flags = fcntl(descriptor, F_GETFL);
+  if (flags < 0) return false;
+  errno = EBADF;
+  return (flags & O_ACCMODE) != O_RDONLY;
+}
+
 }  // namespace
 
-Output::Output(const std::string& path) {
+Output::Output(const std::string& path, Renews renews) : renews_(renews) {
   if (path.empty() || path == "-") {
     descriptor_ = STDOUT_FILENO;
-    if (fcntl(descriptor_, F_GETFL) < 0) fail("cannot write");
+    if (!can_write(descriptor_)) fail("cannot write");
     return;
   }
   std::error_code ignored;
@@ -85,6 +94,7 @@ Output::Output(const std::string& path) {
     if (descriptor_ < 0) fail("cannot open");
     return;
   }
+  if (renews_ == Renews::nothing) check_unread(path_);
   std::string name = path_.parent_path() /
                      fmt::format(".{}.XXXXXX", path_.filename().string());
   descriptor_ = mkostemp(name.data(), O_CLOEXEC);
@@ -131,6 +141,7 @@ void Output::commit() {
     if (closed != 0) fail("cannot write");
   }
   if (temporary_.empty()) return;
+  if (renews_ == Renews::nothing) check_unread(path_);
   if (rename(temporary_.c_str(), path_.c_str()) != 0) fail("cannot rename to");
   forget(temporary_);
   temporary_.clear();

@@ -15,9 +15,12 @@ namespace cli {
 /// written directly.
 class Output {
  public:
+  /// An output that goes on with a file, as a checkpoint does, may replace it
+  /// though this program has read it.
+  enum class Renews { nothing, what_was_read };
   /// @param path  file name; empty or "-" for standard output
-  /// Throws contact::Error if the file cannot be made.
-  explicit Output(const std::string& path);
+  /// Throws contact::Error if the file cannot be made, or has been read.
+  explicit Output(const std::string& path, Renews renews = Renews::nothing);
   /// Whether it could be made, found out without a trace: what a program asks
   /// first of all its files. Throws contact::Error if not.
   static void check(const std::string& path);
@@ -27,21 +30,22 @@ class Output {
 
   /// Throws contact::Error if the text could not be written.
   void write(std::string_view text);
-  /// Gives the complete file its name. Throws contact::Error if it cannot.
+  /// Gives the complete file its name. Throws contact::Error if it cannot, or
+  /// if what has that name has been read since.
   void commit();
 
   /// Where the text is until `commit`: for other programs that write it.
   const std::filesystem::path& temporary() const { return temporary_; }
 
  private:
-  /// Whether the descriptor is to be closed. One of a standard stream may be:
-  /// it is the next that is free in a program that starts without that stream.
+  /// Whether the descriptor is to be closed.
   bool is_own() const { return descriptor_ >= 0 && !path_.empty(); }
   void discard();
   [[noreturn]] void fail(std::string_view what) const;
 
   std::filesystem::path path_;
   std::filesystem::path temporary_;
+  Renews renews_;
   int descriptor_ = -1;
 };
 

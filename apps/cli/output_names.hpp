@@ -11,19 +11,17 @@ namespace cli {
 /// there and not a regular file, as /dev/null, may have several writers.
 class OutputNames {
  public:
-  /// A file to write, "-" for standard output; nothing if empty.
+  /// A file to write, "-" for standard output; nothing if empty. No file that
+  /// is read may be it, see files_in_use.hpp.
   /// @throws contact::Error "OPTION NAME must be another file than that of
   ///   OTHER", or if it cannot be made
   void add(std::string_view option, const std::string& name);
-  /// A file that is read or that others make.
+  /// A file that others make, or that is read as well, as a journal is.
   /// @throws contact::Error as add() does of a shared name
   void keep(std::string_view option, const std::string& name);
 
  private:
   std::map<std::string, std::string> options_;  ///< by where their names lead
 };
-
-/// Whether two names are of one file, which need not be there.
-bool same_file(const std::string& one, const std::string& other);
 
 }  // namespace cli

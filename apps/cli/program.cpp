@@ -6,15 +6,16 @@
 #include <CLI/CLI.hpp>
 
 #include <array>
-#include <cstdio>
 #include <exception>
 
 #include "cli/choice.hpp"
+#include "cli/files_in_use.hpp"
 #include "cli/gnuplot.hpp"
 #include "cli/output.hpp"
 #include "cli/plot.hpp"
 #include "cli/quantity.hpp"
 #include "cli/refuse.hpp"
+#include "cli/stream/standard_streams.hpp"
 #include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
 #include "libcontact/base/text.hpp"
@@ -41,8 +42,8 @@ char parse_separator(const std::string& text) {
 
 // On one line, and nothing in it speaks to the terminal.
 void complain(std::string_view program, std::string_view message) {
-  fmt::print(stderr, "{}: {}\n", program,
-             contact::detail::printable(message, message.npos));
+  say(fmt::format("{}: {}\n", program,
+                  contact::detail::printable(message, message.npos)));
 }
 
 // An empty text, as scripts pass it for a variable that is not set, must not
@@ -110,7 +111,8 @@ void settle_table_options(const CLI::App& app, TableStyle& style) {
 
 }  // namespace
 
-OutputNames names_of(const OutputOptions& options, OutputNames names) {
+OutputNames names_of(const OutputOptions& options) {
+  OutputNames names;
   names.keep("--output", options.output.empty() ? "-" : options.output);
   names.keep("--plot", options.plot);
   return names;
@@ -133,9 +135,9 @@ void add_output_options(CLI::App& app, OutputOptions& options) {
   // Before anything is read, computed or said.
   app.parse_complete_callback([&app, &options] {
     settle_table_options(app, options);
-    names_of(options);
-    Output::check(options.output);
-    if (!options.plot.empty()) Output::check(options.plot);
+    OutputNames names;
+    names.add("--output", options.output.empty() ? "-" : options.output);
+    names.add("--plot", options.plot);
   });
 }
 
@@ -171,6 +173,8 @@ int run_program(CLI::App& app, int argc, char** argv,
   app.set_help_flag("-h,--help", "print this help");
   app.get_formatter()->column_width(26);
   try {
+    open_missing_streams();
+    note_reading();
     refuse_control_characters(argc, argv);
     app.parse(argc, argv);
     refuse_empty(app);

@@ -42,9 +42,8 @@ struct OutputOptions : TableStyle {
 
 /// Those of --output and --plot, which can be made, for a program to add its
 /// own to.
-/// @param names  files that come before
 /// @throws contact::Error as OutputNames::keep() does
-OutputNames names_of(const OutputOptions& options, OutputNames names = {});
+OutputNames names_of(const OutputOptions& options);
 
 /// Adds --output, --plot, --format and the other options of tables to a
 /// program. That the files can be made is found out with the command line; then

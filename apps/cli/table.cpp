@@ -7,6 +7,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numeric>
+#include <unordered_map>
+#include <unordered_set>
 
 #include "cli/number.hpp"
 #include "cli/stream/csv.hpp"
@@ -325,10 +327,15 @@ void TableWriter::finish() {
 
 std::vector<std::string> distinct_names(std::vector<std::string> names,
                                         const std::vector<std::string>& taken) {
-  std::vector<std::string> all = taken;
+  std::unordered_set<std::string> all(taken.begin(), taken.end());
+  // How often a name has been changed, so that no number is tried twice.
+  std::unordered_map<std::string, std::size_t> changes;
   for (std::string& name : names) {
-    while (std::find(all.begin(), all.end(), name) != all.end()) name += "_in";
-    all.push_back(name);
+    const std::string given = name;
+    while (!all.insert(name).second) {
+      const std::size_t number = ++changes[given];
+      name = given + (number == 1 ? "_in" : fmt::format("_in{}", number));
+    }
   }
   return names;
 }

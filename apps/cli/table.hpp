@@ -104,7 +104,8 @@ class TableWriter {
 };
 
 /// `names`, changed where needed so that none is in `taken` or occurs twice
-/// ("_in" is added): the names of columns that are handed on.
+/// ("_in" is added, then "_in2", "_in3"): the names of columns that are handed
+/// on. The time is linear in the number of names.
 std::vector<std::string> distinct_names(std::vector<std::string> names,
                                         const std::vector<std::string>& taken);
 

@@ -10,6 +10,7 @@
 #include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
 #include "libcontact/base/text.hpp"
+#include "libcontact/files/key_depth.hpp"
 #include "libcontact/files/key_units.hpp"
 
 namespace contact::detail {
@@ -125,11 +126,13 @@ std::optional<double> factor_of(std::string_view value) {
 // {value = VALUE}, whose nodes say where they are from; what is no TOML is a
 // text.
 toml::table parsed(const std::string& value, const std::string& source) {
-  try {
-    return toml::parse("value = " + value, source);
-  } catch (const toml::parse_error&) {
-    return toml::parse("value = '''" + value + "'''", source);
+  if (line_of_deep_key(value) == 0) {
+    try {
+      return toml::parse("value = " + value, source);
+    } catch (const toml::parse_error&) {
+    }
   }
+  return toml::parse("value = '''" + value + "'''", source);
 }
 
 // Puts a value in its place in a table; false if the array has no such place.
@@ -178,6 +181,9 @@ KeyOfFile set_key(toml::table& file, const KnownKeys& keys,
                         "a key of the file: TABLE.KEY, TABLE[NUMBER].KEY or "
                         "TABLE[NAME].KEY"));
   };
+  const auto dots =
+      static_cast<std::size_t>(std::ranges::count(setting.key, '.'));
+  if (dots >= most_key_parts) refuse();
   toml::table* table = &file;
   const KnownKeys* in = &keys;
   std::string_view rest = setting.key;

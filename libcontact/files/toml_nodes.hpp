@@ -7,7 +7,10 @@
 // is undefined behaviour for a file that has one outside quotes. The answer
 // is no. And that a table's header begins with what is no key, as in `[# a`:
 // its own message comes right behind.
+// Arrays and inline tables are nested up to 32 deep, so that with keys of
+// key_depth.hpp no text needs much of the stack.
 // clang-format off
+#define TOML_MAX_NESTED_VALUES 32
 #include <toml++/impl/preprocessor.h>
 #undef TOML_ASSERT_ASSUME
 #define TOML_ASSERT_ASSUME(expression) static_assert(true)

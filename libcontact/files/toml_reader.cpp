@@ -1,11 +1,7 @@
 #include "libcontact/files/toml_reader.hpp"
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
-#include <cstring>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <mutex>
 #include <set>
@@ -16,7 +12,9 @@
 
 #include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
+#include "libcontact/base/file_text.hpp"
 #include "libcontact/base/text.hpp"
+#include "libcontact/files/key_depth.hpp"
 #include "libcontact/files/key_setting.hpp"
 #include "libcontact/files/key_units.hpp"
 #include "libcontact/files/stranger.hpp"
@@ -24,7 +22,7 @@
 namespace contact {
 namespace {
 
-// Of paths and of what the parser says.
+// Of what the parser says.
 constexpr std::size_t longest_line = 300;
 
 std::string shape_text(const ArrayShape& shape) {
@@ -33,30 +31,6 @@ std::string shape_text(const ArrayShape& shape) {
   return shape.columns == 0
              ? text + " numbers"
              : detail::message("{} arrays of {} numbers", text, shape.columns);
-}
-
-std::string text_of(const std::filesystem::path& path) {
-  const auto refuse = [&path](const std::string& why) {
-    throw Error(detail::message("{}: cannot be read: {}",
-                                detail::printable(path.string(), longest_line),
-                                why));
-  };
-  if (detail::has_control_characters(path.native())) {
-    refuse("its name has control characters");
-  }
-  std::error_code error;
-  const auto status = std::filesystem::status(path, error);
-  if (error) refuse(error.message());
-  // A device could be endless.
-  if (!std::filesystem::is_regular_file(status) &&
-      !std::filesystem::is_fifo(status)) {
-    refuse("not a file");
-  }
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream) refuse(std::strerror(errno));
-  std::string text{std::istreambuf_iterator<char>(stream), {}};
-  if (stream.bad()) refuse(std::strerror(errno));
-  return text;
 }
 
 const toml::table& as_table(const void* table) {
@@ -175,7 +149,7 @@ TomlTable::TomlTable(std::shared_ptr<const File> file, const void* table,
 
 TomlTable TomlTable::from_file(const std::filesystem::path& path,
                                KnownKeys keys, const KeySettings& settings) {
-  return from_text(text_of(path), path.string(), std::move(keys),
+  return from_text(detail::file_text(path), path.string(), std::move(keys),
                    path.parent_path(), settings);
 }
 
@@ -188,6 +162,12 @@ TomlTable TomlTable::from_text(std::string_view text, const std::string& source,
 
 TomlTable::Parsed TomlTable::parsed(std::string_view text,
                                     const std::string& source, KnownKeys keys) {
+  if (const std::size_t line = detail::line_of_deep_key(text); line > 0) {
+    throw Error(detail::message(
+        "{}:{}: {}", source, line,
+        detail::must_be("a key", detail::message("of at most {} parts",
+                                                 detail::most_key_parts))));
+  }
   try {
     return {std::make_shared<const KnownKeys>(std::move(keys)),
             toml::parse(text)};
@@ -226,7 +206,8 @@ TomlTable TomlTable::cached(const std::shared_ptr<Cache>& cache,
     auto found = cache->files.find(source);
     if (found == cache->files.end()) {
       found =
-          cache->files.emplace(source, parsed(text_of(path), source, keys()))
+          cache->files
+              .emplace(source, parsed(detail::file_text(path), source, keys()))
               .first;
     }
     known = &found->second;

@@ -11,12 +11,14 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <random>
+#include <set>
 #include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "cli/choice.hpp"
+#include "cli/files_in_use.hpp"
 #include "cli/interrupts.hpp"
 #include "cli/joint/laws.hpp"
 #include "cli/number.hpp"
@@ -29,6 +31,7 @@
 #include "cli/sweep.hpp"
 #include "cli/table.hpp"
 #include "libcontact/base/error.hpp"
+#include "libcontact/base/file_text.hpp"
 #include "libcontact/base/text.hpp"
 #include "libcontact/base/units.hpp"
 #include "support/error_message.hpp"
@@ -468,7 +471,20 @@ TEST(Laws, AllAreThoseThatAllowTheLoading) {
 
 TEST(Table, DistinctNames) {
   EXPECT_EQ(cli::distinct_names({"a", "chi", "a"}, {"chi", "chi_in"}),
-            (std::vector<std::string>{"a", "chi_in_in", "a_in"}));
+            (std::vector<std::string>{"a", "chi_in2", "a_in"}));
+  EXPECT_EQ(cli::distinct_names({"", "a_in2", "a", "a", "", "a", "a"}, {""}),
+            (std::vector<std::string>{"_in", "a_in2", "a", "a_in", "_in2",
+                                      "a_in3", "a_in4"}));
+}
+
+// Spreadsheets end lines in empty columns. Names that are searched for one by
+// one, or grow with every column, take minutes and gigabytes for these.
+TEST(Table, ManyEqualNamesStayShort) {
+  constexpr std::size_t count = 200'000;
+  const std::vector<std::string> names =
+      cli::distinct_names(std::vector<std::string>(count), {});
+  EXPECT_EQ(std::set<std::string>(names.begin(), names.end()).size(), count);
+  for (const std::string& name : names) ASSERT_LE(name.size(), 9U);
 }
 
 class OutputFile : public testing::Test {
@@ -515,6 +531,29 @@ TEST_F(OutputFile, AppearsOnlyWhenComplete) {
   }
   EXPECT_EQ(read("table.csv"), "whole");
   EXPECT_EQ(files(), 1U);
+}
+
+// The last line of defence, whoever has named the file.
+TEST_F(OutputFile, IsNoFileThatWasRead) {
+  const std::string name = folder_ / "measured.csv";
+  std::ofstream(name) << "measured";
+  cli::note_reading();
+  {
+    cli::Output output(name);
+    output.write("computed");
+    contact::detail::file_text(name);
+    EXPECT_EQ(error_message([&] { output.commit(); }),
+              name + " must be another file than " + name + ", which is read");
+  }
+  EXPECT_EQ(read("measured.csv"), "measured");
+  EXPECT_EQ(files(), 1U);
+  EXPECT_EQ(error_message([&] { cli::Output again(name); }),
+            name + " must be another file than " + name + ", which is read");
+  cli::Output renewed(name, cli::Output::Renews::what_was_read);
+  renewed.write("gone on with");
+  renewed.commit();
+  EXPECT_EQ(read("measured.csv"), "gone on with");
+  contact::detail::watch_reading(nullptr);
 }
 
 TEST_F(OutputFile, WideTablesAreTurnedInGroups) {

@@ -355,7 +355,7 @@ TEST_F(JointFolder, FilesThatCannotBeRead) {
             (folder_ / "none.toml").string() +
                 ": cannot be read: No such file or directory");
   EXPECT_EQ(message(folder_),
-            folder_.string() + ": cannot be read: not a file");
+            folder_.string() + ": cannot be read: a directory");
   EXPECT_EQ(message("/dev/zero"), "/dev/zero: cannot be read: not a file");
   EXPECT_EQ(message("a\nb.toml"),
             "a\\x0ab.toml: cannot be read: its name has control characters");
@@ -606,7 +606,7 @@ TEST(TomlTable, ArraysMatricesIntegersFlags) {
                                    {"flag"},
                                    {"word"},
                                    contact::table_key("item", {{"x"}, {"y"}}),
-                                   {"none"}};
+                                   {"(no error)"}};
   const std::string text =
       "v_mm = [1, 2.5, -3]\n"
       "m_kg_m2 = [[1, 2], [3, 4]]\n"
@@ -621,12 +621,12 @@ TEST(TomlTable, ArraysMatricesIntegersFlags) {
             (std::vector<double>{1, 2, 3, 4}));
   EXPECT_EQ(table.integer("n", 0, 7), 7);
   EXPECT_TRUE(table.flag("flag"));
-  EXPECT_FALSE(table.flag("none"));
+  EXPECT_FALSE(table.flag("(no error)"));
   EXPECT_EQ(table.choice("word", {"a", "b"}), 1u);
   const auto items = table.tables("item");
   ASSERT_EQ(items.size(), 2u);
   EXPECT_EQ(items[1].number("x", any), 2);
-  EXPECT_TRUE(table.tables("none").empty());
+  EXPECT_TRUE(table.tables("(no error)").empty());
   EXPECT_EQ(items[0].number("x", any), 1);
   // The program has not declared it.
   EXPECT_THROW(static_cast<void>(table.has("other")), std::logic_error);
@@ -737,6 +737,55 @@ TEST(TomlTable, IsWrittenAsItReads) {
   };
   const TomlTable table = read("# why\na = 'x\"\\y'\n[t]\nb = true\n");
   EXPECT_EQ(read(table.toml_text()).canonical_text(), table.canonical_text());
+}
+
+// `count` parts with dots between.
+std::string dotted(const std::string& part, int count) {
+  std::string key = part;
+  for (int i = 1; i < count; ++i) key += '.' + part;
+  return key;
+}
+
+std::string complaint(const std::string& text,
+                      const contact::KeySettings& settings = {}) {
+  return error_message(
+      [&] { TomlTable::from_text(text, "t.toml", {{"a"}}, {}, settings); });
+}
+
+// Each part is a table inside the one before it: 400,000 overflow the stack.
+TEST(TomlTable, KeysOfTooManyPartsAreRefused) {
+  const std::string refused = "t.toml:3: a key must be of at most 32 parts";
+  for (const int parts : {33, 400'000}) {
+    for (const std::string part : {"a", " 'b=,]'\t", R"("\"=")"}) {
+      const std::string key = dotted(part, parts);
+      EXPECT_EQ(complaint("\n\n" + key + " = 1"), refused);
+      EXPECT_EQ(complaint("\n\n[" + key + ']'), refused);
+      EXPECT_EQ(complaint("\n\n[[" + key + "]]"), refused);
+      EXPECT_EQ(complaint("a = [1.5,\n{ b = '.' },\n{ " + key + " = 1 }]"),
+                refused);
+      EXPECT_EQ(complaint("a = \"\"\"\n\"\"\"\"\"\n" + key + " = 1"), refused);
+    }
+    EXPECT_NE(complaint("", {{dotted("a", parts), "1"}}).find("must be a key"),
+              std::string::npos);
+    EXPECT_EQ(complaint("", {{"a", "{ " + dotted("b", parts) + " = 1 }"}}),
+              "(no error)");
+  }
+  // Tables that are nested in values.
+  std::string deep = "1";
+  for (int i = 0; i < 100; ++i) deep = "{ b = " + deep + " }";
+  EXPECT_TRUE(complaint("a = " + deep).starts_with("t.toml:1: "));
+}
+
+TEST(TomlTable, DotsElsewhereAreNoPartsOfKeys) {
+  EXPECT_EQ(complaint(dotted("a", 32) + " = 1"), "(no error)");
+  const std::string dots = dotted("x", 100);
+  std::string numbers = "1.5";
+  for (int i = 0; i < 100; ++i) numbers += ", 1.5";
+  for (const std::string& text :
+       {'"' + dots + '"', '\'' + dots + '\'', "\"\"\"\n" + dots + "\"\"\"\"",
+        "'''\n''" + dots + "'''", "1 # " + dots, '[' + numbers + ']'}) {
+    EXPECT_EQ(complaint("a = " + text), "(no error)") << text;
+  }
 }
 
 TEST(TomlTable, OutlivesItsParent) {

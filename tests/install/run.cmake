@@ -20,6 +20,7 @@ endif()
 file(REMOVE_RECURSE ${WORK})
 set(prefix ${WORK}/prefix)
 run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${prefix})
+run(${SOURCE}/../runpaths.sh ${prefix})
 
 file(GLOB_RECURSE private ${prefix}/include/*kernel*)
 if(private)

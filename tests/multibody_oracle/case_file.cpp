@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "cli/file_text.hpp"
 #include "libcontact/base/error.hpp"
+#include "libcontact/base/file_text.hpp"
 #include "multibody_support/prepared.hpp"
 
 namespace multibody {
@@ -227,7 +227,7 @@ Instant instant_from_json(const json& file) {
 }
 
 Instant read_case(const std::string& file) {
-  const std::string text = cli::file_text(file);
+  const std::string text = contact::detail::file_text(file);
   try {
     Instant instant = instant_from_json(json::parse(text));
     prepare(instant);  // System's checks, with the file's name

@@ -9,6 +9,7 @@
 #include <cstring>
 
 #include "libcontact/base/error.hpp"
+#include "libcontact/base/file_text.hpp"
 
 namespace cli {
 namespace {
@@ -16,6 +17,12 @@ namespace {
 // Large against the cost of a system call and of passing a block between
 // threads, small enough for the cache: some 3,000 lines.
 constexpr std::size_t block_size = 1 << 16;
+
+int opened(const std::string& path) {
+  const bool is_file = path != "-";
+  contact::detail::tell_reading(is_file ? path : "/dev/stdin");
+  return is_file ? open(path.c_str(), O_RDONLY | O_CLOEXEC) : STDIN_FILENO;
+}
 
 }  // namespace
 
@@ -28,9 +35,7 @@ std::string_view next_line(std::string_view& text) {
 }
 
 LineReader::LineReader(const std::string& path)
-    : name_(path == "-" ? "standard input" : path),
-      descriptor_(path == "-" ? STDIN_FILENO
-                              : open(path.c_str(), O_RDONLY | O_CLOEXEC)) {
+    : name_(path == "-" ? "standard input" : path), descriptor_(opened(path)) {
   if (descriptor_ < 0) {
     throw contact::Error(
         fmt::format("cannot open {}: {}", name_, std::strerror(errno)));

@@ -6,10 +6,10 @@
 #include <filesystem>
 #include <utility>
 
-#include "cli/stream/file_name.hpp"
-#include "cli/file_text.hpp"
 #include "cli/program.hpp"
 #include "cli/refuse.hpp"
+#include "cli/stream/file_name.hpp"
+#include "libcontact/base/file_text.hpp"
 
 namespace separation {
 namespace {
@@ -18,7 +18,7 @@ namespace {
 std::string text_of_case(const Case& c, const Options& options) {
   std::error_code ignored;
   std::string text = std::filesystem::is_regular_file(c.file, ignored)
-                         ? cli::file_text(c.file)
+                         ? contact::detail::file_text(c.file)
                          : c.content;
   for (const std::string& setting : options.settings) {
     text += "\n# --set " + setting;

@@ -10,16 +10,17 @@
 #include <vector>
 
 #include "cli/choice.hpp"
-#include "cli/stream/file_name.hpp"
 #include "cli/interrupts.hpp"
 #include "cli/joint/key_settings.hpp"
 #include "cli/output.hpp"
 #include "cli/output_names.hpp"
 #include "cli/quantity.hpp"
 #include "cli/refuse.hpp"
+#include "cli/stream/file_name.hpp"
 #include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
 #include "programs/separation/long_run.hpp"
+#include "programs/separation/output/checkpoint.hpp"
 #include "programs/separation/output/compare.hpp"
 #include "programs/separation/output/events_table.hpp"
 #include "programs/separation/output/history_file.hpp"
@@ -43,19 +44,17 @@ constexpr std::array<cli::Choice<FrictionChoice>, 3> friction_choices = {
 
 // Every file that is written has a name of its own.
 cli::OutputNames names_of(const Options& o) {
-  cli::OutputNames inputs;
-  inputs.keep("CASE.toml", o.case_file);
-  cli::OutputNames names = names_of(o.output, inputs);
+  cli::OutputNames names = names_of(o.output);
   names.add("--history", o.history);
   names.add("--events", o.events);
   if (!o.checkpoint.empty()) {
-    for (const char* end : {"", ".rows1", ".rows2"}) {
-      names.add("--checkpoint", o.checkpoint + end);
+    // Read as well, by a run that goes on; replaces nothing but a checkpoint.
+    cli::Output::check(o.checkpoint);
+    for (const std::string& name : checkpoint_files(o.checkpoint)) {
+      names.keep("--checkpoint", name);
     }
   }
   for (const std::string& name : o.replays) names.add("--replay", name);
-  // To go on with the same checkpoint is as usual.
-  if (!cli::same_file(o.resume, o.checkpoint)) names.keep("--resume", o.resume);
   return names;
 }
 
@@ -63,7 +62,7 @@ void keep_pictures(const Options& o, const Case& c, cli::OutputNames names) {
   if (o.output.plot.empty()) return;
   for (const std::string& name :
        picture_names(c, !o.no_clearance, o.output.plot)) {
-    names.keep("--plot", name);
+    names.add("--plot", name);
   }
 }
 

@@ -6,11 +6,11 @@
 #include <filesystem>
 #include <optional>
 
-#include "cli/file_text.hpp"
 #include "cli/gnuplot.hpp"
 #include "cli/output.hpp"
 #include "cli/program.hpp"
 #include "libcontact/base/error.hpp"
+#include "libcontact/base/file_text.hpp"
 #include "programs/separation/replay/page.hpp"
 #include "programs/separation/warnings.hpp"
 #include "programs/study/findings/page.hpp"
@@ -57,7 +57,7 @@ std::optional<PageParts> parts_of_replays(const std::string& file) {
 // The nominal case, and what the run has instead.
 std::string case_text(const Study& study, const separation::Case& c,
                       std::uint64_t run) {
-  std::string text = cli::file_text(c.file);
+  std::string text = contact::detail::file_text(c.file);
   if (run == 0) return text;
   const auto& draws = study.design().draws();
   const std::vector<double> numbers = study.design().numbers(run);

@@ -8,12 +8,12 @@
 #include <filesystem>
 #include <memory>
 
-#include "cli/stream/file_name.hpp"
 #include "cli/interrupts.hpp"
 #include "cli/number.hpp"
 #include "cli/output.hpp"
 #include "cli/progress.hpp"
 #include "cli/refuse.hpp"
+#include "cli/stream/file_name.hpp"
 #include "cli/table.hpp"
 #include "programs/separation/output/history_file.hpp"
 #include "programs/study/findings/findings.hpp"
@@ -256,9 +256,7 @@ void check_outputs(const Options& o) {
   if (!o.report.empty() && !cli::is_page(o.report)) {
     cli::refuse("--report", o.report, "a name that ends in .html");
   }
-  cli::OutputNames inputs;
-  inputs.keep("STUDY.toml", o.file);
-  cli::OutputNames names = names_of(o.output, inputs);
+  cli::OutputNames names = names_of(o.output);
   names.add("--csv", o.csv);
   names.add("--hdf5", o.hdf5);
   names.add("--report", o.report);

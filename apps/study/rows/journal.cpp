@@ -12,6 +12,7 @@
 
 #include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
+#include "libcontact/base/file_text.hpp"
 #include "study/plan/draws.hpp"
 
 namespace study {
@@ -44,6 +45,7 @@ void Journal::fail_errno(const char* what) const {
 }
 
 void Journal::open(Use use) {
+  if (use == Use::read) contact::detail::tell_reading(path_);
   const int flags = use == Use::write ? O_RDWR | O_CREAT : O_RDONLY;
   file_ = ::open(path_.c_str(), flags | O_CLOEXEC, 0666);
   if (file_ < 0) fail_errno("cannot open");

@@ -429,4 +429,51 @@ TEST_F(RunsThatCannotGetOn, StopAtSignals) {
   }
 }
 
+// Two would remove each other's rows.
+TEST(Checkpoint, HasOneWriterAtATime) {
+  const ProgramFolder folder;
+  const std::string run =
+      "hinge-separation data/cases/slosh.toml --checkpoint-every 0.5 "
+      "--output /dev/null --checkpoint ";
+  const auto expect_locked_out = [&](const std::string& name) {
+    const ProgramResult refused = folder.run("flock c.cbor.lock " + run + name);
+    EXPECT_EQ(refused.status, 2);
+    EXPECT_EQ(refused.err, "hinge-separation: " + name +
+                               ": another program writes to this "
+                               "checkpoint\n");
+  };
+  expect_locked_out("c.cbor");
+  // What is left of a program that was killed locks nobody out.
+  EXPECT_EQ(folder.files(), std::vector<std::string>{"c.cbor.lock"});
+  EXPECT_EQ(folder.run(run + "c.cbor && rm c.cbor.lock").status, 0);
+  EXPECT_EQ(folder.run(run + "c.cbor && ln -s c.cbor link.cbor").status, 0);
+  EXPECT_FALSE(folder.has("c.cbor.lock"));
+  expect_locked_out("link.cbor");
+  // However they meet.
+  EXPECT_EQ(folder.run(run + "d.cbor & " + run + "d.cbor & wait").status, 0);
+  const ProgramResult resumed = folder.run(
+      "hinge-separation data/cases/slosh.toml --output o.json --resume d.cbor");
+  EXPECT_EQ(resumed.status, 0) << resumed.err;
+}
+
+TEST(Checkpoint, FilesOfOthersAreNotItsRows) {
+  const ProgramFolder folder;
+  const std::string run =
+      "hinge-separation data/cases/slosh.toml --checkpoint-every 5 "
+      "--output /dev/null --checkpoint c.cbor";
+  folder.write("c.cbor.rows1", "mine");
+  const ProgramResult refused = folder.run(run);
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_EQ(refused.err,
+            "hinge-separation: c.cbor.rows1: not the rows of a checkpoint of "
+            "hinge-separation\n");
+  EXPECT_EQ(folder.read("c.cbor.rows1"), "mine");
+  EXPECT_EQ(folder.files(), std::vector<std::string>{"c.cbor.rows1"});
+  // Rows that a program which was killed has begun.
+  for (const std::string begun : {"", "\xa2\x65no"}) {
+    folder.write("c.cbor.rows1", begun);
+    EXPECT_EQ(folder.run(run + " && rm c.cbor").status, 0);
+  }
+}
+
 }  // namespace

@@ -10,9 +10,9 @@
 #include <sstream>
 #include <utility>
 
-#include "cli/file_text.hpp"
 #include "cli/output.hpp"
 #include "libcontact/base/error.hpp"
+#include "libcontact/base/file_text.hpp"
 #include "separation/results/state_json.hpp"
 
 namespace separation {
@@ -28,7 +28,7 @@ void add(const json& from, Notes& notes) {
 
 // A checkpoint without its rows.
 json header_of(const std::string& file) {
-  return unpacked(cli::file_text(file), file);
+  return unpacked(contact::detail::file_text(file), file);
 }
 
 // The file of a checkpoint's rows has the checkpoint's own name, so that both
@@ -43,9 +43,30 @@ std::string rows_of(const std::string& file) {
   return rows_name(file, header_of(file).at("rows").at("number"));
 }
 
+// Refuses a file of somebody else. What a run that was killed has left there
+// may be replaced: of its first block perhaps the beginning alone.
+void check_rows(const std::string& name) {
+  namespace fs = std::filesystem;
+  // An object of two in CBOR, of which "notes" comes first.
+  constexpr std::string_view beginning = "\xa2\x65notes";
+  std::error_code ignored;
+  const fs::file_status status = fs::status(name, ignored);
+  if (!fs::exists(status)) return;
+  std::string there(beginning.size(), '\0');
+  if (fs::is_regular_file(status)) {
+    std::ifstream stream(name, std::ios::binary);
+    stream.read(there.data(), static_cast<std::streamsize>(there.size()));
+    there.resize(static_cast<std::size_t>(stream.gcount()));
+  }
+  if (beginning.starts_with(there)) return;
+  throw contact::Error(fmt::format(
+      "{}: not the rows of a checkpoint of hinge-separation", name));
+}
+
 std::string text_of_rows(const std::string& name, const std::string& file) {
+  contact::detail::tell_reading(name);  // what it complains of is no bad copy
   try {
-    return cli::file_text(name);
+    return contact::detail::file_text(name);
   } catch (const contact::Error& error) {
     throw contact::Error(fmt::format(
         "{}; it has the rows of {}: the two are copied and renamed together",
@@ -79,14 +100,21 @@ void add_rows(const std::string& file, const json& header,
 
 }  // namespace
 
+std::vector<std::string> checkpoint_files(const std::string& file) {
+  return {file, rows_name(file, 1), rows_name(file, 2),
+          CheckpointLock::file_of(file)};
+}
+
 CheckpointWriter::CheckpointWriter(std::string file, std::string identity,
                                    double every)
     : file_(std::move(file)),
+      lock_(file_),
       identity_(std::move(identity)),
       every_(every),
       old_rows_(rows_of(file_)),
       number_(old_rows_ == rows_name(file_, 1) ? 2 : 1),
       rows_(rows_name(file_, number_)) {
+  check_rows(rows_);
   stream_.open(rows_, std::ios::binary | std::ios::trunc);
   if (!stream_) {
     throw contact::Error(
@@ -144,7 +172,7 @@ void CheckpointWriter::write(const SimulationState& simulation,
                     {"blocks", blocks_},
                     {"bytes", bytes_},
                     {"sum", sum_.checksum()}}}};
-  cli::Output output(file_);
+  cli::Output output(file_, cli::Output::Renews::what_was_read);
   output.write(packed(j));
   output.commit();
   written_ = true;

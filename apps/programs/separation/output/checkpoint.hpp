@@ -3,7 +3,9 @@
 #include <boost/crc.hpp>
 #include <fstream>
 #include <string>
+#include <vector>
 
+#include "programs/separation/output/checkpoint_lock.hpp"
 #include "separation/results/run.hpp"
 
 namespace separation {
@@ -14,6 +16,9 @@ struct Checkpoint {
   RunState state;
 };
 
+/// All files that a checkpoint may be made of while it is written.
+std::vector<std::string> checkpoint_files(const std::string& file);
+
 /// The checkpoint of a run, renewed on its way.
 ///
 /// FILE has what the run needs to go on; it is replaced as a whole. Rows and
@@ -22,12 +27,13 @@ struct Checkpoint {
 /// FILE says which of the two it is and how much of it counts, with a check
 /// sum; another check sum is that of FILE. A new run takes the name that the
 /// checkpoint of an earlier one does not use, so that there is a whole
-/// checkpoint at any time.
+/// checkpoint at any time. One program writes a checkpoint at a time.
 class CheckpointWriter {
  public:
   /// @param identity  of the run: what the case file says, joints and options
-  /// @throws contact::Error if the files cannot be made, or FILE is there and
-  ///   is no checkpoint, of another version or damaged
+  /// @throws contact::Error if the files cannot be made, if FILE is there and
+  ///   is no checkpoint, of another version or damaged, if a file has the name
+  ///   of its rows that is none, or if another program writes it
   CheckpointWriter(std::string file, std::string identity, double every);
   /// Removes its rows if nothing refers to them.
   ~CheckpointWriter();
@@ -42,6 +48,7 @@ class CheckpointWriter {
   void append(const Recorder::Memory& memory, double time);
 
   std::string file_;
+  CheckpointLock lock_;
   std::string identity_;
   double every_;
   std::string old_rows_;  // of an earlier run, until the first write()

@@ -4,10 +4,10 @@
 #include <filesystem>
 #include <sstream>
 
-#include "cli/file_text.hpp"
 #include "cli/html/markup.hpp"
 #include "cli/html/page_files.hpp"
 #include "cli/refuse.hpp"
+#include "libcontact/base/file_text.hpp"
 #include "programs/separation/replay/page_data.hpp"
 #include "programs/separation/replay/page_files.hpp"
 
@@ -24,7 +24,7 @@ std::string find_script(const std::string& wanted, const std::string& name) {
         std::filesystem::path(folder) / "javascript" / name;
     std::error_code ignored;
     if (std::filesystem::exists(path, ignored)) {
-      return cli::file_text(path.string());
+      return contact::detail::file_text(path.string());
     }
   }
   cli::refuse_without(wanted, "three.js and dygraphs (" + name +
