@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <numbers>
 #include <string>
 #include <thread>
@@ -202,6 +203,77 @@ TEST_F(BallStudy, FailedRunsAreMisses) {
   EXPECT_EQ(findings.failed, failed);
   EXPECT_GE(findings.requirements[0].misses, failed);
   EXPECT_EQ(findings.requirements[0].answer, study::Answer::not_met);
+  // More than a tenth of them: the 90 % percentile is one of them.
+  EXPECT_TRUE(std::isinf(findings.requirements[0].percentile.value));
+}
+
+class FailingRuns : public StudyFolder {
+ protected:
+  // Of 200 runs, so many of which fail, with one requirement.
+  study::Findings findings(std::size_t failing, const std::string& limit,
+                           const std::string& success) const {
+    std::string text = ball_text.substr(0, ball_text.find("[[requirement]]"));
+    text.replace(text.find("runs = 40"), 9, "runs = 200");
+    const Study study(
+        write("s.toml", text + "[[requirement]]\nquantity = 'R_n_N'\n" + limit +
+                            "\nsuccess = " + success +
+                            "\n[[dispersion]]\nkey = 'load.reaction_N'\n"
+                            "kind = 'uniform'\nlow = 1e5\nhigh = 2e5\n"));
+    Journal journal(path("j" + limit + success + std::to_string(failing)),
+                    study.identity(), study.columns().size(),
+                    Journal::Use::write);
+    for (std::uint64_t run = 0; run <= study.runs(); ++run) {
+      Row row = study.row(run);
+      if (run != 0 && run <= failing) {
+        row.failure = "it failed";
+        std::fill(row.numbers.begin() + 1, row.numbers.end(), std::nan(""));
+      }
+      journal.append(row);
+    }
+    return study::find(study, journal);
+  }
+};
+
+TEST_F(FailingRuns, AreAtTheBadEndOfPercentiles) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const auto most = findings(188, "at_most = 1e9", "0.5");
+  EXPECT_EQ(most.requirements[0].missing, 188u);
+  EXPECT_EQ(most.requirements[0].answer, study::Answer::not_met);
+  EXPECT_EQ(most.requirements[0].percentile.value, infinity);
+  EXPECT_EQ(most.requirements[0].percentile.low, infinity);
+  EXPECT_EQ(most.requirements[0].percentile.high, infinity);
+  const auto least = findings(188, "at_least = 1", "0.5");
+  EXPECT_EQ(least.requirements[0].percentile.value, -infinity);
+  EXPECT_EQ(least.requirements[0].percentile.high, -infinity);
+  // A few of them: the bounds are other order statistics of what is left.
+  const auto none = findings(0, "at_most = 1e9", "0.9");
+  const auto few = findings(5, "at_most = 1e9", "0.9");
+  EXPECT_GT(few.requirements[0].percentile.value,
+            none.requirements[0].percentile.value);
+  EXPECT_GE(*few.requirements[0].percentile.low,
+            *none.requirements[0].percentile.low);
+  EXPECT_GT(*few.requirements[0].percentile.high,
+            *none.requirements[0].percentile.high);
+  EXPECT_LT(*few.requirements[0].percentile.high, infinity);
+  // More than 10 % of all: there is an estimate, but no upper bound.
+  const auto tenth = findings(18, "at_most = 1e9", "0.9");
+  EXPECT_LT(tenth.requirements[0].percentile.value, infinity);
+  EXPECT_EQ(tenth.requirements[0].percentile.high, infinity);
+}
+
+// Where a run without the number is, is not known: at one end or the other.
+TEST_F(FailingRuns, WidenPercentilesOfNumbersWithoutALimit) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const auto whole = findings(0, "at_most = 1e9", "0.9").quantities[0];
+  EXPECT_EQ(whole.median.low, whole.median.high);
+  const auto some = findings(30, "at_most = 1e9", "0.9").quantities[0];
+  EXPECT_EQ(some.missing, 30u);
+  EXPECT_EQ(some.p5.low, -infinity);
+  EXPECT_LT(some.p5.high, infinity);
+  EXPECT_GT(some.p95.low, -infinity);
+  EXPECT_EQ(some.p95.high, infinity);
+  EXPECT_LT(some.median.low, whole.median.low);
+  EXPECT_GT(some.median.high, whole.median.high);
 }
 
 TEST_F(BallStudy, OnlyRandomRunsHaveAVerdict) {

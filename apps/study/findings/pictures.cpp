@@ -53,8 +53,9 @@ Classes classes_of(const std::vector<double>& sorted) {
   return classes;
 }
 
-// A line across the picture.
+// A line across the picture; none at infinity.
 std::string upright(double x, int style, int dash, const std::string& label) {
+  if (std::isinf(x)) return {};
   return fmt::format(
       ", '+' using ({0}):($0 > 0 ? top : 0) every 2 with lines lw 2 lt {1} "
       "dt {2} title {3}",
@@ -84,8 +85,11 @@ std::string histogram(const Study& study, const Journal& journal,
   script += fmt::format(
       "top = {}\nset samples 3\nset yrange [0:*]\nset style fill solid 0.5\n"
       "set key above\n"
-      "plot $counts using 1:2:({}) with boxes lt 1 lw 0.5 title '{} runs'",
-      1.05 * top, cli::number_text(classes.width), values.size());
+      "plot $counts using 1:2:({}) with boxes lt 1 lw 0.5 title '{} runs{}'",
+      1.05 * top, cli::number_text(classes.width), values.size(),
+      judgement.missing == 0
+          ? ""
+          : fmt::format(", {} have no number", judgement.missing));
   script += upright(requirement.limit, 2, 1, "limit");
   const Percentile& p = judgement.percentile;
   const std::string share = fmt::format("{:.6g} %", 100 * judgement.share);

@@ -15,9 +15,19 @@ using nlohmann::ordered_json;
 
 constexpr int digits = 4;
 
-std::string number(double value) { return cli::rounded_text(value, digits); }
+// A percentile is infinite where it is one of the runs without a number.
+std::string number(double value) {
+  return std::isinf(value) ? "no number" : cli::rounded_text(value, digits);
+}
 std::string number(const std::optional<double>& value) {
   return value ? number(*value) : "-";
+}
+std::string number(const Range& range) {
+  if (range.low == range.high) return number(range.low);
+  if (std::isinf(range.low) && std::isinf(range.high)) return "-";
+  if (std::isinf(range.low)) return "at most " + number(range.high);
+  if (std::isinf(range.high)) return "at least " + number(range.low);
+  return number(range.low) + " to " + number(range.high);
 }
 std::string percent(double share) {
   return fmt::format("{:.6g} %", 100 * share);
@@ -25,10 +35,15 @@ std::string percent(double share) {
 std::string about(double share) { return fmt::format("{:.3g} %", 100 * share); }
 
 ordered_json json(double value) {
-  return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr);
+  if (std::isinf(value)) return value > 0 ? "inf" : "-inf";
+  return std::isnan(value) ? ordered_json(nullptr) : ordered_json(value);
 }
 ordered_json json(const std::optional<double>& value) {
   return value ? json(*value) : ordered_json(nullptr);
+}
+ordered_json json(const Range& range) {
+  if (range.low == range.high) return json(range.low);
+  return {json(range.low), json(range.high)};
 }
 
 const char* to_string(Answer answer) {
@@ -171,7 +186,8 @@ ordered_json requirement_json(const Requirement& r, const Judgement& j) {
                       {r.at_least ? "at_least" : "at_most", r.limit},
                       {"success", r.demand.success},
                       {"risk", r.demand.risk},
-                      {"misses", j.misses}};
+                      {"misses", j.misses},
+                      {"missing", j.missing}};
   out["verdict"] = j.answer ? ordered_json(to_string(*j.answer)) : nullptr;
   if (j.answer) {
     out["miss_probability"] = {j.miss_probability.low, j.miss_probability.high};

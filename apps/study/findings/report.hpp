@@ -8,7 +8,8 @@
 
 namespace study {
 
-/// What a study says, for programs; NaN is null.
+/// What a study says, for programs; NaN is null, infinity the text "inf" or
+/// "-inf".
 nlohmann::ordered_json to_json(const Study& study, const Findings& findings);
 
 using Cells = std::vector<std::string>;
