@@ -243,12 +243,7 @@ std::string Study::identity() const {
     text += dispersion.content;
   }
   for (const std::string& name : columns()) text += name + '\n';
-  text += fmt::format("{} {}", static_cast<int>(plan_.sampling), plan_.seed);
-  // Cells of a Latin hypercube are as many as runs.
-  if (plan_.sampling == Sampling::latin_hypercube) {
-    text += fmt::format(" {}", plan_.runs);
-  }
-  return text;
+  return text + design_->identity();
 }
 
 }  // namespace study

@@ -142,8 +142,8 @@ std::vector<Driven> find_drivers(const Study& study, const Journal& journal) {
     output_ranks.push_back(ranks(numbers));
     result.push_back({outputs[o].name, {}, regressions[o].solve(), {}});
     if (study.plan().sampling == Sampling::saltelli) {
-      result.back().sobol =
-          sobol_indices(numbers, study.design().sources().size());
+      result.back().sobol = sobol_indices(
+          numbers, study.design().sources().size(), Design::shifts);
     }
   }
   for (std::size_t i = 0; i < study.inputs(); ++i) {

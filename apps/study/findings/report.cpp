@@ -127,6 +127,17 @@ Part quantities_part(const Study& study, const Findings& findings) {
   return part;
 }
 
+// The error with two digits, and the value to the same place.
+std::string with_error(double value, double error) {
+  constexpr int most = 6;
+  const int decimals =
+      error > 0
+          ? std::clamp(1 - static_cast<int>(std::floor(std::log10(error))), 0,
+                       most)
+          : most;
+  return fmt::format("{0:.{2}f} +- {1:.{2}f}", value, error, decimals);
+}
+
 // The strongest first.
 Part drivers_part(const Study& study, const Driven& driven) {
   constexpr std::size_t shown = 10;
@@ -142,9 +153,6 @@ Part drivers_part(const Study& study, const Driven& driven) {
   } else {
     for (std::size_t i = 0; i < driven.sobol.size(); ++i) {
       const SobolIndex& s = driven.sobol[i];
-      const auto with_error = [](double value, double error) {
-        return fmt::format("{:.3f} +- {:.3f}", value, error);
-      };
       rows.push_back(
           {std::isnan(s.total) ? 0 : s.total,
            {study.design().sources()[i], with_error(s.first, s.first_error),
