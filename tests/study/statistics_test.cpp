@@ -321,6 +321,7 @@ study::Plan plan_of(study::Sampling sampling, std::uint64_t runs,
                                 .relative = false,
                                 .each = false,
                                 .quantile = [](double u) { return u; },
+                                .distribution = {},
                                 .shares = {},
                                 .content = {},
                                 .table = table});
@@ -428,6 +429,23 @@ TEST(Drivers, SobolErrorsAreAsLargeAsTheySay) {
       }
     }
   }
+}
+
+// Runs that failed take their group with them.
+TEST(Drivers, SobolIndicesWithoutSomeGroups) {
+  std::vector<double> outputs;
+  for (int i = 0; i < 16 * 3; ++i) {
+    outputs.push_back(Stream(1, "f").uniform(static_cast<std::uint64_t>(i)));
+  }
+  // All of shift 2, and one group of shift 5.
+  std::vector<double> some = outputs;
+  for (const int group : {2, 10, 13}) some[group * 3 + 1] = std::nan("");
+  EXPECT_GT(study::sobol_indices(some, 1, 8)[0].first_error, 0);
+  // One shift has no spread.
+  for (int group = 0; group < 16; ++group) {
+    if (group % 8 != 3) some[group * 3] = std::nan("");
+  }
+  EXPECT_TRUE(std::isnan(study::sobol_indices(some, 1, 8)[0].first));
 }
 
 TEST(Design, ALatinHypercubeHasOneRunInEachCell) {

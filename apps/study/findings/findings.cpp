@@ -158,6 +158,10 @@ std::vector<Driven> find_drivers(const Study& study, const Journal& journal) {
 
 }  // namespace
 
+std::size_t count_driven(const Study& study) {
+  return outputs_of(study).size();
+}
+
 std::vector<double> column(const Study& study, const Journal& journal,
                            const std::function<double(const Row&)>& number) {
   std::vector<double> values(study.runs(), nan);
@@ -193,7 +197,13 @@ Findings find(const Study& study, const Journal& journal) {
                [place](const Row& row) { return row.numbers[place]; })));
   }
   findings.driven = find_drivers(study, journal);
-  findings.idle = study.idle_keys();
+  // Steps of the integrator that become others move a number by less.
+  constexpr double notable_share = 1e-4;
+  std::vector<double> notable;
+  for (const Scatter& s : findings.quantities) {
+    notable.push_back(notable_share * s.deviation);
+  }
+  findings.idle = study.idle_keys(notable);
   return findings;
 }
 

@@ -75,6 +75,9 @@ struct Findings {
 std::vector<double> column(const Study& study, const Journal& journal,
                            const std::function<double(const Row&)>& number);
 
+/// Numbers that are asked what drives them.
+std::size_t count_driven(const Study& study);
+
 /// Reads the journal a column at a time.
 Findings find(const Study& study, const Journal& journal);
 

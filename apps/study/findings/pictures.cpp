@@ -186,6 +186,21 @@ std::vector<Picture> pictures_of(const Study& study, const Findings& findings,
   return pictures;
 }
 
+std::vector<std::string> picture_files(const Study& study,
+                                       const std::string& file) {
+  std::vector<std::string> files;
+  for (std::size_t i = 1; i <= study.plan().requirements.size(); ++i) {
+    files.push_back(named(file, fmt::format("{}", i)));
+  }
+  for (std::size_t i = 1; i <= count_driven(study); ++i) {
+    files.push_back(named(file, fmt::format("ranking_{}", i)));
+  }
+  if (study.plan().joint_file.empty()) {
+    for (const char* name : envelope_names) files.push_back(named(file, name));
+  }
+  return files;
+}
+
 std::string draw(const std::vector<Picture>& pictures,
                  const std::string& file) {
   std::string problem;

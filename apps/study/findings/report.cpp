@@ -250,7 +250,8 @@ ordered_json to_json(const Study& study, const Findings& findings) {
       {"requirements", ordered_json::array()},
       {"quantities", ordered_json::array()},
       {"drivers", ordered_json::array()},
-      {"keys_without_effect", findings.idle}};
+      {"keys_without_effect", findings.idle},
+      {"warnings_of_nominal_run", study.warnings()}};
   for (std::size_t i = 0; i < plan.requirements.size(); ++i) {
     j["requirements"].push_back(
         requirement_json(plan.requirements[i], findings.requirements[i]));
@@ -273,6 +274,30 @@ ordered_json to_json(const Study& study, const Findings& findings) {
   return j;
 }
 
+std::vector<Part> inputs_of(const Study& study) {
+  const Plan& plan = study.plan();
+  Part part{.heading = "Inputs",
+            .header = {"key", "what is drawn", "distribution", "factors"}};
+  for (const Dispersion& d : plan.dispersions) {
+    std::vector<std::string> factors;
+    for (const auto& [factor, loading] : d.shares) {
+      factors.push_back(fmt::format("{} {}", plan.factors[factor],
+                                    cli::number_text(loading)));
+    }
+    part.rows.push_back(
+        {d.key,
+         fmt::format("{}{}", d.relative ? "factor of its number" : "number",
+                     d.each ? ", for each copy" : ""),
+         d.distribution, fmt::format("{}", fmt::join(factors, ", "))});
+  }
+  std::vector<Part> parts = {std::move(part)};
+  if (!plan.factors.empty()) {
+    parts.push_back({.text = fmt::format("Factors, standard normal numbers: {}",
+                                         fmt::join(plan.factors, ", "))});
+  }
+  return parts;
+}
+
 std::vector<Part> parts_of(const Study& study, const Findings& findings) {
   const Plan& plan = study.plan();
   std::vector<Part> parts;
@@ -285,6 +310,9 @@ std::vector<Part> parts_of(const Study& study, const Findings& findings) {
   if (findings.failed > 0) {
     parts.push_back({.text = "The first failure: " + findings.first_failure});
   }
+  for (const std::string& warning : study.warnings()) {
+    parts.push_back({.text = "Warning of the nominal run: " + warning});
+  }
   if (!plan.requirements.empty()) add_requirements(study, findings, parts);
   parts.push_back(quantities_part(study, findings));
   for (std::size_t i = 0; i < findings.driven.size(); ++i) {
@@ -293,7 +321,8 @@ std::vector<Part> parts_of(const Study& study, const Findings& findings) {
     if (i == 0) parts.back().heading = "Drivers";
   }
   for (std::size_t i = 0; i < findings.idle.size(); ++i) {
-    parts.push_back({.text = "No effect on any number: " + findings.idle[i]});
+    parts.push_back(
+        {.text = "No effect on any number of the study: " + findings.idle[i]});
     if (i == 0) parts.back().heading = "Keys without effect";
   }
   for (std::size_t i = 0; i < findings.requirements.size(); ++i) {

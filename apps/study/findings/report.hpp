@@ -24,6 +24,9 @@ struct Part {
   std::vector<std::uint64_t> runs = {};    ///< that the rows are of
 };
 
+/// What scatters and how, for people.
+std::vector<Part> inputs_of(const Study& study);
+
 /// What a study says, for people.
 std::vector<Part> parts_of(const Study& study, const Findings& findings);
 
