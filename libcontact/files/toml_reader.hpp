@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "libcontact/base/error.hpp"
 #include "libcontact/files/dimension.hpp"
 
 /// Checked reading of TOML files: every key is declared, has a type, a unit in
@@ -58,6 +59,13 @@ struct KeySetting {
 };
 using KeySettings = std::vector<KeySetting>;
 
+/// Two settings of one key, be it under two names: "KEY = VALUE conflicts with
+/// OTHER".
+class RepeatedSetting : public Error {
+ public:
+  using Error::Error;
+};
+
 class TomlFiles;
 
 /// One table of a TOML file. A cheap handle; the file lives as long as any of
@@ -70,7 +78,8 @@ class TomlTable {
   /// Reads a file whose keys are among these. Throws Error if it cannot be
   /// read, is not TOML or has another key, with the first one and the nearest
   /// that is known: it may be why something else is missing.
-  /// @param settings  made before anything is looked at
+  /// @param settings  made before anything is looked at, each of another key;
+  ///   throws RepeatedSetting
   static TomlTable from_file(const std::filesystem::path& path, KnownKeys keys,
                              const KeySettings& settings = {});
   /// Reads a text.
