@@ -86,7 +86,7 @@ std::string replay_of(const Study& study, std::uint64_t run,
 std::string study_text(const Plan& plan) {
   std::error_code ignored;
   return std::filesystem::is_regular_file(plan.path, ignored)
-             ? cli::file_text(plan.path.string())
+             ? contact::detail::file_text(plan.path.string())
              : plan.file.toml_text();
 }
 
