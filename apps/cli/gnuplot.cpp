@@ -7,7 +7,6 @@
 #include <array>
 #include <cerrno>
 #include <cstdio>
-#include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <iterator>
@@ -49,8 +48,11 @@ const Kind* kind_of(std::string_view file) {
   return nullptr;
 }
 
+// Whether a command that says nothing succeeds. std::system() would have SIGINT
+// ignored for that long.
 bool shell(const std::string& command) {
-  return std::system(command.c_str()) == 0;
+  std::FILE* const pipe = ::popen(command.c_str(), "r");
+  return pipe != nullptr && ::pclose(pipe) == 0;
 }
 
 std::string why_not(const Kind& kind) {

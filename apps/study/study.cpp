@@ -47,6 +47,36 @@ bool is_peak(const std::string& quantity) {
 bool is_clearance(const std::string& quantity) {
   return quantity.starts_with("clearance.");
 }
+// What a driven carrier has of energy is not of the motion's.
+bool is_energy(const std::string& quantity) {
+  return quantity.starts_with("energy.");
+}
+
+// "velocity_m_per_s" of BODY.at_release.velocity_m_per_s[2].
+std::string_view kind_of(std::string_view quantity) {
+  quantity.remove_prefix(quantity.rfind('.') + 1);
+  return quantity.substr(0, quantity.find('['));
+}
+
+// Why the nominal run has not all that a name with or without `*` may stand
+// for.
+std::vector<std::string> reasons(const std::vector<Unreached>& unreached,
+                                 std::string_view pattern) {
+  std::vector<std::string> result;
+  for (const auto& [name, why] : unreached) {
+    std::string whole = name;
+    if (name.ends_with('.')) {
+      // BODY.at_release. and what the pattern has behind that.
+      const std::string_view part =
+          std::string_view(name).substr(name.rfind('.', name.size() - 2));
+      const auto at = pattern.rfind(part);
+      if (at == pattern.npos) continue;
+      whole += pattern.substr(at + part.size());
+    }
+    if (matches(pattern, whole)) result.push_back(why);
+  }
+  return result;
+}
 
 }  // namespace
 
@@ -58,7 +88,8 @@ Study::Study(const std::filesystem::path& file, const PlanChanges& changes)
   }
   design_ = std::make_unique<Design>(plan_, copies);
   check_draws();
-  nominal_ = model_->run({{}}, {}, {});
+  refuse_repeated_keys();
+  nominal_ = model_->run({{}}, {.remarks = true}, {});
   if (!nominal_.failure.empty()) {
     throw Error("the nominal run failed: " + nominal_.failure);
   }
@@ -79,14 +110,51 @@ void Study::check_draws() const {
   }
 }
 
+// One key under two names is found out when both are set.
+void Study::refuse_repeated_keys() const {
+  const auto is_repeated = [this](const Model::Settings& settings) {
+    try {
+      model_->check(settings);
+    } catch (const contact::RepeatedSetting&) {
+      return true;
+    } catch (const Error&) {
+      // Draws that only together make no case are the failure of a run.
+    }
+    return false;
+  };
+  const std::size_t count = plan_.dispersions.size();
+  const auto middle = [this](std::size_t i) {
+    return setting_of(i, rounded(plan_.dispersions[i].quantile(0.5)));
+  };
+  contact::KeySettings all;
+  for (std::size_t i = 0; i < count; ++i) all.push_back(middle(i));
+  if (!is_repeated({all})) return;
+  for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t other = 0; other < i; ++other) {
+      if (!is_repeated({{all[other], all[i]}})) continue;
+      plan_.dispersions[i].table.must_be(
+          "key", fmt::format("another key than \"{}\", by whatever name",
+                             plan_.dispersions[other].key));
+    }
+  }
+}
+
 std::vector<std::string> Study::matching(const std::string& pattern,
                                          const contact::TomlTable& table,
-                                         const char* key) const {
+                                         const char* key) {
   std::vector<std::string> found;
   std::vector<std::string> all;
   for (const auto& [name, value] : nominal_.numbers) {
     all.push_back(name);
     if (matches(pattern, name)) found.push_back(name);
+  }
+  const auto unreached = reasons(nominal_.unreached, pattern);
+  if (found.empty() && !unreached.empty()) {
+    table.fail(key, unreached[0] + " in the nominal run");
+  }
+  for (const std::string& why : unreached) {
+    nominal_.warnings.push_back(
+        fmt::format("\"{}\" is without what is not reached: {}", pattern, why));
   }
   if (!found.empty()) return found;
   // All of them would fill a page.
@@ -105,8 +173,16 @@ void Study::find_quantities() {
   };
   for (const Requirement& requirement : plan_.requirements) {
     std::vector<std::size_t>& places = required_.emplace_back();
-    for (const std::string& name :
-         matching(requirement.quantity, requirement.table, "quantity")) {
+    const auto names =
+        matching(requirement.quantity, requirement.table, "quantity");
+    for (const std::string& name : names) {
+      if (requirement.quantity.ends_with('*') &&
+          kind_of(name) != kind_of(names[0])) {
+        requirement.table.must_be(
+            "quantity", fmt::format("a name of one kind of number, not of {} "
+                                    "and {}",
+                                    names[0], name));
+      }
       places.push_back(place(name));
     }
   }
@@ -149,23 +225,25 @@ Model::Settings Study::settings_of(const std::vector<double>& numbers) const {
     for (std::size_t i = 0; i < numbers.size(); ++i) {
       const Draw& draw = design_->draws()[i];
       if (draw.copy != 0 && draw.copy != reading) continue;
-      const Dispersion& dispersion = plan_.dispersions[draw.dispersion];
       settings[static_cast<std::size_t>(reading - 1)].push_back(
-          {dispersion.key,
-           fmt::format("{}{}", dispersion.relative ? "*" : "", numbers[i])});
+          setting_of(draw.dispersion, numbers[i]));
     }
   }
   return settings;
 }
 
+contact::KeySetting Study::setting_of(std::size_t dispersion,
+                                      double number) const {
+  const Dispersion& d = plan_.dispersions[dispersion];
+  return {d.key, fmt::format("{}{}", d.relative ? "*" : "", number)};
+}
+
 // One key alone, of all copies alike.
 Model::Settings Study::settings_of(std::size_t dispersion,
                                    double number) const {
-  const Dispersion& d = plan_.dispersions[dispersion];
-  const contact::KeySettings one = {
-      {d.key, fmt::format("{}{}", d.relative ? "*" : "", number)}};
-  const int copies = std::max(1, model_->copies(d));
-  return Model::Settings(static_cast<std::size_t>(copies), one);
+  const int copies = std::max(1, model_->copies(plan_.dispersions[dispersion]));
+  return Model::Settings(static_cast<std::size_t>(copies),
+                         {setting_of(dispersion, number)});
 }
 
 Row Study::row(std::uint64_t run,
@@ -205,34 +283,33 @@ separation::Case Study::case_of(std::uint64_t run) const {
                                  : settings_of(design_->numbers(run)));
 }
 
-namespace {
-
-// What a driven carrier has of energy is not of the motion's.
-bool same_but_energy(std::map<std::string, double> a,
-                     std::map<std::string, double> b) {
-  for (auto* numbers : {&a, &b}) {
-    std::erase_if(*numbers, [](const auto& number) {
-      return number.first.starts_with("energy.");
-    });
+bool Study::has_effect(std::size_t dispersion, double u,
+                       const std::vector<double>& notable) const {
+  const double number = plan_.dispersions[dispersion].quantile(u);
+  const Result result = model_->run(settings_of(dispersion, number), {}, {});
+  if (!result.failure.empty()) return true;
+  for (std::size_t i = 0; i < quantities_.size(); ++i) {
+    const std::string& name = quantities_[i];
+    if (is_energy(name)) continue;
+    const auto found = result.numbers.find(name);
+    if (found == result.numbers.end()) return true;
+    const double change = found->second - nominal_.numbers.at(name);
+    if (!(std::abs(change) <= notable[i])) return true;
   }
-  return a == b;
+  return false;
 }
 
-}  // namespace
-
-std::vector<std::string> Study::idle_keys() const {
+std::vector<std::string> Study::idle_keys(
+    const std::vector<double>& notable) const {
+  std::vector<std::string> idle;
+  // Of nothing, every key would be one.
+  if (std::ranges::all_of(quantities_, is_energy)) return idle;
   // One of them may be the nominal value.
   constexpr double probes[] = {0.8413, 0.25};
-  std::vector<std::string> idle;
   for (std::size_t i = 0; i < plan_.dispersions.size(); ++i) {
-    const Dispersion& dispersion = plan_.dispersions[i];
-    const bool acts = std::ranges::any_of(probes, [&](double u) {
-      const Result result =
-          model_->run(settings_of(i, dispersion.quantile(u)), {}, {});
-      return !result.failure.empty() ||
-             !same_but_energy(result.numbers, nominal_.numbers);
-    });
-    if (!acts) idle.push_back(dispersion.key);
+    const bool acts = std::ranges::any_of(
+        probes, [&](double u) { return has_effect(i, u, notable); });
+    if (!acts) idle.push_back(plan_.dispersions[i].key);
   }
   return idle;
 }
@@ -243,12 +320,7 @@ std::string Study::identity() const {
     text += dispersion.content;
   }
   for (const std::string& name : columns()) text += name + '\n';
-  text += fmt::format("{} {}", static_cast<int>(plan_.sampling), plan_.seed);
-  // Cells of a Latin hypercube are as many as runs.
-  if (plan_.sampling == Sampling::latin_hypercube) {
-    text += fmt::format(" {}", plan_.runs);
-  }
-  return text;
+  return text + design_->identity();
 }
 
 }  // namespace study

@@ -44,6 +44,9 @@ class Study {
   const std::map<std::string, double>& nominal() const {
     return nominal_.numbers;
   }
+  /// What the nominal run came to and was hardly meant, and what names with
+  /// `*` leave out as it does not reach it.
+  const std::vector<std::string>& warnings() const { return nominal_.warnings; }
   /// What a requirement looks at, of a row's quantities the worst.
   double value_of(std::size_t requirement, const Row& row) const;
 
@@ -53,20 +56,26 @@ class Study {
   /// The case of a run, for its history; throws Error of a joint.
   separation::Case case_of(std::uint64_t run) const;
 
-  /// Keys that, given another value, change no number of the summary, the
+  /// Keys that, given another value, change none of the quantities, the
   /// energies aside.
-  std::vector<std::string> idle_keys() const;
+  /// @param notable  changes of each quantity that count: of those below them
+  ///   the steps of the integrator may be the reason
+  std::vector<std::string> idle_keys(const std::vector<double>& notable) const;
   /// Whatever its rows depend on.
   std::string identity() const;
 
  private:
   Model::Settings settings_of(const std::vector<double>& numbers) const;
   Model::Settings settings_of(std::size_t dispersion, double number) const;
+  contact::KeySetting setting_of(std::size_t dispersion, double number) const;
   void check_draws() const;
+  void refuse_repeated_keys() const;
+  bool has_effect(std::size_t dispersion, double u,
+                  const std::vector<double>& notable) const;
   void find_quantities();
   std::vector<std::string> matching(const std::string& pattern,
                                     const contact::TomlTable& table,
-                                    const char* key) const;
+                                    const char* key);
 
   Plan plan_;
   std::unique_ptr<Model> model_;

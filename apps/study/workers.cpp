@@ -3,7 +3,8 @@
 #include <atomic>
 #include <exception>
 #include <mutex>
-#include <thread>
+
+#include "cli/stream/threads.hpp"
 
 namespace study {
 
@@ -29,11 +30,7 @@ void compute(const Study& study, const std::vector<std::uint64_t>& runs,
       if (!failure) failure = std::current_exception();
     }
   };
-  {
-    std::vector<std::jthread> threads;
-    for (int i = 1; i < jobs; ++i) threads.emplace_back(work);
-    work();
-  }
+  cli::in_threads(jobs, work);
   if (failure) std::rethrow_exception(failure);
 }
 

@@ -54,28 +54,40 @@ toml::node* element(toml::node* array, std::string_view which) {
   return index ? array->as_array()->get(*index - 1) : nullptr;
 }
 
-// Of an array of tables, by number or name; null if there is none.
-toml::table* table_among(toml::array& tables, std::string_view which) {
-  if (number_of<std::size_t>(which)) {
-    toml::node* node = element(&tables, which);
-    return node == nullptr ? nullptr : node->as_table();
+// The place in an array of tables, from 1, that a number or a name calls; 0 if
+// no table has that name.
+std::size_t place_among(const toml::array& tables, std::string_view which) {
+  if (const auto number = number_of<std::size_t>(which)) return *number;
+  for (std::size_t i = 0; i < tables.size(); ++i) {
+    const toml::table* table = tables[i].as_table();
+    if (table != nullptr && (*table)["name"] == which) return i + 1;
   }
-  for (toml::node& node : tables) {
-    toml::table* table = node.as_table();
-    if (table != nullptr && (*table)["name"] == which) return table;
-  }
-  return nullptr;
+  return 0;
 }
 
 // The table that a step leads to, made if it is not there; null if something
 // else is.
-toml::table* table_at(toml::table& from, const Step& step) {
+struct Inner {
+  toml::table* table;
+  std::size_t place;  // in its array, from 1; 0: in none
+};
+Inner table_at(toml::table& from, const Step& step) {
   if (step.which.empty()) {
-    return from.insert(step.name, toml::table{}).first->second.as_table();
+    return {from.insert(step.name, toml::table{}).first->second.as_table(), 0};
   }
   toml::node* node = from.get(step.name);
   toml::array* array = node == nullptr ? nullptr : node->as_array();
-  return array == nullptr ? nullptr : table_among(*array, step.which);
+  if (array == nullptr) return {nullptr, 0};
+  const std::size_t place = place_among(*array, step.which);
+  toml::node* found = array->get(place - 1);
+  return {found == nullptr ? nullptr : found->as_table(), place};
+}
+
+// What is the same for all names of a step.
+std::string place_text(const KnownKey* key, const Step& step,
+                       std::size_t place) {
+  const std::string_view name = key == nullptr ? step.name : key->key;
+  return place == 0 ? std::string(name) : message("{}[{}]", name, place);
 }
 
 // Whether a key that a table does not have is left to a file that it names.
@@ -172,8 +184,8 @@ bool put(toml::table& table, const Step& leaf, const KnownKeys* keys,
 
 }  // namespace
 
-KeyOfFile set_key(toml::table& file, const KnownKeys& keys,
-                  const KeySetting& setting) {
+KeyPlace set_key(toml::table& file, const KnownKeys& keys,
+                 const KeySetting& setting) {
   const std::string text =
       message("{} = {}", printable(setting.key), printable(setting.value));
   const auto refuse = [&] {
@@ -187,23 +199,31 @@ KeyOfFile set_key(toml::table& file, const KnownKeys& keys,
   toml::table* table = &file;
   const KnownKeys* in = &keys;
   std::string_view rest = setting.key;
+  std::string place;
   for (auto dot = rest.find('.'); dot != rest.npos; dot = rest.find('.')) {
     const Step step = step_of(rest.substr(0, dot));
-    if (is_of_file(*table, in, step.name)) return {table, std::string(rest)};
+    if (is_of_file(*table, in, step.name)) {
+      return {table, std::string(rest), {}};
+    }
     const KnownKey* next = known(in, step.name);
-    const bool is_value = next != nullptr && next->inside.empty();
-    table = is_value ? nullptr : table_at(*table, step);
-    if (table == nullptr) refuse();
+    if (next != nullptr && next->inside.empty()) refuse();
+    const Inner inner = table_at(*table, step);
+    if (inner.table == nullptr) refuse();
+    table = inner.table;
+    place += place_text(next, step, inner.place) + '.';
     in = next == nullptr ? nullptr : &next->inside;
     rest.remove_prefix(dot + 1);
   }
-  if (is_of_file(*table, in, rest)) return {table, std::string(rest)};
+  if (is_of_file(*table, in, rest)) return {table, std::string(rest), {}};
   if (rest.empty() || has_control_characters(setting.value) ||
       setting.value.find("'''") != setting.value.npos) {
     refuse();
   }
-  if (!put(*table, step_of(rest), in, setting.value, text)) refuse();
-  return {nullptr, {}};
+  const Step leaf = step_of(rest);
+  if (!put(*table, leaf, in, setting.value, text)) refuse();
+  place += place_text(known(in, leaf.name), leaf,
+                      number_of<std::size_t>(leaf.which).value_or(0));
+  return {nullptr, {}, place};
 }
 
 }  // namespace contact::detail

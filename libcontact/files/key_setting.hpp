@@ -7,17 +7,21 @@
 
 namespace contact::detail {
 
-/// A key of a file that a table names.
-struct KeyOfFile {
+/// Where a setting belongs.
+struct KeyPlace {
+  /// A table that names a file to which the key is left; null: it is made.
   const toml::table* table;
-  std::string key;
+  /// The key of that file.
+  std::string rest;
+  /// One text for all names of a key: tables and places of arrays by their
+  /// numbers, without a unit.
+  std::string place;
 };
 
 /// Gives a key of a file another value, as KeySetting says. Tables that are
 /// missing are made; keys that are not known are left for others to refuse.
 /// Throws Error "KEY = VALUE must be ..." if it leads to no table.
-/// @return the key that is left to another file; without a table if none is
-KeyOfFile set_key(toml::table& file, const KnownKeys& keys,
-                  const KeySetting& setting);
+KeyPlace set_key(toml::table& file, const KnownKeys& keys,
+                 const KeySetting& setting);
 
 }  // namespace contact::detail

@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "libcontact/base/error.hpp"
+
 namespace contact {
 
 /// A key of a file that is given another value: as `wall.layer[1].thickness_mm`
@@ -16,5 +18,12 @@ struct KeySetting {
   std::string value;  ///< as in TOML; a text may stand without quotes
 };
 using KeySettings = std::vector<KeySetting>;
+
+/// Two settings of one key, be it under two names: "KEY = VALUE conflicts with
+/// OTHER".
+class RepeatedSetting : public Error {
+ public:
+  using Error::Error;
+};
 
 }  // namespace contact

@@ -185,11 +185,18 @@ TomlTable TomlTable::of(Parsed parsed, const std::string& source,
   const auto file = std::make_shared<File>(
       File{source, std::move(folder), std::move(parsed.keys),
            std::move(parsed.root), std::move(cache)});
+  std::map<std::string, std::string> keys;  // by their places
   for (const KeySetting& setting : settings) {
-    const auto [table, rest] =
+    const auto [table, rest, place] =
         detail::set_key(file->root, *file->keys, setting);
     if (table != nullptr) {
       file->for_files[table].push_back({rest, setting.value});
+    } else if (const auto [other, is_new] = keys.emplace(place, setting.key);
+               !is_new) {
+      throw RepeatedSetting(detail::conflicts(
+          detail::message("{} = {}", detail::printable(setting.key),
+                          detail::printable(setting.value)),
+          detail::printable(other->second)));
     }
   }
   file->refuse({});

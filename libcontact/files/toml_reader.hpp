@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "libcontact/base/error.hpp"
 #include "libcontact/files/dimension.hpp"
 #include "libcontact/files/setting.hpp"
 
@@ -59,7 +60,8 @@ class TomlTable {
   /// Reads a file whose keys are among these. Throws Error if it cannot be
   /// read, is not TOML or has another key, with the first one and the nearest
   /// that is known: it may be why something else is missing.
-  /// @param settings  made before anything is looked at
+  /// @param settings  made before anything is looked at, each of another key;
+  ///   throws RepeatedSetting
   static TomlTable from_file(const std::filesystem::path& path, KnownKeys keys,
                              const KeySettings& settings = {});
   /// Reads a text.

@@ -577,6 +577,43 @@ TEST(TomlTable, SettingsOfElementsAndFactors) {
             "x = *2 requires a number, or numbers, to multiply");
 }
 
+// The later of two settings of one key would do what the earlier is said to.
+TEST_F(JointFolder, OneKeyIsSetOnce) {
+  write("b.toml", "x_mm = 1\n[[c]]\nname = \"d\"\ny = 3\nz = [1, 2]\n");
+  const auto inner = +[] {
+    return contact::KnownKeys{
+        {"x", Dimension::length},
+        contact::table_key("c", {{"name"}, {"y"}, {"z"}})};
+  };
+  write("a.toml", "[[t]]\nname = \"one\"\nb = \"b.toml\"\n");
+  const auto outer = +[] {
+    return contact::KnownKeys{contact::table_key(
+        "t", {{"name"},
+              {.key = "b",
+               .of_file = {{"x", Dimension::length},
+                           contact::table_key("c", {{"y"}, {"z"}})}}})};
+  };
+  const auto message = [&](const contact::KeySettings& settings) {
+    return error_message([&] {
+      contact::TomlTable::from_file(folder_ / "a.toml", outer(), settings)
+          .tables("t")[0]
+          .file("b", inner);
+    });
+  };
+  EXPECT_EQ(message({{"t[1].x_mm", "2"}, {"t[one].c[1].y", "4"}}),
+            "(no error)");
+  EXPECT_EQ(message({{"t[1].c[1].z", "*2"}, {"t[1].c[1].z[1]", "4"}}),
+            "(no error)");
+  EXPECT_EQ(message({{"t[1].x_mm", "2"}, {"t[one].x_m", "4"}}),
+            "x_m = 4 conflicts with x_mm");
+  EXPECT_EQ(message({{"t[1].c[d].y", "2"}, {"t[one].c[1].y", "4"}}),
+            "c[1].y = 4 conflicts with c[d].y");
+  EXPECT_EQ(message({{"t[1].c[1].z[2]", "2"}, {"t[one].c[d].z[2]", "4"}}),
+            "c[d].z[2] = 4 conflicts with c[1].z[2]");
+  EXPECT_EQ(message({{"t[1].name", "a"}, {"t[1].name", "b"}}),
+            "t[1].name = b conflicts with t[1].name");
+}
+
 // A file is parsed once: what becomes of it later is not seen.
 TEST_F(JointFolder, AreParsedOnceAndReadWithSettings) {
   write("a.toml", "b = \"b.toml\"\n");

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <numbers>
 #include <string>
 #include <thread>
@@ -160,6 +161,10 @@ TEST_F(BallStudy, WhatDoesNotFitIsNamed) {
             "static_coefficient, dynamic_coefficient, stribeck_velocity, "
             "reference_pressure, exponent, pressures, "
             "speeds_over_pressure, coefficients, curve)");
+  EXPECT_EQ(message("quantity = 'M_t_N_m'", "quantity = '*'"),
+            "s.toml:7: requirement[1].quantity = \"*\" must be a name of one "
+            "kind of number, not of M_t_N_m and R_n_N");
+  EXPECT_EQ(message("load.reaction_N", "load.reaction_kN"), "(no error)");
   EXPECT_EQ(message("kind = 'uniform'\n", "kind = 'uniform'\neach = true\n"),
             "s.toml:13: dispersion[1].each = true requires a case with bodies "
             "that have a pattern");
@@ -167,13 +172,14 @@ TEST_F(BallStudy, WhatDoesNotFitIsNamed) {
 
 // Programs warn of it, but no number depends on what a material bears.
 TEST_F(BallStudy, KeysWithoutEffectAreNamed) {
-  EXPECT_EQ(Study(ball()).idle_keys(), std::vector<std::string>{});
+  const std::vector<double> any(2, 0.0);
+  EXPECT_EQ(Study(ball()).idle_keys(any), std::vector<std::string>{});
   const std::string key = "materials.outer.limit_pressure_MPa";
   const std::string file =
       ball("[[dispersion]]", "[[dispersion]]\nkey = '" + key +
                                  "'\nkind = 'uniform'\nlow = 100\n"
                                  "high = 200\n[[dispersion]]");
-  EXPECT_EQ(Study(file).idle_keys(), std::vector<std::string>{key});
+  EXPECT_EQ(Study(file).idle_keys(any), std::vector<std::string>{key});
 }
 
 // A run that fails is a row with its reason and a miss.
@@ -202,6 +208,77 @@ TEST_F(BallStudy, FailedRunsAreMisses) {
   EXPECT_EQ(findings.failed, failed);
   EXPECT_GE(findings.requirements[0].misses, failed);
   EXPECT_EQ(findings.requirements[0].answer, study::Answer::not_met);
+  // More than a tenth of them: the 90 % percentile is one of them.
+  EXPECT_TRUE(std::isinf(findings.requirements[0].percentile.value));
+}
+
+class FailingRuns : public StudyFolder {
+ protected:
+  // Of 200 runs, so many of which fail, with one requirement.
+  study::Findings findings(std::size_t failing, const std::string& limit,
+                           const std::string& success) const {
+    std::string text = ball_text.substr(0, ball_text.find("[[requirement]]"));
+    text.replace(text.find("runs = 40"), 9, "runs = 200");
+    const Study study(
+        write("s.toml", text + "[[requirement]]\nquantity = 'R_n_N'\n" + limit +
+                            "\nsuccess = " + success +
+                            "\n[[dispersion]]\nkey = 'load.reaction_N'\n"
+                            "kind = 'uniform'\nlow = 1e5\nhigh = 2e5\n"));
+    Journal journal(path("j" + limit + success + std::to_string(failing)),
+                    study.identity(), study.columns().size(),
+                    Journal::Use::write);
+    for (std::uint64_t run = 0; run <= study.runs(); ++run) {
+      Row row = study.row(run);
+      if (run != 0 && run <= failing) {
+        row.failure = "it failed";
+        std::fill(row.numbers.begin() + 1, row.numbers.end(), std::nan(""));
+      }
+      journal.append(row);
+    }
+    return study::find(study, journal);
+  }
+};
+
+TEST_F(FailingRuns, AreAtTheBadEndOfPercentiles) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const auto most = findings(188, "at_most = 1e9", "0.5");
+  EXPECT_EQ(most.requirements[0].missing, 188u);
+  EXPECT_EQ(most.requirements[0].answer, study::Answer::not_met);
+  EXPECT_EQ(most.requirements[0].percentile.value, infinity);
+  EXPECT_EQ(most.requirements[0].percentile.low, infinity);
+  EXPECT_EQ(most.requirements[0].percentile.high, infinity);
+  const auto least = findings(188, "at_least = 1", "0.5");
+  EXPECT_EQ(least.requirements[0].percentile.value, -infinity);
+  EXPECT_EQ(least.requirements[0].percentile.high, -infinity);
+  // A few of them: the bounds are other order statistics of what is left.
+  const auto none = findings(0, "at_most = 1e9", "0.9");
+  const auto few = findings(5, "at_most = 1e9", "0.9");
+  EXPECT_GT(few.requirements[0].percentile.value,
+            none.requirements[0].percentile.value);
+  EXPECT_GE(*few.requirements[0].percentile.low,
+            *none.requirements[0].percentile.low);
+  EXPECT_GT(*few.requirements[0].percentile.high,
+            *none.requirements[0].percentile.high);
+  EXPECT_LT(*few.requirements[0].percentile.high, infinity);
+  // More than 10 % of all: there is an estimate, but no upper bound.
+  const auto tenth = findings(18, "at_most = 1e9", "0.9");
+  EXPECT_LT(tenth.requirements[0].percentile.value, infinity);
+  EXPECT_EQ(tenth.requirements[0].percentile.high, infinity);
+}
+
+// Where a run without the number is, is not known: at one end or the other.
+TEST_F(FailingRuns, WidenPercentilesOfNumbersWithoutALimit) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const auto whole = findings(0, "at_most = 1e9", "0.9").quantities[0];
+  EXPECT_EQ(whole.median.low, whole.median.high);
+  const auto some = findings(30, "at_most = 1e9", "0.9").quantities[0];
+  EXPECT_EQ(some.missing, 30u);
+  EXPECT_EQ(some.p5.low, -infinity);
+  EXPECT_LT(some.p5.high, infinity);
+  EXPECT_GT(some.p95.low, -infinity);
+  EXPECT_EQ(some.p95.high, infinity);
+  EXPECT_LT(some.median.low, whole.median.low);
+  EXPECT_GT(some.median.high, whole.median.high);
 }
 
 TEST_F(BallStudy, OnlyRandomRunsHaveAVerdict) {
@@ -270,14 +347,108 @@ TEST_F(StudyFolder, ADrivenCarriersMassHasNoEffect) {
         "start = { rate_deg_per_s = 30 }\n");
   const std::string text =
       "name = 's'\ncase = 'c.toml'\nruns = 3\n"
+      "quantities = 'b.peak_reaction_N'\n"
       "[[dispersion]]\nkey = 'carrier.mass_kg'\nkind = 'uniform'\n"
       "low = 4\nhigh = 6\n"
       "[[dispersion]]\nkey = 'body[b].mass_kg'\nkind = 'uniform'\n"
       "low = 1\nhigh = 2\n";
   const Study study(write("s.toml", text));
-  EXPECT_EQ(study.idle_keys(), std::vector<std::string>{"carrier.mass_kg"});
+  EXPECT_EQ(study.idle_keys({0, 0}),
+            std::vector<std::string>{"carrier.mass_kg"});
 }
 
+// An arm on a spring, and another body that turns fast: its inertia changes the
+// steps of the integrator, and by them the arm's last digits.
+const std::string arm_case =
+    "name = 'c'\nrun = { end_time_s = 1 }\n"
+    "[carrier]\nname = 'a'\nmass_kg = 50\n"
+    "principal_inertia_kg_m2 = [10, 10, 10]\n"
+    "[[body]]\nname = 'arm'\nmass_kg = 1\ncom_m = [0.5, 0, 0]\n"
+    "principal_inertia_kg_m2 = [1, 1, 1]\n"
+    "hinge = { kind = 'axis', axis = [0, 0, 1] }\n"
+    "start = { rate_deg_per_s = 30 }\n"
+    "[[body]]\nname = 'other'\nmass_kg = 3\n"
+    "principal_inertia_kg_m2 = [1, 2, 2.5]\n"
+    "start = { position_m = [5, 0, 0], "
+    "angular_velocity_deg_per_s = [1000, 2000, 30] }\n"
+    "[[force]]\nname = 's'\nkind = 'spring'\nbody = 'arm'\n"
+    "point_m = [1, 0, 0]\ncarrier_point_m = [0, 1, 0]\n"
+    "stiffness_N_per_m = 50\nfree_length_m = 0.5\n"
+    "[[event]]\nname = 'release'\nbodies = 'arm'\nangle_deg = 300\n"
+    "breaks = 'hinge'\n";
+
+std::string dispersion(const std::string& key, double low, double high) {
+  return "[[dispersion]]\nkey = '" + key +
+         "'\nkind = 'uniform'\nlow = " + std::to_string(low) +
+         "\nhigh = " + std::to_string(high) + "\n";
+}
+
+TEST_F(StudyFolder, StepsThatBecomeOthersAreNoEffect) {
+  write("c.toml", arm_case);
+  const std::string inertia = "body[other].principal_inertia_kg_m2[2]";
+  const Study study(write("s.toml",
+                          "name = 's'\ncase = 'c.toml'\nruns = 10\n"
+                          "quantities = 'arm.peak_reaction_N'\n" +
+                              dispersion(inertia, 1.9, 2.1) +
+                              dispersion("body[arm].mass_kg", 0.9, 1.1)));
+  ASSERT_EQ(study.idle_keys({0, 0}).size(), 0u);
+  Journal journal(path("j"), study.identity(), study.columns().size(),
+                  Journal::Use::write);
+  for (std::uint64_t run = 0; run <= 10; ++run) journal.append(study.row(run));
+  EXPECT_EQ(study::find(study, journal).idle,
+            std::vector<std::string>{inertia});
+}
+
+TEST_F(StudyFolder, OneKeyUnderTwoNamesIsRefused) {
+  write("c.toml", arm_case);
+  const auto message = [&](const std::string& one, const std::string& two) {
+    const std::string name =
+        write("s.toml", "name = 's'\ncase = 'c.toml'\nruns = 3\n" +
+                            dispersion(one, 1, 1.1) + dispersion(two, 1, 1.1));
+    const std::string text = error_message([&] { const Study study(name); });
+    return text.starts_with(name) ? text.substr(name.size()) : text;
+  };
+  EXPECT_EQ(message("body[arm].mass_kg", "body[1].mass_kg"),
+            ":10: dispersion[2].key = \"body[1].mass_kg\" must be another key "
+            "than \"body[arm].mass_kg\", by whatever name");
+  EXPECT_EQ(message("body[1].mass_kg", "body[1].mass_t"),
+            ":10: dispersion[2].key = \"body[1].mass_t\" must be another key "
+            "than \"body[1].mass_kg\", by whatever name");
+  EXPECT_EQ(message("body[1].mass_kg", "body[2].mass_kg"), "(no error)");
+}
+
+// A release or an event that the nominal run does not come to.
+TEST_F(StudyFolder, WhatTheNominalRunDoesNotReachIsSaid) {
+  write("c.toml", arm_case);
+  const auto message = [&](const std::string& quantity) {
+    const std::string name =
+        write("s.toml",
+              "name = 's'\ncase = 'c.toml'\nruns = 3\n[[requirement]]\n"
+              "quantity = '" +
+                  quantity + "'\nat_most = 1\nsuccess = 0.9\n" +
+                  dispersion("body[arm].mass_kg", 1, 1.1));
+    const std::string text = error_message([&] { const Study study(name); });
+    return text.starts_with(name) ? text.substr(name.size()) : text;
+  };
+  const std::string place = ":5: requirement[1].quantity = \"";
+  for (const std::string name :
+       {"arm.at_release.rate_deg_per_s", "*.at_release.rate_deg_per_s",
+        "a*.at_release.velocity_m_per_s[*"}) {
+    EXPECT_EQ(message(name),
+              place + name + "\": arm is not released in the nominal run");
+  }
+  EXPECT_EQ(message("event.release.arm.time_s"),
+            place +
+                "event.release.arm.time_s\": event \"release\" does not "
+                "come for arm in the nominal run");
+  EXPECT_NE(message("other.at_release.rate_deg_per_s").find("unknown quantity"),
+            std::string::npos);
+  EXPECT_EQ(message("*"),
+            place +
+                "*\" must be a name of one kind of number, not of "
+                "arm.peak_reaction_N and arm.peak_reaction_time_s");
+  EXPECT_EQ(message("arm.*_N"), "(no error)");
+}
 // Keys that change neither geometry nor materials leave the laws as they are.
 TEST_F(StudyFolder, LawsAreSharedWithTheNominalCase) {
   const study::Plan plan = study::read_plan(

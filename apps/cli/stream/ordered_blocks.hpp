@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <exception>
 #include <mutex>
-#include <thread>
-#include <vector>
+
+#include "cli/stream/threads.hpp"
 
 namespace cli {
 
@@ -56,11 +56,7 @@ void ordered_blocks(int jobs, const Next& next, const Work& work,
       turn.notify_all();
     }
   };
-  {
-    std::vector<std::jthread> threads;
-    for (int i = 1; i < jobs; ++i) threads.emplace_back(run);
-    run();
-  }
+  in_threads(jobs, run);
   if (failure) std::rethrow_exception(failure);
 }
 

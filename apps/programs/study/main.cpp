@@ -39,9 +39,12 @@ Examples:
 )";
 
 constexpr std::string_view exit_status_help =
-    "Exit status: 0 all computed, whatever the verdicts; 1 a run or a picture\n"
-    "failed and the rest is there; 2 bad option or file, no result; 130, 143:\n"
-    "stopped by SIGINT, SIGTERM; the rows so far are in the journal.\n";
+    "Exit status: 0 all computed, whatever the verdicts; 1 a run, a picture "
+    "or\n"
+    "the report failed and the rest is there; 2 bad option or file, no "
+    "result;\n"
+    "130, 143: stopped by SIGINT, SIGTERM; the rows so far are in the "
+    "journal.\n";
 
 void add_options(CLI::App& app, Options& options) {
   constexpr int most = std::numeric_limits<int>::max();

@@ -82,12 +82,21 @@ std::string replay_of(const Study& study, std::uint64_t run,
   return separation::replay_page(replay, parts).text;
 }
 
+// As it was written, but of a pipe, which is at its end.
+std::string study_text(const Plan& plan) {
+  std::error_code ignored;
+  return std::filesystem::is_regular_file(plan.path, ignored)
+             ? contact::detail::file_text(plan.path.string())
+             : plan.file.toml_text();
+}
+
 }  // namespace
 
 bool write_report(const Study& study, const Findings& findings,
                   const std::vector<Picture>& pictures,
-                  const std::string& command, const std::string& file) {
-  PageExtras extras{drawn(pictures, file), {}};
+                  const std::string& command, const std::string& file,
+                  cli::OutputNames& names) {
+  PageExtras extras{drawn(pictures, file), {}, study_text(study.plan())};
   std::optional<PageParts> parts;
   if (study.plan().joint_file.empty() && !findings.requirements.empty()) {
     parts = parts_of_replays(file);
@@ -100,6 +109,7 @@ bool write_report(const Study& study, const Findings& findings,
       name.replace_filename(fmt::format("{}_run{}{}", name.stem().string(),
                                         worst.run, name.extension().string()));
       try {
+        names.keep("--report", name.string());
         write_file(name.string(), replay_of(study, worst.run, *parts));
         extras.replays[worst.run] = name.filename().string();
       } catch (const std::exception& error) {
@@ -108,7 +118,12 @@ bool write_report(const Study& study, const Findings& findings,
       }
     }
   }
-  write_file(file, report_page(study, findings, command, extras));
+  try {
+    write_file(file, report_page(study, findings, command, extras));
+  } catch (const contact::Error& error) {
+    warn(fmt::format("no report: {}", error.what()));
+    good = false;
+  }
   return good;
 }
 

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "cli/output_names.hpp"
 #include "programs/study/findings/findings.hpp"
 #include "programs/study/findings/pictures.hpp"
 
@@ -11,9 +12,12 @@ namespace study {
 /// worst run, FILE_runN.html. What draws them may be missing: the page has
 /// tables alone then, and a warning says so.
 /// @param command  that begins the one for a single run
-/// @return false if a replay could not be written, of which it warns
+/// @param names  of all files, of which a replay may not be another
+/// @return false if the page or a replay could not be written, of which it
+///   warns
 bool write_report(const Study& study, const Findings& findings,
                   const std::vector<Picture>& pictures,
-                  const std::string& command, const std::string& file);
+                  const std::string& command, const std::string& file,
+                  cli::OutputNames& names);
 
 }  // namespace study

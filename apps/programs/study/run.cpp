@@ -196,17 +196,25 @@ void take_rows(const Journal& from, const Study& study, Journal& to) {
   }
 }
 
-void compute_missing(const Study& study, const Range& range, int jobs,
-                     const cli::Interrupts& interrupts, Journal& journal) {
+// Of a range, the rows that no journal has. A signal ends this between rows;
+// later it ends the program as it would any other.
+cli::ExitStatus compute_missing(const Options& o, const Study& study,
+                                const Range& range, Journal& journal) {
   std::vector<std::uint64_t> missing;
   for (std::uint64_t run = range.first; run <= range.last; ++run) {
     if (!journal.has(run)) missing.push_back(run);
   }
+  const cli::Interrupts interrupts;
   Pace pace(missing.size());
   compute(
-      study, missing, jobs, journal,
+      study, missing, o.output.jobs, journal,
       [&] { return interrupts.signal() == 0 ? "" : "a signal"; },
       [&] { pace.add(); });
+  if (interrupts.signal() == 0) return cli::all_good;
+  cli::warn(program, fmt::format("stopped: {} rows are in {}; the same "
+                                 "command goes on",
+                                 journal.size(), journal_of(o)));
+  return interrupts.signal() == SIGINT ? cli::interrupted : cli::terminated;
 }
 
 void write_results(const Options& o, const Study& study,
@@ -224,35 +232,29 @@ void write_results(const Options& o, const Study& study,
   text.commit();
 }
 
-cli::ExitStatus run_study(const Options& o, const Study& study) {
+cli::ExitStatus run_study(const Options& o, const Study& study,
+                          cli::OutputNames& names) {
   const Range range = range_of(o, study);
   const auto parts = parts_of(o, study);
   Journal journal(journal_of(o), study.identity(), study.columns().size(),
                   Journal::Use::write);
-  const cli::Interrupts interrupts;
   for (const auto& part : parts) take_rows(*part, study, journal);
-  compute_missing(study, range, o.output.jobs, interrupts, journal);
-  if (interrupts.signal() != 0) {
-    cli::warn(program, fmt::format("stopped: {} rows are in {}; the same "
-                                   "command goes on",
-                                   journal.size(), journal_of(o)));
-    return interrupts.signal() == SIGINT ? cli::interrupted : cli::terminated;
-  }
-  if (!o.rows.empty()) return cli::all_good;
+  cli::ExitStatus status = compute_missing(o, study, range, journal);
+  if (status != cli::all_good || !o.rows.empty()) return status;
   const Findings findings = find(study, journal);
   write_results(o, study, findings, journal);
-  cli::ExitStatus status = findings.failed > 0 ? cli::some_bad : cli::all_good;
+  if (findings.failed > 0) status = cli::some_bad;
   if (o.output.plot.empty() && o.report.empty()) return status;
   const std::vector<Picture> pictures = pictures_of(study, findings, journal);
-  if (!o.report.empty() &&
-      !write_report(study, findings, pictures, command_of(o), o.report)) {
+  if (!o.report.empty() && !write_report(study, findings, pictures,
+                                         command_of(o), o.report, names)) {
     status = cli::some_bad;
   }
   if (o.output.plot.empty()) return status;
   return cli::drawn(program, draw(pictures, o.output.plot), status);
 }
 
-void check_outputs(const Options& o) {
+cli::OutputNames check_outputs(const Options& o) {
   if (!o.report.empty() && !cli::is_page(o.report)) {
     cli::refuse("--report", o.report, "a name that ends in .html");
   }
@@ -262,18 +264,33 @@ void check_outputs(const Options& o) {
   names.add("--report", o.report);
   names.add("--history", o.history);
   names.keep("--journal", journal_of(o));
+  return names;
+}
+
+// Of the nominal run, which these are about.
+void say_warnings(const Study& study) {
+  for (const std::string& warning : study.warnings()) {
+    cli::warn(program, "nominal run: " + warning);
+  }
 }
 
 }  // namespace
 
 cli::ExitStatus run(const Options& o) {
-  check_outputs(o);
+  cli::OutputNames names = check_outputs(o);
   const Study study(o.file, changes_of(o));
-  if (o.quantities) return list_quantities(o, study);
-  if (o.check) return check(o, study);
+  if (!o.output.plot.empty()) {
+    for (const std::string& file : picture_files(study, o.output.plot)) {
+      names.keep("--plot", file);
+    }
+  }
   if (o.parts > 0) return list_parts(o, study);
   if (o.run) return repeat(o, study);
-  return run_study(o, study);
+  // Parts of a study leave them to the whole.
+  if (o.rows.empty()) say_warnings(study);
+  if (o.quantities) return list_quantities(o, study);
+  if (o.check) return check(o, study);
+  return run_study(o, study, names);
 }
 
 }  // namespace study

@@ -1,11 +1,14 @@
 #include "study/model/joint_model.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 
 #include "libcontact/base/units.hpp"
 #include "libcontact/files/joint_tables.hpp"
 #include "libcontact/joint/joint.hpp"
+#include "libcontact/pressure/validity.hpp"
 
 namespace study {
 
@@ -56,7 +59,7 @@ void JointModel::check(const Settings& settings) const {
   read(settings[0], laws);
 }
 
-Result JointModel::run(const Settings& settings, const Effort& /*effort*/,
+Result JointModel::run(const Settings& settings, const Effort& effort,
                        const std::function<std::string()>& /*stop*/) const {
   contact::SharedLaws laws = laws_;
   const Loaded loaded = read(settings[0], laws);
@@ -70,6 +73,14 @@ Result JointModel::run(const Settings& settings, const Effort& /*effort*/,
                 : "the solution did not converge",
             {}};
   }
+  std::vector<std::string> warnings;
+  if (effort.remarks) {
+    const contact::JointContact& contact = loaded.joint.contact();
+    warnings = contact.validity_notes();
+    std::ranges::move(contact_notes(contact.geometry().kind(), contact.pair(),
+                                    s.half_angle, s.peak_pressure),
+                      std::back_inserter(warnings));
+  }
   const double moment = s.friction_moment.norm();
   const double radius = loaded.joint.contact().geometry().radius();
   return {{},
@@ -78,7 +89,9 @@ Result JointModel::run(const Settings& settings, const Effort& /*effort*/,
            {"f_M", moment / (radius * loaded.reaction)},
            {"p_peak_Pa", s.peak_pressure},
            {"theta0_deg", s.half_angle / contact::degree},
-           {"power_W", s.power}}};
+           {"power_W", s.power}},
+          {},
+          std::move(warnings)};
 }
 
 std::string JointModel::identity() const {

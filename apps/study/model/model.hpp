@@ -11,16 +11,25 @@
 
 namespace study {
 
+/// Numbers that a run has not.
+struct Unreached {
+  std::string name;  ///< or "BODY.at_release." of all that begin so
+  std::string why;   ///< "BODY is not released"
+};
+
 /// What came of a run: numbers by their names, or why it failed.
 struct Result {
   std::string failure;
   std::map<std::string, double> numbers;
+  std::vector<Unreached> unreached = {};   ///< of Effort::remarks
+  std::vector<std::string> warnings = {};  ///< of Effort::remarks
 };
 
 /// What is looked at on the way.
 struct Effort {
   bool peaks = true;
   bool clearance = true;
+  bool remarks = false;  ///< what came of it and was hardly meant
 };
 
 /// What a study runs again and again, from several threads at once.

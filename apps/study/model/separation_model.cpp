@@ -10,6 +10,7 @@
 
 #include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
+#include "programs/separation/warnings.hpp"
 #include "separation/case/case_keys.hpp"
 #include "separation/case/case_reader.hpp"
 #include "separation/case/identity.hpp"
@@ -76,16 +77,18 @@ void add_bodies(const ordered_json& bodies, std::map<std::string, double>& to) {
   }
 }
 
+std::string event_time(const std::string& event, const std::string& body) {
+  return fmt::format("event.{}.{}.time_s", column_name(event),
+                     column_name(body));
+}
+
 void add_events(const Case& c, const separation::Outcome& outcome,
                 std::map<std::string, double>& to) {
   for (std::size_t e = 0; e < c.events.size(); ++e) {
     for (const int body : c.events[e].bodies) {
       const double time = outcome.history.events[e][body];
       if (time == separation::History::not_yet) continue;
-      to.emplace(
-          fmt::format("event.{}.{}.time_s", column_name(c.events[e].name),
-                      column_name(c.bodies[body].rigid.name)),
-          time);
+      to.emplace(event_time(c.events[e].name, c.bodies[body].rigid.name), time);
     }
   }
 }
@@ -108,6 +111,36 @@ void add_clearance(const Case& c, const separation::Outcome& outcome,
   if (smallest != separation::History::not_yet) {
     to.emplace("clearance.smallest_m", smallest);
   }
+}
+
+std::vector<Unreached> unreached(const Case& c,
+                                 const separation::Outcome& outcome) {
+  std::vector<Unreached> result;
+  for (std::size_t b = 0; b < c.bodies.size(); ++b) {
+    const std::string& name = c.bodies[b].rigid.name;
+    if (c.bodies[b].hinge.kind == multibody::HingeKind::none ||
+        outcome.memory.bodies[b].release.time != separation::History::not_yet) {
+      continue;
+    }
+    result.push_back({column_name(name) + ".at_release.",
+                      fmt::format("{} is not released", name)});
+  }
+  for (const auto& [event, bodies] : separation::missed_events(c, outcome)) {
+    for (const std::string& body : bodies) {
+      result.push_back(
+          {event_time(event, body),
+           fmt::format("event \"{}\" does not come for {}", event, body)});
+    }
+  }
+  return result;
+}
+
+std::vector<std::string> warnings_of(const Case& c,
+                                     const separation::Outcome& outcome) {
+  separation::Warnings warnings(false);
+  warn_of_joints(c, warnings);
+  warn_of_run(c, outcome, warnings);
+  return warnings.texts();
 }
 
 }  // namespace
@@ -197,7 +230,12 @@ Result SeparationModel::run(const Settings& settings, const Effort& effort,
   options.only_events = !effort.peaks && !effort.clearance;
   if (stop) options.stop = [&stop](long) { return stop(); };
   const separation::Outcome outcome = separation::run_case(c, options);
-  return {outcome.failure, numbers_of(c, outcome)};
+  Result result{outcome.failure, numbers_of(c, outcome)};
+  if (effort.remarks) {
+    result.unreached = unreached(c, outcome);
+    result.warnings = warnings_of(c, outcome);
+  }
+  return result;
 }
 
 std::string SeparationModel::identity() const {

@@ -30,28 +30,51 @@ Design::Design(const Plan& plan, const std::vector<int>& copies) : plan_(plan) {
     if (hashes.insert(hash_of(source)).second) continue;
     throw contact::Error("two keys have the same numbers: " + source);
   }
-  if (plan.sampling == Sampling::saltelli && plan.runs % group() != 0) {
+  if (plan.sampling == Sampling::saltelli &&
+      plan.runs % (shifts * group()) != 0) {
     throw contact::Error(contact::detail::must_be(
         fmt::format("runs = {} with sampling = \"saltelli\"", plan.runs),
-        fmt::format("a multiple of {}: 2 and one for each of {} inputs",
-                    group(), sources_.size())));
+        fmt::format("a multiple of {}: {} shifts of 2 runs and one for each "
+                    "of {} inputs",
+                    shifts * group(), shifts, sources_.size())));
   }
 }
 
-// Coordinates of a point of the sequence, scrambled by shifts of their digits.
-std::vector<double> Design::sobol(std::uint64_t point, std::size_t from) const {
-  const bool two = plan_.sampling == Sampling::saltelli;
-  boost::random::sobol engine((two ? 2 : 1) * sources_.size());
-  engine.discard(point * (two ? 2 : 1) * sources_.size() + from);
+// Coordinates of a point of the sequence, scrambled by shifts of their digits:
+// half of them where the sequence has two for each source.
+std::vector<double> Design::sobol(std::uint64_t point, Half half,
+                                  std::uint64_t shift) const {
+  const std::size_t count = sources_.size();
+  const std::size_t size =
+      plan_.sampling == Sampling::saltelli ? 2 * count : count;
+  const std::size_t from = half == Half::a ? 0 : count;
+  boost::random::sobol engine(size);
+  // Boost leaves out the origin, without which 2^k points are not even.
+  if (point > 0) engine.discard((point - 1) * size + from);
   std::vector<double> result;
   for (const Stream& stream : streams_) {
-    result.push_back(uniform_of(engine() ^ stream.bits(from)));
+    const std::uint64_t digits = point > 0 ? engine() : 0;
+    const std::uint64_t counter = 2 * shift + (half == Half::a ? 0 : 1);
+    result.push_back(uniform_of(digits ^ stream.bits(counter)));
+  }
+  return result;
+}
+
+// Groups are dealt out to the shifts one by one, so that more runs leave the
+// first ones.
+std::vector<double> Design::saltelli(std::uint64_t run) const {
+  const std::uint64_t shift = (run - 1) / group() % shifts;
+  const std::uint64_t point = (run - 1) / group() / shifts;
+  const std::size_t place = (run - 1) % group();
+  if (place == 1) return sobol(point, Half::b, shift);
+  std::vector<double> result = sobol(point, Half::a, shift);
+  if (place > 1) {
+    result[place - 2] = sobol(point, Half::b, shift)[place - 2];
   }
   return result;
 }
 
 std::vector<double> Design::uniforms(std::uint64_t run) const {
-  const std::size_t count = sources_.size();
   std::vector<double> result;
   switch (plan_.sampling) {
     case Sampling::random:
@@ -68,17 +91,28 @@ std::vector<double> Design::uniforms(std::uint64_t run) const {
       }
       break;
     case Sampling::sobol:
-      result = sobol(run - 1, 0);
-      break;
-    case Sampling::saltelli: {
-      const std::uint64_t point = (run - 1) / group();
-      const std::size_t place = (run - 1) % group();
-      if (place == 1) return sobol(point, count);
-      result = sobol(point, 0);
-      if (place > 1) result[place - 2] = sobol(point, count)[place - 2];
-    }
+      return sobol(run - 1, Half::a, 0);
+    case Sampling::saltelli:
+      return saltelli(run);
   }
   return result;
+}
+
+std::string Design::identity() const {
+  std::string text =
+      fmt::format("{} {}", static_cast<int>(plan_.sampling), plan_.seed);
+  switch (plan_.sampling) {
+    case Sampling::random:
+      break;
+    case Sampling::latin_hypercube:  // with as many cells
+      text += fmt::format(" {}", plan_.runs);
+      break;
+    case Sampling::sobol:
+    case Sampling::saltelli:
+      // To be counted up whenever the points of a run become others.
+      text += " points 2";
+  }
+  return text;
 }
 
 // A draw with factors is that of its normal score, to which they add.

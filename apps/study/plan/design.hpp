@@ -41,9 +41,18 @@ class Design {
   /// Runs of a group of Saltelli's design: A, B, and A with a column of B for
   /// each source.
   std::size_t group() const { return sources_.size() + 2; }
+  /// Group i of that design is a point of the sequence in shift i % shifts. The
+  /// shifts are independent of each other, points in one of them are not.
+  static constexpr std::size_t shifts = 8;
+
+  /// Whatever the numbers depend on beside the dispersions.
+  std::string identity() const;
 
  private:
-  std::vector<double> sobol(std::uint64_t point, std::size_t from) const;
+  enum class Half { a, b };
+  std::vector<double> sobol(std::uint64_t point, Half half,
+                            std::uint64_t shift) const;
+  std::vector<double> saltelli(std::uint64_t run) const;
 
   const Plan& plan_;
   std::vector<Draw> draws_;

@@ -1,5 +1,8 @@
 #include "study/plan/distribution.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <boost/math/distributions/lognormal.hpp>
 #include <boost/math/distributions/normal.hpp>
@@ -117,6 +120,22 @@ Quantile read_distribution(const TomlTable& table) {
     default:
       return read_list(table);
   }
+}
+
+std::string distribution_text(const TomlTable& table) {
+  const std::string kind = table.text("kind");
+  std::string text = kind;
+  for (const contact::KnownKey& key : distribution_keys()) {
+    const bool is_of_kind =
+        fmt::format(" {} ", key.kinds).find(' ' + kind + ' ') != kind.npos;
+    if (!is_of_kind || !table.has(key.key)) continue;
+    const bool is_list = kind == "table" || kind == "list";
+    const auto numbers =
+        is_list ? table.numbers(key.key, one_or_more, Interval::any())
+                : std::vector{table.number(key.key, Interval::any())};
+    text += fmt::format(", {} {}", key.key, fmt::join(numbers, " "));
+  }
+  return text;
 }
 
 contact::KnownKeys distribution_keys() {

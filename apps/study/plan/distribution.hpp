@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <string>
 
 #include "libcontact/files/toml_reader.hpp"
 
@@ -13,6 +14,8 @@ using Quantile = std::function<double(double u)>;
 /// Reads a distribution from a table with distribution_keys(): its `kind` and
 /// what belongs to that.
 Quantile read_distribution(const contact::TomlTable& table);
+/// What such a table says: "uniform, low 1, high 2".
+std::string distribution_text(const contact::TomlTable& table);
 contact::KnownKeys distribution_keys();
 
 }  // namespace study

@@ -70,8 +70,11 @@ std::vector<Share> read_shares(const TomlTable& table,
       table.fail("factors",
                  contact::detail::unknown("factor", names[i], factors));
     }
-    shares.push_back(
-        {static_cast<std::size_t>(found - factors.begin()), loadings[i]});
+    const auto factor = static_cast<std::size_t>(found - factors.begin());
+    if (std::ranges::count(shares, factor, &Share::factor) > 0) {
+      table.must_be("factors", "names that differ");
+    }
+    shares.push_back({factor, loadings[i]});
     sum += loadings[i] * loadings[i];
   }
   if (sum > 1) {
@@ -91,6 +94,7 @@ Dispersion read_dispersion(const TomlTable& table, const Plan& plan) {
           .relative = table.flag("relative"),
           .each = table.flag("each"),
           .quantile = read_distribution(table),
+          .distribution = distribution_text(table),
           .shares = read_shares(table, plan.factors),
           .content = table.canonical_text(),
           .table = table};

@@ -32,6 +32,8 @@ struct Dispersion {
   /// A draw for each copy of a pattern.
   bool each;
   Quantile quantile;
+  /// The same in words: "uniform, low 1, high 2".
+  std::string distribution;
   std::vector<Share> shares;
   /// What the file says of it: TomlTable::canonical_text().
   std::string content;

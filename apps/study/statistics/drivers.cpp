@@ -4,24 +4,47 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
+#include <set>
 
 namespace study {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-// Mean and its standard error.
-struct Mean {
+double square(double x) { return x * x; }
+
+// Outputs of a point of Saltelli's design.
+struct Group {
+  Eigen::Index shift;
+  std::span<const double> f;
+};
+std::vector<Group> whole_groups(std::span<const double> outputs,
+                                std::size_t size, std::size_t shifts) {
+  std::vector<Group> groups;
+  for (std::size_t i = 0; (i + 1) * size <= outputs.size(); ++i) {
+    const auto f = outputs.subspan(i * size, size);
+    if (std::ranges::any_of(f, [](double x) { return std::isnan(x); })) {
+      continue;
+    }
+    groups.push_back({static_cast<Eigen::Index>(i % shifts), f});
+  }
+  return groups;
+}
+
+// The ratio of two sums, of which independent parts are given, and its standard
+// error: the spread of what a part has above the ratio times its own divisor.
+// Ratios of the parts themselves would be biased, which no spread of them
+// shows.
+struct Ratio {
   double value;
   double error;
 };
-Mean mean_of(const std::vector<double>& terms) {
-  const auto n = static_cast<double>(terms.size());
-  const double mean = std::accumulate(terms.begin(), terms.end(), 0.0) / n;
-  double squares = 0;
-  for (const double term : terms) squares += (term - mean) * (term - mean);
-  return {mean, std::sqrt(squares / (n - 1) / n)};
+Ratio ratio(const Eigen::VectorXd& parts, const Eigen::VectorXd& divisors,
+            std::size_t count) {
+  const double value = parts.sum() / divisors.sum();
+  const auto n = static_cast<double>(count);
+  return {value, std::sqrt(n / (n - 1)) * (parts - value * divisors).norm() /
+                     divisors.sum()};
 }
 
 }  // namespace
@@ -103,35 +126,33 @@ Regression::Answer Regression::solve() const {
 }
 
 std::vector<SobolIndex> sobol_indices(std::span<const double> outputs,
-                                      std::size_t sources) {
-  const std::size_t size = sources + 2;
-  std::vector<std::span<const double>> groups;
-  std::vector<double> both;
-  for (std::size_t i = 0; i + size <= outputs.size(); i += size) {
-    const auto group = outputs.subspan(i, size);
-    if (std::ranges::any_of(group, [](double x) { return std::isnan(x); })) {
-      continue;
-    }
-    groups.push_back(group);
-    both.insert(both.end(), {group[0], group[1]});
+                                      std::size_t sources, std::size_t shifts) {
+  const std::vector<Group> groups = whole_groups(outputs, sources + 2, shifts);
+  double mean = 0;
+  std::set<Eigen::Index> present;
+  for (const auto& [shift, f] : groups) {
+    present.insert(shift);
+    mean += (f[0] + f[1]) / 2 / static_cast<double>(groups.size());
   }
   std::vector<SobolIndex> result(sources, {nan, nan, nan, nan});
-  if (groups.size() < 2) return result;
-  const double mean = mean_of(both).value;
-  double variance = 0;
-  for (const double x : both) variance += (x - mean) * (x - mean);
-  variance /= static_cast<double>(both.size() - 1);
-  if (!(variance > 0)) return result;
+  if (present.size() < 2) return result;
+  // Sums of each shift.
+  const auto zero = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(shifts));
+  Eigen::VectorXd variance = zero;
+  for (const auto& [shift, f] : groups) {
+    variance[shift] += (square(f[0] - mean) + square(f[1] - mean)) / 2;
+  }
+  if (!(variance.sum() > 0)) return result;
   for (std::size_t i = 0; i < sources; ++i) {
-    std::vector<double> first;
-    std::vector<double> total;
-    for (const auto& f : groups) {
+    Eigen::VectorXd first = zero;
+    Eigen::VectorXd total = zero;
+    for (const auto& [shift, f] : groups) {
       const double change = f[2 + i] - f[0];
-      first.push_back((f[1] - mean) * change / variance);
-      total.push_back(change * change / (2 * variance));
+      first[shift] += (f[1] - mean) * change;
+      total[shift] += square(change) / 2;
     }
-    const auto [s, s_error] = mean_of(first);
-    const auto [t, t_error] = mean_of(total);
+    const auto [s, s_error] = ratio(first, variance, present.size());
+    const auto [t, t_error] = ratio(total, variance, present.size());
     result[i] = {s, s_error, t, t_error};
   }
   return result;

@@ -40,6 +40,7 @@ Bounds failure_bounds(std::size_t failures, std::size_t runs, double risk);
 /// A percentile of sorted numbers: an estimate between two of them, which is
 /// above the true one half of the times, and the order statistics that bound
 /// that, each wrong with the risk at most; none where there are too few runs.
+/// The numbers may be infinite at one of the ends.
 struct Percentile {
   double value;
   std::optional<double> low;

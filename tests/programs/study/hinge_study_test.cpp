@@ -227,6 +227,101 @@ TEST_F(HingeStudy, TheReportIsTheTableAsAPage) {
   EXPECT_EQ(folder_.read("again.html"), page);
 }
 
+// Nobody has to have the study file to see what was scattered.
+TEST_F(HingeStudy, TheReportSaysWhatScatters) {
+  const std::string text =
+      "# A <b>comment</b>.\n" + balls +
+      "factors = ['cold', 'batch']\nloadings = [0.5, -0.25]\n"
+      "[[factor]]\nname = 'cold'\n[[factor]]\nname = 'batch'\n"
+      "[[dispersion]]\nkey = 'materials.inner.youngs_modulus_GPa'\n"
+      "kind = 'list'\nvalues = [200, 210]\nweights = [1, 3]\n";
+  folder_.write("s.toml", text);
+  run("s.toml --report r.html --output -");
+  const std::string page = folder_.read("r.html");
+  for (const char* words :
+       {"<h2>Inputs</h2>",
+        "<th>friction.coefficient</th><td>number</td>"
+        "<td>uniform, low 0.05, high 0.15</td><td></td>",
+        "<th>load.reaction_N</th><td>factor of its number</td>"
+        "<td>normal, mean 1, deviation 0.05, low 0.5, high 1.5</td>"
+        "<td>cold 0.5, batch -0.25</td>",
+        "<td>list, values 200 210, weights 1 3</td>",
+        "standard normal numbers: cold, batch", "<h2>s.toml</h2>",
+        "# A &lt;b>comment&lt;/b>.\nname = 'balls'\n"}) {
+    EXPECT_NE(page.find(words), page.npos) << words;
+  }
+}
+
+// Of polyethylene, which this load breaks.
+TEST_F(HingeStudy, SaysTheWarningsOfTheNominalRun) {
+  folder_.write("j.toml",
+                "name = 'ball'\nkind = 'ball'\n"
+                "geometry = { radius_mm = 14, radial_clearance_um = 100 }\n"
+                "materials = { pair = '" CONTACT_DATA_DIR
+                "/materials/cocr_uhmwpe.toml' }\n"
+                "friction = { coefficient = 0.1 }\n");
+  const auto direct = folder_.run(
+      "hinge-joint --joint j.toml --reaction 100000 --beta 60 --output d.csv");
+  ASSERT_EQ(times_in(direct.err, "hinge-joint: warning: "), 1) << direct.err;
+  for (const std::string options :
+       {"--output o.json", "--quantities", "--check", "--report r.html"}) {
+    const auto said = folder_.run("hinge-study s.toml " + options);
+    EXPECT_EQ(times_in(said.err, "hinge-study: warning: nominal run: "), 1)
+        << said.err;
+  }
+  EXPECT_EQ(times_in(folder_.read("r.html"), "Warning of the nominal run: "),
+            1);
+  EXPECT_NE(folder_.read("o.json").find("\"warnings_of_nominal_run\": [\n"),
+            std::string::npos);
+  // Parts of a study leave them to the whole.
+  EXPECT_EQ(folder_.run("hinge-study s.toml --rows 0:3 --journal p").err, "");
+}
+
+// All that was asked for but the page.
+TEST_F(HingeStudy, AReportOnAFullDiskCostsNothingElse) {
+  const auto expected = results("a");
+  const auto result = folder_.run(
+      "ln -s /dev/full r.html; hinge-study s.toml --journal b --csv rows.csv "
+      "--output all.json --report r.html");
+  EXPECT_EQ(result.status, 1);
+  EXPECT_NE(result.err.find("hinge-study: warning: no report: cannot write "),
+            std::string::npos)
+      << result.err;
+  EXPECT_EQ((std::vector{folder_.read("rows.csv"), folder_.read("all.json"),
+                         result.out}),
+            expected);
+}
+
+// While gnuplot is at work; what was written before stays.
+TEST_F(HingeStudy, SignalsEndPicturesAndReports) {
+  folder_.write("gnuplot", "#!/bin/sh\ntouch started\nexec sleep 2\n");
+  for (const auto& [name, status] : {std::pair("INT", 130), {"TERM", 143}}) {
+    const auto result = folder_.run(
+        "chmod +x gnuplot; rm -f started rows.csv; export PATH=.:\"$PATH\"; "
+        "env --default-signal=INT hinge-study s.toml --csv rows.csv "
+        "--report r.html & program=$!; "
+        "while [ ! -e started ]; do sleep 0.05; done; kill -" +
+        std::string(name) + " $program; wait $program");
+    EXPECT_EQ(result.status, status) << result.err;
+    EXPECT_EQ(times_in(folder_.read("rows.csv"), "\n"), 302);
+    EXPECT_NE(result.out.find("What drives M_t_N_m"), std::string::npos);
+    EXPECT_FALSE(folder_.has("r.html"));
+  }
+}
+
+// A name of a picture or a replay is that of no other file.
+TEST_F(HingeStudy, PicturesOverwriteNothing) {
+  for (const std::string option : {"--journal", "--csv", "--hdf5"}) {
+    const auto result =
+        folder_.run("hinge-study s.toml --plot p.svg " + option + " p_1.svg");
+    EXPECT_EQ(result.status, 2);
+    EXPECT_EQ(result.err,
+              "hinge-study: --plot p_1.svg must be another file "
+              "than that of " +
+                  option + "\n");
+  }
+}
+
 TEST_F(HingeStudy, WithoutGnuplotAReportHasTables) {
   const auto result = folder_.run(
       "ln -s \"$(command -v hinge-study)\" hinge-study; PATH=.; "
@@ -300,7 +395,13 @@ TEST_F(HingeStudy, ReplaysHaveTheWarningsOfHingeSeparation) {
                 "kind = 'uniform'\nlow = 0.99\nhigh = 1\n");
   const auto said = folder_.run("hinge-study c.toml --report r.html");
   EXPECT_EQ(said.status, 0) << said.err;
-  EXPECT_EQ(said.err.find("overlap"), said.err.npos) << said.err;
+  // Those of the nominal run are said.
+  for (const char* words :
+       {"hinge-study: warning: nominal run: event \"release\" did not",
+        "hinge-study: warning: nominal run: carrier and stage overlap from t "
+        "="}) {
+    EXPECT_EQ(times_in(said.err, words), 1) << said.err;
+  }
   const std::string row = run("c.toml --run 2");
   const auto at = row.find("end_time_s,") + 11;
   const auto direct = folder_.run(
@@ -318,6 +419,33 @@ TEST_F(HingeStudy, ReplaysHaveTheWarningsOfHingeSeparation) {
     EXPECT_NE(found.find(words), found.npos) << found;
   }
   EXPECT_EQ(warnings("r_run2.html"), found);
+}
+
+// Two moments of inertia that are good alone make no body together.
+TEST_F(HingeStudy, RunsWithoutACaseHaveNoHistory) {
+  folder_.write("body.toml",
+                "name = 'c'\nrun = { end_time_s = 0.2 }\n"
+                "[carrier]\nname = 'a'\nmass_kg = 5\n"
+                "principal_inertia_kg_m2 = [1, 1, 1]\n"
+                "[[body]]\nname = 'b'\nmass_kg = 1\ncom_m = [0.5, 0, 0]\n"
+                "principal_inertia_kg_m2 = [1, 1, 1]\n"
+                "hinge = { kind = 'axis', axis = [0, 0, 1] }\n"
+                "start = { rate_deg_per_s = 30 }\n");
+  std::string study =
+      "name = 's'\ncase = 'body.toml'\nruns = 9\n"
+      "[[requirement]]\nquantity = 'b.peak_reaction_N'\nat_most = 100\n"
+      "success = 0.9\n";
+  for (const char* numbers :
+       {"[1]'\nvalues = [1, 1.9]\n", "[2]'\nvalues = [1, 0.5]\n"}) {
+    study += "[[dispersion]]\nkey = 'body[b].principal_inertia_kg_m2";
+    study += numbers;
+    study += "kind = 'list'\n";
+  }
+  folder_.write("c.toml", study);
+  const auto result = folder_.run("hinge-study c.toml --report r.html");
+  EXPECT_EQ(result.status, 1) << result.err;
+  EXPECT_EQ(result.out.find("; 0 failed"), result.out.npos) << result.out;
+  EXPECT_TRUE(folder_.has("r.html"));
 }
 
 TEST_F(HingeStudy, WithoutThreeJsAReportHasNoLinks) {

@@ -7,6 +7,7 @@
 #include <limits>
 #include <set>
 
+#include "libcontact/base/error.hpp"
 #include "separation/results/run.hpp"
 
 namespace study {
@@ -90,7 +91,17 @@ class Samples {
   std::vector<double> special_;              // of the last run
 };
 
-// The worst run comes last.
+// Draws that only together make no case have no history.
+bool has_case(const Study& study, std::uint64_t run) {
+  try {
+    study.case_of(run);
+  } catch (const contact::Error&) {
+    return false;
+  }
+  return true;
+}
+
+// The worst run comes last, or the nominal one.
 std::vector<std::uint64_t> runs_of(const Study& study,
                                    const Findings& findings) {
   constexpr std::uint64_t first = 100;
@@ -105,6 +116,8 @@ std::vector<std::uint64_t> runs_of(const Study& study,
   if (!findings.requirements.empty()) {
     last = findings.requirements[0].worst[0].run;
   }
+  std::erase_if(runs, [&](std::uint64_t run) { return !has_case(study, run); });
+  if (!has_case(study, last)) last = 0;
   runs.erase(last);
   std::vector<std::uint64_t> result(runs.begin(), runs.end());
   result.push_back(last);
@@ -133,12 +146,12 @@ std::vector<Envelope> envelopes(const Study& study, const Findings& findings) {
   };
   std::vector<Kind> kinds;
   if (!nominal.clearance.empty()) {
-    kinds.push_back({"clearance", "smallest clearance, m",
+    kinds.push_back({envelope_names[0], "smallest clearance, m",
                      Samples(nominal, smallest_clearance)});
   }
   if (nominal.has_hinges()) {
-    kinds.push_back(
-        {"angles", "angles of the hinges, deg", Samples(nominal, angles)});
+    kinds.push_back({envelope_names[1], "angles of the hinges, deg",
+                     Samples(nominal, angles)});
   }
   const auto runs = runs_of(study, findings);
   for (const std::uint64_t run : runs) {

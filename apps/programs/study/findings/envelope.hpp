@@ -23,8 +23,12 @@ struct Envelope {
   bool is_wide() const;
 };
 
+/// Names that they may have.
+inline constexpr std::array envelope_names = {"clearance", "angles"};
+
 /// Of the first hundred runs and the worst ones, run again: the smallest
-/// clearance of all pairs, and the angles of all hinges until they break.
+/// clearance of all pairs, and the angles of all hinges until they break. Runs
+/// whose draws make no case are not among them.
 std::vector<Envelope> envelopes(const Study& study, const Findings& findings);
 
 }  // namespace study

@@ -9,6 +9,7 @@ namespace study {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 std::vector<double> sorted_numbers(const std::vector<double>& values) {
   std::vector<double> result;
@@ -16,6 +17,14 @@ std::vector<double> sorted_numbers(const std::vector<double>& values) {
                        [](double x) { return !std::isnan(x); });
   std::ranges::sort(result);
   return result;
+}
+
+// All of them, with `missing` in the place of NaN.
+std::vector<double> sorted_with(double missing, std::vector<double> values) {
+  std::ranges::replace_if(
+      values, [](double x) { return std::isnan(x); }, missing);
+  std::ranges::sort(values);
+  return values;
 }
 
 // The worst first; a run without a number is worst of all.
@@ -29,7 +38,6 @@ std::vector<RunValue> worst_of(const std::vector<double>& values,
   const auto end =
       all.begin() + static_cast<std::ptrdiff_t>(std::min(shown, all.size()));
   const auto badness = [at_least](const RunValue& v) {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
     if (std::isnan(v.value)) return infinity;
     return at_least ? -v.value : v.value;
   };
@@ -53,8 +61,11 @@ Judgement judge(const Requirement& requirement,
     result.needed = runs_needed(result.misses, demand);
   }
   result.share = requirement.at_least ? 1 - demand.success : demand.success;
-  result.percentile =
-      percentile(sorted_numbers(values), result.share, demand.risk);
+  result.missing = static_cast<std::size_t>(
+      std::ranges::count_if(values, [](double x) { return std::isnan(x); }));
+  result.percentile = percentile(
+      sorted_with(requirement.at_least ? -infinity : infinity, values),
+      result.share, demand.risk);
   if (sampling != Sampling::random) {
     result.percentile.low = result.percentile.high = std::nullopt;
   }
@@ -66,7 +77,12 @@ Scatter scatter(const std::string& name, double nominal,
                 const std::vector<double>& values) {
   const auto sorted = sorted_numbers(values);
   const auto n = static_cast<double>(sorted.size());
-  const auto at = [&](double p) { return percentile(sorted, p, 0.5).value; };
+  const auto lowest = sorted_with(-infinity, values);
+  const auto highest = sorted_with(infinity, values);
+  const auto at = [&](double p) -> Range {
+    return {percentile(lowest, p, 0.5).value,
+            percentile(highest, p, 0.5).value};
+  };
   const double mean = std::accumulate(sorted.begin(), sorted.end(), 0.0) / n;
   double squares = 0;
   for (const double x : sorted) squares += (x - mean) * (x - mean);
@@ -74,11 +90,11 @@ Scatter scatter(const std::string& name, double nominal,
           .nominal = nominal,
           .mean = mean,
           .deviation = n > 1 ? std::sqrt(squares / (n - 1)) : nan,
-          .low = at(0),
+          .low = sorted.empty() ? nan : sorted.front(),
           .p5 = at(0.05),
           .median = at(0.5),
           .p95 = at(0.95),
-          .high = at(1),
+          .high = sorted.empty() ? nan : sorted.back(),
           .missing = values.size() - sorted.size()};
 }
 
@@ -126,8 +142,8 @@ std::vector<Driven> find_drivers(const Study& study, const Journal& journal) {
     output_ranks.push_back(ranks(numbers));
     result.push_back({outputs[o].name, {}, regressions[o].solve(), {}});
     if (study.plan().sampling == Sampling::saltelli) {
-      result.back().sobol =
-          sobol_indices(numbers, study.design().sources().size());
+      result.back().sobol = sobol_indices(
+          numbers, study.design().sources().size(), Design::shifts);
     }
   }
   for (std::size_t i = 0; i < study.inputs(); ++i) {
@@ -141,6 +157,10 @@ std::vector<Driven> find_drivers(const Study& study, const Journal& journal) {
 }
 
 }  // namespace
+
+std::size_t count_driven(const Study& study) {
+  return outputs_of(study).size();
+}
 
 std::vector<double> column(const Study& study, const Journal& journal,
                            const std::function<double(const Row&)>& number) {
@@ -177,7 +197,13 @@ Findings find(const Study& study, const Journal& journal) {
                [place](const Row& row) { return row.numbers[place]; })));
   }
   findings.driven = find_drivers(study, journal);
-  findings.idle = study.idle_keys();
+  // Steps of the integrator that become others move a number by less.
+  constexpr double notable_share = 1e-4;
+  std::vector<double> notable;
+  for (const Scatter& s : findings.quantities) {
+    notable.push_back(notable_share * s.deviation);
+  }
+  findings.idle = study.idle_keys(notable);
   return findings;
 }
 

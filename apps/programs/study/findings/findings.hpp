@@ -20,23 +20,36 @@ struct RunValue {
 
 /// What the runs say of a requirement.
 struct Judgement {
-  std::size_t misses;  ///< failed runs too
+  std::size_t misses;   ///< failed runs too
+  std::size_t missing;  ///< runs without the number, each of them a miss
   /// None unless the runs are random: others are not independent of each other.
   std::optional<Answer> answer;
   Bounds miss_probability;  ///< at the consumer's risk
   std::size_t needed;       ///< runs with so many misses for "met"
-  double share;           ///< that of the percentile: success, or what is left
-  Percentile percentile;  ///< of all runs that did not fail
+  double share;  ///< that of the percentile: success, or what is left
+  /// Of all runs. Those without the number are at the end that misses, so that
+  /// the percentile or a bound is infinite where it is one of them.
+  Percentile percentile;
   std::vector<RunValue> worst;
 };
 
-/// How a number scatters over the runs that have it.
+/// What a number is known to lie between.
+struct Range {
+  double low;
+  double high;
+};
+
+/// How a number scatters: mean, deviation, low and high over the runs that have
+/// it. Percentiles are of all runs: from where they are if those without the
+/// number are below all others, to where if they are above.
 struct Scatter {
   std::string quantity;
   double nominal;
   double mean;
   double deviation;
-  double low, p5, median, p95, high;
+  double low;
+  Range p5, median, p95;
+  double high;
   std::size_t missing;
 };
 
@@ -61,6 +74,9 @@ struct Findings {
 /// A number of each run from 1 on.
 std::vector<double> column(const Study& study, const Journal& journal,
                            const std::function<double(const Row&)>& number);
+
+/// Numbers that are asked what drives them.
+std::size_t count_driven(const Study& study);
 
 /// Reads the journal a column at a time.
 Findings find(const Study& study, const Journal& journal);

@@ -73,16 +73,11 @@ std::string figure(const std::string& svg) {
   return "<figure>" + svg.substr(svg.find("<svg")) + "</figure>\n";
 }
 
-}  // namespace
-
-std::string report_page(const Study& study, const Findings& findings,
-                        const std::string& command, const PageExtras& extras) {
-  std::string body = fmt::format(
-      "<header>\n<h1>{}</h1>\n<p id=\"about\">hinge-study (libcontact) "
-      "{}</p>\n</header>\n<main class=\"report\">\n",
-      in_markup(study.plan().name), contact::version);
+std::string markup(const Study& study, const std::vector<Part>& parts,
+                   const std::string& command, const PageExtras& extras) {
+  std::string body;
   const char* end = "";
-  for (const Part& part : parts_of(study, findings)) {
+  for (const Part& part : parts) {
     if (!part.heading.empty()) {
       body += fmt::format("{}<section>\n<h2>{}</h2>\n", end,
                           in_markup(part.heading));
@@ -95,7 +90,23 @@ std::string report_page(const Study& study, const Findings& findings,
       if (found != extras.pictures.end()) body += figure(found->second);
     }
   }
-  return cli::still_page(study.plan().name, body + end + "</main>\n");
+  return body + end;
+}
+
+}  // namespace
+
+std::string report_page(const Study& study, const Findings& findings,
+                        const std::string& command, const PageExtras& extras) {
+  std::string body = fmt::format(
+      "<header>\n<h1>{}</h1>\n<p id=\"about\">hinge-study (libcontact) "
+      "{}</p>\n</header>\n<main class=\"report\">\n",
+      in_markup(study.plan().name), contact::version);
+  body += markup(study, parts_of(study, findings), command, extras) +
+          markup(study, inputs_of(study), command, extras) +
+          fmt::format("<section>\n<h2>{}</h2>\n<pre>{}</pre>\n</section>\n",
+                      in_markup(study.plan().path.filename().string()),
+                      in_markup(extras.study_file));
+  return cli::still_page(study.plan().name, body + "</main>\n");
 }
 
 }  // namespace study

@@ -13,6 +13,7 @@ struct PageExtras {
   std::map<std::string, std::string> pictures;  ///< SVG, by their names
   /// Names of the files of replays, beside the page, by their runs.
   std::map<std::uint64_t, std::string> replays;
+  std::string study_file;  ///< its text
 };
 
 /// The report as one page that needs no network.

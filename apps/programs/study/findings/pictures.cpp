@@ -53,8 +53,9 @@ Classes classes_of(const std::vector<double>& sorted) {
   return classes;
 }
 
-// A line across the picture.
+// A line across the picture; none at infinity.
 std::string upright(double x, int style, int dash, const std::string& label) {
+  if (std::isinf(x)) return {};
   return fmt::format(
       ", '+' using ({0}):($0 > 0 ? top : 0) every 2 with lines lw 2 lt {1} "
       "dt {2} title {3}",
@@ -84,8 +85,11 @@ std::string histogram(const Study& study, const Journal& journal,
   script += fmt::format(
       "top = {}\nset samples 3\nset yrange [0:*]\nset style fill solid 0.5\n"
       "set key above\n"
-      "plot $counts using 1:2:({}) with boxes lt 1 lw 0.5 title '{} runs'",
-      1.05 * top, cli::number_text(classes.width), values.size());
+      "plot $counts using 1:2:({}) with boxes lt 1 lw 0.5 title '{} runs{}'",
+      1.05 * top, cli::number_text(classes.width), values.size(),
+      judgement.missing == 0
+          ? ""
+          : fmt::format(", {} have no number", judgement.missing));
   script += upright(requirement.limit, 2, 1, "limit");
   const Percentile& p = judgement.percentile;
   const std::string share = fmt::format("{:.6g} %", 100 * judgement.share);
@@ -180,6 +184,21 @@ std::vector<Picture> pictures_of(const Study& study, const Findings& findings,
     pictures.push_back({envelope.name, band(envelope, study.plan().name)});
   }
   return pictures;
+}
+
+std::vector<std::string> picture_files(const Study& study,
+                                       const std::string& file) {
+  std::vector<std::string> files;
+  for (std::size_t i = 1; i <= study.plan().requirements.size(); ++i) {
+    files.push_back(named(file, fmt::format("{}", i)));
+  }
+  for (std::size_t i = 1; i <= count_driven(study); ++i) {
+    files.push_back(named(file, fmt::format("ranking_{}", i)));
+  }
+  if (study.plan().joint_file.empty()) {
+    for (const char* name : envelope_names) files.push_back(named(file, name));
+  }
+  return files;
 }
 
 std::string draw(const std::vector<Picture>& pictures,

@@ -19,6 +19,10 @@ struct Picture {
 std::vector<Picture> pictures_of(const Study& study, const Findings& findings,
                                  const Journal& journal);
 
+/// All files that draw() may write.
+std::vector<std::string> picture_files(const Study& study,
+                                       const std::string& file);
+
 /// Draws each as FILE_NAME.EXT.
 /// @return "" or why there are not all of them
 std::string draw(const std::vector<Picture>& pictures, const std::string& file);

@@ -15,9 +15,19 @@ using nlohmann::ordered_json;
 
 constexpr int digits = 4;
 
-std::string number(double value) { return cli::rounded_text(value, digits); }
+// A percentile is infinite where it is one of the runs without a number.
+std::string number(double value) {
+  return std::isinf(value) ? "no number" : cli::rounded_text(value, digits);
+}
 std::string number(const std::optional<double>& value) {
   return value ? number(*value) : "-";
+}
+std::string number(const Range& range) {
+  if (range.low == range.high) return number(range.low);
+  if (std::isinf(range.low) && std::isinf(range.high)) return "-";
+  if (std::isinf(range.low)) return "at most " + number(range.high);
+  if (std::isinf(range.high)) return "at least " + number(range.low);
+  return number(range.low) + " to " + number(range.high);
 }
 std::string percent(double share) {
   return fmt::format("{:.6g} %", 100 * share);
@@ -25,10 +35,15 @@ std::string percent(double share) {
 std::string about(double share) { return fmt::format("{:.3g} %", 100 * share); }
 
 ordered_json json(double value) {
-  return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr);
+  if (std::isinf(value)) return value > 0 ? "inf" : "-inf";
+  return std::isnan(value) ? ordered_json(nullptr) : ordered_json(value);
 }
 ordered_json json(const std::optional<double>& value) {
   return value ? json(*value) : ordered_json(nullptr);
+}
+ordered_json json(const Range& range) {
+  if (range.low == range.high) return json(range.low);
+  return {json(range.low), json(range.high)};
 }
 
 const char* to_string(Answer answer) {
@@ -112,6 +127,17 @@ Part quantities_part(const Study& study, const Findings& findings) {
   return part;
 }
 
+// The error with two digits, and the value to the same place.
+std::string with_error(double value, double error) {
+  constexpr int most = 6;
+  const int decimals =
+      error > 0
+          ? std::clamp(1 - static_cast<int>(std::floor(std::log10(error))), 0,
+                       most)
+          : most;
+  return fmt::format("{0:.{2}f} +- {1:.{2}f}", value, error, decimals);
+}
+
 // The strongest first.
 Part drivers_part(const Study& study, const Driven& driven) {
   constexpr std::size_t shown = 10;
@@ -127,9 +153,6 @@ Part drivers_part(const Study& study, const Driven& driven) {
   } else {
     for (std::size_t i = 0; i < driven.sobol.size(); ++i) {
       const SobolIndex& s = driven.sobol[i];
-      const auto with_error = [](double value, double error) {
-        return fmt::format("{:.3f} +- {:.3f}", value, error);
-      };
       rows.push_back(
           {std::isnan(s.total) ? 0 : s.total,
            {study.design().sources()[i], with_error(s.first, s.first_error),
@@ -171,7 +194,8 @@ ordered_json requirement_json(const Requirement& r, const Judgement& j) {
                       {r.at_least ? "at_least" : "at_most", r.limit},
                       {"success", r.demand.success},
                       {"risk", r.demand.risk},
-                      {"misses", j.misses}};
+                      {"misses", j.misses},
+                      {"missing", j.missing}};
   out["verdict"] = j.answer ? ordered_json(to_string(*j.answer)) : nullptr;
   if (j.answer) {
     out["miss_probability"] = {j.miss_probability.low, j.miss_probability.high};
@@ -226,7 +250,8 @@ ordered_json to_json(const Study& study, const Findings& findings) {
       {"requirements", ordered_json::array()},
       {"quantities", ordered_json::array()},
       {"drivers", ordered_json::array()},
-      {"keys_without_effect", findings.idle}};
+      {"keys_without_effect", findings.idle},
+      {"warnings_of_nominal_run", study.warnings()}};
   for (std::size_t i = 0; i < plan.requirements.size(); ++i) {
     j["requirements"].push_back(
         requirement_json(plan.requirements[i], findings.requirements[i]));
@@ -249,6 +274,30 @@ ordered_json to_json(const Study& study, const Findings& findings) {
   return j;
 }
 
+std::vector<Part> inputs_of(const Study& study) {
+  const Plan& plan = study.plan();
+  Part part{.heading = "Inputs",
+            .header = {"key", "what is drawn", "distribution", "factors"}};
+  for (const Dispersion& d : plan.dispersions) {
+    std::vector<std::string> factors;
+    for (const auto& [factor, loading] : d.shares) {
+      factors.push_back(fmt::format("{} {}", plan.factors[factor],
+                                    cli::number_text(loading)));
+    }
+    part.rows.push_back(
+        {d.key,
+         fmt::format("{}{}", d.relative ? "factor of its number" : "number",
+                     d.each ? ", for each copy" : ""),
+         d.distribution, fmt::format("{}", fmt::join(factors, ", "))});
+  }
+  std::vector<Part> parts = {std::move(part)};
+  if (!plan.factors.empty()) {
+    parts.push_back({.text = fmt::format("Factors, standard normal numbers: {}",
+                                         fmt::join(plan.factors, ", "))});
+  }
+  return parts;
+}
+
 std::vector<Part> parts_of(const Study& study, const Findings& findings) {
   const Plan& plan = study.plan();
   std::vector<Part> parts;
@@ -261,6 +310,9 @@ std::vector<Part> parts_of(const Study& study, const Findings& findings) {
   if (findings.failed > 0) {
     parts.push_back({.text = "The first failure: " + findings.first_failure});
   }
+  for (const std::string& warning : study.warnings()) {
+    parts.push_back({.text = "Warning of the nominal run: " + warning});
+  }
   if (!plan.requirements.empty()) add_requirements(study, findings, parts);
   parts.push_back(quantities_part(study, findings));
   for (std::size_t i = 0; i < findings.driven.size(); ++i) {
@@ -269,7 +321,8 @@ std::vector<Part> parts_of(const Study& study, const Findings& findings) {
     if (i == 0) parts.back().heading = "Drivers";
   }
   for (std::size_t i = 0; i < findings.idle.size(); ++i) {
-    parts.push_back({.text = "No effect on any number: " + findings.idle[i]});
+    parts.push_back(
+        {.text = "No effect on any number of the study: " + findings.idle[i]});
     if (i == 0) parts.back().heading = "Keys without effect";
   }
   for (std::size_t i = 0; i < findings.requirements.size(); ++i) {

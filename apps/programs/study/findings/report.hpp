@@ -8,7 +8,8 @@
 
 namespace study {
 
-/// What a study says, for programs; NaN is null.
+/// What a study says, for programs; NaN is null, infinity the text "inf" or
+/// "-inf".
 nlohmann::ordered_json to_json(const Study& study, const Findings& findings);
 
 using Cells = std::vector<std::string>;
@@ -22,6 +23,9 @@ struct Part {
   std::vector<std::string> pictures = {};  ///< their names
   std::vector<std::uint64_t> runs = {};    ///< that the rows are of
 };
+
+/// What scatters and how, for people.
+std::vector<Part> inputs_of(const Study& study);
 
 /// What a study says, for people.
 std::vector<Part> parts_of(const Study& study, const Findings& findings);
