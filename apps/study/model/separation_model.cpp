@@ -10,10 +10,10 @@
 
 #include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
-#include "programs/separation/warnings.hpp"
 #include "separation/case/case_keys.hpp"
 #include "separation/case/case_reader.hpp"
 #include "separation/case/identity.hpp"
+#include "separation/results/notes.hpp"
 #include "separation/results/summary.hpp"
 
 namespace study {
@@ -137,10 +137,11 @@ std::vector<Unreached> unreached(const Case& c,
 
 std::vector<std::string> warnings_of(const Case& c,
                                      const separation::Outcome& outcome) {
-  separation::Warnings warnings(false);
-  warn_of_joints(c, warnings);
-  warn_of_run(c, outcome, warnings);
-  return warnings.texts();
+  std::vector<std::string> texts = separation::joint_notes(c);
+  for (std::string& note : run_notes(c, outcome)) {
+    texts.push_back(std::move(note));
+  }
+  return texts;
 }
 
 }  // namespace

@@ -1,0 +1,129 @@
+#include "separation/results/notes.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <set>
+
+#include "libcontact/pressure/validity.hpp"
+#include "separation/results/summary.hpp"
+#include "separation/simulation/force_watch.hpp"
+
+namespace separation {
+namespace {
+
+using Texts = std::vector<std::string>;
+
+// Joints whose largest contact leaves the theory or what its materials bear.
+void add_contacts(const Case& c, const Outcome& outcome, Texts& texts) {
+  std::set<std::string> notes;
+  for (std::size_t b = 0; b < c.bodies.size(); ++b) {
+    const auto& joints = c.bodies[b].hinge.joints;
+    for (std::size_t j = 0; j < joints.size(); ++j) {
+      const JointPeaks& peaks = outcome.memory.bodies[b].joints[j];
+      const contact::JointContact& contact = joints[j].contact;
+      for (const std::string& note :
+           contact_notes(contact.geometry().kind(), contact.pair(),
+                         peaks.half_angle, peaks.pressure)) {
+        notes.insert(fmt::format("joint {}: {}", joints[j].joint.name, note));
+      }
+    }
+  }
+  texts.insert(texts.end(), notes.begin(), notes.end());
+}
+
+void add_overlaps(const Case& c, const Outcome& outcome, Texts& texts) {
+  for (std::size_t i = 0; i < c.clearance.size(); ++i) {
+    const PairRecord& pair = outcome.memory.pairs[i];
+    if (pair.not_found > 0) {
+      texts.push_back(
+          fmt::format("the distance of {} and {} was not found {} times",
+                      c.rigid_body(c.clearance[i].a).name,
+                      c.rigid_body(c.clearance[i].b).name, pair.not_found));
+    }
+    if (pair.overlap_from == History::not_yet) continue;
+    texts.push_back(
+        fmt::format("{} and {} overlap from t = {:.6g} s to {:.6g} s",
+                    c.rigid_body(c.clearance[i].a).name,
+                    c.rigid_body(c.clearance[i].b).name, pair.overlap_from,
+                    pair.overlap_to));
+  }
+}
+
+// Forces that do what was hardly meant.
+void add_faults(const Case& c, const Outcome& outcome, Texts& texts) {
+  for (const std::string& fault : force_faults(c, outcome.memory.forces)) {
+    texts.push_back(fault);
+  }
+}
+
+// Events that are in the file for nothing, and forces.
+void add_missed(const Case& c, const Outcome& outcome, Texts& texts) {
+  for (const Missed& missed : missed_events(c, outcome)) {
+    texts.push_back(fmt::format("event \"{}\" did not come for {}",
+                                missed.event, fmt::join(missed.bodies, ", ")));
+  }
+  for (const std::string& idle : idle_forces(
+           c, outcome.history, outcome.memory.forces, outcome.end_time)) {
+    texts.push_back(idle);
+  }
+}
+
+// Steps that are too long show in the balance of the energies.
+void add_drift(const Case& c, const Outcome& outcome, Texts& texts) {
+  const Recorder::Memory& memory = outcome.memory;
+  constexpr double notable = 1e-5;
+  if (c.options.carrier_drive ||
+      !(memory.largest_drift > notable * memory.largest_energy)) {
+    return;
+  }
+  texts.push_back(fmt::format(
+      "the energy strays by {:.2g} J, {:.2g} of its largest "
+      "part: shorter steps or smaller tolerances",
+      memory.largest_drift, memory.largest_drift / memory.largest_energy));
+}
+
+// Of all joints, each text once.
+template <class TextsOf>
+Texts joint_texts(const Case& c, const TextsOf& texts_of) {
+  std::set<std::string> texts;
+  for (const Body& body : c.bodies) {
+    for (const HingeJoint& joint : body.hinge.joints) {
+      for (const std::string& text : texts_of(joint)) {
+        texts.insert(fmt::format("joint {}: {}", joint.joint.name, text));
+      }
+    }
+  }
+  return {texts.begin(), texts.end()};
+}
+
+}  // namespace
+
+std::vector<std::string> fit_notes(const Case& c) {
+  return joint_texts(c, [](const HingeJoint& joint) -> Texts {
+    if (!joint.joint.fit) return {};
+    return {to_string(*joint.joint.fit)};
+  });
+}
+
+std::vector<std::string> joint_notes(const Case& c) {
+  return joint_texts(c, [](const HingeJoint& joint) {
+    return joint.contact.validity_notes();
+  });
+}
+
+std::vector<std::string> run_notes(const Case& c, const Outcome& outcome) {
+  Texts texts;
+  if (outcome.failure.empty()) {
+    add_missed(c, outcome, texts);
+  } else {
+    texts.push_back("ended early: " + outcome.failure);
+  }
+  add_faults(c, outcome, texts);
+  add_contacts(c, outcome, texts);
+  add_overlaps(c, outcome, texts);
+  add_drift(c, outcome, texts);
+  return texts;
+}
+
+}  // namespace separation

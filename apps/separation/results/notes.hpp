@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "separation/results/run.hpp"
+
+/// What is to be said of a case and its run, for every program and language.
+namespace separation {
+
+/// How the fits of the joints were read, each once.
+std::vector<std::string> fit_notes(const Case& c);
+/// Joints that leave the theory, once for each reason.
+std::vector<std::string> joint_notes(const Case& c);
+/// Results of a run that were hardly meant: events that did not come, forces
+/// without effect, contacts beyond the theory, overlaps, a drifting energy.
+std::vector<std::string> run_notes(const Case& c, const Outcome& outcome);
+
+}  // namespace separation
