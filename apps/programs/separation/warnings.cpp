@@ -6,6 +6,7 @@
 #include "separation/results/notes.hpp"
 
 namespace separation {
+
 void Warnings::add(std::string text) {
   if (aloud_) cli::warn(program_name, text);
   texts_.push_back(std::move(text));
