@@ -457,7 +457,7 @@ TEST(CoupledDynamics, TheOnlyConsistentPatternOfRestIsFound) {
 }
 
 // A hinge at its limit, coupled to others that hold: as far beyond it as the
-// threshold says it stays, and from half of that on it goes if it is forced.
+// threshold says it stays, and from half of that on it goes where one is due.
 TEST(CoupledDynamics, RestEndsAtItsLimit) {
   for (const Mix mix : {Mix::axes, Mix::balls}) {
     int tried = 0;
@@ -491,14 +491,14 @@ TEST(CoupledDynamics, RestEndsAtItsLimit) {
           (utilisation(middle) > 1 + part * threshold ? high : low) = middle;
         }
         ASSERT_NEAR(utilisation(low), 1 + part * threshold, 0.1 * threshold);
-        for (const int forced : {-1, 0}) {
+        for (const bool due : {false, true}) {
           CoupledDynamics coupled = at_rest();
-          ASSERT_EQ(coupled.resolve_rest(state, forces, forced).status,
+          ASSERT_EQ(coupled.resolve_rest(state, forces, due).status,
                     CoupledStatus::ok);
-          const bool slides = part > 1 || (forced == 0 && part > 0.5);
+          const bool slides = part > 1 || (due && part > 0.5);
           EXPECT_EQ(coupled.mode(0),
                     slides ? HingeMode::sliding : HingeMode::resting)
-              << seed << ' ' << part << ' ' << forced;
+              << seed << ' ' << part << ' ' << due;
           EXPECT_EQ(coupled.mode(1), HingeMode::resting);
           EXPECT_EQ(coupled.mode(2), HingeMode::resting);
         }

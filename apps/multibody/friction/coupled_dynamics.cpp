@@ -26,21 +26,38 @@ void CoupledDynamics::set_mode(int body, HingeMode mode) {
   usual_gain_ = 1;
 }
 
-double CoupledDynamics::slip_limit(int body) const {
-  return 1 + (hinge(body).is_axis ? options_.slip_threshold
-                                  : options_.ball_slip_threshold);
+double CoupledDynamics::utilisation(int body) {
+  const double tau = hinges_->utilisation(body);
+  // Above what the tolerance leaves uncertain of tau, also beside friction that
+  // is much larger.
+  const double near = 1e4 * (slip_limit(body) - 1);
+  if (!(std::abs(tau - 1) < near)) return tau;
+  refine();
+  return hinges_->utilisation(body);
+}
+
+double CoupledDynamics::slip_limit(int body) {
+  const double threshold = hinge(body).is_axis ? options_.slip_threshold
+                                               : options_.ball_slip_threshold;
+  const double held = vec3(reaction(body).moment).norm();
+  const double share =
+      hinges_->uncertain_moment() * hinges_->utilisation(body) / held;
+  // Where next to nothing is held, as without a body, it is infinite.
+  constexpr double most = 1e-3;
+  return 1 + (share > threshold ? std::min(share, most) : threshold);
 }
 
 const CoupledReport& CoupledDynamics::find_friction(
     const double* state, ActiveForces<double>& forces) {
   report_.start();
   solutions_.clear();
+  is_refined_ = false;
   hinges_->set_state(state);
   tracked_.extrapolate(state);
   hinges_->start(forces);
   if (hinges_->active().empty()) return report_;
   if (!tracked_.converge(report_)) {
-    solve();
+    solve(options_.tolerance);
     if (report_.status == CoupledStatus::ok) tracked_.start();
   }
   if (report_.status == CoupledStatus::out_of_range ||
@@ -51,6 +68,23 @@ const CoupledReport& CoupledDynamics::find_friction(
     solutions_ = search(*hinges_, report_);
   }
   return report_;
+}
+
+// Brings the friction of the last evaluation to refined_tolerance. Where a
+// hinge begins to slide its acceleration is as small as the threshold, and the
+// usual tolerance is no smaller: which way it goes has to be known better.
+// (What a search has found is that good.)
+void CoupledDynamics::refine() {
+  if (is_refined_ || hinges_->active().empty() || !solutions_.empty()) return;
+  is_refined_ = true;
+  const double usual_gain = usual_gain_;
+  const int iterations = report_.iterations;
+  solve(Hinges::refined_tolerance);
+  report_.iterations += iterations;
+  usual_gain_ = usual_gain;
+  if (report_.status == CoupledStatus::not_converged) {
+    solutions_ = search(*hinges_, report_);
+  }
 }
 
 // Whether the moments found can be the only ones: kappa < 1.
@@ -153,7 +187,7 @@ void CoupledDynamics::set_steps() {
   }
 }
 
-void CoupledDynamics::solve() {
+void CoupledDynamics::solve(double tolerance) {
   // Now and then what a step leaves is looked at, whether it is needed or not.
   constexpr int look_every = 8;
   const bool look = ++loops_ % look_every == 0;
@@ -165,7 +199,7 @@ void CoupledDynamics::solve() {
     // Where the loop takes long it may be rounding that it looks at.
     constexpr int patience = 5;
     if (report_.iterations == patience) {
-      floor = hinges_->rounding().moment / options_.tolerance;
+      floor = hinges_->rounding().moment / tolerance;
     }
     report_.residual = hinges_->solve(floor);
     report_.add_step();
@@ -178,7 +212,7 @@ void CoupledDynamics::solve() {
       if (lost != active.rend()) fail_at(*lost);
       return;
     }
-    if (report_.residual <= options_.tolerance) return;
+    if (report_.residual <= tolerance) return;
     // Rounding of the reactions can be above the tolerance.
     constexpr double rounding = 1e-8;
     stalled = first || report_.residual < 0.5 * last ? 0 : stalled + 1;
@@ -196,7 +230,7 @@ void CoupledDynamics::solve() {
     // What this step leaves, if it gains what steps have gained lately.
     constexpr double safety = 10;
     const double left = safety * usual_gain_ * report_.residual;
-    if (!(first && look) && left <= options_.tolerance) {
+    if (!(first && look) && left <= tolerance) {
       report_.residual = left;
       return;
     }
@@ -241,8 +275,15 @@ const CoupledReport& CoupledDynamics::follow(const double* state,
 
 const CoupledReport& CoupledDynamics::evaluate(const double* state,
                                                ActiveForces<double>& forces) {
-  return hinges_->any_follows() ? follow(state, forces)
-                                : find_friction(state, forces);
+  if (hinges_->any_follows()) {
+    follow(state, forces);
+  } else {
+    find_friction(state, forces);
+  }
+  if (report_.status == CoupledStatus::ok && hinges_->any_gets_under_way()) {
+    refine();
+  }
+  return report_;
 }
 
 // Of those ball joints that have begun to slide.
@@ -273,20 +314,35 @@ Onset CoupledDynamics::begin_to_slide(int body) {
   return onset;
 }
 
+// The resting hinge that is furthest beyond what it can hold. -1: none is;
+// or report_ says that one has no contact.
+int CoupledDynamics::worst_resting(bool due) {
+  // Half of the threshold: what the motion found on its way is above all of
+  // it, but for the error of dense output. Where that is larger the hinge goes
+  // on resting, and is looked at again from here. Hinges that are due at one
+  // instant, as those of bodies that mirror each other, are so together.
+  const double share = due ? 0.5 : 1;
+  int worst = -1;
+  double most = 1;
+  for (int i = 0; i < size(); ++i) {
+    if (mode(i) != HingeMode::resting) continue;
+    const double tau = utilisation(i);
+    if (std::isnan(tau)) {
+      fail_at(i);
+      return -1;
+    }
+    if (tau > std::max(most, 1 + share * (slip_limit(i) - 1))) {
+      worst = i;
+      most = tau;
+    }
+  }
+  return worst;
+}
+
 const CoupledReport& CoupledDynamics::resolve_rest(const double* state,
                                                    ActiveForces<double>& forces,
-                                                   int forced) {
+                                                   bool due) {
   std::vector<Onset> begun;  // in this call
-  find_friction(state, forces);
-  if (report_.status != CoupledStatus::ok) return report_;
-  // Half of the threshold: what the motion found on its way is above all of
-  // it, but for the rounding of tau and the error of dense output. Where that
-  // is larger the hinge goes on resting, and is looked at again from here.
-  if (forced >= 0 && mode(forced) == HingeMode::resting &&
-      utilisation(forced) > 0.5 + slip_limit(forced) / 2) {
-    begun.push_back(begin_to_slide(forced));
-  }
-
   // One change at a time, the worst first. For hinges whose friction is not
   // so strong that several answers are possible, each change brings the rest
   // nearer to what it should be; coming back to the same hinge again and
@@ -298,30 +354,19 @@ const CoupledReport& CoupledDynamics::resolve_rest(const double* state,
         !find_directions(state, forces, begun)) {
       return report_;
     }
+    if (!begun.empty()) refine();
+    if (report_.status != CoupledStatus::ok) return report_;
 
     // Friction must not drive what it should hold back.
     const auto held = std::ranges::find_if(begun, [&](const Onset& onset) {
-      return onset.body != forced && is_driven(*hinges_, onset.body);
+      return is_driven(*hinges_, onset.body);
     });
     if (held != begun.end()) {
       set_mode(held->body, HingeMode::resting);
       begun.erase(held);
       continue;
     }
-    int worst = -1;
-    double most = 1;
-    for (int i = 0; i < size(); ++i) {
-      if (mode(i) != HingeMode::resting) continue;
-      const double tau = utilisation(i);
-      if (std::isnan(tau)) {
-        fail_at(i);
-        return report_;
-      }
-      if (tau > std::max(most, slip_limit(i))) {
-        worst = i;
-        most = tau;
-      }
-    }
+    const int worst = worst_resting(due);
     if (worst < 0) return report_;
     begun.push_back(begin_to_slide(worst));
   }

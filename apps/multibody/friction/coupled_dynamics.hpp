@@ -102,10 +102,12 @@ class CoupledDynamics {
   const Reaction<double>& reaction(int body) const {
     return hinges_->reaction(body);
   }
-  /// tau of a resting hinge; NaN where a contact of it has no value.
-  double utilisation(int body) { return hinges_->utilisation(body); }
-  /// Utilisation above which a resting hinge begins to slide.
-  double slip_limit(int body) const;
+  /// tau of a resting hinge; NaN where a contact of it has no value. Near 1 the
+  /// friction of the others is found to Hinges::refined_tolerance first.
+  double utilisation(int body);
+  /// Utilisation above which a resting hinge begins to slide: by
+  /// CoupledOptions::slip_threshold above 1, or by what is uncertain of it.
+  double slip_limit(int body);
   std::span<const contact::JointSolution> joints(int body) const {
     return hinges_->joints(body);
   }
@@ -114,11 +116,12 @@ class CoupledDynamics {
   std::span<const CoupledSolution> solutions() const { return solutions_; }
 
   /// Decides which of the hinges that are resting hold, and which begin to
-  /// slide and where to; `forced` (-1: none) slides if it is half of the
-  /// threshold beyond what it can hold. Then all is evaluated.
+  /// slide and where to. Then all is evaluated.
+  /// @param due  one is about to slide: half of the threshold beyond what they
+  ///   can hold is enough for it, and for those that go with it
   const CoupledReport& resolve_rest(const double* state,
                                     ActiveForces<double>& forces,
-                                    int forced = -1);
+                                    bool due = false);
 
   /// Of the last evaluation. Reactions below it are taken for 0 where rest is
   /// decided.
@@ -140,7 +143,9 @@ class CoupledDynamics {
   /// evaluate() in the directions of sliding that there are.
   const CoupledReport& find_friction(const double* state,
                                      ActiveForces<double>& forces);
-  void solve();
+  void solve(double tolerance);
+  void refine();
+  int worst_resting(bool due);
   void update_slopes();
   void set_steps();
   bool is_unique();
@@ -158,6 +163,7 @@ class CoupledDynamics {
   CoupledProgress report_;
   std::vector<CoupledSolution> solutions_;
   TrackedLoop tracked_;
+  bool is_refined_ = false;  // the last evaluation is
   double usual_gain_ = 1;  // residual after a step of solve() over that before
   int loops_ = 0;
 };

@@ -28,21 +28,21 @@ JointMode joint_mode(HingeMode mode) {
   }
 }
 
-// |dR/dM| on a fixed carrier: m arm over the least inertia about the hinge
-// of a turn that moves the centre of mass.
-double leverage_of(const Link& link) {
+// About the hinge, of a turn that moves the centre of mass: the least.
+double inertia_of(const Link& link) {
   const double about = link.mass * link.arm * link.arm;
   const double least = link.kind == HingeKind::axis
                            ? link.inertia(2, 2)
                            : std::min(link.inertia(0, 0), link.inertia(1, 1));
-  return link.mass * link.arm / (least + about);
+  return least + about;
 }
 
 }  // namespace
 
 Hinge::Hinge(HingeFriction friction, const Link& link, int body)
-    : leverage(leverage_of(link)),
+    : leverage(link.mass * link.arm / inertia_of(link)),
       mass(link.mass),
+      inertia(inertia_of(link)),
       length(std::max(link.arm, link.hinge.norm())),
       solver(std::move(friction), link, body) {
   has_friction = solver.has_friction();
@@ -114,6 +114,20 @@ void Hinges::set_state(const double* state) {
   }
 }
 
+bool Hinges::any_gets_under_way() const {
+  // No acceleration that the tolerance leaves uncertain brings so fast a motion
+  // to its end, and none so large is uncertain.
+  constexpr double slow = 1e-5;
+  constexpr double share = 1e-4;
+  return std::ranges::any_of(active_, [&](int i) {
+    const Hinge& hinge = hinges_[i];
+    const bool is_slow =
+        hinge.follows || (hinge.is_axis && std::abs(hinge.rate.z()) < slow);
+    return is_slow && hinge.can_rest &&
+           hinge.inertia * acceleration(i).norm() < share * hinge.moment.norm();
+  });
+}
+
 void Hinges::start(ActiveForces<double>& forces) {
   forces_ = &forces;
   for (int i = 0; i < size(); ++i) {
@@ -134,6 +148,7 @@ void Hinges::evaluate() {
 }
 
 void Hinges::apply_changes() {
+  ++evaluation_;
   ++change_count_;
   for (const int i : active_) {
     hinges_[i].moment += vec3(change_[i]);
@@ -231,6 +246,14 @@ CoupledRounding Hinges::rounding() const {
   constexpr double share = 1e-14;
   const double forces = share * (force + mass * length * rate * rate);
   return {forces, share * moment + length * forces};
+}
+
+double Hinges::uncertain_moment() const {
+  // Of all forces together, of which a hinge takes a part.
+  constexpr double part = 0.1;
+  double sum = 0;
+  for (const int i : active_) sum += hinges_[i].moment.norm();
+  return part * rounding().moment + refined_tolerance * sum;
 }
 
 Hinges::Response Hinges::response(int body) {

@@ -42,7 +42,8 @@ struct alignas(64) Hinge {
   double utilisation = 0;
   long utilisation_of = -1;  ///< evaluation that it belongs to
   double mass;
-  double length;  ///< of the arms of its hinge
+  double inertia;  ///< least about the hinge of a turn that moves the body
+  double length;   ///< of the arms of its hinge
   HingeSolver solver;
 };
 
@@ -55,6 +56,9 @@ class Hinges {
   /// of every hinge's moment: smaller ones vanish in the rounding of the
   /// reactions.
   static constexpr double small_share = 1e-3;
+  /// Tolerance of moments that are to be as good as they can be: that of the
+  /// joints' own solutions.
+  static constexpr double refined_tolerance = 1e-12;
 
   /// @param friction  one for each body
   /// @throws contact::Error if friction and kind of hinge do not go together
@@ -68,6 +72,9 @@ class Hinges {
   bool any_follows() const {
     return std::ranges::any_of(hinges_, &Hinge::follows);
   }
+  /// Whether a hinge has hardly begun to slide: its acceleration is what its
+  /// friction is short of, next to nothing.
+  bool any_gets_under_way() const;
   /// Which hinges slide with friction, as of the last set_state().
   const std::vector<int>& active() const { return active_; }
   void set_mode(int body, HingeMode mode);
@@ -109,6 +116,9 @@ class Hinges {
   std::span<const contact::JointSolution> joints(int body);
   double utilisation(int body);
   CoupledRounding rounding() const;
+  /// By which what a hinge holds may be wrong where friction is found to
+  /// refined_tolerance, N m: an upper estimate.
+  double uncertain_moment() const;
   double kappa(int body);
 
   /// What a sliding ball joint feels: the inertia against which its friction

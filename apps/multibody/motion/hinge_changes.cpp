@@ -55,15 +55,15 @@ void HingeChanges::slide_straight(int body, bool straight) {
 
 CoupledReport HingeChanges::resolve_rest(double time,
                                          const std::vector<double>& state,
-                                         int forced) {
+                                         bool due) {
   std::vector<HingeMode> before;
   for (int i = 0; i < coupled_.size(); ++i) before.push_back(coupled_.mode(i));
   // Forces at this state are those of the equations after an evaluation of it.
   view_.show(time, state);
   const CoupledReport report =
-      view_.work_out() ? coupled_.resolve_rest(view_.state().data(),
-                                               equations_.active, forced)
-                       : equations_.failed_report;
+      view_.work_out()
+          ? coupled_.resolve_rest(view_.state().data(), equations_.active, due)
+          : equations_.failed_report;
   for (int i = 0; i < coupled_.size(); ++i) {
     const HingeMode mode = coupled_.mode(i);
     if (mode == before[i]) continue;

@@ -23,7 +23,7 @@ class HingeChanges {
   /// Which hinges hold from this state on, see CoupledDynamics::resolve_rest();
   /// not ok: that cannot be said.
   CoupledReport resolve_rest(double time, const std::vector<double>& state,
-                             int forced);
+                             bool due);
   /// It does so now.
   void change(double time, int body, HingeMode mode);
   /// Takes a hinge's relative velocity out of a state by an impulse in it.

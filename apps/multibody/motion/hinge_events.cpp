@@ -214,11 +214,11 @@ std::optional<double> HingeEvents::rest_end(int body) {
   }
 }
 
-std::optional<StepEvent> HingeEvents::first() {
+std::vector<StepEvent> HingeEvents::first() {
   sample_slip();
-  std::optional<StepEvent> first;
+  std::vector<StepEvent> found;
   const auto add = [&](Kind kind, int body, std::optional<double> time) {
-    if (time && (!first || *time < first->time)) first = {kind, body, *time};
+    if (time) found.push_back({kind, body, *time});
   };
   for (int i = 0; i < equations_.size(); ++i) {
     const Hinge& hinge = coupled_.hinge(i);
@@ -232,7 +232,19 @@ std::optional<StepEvent> HingeEvents::first() {
       add(Kind::rest_ends, i, rest_end(i));
     }
   }
-  return first;
+  if (found.empty()) return found;
+  std::ranges::stable_sort(found, {}, &StepEvent::time);
+  const double first = found.front().time;
+  constexpr double instant = 1e-12;
+  std::vector<StepEvent> together;
+  for (const StepEvent& event : found) {
+    if (event.time > first + instant * (1 + std::abs(first))) break;
+    // What else happens to a hinge depends on what happens to it first.
+    const bool is_new = std::ranges::find(together, event.index,
+                                          &StepEvent::index) == together.end();
+    if (is_new) together.push_back(event);
+  }
+  return together;
 }
 
 }  // namespace multibody

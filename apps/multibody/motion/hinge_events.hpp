@@ -16,8 +16,9 @@ class HingeEvents {
   HingeEvents(Equations& equations, MotionSample& view, Stepper& stepper,
               const HingeChanges& hinges, const MotionOptions& options);
 
-  /// The first of them in the last step.
-  std::optional<StepEvent> first();
+  /// The first of them in the last step, and those at the same instant: as
+  /// near as the rounding of their times cannot tell apart.
+  std::vector<StepEvent> first();
 
  private:
   using Kind = StepEvent::Kind;

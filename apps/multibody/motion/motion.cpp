@@ -103,8 +103,8 @@ void Motion::set_failure(const CoupledReport& report, double time) {
 }
 
 // From a state in which hinges may rest, slip or be free otherwise than before.
-bool Motion::resume(std::vector<double> state, int forced) {
-  const CoupledReport report = hinges_->resolve_rest(now_, state, forced);
+bool Motion::resume(std::vector<double> state, bool due) {
+  const CoupledReport report = hinges_->resolve_rest(now_, state, due);
   if (report.status != CoupledStatus::ok) set_failure(report, now_);
   if (failure_) return false;
   restart(std::move(state));
@@ -114,7 +114,7 @@ bool Motion::resume(std::vector<double> state, int forced) {
 void Motion::restart(std::vector<double> state) {
   normalise(equations_->system, equations_->coupled.layout(),
             equations_->modes(), state.data());
-  pending_.reset();
+  pending_.clear();
   stepper_->restart(now_, state);
   view_->show(now_, state);
 }
@@ -134,7 +134,7 @@ void Motion::go_to(double time) {
     if (!stepper_->step(time)) break;
   }
   view_->show(time, stepper_->end_state());
-  pending_.reset();
+  pending_.clear();
 }
 
 // After a break nothing of the step before it may be used.
@@ -170,11 +170,15 @@ bool Motion::keep_directions() {
   return true;
 }
 
-std::optional<StepEvent> Motion::find_event() {
+// The first in the last step.
+std::vector<StepEvent> Motion::find_events() {
   user_events_->sample(*stepper_);
-  const std::optional<StepEvent> hinge = hinge_events_->first();
+  std::vector<StepEvent> hinges = hinge_events_->first();
   const std::optional<StepEvent> user = user_events_->first(*stepper_);
-  return !hinge || (user && user->time < hinge->time) ? user : hinge;
+  if (user && (hinges.empty() || user->time < hinges.front().time)) {
+    return {*user};
+  }
+  return hinges;
 }
 
 bool Motion::step() {
@@ -196,41 +200,42 @@ bool Motion::step() {
     return false;
   }
   ++steps_;
-  pending_.reset();
-  const std::optional<StepEvent> found = find_event();
-  if (!found) {
+  pending_.clear();
+  std::vector<StepEvent> found = find_events();
+  if (found.empty()) {
     user_events_->go_on();
     return true;
   }
+  const double time = found.front().time;
   const double planned = stepper_->next_step();
-  if (found->time <= stepper_->begin()) {
+  if (time <= stepper_->begin()) {
     stepper_->restart_at_begin();
-  } else if (found->time < stepper_->end() && !redo_step_to(found->time)) {
+  } else if (time < stepper_->end() && !redo_step_to(time)) {
     if (keep_directions()) return true;
     set_failure({}, stepper_->end());
     return false;
   }
   // Several steps instead: what comes before the event may still be asked for,
   // so they are taken one by one.
-  if (stepper_->end() < found->time) {
+  if (stepper_->end() < time) {
     view_->show(stepper_->end(), stepper_->end_state());
     user_events_->go_on_from_view();
     return true;
   }
   // A step that ends early for the sake of others says nothing of the next one;
   // what follows the change of a hinge wants short ones at first.
-  if (found->kind == StepEvent::Kind::user) {
+  if (found.front().kind == StepEvent::Kind::user) {
     stepper_->set_next_step(std::max(stepper_->next_step(), planned));
   }
-  pending_ = found;
+  pending_ = std::move(found);
   return true;
 }
 
 Stop Motion::advance_to(double time, bool look) {
   event_ = -1;
   for (long steps = 0; !failure_; ++steps) {
-    if (pending_ && pending_->time <= time) {
-      if (handle(*std::exchange(pending_, {}))) {
+    if (!pending_.empty() && pending_.front().time <= time) {
+      if (handle(std::exchange(pending_, {}))) {
         return failure_ ? Stop::failed : Stop::event;
       }
       continue;
@@ -256,54 +261,68 @@ Stop Motion::advance_to(double time, bool look) {
   return Stop::failed;
 }
 
-// True: an event of the application, or an end.
-bool Motion::handle(const StepEvent& found) {
-  now_ = found.time;
-  view_->show(now_, stepper_->end_state());
-  const int i = found.index;
-  if (found.kind == StepEvent::Kind::user) {
-    user_events_->report(found);
-    event_ = i;
-    return true;
-  }
-  if (changes_time_ != now_) changes_here_ = 0;
-  changes_time_ = now_;
-  const CoupledReport stuck{.status = CoupledStatus::not_converged, .body = i};
-  if (++changes_here_ > 8 * equations_->size() + 16) {
-    set_failure(stuck, now_);
-    return true;
-  }
-  std::vector<double> state = view_->state();
-  if (const auto reason = hinges_->stalls(now_, i)) {
-    set_failure(stuck, now_);
-    failure_->reason = *reason;
-    return true;
-  }
-  switch (found.kind) {
+// A hinge's event, as far as it changes the state alone. True: which hinges
+// hold is another question from here on.
+bool Motion::pass_event(const StepEvent& event, std::vector<double>& state) {
+  const int i = event.index;
+  switch (event.kind) {
     case StepEvent::Kind::slows_down:
     case StepEvent::Kind::speeds_up:
-      hinges_->slide_straight(i, found.kind == StepEvent::Kind::slows_down);
-      restart(std::move(state));
-      break;
+      hinges_->slide_straight(i, event.kind == StepEvent::Kind::slows_down);
+      return false;
     case StepEvent::Kind::rest_ends:
-      if (!resume(std::move(state), i)) return true;
-      break;
+      return true;
     default:
       hinges_->stop(i, state);
       hinges_->change(now_, i, HingeMode::resting);
-      if (!resume(std::move(state))) return true;
+      return true;
+  }
+}
+
+// True: an event of the application, or an end.
+bool Motion::handle(const std::vector<StepEvent>& found) {
+  now_ = found.front().time;
+  view_->show(now_, stepper_->end_state());
+  if (found.front().kind == StepEvent::Kind::user) {
+    user_events_->report(found.front());
+    event_ = found.front().index;
+    return true;
+  }
+  if (stepper_->begin() < now_) show_step(now_);
+  if (changes_time_ != now_) changes_here_ = 0;
+  changes_time_ = now_;
+  std::vector<double> state = view_->state();
+  bool due = false;
+  bool resolve = false;
+  for (const StepEvent& event : found) {
+    const CoupledReport stuck{.status = CoupledStatus::not_converged,
+                              .body = event.index};
+    if (++changes_here_ > 8 * equations_->size() + 16) {
+      set_failure(stuck, now_);
+      return true;
+    }
+    if (const auto reason = hinges_->stalls(now_, event.index)) {
+      set_failure(stuck, now_);
+      failure_->reason = *reason;
+      return true;
+    }
+    due |= event.kind == StepEvent::Kind::rest_ends;
+    resolve |= pass_event(event, state);
+  }
+  if (!resolve) {
+    restart(std::move(state));
+  } else if (!resume(std::move(state), due)) {
+    return true;
   }
   const std::optional<int> jumped = user_events_->jumped();
   if (jumped) event_ = *jumped;
   return jumped.has_value();
 }
 
-void Motion::release(int body) {
-  if (view_->mode(body) == HingeMode::released) return;
-  go_to(now_);
+// The state in view without the hinge of a body.
+std::vector<double> Motion::let_go(int body, const std::vector<double>& from) {
   const CoupledDynamics& coupled = equations_->coupled;
   const StateLayout before = coupled.layout();
-  const std::vector<double> from = view_->state();
   hinges_->change(now_, body, HingeMode::released);
   equations_->keep_hinge_angle(body, view_->motions()[1 + body].hinge_angle);
   std::vector<double> state(equations_->number_count());
@@ -321,6 +340,30 @@ void Motion::release(int body) {
   }
   std::copy(from.begin() + before.size(), from.end(),
             state.begin() + coupled.layout().size());
+  return state;
+}
+
+void Motion::change(const MotionChange& what) {
+  const auto is = [&](HingeMode mode) {
+    return [this, mode](int body) { return view_->mode(body) == mode; };
+  };
+  if (!what.forces &&
+      std::ranges::none_of(what.unlocked, is(HingeMode::locked)) &&
+      std::ranges::all_of(what.released, is(HingeMode::released))) {
+    return;
+  }
+  go_to(now_);
+  for (const int body : what.unlocked) {
+    if (view_->mode(body) != HingeMode::locked) continue;
+    const bool can_rest = equations_->coupled.hinge(body).can_rest;
+    hinges_->change(now_, body,
+                    can_rest ? HingeMode::resting : HingeMode::sliding);
+  }
+  std::vector<double> state = view_->state();
+  for (const int body : what.released) {
+    if (view_->mode(body) != HingeMode::released) state = let_go(body, state);
+  }
+  if (what.forces) equations_->set_forces(*what.forces);
   resume(std::move(state));
 }
 
@@ -332,21 +375,6 @@ void Motion::lock(int body) {
   hinges_->stop(body, state);
   hinges_->change(now_, body, HingeMode::locked);
   resume(std::move(state));
-}
-
-void Motion::unlock(int body) {
-  if (view_->mode(body) != HingeMode::locked) return;
-  go_to(now_);
-  const bool can_rest = equations_->coupled.hinge(body).can_rest;
-  hinges_->change(now_, body,
-                  can_rest ? HingeMode::resting : HingeMode::sliding);
-  resume(view_->state());
-}
-
-void Motion::set_forces(std::shared_ptr<const ForceModel> forces) {
-  go_to(now_);
-  equations_->set_forces(std::move(forces));
-  resume(view_->state());
 }
 
 int Motion::add_event(MotionEvent event) {
@@ -410,7 +438,7 @@ void Motion::restore(const MotionState& state) {
     equations_->keep_hinge_angle(i, state.hinge_angles[i]);
   }
   stepper_->set_next_step(state.step);
-  pending_.reset();
+  pending_.clear();
   stepper_->restart(now_, state.numbers);
   view_->show(now_, state.numbers);
   user_events_->restart();

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "multibody/motion/motion_options.hpp"
@@ -26,6 +27,14 @@ class HingeChanges;
 class HingeEvents;
 class Stepper;
 class UserEvents;
+
+/// What changes at one instant.
+struct MotionChange {
+  std::vector<int> unlocked{};  ///< bodies
+  std::vector<int> released{};
+  /// Not set: they stay as they are.
+  std::optional<std::shared_ptr<const ForceModel>> forces{};
+};
 
 /// A carrier with bodies moving through time.
 ///
@@ -68,17 +77,21 @@ class Motion {
   /// From now on, at time(). A released body is a body of its own; a locked
   /// one is held whatever the body on it (its relative velocity is taken out
   /// with the momentum kept, the energy counts as dissipated).
-  void release(int body);
+  void release(int body) { change({.unlocked = {}, .released = {body}}); }
   void lock(int body);
-  void unlock(int body);
-  void set_forces(std::shared_ptr<const ForceModel> forces);
+  void unlock(int body) { change({.unlocked = {body}}); }
+  void set_forces(std::shared_ptr<const ForceModel> forces) {
+    change({.forces = std::move(forces)});
+  }
+  /// Which hinges hold is decided once, after all of it.
+  void change(const MotionChange& what);
 
   /// Adds an event; its index.
   int add_event(MotionEvent event);
 
   /// Calls `look` with the motion at the end of every step that it goes on
-  /// from, where forces jump just before and after; not where advance_to()
-  /// stops.
+  /// from, where forces jump or hinges change just before and after; not where
+  /// advance_to() stops.
   void watch_steps(std::function<void(const MotionSample&)> look) {
     step_watch_ = std::move(look);
   }
@@ -119,11 +132,13 @@ class Motion {
   void show_step(double time);
   bool redo_step_to(double time);
   bool keep_directions();
-  std::optional<StepEvent> find_event();
-  bool handle(const StepEvent& found);
+  std::vector<StepEvent> find_events();
+  bool handle(const std::vector<StepEvent>& found);
+  bool pass_event(const StepEvent& event, std::vector<double>& state);
+  std::vector<double> let_go(int body, const std::vector<double>& from);
   void go_to(double time);
   void restart(std::vector<double> state);
-  bool resume(std::vector<double> state, int forced = -1);
+  bool resume(std::vector<double> state, bool due = false);
   void set_failure(const CoupledReport& report, double time);
   MotionState state_of(double time, std::span<const double> numbers,
                        double step) const;
@@ -140,7 +155,7 @@ class Motion {
   std::function<void(const MotionSample&)> step_watch_;
   std::function<bool()> halt_;
   std::optional<MotionFailure> failure_;
-  std::optional<StepEvent> pending_;
+  std::vector<StepEvent> pending_;  ///< at one instant
   double now_;
   int event_ = -1;
   int changes_here_ = 0;  ///< at one and the same time

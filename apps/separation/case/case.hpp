@@ -158,7 +158,8 @@ struct Pusher {
   double stroke;              ///< m
 };
 
-/// A motor on an axis: a moment on the body, the opposite one on the carrier.
+/// A motor or a torsion spring on an axis: a moment on the body, the opposite
+/// one on the carrier, as long as the hinge holds.
 struct Motor {
   Variable variable;
   Table<double> moment;  ///< about the axis, N m

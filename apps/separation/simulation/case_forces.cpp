@@ -168,6 +168,16 @@ double History::time_of(const Clock& clock, int body, const Case& c) const {
   return event + clock.delay;
 }
 
+double History::release_of(int body, const Case& c) const {
+  double first = not_yet;
+  for (std::size_t e = 0; body > 0 && e < c.events.size(); ++e) {
+    if (c.events[e].action == Event::Action::break_hinge) {
+      first = std::min(first, events[e][body - 1]);
+    }
+  }
+  return first;
+}
+
 double stroke_used(const Pusher& pusher, int body,
                    std::span<const BodyMotion> bodies) {
   const BodyMotion& carrier = bodies[0];
@@ -181,11 +191,14 @@ CaseForces::CaseForces(const Case& c, const History& history) : case_(c) {
     const Force& force = c.forces[i];
     if (history.spent[i]) continue;
     const auto* thrust = std::get_if<Thrust>(&force.what);
-    const Active active{&force, history.time_of(force.begin, force.body, c),
-                        history.time_of(force.end, force.body, c),
-                        thrust != nullptr
-                            ? history.time_of(thrust->cutoff, force.body, c)
-                            : History::not_yet};
+    const auto* motor = std::get_if<Motor>(&force.what);
+    const double end = history.time_of(force.end, force.body, c);
+    const double off =
+        motor != nullptr ? history.release_of(force.body, c) : History::not_yet;
+    const Active active{
+        &force, history.time_of(force.begin, force.body, c), std::min(end, off),
+        thrust != nullptr ? history.time_of(thrust->cutoff, force.body, c)
+                          : History::not_yet};
     if (std::isinf(active.begin)) continue;
     active_.push_back(active);
     breaks_.insert(breaks_.end(), {active.begin, active.end, active.cutoff});
@@ -194,8 +207,7 @@ CaseForces::CaseForces(const Case& c, const History& history) : case_(c) {
       add_rows(applied->force.at, active.begin, breaks_);
       add_rows(applied->moment.at, active.begin, breaks_);
     }
-    if (const auto* motor = std::get_if<Motor>(&force.what);
-        motor != nullptr && motor->variable == Variable::time) {
+    if (motor != nullptr && motor->variable == Variable::time) {
       add_rows(motor->moment.at, active.begin, breaks_);
     }
     if (const auto* air = std::get_if<Aerodynamic>(&force.what)) {

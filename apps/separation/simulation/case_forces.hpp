@@ -24,6 +24,8 @@ struct History {
   /// When a clock strikes for a body: of an event that is not about the body
   /// the first time counts. not_yet if that is not known.
   double time_of(const Clock& clock, int body, const Case& c) const;
+  /// When the hinge of a body (1 +) broke; not_yet.
+  double release_of(int body, const Case& c) const;
 };
 
 /// The forces of a case from one event to the next.

@@ -276,36 +276,41 @@ Simulation::Stop Simulation::advance_to(double end, bool look) {
   return Stop::event;
 }
 
-bool Simulation::perform(const Happening& h) {
+// Adds to what an event breaks. What is broken already does not break again.
+bool Simulation::perform(const Happening& h, multibody::MotionChange& breaks) {
   const Event& event = case_.events[h.event];
   history_.events[h.event][h.body] = time();
-  const HingeMode mode = sample().mode(h.body);
   if (event.action == Event::Action::break_lock) {
-    if (mode == HingeMode::locked) motion_.unlock(h.body);
+    breaks.unlocked.push_back(h.body);
     return true;
   }
-  if (mode == HingeMode::locked) {
+  if (sample().mode(h.body) == HingeMode::locked &&
+      std::ranges::find(breaks.unlocked, h.body) == breaks.unlocked.end()) {
     message_ = fmt::format(
         "t = {:.6g} s: event \"{}\": the hinge of \"{}\" breaks while its lock "
         "still holds: break the lock first",
         time(), event.name, case_.bodies[h.body].rigid.name);
     return false;
   }
-  if (mode != HingeMode::released) motion_.release(h.body);
+  breaks.released.push_back(h.body);
   return true;
 }
 
+// All at once: forces begin and end with the nodes that break.
 bool Simulation::apply() {
+  multibody::MotionChange breaks;
   for (const Happening& h : std::exchange(due_, {})) {
-    if (!perform(h)) return false;
-    if (motion_.failure()) {
-      message_ = failure_text();
-      return false;
-    }
+    if (!perform(h, breaks)) return false;
+  }
+  end_pushes();
+  forces_ = std::make_shared<CaseForces>(case_, history_);
+  breaks.forces = forces_;
+  motion_.change(breaks);
+  if (motion_.failure()) {
+    message_ = failure_text();
+    return false;
   }
   changed_ = true;
-  end_pushes();
-  renew_forces();
   return true;
 }
 

@@ -109,7 +109,7 @@ class Simulation {
   bool end_pushes();
   void renew_forces();
   std::string failure_text() const;
-  bool perform(const Happening& h);
+  bool perform(const Happening& h, multibody::MotionChange& breaks);
 
   const Case& case_;
   History history_;
