@@ -9,7 +9,7 @@
 
 #include "libcontact/base/units.hpp"
 #include "separation/case/case_reader.hpp"
-#include "separation/record/run.hpp"
+#include "separation/results/run.hpp"
 
 namespace {
 
