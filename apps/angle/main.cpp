@@ -59,7 +59,8 @@ They are empty for a pin in an infinite hole, which gives way without end, for
 loading through the back and without load.
 With --inverse: theta0_deg, then for each law load_LAW_N, load_parameter_LAW,
 x_LAW, p_nominal_LAW_Pa and the others. Where a law has no value (hertz for
-x > 1) the cell is empty, in JSON null.
+x > 1) the cell is empty, in JSON null; a row where none has one is a point that
+failed.
 A peak above 5 % of the smaller Young's modulus or above the limit_pressure of a
 material, and half-angles beyond the limit of the materials are warned of.
 

@@ -122,6 +122,7 @@ cli::ExitStatus report(const std::vector<cli::Joint>& joints,
                             "are outside its range",
                             law, all.out_of_range, rows));
     }
+    if (all.empty > 0) status = cli::some_bad;
     if (all.not_converged > 0) {
       cli::warn("hinge-angle",
                 fmt::format("law {}: {} of {} rows have not converged", law,

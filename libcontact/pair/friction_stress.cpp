@@ -128,12 +128,15 @@ FrictionStress FrictionStress::stribeck(double static_coefficient,
   require(is_positive_number(speed), place, "speed", speed,
           "above 0 m/s and finite");
   const double more = static_coefficient - dynamic_coefficient;
-  return {[=](double p, double v) {
-            return p * (dynamic_coefficient + more * std::exp(-v / speed));
-          },
-          more > 0   ? StressOverSpeed::falls
-          : more < 0 ? StressOverSpeed::rises
-                     : StressOverSpeed::constant};
+  FrictionStress stress(
+      [=](double p, double v) {
+        return p * (dynamic_coefficient + more * std::exp(-v / speed));
+      },
+      more > 0   ? StressOverSpeed::falls
+      : more < 0 ? StressOverSpeed::rises
+                 : StressOverSpeed::constant);
+  stress.speed_scale_ = speed;
+  return stress;
 }
 
 FrictionStress FrictionStress::power(double coefficient, double pressure,
