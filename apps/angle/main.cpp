@@ -61,7 +61,7 @@ With --inverse: theta0_deg, then for each law load_LAW_N, load_parameter_LAW,
 x_LAW, p_nominal_LAW_Pa and the others. Where a law has no value (hertz for
 x > 1) the cell is empty, in JSON null.
 A peak above 5 % of the smaller Young's modulus or above the limit_pressure of a
-material, and half-angles beyond the limit of the materials are warned of.
+material, and half-angles beyond the limit of the joint are warned of.
 
 With --compare one row for each law (all unless --law names some), between the
 smallest and the largest load given, without one from 1e-6 to 1e8 of the load

@@ -22,9 +22,10 @@ void add_contacts(const Case& c, const Outcome& outcome, Warnings& warnings) {
     for (std::size_t j = 0; j < joints.size(); ++j) {
       const JointPeaks& peaks = outcome.memory.bodies[b].joints[j];
       const contact::JointContact& contact = joints[j].contact;
+      const contact::ContactLimits limits(contact.half_angle_law(),
+                                          contact.pair());
       for (const std::string& note :
-           contact_notes(contact.geometry().kind(), contact.pair(),
-                         peaks.half_angle, peaks.pressure)) {
+           limits.notes({peaks.half_angle, peaks.pressure})) {
         notes.insert(fmt::format("joint {}: {}", joints[j].joint.name, note));
       }
     }

@@ -49,9 +49,8 @@ std::vector<std::string> notes(const FileJoint& self,
     const double half_angle = contact.half_angle(*at[0]).half_angle;
     largest.add(half_angle, contact.peak_pressure(*at[0], half_angle));
   });
-  for (auto& note :
-       contact::contact_notes(contact.geometry().kind(), self.spec().pair,
-                              largest.half_angle, largest.peak_pressure)) {
+  const contact::ContactLimits limits(contact.half_angle_law(), contact.pair());
+  for (auto& note : limits.notes(largest)) {
     all.push_back(std::move(note));
   }
   return all;
