@@ -27,9 +27,9 @@ double limit_half_angle(const HalfAngleLaw& law, const ElasticPair& pair) {
 ContactLimits::ContactLimits(const HalfAngleLaw& law, const ElasticPair& pair) {
   const auto add_pressure = [this](double limit, const std::string& what) {
     limits_.push_back(
-        {&LargestContact::peak_pressure, limit, megapascal,
-         "peak pressure {:.4g} MPa is ",
-         detail::message("above {:.4g} MPa, {}", limit / megapascal, what)});
+        {&LargestContact::peak_pressure, limit, megapascal, "peak pressure",
+         " {:.4g} MPa is",
+         detail::message(" above {:.4g} MPa, {}", limit / megapascal, what)});
   };
   add_pressure(largest_pressure_share * std::min(pair.inner().youngs_modulus,
                                                  pair.outer().youngs_modulus),
@@ -47,8 +47,8 @@ ContactLimits::ContactLimits(const HalfAngleLaw& law, const ElasticPair& pair) {
   const double limit = limit_half_angle(law, pair);
   limits_.push_back(
       {&LargestContact::half_angle, limit * (1 + fitted_error), degree,
-       "half-angle {:.4g} deg is ",
-       detail::message("beyond {:.4g} deg, the limit half-angle of this joint",
+       "half-angle", " {:.4g} deg is",
+       detail::message(" beyond {:.4g} deg, the limit half-angle of this joint",
                        limit / degree)});
 }
 
@@ -66,12 +66,22 @@ std::vector<std::string> ContactLimits::notes(
     const LargestContact& largest) const {
   std::vector<std::string> notes;
   for (const Limit& limit : limits_) {
-    const double value = largest.*limit.of;
-    if (!(value > limit.value)) continue;
-    notes.push_back(detail::message(limit.number, value / limit.unit) +
-                    limit.text);
+    if (!limit.is_passed(largest)) continue;
+    notes.push_back(
+        limit.what +
+        detail::message(limit.number, largest.*limit.of / limit.unit) +
+        limit.beyond);
   }
   return notes;
+}
+
+std::vector<std::string> ContactLimits::passed(
+    const LargestContact& largest) const {
+  std::vector<std::string> all;
+  for (const Limit& limit : limits_) {
+    if (limit.is_passed(largest)) all.push_back(limit.what + limit.beyond);
+  }
+  return all;
 }
 
 }  // namespace contact

@@ -50,14 +50,22 @@ class ContactLimits {
   /// A sentence for each limit that a contact has passed: "peak pressure 30 MPa
   /// is above 20 MPa, the limit pressure of the outer body, polymer".
   std::vector<std::string> notes(const LargestContact& largest) const;
+  /// The same without the number, alike for all contacts of the joint: "peak
+  /// pressure above 20 MPa, the limit pressure of the outer body, polymer".
+  std::vector<std::string> passed(const LargestContact& largest) const;
 
  private:
   struct Limit {
     double LargestContact::*of;
     double value;        ///< Pa or rad
-    double unit;         ///< of the number in a note
-    const char* number;  ///< "peak pressure {:.4g} MPa is "
-    std::string text;    ///< "above 20 MPa, the limit pressure of ..."
+    double unit;         ///< of numbers in notes
+    const char* what;    ///< "peak pressure"
+    const char* number;  ///< " {:.4g} MPa is"
+    std::string beyond;  ///< " above 20 MPa, the limit pressure of ..."
+
+    bool is_passed(const LargestContact& largest) const {
+      return largest.*of > value;
+    }
   };
 
   std::vector<Limit> limits_;

@@ -756,6 +756,10 @@ TEST(ContactNotes, SayWhereTheTheoryAndTheMaterialsEnd) {
   EXPECT_EQ(notes(0.5, 3e7)[0],
             "peak pressure 30 MPa is above 20 MPa, the limit pressure of the "
             "outer body, polymer");
+  EXPECT_EQ(limits.passed({0.5, 3e7}),
+            std::vector<std::string>{"peak pressure above 20 MPa, the limit "
+                                     "pressure of the outer body, polymer"});
+  EXPECT_TRUE(limits.passed({0.5, 2e7}).empty());
   EXPECT_EQ(notes(0.5, 5e7).size(), 1u);
   ASSERT_EQ(notes(0.5, 2.65e9).size(), 2u);
   EXPECT_EQ(notes(0.5, 2.65e9)[0],
