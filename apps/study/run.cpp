@@ -241,6 +241,9 @@ cli::ExitStatus run_study(const Options& o, const Study& study) {
   if (!o.rows.empty()) return cli::all_good;
   const Findings findings = find(study, journal);
   write_results(o, study, findings, journal);
+  if (findings.above_limit > 0) {
+    cli::warn(program, above_limit_text(study, findings));
+  }
   cli::ExitStatus status = findings.failed > 0 ? cli::some_bad : cli::all_good;
   if (o.output.plot.empty() && o.report.empty()) return status;
   const std::vector<Picture> pictures = pictures_of(study, findings, journal);

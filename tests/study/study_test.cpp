@@ -85,9 +85,9 @@ using BallStudy = StudyFolder;
 // By the library itself, with the draws that the columns show.
 TEST_F(BallStudy, RowsAreWhatTheJointSays) {
   const Study study(ball());
-  ASSERT_EQ(study.columns(),
-            (std::vector<std::string>{"friction.coefficient", "load.reaction_N",
-                                      "M_t_N_m", "R_n_N"}));
+  ASSERT_EQ(study.columns(), (std::vector<std::string>{
+                                 "friction.coefficient", "load.reaction_N",
+                                 "M_t_N_m", "R_n_N", "p_peak_over_limit"}));
   contact::JointSpec spec = contact::read_joint(path("j.toml"));
   for (const std::uint64_t run : {1, 7, 40}) {
     const Row row = study.row(run);
@@ -102,6 +102,8 @@ TEST_F(BallStudy, RowsAreWhatTheJointSays) {
     // The angle is read from degrees.
     EXPECT_NEAR(row.numbers[2] / solution.friction_moment.norm(), 1, 1e-13);
     EXPECT_NEAR(row.numbers[3] / solution.normal_force, 1, 1e-13);
+    const double limit = 0.05 * spec.pair.inner().youngs_modulus;
+    EXPECT_NEAR(row.numbers[4] / (solution.peak_pressure / limit), 1, 1e-13);
   }
 }
 
@@ -165,15 +167,19 @@ TEST_F(BallStudy, WhatDoesNotFitIsNamed) {
             "that have a pattern");
 }
 
-// Programs warn of it, but no number depends on what a material bears.
+// What a material bears counts below what elasticity does, 10.5 GPa here.
 TEST_F(BallStudy, KeysWithoutEffectAreNamed) {
   EXPECT_EQ(Study(ball()).idle_keys(), std::vector<std::string>{});
-  const std::string key = "materials.outer.limit_pressure_MPa";
-  const std::string file =
-      ball("[[dispersion]]", "[[dispersion]]\nkey = '" + key +
-                                 "'\nkind = 'uniform'\nlow = 100\n"
-                                 "high = 200\n[[dispersion]]");
-  EXPECT_EQ(Study(file).idle_keys(), std::vector<std::string>{key});
+  const std::string key = "materials.outer.limit_pressure_GPa";
+  const auto file = [&](const std::string& ends) {
+    return ball("[[dispersion]]", "[[dispersion]]\nkey = '" + key +
+                                      "'\nkind = 'uniform'\n" + ends +
+                                      "[[dispersion]]");
+  };
+  EXPECT_EQ(Study(file("low = 100\nhigh = 200\n")).idle_keys(),
+            std::vector<std::string>{key});
+  EXPECT_EQ(Study(file("low = 1\nhigh = 2\n")).idle_keys(),
+            std::vector<std::string>{});
 }
 
 // A run that fails is a row with its reason and a miss.

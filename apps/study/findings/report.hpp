@@ -23,6 +23,9 @@ struct Part {
   std::vector<std::uint64_t> runs = {};    ///< that the rows are of
 };
 
+/// That runs have pressures above over_limit, and how many.
+std::string above_limit_text(const Study& study, const Findings& findings);
+
 /// What a study says, for people.
 std::vector<Part> parts_of(const Study& study, const Findings& findings);
 

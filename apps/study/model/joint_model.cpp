@@ -5,6 +5,7 @@
 
 #include "libcontact/base/units.hpp"
 #include "libcontact/joint/joint.hpp"
+#include "libcontact/pressure/validity.hpp"
 #include "separation/case/identity.hpp"
 
 namespace study {
@@ -71,12 +72,15 @@ Result JointModel::run(const Settings& settings, const Effort& /*effort*/,
             {}};
   }
   const double moment = s.friction_moment.norm();
-  const double radius = loaded.joint.contact().geometry().radius();
+  const contact::JointContact& contact = loaded.joint.contact();
+  const double radius = contact.geometry().radius();
+  const contact::ContactLimits limits(contact.half_angle_law(), contact.pair());
   return {{},
           {{"R_n_N", s.normal_force},
            {"M_t_N_m", moment},
            {"f_M", moment / (radius * loaded.reaction)},
            {"p_peak_Pa", s.peak_pressure},
+           {over_limit, s.peak_pressure / limits.peak_pressure()},
            {"theta0_deg", s.half_angle / contact::degree},
            {"power_W", s.power}}};
 }
