@@ -7,30 +7,12 @@
 #include <utility>
 
 #include "cli/program.hpp"
-#include "libcontact/pressure/validity.hpp"
 #include "separation/output/summary.hpp"
+#include "separation/record/contact_limits.hpp"
 #include "separation/simulation/force_watch.hpp"
 
 namespace separation {
 namespace {
-
-// Joints whose largest contact leaves the theory or what its materials bear.
-void add_contacts(const Case& c, const Outcome& outcome, Warnings& warnings) {
-  std::set<std::string> notes;
-  for (std::size_t b = 0; b < c.bodies.size(); ++b) {
-    const auto& joints = c.bodies[b].hinge.joints;
-    for (std::size_t j = 0; j < joints.size(); ++j) {
-      const JointPeaks& peaks = outcome.memory.bodies[b].joints[j];
-      const contact::JointContact& contact = joints[j].contact;
-      for (const std::string& note :
-           contact_notes(contact.geometry().kind(), contact.pair(),
-                         peaks.half_angle, peaks.pressure)) {
-        notes.insert(fmt::format("joint {}: {}", joints[j].joint.name, note));
-      }
-    }
-  }
-  for (const std::string& note : notes) warnings.add(note);
-}
 
 void add_overlaps(const Case& c, const Outcome& outcome, Warnings& warnings) {
   for (std::size_t i = 0; i < c.clearance.size(); ++i) {
@@ -118,7 +100,9 @@ void warn_of_run(const Case& c, const Outcome& outcome, Warnings& warnings) {
     warnings.add("ended early: " + outcome.failure);
   }
   add_faults(c, outcome, warnings);
-  add_contacts(c, outcome, warnings);
+  for (const std::string& note : contact_notes(c, outcome.memory)) {
+    warnings.add(note);
+  }
   add_overlaps(c, outcome, warnings);
   add_drift(c, outcome, warnings);
 }

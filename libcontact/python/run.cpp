@@ -13,6 +13,7 @@
 #include "libcontact/python/file_joint.hpp"
 #include "libcontact/python/rows.hpp"
 #include "separation/output/summary.hpp"
+#include "separation/record/contact_limits.hpp"
 #include "separation/record/saved_state.hpp"
 
 namespace contact_python {
@@ -196,6 +197,9 @@ void bind_run(py::module_& m) {
   type.def("_end", &CaseRun::end);
   type.def_property_readonly(
       "_events", [](const CaseRun& r) { return events_of(r.run().memory()); });
+  type.def_property_readonly("_contact_notes", [](const CaseRun& r) {
+    return separation::contact_notes(r.run().of(), r.run().memory());
+  });
   const auto look = [&](const char* name, auto of, const char* doc) {
     type.def_property_readonly(
         name, [of](const CaseRun& r) { return of(r.run()); }, doc);

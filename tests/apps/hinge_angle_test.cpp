@@ -349,7 +349,7 @@ TEST(HingeAngle, HertzBeyondItsRange) {
               "hinge-angle: warning: law hertz: no value for 3 of 5 rows, "
               "which are outside its range\n"
               "hinge-angle: warning: law hertz: half-angle 90 deg is beyond "
-              "88.01 deg, the limit half-angle of these materials\n");
+              "88.01 deg, the limit half-angle of this joint\n");
     const auto cells = csv_column(csv_rows(result.out), "theta0_hertz_deg");
     EXPECT_EQ(cells[1], "90");
     EXPECT_EQ(cells[2], "");

@@ -14,6 +14,7 @@
 #include "separation/case/case_reader.hpp"
 #include "separation/case/identity.hpp"
 #include "separation/output/summary.hpp"
+#include "separation/record/contact_limits.hpp"
 #include "separation/warnings.hpp"
 
 namespace study {
@@ -154,6 +155,9 @@ std::map<std::string, double> numbers_of(const Case& c,
   const double drift = outcome.memory.largest_drift;
   if (!c.options.carrier_drive && outcome.memory.largest_energy > 0) {
     numbers.emplace("energy.drift", drift / outcome.memory.largest_energy);
+  }
+  if (const auto share = separation::pressure_over_limit(c, outcome.memory)) {
+    numbers.emplace(over_limit, *share);
   }
   add_bodies(json["bodies"], numbers);
   add_events(c, outcome, numbers);
