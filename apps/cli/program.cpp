@@ -57,6 +57,18 @@ void refuse_empty(const CLI::App& app) {
   }
 }
 
+// Lists that were hardly meant as such.
+void note_thousands(const CLI::App& app) {
+  for (const CLI::Option* option : app.get_options()) {
+    for (const std::string& text : option->results()) {
+      if (!looks_like_thousands(text)) continue;
+      note(app.get_name(),
+           given(option->get_name(), text) +
+               " is a list of numbers: thousands have no commas here");
+    }
+  }
+}
+
 // Names of files and all other text are shown in messages, on one line.
 void refuse_control_characters(int argc, char** argv) {
   for (int i = 1; i < argc; ++i) {
@@ -178,7 +190,9 @@ int run_program(CLI::App& app, int argc, char** argv,
     refuse_control_characters(argc, argv);
     app.parse(argc, argv);
     refuse_empty(app);
-    return body();
+    const ExitStatus status = body();
+    note_thousands(app);
+    return status;
   } catch (const CLI::Success& request) {
     return app.exit(request);          // --help, --version
   } catch (const CLI::ExtrasError&) {  // whose text has them backwards

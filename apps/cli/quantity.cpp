@@ -110,6 +110,26 @@ std::optional<Dimension> unit_dimension(
   return std::nullopt;
 }
 
+// Nobody writes 0 as 000; two groups alone may as well be a list that ascends
+// from one number below 100 to one below 1000, which a note does not harm.
+bool looks_like_thousands(std::string_view text) {
+  const auto groups = split(text, separators);
+  const auto is_digits = [](std::string_view group) {
+    return group.find_first_not_of("0123456789") == group.npos;
+  };
+  const std::string_view first = groups[0];
+  if (groups.size() < 2 || text.find(':') != text.npos || first.empty() ||
+      first.size() > 3 || first[0] == '0' || !is_digits(first)) {
+    return false;
+  }
+  bool has_zero = false;
+  for (std::size_t i = 1; i < groups.size(); ++i) {
+    if (groups[i].size() != 3 || !is_digits(groups[i])) return false;
+    has_zero = has_zero || groups[i][0] == '0';
+  }
+  return has_zero || (groups.size() == 2 && first.size() < 3);
+}
+
 double parse_quantity(std::string_view option, std::string_view text,
                       Dimension dimension, const Allowed& allowed) {
   const auto value = read_quantity(option, text, dimension);

@@ -41,6 +41,10 @@ std::optional<contact::Dimension> unit_dimension(
 std::vector<std::string_view> split(std::string_view text,
                                     std::string_view cuts);
 
+/// Whether a list is more likely to be one number with commas between its
+/// thousands: "2,000", "12,500", "1,000,000".
+bool looks_like_thousands(std::string_view text);
+
 /// A number without a unit within an interval. Throws contact::Error for
 /// anything else.
 double parse_value(std::string_view option, std::string_view text,

@@ -4,6 +4,7 @@
 #include "libcontact/friction/any_pressure.hpp"
 #include "libcontact/pressure/validity.hpp"
 #include "python/answers.hpp"
+#include "python/contact_warning.hpp"
 #include "python/file_joint.hpp"
 
 namespace contact_python {
@@ -23,20 +24,30 @@ const Field<Coefficients> coefficient_fields[] = {
      "sigma_Z, over f0 rho R_n."},
 };
 
+// The array of value(contact, half-angle, at), where at[0] is a normal force,
+// with warnings of the largest contact.
 template <class Value>
-py::object of_force(const Numbers& force, const Value& value) {
-  return evaluate({{"normal_force", force, 0}},
-                  [&](const double* const* at) { return value(*at[0]); });
+py::object of_contacts(const FileJoint& self,
+                       std::initializer_list<Argument> arguments,
+                       const Value& value) {
+  const JointContact& contact = self.contact();
+  contact::LargestContact largest;
+  py::object all = evaluate(arguments, [&](const double* const* at) {
+    const double half_angle = contact.half_angle(*at[0]).half_angle;
+    largest.add(half_angle, contact.peak_pressure(*at[0], half_angle));
+    return value(contact, half_angle, at);
+  });
+  warn_of(self.limits(), largest);
+  return all;
 }
 
 py::object pressure(const FileJoint& self, const Numbers& theta,
                     const Numbers& force) {
-  const JointContact& contact = self.contact();
-  return evaluate({{"theta", theta, 0}, {"normal_force", force, 0}},
-                  [&](const double* const* at) {
-                    return contact.pressure(
-                        *at[0], *at[1], contact.half_angle(*at[1]).half_angle);
-                  });
+  return of_contacts(
+      self, {{"normal_force", force, 0}, {"theta", theta, 0}},
+      [](const JointContact& c, double half_angle, const double* const* at) {
+        return c.pressure(*at[1], *at[0], half_angle);
+      });
 }
 
 std::vector<std::string> notes(const FileJoint& self,
@@ -49,9 +60,7 @@ std::vector<std::string> notes(const FileJoint& self,
     const double half_angle = contact.half_angle(*at[0]).half_angle;
     largest.add(half_angle, contact.peak_pressure(*at[0], half_angle));
   });
-  for (auto& note :
-       contact::contact_notes(contact.geometry().kind(), self.spec().pair(),
-                              largest.half_angle, largest.peak_pressure)) {
+  for (auto& note : self.limits().notes(largest)) {
     all.push_back(std::move(note));
   }
   return all;
@@ -160,25 +169,38 @@ void bind_size(py::class_<FileJoint>& type) {
 }
 
 void bind_quantities(py::class_<FileJoint>& type) {
+  const auto of_load = [&](const char* name, auto value, const char* doc) {
+    type.def(
+        name,
+        [value](const FileJoint& self, const Numbers& normal_force) {
+          return evaluate({{"normal_force", normal_force, 0}},
+                          [&](const double* const* at) {
+                            return value(self.contact(), *at[0]);
+                          });
+        },
+        py::arg("normal_force"), doc);
+  };
   const auto of = [&](const char* name, auto value, const char* doc) {
     type.def(
         name,
         [value](const FileJoint& self, const Numbers& normal_force) {
-          const JointContact& contact = self.contact();
-          return of_force(normal_force,
-                          [&](double force) { return value(contact, force); });
+          return of_contacts(self, {{"normal_force", normal_force, 0}},
+                             [&](const JointContact& c, double half_angle,
+                                 const double* const* at) {
+                               return value(c, *at[0], half_angle);
+                             });
         },
         py::arg("normal_force"), doc);
   };
   of(
       "half_angle",
-      [](const JointContact& c, double force) {
-        return c.half_angle(force).half_angle;
+      [](const JointContact& /*c*/, double /*force*/, double half_angle) {
+        return half_angle;
       },
       "half_angle(self, normal_force)\n--\n\n"
       "theta0 of the contact, rad; NaN where the law has none.\n\n"
       "normal_force: R_n, N, (...).");
-  of(
+  of_load(
       "load_parameter",
       [](const JointContact& c, double force) {
         return c.load_parameter(force);
@@ -187,36 +209,40 @@ void bind_quantities(py::class_<FileJoint>& type) {
       "mu of a ball, lambda of a pin. normal_force: R_n, N, (...).");
   of(
       "peak_pressure",
-      [](const JointContact& c, double force) {
-        return c.peak_pressure(force, c.half_angle(force).half_angle);
+      [](const JointContact& c, double force, double half_angle) {
+        return c.peak_pressure(force, half_angle);
       },
       "peak_pressure(self, normal_force)\n--\n\n"
       "Pa. normal_force: R_n, N, (...), above 0.");
   of(
       "mean_pressure",
-      [](const JointContact& c, double force) {
-        return c.mean_pressure(force, c.half_angle(force).half_angle);
+      [](const JointContact& c, double force, double half_angle) {
+        return c.mean_pressure(force, half_angle);
       },
       "mean_pressure(self, normal_force)\n--\n\n"
       "Over the contact's own area, Pa. normal_force: R_n, N, (...), above 0.");
-  of(
+  of_load(
       "nominal_pressure",
       [](const JointContact& c, double force) {
         return c.geometry().nominal_pressure(force);
       },
       "nominal_pressure(self, normal_force)\n--\n\n"
-      "Of catalogues: force over projected area, Pa. normal_force: N, (...).");
+      "Force over projected area, Pa: pi rho^2 of a ball, 2 rho l of a pin.\n"
+      "Catalogues of spherical plain bearings take ball diameter times width "
+      "of\n"
+      "the ring.\n\n"
+      "normal_force: N, (...).");
   of(
       "contact_area",
-      [](const JointContact& c, double force) {
-        return c.area(c.half_angle(force).half_angle);
+      [](const JointContact& c, double /*force*/, double half_angle) {
+        return c.area(half_angle);
       },
       "contact_area(self, normal_force)\n--\n\n"
       "m^2. normal_force: R_n, N, (...).");
   of(
       "approach",
-      [](const JointContact& c, double force) {
-        return c.approach(c.half_angle(force).half_angle).approach;
+      [](const JointContact& c, double /*force*/, double half_angle) {
+        return c.approach(half_angle).approach;
       },
       "approach(self, normal_force)\n--\n\n"
       "How far R_n presses the ball or pin into its seat or hole, from first\n"
@@ -225,8 +251,8 @@ void bind_quantities(py::class_<FileJoint>& type) {
       "normal_force: R_n, N, (...), above 0. To 2e-7 of itself.");
   of(
       "stiffness",
-      [](const JointContact& c, double force) {
-        return c.approach(c.half_angle(force).half_angle).stiffness;
+      [](const JointContact& c, double /*force*/, double half_angle) {
+        return c.approach(half_angle).stiffness;
       },
       "stiffness(self, normal_force)\n--\n\n"
       "d R_n/d approach, N/m. NaN and accuracy as of approach().\n\n"

@@ -9,6 +9,7 @@
 #include "libcontact/base/error.hpp"
 #include "libcontact/duty/cycle_rows.hpp"
 #include "libcontact/duty/wear_map.hpp"
+#include "python/contact_warning.hpp"
 #include "python/file_joint.hpp"
 #include "python/ratings.hpp"
 
@@ -83,12 +84,19 @@ std::unique_ptr<Cycle> make_cycle(const FileJoint& joint, const Numbers& time,
   }
   PeriodicSpline forces(rows.times, *rows.period, rows.forces);
   PeriodicSpline spline(rows.times, *rows.period, rows.motion);
-  const py::gil_scoped_release unlocked;
-  return std::make_unique<Cycle>(
-      joint.joint(),
-      sequence ? DutyCycle(std::move(forces), frame, std::move(spline),
-                           contact::TurnSequence(*sequence))
-               : DutyCycle(std::move(forces), frame, std::move(spline)));
+  std::unique_ptr<Cycle> cycle;
+  contact::LargestContact largest;
+  {
+    const py::gil_scoped_release unlocked;
+    cycle = std::make_unique<Cycle>(
+        joint.joint(),
+        sequence ? DutyCycle(std::move(forces), frame, std::move(spline),
+                             contact::TurnSequence(*sequence))
+                 : DutyCycle(std::move(forces), frame, std::move(spline)));
+    largest = cycle->on().largest_contact();
+  }
+  warn_of(joint.limits(), largest, frames_of_maker);
+  return cycle;
 }
 
 template <class Row, class Function>

@@ -9,6 +9,7 @@
 
 #include "libcontact/files/joint_tables.hpp"
 #include "libcontact/joint/joint.hpp"
+#include "libcontact/pressure/validity.hpp"
 
 namespace contact_python {
 
@@ -26,6 +27,7 @@ class FileJoint {
 
   const contact::JointSpec& spec() const { return spec_; }
   const contact::JointContact& contact() const { return joint_.contact(); }
+  const contact::ContactLimits& limits() const { return limits_; }
   /// @throws contact::Error if it has no friction
   const contact::Joint& joint() const;
   /// The file with its settings, as TOML.
@@ -40,6 +42,7 @@ class FileJoint {
   contact::JointSpec spec_;
   std::string canonical_;
   contact::Joint joint_;  // without friction where there is none
+  contact::ContactLimits limits_;
 };
 
 /// Adds the classes and functions of one subject to the module.

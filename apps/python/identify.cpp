@@ -8,6 +8,7 @@
 
 #include "libcontact/base/complaint.hpp"
 #include "libcontact/identify/identify.hpp"
+#include "python/contact_warning.hpp"
 #include "python/file_joint.hpp"
 #include "python/rows.hpp"
 
@@ -68,9 +69,14 @@ std::unique_ptr<FrictionFit> identify(const FileJoint& joint,
       std::ranges::count(options.parameters, FrictionParameter::coefficient);
   const contact::JointContact& contact =
       finds_coefficient ? joint.contact() : joint.joint().contact();
-  const py::gil_scoped_release unlocked;
-  return std::make_unique<FrictionFit>(
-      contact::identify_friction(contact, data, options));
+  std::unique_ptr<FrictionFit> fit;
+  {
+    const py::gil_scoped_release unlocked;
+    fit = std::make_unique<FrictionFit>(
+        contact::identify_friction(contact, data, options));
+  }
+  warn_of(joint.limits(), fit->largest_contact, frames_of_maker);
+  return fit;
 }
 
 std::pair<double, double> pair_of(const ConfidenceInterval& interval) {

@@ -3,6 +3,7 @@
 
 #include "libcontact/duty/sliding_contact.hpp"
 #include "python/answers.hpp"
+#include "python/contact_warning.hpp"
 #include "python/file_joint.hpp"
 #include "python/ratings.hpp"
 
@@ -36,22 +37,37 @@ const Field<RestSolution> rest_fields[] = {
      "theta0 of that sliding, rad."},
 };
 
+// Solutions, with warnings of their largest contact.
+template <class Solve>
+Answers<JointSolution> solutions(const FileJoint& self,
+                                 std::initializer_list<Argument> arguments,
+                                 const Solve& solve) {
+  contact::LargestContact largest;
+  auto all = answers<JointSolution>(arguments, [&](const double* const* at) {
+    const JointSolution s = solve(at);
+    largest.add(s.half_angle, s.peak_pressure);
+    return s;
+  });
+  warn_of(self.limits(), largest);
+  return all;
+}
+
 Answers<JointSolution> solve(const FileJoint& self, const Numbers& reaction,
                              const Numbers& angular_velocity,
                              const std::optional<Numbers>& axis, bool warm) {
   const contact::Joint& joint = self.joint();
   const Vector3d none = Vector3d::Zero();
   JointSolution last;
-  return answers<JointSolution>(
-      {{"reaction", reaction, 3},
-       {"angular_velocity", angular_velocity, 3},
-       axis ? Argument("axis", *axis, 3) : Argument(none)},
-      [&](const double* const* at) {
-        const contact::Joint::Slip slip{vector_at(at[0]), vector_at(at[1]),
-                                        vector_at(at[2])};
-        if (!warm) return joint.solve(slip);
-        return last = joint.solve(slip, last);
-      });
+  return solutions(self,
+                   {{"reaction", reaction, 3},
+                    {"angular_velocity", angular_velocity, 3},
+                    axis ? Argument("axis", *axis, 3) : Argument(none)},
+                   [&](const double* const* at) {
+                     const contact::Joint::Slip slip{
+                         vector_at(at[0]), vector_at(at[1]), vector_at(at[2])};
+                     if (!warm) return joint.solve(slip);
+                     return last = joint.solve(slip, last);
+                   });
 }
 
 Answers<JointSolution> solve_contact(const FileJoint& self,
@@ -60,7 +76,8 @@ Answers<JointSolution> solve_contact(const FileJoint& self,
                                      const std::optional<Numbers>& axis) {
   const contact::Joint& joint = self.joint();
   const Vector3d none = Vector3d::Zero();
-  return answers<JointSolution>(
+  return solutions(
+      self,
       {{"normal_force", normal_force, 3},
        {"angular_velocity", angular_velocity, 3},
        axis ? Argument("axis", *axis, 3) : Argument(none)},
@@ -76,26 +93,35 @@ Answers<RestSolution> utilisation(const FileJoint& self,
                                   const std::optional<Numbers>& axis) {
   const contact::Joint& joint = self.joint();
   const Vector3d none = Vector3d::Zero();
-  return answers<RestSolution>(
+  contact::LargestContact largest;
+  auto all = answers<RestSolution>(
       {{"reaction", reaction, 3},
        {"moment", moment, 3},
        axis ? Argument("axis", *axis, 3) : Argument(none)},
       [&](const double* const* at) {
-        return joint.utilisation(
+        const RestSolution s = joint.utilisation(
             {vector_at(at[0]), vector_at(at[1]), vector_at(at[2])});
+        largest.add(s.slip.half_angle, s.slip.peak_pressure);
+        return s;
       });
+  warn_of(self.limits(), largest);
+  return all;
 }
 
 Answers<Rating> pv(const FileJoint& self, const Numbers& reaction,
                    const Numbers& angular_velocity) {
   const contact::Joint& joint = self.joint();
-  return answers<Rating>(
+  contact::LargestContact largest;
+  auto all = answers<Rating>(
       {{"reaction", reaction, 3}, {"angular_velocity", angular_velocity, 3}},
       [&](const double* const* at) {
         const Vector3d rate = vector_at(at[1]);
         const JointSolution s = joint.solve({vector_at(at[0]), rate});
+        largest.add(s.half_angle, s.peak_pressure);
         return rating(SlidingContact(joint.contact(), s, rate));
       });
+  warn_of(self.limits(), largest);
+  return all;
 }
 
 // Over places of the contact of one state.
@@ -103,6 +129,7 @@ py::dict pv_at(const FileJoint& self, const Vector3d& reaction,
                const Vector3d& rate, const Numbers& places) {
   const contact::Joint& joint = self.joint();
   const JointSolution s = joint.solve({reaction, rate});
+  warn_of(self.limits(), {s.half_angle, s.peak_pressure});
   const SlidingContact sliding(joint.contact(), s, rate);
   const auto over = [&](double (SlidingContact::*of)(const Vector3d&)
                             const noexcept) {
@@ -220,7 +247,8 @@ FileJoint::FileJoint(const TomlTable& file)
     : toml_(file.toml_text()),
       spec_(checked_spec(file)),
       canonical_(spec_.canonical_text()),
-      joint_(contact_of(spec_)) {}
+      joint_(contact_of(spec_)),
+      limits_(contact().half_angle_law(), contact().pair()) {}
 
 contact::KeySettings key_settings(const Settings& settings) {
   contact::KeySettings all;

@@ -2,6 +2,7 @@
 // libcontact/__init__.py, which stands on it.
 #include "libcontact/base/error.hpp"
 #include "libcontact/version.hpp"
+#include "python/contact_warning.hpp"
 #include "python/file_joint.hpp"
 
 PYBIND11_MODULE(_core, m) {
@@ -11,6 +12,7 @@ PYBIND11_MODULE(_core, m) {
   py::register_exception<contact::Error>(m, "Error", PyExc_ValueError);
   m.attr("Error").attr("__module__") = "libcontact";
   m.attr("__version__") = contact::version;
+  contact_python::bind_warning(m);
   contact_python::bind_joint(m);
   contact_python::bind_duty(m);
   contact_python::bind_identify(m);

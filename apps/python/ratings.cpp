@@ -71,7 +71,7 @@ const Field<Rating> of_rating[] = {
     {"pv_mean", [](const Rating& r) { return r.pv_mean; },
      "Mean over the contact, W/m^2."},
     {"pv_nominal", [](const Rating& r) { return r.pv_nominal; },
-     "p v of catalogues: R over the projected area, times rho |Dw|, W/m^2."},
+     "R over the projected area, pi rho^2 or 2 rho l, times rho |Dw|, W/m^2."},
     {"pv_total", [](const Rating& r) { return r.pv_total; },
      "Integral of p v over the contact, W."},
     {"heat_flux_max", [](const Rating& r) { return r.heat_flux.value; },

@@ -12,6 +12,7 @@
 #include "python/file_case.hpp"
 #include "python/file_joint.hpp"
 #include "python/rows.hpp"
+#include "separation/results/contact_limits.hpp"
 #include "separation/results/saved_state.hpp"
 #include "separation/results/summary.hpp"
 
@@ -196,6 +197,9 @@ void bind_run(py::module_& m) {
   type.def("_end", &CaseRun::end);
   type.def_property_readonly(
       "_events", [](const CaseRun& r) { return events_of(r.run().memory()); });
+  type.def_property_readonly("_contact_notes", [](const CaseRun& r) {
+    return separation::contact_notes(r.run().of(), r.run().memory());
+  });
   const auto look = [&](const char* name, auto of, const char* doc) {
     type.def_property_readonly(
         name, [of](const CaseRun& r) { return of(r.run()); }, doc);

@@ -42,7 +42,7 @@ double rounded(double x) { return std::stod(fmt::format("{:.12g}", x)); }
 // Of a number of the summary that is found on the way only.
 bool is_peak(const std::string& quantity) {
   return quantity.find(".peak_") != quantity.npos ||
-         quantity.find(".largest_") != quantity.npos;
+         quantity.find(".largest_") != quantity.npos || quantity == over_limit;
 }
 bool is_clearance(const std::string& quantity) {
   return quantity.starts_with("clearance.");
@@ -192,9 +192,11 @@ void Study::find_quantities() {
       place(name);
     }
   }
-  if (nominal_.numbers.contains(energy_drift)) place(energy_drift);
   effort_.peaks = std::ranges::any_of(quantities_, is_peak);
   effort_.clearance = std::ranges::any_of(quantities_, is_clearance);
+  for (const char* name : {energy_drift, over_limit}) {
+    if (nominal_.numbers.contains(name)) place(name);
+  }
 }
 
 std::vector<std::string> Study::columns() const {

@@ -2,25 +2,25 @@
 
 #include <initializer_list>
 
+#include "libcontact/base/kernel_sets.hpp"
+
 namespace contact {
 
 bool is_supported(InstructionSet set) {
-#if defined(__x86_64__)
-  switch (set) {
-    case InstructionSet::baseline:
-      return true;
-    case InstructionSet::avx2:
-      return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
-    case InstructionSet::avx512:
-      return __builtin_cpu_supports("avx512f") &&
-             __builtin_cpu_supports("avx512dq") &&
-             __builtin_cpu_supports("avx512vl") &&
-             __builtin_cpu_supports("avx512bw");
+#ifdef CONTACT_AVX2_KERNELS
+  if (set == InstructionSet::avx2) {
+    return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
   }
-  return false;
-#else
-  return set == InstructionSet::baseline;
 #endif
+#ifdef CONTACT_AVX512_KERNELS
+  if (set == InstructionSet::avx512) {
+    return __builtin_cpu_supports("avx512f") &&
+           __builtin_cpu_supports("avx512dq") &&
+           __builtin_cpu_supports("avx512vl") &&
+           __builtin_cpu_supports("avx512bw");
+  }
+#endif
+  return set == InstructionSet::baseline;
 }
 
 const std::vector<InstructionSet>& supported_instruction_sets() {

@@ -10,8 +10,8 @@ namespace contact {
 /// has it.
 enum class InstructionSet { baseline, avx2, avx512 };
 
-/// Whether this machine (and this build) can run `set`; always true for
-/// `baseline`.
+/// Whether this machine and this build (clang: without `avx512`) can run `set`;
+/// always true for `baseline`.
 bool is_supported(InstructionSet set);
 
 /// Those that this machine can run, `baseline` first, the widest last.

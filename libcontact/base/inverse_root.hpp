@@ -5,8 +5,9 @@
 #ifdef __AVX512VL__
 #include <immintrin.h>
 
-#include <experimental/simd>
 #include <type_traits>
+
+#include "libcontact/base/simd.hpp"
 #endif
 
 /// 1/sqrt(x) for double and lane types, to two units in the last place, of two

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <experimental/simd>
+#include "libcontact/base/simd.hpp"
 
 /// The widest vector of the instruction set that the file is compiled for, or
 /// CONTACT_LANES numbers if the file says so: a different type in each, so

@@ -2,8 +2,9 @@
 
 #include <bit>
 #include <cstdint>
-#include <experimental/simd>
 #include <numbers>
+
+#include "libcontact/base/simd.hpp"
 
 namespace contact::detail {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <experimental/simd>
+#include "libcontact/base/simd.hpp"
 
 /// One spelling of choices for double and for lane types.
 namespace contact::detail {

@@ -2,10 +2,10 @@
 
 #include <array>
 #include <cmath>
-#include <experimental/simd>
 #include <numbers>
 
 #include "libcontact/base/select.hpp"
+#include "libcontact/base/simd.hpp"
 
 namespace contact::detail {
 

@@ -44,7 +44,8 @@ class BallContact {
   /// @param unknowns  truncation, [8, max_walled_unknowns]; 0 for as many as
   ///                  the thickness asks for
   /// @throws Error if unknowns is out of range, or for a coated ball that is
-  ///               loaded through the back.
+  ///               loaded through the back, or for thin layers that hardly
+  ///               yield between stiff bodies (docs/walls.md, "Limits").
   explicit BallContact(const LayeredPair& pair,
                        InnerLoading loading = InnerLoading::centre(),
                        int unknowns = 0);

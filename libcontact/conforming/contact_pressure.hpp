@@ -36,10 +36,11 @@ class ContactPressure {
   /// The largest pressure, p(peak_angle()).
   double peak() const noexcept;
   /// Where it is, [0, theta0], rad: 0 but for thin walls with a free outer
-  /// surface. To 1e-8 of theta0.
+  /// surface and for stiff thin walls on a soft medium, which bend alike. To
+  /// 1e-8 of theta0.
   double peak_angle() const noexcept;
-  /// Whether it falls from the centre to the edge: not under such walls, also
-  /// where the largest is at the centre.
+  /// Whether it falls from the centre to the edge: not always under such
+  /// walls, also where the largest is at the centre.
   bool falls_outwards() const noexcept;
   /// S = ∫ p dS/R_n (ball), ∫ p rho dt/P (pin).
   double force_ratio() const noexcept { return force_ratio_; }

@@ -51,7 +51,8 @@ class PinContact {
   /// @param unknowns  truncation, [8, max_walled_unknowns]; 0 for as many as
   ///                  the thickness asks for
   /// @throws Error if unknowns is out of range, or for a coated pin that is
-  ///               loaded through the back.
+  ///               loaded through the back, or for thin layers that hardly
+  ///               yield between stiff bodies (docs/walls.md, "Limits").
   explicit PinContact(const LayeredPair& pair,
                       InnerLoading loading = InnerLoading::centre(),
                       int unknowns = 0);

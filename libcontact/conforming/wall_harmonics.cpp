@@ -1,20 +1,71 @@
 #include "libcontact/conforming/wall_harmonics.hpp"
 
 #include <algorithm>
+#include <limits>
+#include <string>
 
 #include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
+#include "libcontact/base/text.hpp"
 #include "libcontact/conforming/layer_compliance.hpp"
 
 namespace contact::detail {
+namespace {
+
+using Side = LayerCompliance::Side;
+
+LayerCompliance compliance_of(JointKind kind, Side side,
+                              const LayeredPair& pair) {
+  return {kind, side, side == Side::inner ? pair.inner() : pair.outer(),
+          pair.radius(), pair.surfaces().effective_modulus()};
+}
+
+// How much long waves of the pressure press in, over the shortest that count:
+// roundings and the truncation of the series are enlarged by its inverse.
+double conditioning(JointKind kind, const LayeredPair& pair) {
+  constexpr int long_wave = 16;
+  double compliance = 0;
+  for (const Side side : {Side::inner, Side::outer}) {
+    compliance += compliance_of(kind, side, pair)(long_wave).total;
+  }
+  return compliance * pair.relative_thickness();
+}
+
+// Thin layers that hardly yield, because they can neither be compressed nor
+// squeezed sideways, between bodies that do not yield either.
+void require_conditioning(JointKind kind, const LayeredPair& pair) {
+  // Measured: docs/walls.md, "Limits". The ball's kernel is a table.
+  const double least = kind == JointKind::ball ? 1.7e-10 : 5e-12;
+  const auto is_good = [&](const LayeredPair& p) {
+    return conditioning(kind, p) >= least;
+  };
+  if (is_good(pair)) return;
+  LayeredBody inner = pair.inner();
+  LayeredBody outer = pair.outer();
+  const bool coating =
+      !inner.layers.empty() &&
+      inner.layers[0].thickness <= pair.relative_thickness() * pair.radius();
+  Layer& layer = (coating ? inner : outer).layers[0];
+  const std::string given =
+      message("{} 1: thickness = {}", coating ? "coating" : "wall layer",
+              layer.thickness);
+  do {
+    layer.thickness *= 1.01;
+  } while (!is_good({pair.radius(), inner, outer}));
+  throw Error(must_be(
+      given, message("at least {:.3g} m: with Poisson's ratio {} and between "
+                     "bodies this stiff a thinner one hardly yields, and its "
+                     "pressure cannot be computed",
+                     1.01 * layer.thickness, layer.material.poissons_ratio)));
+}
+
+}  // namespace
 
 WallHarmonics::WallHarmonics(JointKind kind, const LayeredPair& pair)
     : first(0) {
-  using Side = LayerCompliance::Side;
+  require_conditioning(kind, pair);
   for (const Side side : {Side::inner, Side::outer}) {
-    const LayerCompliance compliance(
-        kind, side, side == Side::inner ? pair.inner() : pair.outer(),
-        pair.radius(), pair.surfaces().effective_modulus());
+    const LayerCompliance compliance = compliance_of(kind, side, pair);
     const int count = compliance.corrected();
     correction.resize(std::max<std::size_t>(correction.size(), count));
     for (int n = 0; n < count; ++n) {
@@ -24,9 +75,20 @@ WallHarmonics::WallHarmonics(JointKind kind, const LayeredPair& pair)
   }
 }
 
+double free_ring_thickness(const LayeredPair& pair) {
+  const LayeredBody& outer = pair.outer();
+  if (outer.backing.kind() != Backing::Kind::held) {
+    return std::numeric_limits<double>::infinity();
+  }
+  double thickness = 0;
+  for (const Layer& layer : outer.layers) thickness += layer.thickness;
+  return thickness / pair.radius();
+}
+
 int walled_unknowns(const LayeredPair& pair) {
-  // Measured: docs/conforming.md, "Walls".
-  const double thickness = pair.relative_thickness();
+  // Measured: docs/walls.md, "The edge".
+  const double thickness =
+      std::min(pair.relative_thickness(), free_ring_thickness(pair) / 5);
   if (thickness > 0.09) return 16;
   if (thickness > 0.025) return 24;
   if (thickness > 0.009) return 32;

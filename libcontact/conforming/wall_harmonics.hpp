@@ -11,6 +11,8 @@ namespace contact::detail {
 /// What the walls of both bodies change in the equations of a contact, all in
 /// units of 4 rho/E.
 struct WallHarmonics {
+  /// @throws Error for layers so thin and nearly incompressible that the
+  ///         solvers would lose all digits.
   WallHarmonics(JointKind kind, const LayeredPair& pair);
 
   /// Dc_n of both bodies together, n = 0, 1, ...; 0 at n = 1.
@@ -19,8 +21,13 @@ struct WallHarmonics {
   double first;
 };
 
+/// Thickness over the radius of an outer body that is free outside; infinite if
+/// it has a backing.
+double free_ring_thickness(const LayeredPair& pair);
+
 /// Unknowns that the solvers of walled contacts need for 1e-6 of the load:
-/// the edge of the contact has a layer as wide as the wall is thick.
+/// the edge of the contact has a layer as wide as the wall is thick, under a
+/// ring that is free outside a fifth of that.
 int walled_unknowns(const LayeredPair& pair);
 
 /// @throws Error for a coated inner body loaded through the back.

@@ -63,4 +63,15 @@ CycleInstant JointCycle::largest(const Quantity& quantity) const {
   return quantity(found) > quantity(*best) ? found : *best;
 }
 
+LargestContact JointCycle::largest_contact() const {
+  const auto largest_of = [this](double JointSolution::*of) {
+    return largest([of](const CycleInstant& i) {
+             return i.solution.*of;
+           }).solution.*
+           of;
+  };
+  return {largest_of(&JointSolution::half_angle),
+          largest_of(&JointSolution::peak_pressure)};
+}
+
 }  // namespace contact

@@ -7,6 +7,7 @@
 #include "libcontact/duty/duty_cycle.hpp"
 #include "libcontact/duty/sliding_contact.hpp"
 #include "libcontact/joint/joint.hpp"
+#include "libcontact/pressure/validity.hpp"
 
 namespace contact {
 
@@ -48,6 +49,8 @@ class JointCycle {
   /// The largest value, to 1e-8: the largest of the rows, improved between its
   /// neighbours.
   CycleInstant largest(const Quantity& quantity) const;
+  /// For ContactLimits; both as largest().
+  LargestContact largest_contact() const;
 
  private:
   DutyCycle cycle_;

@@ -72,8 +72,8 @@ class SlidingContact {
   }
   /// pv_total() over the area of the contact, W/m^2.
   double pv_mean() const noexcept;
-  /// That of catalogues, W/m^2: R over the projected area of
-  /// JointGeometry::nominal_pressure(), times rho |Dw|.
+  /// R over the projected area of JointGeometry::nominal_pressure(), times
+  /// rho |Dw|, W/m^2.
   double pv_nominal() const { return pv_nominal_; }
   /// Of the heat flux, W: minus the power of friction, to 1e-12
   /// (duty/sliding_contact_test.cpp).

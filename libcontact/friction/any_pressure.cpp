@@ -105,8 +105,9 @@ void store(const FrictionIntegrals& r, std::size_t i,
 
 /// ∬ p sin^2 t dS for the pressure that carries the force 1, by parts.
 double second_moment(const PressureLaw& law, double half_angle) {
-  // x = u^2 for the logarithm of an exact pressure.
-  constexpr int size = 40;
+  // x = u^2 for the logarithm of an exact pressure; as many nodes as the 64
+  // sines of thin walls need.
+  constexpr int size = 128;
   static const detail::GaussLegendre gauss(size);
   std::array<double, size> x, slope;
   for (int i = 0; i < size; ++i) {

@@ -13,8 +13,9 @@ namespace contact::detail {
 ///     ∬ p ... dS = ∫ (dp/dx) area(theta0(x)) dx,  0 <= x <= 1.
 ///
 /// Relative error, given the slopes, at most 1e-10 for theta0 <= 120 deg
-/// (friction/own_pressure_test.cpp). 56 area integrals, twice as many with a
-/// pole in the contact; allocates when it is called for the first time.
+/// (friction/own_pressure_test.cpp). 56 area integrals, 128 with walls, twice
+/// as many with a pole in the contact; allocates when it is called for the
+/// first time.
 /// @param half_angle  theta0, rad, (0, largest_half_angle()]
 FrictionTriple coefficients_by_parts(const PressureLaw& law, double half_angle,
                                      SlipAxis axis, const CapKernel& kernel);

@@ -36,8 +36,9 @@ void check_batch(const FrictionBatchInput& in, const FrictionBatchOutput& out,
     }
   }
   if (!is_supported(set)) {
-    throw Error(std::string("friction integrals: this machine lacks ") +
-                name(set));
+    throw Error(
+        std::string("friction integrals: this machine or build lacks ") +
+        name(set));
   }
 }
 

@@ -74,6 +74,8 @@ class Stress {
     const double p = std::max(unit_ * profile_.pressure(theta), 0.0);
     return stress_.stress_at(p, rim_speed_ * share_of_speed);
   }
+  // How far from the slip axis the stress changes with the speed, rad.
+  double layer() const { return stress_.speed_scale() / rim_speed_; }
 
  private:
   detail::PressureProfile profile_;
@@ -147,12 +149,28 @@ void across_arc(double d, const GaussLegendre& gauss, const Visit& visit) {
   }
 }
 
-// The same from x = pole on, where e changes its sign, to either end.
+// The same from x = pole on, where e changes its sign, to either end. What
+// changes like exp(-|x - pole|/layer) has pieces of its own beside the pole.
 template <class Visit>
-void across_both_sides(double d, double pole, const GaussLegendre& gauss,
-                       const Visit& visit) {
-  const double start = std::asin(pole / d);  // x = d sin V
-  for (const double end : {-pi / 2, pi / 2}) {
+void across_both_sides(double d, double pole, double layer,
+                       const GaussLegendre& gauss, const Visit& visit) {
+  // Of the exponential the first piece has all but 2e-3, the second one all but
+  // 1e-13.
+  constexpr std::array<double, 2> pieces = {6, 30};
+  for (const double side : {-1.0, 1.0}) {
+    double start = std::asin(pole / d);  // x = d sin V
+    for (const double piece : pieces) {
+      const double x = pole + side * piece * layer;
+      if (!(side * x < d)) break;
+      const double end = std::asin(x / d);
+      const double half = std::abs(end - start) / 2;
+      for (Eigen::Index k = 0; k < gauss.node.size(); ++k) {
+        const double v = (start + end) / 2 + side * half * gauss.node[k];
+        visit(d * std::sin(v), d * std::cos(v) * half * gauss.weight[k]);
+      }
+      start = end;
+    }
+    const double end = side * pi / 2;
     for (Eigen::Index k = 0; k < gauss.node.size(); ++k) {
       const auto [share, rate] = to_end((1 + gauss.node[k]) / 2);
       const double v = start + (end - start) * share;
@@ -190,7 +208,7 @@ FrictionTriple by_planes(double half_angle, SlipAxis axis, const Stress& stress,
     };
     const bool crosses_pole = s >= q && middle < d;
     if (crosses_pole) {
-      across_both_sides(d, -middle, rules.across, add);
+      across_both_sides(d, -middle, stress.layer(), rules.across, add);
     } else {
       across_arc(d, rules.across, add);
     }

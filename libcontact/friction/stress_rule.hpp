@@ -14,7 +14,8 @@ struct StressedContact {
 };
 
 /// Of stress_integrals(): n - 2 great circles of n + 2 points, or twice that
-/// where they cross the slip axis.
+/// where they cross the slip axis, up to six times where the stress changes
+/// fast beside it (FrictionStress::speed_scale()).
 inline constexpr int usual_stress_points = 24;
 
 /// Friction force over rho^2 and moments over rho^3 of a ball's contact, Pa:
@@ -27,7 +28,9 @@ inline constexpr int usual_stress_points = 24;
 /// @return relative error at most 1e-10 for tau that is smooth in p and v and
 ///         for powers of p, 1e-9 for functions of v/p, which change fast
 ///         towards the edge; 1e-10 beyond 90 deg
-///         (joint/friction_stress_test.cpp). NaN where the law has no value
+///         (joint/friction_stress_test.cpp). 1e-6 for tables, and 7e-8 for
+///         Stribeck's curve below 0.1 rim speeds if the slip axis passes the
+///         edge closely outside. NaN where the law has no value
 ///         and at theta0 = 0.
 /// Does not throw; with the usual number of points nothing allocates but in
 /// the first call.

@@ -7,6 +7,7 @@
 #include "libcontact/base/error.hpp"
 #include "libcontact/base/text.hpp"
 #include "libcontact/identify/statistics.hpp"
+#include "libcontact/joint/joint.hpp"
 
 namespace contact {
 namespace {
@@ -237,6 +238,12 @@ class Identification {
                                          .sum()
                                          .cwiseSqrt());
     fit.joint = model_.joint_at(best.point);
+    const Joint joint(*fit.joint);
+    for (const MeasuredMoment& datum : data_) {
+      const JointSolution s = joint.solve(
+          {.reaction = datum.reaction, .angular_velocity = datum.rate});
+      fit.largest_contact.add(s.half_angle, s.peak_pressure);
+    }
     describe_trends(best, fit);
   }
 

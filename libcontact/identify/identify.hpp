@@ -8,6 +8,7 @@
 
 #include "libcontact/identify/measured.hpp"
 #include "libcontact/joint/contact.hpp"
+#include "libcontact/pressure/validity.hpp"
 
 /// Friction parameters from measured moments (docs/identify.md).
 namespace contact {
@@ -42,7 +43,9 @@ struct Estimate {
   /// value -+ quantile of Student's t times the standard error.
   ConfidenceInterval interval = {};
   /// Where the other parameters are fitted anew and chi2 rises by t^2 chi2/dof;
-  /// it ends at 0, and is infinite where chi2 never rises so far.
+  /// it ends at 0, and is infinite where chi2 never rises so far. NaN: the
+  /// others run out of their range before, so that there is no end; that of f0
+  /// is then with the clearance at an end of its range.
   ConfidenceInterval profile = {};
   /// Held at f0 = 0 or A = 0, below which the data would have it.
   bool at_bound = false;
@@ -79,6 +82,8 @@ struct FrictionFit {
   Estimate load_trend;
   Estimate direction_trend;
   Estimate rate_trend;
+  /// Of the states of the data, with these parameters: for ContactLimits.
+  LargestContact largest_contact;
   /// The joint with these parameters.
   std::optional<JointContact> joint;
 };

@@ -76,7 +76,7 @@ void put(Numbers&& numbers, const MeasuredMoment& state,
   }
 }
 
-// Far beyond any fit that means something, and still a joint.
+// Of MomentModel::range().
 constexpr double least_relative_clearance = 1e-9;
 constexpr double largest_relative_clearance = 0.9;
 constexpr double largest_friction = 1e6;
@@ -116,11 +116,20 @@ JointContact MomentModel::joint_at(const Point& p) const {
       .with_friction(FrictionLaw(p[0], p[1] * unit_));
 }
 
+std::pair<double, double> MomentModel::range(int number) const {
+  if (number < 2) return {0, largest_friction};
+  const double radius = joint_.geometry().radius();
+  return {std::log(least_relative_clearance * radius),
+          std::log(largest_relative_clearance * radius)};
+}
+
 bool MomentModel::is_usable(const Point& p) const {
-  const double clearance = std::exp(p[2]) / joint_.geometry().radius();
-  return p.head<2>().cwiseAbs().maxCoeff() <= largest_friction &&
-         clearance >= least_relative_clearance &&
-         clearance <= largest_relative_clearance && p.allFinite();
+  const Point size = mirrored(p);
+  for (int number = 0; number < 3; ++number) {
+    const auto [least, largest] = range(number);
+    if (!(size[number] >= least && size[number] <= largest)) return false;
+  }
+  return true;
 }
 
 VectorXd MomentModel::solved(const Point& point) const {

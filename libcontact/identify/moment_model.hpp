@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "libcontact/identify/measured.hpp"
@@ -27,6 +28,9 @@ class MomentModel {
   double unit() const { return unit_; }
   Point point(double coefficient, double adhesion, double clearance) const;
   JointContact joint_at(const Point& point) const;
+  /// Smallest and largest value of a number of the point that means something;
+  /// far beyond any fit that does.
+  std::pair<double, double> range(int number) const;
 
   /// Below f0 = 0 or A = 0 they go on smoothly, as 2 T(0) - T(-x). What has no
   /// solution, or no meaning, is NaN.

@@ -14,32 +14,83 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+// Whether a search stopped because the range ends there, and not at a minimum.
+// f0 and A may be 0.
+bool is_at_end(const std::pair<double, double>& range, double x, int number) {
+  constexpr double near = 1e-2;  // of the logarithm of a clearance
+  if (number < 2) return x > (1 - near) * range.second;
+  return x < range.first + near || x > range.second - near;
+}
+
+// With this f0 and a clearance at one end of its range, the better one.
+Minimum least_at_ends(const MomentModel& model, const Measurements& measured,
+                      double coefficient, Point start,
+                      std::vector<int> others) {
+  constexpr int clearance = 2;
+  std::erase(others, clearance);
+  Minimum least;
+  const auto [lowest, highest] = model.range(clearance);
+  for (const double end : {lowest, highest}) {
+    start[0] = coefficient;
+    start[clearance] = end;
+    const Minimum found = least_squares(
+        model, measured, VectorXd::Ones(model.size()), start, others);
+    if (found.status != Status::ok) continue;
+    if (least.status != Status::ok || found.chi2 < least.chi2) least = found;
+  }
+  return least;
+}
+
+// How far a number goes on one side, and what its interval ends with that
+// reaches as far.
+struct Side {
+  double last;
+  double bound;
+};
+
+// Where `excess` is 0; NaN if it has no value there or jumps.
+template <class Excess>
+double zero_between(const Excess& excess, double low, double high,
+                    double at_low, double at_high) {
+  // 1e-6 of the value: far below what an interval means.
+  constexpr int bits = 21;
+  constexpr double negligible = 0.1;
+  const double found =
+      shrink_bracket(excess, low, high, at_low, at_high, bits).middle();
+  return std::abs(excess(found)) < negligible ? found : nan;
+}
 
 // One end of the interval: where `excess`, which is -quantile at `best`, is 0,
-// or else the bound on that side, 0 or infinite.
+// or else the bound on that side. Where refits fail, those of shorter steps may
+// not; NaN if the last one that did not was still inside.
 template <class Excess>
 double profile_end(const Excess& excess, double best, double step,
-                   double quantile, double bound) {
+                   double quantile, Side side) {
   double near = best;
   double at_near = -quantile;
-  constexpr int most_steps = 30;
-  for (int i = 0; i < most_steps && near != bound; ++i, step *= 2) {
-    const double far =
-        step > 0 ? std::min(near + step, bound) : std::max(near + step, bound);
+  const double shortest = 1e-3 * std::abs(step);
+  bool has_failed = false;
+  constexpr int most_steps = 60;
+  for (int i = 0; i < most_steps && near != side.last; ++i) {
+    const double far = step > 0 ? std::min(near + step, side.last)
+                                : std::max(near + step, side.last);
     const double at_far = excess(far);
-    if (std::isnan(at_far)) return bound;
-    if (at_far >= 0) {
-      // 1e-6 of the value: far below what an interval means.
-      constexpr int bits = 21;
-      return step > 0 ? shrink_bracket(excess, near, far, at_near, at_far, bits)
-                            .middle()
-                      : shrink_bracket(excess, far, near, at_far, at_near, bits)
-                            .middle();
+    if (std::isnan(at_far)) {
+      has_failed = true;
+      step /= 2;
+      if (std::abs(step) < shortest) return nan;
+    } else if (at_far >= 0) {
+      return step > 0 ? zero_between(excess, near, far, at_near, at_far)
+                      : zero_between(excess, far, near, at_far, at_near);
+    } else {
+      near = far;
+      at_near = at_far;
+      if (!has_failed) step *= 2;
     }
-    near = far;
-    at_near = at_far;
   }
-  return bound;
+  return near == side.last ? side.bound : nan;
 }
 
 }  // namespace
@@ -113,13 +164,29 @@ ConfidenceInterval profile(const MomentModel& model,
   Point last = best.point;
   Point along = linear;
   const auto excess = [&](double trial) {
-    const Point start = last + (trial - last[number]) * along;
     // What this leaves of the others counts by its square.
     constexpr double tolerance = 1e-6;
-    const Minimum found =
-        least_squares(model, measured, weight, start, others, tolerance);
-    if (found.status != Status::ok) {
-      return std::numeric_limits<double>::quiet_NaN();
+    const auto refitted = [&](const Point& start) {
+      return least_squares(model, measured, weight, start, others, tolerance);
+    };
+    const auto is_good = [&](const Minimum& found) {
+      return found.status == Status::ok &&
+             std::ranges::none_of(others, [&](int other) {
+               return is_at_end(model.range(other), found.point[other], other);
+             });
+    };
+    Minimum found = refitted(last + (trial - last[number]) * along);
+    if (!is_good(found)) {
+      Point start = best.point;
+      start[number] = trial;
+      found = refitted(start);
+    }
+    // Moments hardly depend on a clearance at an end of its range: f0 has an
+    // end there as well. A has none, of which they know the product alone.
+    if (!is_good(found)) {
+      if (number != 0 || std::ranges::count(others, 2) == 0) return nan;
+      found = least_at_ends(model, measured, trial, best.point, others);
+      if (found.status != Status::ok) return nan;
     }
     if (trial != last[number])
       along = (found.point - last) / (trial - last[number]);
@@ -129,13 +196,14 @@ ConfidenceInterval profile(const MomentModel& model,
   };
   // A little beyond the end of a linear model, so that it lies within.
   const double reach = 1.05 * quantile * step;
+  const auto [lowest, highest] = model.range(number);
   ConfidenceInterval ends;
-  ends.high = profile_end(excess, value, reach, quantile, infinity);
+  ends.high = profile_end(excess, value, reach, quantile, {highest, infinity});
   last = best.point;
   along = linear;
   // The logarithm of a clearance has no bound.
-  ends.low =
-      profile_end(excess, value, -reach, quantile, number == 2 ? -infinity : 0);
+  ends.low = profile_end(excess, value, -reach, quantile,
+                         {lowest, number == 2 ? -infinity : 0});
   return ends;
 }
 

@@ -137,6 +137,7 @@ FrictionStress FrictionStress::stribeck(double static_coefficient,
                  : StressOverSpeed::constant);
   made.source_ = {.law = "stribeck",
                   .numbers = {static_coefficient, dynamic_coefficient, speed}};
+  made.speed_scale_ = speed;
   return made;
 }
 

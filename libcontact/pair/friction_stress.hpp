@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <memory>
 #include <span>
 #include <string>
@@ -72,6 +73,9 @@ class FrictionStress {
     return (*stress_)(pressure, at_rest_ ? 0 : speed);
   }
   StressOverSpeed over_speed() const { return over_speed_; }
+  /// m/s, within which tau changes beside the rest, as Stribeck's vs; infinite
+  /// for laws that have none.
+  double speed_scale() const { return at_rest_ ? no_scale : speed_scale_; }
   /// tau(p, 0) at every speed.
   FrictionStress at_rest() const;
   /// What costs accuracy, for programs to warn of; "" for nothing.
@@ -98,9 +102,11 @@ class FrictionStress {
   }
 
  private:
+  static constexpr double no_scale = std::numeric_limits<double>::infinity();
   std::shared_ptr<const Function> stress_;
   Source source_;
   StressOverSpeed over_speed_;
+  double speed_scale_ = no_scale;
   bool at_rest_ = false;
   std::string note_;
 };

@@ -10,6 +10,7 @@
 #include "libcontact/conforming/ball.hpp"
 #include "libcontact/conforming/edge_fit.hpp"
 #include "libcontact/conforming/pin.hpp"
+#include "libcontact/conforming/wall_harmonics.hpp"
 #include "libcontact/conforming/wide_edge.hpp"
 #include "libcontact/pressure/edge_polynomial.hpp"
 #include "libcontact/pressure/expansion.hpp"
@@ -145,6 +146,7 @@ ExactPressure::ExactPressure(JointKind kind, const ElasticPair& pair,
         contact,
         ends_early(contact) ? usual_largest : end(BallContact(pair, loading)),
         infinity);
+    tabulate_expansion();
     return;
   }
   const PinContact contact(pair, loading);
@@ -154,18 +156,28 @@ ExactPressure::ExactPressure(JointKind kind, const ElasticPair& pair,
     const PinContact fine(pair, loading, PinContact::max_unknowns);
     tabulate(fine, end(fine), infinity);
   }
+  tabulate_expansion();
 }
 
 ExactPressure::ExactPressure(JointKind kind, const LayeredPair& pair,
                              InnerLoading loading)
     : PressureLaw(kind, MadeFor(pair.surfaces(), {loading, pair})) {
-  const double thickness = pair.relative_thickness();
   if (kind == JointKind::ball) {
-    const BallContact contact(pair, loading);
-    tabulate(contact, end(contact), thickness);
+    tabulate(BallContact(pair, loading), pair);
   } else {
-    const PinContact contact(pair, loading);
-    tabulate(contact, end(contact), thickness);
+    tabulate(PinContact(pair, loading), pair);
+  }
+}
+
+template <class Contact>
+void ExactPressure::tabulate(const Contact& contact, const LayeredPair& pair) {
+  // Thinner free rings have more than 32 sines that count.
+  constexpr double thinnest_expanded = 0.045;
+  tabulate(contact, end(contact), pair.relative_thickness());
+  if (detail::free_ring_thickness(pair) < thinnest_expanded) {
+    expansion_size_ = 0;
+  } else {
+    tabulate_expansion();
   }
 }
 
@@ -197,7 +209,6 @@ void ExactPressure::tabulate(const Contact& contact, double end,
     row(terms_ + logarithms) = sum / load;
   }
   contact_ = Series(values);
-  tabulate_expansion();
 }
 
 void ExactPressure::tabulate_expansion() {
@@ -298,6 +309,7 @@ void ExactPressure::edge_slopes(double half_angle,
 
 PressureExpansion ExactPressure::expansion(double half_angle) const noexcept {
   PressureExpansion result{.size = expansion_size_};
+  if (expansion_size_ == 0) return result;
   const Column values = expansion_.evaluate(chebyshev_variable(half_angle));
   const double unit = in_pressure_units(1, half_angle);
   for (int k = 0; k < logarithms; ++k) result.logarithmic[k] = unit * values[k];

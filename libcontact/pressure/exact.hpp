@@ -44,7 +44,8 @@ class ExactPressure final : public PressureLaw {
 
   /// Of a joint with walls: within 1e-6 of the peak of the solver's own
   /// pressure (pressure/walls_test.cpp). expansion() has the first 32 sines of
-  /// 32 or 64. The constructor solves the contact at 64 half-angles.
+  /// 32 or 64; rings thinner than 0.045 radii that are free outside have none,
+  /// they need all 64. The constructor solves the contact at 64 half-angles.
   /// @throws Error for a coated inner body that is loaded through the back.
   ExactPressure(JointKind kind, const LayeredPair& pair,
                 InnerLoading loading = InnerLoading::centre());
@@ -86,6 +87,8 @@ class ExactPressure final : public PressureLaw {
   };
   template <class Contact>
   void tabulate(const Contact& contact, double end, double thickness);
+  template <class Contact>
+  void tabulate(const Contact& contact, const LayeredPair& pair);
   void tabulate_expansion();
   /// Point i of Chebyshev's rule in the variable of the series.
   double chebyshev_half_angle(int i, int count) const noexcept;
@@ -97,7 +100,7 @@ class ExactPressure final : public PressureLaw {
   double largest_;
   std::optional<detail::HalfAngleVariable> variable_;
   int terms_ = 0;
-  int expansion_size_ = 1;  // terms that count
+  int expansion_size_ = 1;  // terms that count; 0: more than there may be
   Series contact_;          // a_k, b_k, S
   Series expansion_;        // b_k, c_k of expansion()
 };

@@ -1,53 +1,87 @@
 #include "libcontact/pressure/validity.hpp"
 
 #include <algorithm>
+#include <limits>
+#include <utility>
 
 #include "libcontact/base/text.hpp"
 #include "libcontact/base/units.hpp"
+#include "libcontact/half_angle/exact.hpp"
 #include "libcontact/half_angle/fitted.hpp"
+#include "libcontact/half_angle/worn.hpp"
 
 namespace contact {
 namespace {
 
 constexpr double megapascal = 1e6;
 
-std::string peak_text(double peak, double limit) {
-  return detail::message("peak pressure {:.4g} MPa is above {:.4g} MPa, ",
-                         peak / megapascal, limit / megapascal);
+double limit_half_angle(const HalfAngleLaw& law, const ElasticPair& pair) {
+  const bool is_its_own = dynamic_cast<const ExactLaw*>(&law) != nullptr ||
+                          dynamic_cast<const WornHalfAngle*>(&law) != nullptr;
+  return is_its_own ? law.limit_half_angle()
+                    : FittedLaw(law.joint_kind(), pair).limit_half_angle();
 }
 
 }  // namespace
 
-std::vector<std::string> contact_notes(JointKind kind, const ElasticPair& pair,
-                                       double half_angle,
-                                       double peak_pressure) {
-  std::vector<std::string> notes;
-  const double linear =
-      largest_pressure_share *
-      std::min(pair.inner().youngs_modulus, pair.outer().youngs_modulus);
-  if (peak_pressure > linear) {
-    notes.push_back(peak_text(peak_pressure, linear) +
-                    detail::message("{:g} % of the smaller Young's modulus: "
-                                    "linear elasticity does not hold",
-                                    100 * largest_pressure_share));
-  }
+ContactLimits::ContactLimits(const HalfAngleLaw& law, const ElasticPair& pair) {
+  const auto add_pressure = [this](double limit, const std::string& what) {
+    limits_.push_back(
+        {&LargestContact::peak_pressure, limit, megapascal, "peak pressure",
+         " {:.4g} MPa is",
+         detail::message(" above {:.4g} MPa, {}", limit / megapascal, what)});
+  };
+  add_pressure(largest_pressure_share * std::min(pair.inner().youngs_modulus,
+                                                 pair.outer().youngs_modulus),
+               detail::message("{:g} % of the smaller Young's modulus: linear "
+                               "elasticity does not hold",
+                               100 * largest_pressure_share));
   for (const auto& [material, body] :
        {std::pair{&pair.inner(), "inner"}, std::pair{&pair.outer(), "outer"}}) {
-    if (!(peak_pressure > material->limit_pressure)) continue;
-    notes.push_back(
-        peak_text(peak_pressure, material->limit_pressure) +
+    add_pressure(
+        material->limit_pressure,
         detail::message("the limit pressure of the {} body{}", body,
                         material->name.empty() ? "" : ", " + material->name));
   }
   constexpr double fitted_error = 1e-3;
-  const double limit = FittedLaw(kind, pair).limit_half_angle();
-  if (half_angle > limit * (1 + fitted_error)) {
+  const double limit = limit_half_angle(law, pair);
+  limits_.push_back(
+      {&LargestContact::half_angle, limit * (1 + fitted_error), degree,
+       "half-angle", " {:.4g} deg is",
+       detail::message(" beyond {:.4g} deg, the limit half-angle of this joint",
+                       limit / degree)});
+}
+
+double ContactLimits::peak_pressure() const {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Limit& limit : limits_) {
+    if (limit.of == &LargestContact::peak_pressure) {
+      least = std::min(least, limit.value);
+    }
+  }
+  return least;
+}
+
+std::vector<std::string> ContactLimits::notes(
+    const LargestContact& largest) const {
+  std::vector<std::string> notes;
+  for (const Limit& limit : limits_) {
+    if (!limit.is_passed(largest)) continue;
     notes.push_back(
-        detail::message("half-angle {:.4g} deg is beyond {:.4g} deg, the limit "
-                        "half-angle of these materials",
-                        half_angle / degree, limit / degree));
+        limit.what +
+        detail::message(limit.number, largest.*limit.of / limit.unit) +
+        limit.beyond);
   }
   return notes;
+}
+
+std::vector<std::string> ContactLimits::passed(
+    const LargestContact& largest) const {
+  std::vector<std::string> all;
+  for (const Limit& limit : limits_) {
+    if (limit.is_passed(largest)) all.push_back(limit.what + limit.beyond);
+  }
+  return all;
 }
 
 }  // namespace contact

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "libcontact/pair/joint_geometry.hpp"
+#include "libcontact/half_angle/law.hpp"
 #include "libcontact/pair/material.hpp"
 
 namespace contact {
@@ -12,20 +12,7 @@ namespace contact {
 /// taken to hold: strains of some 5 %.
 inline constexpr double largest_pressure_share = 0.05;
 
-/// Where the largest contact of some loads leaves the theory or what its
-/// materials bear, a sentence each; none if it does not:
-/// - a peak above largest_pressure_share of the smaller Young's modulus,
-/// - a peak above the limit_pressure of a material,
-/// - a half-angle beyond the limit half-angle of the pair, by more than what
-///   FittedLaw may be wrong by (0.1 %), as laws of the paper may give it.
-///
-/// @param pair           of the surfaces, moduli in Pa
-/// @param half_angle     theta0, rad; NaN for none
-/// @param peak_pressure  Pa; NaN for none
-std::vector<std::string> contact_notes(JointKind kind, const ElasticPair& pair,
-                                       double half_angle, double peak_pressure);
-
-/// The largest half-angle and peak of some contacts, for contact_notes().
+/// The largest half-angle and peak of some contacts.
 struct LargestContact {
   double half_angle = 0;     ///< theta0, rad
   double peak_pressure = 0;  ///< Pa
@@ -40,6 +27,48 @@ struct LargestContact {
   void add(const LargestContact& other) {
     add(other.half_angle, other.peak_pressure);
   }
+};
+
+/// How large the contacts of a joint may be before they leave the theory or
+/// what its materials bear:
+/// - a peak of largest_pressure_share of the smaller Young's modulus,
+/// - a peak of the limit_pressure of a material,
+/// - the half-angle that the joint has at infinite load. Laws of the paper may
+///   give more. The laws `exact` and `worn` know that of their own walls and
+///   loading; all others are for infinite bodies under a force at the centre,
+///   whose limit is FittedLaw's. Passed by more than what that law may be wrong
+///   by, 0.1 %, it is noted.
+class ContactLimits {
+ public:
+  /// @param law   half-angle law of the joint
+  /// @param pair  its surfaces, moduli in Pa
+  ContactLimits(const HalfAngleLaw& law, const ElasticPair& pair);
+
+  /// The smallest limit of the peak pressure, Pa.
+  double peak_pressure() const;
+
+  /// A sentence for each limit that a contact has passed: "peak pressure 30 MPa
+  /// is above 20 MPa, the limit pressure of the outer body, polymer".
+  std::vector<std::string> notes(const LargestContact& largest) const;
+  /// The same without the number, alike for all contacts of the joint: "peak
+  /// pressure above 20 MPa, the limit pressure of the outer body, polymer".
+  std::vector<std::string> passed(const LargestContact& largest) const;
+
+ private:
+  struct Limit {
+    double LargestContact::*of;
+    double value;        ///< Pa or rad
+    double unit;         ///< of numbers in notes
+    const char* what;    ///< "peak pressure"
+    const char* number;  ///< " {:.4g} MPa is"
+    std::string beyond;  ///< " above 20 MPa, the limit pressure of ..."
+
+    bool is_passed(const LargestContact& largest) const {
+      return largest.*of > value;
+    }
+  };
+
+  std::vector<Limit> limits_;
 };
 
 }  // namespace contact

@@ -1,3 +1,5 @@
+#include "libcontact/base/kernel_sets.hpp"
+#ifdef CONTACT_AVX512_KERNELS
 #include "libcontact/tracking/tracker_kernel_impl.hpp"
 
 namespace contact::detail {
@@ -6,3 +8,4 @@ extern const TrackerKernel tracker_kernel_avx512;
 constinit const TrackerKernel tracker_kernel_avx512 = make_kernel();
 
 }  // namespace contact::detail
+#endif

@@ -1,4 +1,6 @@
 // Few joints: half of the registers' width, but all 32 of them.
+#include "libcontact/base/kernel_sets.hpp"
+#ifdef CONTACT_AVX512_KERNELS
 #define CONTACT_LANES 4
 #include "libcontact/tracking/tracker_kernel_impl.hpp"
 
@@ -8,3 +10,4 @@ extern const TrackerKernel tracker_kernel_avx512_four;
 constinit const TrackerKernel tracker_kernel_avx512_four = make_kernel();
 
 }  // namespace contact::detail
+#endif

@@ -4,10 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <experimental/simd>
 #include <limits>
 #include <random>
 #include <type_traits>
+
+#include "libcontact/base/simd.hpp"
 
 // 1/sqrt(x) for numbers and for lanes, as this file is compiled for them.
 namespace {

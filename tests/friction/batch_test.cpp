@@ -272,7 +272,8 @@ TEST(FrictionBatchContract, AnUnsupportedInstructionSetIsRefused) {
   for (const InstructionSet set :
        {InstructionSet::avx2, InstructionSet::avx512}) {
     if (contact::is_supported(set)) continue;
-    EXPECT_THROW(contact::exact_friction_integrals({}, {}, set),
+    EXPECT_THROW(contact::exact_friction_integrals(
+                     contact::FrictionBatchInput{}, {}, set),
                  contact::Error);
   }
 }

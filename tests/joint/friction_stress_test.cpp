@@ -125,8 +125,8 @@ TEST(FrictionStress, UsualPoints) {
   for (const auto& [name, stress, budget] : cases) {
     AccuracyReport report(name, budget);
     for (const char* pressure : {"cosine", "sqrt_tan"}) {
-      const auto law =
-          contact::make_pressure_law(pressure, JointKind::ball, bearing().pair());
+      const auto law = contact::make_pressure_law(pressure, JointKind::ball,
+                                                  bearing().pair());
       for (const auto& [theta0, a] : {std::pair(5., 2.),
                                       {20., 30.},
                                       {30., 80.},
@@ -156,6 +156,54 @@ TEST(FrictionStress, UsualPoints) {
     }
     report.check();
   }
+}
+
+// Stribeck's curve with the slip axis inside the contact and vs far below the
+// rim's speed: beside the axis a layer of the width vs/(rho |Dw|).
+TEST(FrictionStress, ThinLayersBesideTheSlipAxis) {
+  constexpr double fs = 0.35;
+  constexpr double fc = 0.05;
+  constexpr double rim = 0.035;
+  const auto law =
+      contact::make_pressure_law("sqrt_tan", JointKind::ball, bearing().pair);
+  AccuracyReport points("usual points", 2e-10);
+  // The layer of 1e-4 itself changes the moment by less.
+  AccuracyReport dry("layer of 1e-4 against dry friction", 1e-8);
+  for (const auto& [theta0, a] : {std::pair(30., 70.),
+                                  {30., 61.},
+                                  {60., 31.},
+                                  {60., 89.},
+                                  {80., 85.},
+                                  {89., 45.}}) {
+    const SlipAxis axis = SlipAxis::from_degrees(a);
+    for (const double layer :
+         {0.3, 0.1, 0.03, 0.01, 0.005, 0.002, 0.001, 1e-4}) {
+      const std::string label = std::to_string(theta0) + " " +
+                                std::to_string(a) + " " + std::to_string(layer);
+      const auto at = [&, theta0 = theta0](int count) {
+        return contact::stress_integrals(
+            *law, {theta0 * degree, 1, rim}, axis,
+            FrictionStress::stribeck(fs, fc, layer * rim), count);
+      };
+      const FrictionTriple i = at(contact::usual_stress_points);
+      const FrictionTriple exact = at(96);
+      const double size = std::hypot(exact.sliding, exact.spinning);
+      const auto compare = [&](AccuracyReport& report,
+                               const FrictionTriple& expected) {
+        report.add_error(std::abs(i.force - expected.force) / size, label);
+        report.add_error(std::abs(i.sliding - expected.sliding) / size, label);
+        report.add_error(std::abs(i.spinning - expected.spinning) / size,
+                         label);
+      };
+      compare(points, exact);
+      if (layer > 1e-4) continue;
+      const FrictionTriple c =
+          contact::friction_integrals(*law, theta0 * degree, axis).coefficient;
+      compare(dry, {fc * c.force, fc * c.sliding, fc * c.spinning});
+    }
+  }
+  points.check();
+  dry.check();
 }
 
 TEST(FrictionStress, JointsOfReference) {

@@ -17,7 +17,10 @@
 #include "libcontact/conforming/pin.hpp"
 #include "libcontact/conforming/pin_closed_form.hpp"
 #include "libcontact/half_angle/exact.hpp"
+#include "libcontact/half_angle/factory.hpp"
+#include "libcontact/half_angle/fitted.hpp"
 #include "libcontact/half_angle/paper_laws.hpp"
+#include "libcontact/half_angle/worn.hpp"
 #include "libcontact/pressure/exact.hpp"
 #include "libcontact/pressure/expanded.hpp"
 #include "libcontact/pressure/factory.hpp"
@@ -741,15 +744,22 @@ TEST(ContactNotes, SayWhereTheTheoryAndTheMaterialsEnd) {
   contact::Material polymer{1e9, 0.4, "polymer"};
   polymer.limit_pressure = 2e7;
   const ElasticPair pair({2e11, 0.3}, polymer);
+  const contact::ContactLimits limits(
+      *contact::make_half_angle_law("tanh", JointKind::ball, pair, {}), pair);
   const auto notes = [&](double half_angle, double peak) {
-    return contact::contact_notes(JointKind::ball, pair, half_angle, peak);
+    return limits.notes({half_angle, peak});
   };
+  EXPECT_EQ(limits.peak_pressure(), 2e7);
   EXPECT_TRUE(notes(0.5, 2e7).empty());
   EXPECT_TRUE(notes(nan, nan).empty());
   ASSERT_EQ(notes(0.5, 3e7).size(), 1u);
   EXPECT_EQ(notes(0.5, 3e7)[0],
             "peak pressure 30 MPa is above 20 MPa, the limit pressure of the "
             "outer body, polymer");
+  EXPECT_EQ(limits.passed({0.5, 3e7}),
+            std::vector<std::string>{"peak pressure above 20 MPa, the limit "
+                                     "pressure of the outer body, polymer"});
+  EXPECT_TRUE(limits.passed({0.5, 2e7}).empty());
   EXPECT_EQ(notes(0.5, 5e7).size(), 1u);
   ASSERT_EQ(notes(0.5, 2.65e9).size(), 2u);
   EXPECT_EQ(notes(0.5, 2.65e9)[0],
@@ -761,6 +771,38 @@ TEST(ContactNotes, SayWhereTheTheoryAndTheMaterialsEnd) {
   ASSERT_EQ(notes(1.01 * limit, 1).size(), 1u);
   EXPECT_NE(notes(1.01 * limit, 1)[0].find("the limit half-angle"),
             std::string::npos);
+}
+
+// A law that knows its joint does not leave it: walls, loading and wear widen
+// contacts beyond those of infinite bodies.
+TEST(ContactNotes, ALawThatKnowsItsJointHasItsLimit) {
+  const contact::Material steel{2.1e11, 0.3};
+  const contact::Material liner{3e9, 0.3};
+  const ElasticPair pair(steel, liner);
+  const contact::LayeredPair walls(
+      0.01, {{}, contact::Backing::medium(steel)},
+      {{{1e-3, liner}}, contact::Backing::rigid()});
+  const double infinite =
+      contact::FittedLaw(JointKind::ball, pair).limit_half_angle();
+  const auto lined =
+      std::make_shared<contact::ExactLaw>(JointKind::ball, walls);
+  const double limit = lined->limit_half_angle();
+  ASSERT_GT(limit, 1.05 * infinite);
+  const auto notes = [&pair](const contact::HalfAngleLaw& law, double angle) {
+    return contact::ContactLimits(law, pair).notes({angle, 0});
+  };
+  EXPECT_TRUE(notes(*lined, limit).empty());
+  ASSERT_EQ(notes(*lined, 1.01 * limit).size(), 1u);
+  EXPECT_NE(notes(*lined, 1.01 * limit)[0].find(
+                " deg, the limit half-angle of this joint"),
+            std::string::npos);
+  EXPECT_EQ(notes(contact::FittedLaw(JointKind::ball, pair), limit).size(), 1u);
+
+  const contact::WornHalfAngle worn(
+      std::make_shared<contact::FittedLaw>(JointKind::ball, pair), 20);
+  const double widened = worn.half_angle(1e9).half_angle;
+  ASSERT_GT(widened, 1.01 * infinite);
+  EXPECT_TRUE(notes(worn, widened).empty());
 }
 
 }  // namespace

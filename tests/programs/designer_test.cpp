@@ -139,8 +139,23 @@ TEST_F(Designer, WarningsOfHalfAnglesBeyondTheLimit) {
   const std::string angle =
       "hinge-angle --joint ball --modulus-ratio 0 --poisson1 0.4 "
       "--limit-angle 130 --law tanh --x ";
-  EXPECT_FALSE(warns(angle + "1", "limit half-angle of these materials"));
-  EXPECT_TRUE(warns(angle + "1,100", "limit half-angle of these materials"));
+  EXPECT_FALSE(warns(angle + "1", "limit half-angle of this joint"));
+  EXPECT_TRUE(warns(angle + "1,100", "limit half-angle of this joint"));
+}
+
+// Walls carry wider contacts than infinite bodies do.
+TEST_F(Designer, HalfAnglesOfWallsAreComparedWithTheirOwnLimit) {
+  const std::string hip =
+      "--joint data/joints/hip_cocr_uhmwpe.toml "
+      "--set geometry.radial_clearance_um=0.2 ";
+  for (const std::string program :
+       {"hinge-angle --load 2000 ", "hinge-pressure --summary --load 2000 ",
+        "hinge-joint --beta 90 --reaction 2000 "}) {
+    EXPECT_EQ(run(program + hip).err.find("half-angle"), std::string::npos)
+        << program;
+  }
+  EXPECT_TRUE(warns("hinge-angle --inverse --theta0 88 " + hip,
+                    "half-angle 88 deg is beyond 87.3"));
 }
 
 // The same of whole motions: a wheel of 20 kg on a pin of 1 mm by 1 mm.

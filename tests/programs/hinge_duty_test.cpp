@@ -183,6 +183,35 @@ TEST_F(HingeDuty, Summary) {
   EXPECT_LT(std::abs(value(text, "volume_defect_body")), 2. / 2000);
 }
 
+// Its warnings are of the largest contact of the cycle, as the summary has it.
+TEST_F(HingeDuty, ContactsThatLeaveTheTheory) {
+  const std::string hip_gait =
+      "hinge-duty --joint data/joints/hip_cocr_uhmwpe.toml --cycle "
+      "data/duty/hip_cycle.csv --euler zxy ";
+  const auto said = [&](const std::string& options) {
+    const ProgramResult result = folder_.run(hip_gait + options);
+    EXPECT_EQ(result.status, 0);
+    return result.err;
+  };
+  EXPECT_EQ(said(""), "");
+  EXPECT_EQ(said("--set materials.outer.limit_pressure_MPa=5"),
+            "hinge-duty: warning: peak pressure 14.66 MPa is above 5 MPa, the "
+            "limit pressure of the outer body, UHMWPE\n");
+  EXPECT_EQ(said("--set materials.outer.youngs_modulus_GPa=0.1"),
+            "hinge-duty: warning: peak pressure 8.423 MPa is above 5 MPa, 5 % "
+            "of the smaller Young's modulus: linear elasticity does not "
+            "hold\n");
+  // Half-angles of a law that does not know where they end.
+  const std::string wide =
+      "hinge-duty --joint " + data + "cycle_hip.toml --cycle " + data +
+      "cycle_hip_in.csv --euler zxy --law tanh --limit-angle 130 --set "
+      "geometry.radial_clearance_um=0.5";
+  EXPECT_NE(
+      folder_.run(wide).err.find(" deg, the limit half-angle of this joint\n"),
+      std::string::npos)
+      << folder_.run(wide).err;
+}
+
 // The k of a measured volume makes this volume.
 TEST_F(HingeDuty, MeasuredWear) {
   const std::string text = out(

@@ -100,7 +100,51 @@ TEST(HingeIdentify, WarnsOfWhatDataCannotTell) {
   EXPECT_THAT(says("printf 'R_N,b_deg,torque_N_m\\n1e3,90,2\\n4e3,90,9\\n"
                    "1e4,90,26\\n2e4,90,55\\n' | " +
                    rig + "--data - --sigma-rel 0.01"),
-              HasSubstr("A is held at 0: the data would have it below\n"));
+              HasSubstr("A is held at 0: the data would have it below; "
+                        "intervals of the others take it for known and are "
+                        "too short, those of --profile are not\n"));
+}
+
+// Of a pin of f0 = 0.12 and A = 1 MPa, with errors of 1 %.
+constexpr const char* pin_moments =
+    "R_N,torque_N_m\n"
+    "2000,9.48363\n2341.6,10.6911\n2741.5,12.2876\n3209.6,13.4786\n"
+    "3757.8,15.5913\n4399.5,17.2986\n5150.9,20.3108\n6030.5,22.8842\n"
+    "7060.4,26.3524\n8266.2,29.4929\n9677.9,33.9788\n11331,38.5862\n"
+    "13266,43.9816\n15531,50.8805\n18184,57.6067\n21289,66.8478\n"
+    "24925,77.7897\n29182,89.1356\n34165,102.454\n40000,121.578\n";
+
+// The refits of a profile that fail on the way to A's end have no clearance any
+// more: f0 has both ends, A has one.
+TEST(HingeIdentify, WarnsOfProfilesWithoutAnEnd) {
+  const ProgramFolder folder;
+  folder.write("d.csv", pin_moments);
+  const ProgramResult result = folder.run(
+      "hinge-identify --joint data/joints/pin_joint.toml --data d.csv "
+      "--sigma-rel 0.01 --fit f0,A,clearance --profile");
+  EXPECT_EQ(result.status, 0);
+  const auto rows = csv_rows(result.out);
+  EXPECT_LT(std::stod(csv_column(rows, "profile_high").at(0)), 0.13);
+  EXPECT_GT(std::stod(csv_column(rows, "profile_low").at(0)), 0.11);
+  EXPECT_EQ(csv_column(rows, "profile_high").at(1), "");
+  EXPECT_THAT(result.err,
+              HasSubstr("hinge-identify: warning: --profile: the high end of "
+                        "A not found, as fits of the others run out of their "
+                        "range or do not converge\n"));
+}
+
+// Of the data's states, with the joint that was found.
+TEST(HingeIdentify, WarnsOfContactsThatLeaveTheTheory) {
+  const ProgramFolder folder;
+  folder.write("d.csv", pin_moments);
+  const std::string pin =
+      "hinge-identify --joint data/joints/pin_joint.toml --data d.csv "
+      "--sigma-rel 0.01 ";
+  EXPECT_THAT(folder.run(pin).err, Not(HasSubstr("peak pressure")));
+  EXPECT_THAT(
+      folder.run(pin + "--set materials.outer.limit_pressure_MPa=40").err,
+      HasSubstr("hinge-identify: warning: peak pressure 50.35 MPa is above 40 "
+                "MPa, the limit pressure of the outer body"));
 }
 
 TEST(HingeIdentify, Pictures) {

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -16,6 +17,7 @@
 #include "libcontact/pressure/exact.hpp"
 #include "libcontact/pressure/factory.hpp"
 #include "libcontact/reference/quadrature.hpp"
+#include "programs/table/run.hpp"
 #include "support/accuracy_report.hpp"
 #include "support/friction_reference.hpp"
 #include "support/program.hpp"
@@ -116,6 +118,44 @@ TEST(HingeTable, SaysWhichPointsMissTheTolerance) {
             "hinge-table: warning: points that missed the tolerance: 1; their "
             "rows have the best values found\n");
   EXPECT_EQ(csv_rows(result.out).size(), 3U);
+}
+
+// A method that is wrong at 30 deg: what a kernel that its compiler has spoilt
+// did to whole tables, with status 0.
+TEST(HingeTable, APointThatIsNotFiniteIsAnErrorInItsPlace) {
+  const ProgramFolder folder;
+  const hinge_table::Method method{
+      [](const hinge_table::Points& points,
+         const hinge_table::Columns& columns) {
+        for (std::size_t i = 0; i < points.half_angle.size(); ++i) {
+          for (const auto& column : columns) column[i] = 0.5;
+          if (std::abs(points.half_angle[i] - 30 * contact::degree) < 1e-9) {
+            columns[8][i] = std::nan("");
+          }
+        }
+        return std::size_t{0};
+      },
+      "cosine", 120 * contact::degree};
+  const auto run = [&](hinge_table::Options options) {
+    options.output.output = (folder.path() / "table.csv").string();
+    testing::internal::CaptureStderr();
+    EXPECT_EQ(hinge_table::run(options, method, ""), cli::some_bad);
+    EXPECT_EQ(testing::internal::GetCapturedStderr(),
+              "hinge-table: warning: points whose numbers are not finite: 1; "
+              "ERROR stands in their place\n");
+    return folder.read("table.csv");
+  };
+  hinge_table::Options options;
+  options.theta0 = "20,30";
+  options.alpha = "10";
+  const auto rows = csv_rows(run(options));
+  EXPECT_EQ(csv_column(rows, "sigma_Y_cosine"),
+            (std::vector<std::string>{"0.5", "ERROR"}));
+  EXPECT_EQ(csv_column(rows, "sigma_Z_cosine"),
+            (std::vector<std::string>{"0.5", "0.5"}));
+  options.output.format = cli::Format::markdown;
+  options.quantity = "sigma_Y";
+  EXPECT_NE(run(options).find("|  ERROR |"), std::string::npos);
 }
 
 TEST(HingeTable, PointsOfTheReferenceTable) {

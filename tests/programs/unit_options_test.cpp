@@ -23,6 +23,53 @@ const std::string hip = " --joint data/joints/hip_cocr_uhmwpe_infinite.toml ";
 const std::string pair = " --pair data/materials/steel_bronze.toml ";
 const std::string ball = pair + "--joint ball --clearance 50um --radius ";
 
+// All three in mm, as one may slip: a ball of 28 m, which is said.
+TEST(LengthOptions, MetresThatAreHardlyMeant) {
+  const ProgramFolder folder;
+  const std::string angle =
+      "hinge-angle --joint ball --pair data/materials/cocr_uhmwpe.toml "
+      "--backing rigid --load 2000 ";
+  const auto said = [&](const std::string& size) {
+    const auto result = folder.run(angle + size);
+    EXPECT_EQ(result.status, 0) << result.err;
+    return result.err;
+  };
+  EXPECT_EQ(said("--diameter 28 --clearance 0.1 --wall 8"),
+            "hinge-angle: note: --diameter 28 is 28 m; 28mm is 28 mm\n"
+            "hinge-angle: note: --wall 8 is 8 m; 8mm is 8 mm\n");
+  EXPECT_EQ(said("--radius 14 --clearance 1e-3 --wall 1"),
+            "hinge-angle: note: --radius 14 is 14 m; 14mm is 14 mm\n");
+  EXPECT_EQ(said("--diameter 28mm --clearance 0.1mm --wall 8mm"), "");
+  EXPECT_EQ(said("--diameter 2 --clearance 1e-3 --wall 0.5"), "");
+  EXPECT_EQ(said("--diameter 28m --clearance 0.1 --wall 8m"), "");
+}
+
+TEST(NumberOptions, ThousandsThatAreLists) {
+  const ProgramFolder folder;
+  const auto said = [&](const std::string& program, const std::string& loads) {
+    const auto result = folder.run(
+        program + loads + " --joint data/joints/hip_cocr_uhmwpe.toml ");
+    EXPECT_EQ(result.status, 0) << result.err;
+    return result.err;
+  };
+  const std::string angle = "hinge-angle --load ";
+  const std::string joint = "hinge-joint --beta 90 --reaction ";
+  for (const char* loads : {"2,000", "1,500", "12,500", "1,000,000"}) {
+    EXPECT_NE(said(angle, loads)
+                  .find(std::string("hinge-angle: note: --load ") + loads +
+                        " is a list of numbers: "
+                        "thousands have no commas here\n"),
+              std::string::npos)
+        << said(angle, loads);
+  }
+  EXPECT_NE(said(joint, "2,500").find("note: --reaction 2,500 is"),
+            std::string::npos);
+  for (const char* loads :
+       {"500,2000", "100,200,300", "100,200", "2,5", "1,20,300", "0,500"}) {
+    EXPECT_EQ(said(angle, loads), "") << loads;
+  }
+}
+
 class UnitOptions : public testing::TestWithParam<Same> {};
 
 TEST_P(UnitOptions, AreTheSameNumbers) {

@@ -7,6 +7,7 @@ import signal
 import tempfile
 import threading
 import unittest
+import warnings
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
@@ -306,6 +307,50 @@ class Files(unittest.TestCase):
         self.assertIn(note, said)
         wide = hip.replace({"geometry.radial_clearance_mm": 2})
         self.assertEqual(len(wide.notes()), 1)
+
+    def test_warn_of_contacts_beyond_the_theory(self):
+        soft = hip.replace({"materials.outer.limit_pressure_MPa": 5})
+        said = ("peak pressure above 5 MPa, the limit pressure of the outer "
+                "body, UHMWPE")
+        calls = [
+            lambda force: soft.solve([0, 0, force], [1, 0, 1]),
+            lambda force: soft.solve([[0, 0, 10], [0, 0, force]], [1, 0, 1]),
+            lambda force: soft.solve_contact([0, 0, force], [1, 0, 1]),
+            lambda force: soft.utilisation([0, 0, force], [1, 0, 0]),
+            lambda force: soft.pv([0, 0, force], [1, 0, 1]),
+            lambda force: soft.pv_at([0, 0, force], [1, 0, 1], [0, 0, 1]),
+            lambda force: soft.peak_pressure(force),
+            lambda force: soft.pressure(0.1, [1, force]),
+            lambda force: soft.half_angle([force, 1]),
+            lambda force: soft.cycle(
+                [0, 1, 2, 3], [[0, 0, 10 + force * i] for i in (0, 1, 0, 0.5)],
+                rates=[[1, 0, 1]] * 4),
+            lambda force: libcontact.identify(
+                soft, [[0, 0, 10], [0, 0, 30], [0, 0, force]], [1, 0, 0],
+                [0.01, 0.03, 0.001 * force]),
+        ]  # fmt: skip
+        for call in calls:
+            with warnings.catch_warnings(record=True) as caught:
+                warnings.simplefilter("always")
+                call(100)
+                self.assertEqual(caught, [])
+                call(2000)
+            (one,) = caught
+            self.assertIs(one.category, libcontact.ContactWarning)
+            self.assertEqual(str(one.message), said)
+            self.assertEqual(one.filename, __file__)
+            self.assertIn(one.lineno, [
+                line for _, _, line in call.__code__.co_lines()])
+            with warnings.catch_warnings():
+                warnings.simplefilter("error")
+                with self.assertRaises(libcontact.ContactWarning):
+                    call(2000)
+        # What concerns no contact is silent.
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            soft.nominal_pressure(2000)
+            soft.load_parameter(2000)
+            self.assertIn("5 MPa", soft.notes(2000)[0])
 
     def test_pickle_copy_and_compare(self):
         other = hip.replace({"materials.inner.youngs_modulus_MPa": 2e5})

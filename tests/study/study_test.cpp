@@ -86,9 +86,9 @@ using BallStudy = StudyFolder;
 // By the library itself, with the draws that the columns show.
 TEST_F(BallStudy, RowsAreWhatTheJointSays) {
   const Study study(ball());
-  ASSERT_EQ(study.columns(),
-            (std::vector<std::string>{"friction.coefficient", "load.reaction_N",
-                                      "M_t_N_m", "R_n_N"}));
+  ASSERT_EQ(study.columns(), (std::vector<std::string>{
+                                 "friction.coefficient", "load.reaction_N",
+                                 "M_t_N_m", "R_n_N", "p_peak_over_limit"}));
   contact::JointSpec spec = contact::read_joint(path("j.toml"));
   for (const std::uint64_t run : {1, 7, 40}) {
     const Row row = study.row(run);
@@ -103,6 +103,8 @@ TEST_F(BallStudy, RowsAreWhatTheJointSays) {
     // The angle is read from degrees.
     EXPECT_NEAR(row.numbers[2] / solution.friction_moment.norm(), 1, 1e-13);
     EXPECT_NEAR(row.numbers[3] / solution.normal_force, 1, 1e-13);
+    const double limit = 0.05 * spec.pair.inner().youngs_modulus;
+    EXPECT_NEAR(row.numbers[4] / (solution.peak_pressure / limit), 1, 1e-13);
   }
 }
 
@@ -170,7 +172,8 @@ TEST_F(BallStudy, WhatDoesNotFitIsNamed) {
             "that have a pattern");
 }
 
-// Programs warn of it, but no number depends on what a material bears.
+// Programs warn of it, but no number of the study depends on what a material
+// bears.
 TEST_F(BallStudy, KeysWithoutEffectAreNamed) {
   const std::vector<double> any(2, 0.0);
   EXPECT_EQ(Study(ball()).idle_keys(any), std::vector<std::string>{});

@@ -11,6 +11,7 @@
 #include <iterator>
 #include <limits>
 #include <set>
+#include <tuple>
 
 #include "cli/choice.hpp"
 #include "cli/joint/key_settings.hpp"
@@ -119,6 +120,25 @@ contact::LayeredPair walls_of(const JointOptions& o, const Joint& joint) {
           {{{thickness, material}}, backing_of(o)}};
 }
 
+// Lengths that are hardly meant in m, the unit of a plain number.
+std::vector<std::string> length_notes(const JointOptions& o) {
+  constexpr double largest = 2;  // m
+  std::vector<std::string> notes;
+  for (const auto& [option, text, parts] :
+       {std::tuple{"--radius", &o.size.radius, 2},
+        {"--diameter", &o.size.diameter, 1},
+        {"--clearance", &o.size.clearance, 2},
+        {"--diametral-clearance", &o.size.diametral_clearance, 1},
+        {"--length", &o.length, 1},
+        {"--wall", &o.wall, 1}}) {
+    const auto plain = parse_number(*text);
+    if (!plain || parts * *plain <= largest) continue;
+    notes.push_back(
+        fmt::format("{0} {1} is {1} m; {1}mm is {1} mm", option, *text));
+  }
+  return notes;
+}
+
 Joint bodies_from_options(const JointOptions& o) {
   const JointKind kind = kind_of(o);
   if (!o.modulus_ratio.empty()) return {kind, pair_of_modulus_ratio(o)};
@@ -141,6 +161,7 @@ Joint bodies_from_options(const JointOptions& o) {
   if (const auto size = make_size(o.size)) {
     joint.geometry = geometry_of(o, kind, *size);
     joint.fit = size->fit;
+    joint.notes = length_notes(o);
   } else if (o.use == JointUse::friction) {
     refuse_without(given("--joint", o.joint),
                    "a size: --radius and --clearance, or --diameter");
@@ -415,8 +436,10 @@ void warn_of_validity(std::string_view program,
                       const std::vector<Joint>& joints) {
   std::set<std::string> said;
   for (const Joint& joint : joints) {
-    if (joint.fit && said.insert(to_string(*joint.fit)).second) {
-      note(program, to_string(*joint.fit));
+    std::vector<std::string> plain_notes = joint.notes;
+    if (joint.fit) plain_notes.push_back(to_string(*joint.fit));
+    for (const std::string& text : plain_notes) {
+      if (said.insert(text).second) note(program, text);
     }
     std::vector<std::string> notes = law_notes(joint.laws, joint.pair);
     if (joint.geometry) {

@@ -80,6 +80,9 @@ Wall: --wall T makes the seat or hole a layer of its material, T thick, on
 material's .toml file. Without a radius T is a number, thickness over radius.
 More layers and coatings are in joint files: [wall] and [[coating]]. With them
 all laws are exact, others are refused.
+Seat: it has no end here. Compare the half-angle with what the real one covers:
+asin(C/d) on each side by a ring of width C on a ball of diameter d, 20 to 30 deg
+of spherical plain bearings. A wider contact is pressed harder than printed.
 )";
 
 /// In what a joint differs from the others of a run: a cell of tables.
@@ -107,8 +110,9 @@ struct Joint {
   std::string pressure_law = std::string(contact::default_pressure_law);
   std::vector<Difference> differences = {};
   contact::ContactConditions conditions = {};
-  std::string name = {};       ///< of a joint file
-  std::string materials = {};  ///< of a file of materials
+  std::vector<std::string> notes = {};  ///< on options that are hardly meant
+  std::string name = {};                ///< of a joint file
+  std::string materials = {};           ///< of a file of materials
 
   /// Those that are asked for; half-angle laws not for JointUse::pressure.
   std::vector<NamedLaw> laws = {};

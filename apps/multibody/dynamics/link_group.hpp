@@ -1,9 +1,9 @@
 #pragma once
 
-#include <experimental/simd>
 #include <type_traits>
 #include <vector>
 
+#include "libcontact/base/simd.hpp"
 #include "multibody/dynamics/carrier_equations.hpp"
 #include "multibody/system/active_forces.hpp"
 #include "multibody/system/constants.hpp"

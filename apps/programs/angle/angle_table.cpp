@@ -11,15 +11,35 @@
 namespace hinge_angle {
 namespace {
 
-void count(contact::Status status, Findings& findings) {
-  if (status == contact::Status::out_of_range) ++findings.out_of_range;
-  if (status == contact::Status::not_converged) ++findings.not_converged;
-}
+// Counts what the laws of one row could not give.
+class RowCount {
+ public:
+  explicit RowCount(std::vector<Findings>& findings) : findings_(findings) {}
+
+  void add(std::size_t law, contact::Status status) {
+    if (status == contact::Status::out_of_range) {
+      ++findings_[law].out_of_range;
+      ++without_;
+    }
+    if (status == contact::Status::not_converged) {
+      ++findings_[law].not_converged;
+    }
+  }
+  void end() {
+    if (without_ < findings_.size()) return;
+    for (Findings& law : findings_) ++law.empty;
+  }
+
+ private:
+  std::vector<Findings>& findings_;
+  std::size_t without_ = 0;
+};
 
 }  // namespace
 
 void Findings::add(const Findings& more) {
   out_of_range += more.out_of_range;
+  empty += more.empty;
   not_converged += more.not_converged;
   largest.add(more.largest);
 }
@@ -113,23 +133,26 @@ void AngleTable::write_load_row(double load, cli::RowWriter& row,
   row.number(parameter);
   row.number(load_as(LoadVariable::x));
   if (loads_.have_load()) row.number(loads_.nominal_pressure(parameter));
+  RowCount count(findings);
   for (std::size_t i = 0; i < laws_.size(); ++i) {
     const contact::HalfAngleResult result = laws_[i].law->half_angle(parameter);
-    count(result.status, findings[i]);
+    count.add(i, result.status);
     row.number(result.half_angle / contact::degree);
     write(laws_[i], result.half_angle, parameter, row, findings[i]);
   }
+  count.end();
 }
 
 void AngleTable::write_half_angle_row(double theta0_deg, cli::RowWriter& row,
                                       std::vector<Findings>& findings) const {
   const double half_angle = theta0_deg * contact::degree;
   row.number(theta0_deg);
+  RowCount count(findings);
   for (std::size_t i = 0; i < laws_.size(); ++i) {
     const contact::LoadParameterResult result =
         laws_[i].law->load_parameter(half_angle);
     const double parameter = result.load_parameter;
-    count(result.status, findings[i]);
+    count.add(i, result.status);
     const auto load_as = [&](LoadVariable variable) {
       return loads_.convert(LoadVariable::load_parameter, parameter, variable);
     };
@@ -139,6 +162,7 @@ void AngleTable::write_half_angle_row(double theta0_deg, cli::RowWriter& row,
     if (loads_.have_load()) row.number(loads_.nominal_pressure(parameter));
     write(laws_[i], half_angle, parameter, row, findings[i]);
   }
+  count.end();
 }
 
 double AngleTable::peak_pressure(const NamedLaw& law, double half_angle,

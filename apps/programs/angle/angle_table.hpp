@@ -21,6 +21,7 @@ using cli::NamedLaw;
 /// What is to be said of the rows of one law.
 struct Findings {
   std::size_t out_of_range = 0;  ///< without a value
+  std::size_t empty = 0;         ///< of these, where no law has one
   std::size_t not_converged = 0;
   contact::LargestContact largest;  ///< peaks not of dimensionless runs
 

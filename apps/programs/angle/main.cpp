@@ -42,8 +42,9 @@ and the pressure law; options go before it.
 Columns of several joints (--joint more than once, --set): joint, and the keys.
 Then load_N (load_N_per_m of a pin without a length; neither in dimensionless
 runs), load_parameter, x, and
-  p_nominal_Pa            what catalogues call bearing pressure: force over
-                          pi R^2 (ball), over 2 R L (pin)
+  p_nominal_Pa            force over projected area: pi R^2 (ball), 2 R L (pin);
+                          makers of spherical plain bearings take ball diameter
+                          times width of the ring, half of pi R^2
 and for each law
   theta0_LAW_deg          half-angle of the contact, degrees
   p_peak_LAW_by_PRESSURE_Pa  peak pressure, Pa, by a pressure law: exact unless
@@ -59,9 +60,10 @@ They are empty for a pin in an infinite hole, which gives way without end, for
 loading through the back and without load.
 With --inverse: theta0_deg, then for each law load_LAW_N, load_parameter_LAW,
 x_LAW, p_nominal_LAW_Pa and the others. Where a law has no value (hertz for
-x > 1) the cell is empty, in JSON null.
+x > 1) the cell is empty, in JSON null; a row where none has one is a point that
+failed.
 A peak above 5 % of the smaller Young's modulus or above the limit_pressure of a
-material, and half-angles beyond the limit of the materials are warned of.
+material, and half-angles beyond the limit of the joint are warned of.
 
 With --compare one row for each law (all unless --law names some), between the
 smallest and the largest load given, without one from 1e-6 to 1e8 of the load

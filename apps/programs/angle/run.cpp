@@ -110,9 +110,9 @@ cli::ExitStatus report(const std::vector<cli::Joint>& joints,
     for (std::size_t j = 0; j < joints.size(); ++j) {
       const Findings& one = findings[j][i];
       all.add(one);
-      for (const std::string& note : contact::contact_notes(
-               joints[j].kind, joints[j].pair, one.largest.half_angle,
-               one.largest.peak_pressure)) {
+      const contact::ContactLimits limits(*joints[j].laws[i].law,
+                                          joints[j].pair);
+      for (const std::string& note : limits.notes(one.largest)) {
         notes.insert(fmt::format("law {}: {}", law, note));
       }
     }
@@ -122,6 +122,7 @@ cli::ExitStatus report(const std::vector<cli::Joint>& joints,
                             "are outside its range",
                             law, all.out_of_range, rows));
     }
+    if (all.empty > 0) status = cli::some_bad;
     if (all.not_converged > 0) {
       cli::warn("hinge-angle",
                 fmt::format("law {}: {} of {} rows have not converged", law,

@@ -185,7 +185,12 @@ void warn_of_cycle(const JointCycle& cycle) {
                           "axes are not those of a cycle",
                           closure));
   }
-  if (cycle.contact().geometry().kind() != contact::JointKind::pin) return;
+  const contact::JointContact& contact = cycle.contact();
+  const contact::ContactLimits limits(contact.half_angle_law(), contact.pair());
+  for (const std::string& note : limits.notes(cycle.largest_contact())) {
+    cli::warn("hinge-duty", note);
+  }
+  if (contact.geometry().kind() != contact::JointKind::pin) return;
   double axial = 0;
   for (const CycleInstant& row : cycle.rows()) {
     axial = std::max(axial, std::abs(row.state.reaction.z()));

@@ -144,7 +144,7 @@ void write_peaks(const JointCycle& cycle, Lines& to) {
   peak(
       "largest_pv_nominal_W_per_m2",
       [&](const CycleInstant& x) { return cycle.sliding(x).pv_nominal(); }, 1,
-      "p v of catalogues, with the next area");
+      "p v with the next area; catalogues may have another");
   to.number("nominal_area_m2",
             1 / cycle.contact().geometry().nominal_pressure(1),
             "projected: pi rho^2 or 2 rho L");

@@ -133,6 +133,21 @@ bool shows(const Estimate& trend) {
   return std::abs(trend.value) > most_by_chance * trend.standard_error;
 }
 
+// Ends of profiles that were not found.
+void add_unknown_ends(const FrictionFit& fit, std::vector<std::string>& to) {
+  for (std::size_t i = 0; i < fit.estimates.size(); ++i) {
+    const auto& [low, high] = fit.estimates[i].profile;
+    if (!std::isnan(low) && !std::isnan(high)) continue;
+    to.push_back(fmt::format(
+        "--profile: {} of {} not found, as fits of the others run out of their "
+        "range or do not converge",
+        !std::isnan(high)  ? "the low end"
+        : !std::isnan(low) ? "the high end"
+                           : "both ends",
+        of(fit.parameters[i]).name));
+  }
+}
+
 }  // namespace
 
 std::string_view column_of(FrictionParameter parameter) {
@@ -211,8 +226,20 @@ std::vector<std::string> warnings(const FrictionFit& fit,
   }
   for (std::size_t i = 0; i < fit.estimates.size(); ++i) {
     if (!fit.estimates[i].at_bound) continue;
-    all.push_back(fmt::format("{} is held at 0: the data would have it below",
-                              of(fit.parameters[i]).name));
+    std::string text =
+        fmt::format("{} is held at 0: the data would have it below",
+                    of(fit.parameters[i]).name);
+    if (fit.parameters.size() > 1) {
+      text += "; intervals of the others take it for known and are too short";
+      if (!options.huber) text += ", those of --profile are not";
+    }
+    all.push_back(std::move(text));
+  }
+  if (options.profile) add_unknown_ends(fit, all);
+  const contact::ContactLimits limits(fit.joint->half_angle_law(),
+                                      fit.joint->pair());
+  for (std::string& note : limits.notes(fit.largest_contact)) {
+    all.push_back(std::move(note));
   }
   if (clearance) {
     all.emplace_back(

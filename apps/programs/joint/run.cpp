@@ -86,9 +86,9 @@ void warn_of_contacts(const Problems& problems, const Setup& setup) {
   std::set<std::string> notes;
   for (std::size_t i = 0; i < problems.largest.size(); ++i) {
     const contact::JointContact& contact = setup.joints[i].joint.contact();
-    const auto& [half_angle, peak] = problems.largest[i];
-    for (const std::string& note : contact::contact_notes(
-             contact.geometry().kind(), contact.pair(), half_angle, peak)) {
+    const contact::ContactLimits limits(contact.half_angle_law(),
+                                        contact.pair());
+    for (const std::string& note : limits.notes(problems.largest[i])) {
       notes.insert(fmt::format("law {}, pressure {}: {}", setup.joints[i].law,
                                setup.joints[i].pressure, note));
     }

@@ -135,7 +135,7 @@ constexpr Quantity pv_quantities[] = {
      [](const Answer& a) { return if_sliding(a, a.pv.place.z()); }},
     {"pv_mean_W_per_m2", "mean p v over the contact",
      [](const Answer& a) { return a.pv_mean; }},
-    {"pv_nominal_W_per_m2", "p v of catalogues, p_nominal_Pa times rho |Dw|",
+    {"pv_nominal_W_per_m2", "p_nominal_Pa times rho |Dw|: p v as in catalogues",
      [](const Answer& a) { return a.pv_nominal; }},
     {"nominal_area_m2", "projected area of these two: pi rho^2 or 2 rho L",
      [](const Answer& a) { return a.nominal_area; }},

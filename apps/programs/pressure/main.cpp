@@ -49,7 +49,7 @@ load presses the two bodies together from first touch, and the stiffness there,
 stiffness_N_per_m or, if loads are per length, stiffness_N_per_m2. Both are empty
 for a pin in an infinite hole, which gives way without end, for loading through
 the back and without load.
-Where a law has no value the cell is empty, in JSON null.
+Where a law has no value the cell is empty, in JSON null, and the exit status 1.
 
 Examples:
   hinge-pressure --joint data/joints/hip_cocr_uhmwpe.toml --load 500,2000 --summary --format markdown

@@ -30,6 +30,7 @@ class Findings {
   Findings(const cli::Joint& joint, const PressureTable& table)
       : joint_(joint),
         table_(table),
+        limits_(*joint.laws[0].law, joint.pair),
         beyond_(joint.pressures.size()),
         peak_(joint.pressures.size()) {}
 
@@ -61,12 +62,12 @@ class Findings {
       say(fmt::format("law {}: {} of {} half-angles have not converged",
                       half_angle_law, rough_, all_));
     }
-    for (const auto& note :
-         contact_notes(joint_.kind, joint_.pair, half_angle_, 0)) {
+    for (const auto& note : limits_.notes({half_angle_, 0})) {
       say(fmt::format("law {}: {}", half_angle_law, note));
     }
     for (std::size_t i = 0; i < beyond_.size(); ++i) report_pressure(i);
-    return rough_ > 0 ? cli::some_bad : cli::all_good;
+    const bool good = none_ + rough_ == 0 && std::ranges::max(beyond_) == 0;
+    return good ? cli::all_good : cli::some_bad;
   }
 
  private:
@@ -79,8 +80,7 @@ class Findings {
                       "is above {:.6g} deg",
                       law.name, beyond_[i], all_, largest / contact::degree));
     }
-    for (const auto& note :
-         contact_notes(joint_.kind, joint_.pair, 0, peak_[i])) {
+    for (const auto& note : limits_.notes({0, peak_[i]})) {
       say(fmt::format("pressure {}: {}", law.name, note));
     }
   }
@@ -91,6 +91,7 @@ class Findings {
 
   const cli::Joint& joint_;
   const PressureTable& table_;
+  contact::ContactLimits limits_;
   std::size_t all_ = 0;
   std::size_t none_ = 0;
   std::size_t rough_ = 0;

@@ -243,6 +243,9 @@ cli::ExitStatus run_study(const Options& o, const Study& study,
   if (status != cli::all_good || !o.rows.empty()) return status;
   const Findings findings = find(study, journal);
   write_results(o, study, findings, journal);
+  if (findings.above_limit > 0) {
+    cli::warn(program, above_limit_text(study, findings));
+  }
   if (findings.failed > 0) status = cli::some_bad;
   if (o.output.plot.empty() && o.report.empty()) return status;
   const std::vector<Picture> pictures = pictures_of(study, findings, journal);

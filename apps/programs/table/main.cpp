@@ -36,7 +36,9 @@ A file of points is CSV with a header that names theta0_deg and alpha_deg.
 Other columns are handed on behind sigma_Z, unchanged ("_in" is added to a
 name that is taken); lines that start with # before the header are skipped.
 A bad line gives "ERROR: line N: ..." on standard error and in the table, in
-its place, a row with ERROR, empty cells and its other columns.
+its place, a row with ERROR, empty cells and its other columns. Numbers that
+are not finite, though the pressure goes that far, are ERROR too; both end with
+status 1.
 
 )";
 

@@ -1,5 +1,7 @@
 #include "programs/table/point_block.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "libcontact/base/units.hpp"
@@ -10,7 +12,21 @@ namespace {
 void write_point(const PointBlock& block, std::size_t i, cli::RowWriter& row) {
   row.number(block.theta0_deg()[i]);
   row.number(block.alpha_deg()[i]);
-  for (const auto& column : block.results) row.number(column[i]);
+  for (std::size_t j = 0; j < quantities.size(); ++j) {
+    write_quantity(block, i, j, row);
+  }
+}
+
+// Points of good lines that have values, and not all of them finite.
+std::size_t count_failed(const PointBlock& block) {
+  std::size_t failed = 0;
+  for (std::size_t i = 0; i < block.size(); ++i) {
+    if (!block.good[i] || block.is_beyond(i)) continue;
+    failed += std::ranges::any_of(block.results, [i](const auto& column) {
+      return !std::isfinite(column[i]);
+    });
+  }
+  return failed;
 }
 
 }  // namespace
@@ -37,12 +53,13 @@ void take_grid_points(const cli::Sweep& theta0, const cli::Sweep& alpha,
 void compute(const Method& method, PointBlock& block) {
   const std::size_t count = block.size();
   block.beyond = 0;
+  block.largest = method.largest_half_angle;
   block.half_angle.resize(count);
   block.axis_sin.resize(count);
   block.axis_cos.resize(count);
   for (std::size_t i = 0; i < count; ++i) {
     block.half_angle[i] = block.theta0_deg()[i] * contact::degree;
-    if (block.half_angle[i] > method.largest_half_angle) ++block.beyond;
+    if (block.is_beyond(i)) ++block.beyond;
     const auto [sin, cos] = contact::sine_cosine_deg(block.alpha_deg()[i]);
     block.axis_sin[i] = sin;
     block.axis_cos[i] = cos;
@@ -54,6 +71,17 @@ void compute(const Method& method, PointBlock& block) {
   }
   block.inaccurate =
       method({block.half_angle, block.axis_sin, block.axis_cos}, columns);
+  block.failed = count_failed(block);
+}
+
+void write_quantity(const PointBlock& block, std::size_t point,
+                    std::size_t quantity, cli::RowWriter& row) {
+  const double value = block.results[quantity][point];
+  if (std::isfinite(value) || block.is_beyond(point)) {
+    row.number(value);
+  } else {
+    row.text("ERROR");
+  }
 }
 
 void write_rows(const cli::Table& table, PointBlock& block) {

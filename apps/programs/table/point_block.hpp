@@ -20,8 +20,13 @@ inline constexpr std::array<cli::PointColumn, 2> point_columns = {
 struct PointBlock : cli::PointLines {
   const std::vector<double>& theta0_deg() const { return values[0]; }
   const std::vector<double>& alpha_deg() const { return values[1]; }
-  std::size_t beyond = 0;  ///< points above the pressure's largest half-angle
+  /// Whether a point is above the pressure's largest half-angle: without
+  /// values.
+  bool is_beyond(std::size_t i) const { return half_angle[i] > largest; }
+  double largest = 0;          ///< half-angle of the pressure, rad
+  std::size_t beyond = 0;      ///< points above it
   std::size_t inaccurate = 0;  ///< points that missed the method's tolerance
+  std::size_t failed = 0;      ///< points whose numbers are not all finite
 
   std::vector<double> half_angle;
   std::vector<double> axis_sin;
@@ -39,6 +44,11 @@ void take_grid_points(const cli::Sweep& theta0, const cli::Sweep& alpha,
                       std::size_t first, std::size_t last, PointBlock& block);
 
 void compute(const Method& method, PointBlock& block);
+
+/// A number of a point; ERROR in the place of one that has to be there and is
+/// not finite.
+void write_quantity(const PointBlock& block, std::size_t point,
+                    std::size_t quantity, cli::RowWriter& row);
 
 /// The points and their results as rows of a table with the columns
 /// theta0_deg, alpha_deg, quantities.

@@ -95,11 +95,13 @@ struct Problems {
   std::size_t bad_lines = 0;
   std::size_t inaccurate = 0;
   std::size_t beyond = 0;
+  std::size_t failed = 0;
 
   void add(const PointBlock& block) {
     bad_lines += block.bad_lines;
     inaccurate += block.inaccurate;
     beyond += block.beyond;
+    failed += block.failed;
   }
 };
 
@@ -212,8 +214,9 @@ Problems write_two_way(const Grid& grid, const Method& method,
                         block.rows.clear();
                         cli::RowWriter row(table, block.rows);
                         row.text(cli::number_text(block.theta0_deg()[0]));
-                        for (const double value : block.results[quantity])
-                          row.number(value);
+                        for (std::size_t i = 0; i < block.size(); ++i) {
+                          write_quantity(block, i, quantity, row);
+                        }
                         row.end();
                       });
 }
@@ -260,15 +263,21 @@ cli::ExitStatus report(const Problems& problems, const Method& method) {
                           problems.beyond, method.pressure,
                           method.largest_half_angle / contact::degree));
   }
+  if (problems.failed > 0) {
+    cli::warn("hinge-table",
+              fmt::format("points whose numbers are not finite: {}; ERROR "
+                          "stands in their place",
+                          problems.failed));
+  }
   if (problems.inaccurate > 0) {
     cli::warn("hinge-table",
               fmt::format("points that missed the tolerance: {}; their "
                           "rows have the best values found",
                           problems.inaccurate));
   }
-  return problems.bad_lines + problems.inaccurate + problems.beyond == 0
-             ? cli::all_good
-             : cli::some_bad;
+  const std::size_t all = problems.bad_lines + problems.inaccurate +
+                          problems.beyond + problems.failed;
+  return all == 0 ? cli::all_good : cli::some_bad;
 }
 
 cli::ExitStatus run_grid(const Options& options, const Method& method,
@@ -320,9 +329,13 @@ cli::ExitStatus run_grid(const Options& options, const Method& method,
 cli::ExitStatus run(const Options& options) {
   const double tolerance = tolerance_of(options);
   const cli::Joint ball = make_ball(options.joint);
-  const Method method =
-      find_method(options.method, tolerance, ball.pressures[0]);
-  if (options.points.empty()) return run_grid(options, method, ball.name);
+  return run(options, find_method(options.method, tolerance, ball.pressures[0]),
+             ball.name);
+}
+
+cli::ExitStatus run(const Options& options, const Method& method,
+                    const std::string& joint) {
+  if (options.points.empty()) return run_grid(options, method, joint);
   return report(write_points(options, method), method);
 }
 

@@ -4,6 +4,7 @@
 
 #include "cli/joint/joint_options.hpp"
 #include "cli/program.hpp"
+#include "programs/table/method.hpp"
 
 namespace hinge_table {
 
@@ -23,5 +24,9 @@ struct Options {
 
 /// The whole program. Throws contact::Error for options that are wrong.
 cli::ExitStatus run(const Options& options);
+/// What it does once the method is known.
+/// @param joint  its name, for pictures
+cli::ExitStatus run(const Options& options, const Method& method,
+                    const std::string& joint);
 
 }  // namespace hinge_table

@@ -10,6 +10,8 @@ by NumPy's rules; vectors are (..., 3).
     >>> s.half_angle, s.friction_moment
 
 Whatever is wrong with an input raises Error, with the messages of the programs.
+Contacts that leave the theory, or what their materials bear, give a
+ContactWarning; Joint.notes() has their numbers.
 """
 
 import enum
@@ -17,6 +19,7 @@ import enum
 from ._case import Case, Event, Outcome, Run
 from ._core import (
     Coefficients,
+    ContactWarning,
     Error,
     Estimate,
     Rating,
@@ -57,6 +60,7 @@ class State(enum.IntEnum):
 __all__ = [
     "Case",
     "Coefficients",
+    "ContactWarning",
     "Cycle",
     "Error",
     "Estimate",

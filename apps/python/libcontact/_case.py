@@ -66,10 +66,12 @@ class Case(FileText, _core.Case):
         progress: called ten times a second with the time and the end, s.
 
         A run that fails on its way gives a RuntimeWarning and what has come of
-        it by then.
+        it by then. Joints whose contact leaves the theory, or what its materials
+        bear, give a ContactWarning.
         """
         run = _core.Run(self, clearance)
         run._advance_to(run.end_time, progress)
+        _warn_of_contacts(run)
         outcome = _outcome(*run._end())
         if outcome.failure:
             warnings.warn(outcome.failure, RuntimeWarning, stacklevel=2)
@@ -119,9 +121,12 @@ class Run(_core.Run):
         progress: as in Case.run().
 
         "running", it has come there; "finished", to the end of the case; or
-        "failed", with a RuntimeWarning: it cannot go on, see message.
+        "failed", with a RuntimeWarning: it cannot go on, see message. At the
+        end there are warnings of contacts as in Case.run().
         """
         status = self._advance_to(time, progress)
+        if status != "running":
+            _warn_of_contacts(self)
         if status == "failed":
             warnings.warn(self.message, RuntimeWarning, stacklevel=2)
         return status
@@ -146,6 +151,11 @@ class Run(_core.Run):
         """What has come of it so far. Its history has rows at the case's output
         times and events; Case.run() adds one where a run fails."""
         return _outcome(*self._outcome())
+
+
+def _warn_of_contacts(run: _core.Run) -> None:
+    for note in run._contact_notes:
+        warnings.warn(note, _core.ContactWarning, stacklevel=3)
 
 
 def _outcome(

@@ -5,7 +5,7 @@
 
 #include <set>
 
-#include "libcontact/pressure/validity.hpp"
+#include "separation/results/contact_limits.hpp"
 #include "separation/results/summary.hpp"
 #include "separation/simulation/force_watch.hpp"
 
@@ -13,24 +13,6 @@ namespace separation {
 namespace {
 
 using Texts = std::vector<std::string>;
-
-// Joints whose largest contact leaves the theory or what its materials bear.
-void add_contacts(const Case& c, const Outcome& outcome, Texts& texts) {
-  std::set<std::string> notes;
-  for (std::size_t b = 0; b < c.bodies.size(); ++b) {
-    const auto& joints = c.bodies[b].hinge.joints;
-    for (std::size_t j = 0; j < joints.size(); ++j) {
-      const JointPeaks& peaks = outcome.memory.bodies[b].joints[j];
-      const contact::JointContact& contact = joints[j].contact;
-      for (const std::string& note :
-           contact_notes(contact.geometry().kind(), contact.pair(),
-                         peaks.half_angle, peaks.pressure)) {
-        notes.insert(fmt::format("joint {}: {}", joints[j].joint.name, note));
-      }
-    }
-  }
-  texts.insert(texts.end(), notes.begin(), notes.end());
-}
 
 void add_overlaps(const Case& c, const Outcome& outcome, Texts& texts) {
   for (std::size_t i = 0; i < c.clearance.size(); ++i) {
@@ -120,7 +102,9 @@ std::vector<std::string> run_notes(const Case& c, const Outcome& outcome) {
     texts.push_back("ended early: " + outcome.failure);
   }
   add_faults(c, outcome, texts);
-  add_contacts(c, outcome, texts);
+  for (std::string& note : contact_notes(c, outcome.memory)) {
+    texts.push_back(std::move(note));
+  }
   add_overlaps(c, outcome, texts);
   add_drift(c, outcome, texts);
   return texts;

@@ -73,21 +73,22 @@ Result JointModel::run(const Settings& settings, const Effort& effort,
                 : "the solution did not converge",
             {}};
   }
+  const double moment = s.friction_moment.norm();
+  const contact::JointContact& contact = loaded.joint.contact();
+  const double radius = contact.geometry().radius();
+  const contact::ContactLimits limits(contact.half_angle_law(), contact.pair());
   std::vector<std::string> warnings;
   if (effort.remarks) {
-    const contact::JointContact& contact = loaded.joint.contact();
     warnings = contact.validity_notes();
-    std::ranges::move(contact_notes(contact.geometry().kind(), contact.pair(),
-                                    s.half_angle, s.peak_pressure),
+    std::ranges::move(limits.notes({s.half_angle, s.peak_pressure}),
                       std::back_inserter(warnings));
   }
-  const double moment = s.friction_moment.norm();
-  const double radius = loaded.joint.contact().geometry().radius();
   return {{},
           {{"R_n_N", s.normal_force},
            {"M_t_N_m", moment},
            {"f_M", moment / (radius * loaded.reaction)},
            {"p_peak_Pa", s.peak_pressure},
+           {over_limit, s.peak_pressure / limits.peak_pressure()},
            {"theta0_deg", s.half_angle / contact::degree},
            {"power_W", s.power}},
           {},

@@ -17,6 +17,11 @@ struct Unreached {
   std::string why;   ///< "BODY is not released"
 };
 
+/// The number that every run with joints has: the largest peak pressure over
+/// contact::ContactLimits::peak_pressure() of its joint; above 1 it leaves the
+/// theory or what the materials bear.
+inline constexpr const char* over_limit = "p_peak_over_limit";
+
 /// What came of a run: numbers by their names, or why it failed.
 struct Result {
   std::string failure;

@@ -10,9 +10,11 @@
 
 #include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
+#include "programs/separation/warnings.hpp"
 #include "separation/case/case_keys.hpp"
 #include "separation/case/case_reader.hpp"
 #include "separation/case/identity.hpp"
+#include "separation/results/contact_limits.hpp"
 #include "separation/results/notes.hpp"
 #include "separation/results/summary.hpp"
 
@@ -155,6 +157,9 @@ std::map<std::string, double> numbers_of(const Case& c,
   const double drift = outcome.memory.largest_drift;
   if (!c.options.carrier_drive && outcome.memory.largest_energy > 0) {
     numbers.emplace("energy.drift", drift / outcome.memory.largest_energy);
+  }
+  if (const auto share = separation::pressure_over_limit(c, outcome.memory)) {
+    numbers.emplace(over_limit, *share);
   }
   add_bodies(json["bodies"], numbers);
   add_events(c, outcome, numbers);

@@ -1,16 +1,18 @@
 #include "libcontact/friction/kernel/cap_kernel.hpp"
 
+#include "libcontact/base/kernel_sets.hpp"
+
 namespace contact::detail {
 
 extern const CapKernel cap_kernel_baseline;
-#if defined(__x86_64__)
 extern const CapKernel cap_kernel_avx2;
 extern const CapKernel cap_kernel_avx512;
-#endif
 
 const CapKernel& cap_kernel([[maybe_unused]] InstructionSet set) {
-#if defined(__x86_64__)
+#ifdef CONTACT_AVX512_KERNELS
   if (set == InstructionSet::avx512) return cap_kernel_avx512;
+#endif
+#ifdef CONTACT_AVX2_KERNELS
   if (set == InstructionSet::avx2) return cap_kernel_avx2;
 #endif
   return cap_kernel_baseline;

@@ -1,3 +1,5 @@
+#include "libcontact/base/kernel_sets.hpp"
+#ifdef CONTACT_AVX512_KERNELS
 #include "libcontact/friction/kernel/cap_kernel_impl.hpp"
 
 namespace contact::detail {
@@ -6,3 +8,4 @@ extern const CapKernel cap_kernel_avx512;
 constinit const CapKernel cap_kernel_avx512{one, few, batch, root_pressure};
 
 }  // namespace contact::detail
+#endif

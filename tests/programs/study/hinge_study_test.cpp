@@ -6,6 +6,7 @@
 #include <csignal>
 #include <filesystem>
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -15,6 +16,8 @@
 
 namespace {
 
+using contact::test::csv_column;
+using contact::test::csv_rows;
 using contact::test::ProgramFolder;
 
 const std::string balls =
@@ -167,6 +170,38 @@ TEST_F(HingeStudy, TheTableSaysWhatTheVerdictRestsOn) {
         "s.toml --run "}) {
     EXPECT_NE(text.find(words), text.npos) << words << '\n' << text;
   }
+}
+
+// Some runs have pressures above what a material bears: their number is said,
+// as the rows have it.
+TEST_F(HingeStudy, RunsAboveALimitOfPressureAreCounted) {
+  std::string text = "quantities = 'p_peak_Pa'\n" + balls;
+  folder_.write("s.toml", text);
+  const auto free = folder_.run("hinge-study s.toml --output - --csv rows.csv");
+  EXPECT_EQ(free.err, "");
+  EXPECT_EQ(nlohmann::json::parse(free.out)["runs_above_limit_of_pressure"], 0);
+  std::vector<double> peaks;
+  for (const std::string& cell :
+       csv_column(csv_rows(folder_.read("rows.csv")), "p_peak_Pa")) {
+    peaks.push_back(std::stod(cell));
+  }
+  peaks.erase(peaks.begin());  // the nominal run
+  std::vector<double> sorted = peaks;
+  std::ranges::sort(sorted);
+  const double limit = (sorted[279] + sorted[280]) / 2;
+  text +=
+      "[[dispersion]]\nkey = 'materials.outer.limit_pressure_Pa'\n"
+      "kind = 'list'\nvalues = [" +
+      std::to_string(limit) + "]\n";
+  folder_.write("s.toml", text);
+  const auto limited = folder_.run("hinge-study s.toml --journal k");
+  EXPECT_EQ(limited.status, 0);
+  const std::string said =
+      "20 of 300 runs have peak pressures above 5 % of a Young's modulus, "
+      "where linear elasticity ends, or above a limit_pressure: "
+      "p_peak_over_limit";
+  EXPECT_EQ(limited.err, "hinge-study: warning: " + said + '\n');
+  EXPECT_NE(limited.out.find(said + ".\n"), std::string::npos);
 }
 
 TEST_F(HingeStudy, AnotherStudysJournalIsRefused) {

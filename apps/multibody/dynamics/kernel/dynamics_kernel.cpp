@@ -1,21 +1,23 @@
 #include "multibody/dynamics/kernel/dynamics_kernel.hpp"
 
+#include "libcontact/base/kernel_sets.hpp"
+
 namespace multibody::detail {
 
 DynamicsKernel* new_dynamics_kernel_baseline(const SystemConstants& constants);
-#if defined(__x86_64__)
 DynamicsKernel* new_dynamics_kernel_avx2(const SystemConstants& constants);
 DynamicsKernel* new_dynamics_kernel_avx512(const SystemConstants& constants);
-#endif
 
 std::unique_ptr<DynamicsKernel> make_dynamics_kernel(
     const SystemConstants& constants,
     [[maybe_unused]] contact::InstructionSet set) {
   DynamicsKernel* kernel = nullptr;
-#if defined(__x86_64__)
+#ifdef CONTACT_AVX2_KERNELS
   if (set == contact::InstructionSet::avx2) {
     kernel = new_dynamics_kernel_avx2(constants);
   }
+#endif
+#ifdef CONTACT_AVX512_KERNELS
   if (set == contact::InstructionSet::avx512) {
     kernel = new_dynamics_kernel_avx512(constants);
   }

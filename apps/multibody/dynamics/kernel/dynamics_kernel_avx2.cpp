@@ -1,5 +1,4 @@
-#include <experimental/simd>
-
+#include "libcontact/base/simd.hpp"
 #include "multibody/dynamics/kernel/dynamics_kernel_impl.hpp"
 
 namespace multibody::detail {

@@ -1,5 +1,6 @@
-#include <experimental/simd>
-
+#include "libcontact/base/kernel_sets.hpp"
+#ifdef CONTACT_AVX512_KERNELS
+#include "libcontact/base/simd.hpp"
 #include "multibody/dynamics/kernel/dynamics_kernel_impl.hpp"
 
 namespace multibody::detail {
@@ -14,3 +15,4 @@ DynamicsKernel* new_dynamics_kernel_avx512(const SystemConstants& constants) {
 }
 
 }  // namespace multibody::detail
+#endif

@@ -118,7 +118,7 @@ std::vector<Output> outputs_of(const Study& study) {
   }
   for (std::size_t i = study.required(); i < study.quantities().size(); ++i) {
     const std::string& name = study.quantities()[i];
-    if (name == energy_drift) continue;
+    if (name == energy_drift || name == over_limit) continue;
     add(name, [place = study.inputs() + i](const Row& row) {
       return row.numbers[place];
     });
@@ -173,6 +173,22 @@ std::vector<double> column(const Study& study, const Journal& journal,
   return values;
 }
 
+namespace {
+
+// Runs in which a contact leaves the theory, or what its materials bear.
+std::size_t count_above_limit(const Study& study, const Journal& journal) {
+  const auto names = study.columns();
+  const auto found = std::ranges::find(names, over_limit);
+  if (found == names.end()) return 0;
+  const auto place = static_cast<std::size_t>(found - names.begin());
+  const auto shares = column(
+      study, journal, [place](const Row& row) { return row.numbers[place]; });
+  return static_cast<std::size_t>(
+      std::ranges::count_if(shares, [](double x) { return x > 1; }));
+}
+
+}  // namespace
+
 Findings find(const Study& study, const Journal& journal) {
   Findings findings{};
   for (std::uint64_t run = 1; run <= study.runs(); ++run) {
@@ -180,6 +196,7 @@ Findings find(const Study& study, const Journal& journal) {
     if (row.failure.empty()) continue;
     if (findings.failed++ == 0) findings.first_failure = row.failure;
   }
+  findings.above_limit = count_above_limit(study, journal);
   const auto& requirements = study.plan().requirements;
   for (std::size_t i = 0; i < requirements.size(); ++i) {
     findings.requirements.push_back(

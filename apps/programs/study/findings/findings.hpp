@@ -65,6 +65,7 @@ struct Driven {
 struct Findings {
   std::size_t failed;
   std::string first_failure;
+  std::size_t above_limit;  ///< runs with over_limit above 1
   std::vector<Judgement> requirements;
   std::vector<Scatter> quantities;
   std::vector<Driven> driven;  ///< of requirements, then of other quantities

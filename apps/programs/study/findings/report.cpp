@@ -239,6 +239,13 @@ std::string to_string(const Requirement& requirement) {
                      cli::number_text(requirement.limit));
 }
 
+std::string above_limit_text(const Study& study, const Findings& findings) {
+  return fmt::format(
+      "{} of {} runs have peak pressures above 5 % of a Young's modulus, where "
+      "linear elasticity ends, or above a limit_pressure: {}",
+      findings.above_limit, study.runs(), over_limit);
+}
+
 ordered_json to_json(const Study& study, const Findings& findings) {
   const Plan& plan = study.plan();
   ordered_json j = {
@@ -247,6 +254,7 @@ ordered_json to_json(const Study& study, const Findings& findings) {
       {"seed", plan.seed},
       {"sampling", sampling_names[static_cast<std::size_t>(plan.sampling)]},
       {"failed_runs", findings.failed},
+      {"runs_above_limit_of_pressure", findings.above_limit},
       {"requirements", ordered_json::array()},
       {"quantities", ordered_json::array()},
       {"drivers", ordered_json::array()},
@@ -312,6 +320,9 @@ std::vector<Part> parts_of(const Study& study, const Findings& findings) {
   }
   for (const std::string& warning : study.warnings()) {
     parts.push_back({.text = "Warning of the nominal run: " + warning});
+  }
+  if (findings.above_limit > 0) {
+    parts.push_back({.text = above_limit_text(study, findings) + "."});
   }
   if (!plan.requirements.empty()) add_requirements(study, findings, parts);
   parts.push_back(quantities_part(study, findings));

@@ -26,6 +26,8 @@ struct Part {
 
 /// What scatters and how, for people.
 std::vector<Part> inputs_of(const Study& study);
+/// That runs have pressures above over_limit, and how many.
+std::string above_limit_text(const Study& study, const Findings& findings);
 
 /// What a study says, for people.
 std::vector<Part> parts_of(const Study& study, const Findings& findings);

@@ -1,0 +1,33 @@
+#include "apps/python/contact_warning.hpp"
+
+#include <string>
+
+namespace contact_python {
+namespace {
+
+namespace py = pybind11;
+
+constexpr const char* name = "ContactWarning";
+
+}  // namespace
+
+void warn_of(const contact::ContactLimits& limits,
+             const contact::LargestContact& largest, int level) {
+  for (const std::string& text : limits.passed(largest)) {
+    const py::object category =
+        py::module_::import("libcontact._core").attr(name);
+    if (PyErr_WarnEx(category.ptr(), text.c_str(), level) != 0) {
+      throw py::error_already_set();
+    }
+  }
+}
+
+void bind_warning(py::module_& m) {
+  m.attr(name) = py::reinterpret_steal<py::object>(PyErr_NewExceptionWithDoc(
+      "libcontact.ContactWarning",
+      "A contact leaves the theory or what its materials bear: see "
+      "Joint.notes().",
+      PyExc_UserWarning, nullptr));
+}
+
+}  // namespace contact_python

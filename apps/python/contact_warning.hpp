@@ -1,0 +1,21 @@
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include "libcontact/pressure/validity.hpp"
+
+namespace contact_python {
+
+/// Gives Python a ContactWarning for each limit that the contact has passed.
+/// @param level  how many frames of Python up the line is that it is about
+/// @throws pybind11::error_already_set where Python makes warnings errors
+void warn_of(const contact::ContactLimits& limits,
+             const contact::LargestContact& largest, int level = 1);
+
+/// The level of Joint.cycle() and identify(): these frames are _Made's, theirs
+/// and the one that calls.
+inline constexpr int frames_of_maker = 3;
+
+void bind_warning(pybind11::module_& m);
+
+}  // namespace contact_python
