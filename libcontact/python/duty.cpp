@@ -69,7 +69,7 @@ std::unique_ptr<Cycle> make_cycle(const FileJoint& joint, const Numbers& time,
   PeriodicSpline forces(times, period, vectors("force", force));
   PeriodicSpline spline(times, period,
                         vectors(sequence ? "angles" : "rates", motion));
-  const py::gil_scoped_release unlocked;
+  const Unlocked unlocked;
   return std::make_unique<Cycle>(
       joint.joint(),
       sequence ? DutyCycle(std::move(forces), frame, std::move(spline),
@@ -117,14 +117,14 @@ py::object largest(const Cycle& cycle, const std::string& name) {
   const auto of = quantity(cycle, name);
   CycleInstant instant;
   {
-    const py::gil_scoped_release unlocked;
+    const Unlocked unlocked;
     instant = cycle.on().largest(of);
   }
   return py::make_tuple(of(instant), instant.time);
 }
 
 double integral(const Cycle& cycle, const JointCycle::Quantity& quantity) {
-  const py::gil_scoped_release unlocked;
+  const Unlocked unlocked;
   return cycle.on().integral(quantity);
 }
 
@@ -149,7 +149,7 @@ py::dict wear(const Cycle& cycle, const std::string& body, int points) {
   double cell_area;
   double defect;
   {
-    const py::gil_scoped_release unlocked;
+    const Unlocked unlocked;
     const WearMap map(cycle.on(), of);
     grid = map.grid(points);
     for (const Vector3d& point : grid) worn.push_back(map.at(point));
@@ -174,7 +174,7 @@ py::dict wear(const Cycle& cycle, const std::string& body, int points) {
 
 Answers<contact::WornState> wear_in(const Cycle& cycle, double coefficient,
                                     double cycles) {
-  const py::gil_scoped_release unlocked;
+  const Unlocked unlocked;
   Answers<contact::WornState> states;
   states.rows = contact::wear_in(cycle.on().cycle(), cycle.contact(),
                                  coefficient, cycles);

@@ -68,7 +68,7 @@ std::unique_ptr<FrictionFit> identify(const FileJoint& joint,
       std::ranges::count(options.parameters, FrictionParameter::coefficient);
   const contact::JointContact& contact =
       finds_coefficient ? joint.contact() : joint.joint().contact();
-  const py::gil_scoped_release unlocked;
+  const Unlocked unlocked;
   return std::make_unique<FrictionFit>(
       contact::identify_friction(contact, data, options));
 }

@@ -2,6 +2,7 @@
 // libcontact/__init__.py, which stands on it.
 #include "libcontact/base/error.hpp"
 #include "libcontact/python/file_joint.hpp"
+#include "libcontact/python/initialised.hpp"
 #include "libcontact/version.hpp"
 
 PYBIND11_MODULE(_core, m) {
@@ -16,4 +17,5 @@ PYBIND11_MODULE(_core, m) {
   contact_python::bind_identify(m);
   contact_python::bind_case(m);
   contact_python::bind_run(m);
+  contact_python::refuse_uninitialised(m);
 }

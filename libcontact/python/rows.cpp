@@ -79,7 +79,7 @@ void Rows::Cursor::next() {
 }
 
 void Rows::heed_signals() {
-  const py::gil_scoped_acquire locked;
+  const Locked locked;
   if (PyErr_CheckSignals() != 0) throw py::error_already_set();
 }
 

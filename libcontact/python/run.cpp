@@ -33,7 +33,7 @@ class Listener {
     const auto now = Clock::now();
     if (now < next_) return "";
     next_ = now + std::chrono::milliseconds(100);
-    const py::gil_scoped_acquire locked;
+    const Locked locked;
     try {
       if (PyErr_CheckSignals() != 0) throw py::error_already_set();
       if (!progress_.is_none()) progress_(time_, end_);
@@ -152,7 +152,7 @@ class CaseRun {
           r->is_busy_ = false;
           r->listener_ = nullptr;
         });
-    const py::gil_scoped_release unlocked;
+    const Unlocked unlocked;
     work();
   }
 
@@ -164,7 +164,7 @@ class CaseRun {
 };
 
 std::unique_ptr<CaseRun> make_run(const FileCase& file, bool clearance) {
-  const py::gil_scoped_release unlocked;
+  const Unlocked unlocked;
   return std::make_unique<CaseRun>(file, clearance);
 }
 
