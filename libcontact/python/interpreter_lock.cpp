@@ -6,23 +6,24 @@
 namespace contact_python {
 namespace {
 
-// Python's functions throw nothing: what is caught is pthread_exit(), which
-// may come before they wait for the lock and after.
-template <class Take>
-auto taken(const Take& take) noexcept {
-  try {
-    return take();
-  } catch (...) {
-    for (;;) std::this_thread::sleep_for(std::chrono::hours(1));
-  }
+// Of the Unlocked that this thread is in.
+thread_local PyThreadState* without_lock = nullptr;
+
+void take_lock(PyThreadState* thread) {
+  outlive_python([=] { PyEval_RestoreThread(thread); });
 }
 
 }  // namespace
 
-Unlocked::~Unlocked() {
-  taken([this] { PyEval_RestoreThread(thread_); });
+void wait_for_the_end() {
+  for (;;) std::this_thread::sleep_for(std::chrono::hours(1));
 }
 
-Locked::Locked() : before_(taken([] { return PyGILState_Ensure(); })) {}
+Unlocked::Unlocked() { without_lock = PyEval_SaveThread(); }
+Unlocked::~Unlocked() { take_lock(without_lock); }
+
+// Not PyGILState_Ensure(), which is no more when the interpreter has ended.
+Locked::Locked() { take_lock(without_lock); }
+Locked::~Locked() { without_lock = PyEval_SaveThread(); }
 
 }  // namespace contact_python

@@ -10,28 +10,36 @@
 /// here for the end of the process instead, as Python 3.14 has it wait.
 namespace contact_python {
 
+[[noreturn]] void wait_for_the_end();
+
+/// Calls what asks for the lock: a function of Python's, which throws nothing,
+/// so that pthread_exit() alone is caught. Objects with destructors have to be
+/// outside.
+template <class Call>
+auto outlive_python(const Call& call) noexcept {
+  try {
+    return call();
+  } catch (...) {
+    wait_for_the_end();
+  }
+}
+
 /// Lets go of Python's lock while in scope, as pybind11::gil_scoped_release.
 class Unlocked {
  public:
-  Unlocked() : thread_(PyEval_SaveThread()) {}
+  Unlocked();
   ~Unlocked();
   Unlocked(const Unlocked&) = delete;
   Unlocked& operator=(const Unlocked&) = delete;
-
- private:
-  PyThreadState* thread_;
 };
 
-/// Has it while in scope, within that of an Unlocked.
+/// Has it while in scope, within that of an Unlocked of the same thread.
 class Locked {
  public:
   Locked();
-  ~Locked() { PyGILState_Release(before_); }
+  ~Locked();
   Locked(const Locked&) = delete;
   Locked& operator=(const Locked&) = delete;
-
- private:
-  PyGILState_STATE before_;
 };
 
 }  // namespace contact_python

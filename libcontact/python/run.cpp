@@ -36,10 +36,10 @@ class Listener {
     const Locked locked;
     try {
       if (PyErr_CheckSignals() != 0) throw py::error_already_set();
-      if (!progress_.is_none()) progress_(time_, end_);
+      if (!progress_.is_none()) tell(py::make_tuple(time_, end_));
     } catch (...) {
       error_ = std::current_exception();
-      return "stopped";
+      return "an exception";
     }
     return "";
   }
@@ -49,6 +49,14 @@ class Listener {
 
  private:
   using Clock = std::chrono::steady_clock;
+
+  // What it prints lets go of the lock.
+  void tell(const py::tuple& times) const {
+    PyObject* const answer = outlive_python(
+        [&] { return PyObject_CallObject(progress_.ptr(), times.ptr()); });
+    if (answer == nullptr) throw py::error_already_set();
+    Py_DECREF(answer);
+  }
 
   py::object progress_;
   double time_;
@@ -122,8 +130,9 @@ class CaseRun {
     if (values_.empty()) values_ = run().values();
     return values_;
   }
-  // With a last row where it is; it cannot go on then.
-  py::tuple end() {
+  // To the end, with a last row there; nothing may be asked of it then.
+  py::tuple whole(py::object progress) && {
+    advance_to(run_.of().end_time, std::move(progress));
     separation::Outcome outcome;
     alone([&] { outcome = std::move(run_).end(); });
     return answer(run_, outcome);
@@ -193,7 +202,6 @@ void bind_run(py::module_& m) {
       py::arg("column"));
   type.def("_outcome",
            [](const CaseRun& r) { return answer(r.run(), r.run().outcome()); });
-  type.def("_end", &CaseRun::end);
   type.def_property_readonly(
       "_events", [](const CaseRun& r) { return events_of(r.run().memory()); });
   const auto look = [&](const char* name, auto of, const char* doc) {
@@ -236,6 +244,12 @@ tolerances.)");
 
 Goes to where a run of the same case and clearance was saved, forwards or back,
 also from a failure. What is refused changes nothing.)");
+  m.def(
+      "_run",
+      [](const FileCase& file, bool clearance, py::object progress) {
+        return std::move(*make_run(file, clearance)).whole(std::move(progress));
+      },
+      py::arg("case"), py::arg("clearance"), py::arg("progress"));
   m.attr("_modes") = mode_words();
 }
 

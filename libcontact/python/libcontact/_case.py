@@ -68,9 +68,7 @@ class Case(FileText, _core.Case):
         A run that fails on its way gives a RuntimeWarning and what has come of
         it by then.
         """
-        run = _core.Run(self, clearance)
-        run._advance_to(run.end_time, progress)
-        outcome = _outcome(*run._end())
+        outcome = _outcome(*_core._run(self, clearance, progress))
         if outcome.failure:
             warnings.warn(outcome.failure, RuntimeWarning, stacklevel=2)
         return outcome
