@@ -3,6 +3,7 @@
 #include "libcontact/base/error.hpp"
 #include "libcontact/python/contact_warning.hpp"
 #include "libcontact/python/file_joint.hpp"
+#include "libcontact/python/initialised.hpp"
 #include "libcontact/version.hpp"
 
 PYBIND11_MODULE(_core, m) {
@@ -18,4 +19,5 @@ PYBIND11_MODULE(_core, m) {
   contact_python::bind_identify(m);
   contact_python::bind_case(m);
   contact_python::bind_run(m);
+  contact_python::refuse_uninitialised(m);
 }

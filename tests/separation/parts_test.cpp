@@ -21,6 +21,8 @@
 #include "separation/record/checkpoint.hpp"
 #include "separation/record/peaks.hpp"
 #include "separation/record/run.hpp"
+#include "separation/record/saved_state.hpp"
+#include "separation/record/state_json.hpp"
 #include "separation/simulation/case_forces.hpp"
 #include "support/error_message.hpp"
 #include "support/program.hpp"
@@ -567,6 +569,31 @@ TEST_F(CheckpointFile, EveryDamageIsSeen) {
             }).substr(0, damaged.size()),
             damaged);
   EXPECT_EQ(message_of(bytes_), "(no error)");
+}
+
+// A saved run has its rows in it, and nothing beside it; forged ones may name
+// files that are not theirs.
+TEST_F(CheckpointFile, WhatHasNoRowsBesideItIsNone) {
+  const std::string stranger = file_ + ": not a checkpoint of hinge-separation";
+  const auto expect_none = [&](const nlohmann::json& j) {
+    EXPECT_EQ(message_of(separation::packed(j)), stranger);
+    EXPECT_EQ(error_message(
+                  [this] { separation::CheckpointWriter(file_, "a run", 1); }),
+              stranger);
+  };
+  nlohmann::json j = separation::unpacked(bytes_, "good");
+  for (const int number : {77, 0, -1}) {
+    j["rows"]["number"] = number;
+    expect_none(j);
+  }
+  j.erase("rows");
+  expect_none(j);
+  j["rows"] = "rows";
+  expect_none(j);
+  separation::Run run(
+      separation::read_case(CONTACT_DATA_DIR "/cases/slosh.toml"));
+  folder_.write("c", separation::saved_bytes(run.save(), "a run"));
+  EXPECT_EQ(message(), stranger);
 }
 
 // What is damaged does not get to the terminal as it is.

@@ -25,6 +25,13 @@ using multibody::HingeSample;
 using multibody::MotionSample;
 
 constexpr const char* comes_to_rest = "comes to rest";
+constexpr const char* begins_to_slide = "begins to slide";
+
+std::string break_text(const Event& event, const Body& body) {
+  const bool hinge = event.action == Event::Action::break_hinge;
+  return fmt::format("{}: {} breaks", event.name,
+                     hinge ? body.hinge.name : body.lock->name);
+}
 
 // Distances are computed to 1e-5 m: no smaller one is looked for below this.
 constexpr double negligible = 1e-6;
@@ -132,6 +139,18 @@ std::size_t Rows::column(const std::string& name) const {
                                  contact::detail::nearest(name, columns), {}));
   }
   return static_cast<std::size_t>(found - columns.begin());
+}
+
+bool can_be_noted(const Note& note, const Case& c) {
+  const auto body = std::ranges::find(
+      c.bodies, note.body, [](const Body& b) { return b.rigid.name; });
+  if (body == c.bodies.end()) return false;
+  if (note.what == comes_to_rest || note.what == begins_to_slide) return true;
+  const auto index = static_cast<int>(body - c.bodies.begin());
+  return std::ranges::any_of(c.events, [&](const Event& event) {
+    return std::ranges::count(event.bodies, index) > 0 &&
+           note.what == break_text(event, *body);
+  });
 }
 
 Recorder::Recorder(const Case& c, bool rows, bool clearance, bool refine)
@@ -310,7 +329,7 @@ void Recorder::note_change(const multibody::HingeChange& change) {
     return;
   }
   memory_.notes.push_back(
-      {change.time, body, rests ? comes_to_rest : "begins to slide"});
+      {change.time, body, rests ? comes_to_rest : begins_to_slide});
 }
 
 // Sticking and sliding, with the time at rest.
@@ -494,9 +513,7 @@ void Recorder::before(const Simulation& simulation,
     const Body& body = case_.bodies[h.body];
     const bool hinge = event.action == Event::Action::break_hinge;
     memory_.notes.push_back(
-        {simulation.time(), body.rigid.name,
-         fmt::format("{}: {} breaks", event.name,
-                     hinge ? body.hinge.name : body.lock->name)});
+        {simulation.time(), body.rigid.name, break_text(event, body)});
     BodyRecord::Release& release = memory_.bodies[h.body].release;
     if (!hinge || release.time != History::not_yet) continue;
     const HingeSample now = sample.hinge(h.body);

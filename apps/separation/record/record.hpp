@@ -67,6 +67,9 @@ struct Note {
   std::string what;
 };
 
+/// Whether a run of the case may note that.
+bool can_be_noted(const Note& note, const Case& c);
+
 /// The smallest distance of two bodies.
 struct PairRecord {
   double smallest = History::not_yet;  ///< m

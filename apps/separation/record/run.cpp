@@ -6,6 +6,9 @@
 
 #include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
+#include "multibody/motion/state_check.hpp"
+#include "separation/case/system_of.hpp"
+#include "separation/record/state_check.hpp"
 
 namespace separation {
 
@@ -17,13 +20,18 @@ Run::Run(Case c, RunOptions options)
       outputs_(case_, options_.only_events),
       recorder_(case_, options_.rows, options_.clearance,
                 !options_.only_events) {
-  start();
+  take(make_simulation());
   recorder_.look(*simulation_);
 }
 
-void Run::start() {
-  simulation_ = std::make_unique<Simulation>(case_, friction());
+std::unique_ptr<Simulation> Run::make_simulation() const {
+  return std::make_unique<Simulation>(case_, friction());
+}
+
+void Run::take(std::unique_ptr<Simulation> simulation) {
+  simulation_ = std::move(simulation);
   time_ = simulation_->time();
+  copy_.reset();
   simulation_->halt_when([this] {
     pace_.note(*simulation_);
     return is_due_to_stop();
@@ -97,7 +105,7 @@ Run::Status Run::advance_to(double time) {
 
 const Simulation& Run::copy() const {
   if (!copy_) {
-    copy_ = std::make_unique<Simulation>(case_, friction());
+    copy_ = make_simulation();
     copy_->restore(simulation_->step_state());
     copy_->advance_to(time_);
   }
@@ -144,36 +152,31 @@ Outcome Run::end() && {
   return outcome_with(recorder_.take_memory());
 }
 
-// A new simulation, as a restored run has one.
-void Run::go_on_from(const SimulationState& state) {
-  start();
-  simulation_->restore(state);
-  time_ = simulation_->time();
-  recorder_.go_on_with(*simulation_);
-  copy_.reset();
-}
-
 SimulationState Run::renew() {
   if (time_ > memory().last_time) {
     look_here();
     recorder_.catch_up(*simulation_);
   }
   SimulationState state = simulation_->save();
+  // As a restored run has one.
+  auto simulation = make_simulation();
+  simulation->restore(state);
   gone_ = counts();
-  go_on_from(state);
+  take(std::move(simulation));
+  recorder_.go_on_with(*simulation_);
   return state;
 }
 
 void Run::restore(RunState state) {
-  if (state.memory.rows.columns != columns() ||
-      state.memory.forces.size() != case_.forces.size() ||
-      state.simulation.history.events.size() != case_.events.size()) {
-    throw contact::Error(must_be("the state to restore",
-                                 "of a run of the same case and options"));
-  }
+  check_state(state, {case_, columns(), outputs_, options_.rows});
+  auto simulation = make_simulation();
+  simulation->restore(state.simulation);
+  multibody::check_numbers(state.simulation.motion, system_of(case_));
+  // Nothing is refused from here on.
+  take(std::move(simulation));
   recorder_.restore(std::move(state.memory));
+  recorder_.go_on_with(*simulation_);
   gone_ = {};
-  go_on_from(state.simulation);
   next_ = outputs_.after(time_);
   status_ = Status::running;
   message_.clear();

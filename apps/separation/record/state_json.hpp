@@ -4,6 +4,8 @@
 #include <string>
 #include <string_view>
 
+#include "libcontact/base/complaint.hpp"
+#include "libcontact/base/error.hpp"
 #include "separation/record/run.hpp"
 
 // What is kept of a run, there and back.
@@ -13,6 +15,10 @@ struct nlohmann::adl_serializer<Eigen::Vector3d> {
     j = {v.x(), v.y(), v.z()};
   }
   static void from_json(const json& j, Eigen::Vector3d& v) {
+    if (j.size() != 3) {
+      throw contact::Error(contact::detail::must_be(
+          "a vector of " + std::to_string(j.size()) + " numbers", "of 3"));
+    }
     v = Eigen::Vector3d(j.at(0), j.at(1), j.at(2));
   }
 };
