@@ -114,6 +114,8 @@ class Run {
   void start();
   void go_on_from(const SimulationState& state);
   bool move_on(double time, bool look);
+  bool record();
+  bool is_recorded();
   void look_here();
   bool give_up(Status status, std::string why);
   bool is_due_to_stop();
