@@ -33,8 +33,9 @@ std::string break_text(const Event& event, const Body& body) {
                      hinge ? body.hinge.name : body.lock->name);
 }
 
-// Distances are computed to 1e-5 m: no smaller one is looked for below this.
-constexpr double negligible = 1e-6;
+// Distances of bodies of some metres are exact to 1e-8 m (nearest.hpp):
+// differences below this say nothing.
+constexpr double negligible = 1e-8;
 
 }  // namespace
 
@@ -177,6 +178,7 @@ Recorder::Recorder(const Case& c, bool rows, bool clearance, bool refine)
 void Recorder::go_on_with(const Simulation& simulation) {
   changes_seen_ = simulation.motion().changes().size();
   looks_.clear();
+  fault_.clear();
   for (PairWay& way : ways_) way.forget();
 }
 
@@ -376,7 +378,12 @@ void Recorder::note_distance(std::size_t i, double distance, double time) {
     pair.smallest = distance;
     pair.time = time;
   }
-  if (std::isnan(distance)) ++pair.not_found;
+  if (std::isnan(distance) && fault_.empty()) {
+    const auto& [a, b] = case_.clearance[i];
+    fault_ = fmt::format(
+        "t = {:.6g} s: the distance of {} and {} could not be certified", time,
+        case_.rigid_body(a).name, case_.rigid_body(b).name);
+  }
   if (distance <= 0) {
     pair.overlap_from = std::min(pair.overlap_from, time);
     pair.overlap_to = std::max(pair.overlap_to, time);
@@ -422,11 +429,9 @@ void Recorder::search_distance(const Simulation& simulation, std::size_t i) {
   const double end = simulation.sample().time();
   const std::array<double, 3> at = {distance(begin),
                                     distance((begin + end) / 2), distance(end)};
-  // Differences that are below the accuracy of distances make no valley.
-  constexpr double accuracy = 1e-5;
   const double bend = at[0] - 2 * at[1] + at[2];
   const double slope = (at[2] - at[0]) / 2;
-  if (!(bend > accuracy * (1 + at[1])) || !(std::abs(slope) < bend)) return;
+  if (!(bend > negligible * (1 + at[1])) || !(std::abs(slope) < bend)) return;
   constexpr int bits = 20;
   std::uintmax_t steps = 30;
   boost::math::tools::brent_find_minima(distance, begin, end, bits, steps);

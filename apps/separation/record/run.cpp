@@ -21,7 +21,7 @@ Run::Run(Case c, RunOptions options)
       recorder_(case_, options_.rows, options_.clearance,
                 !options_.only_events) {
   take(make_simulation());
-  recorder_.look(*simulation_);
+  record();
 }
 
 std::unique_ptr<Simulation> Run::make_simulation() const {
@@ -34,7 +34,7 @@ void Run::take(std::unique_ptr<Simulation> simulation) {
   copy_.reset();
   simulation_->halt_when([this] {
     pace_.note(*simulation_);
-    return is_due_to_stop();
+    return !recorder_.fault().empty() || is_due_to_stop();
   });
   if (options_.only_events && !options_.progress) return;
   simulation_->watch_steps([this](const multibody::MotionSample& sample) {
@@ -58,12 +58,24 @@ bool Run::give_up(Status status, std::string why) {
   return false;
 }
 
+// False where a distance is not known.
+bool Run::is_recorded() {
+  return recorder_.fault().empty() ||
+         give_up(Status::failed, recorder_.fault());
+}
+
+bool Run::record() {
+  recorder_.look(*simulation_);
+  return is_recorded();
+}
+
 // Moves on to `time` with all events on the way; false: status() says why.
 bool Run::move_on(double time, bool look) {
   for (;;) {
     const Simulation::Stop stop = simulation_->advance_to(time, look);
     time_ = simulation_->time();
     copy_.reset();
+    if (!is_recorded()) return false;
     switch (stop) {
       case Simulation::Stop::time:
         return true;
@@ -75,12 +87,12 @@ bool Run::move_on(double time, bool look) {
             fmt::format("t = {:.6g} s: stopped by {} after {} steps: {}", time_,
                         stopped_by_, counts().steps, pace()));
       case Simulation::Stop::event:
-        recorder_.look(*simulation_);
+        if (!record()) return false;
         recorder_.before(*simulation_, simulation_->happenings());
         if (!simulation_->apply()) {
           return give_up(Status::failed, simulation_->message());
         }
-        recorder_.look(*simulation_);
+        if (!record()) return false;
     }
   }
 }
@@ -95,8 +107,7 @@ Run::Status Run::advance_to(double time) {
   status_ = Status::running;
   message_.clear();
   for (const long last = outputs_.after(time); next_ < last; ++next_) {
-    if (!move_on(outputs_[next_], true)) return status_;
-    recorder_.look(*simulation_);
+    if (!move_on(outputs_[next_], true) || !record()) return status_;
   }
   if (!outputs_.has(next_)) return status_ = Status::finished;
   move_on(time, false);
@@ -147,7 +158,7 @@ void Run::look_here() {
 Outcome Run::end() && {
   if (time_ > memory().last_time) {
     look_here();
-    recorder_.look(*simulation_);
+    record();
   }
   return outcome_with(recorder_.take_memory());
 }

@@ -115,6 +115,8 @@ class Run {
   std::unique_ptr<Simulation> make_simulation() const;
   void take(std::unique_ptr<Simulation> simulation);
   bool move_on(double time, bool look);
+  bool record();
+  bool is_recorded();
   void look_here();
   bool give_up(Status status, std::string why);
   bool is_due_to_stop();

@@ -43,7 +43,7 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(BodyRecord, peak_reaction,
                                    release)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Note, time, body, what)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PairRecord, smallest, time, overlap_from,
-                                   overlap_to, not_found)
+                                   overlap_to)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ForceRecord, on, acted, fault, fault_time)
 // Without rows and notes, which have a file of their own.
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Recorder::Memory, bodies, pairs, forces,
