@@ -98,10 +98,12 @@ fuzz() { # NAME FOLDER...: from the corpus of that name and files there
 
 check_fuzz() {
   cmake --preset fuzz
-  cmake --build --preset fuzz --target joint_file_fuzz csv_fuzz case_file_fuzz
+  cmake --build --preset fuzz --target joint_file_fuzz csv_fuzz case_file_fuzz \
+    saved_state_fuzz
   fuzz joint_file data/joints data/materials
   fuzz csv
   fuzz case_file data/cases
+  fuzz saved_state
 }
 
 [ $# -gt 0 ] || usage

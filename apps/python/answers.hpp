@@ -1,7 +1,7 @@
 #pragma once
 
 #include <array>
-#include <cstring>
+#include <optional>
 #include <span>
 #include <string>
 #include <type_traits>
@@ -25,10 +25,13 @@ struct Field {
 };
 
 /// Rows as they were computed; arrays of a quantity are made when asked for.
+/// Unpickled ones have the arrays in their place, and with them all that can be
+/// asked of the rows.
 template <class Row>
 struct Answers {
   Shape shape;
-  std::vector<Row> rows;
+  std::vector<Row> rows = {};
+  py::object arrays = {};  ///< a dict by the names of the fields, or nothing
 };
 
 /// The rows of `row(numbers)`.
@@ -43,6 +46,14 @@ Answers<Row> answers(std::initializer_list<Argument> arguments,
 }
 
 namespace detail {
+
+/// An array of a pickle that is none, or of another type or shape.
+/// @param rows  their shape, if it is known
+[[noreturn]] void refuse_pickled(const char* name, const py::dtype& type,
+                                 const std::optional<Shape>& rows,
+                                 bool is_vector);
+/// Arrays of a pickle beside those that there are.
+[[noreturn]] void refuse_pickled_names(const py::dict& arrays);
 
 template <class Row, class Value>
 py::array column(const Answers<Row>& a, Value (*of)(const Row&)) {
@@ -66,6 +77,7 @@ py::array column(const Answers<Row>& a, Eigen::Vector3d (*of)(const Row&)) {
 
 template <class Row>
 py::array column(const Answers<Row>& a, const Field<Row>& field) {
+  if (a.arrays) return a.arrays[field.name].attr("copy")();
   return std::visit([&](auto of) { return column(a, of); }, field.of);
 }
 
@@ -80,7 +92,7 @@ py::dict to_dict(const Answers<Row>& a, std::span<const Field<Row>> fields) {
       constexpr std::array ends = {"_x", "_y", "_z"};
       for (std::size_t i = 0; i < ends.size(); ++i) {
         columns[py::str(field.name + std::string(ends[i]))] =
-            rows[py::make_tuple(py::slice(0, a.rows.size(), 1), i)];
+            rows[py::make_tuple(py::ellipsis(), i)];
       }
     } else {
       columns[field.name] = array.attr("ravel")();
@@ -90,32 +102,55 @@ py::dict to_dict(const Answers<Row>& a, std::span<const Field<Row>> fields) {
 }
 
 template <class Row>
-py::tuple state_of(const Answers<Row>& a) {
-  const auto* bytes = reinterpret_cast<const char*>(a.rows.data());
-  return py::make_tuple(a.shape, py::bytes(bytes, a.rows.size() * sizeof(Row)));
+py::dict arrays_of(const Answers<Row>& a, std::span<const Field<Row>> fields) {
+  py::dict arrays;
+  for (const Field<Row>& field : fields) arrays[field.name] = column(a, field);
+  return arrays;
 }
 
-// Pickles are for other processes of this program, not for files.
+// A copy of an array of a pickle, as column() makes them. Those of another
+// shape would be read beyond their ends.
 template <class Row>
-Answers<Row> from_state(const py::tuple& state) {
-  Answers<Row> a{state[0].cast<Shape>(), {}};
-  const auto bytes = state[1].cast<std::string>();
-  if (bytes.size() % sizeof(Row) != 0) {
-    throw py::value_error("pickled by another version");
+py::array array_in(const py::dict& arrays, const Field<Row>& field,
+                   const std::optional<Shape>& rows) {
+  return std::visit(
+      [&]<class Value>(Value (*)(const Row&)) -> py::array {
+        constexpr bool is_vector = std::is_same_v<Value, Eigen::Vector3d>;
+        using Number = std::conditional_t<is_vector, double, Value>;
+        const auto given = arrays.attr("get")(field.name);
+        if (py::isinstance<py::array_t<Number>>(given)) {
+          const py::array_t<Number, py::array::c_style> array(given);
+          const Shape shape(array.shape(), array.shape() + array.ndim());
+          Shape wanted = rows.value_or(shape);
+          if (is_vector && rows) wanted.push_back(3);
+          if (shape == wanted) return py::array_t<Number>(shape, array.data());
+        }
+        refuse_pickled(field.name, py::dtype::of<Number>(), rows, is_vector);
+      },
+      field.of);
+}
+
+template <class Row>
+Answers<Row> from_arrays(const py::dict& arrays,
+                         std::span<const Field<Row>> fields) {
+  std::optional<Shape> shape;  // of the rows, by a quantity that is a number
+  py::dict own;
+  for (const Field<Row>& field : fields) {
+    const py::array array = array_in(arrays, field, shape);
+    if (!shape) shape.emplace(array.shape(), array.shape() + array.ndim());
+    own[field.name] = array;
   }
-  a.rows.resize(bytes.size() / sizeof(Row));
-  std::memcpy(static_cast<void*>(a.rows.data()), bytes.data(), bytes.size());
-  return a;
+  if (arrays.size() != own.size()) refuse_pickled_names(own);
+  return {std::move(*shape), {}, std::move(own)};
 }
 
 }  // namespace detail
 
 /// The Python class of such results.
-/// @param fields  that last
+/// @param fields  that last; the first is a number
 template <class Row>
 void bind_answers(py::module_& m, const char* name,
                   std::span<const Field<Row>> fields, const char* doc) {
-  static_assert(std::is_trivially_destructible_v<Row>);
   py::class_<Answers<Row>> type(m, name, doc);
   for (const Field<Row>& field : fields) {
     type.def_property_readonly(
@@ -148,7 +183,13 @@ void bind_answers(py::module_& m, const char* name,
           "to_dict(self)\n--\n\nAll quantities as columns of one dimension, "
           "vectors as three\n(NAME_x, NAME_y, NAME_z): "
           "pandas.DataFrame(s.to_dict()).")
-      .def(py::pickle(&detail::state_of<Row>, &detail::from_state<Row>));
+      .def(py::pickle(
+          [fields](const Answers<Row>& a) {
+            return detail::arrays_of(a, fields);
+          },
+          [fields](const py::dict& arrays) {
+            return detail::from_arrays(arrays, fields);
+          }));
 }
 
 }  // namespace contact_python

@@ -5,6 +5,7 @@
 
 #include "python/file_case.hpp"
 #include "python/file_joint.hpp"
+#include "python/interpreter_lock.hpp"
 #include "separation/case/case_keys.hpp"
 #include "separation/case/case_reader.hpp"
 
@@ -19,7 +20,7 @@ std::unique_ptr<FileCase> make_case(const std::string& text,
                                     const std::filesystem::path& folder,
                                     const Settings& settings) {
   const auto all = key_settings(settings);
-  const py::gil_scoped_release unlocked;
+  const Unlocked unlocked;
   return std::make_unique<FileCase>(FileCase{
       separation::parse_case(text, source, {}, all, folder),
       TomlTable::from_text(text, source, separation::case_keys(), folder, all)

@@ -106,7 +106,7 @@ Answers<Coefficients> law_coefficients(const FileJoint& self,
   });
   for (auto& column : out) column.resize(rows.size());
   Answers<Coefficients> result{rows.shape(), {}};
-  const py::gil_scoped_release unlocked;
+  const Unlocked unlocked;
   contact::friction_integrals(self.contact().pressure_law(),
                               {in[0], in[1], in[2]},
                               {.normal = {},

@@ -87,7 +87,7 @@ std::unique_ptr<Cycle> make_cycle(const FileJoint& joint, const Numbers& time,
   std::unique_ptr<Cycle> cycle;
   contact::LargestContact largest;
   {
-    const py::gil_scoped_release unlocked;
+    const Unlocked unlocked;
     cycle = std::make_unique<Cycle>(
         joint.joint(),
         sequence ? DutyCycle(std::move(forces), frame, std::move(spline),
@@ -139,14 +139,14 @@ py::object largest(const Cycle& cycle, const std::string& name) {
   const auto of = quantity(cycle, name);
   CycleInstant instant;
   {
-    const py::gil_scoped_release unlocked;
+    const Unlocked unlocked;
     instant = cycle.on().largest(of);
   }
   return py::make_tuple(of(instant), instant.time);
 }
 
 double integral(const Cycle& cycle, const JointCycle::Quantity& quantity) {
-  const py::gil_scoped_release unlocked;
+  const Unlocked unlocked;
   return cycle.on().integral(quantity);
 }
 
@@ -171,7 +171,7 @@ py::dict wear(const Cycle& cycle, const std::string& body, int points) {
   double cell_area;
   double defect;
   {
-    const py::gil_scoped_release unlocked;
+    const Unlocked unlocked;
     const WearMap map(cycle.on(), of);
     grid = map.grid(points);
     for (const Vector3d& point : grid) worn.push_back(map.at(point));
@@ -198,7 +198,7 @@ Answers<contact::WornState> wear_in(const Cycle& cycle, double coefficient,
                                     double cycles) {
   contact::WearIn worn;
   {
-    const py::gil_scoped_release unlocked;
+    const Unlocked unlocked;
     worn = contact::wear_in(cycle.on().cycle(), cycle.contact(), coefficient,
                             cycles);
   }
@@ -257,7 +257,7 @@ void bind_duty(py::module_& m) {
   type.def_property_readonly(
       "contact_spread",
       [](const Cycle& c) {
-        const py::gil_scoped_release unlocked;
+        const Unlocked unlocked;
         return contact::contact_spread(c.on());
       },
       "Root mean square angle of the contact from the middle of its places on "

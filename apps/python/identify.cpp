@@ -71,7 +71,7 @@ std::unique_ptr<FrictionFit> identify(const FileJoint& joint,
       finds_coefficient ? joint.contact() : joint.joint().contact();
   std::unique_ptr<FrictionFit> fit;
   {
-    const py::gil_scoped_release unlocked;
+    const Unlocked unlocked;
     fit = std::make_unique<FrictionFit>(
         contact::identify_friction(contact, data, options));
   }

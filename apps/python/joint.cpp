@@ -276,7 +276,7 @@ void bind_joint(py::module_& m) {
                                                 key_settings(settings));
            }),
            py::arg("text"), py::arg("source"), py::arg("folder"),
-           py::arg("settings"), py::call_guard<py::gil_scoped_release>());
+           py::arg("settings"), py::call_guard<Unlocked>());
   type.def_property_readonly("_toml", &FileJoint::toml);
   type.def_property_readonly("_canonical", &FileJoint::canonical);
   m.def("_file_toml", &file_toml);

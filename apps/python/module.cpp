@@ -4,6 +4,7 @@
 #include "libcontact/version.hpp"
 #include "python/contact_warning.hpp"
 #include "python/file_joint.hpp"
+#include "python/initialised.hpp"
 
 PYBIND11_MODULE(_core, m) {
   namespace py = pybind11;
@@ -18,4 +19,5 @@ PYBIND11_MODULE(_core, m) {
   contact_python::bind_identify(m);
   contact_python::bind_case(m);
   contact_python::bind_run(m);
+  contact_python::refuse_uninitialised(m);
 }

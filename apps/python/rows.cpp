@@ -1,9 +1,11 @@
 #include "python/rows.hpp"
 
 #include <string>
+#include <utility>
 
 #include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
+#include "python/answers.hpp"
 
 namespace contact_python {
 namespace {
@@ -79,12 +81,30 @@ void Rows::Cursor::next() {
 }
 
 void Rows::heed_signals() {
-  const py::gil_scoped_acquire locked;
+  const Locked locked;
   if (PyErr_CheckSignals() != 0) throw py::error_already_set();
 }
 
 py::object returned(const py::array& array) {
   return array.ndim() == 0 ? array[py::tuple()] : py::object(array);
+}
+
+void detail::refuse_pickled(const char* name, const py::dtype& type,
+                            const std::optional<Shape>& rows, bool is_vector) {
+  std::string rule = "an array of " + std::string(py::str(py::object(type)));
+  if (rows) {
+    Shape shape = *rows;
+    if (is_vector) shape.push_back(3);
+    rule += " of shape " + text_of(shape);
+  }
+  throw contact::Error(
+      contact::detail::must_be(std::string("the pickle's ") + name, rule));
+}
+
+void detail::refuse_pickled_names(const py::dict& arrays) {
+  throw contact::Error(contact::detail::must_be(
+      "the pickle's names",
+      py::str(", ").attr("join")(arrays).cast<std::string>()));
 }
 
 }  // namespace contact_python

@@ -9,6 +9,8 @@
 #include <initializer_list>
 #include <vector>
 
+#include "python/interpreter_lock.hpp"
+
 namespace contact_python {
 
 namespace py = pybind11;
@@ -49,7 +51,7 @@ class Rows {
       for (std::size_t i = 0; i < size_; ++i, cursor.next()) row(cursor.at());
       return;
     }
-    const py::gil_scoped_release unlocked;
+    const Unlocked unlocked;
     for (std::size_t i = 0; i < size_;) {
       const std::size_t end = std::min(i + block, size_);
       for (; i < end; ++i, cursor.next()) row(cursor.at());

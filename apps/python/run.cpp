@@ -34,13 +34,13 @@ class Listener {
     const auto now = Clock::now();
     if (now < next_) return "";
     next_ = now + std::chrono::milliseconds(100);
-    const py::gil_scoped_acquire locked;
+    const Locked locked;
     try {
       if (PyErr_CheckSignals() != 0) throw py::error_already_set();
-      if (!progress_.is_none()) progress_(time_, end_);
+      if (!progress_.is_none()) tell(py::make_tuple(time_, end_));
     } catch (...) {
       error_ = std::current_exception();
-      return "stopped";
+      return "an exception";
     }
     return "";
   }
@@ -50,6 +50,14 @@ class Listener {
 
  private:
   using Clock = std::chrono::steady_clock;
+
+  // What it prints lets go of the lock.
+  void tell(const py::tuple& times) const {
+    PyObject* const answer = outlive_python(
+        [&] { return PyObject_CallObject(progress_.ptr(), times.ptr()); });
+    if (answer == nullptr) throw py::error_already_set();
+    Py_DECREF(answer);
+  }
 
   py::object progress_;
   double time_;
@@ -123,11 +131,14 @@ class CaseRun {
     if (values_.empty()) values_ = run().values();
     return values_;
   }
-  // With a last row where it is; it cannot go on then.
-  py::tuple end() {
+  // To the end, with a last row there; nothing may be asked of it then. With
+  // what is to be said of its contacts.
+  py::tuple whole(py::object progress) && {
+    advance_to(run_.of().end_time, std::move(progress));
+    const auto notes = separation::contact_notes(run_.of(), run_.memory());
     separation::Outcome outcome;
     alone([&] { outcome = std::move(run_).end(); });
-    return answer(run_, outcome);
+    return py::make_tuple(answer(run_, outcome), notes);
   }
 
  private:
@@ -153,7 +164,7 @@ class CaseRun {
           r->is_busy_ = false;
           r->listener_ = nullptr;
         });
-    const py::gil_scoped_release unlocked;
+    const Unlocked unlocked;
     work();
   }
 
@@ -165,7 +176,7 @@ class CaseRun {
 };
 
 std::unique_ptr<CaseRun> make_run(const FileCase& file, bool clearance) {
-  const py::gil_scoped_release unlocked;
+  const Unlocked unlocked;
   return std::make_unique<CaseRun>(file, clearance);
 }
 
@@ -194,7 +205,6 @@ void bind_run(py::module_& m) {
       py::arg("column"));
   type.def("_outcome",
            [](const CaseRun& r) { return answer(r.run(), r.run().outcome()); });
-  type.def("_end", &CaseRun::end);
   type.def_property_readonly(
       "_events", [](const CaseRun& r) { return events_of(r.run().memory()); });
   type.def_property_readonly("_contact_notes", [](const CaseRun& r) {
@@ -240,6 +250,12 @@ tolerances.)");
 
 Goes to where a run of the same case and clearance was saved, forwards or back,
 also from a failure. What is refused changes nothing.)");
+  m.def(
+      "_run",
+      [](const FileCase& file, bool clearance, py::object progress) {
+        return std::move(*make_run(file, clearance)).whole(std::move(progress));
+      },
+      py::arg("case"), py::arg("clearance"), py::arg("progress"));
   m.attr("_modes") = mode_words();
 }
 

@@ -5,9 +5,11 @@ import ctypes
 import itertools
 import pickle
 import signal
+import struct
 import threading
 import unittest
 import warnings
+import zlib
 
 import libcontact
 import numpy as np
@@ -181,6 +183,8 @@ class Interrupted(Test):
 
         with self.assertRaises(ZeroDivisionError):
             run.advance_to(run.end_time, progress=complain)
+        self.assertRegex(
+            run.message, "^t = [0-9.]+ s: stopped by an exception after ")
         stopped = run.time
         times = []
         status = run.advance_to(
@@ -253,7 +257,30 @@ class Saved(Test):
         damaged = saved[:1000] + bytes([saved[1000] ^ 1]) + saved[1001:]
         self.assertRegex(
             message_of(run.restore, damaged), "^the saved state: damaged: ")
+        # With a check sum that is right.
+        first, _, _ = saved.partition(b"\n")
+        forged = first + b"\n" + 300_000 * b"\x81"
+        self.assertEqual(
+            message_of(run.restore, forged + b"%08x" % zlib.crc32(forged)),
+            "the saved state: not a checkpoint of hinge-separation")
+        time, later = (b"dtime\xfa" + struct.pack(">f", t) for t in (1, 99))
+        self.assertIn(time, saved)
+        forged = saved[:-8].replace(time, later)
+        self.assertEqual(
+            message_of(run.restore, forged + b"%08x" % zlib.crc32(forged)),
+            "state.time = 99 must be 0 to 2.6 s")
         self.assertEqual(run.time, 1)
+
+    def test_goes_on_failing_where_it_failed(self):
+        run = libcontact.Run(fails)
+        with self.assertWarns(RuntimeWarning):
+            run.advance_to(1)
+        other = libcontact.Run(fails)
+        other.restore(run.save())
+        self.assertEqual(other.time, run.time)
+        with self.assertWarns(RuntimeWarning):
+            self.assertEqual(other.advance_to(1), "failed")
+        self.assertEqual(other.message, run.message)
 
 
 if __name__ == "__main__":

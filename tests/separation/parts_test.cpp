@@ -1,5 +1,5 @@
 // Parts of hinge-separation against independent routes: inertia of solids,
-// distances, forces that keep momentum.
+// forces that keep momentum.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -9,7 +9,6 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
-#include <random>
 #include <string>
 
 #include "libcontact/base/error.hpp"
@@ -20,6 +19,8 @@
 #include "separation/clearance/pair_way.hpp"
 #include "separation/results/peaks.hpp"
 #include "separation/results/run.hpp"
+#include "separation/results/saved_state.hpp"
+#include "separation/results/state_json.hpp"
 #include "separation/results/summary.hpp"
 #include "separation/simulation/case_forces.hpp"
 #include "support/error_message.hpp"
@@ -32,7 +33,6 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using multibody::BodyForce;
 using multibody::BodyMotion;
-using separation::Clearance;
 using separation::convex_hull;
 using separation::Shape;
 using separation::ShapeKind;
@@ -121,6 +121,29 @@ TEST(Shape, HullsOfBoxAndTetrahedron) {
   expect_close(t.inertia, exact, 1e-13);
 }
 
+TEST(Shape, BoxesAgainstTheirFormula) {
+  const Vector3d centre(3, -1, 0.5);
+  const Vector3d size(1, 2, 4);
+  const Matrix3d turn =
+      Eigen::AngleAxisd(0.7, Vector3d(1, -2, 2) / 3).toRotationMatrix();
+  const Shape box = separation::box(centre, size, turn);
+  const SolidProperties s = solid_properties(box);
+  EXPECT_NEAR(s.volume, 8, 1e-13);
+  EXPECT_LE((s.centroid - centre).norm(), 1e-13);
+  const Vector3d square = size.cwiseProduct(size);
+  const Vector3d moments =
+      8.0 / 12 * (square.sum() * Vector3d::Ones() - square);
+  expect_close(s.inertia, turn * moments.asDiagonal() * turn.transpose(),
+               1e-13);
+  for (const auto& [i, j, k] : box.faces) {
+    const Vector3d& corner = box.points[i];
+    EXPECT_GT((box.points[j] - corner)
+                  .cross(box.points[k] - corner)
+                  .dot(corner - centre),
+              0);
+  }
+}
+
 TEST(Shape, SeveralTogetherAreOneBody) {
   const Vector3d a(0, 0, 0), m(1, 1, 0), b(3, 3, 0);
   const SolidProperties whole =
@@ -141,121 +164,6 @@ TEST(Shape, FlatHullsAreRefused) {
               convex_hull({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}});
             }),
             "the points of a hull are (nearly) in one plane");
-}
-
-// Largest n . x over a solid.
-double support(const Shape& s, const Vector3d& n) {
-  const double ends = std::max(n.dot(s.from), n.dot(s.to));
-  const Vector3d axis = (s.to - s.from).normalized();
-  const double across = s.radius * n.cross(axis).norm();
-  switch (s.kind) {
-    case ShapeKind::capsule:
-      return ends + s.radius * n.norm();
-    case ShapeKind::cylinder:
-      return ends + across;
-    case ShapeKind::cone:
-      return std::max(n.dot(s.to), n.dot(s.from) + across);
-    case ShapeKind::hull:
-      break;
-  }
-  double largest = n.dot(s.points[0]);
-  for (const Vector3d& p : s.points) largest = std::max(largest, n.dot(p));
-  return largest;
-}
-
-// Distance of convex solids: the widest gap between parallel planes, over all
-// directions; a search that narrows down. Negative if they overlap.
-double widest_gap(const Shape& a, const Shape& b, std::mt19937& random) {
-  std::normal_distribution<double> normal;
-  const auto gap = [&](const Vector3d& n) {
-    return -support(b, -n) - support(a, n);
-  };
-  Vector3d best = Vector3d::UnitX();
-  double value = gap(best);
-  double spread = 10;
-  for (int i = 0; i < 160000; ++i) {
-    Vector3d n = best;
-    for (double& x : n) x += spread * normal(random);
-    n.normalize();
-    const double g = gap(n);
-    if (g > value) {
-      value = g;
-      best = n;
-      spread *= 1.3;
-    } else {
-      spread = std::max(0.995 * spread, 1e-9);
-    }
-    if (i % 8000 == 7999) spread = 1e-3;
-  }
-  return value;
-}
-
-Shape random_shape(ShapeKind kind, std::mt19937& random) {
-  std::uniform_real_distribution<double> u(-1, 1);
-  const auto v = [&] { return Vector3d(u(random), u(random), u(random)); };
-  if (kind == ShapeKind::hull) {
-    std::vector<Vector3d> points(12);
-    for (Vector3d& p : points) p = v();
-    return convex_hull(points);
-  }
-  const Vector3d from = v();
-  return {kind, from, from + 2 * v(), 0.3 + 0.2 * u(random)};
-}
-
-TEST(Clearance, AgainstTheWidestGapBetweenPlanes) {
-  std::mt19937 random(7);
-  double largest = 0;
-  int apart = 0;
-  for (int i = 0; i < 160; ++i) {
-    const Shape a = random_shape(static_cast<ShapeKind>(i % 4), random);
-    Shape b = random_shape(static_cast<ShapeKind>(i / 4 % 4), random);
-    b.move(Vector3d(2.5, -1, 0.5));
-    const double expected = widest_gap(a, b, random);
-    // The same in space, each in axes of its own.
-    std::vector<BodyMotion> bodies(2);
-    std::vector<std::vector<Shape>> shapes;
-    for (int k = 0; k < 2; ++k) {
-      BodyMotion& body = bodies[k];
-      body.rotation = Eigen::Quaterniond::UnitRandom().toRotationMatrix();
-      body.position = Vector3d(1000, 2 * k, -k);
-      Shape s = k == 0 ? a : b;
-      const auto local = [&](const Vector3d& p) -> Vector3d {
-        return body.rotation.transpose() *
-               (p + Vector3d(1000, 0, 0) - body.position);
-      };
-      s.from = local(s.from);
-      s.to = local(s.to);
-      for (Vector3d& p : s.points) p = local(p);
-      shapes.push_back({s});
-    }
-    Clearance clearance(shapes, {{0, 1}});
-    const double found = clearance.distances(bodies)[0];
-    if (expected < 1e-3) {
-      EXPECT_LE(found, std::max(expected, 0.0) + 1e-3) << i;
-      continue;
-    }
-    ++apart;
-    largest = std::max(largest, std::abs(found - expected));
-    // clearance/clearance.hpp
-    EXPECT_NEAR(found, expected, 1e-5 * (1 + expected))
-        << i % 4 << ' ' << i / 4 % 4;
-  }
-  std::printf("largest error of %d distances: %.1e m\n", apart, largest);
-  EXPECT_GT(apart, 60);
-}
-
-TEST(Clearance, BodiesOfSeveralSolids) {
-  const Shape ball{ShapeKind::capsule, {0, 0, 0}, {0, 0, 0}, 0.5};
-  Shape far = ball;
-  far.move(Vector3d(3, 0, 0));
-  std::vector<BodyMotion> bodies(3, {Vector3d::Zero(), Vector3d::Zero(),
-                                     Matrix3d::Identity(), Vector3d::Zero()});
-  bodies[1].position = Vector3d(5, 0, 0);
-  bodies[2].position = Vector3d(0.4, 0, 0);
-  Clearance clearance({{ball, far}, {ball}, {ball}}, {{0, 1}, {0, 2}});
-  const auto d = clearance.distances(bodies);
-  EXPECT_NEAR(d[0], 1, 1e-6);
-  EXPECT_EQ(d[1], 0);
 }
 
 // One force of a case on a body that is turned by 90 deg about z and moved to
@@ -301,53 +209,6 @@ void expect_force(const BodyForce& f, const Vector3d& force,
   // Some roundings of numbers up to some tens.
   EXPECT_LE((f.force - force).norm(), 1e-13) << f.force.transpose();
   EXPECT_LE((f.moment - moment).norm(), 1e-13) << f.moment.transpose();
-}
-
-// From a distance that is known, wherever the bodies have moved since; and of
-// none between two distances.
-TEST(PairWay, IsNeverAboveTheDistance) {
-  std::mt19937 random(5);
-  std::uniform_real_distribution<double> uniform(-1, 1);
-  const auto vector = [&] {
-    return Vector3d(uniform(random), uniform(random), uniform(random));
-  };
-  const Shape rod{.kind = ShapeKind::capsule,
-                  .from = {-0.3, 0.1, 0},
-                  .to = {0.8, 0, 0.2},
-                  .radius = 0.1};
-  Clearance clearance({{rod}, {rod}}, {{0, 1}});
-  for (int trial = 0; trial < 300; ++trial) {
-    separation::PairWay way({0, 1}, separation::reach(rod));
-    std::vector<multibody::BodyMotion> bodies;
-    for (int i = 0; i < 2; ++i) {
-      bodies.push_back({vector() + Vector3d(3. * i, 0, 0), vector(),
-                        Matrix3d::Identity(), vector()});
-    }
-    // Both fly and turn at constant rates: their speeds do not change.
-    const double step = 0.3;
-    way.move_on(0, bodies);
-    way.know(clearance.distance(0, bodies));
-    double least = 1e9;
-    constexpr int parts = 20;
-    const auto start = bodies;
-    for (int part = 1; part <= parts; ++part) {
-      const double t = step * part / parts;
-      for (int i = 0; i < 2; ++i) {
-        const Vector3d& w = start[i].angular_velocity;
-        bodies[i].position = start[i].position + t * start[i].velocity;
-        bodies[i].rotation =
-            Eigen::AngleAxisd(t * w.norm(), w.normalized()) * start[i].rotation;
-      }
-      least = std::min(least, clearance.distance(0, bodies));
-    }
-    way.move_on(step, bodies);
-    const double now = clearance.distance(0, bodies);
-    // FCL's accuracy.
-    EXPECT_LE(way.least_now(), now + 2e-5);
-    way.know(now);
-    EXPECT_EQ(way.least_now(), now);
-    EXPECT_LE(way.least_since(), least + 2e-5);
-  }
 }
 
 // Two quantities that peak at 0.7 and 0.4, one that grows, one that has had a
@@ -569,6 +430,31 @@ TEST_F(CheckpointFile, EveryDamageIsSeen) {
   EXPECT_EQ(message_of(bytes_), "(no error)");
 }
 
+// A saved run has its rows in it, and nothing beside it; forged ones may name
+// files that are not theirs.
+TEST_F(CheckpointFile, WhatHasNoRowsBesideItIsNone) {
+  const std::string stranger = file_ + ": not a checkpoint of hinge-separation";
+  const auto expect_none = [&](const nlohmann::json& j) {
+    EXPECT_EQ(message_of(separation::packed(j)), stranger);
+    EXPECT_EQ(error_message(
+                  [this] { separation::CheckpointWriter(file_, "a run", 1); }),
+              stranger);
+  };
+  nlohmann::json j = separation::unpacked(bytes_, "good");
+  for (const int number : {77, 0, -1}) {
+    j["rows"]["number"] = number;
+    expect_none(j);
+  }
+  j.erase("rows");
+  expect_none(j);
+  j["rows"] = "rows";
+  expect_none(j);
+  separation::Run run(
+      separation::read_case(CONTACT_DATA_DIR "/cases/slosh.toml"));
+  folder_.write("c", separation::saved_bytes(run.save(), "a run"));
+  EXPECT_EQ(message(), stranger);
+}
+
 // What is damaged does not get to the terminal as it is.
 TEST_F(CheckpointFile, MessagesHaveNoRawBytes) {
   const std::string bytes = "\x1b[2J\xff\x9b\xc2\x80";
@@ -612,7 +498,7 @@ TEST_F(CheckpointFile, OtherFilesAreToldFromDamagedOnes) {
                        "formathinge-separation checkpoint 4"),
             file_ +
                 ": a checkpoint of another version of hinge-separation must be "
-                "\"hinge-separation checkpoint 8\"");
+                "\"hinge-separation checkpoint 9\"");
   folder_.write("c", bytes_);
   EXPECT_EQ(error_message(
                 [this] { separation::read_checkpoint(file_, "another run"); }),

@@ -195,6 +195,26 @@ TEST(Run, ValuesAreRowsOfTheHistory) {
   EXPECT_EQ(now.position.x(), values[column]);
 }
 
+// Where the last step goes beyond it.
+TEST(Run, EndsAndIsSavedWhereItIsBetweenOutputTimes) {
+  Case c = case_of("two_stage_turn");
+  c.output_step = 0.13;
+  CaseRun run(c);
+  run.advance_to(1.066);
+  const std::vector<double> values = run.values();
+  EXPECT_LE(run.save().memory.pairs.at(0).time, 1.066);
+  CaseRun other(c);
+  other.advance_to(1.066);
+  const Outcome outcome = std::move(other).end();
+  const Rows& rows = outcome.memory.rows;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    // The friction of a copy starts from elsewhere: to its tolerance.
+    EXPECT_NEAR(rows.at(rows.size() - 1, i), values[i],
+                1e-7 * (1 + std::abs(values[i])))
+        << rows.columns[i];
+  }
+}
+
 TEST(Run, MeetsOutputTimesWithinRounding) {
   CaseRun run(case_of("soyuz"));
   const double time = run.next_output();

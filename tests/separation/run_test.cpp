@@ -219,16 +219,16 @@ start = )" + start + '\n',
     const auto past =
         smallest("{ position_m = [-10, 2, 0], velocity_m_per_s = [4, 0, 0] }",
                  "0", rows);
-    // FCL's accuracy; the time goes as its root.
-    EXPECT_NEAR(past.smallest, 1, 2e-5);
-    EXPECT_NEAR(past.time, 2.5, 5e-3);
+    // The accuracy of distances; the time goes as its root.
+    EXPECT_NEAR(past.smallest, 1, 1e-8);
+    EXPECT_NEAR(past.time, 2.5, 1e-4);
     // Its end points at the ball after 60 of the 100 deg.
     const auto turning = smallest(
         "{ position_m = [0, 4, 0], rotation_deg = [0, 0, 30], "
         "angular_velocity_deg_per_s = [0, 0, 20] }",
         "2", rows);
-    EXPECT_NEAR(turning.smallest, 1, 2e-5);
-    EXPECT_NEAR(turning.time, 3, 5e-3);
+    EXPECT_NEAR(turning.smallest, 1, 1e-8);
+    EXPECT_NEAR(turning.time, 3, 1e-4);
   }
 }
 

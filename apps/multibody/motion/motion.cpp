@@ -10,6 +10,7 @@
 #include "multibody/motion/hinge_changes.hpp"
 #include "multibody/motion/hinge_events.hpp"
 #include "multibody/motion/motion_start.hpp"
+#include "multibody/motion/state_check.hpp"
 #include "multibody/motion/user_events.hpp"
 
 namespace multibody {
@@ -103,12 +104,12 @@ void Motion::set_failure(const CoupledReport& report, double time) {
 }
 
 // From a state in which hinges may rest, slip or be free otherwise than before.
+// Where that fails it is the state of the motion all the same.
 bool Motion::resume(std::vector<double> state, bool due) {
   const CoupledReport report = hinges_->resolve_rest(now_, state, due);
   if (report.status != CoupledStatus::ok) set_failure(report, now_);
-  if (failure_) return false;
   restart(std::move(state));
-  return true;
+  return !failure_;
 }
 
 void Motion::restart(std::vector<double> state) {
@@ -424,6 +425,7 @@ MotionState Motion::step_state() const {
 }
 
 void Motion::restore(const MotionState& state) {
+  check_layout(state, *equations_);
   failure_.reset();
   now_ = state.time;
   CoupledDynamics& coupled = equations_->coupled;

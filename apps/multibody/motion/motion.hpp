@@ -122,6 +122,8 @@ class Motion {
   /// changes the last bits of what follows.)
   MotionState step_state() const;
   MotionState save();
+  /// @throws contact::Error, having changed nothing, if no motion of this
+  ///   system and friction has such a state
   void restore(const MotionState& state);
 
   MotionCounts counts() const;

@@ -51,7 +51,12 @@ double resume(Run& run, const Checkpoints& checkpoints) {
   Checkpoint from = read_checkpoint(checkpoints.resume, checkpoints.identity);
   check_end(checkpoints.resume, from.state.simulation.motion.time,
             run.of().end_time);
-  run.restore(std::move(from.state));
+  try {
+    run.restore(std::move(from.state));
+  } catch (const contact::Error& error) {
+    throw contact::Error(
+        fmt::format("{}: {}", checkpoints.resume, error.what()));
+  }
   return from.every;
 }
 

@@ -69,10 +69,9 @@ class Case(FileText, _core.Case):
         it by then. Joints whose contact leaves the theory, or what its materials
         bear, give a ContactWarning.
         """
-        run = _core.Run(self, clearance)
-        run._advance_to(run.end_time, progress)
-        _warn_of_contacts(run)
-        outcome = _outcome(*run._end())
+        of_run, notes = _core._run(self, clearance, progress)
+        _warn_of_contacts(notes)
+        outcome = _outcome(*of_run)
         if outcome.failure:
             warnings.warn(outcome.failure, RuntimeWarning, stacklevel=2)
         return outcome
@@ -126,7 +125,7 @@ class Run(_core.Run):
         """
         status = self._advance_to(time, progress)
         if status != "running":
-            _warn_of_contacts(self)
+            _warn_of_contacts(self._contact_notes)
         if status == "failed":
             warnings.warn(self.message, RuntimeWarning, stacklevel=2)
         return status
@@ -153,8 +152,8 @@ class Run(_core.Run):
         return _outcome(*self._outcome())
 
 
-def _warn_of_contacts(run: _core.Run) -> None:
-    for note in run._contact_notes:
+def _warn_of_contacts(notes: list[str]) -> None:
+    for note in notes:
         warnings.warn(note, _core.ContactWarning, stacklevel=3)
 
 

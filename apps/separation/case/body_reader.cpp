@@ -24,9 +24,19 @@ Shape read_hull(const TomlTable& table) {
   }
 }
 
+Shape read_box(const TomlTable& table) {
+  const auto size = table.numbers("size", {3}, Interval::positive());
+  return box(
+      vector_or_zero(table, "centre"), {size[0], size[1], size[2]},
+      optional_rotation(table, "rotation").value_or(Matrix3d::Identity()));
+}
+
 Shape read_shape(const TomlTable& table) {
-  const auto kind = static_cast<ShapeKind>(
-      table.choice("kind", {"capsule", "cylinder", "cone", "hull"}));
+  constexpr std::size_t box_choice = 4;  // a hull by other keys
+  const std::size_t choice =
+      table.choice("kind", {"capsule", "cylinder", "cone", "hull", "box"});
+  if (choice == box_choice) return read_box(table);
+  const auto kind = static_cast<ShapeKind>(choice);
   if (kind == ShapeKind::hull) return read_hull(table);
   Shape shape{kind};
   shape.from = vector(table, "from");

@@ -32,6 +32,17 @@ Keys run_keys() {
           {"longest_step", Dimension::time}};
 }
 
+Keys shape_keys() {
+  Keys keys = with(
+      {{"kind"}}, of("capsule cylinder cone", {{"from", Dimension::length},
+                                               {"to", Dimension::length},
+                                               {"radius", Dimension::length}}));
+  keys = with(keys, of("hull", {{"points", Dimension::length}}));
+  return with(keys, of("box", {{"centre", Dimension::length},
+                               {"size", Dimension::length},
+                               {"rotation", Dimension::angle}}));
+}
+
 Keys rigid_body_keys() {
   return {{"name"},
           {"mass", Dimension::mass},
@@ -39,12 +50,7 @@ Keys rigid_body_keys() {
           {"com", Dimension::length},
           {"inertia", Dimension::inertia},
           {"principal_inertia", Dimension::inertia},
-          table_key("shape",
-                    with(with({{"kind"}}, of("capsule cylinder cone",
-                                             {{"from", Dimension::length},
-                                              {"to", Dimension::length},
-                                              {"radius", Dimension::length}})),
-                         of("hull", {{"points", Dimension::length}}))),
+          table_key("shape", shape_keys()),
           table_key("direction", {{"name"}, {"vector"}})};
 }
 

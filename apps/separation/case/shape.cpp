@@ -93,6 +93,29 @@ double reach(const Shape& shape) {
   return ends + shape.radius;
 }
 
+Shape box(const Vector3d& centre, const Vector3d& size,
+          const Matrix3d& rotation) {
+  Shape shape{ShapeKind::hull};
+  // The bits of a corner's number say at which end of each edge it is.
+  for (int corner = 0; corner < 8; ++corner) {
+    Vector3d place = size / 2;
+    for (int axis = 0; axis < 3; ++axis) {
+      if ((corner >> axis & 1) == 0) place[axis] *= -1;
+    }
+    shape.points.push_back(centre + rotation * place);
+  }
+  for (int axis = 0; axis < 3; ++axis) {
+    const int right = 1 << (axis + 1) % 3;
+    const int up = 1 << (axis + 2) % 3;
+    const int far = 1 << axis;
+    shape.faces.push_back({far, far + right, far + right + up});
+    shape.faces.push_back({far, far + right + up, far + up});
+    shape.faces.push_back({0, up, right + up});
+    shape.faces.push_back({0, right + up, right});
+  }
+  return shape;
+}
+
 void Shape::move(const Vector3d& by) {
   from += by;
   to += by;

@@ -38,6 +38,12 @@ double reach(const Shape& shape);
 ///   plane
 Shape convex_hull(const std::vector<Eigen::Vector3d>& points);
 
+/// A box as the hull of its corners.
+/// @param size      lengths of its edges, m
+/// @param rotation  its axes, along the edges, to body axes
+Shape box(const Eigen::Vector3d& centre, const Eigen::Vector3d& size,
+          const Eigen::Matrix3d& rotation);
+
 /// A solid of density 1 kg/m^3.
 struct SolidProperties {
   double volume;             ///< m^3

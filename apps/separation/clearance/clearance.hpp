@@ -1,7 +1,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <memory>
 #include <optional>
 #include <span>
 #include <utility>
@@ -9,14 +8,12 @@
 
 #include "multibody/system/force_model.hpp"
 #include "separation/case/shape.hpp"
+#include "separation/clearance/nearest.hpp"
 
 namespace separation {
 
-/// Smallest distances between bodies on their way (FCL).
-///
-/// Accuracy: 1e-5 m plus 1e-5 of the distance for solids of some metres, any
-/// pair of kinds, against the widest gap between parallel planes
-/// (separation/parts_test.cpp).
+/// Smallest distances between bodies on their way, certified and as exact as
+/// nearest() says (separation/clearance_test.cpp).
 class Clearance {
  public:
   /// Two bodies, numbered as in `shapes`.
@@ -30,30 +27,27 @@ class Clearance {
   /// @param pairs   of bodies that have some
   Clearance(const std::vector<std::vector<Shape>>& shapes,
             std::vector<Pair> pairs);
-  ~Clearance();
-  Clearance(Clearance&&) noexcept;
-  Clearance& operator=(Clearance&&) noexcept;
 
   const std::vector<Pair>& pairs() const { return pairs_; }
 
-  /// Distance of each pair, m; 0 if they overlap, NaN if it was not found.
-  std::vector<double> distances(std::span<const multibody::BodyMotion> bodies);
+  /// Distance of each pair, m; 0 if they overlap or touch, NaN if it could not
+  /// be certified.
+  std::vector<double> distances(
+      std::span<const multibody::BodyMotion> bodies) const;
   /// Of one of them.
   double distance(std::size_t pair,
-                  std::span<const multibody::BodyMotion> bodies);
+                  std::span<const multibody::BodyMotion> bodies) const;
 
   /// Where the bodies of a pair are nearest to each other, inertial axes, m;
-  /// nothing if they overlap or it was not found.
+  /// nothing if they overlap or it could not be certified.
   std::optional<std::pair<Eigen::Vector3d, Eigen::Vector3d>> nearest_points(
-      std::span<const multibody::BodyMotion> bodies, std::size_t pair);
+      std::span<const multibody::BodyMotion> bodies, std::size_t pair) const;
 
  private:
-  struct Solids;
-  struct Nearest;
-  void place(const Pair& pair, std::span<const multibody::BodyMotion> bodies);
-  Nearest nearest(const Pair& pair) const;
+  Nearest nearest_of(const Pair& pair,
+                     std::span<const multibody::BodyMotion> bodies) const;
 
-  std::unique_ptr<Solids> solids_;
+  std::vector<std::vector<Solid>> solids_;  // of each body
   std::vector<Pair> pairs_;
 };
 

@@ -17,12 +17,6 @@ using Texts = std::vector<std::string>;
 void add_overlaps(const Case& c, const Outcome& outcome, Texts& texts) {
   for (std::size_t i = 0; i < c.clearance.size(); ++i) {
     const PairRecord& pair = outcome.memory.pairs[i];
-    if (pair.not_found > 0) {
-      texts.push_back(
-          fmt::format("the distance of {} and {} was not found {} times",
-                      c.rigid_body(c.clearance[i].a).name,
-                      c.rigid_body(c.clearance[i].b).name, pair.not_found));
-    }
     if (pair.overlap_from == History::not_yet) continue;
     texts.push_back(
         fmt::format("{} and {} overlap from t = {:.6g} s to {:.6g} s",

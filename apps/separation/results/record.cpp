@@ -25,9 +25,17 @@ using multibody::HingeSample;
 using multibody::MotionSample;
 
 constexpr const char* comes_to_rest = "comes to rest";
+constexpr const char* begins_to_slide = "begins to slide";
 
-// Distances are computed to 1e-5 m: no smaller one is looked for below this.
-constexpr double negligible = 1e-6;
+std::string break_text(const Event& event, const Body& body) {
+  const bool hinge = event.action == Event::Action::break_hinge;
+  return fmt::format("{}: {} breaks", event.name,
+                     hinge ? body.hinge.name : body.lock->name);
+}
+
+// Distances of bodies of some metres are exact to 1e-8 m (nearest.hpp):
+// differences below this say nothing.
+constexpr double negligible = 1e-8;
 
 }  // namespace
 
@@ -134,6 +142,18 @@ std::size_t Rows::column(const std::string& name) const {
   return static_cast<std::size_t>(found - columns.begin());
 }
 
+bool can_be_noted(const Note& note, const Case& c) {
+  const auto body = std::ranges::find(
+      c.bodies, note.body, [](const Body& b) { return b.rigid.name; });
+  if (body == c.bodies.end()) return false;
+  if (note.what == comes_to_rest || note.what == begins_to_slide) return true;
+  const auto index = static_cast<int>(body - c.bodies.begin());
+  return std::ranges::any_of(c.events, [&](const Event& event) {
+    return std::ranges::count(event.bodies, index) > 0 &&
+           note.what == break_text(event, *body);
+  });
+}
+
 Recorder::Recorder(const Case& c, bool rows, bool clearance, bool refine)
     : case_(c),
       keep_rows_(rows),
@@ -158,6 +178,7 @@ Recorder::Recorder(const Case& c, bool rows, bool clearance, bool refine)
 void Recorder::go_on_with(const Simulation& simulation) {
   changes_seen_ = simulation.motion().changes().size();
   looks_.clear();
+  fault_.clear();
   for (PairWay& way : ways_) way.forget();
 }
 
@@ -310,7 +331,7 @@ void Recorder::note_change(const multibody::HingeChange& change) {
     return;
   }
   memory_.notes.push_back(
-      {change.time, body, rests ? comes_to_rest : "begins to slide"});
+      {change.time, body, rests ? comes_to_rest : begins_to_slide});
 }
 
 // Sticking and sliding, with the time at rest.
@@ -357,7 +378,12 @@ void Recorder::note_distance(std::size_t i, double distance, double time) {
     pair.smallest = distance;
     pair.time = time;
   }
-  if (std::isnan(distance)) ++pair.not_found;
+  if (std::isnan(distance) && fault_.empty()) {
+    const auto& [a, b] = case_.clearance[i];
+    fault_ = fmt::format(
+        "t = {:.6g} s: the distance of {} and {} could not be certified", time,
+        case_.rigid_body(a).name, case_.rigid_body(b).name);
+  }
   if (distance <= 0) {
     pair.overlap_from = std::min(pair.overlap_from, time);
     pair.overlap_to = std::max(pair.overlap_to, time);
@@ -403,11 +429,9 @@ void Recorder::search_distance(const Simulation& simulation, std::size_t i) {
   const double end = simulation.sample().time();
   const std::array<double, 3> at = {distance(begin),
                                     distance((begin + end) / 2), distance(end)};
-  // Differences that are below the accuracy of distances make no valley.
-  constexpr double accuracy = 1e-5;
   const double bend = at[0] - 2 * at[1] + at[2];
   const double slope = (at[2] - at[0]) / 2;
-  if (!(bend > accuracy * (1 + at[1])) || !(std::abs(slope) < bend)) return;
+  if (!(bend > negligible * (1 + at[1])) || !(std::abs(slope) < bend)) return;
   constexpr int bits = 20;
   std::uintmax_t steps = 30;
   boost::math::tools::brent_find_minima(distance, begin, end, bits, steps);
@@ -494,9 +518,7 @@ void Recorder::before(const Simulation& simulation,
     const Body& body = case_.bodies[h.body];
     const bool hinge = event.action == Event::Action::break_hinge;
     memory_.notes.push_back(
-        {simulation.time(), body.rigid.name,
-         fmt::format("{}: {} breaks", event.name,
-                     hinge ? body.hinge.name : body.lock->name)});
+        {simulation.time(), body.rigid.name, break_text(event, body)});
     BodyRecord::Release& release = memory_.bodies[h.body].release;
     if (!hinge || release.time != History::not_yet) continue;
     const HingeSample now = sample.hinge(h.body);

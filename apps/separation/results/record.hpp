@@ -67,13 +67,15 @@ struct Note {
   std::string what;
 };
 
+/// Whether a run of the case may note that.
+bool can_be_noted(const Note& note, const Case& c);
+
 /// The smallest distance of two bodies.
 struct PairRecord {
   double smallest = History::not_yet;  ///< m
   double time = 0;
   double overlap_from = History::not_yet;  ///< first and last time of overlap
   double overlap_to = 0;
-  long not_found = 0;  ///< times at which it could not be worked out
 };
 
 /// Looks at a simulation from time to time and remembers.
@@ -97,6 +99,8 @@ class Recorder {
   /// What is about to happen: call it before Simulation::apply().
   void before(const Simulation& simulation,
               const std::vector<Happening>& happenings);
+  /// "", or which distance could not be certified, and when.
+  const std::string& fault() const { return fault_; }
   /// Everything that must survive an interruption.
   struct Memory {
     Rows rows;
@@ -146,6 +150,7 @@ class Recorder {
   std::vector<double> seen_;   ///< what look_at_peaks() has seen
   std::vector<Look> looks_;    ///< the last two on a smooth way
   std::size_t changes_seen_ = 0;
+  std::string fault_;
   Memory memory_;
 };
 

@@ -6,6 +6,9 @@
 
 #include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
+#include "multibody/motion/state_check.hpp"
+#include "separation/case/system_of.hpp"
+#include "separation/results/state_check.hpp"
 
 namespace separation {
 
@@ -17,16 +20,21 @@ Run::Run(Case c, RunOptions options)
       outputs_(case_, options_.only_events),
       recorder_(case_, options_.rows, options_.clearance,
                 !options_.only_events) {
-  start();
-  recorder_.look(*simulation_);
+  take(make_simulation());
+  record();
 }
 
-void Run::start() {
-  simulation_ = std::make_unique<Simulation>(case_, friction());
+std::unique_ptr<Simulation> Run::make_simulation() const {
+  return std::make_unique<Simulation>(case_, friction());
+}
+
+void Run::take(std::unique_ptr<Simulation> simulation) {
+  simulation_ = std::move(simulation);
   time_ = simulation_->time();
+  copy_.reset();
   simulation_->halt_when([this] {
     pace_.note(*simulation_);
-    return is_due_to_stop();
+    return !recorder_.fault().empty() || is_due_to_stop();
   });
   if (options_.only_events && !options_.progress) return;
   simulation_->watch_steps([this](const multibody::MotionSample& sample) {
@@ -50,12 +58,24 @@ bool Run::give_up(Status status, std::string why) {
   return false;
 }
 
+// False where a distance is not known.
+bool Run::is_recorded() {
+  return recorder_.fault().empty() ||
+         give_up(Status::failed, recorder_.fault());
+}
+
+bool Run::record() {
+  recorder_.look(*simulation_);
+  return is_recorded();
+}
+
 // Moves on to `time` with all events on the way; false: status() says why.
 bool Run::move_on(double time, bool look) {
   for (;;) {
     const Simulation::Stop stop = simulation_->advance_to(time, look);
     time_ = simulation_->time();
     copy_.reset();
+    if (!is_recorded()) return false;
     switch (stop) {
       case Simulation::Stop::time:
         return true;
@@ -67,12 +87,12 @@ bool Run::move_on(double time, bool look) {
             fmt::format("t = {:.6g} s: stopped by {} after {} steps: {}", time_,
                         stopped_by_, counts().steps, pace()));
       case Simulation::Stop::event:
-        recorder_.look(*simulation_);
+        if (!record()) return false;
         recorder_.before(*simulation_, simulation_->happenings());
         if (!simulation_->apply()) {
           return give_up(Status::failed, simulation_->message());
         }
-        recorder_.look(*simulation_);
+        if (!record()) return false;
     }
   }
 }
@@ -87,8 +107,7 @@ Run::Status Run::advance_to(double time) {
   status_ = Status::running;
   message_.clear();
   for (const long last = outputs_.after(time); next_ < last; ++next_) {
-    if (!move_on(outputs_[next_], true)) return status_;
-    recorder_.look(*simulation_);
+    if (!move_on(outputs_[next_], true) || !record()) return status_;
   }
   if (!outputs_.has(next_)) return status_ = Status::finished;
   move_on(time, false);
@@ -97,7 +116,7 @@ Run::Status Run::advance_to(double time) {
 
 const Simulation& Run::copy() const {
   if (!copy_) {
-    copy_ = std::make_unique<Simulation>(case_, friction());
+    copy_ = make_simulation();
     copy_->restore(simulation_->step_state());
     copy_->advance_to(time_);
   }
@@ -139,18 +158,9 @@ void Run::look_here() {
 Outcome Run::end() && {
   if (time_ > memory().last_time) {
     look_here();
-    recorder_.look(*simulation_);
+    record();
   }
   return outcome_with(recorder_.take_memory());
-}
-
-// A new simulation, as a restored run has one.
-void Run::go_on_from(const SimulationState& state) {
-  start();
-  simulation_->restore(state);
-  time_ = simulation_->time();
-  recorder_.go_on_with(*simulation_);
-  copy_.reset();
 }
 
 SimulationState Run::renew() {
@@ -159,21 +169,25 @@ SimulationState Run::renew() {
     recorder_.catch_up(*simulation_);
   }
   SimulationState state = simulation_->save();
+  // As a restored run has one.
+  auto simulation = make_simulation();
+  simulation->restore(state);
   gone_ = counts();
-  go_on_from(state);
+  take(std::move(simulation));
+  recorder_.go_on_with(*simulation_);
   return state;
 }
 
 void Run::restore(RunState state) {
-  if (state.memory.rows.columns != columns() ||
-      state.memory.forces.size() != case_.forces.size() ||
-      state.simulation.history.events.size() != case_.events.size()) {
-    throw contact::Error(must_be("the state to restore",
-                                 "of a run of the same case and options"));
-  }
+  check_state(state, {case_, columns(), outputs_, options_.rows});
+  auto simulation = make_simulation();
+  simulation->restore(state.simulation);
+  multibody::check_numbers(state.simulation.motion, system_of(case_));
+  // Nothing is refused from here on.
+  take(std::move(simulation));
   recorder_.restore(std::move(state.memory));
+  recorder_.go_on_with(*simulation_);
   gone_ = {};
-  go_on_from(state.simulation);
   next_ = outputs_.after(time_);
   status_ = Status::running;
   message_.clear();

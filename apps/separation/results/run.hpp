@@ -107,13 +107,16 @@ class Run {
   RunState save() { return {renew(), memory()}; }
   /// save() without a copy of memory().
   SimulationState renew();
-  /// @throws contact::Error if it is of another case or of other options
+  /// @throws contact::Error, having changed nothing, if it is of another case
+  ///   or of other options, or no run has such a state
   void restore(RunState state);
 
  private:
-  void start();
-  void go_on_from(const SimulationState& state);
+  std::unique_ptr<Simulation> make_simulation() const;
+  void take(std::unique_ptr<Simulation> simulation);
   bool move_on(double time, bool look);
+  bool record();
+  bool is_recorded();
   void look_here();
   bool give_up(Status status, std::string why);
   bool is_due_to_stop();

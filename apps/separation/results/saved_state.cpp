@@ -2,13 +2,18 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <boost/crc.hpp>
 #include <cstddef>
+#include <optional>
+#include <utility>
 
 #include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
 #include "libcontact/base/text.hpp"
 #include "separation/case/identity.hpp"
+#include "separation/results/cbor.hpp"
 #include "separation/results/state_json.hpp"
 
 namespace separation {
@@ -17,12 +22,31 @@ namespace {
 using nlohmann::json;
 
 constexpr std::string_view program_format = "hinge-separation checkpoint ";
-constexpr std::string_view format_name = "hinge-separation checkpoint 8";
+constexpr std::string_view format_name = "hinge-separation checkpoint 9";
 constexpr std::size_t sum_size = 8;  // in hexadecimal digits
 constexpr const char* source = "the saved state";
 
 bool contains(std::string_view bytes, std::string_view text) {
   return bytes.find(text) != bytes.npos;
+}
+
+bool is_whole(const json& j) {
+  return j.is_array() ? std::ranges::all_of(j, is_whole)
+                      : j.is_number_integer();
+}
+
+// Fractions in the place of whole numbers are refused: their cast is undefined
+// where they are large.
+bool has_whole_numbers(const json& j) {
+  constexpr std::array names = {"modes",  "spent", "fault", "number",
+                                "blocks", "bytes", "sum"};
+  if (j.is_array()) return std::ranges::all_of(j, has_whole_numbers);
+  if (!j.is_object()) return true;
+  return std::ranges::all_of(j.items(), [&](const auto& item) {
+    return std::ranges::count(names, item.key()) > 0
+               ? is_whole(item.value())
+               : has_whole_numbers(item.value());
+  });
 }
 
 std::string check_sum(std::string_view bytes) {
@@ -55,8 +79,10 @@ json unpacked(std::string_view bytes, const std::string& name) {
         fmt::format("{}: damaged: check sum {}, the file says {}", name, sum,
                     contact::detail::printable(written)));
   }
-  const std::size_t begin = content.find('\n') + 1;
-  return json::from_cbor(content.substr(begin));
+  std::string_view rest = content.substr(content.find('\n') + 1);
+  std::optional<json> j = take_cbor(rest);
+  if (!j || !rest.empty() || !has_whole_numbers(*j)) refuse_stranger(name);
+  return std::move(*j);
 }
 
 void check_identity(const json& j, const std::string& identity,

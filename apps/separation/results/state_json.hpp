@@ -4,6 +4,8 @@
 #include <string>
 #include <string_view>
 
+#include "libcontact/base/complaint.hpp"
+#include "libcontact/base/error.hpp"
 #include "separation/results/run.hpp"
 
 // What is kept of a run, there and back.
@@ -13,6 +15,10 @@ struct nlohmann::adl_serializer<Eigen::Vector3d> {
     j = {v.x(), v.y(), v.z()};
   }
   static void from_json(const json& j, Eigen::Vector3d& v) {
+    if (j.size() != 3) {
+      throw contact::Error(contact::detail::must_be(
+          "a vector of " + std::to_string(j.size()) + " numbers", "of 3"));
+    }
     v = Eigen::Vector3d(j.at(0), j.at(1), j.at(2));
   }
 };
@@ -37,7 +43,7 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(BodyRecord, peak_reaction,
                                    release)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Note, time, body, what)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PairRecord, smallest, time, overlap_from,
-                                   overlap_to, not_found)
+                                   overlap_to)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ForceRecord, on, acted, fault, fault_time)
 // Without rows and notes, which have a file of their own.
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Recorder::Memory, bodies, pairs, forces,

@@ -253,7 +253,11 @@ Simulation::Stop Simulation::advance_to(double end, bool look) {
         find_due();
     }
   }
-  if (due_.empty()) return Stop::time;
+  if (due_.empty()) {
+    // It has come there before, and did not look.
+    if (look && sample().time() != time()) motion_.advance_to(time());
+    return Stop::time;
+  }
   // Together: all bodies of an event when it comes for one.
   const auto own = due_;
   for (const Happening& h : own) {

@@ -94,6 +94,7 @@ class Simulation {
     return {motion_.step_state(), history_};
   }
   SimulationState save() { return {motion_.save(), history_}; }
+  /// @throws contact::Error as Motion::restore()
   void restore(const SimulationState& state);
 
  private:

@@ -95,7 +95,6 @@ void add_events(const Case& c, const separation::Outcome& outcome,
   }
 }
 
-// NaN where a distance was not found at some time.
 void add_clearance(const Case& c, const separation::Outcome& outcome,
                    std::map<std::string, double>& to) {
   double smallest = separation::History::not_yet;
@@ -105,10 +104,9 @@ void add_clearance(const Case& c, const separation::Outcome& outcome,
     const auto name = fmt::format(
         "clearance.{}.{}.", column_name(c.rigid_body(c.clearance[i].a).name),
         column_name(c.rigid_body(c.clearance[i].b).name));
-    const double value = pair.not_found > 0 ? std::nan("") : pair.smallest;
-    to.emplace(name + "smallest_m", value);
+    to.emplace(name + "smallest_m", pair.smallest);
     to.emplace(name + "time_s", pair.time);
-    if (!(value >= smallest)) smallest = value;
+    smallest = std::min(smallest, pair.smallest);
   }
   if (smallest != separation::History::not_yet) {
     to.emplace("clearance.smallest_m", smallest);

@@ -63,7 +63,10 @@ TEST(Replay, MeshesAreTheSolids) {
       {.kind = ShapeKind::capsule, .from = from, .to = from, .radius = 0.8},
       {.kind = ShapeKind::cylinder, .from = from, .to = to, .radius = 0.8},
       {.kind = ShapeKind::cone, .from = from, .to = to, .radius = 0.8},
-      cube(0.7)};
+      cube(0.7),
+      separation::box(
+          from, {1, 2, 0.5},
+          Eigen::AngleAxisd(0.7, Vector3d(1, -2, 2) / 3).toRotationMatrix())};
   for (const Shape& shape : shapes) {
     Mesh mesh;
     mesh.add(shape);
@@ -190,7 +193,7 @@ TEST(Replay, NearestPointsAreAsFarAsTheBodies) {
     const auto points = clearance.nearest_points(bodies, pair);
     ASSERT_TRUE(points);
     EXPECT_NEAR((points->first - points->second).norm(), distances[pair],
-                1e-5 * (1 + distances[pair]));
+                1e-12 * distances[pair]);
   }
   bodies[1].position = bodies[0].position;
   EXPECT_FALSE(clearance.nearest_points(bodies, 0));

@@ -7,12 +7,13 @@
 #include <cstddef>
 #include <cstring>
 #include <filesystem>
-#include <sstream>
+#include <string_view>
 #include <utility>
 
 #include "cli/output.hpp"
 #include "libcontact/base/error.hpp"
 #include "libcontact/base/file_text.hpp"
+#include "separation/results/cbor.hpp"
 #include "separation/results/state_json.hpp"
 
 namespace separation {
@@ -37,10 +38,21 @@ std::string rows_name(const std::string& file, int number) {
   return fmt::format("{}.rows{}", file, number);
 }
 
+// The file that has the rows of a checkpoint.
+std::string rows_in(const json& header, const std::string& file) {
+  const int number = header.at("rows").at("number");
+  if (number != 1 && number != 2) refuse_stranger(file);
+  return rows_name(file, number);
+}
+
 // What the checkpoint of an earlier run keeps its rows in; "" for none.
 std::string rows_of(const std::string& file) {
   if (!std::filesystem::exists(file)) return {};
-  return rows_name(file, header_of(file).at("rows").at("number"));
+  try {
+    return rows_in(header_of(file), file);
+  } catch (const json::exception&) {
+    refuse_stranger(file);
+  }
 }
 
 // Refuses a file of somebody else. What a run that was killed has left there
@@ -77,8 +89,8 @@ std::string text_of_rows(const std::string& name, const std::string& file) {
 // Adds the rows and notes of a file that a checkpoint refers to.
 void add_rows(const std::string& file, const json& header,
               Recorder::Memory& memory) {
+  const std::string name = rows_in(header, file);
   const json& rows = header.at("rows");
-  const std::string name = rows_name(file, rows.at("number"));
   std::string bytes = text_of_rows(name, file);
   const std::size_t size = rows.at("bytes");
   bytes.resize(std::min(bytes.size(), size));
@@ -88,14 +100,17 @@ void add_rows(const std::string& file, const json& header,
     throw contact::Error(
         fmt::format("{}: damaged, or not the rows of {}", name, file));
   }
-  std::istringstream stream(bytes);
-  for (long block = rows.at("blocks"); block > 0; --block) {
-    const json j = json::from_cbor(stream, false);
-    const auto numbers = j.at("numbers").get<std::vector<double>>();
+  std::string_view rest = bytes;
+  long blocks = rows.at("blocks");
+  for (; blocks > 0 && !rest.empty(); --blocks) {
+    const auto block = take_cbor(rest);
+    if (!block) refuse_stranger(name);
+    const auto numbers = block->at("numbers").get<std::vector<double>>();
     memory.rows.numbers.insert(memory.rows.numbers.end(), numbers.begin(),
                                numbers.end());
-    add(j.at("notes"), memory.notes);
+    add(block->at("notes"), memory.notes);
   }
+  if (blocks != 0 || !rest.empty()) refuse_stranger(name);
 }
 
 }  // namespace

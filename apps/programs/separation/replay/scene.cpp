@@ -31,13 +31,7 @@ ordered_json numbers(const Quaterniond& q) {
 double reach_of(const RigidBody& body) {
   double reach = 0;
   for (const Shape& shape : body.shapes) {
-    if (shape.kind != ShapeKind::hull) {
-      reach = std::max({reach, shape.from.norm() + shape.radius,
-                        shape.to.norm() + shape.radius});
-    }
-    for (const Vector3d& point : shape.points) {
-      reach = std::max(reach, point.norm());
-    }
+    reach = std::max(reach, separation::reach(shape));
   }
   return reach;
 }
@@ -73,14 +67,9 @@ class Stage {
     const double r = 0.012 * size_;
     Mesh ball;
     ball.add({.kind = ShapeKind::capsule, .radius = r});
-    std::vector<Vector3d> corners;
-    for (const double x : {-r, r}) {
-      for (const double y : {-r, r}) {
-        for (const double z : {-r, r}) corners.emplace_back(x, y, z);
-      }
-    }
     Mesh cube;
-    cube.add(convex_hull(corners));
+    cube.add(box(Vector3d::Zero(), Vector3d::Constant(2 * r),
+                 Eigen::Matrix3d::Identity()));
     const bool locks = std::ranges::any_of(
         case_.bodies, [](const Body& body) { return body.lock.has_value(); });
     if (case_.has_hinges())

@@ -1,0 +1,29 @@
+#include "python/interpreter_lock.hpp"
+
+#include <chrono>
+#include <thread>
+
+namespace contact_python {
+namespace {
+
+// Of the Unlocked that this thread is in.
+thread_local PyThreadState* without_lock = nullptr;
+
+void take_lock(PyThreadState* thread) {
+  outlive_python([=] { PyEval_RestoreThread(thread); });
+}
+
+}  // namespace
+
+void wait_for_the_end() {
+  for (;;) std::this_thread::sleep_for(std::chrono::hours(1));
+}
+
+Unlocked::Unlocked() { without_lock = PyEval_SaveThread(); }
+Unlocked::~Unlocked() { take_lock(without_lock); }
+
+// Not PyGILState_Ensure(), which is no more when the interpreter has ended.
+Locked::Locked() { take_lock(without_lock); }
+Locked::~Locked() { without_lock = PyEval_SaveThread(); }
+
+}  // namespace contact_python
