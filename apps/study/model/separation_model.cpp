@@ -10,7 +10,6 @@
 
 #include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
-#include "programs/separation/warnings.hpp"
 #include "separation/case/case_keys.hpp"
 #include "separation/case/case_reader.hpp"
 #include "separation/case/identity.hpp"
