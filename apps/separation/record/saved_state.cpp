@@ -38,8 +38,8 @@ bool is_whole(const json& j) {
 // Fractions in the place of whole numbers are refused: their cast is undefined
 // where they are large.
 bool has_whole_numbers(const json& j) {
-  constexpr std::array names = {"modes",  "spent",  "fault", "not_found",
-                                "number", "blocks", "bytes", "sum"};
+  constexpr std::array names = {"modes",  "spent", "fault", "number",
+                                "blocks", "bytes", "sum"};
   if (j.is_array()) return std::ranges::all_of(j, has_whole_numbers);
   if (!j.is_object()) return true;
   return std::ranges::all_of(j.items(), [&](const auto& item) {

@@ -85,7 +85,6 @@ void check_pair(const PairRecord& pair, const Past& past) {
   past.check(pair.time, "pairs.time");
   past.check_or_never(pair.overlap_from, "pairs.overlap_from");
   past.check(pair.overlap_to, "pairs.overlap_to");
-  check_size(static_cast<double>(pair.not_found), "pairs.not_found");
 }
 
 void check_force(const ForceRecord& force, const Past& past) {
