@@ -71,8 +71,9 @@ class JointGeometry {
     return kind_ == JointKind::ball ? load / radius_ / radius_ : load / radius_;
   }
 
-  /// The bearing pressure of catalogues, Pa: the force over the projected area,
-  /// F/(pi rho1^2) of a ball, F/(2 rho1 length) of a pin.
+  /// The force over the projected area, Pa: F/(pi rho1^2) of a ball, F/(2 rho1
+  /// length) of a pin. Catalogues of spherical plain bearings have another
+  /// area.
   double nominal_pressure(double force) const {
     return kind_ == JointKind::ball
                ? force / (std::numbers::pi * radius_ * radius_)

@@ -7,6 +7,7 @@ import pickle
 import signal
 import tempfile
 import unittest
+import warnings
 from pathlib import Path
 
 import libcontact
@@ -42,6 +43,40 @@ class Run(unittest.TestCase):
             outcome.summary["bodies"][0]["at_release"]["time_s"])
         self.assertEqual(outcome.failure, "")
         self.assertEqual(times[0], (0.0, stages["run.end_time_s"]))
+
+    def test_warns_of_contacts_beyond_the_theory(self):
+        steel = {"youngs_modulus_GPa": 210, "poissons_ratio": 0.3}
+        joint = {
+            "name": "tiny", "kind": "pin", "friction": {"coefficient": 0.1},
+            "geometry": {"radius_mm": 1, "radial_clearance_um": 1,
+                         "length_mm": 1},
+            "materials": {"inner": steel,
+                          "outer": steel | {"limit_pressure_MPa": 40}},
+        }  # fmt: skip
+        case = libcontact.Case({
+            "name": "wheel", "gravity_m_per_s2": [0, 0, -10],
+            "run": {"end_time_s": 0.1, "output_step_s": 0.1},
+            "carrier": {"name": "ground", "fixed": True},
+            "body": [{
+                "name": "wheel", "mass_kg": 20,
+                "principal_inertia_kg_m2": [2, 3, 3],
+                "start": {"rate_deg_per_s": 200},
+                "hinge": {"kind": "axis", "axis": [0, 1, 0],
+                          "joint": [joint]},
+            }],
+        })  # fmt: skip
+        said = (r"joint tiny: peak pressure \d+\.?\d* MPa is above 40 MPa, the "
+                "limit pressure of the outer body")
+        with self.assertWarnsRegex(libcontact.ContactWarning, said) as caught:
+            case.run()
+        self.assertEqual(caught.filename, __file__)
+        run = libcontact.Run(case)
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            run.advance_to(0.05)
+        with self.assertWarnsRegex(libcontact.ContactWarning, said) as caught:
+            run.advance_to(1)
+        self.assertEqual(caught.filename, __file__)
 
     def test_leaves_distances_out(self):
         case = libcontact.Case.from_file(source / "data/cases/soyuz.toml")

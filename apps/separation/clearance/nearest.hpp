@@ -31,9 +31,9 @@ struct Nearest {
 ///
 /// It is certified: it is the distance of two points of the solids, and two
 /// parallel planes between the solids are as far apart, to 1e-7 of the size
-/// (the reaches of both and the distance of the bodies' origins). "Overlap"
-/// is certified as well: two points of the solids are that close, and no plane
-/// between the solids was found.
+/// (the reaches of both and the distance of the bodies' origins). Solids
+/// overlap if two of their points are as near as that and no plane is between
+/// them; gaps of up to 1e-8 of the size may be taken for a touch.
 ///
 /// Accuracy: 1e-9 m for boxes, prisms and other hulls of some metres, against
 /// closed forms and against all pairs of corners, edges and faces; planes and

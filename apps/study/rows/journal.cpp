@@ -18,7 +18,9 @@
 namespace study {
 namespace {
 
-constexpr std::string_view kind = "hinge-study journal 1 ";
+constexpr std::string_view kind = "hinge-study journal ";
+// Of the rows: another one where the same study has other numbers.
+constexpr int version = 2;
 
 }  // namespace
 
@@ -27,7 +29,9 @@ Journal::Journal(std::string path, const std::string& identity,
     : path_(std::move(path)), numbers_(numbers) {
   open(use);
   try {
-    begin(fmt::format("{}{:016x} {}\n", kind, hash_of(identity), numbers), use);
+    begin(fmt::format("{}{} {:016x} {}\n", kind, version, hash_of(identity),
+                      numbers),
+          use);
   } catch (...) {
     close(file_);
     throw;
@@ -74,10 +78,10 @@ void Journal::begin(const std::string& header, Use use) {
     }
     fail(contact::detail::must_be(
         text.starts_with(kind) ? "the study of this journal" : "the file",
-        text.starts_with(kind)
-            ? "the same, with the same files and seed; remove it or name "
-              "another one with --journal"
-            : "a journal of hinge-study"));
+        text.starts_with(kind) ? "the same, with the same files, seed and "
+                                 "version; remove it or name "
+                                 "another one with --journal"
+                               : "a journal of hinge-study"));
   }
   end_ = scan([this](std::uint64_t place, const Row& row) {
     places_[row.run] = place;

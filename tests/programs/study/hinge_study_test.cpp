@@ -204,16 +204,26 @@ TEST_F(HingeStudy, RunsAboveALimitOfPressureAreCounted) {
   EXPECT_NE(limited.out.find(said + ".\n"), std::string::npos);
 }
 
+// Nor is one taken of a version that had other numbers for the same study.
 TEST_F(HingeStudy, AnotherStudysJournalIsRefused) {
   results("a");
-  const auto result =
-      folder_.run("hinge-study s.toml --seed 2 --journal a --csv x.csv");
-  EXPECT_EQ(result.status, 2);
-  EXPECT_EQ(result.err,
-            "hinge-study: a: the study of this journal must be the same, with "
-            "the same files and seed; remove it or name another one with "
-            "--journal\n");
-  EXPECT_FALSE(std::filesystem::exists(folder_.path() / "x.csv"));
+  std::string bytes = folder_.read("a");
+  const std::string version = "hinge-study journal 2 ";
+  ASSERT_TRUE(bytes.starts_with(version));
+  bytes[version.size() - 2] = '1';
+  folder_.write("old", bytes);
+  for (const std::string name : {"a", "old"}) {
+    const auto result =
+        folder_.run(std::string("hinge-study s.toml --csv x.csv --journal ") +
+                    name + (name == "a" ? " --seed 2" : ""));
+    EXPECT_EQ(result.status, 2);
+    EXPECT_EQ(result.err,
+              "hinge-study: " + name +
+                  ": the study of this journal must be the same, with the same "
+                  "files, seed and version; remove it or name another one with "
+                  "--journal\n");
+    EXPECT_FALSE(std::filesystem::exists(folder_.path() / "x.csv"));
+  }
 }
 
 // The history is that of the case with the draws of the run.
