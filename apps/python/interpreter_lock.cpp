@@ -6,7 +6,7 @@
 namespace contact_python {
 namespace {
 
-// Of the Unlocked that this thread is in.
+// This thread's state while it is without the lock.
 thread_local PyThreadState* without_lock = nullptr;
 
 void take_lock(PyThreadState* thread) {

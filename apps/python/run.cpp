@@ -51,7 +51,7 @@ class Listener {
  private:
   using Clock = std::chrono::steady_clock;
 
-  // What it prints lets go of the lock.
+  // Printing lets go of the lock.
   void tell(const py::tuple& times) const {
     PyObject* const answer = outlive_python(
         [&] { return PyObject_CallObject(progress_.ptr(), times.ptr()); });

@@ -111,7 +111,7 @@ void check(bool holds) {
   if (!holds) std::abort();
 }
 
-// What is looked at of a run to see that nothing has changed.
+// Tells a run that has changed from one that has not.
 struct Sight {
   explicit Sight(const separation::Run& run)
       : time(run.time()),
@@ -149,7 +149,7 @@ struct Subject {
     is_short = true;
   }
 
-  // What turns a million times as fast takes as many steps.
+  // A forged body may turn so fast that a run takes millions of steps.
   separation::RunOptions options() {
     separation::RunOptions options;
     options.stop = [this](long steps) {

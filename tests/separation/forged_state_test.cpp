@@ -67,7 +67,7 @@ class Forgery {
   const json& good() const { return good_; }
   double end_time() const { return case_.end_time; }
 
-  // What is said of it; "" if it is taken, goes on and can be told of.
+  // The message; "" if the run takes the state, goes on and can be told of.
   std::string said(const json& forged) {
     return said_of_bytes(separation::packed(forged));
   }
@@ -89,7 +89,7 @@ class Forgery {
   }
 
  private:
-  // What turns a million times as fast takes as many steps.
+  // A forged body may turn so fast that a run takes millions of steps.
   separation::RunOptions options() {
     separation::RunOptions options;
     options.stop = [this](long steps) {
@@ -127,7 +127,7 @@ class Forgery {
 
 using Pointer = json::json_pointer;
 
-// Of long arrays some elements, the first and the last among them.
+// Long arrays have some of their elements in it, the first and the last too.
 void add_places(const json& j, const Pointer& at, std::vector<Pointer>& all) {
   constexpr std::size_t most = 3;
   all.push_back(at);
@@ -152,7 +152,7 @@ bool is_below(const Pointer& at, const std::string& path) {
   return at.to_string().starts_with(path);
 }
 
-// What is there to be read alone: no run does anything else with it.
+// Results that no run computes with.
 bool is_told_alone(const Pointer& at) {
   static const std::set<std::string> names = {
       "angle",         "rate",          "rates",         "velocity",
@@ -181,14 +181,14 @@ TEST_P(Forged, ListsOfOtherLengthsAreRefused) {
     };
     json shorter = there;
     if (!there.empty()) shorter.erase(shorter.size() - 1);
-    // Notes that are not there nobody misses.
+    // Nobody misses a note.
     const bool may_be_shorter = there.empty() || is_below(at, "/notes");
     EXPECT_TRUE(refused(shorter) || may_be_shorter) << at;
     EXPECT_TRUE(refused(json::array()) || may_be_shorter) << at;
     json longer = there;
     auto& list = longer.get_ref<json::array_t&>();
     list.push_back(there.empty() ? json(0.5) : there.back());
-    // As often as anyone likes.
+    // Notes may repeat.
     if (is_below(at, "/notes") && !there.empty()) continue;
     EXPECT_TRUE(refused(longer)) << at;
     list.insert(list.end(), 20'000, list.back());

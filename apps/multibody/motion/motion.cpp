@@ -104,7 +104,7 @@ void Motion::set_failure(const CoupledReport& report, double time) {
 }
 
 // From a state in which hinges may rest, slip or be free otherwise than before.
-// Where that fails it is the state of the motion all the same.
+// A failure leaves the motion in that state all the same.
 bool Motion::resume(std::vector<double> state, bool due) {
   const CoupledReport report = hinges_->resolve_rest(now_, state, due);
   if (report.status != CoupledStatus::ok) set_failure(report, now_);

@@ -48,7 +48,7 @@ bool pass_item(std::string_view& bytes) {
     if (!head || head->kind == binary || head->kind == tag) return false;
     const bool is_list = head->kind == list || head->kind == map;
     if (!is_list && head->kind != text) continue;
-    // Of a list every item has a byte at least.
+    // Every item of a list has a byte at least.
     if (head->number > bytes.size()) return false;
     if (head->kind == text) bytes.remove_prefix(head->number);
     if (!is_list) continue;

@@ -112,10 +112,13 @@ void check_mode(double number, const char* what) {
   require(false, what, number, "the number of a mode");
 }
 
-// There is one for each output time, but for the end, which may have been
-// another.
+// Every output time has a row, but for the end, which may have been another.
 void check_rows(const Rows& rows, double now, const OutputTimes& outputs) {
   const std::size_t width = rows.columns.size();
+  std::vector<std::size_t> modes;
+  for (std::size_t i = 0; i < width; ++i) {
+    if (rows.columns[i].ends_with(".mode")) modes.push_back(i);
+  }
   double before = 0;
   long next = 0;  // of the outputs
   const auto comes_before = [&](double time) {
@@ -125,11 +128,7 @@ void check_rows(const Rows& rows, double now, const OutputTimes& outputs) {
     const double time = rows.at(row, 0);
     require(time >= before && time <= now && !comes_before(time), "rows.time_s",
             time, "that of the next row");
-    for (std::size_t i = 0; i < width; ++i) {
-      if (rows.columns[i].ends_with(".mode")) {
-        check_mode(rows.at(row, i), "rows.mode");
-      }
-    }
+    for (const std::size_t i : modes) check_mode(rows.at(row, i), "rows.mode");
     if (time == outputs[next]) ++next;
     before = time;
   }

@@ -5,7 +5,7 @@
 
 namespace separation {
 
-/// What a state is of.
+/// The run that a state is to be restored to.
 struct StateOwner {
   const Case& of;
   const std::vector<std::string>& columns;
@@ -13,7 +13,7 @@ struct StateOwner {
   bool rows;  ///< they are kept
 };
 
-/// Looks at all of a state but its motion, which Motion::restore() looks at.
+/// Checks all of a state but its motion, which multibody checks.
 /// @throws contact::Error unless a run of this case may have it: as many of
 ///   everything, times that are over, all rows up to its own
 void check_state(const RunState& state, const StateOwner& owner);
