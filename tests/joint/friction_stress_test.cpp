@@ -165,7 +165,7 @@ TEST(FrictionStress, ThinLayersBesideTheSlipAxis) {
   constexpr double fc = 0.05;
   constexpr double rim = 0.035;
   const auto law =
-      contact::make_pressure_law("sqrt_tan", JointKind::ball, bearing().pair);
+      contact::make_pressure_law("sqrt_tan", JointKind::ball, bearing().pair());
   AccuracyReport points("usual points", 2e-10);
   // The layer of 1e-4 itself changes the moment by less.
   AccuracyReport dry("layer of 1e-4 against dry friction", 1e-8);

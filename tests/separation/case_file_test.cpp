@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "libcontact/base/units.hpp"
+#include "libcontact/files/toml_reader.hpp"
 #include "separation/case/case_reader.hpp"
 #include "separation/case/system_of.hpp"
 #include "support/edited_file.hpp"

@@ -103,7 +103,7 @@ TEST_F(BallStudy, RowsAreWhatTheJointSays) {
     // The angle is read from degrees.
     EXPECT_NEAR(row.numbers[2] / solution.friction_moment.norm(), 1, 1e-13);
     EXPECT_NEAR(row.numbers[3] / solution.normal_force, 1, 1e-13);
-    const double limit = 0.05 * spec.pair.inner().youngs_modulus;
+    const double limit = 0.05 * spec.pair().inner().youngs_modulus;
     EXPECT_NEAR(row.numbers[4] / (solution.peak_pressure / limit), 1, 1e-13);
   }
 }
