@@ -198,6 +198,10 @@ TEST(CStatus, BadInputHasTheMessagesOfCpp) {
           "joint:1: the file requires name");
   contact_joint_numbers numbers = {};
   refuses(contact_joint_make(&numbers, &joint),
+          "ball joint: radius = 0 must be above 0 m and finite");
+  numbers.radius = 0.02;
+  numbers.radial_clearance = 1e-5;
+  refuses(contact_joint_make(&numbers, &joint),
           "inner material: youngs_modulus = 0 must be above 0 Pa or inf for a "
           "rigid body");
   numbers.kind = 7;

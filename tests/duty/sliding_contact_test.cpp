@@ -231,9 +231,7 @@ youngs_modulus_GPa = 210
 poissons_ratio = 0.3
 )",
                                                         "ring");
-  const JointContact contact(joint.geometry, joint.pair(), *joint.friction,
-                             joint.make_half_angle_law(),
-                             joint.make_pressure_law());
+  const JointContact contact = joint.contact();
   const JointSolution s =
       state(row.value("load"), row.value("theta0_deg") * degree, 0);
   const Vector3d rate(0, 2, 0);

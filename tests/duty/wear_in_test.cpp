@@ -184,19 +184,17 @@ contact::JointContact pin_joint() {
 
 // A liner of 0.4 mm on something rigid.
 contact::JointContact lined(JointKind kind) {
-  const contact::Material liner{2e9, 0.3};
-  const contact::LayeredPair pair(radius, {{}, contact::Backing::rigid()},
-                                  {{{4e-4, liner}}, contact::Backing::rigid()});
   const auto geometry =
       kind == JointKind::ball
           ? JointGeometry::ball(radius, clearance, contact::JointBody::carrier)
           : JointGeometry::pin(radius, clearance, length,
                                contact::JointBody::carrier);
-  return {geometry, pair.surfaces(), contact::FrictionLaw(weak),
-          contact::make_half_angle_law("exact", kind, pair.surfaces(), {},
-                                       {.walls = pair}),
-          contact::make_pressure_law("exact", kind, pair.surfaces(),
-                                     {.walls = pair})};
+  const contact::JointSpec spec{
+      .geometry = geometry,
+      .inner = {{}, contact::Backing::rigid()},
+      .outer = {{{4e-4, {2e9, 0.3}}}, contact::Backing::rigid()},
+      .friction = contact::FrictionLaw(weak)};
+  return spec.contact();
 }
 
 // Joints that wore step by step, made apart from the library: theta0 and peak

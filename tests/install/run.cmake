@@ -39,7 +39,7 @@ run(${CMAKE_COMMAND} -S ${SOURCE} -B ${WORK}/build
 run(${CMAKE_COMMAND} --build ${WORK}/build)
 if(with_apps)
   run(${WORK}/build/swing)
-  if(NOT output MATCHES "rests after 43[.]")
+  if(NOT output MATCHES "rests after 44[.]3")
     message(FATAL_ERROR "contact::multibody: ${output}")
   endif()
   message(STATUS "contact::multibody: ${output}")

@@ -138,8 +138,8 @@ solution = _core.Solution.__new__(_core.Solution)
 for call, *arguments in (
     (repr, joint), (repr, case), (repr, solution), (len, solution),
     (libcontact.Run, case), (libcontact.Case.run, case),
-    (libcontact.Joint.solve, joint, [0, 0, 1], [0, 0, 1]), (joint._same, joint),
-    (hip._same, joint),
+    (libcontact.Joint.solve, joint, [0, 0, 1], [0, 0, 1]),
+    (libcontact.Joint.__eq__, joint, hip), (libcontact.Joint.__eq__, hip, joint),
     (libcontact.identify, joint, np.ones((9, 3)), np.ones((9, 3)), np.ones(9)),
     (libcontact.Run.advance_to, libcontact.Run.__new__(libcontact.Run), 1),
 ):

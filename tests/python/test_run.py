@@ -30,7 +30,7 @@ class RunOfC:
     """The same from libcontact_c."""
 
     def __init__(self, path):
-        self.c = ctypes.CDLL(build / "apps/separation/c/libcontact_runs_c.so")
+        self.c = ctypes.CDLL(build / "lib/libcontact_runs_c.so")
         self.c.contact_run_time.restype = ctypes.c_double
         self.c.contact_run_column_count.restype = ctypes.c_size_t
         self.run = ctypes.c_void_p()

@@ -536,9 +536,10 @@ TEST_F(JournalFile, OthersAreRefused) {
     });
     return text.substr(std::min(text.size(), path(name).size()));
   };
-  EXPECT_EQ(message("a", "another"),
-            ": the study of this journal must be the same, with the same files "
-            "and seed; remove it or name another one with --journal");
+  EXPECT_EQ(
+      message("a", "another"),
+      ": the study of this journal must be the same, with the same files, "
+      "seed and version; remove it or name another one with --journal");
   EXPECT_EQ(message("a", "study", 3), message("a", "another"));
   write("c", "time_s,x\n1,2\n");
   EXPECT_EQ(message("c", "study"),

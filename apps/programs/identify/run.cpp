@@ -83,8 +83,12 @@ contact::FrictionModel given_friction(
 contact::JointContact make_contact(
     const Options& options, const cli::Joint& joint,
     const std::vector<FrictionParameter>& fitted) {
-  return {*joint.geometry, joint.pair, given_friction(options, joint, fitted),
-          joint.laws[0].law, joint.pressures[0].law, joint.conditions};
+  return {*joint.geometry,
+          joint.pair,
+          given_friction(options, joint, fitted),
+          joint.laws[0].law,
+          joint.pressures[0].law,
+          joint.conditions};
 }
 
 }  // namespace

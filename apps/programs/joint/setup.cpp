@@ -47,15 +47,14 @@ Setup make_setup(const Options& options) {
         friction_of(options, joint.friction);
     for (const cli::NamedLaw& law : joint.laws) {
       for (const cli::NamedPressure& pressure : joint.pressures) {
-        NamedJoint& added = setup.joints.emplace_back(
-            NamedJoint{law.name,
-                       pressure.name,
-                       contact::Joint({*joint.geometry, joint.pair, friction,
-                                       law.law, pressure.law,
-                                       joint.conditions}),
-                       {},
-                       joint.differences,
-                       options.pv});
+        NamedJoint& added = setup.joints.emplace_back(NamedJoint{
+            law.name,
+            pressure.name,
+            contact::Joint({*joint.geometry, joint.pair, friction, law.law,
+                            pressure.law, joint.conditions}),
+            {},
+            joint.differences,
+            options.pv});
         if (cli::JointApproach::of(*law.law)) {
           added.approach.emplace(law.law, joint);
         }

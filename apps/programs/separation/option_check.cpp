@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <vector>
 
-#include "cli/stream/file_name.hpp"
 #include "cli/quantity.hpp"
 #include "cli/refuse.hpp"
+#include "cli/stream/file_name.hpp"
 #include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
 #include "libcontact/half_angle/factory.hpp"

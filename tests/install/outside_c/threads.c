@@ -3,8 +3,8 @@
  *   threads LIBRARY RUNS_LIBRARY JOINT.toml CASE.toml */
 #include <dlfcn.h>
 #include <libcontact/c/contact.h>
-#include <pthread.h>
 #include <libcontact/c/run.h>
+#include <pthread.h>
 #include <stdio.h>
 #include <string.h>
 

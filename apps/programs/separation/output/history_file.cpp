@@ -6,9 +6,9 @@
 #include <string_view>
 #include <utility>
 
-#include "cli/stream/file_name.hpp"
 #include "cli/hdf5/columns.hpp"
 #include "cli/output.hpp"
+#include "cli/stream/file_name.hpp"
 #include "multibody/friction/hinge_friction.hpp"
 
 namespace separation {
