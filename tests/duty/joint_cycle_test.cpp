@@ -353,13 +353,13 @@ double swing_error(int rows, double across) {
       contact::make_half_angle_law("tanh", JointKind::ball, pair),
       contact::make_pressure_law("cosine", JointKind::ball, pair)));
   std::vector<double> times;
-  std::vector<Vector3d> rates;
+  std::vector<Vector3d> turning;
   for (int i = 0; i < rows; ++i) {
     const double phase = 2 * std::numbers::pi * i / rows + 0.03;
     times.push_back(double(i) / rows);
-    rates.emplace_back(2 * std::sin(phase), across * std::cos(phase), 0);
+    turning.emplace_back(2 * std::sin(phase), across * std::cos(phase), 0);
   }
-  const PeriodicSpline rate(times, 1, rates);
+  const PeriodicSpline rate(times, 1, turning);
   const DutyCycle duty(
       PeriodicSpline(times, 1, std::vector<Vector3d>(rows, {0, 0, 2000})), {},
       rate);
@@ -389,14 +389,14 @@ TEST(JointCycle, ReversalsOfABall) {
 // With rows enough, the closed form too: |Dw| = 2 |sin|, on the mean 4/pi.
 TEST(JointCycle, ReversalsAreThoseOfTheMotion) {
   // The spline through 400 rows.
-  const auto rates = [](double t) {
+  const auto rate_at = [](double t) {
     return Vector3d(2 * std::sin(2 * std::numbers::pi * t + 0.03), 0, 0);
   };
   std::vector<double> times;
   std::vector<Vector3d> rows;
   for (int i = 0; i < 400; ++i) {
     times.push_back(i / 400.);
-    rows.push_back(rates(i / 400.));
+    rows.push_back(rate_at(i / 400.));
   }
   const DutyCycle duty(
       PeriodicSpline(times, 1, std::vector<Vector3d>(400, {0, 0, 2000})), {},

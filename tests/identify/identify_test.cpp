@@ -260,7 +260,9 @@ TEST(Identify, OthersFitAtProfileEnds) {
     // With outliers a larger A always has a clearance that it goes with.
     const bool has_end = !std::isnan(e.profile.high);
     EXPECT_EQ(has_end, std::string(set) == "wide");
-    if (has_end) EXPECT_GT(e.profile.high, 1.1 * e.value);
+    if (has_end) {
+      EXPECT_GT(e.profile.high, 1.1 * e.value);
+    }
   }
 }
 

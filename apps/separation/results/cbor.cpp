@@ -19,7 +19,7 @@ struct Head {
 std::optional<Head> take_head(std::string_view& bytes) {
   constexpr unsigned one_byte = 24, eight_bytes = 27;
   if (bytes.empty()) return {};
-  const auto first = static_cast<unsigned char>(bytes.front());
+  const unsigned first = static_cast<unsigned char>(bytes.front());
   bytes.remove_prefix(1);
   Head head{first >> 5U, first & 31U};
   if (head.number < one_byte) return head;
