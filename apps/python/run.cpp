@@ -12,7 +12,7 @@
 #include "python/file_case.hpp"
 #include "python/file_joint.hpp"
 #include "python/rows.hpp"
-#include "separation/results/contact_limits.hpp"
+#include "separation/results/notes.hpp"
 #include "separation/results/saved_state.hpp"
 #include "separation/results/summary.hpp"
 

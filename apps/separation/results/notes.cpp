@@ -3,9 +3,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <set>
 
-#include "separation/results/contact_limits.hpp"
+#include "libcontact/pressure/validity.hpp"
 #include "separation/results/summary.hpp"
 #include "separation/simulation/force_watch.hpp"
 
@@ -59,33 +60,62 @@ void add_drift(const Case& c, const Outcome& outcome, Texts& texts) {
       memory.largest_drift, memory.largest_drift / memory.largest_energy));
 }
 
+// Calls visit(joint, its body's place, its place there) for all joints.
+template <class Visit>
+void for_each_joint(const Case& c, const Visit& visit) {
+  for (std::size_t b = 0; b < c.bodies.size(); ++b) {
+    const auto& joints = c.bodies[b].hinge.joints;
+    for (std::size_t j = 0; j < joints.size(); ++j) visit(joints[j], b, j);
+  }
+}
+
 // Of all joints, each text once.
 template <class TextsOf>
 Texts joint_texts(const Case& c, const TextsOf& texts_of) {
   std::set<std::string> texts;
-  for (const Body& body : c.bodies) {
-    for (const HingeJoint& joint : body.hinge.joints) {
-      for (const std::string& text : texts_of(joint)) {
-        texts.insert(fmt::format("joint {}: {}", joint.joint.name, text));
-      }
+  for_each_joint(c, [&](const HingeJoint& joint, auto... place) {
+    for (const std::string& text : texts_of(joint, place...)) {
+      texts.insert(fmt::format("joint {}: {}", joint.joint.name, text));
     }
-  }
+  });
   return {texts.begin(), texts.end()};
+}
+
+contact::ContactLimits limits_of(const HingeJoint& joint) {
+  return {joint.contact.half_angle_law(), joint.contact.pair()};
 }
 
 }  // namespace
 
 std::vector<std::string> fit_notes(const Case& c) {
-  return joint_texts(c, [](const HingeJoint& joint) -> Texts {
+  return joint_texts(c, [](const HingeJoint& joint, auto...) -> Texts {
     if (!joint.joint.fit) return {};
     return {to_string(*joint.joint.fit)};
   });
 }
 
 std::vector<std::string> joint_notes(const Case& c) {
-  return joint_texts(c, [](const HingeJoint& joint) {
+  return joint_texts(c, [](const HingeJoint& joint, auto...) {
     return joint.contact.validity_notes();
   });
+}
+
+std::vector<std::string> contact_notes(const Case& c,
+                                       const Recorder::Memory& memory) {
+  return joint_texts(c, [&](const HingeJoint& joint, auto body, auto place) {
+    const JointPeaks& peaks = memory.bodies[body].joints[place];
+    return limits_of(joint).notes({peaks.half_angle, peaks.pressure});
+  });
+}
+
+std::optional<double> pressure_over_limit(const Case& c,
+                                          const Recorder::Memory& memory) {
+  std::optional<double> most;
+  for_each_joint(c, [&](const HingeJoint& joint, auto body, auto place) {
+    const double peak = memory.bodies[body].joints[place].pressure;
+    most = std::max(most.value_or(0), peak / limits_of(joint).peak_pressure());
+  });
+  return most;
 }
 
 std::vector<std::string> run_notes(const Case& c, const Outcome& outcome) {

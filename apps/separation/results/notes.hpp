@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,14 @@ namespace separation {
 std::vector<std::string> fit_notes(const Case& c);
 /// Joints that leave the theory, once for each reason.
 std::vector<std::string> joint_notes(const Case& c);
+/// Joints whose largest contact leaves the theory or what its materials bear,
+/// once for each reason: contact::ContactLimits::notes().
+std::vector<std::string> contact_notes(const Case& c,
+                                       const Recorder::Memory& memory);
+/// The largest share that a joint's peak pressure has been of
+/// contact::ContactLimits::peak_pressure(); none without joints.
+std::optional<double> pressure_over_limit(const Case& c,
+                                          const Recorder::Memory& memory);
 /// Results of a run that were hardly meant: events that did not come, forces
 /// without effect, contacts beyond the theory, overlaps, a drifting energy.
 std::vector<std::string> run_notes(const Case& c, const Outcome& outcome);

@@ -13,7 +13,6 @@
 #include "separation/case/case_keys.hpp"
 #include "separation/case/case_reader.hpp"
 #include "separation/case/identity.hpp"
-#include "separation/results/contact_limits.hpp"
 #include "separation/results/notes.hpp"
 #include "separation/results/summary.hpp"
 
