@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "cli/number.hpp"
-#include "libcontact/files/dimension.hpp"
+#include "libcontact/base/dimension.hpp"
 
 /// Numbers of options, with units or without: "2kN", "30 deg", "1.5". Units are
 /// those of the keys of files; "N/m" and "N_per_m" are one, and so are "N_m",

@@ -115,10 +115,11 @@ std::string footer() {
   text += cli::size_help;
   text += cli::joint_help;
   text += state_help;
-  for (const auto& quantity : hinge_joint::quantities(true, true, true, true)) {
-    text += quantity.meaning.empty()
-                ? fmt::format("  {}\n", quantity.name)
-                : fmt::format("  {:<19} {}\n", quantity.name, quantity.meaning);
+  for (const auto& column :
+       hinge_joint::answer_columns(true, true, true, true)) {
+    text += column.meaning.empty()
+                ? fmt::format("  {}\n", column.name)
+                : fmt::format("  {:<19} {}\n", column.name, column.meaning);
   }
   return text + std::string(examples) + std::string(cli::exit_status_help);
 }

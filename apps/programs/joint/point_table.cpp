@@ -96,17 +96,17 @@ class Points {
 
 void keep(const PointSeries& series, Block& block, std::size_t i,
           const Answer* a) {
-  if (a == nullptr || a->solution.status != contact::Status::ok) return;
+  if (a == nullptr || a->solution().status != contact::Status::ok) return;
   block.kept.push_back(series.row(*a, block, i));
 }
 
 Problems write_rows(Points& points, const NamedJoint& joint,
                     const Options& options, PointSeries* series) {
   const cli::PointColumns& columns = points.columns();
-  const std::vector<Quantity> quantities =
-      hinge_joint::quantities(points.question() == Question::rest,
-                              joint.approach.has_value(), false, options.pv);
-  std::vector<std::string> names = solution_columns(joint, quantities, {});
+  const std::vector<AnswerColumn> shown =
+      answer_columns(points.question() == Question::rest,
+                     joint.approach.has_value(), false, options.pv);
+  std::vector<std::string> names = solution_columns(joint, shown, {});
   const std::size_t cells = names.size();
   for (std::string& name : cli::distinct_names(columns.riding, names)) {
     names.push_back(std::move(name));
@@ -119,7 +119,7 @@ Problems write_rows(Points& points, const NamedJoint& joint,
       [&](Block& block, std::size_t i, const Answer* a) {
         cli::RowWriter row(table, block.rows);
         if (a != nullptr) {
-          write_cells(row, joint, quantities, *a, 1, {});
+          write_cells(row, joint, shown, *a, 1, {});
         } else {
           row.text("ERROR");
           for (std::size_t j = 1; j < cells; ++j) row.empty();
