@@ -405,50 +405,74 @@ class CheckpointFile : public testing::Test {
   std::string bytes_;
 };
 
-TEST_F(CheckpointFile, EveryDamageIsSeen) {
-  ASSERT_EQ(message(), "(no error)");
-  const std::string damaged = file_ + ": damaged: check sum ";
-  // Of every byte of the first line and of the check sum, of some between.
-  const std::size_t sum = bytes_.size() - 8;
-  for (std::size_t i = 0; i < bytes_.size();
-       i += i < 32 || i >= sum ? 1 : std::min<std::size_t>(29, sum - i)) {
-    std::string flipped = bytes_;
-    flipped[i] = static_cast<char>(flipped[i] ^ (1 << i % 8));
-    ASSERT_EQ(message_of(flipped).substr(0, damaged.size()), damaged)
-        << "byte " << i;
-  }
-  for (const std::size_t size : {bytes_.size() - 1, bytes_.size() / 2}) {
-    EXPECT_EQ(message_of(bytes_.substr(0, size)).substr(0, damaged.size()),
+// Of every byte of the first line and of the check sum, of some between.
+TEST_F(CheckpointFile, EveryDamageOfASavedRunIsSeen) {
+  separation::Run run(
+      separation::read_case(CONTACT_DATA_DIR "/cases/slosh.toml"));
+  const std::string bytes = separation::saved_bytes(run.save(), "a run");
+  const auto expect_damaged = [](const std::string& text) {
+    const std::string damaged = "the saved state: damaged: check sum ";
+    EXPECT_EQ(error_message([&] {
+                separation::saved_state(text, "a run");
+              }).substr(0, damaged.size()),
               damaged);
+  };
+  const std::size_t sum = bytes.size() - 8;
+  for (std::size_t i = 0; i < bytes.size();
+       i += i < 32 || i >= sum ? 1 : std::min<std::size_t>(29, sum - i)) {
+    std::string flipped = bytes;
+    flipped[i] = static_cast<char>(flipped[i] ^ (1 << i % 8));
+    expect_damaged(flipped);
   }
-  EXPECT_EQ(message_of(bytes_ + '0').substr(0, damaged.size()), damaged);
-  // Neither is it written over.
-  EXPECT_EQ(error_message([this] {
-              separation::CheckpointWriter(file_, "a run", 1);
-            }).substr(0, damaged.size()),
-            damaged);
-  EXPECT_EQ(message_of(bytes_), "(no error)");
+  expect_damaged(bytes.substr(0, bytes.size() - 1));
+  expect_damaged(bytes.substr(0, bytes.size() / 2));
+  expect_damaged(bytes + '0');
 }
 
-// A saved run has its rows in it, and nothing beside it; forged ones may name
-// files that are not theirs.
-TEST_F(CheckpointFile, WhatHasNoRowsBesideItIsNone) {
-  const std::string stranger = file_ + ": not a checkpoint of hinge-separation";
-  const auto expect_none = [&](const nlohmann::json& j) {
-    EXPECT_EQ(message_of(separation::packed(j)), stranger);
-    EXPECT_EQ(error_message(
-                  [this] { separation::CheckpointWriter(file_, "a run", 1); }),
-              stranger);
+// Where SQLite does not see it, it is in what nobody reads.
+TEST_F(CheckpointFile, DamageMakesNoOtherState) {
+  const auto state = [this] {
+    return separation::saved_bytes(
+        separation::read_checkpoint(file_, "a run").state, "");
   };
-  nlohmann::json j = separation::unpacked(bytes_, "good");
-  for (const int number : {77, 0, -1}) {
-    j["rows"]["number"] = number;
-    expect_none(j);
+  const std::string whole = state();
+  std::size_t seen = 0;
+  for (std::size_t i = 0; i < bytes_.size(); i += i < 120 ? 1 : 7) {
+    std::string flipped = bytes_;
+    flipped[i] = static_cast<char>(flipped[i] ^ (1 << i % 8));
+    folder_.write("c", flipped);
+    seen +=
+        error_message([&] { EXPECT_EQ(state(), whole) << i; }) != "(no error)";
   }
-  j.erase("rows");
-  expect_none(j);
-  j["rows"] = "rows";
-  expect_none(j);
+  EXPECT_GT(seen, bytes_.size() / 30);
+  folder_.write("c", bytes_.substr(0, bytes_.size() / 2));
+  EXPECT_NE(message(), "(no error)");
+}
+
+// A saved run has its rows in it, and none beside it.
+TEST_F(CheckpointFile, AreTheirOwnKindOfFile) {
+  const std::string stranger = file_ + ": not a checkpoint of hinge-separation";
+  const auto execute = [this](const std::string& sql) {
+    cli::Database(file_, cli::Database::Use::write).run(sql);
+  };
+  execute("INSERT INTO blocks SELECT 2, block FROM blocks");
+  EXPECT_EQ(message(), stranger);
+  execute("DELETE FROM blocks");
+  EXPECT_EQ(message(), stranger);
+  folder_.write("c", bytes_);
+  execute("DELETE FROM state");
+  EXPECT_EQ(message(), stranger);
+  folder_.write("c", "");
+  execute("CREATE TABLE state (state)");
+  EXPECT_EQ(message(), stranger);
+  EXPECT_EQ(error_message(
+                [this] { separation::CheckpointWriter(file_, "a run", 1); }),
+            stranger);
+  folder_.write("c", "mine");
+  EXPECT_EQ(error_message(
+                [this] { separation::CheckpointWriter(file_, "a run", 1); }),
+            stranger);
+  EXPECT_EQ(folder_.read("c"), "mine");
   separation::Run run(
       separation::read_case(CONTACT_DATA_DIR "/cases/slosh.toml"));
   folder_.write("c", separation::saved_bytes(run.save(), "a run"));
@@ -498,7 +522,7 @@ TEST_F(CheckpointFile, OtherFilesAreToldFromDamagedOnes) {
                        "formathinge-separation checkpoint 4"),
             file_ +
                 ": a checkpoint of another version of hinge-separation must be "
-                "\"hinge-separation checkpoint 9\"");
+                "\"hinge-separation checkpoint 10\"");
   folder_.write("c", bytes_);
   EXPECT_EQ(error_message(
                 [this] { separation::read_checkpoint(file_, "another run"); }),

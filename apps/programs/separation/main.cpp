@@ -48,8 +48,7 @@ opens in a browser without a network. --replay NAME.glb has the bodies and their
 motion for other viewers. With --compare both show full friction and, faint,
 ideal joints.
 
---checkpoint FILE keeps its rows in FILE.rows1 or FILE.rows2: copy and rename
-the two together. A run that goes on with --resume FILE comes to the same
+A run that goes on with --resume FILE from a checkpoint comes to the same
 results to the last byte, and goes on with checkpoints as often as before. With
 --end-time it ends later or earlier than the case says; output times stay.
 
@@ -63,7 +62,7 @@ Examples:
   hinge-separation data/cases/soyuz.toml --set run.end_time_s=3 --set 'body[booster].hinge.joint[1].friction.coefficient=0.2'
   hinge-separation data/cases/slosh.toml --history slosh.h5 --events slosh_events.csv
   hinge-separation data/cases/soyuz.toml --replay soyuz.html --replay soyuz.glb
-  hinge-separation data/cases/platform.toml --checkpoint platform.cbor --checkpoint-every 2
+  hinge-separation data/cases/platform.toml --checkpoint platform.db --checkpoint-every 2
 
 )";
 
