@@ -1,0 +1,19 @@
+#include "separation/case/force_kind.hpp"
+
+namespace separation {
+
+// Each has a file of its own beside this one.
+ForceKind applied();
+ForceKind thrust();
+ForceKind spring();
+ForceKind pusher();
+ForceKind motor();
+ForceKind aerodynamic();
+
+const std::vector<ForceKind>& force_kinds() {
+  static const std::vector<ForceKind> kinds = {
+      applied(), thrust(), spring(), pusher(), motor(), aerodynamic()};
+  return kinds;
+}
+
+}  // namespace separation
