@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 #include <regex>
 #include <set>
 #include <string>
@@ -14,6 +15,8 @@
 #include "separation/case/case_reader.hpp"
 #include "separation/case/force_kind.hpp"
 #include "separation/simulation/case_forces.hpp"
+#include "separation/simulation/force_watch.hpp"
+#include "separation/simulation/simulation.hpp"
 #include "support/error_message.hpp"
 
 namespace {
@@ -187,6 +190,178 @@ TEST(CaseForces, AirByAngleAndPressure) {
                     "flow = [-3, -4, 0]\ndynamic_pressure_Pa = 10\n",
                 0);
   expect_force(between.body, {-20 * 0.75 * 2, 0, 0}, {0, 0, 0});
+}
+
+// From (10, 4, 0) on the carrier to the body's point at (10, 1, 0): it comes
+// nearer by 3 m/s, and 2 N s/m hold it back; what moves across the line does
+// not count.
+TEST(Damper, IsAgainstTheRateOfItsLength) {
+  const Forces damper = forces_of(
+      "kind = \"damper\"\npoint_m = [2, 0, 0]\n"
+      "carrier_point_m = [10, 4, 0]\ndamping_N_s_per_m = 2\n",
+      0, {7, 3, 0});
+  expect_force(damper.body, {0, -6, 0}, {0, 0, 0});
+  expect_force(damper.carrier, {0, 6, 0}, {0, 0, 60});
+}
+
+// Bodies of their own, given as "NAME", mass, x and velocity along x.
+std::string ball_text(const char* name, double mass, double x, double speed) {
+  return fmt::format(
+      "[[body]]\nname = \"{}\"\nmass_kg = {}\n"
+      "principal_inertia_kg_m2 = [1, 1, 1]\nstart = {{ position_m = [{}, 0, "
+      "0], velocity_m_per_s = [{}, 0, 0] }}\n",
+      name, mass, x, speed);
+}
+const std::string ground =
+    "name = \"d\"\nrun = { end_time_s = 2 }\n"
+    "[carrier]\nname = \"ground\"\nfixed = true\n";
+
+// Two bodies that drift apart with u: mu u' = -c u, mu the reduced mass. The
+// damper takes the energy of the relative motion, and momentum is kept.
+TEST(Damper, OfTwoBodiesDecaysExponentially) {
+  constexpr double m1 = 2, m2 = 3, c = 1.5, u0 = 1.2;
+  constexpr double mu = m1 * m2 / (m1 + m2);
+  const separation::Case two = separation::parse_case(
+      ground + ball_text("a", m1, 1, u0) + ball_text("b", m2, 0, 0) + R"(
+[[force]]
+name = "damper"
+kind = "damper"
+body = "a"
+point_m = [0, 0, 0]
+other_body = "b"
+other_point_m = [0.25, 0, 0]
+damping_N_s_per_m = 1.5
+)",
+      "d.toml");
+  separation::Simulation motion(two, separation::FrictionChoice::full);
+  const double begin = motion.sample().energy().balance();
+  for (const double t : {0.25, 0.5, 1.0, 2.0}) {
+    ASSERT_EQ(motion.advance_to(t), separation::Simulation::Stop::time);
+    const auto& sample = motion.sample();
+    const double left = std::exp(-c * t / mu);
+    const BodyMotion& a = sample.body(0);
+    const BodyMotion& b = sample.body(1);
+    // Tolerances of the steps: 1e-9 of a number and 1e-8 beside it.
+    EXPECT_NEAR(a.velocity.x() - b.velocity.x(), u0 * left, 2e-8) << t;
+    EXPECT_NEAR(a.position.x() - b.position.x(), 1 + u0 * mu / c * (1 - left),
+                2e-8);
+    EXPECT_NEAR(m1 * a.velocity.x() + m2 * b.velocity.x(), m1 * u0, 1e-13);
+    const multibody::EnergyBook book = sample.energy();
+    EXPECT_NEAR(book.active_work, -mu * u0 * u0 / 2 * (1 - left * left), 2e-8);
+    EXPECT_NEAR(book.balance(), begin, 2e-8);
+  }
+}
+
+// A mass on a spring to the ground: x = x0 e^(-b t) (cos w t + b/w sin w t),
+// b = c/2m, w^2 = k/m - b^2. Its logarithmic decrement is 2 pi b/w.
+TEST(Damper, HasItsLogarithmicDecrement) {
+  constexpr double m = 2, k = 800, c = 8, x0 = 0.1;
+  constexpr double b = c / (2 * m);
+  const double w = std::sqrt(k / m - b * b);
+  const separation::Case one =
+      separation::parse_case(ground + ball_text("a", m, 1 + x0, 0) + R"(
+[[force]]
+name = "spring"
+kind = "spring"
+body = "a"
+point_m = [0, 0, 0]
+carrier_point_m = [0, 0, 0]
+stiffness_N_per_m = 800
+free_length_m = 1
+[[force]]
+name = "damper"
+kind = "damper"
+body = "a"
+point_m = [0, 0, 0]
+carrier_point_m = [-0.5, 0, 0]
+damping_N_s_per_m = 8
+)",
+                             "d.toml");
+  separation::Simulation motion(one, separation::FrictionChoice::full);
+  const double begin = motion.sample().energy().balance();
+  const auto x_at = [&](double t) {
+    EXPECT_EQ(motion.advance_to(t), separation::Simulation::Stop::time);
+    return motion.sample().body(0).position.x() - 1;
+  };
+  const double period = 2 * std::numbers::pi / w;
+  for (int half = 1; half <= 6; ++half) {
+    const double quarter = (half - 0.75) * period / 2;
+    // Tolerances of some hundred steps.
+    EXPECT_NEAR(x_at(quarter),
+                x0 * std::exp(-b * quarter) *
+                    (std::cos(w * quarter) + b / w * std::sin(w * quarter)),
+                3e-8);
+    const double peak = half * period / 2;
+    const double sign = half % 2 == 0 ? 1 : -1;
+    EXPECT_NEAR(x_at(peak), sign * x0 * std::exp(-b * peak), 3e-8);
+  }
+  // The same times the spring's largest force, 80 N.
+  EXPECT_NEAR(motion.sample().energy().balance(), begin, 2.4e-6);
+}
+
+// Copies are joined one by one, and both ends have to be there.
+TEST(Damper, NeedsTwoEnds) {
+  const auto message = [](const std::string& keys) {
+    return error_message([&] {
+      separation::parse_case(
+          ground + ball_text("a", 1, 0, 0) + ball_text("b", 1, 1, 0) +
+              "[[body]]\nname = \"c\"\nmass_kg = 1\n"
+              "principal_inertia_kg_m2 = [1, 1, 1]\n"
+              "hinge = { kind = \"ball\", body_point_m = [1, 0, 0] }\n"
+              "pattern = { count = 2, axis = [0, 0, 1] }\n"
+              "[[force]]\nname = \"f\"\nkind = \"damper\"\n"
+              "damping_N_s_per_m = 1\npoint_m = [0, 0, 0]\n" +
+              keys,
+          "d.toml");
+    });
+  };
+  EXPECT_EQ(message("carrier_point_m = [1, 0, 0]\nbody = \"c\"\n"),
+            "(no error)");
+  EXPECT_EQ(message("other_point_m = [1, 0, 0]\nbody = \"a\"\n"
+                    "other_body = \"c 2\"\n"),
+            "(no error)");
+  EXPECT_EQ(message("body = \"a\"\nother_body = \"b\"\n").substr(0, 45),
+            "d.toml:22: force[1] requires other_point (in ");
+  EXPECT_EQ(
+      message("body = \"a\"\nother_point_m = [1, 0, 0]\n"),
+      "d.toml:28: force[1].other_point_m = [1, 0, 0] requires other_body");
+  EXPECT_EQ(message("body = \"a\"\nother_body = \"b\"\n"
+                    "carrier_point_m = [1, 0, 0]\n"),
+            "d.toml:28: force[1].other_body = \"b\" conflicts with "
+            "force[1].carrier_point_m (line 29)");
+  EXPECT_EQ(message("body = \"a\"\nother_body = \"a\"\n"),
+            "d.toml:28: force[1].other_body = \"a\" must be another one than "
+            "body");
+  EXPECT_EQ(message("body = \"a\"\nother_body = \"ground\"\n"),
+            "d.toml:28: force[1].other_body = \"ground\" must be a body, not "
+            "the carrier, whose point is carrier_point");
+  EXPECT_EQ(message("body = \"a\"\nother_body = \"c\"\n"),
+            "d.toml:28: force[1].other_body = \"c\" must be one body, or as "
+            "many as body names");
+  EXPECT_EQ(message("body = \"a\"\nother_body = \"bb\"\n"),
+            "d.toml:28: force[1].other_body = \"bb\": unknown body \"bb\" "
+            "(ground, a, b, c, c 1, c 2)");
+}
+
+TEST(Damper, OfNoLengthIsWarnedOf) {
+  const separation::Case c =
+      separation::parse_case(ground + ball_text("a", 1, 2, 1) + R"([[force]]
+name = "f"
+kind = "damper"
+body = "a"
+point_m = [0, 0, 0]
+carrier_point_m = [2, 0, 0]
+damping_N_s_per_m = 1
+)",
+                             "d.toml");
+  const separation::Simulation motion(c, separation::FrictionChoice::full);
+  std::vector<separation::ForceRecord> records(1);
+  separation::look_at_forces(motion, records);
+  EXPECT_EQ(
+      separation::force_faults(c, records),
+      std::vector<std::string>{
+          "force \"f\" has no direction when it starts, t = 0 s: point on "
+          "a and its other end are in one place"});
 }
 
 std::string message_of(const std::string& force) {

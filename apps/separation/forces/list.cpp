@@ -6,13 +6,15 @@ namespace separation {
 ForceKind applied();
 ForceKind thrust();
 ForceKind spring();
+ForceKind damper();
 ForceKind pusher();
 ForceKind motor();
 ForceKind aerodynamic();
 
 const std::vector<ForceKind>& force_kinds() {
-  static const std::vector<ForceKind> kinds = {
-      applied(), thrust(), spring(), pusher(), motor(), aerodynamic()};
+  static const std::vector<ForceKind> kinds = {applied(),    thrust(), spring(),
+                                               damper(),     pusher(), motor(),
+                                               aerodynamic()};
   return kinds;
 }
 
