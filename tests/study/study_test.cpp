@@ -16,6 +16,7 @@
 #include "libcontact/joint/joint.hpp"
 #include "programs/study/findings/findings.hpp"
 #include "separation/case/case_reader.hpp"
+#include "separation/case/force_law.hpp"
 #include "study/model/separation_model.hpp"
 #include "study/rows/journal.hpp"
 #include "study/workers.hpp"
@@ -328,8 +329,12 @@ TEST_F(StudyFolder, CopiesHaveDrawsOfTheirOwn) {
   EXPECT_DOUBLE_EQ(c.carrier.mass, 1000 * draws[8]);
   for (std::size_t copy = 0; copy < 4; ++copy) {
     EXPECT_DOUBLE_EQ(c.bodies[copy].rigid.mass, 1000 * draws[4 + copy]);
-    const auto& thrust = std::get<separation::Thrust>(c.forces[1 + copy].what);
-    EXPECT_NEAR(thrust.force.norm(), 1000 * draws[copy], 1e-6);
+    const separation::Force& force = c.forces[1 + copy];
+    const std::vector<multibody::BodyMotion> bodies(
+        5, {{0, 0, 0}, {0, 0, 0}, Eigen::Matrix3d::Identity(), {0, 0, 0}});
+    std::vector<multibody::BodyForce> forces(5);
+    force.law->add({c, force.body, bodies, 0, 0, INFINITY}, forces);
+    EXPECT_NEAR(forces[force.body].force.norm(), 1000 * draws[copy], 1e-6);
   }
   EXPECT_EQ(error_message([&] {
               std::string wrong = text;
