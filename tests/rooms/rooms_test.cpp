@@ -25,6 +25,7 @@ const std::vector<std::string> rooms = {
     "libcontact/pressure",
     "libcontact/friction",
     "libcontact/joint",
+    "libcontact/play",
     "libcontact/duty",
     "libcontact/identify",
     "libcontact/tracking",
