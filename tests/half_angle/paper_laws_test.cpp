@@ -9,6 +9,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "libcontact/base/units.hpp"
@@ -498,17 +499,20 @@ TEST(PaperLaws, ExamplesOneAndTwo) {
     const double load = scale.load_parameter(joint.load_from_force(force));
     return law->half_angle(load).half_angle / degree;
   };
-  EXPECT_NEAR(angle_deg(2e5), 42.593, 5e-4);
-  EXPECT_NEAR(angle_deg(2e5), 42.6, 0.05);
-  EXPECT_NEAR(angle_deg(2.63e5), 45.85, 5e-3);
-  EXPECT_NEAR(angle_deg(2.63e5), 46.0, 0.2);
-  EXPECT_NEAR(angle_deg(2.096e5), 43.14, 5e-3);
-  EXPECT_NEAR(angle_deg(2.019e5), 42.70, 5e-3);
-  EXPECT_NEAR(angle_deg(1.1676e6), 64.40, 5e-3);
-  EXPECT_NEAR(angle_deg(1.1676e6), 64.4, 0.05);
-  EXPECT_NEAR(angle_deg(3.077e5), 47.77, 5e-3);
-  EXPECT_NEAR(angle_deg(2.5214e5), 45.34, 5e-3);
-  EXPECT_NEAR(angle_deg(2.53e5), 45.4, 0.05);
+  for (const auto& [force, expected_deg, digit] :
+       {std::tuple{2e5, 42.593, 5e-4},
+        {2e5, 42.6, 0.05},
+        {2.63e5, 45.85, 5e-3},
+        {2.63e5, 46.0, 0.2},
+        {2.096e5, 43.14, 5e-3},
+        {2.019e5, 42.70, 5e-3},
+        {1.1676e6, 64.40, 5e-3},
+        {1.1676e6, 64.4, 0.05},
+        {3.077e5, 47.77, 5e-3},
+        {2.5214e5, 45.34, 5e-3},
+        {2.53e5, 45.4, 0.05}}) {
+    EXPECT_NEAR(angle_deg(force), expected_deg, digit) << force;
+  }
   // With a true radian the first is 0.0026 deg smaller.
   const TanhLaw exact(JointKind::ball, LimitHalfAngle::given(84.85 * degree));
   EXPECT_NEAR(exact.half_angle(0.546).half_angle / degree, 42.59049, 5e-6);
