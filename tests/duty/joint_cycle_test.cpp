@@ -121,7 +121,7 @@ TEST_P(Cycles, States) {
       directions.add_error((computed - expected).norm() / expected.norm(),
                            label);
     };
-    add(i.state.rate,
+    add(i.state.angular_velocity,
         vector("w_x_rad_per_s", "w_y_rad_per_s", "w_z_rad_per_s"));
     add(i.solution.normal, vector("n_x", "n_y", "n_z"));
     add(i.solution.friction_moment, vector("M_x_N_m", "M_y_N_m", "M_z_N_m"));
@@ -153,7 +153,8 @@ TEST_P(Cycles, Summary) {
       cycle_.integral([](const CycleInstant& i) { return -i.solution.power; }),
       summary.at("energy_J"), "energy");
   integrals.add(cycle_.integral([&](const CycleInstant& i) {
-    return rho * i.state.rate.norm() * cycle_.sliding(i).slip_coefficient();
+    return rho * i.state.angular_velocity.norm() *
+           cycle_.sliding(i).slip_coefficient();
   }),
                 summary.at("sliding_distance_m"), "sliding distance");
   integrals.add(cycle_.integral([&](const CycleInstant& i) {
@@ -279,7 +280,8 @@ TEST(DutyCycle, RatesAreTheTurnsDerivative) {
         (2 * h) * turns.turn(angles).toRotationMatrix().transpose();
     const Vector3d expected(change(2, 1), change(0, 2), change(1, 0));
     // h^2/6 of a third derivative of some 50.
-    EXPECT_LT((turns.rate(angles, rate) - expected).norm(), 1e-6) << sequence;
+    EXPECT_LT((turns.angular_velocity(angles, rate) - expected).norm(), 1e-6)
+        << sequence;
   }
 }
 
@@ -404,7 +406,7 @@ TEST(JointCycle, ReversalsAreThoseOfTheMotion) {
   double sum = 0;
   double period = 0;
   for (const auto& [time, weight] : duty.nodes(false)) {
-    sum += weight * duty.at(time).rate.norm();
+    sum += weight * duty.at(time).angular_velocity.norm();
     period += weight;
   }
   EXPECT_NEAR(period, 1, 1e-13);  // a sum of 3000

@@ -396,7 +396,7 @@ TEST(Identify, Trends) {
       steel_in_bronze(JointKind::ball, FrictionLaw(0.12, 1e6));
   auto data = exact_data(truth, 2e3, 20, false);
   for (std::size_t i = 0; i < data.size(); ++i) {
-    data[i].rate *= 1 + static_cast<double>(i * 7 % 5);
+    data[i].angular_velocity *= 1 + static_cast<double>(i * 7 % 5);
   }
   add_noise(data, 0.005);
   const auto shows = [](const Estimate& trend) {
@@ -408,7 +408,7 @@ TEST(Identify, Trends) {
   EXPECT_FALSE(shows(plain.rate_trend));
   EXPECT_FALSE(shows(plain.load_trend));
   for (MeasuredMoment& datum : data) {  // 0.02 per rad/s is 4 sigma
-    std::get<double>(datum.moment) *= 1 - 0.02 * datum.rate.norm();
+    std::get<double>(datum.moment) *= 1 - 0.02 * datum.angular_velocity.norm();
   }
   const FrictionFit falling = identify_friction(truth, data, options);
   EXPECT_GT(falling.rate_trend.interval.low, 0);
@@ -429,7 +429,7 @@ TEST(Identify, Prediction) {
       identify_friction(steel_in_bronze(JointKind::ball), data);
   for (const int i : {0, 17, 39}) {
     const Estimate there =
-        predicted_moment(fit, data[i].reaction, data[i].rate);
+        predicted_moment(fit, data[i].reaction, data[i].angular_velocity);
     EXPECT_NEAR(there.value, fit.moment[i], 1e-12 * fit.moment[i]);
     EXPECT_NEAR(there.standard_error, fit.moment_error[i],
                 1e-6 * fit.moment_error[i]);

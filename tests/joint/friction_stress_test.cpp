@@ -12,8 +12,8 @@
 #include "libcontact/files/joint_file.hpp"
 #include "libcontact/friction/any_pressure.hpp"
 #include "libcontact/friction/stress_rule.hpp"
+#include "libcontact/joint/group.hpp"
 #include "libcontact/joint/joint.hpp"
-#include "libcontact/joint/node.hpp"
 #include "libcontact/pressure/factory.hpp"
 #include "libcontact/tracking/joint_tracker.hpp"
 #include "support/accuracy_report.hpp"
@@ -340,15 +340,16 @@ TEST(FrictionStress, IsDryFriction) {
                  label);
       report.add(t.heat_flux(t.centre()), s.heat_flux(s.centre()), label);
       const Joint::Hold hold{slip.reaction, slip.angular_velocity};
-      report.add(general.utilisation(hold).utilisation,
-                 dry.utilisation(hold).utilisation, label);
+      report.add(general.at_rest(hold).utilisation,
+                 dry.at_rest(hold).utilisation, label);
       if (dry.is_pin()) continue;
       report.add(general.moment_set(b).support(slip.angular_velocity),
                  dry.moment_set(a).support(slip.angular_velocity), label);
       const Vector3d free = Vector3d::Random() * 100;
       const auto inertia = Eigen::Matrix3d::Identity();
-      report.add(general.moment_set(b).prox(inertia, free).rate.norm(),
-                 dry.moment_set(a).prox(inertia, free).rate.norm(), label);
+      report.add(
+          general.moment_set(b).prox(inertia, free).angular_velocity.norm(),
+          dry.moment_set(a).prox(inertia, free).angular_velocity.norm(), label);
     }
     report.check();
   }
@@ -361,26 +362,25 @@ TEST(FrictionStress, Rest) {
   const Joint rises(contact_with(FrictionStress::stribeck(0.05, 0.15, 0.01)));
   const Joint dry(contact_with(coulomb(0.05, 0)));
   EXPECT_NE(falls.contact().rest_refusal(), "");
-  EXPECT_EQ(falls.utilisation(hold).status, contact::Status::out_of_range);
-  EXPECT_TRUE(std::isnan(falls.utilisation(hold).utilisation));
+  EXPECT_EQ(falls.at_rest(hold).status, contact::Status::out_of_range);
+  EXPECT_TRUE(std::isnan(falls.at_rest(hold).utilisation));
   const JointSolution s = falls.solve({hold.reaction, hold.moment});
   EXPECT_TRUE(std::isnan(falls.moment_set(s).support({1, 0, 0})));
   EXPECT_TRUE(std::isnan(falls.moment_set(s).utilisation({1, 0, 0})));
   EXPECT_TRUE(std::isnan(falls.moment_set(s)
                              .prox(Eigen::Matrix3d::Identity(), {1, 0, 0})
-                             .rate.x()));
+                             .angular_velocity.x()));
   EXPECT_EQ(rises.contact().rest_refusal(), "");
-  EXPECT_NEAR(rises.utilisation(hold).utilisation,
-              dry.utilisation(hold).utilisation,
-              1e-8 * dry.utilisation(hold).utilisation);
-  const contact::JointNode node({{falls, 0}, {dry, 1}},
-                                contact::SharingRule{{1, 1}, {0.5, 0.5}});
-  contact::NodeSolution solution = node.make_solution();
-  EXPECT_TRUE(std::isnan(node.utilisation({.reaction = {0, 0, 900},
-                                           .moment = {0, 0, 0},
-                                           .axis = {0, 0, 1},
-                                           .needed = 1},
-                                          solution)));
+  EXPECT_NEAR(rises.at_rest(hold).utilisation, dry.at_rest(hold).utilisation,
+              1e-8 * dry.at_rest(hold).utilisation);
+  const contact::JointGroup group(
+      {{falls, 0}, {dry, 1}}, contact::JointGroup::Sharing{{1, 1}, {0.5, 0.5}});
+  contact::JointGroup::Solution solution = group.make_solution();
+  EXPECT_TRUE(std::isnan(group.utilisation({.reaction = {0, 0, 900},
+                                            .moment = {0, 0, 0},
+                                            .axis = {0, 0, 1},
+                                            .needed = 1},
+                                           solution)));
   EXPECT_EQ(contact::test::error_message(
                 [&] { contact::JointTracker({falls.contact()}); }),
             "friction of a joint that is tracked must be dry or viscous");

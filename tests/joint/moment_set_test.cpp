@@ -19,9 +19,9 @@ namespace {
 
 using contact::Joint;
 using contact::JointSolution;
-using contact::MomentProx;
 using contact::MomentSet;
 using contact::Status;
+using Prox = contact::MomentSet::Prox;
 using contact::test::AccuracyReport;
 using contact::test::RandomSlip;
 using contact::test::RandomSlips;
@@ -175,13 +175,15 @@ TEST(MomentSet, ProxMeetsItsConditions) {
                            : random.log_uniform(0.1, 1e4);
     const Vector3d wanted = -tau * set.moment(u);
     const Vector3d free = inertia.llt().solve(wanted);
-    const MomentProx p = set.prox(inertia, free);
+    const Prox p = set.prox(inertia, free);
     ASSERT_EQ(p.status, Status::ok)
         << "tau " << tau << " theta0 " << r.solution.half_angle << " residual "
         << p.residual << " steps " << p.iterations;
     balance.add_error(
-        (inertia * (p.rate - free) - p.moment).norm() / wanted.norm(), "");
-    if (p.rate.isZero(0)) {
+        (inertia * (p.angular_velocity - free) - p.moment).norm() /
+            wanted.norm(),
+        "");
+    if (p.angular_velocity.isZero(0)) {
       ++held;
       EXPECT_LE(tau, 1 + 1e-14 / r.thickness());
       continue;
@@ -191,8 +193,9 @@ TEST(MomentSet, ProxMeetsItsConditions) {
     EXPECT_GE(tau, 1 - 1e-14 / r.thickness());
     inside.add_error(
         std::max(0.0, set.utilisation(p.moment) - 1) * r.thickness(), "");
-    power.add_error(std::abs(p.rate.dot(p.moment) + set.support(p.rate)) /
-                        (p.rate.norm() * p.moment.norm()),
+    power.add_error(std::abs(p.angular_velocity.dot(p.moment) +
+                             set.support(p.angular_velocity)) /
+                        (p.angular_velocity.norm() * p.moment.norm()),
                     "");
   }
   inside.check();
@@ -248,7 +251,7 @@ TEST(MomentSet, WithoutFrictionOrLoadHoldsNothing) {
     EXPECT_EQ(set.utilisation(m), infinity);
     EXPECT_EQ(set.utilisation(Vector3d::Zero()), 0);
     EXPECT_EQ(set.project(m), Vector3d::Zero());
-    EXPECT_EQ(set.prox(Matrix3d::Identity(), m).rate, m);
+    EXPECT_EQ(set.prox(Matrix3d::Identity(), m).angular_velocity, m);
   }
   const Joint dry = make(contact::FrictionLaw(0.3));
   const JointSolution empty = dry.solve({Vector3d::Zero(), Vector3d::Zero()});
@@ -265,9 +268,9 @@ TEST(MomentSet, NanGivesNanAndNothingAllocates) {
   EXPECT_TRUE(set.moment(bad).hasNaN());
   EXPECT_TRUE(std::isnan(set.utilisation(bad)));
   EXPECT_TRUE(set.project(bad).hasNaN());
-  const MomentProx p = set.prox(Matrix3d::Identity(), bad);
+  const Prox p = set.prox(Matrix3d::Identity(), bad);
   EXPECT_EQ(p.status, Status::out_of_range);
-  EXPECT_TRUE(p.rate.hasNaN());
+  EXPECT_TRUE(p.angular_velocity.hasNaN());
   set.project(1e3 * r.solution.friction_moment);
   EXPECT_EQ(contact::test::allocation_count(), before);
 }

@@ -144,24 +144,23 @@ TEST(PinJoint, ViscousGrowsWithTheRate) {
     EXPECT_NEAR(-s.friction_moment.z() / expected.moment, 1, 1e-12);
   }
   // It holds nothing.
-  EXPECT_EQ(joint.utilisation({reaction, axis}).utilisation, infinity);
-  EXPECT_EQ(joint.utilisation({reaction, Vector3d::Zero(), axis}).utilisation,
-            0);
+  EXPECT_EQ(joint.at_rest({reaction, axis}).utilisation, infinity);
+  EXPECT_EQ(joint.at_rest({reaction, Vector3d::Zero(), axis}).utilisation, 0);
 }
 
 TEST(PinJoint, HoldsAtRestWhatItHasWhenSliding) {
   const Joint joint = steel_pin(FrictionLaw(0.3, 1e8));
   const Vector3d reaction(2e4, 3e4, 0);
   const Vector3d axis(0, 0, 1);
-  const RestSolution one = joint.utilisation({reaction, axis});
+  const RestSolution one = joint.at_rest({reaction, axis});
   const double limit = one.slip.friction_moment.z();
   EXPECT_EQ(one.utilisation, 1 / limit);
   EXPECT_EQ(one.direction, -axis);
   EXPECT_EQ(limit, -joint.solve({reaction, 1e-9 * axis}).friction_moment.z());
-  EXPECT_EQ(joint.utilisation({reaction, 0.5 * limit * axis}).utilisation, 0.5);
-  EXPECT_EQ(joint.utilisation({reaction, -2 * limit * axis}).utilisation, 2);
+  EXPECT_EQ(joint.at_rest({reaction, 0.5 * limit * axis}).utilisation, 0.5);
+  EXPECT_EQ(joint.at_rest({reaction, -2 * limit * axis}).utilisation, 2);
   for (const double sign : {1.0, -1.0}) {
-    EXPECT_EQ(joint.utilisation({Vector3d::Zero(), sign * axis}).utilisation,
+    EXPECT_EQ(joint.at_rest({Vector3d::Zero(), sign * axis}).utilisation,
               infinity);
   }
   EXPECT_EQ(joint.solve({reaction, 0 * axis}).state, JointState::resting);
@@ -195,9 +194,9 @@ TEST(PinJoint, NanGivesNanAndNothingAllocates) {
     }
   }
   for (const RestSolution& rest :
-       {joint.utilisation({{nan, 0, 0}, {0, 0, 1}}),
-        joint.utilisation({{nan, 0, 0}, {0, 0, 0}}),
-        joint.utilisation({{1e4, 0, 0}, {0, 0, nan}, {0, 0, 1}})}) {
+       {joint.at_rest({{nan, 0, 0}, {0, 0, 1}}),
+        joint.at_rest({{nan, 0, 0}, {0, 0, 0}}),
+        joint.at_rest({{1e4, 0, 0}, {0, 0, nan}, {0, 0, 1}})}) {
     EXPECT_EQ(rest.status, Status::out_of_range);
     EXPECT_TRUE(std::isnan(rest.utilisation));
     EXPECT_TRUE(rest.direction.hasNaN());
@@ -227,8 +226,8 @@ TEST(PinJoint, AxisIsTheGivenOneOrThatOfTheTurn) {
   // Of a moment the part about a given axis counts.
   const Vector3d across = axis.unitOrthogonal();
   EXPECT_NEAR(
-      joint.utilisation({reaction, 7 * axis + 5 * across, axis}).utilisation /
-          joint.utilisation({reaction, 7 * axis}).utilisation,
+      joint.at_rest({reaction, 7 * axis + 5 * across, axis}).utilisation /
+          joint.at_rest({reaction, 7 * axis}).utilisation,
       1, 1e-14);
 }
 

@@ -12,9 +12,9 @@
 #include "libcontact/base/units.hpp"
 #include "libcontact/friction/any_pressure.hpp"
 #include "libcontact/half_angle/factory.hpp"
+#include "libcontact/joint/group.hpp"
 #include "libcontact/joint/joint.hpp"
 #include "libcontact/joint/moment_set.hpp"
-#include "libcontact/joint/node.hpp"
 #include "libcontact/pressure/exact.hpp"
 #include "libcontact/pressure/factory.hpp"
 #include "support/accuracy_report.hpp"
@@ -189,7 +189,7 @@ TEST(JointPressure, RestAndProxWork) {
     const Joint joint = ball_joint(name, FrictionLaw(0.3, 2e7));
     const Vector3d reaction(3e4, 1e4, -2e4);
     const JointSolution slip = joint.solve({reaction, Vector3d(0.2, -1, 0.4)});
-    const auto rest = joint.utilisation({reaction, 0.5 * slip.friction_moment});
+    const auto rest = joint.at_rest({reaction, 0.5 * slip.friction_moment});
     EXPECT_EQ(rest.status, Status::ok) << name;
     EXPECT_NEAR(rest.utilisation, 0.5, 1e-8) << name;
     const contact::MomentSet set(joint.contact(), Vector3d::UnitX(), 1e4,
@@ -225,15 +225,15 @@ TEST(JointPressure, ViscousJoints) {
 }
 
 TEST(JointPressure, NodesMixPressures) {
-  const contact::JointNode node(
+  const contact::JointGroup group(
       {{ball_joint("exact", FrictionLaw(0.2)), 0.0},
        {pin_joint("mixture", FrictionLaw(0.1)), 0.4}});
-  contact::NodeSolution s = node.make_solution();
-  node.solve({.reaction = {1e4, 2e4, 5e3},
-              .moment = {100, -300, 0},
-              .axis = Vector3d::UnitZ(),
-              .rate = 1.5},
-             s);
+  contact::JointGroup::Solution s = group.make_solution();
+  group.solve({.reaction = {1e4, 2e4, 5e3},
+               .moment = {100, -300, 0},
+               .axis = Vector3d::UnitZ(),
+               .angular_velocity = 1.5},
+              s);
   EXPECT_EQ(s.status, Status::ok);
   EXPECT_LT(s.power, 0);
 }

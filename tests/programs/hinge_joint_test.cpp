@@ -422,7 +422,7 @@ TEST(HingeJoint, RestIsTheLibrarys) {
   const contact::Joint joint(contact_of(joint_file("paper_example_1"), "tanh"));
   const Vector3d reaction(1e5, 2e4, 0);
   const Vector3d moment(300, 0, 500);
-  const auto rest = joint.utilisation({reaction, moment});
+  const auto rest = joint.at_rest({reaction, moment});
   const ProgramFolder folder;
   const Columns table(folder.run(
       example_1 + "--reaction-xyz 1e5,2e4,0 --moment-xyz 300,0,500"));
