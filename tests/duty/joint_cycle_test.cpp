@@ -20,21 +20,9 @@
 #include "support/accuracy_report.hpp"
 #include "support/reference_table.hpp"
 
+namespace contact::test {
 namespace {
 
-using contact::CycleInstant;
-using contact::degree;
-using contact::DutyCycle;
-using contact::ForceFrame;
-using contact::JointBody;
-using contact::JointCycle;
-using contact::JointKind;
-using contact::PeriodicSpline;
-using contact::SlidingContact;
-using contact::TurnSequence;
-using contact::WearMap;
-using contact::test::AccuracyReport;
-using contact::test::ReferenceTable;
 using Eigen::Vector3d;
 
 using Columns = std::vector<std::string>;
@@ -61,9 +49,8 @@ struct Reference {
       : in("duty/cycle_" + name + "_in.csv"),
         states("duty/cycle_" + name + "_states.csv"),
         map("duty/cycle_" + name + "_map.csv"),
-        spec(contact::read_joint(std::filesystem::path(CONTACT_DATA_DIR) /
-                                 "reference" / "duty" /
-                                 ("cycle_" + name + ".toml"))),
+        spec(read_joint(std::filesystem::path(CONTACT_DATA_DIR) / "reference" /
+                        "duty" / ("cycle_" + name + ".toml"))),
         joint(spec.contact()) {
     const ReferenceTable table("duty/cycle_" + name + "_summary.csv");
     for (const ReferenceTable::Row row : table) {
@@ -91,8 +78,8 @@ struct Reference {
   ReferenceTable in;
   ReferenceTable states;
   ReferenceTable map;
-  contact::JointSpec spec;
-  contact::Joint joint;
+  JointSpec spec;
+  Joint joint;
   std::map<std::string, double> summary;
   std::vector<double> times;
 };
@@ -135,8 +122,6 @@ TEST_P(Cycles, States) {
                 row.value("heat_max_W_per_m2"), label);
     numbers.add(sliding.pv_total(), row.value("pv_total_W"), label);
   }
-  numbers.check();
-  directions.check();
 }
 
 TEST_P(Cycles, Summary) {
@@ -163,7 +148,6 @@ TEST_P(Cycles, Summary) {
                 summary.at("pv_integral_J"), "p v");
   integrals.add(cycle_.integral(moment) / period, summary.at("mean_moment_N_m"),
                 "mean moment");
-  integrals.check();
 
   AccuracyReport largest("largest", 1e-8);
   const auto check = [&](const JointCycle::Quantity& quantity, const char* name,
@@ -182,7 +166,6 @@ TEST_P(Cycles, Summary) {
         return cycle_.sliding(i).largest_pv().value;
       },
       "pv_max_W_per_m2", "time_of_pv_max_s");
-  largest.check();
 }
 
 TEST_P(Cycles, WearMap) {
@@ -233,8 +216,7 @@ TEST_P(Cycles, WearMap) {
       EXPECT_LT((deepest.point - place).norm(), 1e-3) << name;
     }
   }
-  depth.check();
-  if (!pin) shear.check();
+  if (pin) shear.may_be_empty();
 }
 
 // Components of the moment have their largest between the rows: never below a
@@ -312,7 +294,7 @@ TEST(DutyCycle, FrameOfForces) {
   const DutyCycle plain = hip.cycle();
   std::vector<Vector3d> turned;
   for (const double time : hip.times) {
-    const contact::CycleState s = plain.at(time);
+    const CycleState s = plain.at(time);
     turned.push_back(-(s.turn.conjugate() * s.reaction));
   }
   const DutyCycle duty(
@@ -349,11 +331,11 @@ TEST(DutyCycle, OfTwiceThePeriod) {
 // constant, and the energy is |M_t| times the integral of |Dw|. Of that of a
 // spline through few rows a sum of many thousand steps knows 1e-9.
 double swing_error(int rows, double across) {
-  const contact::ElasticPair pair({207e9, 0.3}, {111e9, 0.3});
-  const contact::Joint joint(contact::JointContact(
-      contact::JointGeometry::ball(0.02, 4e-5), pair, contact::FrictionLaw(0.1),
-      contact::make_half_angle_law("tanh", JointKind::ball, pair),
-      contact::make_pressure_law("cosine", JointKind::ball, pair)));
+  const ElasticPair pair({207e9, 0.3}, {111e9, 0.3});
+  const Joint joint(
+      JointContact(JointGeometry::ball(0.02, 4e-5), pair, FrictionLaw(0.1),
+                   make_half_angle_law("tanh", JointKind::ball, pair),
+                   make_pressure_law("cosine", JointKind::ball, pair)));
   std::vector<double> times;
   std::vector<Vector3d> turning;
   for (int i = 0; i < rows; ++i) {
@@ -436,3 +418,4 @@ TEST(PeriodicSpline, IsSmoothAndPeriodic) {
 }
 
 }  // namespace
+}  // namespace contact::test

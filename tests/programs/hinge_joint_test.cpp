@@ -582,7 +582,7 @@ TEST(PaperExamples, OneInnerLoop) {
       ProgramFolder().run(example_1 + "--reaction 2.63e5 --beta 67.6 --trace"));
   expect_digits(table, {{1, "g_deg", 0, 0},
                         {1, "a_deg", 22.40, 0.5e-2},
-                        {1, "R_n_N", 2.63e5, 0.5e3},
+                        {1, "R_n_N", 2.63e5, 0.5e2},
                         {1, "Abar", 3.802, 0.5e-3},
                         {1, "load_parameter", 0.718, 0.5e-3},
                         {1, "theta0_deg", 45.85, 0.5e-2},
