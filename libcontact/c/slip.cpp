@@ -34,8 +34,21 @@ Vector3d vector(const double* first, std::ptrdiff_t stride, std::size_t i) {
   return v;
 }
 
-static_assert(std::is_trivially_copyable_v<SlipMemory> &&
-              sizeof(SlipMemory) == sizeof(contact_solution::memory));
+// What the next solution starts from, and the accurate forms of the angles.
+struct Memory {
+  JointSolution::Memory slip;
+  SineCosine reaction;
+  SineCosine friction;
+  SlipAxis axis;
+};
+static_assert(std::is_trivially_copyable_v<Memory> &&
+              sizeof(Memory) == sizeof(contact_solution::memory));
+
+Memory memory_of(const contact_solution& s) {
+  Memory memory;
+  std::memcpy(&memory, s.memory, sizeof memory);
+  return memory;
+}
 
 contact_status status_of(Status status) {
   switch (status) {
@@ -71,20 +84,11 @@ Status status_of(contact_status status) {
 struct ToC {
   void operator()(double& c, double cpp) const { c = cpp; }
   void operator()(double (&c)[3], const Vector3d& cpp) const { put(c, cpp); }
-  template <class Angle>
-  void operator()(double (&c)[2], const Angle& cpp) const {
-    c[0] = cpp.sin;
-    c[1] = cpp.cos;
-  }
 };
 struct FromC {
   void operator()(double c, double& cpp) const { cpp = c; }
   void operator()(const double (&c)[3], Vector3d& cpp) const {
     cpp = vector(c);
-  }
-  template <class Angle>
-  void operator()(const double (&c)[2], Angle& cpp) const {
-    cpp = {c[0], c[1]};
   }
 };
 
@@ -99,9 +103,6 @@ void each_number(C& c, Cpp& s, const Copy& copy) {
   copy(c.friction_moment, s.friction_moment);
   copy(c.slip_velocity, s.slip_velocity);
   copy(c.power, s.power);
-  copy(c.reaction_angle, s.reaction_direction);
-  copy(c.friction_angle, s.friction_direction);
-  copy(c.slip_axis_angle, s.slip_axis);
   copy(c.force_coefficient, s.force_coefficient);
   copy(c.sliding_coefficient, s.sliding_coefficient);
   copy(c.spinning_coefficient, s.spinning_coefficient);
@@ -117,13 +118,23 @@ void put(contact_solution& to, const JointSolution& s) {
   to.state = state_of(s.state);
   to.evaluations = s.evaluations;
   each_number(to, s, ToC());
-  std::memcpy(to.memory, &s.memory, sizeof to.memory);
+  to.reaction_angle = s.reaction_angle();
+  to.friction_angle = s.friction_angle();
+  to.slip_axis_angle = s.slip_axis_angle();
+  const Memory memory{s.memory, s.reaction_direction, s.friction_direction,
+                      s.slip_axis};
+  std::memcpy(to.memory, &memory, sizeof to.memory);
 }
 
 // What a solution starts from.
 JointSolution start_of(const contact_solution* last) {
   JointSolution s;
-  if (last) std::memcpy(&s.memory, last->memory, sizeof last->memory);
+  if (!last) return s;
+  const Memory memory = memory_of(*last);
+  s.memory = memory.slip;
+  s.reaction_direction = memory.reaction;
+  s.friction_direction = memory.friction;
+  s.slip_axis = memory.axis;
   return s;
 }
 
@@ -267,24 +278,23 @@ contact_status contact_joint_solve_rows(const contact_joint* joint,
   });
 }
 
-contact_status contact_joint_utilisation(const contact_joint* joint,
-                                         const contact_hold* hold,
-                                         const contact_rest* last,
-                                         contact_rest* rest) {
+contact_status contact_joint_at_rest(const contact_joint* joint,
+                                     const contact_hold* hold,
+                                     const contact_rest* last,
+                                     contact_rest* rest) {
   return call([=] {
-    const Joint& j = given(joint, "contact_joint_utilisation: joint").joint;
-    const contact_hold& h = given(hold, "contact_joint_utilisation: hold");
-    contact_rest& to = given(rest, "contact_joint_utilisation: rest");
+    const Joint& j = given(joint, "contact_joint_at_rest: joint").joint;
+    const contact_hold& h = given(hold, "contact_joint_at_rest: hold");
+    contact_rest& to = given(rest, "contact_joint_at_rest: rest");
     const Joint::Hold holds = {vector(h.reaction), vector(h.moment),
                                vector(h.axis)};
     const RestSolution found =
-        last ? j.utilisation(holds, contact::c::rest_of(*last))
-             : j.utilisation(holds);
+        last ? j.at_rest(holds, contact::c::rest_of(*last)) : j.at_rest(holds);
     to.status = contact::c::status_of(found.status);
     to.solves = found.solves;
     to.utilisation = found.utilisation;
     put(to.direction, found.direction);
     put(to.slip, found.slip);
-    return reported(to.status, "contact_joint_utilisation");
+    return reported(to.status, "contact_joint_at_rest");
   });
 }

@@ -13,13 +13,13 @@ constexpr Quantity<CycleInstant> of_instant[] = {
     {"angular_velocity", "w", Dimension::angular_velocity,
      "angular velocity Dw, body against carrier",
      [](const CycleInstant& i) -> const Eigen::Vector3d& {
-       return i.state.rate;
+       return i.state.angular_velocity;
      }},
 };
 
 // rho |Dw|, m/s.
 double rim_speed(const JointCycle& cycle, const CycleInstant& i) {
-  return cycle.contact().geometry().radius() * i.state.rate.norm();
+  return cycle.contact().geometry().radius() * i.state.angular_velocity.norm();
 }
 
 double energy(const JointCycle& cycle) {

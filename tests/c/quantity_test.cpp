@@ -74,10 +74,9 @@ TEST(CQuantities, OfRestAreThoseOfCpp) {
   const CJoint c = c_joint(hip);
   const contact_hold hold = {{0, 0, 2000}, {0.5, 0, 0.2}, {}};
   contact_rest rest;
-  ASSERT_EQ(contact_joint_utilisation(c.get(), &hold, nullptr, &rest),
-            CONTACT_OK);
+  ASSERT_EQ(contact_joint_at_rest(c.get(), &hold, nullptr, &rest), CONTACT_OK);
   expect_table(contact::rest_quantities(),
-               cpp.utilisation({{0, 0, 2000}, {0.5, 0, 0.2}}),
+               cpp.at_rest({{0, 0, 2000}, {0.5, 0, 0.2}}),
                contact_rest_quantity, [&](const char* key, double* to) {
                  return contact_rest_get(&rest, key, to);
                });

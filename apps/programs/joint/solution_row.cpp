@@ -124,8 +124,7 @@ Answer answer(const NamedJoint& named, Question question, const Input& input) {
           {.normal_force = input.force, .angular_velocity = input.turn});
       break;
     case Question::rest: {
-      a.rest =
-          joint.utilisation({.reaction = input.force, .moment = input.turn});
+      a.rest = joint.at_rest({.reaction = input.force, .moment = input.turn});
       a.rest.slip.status = a.rest.status;
       a.rate = a.rest.direction;
       break;
