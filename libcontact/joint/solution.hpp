@@ -136,6 +136,11 @@ struct JointSolution {
     return friction_direction.cos *
            std::hypot(sliding_coefficient, spinning_coefficient);
   }
+  /// Heat of friction over the contact's area, W/m^2; 0 at rest and without a
+  /// contact. To 1e-15 (joint/ball_joint_test.cpp).
+  double mean_heat_flux() const {
+    return power == 0 ? 0 : -power / contact_area;
+  }
 
   /// b, rad, [0, pi].
   double reaction_angle() const {

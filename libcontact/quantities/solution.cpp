@@ -72,6 +72,9 @@ constexpr Quantity<S> of_solution[] = {
      [](const S& s) { return s.peak_pressure; }},
     {"contact_area", "", Dimension::area, "area of the contact",
      [](const S& s) { return s.contact_area; }},
+    {"mean_heat_flux", "q_mean", Dimension::power_density,
+     "heat of friction over the contact's area, into both bodies",
+     [](const S& s) { return s.mean_heat_flux(); }},
 };
 
 using Rest = RestSolution;
