@@ -133,8 +133,9 @@ struct JointSolution {
   /// f_M = |M_t|/(rho R): what catalogues call the coefficient of friction;
   /// to 1e-14 (joint/ball_joint_test.cpp, joint/pin_joint_test.cpp).
   double moment_coefficient() const {
-    return friction_direction.cos *
-           std::hypot(sliding_coefficient, spinning_coefficient);
+    if (normal_force == 0) return 0;
+    return std::hypot(sliding_coefficient, spinning_coefficient) *
+           (normal_force / reaction.stableNorm());
   }
   /// Heat of friction over the contact's area, W/m^2; 0 at rest and without a
   /// contact. To 1e-15 (joint/ball_joint_test.cpp).

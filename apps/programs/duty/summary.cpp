@@ -6,7 +6,7 @@
 #include <string_view>
 #include <utility>
 
-#include "cli/report.hpp"
+#include "cli/stream/report.hpp"
 #include "libcontact/quantities/tables.hpp"
 #include "programs/duty/tables.hpp"
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "cli/report.hpp"
+#include "cli/stream/report.hpp"
 #include "libcontact/base/units.hpp"
 #include "libcontact/quantities/tables.hpp"
 

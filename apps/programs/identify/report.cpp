@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cli/report.hpp"
+#include "cli/stream/report.hpp"
 #include "libcontact/base/units.hpp"
 #include "libcontact/quantities/fit.hpp"
 

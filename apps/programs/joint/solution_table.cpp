@@ -4,8 +4,8 @@
 
 #include "cli/output.hpp"
 #include "cli/progress.hpp"
-#include "cli/report.hpp"
 #include "cli/stream/ordered_blocks.hpp"
+#include "cli/stream/report.hpp"
 
 namespace hinge_joint {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "cli/report.hpp"
+#include "cli/stream/report.hpp"
 
 namespace hinge_joint {
 namespace {
