@@ -8,11 +8,8 @@
 #include "libcontact/files/joint_file.hpp"
 #include "support/program.hpp"
 
+namespace contact::test {
 namespace {
-
-using contact::test::csv_column;
-using contact::test::csv_rows;
-using contact::test::ProgramFolder;
 
 using Rows = std::vector<std::vector<std::string>>;
 
@@ -40,7 +37,7 @@ class ComparedJoints : public testing::Test {
 TEST_F(ComparedJoints, RowsAreThoseOfTheirFiles) {
   std::string text = folder_.read("data/joints/hip_cocr_uhmwpe_infinite.toml");
   const std::string in_file = "radial_clearance_um = 100";
-  ASSERT_NE(text.find(in_file), std::string::npos);
+  ASSERT_TRUE(has_text(text, in_file));
   text.replace(text.find(in_file), in_file.size(),
                "radial_clearance_mm = 0.05");
   text.replace(text.find("../materials"), 12, "data/materials");
@@ -95,8 +92,8 @@ TEST_F(ComparedJoints, PicturesNameThem) {
          "--set geometry.radial_clearance_um=50,100 --plot p.svg");
     const std::string picture = folder_.read("p.svg");
     for (const char* value : {"50", "100"}) {
-      EXPECT_NE(picture.find("radial_clearance_um = " + std::string(value)),
-                std::string::npos)
+      EXPECT_TRUE(
+          has_text(picture, "radial_clearance_um = " + std::string(value)))
           << program;
     }
   }
@@ -107,7 +104,7 @@ TEST(KeySettings, TablesAreMadeAndTextsNeedNoQuotes) {
       {"half_angle.law=tanh", "half_angle.limit_half_angle_deg=80,85",
        "name=a 'b' \"c\""});
   ASSERT_EQ(settings.size(), 2u);
-  const auto joint = contact::read_joint(
+  const auto joint = read_joint(
       std::string(CONTACT_DATA_DIR) + "/joints/wheel_ball.toml", settings[1]);
   EXPECT_EQ(joint.half_angle_law, "tanh");
   EXPECT_DOUBLE_EQ(*joint.half_angle_options.limit_half_angle / 85 * 180,
@@ -116,3 +113,4 @@ TEST(KeySettings, TablesAreMadeAndTextsNeedNoQuotes) {
 }
 
 }  // namespace
+}  // namespace contact::test

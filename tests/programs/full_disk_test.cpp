@@ -8,11 +8,8 @@
 
 #include "support/program.hpp"
 
+namespace contact::test {
 namespace {
-
-using contact::test::csv_rows;
-using contact::test::ProgramFolder;
-using contact::test::ProgramResult;
 
 // A command on a disk with so much room for files.
 std::string with_room(int bytes, const std::string& command) {
@@ -60,9 +57,8 @@ TEST(FullDisk, HistoriesAreWholeOrNotThere) {
   const ProgramFolder whole;
   const std::string run = "hinge-separation data/cases/slosh.toml ";
   const ProgramResult expected =
-      whole.run(run + "--history h.h5 --events e.csv && " + run +
-                "--history h.csv >/dev/null");
-  ASSERT_EQ(expected.status, 0) << expected.err;
+      whole.run_well(run + "--history h.h5 --events e.csv && " + run +
+                     "--history h.csv >/dev/null");
   for (const std::string name : {"h.h5", "h.csv"}) {
     const auto size = static_cast<int>(whole.read(name).size());
     for (const int room : {0, 1, 96, 800, 4096, 20000, size / 2, size - 1}) {
@@ -76,7 +72,7 @@ TEST(FullDisk, HistoriesAreWholeOrNotThere) {
       EXPECT_TRUE(folder.files().empty());
     }
     const ProgramFolder folder;
-    EXPECT_EQ(folder.run(with_room(size, run + "--history " + name)).status, 0);
+    folder.run_well(with_room(size, run + "--history " + name));
     EXPECT_EQ(folder.files(), std::vector<std::string>{name});
     EXPECT_EQ(folder.read(name).size(), whole.read(name).size());
   }
@@ -112,25 +108,22 @@ TEST(FullDisk, CheckpointsAreWholeOrNotThere) {
   const std::string checkpoints =
       "--checkpoint state --checkpoint-every 0.5 --events /dev/null";
   const ProgramFolder whole;
-  const ProgramResult expected = whole.run(run + checkpoints);
-  ASSERT_EQ(expected.status, 0) << expected.err;
+  const ProgramResult expected = whole.run_well(run + checkpoints);
   const auto size = static_cast<int>(whole.read("state").size());
   for (const int room : {0, 1000, 4 * size, 12 * size}) {
     const ProgramFolder folder;
     const ProgramResult result = folder.run(with_room(room, run + checkpoints));
     EXPECT_EQ(result.status, 1) << room;
     EXPECT_EQ(result.out, expected.out);
-    EXPECT_NE(result.err.find("hinge-separation: warning: no checkpoints from "
-                              "t = "),
-              std::string::npos)
-        << result.err;
-    EXPECT_NE(result.err.find("No space left on device"), std::string::npos);
+    EXPECT_TRUE(has_text(result.err,
+                         "hinge-separation: warning: no checkpoints from "
+                         "t = "));
+    EXPECT_TRUE(has_text(result.err, "No space left on device"));
     if (room < size) {
       EXPECT_TRUE(folder.files().empty());
       continue;
     }
-    const ProgramResult resumed = folder.run(run + "--resume state");
-    EXPECT_EQ(resumed.status, 0) << resumed.err;
+    folder.run_well(run + "--resume state");
   }
 }
 
@@ -193,3 +186,4 @@ TEST(FullDisk, PicturesOnASmallFileSystem) {
 }
 
 }  // namespace
+}  // namespace contact::test

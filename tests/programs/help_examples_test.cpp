@@ -5,15 +5,16 @@
 
 #include "support/program.hpp"
 
+namespace contact::test {
 namespace {
 
 class HelpExamples : public testing::TestWithParam<const char*> {};
 
 TEST_P(HelpExamples, Run) {
-  const auto examples = contact::test::help_examples(GetParam());
+  const auto examples = help_examples(GetParam());
   EXPECT_GE(examples.size(), 3U);
   for (const std::string& example : examples) {
-    const auto result = contact::test::ProgramFolder().run(example);
+    const auto result = ProgramFolder().run(example);
     EXPECT_EQ(result.status, 0) << example << '\n' << result.err;
     EXPECT_TRUE(result.out.find('\n') != std::string::npos ||
                 example.find("--output") != std::string::npos)
@@ -28,3 +29,4 @@ INSTANTIATE_TEST_SUITE_P(Programs, HelpExamples,
                                          "hinge-identify", "hinge-study"));
 
 }  // namespace
+}  // namespace contact::test

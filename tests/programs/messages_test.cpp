@@ -10,10 +10,8 @@
 #include "support/edited_file.hpp"
 #include "support/program.hpp"
 
+namespace contact::test {
 namespace {
-
-using contact::test::ProgramFolder;
-using contact::test::ProgramResult;
 
 // A file of cases has lines
 //   file NAME TEXT   a file in the folder, \n for the ends of its lines,
@@ -28,8 +26,8 @@ struct Case {
 
 std::vector<Case> cases(const std::string& name, const ProgramFolder& folder) {
   std::vector<Case> all;
-  for (const std::string& line : contact::test::lines_of(
-           contact::test::messages_folder / "options" / (name + ".txt"))) {
+  for (const std::string& line :
+       lines_of(messages_folder / "options" / (name + ".txt"))) {
     if (line.empty() || line.starts_with('#')) continue;
     if (line.starts_with("$ ")) {
       all.push_back({line.substr(2), ""});
@@ -102,3 +100,4 @@ INSTANTIATE_TEST_SUITE_P(Of, Messages,
                          [](const auto& name) { return name.param; });
 
 }  // namespace
+}  // namespace contact::test

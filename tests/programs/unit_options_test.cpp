@@ -6,9 +6,8 @@
 
 #include "support/program.hpp"
 
+namespace contact::test {
 namespace {
-
-using contact::test::ProgramFolder;
 
 struct Same {
   std::string run;
@@ -30,9 +29,7 @@ TEST(LengthOptions, MetresThatAreHardlyMeant) {
       "hinge-angle --joint ball --pair data/materials/cocr_uhmwpe.toml "
       "--backing rigid --load 2000 ";
   const auto said = [&](const std::string& size) {
-    const auto result = folder.run(angle + size);
-    EXPECT_EQ(result.status, 0) << result.err;
-    return result.err;
+    return folder.run_well(angle + size).err;
   };
   EXPECT_EQ(said("--diameter 28 --clearance 0.1 --wall 8"),
             "hinge-angle: note: --diameter 28 is 28 m; 28mm is 28 mm\n"
@@ -47,23 +44,20 @@ TEST(LengthOptions, MetresThatAreHardlyMeant) {
 TEST(NumberOptions, ThousandsThatAreLists) {
   const ProgramFolder folder;
   const auto said = [&](const std::string& program, const std::string& loads) {
-    const auto result = folder.run(
-        program + loads + " --joint data/joints/hip_cocr_uhmwpe.toml ");
-    EXPECT_EQ(result.status, 0) << result.err;
-    return result.err;
+    return folder
+        .run_well(program + loads +
+                  " --joint data/joints/hip_cocr_uhmwpe.toml ")
+        .err;
   };
   const std::string angle = "hinge-angle --load ";
   const std::string joint = "hinge-joint --beta 90 --reaction ";
   for (const char* loads : {"2,000", "1,500", "12,500", "1,000,000"}) {
-    EXPECT_NE(said(angle, loads)
-                  .find(std::string("hinge-angle: note: --load ") + loads +
-                        " is a list of numbers: "
-                        "thousands have no commas here\n"),
-              std::string::npos)
-        << said(angle, loads);
+    EXPECT_TRUE(has_text(said(angle, loads),
+                         std::string("hinge-angle: note: --load ") + loads +
+                             " is a list of numbers: "
+                             "thousands have no commas here\n"));
   }
-  EXPECT_NE(said(joint, "2,500").find("note: --reaction 2,500 is"),
-            std::string::npos);
+  EXPECT_TRUE(has_text(said(joint, "2,500"), "note: --reaction 2,500 is"));
   for (const char* loads :
        {"500,2000", "100,200,300", "100,200", "2,5", "1,20,300", "0,500"}) {
     EXPECT_EQ(said(angle, loads), "") << loads;
@@ -151,3 +145,4 @@ INSTANTIATE_TEST_SUITE_P(Separation, UnitOptions,
                              "--checkpoint-every 20"}));
 
 }  // namespace
+}  // namespace contact::test

@@ -6,19 +6,13 @@
 
 #include "support/program.hpp"
 
+namespace contact::test {
 namespace {
-
-using contact::test::csv_column;
-using contact::test::csv_rows;
-using contact::test::ProgramFolder;
-using contact::test::ProgramResult;
 
 class WallOptions : public testing::Test {
  protected:
   std::string out(const std::string& command) const {
-    const ProgramResult result = folder_.run(command);
-    EXPECT_EQ(result.status, 0) << command << '\n' << result.err;
-    return result.out;
+    return folder_.run_well(command).out;
   }
   // Of `column` in the first row.
   double value(const std::string& command, const std::string& column) const {
@@ -40,7 +34,7 @@ TEST_F(WallOptions, RigidShell) {
         "hinge-pressure --load 2000 --points 5 --joint ",
         "hinge-pressure --load 2000 --summary --joint "}) {
     const std::string expected = out(program + hip_file_);
-    EXPECT_NE(expected.find("exact"), std::string::npos) << program;
+    EXPECT_TRUE(has_text(expected, "exact")) << program;
     EXPECT_EQ(out(program + hip_), expected) << program;
   }
   const std::string state = "hinge-joint --reaction 2000 --beta 30,90 --joint ";
@@ -96,3 +90,4 @@ TEST_F(WallOptions, Dimensionless) {
 }
 
 }  // namespace
+}  // namespace contact::test

@@ -8,7 +8,6 @@
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <numbers>
 #include <string>
 
 #include "libcontact/base/error.hpp"
@@ -24,11 +23,12 @@
 #include "separation/results/summary.hpp"
 #include "separation/simulation/case_forces.hpp"
 #include "support/error_message.hpp"
+#include "support/numbers.hpp"
 #include "support/program.hpp"
 
+namespace contact::test {
 namespace {
 
-using contact::test::error_message;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using multibody::BodyForce;
@@ -38,8 +38,6 @@ using separation::Shape;
 using separation::ShapeKind;
 using separation::solid_properties;
 using separation::SolidProperties;
-
-constexpr double pi = std::numbers::pi;
 
 void expect_close(const Matrix3d& a, const Matrix3d& b, double tolerance) {
   EXPECT_LE((a - b).norm(), tolerance * b.norm()) << a << "\n\n" << b;
@@ -156,14 +154,10 @@ TEST(Shape, SeveralTogetherAreOneBody) {
 }
 
 TEST(Shape, FlatHullsAreRefused) {
-  EXPECT_EQ(contact::test::error_message([] {
-              convex_hull({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
-            }),
-            "a hull needs 4 or more points");
-  EXPECT_EQ(contact::test::error_message([] {
-              convex_hull({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}});
-            }),
-            "the points of a hull are (nearly) in one plane");
+  EXPECT_ERROR(convex_hull({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}),
+               "a hull needs 4 or more points");
+  EXPECT_ERROR(convex_hull({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}),
+               "the points of a hull are (nearly) in one plane");
 }
 
 // One force of a case on a body that is turned by 90 deg about z and moved to
@@ -400,7 +394,7 @@ class CheckpointFile : public testing::Test {
     return message();
   }
 
-  const contact::test::ProgramFolder folder_;
+  const ProgramFolder folder_;
   const std::string file_ = folder_.path() / "c";
   std::string bytes_;
 };
@@ -508,3 +502,4 @@ TEST_F(CheckpointFile, OtherFilesAreToldFromDamagedOnes) {
 }
 
 }  // namespace
+}  // namespace contact::test

@@ -10,17 +10,8 @@
 
 #include "programs/separation/program_runs.hpp"
 
+namespace contact::test {
 namespace {
-
-using contact::test::alone;
-using contact::test::carrier_at_rest;
-using contact::test::csv_rows;
-using contact::test::exchanged;
-using contact::test::History;
-using contact::test::json;
-using contact::test::ProgramFolder;
-using contact::test::ProgramResult;
-using contact::test::pushed_case;
 
 void expect_another_case(const ProgramResult& result,
                          const std::string& checkpoint) {
@@ -44,12 +35,10 @@ TEST(Checkpoint, ResumedRunIsTheSame) {
                        checkpoint + "c.cbor")
                   .status,
               0);
-    const ProgramResult resumed =
-        folder.run(run +
-                   "--history b.csv --events be.csv --output b.json "
-                   "--resume c.cbor" +
-                   checkpoint + "d.cbor");
-    ASSERT_EQ(resumed.status, 0) << resumed.err;
+    folder.run_well(run +
+                    "--history b.csv --events be.csv --output b.json "
+                    "--resume c.cbor" +
+                    checkpoint + "d.cbor");
     // Byte by byte; too long to be printed.
     EXPECT_TRUE(folder.read("a.csv") == folder.read("b.csv")) << name;
     EXPECT_EQ(folder.read("ae.csv"), folder.read("be.csv")) << name;
@@ -188,10 +177,9 @@ TEST(Checkpoint, CheckpointsKnowTheirJoints) {
                      "\"\n[[wall.layer]]\nthickness_mm = " + thickness + '\n');
   };
   with_wall("3", "rigid");
-  const ProgramResult walled = folder.run(run +
-                                          "--checkpoint w.cbor "
-                                          "--checkpoint-every 1");
-  EXPECT_EQ(walled.status, 0) << walled.err;
+  folder.run_well(run +
+                  "--checkpoint w.cbor "
+                  "--checkpoint-every 1");
   EXPECT_EQ(folder.run(run + "--resume w.cbor").status, 0);
   for (const auto& [thickness, backing] :
        {std::pair("4", "rigid"), std::pair("3", "held")}) {
@@ -368,15 +356,13 @@ starts_at_s = 0.5
     EXPECT_EQ(result.status, status) << result.err;
     const json summary = json::parse(folder_.read("o.json"));
     const std::string failure = summary["failure"];
-    EXPECT_NE(failure.find(": stopped by " + why + " after "), failure.npos)
-        << failure;
-    EXPECT_NE(failure.find("the fastest force is \"damper\" on \"s\" (5e-08 "
-                           "s)"),
-              failure.npos)
-        << failure;
-    EXPECT_NE(result.err.find(
-                  "hinge-separation: warning: ended early: " + failure + "\n"),
-              std::string::npos);
+    EXPECT_TRUE(has_text(failure, ": stopped by " + why + " after "));
+    EXPECT_TRUE(has_text(failure,
+                         "the fastest force is \"damper\" on \"s\" (5e-08 "
+                         "s)"));
+    EXPECT_TRUE(
+        has_text(result.err,
+                 "hinge-separation: warning: ended early: " + failure + "\n"));
     const History h(folder_.read("h.csv"));
     EXPECT_EQ(h["time_s"].back(), summary["end_time_s"].get<double>());
     EXPECT_GE(h["time_s"].back(), 0.5);
@@ -396,7 +382,7 @@ TEST_F(RunsThatCannotGetOn, StopAtLimits) {
   const ProgramResult steps = folder_.run(run_ + "--step-limit 3000");
   expect_results(steps, 1, "--step-limit 3000");
   EXPECT_EQ(json::parse(folder_.read("o.json"))["counts"]["steps"], 3000);
-  EXPECT_EQ(steps.err.find("--resume"), std::string::npos) << steps.err;
+  EXPECT_FALSE(has_text(steps.err, "--resume"));
   expect_results(folder_.run(run_ + "--time-limit 2"), 1, "--time-limit 2 s");
 }
 
@@ -405,7 +391,7 @@ TEST_F(RunsThatCannotGetOn, SayHowFarTheyAreEveryTenSeconds) {
   const ProgramResult result = folder_.run(run_ + "--time-limit 11");
   expect_results(result, 1, "--time-limit 11 s");
   EXPECT_TRUE(result.err.starts_with("hinge-separation: 0.")) << result.err;
-  EXPECT_NE(result.err.find(" s of 1000 s, "), std::string::npos);
+  EXPECT_TRUE(has_text(result.err, " s of 1000 s, "));
   EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 2)
       << result.err;
 }
@@ -421,9 +407,8 @@ TEST_F(RunsThatCannotGetOn, StopAtSignals) {
                     "kill -" +
                     name + " $program; wait $program");
     expect_results(result, status, std::string("SIG") + name);
-    EXPECT_NE(result.err.find("; --resume c.cbor goes on from t = 0.5 s\n"),
-              std::string::npos)
-        << result.err;
+    EXPECT_TRUE(
+        has_text(result.err, "; --resume c.cbor goes on from t = 0.5 s\n"));
     expect_results(folder_.run(run_ + "--resume c.cbor --step-limit 3000"), 1,
                    "--step-limit 3000");
   }
@@ -451,9 +436,8 @@ TEST(Checkpoint, HasOneWriterAtATime) {
   expect_locked_out("link.cbor");
   // However they meet.
   EXPECT_EQ(folder.run(run + "d.cbor & " + run + "d.cbor & wait").status, 0);
-  const ProgramResult resumed = folder.run(
+  folder.run_well(
       "hinge-separation data/cases/slosh.toml --output o.json --resume d.cbor");
-  EXPECT_EQ(resumed.status, 0) << resumed.err;
 }
 
 TEST(Checkpoint, FilesOfOthersAreNotItsRows) {
@@ -477,3 +461,4 @@ TEST(Checkpoint, FilesOfOthersAreNotItsRows) {
 }
 
 }  // namespace
+}  // namespace contact::test
