@@ -28,3 +28,7 @@ inline testing::AssertionResult has_text(std::string_view text,
 }
 
 }  // namespace contact::test
+
+/// The statement throws contact::Error with this message.
+#define EXPECT_ERROR(statement, message) \
+  EXPECT_EQ(::contact::test::error_message([&] { statement; }), message)

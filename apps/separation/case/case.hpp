@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "libcontact/joint/contact.hpp"
-#include "libcontact/joint/node.hpp"
+#include "libcontact/joint/group.hpp"
 #include "libcontact/joint/spec.hpp"
 #include "multibody/motion/motion.hpp"
 #include "separation/case/shape.hpp"
@@ -60,7 +60,7 @@ struct Hinge {
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();
   std::vector<HingeJoint> joints;
   /// axis: shares of an indeterminate node.
-  std::optional<contact::SharingRule> sharing;
+  std::optional<contact::JointGroup::Sharing> sharing;
   /// ball: the angle is that between these.
   Eigen::Vector3d body_direction = Eigen::Vector3d::UnitX();
   Eigen::Vector3d carrier_direction = Eigen::Vector3d::UnitX();
