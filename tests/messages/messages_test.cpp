@@ -105,7 +105,7 @@ TEST_P(Messages, AreAsWritten) {
       } else {
         EXPECT_EQ(said, expected == "fine" ? "(no error)" : expected);
       }
-      EXPECT_FALSE(has_text(said, '\n'));
+      EXPECT_FALSE(has_text(said, "\n"));
       file = section;
       ++messages;
     } else if (line.starts_with("> ")) {
