@@ -3,6 +3,7 @@
 // and no result is lost with a message.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -69,13 +70,17 @@ TEST(StandardStreams, JournalsSurviveMissingOnes) {
       "hinge-study data/studies/lined_bearing.toml --runs 5 --journal j ";
   const ProgramResult first = folder.run(study);
   ASSERT_LE(first.status, 1) << first.err;
-  const std::string journal = folder.read("j");
+  const auto rows = [&] {
+    return folder.run_well("sqlite3 j 'SELECT * FROM rows'").out;
+  };
+  const std::string journal = rows();
+  EXPECT_EQ(std::ranges::count(journal, '\n'), 6);
   EXPECT_EQ(folder.run(study + "--output o.json >&-").err,
             "hinge-study: cannot write standard output: Bad file "
             "descriptor\n");
-  EXPECT_TRUE(folder.read("j") == journal);
+  EXPECT_EQ(rows(), journal);
   EXPECT_EQ(folder.run(study + "2>&-").out, first.out);
-  EXPECT_TRUE(folder.read("j") == journal);
+  EXPECT_EQ(rows(), journal);
 }
 
 // Output that cannot be written or must be written once; with
@@ -222,6 +227,35 @@ TEST(FullDisk, CheckpointsAreWholeOrNotThere) {
     }
     folder.run_well(run + "--resume state");
   }
+}
+
+// Wherever the disk is full, the rows before are kept, and the same command
+// goes on to the same bytes.
+TEST(FullDisk, JournalsGoOn) {
+  const ProgramFolder folder;
+  const std::string run =
+      "hinge-study data/studies/lined_bearing.toml --runs 40 ";
+  ASSERT_LE(folder.run(run + "--csv whole.csv --journal whole").status, 1);
+  const std::string whole = folder.read("whole.csv");
+  std::size_t rows = 0;
+  int stopped = 0;
+  for (int room = 0; room < 400'000; room += 9'001) {
+    const ProgramResult full =
+        folder.run(with_room(room, run + "--rows 0:40 --journal j"));
+    if (full.status == 0) break;
+    ++stopped;
+    EXPECT_EQ(full.status, 2);
+    EXPECT_EQ(full.err,
+              "hinge-study: j: cannot write: No space left on device\n");
+    // None before the table has been made.
+    const std::string now =
+        folder.run("sqlite3 j 'SELECT count(*) FROM rows'").out;
+    EXPECT_GE(now.empty() ? 0 : std::stoul(now), rows);
+    rows = now.empty() ? 0 : std::stoul(now);
+  }
+  EXPECT_GT(stopped, 3);
+  EXPECT_LE(folder.run(run + "--csv j.csv --journal j").status, 1);
+  EXPECT_EQ(folder.read("j.csv"), whole);
 }
 
 TEST(FullDisk, PicturesAreWholeOrNotThere) {
