@@ -4,6 +4,7 @@
 /// a seat.
 // clang-format off
 #include "libcontact/conforming/contact_pressure.hpp"
+#include "libcontact/conforming/force_point.hpp"
 #include "libcontact/conforming/pin.hpp"
 #include "libcontact/conforming/ball.hpp"
 // clang-format on

@@ -179,9 +179,10 @@ struct BallContact::Galerkin {
   // Columns: right sides cos(f/2), cos(3f/2) - cos(f/2), back displacement.
   Columns<3> right;
   Eigen::Matrix<double, 3, 1> right_at_edge;
-  Vector edge;          // (theta0/pi) ∫ kappa(theta0 (1 - v)) P_2i dv
-  Vector mean_moment;   // H_0 of P_2i
-  Vector force_moment;  // H_1 of P_2i
+  Vector edge;           // (theta0/pi) ∫ kappa(theta0 (1 - v)) P_2i dv
+  Vector mean_moment;    // H_0 of P_2i
+  Vector force_moment;   // H_1 of P_2i
+  Vector excess_moment;  // H_0 - H_1 of P_2i
 };
 
 // Scaled so that H_1 = 1: R_n = 2 pi rho^2.
@@ -191,6 +192,7 @@ struct BallContact::Solution {
   double delta;      // likewise: the approach with c_1 = 2/3
   double stiffness;  // d(force)/d(delta) for it
   double force_ratio;
+  double excess;                                             // S - 1
   double reciprocal() const { return 2.0 / 3 * clearance; }  // 1/mu
 };
 
@@ -230,6 +232,7 @@ BallContact::Galerkin::Galerkin(const Tables& tables, double theta0) {
       tables.back_displacement(theta0);
   mean_moment = theta0 / 2 * right.col(0);
   force_moment = theta0 / 2 * (right.col(0) + right.col(1));
+  excess_moment = -theta0 / 2 * right.col(1);
 }
 
 BallContact::Solution BallContact::Galerkin::solve(int n) const {
@@ -255,6 +258,7 @@ BallContact::Solution BallContact::Galerkin::solve(int n) const {
   result.delta = delta;
   result.stiffness = force(0) + force(1);
   result.force_ratio = mean_moment.head(n).dot(result.h);
+  result.excess = excess_moment.head(n).dot(result.h);
   return result;
 }
 
@@ -327,12 +331,16 @@ ExactHalfAngle BallContact::limit_half_angle() const noexcept {
   return half_angle(infinity);
 }
 
-ContactApproach BallContact::approach(double half_angle) const noexcept {
-  if (!(half_angle > 0 && half_angle <= largest_)) return {nan, nan};
+ForcePoint BallContact::force_point(double half_angle) const noexcept {
+  if (!(half_angle > 0 && half_angle <= largest_)) {
+    return {nan, {nan, nan}, nan};
+  }
   const Solution s = Galerkin(*tables_, half_angle).solve(unknowns_);
   // c_1 p_1 in units of eps, p_1 = 3 R_n/(4 pi rho^2).
   const double shift = 3 / pi * tables_->first_shift;
-  return {(s.delta + shift) / s.clearance, 1 / (1 / s.stiffness + shift)};
+  return {s.reciprocal(),
+          {(s.delta + shift) / s.clearance, 1 / (1 / s.stiffness + shift)},
+          s.excess};
 }
 
 int BallContact::terms() const noexcept {

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "libcontact/conforming/contact_pressure.hpp"
+#include "libcontact/conforming/force_point.hpp"
 #include "libcontact/pair/inner_loading.hpp"
 #include "libcontact/pair/layers.hpp"
 #include "libcontact/pair/material.hpp"
@@ -68,7 +69,13 @@ class BallContact {
   /// Normal approach over the clearance, and stiffness in units of rho E, at
   /// theta0 in (0, largest()]; exact, by the solution at theta0 alone. NaN
   /// outside, and if loaded through the back.
-  ContactApproach approach(double half_angle) const noexcept;
+  ContactApproach approach(double half_angle) const noexcept {
+    return force_point(half_angle).approach;
+  }
+
+  /// The load, approach() and S at theta0, all by one solution; NaN where
+  /// approach() is.
+  ForcePoint force_point(double half_angle) const noexcept;
 
   /// Pressure at theta0 in (0, largest()], in units of R_n/rho^2. Beyond the
   /// limit angle it is the pressure of a ball with interference.

@@ -407,12 +407,26 @@ double average_without_walls(double half_angle, double beta,
   return 2 * b * b * sum / (pi * points);
 }
 
+// S - 1 = 2 p_0/p_1 - 1, from the difference of the two harmonics' weights.
+double excess_of(double half_angle, const Unknowns& y) {
+  const double b = std::tan(half_angle / 2);
+  const double q = std::tan(half_angle / 4);
+  const double q2 = q * q;
+  double term = b * b * (1 - q2) / (1 + q2);
+  double sum = 0;
+  for (int k = 0; k < y.size(); ++k) {
+    sum += term * ((2 * k + 2) * q2 - 2 * k) * y(k);
+    term *= -q2;
+  }
+  return sum;
+}
+
 }  // namespace
 
-ContactApproach PinContact::approach(double half_angle) const noexcept {
-  if (!(half_angle > 0 && half_angle <= largest_)) return {nan, nan};
-  if (!wall_ || loading_.is_back() || std::isnan(wall_->first)) {
-    return {nan, nan};
+ForcePoint PinContact::force_point(double half_angle) const noexcept {
+  if (!(half_angle > 0 && half_angle <= largest_) || !wall_ ||
+      loading_.is_back() || std::isnan(wall_->first)) {
+    return {nan, {nan, nan}, nan};
   }
   const System system(*this, half_angle);
   const Solution solution = system.solve(unknowns_);
@@ -469,7 +483,9 @@ ContactApproach PinContact::approach(double half_angle) const noexcept {
   // delta/(eps lambda)
   const double approach =
       (2 * sum + reciprocal * sine * sine) / (cosine * cosine);
-  return {approach / reciprocal, pi / 2 / (approach + reciprocal * rate)};
+  return {reciprocal,
+          {approach / reciprocal, pi / 2 / (approach + reciprocal * rate)},
+          excess_of(half_angle, solution.y)};
 }
 
 int PinContact::terms() const noexcept {

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "libcontact/conforming/contact_pressure.hpp"
+#include "libcontact/conforming/force_point.hpp"
 #include "libcontact/pair/inner_loading.hpp"
 #include "libcontact/pair/layers.hpp"
 #include "libcontact/pair/material.hpp"
@@ -84,7 +85,13 @@ class PinContact {
   /// theta0 in (0, largest()]; exact, by the solution at theta0 alone. NaN
   /// outside, if loaded through the back, without walls, and in a hole that is
   /// infinite behind its layers: it gives way without end.
-  ContactApproach approach(double half_angle) const noexcept;
+  ContactApproach approach(double half_angle) const noexcept {
+    return force_point(half_angle).approach;
+  }
+
+  /// The load, approach() and S at theta0, all by one solution; NaN where
+  /// approach() is.
+  ForcePoint force_point(double half_angle) const noexcept;
 
   /// Pressure at theta0 in (0, largest()], in units of P/rho. Beyond the
   /// limit angle it is the pressure of a pin with interference.

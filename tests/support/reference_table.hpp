@@ -20,6 +20,10 @@ class ReferenceTable {
   class Row {
    public:
     const std::string& text(std::string_view column) const;
+    /// Whether there is such a column and something in the cell.
+    bool given(std::string_view column) const {
+      return table_->has(column) && !text(column).empty();
+    }
 
     /// The cell as a number: value<double>(...), or any type that is
     /// constructed from a decimal string (Boost.Multiprecision).

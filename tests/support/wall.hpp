@@ -34,27 +34,37 @@ inline Material reference_material(const ReferenceTable::Row& row,
 inline void add_reference_layer(const ReferenceTable::Row& row,
                                 const std::string& name,
                                 std::vector<Layer>& layers) {
-  if (row.text(name + "_t").empty()) return;
+  if (!row.given(name + "_t")) return;
   layers.push_back({row.value(name + "_t"),
                     reference_material(row, name + "_E", name + "_nu")});
 }
 
-/// The joint of a row of data/reference/walls/walls_{ball,pin}.csv.
-inline LayeredPair reference_pair(const ReferenceTable::Row& row) {
+/// The bodies of a row of data/reference/walls/walls_{ball,pin}.csv, and of
+/// data/reference/play/{force_law,impact}.csv.
+struct ReferenceBodies {
+  LayeredBody inner;
+  LayeredBody outer;
+};
+inline ReferenceBodies reference_bodies(const ReferenceTable::Row& row) {
   LayeredBody inner{{},
-                    row.text("E1").empty() ? Backing::rigid()
-                                           : Backing::medium(reference_material(
-                                                 row, "E1", "nu1"))};
+                    row.given("E1")
+                        ? Backing::medium(reference_material(row, "E1", "nu1"))
+                        : Backing::rigid()};
   add_reference_layer(row, "coat", inner.layers);
   const std::string& end = row.text("end");
-  LayeredBody outer{{},
-                    end == "rigid"  ? Backing::rigid()
-                    : end == "free" ? Backing::held()
-                                    : Backing::medium(reference_material(
-                                          row, "end_E", "end_nu"))};
+  LayeredBody outer{
+      {},
+      end == "rigid" ? Backing::rigid()
+      : end == "free" || end == "held"
+          ? Backing::held()
+          : Backing::medium(reference_material(row, "end_E", "end_nu"))};
   add_reference_layer(row, "La", outer.layers);
   add_reference_layer(row, "Lb", outer.layers);
-  return {row.value("rho"), inner, outer};
+  return {inner, outer};
+}
+inline LayeredPair reference_pair(const ReferenceTable::Row& row) {
+  const ReferenceBodies bodies = reference_bodies(row);
+  return {row.value("rho"), bodies.inner, bodies.outer};
 }
 
 }  // namespace contact::test

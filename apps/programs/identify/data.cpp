@@ -83,7 +83,7 @@ struct Columns {
     const hinge_joint::Input state = state_of(
         form, block, i, pin, has_rate ? next() : options.rate.value_or(1));
     datum.reaction = state.force;
-    datum.rate = state.turn;
+    datum.angular_velocity = state.turn;
     return datum;
   }
 };

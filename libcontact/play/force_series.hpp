@@ -1,0 +1,56 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "libcontact/conforming/force_point.hpp"
+#include "libcontact/pair/joint_geometry.hpp"
+
+namespace contact::detail {
+
+/// What a force law is made of, by the half-angle: Chebyshev series of four
+/// quantities that hardly change with it, in u = ln(theta0). Lengths are in
+/// units of the clearance, forces in those of ForceUnit.
+class ForceSeries {
+ public:
+  using Solver = std::function<ForcePoint(double)>;
+
+  /// @param limit   theta0*, or the solver's end
+  /// @param solver  at theta0 in (0, limit); called here only
+  ForceSeries(JointKind kind, double limit, const Solver& solver);
+
+  struct Point {
+    double half_angle;
+    double penetration;  // delta/eps
+    double force;        // eps/K_1 = x, inverted
+    double slope;        // d force/d penetration
+    double energy;
+  };
+  /// @param u  ln(theta0), [first(), last()]
+  Point at(double u) const;
+  /// u at which the penetration is this one.
+  /// @param start  somewhere near it
+  double at_penetration(double penetration, double start) const;
+
+  double first() const { return first_; }
+  double last() const { return last_; }
+
+ private:
+  using Series = std::vector<double>;  // its first coefficient doubled
+  void tabulate(JointKind kind, int count, const Solver& solver);
+  bool is_resolved() const;
+  double value(const Series& series, double u) const;
+
+  double power_;  // x ~ theta0^-power
+  double limit_;
+  double first_;
+  double last_;
+  Series reciprocal_;   // ln(x theta0^power/(limit - theta0))
+  Series approach_;     // ln((delta/K_1) theta0^(power-2))
+  Series stiffness_;    // ln((K_1'/D') theta0^(2-power))
+  Series excess_;       // ln((S - 1)/theta0^2)
+  Series penetration_;  // ln(delta/eps) - 2 u + ln(limit - theta0)
+  Series growth_;       // its derivative over u
+};
+
+}  // namespace contact::detail
