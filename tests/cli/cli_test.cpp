@@ -382,6 +382,18 @@ TEST(Quantity, MessagesNameTheUnits) {
             (std::array<double, 3>{1000, 2, 0}));
 }
 
+TEST(Quantity, IsAKeyOfAFile) {
+  const auto key = [](const char* text) {
+    return cli::quantity_key("--x", text, "geometry.radius", Dimension::length);
+  };
+  EXPECT_EQ(key("2 in").key, "geometry.radius_in");
+  EXPECT_EQ(key("2 in").value, "2");
+  EXPECT_EQ(key("2 in").origin, "--x 2 in");
+  EXPECT_EQ(key("0.05").key, "geometry.radius_m");
+  EXPECT_EQ(error_message([&] { key("2ft"); }),
+            "--x 2ft must be a number in m, mm, um, cm, in or km");
+}
+
 TEST(Quantity, DimensionOfAUnit) {
   const auto dimension = [](const char* text) {
     return cli::unit_dimension(text, {Dimension::force, Dimension::line_force});
