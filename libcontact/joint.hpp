@@ -8,5 +8,5 @@
 #include "libcontact/joint/solution.hpp"
 #include "libcontact/joint/moment_set.hpp"
 #include "libcontact/joint/joint.hpp"
-#include "libcontact/joint/node.hpp"
+#include "libcontact/joint/group.hpp"
 // clang-format on

@@ -77,7 +77,7 @@ bool can_write(int descriptor) {
 
 }  // namespace
 
-Output::Output(const std::string& path, Renews renews) : renews_(renews) {
+Output::Output(const std::string& path) {
   if (path.empty() || path == "-") {
     descriptor_ = STDOUT_FILENO;
     if (!can_write(descriptor_)) fail("cannot write");
@@ -94,7 +94,7 @@ Output::Output(const std::string& path, Renews renews) : renews_(renews) {
     if (descriptor_ < 0) fail("cannot open");
     return;
   }
-  if (renews_ == Renews::nothing) check_unread(path_);
+  check_unread(path_);
   std::string name = path_.parent_path() /
                      fmt::format(".{}.XXXXXX", path_.filename().string());
   descriptor_ = mkostemp(name.data(), O_CLOEXEC);
@@ -141,7 +141,7 @@ void Output::commit() {
     if (closed != 0) fail("cannot write");
   }
   if (temporary_.empty()) return;
-  if (renews_ == Renews::nothing) check_unread(path_);
+  check_unread(path_);
   if (rename(temporary_.c_str(), path_.c_str()) != 0) fail("cannot rename to");
   forget(temporary_);
   temporary_.clear();

@@ -15,12 +15,9 @@ namespace cli {
 /// written directly.
 class Output {
  public:
-  /// An output that goes on with a file, as a checkpoint does, may replace it
-  /// though this program has read it.
-  enum class Renews { nothing, what_was_read };
   /// @param path  file name; empty or "-" for standard output
   /// Throws contact::Error if the file cannot be made, or has been read.
-  explicit Output(const std::string& path, Renews renews = Renews::nothing);
+  explicit Output(const std::string& path);
   /// Whether it could be made, found out without a trace: what a program asks
   /// first of all its files. Throws contact::Error if not.
   static void check(const std::string& path);
@@ -45,7 +42,6 @@ class Output {
 
   std::filesystem::path path_;
   std::filesystem::path temporary_;
-  Renews renews_;
   int descriptor_ = -1;
 };
 

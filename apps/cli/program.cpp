@@ -7,6 +7,8 @@
 
 #include <array>
 #include <exception>
+#include <iterator>
+#include <utility>
 
 #include "cli/choice.hpp"
 #include "cli/files_in_use.hpp"
@@ -46,6 +48,15 @@ void complain(std::string_view program, std::string_view message) {
                   contact::detail::printable(message, message.npos)));
 }
 
+// The options that words name.
+std::vector<std::string_view> flags_in(std::string_view words) {
+  std::vector<std::string_view> flags;
+  for (const std::string_view word : split(words, " ,")) {
+    if (word.starts_with("--")) flags.push_back(word);
+  }
+  return flags;
+}
+
 // An empty text, as scripts pass it for a variable that is not set, must not
 // count as an option that was left out.
 void refuse_empty(const CLI::App& app) {
@@ -79,34 +90,8 @@ void refuse_control_characters(int argc, char** argv) {
   }
 }
 
-void add_table_options(CLI::App& app, TableStyle& style) {
-  app.add_option_function<std::string>(
-         "--format",
-         [&style](const std::string& name) {
-           style.format = choice("--format", name, formats);
-         },
-         "csv (default), json, markdown, latex")
-      ->option_text("NAME");
-  app.add_option("--columns", style.columns,
-                 "of the table, only these and in this order")
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->option_text("NAMES");
-  app.add_option_function<std::string>(
-         "--separator",
-         [&style](const std::string& text) {
-           style.separator = parse_separator(text);
-         },
-         "of CSV: ; | tab or a comma (default)")
-      ->option_text("CHAR");
-  app.add_flag("--decimal-comma", style.decimal_comma,
-               "0,5 for 0.5 in CSV, and ; for the separator")
-      ->option_text(" ");
-}
-
 // What they are of each other; sets the separator beside decimal commas.
-void settle_table_options(const CLI::App& app, TableStyle& style) {
-  const bool separator = app.count("--separator") > 0;
+void settle_table_options(bool separator, TableStyle& style) {
   if (style.format != Format::csv && (separator || style.decimal_comma)) {
     refuse_without(separator ? "--separator" : "--decimal-comma",
                    "--format csv");
@@ -130,89 +115,147 @@ OutputNames names_of(const OutputOptions& options) {
   return names;
 }
 
-void add_output_options(CLI::App& app, OutputOptions& options) {
-  app.option_defaults()->group("Output");
-  add_table_options(app, options);
-  app.add_option("--output", options.output,
-                 "file to write; default standard output")
-      ->option_text("FILE");
-  app.add_option_function<std::string>(
-         "--plot",
-         [&options](const std::string& file) {
-           check_picture_name("--plot", file);
-           options.plot = file;
-         },
-         "picture to draw: .svg, .png or .pdf")
-      ->option_text("FILE");
-  // Before anything is read, computed or said.
-  app.parse_complete_callback([&app, &options] {
-    settle_table_options(app, options);
-    OutputNames names;
-    names.add("--output", options.output.empty() ? "-" : options.output);
-    names.add("--plot", options.plot);
-  });
-}
+Program::Program(const std::string& does, const std::string& name)
+    : app_(std::make_unique<CLI::App>(does, name)) {}
 
-void add_jobs_option(CLI::App& app, OutputOptions& options) {
-  app.add_option_function<std::string>(
-         "--jobs",
-         [&options](const std::string& text) {
-           options.jobs = parse_count("--jobs", text, 1, 256);
-         },
-         "threads, 1 (default) to 256")
-      ->option_text("N")
-      ->group("Output");
-}
+Program::~Program() = default;
 
-CLI::Option* TextOptions::operator()(const char* name, std::string& value,
-                                     const char* what, const char* kind) const {
-  return app_.add_option(name, value, what)->option_text(kind);
-}
-
-void exclude(CLI::App& app, const char* option,
-             std::initializer_list<const char*> others) {
-  for (const char* other : others) {
-    app.get_option(option)->excludes(app.get_option(other));
+void Program::add(const std::string& group,
+                  const std::vector<Option>& options) {
+  const auto made = [this](const Option& o) {
+    if (const auto* flag = std::get_if<bool*>(&o.target)) {
+      return app_->add_flag(o.flag, **flag, o.meaning);
+    }
+    if (const auto* list = std::get_if<List>(&o.target)) {
+      return app_->add_option(o.flag, *list->texts, o.meaning)
+          ->delimiter(list->separator);
+    }
+    if (const auto* texts = std::get_if<Texts*>(&o.target)) {
+      return app_->add_option(o.flag, **texts, o.meaning);
+    }
+    if (const auto* text = std::get_if<std::string*>(&o.target)) {
+      return app_->add_option(o.flag, **text, o.meaning);
+    }
+    return app_->add_option_function<std::string>(
+        o.flag, std::get<Reader>(o.target), o.meaning);
+  };
+  for (const Option& option : options) {
+    CLI::Option* added = made(option)->group(group)->required(option.required);
+    added->option_text(*option.kind == 0 ? " " : option.kind);
+    if (std::holds_alternative<Texts*>(option.target)) {
+      added->allow_extra_args(false);
+    }
+    rows_.push_back(option);
   }
 }
 
-int run_program(CLI::App& app, int argc, char** argv,
-                const std::function<ExitStatus()>& body) {
-  app.option_defaults()->group("Options");
-  app.set_version_flag("--version",
-                       app.get_name() + " (libcontact) " + contact::version,
-                       "print the version");
-  app.set_help_flag("-h,--help", "print this help");
-  app.get_formatter()->column_width(26);
+void Program::add_output(OutputOptions& options) {
+  output_ = &options;
+  const Reader separator = [&options](const std::string& text) {
+    options.separator = parse_separator(text);
+  };
+  const Reader plot = [&options](const std::string& file) {
+    check_picture_name("--plot", file);
+    options.plot = file;
+  };
+  add("Output",
+      {{"--format", word("--format", options.format, formats), "NAME",
+        "csv (default), json, markdown, latex"},
+       {"--columns", List{&options.columns}, "NAMES",
+        "of the table, only these and in this order"},
+       {"--separator", separator, "CHAR",
+        "of CSV: ; | tab or a comma (default)"},
+       {"--decimal-comma", &options.decimal_comma, "",
+        "0,5 for 0.5 in CSV, and ; for the separator"},
+       {"--output", &options.output, "FILE",
+        "file to write; default standard output"},
+       {"--plot", plot, "FILE", "picture to draw: .svg, .png or .pdf"}});
+  app_->get_option("--columns")->allow_extra_args(false);
+}
+
+void Program::add_jobs(OutputOptions& options) {
+  add("Output", {{"--jobs", count("--jobs", options.jobs, 1, 256), "N",
+                  "threads, 1 (default) to 256"}});
+}
+
+void Program::describe(const char* flag, const char* meaning) {
+  app_->get_option(flag)->description(meaning);
+}
+
+void Program::add_check(std::function<void()> check) {
+  checks_.push_back(std::move(check));
+}
+
+bool Program::has(std::string_view flag) const {
+  return app_->count(std::string(flag)) > 0;
+}
+
+const std::string& Program::name() const { return app_->get_name(); }
+
+// Of two options that do not go together the one that was added first is said
+// to conflict with the other.
+void Program::check_rows() const {
+  std::vector<Option> given;
+  std::ranges::copy_if(rows_, std::back_inserter(given),
+                       [this](const Option& row) { return has(row.flag); });
+  const auto excludes = [](const Option& a, const Option& b) {
+    return std::ranges::count(flags_in(a.excludes), b.flag) > 0;
+  };
+  for (auto row = given.begin(); row != given.end(); ++row) {
+    for (auto later = row + 1; later != given.end(); ++later) {
+      if (excludes(*row, *later) || excludes(*later, *row)) {
+        refuse_beside(row->flag, later->flag);
+      }
+    }
+  }
+  for (const Option& row : given) {
+    for (const std::string_view needed : split(row.needs, ";")) {
+      const auto flags = flags_in(needed);
+      if (!flags.empty() && std::ranges::none_of(flags, [this](auto flag) {
+            return has(flag);
+          })) {
+        refuse_without(row.flag, needed.substr(needed.find('-')));
+      }
+    }
+  }
+}
+
+int Program::run(int argc, char** argv, const std::string& help,
+                 const std::function<ExitStatus()>& body) {
+  app_->option_defaults()->group("Options");
+  app_->set_version_flag("--version",
+                         name() + " (libcontact) " + contact::version,
+                         "print the version");
+  app_->set_help_flag("-h,--help", "print this help");
+  app_->get_formatter()->column_width(26);
+  app_->footer(help);
   try {
     open_missing_streams();
     note_reading();
     refuse_control_characters(argc, argv);
-    app.parse(argc, argv);
-    refuse_empty(app);
+    app_->parse(argc, argv);
+    for (const auto& check : checks_) check();
+    check_rows();
+    if (output_ != nullptr) {
+      // Before anything is read, computed or said.
+      settle_table_options(has("--separator"), *output_);
+      OutputNames names;
+      names.add("--output", output_->output.empty() ? "-" : output_->output);
+      names.add("--plot", output_->plot);
+    }
+    refuse_empty(*app_);
     const ExitStatus status = body();
-    note_thousands(app);
+    note_thousands(*app_);
     return status;
   } catch (const CLI::Success& request) {
-    return app.exit(request);          // --help, --version
+    return app_->exit(request);        // --help, --version
   } catch (const CLI::ExtrasError&) {  // whose text has them backwards
-    complain(app.get_name(),
-             fmt::format("not expected: {} (see {} --help)",
-                         fmt::join(app.remaining(), " "), app.get_name()));
-  } catch (const CLI::ExcludesError& error) {  // "A excludes B"
-    std::string text = error.what();
-    constexpr std::string_view excludes = " excludes ";
-    const std::size_t at = text.find(excludes);
-    complain(app.get_name(),
-             contact::detail::conflicts(text.substr(0, at),
-                                        text.substr(at + excludes.size())));
-  } catch (const CLI::RequiresError& error) {
-    complain(app.get_name(), error.what());
+    complain(name(), fmt::format("not expected: {} (see {} --help)",
+                                 fmt::join(app_->remaining(), " "), name()));
   } catch (const CLI::ParseError& error) {
-    complain(app.get_name(),
-             fmt::format("{} (see {} --help)", error.what(), app.get_name()));
+    complain(name(), fmt::format("{} (see {} --help)", error.what(), name()));
   } catch (const std::exception& error) {
-    complain(app.get_name(), error.what());
+    complain(name(), error.what());
   }
   return failed;
 }

@@ -1,16 +1,17 @@
 #pragma once
 
 #include <functional>
-#include <initializer_list>
+#include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "cli/option.hpp"
 #include "cli/output_names.hpp"
 #include "cli/table.hpp"
 
 namespace CLI {
 class App;
-class Option;
 }  // namespace CLI
 
 namespace cli {
@@ -45,38 +46,53 @@ struct OutputOptions : TableStyle {
 /// @throws contact::Error as OutputNames::keep() does
 OutputNames names_of(const OutputOptions& options);
 
-/// Adds --output, --plot, --format and the other options of tables to a
-/// program. That the files can be made is found out with the command line; then
-/// come what else is refused, warnings, and the work.
-void add_output_options(CLI::App& app, OutputOptions& options);
-/// Adds --jobs.
-void add_jobs_option(CLI::App& app, OutputOptions& options);
-
-/// Adds options that take a text: what it is, and what --help calls it.
-class TextOptions {
+/// The command line of a program: options in groups.
+class Program {
  public:
-  explicit TextOptions(CLI::App& app) : app_(app) {}
-  CLI::Option* operator()(const char* name, std::string& value,
-                          const char* what, const char* kind) const;
+  /// @param does  what it does, for --help
+  Program(const std::string& does, const std::string& name);
+  ~Program();
+  Program(const Program&) = delete;
+  Program& operator=(const Program&) = delete;
+
+  /// Adds rows of options.
+  /// @param group  their heading in --help
+  void add(const std::string& group, const std::vector<Option>& options);
+  /// Adds --output, --plot, --format and the other options of tables. That the
+  /// files can be made is found out with the command line; then come what else
+  /// is refused, warnings, and the work.
+  void add_output(OutputOptions& options);
+  /// Adds --jobs.
+  void add_jobs(OutputOptions& options);
+  /// Gives an option another meaning in --help.
+  void describe(const char* flag, const char* meaning);
+  /// What is to be looked at before what options need and exclude.
+  void add_check(std::function<void()> check);
+
+  /// Whether an option is on the command line.
+  bool has(std::string_view flag) const;
+  const std::string& name() const;
+
+  /// Sets up --help and --version, reads the command line and runs `body`,
+  /// which returns an ExitStatus; turns exceptions into the one message
+  /// "NAME: ..." on standard error and `failed`.
+  /// @param help  what --help says below the options
+  int run(int argc, char** argv, const std::string& help,
+          const std::function<ExitStatus()>& body);
 
  private:
-  CLI::App& app_;
-};
+  void check_rows() const;
 
-/// Has an option conflict with others.
-void exclude(CLI::App& app, const char* option,
-             std::initializer_list<const char*> others);
+  std::unique_ptr<CLI::App> app_;
+  std::vector<Option> rows_;
+  std::vector<std::function<void()>> checks_;
+  OutputOptions* output_ = nullptr;
+};
 
 /// What a program ends with that has drawn a picture: `status`, or with a
 /// problem, of which it warns, some_bad.
 ExitStatus drawn(std::string_view program, const std::string& problem,
                  ExitStatus status);
-
-/// Sets up --help and --version, reads the command line and runs `body`,
-/// which returns an ExitStatus; turns exceptions into the one message
-/// "NAME: ..." on standard error and `failed`.
-int run_program(CLI::App& app, int argc, char** argv,
-                const std::function<ExitStatus()>& body);
 
 /// A message that is no error: "PROGRAM: warning: ..." on standard error.
 void warn(std::string_view program, std::string_view message);

@@ -85,6 +85,17 @@ std::optional<double> read_quantity(std::string_view option,
   return unit == plain ? *number : plain->from_si(unit->to_si(*number));
 }
 
+contact::KeySetting quantity_key(std::string_view option, std::string_view text,
+                                 std::string_view key, Dimension dimension) {
+  std::string_view rest = text;
+  const auto number = take_number(rest);
+  const Unit* unit =
+      is_blank(rest) ? plain_unit(dimension) : find_unit(rest, dimension);
+  if (!number || unit == nullptr) refuse(option, text, unit_rule(dimension));
+  return {fmt::format("{}_{}", key, unit->ending), number_text(*number),
+          given(option, text)};
+}
+
 void refuse_some_units(std::string_view option, std::string_view text) {
   bool with = false;
   bool without = false;
@@ -168,15 +179,6 @@ std::array<double, 3> parse_vector(std::string_view option,
   if (!good) refuse(option, text, fmt::format("X,Y,Z, {}", what));
   if (dimension != Dimension::number) refuse_some_units(option, text);
   return vector;
-}
-
-double parse_length(std::string_view option, std::string_view text) {
-  const auto length = read_quantity(option, text, Dimension::length);
-  if (!length || !std::isfinite(*length)) {
-    refuse(option, text, unit_rule(Dimension::length));
-  }
-  if (*length <= 0) refuse(option, text, "above 0");
-  return *length;
 }
 
 }  // namespace cli

@@ -8,6 +8,7 @@
 
 #include "cli/number.hpp"
 #include "libcontact/files/dimension.hpp"
+#include "libcontact/files/setting.hpp"
 
 /// Numbers of options, with units or without: "2kN", "30 deg", "1.5". Units are
 /// those of the keys of files; "N/m" and "N_per_m" are one, and so are "N_m",
@@ -27,6 +28,13 @@ double parse_quantity(std::string_view option, std::string_view text,
 std::optional<double> read_quantity(std::string_view option,
                                     std::string_view text,
                                     contact::Dimension dimension);
+
+/// A number as the key of a file that measures this: KEY_UNIT = NUMBER, which
+/// says that it is from OPTION TEXT. Its range is left to who reads the key.
+/// Throws contact::Error for what is no number with such a unit.
+contact::KeySetting quantity_key(std::string_view option, std::string_view text,
+                                 std::string_view key,
+                                 contact::Dimension dimension);
 
 /// Throws contact::Error if some numbers of a list or range have units and
 /// others, which are not 0, have none: "1:10:1kN" says too little.
@@ -59,9 +67,5 @@ int parse_count(std::string_view option, std::string_view text, int min,
 std::array<double, 3> parse_vector(
     std::string_view option, std::string_view text, std::string_view what,
     contact::Dimension dimension = contact::Dimension::number);
-
-/// A length in m from "0.05", "0.05m", "50mm" or "2in". Throws contact::Error
-/// for anything else and for a length that is not positive and finite.
-double parse_length(std::string_view option, std::string_view text);
 
 }  // namespace cli

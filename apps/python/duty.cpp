@@ -48,7 +48,7 @@ class Cycle {
   const JointCycle& on() const { return on_; }
   // rho |Dw|, m/s.
   double rim_speed(const CycleInstant& i) const {
-    return contact().geometry().radius() * i.state.rate.norm();
+    return contact().geometry().radius() * i.state.angular_velocity.norm();
   }
   const contact::JointContact& contact() const { return on_.contact(); }
 

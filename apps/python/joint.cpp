@@ -87,10 +87,9 @@ Answers<JointSolution> solve_contact(const FileJoint& self,
       });
 }
 
-Answers<RestSolution> utilisation(const FileJoint& self,
-                                  const Numbers& reaction,
-                                  const Numbers& moment,
-                                  const std::optional<Numbers>& axis) {
+Answers<RestSolution> at_rest(const FileJoint& self, const Numbers& reaction,
+                              const Numbers& moment,
+                              const std::optional<Numbers>& axis) {
   const contact::Joint& joint = self.joint();
   const Vector3d none = Vector3d::Zero();
   contact::LargestContact largest;
@@ -99,7 +98,7 @@ Answers<RestSolution> utilisation(const FileJoint& self,
        {"moment", moment, 3},
        axis ? Argument("axis", *axis, 3) : Argument(none)},
       [&](const double* const* at) {
-        const RestSolution s = joint.utilisation(
+        const RestSolution s = joint.at_rest(
             {vector_at(at[0]), vector_at(at[1]), vector_at(at[2])});
         largest.add(s.slip.half_angle, s.slip.peak_pressure);
         return s;
@@ -199,9 +198,9 @@ place it is the traditional estimate.
 
 normal_force: R_n n on the body, N, (..., 3).
 angular_velocity, axis: as in solve().)");
-  type.def("utilisation", &utilisation, py::arg("reaction"), py::arg("moment"),
+  type.def("at_rest", &at_rest, py::arg("reaction"), py::arg("moment"),
            py::kw_only(), keyword_axis,
-           R"(utilisation(self, reaction, moment, *, axis=None)
+           R"(at_rest(self, reaction, moment, *, axis=None)
 --
 
 Whether the joint rests under a reaction while friction supplies a moment, and
@@ -266,7 +265,7 @@ void bind_joint(py::module_& m) {
                "What Joint.solve() returns, and Joint.solve_contact().");
   bind_answers(m, "RestSolution",
                std::span<const Field<RestSolution>>(rest_fields),
-               "What Joint.utilisation() returns.");
+               "What Joint.at_rest() returns.");
   bind_answers(m, "Rating", rating_fields(), "What Joint.pv() returns.");
   py::class_<FileJoint> type(m, "Joint");
   type.def(py::init([](const std::string& text, const std::string& source,

@@ -34,11 +34,16 @@ Vector3d vector(const double* first, std::ptrdiff_t stride, std::size_t i) {
   return v;
 }
 
-static_assert(std::is_trivially_copyable_v<SlipMemory> &&
-              sizeof(SlipMemory) == sizeof(contact_solution::memory));
+// What the next solution starts from: of the reaction angle the accurate form.
+struct Memory {
+  JointSolution::Memory slip;
+  SineCosine reaction;
+};
+static_assert(std::is_trivially_copyable_v<Memory> &&
+              sizeof(Memory) == sizeof(contact_solution::memory));
 
-SlipMemory memory_of(const contact_solution& s) {
-  SlipMemory memory;
+Memory memory_of(const contact_solution& s) {
+  Memory memory;
   std::memcpy(&memory, s.memory, sizeof memory);
   return memory;
 }
@@ -79,12 +84,9 @@ void put(contact_solution& to, const JointSolution& s) {
   put(to.friction_moment, s.friction_moment);
   put(to.slip_velocity, s.slip_velocity);
   to.power = s.power;
-  to.reaction_angle[0] = s.reaction_direction.sin;
-  to.reaction_angle[1] = s.reaction_direction.cos;
-  to.friction_angle[0] = s.friction_direction.sin;
-  to.friction_angle[1] = s.friction_direction.cos;
-  to.slip_axis_angle[0] = s.slip_axis.sin;
-  to.slip_axis_angle[1] = s.slip_axis.cos;
+  to.reaction_angle = s.reaction_angle();
+  to.friction_angle = s.friction_angle();
+  to.slip_axis_angle = s.slip_axis_angle();
   to.force_coefficient = s.force_coefficient;
   to.sliding_coefficient = s.sliding_coefficient;
   to.spinning_coefficient = s.spinning_coefficient;
@@ -93,13 +95,17 @@ void put(contact_solution& to, const JointSolution& s) {
   to.half_angle = s.half_angle;
   to.peak_pressure = s.peak_pressure;
   to.contact_area = s.contact_area;
-  std::memcpy(to.memory, &s.memory, sizeof to.memory);
+  const Memory memory{s.memory, s.reaction_direction};
+  std::memcpy(to.memory, &memory, sizeof to.memory);
 }
 
 // What a solution starts from.
 JointSolution start_of(const contact_solution* last) {
   JointSolution s;
-  if (last) s.memory = memory_of(*last);
+  if (!last) return s;
+  const Memory memory = memory_of(*last);
+  s.memory = memory.slip;
+  s.reaction_direction = memory.reaction;
   return s;
 }
 
@@ -180,8 +186,6 @@ RestSolution start_of(const contact_rest& last) {
   rest.slip = start_of(&last.slip);
   rest.slip.status =
       last.slip.status == CONTACT_OK ? Status::ok : Status::not_converged;
-  rest.slip.reaction_direction = {last.slip.reaction_angle[0],
-                                  last.slip.reaction_angle[1]};
   return rest;
 }
 
@@ -236,23 +240,23 @@ contact_status contact_joint_solve_rows(const contact_joint* joint,
   });
 }
 
-contact_status contact_joint_utilisation(const contact_joint* joint,
-                                         const contact_hold* hold,
-                                         const contact_rest* last,
-                                         contact_rest* rest) {
+contact_status contact_joint_at_rest(const contact_joint* joint,
+                                     const contact_hold* hold,
+                                     const contact_rest* last,
+                                     contact_rest* rest) {
   return call([=] {
-    const Joint& j = given(joint, "contact_joint_utilisation: joint").joint;
-    const contact_hold& h = given(hold, "contact_joint_utilisation: hold");
-    contact_rest& to = given(rest, "contact_joint_utilisation: rest");
+    const Joint& j = given(joint, "contact_joint_at_rest: joint").joint;
+    const contact_hold& h = given(hold, "contact_joint_at_rest: hold");
+    contact_rest& to = given(rest, "contact_joint_at_rest: rest");
     const Joint::Hold holds = {vector(h.reaction), vector(h.moment),
                                vector(h.axis)};
     const RestSolution found =
-        last ? j.utilisation(holds, start_of(*last)) : j.utilisation(holds);
+        last ? j.at_rest(holds, start_of(*last)) : j.at_rest(holds);
     to.status = contact::c::status_of(found.status);
     to.solves = found.solves;
     to.utilisation = found.utilisation;
     put(to.direction, found.direction);
     put(to.slip, found.slip);
-    return reported(to.status, "contact_joint_utilisation");
+    return reported(to.status, "contact_joint_at_rest");
   });
 }

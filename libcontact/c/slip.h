@@ -33,11 +33,9 @@ typedef struct contact_solution {
   double slip_velocity[3];   /* at the contact's centre, m/s */
   double power;              /* M_t . Dw, W, never positive */
 
-  /* Sine and cosine of three angles: b of R and Dw, the friction angle g, the
-   * slip axis angle a. b = atan2(reaction_angle[0], reaction_angle[1]). */
-  double reaction_angle[2];
-  double friction_angle[2];
-  double slip_axis_angle[2];
+  double reaction_angle;  /* b of R and Dw, rad, [0, pi] */
+  double friction_angle;  /* g, rad, [0, pi/2], tan g = R_t/R_n */
+  double slip_axis_angle; /* a, rad, [-pi/2, pi/2] */
 
   double force_coefficient;    /* R_t/R_n = f */
   double sliding_coefficient;  /* moment normal to n over -rho R_n */
@@ -49,7 +47,7 @@ typedef struct contact_solution {
   double peak_pressure;  /* Pa */
   double contact_area;   /* m^2 */
 
-  double memory[13]; /* for the next solution, which starts from this one */
+  double memory[15]; /* for the next solution, which starts from this one */
 } contact_solution;
 
 typedef struct contact_slip {
@@ -107,10 +105,10 @@ typedef struct contact_rest {
 /* Whether the joint rests under R while holding M. A viscous joint holds
  * nothing: its utilisation is infinite.
  * last: as above. */
-contact_status contact_joint_utilisation(const contact_joint* joint,
-                                         const contact_hold* hold,
-                                         const contact_rest* last,
-                                         contact_rest* rest);
+contact_status contact_joint_at_rest(const contact_joint* joint,
+                                     const contact_hold* hold,
+                                     const contact_rest* last,
+                                     contact_rest* rest);
 
 #ifdef __cplusplus
 }

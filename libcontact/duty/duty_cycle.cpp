@@ -90,8 +90,8 @@ Quaterniond TurnSequence::turn(const Vector3d& angles) const {
   return turn;
 }
 
-Vector3d TurnSequence::rate(const Vector3d& angles,
-                            const Vector3d& angle_rates) const {
+Vector3d TurnSequence::angular_velocity(const Vector3d& angles,
+                                        const Vector3d& angle_rates) const {
   Quaterniond turn = Quaterniond::Identity();
   Vector3d rate = Vector3d::Zero();
   for (std::size_t i = 0; i < axes_.size(); ++i) {
@@ -141,7 +141,7 @@ Quaterniond DutyCycle::turned(Quaterniond turn, double from, double to) const {
 CycleState DutyCycle::at(double time) const {
   CycleState state;
   const Vector3d motion = motion_.value(time);
-  state.rate = rate(time);
+  state.angular_velocity = angular_velocity(time);
   if (sequence_) {
     state.turn = sequence_->turn(motion);
   } else {
@@ -162,9 +162,10 @@ CycleState DutyCycle::at(double time) const {
   return state;
 }
 
-Vector3d DutyCycle::rate(double time) const {
+Vector3d DutyCycle::angular_velocity(double time) const {
   const Vector3d motion = motion_.value(time);
-  return sequence_ ? sequence_->rate(motion, motion_.slope(time)) : motion;
+  return sequence_ ? sequence_->angular_velocity(motion, motion_.slope(time))
+                   : motion;
 }
 
 // Ends of intervals at the least values of |Dw| that are 0 or small. Near one
@@ -177,7 +178,7 @@ std::vector<double> DutyCycle::reversals(bool is_pin) const {
   // error is the square of the share.
   constexpr double kink = 1e-6;
   const auto vector = [&](double time) {
-    const Vector3d all = rate(time);
+    const Vector3d all = angular_velocity(time);
     return is_pin ? Vector3d(0, 0, all.z()) : all;
   };
   std::vector<double> found;

@@ -25,8 +25,8 @@ class TurnSequence {
   /// @param angles  rad; those behind the last axis count for nothing
   Eigen::Quaterniond turn(const Eigen::Vector3d& angles) const;
   /// Dw in carrier axes: q1' e_a1 + q2' R_a1 e_a2 + q3' R_a1 R_a2 e_a3.
-  Eigen::Vector3d rate(const Eigen::Vector3d& angles,
-                       const Eigen::Vector3d& angle_rates) const;
+  Eigen::Vector3d angular_velocity(const Eigen::Vector3d& angles,
+                                   const Eigen::Vector3d& angle_rates) const;
 
  private:
   std::vector<Eigen::Vector3d> axes_;
@@ -35,8 +35,9 @@ class TurnSequence {
 /// A joint at one time of a cycle.
 struct CycleState {
   Eigen::Vector3d reaction;  ///< R on the body, carrier axes, N
-  Eigen::Vector3d rate;      ///< Dw, body against carrier, carrier axes, rad/s
-  Eigen::Quaterniond turn;   ///< from the body's axes to the carrier's
+  Eigen::Vector3d
+      angular_velocity;     ///< Dw, body against carrier, carrier axes, rad/s
+  Eigen::Quaterniond turn;  ///< from the body's axes to the carrier's
 };
 
 /// How forces were measured.
@@ -77,7 +78,7 @@ class DutyCycle {
  private:
   Eigen::Quaterniond turned(Eigen::Quaterniond turn, double from,
                             double to) const;
-  Eigen::Vector3d rate(double time) const;
+  Eigen::Vector3d angular_velocity(double time) const;
   std::vector<double> reversals(bool is_pin) const;
 
   PeriodicSpline forces_;

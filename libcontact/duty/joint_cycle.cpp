@@ -35,7 +35,7 @@ CycleInstant JointCycle::at(double time) const noexcept {
   CycleInstant instant{time, 0, cycle_.at(time), {}};
   const CycleState& state = instant.state;
   instant.solution = joint_.solve({.reaction = state.reaction,
-                                   .angular_velocity = state.rate,
+                                   .angular_velocity = state.angular_velocity,
                                    .axis = Eigen::Vector3d::UnitZ()});
   return instant;
 }

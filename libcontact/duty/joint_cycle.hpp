@@ -36,7 +36,7 @@ class JointCycle {
   /// Its solution has the status out_of_range where the laws have no value.
   CycleInstant at(double time) const noexcept;
   SlidingContact sliding(const CycleInstant& instant) const& noexcept {
-    return {contact(), instant.solution, instant.state.rate};
+    return {contact(), instant.solution, instant.state.angular_velocity};
   }
 
   /// Would refer to a joint that is gone.

@@ -64,10 +64,10 @@ double flat_peak(double n, double k) {
 
 SlidingContact::SlidingContact(const JointContact& contact,
                                const JointSolution& solution,
-                               const Vector3d& rate) noexcept
+                               const Vector3d& angular_velocity) noexcept
     : contact_(&contact),
       profile_(contact.pressure_law(), solution.half_angle),
-      rate_(rate),
+      angular_velocity_(angular_velocity),
       half_angle_(solution.half_angle),
       normal_force_(solution.normal_force),
       axis_{std::abs(solution.slip_axis.sin), solution.slip_axis.cos} {
@@ -76,7 +76,7 @@ SlidingContact::SlidingContact(const JointContact& contact,
   const bool is_carrier = geometry.inner_body() == JointBody::carrier;
   centre_ = is_carrier ? solution.normal : Vector3d(-solution.normal);
   pressure_unit_ = contact.pressure_unit(normal_force_);
-  rim_speed_ = rho * rate.stableNorm();
+  rim_speed_ = rho * angular_velocity.stableNorm();
   if (const auto* dry = std::get_if<FrictionLaw>(&contact.friction())) {
     heat_stress_ = {dry->coefficient(), dry->adhesion(), 1};
   } else if (const auto* viscous =
@@ -141,8 +141,8 @@ void SlidingContact::add_totals(const JointSolution& s) noexcept {
     return;
   }
   const FrictionIntegrals i = contact.integrals(
-      half_angle_, axis_, {normal_force_, rate_.stableNorm()});
-  const auto strength = contact.strength(rate_.stableNorm());
+      half_angle_, axis_, {normal_force_, angular_velocity_.stableNorm()});
+  const auto strength = contact.strength(angular_velocity_.stableNorm());
   heat_ = rim_speed_ * (strength.pressure_part * normal_force_ *
                             about(i.coefficient, axis_) +
                         strength.area_part * about(i.area, axis_));
@@ -160,7 +160,7 @@ double SlidingContact::pressure(const Vector3d& place) const noexcept {
 }
 
 Vector3d SlidingContact::slip(const Vector3d& place) const noexcept {
-  return contact_->geometry().radius() * rate_.cross(place);
+  return contact_->geometry().radius() * angular_velocity_.cross(place);
 }
 
 double SlidingContact::pv(const Vector3d& place) const noexcept {
@@ -246,7 +246,7 @@ ContactPeak SlidingContact::largest_of_stress() const noexcept {
 ContactPeak SlidingContact::peak_at(double theta, double value) const noexcept {
   const double cosine = std::cos(theta);
   const double sine = std::sin(theta);
-  const Vector3d w = rate_.stableNormalized();
+  const Vector3d w = angular_velocity_.stableNormalized();
   if (theta == 0) return {value, 0, centre_};
   // Away from Dw; of a pin round it.
   const Vector3d across = centre_.cross(w);

@@ -31,9 +31,9 @@ struct ContactPeak {
 class SlidingContact {
  public:
   /// @param solution  of a joint with this contact
-  /// @param rate      Dw of that solution, rad/s
+  /// @param angular_velocity  Dw of that solution, rad/s
   SlidingContact(const JointContact& contact, const JointSolution& solution,
-                 const Eigen::Vector3d& rate) noexcept;
+                 const Eigen::Vector3d& angular_velocity) noexcept;
   SlidingContact(const JointContact&&, const JointSolution&,
                  const Eigen::Vector3d&) = delete;
 
@@ -104,7 +104,7 @@ class SlidingContact {
 
   const JointContact* contact_;
   detail::PressureProfile profile_;
-  Eigen::Vector3d rate_;
+  Eigen::Vector3d angular_velocity_;
   Eigen::Vector3d centre_;
   double half_angle_;
   double normal_force_;

@@ -53,12 +53,12 @@ WearMap::WearMap(const JointCycle& cycle, JointBody body)
     const Eigen::Quaterniond to_body = body == JointBody::body
                                            ? node.state.turn.conjugate()
                                            : Eigen::Quaterniond::Identity();
-    instants_.push_back(
-        {{cycle.contact().pressure_law(), s.half_angle},
-         to_body * cycle.sliding(node).centre(),
-         2 * std::sin(s.half_angle / 2),
-         node.weight * geometry_.radius() * (to_body * node.state.rate),
-         cycle.contact().pressure_unit(s.normal_force)});
+    instants_.push_back({{cycle.contact().pressure_law(), s.half_angle},
+                         to_body * cycle.sliding(node).centre(),
+                         2 * std::sin(s.half_angle / 2),
+                         node.weight * geometry_.radius() *
+                             (to_body * node.state.angular_velocity),
+                         cycle.contact().pressure_unit(s.normal_force)});
   }
 }
 

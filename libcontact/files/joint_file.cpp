@@ -267,12 +267,16 @@ Material read_material(const std::filesystem::path& path) {
   return material_from_table(TomlTable::from_file(path, material_keys()));
 }
 
-JointSpec joint_from_table(const TomlTable& table) {
+namespace {
+
+// Of these materials, or of those that the table has.
+JointSpec joint_of(const TomlTable& table, const MaterialPair* known) {
   std::string name = table.text("name");
   const TomlTable size = table.table("geometry");
   const auto fit = fit_from_table(size);
   const JointGeometry geometry = geometry_from_table(table, size, fit);
-  const MaterialPair materials = materials_from_table(table);
+  const MaterialPair materials =
+      known != nullptr ? *known : materials_from_table(table);
   // The law that takes long to make; it is for all joints.
   constexpr std::string_view exact = "exact";
   JointSpec joint{
@@ -328,6 +332,12 @@ JointSpec joint_from_table(const TomlTable& table) {
   return joint;
 }
 
+}  // namespace
+
+JointSpec joint_from_table(const TomlTable& table) {
+  return joint_of(table, nullptr);
+}
+
 KnownKeys joint_keys() {
   KnownKeys keys = {
       {"name"},
@@ -356,8 +366,8 @@ KnownKeys joint_keys() {
   return keys;
 }
 
-JointSpec joint_of_file(const TomlTable& file) {
-  JointSpec joint = joint_from_table(file);
+JointSpec joint_of_file(const TomlTable& file, const MaterialPair* materials) {
+  JointSpec joint = joint_of(file, materials);
   file.refuse_idle();
   return joint;
 }

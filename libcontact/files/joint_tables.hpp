@@ -1,5 +1,6 @@
 #pragma once
 
+#include "libcontact/files/joint_file.hpp"
 #include "libcontact/files/toml_reader.hpp"
 #include "libcontact/joint/spec.hpp"
 
@@ -10,7 +11,9 @@ namespace contact {
 /// Paths are relative to the folder of the table's file.
 JointSpec joint_from_table(const TomlTable& table);
 /// A joint that is all of a file with joint_keys().
-JointSpec joint_of_file(const TomlTable& file);
+/// @param materials  those of a file that has no [materials]
+JointSpec joint_of_file(const TomlTable& file,
+                        const MaterialPair* materials = nullptr);
 /// All keys that a joint may have.
 KnownKeys joint_keys();
 

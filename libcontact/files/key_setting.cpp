@@ -184,10 +184,14 @@ bool put(toml::table& table, const Step& leaf, const KnownKeys* keys,
 
 }  // namespace
 
+std::string setting_text(const KeySetting& setting) {
+  if (!setting.origin.empty()) return printable(setting.origin);
+  return message("{} = {}", printable(setting.key), printable(setting.value));
+}
+
 KeyPlace set_key(toml::table& file, const KnownKeys& keys,
                  const KeySetting& setting) {
-  const std::string text =
-      message("{} = {}", printable(setting.key), printable(setting.value));
+  const std::string text = setting_text(setting);
   const auto refuse = [&] {
     throw Error(must_be(text,
                         "a key of the file: TABLE.KEY, TABLE[NUMBER].KEY or "

@@ -18,6 +18,10 @@ struct KeyPlace {
   std::string place;
 };
 
+/// What messages call it: where it is from, else "KEY = VALUE". Nodes that it
+/// has made have this for their source.
+std::string setting_text(const KeySetting& setting);
+
 /// Gives a key of a file another value, as KeySetting says. Tables that are
 /// missing are made; keys that are not known are left for others to refuse.
 /// Throws Error "KEY = VALUE must be ..." if it leads to no table.

@@ -102,7 +102,12 @@ void Stranger::look_for(const toml::node& in, const KnownKeys& keys,
     });
     if (found == known.end()) {
       std::vector<std::string> names;
-      for (const KnownKey* k : known) names.emplace_back(k->key);
+      for (const KnownKey* k : known) {
+        // Keys of several kinds are there once for each.
+        if (std::ranges::find(names, k->key) == names.end()) {
+          names.emplace_back(k->key);
+        }
+      }
       note(value, unknown("key", joined(path, printable(key)),
                           meant_by(key, *table, known), names));
     } else if (read != nullptr && !read->contains(&value)) {

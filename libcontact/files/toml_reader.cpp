@@ -59,16 +59,29 @@ struct TomlTable::File {
   mutable std::set<const toml::node*> read = {};
   // By the table that names the file.
   std::map<const toml::table*, KeySettings> for_files = {};
+  // What nodes are from that need no other name.
+  std::set<std::string> origins = {};
 
+  const std::string* origin(const toml::node& node) const {
+    const auto& from = node.source().path;
+    return from && origins.contains(*from) ? from.get() : nullptr;
+  }
   // "FILE:LINE: ", or "FILE with KEY: " of what a setting has put there. Nodes
   // that are copies of others know no line.
   std::string at(const toml::node& node) const {
+    if (const auto* from = origin(node)) return *from + ": ";
     if (source.empty()) return "";
     if (const auto& setting = node.source().path) {
       return detail::message("{} with {}: ", source, *setting);
     }
     if (cache) return source + ": ";
     return detail::message("{}:{}: ", source, detail::line_of(node));
+  }
+  // "FILE:LINE: NAME = VALUE", or its origin.
+  std::string subject(const toml::node& node, const std::string& name,
+                      const toml::node& value) const {
+    if (const auto* from = origin(node)) return *from;
+    return at(node) + detail::named(name, value);
   }
   void refuse(detail::Stranger strange) const {
     strange.look_for(root, *keys, "");
@@ -91,8 +104,8 @@ struct TomlTable::Entry {
   // Of what stands at `index` of its array: "[3]", "[2][1]".
   [[noreturn]] void must_be(const toml::node& value, const std::string& index,
                             std::string_view rule) const {
-    throw Error(file->at(*node) +
-                detail::must_be(detail::named(name + index, value), rule));
+    throw Error(
+        detail::must_be(file->subject(*node, name + index, value), rule));
   }
 
   // `index` makes the place in an array for a message: "[3]", "[2][1]".
@@ -189,14 +202,15 @@ TomlTable TomlTable::of(Parsed parsed, const std::string& source,
   for (const KeySetting& setting : settings) {
     const auto [table, rest, place] =
         detail::set_key(file->root, *file->keys, setting);
+    if (!setting.origin.empty()) {
+      file->origins.insert(detail::setting_text(setting));
+    }
     if (table != nullptr) {
-      file->for_files[table].push_back({rest, setting.value});
+      file->for_files[table].push_back({rest, setting.value, setting.origin});
     } else if (const auto [other, is_new] = keys.emplace(place, setting.key);
                !is_new) {
       throw RepeatedSetting(detail::conflicts(
-          detail::message("{} = {}", detail::printable(setting.key),
-                          detail::printable(setting.value)),
-          detail::printable(other->second)));
+          detail::setting_text(setting), detail::printable(other->second)));
     }
   }
   file->refuse({});
@@ -374,8 +388,7 @@ std::vector<TomlTable> TomlTable::tables(std::string_view key) const {
 // "FILE:LINE: TABLE.KEY = VALUE", as much of it as there is.
 std::string TomlTable::subject(std::string_view key) const {
   const auto entry = find(key);
-  return entry ? file_->at(*entry->node) +
-                     detail::named(entry->name, *entry->node)
+  return entry ? file_->subject(*entry->node, entry->name, *entry->node)
                : file_->at(as_table(table_)) +
                      detail::joined(path_, std::string(key));
 }
@@ -393,16 +406,22 @@ void TomlTable::fail(std::string_view key, std::string_view message) const {
 }
 
 void TomlTable::needs(std::string_view other) const {
-  throw Error(file_->at(as_table(table_)) +
-              detail::needs(path_.empty() ? "the file" : path_, other));
+  const toml::table& table = as_table(table_);
+  const auto* from = file_->origin(table);
+  throw Error(detail::needs(
+      from != nullptr ? *from
+                      : file_->at(table) + (path_.empty() ? "the file" : path_),
+      other));
 }
 
 void TomlTable::refuse_both(std::string_view key,
                             std::string_view other) const {
   const auto entry = find(other);
   if (!entry || !has(key)) return;
-  throw Error(detail::conflicts(subject(key), entry->name,
-                                detail::line_of(*entry->node)));
+  const auto* from = file_->origin(*entry->node);
+  throw Error(
+      detail::conflicts(subject(key), from != nullptr ? *from : entry->name,
+                        from != nullptr ? 0 : detail::line_of(*entry->node)));
 }
 
 void TomlTable::refuse_idle() const { file_->refuse({&file_->read}); }

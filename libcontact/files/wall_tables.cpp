@@ -38,8 +38,8 @@ Layer first_layer(const TomlTable& table, double radius,
   }
   if (std::isinf(outer.youngs_modulus)) {
     table.needs(
-        "youngs_modulus: the outer body of the materials is rigid, a "
-        "layer is elastic");
+        "an elastic outer body, or a youngs_modulus of its own: that of the "
+        "materials is rigid");
   }
   return {thickness_from_table(table, radius), outer};
 }

@@ -59,7 +59,7 @@ class ExactLaw final : public HalfAngleLaw {
   /// Of a ball that is not loaded through the back, and of a pin whose wall has
   /// a backing other than an infinite body; NaN of others. From a table of its
   /// own, which the first call makes by 40 to 192 solutions; any thread.
-  /// Accuracy (half_angle/exact_test.cpp, walls_test.cpp): both within 2e-7 of
+  /// Accuracy (half_angle/exact_test.cpp): both within 2e-7 of
   /// the solver, with walls 2e-8.
   ContactApproach approach(double half_angle) const override;
   /// A note if the solver does not reach the limit half-angle.

@@ -29,9 +29,10 @@ bool is_good(const MeasuredMoment& datum) {
   const bool finite = datum.is_vector()
                           ? std::get<Eigen::Vector3d>(datum.moment).allFinite()
                           : std::isfinite(std::get<double>(datum.moment));
-  return finite && datum.reaction.allFinite() && datum.rate.allFinite() &&
-         !datum.reaction.isZero(0) && !datum.rate.isZero(0) &&
-         datum.sigma > 0 && std::isfinite(datum.sigma);
+  return finite && datum.reaction.allFinite() &&
+         datum.angular_velocity.allFinite() && !datum.reaction.isZero(0) &&
+         !datum.angular_velocity.isZero(0) && datum.sigma > 0 &&
+         std::isfinite(datum.sigma);
 }
 
 // Numbers of a point.
@@ -240,8 +241,9 @@ class Identification {
     fit.joint = model_.joint_at(best.point);
     const Joint joint(*fit.joint);
     for (const MeasuredMoment& datum : data_) {
-      const JointSolution s = joint.solve(
-          {.reaction = datum.reaction, .angular_velocity = datum.rate});
+      const JointSolution s =
+          joint.solve({.reaction = datum.reaction,
+                       .angular_velocity = datum.angular_velocity});
       fit.largest_contact.add(s.half_angle, s.peak_pressure);
     }
     describe_trends(best, fit);
@@ -263,11 +265,11 @@ class Identification {
     for (const MeasuredMoment& datum : data_) {
       const int size = datum.size();
       const double force = datum.reaction.stableNorm();
-      const double speed = datum.rate.stableNorm();
+      const double speed = datum.angular_velocity.stableNorm();
       load.segment(at, size).setConstant(std::log(force));
       rate.segment(at, size).setConstant(speed);
       direction.segment(at, size).setConstant(
-          angle_between(datum.reaction, datum.rate));
+          angle_between(datum.reaction, datum.angular_velocity));
       at += size;
     }
     // Those that count little by Huber's loss count little here.
@@ -345,8 +347,9 @@ FrictionFit identify_friction(const JointContact& joint,
 
 Estimate predicted_moment(const FrictionFit& fit,
                           const Eigen::Vector3d& reaction,
-                          const Eigen::Vector3d& rate, double level) {
-  const MeasuredMoment state{reaction, rate, 0.0, 1};
+                          const Eigen::Vector3d& angular_velocity,
+                          double level) {
+  const MeasuredMoment state{reaction, angular_velocity, 0.0, 1};
   const MomentModel model(*fit.joint, {&state, 1});
   const auto& friction = std::get<FrictionLaw>(fit.joint->friction());
   const double clearance = fit.joint->geometry().radial_clearance();

@@ -101,11 +101,12 @@ FrictionFit identify_friction(const JointContact& joint,
                               const IdentifyOptions& options = {});
 
 /// What a fit says of a moment in another state.
-/// @param reaction, rate  as in MeasuredMoment
+/// @param reaction, angular_velocity  as in MeasuredMoment
 /// @param level  probability of the interval
 /// @return -M_t . Dw/|Dw|, N m, with the standard error of the fit
 Estimate predicted_moment(const FrictionFit& fit,
                           const Eigen::Vector3d& reaction,
-                          const Eigen::Vector3d& rate, double level = 0.95);
+                          const Eigen::Vector3d& angular_velocity,
+                          double level = 0.95);
 
 }  // namespace contact

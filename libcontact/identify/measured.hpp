@@ -7,8 +7,8 @@ namespace contact {
 
 /// A friction moment that was measured while a joint slides.
 struct MeasuredMoment {
-  Eigen::Vector3d reaction;  ///< R on the body, N; not 0
-  Eigen::Vector3d rate;      ///< Dw, rad/s; not 0
+  Eigen::Vector3d reaction;          ///< R on the body, N; not 0
+  Eigen::Vector3d angular_velocity;  ///< Dw, rad/s; not 0
   /// The moment that it takes to turn the joint, -M_t . Dw/|Dw|, or the vector
   /// M_t on the body; N m.
   std::variant<double, Eigen::Vector3d> moment;

@@ -24,9 +24,9 @@ void solve_all(const JointContact& contact,
                std::vector<JointSolution>& solutions) {
   const Joint joint(contact);
   for (std::size_t i = 0; i < states.size(); ++i) {
-    solutions[i] = joint.solve(
-        {.reaction = states[i].reaction, .angular_velocity = states[i].rate},
-        solutions[i]);
+    solutions[i] = joint.solve({.reaction = states[i].reaction,
+                                .angular_velocity = states[i].angular_velocity},
+                               solutions[i]);
   }
 }
 
@@ -52,7 +52,7 @@ Vector3d trial(const JointContact& contact, const JointSolution& solution,
 Vector3d moment_slope(const MeasuredMoment& state,
                       const JointSolution& solution, const Vector3d& by_number,
                       const Vector3d& by_tangent) {
-  const Vector3d w = state.rate.stableNormalized();
+  const Vector3d w = state.angular_velocity.stableNormalized();
   const Vector3d turning = solution.slip_velocity.stableNormalized();
   // Exactly normal to w, also where n is w but for rounding.
   Vector3d d = turning.cross(w);
@@ -72,7 +72,7 @@ void put(Numbers&& numbers, const MeasuredMoment& state,
   if (state.is_vector()) {
     numbers = moment;
   } else {
-    numbers[0] = -moment.dot(state.rate.stableNormalized());
+    numbers[0] = -moment.dot(state.angular_velocity.stableNormalized());
   }
 }
 

@@ -82,8 +82,8 @@ void set_contact(JointSolution& s, const JointContact& contact, double force,
 }
 
 // No relative motion: the reaction alone.
-JointSolution at_rest(const JointContact& contact, const Vector3d& reaction,
-                      const Polar& force) {
+JointSolution resting_solution(const JointContact& contact,
+                               const Vector3d& reaction, const Polar& force) {
   const bool loaded = force.length > 0;
   const HalfAngleResult half_angle = contact.half_angle(force.length);
   if (half_angle.status != Status::ok) {
@@ -134,7 +134,8 @@ void set_vectors(JointSolution& s, const JointContact& contact,
 
 }  // namespace
 
-JointSolution Joint::solve_from(const SlipMemory& last, const Slip& slip,
+JointSolution Joint::solve_from(const JointSolution::Memory& last,
+                                const Slip& slip,
                                 const SolveOptions& options) const noexcept {
   const Vector3d reaction =
       taken(*this, slip.reaction, slip.angular_velocity, slip.axis);
@@ -144,7 +145,7 @@ JointSolution Joint::solve_from(const SlipMemory& last, const Slip& slip,
     return not_a_number(Status::out_of_range, reaction);
   }
   if (force.length == 0 || spin.length == 0) {
-    return at_rest(contact_, reaction, force);
+    return resting_solution(contact_, reaction, force);
   }
   const Vector3d& w = spin.direction;
   const Vector3d& e = force.direction;
@@ -196,7 +197,7 @@ JointSolution Joint::solve_contact(const KnownContact& known) const noexcept {
     return not_a_number(Status::out_of_range, normal_force);
   }
   if (force.length == 0 || spin.length == 0) {
-    return at_rest(contact_, normal_force, force);
+    return resting_solution(contact_, normal_force, force);
   }
   const HalfAngleResult half_angle = contact_.half_angle(force.length);
   if (half_angle.status != Status::ok) {

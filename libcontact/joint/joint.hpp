@@ -11,7 +11,7 @@
 
 namespace contact {
 
-/// What a resting joint holds, see Joint::utilisation().
+/// What a resting joint holds, see Joint::at_rest().
 struct RestSolution {
   /// As the slip's; not_converged if no slip direction was found.
   Status status = Status::out_of_range;
@@ -61,7 +61,7 @@ class Joint {
     /// R on the body, N; 0 gives JointState::unloaded.
     Eigen::Vector3d reaction;
     /// Dw, rad/s; exactly 0 gives JointState::resting: whether a joint rests
-    /// is the caller's to say, see utilisation().
+    /// is the caller's to say, see at_rest().
     Eigen::Vector3d angular_velocity;
     Eigen::Vector3d axis = Eigen::Vector3d::Zero();
   };
@@ -115,12 +115,12 @@ class Joint {
   ///
   /// @return slip.friction_moment = M/tau, to 1e-12 of |M|/tau
   ///         (joint/joint_rest_test.cpp)
-  RestSolution utilisation(const Hold& hold,
-                           const SolveOptions& options = {}) const noexcept;
+  RestSolution at_rest(const Hold& hold,
+                       const SolveOptions& options = {}) const noexcept;
   /// The same, starting from an answer for a similar R and M; looks for one
   /// u only, the one close to the last.
-  RestSolution utilisation(const Hold& hold, const RestSolution& last,
-                           const SolveOptions& options = {}) const noexcept;
+  RestSolution at_rest(const Hold& hold, const RestSolution& last,
+                       const SolveOptions& options = {}) const noexcept;
 
   /// The moments that the contact of a ball's solution holds at fixed n, R_n
   /// and theta0: what a solver of several bodies iterates on. The set refers
@@ -141,7 +141,7 @@ class Joint {
       const FixedPointOptions& options = {}) const noexcept;
 
  private:
-  JointSolution solve_from(const SlipMemory& last, const Slip& slip,
+  JointSolution solve_from(const JointSolution::Memory& last, const Slip& slip,
                            const SolveOptions& options) const noexcept;
 
   JointContact contact_;

@@ -124,8 +124,8 @@ bool has_no_answer(RestSolution& rest, const Vector3d& moment) {
 }
 
 // The sliding that friction would oppose with a moment of this sign.
-RestSolution pin_utilisation(const Joint& joint, const Joint::Hold& hold,
-                             const SolveOptions& options) {
+RestSolution pin_at_rest(const Joint& joint, const Joint::Hold& hold,
+                         const SolveOptions& options) {
   const Vector3d& moment = hold.moment;
   const Vector3d axis =
       hold.axis.isZero(0) ? Vector3d(moment.stableNormalized()) : hold.axis;
@@ -143,9 +143,9 @@ RestSolution pin_utilisation(const Joint& joint, const Joint::Hold& hold,
   return rest;
 }
 
-RestSolution ball_utilisation(const Joint& joint, const Joint::Hold& hold,
-                              const RestSolution* last,
-                              const SolveOptions& options) {
+RestSolution ball_at_rest(const Joint& joint, const Joint::Hold& hold,
+                          const RestSolution* last,
+                          const SolveOptions& options) {
   const Vector3d& reaction = hold.reaction;
   const Vector3d& moment = hold.moment;
   RestSolution rest;
@@ -212,10 +212,10 @@ bool depends_on_speed(const JointContact& contact) {
          contact.stress()->over_speed() != StressOverSpeed::constant;
 }
 
-// utilisation() with tau(p, 0); none if tau falls with the speed.
+// Joint::at_rest() with tau(p, 0); none if tau falls with the speed.
 template <class... Arguments>
-RestSolution at_rest(const JointContact& contact,
-                     const Arguments&... arguments) {
+RestSolution slow_at_rest(const JointContact& contact,
+                          const Arguments&... arguments) {
   const FrictionStress& stress = *contact.stress();
   if (stress.over_speed() == StressOverSpeed::falls) {
     RestSolution none;
@@ -223,28 +223,27 @@ RestSolution at_rest(const JointContact& contact,
     none.direction.setConstant(nan);
     return none;
   }
-  return Joint(contact.with_friction(stress.at_rest()))
-      .utilisation(arguments...);
+  return Joint(contact.with_friction(stress.at_rest())).at_rest(arguments...);
 }
 
 }  // namespace
 
-RestSolution Joint::utilisation(const Hold& hold,
-                                const SolveOptions& options) const noexcept {
+RestSolution Joint::at_rest(const Hold& hold,
+                            const SolveOptions& options) const noexcept {
   if (depends_on_speed(contact_)) {
-    return at_rest(contact_, hold, options);
+    return slow_at_rest(contact_, hold, options);
   }
-  return is_pin() ? pin_utilisation(*this, hold, options)
-                  : ball_utilisation(*this, hold, nullptr, options);
+  return is_pin() ? pin_at_rest(*this, hold, options)
+                  : ball_at_rest(*this, hold, nullptr, options);
 }
 
-RestSolution Joint::utilisation(const Hold& hold, const RestSolution& last,
-                                const SolveOptions& options) const noexcept {
+RestSolution Joint::at_rest(const Hold& hold, const RestSolution& last,
+                            const SolveOptions& options) const noexcept {
   if (depends_on_speed(contact_)) {
-    return at_rest(contact_, hold, last, options);
+    return slow_at_rest(contact_, hold, last, options);
   }
-  return is_pin() ? pin_utilisation(*this, hold, options)
-                  : ball_utilisation(*this, hold, &last, options);
+  return is_pin() ? pin_at_rest(*this, hold, options)
+                  : ball_at_rest(*this, hold, &last, options);
 }
 
 }  // namespace contact

@@ -72,16 +72,17 @@ MomentSet::Edge MomentSet::edge(SlipAxis axis) const noexcept {
       pressure_part_ * i.coefficient.spinning + area_part_ * i.area.spinning};
 }
 
-double MomentSet::support(const Vector3d& rate) const noexcept {
-  if (rate.isZero(0)) return 0;
-  const SlipAxis axis = axis_of(Split(rate, normal_));
+double MomentSet::support(const Vector3d& angular_velocity) const noexcept {
+  if (angular_velocity.isZero(0)) return 0;
+  const SlipAxis axis = axis_of(Split(angular_velocity, normal_));
   const Edge e = edge(axis);
-  return rate.norm() * (e.sliding * axis.cos + e.spinning * axis.sin);
+  return angular_velocity.norm() *
+         (e.sliding * axis.cos + e.spinning * axis.sin);
 }
 
-Vector3d MomentSet::moment(const Vector3d& rate) const noexcept {
-  if (rate.isZero(0)) return Vector3d::Constant(nan);
-  const Split split(rate, normal_);
+Vector3d MomentSet::moment(const Vector3d& angular_velocity) const noexcept {
+  if (angular_velocity.isZero(0)) return Vector3d::Constant(nan);
+  const Split split(angular_velocity, normal_);
   const Edge e = edge(axis_of(split));
   return -e.sliding * split.direction - e.spinning * normal_;
 }
@@ -153,8 +154,8 @@ Matrix3d MomentSet::curvature(const Vector3d& direction) const noexcept {
          parallel * across * across.transpose();
 }
 
-MomentProx MomentSet::prox(const Matrix3d& inertia,
-                           const Vector3d& free) const noexcept {
+MomentSet::Prox MomentSet::prox(const Matrix3d& inertia,
+                                const Vector3d& free) const noexcept {
   const Vector3d wanted = inertia * free;
   const double size = wanted.norm();
   if (!std::isfinite(size)) {
@@ -190,12 +191,13 @@ MomentProx MomentSet::prox(const Matrix3d& inertia,
   // not fall; 3 to 6 steps.
   constexpr int step_limit = 60;
   constexpr double tolerance = 1e-13;
-  MomentProx result{};
+  Prox result{};
   for (result.iterations = 0;; ++result.iterations) {
     const double r = gain / u.dot(inertia * u);
-    result.rate = r * u;
+    result.angular_velocity = r * u;
     result.moment = moment(u);
-    const Vector3d gradient = inertia * (result.rate - free) - result.moment;
+    const Vector3d gradient =
+        inertia * (result.angular_velocity - free) - result.moment;
     result.residual = gradient.norm() / size;
     if (result.residual <= tolerance || result.iterations == step_limit) break;
     const Matrix3d second = inertia + curvature(u) / r;
@@ -204,7 +206,8 @@ MomentProx MomentSet::prox(const Matrix3d& inertia,
     const double unseen = -2 * best * rounding / gain;
     bool moved = false;
     for (double share = 1; share > 1e-10 && !moved; share /= 2) {
-      const Vector3d next = (result.rate + share * step).normalized();
+      const Vector3d next =
+          (result.angular_velocity + share * step).normalized();
       const double next_gain = gain_along(next);
       const double next_value = value(next, next_gain);
       if (next_gain > 0 && next_value <= best + unseen) {

@@ -7,20 +7,6 @@
 
 namespace contact {
 
-/// Answer of MomentSet::prox().
-struct MomentProx {
-  /// alpha: exactly 0 where the joint holds.
-  Eigen::Vector3d rate;
-  /// M_t = W (alpha - free), on the body; on the edge of the set where the
-  /// joint slides.
-  Eigen::Vector3d moment;
-  Status status;
-  /// Newton steps; 0 where the joint holds.
-  int iterations;
-  /// |W (alpha - free) - M_t| over |W free|.
-  double residual;
-};
-
 /// The friction moments of one contact whose n, R_n and theta0 are FIXED: a
 /// convex set C, even in M and round about n. Dry friction only; a viscous
 /// joint holds no moment and its set is {0}. That of a friction stress is of
@@ -35,7 +21,7 @@ struct MomentProx {
 /// (A0, Afun: docs/friction.md). This potential exists at fixed n, R_n and
 /// theta0 only: under a fixed reaction R all three move with Dw, M_t has no
 /// potential, and what a resting joint holds is
-/// Joint::utilisation(), not this set with n = R/|R|.
+/// Joint::at_rest(), not this set with n = R/|R|.
 ///
 /// A set refers to the joint that made it and must not outlive it. Const
 /// functions do not allocate and do not throw; NaN gives NaN.
@@ -50,10 +36,11 @@ class MomentSet {
             double) = delete;
 
   /// Phi, W for Dw in rad/s; 0 at 0.
-  double support(const Eigen::Vector3d& rate) const noexcept;
+  double support(const Eigen::Vector3d& angular_velocity) const noexcept;
   /// M_t = -dPhi/dDw, N m; the point of the set's edge where it opposes Dw
   /// most. NaN at Dw = 0, where every moment of the set is possible.
-  Eigen::Vector3d moment(const Eigen::Vector3d& rate) const noexcept;
+  Eigen::Vector3d moment(
+      const Eigen::Vector3d& angular_velocity) const noexcept;
 
   /// Smallest tau with M in tau C: the joint holds M if it is <= 1.
   /// 0 at M = 0; infinite outside of a set without extent in that direction.
@@ -64,6 +51,19 @@ class MomentSet {
   /// Error at most 1e-12 of |M| (joint/moment_set_test.cpp).
   Eigen::Vector3d project(const Eigen::Vector3d& moment) const noexcept;
 
+  /// Answer of prox().
+  struct Prox {
+    /// alpha, of the kind of `free`: exactly 0 where the joint holds.
+    Eigen::Vector3d angular_velocity;
+    /// M_t = W (alpha - free), on the body; on the edge of the set where the
+    /// joint slides.
+    Eigen::Vector3d moment;
+    Status status;
+    /// Newton steps; 0 where the joint holds.
+    int iterations;
+    /// |W (alpha - free) - M_t| over |W free|.
+    double residual;
+  };
   /// The motion that friction leaves of a free one:
   ///
   ///     argmin over alpha of (alpha - free) . W (alpha - free)/2 + Phi(alpha)
@@ -74,8 +74,8 @@ class MomentSet {
   ///
   /// @param inertia  W, symmetric and positive definite
   /// @return residual at most 1e-12 (joint/moment_set_test.cpp)
-  MomentProx prox(const Eigen::Matrix3d& inertia,
-                  const Eigen::Vector3d& free) const noexcept;
+  Prox prox(const Eigen::Matrix3d& inertia,
+            const Eigen::Vector3d& free) const noexcept;
 
  private:
   /// A point of the edge: parts along the tangent plane and along n.

@@ -49,7 +49,7 @@ double exponential(double x) {
 //   dln R_n     = dln R - sin b cos b sin^2 psi/cos^2 g db
 //                 - sin^2 psi cos^2 a dln tan psi
 //   dln cos^2 a = 2 cos b/(sin b cos^2 g) db - 2 sin^2 psi sin^2 a dln tan psi
-void set_responses(SlipMemory& m, const SlipTriangle& t) {
+void set_responses(JointSolution::Memory& m, const SlipTriangle& t) {
   const double sin2_psi = t.sin_psi * t.sin_psi;
   const double sin_b = std::max(m.reaction.sin, smallest_cosine);
   m.residual_slope =
@@ -63,7 +63,7 @@ void set_responses(SlipMemory& m, const SlipTriangle& t) {
 
 // Moves the memory to a new root. Its slopes change so that they explain
 // the change of f/cos a that was seen (Broyden's update).
-void learn(SlipMemory& memory, const SlipPoint& point) {
+void learn(JointSolution::Memory& memory, const SlipPoint& point) {
   // Shorter moves are drowned in the rounding of the integrals (4e-15).
   constexpr double smallest_move = 1e-9;
   const double force = log_move(point.normal_force, memory.normal_force);
@@ -79,7 +79,7 @@ void learn(SlipMemory& memory, const SlipPoint& point) {
 }
 
 // Both slopes from differences, where no earlier solution tells them.
-void measure_slopes(SlipMemory& memory, const SlipEquation& equation,
+void measure_slopes(JointSolution::Memory& memory, const SlipEquation& equation,
                     const SlipPoint& point) {
   // Balances rounding (4e-15/h) against curvature (h).
   constexpr double h = 1e-6;
@@ -97,7 +97,7 @@ void measure_slopes(SlipMemory& memory, const SlipEquation& equation,
       (2 * std::log1p(-h));
 }
 
-void remember(SlipMemory& memory, const SlipEquation& equation,
+void remember(JointSolution::Memory& memory, const SlipEquation& equation,
               const SlipPoint& point) {
   memory.valid = std::isfinite(point.friction);
   memory.reaction_force = equation.reaction_force();
@@ -276,7 +276,8 @@ double SlipEquation::friction(double normal_force, SlipAxis axis) const {
   return p.friction;
 }
 
-SlipRoot solve_slip(const SlipEquation& equation, const SlipMemory& last,
+SlipRoot solve_slip(const SlipEquation& equation,
+                    const JointSolution::Memory& last,
                     const SolveOptions& options) {
   // Beyond this the last solution is no better than a cold start.
   constexpr double largest_move = 0.3;

@@ -66,12 +66,13 @@ struct SlipRoot {
   Status status = Status::not_converged;
   int evaluations = 0;
   double residual = 0;
-  SlipMemory memory = {};
+  JointSolution::Memory memory = {};
 };
 
 /// Solves the equation. Starts from `last` if that is valid; falls back on
 /// bracketing where quasi-Newton steps do not settle at once.
-SlipRoot solve_slip(const SlipEquation& equation, const SlipMemory& last,
+SlipRoot solve_slip(const SlipEquation& equation,
+                    const JointSolution::Memory& last,
                     const SolveOptions& options);
 
 }  // namespace contact::detail

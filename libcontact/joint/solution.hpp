@@ -28,31 +28,31 @@ struct SolveOptions {
   int evaluation_limit = 200;
 };
 
-/// Where a solution was found and how it changes with R and Dw: lets the next
-/// solve start close by. Travels inside JointSolution; no user's business.
-struct SlipMemory {
-  bool valid = false;
-  double reaction_force = 0;     ///< R
-  SineCosine reaction = {0, 1};  ///< of min(b, pi - b)
-  double tangent = 0;            ///< tan psi
-  double normal_force = 0;       ///< R_n
-  double cosine = 0;             ///< cos a
-  double friction = 0;           ///< f/cos a
-  /// dln(f/cos a) over dln R_n and dln cos^2 a.
-  double force_slope = 0;
-  double cosine_slope = 0;
-  /// d(residual) over dln tan psi; dln tan psi over dln R and db.
-  double residual_slope = 1;
-  double force_response = 0;
-  double angle_response = 0;
-};
-
 /// Friction of one joint.
 ///
 /// At rest (resting) and without load the friction is 0 and the slip axis
 /// {0, 1} has no meaning; n = R/|R| at rest, 0 without load. If the status is
 /// out_of_range all numbers are NaN.
 struct JointSolution {
+  /// Where a solution was found and how it changes with R and Dw: lets the next
+  /// solve start close by. Travels inside JointSolution; no user's business.
+  struct Memory {
+    bool valid = false;
+    double reaction_force = 0;     ///< R
+    SineCosine reaction = {0, 1};  ///< of min(b, pi - b)
+    double tangent = 0;            ///< tan psi
+    double normal_force = 0;       ///< R_n
+    double cosine = 0;             ///< cos a
+    double friction = 0;           ///< f/cos a
+    /// dln(f/cos a) over dln R_n and dln cos^2 a.
+    double force_slope = 0;
+    double cosine_slope = 0;
+    /// d(residual) over dln tan psi; dln tan psi over dln R and db.
+    double residual_slope = 1;
+    double force_response = 0;
+    double angle_response = 0;
+  };
+
   Status status = Status::out_of_range;
   JointState state = JointState::sliding;
   /// Evaluations of the contact's friction that were needed.
@@ -101,7 +101,7 @@ struct JointSolution {
   /// m^2.
   double contact_area = 0;
 
-  SlipMemory memory;
+  Memory memory;
 
   /// b, rad, [0, pi].
   double reaction_angle() const {

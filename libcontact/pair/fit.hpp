@@ -27,7 +27,7 @@ enum class FitClearance { minimum, mean, maximum };
 /// that their tolerances leave.
 ///
 /// The limits are tabulated ones, and every clearance is the
-/// double nearest to its decimals (pair/fit_test.cpp, against published tables
+/// double nearest to its decimals (pair/pair_test.cpp, against published tables
 /// and against the formulas that the standard rounds).
 /// Source: standard tolerances and fundamental deviations of ISO 286-1, as
 /// catalogues and books print them (data/README.md).

@@ -112,7 +112,7 @@ class JointGeometry {
 ///
 /// E is the effective modulus of the paper (twice E*), ebar = eps/rho1.
 /// Accuracy: relative error at most 5e-16 both ways
-/// (pair/joint_geometry_test.cpp, against 50-digit arithmetic).
+/// (pair/pair_test.cpp, against 50-digit arithmetic).
 /// NaN passes through. Source: the paper, section 2.
 class LoadScale {
  public:
@@ -133,11 +133,11 @@ class LoadScale {
 
 /// The variable x in which the half-angle laws are written: cbrt(mu) for a
 /// ball, 2 sqrt(lambda) for a pin. Relative error at most 5e-16
-/// (pair/joint_geometry_test.cpp). Negative lambda gives NaN.
+/// (pair/pair_test.cpp). Negative lambda gives NaN.
 double x_from_load_parameter(JointKind kind, double load_parameter);
 
 /// Inverse of x_from_load_parameter(): x^3 for a ball, x^2/4 for a pin.
-/// Relative error at most 3e-16 (pair/joint_geometry_test.cpp).
+/// Relative error at most 3e-16 (pair/pair_test.cpp).
 double load_parameter_from_x(JointKind kind, double x);
 
 }  // namespace contact

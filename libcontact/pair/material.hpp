@@ -44,7 +44,7 @@ void check_material(const Material& material, std::string place);
 /// Dundurs' parameters are those of plane strain.
 ///
 /// Accuracy: relative error at most 5e-16 for all but alpha and beta, whose
-/// absolute error is at most 4e-16 (pair/material_test.cpp, against 50-digit
+/// absolute error is at most 4e-16 (pair/pair_test.cpp, against 50-digit
 /// arithmetic).
 /// Source: the paper, section 2 (E, Ebar); J. Dundurs, "Edge-bonded dissimilar
 /// orthogonal elastic wedges under normal and shear loading", J. Appl. Mech.

@@ -37,7 +37,7 @@ struct QuadratureResult {
 /// @param tolerance   largest relative error asked for, [1e-13, 1e-2]
 /// @return all dimensionless. With the tolerance 1e-10 the relative errors on
 ///         data/reference are at most 1e-10, and below the estimates
-///         (friction/quadrature_test.cpp). K is a small difference when
+///         (friction/special_test.cpp). K is a small difference when
 ///         theta0 sin a is small; there the estimate, some 1e-14/(theta0
 ///         sin a), and the status say so.
 ///         By symmetry K = 0 at a = 0 and I = J = 0 at a = 90 deg exactly.

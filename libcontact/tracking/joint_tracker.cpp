@@ -218,7 +218,7 @@ void JointTracker::start(int joint, const JointSolution& solution,
   s.window.inverse_half_width = std::numeric_limits<double>::quiet_NaN();
   is_smooth_[joint] = true;
 
-  const SlipMemory& memory = solution.memory;
+  const JointSolution::Memory& memory = solution.memory;
   s.last_inverse_reaction = 1 / memory.reaction_force;
   s.last_sine = memory.reaction.sin;
   s.last_cosine = ball ? memory.reaction.cos : 0;

@@ -5,6 +5,7 @@
 #include <vector>
 
 namespace contact::detail {
+namespace contact::test {
 namespace {
 
 TEST(Complaint, HasOneGrammar) {
@@ -35,4 +36,5 @@ TEST(Complaint, ShowsNoControlCharacters) {
 }
 
 }  // namespace
+}  // namespace contact::test
 }  // namespace contact::detail

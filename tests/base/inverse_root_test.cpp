@@ -11,11 +11,12 @@
 #include "libcontact/base/simd.hpp"
 
 // 1/sqrt(x) for numbers and for lanes, as this file is compiled for them.
+namespace contact::test {
 namespace {
 
 namespace stdx = std::experimental;
-using contact::detail::inverse_root;
-using contact::detail::inverse_roots;
+using detail::inverse_root;
+using detail::inverse_roots;
 
 // In units in the last place, infinite for NaN.
 double error(double found, double x) {
@@ -101,3 +102,4 @@ TYPED_TEST(InverseRootOf, IsRightToAFewUnitsInTheLastPlace) {
 }
 
 }  // namespace
+}  // namespace contact::test

@@ -38,7 +38,6 @@ TEST(AccuracyReport, MeasuresRelativeErrors) {
   EXPECT_EQ(report.max(), 0.5);
   EXPECT_DOUBLE_EQ(report.rms(), 0.5 / std::sqrt(2.0));
   EXPECT_EQ(report.worst(), "half");
-  report.check();
 }
 
 TEST(AccuracyReport, ZeroAndNanAreExact) {

@@ -103,7 +103,7 @@ struct Stretch {
       const bool on_axis = body.body.kind == multibody::HingeKind::axis;
       if (on_axis && axis_hinge == AxisHinge::node) {
         friction.emplace_back(
-            multibody::NodeFriction{multibody::test::ball_and_pin(law, 0.2)});
+            multibody::GroupFriction{multibody::test::ball_and_pin(law, 0.2)});
       } else if (on_axis) {
         friction.emplace_back(
             multibody::JointFriction{multibody::test::pin_joint(law, 0.02)});

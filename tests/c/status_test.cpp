@@ -143,12 +143,12 @@ TEST(CStatus, NullIsRefusedByName) {
   slips.angular_velocity = good.angular_velocity;
   refuses(contact_joint_solve_rows(j, &slips, nullptr, sizeof s),
           "contact_joint_solve_rows: solutions");
-  refuses(contact_joint_utilisation(nullptr, &hold, nullptr, &rest),
-          "contact_joint_utilisation: joint");
-  refuses(contact_joint_utilisation(j, nullptr, nullptr, &rest),
-          "contact_joint_utilisation: hold");
-  refuses(contact_joint_utilisation(j, &hold, nullptr, nullptr),
-          "contact_joint_utilisation: rest");
+  refuses(contact_joint_at_rest(nullptr, &hold, nullptr, &rest),
+          "contact_joint_at_rest: joint");
+  refuses(contact_joint_at_rest(j, nullptr, nullptr, &rest),
+          "contact_joint_at_rest: hold");
+  refuses(contact_joint_at_rest(j, &hold, nullptr, nullptr),
+          "contact_joint_at_rest: rest");
   refuses(contact_run_open(nullptr, nullptr, 0, &r), "contact_run_open: path");
   refuses(contact_run_open(turn.c_str(), nullptr, 0, nullptr),
           "contact_run_open: run");
@@ -305,8 +305,8 @@ TEST(CStatus, OutOfRangeGivesNan) {
          "contact_joint_solve_contact" + why);
   const contact_hold hold = {{0, 0, 10}, {0, nan, 0}, {}};
   contact_rest rest;
-  is_out(contact_joint_utilisation(joint.get(), &hold, nullptr, &rest),
-         "contact_joint_utilisation" + why);
+  is_out(contact_joint_at_rest(joint.get(), &hold, nullptr, &rest),
+         "contact_joint_at_rest" + why);
   // The first bad row; the others are solved.
   const contact_slip all[] = {good, good, bad, bad, good};
   contact_solution rows[5];

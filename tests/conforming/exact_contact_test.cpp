@@ -5,25 +5,17 @@
 #include <array>
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <cmath>
-#include <limits>
-#include <numbers>
 #include <string>
 
 #include "libcontact/base/units.hpp"
 #include "libcontact/conforming/ball.hpp"
 #include "libcontact/conforming/pin.hpp"
 #include "support/accuracy_report.hpp"
+#include "support/numbers.hpp"
 #include "support/reference_table.hpp"
 
+namespace contact::test {
 namespace {
-
-using namespace contact;
-using contact::test::AccuracyReport;
-using contact::test::ReferenceTable;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double pi = std::numbers::pi;
 
 struct Ball : BallContact {
   using BallContact::BallContact;
@@ -138,7 +130,6 @@ TYPED_TEST(ExactContact, ReproducesTheHalfAngles) {
         std::abs(result.half_angle / degree - row.value("theta0_deg")),
         row.label());
   }
-  report.check();
 }
 
 TYPED_TEST(ExactContact, ReproducesTheLimitAngles) {
@@ -151,7 +142,6 @@ TYPED_TEST(ExactContact, ReproducesTheLimitAngles) {
                               row.value("theta_lim_exact_deg")),
                      row.label());
   }
-  report.check();
 }
 
 TYPED_TEST(ExactContact, ReproducesThePressures) {
@@ -180,7 +170,6 @@ TYPED_TEST(ExactContact, ReproducesThePressures) {
         std::max(0.0, error - tolerance * p.slope(theta)) / p.peak(),
         row.label());
   }
-  report.check();
 }
 
 TYPED_TEST(ExactContact, ReproducesSAndThePeakPressure) {
@@ -198,8 +187,6 @@ TYPED_TEST(ExactContact, ReproducesSAndThePeakPressure) {
     ratio.add(p.force_ratio(), row.value("S_exact"), row.label());
     peak.add(p.peak(), row.value("pmax_exact"), row.label());
   }
-  ratio.check();
-  peak.check();
 }
 
 TYPED_TEST(ExactContact, TendsToHertz) {
@@ -309,11 +296,12 @@ TYPED_TEST(ExactContact, BadArguments) {
     EXPECT_EQ(contact.half_angle(bad).status, Status::out_of_range);
     EXPECT_TRUE(std::isnan(contact.half_angle(bad).half_angle));
     EXPECT_EQ(contact.load_parameter(bad).status, Status::out_of_range);
-    EXPECT_TRUE(std::isnan(contact.load_parameter(bad).load_parameter));
-    EXPECT_TRUE(std::isnan(contact.reciprocal_load(bad)));
-    EXPECT_TRUE(std::isnan(contact.pressure(bad).peak()));
-    EXPECT_TRUE(std::isnan(contact.pressure(bad).force_ratio()));
+    EXPECT_TRUE(
+        all_nan({contact.load_parameter(bad).load_parameter,
+                 contact.reciprocal_load(bad), contact.pressure(bad).peak(),
+                 contact.pressure(bad).force_ratio()}));
   }
 }
 
 }  // namespace
+}  // namespace contact::test

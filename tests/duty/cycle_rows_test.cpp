@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
+namespace contact::test {
 namespace {
 
-using contact::CycleRows;
 using Eigen::Vector3d;
 
 // A swing in `count` rows of a second each, and `more` of the next period.
@@ -92,3 +92,4 @@ TEST(CycleRows, WithoutSenseStayAsTheyAre) {
 }
 
 }  // namespace
+}  // namespace contact::test

@@ -20,21 +20,9 @@
 #include "support/accuracy_report.hpp"
 #include "support/reference_table.hpp"
 
+namespace contact::test {
 namespace {
 
-using contact::CycleInstant;
-using contact::degree;
-using contact::DutyCycle;
-using contact::ForceFrame;
-using contact::JointBody;
-using contact::JointCycle;
-using contact::JointKind;
-using contact::PeriodicSpline;
-using contact::SlidingContact;
-using contact::TurnSequence;
-using contact::WearMap;
-using contact::test::AccuracyReport;
-using contact::test::ReferenceTable;
 using Eigen::Vector3d;
 
 using Columns = std::vector<std::string>;
@@ -61,9 +49,8 @@ struct Reference {
       : in("duty/cycle_" + name + "_in.csv"),
         states("duty/cycle_" + name + "_states.csv"),
         map("duty/cycle_" + name + "_map.csv"),
-        spec(contact::read_joint(std::filesystem::path(CONTACT_DATA_DIR) /
-                                 "reference" / "duty" /
-                                 ("cycle_" + name + ".toml"))),
+        spec(read_joint(std::filesystem::path(CONTACT_DATA_DIR) / "reference" /
+                        "duty" / ("cycle_" + name + ".toml"))),
         joint(spec.contact()) {
     const ReferenceTable table("duty/cycle_" + name + "_summary.csv");
     for (const ReferenceTable::Row row : table) {
@@ -91,8 +78,8 @@ struct Reference {
   ReferenceTable in;
   ReferenceTable states;
   ReferenceTable map;
-  contact::JointSpec spec;
-  contact::Joint joint;
+  JointSpec spec;
+  Joint joint;
   std::map<std::string, double> summary;
   std::vector<double> times;
 };
@@ -121,7 +108,7 @@ TEST_P(Cycles, States) {
       directions.add_error((computed - expected).norm() / expected.norm(),
                            label);
     };
-    add(i.state.rate,
+    add(i.state.angular_velocity,
         vector("w_x_rad_per_s", "w_y_rad_per_s", "w_z_rad_per_s"));
     add(i.solution.normal, vector("n_x", "n_y", "n_z"));
     add(i.solution.friction_moment, vector("M_x_N_m", "M_y_N_m", "M_z_N_m"));
@@ -135,8 +122,6 @@ TEST_P(Cycles, States) {
                 row.value("heat_max_W_per_m2"), label);
     numbers.add(sliding.pv_total(), row.value("pv_total_W"), label);
   }
-  numbers.check();
-  directions.check();
 }
 
 TEST_P(Cycles, Summary) {
@@ -153,7 +138,8 @@ TEST_P(Cycles, Summary) {
       cycle_.integral([](const CycleInstant& i) { return -i.solution.power; }),
       summary.at("energy_J"), "energy");
   integrals.add(cycle_.integral([&](const CycleInstant& i) {
-    return rho * i.state.rate.norm() * cycle_.sliding(i).slip_coefficient();
+    return rho * i.state.angular_velocity.norm() *
+           cycle_.sliding(i).slip_coefficient();
   }),
                 summary.at("sliding_distance_m"), "sliding distance");
   integrals.add(cycle_.integral([&](const CycleInstant& i) {
@@ -162,7 +148,6 @@ TEST_P(Cycles, Summary) {
                 summary.at("pv_integral_J"), "p v");
   integrals.add(cycle_.integral(moment) / period, summary.at("mean_moment_N_m"),
                 "mean moment");
-  integrals.check();
 
   AccuracyReport largest("largest", 1e-8);
   const auto check = [&](const JointCycle::Quantity& quantity, const char* name,
@@ -181,7 +166,6 @@ TEST_P(Cycles, Summary) {
         return cycle_.sliding(i).largest_pv().value;
       },
       "pv_max_W_per_m2", "time_of_pv_max_s");
-  largest.check();
 }
 
 TEST_P(Cycles, WearMap) {
@@ -232,8 +216,7 @@ TEST_P(Cycles, WearMap) {
       EXPECT_LT((deepest.point - place).norm(), 1e-3) << name;
     }
   }
-  depth.check();
-  if (!pin) shear.check();
+  if (pin) shear.may_be_empty();
 }
 
 // Components of the moment have their largest between the rows: never below a
@@ -279,7 +262,8 @@ TEST(DutyCycle, RatesAreTheTurnsDerivative) {
         (2 * h) * turns.turn(angles).toRotationMatrix().transpose();
     const Vector3d expected(change(2, 1), change(0, 2), change(1, 0));
     // h^2/6 of a third derivative of some 50.
-    EXPECT_LT((turns.rate(angles, rate) - expected).norm(), 1e-6) << sequence;
+    EXPECT_LT((turns.angular_velocity(angles, rate) - expected).norm(), 1e-6)
+        << sequence;
   }
 }
 
@@ -310,7 +294,7 @@ TEST(DutyCycle, FrameOfForces) {
   const DutyCycle plain = hip.cycle();
   std::vector<Vector3d> turned;
   for (const double time : hip.times) {
-    const contact::CycleState s = plain.at(time);
+    const CycleState s = plain.at(time);
     turned.push_back(-(s.turn.conjugate() * s.reaction));
   }
   const DutyCycle duty(
@@ -347,11 +331,11 @@ TEST(DutyCycle, OfTwiceThePeriod) {
 // constant, and the energy is |M_t| times the integral of |Dw|. Of that of a
 // spline through few rows a sum of many thousand steps knows 1e-9.
 double swing_error(int rows, double across) {
-  const contact::ElasticPair pair({207e9, 0.3}, {111e9, 0.3});
-  const contact::Joint joint(contact::JointContact(
-      contact::JointGeometry::ball(0.02, 4e-5), pair, contact::FrictionLaw(0.1),
-      contact::make_half_angle_law("tanh", JointKind::ball, pair),
-      contact::make_pressure_law("cosine", JointKind::ball, pair)));
+  const ElasticPair pair({207e9, 0.3}, {111e9, 0.3});
+  const Joint joint(
+      JointContact(JointGeometry::ball(0.02, 4e-5), pair, FrictionLaw(0.1),
+                   make_half_angle_law("tanh", JointKind::ball, pair),
+                   make_pressure_law("cosine", JointKind::ball, pair)));
   std::vector<double> times;
   std::vector<Vector3d> turning;
   for (int i = 0; i < rows; ++i) {
@@ -404,7 +388,7 @@ TEST(JointCycle, ReversalsAreThoseOfTheMotion) {
   double sum = 0;
   double period = 0;
   for (const auto& [time, weight] : duty.nodes(false)) {
-    sum += weight * duty.at(time).rate.norm();
+    sum += weight * duty.at(time).angular_velocity.norm();
     period += weight;
   }
   EXPECT_NEAR(period, 1, 1e-13);  // a sum of 3000
@@ -434,3 +418,4 @@ TEST(PeriodicSpline, IsSmoothAndPeriodic) {
 }
 
 }  // namespace
+}  // namespace contact::test

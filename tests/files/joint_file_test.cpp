@@ -836,6 +836,28 @@ TEST(TomlTable, OutlivesItsParent) {
   EXPECT_EQ(inner.source(), "t");
 }
 
+// Options of programs are settings that say where they are from.
+TEST(JointFile, MessagesNameTheOriginOfSettings) {
+  const std::string file = EditedFile("ball.toml").text();
+  const auto said = [&](const contact::KeySettings& settings) {
+    return contact::test::error_message(
+        [&] { parse_joint(file, "j.toml", settings); });
+  };
+  const contact::KeySetting diameter{"geometry.diameter_mm", "40",
+                                     "--diameter 40mm"};
+  EXPECT_EQ(said({{"geometry.radius_mm", "-50", "--radius -50mm"}}),
+            "--radius -50mm must be above 0");
+  EXPECT_EQ(said({diameter}).find("--diameter 40mm conflicts with geometry."),
+            0U);
+  EXPECT_EQ(said({{"geometry.radius_m", "1", "--radius 1"}, diameter}),
+            "--diameter 40mm conflicts with --radius 1");
+  EXPECT_EQ(said({{"geometry.radius_mm", "-50"}}),
+            "j.toml with geometry.radius_mm = -50: geometry.radius_mm = -50 "
+            "must be above 0");
+  EXPECT_EQ(said({{"geometry.length_mm", "3", "--length 3mm"}}),
+            "--length 3mm: geometry.length_mm = 3 must be left out here");
+}
+
 TEST(JointFile, ContactIsMadeOfAllThatTheFileSays) {
   const JointSpec joint = contact::read_joint(
       fs::path(CONTACT_DATA_DIR) / "joints" / "hip_cocr_uhmwpe_infinite.toml");

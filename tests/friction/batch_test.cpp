@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <random>
 #include <vector>
 
@@ -14,14 +13,10 @@
 #include "libcontact/friction/kernel/cap_kernel.hpp"
 #include "support/accuracy_report.hpp"
 #include "support/friction_reference.hpp"
+#include "support/numbers.hpp"
 
+namespace contact::test {
 namespace {
-
-using contact::FrictionIntegrals;
-using contact::InstructionSet;
-using contact::SlipAxis;
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 struct Points {
   std::vector<double> half_angle, axis_sin, axis_cos;
@@ -31,15 +26,13 @@ struct Points {
     axis_sin.push_back(axis.sin);
     axis_cos.push_back(axis.cos);
   }
-  contact::FrictionBatchInput input() const {
-    return {half_angle, axis_sin, axis_cos};
-  }
+  FrictionBatchInput input() const { return {half_angle, axis_sin, axis_cos}; }
 };
 
 std::vector<FrictionIntegrals> run(const Points& points, InstructionSet set) {
   std::array<std::vector<double>, 10> r;
   for (auto& column : r) column.resize(points.half_angle.size(), -1);
-  contact::exact_friction_integrals(
+  exact_friction_integrals(
       points.input(),
       {r[0], r[1], r[2], r[3], r[4], r[5], r[6], r[7], r[8], r[9]}, set);
   std::vector<FrictionIntegrals> result;
@@ -55,19 +48,19 @@ std::vector<FrictionIntegrals> run(const Points& points, InstructionSet set) {
 class FrictionBatch : public testing::TestWithParam<InstructionSet> {
  protected:
   void SetUp() override {
-    if (!contact::is_supported(GetParam())) GTEST_SKIP() << "not supported";
+    if (!is_supported(GetParam())) GTEST_SKIP() << "not supported";
   }
 };
 
 TEST_P(FrictionBatch, ReferenceTable) {
   Points points;
-  for (const auto& row : contact::test::friction_reference()) {
+  for (const auto& row : friction_reference()) {
     points.add(row.half_angle, row.axis);
   }
   const auto result = run(points, GetParam());
   std::size_t i = 0;
   // Measured 1.6e-15 over the instruction sets; the project's bound is 1e-14.
-  contact::test::check_friction_accuracy(
+  check_friction_accuracy(
       [&](double, SlipAxis) { return result[i++ % result.size()]; }, 2e-15);
 }
 
@@ -87,29 +80,28 @@ struct FewPoints {
   }
   void set(int i, double half_angle_deg, double axis_deg) {
     const SlipAxis axis = SlipAxis::from_degrees(axis_deg);
-    half_angle[i] = half_angle_deg * contact::degree;
+    half_angle[i] = half_angle_deg * degree;
     s[i] = std::sin(half_angle[i]);
     c[i] = std::cos(half_angle[i]);
     sine[i] = axis.sin;
     cosine[i] = axis.cos;
   }
   void run(InstructionSet set, int count) {
-    contact::detail::cap_kernel(set).few(s.data(), c.data(), sine.data(),
-                                         cosine.data(), wanted.data(), count,
-                                         integrals.data());
+    detail::cap_kernel(set).few(s.data(), c.data(), sine.data(), cosine.data(),
+                                wanted.data(), count, integrals.data());
   }
   // Largest relative difference from the scalar call, infinite for NaN.
   double error(int i) const {
     const FrictionIntegrals expected =
-        contact::exact_friction_integrals(half_angle[i], {sine[i], cosine[i]});
+        exact_friction_integrals(half_angle[i], {sine[i], cosine[i]});
     const std::array<double, 6> numbers = {
         expected.coefficient.force,    expected.coefficient.sliding,
         expected.coefficient.spinning, expected.area.force,
         expected.area.sliding,         expected.area.spinning};
     double largest = 0;
     for (int k = 0; k < 6; ++k) {
-      largest = std::max(largest, contact::test::relative_error(
-                                      integrals[8 * k + i], numbers[k]));
+      largest =
+          std::max(largest, relative_error(integrals[8 * k + i], numbers[k]));
     }
     return largest;
   }
@@ -183,20 +175,16 @@ TEST_P(FrictionBatch, AgreesWithTheScalarCall) {
       theta0_deg = std::pow(10, -14 * uniform(random));
       a_deg = 90 - std::pow(10, -14 * uniform(random));
     }
-    points.add(theta0_deg * contact::degree, SlipAxis::from_degrees(a_deg));
+    points.add(theta0_deg * degree, SlipAxis::from_degrees(a_deg));
   }
   const auto result = run(points, GetParam());
   // Both carry up to 2e-15 of error of their own.
-  contact::test::AccuracyReport report("batch against scalar", 4e-15);
+  AccuracyReport report("batch against scalar", 4e-15);
   for (std::size_t i = 0; i < result.size(); ++i) {
-    const auto expected = contact::exact_friction_integrals(
+    const auto expected = exact_friction_integrals(
         points.half_angle[i], {points.axis_sin[i], points.axis_cos[i]});
-    for (const auto& quantity : contact::test::friction_quantities()) {
-      report.add(quantity.of(result[i]), quantity.of(expected),
-                 std::string(quantity.column) + " point " + std::to_string(i));
-    }
+    add_integrals(report, result[i], expected, "point " + std::to_string(i));
   }
-  report.check();
 }
 
 TEST_P(FrictionBatch, AnyLengthGivesTheSameNumbers) {
@@ -239,20 +227,19 @@ INSTANTIATE_TEST_SUITE_P(Sets, FrictionBatch,
                                          InstructionSet::avx2,
                                          InstructionSet::avx512),
                          [](const auto& set) {
-                           return std::string(contact::name(set.param));
+                           return std::string(name(set.param));
                          });
 
 TEST(FrictionBatchContract, UnwantedOutputsMayBeEmpty) {
   Points points;
   for (int i = 0; i < 10; ++i) points.add(0.1 * i, SlipAxis{0.6, 0.8});
   std::vector<double> force(10);
-  contact::FrictionBatchOutput out;
+  FrictionBatchOutput out;
   out.force = force;
-  contact::exact_friction_integrals(points.input(), out);
+  exact_friction_integrals(points.input(), out);
   for (int i = 0; i < 10; ++i) {
     EXPECT_NEAR(force[i],
-                contact::exact_friction_integrals(0.1 * i, {0.6, 0.8})
-                    .coefficient.force,
+                exact_friction_integrals(0.1 * i, {0.6, 0.8}).coefficient.force,
                 4e-15);
   }
 }
@@ -260,22 +247,20 @@ TEST(FrictionBatchContract, UnwantedOutputsMayBeEmpty) {
 TEST(FrictionBatchContract, LengthsMustAgree) {
   const std::vector<double> three(3), two(2);
   std::vector<double> result(2);
-  EXPECT_THROW(contact::exact_friction_integrals({three, two, three}, {}),
-               contact::Error);
-  contact::FrictionBatchOutput out;
+  EXPECT_THROW(exact_friction_integrals({three, two, three}, {}), Error);
+  FrictionBatchOutput out;
   out.normal = result;
-  EXPECT_THROW(contact::exact_friction_integrals({three, three, three}, out),
-               contact::Error);
+  EXPECT_THROW(exact_friction_integrals({three, three, three}, out), Error);
 }
 
 TEST(FrictionBatchContract, AnUnsupportedInstructionSetIsRefused) {
   for (const InstructionSet set :
        {InstructionSet::avx2, InstructionSet::avx512}) {
-    if (contact::is_supported(set)) continue;
-    EXPECT_THROW(contact::exact_friction_integrals(
-                     contact::FrictionBatchInput{}, {}, set),
-                 contact::Error);
+    if (is_supported(set)) continue;
+    EXPECT_THROW(exact_friction_integrals(FrictionBatchInput{}, {}, set),
+                 Error);
   }
 }
 
 }  // namespace
+}  // namespace contact::test

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <memory>
 #include <string>
 #include <utility>
@@ -20,20 +19,12 @@
 #include "support/accuracy_report.hpp"
 #include "support/allocation_count.hpp"
 #include "support/error_message.hpp"
+#include "support/friction_reference.hpp"
+#include "support/numbers.hpp"
 
+namespace contact::test {
 namespace {
 
-using contact::degree;
-using contact::ElasticPair;
-using contact::FrictionIntegrals;
-using contact::FrictionTriple;
-using contact::JointKind;
-using contact::ShapedPressure;
-using contact::SlipAxis;
-using contact::test::AccuracyReport;
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinity = std::numeric_limits<double>::infinity();
 // What ShapedPressure promises.
 constexpr double budget = 1e-9;
 
@@ -71,13 +62,6 @@ std::vector<Own> own_laws(JointKind kind) {
           Own(kind, "cone", cone)};
 }
 
-void compare(AccuracyReport& report, const FrictionTriple& computed,
-             const FrictionTriple& expected, const std::string& row) {
-  report.add(computed.force, expected.force, row + ", force");
-  report.add(computed.sliding, expected.sliding, row + ", sliding");
-  report.add(computed.spinning, expected.spinning, row + ", spinning");
-}
-
 std::string label(double theta0_deg, double alpha_deg) {
   return "theta0 = " + std::to_string(theta0_deg) +
          " deg, a = " + std::to_string(alpha_deg) + " deg";
@@ -98,17 +82,12 @@ TEST(OwnPressure, FrictionAgreesWithQuadratureOfTheDefinition) {
                                                 {115.0, 10.0},
                                                 {120.0, 30.0}}) {
       const SlipAxis axis = SlipAxis::from_degrees(alpha_deg);
-      const auto expected = contact::reference::quadrature_friction_integrals(
+      const auto expected = reference::quadrature_friction_integrals(
           law, theta0_deg * degree, axis, 1e-10);
-      const auto computed =
-          contact::friction_integrals(law, theta0_deg * degree, axis);
+      const auto computed = friction_integrals(law, theta0_deg * degree, axis);
       const std::string row = label(theta0_deg, alpha_deg);
-      compare(report, computed.coefficient, expected.value.coefficient, row);
-      compare(report, computed.pressure, expected.value.pressure, row);
-      report.add(computed.normal, expected.value.normal, row + ", normal");
-      compare(report, computed.area, expected.value.area, row);
+      add_integrals(report, computed, expected.value, row);
     }
-    report.check();
   }
 }
 
@@ -143,26 +122,21 @@ void check_against(const std::string& name) {
         if (kind == JointKind::pin) continue;
         const SlipAxis axis = SlipAxis::from_degrees(a_deg);
         const std::string at = label(theta0_deg, a_deg);
-        compare(
-            report, contact::friction_integrals(own, theta0, axis).coefficient,
-            contact::friction_integrals(known, theta0, axis).coefficient, at);
-        compare(
-            report,
-            contact::viscous_friction_integrals(own, theta0, axis).coefficient,
-            contact::viscous_friction_integrals(known, theta0, axis)
-                .coefficient,
-            at + ", viscous");
+        add_triple(report, friction_integrals(own, theta0, axis).coefficient,
+                   friction_integrals(known, theta0, axis).coefficient, at);
+        add_triple(report,
+                   viscous_friction_integrals(own, theta0, axis).coefficient,
+                   viscous_friction_integrals(known, theta0, axis).coefficient,
+                   at + ", viscous");
       }
     }
-    report.check();
-    slopes.check();
   }
 }
 
 TEST(OwnPressure, IsTheLawOfTheSameShape) {
-  check_against<contact::CosinePressure>("cosine");
-  check_against<contact::SqrtTanPressure>("sqrt_tan");
-  check_against<contact::SqrtThetaPressure>("sqrt_theta");
+  check_against<CosinePressure>("cosine");
+  check_against<SqrtTanPressure>("sqrt_tan");
+  check_against<SqrtThetaPressure>("sqrt_theta");
 }
 
 TEST(OwnPressure, BatchIsTheScalarCall) {
@@ -175,13 +149,13 @@ TEST(OwnPressure, BatchIsTheScalarCall) {
     in[2].push_back(axis.cos);
   }
   std::vector<double> sliding(150), normal(150);
-  contact::FrictionBatchOutput out{};
+  FrictionBatchOutput out{};
   out.sliding = sliding;
   out.normal = normal;
-  contact::friction_integrals(law, {in[0], in[1], in[2]}, out);
+  friction_integrals(law, {in[0], in[1], in[2]}, out);
   for (std::size_t i = 0; i < 150; ++i) {
     const FrictionIntegrals one =
-        contact::friction_integrals(law, in[0][i], {in[1][i], in[2][i]});
+        friction_integrals(law, in[0][i], {in[1][i], in[2][i]});
     EXPECT_EQ(sliding[i], one.coefficient.sliding) << i;
     EXPECT_EQ(normal[i], one.normal) << i;
   }
@@ -191,43 +165,42 @@ TEST(OwnPressure, BatchIsTheScalarCall) {
 TEST(InstructionSets, AreThoseOfADirectCall) {
   const ElasticPair steel({2e11, 0.3}, {2e11, 0.3});
   const auto ball = JointKind::ball;
-  const std::array<std::shared_ptr<const contact::PressureLaw>, 3> laws = {
-      std::make_shared<contact::CosinePressure>(ball),
-      std::make_shared<contact::SqrtThetaPressure>(ball),
+  const std::array<std::shared_ptr<const PressureLaw>, 3> laws = {
+      std::make_shared<CosinePressure>(ball),
+      std::make_shared<SqrtThetaPressure>(ball),
       std::make_shared<Own>(ball, "flat top", flat_top)};
   // Of all laws: compilers that do not contract leave some alike.
   int differences = 0;
   for (const auto& law : laws) {
-    const contact::JointContact contact(
-        contact::JointGeometry::ball(0.02, 20e-6), steel,
-        contact::FrictionLaw(0.1),
-        contact::make_half_angle_law("tanh", ball, steel), law);
+    const JointContact contact(JointGeometry::ball(0.02, 20e-6), steel,
+                               FrictionLaw(0.1),
+                               make_half_angle_law("tanh", ball, steel), law);
     for (int i = 1; i < 60; ++i) {
       const double theta0 = 0.03 * i;
       const SlipAxis axis = SlipAxis::from_degrees(1.4 * i);
       double baseline = 0;
-      for (const auto set : contact::supported_instruction_sets()) {
+      for (const auto set : supported_instruction_sets()) {
         const FrictionTriple direct =
-            contact::friction_integrals(*law, theta0, axis, set).coefficient;
+            friction_integrals(*law, theta0, axis, set).coefficient;
         const FrictionTriple found = contact.with_instruction_set(set)
                                          .integrals(theta0, axis)
                                          .coefficient;
         EXPECT_EQ(found.sliding, direct.sliding) << law->name();
         EXPECT_EQ(found.spinning, direct.spinning) << law->name();
         double force = 0;
-        contact::FrictionBatchOutput out{};
+        FrictionBatchOutput out{};
         out.force = {&force, 1};
-        contact::friction_integrals(
-            *law, {{&theta0, 1}, {&axis.sin, 1}, {&axis.cos, 1}}, out, set);
+        friction_integrals(*law, {{&theta0, 1}, {&axis.sin, 1}, {&axis.cos, 1}},
+                           out, set);
         if (law != laws[0]) {
           EXPECT_EQ(force, direct.force) << law->name();
         }
-        if (set == contact::InstructionSet::baseline) baseline = direct.force;
+        if (set == InstructionSet::baseline) baseline = direct.force;
         differences += direct.force != baseline;
       }
     }
   }
-  if (contact::supported_instruction_sets().size() > 1) {
+  if (supported_instruction_sets().size() > 1) {
     EXPECT_GT(differences, 0);
   }
 }
@@ -241,38 +214,32 @@ TEST(OwnPressure, EndsAndNan) {
   EXPECT_EQ(law.slope(0, 1), 0);
   EXPECT_EQ(law.pressure(1.1, 1), 0);
   EXPECT_EQ(law.slope(1.1, 1), 0);
-  const auto none =
-      contact::friction_integrals(law, 0, SlipAxis::from_degrees(40));
+  const auto none = friction_integrals(law, 0, SlipAxis::from_degrees(40));
   EXPECT_EQ(none.coefficient.sliding, 1);
   for (const double bad : {nan, -0.1, 2.6}) {
-    EXPECT_TRUE(std::isnan(law.peak(bad)));
-    EXPECT_TRUE(std::isnan(law.force_ratio(bad)));
-    EXPECT_TRUE(std::isnan(law.pressure(0.1, bad)));
-    EXPECT_TRUE(std::isnan(law.slope(0.1, bad)));
-    const auto r =
-        contact::friction_integrals(law, bad, SlipAxis::from_degrees(30));
-    EXPECT_TRUE(std::isnan(r.coefficient.force));
-    EXPECT_TRUE(std::isnan(r.normal));
+    EXPECT_TRUE(all_nan({law.peak(bad), law.force_ratio(bad),
+                         law.pressure(0.1, bad), law.slope(0.1, bad)}));
+    const auto r = friction_integrals(law, bad, SlipAxis::from_degrees(30));
+    EXPECT_TRUE(all_nan({r.coefficient.force, r.normal}));
   }
   const double x = 0.5;
   double slope = 0;
   law.edge_slopes(nan, {&x, 1}, {&slope, 1});
-  EXPECT_TRUE(std::isnan(slope));
-  EXPECT_TRUE(std::isnan(law.pressure(nan, 1)));
-  EXPECT_EQ(contact::test::error_message(
-                [] { Own(JointKind::ball, "far", cone, 3.1); }),
-            "pressure law far: largest_half_angle = 3.1 must be in (0, 175 "
-            "deg]");
+  EXPECT_TRUE(all_nan({slope, law.pressure(nan, 1)}));
+  EXPECT_ERROR(Own(JointKind::ball, "far", cone, 3.1),
+               "pressure law far: largest_half_angle = 3.1 must be in (0, 175 "
+               "deg]");
 }
 
 TEST(OwnPressure, NothingAllocatesAfterTheFirstCall) {
   const Own law(JointKind::ball, "cone", cone);
   const SlipAxis axis = SlipAxis::from_degrees(40);
-  contact::friction_integrals(law, 1, axis);
-  const std::size_t before = contact::test::allocation_count();
-  contact::friction_integrals(law, 1.1, axis);
+  friction_integrals(law, 1, axis);
+  const std::size_t before = allocation_count();
+  friction_integrals(law, 1.1, axis);
   law.slope(0.3, 1);
-  EXPECT_EQ(contact::test::allocation_count(), before);
+  EXPECT_EQ(allocation_count(), before);
 }
 
 }  // namespace
+}  // namespace contact::test

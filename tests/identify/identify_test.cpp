@@ -19,19 +19,9 @@
 #include "support/error_message.hpp"
 #include "support/reference_table.hpp"
 
+namespace contact::test {
 namespace {
 
-using contact::Estimate;
-using contact::FrictionFit;
-using contact::FrictionLaw;
-using contact::FrictionParameter;
-using contact::IdentifyOptions;
-using contact::JointContact;
-using contact::JointGeometry;
-using contact::JointKind;
-using contact::MeasuredMoment;
-using contact::Status;
-using contact::test::ReferenceTable;
 using Eigen::Vector3d;
 
 constexpr auto f0 = FrictionParameter::coefficient;
@@ -40,24 +30,22 @@ constexpr auto clearance = FrictionParameter::clearance;
 
 // Steel in bronze, as the reference data.
 JointContact steel_in_bronze(JointKind kind,
-                             contact::FrictionModel friction = FrictionLaw(0),
+                             FrictionModel friction = FrictionLaw(0),
                              const std::string& pressure = "cosine") {
-  const contact::ElasticPair pair({207e9, 0.292}, {111e9, 0.349});
+  const ElasticPair pair({207e9, 0.292}, {111e9, 0.349});
   return {kind == JointKind::ball ? JointGeometry::ball(0.025, 25e-6)
                                   : JointGeometry::pin(0.02, 40e-6, 0.05),
-          pair, friction, contact::make_half_angle_law("tanh", kind, pair),
-          contact::make_pressure_law(pressure, kind, pair)};
+          pair, friction, make_half_angle_law("tanh", kind, pair),
+          make_pressure_law(pressure, kind, pair)};
 }
 
 Vector3d reaction(double force, double b_deg) {
-  return {force * std::sin(b_deg * contact::degree), 0,
-          force * std::cos(b_deg * contact::degree)};
+  return {force * std::sin(b_deg * degree), 0,
+          force * std::cos(b_deg * degree)};
 }
 
 Vector3d moment(const JointContact& joint, const Vector3d& force) {
-  return contact::Joint(joint)
-      .solve({force, Vector3d::UnitZ()})
-      .friction_moment;
+  return Joint(joint).solve({force, Vector3d::UnitZ()}).friction_moment;
 }
 
 std::vector<MeasuredMoment> reference_data(const std::string& set) {
@@ -305,12 +293,10 @@ TEST(Identify, Slopes) {
       if (kind == JointKind::pin && b_deg != 90) continue;
       SCOPED_TRACE(to_string(kind) + " b = " + std::to_string(b_deg));
       const Vector3d side = force.cross(Vector3d::UnitX()).normalized();
-      const Vector3d rate =
-          std::cos(b_deg * contact::degree) * force.normalized() +
-          std::sin(b_deg * contact::degree) * side;
+      const Vector3d rate = std::cos(b_deg * degree) * force.normalized() +
+                            std::sin(b_deg * degree) * side;
       const MeasuredMoment state{force, rate, Vector3d(0, 0, 0), 1};
-      const contact::detail::MomentModel model(steel_in_bronze(kind),
-                                               {&state, 1});
+      const detail::MomentModel model(steel_in_bronze(kind), {&state, 1});
       for (const auto& at :
            {model.point(0.2, 2e6, 30e-6), model.point(0.8, 1e5, 10e-6),
             model.point(0.01, 1e6, 30e-6), model.point(-0.1, 2e6, 30e-6),
@@ -319,8 +305,7 @@ TEST(Identify, Slopes) {
         for (int number = 0; number < 3; ++number) {
           constexpr double h = 1e-3;
           const auto moved = [&](double steps) {
-            return model.moments(at + steps * h *
-                                          contact::detail::Point::Unit(number));
+            return model.moments(at + steps * h * detail::Point::Unit(number));
           };
           const Vector3d difference =
               (8 * (moved(1) - moved(-1)) - (moved(2) - moved(-2))) / (12 * h);
@@ -396,7 +381,7 @@ TEST(Identify, Trends) {
       steel_in_bronze(JointKind::ball, FrictionLaw(0.12, 1e6));
   auto data = exact_data(truth, 2e3, 20, false);
   for (std::size_t i = 0; i < data.size(); ++i) {
-    data[i].rate *= 1 + static_cast<double>(i * 7 % 5);
+    data[i].angular_velocity *= 1 + static_cast<double>(i * 7 % 5);
   }
   add_noise(data, 0.005);
   const auto shows = [](const Estimate& trend) {
@@ -408,7 +393,7 @@ TEST(Identify, Trends) {
   EXPECT_FALSE(shows(plain.rate_trend));
   EXPECT_FALSE(shows(plain.load_trend));
   for (MeasuredMoment& datum : data) {  // 0.02 per rad/s is 4 sigma
-    std::get<double>(datum.moment) *= 1 - 0.02 * datum.rate.norm();
+    std::get<double>(datum.moment) *= 1 - 0.02 * datum.angular_velocity.norm();
   }
   const FrictionFit falling = identify_friction(truth, data, options);
   EXPECT_GT(falling.rate_trend.interval.low, 0);
@@ -429,7 +414,7 @@ TEST(Identify, Prediction) {
       identify_friction(steel_in_bronze(JointKind::ball), data);
   for (const int i : {0, 17, 39}) {
     const Estimate there =
-        predicted_moment(fit, data[i].reaction, data[i].rate);
+        predicted_moment(fit, data[i].reaction, data[i].angular_velocity);
     EXPECT_NEAR(there.value, fit.moment[i], 1e-12 * fit.moment[i]);
     EXPECT_NEAR(there.standard_error, fit.moment_error[i],
                 1e-6 * fit.moment_error[i]);
@@ -441,10 +426,9 @@ TEST(Identify, BadInput) {
   auto data = reference_data("wide");
   const auto message = [&](const JointContact& of,
                            const IdentifyOptions& options = {}) {
-    return contact::test::error_message(
-        [&] { identify_friction(of, data, options); });
+    return error_message([&] { identify_friction(of, data, options); });
   };
-  EXPECT_EQ(message(joint.with_friction(contact::ViscousLaw(1))),
+  EXPECT_EQ(message(joint.with_friction(ViscousLaw(1))),
             "friction of the joint must be dry");
   EXPECT_EQ(message(joint, {.parameters = {f0, f0}}),
             "parameters to fit must be at least one, each once");
@@ -461,3 +445,4 @@ TEST(Identify, BadInput) {
 }
 
 }  // namespace
+}  // namespace contact::test

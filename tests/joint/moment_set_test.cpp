@@ -4,32 +4,22 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
-#include <limits>
 #include <string>
 #include <vector>
 
-#include "libcontact/half_angle/factory.hpp"
 #include "libcontact/joint/joint.hpp"
-#include "libcontact/pressure/cosine.hpp"
 #include "support/accuracy_report.hpp"
 #include "support/allocation_count.hpp"
+#include "support/joints.hpp"
+#include "support/numbers.hpp"
 #include "support/random_slip.hpp"
 
+namespace contact::test {
 namespace {
 
-using contact::Joint;
-using contact::JointSolution;
-using contact::MomentProx;
-using contact::MomentSet;
-using contact::Status;
-using contact::test::AccuracyReport;
-using contact::test::RandomSlip;
-using contact::test::RandomSlips;
+using Prox = MomentSet::Prox;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // Random contacts with friction, of all sizes. A set is flat, theta0 times as
 // thick along n as wide, and changes over angles of theta0: the rounding of n
@@ -74,8 +64,8 @@ concept HasMomentSet = requires(Joint joint, const JointSolution& solution) {
 };
 static_assert(HasMomentSet<const Joint&>);
 static_assert(!HasMomentSet<Joint>);
-static_assert(!std::is_constructible_v<MomentSet, contact::JointContact,
-                                       Vector3d, double, double>);
+static_assert(!std::is_constructible_v<MomentSet, JointContact, Vector3d,
+                                       double, double>);
 
 TEST(MomentSet, AgreesWithTheSolutionThatMadeIt) {
   RandomSlips random(1);
@@ -91,8 +81,6 @@ TEST(MomentSet, AgreesWithTheSolutionThatMadeIt) {
                         r.thickness(),
                     "");
   }
-  moment.check();
-  power.check();
 }
 
 TEST(MomentSet, MomentIsMinusTheGradientOfSupport) {
@@ -113,7 +101,6 @@ TEST(MomentSet, MomentIsMinusTheGradientOfSupport) {
     const Vector3d m = set.moment(u);
     report.add_error((gradient + m).norm() / m.norm(), "");
   }
-  report.check();
 }
 
 TEST(MomentSet, SupportIsConvexEvenAndHomogeneous) {
@@ -152,7 +139,6 @@ TEST(MomentSet, UtilisationOfTheEdgeIsOne) {
     }
     EXPECT_EQ(set.utilisation(Vector3d::Zero()), 0);
   }
-  report.check();
 }
 
 // What makes a point the minimum: the moment is in the set and opposes the
@@ -175,13 +161,15 @@ TEST(MomentSet, ProxMeetsItsConditions) {
                            : random.log_uniform(0.1, 1e4);
     const Vector3d wanted = -tau * set.moment(u);
     const Vector3d free = inertia.llt().solve(wanted);
-    const MomentProx p = set.prox(inertia, free);
+    const Prox p = set.prox(inertia, free);
     ASSERT_EQ(p.status, Status::ok)
         << "tau " << tau << " theta0 " << r.solution.half_angle << " residual "
         << p.residual << " steps " << p.iterations;
     balance.add_error(
-        (inertia * (p.rate - free) - p.moment).norm() / wanted.norm(), "");
-    if (p.rate.isZero(0)) {
+        (inertia * (p.angular_velocity - free) - p.moment).norm() /
+            wanted.norm(),
+        "");
+    if (p.angular_velocity.isZero(0)) {
       ++held;
       EXPECT_LE(tau, 1 + 1e-14 / r.thickness());
       continue;
@@ -191,13 +179,11 @@ TEST(MomentSet, ProxMeetsItsConditions) {
     EXPECT_GE(tau, 1 - 1e-14 / r.thickness());
     inside.add_error(
         std::max(0.0, set.utilisation(p.moment) - 1) * r.thickness(), "");
-    power.add_error(std::abs(p.rate.dot(p.moment) + set.support(p.rate)) /
-                        (p.rate.norm() * p.moment.norm()),
+    power.add_error(std::abs(p.angular_velocity.dot(p.moment) +
+                             set.support(p.angular_velocity)) /
+                        (p.angular_velocity.norm() * p.moment.norm()),
                     "");
   }
-  inside.check();
-  power.check();
-  balance.check();
   EXPECT_GT(held, 100);
   EXPECT_GT(slid, 1000);
   std::printf("prox: most Newton steps %d\n", most_steps);
@@ -227,20 +213,12 @@ TEST(MomentSet, ProjectionIsTheNearestPoint) {
     EXPECT_LE((set.project(other) - p).norm(),
               (other - m).norm() * (1 + 1e-10));
   }
-  idempotent.check();
 }
 
 TEST(MomentSet, WithoutFrictionOrLoadHoldsNothing) {
-  const contact::ElasticPair pair({2e11, 0.3}, {2e11, 0.3});
-  const auto make = [&](const contact::FrictionModel& friction) {
-    return Joint(
-        {contact::JointGeometry::ball(0.05, 0.05e-3), pair, friction,
-         contact::make_half_angle_law("tanh", contact::JointKind::ball, pair),
-         std::make_unique<contact::CosinePressure>(contact::JointKind::ball)});
-  };
   const Vector3d m(1, 2, 3);
   for (const Joint& joint :
-       {make(contact::FrictionLaw(0)), make(contact::ViscousLaw(1e6, 0.1))}) {
+       {steel_ball(FrictionLaw(0)), steel_ball(ViscousLaw(1e6, 0.1))}) {
     const JointSolution rest =
         joint.solve({Vector3d(0, 0, 1e5), Vector3d::Zero()});
     const MomentSet set = joint.moment_set(rest);
@@ -248,9 +226,9 @@ TEST(MomentSet, WithoutFrictionOrLoadHoldsNothing) {
     EXPECT_EQ(set.utilisation(m), infinity);
     EXPECT_EQ(set.utilisation(Vector3d::Zero()), 0);
     EXPECT_EQ(set.project(m), Vector3d::Zero());
-    EXPECT_EQ(set.prox(Matrix3d::Identity(), m).rate, m);
+    EXPECT_EQ(set.prox(Matrix3d::Identity(), m).angular_velocity, m);
   }
-  const Joint dry = make(contact::FrictionLaw(0.3));
+  const Joint dry = steel_ball(FrictionLaw(0.3));
   const JointSolution empty = dry.solve({Vector3d::Zero(), Vector3d::Zero()});
   EXPECT_EQ(dry.moment_set(empty).utilisation(m), infinity);
 }
@@ -260,16 +238,17 @@ TEST(MomentSet, NanGivesNanAndNothingAllocates) {
   const RandomSet r = random_sets(random, 1)[0];
   const MomentSet set = r.set();
   const Vector3d bad(1, nan, 0);
-  const std::size_t before = contact::test::allocation_count();
+  const std::size_t before = allocation_count();
   EXPECT_TRUE(std::isnan(set.support(bad)));
   EXPECT_TRUE(set.moment(bad).hasNaN());
   EXPECT_TRUE(std::isnan(set.utilisation(bad)));
   EXPECT_TRUE(set.project(bad).hasNaN());
-  const MomentProx p = set.prox(Matrix3d::Identity(), bad);
+  const Prox p = set.prox(Matrix3d::Identity(), bad);
   EXPECT_EQ(p.status, Status::out_of_range);
-  EXPECT_TRUE(p.rate.hasNaN());
+  EXPECT_TRUE(p.angular_velocity.hasNaN());
   set.project(1e3 * r.solution.friction_moment);
-  EXPECT_EQ(contact::test::allocation_count(), before);
+  EXPECT_EQ(allocation_count(), before);
 }
 
 }  // namespace
+}  // namespace contact::test

@@ -19,22 +19,8 @@
 #include "support/error_message.hpp"
 #include "support/every_joint.hpp"
 
+namespace contact::test {
 namespace {
-
-using contact::Backing;
-using contact::ElasticPair;
-using contact::FrictionLaw;
-using contact::FrictionStress;
-using contact::InnerLoading;
-using contact::Joint;
-using contact::JointContact;
-using contact::JointGeometry;
-using contact::JointKind;
-using contact::JointSpec;
-using contact::LayeredPair;
-using contact::Material;
-using contact::test::every_joint;
-using contact::test::JointText;
 
 const Material steel{2.1e11, 0.3, "steel"};
 const Material bronze{1.1e11, 0.34, "bronze"};
@@ -51,9 +37,9 @@ JointSpec lined_ball() {
 // text, for every kind of friction and wall.
 TEST(JointSpec, CanonicalTextComesBack) {
   for (const JointText& given : every_joint()) {
-    const JointSpec joint = contact::parse_joint(given.toml, given.name);
+    const JointSpec joint = parse_joint(given.toml, given.name);
     const std::string text = joint.canonical_text();
-    const JointSpec again = contact::parse_joint(text, "text");
+    const JointSpec again = parse_joint(text, "text");
     EXPECT_EQ(again, joint) << given.name << '\n' << text;
     EXPECT_EQ(again.canonical_text(), text) << given.name;
   }
@@ -63,7 +49,7 @@ TEST(JointSpec, CanonicalTextHasFitsLawsAndLoading) {
   const std::string bodies =
       "[materials.inner]\nyoungs_modulus_GPa = inf\n[materials.outer]\n"
       "youngs_modulus_GPa = 3\npoissons_ratio = 0.4\n";
-  const JointSpec fitted = contact::parse_joint(
+  const JointSpec fitted = parse_joint(
       "name = \"a\\tb\"\nkind = \"pin\"\ninner_body = \"body\"\n[geometry]\n"
       "diameter_mm = 50\nhole = \"H7\"\nshaft = \"g6\"\nclearance = "
       "\"maximum\"\nlength_mm = 30\n" +
@@ -71,15 +57,15 @@ TEST(JointSpec, CanonicalTextHasFitsLawsAndLoading) {
           "[half_angle]\nlaw = \"blend:0.3\"\nlimit_half_angle_deg = 80\n"
           "degrees_per_radian = 57.3\n[pressure]\nlaw = \"cosine\"\n",
       "fit");
-  EXPECT_EQ(contact::parse_joint(fitted.canonical_text(), "text"), fitted);
-  const JointSpec pressed = contact::parse_joint(
+  EXPECT_EQ(parse_joint(fitted.canonical_text(), "text"), fitted);
+  const JointSpec pressed = parse_joint(
       "name = \"b\"\nkind = \"ball\"\n[geometry]\nradius_mm = 20\n"
       "relative_clearance = 1e-3\n" +
           bodies +
           "[half_angle]\nlaw = \"exact\"\n[loading]\nkind = \"back\"\n"
           "patch_half_angle_deg = 20\n",
       "loading");
-  EXPECT_EQ(contact::parse_joint(pressed.canonical_text(), "text"), pressed);
+  EXPECT_EQ(parse_joint(pressed.canonical_text(), "text"), pressed);
 }
 
 // Whatever is said of a joint counts when two are compared.
@@ -88,8 +74,7 @@ TEST(JointSpec, ADifferenceAnywhereIsSeen) {
   std::vector<JointSpec> others(12, joint);
   others[0].name = "b";
   others[1].geometry = JointGeometry::ball(0.02, 41e-6);
-  others[2].geometry =
-      JointGeometry::ball(0.02, 40e-6, contact::JointBody::body);
+  others[2].geometry = JointGeometry::ball(0.02, 40e-6, JointBody::body);
   others[3].inner = bronze;
   others[4].outer.layers[0].thickness = 0.005;
   others[5].outer.backing = Backing::rigid();
@@ -111,9 +96,9 @@ TEST(JointSpec, ADifferenceAnywhereIsSeen) {
 
 TEST(JointSpec, OwnFrictionIsEqualToItsCopies) {
   const FrictionStress::Function half = [](double p, double) { return p / 2; };
-  const FrictionStress one(half, contact::StressOverSpeed::constant);
+  const FrictionStress one(half, StressOverSpeed::constant);
   const FrictionStress copy = one;
-  const FrictionStress other(half, contact::StressOverSpeed::constant);
+  const FrictionStress other(half, StressOverSpeed::constant);
   EXPECT_EQ(one, copy);
   EXPECT_NE(one, other);
 }
@@ -124,10 +109,10 @@ TEST(JointSpec, GivesTheLawsOfItsWalls) {
   EXPECT_EQ(joint.half_angle_law_name(), "exact");
   const LayeredPair walls(0.02, steel, joint.outer);
   const auto ball = JointKind::ball;
-  const JointContact by_hand(
-      joint.geometry, walls.surfaces(), *joint.friction,
-      std::make_shared<contact::ExactLaw>(ball, walls),
-      std::make_shared<contact::ExactPressure>(ball, walls), {.walls = walls});
+  const JointContact by_hand(joint.geometry, walls.surfaces(), *joint.friction,
+                             std::make_shared<ExactLaw>(ball, walls),
+                             std::make_shared<ExactPressure>(ball, walls),
+                             {.walls = walls});
   const Joint::Slip slip = {{100, 0, 2000}, {0.3, 0, 1}};
   EXPECT_EQ(Joint(joint).solve(slip).friction_moment,
             Joint(by_hand).solve(slip).friction_moment);
@@ -136,11 +121,11 @@ TEST(JointSpec, GivesTheLawsOfItsWalls) {
   EXPECT_EQ(plain.half_angle_law_name(), "fitted");
 }
 
-std::string refusal(const contact::ElasticPair& pair,
-                    std::shared_ptr<const contact::HalfAngleLaw> law,
-                    std::shared_ptr<const contact::PressureLaw> pressure,
-                    const contact::ContactConditions& conditions = {}) {
-  return contact::test::error_message([&] {
+std::string refusal(const ElasticPair& pair,
+                    std::shared_ptr<const HalfAngleLaw> law,
+                    std::shared_ptr<const PressureLaw> pressure,
+                    const ContactConditions& conditions = {}) {
+  return error_message([&] {
     JointContact(JointGeometry::ball(0.02, 40e-6), pair, FrictionLaw(0.1),
                  std::move(law), std::move(pressure), conditions);
   });
@@ -151,14 +136,14 @@ TEST(JointContact, RefusesLawsOfAnotherJoint) {
   const auto ball = JointKind::ball;
   const ElasticPair pair(steel, bronze), other(steel, liner);
   const LayeredPair walls(0.02, steel, lined_ball().outer);
-  const contact::ContactConditions walled{.walls = walls};
+  const ContactConditions walled{.walls = walls};
   const auto half_angle = [&](const char* name, const ElasticPair& of) {
     return std::shared_ptr(make_half_angle_law(name, ball, of));
   };
   const auto pressure = [&](const char* name, const ElasticPair& of) {
     return std::shared_ptr(make_pressure_law(name, ball, of));
   };
-  for (const std::string& name : contact::half_angle_law_names()) {
+  for (const std::string& name : half_angle_law_names()) {
     const auto law = half_angle(name.c_str(), other);
     const std::string message = refusal(pair, law, pressure("cosine", pair));
     if (name == "hertz") {
@@ -173,17 +158,17 @@ TEST(JointContact, RefusesLawsOfAnotherJoint) {
         "(no error)");
     EXPECT_NE(
         refusal(walls.surfaces(), half_angle(name.c_str(), walls.surfaces()),
-                std::make_shared<contact::ExactPressure>(ball, walls), walled),
+                std::make_shared<ExactPressure>(ball, walls), walled),
         "(no error)")
         << name << " does not know walls";
   }
-  for (const std::string& name : contact::pressure_law_names()) {
+  for (const std::string& name : pressure_law_names()) {
     const std::string message =
         refusal(pair, half_angle("hertz", pair), pressure(name.c_str(), other));
     EXPECT_EQ(message != "(no error)", name == "mixture" || name == "exact")
         << name << ": " << message;
   }
-  const auto exact = std::make_shared<contact::ExactLaw>(ball, walls);
+  const auto exact = std::make_shared<ExactLaw>(ball, walls);
   EXPECT_NE(refusal(walls.surfaces(), exact, pressure("worn", pair)),
             "(no error)")
       << "walls that are not named";
@@ -201,14 +186,15 @@ TEST(JointContact, TakesLawsOfTheSameConstants) {
   const auto ball = JointKind::ball;
   const Material nameless{2.1e11 * (1 + 2e-16), 0.3};
   const ElasticPair pair(steel, bronze), same(nameless, {1.1e11, 0.34});
-  EXPECT_EQ(refusal(pair, std::make_shared<contact::FittedLaw>(ball, same),
-                    std::make_shared<contact::MixturePressure>(ball, same)),
+  EXPECT_EQ(refusal(pair, std::make_shared<FittedLaw>(ball, same),
+                    std::make_shared<MixturePressure>(ball, same)),
             "(no error)");
   // The ratios alone count: a pair of another scale serves.
   const auto ratio = ElasticPair::from_modulus_ratio(2.1 / 1.1, 0.3, 0.34);
-  EXPECT_EQ(refusal(pair, std::make_shared<contact::FittedLaw>(ball, ratio),
-                    std::make_shared<contact::MixturePressure>(ball, ratio)),
+  EXPECT_EQ(refusal(pair, std::make_shared<FittedLaw>(ball, ratio),
+                    std::make_shared<MixturePressure>(ball, ratio)),
             "(no error)");
 }
 
 }  // namespace
+}  // namespace contact::test

@@ -192,7 +192,7 @@ TEST(CoupledDynamics, TrackedFrictionFitsTheReactionsItCauses) {
         Case c = random_case(mix, bodies, seed, false, 0.01);
         if (mix == Mix::axes && seed % 2 == 0) {
           for (HingeFriction& friction : c.friction) {
-            friction = NodeFriction{ball_and_pin(FrictionLaw(0.2, 1e4), 0.2)};
+            friction = GroupFriction{ball_and_pin(FrictionLaw(0.2, 1e4), 0.2)};
           }
         }
         CoupledDynamics coupled(c.prepared.system, c.friction);

@@ -40,6 +40,7 @@ TEST(Multibody, OracleCases) {
   // Three digits less in any program that works with double: the oracle's
   // own error.
   AccuracyReport degenerate("oracle cases near a point mass", 1e-6);
+  degenerate.may_be_empty();
   for (const auto& file : oracle_files()) {
     std::ifstream stream(file);
     const auto json = nlohmann::ordered_json::parse(stream);
@@ -52,8 +53,6 @@ TEST(Multibody, OracleCases) {
         .add_error(error.error, name + " " + error.quantity);
   }
   EXPECT_GE(report.size(), 22u);
-  report.check();
-  if (degenerate.size() > 0) degenerate.check();
 }
 
 TEST(Multibody, DenseReference) {
@@ -74,7 +73,6 @@ TEST(Multibody, DenseReference) {
       }
     }
   }
-  report.check();
 }
 
 // The benchmark's opponent has to solve the same problem.
@@ -263,8 +261,6 @@ TEST_P(MultibodyRows, AreTheVectorsOfAllBodies) {
       }
     }
   }
-  by_body.check();
-  in_full.check();
 }
 INSTANTIATE_TEST_SUITE_P(Sets, MultibodyRows,
                          testing::Values(contact::InstructionSet::baseline,

@@ -75,14 +75,14 @@ std::vector<Hinge> hinges() {
     all.push_back({"pin" + by, HingeKind::axis,
                    JointFriction{ending_pin(), estimate}, 0, 1});
     for (const int joint : {0, 1}) {
-      std::vector<contact::NodeJoint> joints;
+      std::vector<contact::JointGroup::Member> joints;
       joints.push_back(
           {joint == 0 ? ending_ball() : ball_joint(friction, radius), -1});
       joints.push_back(
           {joint == 1 ? ending_pin() : pin_joint(friction, radius), 1});
       all.push_back(
           {fmt::format("node, joint {}{}", joint, by), HingeKind::axis,
-           NodeFriction{contact::JointNode(joints), estimate}, joint, 0.5});
+           GroupFriction{contact::JointGroup(joints), estimate}, joint, 0.5});
     }
   }
   return all;

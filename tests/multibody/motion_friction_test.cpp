@@ -110,10 +110,10 @@ TEST(MotionFriction, WithoutFrictionATorqueTurnsTheWheelAtOnce) {
   };
   const std::vector<Wheel> wheels = {
       {HingeKind::axis, JointFriction{pin_joint(none)}, g},
-      {HingeKind::axis, NodeFriction{ball_and_pin(none, 0.2)}, g},
+      {HingeKind::axis, GroupFriction{ball_and_pin(none, 0.2)}, g},
       {HingeKind::ball, JointFriction{ball_joint(none)}, g},
       {HingeKind::axis, JointFriction{pin_joint(FrictionLaw(0.2, 1e4))}, 0},
-      {HingeKind::axis, NodeFriction{ball_and_pin(FrictionLaw(0.2), 0.2)}, 0},
+      {HingeKind::axis, GroupFriction{ball_and_pin(FrictionLaw(0.2), 0.2)}, 0},
       {HingeKind::ball, JointFriction{ball_joint(FrictionLaw(0.2))}, 0}};
   for (std::size_t k = 0; k < wheels.size(); ++k) {
     for (const Integrator integrator :
@@ -347,12 +347,13 @@ TEST(MotionFriction, ViscousHingeSlowsDownForEver) {
 TEST(MotionFriction, TraditionalEstimateBrakesTooHard) {
   const double f = 0.8;
   const auto stop = [&](FrictionEstimate estimate, bool node) {
-    std::vector<contact::NodeJoint> joints;
+    std::vector<contact::JointGroup::Member> joints;
     joints.push_back({ball_joint(FrictionLaw(f), 0.02), -0.1});
     joints.push_back({pin_joint(FrictionLaw(f), 0.02), 0.1});
     HingeFriction friction;
     if (node) {
-      friction = NodeFriction{contact::JointNode(std::move(joints)), estimate};
+      friction =
+          GroupFriction{contact::JointGroup(std::move(joints)), estimate};
     } else {
       friction = JointFriction{pin_joint(FrictionLaw(f), 0.02), estimate};
     }

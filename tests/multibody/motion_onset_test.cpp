@@ -68,7 +68,7 @@ HingeFriction random_friction(Random& random, HingeKind kind) {
   if (random.uniform(0, 1) < 0.5) {
     return JointFriction{pin_joint(law, radius)};
   }
-  return NodeFriction{ball_and_pin(law, random.uniform(0.2, 0.8))};
+  return GroupFriction{ball_and_pin(law, random.uniform(0.2, 0.8))};
 }
 
 // A free carrier with two to four bodies on dry pins and balls, all of them at

@@ -82,7 +82,7 @@ Mixed mixed_system(std::uint64_t seed, bool friction) {
     if (!friction) {
       m.friction.push_back({});
     } else if (i % 2) {
-      m.friction.push_back(NodeFriction{ball_and_pin(law, 0.2)});
+      m.friction.push_back(GroupFriction{ball_and_pin(law, 0.2)});
     } else {
       m.friction.push_back(JointFriction{ball_joint(law, 0.02)});
     }
@@ -181,7 +181,7 @@ TEST(Motion, RandomSystemsRunThrough) {
       } else if (random.uniform(0, 1) < 0.5) {
         friction.emplace_back(JointFriction{pin_joint(law, radius)});
       } else {
-        friction.emplace_back(NodeFriction{ball_and_pin(law, 0.3)});
+        friction.emplace_back(GroupFriction{ball_and_pin(law, 0.3)});
       }
     }
     const auto shake = std::make_shared<Shake>(

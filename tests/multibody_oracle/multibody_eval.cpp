@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <string>
 
@@ -41,14 +40,13 @@ bool is_finite(const multibody::InstantResult& result) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app(description, "multibody-eval");
-  app.footer(footer);
+  cli::Program program(description, "multibody-eval");
   std::string file;
   std::string output;
-  app.add_option("FILE", file, "case to evaluate")->required();
-  app.add_option("--output", output, "file to write; default standard output")
-      ->type_name("FILE");
-  return cli::run_program(app, argc, argv, [&] {
+  program.add("Options", {{"FILE", &file, "", "case to evaluate", "", "", true},
+                          {"--output", &output, "FILE",
+                           "file to write; default standard output"}});
+  return program.run(argc, argv, footer, [&] {
     const multibody::Instant instant = multibody::read_case(file);
     const multibody::InstantResult result = multibody::evaluate(instant);
     if (!is_finite(result)) {

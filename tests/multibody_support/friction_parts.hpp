@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "libcontact/half_angle/factory.hpp"
+#include "libcontact/joint/group.hpp"
 #include "libcontact/joint/joint.hpp"
-#include "libcontact/joint/node.hpp"
 #include "libcontact/pressure/cosine.hpp"
 
 /// Joints of steel for tests of motions.
@@ -73,17 +73,17 @@ inline contact::Joint pin_joint(
 /// Largest moment about z that a joint holds at rest.
 inline double moment_limit(const contact::Joint& joint,
                            const Eigen::Vector3d& reaction) {
-  return joint.utilisation({reaction, Eigen::Vector3d::UnitZ()})
+  return joint.at_rest({reaction, Eigen::Vector3d::UnitZ()})
       .slip.friction_moment.z();
 }
 
 /// A ball and a pin, `distance` apart about the hinge's centre.
-inline contact::JointNode ball_and_pin(const contact::FrictionModel& friction,
-                                       double distance) {
-  std::vector<contact::NodeJoint> joints;
+inline contact::JointGroup ball_and_pin(const contact::FrictionModel& friction,
+                                        double distance) {
+  std::vector<contact::JointGroup::Member> joints;
   joints.push_back({ball_joint(friction, 0.02), -distance / 2});
   joints.push_back({pin_joint(friction, 0.02), distance / 2});
-  return contact::JointNode(std::move(joints));
+  return contact::JointGroup(std::move(joints));
 }
 
 }  // namespace multibody::test

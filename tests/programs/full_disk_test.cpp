@@ -134,6 +134,35 @@ TEST(FullDisk, CheckpointsAreWholeOrNotThere) {
   }
 }
 
+// Wherever the disk is full, the rows before are kept, and the same command
+// goes on to the same bytes.
+TEST(FullDisk, JournalsGoOn) {
+  const ProgramFolder folder;
+  const std::string run =
+      "hinge-study data/studies/lined_bearing.toml --runs 40 ";
+  ASSERT_LE(folder.run(run + "--csv whole.csv --journal whole").status, 1);
+  const std::string whole = folder.read("whole.csv");
+  std::size_t rows = 0;
+  int stopped = 0;
+  for (int room = 0; room < 400'000; room += 9'001) {
+    const ProgramResult full =
+        folder.run(with_room(room, run + "--rows 0:40 --journal j"));
+    if (full.status == 0) break;
+    ++stopped;
+    EXPECT_EQ(full.status, 2);
+    EXPECT_EQ(full.err,
+              "hinge-study: j: cannot write: No space left on device\n");
+    // None before the table has been made.
+    const std::string now =
+        folder.run("sqlite3 j 'SELECT count(*) FROM rows'").out;
+    EXPECT_GE(now.empty() ? 0 : std::stoul(now), rows);
+    rows = now.empty() ? 0 : std::stoul(now);
+  }
+  EXPECT_GT(stopped, 3);
+  EXPECT_LE(folder.run(run + "--csv j.csv --journal j").status, 1);
+  EXPECT_EQ(folder.read("j.csv"), whole);
+}
+
 TEST(FullDisk, PicturesAreWholeOrNotThere) {
   const ProgramFolder folder;
   if (!have_gnuplot(folder)) GTEST_SKIP() << "gnuplot is not installed";

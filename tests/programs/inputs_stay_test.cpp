@@ -93,7 +93,6 @@ TEST_F(InputsStay, OfCasesAndStudies) {
                 .status,
             0);
   refuses(separate + " --resume k", "--output k", "k");
-  refuses(separate + " --resume k", "--output k.rows1", "k.rows1");
   ASSERT_LE(folder_.run("hinge-study s.toml --journal part").status, 1);
   refuses("hinge-study s.toml --merge part", "--csv part", "part");
 }

@@ -3,6 +3,7 @@
 // and no result is lost with a message.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 
 #include "support/program.hpp"
@@ -70,13 +71,19 @@ TEST(StandardStreams, JournalsSurviveMissingOnes) {
       "hinge-study data/studies/lined_bearing.toml --runs 5 --journal j ";
   const ProgramResult first = folder.run(study);
   ASSERT_LE(first.status, 1) << first.err;
-  const std::string journal = folder.read("j");
+  const auto rows = [&] {
+    const ProgramResult read = folder.run("sqlite3 j 'SELECT * FROM rows'");
+    EXPECT_EQ(read.status, 0) << read.err;
+    return read.out;
+  };
+  const std::string journal = rows();
+  EXPECT_EQ(std::ranges::count(journal, '\n'), 6);
   EXPECT_EQ(folder.run(study + "--output o.json >&-").err,
             "hinge-study: cannot write standard output: Bad file "
             "descriptor\n");
-  EXPECT_TRUE(folder.read("j") == journal);
+  EXPECT_EQ(rows(), journal);
   EXPECT_EQ(folder.run(study + "2>&-").out, first.out);
-  EXPECT_TRUE(folder.read("j") == journal);
+  EXPECT_EQ(rows(), journal);
 }
 
 }  // namespace

@@ -173,7 +173,7 @@ class Numbers(unittest.TestCase):
             with self.assertRaisesRegex(libcontact.Error, message):
                 pin.replace({"friction." + key: value})
         # Nothing rests on a stress that falls with the speed.
-        rest = pin.utilisation([2000, 0, 0], [0, 0, 1])
+        rest = pin.at_rest([2000, 0, 0], [0, 0, 1])
         self.assertEqual(rest.status, libcontact.Status.OUT_OF_RANGE)
         self.assertTrue(np.isnan(rest.utilisation))
 
@@ -181,7 +181,7 @@ class Numbers(unittest.TestCase):
         (row,) = table(
             "hinge-joint", "--joint", hip_file, "--reaction-xyz", "0,0,2000",
             "--moment-xyz", "1,0,0.5")  # fmt: skip
-        rest = hip.utilisation([0, 0, 2000], [1, 0, 0.5])
+        rest = hip.at_rest([0, 0, 2000], [1, 0, 0.5])
         self.assertEqual(rest.utilisation, float(row["utilisation"]))
         self.assertTrue(rest.holds)
 
@@ -316,7 +316,7 @@ class Files(unittest.TestCase):
             lambda force: soft.solve([0, 0, force], [1, 0, 1]),
             lambda force: soft.solve([[0, 0, 10], [0, 0, force]], [1, 0, 1]),
             lambda force: soft.solve_contact([0, 0, force], [1, 0, 1]),
-            lambda force: soft.utilisation([0, 0, force], [1, 0, 0]),
+            lambda force: soft.at_rest([0, 0, force], [1, 0, 0]),
             lambda force: soft.pv([0, 0, force], [1, 0, 1]),
             lambda force: soft.pv_at([0, 0, force], [1, 0, 1], [0, 0, 1]),
             lambda force: soft.peak_pressure(force),

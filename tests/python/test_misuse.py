@@ -13,7 +13,7 @@ from support import hip_file, python, random_rows, source
 hip = libcontact.Joint.from_file(hip_file)
 answers = {
     "Solution": hip.solve(*random_rows(4)),
-    "RestSolution": hip.utilisation(*random_rows(4)),
+    "RestSolution": hip.at_rest(*random_rows(4)),
     "Rating": hip.pv(*random_rows(4)),
     "Coefficients": libcontact.friction_coefficients(
         np.full(4, 0.5), np.full(4, 0.1)),

@@ -38,6 +38,7 @@ const std::vector<std::string> rooms = {
     "apps/multibody/friction",
     "apps/multibody/motion",
     "apps/separation/case",
+    "apps/separation/forces",
     "apps/separation/simulation",
     "apps/separation/clearance",
     "apps/separation/results",

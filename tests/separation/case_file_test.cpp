@@ -10,6 +10,7 @@
 #include "libcontact/base/units.hpp"
 #include "libcontact/files/toml_reader.hpp"
 #include "separation/case/case_reader.hpp"
+#include "separation/case/force_law.hpp"
 #include "separation/case/system_of.hpp"
 #include "support/edited_file.hpp"
 #include "support/error_message.hpp"
@@ -63,9 +64,8 @@ TEST(CaseFile, ReadsEverything) {
   EXPECT_EQ(c.events[1].after, 0);
   EXPECT_NEAR(c.events[1].value, 30 * degree, 1e-15);
   ASSERT_EQ(c.forces.size(), 2U);
-  const auto& thrust = std::get<separation::Thrust>(c.forces[1].what);
-  EXPECT_EQ(thrust.force, Vector3d(2000, 0, 0));
-  EXPECT_EQ(thrust.cutoff.event, 0);
+  EXPECT_EQ(c.forces[1].body, 2);
+  EXPECT_EQ(c.forces[1].law->own_clock().event, 0);
   // The carrier has no shape.
   ASSERT_EQ(c.clearance.size(), 1U);
   EXPECT_EQ(c.clearance[0].a, 1);

@@ -1,5 +1,5 @@
 // Parts of hinge-separation against independent routes: inertia of solids,
-// forces that keep momentum.
+// peaks, checkpoints.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -22,7 +22,6 @@
 #include "separation/results/saved_state.hpp"
 #include "separation/results/state_json.hpp"
 #include "separation/results/summary.hpp"
-#include "separation/simulation/case_forces.hpp"
 #include "support/error_message.hpp"
 #include "support/program.hpp"
 
@@ -31,8 +30,6 @@ namespace {
 using contact::test::error_message;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
-using multibody::BodyForce;
-using multibody::BodyMotion;
 using separation::convex_hull;
 using separation::Shape;
 using separation::ShapeKind;
@@ -166,51 +163,6 @@ TEST(Shape, FlatHullsAreRefused) {
             "the points of a hull are (nearly) in one plane");
 }
 
-// One force of a case on a body that is turned by 90 deg about z and moved to
-// (10, 0, 0), with the carrier at the origin.
-struct Forces {
-  BodyForce carrier, body;
-};
-Forces forces_of(const std::string& force, double time,
-                 const Vector3d& velocity = Vector3d::Zero()) {
-  const separation::Case c = separation::parse_case(R"(
-name = "forces"
-run = { end_time_s = 1 }
-[carrier]
-name = "core"
-mass_kg = 10
-principal_inertia_kg_m2 = [1, 1, 1]
-[[body]]
-name = "tip"
-mass_kg = 2
-com_m = [1, 0, 0]
-principal_inertia_kg_m2 = [1, 1, 1]
-hinge = { kind = "axis", axis = [0, 0, 1], carrier_point_m = [10, 0, 0] }
-[[force]]
-name = "f"
-body = "tip"
-)" + force,
-                                                    "forces.toml");
-  BodyMotion carrier{Vector3d::Zero(), Vector3d::Zero(), Matrix3d::Identity(),
-                     Vector3d::Zero()};
-  BodyMotion body = carrier;
-  body.rotation << 0, -1, 0, 1, 0, 0, 0, 0, 1;
-  body.position = Vector3d(10, 0, 0);
-  body.velocity = velocity;
-  const std::vector<BodyMotion> bodies = {carrier, body};
-  std::vector<BodyForce> result(2);
-  const separation::CaseForces model(c, separation::History(c));
-  model.add_forces(time, bodies, result);
-  return {result[0], result[1]};
-}
-
-void expect_force(const BodyForce& f, const Vector3d& force,
-                  const Vector3d& moment) {
-  // Some roundings of numbers up to some tens.
-  EXPECT_LE((f.force - force).norm(), 1e-13) << f.force.transpose();
-  EXPECT_LE((f.moment - moment).norm(), 1e-13) << f.moment.transpose();
-}
-
 // Two quantities that peak at 0.7 and 0.4, one that grows, one that has had a
 // higher peak; looked at every 0.3 s.
 TEST(Peaks, BetweenLooks) {
@@ -240,124 +192,6 @@ TEST(Peaks, BetweenLooks) {
                         {1.01, 3.2, std::exp(0.9), 1.5}));
   EXPECT_FALSE(may_peak(look(1.2), look(1.5), look(1.8), 1.5,
                         {1, 3, std::exp(1.8), 1.5}));
-}
-
-TEST(CaseForces, AppliedInBothAxes) {
-  const Vector3d zero = Vector3d::Zero();
-  // 2 m along the body's x from its centre of mass: inertial y.
-  const std::string point = "kind = \"applied\"\npoint_m = [3, 0, 0]\n";
-  expect_force(forces_of(point + "force_N = [0, 5, 0]\n", 0).body, {-5, 0, 0},
-               {0, 0, 10});
-  expect_force(
-      forces_of(point + "axes = \"inertial\"\nforce_N = [0, 5, 0]\n", 0).body,
-      {0, 5, 0}, zero);
-  expect_force(
-      forces_of("kind = \"applied\"\nmoment_N_m = [1, 0, 0]\n", 0).body, zero,
-      {0, 1, 0});
-  const std::string over_time =
-      "kind = \"applied\"\nstarts_at_s = 1\nends_at_s = 4\n"
-      "time_s = [0, 2]\nforce_N = [[0, 0, 1], [0, 0, 3]]\n";
-  for (const auto& [time, force] :
-       {std::pair{0.5, 0.0}, {1.0, 1.0}, {2.0, 2.0}, {3.5, 3.0}, {4.5, 0.0}}) {
-    expect_force(forces_of(over_time, time).body, {0, 0, force}, zero);
-  }
-  // The body has turned by 90 deg.
-  expect_force(forces_of("kind = \"applied\"\nangle_deg = [0, 180]\n"
-                         "force_N = [[0, 0, 0], [0, 0, 8]]\n",
-                         0)
-                   .body,
-               {0, 0, 4}, zero);
-}
-
-// At a jump a table has its second value, and just before it its first,
-// whatever rounding makes of the time since the force began.
-TEST(CaseForces, JumpsOfTablesOverTime) {
-  for (const double begin : {0.0, 0.1, 1 / 3.0, 0.7, 12.3}) {
-    for (const double jump : {0.1, 0.2, 0.3, 0.7, 1 / 3.0}) {
-      const auto force = [&](double time) {
-        return forces_of(
-                   fmt::format("kind = \"applied\"\nstarts_at_s = {}\n"
-                               "time_s = [0, {}, {}, 9]\n"
-                               "force_N = [[0, 0, 1], [0, 0, 2], [0, 0, -5], "
-                               "[0, 0, -5]]\n",
-                               begin, jump, jump),
-                   time)
-            .body.force.z();
-      };
-      EXPECT_EQ(force(begin), 1);
-      EXPECT_NEAR(force(std::nextafter(begin + jump, 0)), 2, 1e-13);
-      EXPECT_NEAR(force(begin + jump), -5, 1e-13);
-    }
-  }
-}
-
-TEST(CaseForces, ThrustEndsWithoutDecay) {
-  const std::string thrust =
-      "kind = \"thrust\"\npoint_m = [1, 1, 0]\ndirection = [2, 0, 0]\n"
-      "thrust_N = 6\ncutoff_at_s = 3\n";
-  const Vector3d zero = Vector3d::Zero();
-  expect_force(forces_of(thrust, std::nextafter(3, 0)).body, {0, 6, 0},
-               {0, 0, -6});
-  expect_force(forces_of(thrust, 3).body, zero, zero);
-}
-
-TEST(CaseForces, ThrustDecays) {
-  const std::string thrust =
-      "kind = \"thrust\"\npoint_m = [1, 1, 0]\ndirection = [2, 0, 0]\n"
-      "thrust_N = 6\ncutoff_at_s = 3\ndecay_s = 0.5\n";
-  for (const double time : {0.0, 3.0, 3.25, 5.0}) {
-    const double force = time <= 3 ? 6 : 6 * std::exp(-(time - 3) / 0.5);
-    expect_force(forces_of(thrust, time).body, {0, force, 0}, {0, 0, -force});
-  }
-}
-
-TEST(CaseForces, BetweenTheBodies) {
-  // From (10, 4, 0) to the body's point at (10, 1, 0): 3 m long, pulls with
-  // 5 N/m x 2 m and is damped with 2 N s/m x 3 m/s.
-  const Forces spring = forces_of(
-      "kind = \"spring\"\npoint_m = [2, 0, 0]\n"
-      "carrier_point_m = [10, 4, 0]\nstiffness_N_per_m = 5\n"
-      "free_length_m = 1\ndamping_N_s_per_m = 2\n",
-      0, {7, -3, 0});
-  expect_force(spring.body, {0, 16, 0}, {0, 0, 0});
-  expect_force(spring.carrier, {0, -16, 0}, {0, 0, -160});
-  // 0.25 of 0.5 m used: half way from 8 to 4 N.
-  const Forces pusher = forces_of(
-      "kind = \"pusher\"\npoint_m = [1, 1, 0]\n"
-      "carrier_point_m = [9, -0.25, 0]\ndirection = [0, 1, 0]\n"
-      "first_force_N = 8\nlast_force_N = 4\nstroke_m = 0.5\n",
-      0);
-  expect_force(pusher.body, {0, 6, 0}, {0, 0, -6});
-  expect_force(pusher.carrier, {0, -6, 0}, {0, 0, -54});
-  const Forces motor = forces_of("kind = \"motor\"\nmoment_N_m = 3\n", 0);
-  expect_force(motor.body, {0, 0, 0}, {0, 0, 3});
-  expect_force(motor.carrier, {0, 0, 0}, {0, 0, -3});
-}
-
-TEST(CaseForces, AirByAngleAndPressure) {
-  // The nose points along inertial y, the air goes along (-0.6, -0.8, 0): the
-  // angle of attack is 36.87 deg, across the nose it pushes along -x.
-  const std::string air =
-      "kind = \"aerodynamic\"\naxis = [1, 0, 0]\nreference_area_m2 = 2\n"
-      "reference_length_m = 3\nangle_deg = [0, 73.73979529168804]\n";
-  const std::string tables =
-      "axial = [0, 2]\nnormal = [0, 4]\nmoment = [0, 1]\n";
-  // Half way along the table; q S = 20.
-  const Forces given = forces_of(
-      air + tables + "flow = [-3, -4, 0]\ndynamic_pressure_Pa = 10\n", 0);
-  // Nose away from the wind: from y towards -x, about +z.
-  expect_force(given.body, {-40, -20, 0}, {0, 0, 30});
-  // 0.4 kg/m^3 at 5 m/s through still air is 5 Pa.
-  const Forces flying =
-      forces_of(air + tables + "density_kg_per_m3 = 0.4\n", 0, {3, 4, 0});
-  expect_force(flying.body, {-20, -10, 0}, {0, 0, 15});
-  // Between two pressures: 3/4 of the way.
-  const Forces between =
-      forces_of(air +
-                    "table_pressure_Pa = [4, 12]\nnormal = [[0, 0], [0, 4]]\n"
-                    "flow = [-3, -4, 0]\ndynamic_pressure_Pa = 10\n",
-                0);
-  expect_force(between.body, {-20 * 0.75 * 2, 0, 0}, {0, 0, 0});
 }
 
 // JSON has no number for infinity, and null means no value.
@@ -405,50 +239,74 @@ class CheckpointFile : public testing::Test {
   std::string bytes_;
 };
 
-TEST_F(CheckpointFile, EveryDamageIsSeen) {
-  ASSERT_EQ(message(), "(no error)");
-  const std::string damaged = file_ + ": damaged: check sum ";
-  // Of every byte of the first line and of the check sum, of some between.
-  const std::size_t sum = bytes_.size() - 8;
-  for (std::size_t i = 0; i < bytes_.size();
-       i += i < 32 || i >= sum ? 1 : std::min<std::size_t>(29, sum - i)) {
-    std::string flipped = bytes_;
-    flipped[i] = static_cast<char>(flipped[i] ^ (1 << i % 8));
-    ASSERT_EQ(message_of(flipped).substr(0, damaged.size()), damaged)
-        << "byte " << i;
-  }
-  for (const std::size_t size : {bytes_.size() - 1, bytes_.size() / 2}) {
-    EXPECT_EQ(message_of(bytes_.substr(0, size)).substr(0, damaged.size()),
+// Of every byte of the first line and of the check sum, of some between.
+TEST_F(CheckpointFile, EveryDamageOfASavedRunIsSeen) {
+  separation::Run run(
+      separation::read_case(CONTACT_DATA_DIR "/cases/slosh.toml"));
+  const std::string bytes = separation::saved_bytes(run.save(), "a run");
+  const auto expect_damaged = [](const std::string& text) {
+    const std::string damaged = "the saved state: damaged: check sum ";
+    EXPECT_EQ(error_message([&] {
+                separation::saved_state(text, "a run");
+              }).substr(0, damaged.size()),
               damaged);
+  };
+  const std::size_t sum = bytes.size() - 8;
+  for (std::size_t i = 0; i < bytes.size();
+       i += i < 32 || i >= sum ? 1 : std::min<std::size_t>(29, sum - i)) {
+    std::string flipped = bytes;
+    flipped[i] = static_cast<char>(flipped[i] ^ (1 << i % 8));
+    expect_damaged(flipped);
   }
-  EXPECT_EQ(message_of(bytes_ + '0').substr(0, damaged.size()), damaged);
-  // Neither is it written over.
-  EXPECT_EQ(error_message([this] {
-              separation::CheckpointWriter(file_, "a run", 1);
-            }).substr(0, damaged.size()),
-            damaged);
-  EXPECT_EQ(message_of(bytes_), "(no error)");
+  expect_damaged(bytes.substr(0, bytes.size() - 1));
+  expect_damaged(bytes.substr(0, bytes.size() / 2));
+  expect_damaged(bytes + '0');
 }
 
-// A saved run has its rows in it, and nothing beside it; forged ones may name
-// files that are not theirs.
-TEST_F(CheckpointFile, WhatHasNoRowsBesideItIsNone) {
-  const std::string stranger = file_ + ": not a checkpoint of hinge-separation";
-  const auto expect_none = [&](const nlohmann::json& j) {
-    EXPECT_EQ(message_of(separation::packed(j)), stranger);
-    EXPECT_EQ(error_message(
-                  [this] { separation::CheckpointWriter(file_, "a run", 1); }),
-              stranger);
+// Where SQLite does not see it, it is in what nobody reads.
+TEST_F(CheckpointFile, DamageMakesNoOtherState) {
+  const auto state = [this] {
+    return separation::saved_bytes(
+        separation::read_checkpoint(file_, "a run").state, "");
   };
-  nlohmann::json j = separation::unpacked(bytes_, "good");
-  for (const int number : {77, 0, -1}) {
-    j["rows"]["number"] = number;
-    expect_none(j);
+  const std::string whole = state();
+  std::size_t seen = 0;
+  for (std::size_t i = 0; i < bytes_.size(); i += i < 120 ? 1 : 7) {
+    std::string flipped = bytes_;
+    flipped[i] = static_cast<char>(flipped[i] ^ (1 << i % 8));
+    folder_.write("c", flipped);
+    seen +=
+        error_message([&] { EXPECT_EQ(state(), whole) << i; }) != "(no error)";
   }
-  j.erase("rows");
-  expect_none(j);
-  j["rows"] = "rows";
-  expect_none(j);
+  EXPECT_GT(seen, bytes_.size() / 30);
+  folder_.write("c", bytes_.substr(0, bytes_.size() / 2));
+  EXPECT_NE(message(), "(no error)");
+}
+
+// A saved run has its rows in it, and none beside it.
+TEST_F(CheckpointFile, AreTheirOwnKindOfFile) {
+  const std::string stranger = file_ + ": not a checkpoint of hinge-separation";
+  const auto execute = [this](const std::string& sql) {
+    cli::Database(file_, cli::Database::Use::write).run(sql);
+  };
+  execute("INSERT INTO blocks SELECT 2, block FROM blocks");
+  EXPECT_EQ(message(), stranger);
+  execute("DELETE FROM blocks");
+  EXPECT_EQ(message(), stranger);
+  folder_.write("c", bytes_);
+  execute("DELETE FROM state");
+  EXPECT_EQ(message(), stranger);
+  folder_.write("c", "");
+  execute("CREATE TABLE state (state)");
+  EXPECT_EQ(message(), stranger);
+  EXPECT_EQ(error_message(
+                [this] { separation::CheckpointWriter(file_, "a run", 1); }),
+            stranger);
+  folder_.write("c", "mine");
+  EXPECT_EQ(error_message(
+                [this] { separation::CheckpointWriter(file_, "a run", 1); }),
+            stranger);
+  EXPECT_EQ(folder_.read("c"), "mine");
   separation::Run run(
       separation::read_case(CONTACT_DATA_DIR "/cases/slosh.toml"));
   folder_.write("c", separation::saved_bytes(run.save(), "a run"));
@@ -498,7 +356,7 @@ TEST_F(CheckpointFile, OtherFilesAreToldFromDamagedOnes) {
                        "formathinge-separation checkpoint 4"),
             file_ +
                 ": a checkpoint of another version of hinge-separation must be "
-                "\"hinge-separation checkpoint 9\"");
+                "\"hinge-separation checkpoint 10\"");
   folder_.write("c", bytes_);
   EXPECT_EQ(error_message(
                 [this] { separation::read_checkpoint(file_, "another run"); }),

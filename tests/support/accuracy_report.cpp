@@ -21,7 +21,9 @@ double AccuracyReport::rms() const {
   return std::sqrt(sum_of_squares_ / static_cast<double>(count_));
 }
 
-void AccuracyReport::check() const {
+void AccuracyReport::check() {
+  is_checked_ = true;
+  if (count_ == 0 && may_be_empty_) return;
   std::printf("%-24s %6zu rows  max %8.2e  rms %8.2e  budget %8.2e  worst %s\n",
               quantity_.c_str(), count_, max_, rms(), budget_, worst_.c_str());
   char text[64];

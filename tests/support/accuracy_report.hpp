@@ -19,7 +19,10 @@ double relative_error(const Real& computed, const Real& expected) {
 }
 
 /// Collects the errors of one quantity over a table and holds them against a
-/// written budget.
+/// written budget, at the end of its life or before: it prints one line
+/// (quantity, rows, max, RMS, budget, worst row), records the two numbers as
+/// properties of the running test and fails it if the budget is exceeded or no
+/// row was added.
 class AccuracyReport {
  public:
   /// @param quantity  what is compared, as printed
@@ -27,6 +30,13 @@ class AccuracyReport {
   ///                  test, where it comes from
   AccuracyReport(std::string quantity, double budget)
       : quantity_(std::move(quantity)), budget_(budget) {}
+  /// What is moved from is not checked.
+  AccuracyReport(AccuracyReport&& other) noexcept : AccuracyReport(other) {
+    other.is_checked_ = true;
+  }
+  ~AccuracyReport() {
+    if (!is_checked_) check();
+  }
 
   /// One row by its relative error; the label names the row.
   template <class Real>
@@ -39,23 +49,28 @@ class AccuracyReport {
   /// infinite.
   void add_error(double error, const std::string& label);
 
+  /// No row is no failure.
+  void may_be_empty() { may_be_empty_ = true; }
+
   double max() const { return max_; }
   double rms() const;
   std::size_t size() const { return count_; }
   const std::string& worst() const { return worst_; }
 
-  /// Prints one line (quantity, rows, max, RMS, budget, worst row), records
-  /// the two numbers as properties of the running test and fails it if the
-  /// budget is exceeded or no row was added.
-  void check() const;
+  /// What happens at the end, now.
+  void check();
 
  private:
+  AccuracyReport(const AccuracyReport&) = default;
+
   std::string quantity_;
   double budget_;
   double max_ = 0;
   double sum_of_squares_ = 0;
   std::size_t count_ = 0;
   std::string worst_;
+  bool is_checked_ = false;
+  bool may_be_empty_ = false;
 };
 
 }  // namespace contact::test

@@ -19,3 +19,7 @@ std::string error_message(const Call& call) {
 }
 
 }  // namespace contact::test
+
+/// The statement throws contact::Error with this message.
+#define EXPECT_ERROR(statement, message) \
+  EXPECT_EQ(::contact::test::error_message([&] { statement; }), message)

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "libcontact/friction/integrals.hpp"
+#include "support/accuracy_report.hpp"
 
 namespace contact::test {
 
@@ -30,6 +31,14 @@ struct FrictionQuantity {
   double (*of)(const FrictionIntegrals&);
 };
 const std::vector<FrictionQuantity>& friction_quantities();
+
+/// Force, sliding and spinning, each with its own relative error.
+void add_triple(AccuracyReport& report, const FrictionTriple& computed,
+                const FrictionTriple& expected, const std::string& label);
+
+/// All ten quantities, each with its own relative error.
+void add_integrals(AccuracyReport& report, const FrictionIntegrals& computed,
+                   const FrictionIntegrals& expected, const std::string& label);
 
 using FrictionMethod =
     std::function<FrictionIntegrals(double half_angle, SlipAxis axis)>;

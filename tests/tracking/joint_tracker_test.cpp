@@ -18,24 +18,12 @@
 
 // Joints tracked along paths against the solvers, which start from nothing
 // at every point.
+namespace contact::test {
 namespace {
 
-using contact::FrictionLaw;
-using contact::FrictionModel;
-using contact::InstructionSet;
-using contact::JointBody;
-using contact::JointContact;
-using contact::JointGeometry;
-using contact::JointKind;
-using contact::JointSolution;
-using contact::JointTracker;
-using contact::ViscousLaw;
-using contact::test::RandomSlips;
 using Eigen::Vector3d;
 
-contact::ElasticPair steel() {
-  return contact::ElasticPair({2e11, 0.3}, {2e11, 0.3});
-}
+ElasticPair steel() { return ElasticPair({2e11, 0.3}, {2e11, 0.3}); }
 
 struct LawNames {
   const char* half_angle = "tanh";
@@ -46,16 +34,16 @@ struct LawNames {
 JointContact contact_of(JointKind kind, const FrictionModel& friction,
                         JointBody inner = JointBody::carrier,
                         const LawNames& laws = {}) {
-  const contact::ElasticPair pair = steel();
-  contact::HalfAngleOptions options;
+  const ElasticPair pair = steel();
+  HalfAngleOptions options;
   if (laws.limit_half_angle) {
-    options.limit_half_angle = *laws.limit_half_angle * contact::degree;
+    options.limit_half_angle = *laws.limit_half_angle * degree;
   }
   return {kind == JointKind::ball ? JointGeometry::ball(0.05, 5e-5, inner)
                                   : JointGeometry::pin(0.05, 5e-5, 0.1, inner),
           pair, friction,
-          contact::make_half_angle_law(laws.half_angle, kind, pair, options),
-          contact::make_pressure_law(laws.pressure, kind, pair)};
+          make_half_angle_law(laws.half_angle, kind, pair, options),
+          make_pressure_law(laws.pressure, kind, pair)};
 }
 
 // A joint on a path of R and Dw.
@@ -80,7 +68,7 @@ struct Path {
     return solve(reaction_at(t), rate_at(t));
   }
   JointSolution solve(const Vector3d& r, const Vector3d& w) const {
-    return contact::Joint(contact).solve(
+    return Joint(contact).solve(
         {.reaction = r, .angular_velocity = w, .axis = rate.normalized()});
   }
 };
@@ -148,7 +136,7 @@ void start(JointTracker& tracker, const std::vector<Path>& all, double t) {
 }
 
 JointTracker started(const std::vector<Path>& all,
-                     InstructionSet set = contact::best_instruction_set()) {
+                     InstructionSet set = best_instruction_set()) {
   JointTracker tracker(contacts(all), set);
   start(tracker, all, 0);
   return tracker;
@@ -180,7 +168,7 @@ Errors track(const std::vector<Path>& all, double step) {
     for (int i = 0; i < tracker.size(); ++i) {
       EXPECT_TRUE(tracker.is_trusted(i));
       const JointSolution expected = all[i].solve(k * step);
-      EXPECT_EQ(expected.status, contact::Status::ok);
+      EXPECT_EQ(expected.status, Status::ok);
       const double own = relative_error(tracker.moment(i), expected);
       largest.predicted =
           std::max(largest.predicted, relative_error(guess[i], expected));
@@ -258,7 +246,7 @@ TEST(JointTracker, AllInstructionSetsAgree) {
   for (const int count : {1, 3, 4, 5, 13}) {
     const std::vector<Path> all = paths(3, count);
     std::vector<std::vector<Vector3d>> found;
-    for (const InstructionSet set : contact::supported_instruction_sets()) {
+    for (const InstructionSet set : supported_instruction_sets()) {
       JointTracker tracker = started(all, set);
       advance(tracker, all, 1e-3);
       std::vector<Vector3d>& moments = found.emplace_back();
@@ -295,9 +283,9 @@ std::vector<Path> growing(const LawNames& laws, double ball = 2e4,
 // Bit for bit those of its own set, whatever the contacts have: with pressures
 // that the tracker's own kernels do not know.
 TEST(JointTracker, TakesItsInstructionSetForAllIntegrals) {
-  for (const InstructionSet set : contact::supported_instruction_sets()) {
+  for (const InstructionSet set : supported_instruction_sets()) {
     std::vector<Vector3d> expected;
-    for (const InstructionSet other : contact::supported_instruction_sets()) {
+    for (const InstructionSet other : supported_instruction_sets()) {
       std::vector<Path> all = growing({"tanh", "sqrt_theta"});
       const std::vector<JointContact> plain = contacts(all);
       std::vector<JointContact> given;
@@ -308,7 +296,7 @@ TEST(JointTracker, TakesItsInstructionSetForAllIntegrals) {
       start(tracker, all, 0);
       advance(tracker, all, 1e-3);
       for (int i = 0; i < tracker.size(); ++i) {
-        if (other == contact::InstructionSet::baseline) {
+        if (other == InstructionSet::baseline) {
           expected.push_back(tracker.moment(i));
         }
         EXPECT_EQ(tracker.moment(i), expected[i]);
@@ -350,7 +338,7 @@ TEST(JointTracker, AHalfAngleIsTrackedThrough90Degrees) {
   for (const Path& path : all) {
     const auto half_angle = [&](double t) {
       return path.contact.half_angle(path.solve(t).normal_force).half_angle /
-             contact::degree;
+             degree;
     };
     EXPECT_LT(half_angle(0), 89);
     EXPECT_GT(half_angle(0.3), 91);
@@ -462,7 +450,7 @@ TEST(JointTracker, ASecondCorrectionLeavesLittle) {
 // Contacts are evaluated where R has gone on, moments extended by their slopes.
 TEST(JointTracker, CorrectsWhereItHasBeenExtended) {
   const std::vector<Path> all = paths(8, 20);
-  for (const InstructionSet set : contact::supported_instruction_sets()) {
+  for (const InstructionSet set : supported_instruction_sets()) {
     JointTracker tracker = started(all, set);
     advance(tracker, all, 1e-3);
     const JointTracker before = tracker;
@@ -522,7 +510,7 @@ TEST(JointTracker, OneThatIsLostIsSeenInTheLargest) {
     if (pins) std::erase_if(many, [](const Path& p) { return !p.is_pin(); });
     for (const int size : {1, 3, 5, 9}) {
       const std::vector<Path> all(many.begin(), many.begin() + size);
-      for (const InstructionSet set : contact::supported_instruction_sets()) {
+      for (const InstructionSet set : supported_instruction_sets()) {
         JointTracker tracker = started(all, set);
         advance(tracker, all, 1e-4);
         EXPECT_TRUE(tracker.largest().is_trusted());
@@ -534,11 +522,11 @@ TEST(JointTracker, OneThatIsLostIsSeenInTheLargest) {
             tracker.set_reaction(i, lost);
             tracker.predict();
             EXPECT_FALSE(tracker.largest().is_trusted())
-                << contact::name(set) << ", " << i << " of " << size << ", R "
+                << name(set) << ", " << i << " of " << size << ", R "
                 << lost.transpose();
             tracker.correct();
             EXPECT_FALSE(tracker.largest().is_trusted())
-                << contact::name(set) << ", " << i << " of " << size << ", R "
+                << name(set) << ", " << i << " of " << size << ", R "
                 << lost.transpose();
             tracker.start(i, all[i].solve(1e-4), all[i].rate_at(1e-4));
             tracker.set_reaction(i, reaction);
@@ -557,16 +545,16 @@ TEST(JointTracker, StepsAreZeroBeyondTheJoints) {
   const std::vector<Path> many = paths(10, 17);
   for (int size = 1; size <= 17; ++size) {
     const std::vector<Path> all(many.begin(), many.begin() + size);
-    for (const InstructionSet set : contact::supported_instruction_sets()) {
+    for (const InstructionSet set : supported_instruction_sets()) {
       JointTracker tracker(contacts(all), set);
       const auto step = [&](int joint, int k) {
-        constexpr int lanes = contact::VectorRows::lanes;
-        const contact::VectorRows rows = tracker.steps();
+        constexpr int lanes = VectorRows::lanes;
+        const VectorRows rows = tracker.steps();
         return rows
             .first[joint / lanes * rows.packet + k * lanes + joint % lanes];
       };
       const auto check_padding = [&] {
-        for (int i = size; i % contact::VectorRows::lanes != 0; ++i) {
+        for (int i = size; i % VectorRows::lanes != 0; ++i) {
           for (int k = 0; k < 3; ++k) EXPECT_EQ(step(i, k), 0) << size;
         }
       };
@@ -609,10 +597,11 @@ TEST(JointTracker, StepsAreZeroBeyondTheJoints) {
 TEST(JointTracker, DoesNotAllocate) {
   const std::vector<Path> all = paths(5, 20);
   JointTracker tracker = started(all);
-  const std::size_t before = contact::test::allocation_count();
+  const std::size_t before = allocation_count();
   advance(tracker, all, 1e-3);
   tracker.extend();
-  EXPECT_EQ(contact::test::allocation_count(), before);
+  EXPECT_EQ(allocation_count(), before);
 }
 
 }  // namespace
+}  // namespace contact::test

@@ -1,8 +1,5 @@
 #include "cli/joint/friction_options.hpp"
 
-#include <CLI/CLI.hpp>
-
-#include "cli/program.hpp"
 #include "cli/quantity.hpp"
 #include "cli/refuse.hpp"
 
@@ -35,15 +32,14 @@ contact::ViscousLaw viscous_law(const std::string& text) {
 
 }  // namespace
 
-void add_friction_options(CLI::App& app, FrictionOptions& options) {
-  app.option_defaults()->group("Friction");
-  const TextOptions text(app);
-  text("--friction", options.friction, "f0 of f = f0 + A/p", "NUMBER");
-  text("--adhesion", options.adhesion, "A of f = f0 + A/p, Pa; default 0",
-       "NUMBER");
-  text("--viscous", options.viscous,
-       "k0, Pa s/m, or k0,k1 (s/m): friction stress (k0 + k1 p) v", "NUMBERS");
-  exclude(app, "--viscous", {"--friction", "--adhesion"});
+void add_friction_options(Program& program, FrictionOptions& options) {
+  program.add("Friction",
+              {{"--friction", &options.friction, "NUMBER", "f0 of f = f0 + A/p",
+                "", "--viscous"},
+               {"--adhesion", &options.adhesion, "NUMBER",
+                "A of f = f0 + A/p, Pa; default 0", "", "--viscous"},
+               {"--viscous", &options.viscous, "NUMBERS",
+                "k0, Pa s/m, or k0,k1 (s/m): friction stress (k0 + k1 p) v"}});
 }
 
 double parse_adhesion(const std::string& text) {
@@ -57,7 +53,7 @@ contact::FrictionModel make_friction(
     const JointOptions& joint) {
   if (!options.viscous.empty()) return viscous_law(options.viscous);
   if (options.friction.empty() && !of_joint) {
-    refuse_without(given("--joint", joint.joint),
+    refuse_without(given("--joint", joint.joint()),
                    "--friction or --viscous: neither the joint nor "
                    "its materials have one");
   }

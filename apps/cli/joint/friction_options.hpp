@@ -16,7 +16,7 @@ struct FrictionOptions {
 };
 
 /// Adds --friction, --adhesion and --viscous.
-void add_friction_options(CLI::App& app, FrictionOptions& options);
+void add_friction_options(Program& program, FrictionOptions& options);
 
 /// A of --adhesion, Pa.
 double parse_adhesion(const std::string& text);

@@ -19,12 +19,12 @@ class JointApproach {
     return law.name() == "exact";
   }
 
-  /// @param joint  with a geometry
+  /// @param joint  with a size
   JointApproach(std::shared_ptr<const contact::HalfAngleLaw> law,
                 const Joint& joint)
       : law_(std::move(law)),
         per_length_(!joint.has_length),
-        geometry_(*joint.geometry),
+        geometry_(joint.spec.geometry),
         pair_(joint.pair) {}
 
   /// approach, m, from first touch of the unloaded bodies; stiffness,

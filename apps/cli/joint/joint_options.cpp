@@ -2,79 +2,107 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
-
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <filesystem>
 #include <iterator>
 #include <limits>
 #include <set>
-#include <tuple>
 
-#include "cli/choice.hpp"
 #include "cli/joint/key_settings.hpp"
-#include "cli/program.hpp"
 #include "cli/quantity.hpp"
 #include "cli/refuse.hpp"
 #include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
 #include "libcontact/files/joint_file.hpp"
+#include "libcontact/files/joint_tables.hpp"
 
 namespace cli {
 namespace {
 
-using contact::Backing;
-using contact::JointBody;
-using contact::JointGeometry;
+using contact::Dimension;
 using contact::JointKind;
 
-// The group of options that a joint file takes the place of.
-constexpr const char* without_file = "Joint without a file";
+bool is_file(const std::string& name) { return name.ends_with(".toml"); }
 
-Joint joint_from_file(const JointOptions& o,
-                      const contact::KeySettings& settings) {
-  const contact::JointSpec joint = contact::read_joint(o.joint, settings);
-  return {.kind = joint.geometry.kind(),
-          .pair = joint.pair(),
-          .geometry = joint.geometry,
-          .fit = joint.fit,
-          .friction = joint.friction,
-          .half_angle_law = joint.half_angle_law,
-          .half_angle_options = joint.half_angle_options,
-          .pressure_law = joint.pressure_law,
-          .conditions = joint.conditions(),
-          .name = joint.name};
-}
+// An option that is a key of a joint file in memory.
+struct KeyOption {
+  const char* flag;
+  std::string_view key;
+  /// Of a length, m: a larger number without a unit is hardly meant. 0: a text.
+  double most;
+  JointUse use;  ///< and those behind it
+  const char* kind;
+  const char* meaning;
+  std::string_view needs = {};
+  std::string_view excludes = {};
+};
 
-// hinge-table's is a ball unless it says otherwise.
-JointKind kind_of(const JointOptions& o) {
-  if (o.joint == "pin") return JointKind::pin;
-  if (o.joint == "ball" || o.joint.empty()) return JointKind::ball;
-  refuse("--joint", o.joint, "ball, pin or a .toml file");
-}
+constexpr std::string_view wall_key = "wall.layer";
 
-JointGeometry geometry_of(const JointOptions& o, JointKind kind,
-                          const JointSize& size) {
-  constexpr std::array<Choice<JointBody>, 2> bodies = {
-      {{"carrier", JointBody::carrier}, {"body", JointBody::body}}};
-  const JointBody inner = o.inner_body.empty()
-                              ? JointBody::carrier
-                              : choice("--inner-body", o.inner_body, bodies);
-  if (kind == JointKind::ball) {
-    if (!o.length.empty()) refuse_without("--length", "--joint pin");
-    return JointGeometry::ball(size.radius, size.clearance, inner);
+constexpr KeyOption key_options[] = {
+    {"--radius", "geometry.radius", 1, JointUse::contact, "LENGTH",
+     "of the ball or pin", "--pair; --clearance or --diametral-clearance",
+     "--diameter --hole"},
+    {"--diameter", "geometry.diameter", 2, JointUse::contact, "LENGTH",
+     "in place of --radius; of a fit the nominal size",
+     "--pair; --clearance, --diametral-clearance, or --hole and --shaft"},
+    {"--clearance", "geometry.radial_clearance", 1, JointUse::contact, "LENGTH",
+     "difference of the radii", "--pair; --radius or --diameter",
+     "--diametral-clearance --hole"},
+    {"--diametral-clearance", "geometry.diametral_clearance", 2,
+     JointUse::contact, "LENGTH", "of the diameters",
+     "--pair; --radius or --diameter", "--hole"},
+    {"--hole", "geometry.hole", 0, JointUse::contact, "NAME",
+     "in place of a clearance: a fit by ISO 286, as H7",
+     "--pair; --shaft; --diameter"},
+    {"--shaft", "geometry.shaft", 0, JointUse::contact, "NAME",
+     "of the ball or pin in that hole, as g6", "--pair; --hole"},
+    {"--fit-clearance", "geometry.clearance", 0, JointUse::contact, "NAME",
+     "of a fit: minimum, mean (default) or maximum", "--pair; --hole"},
+    {"--length", "geometry.length", 2, JointUse::contact, "LENGTH", "of a pin",
+     "--radius or --diameter"},
+    {"--inner-body", "inner_body", 0, JointUse::friction, "NAME",
+     "body with the ball or pin: carrier (default) or body"},
+    {"--wall", wall_key, 2, JointUse::pressure, "LENGTH",
+     "thickness of the seat or hole; default: no end", "--backing"},
+    {"--backing", "wall.backing", 0, JointUse::pressure, "NAME|FILE",
+     "behind the wall: rigid, held or a material", "--wall"}};
+
+// The key of a joint file that an option is.
+contact::KeySetting setting_of(const KeyOption& option, const std::string& text,
+                               bool has_size) {
+  const bool wall = option.key == wall_key;
+  if (option.most == 0) {
+    // The backing of a file is exchanged later.
+    const std::string word = is_file(text) ? "rigid" : text;
+    return {std::string(option.key), fmt::format("'{}'", word),
+            given(option.flag, text)};
   }
-  if (o.length.empty() && o.use == JointUse::friction) {
-    refuse_without("--joint pin", "--length");
+  if (wall && !has_size && !parse_number(text)) {
+    refuse(option.flag, text, "a number, thickness over radius");
   }
-  // Loads per unit length ask for none.
-  return JointGeometry::pin(
-      size.radius, size.clearance,
-      o.length.empty() ? 1 : parse_length("--length", o.length), inner);
+  contact::KeySetting length = quantity_key(
+      option.flag, text, wall ? "thickness" : option.key, Dimension::length);
+  if (!wall) return length;
+  return {std::string(wall_key),
+          fmt::format("[{{ {} = {} }}]", length.key, length.value),
+          length.origin};
 }
 
+// A number without a unit is in m, which is hardly meant of a large one.
+std::vector<std::string> length_notes(const JointOptions& o) {
+  std::vector<std::string> notes;
+  for (const KeyOption& option : key_options) {
+    const std::string text = o.key(option.flag);
+    const auto plain = parse_number(text);
+    if (!plain || option.most == 0 || *plain <= option.most) continue;
+    notes.push_back(
+        fmt::format("{0} {1} is {1} m; {1}mm is {1} mm", option.flag, text));
+  }
+  return notes;
+}
+
+// What no joint file can say: moduli of which only the ratio is known.
 contact::ElasticPair pair_of_modulus_ratio(const JointOptions& o) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   constexpr Allowed poisson{0, 0.5, ""};
@@ -84,101 +112,92 @@ contact::ElasticPair pair_of_modulus_ratio(const JointOptions& o) {
       parse_value("--poisson2", o.poisson2, poisson));
 }
 
-Backing backing_of(const JointOptions& o) {
-  if (o.backing.ends_with(".toml")) {
-    if (!o.modulus_ratio.empty()) {
-      refuse_beside(given("--backing", o.backing), "--modulus-ratio");
-    }
-    return Backing::medium(contact::read_material(o.backing));
-  }
-  // The file's name is there for the message.
-  const std::array<Choice<Backing>, 3> backings = {
-      {{"rigid", Backing::rigid()},
-       {"held", Backing::held()},
-       {"MATERIAL.toml", Backing::rigid()}}};
-  return choice("--backing", o.backing, backings);
+contact::MaterialPair materials_of(const JointOptions& o) {
+  if (!o.modulus_ratio.empty()) return {"", pair_of_modulus_ratio(o), {}};
+  if (!o.pair.empty()) return contact::read_material_pair(o.pair);
+  const char* either =
+      o.use == JointUse::friction ? "--pair" : "--pair or --modulus-ratio";
+  if (!o.joints.empty()) refuse_without(given("--joint", o.joint()), either);
+  if (o.has("--wall")) refuse_without("--wall", either);
+  // Of a pressure law that looks at none.
+  return {"", contact::ElasticPair::from_modulus_ratio(1, 0.3, 0.3), {}};
 }
 
-// A layer of the outer material; without a size in units of the radius.
-contact::LayeredPair walls_of(const JointOptions& o, const Joint& joint) {
-  constexpr Allowed relative{contact::LayeredPair::smallest_relative_thickness,
-                             1e6, "of the radius"};
-  const double radius = joint.geometry ? joint.geometry->radius() : 1;
-  const double thickness = joint.geometry
-                               ? parse_length("--wall", o.wall)
-                               : parse_value("--wall", o.wall, relative);
-  if (!relative.contains(thickness / radius)) {
-    refuse("--wall", o.wall, relative.text());
-  }
-  const contact::Material& material = joint.pair.outer();
-  if (std::isinf(material.youngs_modulus)) {
-    refuse_beside(given("--wall", o.wall),
-                  "the rigid outer body of " + o.materials());
-  }
-  return {radius,
-          {{}, Backing::medium(joint.pair.inner())},
-          {{{thickness, material}}, backing_of(o)}};
+// hinge-table's is a ball unless it says otherwise.
+bool is_pin(const JointOptions& o) {
+  const std::string& kind = o.joint();
+  if (kind == "pin" || kind == "ball" || kind.empty()) return kind == "pin";
+  refuse("--joint", kind, "ball, pin or a .toml file");
 }
 
-// Lengths that are hardly meant in m, the unit of a plain number.
-std::vector<std::string> length_notes(const JointOptions& o) {
-  constexpr double largest = 2;  // m
-  std::vector<std::string> notes;
-  for (const auto& [option, text, parts] :
-       {std::tuple{"--radius", &o.size.radius, 2},
-        {"--diameter", &o.size.diameter, 1},
-        {"--clearance", &o.size.clearance, 2},
-        {"--diametral-clearance", &o.size.diametral_clearance, 1},
-        {"--length", &o.length, 1},
-        {"--wall", &o.wall, 1}}) {
-    const auto plain = parse_number(*text);
-    if (!plain || parts * *plain <= largest) continue;
-    notes.push_back(
-        fmt::format("{0} {1} is {1} m; {1}mm is {1} mm", option, *text));
-  }
-  return notes;
-}
-
-Joint bodies_from_options(const JointOptions& o) {
-  const JointKind kind = kind_of(o);
-  if (!o.modulus_ratio.empty()) return {kind, pair_of_modulus_ratio(o)};
-  if (o.pair.empty()) {
-    const char* either =
-        o.use == JointUse::friction ? "--pair" : "--pair or --modulus-ratio";
-    if (!o.joint.empty()) refuse_without(given("--joint", o.joint), either);
-    if (!o.wall.empty()) refuse_without("--wall", either);
-    // The paper's law, which looks at no materials.
-    return {.kind = kind,
-            .pair = contact::ElasticPair::from_modulus_ratio(1, 0.3, 0.3),
-            .pressure_law = "cosine"};
-  }
-  const contact::MaterialPair pair = contact::read_material_pair(o.pair);
-  Joint joint{.kind = kind,
-              .pair = pair.elastic,
-              .has_length = kind == JointKind::ball || !o.length.empty(),
-              .friction = pair.friction,
-              .materials = pair.name};
-  if (const auto size = make_size(o.size)) {
-    joint.geometry = geometry_of(o, kind, *size);
-    joint.fit = size->fit;
-    joint.notes = length_notes(o);
-  } else if (o.use == JointUse::friction) {
-    refuse_without(given("--joint", o.joint),
+// What the size of a joint without a file has to say beside its keys.
+bool check_size(const JointOptions& o, bool pin) {
+  const bool has_size = o.has("--radius") || o.has("--diameter");
+  const bool friction = o.use == JointUse::friction;
+  if (friction && !has_size) {
+    refuse_without(given("--joint", o.joint()),
                    "a size: --radius and --clearance, or --diameter");
-  } else if (!o.length.empty()) {
-    refuse_without("--length", "--radius or --diameter");
   }
+  if (friction && pin && !o.has("--length")) {
+    refuse_without("--joint pin", "--length");
+  }
+  if (!pin && o.has("--length")) refuse_without("--length", "--joint pin");
+  return has_size;
+}
+
+// A file of a material is put in its place by joint_from_options().
+void check_backing(const std::string& backing) {
+  if (backing.empty() || backing == "rigid" || backing == "held" ||
+      is_file(backing)) {
+    return;
+  }
+  refuse("--backing", backing, "rigid, held or a material's .toml file");
+}
+
+// A joint file in memory, whose keys the options are.
+Joint joint_from_options(const JointOptions& o) {
+  const bool pin = is_pin(o);
+  const contact::MaterialPair materials = materials_of(o);
+  const bool has_size = check_size(o, pin);
+  check_backing(o.key("--backing"));
+  std::string text = fmt::format(
+      "name = \"joint\"\nkind = \"{}\"\n[geometry]\n", pin ? "pin" : "ball");
+  if (pin) text += "length_m = 1\n";
+  if (!has_size) text += "radius_m = 1\nradial_clearance_m = 1e-3\n";
+  contact::KeySettings settings;
+  for (const KeyOption& option : key_options) {
+    const std::string given = o.key(option.flag);
+    if (given.empty()) continue;
+    settings.push_back(setting_of(option, given, has_size));
+  }
+  contact::JointSpec spec =
+      contact::joint_of_file(contact::TomlTable::from_text(
+                                 text, "", contact::joint_keys(), {}, settings),
+                             &materials);
+  if (const std::string backing = o.key("--backing"); is_file(backing)) {
+    if (!o.modulus_ratio.empty()) {
+      refuse_beside(given("--backing", backing), "--modulus-ratio");
+    }
+    spec.outer.backing =
+        contact::Backing::medium(contact::read_material(backing));
+  }
+  if (o.materials().empty()) spec.pressure_law = "cosine";  // the paper's
+  const std::string& of = materials.name;
+  Joint joint{.spec = spec,
+              .pair = o.has("--wall") ? spec.pair() : materials.elastic,
+              .has_size = has_size,
+              .has_length = !pin || o.has("--length"),
+              .title = to_string(spec.geometry.kind()) + " joint" +
+                       (of.empty() ? "" : ", " + of)};
+  joint.spec.name = {};
+  if (has_size) joint.notes = length_notes(o);
   return joint;
 }
 
-Joint joint_from_options(const JointOptions& o) {
-  Joint joint = bodies_from_options(o);
-  if (o.wall.empty()) return joint;
-  joint.conditions.walls = walls_of(o, joint);
-  joint.pair = joint.conditions.walls->surfaces();
-  // The only laws that know walls.
-  joint.half_angle_law = joint.pressure_law = "exact";
-  return joint;
+Joint joint_from_file(const std::string& file,
+                      const contact::KeySettings& settings) {
+  const contact::JointSpec spec = contact::read_joint(file, settings);
+  return {.spec = spec, .pair = spec.pair(), .title = spec.name};
 }
 
 void refuse_several(std::string_view option,
@@ -189,155 +208,143 @@ void refuse_several(std::string_view option,
 
 // Whether all laws of a joint, named alike, are those of another one.
 bool have_laws_in_common(const Joint& a, const Joint& b) {
-  return a.kind == b.kind && a.pair == b.pair && a.conditions == b.conditions &&
-         a.half_angle_law == b.half_angle_law &&
-         a.half_angle_options == b.half_angle_options &&
-         a.pressure_law == b.pressure_law;
+  return a.kind() == b.kind() && a.pair == b.pair &&
+         a.spec.conditions() == b.spec.conditions() &&
+         a.spec.half_angle_law == b.spec.half_angle_law &&
+         a.spec.half_angle_options == b.spec.half_angle_options &&
+         a.spec.pressure_law == b.spec.pressure_law;
 }
 
 void make_laws(const JointOptions& o, Joint& joint) {
-  const contact::ContactConditions& conditions = joint.conditions;
+  const contact::ContactConditions conditions = joint.spec.conditions();
+  contact::HalfAngleOptions options = joint.spec.half_angle_options;
   if (o.use != JointUse::pressure) {
     const auto names =
-        half_angle_laws(o.laws, {joint.half_angle_law}, conditions);
+        half_angle_laws(o.laws, {joint.spec.half_angle_law}, conditions);
     if (o.one_law) refuse_several("--law", names);
-    set_limit_angle(o.limit_angle, names, joint.half_angle_options);
+    set_limit_angle(o.limit_angle, names, options);
     for (const std::string& name : names) {
       joint.laws.push_back(
           {with_loading(name, conditions.loading),
-           contact::make_half_angle_law(name, joint.kind, joint.pair,
-                                        joint.half_angle_options, conditions)});
+           contact::make_half_angle_law(name, joint.kind(), joint.pair, options,
+                                        conditions)});
     }
   }
   const auto names =
-      pressure_laws(o.pressures, {joint.pressure_law}, conditions);
+      pressure_laws(o.pressures, {joint.spec.pressure_law}, conditions);
   if (o.one_pressure) refuse_several("--pressure", names);
   for (const std::string& name : names) {
     joint.pressures.push_back(
         {with_loading(name, conditions.loading),
-         contact::make_pressure_law(name, joint.kind, joint.pair, conditions)});
+         contact::make_pressure_law(name, joint.kind(), joint.pair,
+                                    conditions)});
   }
 }
 
-Joint joint_of(const JointOptions& o, const contact::KeySettings& settings) {
+Joint joint_of(const JointOptions& o, const std::string& name,
+               const contact::KeySettings& settings) {
   Joint joint =
-      o.names_file() ? joint_from_file(o, settings) : joint_from_options(o);
-  if (o.use == JointUse::pressure && joint.kind == JointKind::pin) {
-    refuse("--joint", o.joint, "a ball joint");
+      is_file(name) ? joint_from_file(name, settings) : joint_from_options(o);
+  if (o.use == JointUse::pressure && joint.is_pin()) {
+    refuse("--joint", name, "a ball joint");
   }
-  joint.conditions.loading = parse_loading(o.loading, joint.conditions.loading);
+  joint.spec.loading = parse_loading(o.loading, joint.spec.loading);
   return joint;
+}
+
+// The group of options that a joint file takes the place of.
+void add_without_file(Program& program, JointOptions& o) {
+  std::vector<Option> rows = {
+      {"--pair", &o.pair, "FILE", "materials of the two bodies, a TOML file"}};
+  if (o.use != JointUse::friction) {
+    rows.push_back({"--modulus-ratio", &o.modulus_ratio, "NUMBER",
+                    "E1/E2, 0 to inf", "", "--pair"});
+    rows.push_back({"--poisson1", &o.poisson1, "NUMBER",
+                    "of the ball or pin; default 0.3", "--modulus-ratio"});
+    rows.push_back({"--poisson2", &o.poisson2, "NUMBER",
+                    "of the seat or hole; default 0.3", "--modulus-ratio"});
+  }
+  for (const KeyOption& row : key_options) {
+    if (o.use < row.use) continue;
+    rows.push_back({row.flag, &o.keys[row.flag], row.kind, row.meaning,
+                    row.needs, row.excludes});
+  }
+  program.add("Joint without a file", rows);
+  std::vector<const char*> flags;
+  for (const Option& row : rows) flags.push_back(row.flag);
+  program.add_check([&program, &o, flags] {
+    if (!is_file(o.joint())) return;
+    for (const char* flag : flags) {
+      if (program.has(flag)) {
+        refuse_beside(flag, cli::given("--joint", o.joint()));
+      }
+    }
+  });
 }
 
 }  // namespace
 
 std::string JointOptions::materials() const {
-  if (names_file()) return given("--joint", joint);
+  if (is_file(joint())) return given("--joint", joint());
   if (!pair.empty()) return given("--pair", pair);
   return modulus_ratio.empty() ? "" : given("--modulus-ratio", modulus_ratio);
 }
 
-void add_joint_options(CLI::App& app, JointOptions& o) {
+void add_joint_options(Program& program, JointOptions& o) {
   const bool pressure = o.use == JointUse::pressure;
-  const bool friction = o.use == JointUse::friction;
-  app.option_defaults()->group("Joint");
-  // Called before needs() are looked at.
-  auto* joint =
-      app.add_option_function<std::vector<std::string>>(
-             "--joint",
-             [&app, &o](const std::vector<std::string>& texts) {
-               o.joints = texts;
-               o.joint = texts[0];
-               if (!o.names_file()) return;
-               for (const CLI::Option* option : app.get_options()) {
-                 if (option->count() == 0 ||
-                     option->get_group() != without_file) {
-                   continue;
-                 }
-                 refuse_beside(option->get_name(), given("--joint", texts[0]));
-               }
-             },
-             pressure ? "ball (default) or a ball joint's file"
-                      : "ball, pin, or a joint file; files more than once")
-          ->option_text("KIND|FILE")
-          ->required(!pressure)
-          ->allow_extra_args(false);
-  if (pressure) {
-    joint->expected(1);
-  } else {
-    app.add_option("--set", o.settings,
-                   "a key of the joint file and its values, a list or range")
-        ->option_text("KEY=VALUES")
-        ->allow_extra_args(false)
-        ->needs(joint);
-  }
-  app.add_option("--loading", o.loading,
-                 "of the ball or pin: centre (default) or back:PSI")
-      ->option_text("NAME");
-  app.option_defaults()->group(without_file);
-  const TextOptions add(app);
-  auto* pair =
-      add("--pair", o.pair, "materials of the two bodies, a TOML file", "FILE");
-  if (!friction) {
-    auto* ratio =
-        add("--modulus-ratio", o.modulus_ratio, "E1/E2, 0 to inf", "NUMBER");
-    ratio->excludes(pair);
-    add("--poisson1", o.poisson1, "of the ball or pin; default 0.3", "NUMBER")
-        ->needs(ratio);
-    add("--poisson2", o.poisson2, "of the seat or hole; default 0.3", "NUMBER")
-        ->needs(ratio);
-  }
+  const Reader one = [&o](const std::string& text) { o.joints = {text}; };
+  program.add(
+      "Joint",
+      {pressure ? Option{"--joint", one, "KIND|FILE",
+                         "ball (default) or a ball joint's file"}
+                : Option{"--joint", &o.joints, "KIND|FILE",
+                         "ball, pin, or a joint file; files more than once", "",
+                         "", true},
+       {"--loading", &o.loading, "NAME",
+        "of the ball or pin: centre (default) or back:PSI"}});
   if (!pressure) {
-    add_size_options(app, o.size, pair);
-    add("--length", o.length, "of a pin", "LENGTH");
+    program.add("Joint", {{"--set", &o.settings, "KEY=VALUES",
+                           "a key of the joint file and its values, a list or "
+                           "range"}});
   }
-  if (friction) {
-    add("--inner-body", o.inner_body,
-        "body with the ball or pin: carrier (default) or body", "NAME");
-  }
-  auto* wall = add("--wall", o.wall,
-                   "thickness of the seat or hole; default: no end", "LENGTH");
-  auto* backing =
-      add("--backing", o.backing, "behind the wall: rigid, held or a material",
-          "NAME|FILE");
-  wall->needs(backing);
-  backing->needs(wall);
+  add_without_file(program, o);
 }
 
-void add_law_options(CLI::App& app, JointOptions& o, Laws half_angle,
+void add_law_options(Program& program, JointOptions& o, Laws half_angle,
                      Laws pressure) {
-  app.option_defaults()->group("Law");
-  const auto add = [&app](const char* name, std::vector<std::string>& names,
-                          Laws laws, const std::string& what) {
-    auto* option = app.add_option(name, names, what);
-    if (laws == Laws::one) {
-      option->expected(1)->option_text("NAME");
-    } else {
-      option->delimiter(',')->option_text("NAMES");
-    }
+  const auto names = [](Laws laws, Texts& to) -> decltype(Option::target) {
+    if (laws == Laws::several) return List{&to};
+    return Reader([&to](const std::string& text) { to = {text}; });
   };
+  const auto kind = [](bool one) { return one ? "NAME" : "NAMES"; };
   o.one_law = half_angle == Laws::one;
   o.one_pressure = pressure == Laws::one;
   if (o.use != JointUse::pressure) {
-    add("--law", o.laws, half_angle,
-        o.one_law ? "half-angle law; default the joint's, or fitted"
-                  : "a comma list or all; default the joint's, or fitted");
-    app.add_option("--limit-angle", o.limit_angle,
-                   "formula, linear, or degrees; default formula")
-        ->option_text("NAME|ANGLE");
+    program.add(
+        "Law",
+        {{"--law", names(half_angle, o.laws), kind(o.one_law),
+          o.one_law ? "half-angle law; default the joint's, or fitted"
+                    : "a comma list or all; default the joint's, or fitted"},
+         {"--limit-angle", &o.limit_angle, "NAME|ANGLE",
+          "formula, linear, or degrees; default formula"}});
   }
-  add("--pressure", o.pressures, pressure,
-      o.use == JointUse::pressure
-          ? "pressure law; default the joint's, or exact; cosine without "
-            "materials"
-      : o.one_pressure ? "pressure law; default the joint's, or exact"
-                       : "a comma list or all; default the joint's, or exact");
+  program.add(
+      "Law",
+      {{"--pressure", names(pressure, o.pressures), kind(o.one_pressure),
+        o.use == JointUse::pressure
+            ? "pressure law; default the joint's, or exact; cosine without "
+              "materials"
+        : o.one_pressure
+            ? "pressure law; default the joint's, or exact"
+            : "a comma list or all; default the joint's, or exact"}});
 }
 
-std::string Joint::title() const {
-  if (!name.empty()) return name;
-  return to_string(kind) + " joint" +
-         (materials.empty() ? "" : ", " + materials);
+contact::JointContact Joint::contact(contact::FrictionModel friction,
+                                     std::size_t law,
+                                     std::size_t pressure) const {
+  return {spec.geometry,           pair,
+          std::move(friction),     laws[law].law,
+          pressures[pressure].law, spec.conditions()};
 }
 
 std::string difference_text(const std::vector<Difference>& differences) {
@@ -354,32 +361,30 @@ std::string difference_text(const std::vector<Difference>& differences) {
   return text;
 }
 
-std::vector<Joint> make_joints(const JointOptions& options) {
-  const std::vector<contact::KeySettings> variants =
-      key_settings(options.settings);
+std::vector<Joint> make_joints(const JointOptions& o) {
+  const std::vector<contact::KeySettings> variants = key_settings(o.settings);
+  const bool several = o.joints.size() > 1;
   std::vector<Joint> joints;
-  JointOptions one = options;
-  for (std::size_t i = 0; i < std::max<std::size_t>(1, one.joints.size());
-       ++i) {
-    if (!one.joints.empty()) one.joint = one.joints[i];
-    if (!one.names_file()) {
-      if (one.joints.size() > 1) refuse("--joint", one.joint, "a .toml file");
-      if (!one.settings.empty()) refuse_without("--set", "a joint file");
+  for (std::size_t i = 0; i < std::max<std::size_t>(1, o.joints.size()); ++i) {
+    const std::string name = o.joints.empty() ? "" : o.joints[i];
+    if (!is_file(name)) {
+      if (several) refuse("--joint", name, "a .toml file");
+      if (!o.settings.empty()) refuse_without("--set", "a joint file");
     }
     for (const contact::KeySettings& settings : variants) {
-      Joint joint = joint_of(one, settings);
-      if (one.joints.size() > 1) {
+      Joint joint = joint_of(o, name, settings);
+      if (several) {
         joint.differences.push_back(
-            {"joint", std::filesystem::path(one.joint).stem().string()});
+            {"joint", std::filesystem::path(name).stem().string()});
       }
-      for (const auto& [key, value] : settings) {
-        joint.differences.push_back({key, value});
+      for (const contact::KeySetting& setting : settings) {
+        joint.differences.push_back({setting.key, setting.value});
       }
       if (!joints.empty() && have_laws_in_common(joints.back(), joint)) {
         joint.laws = joints.back().laws;
         joint.pressures = joints.back().pressures;
       } else {
-        make_laws(one, joint);
+        make_laws(o, joint);
       }
       joints.push_back(std::move(joint));
     }
@@ -437,18 +442,18 @@ void warn_of_validity(std::string_view program,
   std::set<std::string> said;
   for (const Joint& joint : joints) {
     std::vector<std::string> plain_notes = joint.notes;
-    if (joint.fit) plain_notes.push_back(to_string(*joint.fit));
+    if (joint.spec.fit) plain_notes.push_back(to_string(*joint.spec.fit));
     for (const std::string& text : plain_notes) {
       if (said.insert(text).second) note(program, text);
     }
     std::vector<std::string> notes = law_notes(joint.laws, joint.pair);
-    if (joint.geometry) {
-      std::ranges::copy(joint.geometry->validity_notes(),
+    if (joint.has_size) {
+      std::ranges::copy(joint.spec.geometry.validity_notes(),
                         std::inserter(notes, notes.begin()));
     }
+    const auto& friction = joint.spec.friction;
     const auto* stress =
-        joint.friction ? std::get_if<contact::FrictionStress>(&*joint.friction)
-                       : nullptr;
+        friction ? std::get_if<contact::FrictionStress>(&*friction) : nullptr;
     if (stress && !stress->note().empty()) notes.push_back(stress->note());
     for (const std::string& text : notes) {
       if (said.insert(text).second) warn(program, text);

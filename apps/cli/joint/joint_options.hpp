@@ -1,24 +1,20 @@
 #pragma once
 
+#include <map>
 #include <numbers>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "cli/joint/joint_size.hpp"
 #include "cli/joint/laws.hpp"
+#include "cli/program.hpp"
 #include "cli/table.hpp"
-#include "libcontact/pair/friction_law.hpp"
-
-namespace CLI {
-class App;
-}  // namespace CLI
+#include "libcontact/joint/spec.hpp"
 
 /// A joint as all programs take it from the command line.
 namespace cli {
 
-/// What a program has use for.
+/// What a program has use for; each of them for all before it too.
 enum class JointUse {
   pressure,  ///< a ball's pressure law, and materials if that needs them
   contact,   ///< half-angles: materials, with a size or dimensionless
@@ -33,17 +29,12 @@ struct JointOptions {
   JointUse use;
   std::vector<std::string> joints = {};
   std::vector<std::string> settings = {};  ///< of --set
-  /// The one of `joints` that is made.
-  std::string joint = {};
   std::string pair = {};
   std::string modulus_ratio = {};
   std::string poisson1 = "0.3";
   std::string poisson2 = "0.3";
-  SizeOptions size = {};
-  std::string length = {};
-  std::string inner_body = {};
-  std::string wall = {};
-  std::string backing = {};
+  /// Options that are keys of a joint file, by their flags.
+  std::map<std::string_view, std::string> keys = {};
   std::string loading = {};
 
   // Without these: what the joint file says, or the library's defaults.
@@ -53,17 +44,33 @@ struct JointOptions {
   bool one_law = false;
   bool one_pressure = false;
 
-  bool names_file() const { return joint.ends_with(".toml"); }
+  /// The first joint: "ball", "pin" or a file.
+  std::string joint() const { return joints.empty() ? "" : joints[0]; }
+  bool has(std::string_view flag) const { return !key(flag).empty(); }
+  std::string key(std::string_view flag) const {
+    const auto found = keys.find(flag);
+    return found == keys.end() ? "" : found->second;
+  }
   /// Where the materials are from, for messages: "--pair FILE"; "" if from
   /// nowhere.
   std::string materials() const;
 };
 
 /// Adds --joint and what describes a joint without a file.
-void add_joint_options(CLI::App& app, JointOptions& options);
+void add_joint_options(Program& program, JointOptions& options);
 /// Adds --law, --limit-angle (but for JointUse::pressure) and --pressure.
-void add_law_options(CLI::App& app, JointOptions& options, Laws half_angle,
+void add_law_options(Program& program, JointOptions& options, Laws half_angle,
                      Laws pressure);
+
+/// What --help says of the size of a joint without a file.
+inline constexpr std::string_view size_help =
+    R"(Size: --clearance is the difference of the radii of the two surfaces,
+--diametral-clearance that of their diameters, which is twice as much. Or a fit
+by ISO 286 gives it: --diameter 50mm --hole H7 --shaft g6, with the nominal
+size, 3 to 500 mm, holes E, F, G, H, shafts d, e, f, g, h and grades 5 to 9. The
+joint takes the mean of the fit's clearances or the one of --fit-clearance; all
+three are said on standard error.
+)";
 
 /// What --help says of numbers, --loading and --wall.
 inline constexpr std::string_view joint_help =
@@ -94,32 +101,27 @@ struct Difference {
 /// "radius_mm = 20, ..."; "" for the only joint.
 std::string difference_text(const std::vector<Difference>& differences);
 
-/// What is known of a joint, and its laws.
+/// A joint, and the laws that are asked for.
 struct Joint {
-  contact::JointKind kind;
+  contact::JointSpec spec;
+  /// The spec's; of --modulus-ratio with this ratio to the last digit.
   contact::ElasticPair pair;
-  /// Without it only dimensionless loads and pressures.
-  std::optional<contact::JointGeometry> geometry = {};
-  /// Of a pin without one loads are per length; its geometry has 1 m.
+  /// Without a size, which is 1 m then, only dimensionless loads and pressures.
+  bool has_size = true;
+  /// Of a pin without one, which is 1 m then, loads are per length.
   bool has_length = true;
-  /// What that is from, if a fit.
-  std::optional<contact::Fit> fit = {};
-  std::optional<contact::FrictionModel> friction = {};
-  std::string half_angle_law = std::string(contact::default_half_angle_law);
-  contact::HalfAngleOptions half_angle_options = {};
-  std::string pressure_law = std::string(contact::default_pressure_law);
+  std::string title = {};  ///< of pictures
   std::vector<Difference> differences = {};
-  contact::ContactConditions conditions = {};
   std::vector<std::string> notes = {};  ///< on options that are hardly meant
-  std::string name = {};                ///< of a joint file
-  std::string materials = {};           ///< of a file of materials
-
-  /// Those that are asked for; half-angle laws not for JointUse::pressure.
-  std::vector<NamedLaw> laws = {};
+  std::vector<NamedLaw> laws = {};      ///< not for JointUse::pressure
   std::vector<NamedPressure> pressures = {};
 
-  /// Of pictures.
-  std::string title() const;
+  contact::JointKind kind() const { return spec.geometry.kind(); }
+  bool is_pin() const { return kind() == contact::JointKind::pin; }
+  /// With a friction, and the first or other laws.
+  contact::JointContact contact(contact::FrictionModel friction,
+                                std::size_t law = 0,
+                                std::size_t pressure = 0) const;
 };
 
 /// The joints that the options describe: one, or one for each file of --joint

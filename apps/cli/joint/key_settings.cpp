@@ -64,9 +64,9 @@ std::vector<contact::KeySettings> key_settings(
     const std::vector<std::string>& texts) {
   std::vector<contact::KeySettings> all(1);
   for (const std::string& text : texts) {
-    const auto [key, list] =
+    const auto asked =
         setting_of(text, "KEY=VALUE or KEY=VALUE,VALUE,...", all[0]);
-    const auto values = values_of(list);
+    const auto values = values_of(asked.value);
     if (all.size() * values.size() > most_joints) {
       refuse(option, text, "at most 10000 joints in all");
     }
@@ -74,7 +74,7 @@ std::vector<contact::KeySettings> key_settings(
     for (const contact::KeySettings& settings : all) {
       for (const std::string& value : values) {
         longer.push_back(settings);
-        longer.back().push_back({key, value});
+        longer.back().push_back({asked.key, value});
       }
     }
     all = std::move(longer);

@@ -51,10 +51,10 @@ void FrictionTracker::add(const HingeFriction& friction) {
   hinges_.push_back(
       {static_cast<int>(first), static_cast<int>(first + count), is_axis});
   shares_.resize(first + count, {1, 0, is_axis ? 0.0 : 1.0});
-  const auto* const of_node = std::get_if<NodeFriction>(&friction);
-  is_direct_ = is_direct_ && !of_node && count == 1;
-  if (!of_node || count == 0) return;
-  std::ranges::copy(of_node->node.shares(), shares_.begin() + first);
+  const auto* const of_group = std::get_if<GroupFriction>(&friction);
+  is_direct_ = is_direct_ && !of_group && count == 1;
+  if (!of_group || count == 0) return;
+  std::ranges::copy(of_group->group.shares(), shares_.begin() + first);
 }
 
 void FrictionTracker::start(int hinge, const HingeSolver& solver,
@@ -81,7 +81,7 @@ bool FrictionTracker::is_tracked(int hinge) const {
   return first < end && k == end;
 }
 
-// Of a node only the sum of the joints' moments along the axis is known: the
+// Of a group only the sum of the joints' moments along the axis is known: the
 // first joint takes what it has changed by.
 void FrictionTracker::set_applied_moment(int hinge, const Vector3d& moment) {
   const int first = hinges_[hinge].first;
@@ -103,7 +103,7 @@ void FrictionTracker::take_reactions(const Dynamics& dynamics,
 void FrictionTracker::set_reactions(const Hinge& hinge,
                                     const Reaction<double>& reaction) {
   const auto& [force, moment] = reaction;
-  // Moments of friction across the axis load a node as well.
+  // Moments of friction across the axis load a group as well.
   double held_x = moment.y;
   double held_y = -moment.x;
   for (int k = hinge.first; k < hinge.end; ++k) {
@@ -112,7 +112,7 @@ void FrictionTracker::set_reactions(const Hinge& hinge,
     held_y += applied.x();
   }
   for (int k = hinge.first; k < hinge.end; ++k) {
-    const contact::JointNode::Share& share = shares_[k];
+    const contact::JointGroup::Share& share = shares_[k];
     joints_.set_reaction(k, {share.force * force.x + share.moment * held_x,
                              share.force * force.y + share.moment * held_y,
                              share.axial * force.z});

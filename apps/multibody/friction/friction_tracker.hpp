@@ -78,7 +78,7 @@ class FrictionTracker {
 
   std::vector<Hinge> hinges_;
   contact::JointTracker joints_;
-  std::vector<contact::JointNode::Share> shares_;
+  std::vector<contact::JointGroup::Share> shares_;
   int count_ = 0;
   bool is_direct_ = true;
 };

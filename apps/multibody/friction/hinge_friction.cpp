@@ -6,8 +6,8 @@ std::vector<contact::JointContact> contacts(const HingeFriction& friction) {
   std::vector<contact::JointContact> all;
   if (const auto* one = std::get_if<JointFriction>(&friction)) {
     all.push_back(one->joint.contact());
-  } else if (const auto* node = std::get_if<NodeFriction>(&friction)) {
-    for (const contact::NodeJoint& joint : node->node.joints()) {
+  } else if (const auto* group = std::get_if<GroupFriction>(&friction)) {
+    for (const contact::JointGroup::Member& joint : group->group.joints()) {
       all.push_back(joint.joint.contact());
     }
   }
@@ -18,8 +18,8 @@ HingeFriction with_instruction_set(HingeFriction friction,
                                    contact::InstructionSet set) {
   if (auto* one = std::get_if<JointFriction>(&friction)) {
     one->joint = contact::Joint(one->joint.contact().with_instruction_set(set));
-  } else if (auto* node = std::get_if<NodeFriction>(&friction)) {
-    node->node = node->node.with_instruction_set(set);
+  } else if (auto* group = std::get_if<GroupFriction>(&friction)) {
+    group->group = group->group.with_instruction_set(set);
   }
   return friction;
 }

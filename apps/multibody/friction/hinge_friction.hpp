@@ -3,8 +3,8 @@
 #include <variant>
 #include <vector>
 
+#include "libcontact/joint/group.hpp"
 #include "libcontact/joint/joint.hpp"
-#include "libcontact/joint/node.hpp"
 
 /// What friction sits in the hinge of a body.
 namespace multibody {
@@ -27,15 +27,16 @@ struct JointFriction {
 /// along the axis (z of the hinge axes) from the centre of the hinge.
 /// The traditional estimate shares the forces among the joints as friction
 /// does, and takes each joint's friction from its whole force.
-struct NodeFriction {
-  contact::JointNode node;
+struct GroupFriction {
+  contact::JointGroup group;
   FrictionEstimate estimate = FrictionEstimate::consistent;
 };
 
 /// std::monostate: an ideal hinge. It turns freely and never rests.
-using HingeFriction = std::variant<std::monostate, JointFriction, NodeFriction>;
+using HingeFriction =
+    std::variant<std::monostate, JointFriction, GroupFriction>;
 
-/// Of its joints, in the order of the node.
+/// Of its joints, in the order of the group.
 std::vector<contact::JointContact> contacts(const HingeFriction& friction);
 
 /// The same friction, its integrals by an instruction set: a supported one.

@@ -49,9 +49,9 @@ HingeSolver::HingeSolver(HingeFriction friction, const Link& link, int body)
     } else if (link.kind != HingeKind::ball) {
       refuse("a ball joint alone", "a ball hinge");
     }
-  } else if (const auto* node = std::get_if<NodeFriction>(&friction_)) {
-    if (!is_axis_) refuse("a node of joints", "an axis");
-    node_ = node->node.make_solution();
+  } else if (const auto* group = std::get_if<GroupFriction>(&friction_)) {
+    if (!is_axis_) refuse("a group of joints", "an axis");
+    group_ = group->group.make_solution();
   }
   joints_.resize(contacts_.size());
   can_rest_ = std::ranges::any_of(contacts_, holds);
@@ -75,7 +75,7 @@ Vector3d HingeSolver::slide(const Reaction<double>& reaction,
     if (is_axis_) return {0, 0, last.friction_moment.dot(axis)};
     return axes_.transpose() * last.friction_moment;
   }
-  if (!solve_node(reaction, rate.z())) return nan_vector();
+  if (!solve_group(reaction, rate.z())) return nan_vector();
   double sum = 0;
   for (const JointSolution& joint : joints_) {
     sum += joint.friction_moment.dot(axis);
@@ -83,30 +83,31 @@ Vector3d HingeSolver::slide(const Reaction<double>& reaction,
   return {0, 0, sum};
 }
 
-// The joints of a node that turns.
-bool HingeSolver::solve_node(const Reaction<double>& reaction, double rate) {
-  const auto& [node, estimate] = std::get<NodeFriction>(friction_);
-  node.solve({.reaction = axes_ * vec3(reaction.force),
-              .moment = axes_ * vec3(reaction.moment),
-              .axis = axes_.col(2),
-              .rate = rate},
-             node_);
-  std::ranges::copy(node_.joints, joints_.begin());
-  // Where joints carry little, rounding keeps a node from its own tolerance.
+// The joints of a group that turns.
+bool HingeSolver::solve_group(const Reaction<double>& reaction, double rate) {
+  const auto& [group, estimate] = std::get<GroupFriction>(friction_);
+  group.solve({.reaction = axes_ * vec3(reaction.force),
+               .moment = axes_ * vec3(reaction.moment),
+               .axis = axes_.col(2),
+               .angular_velocity = rate},
+              group_);
+  std::ranges::copy(group_.joints, joints_.begin());
+  // Where joints carry little, rounding keeps a group from its own tolerance.
   constexpr double fair = 1e-11;
-  if (node_.status != contact::Status::ok && !(node_.residual <= fair)) {
+  if (group_.status != contact::Status::ok && !(group_.residual <= fair)) {
     return false;
   }
-  if (estimate == FrictionEstimate::traditional) estimate_joints(node, rate);
+  if (estimate == FrictionEstimate::traditional) estimate_joints(group, rate);
   return true;
 }
 
-// The traditional friction of a node's joints under the forces they have.
-void HingeSolver::estimate_joints(const contact::JointNode& node, double rate) {
+// The traditional friction of a group's joints under the forces they have.
+void HingeSolver::estimate_joints(const contact::JointGroup& group,
+                                  double rate) {
   const Vector3d axis = axes_.col(2);
   for (std::size_t k = 0; k < joints_.size(); ++k) {
-    const Vector3d force = node_.joints[k].reaction;
-    joints_[k] = node.joints()[k].joint.solve_contact(
+    const Vector3d force = group_.joints[k].reaction;
+    joints_[k] = group.joints()[k].joint.solve_contact(
         {.normal_force = force, .angular_velocity = rate * axis, .axis = axis});
   }
 }
@@ -114,7 +115,7 @@ void HingeSolver::estimate_joints(const contact::JointNode& node, double rate) {
 double HingeSolver::utilisation_of(const JointFriction& ball,
                                    const contact::Joint::Hold& hold) {
   if (ball.estimate == FrictionEstimate::consistent) {
-    rest_ = ball.joint.utilisation(hold, rest_);
+    rest_ = ball.joint.at_rest(hold, rest_);
     joints_[0] = rest_.slip;
     slip_direction_ = axes_.transpose() * rest_.direction;
     return rest_.utilisation;
@@ -131,7 +132,8 @@ double HingeSolver::utilisation_of(const JointFriction& ball,
   if (tau > 0 && std::isfinite(tau)) {
     // The edge's normal where the moment leaves the set.
     const Vector3d u =
-        set.prox(Matrix3d::Identity(), -1.000001 / tau * hold.moment).rate;
+        set.prox(Matrix3d::Identity(), -1.000001 / tau * hold.moment)
+            .angular_velocity;
     if (!u.isZero(0)) slip_direction_ = axes_.transpose() * u.normalized();
   }
   return tau;
@@ -153,9 +155,9 @@ double HingeSolver::utilisation(const Reaction<double>& held) {
 
 // What the joints on an axis hold against sliding with this sign.
 double HingeSolver::moment_limit(const Reaction<double>& held, double sign) {
-  const auto* node = std::get_if<NodeFriction>(&friction_);
-  if (!node) return std::abs(slide(held, Vector3d(0, 0, sign)).z());
-  if (!solve_node(held, sign)) {
+  const auto* group = std::get_if<GroupFriction>(&friction_);
+  if (!group) return std::abs(slide(held, Vector3d(0, 0, sign)).z());
+  if (!solve_group(held, sign)) {
     return std::numeric_limits<double>::quiet_NaN();
   }
   double limit = 0;
@@ -178,8 +180,9 @@ Vector3d HingeSolver::prox(const Matrix3d& inertia,
                            const Vector3d& free) const {
   const contact::Joint& joint = std::get<JointFriction>(friction_).joint;
   const Matrix3d given = axes_ * inertia * axes_.transpose();
-  return axes_.transpose() *
-         joint.moment_set(joints_[0]).prox(given, axes_ * free).rate;
+  return axes_.transpose() * joint.moment_set(joints_[0])
+                                 .prox(given, axes_ * free)
+                                 .angular_velocity;
 }
 
 }  // namespace multibody

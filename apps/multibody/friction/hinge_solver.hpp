@@ -57,9 +57,9 @@ class HingeSolver {
   }
 
  private:
-  bool solve_node(const Reaction<double>& reaction, double rate);
+  bool solve_group(const Reaction<double>& reaction, double rate);
   double moment_limit(const Reaction<double>& held, double sign);
-  void estimate_joints(const contact::JointNode& node, double rate);
+  void estimate_joints(const contact::JointGroup& group, double rate);
   double utilisation_of(const JointFriction& ball,
                         const contact::Joint::Hold& hold);
 
@@ -70,7 +70,7 @@ class HingeSolver {
   bool can_rest_ = false;
   Eigen::Vector3d slip_direction_ = Eigen::Vector3d::Zero();
   std::vector<contact::JointSolution> joints_;
-  contact::NodeSolution node_;
+  contact::JointGroup::Solution group_;
   contact::RestSolution rest_;
 };
 

@@ -91,7 +91,7 @@ void TrackedLoop::learn_step(double residual) {
 // predicts near its last contacts, by simple iteration.
 // @return what is left, relative; large if it does not contract
 double TrackedLoop::relax(double enough) {
-  // In nodes, where rounds contract by 0.01, to 1e-12; what contracts less is
+  // In groups, where rounds contract by 0.01, to 1e-12; what contracts less is
   // predicted again.
   constexpr int round_limit = 6;
   // Contractions differ from round to round.

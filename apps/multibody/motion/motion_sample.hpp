@@ -32,7 +32,7 @@ struct HingeSample {
   /// sliding with friction: 1; NaN otherwise.
   double utilisation;
   double dissipated;  ///< work of friction since the start, >= 0, J
-  /// Of each joint of the hinge, in the order of the node; empty without
+  /// Of each joint of the hinge, in the order of the group; empty without
   /// friction or if locked or released. At rest: the sliding that is near;
   /// there, and where a ball joint just begins or ends its sliding, power and
   /// slip velocity are those of 1 rad/s.

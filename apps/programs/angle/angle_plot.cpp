@@ -12,7 +12,7 @@ namespace hinge_angle {
 namespace {
 
 std::string load_label(LoadVariable variable, const cli::Joint& joint) {
-  const bool ball = joint.kind == contact::JointKind::ball;
+  const bool ball = joint.kind() == contact::JointKind::ball;
   switch (variable) {
     case LoadVariable::load:
       return joint.has_length ? "normal force, N" : "force per length, N/m";
@@ -116,7 +116,7 @@ std::string draw(const std::vector<Input>& inputs,
   const Input& first = inputs[0];
   const bool several = joints.size() > 1;
   cli::LinePlot plot;
-  plot.title = several ? "" : joints[0].title();
+  plot.title = several ? "" : joints[0].title;
   if (several && joints[0].laws.size() == 1) {
     plot.title = "law " + joints[0].laws[0].name;
   }

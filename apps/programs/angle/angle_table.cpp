@@ -52,7 +52,7 @@ AngleTable::AngleTable(const cli::Joint& joint, const Input& input,
       own_hertz_(own_hertz),
       laws_(joint.laws),
       pressure_(joint.pressures[0]) {
-  if (!joint.geometry) return;
+  if (!joint.has_size) return;
   for (const NamedLaw& law : laws_) {
     if (cli::JointApproach::of(*law.law)) approach_.emplace(law.law, joint);
   }
@@ -170,17 +170,17 @@ double AngleTable::peak_pressure(const NamedLaw& law, double half_angle,
   if (std::isnan(load_parameter)) return load_parameter;
   const bool hertz = is_own_hertz(law);
   if (!loads_.have_load()) {
-    return hertz ? contact::hertz_peak_over_nominal(joint_.kind, half_angle)
+    return hertz ? contact::hertz_peak_over_nominal(joint_.kind(), half_angle)
                  : pressure_.law->peak(half_angle) *
-                       cli::nominal_area(joint_.kind);
+                       cli::nominal_area(joint_.kind());
   }
   // The contact shrinks with the load, but slower.
   if (load_parameter == 0) return 0;
   const double load = loads_.law_load(load_parameter);
-  return hertz
-             ? contact::hertz_peak_pressure(*joint_.geometry, load, half_angle)
-             : pressure_.law->peak(half_angle) *
-                   joint_.geometry->pressure_unit(load);
+  return hertz ? contact::hertz_peak_pressure(joint_.spec.geometry, load,
+                                              half_angle)
+               : pressure_.law->peak(half_angle) *
+                     joint_.spec.geometry.pressure_unit(load);
 }
 
 }  // namespace hinge_angle

@@ -88,7 +88,7 @@ LawComparison compare_law(const NamedLaw& law,
 std::vector<LawComparison> compare(const Input& input, const cli::Joint& joint,
                                    double tolerance_percent) {
   const auto exact =
-      contact::make_half_angle_law("exact", joint.kind, joint.pair);
+      contact::make_half_angle_law("exact", joint.kind(), joint.pair);
   const std::vector<double> loads = load_parameters(Loads(joint), input);
   std::vector<LawComparison> result;
   for (const NamedLaw& law : joint.laws) {
@@ -119,7 +119,7 @@ void write_comparison(const std::vector<LawComparison>& laws,
                       const cli::OutputOptions& options) {
   const Loads loads(joint);
   std::vector<std::string> columns = {"law", "error_percent"};
-  if (joint.geometry) columns.push_back(loads.column());
+  if (joint.has_size) columns.push_back(loads.column());
   for (const char* name : {"load_parameter", "theta0_exact_deg",
                            "theta0_law_deg", "cost_tanh", "recommended"}) {
     columns.emplace_back(name);
@@ -132,7 +132,7 @@ void write_comparison(const std::vector<LawComparison>& laws,
   for (const LawComparison& law : laws) {
     row.text(law.name);
     row.number(law.error_percent);
-    if (joint.geometry) {
+    if (joint.has_size) {
       row.number(loads.convert(LoadVariable::load_parameter, law.load_parameter,
                                LoadVariable::load));
     }

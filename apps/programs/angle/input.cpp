@@ -1,7 +1,5 @@
 #include "programs/angle/input.hpp"
 
-#include <CLI/CLI.hpp>
-
 #include <limits>
 
 #include "cli/program.hpp"
@@ -12,17 +10,13 @@ namespace hinge_angle {
 
 using contact::Dimension;
 
-void add_load_options(CLI::App& app, LoadOptions& options) {
-  app.option_defaults()->group("Load");
-  app.add_option("--load", options.load,
-                 "N or with a unit; of a pin without a length N/m")
-      ->option_text("VALUES");
-  app.add_option("--load-parameter", options.load_parameter, "mu or lambda")
-      ->option_text("VALUES");
-  app.add_option("--x", options.x, "cbrt(mu) or 2 sqrt(lambda)")
-      ->option_text("VALUES");
-  cli::exclude(app, "--load", {"--load-parameter", "--x"});
-  cli::exclude(app, "--load-parameter", {"--x"});
+void add_load_options(cli::Program& program, LoadOptions& o) {
+  program.add("Load", {{"--load", &o.load, "VALUES",
+                        "N or with a unit; of a pin without a length N/m", "",
+                        "--load-parameter --x"},
+                       {"--load-parameter", &o.load_parameter, "VALUES",
+                        "mu or lambda", "", "--x"},
+                       {"--x", &o.x, "VALUES", "cbrt(mu) or 2 sqrt(lambda)"}});
 }
 
 namespace {
@@ -31,12 +25,12 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // --load, whose unit may say whether it is a force or per length of a pin.
 Input load_input(const std::string& text, const cli::Joint& joint) {
-  if (!joint.geometry) {
+  if (!joint.has_size) {
     cli::refuse_without("--load",
                         "--radius and --clearance; a dimensionless joint has "
                         "--load-parameter and --x");
   }
-  const bool pin = joint.kind == contact::JointKind::pin;
+  const bool pin = joint.is_pin();
   const auto unit =
       cli::unit_dimension(text, {Dimension::force, Dimension::line_force});
   if (pin && unit == Dimension::force && !joint.has_length) {
@@ -57,7 +51,7 @@ Input load_input(const std::string& text, const cli::Joint& joint) {
 Input make_input(const LoadOptions& options, const cli::Joint& joint) {
   if (!options.theta0.empty()) {
     // Curves are drawn over the load where there is one.
-    return {joint.geometry ? LoadVariable::load : LoadVariable::load_parameter,
+    return {joint.has_size ? LoadVariable::load : LoadVariable::load_parameter,
             true,
             cli::Sweep("--theta0", options.theta0, {0, 180, "deg"},
                        Dimension::angle)};

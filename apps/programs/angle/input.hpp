@@ -22,7 +22,7 @@ struct LoadOptions {
 };
 
 /// Adds --load, --load-parameter and --x.
-void add_load_options(CLI::App& app, LoadOptions& options);
+void add_load_options(cli::Program& program, LoadOptions& options);
 
 /// What is swept: a load in one of its variables, or the half-angle.
 struct Input {

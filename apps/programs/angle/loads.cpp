@@ -3,10 +3,8 @@
 namespace hinge_angle {
 
 Loads::Loads(const cli::Joint& joint)
-    : kind_(joint.kind),
-      geometry_(joint.geometry),
-      per_length_(!joint.has_length) {
-  if (geometry_) scale_.emplace(*geometry_, joint.pair);
+    : geometry_(joint.spec.geometry), per_length_(!joint.has_length) {
+  if (joint.has_size) scale_.emplace(geometry_, joint.pair);
 }
 
 std::string Loads::column(const std::string& law) const {
@@ -18,19 +16,19 @@ double Loads::convert(LoadVariable from, double load, LoadVariable to) const {
   if (from == to) return load;
   double parameter = load;
   if (from == LoadVariable::load) {
-    parameter = scale_->load_parameter(geometry_->load_from_force(load));
+    parameter = scale_->load_parameter(geometry_.load_from_force(load));
   }
   if (from == LoadVariable::line_load) parameter = scale_->load_parameter(load);
   if (from == LoadVariable::x) {
-    parameter = contact::load_parameter_from_x(kind_, load);
+    parameter = contact::load_parameter_from_x(geometry_.kind(), load);
   }
   switch (to) {
     case LoadVariable::load:
-      return geometry_->force_from_load(law_load(parameter));
+      return geometry_.force_from_load(law_load(parameter));
     case LoadVariable::line_load:
       return law_load(parameter);
     case LoadVariable::x:
-      return contact::x_from_load_parameter(kind_, parameter);
+      return contact::x_from_load_parameter(geometry_.kind(), parameter);
     case LoadVariable::load_parameter:
       break;
   }

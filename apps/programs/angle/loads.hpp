@@ -19,7 +19,7 @@ enum class LoadVariable {
 /// The loads of one joint in terms of each variable.
 class Loads {
  public:
-  /// @param joint  without a geometry there are load_parameter and x alone
+  /// @param joint  without a size there are load_parameter and x alone
   explicit Loads(const cli::Joint& joint);
 
   /// Whether `load` is one of them.
@@ -38,13 +38,12 @@ class Loads {
   }
   /// Nominal pressure, Pa.
   double nominal_pressure(double load_parameter) const {
-    return geometry_->nominal_pressure(
-        geometry_->force_from_load(law_load(load_parameter)));
+    return geometry_.nominal_pressure(
+        geometry_.force_from_load(law_load(load_parameter)));
   }
 
  private:
-  contact::JointKind kind_;
-  std::optional<contact::JointGeometry> geometry_;
+  contact::JointGeometry geometry_;
   std::optional<contact::LoadScale> scale_;
   bool per_length_;
 };

@@ -1,5 +1,4 @@
 // hinge-angle: half-angle of the contact against load.
-#include <CLI/CLI.hpp>
 #include <string>
 #include <string_view>
 
@@ -88,43 +87,40 @@ Examples:
 
 )";
 
-void add_options(CLI::App& app, Options& options) {
-  add_joint_options(app, options.joint);
-  add_load_options(app, options.load);
-  auto* inverse = app.add_flag("--inverse")
-                      ->description("from half-angles to loads")
-                      ->option_text(" ");
-  auto* theta0 = app.add_option("--theta0", options.load.theta0,
-                                "half-angles, deg, 0 to 180")
-                     ->option_text("ANGLES");
-  inverse->needs(theta0);
-  theta0->needs(inverse);
-  cli::exclude(app, "--inverse", {"--load", "--load-parameter", "--x"});
-
-  add_law_options(app, options.joint, cli::Laws::several, cli::Laws::one);
-  auto* compare =
-      app.add_flag("--compare", options.compare,
-                   "how far each law is from exact over the range of the load")
-          ->option_text(" ");
-  app.add_option("--tolerance", options.tolerance,
-                 "percent of theta0 that --compare takes for good; default 0.1")
-      ->option_text("PERCENT")
-      ->needs(compare);
-  add_output_options(app, options.output);
-  add_jobs_option(app, options.output);
-  cli::exclude(app, "--compare", {"--inverse", "--pressure", "--jobs"});
-  app.footer(std::string(help) + std::string(cli::size_help) +
-             std::string(cli::joint_help) + std::string(load_help) +
-             std::string(cli::exit_status_help));
+void add_options(cli::Program& program, Options& o) {
+  add_joint_options(program, o.joint);
+  add_load_options(program, o.load);
+  program.add("Load",
+              {{"--inverse", &o.inverse, "", "from half-angles to loads",
+                "--theta0", "--load --load-parameter --x"},
+               {"--theta0", &o.load.theta0, "ANGLES",
+                "half-angles, deg, 0 to 180", "--inverse"}});
+  add_law_options(program, o.joint, cli::Laws::several, cli::Laws::one);
+  program.add("Law",
+              {{"--compare", &o.compare, "",
+                "how far each law is from exact over the range of the load", "",
+                "--inverse --pressure --jobs"},
+               {"--tolerance",
+                cli::number("--tolerance", o.tolerance,
+                            contact::Dimension::number, {0, 100, "%"}),
+                "PERCENT",
+                "percent of theta0 that --compare takes for good; default 0.1",
+                "--compare"}});
+  program.add_output(o.output);
+  program.add_jobs(o.output);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("Half-angle of the contact of a ball or pin joint against load",
-               "hinge-angle");
+  cli::Program program(
+      "Half-angle of the contact of a ball or pin joint against load",
+      "hinge-angle");
   Options options;
-  add_options(app, options);
-  return cli::run_program(app, argc, argv,
-                          [&] { return hinge_angle::run(options); });
+  add_options(program, options);
+  return program.run(argc, argv,
+                     std::string(help) + std::string(cli::size_help) +
+                         std::string(cli::joint_help) + std::string(load_help) +
+                         std::string(cli::exit_status_help),
+                     [&] { return hinge_angle::run(options); });
 }

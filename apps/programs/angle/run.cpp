@@ -138,9 +138,10 @@ cli::ExitStatus report(const std::vector<cli::Joint>& joints,
 cli::Joint compared_joint(cli::JointOptions options) {
   if (options.laws.empty()) options.laws = {"all"};
   cli::Joint joint = make_joint(options);
-  if (joint.conditions.loading.is_back() || joint.conditions.walls) {
+  const contact::ContactConditions conditions = joint.spec.conditions();
+  if (conditions.loading.is_back() || conditions.walls) {
     cli::refuse_beside("--compare",
-                       to_string(joint.conditions) +
+                       to_string(conditions) +
                            ": its laws are of a force at the centre and an "
                            "infinite outer body");
   }
@@ -161,11 +162,9 @@ void check_plot(const cli::OutputOptions& options,
 
 cli::ExitStatus run_comparison(const Options& options) {
   const std::vector<cli::Joint> joints = {compared_joint(options.joint)};
-  const double tolerance =
-      cli::parse_value("--tolerance", options.tolerance, {0, 100, "%"});
   const std::vector<Input> inputs = {compared_input(options.load, joints[0])};
   check_plot(options.output, inputs);
-  const auto comparison = compare(inputs[0], joints[0], tolerance);
+  const auto comparison = compare(inputs[0], joints[0], options.tolerance);
   warn_of_validity("hinge-angle", joints);
   write_comparison(comparison, joints[0], options.output);
   if (options.output.plot.empty()) return cli::all_good;
@@ -184,7 +183,7 @@ cli::ExitStatus run(const Options& options) {
   }
   const bool own_hertz =
       options.joint.pressures.empty() &&
-      joints[0].pressure_law == contact::default_pressure_law;
+      joints[0].spec.pressure_law == contact::default_pressure_law;
   const Tables tables(joints, inputs, own_hertz);
   check_plot(options.output, inputs);
   if (!options.output.plot.empty()) check_curves(joints);

@@ -12,7 +12,8 @@ struct Options {
   cli::JointOptions joint = {.use = cli::JointUse::contact};
   LoadOptions load;
   bool compare = false;
-  std::string tolerance = "0.1";
+  bool inverse = false;
+  double tolerance = 0.1;  ///< percent
   cli::OutputOptions output;
 };
 

@@ -3,13 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <string_view>
 #include <utility>
 #include <vector>
 
-#include "cli/choice.hpp"
 #include "cli/quantity.hpp"
 #include "cli/refuse.hpp"
 #include "libcontact/duty/cycle_rows.hpp"
@@ -18,16 +16,8 @@
 namespace hinge_duty {
 namespace {
 
-using contact::JointBody;
 using contact::PeriodicSpline;
 using Eigen::Vector3d;
-
-JointBody body_of(const char* option, const std::string& text,
-                  JointBody otherwise) {
-  constexpr std::array<cli::Choice<JointBody>, 2> bodies = {
-      {{"body", JointBody::body}, {"carrier", JointBody::carrier}}};
-  return text.empty() ? otherwise : cli::choice(option, text, bodies);
-}
 
 // The values of all lines, column by column.
 std::vector<std::vector<double>> read_lines(cli::LineReader& reader,
@@ -119,9 +109,7 @@ contact::DutyCycle read_cycle(const Options& options, bool is_pin) {
   }
   const contact::TurnSequence sequence(options.euler.empty() ? std::string("z")
                                                              : options.euler);
-  const contact::ForceFrame frame{
-      body_of("--force-on", options.force_on, JointBody::body),
-      body_of("--force-in", options.force_in, JointBody::carrier)};
+  const contact::ForceFrame frame{options.force_on, options.force_in};
   cli::LineReader reader(options.cycle);
   const CycleColumns columns = read_columns(reader, options, is_pin);
   const bool is_angles = columns.is_angles;

@@ -1,5 +1,5 @@
 // hinge-duty: heat, p v and wear of one ball or pin joint on a duty cycle.
-#include <CLI/CLI.hpp>
+#include <array>
 #include <string>
 #include <string_view>
 
@@ -8,7 +8,11 @@
 
 namespace {
 
+using contact::JointBody;
 using hinge_duty::Options;
+
+constexpr std::array<cli::Choice<JointBody>, 2> bodies = {
+    {{"body", JointBody::body}, {"carrier", JointBody::carrier}}};
 
 constexpr std::string_view help = R"(
 --cycle FILE.csv has one period of forces and motion, a row for each time:
@@ -73,62 +77,74 @@ Examples:
 
 )";
 
-void add_cycle(CLI::App& app, Options& options) {
-  app.option_defaults()->group("Cycle");
-  const cli::TextOptions text(app);
-  text("--cycle", options.cycle,
-       "CSV file, - for standard input; or table of OpenSim, .sto or .mot",
-       "FILE")
-      ->required();
-  text("--period", options.period, "of the cycle, s", "TIME");
-  text("--euler", options.euler, "axes of the angles, such as zxy", "SEQUENCE");
-  text("--force-columns", options.force_columns,
-       "of .sto, .mot: columns of R_x, R_y, R_z, N, with commas", "NAMES");
-  text("--angle-columns", options.angle_columns,
-       "of .sto, .mot: columns of the angles, as inDegrees says", "NAMES");
-  text("--force-on", options.force_on,
-       "that the forces act on: body (default) or carrier", "BODY");
-  text("--force-in", options.force_in,
-       "in whose axes they are: body or carrier (default)", "BODY");
-  app.option_defaults()->group("Wear");
-  text("--wear-seat", options.wear_seat, "k of the seat or hole, mm^3/(N m)",
-       "NUMBER");
-  text("--wear-inner", options.wear_inner, "k of the ball or pin, mm^3/(N m)",
-       "NUMBER");
-  CLI::Option* volume =
-      text("--measured-volume", options.measured_volume,
-           "that wore off one body, mm^3, for its k", "NUMBER");
-  text("--measured-error", options.measured_error, "its standard error, mm^3",
-       "NUMBER")
-      ->needs(volume);
-  volume->needs(text("--measured-cycles", options.measured_cycles,
-                     "in which it wore off", "N")
-                    ->needs(volume));
-  text("--map", options.map, "CSV file of the wear of both bodies", "FILE");
-  text("--map-plot", options.map_plot,
-       "picture of the wear of both bodies: .svg, .png or .pdf", "FILE");
-  text("--grid", options.grid, "points of each body; default 2000", "N");
-  text("--cycles", options.cycles,
-       "number of cycles in which wear of the seat changes the contact", "N");
-  text("--blocks", options.blocks, "CSV file of the joint as it wears", "FILE");
+void add_cycle(cli::Program& program, Options& o) {
+  program.add(
+      "Cycle",
+      {{"--cycle", &o.cycle, "FILE",
+        "CSV file, - for standard input; or table of OpenSim, .sto or .mot", "",
+        "", true},
+       {"--period", &o.period, "TIME", "of the cycle, s"},
+       {"--euler", &o.euler, "SEQUENCE", "axes of the angles, such as zxy"},
+       {"--force-columns", &o.force_columns, "NAMES",
+        "of .sto, .mot: columns of R_x, R_y, R_z, N, with commas"},
+       {"--angle-columns", &o.angle_columns, "NAMES",
+        "of .sto, .mot: columns of the angles, as inDegrees says"},
+       {"--force-on", cli::word("--force-on", o.force_on, bodies), "BODY",
+        "that the forces act on: body (default) or carrier"},
+       {"--force-in", cli::word("--force-in", o.force_in, bodies), "BODY",
+        "in whose axes they are: body or carrier (default)"}});
+}
+
+void add_wear(cli::Program& program, Options& o) {
+  const auto any = [](const char* flag, auto& to, const char* unit,
+                      double least = 0, double most = 1e30) {
+    return cli::number(flag, to, contact::Dimension::number,
+                       {least, most, unit});
+  };
+  program.add(
+      "Wear",
+      {{"--wear-seat", any("--wear-seat", o.wear_seat, "mm^3/(N m)"), "NUMBER",
+        "k of the seat or hole, mm^3/(N m)"},
+       {"--wear-inner", any("--wear-inner", o.wear_inner, "mm^3/(N m)"),
+        "NUMBER", "k of the ball or pin, mm^3/(N m)"},
+       {"--measured-volume",
+        any("--measured-volume", o.measured_volume, "mm^3"), "NUMBER",
+        "that wore off one body, mm^3, for its k", "--measured-cycles"},
+       {"--measured-error", any("--measured-error", o.measured_error, "mm^3"),
+        "NUMBER", "its standard error, mm^3", "--measured-volume"},
+       {"--measured-cycles",
+        any("--measured-cycles", o.measured_cycles, "", 1, 1e15), "N",
+        "in which it wore off", "--measured-volume"},
+       {"--map", &o.map, "FILE", "CSV file of the wear of both bodies"},
+       {"--map-plot", &o.map_plot, "FILE",
+        "picture of the wear of both bodies: .svg, .png or .pdf"},
+       {"--grid", cli::count("--grid", o.grid, 10, 1'000'000), "N",
+        "points of each body; default 2000",
+        "--map, --map-plot, --wear-seat or --wear-inner"},
+       {"--cycles", any("--cycles", o.cycles, "", 0, 1e15), "N",
+        "number of cycles in which wear of the seat changes the contact",
+        "--wear-seat"},
+       {"--blocks", &o.blocks, "FILE", "CSV file of the joint as it wears",
+        "--cycles"}});
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("Heat, p v and wear of a joint on a duty cycle", "hinge-duty");
+  cli::Program program("Heat, p v and wear of a joint on a duty cycle",
+                       "hinge-duty");
   Options options;
-  add_joint_options(app, options.joint);
-  add_law_options(app, options.joint, cli::Laws::one, cli::Laws::one);
-  add_friction_options(app, options.friction);
-  add_cycle(app, options);
-  add_output_options(app, options.output);
-  app.add_option("--states", options.states,
-                 "CSV file of the states at the rows of the cycle")
-      ->option_text("FILE");
-  app.footer(std::string(help) + std::string(cli::size_help) +
-             std::string(cli::joint_help) + std::string(examples) +
-             std::string(cli::exit_status_help));
-  return cli::run_program(app, argc, argv,
-                          [&] { return hinge_duty::run(options); });
+  add_joint_options(program, options.joint);
+  add_law_options(program, options.joint, cli::Laws::one, cli::Laws::one);
+  add_friction_options(program, options.friction);
+  add_cycle(program, options);
+  add_wear(program, options);
+  program.add_output(options.output);
+  program.add("Output", {{"--states", &options.states, "FILE",
+                          "CSV file of the states at the rows of the cycle"}});
+  return program.run(argc, argv,
+                     std::string(help) + std::string(cli::size_help) +
+                         std::string(cli::joint_help) + std::string(examples) +
+                         std::string(cli::exit_status_help),
+                     [&] { return hinge_duty::run(options); });
 }

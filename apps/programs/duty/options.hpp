@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "cli/joint/friction_options.hpp"
@@ -18,17 +19,17 @@ struct Options {
   std::string euler;
   std::string force_columns;
   std::string angle_columns;
-  std::string force_on;
-  std::string force_in;
-  std::string wear_seat;
-  std::string wear_inner;
-  std::string measured_volume;
-  std::string measured_error;
-  std::string measured_cycles;
+  contact::JointBody force_on = contact::JointBody::body;
+  contact::JointBody force_in = contact::JointBody::carrier;
+  std::optional<double> wear_seat;        ///< mm^3/(N m)
+  std::optional<double> wear_inner;       ///< mm^3/(N m)
+  std::optional<double> measured_volume;  ///< mm^3
+  std::optional<double> measured_error;   ///< mm^3
+  std::optional<double> measured_cycles;
   std::string map;
   std::string map_plot;
-  std::string grid;
-  std::string cycles;
+  int grid = 2000;
+  std::optional<double> cycles;
   std::string blocks;
   std::string states;
   cli::OutputOptions output;

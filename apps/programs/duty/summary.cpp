@@ -73,12 +73,12 @@ void write_integrals(const JointCycle& cycle, double pv_integral, Lines& to) {
   to.number("energy_J", energy, "dissipated by friction");
   to.number("mean_heat_W", energy / period, "energy over period");
   to.number("sliding_path_m", cycle.integral([&](const CycleInstant& i) {
-    return rho * i.state.rate.norm();
+    return rho * i.state.angular_velocity.norm();
   }),
             "of the rim: integral of rho |Dw|");
   to.number("effective_sliding_distance_m",
             cycle.integral([&](const CycleInstant& i) {
-              return rho * i.state.rate.norm() *
+              return rho * i.state.angular_velocity.norm() *
                      cycle.sliding(i).slip_coefficient();
             }),
             "integral of rho |Dw| L, what wears under p");

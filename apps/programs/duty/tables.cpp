@@ -58,7 +58,7 @@ std::vector<StateColumn> state_columns() {
   number("time_s", [](I i, S) { return i.time; });
   vector("R", "_N", [](I i) -> const Vector3d& { return i.state.reaction; });
   vector("w", "_rad_per_s",
-         [](I i) -> const Vector3d& { return i.state.rate; });
+         [](I i) -> const Vector3d& { return i.state.angular_velocity; });
   number("R_n_N", [](I i, S) { return i.solution.normal_force; });
   vector("n", "", [](I i) -> const Vector3d& { return i.solution.normal; });
   number("theta0_deg", [](I i, S) { return i.solution.half_angle / degree; });

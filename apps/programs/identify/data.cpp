@@ -100,7 +100,7 @@ struct Columns {
     const hinge_joint::Input state =
         state_of(form, block, i, pin, has_rate ? next() : given_rate);
     datum.reaction = state.force;
-    datum.rate = state.turn;
+    datum.angular_velocity = state.turn;
     return datum;
   }
 };

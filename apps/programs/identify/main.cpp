@@ -1,5 +1,4 @@
 // hinge-identify: friction parameters of a joint from measured moments.
-#include <CLI/CLI.hpp>
 #include <string>
 #include <string_view>
 
@@ -54,52 +53,48 @@ Examples:
 
 )";
 
-void add_data(CLI::App& app, Options& options) {
-  app.option_defaults()->group("Data");
-  const cli::TextOptions text(app);
-  text("--data", options.data, "CSV file of moments, - for standard input",
-       "FILE")
-      ->required();
-  text("--sigma-abs", options.sigma_abs, "standard error of all, N m",
-       "NUMBER");
-  text("--sigma-rel", options.sigma_rel, "standard error over the moment",
-       "NUMBER");
-  text("--rate", options.rate, "|Dw|, rad/s; default 1", "NUMBER");
+void add_data(cli::Program& program, Options& o) {
+  program.add(
+      "Data",
+      {{"--data", &o.data, "FILE", "CSV file of moments, - for standard input",
+        "", "", true},
+       {"--sigma-abs", &o.sigma_abs, "NUMBER", "standard error of all, N m"},
+       {"--sigma-rel", &o.sigma_rel, "NUMBER",
+        "standard error over the moment"},
+       {"--rate", &o.rate, "NUMBER", "|Dw|, rad/s; default 1"}});
 }
 
-void add_fit(CLI::App& app, Options& options) {
-  app.option_defaults()->group("Fit");
-  const cli::TextOptions text(app);
-  text("--fit", options.fit, "some of f0, A, clearance; default f0,A", "LIST");
-  text("--friction", options.friction, "f0, if it is not fitted", "NUMBER");
-  text("--adhesion", options.adhesion, "A, Pa, if it is not fitted", "NUMBER");
-  app.add_flag("--huber", options.huber, "keep wrong data off")
-      ->option_text(" ");
-  app.add_flag("--profile", options.profile, "intervals by refitting too")
-      ->option_text(" ");
-  text("--level", options.level, "probability of intervals; default 0.95",
-       "NUMBER");
-  cli::exclude(app, "--profile", {"--huber"});
+void add_fit(cli::Program& program, Options& o) {
+  program.add(
+      "Fit",
+      {{"--fit", &o.fit, "LIST", "some of f0, A, clearance; default f0,A"},
+       {"--friction", &o.friction, "NUMBER", "f0, if it is not fitted"},
+       {"--adhesion", &o.adhesion, "NUMBER", "A, Pa, if it is not fitted"},
+       {"--huber", &o.huber, "", "keep wrong data off"},
+       {"--profile", &o.profile, "", "intervals by refitting too", "",
+        "--huber"},
+       {"--level",
+        cli::number("--level", o.level, contact::Dimension::number,
+                    {0.5, 0.9999, ""}),
+        "NUMBER", "probability of intervals; default 0.95"}});
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("Friction parameters of a joint from measured moments",
-               "hinge-identify");
+  cli::Program program("Friction parameters of a joint from measured moments",
+                       "hinge-identify");
   Options options;
-  add_joint_options(app, options.joint);
-  add_law_options(app, options.joint, cli::Laws::one, cli::Laws::one);
-  add_data(app, options);
-  add_fit(app, options);
-  app.option_defaults()->group("Output");
-  app.add_option("--residuals", options.residuals,
-                 "CSV file of residuals, - for standard output")
-      ->option_text("FILE");
-  add_output_options(app, options.output);
-  app.footer(std::string(help) + std::string(cli::size_help) +
-             std::string(cli::joint_help) + std::string(data_help) +
-             std::string(cli::exit_status_help));
-  return cli::run_program(app, argc, argv,
-                          [&] { return hinge_identify::run(options); });
+  add_joint_options(program, options.joint);
+  add_law_options(program, options.joint, cli::Laws::one, cli::Laws::one);
+  add_data(program, options);
+  add_fit(program, options);
+  program.add("Output", {{"--residuals", &options.residuals, "FILE",
+                          "CSV file of residuals, - for standard output"}});
+  program.add_output(options.output);
+  return program.run(argc, argv,
+                     std::string(help) + std::string(cli::size_help) +
+                         std::string(cli::joint_help) + std::string(data_help) +
+                         std::string(cli::exit_status_help),
+                     [&] { return hinge_identify::run(options); });
 }

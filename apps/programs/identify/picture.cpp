@@ -30,12 +30,15 @@ Range range(std::span<const MeasuredMoment> data, const Of& of) {
 }
 
 double load(const MeasuredMoment& datum) { return datum.reaction.norm(); }
-double rate(const MeasuredMoment& datum) { return datum.rate.norm(); }
+double rate(const MeasuredMoment& datum) {
+  return datum.angular_velocity.norm();
+}
 
 // The moment about Dw that turns the joint.
 double torque(const MeasuredMoment& datum) {
   if (!datum.is_vector()) return std::get<double>(datum.moment);
-  return -std::get<Vector3d>(datum.moment).dot(datum.rate.normalized());
+  return -std::get<Vector3d>(datum.moment)
+              .dot(datum.angular_velocity.normalized());
 }
 
 std::string line(std::initializer_list<double> numbers) {

@@ -155,8 +155,8 @@ std::string_view column_of(FrictionParameter parameter) {
 }
 
 double direction_deg(const MeasuredMoment& datum) {
-  return std::atan2(datum.reaction.cross(datum.rate).norm(),
-                    datum.reaction.dot(datum.rate)) /
+  return std::atan2(datum.reaction.cross(datum.angular_velocity).norm(),
+                    datum.reaction.dot(datum.angular_velocity)) /
          contact::degree;
 }
 
@@ -196,9 +196,9 @@ void write_residuals(const FrictionFit& fit,
       row.text(data[i].is_vector() ? axes[component] : "about_rate");
       for (const double x :
            {data[i].reaction.norm(), direction_deg(data[i]),
-            data[i].rate.norm(), measured(data[i], component), data[i].sigma,
-            fit.moment[at], fit.moment_error[at], fit.residual[at],
-            fit.weight[at]}) {
+            data[i].angular_velocity.norm(), measured(data[i], component),
+            data[i].sigma, fit.moment[at], fit.moment_error[at],
+            fit.residual[at], fit.weight[at]}) {
         row.number(x);
       }
       row.end();

@@ -39,7 +39,7 @@ std::vector<FrictionParameter> read_fit(const std::string& text) {
 contact::IdentifyOptions identify_options(const Options& options) {
   contact::IdentifyOptions all{read_fit(options.fit), options.huber,
                                options.profile};
-  all.level = cli::parse_value("--level", options.level, {0.5, 0.9999, ""});
+  all.level = options.level;
   return all;
 }
 
@@ -57,13 +57,14 @@ contact::FrictionModel given_friction(
   if (is_fitted(FrictionParameter::adhesion) && !options.adhesion.empty()) {
     cli::refuse_beside(given("--adhesion", options.adhesion), "--fit A");
   }
-  const contact::FrictionModel model = joint.friction.value_or(FrictionLaw(0));
+  const contact::FrictionModel model =
+      joint.spec.friction.value_or(FrictionLaw(0));
   const auto* dry = std::get_if<FrictionLaw>(&model);
   if (dry == nullptr) {
     cli::refuse_without("--fit " + options.fit,
                         "dry friction: the joint's is not");
   }
-  if (!f0 && !joint.friction && options.friction.empty()) {
+  if (!f0 && !joint.spec.friction && options.friction.empty()) {
     cli::refuse_without("--fit " + options.fit,
                         "--friction: the joint has none");
   }
@@ -80,17 +81,6 @@ contact::FrictionModel given_friction(
   return FrictionLaw(coefficient, adhesion);
 }
 
-contact::JointContact make_contact(
-    const Options& options, const cli::Joint& joint,
-    const std::vector<FrictionParameter>& fitted) {
-  return {*joint.geometry,
-          joint.pair,
-          given_friction(options, joint, fitted),
-          joint.laws[0].law,
-          joint.pressures[0].law,
-          joint.conditions};
-}
-
 }  // namespace
 
 cli::ExitStatus run(const Options& options) {
@@ -98,8 +88,8 @@ cli::ExitStatus run(const Options& options) {
   const cli::Joint joint = make_joint(options.joint);
   const contact::IdentifyOptions identify = identify_options(options);
   const contact::JointContact contact =
-      make_contact(options, joint, identify.parameters);
-  const auto data = read_data(options, joint.kind == contact::JointKind::pin);
+      joint.contact(given_friction(options, joint, identify.parameters));
+  const auto data = read_data(options, joint.is_pin());
   const contact::FrictionFit fit = identify_friction(contact, data, identify);
   cli::warn_of_validity(program, {joint});
   for (const std::string& text : warnings(fit, data, identify)) {
@@ -116,9 +106,8 @@ cli::ExitStatus run(const Options& options) {
   }
   const std::string& plot = options.output.plot;
   if (plot.empty()) return status;
-  return cli::drawn(program,
-                    draw_fit(joint.title(), fit, data, identify.level, plot),
-                    status);
+  return cli::drawn(
+      program, draw_fit(joint.title, fit, data, identify.level, plot), status);
 }
 
 }  // namespace hinge_identify

@@ -18,7 +18,7 @@ struct Options {
   std::string rate;
   std::string sigma_abs;
   std::string sigma_rel;
-  std::string level = "0.95";
+  double level = 0.95;
   bool huber = false;
   bool profile = false;
   std::string residuals;

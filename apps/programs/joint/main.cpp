@@ -1,7 +1,6 @@
 // hinge-joint: friction of one ball or pin joint under a known reaction.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <string>
 #include <string_view>
 
@@ -123,99 +122,79 @@ std::string footer() {
   return text + std::string(examples) + std::string(cli::exit_status_help);
 }
 
-void add_friction(CLI::App& app, Options& options) {
-  add_friction_options(app, options.friction);
-  app.add_option("--measured-moment", options.measured_moment,
-                 "|M_t|, N m, from which f0 is found")
-      ->option_text("NUMBER");
-  cli::exclude(app, "--measured-moment", {"--friction", "--viscous"});
+void add_friction(cli::Program& program, Options& o) {
+  add_friction_options(program, o.friction);
+  program.add("Friction",
+              {{"--measured-moment", &o.measured_moment, "NUMBER",
+                "|M_t|, N m, from which f0 is found", "",
+                "--friction --viscous --moment-xyz --points --trace --outer"}});
 }
 
-void add_state(CLI::App& app, Options& options) {
-  app.option_defaults()->group("State");
-  const cli::TextOptions text(app);
-  auto* xyz =
-      text("--reaction-xyz", options.reaction_xyz, "R on the body, N", "X,Y,Z");
-  text("--rate-xyz", options.rate_xyz, "Dw, rad/s", "X,Y,Z")->needs(xyz);
-  text("--moment-xyz", options.moment_xyz, "M to hold at rest, N m", "X,Y,Z")
-      ->needs(xyz);
-  auto* reaction = text("--reaction", options.reaction, "R, N", "VALUES");
-  text("--beta", options.beta, "angle between R and Dw, deg, 0 to 180",
-       "ANGLES")
-      ->needs(reaction);
-  auto* normal =
-      text("--normal-force", options.normal_force, "R_n, N", "VALUES");
-  text("--alpha", options.alpha, "slip axis angle, deg, -90 to 90", "ANGLES")
-      ->needs(normal);
-  text("--points", options.points, "CSV file of states, - for standard input",
-       "FILE");
-  text("--rate", options.rate, "|Dw|, rad/s; default 1", "NUMBER");
-  cli::exclude(app, "--reaction-xyz",
-               {"--reaction", "--normal-force", "--rate"});
-  cli::exclude(app, "--reaction", {"--normal-force"});
-  cli::exclude(app, "--rate-xyz", {"--moment-xyz"});
+void add_state(cli::Program& program, Options& o) {
+  program.add(
+      "State",
+      {{"--reaction-xyz", &o.reaction_xyz, "X,Y,Z", "R on the body, N", "",
+        "--reaction --normal-force --rate"},
+       {"--rate-xyz", &o.rate_xyz, "X,Y,Z", "Dw, rad/s", "--reaction-xyz",
+        "--moment-xyz"},
+       {"--moment-xyz", &o.moment_xyz, "X,Y,Z", "M to hold at rest, N m",
+        "--reaction-xyz"},
+       {"--reaction", &o.reaction, "VALUES", "R, N", "", "--normal-force"},
+       {"--beta", &o.beta, "ANGLES", "angle between R and Dw, deg, 0 to 180",
+        "--reaction"},
+       {"--normal-force", &o.normal_force, "VALUES", "R_n, N"},
+       {"--alpha", &o.alpha, "ANGLES", "slip axis angle, deg, -90 to 90",
+        "--normal-force"},
+       {"--points", &o.points, "FILE",
+        "CSV file of states, - for standard input", "",
+        "--reaction-xyz --reaction --normal-force --trace --outer --beside "
+        "--map"},
+       {"--rate", &o.rate, "NUMBER", "|Dw|, rad/s; default 1"}});
 }
 
-void add_loops(CLI::App& app, Options& options) {
-  app.option_defaults()->group("Loops");
-  app.add_flag("--trace", options.trace, "the paper's inner loop")
-      ->option_text(" ");
-  auto* outer = app.add_option("--outer", options.outer,
-                               "outer loop: change of R, N per N m of M")
-                    ->option_text("X,Y,Z");
-  const cli::TextOptions text(app);
-  text("--joints", options.joints, "M is that of so many joints; default 1",
-       "N")
-      ->needs(outer);
-  text("--braking", options.braking,
-       "angular acceleration over M, deg/s^2 per N m", "NUMBER")
-      ->needs(outer);
-  text("--inner-steps", options.inner_steps,
-       "steps of the inner loop in each round; default: until converged",
-       "LIST")
-      ->needs(outer);
+void add_loops(cli::Program& program, Options& o) {
+  program.add(
+      "Loops",
+      {{"--trace", &o.trace, "", "the paper's inner loop", "",
+        "--braking --summary --plot --jobs --pv --map"},
+       {"--outer", &o.outer, "X,Y,Z", "outer loop: change of R, N per N m of M",
+        "", "--summary --plot --jobs --pv --map"},
+       {"--joints", &o.joints, "N", "M is that of so many joints; default 1",
+        "--outer"},
+       {"--braking", &o.braking, "NUMBER",
+        "angular acceleration over M, deg/s^2 per N m", "--outer"},
+       {"--inner-steps", &o.inner_steps, "LIST",
+        "steps of the inner loop in each round; default: until converged",
+        "--outer"}});
 }
 
-void add_output(CLI::App& app, Options& options) {
-  app.option_defaults()->group("Output");
-  app.add_flag("--summary", options.summary,
-               "a line for each quantity instead of a column")
-      ->option_text(" ");
-  app.add_flag("--pv", options.pv,
-               "with p v and heat over the contact, slip_coefficient")
-      ->option_text(" ");
-  app.add_option("--map", options.map,
-                 "picture of p, p v and slip over the contact of one state")
-      ->option_text("FILE");
-  app.add_option("--beside", options.beside, "CSV file of numbers to compare")
-      ->option_text("FILE");
-  add_output_options(app, options.output);
-  add_jobs_option(app, options.output);
-  cli::exclude(app, "--points",
-               {"--reaction-xyz", "--reaction", "--normal-force", "--trace",
-                "--outer", "--beside", "--map"});
-  cli::exclude(app, "--trace",
-               {"--braking", "--summary", "--plot", "--jobs", "--pv", "--map"});
-  cli::exclude(app, "--outer",
-               {"--summary", "--plot", "--jobs", "--pv", "--map"});
-  cli::exclude(app, "--summary", {"--jobs"});
-  cli::exclude(app, "--measured-moment",
-               {"--moment-xyz", "--points", "--trace", "--outer"});
+void add_output(cli::Program& program, Options& o) {
+  program.add(
+      "Output",
+      {{"--summary", &o.summary, "",
+        "a line for each quantity instead of a column", "", "--jobs"},
+       {"--pv", &o.pv, "",
+        "with p v and heat over the contact, slip_coefficient"},
+       {"--map", &o.map, "FILE",
+        "picture of p, p v and slip over the contact of one state"},
+       {"--beside", &o.beside, "FILE", "CSV file of numbers to compare"}});
+  program.add_output(o.output);
+  program.add_jobs(o.output);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("Friction of a ball or pin joint under a known reaction",
-               "hinge-joint");
+  cli::Program program("Friction of a ball or pin joint under a known reaction",
+                       "hinge-joint");
   Options options;
-  add_joint_options(app, options.joint);
-  add_law_options(app, options.joint, cli::Laws::several, cli::Laws::several);
-  add_friction(app, options);
-  add_state(app, options);
-  add_loops(app, options);
-  add_output(app, options);
-  app.footer(footer());
-  return cli::run_program(app, argc, argv,
-                          [&] { return hinge_joint::run(options); });
+  add_joint_options(program, options.joint);
+  add_law_options(program, options.joint, cli::Laws::several,
+                  cli::Laws::several);
+  add_friction(program, options);
+  add_state(program, options);
+  add_loops(program, options);
+  add_output(program, options);
+  return program.run(argc, argv, footer(),
+                     [&] { return hinge_joint::run(options); });
 }

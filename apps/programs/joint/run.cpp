@@ -69,7 +69,7 @@ cli::ExitStatus run_loops(const Options& options, const Setup& setup,
   const bool outer = !options.outer.empty();
   const NamedJoint& joint =
       only_joint(setup, inputs, outer ? "--outer" : "--trace");
-  const Beside beside(options.beside, setup.given[0].name,
+  const Beside beside(options.beside, setup.given[0].spec.name,
                       !outer          ? "trace"
                       : options.trace ? "inner"
                                       : "outer");
@@ -190,7 +190,7 @@ cli::ExitStatus run(const Options& options) {
   if (!options.measured_moment.empty()) {
     find_friction(options.measured_moment, inputs, setup);
   }
-  const Beside beside(options.beside, setup.given[0].name, "solution");
+  const Beside beside(options.beside, setup.given[0].spec.name, "solution");
   const auto begin = [&] { warn_of_states(setup, inputs); };
   const auto write = options.summary ? write_summary : write_solutions;
   cli::ExitStatus status =
@@ -204,7 +204,7 @@ cli::ExitStatus run(const Options& options) {
     status = cli::drawn(
         "hinge-joint",
         draw_contact(joint, answer(joint, inputs.question(), inputs[0]),
-                     setup.given[0].title(), options.map),
+                     setup.given[0].title, options.map),
         status);
   }
   return status;

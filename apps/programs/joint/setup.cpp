@@ -39,22 +39,22 @@ contact::FrictionModel friction_of(
 Setup make_setup(const Options& options) {
   Setup setup{.given = make_joints(options.joint), .joints = {}};
   for (const cli::Joint& joint : setup.given) {
-    if (joint.kind != setup.given[0].kind) {
+    if (joint.kind() != setup.given[0].kind()) {
       throw contact::Error(contact::detail::must_be(
           "the joints of --joint and --set", "all balls or all pins"));
     }
     const contact::FrictionModel friction =
-        friction_of(options, joint.friction);
-    for (const cli::NamedLaw& law : joint.laws) {
-      for (const cli::NamedPressure& pressure : joint.pressures) {
-        NamedJoint& added = setup.joints.emplace_back(NamedJoint{
-            law.name,
-            pressure.name,
-            contact::Joint({*joint.geometry, joint.pair, friction, law.law,
-                            pressure.law, joint.conditions}),
-            {},
-            joint.differences,
-            options.pv});
+        friction_of(options, joint.spec.friction);
+    for (std::size_t i = 0; i < joint.laws.size(); ++i) {
+      const cli::NamedLaw& law = joint.laws[i];
+      for (std::size_t j = 0; j < joint.pressures.size(); ++j) {
+        NamedJoint& added = setup.joints.emplace_back(
+            NamedJoint{law.name,
+                       joint.pressures[j].name,
+                       contact::Joint(joint.contact(friction, i, j)),
+                       {},
+                       joint.differences,
+                       options.pv});
         if (cli::JointApproach::of(*law.law)) {
           added.approach.emplace(law.law, joint);
         }

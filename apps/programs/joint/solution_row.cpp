@@ -212,7 +212,7 @@ Answer answer(const NamedJoint& named, Question question, const Input& input) {
       break;
     case Question::rest: {
       const auto rest =
-          joint.utilisation({.reaction = input.force, .moment = input.turn});
+          joint.at_rest({.reaction = input.force, .moment = input.turn});
       a.solution = rest.slip;
       a.solution.status = rest.status;
       a.utilisation = rest.utilisation;

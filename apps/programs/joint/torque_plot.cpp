@@ -39,7 +39,7 @@ class Labels {
   }
 
   std::string title(const Setup& setup, double member) const {
-    const std::string& name = setup.given[0].name;
+    const std::string& name = setup.given[0].spec.name;
     std::string text =
         name.empty() || setup.given.size() > 1 ? "friction moment" : name;
     const NamedJoint& first = setup.joints[0];

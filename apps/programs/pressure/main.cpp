@@ -1,5 +1,4 @@
 // hinge-pressure: contact pressure of a joint under load.
-#include <CLI/CLI.hpp>
 #include <string>
 #include <string_view>
 
@@ -58,31 +57,30 @@ Examples:
 
 )";
 
-void add_options(CLI::App& app, Options& options) {
-  add_joint_options(app, options.joint);
-  hinge_angle::add_load_options(app, options.load);
-  add_law_options(app, options.joint, cli::Laws::one, cli::Laws::several);
-  app.option_defaults()->group("Profile");
-  auto* summary = app.add_flag("--summary", options.summary,
-                               "peak, mean, area and S in place of profiles")
-                      ->option_text(" ");
-  app.add_option("--points", options.points,
-                 "rows from the centre to the edge; default 101")
-      ->option_text("N")
-      ->excludes(summary);
-  add_output_options(app, options.output);
-  app.footer(std::string(help) + std::string(cli::size_help) +
-             std::string(cli::joint_help) + std::string(column_help) +
-             std::string(cli::exit_status_help));
+void add_options(cli::Program& program, Options& o) {
+  add_joint_options(program, o.joint);
+  hinge_angle::add_load_options(program, o.load);
+  add_law_options(program, o.joint, cli::Laws::one, cli::Laws::several);
+  program.add(
+      "Profile",
+      {{"--summary", &o.summary, "",
+        "peak, mean, area and S in place of profiles"},
+       {"--points", cli::count("--points", o.points, 2, 1'000'000), "N",
+        "rows from the centre to the edge; default 101", "", "--summary"}});
+  program.add_output(o.output);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("Contact pressure of a ball or pin joint under load",
-               "hinge-pressure");
+  cli::Program program("Contact pressure of a ball or pin joint under load",
+                       "hinge-pressure");
   Options options;
-  add_options(app, options);
-  return cli::run_program(app, argc, argv,
-                          [&] { return hinge_pressure::run(options); });
+  add_options(program, options);
+  return program.run(argc, argv,
+                     std::string(help) + std::string(cli::size_help) +
+                         std::string(cli::joint_help) +
+                         std::string(column_help) +
+                         std::string(cli::exit_status_help),
+                     [&] { return hinge_pressure::run(options); });
 }

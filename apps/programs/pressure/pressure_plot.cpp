@@ -17,8 +17,8 @@ constexpr double megapascal = 1e6;
 
 // "2000 N", "μ = 0.5"
 std::string load_text(const cli::Joint& joint, const LoadedContact& contact) {
-  const bool ball = joint.kind == contact::JointKind::ball;
-  if (!joint.geometry) {
+  const bool ball = joint.kind() == contact::JointKind::ball;
+  if (!joint.has_size) {
     return fmt::format("{} = {:.6g}", ball ? "μ" : "λ", contact.load_parameter);
   }
   return fmt::format("{:.6g} {}", contact.load,
@@ -62,9 +62,9 @@ struct Labels {
   }
   std::string title(const cli::Joint& joint,
                     const std::vector<LoadedContact>& contacts) const {
-    std::string text = joints ? "pressure" : joint.title();
-    if (joint.conditions.loading.is_back()) {
-      text += ", loading " + to_string(joint.conditions.loading);
+    std::string text = joints ? "pressure" : joint.title;
+    if (joint.spec.loading.is_back()) {
+      text += ", loading " + to_string(joint.spec.loading);
     }
     if (laws == 1) text += ", " + joint.pressures[0].name;
     if (laws == 2 && family()) {
@@ -113,7 +113,7 @@ std::string draw(const std::vector<PressureTable>& tables,
   cli::LinePlot plot;
   plot.title = labels.title(first, shown(0));
   plot.x_label = "angle from the centre of the contact, deg";
-  plot.y_label = first.geometry ? "pressure, MPa" : "pressure over nominal";
+  plot.y_label = first.has_size ? "pressure, MPa" : "pressure over nominal";
   plot.family = labels.family() && laws == 1;
   int group = 0;  // a joint and a load
   for (std::size_t j = 0; j < joints.size(); ++j) {
@@ -122,7 +122,7 @@ std::string draw(const std::vector<PressureTable>& tables,
       for (std::size_t i = 0; i < laws; ++i) {
         const NamedPressure& law = joints[j].pressures[i];
         cli::Curve curve =
-            curve_of(tables[j], law, contact, first.geometry ? megapascal : 1);
+            curve_of(tables[j], law, contact, first.has_size ? megapascal : 1);
         const bool by_law = labels.laws_have_colours();
         if (!by_law || group == 1) {
           curve.label = labels.curve(joints[j], contact, i);

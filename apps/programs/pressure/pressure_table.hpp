@@ -41,7 +41,7 @@ class PressureTable {
   double pressure(const NamedPressure& law, const LoadedContact& contact,
                   double theta) const;
   /// "Pa" or "over_nominal".
-  std::string unit() const { return joint_.geometry ? "Pa" : "over_nominal"; }
+  std::string unit() const { return joint_.has_size ? "Pa" : "over_nominal"; }
 
  private:
   std::vector<std::string> contact_columns() const;

@@ -44,7 +44,7 @@ class Findings {
       const NamedPressure& law = joint_.pressures[i];
       const double largest = law.law->largest_half_angle();
       if (contact.half_angle > largest) ++beyond_[i];
-      if (!joint_.geometry) continue;
+      if (!joint_.has_size) continue;
       const double peak = table_.pressure(law, contact, 0);
       if (peak > peak_[i]) peak_[i] = peak;
     }
@@ -114,8 +114,7 @@ std::vector<std::string> columns(const std::vector<cli::Joint>& joints,
 cli::ExitStatus write_table(const std::vector<cli::Joint>& joints,
                             const std::vector<PressureTable>& tables,
                             const std::vector<LoadedContacts>& contacts,
-                            int points, const cli::Table& table,
-                            const Options& options) {
+                            const cli::Table& table, const Options& options) {
   cli::Output output(options.output.output);
   cli::TableWriter writer(output, table);
   cli::Text rows;
@@ -131,7 +130,7 @@ cli::ExitStatus write_table(const std::vector<cli::Joint>& joints,
       if (options.summary) {
         tables[j].write_summary(contact, row);
       } else {
-        tables[j].write_profile(contact, points, row);
+        tables[j].write_profile(contact, options.points, row);
       }
       writer.write(rows.view());
       progress.add(1);
@@ -154,7 +153,6 @@ cli::ExitStatus run(const Options& options) {
   for (const cli::Joint& joint : joints) {
     inputs.push_back(make_input(options.load, joint));
   }
-  const int points = cli::parse_count("--points", options.points, 2, 1'000'000);
   std::vector<LoadedContacts> contacts;
   std::vector<PressureTable> tables;
   for (std::size_t i = 0; i < joints.size(); ++i) {
@@ -167,7 +165,7 @@ cli::ExitStatus run(const Options& options) {
   if (plot) check_curves(joints);
   warn_of_validity("hinge-pressure", joints);
   const cli::ExitStatus status =
-      write_table(joints, tables, contacts, points, table, options);
+      write_table(joints, tables, contacts, table, options);
   if (!plot) return status;
   return cli::drawn("hinge-pressure",
                     draw(tables, joints, contacts, options.output.plot),

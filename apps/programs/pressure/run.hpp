@@ -11,7 +11,7 @@ namespace hinge_pressure {
 struct Options {
   cli::JointOptions joint = {.use = cli::JointUse::contact};
   hinge_angle::LoadOptions load;
-  std::string points = "101";
+  int points = 101;
   bool summary = false;
   cli::OutputOptions output;
 };

@@ -1,5 +1,4 @@
 // hinge-separation: a carrier and its bodies come apart.
-#include <CLI/CLI.hpp>
 #include <string>
 #include <string_view>
 
@@ -48,8 +47,7 @@ opens in a browser without a network. --replay NAME.glb has the bodies and their
 motion for other viewers. With --compare both show full friction and, faint,
 ideal joints.
 
---checkpoint FILE keeps its rows in FILE.rows1 or FILE.rows2: copy and rename
-the two together. A run that goes on with --resume FILE comes to the same
+A run that goes on with --resume FILE from a checkpoint comes to the same
 results to the last byte, and goes on with checkpoints as often as before. With
 --end-time it ends later or earlier than the case says; output times stay.
 
@@ -63,110 +61,82 @@ Examples:
   hinge-separation data/cases/soyuz.toml --set run.end_time_s=3 --set 'body[booster].hinge.joint[1].friction.coefficient=0.2'
   hinge-separation data/cases/slosh.toml --history slosh.h5 --events slosh_events.csv
   hinge-separation data/cases/soyuz.toml --replay soyuz.html --replay soyuz.glb
-  hinge-separation data/cases/platform.toml --checkpoint platform.cbor --checkpoint-every 2
+  hinge-separation data/cases/platform.toml --checkpoint platform.db --checkpoint-every 2
 
 )";
 
-void add_options(CLI::App& app, Options& options) {
-  const cli::TextOptions add_text(app);
-  app.add_option("CASE.toml", options.case_file, "the case file")
-      ->required()
-      ->option_text(" ");
-  app.option_defaults()->group("Run");
-  app.add_flag("--compare", options.compare,
-               "ideal, full and traditional friction side by side")
-      ->option_text(" ");
-  add_text("--friction", options.friction,
-           "full, ideal or traditional; default: the case's", "NAME");
-  app.add_option_function<std::string>(
-         "--end-time",
-         [&options](const std::string& text) {
-           options.end_time =
-               cli::parse_value("--end-time", text, {1e-9, 1e9, "s"});
-         },
-         "of the motion; default: the case's")
-      ->option_text("SECONDS");
-  app.add_option("--set", options.settings,
-                 "another value of a key of the case or of a file of its\n"
-                 "joints; more than once for several")
-      ->option_text("KEY=VALUE")
-      ->allow_extra_args(false);
-  add_text("--law", options.half_angle_law,
-           "half-angle law of all joints; default: the joints'", "NAME");
-  add_text("--pressure", options.pressure_law,
-           "pressure law of all joints; default: the joints'", "NAME");
-  app.add_flag("--no-clearance", options.no_clearance,
-               "do not work out distances")
-      ->option_text(" ");
-  auto* checkpoint = add_text("--checkpoint", options.checkpoint,
-                              "file to write on the way, for --resume", "FILE");
-  app.add_option_function<std::string>(
-         "--checkpoint-every",
-         [&options](const std::string& text) {
-           options.checkpoint_every =
-               cli::parse_quantity("--checkpoint-every", text,
-                                   contact::Dimension::time, {1e-9, 1e9, "s"});
-         },
-         "so much of the motion, in s or with a unit")
-      ->option_text("TIME")
-      ->needs(checkpoint);
-  add_text("--resume", options.resume, "checkpoint to go on from", "FILE");
-  app.add_option_function<std::string>(
-         "--step-limit",
-         [&options](const std::string& text) {
-           constexpr int most = 2'000'000'000;
-           options.step_limit = cli::parse_count("--step-limit", text, 1, most);
-         },
-         "stop after as many steps, with what there is")
-      ->option_text("N");
-  app.add_option_function<std::string>(
-         "--time-limit",
-         [&options](const std::string& text) {
-           options.time_limit =
-               cli::parse_quantity("--time-limit", text,
-                                   contact::Dimension::time, {1e-3, 1e9, "s"});
-         },
-         "stop after so much wall-clock time, s or with a unit")
-      ->option_text("TIME");
-  app.option_defaults()->group("Output");
-  add_text("--history", options.history,
-           "time history: .csv, .h5 or .hdf5, - for CSV on stdout", "FILE");
-  add_text("--events", options.events, "list of events: .csv, - for stdout",
-           "FILE");
-  auto* replay =
-      app.add_option("--replay", options.replays,
-                     "the motion in 3D: .html, a page for any browser,\n"
-                     ".glb (glTF); may be given twice")
-          ->option_text("FILE")
-          ->expected(1)
-          ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
-          ->allow_extra_args(false);
-  app.add_flag("--no-case", options.no_case,
-               "leave the case file out of the page")
-      ->option_text(" ")
-      ->needs(replay);
-  cli::add_output_options(app, options.output);
-  cli::exclude(app, "--compare",
-               {"--no-clearance", "--history", "--events", "--plot",
-                "--friction", "--checkpoint", "--resume"});
-  app.get_option("--format")
-      ->description(
-          "of --compare: csv (default), json, markdown,\nlatex; the summary is "
-          "JSON");
-  app.footer(std::string(help) + std::string(cli::exit_status_help) +
-             "130, 143: stopped by SIGINT, SIGTERM; the results so far are "
-             "there.\n");
+void add_run(cli::Program& program, Options& o) {
+  using contact::Dimension;
+  constexpr cli::Allowed times{1e-9, 1e9, "s"};
+  program.add(
+      "Run",
+      {{"--compare", &o.compare, "",
+        "ideal, full and traditional friction side by side", "",
+        "--no-clearance --history --events --plot --friction --checkpoint "
+        "--resume"},
+       {"--friction", &o.friction, "NAME",
+        "full, ideal or traditional; default: the case's"},
+       {"--end-time",
+        cli::number("--end-time", o.end_time, Dimension::number, times),
+        "SECONDS", "of the motion; default: the case's"},
+       {"--set", &o.settings, "KEY=VALUE",
+        "another value of a key of the case or of a file of its\n"
+        "joints; more than once for several"},
+       {"--law", &o.half_angle_law, "NAME",
+        "half-angle law of all joints; default: the joints'"},
+       {"--pressure", &o.pressure_law, "NAME",
+        "pressure law of all joints; default: the joints'"},
+       {"--no-clearance", &o.no_clearance, "", "do not work out distances"},
+       {"--checkpoint", &o.checkpoint, "FILE",
+        "file to write on the way, for --resume"},
+       {"--checkpoint-every",
+        cli::number("--checkpoint-every", o.checkpoint_every, Dimension::time,
+                    times),
+        "TIME", "so much of the motion, in s or with a unit", "--checkpoint"},
+       {"--resume", &o.resume, "FILE", "checkpoint to go on from"},
+       {"--step-limit",
+        cli::count("--step-limit", o.step_limit, 1, 2'000'000'000), "N",
+        "stop after as many steps, with what there is"},
+       {"--time-limit",
+        cli::number("--time-limit", o.time_limit, Dimension::time,
+                    {1e-3, 1e9, "s"}),
+        "TIME", "stop after so much wall-clock time, s or with a unit"}});
+}
+
+void add_output(cli::Program& program, Options& o) {
+  program.add(
+      "Output",
+      {{"--history", &o.history, "FILE",
+        "time history: .csv, .h5 or .hdf5, - for CSV on stdout"},
+       {"--events", &o.events, "FILE", "list of events: .csv, - for stdout"},
+       {"--replay", &o.replays, "FILE",
+        "the motion in 3D: .html, a page for any browser,\n"
+        ".glb (glTF); may be given twice"},
+       {"--no-case", &o.no_case, "", "leave the case file out of the page",
+        "--replay"}});
+  program.add_output(o.output);
+  program.describe("--format",
+                   "of --compare: csv (default), json, markdown,\nlatex; the "
+                   "summary is JSON");
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("Separation of stages and motion of hinged bodies",
-               "hinge-separation");
+  cli::Program program("Separation of stages and motion of hinged bodies",
+                       "hinge-separation");
   Options options;
-  add_options(app, options);
-  return cli::run_program(app, argc, argv, [&] {
-    separation::check_options(options, app.count("--format") > 0);
-    return separation::run(options);
-  });
+  program.add("Run", {{"CASE.toml", &options.case_file, "", "the case file", "",
+                       "", true}});
+  add_run(program, options);
+  add_output(program, options);
+  return program.run(
+      argc, argv,
+      std::string(help) + std::string(cli::exit_status_help) +
+          "130, 143: stopped by SIGINT, SIGTERM; the results so far are "
+          "there.\n",
+      [&] {
+        separation::check_options(options, program.has("--format"));
+        return separation::run(options);
+      });
 }

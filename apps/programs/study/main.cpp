@@ -1,5 +1,4 @@
 // hinge-study: a thousand separations or loads of a joint, and what they say.
-#include <CLI/CLI.hpp>
 #include <limits>
 #include <string>
 #include <string_view>
@@ -46,75 +45,64 @@ constexpr std::string_view exit_status_help =
     "130, 143: stopped by SIGINT, SIGTERM; the rows so far are in the "
     "journal.\n";
 
-void add_options(CLI::App& app, Options& options) {
-  constexpr int most = std::numeric_limits<int>::max();
-  app.add_option("STUDY.toml", options.file, "the study file")
-      ->required()
-      ->option_text(" ");
-  const auto count = [&app](const char* name, const char* what, int least,
-                            int largest, auto& to) {
-    return app
-        .add_option_function<std::string>(
-            name,
-            [name, least, largest, &to](const std::string& text) {
-              to = cli::parse_count(name, text, least, largest);
-            },
-            what)
-        ->option_text("N");
-  };
-  const auto text = [&app](const char* name, const char* what, const char* kind,
-                           auto& to) {
-    return app.add_option(name, to, what)->option_text(kind);
-  };
-  app.option_defaults()->group("Study");
-  count("--runs", "instead of the file's", 1, 100'000'000, options.runs);
-  count("--seed", "instead of the file's", 0, most, options.seed);
-  text("--rows", "computes these only, into the journal", "A:B", options.rows);
-  text("--journal", "of rows that are done; default NAME.journal", "FILE",
-       options.journal);
-  text("--merge", "journals whose rows are taken", "FILES", options.merge);
-  app.option_defaults()->group("Instead of the study");
-  app.add_flag("--check", options.check, "the draws of ten runs")
-      ->option_text(" ");
-  app.add_flag("--quantities", options.quantities,
-               "all numbers of the nominal run")
-      ->option_text(" ");
-  count("--parts", "ranges of so many rows, for --rows", 1, 100'000'000,
-        options.parts);
-  auto* run = count("--run", "this run again; 0 is the nominal one", 0, most,
-                    options.run);
-  text("--history", "of --run: .csv, .h5 or .hdf5", "FILE", options.history)
-      ->needs(run);
-  cli::add_output_options(app, options.output);
-  text("--csv", "all rows as CSV", "FILE", options.csv);
-  text("--hdf5", "all rows as HDF5", "FILE", options.hdf5);
-  text("--report", "all that is said as a page, with pictures", "NAME.html",
-       options.report);
-  cli::add_jobs_option(app, options.output);
-  for (const char* other : {"--check", "--quantities", "--parts", "--run"}) {
-    cli::exclude(
-        app, other,
-        {"--rows", "--merge", "--csv", "--hdf5", "--plot", "--report"});
-  }
-  cli::exclude(app, "--rows",
-               {"--csv", "--hdf5", "--plot", "--output", "--report"});
-  app.get_option("--output")
-      ->description(
-          "the summary, JSON; or the table of --check, --run,\n"
-          "--quantities");
-  app.get_option("--format")->description("of these tables");
-  app.get_option("--plot")->description(
-      "pictures NAME_1.svg ... of each requirement,\nNAME_ranking, "
-      "NAME_clearance, NAME_angles");
-  app.footer(std::string(help) + std::string(exit_status_help));
+constexpr int most = std::numeric_limits<int>::max();
+constexpr const char* tables = "--rows --merge --csv --hdf5 --plot --report";
+
+void add_study(cli::Program& program, Options& o) {
+  program.add("Study", {{"--runs", cli::count("--runs", o.runs, 1, 100'000'000),
+                         "N", "instead of the file's"},
+                        {"--seed", cli::count("--seed", o.seed, 0, most), "N",
+                         "instead of the file's"},
+                        {"--rows", &o.rows, "A:B",
+                         "computes these only, into the journal", "",
+                         "--csv --hdf5 --plot --output --report"},
+                        {"--journal", &o.journal, "FILE",
+                         "of rows that are done; default NAME.journal"},
+                        {"--merge", cli::List{&o.merge, 0}, "FILES",
+                         "journals whose rows are taken"}});
+}
+
+void add_instead(cli::Program& program, Options& o) {
+  program.add("Instead of the study",
+              {{"--check", &o.check, "", "the draws of ten runs", "", tables},
+               {"--quantities", &o.quantities, "",
+                "all numbers of the nominal run", "", tables},
+               {"--parts", cli::count("--parts", o.parts, 1, 100'000'000), "N",
+                "ranges of so many rows, for --rows", "", tables},
+               {"--run", cli::count("--run", o.run, 0, most), "N",
+                "this run again; 0 is the nominal one", "", tables},
+               {"--history", &o.history, "FILE", "of --run: .csv, .h5 or .hdf5",
+                "--run"}});
+}
+
+void add_output(cli::Program& program, Options& o) {
+  program.add_output(o.output);
+  program.add("Output", {{"--csv", &o.csv, "FILE", "all rows as CSV"},
+                         {"--hdf5", &o.hdf5, "FILE", "all rows as HDF5"},
+                         {"--report", &o.report, "NAME.html",
+                          "all that is said as a page, with pictures"}});
+  program.add_jobs(o.output);
+  program.describe("--output",
+                   "the summary, JSON; or the table of --check, --run,\n"
+                   "--quantities");
+  program.describe("--format", "of these tables");
+  program.describe("--plot",
+                   "pictures NAME_1.svg ... of each requirement,\n"
+                   "NAME_ranking, NAME_clearance, NAME_angles");
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("Studies of scatter: verdicts, bounds, what drives them",
-               "hinge-study");
+  cli::Program program("Studies of scatter: verdicts, bounds, what drives them",
+                       "hinge-study");
   Options options;
-  add_options(app, options);
-  return cli::run_program(app, argc, argv, [&] { return study::run(options); });
+  program.add("Study", {{"STUDY.toml", &options.file, "", "the study file", "",
+                         "", true}});
+  add_study(program, options);
+  add_instead(program, options);
+  add_output(program, options);
+  return program.run(argc, argv,
+                     std::string(help) + std::string(exit_status_help),
+                     [&] { return study::run(options); });
 }

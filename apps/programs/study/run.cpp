@@ -185,25 +185,16 @@ std::vector<std::unique_ptr<Journal>> parts_of(const Options& o,
   std::vector<std::unique_ptr<Journal>> parts;
   for (const std::string& name : o.merge) {
     parts.push_back(std::make_unique<Journal>(
-        name, study.identity(), study.columns().size(), Journal::Use::read));
+        name, study.identity(), study.columns(), Journal::Use::read));
   }
   return parts;
-}
-
-void take_rows(const Journal& from, const Study& study, Journal& to) {
-  for (std::uint64_t run = 0; run <= study.runs(); ++run) {
-    if (from.has(run) && !to.has(run)) to.append(from.at(run));
-  }
 }
 
 // Of a range, the rows that no journal has. A signal ends this between rows;
 // later it ends the program as it would any other.
 cli::ExitStatus compute_missing(const Options& o, const Study& study,
                                 const Range& range, Journal& journal) {
-  std::vector<std::uint64_t> missing;
-  for (std::uint64_t run = range.first; run <= range.last; ++run) {
-    if (!journal.has(run)) missing.push_back(run);
-  }
+  const auto missing = journal.missing(range.first, range.last);
   const cli::Interrupts interrupts;
   Pace pace(missing.size());
   compute(
@@ -236,11 +227,12 @@ cli::ExitStatus run_study(const Options& o, const Study& study,
                           cli::OutputNames& names) {
   const Range range = range_of(o, study);
   const auto parts = parts_of(o, study);
-  Journal journal(journal_of(o), study.identity(), study.columns().size(),
+  Journal journal(journal_of(o), study.identity(), study.columns(),
                   Journal::Use::write);
-  for (const auto& part : parts) take_rows(*part, study, journal);
+  for (const auto& part : parts) journal.take(*part, study.runs());
   cli::ExitStatus status = compute_missing(o, study, range, journal);
   if (status != cli::all_good || !o.rows.empty()) return status;
+  journal.hold();
   const Findings findings = find(study, journal);
   write_results(o, study, findings, journal);
   if (findings.above_limit > 0) {
@@ -266,7 +258,9 @@ cli::OutputNames check_outputs(const Options& o) {
   names.add("--hdf5", o.hdf5);
   names.add("--report", o.report);
   names.add("--history", o.history);
-  names.keep("--journal", journal_of(o));
+  for (const char* end : {"", "-wal", "-shm", "-journal"}) {
+    names.keep("--journal", journal_of(o) + end);
+  }
   return names;
 }
 

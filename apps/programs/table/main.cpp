@@ -1,5 +1,4 @@
 // hinge-table: tables of friction integrals and coefficients.
-#include <CLI/CLI.hpp>
 #include <string>
 #include <string_view>
 
@@ -57,34 +56,30 @@ Examples:
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app(
+  cli::Program program(
       "Friction integrals and coefficients of a ball joint with dry friction",
       "hinge-table");
-  hinge_table::Options options;
-  const cli::TextOptions text(app);
-  auto* theta0 = text("--theta0", options.theta0, "half-angles, deg", "ANGLES");
-  auto* alpha =
-      text("--alpha", options.alpha, "slip axis angles, deg", "ANGLES");
-  theta0->needs(alpha);
-  alpha->needs(theta0);
-  text("--points", options.points, "CSV file of points, - for standard input",
-       "FILE");
-  text("--method", options.method,
-       "exact (default), elliptic, quadrature, planar, viscous, "
-       "cosine",
-       "NAME");
-  text("--tolerance", options.tolerance,
-       "of --method quadrature, relative; default 1e-10", "NUMBER");
-  text("--quantity", options.quantity,
-       "of a grid in markdown, latex and pictures; default chi", "NAME");
-  add_joint_options(app, options.joint);
-  add_law_options(app, options.joint, cli::Laws::one, cli::Laws::one);
-  add_output_options(app, options.output);
-  add_jobs_option(app, options.output);
-  cli::exclude(app, "--points",
-               {"--theta0", "--alpha", "--quantity", "--plot"});
-  app.footer(std::string(help) + std::string(cli::joint_help) +
-             std::string(examples) + std::string(cli::exit_status_help));
-  return cli::run_program(app, argc, argv,
-                          [&] { return hinge_table::run(options); });
+  hinge_table::Options o;
+  program.add(
+      "Options",
+      {{"--theta0", &o.theta0, "ANGLES", "half-angles, deg", "--alpha"},
+       {"--alpha", &o.alpha, "ANGLES", "slip axis angles, deg", "--theta0"},
+       {"--points", &o.points, "FILE",
+        "CSV file of points, - for standard input", "",
+        "--theta0 --alpha --quantity --plot"},
+       {"--method", &o.method, "NAME",
+        "exact (default), elliptic, quadrature, planar, viscous, cosine"},
+       {"--tolerance", &o.tolerance, "NUMBER",
+        "of --method quadrature, relative; default 1e-10"},
+       {"--quantity", &o.quantity, "NAME",
+        "of a grid in markdown, latex and pictures; default chi"}});
+  add_joint_options(program, o.joint);
+  add_law_options(program, o.joint, cli::Laws::one, cli::Laws::one);
+  program.add_output(o.output);
+  program.add_jobs(o.output);
+  return program.run(argc, argv,
+                     std::string(help) + std::string(cli::joint_help) +
+                         std::string(examples) +
+                         std::string(cli::exit_status_help),
+                     [&] { return hinge_table::run(o); });
 }

@@ -330,7 +330,7 @@ cli::ExitStatus run(const Options& options) {
   const double tolerance = tolerance_of(options);
   const cli::Joint ball = make_ball(options.joint);
   return run(options, find_method(options.method, tolerance, ball.pressures[0]),
-             ball.name);
+             ball.spec.name);
 }
 
 cli::ExitStatus run(const Options& options, const Method& method,

@@ -202,7 +202,7 @@ class Joint:
         *,
         axis: ArrayLike | None = None,
     ) -> Solution: ...
-    def utilisation(
+    def at_rest(
         self,
         reaction: ArrayLike,
         moment: ArrayLike,

@@ -3,13 +3,13 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "libcontact/joint/contact.hpp"
-#include "libcontact/joint/node.hpp"
+#include "libcontact/joint/group.hpp"
 #include "libcontact/joint/spec.hpp"
 #include "multibody/motion/motion.hpp"
 #include "separation/case/shape.hpp"
@@ -60,7 +60,7 @@ struct Hinge {
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();
   std::vector<HingeJoint> joints;
   /// axis: shares of an indeterminate node.
-  std::optional<contact::SharingRule> sharing;
+  std::optional<contact::JointGroup::Sharing> sharing;
   /// ball: the angle is that between these.
   Eigen::Vector3d body_direction = Eigen::Vector3d::UnitX();
   Eigen::Vector3d carrier_direction = Eigen::Vector3d::UnitX();
@@ -88,106 +88,14 @@ struct Clock {
 };
 inline constexpr Clock never{std::numeric_limits<double>::infinity(), -1, 0};
 
-/// Values over a variable, linear between the rows and constant outside. Two
-/// rows at one place are a jump, from the first one's value to the second's,
-/// which is that of the place itself.
-template <class Value>
-struct Table {
-  std::vector<double> at;  ///< increasing; a single row is a constant
-  std::vector<Value> values;
-
-  /// @param origin  what the rows count from
-  Value operator()(double x, double origin = 0) const {
-    const double from_origin = x - origin;
-    std::size_t i = 0;
-    // A jump is at origin + at[i], as the break of the forces is: the rounding
-    // of the difference puts x on no other side of it.
-    while (i < at.size() &&
-           (jumps(i) ? origin + at[i] <= x : at[i] <= from_origin)) {
-      ++i;
-    }
-    if (i == 0) return values.front();
-    if (i == at.size()) return values.back();
-    const double part = (from_origin - at[i - 1]) / (at[i] - at[i - 1]);
-    return values[i - 1] + part * (values[i] - values[i - 1]);
-  }
-  bool jumps(std::size_t i) const {
-    return (i > 0 && at[i - 1] == at[i]) ||
-           (i + 1 < at.size() && at[i] == at[i + 1]);
-  }
-};
-
-/// What a table of the file goes over: time since the force began, or the
-/// angle of the body's hinge.
-enum class Variable { none, time, angle };
-
-/// A force and a moment given by the file.
-struct AppliedForce {
-  bool inertial = false;  ///< axes of force and moment; else the body's
-  Eigen::Vector3d point = Eigen::Vector3d::Zero();
-  Variable variable = Variable::none;
-  Table<Eigen::Vector3d> force;
-  Table<Eigen::Vector3d> moment;
-};
-
-/// An engine: full thrust until it is cut off, then T exp(-t/decay).
-struct Thrust {
-  Eigen::Vector3d point;
-  Eigen::Vector3d force;  ///< body axes, N
-  Clock cutoff;
-  double decay;  ///< s
-};
-
-/// A spring between a point of the body and one of the carrier.
-struct Spring {
-  Eigen::Vector3d point;
-  Eigen::Vector3d carrier_point;
-  double stiffness;    ///< N/m
-  double free_length;  ///< m
-  double damping;      ///< N s/m
-};
-
-/// A pusher on the carrier that pushes the body along a guide until its stroke
-/// is used up.
-struct Pusher {
-  Eigen::Vector3d point;
-  Eigen::Vector3d carrier_point;
-  Eigen::Vector3d direction;  ///< unit, carrier axes
-  double first_force;         ///< N, at the beginning of the stroke
-  double last_force;          ///< N, at its end
-  double stroke;              ///< m
-};
-
-/// A motor or a torsion spring on an axis: a moment on the body, the opposite
-/// one on the carrier, as long as the hinge holds.
-struct Motor {
-  Variable variable;
-  Table<double> moment;  ///< about the axis, N m
-};
-
-/// Air.
-struct Aerodynamic {
-  Eigen::Vector3d axis;   ///< unit, body axes: the nose
-  Eigen::Vector3d point;  ///< where the coefficients refer to
-  double area;
-  double length;
-  /// Of the air past the body, unit, inertial axes; with a density instead of
-  /// a dynamic pressure it follows from the velocity in the wind.
-  Eigen::Vector3d flow = Eigen::Vector3d::UnitX();
-  Table<double> dynamic_pressure;  ///< Pa, over time; empty with a density
-  double density = 0;              ///< kg/m^3
-  Eigen::Vector3d wind = Eigen::Vector3d::Zero();
-  /// Coefficients over the angle of attack, one table for each pressure of
-  /// `pressures` (at least one).
-  std::vector<double> pressures;
-  std::vector<Table<double>> axial, normal, moment;
-};
+class ForceLaw;
 
 struct Force {
   std::string name;
   int body;
   Clock begin, end = never;
-  std::variant<AppliedForce, Thrust, Spring, Pusher, Motor, Aerodynamic> what;
+  /// What it does, of one of force_kinds(); copies of a case share it.
+  std::shared_ptr<const ForceLaw> law;
 };
 
 /// Something that happens once to each of its bodies.

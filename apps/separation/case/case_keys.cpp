@@ -1,6 +1,7 @@
 #include "separation/case/case_keys.hpp"
 
 #include "libcontact/files/joint_tables.hpp"
+#include "separation/case/force_kind.hpp"
 
 namespace separation {
 namespace {
@@ -116,38 +117,10 @@ Keys force_keys() {
                {"ends_at", Dimension::time},
                {"ends_at_event"},
                {"ends_delay", Dimension::time}};
-  keys = with(keys, of("applied thrust spring pusher aerodynamic",
-                       {{"point", Dimension::length}}));
-  keys =
-      with(keys, of("applied motor aerodynamic",
-                    {{"time", Dimension::time}, {"angle", Dimension::angle}}));
-  keys = with(keys, of("applied motor", {{"moment", Dimension::moment}}));
-  keys = with(keys, of("applied", {{"axes"}, {"force", Dimension::force}}));
-  keys = with(keys, of("thrust pusher", {{"direction"}}));
-  keys = with(keys, of("thrust", {{"thrust", Dimension::force},
-                                  {"cutoff_at", Dimension::time},
-                                  {"cutoff_at_event"},
-                                  {"cutoff_delay", Dimension::time},
-                                  {"decay", Dimension::time}}));
-  keys =
-      with(keys, of("spring pusher", {{"carrier_point", Dimension::length}}));
-  keys = with(keys, of("spring", {{"stiffness", Dimension::line_force},
-                                  {"free_length", Dimension::length},
-                                  {"damping_N_s_per_m"}}));
-  keys = with(keys, of("pusher", {{"first_force", Dimension::force},
-                                  {"last_force", Dimension::force},
-                                  {"stroke", Dimension::length}}));
-  return with(keys, of("aerodynamic", {{"axis"},
-                                       {"reference_area_m2"},
-                                       {"reference_length", Dimension::length},
-                                       {"flow"},
-                                       {"dynamic_pressure", Dimension::stress},
-                                       {"density_kg_per_m3"},
-                                       {"wind", Dimension::velocity},
-                                       {"axial"},
-                                       {"normal"},
-                                       {"moment"},
-                                       {"table_pressure", Dimension::stress}}));
+  for (const ForceKind& kind : force_kinds()) {
+    keys = with(keys, of(kind.name, kind.keys));
+  }
+  return keys;
 }
 
 }  // namespace

@@ -75,17 +75,18 @@ HingeJoint read_hinge_joint(const TomlTable& table, const JointLaws& laws,
           std::move(contact)};
 }
 
-std::optional<contact::SharingRule> read_sharing(const TomlTable& table,
-                                                 std::size_t joints) {
+std::optional<contact::JointGroup::Sharing> read_sharing(const TomlTable& table,
+                                                         std::size_t joints) {
   if (table.optional_choice("sharing", {"equal"})) {
     table.refuse_both("sharing", "radial_stiffness");
-    return contact::SharingRule{};  // filled in when the joints are known
+    return contact::JointGroup::Sharing{};  // filled in when the joints are
+                                            // known
   }
   auto stiffness = table.optional_numbers("radial_stiffness", {joints},
                                           Interval::positive());
   if (!stiffness) return {};
-  return contact::SharingRule{*std::move(stiffness),
-                              table.numbers("axial_share", {joints}, {0, 1})};
+  return contact::JointGroup::Sharing{
+      *std::move(stiffness), table.numbers("axial_share", {joints}, {0, 1})};
 }
 
 Vector3d named_direction(const TomlTable& table, std::string_view key,
@@ -129,16 +130,16 @@ bool is_ball(const HingeJoint& joint) {
   return joint.joint.geometry.kind() == contact::JointKind::ball;
 }
 
-contact::JointNode make_node(const Hinge& hinge) {
-  std::vector<contact::NodeJoint> joints;
+contact::JointGroup make_group(const Hinge& hinge) {
+  std::vector<contact::JointGroup::Member> joints;
   for (const HingeJoint& joint : hinge.joints) {
     joints.push_back({contact::Joint(joint.contact), joint.position});
   }
   auto sharing = hinge.sharing;
   if (sharing && sharing->radial_stiffness.empty()) {
-    sharing = contact::SharingRule::equal(joints);
+    sharing = contact::JointGroup::Sharing::equal(joints);
   }
-  return contact::JointNode(std::move(joints), std::move(sharing));
+  return contact::JointGroup(std::move(joints), std::move(sharing));
 }
 
 }  // namespace
@@ -193,7 +194,7 @@ multibody::HingeFriction make_friction(const Hinge& hinge,
     return multibody::JointFriction{contact::Joint(hinge.joints[0].contact),
                                     estimate};
   }
-  return multibody::NodeFriction{make_node(hinge), estimate};
+  return multibody::GroupFriction{make_group(hinge), estimate};
 }
 
 }  // namespace separation

@@ -8,6 +8,7 @@
 #include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
 #include "libcontact/base/text.hpp"
+#include "separation/case/force_law.hpp"
 
 namespace separation {
 namespace {
@@ -87,10 +88,11 @@ void check_pair(const PairRecord& pair, const Past& past) {
   past.check(pair.overlap_to, "pairs.overlap_to");
 }
 
-void check_force(const ForceRecord& force, const Past& past) {
-  using Fault = ForceRecord::Fault;
-  require(force.fault >= Fault::none && force.fault <= Fault::pulls_back,
-          "forces.fault", static_cast<int>(force.fault), "a fault");
+void check_force(const ForceRecord& force, const ForceLaw& law,
+                 const Past& past) {
+  require(
+      force.fault >= 0 && force.fault <= static_cast<int>(law.faults().size()),
+      "forces.fault", force.fault, "a fault");
   past.check(force.fault_time, "forces.fault_time");
 }
 
@@ -153,12 +155,15 @@ void check_notes(const std::vector<Note>& notes, const Case& c,
   }
 }
 
-void check_memory(const Recorder::Memory& memory, const Past& past) {
+void check_memory(const Recorder::Memory& memory, const Case& c,
+                  const Past& past) {
   past.check(memory.last_time, "last_time");
   for (const int mode : memory.modes) check_mode(mode, "modes");
   for (const BodyRecord& body : memory.bodies) check_body(body, past);
   for (const PairRecord& pair : memory.pairs) check_pair(pair, past);
-  for (const ForceRecord& force : memory.forces) check_force(force, past);
+  for (std::size_t i = 0; i < memory.forces.size(); ++i) {
+    check_force(memory.forces[i], *c.forces[i].law, past);
+  }
 }
 
 }  // namespace
@@ -177,7 +182,7 @@ void check_state(const RunState& state, const StateOwner& owner) {
           fmt::format("0 to {} s", end));
   const Past past(now);
   check_history(state.simulation.history, past);
-  check_memory(memory, past);
+  check_memory(memory, owner.of, past);
   check_notes(memory.notes, owner.of, past);
   if (owner.rows) check_rows(memory.rows, now, owner.outputs);
 }

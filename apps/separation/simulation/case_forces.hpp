@@ -8,12 +8,14 @@
 
 namespace separation {
 
+struct ForceInstant;
+
 /// What has happened so far, as far as forces depend on it.
 struct History {
   static constexpr double not_yet = std::numeric_limits<double>::infinity();
   /// Time of event e for body i: events[e][i]; not_yet.
   std::vector<std::vector<double>> events;
-  /// Of each force: a pusher at the end of its stroke pushes no more.
+  /// Of each force: its stroke is used up, and it acts no more.
   std::vector<char> spent;
 
   History() = default;
@@ -47,20 +49,15 @@ class CaseForces final : public multibody::ForceModel {
   struct Active {
     const Force* force;
     double begin, end;  // s
-    double cutoff;      // thrust only
+    double own;         // of its own clock
     bool is_on(double time) const { return time >= begin && time < end; }
   };
-  void add(const Active& active, double time,
-           std::span<const multibody::BodyMotion> bodies,
-           std::span<multibody::BodyForce> forces) const;
+  ForceInstant instant(const Active& active, double time,
+                       std::span<const multibody::BodyMotion> bodies) const;
 
   const Case& case_;
   std::vector<Active> active_;
   std::vector<double> breaks_;  // increasing
 };
-
-/// How much of a pusher's stroke is used, m; at its length the push ends.
-double stroke_used(const Pusher& pusher, int body,
-                   std::span<const multibody::BodyMotion> bodies);
 
 }  // namespace separation

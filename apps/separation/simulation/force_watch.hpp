@@ -11,19 +11,9 @@ namespace separation {
 struct ForceRecord {
   bool on = false;     ///< it has begun, with stroke left
   bool acted = false;  ///< it has been other than 0
-  /// What it does is hardly what was meant.
-  enum class Fault {
-    none,
-    /// A pusher: its point on the body is behind that on the carrier.
-    behind,
-    /// A pusher of a free body: ahead of it is the carrier's centre of mass,
-    /// and behind it the body's.
-    inwards,
-    /// A spring with a free length: its points are in one place.
-    no_direction,
-    /// A spring: longer than its free length when the body has come off.
-    pulls_back
-  } fault = Fault::none;
+  /// What it does is hardly what was meant: a number of ForceLaw::faults(),
+  /// from 1; 0: none is known.
+  int fault = 0;
   double fault_time = 0;  ///< s
 };
 

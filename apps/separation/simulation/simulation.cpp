@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "libcontact/base/error.hpp"
+#include "separation/case/force_law.hpp"
 #include "separation/case/hinge_reader.hpp"
 #include "separation/case/system_of.hpp"
 
@@ -70,10 +71,10 @@ double Simulation::angle(const MotionSample& sample, int body) const {
   return hinge_angle(hinge, sample.carrier(), sample.body(body));
 }
 
-// Every event of every body becomes a function of the motion, every pusher
-// one that ends its push. A pusher's stroke at its beginning is
-// end_pushes()'s business; the end of its time belongs to it, as steps end
-// there and its stroke may be used up in the last one.
+// Every event of every body becomes a function of the motion, every force with
+// a stroke one that ends its push. A stroke at its beginning is end_pushes()'s
+// business; the end of its time belongs to it, as steps end there and its
+// stroke may be used up in the last one.
 void Simulation::add_events() {
   for (int e = 0; e < static_cast<int>(case_.events.size()); ++e) {
     const Event& event = case_.events[e];
@@ -97,19 +98,17 @@ void Simulation::add_events() {
     }
   }
   for (int f = 0; f < static_cast<int>(case_.forces.size()); ++f) {
-    const auto* pusher = std::get_if<Pusher>(&case_.forces[f].what);
-    if (pusher == nullptr) continue;
-    const int body = case_.forces[f].body;
+    const Force& force = case_.forces[f];
+    if (!force.law->overrun(force.body, sample().motions())) continue;
     motion_.add_event(
-        {[this, pusher, body, f](const MotionSample& sample) {
-           const Force& force = case_.forces[f];
+        {[this, &force, f](const MotionSample& sample) {
            const double time = sample.time();
            if (history_.spent[f] ||
-               time <= history_.time_of(force.begin, body, case_) ||
-               time > history_.time_of(force.end, body, case_)) {
+               time <= history_.time_of(force.begin, force.body, case_) ||
+               time > history_.time_of(force.end, force.body, case_)) {
              return -1.0;
            }
-           return stroke_used(*pusher, body, sample.motions()) - pusher->stroke;
+           return *force.law->overrun(force.body, sample.motions());
          },
          multibody::MotionEvent::Crossing::rising});
     meanings_.push_back({{-1, -1}, f});
@@ -180,24 +179,24 @@ double Simulation::next_time() const {
     }
   }
   for (const Force& force : case_.forces) {
-    if (!std::holds_alternative<Pusher>(force.what)) continue;
+    if (!force.law->overrun(force.body, sample().motions())) continue;
     const double begin = history_.time_of(force.begin, force.body, case_);
     if (begin > time()) next = std::min(next, begin);
   }
   return next;
 }
 
-// A pusher that begins now with its stroke used up does not push.
+// A force that begins now with its stroke used up does not push.
 bool Simulation::end_pushes() {
   bool ended = false;
   for (std::size_t f = 0; f < case_.forces.size(); ++f) {
     const Force& force = case_.forces[f];
-    const auto* pusher = std::get_if<Pusher>(&force.what);
-    if (pusher == nullptr || history_.spent[f] ||
-        history_.time_of(force.begin, force.body, case_) != time() ||
-        stroke_used(*pusher, force.body, sample().motions()) < pusher->stroke) {
+    if (history_.spent[f] ||
+        history_.time_of(force.begin, force.body, case_) != time()) {
       continue;
     }
+    const auto overrun = force.law->overrun(force.body, sample().motions());
+    if (!overrun || *overrun < 0) continue;
     history_.spent[f] = true;
     ended = true;
   }

@@ -1,158 +1,221 @@
 #include "study/rows/journal.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/file.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
-#include <cerrno>
-#include <cstring>
-#include <utility>
+#include <algorithm>
+#include <array>
+#include <boost/crc.hpp>
+#include <cctype>
+#include <cmath>
+#include <fstream>
+#include <set>
 
 #include "libcontact/base/complaint.hpp"
-#include "libcontact/base/error.hpp"
 #include "libcontact/base/file_text.hpp"
 #include "study/plan/draws.hpp"
 
 namespace study {
 namespace {
 
-constexpr std::string_view kind = "hinge-study journal ";
+using cli::Database;
+using contact::detail::must_be;
+
+// What SQLite's header says of a file of this kind.
+constexpr int application = 0x686a6e6c;
 // Of the rows: another one where the same study has other numbers.
-constexpr int version = 2;
+constexpr int version = 3;
+// SQLite's own limit unless it was built for more.
+constexpr std::size_t most_columns = 2000;
+// Before the numbers of a row, and behind them.
+constexpr std::size_t other_columns = 3;
+
+std::int64_t as_integer(std::uint64_t run) {
+  return static_cast<std::int64_t>(run);
+}
+
+// A column's name in SQL, which two that differ in the case of letters alone
+// may not have.
+std::string column(std::string name, std::set<std::string>& taken) {
+  const auto lower = [](std::string text) {
+    std::ranges::transform(text, text.begin(), [](unsigned char c) {
+      return static_cast<char>(std::tolower(c));
+    });
+    return text;
+  };
+  while (!taken.insert(lower(name)).second) name += '_';
+  std::string quoted;
+  for (const char c : name) quoted.append(c == '"' ? 2 : 1, c);
+  return '"' + quoted + '"';
+}
+
+// Columns without a type keep every bit of a number.
+std::string table_of(const std::vector<std::string>& names) {
+  std::set<std::string> taken = {"run", "status", "check_sum"};
+  std::string sql = "CREATE TABLE rows (run INTEGER PRIMARY KEY";
+  for (const std::string& name : names) sql += ", " + column(name, taken);
+  return sql + ", status, check_sum)";
+}
+
+// NaN of any bits is one number to SQLite.
+std::int64_t check_sum(const Row& row) {
+  boost::crc_32_type crc;
+  crc.process_bytes(&row.run, sizeof row.run);
+  for (const double number : row.numbers) {
+    const double some_nan = std::nan("");
+    crc.process_bytes(std::isnan(number) ? &some_nan : &number, sizeof number);
+  }
+  crc.process_bytes(row.failure.data(), row.failure.size());
+  return crc.checksum();
+}
+
+// Journals were text and bytes up to version 2.
+bool is_old(const std::string& path) {
+  constexpr std::string_view beginning = "hinge-study journal ";
+  std::array<char, beginning.size()> bytes = {};
+  std::ifstream(path, std::ios::binary).read(bytes.data(), bytes.size());
+  return std::string_view(bytes.data(), bytes.size()) == beginning;
+}
+
+std::string ask_text(const Database& database, const char* sql) {
+  cli::Statement statement(database, sql);
+  return statement.run() ? statement.text(0) : "";
+}
 
 }  // namespace
 
-Journal::Journal(std::string path, const std::string& identity,
-                 std::size_t numbers, Use use)
-    : path_(std::move(path)), numbers_(numbers) {
-  open(use);
+Journal::Journal(const std::string& path, const std::string& identity,
+                 const std::vector<std::string>& names, Use use)
+    : database_(path,
+                use == Use::write ? Database::Use::write : Database::Use::read),
+      use_(use),
+      numbers_(names.size()) {
+  if (use == Use::read) contact::detail::tell_reading(path);
+  const std::string hash = fmt::format("{:016x}", hash_of(identity));
   try {
-    begin(fmt::format("{}{} {:016x} {}\n", kind, version, hash_of(identity),
-                      numbers),
-          use);
-  } catch (...) {
-    close(file_);
-    throw;
+    if (use == Use::write) make(hash, names);
+    check(hash);
+  } catch (const cli::DatabaseError& error) {
+    if (!error.is_stranger()) throw;
+    fail(is_old(path) ? must_be("a journal of another version",
+                                "removed, or another one named with --journal")
+                      : must_be("the file", "a journal of hinge-study"));
   }
+  has_.emplace(database_, "SELECT 1 FROM rows WHERE run = ?");
+  at_.emplace(database_, "SELECT * FROM rows WHERE run = ?");
+  if (use == Use::read) return;
+  std::string places = "?";
+  for (std::size_t i = 1; i < numbers_ + other_columns; ++i) places += ", ?";
+  append_.emplace(database_,
+                  "INSERT OR IGNORE INTO rows VALUES (" + places + ")");
 }
 
-Journal::~Journal() { close(file_); }
+// What is open would keep it as it is.
+Journal::~Journal() {
+  append_.reset();
+  has_.reset();
+  at_.reset();
+  if (use_ == Use::write) database_.write_back();
+}
 
 void Journal::fail(const std::string& why) const {
-  throw contact::Error(fmt::format("{}: {}", path_, why));
+  throw contact::Error(fmt::format("{}: {}", database_.name(), why));
 }
 
-void Journal::fail_errno(const char* what) const {
-  fail(fmt::format("{}: {}", what, std::strerror(errno)));
-}
-
-void Journal::open(Use use) {
-  if (use == Use::read) contact::detail::tell_reading(path_);
-  const int flags = use == Use::write ? O_RDWR | O_CREAT : O_RDONLY;
-  file_ = ::open(path_.c_str(), flags | O_CLOEXEC, 0666);
-  if (file_ < 0) fail_errno("cannot open");
-  if (use == Use::write && flock(file_, LOCK_EX | LOCK_NB) != 0) {
-    close(file_);
-    fail("another program writes to this journal");
+// Of several programs that open a new journal one makes it.
+void Journal::make(const std::string& hash,
+                   const std::vector<std::string>& names) {
+  if (numbers_ + other_columns > most_columns) {
+    fail(must_be(fmt::format("{} inputs and quantities of a row", numbers_),
+                 fmt::format("{} at most", most_columns - other_columns)));
+  }
+  if (database_.ask("SELECT count(*) FROM sqlite_master") == 0) {
+    cli::Transaction transaction(database_);
+    if (database_.ask("SELECT count(*) FROM sqlite_master") > 0) return;
+    database_.run(fmt::format("PRAGMA application_id = {}", application));
+    database_.run(fmt::format("PRAGMA user_version = {}", version));
+    database_.run("CREATE TABLE study (identity)");
+    cli::Statement(database_, "INSERT INTO study VALUES (?)").run(hash);
+    database_.run(table_of(names));
+    transaction.commit();
   }
 }
 
-// A file that ends within its header or within a row was cut short when its
-// writer was killed: the next row takes that place.
-void Journal::begin(const std::string& header, Use use) {
-  struct stat status = {};
-  if (fstat(file_, &status) != 0) fail_errno("cannot read");
-  end_ = static_cast<std::uint64_t>(status.st_size);
-  const std::string text = read(0, header.size());
-  first_ = header.size();
-  if (text != header) {
-    if (use == Use::write && header.starts_with(text)) {
-      if (pwrite(file_, header.data(), header.size(), 0) !=
-          static_cast<ssize_t>(header.size())) {
-        fail_errno("cannot write");
-      }
-      end_ = first_;
-      return;
-    }
-    fail(contact::detail::must_be(
-        text.starts_with(kind) ? "the study of this journal" : "the file",
-        text.starts_with(kind) ? "the same, with the same files, seed and "
-                                 "version; remove it or name "
-                                 "another one with --journal"
-                               : "a journal of hinge-study"));
+void Journal::check(const std::string& hash) const {
+  if (database_.ask("PRAGMA application_id") != application) {
+    fail(must_be("the file", "a journal of hinge-study"));
   }
-  end_ = scan([this](std::uint64_t place, const Row& row) {
-    places_[row.run] = place;
-  });
-  if (use == Use::write && ftruncate(file_, static_cast<off_t>(end_)) != 0) {
-    fail_errno("cannot write");
+  if (database_.ask("PRAGMA user_version") == version &&
+      ask_text(database_, "SELECT identity FROM study") == hash) {
+    if (use_ == Use::write) database_.write_ahead();
+    return;
   }
+  fail(must_be("the study of this journal",
+               "the same, with the same files, seed and version; remove it or "
+               "name another one with --journal"));
 }
 
-// But for size and checksum, for which there is room too.
-std::size_t Journal::longest_row() const {
-  return (numbers_ + 4) * sizeof(double) + longest_failure;
+bool Journal::has(std::uint64_t run) const {
+  const bool found = has_->run(as_integer(run));
+  has_->begin();
+  return found;
 }
 
-std::string Journal::read(std::uint64_t from, std::size_t size) const {
-  std::string bytes(size, '\0');
-  std::size_t done = 0;
-  while (done < size) {
-    const ssize_t count = pread(file_, bytes.data() + done, size - done,
-                                static_cast<off_t>(from + done));
-    if (count < 0 && errno != EINTR) fail_errno("cannot read");
-    if (count == 0) break;
-    if (count > 0) done += static_cast<std::size_t>(count);
-  }
-  bytes.resize(done);
-  return bytes;
+std::size_t Journal::size() const {
+  return static_cast<std::size_t>(database_.ask("SELECT count(*) FROM rows"));
 }
 
-// Goes through the file by parts; the end of the last whole row.
-template <class Look>
-std::uint64_t Journal::scan(const Look& look) const {
-  constexpr std::size_t part = 1 << 18;
-  std::uint64_t place = first_;
-  for (;;) {
-    const std::string bytes = read(place, part + longest_row());
-    std::string_view rest = bytes;
-    const auto at = [&] { return place + (bytes.size() - rest.size()); };
-    try {
-      while (has_whole_row(rest, numbers_)) {
-        const std::uint64_t row = at();
-        look(row, take_row(rest, numbers_));
-      }
-    } catch (const contact::Error& error) {
-      fail(
-          fmt::format("{} near byte {}: remove this journal, or bring it back "
-                      "from a copy",
-                      error.what(), at()));
-    }
-    if (rest.size() == bytes.size()) return place;
-    place = at();
+std::vector<std::uint64_t> Journal::missing(std::uint64_t first,
+                                            std::uint64_t last) const {
+  cli::Statement there(
+      database_, "SELECT run FROM rows WHERE run BETWEEN ? AND ? ORDER BY run");
+  std::vector<std::uint64_t> missing;
+  std::uint64_t next = first;
+  for (bool more = there.run(as_integer(first), as_integer(last)); more;
+       more = there.next()) {
+    const auto run = static_cast<std::uint64_t>(there.integer(0));
+    for (; next < run; ++next) missing.push_back(next);
+    next = run + 1;
   }
+  for (; next <= last; ++next) missing.push_back(next);
+  return missing;
 }
+
+void Journal::hold() const { database_.run("BEGIN"); }
 
 void Journal::append(const Row& row) {
-  const std::string bytes = to_bytes(row);
-  std::string_view rest = bytes;
-  while (!rest.empty()) {
-    const ssize_t count =
-        pwrite(file_, rest.data(), rest.size(),
-               static_cast<off_t>(end_ + bytes.size() - rest.size()));
-    if (count < 0 && errno != EINTR) fail_errno("cannot write");
-    if (count > 0) rest.remove_prefix(static_cast<std::size_t>(count));
+  append_->begin();
+  int place = 0;
+  append_->bind(++place, as_integer(row.run));
+  for (const double number : row.numbers) append_->bind(++place, number);
+  append_->bind(++place, row.failure.empty() ? "ok" : row.failure);
+  append_->bind(++place, check_sum(row));
+  append_->next();
+}
+
+void Journal::take(const Journal& from, std::uint64_t last) {
+  cli::Transaction transaction(database_);
+  for (std::uint64_t run = 0; run <= last; ++run) {
+    if (from.has(run)) append(from.at(run));
   }
-  places_[row.run] = end_;
-  end_ += bytes.size();
+  transaction.commit();
 }
 
 Row Journal::at(std::uint64_t run) const {
-  const std::string bytes = read(places_.at(run), longest_row());
-  std::string_view rest = bytes;
-  return take_row(rest, numbers_);
+  if (!at_->run(as_integer(run))) fail(fmt::format("run {} is missing", run));
+  Row row{run, {}, std::vector<double>(numbers_)};
+  int place = 0;
+  for (double& number : row.numbers) number = at_->number(++place);
+  row.failure = at_->text(++place);
+  if (row.failure == "ok") row.failure.clear();
+  const bool whole = at_->integer(++place) == check_sum(row);
+  at_->begin();
+  if (!whole) {
+    fail(
+        fmt::format("run {} is damaged: remove this journal, or bring it back "
+                    "from a copy",
+                    run));
+  }
+  return row;
 }
 
 }  // namespace study

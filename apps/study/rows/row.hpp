@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace study {
@@ -17,17 +16,5 @@ struct Row {
 
   bool operator==(const Row&) const = default;
 };
-
-/// A row as bytes with a checksum, alike on all machines of one byte order,
-/// and back.
-std::string to_bytes(const Row& row);
-/// Takes a row off the front.
-/// @throws contact::Error if the bytes are no row of so many numbers
-Row take_row(std::string_view& bytes, std::size_t numbers);
-/// Whether a row ends in these bytes: one that a writer was killed at does not.
-/// @throws contact::Error if it has a size that no row of so many numbers has
-bool has_whole_row(std::string_view bytes, std::size_t numbers);
-/// Of a failure's text; what is longer is cut.
-inline constexpr std::size_t longest_failure = 1000;
 
 }  // namespace study

@@ -30,16 +30,16 @@ int main() {
     const Eigen::Matrix3d J = A * inertia.asDiagonal() * A.transpose();
     const Vector3d c = A * centre, torque = c.cross(weight);
     const contact::Joint::Hold hold = {.reaction = R, .moment = -torque};
-    if (w.isZero(0) && joint.utilisation(hold).utilisation <= 1) break;
+    if (w.isZero(0) && joint.at_rest(hold).utilisation <= 1) break;
     // Friction under this reaction.
     s = joint.solve({.reaction = R, .angular_velocity = w}, s);
-    // One implicit step: where the joint holds the rate becomes exactly 0.
+    // One implicit step: where the joint holds the velocity becomes exactly 0.
     const Vector3d free = w + dt * J.inverse() * (torque - w.cross(J * w));
     const auto next = joint.moment_set(s).prox(J / dt, free);
-    const Vector3d acceleration = (next.rate - w) / dt;
-    work += dt * next.moment.dot(next.rate);
+    const Vector3d acceleration = (next.angular_velocity - w) / dt;
+    work += dt * next.moment.dot(next.angular_velocity);
     R = m * (acceleration.cross(c) + w.cross(w.cross(c))) - weight;
-    w = next.rate;
+    w = next.angular_velocity;
     const Vector3d step = 0.5 * dt * w;
     attitude = Eigen::Quaterniond(1, step.x(), step.y(), step.z()) * attitude;
     attitude.normalize();

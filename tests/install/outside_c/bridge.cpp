@@ -20,6 +20,6 @@ int main() {
       made, contact_joint_free);
   const contact_hold hold = {{0, 0, 2000}, {0.5, 0, 0}, {}};
   contact_rest rest;
-  if (contact_joint_utilisation(joint.get(), &hold, nullptr, &rest)) return 1;
+  if (contact_joint_at_rest(joint.get(), &hold, nullptr, &rest)) return 1;
   std::printf("C++ %ld: utilisation %.4f\n", __cplusplus, rest.utilisation);
 }

@@ -41,14 +41,14 @@ TEST(Checkpoint, ResumedRunIsTheSame) {
         std::string(" --checkpoint-every ") + every + " --checkpoint ";
     ASSERT_EQ(folder
                   .run(run + "--history a.csv --events ae.csv --output a.json" +
-                       checkpoint + "c.cbor")
+                       checkpoint + "c.db")
                   .status,
               0);
     const ProgramResult resumed =
         folder.run(run +
                    "--history b.csv --events be.csv --output b.json "
-                   "--resume c.cbor" +
-                   checkpoint + "d.cbor");
+                   "--resume c.db" +
+                   checkpoint + "d.db");
     ASSERT_EQ(resumed.status, 0) << resumed.err;
     // Byte by byte; too long to be printed.
     EXPECT_TRUE(folder.read("a.csv") == folder.read("b.csv")) << name;
@@ -72,11 +72,11 @@ TEST(Checkpoint, ResumedRunIsTheSame) {
 
   const std::string run = "hinge-separation data/cases/soyuz.toml ";
   const ProgramResult other =
-      folder.run("hinge-separation data/cases/slosh.toml --resume c.cbor");
-  expect_another_case(other, "c.cbor");
-  folder.write("bad.cbor", "nonsense");
-  EXPECT_EQ(folder.run(run + "--resume bad.cbor").err,
-            "hinge-separation: bad.cbor: not a checkpoint of "
+      folder.run("hinge-separation data/cases/slosh.toml --resume c.db");
+  expect_another_case(other, "c.db");
+  folder.write("bad.db", "nonsense");
+  EXPECT_EQ(folder.run(run + "--resume bad.db").err,
+            "hinge-separation: bad.db: not a checkpoint of "
             "hinge-separation\n");
 }
 
@@ -90,21 +90,19 @@ TEST(Checkpoint, ResumedRunsEndWhenTheyAreTold) {
   const auto at_once = [&](const std::string& end) {
     ASSERT_EQ(
         run("--history a.csv --events ae.csv --output a.json --end-time " +
-            end + every + "a.cbor")
+            end + every + "a.db")
             .status,
         0);
   };
   at_once("8");
-  std::rename((folder.path() / "a.cbor").c_str(),
-              (folder.path() / "c.cbor").c_str());
-  std::rename((folder.path() / "a.cbor.rows1").c_str(),
-              (folder.path() / "c.cbor.rows1").c_str());
+  std::rename((folder.path() / "a.db").c_str(),
+              (folder.path() / "c.db").c_str());
   // 9.03 s is no output time.
   for (const std::string end : {"12", "9.03", "8"}) {
     at_once(end);
     const ProgramResult resumed =
         run("--history b.csv --events be.csv --output b.json "
-            "--resume c.cbor --end-time " +
+            "--resume c.db --end-time " +
             end);
     ASSERT_EQ(resumed.status, 0) << resumed.err;
     EXPECT_TRUE(folder.read("a.csv") == folder.read("b.csv")) << end;
@@ -116,16 +114,16 @@ TEST(Checkpoint, ResumedRunsEndWhenTheyAreTold) {
     b.erase("counts");
     EXPECT_EQ(a, b) << end;
   }
-  const ProgramResult early = run("--resume c.cbor --end-time 7.9");
+  const ProgramResult early = run("--resume c.db --end-time 7.9");
   EXPECT_EQ(early.status, 2);
   EXPECT_EQ(early.err,
-            "hinge-separation: c.cbor: a checkpoint at t = 8 s requires "
+            "hinge-separation: c.db: a checkpoint at t = 8 s requires "
             "--end-time of 8 s or above: this run ends at 7.9 s\n");
   // Of an end that is no output time the row stays.
   ASSERT_EQ(
-      run("--end-time 8.03 --checkpoint-every 8.01 --checkpoint d.cbor").status,
+      run("--end-time 8.03 --checkpoint-every 8.01 --checkpoint d.db").status,
       0);
-  ASSERT_EQ(run("--resume d.cbor --end-time 12 --history d.csv").status, 0);
+  ASSERT_EQ(run("--resume d.db --end-time 12 --history d.csv").status, 0);
   at_once("12");
   const History d(folder.read("d.csv"));
   const History a(folder.read("a.csv"));
@@ -139,13 +137,12 @@ TEST(Checkpoint, CheckpointsAreOfWhatTheCaseSays) {
   const std::string text = pushed_case(0, 0, "");
   const auto resumed = [&](const std::string& changed) {
     folder.write("c.toml", changed);
-    return folder.run(
-        "hinge-separation c.toml --history b.csv --resume c.cbor");
+    return folder.run("hinge-separation c.toml --history b.csv --resume c.db");
   };
   folder.write("c.toml", text);
   ASSERT_EQ(folder
                 .run("hinge-separation c.toml --history a.csv --checkpoint "
-                     "c.cbor --checkpoint-every 1.5")
+                     "c.db --checkpoint-every 1.5")
                 .status,
             0);
   for (const std::string& same :
@@ -159,7 +156,7 @@ TEST(Checkpoint, CheckpointsAreOfWhatTheCaseSays) {
   }
   const ProgramResult other =
       resumed(exchanged(text, "mass_kg = 10", "mass_kg = 11"));
-  expect_another_case(other, "c.cbor");
+  expect_another_case(other, "c.db");
 }
 
 TEST(Checkpoint, CheckpointsKnowTheirJoints) {
@@ -171,14 +168,14 @@ TEST(Checkpoint, CheckpointsKnowTheirJoints) {
   text.replace(begin, end - begin, "file = \"ball.toml\"\n");
   folder.write("c.toml", text);
   const std::string run = "hinge-separation c.toml --output o.json ";
-  ASSERT_EQ(folder.run(run + "--checkpoint c.cbor --checkpoint-every 1").status,
+  ASSERT_EQ(folder.run(run + "--checkpoint c.db --checkpoint-every 1").status,
             0);
-  EXPECT_EQ(folder.run(run + "--resume c.cbor").status, 0);
+  EXPECT_EQ(folder.run(run + "--resume c.db").status, 0);
   const std::string ball = exchanged(folder.read("ball.toml"),
                                      "coefficient = 0.2", "coefficient = 0.3");
   folder.write("ball.toml", ball);
-  const ProgramResult other = folder.run(run + "--resume c.cbor");
-  expect_another_case(other, "c.cbor");
+  const ProgramResult other = folder.run(run + "--resume c.db");
+  expect_another_case(other, "c.db");
 
   // A wall is known by its thickness and its backing.
   const auto with_wall = [&](const std::string& thickness,
@@ -189,22 +186,20 @@ TEST(Checkpoint, CheckpointsKnowTheirJoints) {
   };
   with_wall("3", "rigid");
   const ProgramResult walled = folder.run(run +
-                                          "--checkpoint w.cbor "
+                                          "--checkpoint w.db "
                                           "--checkpoint-every 1");
   EXPECT_EQ(walled.status, 0) << walled.err;
-  EXPECT_EQ(folder.run(run + "--resume w.cbor").status, 0);
+  EXPECT_EQ(folder.run(run + "--resume w.db").status, 0);
   for (const auto& [thickness, backing] :
        {std::pair("4", "rigid"), std::pair("3", "held")}) {
     with_wall(thickness, backing);
-    expect_another_case(folder.run(run + "--resume w.cbor"), "w.cbor");
+    expect_another_case(folder.run(run + "--resume w.db"), "w.db");
   }
   EXPECT_EQ(folder.run("hinge-separation c.toml --law tanh").err,
             "hinge-separation: --law tanh: joint \"ball\": half-angle law tanh "
             "must be exact with finite walls\n");
 }
 
-// A run that is killed leaves a checkpoint whose rows go on further than it
-// says, and it is not lost when another run begins under its name.
 TEST(Checkpoint, CheckpointsStayWholeAndSmall) {
   const ProgramFolder folder;
   const std::string run = "hinge-separation data/cases/slosh.toml ";
@@ -216,67 +211,52 @@ TEST(Checkpoint, CheckpointsStayWholeAndSmall) {
               0);
   };
   // 0.3 s is no multiple of the output step of 0.05 s in doubles.
-  checkpoints("c.cbor", "0.3");
+  checkpoints("c.db", "0.3");
   const std::string history = folder.read("h.csv");
-  EXPECT_EQ(folder.files(), (std::vector<std::string>{"c.cbor", "c.cbor.rows1",
-                                                      "h.csv", "o.json"}));
-  // Of 11 s and of 19.9 s: no rows, no growth but for
-  // numbers that have more digits.
-  checkpoints("early.cbor", "11");
-  checkpoints("late.cbor", "19.9");
-  const auto size = [&](const std::string& name) {
-    return static_cast<double>(folder.read(name).size());
+  EXPECT_EQ(folder.files(),
+            (std::vector<std::string>{"c.db", "h.csv", "o.json"}));
+  // Of 11 s and of 19.9 s: the state does not grow but for numbers that have
+  // more digits.
+  checkpoints("early.db", "11");
+  checkpoints("late.db", "19.9");
+  const auto ask = [&](const std::string& name, const std::string& what) {
+    const ProgramResult said =
+        folder.run("sqlite3 " + name + " 'SELECT " + what + "'");
+    EXPECT_EQ(said.status, 0) << said.err;
+    return std::stod(said.out);
   };
-  EXPECT_NEAR(size("late.cbor"), size("early.cbor"), 100);
+  const std::string state = "length(state) FROM state";
+  EXPECT_NEAR(ask("late.db", state), ask("early.db", state), 100);
   // Rows once, 8 bytes and a sign for each number, and little else.
   const std::size_t rows = std::count(history.begin(), history.end(), '\n') - 1;
   const std::size_t columns = csv_rows(history)[0].size();
-  EXPECT_LT(size("c.cbor.rows1"), 10.0 * static_cast<double>(rows * columns));
+  EXPECT_EQ(ask("c.db", "count(*) FROM blocks"), 66);
+  EXPECT_LT(ask("c.db", "sum(length(block)) FROM blocks"),
+            10.0 * static_cast<double>(rows * columns));
 
   // Gone on from as often as before without being told; into the same file.
   const auto resumed = [&](const std::string& more) {
     return folder.run(run + "--output r.json --history r.csv --resume " + more);
   };
-  folder.write("c.cbor.rows1", folder.read("c.cbor.rows1") + "the next row");
-  EXPECT_EQ(resumed("c.cbor").status, 0);
+  EXPECT_EQ(resumed("c.db").status, 0);
   EXPECT_TRUE(folder.read("r.csv") == history);
-  checkpoints("m.cbor", "13");
-  const std::string middle = folder.read("m.cbor");
-  const std::string middle_rows = folder.read("m.cbor.rows1");
-  EXPECT_EQ(resumed("m.cbor --checkpoint m.cbor --checkpoint-every 3").status,
-            0);
-  EXPECT_FALSE(folder.has("m.cbor.rows1"));
-  EXPECT_TRUE(folder.has("m.cbor.rows2"));
-  EXPECT_EQ(resumed("m.cbor").status, 0);
-  checkpoints("m.cbor", "13");
-  EXPECT_TRUE(folder.has("m.cbor.rows1"));
-  EXPECT_FALSE(folder.has("m.cbor.rows2"));
-  EXPECT_TRUE(folder.read("m.cbor") == middle);
-  EXPECT_TRUE(folder.read("m.cbor.rows1") == middle_rows);
+  checkpoints("m.db", "13");
+  EXPECT_EQ(resumed("m.db --checkpoint m.db --checkpoint-every 3").status, 0);
+  EXPECT_EQ(resumed("m.db").status, 0);
+  EXPECT_EQ(ask("m.db", "count(*) FROM blocks"), 2);
+  checkpoints("m.db", "13");
+  EXPECT_EQ(ask("m.db", "count(*) FROM blocks"), 1);
 
-  // Rows of another run, cut short, gone.
   const auto refused = [&](const std::string& expected) {
-    const ProgramResult result = resumed("m.cbor");
+    const ProgramResult result = resumed("m.db");
     EXPECT_EQ(result.status, 2);
-    EXPECT_EQ(result.err, "hinge-separation: " + expected + '\n');
+    EXPECT_EQ(result.err, "hinge-separation: m.db: " + expected + '\n');
   };
-  folder.write("m.cbor.rows1", folder.read("c.cbor.rows1"));
-  refused("m.cbor.rows1: damaged, or not the rows of m.cbor");
-  folder.write("m.cbor.rows1", middle_rows.substr(0, middle_rows.size() - 1));
-  refused("m.cbor.rows1: damaged, or not the rows of m.cbor");
-  EXPECT_EQ(folder.run("rm m.cbor.rows1").status, 0);
-  const std::string together =
-      "; it has the rows of m.cbor: the two are copied and renamed together";
-  refused("m.cbor.rows1: cannot be read: No such file or directory" + together);
-  // Renamed together, and the copy of one that leaves the other.
-  folder.write("moved.cbor", middle);
-  EXPECT_EQ(resumed("moved.cbor").status, 2);
-  folder.write("moved.cbor.rows1", middle_rows);
-  EXPECT_EQ(resumed("moved.cbor").status, 0);
-  EXPECT_EQ(folder.run("rm m.cbor").status, 0);
-  refused("m.cbor: cannot be read: No such file or directory");
-  EXPECT_EQ(folder.run("mkdir m.cbor").status, 0);
-  refused("m.cbor: cannot be read: a directory");
+  EXPECT_EQ(folder.run("mv m.db moved.db").status, 0);
+  EXPECT_EQ(resumed("moved.db").status, 0);
+  refused("cannot open: No such file or directory");
+  EXPECT_EQ(folder.run("mkdir m.db").status, 0);
+  refused("cannot open: Is a directory");
   // Something else is not overwritten.
   folder.write("mine.txt", "mine");
   EXPECT_EQ(folder
@@ -286,6 +266,23 @@ TEST(Checkpoint, CheckpointsStayWholeAndSmall) {
             "hinge-separation: mine.txt: not a checkpoint of "
             "hinge-separation\n");
   EXPECT_EQ(folder.read("mine.txt"), "mine");
+}
+
+// Killed at any instant a run leaves a checkpoint that leads to the same
+// bytes; so it does if it writes over one of an earlier run.
+TEST(Checkpoint, KilledRunsGoOn) {
+  const ProgramFolder folder;
+  const std::string run =
+      "hinge-separation data/cases/slosh.toml --output o.json --history ";
+  const std::string every = " --checkpoint-every 0.05 --checkpoint c.db";
+  ASSERT_EQ(folder.run(run + "a.csv" + every).status, 0);
+  for (const char* seconds : {"0.03", "0.05", "0.08", "0.12", "0.2", "0.3"}) {
+    folder.run(std::string("timeout -s KILL ") + seconds + " " + run + "k.csv" +
+               every);
+    const ProgramResult resumed = folder.run(run + "b.csv --resume c.db");
+    ASSERT_EQ(resumed.status, 0) << resumed.err;
+    EXPECT_TRUE(folder.read("b.csv") == folder.read("a.csv")) << seconds;
+  }
 }
 
 // A station of 1e9 kg m^2 that begins to turn on its ball joint: the direction
@@ -323,12 +320,12 @@ moment_N_m = [[6.9, 0, 0], [7.3, 0, 1.5]]
   ASSERT_EQ(folder.run(run + "--history s.csv --output s.json").status, 0);
   ASSERT_EQ(folder
                 .run(run + "--history a.csv --output a.json --checkpoint "
-                           "c.cbor --checkpoint-every 12")
+                           "c.db --checkpoint-every 12")
                 .status,
             0);
-  ASSERT_EQ(folder.run(run + "--history b.csv --output b.json --resume c.cbor")
-                .status,
-            0);
+  ASSERT_EQ(
+      folder.run(run + "--history b.csv --output b.json --resume c.db").status,
+      0);
   EXPECT_TRUE(folder.read("b.csv") == folder.read("a.csv"));
   const History without(folder.read("s.csv"));
   const History with(folder.read("a.csv"));
@@ -415,65 +412,44 @@ TEST_F(RunsThatCannotGetOn, SayHowFarTheyAreEveryTenSeconds) {
 TEST_F(RunsThatCannotGetOn, StopAtSignals) {
   for (const auto& [name, status] : {std::pair("INT", 130), {"TERM", 143}}) {
     const ProgramResult result =
-        folder_.run("rm -f c.cbor; env --default-signal=INT " + run_ +
-                    "--checkpoint c.cbor --checkpoint-every 0.5 & program=$!\n"
-                    "while ! [ -e c.cbor ]; do sleep 0.02; done; sleep 0.2; "
+        folder_.run("rm -f c.db; env --default-signal=INT " + run_ +
+                    "--checkpoint c.db --checkpoint-every 0.5 & program=$!\n"
+                    "while ! [ -s c.db ]; do sleep 0.02; done; sleep 0.2; "
                     "kill -" +
                     name + " $program; wait $program");
     expect_results(result, status, std::string("SIG") + name);
-    EXPECT_NE(result.err.find("; --resume c.cbor goes on from t = 0.5 s\n"),
+    EXPECT_NE(result.err.find("; --resume c.db goes on from t = 0.5 s\n"),
               std::string::npos)
         << result.err;
-    expect_results(folder_.run(run_ + "--resume c.cbor --step-limit 3000"), 1,
+    expect_results(folder_.run(run_ + "--resume c.db --step-limit 3000"), 1,
                    "--step-limit 3000");
   }
 }
 
-// Two would remove each other's rows.
+// All links to a checkpoint have one writer.
 TEST(Checkpoint, HasOneWriterAtATime) {
   const ProgramFolder folder;
   const std::string run =
       "hinge-separation data/cases/slosh.toml --checkpoint-every 0.5 "
       "--output /dev/null --checkpoint ";
   const auto expect_locked_out = [&](const std::string& name) {
-    const ProgramResult refused = folder.run("flock c.cbor.lock " + run + name);
+    const ProgramResult refused = folder.run("flock c.db " + run + name);
     EXPECT_EQ(refused.status, 2);
     EXPECT_EQ(refused.err, "hinge-separation: " + name +
                                ": another program writes to this "
                                "checkpoint\n");
   };
-  expect_locked_out("c.cbor");
-  // What is left of a program that was killed locks nobody out.
-  EXPECT_EQ(folder.files(), std::vector<std::string>{"c.cbor.lock"});
-  EXPECT_EQ(folder.run(run + "c.cbor && rm c.cbor.lock").status, 0);
-  EXPECT_EQ(folder.run(run + "c.cbor && ln -s c.cbor link.cbor").status, 0);
-  EXPECT_FALSE(folder.has("c.cbor.lock"));
-  expect_locked_out("link.cbor");
+  expect_locked_out("c.db");
+  // What is left of a program that was killed at its beginning locks nobody
+  // out.
+  EXPECT_EQ(folder.read("c.db"), "");
+  EXPECT_EQ(folder.run(run + "c.db && ln -s c.db link.db").status, 0);
+  expect_locked_out("link.db");
   // However they meet.
-  EXPECT_EQ(folder.run(run + "d.cbor & " + run + "d.cbor & wait").status, 0);
+  EXPECT_EQ(folder.run(run + "d.db & " + run + "d.db & wait").status, 0);
   const ProgramResult resumed = folder.run(
-      "hinge-separation data/cases/slosh.toml --output o.json --resume d.cbor");
+      "hinge-separation data/cases/slosh.toml --output o.json --resume d.db");
   EXPECT_EQ(resumed.status, 0) << resumed.err;
-}
-
-TEST(Checkpoint, FilesOfOthersAreNotItsRows) {
-  const ProgramFolder folder;
-  const std::string run =
-      "hinge-separation data/cases/slosh.toml --checkpoint-every 5 "
-      "--output /dev/null --checkpoint c.cbor";
-  folder.write("c.cbor.rows1", "mine");
-  const ProgramResult refused = folder.run(run);
-  EXPECT_EQ(refused.status, 2);
-  EXPECT_EQ(refused.err,
-            "hinge-separation: c.cbor.rows1: not the rows of a checkpoint of "
-            "hinge-separation\n");
-  EXPECT_EQ(folder.read("c.cbor.rows1"), "mine");
-  EXPECT_EQ(folder.files(), std::vector<std::string>{"c.cbor.rows1"});
-  // Rows that a program which was killed has begun.
-  for (const std::string begun : {"", "\xa2\x65no"}) {
-    folder.write("c.cbor.rows1", begun);
-    EXPECT_EQ(folder.run(run + " && rm c.cbor").status, 0);
-  }
 }
 
 }  // namespace

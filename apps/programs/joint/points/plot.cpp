@@ -27,7 +27,7 @@ std::string draw_points(const Setup& setup, const PointSeries& series,
   const std::size_t shown[] = {moment, contact ? normal_force : reaction,
                                peak_pressure};
   cli::PanelPlot plot;
-  plot.title = fmt::format("{}, law {}, pressure {}", setup.given[0].title(),
+  plot.title = fmt::format("{}, law {}, pressure {}", setup.given[0].title,
                            joint.law, joint.pressure);
   plot.x_label = series.has_time() ? "time, s" : "state";
   plot.panels = {

@@ -1,16 +1,16 @@
 #include "programs/separation/output/checkpoint.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
-#include <algorithm>
 #include <cerrno>
-#include <cstddef>
 #include <cstring>
 #include <filesystem>
-#include <string_view>
 #include <utility>
 
-#include "cli/output.hpp"
 #include "libcontact/base/error.hpp"
 #include "libcontact/base/file_text.hpp"
 #include "separation/results/cbor.hpp"
@@ -19,192 +19,149 @@
 namespace separation {
 namespace {
 
+using cli::Database;
 using nlohmann::json;
 
 using Notes = std::vector<Note>;
+
+// What SQLite's header says of a file of this kind.
+constexpr int application = 0x6873636b;
 
 void add(const json& from, Notes& notes) {
   for (const Note& note : from.get<Notes>()) notes.push_back(note);
 }
 
-// A checkpoint without its rows.
-json header_of(const std::string& file) {
-  return unpacked(contact::detail::file_text(file), file);
-}
-
-// The file of a checkpoint's rows has the checkpoint's own name, so that both
-// may be renamed.
-std::string rows_name(const std::string& file, int number) {
-  return fmt::format("{}.rows{}", file, number);
-}
-
-// The file that has the rows of a checkpoint.
-std::string rows_in(const json& header, const std::string& file) {
-  const int number = header.at("rows").at("number");
-  if (number != 1 && number != 2) refuse_stranger(file);
-  return rows_name(file, number);
-}
-
-// What the checkpoint of an earlier run keeps its rows in; "" for none.
-std::string rows_of(const std::string& file) {
-  if (!std::filesystem::exists(file)) return {};
+// Of another program or another version of this one.
+void check_application(const Database& database) {
   try {
-    return rows_in(header_of(file), file);
-  } catch (const json::exception&) {
-    refuse_stranger(file);
+    if (database.ask("PRAGMA application_id") == application) return;
+  } catch (const cli::DatabaseError& error) {
+    if (!error.is_stranger()) throw;
+    unpacked(contact::detail::file_text(database.name()), database.name());
   }
+  refuse_stranger(database.name());
 }
 
-// Refuses a file of somebody else. What a run that was killed has left there
-// may be replaced: of its first block perhaps the beginning alone.
-void check_rows(const std::string& name) {
-  namespace fs = std::filesystem;
-  // An object of two in CBOR, of which "notes" comes first.
-  constexpr std::string_view beginning = "\xa2\x65notes";
-  std::error_code ignored;
-  const fs::file_status status = fs::status(name, ignored);
-  if (!fs::exists(status)) return;
-  std::string there(beginning.size(), '\0');
-  if (fs::is_regular_file(status)) {
-    std::ifstream stream(name, std::ios::binary);
-    stream.read(there.data(), static_cast<std::streamsize>(there.size()));
-    there.resize(static_cast<std::size_t>(stream.gcount()));
-  }
-  if (beginning.starts_with(there)) return;
-  throw contact::Error(fmt::format(
-      "{}: not the rows of a checkpoint of hinge-separation", name));
+// The rows and notes that do not change any more, from a place on.
+json block_of(const Recorder::Memory& memory, std::size_t numbers,
+              std::size_t notes, std::size_t notes_end) {
+  const auto place = [](const auto& of, std::size_t i) {
+    return of.begin() + static_cast<std::ptrdiff_t>(i);
+  };
+  const auto& all = memory.rows.numbers;
+  return {{"numbers", std::vector<double>(place(all, numbers), all.end())},
+          {"notes",
+           Notes(place(memory.notes, notes), place(memory.notes, notes_end))}};
 }
 
-std::string text_of_rows(const std::string& name, const std::string& file) {
-  contact::detail::tell_reading(name);  // what it complains of is no bad copy
-  try {
-    return contact::detail::file_text(name);
-  } catch (const contact::Error& error) {
-    throw contact::Error(fmt::format(
-        "{}; it has the rows of {}: the two are copied and renamed together",
-        error.what(), file));
-  }
-}
-
-// Adds the rows and notes of a file that a checkpoint refers to.
-void add_rows(const std::string& file, const json& header,
-              Recorder::Memory& memory) {
-  const std::string name = rows_in(header, file);
-  const json& rows = header.at("rows");
-  std::string bytes = text_of_rows(name, file);
-  const std::size_t size = rows.at("bytes");
-  bytes.resize(std::min(bytes.size(), size));
-  boost::crc_32_type sum;
-  sum.process_bytes(bytes.data(), bytes.size());
-  if (bytes.size() != size || sum.checksum() != rows.at("sum")) {
-    throw contact::Error(
-        fmt::format("{}: damaged, or not the rows of {}", name, file));
-  }
-  std::string_view rest = bytes;
-  long blocks = rows.at("blocks");
-  for (; blocks > 0 && !rest.empty(); --blocks) {
-    const auto block = take_cbor(rest);
-    if (!block) refuse_stranger(name);
-    const auto numbers = block->at("numbers").get<std::vector<double>>();
+void add_blocks(const Database& database, std::int64_t count,
+                Recorder::Memory& memory) {
+  cli::Statement blocks(database, "SELECT block FROM blocks ORDER BY number");
+  for (bool more = blocks.run(); more; more = blocks.next(), --count) {
+    const json block = unpacked(blocks.text(0), database.name());
+    const auto numbers = block.at("numbers").get<std::vector<double>>();
     memory.rows.numbers.insert(memory.rows.numbers.end(), numbers.begin(),
                                numbers.end());
-    add(block->at("notes"), memory.notes);
+    add(block.at("notes"), memory.notes);
   }
-  if (blocks != 0 || !rest.empty()) refuse_stranger(name);
+  if (count != 0) refuse_stranger(database.name());
 }
 
 }  // namespace
 
-std::vector<std::string> checkpoint_files(const std::string& file) {
-  return {file, rows_name(file, 1), rows_name(file, 2),
-          CheckpointLock::file_of(file)};
+std::array<std::string, 2> checkpoint_files(const std::string& file) {
+  return {file, file + "-journal"};
 }
 
-CheckpointWriter::CheckpointWriter(std::string file, std::string identity,
-                                   double every)
-    : file_(std::move(file)),
-      lock_(file_),
-      identity_(std::move(identity)),
-      every_(every),
-      old_rows_(rows_of(file_)),
-      number_(old_rows_ == rows_name(file_, 1) ? 2 : 1),
-      rows_(rows_name(file_, number_)) {
-  check_rows(rows_);
-  stream_.open(rows_, std::ios::binary | std::ios::trunc);
-  if (!stream_) {
+FileLock::FileLock(const std::string& file)
+    : file_(open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666)) {
+  if (file_ < 0) {
     throw contact::Error(
-        fmt::format("cannot create {}: {}", rows_, std::strerror(errno)));
+        fmt::format("cannot create {}: {}", file, std::strerror(errno)));
   }
+  if (flock(file_, LOCK_EX | LOCK_NB) == 0) return;
+  close(file_);
+  throw contact::Error(
+      fmt::format("{}: another program writes to this checkpoint", file));
+}
+
+FileLock::~FileLock() { close(file_); }
+
+bool FileLock::is_empty() const {
+  struct stat status = {};
+  return fstat(file_, &status) == 0 && status.st_size == 0;
+}
+
+CheckpointWriter::CheckpointWriter(const std::string& file,
+                                   std::string identity, double every)
+    : lock_(file),
+      database_(file, Database::Use::write),
+      identity_(std::move(identity)),
+      every_(every) {
+  if (!lock_.is_empty()) check_application(database_);
+  database_.run("PRAGMA synchronous = NORMAL");
 }
 
 CheckpointWriter::~CheckpointWriter() {
   std::error_code ignored;
-  if (!written_) std::filesystem::remove(rows_, ignored);
+  if (lock_.is_empty()) std::filesystem::remove(database_.name(), ignored);
 }
 
 // A hinge that turns back takes back a note of the same instant: those of now
 // may still go.
-void CheckpointWriter::append(const Recorder::Memory& memory, double time) {
+void CheckpointWriter::write(const SimulationState& simulation,
+                             const Recorder::Memory& memory) {
   std::size_t notes = notes_;
-  while (notes < memory.notes.size() && memory.notes[notes].time < time) {
+  while (notes < memory.notes.size() &&
+         memory.notes[notes].time < simulation.motion.time) {
     ++notes;
   }
-  const auto& numbers = memory.rows.numbers;
-  const auto note = memory.notes.begin();
-  const auto bytes = json::to_cbor(
-      {{"numbers", std::vector<double>(
-                       numbers.begin() + static_cast<std::ptrdiff_t>(numbers_),
-                       numbers.end())},
-       {"notes", Notes(note + static_cast<std::ptrdiff_t>(notes_),
-                       note + static_cast<std::ptrdiff_t>(notes))}});
-  stream_.write(reinterpret_cast<const char*>(bytes.data()),
-                static_cast<std::streamsize>(bytes.size()));
-  stream_.flush();
-  if (!stream_) {
-    throw contact::Error(
-        fmt::format("cannot write {}: {}", rows_, std::strerror(errno)));
+  cli::Transaction transaction(database_);
+  if (blocks_ == 0) {
+    database_.run(
+        fmt::format("PRAGMA application_id = {}; DROP TABLE IF EXISTS state; "
+                    "DROP TABLE IF EXISTS blocks; CREATE TABLE state (state); "
+                    "CREATE TABLE blocks (number INTEGER PRIMARY KEY, block)",
+                    application));
   }
-  sum_.process_bytes(bytes.data(), bytes.size());
-  bytes_ += bytes.size();
+  const auto put = [&](const char* sql, json content) {
+    cli::Statement statement(database_, sql);
+    statement.bind_bytes(1, packed(std::move(content)));
+    statement.next();
+  };
+  put("INSERT INTO blocks (block) VALUES (?)",
+      block_of(memory, numbers_, notes_, notes));
+  database_.run("DELETE FROM state");
+  put("INSERT INTO state VALUES (?)",
+      {{"identity", identity_},
+       {"every", every_},
+       {"simulation", simulation},
+       {"memory", memory},
+       {"columns", memory.rows.columns},
+       {"notes",
+        Notes(memory.notes.begin() + static_cast<std::ptrdiff_t>(notes),
+              memory.notes.end())},
+       {"blocks", blocks_ + 1}});
+  transaction.commit();
   numbers_ = memory.rows.numbers.size();
   notes_ = notes;
   ++blocks_;
 }
 
-void CheckpointWriter::write(const SimulationState& simulation,
-                             const Recorder::Memory& memory) {
-  append(memory, simulation.motion.time);
-  const json j = {{"identity", identity_},
-                  {"every", every_},
-                  {"simulation", simulation},
-                  {"memory", memory},
-                  {"columns", memory.rows.columns},
-                  {"notes", Notes(memory.notes.begin() +
-                                      static_cast<std::ptrdiff_t>(notes_),
-                                  memory.notes.end())},
-                  {"rows",
-                   {{"number", number_},
-                    {"blocks", blocks_},
-                    {"bytes", bytes_},
-                    {"sum", sum_.checksum()}}}};
-  cli::Output output(file_, cli::Output::Renews::what_was_read);
-  output.write(packed(j));
-  output.commit();
-  written_ = true;
-  std::error_code ignored;
-  if (!old_rows_.empty()) std::filesystem::remove(old_rows_, ignored);
-  old_rows_.clear();
-}
-
 Checkpoint read_checkpoint(const std::string& file,
                            const std::string& identity) {
+  contact::detail::tell_reading(file);
+  const Database database(file, Database::Use::read);
+  check_application(database);
   try {
-    const json j = header_of(file);
+    cli::Statement state(database, "SELECT state FROM state");
+    if (!state.run()) refuse_stranger(file);
+    const json j = unpacked(state.text(0), file);
     check_identity(j, identity, file);
     Checkpoint result{j.at("every"), {j.at("simulation"), j.at("memory")}};
     Recorder::Memory& memory = result.state.memory;
     memory.rows.columns = j.at("columns");
-    add_rows(file, j, memory);
+    add_blocks(database, j.at("blocks"), memory);
     add(j.at("notes"), memory.notes);
     return result;
   } catch (const json::exception&) {

@@ -1,11 +1,9 @@
 #pragma once
 
-#include <boost/crc.hpp>
-#include <fstream>
+#include <array>
 #include <string>
-#include <vector>
 
-#include "programs/separation/output/checkpoint_lock.hpp"
+#include "cli/sqlite/database.hpp"
 #include "separation/results/run.hpp"
 
 namespace separation {
@@ -16,26 +14,36 @@ struct Checkpoint {
   RunState state;
 };
 
-/// All files that a checkpoint may be made of while it is written.
-std::vector<std::string> checkpoint_files(const std::string& file);
+/// A checkpoint, and what SQLite has beside it while it is written.
+std::array<std::string, 2> checkpoint_files(const std::string& file);
 
-/// The checkpoint of a run, renewed on its way.
-///
-/// FILE has what the run needs to go on; it is replaced as a whole. Rows and
-/// events so far are in FILE.rows1 or FILE.rows2, to which every write()
-/// appends what is new: a checkpoint costs the same late in a run as early.
-/// FILE says which of the two it is and how much of it counts, with a check
-/// sum; another check sum is that of FILE. A new run takes the name that the
-/// checkpoint of an earlier one does not use, so that there is a whole
-/// checkpoint at any time. One program writes a checkpoint at a time.
+/// A file that one program at a time has, made if it is not there.
+class FileLock {
+ public:
+  /// @throws contact::Error if it cannot be made or another program has it
+  explicit FileLock(const std::string& file);
+  ~FileLock();
+  FileLock(const FileLock&) = delete;
+  FileLock& operator=(const FileLock&) = delete;
+
+  bool is_empty() const;
+
+ private:
+  int file_;
+};
+
+/// The checkpoint of a run, renewed on its way: a database of SQLite with the
+/// state that the run goes on from, and the rows and events so far, to which
+/// each write() appends what is new. A checkpoint costs the same late in a run
+/// as early, and there is a whole one at any time: that of an earlier run until
+/// the first of this one is written.
 class CheckpointWriter {
  public:
   /// @param identity  of the run: what the case file says, joints and options
-  /// @throws contact::Error if the files cannot be made, if FILE is there and
-  ///   is no checkpoint, of another version or damaged, if a file has the name
-  ///   of its rows that is none, or if another program writes it
-  CheckpointWriter(std::string file, std::string identity, double every);
-  /// Removes its rows if nothing refers to them.
+  /// @throws contact::Error if the file cannot be made, is there and no
+  ///   checkpoint, or if another program writes it
+  CheckpointWriter(const std::string& file, std::string identity, double every);
+  /// Removes the file if it is empty.
   ~CheckpointWriter();
   CheckpointWriter(const CheckpointWriter&) = delete;
   CheckpointWriter& operator=(const CheckpointWriter&) = delete;
@@ -45,26 +53,17 @@ class CheckpointWriter {
   void write(const SimulationState& simulation, const Recorder::Memory& memory);
 
  private:
-  void append(const Recorder::Memory& memory, double time);
-
-  std::string file_;
-  CheckpointLock lock_;
+  FileLock lock_;
+  cli::Database database_;
   std::string identity_;
   double every_;
-  std::string old_rows_;  // of an earlier run, until the first write()
-  int number_;            // of rows_
-  std::string rows_;
-  std::ofstream stream_;
-  bool written_ = false;
-  // In rows_ so far.
+  // That are written.
   std::size_t numbers_ = 0;
   std::size_t notes_ = 0;
   std::size_t blocks_ = 0;
-  std::size_t bytes_ = 0;
-  boost::crc_32_type sum_;
 };
 
-/// @throws contact::Error if the files cannot be read, are no checkpoint,
+/// @throws contact::Error if the file cannot be read, is no checkpoint,
 ///   damaged, or of another run
 Checkpoint read_checkpoint(const std::string& file,
                            const std::string& identity);

@@ -1,4 +1,4 @@
-#include "libcontact/joint/node.hpp"
+#include "libcontact/joint/group.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -15,16 +15,18 @@ namespace contact {
 namespace {
 
 using Eigen::Vector3d;
+using Member = JointGroup::Member;
+using Sharing = JointGroup::Sharing;
 
-constexpr const char* place = "joint node";
+constexpr const char* place = "joint group";
 
-bool is_ball(const NodeJoint& joint) { return !joint.joint.is_pin(); }
+bool is_ball(const Member& joint) { return !joint.joint.is_pin(); }
 
-int count_balls(const std::vector<NodeJoint>& joints) {
+int count_balls(const std::vector<Member>& joints) {
   return static_cast<int>(std::ranges::count_if(joints, is_ball));
 }
 
-void check_joints(const std::vector<NodeJoint>& joints) {
+void check_joints(const std::vector<Member>& joints) {
   if (joints.size() < 2) {
     throw Error(
         detail::needs(detail::message("{} of {} joint", place, joints.size()),
@@ -35,7 +37,7 @@ void check_joints(const std::vector<NodeJoint>& joints) {
         detail::needs(place, "a ball joint, to take the force along the axis"));
   }
   std::vector<double> positions;
-  for (const NodeJoint& joint : joints) {
+  for (const Member& joint : joints) {
     detail::require(std::isfinite(joint.position), place, "position",
                     joint.position, "finite");
     positions.push_back(joint.position);
@@ -49,7 +51,7 @@ void check_joints(const std::vector<NodeJoint>& joints) {
   }
 }
 
-void check_rule(const SharingRule& rule, const std::vector<NodeJoint>& joints) {
+void check_rule(const Sharing& rule, const std::vector<Member>& joints) {
   if (rule.radial_stiffness.size() != joints.size() ||
       rule.axial_share.size() != joints.size()) {
     throw Error(detail::needs(
@@ -74,7 +76,7 @@ void check_rule(const SharingRule& rule, const std::vector<NodeJoint>& joints) {
 }
 
 // The rule that statics gives.
-SharingRule determinate_rule(const std::vector<NodeJoint>& joints) {
+Sharing determinate_rule(const std::vector<Member>& joints) {
   if (joints.size() > 2) {
     throw Error(detail::needs(
         detail::message("{} of {} joints", place, joints.size()),
@@ -87,7 +89,7 @@ SharingRule determinate_rule(const std::vector<NodeJoint>& joints) {
         "a sharing rule: more than 1 shares the force along the axis, "
         "statically indeterminate"));
   }
-  return SharingRule::equal(joints);
+  return Sharing::equal(joints);
 }
 
 // The part of v normal to the unit vector u.
@@ -97,18 +99,18 @@ Vector3d across(const Vector3d& v, const Vector3d& u) {
 
 }  // namespace
 
-SharingRule SharingRule::equal(const std::vector<NodeJoint>& joints) {
-  SharingRule rule;
+JointGroup::Sharing JointGroup::Sharing::equal(
+    const std::vector<Member>& joints) {
+  Sharing rule;
   const int balls = count_balls(joints);
-  for (const NodeJoint& joint : joints) {
+  for (const Member& joint : joints) {
     rule.radial_stiffness.push_back(1);
     rule.axial_share.push_back(is_ball(joint) ? 1.0 / balls : 0.0);
   }
   return rule;
 }
 
-JointNode::JointNode(std::vector<NodeJoint> joints,
-                     std::optional<SharingRule> rule)
+JointGroup::JointGroup(std::vector<Member> joints, std::optional<Sharing> rule)
     : joints_(std::move(joints)) {
   check_joints(joints_);
   if (!rule) rule = determinate_rule(joints_);
@@ -134,22 +136,22 @@ JointNode::JointNode(std::vector<NodeJoint> joints,
   }
 }
 
-NodeSolution JointNode::make_solution() const {
-  NodeSolution solution;
+JointGroup::Solution JointGroup::make_solution() const {
+  Solution solution;
   solution.joints.resize(joints_.size());
   return solution;
 }
 
-JointNode JointNode::with_instruction_set(InstructionSet set) const {
-  JointNode other = *this;
-  for (NodeJoint& joint : other.joints_) {
+JointGroup JointGroup::with_instruction_set(InstructionSet set) const {
+  JointGroup other = *this;
+  for (Member& joint : other.joints_) {
     joint.joint = Joint(joint.joint.contact().with_instruction_set(set));
   }
   return other;
 }
 
-void JointNode::solve(const Slip& slip, NodeSolution& solution) const noexcept {
-  const auto& [reaction, moment, axis, rate] = slip;
+void JointGroup::solve(const Slip& slip, Solution& solution) const noexcept {
+  const auto& [reaction, moment, axis, angular_velocity] = slip;
   // Friction moments count little in the balance (rho/distance), so a few
   // rounds do; more only where joints are closer than their radii.
   constexpr int round_limit = 100;
@@ -157,7 +159,7 @@ void JointNode::solve(const Slip& slip, NodeSolution& solution) const noexcept {
   const double axial = reaction.dot(axis);
   const Vector3d radial = across(reaction, axis);
   const Vector3d turned = moment.cross(axis);  // sum z_j R_j
-  NodeSolution& s = solution;
+  Solution& s = solution;
   if (s.status != Status::ok) s.cross_moment.setZero();
   s.status = Status::not_converged;
   for (s.iterations = 1; s.iterations <= round_limit; ++s.iterations) {
@@ -174,7 +176,7 @@ void JointNode::solve(const Slip& slip, NodeSolution& solution) const noexcept {
       largest = std::max(largest, force.norm());
       joint = joints_[i].joint.solve(
           {.reaction = force + share.axial * axial * axis,
-           .angular_velocity = rate * axis,
+           .angular_velocity = angular_velocity * axis,
            .axis = axis},
           joint);
       s.friction_moment += joint.friction_moment.dot(axis);
@@ -195,8 +197,8 @@ void JointNode::solve(const Slip& slip, NodeSolution& solution) const noexcept {
   }
 }
 
-double JointNode::utilisation(const Hold& hold,
-                              NodeSolution& solution) const noexcept {
+double JointGroup::utilisation(const Hold& hold,
+                               Solution& solution) const noexcept {
   const auto& [reaction, moment, axis, needed] = hold;
   // Sliding that friction would oppose with the moment that is needed.
   solve({reaction, moment, axis, needed > 0 ? -1.0 : 1.0}, solution);

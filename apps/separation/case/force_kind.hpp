@@ -1,0 +1,50 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "libcontact/files/toml_reader.hpp"
+#include "separation/case/case_names.hpp"
+#include "separation/case/force_law.hpp"
+#include "separation/case/reading.hpp"
+
+namespace separation {
+
+/// A [[force]] while it is read for one of the bodies that it names.
+struct ForceTable {
+  const TomlTable& table;
+  const CaseNames& names;
+  int body;    ///< rigid body
+  int copy;    ///< its number among the bodies that are named
+  int copies;  ///< how many these are
+
+  const RigidBody& rigid_body() const { return names.of.rigid_body(body); }
+  /// none for the carrier.
+  multibody::HingeKind hinge() const;
+  /// Throws unless it acts on a body.
+  void refuse_carrier() const;
+
+  /// A point of the body, from its centre of mass, body axes.
+  Eigen::Vector3d point() const;
+  Eigen::Vector3d point_or_com() const;
+  /// A point of the carrier, from its centre of mass; the copy's.
+  Eigen::Vector3d carrier_point() const;
+  /// KEY_at (a time), or KEY_at_event with KEY_delay.
+  Clock clock(const std::string& key, const Clock& otherwise) const;
+};
+
+/// A kind of force: all that files say of it. A file in separation/forces has
+/// what it does.
+struct ForceKind {
+  std::string_view name;
+  /// Beside those of all forces.
+  contact::KnownKeys keys;
+  std::shared_ptr<const ForceLaw> (*read)(const ForceTable& from);
+};
+
+/// All kinds; separation/forces/list.cpp has the list.
+const std::vector<ForceKind>& force_kinds();
+
+}  // namespace separation

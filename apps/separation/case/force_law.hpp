@@ -1,0 +1,65 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "multibody/system/force_model.hpp"
+#include "separation/case/case.hpp"
+
+namespace separation {
+
+/// A force at one instant of the motion.
+struct ForceInstant {
+  const Case& of;
+  int body;  ///< on which it acts
+  std::span<const multibody::BodyMotion> bodies;
+  double time;   ///< of the motion, s
+  double begin;  ///< of the force, s
+  double own;    ///< when its own clock strikes, s
+
+  const multibody::BodyMotion& on() const { return bodies[body]; }
+  const multibody::BodyMotion& carrier() const { return bodies[0]; }
+};
+
+/// What a force does between its begin and its end.
+class ForceLaw {
+ public:
+  virtual ~ForceLaw() = default;
+
+  /// Adds what it does, as ForceModel::add_forces().
+  virtual void add(const ForceInstant& at,
+                   std::span<multibody::BodyForce> forces) const = 0;
+  /// A time at which it has a kink, beside its begin and its end.
+  virtual Clock own_clock() const { return never; }
+  /// Appends the times of its other kinks and jumps.
+  /// @param begin  of the force, s
+  virtual void add_breaks([[maybe_unused]] double begin,
+                          [[maybe_unused]] std::vector<double>& breaks) const {}
+  /// It acts through the hinge of its body and ends with it.
+  virtual bool ends_with_hinge() const { return false; }
+  /// Of a force that ends when its stroke is used up, which is when this rises
+  /// to 0: what is used of the stroke less its length, m.
+  virtual std::optional<double> overrun(
+      [[maybe_unused]] int body,
+      [[maybe_unused]] std::span<const multibody::BodyMotion> bodies) const {
+    return {};
+  }
+
+  /// Ways in which it hardly does what was meant: sentences about the force,
+  /// with {body} and {time}.
+  virtual std::span<const std::string_view> faults() const { return {}; }
+  /// The number of the one that is seen now, from 1; 0: none.
+  /// @param begins    it is the first time that the force is looked at
+  /// @param released  its body hangs on no hinge
+  virtual int find_fault([[maybe_unused]] const ForceInstant& at,
+                         [[maybe_unused]] bool begins,
+                         [[maybe_unused]] bool released) const {
+    return 0;
+  }
+  /// Faults may also come when it has acted for a while.
+  virtual bool is_watched() const { return false; }
+};
+
+}  // namespace separation

@@ -1,0 +1,21 @@
+#include "separation/case/force_kind.hpp"
+
+namespace separation {
+
+// Each has a file of its own beside this one.
+ForceKind applied();
+ForceKind thrust();
+ForceKind spring();
+ForceKind damper();
+ForceKind pusher();
+ForceKind motor();
+ForceKind aerodynamic();
+
+const std::vector<ForceKind>& force_kinds() {
+  static const std::vector<ForceKind> kinds = {applied(),    thrust(), spring(),
+                                               damper(),     pusher(), motor(),
+                                               aerodynamic()};
+  return kinds;
+}
+
+}  // namespace separation

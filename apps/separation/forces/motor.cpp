@@ -1,0 +1,55 @@
+#include "separation/forces/tables.hpp"
+
+namespace separation {
+namespace {
+
+/// A motor or a torsion spring on an axis: a moment on the body, the opposite
+/// one on the carrier, as long as the hinge holds.
+struct Motor final : ForceLaw {
+  Variable variable;
+  Table<double> moment;  ///< about the axis, N m
+
+  void add(const ForceInstant& at,
+           std::span<multibody::BodyForce> forces) const override {
+    const auto [x, origin] = place_in(variable, at);
+    const Eigen::Vector3d m =
+        moment(x, origin) *
+        (at.carrier().rotation * at.of.bodies[at.body - 1].hinge.axis);
+    forces[at.body].moment += m;
+    forces[0].moment -= m;
+  }
+  void add_breaks(double begin, std::vector<double>& breaks) const override {
+    if (variable == Variable::time) moment.add_breaks(begin, breaks);
+  }
+  bool ends_with_hinge() const override { return true; }
+};
+
+std::shared_ptr<const ForceLaw> read(const ForceTable& from) {
+  const TomlTable& table = from.table;
+  if (from.hinge() != multibody::HingeKind::axis) {
+    table.must_be("body", "a body on an axis");
+  }
+  auto law = std::make_shared<Motor>();
+  const RowsOver rows = read_variable(from);
+  law->variable = rows.variable;
+  if (rows.variable == Variable::none) {
+    law->moment = {{0}, {table.number("moment", Interval::any())}};
+  } else {
+    law->moment = {rows.at,
+                   table.numbers("moment", {rows.at.size()}, Interval::any())};
+  }
+  return law;
+}
+
+}  // namespace
+
+ForceKind motor() {
+  using contact::Dimension;
+  return {"motor",
+          {{"time", Dimension::time},
+           {"angle", Dimension::angle},
+           {"moment", Dimension::moment}},
+          read};
+}
+
+}  // namespace separation

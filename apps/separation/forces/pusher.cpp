@@ -1,0 +1,102 @@
+#include <algorithm>
+
+#include "separation/case/force_kind.hpp"
+#include "separation/forces/line.hpp"
+
+namespace separation {
+namespace {
+
+using Eigen::Vector3d;
+using multibody::BodyMotion;
+
+constexpr std::string_view fault_texts[] = {
+    "pushes {body} and the carrier together: when it starts, t = {time:.6g} s, "
+    "point is behind carrier_point as seen along direction",
+    "pushes {body} and the carrier together: when it starts, t = {time:.6g} s, "
+    "direction leads from {body} to the carrier",
+};
+enum Fault { none, behind, inwards };
+
+/// A pusher on the carrier that pushes the body along a guide until its stroke
+/// is used up.
+struct Pusher final : ForceLaw {
+  Vector3d point;
+  Vector3d carrier_point;
+  Vector3d direction;  ///< unit, carrier axes
+  double first_force;  ///< N, at the beginning of the stroke
+  double last_force;   ///< N, at its end
+  double stroke;       ///< m
+
+  double stroke_used(int body, std::span<const BodyMotion> bodies) const {
+    const BodyMotion& carrier = bodies[0];
+    const Vector3d line =
+        bodies[body].point(point) - carrier.point(carrier_point);
+    return line.dot(carrier.rotation * direction);
+  }
+  void add(const ForceInstant& at,
+           std::span<multibody::BodyForce> forces) const override {
+    const double used = stroke_used(at.body, at.bodies);
+    const double part = std::clamp(used / stroke, 0.0, 1.0);
+    const double force = first_force + part * (last_force - first_force);
+    add_opposite({at.body, 0}, at.bodies, at.on().point(point),
+                 at.carrier().rotation * (force * direction), forces);
+  }
+  std::optional<double> overrun(
+      int body, std::span<const BodyMotion> bodies) const override {
+    return stroke_used(body, bodies) - stroke;
+  }
+
+  std::span<const std::string_view> faults() const override {
+    return fault_texts;
+  }
+  // A thousandth of the stroke, and of directions a tenth, are what figures of
+  // some digits leave. Where a body on a hinge is driven its centre of mass
+  // does not tell, and where the middle of a fixed carrier is nobody says.
+  int find_fault(const ForceInstant& at, bool begins,
+                 bool released) const override {
+    if (!begins) return none;
+    const Vector3d along = at.carrier().rotation * direction;
+    const Vector3d at_body = at.on().point(point);
+    const Vector3d at_carrier = at.carrier().point(carrier_point);
+    if ((at_body - at_carrier).dot(along) < -1e-3 * stroke) return behind;
+    const Vector3d to_body = at.on().position - at_body;
+    const Vector3d to_carrier = at.carrier().position - at_carrier;
+    return released && !at.of.carrier.fixed &&
+                   to_body.dot(along) < -0.1 * to_body.norm() &&
+                   to_carrier.dot(along) > 0.1 * to_carrier.norm()
+               ? inwards
+               : none;
+  }
+};
+
+std::shared_ptr<const ForceLaw> read(const ForceTable& from) {
+  from.refuse_carrier();
+  const TomlTable& table = from.table;
+  auto law = std::make_shared<Pusher>();
+  law->point = from.point();
+  law->carrier_point = from.carrier_point();
+  law->direction =
+      from.names.turns[from.body - 1] * direction(table, "direction");
+  law->first_force = table.number("first_force", Interval::non_negative());
+  law->last_force =
+      table.optional_number("last_force", Interval::non_negative())
+          .value_or(law->first_force);
+  law->stroke = table.number("stroke", Interval::positive());
+  return law;
+}
+
+}  // namespace
+
+ForceKind pusher() {
+  using contact::Dimension;
+  return {"pusher",
+          {{"point", Dimension::length},
+           {"direction"},
+           {"carrier_point", Dimension::length},
+           {"first_force", Dimension::force},
+           {"last_force", Dimension::force},
+           {"stroke", Dimension::length}},
+          read};
+}
+
+}  // namespace separation

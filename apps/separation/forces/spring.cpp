@@ -1,0 +1,84 @@
+#include "separation/case/force_kind.hpp"
+#include "separation/forces/line.hpp"
+
+namespace separation {
+namespace {
+
+constexpr std::string_view fault_texts[] = {
+    "has no direction when it starts, t = {time:.6g} s: point on {body} and "
+    "carrier_point are in one place",
+    "pulls {body} back after its release, from t = {time:.6g} s: it is longer "
+    "than free_length; ends_at_event ends it, a pusher only pushes",
+};
+enum Fault { none, no_direction, pulls_back };
+
+/// A spring between a point of the body and one of the carrier.
+struct Spring final : ForceLaw {
+  Eigen::Vector3d point;
+  Eigen::Vector3d carrier_point;
+  double stiffness;    ///< N/m
+  double free_length;  ///< m
+  double damping;      ///< N s/m
+
+  Line line(const ForceInstant& at) const {
+    return {at.carrier(), carrier_point, at.on(), point};
+  }
+  void add(const ForceInstant& at,
+           std::span<multibody::BodyForce> forces) const override {
+    const Line l = line(at);
+    const double length = l.span.norm();
+    if (length == 0) return;
+    const Eigen::Vector3d unit = l.span / length;
+    const double rate = unit.dot(l.velocity);
+    add_opposite({at.body, 0}, at.bodies, l.end,
+                 (stiffness * (free_length - length) - damping * rate) * unit,
+                 forces);
+  }
+
+  std::span<const std::string_view> faults() const override {
+    return fault_texts;
+  }
+  int find_fault(const ForceInstant& at, bool begins,
+                 bool released) const override {
+    if (!(stiffness > 0)) return none;
+    const double length = line(at).span.norm();
+    // Of places that are some 1e3 m at most: their rounding.
+    if (begins && length < 1e-12 && free_length > 0) return no_direction;
+    const Hinge& hinge = at.of.bodies[at.body - 1].hinge;
+    const bool has_come_off =
+        released && hinge.kind != multibody::HingeKind::none;
+    // Longer than rounding of lengths and tolerances of steps make it.
+    const bool pulls = length > (1 + 1e-6) * free_length;
+    return has_come_off && pulls ? pulls_back : none;
+  }
+  bool is_watched() const override { return true; }
+};
+
+std::shared_ptr<const ForceLaw> read(const ForceTable& from) {
+  from.refuse_carrier();
+  const TomlTable& table = from.table;
+  auto law = std::make_shared<Spring>();
+  law->point = from.point();
+  law->carrier_point = from.carrier_point();
+  law->stiffness = table.number("stiffness", Interval::non_negative());
+  law->free_length = table.number("free_length", Interval::non_negative());
+  law->damping =
+      table.optional_number("damping_N_s_per_m", Interval::non_negative())
+          .value_or(0);
+  return law;
+}
+
+}  // namespace
+
+ForceKind spring() {
+  using contact::Dimension;
+  return {"spring",
+          {{"point", Dimension::length},
+           {"carrier_point", Dimension::length},
+           {"stiffness", Dimension::line_force},
+           {"free_length", Dimension::length},
+           {"damping_N_s_per_m"}},
+          read};
+}
+
+}  // namespace separation

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <string_view>
+#include <vector>
+
+#include "separation/case/force_kind.hpp"
+
+/// Forces that tables give.
+namespace separation {
+
+/// Values over a variable, linear between the rows and constant outside. Two
+/// rows at one place are a jump, from the first one's value to the second's,
+/// which is that of the place itself.
+template <class Value>
+struct Table {
+  std::vector<double> at;  ///< increasing; a single row is a constant
+  std::vector<Value> values;
+
+  /// @param origin  what the rows count from
+  Value operator()(double x, double origin = 0) const {
+    const double from_origin = x - origin;
+    std::size_t i = 0;
+    // A jump is at origin + at[i], as the break of the forces is: the rounding
+    // of the difference puts x on no other side of it.
+    while (i < at.size() &&
+           (jumps(i) ? origin + at[i] <= x : at[i] <= from_origin)) {
+      ++i;
+    }
+    if (i == 0) return values.front();
+    if (i == at.size()) return values.back();
+    const double part = (from_origin - at[i - 1]) / (at[i] - at[i - 1]);
+    return values[i - 1] + part * (values[i] - values[i - 1]);
+  }
+  bool jumps(std::size_t i) const {
+    return (i > 0 && at[i - 1] == at[i]) ||
+           (i + 1 < at.size() && at[i] == at[i + 1]);
+  }
+  /// Times of its kinks and jumps, as ForceLaw::add_breaks().
+  void add_breaks(double begin, std::vector<double>& breaks) const {
+    for (const double x : at) breaks.push_back(begin + x);
+  }
+};
+
+/// What the tables of a force go over: time since the force began, or the
+/// angle of the body's hinge.
+enum class Variable { none, time, angle };
+
+/// Rows over the keys `time` or `angle`; none if neither is there.
+struct RowsOver {
+  Variable variable = Variable::none;
+  std::vector<double> at;
+};
+RowsOver read_variable(const ForceTable& from);
+
+/// Where a table is read, and what its rows count from.
+struct TablePlace {
+  double x;
+  double origin;
+};
+TablePlace place_in(Variable over, const ForceInstant& at);
+
+}  // namespace separation

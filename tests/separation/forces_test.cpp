@@ -1,0 +1,432 @@
+// Forces of a case: what each kind does against figures worked out by hand, and
+// what all kinds have in common.
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <regex>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "libcontact/base/file_text.hpp"
+#include "separation/case/case_reader.hpp"
+#include "separation/case/force_kind.hpp"
+#include "separation/simulation/case_forces.hpp"
+#include "separation/simulation/force_watch.hpp"
+#include "separation/simulation/simulation.hpp"
+#include "support/error_message.hpp"
+
+namespace {
+
+using contact::test::error_message;
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+using multibody::BodyForce;
+using multibody::BodyMotion;
+using separation::force_kinds;
+using separation::ForceKind;
+
+// One force of a case on a body that is turned by 90 deg about z and moved to
+// (10, 0, 0), with the carrier at the origin.
+struct Forces {
+  BodyForce carrier, body;
+};
+Forces forces_of(const std::string& force, double time,
+                 const Vector3d& velocity = Vector3d::Zero()) {
+  const separation::Case c = separation::parse_case(R"(
+name = "forces"
+run = { end_time_s = 1 }
+[carrier]
+name = "core"
+mass_kg = 10
+principal_inertia_kg_m2 = [1, 1, 1]
+[[body]]
+name = "tip"
+mass_kg = 2
+com_m = [1, 0, 0]
+principal_inertia_kg_m2 = [1, 1, 1]
+hinge = { kind = "axis", axis = [0, 0, 1], carrier_point_m = [10, 0, 0] }
+[[force]]
+name = "f"
+body = "tip"
+)" + force,
+                                                    "forces.toml");
+  BodyMotion carrier{Vector3d::Zero(), Vector3d::Zero(), Matrix3d::Identity(),
+                     Vector3d::Zero()};
+  BodyMotion body = carrier;
+  body.rotation << 0, -1, 0, 1, 0, 0, 0, 0, 1;
+  body.position = Vector3d(10, 0, 0);
+  body.velocity = velocity;
+  const std::vector<BodyMotion> bodies = {carrier, body};
+  std::vector<BodyForce> result(2);
+  const separation::CaseForces model(c, separation::History(c));
+  model.add_forces(time, bodies, result);
+  return {result[0], result[1]};
+}
+
+void expect_force(const BodyForce& f, const Vector3d& force,
+                  const Vector3d& moment) {
+  // Some roundings of numbers up to some tens.
+  EXPECT_LE((f.force - force).norm(), 1e-13) << f.force.transpose();
+  EXPECT_LE((f.moment - moment).norm(), 1e-13) << f.moment.transpose();
+}
+
+TEST(CaseForces, AppliedInBothAxes) {
+  const Vector3d zero = Vector3d::Zero();
+  // 2 m along the body's x from its centre of mass: inertial y.
+  const std::string point = "kind = \"applied\"\npoint_m = [3, 0, 0]\n";
+  expect_force(forces_of(point + "force_N = [0, 5, 0]\n", 0).body, {-5, 0, 0},
+               {0, 0, 10});
+  expect_force(
+      forces_of(point + "axes = \"inertial\"\nforce_N = [0, 5, 0]\n", 0).body,
+      {0, 5, 0}, zero);
+  expect_force(
+      forces_of("kind = \"applied\"\nmoment_N_m = [1, 0, 0]\n", 0).body, zero,
+      {0, 1, 0});
+  const std::string over_time =
+      "kind = \"applied\"\nstarts_at_s = 1\nends_at_s = 4\n"
+      "time_s = [0, 2]\nforce_N = [[0, 0, 1], [0, 0, 3]]\n";
+  for (const auto& [time, force] :
+       {std::pair{0.5, 0.0}, {1.0, 1.0}, {2.0, 2.0}, {3.5, 3.0}, {4.5, 0.0}}) {
+    expect_force(forces_of(over_time, time).body, {0, 0, force}, zero);
+  }
+  // The body has turned by 90 deg.
+  expect_force(forces_of("kind = \"applied\"\nangle_deg = [0, 180]\n"
+                         "force_N = [[0, 0, 0], [0, 0, 8]]\n",
+                         0)
+                   .body,
+               {0, 0, 4}, zero);
+}
+
+// At a jump a table has its second value, and just before it its first,
+// whatever rounding makes of the time since the force began.
+TEST(CaseForces, JumpsOfTablesOverTime) {
+  for (const double begin : {0.0, 0.1, 1 / 3.0, 0.7, 12.3}) {
+    for (const double jump : {0.1, 0.2, 0.3, 0.7, 1 / 3.0}) {
+      const auto force = [&](double time) {
+        return forces_of(
+                   fmt::format("kind = \"applied\"\nstarts_at_s = {}\n"
+                               "time_s = [0, {}, {}, 9]\n"
+                               "force_N = [[0, 0, 1], [0, 0, 2], [0, 0, -5], "
+                               "[0, 0, -5]]\n",
+                               begin, jump, jump),
+                   time)
+            .body.force.z();
+      };
+      EXPECT_EQ(force(begin), 1);
+      EXPECT_NEAR(force(std::nextafter(begin + jump, 0)), 2, 1e-13);
+      EXPECT_NEAR(force(begin + jump), -5, 1e-13);
+    }
+  }
+}
+
+TEST(CaseForces, ThrustEndsWithoutDecay) {
+  const std::string thrust =
+      "kind = \"thrust\"\npoint_m = [1, 1, 0]\ndirection = [2, 0, 0]\n"
+      "thrust_N = 6\ncutoff_at_s = 3\n";
+  const Vector3d zero = Vector3d::Zero();
+  expect_force(forces_of(thrust, std::nextafter(3, 0)).body, {0, 6, 0},
+               {0, 0, -6});
+  expect_force(forces_of(thrust, 3).body, zero, zero);
+}
+
+TEST(CaseForces, ThrustDecays) {
+  const std::string thrust =
+      "kind = \"thrust\"\npoint_m = [1, 1, 0]\ndirection = [2, 0, 0]\n"
+      "thrust_N = 6\ncutoff_at_s = 3\ndecay_s = 0.5\n";
+  for (const double time : {0.0, 3.0, 3.25, 5.0}) {
+    const double force = time <= 3 ? 6 : 6 * std::exp(-(time - 3) / 0.5);
+    expect_force(forces_of(thrust, time).body, {0, force, 0}, {0, 0, -force});
+  }
+}
+
+TEST(CaseForces, BetweenTheBodies) {
+  // From (10, 4, 0) to the body's point at (10, 1, 0): 3 m long, pulls with
+  // 5 N/m x 2 m and is damped with 2 N s/m x 3 m/s.
+  const Forces spring = forces_of(
+      "kind = \"spring\"\npoint_m = [2, 0, 0]\n"
+      "carrier_point_m = [10, 4, 0]\nstiffness_N_per_m = 5\n"
+      "free_length_m = 1\ndamping_N_s_per_m = 2\n",
+      0, {7, -3, 0});
+  expect_force(spring.body, {0, 16, 0}, {0, 0, 0});
+  expect_force(spring.carrier, {0, -16, 0}, {0, 0, -160});
+  // 0.25 of 0.5 m used: half way from 8 to 4 N.
+  const Forces pusher = forces_of(
+      "kind = \"pusher\"\npoint_m = [1, 1, 0]\n"
+      "carrier_point_m = [9, -0.25, 0]\ndirection = [0, 1, 0]\n"
+      "first_force_N = 8\nlast_force_N = 4\nstroke_m = 0.5\n",
+      0);
+  expect_force(pusher.body, {0, 6, 0}, {0, 0, -6});
+  expect_force(pusher.carrier, {0, -6, 0}, {0, 0, -54});
+  const Forces motor = forces_of("kind = \"motor\"\nmoment_N_m = 3\n", 0);
+  expect_force(motor.body, {0, 0, 0}, {0, 0, 3});
+  expect_force(motor.carrier, {0, 0, 0}, {0, 0, -3});
+}
+
+TEST(CaseForces, AirByAngleAndPressure) {
+  // The nose points along inertial y, the air goes along (-0.6, -0.8, 0): the
+  // angle of attack is 36.87 deg, across the nose it pushes along -x.
+  const std::string air =
+      "kind = \"aerodynamic\"\naxis = [1, 0, 0]\nreference_area_m2 = 2\n"
+      "reference_length_m = 3\nangle_deg = [0, 73.73979529168804]\n";
+  const std::string tables =
+      "axial = [0, 2]\nnormal = [0, 4]\nmoment = [0, 1]\n";
+  // Half way along the table; q S = 20.
+  const Forces given = forces_of(
+      air + tables + "flow = [-3, -4, 0]\ndynamic_pressure_Pa = 10\n", 0);
+  // Nose away from the wind: from y towards -x, about +z.
+  expect_force(given.body, {-40, -20, 0}, {0, 0, 30});
+  // 0.4 kg/m^3 at 5 m/s through still air is 5 Pa.
+  const Forces flying =
+      forces_of(air + tables + "density_kg_per_m3 = 0.4\n", 0, {3, 4, 0});
+  expect_force(flying.body, {-20, -10, 0}, {0, 0, 15});
+  // Between two pressures: 3/4 of the way.
+  const Forces between =
+      forces_of(air +
+                    "table_pressure_Pa = [4, 12]\nnormal = [[0, 0], [0, 4]]\n"
+                    "flow = [-3, -4, 0]\ndynamic_pressure_Pa = 10\n",
+                0);
+  expect_force(between.body, {-20 * 0.75 * 2, 0, 0}, {0, 0, 0});
+}
+
+// From (10, 4, 0) on the carrier to the body's point at (10, 1, 0): it comes
+// nearer by 3 m/s, and 2 N s/m hold it back; what moves across the line does
+// not count.
+TEST(Damper, IsAgainstTheRateOfItsLength) {
+  const Forces damper = forces_of(
+      "kind = \"damper\"\npoint_m = [2, 0, 0]\n"
+      "carrier_point_m = [10, 4, 0]\ndamping_N_s_per_m = 2\n",
+      0, {7, 3, 0});
+  expect_force(damper.body, {0, -6, 0}, {0, 0, 0});
+  expect_force(damper.carrier, {0, 6, 0}, {0, 0, 60});
+}
+
+// Bodies of their own, given as "NAME", mass, x and velocity along x.
+std::string ball_text(const char* name, double mass, double x, double speed) {
+  return fmt::format(
+      "[[body]]\nname = \"{}\"\nmass_kg = {}\n"
+      "principal_inertia_kg_m2 = [1, 1, 1]\nstart = {{ position_m = [{}, 0, "
+      "0], velocity_m_per_s = [{}, 0, 0] }}\n",
+      name, mass, x, speed);
+}
+const std::string ground =
+    "name = \"d\"\nrun = { end_time_s = 2 }\n"
+    "[carrier]\nname = \"ground\"\nfixed = true\n";
+
+// Two bodies that drift apart with u: mu u' = -c u, mu the reduced mass. The
+// damper takes the energy of the relative motion, and momentum is kept.
+TEST(Damper, OfTwoBodiesDecaysExponentially) {
+  constexpr double m1 = 2, m2 = 3, c = 1.5, u0 = 1.2;
+  constexpr double mu = m1 * m2 / (m1 + m2);
+  const separation::Case two = separation::parse_case(
+      ground + ball_text("a", m1, 1, u0) + ball_text("b", m2, 0, 0) + R"(
+[[force]]
+name = "damper"
+kind = "damper"
+body = "a"
+point_m = [0, 0, 0]
+other_body = "b"
+other_point_m = [0.25, 0, 0]
+damping_N_s_per_m = 1.5
+)",
+      "d.toml");
+  separation::Simulation motion(two, separation::FrictionChoice::full);
+  const double begin = motion.sample().energy().balance();
+  for (const double t : {0.25, 0.5, 1.0, 2.0}) {
+    ASSERT_EQ(motion.advance_to(t), separation::Simulation::Stop::time);
+    const auto& sample = motion.sample();
+    const double left = std::exp(-c * t / mu);
+    const BodyMotion& a = sample.body(0);
+    const BodyMotion& b = sample.body(1);
+    // Tolerances of the steps: 1e-9 of a number and 1e-8 beside it.
+    EXPECT_NEAR(a.velocity.x() - b.velocity.x(), u0 * left, 2e-8) << t;
+    EXPECT_NEAR(a.position.x() - b.position.x(), 1 + u0 * mu / c * (1 - left),
+                2e-8);
+    EXPECT_NEAR(m1 * a.velocity.x() + m2 * b.velocity.x(), m1 * u0, 1e-13);
+    const multibody::EnergyBook book = sample.energy();
+    EXPECT_NEAR(book.active_work, -mu * u0 * u0 / 2 * (1 - left * left), 2e-8);
+    EXPECT_NEAR(book.balance(), begin, 2e-8);
+  }
+}
+
+// A mass on a spring to the ground: x = x0 e^(-b t) (cos w t + b/w sin w t),
+// b = c/2m, w^2 = k/m - b^2. Its logarithmic decrement is 2 pi b/w.
+TEST(Damper, HasItsLogarithmicDecrement) {
+  constexpr double m = 2, k = 800, c = 8, x0 = 0.1;
+  constexpr double b = c / (2 * m);
+  const double w = std::sqrt(k / m - b * b);
+  const separation::Case one =
+      separation::parse_case(ground + ball_text("a", m, 1 + x0, 0) + R"(
+[[force]]
+name = "spring"
+kind = "spring"
+body = "a"
+point_m = [0, 0, 0]
+carrier_point_m = [0, 0, 0]
+stiffness_N_per_m = 800
+free_length_m = 1
+[[force]]
+name = "damper"
+kind = "damper"
+body = "a"
+point_m = [0, 0, 0]
+carrier_point_m = [-0.5, 0, 0]
+damping_N_s_per_m = 8
+)",
+                             "d.toml");
+  separation::Simulation motion(one, separation::FrictionChoice::full);
+  const double begin = motion.sample().energy().balance();
+  const auto x_at = [&](double t) {
+    EXPECT_EQ(motion.advance_to(t), separation::Simulation::Stop::time);
+    return motion.sample().body(0).position.x() - 1;
+  };
+  const double period = 2 * std::numbers::pi / w;
+  for (int half = 1; half <= 6; ++half) {
+    const double quarter = (half - 0.75) * period / 2;
+    // Tolerances of some hundred steps.
+    EXPECT_NEAR(x_at(quarter),
+                x0 * std::exp(-b * quarter) *
+                    (std::cos(w * quarter) + b / w * std::sin(w * quarter)),
+                3e-8);
+    const double peak = half * period / 2;
+    const double sign = half % 2 == 0 ? 1 : -1;
+    EXPECT_NEAR(x_at(peak), sign * x0 * std::exp(-b * peak), 3e-8);
+  }
+  // The same times the spring's largest force, 80 N.
+  EXPECT_NEAR(motion.sample().energy().balance(), begin, 2.4e-6);
+}
+
+// Copies are joined one by one, and both ends have to be there.
+TEST(Damper, NeedsTwoEnds) {
+  const auto message = [](const std::string& keys) {
+    return error_message([&] {
+      separation::parse_case(
+          ground + ball_text("a", 1, 0, 0) + ball_text("b", 1, 1, 0) +
+              "[[body]]\nname = \"c\"\nmass_kg = 1\n"
+              "principal_inertia_kg_m2 = [1, 1, 1]\n"
+              "hinge = { kind = \"ball\", body_point_m = [1, 0, 0] }\n"
+              "pattern = { count = 2, axis = [0, 0, 1] }\n"
+              "[[force]]\nname = \"f\"\nkind = \"damper\"\n"
+              "damping_N_s_per_m = 1\npoint_m = [0, 0, 0]\n" +
+              keys,
+          "d.toml");
+    });
+  };
+  EXPECT_EQ(message("carrier_point_m = [1, 0, 0]\nbody = \"c\"\n"),
+            "(no error)");
+  EXPECT_EQ(message("other_point_m = [1, 0, 0]\nbody = \"a\"\n"
+                    "other_body = \"c 2\"\n"),
+            "(no error)");
+  EXPECT_EQ(message("body = \"a\"\nother_body = \"b\"\n").substr(0, 45),
+            "d.toml:22: force[1] requires other_point (in ");
+  EXPECT_EQ(
+      message("body = \"a\"\nother_point_m = [1, 0, 0]\n"),
+      "d.toml:28: force[1].other_point_m = [1, 0, 0] requires other_body");
+  EXPECT_EQ(message("body = \"a\"\nother_body = \"b\"\n"
+                    "carrier_point_m = [1, 0, 0]\n"),
+            "d.toml:28: force[1].other_body = \"b\" conflicts with "
+            "force[1].carrier_point_m (line 29)");
+  EXPECT_EQ(message("body = \"a\"\nother_body = \"a\"\n"),
+            "d.toml:28: force[1].other_body = \"a\" must be another one than "
+            "body");
+  EXPECT_EQ(message("body = \"a\"\nother_body = \"ground\"\n"),
+            "d.toml:28: force[1].other_body = \"ground\" must be a body, not "
+            "the carrier, whose point is carrier_point");
+  EXPECT_EQ(message("body = \"a\"\nother_body = \"c\"\n"),
+            "d.toml:28: force[1].other_body = \"c\" must be one body, or as "
+            "many as body names");
+  EXPECT_EQ(message("body = \"a\"\nother_body = \"bb\"\n"),
+            "d.toml:28: force[1].other_body = \"bb\": unknown body \"bb\" "
+            "(ground, a, b, c, c 1, c 2)");
+}
+
+TEST(Damper, OfNoLengthIsWarnedOf) {
+  const separation::Case c =
+      separation::parse_case(ground + ball_text("a", 1, 2, 1) + R"([[force]]
+name = "f"
+kind = "damper"
+body = "a"
+point_m = [0, 0, 0]
+carrier_point_m = [2, 0, 0]
+damping_N_s_per_m = 1
+)",
+                             "d.toml");
+  const separation::Simulation motion(c, separation::FrictionChoice::full);
+  std::vector<separation::ForceRecord> records(1);
+  separation::look_at_forces(motion, records);
+  EXPECT_EQ(
+      separation::force_faults(c, records),
+      std::vector<std::string>{
+          "force \"f\" has no direction when it starts, t = 0 s: point on "
+          "a and its other end are in one place"});
+}
+
+std::string message_of(const std::string& force) {
+  return error_message([&] { forces_of(force, 0); });
+}
+
+std::set<std::string> keys_of(const ForceKind& kind) {
+  std::set<std::string> keys;
+  for (const contact::KnownKey& key : kind.keys) keys.emplace(key.key);
+  return keys;
+}
+
+TEST(ForceKinds, UnknownOnesAreToldAll) {
+  const std::string message = message_of("kind = \"glue\"\n");
+  for (const ForceKind& kind : force_kinds()) {
+    EXPECT_THAT(message, testing::HasSubstr(fmt::format("\"{}\"", kind.name)));
+  }
+}
+
+// Every kind has keys that have to be there, and no others.
+TEST(ForceKinds, HaveTheirOwnKeys) {
+  std::set<std::string> all;
+  for (const ForceKind& kind : force_kinds()) all.merge(keys_of(kind));
+  for (const ForceKind& kind : force_kinds()) {
+    const std::string text = fmt::format("kind = \"{}\"\n", kind.name);
+    const std::set<std::string> keys = keys_of(kind);
+    const std::string empty = message_of(text);
+    EXPECT_THAT(empty, testing::HasSubstr("force[1] requires "));
+    EXPECT_TRUE(std::ranges::any_of(keys, [&](const std::string& key) {
+      return empty.find(" " + key) != empty.npos;
+    })) << empty;
+    for (const std::string& key : all) {
+      if (keys.contains(key)) continue;
+      EXPECT_THAT(
+          message_of(text + key + " = 1\n"),
+          testing::HasSubstr(fmt::format("unknown key \"force[1].{}\"", key)));
+    }
+  }
+}
+
+// case_file.md has a row for each kind with its keys and no others.
+TEST(ForceKinds, AreOnThePage) {
+  std::string page = contact::detail::file_text(
+      CONTACT_SOURCE_DIR "/apps/separation/case_file.md");
+  page = page.substr(page.find("## Forces"));
+  page.resize(page.find("## Clearances"));
+  std::vector<std::string> rows;
+  const std::regex row("\n\\| `\"(\\w+)\"` \\| (.*) \\|");
+  const std::regex word("`(\\w+)`");
+  const std::sregex_iterator none;
+  for (std::sregex_iterator r(page.begin(), page.end(), row); r != none; ++r) {
+    rows.push_back((*r)[1]);
+    const std::string text = (*r)[2];
+    std::set<std::string> keys;
+    for (std::sregex_iterator w(text.begin(), text.end(), word); w != none;
+         ++w) {
+      keys.insert((*w)[1]);
+    }
+    for (const ForceKind& kind : force_kinds()) {
+      if (kind.name == rows.back()) EXPECT_EQ(keys, keys_of(kind)) << text;
+    }
+  }
+  std::vector<std::string> names;
+  for (const ForceKind& kind : force_kinds()) names.emplace_back(kind.name);
+  EXPECT_EQ(rows, names);
+}
+
+}  // namespace
