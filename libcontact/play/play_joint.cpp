@@ -8,6 +8,7 @@
 #include <numbers>
 #include <type_traits>
 #include <unsupported/Eigen/AutoDiff>
+#include <utility>
 
 #include "libcontact/base/check.hpp"
 #include "libcontact/base/complaint.hpp"
@@ -77,8 +78,9 @@ struct PlayJoint::Wrench {
   ForceState state = {0, 0, 0, 0, 1, 0};
 };
 
-PlayJoint::PlayJoint(const JointSpec& joint, const Options& options)
-    : law_(joint), options_(options) {
+PlayJoint::PlayJoint(const JointSpec& joint, const Options& options,
+                     ForceLaw law)
+    : law_(std::move(law)), options_(options) {
   if (!joint.friction) return;
   const auto* dry = std::get_if<FrictionLaw>(&*joint.friction);
   if (!dry) {

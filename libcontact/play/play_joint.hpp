@@ -76,7 +76,10 @@ class PlayJoint {
   };
   /// @throws Error as ForceLaw does, for friction that is not dry and for a
   ///   speed out of range.
-  PlayJoint(const JointSpec& joint, const Options& options);
+  PlayJoint(const JointSpec& joint, const Options& options)
+      : PlayJoint(joint, options, ForceLaw(joint)) {}
+  /// @param law  of the same joint
+  PlayJoint(const JointSpec& joint, const Options& options, ForceLaw law);
 
   /// The same joint with another damping: that of the impact's own speed, for
   /// a restitution that is the same at every one.

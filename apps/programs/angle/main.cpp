@@ -73,6 +73,9 @@ a multiple of a std::tanh, roughly; recommended: yes for the cheapest law
 within --tolerance. The picture of --plot has the errors below the half-angles
 whenever exact is one of several laws.
 
+)";
+
+constexpr std::string_view examples = R"(
 Examples:
   hinge-angle --joint pin --modulus-ratio 1 --load-parameter 0.001:10:log9 --law hertz,arctan,tanh,blend
   hinge-angle --joint ball --pair data/materials/steel_bronze.toml --radius 50mm --clearance 50um --load 1e4:1e6:log5
@@ -84,6 +87,8 @@ Examples:
   hinge-angle --joint ball --modulus-ratio 2 --poisson1 0.4 --x 0.01:100:log200 --law all --output ball.csv --plot ball.svg
   hinge-angle --joint pin --modulus-ratio 1 --inverse --theta0 0:80:20 --format json
   hinge-angle --joint data/joints/hip_cocr_uhmwpe.toml --set geometry.radial_clearance_um=50,100,150 --load 500:3000:500 --plot hips.svg
+  hinge-angle --force-law --joint data/joints/hip_cocr_uhmwpe.toml --output force.csv
+  hinge-angle --impact --joint data/joints/hip_cocr_uhmwpe.toml --mass 5 --speed 0.01,0.1 --restitution 0.5
 
 )";
 
@@ -96,6 +101,7 @@ void add_options(cli::Program& program, Options& o) {
                {"--theta0", &o.load.theta0, "ANGLES",
                 "half-angles, deg, 0 to 180", "--inverse"}});
   add_law_options(program, o.joint, cli::Laws::several, cli::Laws::one);
+  add_play_options(program, o.play);
   program.add("Law",
               {{"--compare", &o.compare, "",
                 "how far each law is from exact over the range of the load", "",
@@ -121,6 +127,7 @@ int main(int argc, char** argv) {
   return program.run(argc, argv,
                      std::string(help) + std::string(cli::size_help) +
                          std::string(cli::joint_help) + std::string(load_help) +
+                         hinge_angle::play_help + std::string(examples) +
                          std::string(cli::exit_status_help),
                      [&] { return hinge_angle::run(options); });
 }
