@@ -26,7 +26,6 @@ using contact::ForceLaw;
 using contact::ForceState;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double smallest = std::numeric_limits<double>::min();
 
 // Of a joint whose lengths are all known.
 cli::Joint sized_joint(cli::JointOptions options, const char* for_option) {
@@ -239,21 +238,20 @@ void add_play_options(cli::Program& program, PlayOptions& o) {
         "--force-law --law --limit-angle --inverse --load --load-parameter --x "
         "--compare --plot --jobs"},
        {"--mass",
-        number("--mass", o.mass, Dimension::mass, {smallest, infinity, "kg"}),
-        "MASS", "that hits; of two bodies m1 m2/(m1 + m2)", "--impact"},
+        number("--mass", o.mass, Dimension::mass, {0, infinity, "kg"}), "MASS",
+        "that hits; of two bodies m1 m2/(m1 + m2)", "--impact"},
        {"--speed", &o.speed, "VALUES", "of approach at first touch, m/s",
         "--impact"},
        {"--restitution",
-        number("--restitution", o.restitution, Dimension::number,
-               {smallest, 1, ""}),
+        number("--restitution", o.restitution, Dimension::number, {0, 1, ""}),
         "E", "speed of parting over that of touch", "--impact"},
        {"--reference-speed",
         number("--reference-speed", o.reference_speed, Dimension::velocity,
-               {smallest, infinity, "m/s"}),
+               {0, infinity, "m/s"}),
         "SPEED", "at which it is E; without it E at every speed", "--impact"},
        {"--density",
         number("--density", o.density, Dimension::number,
-               {smallest, infinity, "kg/m^3"}),
+               {0, infinity, "kg/m^3"}),
         "DENSITY", "kg/m^3, for the check that elasticity is quasi-static",
         "--impact"}});
 }
@@ -311,13 +309,12 @@ cli::ExitStatus run_impact(const PlayOptions& options,
                            const cli::JointOptions& joint_options,
                            const cli::OutputOptions& output) {
   const cli::Joint joint = sized_joint(joint_options, "--impact");
-  const cli::Sweep speeds("--speed", options.speed, {smallest, infinity, "m/s"},
+  const cli::Sweep speeds("--speed", options.speed, {0, infinity, "m/s"},
                           Dimension::velocity);
   const contact::JointImpact impact(joint.spec);
   cli::warn_of_validity("hinge-angle", {joint});
   const contact::ApproximateRestitution others =
       contact::approximate_restitution(options.restitution);
-  const bool constant = options.reference_speed > 0;
   std::set<std::string> notes;
   std::size_t without = 0;
   write_rows(
@@ -330,7 +327,7 @@ cli::ExitStatus run_impact(const PlayOptions& options,
         for (std::size_t i = 0; i < speeds.size(); ++i) {
           const double speed = speeds[i];
           const auto damping = contact::HuntCrossley::from_restitution(
-              options.restitution, constant ? options.reference_speed : speed);
+              options.restitution, options.reference_speed.value_or(speed));
           const contact::Impact is = impact(damping, options.mass, speed);
           if (std::isnan(is.penetration)) ++without;
           for (const std::string& note : impact.notes(is, options.density)) {
@@ -351,10 +348,10 @@ cli::ExitStatus run_impact(const PlayOptions& options,
         }
       });
   cli::note("hinge-angle",
-            constant
+            options.reference_speed
                 ? fmt::format("restitution {} at {} m/s: one damping, with "
                               "which it falls with the speed",
-                              options.restitution, options.reference_speed)
+                              options.restitution, *options.reference_speed)
                 : fmt::format("restitution {} at every speed: each impact has "
                               "a damping of its own",
                               options.restitution));

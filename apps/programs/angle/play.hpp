@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "cli/program.hpp"
@@ -12,11 +13,11 @@ struct PlayOptions {
   bool force_law = false;
   std::string penetration;
   bool impact = false;
-  double mass = 0;             ///< kg
-  std::string speed;           ///< sweep, m/s
-  double restitution = 0;      ///< e
-  double reference_speed = 0;  ///< m/s; 0: that of each impact
-  double density = 0;          ///< kg/m^3; 0: not known
+  double mass = 0;                        ///< kg
+  std::string speed;                      ///< sweep, m/s
+  double restitution = 0;                 ///< e
+  std::optional<double> reference_speed;  ///< m/s; none: that of each impact
+  double density = 0;                     ///< kg/m^3; 0: not known
 };
 
 /// Adds --force-law, --impact and what belongs to them.
