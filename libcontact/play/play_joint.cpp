@@ -54,11 +54,6 @@ Vector<Real> variables(const Eigen::Vector3d& v, int first) {
   }
 }
 
-template <class Real>
-Real square(const Real& x) {
-  return x * x;
-}
-
 }  // namespace
 
 // Of a ball's friction at one half-angle and slip axis, made smooth: the
@@ -67,6 +62,14 @@ Real square(const Real& x) {
 struct PlayJoint::Coefficients {
   std::array<double, 3> pressure;
   std::array<double, 3> area;
+};
+
+// What a motion is like at the contact.
+template <class Real>
+struct PlayJoint::Touch {
+  Vector<Real> n, velocity, rate, axis;
+  Real delta, normal;
+  ForceState at;
 };
 
 template <class Real>
@@ -124,98 +127,117 @@ PlayJoint::Wrench<Real> PlayJoint::wrench(const PlayMotion& motion) const {
   using std::sqrt;
   const JointGeometry& geometry = law_.geometry();
   const bool ball = geometry.kind() == JointKind::ball;
-  const double rho = geometry.radius();
-  const double eps = geometry.radial_clearance();
-  const double vs = options_.regularisation_speed;
   Vector<Real> e = variables<Real>(motion.position, 0);
-  const Vector<Real> velocity = variables<Real>(motion.velocity, 3);
-  const Vector<Real> rate = variables<Real>(motion.rate, 6);
-  const Vector<Real> axis = motion.axis.template cast<Real>();
-  if (!ball) e -= axis * Real(axis.dot(e));
+  Touch<Real> touch;
+  touch.velocity = variables<Real>(motion.velocity, 3);
+  touch.rate = variables<Real>(motion.rate, 6);
+  touch.axis = motion.axis.template cast<Real>();
+  if (!ball) e -= touch.axis * Real(touch.axis.dot(e));
 
   Wrench<Real> result;
   const Real distance = sqrt(Real(e.squaredNorm()));
-  const Real delta = distance - eps;
+  touch.delta = distance - geometry.radial_clearance();
   // At touch the contact has begun, and NaN goes through.
-  if (value_of(delta) < 0) return result;
-  const ForceState at = law_.at(value_of(delta));
-  result.state = at;
-  const Vector<Real> n = e / distance;
-  const Real force = chained(delta, at.force, at.slope);
-  Real normal =
-      force * (1 + options_.damping.damping() * Real(n.dot(velocity)));
+  if (value_of(touch.delta) < 0) return result;
+  touch.at = result.state = law_.at(value_of(touch.delta));
+  touch.n = e / distance;
+  const Real rate = touch.n.dot(touch.velocity);
+  touch.normal = chained(touch.delta, touch.at.force, touch.at.slope) *
+                 (1 + options_.damping.damping() * rate);
   // Such speeds outwards are not those of an impact.
-  if (value_of(normal) < 0) normal = Real(0) * normal;
-  result.force = -normal * n;
-  for (int i = 0; i < 3; ++i) result.normal(i) = value_of(n(i));
-  result.normal_force = value_of(normal);
-  if (!contact_ || value_of(delta) == 0) return result;
-
-  const Real theta0 = chained(delta, at.half_angle, at.half_angle_slope);
+  if (value_of(touch.normal) < 0) touch.normal = Real(0) * touch.normal;
+  result.force = -touch.normal * touch.n;
+  for (int i = 0; i < 3; ++i) result.normal(i) = value_of(touch.n(i));
+  result.normal_force = value_of(touch.normal);
+  if (!contact_ || value_of(touch.delta) == 0) return result;
   if (ball) {
-    // u = Dw_eff/|Dw_eff| with the regularisation: smooth through 0.
-    const Vector<Real> slip = rate + n.cross(velocity) / rho;
-    const Real speed2 = slip.squaredNorm();
-    const Vector<Real> u = slip * (rho / sqrt(rho * rho * speed2 + vs * vs));
-    // sin^2 a; the coefficients are even about a = 0 and 90 deg, where they
-    // would be 0/0.
-    const bool slips = value_of(speed2) > 0;
-    const Real spin = Real(n.dot(slip));
-    const Real sine2 = slips ? Real(square(spin) / speed2) : Real(0 * spin);
-    constexpr double margin = 1e-3;
-    const double angle =
-        std::clamp(std::asin(std::sqrt(std::clamp(value_of(sine2), 0.0, 1.0))),
-                   margin, pi / 2 - margin);
-    constexpr double step = 1e-4;
-    const double theta_step = step * at.half_angle;
-    const Coefficients c = coefficients(at.half_angle, angle);
-    Coefficients slopes[4] = {c, c, c, c};
-    if constexpr (!std::is_same_v<Real, double>) {
-      slopes[0] = coefficients(at.half_angle - theta_step, angle);
-      slopes[1] = coefficients(at.half_angle + theta_step, angle);
-      slopes[2] = coefficients(at.half_angle, angle - step);
-      slopes[3] = coefficients(at.half_angle, angle + step);
-    }
-    // d sin^2 a/da
-    const double growth = std::sin(2 * angle);
-    const auto number = [&](auto part, int i) -> Real {
-      const auto difference = [&](int low, double width) {
-        return ((slopes[low + 1].*part)[i] - (slopes[low].*part)[i]) /
-               (2 * width);
-      };
-      return chained(theta0, sine2, (c.*part)[i], difference(0, theta_step),
-                     difference(2, step) / growth);
-    };
-    const auto strength = [&](int i) -> Real {
-      return coefficient_ * normal * number(&Coefficients::pressure, i) +
-             adhesion_ * rho * rho * number(&Coefficients::area, i);
-    };
-    const Vector<Real> along = n * Real(n.dot(u));
-    result.force -= u.cross(n) * strength(0);
-    result.moment = -rho * ((u - along) * strength(1) + along * strength(2));
-    return result;
+    add_ball_friction(touch, result);
+  } else {
+    add_pin_friction(touch, result);
   }
-  // A pin's two parts: the force that goes with the slip at the contact's
-  // centre, and what its curved surface adds to the moment.
+  return result;
+}
+
+template <class Real>
+void PlayJoint::add_ball_friction(const Touch<Real>& touch,
+                                  Wrench<Real>& to) const {
+  using std::sqrt;
+  const double rho = law_.geometry().radius();
+  const double vs = options_.regularisation_speed;
+  // u = Dw_eff/|Dw_eff| with the regularisation: smooth through 0.
+  const Vector<Real> slip = touch.rate + touch.n.cross(touch.velocity) / rho;
+  const Real speed2 = slip.squaredNorm();
+  const Vector<Real> u = slip * (rho / sqrt(rho * rho * speed2 + vs * vs));
+  // sin^2 a; the coefficients are even about a = 0 and 90 deg, where they
+  // would be 0/0.
+  const Real spin = touch.n.dot(slip);
+  const Real sine2 =
+      value_of(speed2) > 0 ? Real(spin * spin / speed2) : Real(0 * spin);
+  constexpr double margin = 1e-3;
+  const double angle =
+      std::clamp(std::asin(std::sqrt(std::clamp(value_of(sine2), 0.0, 1.0))),
+                 margin, pi / 2 - margin);
+  constexpr double step = 1e-4;
+  const double half_angle = touch.at.half_angle;
+  const double half_angle_step = step * half_angle;
+  const Coefficients c = coefficients(half_angle, angle);
+  Coefficients ends[4] = {c, c, c, c};
+  if constexpr (!std::is_same_v<Real, double>) {
+    ends[0] = coefficients(half_angle - half_angle_step, angle);
+    ends[1] = coefficients(half_angle + half_angle_step, angle);
+    ends[2] = coefficients(half_angle, angle - step);
+    ends[3] = coefficients(half_angle, angle + step);
+  }
+  const Real theta0 =
+      chained(touch.delta, half_angle, touch.at.half_angle_slope);
+  const auto number = [&](auto part, int i) -> Real {
+    const double over_theta0 =
+        ((ends[1].*part)[i] - (ends[0].*part)[i]) / (2 * half_angle_step);
+    // d sin^2 a/da = sin 2a
+    const double over_sine2 = ((ends[3].*part)[i] - (ends[2].*part)[i]) /
+                              (2 * step * std::sin(2 * angle));
+    return chained(theta0, sine2, (c.*part)[i], over_theta0, over_sine2);
+  };
+  const auto strength = [&](int i) -> Real {
+    return coefficient_ * touch.normal * number(&Coefficients::pressure, i) +
+           adhesion_ * rho * rho * number(&Coefficients::area, i);
+  };
+  const Vector<Real> along = touch.n * Real(touch.n.dot(u));
+  to.force -= u.cross(touch.n) * strength(0);
+  to.moment = -rho * ((u - along) * strength(1) + along * strength(2));
+}
+
+// Two parts: the force that goes with the slip at the contact's centre, and
+// what the curved surface adds to its moment.
+template <class Real>
+void PlayJoint::add_pin_friction(const Touch<Real>& touch,
+                                 Wrench<Real>& to) const {
+  using std::sin;
+  using std::sqrt;
+  const JointGeometry& geometry = law_.geometry();
+  const ForceState& at = touch.at;
+  const double rho = geometry.radius();
+  const double vs = options_.regularisation_speed;
   const auto direction = [vs](const Real& v) -> Real {
     return v / sqrt(v * v + vs * vs);
   };
-  using std::sin;
-  const Vector<Real> t = axis.cross(n);
-  const Real turn = rho * Real(axis.dot(rate));
-  const Real slip = turn + Real(t.dot(velocity));
+  const Vector<Real> t = touch.axis.cross(touch.n);
+  const Real turn = rho * Real(touch.axis.dot(touch.rate));
+  const Real slip = turn + Real(t.dot(touch.velocity));
   const double area = 2 * adhesion_ * rho * geometry.length();
+  const Real theta0 = chained(touch.delta, at.half_angle, at.half_angle_slope);
+  // S - 1 and its slope, from W = (F/2) (delta - eps (S - 1)).
   const Real excess =
-      chained(delta, at.force_ratio - 1,
-              (2 * at.energy * at.slope / (at.force * at.force) - 1) / eps);
+      chained(touch.delta, at.force_ratio - 1,
+              (2 * at.energy * at.slope / (at.force * at.force) - 1) /
+                  geometry.radial_clearance());
   const Real friction =
-      (coefficient_ * normal + area * sin(theta0)) * direction(slip);
+      (coefficient_ * touch.normal + area * sin(theta0)) * direction(slip);
   const Real own =
-      (coefficient_ * normal * excess + area * (theta0 - sin(theta0))) *
+      (coefficient_ * touch.normal * excess + area * (theta0 - sin(theta0))) *
       direction(turn);
-  result.force -= t * friction;
-  result.moment = axis * Real(-rho * (friction + own));
-  return result;
+  to.force -= t * friction;
+  to.moment = touch.axis * Real(-rho * (friction + own));
 }
 
 namespace {

@@ -116,9 +116,15 @@ class PlayJoint {
  private:
   struct Coefficients;
   template <class Real>
+  struct Touch;
+  template <class Real>
   struct Wrench;
   template <class Real>
   Wrench<Real> wrench(const PlayMotion& motion) const;
+  template <class Real>
+  void add_ball_friction(const Touch<Real>& touch, Wrench<Real>& to) const;
+  template <class Real>
+  void add_pin_friction(const Touch<Real>& touch, Wrench<Real>& to) const;
   Coefficients coefficients(double half_angle, double axis) const noexcept;
   Eigen::Vector3d offset(const PlayMotion& motion) const noexcept;
 

@@ -42,7 +42,7 @@ TEST(RestitutionAccuracy, IsExact) {
     others.add(other.hunt_crossley, row.value("e_of_hunt_crossley"), label);
     others.add(other.flores, row.value("e_of_flores"), label);
   }
-  for (const auto* report : {&number, &back, &energy, &others}) report->check();
+  for (auto* report : {&number, &back, &energy, &others}) report->check();
 }
 
 // e = 1 - 2X/3 + 4X^2/9 - 44X^3/135 + ... and X(e) there and back, from next to
@@ -119,7 +119,7 @@ TEST(ImpactAccuracy, IsTheReference) {
       EXPECT_NEAR(is.compression_time / is.restitution_time, 1, 1e-12);
     }
   }
-  for (const auto* report : {&damping, &penetration, &time}) report->check();
+  for (auto* report : {&damping, &penetration, &time}) report->check();
 }
 
 TEST(ImpactContract, SaysWhereTheModelEnds) {

@@ -189,7 +189,7 @@ class Trajectory {
           columns_[i] + ", " + row.label());
     }
   }
-  void check() const { report_.check(); }
+  void check() { report_.check(); }
 
  private:
   ReferenceTable table_;
