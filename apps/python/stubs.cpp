@@ -5,6 +5,7 @@
 #include <string>
 
 #include "libcontact/quantities/fit.hpp"
+#include "libcontact/quantities/play.hpp"
 #include "libcontact/quantities/tables.hpp"
 
 namespace {
@@ -63,6 +64,9 @@ int main() {
       {"@Coefficients@", arrays(contact::coefficient_quantities())},
       {"@Joint@", methods(contact::patch_quantities()) +
                       methods(contact::approach_quantities())},
+      {"@ForceState@", arrays(contact::force_state_quantities())},
+      {"@Impact@", arrays(contact::impact_quantities())},
+      {"@PlayForce@", arrays(contact::play_force_quantities())},
       {"@Cycle@", numbers()},
       {"@Fit@", fit()}};
   for (std::string line; std::getline(std::cin, line);) {

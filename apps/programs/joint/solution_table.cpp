@@ -3,18 +3,14 @@
 #include <algorithm>
 
 #include "cli/output.hpp"
-#include "cli/progress.hpp"
-#include "cli/stream/ordered_blocks.hpp"
 #include "cli/stream/report.hpp"
+#include "cli/stream/row_blocks.hpp"
 
 namespace hinge_joint {
 namespace {
 
 // Some rows on their way through the program.
-struct Block {
-  std::size_t first;
-  std::size_t last;
-  cli::Text rows;
+struct Block : cli::RowBlock {
   Problems problems;
 };
 
@@ -75,46 +71,27 @@ Problems write_solutions(const Setup& setup, const Inputs& inputs,
                          const Beside& beside,
                          const cli::OutputOptions& options,
                          const std::function<void()>& begin) {
-  // Large against the cost of passing a block between threads.
-  constexpr std::size_t block_rows = 256;
   const std::vector<AnswerColumn> columns = columns_of(setup, inputs);
-  const std::size_t size = inputs.size() * setup.joints.size();
+  const std::size_t joints = setup.joints.size();
   cli::Output output(options.output);
   const cli::Table table(options,
                          solution_columns(setup.joints[0], columns, beside));
   begin();
-  cli::TableWriter writer(output, table);
-  cli::Progress progress("rows", size);
+  cli::NumberedRows rows(inputs.size() * joints);
   Problems problems;
-  std::size_t taken = 0;
-  cli::ordered_blocks<Block>(
-      options.jobs,
-      [&](Block& block) {
-        block.first = taken;
-        block.last = taken = std::min(taken + block_rows, size);
-        return block.first < block.last;
-      },
-      [&](Block& block) {
-        block.rows.clear();
+  cli::write_rows<Block>(
+      options, output, table, rows, "rows",
+      [&](Block& block, cli::RowWriter& row) {
         block.problems = {};
-        cli::RowWriter row(table, block.rows);
         for (std::size_t i = block.first; i < block.last; ++i) {
-          const std::size_t j = i % setup.joints.size();
-          const NamedJoint& joint = setup.joints[j];
-          const Answer a =
-              answer(joint, inputs.question(), inputs[i / setup.joints.size()]);
-          block.problems.add(a, j);
+          const NamedJoint& joint = setup.joints[i % joints];
+          const Answer a = answer(joint, inputs.question(), inputs[i / joints]);
+          block.problems.add(a, i % joints);
           write_cells(row, joint, columns, a, i + 1, beside);
           row.end();
         }
       },
-      [&](const Block& block) {
-        writer.write(block.rows.view());
-        progress.add(block.last - block.first);
-        problems.add(block.problems);
-      });
-  writer.finish();
-  output.commit();
+      [&](const Block& block) { problems.add(block.problems); });
   return problems;
 }
 
