@@ -7,7 +7,7 @@
 
 #include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
-#include "libcontact/duty/cycle_rows.hpp"
+#include "libcontact/duty/duty_cycle.hpp"
 #include "libcontact/duty/wear_map.hpp"
 #include "python/contact_warning.hpp"
 #include "python/file_joint.hpp"
@@ -16,11 +16,10 @@
 namespace contact_python {
 namespace {
 
-using contact::CycleInstant;
+using Instant = contact::JointCycle::Instant;
 using contact::DutyCycle;
 using contact::JointBody;
 using contact::JointCycle;
-using contact::PeriodicSpline;
 using contact::WearMap;
 using Eigen::Vector3d;
 
@@ -47,7 +46,7 @@ class Cycle {
 
   const JointCycle& on() const { return on_; }
   // rho |Dw|, m/s.
-  double rim_speed(const CycleInstant& i) const {
+  double rim_speed(const Instant& i) const {
     return contact().geometry().radius() * i.state.angular_velocity.norm();
   }
   const contact::JointContact& contact() const { return on_.contact(); }
@@ -70,29 +69,26 @@ std::unique_ptr<Cycle> make_cycle(const FileJoint& joint, const Numbers& time,
                                   std::optional<double> period,
                                   const std::string& force_on,
                                   const std::string& force_in) {
-  const contact::ForceFrame frame{body_of("force_on", force_on),
-                                  body_of("force_in", force_in)};
-  contact::CycleRows rows{{time.data(), time.data() + time.size()},
-                          vectors("force", force),
-                          vectors(sequence ? "angles" : "rates", motion),
-                          period};
-  warn(make_one_period(rows), 3);  // that of Joint.cycle()
+  const contact::DutyCycle::ForceFrame frame{body_of("force_on", force_on),
+                                             body_of("force_in", force_in)};
+  contact::DutyCycle::Rows rows{{time.data(), time.data() + time.size()},
+                                vectors("force", force),
+                                vectors(sequence ? "angles" : "rates", motion),
+                                period};
+  warn(rows.make_one_period(), 3);  // that of Joint.cycle()
   if (!rows.period) {
     throw contact::Error(contact::detail::needs(
         "times with uneven steps",
         "period: the time from the first row to its return"));
   }
-  PeriodicSpline forces(rows.times, *rows.period, rows.forces);
-  PeriodicSpline spline(rows.times, *rows.period, rows.motion);
   std::unique_ptr<Cycle> cycle;
   contact::LargestContact largest;
   {
     const Unlocked unlocked;
     cycle = std::make_unique<Cycle>(
         joint.joint(),
-        sequence ? DutyCycle(std::move(forces), frame, std::move(spline),
-                             contact::TurnSequence(*sequence))
-                 : DutyCycle(std::move(forces), frame, std::move(spline)));
+        sequence ? DutyCycle(rows, frame, DutyCycle::TurnSequence(*sequence))
+                 : DutyCycle(rows, frame));
     largest = cycle->on().largest_contact();
   }
   warn_of(joint.limits(), largest, frames_of_maker);
@@ -102,7 +98,7 @@ std::unique_ptr<Cycle> make_cycle(const FileJoint& joint, const Numbers& time,
 template <class Row, class Function>
 Answers<Row> of_rows(const Cycle& cycle, const Function& row) {
   Answers<Row> all{{py::ssize_t(cycle.on().rows().size())}, {}};
-  for (const CycleInstant& i : cycle.on().rows()) all.rows.push_back(row(i));
+  for (const Instant& i : cycle.on().rows()) all.rows.push_back(row(i));
   return all;
 }
 
@@ -121,13 +117,13 @@ JointCycle::Quantity quantity(const Cycle& cycle, const std::string& name) {
   };
   for (const auto& field : solution_fields()) {
     if (field.name != name) continue;
-    return [number, &field](const CycleInstant& i) {
+    return [number, &field](const Instant& i) {
       return number(field, i.solution);
     };
   }
   for (const auto& field : rating_fields()) {
     if (field.name != name) continue;
-    return [number, &field, &cycle](const CycleInstant& i) {
+    return [number, &field, &cycle](const Instant& i) {
       return number(field, rating(cycle.on().sliding(i)));
     };
   }
@@ -137,7 +133,7 @@ JointCycle::Quantity quantity(const Cycle& cycle, const std::string& name) {
 
 py::object largest(const Cycle& cycle, const std::string& name) {
   const auto of = quantity(cycle, name);
-  CycleInstant instant;
+  Instant instant;
   {
     const Unlocked unlocked;
     instant = cycle.on().largest(of);
@@ -194,8 +190,8 @@ py::dict wear(const Cycle& cycle, const std::string& body, int points) {
                   "deepest_cross_shear"_a = deepest.wear.cross_shear);
 }
 
-Answers<contact::WornState> wear_in(const Cycle& cycle, double coefficient,
-                                    double cycles) {
+Answers<contact::WearIn::State> wear_in(const Cycle& cycle, double coefficient,
+                                        double cycles) {
   contact::WearIn worn;
   {
     const Unlocked unlocked;
@@ -214,19 +210,19 @@ void bind_integrals(py::class_<Cycle>& type) {
   number(
       "energy",
       [](const Cycle&) {
-        return [](const CycleInstant& i) { return -i.solution.power; };
+        return [](const Instant& i) { return -i.solution.power; };
       },
       "Dissipated by friction in one cycle, J.");
   number(
       "sliding_path",
       [](const Cycle& c) {
-        return [&c](const CycleInstant& i) { return c.rim_speed(i); };
+        return [&c](const Instant& i) { return c.rim_speed(i); };
       },
       "Of the rim in one cycle: integral of rho |Dw|, m.");
   number(
       "effective_sliding_distance",
       [](const Cycle& c) {
-        return [&c](const CycleInstant& i) {
+        return [&c](const Instant& i) {
           return c.rim_speed(i) * c.on().sliding(i).slip_coefficient();
         };
       },
@@ -234,9 +230,7 @@ void bind_integrals(py::class_<Cycle>& type) {
   number(
       "pv_integral",
       [](const Cycle& c) {
-        return [&c](const CycleInstant& i) {
-          return c.on().sliding(i).pv_total();
-        };
+        return [&c](const Instant& i) { return c.on().sliding(i).pv_total(); };
       },
       "Of p v over contact and time, J; times k it is the worn volume.");
 }
@@ -258,7 +252,7 @@ void bind_duty(py::module_& m) {
       "contact_spread",
       [](const Cycle& c) {
         const Unlocked unlocked;
-        return contact::contact_spread(c.on());
+        return c.on().contact_spread();
       },
       "Root mean square angle of the contact from the middle of its places on "
       "the seat, weight p v, rad.");
@@ -272,15 +266,14 @@ void bind_duty(py::module_& m) {
       "solution",
       [](const Cycle& c) {
         return of_rows<contact::JointSolution>(
-            c, [](const CycleInstant& i) { return i.solution; });
+            c, [](const Instant& i) { return i.solution; });
       },
       "Friction at the rows: a Solution.");
   type.def_property_readonly(
       "rating",
       [](const Cycle& c) {
-        return of_rows<Rating>(c, [&](const CycleInstant& i) {
-          return rating(c.on().sliding(i));
-        });
+        return of_rows<Rating>(
+            c, [&](const Instant& i) { return rating(c.on().sliding(i)); });
       },
       "p v and heat at the rows: a Rating.");
   type.def("largest", &largest, py::arg("quantity"),

@@ -4,7 +4,7 @@ namespace contact_python {
 namespace {
 
 using contact::JointSolution;
-using contact::WornState;
+using State = contact::WearIn::State;
 
 const Field<JointSolution> of_solution[] = {
     {"status", [](const JointSolution& s) { return int(s.status); },
@@ -86,26 +86,25 @@ const Field<Rating> of_rating[] = {
      "L: pv_total is rho |Dw| R_n L."},
 };
 
-const Field<WornState> of_worn[] = {
-    {"cycles", [](const WornState& w) { return w.cycles; }, "After them."},
-    {"volume", [](const WornState& w) { return w.volume; },
+const Field<State> of_worn[] = {
+    {"cycles", [](const State& w) { return w.cycles; }, "After them."},
+    {"volume", [](const State& w) { return w.volume; },
      "Worn off the seat or hole, m^3; reliable."},
-    {"wear_number", [](const WornState& w) { return w.wear_number; },
+    {"wear_number", [](const State& w) { return w.wear_number; },
      "v: volume over pi rho^2 eps, of a pin 2 rho eps l."},
-    {"penetration", [](const WornState& w) { return w.penetration; },
+    {"penetration", [](const State& w) { return w.penetration; },
      "Deepest wear, m, to 8 %, once most of it is wear; no creep."},
-    {"worn_share", [](const WornState& w) { return w.worn_share; },
+    {"worn_share", [](const State& w) { return w.worn_share; },
      "Share of the law \"worn\" in the pressure; the rest is the joint's."},
-    {"half_angle", [](const WornState& w) { return w.half_angle; },
+    {"half_angle", [](const State& w) { return w.half_angle; },
      "Largest of a cycle then, rad, to 1.1 deg."},
-    {"peak_pressure", [](const WornState& w) { return w.peak_pressure; },
+    {"peak_pressure", [](const State& w) { return w.peak_pressure; },
      "Largest of a cycle then, Pa, to 6 %; of a ball much worn up to 17 % too "
      "high."},
-    {"pv_max", [](const WornState& w) { return w.pv; },
+    {"pv_max", [](const State& w) { return w.pv; },
      "Largest of a cycle then, W/m^2."},
-    {"energy", [](const WornState& w) { return w.energy; },
-     "Of a cycle then, J."},
-    {"mean_moment", [](const WornState& w) { return w.mean_moment; },
+    {"energy", [](const State& w) { return w.energy; }, "Of a cycle then, J."},
+    {"mean_moment", [](const State& w) { return w.mean_moment; },
      "Of friction over a cycle then, N m."},
 };
 
@@ -126,6 +125,6 @@ std::span<const Field<JointSolution>> solution_fields() { return of_solution; }
 
 std::span<const Field<Rating>> rating_fields() { return of_rating; }
 
-std::span<const Field<WornState>> worn_fields() { return of_worn; }
+std::span<const Field<State>> worn_fields() { return of_worn; }
 
 }  // namespace contact_python

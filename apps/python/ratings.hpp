@@ -11,8 +11,8 @@ namespace contact_python {
 
 /// What a bearing is rated by: a SlidingContact without what it refers to.
 struct Rating {
-  contact::ContactPeak pv;
-  contact::ContactPeak heat_flux;
+  contact::SlidingContact::Peak pv;
+  contact::SlidingContact::Peak heat_flux;
   double pv_mean;
   double pv_nominal;
   double pv_total;
@@ -24,6 +24,6 @@ Rating rating(const contact::SlidingContact& sliding);
 /// The attributes of results.
 std::span<const Field<contact::JointSolution>> solution_fields();
 std::span<const Field<Rating>> rating_fields();
-std::span<const Field<contact::WornState>> worn_fields();
+std::span<const Field<contact::WearIn::State>> worn_fields();
 
 }  // namespace contact_python

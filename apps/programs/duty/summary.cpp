@@ -12,7 +12,7 @@
 namespace hinge_duty {
 namespace {
 
-using contact::CycleInstant;
+using Instant = contact::JointCycle::Instant;
 using contact::degree;
 using contact::JointCycle;
 using Eigen::Vector3d;
@@ -58,26 +58,24 @@ class Lines {
   cli::RowWriter row_;
 };
 
-double moment(const CycleInstant& i) {
-  return i.solution.friction_moment.norm();
-}
+double moment(const Instant& i) { return i.solution.friction_moment.norm(); }
 
 void write_integrals(const JointCycle& cycle, double pv_integral, Lines& to) {
   const double period = cycle.cycle().period();
   const double rho = cycle.contact().geometry().radius();
   const double energy =
-      cycle.integral([](const CycleInstant& i) { return -i.solution.power; });
+      cycle.integral([](const Instant& i) { return -i.solution.power; });
   to.number("period_s", period, "one cycle; integrals and means are over it");
   to.number("closure_deg", cycle.cycle().closure() / degree,
             "by which the turn of integrated rates fails to close");
   to.number("energy_J", energy, "dissipated by friction");
   to.number("mean_heat_W", energy / period, "energy over period");
-  to.number("sliding_path_m", cycle.integral([&](const CycleInstant& i) {
+  to.number("sliding_path_m", cycle.integral([&](const Instant& i) {
     return rho * i.state.angular_velocity.norm();
   }),
             "of the rim: integral of rho |Dw|");
   to.number("effective_sliding_distance_m",
-            cycle.integral([&](const CycleInstant& i) {
+            cycle.integral([&](const Instant& i) {
               return rho * i.state.angular_velocity.norm() *
                      cycle.sliding(i).slip_coefficient();
             }),
@@ -86,7 +84,7 @@ void write_integrals(const JointCycle& cycle, double pv_integral, Lines& to) {
             "of p v over contact and time; times k: volume");
   to.number("mean_M_t_N_m", cycle.integral(moment) / period,
             "mean of the friction moment");
-  to.number("contact_spread_deg", contact_spread(cycle) / degree,
+  to.number("contact_spread_deg", cycle.contact_spread() / degree,
             "of the contact over the seat: rms angle from its middle, weight "
             "p v");
 }
@@ -95,7 +93,7 @@ void write_moments(const JointCycle& cycle, Lines& to) {
   constexpr std::string_view axes[] = {"x", "y", "z"};
   for (int k = 0; k < 3; ++k) {
     for (const int sign : {-1, 1}) {
-      const CycleInstant most = cycle.largest([&](const CycleInstant& i) {
+      const Instant most = cycle.largest([&](const Instant& i) {
         return sign * i.solution.friction_moment[k];
       });
       to.at_time(
@@ -110,30 +108,30 @@ void write_peaks(const JointCycle& cycle, Lines& to) {
   const auto peak = [&](std::string_view name,
                         const JointCycle::Quantity& quantity, double unit,
                         std::string_view meaning) {
-    const CycleInstant i = cycle.largest(quantity);
+    const Instant i = cycle.largest(quantity);
     to.at_time(name, quantity(i) / unit, i.time, meaning);
   };
-  const auto pv = [&](const CycleInstant& i) {
+  const auto pv = [&](const Instant& i) {
     return cycle.sliding(i).largest_pv().value;
   };
-  const auto heat = [&](const CycleInstant& i) {
+  const auto heat = [&](const Instant& i) {
     return cycle.sliding(i).largest_heat_flux().value;
   };
   peak("largest_M_t_N_m", moment, 1, "friction moment");
   write_moments(cycle, to);
   peak(
       "largest_p_peak_Pa",
-      [](const CycleInstant& i) { return i.solution.peak_pressure; }, 1,
+      [](const Instant& i) { return i.solution.peak_pressure; }, 1,
       "peak pressure");
   peak(
       "largest_theta0_deg",
-      [](const CycleInstant& i) { return i.solution.half_angle; }, degree,
+      [](const Instant& i) { return i.solution.half_angle; }, degree,
       "half-angle of the contact");
   peak(
       "least_theta0_deg",
-      [](const CycleInstant& i) { return -i.solution.half_angle; }, -degree,
+      [](const Instant& i) { return -i.solution.half_angle; }, -degree,
       "half-angle of the contact");
-  CycleInstant i = cycle.largest(pv);
+  Instant i = cycle.largest(pv);
   to.at_place("largest_pv_max_W_per_m2", pv(i), i.time,
               cycle.sliding(i).largest_pv().place,
               "largest p v; x, y, z from the joint's centre, carrier axes");
@@ -143,7 +141,7 @@ void write_peaks(const JointCycle& cycle, Lines& to) {
               "largest heat flux of friction, into both bodies");
   peak(
       "largest_pv_nominal_W_per_m2",
-      [&](const CycleInstant& x) { return cycle.sliding(x).pv_nominal(); }, 1,
+      [&](const Instant& x) { return cycle.sliding(x).pv_nominal(); }, 1,
       "p v with the next area; catalogues may have another");
   to.number("nominal_area_m2",
             1 / cycle.contact().geometry().nominal_pressure(1),
@@ -185,13 +183,13 @@ void write_measured(const MeasuredWear& measured, double pv_integral,
 
 void write_summary(const JointCycle& cycle, const std::vector<BodyWear>& wear,
                    const std::optional<MeasuredWear>& measured,
-                   const std::vector<contact::WornState>& worn,
+                   const std::vector<contact::WearIn::State>& worn,
                    cli::Output& output, const cli::TableStyle& style) {
   const cli::Table table(
       style, {"quantity", "value", "at_time_s", "x", "y", "z", "meaning"});
   Lines lines(table);
   const double pv_integral = cycle.integral(
-      [&](const CycleInstant& i) { return cycle.sliding(i).pv_total(); });
+      [&](const Instant& i) { return cycle.sliding(i).pv_total(); });
   write_integrals(cycle, pv_integral, lines);
   write_peaks(cycle, lines);
   for (const BodyWear& w : wear) write_wear(w, pv_integral, lines);

@@ -13,7 +13,7 @@
 namespace hinge_duty {
 namespace {
 
-using contact::CycleInstant;
+using Instant = contact::JointCycle::Instant;
 using contact::degree;
 using contact::SlidingContact;
 using Eigen::Vector3d;
@@ -34,16 +34,16 @@ void write_table(cli::TableStyle style, const std::vector<std::string>& columns,
 
 struct StateColumn {
   std::string name;
-  std::function<double(const CycleInstant&, const SlidingContact&)> of;
+  std::function<double(const Instant&, const SlidingContact&)> of;
 };
 
 std::vector<StateColumn> state_columns() {
   std::vector<StateColumn> all;
-  using Number = double (*)(const CycleInstant&, const SlidingContact&);
+  using Number = double (*)(const Instant&, const SlidingContact&);
   const auto number = [&](const char* name, Number of) {
     all.push_back({name, of});
   };
-  using Vector = const Vector3d& (*)(const CycleInstant&);
+  using Vector = const Vector3d& (*)(const Instant&);
   const auto vector = [&](const std::string& name, const std::string& unit,
                           Vector of) {
     for (const int k : {0, 1, 2}) {
@@ -53,7 +53,7 @@ std::vector<StateColumn> state_columns() {
                      }});
     }
   };
-  using I = const CycleInstant&;
+  using I = const Instant&;
   using S = const SlidingContact&;
   number("time_s", [](I i, S) { return i.time; });
   vector("R", "_N", [](I i) -> const Vector3d& { return i.state.reaction; });
@@ -86,11 +86,11 @@ std::vector<std::string> names_of(const Columns& columns) {
 
 }  // namespace
 
-void write_blocks(const std::vector<contact::WornState>& worn,
+void write_blocks(const std::vector<contact::WearIn::State>& worn,
                   cli::Output& output, cli::TableStyle style) {
   write_table(std::move(style), names_of(worn_quantities), output,
               [&](cli::RowWriter& to) {
-                for (const contact::WornState& state : worn) {
+                for (const contact::WearIn::State& state : worn) {
                   for (const WornQuantity& q : worn_quantities) {
                     to.number(q.of(state));
                   }
@@ -104,7 +104,7 @@ void write_states(const contact::JointCycle& cycle, cli::Output& output,
   const auto columns = state_columns();
   write_table(std::move(style), names_of(columns), output,
               [&](cli::RowWriter& to) {
-                for (const CycleInstant& i : cycle.rows()) {
+                for (const Instant& i : cycle.rows()) {
                   const SlidingContact sliding = cycle.sliding(i);
                   for (const StateColumn& column : columns) {
                     to.number(column.of(i, sliding));

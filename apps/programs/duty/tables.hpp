@@ -12,7 +12,7 @@
 namespace hinge_duty {
 
 /// A row for each block of cycles, and one for the end.
-void write_blocks(const std::vector<contact::WornState>& worn,
+void write_blocks(const std::vector<contact::WearIn::State>& worn,
                   cli::Output& output, cli::TableStyle style);
 /// A row for each row of the cycle's file.
 void write_states(const contact::JointCycle& cycle, cli::Output& output,

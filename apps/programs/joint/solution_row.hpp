@@ -26,8 +26,8 @@ struct Answer {
   double nominal_pressure;  ///< Pa
   double nominal_area;      ///< m^2
   /// Of p |v| and of heat over the contact, if NamedJoint::pv.
-  contact::ContactPeak pv;
-  contact::ContactPeak heat;
+  contact::SlidingContact::Peak pv;
+  contact::SlidingContact::Peak heat;
   double pv_mean;     ///< W/m^2
   double pv_nominal;  ///< W/m^2
   double slip_coefficient;
