@@ -3,10 +3,8 @@
 /// What wears and heats a joint: p v, heat flux, duty cycles, wear maps.
 // clang-format off
 #include "libcontact/duty/sliding_contact.hpp"
-#include "libcontact/duty/cycle_rows.hpp"
 #include "libcontact/duty/duty_cycle.hpp"
 #include "libcontact/duty/joint_cycle.hpp"
 #include "libcontact/duty/wear_map.hpp"
-#include "libcontact/duty/wear_notes.hpp"
 #include "libcontact/duty/wear_in.hpp"
 // clang-format on

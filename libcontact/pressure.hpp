@@ -4,8 +4,6 @@
 // clang-format off
 #include "libcontact/pressure/law.hpp"
 #include "libcontact/pressure/shaped.hpp"
-#include "libcontact/pressure/profile.hpp"
 #include "libcontact/pressure/factory.hpp"
-#include "libcontact/pressure/hertz.hpp"
 #include "libcontact/pressure/validity.hpp"
 // clang-format on

@@ -1,7 +1,7 @@
 // What depends on a normal force, or on the laws alone.
 #include <pybind11/stl.h>
 
-#include "libcontact/friction/any_pressure.hpp"
+#include "libcontact/friction/friction_integrals.hpp"
 #include "libcontact/pressure/validity.hpp"
 #include "libcontact/quantities/tables.hpp"
 #include "python/answers.hpp"

@@ -7,7 +7,7 @@
 
 #include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
-#include "libcontact/duty/cycle_rows.hpp"
+#include "libcontact/duty/duty_cycle.hpp"
 #include "libcontact/duty/wear_map.hpp"
 #include "libcontact/quantities/tables.hpp"
 #include "python/answers.hpp"
@@ -17,11 +17,10 @@
 namespace contact_python {
 namespace {
 
-using contact::CycleInstant;
+using Instant = contact::JointCycle::Instant;
 using contact::DutyCycle;
 using contact::JointBody;
 using contact::JointCycle;
-using contact::PeriodicSpline;
 using contact::WearMap;
 using Eigen::Vector3d;
 
@@ -67,29 +66,26 @@ std::unique_ptr<Cycle> make_cycle(const FileJoint& joint, const Numbers& time,
                                   std::optional<double> period,
                                   const std::string& force_on,
                                   const std::string& force_in) {
-  const contact::ForceFrame frame{body_of("force_on", force_on),
-                                  body_of("force_in", force_in)};
-  contact::CycleRows rows{{time.data(), time.data() + time.size()},
-                          vectors("force", force),
-                          vectors(sequence ? "angles" : "rates", motion),
-                          period};
-  warn(make_one_period(rows), 3);  // that of Joint.cycle()
+  const contact::DutyCycle::ForceFrame frame{body_of("force_on", force_on),
+                                             body_of("force_in", force_in)};
+  contact::DutyCycle::Rows rows{{time.data(), time.data() + time.size()},
+                                vectors("force", force),
+                                vectors(sequence ? "angles" : "rates", motion),
+                                period};
+  warn(rows.make_one_period(), 3);  // that of Joint.cycle()
   if (!rows.period) {
     throw contact::Error(contact::detail::needs(
         "times with uneven steps",
         "period: the time from the first row to its return"));
   }
-  PeriodicSpline forces(rows.times, *rows.period, rows.forces);
-  PeriodicSpline spline(rows.times, *rows.period, rows.motion);
   std::unique_ptr<Cycle> cycle;
   contact::LargestContact largest;
   {
     const Unlocked unlocked;
     cycle = std::make_unique<Cycle>(
         joint.joint(),
-        sequence ? DutyCycle(std::move(forces), frame, std::move(spline),
-                             contact::TurnSequence(*sequence))
-                 : DutyCycle(std::move(forces), frame, std::move(spline)));
+        sequence ? DutyCycle(rows, frame, DutyCycle::TurnSequence(*sequence))
+                 : DutyCycle(rows, frame));
     largest = cycle->on().largest_contact();
   }
   warn_of(joint.limits(), largest, frames_of_maker);
@@ -99,17 +95,17 @@ std::unique_ptr<Cycle> make_cycle(const FileJoint& joint, const Numbers& time,
 template <class Row, class Function>
 Answers<Row> of_rows(const Cycle& cycle, const Function& row) {
   Answers<Row> all{{py::ssize_t(cycle.on().rows().size())}, {}};
-  for (const CycleInstant& i : cycle.on().rows()) all.rows.push_back(row(i));
+  for (const Instant& i : cycle.on().rows()) all.rows.push_back(row(i));
   return all;
 }
 
 // A quantity by its attribute's name; of a vector its length.
 JointCycle::Quantity quantity(const Cycle& cycle, const std::string& name) {
   if (const auto* q = find_quantity(contact::solution_quantities(), name)) {
-    return [q](const CycleInstant& i) { return number_of(*q, i.solution); };
+    return [q](const Instant& i) { return number_of(*q, i.solution); };
   }
   if (const auto* q = find_quantity(contact::rating_quantities(), name)) {
-    return [q, &cycle](const CycleInstant& i) {
+    return [q, &cycle](const Instant& i) {
       return number_of(*q, cycle.on().sliding(i).rating());
     };
   }
@@ -119,7 +115,7 @@ JointCycle::Quantity quantity(const Cycle& cycle, const std::string& name) {
 
 py::object largest(const Cycle& cycle, const std::string& name) {
   const auto of = quantity(cycle, name);
-  CycleInstant instant;
+  Instant instant;
   {
     const Unlocked unlocked;
     instant = cycle.on().largest(of);
@@ -171,8 +167,8 @@ py::dict wear(const Cycle& cycle, const std::string& body, int points) {
                   "deepest_cross_shear"_a = deepest.wear.cross_shear);
 }
 
-Answers<contact::WornState> wear_in(const Cycle& cycle, double coefficient,
-                                    double cycles) {
+Answers<contact::WearIn::State> wear_in(const Cycle& cycle, double coefficient,
+                                        double cycles) {
   contact::WearIn worn;
   {
     const Unlocked unlocked;
@@ -213,15 +209,14 @@ void bind_duty(py::module_& m) {
       "solution",
       [](const Cycle& c) {
         return of_rows<contact::JointSolution>(
-            c, [](const CycleInstant& i) { return i.solution; });
+            c, [](const Instant& i) { return i.solution; });
       },
       "Friction at the rows: a Solution.");
   type.def_property_readonly(
       "rating",
       [](const Cycle& c) {
-        return of_rows<contact::Rating>(c, [&](const CycleInstant& i) {
-          return c.on().sliding(i).rating();
-        });
+        return of_rows<contact::SlidingContact::Rating>(
+            c, [&](const Instant& i) { return c.on().sliding(i).rating(); });
       },
       "p v and heat at the rows: a Rating.");
   type.def("largest", &largest, py::arg("quantity"),

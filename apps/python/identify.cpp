@@ -15,7 +15,6 @@
 namespace contact_python {
 namespace {
 
-using contact::ConfidenceInterval;
 using contact::Estimate;
 using contact::FrictionFit;
 using contact::FrictionParameter;
@@ -79,7 +78,7 @@ std::unique_ptr<FrictionFit> identify(const FileJoint& joint,
   return fit;
 }
 
-std::pair<double, double> pair_of(const ConfidenceInterval& interval) {
+std::pair<double, double> pair_of(const Estimate::Interval& interval) {
   return {interval.low, interval.high};
 }
 
@@ -90,9 +89,7 @@ py::tuple predict(const FrictionFit& fit, const Numbers& reaction,
                           Argument("angular_velocity", rate, 3)};
   const auto of = [&](double Estimate::*what) {
     return evaluate(arguments, [&](const double* const* at) {
-      return contact::predicted_moment(fit, vector_at(at[0]),
-                                       vector_at(at[1])).*
-             what;
+      return fit.predicted_moment(vector_at(at[0]), vector_at(at[1])).*what;
     });
   };
   return py::make_tuple(of(&Estimate::value), of(&Estimate::standard_error));

@@ -87,11 +87,12 @@ Answers<RestSolution> at_rest(const FileJoint& self, const Numbers& reaction,
   return all;
 }
 
-Answers<contact::Rating> pv(const FileJoint& self, const Numbers& reaction,
-                            const Numbers& angular_velocity) {
+Answers<contact::SlidingContact::Rating> pv(const FileJoint& self,
+                                            const Numbers& reaction,
+                                            const Numbers& angular_velocity) {
   const contact::Joint& joint = self.joint();
   contact::LargestContact largest;
-  auto all = answers<contact::Rating>(
+  auto all = answers<contact::SlidingContact::Rating>(
       {{"reaction", reaction, 3}, {"angular_velocity", angular_velocity, 3}},
       [&](const double* const* at) {
         const Vector3d rate = vector_at(at[1]);

@@ -9,6 +9,7 @@
 
 #include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
+#include "libcontact/files/repeated_setting.hpp"
 #include "study/model/joint_model.hpp"
 #include "study/model/separation_model.hpp"
 

@@ -1,8 +1,15 @@
 #include "libcontact/base/instruction_set.hpp"
 
+#include <atomic>
+#include <cstdlib>
 #include <initializer_list>
+#include <string>
+#include <string_view>
 
+#include "libcontact/base/complaint.hpp"
+#include "libcontact/base/error.hpp"
 #include "libcontact/base/kernel_sets.hpp"
+#include "libcontact/base/text.hpp"
 
 namespace contact {
 
@@ -36,10 +43,6 @@ const std::vector<InstructionSet>& supported_instruction_sets() {
   return sets;
 }
 
-InstructionSet best_instruction_set() {
-  return supported_instruction_sets().back();
-}
-
 const char* name(InstructionSet set) {
   switch (set) {
     case InstructionSet::avx512:
@@ -51,4 +54,50 @@ const char* name(InstructionSet set) {
   }
 }
 
+namespace {
+
+constexpr const char* variable = "CONTACT_INSTRUCTION_SET";
+
+// What the environment says, "" for nothing.
+std::string_view asked() {
+  const char* const text = std::getenv(variable);
+  return text ? text : "";
+}
+
+std::atomic<InstructionSet>& of_process() {
+  static std::atomic<InstructionSet> chosen = [] {
+    const std::vector<InstructionSet>& sets = supported_instruction_sets();
+    for (const InstructionSet set : sets) {
+      if (asked() == name(set)) return set;
+    }
+    return sets.back();
+  }();
+  return chosen;
+}
+
+}  // namespace
+
+InstructionSet instruction_set() noexcept {
+  return of_process().load(std::memory_order_relaxed);
+}
+
+namespace detail {
+
+void check_instruction_set() {
+  if (asked().empty()) return;
+  std::vector<std::string> names;
+  for (const InstructionSet set : supported_instruction_sets()) {
+    if (asked() == name(set)) return;
+    names.emplace_back(name(set));
+  }
+  throw Error(must_be(message("{} = {}", variable, printable(asked())),
+                      message("{} on this machine", either(names))));
+}
+
+WithInstructionSet::WithInstructionSet(InstructionSet set)
+    : before_(of_process().exchange(set)) {}
+
+WithInstructionSet::~WithInstructionSet() { of_process() = before_; }
+
+}  // namespace detail
 }  // namespace contact

@@ -5,9 +5,9 @@
 namespace contact {
 
 /// Vector instruction sets the batch and exact kernels are compiled for. The
-/// best one of the machine is chosen at run time; results agree to rounding.
-/// Who asks for another one gets its numbers, bit for bit, on any machine that
-/// has it.
+/// widest of the machine is chosen at run time; results agree to rounding.
+/// CONTACT_INSTRUCTION_SET in the environment of a process names another one,
+/// whose numbers are the same, bit for bit, on any machine that has it.
 enum class InstructionSet { baseline, avx2, avx512 };
 
 /// Whether this machine and this build (clang: without `avx512`) can run `set`;
@@ -17,10 +17,30 @@ bool is_supported(InstructionSet set);
 /// Those that this machine can run, `baseline` first, the widest last.
 const std::vector<InstructionSet>& supported_instruction_sets();
 
-/// The widest supported instruction set.
-InstructionSet best_instruction_set();
-
 /// "baseline", "avx2" or "avx512".
 const char* name(InstructionSet set);
 
+/// The one that the kernels of this process take; the widest where
+/// CONTACT_INSTRUCTION_SET is unset or no supported one.
+InstructionSet instruction_set() noexcept;
+
+namespace detail {
+
+/// @throws Error if CONTACT_INSTRUCTION_SET is no supported instruction set.
+void check_instruction_set();
+
+/// Another instruction set, supported, for as long as this lives: for tests and
+/// benchmarks, which compare them. What holds a kernel keeps it.
+class WithInstructionSet {
+ public:
+  explicit WithInstructionSet(InstructionSet set);
+  ~WithInstructionSet();
+  WithInstructionSet(const WithInstructionSet&) = delete;
+  WithInstructionSet& operator=(const WithInstructionSet&) = delete;
+
+ private:
+  InstructionSet before_;
+};
+
+}  // namespace detail
 }  // namespace contact

@@ -4,7 +4,7 @@
 
 namespace contact {
 
-SineCosine sine_cosine_deg(double angle_deg) {
+SineCosine detail::sine_cosine_deg(double angle_deg) {
   int quadrant = 0;
   // remquo is exact: |rest| <= 45 degrees carries every digit of the input.
   const double rest = std::remquo(angle_deg, 90.0, &quadrant);

@@ -14,6 +14,8 @@ struct SineCosine {
   double cos;
 };
 
+namespace detail {
+
 /// Sine and cosine of an angle given in degrees, both to full relative
 /// accuracy: the angle is reduced exactly in degrees before it is converted,
 /// so cos(90 - x) is as accurate as sin(x), and sin and cos of multiples of
@@ -24,4 +26,5 @@ struct SineCosine {
 ///         (base/units_test.cpp, against 50-digit arithmetic).
 SineCosine sine_cosine_deg(double angle_deg);
 
+}  // namespace detail
 }  // namespace contact

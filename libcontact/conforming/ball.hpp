@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "libcontact/conforming/contact_pressure.hpp"
+#include "libcontact/conforming/exact_results.hpp"
 #include "libcontact/conforming/force_point.hpp"
 #include "libcontact/pair/inner_loading.hpp"
 #include "libcontact/pair/layers.hpp"

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "libcontact/base/root_finding.hpp"
+#include "libcontact/conforming/exact_results.hpp"
 #include "libcontact/pair/inner_loading.hpp"
 
 namespace contact::detail {

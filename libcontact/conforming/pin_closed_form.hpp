@@ -1,5 +1,6 @@
 #pragma once
 
+#include "libcontact/conforming/exact_results.hpp"
 #include "libcontact/pair/inner_loading.hpp"
 #include "libcontact/pair/material.hpp"
 

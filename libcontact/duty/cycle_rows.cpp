@@ -1,6 +1,7 @@
-#include "libcontact/duty/cycle_rows.hpp"
+#include "libcontact/duty/duty_cycle.hpp"
 
 #include <cmath>
+#include <optional>
 
 #include "libcontact/base/text.hpp"
 
@@ -30,7 +31,7 @@ bool ends_as_it_begins(const std::vector<Vector3d>& rows) {
   return (difference.array() <= tolerance * (largest - least).array()).all();
 }
 
-bool repeats_first(const CycleRows& rows) {
+bool repeats_first(const DutyCycle::Rows& rows) {
   const std::size_t count = rows.times.size();
   // Others are no cycle, which PeriodicSpline says.
   if (rows.forces.size() != count || rows.motion.size() != count) return false;
@@ -52,25 +53,25 @@ std::optional<double> even_period(const std::vector<double>& times) {
 
 }  // namespace
 
-std::string make_one_period(CycleRows& rows) {
-  if (rows.times.size() < 2) return {};
-  const double span = rows.times.back() - rows.times.front();
+std::string DutyCycle::Rows::make_one_period() {
+  if (times.size() < 2) return {};
+  const double span = times.back() - times.front();
   // Of times that are 0.01, 0.02, ...
   constexpr double rounding = 1e-9;
   const bool may_repeat =
-      !rows.period || std::abs(*rows.period - span) <= rounding * span;
-  if (!may_repeat || !repeats_first(rows)) {
-    if (!rows.period) rows.period = even_period(rows.times);
+      !period || std::abs(*period - span) <= rounding * span;
+  if (!may_repeat || !repeats_first(*this)) {
+    if (!period) period = even_period(times);
     return {};
   }
-  if (!rows.period) rows.period = span;
-  rows.times.pop_back();
-  rows.forces.pop_back();
-  rows.motion.pop_back();
+  if (!period) period = span;
+  times.pop_back();
+  forces.pop_back();
+  motion.pop_back();
   return detail::message(
       "the last row repeats the first and is left out: the period is {:.6g} s; "
       "state a longer one if it is a row of its own",
-      *rows.period);
+      *period);
 }
 
 }  // namespace contact

@@ -9,6 +9,7 @@
 #include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
 #include "libcontact/base/text.hpp"
+#include "libcontact/duty/periodic_spline.hpp"
 
 namespace contact {
 namespace {
@@ -69,7 +70,7 @@ std::vector<Least> least_values(const Function& function,
 
 }  // namespace
 
-TurnSequence::TurnSequence(std::string_view axes) {
+DutyCycle::TurnSequence::TurnSequence(std::string_view axes) {
   bool good = axes.size() == 1 || axes.size() == 3;
   for (std::size_t i = 0; i < axes.size() && good; ++i) {
     good =
@@ -82,7 +83,7 @@ TurnSequence::TurnSequence(std::string_view axes) {
       "three of the axes x, y, z, neighbours not alike, such as zxy"));
 }
 
-Quaterniond TurnSequence::turn(const Vector3d& angles) const {
+Quaterniond DutyCycle::TurnSequence::turn(const Vector3d& angles) const {
   Quaterniond turn = Quaterniond::Identity();
   for (std::size_t i = 0; i < axes_.size(); ++i) {
     turn = turn * AngleAxisd(angles[static_cast<int>(i)], axes_[i]);
@@ -90,8 +91,8 @@ Quaterniond TurnSequence::turn(const Vector3d& angles) const {
   return turn;
 }
 
-Vector3d TurnSequence::angular_velocity(const Vector3d& angles,
-                                        const Vector3d& angle_rates) const {
+Vector3d DutyCycle::TurnSequence::angular_velocity(
+    const Vector3d& angles, const Vector3d& angle_rates) const {
   Quaterniond turn = Quaterniond::Identity();
   Vector3d rate = Vector3d::Zero();
   for (std::size_t i = 0; i < axes_.size(); ++i) {
@@ -102,16 +103,23 @@ Vector3d TurnSequence::angular_velocity(const Vector3d& angles,
   return rate;
 }
 
-DutyCycle::DutyCycle(PeriodicSpline forces, ForceFrame frame,
-                     PeriodicSpline angles, TurnSequence sequence)
-    : forces_(std::move(forces)),
+// Of forces, and of angles or angular velocities.
+struct DutyCycle::Splines {
+  PeriodicSpline forces;
+  PeriodicSpline motion;
+
+  explicit Splines(const Rows& rows)
+      : forces(rows.times, rows.period.value_or(0), rows.forces),
+        motion(rows.times, rows.period.value_or(0), rows.motion) {}
+};
+
+DutyCycle::DutyCycle(const Rows& rows, ForceFrame frame, TurnSequence sequence)
+    : splines_(std::make_shared<const Splines>(rows)),
       frame_(frame),
-      motion_(std::move(angles)),
       sequence_(std::move(sequence)) {}
 
-DutyCycle::DutyCycle(PeriodicSpline forces, ForceFrame frame,
-                     PeriodicSpline rates)
-    : forces_(std::move(forces)), frame_(frame), motion_(std::move(rates)) {
+DutyCycle::DutyCycle(const Rows& rows, ForceFrame frame)
+    : splines_(std::make_shared<const Splines>(rows)), frame_(frame) {
   Quaterniond turn = Quaterniond::Identity();
   for (std::size_t i = 0; i < times().size(); ++i) {
     turns_.push_back(turn);
@@ -122,6 +130,12 @@ DutyCycle::DutyCycle(PeriodicSpline forces, ForceFrame frame,
   closure_ = turn.angularDistance(turns_.front());
 }
 
+const std::vector<double>& DutyCycle::times() const {
+  return splines_->motion.times();
+}
+
+double DutyCycle::period() const { return splines_->motion.period(); }
+
 // Q' = [Dw] Q.
 Quaterniond DutyCycle::turned(Quaterniond turn, double from, double to) const {
   constexpr int steps = 4;
@@ -129,8 +143,8 @@ Quaterniond DutyCycle::turned(Quaterniond turn, double from, double to) const {
   const double half_width = step / (2 * std::sqrt(3.0));
   for (int i = 0; i < steps; ++i) {
     const double middle = from + (i + 0.5) * step;
-    const Vector3d one = motion_.value(middle - half_width);
-    const Vector3d two = motion_.value(middle + half_width);
+    const Vector3d one = splines_->motion.value(middle - half_width);
+    const Vector3d two = splines_->motion.value(middle + half_width);
     turn = turn_by(step / 2 * (one + two) +
                    step * half_width / 2 * two.cross(one)) *
            turn;
@@ -138,9 +152,9 @@ Quaterniond DutyCycle::turned(Quaterniond turn, double from, double to) const {
   return turn.normalized();
 }
 
-CycleState DutyCycle::at(double time) const {
-  CycleState state;
-  const Vector3d motion = motion_.value(time);
+DutyCycle::State DutyCycle::at(double time) const {
+  State state;
+  const Vector3d motion = splines_->motion.value(time);
   state.angular_velocity = angular_velocity(time);
   if (sequence_) {
     state.turn = sequence_->turn(motion);
@@ -154,7 +168,7 @@ CycleState DutyCycle::at(double time) const {
         static_cast<std::size_t>(after - times().begin()) - 1;
     state.turn = turned(turns_[before], times()[before], within);
   }
-  state.reaction = forces_.value(time);
+  state.reaction = splines_->forces.value(time);
   if (frame_.axes == JointBody::body) {
     state.reaction = state.turn * state.reaction;
   }
@@ -163,9 +177,10 @@ CycleState DutyCycle::at(double time) const {
 }
 
 Vector3d DutyCycle::angular_velocity(double time) const {
-  const Vector3d motion = motion_.value(time);
-  return sequence_ ? sequence_->angular_velocity(motion, motion_.slope(time))
-                   : motion;
+  const Vector3d motion = splines_->motion.value(time);
+  return sequence_
+             ? sequence_->angular_velocity(motion, splines_->motion.slope(time))
+             : motion;
 }
 
 // Ends of intervals at the least values of |Dw| that are 0 or small. Near one
@@ -203,7 +218,7 @@ std::vector<double> DutyCycle::reversals(bool is_pin) const {
   return found;
 }
 
-std::vector<DutyCycle::Node> DutyCycle::nodes(bool is_pin) const {
+std::vector<DutyCycle::GaussPoint> DutyCycle::gauss_points(bool is_pin) const {
   std::vector<double> ends = times();
   ends.push_back(times().front() + period());
   const std::size_t count = ends.size();
@@ -222,17 +237,17 @@ std::vector<DutyCycle::Node> DutyCycle::nodes(bool is_pin) const {
   using Eight = boost::math::quadrature::gauss<double, 8>;
   const auto& places = is_pin ? Four::abscissa() : Eight::abscissa();
   const auto& weights = is_pin ? Four::weights() : Eight::weights();
-  std::vector<Node> nodes;
+  std::vector<GaussPoint> points;
   for (std::size_t i = 1; i < ends.size(); ++i) {
     const double middle = (ends[i] + ends[i - 1]) / 2;
     const double half = (ends[i] - ends[i - 1]) / 2;
     for (std::size_t k = 0; k < places.size(); ++k) {
       for (const double side : {-half, half}) {
-        nodes.push_back({middle + side * places[k], half * weights[k]});
+        points.push_back({middle + side * places[k], half * weights[k]});
       }
     }
   }
-  return nodes;
+  return points;
 }
 
 }  // namespace contact

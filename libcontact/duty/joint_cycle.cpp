@@ -12,7 +12,7 @@
 namespace contact {
 namespace {
 
-CycleInstant checked(CycleInstant instant) {
+JointCycle::Instant checked(JointCycle::Instant instant) {
   if (instant.solution.status == Status::ok) return instant;
   throw Error(detail::must_be(
       detail::message("the reaction at {:.6g} s, {:.6g} N", instant.time,
@@ -25,15 +25,15 @@ CycleInstant checked(CycleInstant instant) {
 JointCycle::JointCycle(DutyCycle cycle, Joint joint)
     : cycle_(std::move(cycle)), joint_(std::move(joint)) {
   for (const double time : cycle_.times()) rows_.push_back(checked(at(time)));
-  for (const auto& [time, weight] : cycle_.nodes(joint_.is_pin())) {
-    nodes_.push_back(checked(at(time)));
-    nodes_.back().weight = weight;
+  for (const auto& [time, weight] : cycle_.gauss_points(joint_.is_pin())) {
+    gauss_points_.push_back(checked(at(time)));
+    gauss_points_.back().weight = weight;
   }
 }
 
-CycleInstant JointCycle::at(double time) const noexcept {
-  CycleInstant instant{time, 0, cycle_.at(time), {}};
-  const CycleState& state = instant.state;
+JointCycle::Instant JointCycle::at(double time) const noexcept {
+  Instant instant{time, 0, cycle_.at(time), {}};
+  const DutyCycle::State& state = instant.state;
   instant.solution = joint_.solve({.reaction = state.reaction,
                                    .angular_velocity = state.angular_velocity,
                                    .axis = Eigen::Vector3d::UnitZ()});
@@ -42,11 +42,13 @@ CycleInstant JointCycle::at(double time) const noexcept {
 
 double JointCycle::integral(const Quantity& quantity) const {
   double sum = 0;
-  for (const CycleInstant& node : nodes_) sum += node.weight * quantity(node);
+  for (const Instant& point : gauss_points_) {
+    sum += point.weight * quantity(point);
+  }
   return sum;
 }
 
-CycleInstant JointCycle::largest(const Quantity& quantity) const {
+JointCycle::Instant JointCycle::largest(const Quantity& quantity) const {
   const auto best = std::ranges::max_element(rows_, {}, quantity);
   const double first = cycle_.times().front();
   const double period = cycle_.period();
@@ -59,19 +61,51 @@ CycleInstant JointCycle::largest(const Quantity& quantity) const {
       boost::math::tools::brent_find_minima(
           [&](double t) { return -quantity(at(t)); }, before, after, 26)
           .first;
-  CycleInstant found = at(time < first ? time + period : time);
+  JointCycle::Instant found = at(time < first ? time + period : time);
   return quantity(found) > quantity(*best) ? found : *best;
 }
 
 LargestContact JointCycle::largest_contact() const {
   const auto largest_of = [this](double JointSolution::*of) {
-    return largest([of](const CycleInstant& i) {
+    return largest([of](const JointCycle::Instant& i) {
              return i.solution.*of;
            }).solution.*
            of;
   };
   return {largest_of(&JointSolution::half_angle),
           largest_of(&JointSolution::peak_pressure)};
+}
+
+double JointCycle::contact_spread() const {
+  const bool in_body = contact().geometry().inner_body() == JointBody::carrier;
+  struct Place {
+    Eigen::Vector3d centre;
+    double weight;
+  };
+  std::vector<Place> places;
+  Place sum{Eigen::Vector3d::Zero(), 0};
+  for (const Instant& i : gauss_points_) {
+    const SlidingContact slip = sliding(i);
+    Place place{slip.centre(), i.weight * slip.pv_total()};
+    if (!(place.weight > 0)) continue;
+    if (in_body) place.centre = i.state.turn.conjugate() * place.centre;
+    sum.centre += place.weight * place.centre;
+    sum.weight += place.weight;
+    places.push_back(place);
+  }
+  if (places.empty()) return 0;
+  // A contact that goes round has no middle: any place serves.
+  constexpr double rounding = 1e-12;
+  const Eigen::Vector3d middle = sum.centre.norm() > rounding * sum.weight
+                                     ? sum.centre.normalized()
+                                     : places[0].centre;
+  double squares = 0;
+  for (const auto& [centre, weight] : places) {
+    const double chord = (centre - middle).norm();
+    const double angle = 2 * std::asin(std::min(chord / 2, 1.0));
+    squares += weight * angle * angle;
+  }
+  return std::sqrt(squares / sum.weight);
 }
 
 }  // namespace contact

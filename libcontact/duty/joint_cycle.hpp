@@ -11,19 +11,19 @@
 
 namespace contact {
 
-/// Friction of a joint at one time of its cycle.
-struct CycleInstant {
-  double time;    ///< s
-  double weight;  ///< in integrals over the period, s
-  CycleState state;
-  JointSolution solution;
-};
-
 /// A joint on its duty cycle: friction at the times of the cycle and at the
-/// nodes of its integrals. It has a cycle and a joint of its own; what
+/// Gauss points of its integrals. It has a cycle and a joint of its own; what
 /// sliding() gives refers to the latter.
 class JointCycle {
  public:
+  /// Friction of the joint at one time of its cycle.
+  struct Instant {
+    double time;    ///< s
+    double weight;  ///< in integrals over the period, s
+    DutyCycle::State state;
+    JointSolution solution;
+  };
+
   /// @param joint  a pin turns about Z
   /// @throws Error if the laws of the contact have no value at some time.
   JointCycle(DutyCycle cycle, Joint joint);
@@ -31,32 +31,36 @@ class JointCycle {
   const DutyCycle& cycle() const { return cycle_; }
   const JointContact& contact() const { return joint_.contact(); }
   /// At the times of the cycle; of no weight.
-  const std::vector<CycleInstant>& rows() const { return rows_; }
-  const std::vector<CycleInstant>& nodes() const { return nodes_; }
+  const std::vector<Instant>& rows() const { return rows_; }
+  const std::vector<Instant>& gauss_points() const { return gauss_points_; }
   /// Its solution has the status out_of_range where the laws have no value.
-  CycleInstant at(double time) const noexcept;
-  SlidingContact sliding(const CycleInstant& instant) const& noexcept {
+  Instant at(double time) const noexcept;
+  SlidingContact sliding(const Instant& instant) const& {
     return {contact(), instant.solution, instant.state.angular_velocity};
   }
 
   /// Would refer to a joint that is gone.
-  SlidingContact sliding(const CycleInstant&) const&& = delete;
+  SlidingContact sliding(const Instant&) const&& = delete;
 
-  using Quantity = std::function<double(const CycleInstant&)>;
+  using Quantity = std::function<double(const Instant&)>;
   /// Over one period; to 1e-9 for smooth cycles of 100 times
   /// (duty/joint_cycle_test.cpp).
   double integral(const Quantity& quantity) const;
   /// The largest value, to 1e-8: the largest of the rows, improved between its
   /// neighbours.
-  CycleInstant largest(const Quantity& quantity) const;
+  Instant largest(const Quantity& quantity) const;
   /// For ContactLimits; both as largest().
   LargestContact largest_contact() const;
+  /// How far the contact wanders over the seat or hole in a cycle: root mean
+  /// square of the angle between its centre and the middle of its places, in
+  /// the seat's axes and with the weight of p v, rad; 0 without p v.
+  double contact_spread() const;
 
  private:
   DutyCycle cycle_;
   Joint joint_;
-  std::vector<CycleInstant> rows_;
-  std::vector<CycleInstant> nodes_;
+  std::vector<Instant> rows_;
+  std::vector<Instant> gauss_points_;
 };
 
 }  // namespace contact

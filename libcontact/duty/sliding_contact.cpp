@@ -6,8 +6,9 @@
 #include <optional>
 
 #include "libcontact/base/highest.hpp"
-#include "libcontact/friction/any_pressure.hpp"
+#include "libcontact/friction/friction_integrals.hpp"
 #include "libcontact/pressure/expanded.hpp"
+#include "libcontact/pressure/profile.hpp"
 
 namespace contact {
 namespace {
@@ -60,13 +61,26 @@ double flat_peak(double n, double k) {
   return 1 / (r + std::sqrt(r * r + 1 + 2 * n));
 }
 
+// Pa, of pressure and sliding speed.
+double friction_stress(const FrictionModel& friction, double pressure,
+                       double speed) {
+  if (const auto* dry = std::get_if<FrictionLaw>(&friction)) {
+    return dry->stress_at(pressure);
+  }
+  if (const auto* viscous = std::get_if<ViscousLaw>(&friction)) {
+    return viscous->stress_at(pressure, speed);
+  }
+  return std::get<FrictionStress>(friction).stress_at(pressure, speed);
+}
+
 }  // namespace
 
 SlidingContact::SlidingContact(const JointContact& contact,
                                const JointSolution& solution,
-                               const Vector3d& angular_velocity) noexcept
+                               const Vector3d& angular_velocity)
     : contact_(&contact),
-      profile_(contact.pressure_law(), solution.half_angle),
+      profile_(std::make_shared<const detail::PressureProfile>(
+          contact.pressure_law(), solution.half_angle)),
       angular_velocity_(angular_velocity),
       half_angle_(solution.half_angle),
       normal_force_(solution.normal_force),
@@ -94,12 +108,12 @@ SlidingContact::SlidingContact(const JointContact& contact,
 
 SlidingContact::Peaks SlidingContact::search(bool pv,
                                              bool heat_flux) const noexcept {
-  const ContactPeak none = {0, 0, centre_};
+  const Peak none = {0, 0, centre_};
   Peaks found = {none, none};
   if (rim_speed_ == 0) return found;
   // Under walls it is less accurate than the law, and no faster.
   std::optional<detail::ExpandedPressure> expanded;
-  if (!profile_.has_walls()) {
+  if (!profile_->has_walls()) {
     expanded.emplace(contact_->pressure_law(), half_angle_);
     if (expanded->is_empty()) expanded.reset();
   }
@@ -119,7 +133,7 @@ SlidingContact::Peaks SlidingContact::search(bool pv,
   return found;
 }
 
-Rating SlidingContact::rating() const noexcept {
+SlidingContact::Rating SlidingContact::rating() const noexcept {
   const Peaks found = peaks();
   return {.pv = found.pv,
           .heat_flux = found.heat_flux,
@@ -165,7 +179,7 @@ void SlidingContact::add_totals(const JointSolution& s) noexcept {
 }
 
 double SlidingContact::pressure_at(double theta) const noexcept {
-  return pressure_unit_ == 0 ? 0 : pressure_unit_ * profile_.pressure(theta);
+  return pressure_unit_ == 0 ? 0 : pressure_unit_ * profile_->pressure(theta);
 }
 
 double SlidingContact::pressure(const Vector3d& place) const noexcept {
@@ -203,7 +217,7 @@ double SlidingContact::value(const Stress& stress,
 
 double SlidingContact::peak_angle(const Stress& stress,
                                   const Expanded& expanded) const noexcept {
-  if (!profile_.falls_outwards()) {
+  if (!profile_->falls_outwards()) {
     return detail::highest([&](double theta) { return value(stress, theta); },
                            half_angle_);
   }
@@ -214,7 +228,7 @@ double SlidingContact::peak_angle(const Stress& stress,
   const auto slope = [&](double theta) {
     const auto [pressure, fall] =
         expanded ? expanded->at(theta)
-                 : Value{profile_.pressure(theta), profile_.slope(theta)};
+                 : Value{profile_->pressure(theta), profile_->slope(theta)};
     const double s = part * pressure + stress.constant_part;
     const double change = -part * fall;
     const double cosine = std::cos(theta);
@@ -223,7 +237,7 @@ double SlidingContact::peak_angle(const Stress& stress,
     return s * (change * (axis_.cos * cosine + axis_.sin * sine) +
                 stress.power * s * ahead);
   };
-  const double peak = part * profile_.pressure(0);
+  const double peak = part * profile_->pressure(0);
   const double strength = peak + stress.constant_part;
   const double at_centre = strength * strength * stress.power * axis_.sin;
   if (!(at_centre > 0)) return 0;
@@ -240,13 +254,13 @@ double SlidingContact::peak_angle(const Stress& stress,
                       half_angle_);
 }
 
-ContactPeak SlidingContact::largest(const Stress& stress,
-                                    const Expanded& expanded) const noexcept {
+SlidingContact::Peak SlidingContact::largest(
+    const Stress& stress, const Expanded& expanded) const noexcept {
   const double theta = peak_angle(stress, expanded);
   return peak_at(theta, value(stress, theta));
 }
 
-ContactPeak SlidingContact::largest_of_stress() const noexcept {
+SlidingContact::Peak SlidingContact::largest_of_stress() const noexcept {
   const auto flux = [&](double theta) {
     const double speed = rim_speed_ * share_of_speed(theta);
     return contact_->stress()->stress_at(pressure_at(theta), speed) * speed;
@@ -256,7 +270,8 @@ ContactPeak SlidingContact::largest_of_stress() const noexcept {
   return peak_at(theta, flux(theta));
 }
 
-ContactPeak SlidingContact::peak_at(double theta, double value) const noexcept {
+SlidingContact::Peak SlidingContact::peak_at(double theta,
+                                             double value) const noexcept {
   const double cosine = std::cos(theta);
   const double sine = std::sin(theta);
   const Vector3d w = angular_velocity_.stableNormalized();

@@ -1,36 +1,17 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <memory>
 #include <optional>
 
 #include "libcontact/joint/contact.hpp"
 #include "libcontact/joint/solution.hpp"
-#include "libcontact/pressure/profile.hpp"
 
 namespace contact {
 namespace detail {
 class ExpandedPressure;
-}
-
-/// Where a quantity is largest over a contact.
-struct ContactPeak {
-  double value;
-  double theta;           ///< from the contact's centre, rad
-  Eigen::Vector3d place;  ///< unit vector from the joint's centre
-};
-
-/// What a SlidingContact says, without what it refers to.
-struct Rating {
-  ContactPeak pv;
-  ContactPeak heat_flux;
-  double pv_mean;
-  double pv_nominal;
-  double nominal_area;  ///< projected: pi rho^2 or 2 rho l, m^2
-  double pv_total;
-  double heat;
-  double slip_coefficient;
-  bool slides;  ///< else angles and places have no meaning
-};
+class PressureProfile;
+}  // namespace detail
 
 /// What a bearing is rated by, over the contact of a joint that slides: slip,
 /// p v, and the heat flux, which is friction stress times slip and heats both
@@ -40,13 +21,33 @@ struct Rating {
 /// Places are unit vectors r from the joint's centre, of a pin normal to its
 /// axis; frame and signs as in Joint. Theory: docs/duty.md.
 ///
-/// Refers to the contact and must not outlive it. Nothing allocates or throws.
+/// Refers to the contact and must not outlive it. Const functions neither
+/// allocate nor throw.
 class SlidingContact {
  public:
+  /// Where a quantity is largest over the contact.
+  struct Peak {
+    double value;
+    double theta;           ///< from the contact's centre, rad
+    Eigen::Vector3d place;  ///< unit vector from the joint's centre
+  };
+  /// All that is said here, without what it refers to.
+  struct Rating {
+    Peak pv;
+    Peak heat_flux;
+    double pv_mean;
+    double pv_nominal;
+    double nominal_area;  ///< projected: pi rho^2 or 2 rho l, m^2
+    double pv_total;
+    double heat;
+    double slip_coefficient;
+    bool slides;  ///< else angles and places have no meaning
+  };
+
   /// @param solution  of a joint with this contact
   /// @param angular_velocity  Dw of that solution, rad/s
   SlidingContact(const JointContact& contact, const JointSolution& solution,
-                 const Eigen::Vector3d& angular_velocity) noexcept;
+                 const Eigen::Vector3d& angular_velocity);
   SlidingContact(const JointContact&&, const JointSolution&,
                  const Eigen::Vector3d&) = delete;
 
@@ -67,13 +68,13 @@ class SlidingContact {
   /// flux of a FrictionStress, which is taken to grow with the slip
   /// (duty/sliding_contact_test.cpp, against closed forms).
   /// Each call searches; who wants both asks for both.
-  ContactPeak largest_pv() const noexcept { return search(true, false).pv; }
-  ContactPeak largest_heat_flux() const noexcept {
+  Peak largest_pv() const noexcept { return search(true, false).pv; }
+  Peak largest_heat_flux() const noexcept {
     return search(false, true).heat_flux;
   }
   struct Peaks {
-    ContactPeak pv;
-    ContactPeak heat_flux;
+    Peak pv;
+    Peak heat_flux;
   };
   Peaks peaks() const noexcept { return search(true, true); }
 
@@ -108,10 +109,9 @@ class SlidingContact {
   double value(const Stress& stress, double theta) const noexcept;
   /// The peaks that are wanted.
   Peaks search(bool pv, bool heat_flux) const noexcept;
-  ContactPeak largest(const Stress& stress,
-                      const Expanded& expanded) const noexcept;
-  ContactPeak peak_at(double theta, double value) const noexcept;
-  ContactPeak largest_of_stress() const noexcept;
+  Peak largest(const Stress& stress, const Expanded& expanded) const noexcept;
+  Peak peak_at(double theta, double value) const noexcept;
+  Peak largest_of_stress() const noexcept;
   double peak_angle(const Stress& stress,
                     const Expanded& expanded) const noexcept;
   void add_totals(const JointSolution& solution) noexcept;
@@ -119,7 +119,7 @@ class SlidingContact {
   double pressure_at(double theta) const noexcept;
 
   const JointContact* contact_;
-  detail::PressureProfile profile_;
+  std::shared_ptr<const detail::PressureProfile> profile_;
   Eigen::Vector3d angular_velocity_;
   Eigen::Vector3d centre_;
   double half_angle_;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -11,9 +10,8 @@
 #include "libcontact/base/error.hpp"
 #include "libcontact/base/text.hpp"
 #include "libcontact/base/units.hpp"
+#include "libcontact/duty/wear_check.hpp"
 #include "libcontact/duty/wear_map.hpp"
-#include "libcontact/duty/wear_notes.hpp"
-#include "libcontact/friction/special.hpp"
 #include "libcontact/half_angle/worn.hpp"
 #include "libcontact/pressure/running_in.hpp"
 
@@ -37,7 +35,7 @@ struct Wearing {
 Wearing wearing_of(const JointCycle& cycle) {
   Wearing sums;
   const JointKind kind = cycle.contact().geometry().kind();
-  for (const CycleInstant& i : cycle.nodes()) {
+  for (const JointCycle::Instant& i : cycle.gauss_points()) {
     const double pv = i.weight * cycle.sliding(i).pv_total();
     const double theta0 = i.solution.half_angle;
     sums.pv += pv;
@@ -51,14 +49,14 @@ Wearing wearing_of(const JointCycle& cycle) {
   return sums;
 }
 
-void add_cycle(const JointCycle& cycle, WornState& state) {
-  for (const CycleInstant& i : cycle.rows()) {
+void add_cycle(const JointCycle& cycle, WearIn::State& state) {
+  for (const JointCycle::Instant& i : cycle.rows()) {
     state.half_angle = std::max(state.half_angle, i.solution.half_angle);
     state.peak_pressure =
         std::max(state.peak_pressure, i.solution.peak_pressure);
     state.pv = std::max(state.pv, cycle.sliding(i).largest_pv().value);
   }
-  for (const CycleInstant& i : cycle.nodes()) {
+  for (const JointCycle::Instant& i : cycle.gauss_points()) {
     state.energy -= i.weight * i.solution.power;
     state.mean_moment +=
         i.weight * i.solution.friction_moment.norm() / cycle.cycle().period();
@@ -75,7 +73,7 @@ double depth_of_overlap(const JointGeometry& geometry, double overlap) {
 // The note on a load that moves, or "".
 std::string check_spread(const JointCycle& cycle) {
   constexpr double noted = 0.3;
-  const double spread = contact_spread(cycle);
+  const double spread = cycle.contact_spread();
   const double half_angle = wearing_of(cycle).half_angle;
   const std::string what = detail::message(
       "the spread of the contact over the seat, {:.4g} deg,", spread / degree);
@@ -92,7 +90,7 @@ std::string check_spread(const JointCycle& cycle) {
       what, spread / half_angle);
 }
 
-void check_depth(const WornState& state, const JointGeometry& geometry) {
+void check_depth(const WearIn::State& state, const JointGeometry& geometry) {
   const double largest = geometry.radius();
   // False of NaN too, for wear beyond all numbers.
   if (depth_of_overlap(geometry, state.wear_number) <= largest) return;
@@ -103,15 +101,15 @@ void check_depth(const WornState& state, const JointGeometry& geometry) {
 }
 
 // The state after the next block, without what a cycle does then.
-WornState next_state(const WornState& now, const Wearing& wearing,
-                     double wear_per_pv, double cycles, double unit) {
+WearIn::State next_state(const WearIn::State& now, const Wearing& wearing,
+                         double wear_per_pv, double cycles, double unit) {
   constexpr double largest_growth = 0.1;
   const double growth = wear_per_pv * wearing.pv / unit;  // of v in a cycle
   // At least a cycle: what wears so fast is no bearing.
   const double block =
       std::min(cycles - now.cycles,
                std::max(largest_growth * wearing.overlap / growth, 1.0));
-  WornState next;
+  WearIn::State next;
   next.cycles = now.cycles + block;
   next.volume = now.volume + block * wear_per_pv * wearing.pv;
   next.wear_number = next.volume / unit;
@@ -119,39 +117,6 @@ WornState next_state(const WornState& now, const Wearing& wearing,
 }
 
 }  // namespace
-
-double contact_spread(const JointCycle& cycle) {
-  const bool in_body =
-      cycle.contact().geometry().inner_body() == JointBody::carrier;
-  struct Place {
-    Eigen::Vector3d centre;
-    double weight;
-  };
-  std::vector<Place> places;
-  Place sum{Eigen::Vector3d::Zero(), 0};
-  for (const CycleInstant& i : cycle.nodes()) {
-    const SlidingContact sliding = cycle.sliding(i);
-    Place place{sliding.centre(), i.weight * sliding.pv_total()};
-    if (!(place.weight > 0)) continue;
-    if (in_body) place.centre = i.state.turn.conjugate() * place.centre;
-    sum.centre += place.weight * place.centre;
-    sum.weight += place.weight;
-    places.push_back(place);
-  }
-  if (places.empty()) return 0;
-  // A contact that goes round has no middle: any place serves.
-  constexpr double rounding = 1e-12;
-  const Eigen::Vector3d middle = sum.centre.norm() > rounding * sum.weight
-                                     ? sum.centre.normalized()
-                                     : places[0].centre;
-  double squares = 0;
-  for (const auto& [centre, weight] : places) {
-    const double chord = (centre - middle).norm();
-    const double angle = 2 * std::asin(std::min(chord / 2, 1.0));
-    squares += weight * angle * angle;
-  }
-  return std::sqrt(squares / sum.weight);
-}
 
 WearIn wear_in(const DutyCycle& cycle, const JointContact& contact,
                double coefficient, double cycles) {
@@ -162,17 +127,17 @@ WearIn wear_in(const DutyCycle& cycle, const JointContact& contact,
   const JointGeometry& geometry = contact.geometry();
   const Joint unworn(contact);
   const JointCycle fresh(cycle, unworn);
-  check_wear(fresh);
+  detail::check_wear(fresh);
   WearIn result;
   const auto note = [&](std::string text) {
     if (!text.empty()) result.notes.push_back(std::move(text));
   };
-  note(wear_coefficient_note(coefficient));
+  note(WearMap::coefficient_note(coefficient));
   note(check_spread(fresh));
-  WornState next;
+  WearIn::State next;
   for (;;) {
     check_depth(next, geometry);
-    WornState& now = result.states.emplace_back(next);
+    WearIn::State& now = result.states.emplace_back(next);
     const Joint joint(contact.worn(now.wear_number));
     const JointCycle worn(cycle, joint);
     const Wearing wearing = wearing_of(worn);
@@ -183,19 +148,8 @@ WearIn wear_in(const DutyCycle& cycle, const JointContact& contact,
     if (now.cycles >= cycles) break;
     next = next_state(now, wearing, coefficient, cycles, unit_volume(geometry));
   }
-  note(wear_depth_note(result.states.back().penetration, geometry));
+  note(WearMap::depth_note(result.states.back().penetration, geometry));
   return result;
-}
-
-double worn_in_sliding_coefficient(double half_angle) {
-  if (half_angle == 0) return 1;
-  if (half_angle > std::numbers::pi / 2) {
-    return std::numeric_limits<double>::quiet_NaN();
-  }
-  const FrictionTriple area = sliding_friction_integrals(half_angle).area;
-  const double s = std::sin(half_angle);
-  return 2 * std::numbers::pi * s * s /
-         (area.sliding + std::cos(half_angle) * area.force);
 }
 
 }  // namespace contact

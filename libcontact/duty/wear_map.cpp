@@ -5,11 +5,14 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 #include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
 #include "libcontact/base/text.hpp"
 #include "libcontact/base/units.hpp"
+#include "libcontact/duty/wear_check.hpp"
+#include "libcontact/pressure/profile.hpp"
 
 namespace contact {
 namespace {
@@ -30,42 +33,53 @@ double cross_shear(const Matrix3d& work) {
 
 }  // namespace
 
-void check_wear(const JointCycle& cycle) {
-  const CycleInstant widest = cycle.largest(
-      [](const CycleInstant& i) { return i.solution.half_angle; });
+struct WearMap::Instant {
+  detail::PressureProfile profile;
+  Vector3d centre;       // of the contact
+  double chord;          // from there to the edge
+  Vector3d slip;         // times a point: slip, m
+  double pressure_unit;  // Pa
+};
+
+void detail::check_wear(const JointCycle& cycle) {
+  const JointCycle::Instant widest = cycle.largest(
+      [](const JointCycle::Instant& i) { return i.solution.half_angle; });
   const double half_angle = widest.solution.half_angle;
   if (half_angle <= pi / 2) return;
-  throw Error(detail::must_be(
-      detail::message("the half-angle of a joint that wears, {:.4g} deg at "
+  throw Error(
+      must_be(message("the half-angle of a joint that wears, {:.4g} deg at "
                       "{:.4g} s,",
                       half_angle / degree, widest.time),
-      "at most 90 deg"));
+              "at most 90 deg"));
 }
 
 WearMap::WearMap(const JointCycle& cycle, JointBody body)
     : geometry_(cycle.contact().geometry()),
-      total_(cycle.integral(
-          [&](const CycleInstant& i) { return cycle.sliding(i).pv_total(); })) {
-  check_wear(cycle);
-  for (const CycleInstant& node : cycle.nodes()) {
-    const JointSolution& s = node.solution;
+      total_(cycle.integral([&](const JointCycle::Instant& i) {
+        return cycle.sliding(i).pv_total();
+      })) {
+  detail::check_wear(cycle);
+  std::vector<Instant> instants;
+  for (const JointCycle::Instant& point : cycle.gauss_points()) {
+    const JointSolution& s = point.solution;
     if (s.state != JointState::sliding) continue;
     const Eigen::Quaterniond to_body = body == JointBody::body
-                                           ? node.state.turn.conjugate()
+                                           ? point.state.turn.conjugate()
                                            : Eigen::Quaterniond::Identity();
-    instants_.push_back({{cycle.contact().pressure_law(), s.half_angle},
-                         to_body * cycle.sliding(node).centre(),
-                         2 * std::sin(s.half_angle / 2),
-                         node.weight * geometry_.radius() *
-                             (to_body * node.state.angular_velocity),
-                         cycle.contact().pressure_unit(s.normal_force)});
+    instants.push_back({{cycle.contact().pressure_law(), s.half_angle},
+                        to_body * cycle.sliding(point).centre(),
+                        2 * std::sin(s.half_angle / 2),
+                        point.weight * geometry_.radius() *
+                            (to_body * point.state.angular_velocity),
+                        cycle.contact().pressure_unit(s.normal_force)});
   }
+  instants_ = std::make_shared<const std::vector<Instant>>(std::move(instants));
 }
 
 WearMap::Wear WearMap::at(const Vector3d& point) const {
   double pv = 0;
   Matrix3d work = Matrix3d::Zero();
-  for (const Instant& i : instants_) {
+  for (const Instant& i : *instants_) {
     const double chord = (point - i.centre).norm();
     if (chord >= i.chord) continue;
     const double p =

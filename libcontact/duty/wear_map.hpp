@@ -1,16 +1,13 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <memory>
+#include <string>
 #include <vector>
 
 #include "libcontact/duty/joint_cycle.hpp"
-#include "libcontact/pressure/profile.hpp"
 
 namespace contact {
-
-/// @throws Error if the half-angle comes above 90 deg in the cycle: a ball that
-///         sinks into its worn seat leaves the seat's rim there.
-void check_wear(const JointCycle& cycle);
 
 /// Where and how one body of a joint wears on a cycle, by Archard's law with
 /// the geometry of the unworn joint: the depth is k times the integral of p |v|
@@ -20,7 +17,8 @@ void check_wear(const JointCycle& cycle);
 /// a pin normal to Z.
 class WearMap {
  public:
-  /// @throws Error as check_wear().
+  /// @throws Error if the half-angle comes above 90 deg in the cycle: a ball
+  ///         that sinks into its worn seat leaves the seat's rim there.
   WearMap(const JointCycle& cycle, JointBody body);
 
   struct Wear {
@@ -50,18 +48,23 @@ class WearMap {
   Deepest deepest(const std::vector<Eigen::Vector3d>& points,
                   const std::vector<Wear>& wear) const;
 
+  /// What is said of wear that is hardly that of a bearing.
+  /// @param coefficient  k, m^2/N
+  /// @return a sentence if k is not 0 and outside 1e-10 to 1e-3 mm^3/(N m); ""
+  ///         otherwise. Of dry liners 7e-8 to 5.5e-6 are published
+  ///         (docs/bearing_design.md).
+  static std::string coefficient_note(double coefficient);
+  /// @param depth  of the wear, m
+  /// @return a sentence if it is above a tenth of the radius, where seat and
+  ///         ball or hole and pin no longer fit; "" otherwise
+  static std::string depth_note(double depth, const JointGeometry& geometry);
+
  private:
-  struct Instant {
-    detail::PressureProfile profile;
-    Eigen::Vector3d centre;  // of the contact
-    double chord;            // from there to the edge
-    Eigen::Vector3d slip;    // times a point: slip, m
-    double pressure_unit;    // Pa
-  };
+  struct Instant;
 
   JointGeometry geometry_;
   double total_;  // J
-  std::vector<Instant> instants_;
+  std::shared_ptr<const std::vector<Instant>> instants_;
 };
 
 }  // namespace contact

@@ -1,10 +1,10 @@
-#include "libcontact/duty/wear_notes.hpp"
+#include "libcontact/duty/wear_map.hpp"
 
 #include "libcontact/base/text.hpp"
 
 namespace contact {
 
-std::string wear_coefficient_note(double coefficient) {
+std::string WearMap::coefficient_note(double coefficient) {
   constexpr double unit = 1e-9;  // 1 mm^3/(N m), m^2/N
   constexpr double least = 1e-10;
   constexpr double largest = 1e-3;
@@ -19,7 +19,7 @@ std::string wear_coefficient_note(double coefficient) {
       k, least, largest);
 }
 
-std::string wear_depth_note(double depth, const JointGeometry& geometry) {
+std::string WearMap::depth_note(double depth, const JointGeometry& geometry) {
   constexpr double share = 0.1;
   if (!(depth > share * geometry.radius())) return {};
   return detail::message(

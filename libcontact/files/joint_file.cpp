@@ -5,6 +5,8 @@
 #include <cmath>
 #include <iterator>
 #include <numbers>
+#include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "libcontact/base/complaint.hpp"
@@ -14,6 +16,9 @@
 #include "libcontact/files/joint_tables.hpp"
 #include "libcontact/files/material_table.hpp"
 #include "libcontact/files/wall_tables.hpp"
+#include "libcontact/half_angle/registry.hpp"
+#include "libcontact/pair/stress_registry.hpp"
+#include "libcontact/pressure/registry.hpp"
 
 namespace contact {
 namespace {
@@ -31,19 +36,19 @@ ElasticPair pair_from_table(const TomlTable& table) {
   return ElasticPair(inner, outer);
 }
 
-FrictionStress curve_from_table(
-    const TomlTable& friction, std::string_view points,
-    FrictionStress (*make)(const FrictionStress::Table&)) {
+FrictionStress curve_from_table(const TomlTable& friction,
+                                const detail::StressEntry& entry) {
   const ArrayShape two_or_more{.rows = 2, .or_more = true};
   FrictionStress::Table table;
-  table.points = friction.numbers(points, two_or_more, Interval::positive());
+  table.points =
+      friction.numbers(entry.points, two_or_more, Interval::positive());
   table.coefficients =
       friction.numbers("coefficients", two_or_more, Interval::non_negative());
   if (friction.optional_choice("curve", {"spline", "linear"}).value_or(0)) {
-    table.curve = TableCurve::linear;
+    table.curve = FrictionStress::Table::Curve::linear;
   }
   try {
-    return make(table);
+    return entry.make({}, table);
   } catch (const Error& error) {
     friction.fail("coefficients", error.what());
   }
@@ -51,28 +56,19 @@ FrictionStress curve_from_table(
 
 // A stress of pressure and speed, by the name of its law.
 FrictionStress stress_from_table(const TomlTable& friction) {
-  const Interval coefficient = Interval::non_negative();
-  switch (friction.choice(
-      "law", {"stribeck", "power", "pressure_table", "hersey_table"})) {
-    case 0: {
-      const double fs = friction.number("static_coefficient", coefficient);
-      const double fc = friction.number("dynamic_coefficient", coefficient);
-      return FrictionStress::stribeck(
-          fs, fc, friction.number("stribeck_velocity", Interval::positive()));
-    }
-    case 1: {
-      const double f = friction.number("coefficient", coefficient);
-      const double p =
-          friction.number("reference_pressure", Interval::positive());
-      return FrictionStress::power(f, p, friction.number("exponent", {0, 1}));
-    }
-    case 2:
-      return curve_from_table(friction, "pressures",
-                              &FrictionStress::of_pressure);
-    default:
-      return curve_from_table(friction, "speeds_over_pressure",
-                              &FrictionStress::of_hersey);
+  std::vector<std::string> names;
+  for (const detail::StressEntry* entry : detail::stress_entries()) {
+    names.emplace_back(entry->name);
   }
+  const detail::StressEntry& entry =
+      *detail::stress_entries()[friction.choice("law", names)];
+  if (entry.is_table()) return curve_from_table(friction, entry);
+  std::vector<double> numbers;
+  for (const auto& [key, unit, is_above_zero, largest] : entry.numbers) {
+    numbers.push_back(friction.number(
+        key, {0, std::min(largest, Interval::largest), is_above_zero}));
+  }
+  return entry.make(numbers, {});
 }
 
 // Viscous friction has either of its two numbers, dry friction a coefficient.
@@ -95,21 +91,34 @@ std::optional<FrictionModel> friction_from_table(const TomlTable& table) {
   return ViscousLaw(constant.value_or(0), slope.value_or(0));
 }
 
+// What a key measures by its SI unit.
+Dimension dimension_of(std::string_view unit) {
+  for (int i = 0; i <= static_cast<int>(Dimension::hersey); ++i) {
+    const auto dimension = static_cast<Dimension>(i);
+    if (units_of(dimension)[0].ending == unit) return dimension;
+  }
+  throw std::logic_error("no key is in this unit");
+}
+
 KnownKeys friction_keys() {
-  return {{"coefficient"},
-          {"adhesion", Dimension::stress},
-          {"viscous_constant", Dimension::viscous_constant},
-          {"viscous_pressure_slope", Dimension::inverse_velocity},
-          {"law"},
-          {"static_coefficient"},
-          {"dynamic_coefficient"},
-          {"stribeck_velocity", Dimension::velocity},
-          {"reference_pressure", Dimension::stress},
-          {"exponent"},
-          {"pressures", Dimension::stress},
-          {"speeds_over_pressure", Dimension::hersey},
-          {"coefficients"},
-          {"curve"}};
+  KnownKeys keys = {{"coefficient"},
+                    {"adhesion", Dimension::stress},
+                    {"viscous_constant", Dimension::viscous_constant},
+                    {"viscous_pressure_slope", Dimension::inverse_velocity},
+                    {"law"}};
+  const auto add = [&](std::string_view key, std::string_view unit) {
+    if (std::ranges::find(keys, key, &KnownKey::key) != keys.end()) return;
+    keys.push_back({key, dimension_of(unit)});
+  };
+  for (const detail::StressEntry* entry : detail::stress_entries()) {
+    for (const detail::StressNumber& number : entry->numbers) {
+      add(number.key, number.unit);
+    }
+    if (entry->is_table()) add(entry->points, entry->points_unit);
+  }
+  add("coefficients", "");
+  add("curve", "");
+  return keys;
 }
 
 KnownKeys material_pair_keys() {
@@ -140,9 +149,9 @@ std::optional<Fit> fit_from_table(const TomlTable& table) {
   if (!table.has("hole")) return {};
   for (const auto key : clearance_keys) table.refuse_both("hole", key);
   const std::string hole = table.text("hole");
-  if (!fit_holes.contains(hole)) table.must_be("hole", fit_holes.rule);
+  if (!Fit::holes.contains(hole)) table.must_be("hole", Fit::holes.rule);
   const std::string shaft = table.text("shaft");
-  if (!fit_shafts.contains(shaft)) table.must_be("shaft", fit_shafts.rule);
+  if (!Fit::shafts.contains(shaft)) table.must_be("shaft", Fit::shafts.rule);
   const double diameter = table.number("diameter", Interval::positive());
   if (!Fit::has_size(diameter)) {
     table.must_be("diameter", "3 to 500 mm with a fit");
@@ -150,7 +159,7 @@ std::optional<Fit> fit_from_table(const TomlTable& table) {
   const auto taken =
       table.optional_choice("clearance", {"minimum", "mean", "maximum"});
   Fit fit(hole, shaft, diameter,
-          taken ? static_cast<FitClearance>(*taken) : FitClearance::mean);
+          taken ? static_cast<Fit::Clearance>(*taken) : Fit::Clearance::mean);
   if (fit.radial_clearance() == 0) {
     table.must_be("clearance",
                   "\"mean\" or \"maximum\": " + fit.name() + " may have none");
@@ -219,6 +228,21 @@ MaterialPair materials_from_table(const TomlTable& joint) {
   }
 }
 
+// "A, B and C".
+std::string listed(const std::vector<std::string>& words) {
+  const std::string last = words.back();
+  if (words.size() == 1) return last;
+  return detail::message(
+      "{} and {}",
+      detail::joined(std::span(words).first(words.size() - 1), ", "), last);
+}
+
+// A law that takes long to make is for all joints.
+template <class Entry>
+bool is_slow(const Entry* law) {
+  return law && law->about.is_slow_to_make;
+}
+
 // [loading], which fits the laws and walls that have been read.
 InnerLoading loading_from_table(const TomlTable& file, const JointSpec& joint) {
   const auto table = file.optional_table("loading");
@@ -238,14 +262,21 @@ InnerLoading loading_from_table(const TomlTable& file, const JointSpec& joint) {
   }
   const ContactConditions conditions{loading, joint.conditions().walls};
   if (!half_angle_law_allows(joint.half_angle_law, conditions)) {
-    table->needs("kind", "the half-angle law exact; this joint has " +
-                             joint.half_angle_law);
+    table->needs(
+        "kind",
+        detail::message("the half-angle law {}; this joint has {}",
+                        listed(detail::half_angle_names([](const auto& law) {
+                          return law.about.allows_back;
+                        })),
+                        joint.half_angle_law));
   }
   if (!pressure_law_allows(joint.pressure_law, conditions)) {
-    table->needs("kind",
-                 "one of the pressure laws cosine, sqrt_tan, sqrt_theta, "
-                 "exact and worn; this joint has " +
-                     joint.pressure_law);
+    table->needs("kind", detail::message(
+                             "one of the pressure laws {}; this joint has {}",
+                             listed(detail::pressure_names([](const auto& law) {
+                               return law.about.allows_back;
+                             })),
+                             joint.pressure_law));
   }
   return loading;
 }
@@ -277,8 +308,6 @@ JointSpec joint_of(const TomlTable& table, const MaterialPair* known) {
   const JointGeometry geometry = geometry_from_table(table, size, fit);
   const MaterialPair materials =
       known != nullptr ? *known : materials_from_table(table);
-  // The law that takes long to make; it is for all joints.
-  constexpr std::string_view exact = "exact";
   JointSpec joint{
       .name = std::move(name),
       .geometry = geometry,
@@ -305,7 +334,9 @@ JointSpec joint_of(const TomlTable& table, const MaterialPair* known) {
                                                      degrees_per_radian_range);
     if (degrees) options.initial_slope = *degrees * degree;
     try {
-      if (joint.half_angle_law != exact) joint.make_half_angle_law();
+      if (!is_slow(detail::find_half_angle_entry(joint.half_angle_law))) {
+        joint.make_half_angle_law();
+      }
     } catch (const Error& error) {
       half_angle->fail("law", error.what());
     }
@@ -313,17 +344,21 @@ JointSpec joint_of(const TomlTable& table, const MaterialPair* known) {
       for (const char* key :
            {"limit_half_angle", "limit_formula", "degrees_per_radian"}) {
         if (!half_angle->has(key)) continue;
-        half_angle->needs(key,
-                          "one of the laws arctan, tanh, blend and paper; this "
-                          "joint has " +
-                              joint.half_angle_law);
+        half_angle->needs(
+            key, detail::message(
+                     "one of the laws {}; this joint has {}",
+                     listed(detail::half_angle_names(
+                         [](const auto& law) { return law.takes_options; })),
+                     joint.half_angle_law));
       }
     }
   }
   if (const auto pressure = table.optional_table("pressure")) {
     joint.pressure_law = pressure->text("law");
     try {
-      if (joint.pressure_law != exact) joint.make_pressure_law();
+      if (!is_slow(detail::find_pressure_entry(joint.pressure_law))) {
+        joint.make_pressure_law();
+      }
     } catch (const Error& error) {
       pressure->fail("law", error.what());
     }

@@ -3,8 +3,6 @@
 #include <string>
 #include <vector>
 
-#include "libcontact/base/error.hpp"
-
 namespace contact {
 
 /// A key of a file that is given another value: as `wall.layer[1].thickness_mm`
@@ -21,12 +19,5 @@ struct KeySetting {
   std::string origin = {};
 };
 using KeySettings = std::vector<KeySetting>;
-
-/// Two settings of one key, be it under two names: "KEY = VALUE conflicts with
-/// OTHER".
-class RepeatedSetting : public Error {
- public:
-  using Error::Error;
-};
 
 }  // namespace contact

@@ -17,6 +17,7 @@
 #include "libcontact/files/key_depth.hpp"
 #include "libcontact/files/key_setting.hpp"
 #include "libcontact/files/key_units.hpp"
+#include "libcontact/files/repeated_setting.hpp"
 #include "libcontact/files/stranger.hpp"
 
 namespace contact {

@@ -1,5 +1,3 @@
-#include "libcontact/friction/any_pressure.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,8 +6,9 @@
 
 #include "libcontact/base/error.hpp"
 #include "libcontact/base/gauss_legendre.hpp"
+#include "libcontact/base/instruction_set.hpp"
 #include "libcontact/friction/by_parts.hpp"
-#include "libcontact/friction/exact.hpp"
+#include "libcontact/friction/friction_integrals.hpp"
 #include "libcontact/friction/kernel/exact_call.hpp"
 #include "libcontact/friction/kernel/expansion_table.hpp"
 #include "libcontact/friction/models.hpp"
@@ -146,14 +145,15 @@ FrictionIntegrals viscous_friction_integrals(const PressureLaw& law,
 }
 
 FrictionIntegrals friction_integrals(const PressureLaw& law, double half_angle,
-                                     SlipAxis axis, InstructionSet set) {
-  return one_point(law, half_angle, axis, detail::cap_kernel(set));
+                                     SlipAxis axis) {
+  return one_point(law, half_angle, axis,
+                   detail::cap_kernel(instruction_set()));
 }
 
 void friction_integrals(const PressureLaw& law, const FrictionBatchInput& in,
-                        const FrictionBatchOutput& out, InstructionSet set) {
-  detail::check_batch(in, out, set);
-  const CapKernel& kernel = detail::cap_kernel(set);
+                        const FrictionBatchOutput& out) {
+  detail::check_batch(in, out);
+  const CapKernel& kernel = detail::cap_kernel(instruction_set());
   const PressureExpansion form = detail::expansion_form(law);
   if (form.is_cosine()) return kernel.batch(in, out, nullptr);
 

@@ -1,7 +1,6 @@
-#include "libcontact/friction/exact.hpp"
-
 #include "libcontact/base/error.hpp"
-#include "libcontact/friction/batch.hpp"
+#include "libcontact/base/instruction_set.hpp"
+#include "libcontact/friction/friction_integrals.hpp"
 #include "libcontact/friction/kernel/exact_call.hpp"
 
 namespace contact {
@@ -19,8 +18,8 @@ FrictionIntegrals exact_point(const CapKernel& kernel,
           {r.force, r.sliding, r.spinning}};
 }
 
-void check_batch(const FrictionBatchInput& in, const FrictionBatchOutput& out,
-                 InstructionSet set) {
+void check_batch(const FrictionBatchInput& in, const FrictionBatchOutput& out) {
+  check_instruction_set();
   const std::size_t size = in.half_angle.size();
   if (in.axis_sin.size() != size || in.axis_cos.size() != size) {
     throw Error("friction integrals: input arrays differ in length");
@@ -35,26 +34,20 @@ void check_batch(const FrictionBatchInput& in, const FrictionBatchOutput& out,
           "as the input");
     }
   }
-  if (!is_supported(set)) {
-    throw Error(
-        std::string("friction integrals: this machine or build lacks ") +
-        name(set));
-  }
 }
 
 }  // namespace detail
 
-FrictionIntegrals exact_friction_integrals(double half_angle, SlipAxis axis,
-                                           InstructionSet set) {
+FrictionIntegrals friction_integrals(double half_angle, SlipAxis axis) {
   using namespace detail;
-  return exact_point(cap_kernel(set), prepare(half_angle, axis.sin, axis.cos));
+  return exact_point(cap_kernel(instruction_set()),
+                     prepare(half_angle, axis.sin, axis.cos));
 }
 
-void exact_friction_integrals(const FrictionBatchInput& in,
-                              const FrictionBatchOutput& out,
-                              InstructionSet set) {
-  detail::check_batch(in, out, set);
-  detail::cap_kernel(set).batch(in, out, nullptr);
+void friction_integrals(const FrictionBatchInput& in,
+                        const FrictionBatchOutput& out) {
+  detail::check_batch(in, out);
+  detail::cap_kernel(instruction_set()).batch(in, out, nullptr);
 }
 
 }  // namespace contact

@@ -31,7 +31,7 @@ struct SlipAxis {
   }
   /// @param a_deg  slip axis angle, degrees, [-90, 90]; exact at 0 and 90
   static SlipAxis from_degrees(double a_deg) {
-    const SineCosine a = sine_cosine_deg(a_deg);
+    const SineCosine a = detail::sine_cosine_deg(a_deg);
     return {a.sin, a.cos};
   }
 };

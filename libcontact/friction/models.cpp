@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "libcontact/friction/elliptic/integrals.hpp"
-#include "libcontact/friction/exact.hpp"
+#include "libcontact/friction/friction_integrals.hpp"
 #include "libcontact/pressure/cosine.hpp"
 
 namespace contact {
@@ -126,9 +126,8 @@ FrictionIntegrals viscous_friction_integrals(double half_angle, SlipAxis axis) {
 
 FrictionIntegrals cosine_friction_integrals(double half_angle, SlipAxis axis) {
   const FrictionIntegrals slide =
-      exact_friction_integrals(half_angle, SlipAxis{0, 1});
-  const FrictionIntegrals spin =
-      exact_friction_integrals(half_angle, SlipAxis{1, 0});
+      friction_integrals(half_angle, SlipAxis{0, 1});
+  const FrictionIntegrals spin = friction_integrals(half_angle, SlipAxis{1, 0});
   const auto mix = [&](const FrictionTriple& sliding,
                        const FrictionTriple& spinning) {
     return times({sliding.force, sliding.sliding, spinning.spinning}, axis.cos,

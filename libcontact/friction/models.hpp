@@ -4,8 +4,10 @@
 
 /// Simpler models of the same joint, to compare with the exact integrals. All
 /// have the signature, arguments, limits and NaN rules of
-/// exact_friction_integrals(), half-angles from 0 to pi.
+/// friction_integrals() of one point, half-angles from 0 to pi.
 namespace contact {
+
+class PressureLaw;
 
 /// Sliding-spinning model (section 3.1 of the paper, the dashed lines of its
 /// figures 8 and 9): the points of the sphere keep their places, but their
@@ -49,6 +51,17 @@ FrictionIntegrals planar_friction_integrals(double half_angle, SlipAxis axis);
 ///
 /// Relative error at most 1e-15 (friction/models_test.cpp, 100 digits).
 FrictionIntegrals viscous_friction_integrals(double half_angle, SlipAxis axis);
+
+/// The same with any pressure law. The coefficients belong to k1; with S of
+/// PressureLaw::force_ratio() and m = ∬ p sin^2 t dS/R_n:
+///
+///     chi = cos a,  sigma_Y = (S - m/2) cos a,  sigma_Z = m sin a
+///
+/// `pressure` and `normal` as in friction_integrals(). Relative error, given
+/// the law's own pressure, at most 1e-11 for theta0 <= 120 deg
+/// (friction/any_pressure_test.cpp).
+FrictionIntegrals viscous_friction_integrals(const PressureLaw& law,
+                                             double half_angle, SlipAxis axis);
 
 /// Dry friction made to look viscous: the exact values at a = 0 times cos a
 /// for force and sliding, those at a = 90 deg times sin a for spinning. How

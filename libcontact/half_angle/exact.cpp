@@ -10,6 +10,7 @@
 #include "libcontact/conforming/pin_closed_form.hpp"
 #include "libcontact/half_angle/approach_table.hpp"
 #include "libcontact/half_angle/fitted.hpp"
+#include "libcontact/half_angle/registry.hpp"
 #include "libcontact/half_angle/table.hpp"
 
 namespace contact {
@@ -145,4 +146,24 @@ std::vector<std::string> ExactLaw::validity_notes(const ElasticPair&) const {
                       relation_->load.largest() / degree)};
 }
 
+namespace detail {
+
+extern constexpr HalfAngleEntry exact_law = {
+    .about = {.name = "exact",
+              .meaning = "the theory of elasticity itself",
+              .accuracy = "1e-6 deg",
+              .needs = LawEntry::Needs::conditions,
+              .allows_back = true,
+              .allows_walls = true,
+              .is_slow_to_make = true},
+    .ball_cost = 25,
+    .pin_cost = 15,
+    .make = [](const HalfAngleRequest& asked) -> std::unique_ptr<HalfAngleLaw> {
+      const auto& [loading, walls] = asked.conditions;
+      return walls
+                 ? std::make_unique<ExactLaw>(asked.kind, *walls, loading)
+                 : std::make_unique<ExactLaw>(asked.kind, asked.pair, loading);
+    }};
+
+}  // namespace detail
 }  // namespace contact

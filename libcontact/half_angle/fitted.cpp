@@ -10,6 +10,7 @@
 #include "libcontact/base/units.hpp"
 #include "libcontact/half_angle/coefficients.hpp"
 #include "libcontact/half_angle/fitted_relation.hpp"
+#include "libcontact/half_angle/registry.hpp"
 
 namespace contact {
 namespace {
@@ -85,4 +86,18 @@ std::vector<std::string> FittedLaw::validity_notes(const ElasticPair&) const {
   return {};
 }
 
+namespace detail {
+
+extern constexpr HalfAngleEntry fitted_law = {
+    .about = {.name = "fitted",
+              .meaning = "explicit load(theta0), fitted to the exact contact",
+              .accuracy = "0.05 %",
+              .needs = LawEntry::Needs::materials},
+    .ball_cost = 14,
+    .pin_cost = 10,
+    .make = [](const HalfAngleRequest& asked) -> std::unique_ptr<HalfAngleLaw> {
+      return std::make_unique<FittedLaw>(asked.kind, asked.pair);
+    }};
+
+}  // namespace detail
 }  // namespace contact

@@ -101,7 +101,7 @@ template <class Relation, class Start>
 HalfAngleResult solve_half_angle(JointKind kind, const Relation& relation,
                                  const Start& start, double limit,
                                  double load_parameter) {
-  const double x = x_from_load_parameter(kind, load_parameter);
+  const double x = LoadScale::x_from_load_parameter(kind, load_parameter);
   const double over_x = 1 / x;
   const int power = load_power(kind);
   double low = 0;
@@ -179,7 +179,8 @@ HalfAngleStart::HalfAngleStart(JointKind kind, const Relation& relation,
     : limit_(limit), over_limit_(1 / limit), nodes_(intervals + 1) {
   const int power = load_power(kind);
   const double last_load = load_at(kind, relation, limit);
-  const double last_xi = x_from_load_parameter(kind, last_load) / limit;
+  const double last_xi =
+      LoadScale::x_from_load_parameter(kind, last_load) / limit;
   const double range = std::isinf(last_xi) ? 1 : last_xi / (1 + last_xi);
   per_s_ = intervals / range;
   nodes_[0] = {1, 1 / per_s_};

@@ -1,14 +1,20 @@
 #include "libcontact/half_angle/paper_laws.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <numbers>
+#include <string_view>
 
 #include "libcontact/base/check.hpp"
+#include "libcontact/base/complaint.hpp"
+#include "libcontact/base/error.hpp"
 #include "libcontact/base/root_finding.hpp"
 #include "libcontact/base/text.hpp"
 #include "libcontact/base/units.hpp"
+#include "libcontact/half_angle/registry.hpp"
 #include "libcontact/pair/poisson_notes.hpp"
 
 namespace contact {
@@ -86,7 +92,8 @@ HalfAngleResult HertzLaw::half_angle(double load_parameter) const noexcept {
   if (!(load_parameter >= 0)) return {nan, Status::out_of_range};
   // (2.1) as atan2(x, sqrt(1 - x^2)), 1 - x^2 from the load itself: arcsin
   // would lose digits near x = 1.
-  const double x = x_from_load_parameter(joint_kind(), load_parameter);
+  const double x =
+      LoadScale::x_from_load_parameter(joint_kind(), load_parameter);
   const double rest = joint_kind() == JointKind::ball
                           ? (1 - load_parameter) * (1 + x) / (1 + x + x * x)
                           : 1 - 4 * load_parameter;
@@ -101,7 +108,7 @@ LoadParameterResult HertzLaw::load_parameter(double half_angle) const noexcept {
   if (!(half_angle >= 0 && half_angle <= half_pi)) {
     return {nan, Status::out_of_range};
   }
-  return {load_parameter_from_x(joint_kind(), std::sin(half_angle)),
+  return {LoadScale::load_parameter_from_x(joint_kind(), std::sin(half_angle)),
           Status::ok};
 }
 
@@ -125,7 +132,8 @@ HalfAngleResult SaturatingLaw::half_angle(
     double load_parameter) const noexcept {
   if (!(load_parameter >= 0)) return {nan, Status::out_of_range};
   const double limit = limit_.value();
-  const double x = x_from_load_parameter(joint_kind(), load_parameter);
+  const double x =
+      LoadScale::x_from_load_parameter(joint_kind(), load_parameter);
   const double xi = initial_slope_ * x / limit;
   const Shape g = shape(xi);
   // xi g'/g tends to 1 and 0 at the ends, as 0/0 and infinity times 0.
@@ -145,9 +153,9 @@ LoadParameterResult SaturatingLaw::load_parameter(
   if (half_angle == limit) return {infinity, Status::ok};
   const InverseResult inverse =
       inverse_shape(half_angle / limit, (limit - half_angle) / limit);
-  return {
-      load_parameter_from_x(joint_kind(), inverse.xi * limit / initial_slope_),
-      inverse.status};
+  return {LoadScale::load_parameter_from_x(joint_kind(),
+                                           inverse.xi * limit / initial_slope_),
+          inverse.status};
 }
 
 std::vector<std::string> SaturatingLaw::validity_notes(
@@ -243,4 +251,113 @@ SaturatingLaw::InverseResult BlendLaw::inverse_shape(
                 root.converged ? Status::ok : Status::not_converged);
 }
 
+namespace detail {
+namespace {
+
+LimitHalfAngle limit_of(const HalfAngleRequest& asked) {
+  const HalfAngleOptions& options = asked.options;
+  if (options.limit_half_angle) {
+    return LimitHalfAngle::given(*options.limit_half_angle);
+  }
+  const double ratio = asked.pair.modulus_ratio();
+  return options.linear_limit ? LimitHalfAngle::linear_formula(ratio)
+                              : LimitHalfAngle::arctan_formula(ratio);
+}
+
+template <class Law>
+std::unique_ptr<HalfAngleLaw> make_saturating(const HalfAngleRequest& asked) {
+  return std::make_unique<Law>(asked.kind, limit_of(asked),
+                               asked.options.initial_slope);
+}
+
+std::unique_ptr<HalfAngleLaw> make_blend(const HalfAngleRequest& asked,
+                                         double share) {
+  return std::make_unique<BlendLaw>(asked.kind, limit_of(asked), share,
+                                    asked.options.initial_slope);
+}
+
+// The K of "blend:K".
+double parse_share(std::string_view text) {
+  double share = nan;
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, share);
+  if (error != std::errc() || stop != end) {
+    throw Error(must_be(message("half-angle law blend:{}", printable(text)),
+                        "blend:K with K a number from 0 to 1"));
+  }
+  return share;
+}
+
+}  // namespace
+
+extern constexpr HalfAngleEntry hertz_law = {
+    .about = {.name = "hertz",
+              .meaning = "arcsin x, for x <= 1",
+              .accuracy = "small contacts: 5 % at lambda = 0.03"},
+    .equation = "(2.1)",
+    .ball_cost = 4,
+    .pin_cost = 2,
+    .make = [](const HalfAngleRequest& asked) -> std::unique_ptr<HalfAngleLaw> {
+      return std::make_unique<HertzLaw>(asked.kind);
+    }};
+
+extern constexpr HalfAngleEntry arctan_law = {
+    .about = {.name = "arctan",
+              .meaning = "C atan(x/C), C = 2 theta0*/pi",
+              .accuracy = "11 % (pin), 19 % (ball)",
+              .needs = LawEntry::Needs::materials},
+    .equation = "(2.3)",
+    .ball_cost = 5,
+    .pin_cost = 2,
+    .takes_options = true,
+    .make = make_saturating<ArctanLaw>};
+
+extern constexpr HalfAngleEntry tanh_law = {
+    .about = {.name = "tanh",
+              .meaning = "theta0* tanh(x/theta0*)",
+              .accuracy = "15 % (pin), 4.2 % (ball)",
+              .needs = LawEntry::Needs::materials},
+    .equation = "(2.4)",
+    .ball_cost = 6,
+    .pin_cost = 3,
+    .takes_options = true,
+    .make = make_saturating<TanhLaw>};
+
+extern constexpr HalfAngleEntry blend_law = {
+    .about = {.name = "blend",
+              .meaning = "K arctan + (1 - K) tanh; K = 1/2 for a pin, 0 for a "
+                         "ball, or blend:K with K from 0 to 1",
+              .accuracy = "5.8 % (pin), 4.2 % (ball)",
+              .needs = LawEntry::Needs::materials},
+    .equation = "section 2.1",
+    .ball_cost = 7,
+    .pin_cost = 4,
+    .takes_options = true,
+    .takes_parameter = true,
+    .make = [](const HalfAngleRequest& asked) {
+      return make_blend(asked,
+                        asked.parameter.data() == nullptr
+                            ? BlendLaw::recommended_arctan_share(asked.kind)
+                            : parse_share(asked.parameter));
+    }};
+
+extern constexpr HalfAngleEntry paper_law = {
+    .about = {.name = "paper",
+              .meaning = "what the paper recommends: blend:0.5 for a pin, tanh "
+                         "for a ball",
+              .accuracy = "5.8 % (pin), 4.2 % (ball)",
+              .needs = LawEntry::Needs::materials,
+              .is_among_all = false},
+    .equation = "section 2.1",
+    .ball_cost = 6,
+    .pin_cost = 4,
+    .takes_options = true,
+    .make = [](const HalfAngleRequest& asked) {
+      return asked.kind == JointKind::ball
+                 ? make_saturating<TanhLaw>(asked)
+                 : make_blend(asked,
+                              BlendLaw::recommended_arctan_share(asked.kind));
+    }};
+
+}  // namespace detail
 }  // namespace contact

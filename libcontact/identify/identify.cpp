@@ -305,7 +305,7 @@ class Identification {
       for (std::size_t k = 0; k < free_.size(); ++k) {
         along[free_[k]] = column[static_cast<Eigen::Index>(k)] / variance;
       }
-      const ConfidenceInterval ends = detail::profile(
+      const Estimate::Interval ends = detail::profile(
           model_, measured_, best, free_, number, along,
           best.scale * std::sqrt(variance), quantile_, degrees_);
       const auto si = [&](double x) {
@@ -345,32 +345,31 @@ FrictionFit identify_friction(const JointContact& joint,
   return Identification(joint, data, options).fit();
 }
 
-Estimate predicted_moment(const FrictionFit& fit,
-                          const Eigen::Vector3d& reaction,
-                          const Eigen::Vector3d& angular_velocity,
-                          double level) {
+Estimate FrictionFit::predicted_moment(const Eigen::Vector3d& reaction,
+                                       const Eigen::Vector3d& angular_velocity,
+                                       double level) const {
   const MeasuredMoment state{reaction, angular_velocity, 0.0, 1};
-  const MomentModel model(*fit.joint, {&state, 1});
-  const auto& friction = std::get<FrictionLaw>(fit.joint->friction());
-  const double clearance = fit.joint->geometry().radial_clearance();
+  const MomentModel model(*joint, {&state, 1});
+  const auto& friction = std::get<FrictionLaw>(joint->friction());
+  const double clearance = joint->geometry().radial_clearance();
   const Point point =
       model.point(friction.coefficient(), friction.adhesion(), clearance);
   const double unit[] = {1, model.unit(), clearance};
-  VectorXd slope = VectorXd::Zero(fit.covariance.rows());
-  MatrixXd covariance = fit.covariance;
+  VectorXd slope = VectorXd::Zero(covariance.rows());
+  MatrixXd known = covariance;
   for (Eigen::Index i = 0; i < slope.size(); ++i) {
-    if (std::isnan(covariance(i, i))) continue;
-    const int number = static_cast<int>(fit.parameters[i]);
+    if (std::isnan(known(i, i))) continue;
+    const int number = static_cast<int>(parameters[i]);
     slope[i] = model.slopes(point, {number})(0, 0) / unit[number];
   }
-  covariance = covariance.array().isNaN().select(0, covariance);
-  Estimate moment;
-  moment.value = model.moments(point)[0];
-  moment.standard_error = std::sqrt(slope.dot(covariance * slope));
-  const double reach = detail::student_quantile(level, fit.degrees_of_freedom) *
-                       moment.standard_error;
-  moment.interval = {moment.value - reach, moment.value + reach};
-  return moment;
+  known = known.array().isNaN().select(0, known);
+  Estimate found;
+  found.value = model.moments(point)[0];
+  found.standard_error = std::sqrt(slope.dot(known * slope));
+  const double reach = detail::student_quantile(level, degrees_of_freedom) *
+                       found.standard_error;
+  found.interval = {found.value - reach, found.value + reach};
+  return found;
 }
 
 }  // namespace contact

@@ -4,14 +4,32 @@
 #include <limits>
 #include <optional>
 #include <span>
+#include <variant>
 #include <vector>
 
-#include "libcontact/identify/measured.hpp"
 #include "libcontact/joint/contact.hpp"
 #include "libcontact/pressure/validity.hpp"
 
 /// Friction parameters from measured moments (docs/identify.md).
 namespace contact {
+
+/// A friction moment that was measured while a joint slides.
+struct MeasuredMoment {
+  Eigen::Vector3d reaction;          ///< R on the body, N; not 0
+  Eigen::Vector3d angular_velocity;  ///< Dw, rad/s; not 0
+  /// The moment that it takes to turn the joint, -M_t . Dw/|Dw|, or the vector
+  /// M_t on the body; N m.
+  std::variant<double, Eigen::Vector3d> moment;
+  /// Standard error of the moment, or of each component, N m; > 0. Their ratios
+  /// alone count.
+  double sigma;
+
+  bool is_vector() const {
+    return std::holds_alternative<Eigen::Vector3d>(moment);
+  }
+  /// How many numbers that are: 1 or 3.
+  int size() const { return is_vector() ? 3 : 1; }
+};
 
 /// What is looked for.
 enum class FrictionParameter {
@@ -31,22 +49,23 @@ struct IdentifyOptions {
   double level = 0.95;
 };
 
-struct ConfidenceInterval {
-  double low = std::numeric_limits<double>::quiet_NaN();
-  double high = std::numeric_limits<double>::quiet_NaN();
-};
-
 /// A number that is found. NaN: there is none.
 struct Estimate {
+  /// Confidence interval.
+  struct Interval {
+    double low = std::numeric_limits<double>::quiet_NaN();
+    double high = std::numeric_limits<double>::quiet_NaN();
+  };
+
   double value = 0;
   double standard_error = std::numeric_limits<double>::quiet_NaN();
   /// value -+ quantile of Student's t times the standard error.
-  ConfidenceInterval interval = {};
+  Interval interval = {};
   /// Where the other parameters are fitted anew and chi2 rises by t^2 chi2/dof;
   /// it ends at 0, and is infinite where chi2 never rises so far. NaN: the
   /// others run out of their range before, so that there is no end; that of f0
   /// is then with the clearance at an end of its range.
-  ConfidenceInterval profile = {};
+  Interval profile = {};
   /// Held at f0 = 0 or A = 0, below which the data would have it.
   bool at_bound = false;
 };
@@ -86,6 +105,14 @@ struct FrictionFit {
   LargestContact largest_contact;
   /// The joint with these parameters.
   std::optional<JointContact> joint;
+
+  /// What the fit says of a moment in another state.
+  /// @param reaction, angular_velocity  as in MeasuredMoment
+  /// @param level  probability of the interval
+  /// @return -M_t . Dw/|Dw|, N m, with the standard error of the fit
+  Estimate predicted_moment(const Eigen::Vector3d& reaction,
+                            const Eigen::Vector3d& angular_velocity,
+                            double level = 0.95) const;
 };
 
 /// Finds friction parameters with which a joint has measured moments. Those
@@ -99,14 +126,5 @@ struct FrictionFit {
 FrictionFit identify_friction(const JointContact& joint,
                               std::span<const MeasuredMoment> data,
                               const IdentifyOptions& options = {});
-
-/// What a fit says of a moment in another state.
-/// @param reaction, angular_velocity  as in MeasuredMoment
-/// @param level  probability of the interval
-/// @return -M_t . Dw/|Dw|, N m, with the standard error of the fit
-Estimate predicted_moment(const FrictionFit& fit,
-                          const Eigen::Vector3d& reaction,
-                          const Eigen::Vector3d& angular_velocity,
-                          double level = 0.95);
 
 }  // namespace contact

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "libcontact/identify/measured.hpp"
+#include "libcontact/identify/identify.hpp"
 #include "libcontact/joint/contact.hpp"
 #include "libcontact/joint/solution.hpp"
 

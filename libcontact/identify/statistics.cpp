@@ -152,7 +152,7 @@ Estimate trend(const VectorXd& residuals, const VectorXd& over,
   return slope;
 }
 
-ConfidenceInterval profile(const MomentModel& model,
+Estimate::Interval profile(const MomentModel& model,
                            const Measurements& measured, const Minimum& best,
                            const std::vector<int>& free, int number,
                            const Point& linear, double step, double quantile,
@@ -197,7 +197,7 @@ ConfidenceInterval profile(const MomentModel& model,
   // A little beyond the end of a linear model, so that it lies within.
   const double reach = 1.05 * quantile * step;
   const auto [lowest, highest] = model.range(number);
-  ConfidenceInterval ends;
+  Estimate::Interval ends;
   ends.high = profile_end(excess, value, reach, quantile, {highest, infinity});
   last = best.point;
   along = linear;

@@ -30,7 +30,7 @@ Estimate trend(const Eigen::VectorXd& residuals, const Eigen::VectorXd& over,
 /// @param number  of the point
 /// @param along   how the others go with it where the model is linear
 /// @param step    a standard error, or of its size
-ConfidenceInterval profile(const MomentModel& model,
+Estimate::Interval profile(const MomentModel& model,
                            const Measurements& measured, const Minimum& best,
                            const std::vector<int>& free, int number,
                            const Point& along, double step, double quantile,

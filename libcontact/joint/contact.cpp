@@ -7,9 +7,11 @@
 
 #include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
+#include "libcontact/base/instruction_set.hpp"
 #include "libcontact/base/text.hpp"
 #include "libcontact/base/units.hpp"
-#include "libcontact/friction/any_pressure.hpp"
+#include "libcontact/friction/friction_integrals.hpp"
+#include "libcontact/friction/models.hpp"
 #include "libcontact/friction/stress_rule.hpp"
 #include "libcontact/half_angle/factory.hpp"
 #include "libcontact/half_angle/worn.hpp"
@@ -46,10 +48,10 @@ double force_at_load_parameter_one(const JointGeometry& geometry,
 
 }  // namespace
 
-ContactApproach joint_approach(const HalfAngleLaw& law,
-                               const JointGeometry& geometry,
-                               const ElasticPair& pair,
-                               double half_angle) noexcept {
+ContactApproach JointContact::approach(const HalfAngleLaw& law,
+                                       const JointGeometry& geometry,
+                                       const ElasticPair& pair,
+                                       double half_angle) noexcept {
   const ContactApproach unit = law.approach(half_angle);
   const double length = geometry.kind() == JointKind::ball ? geometry.radius()
                                                            : geometry.length();
@@ -67,6 +69,7 @@ JointContact::JointContact(JointGeometry geometry, ElasticPair pair,
       friction_(std::move(friction)),
       half_angle_law_(std::move(half_angle_law)),
       pressure_law_(std::move(pressure_law)) {
+  detail::check_instruction_set();
   const JointKind kind = geometry_.kind();
   if (!half_angle_law_ || !pressure_law_) {
     throw Error(detail::needs(to_string(kind) + " joint",
@@ -133,7 +136,8 @@ std::vector<std::string> JointContact::validity_notes() const {
 }
 
 std::string JointContact::rest_refusal() const {
-  if (!stress() || stress()->over_speed() != StressOverSpeed::falls) return {};
+  if (!stress() || stress()->over_speed() != FrictionStress::OverSpeed::falls)
+    return {};
   return "friction that does not fall with the speed: else a joint sticks and "
          "slips, and the moments that it holds are no convex set";
 }
@@ -164,8 +168,7 @@ FrictionIntegrals JointContact::integrals(double half_angle, SlipAxis axis,
   if (geometry_.kind() == JointKind::ball) {
     return is_viscous()
                ? viscous_friction_integrals(*pressure_law_, half_angle, axis)
-               : friction_integrals(*pressure_law_, half_angle, axis,
-                                    instruction_set_);
+               : friction_integrals(*pressure_law_, half_angle, axis);
   }
   const double span = 2 * geometry_.length() / geometry_.radius();
   FrictionIntegrals pin;
@@ -187,10 +190,6 @@ JointContact::Strength JointContact::strength(double speed) const noexcept {
   const double scale = rho * speed;
   return {viscous.pressure_slope() * scale,
           viscous.constant() * rho * rho * scale};
-}
-
-ContactApproach JointContact::approach(double half_angle) const noexcept {
-  return joint_approach(*half_angle_law_, geometry_, pair_, half_angle);
 }
 
 double JointContact::area(double half_angle) const noexcept {

@@ -6,7 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include "libcontact/base/instruction_set.hpp"
 #include "libcontact/friction/integrals.hpp"
 #include "libcontact/half_angle/law.hpp"
 #include "libcontact/pair/contact_conditions.hpp"
@@ -16,15 +15,6 @@
 #include "libcontact/pressure/law.hpp"
 
 namespace contact {
-
-/// How far a joint's halves are pressed into each other, m from first touch,
-/// and dR_n/d(approach), N/m: HalfAngleLaw::approach() in SI units, with what
-/// is NaN there.
-/// @param half_angle  theta0, rad
-ContactApproach joint_approach(const HalfAngleLaw& law,
-                               const JointGeometry& geometry,
-                               const ElasticPair& pair,
-                               double half_angle) noexcept;
 
 /// The contact of a joint's two halves: everything that is fixed about it
 /// (geometry, elastic pair, friction, laws of half-angle and pressure),
@@ -72,14 +62,6 @@ class JointContact {
   /// @param wear_number  v, [0, infinity)
   /// @throws Error if v is out of range.
   JointContact worn(double wear_number) const;
-
-  /// The same contact, its integrals by another instruction set than the best.
-  /// @param set  a supported one
-  JointContact with_instruction_set(InstructionSet set) const {
-    JointContact other = *this;
-    other.instruction_set_ = set;
-    return other;
-  }
 
   const JointGeometry& geometry() const { return geometry_; }
   const ElasticPair& pair() const { return pair_; }
@@ -151,8 +133,18 @@ class JointContact {
     return pressure_law_->pressure(theta, half_angle) *
            pressure_unit(normal_force);
   }
-  /// joint_approach() of the half-angle law.
-  ContactApproach approach(double half_angle) const noexcept;
+  /// How far the halves are pressed into each other, m from first touch, and
+  /// dR_n/d(approach), N/m: HalfAngleLaw::approach() in SI units, with what is
+  /// NaN there.
+  /// @param half_angle  theta0, rad
+  ContactApproach approach(double half_angle) const noexcept {
+    return approach(*half_angle_law_, geometry_, pair_, half_angle);
+  }
+  /// The same of a joint whose friction nobody asks for.
+  static ContactApproach approach(const HalfAngleLaw& law,
+                                  const JointGeometry& geometry,
+                                  const ElasticPair& pair,
+                                  double half_angle) noexcept;
   /// Mean pressure over the contact, Pa.
   double mean_pressure(double normal_force, double half_angle) const noexcept {
     return pressure_law_->mean(half_angle) * normal_force / unit_pressure_area_;
@@ -167,7 +159,6 @@ class JointContact {
   FrictionModel friction_;
   std::shared_ptr<const HalfAngleLaw> half_angle_law_;
   std::shared_ptr<const PressureLaw> pressure_law_;
-  InstructionSet instruction_set_ = best_instruction_set();
   double unit_force_;          // R_n at load parameter 1
   double unit_pressure_area_;  // rho^2 or rho l
 };

@@ -142,14 +142,6 @@ JointGroup::Solution JointGroup::make_solution() const {
   return solution;
 }
 
-JointGroup JointGroup::with_instruction_set(InstructionSet set) const {
-  JointGroup other = *this;
-  for (Member& joint : other.joints_) {
-    joint.joint = Joint(joint.joint.contact().with_instruction_set(set));
-  }
-  return other;
-}
-
 void JointGroup::solve(const Slip& slip, Solution& solution) const noexcept {
   const auto& [reaction, moment, axis, angular_velocity] = slip;
   // Friction moments count little in the balance (rho/distance), so a few

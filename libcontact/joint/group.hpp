@@ -71,11 +71,6 @@ class JointGroup {
   /// A solution with room for the joints: solve() then does not allocate.
   Solution make_solution() const;
 
-  /// The same group, its joints' integrals by another instruction set than the
-  /// best.
-  /// @param set  a supported one
-  JointGroup with_instruction_set(InstructionSet set) const;
-
   struct Slip {
     /// R on the body, N.
     Eigen::Vector3d reaction;

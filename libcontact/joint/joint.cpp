@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "libcontact/joint/slip_equation.hpp"
+#include "libcontact/joint/taken_force.hpp"
 
 namespace contact {
 namespace {
@@ -13,6 +14,7 @@ namespace {
 using detail::SlipEquation;
 using detail::SlipRoot;
 using detail::SlipTriangle;
+using detail::taken;
 using Eigen::Vector3d;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -40,15 +42,6 @@ struct Polar {
 // +1 if the carrier has the ball or pin, -1 if the body has it.
 double side(const JointContact& contact) {
   return contact.geometry().inner_body() == JointBody::carrier ? 1.0 : -1.0;
-}
-
-// Of a force what the joint takes: of a pin's, what is normal to its axis.
-Vector3d taken(const Joint& joint, const Vector3d& force,
-               const Vector3d& angular_velocity, const Vector3d& axis) {
-  if (!joint.is_pin()) return force;
-  const Vector3d u =
-      axis.isZero(0) ? Vector3d(angular_velocity.stableNormalized()) : axis;
-  return force - force.dot(u) * u;
 }
 
 JointSolution not_a_number(Status status, const Vector3d& reaction) {
@@ -233,60 +226,6 @@ JointSolution Joint::solve_contact(const KnownContact& known) const noexcept {
   s.reaction_direction = {s.friction_direction.cos * std::hypot(cos_a, f),
                           s.friction_direction.cos * s.slip_axis.sin};
   return s;
-}
-
-FixedPointResult Joint::fixed_point(
-    const Slip& slip, std::span<FixedPointStep> trace,
-    const FixedPointOptions& options) const noexcept {
-  const Vector3d& rate = slip.angular_velocity;
-  const Vector3d reaction = taken(*this, slip.reaction, rate, slip.axis);
-  const double force = reaction.stableNorm();
-  const double speed = rate.stableNorm();
-  // Parallel vectors may round to more than 1.
-  const double cos_b =
-      std::clamp((reaction / force).dot(rate / speed), -1.0, 1.0);
-  const JointContact::Strength strength = contact_.strength(speed);
-  FixedPointResult result = {Status::not_converged, 0, 0};
-  double f = options.start;  // 0: g_1 = 0 (4.3)
-  while (result.steps < options.step_limit) {
-    const double g = std::atan(f);
-    const double cos_g = 1 / std::hypot(1, f);
-    const double sin_a = cos_b / cos_g;  // (4.2)
-    if (!(std::abs(sin_a) <= 1)) {
-      result.status = Status::out_of_range;
-      break;
-    }
-    const SlipAxis axis = {sin_a, std::sqrt((1 - sin_a) * (1 + sin_a))};
-    const double normal_force = force * cos_g;  // (4.1)
-    const double half_angle = contact_.half_angle(normal_force).half_angle;
-    const FrictionIntegrals i =
-        contact_.integrals(half_angle, axis, {normal_force, speed});
-    const double next = strength.pressure_part * i.coefficient.force +
-                        strength.area_part / normal_force * i.area.force;
-    if (static_cast<std::size_t>(result.steps) < trace.size()) {
-      trace[result.steps] = {
-          result.steps + 1,
-          g,
-          std::atan2(axis.sin, axis.cos),
-          normal_force,
-          strength.area_part / (strength.pressure_part * normal_force),
-          contact_.load_parameter(normal_force),
-          half_angle,
-          next};
-    }
-    ++result.steps;
-    result.residual = next == f ? 0 : std::abs(next / f - 1);
-    if (result.residual <= options.tolerance) {
-      result.status = Status::ok;
-      break;
-    }
-    if (std::isnan(next)) {
-      result.status = Status::out_of_range;
-      break;
-    }
-    f = next;
-  }
-  return result;
 }
 
 }  // namespace contact

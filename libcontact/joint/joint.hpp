@@ -1,7 +1,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <span>
 #include <utility>
 
 #include "libcontact/joint/contact.hpp"
@@ -131,14 +130,6 @@ class Joint {
   }
   /// Would refer to a joint that is gone.
   MomentSet moment_set(const JointSolution&) const&& = delete;
-
-  /// The paper's inner loop (section 4): g_1 = 0, then a, R_n, theta0, f and
-  /// g = atan f in turn. It may crawl or fail where solve() does not.
-  ///
-  /// @param trace  filled with the steps, as many as it has room for
-  FixedPointResult fixed_point(
-      const Slip& slip, std::span<FixedPointStep> trace,
-      const FixedPointOptions& options = {}) const noexcept;
 
  private:
   JointSolution solve_from(const JointSolution::Memory& last, const Slip& slip,

@@ -209,7 +209,7 @@ RestSolution ball_at_rest(const Joint& joint, const Joint::Hold& hold,
 
 bool depends_on_speed(const JointContact& contact) {
   return contact.stress() &&
-         contact.stress()->over_speed() != StressOverSpeed::constant;
+         contact.stress()->over_speed() != FrictionStress::OverSpeed::constant;
 }
 
 // Joint::at_rest() with tau(p, 0); none if tau falls with the speed.
@@ -217,7 +217,7 @@ template <class... Arguments>
 RestSolution slow_at_rest(const JointContact& contact,
                           const Arguments&... arguments) {
   const FrictionStress& stress = *contact.stress();
-  if (stress.over_speed() == StressOverSpeed::falls) {
+  if (stress.over_speed() == FrictionStress::OverSpeed::falls) {
     RestSolution none;
     none.utilisation = nan;
     none.direction.setConstant(nan);

@@ -57,7 +57,7 @@ MomentSet::MomentSet(const JointContact& contact, const Vector3d& normal,
   pressure_part_ = rho * strength.pressure_part * normal_force;
   area_part_ = rho * strength.area_part;
   const FrictionStress* stress = contact.stress();
-  if (stress && stress->over_speed() == StressOverSpeed::falls) {
+  if (stress && stress->over_speed() == FrictionStress::OverSpeed::falls) {
     pressure_part_ = nan;
   }
   most_sliding_ = edge({0, 1}).sliding;

@@ -3,6 +3,7 @@
 #include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
 #include "libcontact/base/text.hpp"
+#include "libcontact/half_angle/registry.hpp"
 
 namespace contact {
 namespace {
@@ -31,8 +32,10 @@ ContactConditions JointSpec::conditions() const {
 
 std::string JointSpec::half_angle_law_name() const {
   if (!half_angle_law.empty()) return half_angle_law;
-  // The only law that knows walls; it is for all joints, and takes long.
-  return has_walls(*this) ? "exact" : std::string(default_half_angle_law);
+  if (!has_walls(*this)) return std::string(default_half_angle_law);
+  return detail::half_angle_names(
+             [](const auto& law) { return law.about.allows_walls; })
+      .front();
 }
 
 std::string JointSpec::pressure_law_name() const {

@@ -4,11 +4,13 @@
 #include <iterator>
 #include <limits>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "libcontact/base/text.hpp"
 #include "libcontact/base/units.hpp"
 #include "libcontact/joint/spec.hpp"
+#include "libcontact/pair/stress_registry.hpp"
 
 namespace contact {
 namespace {
@@ -132,22 +134,24 @@ void write(Toml& toml, const ViscousLaw& viscous) {
   }
 }
 
+std::string with_unit(std::string_view key, std::string_view unit) {
+  return unit.empty() ? std::string(key) : detail::message("{}_{}", key, unit);
+}
+
 void write(Toml& toml, const FrictionStress& stress) {
   const auto& [law, numbers, table] = stress.source();
   toml.text("law", law.empty() ? "own" : law);
-  constexpr std::string_view stribeck[] = {
-      "static_coefficient", "dynamic_coefficient", "stribeck_velocity_m_per_s"};
-  constexpr std::string_view power[] = {"coefficient", "reference_pressure_Pa",
-                                        "exponent"};
+  const detail::StressEntry* entry = detail::find_stress_entry(law);
+  if (!entry) return;
   for (std::size_t i = 0; i < numbers.size(); ++i) {
-    toml.number(law == "stribeck" ? stribeck[i] : power[i], numbers[i]);
+    const auto& [key, unit, is_above_zero, largest] = entry->numbers[i];
+    toml.number(with_unit(key, unit), numbers[i]);
   }
-  if (table.points.empty()) return;
-  toml.numbers(law == "pressure_table" ? "pressures_Pa"
-                                       : "speeds_over_pressure_m_per_s_Pa",
-               table.points);
+  if (!entry->is_table()) return;
+  toml.numbers(with_unit(entry->points, entry->points_unit), table.points);
   toml.numbers("coefficients", table.coefficients);
-  if (table.curve == TableCurve::linear) toml.text("curve", "linear");
+  if (table.curve == FrictionStress::Table::Curve::linear)
+    toml.text("curve", "linear");
 }
 
 void write_laws(Toml& toml, const JointSpec& joint) {

@@ -56,7 +56,7 @@ Limits limits_of(const SizeRange& range, std::string_view tolerance_class) {
   return {near, near + range.tolerances[tolerance_class[1] - '5']};
 }
 
-void require_class(const ToleranceClasses& classes, const char* what,
+void require_class(const Fit::Classes& classes, const char* what,
                    std::string_view name) {
   if (classes.contains(name)) return;
   throw Error(detail::must_be(
@@ -72,10 +72,10 @@ bool Fit::has_size(double diameter) {
 }
 
 Fit::Fit(std::string_view hole, std::string_view shaft, double diameter,
-         FitClearance taken)
+         Fit::Clearance taken)
     : diameter_(diameter), taken_(taken) {
-  require_class(fit_holes, "hole", hole);
-  require_class(fit_shafts, "shaft", shaft);
+  require_class(Fit::holes, "hole", hole);
+  require_class(Fit::shafts, "shaft", shaft);
   detail::require(has_size(diameter), "fit", "diameter", diameter,
                   "0.003 to 0.5 m");
   name_ = detail::message("{}/{}", hole, shaft);
@@ -87,13 +87,13 @@ Fit::Fit(std::string_view hole, std::string_view shaft, double diameter,
   maximum_um_ = h.far_um + s.far_um;
 }
 
-double Fit::clearance(FitClearance which) const {
+double Fit::clearance(Fit::Clearance which) const {
   switch (which) {
-    case FitClearance::minimum:
+    case Fit::Clearance::minimum:
       return from_um(minimum_um_);
-    case FitClearance::maximum:
+    case Fit::Clearance::maximum:
       return from_um(maximum_um_);
-    case FitClearance::mean:
+    case Fit::Clearance::mean:
       break;
   }
   return from_um((minimum_um_ + maximum_um_) / 2.0);
@@ -101,14 +101,14 @@ double Fit::clearance(FitClearance which) const {
 
 std::string to_string(const Fit& fit) {
   constexpr std::array names = {"minimum", "mean", "maximum"};
-  const auto um = [&fit](FitClearance which) {
+  const auto um = [&fit](Fit::Clearance which) {
     return fit.clearance(which) * 1e6;
   };
   return detail::message(
       "fit {} at {:.6g} mm: diametral clearance {:.6g} to {:.6g} um; {} {:.6g} "
       "um taken",
-      fit.name(), fit.diameter() * 1e3, um(FitClearance::minimum),
-      um(FitClearance::maximum), names[static_cast<int>(fit.taken())],
+      fit.name(), fit.diameter() * 1e3, um(Fit::Clearance::minimum),
+      um(Fit::Clearance::maximum), names[static_cast<int>(fit.taken())],
       um(fit.taken()));
 }
 

@@ -6,23 +6,6 @@
 /// Clearances of fits by ISO 286: a hole H7 on a shaft g6.
 namespace contact {
 
-/// Tolerance classes, each a letter and a grade from 5 to 9.
-struct ToleranceClasses {
-  std::string_view letters;
-  std::string_view rule;  ///< for messages
-
-  bool contains(std::string_view name) const {
-    return name.size() == 2 && letters.find(name[0]) != letters.npos &&
-           name[1] >= '5' && name[1] <= '9';
-  }
-};
-inline constexpr ToleranceClasses fit_holes = {
-    "EFGH", "E, F, G or H with a grade from 5 to 9, as H7"};
-inline constexpr ToleranceClasses fit_shafts = {
-    "defgh", "d, e, f, g or h with a grade from 5 to 9, as g6"};
-
-enum class FitClearance { minimum, mean, maximum };
-
 /// A seat or hole and a ball or pin of one nominal size, with the clearances
 /// that their tolerances leave.
 ///
@@ -33,13 +16,30 @@ enum class FitClearance { minimum, mean, maximum };
 /// catalogues and books print them (data/README.md).
 class Fit {
  public:
-  /// @param hole      of the seat or hole, one of fit_holes
-  /// @param shaft     of the ball or pin, one of fit_shafts
+  /// Tolerance classes, each a letter and a grade from 5 to 9.
+  struct Classes {
+    std::string_view letters;
+    std::string_view rule;  ///< for messages
+
+    bool contains(std::string_view name) const {
+      return name.size() == 2 && letters.find(name[0]) != letters.npos &&
+             name[1] >= '5' && name[1] <= '9';
+    }
+  };
+  static constexpr Classes holes = {
+      "EFGH", "E, F, G or H with a grade from 5 to 9, as H7"};
+  static constexpr Classes shafts = {
+      "defgh", "d, e, f, g or h with a grade from 5 to 9, as g6"};
+
+  enum class Clearance { minimum, mean, maximum };
+
+  /// @param hole      of the seat or hole, one of holes
+  /// @param shaft     of the ball or pin, one of shafts
   /// @param diameter  nominal size, m, which has_size()
   /// @param taken     the one of the clearances that a joint is to have
   /// @throws Error if an argument is out of range.
   Fit(std::string_view hole, std::string_view shaft, double diameter,
-      FitClearance taken = FitClearance::mean);
+      Clearance taken = Clearance::mean);
 
   /// Whether there are limits for a nominal size, m: 3 to 500 mm.
   static bool has_size(double diameter);
@@ -49,9 +49,9 @@ class Fit {
   /// Nominal size, m.
   double diameter() const { return diameter_; }
   /// Diametral clearance, m, 0 or above; 0 is the minimum of H on h.
-  double clearance(FitClearance which) const;
+  double clearance(Clearance which) const;
   /// The one that a joint is to have.
-  FitClearance taken() const { return taken_; }
+  Clearance taken() const { return taken_; }
 
   /// For JointGeometry: half of the nominal size. The ball's or pin's own
   /// deviation is left out; it is 0.03 % of the size for g6 of 50 mm, 0.2 % for
@@ -65,7 +65,7 @@ class Fit {
  private:
   std::string name_;
   double diameter_;
-  FitClearance taken_;
+  Clearance taken_;
   int minimum_um_;
   int maximum_um_;
 };

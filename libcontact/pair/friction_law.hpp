@@ -76,18 +76,4 @@ class ViscousLaw {
 /// The friction of a joint.
 using FrictionModel = std::variant<FrictionLaw, ViscousLaw, FrictionStress>;
 
-/// Friction stress, Pa.
-/// @param pressure  p, Pa, >= 0
-/// @param speed     v, m/s, >= 0
-inline double friction_stress(const FrictionModel& friction, double pressure,
-                              double speed) {
-  if (const auto* dry = std::get_if<FrictionLaw>(&friction)) {
-    return dry->stress_at(pressure);
-  }
-  if (const auto* viscous = std::get_if<ViscousLaw>(&friction)) {
-    return viscous->stress_at(pressure, speed);
-  }
-  return std::get<FrictionStress>(friction).stress_at(pressure, speed);
-}
-
 }  // namespace contact

@@ -9,21 +9,6 @@
 
 namespace contact {
 
-/// How a friction stress changes with the sliding speed at constant pressure.
-enum class StressOverSpeed {
-  constant,
-  rises,
-  /// Somewhere: no convex set of moments, so that nothing can be said of rest;
-  /// real joints stick and slip there.
-  falls,
-};
-
-/// What lies between the points of a table of friction coefficients.
-enum class TableCurve {
-  spline,  ///< natural cubic spline in the logarithm, two continuous slopes
-  linear,  ///< in the logarithm; costs friction up to some 1e-3
-};
-
 /// A friction stress tau(p, v) of pressure and sliding speed, by one of the
 /// named laws, by a table, or one's own. tau must not fall with p: the
 /// equations of a joint could then have several solutions.
@@ -31,12 +16,21 @@ enum class TableCurve {
 /// Cheap to copy.
 class FrictionStress {
  public:
+  /// How a friction stress changes with the sliding speed at constant pressure.
+  enum class OverSpeed {
+    constant,
+    rises,
+    /// Somewhere: no convex set of moments, so that nothing can be said of
+    /// rest; real joints stick and slip there.
+    falls,
+  };
+
   /// Pa, of p in Pa and v in m/s, both >= 0 and finite: >= 0, 0 or more at
   /// p = 0. Does not throw, and may be called by several threads.
   using Function = std::function<double(double pressure, double speed)>;
 
   /// One's own.
-  FrictionStress(Function stress, StressOverSpeed over_speed);
+  FrictionStress(Function stress, OverSpeed over_speed);
 
   /// p (fc + (fs - fc) exp(-v/vs)): from fs at rest to fc when sliding.
   /// @param static_coefficient, dynamic_coefficient  fs, fc, [0, infinity)
@@ -54,9 +48,15 @@ class FrictionStress {
 
   /// Coefficients of friction at some points; constant outside of them.
   struct Table {
+    /// What lies between the points of a table of friction coefficients.
+    enum class Curve {
+      spline,  ///< natural cubic spline in the logarithm, two continuous slopes
+      linear,  ///< in the logarithm; costs friction up to some 1e-3
+    };
+
     std::vector<double> points;        ///< 2 or more, > 0, ascending
     std::vector<double> coefficients;  ///< as many, >= 0
-    TableCurve curve = TableCurve::spline;
+    Curve curve = Curve::spline;
 
     friend bool operator==(const Table&, const Table&) = default;
   };
@@ -72,7 +72,7 @@ class FrictionStress {
   double stress_at(double pressure, double speed) const {
     return (*stress_)(pressure, at_rest_ ? 0 : speed);
   }
-  StressOverSpeed over_speed() const { return over_speed_; }
+  OverSpeed over_speed() const { return over_speed_; }
   /// m/s, within which tau changes beside the rest, as Stribeck's vs; infinite
   /// for laws that have none.
   double speed_scale() const { return at_rest_ ? no_scale : speed_scale_; }
@@ -105,7 +105,7 @@ class FrictionStress {
   static constexpr double no_scale = std::numeric_limits<double>::infinity();
   std::shared_ptr<const Function> stress_;
   Source source_;
-  StressOverSpeed over_speed_;
+  OverSpeed over_speed_;
   double speed_scale_ = no_scale;
   bool at_rest_ = false;
   std::string note_;

@@ -2,10 +2,8 @@
 
 #include <string>
 
-#include "libcontact/base/error.hpp"
-
-/// What the exact solutions of conforming contact share: how the inner body
-/// is loaded, and the results of both directions.
+/// How the inner body of a conforming contact is loaded, and how far it gives
+/// way.
 namespace contact {
 
 /// Where the force that presses the inner body (ball, pin) into the outer one
@@ -41,18 +39,6 @@ class InnerLoading {
 /// "centre", or "back:20" with psi in degrees, to six digits.
 std::string to_string(const InnerLoading& loading);
 
-/// A half-angle from an exact solution.
-struct ExactHalfAngle {
-  /// theta0, rad. NaN if out_of_range; the largest angle the solution
-  /// reaches if not_converged.
-  double half_angle;
-  Status status;
-  /// Width of the last bracket about the root, rad.
-  double bracket;
-  /// Solutions of the contact problem that it took.
-  int evaluations;
-};
-
 /// How far the inner body has gone into the outer one.
 struct ContactApproach {
   /// delta/eps, counted from first touch of the unloaded bodies: the centres
@@ -62,16 +48,6 @@ struct ContactApproach {
   /// Force over approach, exact at this load: dR_n/d delta in units of rho E
   /// (ball), dP/d delta in units of E (pin).
   double stiffness;
-};
-
-/// A load parameter from an exact solution.
-struct ExactLoad {
-  /// lambda (pin) or mu (ball); NaN if out_of_range.
-  double load_parameter;
-  Status status;
-  /// Estimate of the truncation error of 1/load_parameter: its change from
-  /// four unknowns fewer, an upper bound in all measured cases.
-  double reciprocal_error;
 };
 
 }  // namespace contact

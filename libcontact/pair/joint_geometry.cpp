@@ -79,12 +79,12 @@ LoadScale::LoadScale(const JointGeometry& geometry, const ElasticPair& pair) {
                    : eps_E * (std::numbers::pi / 2);
 }
 
-double x_from_load_parameter(JointKind kind, double load_parameter) {
+double LoadScale::x_from_load_parameter(JointKind kind, double load_parameter) {
   return kind == JointKind::ball ? std::cbrt(load_parameter)
                                  : 2 * std::sqrt(load_parameter);
 }
 
-double load_parameter_from_x(JointKind kind, double x) {
+double LoadScale::load_parameter_from_x(JointKind kind, double x) {
   if (kind == JointKind::ball) return x * x * x;
   const double half = x / 2;
   return half * half;

@@ -127,17 +127,17 @@ class LoadScale {
   /// The load at which the load parameter is 1, N or N/m.
   double unit_load() const { return unit_load_; }
 
+  /// The variable x in which the half-angle laws are written: cbrt(mu) for a
+  /// ball, 2 sqrt(lambda) for a pin. Relative error at most 5e-16
+  /// (pair/pair_test.cpp). Negative lambda gives NaN.
+  static double x_from_load_parameter(JointKind kind, double load_parameter);
+
+  /// Inverse of x_from_load_parameter(): x^3 for a ball, x^2/4 for a pin.
+  /// Relative error at most 3e-16 (pair/pair_test.cpp).
+  static double load_parameter_from_x(JointKind kind, double x);
+
  private:
   double unit_load_;
 };
-
-/// The variable x in which the half-angle laws are written: cbrt(mu) for a
-/// ball, 2 sqrt(lambda) for a pin. Relative error at most 5e-16
-/// (pair/pair_test.cpp). Negative lambda gives NaN.
-double x_from_load_parameter(JointKind kind, double load_parameter);
-
-/// Inverse of x_from_load_parameter(): x^3 for a ball, x^2/4 for a pin.
-/// Relative error at most 3e-16 (pair/pair_test.cpp).
-double load_parameter_from_x(JointKind kind, double x);
 
 }  // namespace contact

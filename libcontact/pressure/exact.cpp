@@ -15,6 +15,7 @@
 #include "libcontact/pressure/edge_polynomial.hpp"
 #include "libcontact/pressure/expansion.hpp"
 #include "libcontact/pressure/plain_logarithm.hpp"
+#include "libcontact/pressure/registry.hpp"
 
 namespace contact {
 namespace {
@@ -336,4 +337,24 @@ double ExactPressure::force_ratio(double half_angle) const noexcept {
   return evaluate(half_angle)[terms_ + logarithms];
 }
 
+namespace detail {
+
+extern constexpr PressureEntry exact_pressure = {
+    .about = {.name = "exact",
+              .meaning = "the theory of elasticity for this pair",
+              .accuracy = "2e-7 of the peak",
+              .needs = LawEntry::Needs::conditions,
+              .allows_back = true,
+              .allows_walls = true,
+              .is_slow_to_make = true},
+    .shape = "series in an edge variable, with x^3 ln x",
+    .make = [](const PressureRequest& asked) -> std::unique_ptr<PressureLaw> {
+      const auto& [loading, walls] = asked.conditions;
+      return walls
+                 ? std::make_unique<ExactPressure>(asked.kind, *walls, loading)
+                 : std::make_unique<ExactPressure>(asked.kind, asked.pair,
+                                                   loading);
+    }};
+
+}  // namespace detail
 }  // namespace contact

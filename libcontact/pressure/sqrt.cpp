@@ -9,6 +9,7 @@
 #include "libcontact/conforming/wide_edge.hpp"
 #include "libcontact/pressure/edge_polynomial.hpp"
 #include "libcontact/pressure/expansion.hpp"
+#include "libcontact/pressure/registry.hpp"
 
 namespace contact {
 namespace {
@@ -311,4 +312,27 @@ void SqrtThetaPressure::edge_slopes(double half_angle,
   }
 }
 
+namespace detail {
+
+extern constexpr PressureEntry sqrt_tan_pressure = {
+    .about = {.name = "sqrt_tan",
+              .meaning = "Hertz' edge; small contacts",
+              .accuracy = "S 5 %, peak 16 %",
+              .allows_back = true},
+    .shape = "x = sqrt(1 - tan^2(t/2)/tan^2(theta0/2))",
+    .make = [](const PressureRequest& asked) -> std::unique_ptr<PressureLaw> {
+      return std::make_unique<SqrtTanPressure>(asked.kind);
+    }};
+
+extern constexpr PressureEntry sqrt_theta_pressure = {
+    .about = {.name = "sqrt_theta",
+              .meaning = "the same, a little closer",
+              .accuracy = "S 4 %, peak 11 %",
+              .allows_back = true},
+    .shape = "sqrt(1 - (t/theta0)^2)",
+    .make = [](const PressureRequest& asked) -> std::unique_ptr<PressureLaw> {
+      return std::make_unique<SqrtThetaPressure>(asked.kind);
+    }};
+
+}  // namespace detail
 }  // namespace contact

@@ -8,10 +8,6 @@
 
 namespace contact {
 
-/// Share of the smaller Young's modulus up to which linear elasticity is
-/// taken to hold: strains of some 5 %.
-inline constexpr double largest_pressure_share = 0.05;
-
 /// The largest half-angle and peak of some contacts.
 struct LargestContact {
   double half_angle = 0;     ///< theta0, rad
@@ -31,7 +27,7 @@ struct LargestContact {
 
 /// How large the contacts of a joint may be before they leave the theory or
 /// what its materials bear:
-/// - a peak of largest_pressure_share of the smaller Young's modulus,
+/// - a peak of 5 % of the smaller Young's modulus,
 /// - a peak of the limit_pressure of a material,
 /// - the half-angle that the joint has at infinite load. Laws of the paper may
 ///   give more. The laws `exact` and `worn` know that of their own walls and
@@ -55,6 +51,10 @@ class ContactLimits {
   std::vector<std::string> passed(const LargestContact& largest) const;
 
  private:
+  /// Of the smaller Young's modulus, up to which linear elasticity is taken to
+  /// hold: strains of some 5 %.
+  static constexpr double largest_pressure_share = 0.05;
+
   struct Limit {
     double LargestContact::*of;
     double value;        ///< Pa or rad

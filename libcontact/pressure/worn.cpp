@@ -6,6 +6,7 @@
 
 #include "libcontact/pressure/cosine.hpp"
 #include "libcontact/pressure/expansion.hpp"
+#include "libcontact/pressure/registry.hpp"
 
 namespace contact {
 namespace {
@@ -68,4 +69,19 @@ PressureExpansion WornPressure::expansion(double half_angle) const noexcept {
           .edge_pressure = p * std::cos(half_angle)};
 }
 
+namespace detail {
+
+extern constexpr PressureEntry worn_pressure = {
+    .about = {.name = "worn",
+              .meaning = "a seat or hole that has worn in; up to 90 deg",
+              .accuracy = "of another surface",
+              .allows_back = true,
+              .allows_walls = true,
+              .is_among_all = false},
+    .shape = "cos t",
+    .make = [](const PressureRequest& asked) -> std::unique_ptr<PressureLaw> {
+      return std::make_unique<WornPressure>(asked.kind);
+    }};
+
+}  // namespace detail
 }  // namespace contact

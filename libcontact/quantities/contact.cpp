@@ -52,7 +52,9 @@ constexpr Quantity<FrictionTriple> of_coefficients[] = {
      [](const FrictionTriple& c) { return c.spinning; }},
 };
 
-bool slides(const Rating& r) { return r.slides; }
+bool slides(const SlidingContact::Rating& r) { return r.slides; }
+
+using Rating = SlidingContact::Rating;
 
 constexpr Quantity<Rating> of_rating[] = {
     {"pv_max", "", Dimension::power_density, "largest p v over the contact",
@@ -104,6 +106,8 @@ std::span<const Quantity<FrictionTriple>> coefficient_quantities() {
   return of_coefficients;
 }
 
-std::span<const Quantity<Rating>> rating_quantities() { return of_rating; }
+std::span<const Quantity<SlidingContact::Rating>> rating_quantities() {
+  return of_rating;
+}
 
 }  // namespace contact

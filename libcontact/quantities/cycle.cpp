@@ -3,28 +3,28 @@
 namespace contact {
 namespace {
 
-constexpr Quantity<CycleInstant> of_instant[] = {
+constexpr Quantity<JointCycle::Instant> of_instant[] = {
     {"time", "", Dimension::time, "time of the cycle",
-     [](const CycleInstant& i) { return i.time; }},
+     [](const JointCycle::Instant& i) { return i.time; }},
     {"reaction", "R", Dimension::force, "reaction on the body",
-     [](const CycleInstant& i) -> const Eigen::Vector3d& {
+     [](const JointCycle::Instant& i) -> const Eigen::Vector3d& {
        return i.state.reaction;
      }},
     {"angular_velocity", "w", Dimension::angular_velocity,
      "angular velocity Dw, body against carrier",
-     [](const CycleInstant& i) -> const Eigen::Vector3d& {
+     [](const JointCycle::Instant& i) -> const Eigen::Vector3d& {
        return i.state.angular_velocity;
      }},
 };
 
 // rho |Dw|, m/s.
-double rim_speed(const JointCycle& cycle, const CycleInstant& i) {
+double rim_speed(const JointCycle& cycle, const JointCycle::Instant& i) {
   return cycle.contact().geometry().radius() * i.state.angular_velocity.norm();
 }
 
 double energy(const JointCycle& cycle) {
   return cycle.integral(
-      [](const CycleInstant& i) { return -i.solution.power; });
+      [](const JointCycle::Instant& i) { return -i.solution.power; });
 }
 
 constexpr Quantity<JointCycle> of_cycle[] = {
@@ -40,34 +40,35 @@ constexpr Quantity<JointCycle> of_cycle[] = {
     {"sliding_path", "", Dimension::length, "of the rim: integral of rho |Dw|",
      [](const JointCycle& c) {
        return c.integral(
-           [&](const CycleInstant& i) { return rim_speed(c, i); });
+           [&](const JointCycle::Instant& i) { return rim_speed(c, i); });
      }},
     {"effective_sliding_distance", "", Dimension::length,
      "integral of rho |Dw| L, what wears under p",
      [](const JointCycle& c) {
-       return c.integral([&](const CycleInstant& i) {
+       return c.integral([&](const JointCycle::Instant& i) {
          return rim_speed(c, i) * c.sliding(i).slip_coefficient();
        });
      }},
     {"pv_integral", "", Dimension::energy,
      "of p v over contact and time; times k: volume",
      [](const JointCycle& c) {
-       return c.integral(
-           [&](const CycleInstant& i) { return c.sliding(i).pv_total(); });
+       return c.integral([&](const JointCycle::Instant& i) {
+         return c.sliding(i).pv_total();
+       });
      }},
     {"mean_moment", "mean_M_t", Dimension::moment,
      "mean of the friction moment",
      [](const JointCycle& c) {
-       return c.integral([](const CycleInstant& i) {
+       return c.integral([](const JointCycle::Instant& i) {
          return i.solution.friction_moment.norm();
        }) / c.cycle().period();
      }},
     {"contact_spread", "", Dimension::angle,
      "of the contact over the seat: rms angle from its middle, weight p v",
-     [](const JointCycle& c) { return contact_spread(c); }},
+     [](const JointCycle& c) { return c.contact_spread(); }},
 };
 
-using Worn = WornState;
+using Worn = WearIn::State;
 constexpr Quantity<Worn> of_worn[] = {
     {"cycles", "", Dimension::number, "after them",
      [](const Worn& w) { return w.cycles; }},
@@ -98,12 +99,12 @@ constexpr Quantity<Worn> of_worn[] = {
 
 }  // namespace
 
-std::span<const Quantity<CycleInstant>> instant_quantities() {
+std::span<const Quantity<JointCycle::Instant>> instant_quantities() {
   return of_instant;
 }
 
 std::span<const Quantity<JointCycle>> cycle_quantities() { return of_cycle; }
 
-std::span<const Quantity<WornState>> worn_quantities() { return of_worn; }
+std::span<const Quantity<WearIn::State>> worn_quantities() { return of_worn; }
 
 }  // namespace contact

@@ -13,7 +13,7 @@ namespace contact {
 
 std::span<const Quantity<JointSolution>> solution_quantities();
 std::span<const Quantity<RestSolution>> rest_quantities();
-std::span<const Quantity<Rating>> rating_quantities();
+std::span<const Quantity<SlidingContact::Rating>> rating_quantities();
 
 /// The contact under a normal force.
 struct ContactPatch {
@@ -29,9 +29,9 @@ std::span<const Quantity<ContactApproach>> approach_quantities();
 std::span<const Quantity<FrictionTriple>> coefficient_quantities();
 
 /// Of a time of a cycle beside its solution.
-std::span<const Quantity<CycleInstant>> instant_quantities();
+std::span<const Quantity<JointCycle::Instant>> instant_quantities();
 /// Integrals and means of a cycle; each is computed when it is asked for.
 std::span<const Quantity<JointCycle>> cycle_quantities();
-std::span<const Quantity<WornState>> worn_quantities();
+std::span<const Quantity<WearIn::State>> worn_quantities();
 
 }  // namespace contact

@@ -10,6 +10,7 @@
 
 #include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
+#include "libcontact/base/instruction_set.hpp"
 #include "libcontact/friction/kernel/cap_kernel.hpp"
 #include "libcontact/pressure/expansion.hpp"
 #include "libcontact/tracking/tracker_kernel.hpp"
@@ -26,20 +27,15 @@ using StateNumbers = std::array<double, sizeof(State) / sizeof(double)>;
 }  // namespace
 
 JointTracker::JointTracker(std::vector<JointContact> contacts)
-    : JointTracker(std::move(contacts), best_instruction_set()) {}
-
-JointTracker::JointTracker(std::vector<JointContact> contacts,
-                           InstructionSet set)
     : contacts_(std::move(contacts)),
-      kernel_(&detail::tracker_kernel(set, size())),
-      integrals_(&detail::cap_kernel(set)),
+      kernel_(&detail::tracker_kernel(instruction_set(), size())),
+      integrals_(&detail::cap_kernel(instruction_set())),
       exchange_(packet(size() + Exchange::size - 1)),
       states_(exchange_.size() * std::tuple_size_v<StateNumbers>),
       is_plain_(contacts_.size()),
       is_smooth_(contacts_.size()) {
   static_assert(Exchange::size == detail::CapKernel::few_points);
   for (int i = 0; i < size(); ++i) {
-    contacts_[i] = contacts_[i].with_instruction_set(set);
     const JointContact& contact = contacts_[i];
     if (contact.stress()) {
       throw Error(detail::must_be("friction of a joint that is tracked",

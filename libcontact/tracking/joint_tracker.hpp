@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <vector>
 
-#include "libcontact/base/instruction_set.hpp"
 #include "libcontact/base/vector_rows.hpp"
 #include "libcontact/joint/contact.hpp"
 #include "libcontact/joint/solution.hpp"
@@ -40,12 +39,9 @@ struct TrackerState;
 /// constructor allocates or throws.
 class JointTracker {
  public:
-  /// By the best instruction set.
   /// @param contacts  of balls and pins, dry or viscous
   /// @throws Error if one has a friction stress of its own.
   explicit JointTracker(std::vector<JointContact> contacts);
-  /// @param set  a supported one, whatever that of the contacts
-  JointTracker(std::vector<JointContact> contacts, InstructionSet set);
 
   int size() const { return static_cast<int>(contacts_.size()); }
 

@@ -19,7 +19,7 @@ TEST(Units, SineCosineDegreesToFullRelativeAccuracy) {
   for (const double x :
        {1e-300, 1e-9, 0.01, 14.9, 29.5, 45.0, 60.1, 89.5, 89.99, 90 - 1e-13,
         90 + 1e-13, 179.999, 359.9, -1e-7, -89.999, -45.0, -150.0, 720.25}) {
-    const SineCosine result = sine_cosine_deg(x);
+    const SineCosine result = detail::sine_cosine_deg(x);
     const Real s = sin(Real(x) * degree);
     const Real c = cos(Real(x) * degree);
     largest = std::max(largest, double(abs(result.sin / s - 1)));
@@ -32,7 +32,7 @@ TEST(Units, SineCosineDegreesToFullRelativeAccuracy) {
 
 TEST(Units, MultiplesOfNinetyDegreesAreExact) {
   for (int k = -8; k <= 8; ++k) {
-    const SineCosine result = sine_cosine_deg(90.0 * k);
+    const SineCosine result = detail::sine_cosine_deg(90.0 * k);
     const int phase = ((k % 4) + 4) % 4;
     EXPECT_EQ(result.sin, phase == 1 ? 1 : phase == 3 ? -1 : 0);
     EXPECT_EQ(result.cos, phase == 0 ? 1 : phase == 2 ? -1 : 0);
@@ -42,7 +42,8 @@ TEST(Units, MultiplesOfNinetyDegreesAreExact) {
 TEST(Units, NanAndInfinityGiveNan) {
   for (const double x : {std::numeric_limits<double>::quiet_NaN(),
                          std::numeric_limits<double>::infinity()}) {
-    EXPECT_TRUE(all_nan({sine_cosine_deg(x).sin, sine_cosine_deg(x).cos}));
+    EXPECT_TRUE(all_nan(
+        {detail::sine_cosine_deg(x).sin, detail::sine_cosine_deg(x).cos}));
   }
 }
 

@@ -14,7 +14,7 @@
 #include "libcontact/base/units.hpp"
 #include "libcontact/duty/wear_map.hpp"
 #include "libcontact/files/joint_file.hpp"
-#include "libcontact/friction/any_pressure.hpp"
+#include "libcontact/friction/friction_integrals.hpp"
 #include "libcontact/friction/stress_rule.hpp"
 #include "libcontact/half_angle/factory.hpp"
 #include "libcontact/identify/identify.hpp"
@@ -155,13 +155,13 @@ struct Hip {
       times.push_back(row.value("time_s"));
     }
     const double period = times.back() + times[1] - times[0];
-    return {{times, period, columns(table, {"R_x_N", "R_y_N", "R_z_N"}, 1)},
-            {},
-            {times, period,
+    return {{times, columns(table, {"R_x_N", "R_y_N", "R_z_N"}, 1),
              columns(table,
                      {"flexion_deg", "adduction_deg", "internal_rotation_deg"},
-                     degree)},
-            TurnSequence("zxy")};
+                     degree),
+             period},
+            {},
+            contact::DutyCycle::TurnSequence("zxy")};
   }
   DutyCycle duty = make_duty();
   Joint joint{read_joint(std::filesystem::path(CONTACT_DATA_DIR) /

@@ -14,8 +14,8 @@
 #include <random>
 #include <vector>
 
-#include "libcontact/friction/batch.hpp"
-#include "libcontact/friction/exact.hpp"
+#include "libcontact/base/instruction_set.hpp"
+#include "libcontact/friction/friction_integrals.hpp"
 #include "libcontact/reference/quadrature.hpp"
 #include "support/accuracy_report.hpp"
 #include "support/friction_reference.hpp"
@@ -97,12 +97,12 @@ void exact(benchmark::State& state, bool at_edge) {
   const Points p = points(at_edge);
   std::size_t i = 0;
   for (auto _ : state) {
-    benchmark::DoNotOptimize(contact::exact_friction_integrals(
+    benchmark::DoNotOptimize(contact::friction_integrals(
         p.half_angle[i % count], p.axis(i % count)));
     ++i;
   }
   state.counters["max_error"] = largest_error([](double theta0, SlipAxis a) {
-    return contact::exact_friction_integrals(theta0, a);
+    return contact::friction_integrals(theta0, a);
   });
 }
 
@@ -111,6 +111,7 @@ void exact_batch(benchmark::State& state, InstructionSet set, bool at_edge) {
     state.SkipWithError("this machine lacks the instruction set");
     return;
   }
+  const contact::detail::WithInstructionSet with(set);
   const Points p = points(at_edge);
   std::array<std::vector<double>, 10> r;
   for (auto& column : r) column.resize(count);
@@ -118,17 +119,15 @@ void exact_batch(benchmark::State& state, InstructionSet set, bool at_edge) {
                                          r[5], r[6], r[7], r[8], r[9]};
   // One iteration is one point, so that the times compare.
   while (state.KeepRunningBatch(count)) {
-    contact::exact_friction_integrals({p.half_angle, p.axis_sin, p.axis_cos},
-                                      out, set);
+    contact::friction_integrals({p.half_angle, p.axis_sin, p.axis_cos}, out);
     benchmark::ClobberMemory();
   }
   state.counters["max_error"] = largest_error([&](double theta0, SlipAxis a) {
     std::array<double, 10> one;
     const auto at = [&](int k) { return std::span(&one[k], 1); };
-    contact::exact_friction_integrals(
+    contact::friction_integrals(
         {std::span(&theta0, 1), std::span(&a.sin, 1), std::span(&a.cos, 1)},
-        {at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7), at(8), at(9)},
-        set);
+        {at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7), at(8), at(9)});
     return FrictionIntegrals{one[0],
                              {one[1], one[2], one[3]},
                              {one[4], one[5], one[6]},

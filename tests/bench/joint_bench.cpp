@@ -11,8 +11,9 @@
 #include <vector>
 
 #include "libcontact/base/units.hpp"
-#include "libcontact/friction/exact.hpp"
+#include "libcontact/friction/friction_integrals.hpp"
 #include "libcontact/half_angle/factory.hpp"
+#include "libcontact/joint/fixed_point.hpp"
 #include "libcontact/joint/joint.hpp"
 #include "libcontact/pressure/cosine.hpp"
 #include "support/random_slip.hpp"
@@ -98,7 +99,7 @@ void evaluate(const States& states, bool overlap) {
   double wait = 0;
   for (const JointSolution& s : states.moved_solutions) {
     const auto i =
-        contact::exact_friction_integrals(s.half_angle + wait, s.slip_axis);
+        contact::friction_integrals(s.half_angle + wait, s.slip_axis);
     benchmark::DoNotOptimize(i);
     if (!overlap) wait = 0 * i.coefficient.force;
   }
@@ -183,7 +184,7 @@ void cold(benchmark::State& state, const States& states) {
 void fixed_point(benchmark::State& state, const States& states) {
   const auto solve = [&](std::size_t i) {
     const RandomSlip& input = states.moved[i];
-    return input.joint.fixed_point(input.slip(), {});
+    return contact::fixed_point(input.joint, input.slip(), {});
   };
   std::vector<std::size_t> good;
   double steps = 0;

@@ -146,10 +146,8 @@ struct Stretch {
 template <AxisHinge axis_hinge>
 void with_friction(benchmark::State& state, Mix mix, InstructionSet set) {
   Stretch run(mix, static_cast<int>(state.range(0)), axis_hinge);
-  multibody::CoupledOptions options;
-  options.instruction_set = set;
-  multibody::CoupledDynamics coupled(run.prepared.system, run.friction,
-                                     options);
+  const contact::detail::WithInstructionSet with(set);
+  multibody::CoupledDynamics coupled(run.prepared.system, run.friction);
   for (int i = 0; i < coupled.size(); ++i) {
     const double* s = run.next() + coupled.layout().offset(i);
     if (mix == Mix::axes) {

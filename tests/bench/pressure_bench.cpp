@@ -12,8 +12,9 @@
 #include <string>
 #include <vector>
 
+#include "libcontact/base/instruction_set.hpp"
 #include "libcontact/base/units.hpp"
-#include "libcontact/friction/any_pressure.hpp"
+#include "libcontact/friction/friction_integrals.hpp"
 #include "libcontact/pressure/cosine.hpp"
 #include "libcontact/pressure/exact.hpp"
 #include "libcontact/pressure/factory.hpp"
@@ -87,6 +88,7 @@ void batch(benchmark::State& state, const std::string& name, InstructionSet set,
     state.SkipWithError("this machine lacks the instruction set");
     return;
   }
+  const contact::detail::WithInstructionSet with(set);
   const auto law = contact::make_pressure_law(name, JointKind::ball, pair());
   const Points p(low, high);
   std::array<std::vector<double>, 3> r;
@@ -94,8 +96,7 @@ void batch(benchmark::State& state, const std::string& name, InstructionSet set,
   // One iteration is one point, so that the times compare.
   while (state.KeepRunningBatch(count)) {
     contact::friction_integrals(*law, {p.half_angle, p.axis_sin, p.axis_cos},
-                                {{}, {}, {}, {}, {}, {}, {}, r[0], r[1], r[2]},
-                                set);
+                                {{}, {}, {}, {}, {}, {}, {}, r[0], r[1], r[2]});
     benchmark::ClobberMemory();
   }
 }

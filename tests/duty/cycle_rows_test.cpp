@@ -1,5 +1,5 @@
 // Rows of cycles as they are measured: their period, and a row too many.
-#include "libcontact/duty/cycle_rows.hpp"
+#include "libcontact/duty/duty_cycle.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,8 +15,8 @@ namespace {
 using Eigen::Vector3d;
 
 // A swing in `count` rows of a second each, and `more` of the next period.
-CycleRows swing(int count, int more = 0) {
-  CycleRows rows;
+DutyCycle::Rows swing(int count, int more = 0) {
+  DutyCycle::Rows rows;
   for (int i = 0; i < count + more; ++i) {
     const double phase = 2 * std::numbers::pi * i / count;
     rows.times.push_back(7 + i);
@@ -27,8 +27,8 @@ CycleRows swing(int count, int more = 0) {
 }
 
 TEST(CycleRows, GoOnByOneStep) {
-  CycleRows rows = swing(20);
-  EXPECT_EQ(make_one_period(rows), "");
+  DutyCycle::Rows rows = swing(20);
+  EXPECT_EQ(rows.make_one_period(), "");
   EXPECT_DOUBLE_EQ(rows.period.value(), 20);
   EXPECT_EQ(rows.times.size(), 20u);
 }
@@ -37,9 +37,9 @@ TEST(CycleRows, GoOnByOneStep) {
 TEST(CycleRows, ReturnIsLeftOut) {
   for (const std::optional<double> period :
        {std::optional<double>(), std::optional(20.0)}) {
-    CycleRows rows = swing(20, 1);
+    DutyCycle::Rows rows = swing(20, 1);
     rows.period = period;
-    EXPECT_EQ(make_one_period(rows),
+    EXPECT_EQ(rows.make_one_period(),
               "the last row repeats the first and is left out: the period is "
               "20 s; state a longer one if it is a row of its own");
     EXPECT_DOUBLE_EQ(rows.period.value(), 20);
@@ -51,43 +51,43 @@ TEST(CycleRows, ReturnIsLeftOut) {
 
 // Whoever states a longer period means the row.
 TEST(CycleRows, ReturnWithinALongerPeriodStays) {
-  CycleRows rows = swing(20, 1);
+  DutyCycle::Rows rows = swing(20, 1);
   rows.period = 21;
-  EXPECT_EQ(make_one_period(rows), "");
+  EXPECT_EQ(rows.make_one_period(), "");
   EXPECT_EQ(rows.times.size(), 21u);
 }
 
 // Uneven steps have a period if their last row returns.
 TEST(CycleRows, UnevenSteps) {
-  CycleRows rows = swing(20, 1);
+  DutyCycle::Rows rows = swing(20, 1);
   rows.times[3] += 0.3;
-  CycleRows open = rows;
-  EXPECT_NE(make_one_period(rows), "");
+  DutyCycle::Rows open = rows;
+  EXPECT_NE(rows.make_one_period(), "");
   EXPECT_DOUBLE_EQ(rows.period.value(), 20);
   open.motion.back().y() = 1e-3;
-  EXPECT_EQ(make_one_period(open), "");
+  EXPECT_EQ(open.make_one_period(), "");
   EXPECT_FALSE(open.period);
   EXPECT_EQ(open.times.size(), 21u);
 }
 
 // Nothing moves and no force changes: no row says that a period is over.
 TEST(CycleRows, AllAlikeRepeatNothing) {
-  CycleRows rows{{0, 1, 2, 3},
-                 std::vector<Vector3d>(4, {0, -900, 0}),
-                 std::vector<Vector3d>(4, {0, 0, 2}),
-                 {}};
-  EXPECT_EQ(make_one_period(rows), "");
+  DutyCycle::Rows rows{{0, 1, 2, 3},
+                       std::vector<Vector3d>(4, {0, -900, 0}),
+                       std::vector<Vector3d>(4, {0, 0, 2}),
+                       {}};
+  EXPECT_EQ(rows.make_one_period(), "");
   EXPECT_DOUBLE_EQ(rows.period.value(), 4);
 }
 
 // PeriodicSpline refuses what is no cycle.
 TEST(CycleRows, WithoutSenseStayAsTheyAre) {
-  CycleRows none;
-  EXPECT_EQ(make_one_period(none), "");
+  DutyCycle::Rows none;
+  EXPECT_EQ(none.make_one_period(), "");
   EXPECT_FALSE(none.period);
-  CycleRows rows = swing(5, 1);
+  DutyCycle::Rows rows = swing(5, 1);
   rows.forces.pop_back();
-  EXPECT_EQ(make_one_period(rows), "");
+  EXPECT_EQ(rows.make_one_period(), "");
   EXPECT_EQ(rows.times.size(), 6u);
 }
 

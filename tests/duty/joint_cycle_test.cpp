@@ -1,5 +1,6 @@
 // Duty cycles and wear maps against data/reference/duty/.
 #include "libcontact/duty/joint_cycle.hpp"
+#include "libcontact/duty/periodic_spline.hpp"
 
 #include <gtest/gtest.h>
 
@@ -61,17 +62,18 @@ struct Reference {
     }
   }
 
-  PeriodicSpline spline(const std::vector<Vector3d>& values) const {
-    return {times, summary.at("period_s"), values};
+  DutyCycle::Rows rows(std::vector<Vector3d> forces,
+                       std::vector<Vector3d> motion) const {
+    return {times, std::move(forces), std::move(motion),
+            summary.at("period_s")};
   }
-  DutyCycle cycle(ForceFrame frame = {}) const {
+  DutyCycle cycle(DutyCycle::ForceFrame frame = {}) const {
     const bool pin = spec.geometry.kind() == JointKind::pin;
     const Columns angles =
         pin ? Columns{"angle_deg"}
             : Columns{"flexion_deg", "adduction_deg", "internal_rotation_deg"};
-    return {spline(vectors(in, forces)), frame,
-            spline(vectors(in, angles, degree)),
-            TurnSequence(pin ? "z" : "zxy")};
+    return {rows(vectors(in, forces), vectors(in, angles, degree)), frame,
+            DutyCycle::TurnSequence(pin ? "z" : "zxy")};
   }
   JointCycle run(const DutyCycle& duty) const { return {duty, joint}; }
 
@@ -98,7 +100,7 @@ TEST_P(Cycles, States) {
   ASSERT_EQ(cycle_.rows().size(), states.size());
   auto instant = cycle_.rows().begin();
   for (const ReferenceTable::Row row : states) {
-    const CycleInstant& i = *instant++;
+    const JointCycle::Instant& i = *instant++;
     const SlidingContact sliding = cycle_.sliding(i);
     const std::string label = row.label();
     const auto vector = [&](const char* x, const char* y, const char* z) {
@@ -127,22 +129,23 @@ TEST_P(Cycles, States) {
 TEST_P(Cycles, Summary) {
   const auto& summary = reference_.summary;
   const double rho = reference_.spec.geometry.radius();
-  const auto moment = [](const CycleInstant& i) {
+  const auto moment = [](const JointCycle::Instant& i) {
     return i.solution.friction_moment.norm();
   };
   // That of the data. |M_t| turns quickly where a ball is slow: 2e-7 with four
   // nodes to an interval in place of eight.
   AccuracyReport integrals("integrals", 1e-9);
   const double period = summary.at("period_s");
-  integrals.add(
-      cycle_.integral([](const CycleInstant& i) { return -i.solution.power; }),
-      summary.at("energy_J"), "energy");
-  integrals.add(cycle_.integral([&](const CycleInstant& i) {
+  integrals.add(cycle_.integral([](const JointCycle::Instant& i) {
+    return -i.solution.power;
+  }),
+                summary.at("energy_J"), "energy");
+  integrals.add(cycle_.integral([&](const JointCycle::Instant& i) {
     return rho * i.state.angular_velocity.norm() *
            cycle_.sliding(i).slip_coefficient();
   }),
                 summary.at("sliding_distance_m"), "sliding distance");
-  integrals.add(cycle_.integral([&](const CycleInstant& i) {
+  integrals.add(cycle_.integral([&](const JointCycle::Instant& i) {
     return cycle_.sliding(i).pv_total();
   }),
                 summary.at("pv_integral_J"), "p v");
@@ -152,17 +155,17 @@ TEST_P(Cycles, Summary) {
   AccuracyReport largest("largest", 1e-8);
   const auto check = [&](const JointCycle::Quantity& quantity, const char* name,
                          const char* time) {
-    const CycleInstant i = cycle_.largest(quantity);
+    const JointCycle::Instant i = cycle_.largest(quantity);
     largest.add(quantity(i), summary.at(name), name);
     if (time != nullptr) {
       EXPECT_NEAR(i.time, summary.at(time), 1e-5) << name;
     }
   };
   check(moment, "max_moment_N_m", "time_of_max_moment_s");
-  check([](const CycleInstant& i) { return i.solution.peak_pressure; },
+  check([](const JointCycle::Instant& i) { return i.solution.peak_pressure; },
         "p_peak_max_Pa", "time_of_p_peak_max_s");
   check(
-      [&](const CycleInstant& i) {
+      [&](const JointCycle::Instant& i) {
         return cycle_.sliding(i).largest_pv().value;
       },
       "pv_max_W_per_m2", "time_of_pv_max_s");
@@ -224,13 +227,13 @@ TEST_P(Cycles, WearMap) {
 TEST_P(Cycles, LargestMomentsByAxis) {
   for (int k = 0; k < 3; ++k) {
     for (const int sign : {-1, 1}) {
-      const auto moment = [&](const CycleInstant& i) {
+      const auto moment = [&](const JointCycle::Instant& i) {
         return sign * i.solution.friction_moment[k];
       };
       const double largest = moment(cycle_.largest(moment));
       double rows = moment(cycle_.rows()[0]);
       double grid = rows;
-      for (const CycleInstant& row : cycle_.rows()) {
+      for (const JointCycle::Instant& row : cycle_.rows()) {
         rows = std::max(rows, moment(row));
       }
       const double period = duty_.period();
@@ -252,7 +255,7 @@ INSTANTIATE_TEST_SUITE_P(Of, Cycles, testing::Values("hip", "pin"));
 // Angles and the rates that they have are one motion.
 TEST(DutyCycle, RatesAreTheTurnsDerivative) {
   for (const char* sequence : {"zxy", "xyz", "zyz"}) {
-    const TurnSequence turns(sequence);
+    const DutyCycle::TurnSequence turns(sequence);
     const Vector3d angles(0.4, -0.3, 0.2);
     const Vector3d rate(1, 2, -3);
     const double h = 1e-4;
@@ -271,11 +274,11 @@ TEST(DutyCycle, RatesAreTheTurnsDerivative) {
 // and the turn closes.
 TEST(DutyCycle, OfRates) {
   const Reference hip("hip");
-  const DutyCycle duty(hip.spline(vectors(hip.in, forces)), {},
-                       hip.spline(vectors(hip.states, rates)));
+  const DutyCycle duty(
+      hip.rows(vectors(hip.in, forces), vectors(hip.states, rates)), {});
   // A spline of rates is not the derivative of that of angles: 1e-6 was seen.
   EXPECT_LT(duty.closure(), 1e-5);
-  EXPECT_NEAR(hip.run(duty).integral([](const CycleInstant& i) {
+  EXPECT_NEAR(hip.run(duty).integral([](const JointCycle::Instant& i) {
     return -i.solution.power;
   }) / hip.summary.at("energy_J"),
               1, 1e-5);
@@ -294,15 +297,15 @@ TEST(DutyCycle, FrameOfForces) {
   const DutyCycle plain = hip.cycle();
   std::vector<Vector3d> turned;
   for (const double time : hip.times) {
-    const CycleState s = plain.at(time);
+    const DutyCycle::State s = plain.at(time);
     turned.push_back(-(s.turn.conjugate() * s.reaction));
   }
-  const DutyCycle duty(
-      hip.spline(turned), {JointBody::carrier, JointBody::body},
-      hip.spline(vectors(
-          hip.in, {"flexion_deg", "adduction_deg", "internal_rotation_deg"},
-          degree)),
-      TurnSequence("zxy"));
+  const DutyCycle duty(hip.rows(turned, vectors(hip.in,
+                                                {"flexion_deg", "adduction_deg",
+                                                 "internal_rotation_deg"},
+                                                degree)),
+                       {JointBody::carrier, JointBody::body},
+                       DutyCycle::TurnSequence("zxy"));
   for (const double time : hip.times) {
     EXPECT_LT((duty.at(time).reaction - plain.at(time).reaction).norm(),
               1e-12 * plain.at(time).reaction.norm());
@@ -319,8 +322,9 @@ TEST(DutyCycle, OfTwiceThePeriod) {
   const DutyCycle slow = hip.cycle();
   const JointCycle two = hip.run(slow);
   const auto pv = [](const JointCycle& cycle) {
-    return cycle.integral(
-        [&](const CycleInstant& i) { return cycle.sliding(i).pv_total(); });
+    return cycle.integral([&](const JointCycle::Instant& i) {
+      return cycle.sliding(i).pv_total();
+    });
   };
   EXPECT_NEAR(pv(two) / pv(one), 1, 1e-13);
   EXPECT_NEAR(two.rows()[7].solution.power / one.rows()[7].solution.power, 0.5,
@@ -345,8 +349,7 @@ double swing_error(int rows, double across) {
   }
   const PeriodicSpline rate(times, 1, turning);
   const DutyCycle duty(
-      PeriodicSpline(times, 1, std::vector<Vector3d>(rows, {0, 0, 2000})), {},
-      rate);
+      {times, std::vector<Vector3d>(rows, {0, 0, 2000}), turning, 1}, {});
   const JointCycle cycle(duty, joint);
   const double moment = cycle.rows()[1].solution.friction_moment.norm();
   constexpr int steps = 1 << 18;
@@ -354,7 +357,7 @@ double swing_error(int rows, double across) {
   for (int i = 0; i < steps; ++i) {
     distance += rate.value((i + 0.5) / steps).norm() / steps;
   }
-  return cycle.integral([](const CycleInstant& i) {
+  return cycle.integral([](const JointCycle::Instant& i) {
     return -i.solution.power;
   }) / (moment * distance) -
          1;
@@ -383,11 +386,10 @@ TEST(JointCycle, ReversalsAreThoseOfTheMotion) {
     rows.push_back(rate_at(i / 400.));
   }
   const DutyCycle duty(
-      PeriodicSpline(times, 1, std::vector<Vector3d>(400, {0, 0, 2000})), {},
-      PeriodicSpline(times, 1, rows));
+      {times, std::vector<Vector3d>(400, {0, 0, 2000}), rows, 1}, {});
   double sum = 0;
   double period = 0;
-  for (const auto& [time, weight] : duty.nodes(false)) {
+  for (const auto& [time, weight] : duty.gauss_points(false)) {
     sum += weight * duty.at(time).angular_velocity.norm();
     period += weight;
   }

@@ -70,8 +70,8 @@ TEST(SlidingContact, Reference) {
                                   row.value("alpha_deg") * degree);
     const SlidingContact sliding(contact, s,
                                  rate_of(s, row.value("w_rad_per_s")));
-    const ContactPeak& pv = sliding.largest_pv();
-    const ContactPeak& heat = sliding.largest_heat_flux();
+    const SlidingContact::Peak& pv = sliding.largest_pv();
+    const SlidingContact::Peak& heat = sliding.largest_heat_flux();
     values.add(pv.value, row.value("pv_max_W_per_m2"), label);
     values.add(heat.value, row.value("heat_max_W_per_m2"), label);
     totals.add(sliding.pv_mean(), row.value("pv_mean_W_per_m2"), label);
@@ -115,8 +115,8 @@ void check_state(const JointContact& contact, const JointSolution& s,
                  AccuracyReport& totals) {
   const SlidingContact sliding(contact, s, rate);
   heat.add(sliding.heat(), -s.power, contact.pressure_law().name());
-  const ContactPeak& pv = sliding.largest_pv();
-  const ContactPeak& flux = sliding.largest_heat_flux();
+  const SlidingContact::Peak& pv = sliding.largest_pv();
+  const SlidingContact::Peak& flux = sliding.largest_heat_flux();
   EXPECT_NEAR(sliding.pv(pv.place) / pv.value, 1, 1e-9);
   // Where adhesion puts it on the edge rounding may put it outside.
   const Vector3d inside = (pv.place + 1e-9 * sliding.centre()).normalized();
@@ -215,7 +215,7 @@ poissons_ratio = 0.3
       state(row.value("load"), row.value("theta0_deg") * degree, 0);
   const Vector3d rate(0, 2, 0);
   const SlidingContact sliding(contact, s, rate);
-  const ContactPeak& pv = sliding.largest_pv();
+  const SlidingContact::Peak& pv = sliding.largest_pv();
   // The file has its place by three digits; the law of pressure is good to 1e-6
   // of its peak.
   EXPECT_NEAR(pv.theta / degree, row.value("theta_pmax_deg"), 2e-3);
@@ -277,7 +277,7 @@ TEST(SlidingContact, LargestHeatBesideTheEdge) {
                      FrictionLaw(0.1, adhesion), pressure);
       const JointSolution s = state(100, 0.1, 1.5);
       const SlidingContact sliding(contact, s, rate_of(s, 2));
-      const ContactPeak& heat = sliding.largest_heat_flux();
+      const SlidingContact::Peak& heat = sliding.largest_heat_flux();
       const auto flux = [&](double theta) {
         return sliding.heat_flux({0, -std::sin(theta), std::cos(theta)});
       };

@@ -1,4 +1,5 @@
 #include "libcontact/duty/wear_in.hpp"
+#include "libcontact/duty/worn_sliding.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,9 +12,9 @@
 
 #include "libcontact/base/units.hpp"
 #include "libcontact/duty/joint_cycle.hpp"
-#include "libcontact/duty/wear_notes.hpp"
+#include "libcontact/duty/wear_map.hpp"
 #include "libcontact/files/joint_file.hpp"
-#include "libcontact/friction/any_pressure.hpp"
+#include "libcontact/friction/friction_integrals.hpp"
 #include "libcontact/half_angle/factory.hpp"
 #include "libcontact/pressure/factory.hpp"
 #include "libcontact/pressure/worn.hpp"
@@ -37,9 +38,7 @@ DutyCycle steady() {
   const std::vector<double> times = {0, 1, 2, 3};
   const std::vector<Vector3d> forces(4, Vector3d(0, -force, 0));
   const std::vector<Vector3d> rates(4, Vector3d(0, 0, speed));
-  return {PeriodicSpline(times, 4, forces),
-          {JointBody::body, JointBody::body},
-          PeriodicSpline(times, 4, rates)};
+  return {{times, forces, rates, 4}, {JointBody::body, JointBody::body}};
 }
 
 JointContact pin(double modulus, double friction, double limit = 1) {
@@ -58,7 +57,7 @@ TEST(WearIn, PinWithoutElasticity) {
   const double k = 1e-14;  // m^2/N
   const double cycle = radius * speed * 4;
   for (const double cycles : {1e3, 3e4, 1e6}) {
-    const WornState worn =
+    const WearIn::State worn =
         wear_in(steady(), pin(1e15, 1e-6), k, cycles).states.back();
     EXPECT_EQ(worn.cycles, cycles);
     EXPECT_GT(worn.worn_share, 0.999);
@@ -82,8 +81,9 @@ TEST(WearIn, BeginsWithTheUnwornJoint) {
   const DutyCycle cycle = steady();
   const Joint joint(contact);
   const JointCycle fresh(cycle, joint);
-  const double pv = fresh.integral(
-      [&](const CycleInstant& i) { return fresh.sliding(i).pv_total(); });
+  const double pv = fresh.integral([&](const JointCycle::Instant& i) {
+    return fresh.sliding(i).pv_total();
+  });
   const double k = 1e-15;
   const auto worn = wear_in(cycle, contact, k, 1e6).states;
   ASSERT_GT(worn.size(), 3u);
@@ -157,10 +157,9 @@ DutyCycle swing(double load, JointBody axes) {
     angles.emplace_back(10 * degree * std::sin(phase), 0, 0);
   }
   const std::vector<Vector3d> forces(rows, Vector3d(0, -load, 0));
-  return {PeriodicSpline(times, 1, forces),
+  return {{times, forces, angles, 1},
           {JointBody::body, axes},
-          PeriodicSpline(times, 1, angles),
-          TurnSequence("z")};
+          DutyCycle::TurnSequence("z")};
 }
 
 constexpr double weak = 1e-3;  // friction
@@ -212,7 +211,7 @@ TEST(WearIn, AgainstStepByStep) {
     const double load = name == "ball" ? 3e4 : name == "lined" ? 6e4 : 4e4;
     const WearIn wear =
         wear_in(swing(load, JointBody::body), contact, k, cycles);
-    const WornState& worn = wear.states.back();
+    const WearIn::State& worn = wear.states.back();
     const std::string label = name + ", " + std::to_string(cycles);
     half_angle.add_error(std::abs(worn.half_angle / degree - theta0_deg),
                          label);
@@ -220,7 +219,7 @@ TEST(WearIn, AgainstStepByStep) {
     EXPECT_TRUE(wear.notes.empty()) << wear.notes[0];
   }
   // WornPressure is not that of a ball, cos theta/w: step by step 31.0 MPa.
-  const WornState ball =
+  const WearIn::State ball =
       wear_in(swing(3e4, JointBody::body), lined(JointKind::ball), k, 3e6)
           .states.back();
   EXPECT_NEAR(ball.half_angle / degree, 78.2, 0.15);
@@ -237,13 +236,13 @@ TEST(WearIn, RunsInWithoutAJump) {
     ASSERT_GT(states.size(), 10u);
     EXPECT_GT(states.back().worn_share, 0.9);
     for (std::size_t i = 1; i < states.size(); ++i) {
-      const auto fall = [&](double WornState::*of) {
+      const auto fall = [&](double WearIn::State::*of) {
         return 1 - states[i].*of / (states[i - 1].*of);
       };
-      EXPECT_GT(fall(&WornState::peak_pressure), 0) << i;
-      EXPECT_LT(fall(&WornState::peak_pressure), 0.06) << i;
-      EXPECT_LT(std::abs(fall(&WornState::pv)), 0.06) << i;
-      EXPECT_LT(std::abs(fall(&WornState::energy)), 0.02) << i;
+      EXPECT_GT(fall(&WearIn::State::peak_pressure), 0) << i;
+      EXPECT_LT(fall(&WearIn::State::peak_pressure), 0.06) << i;
+      EXPECT_LT(std::abs(fall(&WearIn::State::pv)), 0.06) << i;
+      EXPECT_LT(std::abs(fall(&WearIn::State::energy)), 0.02) << i;
     }
   }
 }
@@ -254,7 +253,7 @@ TEST(WearIn, SpreadOfTheContact) {
   const double even = 10 * degree / std::sqrt(3.0);
   const auto spread = [](const DutyCycle& cycle, const JointContact& contact) {
     const Joint joint(contact);
-    return contact_spread(JointCycle(cycle, joint));
+    return JointCycle(cycle, joint).contact_spread();
   };
   const DutyCycle moving = swing(force, JointBody::carrier);
   // Friction turns the contact by 1e-6 to either side; the spline of the angle
@@ -267,9 +266,9 @@ TEST(WearIn, SpreadOfTheContact) {
   // A seat that turns below the load: all places of a circle.
   const std::vector<double> times = {0, 0.5, 1, 1.5};
   const DutyCycle turning(
-      PeriodicSpline(times, 2, std::vector<Vector3d>(4, {0, -force, 0})), {},
-      PeriodicSpline(times, 2,
-                     std::vector<Vector3d>(4, {0, 0, std::numbers::pi})));
+      {times, std::vector<Vector3d>(4, {0, -force, 0}),
+       std::vector<Vector3d>(4, {0, 0, std::numbers::pi}), 2},
+      {});
   EXPECT_NEAR(
       spread(turning, pin(1e11, 1e-6)) / (std::numbers::pi / std::sqrt(3.0)), 1,
       1e-3);
@@ -319,12 +318,13 @@ TEST(WearIn, DepthBesideTheRadius) {
 
 TEST(WearIn, CoefficientsOfBearings) {
   for (const double k : {0., 1e-19, 1e-15, 1e-12}) {
-    EXPECT_EQ(wear_coefficient_note(k), "") << k;
+    EXPECT_EQ(WearMap::coefficient_note(k), "") << k;
   }
   for (const double k : {1e-9, 1.1e-12, 0.9e-19}) {
-    EXPECT_NE(wear_coefficient_note(k).find("mm^3/(N m) is outside 1e-10 to"),
-              std::string::npos)
-        << wear_coefficient_note(k);
+    EXPECT_NE(
+        WearMap::coefficient_note(k).find("mm^3/(N m) is outside 1e-10 to"),
+        std::string::npos)
+        << WearMap::coefficient_note(k);
   }
   EXPECT_EQ(wear_in(steady(), pin(1e11, 0.1), 1e-20, 1).notes.size(), 1u);
 }

@@ -127,7 +127,7 @@ TEST(JointFile, Fit) {
             4.5e-6);
   const JointSpec maximum = joint("clearance = \"maximum\"");
   EXPECT_EQ(maximum.geometry.radial_clearance(), 25e-6);
-  EXPECT_EQ(maximum.fit.value().taken(), FitClearance::maximum);
+  EXPECT_EQ(maximum.fit.value().taken(), contact::Fit::Clearance::maximum);
 }
 
 TEST(JointFile, LawThatHoldsForEveryPairUnlessNamed) {

@@ -1,4 +1,6 @@
-#include "libcontact/friction/any_pressure.hpp"
+#include "libcontact/base/instruction_set.hpp"
+#include "libcontact/friction/friction_integrals.hpp"
+#include "libcontact/friction/models.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +13,6 @@
 #include <string>
 #include <vector>
 
-#include "libcontact/friction/exact.hpp"
 #include "libcontact/pressure/exact.hpp"
 #include "libcontact/pressure/expansion.hpp"
 #include "libcontact/pressure/factory.hpp"
@@ -109,7 +110,7 @@ FrictionTriple by_parts(const PressureLaw& law, double theta0, SlipAxis axis) {
       double slope = 0;
       law.edge_slopes(theta0, {&x, 1}, {&slope, 1});
       const FrictionIntegrals area =
-          exact_friction_integrals(2 * std::atan(b * s), axis);
+          friction_integrals(2 * std::atan(b * s), axis);
       return dy * length * s * slope * area.area.*role;
     };
     for (const auto role : {&FrictionTriple::force, &FrictionTriple::sliding,
@@ -119,7 +120,7 @@ FrictionTriple by_parts(const PressureLaw& law, double theta0, SlipAxis axis) {
     }
   }
   const double edge = law.pressure(theta0, theta0);
-  const FrictionTriple area = exact_friction_integrals(theta0, axis).area;
+  const FrictionTriple area = friction_integrals(theta0, axis).area;
   return {total.force + edge * area.force, total.sliding + edge * area.sliding,
           total.spinning + edge * area.spinning};
 }
@@ -190,7 +191,7 @@ TEST(FrictionPressure, CosineIsTheExactMethod) {
   const CosinePressure law(ball);
   for (const auto& row : friction_reference()) {
     const auto computed = friction_integrals(law, row.half_angle, row.axis);
-    const auto expected = exact_friction_integrals(row.half_angle, row.axis);
+    const auto expected = friction_integrals(row.half_angle, row.axis);
     for (const auto& quantity : friction_quantities()) {
       EXPECT_EQ(quantity.of(computed), quantity.of(expected)) << row.label;
     }
@@ -353,11 +354,12 @@ void check_batch(const Input& in) {
   using enum InstructionSet;
   for (const auto set : {baseline, avx2, avx512}) {
     if (!is_supported(set)) continue;
+    const contact::detail::WithInstructionSet with(set);
     for (const std::string& name : pressure_law_names()) {
       const auto law = law_of(name);
       friction_integrals(
           *law, {in[0], in[1], in[2]},
-          {r[0], r[1], r[2], r[3], r[4], r[5], r[6], r[7], r[8], r[9]}, set);
+          {r[0], r[1], r[2], r[3], r[4], r[5], r[6], r[7], r[8], r[9]});
       AccuracyReport report(name, batch_budget(name));
       for (std::size_t i = 0; i < count; ++i) {
         const FrictionIntegrals one =
@@ -380,7 +382,7 @@ void check_batch(const Input& in) {
         std::vector<double> only(count);
         FrictionBatchOutput out{};
         (column == 1 ? out.force_pressure : out.sliding) = only;
-        friction_integrals(*law, {in[0], in[1], in[2]}, out, set);
+        friction_integrals(*law, {in[0], in[1], in[2]}, out);
         for (std::size_t i = 0; i < count; ++i) {
           if (std::isnan(r[column][i])) continue;
           EXPECT_EQ(only[i], r[column][i]);
@@ -561,7 +563,7 @@ TEST(FrictionPressure, ExpansionsMayHaveNoTerms) {
     for (std::size_t i = 0; i < in[0].size(); ++i) {
       const SlipAxis axis{in[1][i], in[2][i]};
       const FrictionTriple whole =
-          exact_friction_integrals(in[0][i], axis).coefficient;
+          friction_integrals(in[0][i], axis).coefficient;
       const FrictionTriple expected = {
           share * whole.force, share * whole.sliding, share * whole.spinning};
       add_triple(report, friction_integrals(law, in[0][i], axis).coefficient,

@@ -1,4 +1,5 @@
-#include "libcontact/friction/batch.hpp"
+#include "libcontact/base/instruction_set.hpp"
+#include "libcontact/friction/friction_integrals.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +10,6 @@
 #include <vector>
 
 #include "libcontact/base/error.hpp"
-#include "libcontact/friction/exact.hpp"
 #include "libcontact/friction/kernel/cap_kernel.hpp"
 #include "support/accuracy_report.hpp"
 #include "support/friction_reference.hpp"
@@ -30,11 +30,11 @@ struct Points {
 };
 
 std::vector<FrictionIntegrals> run(const Points& points, InstructionSet set) {
+  const contact::detail::WithInstructionSet with(set);
   std::array<std::vector<double>, 10> r;
   for (auto& column : r) column.resize(points.half_angle.size(), -1);
-  exact_friction_integrals(
-      points.input(),
-      {r[0], r[1], r[2], r[3], r[4], r[5], r[6], r[7], r[8], r[9]}, set);
+  friction_integrals(points.input(), {r[0], r[1], r[2], r[3], r[4], r[5], r[6],
+                                      r[7], r[8], r[9]});
   std::vector<FrictionIntegrals> result;
   for (std::size_t i = 0; i < points.half_angle.size(); ++i) {
     result.push_back({r[0][i],
@@ -93,7 +93,7 @@ struct FewPoints {
   // Largest relative difference from the scalar call, infinite for NaN.
   double error(int i) const {
     const FrictionIntegrals expected =
-        exact_friction_integrals(half_angle[i], {sine[i], cosine[i]});
+        friction_integrals(half_angle[i], {sine[i], cosine[i]});
     const std::array<double, 6> numbers = {
         expected.coefficient.force,    expected.coefficient.sliding,
         expected.coefficient.spinning, expected.area.force,
@@ -181,7 +181,7 @@ TEST_P(FrictionBatch, AgreesWithTheScalarCall) {
   // Both carry up to 2e-15 of error of their own.
   AccuracyReport report("batch against scalar", 4e-15);
   for (std::size_t i = 0; i < result.size(); ++i) {
-    const auto expected = exact_friction_integrals(
+    const auto expected = friction_integrals(
         points.half_angle[i], {points.axis_sin[i], points.axis_cos[i]});
     add_integrals(report, result[i], expected, "point " + std::to_string(i));
   }
@@ -236,10 +236,10 @@ TEST(FrictionBatchContract, UnwantedOutputsMayBeEmpty) {
   std::vector<double> force(10);
   FrictionBatchOutput out;
   out.force = force;
-  exact_friction_integrals(points.input(), out);
+  friction_integrals(points.input(), out);
   for (int i = 0; i < 10; ++i) {
     EXPECT_NEAR(force[i],
-                exact_friction_integrals(0.1 * i, {0.6, 0.8}).coefficient.force,
+                friction_integrals(0.1 * i, {0.6, 0.8}).coefficient.force,
                 4e-15);
   }
 }
@@ -247,19 +247,10 @@ TEST(FrictionBatchContract, UnwantedOutputsMayBeEmpty) {
 TEST(FrictionBatchContract, LengthsMustAgree) {
   const std::vector<double> three(3), two(2);
   std::vector<double> result(2);
-  EXPECT_THROW(exact_friction_integrals({three, two, three}, {}), Error);
+  EXPECT_THROW(friction_integrals({three, two, three}, {}), Error);
   FrictionBatchOutput out;
   out.normal = result;
-  EXPECT_THROW(exact_friction_integrals({three, three, three}, out), Error);
-}
-
-TEST(FrictionBatchContract, AnUnsupportedInstructionSetIsRefused) {
-  for (const InstructionSet set :
-       {InstructionSet::avx2, InstructionSet::avx512}) {
-    if (is_supported(set)) continue;
-    EXPECT_THROW(exact_friction_integrals(FrictionBatchInput{}, {}, set),
-                 Error);
-  }
+  EXPECT_THROW(friction_integrals({three, three, three}, out), Error);
 }
 
 }  // namespace

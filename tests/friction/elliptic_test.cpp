@@ -12,7 +12,7 @@
 #include "libcontact/base/units.hpp"
 #include "libcontact/friction/elliptic/friction_real.hpp"
 #include "libcontact/friction/elliptic/integrals.hpp"
-#include "libcontact/friction/exact.hpp"
+#include "libcontact/friction/friction_integrals.hpp"
 #include "support/accuracy_report.hpp"
 #include "support/friction_reference.hpp"
 #include "support/numbers.hpp"
@@ -144,7 +144,7 @@ TEST(EllipticForm, NoJumpAcrossTheSwitches) {
   // doubles both sides agree with the exact method within the loss.
   const auto check = [](double theta0, SlipAxis axis) {
     const FrictionIntegrals f = elliptic_friction_integrals(theta0, axis);
-    const FrictionIntegrals exact = exact_friction_integrals(theta0, axis);
+    const FrictionIntegrals exact = friction_integrals(theta0, axis);
     const double s = std::sin(theta0);
     for (const auto& quantity : friction_quantities()) {
       EXPECT_LE(relative_error(quantity.of(f), quantity.of(exact)),

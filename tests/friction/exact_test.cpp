@@ -1,4 +1,4 @@
-#include "libcontact/friction/exact.hpp"
+#include "libcontact/friction/friction_integrals.hpp"
 
 #include <gtest/gtest.h>
 
@@ -23,7 +23,7 @@ TEST(ExactFriction, ReferenceTable) {
   // Measured 1.4e-15; the project's bound for every quantity is 1e-14.
   check_friction_accuracy(
       [](double half_angle, SlipAxis axis) {
-        return exact_friction_integrals(half_angle, axis);
+        return friction_integrals(half_angle, axis);
       },
       2e-15);
 }
@@ -132,8 +132,8 @@ TEST(ExactFriction, NoJumpAcrossAnySwitch) {
         (same ? left : right) = middle;
       }
       ++switches;
-      add_integrals(report, exact_friction_integrals(right, axis),
-                    exact_friction_integrals(left, axis),
+      add_integrals(report, friction_integrals(right, axis),
+                    friction_integrals(left, axis),
                     "a=" + std::to_string(a_deg) +
                         " theta0=" + std::to_string(left / degree));
     }
@@ -145,14 +145,13 @@ TEST(ExactFriction, CoefficientsSurviveUnderflowOfTheIntegrals) {
   const SlipAxis spinning = SlipAxis::from_degrees(90);
   for (const double half_angle : {1e-80, 1e-150, 1e-300}) {
     const auto slide =
-        exact_friction_integrals(half_angle, SlipAxis::from_degrees(30));
+        friction_integrals(half_angle, SlipAxis::from_degrees(30));
     EXPECT_NEAR(slide.coefficient.force, 1, 5e-16);
     EXPECT_NEAR(slide.coefficient.sliding, 1, 5e-16);
     // Planar disc under a paraboloid of pressure: 8/15 of its radius.
-    EXPECT_NEAR(
-        exact_friction_integrals(half_angle, spinning).coefficient.spinning /
-            half_angle,
-        8.0 / 15, 1e-15);
+    EXPECT_NEAR(friction_integrals(half_angle, spinning).coefficient.spinning /
+                    half_angle,
+                8.0 / 15, 1e-15);
   }
 }
 

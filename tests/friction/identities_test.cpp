@@ -9,9 +9,8 @@
 #include <vector>
 
 #include "libcontact/base/units.hpp"
-#include "libcontact/friction/batch.hpp"
 #include "libcontact/friction/elliptic/friction.hpp"
-#include "libcontact/friction/exact.hpp"
+#include "libcontact/friction/friction_integrals.hpp"
 #include "libcontact/friction/models.hpp"
 #include "libcontact/friction/special.hpp"
 #include "libcontact/pressure/cosine.hpp"
@@ -356,7 +355,7 @@ TEST_P(DryFrictionMethod, SpecialCases) {
 FrictionIntegrals batch(double half_angle, SlipAxis axis) {
   FrictionIntegrals r;
   const auto one = [](double& x) { return std::span<double>(&x, 1); };
-  exact_friction_integrals(
+  friction_integrals(
       {{&half_angle, 1}, {&axis.sin, 1}, {&axis.cos, 1}},
       {one(r.normal), one(r.pressure.force), one(r.pressure.sliding),
        one(r.pressure.spinning), one(r.area.force), one(r.area.sliding),
@@ -372,7 +371,7 @@ FrictionIntegrals quadrature(double half_angle, SlipAxis axis) {
 // Errors: docstrings of the methods; elliptic in double from 20 deg.
 const Method exact_method{"exact",
                           [](double half_angle, SlipAxis axis) {
-                            return exact_friction_integrals(half_angle, axis);
+                            return friction_integrals(half_angle, axis);
                           },
                           2e-15, 0};
 const Method batch_method{"batch", batch, 2e-15, 0};

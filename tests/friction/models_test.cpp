@@ -9,7 +9,7 @@
 #include <functional>
 #include <memory>
 
-#include "libcontact/friction/exact.hpp"
+#include "libcontact/friction/friction_integrals.hpp"
 #include "libcontact/reference/gsl.hpp"
 #include "support/accuracy_report.hpp"
 #include "support/friction_reference.hpp"
@@ -107,7 +107,7 @@ TEST(PlanarFriction, SmallContactsAreFlat) {
     for (const double distance : {0.0, 0.3, 1.0, 2.0, 10.0}) {
       const SlipAxis axis = SlipAxis::from_complement(distance * theta0);
       const auto planar = planar_friction_integrals(theta0, axis);
-      const auto exact = exact_friction_integrals(theta0, axis);
+      const auto exact = friction_integrals(theta0, axis);
       EXPECT_NEAR(planar.coefficient.force, exact.coefficient.force,
                   theta0 * theta0 + 1e-13);
       EXPECT_NEAR(planar.coefficient.spinning / theta0,
@@ -190,7 +190,7 @@ TEST(CosineFriction, ExactAtBothEnds) {
     const auto at = [&](double a_deg) {
       const SlipAxis axis = SlipAxis::from_degrees(a_deg);
       return std::pair{cosine_friction_integrals(theta0, axis),
-                       exact_friction_integrals(theta0, axis)};
+                       friction_integrals(theta0, axis)};
     };
     const auto [slide, exact_slide] = at(0);
     const auto [spin, exact_spin] = at(90);

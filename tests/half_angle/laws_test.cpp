@@ -80,7 +80,7 @@ TEST(HalfAngleLaws, Limits) {
       // Hertz as the load tends to 0: the next term of exact laws is below x
       // (|beta| <= 1/2 and the like).
       for (const double load : {5e-324, 1e-200, 1e-40, 1e-30, 1e-12}) {
-        const double x = x_from_load_parameter(kind, load);
+        const double x = contact::LoadScale::x_from_load_parameter(kind, load);
         const HalfAngleResult result = law->half_angle(load);
         EXPECT_NEAR(result.half_angle / x, 1, std::pow(x, order) + 8 * epsilon)
             << load;

@@ -166,8 +166,9 @@ TEST(SaturatingLaws, InverseAgreesWithFiftyDigits) {
       EXPECT_EQ(result.status, Status::ok);
       // Loads below the smallest normal number have fewer digits.
       if (load_of(kind, angle) < 1e-300) continue;
-      const double start =
-          x_from_load_parameter(kind, result.load_parameter) / limit;
+      const double start = contact::LoadScale::x_from_load_parameter(
+                               kind, result.load_parameter) /
+                           limit;
       const Real xi = xi_of(k, Real(angle) / limit, start);
       report.add(Real(result.load_parameter), load_of(kind, xi * limit),
                  label(law, angle));

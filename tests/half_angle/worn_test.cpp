@@ -7,7 +7,7 @@
 #include <string>
 
 #include "libcontact/base/units.hpp"
-#include "libcontact/friction/any_pressure.hpp"
+#include "libcontact/friction/friction_integrals.hpp"
 #include "libcontact/friction/stress_rule.hpp"
 #include "libcontact/half_angle/factory.hpp"
 #include "libcontact/pressure/worn.hpp"
@@ -92,7 +92,7 @@ TEST(Worn, FrictionOfTheWornPressure) {
   AccuracyReport report("coefficients", 2e-10);
   const WornPressure pressure(JointKind::ball);
   const FrictionStress one([](double p, double) { return p; },
-                           StressOverSpeed::constant);
+                           FrictionStress::OverSpeed::constant);
   for (const double theta0 : {1., 20., 50., 75., 89.}) {
     for (const double a : {0., 10., 45., 80.}) {
       const SlipAxis axis = SlipAxis::from_degrees(a);

@@ -414,7 +414,7 @@ TEST(Identify, Prediction) {
       identify_friction(steel_in_bronze(JointKind::ball), data);
   for (const int i : {0, 17, 39}) {
     const Estimate there =
-        predicted_moment(fit, data[i].reaction, data[i].angular_velocity);
+        fit.predicted_moment(data[i].reaction, data[i].angular_velocity);
     EXPECT_NEAR(there.value, fit.moment[i], 1e-12 * fit.moment[i]);
     EXPECT_NEAR(there.standard_error, fit.moment_error[i],
                 1e-6 * fit.moment_error[i]);

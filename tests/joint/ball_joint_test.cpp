@@ -7,7 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "libcontact/friction/exact.hpp"
+#include "libcontact/friction/friction_integrals.hpp"
+#include "libcontact/joint/fixed_point.hpp"
 #include "libcontact/joint/joint.hpp"
 #include "support/accuracy_report.hpp"
 #include "support/allocation_count.hpp"
@@ -34,7 +35,7 @@ double true_residual(const Joint& joint, const JointSolution& s) {
   const double rho = joint.contact().geometry().radius();
   const double force = s.normal_force;
   const double half_angle = joint.contact().half_angle(force).half_angle;
-  const auto i = exact_friction_integrals(half_angle, s.slip_axis);
+  const auto i = friction_integrals(half_angle, s.slip_axis);
   const double adhesion = friction.adhesion() * rho * rho / force;
   const double f =
       friction.coefficient() * i.coefficient.force + adhesion * i.area.force;
@@ -389,7 +390,7 @@ TEST(BallJoint, SpinningAboutTheReaction) {
     EXPECT_EQ(s.slip_axis.sin, sign);
     EXPECT_EQ(s.slip_velocity.norm(), 0);
     // M_t = -rho (f0 R_n sigma_Z + A rho^2 K[1]) about the axis.
-    const auto i = exact_friction_integrals(s.half_angle, SlipAxis{1, 0});
+    const auto i = friction_integrals(s.half_angle, SlipAxis{1, 0});
     const double expected = 0.05 * (0.2 * 1e5 * i.coefficient.spinning +
                                     1e8 * 0.05 * 0.05 * i.area.spinning);
     EXPECT_NEAR(s.friction_moment.z(), -sign * expected, 1e-14 * expected);
@@ -433,8 +434,9 @@ TEST(BallJoint, FixedPointAgreesWhereItConverges) {
   for (int i = 0; i < 500; ++i) {
     const RandomSlip input = random.next();
     std::vector<FixedPointStep> trace(500);
-    const auto result = input.joint.fixed_point(
-        input.slip(), trace, {.tolerance = 1e-13, .step_limit = 500});
+    const auto result =
+        contact::fixed_point(input.joint, input.slip(), trace,
+                             {.tolerance = 1e-13, .step_limit = 500});
     if (result.status != Status::ok) continue;
     const JointSolution s = input.joint.solve(input.slip());
     const FixedPointStep& last = trace[result.steps - 1];
@@ -450,13 +452,13 @@ TEST(BallJoint, FixedPointReportsWhereItFails) {
   const Joint joint = steel_ball(FrictionLaw(3, 0));
   std::vector<FixedPointStep> trace(10);
   const Vector3d reaction = reaction_at(1e5, 50 * degree);
-  EXPECT_EQ(joint.fixed_point({reaction, {0, 0, 1}}, trace).status,
+  EXPECT_EQ(contact::fixed_point(joint, {reaction, {0, 0, 1}}, trace).status,
             Status::out_of_range);
   EXPECT_EQ(joint.solve({reaction, {0, 0, 1}}).status, Status::ok);
   // A short limit.
-  EXPECT_EQ(steel_ball(FrictionLaw(0.1, 4e7))
-                .fixed_point({reaction, {0, 0, 1}}, trace,
-                             {.tolerance = 1e-12, .step_limit = 3})
+  EXPECT_EQ(contact::fixed_point(steel_ball(FrictionLaw(0.1, 4e7)),
+                                 {reaction, {0, 0, 1}}, trace,
+                                 {.tolerance = 1e-12, .step_limit = 3})
                 .status,
             Status::not_converged);
 }
@@ -496,7 +498,7 @@ TEST(BallJoint, NanAndInfinityGiveNan) {
         EXPECT_TRUE(std::isnan(s.power));
       }
       std::vector<FixedPointStep> trace(5);
-      EXPECT_EQ(joint.fixed_point({reaction, rate}, trace).status,
+      EXPECT_EQ(contact::fixed_point(joint, {reaction, rate}, trace).status,
                 Status::out_of_range);
     }
   }
@@ -516,8 +518,8 @@ TEST(BallJoint, KernelsDoNotAllocate) {
     const JointSolution s = input.joint.solve(input.slip());
     input.joint.solve({1.001 * input.reaction, input.rate}, s);
     input.joint.solve_contact({input.reaction, input.rate});
-    input.joint.fixed_point(input.slip(), trace,
-                            {.tolerance = 1e-12, .step_limit = 20});
+    contact::fixed_point(input.joint, input.slip(), trace,
+                         {.tolerance = 1e-12, .step_limit = 20});
   }
   EXPECT_EQ(allocation_count(), before);
 }

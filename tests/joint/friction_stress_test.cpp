@@ -10,7 +10,7 @@
 #include "libcontact/base/units.hpp"
 #include "libcontact/duty/sliding_contact.hpp"
 #include "libcontact/files/joint_file.hpp"
-#include "libcontact/friction/any_pressure.hpp"
+#include "libcontact/friction/friction_integrals.hpp"
 #include "libcontact/friction/stress_rule.hpp"
 #include "libcontact/joint/group.hpp"
 #include "libcontact/joint/joint.hpp"
@@ -33,7 +33,7 @@ JointSpec bearing() {
 
 FrictionStress coulomb(double f0, double adhesion) {
   return {[=](double p, double) { return f0 * p + adhesion; },
-          StressOverSpeed::constant};
+          FrictionStress::OverSpeed::constant};
 }
 
 // The law that a row of the reference data names.
@@ -100,7 +100,7 @@ TEST(FrictionStress, UsualPoints) {
   const auto power = [](double m) { return FrictionStress::power(.1, 1e7, m); };
   const FrictionStress hersey(
       [](double p, double v) { return p * (0.02 + 0.1 * p / (p + 1e9 * v)); },
-      StressOverSpeed::falls);
+      FrictionStress::OverSpeed::falls);
   struct Case {
     const char* name;
     FrictionStress stress;
@@ -365,8 +365,8 @@ TEST(FrictionStress, TablesOfPressure) {
     return joint.solve({{0, 2000, 1500}, {0, 0, 1}}).friction_moment.norm();
   };
   const double exact = moment({[&](double p, double) { return p * law(p); },
-                               StressOverSpeed::constant});
-  const auto error = [&](int count, TableCurve curve) {
+                               FrictionStress::OverSpeed::constant});
+  const auto error = [&](int count, FrictionStress::Table::Curve curve) {
     FrictionStress::Table table{{}, {}, curve};
     for (int i = 0; i < count; ++i) {
       table.points.push_back(1e3 * std::pow(1e5, i / (count - 1.0)));
@@ -374,25 +374,27 @@ TEST(FrictionStress, TablesOfPressure) {
     }
     return std::abs(moment(FrictionStress::of_pressure(table)) / exact - 1);
   };
-  EXPECT_LT(error(32, TableCurve::spline), 1e-5);
-  EXPECT_LT(error(128, TableCurve::spline), 2e-8);
-  EXPECT_GT(error(32, TableCurve::linear), 1e-4);
-  EXPECT_LT(error(32, TableCurve::linear), 3e-3);
+  EXPECT_LT(error(32, FrictionStress::Table::Curve::spline), 1e-5);
+  EXPECT_LT(error(128, FrictionStress::Table::Curve::spline), 2e-8);
+  EXPECT_GT(error(32, FrictionStress::Table::Curve::linear), 1e-4);
+  EXPECT_LT(error(32, FrictionStress::Table::Curve::linear), 3e-3);
 }
 
 TEST(FrictionStress, TablesOfHerseyNumbers) {
   // Constant outside, the points themselves inside.
-  const FrictionStress falling = FrictionStress::of_hersey(
-      {{1e-10, 1e-9, 1e-8}, {0.2, 0.1, 0.15}, TableCurve::spline});
-  EXPECT_EQ(falling.over_speed(), StressOverSpeed::falls);
+  const FrictionStress falling =
+      FrictionStress::of_hersey({{1e-10, 1e-9, 1e-8},
+                                 {0.2, 0.1, 0.15},
+                                 FrictionStress::Table::Curve::spline});
+  EXPECT_EQ(falling.over_speed(), FrictionStress::OverSpeed::falls);
   EXPECT_DOUBLE_EQ(falling.stress_at(1e6, 0), 0.2e6);
   EXPECT_DOUBLE_EQ(falling.stress_at(1e6, 1e-3), 0.1e6);
   EXPECT_DOUBLE_EQ(falling.stress_at(1e6, 1), 0.15e6);
   EXPECT_EQ(falling.stress_at(0, 0), 0);
   EXPECT_EQ(falling.note(), "");
   const FrictionStress rising = FrictionStress::of_hersey(
-      {{1e-10, 1e-8}, {0.1, 0.2}, TableCurve::linear});
-  EXPECT_EQ(rising.over_speed(), StressOverSpeed::rises);
+      {{1e-10, 1e-8}, {0.1, 0.2}, FrictionStress::Table::Curve::linear});
+  EXPECT_EQ(rising.over_speed(), FrictionStress::OverSpeed::rises);
   EXPECT_DOUBLE_EQ(rising.stress_at(1e6, 1e-3), 0.15e6);
   EXPECT_NE(rising.note(), "");
 }

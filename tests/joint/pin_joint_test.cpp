@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "libcontact/joint/fixed_point.hpp"
 #include "support/accuracy_report.hpp"
 #include "support/allocation_count.hpp"
 #include "support/joints.hpp"
@@ -147,8 +148,8 @@ TEST(PinJoint, FixedPointAgrees) {
   const Joint joint = steel_pin(FrictionLaw(0.2, 2e7));
   const Vector3d reaction(1e6, 0, 0);
   std::vector<FixedPointStep> trace(200);
-  const auto result =
-      joint.fixed_point({reaction, {0, 0, 1}}, trace, {.tolerance = 1e-14});
+  const auto result = contact::fixed_point(joint, {reaction, {0, 0, 1}}, trace,
+                                           {.tolerance = 1e-14});
   ASSERT_EQ(result.status, Status::ok);
   EXPECT_EQ(trace[0].friction_angle, 0);
   EXPECT_NEAR(trace[0].slip_axis_angle, 0, 1e-16);

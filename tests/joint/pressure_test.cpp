@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "libcontact/base/units.hpp"
-#include "libcontact/friction/any_pressure.hpp"
+#include "libcontact/friction/friction_integrals.hpp"
 #include "libcontact/half_angle/factory.hpp"
 #include "libcontact/joint/group.hpp"
 #include "libcontact/joint/joint.hpp"

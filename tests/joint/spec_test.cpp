@@ -96,9 +96,9 @@ TEST(JointSpec, ADifferenceAnywhereIsSeen) {
 
 TEST(JointSpec, OwnFrictionIsEqualToItsCopies) {
   const FrictionStress::Function half = [](double p, double) { return p / 2; };
-  const FrictionStress one(half, StressOverSpeed::constant);
+  const FrictionStress one(half, FrictionStress::OverSpeed::constant);
   const FrictionStress copy = one;
-  const FrictionStress other(half, StressOverSpeed::constant);
+  const FrictionStress other(half, FrictionStress::OverSpeed::constant);
   EXPECT_EQ(one, copy);
   EXPECT_NE(one, other);
 }

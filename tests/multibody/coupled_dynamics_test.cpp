@@ -107,30 +107,6 @@ TEST(CoupledDynamics, FrictionFitsTheReactionsItCauses) {
               static_cast<double>(iterations) / static_cast<double>(cases));
 }
 
-// Also by the joints that are handed in, whatever theirs is.
-TEST(CoupledDynamics, TheInstructionSetAskedForIsUsed) {
-  const auto moments = [](Mix mix, contact::InstructionSet joints) {
-    Case c = random_case(mix, 16, 1, false, 0.01);
-    for (HingeFriction& friction : c.friction) {
-      friction = with_instruction_set(friction, joints);
-    }
-    CoupledOptions options;
-    options.instruction_set = contact::InstructionSet::baseline;
-    CoupledDynamics coupled(c.prepared.system, c.friction, options);
-    set_signs(coupled, c);
-    coupled.evaluate(c.prepared.state.data(), c.prepared.forces);
-    std::vector<double> all;
-    for (int i = 0; i < coupled.size(); ++i) {
-      for (const double x : coupled.friction_moment(i)) all.push_back(x);
-    }
-    return all;
-  };
-  for (const Mix mix : {Mix::balls, Mix::axes}) {
-    EXPECT_EQ(moments(mix, contact::best_instruction_set()),
-              moments(mix, contact::InstructionSet::baseline));
-  }
-}
-
 struct Tracked {
   double largest_miss = 0;
   long evaluations = 0, iterations = 0;

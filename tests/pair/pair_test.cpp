@@ -245,11 +245,12 @@ TEST(LoadScale, IsHertzTheoryForSmallLoads) {
   const LoadScale ball(JointGeometry::ball(rho, eps), pair);
   const LoadScale pin(JointGeometry::pin(rho, eps, 1), pair);
   // A dozen roundings on both sides.
-  EXPECT_NEAR(
-      x_from_load_parameter(JointKind::ball, ball.load_parameter(force)) /
-          (ball_radius / rho),
-      1, 2e-15);
-  EXPECT_NEAR(x_from_load_parameter(JointKind::pin, pin.load_parameter(force)) /
+  EXPECT_NEAR(contact::LoadScale::x_from_load_parameter(
+                  JointKind::ball, ball.load_parameter(force)) /
+                  (ball_radius / rho),
+              1, 2e-15);
+  EXPECT_NEAR(contact::LoadScale::x_from_load_parameter(
+                  JointKind::pin, pin.load_parameter(force)) /
                   (pin_radius / rho),
               1, 2e-15);
 }
@@ -260,26 +261,34 @@ TEST(LoadParameter, XAgreesWithFiftyDigits) {
   AccuracyReport back("load_parameter_from_x", 3e-16);
   for (double value = 1e-90; value < 1e90; value *= 1.73) {
     const std::string row = std::to_string(value);
-    forward.add(Real(x_from_load_parameter(JointKind::ball, value)),
-                Real(cbrt(Real(value))), row);
-    forward.add(Real(x_from_load_parameter(JointKind::pin, value)),
-                Real(2 * sqrt(Real(value))), row);
-    back.add(Real(load_parameter_from_x(JointKind::ball, value)),
-             Real(Real(value) * value * value), row);
-    back.add(Real(load_parameter_from_x(JointKind::pin, value)),
-             Real(Real(value) * value / 4), row);
+    forward.add(
+        Real(contact::LoadScale::x_from_load_parameter(JointKind::ball, value)),
+        Real(cbrt(Real(value))), row);
+    forward.add(
+        Real(contact::LoadScale::x_from_load_parameter(JointKind::pin, value)),
+        Real(2 * sqrt(Real(value))), row);
+    back.add(
+        Real(contact::LoadScale::load_parameter_from_x(JointKind::ball, value)),
+        Real(Real(value) * value * value), row);
+    back.add(
+        Real(contact::LoadScale::load_parameter_from_x(JointKind::pin, value)),
+        Real(Real(value) * value / 4), row);
   }
 }
 
 TEST(LoadParameter, NanAndLimits) {
   for (const JointKind kind : {JointKind::ball, JointKind::pin}) {
-    EXPECT_TRUE(all_nan(
-        {x_from_load_parameter(kind, nan), load_parameter_from_x(kind, nan)}));
-    EXPECT_EQ(x_from_load_parameter(kind, 0), 0);
-    EXPECT_EQ(x_from_load_parameter(kind, infinity), infinity);
-    EXPECT_EQ(load_parameter_from_x(kind, infinity), infinity);
+    EXPECT_TRUE(
+        all_nan({contact::LoadScale::x_from_load_parameter(kind, nan),
+                 contact::LoadScale::load_parameter_from_x(kind, nan)}));
+    EXPECT_EQ(contact::LoadScale::x_from_load_parameter(kind, 0), 0);
+    EXPECT_EQ(contact::LoadScale::x_from_load_parameter(kind, infinity),
+              infinity);
+    EXPECT_EQ(contact::LoadScale::load_parameter_from_x(kind, infinity),
+              infinity);
   }
-  EXPECT_TRUE(std::isnan(x_from_load_parameter(JointKind::pin, -1)));
+  EXPECT_TRUE(std::isnan(
+      contact::LoadScale::x_from_load_parameter(JointKind::pin, -1)));
 }
 
 TEST(FrictionLaw, StressAndCoefficient) {
@@ -298,11 +307,11 @@ TEST(FrictionLaw, StressAndCoefficient) {
 constexpr std::array ends_mm = {3,   6,   10,  18,  30,  50, 80,
                                 120, 180, 250, 315, 400, 500};
 
-double um(const Fit& fit, FitClearance which) {
+double um(const Fit& fit, Fit::Clearance which) {
   return fit.clearance(which) * 1e6;
 }
-double smallest_um(const Fit& fit) { return um(fit, FitClearance::minimum); }
-double largest_um(const Fit& fit) { return um(fit, FitClearance::maximum); }
+double smallest_um(const Fit& fit) { return um(fit, Fit::Clearance::minimum); }
+double largest_um(const Fit& fit) { return um(fit, Fit::Clearance::maximum); }
 
 // How wide a grade is: a hole and a shaft without a deviation have it twice.
 double tolerance_um(char grade, double size_mm) {
@@ -317,8 +326,8 @@ struct Class {
   double far_um;
 
   Class(const std::string& name, double size_mm)
-      : fit(fit_holes.contains(name) ? Fit(name, "h5", size_mm / 1e3)
-                                     : Fit("H5", name, size_mm / 1e3)),
+      : fit(Fit::holes.contains(name) ? Fit(name, "h5", size_mm / 1e3)
+                                      : Fit("H5", name, size_mm / 1e3)),
         near_um(smallest_um(fit)),
         far_um(largest_um(fit) - tolerance_um('5', size_mm)) {}
 };
@@ -334,7 +343,7 @@ TEST(Fit, ClassesArePublishedOnes) {
     std::string name = row.text("class");
     const bool letter_alone = name.size() == 1;
     if (letter_alone) name += '7';
-    const bool hole = fit_holes.contains(name);
+    const bool hole = Fit::holes.contains(name);
     const auto deviation = [&](bool near) {
       return std::abs(
           std::stod(row.text(hole == near ? "lower_um" : "upper_um")));
@@ -426,17 +435,17 @@ TEST(Fit, GivesAJointItsRadiusAndClearance) {
   EXPECT_EQ(fit.name(), "H7/g6");
   EXPECT_EQ(fit.diameter(), 0.05);
   EXPECT_EQ(fit.radius(), 0.025);
-  EXPECT_EQ(fit.taken(), FitClearance::mean);
+  EXPECT_EQ(fit.taken(), Fit::Clearance::mean);
   // The doubles nearest to the decimals.
   EXPECT_EQ(fit.radial_clearance(), 14.75e-6);
-  EXPECT_EQ(Fit("H7", "g6", 0.05, FitClearance::minimum).radial_clearance(),
+  EXPECT_EQ(Fit("H7", "g6", 0.05, Fit::Clearance::minimum).radial_clearance(),
             4.5e-6);
-  EXPECT_EQ(Fit("H7", "g6", 0.05, FitClearance::maximum).radial_clearance(),
+  EXPECT_EQ(Fit("H7", "g6", 0.05, Fit::Clearance::maximum).radial_clearance(),
             25e-6);
   EXPECT_EQ(to_string(fit),
             "fit H7/g6 at 50 mm: diametral clearance 9 to 50 um; mean 29.5 um "
             "taken");
-  EXPECT_EQ(to_string(Fit("G7", "h6", 0.0105, FitClearance::maximum)),
+  EXPECT_EQ(to_string(Fit("G7", "h6", 0.0105, Fit::Clearance::maximum)),
             "fit G7/h6 at 10.5 mm: diametral clearance 6 to 35 um; maximum 35 "
             "um taken");
 }

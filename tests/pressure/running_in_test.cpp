@@ -11,7 +11,8 @@
 #include <vector>
 
 #include "libcontact/base/units.hpp"
-#include "libcontact/friction/any_pressure.hpp"
+#include "libcontact/friction/friction_integrals.hpp"
+#include "libcontact/friction/models.hpp"
 #include "libcontact/half_angle/worn.hpp"
 #include "libcontact/pressure/exact.hpp"
 #include "libcontact/pressure/factory.hpp"

@@ -10,7 +10,7 @@
 #include "libcontact/base/units.hpp"
 #include "libcontact/conforming/ball.hpp"
 #include "libcontact/conforming/pin.hpp"
-#include "libcontact/friction/any_pressure.hpp"
+#include "libcontact/friction/friction_integrals.hpp"
 #include "libcontact/pressure/exact.hpp"
 #include "libcontact/reference/quadrature.hpp"
 #include "support/accuracy_report.hpp"

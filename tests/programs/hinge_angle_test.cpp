@@ -82,7 +82,8 @@ TEST(HingeAngle, DimensionlessRowsAreTheLibrarys) {
     ASSERT_EQ(rows.size(), 14U);
     for (const auto& row : rows) {
       ASSERT_EQ(row.size(), 14U);
-      EXPECT_EQ(row[0], load_parameter_from_x(kind, row[1]));
+      EXPECT_EQ(row[0],
+                contact::LoadScale::load_parameter_from_x(kind, row[1]));
       std::size_t column = 2;
       for (const char* name :
            {"hertz", "arctan", "tanh", "blend", "blend:0.3", "paper"}) {

@@ -688,9 +688,9 @@ TEST(HingeJoint, Pv) {
   const Columns table(folder.run(run + "--pv"));
   const Joint joint(contact_of(joint_file("paper_example_1"), "exact"));
   const Vector3d rate(0.1, 1, -2);
-  const SlidingContact sliding(joint.contact(),
-                               joint.solve({{2e5, 1e4, -3e4}, rate}), rate);
-  const ContactPeak& pv = sliding.largest_pv();
+  const contact::SlidingContact sliding(
+      joint.contact(), joint.solve({{2e5, 1e4, -3e4}, rate}), rate);
+  const contact::SlidingContact::Peak& pv = sliding.largest_pv();
   EXPECT_EQ(table.at(1, "pv_max_W_per_m2"), pv.value);
   EXPECT_EQ(table.at(1, "pv_max_theta_deg"), pv.theta / degree);
   EXPECT_EQ(table.at(1, "pv_max_x"), pv.place.x());

@@ -12,7 +12,7 @@
 #include "cli/number.hpp"
 #include "libcontact/base/units.hpp"
 #include "libcontact/files/joint_file.hpp"
-#include "libcontact/friction/any_pressure.hpp"
+#include "libcontact/friction/friction_integrals.hpp"
 #include "libcontact/half_angle/exact.hpp"
 #include "libcontact/pressure/exact.hpp"
 #include "support/program.hpp"

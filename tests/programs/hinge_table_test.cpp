@@ -10,9 +10,8 @@
 #include "cli/number.hpp"
 #include "libcontact/base/units.hpp"
 #include "libcontact/files/joint_file.hpp"
-#include "libcontact/friction/any_pressure.hpp"
 #include "libcontact/friction/elliptic/friction.hpp"
-#include "libcontact/friction/exact.hpp"
+#include "libcontact/friction/friction_integrals.hpp"
 #include "libcontact/friction/models.hpp"
 #include "libcontact/pressure/exact.hpp"
 #include "libcontact/pressure/factory.hpp"
@@ -40,9 +39,10 @@ std::vector<double> row_of(double theta0_deg, double alpha_deg,
   return row;
 }
 std::vector<double> library_row(double theta0_deg, double alpha_deg) {
-  return row_of(theta0_deg, alpha_deg,
-                exact_friction_integrals(theta0_deg * degree,
-                                         SlipAxis::from_degrees(alpha_deg)));
+  return row_of(
+      theta0_deg, alpha_deg,
+      contact::friction_integrals(theta0_deg * contact::degree,
+                                  contact::SlipAxis::from_degrees(alpha_deg)));
 }
 
 TEST(HingeTable, GridHasTheLibrarysValuesToTheLastDigit) {

@@ -7,7 +7,8 @@
 #include <vector>
 
 #include "libcontact/base/units.hpp"
-#include "libcontact/friction/exact.hpp"
+#include "libcontact/friction/friction_integrals.hpp"
+#include "libcontact/joint/fixed_point.hpp"
 #include "support/random_slip.hpp"
 
 namespace contact::test {
@@ -21,8 +22,8 @@ constexpr double pi = std::numbers::pi;
 double friction_coefficient(const Joint& joint, double force, SlipAxis axis) {
   const auto& friction = std::get<FrictionLaw>(joint.contact().friction());
   const double rho = joint.contact().geometry().radius();
-  const auto i = exact_friction_integrals(
-      joint.contact().half_angle(force).half_angle, axis);
+  const auto i =
+      friction_integrals(joint.contact().half_angle(force).half_angle, axis);
   return friction.coefficient() * i.coefficient.force +
          friction.adhesion() * rho * rho / force * i.area.force;
 }
@@ -69,8 +70,8 @@ void run_fixed_point(const RandomSlip& input, const JointSolution& s,
                      JointSweep& sweep) {
   constexpr int limit = 500;
   constexpr int slow = 50;
-  const auto result = input.joint.fixed_point(
-      input.slip(), {}, {.tolerance = 1e-12, .step_limit = limit});
+  const auto result = contact::fixed_point(
+      input.joint, input.slip(), {}, {.tolerance = 1e-12, .step_limit = limit});
   if (result.status == Status::ok) sweep.fixed_point.add(result.steps);
   const bool fails = result.status == Status::out_of_range;
   sweep.fixed_point_fails += fails;

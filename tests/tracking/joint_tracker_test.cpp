@@ -1,4 +1,5 @@
 #include "libcontact/tracking/joint_tracker.hpp"
+#include "libcontact/base/instruction_set.hpp"
 
 #include <gtest/gtest.h>
 
@@ -135,9 +136,8 @@ void start(JointTracker& tracker, const std::vector<Path>& all, double t) {
   }
 }
 
-JointTracker started(const std::vector<Path>& all,
-                     InstructionSet set = best_instruction_set()) {
-  JointTracker tracker(contacts(all), set);
+JointTracker started(const std::vector<Path>& all) {
+  JointTracker tracker(contacts(all));
   start(tracker, all, 0);
   return tracker;
 }
@@ -247,7 +247,8 @@ TEST(JointTracker, AllInstructionSetsAgree) {
     const std::vector<Path> all = paths(3, count);
     std::vector<std::vector<Vector3d>> found;
     for (const InstructionSet set : supported_instruction_sets()) {
-      JointTracker tracker = started(all, set);
+      const contact::detail::WithInstructionSet with(set);
+      JointTracker tracker = started(all);
       advance(tracker, all, 1e-3);
       std::vector<Vector3d>& moments = found.emplace_back();
       for (int i = 0; i < tracker.size(); ++i) {
@@ -278,31 +279,6 @@ std::vector<Path> growing(const LawNames& laws, double ball = 2e4,
     all.push_back(path);
   }
   return all;
-}
-
-// Bit for bit those of its own set, whatever the contacts have: with pressures
-// that the tracker's own kernels do not know.
-TEST(JointTracker, TakesItsInstructionSetForAllIntegrals) {
-  for (const InstructionSet set : supported_instruction_sets()) {
-    std::vector<Vector3d> expected;
-    for (const InstructionSet other : supported_instruction_sets()) {
-      std::vector<Path> all = growing({"tanh", "sqrt_theta"});
-      const std::vector<JointContact> plain = contacts(all);
-      std::vector<JointContact> given;
-      for (const JointContact& c : plain) {
-        given.push_back(c.with_instruction_set(other));
-      }
-      JointTracker tracker(given, set);
-      start(tracker, all, 0);
-      advance(tracker, all, 1e-3);
-      for (int i = 0; i < tracker.size(); ++i) {
-        if (other == InstructionSet::baseline) {
-          expected.push_back(tracker.moment(i));
-        }
-        EXPECT_EQ(tracker.moment(i), expected[i]);
-      }
-    }
-  }
 }
 
 double largest_error(const std::vector<Path>& all) {
@@ -451,7 +427,8 @@ TEST(JointTracker, ASecondCorrectionLeavesLittle) {
 TEST(JointTracker, CorrectsWhereItHasBeenExtended) {
   const std::vector<Path> all = paths(8, 20);
   for (const InstructionSet set : supported_instruction_sets()) {
-    JointTracker tracker = started(all, set);
+    const contact::detail::WithInstructionSet with(set);
+    JointTracker tracker = started(all);
     advance(tracker, all, 1e-3);
     const JointTracker before = tracker;
     for (int i = 0; i < tracker.size(); ++i) {
@@ -511,7 +488,8 @@ TEST(JointTracker, OneThatIsLostIsSeenInTheLargest) {
     for (const int size : {1, 3, 5, 9}) {
       const std::vector<Path> all(many.begin(), many.begin() + size);
       for (const InstructionSet set : supported_instruction_sets()) {
-        JointTracker tracker = started(all, set);
+        const contact::detail::WithInstructionSet with(set);
+        JointTracker tracker = started(all);
         advance(tracker, all, 1e-4);
         EXPECT_TRUE(tracker.largest().is_trusted());
         for (int i = 0; i < size; ++i) {
@@ -546,7 +524,8 @@ TEST(JointTracker, StepsAreZeroBeyondTheJoints) {
   for (int size = 1; size <= 17; ++size) {
     const std::vector<Path> all(many.begin(), many.begin() + size);
     for (const InstructionSet set : supported_instruction_sets()) {
-      JointTracker tracker(contacts(all), set);
+      const contact::detail::WithInstructionSet with(set);
+      JointTracker tracker(contacts(all));
       const auto step = [&](int joint, int k) {
         constexpr int lanes = VectorRows::lanes;
         const VectorRows rows = tracker.steps();

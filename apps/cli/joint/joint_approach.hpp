@@ -32,7 +32,7 @@ class JointApproach {
   /// d load/d approach. NaN where there is none: without load, loaded through
   /// the back, and for a pin in an infinite hole.
   contact::ContactApproach operator()(double half_angle) const {
-    return joint_approach(*law_, geometry_, pair_, half_angle);
+    return contact::JointContact::approach(*law_, geometry_, pair_, half_angle);
   }
 
   /// Names of both columns.

@@ -23,8 +23,8 @@ class Dynamics {
  public:
   /// All joints turn at first, bodies of their own are released.
   /// @param set  instruction set, a supported one
-  explicit Dynamics(const System& system, contact::InstructionSet set =
-                                              contact::best_instruction_set());
+  explicit Dynamics(const System& system,
+                    contact::InstructionSet set = contact::instruction_set());
 
   int size() const { return static_cast<int>(modes_.size()); }
   JointMode mode(int body) const { return modes_[body]; }

@@ -16,7 +16,7 @@ using Eigen::Vector3d;
 CoupledDynamics::CoupledDynamics(const System& system,
                                  const std::vector<HingeFriction>& friction,
                                  const CoupledOptions& options)
-    : hinges_(std::make_unique<Hinges>(system, friction, options)),
+    : hinges_(std::make_unique<Hinges>(system, friction)),
       options_(options),
       tracked_(*hinges_, friction, options) {}
 

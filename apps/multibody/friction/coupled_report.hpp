@@ -3,8 +3,6 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "libcontact/base/instruction_set.hpp"
-
 /// What is asked of an instant with friction, and how it came out.
 namespace multibody {
 
@@ -20,8 +18,6 @@ struct CoupledOptions {
   /// The same of a ball joint: above what the direction found for its sliding
   /// leaves uncertain of its acceleration, so that it is clear where it goes.
   double ball_slip_threshold = 1e-8;
-  /// By which bodies are resolved and joints are tracked: a supported one.
-  contact::InstructionSet instruction_set = contact::best_instruction_set();
 };
 
 /// How an instant with friction came out.

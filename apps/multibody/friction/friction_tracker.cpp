@@ -37,9 +37,8 @@ std::vector<JointContact> all_contacts(
 
 }  // namespace
 
-FrictionTracker::FrictionTracker(const std::vector<HingeFriction>& friction,
-                                 contact::InstructionSet set)
-    : joints_(all_contacts(friction), set) {
+FrictionTracker::FrictionTracker(const std::vector<HingeFriction>& friction)
+    : joints_(all_contacts(friction)) {
   for (const HingeFriction& f : friction) add(f);
 }
 

@@ -18,8 +18,7 @@ namespace multibody {
 /// have to be asked.
 class FrictionTracker {
  public:
-  FrictionTracker(const std::vector<HingeFriction>& friction,
-                  contact::InstructionSet set);
+  explicit FrictionTracker(const std::vector<HingeFriction>& friction);
 
   /// From a hinge's last solution.
   /// @param rate  with which that was found

@@ -14,16 +14,6 @@ std::vector<contact::JointContact> contacts(const HingeFriction& friction) {
   return all;
 }
 
-HingeFriction with_instruction_set(HingeFriction friction,
-                                   contact::InstructionSet set) {
-  if (auto* one = std::get_if<JointFriction>(&friction)) {
-    one->joint = contact::Joint(one->joint.contact().with_instruction_set(set));
-  } else if (auto* group = std::get_if<GroupFriction>(&friction)) {
-    group->group = group->group.with_instruction_set(set);
-  }
-  return friction;
-}
-
 const char* to_string(HingeMode mode) {
   switch (mode) {
     case HingeMode::sliding:

@@ -39,10 +39,6 @@ using HingeFriction =
 /// Of its joints, in the order of the group.
 std::vector<contact::JointContact> contacts(const HingeFriction& friction);
 
-/// The same friction, its integrals by an instruction set: a supported one.
-HingeFriction with_instruction_set(HingeFriction friction,
-                                   contact::InstructionSet set);
-
 /// What a hinge does.
 enum class HingeMode {
   sliding,   ///< turns, or is about to

@@ -51,20 +51,15 @@ Hinge::Hinge(HingeFriction friction, const Link& link, int body)
   if (link.kind == HingeKind::none) mode = HingeMode::released;
 }
 
-Hinges::Hinges(const System& system, const std::vector<HingeFriction>& friction,
-               const CoupledOptions& options)
-    : dynamics_(system, options.instruction_set),
-      change_(system.size()),
-      reactions_(system.size()) {
+Hinges::Hinges(const System& system, const std::vector<HingeFriction>& friction)
+    : dynamics_(system), change_(system.size()), reactions_(system.size()) {
   if (static_cast<int>(friction.size()) != system.size()) {
     throw contact::Error(contact::detail::must_be(
         fmt::format("friction of {} hinges", friction.size()),
         fmt::format("of {}, one for each body", system.size())));
   }
   for (int i = 0; i < system.size(); ++i) {
-    hinges_.emplace_back(
-        with_instruction_set(friction[i], options.instruction_set),
-        system.links()[i], i);
+    hinges_.emplace_back(friction[i], system.links()[i], i);
   }
   active_.reserve(system.size());
 }

@@ -62,8 +62,7 @@ class Hinges {
 
   /// @param friction  one for each body
   /// @throws contact::Error if friction and kind of hinge do not go together
-  Hinges(const System& system, const std::vector<HingeFriction>& friction,
-         const CoupledOptions& options);
+  Hinges(const System& system, const std::vector<HingeFriction>& friction);
 
   int size() const { return static_cast<int>(hinges_.size()); }
   Hinge& operator[](int body) { return hinges_[body]; }

@@ -20,7 +20,7 @@ TrackedLoop::TrackedLoop(Hinges& hinges,
                          const CoupledOptions& options)
     : hinges_(hinges),
 
-      tracker_(friction, options.instruction_set),
+      tracker_(friction),
       tolerance_(options.tolerance) {
   forget_path();
 }

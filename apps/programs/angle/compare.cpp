@@ -11,6 +11,7 @@
 #include "cli/table.hpp"
 #include "libcontact/base/units.hpp"
 #include "libcontact/half_angle/factory.hpp"
+#include "libcontact/half_angle/registry.hpp"
 
 namespace hinge_angle {
 namespace {
@@ -18,15 +19,10 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-// As docs/speed.md has them.
 int cost_of(std::string_view name, contact::JointKind kind) {
-  const bool ball = kind == contact::JointKind::ball;
-  if (name == "hertz") return ball ? 4 : 2;
-  if (name == "arctan") return ball ? 5 : 2;
-  if (name == "tanh") return ball ? 6 : 3;
-  if (name == "fitted") return ball ? 14 : 10;
-  if (name == "exact") return ball ? 25 : 15;
-  return ball ? 7 : 4;  // blend and blend:K; paper for a pin
+  const auto* const law = contact::detail::find_half_angle_entry(name);
+  if (law == nullptr) return 0;
+  return kind == contact::JointKind::ball ? law->ball_cost : law->pin_cost;
 }
 
 // Loads in equal ratios from the smallest to the largest of the input, as

@@ -20,7 +20,8 @@ double Loads::convert(LoadVariable from, double load, LoadVariable to) const {
   }
   if (from == LoadVariable::line_load) parameter = scale_->load_parameter(load);
   if (from == LoadVariable::x) {
-    parameter = contact::load_parameter_from_x(geometry_.kind(), load);
+    parameter =
+        contact::LoadScale::load_parameter_from_x(geometry_.kind(), load);
   }
   switch (to) {
     case LoadVariable::load:
@@ -28,7 +29,8 @@ double Loads::convert(LoadVariable from, double load, LoadVariable to) const {
     case LoadVariable::line_load:
       return law_load(parameter);
     case LoadVariable::x:
-      return contact::x_from_load_parameter(geometry_.kind(), parameter);
+      return contact::LoadScale::x_from_load_parameter(geometry_.kind(),
+                                                       parameter);
     case LoadVariable::load_parameter:
       break;
   }

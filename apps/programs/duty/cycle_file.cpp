@@ -10,13 +10,12 @@
 
 #include "cli/quantity.hpp"
 #include "cli/refuse.hpp"
-#include "libcontact/duty/cycle_rows.hpp"
+#include "libcontact/duty/duty_cycle.hpp"
 #include "programs/duty/cycle_columns.hpp"
 
 namespace hinge_duty {
 namespace {
 
-using contact::PeriodicSpline;
 using Eigen::Vector3d;
 
 // The values of all lines, column by column.
@@ -49,13 +48,13 @@ void check_times(const std::vector<double>& times, const std::string& name,
 }
 
 // Makes one period of the rows, says what is left out.
-void set_period(contact::CycleRows& rows, const std::string& name,
+void set_period(contact::DutyCycle::Rows& rows, const std::string& name,
                 const Options& options) {
   if (!options.period.empty()) {
     rows.period = cli::parse_quantity(
         "--period", options.period, contact::Dimension::time, {0, 1e100, "s"});
   }
-  const std::string note = make_one_period(rows);
+  const std::string note = rows.make_one_period();
   if (!note.empty()) cli::warn("hinge-duty", name + ": " + note);
   if (!rows.period) {
     cli::refuse_without(name + ": times with uneven steps",
@@ -99,30 +98,29 @@ contact::DutyCycle read_cycle(const Options& options, bool is_pin) {
     cli::refuse_beside(cli::given("--euler", options.euler),
                        "a pin, which turns about Z");
   }
-  const contact::TurnSequence sequence(options.euler.empty() ? std::string("z")
-                                                             : options.euler);
-  const contact::ForceFrame frame{options.force_on, options.force_in};
+  const contact::DutyCycle::TurnSequence sequence(
+      options.euler.empty() ? std::string("z") : options.euler);
+  const contact::DutyCycle::ForceFrame frame{options.force_on,
+                                             options.force_in};
   cli::LineReader reader(options.cycle);
   const CycleColumns columns = read_columns(reader, options, is_pin);
   const bool is_angles = columns.is_angles;
   const auto& [line, place] = columns.header;
   const auto values = read_lines(reader, {line, columns.needed, place},
                                  columns.sto.has_value());
-  contact::CycleRows rows{values[0],
-                          vectors(values, 1, 1),
-                          vectors(values, CycleColumns::motion_at,
-                                  is_angles ? columns.angle_unit : 1),
-                          {}};
+  contact::DutyCycle::Rows rows{values[0],
+                                vectors(values, 1, 1),
+                                vectors(values, CycleColumns::motion_at,
+                                        is_angles ? columns.angle_unit : 1),
+                                {}};
   if (columns.sto) {
     check_sto_rows(*columns.sto, rows.times.size(), reader.name());
   }
   check_times(rows.times, reader.name(), columns.names[0]);
   set_period(rows, reader.name(), options);
   if (is_pin && !is_angles) check_pin_rates(rows.motion, reader.name());
-  PeriodicSpline forces(rows.times, *rows.period, rows.forces);
-  PeriodicSpline spline(rows.times, *rows.period, rows.motion);
-  if (!is_angles) return {std::move(forces), frame, std::move(spline)};
-  return {std::move(forces), frame, std::move(spline), sequence};
+  if (!is_angles) return {rows, frame};
+  return {rows, frame, sequence};
 }
 
 }  // namespace hinge_duty

@@ -15,7 +15,7 @@ std::string draw_cycle(const contact::JointCycle& cycle,
                                  {"Mₜ", "N m", {}},
                                  {"p", "Pa", {}},
                                  {"p v", "W/m²", {}}}};
-  for (const contact::CycleInstant& i : cycle.rows()) {
+  for (const contact::JointCycle::Instant& i : cycle.rows()) {
     const contact::SlidingContact sliding = cycle.sliding(i);
     const double values[] = {
         i.solution.reaction.norm(), i.solution.friction_moment.norm(),

@@ -14,7 +14,7 @@
 #include "cli/quantity.hpp"
 #include "cli/refuse.hpp"
 #include "libcontact/base/units.hpp"
-#include "libcontact/duty/wear_notes.hpp"
+#include "libcontact/duty/wear_map.hpp"
 #include "programs/duty/cycle_file.hpp"
 #include "programs/duty/cycle_picture.hpp"
 #include "programs/duty/map_picture.hpp"
@@ -24,7 +24,7 @@
 namespace hinge_duty {
 namespace {
 
-using contact::CycleInstant;
+using Instant = contact::JointCycle::Instant;
 using contact::degree;
 using contact::JointBody;
 using contact::JointCycle;
@@ -64,8 +64,8 @@ void warn_of(std::string_view option, const std::string& note) {
 }
 
 // The joint in the course of --cycles; empty without it.
-std::vector<contact::WornState> worn_states(const Options& options,
-                                            const JointCycle& cycle) {
+std::vector<contact::WearIn::State> worn_states(const Options& options,
+                                                const JointCycle& cycle) {
   if (!options.cycles) return {};
   if (options.wear_inner && *options.wear_inner > 0) {
     cli::warn("hinge-duty",
@@ -83,24 +83,24 @@ std::vector<contact::WornState> worn_states(const Options& options,
 void warn_of_wear(const Options& options, const JointCycle& cycle,
                   const std::vector<BodyWear>& bodies) {
   if (options.wear_seat && !options.cycles) {
-    warn_of("--wear-seat", contact::wear_coefficient_note(*options.wear_seat *
-                                                          si_coefficient));
+    warn_of("--wear-seat", contact::WearMap::coefficient_note(
+                               *options.wear_seat * si_coefficient));
   }
   if (options.wear_inner) {
-    warn_of("--wear-inner", contact::wear_coefficient_note(*options.wear_inner *
-                                                           si_coefficient));
+    warn_of("--wear-inner", contact::WearMap::coefficient_note(
+                                *options.wear_inner * si_coefficient));
   }
   for (const BodyWear& body : bodies) {
     if (!body.k) continue;
     warn_of("--wear-" + body.surface + ": one cycle",
-            contact::wear_depth_note(1e-3 * body.depth(body.deepest.wear),
-                                     cycle.contact().geometry()));
+            contact::WearMap::depth_note(1e-3 * body.depth(body.deepest.wear),
+                                         cycle.contact().geometry()));
   }
 }
 
 // Where the wear comes through a wall.
 void warn_of_walls(const cli::Joint& joint,
-                   const std::vector<contact::WornState>& worn) {
+                   const std::vector<contact::WearIn::State>& worn) {
   const auto& layers = joint.spec.outer.layers;
   if (worn.empty() || layers.empty()) return;
   const double thickness = layers.front().thickness;
@@ -143,7 +143,7 @@ void warn_of_cycle(const JointCycle& cycle) {
   }
   if (contact.geometry().kind() != contact::JointKind::pin) return;
   double axial = 0;
-  for (const CycleInstant& row : cycle.rows()) {
+  for (const Instant& row : cycle.rows()) {
     axial = std::max(axial, std::abs(row.state.reaction.z()));
   }
   if (axial == 0) return;

@@ -13,7 +13,7 @@
 namespace hinge_duty {
 namespace {
 
-using contact::CycleInstant;
+using CycleInstant = contact::JointCycle::Instant;
 using contact::JointCycle;
 using Eigen::Vector3d;
 
@@ -28,7 +28,7 @@ void add_moments(const JointCycle& cycle, Report& to) {
   constexpr std::string_view axes[] = {"x", "y", "z"};
   for (int k = 0; k < 3; ++k) {
     for (const int sign : {-1, 1}) {
-      const CycleInstant most = cycle.largest([&](const CycleInstant& i) {
+      const Instant most = cycle.largest([&](const Instant& i) {
         return sign * i.solution.friction_moment[k];
       });
       to.add(
@@ -55,7 +55,7 @@ void add_peaks(const JointCycle& cycle, Report& to) {
   const auto pv = [&](const CycleInstant& i) {
     return cycle.sliding(i).largest_pv().value;
   };
-  const auto heat = [&](const CycleInstant& i) {
+  const auto heat = [&](const Instant& i) {
     return cycle.sliding(i).largest_heat_flux().value;
   };
   const auto nominal = [&](const CycleInstant& i) {
@@ -119,7 +119,7 @@ void add_measured(const MeasuredWear& measured, double pv_integral,
 
 void write_summary(const JointCycle& cycle, const std::vector<BodyWear>& wear,
                    const std::optional<MeasuredWear>& measured,
-                   const std::vector<contact::WornState>& worn,
+                   const std::vector<contact::WearIn::State>& worn,
                    cli::Output& output, const cli::TableStyle& style) {
   Report report({"at_time_s", "x", "y", "z"});
   for (const auto& q : contact::cycle_quantities()) report.add(q, cycle);

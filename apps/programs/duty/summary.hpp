@@ -24,7 +24,7 @@ struct MeasuredWear {
 void write_summary(const contact::JointCycle& cycle,
                    const std::vector<BodyWear>& wear,
                    const std::optional<MeasuredWear>& measured,
-                   const std::vector<contact::WornState>& worn,
+                   const std::vector<contact::WearIn::State>& worn,
                    cli::Output& output, const cli::TableStyle& style);
 
 }  // namespace hinge_duty

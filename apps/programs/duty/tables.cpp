@@ -14,11 +14,11 @@ namespace hinge_duty {
 namespace {
 
 using contact::Column;
-using contact::CycleInstant;
+using CycleInstant = contact::JointCycle::Instant;
 using contact::degree;
 using contact::Dimension;
 using contact::JointSolution;
-using contact::Rating;
+using Rating = contact::SlidingContact::Rating;
 using Eigen::Vector3d;
 
 // A time of the cycle, and what its contact is rated by.
@@ -82,8 +82,8 @@ cli::TableStyle with_all_columns(cli::TableStyle style) {
 
 }  // namespace
 
-std::vector<Column<contact::WornState>> worn_columns() {
-  std::vector<Column<contact::WornState>> all;
+std::vector<Column<contact::WearIn::State>> worn_columns() {
+  std::vector<Column<contact::WearIn::State>> all;
   for (const auto& q : contact::worn_quantities()) {
     const bool is_small = q.dimension == Dimension::length;
     const bool is_volume = q.dimension == Dimension::volume;
@@ -97,12 +97,12 @@ std::vector<Column<contact::WornState>> worn_columns() {
   return all;
 }
 
-void write_blocks(const std::vector<contact::WornState>& worn,
+void write_blocks(const std::vector<contact::WearIn::State>& worn,
                   cli::Output& output, cli::TableStyle style) {
   const auto columns = worn_columns();
   cli::write_table(with_all_columns(std::move(style)), names_of(columns),
                    output, [&](cli::RowWriter& to) {
-                     for (const contact::WornState& state : worn) {
+                     for (const contact::WearIn::State& state : worn) {
                        for (const auto& column : columns) {
                          to.number(column(state));
                        }

@@ -13,10 +13,10 @@
 namespace hinge_duty {
 
 /// What is said of wear, lengths and volumes in mm and mm^3.
-std::vector<contact::Column<contact::WornState>> worn_columns();
+std::vector<contact::Column<contact::WearIn::State>> worn_columns();
 
 /// A row for each block of cycles, and one for the end.
-void write_blocks(const std::vector<contact::WornState>& worn,
+void write_blocks(const std::vector<contact::WearIn::State>& worn,
                   cli::Output& output, cli::TableStyle style);
 /// A row for each row of the cycle's file.
 void write_states(const contact::JointCycle& cycle, cli::Output& output,

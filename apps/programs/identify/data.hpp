@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "libcontact/identify/measured.hpp"
+#include "libcontact/identify/identify.hpp"
 #include "programs/identify/run.hpp"
 
 namespace hinge_identify {

@@ -92,8 +92,8 @@ std::string curve(const FrictionFit& fit, const Range& loads, double b_deg,
     const double force =
         loads.low * std::pow(loads.high / loads.low, double(i) / points);
     const contact::Estimate moment =
-        predicted_moment(fit, force * Vector3d(std::sin(b), 0, std::cos(b)),
-                         Vector3d::UnitZ(), level);
+        fit.predicted_moment(force * Vector3d(std::sin(b), 0, std::cos(b)),
+                             Vector3d::UnitZ(), level);
     const double unit = radius * force;
     text += line({force, moment.value / unit, moment.interval.low / unit,
                   moment.interval.high / unit});

@@ -17,7 +17,7 @@
 namespace hinge_joint {
 namespace {
 
-using contact::ContactPeak;
+using Peak = contact::SlidingContact::Peak;
 using contact::degree;
 using contact::SlidingContact;
 using Eigen::Vector2d;
@@ -26,9 +26,9 @@ using Eigen::Vector3d;
 constexpr double mega = 1e6;
 
 // Of p, which thin walls may move off the centre; in the direction `to`.
-ContactPeak largest_pressure(const SlidingContact& contact, double half_angle,
-                             const Vector3d& to) {
-  ContactPeak peak{0, 0, contact.centre()};
+Peak largest_pressure(const SlidingContact& contact, double half_angle,
+                      const Vector3d& to) {
+  Peak peak{0, 0, contact.centre()};
   constexpr int steps = 1000;
   for (int i = 0; i <= steps; ++i) {
     const double theta = half_angle * i / steps;
@@ -103,7 +103,7 @@ std::string arrows(const SlidingContact& contact, double half_angle,
 }
 
 // A cross.
-std::string mark(const ContactPeak& peak, const cli::SphereView& view) {
+std::string mark(const Peak& peak, const cli::SphereView& view) {
   const Vector2d at = view.at(peak.place);
   return fmt::format(
       "set label '' at {},{} front point pt 2 ps 1.2 lw 2 lc rgb 'black'\n",
@@ -115,8 +115,8 @@ std::string draw_ball(const SlidingContact& contact, double half_angle,
                       const std::string& file) {
   cli::SphereView view(contact.centre());
   view.radius = std::min(2.2 * std::sin(half_angle / 2), 2.0);
-  const ContactPeak p = largest_pressure(contact, half_angle, view.right);
-  const ContactPeak& pv = contact.largest_pv();
+  const Peak p = largest_pressure(contact, half_angle, view.right);
+  const Peak& pv = contact.largest_pv();
   const double slip = largest_slip(contact, half_angle, rate);
   struct Panel {
     std::string title;
@@ -124,7 +124,7 @@ std::string draw_ball(const SlidingContact& contact, double half_angle,
     std::string over;  // what is drawn over the dots
     std::string plot;
   };
-  const auto peak_title = [](const char* name, const ContactPeak& peak) {
+  const auto peak_title = [](const char* name, const Peak& peak) {
     return fmt::format("{}: {:.3g} at {:.3g}°", name, peak.value / mega,
                        peak.theta / degree + 0.0);
   };

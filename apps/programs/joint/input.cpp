@@ -28,14 +28,14 @@ cli::Sweep angle_sweep(std::string_view option, const std::string& text,
 }  // namespace
 
 Input state_from_reaction(double reaction, double b_deg, double rate) {
-  const auto [sin, cos] = contact::sine_cosine_deg(b_deg);
+  const auto [sin, cos] = contact::detail::sine_cosine_deg(b_deg);
   return {{reaction * sin, 0, reaction * cos},
           {0, 0, rate},
           Input::Given{reaction, b_deg}};
 }
 
 Input state_from_contact(double normal_force, double a_deg, double rate) {
-  const auto [sin, cos] = contact::sine_cosine_deg(a_deg);
+  const auto [sin, cos] = contact::detail::sine_cosine_deg(a_deg);
   return {{0, 0, normal_force},
           {0, rate * cos, rate * sin},
           Input::Given{normal_force, a_deg}};

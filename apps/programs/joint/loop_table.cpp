@@ -10,6 +10,7 @@
 #include "cli/output.hpp"
 #include "libcontact/base/error.hpp"
 #include "libcontact/base/units.hpp"
+#include "libcontact/joint/fixed_point.hpp"
 
 namespace hinge_joint {
 namespace {
@@ -140,8 +141,8 @@ class OuterLoop {
           law_.inner_steps.empty()
               ? step_limit
               : law_.inner_steps[std::min(round, law_.inner_steps.size() - 1)]);
-      result = joint_.joint.fixed_point(
-          slip, steps_,
+      result = contact::fixed_point(
+          joint_.joint, slip, steps_,
           {.step_limit = static_cast<int>(steps_.size()), .start = friction_});
       steps_.resize(result.steps);
       if (!steps_.empty()) friction_ = steps_.back().friction_coefficient;
@@ -197,8 +198,9 @@ cli::ExitStatus write_trace(const NamedJoint& joint, const Input& input,
                             const Beside& beside,
                             const cli::OutputOptions& options) {
   std::vector<FixedPointStep> steps(step_limit);
-  const auto result = joint.joint.fixed_point({input.force, input.turn}, steps,
-                                              {.step_limit = step_limit});
+  const auto result =
+      contact::fixed_point(joint.joint, {input.force, input.turn}, steps,
+                           {.step_limit = step_limit});
   NumberTable table(joint, step_columns, beside, options);
   for (int i = 0; i < result.steps; ++i) table.row(step_values(steps[i]), 1);
   table.finish();

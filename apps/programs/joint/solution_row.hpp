@@ -27,7 +27,7 @@ struct Answer {
   /// f0 of dry friction.
   double coefficient;
   /// If NamedJoint::pv.
-  contact::Rating rating;
+  contact::SlidingContact::Rating rating;
   /// Of the half-angle law exact, SI units; NaN of others.
   contact::ContactApproach approach;
 
@@ -44,7 +44,7 @@ struct AnswerColumn {
   std::string name;
   std::string_view meaning;
   std::variant<contact::Column<contact::JointSolution>, contact::Column<Answer>,
-               contact::Column<contact::Rating>,
+               contact::Column<contact::SlidingContact::Rating>,
                contact::Column<contact::RestSolution>,
                contact::Column<contact::ContactApproach>>
       of;

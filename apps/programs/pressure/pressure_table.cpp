@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "libcontact/base/units.hpp"
-#include "libcontact/friction/any_pressure.hpp"
+#include "libcontact/friction/friction_integrals.hpp"
 
 namespace hinge_pressure {
 

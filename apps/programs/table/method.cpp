@@ -7,8 +7,8 @@
 #include "cli/choice.hpp"
 #include "cli/quantity.hpp"
 #include "cli/refuse.hpp"
-#include "libcontact/friction/any_pressure.hpp"
 #include "libcontact/friction/elliptic/friction.hpp"
+#include "libcontact/friction/friction_integrals.hpp"
 #include "libcontact/friction/integrals.hpp"
 #include "libcontact/friction/models.hpp"
 #ifdef CONTACT_WITH_REFERENCE

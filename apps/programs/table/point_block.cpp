@@ -61,7 +61,8 @@ void compute(const Method& method, PointBlock& block) {
   for (std::size_t i = 0; i < count; ++i) {
     block.half_angle[i] = block.theta0_deg()[i] * contact::degree;
     if (block.is_beyond(i)) ++block.beyond;
-    const auto [sin, cos] = contact::sine_cosine_deg(block.alpha_deg()[i]);
+    const auto [sin, cos] =
+        contact::detail::sine_cosine_deg(block.alpha_deg()[i]);
     block.axis_sin[i] = sin;
     block.axis_cos[i] = cos;
   }

@@ -17,6 +17,7 @@
 #include "cli/sweep.hpp"
 #include "cli/table.hpp"
 #include "libcontact/base/units.hpp"
+#include "libcontact/pressure/registry.hpp"
 #include "programs/table/method.hpp"
 #include "programs/table/point_block.hpp"
 
@@ -49,13 +50,15 @@ cli::Joint make_ball(const cli::JointOptions& options) {
   cli::Joint ball = make_joint(options);
   const std::string materials = options.materials();
   const std::string name = ball.pressures[0].law->name();
-  const bool by_materials = name == "mixture" || name == "exact";
+  using Needs = contact::detail::LawEntry::Needs;
+  const Needs needs = contact::detail::find_pressure_entry(name)->about.needs;
+  const bool by_materials = needs != Needs::nothing;
   if (by_materials && materials.empty()) {
     cli::refuse_without(given("--pressure", name),
                         "materials by --joint, --pair or "
                         "--modulus-ratio");
   }
-  if (!options.loading.empty() && name != "exact") {
+  if (!options.loading.empty() && needs != Needs::conditions) {
     cli::refuse_without(given("--loading", options.loading),
                         "--pressure exact");
   }

@@ -11,8 +11,8 @@ namespace contact {
 ///
 /// The form subtracts numbers of order theta0^2 to leave integrals of order
 /// theta0^4 and theta0^6. In double precision it is a check of the exact
-/// method (friction/exact.hpp), which is faster and loses nothing; for other
-/// real types include friction/elliptic/friction_real.hpp.
+/// method (friction/friction_integrals.hpp), which is faster and loses nothing;
+/// for other real types include friction/elliptic/friction_real.hpp.
 ///
 /// @param half_angle  theta0, rad, [0, pi]; the limits at theta0 = 0
 /// @param axis        slip axis, sine and cosine of a in [-pi/2, pi/2]

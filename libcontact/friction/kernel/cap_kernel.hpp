@@ -1,7 +1,7 @@
 #pragma once
 
 #include "libcontact/base/instruction_set.hpp"
-#include "libcontact/friction/batch.hpp"
+#include "libcontact/friction/friction_integrals.hpp"
 #include "libcontact/friction/kernel/arc_sum.hpp"
 #include "libcontact/friction/kernel/cap_integrals.hpp"
 #include "libcontact/friction/kernel/expansion_table.hpp"

@@ -13,8 +13,7 @@ FrictionIntegrals exact_point(const CapKernel& kernel,
                               const PreparedCap<double>& cap);
 
 /// Whether a batch can be worked on.
-/// @throws Error if lengths differ or the machine lacks `set`.
-void check_batch(const FrictionBatchInput& in, const FrictionBatchOutput& out,
-                 InstructionSet set);
+/// @throws Error if lengths differ, or as check_instruction_set().
+void check_batch(const FrictionBatchInput& in, const FrictionBatchOutput& out);
 
 }  // namespace contact::detail

@@ -5,7 +5,7 @@
 #include <libcontact/contact.hpp>
 
 int main() {
-  const contact::FrictionIntegrals friction = contact::exact_friction_integrals(
+  const contact::FrictionIntegrals friction = contact::friction_integrals(
       60 * contact::degree, contact::SlipAxis::from_degrees(30));
   const contact::ElasticPair steel({2e11, 0.3}, {2e11, 0.3});
   std::printf("chi = %.15f, E = %.6e Pa\n", friction.coefficient.force,
