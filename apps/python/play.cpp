@@ -1,7 +1,6 @@
 #include <pybind11/stl.h>
 
-#include "libcontact/play/impact.hpp"
-#include "libcontact/play/play_joint.hpp"
+#include "libcontact/quantities/play.hpp"
 #include "python/answers.hpp"
 #include "python/contact_warning.hpp"
 #include "python/file_joint.hpp"
@@ -33,51 +32,6 @@ class Play {
   contact::JointImpact impact_;
   contact::PlayJoint joint_;
   contact::ContactLimits limits_;
-};
-
-const Field<ForceState> force_law_fields[] = {
-    {"force", [](const ForceState& s) { return s.force; }, "F, N."},
-    {"slope", [](const ForceState& s) { return s.slope; },
-     "dF/d penetration, N/m."},
-    {"energy", [](const ForceState& s) { return s.energy; },
-     "W, the strain energy, whose derivative F is, J."},
-    {"half_angle", [](const ForceState& s) { return s.half_angle; },
-     "theta0, rad."},
-    {"force_ratio", [](const ForceState& s) { return s.force_ratio; },
-     "S, sum of the pressures over F."},
-};
-
-const Field<Impact> impact_fields[] = {
-    {"restitution", [](const Impact& i) { return i.restitution; }, "e."},
-    {"penetration", [](const Impact& i) { return i.penetration; },
-     "The largest, m."},
-    {"elastic_force", [](const Impact& i) { return i.elastic_force; },
-     "F there, N."},
-    {"peak_force", [](const Impact& i) { return i.peak_force; },
-     "The largest force with damping, N."},
-    {"half_angle", [](const Impact& i) { return i.half_angle; },
-     "theta0 at the largest penetration, rad."},
-    {"peak_pressure", [](const Impact& i) { return i.peak_pressure; },
-     "There, Pa."},
-    {"compression_time", [](const Impact& i) { return i.compression_time; },
-     "From touch to the largest penetration, s."},
-    {"restitution_time", [](const Impact& i) { return i.restitution_time; },
-     "From there to parting, s."},
-};
-
-const Field<PlayForce> force_fields[] = {
-    {"penetration", [](const PlayForce& f) { return f.penetration; },
-     "From first touch, m; its zero is touching and parting."},
-    {"force", [](const PlayForce& f) { return f.force; },
-     "On the ball or pin, N, (..., 3)."},
-    {"moment", [](const PlayForce& f) { return f.moment; },
-     "On the ball or pin about its centre, N m, (..., 3)."},
-    {"normal_force", [](const PlayForce& f) { return f.normal_force; },
-     "With damping, N."},
-    {"energy", [](const PlayForce& f) { return f.energy; }, "W, J."},
-    {"damping_power", [](const PlayForce& f) { return f.damping_power; }, "W."},
-    {"friction_power", [](const PlayForce& f) { return f.friction_power; },
-     "W."},
 };
 
 Answers<ForceState> force_law(const Play& self, const Numbers& penetration) {
@@ -140,12 +94,11 @@ py::array derivatives(const Play& self, const Numbers& position,
 }  // namespace
 
 void bind_play(py::module_& m) {
-  bind_answers(m, "ForceState",
-               std::span<const Field<ForceState>>(force_law_fields),
+  bind_answers(m, "ForceState", contact::force_state_quantities(),
                "What Play.force_law() returns.");
-  bind_answers(m, "Impact", std::span<const Field<Impact>>(impact_fields),
+  bind_answers(m, "Impact", contact::impact_quantities(),
                "What Play.impact() returns.");
-  bind_answers(m, "PlayForce", std::span<const Field<PlayForce>>(force_fields),
+  bind_answers(m, "PlayForce", contact::play_force_quantities(),
                "What Play.force() returns.");
   m.def(
       "damping_of_restitution",

@@ -18,6 +18,7 @@
 
 #include "libcontact/c/joint.h"
 #include "libcontact/c/play.h"
+#include "libcontact/c/quantity.h"
 #include "libcontact/c/slip.h"
 #include "libcontact/c/status.h"
 

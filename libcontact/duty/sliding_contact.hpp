@@ -19,6 +19,19 @@ struct ContactPeak {
   Eigen::Vector3d place;  ///< unit vector from the joint's centre
 };
 
+/// What a SlidingContact says, without what it refers to.
+struct Rating {
+  ContactPeak pv;
+  ContactPeak heat_flux;
+  double pv_mean;
+  double pv_nominal;
+  double nominal_area;  ///< projected: pi rho^2 or 2 rho l, m^2
+  double pv_total;
+  double heat;
+  double slip_coefficient;
+  bool slides;  ///< else angles and places have no meaning
+};
+
 /// What a bearing is rated by, over the contact of a joint that slides: slip,
 /// p v, and the heat flux, which is friction stress times slip and heats both
 /// bodies together. All of it is 0 at rest and without load, NaN where the
@@ -78,6 +91,9 @@ class SlidingContact {
   /// Of the heat flux, W: minus the power of friction, to 1e-12
   /// (duty/sliding_contact_test.cpp).
   double heat() const { return heat_; }
+
+  /// All of it.
+  Rating rating() const noexcept;
 
  private:
   /// A friction stress or p itself: (pressure_part p + constant_part) times

@@ -81,6 +81,6 @@ for name, of in sorted(vars(_core).items()):
         if names:
             print(f"{name}:", *names)
 hip = libcontact.Joint.from_file("data/joints/hip_cocr_uhmwpe.toml")
-for answer in hip.solve([0, 0, 9], [1, 0, 1]), hip.utilisation([0, 0, 9], [1, 0, 1]):
+for answer in hip.solve([0, 0, 9], [1, 0, 1]), hip.at_rest([0, 0, 9], [1, 0, 1]):
     print(f"{type(answer).__name__}.to_dict:", *sorted(answer.to_dict()))
 END

@@ -28,6 +28,7 @@ const std::vector<std::string> rooms = {
     "libcontact/play",
     "libcontact/duty",
     "libcontact/identify",
+    "libcontact/quantities",
     "libcontact/tracking",
     "libcontact/files",
     "libcontact/reference",
@@ -61,8 +62,9 @@ const std::vector<std::string> rooms = {
 // headers: hinge-table compares the routes of the friction integrals, the
 // multibody library tracks joints, cases and studies are TOML files too.
 const std::vector<std::string> for_programs = {
-    "libcontact/base", "libcontact/friction/elliptic", "libcontact/tracking",
-    "libcontact/files", "libcontact/reference"};
+    "libcontact/base",      "libcontact/friction/elliptic",
+    "libcontact/tracking",  "libcontact/files",
+    "libcontact/reference", "libcontact/quantities"};
 
 const fs::path root = CONTACT_SOURCE_DIR;
 

@@ -359,21 +359,4 @@ cli::ExitStatus run_impact(const PlayOptions& options,
   return without > 0 ? cli::some_bad : cli::all_good;
 }
 
-const char* const play_help = R"(
-Joints with play (libcontact/docs/play.md) have to have a size, pins a length
-and a wall with a backing:
---force-law writes the exact force over the penetration from first touch:
-penetration_m, force_N, stiffness_N_per_m (dF/d penetration), energy_J (strain
-energy), theta0_deg, force_ratio (sum of pressures over the force), p_peak_Pa,
-and exponent n and coefficient K of the power K penetration^n that has this
-force and this stiffness. With --compare a row for each load and each law that
-others have published: source, penetration, stiffness, error_percent (of the
-penetration; above 0: too soft), outside (yes where the law turns round).
---impact takes --mass, --speed and --restitution and writes a row for each
-speed: restitution, damping_s_per_m (a of F (1 + a speed)), penetration_m the
-largest, elastic_force_N there, peak_force_N, theta0_deg, p_peak_Pa,
-compression_s and restitution_s, and the restitution that is got if the damping
-is by the formulas of others (the last three, when E is asked for).
-)";
-
 }  // namespace hinge_angle

@@ -35,7 +35,4 @@ cli::ExitStatus run_impact(const PlayOptions& options,
                            const cli::JointOptions& joint,
                            const cli::OutputOptions& output);
 
-/// What --help says of them.
-extern const char* const play_help;
-
 }  // namespace hinge_angle
