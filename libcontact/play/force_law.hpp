@@ -15,6 +15,7 @@ struct ForceState {
   double energy;       ///< W, the strain energy, J; F = dW/d delta
   double half_angle;   ///< theta0, rad
   double force_ratio;  ///< S, sum of the pressures over F; 1 without contact
+  double half_angle_slope;  ///< d theta0/d delta, rad/m
 };
 
 /// The force law of a joint with clearance, exact for any elastic pair and any
@@ -26,9 +27,9 @@ struct ForceState {
 /// ms (ball) to 0.1 s (pin), with thin layers 0.5 s: make one law per joint. It
 /// then is a piecewise polynomial, whose force is the derivative of its energy
 /// to rounding; a force takes 20 ns. Copies share it, any number of threads
-/// may, and functions do not throw. Below first touch the force is 0, above largest_penetration()
-/// NaN. Below smallest_penetration(), theta0 = 0.17 deg, the force is the power
-/// of delta that continues force and energy.
+/// may, and functions do not throw. Below first touch the force is 0, above
+/// largest_penetration() NaN. Below smallest_penetration(), theta0 = 0.17 deg,
+/// the force is the power of delta that continues force and energy.
 ///
 /// Accuracy (play/force_law_test.cpp): all within 3e-13 of the solver, and
 /// within 1e-11 (ball) and 5e-11 (pin) of independent solutions. Of layers

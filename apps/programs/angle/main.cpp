@@ -18,6 +18,7 @@ void add_options(cli::Program& program, Options& o) {
                {"--theta0", &o.load.theta0, "ANGLES",
                 "half-angles, deg, 0 to 180", "--inverse"}});
   add_law_options(program, o.joint, cli::Laws::several, cli::Laws::one);
+  add_play_options(program, o.play);
   program.add("Law",
               {{"--compare", &o.compare, "",
                 "how far each law is from exact over the range of the load", "",

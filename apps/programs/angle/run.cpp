@@ -155,6 +155,13 @@ cli::ExitStatus run_comparison(const Options& options) {
 }  // namespace
 
 cli::ExitStatus run(const Options& options) {
+  if (options.play.force_law) {
+    return run_force_law(options.play, options.joint, options.load,
+                         options.compare, options.output);
+  }
+  if (options.play.impact) {
+    return run_impact(options.play, options.joint, options.output);
+  }
   if (options.compare) return run_comparison(options);
   const std::vector<cli::Joint> joints = make_joints(options.joint);
   std::vector<Input> inputs;
