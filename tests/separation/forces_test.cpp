@@ -421,7 +421,9 @@ TEST(ForceKinds, AreOnThePage) {
       keys.insert((*w)[1]);
     }
     for (const ForceKind& kind : force_kinds()) {
-      if (kind.name == rows.back()) EXPECT_EQ(keys, keys_of(kind)) << text;
+      if (kind.name == rows.back()) {
+        EXPECT_EQ(keys, keys_of(kind)) << text;
+      }
     }
   }
   std::vector<std::string> names;
