@@ -3,8 +3,11 @@
 #include <cmath>
 
 #include "multibody/dynamics/carrier_equations.hpp"
+#include "multibody/dynamics/held_link.hpp"
+#include "multibody/dynamics/state_rates.hpp"
 #include "multibody/system/active_forces.hpp"
 #include "multibody/system/constants.hpp"
+#include "multibody/system/hinges/axis.hpp"
 #include "multibody/system/state_layout.hpp"
 
 namespace multibody {
@@ -26,7 +29,7 @@ class AxisLink {
     return kind == HingeKind::axis && mode == JointMode::turning;
   }
   static double constant(const SystemConstants& s, int body, std::size_t i) {
-    return number_of(s.axis(body), i);
+    return s.turning(body)[i];
   }
   template <class F>
   void set_constants(F number) {
@@ -140,6 +143,14 @@ class AxisLink {
             {m.x + k_.pole_offset * r.y,
              m.y + k_.arm * r.z - k_.pole_offset * r.x, T(0.0)}};
   }
+  /// Derivatives of the numbers that begin at `at`.
+  template <class N>
+  [[gnu::always_inline]] static void put_rates(
+      const N* state, int at, const Vec3<N>&,
+      const BodyAcceleration<N>& acceleration, N* to) {
+    to[at] = state[at + 1];
+    to[at + 1] = acceleration.turn.z;
+  }
   /// Link axes to carrier axes.
   const Mat3<T>& axes() const { return c_; }
 
@@ -153,6 +164,34 @@ class AxisLink {
   Vec3<T> moment_;  ///< K
   Vec3<T> friction_;
   T tau_;
+};
+
+/// Held on an axis.
+template <class T, class P>
+class HeldAxis : public HeldLink<T, P> {
+ public:
+  static constexpr int state_begin = 0;
+  static constexpr int state_size = 1;
+  static constexpr bool serves(HingeKind kind, JointMode mode) {
+    return kind == HingeKind::axis && mode == JointMode::held;
+  }
+  /// Its numbers stay.
+  template <class N>
+  [[gnu::always_inline]] static void put_rates(const N*, int at, const Vec3<N>&,
+                                               const BodyAcceleration<N>&,
+                                               N* to) {
+    put_zeros<HingeKind::axis>(at, to);
+  }
+  /// @param state  angle
+  [[gnu::always_inline]] void set_motion(const T* state,
+                                         const CarrierMotion<T>& carrier,
+                                         const LinkForces<T>& forces) {
+    using std::cos;
+    using std::sin;
+    HeldLink<T, P>::set_motion(
+        turned_about_z(this->k_.zero, cos(state[0]), sin(state[0])), carrier,
+        forces);
+  }
 };
 
 }  // namespace multibody

@@ -1,8 +1,11 @@
 #pragma once
 
 #include "multibody/dynamics/carrier_equations.hpp"
+#include "multibody/dynamics/held_link.hpp"
+#include "multibody/dynamics/state_rates.hpp"
 #include "multibody/system/active_forces.hpp"
 #include "multibody/system/constants.hpp"
+#include "multibody/system/hinges/ball.hpp"
 #include "multibody/system/state_layout.hpp"
 
 namespace multibody {
@@ -24,7 +27,7 @@ class BallLink {
     return kind == HingeKind::ball && mode == JointMode::turning;
   }
   static double constant(const SystemConstants& s, int body, std::size_t i) {
-    return number_of(s.ball(body), i);
+    return s.turning(body)[i];
   }
   template <class F>
   void set_constants(F number) {
@@ -120,6 +123,13 @@ class BallLink {
   Reaction<T> reaction(const CarrierAcceleration<T>& carrier) const {
     return {force(hinge_acceleration(carrier)), {T(0.0), T(0.0), T(0.0)}};
   }
+  /// Derivatives of the numbers that begin at `at`.
+  template <class N>
+  [[gnu::always_inline]] static void put_rates(
+      const N* state, int at, const Vec3<N>&,
+      const BodyAcceleration<N>& acceleration, N* to) {
+    turn_rates(state, at, at + 4, acceleration.turn, to);
+  }
   /// Link axes to carrier axes.
   const Mat3<T>& axes() const { return c_; }
 
@@ -146,6 +156,32 @@ class BallLink {
   Vec3<T> a_;  ///< a for V' = w' = 0
   T e_x_, e_y_;
   T spin_;  ///< M_z/I_zz
+};
+
+/// Held in a ball joint.
+template <class T, class P>
+class HeldBall : public HeldLink<T, P> {
+ public:
+  static constexpr int state_begin = 0;
+  static constexpr int state_size = 4;
+  static constexpr bool serves(HingeKind kind, JointMode mode) {
+    return kind == HingeKind::ball && mode == JointMode::held;
+  }
+  /// Its numbers stay.
+  template <class N>
+  [[gnu::always_inline]] static void put_rates(const N*, int at, const Vec3<N>&,
+                                               const BodyAcceleration<N>&,
+                                               N* to) {
+    put_zeros<HingeKind::ball>(at, to);
+  }
+  /// @param state  quaternion of C_i
+  [[gnu::always_inline]] void set_motion(const T* state,
+                                         const CarrierMotion<T>& carrier,
+                                         const LinkForces<T>& forces) {
+    HeldLink<T, P>::set_motion(
+        rotation(Quaternion<T>{state[0], state[1], state[2], state[3]}),
+        carrier, forces);
+  }
 };
 
 }  // namespace multibody

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "multibody/dynamics/carrier_equations.hpp"
+#include "multibody/dynamics/state_rates.hpp"
 #include "multibody/system/active_forces.hpp"
 #include "multibody/system/constants.hpp"
 #include "multibody/system/state_layout.hpp"
@@ -38,6 +39,13 @@ class FreeLink {
   void add_to(CarrierMatrix<T>&) const {}
   void add_friction(const Vec3<T>&, CarrierForces<T>&) {}
 
+  /// Derivatives of the numbers that begin at `at`.
+  template <class N>
+  [[gnu::always_inline]] static void put_rates(
+      const N* state, int at, const Vec3<N>& gravity,
+      const BodyAcceleration<N>& acceleration, N* to) {
+    body_rates(state, at, acceleration.linear, gravity, acceleration.turn, to);
+  }
   /// Of the centre of mass without gravity, link axes.
   const Vec3<T>& linear_acceleration() const { return linear_; }
   /// Absolute: there is nothing to be relative to.

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <cmath>
-
 #include "multibody/dynamics/carrier_equations.hpp"
 #include "multibody/system/active_forces.hpp"
 #include "multibody/system/constants.hpp"
@@ -86,46 +84,6 @@ class HeldLink {
   Mat3<T> c_;
   Vec3<T> g_;       ///< F - m a for V' = w' = 0
   Vec3<T> moment_;  ///< M_com - w x I w
-};
-
-/// Held in a ball joint.
-template <class T, class P>
-class HeldBall : public HeldLink<T, P> {
- public:
-  static constexpr int state_begin = 0;
-  static constexpr int state_size = 4;
-  static constexpr bool serves(HingeKind kind, JointMode mode) {
-    return kind == HingeKind::ball && mode == JointMode::held;
-  }
-  /// @param state  quaternion of C_i
-  [[gnu::always_inline]] void set_motion(const T* state,
-                                         const CarrierMotion<T>& carrier,
-                                         const LinkForces<T>& forces) {
-    HeldLink<T, P>::set_motion(
-        rotation(Quaternion<T>{state[0], state[1], state[2], state[3]}),
-        carrier, forces);
-  }
-};
-
-/// Held on an axis.
-template <class T, class P>
-class HeldAxis : public HeldLink<T, P> {
- public:
-  static constexpr int state_begin = 0;
-  static constexpr int state_size = 1;
-  static constexpr bool serves(HingeKind kind, JointMode mode) {
-    return kind == HingeKind::axis && mode == JointMode::held;
-  }
-  /// @param state  angle
-  [[gnu::always_inline]] void set_motion(const T* state,
-                                         const CarrierMotion<T>& carrier,
-                                         const LinkForces<T>& forces) {
-    using std::cos;
-    using std::sin;
-    HeldLink<T, P>::set_motion(
-        turned_about_z(this->k_.zero, cos(state[0]), sin(state[0])), carrier,
-        forces);
-  }
 };
 
 }  // namespace multibody

@@ -149,8 +149,7 @@ struct Lanes {
   }
 };
 
-/// The bodies of one kind in packets. Kernel is one of BallLink, AxisLink,
-/// HeldBall, HeldAxis, FreeLink.
+/// The bodies of one kind in packets. Kernel is one of those of TwoStep.
 template <class T, class S, template <class, class> class KernelTemplate>
 class LinkGroup {
  public:

@@ -7,7 +7,6 @@
 #include "multibody/dynamics/axis_link.hpp"
 #include "multibody/dynamics/ball_link.hpp"
 #include "multibody/dynamics/free_link.hpp"
-#include "multibody/dynamics/held_link.hpp"
 #include "multibody/dynamics/link_group.hpp"
 
 namespace multibody {
@@ -131,8 +130,9 @@ class TwoStep {
       const Vec3<S> turn = packet.kernel.relative_acceleration(carrier);
       const Vec3<S> linear = linear_acceleration(packet.kernel);
       for_lanes(packet, [&](int body, int lane) {
-        link_rates(state, body, L::at(linear, lane), gravity, L::at(turn, lane),
-                   to);
+        packet.kernel.put_rates(
+            state, bodies_[body].offset, gravity,
+            BodyAcceleration<T>{L::at(linear, lane), L::at(turn, lane)}, to);
       });
     });
   }
@@ -157,40 +157,6 @@ class TwoStep {
   }
 
  private:
-  // Quaternion at q and angular velocity at w, both in the state and in `to`.
-  static void turn_rates(const T* state, int q, int w,
-                         const Vec3<T>& acceleration, T* to) {
-    const Quaternion<T> rate = quaternion_rate(
-        Quaternion<T>{state[q], state[q + 1], state[q + 2], state[q + 3]},
-        Vec3<T>{state[w], state[w + 1], state[w + 2]});
-    to[q] = rate.w;
-    to[q + 1] = rate.x;
-    to[q + 2] = rate.y;
-    to[q + 3] = rate.z;
-    to[w] = acceleration.x;
-    to[w + 1] = acceleration.y;
-    to[w + 2] = acceleration.z;
-  }
-  // A body in inertial axes; accelerations in its own axes.
-  static void body_rates(const T* state, int at, const Vec3<T>& linear,
-                         const Vec3<T>& gravity, const Vec3<T>& angular,
-                         T* to) {
-    const int q = at + StateLayout::rotation;
-    const Vec3<T> a = rotation(Quaternion<T>{state[q], state[q + 1],
-                                             state[q + 2], state[q + 3]}) *
-                          linear +
-                      gravity;
-    const int v = at + StateLayout::velocity;
-    const int x = at + StateLayout::position;
-    to[x] = state[v];
-    to[x + 1] = state[v + 1];
-    to[x + 2] = state[v + 2];
-    to[v] = a.x;
-    to[v + 1] = a.y;
-    to[v + 2] = a.z;
-    turn_rates(state, q, at + StateLayout::angular_velocity, angular, to);
-  }
-
   // change(packet): of its bodies' moments of friction.
   template <class F>
   [[gnu::always_inline]] void add_changes(F change) {
@@ -200,25 +166,6 @@ class TwoStep {
     });
     forces_ = {L::sum(forces.a), L::sum(forces.b)};
     carrier_ = solver_.solve(forces_);
-  }
-  // A body by what it does at the moment.
-  [[gnu::always_inline]] void link_rates(const T* state, int body,
-                                         const Vec3<T>& linear,
-                                         const Vec3<T>& gravity,
-                                         const Vec3<T>& turn, T* to) const {
-    const BodyInfo& info = bodies_[body];
-    const int at = info.offset;
-    if (info.mode == JointMode::held) {
-      const int n = StateLayout::link_size(info.kind, info.mode);
-      for (int k = 0; k < n; ++k) to[at + k] = T(0.0);
-    } else if (info.mode == JointMode::released) {
-      body_rates(state, at, linear, gravity, turn, to);
-    } else if (info.kind == HingeKind::axis) {
-      to[at] = state[at + 1];
-      to[at + 1] = turn.z;
-    } else {
-      turn_rates(state, at, at + 4, turn, to);
-    }
   }
   template <class Kernel>
   static Vec3<S> linear_acceleration(const Kernel& kernel) {
@@ -332,6 +279,7 @@ class TwoStep {
   const SystemConstants& system_;
   CarrierMatrix<T> fixed_;  ///< what does not depend on the motion
   std::vector<BodyInfo> bodies_;
+  /// The kernels of all kinds of hinges, turning and held.
   std::tuple<Group<BallLink>, Group<AxisLink>, Group<HeldBall>, Group<HeldAxis>,
              Group<FreeLink>>
       groups_;

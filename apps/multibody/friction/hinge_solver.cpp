@@ -11,6 +11,7 @@
 #include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
 #include "multibody/system/eigen_conversion.hpp"
+#include "multibody/system/hinges/kinds.hpp"
 
 namespace multibody {
 namespace {
@@ -38,7 +39,7 @@ HingeSolver::HingeSolver(HingeFriction friction, const Link& link, int body)
     : friction_(std::move(friction)),
       contacts_(contacts(friction_)),
       axes_(link.axes),
-      is_axis_(link.kind == HingeKind::axis) {
+      is_axis_(hinge_traits(link.kind).is_axis) {
   const auto refuse = [&](const char* what, const char* where) {
     throw contact::Error(contact::detail::needs(
         fmt::format("bodies[{}].friction: {}", body, what), where));

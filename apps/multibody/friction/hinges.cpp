@@ -10,6 +10,7 @@
 #include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
 #include "multibody/system/eigen_conversion.hpp"
+#include "multibody/system/hinges/kinds.hpp"
 
 namespace multibody {
 namespace {
@@ -31,7 +32,7 @@ JointMode joint_mode(HingeMode mode) {
 // About the hinge, of a turn that moves the centre of mass: the least.
 double inertia_of(const Link& link) {
   const double about = link.mass * link.arm * link.arm;
-  const double least = link.kind == HingeKind::axis
+  const double least = hinge_traits(link.kind).is_axis
                            ? link.inertia(2, 2)
                            : std::min(link.inertia(0, 0), link.inertia(1, 1));
   return least + about;

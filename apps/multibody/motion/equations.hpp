@@ -28,7 +28,7 @@ class Equations {
 
   int size() const { return system.size(); }
   bool is_axis(int body) const {
-    return system.links()[body].kind == HingeKind::axis;
+    return hinge_traits(system.links()[body].kind).is_axis;
   }
   const std::vector<JointMode>& modes() const {
     return coupled.dynamics().modes();

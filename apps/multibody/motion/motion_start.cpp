@@ -52,18 +52,7 @@ BodyMotion checked_body(const BodyMotion& body, const std::string& place) {
 // Numbers of a body on the carrier.
 void put_hinged(const BodyStart& start, const Link& link,
                 const std::string& place, double* to) {
-  if (link.kind == HingeKind::axis) {
-    to[0] = start.angle;
-    to[1] = start.angle_rate;
-  } else {
-    const Matrix3d c =
-        checked_rotation(start.rotation, place + ".rotation") * link.axes;
-    const Eigen::Quaterniond q(c);
-    Map<Eigen::Vector4d>{to} =
-        Eigen::Vector4d(q.w(), q.x(), q.y(), q.z()).normalized();
-    Map<Vector3d>{to + 4} =
-        link.axes.transpose() * start.relative_angular_velocity;
-  }
+  with_hinge(link.kind, [&](auto hinge) { hinge.put(start, link, place, to); });
   const Vector3d rate = relative_rate(link, to);
   if (!std::isfinite(to[0]) || !rate.allFinite()) {
     throw contact::Error(contact::detail::must_be(place, "finite"));

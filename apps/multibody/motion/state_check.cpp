@@ -56,7 +56,8 @@ void check_hinge(const MotionState& state, std::size_t i, HingeKind kind,
   const HingeMode mode = state.modes[i];
   require(can_be(mode, kind, can_rest), "modes", i, static_cast<int>(mode),
           "a mode of this hinge");
-  const bool straight = kind == HingeKind::ball && mode == HingeMode::sliding;
+  const bool straight =
+      !hinge_traits(kind).is_axis && mode == HingeMode::sliding;
   for (const auto& [name, value] :
        {std::pair("straight_from", state.straight_from[i]),
         std::pair("paces", state.paces[i])}) {
@@ -141,11 +142,11 @@ void check_numbers(const MotionState& state, const System& system) {
     // NaN where there is no axis.
     const double angle = state.hinge_angles[body];
     require(!std::isinf(angle), "hinge_angles", body, angle, "finite");
-    if (state.modes[body] == HingeMode::released) {
-      check_quaternion(state, layout.offset(i) + StateLayout::rotation);
-    } else if (system.links()[body].kind == HingeKind::ball) {
-      check_quaternion(state, layout.offset(i));
-    }
+    const int quaternion =
+        state.modes[body] == HingeMode::released
+            ? StateLayout::rotation
+            : hinge_traits(system.links()[body].kind).quaternion;
+    if (quaternion >= 0) check_quaternion(state, layout.offset(i) + quaternion);
   }
 }
 

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 
 #include "multibody/system/eigen_conversion.hpp"
+#include "multibody/system/hinges/kinds.hpp"
 
 namespace multibody {
 namespace {
@@ -12,13 +13,6 @@ using Eigen::Vector3d;
 
 Vector3d vector_at(const double* s) { return {s[0], s[1], s[2]}; }
 
-Matrix3d rotation_at(const double* q) {
-  const Mat3<double> m = rotation(Quaternion<double>{q[0], q[1], q[2], q[3]});
-  Matrix3d result;
-  result << vec3(m.x), vec3(m.y), vec3(m.z);
-  return result;
-}
-
 BodyMotion body_at(const double* s, const Matrix3d& axes) {
   const Matrix3d r = rotation_at(s + StateLayout::rotation);
   return {vector_at(s + StateLayout::position),
@@ -26,18 +20,17 @@ BodyMotion body_at(const double* s, const Matrix3d& axes) {
           r * vector_at(s + StateLayout::angular_velocity)};
 }
 
-BodyMotion hung_body(const Link& link, const double* s,
+template <class Hinge>
+BodyMotion hung_body(Hinge hinge, const Link& link, const double* s,
                      const BodyMotion& carrier) {
-  const Matrix3d r = carrier.rotation * relative_rotation(link, s);
-  const Vector3d w = carrier.angular_velocity + r * relative_rate(link, s);
-  const Vector3d hinge = carrier.rotation * link.hinge;
-  const Vector3d arm =
-      link.arm *
-      (link.kind == HingeKind::axis ? Vector3d(r.col(0)) : Vector3d(r.col(2)));
+  const Matrix3d r = carrier.rotation * hinge.rotation(link, s);
+  const Vector3d w = carrier.angular_velocity + r * hinge.rate(s);
+  const Vector3d place = carrier.rotation * link.hinge;
+  const Vector3d arm = link.arm * Vector3d(r.col(Hinge::traits.arm_axis));
   return {
-      carrier.position + hinge - arm,
-      carrier.velocity + carrier.angular_velocity.cross(hinge) - w.cross(arm),
-      r * link.axes.transpose(), w};
+      carrier.position + place - arm,
+      carrier.velocity + carrier.angular_velocity.cross(place) - w.cross(arm),
+      r * link.axes.transpose(), w, hinge.angle(s)};
 }
 
 void normalise_at(double* q) { Eigen::Map<Eigen::Vector4d>(q).normalize(); }
@@ -45,21 +38,16 @@ void normalise_at(double* q) { Eigen::Map<Eigen::Vector4d>(q).normalize(); }
 }  // namespace
 
 Matrix3d relative_rotation(const Link& link, const double* s) {
-  if (link.kind == HingeKind::ball) return rotation_at(s);
-  return link.axes_to_carrier_zero *
-         Eigen::AngleAxisd(s[0], Vector3d::UnitZ()).toRotationMatrix();
+  return with_hinge(link.kind,
+                    [&](auto hinge) { return hinge.rotation(link, s); });
 }
 
 Vector3d relative_rate(const Link& link, const double* s) {
-  return link.kind == HingeKind::ball ? vector_at(s + 4) : Vector3d(0, 0, s[1]);
+  return with_hinge(link.kind, [&](auto hinge) { return hinge.rate(s); });
 }
 
 void set_relative_rate(const Link& link, double* s, const Vector3d& rate) {
-  if (link.kind == HingeKind::ball) {
-    Eigen::Map<Vector3d>(s + 4) = rate;
-  } else {
-    s[1] = rate.z();
-  }
+  with_hinge(link.kind, [&](auto hinge) { hinge.set_rate(s, rate); });
 }
 
 void set_bodies(const System& system, const StateLayout& layout,
@@ -75,8 +63,9 @@ void set_bodies(const System& system, const StateLayout& layout,
       bodies[1 + i].hinge_angle = angle;
       continue;
     }
-    bodies[1 + i] = hung_body(link, s, bodies[0]);
-    if (link.kind == HingeKind::axis) bodies[1 + i].hinge_angle = s[0];
+    bodies[1 + i] = with_hinge(link.kind, [&](auto hinge) {
+      return hung_body(hinge, link, s, bodies[0]);
+    });
   }
 }
 
@@ -118,9 +107,10 @@ void normalise(const System& system, const StateLayout& layout,
     double* s = state + layout.offset(i);
     if (modes[i] == JointMode::released) {
       normalise_at(s + StateLayout::rotation);
-    } else if (system.links()[i].kind == HingeKind::ball) {
-      normalise_at(s);
+      continue;
     }
+    const int quaternion = hinge_traits(system.links()[i].kind).quaternion;
+    if (quaternion >= 0) normalise_at(s + quaternion);
   }
 }
 

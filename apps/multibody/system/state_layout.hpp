@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "multibody/system/system.hpp"
+#include "multibody/system/hinges/kinds.hpp"
 
 namespace multibody {
 
@@ -34,8 +34,7 @@ class StateLayout {
   /// Numbers of one body.
   static constexpr int link_size(HingeKind kind, JointMode mode) {
     return mode == JointMode::released ? body_size
-           : kind == HingeKind::axis   ? 2
-                                       : 7;
+                                       : hinge_traits(kind).state_size;
   }
   /// One kind and one mode for each body.
   StateLayout(const std::vector<HingeKind>& kinds,

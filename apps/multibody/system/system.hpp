@@ -14,11 +14,24 @@
 /// one into the other. Hinge axes: z along the axis of an axis node.
 namespace multibody {
 
-/// How a body hangs on the carrier.
+/// How a body hangs on the carrier; system/hinges has a type for each.
 enum class HingeKind {
   ball,  ///< ball joint: three relative turns
   axis,  ///< axis node: one turn about the common axis of its joints
   none,  ///< a body of its own
+};
+
+/// Numbers of a kind of hinge.
+struct HingeTraits {
+  int state_size;
+  /// Where in its state a quaternion begins, which keeps the length 1; -1:
+  /// none.
+  int quaternion;
+  /// It turns about z of the link axes alone, by an angle that is the first
+  /// number of its state; its rate is the second.
+  bool is_axis;
+  /// The link axis along which the hinge is from the centre of mass.
+  int arm_axis;
 };
 
 /// The body that carries the others.

@@ -2,6 +2,7 @@
 
 #include "libcontact/files/joint_tables.hpp"
 #include "separation/case/force_kind.hpp"
+#include "separation/case/hinges/hinge_type.hpp"
 
 namespace separation {
 namespace {
@@ -63,21 +64,20 @@ Keys start_keys() {
 }
 
 Keys hinge_keys() {
-  return {{"kind"},
-          {"name"},
-          {"body_point", Dimension::length, {}, {}, "load_point"},
-          {"carrier_point", Dimension::length},
-          {"zero_rotation", Dimension::angle},
-          {"axis", Dimension::number, {}, "axis"},
-          {"sharing", Dimension::number, {}, "axis"},
-          {"radial_stiffness", Dimension::number, {}, "axis"},
-          {"axial_share", Dimension::number, {}, "axis"},
-          {"body_direction", Dimension::number, {}, "ball", "load_direction"},
-          {"carrier_direction", Dimension::number, {}, "ball"},
-          table_key("joint",
-                    with(contact::joint_keys(),
-                         {{.key = "file", .of_file = contact::joint_keys()},
-                          {"position", Dimension::length}}))};
+  Keys keys = {
+      {"kind"},
+      {"name"},
+      {"body_point", Dimension::length, {}, {}, "load_point"},
+      {"carrier_point", Dimension::length},
+      {"zero_rotation", Dimension::angle},
+      table_key("joint",
+                with(contact::joint_keys(),
+                     {{.key = "file", .of_file = contact::joint_keys()},
+                      {"position", Dimension::length}}))};
+  for (const HingeType& type : hinge_types()) {
+    keys = with(keys, of(type.name, type.keys));
+  }
+  return keys;
 }
 
 Keys body_keys() {

@@ -16,6 +16,7 @@
 #include "separation/case/event_reader.hpp"
 #include "separation/case/force_reader.hpp"
 #include "separation/case/hinge_reader.hpp"
+#include "separation/case/hinges/hinge_type.hpp"
 #include "separation/case/reading.hpp"
 #include "separation/case/system_of.hpp"
 
@@ -110,15 +111,8 @@ multibody::BodyStart read_body_start(const std::optional<TomlTable>& table,
   start.rotation = hinge.zero_rotation;
   if (hinge.kind == HingeKind::none) {
     start.body = read_free_start(table);
-  } else if (table && hinge.kind == HingeKind::axis) {
-    start.angle = table->optional_number("angle", Interval::any()).value_or(0);
-    start.angle_rate =
-        table->optional_number("rate", Interval::any()).value_or(0);
   } else if (table) {
-    start.rotation *=
-        optional_rotation(*table, "rotation").value_or(Matrix3d::Identity());
-    start.relative_angular_velocity =
-        vector_or_zero(*table, "angular_velocity");
+    hinge_type(hinge).read_start(*table, start);
   }
   return start;
 }
@@ -233,9 +227,8 @@ void read_body(const TomlTable& table, const JointLaws& laws,
   body.start.locked = body.lock.has_value();
   if (body.lock && (body.start.angle_rate != 0 ||
                     body.start.relative_angular_velocity.norm() > 0)) {
-    start->must_be(
-        body.hinge.kind == HingeKind::axis ? "rate" : "angular_velocity",
-        "0 while the body is locked");
+    start->must_be(hinge_type(body.hinge).rate_key,
+                   "0 while the body is locked");
   }
   check_system(table, c.carrier, {body});
   const Pattern pattern = read_pattern(table, body.hinge);

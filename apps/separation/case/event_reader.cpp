@@ -5,6 +5,7 @@
 #include <array>
 #include <numbers>
 
+#include "separation/case/hinges/hinge_type.hpp"
 #include "separation/case/reading.hpp"
 
 namespace separation {
@@ -60,16 +61,10 @@ void check_nodes(const TomlTable& table, const CaseNames& names,
       table.needs("angle",
                   fmt::format("a hinge on body \"{}\"", body.rigid.name));
     }
-    // 180 deg but for the rounding of units.
-    constexpr double most = std::numbers::pi * (1 + 1e-15);
-    if (event.trigger == Event::Trigger::angle &&
-        body.hinge.kind == multibody::HingeKind::ball &&
-        (event.value < 0 || event.value > most)) {
-      table.must_be("angle",
-                    fmt::format("0 deg to 180 deg on the ball hinge "
-                                "of body \"{}\": it is the angle between two "
-                                "directions",
-                                body.rigid.name));
+    if (event.trigger == Event::Trigger::angle) {
+      check_angles(
+          table, body.hinge, event.value, event.value,
+          fmt::format("the ball hinge of body \"{}\"", body.rigid.name));
     }
     if (event.trigger == Event::Trigger::reaction &&
         (event.node == Event::Node::lock ? !body.lock : !hinge)) {

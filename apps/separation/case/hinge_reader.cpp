@@ -2,13 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
 #include <utility>
 
-#include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
 #include "libcontact/files/joint_tables.hpp"
+#include "separation/case/hinges/hinge_type.hpp"
 #include "separation/case/reading.hpp"
 
 namespace separation {
@@ -17,8 +15,6 @@ namespace {
 using contact::Error;
 using contact::JointContact;
 using Eigen::Matrix3d;
-using Eigen::Vector3d;
-using multibody::HingeKind;
 
 // What is wrong with them is the command line's, not the file's.
 void take_laws(const JointLaws& laws, contact::SharedLaws& made,
@@ -75,61 +71,6 @@ HingeJoint read_hinge_joint(const TomlTable& table, const JointLaws& laws,
           std::move(contact)};
 }
 
-std::optional<contact::JointGroup::Sharing> read_sharing(const TomlTable& table,
-                                                         std::size_t joints) {
-  if (table.optional_choice("sharing", {"equal"})) {
-    table.refuse_both("sharing", "radial_stiffness");
-    return contact::JointGroup::Sharing{};  // filled in when the joints are
-                                            // known
-  }
-  auto stiffness = table.optional_numbers("radial_stiffness", {joints},
-                                          Interval::positive());
-  if (!stiffness) return {};
-  return contact::JointGroup::Sharing{
-      *std::move(stiffness), table.numbers("axial_share", {joints}, {0, 1})};
-}
-
-Vector3d named_direction(const TomlTable& table, std::string_view key,
-                         const RigidBody& body, const std::string& name) {
-  for (const NamedDirection& direction : body.directions) {
-    if (direction.name == name) return direction.vector;
-  }
-  if (body.directions.empty()) {
-    table.needs(key, fmt::format("directions of \"{}\"", body.name));
-  }
-  std::vector<std::string> names;
-  for (const NamedDirection& direction : body.directions) {
-    names.push_back(direction.name);
-  }
-  table.must_be(key, fmt::format("a direction of \"{}\": {}", body.name,
-                                 contact::detail::either(names)));
-}
-
-// Directions of the angle of a ball joint: two named ones, or the line from
-// the hinge to the body's centre of mass, which begins at angle 0.
-void read_angle(const TomlTable& table, const RigidBody& body,
-                const RigidBody& carrier, Hinge& hinge) {
-  const auto of_body = table.optional_text("body_direction");
-  const auto of_carrier = table.optional_text("carrier_direction");
-  if (of_body && of_carrier) {
-    hinge.body_direction =
-        named_direction(table, "body_direction", body, *of_body);
-    hinge.carrier_direction =
-        named_direction(table, "carrier_direction", carrier, *of_carrier);
-    return;
-  }
-  if (of_body) table.needs("body_direction", "carrier_direction");
-  if (of_carrier) table.needs("carrier_direction", "body_direction");
-  hinge.body_direction = hinge.body_point.norm() > 0
-                             ? Vector3d(-hinge.body_point.normalized())
-                             : Vector3d::UnitX();
-  hinge.carrier_direction = hinge.zero_rotation * hinge.body_direction;
-}
-
-bool is_ball(const HingeJoint& joint) {
-  return joint.joint.geometry.kind() == contact::JointKind::ball;
-}
-
 contact::JointGroup make_group(const Hinge& hinge) {
   std::vector<contact::JointGroup::Member> joints;
   for (const HingeJoint& joint : hinge.joints) {
@@ -148,33 +89,20 @@ Hinge read_hinge(const TomlTable& table, const RigidBody& body,
                  const RigidBody& carrier, const JointLaws& laws,
                  contact::SharedLaws& made) {
   Hinge hinge;
-  hinge.kind = table.choice("kind", {"ball", "axis"}) == 0 ? HingeKind::ball
-                                                           : HingeKind::axis;
+  std::vector<std::string> names;
+  for (const HingeType& type : hinge_types()) names.emplace_back(type.name);
+  const HingeType& type = hinge_types()[table.choice("kind", names)];
+  hinge.kind = type.kind;
   hinge.name = table.optional_text("name").value_or("hinge");
   hinge.body_point = vector_or_zero(table, "body_point") - body.com;
   hinge.carrier_point = vector_or_zero(table, "carrier_point") - carrier.com;
   hinge.zero_rotation =
       optional_rotation(table, "zero_rotation").value_or(Matrix3d::Identity());
-  const bool ball = hinge.kind == HingeKind::ball;
-  if (ball) {
-    read_angle(table, body, carrier, hinge);
-  } else {
-    hinge.axis = direction(table, "axis");
-  }
-  const auto joints = table.tables("joint");
-  for (const TomlTable& joint : joints) {
+  type.read({table, body, carrier}, hinge);
+  for (const TomlTable& joint : table.tables("joint")) {
     hinge.joints.push_back(read_hinge_joint(joint, laws, made));
   }
-  if (!ball) hinge.sharing = read_sharing(table, joints.size());
-  if (ball && joints.size() > 1) {
-    table.needs("a single joint: it is a ball hinge");
-  }
-  if (ball && joints.size() == 1 && !is_ball(hinge.joints[0])) {
-    joints[0].must_be("kind", "\"ball\" on a ball hinge");
-  }
-  if (!ball && joints.size() == 1 && is_ball(hinge.joints[0])) {
-    table.needs("one pin, or two joints and more, one of them a ball");
-  }
+  type.read_joints(table, hinge);
   try {
     make_friction(hinge, FrictionChoice::full);
   } catch (const Error& error) {

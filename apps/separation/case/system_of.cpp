@@ -1,15 +1,11 @@
 #include "separation/case/system_of.hpp"
 
-#include <Eigen/Geometry>
 #include <cmath>
 #include <numbers>
 
-#include "separation/case/turn_of_z.hpp"
+#include "separation/case/hinges/hinge_type.hpp"
 
 namespace separation {
-
-using Eigen::Matrix3d;
-using Eigen::Vector3d;
 
 multibody::System system_of(const Case& c) {
   std::vector<multibody::Body> bodies;
@@ -21,29 +17,15 @@ multibody::System system_of(const Case& c) {
     if (part.kind != multibody::HingeKind::none) {
       part.hinge_from_com = body.hinge.body_point;
       part.hinge_from_carrier_com = body.hinge.carrier_point;
-    }
-    if (part.kind == multibody::HingeKind::axis) {
-      part.hinge_to_carrier_zero = turn_of_z(body.hinge.axis);
-      part.hinge_to_body =
-          body.hinge.zero_rotation.transpose() * part.hinge_to_carrier_zero;
+      hinge_type(body.hinge).place(body.hinge, part);
     }
     bodies.push_back(part);
   }
   return {{c.carrier.mass, c.carrier.inertia, c.carrier.fixed}, bodies};
 }
 
-double hinge_angle(const Hinge& hinge, const Matrix3d& rotation) {
-  if (hinge.kind == multibody::HingeKind::axis) {
-    // rotation = R(axis, t) zero_rotation
-    const Matrix3d turn = rotation * hinge.zero_rotation.transpose();
-    const double sine = hinge.axis.dot(Vector3d(turn(2, 1) - turn(1, 2),
-                                                turn(0, 2) - turn(2, 0),
-                                                turn(1, 0) - turn(0, 1)));
-    return std::atan2(sine, turn.trace() - 1);
-  }
-  const Vector3d body = rotation * hinge.body_direction;
-  return std::atan2(body.cross(hinge.carrier_direction).norm(),
-                    body.dot(hinge.carrier_direction));
+double hinge_angle(const Hinge& hinge, const Eigen::Matrix3d& rotation) {
+  return hinge_type(hinge).angle(hinge, rotation);
 }
 
 double hinge_angle(const Hinge& hinge, const multibody::BodyMotion& carrier,

@@ -1,18 +1,14 @@
 #include "separation/forces/tables.hpp"
 
-#include <numbers>
-
+#include "separation/case/hinges/hinge_type.hpp"
 #include "separation/case/system_of.hpp"
 
 namespace separation {
 
-using multibody::HingeKind;
-
 RowsOver read_variable(const ForceTable& from) {
   const TomlTable& table = from.table;
-  const HingeKind hinge = from.hinge();
   table.refuse_both("angle", "time");
-  if (table.has("angle") && hinge == HingeKind::none) {
+  if (table.has("angle") && from.hinge() == multibody::HingeKind::none) {
     table.needs("angle", "a body on a hinge");
   }
   if (table.has("time")) {
@@ -20,13 +16,8 @@ RowsOver read_variable(const ForceTable& from) {
   }
   if (!table.has("angle")) return {};
   const auto at = increasing(table, "angle");
-  // 180 deg but for the rounding of units.
-  constexpr double most = std::numbers::pi * (1 + 1e-15);
-  if (hinge == HingeKind::ball && (at.front() < 0 || at.back() > most)) {
-    table.must_be("angle",
-                  "0 deg to 180 deg on a ball hinge: it is the angle between "
-                  "two directions");
-  }
+  check_angles(table, from.names.of.bodies[from.body - 1].hinge, at.front(),
+               at.back(), "a ball hinge");
   return {Variable::angle, at};
 }
 

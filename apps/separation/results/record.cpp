@@ -12,6 +12,7 @@
 #include "libcontact/base/error.hpp"
 #include "libcontact/base/text.hpp"
 #include "libcontact/base/units.hpp"
+#include "separation/case/hinges/hinge_type.hpp"
 
 namespace separation {
 namespace {
@@ -92,23 +93,23 @@ std::optional<Clearance> make_clearance(const Case& c, bool wanted) {
 // Rate of the angle: on an axis with its sign. After the release that of the
 // bodies' relative angular velocity.
 double rate_of(const Hinge& hinge, const MotionSample& sample, int body) {
-  if (sample.mode(body) != HingeMode::released) {
-    const HingeSample now = sample.hinge(body);
-    return hinge.kind == HingeKind::axis ? now.angle_rate
-                                         : now.relative_angular_velocity.norm();
+  const auto turn = hinge_type(hinge).turn;
+  const BodyMotion& carrier = sample.carrier();
+  if (sample.mode(body) == HingeMode::released) {
+    return turn(hinge, carrier.rotation,
+                sample.body(body).angular_velocity - carrier.angular_velocity);
   }
-  const Vector3d relative =
-      sample.body(body).angular_velocity - sample.carrier().angular_velocity;
-  return hinge.kind == HingeKind::axis
-             ? (sample.carrier().rotation * hinge.axis).dot(relative)
-             : relative.norm();
+  const HingeSample now = sample.hinge(body);
+  return std::isnan(now.angle_rate)
+             ? turn(hinge, carrier.rotation, now.relative_angular_velocity)
+             : now.angle_rate;
 }
 
 bool is_held(HingeMode mode) {
   return mode == HingeMode::locked || mode == HingeMode::resting;
 }
 
-// Its derivative; of a ball joint |d(Dw)/dt| in body axes.
+// Its derivative.
 double acceleration_of(const Simulation& simulation, int body) {
   const Hinge& hinge = simulation.of().bodies[body].hinge;
   const auto& sample = simulation.sample();
@@ -118,8 +119,7 @@ double acceleration_of(const Simulation& simulation, int body) {
   const Vector3d relative =
       sample.angular_acceleration(1 + body) - sample.angular_acceleration(0) -
       carrier.angular_velocity.cross(motion.angular_velocity);
-  if (hinge.kind != HingeKind::axis) return relative.norm();
-  return (carrier.rotation * hinge.axis).dot(relative);
+  return hinge_type(hinge).turn(hinge, carrier.rotation, relative);
 }
 
 // The time of what stays the same is its first, whatever rounding says.

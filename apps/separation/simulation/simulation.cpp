@@ -9,6 +9,7 @@
 #include "libcontact/base/error.hpp"
 #include "separation/case/force_law.hpp"
 #include "separation/case/hinge_reader.hpp"
+#include "separation/case/hinges/hinge_type.hpp"
 #include "separation/case/system_of.hpp"
 
 namespace separation {
@@ -64,7 +65,7 @@ double Simulation::angle(int body) const { return angle(sample(), body); }
 double Simulation::angle(const MotionSample& sample, int body) const {
   const Hinge& hinge = case_.bodies[body].hinge;
   if (hinge.kind == HingeKind::none) return NAN;
-  if (hinge.kind == HingeKind::axis &&
+  if (hinge_type(hinge).counts_turns &&
       sample.mode(body) != HingeMode::released) {
     return sample.angle(body);
   }

@@ -1,0 +1,80 @@
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "separation/case/hinges/hinge_type.hpp"
+#include "separation/case/reading.hpp"
+#include "separation/case/turn_of_z.hpp"
+
+namespace separation {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+std::optional<contact::JointGroup::Sharing> read_sharing(const TomlTable& table,
+                                                         std::size_t joints) {
+  if (table.optional_choice("sharing", {"equal"})) {
+    table.refuse_both("sharing", "radial_stiffness");
+    return contact::JointGroup::Sharing{};  // filled in by make_group()
+  }
+  auto stiffness = table.optional_numbers("radial_stiffness", {joints},
+                                          Interval::positive());
+  if (!stiffness) return {};
+  return contact::JointGroup::Sharing{
+      *std::move(stiffness), table.numbers("axial_share", {joints}, {0, 1})};
+}
+
+void read(const HingeTable& from, Hinge& hinge) {
+  hinge.axis = direction(from.table, "axis");
+}
+
+void read_joints(const TomlTable& table, Hinge& hinge) {
+  hinge.sharing = read_sharing(table, hinge.joints.size());
+  if (hinge.joints.size() == 1 && is_ball(hinge.joints[0])) {
+    table.needs("one pin, or two joints and more, one of them a ball");
+  }
+}
+
+void read_start(const TomlTable& table, multibody::BodyStart& start) {
+  start.angle = table.optional_number("angle", Interval::any()).value_or(0);
+  start.angle_rate = table.optional_number("rate", Interval::any()).value_or(0);
+}
+
+void place(const Hinge& hinge, multibody::Body& body) {
+  body.hinge_to_carrier_zero = turn_of_z(hinge.axis);
+  body.hinge_to_body =
+      hinge.zero_rotation.transpose() * body.hinge_to_carrier_zero;
+}
+
+// rotation = R(axis, t) zero_rotation
+double angle(const Hinge& hinge, const Matrix3d& rotation) {
+  const Matrix3d turn = rotation * hinge.zero_rotation.transpose();
+  const double sine =
+      hinge.axis.dot(Vector3d(turn(2, 1) - turn(1, 2), turn(0, 2) - turn(2, 0),
+                              turn(1, 0) - turn(0, 1)));
+  return std::atan2(sine, turn.trace() - 1);
+}
+
+double turn(const Hinge& hinge, const Matrix3d& carrier,
+            const Vector3d& relative) {
+  return (carrier * hinge.axis).dot(relative);
+}
+
+}  // namespace
+
+HingeType axis_hinge() {
+  return {multibody::HingeKind::axis,
+          "axis",
+          {{"axis"}, {"sharing"}, {"radial_stiffness"}, {"axial_share"}},
+          true,
+          "rate",
+          read,
+          read_joints,
+          read_start,
+          place,
+          angle,
+          turn};
+}
+
+}  // namespace separation

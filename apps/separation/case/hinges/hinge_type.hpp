@@ -1,0 +1,62 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "libcontact/files/toml_reader.hpp"
+#include "separation/case/case.hpp"
+
+namespace separation {
+
+/// A [body.hinge] while it is read.
+struct HingeTable {
+  const contact::TomlTable& table;
+  const RigidBody& body;
+  const RigidBody& carrier;
+};
+
+/// A kind of hinge: what case files say of it and what its angle is. Its
+/// dynamics: multibody/system/hinges.
+struct HingeType {
+  multibody::HingeKind kind;
+  std::string_view name;
+  /// Beside those of all hinges.
+  contact::KnownKeys keys;
+  /// Full turns of its angle count; else it is one between two directions, 0 to
+  /// 180 deg.
+  bool counts_turns;
+  /// Of [body.start]: its rate.
+  std::string_view rate_key;
+  /// Reads its own keys,
+  void (*read)(const HingeTable& from, Hinge& hinge);
+  /// and those that are about its joints; refuses joints that do not make such
+  /// a hinge.
+  void (*read_joints)(const contact::TomlTable& table, Hinge& hinge);
+  void (*read_start)(const contact::TomlTable& table,
+                     multibody::BodyStart& start);
+  /// Places it in a body that has the hinge's points.
+  void (*place)(const Hinge& hinge, multibody::Body& body);
+  /// Its angle, without full turns.
+  /// @param rotation  body axes to carrier axes
+  double (*angle)(const Hinge& hinge, const Eigen::Matrix3d& rotation);
+  /// What of an angular velocity, or acceleration, of the body relative to the
+  /// carrier is that of the angle; of a ball joint its length.
+  /// @param carrier  carrier axes to those of the vector
+  double (*turn)(const Hinge& hinge, const Eigen::Matrix3d& carrier,
+                 const Eigen::Vector3d& relative);
+};
+
+/// All kinds; list.cpp has the list.
+const std::vector<HingeType>& hinge_types();
+/// That of a hinge that is there.
+const HingeType& hinge_type(const Hinge& hinge);
+
+/// Refuses angles that its hinges do not have.
+/// @param where  what follows "0 deg to 180 deg on "
+void check_angles(const contact::TomlTable& table, const Hinge& hinge,
+                  double low, double high, const std::string& where);
+
+bool is_ball(const HingeJoint& joint);
+
+}  // namespace separation
