@@ -131,7 +131,8 @@ struct JointSolution {
   Memory memory;
 
   /// f_M = |M_t|/(rho R): what catalogues call the coefficient of friction;
-  /// to 1e-14 (joint/ball_joint_test.cpp, joint/pin_joint_test.cpp).
+  /// to 1e-14 over cos a of the vectors, which lose digits towards spinning
+  /// (joint/ball_joint_test.cpp, joint/pin_joint_test.cpp).
   double moment_coefficient() const {
     if (normal_force == 0) return 0;
     return std::hypot(sliding_coefficient, spinning_coefficient) *
