@@ -1,10 +1,11 @@
 // Every kind of friction with every kind of wall, through every door: programs,
-// studies, cases and C take what a joint file may say, and answer alike.
-// (Python: tests/python/test_joint.py.)
+// studies, cases, C and Python take what a joint file may say, and answer
+// alike.
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <filesystem>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -84,6 +85,36 @@ TEST_F(EveryJoint, CAnswersAsTheLibrary) {
               moment_by_library(joint))
         << joint.name;
   }
+}
+
+// To the last digits of the norm of a vector, which NumPy sums otherwise.
+TEST_F(EveryJoint, PythonAnswersAsTheLibrary) {
+#ifndef CONTACT_PYTHON
+  GTEST_SKIP() << "built without Python";
+#else
+  const auto all = every_joint();
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    folder_.write(std::to_string(i) + ".toml", all[i].toml);
+  }
+  folder_.write("ask.py",
+                "import numpy, libcontact\n"
+                "for i in range(" +
+                    std::to_string(all.size()) +
+                    "):\n"
+                    "    joint = libcontact.Joint(f'{i}.toml')\n"
+                    "    s = joint.solve([2000, 0, 0], [0, 0, 0.4], "
+                    "axis=[0, 0, 1])\n"
+                    "    print(repr(float(numpy.linalg.norm("
+                    "s.friction_moment))))\n");
+  const auto answer = folder_.run(CONTACT_PYTHON " ask.py");
+  ASSERT_EQ(answer.status, 0) << answer.err;
+  std::istringstream moments(answer.out);
+  for (const JointText& joint : all) {
+    double moment = 0;
+    moments >> moment;
+    EXPECT_NEAR(moment / moment_by_library(joint), 1, 1e-15) << joint.name;
+  }
+#endif
 }
 
 TEST_F(EveryJoint, AnglePressureAndTableTakeIt) {
