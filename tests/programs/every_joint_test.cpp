@@ -101,7 +101,7 @@ TEST_F(EveryJoint, PythonAnswersAsTheLibrary) {
                 "for i in range(" +
                     std::to_string(all.size()) +
                     "):\n"
-                    "    joint = libcontact.Joint(f'{i}.toml')\n"
+                    "    joint = libcontact.Joint.from_file(f'{i}.toml')\n"
                     "    s = joint.solve([2000, 0, 0], [0, 0, 0.4], "
                     "axis=[0, 0, 1])\n"
                     "    print(repr(float(numpy.linalg.norm("
