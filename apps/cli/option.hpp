@@ -32,7 +32,7 @@ struct Option {
   /// Options of which at least one has to be there too, in words: "--shaft",
   /// "--radius or --diameter"; several such conditions have a ; between them.
   std::string_view needs = {};
-  /// Options that conflict with it, in words.
+  /// Options with which it conflicts, in words.
   std::string_view excludes = {};
   bool required = false;
 };

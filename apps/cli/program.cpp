@@ -136,8 +136,11 @@ void Program::add(const std::string& group,
     if (const auto* text = std::get_if<std::string*>(&o.target)) {
       return app_->add_option(o.flag, **text, o.meaning);
     }
-    return app_->add_option_function<std::string>(
-        o.flag, std::get<Reader>(o.target), o.meaning);
+    // An empty text is refused with all others.
+    const auto read = [reader = std::get<Reader>(o.target)](const auto& text) {
+      if (!text.empty()) reader(text);
+    };
+    return app_->add_option_function<std::string>(o.flag, read, o.meaning);
   };
   for (const Option& option : options) {
     CLI::Option* added = made(option)->group(group)->required(option.required);
@@ -159,17 +162,17 @@ void Program::add_output(OutputOptions& options) {
     options.plot = file;
   };
   add("Output",
-      {{"--format", word("--format", options.format, formats), "NAME",
+      {{"--output", &options.output, "FILE",
+        "file to write; default standard output"},
+       {"--plot", plot, "FILE", "picture to draw: .svg, .png or .pdf"},
+       {"--format", word("--format", options.format, formats), "NAME",
         "csv (default), json, markdown, latex"},
        {"--columns", List{&options.columns}, "NAMES",
         "of the table, only these and in this order"},
        {"--separator", separator, "CHAR",
         "of CSV: ; | tab or a comma (default)"},
        {"--decimal-comma", &options.decimal_comma, "",
-        "0,5 for 0.5 in CSV, and ; for the separator"},
-       {"--output", &options.output, "FILE",
-        "file to write; default standard output"},
-       {"--plot", plot, "FILE", "picture to draw: .svg, .png or .pdf"}});
+        "0,5 for 0.5 in CSV, and ; for the separator"}});
   app_->get_option("--columns")->allow_extra_args(false);
 }
 
@@ -187,40 +190,32 @@ void Program::add_check(std::function<void()> check) {
 }
 
 bool Program::has(std::string_view flag) const {
-  return app_->count(std::string(flag)) > 0;
+  const CLI::Option* option = app_->get_option_no_throw(std::string(flag));
+  return option != nullptr && option->count() > 0;
 }
 
 const std::string& Program::name() const { return app_->get_name(); }
 
-// Of two options that do not go together the one that was added first is said
-// to conflict with the other.
 void Program::check_rows() const {
   std::vector<Option> given;
   std::ranges::copy_if(rows_, std::back_inserter(given),
                        [this](const Option& row) { return has(row.flag); });
-  const auto excludes = [](const Option& a, const Option& b) {
-    return std::ranges::count(flags_in(a.excludes), b.flag) > 0;
-  };
-  for (auto row = given.begin(); row != given.end(); ++row) {
-    for (auto later = row + 1; later != given.end(); ++later) {
-      if (excludes(*row, *later) || excludes(*later, *row)) {
-        refuse_beside(row->flag, later->flag);
-      }
+  const auto is_given = [this](std::string_view flag) { return has(flag); };
+  for (const Option& row : given) {
+    for (const std::string_view other : flags_in(row.excludes)) {
+      if (has(other)) refuse_beside(row.flag, other);
     }
   }
   for (const Option& row : given) {
     for (const std::string_view needed : split(row.needs, ";")) {
       const auto flags = flags_in(needed);
-      if (!flags.empty() && std::ranges::none_of(flags, [this](auto flag) {
-            return has(flag);
-          })) {
-        refuse_without(row.flag, needed.substr(needed.find('-')));
-      }
+      if (flags.empty() || std::ranges::any_of(flags, is_given)) continue;
+      refuse_without(row.flag, needed.substr(needed.find('-')));
     }
   }
 }
 
-int Program::run(int argc, char** argv, const std::string& help,
+int Program::run(int argc, char** argv, std::string_view help,
                  const std::function<ExitStatus()>& body) {
   app_->option_defaults()->group("Options");
   app_->set_version_flag("--version",
@@ -228,7 +223,7 @@ int Program::run(int argc, char** argv, const std::string& help,
                          "print the version");
   app_->set_help_flag("-h,--help", "print this help");
   app_->get_formatter()->column_width(26);
-  app_->footer(help);
+  app_->footer(std::string(help));
   try {
     open_missing_streams();
     note_reading();

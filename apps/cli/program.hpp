@@ -29,11 +29,6 @@ enum ExitStatus {
   terminated = 143
 };
 
-/// What every program's --help says about them; goes into its footer.
-inline constexpr std::string_view exit_status_help =
-    "Exit status: 0 all computed; 1 a line of the input, a point or the\n"
-    "picture failed and the rest is there; 2 bad option or file, no result.\n";
-
 /// Options that every program has.
 struct OutputOptions : TableStyle {
   std::string output;  ///< file name, "" for standard output
@@ -77,7 +72,7 @@ class Program {
   /// which returns an ExitStatus; turns exceptions into the one message
   /// "NAME: ..." on standard error and `failed`.
   /// @param help  what --help says below the options
-  int run(int argc, char** argv, const std::string& help,
+  int run(int argc, char** argv, std::string_view help,
           const std::function<ExitStatus()>& body);
 
  private:

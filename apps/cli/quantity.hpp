@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "cli/number.hpp"
-#include "libcontact/files/dimension.hpp"
+#include "libcontact/base/dimension.hpp"
 #include "libcontact/files/setting.hpp"
 
 /// Numbers of options, with units or without: "2kN", "30 deg", "1.5". Units are

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "cli/number.hpp"
-#include "libcontact/files/dimension.hpp"
+#include "libcontact/base/dimension.hpp"
 
 namespace cli {
 

@@ -9,20 +9,27 @@
 #include <variant>
 #include <vector>
 
+#include "libcontact/quantities/quantity.hpp"
 #include "python/rows.hpp"
 
 /// Results of many rows, whose quantities are attributes.
 namespace contact_python {
 
-/// A quantity of a row.
+using contact::Quantity;
+
+/// What a getter of a quantity returns, as NumPy has it.
+template <class Value>
+using Number =
+    std::conditional_t<std::is_same_v<Value, const Eigen::Vector3d&>, double,
+                       std::conditional_t<std::is_enum_v<Value>, int, Value>>;
+
+/// For people: "M_t: friction moment on the body, N m, (..., 3)."
 template <class Row>
-struct Field {
-  const char* name;
-  std::variant<double (*)(const Row&), int (*)(const Row&),
-               bool (*)(const Row&), Eigen::Vector3d (*)(const Row&)>
-      of;
-  const char* doc;
-};
+std::string documentation(const Quantity<Row>& q) {
+  return description(q) + (q.is_vector() ? ", (..., 3)."
+                           : q.is_word() ? ", as a number."
+                                         : ".");
+}
 
 /// Rows as they were computed; arrays of a quantity are made when asked for.
 /// Unpickled ones have the arrays in their place, and with them all that can be
@@ -57,14 +64,15 @@ namespace detail {
 
 template <class Row, class Value>
 py::array column(const Answers<Row>& a, Value (*of)(const Row&)) {
-  py::array_t<Value> array(a.shape);
-  Value* to = array.mutable_data();
-  for (const Row& row : a.rows) *to++ = of(row);
+  py::array_t<Number<Value>> array(a.shape);
+  auto* to = array.mutable_data();
+  for (const Row& row : a.rows) *to++ = static_cast<Number<Value>>(of(row));
   return array;
 }
 
 template <class Row>
-py::array column(const Answers<Row>& a, Eigen::Vector3d (*of)(const Row&)) {
+py::array column(const Answers<Row>& a,
+                 const Eigen::Vector3d& (*of)(const Row&)) {
   Shape shape = a.shape;
   shape.push_back(3);
   py::array_t<double> array(shape);
@@ -76,48 +84,50 @@ py::array column(const Answers<Row>& a, Eigen::Vector3d (*of)(const Row&)) {
 }
 
 template <class Row>
-py::array column(const Answers<Row>& a, const Field<Row>& field) {
-  if (a.arrays) return a.arrays[field.name].attr("copy")();
-  return std::visit([&](auto of) { return column(a, of); }, field.of);
+py::array column(const Answers<Row>& a, const Quantity<Row>& q) {
+  if (a.arrays) return a.arrays[q.key.data()].attr("copy")();
+  return std::visit([&](auto of) { return column(a, of); }, q.of);
 }
 
 // Columns of tables have one dimension: vectors are three columns.
 template <class Row>
-py::dict to_dict(const Answers<Row>& a, std::span<const Field<Row>> fields) {
+py::dict to_dict(const Answers<Row>& a, std::span<const Quantity<Row>> fields) {
   py::dict columns;
-  for (const Field<Row>& field : fields) {
+  for (const Quantity<Row>& field : fields) {
     const py::object array = column(a, field);
-    if (field.of.index() == 3) {
+    if (field.is_vector()) {
       const py::object rows = array.attr("reshape")(-1, 3);
       constexpr std::array ends = {"_x", "_y", "_z"};
       for (std::size_t i = 0; i < ends.size(); ++i) {
-        columns[py::str(field.name + std::string(ends[i]))] =
+        columns[py::str(std::string(field.key) + ends[i])] =
             rows[py::make_tuple(py::ellipsis(), i)];
       }
     } else {
-      columns[field.name] = array.attr("ravel")();
+      columns[field.key.data()] = array.attr("ravel")();
     }
   }
   return columns;
 }
 
 template <class Row>
-py::dict arrays_of(const Answers<Row>& a, std::span<const Field<Row>> fields) {
+py::dict arrays_of(const Answers<Row>& a,
+                   std::span<const Quantity<Row>> fields) {
   py::dict arrays;
-  for (const Field<Row>& field : fields) arrays[field.name] = column(a, field);
+  for (const Quantity<Row>& field : fields)
+    arrays[field.key.data()] = column(a, field);
   return arrays;
 }
 
 // A copy of an array of a pickle, as column() makes them. Those of another
 // shape would be read beyond their ends.
 template <class Row>
-py::array array_in(const py::dict& arrays, const Field<Row>& field,
+py::array array_in(const py::dict& arrays, const Quantity<Row>& field,
                    const std::optional<Shape>& rows) {
   return std::visit(
       [&]<class Value>(Value (*)(const Row&)) -> py::array {
-        constexpr bool is_vector = std::is_same_v<Value, Eigen::Vector3d>;
-        using Number = std::conditional_t<is_vector, double, Value>;
-        const auto given = arrays.attr("get")(field.name);
+        using Number = Number<Value>;
+        const bool is_vector = field.is_vector();
+        const auto given = arrays.attr("get")(field.key.data());
         if (py::isinstance<py::array_t<Number>>(given)) {
           const py::array_t<Number, py::array::c_style> array(given);
           const Shape shape(array.shape(), array.shape() + array.ndim());
@@ -125,20 +135,21 @@ py::array array_in(const py::dict& arrays, const Field<Row>& field,
           if (is_vector && rows) wanted.push_back(3);
           if (shape == wanted) return py::array_t<Number>(shape, array.data());
         }
-        refuse_pickled(field.name, py::dtype::of<Number>(), rows, is_vector);
+        refuse_pickled(field.key.data(), py::dtype::of<Number>(), rows,
+                       is_vector);
       },
       field.of);
 }
 
 template <class Row>
 Answers<Row> from_arrays(const py::dict& arrays,
-                         std::span<const Field<Row>> fields) {
+                         std::span<const Quantity<Row>> fields) {
   std::optional<Shape> shape;  // of the rows, by a quantity that is a number
   py::dict own;
-  for (const Field<Row>& field : fields) {
+  for (const Quantity<Row>& field : fields) {
     const py::array array = array_in(arrays, field, shape);
     if (!shape) shape.emplace(array.shape(), array.shape() + array.ndim());
-    own[field.name] = array;
+    own[field.key.data()] = array;
   }
   if (arrays.size() != own.size()) refuse_pickled_names(own);
   return {std::move(*shape), {}, std::move(own)};
@@ -147,18 +158,18 @@ Answers<Row> from_arrays(const py::dict& arrays,
 }  // namespace detail
 
 /// The Python class of such results.
-/// @param fields  that last; the first is a number
+/// @param fields  a table; the first is a number
 template <class Row>
 void bind_answers(py::module_& m, const char* name,
-                  std::span<const Field<Row>> fields, const char* doc) {
+                  std::span<const Quantity<Row>> fields, const char* doc) {
   py::class_<Answers<Row>> type(m, name, doc);
-  for (const Field<Row>& field : fields) {
+  for (const Quantity<Row>& field : fields) {
     type.def_property_readonly(
-        field.name,
+        field.key.data(),
         [&field](const Answers<Row>& a) {
           return returned(detail::column(a, field));
         },
-        field.doc);
+        documentation(field).c_str());
   }
   type.def_property_readonly(
           "shape",

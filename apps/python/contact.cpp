@@ -3,6 +3,7 @@
 
 #include "libcontact/friction/friction_integrals.hpp"
 #include "libcontact/pressure/validity.hpp"
+#include "libcontact/quantities/tables.hpp"
 #include "python/answers.hpp"
 #include "python/contact_warning.hpp"
 #include "python/file_joint.hpp"
@@ -11,18 +12,6 @@ namespace contact_python {
 namespace {
 
 using contact::JointContact;
-
-struct Coefficients {
-  contact::FrictionTriple of;
-};
-const Field<Coefficients> coefficient_fields[] = {
-    {"force", [](const Coefficients& c) { return c.of.force; },
-     "chi, over f0 R_n."},
-    {"sliding", [](const Coefficients& c) { return c.of.sliding; },
-     "sigma_Y, over f0 rho R_n."},
-    {"spinning", [](const Coefficients& c) { return c.of.spinning; },
-     "sigma_Z, over f0 rho R_n."},
-};
 
 // The array of value(contact, half-angle, at), where at[0] is a normal force,
 // with warnings of the largest contact.
@@ -92,9 +81,9 @@ py::object law_pressure(const FileJoint& self, const Numbers& theta,
       [&](const double* const* at) { return law.pressure(*at[0], *at[1]); });
 }
 
-Answers<Coefficients> law_coefficients(const FileJoint& self,
-                                       const Numbers& theta0,
-                                       const Numbers& alpha) {
+Answers<contact::FrictionTriple> law_coefficients(const FileJoint& self,
+                                                  const Numbers& theta0,
+                                                  const Numbers& alpha) {
   const Rows rows({{"theta0", theta0, 0}, {"alpha", alpha, 0}});
   std::vector<double> in[3];
   std::vector<double> out[3];
@@ -105,7 +94,7 @@ Answers<Coefficients> law_coefficients(const FileJoint& self,
     in[2].push_back(axis.cos);
   });
   for (auto& column : out) column.resize(rows.size());
-  Answers<Coefficients> result{rows.shape(), {}};
+  Answers<contact::FrictionTriple> result{rows.shape(), {}};
   const Unlocked unlocked;
   contact::friction_integrals(self.contact().pressure_law(),
                               {in[0], in[1], in[2]},
@@ -120,7 +109,7 @@ Answers<Coefficients> law_coefficients(const FileJoint& self,
                                .sliding = out[1],
                                .spinning = out[2]});
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    result.rows.push_back({{out[0][i], out[1][i], out[2][i]}});
+    result.rows.push_back({out[0][i], out[1][i], out[2][i]});
   }
   return result;
 }
@@ -168,95 +157,49 @@ void bind_size(py::class_<FileJoint>& type) {
       "theta0 at infinite load, rad.");
 }
 
+// NAME(normal_force) of a quantity.
+template <class T, class Evaluate>
+void bind_quantity(py::class_<FileJoint>& type, const contact::Quantity<T>& q,
+                   const char* more, const Evaluate& evaluate) {
+  type.def(
+      q.key.data(),
+      [evaluate](const FileJoint& self, const Numbers& normal_force) {
+        return evaluate(self, {{"normal_force", normal_force, 0}});
+      },
+      py::arg("normal_force"),
+      (std::string(q.key) + "(self, normal_force)\n--\n\n" + documentation(q) +
+       more + "\n\nnormal_force: R_n, N, (...), above 0.")
+          .c_str());
+}
+
 void bind_quantities(py::class_<FileJoint>& type) {
-  const auto of_load = [&](const char* name, auto value, const char* doc) {
-    type.def(
-        name,
-        [value](const FileJoint& self, const Numbers& normal_force) {
-          return evaluate({{"normal_force", normal_force, 0}},
-                          [&](const double* const* at) {
-                            return value(self.contact(), *at[0]);
-                          });
-        },
-        py::arg("normal_force"), doc);
-  };
-  const auto of = [&](const char* name, auto value, const char* doc) {
-    type.def(
-        name,
-        [value](const FileJoint& self, const Numbers& normal_force) {
-          return of_contacts(self, {{"normal_force", normal_force, 0}},
-                             [&](const JointContact& c, double half_angle,
-                                 const double* const* at) {
-                               return value(c, *at[0], half_angle);
+  using Arguments = std::initializer_list<Argument>;
+  for (const auto& q : contact::patch_quantities()) {
+    const auto value = [&q](const JointContact& c, double half_angle,
+                            const double* const* at) {
+      return number_of(q, contact::ContactPatch{c, *at[0], half_angle});
+    };
+    bind_quantity(type, q, "",
+                  [&q, value](const FileJoint& self, Arguments force) {
+                    if (q.exists) return of_contacts(self, force, value);
+                    return evaluate(force, [&](const double* const* at) {
+                      return value(self.contact(), 0, at);
+                    });
+                  });
+  }
+  for (const auto& q : contact::approach_quantities()) {
+    bind_quantity(
+        type, q,
+        " NaN unless the half-angle\nlaw is exact, and where there is none: a "
+        "pin in an infinite hole, loaded through\nthe back. To 2e-7 of itself.",
+        [&q](const FileJoint& self, Arguments force) {
+          return of_contacts(self, force,
+                             [&q](const JointContact& c, double half_angle,
+                                  const double* const* /*at*/) {
+                               return number_of(q, c.approach(half_angle));
                              });
-        },
-        py::arg("normal_force"), doc);
-  };
-  of(
-      "half_angle",
-      [](const JointContact& /*c*/, double /*force*/, double half_angle) {
-        return half_angle;
-      },
-      "half_angle(self, normal_force)\n--\n\n"
-      "theta0 of the contact, rad; NaN where the law has none.\n\n"
-      "normal_force: R_n, N, (...).");
-  of_load(
-      "load_parameter",
-      [](const JointContact& c, double force) {
-        return c.load_parameter(force);
-      },
-      "load_parameter(self, normal_force)\n--\n\n"
-      "mu of a ball, lambda of a pin. normal_force: R_n, N, (...).");
-  of(
-      "peak_pressure",
-      [](const JointContact& c, double force, double half_angle) {
-        return c.peak_pressure(force, half_angle);
-      },
-      "peak_pressure(self, normal_force)\n--\n\n"
-      "Pa. normal_force: R_n, N, (...), above 0.");
-  of(
-      "mean_pressure",
-      [](const JointContact& c, double force, double half_angle) {
-        return c.mean_pressure(force, half_angle);
-      },
-      "mean_pressure(self, normal_force)\n--\n\n"
-      "Over the contact's own area, Pa. normal_force: R_n, N, (...), above 0.");
-  of_load(
-      "nominal_pressure",
-      [](const JointContact& c, double force) {
-        return c.geometry().nominal_pressure(force);
-      },
-      "nominal_pressure(self, normal_force)\n--\n\n"
-      "Force over projected area, Pa: pi rho^2 of a ball, 2 rho l of a pin.\n"
-      "Catalogues of spherical plain bearings take ball diameter times width "
-      "of\n"
-      "the ring.\n\n"
-      "normal_force: N, (...).");
-  of(
-      "contact_area",
-      [](const JointContact& c, double /*force*/, double half_angle) {
-        return c.area(half_angle);
-      },
-      "contact_area(self, normal_force)\n--\n\n"
-      "m^2. normal_force: R_n, N, (...).");
-  of(
-      "approach",
-      [](const JointContact& c, double /*force*/, double half_angle) {
-        return c.approach(half_angle).approach;
-      },
-      "approach(self, normal_force)\n--\n\n"
-      "How far R_n presses the ball or pin into its seat or hole, from first\n"
-      "touch, m. NaN unless the half-angle law is exact, and where there is "
-      "none:\na pin in an infinite hole, loaded through the back.\n\n"
-      "normal_force: R_n, N, (...), above 0. To 2e-7 of itself.");
-  of(
-      "stiffness",
-      [](const JointContact& c, double /*force*/, double half_angle) {
-        return c.approach(half_angle).stiffness;
-      },
-      "stiffness(self, normal_force)\n--\n\n"
-      "d R_n/d approach, N/m. NaN and accuracy as of approach().\n\n"
-      "normal_force: R_n, N, (...), above 0.");
+        });
+  }
   type.def("pressure", &pressure, py::arg("theta"), py::arg("normal_force"),
            "pressure(self, theta, normal_force)\n--\n\n"
            "Contact pressure, Pa; 0 outside of the contact.\n\n"
@@ -282,8 +225,7 @@ void bind_laws(py::class_<FileJoint>& type) {
 }  // namespace
 
 void bind_contact(py::module_& m, py::class_<FileJoint>& type) {
-  bind_answers(m, "Coefficients",
-               std::span<const Field<Coefficients>>(coefficient_fields),
+  bind_answers(m, "Coefficients", contact::coefficient_quantities(),
                "What friction_coefficients() returns.");
   bind_size(type);
   bind_quantities(type);

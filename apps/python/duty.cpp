@@ -9,9 +9,10 @@
 #include "libcontact/base/error.hpp"
 #include "libcontact/duty/duty_cycle.hpp"
 #include "libcontact/duty/wear_map.hpp"
+#include "libcontact/quantities/tables.hpp"
+#include "python/answers.hpp"
 #include "python/contact_warning.hpp"
 #include "python/file_joint.hpp"
-#include "python/ratings.hpp"
 
 namespace contact_python {
 namespace {
@@ -45,10 +46,6 @@ class Cycle {
       : on_(std::move(cycle), joint) {}
 
   const JointCycle& on() const { return on_; }
-  // rho |Dw|, m/s.
-  double rim_speed(const Instant& i) const {
-    return contact().geometry().radius() * i.state.angular_velocity.norm();
-  }
   const contact::JointContact& contact() const { return on_.contact(); }
 
  private:
@@ -104,27 +101,12 @@ Answers<Row> of_rows(const Cycle& cycle, const Function& row) {
 
 // A quantity by its attribute's name; of a vector its length.
 JointCycle::Quantity quantity(const Cycle& cycle, const std::string& name) {
-  const auto number = [](const auto& field, const auto& row) {
-    return std::visit(
-        [&](auto of) -> double {
-          if constexpr (std::is_same_v<decltype(of(row)), Vector3d>) {
-            return of(row).norm();
-          } else {
-            return of(row);
-          }
-        },
-        field.of);
-  };
-  for (const auto& field : solution_fields()) {
-    if (field.name != name) continue;
-    return [number, &field](const Instant& i) {
-      return number(field, i.solution);
-    };
+  if (const auto* q = find_quantity(contact::solution_quantities(), name)) {
+    return [q](const Instant& i) { return number_of(*q, i.solution); };
   }
-  for (const auto& field : rating_fields()) {
-    if (field.name != name) continue;
-    return [number, &field, &cycle](const Instant& i) {
-      return number(field, rating(cycle.on().sliding(i)));
+  if (const auto* q = find_quantity(contact::rating_quantities(), name)) {
+    return [q, &cycle](const Instant& i) {
+      return number_of(*q, cycle.on().sliding(i).rating());
     };
   }
   throw contact::Error(contact::detail::must_be(
@@ -139,11 +121,6 @@ py::object largest(const Cycle& cycle, const std::string& name) {
     instant = cycle.on().largest(of);
   }
   return py::make_tuple(of(instant), instant.time);
-}
-
-double integral(const Cycle& cycle, const JointCycle::Quantity& quantity) {
-  const Unlocked unlocked;
-  return cycle.on().integral(quantity);
 }
 
 py::array_t<double> array_of(const std::vector<Vector3d>& vectors) {
@@ -202,37 +179,16 @@ Answers<contact::WearIn::State> wear_in(const Cycle& cycle, double coefficient,
   return {{py::ssize_t(worn.states.size())}, std::move(worn.states)};
 }
 
-void bind_integrals(py::class_<Cycle>& type) {
-  const auto number = [&](const char* name, auto of, const char* doc) {
+void bind_sums(py::class_<Cycle>& type) {
+  for (const auto& q : contact::cycle_quantities()) {
     type.def_property_readonly(
-        name, [of](const Cycle& c) { return integral(c, of(c)); }, doc);
-  };
-  number(
-      "energy",
-      [](const Cycle&) {
-        return [](const Instant& i) { return -i.solution.power; };
-      },
-      "Dissipated by friction in one cycle, J.");
-  number(
-      "sliding_path",
-      [](const Cycle& c) {
-        return [&c](const Instant& i) { return c.rim_speed(i); };
-      },
-      "Of the rim in one cycle: integral of rho |Dw|, m.");
-  number(
-      "effective_sliding_distance",
-      [](const Cycle& c) {
-        return [&c](const Instant& i) {
-          return c.rim_speed(i) * c.on().sliding(i).slip_coefficient();
-        };
-      },
-      "Of one cycle: integral of rho |Dw| L, m.");
-  number(
-      "pv_integral",
-      [](const Cycle& c) {
-        return [&c](const Instant& i) { return c.on().sliding(i).pv_total(); };
-      },
-      "Of p v over contact and time, J; times k it is the worn volume.");
+        q.key.data(),
+        [&q](const Cycle& c) {
+          const Unlocked unlocked;
+          return number_of(q, c.on());
+        },
+        documentation(q).c_str());
+  }
 }
 
 }  // namespace
@@ -242,20 +198,7 @@ void bind_duty(py::module_& m) {
   type.def(py::init(&make_cycle), py::arg("joint"), py::arg("time"),
            py::arg("force"), py::arg("motion"), py::arg("sequence"),
            py::arg("period"), py::arg("force_on"), py::arg("force_in"));
-  bind_integrals(type);
-  type.def_property_readonly(
-      "period", [](const Cycle& c) { return c.on().cycle().period(); }, "s");
-  type.def_property_readonly(
-      "closure", [](const Cycle& c) { return c.on().cycle().closure(); },
-      "By what angle the turn of integrated rates fails to close, rad.");
-  type.def_property_readonly(
-      "contact_spread",
-      [](const Cycle& c) {
-        const Unlocked unlocked;
-        return c.on().contact_spread();
-      },
-      "Root mean square angle of the contact from the middle of its places on "
-      "the seat, weight p v, rad.");
+  bind_sums(type);
   type.def_property_readonly(
       "time",
       [](const Cycle& c) {
@@ -272,8 +215,8 @@ void bind_duty(py::module_& m) {
   type.def_property_readonly(
       "rating",
       [](const Cycle& c) {
-        return of_rows<Rating>(
-            c, [&](const Instant& i) { return rating(c.on().sliding(i)); });
+        return of_rows<contact::Rating>(
+            c, [&](const Instant& i) { return c.on().sliding(i).rating(); });
       },
       "p v and heat at the rows: a Rating.");
   type.def("largest", &largest, py::arg("quantity"),
@@ -283,7 +226,8 @@ void bind_duty(py::module_& m) {
 The largest value in the cycle and its time, s; to 1e-8.
 
 quantity: an attribute of Solution or Rating; of a vector its length.)");
-  bind_answers(m, "WearIn", worn_fields(), "What Cycle.wear_in() returns.");
+  bind_answers(m, "WearIn", contact::worn_quantities(),
+               "What Cycle.wear_in() returns.");
   type.def("wear_in", &wear_in, py::arg("coefficient"), py::arg("cycles"),
            R"(wear_in(self, coefficient, cycles)
 --

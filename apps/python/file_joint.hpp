@@ -48,6 +48,7 @@ class FileJoint {
 /// Adds the classes and functions of one subject to the module.
 void bind_joint(pybind11::module_& m);
 void bind_contact(pybind11::module_& m, pybind11::class_<FileJoint>& joint);
+void bind_play(pybind11::module_& m);
 void bind_duty(pybind11::module_& m);
 void bind_identify(pybind11::module_& m);
 void bind_case(pybind11::module_& m);

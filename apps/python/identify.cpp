@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "libcontact/base/complaint.hpp"
-#include "libcontact/identify/identify.hpp"
+#include "libcontact/quantities/fit.hpp"
 #include "python/contact_warning.hpp"
 #include "python/file_joint.hpp"
 #include "python/rows.hpp"
@@ -135,33 +135,21 @@ void bind_identify(py::module_& m) {
         return all;
       },
       "Estimates by the names of the parameters.");
-  const auto estimate = [&](const char* name, auto member, const char* doc) {
+  const auto matrix = [&](const char* name, auto member, const char* doc) {
     type.def_property_readonly(
         name, [member](const FrictionFit& f) { return f.*member; }, doc);
   };
-  estimate("effective_coefficient", &FrictionFit::effective_coefficient,
-           "f0 alone, with A = 0.");
-  estimate("covariance", &FrictionFit::covariance, "Of the parameters.");
-  estimate("correlation", &FrictionFit::correlation, "Of the parameters.");
-  estimate("condition", &FrictionFit::condition,
-           "Condition number: above 30 the data hardly tell the parameters "
-           "apart.");
-  estimate("chi2", &FrictionFit::chi2, "Sum of squares of the residuals.");
-  estimate("degrees_of_freedom", &FrictionFit::degrees_of_freedom, "");
-  estimate("scale", &FrictionFit::scale,
-           "Standard error of the data in units of sigma.");
-  estimate("moment", &FrictionFit::moment,
-           "Of the fit, N m, of each number that was measured.");
-  estimate("moment_error", &FrictionFit::moment_error,
-           "Their standard errors, N m.");
-  estimate("residual", &FrictionFit::residual, "(fit - measured)/sigma.");
-  estimate("weight", &FrictionFit::weight, "Huber's.");
-  estimate("load_trend", &FrictionFit::load_trend,
-           "Slope of the residuals over ln R.");
-  estimate("direction_trend", &FrictionFit::direction_trend,
-           "Slope of the residuals over b, rad.");
-  estimate("rate_trend", &FrictionFit::rate_trend,
-           "Slope of the residuals over |Dw|, rad/s.");
+  matrix("covariance", &FrictionFit::covariance, "Of the parameters.");
+  matrix("correlation", &FrictionFit::correlation, "Of the parameters.");
+  for (const auto& q : contact::fit_quantities()) {
+    std::visit(
+        [&](auto of) {
+          type.def_property_readonly(
+              q.key.data(), [of](const FrictionFit& f) { return of(f); },
+              std::string(q.meaning).c_str());
+        },
+        q.of);
+  }
   type.def("predict", &predict, py::arg("reaction"),
            py::arg("angular_velocity"),
            R"(predict(self, reaction, angular_velocity)

@@ -1,11 +1,10 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
-#include "libcontact/duty/sliding_contact.hpp"
+#include "libcontact/quantities/tables.hpp"
 #include "python/answers.hpp"
 #include "python/contact_warning.hpp"
 #include "python/file_joint.hpp"
-#include "python/ratings.hpp"
 
 namespace contact_python {
 namespace {
@@ -17,25 +16,6 @@ using contact::RestSolution;
 using contact::SlidingContact;
 using contact::TomlTable;
 using Eigen::Vector3d;
-
-const Field<RestSolution> rest_fields[] = {
-    {"status", [](const RestSolution& s) { return int(s.status); },
-     "Status, as numbers."},
-    {"holds", [](const RestSolution& s) { return s.utilisation <= 1; },
-     "Whether the joint rests."},
-    {"utilisation", [](const RestSolution& s) { return s.utilisation; },
-     "tau, the share of the moment it can hold in this direction that M "
-     "needs."},
-    {"direction", [](const RestSolution& s) { return s.direction; },
-     "u in which it would begin to slide, (..., 3)."},
-    {"normal_force", [](const RestSolution& s) { return s.slip.normal_force; },
-     "R_n of that sliding, N."},
-    {"friction_moment",
-     [](const RestSolution& s) { return s.slip.friction_moment; },
-     "M_t of that sliding, M/tau, N m, (..., 3)."},
-    {"half_angle", [](const RestSolution& s) { return s.slip.half_angle; },
-     "theta0 of that sliding, rad."},
-};
 
 // Solutions, with warnings of their largest contact.
 template <class Solve>
@@ -107,17 +87,17 @@ Answers<RestSolution> at_rest(const FileJoint& self, const Numbers& reaction,
   return all;
 }
 
-Answers<Rating> pv(const FileJoint& self, const Numbers& reaction,
-                   const Numbers& angular_velocity) {
+Answers<contact::Rating> pv(const FileJoint& self, const Numbers& reaction,
+                            const Numbers& angular_velocity) {
   const contact::Joint& joint = self.joint();
   contact::LargestContact largest;
-  auto all = answers<Rating>(
+  auto all = answers<contact::Rating>(
       {{"reaction", reaction, 3}, {"angular_velocity", angular_velocity, 3}},
       [&](const double* const* at) {
         const Vector3d rate = vector_at(at[1]);
         const JointSolution s = joint.solve({vector_at(at[0]), rate});
         largest.add(s.half_angle, s.peak_pressure);
-        return rating(SlidingContact(joint.contact(), s, rate));
+        return SlidingContact(joint.contact(), s, rate).rating();
       });
   warn_of(self.limits(), largest);
   return all;
@@ -261,12 +241,12 @@ const contact::Joint& FileJoint::joint() const {
 }
 
 void bind_joint(py::module_& m) {
-  bind_answers(m, "Solution", solution_fields(),
+  bind_answers(m, "Solution", contact::solution_quantities(),
                "What Joint.solve() returns, and Joint.solve_contact().");
-  bind_answers(m, "RestSolution",
-               std::span<const Field<RestSolution>>(rest_fields),
+  bind_answers(m, "RestSolution", contact::rest_quantities(),
                "What Joint.at_rest() returns.");
-  bind_answers(m, "Rating", rating_fields(), "What Joint.pv() returns.");
+  bind_answers(m, "Rating", contact::rating_quantities(),
+               "What Joint.pv() returns.");
   py::class_<FileJoint> type(m, "Joint");
   type.def(py::init([](const std::string& text, const std::string& source,
                        const std::filesystem::path& folder,

@@ -17,6 +17,8 @@
 #define LIBCONTACT_C_CONTACT_H
 
 #include "libcontact/c/joint.h"
+#include "libcontact/c/play.h"
+#include "libcontact/c/quantity.h"
 #include "libcontact/c/slip.h"
 #include "libcontact/c/status.h"
 

@@ -80,8 +80,7 @@ contact_status contact_joint_read(const char* path,
     return hand_over(
         joint, contact::read_joint(&given(path, "contact_joint_read: path"),
                                    contact::c::settings_of(
-                                       settings, count, "contact_joint_read"))
-                   .contact());
+                                       settings, count, "contact_joint_read")));
   });
 }
 
@@ -91,8 +90,7 @@ contact_status contact_joint_parse(const char* text, const char* folder,
     given(joint, "contact_joint_parse: joint");
     return hand_over(
         joint, contact::parse_joint(&given(text, "contact_joint_parse: text"),
-                                    "joint", {}, folder ? folder : "")
-                   .contact());
+                                    "joint", {}, folder ? folder : ""));
   });
 }
 
@@ -101,8 +99,7 @@ contact_status contact_joint_make(const contact_joint_numbers* numbers,
   return call([=] {
     given(joint, "contact_joint_make: joint");
     return hand_over(joint, contact::c::spec_of(
-                                given(numbers, "contact_joint_make: numbers"))
-                                .contact());
+                                given(numbers, "contact_joint_make: numbers")));
   });
 }
 

@@ -6,12 +6,16 @@
 
 #include "libcontact/c/joint.h"
 #include "libcontact/joint/joint.hpp"
+#include "libcontact/joint/spec.hpp"
 
 /// What C holds of a joint.
 struct contact_joint {  // NOLINT(readability-identifier-naming)
-  explicit contact_joint(contact::JointContact contact)
-      : joint(std::move(contact)), notes(joint.contact().validity_notes()) {}
+  explicit contact_joint(contact::JointSpec of)
+      : spec(std::move(of)),
+        joint(spec.contact()),
+        notes(joint.contact().validity_notes()) {}
 
+  const contact::JointSpec spec;
   const contact::Joint joint;
   const std::vector<std::string> notes;
 };

@@ -1,4 +1,4 @@
-#include "libcontact/c/slip.h"
+#include "libcontact/c/slip.hpp"
 
 #include <algorithm>
 #include <cstdlib>
@@ -17,7 +17,7 @@ namespace {
 using detail::message;
 using Eigen::Vector3d;
 
-// Vectors and memories go between the languages as bytes.
+// Numbers of both languages are the same.
 void put(double (&to)[3], const Vector3d& from) {
   std::copy_n(from.data(), 3, to);
 }
@@ -34,10 +34,12 @@ Vector3d vector(const double* first, std::ptrdiff_t stride, std::size_t i) {
   return v;
 }
 
-// What the next solution starts from: of the reaction angle the accurate form.
+// What the next solution starts from, and the accurate forms of the angles.
 struct Memory {
   JointSolution::Memory slip;
   SineCosine reaction;
+  SineCosine friction;
+  SlipAxis axis;
 };
 static_assert(std::is_trivially_copyable_v<Memory> &&
               sizeof(Memory) == sizeof(contact_solution::memory));
@@ -72,30 +74,55 @@ contact_state state_of(JointState state) {
   return CONTACT_UNLOADED;
 }
 
+Status status_of(contact_status status) {
+  if (status == CONTACT_OK) return Status::ok;
+  return status == CONTACT_NOT_CONVERGED ? Status::not_converged
+                                         : Status::out_of_range;
+}
+
+// To C, and back.
+struct ToC {
+  void operator()(double& c, double cpp) const { c = cpp; }
+  void operator()(double (&c)[3], const Vector3d& cpp) const { put(c, cpp); }
+};
+struct FromC {
+  void operator()(double c, double& cpp) const { cpp = c; }
+  void operator()(const double (&c)[3], Vector3d& cpp) const {
+    cpp = vector(c);
+  }
+};
+
+// The numbers of a solution in both languages.
+template <class C, class Cpp, class Copy>
+void each_number(C& c, Cpp& s, const Copy& copy) {
+  copy(c.residual, s.residual);
+  copy(c.reaction, s.reaction);
+  copy(c.normal, s.normal);
+  copy(c.normal_force, s.normal_force);
+  copy(c.friction_force, s.friction_force);
+  copy(c.friction_moment, s.friction_moment);
+  copy(c.slip_velocity, s.slip_velocity);
+  copy(c.power, s.power);
+  copy(c.force_coefficient, s.force_coefficient);
+  copy(c.sliding_coefficient, s.sliding_coefficient);
+  copy(c.spinning_coefficient, s.spinning_coefficient);
+  copy(c.adhesion_number, s.adhesion_number);
+  copy(c.load_parameter, s.load_parameter);
+  copy(c.half_angle, s.half_angle);
+  copy(c.peak_pressure, s.peak_pressure);
+  copy(c.contact_area, s.contact_area);
+}
+
 void put(contact_solution& to, const JointSolution& s) {
   to.status = status_of(s.status);
   to.state = state_of(s.state);
   to.evaluations = s.evaluations;
-  to.residual = s.residual;
-  put(to.reaction, s.reaction);
-  put(to.normal, s.normal);
-  to.normal_force = s.normal_force;
-  put(to.friction_force, s.friction_force);
-  put(to.friction_moment, s.friction_moment);
-  put(to.slip_velocity, s.slip_velocity);
-  to.power = s.power;
+  each_number(to, s, ToC());
   to.reaction_angle = s.reaction_angle();
   to.friction_angle = s.friction_angle();
   to.slip_axis_angle = s.slip_axis_angle();
-  to.force_coefficient = s.force_coefficient;
-  to.sliding_coefficient = s.sliding_coefficient;
-  to.spinning_coefficient = s.spinning_coefficient;
-  to.adhesion_number = s.adhesion_number;
-  to.load_parameter = s.load_parameter;
-  to.half_angle = s.half_angle;
-  to.peak_pressure = s.peak_pressure;
-  to.contact_area = s.contact_area;
-  const Memory memory{s.memory, s.reaction_direction};
+  const Memory memory{s.memory, s.reaction_direction, s.friction_direction,
+                      s.slip_axis};
   std::memcpy(to.memory, &memory, sizeof to.memory);
 }
 
@@ -106,6 +133,8 @@ JointSolution start_of(const contact_solution* last) {
   const Memory memory = memory_of(*last);
   s.memory = memory.slip;
   s.reaction_direction = memory.reaction;
+  s.friction_direction = memory.friction;
+  s.slip_axis = memory.axis;
   return s;
 }
 
@@ -180,16 +209,25 @@ contact_status solve_rows(const Joint& joint, const contact_slips& slips,
                         message("contact_joint_solve_rows: row {}", bad));
 }
 
-RestSolution start_of(const contact_rest& last) {
-  RestSolution rest;
-  rest.utilisation = last.utilisation;
-  rest.slip = start_of(&last.slip);
-  rest.slip.status =
-      last.slip.status == CONTACT_OK ? Status::ok : Status::not_converged;
-  return rest;
+}  // namespace
+
+JointSolution solution_of(const contact_solution& solution) {
+  JointSolution s = start_of(&solution);
+  s.status = status_of(solution.status);
+  s.state = static_cast<JointState>(solution.state);
+  s.evaluations = solution.evaluations;
+  each_number(solution, s, FromC());
+  return s;
 }
 
-}  // namespace
+RestSolution rest_of(const contact_rest& rest) {
+  return {.status = status_of(rest.status),
+          .utilisation = rest.utilisation,
+          .direction = vector(rest.direction),
+          .slip = solution_of(rest.slip),
+          .solves = rest.solves};
+}
+
 }  // namespace contact::c
 
 using contact::Joint;
@@ -251,7 +289,7 @@ contact_status contact_joint_at_rest(const contact_joint* joint,
     const Joint::Hold holds = {vector(h.reaction), vector(h.moment),
                                vector(h.axis)};
     const RestSolution found =
-        last ? j.at_rest(holds, start_of(*last)) : j.at_rest(holds);
+        last ? j.at_rest(holds, contact::c::rest_of(*last)) : j.at_rest(holds);
     to.status = contact::c::status_of(found.status);
     to.solves = found.solves;
     to.utilisation = found.utilisation;

@@ -47,7 +47,7 @@ typedef struct contact_solution {
   double peak_pressure;  /* Pa */
   double contact_area;   /* m^2 */
 
-  double memory[15]; /* for the next solution, which starts from this one */
+  double memory[19]; /* for the next solution, which starts from this one */
 } contact_solution;
 
 typedef struct contact_slip {

@@ -133,6 +133,19 @@ SlidingContact::Peaks SlidingContact::search(bool pv,
   return found;
 }
 
+Rating SlidingContact::rating() const noexcept {
+  const Peaks found = peaks();
+  return {.pv = found.pv,
+          .heat_flux = found.heat_flux,
+          .pv_mean = pv_mean(),
+          .pv_nominal = pv_nominal(),
+          .nominal_area = 1 / contact_->geometry().nominal_pressure(1),
+          .pv_total = pv_total(),
+          .heat = heat(),
+          .slip_coefficient = slip_coefficient(),
+          .slides = rim_speed_ > 0};
+}
+
 void SlidingContact::add_totals(const JointSolution& s) noexcept {
   const JointContact& contact = *contact_;
   const bool is_ball = contact.geometry().kind() == JointKind::ball;

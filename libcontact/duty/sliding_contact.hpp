@@ -13,6 +13,26 @@ class ExpandedPressure;
 class PressureProfile;
 }  // namespace detail
 
+/// Where a quantity is largest over a contact.
+struct ContactPeak {
+  double value;
+  double theta;           ///< from the contact's centre, rad
+  Eigen::Vector3d place;  ///< unit vector from the joint's centre
+};
+
+/// What a SlidingContact says, without what it refers to.
+struct Rating {
+  ContactPeak pv;
+  ContactPeak heat_flux;
+  double pv_mean;
+  double pv_nominal;
+  double nominal_area;  ///< projected: pi rho^2 or 2 rho l, m^2
+  double pv_total;
+  double heat;
+  double slip_coefficient;
+  bool slides;  ///< else angles and places have no meaning
+};
+
 /// What a bearing is rated by, over the contact of a joint that slides: slip,
 /// p v, and the heat flux, which is friction stress times slip and heats both
 /// bodies together. All of it is 0 at rest and without load, NaN where the
@@ -25,12 +45,7 @@ class PressureProfile;
 /// allocate nor throw.
 class SlidingContact {
  public:
-  /// Where a quantity is largest over the contact.
-  struct Peak {
-    double value;
-    double theta;           ///< from the contact's centre, rad
-    Eigen::Vector3d place;  ///< unit vector from the joint's centre
-  };
+  using Peak = ContactPeak;
 
   /// @param solution  of a joint with this contact
   /// @param angular_velocity  Dw of that solution, rad/s
@@ -80,6 +95,9 @@ class SlidingContact {
   /// Of the heat flux, W: minus the power of friction, to 1e-12
   /// (duty/sliding_contact_test.cpp).
   double heat() const { return heat_; }
+
+  /// All of it.
+  Rating rating() const noexcept;
 
  private:
   /// A friction stress or p itself: (pressure_part p + constant_part) times

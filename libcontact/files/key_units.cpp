@@ -6,24 +6,6 @@
 #include "libcontact/base/text.hpp"
 
 namespace contact::detail {
-namespace {
-
-// "kg m^2" of "kg_m2", "Pa s/m" of "Pa_s_per_m".
-std::string symbol(std::string_view ending) {
-  const auto per = ending.find("_per_");
-  if (per != ending.npos) {
-    return message("{}/{}", symbol(ending.substr(0, per)),
-                   symbol(ending.substr(per + 5)));
-  }
-  if (ending.ends_with('2')) {
-    return symbol(ending.substr(0, ending.size() - 1)) + "^2";
-  }
-  std::string text(ending);
-  std::ranges::replace(text, '_', ' ');
-  return text;
-}
-
-}  // namespace
 
 std::vector<std::string> spellings(std::string_view key, Dimension dimension) {
   std::vector<std::string> result = {std::string(key)};
@@ -37,7 +19,7 @@ std::vector<std::string> spellings(std::string_view key, Dimension dimension) {
 std::string spellings_text(std::string_view key, Dimension dimension) {
   auto all = spellings(key, dimension);
   if (all.size() > 1) {
-    all[0] += message(" (in {})", symbol(units_of(dimension)[0].ending));
+    all[0] += message(" (in {})", unit_symbol(units_of(dimension)[0].ending));
   }
   return either(all);
 }
@@ -61,7 +43,7 @@ std::string range_text(const Interval& range, const Unit& unit) {
   const auto in_unit = [&](double value) {
     return unit.ending.empty() || (value == 0 && any_high)
                ? message("{:.6g}", value)
-               : message("{:.6g} {}", value, symbol(unit.ending));
+               : message("{:.6g} {}", value, unit_symbol(unit.ending));
   };
   std::string text;
   if (any_low && any_high) {

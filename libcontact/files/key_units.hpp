@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "libcontact/files/dimension.hpp"
+#include "libcontact/base/dimension.hpp"
 
 /// Units in the names of keys: radius_mm.
 namespace contact::detail {

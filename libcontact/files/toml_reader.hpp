@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "libcontact/base/dimension.hpp"
 #include "libcontact/base/error.hpp"
-#include "libcontact/files/dimension.hpp"
 #include "libcontact/files/setting.hpp"
 
 /// Checked reading of TOML files: every key is declared, has a type, a unit in

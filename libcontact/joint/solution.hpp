@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <cmath>
+#include <string_view>
 
 #include "libcontact/base/error.hpp"
 #include "libcontact/base/units.hpp"
@@ -18,6 +19,32 @@ enum class JointState {
   resting,   ///< relative angular velocity exactly 0: no friction
   unloaded,  ///< no reaction: no contact, no friction
 };
+
+/// "ok", "out_of_range", "not_converged".
+constexpr std::string_view to_string(Status status) {
+  switch (status) {
+    case Status::ok:
+      return "ok";
+    case Status::out_of_range:
+      return "out_of_range";
+    case Status::not_converged:
+      break;
+  }
+  return "not_converged";
+}
+
+/// "sliding", "resting", "unloaded".
+constexpr std::string_view to_string(JointState state) {
+  switch (state) {
+    case JointState::sliding:
+      return "sliding";
+    case JointState::resting:
+      return "resting";
+    case JointState::unloaded:
+      break;
+  }
+  return "unloaded";
+}
 
 /// When the solvers stop.
 struct SolveOptions {
@@ -102,6 +129,19 @@ struct JointSolution {
   double contact_area = 0;
 
   Memory memory;
+
+  /// f_M = |M_t|/(rho R): what catalogues call the coefficient of friction;
+  /// to 1e-14 (joint/ball_joint_test.cpp, joint/pin_joint_test.cpp).
+  double moment_coefficient() const {
+    if (normal_force == 0) return 0;
+    return std::hypot(sliding_coefficient, spinning_coefficient) *
+           (normal_force / reaction.stableNorm());
+  }
+  /// Heat of friction over the contact's area, W/m^2; 0 at rest and without a
+  /// contact. To 1e-15 (joint/ball_joint_test.cpp).
+  double mean_heat_flux() const {
+    return power == 0 ? 0 : -power / contact_area;
+  }
 
   /// b, rad, [0, pi].
   double reaction_angle() const {

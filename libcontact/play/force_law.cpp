@@ -123,6 +123,11 @@ struct ForceLaw::Cell {
     for (int k = terms - 1; k >= 0; --k) sum = sum * s + force[k] / (k + 1);
     return energy + width * s * sum;
   }
+  double half_angle_slope_at(double s) const {
+    double sum = (terms - 1) * half_angle[terms - 1];
+    for (int k = terms - 2; k > 0; --k) sum = sum * s + k * half_angle[k];
+    return sum / width;
+  }
   double half_angle_at(double s) const {
     double sum = half_angle[terms - 1];
     for (int k = terms - 2; k >= 0; --k) sum = sum * s + half_angle[k];
@@ -141,10 +146,13 @@ struct ForceLaw::Cells {
   ForceState small(double penetration) const {
     const double share = penetration / smallest;
     const double force = start.force * std::pow(share, power);
-    return {force, power * force / penetration,
+    const double half_angle = start.half_angle * std::sqrt(share);
+    return {force,
+            power * force / penetration,
             force * penetration / (power + 1),
-            start.half_angle * std::sqrt(share),
-            1 + (start.force_ratio - 1) * share};
+            half_angle,
+            1 + (start.force_ratio - 1) * share,
+            half_angle / (2 * penetration)};
   }
   // S from W = (F/2) (delta - eps (S - 1)).
   double force_ratio(double penetration, double force, double energy) const {
@@ -197,7 +205,8 @@ ForceLaw::Cells::Cells(const ForceSeries& series, double clearance, double unit)
     cells.push_back(cell);
   }
   const Cell& edge = cells.front();
-  start = {edge.force_at(-1), 0, edge.energy_at(-1), edge.half_angle_at(-1), 0};
+  start = {edge.force_at(-1),      0, edge.energy_at(-1),
+           edge.half_angle_at(-1), 0, 0};
   start.force_ratio = force_ratio(smallest, start.force, start.energy);
   power = start.force * smallest / start.energy - 1;
 }
@@ -215,8 +224,8 @@ ForceLaw::~ForceLaw() = default;
 
 namespace {
 
-constexpr ForceState no_contact = {0, 0, 0, 0, 1};
-constexpr ForceState no_value = {nan, nan, nan, nan, nan};
+constexpr ForceState no_contact = {0, 0, 0, 0, 1, 0};
+constexpr ForceState no_value = {nan, nan, nan, nan, nan, nan};
 
 }  // namespace
 
@@ -229,8 +238,12 @@ ForceState ForceLaw::at(double penetration) const noexcept {
   const double s = (penetration - cell.centre) / cell.width;
   const double force = cell.force_at(s);
   const double energy = cell.energy_at(s);
-  return {force, cell.slope_at(s), energy, cell.half_angle_at(s),
-          table.force_ratio(penetration, force, energy)};
+  return {force,
+          cell.slope_at(s),
+          energy,
+          cell.half_angle_at(s),
+          table.force_ratio(penetration, force, energy),
+          cell.half_angle_slope_at(s)};
 }
 
 double ForceLaw::force(double penetration) const noexcept {

@@ -15,6 +15,7 @@ struct ForceState {
   double energy;       ///< W, the strain energy, J; F = dW/d delta
   double half_angle;   ///< theta0, rad
   double force_ratio;  ///< S, sum of the pressures over F; 1 without contact
+  double half_angle_slope;  ///< d theta0/d delta, rad/m
 };
 
 /// The force law of a joint with clearance, exact for any elastic pair and any

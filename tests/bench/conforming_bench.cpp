@@ -2,8 +2,6 @@
 // Boost set of complete elliptic integrals (K, E, Pi) are the units; beside
 // every time stands the error of the method where one is known.
 
-#include <benchmark/benchmark.h>
-
 #include <boost/math/special_functions/ellint_1.hpp>
 #include <boost/math/special_functions/ellint_2.hpp>
 #include <boost/math/special_functions/ellint_3.hpp>
@@ -15,47 +13,14 @@
 #include "libcontact/conforming/pin.hpp"
 #include "libcontact/conforming/pin_closed_form.hpp"
 #include "libcontact/half_angle/exact.hpp"
+#include "timing.hpp"
 
+namespace contact::bench {
 namespace {
-
-using contact::BallContact;
-using contact::ElasticPair;
-using contact::InnerLoading;
-using contact::PinClosedForm;
-using contact::PinContact;
-
-constexpr std::size_t count = 256;
-
-// (i mod count)/count.
-double fraction(std::size_t i) {
-  return static_cast<double>(i % count) / count;
-}
-
-// Loads from 1e-3 to 1e3, evenly spaced in the logarithm.
-std::vector<double> loads() {
-  std::vector<double> result;
-  for (std::size_t i = 0; i < count; ++i) {
-    result.push_back(std::pow(10, -3 + 6 * fraction(i)));
-  }
-  return result;
-}
-
-// Pairs of unequal materials, all different.
-std::vector<ElasticPair> pairs() {
-  std::vector<ElasticPair> result;
-  for (std::size_t i = 0; i < count; ++i) {
-    result.push_back(ElasticPair::from_modulus_ratio(
-        std::pow(10, -2 + 4 * fraction(i)), 0.2 + 0.25 * fraction(i), 0.3));
-  }
-  return result;
-}
 
 void tanh_law(benchmark::State& state) {
   const std::vector<double> load = loads();
-  std::size_t i = 0;
-  for (auto _ : state) {
-    benchmark::DoNotOptimize(std::tanh(load[i++ % count]));
-  }
+  time_each(state, [&](std::size_t i) { return std::tanh(load[i]); });
 }
 
 void boost_set(benchmark::State& state) {
@@ -73,25 +38,15 @@ void boost_set(benchmark::State& state) {
 void pin_closed_form_half_angle(benchmark::State& state) {
   const std::vector<double> load = loads();
   const PinClosedForm pin(0.5);
-  std::size_t i = 0;
-  for (auto _ : state) {
-    benchmark::DoNotOptimize(pin.half_angle(load[i++ % count]));
-  }
+  time_each(state, [&](std::size_t i) { return pin.half_angle(load[i]); });
 }
 
 void pin_setup_and_half_angle(benchmark::State& state) {
   const std::vector<double> load = loads();
   const std::vector<ElasticPair> pair = pairs();
-  std::size_t i = 0;
-  double evaluations = 0;
-  for (auto _ : state) {
-    const PinContact pin(pair[i % count]);
-    const auto result = pin.half_angle(load[i % count]);
-    evaluations += result.evaluations;
-    benchmark::DoNotOptimize(result);
-    ++i;
-  }
-  state.counters["evaluations"] = evaluations / static_cast<double>(i);
+  time_solver(state, [&](std::size_t i) {
+    return PinContact(pair[i]).half_angle(load[i]);
+  });
   double largest = 0;
   for (const double lambda : load) {
     largest = std::max(
@@ -100,27 +55,22 @@ void pin_setup_and_half_angle(benchmark::State& state) {
             PinContact::from_dundurs(0.5, 0).half_angle(lambda).half_angle -
             PinClosedForm(0.5).half_angle(lambda).half_angle));
   }
-  state.counters["max_error_deg"] = largest / contact::degree;
+  state.counters["max_error_deg"] = largest / degree;
 }
 
 void pin_pressure(benchmark::State& state) {
   const std::vector<ElasticPair> pair = pairs();
-  std::size_t i = 0;
-  for (auto _ : state) {
-    benchmark::DoNotOptimize(PinContact(pair[i++ % count]).pressure(1.0));
-  }
+  time_each(state,
+            [&](std::size_t i) { return PinContact(pair[i]).pressure(1.0); });
 }
 
 // A pair not seen before; the tables of the method itself exist.
 void ball_setup_and_half_angle(benchmark::State& state) {
   const std::vector<double> load = loads();
   const std::vector<ElasticPair> pair = pairs();
-  std::size_t i = 0;
-  for (auto _ : state) {
-    const BallContact ball(pair[i % count]);
-    benchmark::DoNotOptimize(ball.half_angle(load[i % count]));
-    ++i;
-  }
+  time_each(state, [&](std::size_t i) {
+    return BallContact(pair[i]).half_angle(load[i]);
+  });
 }
 
 void ball_further_half_angle(benchmark::State& state, InnerLoading loading) {
@@ -128,33 +78,24 @@ void ball_further_half_angle(benchmark::State& state, InnerLoading loading) {
   const ElasticPair pair = ElasticPair::from_modulus_ratio(0.3, 0.2, 0.35);
   const BallContact ball(pair, loading);
   const BallContact fine(pair, loading, BallContact::max_unknowns);
-  std::size_t i = 0;
-  double evaluations = 0;
-  for (auto _ : state) {
-    const auto result = ball.half_angle(load[i++ % count]);
-    evaluations += result.evaluations;
-    benchmark::DoNotOptimize(result);
-  }
-  state.counters["evaluations"] = evaluations / static_cast<double>(i);
+  time_solver(state, [&](std::size_t i) { return ball.half_angle(load[i]); });
   double largest = 0;
   for (std::size_t k = 0; k < count; k += 8) {
     largest = std::max(largest, std::abs(ball.half_angle(load[k]).half_angle -
                                          fine.half_angle(load[k]).half_angle));
   }
-  state.counters["max_error_deg"] = largest / contact::degree;
+  state.counters["max_error_deg"] = largest / degree;
 }
 
 void ball_pressure(benchmark::State& state) {
   const BallContact ball(ElasticPair::from_modulus_ratio(0.3, 0.2, 0.35));
-  std::size_t i = 0;
-  for (auto _ : state) {
-    benchmark::DoNotOptimize(ball.pressure(0.5 + 0.9 * fraction(i++)));
-  }
+  time_each(state, [&](std::size_t i) {
+    return ball.pressure(0.5 + 0.9 * fraction(i));
+  });
 }
 
 // A rigid inner body of radius 1 in a liner (nu = 0.4) on a rigid shell.
-contact::LayeredPair lined(double thickness) {
-  using contact::Backing;
+LayeredPair lined(double thickness) {
   return {
       1, {{}, Backing::rigid()}, {{{thickness, {1, 0.4}}}, Backing::rigid()}};
 }
@@ -163,8 +104,7 @@ contact::LayeredPair lined(double thickness) {
 // of the method itself exist.
 template <class Contact>
 void walled_setup(benchmark::State& state) {
-  const contact::LayeredPair pair =
-      lined(1e-4 * static_cast<double>(state.range(0)));
+  const LayeredPair pair = lined(1e-4 * static_cast<double>(state.range(0)));
   benchmark::DoNotOptimize(Contact(pair));
   for (auto _ : state) benchmark::DoNotOptimize(Contact(pair));
 }
@@ -173,37 +113,31 @@ template <class Contact>
 void walled_further_half_angle(benchmark::State& state) {
   const std::vector<double> load = loads();
   const Contact contact(lined(1e-4 * static_cast<double>(state.range(0))));
-  std::size_t i = 0;
-  double evaluations = 0;
-  for (auto _ : state) {
-    const auto result = contact.half_angle(load[i++ * 37 % count]);
-    evaluations += result.evaluations;
-    benchmark::DoNotOptimize(result);
-  }
-  state.counters["evaluations"] = evaluations / static_cast<double>(i);
+  time_solver(state, [&](std::size_t i) {
+    return contact.half_angle(load[i * 37 % count]);
+  });
 }
 
 // The tables that joints have: thickness 0 is an infinite outer body.
-contact::ExactLaw law_of(contact::JointKind kind, std::int64_t thickness) {
+ExactLaw law_of(JointKind kind, std::int64_t thickness) {
   if (thickness == 0) {
     return {kind, ElasticPair::from_modulus_ratio(0.3, 0.2, 0.35)};
   }
   return {kind, lined(1e-4 * static_cast<double>(thickness))};
 }
 
-void law_setup(benchmark::State& state, contact::JointKind kind) {
+void law_setup(benchmark::State& state, JointKind kind) {
   for (auto _ : state) {
     benchmark::DoNotOptimize(law_of(kind, state.range(0)));
   }
 }
 
-void law_half_angle(benchmark::State& state, contact::JointKind kind) {
+void law_half_angle(benchmark::State& state, JointKind kind) {
   const std::vector<double> load = loads();
-  const contact::ExactLaw law = law_of(kind, state.range(0));
-  std::size_t i = 0;
-  for (auto _ : state) {
-    benchmark::DoNotOptimize(law.half_angle(load[i++ * 37 % count]));
-  }
+  const ExactLaw law = law_of(kind, state.range(0));
+  time_each(state, [&](std::size_t i) {
+    return law.half_angle(load[i * 37 % count]);
+  });
 }
 
 void thicknesses(benchmark::internal::Benchmark* bench) {
@@ -224,13 +158,14 @@ BENCHMARK(walled_setup<BallContact>)->Apply(thicknesses);
 BENCHMARK(walled_setup<PinContact>)->Apply(thicknesses);
 BENCHMARK(walled_further_half_angle<BallContact>)->Apply(thicknesses);
 BENCHMARK(walled_further_half_angle<PinContact>)->Apply(thicknesses);
-constexpr auto ball = contact::JointKind::ball;
-constexpr auto pin = contact::JointKind::pin;
+constexpr auto ball = JointKind::ball;
+constexpr auto pin = JointKind::pin;
 BENCHMARK_CAPTURE(law_setup, ball, ball)->Arg(0)->Apply(thicknesses);
 BENCHMARK_CAPTURE(law_setup, pin, pin)->Arg(0)->Apply(thicknesses);
 BENCHMARK_CAPTURE(law_half_angle, ball, ball)->Arg(0)->Arg(30)->Arg(1000);
 BENCHMARK_CAPTURE(law_half_angle, pin, pin)->Arg(0)->Arg(200)->Arg(1000);
 
 }  // namespace
+}  // namespace contact::bench
 
 BENCHMARK_MAIN();

@@ -2,8 +2,6 @@
 // GSL, places of the largest p v beside the solution they belong to, a hip's
 // cycle, its wear maps, friction from measured moments.
 
-#include <benchmark/benchmark.h>
-
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -25,35 +23,23 @@
 #include "libcontact/reference/quadrature.hpp"
 #include "support/random_slip.hpp"
 #include "support/reference_table.hpp"
+#include "timing.hpp"
 
+namespace contact::bench {
 namespace {
 
-using contact::degree;
-using contact::FrictionStress;
-using contact::FrictionTriple;
-using contact::Joint;
-using contact::JointBody;
-using contact::JointKind;
-using contact::JointSolution;
-using contact::PressureLaw;
-using contact::SlidingContact;
-using contact::SlipAxis;
-using contact::test::ReferenceTable;
 using Eigen::Vector3d;
-
-constexpr std::size_t count = 256;
+using test::ReferenceTable;
 
 // Steel ball, polymer seat.
-contact::ElasticPair pair() {
-  return contact::ElasticPair::from_modulus_ratio(7, 0.3, 0.4);
-}
+ElasticPair pair() { return ElasticPair::from_modulus_ratio(7, 0.3, 0.4); }
 
 std::unique_ptr<PressureLaw> pressure(const std::string& name) {
-  return contact::make_pressure_law(name, JointKind::ball, pair());
+  return make_pressure_law(name, JointKind::ball, pair());
 }
 
 struct Point {
-  contact::StressedContact contact;
+  StressedContact contact;
   SlipAxis axis;
 };
 
@@ -76,10 +62,9 @@ double largest_error(const PressureLaw& law, const FrictionStress& stress,
   double largest = 0;
   for (std::size_t i = 0; i < all.size(); i += 16) {
     const auto& [contact, axis] = all[i];
-    const FrictionTriple t =
-        contact::stress_integrals(law, contact, axis, stress);
+    const FrictionTriple t = stress_integrals(law, contact, axis, stress);
     const FrictionTriple exact =
-        contact::stress_integrals(law, contact, axis, stress, 96);
+        stress_integrals(law, contact, axis, stress, 96);
     const double size = std::hypot(exact.sliding, exact.spinning);
     largest = std::max({largest, std::abs(t.force / exact.force - 1),
                         std::abs(t.sliding - exact.sliding) / size,
@@ -91,12 +76,10 @@ double largest_error(const PressureLaw& law, const FrictionStress& stress,
 void stress(benchmark::State& state, const FrictionStress& stress) {
   const auto law = pressure("cosine");
   const std::vector<Point> all = points();
-  std::size_t i = 0;
-  for (auto _ : state) {
-    const auto& [contact, axis] = all[i++ % count];
-    benchmark::DoNotOptimize(
-        contact::stress_integrals(*law, contact, axis, stress));
-  }
+  time_each(state, [&](std::size_t i) {
+    const auto& [contact, axis] = all[i];
+    return stress_integrals(*law, contact, axis, stress);
+  });
   state.counters["error_1e12"] = 1e12 * largest_error(*law, stress, all);
 }
 
@@ -104,33 +87,29 @@ void stress(benchmark::State& state, const FrictionStress& stress) {
 void dry(benchmark::State& state) {
   const auto law = pressure("cosine");
   const std::vector<Point> all = points();
-  std::size_t i = 0;
-  for (auto _ : state) {
-    const auto& [contact, axis] = all[i++ % count];
-    benchmark::DoNotOptimize(
-        contact::friction_integrals(*law, contact.half_angle, axis));
-  }
+  time_each(state, [&](std::size_t i) {
+    const auto& [contact, axis] = all[i];
+    return friction_integrals(*law, contact.half_angle, axis);
+  });
 }
 
 // f0 p + A by GSL's adaptive quadrature of the definition.
 void gsl(benchmark::State& state) {
   const std::vector<Point> all = points();
-  std::size_t i = 0;
-  for (auto _ : state) {
-    const auto& [contact, axis] = all[i++ % count];
-    benchmark::DoNotOptimize(contact::reference::quadrature_friction_integrals(
-        contact.half_angle, axis, 1e-10));
-  }
+  time_each(state, [&](std::size_t i) {
+    const auto& [contact, axis] = all[i];
+    return reference::quadrature_friction_integrals(contact.half_angle, axis,
+                                                    1e-10);
+  });
 }
 
 // Solutions of a joint with adhesion, and the rates they belong to.
 struct Solved {
   explicit Solved(const std::string& law)
-      : joint({contact::JointGeometry::ball(0.014, 1e-4), pair(),
-               contact::FrictionLaw(0.06, 1e5),
-               contact::make_half_angle_law("tanh", JointKind::ball, pair()),
+      : joint({JointGeometry::ball(0.014, 1e-4), pair(), FrictionLaw(0.06, 1e5),
+               make_half_angle_law("tanh", JointKind::ball, pair()),
                pressure(law)}) {
-    contact::test::RandomSlips random(5);
+    test::RandomSlips random(5);
     while (slips.size() < count) {
       slips.push_back({random.log_uniform(1e2, 1e4) * random.direction(),
                        2 * random.direction()});
@@ -144,22 +123,17 @@ struct Solved {
 
 void solution(benchmark::State& state, const std::string& law) {
   const Solved solved(law);
-  std::size_t i = 0;
-  for (auto _ : state) {
-    benchmark::DoNotOptimize(solved.joint.solve(solved.slips[i++ % count]));
-  }
+  time_each(state,
+            [&](std::size_t i) { return solved.joint.solve(solved.slips[i]); });
 }
 
 // Totals and the places of the largest p v and heat.
 void largest_pv(benchmark::State& state, const std::string& law) {
   const Solved solved(law);
-  std::size_t i = 0;
-  for (auto _ : state) {
-    const std::size_t k = i++ % count;
-    benchmark::DoNotOptimize(SlidingContact(solved.joint.contact(),
-                                            solved.solutions[k],
-                                            solved.slips[k].angular_velocity));
-  }
+  time_each(state, [&](std::size_t k) {
+    return SlidingContact(solved.joint.contact(), solved.solutions[k],
+                          solved.slips[k].angular_velocity);
+  });
 }
 
 // The hip of the reference data, 100 rows.
@@ -174,7 +148,7 @@ struct Hip {
     }
     return all;
   }
-  static contact::DutyCycle make_duty() {
+  static DutyCycle make_duty() {
     const ReferenceTable table("duty/cycle_hip_in.csv");
     std::vector<double> times;
     for (const ReferenceTable::Row row : table) {
@@ -187,11 +161,11 @@ struct Hip {
                      degree),
              period},
             {},
-            contact::DutyCycle::TurnSequence("zxy")};
+            DutyCycle::TurnSequence("zxy")};
   }
-  contact::DutyCycle duty = make_duty();
-  Joint joint{contact::read_joint(std::filesystem::path(CONTACT_DATA_DIR) /
-                                  "reference/duty/cycle_hip.toml")
+  DutyCycle duty = make_duty();
+  Joint joint{read_joint(std::filesystem::path(CONTACT_DATA_DIR) /
+                         "reference/duty/cycle_hip.toml")
                   .contact()};
 };
 
@@ -200,7 +174,7 @@ struct Hip {
 void hip_cycle(benchmark::State& state) {
   const Hip hip;
   for (auto _ : state) {
-    const contact::JointCycle cycle(hip.duty, hip.joint);
+    const JointCycle cycle(hip.duty, hip.joint);
     benchmark::DoNotOptimize(
         cycle.integral([](const auto& i) { return -i.solution.power; }));
     benchmark::DoNotOptimize(cycle.largest(
@@ -211,12 +185,12 @@ void hip_cycle(benchmark::State& state) {
 // 2000 points on each body, and the deepest.
 void hip_wear_maps(benchmark::State& state) {
   const Hip hip;
-  const contact::JointCycle cycle(hip.duty, hip.joint);
+  const JointCycle cycle(hip.duty, hip.joint);
   for (auto _ : state) {
     for (const JointBody body : {JointBody::carrier, JointBody::body}) {
-      const contact::WearMap map(cycle, body);
+      const WearMap map(cycle, body);
       const auto grid = map.grid(2000);
-      std::vector<contact::WearMap::Wear> wear;
+      std::vector<WearMap::Wear> wear;
       for (const Vector3d& point : grid) wear.push_back(map.at(point));
       benchmark::DoNotOptimize(map.deepest(grid, wear));
     }
@@ -226,7 +200,7 @@ void hip_wear_maps(benchmark::State& state) {
 // f0 and A from 40 moments of the reference data.
 void identification(benchmark::State& state) {
   const ReferenceTable table("duty/identify.csv");
-  std::vector<contact::MeasuredMoment> data;
+  std::vector<MeasuredMoment> data;
   for (const ReferenceTable::Row row : table) {
     if (row.text("set") != "wide") continue;
     const double b = row.value("b_deg") * degree;
@@ -234,14 +208,13 @@ void identification(benchmark::State& state) {
                     Vector3d::UnitZ(), row.value("torque_N_m"),
                     row.value("sigma_N_m")});
   }
-  const contact::ElasticPair steel_bronze({207e9, 0.292}, {111e9, 0.349});
-  const contact::JointContact joint(
-      contact::JointGeometry::ball(0.025, 25e-6), steel_bronze,
-      contact::FrictionLaw(0),
-      contact::make_half_angle_law("tanh", JointKind::ball, steel_bronze),
-      contact::make_pressure_law("cosine", JointKind::ball, steel_bronze));
+  const ElasticPair steel_bronze({207e9, 0.292}, {111e9, 0.349});
+  const JointContact joint(
+      JointGeometry::ball(0.025, 25e-6), steel_bronze, FrictionLaw(0),
+      make_half_angle_law("tanh", JointKind::ball, steel_bronze),
+      make_pressure_law("cosine", JointKind::ball, steel_bronze));
   for (auto _ : state) {
-    benchmark::DoNotOptimize(contact::identify_friction(joint, data));
+    benchmark::DoNotOptimize(identify_friction(joint, data));
   }
   state.counters["rows"] = static_cast<double>(data.size());
 }
@@ -261,5 +234,6 @@ BENCHMARK(hip_wear_maps)->Unit(benchmark::kMillisecond);
 BENCHMARK(identification)->Unit(benchmark::kMillisecond);
 
 }  // namespace
+}  // namespace contact::bench
 
 BENCHMARK_MAIN();

@@ -1,8 +1,6 @@
 // The half-angle laws. One std::tanh is the unit; error_percent is the law's
 // largest error against exact.
 
-#include <benchmark/benchmark.h>
-
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -12,38 +10,22 @@
 
 #include "libcontact/half_angle/exact.hpp"
 #include "libcontact/half_angle/factory.hpp"
+#include "timing.hpp"
 
 namespace {
 
 using namespace contact;
 using Clock = std::chrono::steady_clock;
 
-constexpr std::size_t count = 256;
-
-// (i mod count)/count.
-double fraction(std::size_t i) {
-  return static_cast<double>(i % count) / count;
-}
+using namespace contact::bench;
 
 double nanoseconds_since(Clock::time_point start) {
   return std::chrono::duration<double, std::nano>(Clock::now() - start).count();
 }
 
-// Loads from 1e-3 to 1e3, evenly spaced in the logarithm.
-std::vector<double> loads() {
-  std::vector<double> result;
-  for (std::size_t i = 0; i < count; ++i) {
-    result.push_back(std::pow(10, -3 + 6 * fraction(i)));
-  }
-  return result;
-}
-
 void unit(benchmark::State& state) {
   const std::vector<double> load = loads();
-  std::size_t i = 0;
-  for (auto _ : state) {
-    benchmark::DoNotOptimize(std::tanh(load[i++ % count]));
-  }
+  time_each(state, [&](std::size_t i) { return std::tanh(load[i]); });
 }
 
 // Unequal materials.
@@ -55,10 +37,7 @@ void half_angle(benchmark::State& state, const char* name, JointKind kind) {
   const std::vector<double> load = loads();
   const ElasticPair pair = unequal_pair();
   const auto law = make_half_angle_law(name, kind, pair);
-  std::size_t i = 0;
-  for (auto _ : state) {
-    benchmark::DoNotOptimize(law->half_angle(load[i++ % count]));
-  }
+  time_each(state, [&](std::size_t i) { return law->half_angle(load[i]); });
   const ExactLaw exact(kind, pair);
   double error = 0;
   for (const double value : load) {
@@ -74,26 +53,18 @@ void half_angle(benchmark::State& state, const char* name, JointKind kind) {
 void load_parameter(benchmark::State& state, const char* name, JointKind kind) {
   const auto law = make_half_angle_law(name, kind, unequal_pair());
   const double limit = law->limit_half_angle();
-  std::size_t i = 0;
-  for (auto _ : state) {
-    benchmark::DoNotOptimize(
-        law->load_parameter(limit * fraction(i++)).load_parameter);
-  }
+  time_each(state, [&](std::size_t i) {
+    return law->load_parameter(limit * fraction(i)).load_parameter;
+  });
 }
 
 // A law of a pair not seen before, and one half-angle.
 void set_up(benchmark::State& state, const char* name, JointKind kind) {
   const std::vector<double> load = loads();
-  std::vector<ElasticPair> pairs;
-  for (std::size_t i = 0; i < count; ++i) {
-    pairs.push_back(ElasticPair::from_modulus_ratio(
-        std::pow(10, -2 + 4 * fraction(i)), 0.2 + 0.25 * fraction(i), 0.3));
-  }
-  std::size_t i = 0;
-  for (auto _ : state) {
-    const auto law = make_half_angle_law(name, kind, pairs[i % count]);
-    benchmark::DoNotOptimize(law->half_angle(load[i++ % count]));
-  }
+  const std::vector<ElasticPair> pair = pairs();
+  time_each(state, [&](std::size_t i) {
+    return make_half_angle_law(name, kind, pair[i])->half_angle(load[i]);
+  });
 }
 
 void register_all() {

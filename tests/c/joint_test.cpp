@@ -15,16 +15,12 @@
 #include "libcontact/files/joint_file.hpp"
 #include "libcontact/half_angle/factory.hpp"
 #include "libcontact/pressure/factory.hpp"
+#include "support/error_message.hpp"
 #include "support/random_slip.hpp"
 
+namespace contact::test {
 namespace {
 
-using contact::Joint;
-using contact::JointSolution;
-using contact::RestSolution;
-using contact::test::c_joint;
-using contact::test::CJoint;
-using contact::test::RandomSlips;
 using Eigen::Vector3d;
 
 const std::string joints = CONTACT_DATA_DIR "/joints/";
@@ -79,7 +75,7 @@ contact_slip c_slip(const Joint::Slip& slip) {
 // A joint of both languages, and slips of which each is near the one before.
 struct Both {
   explicit Both(const std::string& name)
-      : cpp(contact::read_joint(joints + name + ".toml").contact()),
+      : cpp(read_joint(joints + name + ".toml").contact()),
         c(c_joint(joints + name + ".toml")) {
     RandomSlips random(7);
     Vector3d reaction = 1000 * random.direction();
@@ -242,8 +238,7 @@ TEST_P(Joints, HaveTheContactOfCpp) {
     contact_friction f;
     ASSERT_EQ(contact_joint_friction(both.c.get(), half_angle, 0.3, &f),
               CONTACT_OK);
-    const auto i =
-        contact.integrals(half_angle, contact::SlipAxis::from_angle(0.3), {});
+    const auto i = contact.integrals(half_angle, SlipAxis::from_angle(0.3), {});
     expect_same(f.coefficient[0], i.coefficient.force);
     expect_same(f.coefficient[1], i.coefficient.sliding);
     expect_same(f.coefficient[2], i.coefficient.spinning);
@@ -264,7 +259,7 @@ TEST(JointFromC, FrictionStressHasNoCoefficients) {
             CONTACT_OK);
   expect_same(
       solution.friction_moment,
-      Joint(contact::read_joint(file).contact())
+      Joint(read_joint(file).contact())
           .solve({.reaction = {2000, 0, 0}, .angular_velocity = {0, 0, 3}})
           .friction_moment);
   contact_friction friction;
@@ -305,7 +300,7 @@ TEST(JointFromC, IsTheSameFromAFileATextAndNumbers) {
   ASSERT_EQ(contact_joint_parse(text.c_str(), joints.c_str(), &parsed),
             CONTACT_OK)
       << contact_last_message();
-  const auto spec = contact::read_joint(file);
+  const auto spec = read_joint(file);
   contact_joint_numbers numbers = {};
   numbers.kind = CONTACT_PIN;
   numbers.radius = spec.geometry.radius();
@@ -333,7 +328,7 @@ TEST(JointFromC, IsTheSameFromAFileATextAndNumbers) {
 }
 
 TEST(JointFromC, MadeOfNumbersHasTheirFrictionAndLaws) {
-  const contact::ElasticPair pair({2e11, 0.3}, {1e11, 0.34});
+  const ElasticPair pair({2e11, 0.3}, {1e11, 0.34});
   contact_joint_numbers n = {};
   n.body_has_inner = 1;
   n.radius = 0.02;
@@ -346,13 +341,12 @@ TEST(JointFromC, MadeOfNumbersHasTheirFrictionAndLaws) {
   n.adhesion = 1e5;
   n.viscous_constant = 3e4;
   n.viscous_slope = 0.01;
-  const auto geometry =
-      contact::JointGeometry::ball(0.02, 1e-4, contact::JointBody::body);
-  const auto ball = contact::JointKind::ball;
-  const auto cpp = [&](contact::FrictionModel friction) {
+  const auto geometry = JointGeometry::ball(0.02, 1e-4, JointBody::body);
+  const auto ball = JointKind::ball;
+  const auto cpp = [&](FrictionModel friction) {
     return Joint({geometry, pair, friction,
-                  contact::make_half_angle_law("tanh", ball, pair),
-                  contact::make_pressure_law("cosine", ball, pair)});
+                  make_half_angle_law("tanh", ball, pair),
+                  make_pressure_law("cosine", ball, pair)});
   };
   const Joint::Slip slip = {{10, 200, 3000}, {1, 0.2, 0.5}};
   for (const bool viscous : {false, true}) {
@@ -363,9 +357,9 @@ TEST(JointFromC, MadeOfNumbersHasTheirFrictionAndLaws) {
     contact_solution s;
     ASSERT_EQ(contact_joint_solve(joint, &c, nullptr, &s), CONTACT_OK);
     if (viscous) {
-      expect_same(s, cpp(contact::ViscousLaw(3e4, 0.01)).solve(slip));
+      expect_same(s, cpp(ViscousLaw(3e4, 0.01)).solve(slip));
     } else {
-      expect_same(s, cpp(contact::FrictionLaw(0.2, 1e5)).solve(slip));
+      expect_same(s, cpp(FrictionLaw(0.2, 1e5)).solve(slip));
     }
     contact_joint_free(joint);
   }
@@ -380,9 +374,9 @@ TEST(JointFromC, SaysWhereItLeavesTheTheory) {
                                &joint),
             CONTACT_OK);
   ASSERT_NE(contact_joint_note(joint, 0), nullptr);
-  EXPECT_NE(std::string(contact_joint_note(joint, 0)).find("clearance"),
-            std::string::npos);
+  EXPECT_TRUE(has_text(std::string(contact_joint_note(joint, 0)), "clearance"));
   contact_joint_free(joint);
 }
 
 }  // namespace
+}  // namespace contact::test

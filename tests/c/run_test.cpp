@@ -10,11 +10,8 @@
 #include "c/door.hpp"
 #include "separation/case/case_reader.hpp"
 
+namespace contact::test {
 namespace {
-
-using contact::test::c_run;
-using contact::test::CRun;
-using contact::test::expect_failure;
 
 const std::string cases = CONTACT_DATA_DIR "/cases/";
 
@@ -119,3 +116,4 @@ TEST(RunFromC, ThatCannotGoOnSaysWhy) {
 }
 
 }  // namespace
+}  // namespace contact::test

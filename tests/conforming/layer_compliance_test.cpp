@@ -15,6 +15,7 @@
 
 namespace contact::test {
 namespace {
+
 using detail::HarmonicCompliance;
 using detail::LayerCompliance;
 using Side = LayerCompliance::Side;

@@ -16,6 +16,7 @@
 
 namespace contact::test {
 namespace {
+
 using Real = boost::multiprecision::cpp_bin_float_50;
 
 Real closed_reciprocal(double outer_share, double half_angle) {

@@ -15,6 +15,7 @@
 #include "libcontact/half_angle/registry.hpp"
 #include "libcontact/pair/stress_registry.hpp"
 #include "libcontact/pressure/registry.hpp"
+#include "libcontact/quantities/tables.hpp"
 
 namespace {
 
@@ -173,6 +174,40 @@ TEST(Docs, TablesOfLawsAreThoseOfTheRegistries) {
   for (const auto* law : contact::detail::stress_entries()) {
     expect_row(stress, '"' + std::string(law->name) + '"', law->meaning);
   }
+}
+
+/// Cells of a line of a table.
+std::vector<std::string> cells(const std::string& line) {
+  return matches(line, R"(\| ([^|]*?) ?(?=\|))");
+}
+
+// Columns of joints are called as here; what the code calls by the same name is
+// in the same unit.
+TEST(Notation, HasTheSymbolsOfColumns) {
+  std::vector<std::vector<std::string>> rows;
+  for (const std::string& line : prose(root / "libcontact" / "NOTATION.md")) {
+    if (line.starts_with("| ")) rows.push_back(cells(line));
+  }
+  int units = 0;
+  for (const auto& q : contact::solution_quantities()) {
+    if (q.symbol.empty()) continue;
+    const auto row = std::ranges::find_if(rows, [&](const auto& r) {
+      const auto symbols = matches(r[0], R"(([\w]+))");
+      return std::ranges::count(symbols, q.symbol) > 0;
+    });
+    EXPECT_NE(row, rows.end()) << q.symbol;
+    for (const auto& r : rows) {
+      const std::string name = "`JointSolution::" + std::string(q.key);
+      if (r.size() < 4 || (r[2].find(name + '`') == r[2].npos &&
+                           r[2].find(name + "()`") == r[2].npos)) {
+        continue;
+      }
+      ++units;
+      const std::string unit = contact::unit_text(q.dimension);
+      EXPECT_EQ(r[3], unit.empty() ? "1" : unit) << q.key;
+    }
+  }
+  EXPECT_GT(units, 10);
 }
 
 }  // namespace

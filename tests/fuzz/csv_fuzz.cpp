@@ -56,7 +56,9 @@ std::string write(const cli::PointColumns& columns, cli::Format format,
   const auto riding = cli::distinct_names(columns.riding, names);
   names.insert(names.end(), riding.begin(), riding.end());
   const cli::Table table({format}, names);
-  hinge_table::write_rows(columns, table, block);
+  block.rows.clear();
+  cli::RowWriter row(table, block.rows);
+  hinge_table::write_rows(columns, block, row);
   std::string_view rows = block.rows.view();
   if (format == cli::Format::json && !rows.empty()) rows.remove_prefix(1);
   return table.header() + std::string(rows) + table.footer();

@@ -26,9 +26,8 @@ constexpr const auto& pairs = exact_pairs;
 constexpr double table_ratios[] = {0, 0.01, 0.1, 0.5, 1, 2, 10, 100};
 
 std::string label(const HalfAngleLaw& law, const PairCase& pair, double load) {
-  return to_string(law.joint_kind()) + ", Ebar " + std::to_string(pair.ratio) +
-         ", nu " + std::to_string(pair.nu1) + " " + std::to_string(pair.nu2) +
-         ", load " + std::to_string(load);
+  return to_string(law.joint_kind()) + ", " + pair.label() + ", load " +
+         std::to_string(load);
 }
 
 // What the law tabulates.

@@ -22,6 +22,7 @@
 
 namespace contact::test {
 namespace {
+
 using Real = boost::multiprecision::cpp_bin_float_50;
 
 std::string label(JointKind kind, const PairCase& pair, double load) {

@@ -105,6 +105,24 @@ TEST(BallJoint, RandomInputsColdAndWarm) {
   }
 }
 
+// Against their definitions, by the vectors.
+TEST(BallJoint, CoefficientsOfTheWholeJointAreThoseOfItsVectors) {
+  RandomSlips random(11);
+  AccuracyReport moment("M_t/(rho R)", 1e-14);   // some roundings
+  AccuracyReport heat("heat over area", 1e-15);  // two roundings
+  for (int i = 0; i < 2000; ++i) {
+    const RandomSlip input = random.next();
+    const JointSolution s = input.joint.solve(input.slip());
+    const double rho = input.joint.contact().geometry().radius();
+    const std::string label = "input " + std::to_string(i);
+    moment.add(s.moment_coefficient(),
+               s.friction_moment.stableNorm() / s.reaction.stableNorm() / rho,
+               label);
+    heat.add(s.mean_heat_flux(),
+             -s.power / input.joint.contact().area(s.half_angle), label);
+  }
+}
+
 // The directions as in the paper's geometry, tan g/tan b and all: another
 // way to the same vectors.
 TEST(BallJoint, DirectionsFromFrictionAngle) {
@@ -312,6 +330,8 @@ TEST(BallJoint, RestIsAStateOfItsOwn) {
   EXPECT_EQ(s.state, JointState::resting);
   EXPECT_EQ(s.friction_force, Vector3d::Zero());
   EXPECT_EQ(s.friction_moment, Vector3d::Zero());
+  EXPECT_EQ(s.moment_coefficient(), 0);
+  EXPECT_EQ(s.mean_heat_flux(), 0);
   EXPECT_EQ(s.power, 0);
   EXPECT_DOUBLE_EQ(s.normal_force, 5e4);
   EXPECT_TRUE(s.normal.isApprox(Vector3d(0.6, -0.8, 0), 1e-15));

@@ -44,6 +44,7 @@ TEST(PinJoint, SolvesItsClosedForms) {
   // Taking the part of R normal to the axis cancels where R is nearly along
   // it: some roundings over its sine, 0.03 at least here.
   AccuracyReport directions("R, n, R_t, axis", 3e-14);
+  AccuracyReport coefficient("M_t/(rho R)", 1e-14);  // some roundings
   for (int i = 0; i < 2000; ++i) {
     const double f0 = random.uniform() < 0.1 ? 0 : 5 * random.uniform();
     const double adhesion =
@@ -67,6 +68,10 @@ TEST(PinJoint, SolvesItsClosedForms) {
       moment.add(-s.friction_moment.dot(axis),
                  std::copysign(expected.moment, rate), label);
     }
+    coefficient.add(s.moment_coefficient(),
+                    s.friction_moment.norm() / s.reaction.norm() /
+                        joint.contact().geometry().radius(),
+                    label);
     const Vector3d radial = reaction - reaction.dot(axis) * axis;
     directions.add_error((s.reaction - radial).norm() / radial.norm(), label);
     directions.add_error(

@@ -25,13 +25,12 @@
 #include "support/edited_file.hpp"
 #include "support/error_message.hpp"
 
+namespace contact::test {
 namespace {
 
 namespace fs = std::filesystem;
-using contact::test::EditedFile;
-using contact::test::lines_of;
 
-const auto soft_seat = contact::ElasticPair::from_modulus_ratio(3, 0.3, 0.3);
+const auto soft_seat = ElasticPair::from_modulus_ratio(3, 0.3, 0.3);
 
 // Words of a constructor's line.
 struct Arguments {
@@ -47,10 +46,9 @@ struct Arguments {
   double operator[](std::size_t i) const { return std::stod(words.at(i)); }
 };
 
-std::unique_ptr<contact::HalfAngleLaw> law(
-    const std::string& name, const contact::HalfAngleOptions& options = {}) {
-  return contact::make_half_angle_law(name, contact::JointKind::ball, soft_seat,
-                                      options);
+std::unique_ptr<HalfAngleLaw> law(const std::string& name,
+                                  const HalfAngleOptions& options = {}) {
+  return make_half_angle_law(name, JointKind::ball, soft_seat, options);
 }
 
 using Call = std::function<void(const std::string&)>;
@@ -59,36 +57,30 @@ using A = Arguments;
 const std::map<std::string, Call> constructors = {
     {"elastic_pair",
      [](const A& a) {
-       contact::ElasticPair({a[0], a[1], a.word(4)}, {a[2], a[3]});
+       ElasticPair({a[0], a[1], a.word(4)}, {a[2], a[3]});
      }},
     {"modulus_ratio",
-     [](const A& a) {
-       contact::ElasticPair::from_modulus_ratio(a[0], a[1], a[2]);
-     }},
-    {"ball", [](const A& a) { contact::JointGeometry::ball(a[0], a[1]); }},
-    {"pin", [](const A& a) { contact::JointGeometry::pin(a[0], a[1], a[2]); }},
-    {"fit", [](const A& a) { contact::Fit(a.word(0), a.word(1), a[2]); }},
-    {"friction_law", [](const A& a) { contact::FrictionLaw(a[0], a[1]); }},
-    {"patch", [](const A& a) { contact::InnerLoading::back(a[0]); }},
-    {"limit", [](const A& a) { contact::LimitHalfAngle::given(a[0]); }},
-    {"arctan_limit",
-     [](const A& a) { contact::LimitHalfAngle::arctan_formula(a[0]); }},
-    {"linear_limit",
-     [](const A& a) { contact::LimitHalfAngle::linear_formula(a[0]); }},
+     [](const A& a) { ElasticPair::from_modulus_ratio(a[0], a[1], a[2]); }},
+    {"ball", [](const A& a) { JointGeometry::ball(a[0], a[1]); }},
+    {"pin", [](const A& a) { JointGeometry::pin(a[0], a[1], a[2]); }},
+    {"fit", [](const A& a) { Fit(a.word(0), a.word(1), a[2]); }},
+    {"friction_law", [](const A& a) { FrictionLaw(a[0], a[1]); }},
+    {"patch", [](const A& a) { InnerLoading::back(a[0]); }},
+    {"limit", [](const A& a) { LimitHalfAngle::given(a[0]); }},
+    {"arctan_limit", [](const A& a) { LimitHalfAngle::arctan_formula(a[0]); }},
+    {"linear_limit", [](const A& a) { LimitHalfAngle::linear_formula(a[0]); }},
     {"slope", [](const A& a) { law("tanh", {.initial_slope = a[0]}); }},
     {"linear_law", [](const A& a) { law(a.word(0), {.linear_limit = true}); }},
     {"half_angle_law", [](const A& a) { law(a.word(0)); }},
     {"pressure_law",
      [](const A& a) {
-       contact::make_pressure_law(a.word(0), contact::JointKind::ball,
-                                  soft_seat);
+       make_pressure_law(a.word(0), JointKind::ball, soft_seat);
      }},
 };
 
 const std::map<std::string, Call> readers = {
-    {"joint", [](const auto& text) { contact::parse_joint(text, "j.toml"); }},
-    {"pair",
-     [](const auto& text) { contact::parse_material_pair(text, "p.toml"); }},
+    {"joint", [](const auto& text) { parse_joint(text, "j.toml"); }},
+    {"pair", [](const auto& text) { parse_material_pair(text, "p.toml"); }},
     {"case", [](const auto& text) { separation::parse_case(text, "c.toml"); }},
 };
 
@@ -107,14 +99,13 @@ TEST_P(Messages, AreAsWritten) {
       of_section = false;
     } else if (line.starts_with("= ") || line.starts_with("~ ")) {
       const std::string expected = line.substr(2);
-      const std::string said =
-          contact::test::error_message([&] { call(file.text()); });
+      const std::string said = error_message([&] { call(file.text()); });
       if (line[0] == '~') {
         EXPECT_TRUE(said.starts_with(expected)) << said;
       } else {
         EXPECT_EQ(said, expected == "fine" ? "(no error)" : expected);
       }
-      EXPECT_EQ(said.find('\n'), said.npos);
+      EXPECT_FALSE(has_text(said, "\n"));
       file = section;
       ++messages;
     } else if (line.starts_with("> ")) {
@@ -137,8 +128,7 @@ TEST_P(Messages, AreAsWritten) {
 
 std::vector<fs::path> scripts() {
   std::vector<fs::path> found;
-  for (const auto& entry :
-       fs::directory_iterator(contact::test::messages_folder)) {
+  for (const auto& entry : fs::directory_iterator(messages_folder)) {
     if (entry.path().extension() == ".txt") found.push_back(entry.path());
   }
   std::ranges::sort(found);
@@ -151,3 +141,4 @@ INSTANTIATE_TEST_SUITE_P(Files, Messages, testing::ValuesIn(scripts()),
                          });
 
 }  // namespace
+}  // namespace contact::test

@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
-#include "libcontact/base/error.hpp"
 #include "multibody/motion/motion.hpp"
 #include "multibody_support/friction_parts.hpp"
 #include "multibody_support/random_instant.hpp"
 #include "multibody_support/wheel.hpp"
+#include "support/error_message.hpp"
 
 // Motions against closed forms: energies and momenta add up, a run goes on as
 // it was saved.
@@ -543,21 +543,11 @@ TEST(Motion, LocksKeepMomentumAndHold) {
   EXPECT_NE(motion.sample().mode(2), HingeMode::locked);
 }
 
-template <class F>
-std::string message_of(F f) {
-  try {
-    f();
-  } catch (const contact::Error& error) {
-    return error.what();
-  }
-  return "";
-}
-
 TEST(Motion, BadInputIsRefusedByName) {
   const System system(heavy_carrier(), {wheel(1, 1)});
   const auto with = [&](std::vector<HingeFriction> friction, MotionStart start,
                         MotionOptions options = {}) {
-    return message_of(
+    return contact::test::error_message(
         [&] { Motion(system, std::move(friction), nullptr, start, options); });
   };
   EXPECT_EQ(with({JointFriction{ball_joint(FrictionLaw(0.1))}}, start_of(1)),
@@ -579,9 +569,10 @@ TEST(Motion, BadInputIsRefusedByName) {
 TEST(Motion, FixedCarrierStaysWhereItIs) {
   const System system({.fixed = true}, {wheel(1, 1)});
   const auto with = [&](MotionStart start, const MotionOptions& options) {
-    return message_of([&] { Motion(system, {}, nullptr, start, options); });
+    return contact::test::error_message(
+        [&] { Motion(system, {}, nullptr, start, options); });
   };
-  EXPECT_EQ(with(start_of(1), {}), "");
+  EXPECT_EQ(with(start_of(1), {}), "(no error)");
   EXPECT_EQ(with(start_of(1), on_fixed_carrier()),
             "motion: carrier_drive conflicts with a fixed carrier");
   MotionStart start = start_of(1);

@@ -58,7 +58,7 @@ TEST(ForceLawAccuracy, IsTheReferenceAtGivenPenetrations) {
     add("theta0", at.half_angle, row.value("theta0_deg") * degree);
     add("S", at.force_ratio, row.value("S"));
   }
-  for (const auto* report : {&balls, &pins, &liners}) report->check();
+  for (auto* report : {&balls, &pins, &liners}) report->check();
 }
 
 // All of them at many half-angles, by the solver without any table.
@@ -90,7 +90,7 @@ void compare_with_solver(const JointSpec& joint, const Pair& pair, int count,
     energy.add(at.energy, load / 2 * (penetration - eps * point.excess), label);
     angle.add(at.half_angle, theta, label);
   }
-  for (const auto* report : {&force, &slope, &energy, &angle}) report->check();
+  for (auto* report : {&force, &slope, &energy, &angle}) report->check();
 }
 
 TEST(ForceLawAccuracy, IsTheSolverAtEveryHalfAngle) {

@@ -211,6 +211,7 @@ TEST(PressureLaw, SymmetryAndEdge) {
         EXPECT_EQ(law.slope(0, half_angle), 0);
         const double outside = std::nextafter(half_angle, 4);
         EXPECT_EQ(law.pressure(outside, half_angle), 0);
+        EXPECT_EQ(law.pressure(-outside, half_angle), 0);
         EXPECT_EQ(law.slope(outside, half_angle), 0);
         EXPECT_EQ(law.slope(-outside, half_angle), 0);
       });

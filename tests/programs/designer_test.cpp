@@ -5,22 +5,17 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <utility>
 
 #include "support/program.hpp"
 
+namespace contact::test {
 namespace {
-
-using contact::test::csv_column;
-using contact::test::csv_rows;
-using contact::test::ProgramFolder;
-using contact::test::ProgramResult;
 
 class Designer : public testing::Test {
  protected:
   ProgramResult run(const std::string& command) const {
-    ProgramResult result = folder_.run(command);
-    EXPECT_EQ(result.status, 0) << command << '\n' << result.err;
-    return result;
+    return folder_.run_well(command);
   }
   double value(const std::string& command, const std::string& column) const {
     return std::stod(csv_column(csv_rows(run(command).out), column)[0]);
@@ -151,13 +146,55 @@ TEST_F(Designer, HalfAnglesOfWallsAreComparedWithTheirOwnLimit) {
   for (const std::string program :
        {"hinge-angle --load 2000 ", "hinge-pressure --summary --load 2000 ",
         "hinge-joint --beta 90 --reaction 2000 "}) {
-    EXPECT_EQ(run(program + hip).err.find("half-angle"), std::string::npos)
-        << program;
+    EXPECT_FALSE(has_text(run(program + hip).err, "half-angle")) << program;
   }
   const auto beyond = folder_.run("hinge-angle --inverse --theta0 88 " + hip);
   EXPECT_EQ(beyond.status, 1);  // a row without a value
-  EXPECT_NE(beyond.err.find("half-angle 88 deg is beyond 87.3"),
-            std::string::npos);
+  EXPECT_TRUE(has_text(beyond.err, "half-angle 88 deg is beyond 87.3"));
+}
+
+// Independent solutions to three digits, by whatever program; a pin's stiffness
+// is that of its length.
+TEST_F(Designer, ApproachAndStiffness) {
+  folder_.write("bush.toml",
+                "name = \"bush\"\nkind = \"pin\"\n[geometry]\n"
+                "radius_mm = 25\nradial_clearance_um = 25\nlength_mm = 30\n"
+                "[materials.inner]\nyoungs_modulus_GPa = 210\n"
+                "poissons_ratio = 0.3\n[materials.outer]\n"
+                "youngs_modulus_GPa = 110\npoissons_ratio = 0.34\n"
+                "[friction]\ncoefficient = 0.1\n"
+                "[wall]\nbacking = \"held\"\n"
+                "[[wall.layer]]\nthickness_mm = 5\n"
+                "[[wall.layer]]\nthickness_mm = 25\n"
+                "youngs_modulus_GPa = 210\npoissons_ratio = 0.3\n");
+  const std::string hip = "data/joints/hip_cocr_uhmwpe";
+  for (const auto& [program, ball] :
+       {std::pair("hinge-angle --load ", ""),
+        {"hinge-pressure --summary --pressure exact --load ", ""},
+        {"hinge-joint --normal-force ", " --alpha 30"}}) {
+    SCOPED_TRACE(program);
+    const auto of = [&, program = program](const std::string& load,
+                                           const std::string& joint,
+                                           const char* column) {
+      const auto rows = csv_rows(run(program + load + " --joint " + joint).out);
+      return csv_column(rows, column)[0];
+    };
+    const auto expect = [&](const std::string& load, const std::string& joint,
+                            double approach, double stiffness, double digit) {
+      EXPECT_NEAR(std::stod(of(load, joint, "approach_m")), approach, 5e-8);
+      EXPECT_NEAR(std::stod(of(load, joint, "stiffness_N_per_m")), stiffness,
+                  digit);
+    };
+    expect("2000", hip + ".toml" + ball, 45.7e-6, 7.03e7, 5e4);
+    expect("2000", hip + "_infinite.toml --law exact" + ball, 89.6e-6, 3.00e7,
+           5e4);
+    expect("60kN", "bush.toml", 20.5e-6, 0.03 * 1.39e11, 1.5e7);
+    // Without load, and of a pin in an infinite hole.
+    EXPECT_EQ(of("0", hip + ".toml" + ball, "approach_m"), "");
+    const std::string hole = "data/joints/pin_joint.toml --law exact";
+    EXPECT_EQ(of("50kN", hole, "approach_m"), "");
+    EXPECT_EQ(of("50kN", hole, "stiffness_N_per_m"), "");
+  }
 }
 
 // The same of whole motions: a wheel of 20 kg on a pin of 1 mm by 1 mm.
@@ -186,14 +223,14 @@ materials = { inner = { youngs_modulus_GPa = 200, poissons_ratio = 0.3 }, outer 
 )");
   const ProgramResult result =
       run("hinge-separation case.toml --output out.json");
-  EXPECT_NE(result.err.find("joint tiny: peak pressure"), std::string::npos)
-      << result.err;
-  EXPECT_NE(result.err.find("MPa is above 40 MPa, the limit pressure of the "
-                            "outer body"),
-            std::string::npos);
+  EXPECT_TRUE(has_text(result.err, "joint tiny: peak pressure"));
+  EXPECT_TRUE(has_text(result.err,
+                       "MPa is above 40 MPa, the limit pressure of the "
+                       "outer body"));
   const std::string summary = folder_.read("out.json");
-  EXPECT_NE(summary.find("\"pressure_law\": \"exact\""), std::string::npos);
-  EXPECT_NE(summary.find("\"half_angle_law\": \"fitted\""), std::string::npos);
+  EXPECT_TRUE(has_text(summary, "\"pressure_law\": \"exact\""));
+  EXPECT_TRUE(has_text(summary, "\"half_angle_law\": \"fitted\""));
 }
 
 }  // namespace
+}  // namespace contact::test

@@ -14,20 +14,14 @@
 #include "support/every_joint.hpp"
 #include "support/program.hpp"
 
+namespace contact::test {
 namespace {
-
-using contact::test::csv_column;
-using contact::test::csv_rows;
-using contact::test::every_joint;
-using contact::test::JointText;
-using contact::test::ProgramFolder;
-using contact::test::ProgramResult;
 
 constexpr double reaction = 2000;  // N, at right angles to the slip axis
 constexpr double rate = 0.4;       // rad/s
 
 double moment_by_library(const JointText& joint) {
-  const contact::Joint made(contact::parse_joint(joint.toml, joint.name));
+  const Joint made(parse_joint(joint.toml, joint.name));
   return made.solve({{reaction, 0, 0}, {0, 0, rate}, {0, 0, 1}})
       .friction_moment.norm();
 }
@@ -81,7 +75,7 @@ TEST_F(EveryJoint, CAnswersAsTheLibrary) {
     ASSERT_EQ(contact_joint_parse(joint.toml.c_str(), nullptr, &made),
               CONTACT_OK)
         << joint.name << contact_last_message();
-    const contact::test::CJoint owner(made, contact_joint_free);
+    const CJoint owner(made, contact_joint_free);
     const contact_slip slip = {{reaction, 0, 0}, {0, 0, rate}, {0, 0, 1}};
     contact_solution s;
     ASSERT_EQ(contact_joint_solve(made, &slip, nullptr, &s), CONTACT_OK);
@@ -168,10 +162,9 @@ TEST_F(EveryJoint, CasesTakeIt) {
       folder_.write("joint.toml", joint.toml);
       const auto refused = folder_.run("hinge-separation case.toml");
       EXPECT_EQ(refused.status, 2) << joint.name;
-      EXPECT_NE(refused.err.find("with a law of its own joints are for "
-                                 "hinge-joint and hinge-duty"),
-                std::string::npos)
-          << refused.err;
+      EXPECT_TRUE(has_text(refused.err,
+                           "with a law of its own joints are for "
+                           "hinge-joint and hinge-duty"));
       continue;
     }
     run(joint,
@@ -182,3 +175,4 @@ TEST_F(EveryJoint, CasesTakeIt) {
 }
 
 }  // namespace
+}  // namespace contact::test

@@ -10,15 +10,11 @@
 #include "cli/number.hpp"
 #include "support/program.hpp"
 
+namespace contact::test {
 namespace {
 
 using ::testing::HasSubstr;
 using ::testing::Not;
-
-using contact::test::csv_column;
-using contact::test::csv_rows;
-using contact::test::ProgramFolder;
-using contact::test::ProgramResult;
 
 const std::string rig = "hinge-identify --joint data/duty/torque_rig.toml ";
 const std::string wide = rig + "--data data/duty/torque_rig.csv ";
@@ -76,9 +72,7 @@ TEST(HingeIdentify, ErrorsOfTheData) {
 TEST(HingeIdentify, WarnsOfWhatDataCannotTell) {
   const ProgramFolder folder;
   const auto says = [&](const std::string& command) {
-    const ProgramResult result = folder.run(command);
-    EXPECT_EQ(result.status, 0);
-    return result.err;
+    return folder.run_well(command).err;
   };
   const auto set = [](const std::string& name) {
     return "grep '^set,\\|^" + name + ",' data/reference/duty/identify.csv | " +
@@ -119,10 +113,9 @@ constexpr const char* pin_moments =
 TEST(HingeIdentify, WarnsOfProfilesWithoutAnEnd) {
   const ProgramFolder folder;
   folder.write("d.csv", pin_moments);
-  const ProgramResult result = folder.run(
+  const ProgramResult result = folder.run_well(
       "hinge-identify --joint data/joints/pin_joint.toml --data d.csv "
       "--sigma-rel 0.01 --fit f0,A,clearance --profile");
-  EXPECT_EQ(result.status, 0);
   const auto rows = csv_rows(result.out);
   EXPECT_LT(std::stod(csv_column(rows, "profile_high").at(0)), 0.13);
   EXPECT_GT(std::stod(csv_column(rows, "profile_low").at(0)), 0.11);
@@ -150,12 +143,13 @@ TEST(HingeIdentify, WarnsOfContactsThatLeaveTheTheory) {
 TEST(HingeIdentify, Pictures) {
   const ProgramFolder folder;
   if (folder.run("command -v gnuplot").status != 0) GTEST_SKIP();
-  EXPECT_EQ(folder.run(wide + "--plot p.svg").status, 0);
+  folder.run_well(wide + "--plot p.svg");
   const std::string picture = folder.read("p.svg");
   for (const char* text : {"fit, β = 60°", "fit, β = 90°", "measured",
                            "residual, σ", "|Δω|, rad/s"}) {
-    EXPECT_NE(picture.find(text), std::string::npos) << text;
+    EXPECT_TRUE(has_text(picture, text)) << text;
   }
 }
 
 }  // namespace
+}  // namespace contact::test

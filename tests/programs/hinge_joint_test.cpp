@@ -18,13 +18,9 @@
 #include "libcontact/pressure/exact.hpp"
 #include "support/program.hpp"
 
+namespace contact::test {
 namespace {
 
-using contact::degree;
-using contact::test::csv_column;
-using contact::test::csv_rows;
-using contact::test::ProgramFolder;
-using contact::test::ProgramResult;
 using Eigen::Vector3d;
 
 const std::string example_1 =
@@ -63,25 +59,24 @@ class Columns {
   std::vector<std::vector<std::string>> rows_;
 };
 
-contact::JointContact contact_of(const contact::JointSpec& joint,
-                                 const std::string& law) {
+JointContact contact_of(const JointSpec& joint, const std::string& law) {
   return {joint.geometry,
           joint.pair(),
           *joint.friction,
-          contact::make_half_angle_law(law, joint.geometry.kind(), joint.pair(),
-                                       joint.half_angle_options),
+          make_half_angle_law(law, joint.geometry.kind(), joint.pair(),
+                              joint.half_angle_options),
           joint.make_pressure_law(),
           joint.conditions()};
 }
 
-contact::JointSpec joint_file(const std::string& name) {
-  return contact::read_joint(std::filesystem::path(CONTACT_DATA_DIR) /
-                             "joints" / (name + ".toml"));
+JointSpec joint_file(const std::string& name) {
+  return read_joint(std::filesystem::path(CONTACT_DATA_DIR) / "joints" /
+                    (name + ".toml"));
 }
 
 // The numbers read back as the library's own doubles.
 void expect_solution(const Columns& table, std::size_t row,
-                     const contact::JointSolution& s) {
+                     const JointSolution& s) {
   EXPECT_EQ(table.text(row, "status"), "ok");
   EXPECT_EQ(table.at(row, "evaluations"), s.evaluations);
   EXPECT_EQ(table.at(row, "residual"), s.residual);
@@ -109,7 +104,7 @@ void expect_solution(const Columns& table, std::size_t row,
 }
 
 TEST(HingeJoint, BallRowsAreTheLibrarys) {
-  const contact::JointSpec file = joint_file("paper_example_1");
+  const JointSpec file = joint_file("paper_example_1");
   const Columns table(
       ProgramFolder().run(example_1 +
                           "--law tanh,arctan --reaction-xyz 1e5,-2e4,3e4 "
@@ -117,7 +112,7 @@ TEST(HingeJoint, BallRowsAreTheLibrarys) {
   ASSERT_EQ(table.size(), 2U);
   std::size_t row = 0;
   for (const std::string law : {"tanh", "arctan"}) {
-    const contact::Joint joint(contact_of(file, law));
+    const Joint joint(contact_of(file, law));
     const Vector3d reaction(1e5, -2e4, 3e4);
     const Vector3d rate(0.1, 0.2, -3);
     const auto s = joint.solve({reaction, rate});
@@ -140,13 +135,13 @@ TEST(HingeJoint, AllLaws) {
   const Columns table(ProgramFolder().run(
       "hinge-joint --joint data/joints/pin_joint.toml --law all "
       "--pressure all --reaction 1e3"));
-  const std::size_t laws = contact::half_angle_law_names().size() - 1;
-  ASSERT_EQ(table.size(), laws * (contact::pressure_law_names().size() - 1));
-  EXPECT_EQ(table.text(1, "law"), contact::half_angle_law_names()[0]);
+  const std::size_t laws = half_angle_law_names().size() - 1;
+  ASSERT_EQ(table.size(), laws * (pressure_law_names().size() - 1));
+  EXPECT_EQ(table.text(1, "law"), half_angle_law_names()[0]);
 }
 
 TEST(HingeJoint, PinRowsAreTheLibrarys) {
-  const contact::Joint joint(contact_of(joint_file("pin_joint"), "blend"));
+  const Joint joint(contact_of(joint_file("pin_joint"), "blend"));
   const std::string program =
       "hinge-joint --joint data/joints/pin_joint.toml --law blend ";
   const Columns xyz(ProgramFolder().run(
@@ -268,10 +263,10 @@ TEST(HingeJoint, LoadedThroughTheBack) {
   const Columns table(folder.run(
       example_1 + "--law exact --pressure exact,cosine --loading back:20" +
       state));
-  contact::JointSpec file = joint_file("paper_example_1");
-  file.loading = contact::InnerLoading::back(20 * degree);
+  JointSpec file = joint_file("paper_example_1");
+  file.loading = InnerLoading::back(20 * degree);
   file.half_angle_law = file.pressure_law = "exact";
-  const contact::Joint joint(file);
+  const Joint joint(file);
   EXPECT_EQ(table.text(1, "law"), "exact_back:20");
   EXPECT_EQ(table.text(1, "pressure"), "exact_back:20");
   EXPECT_EQ(table.text(2, "pressure"), "cosine");
@@ -281,7 +276,7 @@ TEST(HingeJoint, LoadedThroughTheBack) {
   EXPECT_GT(table.at(1, "theta0_deg"), centre.at(1, "theta0_deg"));
   const auto summary =
       folder.run(example_1 + "--law exact --loading back:20 --summary" + state);
-  EXPECT_NE(summary.out.find("law,exact_back:20,"), std::string::npos);
+  EXPECT_TRUE(has_text(summary.out, "law,exact_back:20,"));
 }
 
 // A ball in a liner: the library's joint with the laws of the walls, which are
@@ -291,14 +286,13 @@ TEST(HingeJoint, FiniteWalls) {
   const std::string state = " --reaction-xyz 2e3,0,1e3 --rate-xyz 0,0,2 ";
   const std::string hip = "hinge-joint --joint data/joints/hip_cocr_uhmwpe";
   const Columns table(folder.run(hip + ".toml" + state));
-  const contact::JointSpec file = joint_file("hip_cocr_uhmwpe");
+  const JointSpec file = joint_file("hip_cocr_uhmwpe");
   const auto walls = file.conditions().walls.value();
-  const auto ball = contact::JointKind::ball;
-  const contact::Joint joint(
-      {file.geometry, file.pair(), *file.friction,
-       std::make_shared<contact::ExactLaw>(ball, walls),
-       std::make_shared<contact::ExactPressure>(ball, walls),
-       file.conditions()});
+  const auto ball = JointKind::ball;
+  const Joint joint({file.geometry, file.pair(), *file.friction,
+                     std::make_shared<ExactLaw>(ball, walls),
+                     std::make_shared<ExactPressure>(ball, walls),
+                     file.conditions()});
   EXPECT_EQ(table.text(1, "law"), "exact");
   EXPECT_EQ(table.text(1, "pressure"), "exact");
   expect_solution(table, 1, joint.solve({{2e3, 0, 1e3}, {0, 0, 2}}));
@@ -308,38 +302,17 @@ TEST(HingeJoint, FiniteWalls) {
   EXPECT_LT(table.at(1, "M_t_N_m"), infinite.at(1, "M_t_N_m"));
 }
 
-// Of hinge-pressure's joint at 2 kN; a pin's stiffness is that of its length.
 TEST(HingeJoint, ApproachAndStiffness) {
   const ProgramFolder folder;
-  const std::string hip = "hinge-joint --joint data/joints/hip_cocr_uhmwpe";
-  const std::string state = " --normal-force 0,2000 --alpha 30";
-  const Columns walled(folder.run(hip + ".toml" + state));
-  EXPECT_NEAR(walled.at(2, "approach_m"), 45.7e-6, 5e-8);
-  EXPECT_NEAR(walled.at(2, "stiffness_N_per_m"), 7.03e7, 5e4);
-  EXPECT_EQ(walled.text(1, "approach_m"), "");
-  const Columns laws(
-      folder.run(hip + "_infinite.toml --law fitted,exact" + state));
+  const std::string hip =
+      "hinge-joint --joint data/joints/hip_cocr_uhmwpe_infinite.toml "
+      "--normal-force 0,2000 --alpha 30 --law ";
+  const Columns laws(folder.run(hip + "fitted,exact"));
   EXPECT_EQ(laws.text(3, "law"), "fitted");
   EXPECT_EQ(laws.text(3, "approach_m"), "");
   EXPECT_NEAR(laws.at(4, "approach_m"), 89.6e-6, 5e-8);
-  const Columns fitted(folder.run(hip + "_infinite.toml --law fitted" + state));
+  const Columns fitted(folder.run(hip + "fitted"));
   EXPECT_EQ(fitted.names().back(), "contact_area_m2");
-
-  folder.write("bush.toml",
-               "name = \"bush\"\nkind = \"pin\"\n[geometry]\n"
-               "radius_mm = 25\nradial_clearance_um = 25\nlength_mm = 30\n"
-               "[materials.inner]\nyoungs_modulus_GPa = 210\n"
-               "poissons_ratio = 0.3\n[materials.outer]\n"
-               "youngs_modulus_GPa = 110\npoissons_ratio = 0.34\n"
-               "[friction]\ncoefficient = 0.1\n"
-               "[wall]\nbacking = \"held\"\n"
-               "[[wall.layer]]\nthickness_mm = 5\n"
-               "[[wall.layer]]\nthickness_mm = 25\n"
-               "youngs_modulus_GPa = 210\npoissons_ratio = 0.3\n");
-  const Columns pin(
-      folder.run("hinge-joint --joint bush.toml --normal-force 6e4"));
-  EXPECT_NEAR(pin.at(1, "approach_m"), 20.5e-6, 5e-8);
-  EXPECT_NEAR(pin.at(1, "stiffness_N_per_m"), 0.03 * 1.39e11, 2e7);
 }
 
 // Law, loading and pressure in front, as of the rows of solutions.
@@ -368,13 +341,10 @@ TEST(HingeJoint, AxialForceOfAPinIsSaidToBeLeftOut) {
   const std::string pin =
       "hinge-joint --joint data/joints/pin_joint.toml --rate-xyz 0,0,3 "
       "--reaction-xyz ";
-  const ProgramResult oblique = folder.run(pin + "1e4,0,250");
-  EXPECT_EQ(oblique.status, 0);
-  EXPECT_NE(oblique.err.find("250 N of the reaction are left out"),
-            std::string::npos)
-      << oblique.err;
+  const ProgramResult oblique = folder.run_well(pin + "1e4,0,250");
+  EXPECT_TRUE(has_text(oblique.err, "250 N of the reaction are left out"));
   const ProgramResult normal = folder.run(pin + "1e4,0,0");
-  EXPECT_EQ(normal.err.find("left out"), std::string::npos) << normal.err;
+  EXPECT_FALSE(has_text(normal.err, "left out"));
   EXPECT_EQ(oblique.out, normal.out);
 }
 
@@ -412,14 +382,13 @@ TEST(HingeJoint, ViscousFriction) {
   EXPECT_EQ(run("--joint dry.toml --viscous 1e5,1e-4").out, oil);
   EXPECT_EQ(run("--joint oil.toml --friction 0.1").out,
             run("--joint dry.toml").out);
-  EXPECT_NE(run("--joint oil.toml --adhesion 1e6")
-                .err.find("--adhesion 1e6 requires --friction: the joint's "
-                          "friction is not dry"),
-            std::string::npos);
+  EXPECT_TRUE(has_text(run("--joint oil.toml --adhesion 1e6").err,
+                       "--adhesion requires --friction: the joint's "
+                       "friction is not dry"));
 }
 
 TEST(HingeJoint, RestIsTheLibrarys) {
-  const contact::Joint joint(contact_of(joint_file("paper_example_1"), "tanh"));
+  const Joint joint(contact_of(joint_file("paper_example_1"), "tanh"));
   const Vector3d reaction(1e5, 2e4, 0);
   const Vector3d moment(300, 0, 500);
   const auto rest = joint.at_rest({reaction, moment});
@@ -431,10 +400,10 @@ TEST(HingeJoint, RestIsTheLibrarys) {
   EXPECT_EQ(table.at(1, "u_x"), rest.direction.x());
   EXPECT_EQ(table.at(1, "w_x_rad_per_s"), rest.direction.x());
   EXPECT_EQ(table.at(1, "R_n_N"), rest.slip.normal_force);
-  EXPECT_EQ(
+  EXPECT_FALSE(has_text(
       folder.run(example_1 + "--reaction-xyz 1e5,2e4,0 --moment-xyz 3e5,0,0")
-          .out.find("holds"),
-      std::string::npos);
+          .out,
+      "holds"));
   // A pin: |M| over the moment of sliding.
   const Columns pin(
       folder.run("hinge-joint --joint data/joints/pin_joint.toml --law blend "
@@ -541,9 +510,9 @@ TEST(HingeJoint, DrawsTheMomentCurve) {
                  "--reaction 1e4:1e6:log20 --beta 30,90 --plot torque.svg "
                  "--output torque.csv");
   if (result.status == 0) {
-    EXPECT_NE(folder.read("torque.svg").find("from R"), std::string::npos);
+    EXPECT_TRUE(has_text(folder.read("torque.svg"), "from R"));
   } else {
-    EXPECT_NE(result.err.find("gnuplot"), std::string::npos);
+    EXPECT_TRUE(has_text(result.err, "gnuplot"));
   }
   EXPECT_EQ(csv_rows(folder.read("torque.csv")).size(), 41U);
 }
@@ -689,15 +658,13 @@ TEST(HingeJoint, LoopsThatFailSaySo) {
   const ProgramResult fails =
       folder.run(example_1 + "--friction 3 --reaction 1e5 --beta 50 --trace");
   EXPECT_EQ(fails.status, 1);
-  EXPECT_NE(fails.err.find("its g is above b"), std::string::npos);
-  EXPECT_EQ(
-      folder.run(example_1 + "--friction 3 --reaction 1e5 --beta 50").status,
-      0);
+  EXPECT_TRUE(has_text(fails.err, "its g is above b"));
+  folder.run_well(example_1 + "--friction 3 --reaction 1e5 --beta 50");
   // Reaction that grows with the moment without end: no fixed point.
   const ProgramResult runs_away =
       folder.run(example_2 + "--outer 100,0,0 --joints 20");
   EXPECT_EQ(runs_away.status, 1);
-  EXPECT_NE(runs_away.err.find("outer loop"), std::string::npos);
+  EXPECT_TRUE(has_text(runs_away.err, "outer loop"));
 }
 
 TEST(HingeJoint, RowsWithoutAValueSaySo) {
@@ -708,7 +675,7 @@ TEST(HingeJoint, RowsWithoutAValueSaySo) {
   EXPECT_EQ(table.text(1, "status"), "ok");
   EXPECT_EQ(table.text(2, "status"), "out_of_range");
   EXPECT_EQ(table.text(2, "M_t_N_m"), "");
-  EXPECT_NE(result.err.find("rows without a value: 1"), std::string::npos);
+  EXPECT_TRUE(has_text(result.err, "rows without a value: 1"));
 }
 
 // The columns of --pv are the numbers of SlidingContact, and none without it.
@@ -717,14 +684,13 @@ TEST(HingeJoint, Pv) {
   const std::string run =
       "hinge-joint --joint data/joints/paper_example_1.toml --law exact "
       "--reaction-xyz 2e5,1e4,-3e4 --rate-xyz 0.1,1,-2 ";
-  EXPECT_EQ(folder.run(run).out.find("pv_"), std::string::npos);
+  EXPECT_FALSE(has_text(folder.run(run).out, "pv_"));
   const Columns table(folder.run(run + "--pv"));
-  const contact::Joint joint(
-      contact_of(joint_file("paper_example_1"), "exact"));
+  const Joint joint(contact_of(joint_file("paper_example_1"), "exact"));
   const Vector3d rate(0.1, 1, -2);
-  const contact::SlidingContact sliding(
-      joint.contact(), joint.solve({{2e5, 1e4, -3e4}, rate}), rate);
-  const contact::SlidingContact::Peak& pv = sliding.largest_pv();
+  const SlidingContact sliding(joint.contact(),
+                               joint.solve({{2e5, 1e4, -3e4}, rate}), rate);
+  const SlidingContact::Peak& pv = sliding.largest_pv();
   EXPECT_EQ(table.at(1, "pv_max_W_per_m2"), pv.value);
   EXPECT_EQ(table.at(1, "pv_max_theta_deg"), pv.theta / degree);
   EXPECT_EQ(table.at(1, "pv_max_x"), pv.place.x());
@@ -745,3 +711,4 @@ TEST(HingeJoint, Pv) {
 }
 
 }  // namespace
+}  // namespace contact::test

@@ -5,10 +5,8 @@
 
 #include "support/program.hpp"
 
+namespace contact::test {
 namespace {
-
-using contact::test::ProgramFolder;
-using contact::test::ProgramResult;
 
 class InputsStay : public testing::Test {
  protected:
@@ -25,16 +23,14 @@ class InputsStay : public testing::Test {
                   "load = { reaction_kN = 10 }\nquantities = 'M_t_N_m'\n"
                   "[[dispersion]]\nkey = 'load.reaction_kN'\n"
                   "kind = 'uniform'\nlow = 9\nhigh = 11\n");
-    const ProgramResult made = folder_.run(
+    folder_.run_well(
         "sed 's|\"../joints/paper_example_2.toml\"|\"ball.toml\"|' "
         "data/cases/two_stage_turn.toml > case.toml");
-    EXPECT_EQ(made.status, 0) << made.err;
   }
 
   void copy(const std::string& from, const std::string& to) const {
-    const ProgramResult result = folder_.run(
-        "sed 's|\"../materials/|\"data/materials/|' data/" + from + " > " + to);
-    EXPECT_EQ(result.status, 0) << result.err;
+    folder_.run_well("sed 's|\"../materials/|\"data/materials/|' data/" + from +
+                     " > " + to);
   }
 
   // `run` is refused because of its output, and changes nothing.
@@ -135,3 +131,4 @@ TEST_F(InputsStay, OthersMayBeWritten) {
 }
 
 }  // namespace
+}  // namespace contact::test

@@ -12,12 +12,8 @@
 #include "libcontact/files/joint_file.hpp"
 #include "support/program.hpp"
 
+namespace contact::test {
 namespace {
-
-using contact::test::csv_column;
-using contact::test::csv_rows;
-using contact::test::ProgramFolder;
-using contact::test::ProgramResult;
 
 // A cell of the only row.
 std::string text(const ProgramResult& result, const std::string& column) {
@@ -91,17 +87,16 @@ INSTANTIATE_TEST_SUITE_P(
 // f0 = f_M/sqrt(S^2 - f_M^2).
 TEST(MeasuredMoment, OfAPinByHand) {
   const ProgramFolder folder;
-  const auto file = contact::read_joint(
-      std::filesystem::path(CONTACT_DATA_DIR) / "joints" / "pin_joint.toml");
+  const auto file = read_joint(std::filesystem::path(CONTACT_DATA_DIR) /
+                               "joints" / "pin_joint.toml");
   const ProgramResult found = folder.run(
       "hinge-joint --joint data/joints/pin_joint.toml --pressure cosine "
       "--reaction 2e5 --measured-moment 450");
   const double f_m = 450 / (0.02 * 2e5);
   EXPECT_NEAR(number(found, "f_M"), f_m, 1e-14);
-  const double s =
-      contact::make_pressure_law("cosine", file.geometry.kind(), file.pair(),
-                                 file.conditions())
-          ->force_ratio(number(found, "theta0_deg") * contact::degree);
+  const double s = make_pressure_law("cosine", file.geometry.kind(),
+                                     file.pair(), file.conditions())
+                       ->force_ratio(number(found, "theta0_deg") * degree);
   EXPECT_NEAR(number(found, "f0"), f_m / std::sqrt(s * s - f_m * f_m), 1e-14);
 }
 
@@ -136,3 +131,4 @@ TEST(MeasuredMoment, AdhesionIsGiven) {
 }
 
 }  // namespace
+}  // namespace contact::test

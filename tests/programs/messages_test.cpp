@@ -10,10 +10,8 @@
 #include "support/edited_file.hpp"
 #include "support/program.hpp"
 
+namespace contact::test {
 namespace {
-
-using contact::test::ProgramFolder;
-using contact::test::ProgramResult;
 
 // A file of cases has lines
 //   file NAME TEXT   a file in the folder, \n for the ends of its lines,
@@ -28,8 +26,8 @@ struct Case {
 
 std::vector<Case> cases(const std::string& name, const ProgramFolder& folder) {
   std::vector<Case> all;
-  for (const std::string& line : contact::test::lines_of(
-           contact::test::messages_folder / "options" / (name + ".txt"))) {
+  for (const std::string& line :
+       lines_of(messages_folder / "options" / (name + ".txt"))) {
     if (line.empty() || line.starts_with('#')) continue;
     if (line.starts_with("$ ")) {
       all.push_back({line.substr(2), ""});
@@ -101,4 +99,26 @@ INSTANTIATE_TEST_SUITE_P(Of, Messages,
                                          "identify", "study"),
                          [](const auto& name) { return name.param; });
 
+// Every example in every program's --help runs as it is printed.
+class HelpExamples : public testing::TestWithParam<const char*> {};
+
+TEST_P(HelpExamples, Run) {
+  const auto examples = help_examples(GetParam());
+  EXPECT_GE(examples.size(), 3U);
+  for (const std::string& example : examples) {
+    const auto result = ProgramFolder().run(example);
+    EXPECT_EQ(result.status, 0) << example << '\n' << result.err;
+    EXPECT_TRUE(result.out.find('\n') != std::string::npos ||
+                example.find("--output") != std::string::npos)
+        << example;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Programs, HelpExamples,
+                         testing::Values("hinge-table", "hinge-angle",
+                                         "hinge-joint", "hinge-pressure",
+                                         "hinge-separation", "hinge-duty",
+                                         "hinge-identify", "hinge-study"));
+
 }  // namespace
+}  // namespace contact::test

@@ -11,10 +11,8 @@
 #include "cli/plot.hpp"
 #include "support/program.hpp"
 
+namespace contact::test {
 namespace {
-
-using contact::test::ProgramFolder;
-using contact::test::ProgramResult;
 
 constexpr const char* no_gnuplot = "gnuplot is not installed";
 
@@ -173,7 +171,7 @@ TEST(Pictures, NamesAreShownAsTheyAre) {
   if (!have_gnuplot(folder)) GTEST_SKIP() << no_gnuplot;
   const auto replaced = [](std::string text, const std::string& old,
                            const std::string& by) {
-    EXPECT_NE(text.find(old), text.npos) << old;
+    EXPECT_TRUE(has_text(text, old)) << old;
     return text.replace(text.find(old), old.size(), by);
   };
   const std::string joint =
@@ -186,8 +184,7 @@ TEST(Pictures, NamesAreShownAsTheyAre) {
   folder.write("c.toml", replaced(replaced(slosh, "\"fuel\"", toml(wild_body)),
                                   "\"oxidiser\"", toml(other_wild_body)));
   const auto drawn = [&](const std::string& run, const std::string& picture) {
-    const ProgramResult result = folder.run(run + " --plot p.svg >/dev/null");
-    EXPECT_EQ(result.status, 0) << result.err;
+    folder.run_well(run + " --plot p.svg >/dev/null");
     EXPECT_FALSE(folder.has("pwned")) << run;
     return texts(folder.read(picture));
   };
@@ -255,18 +252,15 @@ TEST(Pictures, Contacts) {
   const ProgramFolder folder;
   if (!have_gnuplot(folder)) GTEST_SKIP() << no_gnuplot;
   const auto draw = [&](const std::string& joint) {
-    const ProgramResult result =
-        folder.run("hinge-joint --joint data/joints/" + joint +
-                   " --map p.svg --pv --output p.csv --columns p_peak_Pa,"
-                   "pv_max_W_per_m2,pv_max_theta_deg,v_m_per_s");
-    EXPECT_EQ(result.status, 0) << result.err;
+    folder.run_well("hinge-joint --joint data/joints/" + joint +
+                    " --map p.svg --pv --output p.csv --columns p_peak_Pa,"
+                    "pv_max_W_per_m2,pv_max_theta_deg,v_m_per_s");
     return texts(folder.read("p.svg"));
   };
   const auto value = [&](const std::string& column, double unit) {
-    const auto rows = contact::test::csv_rows(folder.read("p.csv"));
-    return fmt::format(
-        "{:.3g}",
-        std::stod(contact::test::csv_column(rows, column).at(0)) / unit);
+    const auto rows = csv_rows(folder.read("p.csv"));
+    return fmt::format("{:.3g}",
+                       std::stod(csv_column(rows, column).at(0)) / unit);
   };
   const auto ball =
       draw("hip_cocr_uhmwpe.toml --reaction 2000 --beta 50 --rate 2");
@@ -320,3 +314,4 @@ TEST(Pictures, LogarithmicAxesEndWithTheData) {
 }
 
 }  // namespace
+}  // namespace contact::test

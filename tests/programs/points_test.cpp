@@ -12,12 +12,8 @@
 #include "cli/number.hpp"
 #include "support/program.hpp"
 
+namespace contact::test {
 namespace {
-
-using contact::test::csv_column;
-using contact::test::csv_rows;
-using contact::test::ProgramFolder;
-using contact::test::ProgramResult;
 
 const std::string joint =
     "hinge-joint --joint data/joints/paper_example_1.toml ";
@@ -41,9 +37,8 @@ TEST(Points, AreAnsweredLineByLine) {
     std::string points = header + '\n';
     for (const char* row : {"1", "2", "3", "4"}) points += row + line + '\n';
     folder.write("points.csv", points);
-    const ProgramResult dialogue =
-        folder.run("bash dialogue.sh '" + program + "' " + header + ' ' + line);
-    EXPECT_EQ(dialogue.status, 0) << dialogue.err;
+    const ProgramResult dialogue = folder.run_well(
+        "bash dialogue.sh '" + program + "' " + header + ' ' + line);
     EXPECT_EQ(dialogue.out, folder.run(program + " --points points.csv").out);
   }
 }
@@ -68,8 +63,7 @@ TEST(Points, SummaryIsThatOfTheRows) {
                "R_N,note,b_deg,t\n1e5,a,90,0\n3e5,b,80,0.5\n2e5,c,20,.75\n"
                "1e5,d,90,\"1.75\"\n");
   const std::string run = joint + "--rate 2 --points cycle.csv ";
-  const ProgramResult summary = folder.run(run + "--summary");
-  EXPECT_EQ(summary.status, 0) << summary.err;
+  const ProgramResult summary = folder.run_well(run + "--summary");
   const auto rows = csv_rows(folder.run(run).out);
   EXPECT_EQ(value(summary, "law"), csv_column(rows, "law")[0]);
   EXPECT_EQ(value(summary, "pressure"), csv_column(rows, "pressure")[0]);
@@ -119,10 +113,9 @@ TEST(Points, DissipatedEnergyOfAPin) {
                           std::cos(2 * std::numbers::pi * i / steps));
   }
   folder.write("cycle.csv", points);
-  const ProgramResult summary = folder.run(
+  const ProgramResult summary = folder.run_well(
       "hinge-joint --joint data/joints/pin_joint.toml --summary --points "
       "cycle.csv");
-  EXPECT_EQ(summary.status, 0) << summary.err;
   // The amplitude is 2 s/(2 pi). Of a rectified cosine the trapezoidal rule
   // misses h^2/12 (f'(end) - f'(begin)) in each half: relatively
   // (2 pi/steps)^2/12.
@@ -144,9 +137,8 @@ TEST(Points, WhatIsLeftOutIsSaid) {
   EXPECT_EQ(value(summary, "left_out"), "2");
   EXPECT_EQ(number(summary, "mean_R_N"), 1500);
   EXPECT_EQ(value(summary, "largest_R_N", "at_state"), "4");
-  EXPECT_NE(summary.err.find("ERROR: line 3: R_N = x must be"),
-            std::string::npos);
-  EXPECT_NE(summary.err.find("rows without a value: 1;"), std::string::npos);
+  EXPECT_TRUE(has_text(summary.err, "ERROR: line 3: R_N = x must be"));
+  EXPECT_TRUE(has_text(summary.err, "rows without a value: 1;"));
 
   for (const auto& [time, problem] :
        {std::pair{"0.5",
@@ -157,14 +149,11 @@ TEST(Points, WhatIsLeftOutIsSaid) {
          "before it"}}) {
     folder.write("back.csv",
                  "R_N,time_s\n1e3,0\n2e3,1\n1e3," + std::string(time) + "\n");
-    const ProgramResult back = folder.run(run + "back.csv");
-    EXPECT_EQ(back.status, 0);
-    EXPECT_NE(back.err.find(std::string("hinge-joint: warning: ") + problem +
-                            "; the time is left out\n"),
-              std::string::npos)
-        << back.err;
-    EXPECT_EQ(back.out.find("at_time_s"), std::string::npos);
-    EXPECT_EQ(back.out.find("dissipated"), std::string::npos);
+    const ProgramResult back = folder.run_well(run + "back.csv");
+    EXPECT_TRUE(has_text(back.err, std::string("hinge-joint: warning: ") +
+                                       problem + "; the time is left out\n"));
+    EXPECT_FALSE(has_text(back.out, "at_time_s"));
+    EXPECT_FALSE(has_text(back.out, "dissipated"));
     EXPECT_NEAR(number(back, "mean_R_N"), 4000. / 3, 1e-12);
   }
 }
@@ -178,8 +167,8 @@ TEST(Points, SummaryAtRest) {
   const ProgramResult summary = folder.run(run + "--summary");
   EXPECT_EQ(value(summary, "largest_utilisation"),
             csv_column(csv_rows(folder.run(run).out), "utilisation")[1]);
-  EXPECT_EQ(summary.out.find("power"), std::string::npos);
-  EXPECT_EQ(summary.out.find("dissipated"), std::string::npos);
+  EXPECT_FALSE(has_text(summary.out, "power"));
+  EXPECT_FALSE(has_text(summary.out, "dissipated"));
 }
 
 TEST(Points, AreDrawn) {
@@ -194,9 +183,7 @@ TEST(Points, AreDrawn) {
   }
   folder.write("points.csv", points);
   const auto drawn = [&](const std::string& options) {
-    const ProgramResult result =
-        folder.run(joint + options + " --plot p.svg --output t.csv");
-    EXPECT_EQ(result.status, 0) << result.err;
+    folder.run_well(joint + options + " --plot p.svg --output t.csv");
     return folder.read("p.svg");
   };
   const auto has = [](const std::string& svg, const std::string& text) {
@@ -211,8 +198,7 @@ TEST(Points, AreDrawn) {
   EXPECT_TRUE(has(svg, " 8000"));  // on the axis of R
   folder.write("contact.csv", "R_n_N,a_deg\n1e5,20\n2e5,20\n");
   const std::string contact = drawn("--summary --points contact.csv");
-  EXPECT_NE(folder.read("t.csv").find("largest_R_n_N,2e+05,2,"),
-            std::string::npos);
+  EXPECT_TRUE(has_text(folder.read("t.csv"), "largest_R_n_N,2e+05,2,"));
   EXPECT_TRUE(has(contact, "state"));
   EXPECT_TRUE(has(contact, "Rₙ, kN"));
 
@@ -220,8 +206,9 @@ TEST(Points, AreDrawn) {
   const ProgramResult bad =
       folder.run(joint + "--points bad.csv --plot bad.svg");
   EXPECT_EQ(bad.status, 1);
-  EXPECT_NE(bad.err.find("no picture bad.svg: no state has a solution\n"),
-            std::string::npos);
+  EXPECT_TRUE(
+      has_text(bad.err, "no picture bad.svg: no state has a solution\n"));
 }
 
 }  // namespace
+}  // namespace contact::test

@@ -14,7 +14,9 @@
 #include <vector>
 
 #include "cli/stream/ordered_blocks.hpp"
+#include "support/error_message.hpp"
 
+namespace contact::test {
 namespace {
 
 // Threads that may still be started.
@@ -50,14 +52,12 @@ TEST_F(FewThreads, WorkInThoseThatRun) {
   cli::in_threads(5, work);
   const std::string said = testing::internal::GetCapturedStderr();
   EXPECT_EQ(seen.size(), 3u);
-  EXPECT_NE(said.find(": note: 3 of 5 threads could be started: "), said.npos)
-      << said;
+  EXPECT_TRUE(has_text(said, ": note: 3 of 5 threads could be started: "));
   left = 0;
   seen.clear();
   testing::internal::CaptureStderr();
   cli::in_threads(5, work);
-  EXPECT_NE(testing::internal::GetCapturedStderr().find("note: 1 of 5"),
-            std::string::npos);
+  EXPECT_TRUE(has_text(testing::internal::GetCapturedStderr(), "note: 1 of 5"));
   EXPECT_EQ(seen, std::set{std::this_thread::get_id()});
 }
 
@@ -80,3 +80,4 @@ TEST_F(FewThreads, AllBlocksComeInTheirOrder) {
 }
 
 }  // namespace
+}  // namespace contact::test

@@ -53,6 +53,11 @@ table columns hinge-angle hinge-angle $open --load 1e3 --law exact,fitted
 table columns hinge-angle-pin hinge-angle $pin --load 1e3
 table columns hinge-angle-half-angle hinge-angle $open --inverse --theta0 30
 table columns hinge-angle-compare hinge-angle $open --load 1e3 --compare
+play="hinge-angle $ball --force-law --load 1e3"
+table columns hinge-angle-force-law $play
+table columns hinge-angle-force-law-compare $play --compare
+table columns hinge-angle-impact hinge-angle $ball --impact --mass 1 \
+  --speed 0.1 --restitution 0.5
 table columns hinge-pressure hinge-pressure $ball --load 2kN
 for joint in ball pin; do
   table columns "hinge-pressure-summary-$joint" \
@@ -76,6 +81,6 @@ for name, of in sorted(vars(_core).items()):
         if names:
             print(f"{name}:", *names)
 hip = libcontact.Joint.from_file("data/joints/hip_cocr_uhmwpe.toml")
-for answer in hip.solve([0, 0, 9], [1, 0, 1]), hip.utilisation([0, 0, 9], [1, 0, 1]):
+for answer in hip.solve([0, 0, 9], [1, 0, 1]), hip.at_rest([0, 0, 9], [1, 0, 1]):
     print(f"{type(answer).__name__}.to_dict:", *sorted(answer.to_dict()))
 END

@@ -28,6 +28,7 @@ const std::vector<std::string> rooms = {
     "libcontact/play",
     "libcontact/duty",
     "libcontact/identify",
+    "libcontact/quantities",
     "libcontact/tracking",
     "libcontact/files",
     "libcontact/reference",
@@ -72,7 +73,8 @@ const std::vector<std::string> for_programs = {
     "libcontact/joint/fixed_point.hpp",
     "libcontact/tracking",
     "libcontact/files",
-    "libcontact/reference"};
+    "libcontact/reference",
+    "libcontact/quantities"};
 
 const fs::path root = CONTACT_SOURCE_DIR;
 

@@ -15,12 +15,10 @@
 #include "support/edited_file.hpp"
 #include "support/error_message.hpp"
 
+namespace contact::test {
 namespace {
 
 namespace fs = std::filesystem;
-using contact::degree;
-using contact::test::EditedFile;
-using contact::test::error_message;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using multibody::HingeKind;
@@ -114,8 +112,8 @@ TEST(CaseFile, ForcesAreAddedUp) {
 // What a file says, however it is written.
 TEST(CaseFile, ContentIsThatOfTheText) {
   const auto content = [](const std::string& text) {
-    return contact::TomlTable::from_text(text, "t.toml",
-                                         {{"a"}, {"b"}, {"c"}, {"t"}, {"u"}})
+    return TomlTable::from_text(text, "t.toml",
+                                {{"a"}, {"b"}, {"c"}, {"t"}, {"u"}})
         .canonical_text();
   };
   const std::string text = content(
@@ -150,8 +148,8 @@ TEST(CaseFile, JointsOfAFileHaveNamesOfTheirOwn) {
   EXPECT_EQ(c.bodies[0].hinge.joints[0].joint.name, "left pin");
 }
 
-std::vector<const contact::JointContact*> contacts(const Case& c) {
-  std::vector<const contact::JointContact*> all;
+std::vector<const JointContact*> contacts(const Case& c) {
+  std::vector<const JointContact*> all;
   for (const separation::Body& body : c.bodies) {
     for (const auto& joint : body.hinge.joints) all.push_back(&joint.contact);
   }
@@ -180,7 +178,7 @@ body_point_m = [2, 0, 0]
   ASSERT_EQ(contacts(one_file).size(), 3U);
   for (const Case* c : {&arms, &one_file}) {
     const auto all = contacts(*c);
-    for (const contact::JointContact* other : all) {
+    for (const JointContact* other : all) {
       EXPECT_EQ(&other->half_angle_law(), &all[0]->half_angle_law());
       EXPECT_EQ(&other->pressure_law(), &all[0]->pressure_law());
     }
@@ -226,8 +224,7 @@ TEST(CaseFile, SettingsReachTheFilesOfItsJoints) {
   EXPECT_EQ(is.joint.geometry.radius(), was.joint.geometry.radius());
   EXPECT_NE(is.joint.pair().contact_modulus(),
             was.joint.pair().contact_modulus());
-  EXPECT_EQ(std::get<contact::FrictionLaw>(*is.joint.friction).coefficient(),
-            0.25);
+  EXPECT_EQ(std::get<FrictionLaw>(*is.joint.friction).coefficient(), 0.25);
   EXPECT_EQ(changed.bodies[0].hinge.joints[0].joint.pair(), was.joint.pair());
 }
 
@@ -236,7 +233,7 @@ TEST(CaseFile, SettingsThatAreWrongAreNamed) {
     try {
       separation::read_case(CONTACT_DATA_DIR "/cases/flywheels.toml", {},
                             {{key, value}});
-    } catch (const contact::Error& error) {
+    } catch (const Error& error) {
       std::string text = error.what();
       for (const std::string folder = CONTACT_DATA_DIR "/";
            text.find(folder) != text.npos;) {
@@ -277,3 +274,4 @@ TEST(CaseFile, AllCasesOfTheProjectAreGood) {
 }
 
 }  // namespace
+}  // namespace contact::test

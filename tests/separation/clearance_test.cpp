@@ -7,7 +7,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <random>
 #include <string>
 #include <vector>
@@ -15,7 +14,9 @@
 #include "separation/case/case_reader.hpp"
 #include "separation/clearance/pair_way.hpp"
 #include "separation/results/run.hpp"
+#include "support/numbers.hpp"
 
+namespace contact::test {
 namespace {
 
 using Eigen::Matrix3d;
@@ -30,8 +31,6 @@ using separation::RelativePlace;
 using separation::Shape;
 using separation::ShapeKind;
 using separation::Solid;
-
-constexpr double pi = std::numbers::pi;
 
 // Solids and places, generic ones and such as drawings have: round numbers,
 // right angles, and these but for a little.
@@ -556,3 +555,4 @@ TEST(PairWay, IsNeverAboveTheDistance) {
 }
 
 }  // namespace
+}  // namespace contact::test

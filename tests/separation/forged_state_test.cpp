@@ -20,14 +20,14 @@
 #include "separation/results/state_json.hpp"
 #include "separation/results/summary.hpp"
 #include "support/error_message.hpp"
+#include "support/numbers.hpp"
 
+namespace contact::test {
 namespace {
 
 using nlohmann::json;
 using separation::Case;
 using CaseRun = separation::Run;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 json content_of(std::string_view bytes) {
   bytes.remove_suffix(8);  // the check sum
@@ -72,7 +72,7 @@ class Forgery {
     return said_of_bytes(separation::packed(forged));
   }
   std::string said_of_bytes(const std::string& bytes) {
-    const std::string message = contact::test::error_message(
+    const std::string message = error_message(
         [&] { run_.restore(separation::saved_state(bytes, identity_)); });
     if (message != "(no error)") {
       EXPECT_TRUE(is_where_it_was()) << message;
@@ -306,3 +306,4 @@ TEST(ForgedBytes, OfManyLevelsAreRefused) {
 }
 
 }  // namespace
+}  // namespace contact::test

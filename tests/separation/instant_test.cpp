@@ -11,6 +11,7 @@
 #include "separation/case/case_reader.hpp"
 #include "separation/results/run.hpp"
 
+namespace contact::test {
 namespace {
 
 using separation::BodyRecord;
@@ -18,8 +19,6 @@ using separation::Outcome;
 using separation::parse_case;
 using separation::Rows;
 using separation::run_case;
-
-constexpr double degree = contact::degree;
 
 std::string steel_joint(const std::string& kind, const std::string& keys) {
   const bool is_ball = kind == "ball";
@@ -246,3 +245,4 @@ axis = [0, 0, 1]
 }
 
 }  // namespace
+}  // namespace contact::test

@@ -8,7 +8,6 @@
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <numbers>
 #include <string>
 
 #include "libcontact/base/error.hpp"
@@ -23,11 +22,12 @@
 #include "separation/results/state_json.hpp"
 #include "separation/results/summary.hpp"
 #include "support/error_message.hpp"
+#include "support/numbers.hpp"
 #include "support/program.hpp"
 
+namespace contact::test {
 namespace {
 
-using contact::test::error_message;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using separation::convex_hull;
@@ -35,8 +35,6 @@ using separation::Shape;
 using separation::ShapeKind;
 using separation::solid_properties;
 using separation::SolidProperties;
-
-constexpr double pi = std::numbers::pi;
 
 void expect_close(const Matrix3d& a, const Matrix3d& b, double tolerance) {
   EXPECT_LE((a - b).norm(), tolerance * b.norm()) << a << "\n\n" << b;
@@ -153,14 +151,10 @@ TEST(Shape, SeveralTogetherAreOneBody) {
 }
 
 TEST(Shape, FlatHullsAreRefused) {
-  EXPECT_EQ(contact::test::error_message([] {
-              convex_hull({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
-            }),
-            "a hull needs 4 or more points");
-  EXPECT_EQ(contact::test::error_message([] {
-              convex_hull({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}});
-            }),
-            "the points of a hull are (nearly) in one plane");
+  EXPECT_ERROR(convex_hull({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}),
+               "a hull needs 4 or more points");
+  EXPECT_ERROR(convex_hull({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}),
+               "the points of a hull are (nearly) in one plane");
 }
 
 // Two quantities that peak at 0.7 and 0.4, one that grows, one that has had a
@@ -234,7 +228,7 @@ class CheckpointFile : public testing::Test {
     return message();
   }
 
-  const contact::test::ProgramFolder folder_;
+  const ProgramFolder folder_;
   const std::string file_ = folder_.path() / "c";
   std::string bytes_;
 };
@@ -366,3 +360,4 @@ TEST_F(CheckpointFile, OtherFilesAreToldFromDamagedOnes) {
 }
 
 }  // namespace
+}  // namespace contact::test

@@ -16,6 +16,7 @@
 #include "separation/results/summary.hpp"
 #include "support/error_message.hpp"
 
+namespace contact::test {
 namespace {
 
 using separation::Case;
@@ -124,8 +125,7 @@ TEST(SavedBytes, OfOthersAndDamagedOnesAreRefused) {
   const Case c = case_of("two_stage_turn");
   const std::string bytes = separation::saved_bytes(CaseRun(c).save(), "own");
   const auto message = [](const std::string& from, const char* identity) {
-    return contact::test::error_message(
-        [&] { separation::saved_state(from, identity); });
+    return error_message([&] { separation::saved_state(from, identity); });
   };
   EXPECT_EQ(message(bytes, "other"),
             "the saved state: a checkpoint of a run of another case file, "
@@ -238,9 +238,7 @@ TEST(Run, StopsAtAFlagAndGoesOn) {
   };
   CaseRun run(c, options);
   ASSERT_EQ(run.advance_to(c.end_time), Status::stopped);
-  EXPECT_NE(run.message().find(" s: stopped by the pilot after "),
-            std::string::npos)
-      << run.message();
+  EXPECT_TRUE(has_text(run.message(), " s: stopped by the pilot after "));
   EXPECT_LT(run.time(), c.end_time);
   EXPECT_EQ(run.outcome().failure, run.message());
   EXPECT_EQ(run.advance_to(c.end_time), Status::stopped);
@@ -254,14 +252,14 @@ TEST(Run, RefusesWhatCannotBe) {
   const Case c = case_of("slosh");
   CaseRun run(c);
   run.advance_to(1);
-  EXPECT_EQ(contact::test::error_message([&] { run.advance_to(0.5); }),
-            "advance_to: time = 0.5 must be 1 s or later");
-  EXPECT_EQ(contact::test::error_message([&] { run.advance_to(NAN); }),
-            "advance_to: time = nan must be 1 s or later");
+  EXPECT_ERROR(run.advance_to(0.5),
+               "advance_to: time = 0.5 must be 1 s or later");
+  EXPECT_ERROR(run.advance_to(NAN),
+               "advance_to: time = nan must be 1 s or later");
   CaseRun other(case_of("soyuz"));
-  EXPECT_EQ(contact::test::error_message([&] { other.restore(run.save()); }),
-            "the state to restore must be of a run of the same case and "
-            "options");
+  EXPECT_ERROR(other.restore(run.save()),
+               "the state to restore must be of a run of the same case and "
+               "options");
   EXPECT_EQ(other.time(), 0);
   run.advance_to(INFINITY);
   EXPECT_EQ(run.time(), c.end_time);
@@ -269,3 +267,4 @@ TEST(Run, RefusesWhatCannotBe) {
 }
 
 }  // namespace
+}  // namespace contact::test

@@ -12,6 +12,7 @@
 #include "separation/results/run.hpp"
 #include "separation/results/summary.hpp"
 
+namespace contact::test {
 namespace {
 
 using Eigen::Vector3d;
@@ -21,7 +22,6 @@ using separation::parse_case;
 using separation::Rows;
 using separation::run_case;
 
-constexpr double degree = contact::degree;
 const std::string pin_joint = CONTACT_DATA_DIR "/joints/pin_joint.toml";
 const std::string ball_joint =
     CONTACT_DATA_DIR "/joints/spherical_plain_bearing_infinite.toml";
@@ -510,3 +510,4 @@ TEST(FixedCarrier, IsTheLimitOfAHeavyOne) {
 }
 
 }  // namespace
+}  // namespace contact::test

@@ -18,10 +18,9 @@
 #include "study/statistics/verdict.hpp"
 #include "support/error_message.hpp"
 
+namespace contact::test {
 namespace {
 
-using contact::TomlTable;
-using contact::test::error_message;
 using study::Stream;
 
 // Philox 4x32-10 as its authors describe it (Salmon et al., SC11, section 3.3).
@@ -147,13 +146,10 @@ TEST(Distribution, LimitsAreKept) {
   EXPECT_NEAR(cut(study::highest_uniform), 2, 1e-12);
   EXPECT_LE(-0.5, cut(study::lowest_uniform));
   EXPECT_LE(cut(study::highest_uniform), 2);
-  EXPECT_EQ(error_message(
-                [] { quantile_of("kind = 'uniform'\nlow = 1\nhigh = 1\n"); }),
-            "d.toml:3: high = 1 must be above low");
-  EXPECT_EQ(
-      error_message([] {
-        quantile_of("kind = 'normal'\nmean = 0\ndeviation = 1\nlow = 9\n");
-      }),
+  EXPECT_ERROR(quantile_of("kind = 'uniform'\nlow = 1\nhigh = 1\n"),
+               "d.toml:3: high = 1 must be above low");
+  EXPECT_ERROR(
+      quantile_of("kind = 'normal'\nmean = 0\ndeviation = 1\nlow = 9\n"),
       "d.toml:4: low = 9 must be a limit that leaves a millionth of the "
       "distribution");
 }
@@ -559,12 +555,11 @@ TEST(Design, DrawsAreOfSeedRunAndKeyAlone) {
 
 TEST(Design, SaltellisRunsComeInGroups) {
   const auto plan = plan_of(study::Sampling::saltelli, 21, 3);
-  EXPECT_EQ(
-      error_message([&] {
-        study::Design(plan, {0, 0, 0});
-      }),
+  EXPECT_ERROR(
+      study::Design(plan, {0, 0, 0}),
       "runs = 21 with sampling = \"saltelli\" must be a multiple of 40: 8 "
       "shifts of 2 runs and one for each of 3 inputs");
 }
 
 }  // namespace
+}  // namespace contact::test

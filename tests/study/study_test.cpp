@@ -22,10 +22,10 @@
 #include "study/workers.hpp"
 #include "support/error_message.hpp"
 
+namespace contact::test {
 namespace {
 
 namespace fs = std::filesystem;
-using contact::test::error_message;
 using study::Journal;
 using study::Row;
 using study::Study;
@@ -96,14 +96,14 @@ TEST_F(BallStudy, RowsAreWhatTheJointSays) {
   ASSERT_EQ(study.columns(), (std::vector<std::string>{
                                  "friction.coefficient", "load.reaction_N",
                                  "M_t_N_m", "R_n_N", "p_peak_over_limit"}));
-  contact::JointSpec spec = contact::read_joint(path("j.toml"));
+  JointSpec spec = read_joint(path("j.toml"));
   for (const std::uint64_t run : {1, 7, 40}) {
     const Row row = study.row(run);
     EXPECT_TRUE(row.failure.empty());
-    spec.friction = contact::FrictionLaw(row.numbers[0]);
+    spec.friction = FrictionLaw(row.numbers[0]);
     const double b = std::numbers::pi / 3;
     const auto solution =
-        contact::Joint(spec.contact())
+        Joint(spec.contact())
             .solve(
                 {row.numbers[1] * Eigen::Vector3d(std::sin(b), 0, std::cos(b)),
                  {0, 0, 1}});
@@ -454,8 +454,8 @@ TEST_F(StudyFolder, WhatTheNominalRunDoesNotReachIsSaid) {
             place +
                 "event.release.arm.time_s\": event \"release\" does not "
                 "come for arm in the nominal run");
-  EXPECT_NE(message("other.at_release.rate_deg_per_s").find("unknown quantity"),
-            std::string::npos);
+  EXPECT_TRUE(
+      has_text(message("other.at_release.rate_deg_per_s"), "unknown quantity"));
   EXPECT_EQ(message("*"),
             place +
                 "*\" must be a name of one kind of number, not of "
@@ -470,7 +470,7 @@ TEST_F(StudyFolder, LawsAreSharedWithTheNominalCase) {
                           "\nkind = 'uniform'\nlow = 90\nhigh = 99\n"));
   const study::SeparationModel model(plan);
   const std::string joint = "body[1].hinge.joint[1].";
-  const auto law = [&](const contact::KeySettings& settings) {
+  const auto law = [&](const KeySettings& settings) {
     return &model.case_of({settings})
                 .bodies[0]
                 .hinge.joints[0]
@@ -484,3 +484,4 @@ TEST_F(StudyFolder, LawsAreSharedWithTheNominalCase) {
 }
 
 }  // namespace
+}  // namespace contact::test

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <string>
+#include <string_view>
 
 #include "libcontact/base/error.hpp"
 
@@ -16,6 +19,12 @@ std::string error_message(const Call& call) {
     return error.what();
   }
   return "(no error)";
+}
+
+/// Whether the part is in the text; else it shows the text.
+inline testing::AssertionResult has_text(std::string_view text,
+                                         std::string_view part) {
+  return testing::AssertionResult(text.find(part) != text.npos) << text;
 }
 
 }  // namespace contact::test

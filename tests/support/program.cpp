@@ -47,6 +47,12 @@ ProgramResult ProgramFolder::run(const std::string& command) const {
           contents(streams_ / "out"), contents(streams_ / "err")};
 }
 
+ProgramResult ProgramFolder::run_well(const std::string& command) const {
+  ProgramResult result = run(command);
+  EXPECT_EQ(result.status, 0) << command << '\n' << result.err;
+  return result;
+}
+
 void ProgramFolder::write(const std::string& name,
                           std::string_view text) const {
   std::ofstream(path_ / name) << text;

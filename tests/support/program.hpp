@@ -5,6 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "support/error_message.hpp"
+
 namespace contact::test {
 
 /// How a program ended and what it said.
@@ -26,6 +28,8 @@ class ProgramFolder {
   /// Runs a shell command with the folder as working directory and the built
   /// programs first on PATH.
   ProgramResult run(const std::string& command) const;
+  /// The same of one whose status has to be 0.
+  ProgramResult run_well(const std::string& command) const;
 
   const std::filesystem::path& path() const { return path_; }
   void write(const std::string& name, std::string_view text) const;

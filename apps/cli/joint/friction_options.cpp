@@ -7,6 +7,7 @@ namespace cli {
 namespace {
 
 using contact::Dimension;
+using contact::FrictionLaw;
 
 // Far above any friction coefficient, adhesion or viscosity.
 constexpr double largest = 1e30;
@@ -32,45 +33,53 @@ contact::ViscousLaw viscous_law(const std::string& text) {
 
 }  // namespace
 
-void add_friction_options(Program& program, FrictionOptions& options) {
+std::vector<Option> dry_friction_rows(FrictionOptions& o) {
+  return {
+      {"--friction",
+       number("--friction", o.coefficient, Dimension::number, strength),
+       "NUMBER", "f0 of f = f0 + A/p", "", "--viscous"},
+      {"--adhesion",
+       number("--adhesion", o.adhesion, Dimension::stress, {0, largest, "Pa"}),
+       "NUMBER", "A of f = f0 + A/p, Pa; default 0", "", "--viscous"}};
+}
+
+void add_friction_options(Program& program, FrictionOptions& o) {
+  program.add("Friction", dry_friction_rows(o));
+  const Reader viscous = [&o](const std::string& text) {
+    o.viscous = viscous_law(text);
+  };
   program.add("Friction",
-              {{"--friction", &options.friction, "NUMBER", "f0 of f = f0 + A/p",
-                "", "--viscous"},
-               {"--adhesion", &options.adhesion, "NUMBER",
-                "A of f = f0 + A/p, Pa; default 0", "", "--viscous"},
-               {"--viscous", &options.viscous, "NUMBERS",
+              {{"--viscous", viscous, "NUMBERS",
                 "k0, Pa s/m, or k0,k1 (s/m): friction stress (k0 + k1 p) v"}});
 }
 
-double parse_adhesion(const std::string& text) {
-  return parse_quantity("--adhesion", text, Dimension::stress,
-                        {0, largest, "Pa"});
+FrictionLaw dry_friction(const FrictionOptions& options,
+                         const std::optional<contact::FrictionModel>& of_joint,
+                         std::string_view what, std::string_view needs) {
+  const contact::FrictionModel model = of_joint.value_or(FrictionLaw(0));
+  const auto* dry = std::get_if<FrictionLaw>(&model);
+  if (dry == nullptr) refuse_without(what, needs);
+  return FrictionLaw(options.coefficient.value_or(dry->coefficient()),
+                     options.adhesion.value_or(dry->adhesion()));
 }
 
 contact::FrictionModel make_friction(
     const FrictionOptions& options,
     const std::optional<contact::FrictionModel>& of_joint,
     const JointOptions& joint) {
-  if (!options.viscous.empty()) return viscous_law(options.viscous);
-  if (options.friction.empty() && !of_joint) {
+  if (options.viscous) return *options.viscous;
+  // A coefficient without an adhesion means none.
+  if (options.coefficient) {
+    return FrictionLaw(*options.coefficient, options.adhesion.value_or(0));
+  }
+  if (!of_joint) {
     refuse_without(given("--joint", joint.joint()),
                    "--friction or --viscous: neither the joint nor "
                    "its materials have one");
   }
-  if (options.friction.empty() && options.adhesion.empty()) return *of_joint;
-  // A coefficient without an adhesion means none.
-  const double adhesion =
-      options.adhesion.empty() ? 0 : parse_adhesion(options.adhesion);
-  if (!options.friction.empty()) {
-    return contact::FrictionLaw(
-        parse_value("--friction", options.friction, strength), adhesion);
-  }
-  const auto* dry = std::get_if<contact::FrictionLaw>(&*of_joint);
-  if (dry == nullptr) {
-    refuse_without(given("--adhesion", options.adhesion),
-                   "--friction: the joint's friction is not dry");
-  }
-  return contact::FrictionLaw(dry->coefficient(), adhesion);
+  if (!options.adhesion) return *of_joint;
+  return dry_friction(options, of_joint, "--adhesion",
+                      "--friction: the joint's friction is not dry");
 }
 
 }  // namespace cli

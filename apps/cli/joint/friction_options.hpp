@@ -1,25 +1,22 @@
 #pragma once
 
 #include <optional>
-#include <string>
 
 #include "cli/joint/joint_options.hpp"
 
 /// Friction as programs take it from the command line.
 namespace cli {
 
-/// As it was written; "" for options that were not given.
 struct FrictionOptions {
-  std::string friction = {};
-  std::string adhesion = {};
-  std::string viscous = {};
+  std::optional<double> coefficient = {};
+  std::optional<double> adhesion = {};  ///< Pa
+  std::optional<contact::ViscousLaw> viscous = {};
 };
 
-/// Adds --friction, --adhesion and --viscous.
+/// --friction and --adhesion.
+std::vector<Option> dry_friction_rows(FrictionOptions& options);
+/// Adds them and --viscous.
 void add_friction_options(Program& program, FrictionOptions& options);
-
-/// A of --adhesion, Pa.
-double parse_adhesion(const std::string& text);
 
 /// The friction of the options, else the joint's. Throws contact::Error if
 /// there is none.
@@ -27,5 +24,12 @@ contact::FrictionModel make_friction(
     const FrictionOptions& options,
     const std::optional<contact::FrictionModel>& of_joint,
     const JointOptions& joint);
+
+/// The joint's dry friction, 0 if it has none, but for what the options say.
+/// @param needs  "X requires Y: ", the message where it is not dry
+contact::FrictionLaw dry_friction(
+    const FrictionOptions& options,
+    const std::optional<contact::FrictionModel>& of_joint,
+    std::string_view what, std::string_view needs);
 
 }  // namespace cli

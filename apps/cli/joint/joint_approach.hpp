@@ -7,6 +7,7 @@
 
 #include "cli/joint/joint_options.hpp"
 #include "libcontact/joint/contact.hpp"
+#include "libcontact/quantities/tables.hpp"
 
 namespace cli {
 
@@ -36,8 +37,12 @@ class JointApproach {
 
   /// Names of both columns.
   std::vector<std::string> columns() const {
-    return {"approach_m",
-            per_length_ ? "stiffness_N_per_m2" : "stiffness_N_per_m"};
+    std::vector<std::string> names;
+    for (const auto& q : contact::approach_quantities()) {
+      names.push_back(columns_of(q)[0].name);
+    }
+    if (per_length_) names[1] += '2';  // N/m of N/m
+    return names;
   }
 
  private:

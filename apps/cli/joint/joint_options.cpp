@@ -252,8 +252,34 @@ Joint joint_of(const JointOptions& o, const std::string& name,
   return joint;
 }
 
-// The group of options that a joint file takes the place of.
-void add_without_file(Program& program, JointOptions& o) {
+}  // namespace
+
+std::string JointOptions::materials() const {
+  if (is_file(joint())) return given("--joint", joint());
+  if (!pair.empty()) return given("--pair", pair);
+  return modulus_ratio.empty() ? "" : given("--modulus-ratio", modulus_ratio);
+}
+
+void add_joint_options(Program& program, JointOptions& o) {
+  const bool pressure = o.use == JointUse::pressure;
+  const Reader one = [&o](const std::string& text) { o.joints = {text}; };
+  program.add(
+      "Joint",
+      {pressure ? Option{"--joint", one, "KIND|FILE",
+                         "ball (default) or a ball joint's file"}
+                : Option{"--joint", &o.joints, "KIND|FILE",
+                         "ball, pin, or a joint file; files more than once", "",
+                         "", true},
+       {"--loading", &o.loading, "NAME",
+        "of the ball or pin: centre (default) or back:PSI"}});
+  if (!pressure) {
+    program.add("Joint", {{"--set", &o.settings, "KEY=VALUES",
+                           "a key of the joint file and its values, a list or "
+                           "range"}});
+  }
+}
+
+void add_fileless_joint_options(Program& program, JointOptions& o) {
   std::vector<Option> rows = {
       {"--pair", &o.pair, "FILE", "materials of the two bodies, a TOML file"}};
   if (o.use != JointUse::friction) {
@@ -280,34 +306,6 @@ void add_without_file(Program& program, JointOptions& o) {
       }
     }
   });
-}
-
-}  // namespace
-
-std::string JointOptions::materials() const {
-  if (is_file(joint())) return given("--joint", joint());
-  if (!pair.empty()) return given("--pair", pair);
-  return modulus_ratio.empty() ? "" : given("--modulus-ratio", modulus_ratio);
-}
-
-void add_joint_options(Program& program, JointOptions& o) {
-  const bool pressure = o.use == JointUse::pressure;
-  const Reader one = [&o](const std::string& text) { o.joints = {text}; };
-  program.add(
-      "Joint",
-      {pressure ? Option{"--joint", one, "KIND|FILE",
-                         "ball (default) or a ball joint's file"}
-                : Option{"--joint", &o.joints, "KIND|FILE",
-                         "ball, pin, or a joint file; files more than once", "",
-                         "", true},
-       {"--loading", &o.loading, "NAME",
-        "of the ball or pin: centre (default) or back:PSI"}});
-  if (!pressure) {
-    program.add("Joint", {{"--set", &o.settings, "KEY=VALUES",
-                           "a key of the joint file and its values, a list or "
-                           "range"}});
-  }
-  add_without_file(program, o);
 }
 
 void add_law_options(Program& program, JointOptions& o, Laws half_angle,

@@ -56,41 +56,13 @@ struct JointOptions {
   std::string materials() const;
 };
 
-/// Adds --joint and what describes a joint without a file.
+/// Adds --joint, --set and --loading.
 void add_joint_options(Program& program, JointOptions& options);
+/// Adds what describes a joint without a file.
+void add_fileless_joint_options(Program& program, JointOptions& options);
 /// Adds --law, --limit-angle (but for JointUse::pressure) and --pressure.
 void add_law_options(Program& program, JointOptions& options, Laws half_angle,
                      Laws pressure);
-
-/// What --help says of the size of a joint without a file.
-inline constexpr std::string_view size_help =
-    R"(Size: --clearance is the difference of the radii of the two surfaces,
---diametral-clearance that of their diameters, which is twice as much. Or a fit
-by ISO 286 gives it: --diameter 50mm --hole H7 --shaft g6, with the nominal
-size, 3 to 500 mm, holes E, F, G, H, shafts d, e, f, g, h and grades 5 to 9. The
-joint takes the mean of the fit's clearances or the one of --fit-clearance; all
-three are said on standard error.
-)";
-
-/// What --help says of numbers, --loading and --wall.
-inline constexpr std::string_view joint_help =
-    R"(Numbers are in SI units, angles in degrees, or carry a unit: 50mm, 1.5cm,
-0.5in, 2kN, 4MPa, 3N*m, 0.5rad, 100rpm, 5ms; of a list or range all but 0 do, or
-none: 1kN:10kN:log5.
-Loading: centre (the force enters the ball or pin by a stem or shaft, or is its
-own weight; the default) or back:PSI (a loose ball or roller pressed from behind
-on a patch of half-angle PSI, 0 to 90 deg, by a uniform pressure). Only the
-half-angle law exact knows the latter, its name in the output is then
-exact_back:PSI; the pressure law exact follows it, mixture is refused.
-Wall: --wall T makes the seat or hole a layer of its material, T thick, on
---backing rigid, held (free, but for a traction that balances the load) or a
-material's .toml file. Without a radius T is a number, thickness over radius.
-More layers and coatings are in joint files: [wall] and [[coating]]. With them
-all laws are exact, others are refused.
-Seat: it has no end here. Compare the half-angle with what the real one covers:
-asin(C/d) on each side by a ring of width C on a ball of diameter d, 20 to 30 deg
-of spherical plain bearings. A wider contact is pressed harder than printed.
-)";
 
 /// In what a joint differs from the others of a run: a cell of tables.
 struct Difference {

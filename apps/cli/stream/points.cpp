@@ -168,6 +168,25 @@ void read_points(const PointColumns& columns, PointLines& block) {
     fmt::format_to(std::back_inserter(block.messages), "ERROR: line {}: {}\n",
                    line_number, why);
   }
+  block.first = 0;
+  block.last = block.good.size();
+}
+
+void read_all_points(LineReader& reader, const PointColumns& columns, bool tabs,
+                     const std::function<void(const PointLines&)>& each) {
+  constexpr std::string_view mark = "ERROR: ";
+  PointLines block;
+  while (reader.next(block.lines)) {
+    if (tabs) std::ranges::replace(block.lines.text, '\t', ',');
+    read_points(columns, block);
+    if (block.bad_lines > 0) {
+      std::string_view message = block.messages;
+      message = message.substr(0, message.find('\n'));
+      throw contact::Error(
+          fmt::format("{}, {}", reader.name(), message.substr(mark.size())));
+    }
+    each(block);
+  }
 }
 
 void write_riding(const PointColumns& columns, const PointLines& block,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -8,6 +9,7 @@
 
 #include "cli/number.hpp"
 #include "cli/stream/line_blocks.hpp"
+#include "cli/stream/row_blocks.hpp"
 #include "cli/table.hpp"
 
 /// Points from a CSV file: the programs as filters, a line in, a line out.
@@ -48,25 +50,37 @@ struct PointHeader {
 /// is none.
 PointHeader read_header(LineReader& reader);
 
-/// Some points on their way through a program; its memory is used again for
-/// the points that follow.
-struct PointLines {
+/// Some points on their way through a program.
+struct PointLines : RowBlock {
   LineBlock lines;
-
-  std::size_t size() const { return good.size(); }
   std::vector<char> good;  ///< 0 for a bad line
   /// Values of the needed columns, each point after point; NaN of bad lines.
   std::vector<std::vector<double>> values;
   /// Raw fields of the riding columns, point after point; empty where the line
   /// could not be split.
   std::vector<std::string_view> riding;
-  std::string messages;  ///< of bad lines
-  std::size_t bad_lines = 0;
   std::vector<std::string_view> fields;
 };
 
 /// Points of `block.lines`, one for each line that is not blank.
 void read_points(const PointColumns& columns, PointLines& block);
+
+/// Points as rows, read in the thread that works on them.
+class PointRows {
+ public:
+  explicit PointRows(LineReader& reader) : reader_(reader) {}
+  std::size_t count() const { return 0; }
+  bool next(PointLines& block) { return reader_.next(block.lines); }
+
+ private:
+  LineReader& reader_;
+};
+
+/// All points of a file, block after block. Throws contact::Error for the
+/// first bad line.
+/// @param tabs  stand in the place of commas
+void read_all_points(LineReader& reader, const PointColumns& columns, bool tabs,
+                     const std::function<void(const PointLines&)>& each);
 
 /// The riding fields of a point as the last cells of its row.
 void write_riding(const PointColumns& columns, const PointLines& block,

@@ -8,10 +8,9 @@
 #include <vector>
 
 #include "cli/output.hpp"
-#include "cli/progress.hpp"
 #include "cli/quantity.hpp"
 #include "cli/refuse.hpp"
-#include "cli/stream/ordered_blocks.hpp"
+#include "cli/stream/row_blocks.hpp"
 #include "cli/table.hpp"
 #include "libcontact/pressure/validity.hpp"
 #include "programs/angle/angle_plot.hpp"
@@ -23,10 +22,7 @@ namespace hinge_angle {
 namespace {
 
 // Some rows on their way through the program.
-struct Block {
-  std::size_t first;
-  std::size_t last;
-  cli::Text rows;
+struct Block : cli::RowBlock {
   std::vector<std::vector<Findings>> findings;  // of each joint and law
 };
 
@@ -66,35 +62,19 @@ class Tables {
 std::vector<std::vector<Findings>> write_table(
     const Tables& tables, const cli::Table& table,
     const cli::OutputOptions& options) {
-  constexpr std::size_t block_rows = 256;
   cli::Output output(options.output);
-  cli::TableWriter writer(output, table);
-  cli::Progress progress("rows", tables.size());
+  cli::NumberedRows rows(tables.size());
   auto findings = tables.none();
-  std::size_t taken = 0;
-  cli::ordered_blocks<Block>(
-      options.jobs,
-      [&](Block& block) {
-        block.first = taken;
-        block.last = taken = std::min(taken + block_rows, tables.size());
-        return block.first < block.last;
-      },
-      [&](Block& block) {
-        block.rows.clear();
-        cli::RowWriter row(table, block.rows);
-        tables.write(block, row);
-      },
+  cli::write_rows<Block>(
+      options, output, table, rows, "rows",
+      [&](Block& block, cli::RowWriter& row) { tables.write(block, row); },
       [&](const Block& block) {
-        writer.write(block.rows.view());
-        progress.add(block.last - block.first);
         for (std::size_t j = 0; j < findings.size(); ++j) {
           for (std::size_t i = 0; i < findings[j].size(); ++i) {
             findings[j][i].add(block.findings[j][i]);
           }
         }
       });
-  writer.finish();
-  output.commit();
   return findings;
 }
 
@@ -175,6 +155,13 @@ cli::ExitStatus run_comparison(const Options& options) {
 }  // namespace
 
 cli::ExitStatus run(const Options& options) {
+  if (options.play.force_law) {
+    return run_force_law(options.play, options.joint, options.load,
+                         options.compare, options.output);
+  }
+  if (options.play.impact) {
+    return run_impact(options.play, options.joint, options.output);
+  }
   if (options.compare) return run_comparison(options);
   const std::vector<cli::Joint> joints = make_joints(options.joint);
   std::vector<Input> inputs;

@@ -4,6 +4,7 @@
 
 #include "cli/program.hpp"
 #include "programs/angle/input.hpp"
+#include "programs/angle/play.hpp"
 
 namespace hinge_angle {
 
@@ -11,6 +12,7 @@ namespace hinge_angle {
 struct Options {
   cli::JointOptions joint = {.use = cli::JointUse::contact};
   LoadOptions load;
+  PlayOptions play;
   bool compare = false;
   bool inverse = false;
   double tolerance = 0.1;  ///< percent

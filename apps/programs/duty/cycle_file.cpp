@@ -23,21 +23,13 @@ std::vector<std::vector<double>> read_lines(cli::LineReader& reader,
                                             const cli::PointColumns& columns,
                                             bool is_sto) {
   std::vector<std::vector<double>> values(columns.needed.size());
-  cli::PointLines block;
-  while (reader.next(block.lines)) {
-    if (is_sto) std::ranges::replace(block.lines.text, '\t', ',');
-    cli::read_points(columns, block);
-    if (block.bad_lines > 0) {
-      std::string_view message = block.messages;
-      message = message.substr(0, message.find('\n'));
-      message.remove_prefix(std::string_view("ERROR: ").size());
-      throw contact::Error(fmt::format("{}, {}", reader.name(), message));
-    }
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      values[i].insert(values[i].end(), block.values[i].begin(),
-                       block.values[i].end());
-    }
-  }
+  cli::read_all_points(
+      reader, columns, is_sto, [&](const cli::PointLines& block) {
+        for (std::size_t i = 0; i < values.size(); ++i) {
+          values[i].insert(values[i].end(), block.values[i].begin(),
+                           block.values[i].end());
+        }
+      });
   return values;
 }
 

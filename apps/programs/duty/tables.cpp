@@ -1,79 +1,69 @@
 #include "programs/duty/tables.hpp"
 
-#include <fmt/format.h>
-
 #include <cmath>
 #include <functional>
+#include <initializer_list>
 #include <string>
 #include <utility>
 
+#include "cli/stream/report.hpp"
 #include "libcontact/base/units.hpp"
-#include "programs/duty/worn_quantities.hpp"
+#include "libcontact/quantities/tables.hpp"
 
 namespace hinge_duty {
 namespace {
 
+using contact::Column;
 using Instant = contact::JointCycle::Instant;
 using contact::degree;
-using contact::SlidingContact;
+using contact::Dimension;
+using contact::JointSolution;
+using contact::Rating;
 using Eigen::Vector3d;
 
-// Writes a table whose rows `write` makes.
-template <class Rows>
-void write_table(cli::TableStyle style, const std::vector<std::string>& columns,
-                 cli::Output& output, const Rows& write) {
-  style.columns.clear();
-  const cli::Table table(style, columns);
-  cli::Text text;
-  cli::RowWriter to(table, text);
-  write(to);
-  cli::TableWriter writer(output, table);
-  writer.write(text.view());
-  writer.finish();
+// A time of the cycle, and what its contact is rated by.
+struct State {
+  const Instant& instant;
+  const Rating& rating;
+};
+const Instant& part(const State& s, const Column<Instant>& /*of*/) {
+  return s.instant;
+}
+const JointSolution& part(const State& s, const Column<JointSolution>& /*of*/) {
+  return s.instant.solution;
+}
+const Rating& part(const State& s, const Column<Rating>& /*of*/) {
+  return s.rating;
 }
 
 struct StateColumn {
   std::string name;
-  std::function<double(const Instant&, const SlidingContact&)> of;
+  std::function<double(const State&)> of;
 };
 
 std::vector<StateColumn> state_columns() {
   std::vector<StateColumn> all;
-  using Number = double (*)(const Instant&, const SlidingContact&);
-  const auto number = [&](const char* name, Number of) {
-    all.push_back({name, of});
-  };
-  using Vector = const Vector3d& (*)(const Instant&);
-  const auto vector = [&](const std::string& name, const std::string& unit,
-                          Vector of) {
-    for (const int k : {0, 1, 2}) {
-      all.push_back({fmt::format("{}_{}{}", name, "xyz"[k], unit),
-                     [of, k](const auto& i, auto&) {
-                       return of(i)[k] + 0.0;  // no -0
-                     }});
+  // Vectors without their length.
+  const auto add = [&](auto table, std::initializer_list<const char*> keys) {
+    for (const char* key : keys) {
+      const auto& quantity = *find_quantity(table, key);
+      for (auto& column : columns_of(quantity)) {
+        if (quantity.is_vector() && column.part == contact::whole) continue;
+        all.push_back({column.name, [column](const State& s) {
+                         return column(part(s, column));
+                       }});
+      }
     }
   };
-  using I = const Instant&;
-  using S = const SlidingContact&;
-  number("time_s", [](I i, S) { return i.time; });
-  vector("R", "_N", [](I i) -> const Vector3d& { return i.state.reaction; });
-  vector("w", "_rad_per_s",
-         [](I i) -> const Vector3d& { return i.state.angular_velocity; });
-  number("R_n_N", [](I i, S) { return i.solution.normal_force; });
-  vector("n", "", [](I i) -> const Vector3d& { return i.solution.normal; });
-  number("theta0_deg", [](I i, S) { return i.solution.half_angle / degree; });
-  number("g_deg", [](I i, S) { return i.solution.friction_angle() / degree; });
-  number("a_deg", [](I i, S) { return i.solution.slip_axis_angle() / degree; });
-  vector("M_t", "_N_m",
-         [](I i) -> const Vector3d& { return i.solution.friction_moment; });
-  number("heat_W", [](I, S s) { return s.heat(); });
-  number("p_peak_Pa", [](I i, S) { return i.solution.peak_pressure; });
-  number("pv_max_W_per_m2", [](I, S s) { return s.largest_pv().value; });
-  number("pv_max_theta_deg",
-         [](I, S s) { return s.largest_pv().theta / degree; });
-  number("q_max_W_per_m2", [](I, S s) { return s.largest_heat_flux().value; });
-  number("pv_total_W", [](I, S s) { return s.pv_total(); });
-  number("pv_nominal_W_per_m2", [](I, S s) { return s.pv_nominal(); });
+  const auto solution = contact::solution_quantities();
+  const auto rating = contact::rating_quantities();
+  add(contact::instant_quantities(), {"time", "reaction", "angular_velocity"});
+  add(solution, {"normal_force", "normal", "half_angle", "friction_angle",
+                 "slip_axis_angle", "friction_moment"});
+  add(rating, {"heat"});
+  add(solution, {"peak_pressure"});
+  add(rating,
+      {"pv_max", "pv_max_theta", "heat_flux_max", "pv_total", "pv_nominal"});
   return all;
 }
 
@@ -84,34 +74,56 @@ std::vector<std::string> names_of(const Columns& columns) {
   return names;
 }
 
+// Those of a run's other tables.
+cli::TableStyle with_all_columns(cli::TableStyle style) {
+  style.columns.clear();
+  return style;
+}
+
 }  // namespace
+
+std::vector<Column<contact::WearIn::State>> worn_columns() {
+  std::vector<Column<contact::WearIn::State>> all;
+  for (const auto& q : contact::worn_quantities()) {
+    const bool is_small = q.dimension == Dimension::length;
+    const bool is_volume = q.dimension == Dimension::volume;
+    for (auto& column :
+         columns_of(q, is_small    ? contact::unit_of(q.dimension, "mm")
+                       : is_volume ? contact::unit_of(q.dimension, "mm3")
+                                   : contact::printed_unit(q.dimension))) {
+      all.push_back(std::move(column));
+    }
+  }
+  return all;
+}
 
 void write_blocks(const std::vector<contact::WearIn::State>& worn,
                   cli::Output& output, cli::TableStyle style) {
-  write_table(std::move(style), names_of(worn_quantities), output,
-              [&](cli::RowWriter& to) {
-                for (const contact::WearIn::State& state : worn) {
-                  for (const WornQuantity& q : worn_quantities) {
-                    to.number(q.of(state));
-                  }
-                  to.end();
-                }
-              });
+  const auto columns = worn_columns();
+  cli::write_table(with_all_columns(std::move(style)), names_of(columns),
+                   output, [&](cli::RowWriter& to) {
+                     for (const contact::WearIn::State& state : worn) {
+                       for (const auto& column : columns) {
+                         to.number(column(state));
+                       }
+                       to.end();
+                     }
+                   });
 }
 
 void write_states(const contact::JointCycle& cycle, cli::Output& output,
                   cli::TableStyle style) {
   const auto columns = state_columns();
-  write_table(std::move(style), names_of(columns), output,
-              [&](cli::RowWriter& to) {
-                for (const Instant& i : cycle.rows()) {
-                  const SlidingContact sliding = cycle.sliding(i);
-                  for (const StateColumn& column : columns) {
-                    to.number(column.of(i, sliding));
-                  }
-                  to.end();
-                }
-              });
+  cli::write_table(with_all_columns(std::move(style)), names_of(columns),
+                   output, [&](cli::RowWriter& to) {
+                     for (const Instant& i : cycle.rows()) {
+                       const Rating rating = cycle.sliding(i).rating();
+                       for (const StateColumn& column : columns) {
+                         to.number(column.of({i, rating}) + 0.0);  // no -0
+                       }
+                       to.end();
+                     }
+                   });
 }
 
 void write_map(const std::vector<BodyWear>& wear, bool is_pin,
@@ -120,24 +132,25 @@ void write_map(const std::vector<BodyWear>& wear, bool is_pin,
   if (!is_pin) columns = {"body", "x", "y", "z"};
   columns.insert(columns.end(),
                  {"pv_integral_Pa_m", "depth_mm", "cross_shear"});
-  write_table(std::move(style), columns, output, [&](cli::RowWriter& to) {
-    for (const BodyWear& w : wear) {
-      for (std::size_t i = 0; i < w.points.size(); ++i) {
-        if (w.wear[i].pv == 0) continue;
-        const Vector3d& point = w.points[i];
-        to.text(w.body);
-        if (is_pin) {
-          to.number(std::atan2(point.y(), point.x()) / degree);
-        } else {
-          for (const double x : point) to.number(x);
-        }
-        to.number(w.wear[i].pv);
-        to.number(w.depth(w.wear[i]));
-        to.number(w.wear[i].cross_shear);
-        to.end();
-      }
-    }
-  });
+  cli::write_table(with_all_columns(std::move(style)), columns, output,
+                   [&](cli::RowWriter& to) {
+                     for (const BodyWear& w : wear) {
+                       for (std::size_t i = 0; i < w.points.size(); ++i) {
+                         if (w.wear[i].pv == 0) continue;
+                         const Vector3d& point = w.points[i];
+                         to.text(w.body);
+                         if (is_pin) {
+                           to.number(std::atan2(point.y(), point.x()) / degree);
+                         } else {
+                           for (const double x : point) to.number(x);
+                         }
+                         to.number(w.wear[i].pv);
+                         to.number(w.depth(w.wear[i]));
+                         to.number(w.wear[i].cross_shear);
+                         to.end();
+                       }
+                     }
+                   });
 }
 
 }  // namespace hinge_duty

@@ -6,10 +6,14 @@
 #include "cli/table.hpp"
 #include "libcontact/duty/joint_cycle.hpp"
 #include "libcontact/duty/wear_in.hpp"
+#include "libcontact/quantities/quantity.hpp"
 #include "programs/duty/body_wear.hpp"
 
 /// The tables beside the summary, which have all their columns.
 namespace hinge_duty {
+
+/// What is said of wear, lengths and volumes in mm and mm^3.
+std::vector<contact::Column<contact::WearIn::State>> worn_columns();
 
 /// A row for each block of cycles, and one for the end.
 void write_blocks(const std::vector<contact::WearIn::State>& worn,

@@ -6,7 +6,6 @@
 #include <string>
 #include <utility>
 
-#include "cli/quantity.hpp"
 #include "cli/refuse.hpp"
 #include "cli/stream/points.hpp"
 #include "programs/joint/points/form.hpp"
@@ -28,27 +27,11 @@ const std::vector<cli::PointColumn> vector = {{"M_t_x_N_m", any_moment},
 const std::vector<cli::PointColumn> sigma = {{"sigma_N_m", above_zero}};
 const std::vector<cli::PointColumn> rate = {{"rate_rad_per_s", allowed_rate}};
 
-// sigma of moments: sqrt(s_abs^2 + (s_rel M)^2).
-struct Errors {
-  double absolute = 0;
-  double relative = 0;
-
-  explicit Errors(const Options& options) {
-    const std::string& abs = options.sigma_abs;
-    const std::string& rel = options.sigma_rel;
-    if (!abs.empty()) {
-      absolute =
-          cli::parse_quantity("--sigma-abs", abs, contact::Dimension::moment,
-                              {0, any_moment.max, "N m"});
-    }
-    if (!rel.empty()) {
-      relative = cli::parse_value("--sigma-rel", rel, {0, 1e3, ""});
-    }
-  }
-  double of(double moment) const {
-    return std::hypot(absolute, relative * moment);
-  }
-};
+// sigma of a moment: sqrt(s_abs^2 + (s_rel M)^2).
+double sigma_of(const Options& options, double moment) {
+  return std::hypot(options.sigma_abs.value_or(0),
+                    options.sigma_rel.value_or(0) * moment);
+}
 
 // Columns of a file, and where they begin among those that are needed.
 struct Columns {
@@ -81,7 +64,7 @@ struct Columns {
   }
 
   MeasuredMoment datum(const cli::PointLines& block, std::size_t i, bool pin,
-                       double given_rate, const Errors& errors) const {
+                       const Options& options) const {
     std::size_t column = form.columns.size();
     const auto next = [&] { return block.values[column++][i]; };
     MeasuredMoment datum{};
@@ -96,68 +79,47 @@ struct Columns {
       size = next();
       datum.moment = size;
     }
-    datum.sigma = has_sigma ? next() : errors.of(size);
-    const hinge_joint::Input state =
-        state_of(form, block, i, pin, has_rate ? next() : given_rate);
+    datum.sigma = has_sigma ? next() : sigma_of(options, size);
+    const hinge_joint::Input state = state_of(
+        form, block, i, pin, has_rate ? next() : options.rate.value_or(1));
     datum.reaction = state.force;
     datum.angular_velocity = state.turn;
     return datum;
   }
 };
 
-void check_errors(const Options& options, const cli::PointHeader& header,
-                  bool has_sigma) {
-  for (const auto& [name, text] :
-       {std::pair{"--sigma-abs", &options.sigma_abs},
-        std::pair{"--sigma-rel", &options.sigma_rel}}) {
-    if (has_sigma && !text->empty()) {
-      cli::refuse_beside(cli::given(name, *text),
-                         "the column sigma_N_m of " + header.place);
-    }
+// What goes with the columns of a file.
+void check_options(const Options& options, const cli::PointHeader& header,
+                   const Columns& columns) {
+  const char* error = options.sigma_abs   ? "--sigma-abs"
+                      : options.sigma_rel ? "--sigma-rel"
+                                          : nullptr;
+  if (columns.has_sigma && error != nullptr) {
+    cli::refuse_beside(error, "the column sigma_N_m of " + header.place);
   }
-  if (!has_sigma && options.sigma_abs.empty() && options.sigma_rel.empty()) {
+  if (!columns.has_sigma && error == nullptr) {
     cli::refuse_without(cli::given("--data", options.data),
                         "a column sigma_N_m, --sigma-abs or --sigma-rel");
   }
-}
-
-// The first message of bad lines, without "ERROR: ".
-[[noreturn]] void refuse_lines(const std::string& name,
-                               const std::string& messages) {
-  constexpr std::string_view mark = "ERROR: ";
-  throw contact::Error(
-      name + ", " +
-      messages.substr(mark.size(), messages.find('\n') - mark.size()));
+  if (options.rate && (columns.form.has_vectors() || columns.has_rate)) {
+    cli::refuse_beside("--rate", "the rates of " + header.place);
+  }
 }
 
 }  // namespace
 
 std::vector<MeasuredMoment> read_data(const Options& options, bool pin) {
-  const Errors errors(options);
   cli::LineReader reader(options.data);
   const cli::PointHeader header = cli::read_header(reader);
   const Columns columns(header, pin);
-  check_errors(options, header, columns.has_sigma);
-  double given_rate = 1;
-  if (!options.rate.empty()) {
-    given_rate =
-        cli::parse_quantity("--rate", options.rate,
-                            contact::Dimension::angular_velocity, allowed_rate);
-    if (columns.form.has_vectors() || columns.has_rate) {
-      cli::refuse_beside(cli::given("--rate", options.rate),
-                         "the rates of " + header.place);
-    }
-  }
+  check_options(options, header, columns);
   const cli::PointColumns point(header.line, columns.needed, header.place);
   std::vector<MeasuredMoment> data;
-  cli::PointLines block;
-  while (reader.next(block.lines)) {
-    cli::read_points(point, block);
-    if (block.bad_lines > 0) refuse_lines(reader.name(), block.messages);
+  cli::read_all_points(reader, point, false, [&](const cli::PointLines& block) {
     for (std::size_t i = 0; i < block.size(); ++i) {
-      data.push_back(columns.datum(block, i, pin, given_rate, errors));
+      data.push_back(columns.datum(block, i, pin, options));
     }
-  }
+  });
   return data;
 }
 

@@ -7,9 +7,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cli/output.hpp"
-#include "cli/table.hpp"
+#include "cli/stream/report.hpp"
 #include "libcontact/base/units.hpp"
+#include "libcontact/quantities/fit.hpp"
 
 namespace hinge_identify {
 namespace {
@@ -33,76 +33,41 @@ const Parameter& of(FrictionParameter parameter) {
   return parameters[static_cast<std::size_t>(parameter)];
 }
 
-// Writes the table line by line.
-class Lines {
- public:
-  Lines(const cli::Table& table, bool profile)
-      : row_(table, text_), profile_(profile) {}
-
-  void estimate(std::string_view name, const Estimate& e,
-                std::string_view meaning) {
-    row_.text(name);
-    for (const double x :
-         {e.value, e.standard_error, e.interval.low, e.interval.high}) {
-      row_.number(x);
-    }
-    if (profile_) {
-      row_.number(e.profile.low);
-      row_.number(e.profile.high);
-    }
-    row_.text(meaning);
-    row_.end();
-  }
-  void number(std::string_view name, double value, std::string_view meaning) {
-    Estimate e;
-    e.value = value;
-    estimate(name, e, meaning);
-  }
-  std::string_view view() const { return text_.view(); }
-
- private:
-  cli::Text text_;
-  cli::RowWriter row_;
-  bool profile_;
-};
-
-void write_lines(Lines& to, const FrictionFit& fit) {
-  for (std::size_t i = 0; i < fit.estimates.size(); ++i) {
-    const Parameter& p = of(fit.parameters[i]);
-    to.estimate(p.column, fit.estimates[i], p.meaning);
-  }
-  to.estimate("f0_effective", fit.effective_coefficient,
-              "f0 alone, with A = 0 and the joint's clearance");
-  for (Eigen::Index i = 0; i < fit.correlation.rows(); ++i) {
-    for (Eigen::Index j = i + 1; j < fit.correlation.cols(); ++j) {
-      to.number(fmt::format("correlation_{}_{}", of(fit.parameters[i]).name,
-                            of(fit.parameters[j]).name),
-                fit.correlation(i, j), "of their errors");
-    }
-  }
-  to.number(
-      "condition", fit.condition,
-      "scaled condition number: above 30 the data cannot tell them apart");
-  to.number("chi2", fit.chi2, "sum of squares of residuals over sigma");
-  to.number("dof", fit.degrees_of_freedom, "numbers measured less parameters");
-  to.number("chi2_per_dof", fit.chi2 / fit.degrees_of_freedom,
-            "1 if sigma is right");
-  to.number("scale", fit.scale, "error of the data over sigma");
-  to.estimate("load_trend", fit.load_trend,
-              "of residuals, in sigma, over ln R");
-  to.estimate("direction_trend", fit.direction_trend,
-              "of residuals, in sigma per rad, over b");
-  to.estimate("rate_trend", fit.rate_trend,
-              "of residuals, in sigma per rad/s, over |Dw|");
+// Standard error, interval and, if there is one, that of the profile.
+std::vector<cli::Cell> errors(const Estimate& e, bool profile) {
+  std::vector<cli::Cell> cells = {e.standard_error, e.interval.low,
+                                  e.interval.high};
+  if (profile) cells.insert(cells.end(), {e.profile.low, e.profile.high});
+  return cells;
 }
 
-void write_table(const cli::Table& table, std::string_view lines,
-                 const std::string& file) {
-  cli::Output output(file);
-  cli::TableWriter writer(output, table);
-  writer.write(lines);
-  writer.finish();
-  output.commit();
+void add_correlations(const FrictionFit& fit, cli::Report& to) {
+  for (Eigen::Index i = 0; i < fit.correlation.rows(); ++i) {
+    for (Eigen::Index j = i + 1; j < fit.correlation.cols(); ++j) {
+      to.add(fmt::format("correlation_{}_{}", of(fit.parameters[i]).name,
+                         of(fit.parameters[j]).name),
+             fit.correlation(i, j), "of their errors");
+    }
+  }
+}
+
+void add_lines(const FrictionFit& fit, bool profile, cli::Report& to) {
+  for (std::size_t i = 0; i < fit.estimates.size(); ++i) {
+    const Parameter& p = of(fit.parameters[i]);
+    const Estimate& e = fit.estimates[i];
+    to.add(p.column, e.value, p.meaning, errors(e, profile));
+  }
+  for (const contact::FitQuantity& q : contact::fit_quantities()) {
+    if (q.key == "condition") add_correlations(fit, to);
+    if (const auto* get = std::get_if<0>(&q.of)) {
+      to.add(q.symbol, (*get)(fit), q.meaning);
+    } else if (const auto* get = std::get_if<1>(&q.of)) {
+      to.add(q.symbol, static_cast<double>((*get)(fit)), q.meaning);
+    } else if (const auto* get = std::get_if<2>(&q.of)) {
+      const Estimate& e = (*get)(fit);
+      to.add(q.symbol, e.value, q.meaning, errors(e, profile));
+    }
+  }
 }
 
 // A number that is measured, and the datum that it is of.
@@ -162,17 +127,13 @@ double direction_deg(const MeasuredMoment& datum) {
 
 void write_report(const FrictionFit& fit, bool profile,
                   const cli::OutputOptions& options) {
-  std::vector<std::string> columns = {"quantity", "value", "standard_error",
-                                      "low", "high"};
-  if (profile) {
-    columns.emplace_back("profile_low");
-    columns.emplace_back("profile_high");
-  }
-  columns.emplace_back("meaning");
-  const cli::Table table(options, columns);
-  Lines lines(table, profile);
-  write_lines(lines, fit);
-  write_table(table, lines.view(), options.output);
+  std::vector<std::string> beside = {"standard_error", "low", "high"};
+  if (profile) beside.insert(beside.end(), {"profile_low", "profile_high"});
+  cli::Output output(options.output);
+  cli::Report report(beside);
+  add_lines(fit, profile, report);
+  report.write(output, options);
+  output.commit();
 }
 
 void write_residuals(const FrictionFit& fit,
@@ -182,29 +143,30 @@ void write_residuals(const FrictionFit& fit,
   cli::TableStyle style = options;
   style.format = cli::Format::csv;
   style.columns = {};
-  const cli::Table table(
-      style,
-      {"datum", "component", "R_N", "b_deg", "rate_rad_per_s", "measured_N_m",
-       "sigma_N_m", "fit_N_m", "fit_error_N_m", "residual", "weight"});
-  cli::Text text;
-  cli::RowWriter row(table, text);
-  Eigen::Index at = 0;
-  for (std::size_t i = 0; i < data.size(); ++i) {
-    for (int component = 0; component < data[i].size(); ++component, ++at) {
-      row.count(i + 1);
-      constexpr std::string_view axes[] = {"x", "y", "z"};
-      row.text(data[i].is_vector() ? axes[component] : "about_rate");
-      for (const double x :
-           {data[i].reaction.norm(), direction_deg(data[i]),
-            data[i].angular_velocity.norm(), measured(data[i], component),
-            data[i].sigma, fit.moment[at], fit.moment_error[at],
-            fit.residual[at], fit.weight[at]}) {
-        row.number(x);
+  const std::vector<std::string> columns = {
+      "datum",          "component",    "R_N",       "b_deg",
+      "rate_rad_per_s", "measured_N_m", "sigma_N_m", "fit_N_m",
+      "fit_error_N_m",  "residual",     "weight"};
+  cli::Output output(file);
+  cli::write_table(style, columns, output, [&](cli::RowWriter& row) {
+    Eigen::Index at = 0;
+    for (std::size_t i = 0; i < data.size(); ++i) {
+      for (int component = 0; component < data[i].size(); ++component, ++at) {
+        row.count(i + 1);
+        constexpr std::string_view axes[] = {"x", "y", "z"};
+        row.text(data[i].is_vector() ? axes[component] : "about_rate");
+        for (const double x :
+             {data[i].reaction.norm(), direction_deg(data[i]),
+              data[i].angular_velocity.norm(), measured(data[i], component),
+              data[i].sigma, fit.moment[at], fit.moment_error[at],
+              fit.residual[at], fit.weight[at]}) {
+          row.number(x);
+        }
+        row.end();
       }
-      row.end();
     }
-  }
-  write_table(table, text.view(), file);
+  });
+  output.commit();
 }
 
 std::vector<std::string> warnings(const FrictionFit& fit,

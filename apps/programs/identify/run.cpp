@@ -13,8 +13,6 @@
 namespace hinge_identify {
 namespace {
 
-using cli::given;
-using contact::FrictionLaw;
 using contact::FrictionParameter;
 
 constexpr const char* program = "hinge-identify";
@@ -51,34 +49,20 @@ contact::FrictionModel given_friction(
     return std::ranges::count(fitted, parameter) > 0;
   };
   const bool f0 = is_fitted(FrictionParameter::coefficient);
-  if (f0 && !options.friction.empty()) {
-    cli::refuse_beside(given("--friction", options.friction), "--fit f0");
+  if (f0 && options.friction.coefficient) {
+    cli::refuse_beside("--friction", "--fit f0");
   }
-  if (is_fitted(FrictionParameter::adhesion) && !options.adhesion.empty()) {
-    cli::refuse_beside(given("--adhesion", options.adhesion), "--fit A");
+  if (is_fitted(FrictionParameter::adhesion) && options.friction.adhesion) {
+    cli::refuse_beside("--adhesion", "--fit A");
   }
-  const contact::FrictionModel model =
-      joint.spec.friction.value_or(FrictionLaw(0));
-  const auto* dry = std::get_if<FrictionLaw>(&model);
-  if (dry == nullptr) {
-    cli::refuse_without("--fit " + options.fit,
-                        "dry friction: the joint's is not");
+  const std::string fit = "--fit " + options.fit;
+  const contact::FrictionLaw law =
+      dry_friction(options.friction, joint.spec.friction, fit,
+                   "dry friction: the joint's is not");
+  if (!f0 && !joint.spec.friction && !options.friction.coefficient) {
+    cli::refuse_without(fit, "--friction: the joint has none");
   }
-  if (!f0 && !joint.spec.friction && options.friction.empty()) {
-    cli::refuse_without("--fit " + options.fit,
-                        "--friction: the joint has none");
-  }
-  const double largest = 1e30;
-  const double coefficient =
-      options.friction.empty()
-          ? dry->coefficient()
-          : cli::parse_value("--friction", options.friction, {0, largest, ""});
-  const double adhesion =
-      options.adhesion.empty()
-          ? dry->adhesion()
-          : cli::parse_quantity("--adhesion", options.adhesion,
-                                contact::Dimension::stress, {0, largest, "Pa"});
-  return FrictionLaw(coefficient, adhesion);
+  return law;
 }
 
 }  // namespace

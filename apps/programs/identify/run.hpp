@@ -1,7 +1,9 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
+#include "cli/joint/friction_options.hpp"
 #include "cli/joint/joint_options.hpp"
 #include "cli/program.hpp"
 
@@ -13,11 +15,10 @@ struct Options {
   cli::JointOptions joint = {.use = cli::JointUse::friction};
   std::string data;
   std::string fit = "f0,A";
-  std::string friction;
-  std::string adhesion;
-  std::string rate;
-  std::string sigma_abs;
-  std::string sigma_rel;
+  cli::FrictionOptions friction;
+  std::optional<double> rate;       ///< rad/s
+  std::optional<double> sigma_abs;  ///< N m
+  std::optional<double> sigma_rel;
   double level = 0.95;
   bool huber = false;
   bool profile = false;

@@ -115,10 +115,4 @@ std::vector<std::string> with_beside(const std::vector<std::string>& columns,
   return all;
 }
 
-void write_number(cli::RowWriter& to, double value, std::string_view column,
-                  std::size_t row, const Beside& beside) {
-  to.number(value + 0.0);  // no -0
-  if (beside.has(column)) to.number(beside.at(row, column));
-}
-
 }  // namespace hinge_joint

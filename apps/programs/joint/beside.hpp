@@ -39,7 +39,11 @@ class Beside {
 std::vector<std::string> with_beside(const std::vector<std::string>& columns,
                                      const Beside& beside);
 /// The cell or the two cells of such a column.
-void write_number(cli::RowWriter& to, double value, std::string_view column,
-                  std::size_t row, const Beside& beside);
+inline void write_number(cli::RowWriter& to, double value,
+                         std::string_view column, std::size_t row,
+                         const Beside& beside) {
+  to.number(value + 0.0);  // no -0
+  if (!beside.empty() && beside.has(column)) to.number(beside.at(row, column));
+}
 
 }  // namespace hinge_joint

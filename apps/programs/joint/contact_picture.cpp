@@ -196,7 +196,7 @@ std::string draw_pin(const SlidingContact& contact, double half_angle,
 
 std::string draw_contact(const NamedJoint& joint, const Answer& answer,
                          const std::string& title, const std::string& file) {
-  const contact::JointSolution& s = answer.solution;
+  const contact::JointSolution& s = answer.solution();
   if (!(s.normal_force > 0) || s.state != contact::JointState::sliding) {
     return fmt::format("no picture {}: no contact slides", file);
   }

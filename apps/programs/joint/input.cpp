@@ -12,13 +12,6 @@ namespace hinge_joint {
 namespace {
 
 using contact::Dimension;
-using Eigen::Vector3d;
-
-Vector3d vector(std::string_view option, std::string_view text,
-                std::string_view what, Dimension dimension) {
-  const auto v = cli::parse_vector(option, text, what, dimension);
-  return {v[0], v[1], v[2]};
-}
 
 // The angle of a sweep, which a pin does not have.
 cli::Sweep angle_sweep(std::string_view option, const std::string& text,
@@ -50,21 +43,15 @@ Input state_from_contact(double normal_force, double a_deg, double rate) {
 
 Inputs::Inputs(const Options& options, bool pin) {
   const bool reaction = !options.reaction.empty();
-  if (!options.reaction_xyz.empty()) {
-    if (options.rate_xyz.empty() && options.moment_xyz.empty()) {
+  if (options.reaction_xyz) {
+    if (!options.rate_xyz && !options.moment_xyz) {
       cli::refuse_without("--reaction-xyz",
                           "--rate-xyz or, at rest, --moment-xyz");
     }
-    vectors_.force = vector("--reaction-xyz", options.reaction_xyz,
-                            "a force in N", Dimension::force);
-    if (options.moment_xyz.empty()) {
-      vectors_.turn = vector("--rate-xyz", options.rate_xyz, "in rad/s",
-                             Dimension::angular_velocity);
-    } else {
-      question_ = Question::rest;
-      vectors_.turn = vector("--moment-xyz", options.moment_xyz,
-                             "a moment in N m", Dimension::moment);
-    }
+    if (options.moment_xyz) question_ = Question::rest;
+    vectors_.force = *options.reaction_xyz;
+    vectors_.turn =
+        options.moment_xyz ? *options.moment_xyz : *options.rate_xyz;
     return;
   }
   if (!reaction && options.normal_force.empty()) {
@@ -72,10 +59,7 @@ Inputs::Inputs(const Options& options, bool pin) {
                         "one of --reaction-xyz, --reaction, "
                         "--normal-force, --points (see --help)");
   }
-  if (!options.rate.empty()) {
-    rate_ = cli::parse_quantity("--rate", options.rate,
-                                Dimension::angular_velocity, allowed_rate);
-  }
+  rate_ = options.rate.value_or(1);
   if (reaction) {
     forces_.emplace("--reaction", options.reaction, allowed_force,
                     Dimension::force);

@@ -63,10 +63,4 @@ Input state_from_reaction(double reaction, double b_deg, double rate);
 /// R_n n along Z, Dw in the plane YOZ at the angle a from Y, as in NOTATION.md.
 Input state_from_contact(double normal_force, double a_deg, double rate);
 
-/// Intervals of the values.
-inline constexpr cli::Allowed allowed_force{0, 1e100, "N"};
-inline constexpr cli::Allowed allowed_rate{0, 1e100, "rad/s"};
-inline constexpr cli::Allowed allowed_beta{0, 180, "deg"};
-inline constexpr cli::Allowed allowed_alpha{-90, 90, "deg"};
-
 }  // namespace hinge_joint

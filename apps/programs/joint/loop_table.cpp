@@ -7,9 +7,7 @@
 #include <limits>
 #include <span>
 
-#include "cli/choice.hpp"
 #include "cli/output.hpp"
-#include "cli/quantity.hpp"
 #include "libcontact/base/error.hpp"
 #include "libcontact/base/units.hpp"
 #include "libcontact/joint/fixed_point.hpp"
@@ -120,11 +118,11 @@ JointSolution contact_at(const contact::Joint& joint,
 // The rounds of the outer loop.
 class OuterLoop {
  public:
-  OuterLoop(const NamedJoint& joint, const Input& input, const OuterLaw& law)
-      : joint_(joint), input_(input), law_(law) {}
+  OuterLoop(const NamedJoint& joint, const Input& input, const Options& options)
+      : joint_(joint), input_(input), law_(options) {}
 
   double moment() const { return moment_; }
-  Vector3d reaction() const { return input_.force + moment_ * law_.slope; }
+  Vector3d reaction() const { return input_.force + moment_ * *law_.outer; }
   /// The contact of the round before: whose moment() it is.
   const JointSolution& contact() const { return contact_; }
   /// Its g, of R_n = R cos g; the contact itself may give another one.
@@ -168,7 +166,7 @@ class OuterLoop {
  private:
   const NamedJoint& joint_;
   const Input& input_;
-  const OuterLaw& law_;
+  const Options& law_;
   double moment_ = 0;
   double friction_ = 0;
   bool converged_ = false;
@@ -177,10 +175,10 @@ class OuterLoop {
 };
 
 std::vector<double> round_values(const OuterLoop& loop, std::size_t round,
-                                 double braking) {
+                                 const std::optional<double>& braking) {
   const Vector3d r = loop.reaction();
   std::vector<double> values = {static_cast<double>(round + 1), loop.moment()};
-  if (!std::isnan(braking)) values.push_back(braking * loop.moment());
+  if (braking) values.push_back(*braking * loop.moment());
   for (const double value : {r.stableNorm(), r.x(), r.y(), r.z()}) {
     values.push_back(value);
   }
@@ -211,52 +209,25 @@ cli::ExitStatus write_trace(const NamedJoint& joint, const Input& input,
   return cli::some_bad;
 }
 
-OuterLaw make_outer_law(const Options& options) {
-  const auto slope =
-      cli::parse_vector("--outer", options.outer, "a change of R in N per N m");
-  OuterLaw law{.slope = {slope[0], slope[1], slope[2]},
-               .joints = 1,
-               .braking = nan,
-               .inner_steps = {}};
-  constexpr int most = 1000;
-  if (!options.joints.empty()) {
-    law.joints = cli::parse_count("--joints", options.joints, 1, most);
-  }
-  if (!options.braking.empty()) {
-    law.braking = cli::parse_value("--braking", options.braking,
-                                   {-1e100, 1e100, "deg/s^2 per N m"});
-  }
-  if (!options.inner_steps.empty()) {
-    const cli::Sweep steps("--inner-steps", options.inner_steps, {1, most, ""});
-    for (std::size_t i = 0; i < std::min<std::size_t>(steps.size(), most);
-         ++i) {
-      law.inner_steps.push_back(cli::parse_count(
-          "--inner-steps", cli::number_text(steps[i]), 1, most));
-    }
-  }
-  return law;
-}
-
 cli::ExitStatus write_outer(const NamedJoint& joint, const Input& input,
-                            const OuterLaw& law, bool inner,
-                            const Beside& beside,
-                            const cli::OutputOptions& options) {
+                            const Options& options, const Beside& beside) {
+  const bool inner = options.trace;
   std::vector<std::string> columns = {"round"};
   if (inner) {
     columns.insert(columns.end(), step_columns.begin(), step_columns.end());
   } else {
     columns.emplace_back("M_N_m");
-    if (!std::isnan(law.braking)) columns.emplace_back("braking_deg_per_s2");
+    if (options.braking) columns.emplace_back("braking_deg_per_s2");
     for (const char* name : {"R_N", "R_x_N", "R_y_N", "R_z_N", "g_deg", "a_deg",
                              "R_n_N", "Abar", "load_parameter", "theta0_deg"}) {
       columns.emplace_back(name);
     }
   }
-  NumberTable table(joint, columns, beside, options);
-  OuterLoop loop(joint, input, law);
+  NumberTable table(joint, columns, beside, options.output);
+  OuterLoop loop(joint, input, options);
   contact::FixedPointResult result = {Status::ok, 0, 0};
   for (std::size_t round = 0; round < round_limit; ++round) {
-    if (!inner) table.row(round_values(loop, round, law.braking), 1);
+    if (!inner) table.row(round_values(loop, round, options.braking), 1);
     if (loop.converged()) break;
     result = loop.next(round, inner);
     if (inner) {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "cli/quantity.hpp"
+#include "cli/number.hpp"
 #include "cli/refuse.hpp"
 #include "libcontact/base/root_finding.hpp"
 
@@ -36,9 +36,8 @@ double moment_of(const contact::Joint& joint, Question question,
              : std::numeric_limits<double>::quiet_NaN();
 }
 
-double found_coefficient(const NamedJoint& joint, const std::string& text,
-                         double measured, Question question,
-                         const Input& input) {
+double found_coefficient(const NamedJoint& joint, double measured,
+                         Question question, const Input& input) {
   const auto beyond = [&](double coefficient) {
     return moment_of(with_friction(joint.joint, coefficient), question, input) -
            measured;
@@ -53,7 +52,7 @@ double found_coefficient(const NamedJoint& joint, const std::string& text,
   if (low == 0) return 0;
   if (!(low < 0 && high >= 0)) {
     cli::refuse(
-        option, text,
+        option, cli::number_text(measured),
         fmt::format("{:.6g} to {:.6g} N m, |M_t| for f0 from 0 to {} ({})",
                     measured + low, measured + high, largest_measured_friction,
                     laws));
@@ -66,11 +65,7 @@ double found_coefficient(const NamedJoint& joint, const std::string& text,
 
 }  // namespace
 
-void find_friction(const std::string& moment, const Inputs& inputs,
-                   Setup& setup) {
-  const double measured =
-      cli::parse_quantity(option, moment, contact::Dimension::moment,
-                          {0, allowed_force.max, "N m"});
+void find_friction(double moment, const Inputs& inputs, Setup& setup) {
   if (inputs.size() != 1) cli::refuse_without(option, "one state");
   const Input input = inputs[0];
   if (input.force.isZero(0) || input.turn.isZero(0)) {
@@ -79,7 +74,7 @@ void find_friction(const std::string& moment, const Inputs& inputs,
   for (NamedJoint& joint : setup.joints) {
     joint.joint = with_friction(
         joint.joint,
-        found_coefficient(joint, moment, measured, inputs.question(), input));
+        found_coefficient(joint, moment, inputs.question(), input));
   }
   setup.friction_found = true;
 }

@@ -17,7 +17,6 @@ inline constexpr double largest_measured_friction = 3;
 /// @param moment  of --measured-moment, N m
 /// @param setup   its friction dry; f0 is not looked at
 /// Throws contact::Error if there is not one state, or none has that moment.
-void find_friction(const std::string& moment, const Inputs& inputs,
-                   Setup& setup);
+void find_friction(double moment, const Inputs& inputs, Setup& setup);
 
 }  // namespace hinge_joint

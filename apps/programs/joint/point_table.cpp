@@ -4,10 +4,8 @@
 #include <vector>
 
 #include "cli/output.hpp"
-#include "cli/progress.hpp"
 #include "cli/quantity.hpp"
 #include "cli/refuse.hpp"
-#include "cli/stream/ordered_blocks.hpp"
 #include "cli/stream/points.hpp"
 #include "programs/joint/input.hpp"
 #include "programs/joint/points/form.hpp"
@@ -21,7 +19,6 @@ constexpr Question all_questions[] = {Question::reaction, Question::contact,
 
 // Some points on their way through the program.
 struct Block : cli::PointLines {
-  cli::Text rows;
   std::vector<PointRow> kept;
   Problems problems;
 };
@@ -34,56 +31,35 @@ class Points {
         header_(cli::read_header(reader_)),
         form_(find_form(header_, pin, all_questions)),
         columns_(header_.line, form_.columns, header_.place),
-        pin_(pin) {
-    if (options.rate.empty()) return;
-    rate_ =
-        cli::parse_quantity("--rate", options.rate,
-                            contact::Dimension::angular_velocity, allowed_rate);
-    if (form_.has_vectors()) {
-      cli::refuse_beside(cli::given("--rate", options.rate),
-                         "the vectors of " + header_.place);
+        pin_(pin),
+        rate_(options.rate.value_or(1)) {
+    if (options.rate && form_.has_vectors()) {
+      cli::refuse_beside("--rate", "the vectors of " + header_.place);
     }
   }
 
   Question question() const { return form_.question; }
   const cli::PointColumns& columns() const { return columns_; }
 
-  // Answers all of them in `jobs` threads: each(block, i, answer) in these,
-  // null for a bad line; write(block) in order.
-  template <class Each, class Write>
-  Problems answer(const NamedJoint& joint, int jobs, const Each& each,
-                  const Write& write) {
-    cli::Progress progress("points", 0);
-    Problems problems;
-    cli::ordered_blocks<Block>(
-        jobs, [&](Block& block) { return reader_.next(block.lines); },
-        [&](Block& block) {
-          cli::read_points(columns_, block);
-          block.rows.clear();
-          block.kept.clear();
-          block.problems = {};
-          for (std::size_t i = 0; i < block.size(); ++i) {
-            if (!block.good[i]) {
-              each(block, i, nullptr);
-              continue;
-            }
-            const Answer a = hinge_joint::answer(
-                joint, question(), state_of(form_, block, i, pin_, rate_));
-            block.problems.add(a, 0);
-            each(block, i, &a);
-          }
-        },
-        [&](const Block& block) {
-          write(block);
-          progress.add(block.size());
-          problems.add(block.problems);
-          problems.bad_lines += block.bad_lines;
-          if (block.bad_lines == 0) return;
-          progress.clear();
-          std::fputs(block.messages.c_str(), stderr);
-        });
-    return problems;
+  // Reads and answers the points of a block: each(i, answer), null for a bad
+  // line.
+  template <class Each>
+  void answer(const NamedJoint& joint, Block& block, const Each& each) const {
+    cli::read_points(columns_, block);
+    block.kept.clear();
+    block.problems = {};
+    for (std::size_t i = 0; i < block.size(); ++i) {
+      if (!block.good[i]) {
+        each(i, nullptr);
+        continue;
+      }
+      const Answer a = hinge_joint::answer(
+          joint, question(), state_of(form_, block, i, pin_, rate_));
+      block.problems.add(a, 0);
+      each(i, &a);
+    }
   }
+  cli::PointRows rows() { return cli::PointRows(reader_); }
 
  private:
   cli::LineReader reader_;
@@ -91,60 +67,73 @@ class Points {
   Form form_;
   cli::PointColumns columns_;
   bool pin_;
-  double rate_ = 1;
+  double rate_;
 };
 
 void keep(const PointSeries& series, Block& block, std::size_t i,
           const Answer* a) {
-  if (a == nullptr || a->solution.status != contact::Status::ok) return;
+  if (a == nullptr || a->solution().status != contact::Status::ok) return;
   block.kept.push_back(series.row(*a, block, i));
+}
+
+void add(const Block& block, Problems& problems) {
+  problems.add(block.problems);
+  problems.bad_lines += block.bad_lines;
 }
 
 Problems write_rows(Points& points, const NamedJoint& joint,
                     const Options& options, PointSeries* series) {
   const cli::PointColumns& columns = points.columns();
-  const std::vector<Quantity> quantities =
-      hinge_joint::quantities(points.question() == Question::rest,
-                              joint.approach.has_value(), false, options.pv);
-  std::vector<std::string> names = solution_columns(joint, quantities, {});
+  const std::vector<AnswerColumn> shown =
+      answer_columns(points.question() == Question::rest,
+                     joint.approach.has_value(), false, options.pv);
+  std::vector<std::string> names = solution_columns(joint, shown, {});
   const std::size_t cells = names.size();
   for (std::string& name : cli::distinct_names(columns.riding, names)) {
     names.push_back(std::move(name));
   }
   cli::Output output(options.output.output);
   const cli::Table table(options.output, names);
-  cli::TableWriter writer(output, table);
-  Problems problems = points.answer(
-      joint, options.output.jobs,
-      [&](Block& block, std::size_t i, const Answer* a) {
-        cli::RowWriter row(table, block.rows);
-        if (a != nullptr) {
-          write_cells(row, joint, quantities, *a, 1, {});
-        } else {
-          row.text("ERROR");
-          for (std::size_t j = 1; j < cells; ++j) row.empty();
-        }
-        cli::write_riding(columns, block, i, row);
-        row.end();
-        if (series != nullptr) keep(*series, block, i, a);
-      },
-      [&](const Block& block) {
-        writer.write(block.rows.view());
-        if (series != nullptr) series->append(block.kept, block.size());
-      });
-  writer.finish();
-  output.commit();
+  cli::PointRows rows = points.rows();
+  Problems problems;
+  const auto write = [&](Block& block, cli::RowWriter& row) {
+    points.answer(joint, block, [&](std::size_t i, const Answer* a) {
+      if (a != nullptr) {
+        write_cells(row, joint, shown, *a, 1, {});
+      } else {
+        row.text("ERROR");
+        for (std::size_t j = 1; j < cells; ++j) row.empty();
+      }
+      cli::write_riding(columns, block, i, row);
+      row.end();
+      if (series != nullptr) keep(*series, block, i, a);
+    });
+  };
+  cli::write_rows<Block>(options.output, output, table, rows, "points", write,
+                         [&](const Block& block) {
+                           add(block, problems);
+                           if (series != nullptr) {
+                             series->append(block.kept, block.size());
+                           }
+                         });
   return problems;
 }
 
 Problems summarise(Points& points, const NamedJoint& joint,
                    const Options& options, PointSeries& series) {
-  Problems problems = points.answer(
-      joint, options.output.jobs,
-      [&](Block& block, std::size_t i, const Answer* a) {
-        keep(series, block, i, a);
+  cli::PointRows rows = points.rows();
+  Problems problems;
+  cli::row_blocks<Block>(
+      options.output.jobs, rows, "points",
+      [&](Block& block) {
+        points.answer(joint, block, [&](std::size_t i, const Answer* a) {
+          keep(series, block, i, a);
+        });
       },
-      [&](const Block& block) { series.append(block.kept, block.size()); });
+      [&](const Block& block) {
+        add(block, problems);
+        series.append(block.kept, block.size());
+      });
   write_point_summary(joint, series, options.output);
   return problems;
 }

@@ -66,19 +66,16 @@ const NamedJoint& only_joint(const Setup& setup, const Inputs& inputs,
 
 cli::ExitStatus run_loops(const Options& options, const Setup& setup,
                           const Inputs& inputs) {
-  const bool outer = !options.outer.empty();
+  const bool outer = options.outer.has_value();
   const NamedJoint& joint =
       only_joint(setup, inputs, outer ? "--outer" : "--trace");
   const Beside beside(options.beside, setup.given[0].spec.name,
                       !outer          ? "trace"
                       : options.trace ? "inner"
                                       : "outer");
-  std::optional<OuterLaw> law;
-  if (outer) law = make_outer_law(options);
   warn_of_states(setup, inputs);
-  if (!law) return write_trace(joint, inputs[0], beside, options.output);
-  return write_outer(joint, inputs[0], *law, options.trace, beside,
-                     options.output);
+  if (!outer) return write_trace(joint, inputs[0], beside, options.output);
+  return write_outer(joint, inputs[0], options, beside);
 }
 
 // The largest contacts of each joint and pair of laws.
@@ -178,7 +175,7 @@ cli::ExitStatus run(const Options& options) {
   Setup setup = make_setup(options);
   if (!options.points.empty()) return run_points(options, setup);
   const Inputs inputs(options, setup.joints[0].joint.is_pin());
-  if (options.trace || !options.outer.empty()) {
+  if (options.trace || options.outer.has_value()) {
     return run_loops(options, setup, inputs);
   }
   const bool plot = !options.output.plot.empty();
@@ -187,8 +184,8 @@ cli::ExitStatus run(const Options& options) {
   if (map) check_map(options, setup, inputs);
   check_rest(setup, inputs);
   if (options.summary) check_summary(setup, inputs);
-  if (!options.measured_moment.empty()) {
-    find_friction(options.measured_moment, inputs, setup);
+  if (options.measured_moment) {
+    find_friction(*options.measured_moment, inputs, setup);
   }
   const Beside beside(options.beside, setup.given[0].spec.name, "solution");
   const auto begin = [&] { warn_of_states(setup, inputs); };

@@ -9,29 +9,19 @@
 namespace hinge_joint {
 namespace {
 
-// Dry friction whose f0 is to be found.
-contact::FrictionLaw adhesion_alone(
-    const Options& options,
-    const std::optional<contact::FrictionModel>& of_joint) {
-  const std::string& adhesion = options.friction.adhesion;
-  if (!adhesion.empty()) {
-    return contact::FrictionLaw(0, cli::parse_adhesion(adhesion));
-  }
-  if (!of_joint) return contact::FrictionLaw(0);
-  const auto* dry = std::get_if<contact::FrictionLaw>(&*of_joint);
-  if (dry == nullptr) {
-    cli::refuse_without("--measured-moment",
-                        "--adhesion: the joint's friction is not dry");
-  }
-  return contact::FrictionLaw(0, dry->adhesion());
-}
-
+// With --measured-moment f0 is to be found.
 contact::FrictionModel friction_of(
     const Options& options,
     const std::optional<contact::FrictionModel>& of_joint) {
-  return options.measured_moment.empty()
-             ? make_friction(options.friction, of_joint, options.joint)
-             : adhesion_alone(options, of_joint);
+  if (!options.measured_moment) {
+    return make_friction(options.friction, of_joint, options.joint);
+  }
+  const std::optional<double>& adhesion = options.friction.adhesion;
+  if (adhesion) return contact::FrictionLaw(0, *adhesion);
+  cli::FrictionOptions none;
+  none.coefficient = 0;
+  return dry_friction(none, of_joint, "--measured-moment",
+                      "--adhesion: the joint's friction is not dry");
 }
 
 }  // namespace

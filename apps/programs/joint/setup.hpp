@@ -13,28 +13,39 @@
 
 namespace hinge_joint {
 
+/// Intervals of the values.
+inline constexpr cli::Allowed allowed_force{0, 1e100, "N"};
+inline constexpr cli::Allowed allowed_rate{0, 1e100, "rad/s"};
+inline constexpr cli::Allowed allowed_beta{0, 180, "deg"};
+inline constexpr cli::Allowed allowed_alpha{-90, 90, "deg"};
+
 /// The command line of hinge-joint as it was written; "" for options that
 /// were not given.
 struct Options {
   cli::JointOptions joint = {.use = cli::JointUse::friction};
   cli::FrictionOptions friction;
-  std::string measured_moment;
+  std::optional<double> measured_moment;  ///< N m
 
-  std::string reaction_xyz;
-  std::string rate_xyz;
-  std::string moment_xyz;
+  std::optional<Eigen::Vector3d> reaction_xyz;
+  std::optional<Eigen::Vector3d> rate_xyz;
+  std::optional<Eigen::Vector3d> moment_xyz;
   std::string reaction;
   std::string beta;
   std::string normal_force;
   std::string alpha;
-  std::string rate;
+  std::optional<double> rate;  ///< rad/s
   std::string points;
 
   bool trace = false;
-  std::string outer;
-  std::string joints;
-  std::string braking;
-  std::string inner_steps;
+  /// A reaction that answers to the friction moment: R = R_0 + M r, with M the
+  /// friction moment about Dw of all joints (5.1); r, N per N m.
+  std::optional<Eigen::Vector3d> outer;
+  int joints = 1;  ///< M is that of so many
+  /// Angular acceleration per moment, deg/s^2 per N m.
+  std::optional<double> braking;
+  /// Steps of the inner loop in each round, the last number for all further
+  /// ones; none: until it has converged.
+  std::vector<int> inner_steps;
 
   bool summary = false;
   bool pv = false;

@@ -2,11 +2,12 @@
 
 #include <Eigen/Core>
 #include <optional>
+#include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
-#include "libcontact/duty/sliding_contact.hpp"
-#include "libcontact/joint/solution.hpp"
+#include "libcontact/quantities/tables.hpp"
 #include "programs/joint/input.hpp"
 #include "programs/joint/setup.hpp"
 
@@ -17,41 +18,43 @@ struct Answer {
   Question question;
   std::optional<Input::Given> given;
   Eigen::Vector3d rate;  ///< Dw; at rest u, with 1 rad/s
-  contact::JointSolution solution;
   /// |M_t| that R would give as the normal force, N m.
   double traditional;
-  /// |M_t|/(rho R).
-  double moment_coefficient;
+  /// Its slip is the solution, its utilisation NaN but of Question::rest.
+  contact::RestSolution rest;
   double mean_pressure;     ///< Pa
   double nominal_pressure;  ///< Pa
-  double nominal_area;      ///< m^2
-  /// Of p |v| and of heat over the contact, if NamedJoint::pv.
-  contact::SlidingContact::Peak pv;
-  contact::SlidingContact::Peak heat;
-  double pv_mean;     ///< W/m^2
-  double pv_nominal;  ///< W/m^2
-  double slip_coefficient;
   /// f0 of dry friction.
   double coefficient;
-  /// Of Question::rest: tau, u.
-  double utilisation;
-  Eigen::Vector3d direction;
+  /// If NamedJoint::pv.
+  contact::Rating rating;
   /// Of the half-angle law exact, SI units; NaN of others.
   contact::ContactApproach approach;
+
+  const contact::JointSolution& solution() const { return rest.slip; }
 };
 
 Answer answer(const NamedJoint& joint, Question question, const Input& input);
 
 /// "sliding", "resting", "unloaded"; of Question::rest "holds" or "slips".
 std::string_view state_text(const Answer& a);
-/// "ok", "out_of_range", "not_converged".
-std::string_view status_text(contact::Status status);
 
-/// A number of an answer: its column, and what it is.
-struct Quantity {
-  std::string_view name;
+/// A number of an answer.
+struct AnswerColumn {
+  std::string name;
   std::string_view meaning;
-  double (*of)(const Answer&);
+  std::variant<contact::Column<contact::JointSolution>, contact::Column<Answer>,
+               contact::Column<contact::Rating>,
+               contact::Column<contact::RestSolution>,
+               contact::Column<contact::ContactApproach>>
+      of;
+  /// A force or an angle that was given is shown as it was given: what the
+  /// solution says of it differs in the last digits, and rows would not be
+  /// found by it.
+  double Input::Given::*given = nullptr;
+  Question given_in = Question::reaction;
+
+  double operator()(const Answer& a) const;
 };
 
 /// All of them in the order of the columns.
@@ -59,7 +62,7 @@ struct Quantity {
 /// @param approach  with those of the half-angle law exact
 /// @param friction  with f0
 /// @param pv        with those of NamedJoint::pv
-std::vector<Quantity> quantities(bool rest, bool approach, bool friction,
-                                 bool pv);
+std::vector<AnswerColumn> answer_columns(bool rest, bool approach,
+                                         bool friction, bool pv);
 
 }  // namespace hinge_joint

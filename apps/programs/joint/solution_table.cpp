@@ -3,29 +3,27 @@
 #include <algorithm>
 
 #include "cli/output.hpp"
-#include "cli/progress.hpp"
-#include "cli/stream/ordered_blocks.hpp"
+#include "cli/stream/report.hpp"
+#include "cli/stream/row_blocks.hpp"
 
 namespace hinge_joint {
 namespace {
 
 // Some rows on their way through the program.
-struct Block {
-  std::size_t first;
-  std::size_t last;
-  cli::Text rows;
+struct Block : cli::RowBlock {
   Problems problems;
 };
 
-std::vector<Quantity> quantities_of(const Setup& setup, const Inputs& inputs) {
-  return quantities(inputs.question() == Question::rest, setup.has_approach(),
-                    setup.friction_found, setup.joints[0].pv);
+std::vector<AnswerColumn> columns_of(const Setup& setup, const Inputs& inputs) {
+  return answer_columns(inputs.question() == Question::rest,
+                        setup.has_approach(), setup.friction_found,
+                        setup.joints[0].pv);
 }
 
 }  // namespace
 
 void Problems::add(const Answer& answer, std::size_t joint) {
-  const contact::JointSolution& s = answer.solution;
+  const contact::JointSolution& s = answer.solution();
   if (s.status == contact::Status::out_of_range) ++out_of_range;
   if (s.status == contact::Status::not_converged) ++not_converged;
   largest.resize(std::max(largest.size(), joint + 1));
@@ -43,29 +41,29 @@ void Problems::add(const Problems& more) {
 }
 
 std::vector<std::string> solution_columns(const NamedJoint& joint,
-                                          std::span<const Quantity> columns,
+                                          std::span<const AnswerColumn> columns,
                                           const Beside& beside) {
   std::vector<std::string> names;
   for (const cli::Difference& difference : joint.differences) {
     names.push_back(difference.column);
   }
   names.insert(names.end(), {"law", "pressure", "state", "status"});
-  for (const Quantity& quantity : columns) {
-    names.emplace_back(quantity.name);
+  for (const AnswerColumn& column : columns) {
+    names.push_back(column.name);
   }
   return with_beside(names, beside);
 }
 
 void write_cells(cli::RowWriter& to, const NamedJoint& joint,
-                 std::span<const Quantity> columns, const Answer& a,
+                 std::span<const AnswerColumn> columns, const Answer& a,
                  std::size_t row, const Beside& beside) {
   cli::write_differences(joint.differences, to);
   to.text(joint.law);
   to.text(joint.pressure);
   to.text(state_text(a));
-  to.text(status_text(a.solution.status));
-  for (const Quantity& quantity : columns) {
-    write_number(to, quantity.of(a), quantity.name, row, beside);
+  to.text(to_string(a.solution().status));
+  for (const AnswerColumn& column : columns) {
+    write_number(to, column(a), column.name, row, beside);
   }
 }
 
@@ -73,46 +71,27 @@ Problems write_solutions(const Setup& setup, const Inputs& inputs,
                          const Beside& beside,
                          const cli::OutputOptions& options,
                          const std::function<void()>& begin) {
-  // Large against the cost of passing a block between threads.
-  constexpr std::size_t block_rows = 256;
-  const std::vector<Quantity> columns = quantities_of(setup, inputs);
-  const std::size_t size = inputs.size() * setup.joints.size();
+  const std::vector<AnswerColumn> columns = columns_of(setup, inputs);
+  const std::size_t joints = setup.joints.size();
   cli::Output output(options.output);
   const cli::Table table(options,
                          solution_columns(setup.joints[0], columns, beside));
   begin();
-  cli::TableWriter writer(output, table);
-  cli::Progress progress("rows", size);
+  cli::NumberedRows rows(inputs.size() * joints);
   Problems problems;
-  std::size_t taken = 0;
-  cli::ordered_blocks<Block>(
-      options.jobs,
-      [&](Block& block) {
-        block.first = taken;
-        block.last = taken = std::min(taken + block_rows, size);
-        return block.first < block.last;
-      },
-      [&](Block& block) {
-        block.rows.clear();
+  cli::write_rows<Block>(
+      options, output, table, rows, "rows",
+      [&](Block& block, cli::RowWriter& row) {
         block.problems = {};
-        cli::RowWriter row(table, block.rows);
         for (std::size_t i = block.first; i < block.last; ++i) {
-          const std::size_t j = i % setup.joints.size();
-          const NamedJoint& joint = setup.joints[j];
-          const Answer a =
-              answer(joint, inputs.question(), inputs[i / setup.joints.size()]);
-          block.problems.add(a, j);
+          const NamedJoint& joint = setup.joints[i % joints];
+          const Answer a = answer(joint, inputs.question(), inputs[i / joints]);
+          block.problems.add(a, i % joints);
           write_cells(row, joint, columns, a, i + 1, beside);
           row.end();
         }
       },
-      [&](const Block& block) {
-        writer.write(block.rows.view());
-        progress.add(block.last - block.first);
-        problems.add(block.problems);
-      });
-  writer.finish();
-  output.commit();
+      [&](const Block& block) { problems.add(block.problems); });
   return problems;
 }
 
@@ -120,38 +99,25 @@ Problems write_summary(const Setup& setup, const Inputs& inputs,
                        const Beside& beside, const cli::OutputOptions& options,
                        const std::function<void()>& begin) {
   const NamedJoint& joint = setup.joints[0];
-  std::vector<std::string> columns = {"quantity", "value"};
-  if (!beside.empty()) columns.emplace_back("value_printed");
-  columns.emplace_back("meaning");
-
+  std::vector<std::string> printed;
+  if (!beside.empty()) printed.emplace_back("value_printed");
   cli::Output output(options.output);
-  const cli::Table table(options, columns);
+  // What it asks for is there, before work.
+  const cli::Table table(options, cli::Report(printed).columns());
   begin();
   const Answer a = answer(joint, inputs.question(), inputs[0]);
-  cli::TableWriter writer(output, table);
-  cli::Text rows;
-  cli::RowWriter row(table, rows);
-  const auto text_row = [&](std::string_view name, std::string_view value,
-                            std::string_view meaning) {
-    row.text(name);
-    row.text(value);
-    if (!beside.empty()) row.empty();
-    row.text(meaning);
-    row.end();
-  };
-  text_row("law", joint.law, "half-angle law");
-  text_row("pressure", joint.pressure, "pressure law");
-  text_row("state", state_text(a), "");
-  text_row("status", status_text(a.solution.status), "of the solver");
-  for (const Quantity& quantity : quantities_of(setup, inputs)) {
-    row.text(quantity.name);
-    row.number(quantity.of(a) + 0.0);  // no -0
-    if (!beside.empty()) row.number(beside.at(1, quantity.name));
-    row.text(quantity.meaning);
-    row.end();
+  cli::Report report(printed);
+  report.add("law", joint.law, "half-angle law");
+  report.add("pressure", joint.pressure, "pressure law");
+  report.add("state", std::string(state_text(a)), "");
+  report.add("status", std::string(to_string(a.solution().status)),
+             "of the solver");
+  for (const AnswerColumn& column : columns_of(setup, inputs)) {
+    std::vector<cli::Cell> cells;
+    if (!beside.empty()) cells = {beside.at(1, column.name)};
+    report.add(column.name, column(a), column.meaning, cells);
   }
-  writer.write(rows.view());
-  writer.finish();
+  report.write(output, options);
   output.commit();
   Problems problems;
   problems.add(a, 0);

@@ -25,7 +25,7 @@ struct Problems {
 };
 
 /// A row for each state, joint and pair of laws: its differences, law,
-/// pressure, state, status and the quantities().
+/// pressure, state, status and the answer_columns().
 Problems write_solutions(const Setup& setup, const Inputs& inputs,
                          const Beside& beside,
                          const cli::OutputOptions& options,
@@ -38,11 +38,11 @@ Problems write_summary(const Setup& setup, const Inputs& inputs,
 
 /// Names of the columns of write_solutions().
 std::vector<std::string> solution_columns(const NamedJoint& joint,
-                                          std::span<const Quantity> columns,
+                                          std::span<const AnswerColumn> columns,
                                           const Beside& beside);
 /// Cells of one row; ends it not.
 void write_cells(cli::RowWriter& to, const NamedJoint& joint,
-                 std::span<const Quantity> columns, const Answer& a,
+                 std::span<const AnswerColumn> columns, const Answer& a,
                  std::size_t row, const Beside& beside);
 
 }  // namespace hinge_joint

@@ -114,7 +114,7 @@ std::string draw_torque(const Setup& setup, const Inputs& inputs,
         const Answer a = answer(
             joint, inputs.question(),
             over_angle ? inputs.at(member, value) : inputs.at(value, member));
-        const double moment = a.solution.friction_moment.stableNorm();
+        const double moment = a.solution().friction_moment.stableNorm();
         largest = std::max({largest, moment, a.traditional});
         solved.x.push_back(value);
         solved.y.push_back(moment);

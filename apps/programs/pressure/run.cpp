@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "cli/output.hpp"
-#include "cli/progress.hpp"
 #include "cli/quantity.hpp"
+#include "cli/stream/row_blocks.hpp"
 #include "cli/table.hpp"
 #include "libcontact/base/units.hpp"
 #include "libcontact/pressure/validity.hpp"
@@ -116,28 +116,26 @@ cli::ExitStatus write_table(const std::vector<cli::Joint>& joints,
                             const std::vector<LoadedContacts>& contacts,
                             const cli::Table& table, const Options& options) {
   cli::Output output(options.output.output);
-  cli::TableWriter writer(output, table);
-  cli::Text rows;
-  cli::RowWriter row(table, rows);
-  cli::Progress progress("loads", joints.size() * contacts[0].size());
   std::vector<Findings> findings;
   for (std::size_t j = 0; j < joints.size(); ++j) {
-    Findings& found = findings.emplace_back(joints[j], tables[j]);
-    for (std::size_t i = 0; i < contacts[j].size(); ++i) {
-      const LoadedContact contact = contacts[j][i];
-      found.add(contact);
-      rows.clear();
-      if (options.summary) {
-        tables[j].write_summary(contact, row);
-      } else {
-        tables[j].write_profile(contact, options.points, row);
-      }
-      writer.write(rows.view());
-      progress.add(1);
-    }
+    findings.emplace_back(joints[j], tables[j]);
   }
-  writer.finish();
-  output.commit();
+  const std::size_t each = contacts[0].size();
+  // A load has many rows.
+  cli::NumberedRows loads(joints.size() * each, 1);
+  cli::write_rows<cli::RowBlock>(
+      options.output, output, table, loads, "loads",
+      [&](const cli::RowBlock& block, cli::RowWriter& row) {
+        const std::size_t j = block.first / each;
+        const LoadedContact contact = contacts[j][block.first % each];
+        findings[j].add(contact);
+        if (options.summary) {
+          tables[j].write_summary(contact, row);
+        } else {
+          tables[j].write_profile(contact, options.points, row);
+        }
+      },
+      [](const cli::RowBlock&) {});
   cli::ExitStatus status = cli::all_good;
   for (const Findings& found : findings) {
     status = std::max(status, found.report());

@@ -1,69 +1,15 @@
 // hinge-separation: a carrier and its bodies come apart.
 #include <string>
-#include <string_view>
 
 #include "cli/program.hpp"
 #include "cli/quantity.hpp"
+#include "help/help.hpp"
 #include "programs/separation/option_check.hpp"
 #include "programs/separation/run.hpp"
 
 namespace {
 
 using separation::Options;
-
-constexpr std::string_view help = R"(
-The case file says what the bodies, hinges, forces and events are; its keys
-are in apps/separation/case_file.md, examples in data/cases.
-
-The summary (JSON, --output) has the events, for each body peak reactions,
-work of friction, time at rest, angle and rates at release, for each joint
-peak reaction, peak pressure and largest half-angle theta0, the smallest
-clearances and the energy balance. Peaks and smallest clearances are looked for
-within the steps too.
-Angles are in degrees, all else in SI units; the keys name the unit.
-
-Columns of the history: time_s; of each body with a hinge NAME.mode (sliding,
-resting, locked, released), .angle_deg, .rate_deg_per_s,
-.acceleration_deg_per_s2, .reaction_N, .lock_reaction_N, .friction_moment_N_m,
-.utilisation, .theta0_deg, .peak_pressure_Pa, .friction_work_J, .reaction_x_N to
-.reaction_z_N, .lock_reaction_x_N to .lock_reaction_z_N, .friction_moment_x_N_m
-to .friction_moment_z_N_m (on the body, inertial axes; the work is what
-friction has taken, never negative); of each body
-NAME.x_m to .z_m and .vx_m_per_s to .vz_m_per_s (centre of mass, inertial
-axes), .qw to .qz (body axes to inertial ones), .wx_rad_per_s to .wz_rad_per_s
-(body axes); clearance.A.B_m; energy.*_J.
-
---columns chooses columns of the history, of CSV and HDF5, or of --compare.
-
---compare runs the case with ideal joints, full friction and the traditional
-estimate (friction from the reaction instead of the normal force).
-
---plot NAME.svg draws NAME_angles.svg, NAME_rates.svg, NAME_reactions.svg (with
-hinges) and NAME_clearance.svg (with shapes).
-
---replay NAME.html is one page with the bodies in motion, their reactions,
-friction and contacts, curves, events, summary, warnings and the case file, which
-opens in a browser without a network. --replay NAME.glb has the bodies and their
-motion for other viewers. With --compare both show full friction and, faint,
-ideal joints.
-
-A run that goes on with --resume FILE from a checkpoint comes to the same
-results to the last byte, and goes on with checkpoints as often as before. With
---end-time it ends later or earlier than the case says; output times stay.
-
-A run that stops early, at --step-limit, --time-limit or by SIGINT or SIGTERM,
-writes its results so far, as one that fails does, and says what held it.
-
-Examples:
-  hinge-separation data/cases/soyuz.toml --history soyuz.csv --output soyuz.json
-  hinge-separation data/cases/two_stage_turn.toml --compare --format markdown
-  hinge-separation data/cases/flywheels.toml --friction ideal
-  hinge-separation data/cases/soyuz.toml --set run.end_time_s=3 --set 'body[booster].hinge.joint[1].friction.coefficient=0.2'
-  hinge-separation data/cases/slosh.toml --history slosh.h5 --events slosh_events.csv
-  hinge-separation data/cases/soyuz.toml --replay soyuz.html --replay soyuz.glb
-  hinge-separation data/cases/platform.toml --checkpoint platform.db --checkpoint-every 2
-
-)";
 
 void add_run(cli::Program& program, Options& o) {
   using contact::Dimension;
@@ -130,13 +76,8 @@ int main(int argc, char** argv) {
                        "", true}});
   add_run(program, options);
   add_output(program, options);
-  return program.run(
-      argc, argv,
-      std::string(help) + std::string(cli::exit_status_help) +
-          "130, 143: stopped by SIGINT, SIGTERM; the results so far are "
-          "there.\n",
-      [&] {
-        separation::check_options(options, program.has("--format"));
-        return separation::run(options);
-      });
+  return program.run(argc, argv, help, [&] {
+    separation::check_options(options, program.has("--format"));
+    return separation::run(options);
+  });
 }

@@ -154,17 +154,48 @@ RunOptions run_options(const Options& o) {
   return run;
 }
 
+// The tables of a run; made before it, so that files that cannot be made do
+// not cost its result.
+struct Tables {
+  cli::TableStyle style;
+  std::optional<HistoryFile> history = {};
+  std::optional<cli::Output> events = {};
+
+  Tables(const Case& c, const Options& o, bool clearance) : style(o.output) {
+    style.format = cli::Format::csv;  // what is asked for is of the summary
+    if (!o.history.empty()) {
+      history.emplace(o.history, style, history_columns(c, clearance));
+    }
+    if (!o.events.empty()) events.emplace(o.events);
+  }
+
+  // What one file has no room for costs the others nothing.
+  cli::ExitStatus write(const Outcome& outcome) {
+    cli::ExitStatus status = cli::all_good;
+    const auto write = [&status](const auto& file) {
+      try {
+        file();
+      } catch (const std::exception& error) {
+        cli::warn(program_name, error.what());
+        status = cli::some_bad;
+      }
+    };
+    if (history) write([&] { history->write(outcome.memory.rows); });
+    history.reset();  // and the part that it had room for
+    if (events) {
+      write([&] {
+        events->write(events_csv(outcome, style));
+        events->commit();
+      });
+    }
+    events.reset();
+    return status;
+  }
+};
+
 cli::ExitStatus simulate(const Case& c, const Options& o) {
   RunOptions options = run_options(o);
-  // Before the run: files that cannot be made should not cost its result.
-  cli::TableStyle style = o.output;
-  style.format = cli::Format::csv;  // what is asked for is of the summary
-  std::optional<HistoryFile> history;
-  if (!o.history.empty()) {
-    history.emplace(o.history, style, history_columns(c, options.clearance));
-  }
-  std::optional<cli::Output> events;
-  if (!o.events.empty()) events.emplace(o.events);
+  Tables tables(c, o, options.clearance);
   Replays replays(c, o);
   cli::Output output(o.output.output);
   Warnings warnings;
@@ -177,43 +208,19 @@ cli::ExitStatus simulate(const Case& c, const Options& o) {
       c, options,
       {o.checkpoint, o.checkpoint_every, o.resume, identity_of(c, options)});
   const Outcome& outcome = run.outcome;
-  cli::ExitStatus status = cli::all_good;
-  if (!outcome.failure.empty()) status = cli::some_bad;
+  bool good = outcome.failure.empty() && run.no_checkpoint.empty();
   warn_of_run(c, outcome, warnings);
-  if (!run.no_checkpoint.empty()) {
-    warnings.add(run.no_checkpoint);
-    status = cli::some_bad;
-  }
-  // What one file has no room for costs the others nothing.
-  const auto write = [&status](const auto& file) {
-    try {
-      file();
-    } catch (const std::exception& error) {
-      cli::warn(program_name, error.what());
-      status = cli::some_bad;
-    }
-  };
-  if (history) write([&] { history->write(outcome.memory.rows); });
-  history.reset();  // and the part that it had room for
-  if (events) {
-    write([&] {
-      events->write(events_csv(outcome, style));
-      events->commit();
-    });
-  }
-  events.reset();
-  if (!replays.write(c, {{"", &outcome}}, warnings)) {
-    status = cli::some_bad;
-  }
+  if (!run.no_checkpoint.empty()) warnings.add(run.no_checkpoint);
+  good = tables.write(outcome) == cli::all_good && good;
+  good = replays.write(c, {{"", &outcome}}, warnings) && good;
   output.write(summary(c, outcome).dump(2) + '\n');
   output.commit();
+  cli::ExitStatus status = good ? cli::all_good : cli::some_bad;
   if (!o.output.plot.empty()) {
-    const std::string problem =
-        draw_pictures(c, outcome.memory.rows, options.clearance, o.output.plot);
-    if (!problem.empty()) {
-      cli::warn(program_name, problem);
-      status = cli::some_bad;
-    }
+    status = cli::drawn(
+        program_name,
+        draw_pictures(c, outcome.memory.rows, options.clearance, o.output.plot),
+        status);
   }
   return status_of(interrupts, status);
 }

@@ -1,49 +1,15 @@
 // hinge-study: a thousand separations or loads of a joint, and what they say.
 #include <limits>
 #include <string>
-#include <string_view>
 
 #include "cli/program.hpp"
 #include "cli/quantity.hpp"
+#include "help/help.hpp"
 #include "programs/study/run.hpp"
 
 namespace {
 
 using study::Options;
-
-constexpr std::string_view help = R"(
-The study file says which keys of a case or a joint scatter and how, and what is
-required: apps/study/study_file.md, examples in data/studies.
-
-Standard output has the table for people: verdict of each requirement, bounds,
-percentiles, what drives the numbers, keys without effect, the worst runs.
---output has the same as JSON, --csv and --hdf5 a row for each run: run, inputs,
-quantities, status. --report NAME.html is all of it as one page with pictures,
-which opens in a browser without a network; the worst runs of a case link to
-their replays beside it, NAME_runN.html. Where gnuplot or three.js is missing
-the page has tables alone, and a warning says so.
-
-Every row is in the journal as soon as it is done. A study that was stopped,
-however, goes on by the same command, to the same bytes. For several machines:
---rows A:B --journal PART computes a part, --merge PART ... takes the rows of
-other journals, and what is missing is computed.
-
-Examples:
-  hinge-study data/studies/lined_bearing.toml --runs 100 --output bearing.json --csv bearing.csv
-  hinge-study data/studies/soyuz.toml --check --format markdown
-  hinge-study data/studies/soyuz.toml --runs 50 --report soyuz_study.html
-  hinge-study data/studies/soyuz.toml --run 17 --history run17.csv
-  hinge-study data/studies/soyuz.toml --quantities --format markdown
-
-)";
-
-constexpr std::string_view exit_status_help =
-    "Exit status: 0 all computed, whatever the verdicts; 1 a run, a picture "
-    "or\n"
-    "the report failed and the rest is there; 2 bad option or file, no "
-    "result;\n"
-    "130, 143: stopped by SIGINT, SIGTERM; the rows so far are in the "
-    "journal.\n";
 
 constexpr int most = std::numeric_limits<int>::max();
 constexpr const char* tables = "--rows --merge --csv --hdf5 --plot --report";
@@ -102,7 +68,5 @@ int main(int argc, char** argv) {
   add_study(program, options);
   add_instead(program, options);
   add_output(program, options);
-  return program.run(argc, argv,
-                     std::string(help) + std::string(exit_status_help),
-                     [&] { return study::run(options); });
+  return program.run(argc, argv, help, [&] { return study::run(options); });
 }

@@ -35,16 +35,17 @@ void set_points(std::vector<double> theta0_deg, std::vector<double> alpha_deg,
                 PointBlock& block) {
   block.good.assign(theta0_deg.size(), 1);
   block.values.resize(point_columns.size());
+  block.last = theta0_deg.size();
   block.values[0] = std::move(theta0_deg);
   block.values[1] = std::move(alpha_deg);
 }
 
 void take_grid_points(const cli::Sweep& theta0, const cli::Sweep& alpha,
-                      std::size_t first, std::size_t last, PointBlock& block) {
-  block.good.assign(last - first, 1);
+                      PointBlock& block) {
+  block.good.assign(block.size(), 1);
   block.values.resize(point_columns.size());
   for (auto& values : block.values) values.clear();
-  for (std::size_t i = first; i < last; ++i) {
+  for (std::size_t i = block.first; i < block.last; ++i) {
     block.values[0].push_back(theta0[i / alpha.size()]);
     block.values[1].push_back(alpha[i % alpha.size()]);
   }
@@ -85,19 +86,15 @@ void write_quantity(const PointBlock& block, std::size_t point,
   }
 }
 
-void write_rows(const cli::Table& table, PointBlock& block) {
-  block.rows.clear();
-  cli::RowWriter row(table, block.rows);
+void write_rows(const PointBlock& block, cli::RowWriter& row) {
   for (std::size_t i = 0; i < block.size(); ++i) {
     write_point(block, i, row);
     row.end();
   }
 }
 
-void write_rows(const cli::PointColumns& columns, const cli::Table& table,
-                PointBlock& block) {
-  block.rows.clear();
-  cli::RowWriter row(table, block.rows);
+void write_rows(const cli::PointColumns& columns, const PointBlock& block,
+                cli::RowWriter& row) {
   for (std::size_t i = 0; i < block.size(); ++i) {
     if (block.good[i]) {
       write_point(block, i, row);

@@ -15,8 +15,7 @@ namespace hinge_table {
 inline constexpr std::array<cli::PointColumn, 2> point_columns = {
     {{"theta0_deg", {0, 120, "deg"}}, {"alpha_deg", {-90, 90, "deg"}}}};
 
-/// Some points on their way through the program; one for each thread, whose
-/// memory is used again for the points that follow.
+/// Some points on their way through the program.
 struct PointBlock : cli::PointLines {
   const std::vector<double>& theta0_deg() const { return values[0]; }
   const std::vector<double>& alpha_deg() const { return values[1]; }
@@ -32,16 +31,15 @@ struct PointBlock : cli::PointLines {
   std::vector<double> axis_sin;
   std::vector<double> axis_cos;
   std::array<std::vector<double>, quantities.size()> results;
-  cli::Text rows;
 };
 
 /// Points given by their values.
 void set_points(std::vector<double> theta0_deg, std::vector<double> alpha_deg,
                 PointBlock& block);
 
-/// Points number `first` to `last` - 1 of a grid, alpha running fastest.
+/// The points of a grid that are the block's rows, alpha running fastest.
 void take_grid_points(const cli::Sweep& theta0, const cli::Sweep& alpha,
-                      std::size_t first, std::size_t last, PointBlock& block);
+                      PointBlock& block);
 
 void compute(const Method& method, PointBlock& block);
 
@@ -52,10 +50,10 @@ void write_quantity(const PointBlock& block, std::size_t point,
 
 /// The points and their results as rows of a table with the columns
 /// theta0_deg, alpha_deg, quantities.
-void write_rows(const cli::Table& table, PointBlock& block);
+void write_rows(const PointBlock& block, cli::RowWriter& row);
 /// The same with the riding columns of a file of points. The row of a bad line
 /// is ERROR, empty cells, and its riding columns if the line could be split.
-void write_rows(const cli::PointColumns& columns, const cli::Table& table,
-                PointBlock& block);
+void write_rows(const cli::PointColumns& columns, const PointBlock& block,
+                cli::RowWriter& row);
 
 }  // namespace hinge_table

@@ -10,11 +10,9 @@
 #include "cli/choice.hpp"
 #include "cli/output.hpp"
 #include "cli/plot.hpp"
-#include "cli/progress.hpp"
 #include "cli/quantity.hpp"
 #include "cli/refuse.hpp"
 #include "cli/stream/line_blocks.hpp"
-#include "cli/stream/ordered_blocks.hpp"
 #include "cli/stream/points.hpp"
 #include "cli/sweep.hpp"
 #include "cli/table.hpp"
@@ -115,27 +113,16 @@ Problems write_points(const Options& options, const Method& method) {
   const cli::PointColumns columns(header.line, point_columns, header.place);
   cli::Output output(options.output.output);
   const cli::Table table(options.output, column_names(method, columns.riding));
-  cli::TableWriter writer(output, table);
-  cli::Progress progress("points", 0);
+  cli::PointRows rows(reader);
   Problems problems;
-  cli::ordered_blocks<PointBlock>(
-      options.output.jobs,
-      [&](PointBlock& block) { return reader.next(block.lines); },
-      [&](PointBlock& block) {
+  cli::write_rows<PointBlock>(
+      options.output, output, table, rows, "points",
+      [&](PointBlock& block, cli::RowWriter& row) {
         cli::read_points(columns, block);
         compute(method, block);
-        write_rows(columns, table, block);
+        write_rows(columns, block, row);
       },
-      [&](const PointBlock& block) {
-        writer.write(block.rows.view());
-        progress.add(block.size());
-        problems.add(block);
-        if (block.bad_lines == 0) return;
-        progress.clear();
-        std::fputs(block.messages.c_str(), stderr);
-      });
-  writer.finish();
-  output.commit();
+      [&](const PointBlock& block) { problems.add(block); });
   return problems;
 }
 
@@ -146,42 +133,22 @@ struct Grid {
   std::size_t size() const { return theta0.size() * alpha.size(); }
 };
 
-// Rows `first` to `last` - 1 of a grid.
-struct GridBlock : PointBlock {
-  std::size_t first;
-  std::size_t last;
-};
-
 // Writes a table of a grid, of whose points `write` makes rows.
 template <class Write>
 Problems write_blocks(const Grid& grid, std::size_t block_size,
                       const Method& method, const cli::OutputOptions& options,
                       const cli::Table& table, const Write& write) {
   cli::Output output(options.output);
-  cli::TableWriter writer(output, table);
-  cli::Progress progress("points", grid.size());
+  cli::NumberedRows rows(grid.size(), block_size);
   Problems problems;
-  std::size_t taken = 0;
-  cli::ordered_blocks<GridBlock>(
-      options.jobs,
-      [&](GridBlock& block) {
-        block.first = taken;
-        block.last = taken = std::min(taken + block_size, grid.size());
-        return block.first < block.last;
-      },
-      [&](GridBlock& block) {
-        take_grid_points(grid.theta0, grid.alpha, block.first, block.last,
-                         block);
+  cli::write_rows<PointBlock>(
+      options, output, table, rows, "points",
+      [&](PointBlock& block, cli::RowWriter& row) {
+        take_grid_points(grid.theta0, grid.alpha, block);
         compute(method, block);
-        write(block);
+        write(block, row);
       },
-      [&](const GridBlock& block) {
-        writer.write(block.rows.view());
-        progress.add(block.size());
-        problems.add(block);
-      });
-  writer.finish();
-  output.commit();
+      [&](const PointBlock& block) { problems.add(block); });
   return problems;
 }
 
@@ -193,7 +160,9 @@ Problems write_list(const Grid& grid, const Method& method,
   constexpr std::size_t block_rows = 1024;
   const cli::Table table(options, column_names(method, {}));
   return write_blocks(grid, block_rows, method, options, table,
-                      [&](GridBlock& block) { write_rows(table, block); });
+                      [](const PointBlock& block, cli::RowWriter& row) {
+                        write_rows(block, row);
+                      });
 }
 
 // One quantity, theta0 down, alpha across.
@@ -213,9 +182,7 @@ Problems write_two_way(const Grid& grid, const Method& method,
   }
   const cli::Table table(options, names);
   return write_blocks(grid, grid.alpha.size(), method, options, table,
-                      [&](GridBlock& block) {
-                        block.rows.clear();
-                        cli::RowWriter row(table, block.rows);
+                      [&](const PointBlock& block, cli::RowWriter& row) {
                         row.text(cli::number_text(block.theta0_deg()[0]));
                         for (std::size_t i = 0; i < block.size(); ++i) {
                           write_quantity(block, i, quantity, row);

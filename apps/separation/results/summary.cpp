@@ -3,12 +3,11 @@
 #include <cmath>
 #include <utility>
 
-#include "libcontact/base/units.hpp"
+#include "separation/results/quantities.hpp"
 
 namespace separation {
 namespace {
 
-using contact::degree;
 using nlohmann::ordered_json;
 
 // Infinity, for which JSON has no number, as in tables.
@@ -20,26 +19,34 @@ void name_infinity(ordered_json& value) {
   }
 }
 
+template <class T>
+void add(std::span<const contact::Quantity<T>> quantities, const T& of,
+         ordered_json& to) {
+  for (const auto& q : quantities) {
+    ordered_json& value = to[summary_name(q)];
+    for_numbers(q, of, [&](double number, int k) {
+      if (k == 0) {
+        value = number;
+      } else {
+        value.push_back(number);
+      }
+    });
+  }
+}
+
 ordered_json joint_json(const HingeJoint& joint, const JointPeaks& peaks) {
-  return {{"name", joint.joint.name},
-          {"half_angle_law", joint.contact.half_angle_law().name()},
-          {"pressure_law", joint.contact.pressure_law().name()},
-          {"peak_reaction_N", peaks.reaction},
-          {"peak_reaction_time_s", peaks.reaction_time},
-          {"peak_pressure_Pa", peaks.pressure},
-          {"largest_theta0_deg", peaks.half_angle / degree},
-          {"largest_friction_moment_N_m", peaks.moment}};
+  ordered_json j = {{"name", joint.joint.name},
+                    {"half_angle_law", joint.contact.half_angle_law().name()},
+                    {"pressure_law", joint.contact.pressure_law().name()}};
+  add(joint_quantities(), peaks, j);
+  return j;
 }
 
 ordered_json release_json(const BodyRecord::Release& release) {
   if (release.time == History::not_yet) return nullptr;
-  const Eigen::Vector3d w = release.rates / degree;
-  const Eigen::Vector3d& v = release.velocity;
-  return {{"time_s", release.time},
-          {"angle_deg", release.angle / degree},
-          {"rate_deg_per_s", release.rate / degree},
-          {"angular_velocity_deg_per_s", {w.x(), w.y(), w.z()}},
-          {"velocity_m_per_s", {v.x(), v.y(), v.z()}}};
+  ordered_json j;
+  add(release_quantities(), release, j);
+  return j;
 }
 
 ordered_json body_json(const Body& body, const BodyRecord& record,
@@ -48,15 +55,12 @@ ordered_json body_json(const Body& body, const BodyRecord& record,
   if (body.hinge.kind == multibody::HingeKind::none) return j;
   j["hinge"] = body.hinge.name;
   j["mode_at_end"] = multibody::to_string(mode);
-  j["peak_reaction_N"] = record.peak_reaction;
-  j["peak_reaction_time_s"] = record.peak_reaction_time;
+  add(hinge_quantities(), record, j);
   if (body.lock) {
     j["lock"] = body.lock->name;
-    j["peak_lock_reaction_N"] = record.peak_lock;
-    j["peak_lock_reaction_time_s"] = record.peak_lock_time;
+    add(lock_quantities(), record, j);
   }
-  j["work_of_friction_J"] = record.work;
-  j["time_at_rest_s"] = record.rest_time;
+  add(body_quantities(), record, j);
   j["at_release"] = release_json(record.release);
   j["joints"] = ordered_json::array();
   for (std::size_t i = 0; i < record.joints.size(); ++i) {

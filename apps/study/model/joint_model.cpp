@@ -5,10 +5,10 @@
 #include <iterator>
 #include <numbers>
 
-#include "libcontact/base/units.hpp"
 #include "libcontact/files/joint_tables.hpp"
 #include "libcontact/joint/joint.hpp"
 #include "libcontact/pressure/validity.hpp"
+#include "libcontact/quantities/tables.hpp"
 
 namespace study {
 
@@ -25,6 +25,9 @@ struct JointModel::Loaded {
 
 JointModel::JointModel(const Plan& plan)
     : joint_(plan.joint_file), study_(plan.path) {
+  for (const auto& q : contact::solution_quantities()) {
+    std::ranges::move(columns_of(q), std::back_inserter(columns_));
+  }
   contact::read_joint(joint_).contact(laws_);
   read({}, laws_);
 }
@@ -73,9 +76,7 @@ Result JointModel::run(const Settings& settings, const Effort& effort,
                 : "the solution did not converge",
             {}};
   }
-  const double moment = s.friction_moment.norm();
   const contact::JointContact& contact = loaded.joint.contact();
-  const double radius = contact.geometry().radius();
   const contact::ContactLimits limits(contact.half_angle_law(), contact.pair());
   std::vector<std::string> warnings;
   if (effort.remarks) {
@@ -83,16 +84,14 @@ Result JointModel::run(const Settings& settings, const Effort& effort,
     std::ranges::move(limits.notes({s.half_angle, s.peak_pressure}),
                       std::back_inserter(warnings));
   }
-  return {{},
-          {{"R_n_N", s.normal_force},
-           {"M_t_N_m", moment},
-           {"f_M", moment / (radius * loaded.reaction)},
-           {"p_peak_Pa", s.peak_pressure},
-           {over_limit, s.peak_pressure / limits.peak_pressure()},
-           {"theta0_deg", s.half_angle / contact::degree},
-           {"power_W", s.power}},
-          {},
-          std::move(warnings)};
+  Result result{{},
+                {{over_limit, s.peak_pressure / limits.peak_pressure()}},
+                {},
+                std::move(warnings)};
+  for (const auto& column : columns_) {
+    result.numbers.emplace(column.name, column(s));
+  }
+  return result;
 }
 
 std::string JointModel::identity() const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "libcontact/files/joint_file.hpp"
+#include "libcontact/quantities/quantity.hpp"
 #include "study/model/model.hpp"
 
 namespace study {
@@ -26,6 +27,7 @@ class JointModel : public Model {
   std::filesystem::path study_;
   contact::TomlFiles files_;
   contact::SharedLaws laws_;  ///< of the nominal joint
+  std::vector<contact::Column<contact::JointSolution>> columns_;
 };
 
 }  // namespace study

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <set>
 
 #include "libcontact/base/complaint.hpp"
@@ -14,12 +13,12 @@
 #include "separation/case/case_reader.hpp"
 #include "separation/case/identity.hpp"
 #include "separation/results/notes.hpp"
+#include "separation/results/quantities.hpp"
 #include "separation/results/summary.hpp"
 
 namespace study {
 namespace {
 
-using nlohmann::ordered_json;
 using separation::Case;
 using separation::column_name;
 
@@ -53,27 +52,39 @@ std::vector<std::size_t> places(const Items& items, const std::string& which,
   return result;
 }
 
-void add(const ordered_json& value, const std::string& name,
-         std::map<std::string, double>& to) {
-  if (value.is_number()) {
-    to.emplace(name, value.get<double>());
-  } else if (value.is_object()) {
-    for (const auto& [key, inner] : value.items()) {
-      add(inner, fmt::format("{}.{}", name, key), to);
-    }
-  } else if (value.is_array()) {
-    for (std::size_t i = 0; i < value.size(); ++i) {
-      add(value[i], fmt::format("{}[{}]", name, i + 1), to);
-    }
+using Numbers = std::map<std::string, double>;
+
+// Infinity is no number to count with.
+void add(const std::string& name, double value, Numbers& to) {
+  if (!std::isinf(value)) to.emplace(name, value);
+}
+
+// PREFIX.NAME, of vectors PREFIX.NAME[1] to [3].
+template <class T>
+void add(std::span<const contact::Quantity<T>> quantities, const T& of,
+         const std::string& prefix, Numbers& to) {
+  for (const auto& q : quantities) {
+    const std::string name = prefix + '.' + separation::summary_name(q);
+    separation::for_numbers(q, of, [&](double number, int k) {
+      add(k == 0 ? name : fmt::format("{}[{}]", name, k), number, to);
+    });
   }
 }
 
-void add_bodies(const ordered_json& bodies, std::map<std::string, double>& to) {
-  for (const ordered_json& body : bodies) {
-    const auto name = column_name(body["name"].get<std::string>());
-    for (const auto& [key, value] : body.items()) {
-      add(value, name + '.' + (key == "joints" ? "joint" : key), to);
-    }
+void add_body(const separation::Body& body,
+              const separation::BodyRecord& record, Numbers& to) {
+  if (body.hinge.kind == multibody::HingeKind::none) return;
+  const std::string name = column_name(body.rigid.name);
+  add(separation::hinge_quantities(), record, name, to);
+  if (body.lock) add(separation::lock_quantities(), record, name, to);
+  add(separation::body_quantities(), record, name, to);
+  if (record.release.time != separation::History::not_yet) {
+    add(separation::release_quantities(), record.release, name + ".at_release",
+        to);
+  }
+  for (std::size_t i = 0; i < record.joints.size(); ++i) {
+    add(separation::joint_quantities(), record.joints[i],
+        fmt::format("{}.joint[{}]", name, i + 1), to);
   }
 }
 
@@ -144,20 +155,24 @@ std::vector<std::string> warnings_of(const Case& c,
 
 }  // namespace
 
-std::map<std::string, double> numbers_of(const Case& c,
-                                         const separation::Outcome& outcome) {
-  const ordered_json json = separation::summary(c, outcome);
-  std::map<std::string, double> numbers;
-  add(json["end_time_s"], "end_time_s", numbers);
-  add(json["energy"], "energy", numbers);
-  const double drift = outcome.memory.largest_drift;
-  if (!c.options.carrier_drive && outcome.memory.largest_energy > 0) {
-    numbers.emplace("energy.drift", drift / outcome.memory.largest_energy);
+Numbers numbers_of(const Case& c, const separation::Outcome& outcome) {
+  const auto& memory = outcome.memory;
+  Numbers numbers;
+  add("end_time_s", outcome.end_time, numbers);
+  add("energy.largest_J", memory.largest_energy, numbers);
+  if (!c.options.carrier_drive) {
+    add("energy.largest_drift_J", memory.largest_drift, numbers);
+    if (memory.largest_energy > 0) {
+      numbers.emplace("energy.drift",
+                      memory.largest_drift / memory.largest_energy);
+    }
   }
-  if (const auto share = separation::pressure_over_limit(c, outcome.memory)) {
+  if (const auto share = separation::pressure_over_limit(c, memory)) {
     numbers.emplace(over_limit, *share);
   }
-  add_bodies(json["bodies"], numbers);
+  for (std::size_t i = 0; i < c.bodies.size(); ++i) {
+    add_body(c.bodies[i], memory.bodies[i], numbers);
+  }
   add_events(c, outcome, numbers);
   add_clearance(c, outcome, numbers);
   return numbers;

@@ -10,17 +10,8 @@
 
 #include "programs/separation/program_runs.hpp"
 
+namespace contact::test {
 namespace {
-
-using contact::test::alone;
-using contact::test::carrier_at_rest;
-using contact::test::csv_rows;
-using contact::test::exchanged;
-using contact::test::History;
-using contact::test::json;
-using contact::test::ProgramFolder;
-using contact::test::ProgramResult;
-using contact::test::pushed_case;
 
 void expect_another_case(const ProgramResult& result,
                          const std::string& checkpoint) {
@@ -44,12 +35,10 @@ TEST(Checkpoint, ResumedRunIsTheSame) {
                        checkpoint + "c.db")
                   .status,
               0);
-    const ProgramResult resumed =
-        folder.run(run +
-                   "--history b.csv --events be.csv --output b.json "
-                   "--resume c.db" +
-                   checkpoint + "d.db");
-    ASSERT_EQ(resumed.status, 0) << resumed.err;
+    folder.run_well(run +
+                    "--history b.csv --events be.csv --output b.json "
+                    "--resume c.db" +
+                    checkpoint + "d.db");
     // Byte by byte; too long to be printed.
     EXPECT_TRUE(folder.read("a.csv") == folder.read("b.csv")) << name;
     EXPECT_EQ(folder.read("ae.csv"), folder.read("be.csv")) << name;
@@ -185,10 +174,9 @@ TEST(Checkpoint, CheckpointsKnowTheirJoints) {
                      "\"\n[[wall.layer]]\nthickness_mm = " + thickness + '\n');
   };
   with_wall("3", "rigid");
-  const ProgramResult walled = folder.run(run +
-                                          "--checkpoint w.db "
-                                          "--checkpoint-every 1");
-  EXPECT_EQ(walled.status, 0) << walled.err;
+  folder.run_well(run +
+                  "--checkpoint w.db "
+                  "--checkpoint-every 1");
   EXPECT_EQ(folder.run(run + "--resume w.db").status, 0);
   for (const auto& [thickness, backing] :
        {std::pair("4", "rigid"), std::pair("3", "held")}) {
@@ -221,8 +209,7 @@ TEST(Checkpoint, CheckpointsStayWholeAndSmall) {
   checkpoints("late.db", "19.9");
   const auto ask = [&](const std::string& name, const std::string& what) {
     const ProgramResult said =
-        folder.run("sqlite3 " + name + " 'SELECT " + what + "'");
-    EXPECT_EQ(said.status, 0) << said.err;
+        folder.run_well("sqlite3 " + name + " 'SELECT " + what + "'");
     return std::stod(said.out);
   };
   const std::string state = "length(state) FROM state";
@@ -279,8 +266,7 @@ TEST(Checkpoint, KilledRunsGoOn) {
   for (const char* seconds : {"0.03", "0.05", "0.08", "0.12", "0.2", "0.3"}) {
     folder.run(std::string("timeout -s KILL ") + seconds + " " + run + "k.csv" +
                every);
-    const ProgramResult resumed = folder.run(run + "b.csv --resume c.db");
-    ASSERT_EQ(resumed.status, 0) << resumed.err;
+    folder.run_well(run + "b.csv --resume c.db");
     EXPECT_TRUE(folder.read("b.csv") == folder.read("a.csv")) << seconds;
   }
 }
@@ -365,15 +351,13 @@ starts_at_s = 0.5
     EXPECT_EQ(result.status, status) << result.err;
     const json summary = json::parse(folder_.read("o.json"));
     const std::string failure = summary["failure"];
-    EXPECT_NE(failure.find(": stopped by " + why + " after "), failure.npos)
-        << failure;
-    EXPECT_NE(failure.find("the fastest force is \"damper\" on \"s\" (5e-08 "
-                           "s)"),
-              failure.npos)
-        << failure;
-    EXPECT_NE(result.err.find(
-                  "hinge-separation: warning: ended early: " + failure + "\n"),
-              std::string::npos);
+    EXPECT_TRUE(has_text(failure, ": stopped by " + why + " after "));
+    EXPECT_TRUE(has_text(failure,
+                         "the fastest force is \"damper\" on \"s\" (5e-08 "
+                         "s)"));
+    EXPECT_TRUE(
+        has_text(result.err,
+                 "hinge-separation: warning: ended early: " + failure + "\n"));
     const History h(folder_.read("h.csv"));
     EXPECT_EQ(h["time_s"].back(), summary["end_time_s"].get<double>());
     EXPECT_GE(h["time_s"].back(), 0.5);
@@ -393,7 +377,7 @@ TEST_F(RunsThatCannotGetOn, StopAtLimits) {
   const ProgramResult steps = folder_.run(run_ + "--step-limit 3000");
   expect_results(steps, 1, "--step-limit 3000");
   EXPECT_EQ(json::parse(folder_.read("o.json"))["counts"]["steps"], 3000);
-  EXPECT_EQ(steps.err.find("--resume"), std::string::npos) << steps.err;
+  EXPECT_FALSE(has_text(steps.err, "--resume"));
   expect_results(folder_.run(run_ + "--time-limit 2"), 1, "--time-limit 2 s");
 }
 
@@ -402,7 +386,7 @@ TEST_F(RunsThatCannotGetOn, SayHowFarTheyAreEveryTenSeconds) {
   const ProgramResult result = folder_.run(run_ + "--time-limit 11");
   expect_results(result, 1, "--time-limit 11 s");
   EXPECT_TRUE(result.err.starts_with("hinge-separation: 0.")) << result.err;
-  EXPECT_NE(result.err.find(" s of 1000 s, "), std::string::npos);
+  EXPECT_TRUE(has_text(result.err, " s of 1000 s, "));
   EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 2)
       << result.err;
 }
@@ -418,9 +402,8 @@ TEST_F(RunsThatCannotGetOn, StopAtSignals) {
                     "kill -" +
                     name + " $program; wait $program");
     expect_results(result, status, std::string("SIG") + name);
-    EXPECT_NE(result.err.find("; --resume c.db goes on from t = 0.5 s\n"),
-              std::string::npos)
-        << result.err;
+    EXPECT_TRUE(
+        has_text(result.err, "; --resume c.db goes on from t = 0.5 s\n"));
     expect_results(folder_.run(run_ + "--resume c.db --step-limit 3000"), 1,
                    "--step-limit 3000");
   }
@@ -447,9 +430,9 @@ TEST(Checkpoint, HasOneWriterAtATime) {
   expect_locked_out("link.db");
   // However they meet.
   EXPECT_EQ(folder.run(run + "d.db & " + run + "d.db & wait").status, 0);
-  const ProgramResult resumed = folder.run(
+  folder.run_well(
       "hinge-separation data/cases/slosh.toml --output o.json --resume d.db");
-  EXPECT_EQ(resumed.status, 0) << resumed.err;
 }
 
 }  // namespace
+}  // namespace contact::test

@@ -11,17 +11,8 @@
 
 #include "programs/separation/program_runs.hpp"
 
+namespace contact::test {
 namespace {
-
-using contact::test::alone;
-using contact::test::csv_rows;
-using contact::test::exchanged;
-using contact::test::History;
-using contact::test::json;
-using contact::test::ProgramFolder;
-using contact::test::ProgramResult;
-using contact::test::run_json;
-using contact::test::sample_case;
 
 const std::vector<std::string> cases = {"soyuz", "two_stage_turn", "slosh",
                                         "flywheels", "platform"};
@@ -123,9 +114,8 @@ TEST(HingeSeparation, TwoStageTurnBeginsAsExample2OfThePaper) {
 TEST(HingeSeparation, FrictionIsBetweenIdealAndTheTraditionalEstimate) {
   for (const std::string name : {"two_stage_turn", "soyuz"}) {
     const ProgramFolder folder;
-    const ProgramResult result =
-        folder.run("hinge-separation --compare data/cases/" + name + ".toml");
-    EXPECT_EQ(result.status, 0) << result.err;
+    const ProgramResult result = folder.run_well(
+        "hinge-separation --compare data/cases/" + name + ".toml");
     const auto rows = csv_rows(result.out);
     EXPECT_EQ(rows[0], (std::vector<std::string>{"body", "quantity", "ideal",
                                                  "full", "traditional"}));
@@ -167,11 +157,10 @@ shape = [{ kind = "capsule", from = [0, 0, 0], to = [1, 0, 0], radius = 0.1 }]
   for (const std::string name : {"alone", "free"}) {
     const std::string run = "hinge-separation " + name + ".toml ";
     const ProgramResult first =
-        folder.run(run +
-                   "--history a.csv --events e.csv --output a.json "
-                   "--checkpoint c.cbor --checkpoint-every 0.4" +
-                   (name == "free" ? " --plot p.svg" : ""));
-    ASSERT_EQ(first.status, 0) << first.err;
+        folder.run_well(run +
+                        "--history a.csv --events e.csv --output a.json "
+                        "--checkpoint c.cbor --checkpoint-every 0.4" +
+                        (name == "free" ? " --plot p.svg" : ""));
     EXPECT_EQ(first.err, "");
     EXPECT_EQ(folder.read("e.csv"), "time_s,body,what\n");
     EXPECT_NEAR(History(folder.read("a.csv"))["core.y_m"].back(), 1, 1e-12);
@@ -190,10 +179,10 @@ TEST(HingeSeparation, SettingsAreAsIfTheFileSaidSo) {
                exchanged(sample_case("flywheels"),
                          "end_time_s = ", "end_time_s = 0.05 # "));
   const auto history = [&](const std::string& command) {
-    const ProgramResult result = folder.run("hinge-separation " + command +
-                                            " --history - --output s.json");
-    EXPECT_EQ(result.status, 0) << result.err;
-    return result.out;
+    return folder
+        .run_well("hinge-separation " + command +
+                  " --history - --output s.json")
+        .out;
   };
   EXPECT_EQ(history("data/cases/flywheels.toml --set run.end_time_ms=50"),
             history("other.toml"));
@@ -257,8 +246,7 @@ TEST(HingeSeparation, FitsAreSaid) {
   folder.write("c.toml",
                exchanged(alone, "radius_mm = 30, radial_clearance_um = 60",
                          "diameter_mm = 60, hole = \"H7\", shaft = \"f7\""));
-  const ProgramResult result = folder.run("hinge-separation c.toml");
-  EXPECT_EQ(result.status, 0);
+  const ProgramResult result = folder.run_well("hinge-separation c.toml");
   EXPECT_TRUE(result.err.starts_with(
       "hinge-separation: note: joint ball: fit H7/f7 at 60 mm: diametral "
       "clearance 30 to 90 um; mean 60 um taken\n"))
@@ -275,3 +263,4 @@ TEST(HingeSeparation, PicturesAreThere) {
 }
 
 }  // namespace
+}  // namespace contact::test

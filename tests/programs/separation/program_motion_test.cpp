@@ -10,21 +10,9 @@
 #include "libcontact/base/units.hpp"
 #include "programs/separation/program_runs.hpp"
 
+namespace contact::test {
 namespace {
 
-using contact::degree;
-using contact::test::alone;
-using contact::test::carrier_at_rest;
-using contact::test::csv_column;
-using contact::test::csv_rows;
-using contact::test::exchanged;
-using contact::test::History;
-using contact::test::json;
-using contact::test::ProgramFolder;
-using contact::test::ProgramResult;
-using contact::test::pushed_case;
-using contact::test::run_json;
-using contact::test::sample_case;
 using Eigen::Vector3d;
 
 TEST(SeparationMotion, MomentaStayBeforeAndAfterTheRelease) {
@@ -250,9 +238,8 @@ pressure = { law = "cosine" }
     const ProgramFolder folder;
     folder.write("arms.toml", exchanged(text, "TOLERANCE",
                                         "absolute_tolerance = " + tolerance));
-    const ProgramResult result = folder.run(
+    folder.run_well(
         "hinge-separation arms.toml --output a.json --history a.csv");
-    ASSERT_EQ(result.status, 0) << result.err;
     const json summary = json::parse(folder.read("a.json"));
     // Some 30,000 now; 7.7 million for 0.1 s of the motion before.
     EXPECT_LT(summary["counts"]["evaluations"].get<long>(), 100'000);
@@ -296,8 +283,7 @@ geometry = { radius_mm = 300, relative_clearance = 0.002 }
 materials = { pair = "data/materials/steel_steel.toml" }
 friction = { adhesion_MPa = 20, coefficient = 0.1 }
 )");
-  const ProgramResult result = folder.run("hinge-separation c.toml");
-  EXPECT_EQ(result.status, 0) << result.err;
+  folder.run_well("hinge-separation c.toml");
 }
 
 // A balanced wheel on a viscous pin under its weight. Friction is so weak that
@@ -606,3 +592,4 @@ TEST(SeparationMotion, PeaksAreThoseOfShortSteps) {
 }
 
 }  // namespace
+}  // namespace contact::test

@@ -15,6 +15,7 @@
 #include "separation/clearance/clearance.hpp"
 #include "support/program.hpp"
 
+namespace contact::test {
 namespace {
 
 using Eigen::Vector3d;
@@ -207,7 +208,7 @@ json data_of(const std::string& page) {
 }
 
 bool has_libraries() {
-  return contact::test::ProgramFolder()
+  return ProgramFolder()
              .run(
                  "ls /usr/share/javascript/three/three.min.js "
                  "/usr/share/javascript/dygraphs/dygraph.min.js")
@@ -238,7 +239,7 @@ TEST(Replay, PagesThatWouldBeTooLongHaveFewerRows) {
 }
 
 TEST(Replay, WithoutItsLibrariesAPageIsRefusedBeforeTheRun) {
-  const contact::test::ProgramFolder folder;
+  const ProgramFolder folder;
   const auto result = folder.run(
       "XDG_DATA_DIRS=/nowhere hinge-separation data/cases/soyuz.toml "
       "--replay a.html --replay a.glb");
@@ -257,3 +258,4 @@ TEST(Replay, WithoutItsLibrariesAPageIsRefusedBeforeTheRun) {
 }
 
 }  // namespace
+}  // namespace contact::test

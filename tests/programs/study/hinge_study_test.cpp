@@ -14,11 +14,8 @@
 
 #include "support/program.hpp"
 
+namespace contact::test {
 namespace {
-
-using contact::test::csv_column;
-using contact::test::csv_rows;
-using contact::test::ProgramFolder;
 
 const std::string balls =
     "name = 'balls'\njoint = 'j.toml'\nruns = 300\n"
@@ -159,7 +156,7 @@ TEST_F(HingeStudy, TheTableSaysWhatTheVerdictRestsOn) {
         "The worst runs for M_t_N_m at most 700",
         "To repeat one: hinge-study "
         "s.toml --run "}) {
-    EXPECT_NE(text.find(words), text.npos) << words << '\n' << text;
+    EXPECT_TRUE(has_text(text, words)) << words << '\n' << text;
   }
 }
 
@@ -185,14 +182,13 @@ TEST_F(HingeStudy, RunsAboveALimitOfPressureAreCounted) {
       "kind = 'list'\nvalues = [" +
       std::to_string(limit) + "]\n";
   folder_.write("s.toml", text);
-  const auto limited = folder_.run("hinge-study s.toml --journal k");
-  EXPECT_EQ(limited.status, 0);
+  const auto limited = folder_.run_well("hinge-study s.toml --journal k");
   const std::string said =
       "20 of 300 runs have peak pressures above 5 % of a Young's modulus, "
       "where linear elasticity ends, or above a limit_pressure: "
       "p_peak_over_limit";
   EXPECT_EQ(limited.err, "hinge-study: warning: " + said + '\n');
-  EXPECT_NE(limited.out.find(said + ".\n"), std::string::npos);
+  EXPECT_TRUE(has_text(limited.out, said + ".\n"));
 }
 
 TEST_F(HingeStudy, AnotherStudysJournalIsRefused) {
@@ -218,11 +214,9 @@ TEST_F(HingeStudy, HistoriesOfARunOfACase) {
   const std::string draw = run("c.toml --run 2 --history h.csv");
   const auto at = draw.find("mass_t,") + 7;
   const std::string factor = draw.substr(at, draw.find('\n', at) - at);
-  const auto direct =
-      folder_.run("hinge-separation " CONTACT_DATA_DIR
-                  "/cases/two_stage_turn.toml --set 'body[stage].mass_t=*" +
-                  factor + "' --history d.csv --output d.json");
-  EXPECT_EQ(direct.status, 0) << direct.err;
+  folder_.run_well("hinge-separation " CONTACT_DATA_DIR
+                   "/cases/two_stage_turn.toml --set 'body[stage].mass_t=*" +
+                   factor + "' --history d.csv --output d.json");
   EXPECT_EQ(folder_.read("h.csv"), folder_.read("d.csv"));
 }
 
@@ -240,10 +234,10 @@ TEST_F(HingeStudy, TheReportIsTheTableAsAPage) {
         "<th>M_t_N_m at most 700</th><td>99 %</td><td>10 %</td>",
         "What drives M_t_N_m", "The worst runs for M_t_N_m at most 700",
         "<code>hinge-study s.toml --run "}) {
-    EXPECT_NE(page.find(words), page.npos) << words;
+    EXPECT_TRUE(has_text(page, words)) << words;
   }
   for (const char* words : {"</script>", "<b ", " style="}) {
-    EXPECT_EQ(page.find(words), page.npos) << words;
+    EXPECT_FALSE(has_text(page, words)) << words;
   }
   if (folder_.run("gnuplot --version").status == 0) {
     EXPECT_EQ(times_in(page, "<svg"), 2);  // histogram, ranking
@@ -274,7 +268,7 @@ TEST_F(HingeStudy, TheReportSaysWhatScatters) {
         "<td>list, values 200 210, weights 1 3</td>",
         "standard normal numbers: cold, batch", "<h2>s.toml</h2>",
         "# A &lt;b>comment&lt;/b>.\nname = 'balls'\n"}) {
-    EXPECT_NE(page.find(words), page.npos) << words;
+    EXPECT_TRUE(has_text(page, words)) << words;
   }
 }
 
@@ -297,8 +291,8 @@ TEST_F(HingeStudy, SaysTheWarningsOfTheNominalRun) {
   }
   EXPECT_EQ(times_in(folder_.read("r.html"), "Warning of the nominal run: "),
             1);
-  EXPECT_NE(folder_.read("o.json").find("\"warnings_of_nominal_run\": [\n"),
-            std::string::npos);
+  EXPECT_TRUE(
+      has_text(folder_.read("o.json"), "\"warnings_of_nominal_run\": [\n"));
   // Parts of a study leave them to the whole.
   EXPECT_EQ(folder_.run("hinge-study s.toml --rows 0:3 --journal p").err, "");
 }
@@ -310,9 +304,8 @@ TEST_F(HingeStudy, AReportOnAFullDiskCostsNothingElse) {
       "ln -s /dev/full r.html; hinge-study s.toml --journal b --csv rows.csv "
       "--output all.json --report r.html");
   EXPECT_EQ(result.status, 1);
-  EXPECT_NE(result.err.find("hinge-study: warning: no report: cannot write "),
-            std::string::npos)
-      << result.err;
+  EXPECT_TRUE(
+      has_text(result.err, "hinge-study: warning: no report: cannot write "));
   EXPECT_EQ((std::vector{folder_.read("rows.csv"), folder_.read("all.json"),
                          result.out}),
             expected);
@@ -330,7 +323,7 @@ TEST_F(HingeStudy, SignalsEndPicturesAndReports) {
         std::string(name) + " $program; wait $program");
     EXPECT_EQ(result.status, status) << result.err;
     EXPECT_EQ(times_in(folder_.read("rows.csv"), "\n"), 302);
-    EXPECT_NE(result.out.find("What drives M_t_N_m"), std::string::npos);
+    EXPECT_TRUE(has_text(result.out, "What drives M_t_N_m"));
     EXPECT_FALSE(folder_.has("r.html"));
   }
 }
@@ -349,11 +342,10 @@ TEST_F(HingeStudy, PicturesOverwriteNothing) {
 }
 
 TEST_F(HingeStudy, WithoutGnuplotAReportHasTables) {
-  const auto result = folder_.run(
+  const auto result = folder_.run_well(
       "ln -s \"$(command -v hinge-study)\" hinge-study; PATH=.; "
       "hinge-study s.toml --report r.html --output -");
-  EXPECT_EQ(result.status, 0) << result.err;
-  EXPECT_NE(result.err.find("no pictures in r.html: "), std::string::npos);
+  EXPECT_TRUE(has_text(result.err, "no pictures in r.html: "));
   EXPECT_EQ(times_in(result.err, "\n"), 1) << result.err;
   EXPECT_EQ(times_in(folder_.read("r.html"), "<svg"), 0);
   EXPECT_EQ(times_in(folder_.read("r.html"), "<code>"), 5);
@@ -409,7 +401,7 @@ TEST_F(HingeStudy, ReplaysHaveTheWarningsOfHingeSeparation) {
         {"\"../joints", "\"" CONTACT_DATA_DIR "/joints"},
         {"angle_deg = 30", "angle_deg = 300"},
         {"end_time_s = 2.6", "end_time_s = 2.8"}}) {
-    ASSERT_NE(text.find(old), text.npos) << old;
+    ASSERT_TRUE(has_text(text, old)) << old;
     text.replace(text.find(old), std::string(old).size(), now);
   }
   folder_.write("case.toml", text);
@@ -419,8 +411,7 @@ TEST_F(HingeStudy, ReplaysHaveTheWarningsOfHingeSeparation) {
                 "at_least = 0\nsuccess = 0.9\n"
                 "[[dispersion]]\nkey = 'run.end_time_s'\nrelative = true\n"
                 "kind = 'uniform'\nlow = 0.99\nhigh = 1\n");
-  const auto said = folder_.run("hinge-study c.toml --report r.html");
-  EXPECT_EQ(said.status, 0) << said.err;
+  const auto said = folder_.run_well("hinge-study c.toml --report r.html");
   // Those of the nominal run are said.
   for (const char* words :
        {"hinge-study: warning: nominal run: event \"release\" did not",
@@ -430,11 +421,10 @@ TEST_F(HingeStudy, ReplaysHaveTheWarningsOfHingeSeparation) {
   }
   const std::string row = run("c.toml --run 2");
   const auto at = row.find("end_time_s,") + 11;
-  const auto direct = folder_.run(
+  folder_.run_well(
       "hinge-separation case.toml --replay d.html --set "
       "'run.end_time_s=*" +
       row.substr(at, row.find('\n', at) - at) + "'");
-  EXPECT_EQ(direct.status, 0) << direct.err;
   const auto warnings = [&](const std::string& name) {
     const std::string page = folder_.read(name);
     const auto from = page.find("\"warnings\":[");
@@ -442,7 +432,7 @@ TEST_F(HingeStudy, ReplaysHaveTheWarningsOfHingeSeparation) {
   };
   const std::string found = warnings("d.html");
   for (const char* words : {"did not come for stage", "stage overlap from"}) {
-    EXPECT_NE(found.find(words), found.npos) << found;
+    EXPECT_TRUE(has_text(found, words));
   }
   EXPECT_EQ(warnings("r_run2.html"), found);
 }
@@ -470,21 +460,19 @@ TEST_F(HingeStudy, RunsWithoutACaseHaveNoHistory) {
   folder_.write("c.toml", study);
   const auto result = folder_.run("hinge-study c.toml --report r.html");
   EXPECT_EQ(result.status, 1) << result.err;
-  EXPECT_EQ(result.out.find("; 0 failed"), result.out.npos) << result.out;
+  EXPECT_FALSE(has_text(result.out, "; 0 failed"));
   EXPECT_TRUE(folder_.has("r.html"));
 }
 
 TEST_F(HingeStudy, WithoutThreeJsAReportHasNoLinks) {
   folder_.write("c.toml", turns);
-  const auto result = folder_.run(
+  const auto result = folder_.run_well(
       "XDG_DATA_DIRS=/nowhere hinge-study c.toml --report r.html --output -");
-  EXPECT_EQ(result.status, 0);
-  EXPECT_NE(result.err.find(
-                "a replay of each worst run beside r.html requires three.js "
-                "and dygraphs (three/three.min.js is missing): apt install "
-                "libjs-three libjs-dygraphs\n"),
-            std::string::npos)
-      << result.err;
+  EXPECT_TRUE(
+      has_text(result.err,
+               "a replay of each worst run beside r.html requires three.js "
+               "and dygraphs (three/three.min.js is missing): apt install "
+               "libjs-three libjs-dygraphs\n"));
   EXPECT_EQ(times_in(folder_.read("r.html"), "<a "), 0);
   EXPECT_EQ(times_in(folder_.read("r.html"), "<code>"), 5);
   EXPECT_FALSE(std::ranges::any_of(folder_.files(), [](const auto& name) {
@@ -493,3 +481,4 @@ TEST_F(HingeStudy, WithoutThreeJsAReportHasNoLinks) {
 }
 
 }  // namespace
+}  // namespace contact::test

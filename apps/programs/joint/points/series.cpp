@@ -25,7 +25,7 @@ constexpr TimeColumn time_columns[] = {{"time_s", 1},     {"t_s", 1},
 
 }  // namespace
 
-std::array<Quantity, point_numbers> point_quantities(Question question) {
+std::vector<AnswerColumn> point_columns(Question question) {
   const bool rest = question == Question::rest;
   const std::array<std::string_view, point_numbers> names = {
       "R_N",
@@ -35,16 +35,17 @@ std::array<Quantity, point_numbers> point_quantities(Question question) {
       "p_peak_Pa",
       "theta0_deg",
       rest ? "utilisation" : "power_W"};
-  const std::vector<Quantity> all = quantities(rest, false, false, false);
-  std::array<Quantity, point_numbers> found = {};
-  std::ranges::transform(names, found.begin(), [&](std::string_view name) {
-    return *std::ranges::find(all, name, &Quantity::name);
-  });
+  const std::vector<AnswerColumn> all =
+      answer_columns(rest, false, false, false);
+  std::vector<AnswerColumn> found;
+  for (const std::string_view name : names) {
+    found.push_back(*std::ranges::find(all, name, &AnswerColumn::name));
+  }
   return found;
 }
 
 PointSeries::PointSeries(Question question, std::span<const std::string> riding)
-    : question_(question), quantities_(point_quantities(question)) {
+    : question_(question), columns_(point_columns(question)) {
   for (const TimeColumn& column : time_columns) {
     const auto found = std::ranges::find(riding, column.name);
     if (found == riding.end()) continue;
@@ -65,8 +66,8 @@ PointRow PointSeries::row(const Answer& a, const cli::PointLines& block,
         cli::field_value(block.riding[point * riding + time_at_]));
     row.time = seconds_ * time.value_or(nan);
   }
-  std::ranges::transform(quantities_, row.values.begin(),
-                         [&](const Quantity& q) { return q.of(a); });
+  std::ranges::transform(columns_, row.values.begin(),
+                         [&](const AnswerColumn& column) { return column(a); });
   return row;
 }
 

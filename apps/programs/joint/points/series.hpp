@@ -16,7 +16,7 @@ inline constexpr std::size_t point_numbers = 7;
 
 /// R_N, R_n_N, M_t_N_m, f_M, p_peak_Pa, theta0_deg, and power_W or, at rest,
 /// utilisation.
-std::array<Quantity, point_numbers> point_quantities(Question question);
+std::vector<AnswerColumn> point_columns(Question question);
 
 /// A state that has a solution.
 struct PointRow {
@@ -33,9 +33,7 @@ class PointSeries {
   PointSeries(Question question, std::span<const std::string> riding);
 
   Question question() const { return question_; }
-  const std::array<Quantity, point_numbers>& quantities() const {
-    return quantities_;
-  }
+  const std::vector<AnswerColumn>& columns() const { return columns_; }
   /// A row, its state counted from the beginning of the block.
   PointRow row(const Answer& a, const cli::PointLines& block,
                std::size_t point) const;
@@ -58,7 +56,7 @@ class PointSeries {
   void check_time(const PointRow& row);
 
   Question question_;
-  std::array<Quantity, point_numbers> quantities_;
+  std::vector<AnswerColumn> columns_;
   std::size_t time_at_ = 0;  // among the riding columns
   std::string_view time_name_;
   double seconds_ = 1;  // in a unit of that column

@@ -3,9 +3,10 @@
 #include <cmath>
 #include <limits>
 #include <span>
+#include <string>
 #include <string_view>
 
-/// What the numbers of files measure, and what they may be.
+/// What numbers measure, in which units they are, and what they may be.
 namespace contact {
 
 /// What a key measures, which fixes the unit endings it takes: the length
@@ -29,6 +30,11 @@ enum class Dimension {
   viscous_constant,      ///< Pa_s_per_m, kPa_s_per_m, ... GPa_s_per_m
   inverse_velocity,      ///< s_per_m
   hersey,                ///< m_per_s_Pa, mm_per_s_MPa
+  area,                  ///< m2
+  volume,                ///< m3, mm3
+  energy,                ///< J
+  power,                 ///< W
+  power_density,         ///< W_per_m2
 };
 
 /// A unit of keys and options. value in SI = value * multiply / divide; powers
@@ -45,6 +51,12 @@ struct Unit {
 
 /// The first one is that of a key without an ending.
 std::span<const Unit> units_of(Dimension dimension);
+/// The one with this ending.
+const Unit& unit_of(Dimension dimension, std::string_view ending);
+/// In which tables print: degrees, else the first one.
+const Unit& printed_unit(Dimension dimension);
+/// "kg m^2" of "kg_m2", "Pa s/m" of "Pa_s_per_m".
+std::string unit_symbol(std::string_view ending);
 
 /// Values that a number may take, in SI units. Always finite, unless
 /// `or_infinity`.

@@ -1,4 +1,4 @@
-#include "libcontact/files/dimension.hpp"
+#include "libcontact/base/dimension.hpp"
 
 #include <algorithm>
 #include <numbers>
@@ -37,6 +37,11 @@ constexpr Unit units[][6] = {
      {"GPa_s_per_m", 1e9}},
     {{"s_per_m"}},
     {{"m_per_s_Pa"}, {"mm_per_s_MPa", 1, 1e9}},
+    {{"m2"}},
+    {{"m3"}, {"mm3", 1, 1e9}},
+    {{"J"}},
+    {{"W"}},
+    {{"W_per_m2"}},
 };
 
 }  // namespace
@@ -46,6 +51,30 @@ std::span<const Unit> units_of(Dimension dimension) {
   const auto end = std::find_if(all.begin() + 1, all.end(),
                                 [](const auto& u) { return u.ending.empty(); });
   return {all.begin(), end};
+}
+
+const Unit& unit_of(Dimension dimension, std::string_view ending) {
+  return *std::ranges::find(units_of(dimension), ending, &Unit::ending);
+}
+
+const Unit& printed_unit(Dimension dimension) {
+  return dimension == Dimension::angle ? unit_of(dimension, "deg")
+                                       : units_of(dimension).front();
+}
+
+std::string unit_symbol(std::string_view ending) {
+  const auto per = ending.find("_per_");
+  if (per != ending.npos) {
+    return unit_symbol(ending.substr(0, per)) + '/' +
+           unit_symbol(ending.substr(per + 5));
+  }
+  if (ending.ends_with('2') || ending.ends_with('3')) {
+    return unit_symbol(ending.substr(0, ending.size() - 1)) + '^' +
+           ending.back();
+  }
+  std::string text(ending);
+  std::ranges::replace(text, '_', ' ');
+  return text;
 }
 
 }  // namespace contact

@@ -1,19 +1,118 @@
-// On a full disk a program says what it cannot write, leaves no part of it
-// under its name, and writes all else.
+// Programs that start without standard input, output or error, or whose
+// standard error cannot be written: no file gets what is meant for a stream,
+// and no result is lost with a message.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "support/program.hpp"
 
+namespace contact::test {
 namespace {
 
-using contact::test::csv_rows;
-using contact::test::ProgramFolder;
-using contact::test::ProgramResult;
+// Runs that warn and write files. The event of the case comes later.
+const std::string separation =
+    "hinge-separation data/cases/two_stage_turn.toml --end-time 0.2 "
+    "--history h.csv --output o.json";
+const std::string identification =
+    "hinge-identify --joint data/duty/torque_rig.toml "
+    "--data data/duty/torque_rig.csv --residuals h.csv --output o.json";
 
+class Streams : public testing::TestWithParam<std::string> {};
+
+TEST_P(Streams, CostNoResult) {
+  const std::string how = ' ' + GetParam();
+  for (const std::string& run : {separation, identification}) {
+    const ProgramFolder whole;
+    const ProgramResult expected = whole.run_well(run);
+    ASSERT_TRUE(has_text(expected.err, "warning: ")) << run;
+    const ProgramFolder folder;
+    EXPECT_EQ(folder.run(run + how).status, 0) << run;
+    EXPECT_EQ(folder.files(), whole.files());
+    for (const std::string name : {"h.csv", "o.json"}) {
+      EXPECT_TRUE(folder.read(name) == whole.read(name)) << run << ' ' << name;
+    }
+  }
+  EXPECT_EQ(ProgramFolder().run("hinge-angle --nope" + how).status, 2);
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, Streams,
+                         testing::Values("<&-", ">&-", "2>&-", "<&- >&-",
+                                         "<&- 2>&-", ">&- 2>&-", "<&- >&- 2>&-",
+                                         "2>/dev/full", "<&- 2>/dev/full"));
+
+TEST(StandardStreams, MissingOnesAreNotWrittenOrRead) {
+  const ProgramFolder folder;
+  const auto message = [&](const std::string& run) {
+    const ProgramResult result = folder.run(run);
+    EXPECT_EQ(result.status, 2) << run;
+    EXPECT_EQ(result.out, "") << run;
+    return result.err;
+  };
+  const std::string cannot_write =
+      "hinge-table: cannot write standard output: Bad file descriptor\n";
+  const std::string run = "hinge-table --theta0 45 --alpha 30 ";
+  EXPECT_EQ(message(run + ">&-"), cannot_write);
+  EXPECT_EQ(message(run + "<&- >&-"), cannot_write);
+  EXPECT_EQ(message(run + "--output - >&-"), cannot_write);
+  EXPECT_EQ(message("hinge-table --points - <&-"),
+            "hinge-table: cannot read standard input: Bad file descriptor\n");
+  EXPECT_TRUE(folder.files().empty());
+}
+
+// The table that has no place to go to was written over the journal's rows.
+TEST(StandardStreams, JournalsSurviveMissingOnes) {
+  const ProgramFolder folder;
+  const std::string study =
+      "hinge-study data/studies/lined_bearing.toml --runs 5 --journal j ";
+  const ProgramResult first = folder.run(study);
+  ASSERT_LE(first.status, 1) << first.err;
+  const auto rows = [&] {
+    return folder.run_well("sqlite3 j 'SELECT * FROM rows'").out;
+  };
+  const std::string journal = rows();
+  EXPECT_EQ(std::ranges::count(journal, '\n'), 6);
+  EXPECT_EQ(folder.run(study + "--output o.json >&-").err,
+            "hinge-study: cannot write standard output: Bad file "
+            "descriptor\n");
+  EXPECT_EQ(rows(), journal);
+  EXPECT_EQ(folder.run(study + "2>&-").out, first.out);
+  EXPECT_EQ(rows(), journal);
+}
+
+// Output that cannot be written or must be written once; with
+// messages_test.cpp, which has the messages.
+// Runs of tests/messages/options/output.txt that would say something first.
+TEST(UnwritableOutput, ComesBeforeWarnings) {
+  const ProgramFolder folder;
+  const std::string ball =
+      "--joint ball --pair data/materials/steel_bronze.toml --radius 50mm "
+      "--clearance 50um --law tanh ";
+  const std::string friction = "--friction 0.1 --reaction 1e4 --beta 60";
+  for (const std::string& run :
+       {"hinge-angle " + ball + "--load 1e4",
+        "hinge-pressure " + ball + "--load 1e4",
+        "hinge-joint " + ball + friction,
+        "hinge-joint " + ball + friction + " --trace",
+        std::string("hinge-separation data/cases/soyuz.toml --law tanh")}) {
+    EXPECT_TRUE(has_text(folder.run(run).err, "warning: ")) << run;
+  }
+}
+
+// A pipe that is looked at first still has all of the table.
+TEST(UnwritableOutput, PipesAreNotOpenedTwice) {
+  const ProgramFolder folder;
+  const std::string run = "hinge-table --theta0 0:90:1 --alpha 0:90:9";
+  const ProgramResult piped = folder.run_well("mkfifo pipe; cat pipe & " + run +
+                                              " --output pipe; wait");
+  EXPECT_EQ(piped.out, folder.run(run).out);
+}
+
+// On a full disk a program says what it cannot write, leaves no part of it
+// under its name, and writes all else.
 // A command on a disk with so much room for files.
 std::string with_room(int bytes, const std::string& command) {
   return "CONTACT_TEST_ROOM=" + std::to_string(bytes) +
@@ -60,9 +159,8 @@ TEST(FullDisk, HistoriesAreWholeOrNotThere) {
   const ProgramFolder whole;
   const std::string run = "hinge-separation data/cases/slosh.toml ";
   const ProgramResult expected =
-      whole.run(run + "--history h.h5 --events e.csv && " + run +
-                "--history h.csv >/dev/null");
-  ASSERT_EQ(expected.status, 0) << expected.err;
+      whole.run_well(run + "--history h.h5 --events e.csv && " + run +
+                     "--history h.csv >/dev/null");
   for (const std::string name : {"h.h5", "h.csv"}) {
     const auto size = static_cast<int>(whole.read(name).size());
     for (const int room : {0, 1, 96, 800, 4096, 20000, size / 2, size - 1}) {
@@ -76,7 +174,7 @@ TEST(FullDisk, HistoriesAreWholeOrNotThere) {
       EXPECT_TRUE(folder.files().empty());
     }
     const ProgramFolder folder;
-    EXPECT_EQ(folder.run(with_room(size, run + "--history " + name)).status, 0);
+    folder.run_well(with_room(size, run + "--history " + name));
     EXPECT_EQ(folder.files(), std::vector<std::string>{name});
     EXPECT_EQ(folder.read(name).size(), whole.read(name).size());
   }
@@ -112,25 +210,22 @@ TEST(FullDisk, CheckpointsAreWholeOrNotThere) {
   const std::string checkpoints =
       "--checkpoint state --checkpoint-every 0.5 --events /dev/null";
   const ProgramFolder whole;
-  const ProgramResult expected = whole.run(run + checkpoints);
-  ASSERT_EQ(expected.status, 0) << expected.err;
+  const ProgramResult expected = whole.run_well(run + checkpoints);
   const auto size = static_cast<int>(whole.read("state").size());
   for (const int room : {0, 1000, 4 * size, 12 * size}) {
     const ProgramFolder folder;
     const ProgramResult result = folder.run(with_room(room, run + checkpoints));
     EXPECT_EQ(result.status, 1) << room;
     EXPECT_EQ(result.out, expected.out);
-    EXPECT_NE(result.err.find("hinge-separation: warning: no checkpoints from "
-                              "t = "),
-              std::string::npos)
-        << result.err;
-    EXPECT_NE(result.err.find("No space left on device"), std::string::npos);
+    EXPECT_TRUE(has_text(result.err,
+                         "hinge-separation: warning: no checkpoints from "
+                         "t = "));
+    EXPECT_TRUE(has_text(result.err, "No space left on device"));
     if (room < size) {
       EXPECT_TRUE(folder.files().empty());
       continue;
     }
-    const ProgramResult resumed = folder.run(run + "--resume state");
-    EXPECT_EQ(resumed.status, 0) << resumed.err;
+    folder.run_well(run + "--resume state");
   }
 }
 
@@ -222,3 +317,4 @@ TEST(FullDisk, PicturesOnASmallFileSystem) {
 }
 
 }  // namespace
+}  // namespace contact::test

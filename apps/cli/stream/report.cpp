@@ -1,0 +1,45 @@
+#include "cli/stream/report.hpp"
+
+#include <algorithm>
+
+namespace cli {
+
+void write_cell(const Cell& cell, RowWriter& row) {
+  if (const auto* number = std::get_if<double>(&cell)) {
+    row.number(*number + 0.0);  // no -0
+  } else if (const auto* count = std::get_if<std::size_t>(&cell)) {
+    row.count(*count);
+  } else if (const auto* text = std::get_if<std::string>(&cell)) {
+    row.text(*text);
+  } else {
+    row.empty();
+  }
+}
+
+double Report::number(std::string_view name) const {
+  return std::get<double>(std::ranges::find(lines_, name, &Line::name)->value);
+}
+
+std::vector<std::string> Report::columns() const {
+  std::vector<std::string> names = {"quantity", "value"};
+  names.insert(names.end(), beside_.begin(), beside_.end());
+  names.emplace_back("meaning");
+  return names;
+}
+
+void Report::write(Output& output, const TableStyle& style) const {
+  write_table(style, columns(), output, [this](RowWriter& row) {
+    for (const Line& line : lines_) {
+      row.text(line.name);
+      write_cell(line.value, row);
+      for (const Cell& cell : line.beside) write_cell(cell, row);
+      for (std::size_t i = line.beside.size(); i < beside_.size(); ++i) {
+        row.empty();
+      }
+      row.text(line.meaning);
+      row.end();
+    }
+  });
+}
+
+}  // namespace cli

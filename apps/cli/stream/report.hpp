@@ -1,0 +1,77 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "cli/output.hpp"
+#include "cli/table.hpp"
+#include "libcontact/quantities/quantity.hpp"
+
+namespace cli {
+
+/// Nothing, a number, a whole number, a text.
+using Cell = std::variant<std::monostate, double, std::size_t, std::string>;
+
+/// What a program has to say of a whole run: named numbers with their meaning.
+class Report {
+ public:
+  struct Line {
+    std::string name;  ///< with its unit: "period_s"
+    Cell value;
+    std::string meaning;
+    std::vector<Cell> beside = {};
+  };
+
+  /// @param beside  columns between value and meaning
+  explicit Report(std::vector<std::string> beside = {})
+      : beside_(std::move(beside)) {}
+
+  /// @param beside  as many as there are columns, or fewer
+  void add(std::string_view name, Cell value, std::string_view meaning,
+           std::vector<Cell> beside = {}) {
+    lines_.push_back({std::string(name), std::move(value), std::string(meaning),
+                      std::move(beside)});
+  }
+  /// The numbers of a quantity.
+  template <class T>
+  void add(const contact::Quantity<T>& quantity, const T& of) {
+    for (const auto& column : contact::columns_of(quantity)) {
+      add(column.name, column(of), column.meaning);
+    }
+  }
+
+  /// quantity, value, those beside, meaning.
+  std::vector<std::string> columns() const;
+  const std::vector<Line>& lines() const { return lines_; }
+  /// A number that was added.
+  double number(std::string_view name) const;
+
+  void write(Output& output, const TableStyle& style) const;
+
+ private:
+  std::vector<std::string> beside_;
+  std::vector<Line> lines_;
+};
+
+void write_cell(const Cell& cell, RowWriter& row);
+
+/// Writes a table whose rows `write` makes, to a file that has to be committed.
+/// @param write  of a RowWriter
+template <class Rows>
+void write_table(const TableStyle& style,
+                 const std::vector<std::string>& columns, Output& output,
+                 const Rows& write) {
+  const Table table(style, columns);
+  Text text;
+  RowWriter row(table, text);
+  write(row);
+  TableWriter writer(output, table);
+  writer.write(text.view());
+  writer.finish();
+}
+
+}  // namespace cli

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "cli/program.hpp"
+#include "programs/angle/input.hpp"
+
+namespace hinge_angle {
+
+/// The options of joints with play.
+struct PlayOptions {
+  bool force_law = false;
+  std::string penetration;
+  bool impact = false;
+  double mass = 0;                        ///< kg
+  std::string speed;                      ///< sweep, m/s
+  double restitution = 0;                 ///< e
+  std::optional<double> reference_speed;  ///< m/s; none: that of each impact
+  double density = 0;                     ///< kg/m^3; 0: not known
+};
+
+/// Adds --force-law, --impact and what belongs to them.
+void add_play_options(cli::Program& program, PlayOptions& options);
+
+/// --force-law: force, stiffness, energy, half-angle over the penetration as a
+/// table; with `compare` the penetrations of the exact and of published laws.
+cli::ExitStatus run_force_law(const PlayOptions& options,
+                              const cli::JointOptions& joint,
+                              const LoadOptions& load, bool compare,
+                              const cli::OutputOptions& output);
+
+/// --impact: a row for each speed.
+cli::ExitStatus run_impact(const PlayOptions& options,
+                           const cli::JointOptions& joint,
+                           const cli::OutputOptions& output);
+
+}  // namespace hinge_angle

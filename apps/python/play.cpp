@@ -1,0 +1,194 @@
+#include <pybind11/stl.h>
+
+#include "libcontact/quantities/play.hpp"
+#include "python/answers.hpp"
+#include "python/contact_warning.hpp"
+#include "python/file_joint.hpp"
+
+namespace contact_python {
+namespace {
+
+using contact::ForceState;
+using contact::HuntCrossley;
+using contact::Impact;
+using contact::PlayForce;
+using contact::PlayMotion;
+
+// A joint with play; its tables are made once.
+class Play {
+ public:
+  Play(const FileJoint& joint, double damping, double regularisation_speed)
+      : impact_(joint.spec()),
+        joint_(joint.spec(), {HuntCrossley(damping), regularisation_speed},
+               impact_.force_law()),
+        limits_(joint.limits()) {}
+
+  const contact::PlayJoint& joint() const { return joint_; }
+  const contact::ForceLaw& law() const { return joint_.force_law(); }
+  const contact::JointImpact& impacts() const { return impact_; }
+  const contact::ContactLimits& limits() const { return limits_; }
+
+ private:
+  contact::JointImpact impact_;
+  contact::PlayJoint joint_;
+  contact::ContactLimits limits_;
+};
+
+Answers<ForceState> force_law(const Play& self, const Numbers& penetration) {
+  return answers<ForceState>(
+      {{"penetration", penetration, 0}},
+      [&](const double* const* at) { return self.law().at(*at[0]); });
+}
+
+Answers<Impact> impact(const Play& self, const Numbers& mass,
+                       const Numbers& speed) {
+  contact::LargestContact largest;
+  auto all = answers<Impact>(
+      {{"mass", mass, 0}, {"speed", speed, 0}}, [&](const double* const* at) {
+        const Impact i = self.impacts()(self.joint().damping(), *at[0], *at[1]);
+        largest.add(i.half_angle, i.peak_pressure);
+        return i;
+      });
+  warn_of(self.limits(), largest);
+  return all;
+}
+
+PlayMotion motion_at(const double* const* at) {
+  return {vector_at(at[0]), vector_at(at[1]), vector_at(at[2]),
+          vector_at(at[3])};
+}
+
+Answers<PlayForce> evaluate_force(const Play& self, const Numbers& position,
+                                  const Numbers& velocity, const Numbers& rate,
+                                  const std::optional<Numbers>& axis) {
+  const Eigen::Vector3d z = Eigen::Vector3d::UnitZ();
+  return answers<PlayForce>(
+      {{"position", position, 3},
+       {"velocity", velocity, 3},
+       {"rate", rate, 3},
+       axis ? Argument("axis", *axis, 3) : Argument(z)},
+      [&](const double* const* at) { return self.joint()(motion_at(at)); });
+}
+
+py::array derivatives(const Play& self, const Numbers& position,
+                      const Numbers& velocity, const Numbers& rate,
+                      const std::optional<Numbers>& axis) {
+  const Eigen::Vector3d z = Eigen::Vector3d::UnitZ();
+  const Rows rows({{"position", position, 3},
+                   {"velocity", velocity, 3},
+                   {"rate", rate, 3},
+                   axis ? Argument("axis", *axis, 3) : Argument(z)});
+  Shape shape = rows.shape();
+  shape.insert(shape.end(), {6, 9});
+  py::array_t<double> result(shape);
+  double* to = result.mutable_data();
+  rows.for_each([&](const double* const* at) {
+    contact::PlayDerivatives d;
+    self.joint()(motion_at(at), d);
+    Eigen::Map<Eigen::Matrix<double, 6, 9, Eigen::RowMajor>>{to} = d;
+    to += d.size();
+  });
+  return result;
+}
+
+}  // namespace
+
+void bind_play(py::module_& m) {
+  bind_answers(m, "ForceState", contact::force_state_quantities(),
+               "What Play.force_law() returns.");
+  bind_answers(m, "Impact", contact::impact_quantities(),
+               "What Play.impact() returns.");
+  bind_answers(m, "PlayForce", contact::play_force_quantities(),
+               "What Play.force() returns.");
+  m.def(
+      "damping_of_restitution",
+      [](double restitution, double speed) {
+        return HuntCrossley::from_restitution(restitution, speed).damping();
+      },
+      py::arg("restitution"), py::arg("speed"),
+      R"(damping_of_restitution(restitution, speed)
+--
+
+a of F (1 + a d penetration/dt), s/m, with which an impact at this speed, m/s,
+has this restitution, above 0 to 1: exact for every force law and mass.)");
+  const auto keyword_axis = py::arg("axis") = py::none();
+  py::class_<Play>(m, "Play",
+                   R"(Play(joint, damping=0, regularisation_speed=1e-3)
+--
+
+A joint with play as a force without constraint: its ball or pin moves freely in
+the clearance, touches, and is pressed in.
+
+joint: a Joint; a pin needs a wall with a backing. Its friction has to be dry.
+damping: a of F (1 + a d penetration/dt), s/m: damping_of_restitution().
+regularisation_speed: below which friction fades, m/s.)")
+      .def(py::init<const FileJoint&, double, double>(), py::arg("joint"),
+           py::arg("damping") = 0.0, py::arg("regularisation_speed") = 1e-3,
+           py::call_guard<Unlocked>())
+      .def("force_law", &force_law, py::arg("penetration"),
+           R"(force_law(self, penetration)
+--
+
+The exact elastic force over the penetration from first touch, m. Returns a
+ForceState; NaN above largest_penetration.)")
+      .def_property_readonly(
+          "largest_penetration",
+          [](const Play& p) { return p.law().largest_penetration(); },
+          "Where the force law ends, m.")
+      .def("impact", &impact, py::arg("mass"), py::arg("speed"),
+           R"(impact(self, mass, speed)
+--
+
+A touch by no other force than that of the contact. Returns an Impact; NaN
+beyond the force law.
+
+mass: kg, of two bodies m1 m2/(m1 + m2).
+speed: at touch, m/s.)")
+      .def(
+          "impact_notes",
+          [](const Play& p, double mass, double speed, double density) {
+            return p.impacts().notes(
+                p.impacts()(p.joint().damping(), mass, speed), density);
+          },
+          py::arg("mass"), py::arg("speed"), py::arg("density") = 0.0,
+          R"(impact_notes(self, mass, speed, density=0)
+--
+
+Where an impact leaves the model, a sentence each. density: kg/m^3; without it
+waves are not looked at.)")
+      .def("force", &evaluate_force, py::arg("position"), py::arg("velocity"),
+           py::arg("rate"), py::kw_only(), keyword_axis,
+           R"(force(self, position, velocity, rate, *, axis=None)
+--
+
+What acts on the ball or pin. Returns a PlayForce; NaN beyond the force law.
+
+position: of its centre from the seat's, m, (..., 3), in a frame of the seat.
+velocity: of it, m/s, (..., 3).
+rate: its angular velocity relative to the seat, rad/s, (..., 3).
+axis: of a pin, unit vector, (..., 3); z if it is None.)")
+      .def("derivatives", &derivatives, py::arg("position"),
+           py::arg("velocity"), py::arg("rate"), py::kw_only(), keyword_axis,
+           R"(derivatives(self, position, velocity, rate, *, axis=None)
+--
+
+Of force and moment (6) over position, velocity and rate (9), (..., 6, 9).
+Arguments as in force().)")
+      .def(
+          "notes",
+          [](const Play& p, std::array<double, 3> position,
+             std::array<double, 3> velocity, std::array<double, 3> rate,
+             std::array<double, 3> axis) {
+            return p.joint().notes(
+                {vector_at(position.data()), vector_at(velocity.data()),
+                 vector_at(rate.data()), vector_at(axis.data())});
+          },
+          py::arg("position"), py::arg("velocity"), py::arg("rate"),
+          py::arg("axis") = std::array<double, 3>{0, 0, 1},
+          R"(notes(self, position, velocity, rate, axis=(0, 0, 1))
+--
+
+Where one motion leaves the model, a sentence each.)");
+}
+
+}  // namespace contact_python

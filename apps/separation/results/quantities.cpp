@@ -1,0 +1,74 @@
+#include "separation/results/quantities.hpp"
+
+namespace separation {
+namespace {
+
+using contact::Dimension;
+using contact::Quantity;
+
+constexpr Quantity<JointPeaks> of_joint[] = {
+    {"peak_reaction", "", Dimension::force, "largest reaction",
+     [](const JointPeaks& p) { return p.reaction; }},
+    {"peak_reaction_time", "", Dimension::time, "when that was",
+     [](const JointPeaks& p) { return p.reaction_time; }},
+    {"peak_pressure", "", Dimension::stress, "largest peak pressure",
+     [](const JointPeaks& p) { return p.pressure; }},
+    {"largest_half_angle", "largest_theta0", Dimension::angle,
+     "largest half-angle of the contact",
+     [](const JointPeaks& p) { return p.half_angle; }},
+    {"largest_friction_moment", "", Dimension::moment,
+     "largest friction moment", [](const JointPeaks& p) { return p.moment; }},
+};
+
+constexpr Quantity<BodyRecord> of_hinge[] = {
+    {"peak_reaction", "", Dimension::force, "largest reaction of the hinge",
+     [](const BodyRecord& b) { return b.peak_reaction; }},
+    {"peak_reaction_time", "", Dimension::time, "when that was",
+     [](const BodyRecord& b) { return b.peak_reaction_time; }},
+};
+
+constexpr Quantity<BodyRecord> of_lock[] = {
+    {"peak_lock_reaction", "", Dimension::force, "largest reaction of the lock",
+     [](const BodyRecord& b) { return b.peak_lock; }},
+    {"peak_lock_reaction_time", "", Dimension::time, "when that was",
+     [](const BodyRecord& b) { return b.peak_lock_time; }},
+};
+
+constexpr Quantity<BodyRecord> of_body[] = {
+    {"work_of_friction", "", Dimension::energy, "work of the hinge's friction",
+     [](const BodyRecord& b) { return b.work; }},
+    {"time_at_rest", "", Dimension::time, "for which the hinge rested",
+     [](const BodyRecord& b) { return b.rest_time; }},
+};
+
+using Release = BodyRecord::Release;
+constexpr Quantity<Release> of_release[] = {
+    {"time", "", Dimension::time, "of the release",
+     [](const Release& r) { return r.time; }},
+    {"angle", "", Dimension::angle, "of the hinge",
+     [](const Release& r) { return r.angle; }},
+    {"rate", "", Dimension::angular_velocity,
+     "of the angle on an axis, else |Dw|",
+     [](const Release& r) { return r.rate; }},
+    {"angular_velocity", "", Dimension::angular_velocity, "Dw, body axes",
+     [](const Release& r) -> const Eigen::Vector3d& { return r.rates; }},
+    {"velocity", "", Dimension::velocity,
+     "of the centre of mass against the carrier's, carrier axes",
+     [](const Release& r) -> const Eigen::Vector3d& { return r.velocity; }},
+};
+
+}  // namespace
+
+std::span<const Quantity<JointPeaks>> joint_quantities() { return of_joint; }
+std::span<const Quantity<BodyRecord>> hinge_quantities() { return of_hinge; }
+std::span<const Quantity<BodyRecord>> lock_quantities() { return of_lock; }
+std::span<const Quantity<BodyRecord>> body_quantities() { return of_body; }
+std::span<const Quantity<Release>> release_quantities() { return of_release; }
+
+const contact::Unit& summary_unit(Dimension dimension) {
+  return dimension == Dimension::angular_velocity
+             ? contact::unit_of(dimension, "deg_per_s")
+             : contact::printed_unit(dimension);
+}
+
+}  // namespace separation

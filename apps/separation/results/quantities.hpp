@@ -1,0 +1,42 @@
+#pragma once
+
+#include <span>
+
+#include "libcontact/quantities/quantity.hpp"
+#include "separation/results/record.hpp"
+
+/// What a run comes to, from which its summary and the numbers of studies are
+/// made.
+namespace separation {
+
+std::span<const contact::Quantity<JointPeaks>> joint_quantities();
+std::span<const contact::Quantity<BodyRecord>> hinge_quantities();
+/// Of a body with a lock, behind those of the hinge.
+std::span<const contact::Quantity<BodyRecord>> lock_quantities();
+std::span<const contact::Quantity<BodyRecord>> body_quantities();
+std::span<const contact::Quantity<BodyRecord::Release>> release_quantities();
+
+/// Rates in degrees, as angles.
+const contact::Unit& summary_unit(contact::Dimension dimension);
+
+/// "peak_reaction_N"
+template <class T>
+std::string summary_name(const contact::Quantity<T>& q) {
+  return contact::column_name(q.stem(), "", summary_unit(q.dimension));
+}
+
+/// Calls `each(number, k)` for the numbers of a quantity: k is 1, 2, 3 of a
+/// vector, else 0.
+template <class T, class Each>
+void for_numbers(const contact::Quantity<T>& q, const T& of, const Each& each) {
+  const contact::Unit& unit = summary_unit(q.dimension);
+  if (!q.is_vector()) {
+    each(unit.from_si(number_of(q, of)), 0);
+    return;
+  }
+  for (const int k : {0, 1, 2}) {
+    each(unit.from_si(number_of(q, of, k)), k + 1);
+  }
+}
+
+}  // namespace separation

@@ -1,0 +1,46 @@
+/* What results say, by names: those of Python and of the columns of programs.
+ */
+#ifndef LIBCONTACT_C_QUANTITY_H
+#define LIBCONTACT_C_QUANTITY_H
+
+#include <stddef.h>
+
+#include "libcontact/c/joint.h"
+#include "libcontact/c/slip.h"
+#include "libcontact/c/status.h"
+
+/* NOLINTBEGIN(readability-identifier-naming,modernize-*) */
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct contact_quantity {
+  const char* key;     /* "friction_moment" */
+  const char* symbol;  /* "M_t"; "" if there is none */
+  const char* unit;    /* "N m"; "" if there is none */
+  const char* meaning; /* "friction moment on the body about ..." */
+  size_t size;         /* how many numbers: 3 of a vector, else 1 */
+} contact_quantity;
+
+/* Quantity i of a result; NULL behind the last one. */
+const contact_quantity* contact_solution_quantity(size_t i);
+const contact_quantity* contact_rest_quantity(size_t i);
+const contact_quantity* contact_patch_quantity(size_t i);
+
+/* A quantity by its key, `size` numbers; NaN where it has no meaning, as angles
+ * at rest. CONTACT_BAD_INPUT for a key that is not there. */
+contact_status contact_solution_get(const contact_solution* solution,
+                                    const char* key, double* value);
+contact_status contact_rest_get(const contact_rest* rest, const char* key,
+                                double* value);
+/* Of the contact under a normal force R_n, N, above 0. */
+contact_status contact_patch_get(const contact_joint* joint,
+                                 double normal_force, const char* key,
+                                 double* value);
+
+#ifdef __cplusplus
+}
+#endif
+/* NOLINTEND(readability-identifier-naming,modernize-*) */
+
+#endif

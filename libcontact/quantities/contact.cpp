@@ -1,0 +1,109 @@
+#include "libcontact/quantities/tables.hpp"
+
+namespace contact {
+namespace {
+
+using Patch = ContactPatch;
+
+bool has_half_angle(const Patch& p) { return !std::isnan(p.half_angle); }
+
+constexpr Quantity<Patch> of_patch[] = {
+    {"half_angle", "theta0", Dimension::angle, "half-angle of the contact",
+     [](const Patch& p) { return p.half_angle; }, "", has_half_angle},
+    {"load_parameter", "", Dimension::number, "mu of a ball, lambda of a pin",
+     [](const Patch& p) { return p.contact.load_parameter(p.normal_force); }},
+    {"peak_pressure", "p_peak", Dimension::stress, "peak pressure",
+     [](const Patch& p) {
+       return p.contact.peak_pressure(p.normal_force, p.half_angle);
+     },
+     "", has_half_angle},
+    {"mean_pressure", "p_mean", Dimension::stress,
+     "mean pressure over the contact's own area",
+     [](const Patch& p) {
+       return p.contact.mean_pressure(p.normal_force, p.half_angle);
+     },
+     "", has_half_angle},
+    {"nominal_pressure", "p_nominal", Dimension::stress,
+     "force over the projected area, pi rho^2 of a ball, 2 rho l of a pin; "
+     "catalogues of spherical plain bearings take ball diameter times width "
+     "of the ring",
+     [](const Patch& p) {
+       return p.contact.geometry().nominal_pressure(p.normal_force);
+     }},
+    {"contact_area", "", Dimension::area, "area of the contact",
+     [](const Patch& p) { return p.contact.area(p.half_angle); }, "",
+     has_half_angle},
+};
+
+constexpr Quantity<ContactApproach> of_approach[] = {
+    {"approach", "", Dimension::length, "of the two bodies, from first touch",
+     [](const ContactApproach& a) { return a.approach; }},
+    {"stiffness", "", Dimension::line_force, "d R_n/d approach",
+     [](const ContactApproach& a) { return a.stiffness; }},
+};
+
+constexpr Quantity<FrictionTriple> of_coefficients[] = {
+    {"force", "chi", Dimension::number, "friction force over f0 R_n",
+     [](const FrictionTriple& c) { return c.force; }},
+    {"sliding", "sigma_Y", Dimension::number, "sliding moment over f0 rho R_n",
+     [](const FrictionTriple& c) { return c.sliding; }},
+    {"spinning", "sigma_Z", Dimension::number,
+     "spinning moment over f0 rho R_n",
+     [](const FrictionTriple& c) { return c.spinning; }},
+};
+
+bool slides(const Rating& r) { return r.slides; }
+
+constexpr Quantity<Rating> of_rating[] = {
+    {"pv_max", "", Dimension::power_density, "largest p v over the contact",
+     [](const Rating& r) { return r.pv.value; }},
+    {"pv_max_theta", "", Dimension::angle,
+     "its angle from the centre of the contact",
+     [](const Rating& r) { return r.pv.theta; }, "", slides},
+    {"pv_max_place", "pv_max", Dimension::number,
+     "its direction from the joint's centre",
+     [](const Rating& r) -> const Eigen::Vector3d& { return r.pv.place; }, "",
+     slides},
+    {"pv_mean", "", Dimension::power_density, "mean p v over the contact",
+     [](const Rating& r) { return r.pv_mean; }},
+    {"pv_nominal", "", Dimension::power_density,
+     "p_nominal times rho |Dw|: p v as in catalogues",
+     [](const Rating& r) { return r.pv_nominal; }},
+    {"nominal_area", "", Dimension::area,
+     "projected area of p_nominal: pi rho^2 or 2 rho L",
+     [](const Rating& r) { return r.nominal_area; }},
+    {"pv_total", "", Dimension::power, "integral of p v over the contact",
+     [](const Rating& r) { return r.pv_total; }},
+    {"heat_flux_max", "q_max", Dimension::power_density,
+     "largest heat flux of friction, into both bodies",
+     [](const Rating& r) { return r.heat_flux.value; }},
+    {"heat_flux_max_theta", "q_max_theta", Dimension::angle,
+     "its angle from the centre of the contact",
+     [](const Rating& r) { return r.heat_flux.theta; }, "", slides},
+    {"heat_flux_max_place", "q_max", Dimension::number,
+     "its direction from the joint's centre",
+     [](const Rating& r) -> const Eigen::Vector3d& {
+       return r.heat_flux.place;
+     },
+     "", slides},
+    {"heat", "", Dimension::power, "heat of friction over the contact",
+     [](const Rating& r) { return r.heat; }},
+    {"slip_coefficient", "", Dimension::number, "L: all p v is rho |Dw| R_n L",
+     [](const Rating& r) { return r.slip_coefficient; }, "", slides},
+};
+
+}  // namespace
+
+std::span<const Quantity<ContactPatch>> patch_quantities() { return of_patch; }
+
+std::span<const Quantity<ContactApproach>> approach_quantities() {
+  return of_approach;
+}
+
+std::span<const Quantity<FrictionTriple>> coefficient_quantities() {
+  return of_coefficients;
+}
+
+std::span<const Quantity<Rating>> rating_quantities() { return of_rating; }
+
+}  // namespace contact

@@ -1,0 +1,110 @@
+#include "libcontact/quantities/tables.hpp"
+
+namespace contact {
+namespace {
+
+constexpr Quantity<JointCycle::Instant> of_instant[] = {
+    {"time", "", Dimension::time, "time of the cycle",
+     [](const JointCycle::Instant& i) { return i.time; }},
+    {"reaction", "R", Dimension::force, "reaction on the body",
+     [](const JointCycle::Instant& i) -> const Eigen::Vector3d& {
+       return i.state.reaction;
+     }},
+    {"angular_velocity", "w", Dimension::angular_velocity,
+     "angular velocity Dw, body against carrier",
+     [](const JointCycle::Instant& i) -> const Eigen::Vector3d& {
+       return i.state.angular_velocity;
+     }},
+};
+
+// rho |Dw|, m/s.
+double rim_speed(const JointCycle& cycle, const JointCycle::Instant& i) {
+  return cycle.contact().geometry().radius() * i.state.angular_velocity.norm();
+}
+
+double energy(const JointCycle& cycle) {
+  return cycle.integral(
+      [](const JointCycle::Instant& i) { return -i.solution.power; });
+}
+
+constexpr Quantity<JointCycle> of_cycle[] = {
+    {"period", "", Dimension::time,
+     "one cycle; integrals and means are over it",
+     [](const JointCycle& c) { return c.cycle().period(); }},
+    {"closure", "", Dimension::angle,
+     "by which the turn of integrated rates fails to close",
+     [](const JointCycle& c) { return c.cycle().closure(); }},
+    {"energy", "", Dimension::energy, "dissipated by friction", energy},
+    {"mean_heat", "", Dimension::power, "energy over period",
+     [](const JointCycle& c) { return energy(c) / c.cycle().period(); }},
+    {"sliding_path", "", Dimension::length, "of the rim: integral of rho |Dw|",
+     [](const JointCycle& c) {
+       return c.integral(
+           [&](const JointCycle::Instant& i) { return rim_speed(c, i); });
+     }},
+    {"effective_sliding_distance", "", Dimension::length,
+     "integral of rho |Dw| L, what wears under p",
+     [](const JointCycle& c) {
+       return c.integral([&](const JointCycle::Instant& i) {
+         return rim_speed(c, i) * c.sliding(i).slip_coefficient();
+       });
+     }},
+    {"pv_integral", "", Dimension::energy,
+     "of p v over contact and time; times k: volume",
+     [](const JointCycle& c) {
+       return c.integral([&](const JointCycle::Instant& i) {
+         return c.sliding(i).pv_total();
+       });
+     }},
+    {"mean_moment", "mean_M_t", Dimension::moment,
+     "mean of the friction moment",
+     [](const JointCycle& c) {
+       return c.integral([](const JointCycle::Instant& i) {
+         return i.solution.friction_moment.norm();
+       }) / c.cycle().period();
+     }},
+    {"contact_spread", "", Dimension::angle,
+     "of the contact over the seat: rms angle from its middle, weight p v",
+     [](const JointCycle& c) { return c.contact_spread(); }},
+};
+
+using Worn = WearIn::State;
+constexpr Quantity<Worn> of_worn[] = {
+    {"cycles", "", Dimension::number, "after them",
+     [](const Worn& w) { return w.cycles; }},
+    {"wear_number", "", Dimension::number,
+     "volume over pi rho^2 eps, of a pin 2 rho eps l",
+     [](const Worn& w) { return w.wear_number; }},
+    {"volume", "volume_seat", Dimension::volume, "worn off; reliable",
+     [](const Worn& w) { return w.volume; }},
+    {"penetration", "", Dimension::length,
+     "deepest wear, to 8 %, once most of it is wear; no creep",
+     [](const Worn& w) { return w.penetration; }},
+    {"half_angle", "theta0", Dimension::angle, "largest, to 1.1 deg",
+     [](const Worn& w) { return w.half_angle; }},
+    {"peak_pressure", "p_peak", Dimension::stress,
+     "largest, to 6 %, of a ball much worn up to 17 % too high",
+     [](const Worn& w) { return w.peak_pressure; }},
+    {"pv_max", "", Dimension::power_density, "largest, as p_peak",
+     [](const Worn& w) { return w.pv; }},
+    {"energy", "", Dimension::energy, "of a cycle",
+     [](const Worn& w) { return w.energy; }},
+    {"mean_moment", "mean_M_t", Dimension::moment,
+     "mean of the friction moment",
+     [](const Worn& w) { return w.mean_moment; }},
+    {"worn_share", "", Dimension::number,
+     "of p ~ cos theta in the pressure; the rest is that of the joint",
+     [](const Worn& w) { return w.worn_share; }},
+};
+
+}  // namespace
+
+std::span<const Quantity<JointCycle::Instant>> instant_quantities() {
+  return of_instant;
+}
+
+std::span<const Quantity<JointCycle>> cycle_quantities() { return of_cycle; }
+
+std::span<const Quantity<WearIn::State>> worn_quantities() { return of_worn; }
+
+}  // namespace contact

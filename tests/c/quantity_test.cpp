@@ -1,0 +1,110 @@
+// Quantities from C by their names: all of the tables, as C++ has them.
+#include "libcontact/c/quantity.h"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <string>
+
+#include "c/door.hpp"
+#include "libcontact/files/joint_file.hpp"
+#include "libcontact/quantities/tables.hpp"
+
+namespace {
+
+using contact::Joint;
+using contact::test::c_joint;
+using contact::test::CJoint;
+
+const std::string hip = CONTACT_DATA_DIR "/joints/hip_cocr_uhmwpe.toml";
+
+// NaN too.
+void expect_same(double a, double b, std::string_view key) {
+  EXPECT_EQ(std::bit_cast<std::uint64_t>(a), std::bit_cast<std::uint64_t>(b))
+      << key << ": " << a << " and " << b;
+}
+
+// All of a table, listed and got.
+template <class T, class Listed, class Get>
+void expect_table(std::span<const contact::Quantity<T>> table, const T& of,
+                  const Listed& listed, const Get& get) {
+  std::size_t i = 0;
+  for (const auto& q : table) {
+    const contact_quantity* c = listed(i++);
+    ASSERT_NE(c, nullptr) << q.key;
+    EXPECT_EQ(c->key, q.key);
+    EXPECT_EQ(c->symbol, q.symbol) << q.key;
+    EXPECT_EQ(c->meaning, q.meaning) << q.key;
+    EXPECT_EQ(c->unit, contact::unit_text(q.dimension)) << q.key;
+    EXPECT_EQ(c->size, q.is_vector() ? 3u : 1u) << q.key;
+    double values[3];
+    ASSERT_EQ(get(c->key, values), CONTACT_OK) << q.key;
+    for (std::size_t k = 0; k < c->size; ++k) {
+      const double expected =
+          q.exists && !q.exists(of)
+              ? std::numeric_limits<double>::quiet_NaN()
+              : number_of(q, of,
+                          q.is_vector() ? static_cast<int>(k) : contact::whole);
+      expect_same(values[k], expected, q.key);
+    }
+  }
+  EXPECT_EQ(listed(i), nullptr);
+}
+
+TEST(CQuantities, OfSolutionsAreThoseOfCpp) {
+  const Joint cpp(contact::read_joint(hip).contact());
+  const CJoint c = c_joint(hip);
+  // One slides, one rests.
+  for (const double rate : {0.8, 0.0}) {
+    const contact_slip slip = {{100, 0, 2000}, {rate, 0, rate}, {}};
+    contact_solution s;
+    ASSERT_EQ(contact_joint_solve(c.get(), &slip, nullptr, &s), CONTACT_OK);
+    expect_table(contact::solution_quantities(),
+                 cpp.solve({{100, 0, 2000}, {rate, 0, rate}}),
+                 contact_solution_quantity, [&](const char* key, double* to) {
+                   return contact_solution_get(&s, key, to);
+                 });
+  }
+}
+
+TEST(CQuantities, OfRestAreThoseOfCpp) {
+  const Joint cpp(contact::read_joint(hip).contact());
+  const CJoint c = c_joint(hip);
+  const contact_hold hold = {{0, 0, 2000}, {0.5, 0, 0.2}, {}};
+  contact_rest rest;
+  ASSERT_EQ(contact_joint_at_rest(c.get(), &hold, nullptr, &rest), CONTACT_OK);
+  expect_table(contact::rest_quantities(),
+               cpp.at_rest({{0, 0, 2000}, {0.5, 0, 0.2}}),
+               contact_rest_quantity, [&](const char* key, double* to) {
+                 return contact_rest_get(&rest, key, to);
+               });
+}
+
+TEST(CQuantities, OfPatchesAreThoseOfCpp) {
+  const Joint cpp(contact::read_joint(hip).contact());
+  const CJoint c = c_joint(hip);
+  const contact::ContactPatch patch = {
+      cpp.contact(), 2000, cpp.contact().half_angle(2000).half_angle};
+  expect_table(contact::patch_quantities(), patch, contact_patch_quantity,
+               [&](const char* key, double* to) {
+                 return contact_patch_get(c.get(), 2000, key, to);
+               });
+}
+
+TEST(CQuantities, RefuseWhatIsNotThere) {
+  const contact_solution s = {};
+  double value;
+  EXPECT_EQ(contact_solution_get(&s, "friction_momnet", &value),
+            CONTACT_BAD_INPUT);
+  EXPECT_EQ(std::string(contact_last_message())
+                .find("unknown quantity \"friction_momnet\": did you mean "
+                      "\"friction_moment\"?"),
+            0u);
+  EXPECT_EQ(contact_solution_get(nullptr, "power", &value), CONTACT_BAD_INPUT);
+  EXPECT_EQ(contact_solution_get(&s, nullptr, &value), CONTACT_BAD_INPUT);
+  EXPECT_EQ(contact_solution_get(&s, "power", nullptr), CONTACT_BAD_INPUT);
+}
+
+}  // namespace
