@@ -161,7 +161,7 @@ struct Hip {
                      degree),
              period},
             {},
-            contact::DutyCycle::TurnSequence("zxy")};
+            DutyCycle::TurnSequence("zxy")};
   }
   DutyCycle duty = make_duty();
   Joint joint{read_joint(std::filesystem::path(CONTACT_DATA_DIR) /

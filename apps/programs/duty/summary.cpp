@@ -13,7 +13,7 @@
 namespace hinge_duty {
 namespace {
 
-using CycleInstant = contact::JointCycle::Instant;
+using Instant = contact::JointCycle::Instant;
 using contact::JointCycle;
 using Eigen::Vector3d;
 
@@ -44,7 +44,7 @@ void add_extreme(const JointCycle& cycle, std::string_view key, int sign,
                  Report& to) {
   const auto column = contact::columns_of(
       *find_quantity(contact::solution_quantities(), key))[0];
-  const CycleInstant i = cycle.largest([&](const CycleInstant& x) {
+  const Instant i = cycle.largest([&](const Instant& x) {
     return sign * number_of(*column.quantity, x.solution);
   });
   to.add((sign < 0 ? "least_" : "largest_") + column.name, column(i.solution),
@@ -52,19 +52,19 @@ void add_extreme(const JointCycle& cycle, std::string_view key, int sign,
 }
 
 void add_peaks(const JointCycle& cycle, Report& to) {
-  const auto pv = [&](const CycleInstant& i) {
+  const auto pv = [&](const Instant& i) {
     return cycle.sliding(i).largest_pv().value;
   };
   const auto heat = [&](const Instant& i) {
     return cycle.sliding(i).largest_heat_flux().value;
   };
-  const auto nominal = [&](const CycleInstant& i) {
+  const auto nominal = [&](const Instant& i) {
     return cycle.sliding(i).pv_nominal();
   };
-  const auto moment = [](const CycleInstant& i) {
+  const auto moment = [](const Instant& i) {
     return i.solution.friction_moment.norm();
   };
-  CycleInstant i = cycle.largest(moment);
+  Instant i = cycle.largest(moment);
   to.add("largest_M_t_N_m", moment(i), "friction moment", {i.time});
   add_moments(cycle, to);
   add_extreme(cycle, "peak_pressure", 1, to);

@@ -14,7 +14,7 @@ namespace hinge_duty {
 namespace {
 
 using contact::Column;
-using CycleInstant = contact::JointCycle::Instant;
+using Instant = contact::JointCycle::Instant;
 using contact::degree;
 using contact::Dimension;
 using contact::JointSolution;
@@ -23,10 +23,10 @@ using Eigen::Vector3d;
 
 // A time of the cycle, and what its contact is rated by.
 struct State {
-  const CycleInstant& instant;
+  const Instant& instant;
   const Rating& rating;
 };
-const CycleInstant& part(const State& s, const Column<CycleInstant>& /*of*/) {
+const Instant& part(const State& s, const Column<Instant>& /*of*/) {
   return s.instant;
 }
 const JointSolution& part(const State& s, const Column<JointSolution>& /*of*/) {
@@ -116,7 +116,7 @@ void write_states(const contact::JointCycle& cycle, cli::Output& output,
   const auto columns = state_columns();
   cli::write_table(with_all_columns(std::move(style)), names_of(columns),
                    output, [&](cli::RowWriter& to) {
-                     for (const CycleInstant& i : cycle.rows()) {
+                     for (const Instant& i : cycle.rows()) {
                        const Rating rating = cycle.sliding(i).rating();
                        for (const StateColumn& column : columns) {
                          to.number(column.of({i, rating}) + 0.0);  // no -0
