@@ -59,24 +59,25 @@ PlayMotion motion_at(const double* const* at) {
 }
 
 Answers<PlayForce> evaluate_force(const Play& self, const Numbers& position,
-                                  const Numbers& velocity, const Numbers& rate,
+                                  const Numbers& velocity,
+                                  const Numbers& angular_velocity,
                                   const std::optional<Numbers>& axis) {
   const Eigen::Vector3d z = Eigen::Vector3d::UnitZ();
   return answers<PlayForce>(
       {{"position", position, 3},
        {"velocity", velocity, 3},
-       {"rate", rate, 3},
+       {"angular_velocity", angular_velocity, 3},
        axis ? Argument("axis", *axis, 3) : Argument(z)},
       [&](const double* const* at) { return self.joint()(motion_at(at)); });
 }
 
 py::array derivatives(const Play& self, const Numbers& position,
-                      const Numbers& velocity, const Numbers& rate,
+                      const Numbers& velocity, const Numbers& angular_velocity,
                       const std::optional<Numbers>& axis) {
   const Eigen::Vector3d z = Eigen::Vector3d::UnitZ();
   const Rows rows({{"position", position, 3},
                    {"velocity", velocity, 3},
-                   {"rate", rate, 3},
+                   {"angular_velocity", angular_velocity, 3},
                    axis ? Argument("axis", *axis, 3) : Argument(z)});
   Shape shape = rows.shape();
   shape.insert(shape.end(), {6, 9});
@@ -157,35 +158,37 @@ speed: at touch, m/s.)")
 Where an impact leaves the model, a sentence each. density: kg/m^3; without it
 waves are not looked at.)")
       .def("force", &evaluate_force, py::arg("position"), py::arg("velocity"),
-           py::arg("rate"), py::kw_only(), keyword_axis,
-           R"(force(self, position, velocity, rate, *, axis=None)
+           py::arg("angular_velocity"), py::kw_only(), keyword_axis,
+           R"(force(self, position, velocity, angular_velocity, *, axis=None)
 --
 
 What acts on the ball or pin. Returns a PlayForce; NaN beyond the force law.
 
 position: of its centre from the seat's, m, (..., 3), in a frame of the seat.
 velocity: of it, m/s, (..., 3).
-rate: its angular velocity relative to the seat, rad/s, (..., 3).
+angular_velocity: relative to the seat, rad/s, (..., 3).
 axis: of a pin, unit vector, (..., 3); z if it is None.)")
-      .def("derivatives", &derivatives, py::arg("position"),
-           py::arg("velocity"), py::arg("rate"), py::kw_only(), keyword_axis,
-           R"(derivatives(self, position, velocity, rate, *, axis=None)
+      .def(
+          "derivatives", &derivatives, py::arg("position"), py::arg("velocity"),
+          py::arg("angular_velocity"), py::kw_only(), keyword_axis,
+          R"(derivatives(self, position, velocity, angular_velocity, *, axis=None)
 --
 
-Of force and moment (6) over position, velocity and rate (9), (..., 6, 9).
+Of force and moment (6) over position, velocity and angular velocity (9), (..., 6, 9).
 Arguments as in force().)")
       .def(
           "notes",
           [](const Play& p, std::array<double, 3> position,
-             std::array<double, 3> velocity, std::array<double, 3> rate,
+             std::array<double, 3> velocity,
+             std::array<double, 3> angular_velocity,
              std::array<double, 3> axis) {
             return p.joint().notes(
                 {vector_at(position.data()), vector_at(velocity.data()),
-                 vector_at(rate.data()), vector_at(axis.data())});
+                 vector_at(angular_velocity.data()), vector_at(axis.data())});
           },
-          py::arg("position"), py::arg("velocity"), py::arg("rate"),
+          py::arg("position"), py::arg("velocity"), py::arg("angular_velocity"),
           py::arg("axis") = std::array<double, 3>{0, 0, 1},
-          R"(notes(self, position, velocity, rate, axis=(0, 0, 1))
+          R"(notes(self, position, velocity, angular_velocity, axis=(0, 0, 1))
 --
 
 Where one motion leaves the model, a sentence each.)");

@@ -38,7 +38,7 @@ PlayMotion motion_of(const contact_play_motion& m) {
   const auto vector = [](const double* v) {
     return Eigen::Vector3d(v[0], v[1], v[2]);
   };
-  return {vector(m.position), vector(m.velocity), vector(m.rate),
+  return {vector(m.position), vector(m.velocity), vector(m.angular_velocity),
           vector(m.axis)};
 }
 

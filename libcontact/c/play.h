@@ -65,8 +65,8 @@ contact_status contact_play_impact(const contact_play* play, double mass,
 typedef struct contact_play_motion {
   double position[3]; /* from the seat's centre to the ball's or pin's, m */
   double velocity[3]; /* of it, m/s */
-  double rate[3];     /* angular velocity, rad/s */
-  double axis[3];     /* of a pin, unit vector */
+  double angular_velocity[3]; /* rad/s */
+  double axis[3];             /* of a pin, unit vector */
 } contact_play_motion;
 /* What acts on the ball or pin; on the seat, about its centre, -force and
  * -moment - position x force. */
@@ -79,8 +79,8 @@ typedef struct contact_play_force {
   double damping_power;  /* W */
   double friction_power; /* W */
 } contact_play_force;
-/* derivatives: of force and moment (6 rows) over position, velocity and rate (9
- * columns), by rows; may be NULL. */
+/* derivatives: of force and moment (6 rows) over position, velocity and angular
+ * velocity (9 columns), by rows; may be NULL. */
 contact_status contact_play_evaluate(const contact_play* play,
                                      const contact_play_motion* motion,
                                      contact_play_force* force,

@@ -22,7 +22,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-// A number with its derivatives over position, velocity and rate.
+// A number with its derivatives over position, velocity and angular velocity.
 using Derivatives = Eigen::Matrix<double, 9, 1>;
 using Dual = Eigen::AutoDiffScalar<Derivatives>;
 template <class Real>
@@ -67,7 +67,7 @@ struct PlayJoint::Coefficients {
 // What a motion is like at the contact.
 template <class Real>
 struct PlayJoint::Touch {
-  Vector<Real> n, velocity, rate, axis;
+  Vector<Real> n, velocity, angular_velocity, axis;
   Real delta, normal;
   ForceState at;
 };
@@ -130,7 +130,7 @@ PlayJoint::Wrench<Real> PlayJoint::wrench(const PlayMotion& motion) const {
   Vector<Real> e = variables<Real>(motion.position, 0);
   Touch<Real> touch;
   touch.velocity = variables<Real>(motion.velocity, 3);
-  touch.rate = variables<Real>(motion.rate, 6);
+  touch.angular_velocity = variables<Real>(motion.angular_velocity, 6);
   touch.axis = motion.axis.template cast<Real>();
   if (!ball) e -= touch.axis * Real(touch.axis.dot(e));
 
@@ -165,7 +165,8 @@ void PlayJoint::add_ball_friction(const Touch<Real>& touch,
   const double rho = law_.geometry().radius();
   const double vs = options_.regularisation_speed;
   // u = Dw_eff/|Dw_eff| with the regularisation: smooth through 0.
-  const Vector<Real> slip = touch.rate + touch.n.cross(touch.velocity) / rho;
+  const Vector<Real> slip =
+      touch.angular_velocity + touch.n.cross(touch.velocity) / rho;
   const Real speed2 = slip.squaredNorm();
   const Vector<Real> u = slip * (rho / sqrt(rho * rho * speed2 + vs * vs));
   // sin^2 a; the coefficients are even about a = 0 and 90 deg, where they
@@ -222,7 +223,7 @@ void PlayJoint::add_pin_friction(const Touch<Real>& touch,
     return v / sqrt(v * v + vs * vs);
   };
   const Vector<Real> t = touch.axis.cross(touch.n);
-  const Real turn = rho * Real(touch.axis.dot(touch.rate));
+  const Real turn = rho * Real(touch.axis.dot(touch.angular_velocity));
   const Real slip = turn + Real(t.dot(touch.velocity));
   const double area = 2 * adhesion_ * rho * geometry.length();
   const Real theta0 = chained(touch.delta, at.half_angle, at.half_angle_slope);
@@ -254,8 +255,8 @@ PlayForce force_of(const PlayMotion& motion, const Eigen::Vector3d& force,
           .normal_force = normal_force,
           .energy = state.energy,
           .damping_power = (state.force - normal_force) * rate,
-          .friction_power =
-              tangential.dot(motion.velocity) + moment.dot(motion.rate)};
+          .friction_power = tangential.dot(motion.velocity) +
+                            moment.dot(motion.angular_velocity)};
 }
 
 }  // namespace
@@ -311,7 +312,8 @@ std::vector<std::string> PlayJoint::notes(const PlayMotion& motion) const {
   // Measured: docs/play.md, "Friction".
   constexpr double largest_share = 0.1;
   constexpr double wide = 30 * degree;
-  const double turning = law_.geometry().radius() * motion.rate.norm();
+  const double turning =
+      law_.geometry().radius() * motion.angular_velocity.norm();
   if (contact_ && law_.half_angle(delta) > wide &&
       motion.velocity.norm() > largest_share * turning) {
     notes.push_back(detail::message(

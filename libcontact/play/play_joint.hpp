@@ -17,7 +17,7 @@ namespace contact {
 struct PlayMotion {
   Eigen::Vector3d position;  ///< e, from the seat's centre to the ball's, m
   Eigen::Vector3d velocity;  ///< de/dt, m/s
-  Eigen::Vector3d rate;      ///< Dw of the ball or pin, rad/s
+  Eigen::Vector3d angular_velocity;  ///< Dw of the ball or pin, rad/s
   /// Of a pin, unit vector; motions along it have no part.
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();
 };
@@ -38,7 +38,8 @@ struct PlayForce {
   }
 };
 
-/// Derivatives of force and moment (rows) over position, velocity and rate
+/// Derivatives of force and moment (rows) over position, velocity and angular
+/// velocity
 /// (columns, three each).
 using PlayDerivatives = Eigen::Matrix<double, 6, 9>;
 
@@ -65,8 +66,9 @@ struct FrictionBounds {
 ///
 /// Copies share their tables; const functions do not throw or allocate.
 ///
-/// Accuracy (play/play_joint_test.cpp): derivatives within 1e-10 of their
-/// largest, those of a ball's friction 1e-6.
+/// Accuracy (play/play_joint_test.cpp, against central differences):
+/// derivatives of pins within 1e-7 of their largest, of balls, whose friction's
+/// are differences themselves, 1e-6.
 class PlayJoint {
  public:
   struct Options {

@@ -64,7 +64,7 @@ class Motions {
       motion.position += 0.01 * normal_(random_) * motion.axis;
     }
     motion.velocity = 0.05 * vector();
-    motion.rate = 20 * vector();
+    motion.angular_velocity = 20 * vector();
     return motion;
   }
 
@@ -96,7 +96,7 @@ TEST(PlayJointIdentity, DerivativesAreThoseOfForceAndMoment) {
           PlayMotion other = motion;
           (k < 3   ? other.position
            : k < 6 ? other.velocity
-                   : other.rate)(k % 3) += shift;
+                   : other.angular_velocity)(k % 3) += shift;
           const PlayForce f = of(other);
           Eigen::Matrix<double, 6, 1> all;
           all << f.force, f.moment;
@@ -132,7 +132,7 @@ TEST(PlayJointIdentity, PowersAddUpAndNoneIsPositive) {
       const double rate = of.penetration_rate(motion);
       const double elastic = -of.force_law().force(f.penetration) * rate;
       const double power =
-          f.force.dot(motion.velocity) + f.moment.dot(motion.rate);
+          f.force.dot(motion.velocity) + f.moment.dot(motion.angular_velocity);
       EXPECT_NEAR(power, elastic + f.damping_power + f.friction_power,
                   1e-12 * (std::abs(elastic) + std::abs(power)));
       EXPECT_LE(f.damping_power, 0);
@@ -160,7 +160,8 @@ TEST(PlayJointIdentity, FrictionOfATurningJointIsThatWithoutPlay) {
     PlayMotion motion = motions.next();
     motion.velocity.setZero();
     const PlayForce f = ball(motion);
-    const double support = ball.moment_set(motion).support(motion.rate);
+    const double support =
+        ball.moment_set(motion).support(motion.angular_velocity);
     EXPECT_NEAR(-f.friction_power / support, 1, 2e-6);
   }
   const PlayJoint pin(pin_spec(2e6), {{}, 1e-9});
@@ -175,7 +176,7 @@ TEST(PlayJointIdentity, FrictionOfATurningJointIsThatWithoutPlay) {
     const double expected = rho * (0.15 * at.force * at.force_ratio +
                                    2e6 * contact.area(at.half_angle));
     EXPECT_NEAR(f.moment.norm() / expected, 1, 1e-12);
-    EXPECT_LT(f.moment.dot(motion.rate), 0);
+    EXPECT_LT(f.moment.dot(motion.angular_velocity), 0);
     const FrictionBounds bounds = pin.friction_bounds(motion);
     EXPECT_NEAR((rho * bounds.force + bounds.moment) / expected, 1, 1e-12);
   }
