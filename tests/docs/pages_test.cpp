@@ -181,31 +181,33 @@ TEST(Notation, HasTheSymbolsOfColumns) {
     }
   }
   EXPECT_GT(units, 10);
-  // Tables of laws have a row for each entry of the registries, in its words.
-  TEST(Docs, TablesOfLawsAreThoseOfTheRegistries) {
-    const auto page = [](const std::string& name) {
-      std::string text = contents(root / "libcontact/docs" / name);
-      std::erase(text, '`');
-      return text;
-    };
-    const auto expect_row = [](const std::string& text, std::string_view first,
-                               std::string_view second) {
-      const std::string row =
-          "\n| " + std::string(first) + " | " + std::string(second);
-      EXPECT_NE(text.find(row), text.npos) << row;
-    };
-    const std::string half_angle = page("half_angle.md");
-    for (const auto* law : contact::detail::half_angle_entries()) {
-      expect_row(half_angle, law->about.name, law->about.meaning);
-    }
-    const std::string pressure = page("pressure.md");
-    for (const auto* law : contact::detail::pressure_entries()) {
-      expect_row(pressure, law->about.name, law->shape);
-    }
-    const std::string stress = page("friction_stress.md");
-    for (const auto* law : contact::detail::stress_entries()) {
-      expect_row(stress, '"' + std::string(law->name) + '"', law->meaning);
-    }
+}
+
+// Tables of laws have a row for each entry of the registries, in its words.
+TEST(Docs, TablesOfLawsAreThoseOfTheRegistries) {
+  const auto page = [](const std::string& name) {
+    std::string text = contents(root / "libcontact/docs" / name);
+    std::erase(text, '`');
+    return text;
+  };
+  const auto expect_row = [](const std::string& text, std::string_view first,
+                             std::string_view second) {
+    const std::string row =
+        "\n| " + std::string(first) + " | " + std::string(second);
+    EXPECT_NE(text.find(row), text.npos) << row;
+  };
+  const std::string half_angle = page("half_angle.md");
+  for (const auto* law : contact::detail::half_angle_entries()) {
+    expect_row(half_angle, law->about.name, law->about.meaning);
   }
+  const std::string pressure = page("pressure.md");
+  for (const auto* law : contact::detail::pressure_entries()) {
+    expect_row(pressure, law->about.name, law->shape);
+  }
+  const std::string stress = page("friction_stress.md");
+  for (const auto* law : contact::detail::stress_entries()) {
+    expect_row(stress, '"' + std::string(law->name) + '"', law->meaning);
+  }
+}
 
 }  // namespace
