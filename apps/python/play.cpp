@@ -152,7 +152,7 @@ speed: at touch, m/s.)")
                 p.impacts()(p.joint().damping(), mass, speed), density);
           },
           py::arg("mass"), py::arg("speed"), py::arg("density") = 0.0,
-          R"(impact_notes(self, mass, speed, density=0)
+          R"(impact_notes(self, mass, speed, density=0.0)
 --
 
 Where an impact leaves the model, a sentence each. density: kg/m^3; without it

@@ -312,7 +312,7 @@ TEST(HingeJoint, ApproachAndStiffness) {
   EXPECT_EQ(laws.text(3, "approach_m"), "");
   EXPECT_NEAR(laws.at(4, "approach_m"), 89.6e-6, 5e-8);
   const Columns fitted(folder.run(hip + "fitted"));
-  EXPECT_EQ(fitted.names().back(), "contact_area_m2");
+  EXPECT_EQ(fitted.names().back(), "q_mean_W_per_m2");
 }
 
 // Law, loading and pressure in front, as of the rows of solutions.

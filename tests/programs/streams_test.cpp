@@ -211,8 +211,9 @@ TEST(FullDisk, CheckpointsAreWholeOrNotThere) {
       "--checkpoint state --checkpoint-every 0.5 --events /dev/null";
   const ProgramFolder whole;
   const ProgramResult expected = whole.run_well(run + checkpoints);
+  // A run writes more than it leaves: what is renewed is kept meanwhile.
   const auto size = static_cast<int>(whole.read("state").size());
-  for (const int room : {0, 1000, 4 * size, 12 * size}) {
+  for (const int room : {0, 1000, size / 2, 2 * size}) {
     const ProgramFolder folder;
     const ProgramResult result = folder.run(with_room(room, run + checkpoints));
     EXPECT_EQ(result.status, 1) << room;
@@ -221,7 +222,7 @@ TEST(FullDisk, CheckpointsAreWholeOrNotThere) {
                          "hinge-separation: warning: no checkpoints from "
                          "t = "));
     EXPECT_TRUE(has_text(result.err, "No space left on device"));
-    if (room < size) {
+    if (room < size / 2) {
       EXPECT_TRUE(folder.files().empty());
       continue;
     }

@@ -172,7 +172,7 @@ TEST_F(BallStudy, WhatDoesNotFitIsNamed) {
             "speeds_over_pressure, coefficients, curve)");
   EXPECT_EQ(message("quantity = 'M_t_N_m'", "quantity = '*'"),
             "s.toml:7: requirement[1].quantity = \"*\" must be a name of one "
-            "kind of number, not of M_t_N_m and R_n_N");
+            "kind of number, not of Abar and M_t_N_m");
   EXPECT_EQ(message("load.reaction_N", "load.reaction_kN"), "(no error)");
   EXPECT_EQ(message("kind = 'uniform'\n", "kind = 'uniform'\neach = true\n"),
             "s.toml:13: dispersion[1].each = true requires a case with bodies "

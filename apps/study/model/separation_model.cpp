@@ -222,12 +222,12 @@ Case SeparationModel::case_of(const Settings& settings) const {
   contact::SharedLaws laws = laws_;
   Case c = read(settings[0], laws);
   for (std::size_t copy = 1; copy < settings.size(); ++copy) {
-    Case other = read(settings[copy], laws);
+    const Case other = read(settings[copy], laws);
     for (const Copies& each : each_) {
       if (copy >= each.places.size()) continue;
       const std::size_t place = each.places[copy];
       if (each.of_forces) {
-        c.forces[place] = std::move(other.forces[place]);
+        c.forces[place] = other.forces[place];
       } else {
         c.bodies[place] = other.bodies[place];
       }
