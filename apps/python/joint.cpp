@@ -1,6 +1,8 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
+#include "libcontact/half_angle/registry.hpp"
+#include "libcontact/pressure/registry.hpp"
 #include "libcontact/quantities/tables.hpp"
 #include "python/answers.hpp"
 #include "python/contact_warning.hpp"
@@ -241,7 +243,28 @@ const contact::Joint& FileJoint::joint() const {
   return joint_;
 }
 
+namespace {
+
+// Laws that do without materials.
+std::vector<std::string_view> plain_laws() {
+  std::vector<std::string_view> names;
+  const auto add = [&](const auto& entries) {
+    for (const auto* entry : entries) {
+      using Needs = contact::detail::LawEntry::Needs;
+      if (entry->about.needs == Needs::nothing) {
+        names.push_back(entry->about.name);
+      }
+    }
+  };
+  add(contact::detail::half_angle_entries());
+  add(contact::detail::pressure_entries());
+  return names;
+}
+
+}  // namespace
+
 void bind_joint(py::module_& m) {
+  m.attr("_plain_laws") = plain_laws();
   bind_answers(m, "Solution", contact::solution_quantities(),
                "What Joint.solve() returns, and Joint.solve_contact().");
   bind_answers(m, "RestSolution", contact::rest_quantities(),

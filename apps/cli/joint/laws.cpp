@@ -11,6 +11,8 @@
 #include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
 #include "libcontact/base/units.hpp"
+#include "libcontact/half_angle/registry.hpp"
+#include "libcontact/pressure/registry.hpp"
 
 namespace cli {
 namespace {
@@ -29,6 +31,19 @@ std::vector<std::string> law_names(std::string_view option,
   if (asked.size() == 1) return all;
   const std::string text = fmt::format("{}", fmt::join(asked, ","));
   refuse(option, text, "all alone, or names");
+}
+
+// What "all" stands for under these conditions.
+template <class Entries>
+std::vector<std::string> all_names(
+    const Entries& entries, const contact::ContactConditions& conditions) {
+  std::vector<std::string> names;
+  for (const auto* entry : entries) {
+    if (entry->about.is_among_all && entry->about.allows(conditions)) {
+      names.emplace_back(entry->about.name);
+    }
+  }
+  return names;
 }
 
 }  // namespace
@@ -54,23 +69,16 @@ contact::InnerLoading parse_loading(const std::string& text,
 std::vector<std::string> half_angle_laws(
     const std::vector<std::string>& asked, std::vector<std::string> otherwise,
     const contact::ContactConditions& conditions) {
-  std::vector<std::string> all = contact::half_angle_law_names();
-  std::erase_if(all, [&](const std::string& name) {
-    return name == "paper" ||  // one of the others
-           !contact::half_angle_law_allows(name, conditions);
-  });
-  return law_names("--law", asked, std::move(otherwise), std::move(all));
+  return law_names(
+      "--law", asked, std::move(otherwise),
+      all_names(contact::detail::half_angle_entries(), conditions));
 }
 
 std::vector<std::string> pressure_laws(
     const std::vector<std::string>& asked, std::vector<std::string> otherwise,
     const contact::ContactConditions& conditions) {
-  std::vector<std::string> all = contact::pressure_law_names();
-  std::erase_if(all, [&](const std::string& name) {
-    return name == "worn" ||  // of another surface, and up to 90 deg
-           !contact::pressure_law_allows(name, conditions);
-  });
-  return law_names("--pressure", asked, std::move(otherwise), std::move(all));
+  return law_names("--pressure", asked, std::move(otherwise),
+                   all_names(contact::detail::pressure_entries(), conditions));
 }
 
 void set_limit_angle(const std::string& text,
@@ -90,15 +98,27 @@ void set_limit_angle(const std::string& text,
   }
   if (std::none_of(laws.begin(), laws.end(),
                    contact::takes_half_angle_options)) {
+    const auto takers = contact::detail::half_angle_names(
+        [](const auto& entry) { return entry.takes_options; });
     refuse_without(given("--limit-angle", text),
-                   "one of the laws arctan, tanh, blend, "
-                   "paper; none of them is asked for");
+                   fmt::format("one of the laws {}; none of them is asked for",
+                               fmt::join(takers, ", ")));
   }
 }
 
 std::string with_loading(const std::string& name,
                          const contact::InnerLoading& loading) {
-  if (name != "exact" || !loading.is_back()) return name;
+  const auto depends = [&](const auto& entries) {
+    return std::any_of(entries.begin(), entries.end(), [&](const auto* entry) {
+      using Needs = contact::detail::LawEntry::Needs;
+      return entry->about.name == name &&
+             entry->about.needs == Needs::conditions;
+    });
+  };
+  if (!loading.is_back() || !(depends(contact::detail::half_angle_entries()) ||
+                              depends(contact::detail::pressure_entries()))) {
+    return name;
+  }
   return fmt::format("{}_{}", name, to_string(loading));
 }
 

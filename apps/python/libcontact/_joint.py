@@ -250,14 +250,12 @@ def _unit_joint(keys: Mapping[str, Key]) -> Joint:
 
 
 _any_material = {"youngs_modulus": 1e9, "poissons_ratio": 0.3}
-# Laws that do without materials.
-_plain = ("cosine", "sqrt_tan", "sqrt_theta", "worn", "hertz")
 
 
 def _law_joint(law: str, keys: Mapping[str, Key]) -> Joint:
     """The same, where one law counts."""
     same = {"inner": _any_material, "outer": _any_material}
-    return _unit_joint(same | keys if law in _plain else keys)
+    return _unit_joint(same | keys if law in _core._plain_laws else keys)
 
 
 def half_angle(
