@@ -94,39 +94,10 @@ py::array derivatives(const Play& self, const Numbers& position,
 
 }  // namespace
 
-void bind_play(py::module_& m) {
-  bind_answers(m, "ForceState", contact::force_state_quantities(),
-               "What Play.force_law() returns.");
-  bind_answers(m, "Impact", contact::impact_quantities(),
-               "What Play.impact() returns.");
-  bind_answers(m, "PlayForce", contact::play_force_quantities(),
-               "What Play.force() returns.");
-  m.def(
-      "damping_of_restitution",
-      [](double restitution, double speed) {
-        return HuntCrossley::from_restitution(restitution, speed).damping();
-      },
-      py::arg("restitution"), py::arg("speed"),
-      R"(damping_of_restitution(restitution, speed)
---
+namespace {
 
-a of F (1 + a d penetration/dt), s/m, with which an impact at this speed, m/s,
-has this restitution, above 0 to 1: exact for every force law and mass.)");
-  const auto keyword_axis = py::arg("axis") = py::none();
-  py::class_<Play>(m, "Play",
-                   R"(Play(joint, damping=0, regularisation_speed=1e-3)
---
-
-A joint with play as a force without constraint: its ball or pin moves freely in
-the clearance, touches, and is pressed in.
-
-joint: a Joint; a pin needs a wall with a backing. Its friction has to be dry.
-damping: a of F (1 + a d penetration/dt), s/m: damping_of_restitution().
-regularisation_speed: below which friction fades, m/s.)")
-      .def(py::init<const FileJoint&, double, double>(), py::arg("joint"),
-           py::arg("damping") = 0.0, py::arg("regularisation_speed") = 1e-3,
-           py::call_guard<Unlocked>())
-      .def("force_law", &force_law, py::arg("penetration"),
+void bind_force_law(py::class_<Play>& type) {
+  type.def("force_law", &force_law, py::arg("penetration"),
            R"(force_law(self, penetration)
 --
 
@@ -156,8 +127,12 @@ speed: at touch, m/s.)")
 --
 
 Where an impact leaves the model, a sentence each. density: kg/m^3; without it
-waves are not looked at.)")
-      .def("force", &evaluate_force, py::arg("position"), py::arg("velocity"),
+waves are not looked at.)");
+}
+
+void bind_motion(py::class_<Play>& type) {
+  const auto keyword_axis = py::arg("axis") = py::none();
+  type.def("force", &evaluate_force, py::arg("position"), py::arg("velocity"),
            py::arg("angular_velocity"), py::kw_only(), keyword_axis,
            R"(force(self, position, velocity, angular_velocity, *, axis=None)
 --
@@ -192,6 +167,43 @@ Arguments as in force().)")
 --
 
 Where one motion leaves the model, a sentence each.)");
+}
+
+}  // namespace
+
+void bind_play(py::module_& m) {
+  bind_answers(m, "ForceState", contact::force_state_quantities(),
+               "What Play.force_law() returns.");
+  bind_answers(m, "Impact", contact::impact_quantities(),
+               "What Play.impact() returns.");
+  bind_answers(m, "PlayForce", contact::play_force_quantities(),
+               "What Play.force() returns.");
+  m.def(
+      "damping_of_restitution",
+      [](double restitution, double speed) {
+        return HuntCrossley::from_restitution(restitution, speed).damping();
+      },
+      py::arg("restitution"), py::arg("speed"),
+      R"(damping_of_restitution(restitution, speed)
+--
+
+a of F (1 + a d penetration/dt), s/m, with which an impact at this speed, m/s,
+has this restitution, above 0 to 1: exact for every force law and mass.)");
+  py::class_<Play> type(m, "Play",
+                        R"(Play(joint, damping=0, regularisation_speed=1e-3)
+--
+
+A joint with play as a force without constraint: its ball or pin moves freely in
+the clearance, touches, and is pressed in.
+
+joint: a Joint; a pin needs a wall with a backing. Its friction has to be dry.
+damping: a of F (1 + a d penetration/dt), s/m: damping_of_restitution().
+regularisation_speed: below which friction fades, m/s.)");
+  type.def(py::init<const FileJoint&, double, double>(), py::arg("joint"),
+           py::arg("damping") = 0.0, py::arg("regularisation_speed") = 1e-3,
+           py::call_guard<Unlocked>());
+  bind_force_law(type);
+  bind_motion(type);
 }
 
 }  // namespace contact_python

@@ -192,24 +192,10 @@ std::vector<std::string> mode_words() {
 
 }  // namespace
 
-void bind_run(py::module_& m) {
-  py::class_<CaseRun> type(m, "Run", "A case on its way.");
-  type.def(py::init(&make_run), py::arg("case"), py::arg("clearance"));
-  type.def("_advance_to", &CaseRun::advance_to, py::arg("time"),
-           py::arg("progress"));
-  type.def(
-      "_index",
-      [](const CaseRun& r, const std::string& column) {
-        return r.run().memory().rows.column(column);
-      },
-      py::arg("column"));
-  type.def("_outcome",
-           [](const CaseRun& r) { return answer(r.run(), r.run().outcome()); });
-  type.def_property_readonly(
-      "_events", [](const CaseRun& r) { return events_of(r.run().memory()); });
-  type.def_property_readonly("_contact_notes", [](const CaseRun& r) {
-    return separation::contact_notes(r.run().of(), r.run().memory());
-  });
+namespace {
+
+// Where it is.
+void bind_place(py::class_<CaseRun>& type) {
   const auto look = [&](const char* name, auto of, const char* doc) {
     type.def_property_readonly(
         name, [of](const CaseRun& r) { return of(r.run()); }, doc);
@@ -229,6 +215,29 @@ void bind_run(py::module_& m) {
   look(
       "columns", [](const Run& r) { return r.columns(); },
       "Names of the values, in their order.");
+}
+
+}  // namespace
+
+void bind_run(py::module_& m) {
+  py::class_<CaseRun> type(m, "Run", "A case on its way.");
+  type.def(py::init(&make_run), py::arg("case"), py::arg("clearance"));
+  type.def("_advance_to", &CaseRun::advance_to, py::arg("time"),
+           py::arg("progress"));
+  type.def(
+      "_index",
+      [](const CaseRun& r, const std::string& column) {
+        return r.run().memory().rows.column(column);
+      },
+      py::arg("column"));
+  type.def("_outcome",
+           [](const CaseRun& r) { return answer(r.run(), r.run().outcome()); });
+  type.def_property_readonly(
+      "_events", [](const CaseRun& r) { return events_of(r.run().memory()); });
+  type.def_property_readonly("_contact_notes", [](const CaseRun& r) {
+    return separation::contact_notes(r.run().of(), r.run().memory());
+  });
+  bind_place(type);
   type.def(
       "values",
       [](CaseRun& r) { return py::array_t<double>(py::cast(r.values())); },
