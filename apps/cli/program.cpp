@@ -20,6 +20,7 @@
 #include "cli/stream/standard_streams.hpp"
 #include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
+#include "libcontact/base/instruction_set.hpp"
 #include "libcontact/base/text.hpp"
 #include "libcontact/version.hpp"
 
@@ -229,6 +230,7 @@ int Program::run(int argc, char** argv, std::string_view help,
     note_reading();
     refuse_control_characters(argc, argv);
     app_->parse(argc, argv);
+    contact::detail::check_instruction_set();
     for (const auto& check : checks_) check();
     check_rows();
     if (output_ != nullptr) {

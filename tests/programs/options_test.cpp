@@ -29,6 +29,24 @@ const std::string hip = " --joint data/joints/hip_cocr_uhmwpe_infinite.toml ";
 const std::string pair = " --pair data/materials/steel_bronze.toml ";
 const std::string ball = pair + "--joint ball --clearance 50um --radius ";
 
+// Before anything is computed.
+TEST(InstructionSet, IsThatOfTheProcess) {
+  const ProgramFolder folder;
+  for (const std::string run :
+       {"hinge-table --theta0 30 --alpha 30",
+        "hinge-angle --joint ball --modulus-ratio 1 --x 1",
+        "hinge-separation data/cases/slosh.toml --end-time 0.1"}) {
+    const auto refused = folder.run("CONTACT_INSTRUCTION_SET=sse9 " + run);
+    EXPECT_EQ(refused.status, 2) << run;
+    EXPECT_TRUE(refused.err.starts_with(
+        run.substr(0, run.find(' ')) +
+        ": CONTACT_INSTRUCTION_SET = sse9 must be baseline"))
+        << refused.err;
+    EXPECT_EQ(refused.out, "");
+    folder.run_well("CONTACT_INSTRUCTION_SET=baseline " + run);
+  }
+}
+
 // All three in mm, as one may slip: a ball of 28 m, which is said.
 TEST(LengthOptions, MetresThatAreHardlyMeant) {
   const ProgramFolder folder;
