@@ -10,5 +10,6 @@
 #include "libcontact/pair/friction_law.hpp"
 #include "libcontact/pair/inner_loading.hpp"
 #include "libcontact/pair/layers.hpp"
+#include "libcontact/pair/temperatures.hpp"
 #include "libcontact/pair/contact_conditions.hpp"
 // clang-format on

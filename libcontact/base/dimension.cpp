@@ -42,6 +42,8 @@ constexpr Unit units[][6] = {
     {{"J"}},
     {{"W"}},
     {{"W_per_m2"}},
+    {{"K"}, {"C", 1, 1, 273.15}},
+    {{"per_K"}},
 };
 
 }  // namespace
@@ -58,8 +60,14 @@ const Unit& unit_of(Dimension dimension, std::string_view ending) {
 }
 
 const Unit& printed_unit(Dimension dimension) {
-  return dimension == Dimension::angle ? unit_of(dimension, "deg")
-                                       : units_of(dimension).front();
+  switch (dimension) {
+    case Dimension::angle:
+      return unit_of(dimension, "deg");
+    case Dimension::temperature:
+      return unit_of(dimension, "C");
+    default:
+      return units_of(dimension).front();
+  }
 }
 
 std::string unit_symbol(std::string_view ending) {

@@ -35,25 +35,34 @@ enum class Dimension {
   energy,                ///< J
   power,                 ///< W
   power_density,         ///< W_per_m2
+  temperature,           ///< K, C
+  inverse_temperature,   ///< per_K
 };
 
-/// A unit of keys and options. value in SI = value * multiply / divide; powers
-/// of ten are divided where that is exact, so that 50 mm is the double nearest
-/// to 0.05 m.
+/// A unit of keys and options. value in SI = value * multiply / divide +
+/// offset; powers of ten are divided where that is exact, so that 50 mm is the
+/// double nearest to 0.05 m.
 struct Unit {
   std::string_view ending;  ///< of keys: "N_per_m"; "" for none
   double multiply = 1;
   double divide = 1;
+  double offset = 0;  ///< of temperatures only; 0 leaves -0 as it is
 
-  double to_si(double value) const { return value * multiply / divide; }
-  double from_si(double value) const { return value * divide / multiply; }
+  double to_si(double value) const {
+    const double scaled = value * multiply / divide;
+    return offset == 0 ? scaled : scaled + offset;
+  }
+  double from_si(double value) const {
+    return (offset == 0 ? value : value - offset) * divide / multiply;
+  }
 };
 
 /// The first one is that of a key without an ending.
 std::span<const Unit> units_of(Dimension dimension);
 /// The one with this ending.
 const Unit& unit_of(Dimension dimension, std::string_view ending);
-/// In which tables print: degrees, else the first one.
+/// In which tables print, and that of a plain number on a command line: degrees
+/// and degrees Celsius, else the first one.
 const Unit& printed_unit(Dimension dimension);
 /// "kg m^2" of "kg_m2", "Pa s/m" of "Pa_s_per_m".
 std::string unit_symbol(std::string_view ending);

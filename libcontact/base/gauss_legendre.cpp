@@ -36,17 +36,31 @@ GaussLegendre::GaussLegendre(int size) : node(size), weight(size) {
   weight.tail(half) = weight.head(half).reverse();
 }
 
-Eigen::MatrixXd even_legendre(int count, const Eigen::VectorXd& x) {
+namespace {
+
+// P_first, P_{first + 2}, ..., `count` of them.
+Eigen::MatrixXd every_other_legendre(int first, int count,
+                                     const Eigen::VectorXd& x) {
   Eigen::MatrixXd values(x.size(), count);
   Eigen::ArrayXd previous = Eigen::ArrayXd::Ones(x.size());
   Eigen::ArrayXd current = x;
-  for (int n = 0; n < 2 * count - 1; ++n) {
-    if (n % 2 == 0) values.col(n / 2) = previous;
+  for (int n = 0; n < 2 * count - 1 + first; ++n) {
+    if (n % 2 == first) values.col(n / 2) = previous;
     previous = (2 * n + 3.0) / (n + 2) * x.array() * current -
                (n + 1.0) / (n + 2) * previous;
     previous.swap(current);
   }
   return values;
+}
+
+}  // namespace
+
+Eigen::MatrixXd even_legendre(int count, const Eigen::VectorXd& x) {
+  return every_other_legendre(0, count, x);
+}
+
+Eigen::MatrixXd odd_legendre(int count, const Eigen::VectorXd& x) {
+  return every_other_legendre(1, count, x);
 }
 
 Eigen::MatrixXd even_legendre_slope(int count) {

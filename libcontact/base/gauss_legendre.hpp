@@ -15,6 +15,9 @@ struct GaussLegendre {
 /// Row i: P_0(x_i), P_2(x_i), ..., P_{2 (count - 1)}(x_i).
 Eigen::MatrixXd even_legendre(int count, const Eigen::VectorXd& x);
 
+/// Row i: P_1(x_i), P_3(x_i), ..., P_{2 count - 1}(x_i).
+Eigen::MatrixXd odd_legendre(int count, const Eigen::VectorXd& x);
+
 /// Takes u_j, j < count, to the coefficients of the Chebyshev series in
 /// 2 v^2 - 1 of u'(v)/v, u = sum u_j P_{2j}(v): even in v, finite at 0.
 Eigen::MatrixXd even_legendre_slope(int count);

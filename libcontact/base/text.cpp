@@ -13,35 +13,44 @@ namespace {
 
 constexpr std::size_t longest_compared = 63;
 
-bool is_control(char c) {
-  return static_cast<unsigned char>(c) < 0x20 || c == 0x7f;
-}
-
 // A byte inside a UTF-8 sequence.
 bool is_continuation(char c) {
   return (static_cast<unsigned char>(c) & 0xc0) == 0x80;
 }
 
-// Bytes of the character that `text` begins with; 0 if that is a control
-// character or the bytes are not UTF-8.
-std::size_t shown_bytes(std::string_view text) {
+// A character and the bytes that it takes; 0 bytes if they are not UTF-8.
+struct Character {
+  char32_t code;
+  std::size_t bytes;
+};
+
+// The one that `text` begins with.
+Character first_character(std::string_view text) {
   const auto lead = static_cast<unsigned char>(text.front());
-  if (lead < 0x80) return is_control(text.front()) ? 0 : 1;
-  if (lead < 0xc2 || lead > 0xf4) return 0;
+  if (lead < 0x80) return {lead, 1};
+  if (lead < 0xc2 || lead > 0xf4) return {};
   const std::size_t size = lead < 0xe0 ? 2 : lead < 0xf0 ? 3 : 4;
-  // The first character that takes so many; of two, the first beyond the
-  // control characters.
-  constexpr std::array<char32_t, 3> first = {0xa0, 0x800, 0x10000};
-  if (text.size() < size) return 0;
-  char32_t character = lead & (0x7f >> size);
+  // The first character that takes so many.
+  constexpr std::array<char32_t, 3> first = {0x80, 0x800, 0x10000};
+  if (text.size() < size) return {};
+  char32_t code = lead & (0x7f >> size);
   for (const char c : text.substr(1, size - 1)) {
-    if (!is_continuation(c)) return 0;
-    character = character << 6 | (static_cast<unsigned char>(c) & 0x3f);
+    if (!is_continuation(c)) return {};
+    code = code << 6 | (static_cast<unsigned char>(c) & 0x3f);
   }
-  const bool surrogate = character >= 0xd800 && character < 0xe000;
-  return character < first[size - 2] || character > 0x10ffff || surrogate
-             ? 0
-             : size;
+  const bool surrogate = code >= 0xd800 && code < 0xe000;
+  if (code < first[size - 2] || code > 0x10ffff || surrogate) return {};
+  return {code, size};
+}
+
+// What could end a line, speak to a terminal, or turn the direction of what
+// stands beside it, so that a name reads as another one.
+bool is_control(char32_t c) {
+  const bool control = c < 0x20 || (c >= 0x7f && c < 0xa0);
+  const bool separator_or_embedding = c >= 0x2028 && c <= 0x202e;
+  const bool direction =
+      c == 0x61c || c == 0x200e || c == 0x200f || (c >= 0x2066 && c <= 0x2069);
+  return control || separator_or_embedding || direction;
 }
 
 // Slips between two words (optimal string alignment distance).
@@ -84,20 +93,29 @@ std::string joined(std::span<const std::string> words,
 }
 
 bool has_control_characters(std::string_view text) {
-  return std::ranges::any_of(text, is_control);
+  while (!text.empty()) {
+    const auto [code, bytes] = first_character(text);
+    if (bytes > 0 && is_control(code)) return true;
+    text.remove_prefix(std::max<std::size_t>(bytes, 1));
+  }
+  return false;
 }
 
 std::string printable(std::string_view text, std::size_t longest) {
   std::string shown;
   while (!text.empty()) {
     if (shown.size() >= longest) return shown + "...";
-    const std::size_t bytes = shown_bytes(text);
-    if (bytes == 0) {
-      shown += fmt::format("\\x{:02x}", static_cast<unsigned char>(text[0]));
+    const auto [code, size] = first_character(text);
+    const std::string_view bytes =
+        text.substr(0, std::max<std::size_t>(size, 1));
+    if (size > 0 && !is_control(code)) {
+      shown += bytes;
     } else {
-      shown += text.substr(0, bytes);
+      for (const char byte : bytes) {
+        shown += fmt::format("\\x{:02x}", static_cast<unsigned char>(byte));
+      }
     }
-    text.remove_prefix(std::max<std::size_t>(bytes, 1));
+    text.remove_prefix(bytes.size());
   }
   return shown;
 }

@@ -42,11 +42,11 @@ std::string joined(std::span<const std::string> words,
                    std::string_view separator);
 
 /// Whether a character of `text` is a control character, which could end a
-/// line or speak to a terminal.
+/// line or speak to a terminal, or a mark of direction (U+202E and its like).
 bool has_control_characters(std::string_view text);
 
-/// `text` on one line: control characters and bytes that are not UTF-8 as
-/// \xNN, cut to some `longest` bytes.
+/// `text` on one line: control characters, marks of direction and bytes that
+/// are not UTF-8 as \xNN, cut to some `longest` bytes.
 std::string printable(std::string_view text, std::size_t longest = 60);
 
 /// The candidate that is at most two slips (a letter more, less, other, or two

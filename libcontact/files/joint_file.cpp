@@ -135,8 +135,17 @@ MaterialPair material_pair_from_table(const TomlTable& table) {
   return pair;
 }
 
-constexpr std::array<std::string_view, 3> clearance_keys = {
-    "radial_clearance", "diametral_clearance", "relative_clearance"};
+// What their values are to be multiplied by for a radial clearance; 0 for the
+// radius. Interference is said by positive numbers.
+struct ClearanceKey {
+  std::string_view key;
+  double scale;
+};
+constexpr ClearanceKey clearance_keys[] = {{"radial_clearance", 1},
+                                           {"diametral_clearance", 0.5},
+                                           {"relative_clearance", 0},
+                                           {"radial_interference", -1},
+                                           {"diametral_interference", -0.5}};
 
 // hole and shaft, with a diameter.
 std::optional<Fit> fit_from_table(const TomlTable& table) {
@@ -147,24 +156,24 @@ std::optional<Fit> fit_from_table(const TomlTable& table) {
     if (table.has(key) && !table.has(other)) table.needs(key, other);
   }
   if (!table.has("hole")) return {};
-  for (const auto key : clearance_keys) table.refuse_both("hole", key);
+  for (const auto& [key, scale] : clearance_keys) {
+    table.refuse_both("hole", key);
+  }
   const std::string hole = table.text("hole");
   if (!Fit::holes.contains(hole)) table.must_be("hole", Fit::holes.rule);
   const std::string shaft = table.text("shaft");
   if (!Fit::shafts.contains(shaft)) table.must_be("shaft", Fit::shafts.rule);
   const double diameter = table.number("diameter", Interval::positive());
-  if (!Fit::has_size(diameter)) {
-    table.must_be("diameter", "3 to 500 mm with a fit");
+  if (!Fit::has_size(shaft, diameter)) {
+    table.must_be("diameter",
+                  detail::message("3 to {:g} mm with shaft {}",
+                                  Fit::largest_size(shaft) * 1e3, shaft));
   }
   const auto taken =
       table.optional_choice("clearance", {"minimum", "mean", "maximum"});
-  Fit fit(hole, shaft, diameter,
-          taken ? static_cast<Fit::Clearance>(*taken) : Fit::Clearance::mean);
-  if (fit.radial_clearance() == 0) {
-    table.must_be("clearance",
-                  "\"mean\" or \"maximum\": " + fit.name() + " may have none");
-  }
-  return fit;
+  return Fit(
+      hole, shaft, diameter,
+      taken ? static_cast<Fit::Clearance>(*taken) : Fit::Clearance::mean);
 }
 
 double radius_from_table(const TomlTable& table) {
@@ -177,26 +186,67 @@ double radius_from_table(const TomlTable& table) {
 
 // The radial clearance by the only one of clearance_keys that is there.
 double clearance_from_table(const TomlTable& table, double radius) {
-  // What their values are to be multiplied by.
-  const std::array scales = {1.0, 0.5, radius};
-  for (std::size_t i = 0; i < scales.size(); ++i) {
-    const std::string_view key = clearance_keys[i];
-    const auto value =
-        table.optional_number(key, {0, radius / scales[i], true, true});
+  for (const auto& [key, factor] : clearance_keys) {
+    const double scale = factor == 0 ? radius : factor;
+    const double largest = radius / std::abs(scale);
+    const auto value = table.optional_number(
+        key, {scale > 0 ? -largest : 0, largest, true, true});
     if (!value) continue;
-    for (const auto other : clearance_keys) {
+    for (const auto& [other, of_other] : clearance_keys) {
       if (other != key) table.refuse_both(other, key);
     }
-    const double clearance = *value * scales[i];
-    // Values near 5e-324 may round to either end.
-    if (!(clearance > 0 && clearance < radius)) {
-      table.fail(key, "the clearance rounds to 0 or the radius");
+    const double clearance = *value * scale;
+    if (!(std::abs(clearance) < radius)) {
+      table.fail(key, "the clearance rounds to the radius");
     }
     return clearance;
   }
   table.needs(
-      "radial_clearance, diametral_clearance, relative_clearance, or hole and "
-      "shaft");
+      "radial_clearance, diametral_clearance, relative_clearance, "
+      "radial_interference, diametral_interference, or hole and shaft");
+}
+
+std::optional<Temperatures> temperatures_from_table(const TomlTable& joint) {
+  const auto kelvin = [&](std::string_view key) {
+    return joint.optional_number(
+        key, {Temperatures::coldest, Temperatures::hottest});
+  };
+  const auto both = kelvin("temperature");
+  const auto inner = kelvin("inner_temperature");
+  const auto outer = kelvin("outer_temperature");
+  const auto reference = kelvin("reference_temperature");
+  const auto axial = joint.optional_choice("axial_growth", {"free", "held"});
+  for (const char* key : {"inner_temperature", "outer_temperature"}) {
+    joint.refuse_both("temperature", key);
+  }
+  if (!both && !inner && !outer) {
+    for (const char* key : {"reference_temperature", "axial_growth"}) {
+      if (joint.has(key)) joint.needs(key, "a temperature");
+    }
+    return {};
+  }
+  if (!both && !outer) joint.needs("inner_temperature", "outer_temperature");
+  if (!both && !inner) joint.needs("outer_temperature", "inner_temperature");
+  Temperatures result{both ? *both : *inner, both ? *both : *outer};
+  result.reference = reference.value_or(result.reference);
+  result.axial = static_cast<AxialGrowth>(axial.value_or(0));
+  return result;
+}
+
+// The joint at the temperatures of its file.
+JointSpec at_temperatures(const TomlTable& table, const JointSpec& joint) {
+  const auto temperatures = temperatures_from_table(table);
+  if (!temperatures) return joint;
+  if (table.has("axial_growth") && joint.geometry.kind() == JointKind::ball) {
+    table.needs("axial_growth", "kind = \"pin\"");
+  }
+  const char* const key =
+      table.has("temperature") ? "temperature" : "inner_temperature";
+  try {
+    return joint.at(*temperatures);
+  } catch (const Error& error) {
+    table.fail(key, error.what());
+  }
 }
 
 JointGeometry geometry_from_table(const TomlTable& joint,
@@ -261,22 +311,23 @@ InnerLoading loading_from_table(const TomlTable& file, const JointSpec& joint) {
                  "be loaded at its centre only");
   }
   const ContactConditions conditions{loading, joint.conditions().walls};
+  const auto allows_back = [](const auto& law) {
+    return law.about.allows_back;
+  };
   if (!half_angle_law_allows(joint.half_angle_law, conditions)) {
     table->needs(
-        "kind",
-        detail::message("the half-angle law {}; this joint has {}",
-                        listed(detail::half_angle_names([](const auto& law) {
-                          return law.about.allows_back;
-                        })),
-                        joint.half_angle_law));
+        "kind", detail::message("the half-angle law {}; this joint has {}",
+                                listed(detail::names_of(
+                                    detail::half_angle_entries(), allows_back)),
+                                joint.half_angle_law));
   }
   if (!pressure_law_allows(joint.pressure_law, conditions)) {
-    table->needs("kind", detail::message(
-                             "one of the pressure laws {}; this joint has {}",
-                             listed(detail::pressure_names([](const auto& law) {
-                               return law.about.allows_back;
-                             })),
-                             joint.pressure_law));
+    table->needs(
+        "kind",
+        detail::message(
+            "one of the pressure laws {}; this joint has {}",
+            listed(detail::names_of(detail::pressure_entries(), allows_back)),
+            joint.pressure_law));
   }
   return loading;
 }
@@ -317,6 +368,7 @@ JointSpec joint_of(const TomlTable& table, const MaterialPair* known) {
           wall_from_table(table, geometry.radius(), materials.elastic.outer()),
       .friction = friction_from_table(table)};
   joint.conditions();  // refuses walls that do not fit the radius
+  joint = at_temperatures(table, joint);
   joint.half_angle_law = joint.half_angle_law_name();
   joint.pressure_law = joint.pressure_law_name();
   if (!joint.friction) joint.friction = materials.friction;
@@ -347,7 +399,8 @@ JointSpec joint_of(const TomlTable& table, const MaterialPair* known) {
         half_angle->needs(
             key, detail::message(
                      "one of the laws {}; this joint has {}",
-                     listed(detail::half_angle_names(
+                     listed(detail::names_of(
+                         detail::half_angle_entries(),
                          [](const auto& law) { return law.takes_options; })),
                      joint.half_angle_law));
       }
@@ -378,11 +431,18 @@ KnownKeys joint_keys() {
       {"name"},
       {"kind"},
       {"inner_body"},
+      {"temperature", Dimension::temperature},
+      {"inner_temperature", Dimension::temperature},
+      {"outer_temperature", Dimension::temperature},
+      {"reference_temperature", Dimension::temperature},
+      {"axial_growth"},
       table_key("geometry", {{"radius", Dimension::length},
                              {"diameter", Dimension::length},
                              {"radial_clearance", Dimension::length},
                              {"diametral_clearance", Dimension::length},
                              {"relative_clearance"},
+                             {"radial_interference", Dimension::length},
+                             {"diametral_interference", Dimension::length},
                              {"hole"},
                              {"shaft"},
                              {"clearance"},

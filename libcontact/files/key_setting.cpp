@@ -147,9 +147,10 @@ toml::table parsed(const std::string& value, const std::string& source) {
   return toml::parse("value = '''" + value + "'''", source);
 }
 
-// Puts a value in its place in a table; false if the array has no such place.
-bool put(toml::table& table, const Step& leaf, const KnownKeys* keys,
-         std::string value, const std::string& setting) {
+// Puts a value in its place in a table; under which name, "" if the array has
+// no such place.
+std::string put(toml::table& table, const Step& leaf, const KnownKeys* keys,
+                std::string value, const std::string& setting) {
   const KnownKey* key = known(keys, leaf.name);
   const auto factor = factor_of(value);
   const std::string name =
@@ -166,12 +167,12 @@ bool put(toml::table& table, const Step& leaf, const KnownKeys* keys,
   toml::table made = parsed(value, setting);
   toml::node& node = *made.get("value");
   if (is_element) {
-    if (there == nullptr) return false;
+    if (there == nullptr) return {};
     toml::array& array = *table.get_as<toml::array>(name);
     const auto place = std::ranges::find_if(
         array, [there](const toml::node& other) { return &other == there; });
     node.visit([&](auto& v) { array.replace(place, std::move(v)); });
-    return true;
+    return name;
   }
   if (key != nullptr) {
     for (const std::string& other : spellings(key->key, key->dimension)) {
@@ -179,7 +180,25 @@ bool put(toml::table& table, const Step& leaf, const KnownKeys* keys,
     }
   }
   node.visit([&](auto& v) { table.insert_or_assign(name, std::move(v)); });
-  return true;
+  return name;
+}
+
+// Appends the numbers below a node that stands in an array; integers become
+// what they are read as.
+void add_numbers(toml::array& array, toml::array::iterator place,
+                 std::vector<NumberNode>& to) {
+  if (auto* inner = place->as_array()) {
+    for (auto i = inner->begin(); i != inner->end(); ++i) {
+      add_numbers(*inner, i, to);
+    }
+    return;
+  }
+  if (const auto* integer = place->as_integer()) {
+    place = array.replace(place, static_cast<double>(integer->get()));
+  }
+  if (auto* number = place->as_floating_point()) {
+    to.push_back({&number->get(), number->get()});
+  }
 }
 
 }  // namespace
@@ -207,7 +226,7 @@ KeyPlace set_key(toml::table& file, const KnownKeys& keys,
   for (auto dot = rest.find('.'); dot != rest.npos; dot = rest.find('.')) {
     const Step step = step_of(rest.substr(0, dot));
     if (is_of_file(*table, in, step.name)) {
-      return {table, std::string(rest), {}};
+      return {table, std::string(rest), true, place};
     }
     const KnownKey* next = known(in, step.name);
     if (next != nullptr && next->inside.empty()) refuse();
@@ -218,16 +237,40 @@ KeyPlace set_key(toml::table& file, const KnownKeys& keys,
     in = next == nullptr ? nullptr : &next->inside;
     rest.remove_prefix(dot + 1);
   }
-  if (is_of_file(*table, in, rest)) return {table, std::string(rest), {}};
+  if (is_of_file(*table, in, rest)) {
+    return {table, std::string(rest), true, place};
+  }
   if (rest.empty() || has_control_characters(setting.value) ||
       setting.value.find("'''") != setting.value.npos) {
     refuse();
   }
   const Step leaf = step_of(rest);
-  if (!put(*table, leaf, in, setting.value, text)) refuse();
+  std::string key = put(*table, leaf, in, setting.value, text);
+  if (key.empty()) refuse();
+  if (!leaf.which.empty()) key += message("[{}]", leaf.which);
   place += place_text(known(in, leaf.name), leaf,
                       number_of<std::size_t>(leaf.which).value_or(0));
-  return {nullptr, {}, place};
+  return {table, key, false, place};
+}
+
+std::vector<NumberNode> numbers_at(const KeyPlace& place) {
+  const auto [name, which] = step_of(place.key);
+  toml::node& node = *place.table->get(name);
+  std::vector<NumberNode> numbers;
+  if (auto* array = node.as_array()) {
+    const toml::node* wanted = which.empty() ? nullptr : element(&node, which);
+    for (auto i = array->begin(); i != array->end(); ++i) {
+      if (wanted == nullptr || &*i == wanted) add_numbers(*array, i, numbers);
+    }
+    return numbers;
+  }
+  if (const auto* integer = node.as_integer()) {
+    place.table->insert_or_assign(name, static_cast<double>(integer->get()));
+  }
+  if (auto* number = place.table->get_as<double>(name)) {
+    numbers.push_back({&number->get(), number->get()});
+  }
+  return numbers;
 }
 
 }  // namespace contact::detail

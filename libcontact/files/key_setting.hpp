@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "libcontact/files/toml_nodes.hpp"
 #include "libcontact/files/toml_reader.hpp"
@@ -9,13 +10,14 @@ namespace contact::detail {
 
 /// Where a setting belongs.
 struct KeyPlace {
-  /// A table that names a file to which the key is left; null: it is made.
-  const toml::table* table;
-  /// The key of that file.
-  std::string rest;
+  /// In which the key stands, or that names a file to which it is left.
+  toml::table* table;
+  /// The key there, as the table or the file spells it: "com_m[2]".
+  std::string key;
+  bool of_file;
   /// One text for all names of a key: tables and places of arrays by their
-  /// numbers, without a unit.
-  std::string place;
+  /// numbers, without a unit; as far as this file goes.
+  std::string text;
 };
 
 /// What messages call it: where it is from, else "KEY = VALUE". Nodes that it
@@ -27,5 +29,14 @@ std::string setting_text(const KeySetting& setting);
 /// Throws Error "KEY = VALUE must be ..." if it leads to no table.
 KeyPlace set_key(toml::table& file, const KnownKeys& keys,
                  const KeySetting& setting);
+
+/// A number in a file.
+struct NumberNode {
+  double* number;
+  double was;
+};
+/// All numbers of a key that has been set, which stay where they are until
+/// another key is; of what is no number, none.
+std::vector<NumberNode> numbers_at(const KeyPlace& place);
 
 }  // namespace contact::detail

@@ -7,8 +7,18 @@
 
 namespace contact::detail {
 
+namespace {
+
+// 80 alone may be meant in either unit of a temperature.
+bool needs_ending(Dimension dimension) {
+  return dimension == Dimension::temperature;
+}
+
+}  // namespace
+
 std::vector<std::string> spellings(std::string_view key, Dimension dimension) {
-  std::vector<std::string> result = {std::string(key)};
+  std::vector<std::string> result;
+  if (!needs_ending(dimension)) result.emplace_back(key);
   for (const Unit& unit : units_of(dimension)) {
     if (!unit.ending.empty())
       result.push_back(message("{}_{}", key, unit.ending));
@@ -18,7 +28,7 @@ std::vector<std::string> spellings(std::string_view key, Dimension dimension) {
 
 std::string spellings_text(std::string_view key, Dimension dimension) {
   auto all = spellings(key, dimension);
-  if (all.size() > 1) {
+  if (all.size() > 1 && !needs_ending(dimension)) {
     all[0] += message(" (in {})", unit_symbol(units_of(dimension)[0].ending));
   }
   return either(all);
@@ -29,7 +39,7 @@ const Unit* unit_in(std::string_view spelling, std::string_view key,
   if (!spelling.starts_with(key)) return nullptr;
   const std::string_view rest = spelling.substr(key.size());
   const auto all = units_of(dimension);
-  if (rest.empty()) return &all.front();
+  if (rest.empty()) return needs_ending(dimension) ? nullptr : &all.front();
   if (rest.size() == 1 || rest.front() != '_') return nullptr;
   const auto unit = std::ranges::find(all, rest.substr(1), &Unit::ending);
   return unit == all.end() ? nullptr : &*unit;

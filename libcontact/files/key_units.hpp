@@ -9,7 +9,7 @@
 /// Units in the names of keys: radius_mm.
 namespace contact::detail {
 
-/// The key alone, then with every ending.
+/// The key alone, but for temperatures, then with every ending.
 std::vector<std::string> spellings(std::string_view key, Dimension dimension);
 /// "radius (in m), radius_m or radius_mm"
 std::string spellings_text(std::string_view key, Dimension dimension);

@@ -22,6 +22,9 @@ Material material_from_table(const TomlTable& table, Rigid rigid) {
   const auto limit =
       table.optional_number("limit_pressure", Interval::positive());
   if (limit) material.limit_pressure = *limit;
+  // Polymers have 1e-4 to 3e-4: beyond this the power of ten was mistaken.
+  material.thermal_expansion =
+      table.optional_number("thermal_expansion", {-1e-3, 1e-3});
   return material;
 }
 
@@ -29,7 +32,8 @@ KnownKeys material_keys() {
   return {{"name"},
           {"youngs_modulus", Dimension::stress},
           {"poissons_ratio"},
-          {"limit_pressure", Dimension::stress}};
+          {"limit_pressure", Dimension::stress},
+          {"thermal_expansion", Dimension::inverse_temperature}};
 }
 
 }  // namespace contact

@@ -10,7 +10,7 @@ namespace contact {
 /// Whether a material may be rigid: youngs_modulus = inf.
 enum class Rigid { allowed, refused };
 
-/// name, youngs_modulus, poissons_ratio and limit_pressure of a table.
+/// The keys of material_keys() of a table.
 Material material_from_table(const TomlTable& table,
                              Rigid rigid = Rigid::allowed);
 KnownKeys material_keys();

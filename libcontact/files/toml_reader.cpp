@@ -18,7 +18,7 @@
 #include "libcontact/files/key_setting.hpp"
 #include "libcontact/files/key_units.hpp"
 #include "libcontact/files/repeated_setting.hpp"
-#include "libcontact/files/stranger.hpp"
+#include "libcontact/files/toml_file.hpp"
 
 namespace contact {
 namespace {
@@ -39,57 +39,6 @@ const toml::table& as_table(const void* table) {
 }
 
 }  // namespace
-
-struct TomlTable::Parsed {
-  std::shared_ptr<const KnownKeys> keys;
-  toml::table root;
-};
-
-struct TomlTable::Cache {
-  std::mutex mutex = {};
-  std::map<std::string, Parsed> files = {};  // by their paths
-};
-
-struct TomlTable::File {
-  std::string source;
-  std::filesystem::path folder;
-  std::shared_ptr<const KnownKeys> keys;
-  toml::table root = {};
-  // Of the files that it names too; null if they are read anew.
-  std::shared_ptr<Cache> cache = {};
-  mutable std::set<const toml::node*> read = {};
-  // By the table that names the file.
-  std::map<const toml::table*, KeySettings> for_files = {};
-  // What nodes are from that need no other name.
-  std::set<std::string> origins = {};
-
-  const std::string* origin(const toml::node& node) const {
-    const auto& from = node.source().path;
-    return from && origins.contains(*from) ? from.get() : nullptr;
-  }
-  // "FILE:LINE: ", or "FILE with KEY: " of what a setting has put there. Nodes
-  // that are copies of others know no line.
-  std::string at(const toml::node& node) const {
-    if (const auto* from = origin(node)) return *from + ": ";
-    if (source.empty()) return "";
-    if (const auto& setting = node.source().path) {
-      return detail::message("{} with {}: ", source, *setting);
-    }
-    if (cache) return source + ": ";
-    return detail::message("{}:{}: ", source, detail::line_of(node));
-  }
-  // "FILE:LINE: NAME = VALUE", or its origin.
-  std::string subject(const toml::node& node, const std::string& name,
-                      const toml::node& value) const {
-    if (const auto* from = origin(node)) return *from;
-    return at(node) + detail::named(name, value);
-  }
-  void refuse(detail::Stranger strange) const {
-    strange.look_for(root, *keys, "");
-    if (strange.node == nullptr) return;
-    throw Error(at(*strange.node) + strange.complaint);
-  }
-};
 
 // A key that was found.
 struct TomlTable::Entry {
@@ -150,11 +99,15 @@ struct TomlTable::Entry {
   std::string text(const toml::node& value, std::string_view rule) const {
     const auto given = value.as_string();
     if (given == nullptr || given->get().empty()) must_be(rule);
+    // It would end the text for HDF5 and C.
+    if (given->get().find('\0') != std::string::npos) {
+      must_be("without the character U+0000");
+    }
     return given->get();
   }
 };
 
-TomlTable::TomlTable(std::shared_ptr<const File> file, const void* table,
+TomlTable::TomlTable(std::shared_ptr<File> file, const void* table,
                      const KnownKeys* keys, std::string path)
     : file_(std::move(file)),
       table_(table),
@@ -201,14 +154,16 @@ TomlTable TomlTable::of(Parsed parsed, const std::string& source,
            std::move(parsed.root), std::move(cache)});
   std::map<std::string, std::string> keys;  // by their places
   for (const KeySetting& setting : settings) {
-    const auto [table, rest, place] =
-        detail::set_key(file->root, *file->keys, setting);
+    const detail::KeyPlace& place = file->settings.emplace_back(
+        detail::set_key(file->root, *file->keys, setting));
     if (!setting.origin.empty()) {
       file->origins.insert(detail::setting_text(setting));
     }
-    if (table != nullptr) {
-      file->for_files[table].push_back({rest, setting.value, setting.origin});
-    } else if (const auto [other, is_new] = keys.emplace(place, setting.key);
+    if (place.of_file) {
+      file->for_files[place.table].push_back(
+          {place.key, setting.value, setting.origin});
+    } else if (const auto [other, is_new] =
+                   keys.emplace(place.text, setting.key);
                !is_new) {
       throw RepeatedSetting(detail::conflicts(
           detail::setting_text(setting), detail::printable(other->second)));
@@ -265,11 +220,14 @@ std::optional<TomlTable::Entry> TomlTable::find(std::string_view key) const {
     if (found) {
       if (detail::line_of(node) < detail::line_of(*found->node))
         std::swap(entry, *found);
-      throw Error(
-          file_->at(*entry.node) +
-          detail::duplicate(
-              "key", detail::message("{} as {}", found->name, entry.name),
-              detail::line_of(*found->node), detail::line_of(*entry.node)));
+      const auto line = [&](const toml::node& of) {
+        return file_->source.empty() ? 0 : detail::line_of(of);
+      };
+      throw Error(file_->at(*entry.node) +
+                  detail::duplicate(
+                      "key",
+                      detail::message("{} as {}", found->name, entry.name),
+                      line(*found->node), line(*entry.node)));
     }
     found = std::move(entry);
   }

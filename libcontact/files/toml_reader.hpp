@@ -148,6 +148,7 @@ class TomlTable {
 
  private:
   friend class TomlFiles;
+  friend class TomlForm;
   struct File;
   struct Parsed;
   struct Cache;
@@ -161,7 +162,7 @@ class TomlTable {
   static TomlTable cached(const std::shared_ptr<Cache>& cache,
                           const std::filesystem::path& path,
                           KnownKeys (*keys)(), const KeySettings& settings);
-  TomlTable(std::shared_ptr<const File> file, const void* table,
+  TomlTable(std::shared_ptr<File> file, const void* table,
             const KnownKeys* keys, std::string path);
   template <class Value, class... Parameters, class... Arguments>
   std::optional<Value> optional(Value (TomlTable::*read)(std::string_view,
@@ -178,7 +179,7 @@ class TomlTable {
   TomlTable inner(const void* table, std::string_view key,
                   std::string path) const;
 
-  std::shared_ptr<const File> file_;
+  std::shared_ptr<File> file_;
   const void* table_;
   const KnownKeys* keys_;
   std::string path_;

@@ -4,6 +4,11 @@
 #include <cmath>
 #include <utility>
 
+#include "libcontact/base/complaint.hpp"
+#include "libcontact/base/error.hpp"
+#include "libcontact/base/text.hpp"
+#include "libcontact/pair/law_entry.hpp"
+
 namespace contact {
 namespace {
 
@@ -38,6 +43,24 @@ bool are_alike(const LayeredPair& a, const LayeredPair& b) {
 
 }  // namespace
 
+Clearance clearance_of(double radial_clearance) {
+  if (radial_clearance < 0) return Clearance::interference;
+  return radial_clearance == 0 ? Clearance::none : Clearance::positive;
+}
+
+std::string to_string(const ContactConditions& conditions) {
+  switch (conditions.clearance) {
+    case Clearance::interference:
+      return "interference";
+    case Clearance::none:
+      return "no clearance";
+    case Clearance::positive:
+      break;
+  }
+  return conditions.walls ? "finite walls"
+                          : "loading " + to_string(conditions.loading);
+}
+
 MadeFor::MadeFor(const ElasticPair& pair, ContactConditions conditions)
     : modulus_ratio_(pair.modulus_ratio()),
       pair_(pair),
@@ -45,7 +68,7 @@ MadeFor::MadeFor(const ElasticPair& pair, ContactConditions conditions)
 
 bool MadeFor::fits(const ElasticPair& pair,
                    const ContactConditions& conditions) const {
-  const auto& [loading, walls] = conditions;
+  const auto& [loading, walls, clearance] = conditions;
   if (loading != conditions_.loading ||
       !is_near(pair.modulus_ratio(), modulus_ratio_) ||
       walls.has_value() != conditions_.walls.has_value()) {
@@ -61,6 +84,14 @@ bool MadeFor::fits(const ElasticPair& pair,
                     pair_->inner()) &&
          fits_ratio(pair.outer_compliance_share(), pair.outer(),
                     pair_->outer());
+}
+
+void detail::refuse_law(std::string_view kind, std::string_view name,
+                        const std::vector<std::string>& allowed,
+                        const ContactConditions& conditions) {
+  throw Error(
+      must_be(message("{} {}", kind, printable(name)),
+              message("{} with {}", either(allowed), to_string(conditions))));
 }
 
 }  // namespace contact

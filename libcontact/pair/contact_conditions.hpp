@@ -8,14 +8,23 @@
 
 namespace contact {
 
+/// What a joint's radial clearance is. Laws that know one know those before it.
+enum class Clearance {
+  positive,      ///< above 0
+  none,          ///< 0
+  interference,  ///< below 0
+};
+Clearance clearance_of(double radial_clearance);
+
 /// What decides on a contact beside the materials at its two surfaces. The
 /// usual case, which every law knows: a force at the centre of the ball or pin,
-/// both bodies homogeneous and the outer one infinite.
+/// both bodies homogeneous, the outer one infinite, and a clearance.
 struct ContactConditions {
   InnerLoading loading = InnerLoading::centre();
   /// Walls and coatings. The materials at the surfaces are then those of
   /// walls->surfaces().
   std::optional<LayeredPair> walls = {};
+  Clearance clearance = Clearance::positive;
 
   friend bool operator==(const ContactConditions&,
                          const ContactConditions&) = default;
@@ -39,11 +48,8 @@ class MadeFor {
   ContactConditions conditions_ = {};
 };
 
-/// For messages of laws that do not know them: "finite walls", or
-/// "loading back:20".
-inline std::string to_string(const ContactConditions& conditions) {
-  return conditions.walls ? "finite walls"
-                          : "loading " + to_string(conditions.loading);
-}
+/// For messages of laws that do not know them: "interference", "no clearance",
+/// "finite walls", or "loading back:20".
+std::string to_string(const ContactConditions& conditions);
 
 }  // namespace contact

@@ -37,23 +37,63 @@ constexpr std::array<SizeRange, 13> size_ranges = {{
     {500, {27, 40, 63, 97, 155}, {230, 135, 68, 20, 0}},
 }};
 
+// Of k, m, n, p, r, s, um: how far at least a shaft is above the nominal size.
+// Where it is -1 no published limit was at hand (data/README.md).
+struct PressedRange {
+  int up_to_mm;
+  std::array<int, 6> deviations;
+};
+
+constexpr std::string_view pressed_letters = "kmnprs";
+constexpr std::array<PressedRange, 13> pressed_ranges = {{
+    {3, {0, 2, 4, 6, 10, 14}},
+    {6, {1, 4, 8, 12, 15, 19}},
+    {10, {1, 6, 10, 15, 19, 23}},
+    {18, {1, 7, 12, 18, 23, 28}},
+    {30, {2, 8, 15, 22, 28, 35}},
+    {50, {2, 9, 17, 26, 34, 43}},
+    {65, {2, 11, 20, 32, 41, 53}},
+    {80, {2, 11, 20, 32, 43, 59}},
+    {100, {-1, 13, 23, 37, 51, 71}},
+    {120, {-1, 13, 23, 37, 54, 79}},
+    {140, {-1, 15, 27, 43, 63, 92}},
+    {160, {-1, 15, 27, 43, 65, 100}},
+    {180, {-1, 15, 27, 43, 68, 108}},
+}};
+
 // By division: the doubles nearest to the decimals, as the readers of files and
 // options have them.
 double from_mm(double length) { return length / 1e3; }
 double from_um(double length) { return length / 1e6; }
 
-// How far the two limits of a class are from the nominal size.
+// How far the two limits of a class are from the nominal size, towards
+// clearance.
 struct Limits {
   int near_um;
   int far_um;
 };
 
-Limits limits_of(const SizeRange& range, std::string_view tolerance_class) {
+// The first range that reaches a size.
+template <class Ranges>
+const auto& range_of(const Ranges& ranges, double diameter) {
+  return *std::ranges::find_if(
+      ranges, [diameter](int up_to) { return diameter <= from_mm(up_to); },
+      &Ranges::value_type::up_to_mm);
+}
+
+Limits limits_of(double diameter, std::string_view tolerance_class) {
+  const SizeRange& range = range_of(size_ranges, diameter);
+  const int tolerance = range.tolerances[tolerance_class[1] - '5'];
+  if (Fit::shafts.is_other(tolerance_class)) {
+    const int above = range_of(pressed_ranges, diameter)
+                          .deviations[pressed_letters.find(tolerance_class[0])];
+    return {-above - tolerance, -above};
+  }
   constexpr std::string_view shafts = "defgh", holes = "DEFGH";
   const auto letter =
       std::min(shafts.find(tolerance_class[0]), holes.find(tolerance_class[0]));
   const int near = range.deviations[letter];
-  return {near, near + range.tolerances[tolerance_class[1] - '5']};
+  return {near, near + tolerance};
 }
 
 void require_class(const Fit::Classes& classes, const char* what,
@@ -66,9 +106,19 @@ void require_class(const Fit::Classes& classes, const char* what,
 
 }  // namespace
 
-bool Fit::has_size(double diameter) {
+double Fit::largest_size(std::string_view shaft) {
+  if (!shafts.is_other(shaft)) return from_mm(size_ranges.back().up_to_mm);
+  const auto letter = pressed_letters.find(shaft[0]);
+  int largest = 0;
+  for (const auto& [up_to_mm, deviations] : pressed_ranges) {
+    if (deviations[letter] >= 0) largest = up_to_mm;
+  }
+  return from_mm(largest);
+}
+
+bool Fit::has_size(std::string_view shaft, double diameter) {
   return diameter >= from_mm(size_ranges.front().up_to_mm) &&
-         diameter <= from_mm(size_ranges.back().up_to_mm);
+         diameter <= largest_size(shaft);
 }
 
 Fit::Fit(std::string_view hole, std::string_view shaft, double diameter,
@@ -76,13 +126,11 @@ Fit::Fit(std::string_view hole, std::string_view shaft, double diameter,
     : diameter_(diameter), taken_(taken) {
   require_class(Fit::holes, "hole", hole);
   require_class(Fit::shafts, "shaft", shaft);
-  detail::require(has_size(diameter), "fit", "diameter", diameter,
-                  "0.003 to 0.5 m");
+  detail::require(
+      has_size(shaft, diameter), "fit", "diameter", diameter,
+      detail::message("0.003 to {} m with {}", largest_size(shaft), shaft));
   name_ = detail::message("{}/{}", hole, shaft);
-  const SizeRange& range = *std::ranges::find_if(
-      size_ranges, [diameter](int up_to) { return diameter <= from_mm(up_to); },
-      &SizeRange::up_to_mm);
-  const Limits h = limits_of(range, hole), s = limits_of(range, shaft);
+  const Limits h = limits_of(diameter, hole), s = limits_of(diameter, shaft);
   minimum_um_ = h.near_um + s.near_um;
   maximum_um_ = h.far_um + s.far_um;
 }

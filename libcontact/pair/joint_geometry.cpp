@@ -13,6 +13,8 @@ namespace {
 // The theory is of first order in eps/rho1; beyond this its error is no
 // longer small beside that of the half-angle laws (2 to 10 %).
 constexpr double largest_relative_clearance = 0.05;
+// Of a press fit: strains of a percent, beyond which metals yield.
+constexpr double largest_relative_interference = 0.01;
 // 0.25 um in a radius of 25 mm: errors of form and roughness of the best ground
 // surfaces are of this size, and a degree or two of temperature changes it.
 constexpr double smallest_relative_clearance = 1e-5;
@@ -34,10 +36,9 @@ JointGeometry::JointGeometry(JointKind kind, double radius,
   const std::string place = to_string(kind) + " joint";
   detail::require(radius > 0 && std::isfinite(radius), place, "radius", radius,
                   "above 0 m and finite");
-  detail::require(
-      radial_clearance > 0 && radial_clearance < radius, place,
-      "radial_clearance", radial_clearance,
-      detail::message("above 0 m and below the radius {} m", radius));
+  detail::require(std::abs(radial_clearance) < radius, place,
+                  "radial_clearance", radial_clearance,
+                  detail::message("less in size than the radius {} m", radius));
   if (kind == JointKind::pin) {
     detail::require(length > 0 && std::isfinite(length), place, "length",
                     length, "above 0 m and finite");
@@ -56,19 +57,38 @@ JointGeometry JointGeometry::pin(double radius, double radial_clearance,
 }
 
 std::vector<std::string> JointGeometry::validity_notes() const {
-  if (relative_clearance() > largest_relative_clearance) {
-    return {
+  std::vector<std::string> notes;
+  const double relative = relative_clearance();
+  if (relative < -largest_relative_interference) {
+    notes.push_back(detail::message(
+        "relative interference {:.3g} exceeds {}: the theory is of first order "
+        "in it",
+        -relative, largest_relative_interference));
+  }
+  if (relative > largest_relative_clearance) {
+    notes.push_back(
         detail::message("relative clearance {:.3g} exceeds {}: the theory is "
                         "of first order in it",
-                        relative_clearance(), largest_relative_clearance)};
+                        relative, largest_relative_clearance));
   }
-  if (relative_clearance() < smallest_relative_clearance) {
-    return {detail::message(
+  // A clearance of 0 is a model's own, which says that it is small.
+  if (relative != 0 && std::abs(relative) < smallest_relative_clearance) {
+    notes.push_back(detail::message(
         "relative clearance {:.3g} is below {:g}: errors of form and warmth "
         "change clearances as small as this",
-        relative_clearance(), smallest_relative_clearance)};
+        relative, smallest_relative_clearance));
   }
-  return {};
+  if (radial_clearance_ < 0) {
+    notes.emplace_back(
+        "the hoop stress that interference causes in the two bodies is not "
+        "computed");
+  }
+  if (radial_clearance_ <= 0 && kind_ == JointKind::ball) {
+    notes.emplace_back(
+        "without clearance the theory is that of a ball in a complete seat: "
+        "use it for seats that are nearly complete");
+  }
+  return notes;
 }
 
 LoadScale::LoadScale(const JointGeometry& geometry, const ElasticPair& pair) {

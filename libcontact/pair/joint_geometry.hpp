@@ -7,7 +7,8 @@
 #include "libcontact/pair/material.hpp"
 
 /// Shape of a joint: a ball or pin of radius rho1 in a seat or hole of radius
-/// rho1 + eps.
+/// rho1 + eps. eps may be 0, and below 0: interference, by which the two are
+/// pressed together before any load (docs/preload.md).
 namespace contact {
 
 enum class JointKind {
@@ -28,8 +29,9 @@ class JointGeometry {
   /// Ball in a seat.
   ///
   /// @param radius            rho1, m, > 0
-  /// @param radial_clearance  eps = rho2 - rho1, m, > 0, below radius; the
-  ///                          difference of the radii, not of the diameters
+  /// @param radial_clearance  eps = rho2 - rho1, m, less than the radius in
+  ///                          size; the difference of the radii, not of the
+  ///                          diameters
   /// @param inner_body        the body that has the ball
   /// @throws Error if an argument is out of range.
   static JointGeometry ball(double radius, double radial_clearance,
@@ -42,6 +44,12 @@ class JointGeometry {
   static JointGeometry pin(double radius, double radial_clearance,
                            double length,
                            JointBody inner_body = JointBody::carrier);
+
+  /// The same with another radial clearance, m.
+  /// @throws Error if it is out of range.
+  JointGeometry with_clearance(double radial_clearance) const {
+    return {kind_, radius_, radial_clearance, length_, inner_body_};
+  }
 
   JointKind kind() const { return kind_; }
   /// rho1, m: of the ball or pin.
@@ -82,7 +90,8 @@ class JointGeometry {
 
   /// Where the joint leaves the range of the theory, one sentence each; empty
   /// if it does not. The theory is of first order in eps/rho1: a note above
-  /// 0.05; and below 1e-5, where no clearance is known.
+  /// 0.05, below -0.01 and near 0 (1e-5); what interference does beside the
+  /// contact; of a ball without clearance that its seat has to keep it.
   std::vector<std::string> validity_notes() const;
 
   friend bool operator==(const JointGeometry& a, const JointGeometry& b) {
@@ -110,7 +119,8 @@ class JointGeometry {
 /// | ball | R_n, N | mu = 3 R_n/(2 ebar rho1^2 E) |
 /// | pin | P, N/m | lambda = 2 P/(pi ebar rho1 E) |
 ///
-/// E is the effective modulus of the paper (twice E*), ebar = eps/rho1.
+/// E is the effective modulus of the paper (twice E*), ebar = eps/rho1. Without
+/// clearance the load parameter is infinite, with interference below 0.
 /// Accuracy: relative error at most 5e-16 both ways
 /// (pair/pair_test.cpp, against 50-digit arithmetic).
 /// NaN passes through. Source: the paper, section 2.
@@ -124,7 +134,8 @@ class LoadScale {
   double load(double load_parameter) const {
     return load_parameter * unit_load_;
   }
-  /// The load at which the load parameter is 1, N or N/m.
+  /// The load at which the load parameter is 1, N or N/m; 0 without clearance,
+  /// below 0 with interference.
   double unit_load() const { return unit_load_; }
 
   /// The variable x in which the half-angle laws are written: cbrt(mu) for a

@@ -32,6 +32,9 @@ void detail::check_material(const Material& material, std::string place) {
   require(material.limit_pressure > 0, place, "limit_pressure",
           material.limit_pressure, "above 0 Pa or inf for none");
   check_poissons_ratio(material.poissons_ratio, place);
+  const double expansion = material.thermal_expansion.value_or(0);
+  require(std::abs(expansion) <= 1e-3, place, "thermal_expansion", expansion,
+          "-0.001 to 0.001 per K");
 }
 
 ElasticPair::ElasticPair(const Material& inner, const Material& outer)

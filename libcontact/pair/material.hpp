@@ -1,6 +1,7 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <string>
 
 /// Elastic constants of the two bodies of a joint. Body 1 is the inner one
@@ -18,6 +19,10 @@ struct Material {
   /// Largest contact pressure that it bears, Pa, (0, infinity]: where it
   /// yields or creeps, or what a catalogue allows. For warnings only.
   double limit_pressure = std::numeric_limits<double>::infinity();
+  /// Coefficient of linear thermal expansion, 1/K, -1e-3 to 1e-3: for joints
+  /// at other temperatures than that of their clearance (pair/temperatures.hpp)
+  /// only, which require it.
+  std::optional<double> thermal_expansion = {};
 
   friend bool operator==(const Material&, const Material&) = default;
 };
