@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "libcontact/base/gauss_legendre.hpp"
-#include "libcontact/conforming/ball_kernel.hpp"
+#include "libcontact/conforming/kernel/ball_kernel.hpp"
 
 namespace contact::detail {
 namespace {

@@ -11,10 +11,11 @@
 #include "libcontact/base/check.hpp"
 #include "libcontact/base/gauss_legendre.hpp"
 #include "libcontact/conforming/back_displacement.hpp"
-#include "libcontact/conforming/ball_kernel.hpp"
-#include "libcontact/conforming/ball_wall_kernel.hpp"
 #include "libcontact/conforming/edge_fit.hpp"
+#include "libcontact/conforming/gap/signed_contact.hpp"
 #include "libcontact/conforming/half_angle_root.hpp"
+#include "libcontact/conforming/kernel/ball_kernel.hpp"
+#include "libcontact/conforming/kernel/ball_wall_kernel.hpp"
 #include "libcontact/conforming/legendre_galerkin.hpp"
 #include "libcontact/conforming/wall_harmonics.hpp"
 #include "libcontact/conforming/wide_edge.hpp"
@@ -146,6 +147,7 @@ struct BallContact::Tables {
         galerkin(LegendreGalerkin::table(unknowns)),
         // R_n = 2 pi rho^2 H_1 is twice the resultant that it is made for.
         back_factor(2 * pair.inner_compliance_share()),
+        mean(walls.mean),
         // The kernel has d_1 = 0, which is c_1 = 2/3.
         first_shift(walls.first - 2.0 / 3) {
     if (loading.is_back() && back_factor > 0) {
@@ -166,6 +168,7 @@ struct BallContact::Tables {
   double back_factor;
   std::optional<detail::BackDisplacement> back;
   std::optional<detail::BallWallKernel> wall;
+  double mean;         // c_0
   double first_shift;  // of c_1
 };
 
@@ -262,23 +265,15 @@ BallContact::Solution BallContact::Galerkin::solve(int n) const {
   return result;
 }
 
-namespace {
-
-// A pair without layers.
-detail::WallHarmonics no_walls(const ElasticPair& pair) {
-  return {JointKind::ball, LayeredPair(1, {{}, Backing::medium(pair.inner())},
-                                       {{}, Backing::medium(pair.outer())})};
-}
-
-}  // namespace
-
 BallContact::BallContact(const ElasticPair& pair, InnerLoading loading,
                          int unknowns)
     : unknowns_(unknowns) {
   detail::require(unknowns >= 8 && unknowns <= max_unknowns, "ball contact",
                   "unknowns", unknowns, "8 to 32");
-  tables_ = std::make_shared<const Tables>(pair, loading, unknowns,
-                                           no_walls(pair), infinity);
+  tables_ = std::make_shared<const Tables>(
+      pair, loading, unknowns,
+      detail::WallHarmonics(JointKind::ball, detail::without_layers(pair)),
+      infinity);
   set_largest(loading);
 }
 
@@ -341,6 +336,22 @@ ForcePoint BallContact::force_point(double half_angle) const noexcept {
   return {s.reciprocal(),
           {(s.delta + shift) / s.clearance, 1 / (1 / s.stiffness + shift)},
           s.excess};
+}
+
+detail::SignedContact BallContact::signed_contact(
+    double half_angle) const noexcept {
+  if (!(half_angle > 0 && half_angle <= largest_) || tables_->back) {
+    return {nan, nan, nan, nan, nan, nan};
+  }
+  const Solution s = Galerkin(*tables_, half_angle).solve(unknowns_);
+  const double inverse = pi / 2 * s.reciprocal();
+  // R_n = (4 pi/3) rho^2 p_1; D and the approach are in units of 2 pi/E.
+  return {inverse,
+          inverse + tables_->mean,
+          1 - s.force_ratio / 3,
+          pi / 3 * (s.delta + s.clearance) - 2.0 / 3,
+          pi / 3 / s.stiffness - 2.0 / 3,
+          4 * pi / 3 * pressure(half_angle).pressure(0)};
 }
 
 int BallContact::terms() const noexcept {

@@ -11,6 +11,10 @@
 
 namespace contact {
 
+namespace detail {
+struct SignedContact;
+}
+
 /// Exact contact of a ball in a seat, for any elastic pair: Legendre-Galerkin
 /// solution of the Abel-transformed equation of docs/conforming.md. One object
 /// per pair and loading; copies share its tables. Const functions that do not
@@ -77,6 +81,11 @@ class BallContact {
   /// The load, approach() and S at theta0, all by one solution; NaN where
   /// approach() is.
   ForcePoint force_point(double half_angle) const noexcept;
+
+  /// The contact in quantities that do not end where the clearance does: for
+  /// half-angles about the limit angle and beyond, which interference has.
+  /// NaN outside (0, largest()], and if loaded through the back.
+  detail::SignedContact signed_contact(double half_angle) const noexcept;
 
   /// Pressure at theta0 in (0, largest()], in units of R_n/rho^2. Beyond the
   /// limit angle it is the pressure of a ball with interference.

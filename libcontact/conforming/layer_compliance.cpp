@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "libcontact/conforming/ball_kernel.hpp"
+#include "libcontact/conforming/kernel/ball_kernel.hpp"
 
 // Letters as in docs/conforming.md, "Walls". The state of a harmonic is
 // y = (U, V, rS, rT); dy/d(ln r) = A y with A constant in a layer.
@@ -218,39 +218,65 @@ double LayerCompliance::homogeneous(int n) const {
   return share_ * (inner ? n - k : n + k) / ((n - 1.0) * (n + 1.0));
 }
 
-// n = 0: (U, rS) alone, with the exponents 1 and -2 (ball) or -1 (pin).
-double LayerCompliance::mean() const {
-  const bool ball = kind_ == JointKind::ball;
-  const bool inner = side_ == Side::inner;
-  const double upper = 1;
-  const double lower = ball ? -2 : -1;
-  Eigen::Vector2d y(0, 1);
-  if (backing_ == Backing::Kind::held) y = {1, 0};
+// n = 0 has (U, rS) alone. What the far end allows.
+Eigen::Vector2d LayerCompliance::admissible_mean() const {
   if (medium_) {
     const double nu = medium_->nu;
     const double g2 = 2 * medium_->shear;
-    if (inner) {
-      y = {1 - 2 * nu, g2 * (1 - 2 * nu + nu * (ball ? 3 : 2))};
-    } else {
-      y = {1, lower * g2};
-    }
+    const bool ball = kind_ == JointKind::ball;
+    if (side_ == Side::outer) return {1, ball ? -2 * g2 : -g2};
+    return {1 - 2 * nu, g2 * (1 - 2 * nu + nu * (ball ? 3 : 2))};
   }
+  if (backing_ == Backing::Kind::held) return {1, 0};
+  return {0, 1};
+}
+
+// From the far side of a layer to its near side, by the exponents 1 and -2
+// (ball) or -1 (pin).
+Eigen::Vector2d LayerCompliance::cross_mean(const Shell& shell,
+                                            Eigen::Vector2d y) const {
+  const bool ball = kind_ == JointKind::ball;
+  const double upper = 1;
+  const double lower = ball ? -2 : -1;
+  const Elastic& e = shell.elastic;
+  Eigen::Matrix2d b;
+  if (ball) {
+    b << -2 * e.a, e.m,  //
+        4 * e.shear * (1 + e.nu) / (1 - e.nu), 1 - 4 * e.shear * e.m;
+  } else {
+    b << -e.a, e.m,  //
+        2 * e.shear / (1 - e.nu), e.a;
+  }
+  const double x = side_ == Side::inner ? shell.width : -shell.width;
+  const double factor =
+      std::exp(lower * x) * std::expm1((upper - lower) * x) / (upper - lower);
+  return std::exp(upper * x) * y + factor * (b * y - upper * y);
+}
+
+double LayerCompliance::mean() const {
+  Eigen::Vector2d y = admissible_mean();
   for (auto shell = shells_.rbegin(); shell != shells_.rend(); ++shell) {
-    const Elastic& e = shell->elastic;
-    Eigen::Matrix2d b;
-    if (ball) {
-      b << -2 * e.a, e.m,  //
-          4 * e.shear * (1 + e.nu) / (1 - e.nu), 1 - 4 * e.shear * e.m;
-    } else {
-      b << -e.a, e.m,  //
-          2 * e.shear / (1 - e.nu), e.a;
-    }
-    const double x = inner ? shell->width : -shell->width;
-    const double factor =
-        std::exp(lower * x) * std::expm1((upper - lower) * x) / (upper - lower);
-    y = (std::exp(upper * x) * y + factor * (b * y - upper * y)).eval();
+    y = cross_mean(*shell, y);
   }
-  return (inner ? 1 : -1) * y(0) / y(1) / 4;
+  return (side_ == Side::inner ? 1 : -1) * y(0) / y(1) / 4;
+}
+
+// W = U - e* r has the equations of U without growth; U and S are continuous,
+// and S is 0 at the surface.
+double LayerCompliance::free_growth(std::span<const double> layers,
+                                    double behind) const {
+  double radius = medium_radius_;
+  Eigen::Vector2d free = admissible_mean();
+  Eigen::Vector2d grown(
+      backing_ == Backing::Kind::held ? 0 : behind * medium_radius_, 0);
+  for (std::size_t i = shells_.size(); i-- > 0;) {
+    grown(0) -= layers[i] * radius;
+    grown = cross_mean(shells_[i], grown);
+    free = cross_mean(shells_[i], free);
+    radius *= std::exp((side_ == Side::inner ? 1 : -1) * shells_[i].width);
+    grown(0) += layers[i] * radius;
+  }
+  return grown(0) - grown(1) / free(1) * free(0);
 }
 
 // From the far end to the contact, and there the state without shear.

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "libcontact/pair/joint_geometry.hpp"
@@ -41,6 +43,18 @@ class LayerCompliance {
   /// the load by less than 1e-12. 0 for a homogeneous body.
   int corrected() const;
 
+  /// How far the surface moves from the centre, over rho, when the body grows
+  /// without contact.
+  ///
+  /// @param layers  e* of each: the strain around the axis or centre with which
+  ///                it would grow by itself
+  /// @param behind  that of what lies behind them; of a rigid body, how far its
+  ///                surface grows, over its radius
+  ///
+  /// Accuracy (joint/thermal_growth_test.cpp): relative error below 1e-13
+  /// of bodies of two layers.
+  double free_growth(std::span<const double> layers, double behind) const;
+
  private:
   /// A material with its modulus in units of E, as the equations need it.
   struct Elastic {
@@ -58,6 +72,8 @@ class LayerCompliance {
 
   double homogeneous(int n) const;
   double mean() const;
+  Eigen::Vector2d admissible_mean() const;
+  Eigen::Vector2d cross_mean(const Shell& shell, Eigen::Vector2d y) const;
   HarmonicCompliance layered(int n) const;
   double body_force() const;
 

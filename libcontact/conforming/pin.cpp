@@ -12,14 +12,18 @@
 #include "libcontact/base/check.hpp"
 #include "libcontact/base/gauss_legendre.hpp"
 #include "libcontact/conforming/edge_fit.hpp"
+#include "libcontact/conforming/gap/signed_contact.hpp"
 #include "libcontact/conforming/half_angle_root.hpp"
-#include "libcontact/conforming/pin_wall_modes.hpp"
+#include "libcontact/conforming/kernel/pin_wall_modes.hpp"
+#include "libcontact/conforming/pin_integrals.hpp"
 #include "libcontact/conforming/wall_harmonics.hpp"
 #include "libcontact/conforming/wide_edge.hpp"
 
 // Letters as in docs/conforming.md: b = tan(theta0/2), q = tan(theta0/4).
 namespace contact {
 namespace {
+
+using detail::ChebyshevMoments;
 
 constexpr double pi = std::numbers::pi;
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -31,6 +35,7 @@ constexpr int most_unknowns = PinContact::max_walled_unknowns;
 constexpr int max_terms = 96;
 constexpr int usual_terms = 48;
 static_assert(max_terms >= most_unknowns);
+static_assert(ChebyshevMoments::max_count >= most_unknowns + max_terms);
 
 template <int max>
 using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, max, 1>;
@@ -38,73 +43,13 @@ using Unknowns = Vector<most_unknowns>;
 using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0,
                              most_unknowns, most_unknowns>;
 
-// m_i = ∫ T_{2i}(s)/(1 + b^2 s^2) ds over [-1, 1], i < count. They satisfy
-//   b^2 (m_{i-1} + 2 m_i + m_{i+1}) + 4 m_i = 4 ∫ T_{2i} ds.
-// Forward recursion is unstable; as a diagonally dominant system, closed far
-// out by the asymptotic value, it is not.
-class ChebyshevMoments {
- public:
-  ChebyshevMoments(double b2, int count) {
-    // What the closure leaves at index `count` is q^(4 extra_rows) of its own
-    // error: below 1e-15 for theta0 < 140 deg, 1e-9 at 165 deg.
-    constexpr int extra_rows = 24;
-    const int n = count + extra_rows;
-    const auto right_side = [](int i) { return 2 / (1 - 4.0 * i * i); };
-    const double order = 2.0 * n;
-    const double end =
-        right_side(n) / (1 + b2) * (1 - 6 * b2 / (1 + b2) / (order * order));
-    std::array<double, max_rows> ratio;
-    double diagonal = 2 * b2 + 4;
-    double above = 2 * b2;  // row 0: m_{-1} = m_1
-    moments_[0] = 4 * right_side(0) / diagonal;
-    for (int i = 1; i < n; ++i) {
-      ratio[i - 1] = above / diagonal;
-      diagonal = 2 * b2 + 4 - b2 * ratio[i - 1];
-      moments_[i] = (4 * right_side(i) - b2 * moments_[i - 1]) / diagonal;
-      above = b2;
-    }
-    moments_[n - 1] -= b2 * end / diagonal;
-    for (int i = n - 2; i >= 0; --i) {
-      moments_[i] -= ratio[i] * moments_[i + 1];
-    }
-  }
-
-  // K_jk = ∫ (1 - s^2) U_{2j} U_{2k}/(1 + b^2 s^2) ds.
-  double matrix_element(int j, int k) const {
-    return 0.5 * (moments_[std::abs(j - k)] - moments_[j + k + 1]);
-  }
-
-  // ∫ U_{2j}/(1 + b^2 s^2) ds, j < out.size().
-  template <class Vector>
-  void second_kind(Vector& out) const {
-    double sum = moments_[0];
-    for (int j = 0; j < out.size(); ++j) {
-      out(j) = sum;
-      sum += 2 * moments_[j + 1];
-    }
-  }
-
-  static constexpr int max_count = most_unknowns + max_terms;
-
- private:
-  static constexpr int max_rows = max_count + 24;
-  std::array<double, max_rows> moments_;
-};
-
 // ∫ sqrt(1 - s^2) U_{2k} g/(1 + b^2 s^2) ds, k < count, for the functions g
 // on the right of the equation.
 struct RightSides {
   RightSides(double half_angle, const PinConstants& constants,
              InnerLoading loading, int count)
       : constant(count), cosine(count), load(count) {
-    const double q = std::tan(half_angle / 4);
-    const double q2 = q * q;
-    double term = pi / 2 * (1 - q2);
-    for (int k = 0; k < count; ++k) {
-      constant(k) = term;
-      cosine(k) = term * (2 * k + 1) * (1 - q2) / (1 + q2);
-      term *= -q2;
-    }
+    detail::project_first_harmonics(half_angle, constant, cosine);
     load = (1 + constants.beta) * cosine;
     if (loading.is_back()) add_back(half_angle, constants, loading);
   }
@@ -240,9 +185,11 @@ PinContact::PinContact(const LayeredPair& pair, InnerLoading loading,
                  max_walled_unknowns) {
   detail::require_uncoated(pair, loading);
   const detail::WallHarmonics walls(JointKind::pin, pair);
-  if (walls.correction.empty()) return;
+  const bool has_layers = !walls.correction.empty();
+  // In a rigid hole too the centres have a shift.
+  if (!has_layers && std::isnan(walls.first)) return;
   wall_ = std::make_shared<const Wall>(walls);
-  constants_.mean_share += walls.correction[0];
+  if (has_layers) constants_.mean_share += walls.correction[0];
 }
 
 PinContact PinContact::from_dundurs(double outer_compliance_share,
@@ -352,20 +299,6 @@ ExactHalfAngle PinContact::limit_half_angle() const noexcept {
 
 namespace {
 
-// (P_n + P_{n-1})(cos theta0)/2, n < end; 1 at n = 0.
-std::vector<double> averages(double half_angle, int end) {
-  std::vector<double> average = {1};
-  double before = 1;
-  double now = std::cos(half_angle);
-  for (int n = 1; n < end; ++n) {
-    average.push_back((now + before) / 2);
-    const double next =
-        ((2 * n + 1) * std::cos(half_angle) * now - n * before) / (n + 1);
-    before = std::exchange(now, next);
-  }
-  return average;
-}
-
 // sum (c_n - 1/n) p_n cos nt, n >= 2, of homogeneous bodies, averaged with the
 // weight of approach(): of p = b sum y_k sin((2k+1) phi) with the kernel
 // sum (beta n + 1)/(n (n^2 - 1)) cos nx, which is smooth but for x = 0.
@@ -423,13 +356,18 @@ double excess_of(double half_angle, const Unknowns& y) {
 
 }  // namespace
 
-ForcePoint PinContact::force_point(double half_angle) const noexcept {
-  if (!(half_angle > 0 && half_angle <= largest_) || !wall_ ||
-      loading_.is_back() || std::isnan(wall_->first)) {
-    return {nan, {nan, nan}, nan};
+// How the bodies yield, all over 2 K_1: the approach D - eps, and its rate over
+// the load at constant clearance.
+struct PinContact::Yield {
+  double approach;
+  double rate;
+};
+
+PinContact::Yield PinContact::yield(double half_angle, const System& system,
+                                    const Solution& solution) const noexcept {
+  if (!wall_ || loading_.is_back() || std::isnan(wall_->first)) {
+    return {nan, nan};
   }
-  const System system(*this, half_angle);
-  const Solution solution = system.solve(unknowns_);
   const Eigen::MatrixXd& t = system.modes->transformation();
   const double beta = constants_.beta;
   const double mean_share = constants_.mean_share;
@@ -443,7 +381,8 @@ ForcePoint PinContact::force_point(double half_angle) const noexcept {
                average_without_walls(half_angle, beta, solution.y);
   const double first_average = (1 + std::cos(half_angle)) / 2;
   sum += (wall_->first - 1) * first_average;
-  const std::vector<double> average = averages(half_angle, wall_->end());
+  const std::vector<double> average =
+      detail::edge_averages(half_angle, wall_->end());
   const detail::HarmonicSamples samples(half_angle, wall_->end());
   const Eigen::VectorXd weight = wall_->weights(samples);
   Eigen::VectorXd singular = Eigen::VectorXd::Zero(t.rows());
@@ -480,12 +419,41 @@ ForcePoint PinContact::force_point(double half_angle) const noexcept {
 
   const double reciprocal = solution.reciprocal;
   const double cosine = std::cos(half_angle / 2);
-  // delta/(eps lambda)
   const double approach =
       (2 * sum + reciprocal * sine * sine) / (cosine * cosine);
-  return {reciprocal,
-          {approach / reciprocal, pi / 2 / (approach + reciprocal * rate)},
+  return {approach, approach + reciprocal * rate};
+}
+
+ForcePoint PinContact::force_point(double half_angle) const noexcept {
+  if (!(half_angle > 0 && half_angle <= largest_) || !wall_ ||
+      loading_.is_back() || std::isnan(wall_->first)) {
+    return {nan, {nan, nan}, nan};
+  }
+  const System system(*this, half_angle);
+  const Solution solution = system.solve(unknowns_);
+  const Yield yielding = yield(half_angle, system, solution);
+  return {solution.reciprocal,
+          {yielding.approach / solution.reciprocal, pi / 2 / yielding.rate},
           excess_of(half_angle, solution.y)};
+}
+
+detail::SignedContact PinContact::signed_contact(
+    double half_angle) const noexcept {
+  if (!(half_angle > 0 && half_angle <= largest_) || loading_.is_back()) {
+    return {nan, nan, nan, nan, nan, nan};
+  }
+  const System system(*this, half_angle);
+  const Solution solution = system.solve(unknowns_);
+  const Yield yielding = yield(half_angle, system, solution);
+  const double inverse = solution.reciprocal / 2;
+  const double first = wall_ ? wall_->first : nan;
+  // P = pi rho p_1
+  return {inverse,
+          inverse + (constants_.mean_share - constants_.beta),
+          1 - solution.mean,
+          yielding.approach / 2 + inverse - first,
+          yielding.rate / 2 - first,
+          pi * pressure(half_angle).pressure(0)};
 }
 
 int PinContact::terms() const noexcept {

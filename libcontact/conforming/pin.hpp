@@ -11,6 +11,10 @@
 
 namespace contact {
 
+namespace detail {
+struct SignedContact;
+}
+
 /// The elastic constants that PinContact needs.
 struct PinConstants {
   double mean_share;       ///< c_0 + beta: w_2 = (1 + alpha)/2, and Dc_0
@@ -94,6 +98,11 @@ class PinContact {
   /// approach() is.
   ForcePoint force_point(double half_angle) const noexcept;
 
+  /// The contact in quantities that do not end where the clearance does: for
+  /// half-angles about the limit angle and beyond, which interference has.
+  /// NaN outside (0, largest()], and if loaded through the back.
+  detail::SignedContact signed_contact(double half_angle) const noexcept;
+
   /// Pressure at theta0 in (0, largest()], in units of P/rho. Beyond the
   /// limit angle it is the pressure of a pin with interference.
   ///
@@ -114,6 +123,7 @@ class PinContact {
 
  private:
   struct Wall;
+  struct Yield;
   struct System;
   struct Solution;
 
@@ -121,6 +131,8 @@ class PinContact {
              int most);
   System system(double half_angle) const noexcept;
   double reciprocal(double half_angle) const noexcept;
+  Yield yield(double half_angle, const System& system,
+              const Solution& solution) const noexcept;
 
   PinConstants constants_;
   InnerLoading loading_;

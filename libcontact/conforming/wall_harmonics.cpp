@@ -62,7 +62,7 @@ void require_conditioning(JointKind kind, const LayeredPair& pair) {
 }  // namespace
 
 WallHarmonics::WallHarmonics(JointKind kind, const LayeredPair& pair)
-    : first(0) {
+    : mean(0), first(0) {
   require_conditioning(kind, pair);
   for (const Side side : {Side::inner, Side::outer}) {
     const LayerCompliance compliance = compliance_of(kind, side, pair);
@@ -71,6 +71,7 @@ WallHarmonics::WallHarmonics(JointKind kind, const LayeredPair& pair)
     for (int n = 0; n < count; ++n) {
       if (n != 1) correction[n] += compliance(n).correction;
     }
+    mean += compliance(0).total;
     first += compliance(1).total;
   }
 }
@@ -93,6 +94,30 @@ int walled_unknowns(const LayeredPair& pair) {
   if (thickness > 0.025) return 24;
   if (thickness > 0.009) return 32;
   return thickness > 0.0045 ? 48 : 64;
+}
+
+int gap_unknowns(const LayeredPair& pair) {
+  // Measured: conforming/gap_test.cpp.
+  const double thickness =
+      std::min(pair.relative_thickness(), free_ring_thickness(pair) / 5);
+  if (thickness > 0.5) return 16;
+  if (thickness > 0.15) return 24;
+  if (thickness > 0.05) return 32;
+  return thickness > 0.015 ? 48 : 64;
+}
+
+bool can_have_interference(JointKind kind, const LayeredPair& pair) {
+  // Rounding of c_0, which is of the order of the thickness otherwise.
+  constexpr double incompressible = 1e-12;
+  const double mean = compliance_of(kind, Side::inner, pair)(0).total +
+                      compliance_of(kind, Side::outer, pair)(0).total;
+  return mean > incompressible;
+}
+
+LayeredPair without_layers(const ElasticPair& pair) {
+  return {1,
+          {{}, Backing::medium(pair.inner())},
+          {{}, Backing::medium(pair.outer())}};
 }
 
 void require_uncoated(const LayeredPair& pair, const InnerLoading& loading) {

@@ -17,6 +17,8 @@ struct WallHarmonics {
 
   /// Dc_n of both bodies together, n = 0, 1, ...; 0 at n = 1.
   std::vector<double> correction;
+  /// c_0 of both bodies.
+  double mean;
   /// c_1 of both bodies; NaN where it has no value.
   double first;
 };
@@ -29,6 +31,16 @@ double free_ring_thickness(const LayeredPair& pair);
 /// the edge of the contact has a layer as wide as the wall is thick, under a
 /// ring that is free outside a fifth of that.
 int walled_unknowns(const LayeredPair& pair);
+
+/// Unknowns that the solutions by the gap (PinGap, BallGap) need for 1e-9.
+int gap_unknowns(const LayeredPair& pair);
+
+/// Whether the bodies can be pressed together all round, c_0 > 0: all but an
+/// incompressible layer or body between rigid ones.
+bool can_have_interference(JointKind kind, const LayeredPair& pair);
+
+/// A pair of homogeneous bodies as one without layers.
+LayeredPair without_layers(const ElasticPair& pair);
 
 /// @throws Error for a coated inner body loaded through the back.
 void require_uncoated(const LayeredPair& pair, const InnerLoading& loading);

@@ -1,14 +1,21 @@
 #include "libcontact/half_angle/exact.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <numbers>
 
 #include "libcontact/base/text.hpp"
 #include "libcontact/base/units.hpp"
 #include "libcontact/conforming/ball.hpp"
+#include "libcontact/conforming/gap/ball_gap.hpp"
+#include "libcontact/conforming/gap/pin_gap.hpp"
 #include "libcontact/conforming/pin.hpp"
 #include "libcontact/conforming/pin_closed_form.hpp"
+#include "libcontact/conforming/wall_harmonics.hpp"
 #include "libcontact/half_angle/approach_table.hpp"
+#include "libcontact/half_angle/closing_table.hpp"
 #include "libcontact/half_angle/fitted.hpp"
 #include "libcontact/half_angle/registry.hpp"
 #include "libcontact/half_angle/table.hpp"
@@ -18,12 +25,16 @@ namespace contact {
 struct detail::ExactRelation {
   HalfAngleTable load;
   ApproachTable::Solver approach = {};  // none: no contact has one
+  // Without a table where there is no interference.
+  std::function<std::unique_ptr<ClosingTable>(double limit)> make_closing = {};
 };
 
 namespace {
 
 using detail::ApproachTable;
+using detail::ClosingTable;
 using detail::ExactRelation;
+using detail::HalfAngleTable;
 
 // beta and w_2 are known to 4e-16; what so little of them does is below
 // rounding.
@@ -37,6 +48,45 @@ bool closes_up(JointKind kind, const ElasticPair& pair, InnerLoading loading) {
   return kind == JointKind::pin && !loading.is_back() &&
          pair.outer_compliance_share() <= negligible &&
          std::abs(pair.dundurs_beta()) <= negligible;
+}
+
+constexpr double pi = std::numbers::pi;
+
+// Below this half-angle the solutions by the pressure serve, above it those by
+// the gap: both are good to 1e-11 for 15 deg on either side.
+constexpr double from_gap = 115 * degree;
+
+template <class Contact, class Gap>
+std::unique_ptr<ClosingTable> make_closing(const LayeredPair& pair,
+                                           double limit) {
+  const Gap gap(pair);
+  // More unknowns than for narrow contacts.
+  const Contact contact(pair, InnerLoading::centre(),
+                        std::max(24, detail::gap_unknowns(pair)));
+  const auto solver = [&](double opening) {
+    return pi - opening < from_gap ? contact.signed_contact(pi - opening)
+                                   : gap.solve(opening);
+  };
+  return std::make_unique<ClosingTable>(
+      solver, pi - limit, pair.relative_thickness(), gap.mean_compliance(),
+      gap.first_compliance());
+}
+
+template <class... Types>
+void add_closing(ExactRelation& relation, const LayeredPair& pair) {
+  relation.make_closing = [pair](double limit) {
+    return make_closing<Types...>(pair, limit);
+  };
+}
+
+void add_closing(ExactRelation& relation, JointKind kind,
+                 const LayeredPair& pair, const InnerLoading& loading) {
+  if (loading.is_back() || !detail::can_have_interference(kind, pair)) return;
+  if (kind == JointKind::pin) {
+    add_closing<PinContact, detail::PinGap>(relation, pair);
+  } else {
+    add_closing<BallContact, detail::BallGap>(relation, pair);
+  }
 }
 
 template <class Contact>
@@ -95,40 +145,119 @@ ExactLaw::ExactLaw(JointKind kind, const ElasticPair& pair,
     closed_form_ = std::make_unique<const FittedLaw>(kind, pair);
     return;
   }
-  relation_ = std::make_unique<const ExactRelation>(
+  auto relation = std::make_unique<ExactRelation>(
       kind == JointKind::pin ? pin_relation(pair, loading)
                              : ball_relation(pair, loading));
+  add_closing(*relation, kind, detail::without_layers(pair), loading);
+  relation_ = std::move(relation);
+  // So that no half-angle has to make it.
+  if (!relation_->load.reaches_limit()) closing();
 }
 
 ExactLaw::ExactLaw(JointKind kind, const LayeredPair& pair,
                    InnerLoading loading)
     : HalfAngleLaw(kind, MadeFor(pair.surfaces(), {loading, pair})),
-      relation_(std::make_unique<const ExactRelation>(
-          kind == JointKind::pin
-              ? walled_pin_relation(pair, loading)
-              : ball_relation(pair, loading, pair.relative_thickness()))) {}
+      walls_(pair) {
+  auto relation = std::make_unique<ExactRelation>(
+      kind == JointKind::pin
+          ? walled_pin_relation(pair, loading)
+          : ball_relation(pair, loading, pair.relative_thickness()));
+  add_closing(*relation, kind, pair, loading);
+  relation_ = std::move(relation);
+  // So that no half-angle has to make it.
+  if (!relation_->load.reaches_limit()) closing();
+}
 
 ExactLaw::~ExactLaw() = default;
 
+const ClosingTable* ExactLaw::closing() const {
+  std::call_once(closing_asked_, [this] {
+    if (!relation_ || !relation_->make_closing) return;
+    closing_ = relation_->make_closing(relation_->load.largest());
+  });
+  return closing_.get();
+}
+
+namespace {
+
+// x by 1/mu or 1/lambda.
+double inverse_unit(JointKind kind) {
+  return kind == JointKind::pin ? 0.5 : pi / 2;
+}
+
+// theta0 at x, from the limit half-angle to 180 deg.
+HalfAngleResult closing_half_angle(const ClosingTable& table, double inverse) {
+  const double beyond = inverse + table.mean_compliance();
+  if (beyond <= 0) return {pi, Status::ok, 0};
+  const ClosingTable::Root root = table.opening(inverse);
+  const double half_angle = pi - root.opening;
+  return {half_angle, Status::ok, inverse / beyond * root.slope / half_angle};
+}
+
+}  // namespace
+
+double ExactLaw::load_of_inverse(double inverse) const {
+  return inverse_unit(joint_kind()) / inverse;
+}
+
 HalfAngleResult ExactLaw::half_angle(double load_parameter) const noexcept {
-  return relation_ ? relation_->load.half_angle(load_parameter)
-                   : closed_form_->half_angle(load_parameter);
+  const auto by_gap = [&] {
+    return closing_half_angle(*closing(),
+                              inverse_unit(joint_kind()) / load_parameter);
+  };
+  if (std::signbit(load_parameter)) {
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    if (std::isnan(load_parameter) || !closing()) {
+      return {nan, Status::out_of_range};
+    }
+    return by_gap();
+  }
+  if (!relation_) return closed_form_->half_angle(load_parameter);
+  const HalfAngleResult result = relation_->load.half_angle(load_parameter);
+  // Where the solution by the pressure ends that by the gap goes on.
+  return result.status == Status::not_converged && closing() ? by_gap()
+                                                             : result;
 }
 
 LoadParameterResult ExactLaw::load_parameter(double half_angle) const noexcept {
+  if (relation_ && half_angle > relation_->load.largest() && half_angle <= pi &&
+      closing()) {
+    return {load_of_inverse(closing()->at(pi - half_angle).inverse),
+            Status::ok};
+  }
   return relation_ ? relation_->load.load_parameter(half_angle)
                    : closed_form_->load_parameter(half_angle);
 }
 
+double ExactLaw::closing_load() const {
+  return closing() ? load_of_inverse(-closing()->mean_compliance())
+                   : HalfAngleLaw::closing_load();
+}
+
+ContactApproach ExactLaw::shift(double half_angle) const {
+  if (!(half_angle >= limit_half_angle() && half_angle <= pi) || !closing()) {
+    return HalfAngleLaw::shift(half_angle);
+  }
+  const detail::SignedContact c = closing()->at(pi - half_angle);
+  const double first = closing()->first_compliance();
+  // P = pi E K_1/4, R_n = pi rho E K_1/3.
+  const double unit = joint_kind() == JointKind::pin ? pi / 4 : pi / 3;
+  return {first + c.gap_shift, unit / (first + c.gap_compliance)};
+}
+
 double ExactLaw::limit_half_angle() const noexcept {
-  return relation_ ? relation_->load.largest()
-                   : closed_form_->limit_half_angle();
+  if (!relation_) return closed_form_->limit_half_angle();
+  if (relation_->load.reaches_limit() || !closing()) {
+    return relation_->load.largest();
+  }
+  return pi - closing()->opening(0).opening;
 }
 
 ContactApproach ExactLaw::approach(double half_angle) const {
   std::call_once(approach_asked_, [this] {
     if (!relation_ || !relation_->approach) return;
-    const auto& [load, solver] = *relation_;
+    const HalfAngleTable& load = relation_->load;
+    const ApproachTable::Solver& solver = relation_->approach;
     // A contact has an approach at all half-angles or at none.
     if (std::isnan(solver(load.largest() / 2).approach)) return;
     approach_ =
@@ -139,7 +268,7 @@ ContactApproach ExactLaw::approach(double half_angle) const {
 }
 
 std::vector<std::string> ExactLaw::validity_notes(const ElasticPair&) const {
-  if (!relation_ || relation_->load.reaches_limit()) return {};
+  if (!relation_ || relation_->load.reaches_limit() || closing()) return {};
   return {
       detail::message("the exact solution ends at {:.4g} deg, before the limit "
                       "half-angle of this pair",
@@ -155,11 +284,12 @@ extern constexpr HalfAngleEntry exact_law = {
               .needs = LawEntry::Needs::conditions,
               .allows_back = true,
               .allows_walls = true,
+              .least_clearance = Clearance::interference,
               .is_slow_to_make = true},
     .ball_cost = 25,
     .pin_cost = 15,
     .make = [](const HalfAngleRequest& asked) -> std::unique_ptr<HalfAngleLaw> {
-      const auto& [loading, walls] = asked.conditions;
+      const auto& [loading, walls, clearance] = asked.conditions;
       return walls
                  ? std::make_unique<ExactLaw>(asked.kind, *walls, loading)
                  : std::make_unique<ExactLaw>(asked.kind, asked.pair, loading);

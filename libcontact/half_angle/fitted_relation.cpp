@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "libcontact/conforming/ball_kernel.hpp"
+#include "libcontact/conforming/kernel/ball_kernel.hpp"
 #include "libcontact/half_angle/coefficients.hpp"
 
 namespace contact::detail {

@@ -44,10 +44,12 @@ class HalfAngleLaw {
   virtual std::string name() const = 0;
 
   /// theta0 at a load.
-  /// @param load_parameter  mu or lambda, [0, infinity]
+  /// @param load_parameter  mu or lambda, [0, infinity]: infinite without
+  ///         clearance. Below 0, -0.0 included, it is that of an interference,
+  ///         whose contact grows to 180 deg as the load falls: there only laws
+  ///         with a closing_load() have values.
   /// @return theta0, rad; 0 at 0, limit_half_angle() at infinity. NaN with
-  ///         out_of_range for NaN, for a negative load and where the law has
-  ///         no value.
+  ///         out_of_range for NaN and where the law has no value.
   virtual HalfAngleResult half_angle(double load_parameter) const noexcept = 0;
 
   /// Inverse of half_angle().
@@ -57,8 +59,29 @@ class HalfAngleLaw {
   virtual LoadParameterResult load_parameter(
       double half_angle) const noexcept = 0;
 
-  /// Largest half-angle of the law, rad.
+  /// Largest half-angle of the law with a clearance, rad.
   virtual double limit_half_angle() const noexcept = 0;
+
+  /// The load parameter, below 0, at which a joint with interference begins to
+  /// lift off: nearer to 0 its contact is closed all round, theta0 = pi. NaN of
+  /// laws that know no interference: of all but ExactLaw.
+  virtual double closing_load() const {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+
+  /// @throws Error if a joint with interference has no such load: its inner
+  ///   body is loaded through the back, or the two cannot be pressed together.
+  void require_closing_load() const;
+
+  /// The shift D of the centres from where they coincide, over
+  /// K_1 = (4 rho/E) p_1 (a pin's P = pi rho p_1, a ball's
+  /// R_n = (4 pi/3) rho^2 p_1), and the stiffness as approach() has it, at
+  /// half-angles that joints without clearance and with interference have:
+  /// [limit_half_angle(), pi]. NaN outside, and where approach() is.
+  virtual ContactApproach shift(double /*half_angle*/) const {
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    return {nan, nan};
+  }
 
   /// Approach and stiffness at a half-angle in (0, limit_half_angle()), NaN
   /// outside. ExactLaw has them, and makes a table when first asked.

@@ -293,7 +293,8 @@ double parse_share(std::string_view text) {
 extern constexpr HalfAngleEntry hertz_law = {
     .about = {.name = "hertz",
               .meaning = "arcsin x, for x <= 1",
-              .accuracy = "small contacts: 5 % at lambda = 0.03"},
+              .accuracy = "small contacts: 5 % at lambda = 0.03",
+              .least_clearance = Clearance::positive},
     .equation = "(2.1)",
     .ball_cost = 4,
     .pin_cost = 2,

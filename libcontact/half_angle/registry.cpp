@@ -1,5 +1,7 @@
 #include "libcontact/half_angle/registry.hpp"
 
+#include <cmath>
+
 #include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
 #include "libcontact/base/text.hpp"
@@ -31,19 +33,20 @@ const HalfAngleEntry* find_half_angle_entry(std::string_view name) {
   return nullptr;
 }
 
-std::vector<std::string> half_angle_names(bool (*fits)(const HalfAngleEntry&)) {
-  std::vector<std::string> names;
-  for (const HalfAngleEntry* entry : half_angle_entries()) {
-    if (fits(*entry)) names.emplace_back(entry->about.name);
-  }
-  return names;
-}
-
 }  // namespace detail
 
+void HalfAngleLaw::require_closing_load() const {
+  if (!std::isnan(closing_load())) return;
+  throw Error(detail::needs(
+      to_string(kind_) + " joint with interference",
+      "a load through the centre, and bodies that can be pressed together all "
+      "round: an incompressible layer or body between rigid ones has no place "
+      "to go"));
+}
+
 const std::vector<std::string>& half_angle_law_names() {
-  static const std::vector<std::string> names =
-      detail::half_angle_names([](const auto&) { return true; });
+  static const std::vector<std::string> names = detail::names_of(
+      detail::half_angle_entries(), [](const auto&) { return true; });
   return names;
 }
 
@@ -62,14 +65,8 @@ std::unique_ptr<HalfAngleLaw> make_half_angle_law(
     std::string_view name, JointKind kind, const ElasticPair& pair,
     const HalfAngleOptions& options, const ContactConditions& conditions) {
   if (!half_angle_law_allows(name, conditions)) {
-    throw Error(detail::must_be(
-        detail::message("half-angle law {}", detail::printable(name)),
-        detail::message(
-            "{} with {}",
-            detail::either(detail::half_angle_names([](const auto& e) {
-              return e.about.allows_back && e.about.allows_walls;
-            })),
-            to_string(conditions))));
+    detail::refuse_law("half-angle law", name, detail::half_angle_entries(),
+                       conditions);
   }
   const detail::HalfAngleEntry* entry = detail::find_half_angle_entry(name);
   if (!entry) {
@@ -79,7 +76,11 @@ std::unique_ptr<HalfAngleLaw> make_half_angle_law(
   const std::string_view parameter =
       name == entry->about.name ? std::string_view()
                                 : name.substr(entry->about.name.size() + 1);
-  return entry->make({kind, pair, options, conditions, parameter});
+  auto law = entry->make({kind, pair, options, conditions, parameter});
+  if (conditions.clearance == Clearance::interference) {
+    law->require_closing_load();
+  }
+  return law;
 }
 
 }  // namespace contact

@@ -2,9 +2,7 @@
 
 #include <memory>
 #include <span>
-#include <string>
 #include <string_view>
-#include <vector>
 
 #include "libcontact/half_angle/factory.hpp"
 #include "libcontact/pair/law_entry.hpp"
@@ -39,8 +37,5 @@ std::span<const HalfAngleEntry* const> half_angle_entries();
 
 /// The entry of a name, with or without a parameter; null if there is none.
 const HalfAngleEntry* find_half_angle_entry(std::string_view name);
-
-/// The names for which `fits` is true.
-std::vector<std::string> half_angle_names(bool (*fits)(const HalfAngleEntry&));
 
 }  // namespace contact::detail

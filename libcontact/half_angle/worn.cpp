@@ -76,6 +76,8 @@ double WornHalfAngle::half_angle_of_overlap(JointKind kind, double overlap) {
 
 HalfAngleResult WornHalfAngle::half_angle(
     double load_parameter) const noexcept {
+  // A seat that is pressed all round wears in another way.
+  if (!(load_parameter >= 0)) return {nan, Status::out_of_range, nan};
   const HalfAngleResult fresh = law_->half_angle(load_parameter);
   const double g = overlap(joint_kind(), fresh.half_angle);
   if (fresh.status != Status::ok || std::isnan(g)) {

@@ -1,4 +1,4 @@
-#include "libcontact/conforming/ball_kernel.hpp"
+#include "libcontact/conforming/kernel/ball_kernel.hpp"
 
 #include <Eigen/Core>
 #include <algorithm>
@@ -79,28 +79,75 @@ double cavity_compliance(int harmonic, double nu) {
          (g * (n + 2) * ((n + 1) * n + 1 - nu * (2 * n + 1)));
 }
 
-BallKernel::BallKernel(const BallConstants& constants) {
-  const Fraction inner(constants.inner_poisson);
-  const Fraction outer(constants.outer_poisson);
-  const auto inner_expansion = inner.expansion<powers>();
-  const auto outer_expansion = outer.expansion<powers>();
-  std::array<double, powers> q;
-  double sign = -1;
-  for (int k = 0; k < powers; ++k) {
-    q[k] = constants.inner_share * inner_expansion[k] +
-           sign * constants.outer_share * outer_expansion[k];
-    sign = -sign;
+namespace {
+
+// N (w_1 s_n + w_2 e_n) - 1.
+class Excess {
+ public:
+  explicit Excess(const BallConstants& constants)
+      : inner_share_(constants.inner_share),
+        outer_share_(constants.outer_share),
+        inner_(constants.inner_poisson),
+        outer_(constants.outer_poisson) {}
+
+  double operator()(double order) const {
+    return inner_share_ * inner_(order) + outer_share_ * outer_(-order);
   }
 
+  // Coefficients of N^-1, N^-2, ...
+  template <std::size_t count>
+  std::array<double, count> expansion() const {
+    const auto inner = inner_.expansion<count>();
+    const auto outer = outer_.expansion<count>();
+    std::array<double, count> q;
+    double sign = -1;
+    for (std::size_t k = 0; k < count; ++k) {
+      q[k] = inner_share_ * inner[k] + sign * outer_share_ * outer[k];
+      sign = -sign;
+    }
+    return q;
+  }
+
+ private:
+  double inner_share_, outer_share_;
+  Fraction inner_, outer_;
+};
+
+}  // namespace
+
+BallKernel::BallKernel(const BallConstants& constants)
+    : BallKernel(Excess(constants).expansion<powers>(), [&] {
+        const Excess excess(constants);
+        Direct d;
+        // n = 1 is a rigid motion: any d_1 will do, the approach takes it up.
+        for (int n = 0; n < direct_terms; ++n) {
+          d[n] = n == 1 ? 0 : excess(n + 0.5);
+        }
+        return d;
+      }()) {}
+
+BallKernel BallKernel::of_gap(const BallConstants& constants) {
+  const Excess excess(constants);
+  const Powers q = excess.expansion<powers>();
+  Powers inverse;  // of 1 + q_0/N + q_1/N^2 + ..., without the 1
+  for (int k = 0; k < powers; ++k) {
+    inverse[k] = -q[k];
+    for (int j = 0; j < k; ++j) inverse[k] -= q[j] * inverse[k - 1 - j];
+  }
+  Direct e{};
+  for (int n = 2; n < direct_terms; ++n) {
+    const double d = excess(n + 0.5);
+    e[n] = -d / (1 + d);
+  }
+  return {inverse, e};
+}
+
+BallKernel::BallKernel(const Powers& q, const Direct& direct) {
   for (int n = 0; n < direct_terms; ++n) {
     const double order = n + 0.5;
     double closed = 0;
     for (int k = powers - 1; k >= 0; --k) closed = (closed + q[k]) / order;
-    // n = 1 is a rigid motion: any d_1 will do, the approach takes it up.
-    direct_[n] = (n == 1 ? 0
-                         : constants.inner_share * inner(order) +
-                               constants.outer_share * outer(-order)) -
-                 closed;
+    direct_[n] = direct[n] - closed;
   }
 
   // sum cos(N x)/N^(m+1) is the real part of (Erdelyi, Higher Transcendental

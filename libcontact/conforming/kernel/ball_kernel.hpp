@@ -31,6 +31,12 @@ class BallKernel {
  public:
   explicit BallKernel(const BallConstants& constants);
 
+  /// The kernel of the same contact's equation for its gap,
+  ///
+  ///     kappa_e(x) = sum_{n >= 2} e_n cos((n + 1/2) x),  e_n = 1/(1 + d_n)
+  ///     - 1.
+  static BallKernel of_gap(const BallConstants& constants);
+
   /// kappa at many x in (0, 2 pi); absolute error below 1e-13
   /// (conforming/ball_test.cpp, against a sum of 2e5 terms with closed tail).
   void evaluate(std::span<const double> x, std::span<double> kappa) const;
@@ -44,10 +50,16 @@ class BallKernel {
   static constexpr int powers = 8;
   static constexpr int direct_terms = 64;
 
+  using Powers = std::array<double, powers>;
+  using Direct = std::array<double, direct_terms>;
+  /// @param q       of N^-1, N^-2, ... in the harmonics
+  /// @param direct  the first harmonics
+  BallKernel(const Powers& q, const Direct& direct);
+
   std::array<double, series_terms> even_{};     // of x^2
   std::array<double, powers / 2> logarithmic_;  // of x^2, times ln x
   std::array<double, powers / 2> odd_;          // of x^2, times x
-  std::array<double, direct_terms> direct_;     // of cos((n + 1/2) x)
+  Direct direct_;                               // of cos((n + 1/2) x)
 };
 
 }  // namespace contact::detail

@@ -1,4 +1,4 @@
-#include "libcontact/conforming/ball_wall_kernel.hpp"
+#include "libcontact/conforming/kernel/ball_wall_kernel.hpp"
 
 #include <Eigen/Core>
 #include <algorithm>

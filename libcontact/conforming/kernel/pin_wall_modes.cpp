@@ -1,4 +1,4 @@
-#include "libcontact/conforming/pin_wall_modes.hpp"
+#include "libcontact/conforming/kernel/pin_wall_modes.hpp"
 
 #include <algorithm>
 #include <cmath>

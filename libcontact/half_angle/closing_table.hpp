@@ -1,0 +1,68 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+
+#include "libcontact/conforming/gap/signed_contact.hpp"
+
+namespace contact::detail {
+
+/// An exact contact between its limit half-angle and 180 deg, where it closes
+/// all round, as Chebyshev series: what HalfAngleTable is below the limit. By
+/// psi = pi - theta0 it keeps
+///
+///     w = ln((x + c_0)/sin^2(psi/2)),
+///
+/// which is smooth down to psi = 0, and the other members of SignedContact.
+/// The variable is ln(1 + psi/t), t the thickness of walls over the radius, or
+/// sqrt(c_0) if that is less: bodies that hardly yield all round change their
+/// law there.
+class ClosingTable {
+ public:
+  using Solver = std::function<SignedContact(double opening)>;
+
+  /// @param solver    at psi in (0, largest]; called here only
+  /// @param largest   pi less the limit half-angle
+  /// @param thickness t; infinite without walls
+  /// @param mean      c_0 > 0
+  /// @param first     c_1, may be NaN
+  ClosingTable(const Solver& solver, double largest, double thickness,
+               double mean, double first);
+
+  double mean_compliance() const { return mean_; }
+  double first_compliance() const { return first_; }
+  double largest() const { return largest_; }
+  /// x at the largest psi: 0, or more where a solution ends before its limit.
+  double largest_inverse() const;
+
+  /// The contact at psi in [0, largest()].
+  SignedContact at(double opening) const;
+
+  struct Root {
+    double opening;  ///< psi
+    double slope;    ///< dpsi/dln(x + c_0)
+  };
+  /// psi at x in (-c_0, largest_inverse()].
+  Root opening(double inverse) const;
+
+ private:
+  static constexpr int columns = 5;
+  struct Value {
+    double value;
+    double slope;  // over psi
+  };
+  void tabulate(const Solver& solver, int count);
+  bool is_resolved() const;
+  double variable(double opening) const;
+  Eigen::RowVectorXd series(double opening) const;
+  Value logarithm(double opening) const;  // w
+
+  double largest_;
+  double thickness_;
+  double range_;
+  double mean_;
+  double first_;
+  Eigen::MatrixXd coefficients_;  // a degree a row
+};
+
+}  // namespace contact::detail
