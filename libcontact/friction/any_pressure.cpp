@@ -9,6 +9,7 @@
 #include "libcontact/base/instruction_set.hpp"
 #include "libcontact/friction/by_parts.hpp"
 #include "libcontact/friction/friction_integrals.hpp"
+#include "libcontact/friction/harmonics.hpp"
 #include "libcontact/friction/kernel/exact_call.hpp"
 #include "libcontact/friction/kernel/expansion_table.hpp"
 #include "libcontact/friction/models.hpp"
@@ -40,11 +41,21 @@ double edge_pressure(const PressureLaw& law, const PressureExpansion& p,
   return p.is_empty() ? law.pressure(half_angle, half_angle) : p.edge_pressure;
 }
 
+using Harmonics = std::array<double, detail::max_pressure_harmonics>;
+
 /// One point.
 FrictionIntegrals one_point(const PressureLaw& law, double half_angle,
                             SlipAxis axis, const CapKernel& kernel) {
   const auto cap = detail::prepare(half_angle, axis.sin, axis.cos);
   FrictionIntegrals r = detail::exact_point(kernel, cap);
+  if (half_angle > law.largest_half_angle()) {
+    Harmonics harmonics;
+    if (detail::harmonics_of(law, half_angle, harmonics)) {
+      r.coefficient = detail::coefficients_by_harmonics(harmonics, axis);
+      set_scale(law.peak(half_angle), r);
+      return r;
+    }
+  }
   const PressureExpansion p = detail::expansion_of(law, half_angle);
   if (p.is_cosine()) return r;
   if (half_angle >= 0 && half_angle <= smallest_half_angle) {
@@ -129,6 +140,14 @@ double second_moment(const PressureLaw& law, double half_angle) {
 FrictionIntegrals viscous_friction_integrals(const PressureLaw& law,
                                              double half_angle, SlipAxis axis) {
   FrictionIntegrals r = viscous_friction_integrals(half_angle, axis);
+  if (half_angle > law.largest_half_angle()) {
+    std::array<double, 3> harmonics;
+    if (detail::harmonics_of(law, half_angle, harmonics)) {
+      r.coefficient = detail::viscous_by_harmonics(harmonics, axis);
+      set_scale(law.peak(half_angle), r);
+      return r;
+    }
+  }
   const PressureExpansion p = detail::expansion_of(law, half_angle);
   if (half_angle <= smallest_half_angle || p.is_cosine()) return r;
   const double at_centre = law.pressure(0, half_angle);

@@ -66,13 +66,19 @@ class Stress {
          const FrictionStress& stress)
       : profile_(law, contact.half_angle),
         unit_(contact.pressure_unit),
+        uniform_(contact.uniform_pressure),
         rim_speed_(contact.rim_speed),
         stress_(stress) {}
 
-  double operator()(double theta, double share_of_speed) const {
+  double pressure(double theta) const {
     // Of laws that end like a root, rounding may say less than 0.
-    const double p = std::max(unit_ * profile_.pressure(theta), 0.0);
+    return std::max(unit_ * profile_.pressure(theta) + uniform_, 0.0);
+  }
+  double at_pressure(double p, double share_of_speed) const {
     return stress_.stress_at(p, rim_speed_ * share_of_speed);
+  }
+  double operator()(double theta, double share_of_speed) const {
+    return at_pressure(pressure(theta), share_of_speed);
   }
   // How far from the slip axis the stress changes with the speed, rad.
   double layer() const { return stress_.speed_scale() / rim_speed_; }
@@ -80,6 +86,7 @@ class Stress {
  private:
   detail::PressureProfile profile_;
   double unit_;
+  double uniform_;
   double rim_speed_;
   const FrictionStress& stress_;
 };
@@ -259,6 +266,7 @@ FrictionTriple by_definition(double half_angle, SlipAxis axis,
       const double theta = ends[part - 1] + share * width;
       const double sine = std::sin(theta);
       const double z = std::cos(theta);
+      const double p = stress.pressure(theta);
       for (const auto& [turn, turn_weight] : rule.nodes) {
         const double y = sine * std::cos(pi * turn);
         const double x = sine * std::sin(pi * turn);
@@ -266,8 +274,8 @@ FrictionTriple by_definition(double half_angle, SlipAxis axis,
         const double w = std::hypot(across, x);
         if (w == 0) continue;
         const double along = q * y + sa * z;
-        const double t =
-            stress(theta, w) / w * sine * weight * width * turn_weight * pi;
+        const double t = stress.at_pressure(p, w) / w * sine * weight * width *
+                         turn_weight * pi;
         sum.force += t * across;
         sum.sliding += t * (q - y * along);
         sum.spinning += t * (sa - z * along);

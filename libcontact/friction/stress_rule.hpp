@@ -11,6 +11,9 @@ struct StressedContact {
   double half_angle;     ///< theta0, rad
   double pressure_unit;  ///< JointGeometry::pressure_unit(), Pa
   double rim_speed;      ///< rho |Dw|, m/s
+  /// What a contact that is closed all round has beyond the law's pressure, Pa:
+  /// JointContact::uniform_pressure().
+  double uniform_pressure = 0;
 };
 
 /// Of stress_integrals(): n - 2 great circles of n + 2 points, or twice that

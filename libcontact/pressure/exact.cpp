@@ -14,7 +14,9 @@
 #include "libcontact/conforming/wide_edge.hpp"
 #include "libcontact/pressure/edge_polynomial.hpp"
 #include "libcontact/pressure/expansion.hpp"
+#include "libcontact/pressure/gap/lifted.hpp"
 #include "libcontact/pressure/plain_logarithm.hpp"
+#include "libcontact/pressure/profile.hpp"
 #include "libcontact/pressure/registry.hpp"
 
 namespace contact {
@@ -140,6 +142,7 @@ ExactPressure::Column ExactPressure::Series::evaluate(double v) const {
 ExactPressure::ExactPressure(JointKind kind, const ElasticPair& pair,
                              InnerLoading loading)
     : PressureLaw(kind, MadeFor(pair, {.loading = loading})) {
+  set_interference(detail::without_layers(pair), loading);
   if (kind == JointKind::ball) {
     // More unknowns for the pressure; the limit is that of the half-angles.
     const BallContact contact(pair, loading, 24);
@@ -163,11 +166,40 @@ ExactPressure::ExactPressure(JointKind kind, const ElasticPair& pair,
 ExactPressure::ExactPressure(JointKind kind, const LayeredPair& pair,
                              InnerLoading loading)
     : PressureLaw(kind, MadeFor(pair.surfaces(), {loading, pair})) {
+  set_interference(pair, loading);
   if (kind == JointKind::ball) {
     tabulate(BallContact(pair, loading), pair);
   } else {
     tabulate(PinContact(pair, loading), pair);
   }
+}
+
+ExactPressure::~ExactPressure() = default;
+
+void ExactPressure::set_interference(const LayeredPair& pair,
+                                     const InnerLoading& loading) {
+  if (loading.is_back()) return;
+  if (detail::can_have_interference(joint_kind(), pair)) interference_ = pair;
+}
+
+const detail::LiftedPressure* ExactPressure::lifted() const noexcept {
+  std::call_once(lifted_asked_, [this] {
+    if (!interference_) return;
+    lifted_ = std::make_unique<const detail::LiftedPressure>(
+        joint_kind(), *interference_, pi - largest_);
+  });
+  return lifted_.get();
+}
+
+double ExactPressure::closing_half_angle() const noexcept {
+  return interference_ ? pi : largest_;
+}
+
+bool ExactPressure::harmonics(double half_angle,
+                              std::span<double> out) const noexcept {
+  if (joint_kind() == JointKind::pin || !is_lifted(half_angle)) return false;
+  lifted()->harmonics(pi - half_angle, out);
+  return true;
 }
 
 template <class Contact>
@@ -278,7 +310,20 @@ ContactPressure ExactPressure::contact(double half_angle) const noexcept {
           all.subspan(terms_, logarithms)};
 }
 
+namespace {
+
+// p_1 in pressure units.
+double first_harmonic(JointKind kind) {
+  return kind == JointKind::ball ? 3 / (4 * pi) : 1 / pi;
+}
+
+}  // namespace
+
 double ExactPressure::pressure(double theta, double half_angle) const noexcept {
+  if (is_lifted(half_angle)) {
+    return first_harmonic(joint_kind()) *
+           lifted()->pressure(std::abs(theta), pi - half_angle);
+  }
   if (std::isnan(theta) || !has(half_angle)) return nan;
   if (theta == 0) return centre(half_angle);
   if (std::abs(theta) > half_angle) return 0;
@@ -286,6 +331,9 @@ double ExactPressure::pressure(double theta, double half_angle) const noexcept {
 }
 
 double ExactPressure::slope(double theta, double half_angle) const noexcept {
+  if (is_lifted(half_angle) && !std::isnan(theta)) {
+    return detail::PressureProfile(*this, half_angle).slope(theta);
+  }
   if (std::isnan(theta) || !has(half_angle)) return nan;
   if (theta == 0 || std::abs(theta) > half_angle) return 0;
   return contact(half_angle).slope(theta);
@@ -322,6 +370,9 @@ PressureExpansion ExactPressure::expansion(double half_angle) const noexcept {
 }
 
 double ExactPressure::peak(double half_angle) const noexcept {
+  if (is_lifted(half_angle)) {
+    return first_harmonic(joint_kind()) * lifted()->centre(pi - half_angle);
+  }
   if (!has_walls() || !(half_angle > 0)) return centre(half_angle);
   return contact(half_angle).peak();
 }
@@ -334,6 +385,10 @@ double ExactPressure::centre(double half_angle) const noexcept {
 }
 
 double ExactPressure::force_ratio(double half_angle) const noexcept {
+  if (is_lifted(half_angle)) {
+    return (joint_kind() == JointKind::ball ? 3 : 2) *
+           lifted()->mean(pi - half_angle);
+  }
   return evaluate(half_angle)[terms_ + logarithms];
 }
 
@@ -346,10 +401,11 @@ extern constexpr PressureEntry exact_pressure = {
               .needs = LawEntry::Needs::conditions,
               .allows_back = true,
               .allows_walls = true,
+              .least_clearance = Clearance::interference,
               .is_slow_to_make = true},
     .shape = "series in an edge variable, with x^3 ln x",
     .make = [](const PressureRequest& asked) -> std::unique_ptr<PressureLaw> {
-      const auto& [loading, walls] = asked.conditions;
+      const auto& [loading, walls, clearance] = asked.conditions;
       return walls
                  ? std::make_unique<ExactPressure>(asked.kind, *walls, loading)
                  : std::make_unique<ExactPressure>(asked.kind, asked.pair,

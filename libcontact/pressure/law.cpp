@@ -14,6 +14,15 @@ PressureExpansion detail::expansion_of(const PressureLaw& law,
 
 PressureExpansion PressureLaw::expansion(double) const noexcept { return {}; }
 
+bool detail::harmonics_of(const PressureLaw& law, double half_angle,
+                          std::span<double> out) noexcept {
+  return law.harmonics(half_angle, out);
+}
+
+bool PressureLaw::harmonics(double, std::span<double>) const noexcept {
+  return false;
+}
+
 double PressureLaw::mean(double half_angle) const noexcept {
   const double force = force_ratio(half_angle);
   if (kind_ == JointKind::pin) return force / (2 * half_angle);

@@ -18,7 +18,9 @@ class PressureLaw;
 struct PressureExpansion;
 namespace detail {
 PressureExpansion expansion_of(const PressureLaw&, double half_angle) noexcept;
-}
+bool harmonics_of(const PressureLaw&, double half_angle,
+                  std::span<double> out) noexcept;
+}  // namespace detail
 
 /// A pressure law for one kind of joint; one's own is a ShapedPressure
 /// (shaped.hpp). Const functions that do not allocate
@@ -71,6 +73,13 @@ class PressureLaw {
   /// Largest theta0 for which the law is defined, rad.
   virtual double largest_half_angle() const noexcept = 0;
 
+  /// Largest theta0 of joints with interference, rad: largest_half_angle(), or
+  /// pi of a law that follows them until they close all round. Between the two
+  /// it has pressure(), peak(), force_ratio() and friction integrals.
+  virtual double closing_half_angle() const noexcept {
+    return largest_half_angle();
+  }
+
   /// Mean of p over the contact: S over its area in units of rho^2,
   /// 4 pi sin^2(theta0/2) (ball) or 2 theta0 (pin). Infinite at theta0 = 0.
   double mean(double half_angle) const noexcept;
@@ -90,6 +99,12 @@ class PressureLaw {
  private:
   friend PressureExpansion detail::expansion_of(const PressureLaw&,
                                                 double) noexcept;
+  friend bool detail::harmonics_of(const PressureLaw&, double,
+                                   std::span<double>) noexcept;
+  /// p_n/p_1 of a ball, n < out.size(), where friction is by them; false
+  /// elsewhere.
+  virtual bool harmonics(double half_angle,
+                         std::span<double> out) const noexcept;
   /// What makes the friction integrals of our own laws fast
   /// (pressure/expansion.hpp, which is not installed). Here there is none:
   /// friction follows from edge_slopes().

@@ -31,8 +31,8 @@ const PressureEntry* find_pressure_entry(std::string_view name) {
 }  // namespace detail
 
 const std::vector<std::string>& pressure_law_names() {
-  static const std::vector<std::string> names =
-      detail::pressure_names([](const auto&) { return true; });
+  static const std::vector<std::string> names = detail::names_of(
+      detail::pressure_entries(), [](const auto&) { return true; });
   return names;
 }
 
@@ -40,21 +40,16 @@ bool pressure_law_allows(std::string_view name,
                          const ContactConditions& conditions) {
   const detail::PressureEntry* entry = detail::find_pressure_entry(name);
   if (entry) return entry->about.allows(conditions);
-  return !conditions.walls;  // one's own
+  return !conditions.walls &&  // one's own
+         conditions.clearance != Clearance::interference;
 }
 
 std::unique_ptr<PressureLaw> make_pressure_law(
     std::string_view name, JointKind kind, const ElasticPair& pair,
     const ContactConditions& conditions) {
   if (!pressure_law_allows(name, conditions)) {
-    throw Error(detail::must_be(
-        detail::message("pressure law {}", detail::printable(name)),
-        detail::message(
-            "{} with {}",
-            detail::either(detail::pressure_names([&](const auto& entry) {
-              return entry.about.allows(conditions);
-            })),
-            to_string(conditions))));
+    detail::refuse_law("pressure law", name, detail::pressure_entries(),
+                       conditions);
   }
   const detail::PressureEntry* entry = detail::find_pressure_entry(name);
   if (!entry) {

@@ -2,9 +2,7 @@
 
 #include <memory>
 #include <span>
-#include <string>
 #include <string_view>
-#include <vector>
 
 #include "libcontact/pair/law_entry.hpp"
 #include "libcontact/pressure/factory.hpp"
@@ -30,15 +28,5 @@ std::span<const PressureEntry* const> pressure_entries();
 
 /// The entry of a name; null if there is none.
 const PressureEntry* find_pressure_entry(std::string_view name);
-
-/// The names for which `fits` is true.
-template <class Fits>
-std::vector<std::string> pressure_names(const Fits& fits) {
-  std::vector<std::string> names;
-  for (const PressureEntry* entry : pressure_entries()) {
-    if (fits(*entry)) names.emplace_back(entry->about.name);
-  }
-  return names;
-}
 
 }  // namespace contact::detail

@@ -24,7 +24,8 @@ double limit_half_angle(const HalfAngleLaw& law, const ElasticPair& pair) {
 
 }  // namespace
 
-ContactLimits::ContactLimits(const HalfAngleLaw& law, const ElasticPair& pair) {
+ContactLimits::ContactLimits(const HalfAngleLaw& law, const ElasticPair& pair,
+                             Clearance clearance) {
   const auto add_pressure = [this](double limit, const std::string& what) {
     limits_.push_back(
         {&LargestContact::peak_pressure, limit, megapascal, "peak pressure",
@@ -43,6 +44,7 @@ ContactLimits::ContactLimits(const HalfAngleLaw& law, const ElasticPair& pair) {
         detail::message("the limit pressure of the {} body{}", body,
                         material->name.empty() ? "" : ", " + material->name));
   }
+  if (clearance == Clearance::interference) return;
   constexpr double fitted_error = 1e-3;
   const double limit = limit_half_angle(law, pair);
   limits_.push_back(

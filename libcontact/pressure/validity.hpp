@@ -38,7 +38,9 @@ class ContactLimits {
  public:
   /// @param law   half-angle law of the joint
   /// @param pair  its surfaces, moduli in Pa
-  ContactLimits(const HalfAngleLaw& law, const ElasticPair& pair);
+  /// @param clearance  contacts of interference may be of any half-angle
+  ContactLimits(const HalfAngleLaw& law, const ElasticPair& pair,
+                Clearance clearance = Clearance::positive);
 
   /// The smallest limit of the peak pressure, Pa.
   double peak_pressure() const;

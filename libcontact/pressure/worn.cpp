@@ -77,6 +77,7 @@ extern constexpr PressureEntry worn_pressure = {
               .accuracy = "of another surface",
               .allows_back = true,
               .allows_walls = true,
+              .least_clearance = Clearance::positive,
               .is_among_all = false},
     .shape = "cos t",
     .make = [](const PressureRequest& asked) -> std::unique_ptr<PressureLaw> {
