@@ -9,4 +9,5 @@
 #include "libcontact/joint/moment_set.hpp"
 #include "libcontact/joint/joint.hpp"
 #include "libcontact/joint/group.hpp"
+#include "libcontact/joint/step.hpp"
 // clang-format on

@@ -2,6 +2,7 @@
 
 #include <limits>
 #include <memory>
+#include <numbers>
 #include <string>
 #include <utility>
 #include <vector>
@@ -13,8 +14,17 @@
 #include "libcontact/pair/joint_geometry.hpp"
 #include "libcontact/pair/material.hpp"
 #include "libcontact/pressure/law.hpp"
+#include "libcontact/pressure/validity.hpp"
 
 namespace contact {
+
+/// What clearance and load make of a contact.
+enum class ContactState {
+  closed,     ///< interference: pressed together all round, theta0 = pi
+  lifted,     ///< interference, opened on the side that the load leaves
+  zero,       ///< no clearance: theta0 is the limit half-angle at every load
+  clearance,  ///< as most joints have it
+};
 
 /// The contact of a joint's two halves: everything that is fixed about it
 /// (geometry, elastic pair, friction, laws of half-angle and pressure),
@@ -40,7 +50,8 @@ class JointContact {
   /// @param pair        the materials at the surfaces
   /// @param conditions  loading and walls that the laws were made for
   /// @throws Error if the kinds of joint differ, a law is missing, or one was
-  ///   made for other materials, another loading or other walls.
+  ///   made for other materials, another loading or other walls, or does not
+  ///   know the joint's clearance.
   JointContact(JointGeometry geometry, ElasticPair pair, FrictionModel friction,
                std::shared_ptr<const HalfAngleLaw> half_angle_law,
                std::shared_ptr<const PressureLaw> pressure_law,
@@ -79,14 +90,63 @@ class JointContact {
   std::string rest_refusal() const;
 
   /// Notes of geometry and half-angle law on use outside their range, one if
-  /// the pressure law ends before the half-angle law, and what costs a friction
+  /// the pressure law ends before the half-angle law, one if interference alone
+  /// presses harder than the softer body is stiff, and what costs a friction
   /// stress accuracy.
   std::vector<std::string> validity_notes() const;
+  /// A further one, on where its numbers are from.
+  void add_validity_note(std::string note) {
+    notes_.push_back(std::move(note));
+  }
 
-  /// mu or lambda.
+  /// How large the contacts may be.
+  ContactLimits limits() const {
+    return {*half_angle_law_, pair_,
+            clearance_of(geometry_.radial_clearance())};
+  }
+
+  /// @throws Error if the joint has no clearance, or interference.
+  /// @param what  that needs a clearance, for the message
+  void require_clearance(const std::string& what) const;
+
+  /// eps < 0.
+  bool has_interference() const { return unit_force_ < 0; }
+  /// p_0, Pa: the pressure of interference alone, the same all round. 0
+  /// without interference.
+  double interference_pressure() const noexcept;
+  /// What a contact that is closed all round has beyond the pressure of one
+  /// that is about to lift off under the same load, Pa: p_0 - p_1. 0 of others.
+  double uniform_pressure(double normal_force,
+                          double half_angle) const noexcept {
+    return is_closed(half_angle)
+               ? interference_pressure() - first_harmonic(normal_force)
+               : 0;
+  }
+  /// R_n, N, above which a contact with interference is open opposite the
+  /// load. 0 without interference.
+  double lift_off_force() const noexcept { return lift_off_force_; }
+  /// The friction moment that interference causes without any load, alike about
+  /// every axis of a ball, N m: pin rho l (f0 2 pi rho p_0 + 2 pi rho A), ball
+  /// pi^2 rho^3 (f0 p_0 + A). 0 without interference.
+  /// @param speed  |Dw|, rad/s; without influence on dry friction. At 0 it is
+  ///               the moment at which the joint breaks away.
+  double unloaded_moment(double speed) const noexcept;
+
+  /// What clearance and a load make of the contact.
+  ContactState state(double normal_force) const noexcept;
+  /// The sum of the pressures without regard to their direction, N: S R_n, and
+  /// of a closed contact that of its interference, at any load.
+  double sum_of_pressures(double normal_force,
+                          double half_angle) const noexcept;
+  /// D, m: the shift of the centres from where they coincide; eps + approach
+  /// with a clearance. NaN where the laws have none.
+  double shift(double normal_force, double half_angle) const noexcept;
+
+  /// mu or lambda; infinite without clearance, below 0 with interference.
   /// @param normal_force  R_n, N, >= 0
   double load_parameter(double normal_force) const noexcept {
-    return normal_force / unit_force_;
+    return unit_force_ == 0 ? std::numeric_limits<double>::infinity()
+                            : normal_force / unit_force_;
   }
   /// theta0 of the half-angle law.
   HalfAngleResult half_angle(double normal_force) const noexcept {
@@ -116,10 +176,17 @@ class JointContact {
   /// @param speed  |Dw|, rad/s; without influence but for viscous friction
   Strength strength(double speed) const noexcept;
 
+  /// What the integrals of a load and their strength make together, N: friction
+  /// force, and both moments over rho. Has values without load too, where
+  /// coefficients over R_n have none.
+  FrictionTriple friction_at(double half_angle, SlipAxis axis,
+                             const Load& load) const noexcept;
+
   /// Area of the contact, m^2: 4 pi rho^2 sin^2(theta0/2) or 2 rho l theta0.
   double area(double half_angle) const noexcept;
   /// Peak pressure, Pa.
   double peak_pressure(double normal_force, double half_angle) const noexcept {
+    if (is_closed(half_angle)) return closed_pressure(0, normal_force);
     return pressure_law_->peak(half_angle) * normal_force / unit_pressure_area_;
   }
   /// JointGeometry::pressure_unit() under R_n, Pa.
@@ -130,12 +197,14 @@ class JointContact {
   /// @param theta  angle from the contact's centre, rad
   double pressure(double theta, double normal_force,
                   double half_angle) const noexcept {
+    if (is_closed(half_angle)) return closed_pressure(theta, normal_force);
     return pressure_law_->pressure(theta, half_angle) *
            pressure_unit(normal_force);
   }
   /// How far the halves are pressed into each other, m from first touch, and
   /// dR_n/d(approach), N/m: HalfAngleLaw::approach() in SI units, with what is
-  /// NaN there.
+  /// NaN there. Without clearance and with interference there is no first
+  /// touch: NaN.
   /// @param half_angle  theta0, rad
   ContactApproach approach(double half_angle) const noexcept {
     return approach(*half_angle_law_, geometry_, pair_, half_angle);
@@ -147,10 +216,25 @@ class JointContact {
                                   double half_angle) noexcept;
   /// Mean pressure over the contact, Pa.
   double mean_pressure(double normal_force, double half_angle) const noexcept {
+    if (is_closed(half_angle)) return interference_pressure();
     return pressure_law_->mean(half_angle) * normal_force / unit_pressure_area_;
   }
 
  private:
+  void set_clearance(const JointGeometry& geometry);
+  void check_clearance() const;
+  // All round: p_0 + p_1 cos(theta).
+  bool is_closed(double half_angle) const noexcept {
+    return has_interference() && half_angle == std::numbers::pi;
+  }
+  double first_harmonic(double normal_force) const noexcept;
+  double closed_pressure(double theta, double normal_force) const noexcept;
+  FrictionIntegrals closed_integrals(SlipAxis axis,
+                                     double normal_force) const noexcept;
+  FrictionTriple closed_friction(SlipAxis axis,
+                                 const Load& load) const noexcept;
+  FrictionTriple stress_forces(double half_angle, SlipAxis axis,
+                               const Load& load) const noexcept;
   FrictionIntegrals stress_integrals(double half_angle, SlipAxis axis,
                                      const Load& load) const noexcept;
 
@@ -159,7 +243,9 @@ class JointContact {
   FrictionModel friction_;
   std::shared_ptr<const HalfAngleLaw> half_angle_law_;
   std::shared_ptr<const PressureLaw> pressure_law_;
-  double unit_force_;          // R_n at load parameter 1
+  std::vector<std::string> notes_;
+  double unit_force_;  // R_n at load parameter 1, of eps' sign
+  double lift_off_force_ = 0;
   double unit_pressure_area_;  // rho^2 or rho l
 };
 

@@ -67,7 +67,9 @@ void set_contact(JointSolution& s, const JointContact& contact, double force,
   s.load_parameter = contact.load_parameter(force);
   s.half_angle = half_angle;
   s.contact_area = contact.area(half_angle);
-  s.peak_pressure = force > 0 ? contact.peak_pressure(force, half_angle) : 0;
+  s.contact_state = contact.state(force);
+  const bool is_pressed = force > 0 || contact.has_interference();
+  s.peak_pressure = is_pressed ? contact.peak_pressure(force, half_angle) : 0;
   s.adhesion_number =
       strength.area_part == 0
           ? 0
@@ -84,7 +86,8 @@ JointSolution resting_solution(const JointContact& contact,
   }
   JointSolution s;
   s.status = Status::ok;
-  s.state = loaded ? JointState::resting : JointState::unloaded;
+  s.state = loaded || contact.has_interference() ? JointState::resting
+                                                 : JointState::unloaded;
   s.reaction = reaction;
   s.normal = loaded ? force.direction : Vector3d(Vector3d::Zero());
   s.friction_force = s.friction_moment = s.slip_velocity = Vector3d::Zero();
@@ -95,6 +98,22 @@ JointSolution resting_solution(const JointContact& contact,
   s.force_coefficient = s.sliding_coefficient = s.spinning_coefficient = 0;
   set_contact(s, contact, force.length, half_angle.half_angle,
               contact.strength(0));
+  return s;
+}
+
+// Sliding under interference alone: closed all round, every axis alike.
+JointSolution without_load(const JointContact& contact, const Polar& spin) {
+  JointSolution s;
+  s.status = Status::ok;
+  s.state = JointState::sliding;
+  s.evaluations = 1;
+  const double moment = contact.unloaded_moment(spin.length);
+  s.friction_moment = -moment * spin.direction;
+  s.power = -moment * spin.length;
+  s.reaction_direction = s.friction_direction = {0, 1};
+  s.sliding_coefficient = infinity;
+  set_contact(s, contact, 0, contact.half_angle(0).half_angle,
+              contact.strength(spin.length));
   return s;
 }
 
@@ -136,6 +155,9 @@ JointSolution Joint::solve_from(const JointSolution::Memory& last,
   const Polar spin(slip.angular_velocity);
   if (!(force.length < infinity && spin.length < infinity)) {
     return not_a_number(Status::out_of_range, reaction);
+  }
+  if (force.length == 0 && spin.length > 0 && contact_.has_interference()) {
+    return without_load(contact_, spin);
   }
   if (force.length == 0 || spin.length == 0) {
     return resting_solution(contact_, reaction, force);
@@ -188,6 +210,9 @@ JointSolution Joint::solve_contact(const KnownContact& known) const noexcept {
   const Polar spin(known.angular_velocity);
   if (!(force.length < infinity && spin.length < infinity)) {
     return not_a_number(Status::out_of_range, normal_force);
+  }
+  if (force.length == 0 && spin.length > 0 && contact_.has_interference()) {
+    return without_load(contact_, spin);
   }
   if (force.length == 0 || spin.length == 0) {
     return resting_solution(contact_, normal_force, force);

@@ -161,6 +161,13 @@ RestSolution ball_at_rest(const Joint& joint, const Joint::Hold& hold,
 
   const double force = reaction.stableNorm();
   const Vector3d m = moment / needed;
+  if (force == 0) {  // interference alone: every axis alike
+    rest.direction = -m;
+    rest.slip = joint.solve({reaction, rest.direction}, options);
+    rest.solves = 1;
+    rest.utilisation = needed / rest.slip.friction_moment.stableNorm();
+    return rest;
+  }
   // Z: along R, on the side of -M.
   const double sign = reaction.dot(m) > 0 ? -1 : 1;
   const Vector3d z = sign * reaction / force;

@@ -49,27 +49,23 @@ SlipAxis from_cotangent(double cotangent) {
 MomentSet::MomentSet(const JointContact& contact, const Vector3d& normal,
                      double normal_force, double half_angle) noexcept
     : contact_(&contact),
-      normal_(normal),
+      // Without load every axis is alike.
+      normal_(normal.isZero(0) ? Vector3d::UnitZ() : normal),
       normal_force_(normal_force),
       half_angle_(half_angle) {
-  const double rho = contact.geometry().radius();
-  const JointContact::Strength strength = contact.strength(0);
-  pressure_part_ = rho * strength.pressure_part * normal_force;
-  area_part_ = rho * strength.area_part;
+  radius_ = contact.geometry().radius();
   const FrictionStress* stress = contact.stress();
   if (stress && stress->over_speed() == FrictionStress::OverSpeed::falls) {
-    pressure_part_ = nan;
+    radius_ = nan;
   }
   most_sliding_ = edge({0, 1}).sliding;
   most_spinning_ = edge({1, 0}).spinning;
 }
 
 MomentSet::Edge MomentSet::edge(SlipAxis axis) const noexcept {
-  const FrictionIntegrals i =
-      contact_->integrals(half_angle_, axis, {normal_force_, 0});
-  return {
-      pressure_part_ * i.coefficient.sliding + area_part_ * i.area.sliding,
-      pressure_part_ * i.coefficient.spinning + area_part_ * i.area.spinning};
+  const FrictionTriple t =
+      contact_->friction_at(half_angle_, axis, {normal_force_, 0});
+  return {radius_ * t.sliding, radius_ * t.spinning};
 }
 
 double MomentSet::support(const Vector3d& angular_velocity) const noexcept {

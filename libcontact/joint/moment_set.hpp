@@ -27,7 +27,7 @@ namespace contact {
 /// functions do not allocate and do not throw; NaN gives NaN.
 class MomentSet {
  public:
-  /// @param normal             n, unit vector
+  /// @param normal             n, unit vector; 0 without load
   /// @param normal_force       R_n, N, >= 0
   /// @param half_angle         theta0, rad
   MomentSet(const JointContact& contact, const Eigen::Vector3d& normal,
@@ -91,8 +91,7 @@ class MomentSet {
   Eigen::Vector3d normal_;
   double normal_force_;
   double half_angle_;
-  double pressure_part_;  // rho f0 R_n
-  double area_part_;      // A rho^3
+  double radius_;         // NaN where the power is not convex
   double most_sliding_;   // at a = 0
   double most_spinning_;  // at a = 90 deg
 };

@@ -7,6 +7,7 @@
 #include "libcontact/base/error.hpp"
 #include "libcontact/base/units.hpp"
 #include "libcontact/friction/integrals.hpp"
+#include "libcontact/joint/contact.hpp"
 
 /// What a Joint returns. All vectors are in the frame of the given
 /// reaction; forces and moments act on the body (the opposite ones on the
@@ -17,7 +18,7 @@ namespace contact {
 enum class JointState {
   sliding,   ///< they turn against each other
   resting,   ///< relative angular velocity exactly 0: no friction
-  unloaded,  ///< no reaction: no contact, no friction
+  unloaded,  ///< no reaction and no interference: no contact, no friction
 };
 
 /// "ok", "out_of_range", "not_converged".
@@ -46,6 +47,21 @@ constexpr std::string_view to_string(JointState state) {
   return "unloaded";
 }
 
+/// "closed", "lifted", "zero", "clearance".
+constexpr std::string_view to_string(ContactState state) {
+  switch (state) {
+    case ContactState::closed:
+      return "closed";
+    case ContactState::lifted:
+      return "lifted";
+    case ContactState::zero:
+      return "zero";
+    case ContactState::clearance:
+      break;
+  }
+  return "clearance";
+}
+
 /// When the solvers stop.
 struct SolveOptions {
   /// Stop when |f/tan g - 1| is estimated to be at most this; f is the
@@ -58,7 +74,9 @@ struct SolveOptions {
 /// Friction of one joint.
 ///
 /// At rest (resting) and without load the friction is 0 and the slip axis
-/// {0, 1} has no meaning; n = R/|R| at rest, 0 without load. If the status is
+/// {0, 1} has no meaning; n = R/|R| at rest, 0 without load. A joint with
+/// interference slides and rests without load too: n = 0 then, the moment is
+/// opposite to Dw, and its coefficient over R_n is infinite. If the status is
 /// out_of_range all numbers are NaN.
 struct JointSolution {
   /// Where a solution was found and how it changes with R and Dw: lets the next
@@ -119,7 +137,9 @@ struct JointSolution {
   /// k0 rho^2/(k1 R_n)); infinite without the latter.
   double adhesion_number = 0;
 
-  /// mu or lambda.
+  /// What clearance and load make of the contact.
+  ContactState contact_state = ContactState::clearance;
+  /// mu or lambda; infinite without clearance, below 0 with interference.
   double load_parameter = 0;
   /// theta0, rad.
   double half_angle = 0;

@@ -14,11 +14,28 @@
 #include "libcontact/pair/inner_loading.hpp"
 #include "libcontact/pair/joint_geometry.hpp"
 #include "libcontact/pair/layers.hpp"
+#include "libcontact/pair/temperatures.hpp"
 #include "libcontact/pressure/factory.hpp"
 
 namespace contact {
 
 class SharedLaws;
+
+/// What made the clearance of a joint that is warmer or colder than it was when
+/// its clearance was measured: docs/temperature.md.
+struct ThermalGrowth {
+  Temperatures temperatures;
+  double reference_clearance;  ///< at temperatures.reference, m
+  double inner;  ///< how far the surface of the ball or pin has grown, m
+  double outer;  ///< how far that of the seat or hole has, m
+  /// Largest strain alpha dT of all materials, in size.
+  double largest_strain;
+
+  /// A sentence if largest_strain is beyond 0.5 %.
+  std::vector<std::string> validity_notes() const;
+
+  friend bool operator==(const ThermalGrowth&, const ThermalGrowth&) = default;
+};
 
 /// A joint as a person describes it, each fact once: a value. Files, options, C
 /// and Python make one of these.
@@ -35,6 +52,8 @@ struct JointSpec {
   JointGeometry geometry;
   /// What the geometry is from, if from a fit.
   std::optional<Fit> fit = {};
+  /// What its clearance has grown from, if by at().
+  std::optional<ThermalGrowth> thermal_growth = {};
   /// Ball or pin: its material, or coatings and a core.
   LayeredBody inner;
   /// Seat or hole: its material, which then has no end, or layers and their
@@ -42,11 +61,18 @@ struct JointSpec {
   LayeredBody outer;
   std::optional<FrictionModel> friction = {};
   InnerLoading loading = InnerLoading::centre();
-  /// For make_half_angle_law(); "": exact with layers, else fitted.
+  /// For make_half_angle_law(); "": exact with layers and with interference,
+  /// else fitted.
   std::string half_angle_law = {};
   HalfAngleOptions half_angle_options = {};
   /// For make_pressure_law(); "": exact.
   std::string pressure_law = {};
+
+  /// The joint at these temperatures: the clearance of the geometry, or the one
+  /// from which it had grown, with what both surfaces grow when nothing touches
+  /// them. Linear in the differences of temperature; moduli stay what they are.
+  /// @throws Error if a material that grows has no thermal_expansion.
+  JointSpec at(Temperatures temperatures) const;
 
   /// The materials at the surfaces.
   ElasticPair pair() const { return {inner.surface(), outer.surface()}; }
@@ -66,7 +92,10 @@ struct JointSpec {
   std::unique_ptr<PressureLaw> make_pressure_law() const;
   /// Load from and to load parameter.
   LoadScale load_scale() const { return {geometry, pair()}; }
-  /// Notes of the geometry and of the half-angle law.
+  /// Where the clearance is from if it is not given itself, a sentence each:
+  /// fit and temperatures.
+  std::vector<std::string> clearance_notes() const;
+  /// Notes of the geometry, of its growth and of the half-angle law.
   std::vector<std::string> validity_notes() const;
 
   /// The joint as the text of a joint file (docs/joint_file.md) that needs no

@@ -73,12 +73,24 @@ void write(Toml& toml, const Material& material) {
   if (std::isfinite(material.limit_pressure)) {
     toml.number("limit_pressure_Pa", material.limit_pressure);
   }
+  if (material.thermal_expansion) {
+    toml.number("thermal_expansion_per_K", *material.thermal_expansion);
+  }
 }
 
 void write(Toml& toml, std::string_view header, const Layer& layer) {
   toml.table(header);
   toml.number("thickness_m", layer.thickness);
   write(toml, layer.material);
+}
+
+void write(Toml& toml, const Temperatures& temperatures) {
+  toml.number("inner_temperature_K", temperatures.inner);
+  toml.number("outer_temperature_K", temperatures.outer);
+  toml.number("reference_temperature_K", temperatures.reference);
+  if (temperatures.axial == AxialGrowth::held) {
+    toml.text("axial_growth", "held");
+  }
 }
 
 void write_geometry(Toml& toml, const JointSpec& joint) {
@@ -94,7 +106,9 @@ void write_geometry(Toml& toml, const JointSpec& joint) {
     toml.text("clearance", taken[static_cast<int>(joint.fit->taken())]);
   } else {
     toml.number("radius_m", g.radius());
-    toml.number("radial_clearance_m", g.radial_clearance());
+    toml.number("radial_clearance_m",
+                joint.thermal_growth ? joint.thermal_growth->reference_clearance
+                                     : g.radial_clearance());
   }
   if (g.kind() == JointKind::pin) toml.number("length_m", g.length());
 }
@@ -109,13 +123,12 @@ void write_bodies(Toml& toml, const JointSpec& joint) {
   }
   if (joint.outer.layers.empty()) return;
   const Backing& backing = joint.outer.backing;
-  if (backing.kind() == Backing::Kind::medium) {
+  if (backing == Backing::rigid() || backing == Backing::held()) {
+    toml.table("[wall]");
+    toml.text("backing", backing == Backing::held() ? "held" : "rigid");
+  } else {
     toml.table("[wall.backing]");
     write(toml, backing.material());
-  } else {
-    toml.table("[wall]");
-    toml.text("backing",
-              backing.kind() == Backing::Kind::held ? "held" : "rigid");
   }
   for (const Layer& layer : joint.outer.layers) {
     write(toml, "[[wall.layer]]", layer);
@@ -189,6 +202,7 @@ std::string JointSpec::canonical_text() const {
   toml.text("name", name);
   toml.text("kind", to_string(geometry.kind()));
   if (geometry.inner_body() == JointBody::body) toml.text("inner_body", "body");
+  if (thermal_growth) write(toml, thermal_growth->temperatures);
   write_geometry(toml, *this);
   write_bodies(toml, *this);
   if (friction) {

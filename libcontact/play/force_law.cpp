@@ -47,6 +47,9 @@ ForceSeries series_of(JointKind kind, const Pair& pair, int count) {
 ForceSeries series_of(const JointSpec& joint) {
   const JointKind kind = joint.geometry.kind();
   const std::string name = to_string(kind) + " joint with play";
+  if (!(joint.geometry.radial_clearance() > 0)) {
+    throw Error(detail::needs(name, "a radial_clearance above 0 m"));
+  }
   if (joint.loading.is_back()) {
     throw Error(detail::needs(name,
                               "loading = centre: that of a body that is "

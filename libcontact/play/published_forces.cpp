@@ -3,6 +3,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "libcontact/base/complaint.hpp"
+#include "libcontact/base/error.hpp"
+#include "libcontact/base/text.hpp"
+
 // h, R, R_1, R_2, c, l as in docs/play.md.
 namespace contact {
 namespace {
@@ -60,6 +64,13 @@ std::vector<PublishedForceLaw> published_force_laws(
     const JointGeometry& geometry, const ElasticPair& pair) {
   const double modulus = pair.contact_modulus();
   const double c = geometry.radial_clearance();
+  if (!(c > 0)) {
+    throw Error(detail::needs(
+        "published force laws",
+        detail::message("a radial_clearance above 0 m, not {}: the half-angle "
+                        "law exact alone knows joints without",
+                        c)));
+  }
   const double r1 = geometry.radius();
   const double r2 = r1 + c;
   const double r = r1 * r2 / c;

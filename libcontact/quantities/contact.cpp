@@ -6,6 +6,7 @@ namespace {
 using Patch = ContactPatch;
 
 bool has_half_angle(const Patch& p) { return !std::isnan(p.half_angle); }
+bool has_interference(const Patch& p) { return p.contact.has_interference(); }
 
 constexpr Quantity<Patch> of_patch[] = {
     {"half_angle", "theta0", Dimension::angle, "half-angle of the contact",
@@ -33,6 +34,31 @@ constexpr Quantity<Patch> of_patch[] = {
     {"contact_area", "", Dimension::area, "area of the contact",
      [](const Patch& p) { return p.contact.area(p.half_angle); }, "",
      has_half_angle},
+    // From here on those of preload_quantities().
+    {"interference_pressure", "p_0", Dimension::stress,
+     "pressure of interference alone, the same all round",
+     [](const Patch& p) { return p.contact.interference_pressure(); }, "",
+     has_interference},
+    {"lift_off_force", "R_lift_off", Dimension::force,
+     "normal force above which a contact with interference opens",
+     [](const Patch& p) { return p.contact.lift_off_force(); }, "",
+     has_interference},
+    {"unloaded_moment", "M_0", Dimension::moment,
+     "friction moment at which interference alone breaks away",
+     [](const Patch& p) { return p.contact.unloaded_moment(0); }, "",
+     has_interference},
+    {"sum_of_pressures", "sum_p", Dimension::force,
+     "sum of the pressures without regard to their direction",
+     [](const Patch& p) {
+       return p.contact.sum_of_pressures(p.normal_force, p.half_angle);
+     },
+     "", has_half_angle},
+    {"shift", "", Dimension::length,
+     "of the centres of the two bodies from where they coincide",
+     [](const Patch& p) {
+       return p.contact.shift(p.normal_force, p.half_angle);
+     },
+     "", has_half_angle},
 };
 
 constexpr Quantity<ContactApproach> of_approach[] = {
@@ -97,6 +123,11 @@ constexpr Quantity<Rating> of_rating[] = {
 }  // namespace
 
 std::span<const Quantity<ContactPatch>> patch_quantities() { return of_patch; }
+
+std::span<const Quantity<ContactPatch>> preload_quantities() {
+  constexpr std::size_t count = 5;
+  return std::span(of_patch).last<count>();
+}
 
 std::span<const Quantity<ContactApproach>> approach_quantities() {
   return of_approach;

@@ -95,6 +95,9 @@ constexpr Quantity<Worn> of_worn[] = {
     {"worn_share", "", Dimension::number,
      "of p ~ cos theta in the pressure; the rest is that of the joint",
      [](const Worn& w) { return w.worn_share; }},
+    {"clearance", "", Dimension::length,
+     "mean radial clearance round a pin; below 0: interference",
+     [](const Worn& w) { return w.clearance; }},
 };
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include "libcontact/quantities/fit.hpp"
 
+#include <algorithm>
+
 namespace contact {
 namespace {
 
@@ -38,7 +40,20 @@ constexpr FitQuantity of_fit[] = {
      [](const Fit& f) -> const VectorXd& { return f.weight; }},
 };
 
+constexpr FitParameter parameters[] = {
+    {FrictionParameter::coefficient, "coefficient", "f0", "f0",
+     "friction coefficient at high pressure"},
+    {FrictionParameter::adhesion, "adhesion", "A_Pa", "A", "adhesion"},
+    {FrictionParameter::clearance, "clearance", "radial_clearance_m",
+     "clearance", "difference of the radii"}};
+
 }  // namespace
+
+std::span<const FitParameter> fit_parameters() { return parameters; }
+
+const FitParameter& fit_parameter(FrictionParameter parameter) {
+  return *std::ranges::find(parameters, parameter, &FitParameter::parameter);
+}
 
 std::span<const FitQuantity> fit_quantities() { return of_fit; }
 

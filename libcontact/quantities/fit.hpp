@@ -23,4 +23,16 @@ struct FitQuantity {
 
 std::span<const FitQuantity> fit_quantities();
 
+/// A parameter for people.
+struct FitParameter {
+  FrictionParameter parameter;
+  std::string_view key;     ///< in Python: "clearance"
+  std::string_view column;  ///< in reports: "radial_clearance_m"
+  std::string_view name;    ///< of its correlations: "clearance"
+  std::string_view meaning;
+};
+
+std::span<const FitParameter> fit_parameters();
+const FitParameter& fit_parameter(FrictionParameter parameter);
+
 }  // namespace contact

@@ -29,7 +29,7 @@ struct Quantity {
   std::string_view meaning;
   std::variant<double (*)(const T&), int (*)(const T&), bool (*)(const T&),
                Status (*)(const T&), JointState (*)(const T&),
-               const Eigen::Vector3d& (*)(const T&)>
+               const Eigen::Vector3d& (*)(const T&), ContactState (*)(const T&)>
       of;
   /// Of a vector whose length is a column too, what that means.
   std::string_view length_meaning = {};
@@ -38,8 +38,10 @@ struct Quantity {
 
   std::string_view stem() const { return symbol.empty() ? key : symbol; }
   bool is_vector() const { return of.index() == 5; }
-  /// A Status or JointState, which tables print as a word.
-  bool is_word() const { return of.index() == 3 || of.index() == 4; }
+  /// A Status, JointState or ContactState, which tables print as a word.
+  bool is_word() const {
+    return of.index() == 3 || of.index() == 4 || of.index() == 6;
+  }
 };
 
 /// The SI unit for people: "N m"; "" if there is none.

@@ -7,12 +7,17 @@ using S = JointSolution;
 
 // Directions and angles that rest and lack of load leave without meaning.
 bool slides(const S& s) { return s.state == JointState::sliding; }
+// Of the moment of interference without load there is nothing over R_n.
+bool has_ratios(const S& s) { return !slides(s) || s.normal_force != 0; }
 
 constexpr Quantity<S> of_solution[] = {
     {"status", "", Dimension::number, "how the solver ended",
      [](const S& s) { return s.status; }},
     {"state", "", Dimension::number, "sliding, resting or unloaded",
      [](const S& s) { return s.state; }},
+    {"contact_state", "", Dimension::number,
+     "closed or lifted (interference), zero or clearance",
+     [](const S& s) { return s.contact_state; }},
     {"evaluations", "", Dimension::number, "contacts that the solver evaluated",
      [](const S& s) { return s.evaluations; }},
     {"residual", "", Dimension::number,
@@ -54,16 +59,16 @@ constexpr Quantity<S> of_solution[] = {
      [](const S& s) { return s.friction_direction.sin; }},
     {"moment_coefficient", "f_M", Dimension::number,
      "M_t/(rho R), the coefficient of friction of catalogues",
-     [](const S& s) { return s.moment_coefficient(); }},
+     [](const S& s) { return s.moment_coefficient(); }, "", has_ratios},
     {"sliding_coefficient", "f_sliding", Dimension::number,
      "sliding moment over rho R_n",
-     [](const S& s) { return s.sliding_coefficient; }},
+     [](const S& s) { return s.sliding_coefficient; }, "", has_ratios},
     {"spinning_coefficient", "f_spinning", Dimension::number,
      "spinning moment over rho R_n",
-     [](const S& s) { return s.spinning_coefficient; }},
+     [](const S& s) { return s.spinning_coefficient; }, "", has_ratios},
     {"adhesion_number", "Abar", Dimension::number,
      "adhesion number A rho^2/(f0 R_n)",
-     [](const S& s) { return s.adhesion_number; }},
+     [](const S& s) { return s.adhesion_number; }, "", has_ratios},
     {"load_parameter", "", Dimension::number, "mu of a ball, lambda of a pin",
      [](const S& s) { return s.load_parameter; }},
     {"half_angle", "theta0", Dimension::angle, "half-angle of the contact",

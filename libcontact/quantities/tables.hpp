@@ -25,6 +25,10 @@ struct ContactPatch {
 std::span<const Quantity<ContactPatch>> patch_quantities();
 std::span<const Quantity<ContactApproach>> approach_quantities();
 
+/// The last of these: columns of joints without clearance and with
+/// interference.
+std::span<const Quantity<ContactPatch>> preload_quantities();
+
 /// Of pure friction, f = f0, over the contact.
 std::span<const Quantity<FrictionTriple>> coefficient_quantities();
 

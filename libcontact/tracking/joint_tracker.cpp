@@ -27,20 +27,22 @@ using StateNumbers = std::array<double, sizeof(State) / sizeof(double)>;
 }  // namespace
 
 JointTracker::JointTracker(std::vector<JointContact> contacts)
-    : contacts_(std::move(contacts)),
+    : contacts_(std::make_shared<const std::vector<JointContact>>(
+          std::move(contacts))),
       kernel_(&detail::tracker_kernel(instruction_set(), size())),
       integrals_(&detail::cap_kernel(instruction_set())),
       exchange_(packet(size() + Exchange::size - 1)),
       states_(exchange_.size() * std::tuple_size_v<StateNumbers>),
-      is_plain_(contacts_.size()),
-      is_smooth_(contacts_.size()) {
+      is_plain_(contacts_->size()),
+      is_smooth_(contacts_->size()) {
   static_assert(Exchange::size == detail::CapKernel::few_points);
   for (int i = 0; i < size(); ++i) {
-    const JointContact& contact = contacts_[i];
+    const JointContact& contact = this->contact(i);
     if (contact.stress()) {
       throw Error(detail::must_be("friction of a joint that is tracked",
                                   "dry or viscous"));
     }
+    contact.require_clearance("a joint that is tracked");
     const JointGeometry& geometry = contact.geometry();
     const JointContact::Strength strength = contact.strength(1);
     State s = state(i);
@@ -89,7 +91,7 @@ detail::TrackerJoints JointTracker::joints() noexcept {
 JointTracker::Values JointTracker::values(int joint, double force,
                                           SlipAxis axis,
                                           double half_angle) const noexcept {
-  const JointContact& contact = contacts_[joint];
+  const JointContact& contact = this->contact(joint);
   const JointContact::Strength strength = contact.strength(1);
   axis = {std::max(axis.sin, detail::smallest_axis),
           std::max(axis.cos, detail::smallest_axis)};
@@ -112,7 +114,7 @@ bool JointTracker::set_window(int joint, double force,
   const double width = detail::trust_radius * force;
   const auto at = [&](double place) -> std::pair<double, double> {
     const double there = force + place * width;
-    const double half_angle = contacts_[joint].half_angle(there).half_angle;
+    const double half_angle = contact(joint).half_angle(there).half_angle;
     if (ball) return {std::sin(half_angle), std::cos(half_angle)};
     const Values found = values(joint, there, {0, 1}, half_angle);
     return {found.friction, found.sliding};
@@ -152,7 +154,7 @@ void JointTracker::evaluate_contact(int joint) noexcept {
   double& sine = at(&Exchange::half_angle_sin, joint);
   double& cosine = at(&Exchange::half_angle_cos, joint);
   if (at(&Exchange::outside, joint) != 0) {
-    const double half_angle = contacts_[joint].half_angle(force).half_angle;
+    const double half_angle = contact(joint).half_angle(force).half_angle;
     sine = std::sin(half_angle);
     cosine = std::cos(half_angle);
     // Its 15 evaluations are worth it if some contacts stay within.
@@ -185,7 +187,7 @@ void JointTracker::start(int joint, const JointSolution& solution,
                          solution.slip_axis.cos};
   const auto values_at = [&](double at_force, SlipAxis at_axis) {
     return values(joint, at_force, at_axis,
-                  contacts_[joint].half_angle(at_force).half_angle);
+                  contact(joint).half_angle(at_force).half_angle);
   };
   // Slopes by differences: balances rounding (4e-15/h) against curvature (h).
   constexpr double h = 1e-6;

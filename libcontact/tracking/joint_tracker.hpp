@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 #include "libcontact/base/vector_rows.hpp"
@@ -36,14 +37,15 @@ struct TrackerState;
 ///
 /// R and Dw in any frame, for each joint another one if one likes; Dw of a pin
 /// along its axis; of its R what is normal to that counts. No call but the
-/// constructor allocates or throws.
+/// constructor allocates or throws. A copy goes on from the same memory; the
+/// contacts are shared.
 class JointTracker {
  public:
   /// @param contacts  of balls and pins, dry or viscous
   /// @throws Error if one has a friction stress of its own.
   explicit JointTracker(std::vector<JointContact> contacts);
 
-  int size() const { return static_cast<int>(contacts_.size()); }
+  int size() const { return static_cast<int>(contacts_->size()); }
 
   /// Begins to track a joint, with two evaluations for its slopes.
   /// @param solution  of this joint, sliding
@@ -171,7 +173,9 @@ class JointTracker {
   struct alignas(64) Line {
     double of[8];
   };
-  std::vector<JointContact> contacts_;
+  const JointContact& contact(int joint) const { return (*contacts_)[joint]; }
+
+  std::shared_ptr<const std::vector<JointContact>> contacts_;
   const detail::TrackerKernel* kernel_;
   const detail::CapKernel* integrals_;
   std::vector<Exchange> exchange_;

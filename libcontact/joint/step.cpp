@@ -1,0 +1,293 @@
+#include "libcontact/joint/step.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "libcontact/base/complaint.hpp"
+#include "libcontact/base/text.hpp"
+
+namespace contact {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+// Motion and moment of a joint.
+struct Move {
+  Vector3d angular_velocity;
+  Vector3d moment;
+  Status status = Status::ok;
+};
+
+Move hold(const Vector3d& moment) { return {Vector3d::Zero(), moment}; }
+
+// M_t = -k Dw about u.
+Move viscous_about(const Vector3d& u, double k, double inertia, double free) {
+  const double rate = free * inertia / (inertia + k);
+  return {rate * u, -k * rate * u};
+}
+
+// A moment of a given size about u.
+Move dry_about(const Vector3d& u, double size, double inertia, double free) {
+  if (std::abs(inertia * free) <= size) return hold(-inertia * free * u);
+  const double moment = -std::copysign(size, free);
+  return {(free + moment / inertia) * u, moment * u};
+}
+
+// What friction, once its n, R_n and theta0 are known, leaves of a free motion.
+class Sliding {
+ public:
+  // @param rate  of the solution, rad/s
+  Sliding(const Joint& joint, const JointSolution& solution,
+          const Vector3d& rate)
+      : joint_(joint), solution_(solution), rate_(rate) {}
+
+  Move about(const Vector3d& u, double inertia, double free) const {
+    const double size = std::abs(solution_.friction_moment.dot(u));
+    return joint_.contact().is_viscous()
+               ? viscous_about(u, size / rate_.norm(), inertia, free)
+               : dry_about(u, size, inertia, free);
+  }
+
+  Move of_ball(const Matrix3d& inertia, const Vector3d& free) const {
+    if (solution_.state == JointState::unloaded) {
+      return {free, Vector3d::Zero()};
+    }
+    if (joint_.contact().is_viscous()) return viscous(inertia, free);
+    const MomentSet set = joint_.moment_set(solution_);
+    // Of a stress the set is that of rest; its size is that of the speed.
+    const double scale =
+        joint_.contact().stress()
+            ? solution_.friction_moment.norm() / set.moment(rate_).norm()
+            : 1;
+    const MomentSet::Prox prox = set.prox(inertia / scale, free);
+    return {prox.angular_velocity, scale * prox.moment, prox.status};
+  }
+
+ private:
+  // M_t = -K Dw, K round about n.
+  Move viscous(const Matrix3d& inertia, const Vector3d& free) const {
+    const Vector3d& n = solution_.normal;
+    const auto size = [&](const Vector3d& u) {
+      return joint_.solve_contact({solution_.normal_force * n, u})
+          .friction_moment.norm();
+    };
+    const double across = size(n.unitOrthogonal());
+    const Matrix3d k =
+        across * Matrix3d::Identity() + (size(n) - across) * n * n.transpose();
+    const Vector3d rate = (inertia + k).llt().solve(inertia * free);
+    return {rate, -k * rate};
+  }
+
+  const Joint& joint_;
+  const JointSolution& solution_;
+  const Vector3d& rate_;
+};
+
+// Begins a step with friction at its start, if the joint does not rest.
+void begin(const Joint& joint, const StepStart& start, JointStep& step) {
+  step.status = Status::ok;
+  if (start.angular_velocity.isZero(0)) return;
+  step.solution = joint.solve(
+      {start.reaction, start.angular_velocity, start.axis}, step.solution);
+  step.status = step.solution.status;
+}
+
+// Whether a resting joint holds a moment; if not, how it slides is looked for.
+bool holds(const Joint& joint, const StepStart& start, const Vector3d& axis,
+           const Vector3d& moment, JointStep& step) {
+  step.rest = joint.at_rest({start.reaction, moment, axis}, step.rest);
+  step.status = step.rest.status;
+  if (!(step.rest.utilisation > 1)) return true;
+  // Where nothing is held the free motion says in which direction it slides.
+  step.solution = std::isinf(step.rest.utilisation)
+                      ? joint.solve({start.reaction, start.free, axis})
+                      : step.rest.slip;
+  return false;
+}
+
+// Goes on from begin(), with an inertia and a free motion that may change from
+// sweep to sweep.
+// @param held   the moment that would hold the joint
+// @param slide  Move of a Sliding
+template <class Slide>
+void go_on(const Joint& joint, const StepStart& start, const Vector3d& axis,
+           const Vector3d& held, const Slide& slide, JointStep& step) {
+  const bool rests = start.angular_velocity.isZero(0);
+  Move next = hold(held);
+  if (!rests || !holds(joint, start, axis, held, step)) {
+    const Vector3d& rate = !rests ? start.angular_velocity
+                           : std::isinf(step.rest.utilisation)
+                               ? start.free
+                               : step.rest.direction;
+    next = slide(Sliding(joint, step.solution, rate));
+    step.status = std::max(step.status, next.status);
+  }
+  if (!next.moment.allFinite() || !next.angular_velocity.allFinite()) {
+    step.status = Status::out_of_range;
+  }
+  if (step.status == Status::out_of_range) {
+    next.angular_velocity = next.moment = Vector3d::Constant(nan);
+  }
+  step.angular_velocity = next.angular_velocity;
+  step.moment = next.moment;
+  step.holds = next.angular_velocity.isZero(0);
+}
+
+void go_on(const Joint& pin, const StepStart& start, const Vector3d& axis,
+           double inertia, double free, JointStep& step) {
+  const auto slide = [&](const Sliding& sliding) {
+    return sliding.about(axis, inertia, free);
+  };
+  go_on(pin, start, axis, -inertia * free * axis, slide, step);
+}
+
+void go_on(const Joint& ball, const StepStart& start, const Matrix3d& inertia,
+           const Vector3d& free, JointStep& step) {
+  const auto slide = [&](const Sliding& sliding) {
+    return sliding.of_ball(inertia, free);
+  };
+  go_on(ball, start, Vector3d::Zero(), -(inertia * free), slide, step);
+}
+
+Vector3d axis_of(const StepStart& start) {
+  if (!start.axis.isZero(0)) return start.axis;
+  return start.angular_velocity.isZero(0)
+             ? start.free.stableNormalized()
+             : start.angular_velocity.stableNormalized();
+}
+
+}  // namespace
+
+JointStep step(const Joint& joint, const StepStart& start,
+               const Matrix3d& inertia, const JointStep& last) noexcept {
+  JointStep result = last;
+  begin(joint, start, result);
+  if (joint.is_pin()) {
+    const Vector3d u = axis_of(start);
+    go_on(joint, start, u, u.dot(inertia * u), u.dot(start.free), result);
+  } else {
+    go_on(joint, start, inertia, start.free, result);
+  }
+  return result;
+}
+
+namespace {
+
+// Rows of a joint in the matrix of all.
+Eigen::Index size_of(const Joint& joint) { return joint.is_pin() ? 1 : 3; }
+
+void check(std::span<const Joint* const> joints,
+           std::span<const StepStart> starts, Eigen::Index rows,
+           Eigen::Index columns, std::size_t steps) {
+  Eigen::Index size = 0;
+  for (const Joint* joint : joints) size += size_of(*joint);
+  if (starts.size() != joints.size() || steps != joints.size()) {
+    throw Error("step: starts and steps must be as many as the joints");
+  }
+  if (rows != size || columns != size) {
+    throw Error(detail::must_be(
+        detail::message("step: inertia of {} by {}", rows, columns),
+        detail::message("{} by {}, three rows of a ball and one of a pin", size,
+                        size)));
+  }
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    if (joints[i]->is_pin() && starts[i].axis.isZero(0)) {
+      throw Error(detail::message("step: pin {} requires axis", i));
+    }
+  }
+}
+
+// What a joint would do if all others moved as they do now: its block of W and
+// W_ii (free - what the others take away), in place of W_ii free.
+struct Others {
+  const Eigen::Ref<const Eigen::MatrixXd>& inertia;
+  std::span<const Joint* const> joints;
+  std::span<const StepStart> starts;
+  std::span<const JointStep> steps;
+
+  // sum over j != i of W_ij (Dw_j - free_j)
+  template <int rows>
+  Eigen::Matrix<double, rows, 1> moment(std::size_t i, Eigen::Index at) const {
+    Eigen::Matrix<double, rows, 1> sum = Eigen::Matrix<double, rows, 1>::Zero();
+    Eigen::Index column = 0;
+    for (std::size_t j = 0; j < joints.size(); ++j) {
+      const Vector3d change = steps[j].angular_velocity - starts[j].free;
+      if (joints[j]->is_pin()) {
+        if (j != i) {
+          sum +=
+              inertia.block<rows, 1>(at, column) * starts[j].axis.dot(change);
+        }
+        column += 1;
+      } else {
+        if (j != i) sum += inertia.block<rows, 3>(at, column) * change;
+        column += 3;
+      }
+    }
+    return sum;
+  }
+};
+
+}  // namespace
+
+StepSweeps step(std::span<const Joint* const> joints,
+                std::span<const StepStart> starts,
+                const Eigen::Ref<const Eigen::MatrixXd>& inertia,
+                std::span<JointStep> steps, double tolerance) {
+  check(joints, starts, inertia.rows(), inertia.cols(), steps.size());
+  double size = 0;
+  Eigen::Index at = 0;
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    begin(*joints[i], starts[i], steps[i]);
+    // As if nothing held: the first sweep begins there.
+    steps[i].angular_velocity = starts[i].free;
+    const auto rows = size_of(*joints[i]);
+    size = std::max(
+        size, starts[i].free.norm() * inertia.block(at, at, rows, rows).norm());
+    at += rows;
+  }
+  const Others others{inertia, joints, starts, steps};
+  constexpr int sweep_limit = 1000;
+  StepSweeps result;
+  for (result.sweeps = 1;; ++result.sweeps) {
+    double change = 0;
+    result.status = Status::ok;
+    at = 0;
+    for (std::size_t i = 0; i < joints.size(); ++i) {
+      JointStep& one = steps[i];
+      const Vector3d before = one.angular_velocity;
+      if (joints[i]->is_pin()) {
+        const Vector3d& u = starts[i].axis;
+        const double w = inertia(at, at);
+        go_on(*joints[i], starts[i], u, w,
+              u.dot(starts[i].free) - others.moment<1>(i, at)[0] / w, one);
+        change = std::max(change, w * (one.angular_velocity - before).norm());
+        at += 1;
+      } else {
+        const Matrix3d w = inertia.block<3, 3>(at, at);
+        go_on(*joints[i], starts[i], w,
+              starts[i].free - w.llt().solve(others.moment<3>(i, at)), one);
+        change = std::max(change, (w * (one.angular_velocity - before)).norm());
+        at += 3;
+      }
+      result.status = std::max(result.status, one.status);
+      if (one.status == Status::out_of_range) {
+        result.status = one.status;
+        return result;
+      }
+    }
+    result.residual = size > 0 ? change / size : 0;
+    if (result.residual <= tolerance || joints.size() == 1) return result;
+    if (result.sweeps == sweep_limit) {
+      result.status = Status::not_converged;
+      return result;
+    }
+  }
+}
+
+}  // namespace contact
