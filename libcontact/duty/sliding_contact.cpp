@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 
 #include "libcontact/base/highest.hpp"
@@ -97,10 +98,14 @@ SlidingContact::SlidingContact(const JointContact& contact,
                  std::get_if<ViscousLaw>(&contact.friction())) {
     heat_stress_ = {viscous->pressure_slope(), viscous->constant(), 2};
   }
-  if (normal_force_ == 0 || rim_speed_ == 0) {
-    pressure_unit_ = rim_speed_ = 0;
+  uniform_pressure_ = contact.uniform_pressure(normal_force_, half_angle_);
+  const bool is_pressed = normal_force_ != 0 || contact.has_interference();
+  if (!is_pressed || rim_speed_ == 0) {
+    pressure_unit_ = uniform_pressure_ = rim_speed_ = 0;
     return;
   }
+  // Without load any place serves.
+  if (centre_.isZero(0)) centre_ = angular_velocity.unitOrthogonal();
   add_totals(solution);
   pv_nominal_ =
       geometry.nominal_pressure(solution.reaction.stableNorm()) * rim_speed_;
@@ -113,7 +118,7 @@ SlidingContact::Peaks SlidingContact::search(bool pv,
   if (rim_speed_ == 0) return found;
   // Under walls it is less accurate than the law, and no faster.
   std::optional<detail::ExpandedPressure> expanded;
-  if (!profile_->has_walls()) {
+  if (!profile_->is_beyond_expansions()) {
     expanded.emplace(contact_->pressure_law(), half_angle_);
     if (expanded->is_empty()) expanded.reset();
   }
@@ -149,6 +154,20 @@ SlidingContact::Rating SlidingContact::rating() const noexcept {
 void SlidingContact::add_totals(const JointSolution& s) noexcept {
   const JointContact& contact = *contact_;
   const bool is_ball = contact.geometry().kind() == JointKind::ball;
+  if (uniform_pressure_ > 0) {  // closed all round: pi/4 is the mean slip
+    heat_ = -s.power;
+    pv_total_ = rim_speed_ * (is_ball ? std::numbers::pi / 4 : 1) *
+                contact.sum_of_pressures(normal_force_, half_angle_);
+    slip_coefficient_ = pv_total_ / (rim_speed_ * normal_force_);
+    return;
+  }
+  add_slip(s);
+  pv_total_ = rim_speed_ * normal_force_ * slip_coefficient_;
+}
+
+void SlidingContact::add_slip(const JointSolution& s) noexcept {
+  const JointContact& contact = *contact_;
+  const bool is_ball = contact.geometry().kind() == JointKind::ball;
   const auto pressed = [&] {
     return about(friction_integrals(contact.pressure_law(), half_angle_, axis_)
                      .coefficient,
@@ -179,7 +198,9 @@ void SlidingContact::add_totals(const JointSolution& s) noexcept {
 }
 
 double SlidingContact::pressure_at(double theta) const noexcept {
-  return pressure_unit_ == 0 ? 0 : pressure_unit_ * profile_->pressure(theta);
+  return is_at_work()
+             ? pressure_unit_ * profile_->pressure(theta) + uniform_pressure_
+             : 0;
 }
 
 double SlidingContact::pressure(const Vector3d& place) const noexcept {
@@ -196,7 +217,7 @@ double SlidingContact::pv(const Vector3d& place) const noexcept {
 
 double SlidingContact::heat_flux(const Vector3d& place) const noexcept {
   const double chord = (place - centre_).norm();
-  if (pressure_unit_ == 0 || chord > 2 * std::sin(half_angle_ / 2)) return 0;
+  if (!is_at_work() || chord > 2 * std::sin(half_angle_ / 2)) return 0;
   const double speed = slip(place).norm();
   return friction_stress(contact_->friction(), pressure(place), speed) * speed;
 }
@@ -222,6 +243,8 @@ double SlidingContact::peak_angle(const Stress& stress,
                            half_angle_);
   }
   const double part = stress.pressure_part * pressure_unit_;
+  const double constant =
+      stress.constant_part + stress.pressure_part * uniform_pressure_;
   // Of the logarithm of strength and speed, times the strength squared: finite
   // at the edge, where slopes may be infinite and p is 0.
   using Value = detail::ExpandedPressure::Value;
@@ -229,7 +252,7 @@ double SlidingContact::peak_angle(const Stress& stress,
     const auto [pressure, fall] =
         expanded ? expanded->at(theta)
                  : Value{profile_->pressure(theta), profile_->slope(theta)};
-    const double s = part * pressure + stress.constant_part;
+    const double s = part * pressure + constant;
     const double change = -part * fall;
     const double cosine = std::cos(theta);
     const double sine = std::sin(theta);
@@ -238,7 +261,7 @@ double SlidingContact::peak_angle(const Stress& stress,
                 stress.power * s * ahead);
   };
   const double peak = part * profile_->pressure(0);
-  const double strength = peak + stress.constant_part;
+  const double strength = peak + constant;
   const double at_centre = strength * strength * stress.power * axis_.sin;
   if (!(at_centre > 0)) return 0;
   const double axis_angle = std::atan2(axis_.sin, axis_.cos);
@@ -286,7 +309,7 @@ SlidingContact::Peak SlidingContact::peak_at(double theta,
 }
 
 double SlidingContact::pv_mean() const noexcept {
-  return pressure_unit_ == 0 ? 0 : pv_total() / contact_->area(half_angle_);
+  return !is_at_work() ? 0 : pv_total() / contact_->area(half_angle_);
 }
 
 }  // namespace contact

@@ -79,11 +79,10 @@ class SlidingContact {
   Peaks peaks() const noexcept { return search(true, true); }
 
   /// L, the mean of |v|/(rho |Dw|) with the weight p, times S: of a pin S.
+  /// Infinite where interference presses without load.
   double slip_coefficient() const { return slip_coefficient_; }
   /// Of p |v| over the contact, W: rho |Dw| R_n L.
-  double pv_total() const {
-    return rim_speed_ * normal_force_ * slip_coefficient_;
-  }
+  double pv_total() const { return pv_total_; }
   /// pv_total() over the area of the contact, W/m^2.
   double pv_mean() const noexcept;
   /// R over the projected area of JointGeometry::nominal_pressure(), times
@@ -115,6 +114,8 @@ class SlidingContact {
   double peak_angle(const Stress& stress,
                     const Expanded& expanded) const noexcept;
   void add_totals(const JointSolution& solution) noexcept;
+  void add_slip(const JointSolution& solution) noexcept;
+  bool is_at_work() const noexcept { return rim_speed_ > 0; }
   double share_of_speed(double theta) const noexcept;
   double pressure_at(double theta) const noexcept;
 
@@ -125,10 +126,12 @@ class SlidingContact {
   double half_angle_;
   double normal_force_;
   double pressure_unit_;  // Pa
-  double rim_speed_;      // rho |Dw|, m/s
-  SlipAxis axis_;         // sin a >= 0
-  Stress heat_stress_;    // of q
+  double uniform_pressure_ = 0;
+  double rim_speed_;    // rho |Dw|, m/s
+  SlipAxis axis_;       // sin a >= 0
+  Stress heat_stress_;  // of q
   double slip_coefficient_ = 0;
+  double pv_total_ = 0;
   double heat_ = 0;
   double pv_nominal_ = 0;
 };

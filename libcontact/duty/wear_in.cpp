@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -10,6 +11,7 @@
 #include "libcontact/base/error.hpp"
 #include "libcontact/base/text.hpp"
 #include "libcontact/base/units.hpp"
+#include "libcontact/duty/pressed_wear_in.hpp"
 #include "libcontact/duty/wear_check.hpp"
 #include "libcontact/duty/wear_map.hpp"
 #include "libcontact/half_angle/worn.hpp"
@@ -23,6 +25,16 @@ double unit_volume(const JointGeometry& geometry) {
   return geometry.kind() == JointKind::ball
              ? std::numbers::pi * geometry.radius() * size
              : 2 * geometry.length() * size;
+}
+
+// Round a pin whose hole has lost this volume.
+double mean_clearance(const JointGeometry& geometry, double volume) {
+  if (geometry.kind() == JointKind::ball) {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+  return geometry.radial_clearance() +
+         volume /
+             (2 * std::numbers::pi * geometry.radius() * geometry.length());
 }
 
 // What the pressure of a cycle does, with the weight of p v.
@@ -119,21 +131,39 @@ WearIn::State next_state(const WearIn::State& now, const Wearing& wearing,
 }  // namespace
 
 WearIn wear_in(const DutyCycle& cycle, const JointContact& contact,
-               double coefficient, double cycles) {
-  detail::require(coefficient >= 0 && std::isfinite(coefficient), "wear",
-                  "coefficient", coefficient, "0 m^2/N or above and finite");
+               const WearCoefficients& k, double cycles) {
+  const double coefficient = k.seat;
+  for (const double each : {k.seat, k.inner}) {
+    detail::require(each >= 0 && std::isfinite(each), "wear", "coefficient",
+                    each, "0 m^2/N or above and finite");
+  }
   detail::require(cycles >= 0 && std::isfinite(cycles), "wear", "cycles",
                   cycles, "0 or above and finite");
   const JointGeometry& geometry = contact.geometry();
   const Joint unworn(contact);
   const JointCycle fresh(cycle, unworn);
-  detail::check_wear(fresh);
+  const bool is_pressed = geometry.radial_clearance() <= 0;
+  if (!is_pressed) detail::check_wear(fresh);
   WearIn result;
   const auto note = [&](std::string text) {
     if (!text.empty()) result.notes.push_back(std::move(text));
   };
   note(WearMap::coefficient_note(coefficient));
+  note(WearMap::coefficient_note(k.inner));
   note(check_spread(fresh));
+  if (is_pressed) {
+    result.states = detail::pressed_wear_in(fresh, k, cycles);
+    note(WearMap::depth_note(result.states.back().penetration, geometry));
+    if (result.states.front().half_angle == std::numbers::pi) {
+      result.notes.emplace_back(
+          "the contact is closed all round at first: debris cannot leave");
+    }
+    return result;
+  }
+  if (k.inner > 0) {
+    result.notes.emplace_back(
+        "wear of the ball or pin does not change the contact");
+  }
   WearIn::State next;
   for (;;) {
     check_depth(next, geometry);
@@ -145,6 +175,7 @@ WearIn wear_in(const DutyCycle& cycle, const JointContact& contact,
     now.worn_share = RunningInPressure::worn_share(
         now.wear_number, wearing.overlap - now.wear_number);
     now.penetration = depth_of_overlap(geometry, wearing.overlap);
+    now.clearance = mean_clearance(geometry, now.volume);
     if (now.cycles >= cycles) break;
     next = next_state(now, wearing, coefficient, cycles, unit_volume(geometry));
   }

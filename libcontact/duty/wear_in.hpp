@@ -9,13 +9,22 @@
 
 namespace contact {
 
+/// Wear coefficients k of the two bodies, m^2/N, >= 0.
+struct WearCoefficients {
+  double seat;       ///< of the seat or hole
+  double inner = 0;  ///< of the ball or pin
+};
+
 /// A joint that wears.
 struct WearIn {
   /// A joint after some cycles of wear of its seat or hole.
   struct State {
     double cycles = 0;
-    double volume = 0;       ///< worn off the seat or hole, m^3
-    double wear_number = 0;  ///< v: volume over pi rho^2 eps or 2 rho eps l
+    double volume = 0;  ///< worn off the seat or hole, m^3
+    /// v: volume over pi rho^2 eps or 2 rho eps l; NaN without clearance.
+    double wear_number = 0;
+    /// Mean radial clearance round a pin, m; NaN of a ball.
+    double clearance = 0;
     /// eps (1/cos theta0 - 1), m, the deepest overlap of the undeformed shapes:
     /// the deepest wear, up to 8 % too much, once v is above 2 g(theta0 without
     /// wear); before, elastic for the most part.
@@ -49,15 +58,21 @@ struct WearIn {
 /// wide and the peak too low: noted where JointCycle::contact_spread() is above
 /// 0.3 of the half-angle before wear, the mean with the weight of p v.
 ///
-/// @param contact      before wear
-/// @param coefficient  k of the seat or hole, m^2/N, >= 0
-/// @param cycles       N, >= 0
+/// A pin without clearance or with interference wears as PinWear has it, from
+/// closed to lifted to clearance: its hole by its own pressure, the pin, which
+/// turns, by the mean one. penetration is then the depth of the wear at the
+/// middle, R_n that before wear. A load that changes is taken in 8 levels. The
+/// wear of a ball or pin with a clearance changes nothing.
+///
+/// @param contact  before wear
+/// @param k        of both bodies
+/// @param cycles   N, >= 0
 /// @throws Error if an argument is out of range, JointCycle::contact_spread()
 /// is above that
 ///         half-angle, the half-angle comes above 90 deg (as WearMap), the
 ///         wear is deeper than the radius, or the laws have no value at some
 ///         time of the cycle.
 WearIn wear_in(const DutyCycle& cycle, const JointContact& contact,
-               double coefficient, double cycles);
+               const WearCoefficients& k, double cycles);
 
 }  // namespace contact

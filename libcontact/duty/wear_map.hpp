@@ -17,8 +17,9 @@ namespace contact {
 /// a pin normal to Z.
 class WearMap {
  public:
-  /// @throws Error if the half-angle comes above 90 deg in the cycle: a ball
-  ///         that sinks into its worn seat leaves the seat's rim there.
+  /// @throws Error if the half-angle of a joint with a clearance comes above 90
+  ///         deg in the cycle: a ball that sinks into its worn seat leaves the
+  ///         seat's rim there.
   WearMap(const JointCycle& cycle, JointBody body);
 
   struct Wear {

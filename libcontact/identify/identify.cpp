@@ -25,12 +25,13 @@ void check(bool good, std::string_view what, std::string_view rule) {
   if (!good) throw Error(detail::must_be(what, rule));
 }
 
-bool is_good(const MeasuredMoment& datum) {
+bool is_good(const MeasuredMoment& datum, bool without_load) {
   const bool finite = datum.is_vector()
                           ? std::get<Eigen::Vector3d>(datum.moment).allFinite()
                           : std::isfinite(std::get<double>(datum.moment));
   return finite && datum.reaction.allFinite() &&
-         datum.angular_velocity.allFinite() && !datum.reaction.isZero(0) &&
+         datum.angular_velocity.allFinite() &&
+         (without_load || !datum.reaction.isZero(0)) &&
          !datum.angular_velocity.isZero(0) && datum.sigma > 0 &&
          std::isfinite(datum.sigma);
 }
@@ -179,10 +180,12 @@ class Identification {
   double value(const Point& p, int number) const {
     return number == 0   ? p[0]
            : number == 1 ? p[1] * model_.unit()
-                         : std::exp(p[2]);
+                         : model_.clearance(p);
   }
   double unit(const Point& p, int number) const {
-    return number == 0 ? 1 : number == 1 ? model_.unit() : std::exp(p[2]);
+    return number == 0   ? 1
+           : number == 1 ? model_.unit()
+                         : model_.clearance_slope(p);
   }
 
   std::vector<Estimate> estimates(const Fitted& best,
@@ -338,7 +341,8 @@ FrictionFit identify_friction(const JointContact& joint,
   check(options.level > 0 && options.level < 1,
         detail::message("level = {}", options.level), "inside (0, 1)");
   for (std::size_t i = 0; i < data.size(); ++i) {
-    check(is_good(data[i]), detail::message("measured moment {}", i + 1),
+    check(is_good(data[i], joint.has_interference()),
+          detail::message("measured moment {}", i + 1),
           "finite, of a reaction and a rate that are not 0, with sigma above "
           "0");
   }
@@ -354,7 +358,7 @@ Estimate FrictionFit::predicted_moment(const Eigen::Vector3d& reaction,
   const double clearance = joint->geometry().radial_clearance();
   const Point point =
       model.point(friction.coefficient(), friction.adhesion(), clearance);
-  const double unit[] = {1, model.unit(), clearance};
+  const double unit[] = {1, model.unit(), model.clearance_slope(point)};
   VectorXd slope = VectorXd::Zero(covariance.rows());
   MatrixXd known = covariance;
   for (Eigen::Index i = 0; i < slope.size(); ++i) {

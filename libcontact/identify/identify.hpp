@@ -15,7 +15,9 @@ namespace contact {
 
 /// A friction moment that was measured while a joint slides.
 struct MeasuredMoment {
-  Eigen::Vector3d reaction;          ///< R on the body, N; not 0
+  /// R on the body, N; not 0 but of joints with interference, which turn hard
+  /// without load too.
+  Eigen::Vector3d reaction;
   Eigen::Vector3d angular_velocity;  ///< Dw, rad/s; not 0
   /// The moment that it takes to turn the joint, -M_t . Dw/|Dw|, or the vector
   /// M_t on the body; N m.
@@ -35,7 +37,9 @@ struct MeasuredMoment {
 enum class FrictionParameter {
   coefficient,  ///< f0
   adhesion,     ///< A, Pa
-  clearance,    ///< eps, m
+  /// eps, m. From a joint without clearance or with interference it is looked
+  /// for on both sides of 0, else above 0.
+  clearance,
 };
 
 struct IdentifyOptions {
@@ -119,7 +123,8 @@ struct FrictionFit {
 /// that are not looked for are the joint's.
 ///
 /// Estimates are those of an independent program to 1e-7, profiles to 1e-5;
-/// exact data give their parameters back to 1e-11 (identify/identify_test.cpp).
+/// exact data give their parameters back to 1e-11 (identify/identify_test.cpp),
+/// with interference to 1e-9 (identify/interference_test.cpp).
 /// @throws Error for a viscous joint, a parameter that is named twice, data
 ///         that are too few or out of range or for which the joint's laws have
 ///         no value.

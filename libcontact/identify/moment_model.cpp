@@ -102,23 +102,41 @@ MomentModel::MomentModel(JointContact joint,
     size_ += state.size();
     force += state.reaction.stableNorm();
   }
-  unit_ = joint_.geometry().nominal_pressure(
-      force / static_cast<double>(states_.size()));
+  const JointGeometry& geometry = joint_.geometry();
+  unit_ =
+      geometry.nominal_pressure(force / static_cast<double>(states_.size())) +
+      joint_.interference_pressure();
+  if (geometry.radial_clearance() <= 0) {
+    length_ = 4 * geometry.radius() * unit_ / joint_.pair().effective_modulus();
+  }
 }
 
 Point MomentModel::point(double coefficient, double adhesion,
                          double clearance) const {
-  return {coefficient, adhesion / unit_, std::log(clearance)};
+  return {coefficient, adhesion / unit_,
+          length_ > 0 ? clearance / length_ : std::log(clearance)};
+}
+
+double MomentModel::clearance(const Point& p) const {
+  return length_ > 0 ? p[2] * length_ : std::exp(p[2]);
+}
+
+double MomentModel::clearance_slope(const Point& p) const {
+  return length_ > 0 ? length_ : std::exp(p[2]);
 }
 
 JointContact MomentModel::joint_at(const Point& p) const {
-  return joint_.with_clearance(std::exp(p[2]))
+  return joint_.with_clearance(clearance(p))
       .with_friction(FrictionLaw(p[0], p[1] * unit_));
 }
 
 std::pair<double, double> MomentModel::range(int number) const {
   if (number < 2) return {0, largest_friction};
   const double radius = joint_.geometry().radius();
+  if (length_ > 0) {
+    const double largest = largest_relative_clearance * radius / length_;
+    return {-largest, largest};
+  }
   return {std::log(least_relative_clearance * radius),
           std::log(largest_relative_clearance * radius)};
 }
@@ -170,37 +188,68 @@ MatrixXd MomentModel::slopes(const Point& point,
   return at_bound - beyond;
 }
 
+// Of the clearance: leaves rounding of the integrals, 4e-15, over it, and its
+// square.
+constexpr double clearance_step = 1e-5;
+
+// The slope of a state's moment in a number of the point.
+// @param moved  the joints of unit numbers, or a step apart
+Vector3d MomentModel::slope_at(const std::vector<JointContact>& moved,
+                               int number, std::size_t i,
+                               const Vector3d& by_tangent) const {
+  const MeasuredMoment& state = states_[i];
+  const auto difference = [&](const auto& of) {
+    const auto first = of(moved[0]);
+    if (number < 2) return first;
+    return decltype(first)((first - of(moved[1])) / (2 * clearance_step));
+  };
+  if (state.reaction.isZero(0)) {  // interference alone
+    const double slope = difference([](const JointContact& contact) {
+      constexpr double any_speed = 1;
+      return contact.unloaded_moment(any_speed);
+    });
+    return -slope * state.angular_velocity.stableNormalized();
+  }
+  const JointSolution& s = last_[i];
+  const Vector3d by_number = difference([&](const JointContact& contact) {
+    return trial(contact, s, s.memory.tangent);
+  });
+  return moment_slope(state, s, by_number, by_tangent);
+}
+
 MatrixXd MomentModel::solved_slopes(const Point& point,
                                     const std::vector<int>& numbers) const {
-  // Leaves rounding of the integrals, 4e-15, over it, and its square.
-  constexpr double step = 1e-5;
-  const Point wider = point + step * Point::UnitZ();
-  const Point tighter = point - step * Point::UnitZ();
   solved(point);
   const JointContact contact = joint_at(point);
-  // Friction is linear in f0 and A: that of 1 is the slope.
-  const JointContact moved[] = {contact.with_friction(FrictionLaw(1, 0)),
-                                contact.with_friction(FrictionLaw(0, unit_)),
-                                joint_at(wider), joint_at(tighter)};
-  MatrixXd all(size_, numbers.size());
-  Eigen::Index at = 0;
+  std::vector<Vector3d> by_tangent;
   for (std::size_t i = 0; i < states_.size(); ++i) {
-    const JointSolution& s = last_[i];
-    const double tangent = s.memory.tangent;
-    const double move = step * (1 + tangent);
-    const Vector3d by_tangent = (trial(contact, s, tangent + move) -
-                                 trial(contact, s, tangent - move)) /
-                                (2 * move);
-    for (std::size_t k = 0; k < numbers.size(); ++k) {
-      const int number = numbers[k];
-      Vector3d by_number = trial(moved[number], s, tangent);
-      if (number == 2) {
-        by_number = (by_number - trial(moved[3], s, tangent)) / (2 * step);
-      }
-      put(all.col(static_cast<Eigen::Index>(k)).segment(at, states_[i].size()),
-          states_[i], moment_slope(states_[i], s, by_number, by_tangent));
+    const double tangent = last_[i].memory.tangent;
+    const double move = 1e-5 * (1 + tangent);
+    by_tangent.push_back(
+        states_[i].reaction.isZero(0)
+            ? Vector3d(Vector3d::Zero())
+            : Vector3d((trial(contact, last_[i], tangent + move) -
+                        trial(contact, last_[i], tangent - move)) /
+                       (2 * move)));
+  }
+  MatrixXd all(size_, numbers.size());
+  for (std::size_t k = 0; k < numbers.size(); ++k) {
+    const int number = numbers[k];
+    // Friction is linear in f0 and A: that of 1 is the slope.
+    std::vector<JointContact> moved;
+    if (number < 2) {
+      moved.push_back(contact.with_friction(
+          number == 0 ? FrictionLaw(1, 0) : FrictionLaw(0, unit_)));
+    } else {
+      const Point step = clearance_step * Point::UnitZ();
+      moved = {joint_at(point + step), joint_at(point - step)};
     }
-    at += states_[i].size();
+    Eigen::Index at = 0;
+    for (std::size_t i = 0; i < states_.size(); ++i) {
+      put(all.col(static_cast<Eigen::Index>(k)).segment(at, states_[i].size()),
+          states_[i], slope_at(moved, number, i, by_tangent[i]));
+      at += states_[i].size();
+    }
   }
   return all;
 }

@@ -12,8 +12,9 @@
 /// The moments of a joint as functions of what is unknown of it.
 namespace contact::detail {
 
-/// f0, A over a unit(), logarithm of the clearance: numbers of one size, in
-/// which the moments are nearly linear.
+/// f0, A over a unit(), and the logarithm of the clearance, or, of joints
+/// without clearance or with interference, the clearance over a length: numbers
+/// of one size, in which the moments are nearly linear.
 using Point = Eigen::Vector3d;
 
 /// Moments of some states, all numbers of the first one, then of the second.
@@ -28,6 +29,9 @@ class MomentModel {
   double unit() const { return unit_; }
   Point point(double coefficient, double adhesion, double clearance) const;
   JointContact joint_at(const Point& point) const;
+  /// The clearance of a point, m, and its change with the point's number.
+  double clearance(const Point& point) const;
+  double clearance_slope(const Point& point) const;
   /// Smallest and largest value of a number of the point that means something;
   /// far beyond any fit that does.
   std::pair<double, double> range(int number) const;
@@ -45,11 +49,15 @@ class MomentModel {
   Eigen::VectorXd solved(const Point& point) const;
   Eigen::MatrixXd solved_slopes(const Point& point,
                                 const std::vector<int>& numbers) const;
+  Eigen::Vector3d slope_at(const std::vector<JointContact>& moved, int number,
+                           std::size_t state,
+                           const Eigen::Vector3d& by_tangent) const;
 
   JointContact joint_;
   std::span<const MeasuredMoment> states_;
   Eigen::Index size_ = 0;
   double unit_ = 1;
+  double length_ = 0;  ///< of the clearance; 0: its logarithm
   /// Of each state, from which the next one starts: half the time.
   mutable std::vector<JointSolution> last_;
 };

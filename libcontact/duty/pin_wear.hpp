@@ -1,0 +1,76 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+
+#include "libcontact/duty/worn_circle.hpp"
+#include "libcontact/joint/contact.hpp"
+#include "libcontact/pair/layers.hpp"
+
+namespace contact::detail {
+
+/// A pin and its hole, with interference at first or not, under loads whose
+/// direction stands still in the hole: docs/preload_wear.md. A point of the
+/// hole wears by its own pressure; the pin turns, so that it stays round and
+/// wears by the mean pressure.
+///
+/// While the contact is closed all round it is exact: interference falls
+/// exponentially. Then it steps (WornCircle). Accuracy
+/// (duty/pin_wear_test.cpp): S, pressure at the centre and depth of one load as
+/// wear.csv's own, 4e-5 to 4e-3; S of a pin that wears alone to 3e-5.
+class PinWear {
+ public:
+  /// @param clearance  eps before wear, m
+  PinWear(const LayeredPair& pair, double clearance);
+
+  /// What slides past, times the wear coefficients k, m/Pa: a depth is its
+  /// product with a pressure.
+  struct Path {
+    double hole;
+    double pin;
+    double both() const { return hole + pin; }
+  };
+  /// @param load  P, N/m, >= 0
+  void slide(double load, Path path);
+
+  /// The path that half the steps of slide() would take next: a load that
+  /// changes may be cut into such pieces.
+  double next_step() const;
+  /// Whether it was closed all round at all times.
+  bool is_closed() const { return !has_lifted_; }
+
+  WornCircle::Contact contact(double load) const;
+  const WornCircle& circle() const { return circle_; }
+  /// Mean over the circle, m, of the clearance that is left.
+  double clearance() const { return circle_.mean(gap_); }
+  /// Of the hole at the middle of its contact, m.
+  double depth() const { return worn_[0]; }
+  /// Worn off the hole, m^3 per m of its length.
+  double worn_area() const;
+
+ private:
+  double path_to_lift_off(double load) const;
+  const WornCircle::Contact* last() const;
+
+  WornCircle circle_;
+  Eigen::VectorXd gap_;
+  Eigen::VectorXd worn_;  // of the hole
+  bool has_lifted_;
+  double since_ = 0;  // path since it lifted off
+  WornCircle::Contact last_;
+};
+
+/// A load and the path of the pin's wear that slides under it in a cycle.
+struct LoadedPath {
+  double normal_force;  ///< R_n, N
+  double path;          ///< m/Pa
+};
+
+/// The clearance after cycles in which the pin alone wears, m: it stays round,
+/// d eps/d path = S P/(2 pi rho) at every clearance. As accurate as the laws:
+/// the growth to 1e-6 of the table of wear.csv, whose loads are rounded as much
+/// (duty/pin_wear_test.cpp).
+double clearance_of_worn_pin(const JointContact& contact,
+                             std::span<const LoadedPath> cycle, double cycles);
+
+}  // namespace contact::detail
