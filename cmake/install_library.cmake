@@ -8,6 +8,7 @@ function(contact_install_library name)
   target_include_directories(${name} PUBLIC
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/apps>
     $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/libcontact>)
+  add_dependencies(installed ${name})
   install(TARGETS ${name} EXPORT contact-${name}-targets
     ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
   foreach(header IN LISTS ARGN)

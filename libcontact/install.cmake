@@ -1,4 +1,5 @@
 # Headers, library, find_package(contact) and pkg-config file.
+add_dependencies(installed contact contact_files)
 install(TARGETS contact contact_files EXPORT contact-targets
   LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
@@ -28,7 +29,8 @@ foreach(pc contact.pc contact-files.pc)
   install(FILES ${PROJECT_BINARY_DIR}/${pc}
     DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 endforeach()
-# Examples of materials and joints, which the programs and users start from.
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/data/joints
-  ${PROJECT_SOURCE_DIR}/data/materials
-  DESTINATION ${CMAKE_INSTALL_DATADIR}/libcontact)
+# Examples, which the programs and users start from.
+set(examples backings cases duty joints materials studies)
+list(TRANSFORM examples PREPEND ${PROJECT_SOURCE_DIR}/data/)
+install(DIRECTORY ${examples}
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/libcontact COMPONENT programs)

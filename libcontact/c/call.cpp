@@ -1,7 +1,9 @@
 #include "libcontact/c/call.hpp"
 
 #include <exception>
+#include <mutex>
 #include <new>
+#include <set>
 
 namespace contact::c {
 contact_status report_exception() noexcept {
@@ -17,6 +19,31 @@ contact_status report_exception() noexcept {
     return contact_report(CONTACT_FAILURE, "an error that is not known");
   }
 }
+
+#ifndef NDEBUG
+namespace {
+
+std::mutex of_handles;
+std::set<const void*>& handles() {
+  static std::set<const void*> all;
+  return all;
+}
+
+}  // namespace
+
+Handle::Handle() {
+  const std::lock_guard lock(of_handles);
+  handles().insert(this);
+}
+Handle::~Handle() {
+  const std::lock_guard lock(of_handles);
+  handles().erase(this);
+}
+bool is_freed(const void* handle) {
+  const std::lock_guard lock(of_handles);
+  return !handles().contains(handle);
+}
+#endif
 
 KeySettings settings_of(const contact_setting* settings, std::size_t count,
                         const std::string& function) {

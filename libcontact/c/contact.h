@@ -7,8 +7,9 @@
  * A function returns a contact_status. Where it is not CONTACT_OK
  * contact_last_message() says why in one line; results are NaN, or for
  * CONTACT_NOT_CONVERGED the best that was found. A null pointer where none is
- * allowed is refused (CONTACT_BAD_INPUT). Joints are given back by their
- * _free(), which takes NULL too.
+ * allowed is refused (CONTACT_BAD_INPUT). A refused call leaves NULL in the
+ * place of the joint that it does not make, and its status and NaN in other
+ * results. Joints are given back by their _free(), which takes NULL too.
  *
  * Threads: a joint may be used by many at once. No function writes files,
  * prints or touches signals. Runs of hinge-separation are a library of their
@@ -21,5 +22,6 @@
 #include "libcontact/c/quantity.h"
 #include "libcontact/c/slip.h"
 #include "libcontact/c/status.h"
+#include "libcontact/c/step.h"
 
 #endif

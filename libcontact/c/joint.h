@@ -21,7 +21,8 @@ contact_status contact_joint_read(const char* path,
 /* From the text of one. folder: what paths in it are relative to; NULL: the
  * working directory. */
 contact_status contact_joint_parse(const char* text, const char* folder,
-                                   contact_joint** joint);
+                                   const contact_setting* settings,
+                                   size_t count, contact_joint** joint);
 
 typedef enum contact_kind { CONTACT_BALL = 0, CONTACT_PIN = 1 } contact_kind;
 
@@ -36,7 +37,7 @@ typedef struct contact_joint_numbers {
   int kind;                /* a contact_kind */
   int body_has_inner;      /* the body has the ball or pin; 0: the carrier */
   double radius;           /* rho of the ball or pin, m */
-  double radial_clearance; /* difference of the radii, m */
+  double radial_clearance; /* difference of the radii, m; < 0: interference */
   double length;           /* of a pin's contact, m */
   contact_material inner;  /* ball or pin */
   contact_material outer;  /* seat or hole */
@@ -46,14 +47,28 @@ typedef struct contact_joint_numbers {
   double adhesion;         /* A, Pa */
   double viscous_constant; /* k0, Pa s/m */
   double viscous_slope;    /* k1, s/m */
-  /* Names as in the files; NULL: "fitted" and "exact". */
+  /* Names as in the files; NULL: "fitted", with interference "exact", and
+   * "exact". */
   const char* half_angle_law;
   const char* pressure_law;
 } contact_joint_numbers;
 
 contact_status contact_joint_make(const contact_joint_numbers* numbers,
                                   contact_joint** joint);
+/* Builds with assertions refuse joints that have been freed. */
 void contact_joint_free(contact_joint* joint);
+
+/* Of a joint, however it was made. */
+typedef struct contact_joint_size {
+  int kind;                 /* a contact_kind */
+  int body_has_inner;       /* the body has the ball or pin; 0: the carrier */
+  double radius;            /* rho of the ball or pin, m */
+  double radial_clearance;  /* m */
+  double length;            /* of a pin's contact, m; NaN of a ball */
+  double effective_modulus; /* E = 2 E* of the surfaces, Pa */
+} contact_joint_size;
+contact_status contact_joint_get_size(const contact_joint* joint,
+                                      contact_joint_size* size);
 
 /* Where the joint leaves the range of the theory or of its laws: sentence i,
  * NULL behind the last one. Valid as long as the joint. */

@@ -4,12 +4,14 @@
 #include <utility>
 #include <vector>
 
+#include "libcontact/c/call.hpp"
 #include "libcontact/c/joint.h"
 #include "libcontact/joint/joint.hpp"
 #include "libcontact/joint/spec.hpp"
 
 /// What C holds of a joint.
-struct contact_joint {  // NOLINT(readability-identifier-naming)
+struct contact_joint  // NOLINT(readability-identifier-naming)
+    : contact::c::Handle {
   explicit contact_joint(contact::JointSpec of)
       : spec(std::move(of)),
         joint(spec.contact()),

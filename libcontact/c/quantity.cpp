@@ -58,7 +58,7 @@ contact_status get(const Quantity<T>& q, const T& of, double* value) {
 }  // namespace
 }  // namespace contact::c
 
-using contact::c::call;
+using contact::c::call_for;
 using contact::c::get;
 using contact::c::given;
 using contact::c::row_of;
@@ -78,38 +78,73 @@ const contact_quantity* contact_patch_quantity(std::size_t i) {
   return contact::c::at(all, i);
 }
 
+const contact_quantity* contact_rating_quantity(std::size_t i) {
+  static const auto all = contact::c::listed(contact::rating_quantities());
+  return contact::c::at(all, i);
+}
+
 contact_status contact_solution_get(const contact_solution* solution,
                                     const char* key, double* value) {
-  return call([=] {
-    const auto& s = given(solution, "contact_solution_get: solution");
-    const auto& q = row_of(contact::solution_quantities(),
-                           &given(key, "contact_solution_get: key"));
-    return get(q, contact::c::solution_of(s),
-               &given(value, "contact_solution_get: value"));
-  });
+  return call_for(
+      [=] {
+        const auto& s = given(solution, "contact_solution_get: solution");
+        const auto& q = row_of(contact::solution_quantities(),
+                               &given(key, "contact_solution_get: key"));
+        return get(q, contact::c::solution_of(s),
+                   &given(value, "contact_solution_get: value"));
+      },
+      value);
 }
 
 contact_status contact_rest_get(const contact_rest* rest, const char* key,
                                 double* value) {
-  return call([=] {
-    const auto& s = given(rest, "contact_rest_get: rest");
-    const auto& q = row_of(contact::rest_quantities(),
-                           &given(key, "contact_rest_get: key"));
-    return get(q, contact::c::rest_of(s),
-               &given(value, "contact_rest_get: value"));
-  });
+  return call_for(
+      [=] {
+        const auto& s = given(rest, "contact_rest_get: rest");
+        const auto& q = row_of(contact::rest_quantities(),
+                               &given(key, "contact_rest_get: key"));
+        return get(q, contact::c::rest_of(s),
+                   &given(value, "contact_rest_get: value"));
+      },
+      value);
 }
 
 contact_status contact_patch_get(const contact_joint* joint,
                                  double normal_force, const char* key,
                                  double* value) {
-  return call([=] {
-    const auto& contact =
-        given(joint, "contact_patch_get: joint").joint.contact();
-    const auto& q = row_of(contact::patch_quantities(),
-                           &given(key, "contact_patch_get: key"));
-    return get(
-        q, {contact, normal_force, contact.half_angle(normal_force).half_angle},
-        &given(value, "contact_patch_get: value"));
-  });
+  return call_for(
+      [=] {
+        const auto& contact =
+            given(joint, "contact_patch_get: joint").joint.contact();
+        const auto& q = row_of(contact::patch_quantities(),
+                               &given(key, "contact_patch_get: key"));
+        return get(q,
+                   {contact, normal_force,
+                    contact.half_angle(normal_force).half_angle},
+                   &given(value, "contact_patch_get: value"));
+      },
+      value);
+}
+
+contact_status contact_rating_get(const contact_joint* joint,
+                                  const contact_slip* slip,
+                                  const contact_solution* solution,
+                                  const char* key, double* value) {
+  return call_for(
+      [=] {
+        const auto& contact =
+            given(joint, "contact_rating_get: joint").joint.contact();
+        const auto& rate =
+            given(slip, "contact_rating_get: slip").angular_velocity;
+        const auto& s = given(solution, "contact_rating_get: solution");
+        const auto& q = row_of(contact::rating_quantities(),
+                               &given(key, "contact_rating_get: key"));
+        const contact::JointSolution solved = contact::c::solution_of(s);
+        return get(
+            q,
+            contact::SlidingContact(contact, solved, Eigen::Vector3d(rate))
+                .rating(),
+            &given(value, "contact_rating_get: value"));
+      },
+      value);
 }

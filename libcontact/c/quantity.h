@@ -26,6 +26,7 @@ typedef struct contact_quantity {
 const contact_quantity* contact_solution_quantity(size_t i);
 const contact_quantity* contact_rest_quantity(size_t i);
 const contact_quantity* contact_patch_quantity(size_t i);
+const contact_quantity* contact_rating_quantity(size_t i);
 
 /* A quantity by its key, `size` numbers; NaN where it has no meaning, as angles
  * at rest. CONTACT_BAD_INPUT for a key that is not there. */
@@ -37,6 +38,13 @@ contact_status contact_rest_get(const contact_rest* rest, const char* key,
 contact_status contact_patch_get(const contact_joint* joint,
                                  double normal_force, const char* key,
                                  double* value);
+
+/* p v and heat over the contact of a slip and its solution (docs/duty.md);
+ * computed anew at each call. */
+contact_status contact_rating_get(const contact_joint* joint,
+                                  const contact_slip* slip,
+                                  const contact_solution* solution,
+                                  const char* key, double* value);
 
 #ifdef __cplusplus
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <cstring>
+#include <limits>
 #include <string>
 #include <type_traits>
 
@@ -18,7 +19,7 @@ using detail::message;
 using Eigen::Vector3d;
 
 // Numbers of both languages are the same.
-void put(double (&to)[3], const Vector3d& from) {
+void set(double (&to)[3], const Vector3d& from) {
   std::copy_n(from.data(), 3, to);
 }
 
@@ -50,18 +51,6 @@ Memory memory_of(const contact_solution& s) {
   return memory;
 }
 
-contact_status status_of(Status status) {
-  switch (status) {
-    case Status::ok:
-      return CONTACT_OK;
-    case Status::out_of_range:
-      return CONTACT_OUT_OF_RANGE;
-    case Status::not_converged:
-      break;
-  }
-  return CONTACT_NOT_CONVERGED;
-}
-
 contact_state state_of(JointState state) {
   switch (state) {
     case JointState::sliding:
@@ -83,7 +72,7 @@ Status status_of(contact_status status) {
 // To C, and back.
 struct ToC {
   void operator()(double& c, double cpp) const { c = cpp; }
-  void operator()(double (&c)[3], const Vector3d& cpp) const { put(c, cpp); }
+  void operator()(double (&c)[3], const Vector3d& cpp) const { set(c, cpp); }
 };
 struct FromC {
   void operator()(double c, double& cpp) const { cpp = c; }
@@ -113,18 +102,15 @@ void each_number(C& c, Cpp& s, const Copy& copy) {
   copy(c.contact_area, s.contact_area);
 }
 
-void put(contact_solution& to, const JointSolution& s) {
-  to.status = status_of(s.status);
-  to.state = state_of(s.state);
-  to.evaluations = s.evaluations;
-  each_number(to, s, ToC());
-  to.reaction_angle = s.reaction_angle();
-  to.friction_angle = s.friction_angle();
-  to.slip_axis_angle = s.slip_axis_angle();
-  const Memory memory{s.memory, s.reaction_direction, s.friction_direction,
-                      s.slip_axis};
-  std::memcpy(to.memory, &memory, sizeof to.memory);
-}
+// What a refused call does not know.
+struct ToNan {
+  void operator()(double& c, const double&) const {
+    c = std::numeric_limits<double>::quiet_NaN();
+  }
+  void operator()(double (&c)[3], const double (&)[3]) const {
+    std::ranges::fill(c, std::numeric_limits<double>::quiet_NaN());
+  }
+};
 
 // What a solution starts from.
 JointSolution start_of(const contact_solution* last) {
@@ -141,18 +127,6 @@ JointSolution start_of(const contact_solution* last) {
 Joint::Slip slip_of(const contact_slip& slip) {
   return {vector(slip.reaction), vector(slip.angular_velocity),
           vector(slip.axis)};
-}
-
-// The status; `place` names the function, and the row where there are some.
-contact_status reported(contact_status status, std::string_view place) {
-  if (status == CONTACT_OK) return status;
-  const std::string said = message(
-      status == CONTACT_OUT_OF_RANGE
-          ? "{}: no solution: numbers must be finite and the contact in "
-            "the range of the laws"
-          : "{}: not converged",
-      place);
-  return contact_report(status, said.c_str());
 }
 
 // Of solve_rows(): what it reads and writes is there.
@@ -211,6 +185,71 @@ contact_status solve_rows(const Joint& joint, const contact_slips& slips,
 
 }  // namespace
 
+void Refused<contact_solution>::write(contact_solution* s,
+                                      contact_status status) noexcept {
+  s->status = status;
+  s->state = CONTACT_UNLOADED;
+  s->evaluations = 0;
+  each_number(*s, *s, ToNan());
+  for (double* angle :
+       {&s->reaction_angle, &s->friction_angle, &s->slip_axis_angle}) {
+    ToNan()(*angle, *angle);
+  }
+}
+
+void Refused<contact_rest>::write(contact_rest* rest,
+                                  contact_status status) noexcept {
+  rest->status = status;
+  rest->solves = 0;
+  ToNan()(rest->utilisation, rest->utilisation);
+  ToNan()(rest->direction, rest->direction);
+  Refused<contact_solution>::write(&rest->slip, status);
+}
+
+contact_status status_of(Status status) {
+  switch (status) {
+    case Status::ok:
+      return CONTACT_OK;
+    case Status::out_of_range:
+      return CONTACT_OUT_OF_RANGE;
+    case Status::not_converged:
+      break;
+  }
+  return CONTACT_NOT_CONVERGED;
+}
+
+void put(contact_solution& to, const JointSolution& s) {
+  to.status = status_of(s.status);
+  to.state = state_of(s.state);
+  to.evaluations = s.evaluations;
+  each_number(to, s, ToC());
+  to.reaction_angle = s.reaction_angle();
+  to.friction_angle = s.friction_angle();
+  to.slip_axis_angle = s.slip_axis_angle();
+  const Memory memory{s.memory, s.reaction_direction, s.friction_direction,
+                      s.slip_axis};
+  std::memcpy(to.memory, &memory, sizeof to.memory);
+}
+
+void put(contact_rest& to, const RestSolution& rest) {
+  to.status = status_of(rest.status);
+  to.solves = rest.solves;
+  to.utilisation = rest.utilisation;
+  set(to.direction, rest.direction);
+  put(to.slip, rest.slip);
+}
+
+contact_status reported(contact_status status, std::string_view place) {
+  if (status == CONTACT_OK) return status;
+  const std::string said = message(
+      status == CONTACT_OUT_OF_RANGE
+          ? "{}: no solution: numbers must be finite and the contact in "
+            "the range of the laws"
+          : "{}: not converged",
+      place);
+  return contact_report(status, said.c_str());
+}
+
 JointSolution solution_of(const contact_solution& solution) {
   JointSolution s = start_of(&solution);
   s.status = status_of(solution.status);
@@ -232,7 +271,7 @@ RestSolution rest_of(const contact_rest& rest) {
 
 using contact::Joint;
 using contact::RestSolution;
-using contact::c::call;
+using contact::c::call_for;
 using contact::c::given;
 using contact::c::put;
 using contact::c::reported;
@@ -240,61 +279,67 @@ using contact::c::slip_of;
 using contact::c::start_of;
 using contact::c::vector;
 
+std::size_t contact_solution_size() { return sizeof(contact_solution); }
+
 contact_status contact_joint_solve(const contact_joint* joint,
                                    const contact_slip* slip,
                                    const contact_solution* last,
                                    contact_solution* solution) {
-  return call([=] {
-    const Joint& j = given(joint, "contact_joint_solve: joint").joint;
-    const Joint::Slip s = slip_of(given(slip, "contact_joint_solve: slip"));
-    put(given(solution, "contact_joint_solve: solution"),
-        j.solve(s, start_of(last)));
-    return reported(solution->status, "contact_joint_solve");
-  });
+  return call_for(
+      [=] {
+        const Joint& j = given(joint, "contact_joint_solve: joint").joint;
+        const Joint::Slip s = slip_of(given(slip, "contact_joint_solve: slip"));
+        put(given(solution, "contact_joint_solve: solution"),
+            j.solve(s, start_of(last)));
+        return reported(solution->status, "contact_joint_solve");
+      },
+      solution);
 }
 
 contact_status contact_joint_solve_contact(const contact_joint* joint,
                                            const contact_slip* known,
                                            contact_solution* solution) {
-  return call([=] {
-    const Joint& j = given(joint, "contact_joint_solve_contact: joint").joint;
-    const Joint::Slip s =
-        slip_of(given(known, "contact_joint_solve_contact: known"));
-    put(given(solution, "contact_joint_solve_contact: solution"),
-        j.solve_contact({s.reaction, s.angular_velocity, s.axis}));
-    return reported(solution->status, "contact_joint_solve_contact");
-  });
+  return call_for(
+      [=] {
+        const Joint& j =
+            given(joint, "contact_joint_solve_contact: joint").joint;
+        const Joint::Slip s =
+            slip_of(given(known, "contact_joint_solve_contact: known"));
+        put(given(solution, "contact_joint_solve_contact: solution"),
+            j.solve_contact({s.reaction, s.angular_velocity, s.axis}));
+        return reported(solution->status, "contact_joint_solve_contact");
+      },
+      solution);
 }
 
 contact_status contact_joint_solve_rows(const contact_joint* joint,
                                         const contact_slips* slips,
                                         contact_solution* solutions,
                                         std::ptrdiff_t stride) {
-  return call([=] {
-    const Joint& j = given(joint, "contact_joint_solve_rows: joint").joint;
-    contact::c::check(given(slips, "contact_joint_solve_rows: slips"),
-                      solutions, stride);
-    return contact::c::solve_rows(j, *slips, solutions, stride);
-  });
+  return call_for(
+      [=] {
+        const Joint& j = given(joint, "contact_joint_solve_rows: joint").joint;
+        contact::c::check(given(slips, "contact_joint_solve_rows: slips"),
+                          solutions, stride);
+        return contact::c::solve_rows(j, *slips, solutions, stride);
+      },
+      slips && slips->count > 0 ? solutions : nullptr);
 }
 
 contact_status contact_joint_at_rest(const contact_joint* joint,
                                      const contact_hold* hold,
                                      const contact_rest* last,
                                      contact_rest* rest) {
-  return call([=] {
-    const Joint& j = given(joint, "contact_joint_at_rest: joint").joint;
-    const contact_hold& h = given(hold, "contact_joint_at_rest: hold");
-    contact_rest& to = given(rest, "contact_joint_at_rest: rest");
-    const Joint::Hold holds = {vector(h.reaction), vector(h.moment),
-                               vector(h.axis)};
-    const RestSolution found =
-        last ? j.at_rest(holds, contact::c::rest_of(*last)) : j.at_rest(holds);
-    to.status = contact::c::status_of(found.status);
-    to.solves = found.solves;
-    to.utilisation = found.utilisation;
-    put(to.direction, found.direction);
-    put(to.slip, found.slip);
-    return reported(to.status, "contact_joint_at_rest");
-  });
+  return call_for(
+      [=] {
+        const Joint& j = given(joint, "contact_joint_at_rest: joint").joint;
+        const contact_hold& h = given(hold, "contact_joint_at_rest: hold");
+        contact_rest& to = given(rest, "contact_joint_at_rest: rest");
+        const Joint::Hold holds = {vector(h.reaction), vector(h.moment),
+                                   vector(h.axis)};
+        put(to, last ? j.at_rest(holds, contact::c::rest_of(*last))
+                     : j.at_rest(holds));
+        return reported(to.status, "contact_joint_at_rest");
+      },
+      rest);
 }

@@ -50,6 +50,10 @@ typedef struct contact_solution {
   double memory[19]; /* for the next solution, which starts from this one */
 } contact_solution;
 
+/* sizeof(contact_solution) of the library: that of a program whose headers are
+ * of another version is another one. */
+size_t contact_solution_size(void);
+
 typedef struct contact_slip {
   double reaction[3];         /* R on the body, N */
   double angular_velocity[3]; /* Dw of the body against the carrier, rad/s */
@@ -82,7 +86,8 @@ typedef struct contact_slips {
   double tolerance; /* stop at this residual; 0: 1e-13 */
 } contact_slips;
 /* All rows are solved whatever comes of some of them; the status is that of the
- * first one that is not CONTACT_OK, and the message names it.
+ * first one that is not CONTACT_OK, and the message names it. A refused call
+ * says so in the first solution.
  * stride: bytes from one solution to the next. */
 contact_status contact_joint_solve_rows(const contact_joint* joint,
                                         const contact_slips* slips,

@@ -1,12 +1,33 @@
 #pragma once
 
+#include <string_view>
+
+#include "libcontact/c/call.hpp"
 #include "libcontact/c/slip.h"
 #include "libcontact/joint/joint.hpp"
 
 namespace contact::c {
 
+template <>
+struct Refused<contact_solution> {
+  static void write(contact_solution* s, contact_status status) noexcept;
+};
+template <>
+struct Refused<contact_rest> {
+  static void write(contact_rest* rest, contact_status status) noexcept;
+};
+
 /// What C was told, to the last bit.
 JointSolution solution_of(const contact_solution& solution);
 RestSolution rest_of(const contact_rest& rest);
+contact_status status_of(Status status);
+
+/// What C is told.
+void put(contact_solution& to, const JointSolution& solution);
+void put(contact_rest& to, const RestSolution& rest);
+
+/// The status, with a message if it is not OK.
+/// @param place  names the function, and the row where there are some
+contact_status reported(contact_status status, std::string_view place);
 
 }  // namespace contact::c

@@ -7,7 +7,9 @@
 extern "C" {
 #endif
 
-/* "0.1.0" */
+/* Of these headers, and of the library that is there. Until 1.0 they have to be
+ * the same up to the last number. */
+#define CONTACT_VERSION "0.1.0"
 const char* contact_version(void);
 
 typedef enum contact_status {

@@ -1,0 +1,40 @@
+# cpack -G DEB: Debian packages of what is installed, a package for each
+# component: programs with the examples, the shared C libraries, what developers
+# need, and the Python package.
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_CONTACT "the authors of libcontact")
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_COMPONENTS_ALL programs c dev)
+if(TARGET contact_python)
+  list(APPEND CPACK_COMPONENTS_ALL python)
+endif()
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_COMPONENTS_GROUPING ONE_PER_GROUP)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
+set(CPACK_DEBIAN_PACKAGE_SECTION science)
+set(c_package libcontact${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
+
+# package(COMPONENT NAME DESCRIPTION DEPENDENCIES)
+function(package component name description depends)
+  string(TOUPPER ${component} upper)
+  set(CPACK_DEBIAN_${upper}_PACKAGE_NAME ${name} PARENT_SCOPE)
+  set(CPACK_COMPONENT_${upper}_DESCRIPTION
+    "${PROJECT_DESCRIPTION}: ${description}" PARENT_SCOPE)
+  set(CPACK_DEBIAN_${upper}_PACKAGE_DEPENDS "${depends}" PARENT_SCOPE)
+  install(FILES LICENSE DESTINATION share/doc/${name} RENAME copyright
+    COMPONENT ${component} EXCLUDE_FROM_ALL)
+endfunction()
+package(programs libcontact-tools "programs and examples" "")
+package(c ${c_package} "shared libraries for C" "")
+package(dev libcontact-dev "headers and libraries for C++ and C"
+  "${c_package} (= ${PROJECT_VERSION}), libeigen3-dev")
+package(python python3-libcontact "package for Python" "python3, python3-numpy")
+set(CPACK_DEBIAN_PROGRAMS_PACKAGE_RECOMMENDS gnuplot-nox)
+set(CPACK_DEBIAN_DEV_PACKAGE_SUGGESTS
+  "libsundials-dev, libfmt-dev, nlohmann-json3-dev, libqhull-dev")
+set(CPACK_DEBIAN_DEV_PACKAGE_SHLIBDEPS OFF)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS libcontact-tools)
+include(CPack)

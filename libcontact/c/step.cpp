@@ -1,0 +1,120 @@
+#include "libcontact/c/step.h"
+
+#include <algorithm>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "libcontact/base/text.hpp"
+#include "libcontact/c/call.hpp"
+#include "libcontact/c/joint.hpp"
+#include "libcontact/c/slip.hpp"
+#include "libcontact/joint/step.hpp"
+
+namespace contact::c {
+namespace {
+
+using Eigen::Vector3d;
+
+StepStart start_of(const contact_step_start& s) {
+  return {Vector3d(s.reaction), Vector3d(s.angular_velocity), Vector3d(s.free),
+          Vector3d(s.axis)};
+}
+
+// What a step begins from.
+JointStep last_of(const contact_step* last) {
+  JointStep step;
+  if (!last) return step;
+  step.solution = solution_of(last->solution);
+  step.rest = rest_of(last->rest);
+  return step;
+}
+
+void tell(contact_step& to, const JointStep& step) {
+  to.status = status_of(step.status);
+  to.holds = step.holds;
+  Vector3d::Map(to.angular_velocity) = step.angular_velocity;
+  Vector3d::Map(to.moment) = step.moment;
+  put(to.solution, step.solution);
+  put(to.rest, step.rest);
+}
+
+contact_status step_all(const contact_joint* const* joints, std::size_t count,
+                        const contact_step_start* starts, const double* inertia,
+                        contact_step* steps, contact_sweeps* told) {
+  std::vector<const Joint*> all;
+  std::vector<StepStart> all_starts;
+  std::vector<JointStep> all_steps;
+  Eigen::Index size = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::string name =
+        detail::message("contact_joints_step: joints[{}]", i);
+    all.push_back(&given(joints[i], name.c_str()).joint);
+    all_starts.push_back(start_of(starts[i]));
+    all_steps.push_back(last_of(&steps[i]));
+    size += all.back()->is_pin() ? 1 : 3;
+  }
+  // Symmetric, so that the order of its numbers does not matter.
+  const StepSweeps done =
+      step(all, all_starts,
+           Eigen::Map<const Eigen::MatrixXd>(inertia, size, size), all_steps);
+  for (std::size_t i = 0; i < count; ++i) tell(steps[i], all_steps[i]);
+  if (told) *told = {status_of(done.status), done.sweeps, done.residual};
+  return reported(status_of(done.status), "contact_joints_step");
+}
+
+}  // namespace
+
+template <>
+struct Refused<contact_step> {
+  static void write(contact_step* step, contact_status status) noexcept {
+    step->status = status;
+    step->holds = 0;
+    for (double* numbers : {step->angular_velocity, step->moment}) {
+      std::fill_n(numbers, 3, std::numeric_limits<double>::quiet_NaN());
+    }
+    Refused<contact_solution>::write(&step->solution, status);
+    Refused<contact_rest>::write(&step->rest, status);
+  }
+};
+
+}  // namespace contact::c
+
+using contact::c::call;
+using contact::c::call_for;
+using contact::c::given;
+
+contact_status contact_joint_step(const contact_joint* joint,
+                                  const contact_step_start* start,
+                                  const double inertia[9],
+                                  const contact_step* last,
+                                  contact_step* step) {
+  return call_for(
+      [=] {
+        const contact::Joint& j =
+            given(joint, "contact_joint_step: joint").joint;
+        const contact::StepStart s =
+            contact::c::start_of(given(start, "contact_joint_step: start"));
+        const Eigen::Matrix3d w(&given(inertia, "contact_joint_step: inertia"));
+        contact_step& to = given(step, "contact_joint_step: step");
+        contact::c::tell(to, contact::step(j, s, w, contact::c::last_of(last)));
+        return contact::c::reported(to.status, "contact_joint_step");
+      },
+      step);
+}
+
+contact_status contact_joints_step(const contact_joint* const* joints,
+                                   std::size_t count,
+                                   const contact_step_start* starts,
+                                   const double* inertia, contact_step* steps,
+                                   contact_sweeps* sweeps) {
+  return call([=] {
+    if (count > 0) {
+      given(joints, "contact_joints_step: joints");
+      given(starts, "contact_joints_step: starts");
+      given(inertia, "contact_joints_step: inertia");
+      given(steps, "contact_joints_step: steps");
+    }
+    return contact::c::step_all(joints, count, starts, inertia, steps, sweeps);
+  });
+}
