@@ -1,12 +1,13 @@
 #!/usr/bin/env bash
 # Redraws figures 3, 4, 5, 8 and 9 of the paper from the programs' output,
 # the limit half-angles of other materials, pressure profiles, the error of
-# leaving walls out, a separation of boosters and the sketch of a hinge:
+# leaving walls out, the torque of a pin with interference, a separation of
+# boosters and the sketch of a hinge:
 #   plots/figures.sh BUILD_DIR OUTPUT_DIR
 # leaves NAME.svg, NAME.png and the tables they show, as CSV.
 set -euo pipefail
 if [ $# -ne 2 ]; then
-  sed -n '2,6s/^# \{0,1\}//p' "$0" >&2
+  sed -n '2,7s/^# \{0,1\}//p' "$0" >&2
   exit 2
 fi
 plots=$(cd "$(dirname "$0")" && pwd)
@@ -116,6 +117,16 @@ peak_error_percent
   rm wall.toml
 } >wall_errors.csv
 
+# Torque against load of a lined bush, from interference to clearance, um.
+clearances='-5 -3 -1 0 5'
+for eps in $clearances; do
+  sed "s/radial_interference_um = 3/radial_clearance_um = $eps/" \
+    "$plots/../data/joints/lined_bush_pressed.toml" >bush.toml
+  "$programs/hinge-joint" --joint bush.toml --law exact --reaction 0:15kN:100N \
+    --columns R_N,M_t_N_m --output "preload_$eps.csv" 2>preload.log
+done
+rm bush.toml
+
 # Four boosters leaving a core.
 times='0.5 1 1.4 2.2 3'
 "$programs/hinge-separation" "$plots/../data/cases/soyuz.toml" \
@@ -142,6 +153,7 @@ done
 draw pressure_profiles "size 1160,520 font 'sans,18'" \
   "size 1740,780 font 'sans,21'"
 draw wall_errors "size 1080,900 font 'sans,18'" "size 1620,1350 font 'sans,21'"
+draw preload "size 840,520 font 'sans,18'" "size 1260,780 font 'sans,21'"
 draw limit_angles "size 1080,520 font 'sans,18'" \
   "size 1620,780 font 'sans,21'"
 draw separation "size 900,553 font 'sans,17'" "size 1350,830 font 'sans,20'"
