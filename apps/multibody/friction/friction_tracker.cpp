@@ -57,12 +57,13 @@ void FrictionTracker::add(const HingeFriction& friction) {
 }
 
 void FrictionTracker::start(int hinge, const HingeSolver& solver,
+                            const HingeSolver::Memory& last,
                             const Vector3d& rate) {
   stop(hinge);
   const auto [first, end, is_axis] = hinges_[hinge];
   for (int k = first; k < end; ++k) {
-    joints_.start(k, solver.joints()[k - first], rate);
-    joints_.set_applied_moment(k, solver.joint_moment(k - first));
+    joints_.start(k, last.joints[k - first], rate);
+    joints_.set_applied_moment(k, solver.joint_moment(k - first, last));
   }
   count_ += is_tracked(hinge);
 }

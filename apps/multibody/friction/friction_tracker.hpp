@@ -22,7 +22,8 @@ class FrictionTracker {
 
   /// From a hinge's last solution.
   /// @param rate  with which that was found
-  void start(int hinge, const HingeSolver& solver, const Eigen::Vector3d& rate);
+  void start(int hinge, const HingeSolver& solver,
+             const HingeSolver::Memory& last, const Eigen::Vector3d& rate);
   void stop(int hinge);
   bool is_tracked(int hinge) const;
   /// How many hinges are tracked.

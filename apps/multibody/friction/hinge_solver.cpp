@@ -50,16 +50,23 @@ HingeSolver::HingeSolver(HingeFriction friction, const Link& link, int body)
     } else if (link.kind != HingeKind::ball) {
       refuse("a ball joint alone", "a ball hinge");
     }
-  } else if (const auto* group = std::get_if<GroupFriction>(&friction_)) {
-    if (!is_axis_) refuse("a group of joints", "an axis");
-    group_ = group->group.make_solution();
+  } else if (std::holds_alternative<GroupFriction>(friction_) && !is_axis_) {
+    refuse("a group of joints", "an axis");
   }
-  joints_.resize(contacts_.size());
   can_rest_ = std::ranges::any_of(contacts_, holds);
 }
 
+HingeSolver::Memory HingeSolver::make_memory() const {
+  Memory memory;
+  memory.joints.resize(contacts_.size());
+  if (const auto* group = std::get_if<GroupFriction>(&friction_)) {
+    memory.group = group->group.make_solution();
+  }
+  return memory;
+}
+
 Vector3d HingeSolver::slide(const Reaction<double>& reaction,
-                            const Vector3d& rate) {
+                            const Vector3d& rate, Memory& memory) const {
   const Vector3d axis = axes_.col(2);
   if (const auto* one = std::get_if<JointFriction>(&friction_)) {
     const Vector3d force = axes_ * vec3(reaction.force);
@@ -67,7 +74,7 @@ Vector3d HingeSolver::slide(const Reaction<double>& reaction,
         is_axis_ ? contact::Joint::Slip{force - force.dot(axis) * axis,
                                         rate.z() * axis, axis}
                  : contact::Joint::Slip{force, axes_ * rate};
-    JointSolution& last = joints_[0];
+    JointSolution& last = memory.joints[0];
     last = one->estimate == FrictionEstimate::consistent
                ? one->joint.solve(slip, last, inner)
                : one->joint.solve_contact(
@@ -76,112 +83,123 @@ Vector3d HingeSolver::slide(const Reaction<double>& reaction,
     if (is_axis_) return {0, 0, last.friction_moment.dot(axis)};
     return axes_.transpose() * last.friction_moment;
   }
-  if (!solve_group(reaction, rate.z())) return nan_vector();
+  if (!solve_group(reaction, rate.z(), memory)) return nan_vector();
   double sum = 0;
-  for (const JointSolution& joint : joints_) {
+  for (const JointSolution& joint : memory.joints) {
     sum += joint.friction_moment.dot(axis);
   }
   return {0, 0, sum};
 }
 
 // The joints of a group that turns.
-bool HingeSolver::solve_group(const Reaction<double>& reaction, double rate) {
+bool HingeSolver::solve_group(const Reaction<double>& reaction, double rate,
+                              Memory& memory) const {
   const auto& [group, estimate] = std::get<GroupFriction>(friction_);
   group.solve({.reaction = axes_ * vec3(reaction.force),
                .moment = axes_ * vec3(reaction.moment),
                .axis = axes_.col(2),
                .angular_velocity = rate},
-              group_);
-  std::ranges::copy(group_.joints, joints_.begin());
+              memory.group);
+  std::ranges::copy(memory.group.joints, memory.joints.begin());
   // Where joints carry little, rounding keeps a group from its own tolerance.
   constexpr double fair = 1e-11;
-  if (group_.status != contact::Status::ok && !(group_.residual <= fair)) {
+  if (memory.group.status != contact::Status::ok &&
+      !(memory.group.residual <= fair)) {
     return false;
   }
-  if (estimate == FrictionEstimate::traditional) estimate_joints(group, rate);
+  if (estimate == FrictionEstimate::traditional) {
+    estimate_joints(group, rate, memory);
+  }
   return true;
 }
 
 // The traditional friction of a group's joints under the forces they have.
-void HingeSolver::estimate_joints(const contact::JointGroup& group,
-                                  double rate) {
+void HingeSolver::estimate_joints(const contact::JointGroup& group, double rate,
+                                  Memory& memory) const {
   const Vector3d axis = axes_.col(2);
-  for (std::size_t k = 0; k < joints_.size(); ++k) {
-    const Vector3d force = group_.joints[k].reaction;
-    joints_[k] = group.joints()[k].joint.solve_contact(
+  for (std::size_t k = 0; k < memory.joints.size(); ++k) {
+    const Vector3d force = memory.group.joints[k].reaction;
+    memory.joints[k] = group.joints()[k].joint.solve_contact(
         {.normal_force = force, .angular_velocity = rate * axis, .axis = axis});
   }
 }
 
 double HingeSolver::utilisation_of(const JointFriction& ball,
-                                   const contact::Joint::Hold& hold) {
+                                   const contact::Joint::Hold& hold,
+                                   Memory& memory) const {
+  auto& [joints, group, rest, slip_direction] = memory;
   if (ball.estimate == FrictionEstimate::consistent) {
-    rest_ = ball.joint.at_rest(hold, rest_);
-    joints_[0] = rest_.slip;
-    slip_direction_ = axes_.transpose() * rest_.direction;
-    return rest_.utilisation;
+    rest = ball.joint.at_rest(hold, rest);
+    joints[0] = rest.slip;
+    slip_direction = axes_.transpose() * rest.direction;
+    return rest.utilisation;
   }
   // n = R/|R| whatever the direction of slip.
   const Vector3d across = hold.reaction.unitOrthogonal();
-  joints_[0] = ball.joint.solve_contact({hold.reaction, across});
-  if (joints_[0].status != contact::Status::ok) {
+  joints[0] = ball.joint.solve_contact({hold.reaction, across});
+  if (joints[0].status != contact::Status::ok) {
     return std::numeric_limits<double>::quiet_NaN();
   }
-  const contact::MomentSet set = ball.joint.moment_set(joints_[0]);
+  const contact::MomentSet set = ball.joint.moment_set(joints[0]);
   const double tau = set.utilisation(hold.moment);
-  slip_direction_.setZero();
+  slip_direction.setZero();
   if (tau > 0 && std::isfinite(tau)) {
     // The edge's normal where the moment leaves the set.
     const Vector3d u =
         set.prox(Matrix3d::Identity(), -1.000001 / tau * hold.moment)
             .angular_velocity;
-    if (!u.isZero(0)) slip_direction_ = axes_.transpose() * u.normalized();
+    if (!u.isZero(0)) slip_direction = axes_.transpose() * u.normalized();
   }
   return tau;
 }
 
-double HingeSolver::utilisation(const Reaction<double>& held) {
+double HingeSolver::utilisation(const Reaction<double>& held,
+                                Memory& memory) const {
   if (!is_axis_) {
     return utilisation_of(std::get<JointFriction>(friction_),
                           {.reaction = axes_ * vec3(held.force),
-                           .moment = axes_ * vec3(held.moment)});
+                           .moment = axes_ * vec3(held.moment)},
+                          memory);
   }
   const double needed = held.moment.z;
   const double sign = needed > 0 ? -1 : 1;
-  slip_direction_ = Vector3d(0, 0, needed == 0 ? 0 : sign);
-  const double limit = moment_limit(held, sign);
+  memory.slip_direction = Vector3d(0, 0, needed == 0 ? 0 : sign);
+  const double limit = moment_limit(held, sign, memory);
   // Without body too 0 is held.
   return needed == 0 ? 0 * limit : std::abs(needed) / limit;
 }
 
 // What the joints on an axis hold against sliding with this sign.
-double HingeSolver::moment_limit(const Reaction<double>& held, double sign) {
+double HingeSolver::moment_limit(const Reaction<double>& held, double sign,
+                                 Memory& memory) const {
   const auto* group = std::get_if<GroupFriction>(&friction_);
-  if (!group) return std::abs(slide(held, Vector3d(0, 0, sign)).z());
-  if (!solve_group(held, sign)) {
+  if (!group) return std::abs(slide(held, Vector3d(0, 0, sign), memory).z());
+  if (!solve_group(held, sign, memory)) {
     return std::numeric_limits<double>::quiet_NaN();
   }
   double limit = 0;
-  for (std::size_t k = 0; k < joints_.size(); ++k) {
+  for (std::size_t k = 0; k < contacts_.size(); ++k) {
     if (!holds(contacts_[k])) continue;
-    limit += std::abs(joints_[k].friction_moment.dot(axes_.col(2)));
+    limit += std::abs(memory.joints[k].friction_moment.dot(axes_.col(2)));
   }
   return limit;
 }
 
-int HingeSolver::failed_joint() const {
-  const auto failed = std::ranges::find_if(joints_, [](const auto& joint) {
-    return joint.status != contact::Status::ok;
-  });
-  return failed == joints_.end() ? 0
-                                 : static_cast<int>(failed - joints_.begin());
+int HingeSolver::failed_joint(const Memory& memory) {
+  const auto failed =
+      std::ranges::find_if(memory.joints, [](const JointSolution& joint) {
+        return joint.status != contact::Status::ok;
+      });
+  return failed == memory.joints.end()
+             ? 0
+             : static_cast<int>(failed - memory.joints.begin());
 }
 
-Vector3d HingeSolver::prox(const Matrix3d& inertia,
-                           const Vector3d& free) const {
+Vector3d HingeSolver::prox(const Matrix3d& inertia, const Vector3d& free,
+                           const Memory& memory) const {
   const contact::Joint& joint = std::get<JointFriction>(friction_).joint;
   const Matrix3d given = axes_ * inertia * axes_.transpose();
-  return axes_.transpose() * joint.moment_set(joints_[0])
+  return axes_.transpose() * joint.moment_set(memory.joints[0])
                                  .prox(given, axes_ * free)
                                  .angular_velocity;
 }

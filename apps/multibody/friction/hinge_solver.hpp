@@ -1,7 +1,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <span>
 #include <vector>
 
 #include "multibody/friction/hinge_friction.hpp"
@@ -11,15 +10,26 @@
 namespace multibody {
 
 /// Friction of one hinge under a known reaction, between link axes and the
-/// joint solvers of libcontact, which work in body axes. Remembers its
-/// last solutions as starts of the next. Does not allocate.
+/// joint solvers of libcontact, which work in body axes. Does not allocate.
 class HingeSolver {
  public:
+  /// The last solutions, from which the next ones start; body axes.
+  struct Memory {
+    std::vector<contact::JointSolution> joints;
+    contact::JointGroup::Solution group;
+    contact::RestSolution rest;
+    /// Of the last utilisation(): where it would slide to, unit vector; 0
+    /// where nothing pushes it.
+    Eigen::Vector3d slip_direction = Eigen::Vector3d::Zero();
+  };
+
   /// @param body  for messages
   /// @throws contact::Error if friction and kind of hinge do not go together
   HingeSolver(HingeFriction friction, const Link& link, int body);
 
-  bool has_friction() const { return !joints_.empty(); }
+  /// Without solutions.
+  Memory make_memory() const;
+  bool has_friction() const { return !contacts_.empty(); }
   /// Dry friction, above 0, in at least one joint.
   bool can_rest() const { return can_rest_; }
   bool is_axis() const { return is_axis_; }
@@ -27,51 +37,45 @@ class HingeSolver {
   /// M_t on the body, link axes (axis: along z) while it turns with `rate`
   /// (axis: about z, not 0). NaN where the joint solver fails.
   Eigen::Vector3d slide(const Reaction<double>& reaction,
-                        const Eigen::Vector3d& rate);
+                        const Eigen::Vector3d& rate, Memory& memory) const;
 
   /// tau: share of the moments that friction can hold which `held` needs; NaN
   /// where a contact has no value.
   /// @param held  what acts on the held body in the hinge, its moment about
   ///              the hinge's centre included
-  double utilisation(const Reaction<double>& held);
-  /// Of the last utilisation(): where it would slide to, unit vector, body
-  /// axes; 0 where nothing pushes it.
-  const Eigen::Vector3d& slip_direction() const { return slip_direction_; }
+  double utilisation(const Reaction<double>& held, Memory& memory) const;
 
   /// The motion that friction leaves, for the contact of the last slide():
   /// relative angular acceleration, see contact::MomentSet::prox(). Ball
   /// joints only.
   Eigen::Vector3d prox(const Eigen::Matrix3d& inertia,
-                       const Eigen::Vector3d& free) const;
+                       const Eigen::Vector3d& free, const Memory& memory) const;
 
   /// M_t of a joint, last call, link axes.
-  Eigen::Vector3d joint_moment(int joint) const {
-    return axes_.transpose() * joints_[joint].friction_moment;
+  Eigen::Vector3d joint_moment(int joint, const Memory& memory) const {
+    return axes_.transpose() * memory.joints[joint].friction_moment;
   }
-  /// Of the last call, body axes.
-  std::span<const contact::JointSolution> joints() const { return joints_; }
-  /// If that gave NaN: the joint that it comes from.
-  int failed_joint() const;
+  /// If the last call gave NaN: the joint that it comes from.
+  static int failed_joint(const Memory& memory);
   const contact::JointContact& contact(int joint) const {
     return contacts_[joint];
   }
 
  private:
-  bool solve_group(const Reaction<double>& reaction, double rate);
-  double moment_limit(const Reaction<double>& held, double sign);
-  void estimate_joints(const contact::JointGroup& group, double rate);
+  bool solve_group(const Reaction<double>& reaction, double rate,
+                   Memory& memory) const;
+  double moment_limit(const Reaction<double>& held, double sign,
+                      Memory& memory) const;
+  void estimate_joints(const contact::JointGroup& group, double rate,
+                       Memory& memory) const;
   double utilisation_of(const JointFriction& ball,
-                        const contact::Joint::Hold& hold);
+                        const contact::Joint::Hold& hold, Memory& memory) const;
 
   HingeFriction friction_;
   std::vector<contact::JointContact> contacts_;
   Eigen::Matrix3d axes_;  // link axes to body axes
   bool is_axis_;
   bool can_rest_ = false;
-  Eigen::Vector3d slip_direction_ = Eigen::Vector3d::Zero();
-  std::vector<contact::JointSolution> joints_;
-  contact::JointGroup::Solution group_;
-  contact::RestSolution rest_;
 };
 
 }  // namespace multibody

@@ -18,17 +18,6 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-JointMode joint_mode(HingeMode mode) {
-  switch (mode) {
-    case HingeMode::sliding:
-      return JointMode::turning;
-    case HingeMode::released:
-      return JointMode::released;
-    default:
-      return JointMode::held;
-  }
-}
-
 // About the hinge, of a turn that moves the centre of mass: the least.
 double inertia_of(const Link& link) {
   const double about = link.mass * link.arm * link.arm;
@@ -39,6 +28,17 @@ double inertia_of(const Link& link) {
 }
 
 }  // namespace
+
+JointMode joint_mode(HingeMode mode) {
+  switch (mode) {
+    case HingeMode::sliding:
+      return JointMode::turning;
+    case HingeMode::released:
+      return JointMode::released;
+    default:
+      return JointMode::held;
+  }
+}
 
 Hinge::Hinge(HingeFriction friction, const Link& link, int body)
     : leverage(link.mass * link.arm / inertia_of(link)),
@@ -52,60 +52,59 @@ Hinge::Hinge(HingeFriction friction, const Link& link, int body)
   if (link.kind == HingeKind::none) mode = HingeMode::released;
 }
 
-Hinges::Hinges(const System& system, const std::vector<HingeFriction>& friction)
-    : dynamics_(system), change_(system.size()), reactions_(system.size()) {
+Evaluation::Evaluation(const System& system)
+    : dynamics(system),
+      hinges(system.size()),
+      change(system.size()),
+      reactions(system.size()) {
+  forces.bodies.resize(system.size());
+  active.reserve(system.size());
+}
+
+std::vector<Hinge> make_hinges(const System& system,
+                               const std::vector<HingeFriction>& friction) {
   if (static_cast<int>(friction.size()) != system.size()) {
     throw contact::Error(contact::detail::must_be(
         fmt::format("friction of {} hinges", friction.size()),
         fmt::format("of {}, one for each body", system.size())));
   }
+  std::vector<Hinge> hinges;
   for (int i = 0; i < system.size(); ++i) {
-    hinges_.emplace_back(friction[i], system.links()[i], i);
+    hinges.emplace_back(friction[i], system.links()[i], i);
   }
-  active_.reserve(system.size());
-}
-
-void Hinges::set_mode(int body, HingeMode mode) {
-  Hinge& hinge = hinges_[body];
-  if (joint_mode(hinge.mode) != joint_mode(mode)) {
-    // They stay those of the last evaluation.
-    know_reactions();
-    dynamics_.set_mode(body, joint_mode(mode));
-  }
-  hinge.mode = mode;
-  hinge.straight = hinge.follows = false;
-  hinge.slope.setZero();
-  hinge.utilisation_of = -1;
-  active_known_ = false;
+  return hinges;
 }
 
 void Hinges::set_state(const double* state) {
-  ++evaluation_;
-  state_ = state;
-  std::ranges::fill(change_, Vec3<double>{0, 0, 0});
-  if (!active_known_) {
-    active_.clear();
-    for (int i = 0; i < size(); ++i) {
-      if (hinges_[i].is_active()) active_.push_back(i);
-    }
-    active_known_ = true;
+  ++at_.number;
+  at_.solutions.clear();
+  at_.is_refined = false;
+  at_.active.clear();
+  Dynamics& dynamics = at_.dynamics;
+  for (int i = 0; i < size(); ++i) {
+    const JointMode mode = joint_mode(hinges_[i].mode);
+    if (dynamics.mode(i) != mode) dynamics.set_mode(i, mode);
+    if (hinges_[i].is_active()) at_.active.push_back(i);
   }
-  for (const int i : active_) {
-    Hinge& hinge = hinges_[i];
-    const double* s = state + dynamics_.layout().offset(i);
+  if (state != at_.state.data()) {
+    at_.state.assign(state, state + dynamics.layout().size());
+  }
+  std::ranges::fill(at_.change, Vec3<double>{0, 0, 0});
+  for (const int i : active()) {
+    const Hinge& hinge = hinges_[i];
+    const Vector3d& direction = memory(i).direction;
+    Vector3d& rate = now(i).rate;
+    const double* s = state + dynamics.layout().offset(i);
     const bool dry = hinge.can_rest;
     if (!hinge.is_axis) {
-      hinge.rate = Vector3d(s[4], s[5], s[6]);
-      if (dry && (hinge.straight || hinge.rate.isZero(0))) {
-        hinge.rate = hinge.direction;
-      }
+      rate = Vector3d(s[4], s[5], s[6]);
+      if (dry && (hinge.straight || rate.isZero(0))) rate = direction;
     } else {
       // Beyond the end of its sliding, where a step may look, dry friction
       // goes on as if it slid the way it did.
       constexpr double least = 1e-100;
-      const double sign = hinge.direction.z();
-      const double rate = dry ? sign * std::max(sign * s[1], least) : s[1];
-      hinge.rate = Vector3d(0, 0, rate);
+      const double sign = direction.z();
+      rate = Vector3d(0, 0, dry ? sign * std::max(sign * s[1], least) : s[1]);
     }
   }
 }
@@ -115,91 +114,94 @@ bool Hinges::any_gets_under_way() const {
   // to its end, and none so large is uncertain.
   constexpr double slow = 1e-5;
   constexpr double share = 1e-4;
-  return std::ranges::any_of(active_, [&](int i) {
+  return std::ranges::any_of(active(), [&](int i) {
     const Hinge& hinge = hinges_[i];
     const bool is_slow =
-        hinge.follows || (hinge.is_axis && std::abs(hinge.rate.z()) < slow);
+        hinge.follows || (hinge.is_axis && std::abs(now(i).rate.z()) < slow);
     return is_slow && hinge.can_rest &&
-           hinge.inertia * acceleration(i).norm() < share * hinge.moment.norm();
+           hinge.inertia * acceleration(i).norm() <
+               share * memory(i).moment.norm();
   });
 }
 
-void Hinges::start(ActiveForces<double>& forces) {
-  forces_ = &forces;
+void Hinges::start() {
   for (int i = 0; i < size(); ++i) {
-    Hinge& hinge = hinges_[i];
-    if (!hinge.is_active()) hinge.moment.setZero();
-    forces.bodies[i].friction = vec3(hinge.moment);
+    Vector3d& moment = memory(i).moment;
+    if (!hinges_[i].is_active()) moment.setZero();
+    forces().bodies[i].friction = vec3(moment);
   }
   evaluate();
 }
 
 void Hinges::evaluate() {
-  if (prescribed_) {
-    dynamics_.evaluate_prescribed(state_, *forces_, *prescribed_);
+  if (is_prescribed()) {
+    at_.dynamics.evaluate_prescribed(at_.state.data(), forces(),
+                                     *at_.prescribed);
   } else {
-    dynamics_.evaluate(state_, *forces_);
+    at_.dynamics.evaluate(at_.state.data(), forces());
   }
-  reactions_known_ = false;
+  at_.reactions_known = false;
 }
 
 void Hinges::apply_changes() {
-  ++evaluation_;
-  ++change_count_;
-  for (const int i : active_) {
-    hinges_[i].moment += vec3(change_[i]);
-    forces_->bodies[i].friction = vec3(hinges_[i].moment);
+  ++at_.number;
+  memory_.tracked.forget_applied();
+  for (const int i : active()) {
+    memory(i).moment += vec3(change(i));
+    forces().bodies[i].friction = vec3(memory(i).moment);
   }
-  if (prescribed_) {
+  if (is_prescribed()) {
     evaluate();
   } else {
-    dynamics_.add_friction(change_);
-    reactions_known_ = false;
+    at_.dynamics.add_friction(at_.change);
+    at_.reactions_known = false;
   }
 }
 
 void Hinges::give_reactions(FrictionTracker& tracker) {
-  tracker.take_reactions(dynamics_, active_, reactions_);
-  reactions_known_ = !tracker.is_direct();
+  tracker.take_reactions(at_.dynamics, active(), at_.reactions);
+  at_.reactions_known = !tracker.is_direct();
 }
 
 void Hinges::take_moment(int body, const Vector3d& moment) {
-  hinges_[body].moment = hinges_[body].solved = moment;
-  forces_->bodies[body].friction = vec3(moment);
+  memory(body).moment = now(body).solved = moment;
+  forces().bodies[body].friction = vec3(moment);
 }
 
 void Hinges::move(FrictionTracker& tracker) {
-  if (prescribed_) {
+  if (is_prescribed()) {
     evaluate();
   } else {
-    tracker.move(dynamics_, active_, change_);
+    tracker.move(at_.dynamics, active(), at_.change);
   }
   give_reactions(tracker);
 }
 
 void Hinges::know_reactions() {
-  if (!reactions_known_) dynamics_.reactions(reactions_);
-  reactions_known_ = true;
+  if (!at_.reactions_known) at_.dynamics.reactions(at_.reactions);
+  at_.reactions_known = true;
 }
 
 Vector3d Hinges::acceleration(int body) const {
-  return vec3(dynamics_.relative_acceleration(body));
+  return vec3(at_.dynamics.relative_acceleration(body));
 }
 
 double Hinges::solve(double floor) {
   double largest = 0;
-  for (const int i : active_) {
-    Hinge& hinge = hinges_[i];
-    hinge.solved = hinge.solver.slide(reaction(i), hinge.rate);
+  for (const int i : active()) {
+    HingeInstant& hinge = now(i);
+    hinge.solved =
+        hinges_[i].solver.slide(reaction(i), hinge.rate, memory(i).solver);
     hinge.solver_is_behind = false;
     largest = std::max(largest, hinge.solved.norm());
   }
   double residual = 0;
-  for (const int i : active_) {
-    const Hinge& hinge = hinges_[i];
-    const double difference = (hinge.solved - hinge.moment).norm();
+  for (const int i : active()) {
+    const Vector3d& solved = now(i).solved;
+    const Vector3d& moment = memory(i).moment;
+    const double difference = (solved - moment).norm();
     if (difference == 0) continue;
-    const double own = difference / (hinge.solved.norm() + hinge.moment.norm() +
+    const double own = difference / (solved.norm() + moment.norm() +
                                      small_share * largest + floor);
     // NaN stays, whatever follows.
     if (!(own <= residual) && !std::isnan(residual)) residual = own;
@@ -208,36 +210,36 @@ double Hinges::solve(double floor) {
 }
 
 std::span<const contact::JointSolution> Hinges::joints(int body) {
-  Hinge& hinge = hinges_[body];
-  if (hinge.solver_is_behind && hinge.is_active()) {
-    hinge.solver.slide(reaction(body), hinge.rate);
+  HingeInstant& hinge = now(body);
+  if (hinge.solver_is_behind && hinges_[body].is_active()) {
+    hinges_[body].solver.slide(reaction(body), hinge.rate, memory(body).solver);
   }
   hinge.solver_is_behind = false;
-  return hinge.solver.joints();
+  return memory(body).solver.joints;
 }
 
 CoupledRounding Hinges::rounding() const {
   const auto length_of = [](const Vec3<double>& v) {
     return std::sqrt(dot(v, v));
   };
-  const double* w = state_ + StateLayout::angular_velocity;
+  const double* w = at_.state.data() + StateLayout::angular_velocity;
   double rate = std::sqrt(w[0] * w[0] + w[1] * w[1] + w[2] * w[2]);
-  double force = length_of(forces_->carrier.force);
-  double moment = length_of(forces_->carrier.moment);
+  double force = length_of(forces().carrier.force);
+  double moment = length_of(forces().carrier.moment);
   double mass = 0;
   double length = 0;
   for (int i = 0; i < size(); ++i) {
     const Hinge& hinge = hinges_[i];
     if (hinge.mode == HingeMode::released) continue;
-    const double* s = state_ + dynamics_.layout().offset(i);
+    const double* s = at_.state.data() + at_.dynamics.layout().offset(i);
     rate = std::max(
         rate, hinge.is_axis ? std::abs(s[1]) : std::hypot(s[4], s[5], s[6]));
-    force += length_of(forces_->bodies[i].force);
-    moment += length_of(forces_->bodies[i].moment);
+    force += length_of(forces().bodies[i].force);
+    moment += length_of(forces().bodies[i].moment);
     mass += hinge.mass;
     length = std::max(length, hinge.length);
   }
-  if (prescribed_) force += mass * length_of(prescribed_->linear);
+  if (is_prescribed()) force += mass * length_of(at_.prescribed->linear);
   // Some tens of operations on each.
   constexpr double share = 1e-14;
   const double forces = share * (force + mass * length * rate * rate);
@@ -248,39 +250,41 @@ double Hinges::uncertain_moment() const {
   // Of all forces together, of which a hinge takes a part.
   constexpr double part = 0.1;
   double sum = 0;
-  for (const int i : active_) sum += hinges_[i].moment.norm();
+  for (const int i : active()) sum += memory(i).moment.norm();
   return part * rounding().moment + refined_tolerance * sum;
 }
 
 Hinges::Response Hinges::response(int body) {
-  Hinge& hinge = hinges_[body];
-  const double size = std::max(hinge.moment.norm(), 1.0);
+  const double size = std::max(memory(body).moment.norm(), 1.0);
   const Vector3d alpha0 = acceleration(body);
   const Vector3d force0 = vec3(reaction(body).force);
   const Vector3d moment0 = vec3(reaction(body).moment);
   Response r{Matrix3d::Zero(), Matrix3d::Zero(), Matrix3d::Zero()};
-  for (int k = hinge.is_axis ? 2 : 0; k < 3; ++k) {
-    std::ranges::fill(change_, Vec3<double>{0, 0, 0});
-    const Vector3d change = size * Vector3d::Unit(k);
-    change_[body] = vec3(change);
+  for (int k = hinges_[body].is_axis ? 2 : 0; k < 3; ++k) {
+    std::ranges::fill(at_.change, Vec3<double>{0, 0, 0});
+    const Vector3d moved = size * Vector3d::Unit(k);
+    change(body) = vec3(moved);
     apply_changes();
     r.acceleration.col(k) = (acceleration(body) - alpha0) / size;
     r.force.col(k) = (vec3(reaction(body).force) - force0) / size;
     r.moment.col(k) = (vec3(reaction(body).moment) - moment0) / size;
-    change_[body] = vec3(Vector3d(-change));
+    change(body) = vec3(Vector3d(-moved));
     apply_changes();
   }
-  change_[body] = {0, 0, 0};
+  change(body) = {0, 0, 0};
   return r;
 }
 
 double Hinges::kappa(int body) {
-  Hinge& hinge = hinges_[body];
+  const Hinge& hinge = hinges_[body];
   const Response by_moment = response(body);
   const Reaction<double> at = reaction(body);
   const double force = vec3(at.force).norm();
   if (!(force > 0)) return 0;
-  const Vector3d middle = hinge.solver.slide(at, hinge.rate);
+  const auto solved = [&](const Reaction<double>& reaction) {
+    return hinge.solver.slide(reaction, now(body).rate, memory(body).solver);
+  };
+  const Vector3d middle = solved(at);
   // Forward differences, good to some 1e-6.
   constexpr double share = 1e-6;
   Matrix3d by_force;
@@ -289,13 +293,13 @@ double Hinges::kappa(int body) {
     const double step = share * force;
     Reaction<double> moved = at;
     moved.force = vec3(Vector3d(vec3(at.force) + step * Vector3d::Unit(k)));
-    by_force.col(k) = (hinge.solver.slide(moved, hinge.rate) - middle) / step;
+    by_force.col(k) = (solved(moved) - middle) / step;
     if (!hinge.is_axis || k == 2) continue;
     moved = at;
     moved.moment = vec3(Vector3d(vec3(at.moment) + step * Vector3d::Unit(k)));
-    by_held.col(k) = (hinge.solver.slide(moved, hinge.rate) - middle) / step;
+    by_held.col(k) = (solved(moved) - middle) / step;
   }
-  hinge.solver.slide(at, hinge.rate);
+  solved(at);
   // Frobenius norms, up to 3 times the largest stretch: the safe side, also
   // where hinges act on each other.
   return by_force.norm() * by_moment.force.norm() +
@@ -303,16 +307,17 @@ double Hinges::kappa(int body) {
 }
 
 double Hinges::utilisation(int body) {
-  Hinge& hinge = hinges_[body];
-  if (hinge.utilisation_of != evaluation_) {
+  HingeInstant& hinge = now(body);
+  if (hinge.utilisation_of != at_.number) {
     // Rounding does not make a hinge slide.
     const CoupledRounding least = rounding();
     const Reaction<double>& held = reaction(body);
-    hinge.utilisation = vec3(held.force).norm() <= least.force &&
-                                vec3(held.moment).norm() <= least.moment
-                            ? 0
-                            : hinge.solver.utilisation(held);
-    hinge.utilisation_of = evaluation_;
+    hinge.utilisation =
+        vec3(held.force).norm() <= least.force &&
+                vec3(held.moment).norm() <= least.moment
+            ? 0
+            : hinges_[body].solver.utilisation(held, memory(body).solver);
+    hinge.utilisation_of = at_.number;
   }
   return hinge.utilisation;
 }
@@ -323,7 +328,7 @@ Hinges::Felt Hinges::felt(int body) {
   const Vector3d alpha = acceleration(body);
   const Matrix3d inertia = mobility.inverse();
   return {0.5 * (inertia + inertia.transpose()),
-          alpha - mobility * hinges_[body].moment};
+          alpha - mobility * memory(body).moment};
 }
 
 }  // namespace multibody

@@ -30,15 +30,15 @@ class Search {
   VectorXd moments() const {
     VectorXd x(3 * active_.size());
     for (std::size_t k = 0; k < active_.size(); ++k) {
-      x.segment<3>(3 * k) = hinges_[active_[k]].moment;
+      x.segment<3>(3 * k) = hinges_.memory(active_[k]).moment;
     }
     return x;
   }
 
   void set_moments(const VectorXd& x) {
     for (std::size_t k = 0; k < active_.size(); ++k) {
-      hinges_.change(active_[k]) =
-          vec3(Vector3d(x.segment<3>(3 * k) - hinges_[active_[k]].moment));
+      hinges_.change(active_[k]) = vec3(
+          Vector3d(x.segment<3>(3 * k) - hinges_.memory(active_[k]).moment));
     }
     hinges_.apply_changes();
   }
@@ -49,7 +49,8 @@ class Search {
     hinges_.solve();
     VectorXd f(x.size());
     for (std::size_t k = 0; k < active_.size(); ++k) {
-      f.segment<3>(3 * k) = hinges_[active_[k]].solved - x.segment<3>(3 * k);
+      f.segment<3>(3 * k) =
+          hinges_.now(active_[k]).solved - x.segment<3>(3 * k);
     }
     return f;
   }
@@ -86,7 +87,7 @@ class Search {
   // the sliding, from 0 to far beyond any that could fit.
   std::vector<VectorXd> scan_axis() {
     std::vector<VectorXd> found;
-    const double sign = -hinges_[active_[0]].rate.z();
+    const double sign = -hinges_.now(active_[0]).rate.z();
     const auto value = [&](double size) {
       VectorXd x = VectorXd::Zero(3);
       x[2] = std::copysign(size, sign);
@@ -146,14 +147,15 @@ class Search {
 
 }  // namespace
 
-std::vector<CoupledSolution> search(Hinges& hinges, CoupledReport& report) {
+void search(Hinges& hinges) {
+  CoupledReport& report = hinges.report();
   Search search(hinges);
   const std::vector<int>& active = hinges.active();
   const VectorXd before = search.moments();
   std::vector<VectorXd> found = search.scan(before);
   if (report.status == CoupledStatus::ok) add_new(found, before);
 
-  std::vector<CoupledSolution> solutions;
+  std::vector<CoupledSolution>& solutions = hinges.evaluation().solutions;
   for (const VectorXd& x : found) {
     CoupledSolution& s = solutions.emplace_back();
     s.moments.assign(hinges.size(), Vector3d::Zero());
@@ -166,14 +168,13 @@ std::vector<CoupledSolution> search(Hinges& hinges, CoupledReport& report) {
     report.status = CoupledStatus::ok;
     report.residual = hinges.solve();
     report.body = -1;
-    return solutions;
+    return;
   }
   report.status = found.empty() ? CoupledStatus::no_solution
                                 : CoupledStatus::several_solutions;
   if (report.body < 0) report.body = active[0];
   // The next evaluation has to find its own way.
   search.set_moments(VectorXd::Zero(before.size()));
-  return solutions;
 }
 
 }  // namespace multibody

@@ -16,21 +16,22 @@ using Eigen::VectorXd;
 bool is_driven(const Hinges& hinges, int body) {
   const Hinge& hinge = hinges[body];
   constexpr double rounding = 1e-8;
-  const double along = hinges.acceleration(body).dot(hinge.direction);
-  return along < (hinge.is_axis ? 0 : -rounding * hinge.pace);
+  const HingeMemory& memory = hinges.memory(body);
+  const double along = hinges.acceleration(body).dot(memory.direction);
+  return along < (hinge.is_axis ? 0 : -rounding * memory.pace);
 }
 
 std::vector<Vector3d> SlipDirections::get() const {
   std::vector<Vector3d> all;
   for (const Onset& ball : balls_) {
-    all.push_back(hinges_[ball.body].direction);
+    all.push_back(hinges_.memory(ball.body).direction);
   }
   return all;
 }
 
 void SlipDirections::set(const std::vector<Vector3d>& directions) {
   for (std::size_t k = 0; k < directions.size(); ++k) {
-    hinge(k).direction = directions[k];
+    memory(k).direction = directions[k];
   }
 }
 
@@ -39,9 +40,9 @@ bool SlipDirections::across(VectorXd& parts) {
   if (!evaluate_()) return false;
   for (std::size_t k = 0; k < balls_.size(); ++k) {
     const Vector3d alpha = hinges_.acceleration(balls_[k].body);
-    const Vector3d& u = hinge(k).direction;
+    const Vector3d& u = memory(k).direction;
     parts.segment<2>(2 * k) = tangents_.middleCols<2>(2 * k).transpose() *
-                              (alpha - alpha.dot(u) * u) / hinge(k).pace;
+                              (alpha - alpha.dot(u) * u) / memory(k).pace;
   }
   return true;
 }
@@ -54,7 +55,7 @@ bool SlipDirections::settle() {
   std::vector<Vector3d> from;
   const auto turn = [&](const VectorXd& step) {
     for (std::size_t k = 0; k < balls_.size(); ++k) {
-      hinge(k).direction =
+      memory(k).direction =
           (from[k] + tangents_.middleCols<2>(2 * k) * step.segment<2>(2 * k))
               .normalized();
     }
@@ -105,9 +106,10 @@ bool SlipDirections::find() {
   std::vector<Vector3d> free, frozen;
   for (const Onset& ball : balls_) {
     const Hinges::Felt feels = hinges_.felt(ball.body);
-    Hinge& hinge = hinges_[ball.body];
+    HingeMemory& hinge = hinges_.memory(ball.body);
     free.push_back(feels.free.normalized());
-    const Vector3d rate = hinge.solver.prox(feels.inertia, feels.free);
+    const Vector3d rate =
+        hinges_[ball.body].solver.prox(feels.inertia, feels.free, hinge.solver);
     frozen.push_back(rate.isZero(0) ? hinge.direction : rate.normalized());
     const Vector3d alpha = hinges_.acceleration(ball.body);
     hinge.pace = std::max(feels.free.norm(), (feels.free - alpha).norm());
@@ -125,13 +127,13 @@ bool SlipDirections::find() {
 bool SlipDirections::follow_excess() {
   std::vector<Vec3<double>> full;
   for (const Onset& ball : balls_) {
-    full.push_back(forces_.bodies[ball.body].moment);
-    hinges_[ball.body].direction = ball.direction;
+    full.push_back(hinges_.forces().bodies[ball.body].moment);
+    hinges_.memory(ball.body).direction = ball.direction;
   }
   const auto set_share = [&](double share) {
     for (std::size_t k = 0; k < balls_.size(); ++k) {
       const Vector3d less = (1 - share) * balls_[k].excess;
-      forces_.bodies[balls_[k].body].moment = full[k] - vec3(less);
+      hinges_.forces().bodies[balls_[k].body].moment = full[k] - vec3(less);
     }
   };
   double done = 0;

@@ -24,13 +24,11 @@ bool is_driven(const Hinges& hinges, int body);
 class SlipDirections {
  public:
   /// Refers to all of them.
-  /// @param forces    in which `evaluate` finds motion and friction; false if
-  ///                  it cannot
+  /// @param evaluate  finds motion and friction; false if it cannot
   /// @param balls     ball joints that slide
-  SlipDirections(Hinges& hinges, ActiveForces<double>& forces,
-                 std::function<bool()> evaluate, std::vector<Onset> balls)
+  SlipDirections(Hinges& hinges, std::function<bool()> evaluate,
+                 std::vector<Onset> balls)
       : hinges_(hinges),
-        forces_(forces),
         evaluate_(std::move(evaluate)),
         balls_(std::move(balls)),
         tangents_(3, 2 * balls_.size()) {}
@@ -43,12 +41,11 @@ class SlipDirections {
   bool find();
 
  private:
-  Hinge& hinge(std::size_t k) { return hinges_[balls_[k].body]; }
+  HingeMemory& memory(std::size_t k) { return hinges_.memory(balls_[k].body); }
   bool across(Eigen::VectorXd& parts);
   bool follow_excess();
 
   Hinges& hinges_;
-  ActiveForces<double>& forces_;
   std::function<bool()> evaluate_;
   std::vector<Onset> balls_;
   Eigen::MatrixXd tangents_;  // two for each joint

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "multibody/friction/hinges.hpp"
 #include "multibody/system/eigen_conversion.hpp"
 
 namespace multibody {
@@ -15,20 +16,15 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
-TrackedLoop::TrackedLoop(Hinges& hinges,
-                         const std::vector<HingeFriction>& friction,
-                         const CoupledOptions& options)
-    : hinges_(hinges),
-
-      tracker_(friction),
-      tolerance_(options.tolerance) {
-  forget_path();
-}
-
-void TrackedLoop::extrapolate(const double* state) {
-  for (const int i : hinges_.active()) tracker_.set_rate(i, hinges_[i].rate);
-  step_ =
-      Eigen::Map<const Eigen::VectorXd>(state, path_end_.size()) - path_end_;
+void TrackedLoop::extrapolate(Hinges& hinges) {
+  for (const int i : hinges.active()) {
+    tracker_.set_rate(i, hinges.now(i).rate);
+  }
+  const std::vector<double>& numbers = hinges.evaluation().state;
+  const Eigen::Map<const Eigen::VectorXd> state(
+      numbers.data(), static_cast<Eigen::Index>(numbers.size()));
+  if (path_end_.size() != state.size()) path_end_.setZero(state.size());
+  step_ = state - path_end_;
   step_square_ = step_.squaredNorm();
   if (kept_ < 2) return;
   // More than 6 deg off (cosine, squared), or too far to tell.
@@ -41,8 +37,9 @@ void TrackedLoop::extrapolate(const double* state) {
     return;
   }
   tracker_.joints().extrapolate(share);
-  for (const int i : hinges_.active())
-    hinges_[i].moment = tracker_.applied_moment(i);
+  for (const int i : hinges.active()) {
+    hinges.memory(i).moment = tracker_.applied_moment(i);
+  }
 }
 
 // After track().
@@ -56,14 +53,13 @@ void TrackedLoop::keep() {
 }
 
 void TrackedLoop::forget_path() {
-  path_end_.setZero(hinges_.dynamics().layout().size());
-  path_ = step_ = path_end_;
+  path_end_.setZero();
   kept_ = 0;
-  applied_at_ = -1;
+  applied_known_ = false;
 }
 
 double TrackedLoop::largest_leverage() const {
-  return applied_known() ? largest_leverage_ : infinity;
+  return applied_known_ ? largest_leverage_ : infinity;
 }
 
 void TrackedLoop::stop(int body) {
@@ -78,19 +74,19 @@ void TrackedLoop::learn_contraction(double contraction) {
 }
 
 // From what the last step of relax() has left.
-void TrackedLoop::learn_step(double residual) {
+void TrackedLoop::learn_step(CoupledReport& report, double residual) {
   // Of smaller steps rounding is left, whatever the contraction.
   constexpr double telling = 1e-9;
   if (!(last_residual_ > telling)) return;
   const double contraction = residual / last_residual_;
-  report_->contraction = std::max(report_->contraction, contraction);
+  report.contraction = std::max(report.contraction, contraction);
   learn_contraction(contraction);
 }
 
 // Moments that fit the reactions they cause if friction is as the tracker
 // predicts near its last contacts, by simple iteration.
 // @return what is left, relative; large if it does not contract
-double TrackedLoop::relax(double enough) {
+double TrackedLoop::relax(Hinges& hinges, double enough) {
   // In groups, where rounds contract by 0.01, to 1e-12; what contracts less is
   // predicted again.
   constexpr int round_limit = 6;
@@ -104,48 +100,48 @@ double TrackedLoop::relax(double enough) {
   for (int round = 0; round < round_limit; ++round) {
     if (round > 0) {
       joints.extend();
-      learn_step(found.residual);
+      learn_step(hinges.report(), found.residual);
     } else {
-      report_->residual = found.residual;
+      hinges.report().residual = found.residual;
     }
     if (found.residual <= enough) return found.residual;
     if (!(found.residual < lost)) return 1;
     last_residual_ = found.residual;
     joints.apply();
-    if (hinges_.is_prescribed()) take_applied_moments();
-    hinges_.move(tracker_);
+    if (hinges.is_prescribed()) take_applied_moments(hinges);
+    hinges.move(tracker_);
     left = safety * usual_contraction_ * last_residual_;
     if (left <= enough) return left;
   }
   return left;
 }
 
-void TrackedLoop::take_applied_moments() {
+void TrackedLoop::take_applied_moments(Hinges& hinges) {
   largest_applied_ = largest_leverage_ = 0;
-  for (const int i : hinges_.active()) {
+  for (const int i : hinges.active()) {
     const Vector3d moment = tracker_.applied_moment(i);
-    hinges_.take_moment(i, moment);
+    hinges.take_moment(i, moment);
     const double square = moment.squaredNorm();
-    const double leverage = hinges_[i].leverage;
+    const double leverage = hinges[i].leverage;
     const double bound = leverage * leverage * square;
     const Vec3<double> force =
-        tracker_.is_direct() ? tracker_.force(i) : hinges_.reaction(i).force;
+        tracker_.is_direct() ? tracker_.force(i) : hinges.reaction(i).force;
     largest_applied_ = std::max(largest_applied_, square);
     const double share = bound / dot(force, force);
     largest_leverage_ =
         std::max(largest_leverage_, share >= 0 ? share : infinity);
   }
-  applied_at_ = hinges_.change_count();
+  applied_known_ = true;
 }
 
 // The outer loop with one evaluation of the friction of all hinges for each
 // iteration, as long as the tracker can be trusted.
-bool TrackedLoop::track() {
-  hinges_.give_reactions(tracker_);
-  if (!applied_known()) {
+bool TrackedLoop::track(Hinges& hinges) {
+  hinges.give_reactions(tracker_);
+  if (!applied_known_) {
     largest_applied_ = 0;
-    for (const int i : hinges_.active()) {
-      const Vector3d& moment = hinges_[i].moment;
+    for (const int i : hinges.active()) {
+      const Vector3d& moment = hinges.memory(i).moment;
       tracker_.set_applied_moment(i, moment);
       largest_applied_ = std::max(largest_applied_, moment.squaredNorm());
     }
@@ -153,12 +149,12 @@ bool TrackedLoop::track() {
   // Half of what small moments count.
   tracker_.joints().set_moment_floor(Hinges::small_share *
                                      std::sqrt(largest_applied_));
-  const bool found = track_joints();
-  take_applied_moments();
+  const bool found = track_joints(hinges);
+  take_applied_moments(hinges);
   return found;
 }
 
-bool TrackedLoop::track_joints() {
+bool TrackedLoop::track_joints(Hinges& hinges) {
   constexpr int iteration_limit = 4;
   // Contacts are evaluated where moments are as near as this to those found in
   // the end, and reactions nearer: then slopes, wrong by some percent, do for
@@ -166,20 +162,23 @@ bool TrackedLoop::track_joints() {
   constexpr double near = 1e-7;
   contact::JointTracker& joints = tracker_.joints();
   const contact::JointTracker::Largest& found = joints.largest();
-  for (report_->iterations = 1; report_->iterations <= iteration_limit;
-       ++report_->iterations) {
+  CoupledProgress& report = hinges.report();
+  for (report.iterations = 1; report.iterations <= iteration_limit;
+       ++report.iterations) {
     joints.predict();
     last_residual_ = 0;
     if (!found.is_trusted()) return false;
-    relax(near);
+    relax(hinges, near);
     joints.correct();
-    learn_step(found.uncorrected);
-    double left = relax(0.1 * tolerance_);
-    report_->add_step();
+    learn_step(report, found.uncorrected);
+    double left = relax(hinges, 0.1 * tolerance_);
+    report.add_step();
     left += found.error;
     if (left <= tolerance_) {
-      report_->residual = left;
-      for (const int i : hinges_.active()) hinges_[i].solver_is_behind = true;
+      report.residual = left;
+      for (const int i : hinges.active()) {
+        hinges.now(i).solver_is_behind = true;
+      }
       return true;
     }
   }
@@ -187,14 +186,13 @@ bool TrackedLoop::track_joints() {
 }
 
 // Not again and again where it does not work.
-bool TrackedLoop::converge(CoupledProgress& report) {
-  report_ = &report;
+bool TrackedLoop::converge(Hinges& hinges) {
   constexpr double strong = 0.3;  // contraction
   constexpr int longest_pause = 64;
   is_weak_ = usual_contraction_ < strong;
   if (is_weak_ && pause_ == 0 &&
-      tracker_.count() == static_cast<int>(hinges_.active().size())) {
-    if (track()) {
+      tracker_.count() == static_cast<int>(hinges.active().size())) {
+    if (track(hinges)) {
       keep();
       last_pause_ = 0;
       return true;
@@ -208,10 +206,11 @@ bool TrackedLoop::converge(CoupledProgress& report) {
   return false;
 }
 
-void TrackedLoop::start() {
+void TrackedLoop::start(const Hinges& hinges) {
   if (!is_weak_ || pause_ > 0) return;
-  for (const int i : hinges_.active()) {
-    tracker_.start(i, hinges_[i].solver, hinges_[i].rate);
+  for (const int i : hinges.active()) {
+    tracker_.start(i, hinges[i].solver, hinges.memory(i).solver,
+                   hinges.now(i).rate);
   }
 }
 

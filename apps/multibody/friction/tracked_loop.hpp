@@ -3,34 +3,37 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "multibody/friction/coupled_report.hpp"
 #include "multibody/friction/friction_tracker.hpp"
-#include "multibody/friction/hinges.hpp"
 
 namespace multibody {
+
+class Hinges;
 
 /// Brings friction moments and reactions into agreement with an evaluation or
 /// two of every contact, by the joints tracked from one instant to the next:
 /// as long as they can be trusted, and where it is likely to work.
 class TrackedLoop {
  public:
-  /// Refers to the hinges.
-  /// @param friction  of these hinges
-  TrackedLoop(Hinges& hinges, const std::vector<HingeFriction>& friction,
-              const CoupledOptions& options);
+  TrackedLoop(const std::vector<HingeFriction>& friction,
+              const CoupledOptions& options)
+      : tracker_(friction), tolerance_(options.tolerance) {}
 
   /// After Hinges::set_state(): where the state goes on in the direction of
   /// its last move, moments do too.
-  void extrapolate(const double* state);
+  void extrapolate(Hinges& hinges);
   /// After Hinges::start().
   /// @return false: others have to find the moments
-  bool converge(CoupledProgress& report);
+  bool converge(Hinges& hinges);
   /// After others have found them: from the last solutions of the hinges'
   /// solvers, where tracking is likely to work the next time.
-  void start();
+  void start(const Hinges& hinges);
   /// A hinge does something else: all starts anew.
   void stop(int body);
   /// Where the motion comes from says nothing on where it goes.
   void forget_path();
+  /// Moments of hinges were changed by others.
+  void forget_applied() { applied_known_ = false; }
 
   /// Largest (leverage |M_t|/|R|)^2 of the hinges, infinity if it is not
   /// known.
@@ -39,26 +42,23 @@ class TrackedLoop {
   void learn_contraction(double contraction);
 
  private:
-  bool track();
-  bool track_joints();
-  double relax(double enough);
-  void learn_step(double residual);
+  bool track(Hinges& hinges);
+  bool track_joints(Hinges& hinges);
+  double relax(Hinges& hinges, double enough);
+  void learn_step(CoupledReport& report, double residual);
   void keep();
-  void take_applied_moments();
-  bool applied_known() const { return applied_at_ == hinges_.change_count(); }
+  void take_applied_moments(Hinges& hinges);
 
-  Hinges& hinges_;
   FrictionTracker tracker_;
   double tolerance_;
-  CoupledProgress* report_ = nullptr;  // of the present evaluation
   // State of the last evaluation tracked, its move from the one before, that of
   // the present one from it; how many have been kept since the path began.
   Eigen::VectorXd path_end_, path_, step_;
   double path_square_ = 0, step_square_ = 0;  // of their lengths
   int kept_ = 0;
-  // When the tracker's applied moments were those of the hinges; as track()
+  // Whether the tracker's applied moments are those of the hinges; as track()
   // left them the largest, squared, and the largest of the leverages.
-  long applied_at_ = -1;
+  bool applied_known_ = false;
   double largest_applied_ = 0;
   double largest_leverage_ = 0;
   double last_residual_ = 0;  // before the last step of relax(); 0: none yet

@@ -18,7 +18,7 @@ void silent(int, const char*, const char*, char*, void*) {}
 
 class AdaptiveStepper final : public Stepper {
  public:
-  AdaptiveStepper(RateFunction rates, const AdaptiveOptions& options)
+  AdaptiveStepper(Rates rates, const AdaptiveOptions& options)
       : Stepper(std::move(rates)), options_(options) {
     SUNContext_Create(nullptr, &context_);
   }
@@ -31,6 +31,8 @@ class AdaptiveStepper final : public Stepper {
     if (state.size() != to_.size()) forget();
     Stepper::restart(time, state);
     wall_ = -std::numeric_limits<double>::infinity();
+    last_time_ = std::numeric_limits<double>::quiet_NaN();
+    inside_.clear();
     if (memory_) {
       begin_with(next_step_);
       return;
@@ -57,12 +59,17 @@ class AdaptiveStepper final : public Stepper {
   }
 
   void interpolate(double time, std::span<double> state) override {
-    if (time == end_ || ERKStepGetDky(memory_, time, 0, other_) < 0) {
+    if (time == end_) {
       std::ranges::copy(to_, state.begin());
       return;
     }
-    const double* y = N_VGetArrayPointer(other_);
-    std::copy_n(y, state.size(), state.begin());
+    // Dense output of this order asks for rates inside the step, at the same
+    // points each time.
+    is_aside_ = true;
+    const bool known = ERKStepGetDky(memory_, time, 0, other_) >= 0;
+    is_aside_ = false;
+    std::copy_n(known ? N_VGetArrayPointer(other_) : to_.data(), state.size(),
+                state.begin());
   }
 
   int largest_error() override {
@@ -85,6 +92,10 @@ class AdaptiveStepper final : public Stepper {
       if (!shorten()) return false;
     }
     end_ = end;
+    inside_.clear();
+    // The last stage of a step may be at its end.
+    end_known_ = last_time_ == end_ && last_state_ == to_;
+    if (end_known_) end_rates_ = last_rates_;
     // Now: its place is used by what comes between steps.
     ERKStepGetEstLocalErrors(memory_, errors_);
     // A step that a limit cuts short is not what the next one should be like.
@@ -135,14 +146,31 @@ class AdaptiveStepper final : public Stepper {
 
   static int rate(realtype time, N_Vector state, N_Vector to, void* self) {
     auto* stepper = static_cast<AdaptiveStepper*>(self);
-    const bool done = stepper->rates_(time, N_VGetArrayPointer(state),
-                                      N_VGetArrayPointer(to));
+    const double* y = N_VGetArrayPointer(state);
+    double* f = N_VGetArrayPointer(to);
+    if (stepper->is_aside_) return stepper->rate_inside(time, y, f) ? 0 : 1;
+    const bool done = stepper->rates_.in_step(time, y, f);
     if (done) {
-      stepper->remember(time, state, to);
+      stepper->remember(time, y, f);
     } else {
       stepper->failed_at_ = time;
     }
     return done ? 0 : 1;
+  }
+
+  // Known from the first look into a step on.
+  bool rate_inside(double time, const double* y, double* f) {
+    const std::span<const double> state(y, to_.size());
+    const auto known = std::ranges::find_if(inside_, [&](const Inside& i) {
+      return i.time == time && std::ranges::equal(i.state, state);
+    });
+    if (known != inside_.end()) {
+      std::ranges::copy(known->rates, f);
+      return true;
+    }
+    if (!rates_.aside(time, y, f)) return false;
+    inside_.push_back({time, {y, y + state.size()}, {f, f + state.size()}});
+    return true;
   }
 
   // Reciprocals of the tolerances.
@@ -161,9 +189,7 @@ class AdaptiveStepper final : public Stepper {
                : 1 / o.coarse_tolerance;
   }
 
-  void remember(double time, N_Vector state, N_Vector rates) {
-    const double* y = N_VGetArrayPointer(state);
-    const double* f = N_VGetArrayPointer(rates);
+  void remember(double time, const double* y, const double* f) {
     if (!begin_known_ && time == begin_ &&
         std::equal(from_.begin(), from_.end(), y)) {
       begin_rates_.assign(f, f + from_.size());
@@ -190,6 +216,15 @@ class AdaptiveStepper final : public Stepper {
   N_Vector vector_ = nullptr;  // has the numbers of to_
   N_Vector other_ = nullptr;
   N_Vector errors_ = nullptr;  // of the last step
+  // The last evaluation in a step.
+  double last_time_ = std::numeric_limits<double>::quiet_NaN();
+  std::vector<double> last_state_, last_rates_;
+  bool is_aside_ = false;
+  struct Inside {
+    double time;
+    std::vector<double> state, rates;
+  };
+  std::vector<Inside> inside_;  ///< rates that dense output has asked for
   // Time without rates of the last try; that of the last step in which there
   // was one, and how far before it such steps began.
   double failed_at_ = std::numeric_limits<double>::quiet_NaN();
@@ -199,7 +234,7 @@ class AdaptiveStepper final : public Stepper {
 
 }  // namespace
 
-std::unique_ptr<Stepper> make_adaptive_stepper(RateFunction rates,
+std::unique_ptr<Stepper> make_adaptive_stepper(Rates rates,
                                                const AdaptiveOptions& options) {
   return std::make_unique<AdaptiveStepper>(std::move(rates), options);
 }

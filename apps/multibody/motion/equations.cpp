@@ -21,6 +21,12 @@ CarrierAcceleration<double> driven(const CarrierDrive& drive,
   return {transposed_times(r, vec3(linear)), vec3(drive.angular_acceleration)};
 }
 
+// Without a force model.
+void clear(ActiveForces<double>& forces) {
+  forces.carrier = {};
+  for (LinkForces<double>& body : forces.bodies) body = {};
+}
+
 }  // namespace
 
 Equations::Equations(const System& motion_system,
@@ -34,17 +40,11 @@ Equations::Equations(const System& motion_system,
               friction.empty() ? std::vector<HingeFriction>(system.size())
                                : std::move(friction),
               options.coupling),
+      memory(coupled.beginning()),
+      forces(std::move(force_model)),
       held_units_(size()),
-      body_forces_(1 + size()),
-      motions_(1 + size()) {
-  set_forces(std::move(force_model));
-}
-
-void Equations::set_forces(std::shared_ptr<const ForceModel> model) {
-  forces = std::move(model);
-  active = {};
-  active.bodies.resize(size());
-}
+      here_(system),
+      aside_(memory) {}
 
 int Equations::owner_of(int number) const {
   if (number < 0 || number == work_at()) return -1;
@@ -55,15 +55,17 @@ int Equations::owner_of(int number) const {
   return body;
 }
 
+// What hinges hold now is the unit of the numbers for it.
 void Equations::set_held_units() {
+  Hinges at = coupled.at(memory, here_.friction);
   held_units_.assign(size(), {});
   double force = 0;
   for (int i = 0; i < size(); ++i) {
-    force = std::max(force, vec3(coupled.reaction(i).force).norm());
+    force = std::max(force, vec3(at.reaction(i).force).norm());
   }
-  const CoupledRounding rounding = coupled.rounding();
+  const CoupledRounding rounding = at.rounding();
   for (int i = 0; i < size(); ++i) {
-    const Reaction<double>& r = coupled.reaction(i);
+    const Reaction<double>& r = at.reaction(i);
     // What is tiny among the forces of the system, or little but rounding,
     // need not be followed.
     const double own =
@@ -75,50 +77,88 @@ void Equations::set_held_units() {
   }
 }
 
-double Equations::held_rate(int body) const {
+double Equations::held_rate(int body, Hinges& at) const {
   if (modes()[body] != JointMode::held) return 0;
-  const Reaction<double>& r = coupled.reaction(body);
+  const Reaction<double>& r = at.reaction(body);
   return (r.force.x + r.force.y + r.force.z) / held_units_[body].force +
          (r.moment.x + r.moment.y + r.moment.z) / held_units_[body].moment;
 }
 
-bool Equations::rates_in_step(double time, const double* state, double* to) {
-  const double before = std::nextafter(next_break, time - 1);
-  return rates(time < next_break ? time : before, state, to);
+void Equations::begin_at(double time, const double* state) {
+  next_break = break_after(time);
+  held_units_.assign(size(), {});
+  std::vector<double> unused(number_count());
+  if (rates_aside(time, state, unused.data())) set_held_units();
 }
 
-bool Equations::rates(double time, const double* state, double* to) {
+double Equations::break_after(double time) const {
+  return forces ? forces->next_break(time)
+                : std::numeric_limits<double>::infinity();
+}
+
+double Equations::before_break(double time) const {
+  return time < next_break ? time : std::nextafter(next_break, time - 1);
+}
+
+bool Equations::rates_in_step(double time, const double* state, double* to) {
+  const double seen = before_break(time);
+  const bool found = rates(seen, state, memory, here_, to);
+  const CoupledReport& report = here_.friction.report;
   ++evaluations;
+  outer_iterations += report.iterations;
+  if (!found) {
+    failed_report = report;
+    failed_time = seen;
+  }
+  return found;
+}
+
+bool Equations::rates_aside(double time, const double* state, double* to) {
+  aside_ = memory;
+  return rates(before_break(time), state, aside_, here_, to);
+}
+
+// The forces at this state are those of an evaluation of it.
+CoupledReport Equations::resolve_rest(double time, const double* state,
+                                      bool due) {
+  std::vector<double> unused(number_count());
+  Evaluation& at = here_.friction;
+  ++evaluations;
+  const bool found = rates(time, state, memory, here_, unused.data());
+  outer_iterations += at.report.iterations;
+  if (found) coupled.resolve_rest(state, memory, at, due);
+  if (at.report.status == CoupledStatus::ok) set_held_units();
+  return at.report;
+}
+
+bool Equations::rates(double time, const double* state, FrictionMemory& from,
+                      MotionInstant& at, double* to) const {
   double power = 0;
   if (forces) {
-    set_bodies(system, coupled.layout(), modes(), state, motions_);
-    for (BodyForce& force : body_forces_) force = {};
-    forces->add_forces(time, motions_, body_forces_);
-    set_active_forces(system, motions_, body_forces_, active);
+    set_bodies(system, coupled.layout(), modes(), state, at.bodies);
+    for (BodyForce& force : at.forces) force = {};
+    forces->add_forces(time, at.bodies, at.forces);
+    set_active_forces(system, at.bodies, at.forces, at.friction.forces);
     for (int i = 0; i <= size(); ++i) {
-      power += body_forces_[i].force.dot(motions_[i].velocity) +
-               body_forces_[i].moment.dot(motions_[i].angular_velocity);
+      power += at.forces[i].force.dot(at.bodies[i].velocity) +
+               at.forces[i].moment.dot(at.bodies[i].angular_velocity);
     }
+  } else {
+    clear(at.friction.forces);
   }
-  if (drive) {
-    coupled.prescribe_carrier(driven(*drive, gravity, state));
-  }
-  const CoupledReport& report = coupled.evaluate(state, active);
-  outer_iterations += report.iterations;
-  if (report.status != CoupledStatus::ok) {
-    failed_report = report;
-    failed_time = time;
+  if (drive) at.friction.prescribed = driven(*drive, gravity, state);
+  if (coupled.evaluate(state, from, at.friction).status != CoupledStatus::ok) {
     return false;
   }
-  coupled.dynamics().rates(state, vec3(gravity), to);
+  at.friction.dynamics.rates(state, vec3(gravity), to);
   // It does not drift, whatever rounding leaves of gravity.
   if (system.carrier().fixed) std::fill_n(to, StateLayout::body_size, 0.0);
+  Hinges hinges = coupled.at(from, at.friction);
   for (int i = 0; i < size(); ++i) {
-    const bool slides =
-        coupled.mode(i) == HingeMode::sliding && coupled.hinge(i).has_friction;
-    to[dissipated_at(i)] =
-        slides ? -coupled.friction_moment(i).dot(rate_of(i, state)) : 0;
-    to[held_at(i)] = held_rate(i);
+    to[dissipated_at(i)] = coupled.hinge(i).is_active()
+                               ? -hinges.memory(i).moment.dot(rate_of(i, state))
+                               : 0;
+    to[held_at(i)] = held_rate(i, hinges);
   }
   to[work_at()] = power;
   return true;

@@ -12,6 +12,19 @@
 
 namespace multibody {
 
+/// One instant of a motion: where everything is, and what an evaluation makes
+/// of it.
+struct MotionInstant {
+  explicit MotionInstant(const System& system)
+      : bodies(1 + system.size()),
+        forces(1 + system.size()),
+        friction(system) {}
+
+  std::vector<BodyMotion> bodies;  ///< carrier, then the bodies
+  std::vector<BodyForce> forces;
+  Evaluation friction;
+};
+
 /// Equations of motion: d(state)/dt.
 ///
 /// Numbers of a state: those of StateLayout; for each body the work that
@@ -30,9 +43,7 @@ class Equations {
   bool is_axis(int body) const {
     return hinge_traits(system.links()[body].kind).is_axis;
   }
-  const std::vector<JointMode>& modes() const {
-    return coupled.dynamics().modes();
-  }
+  const std::vector<JointMode>& modes() const { return coupled.modes(); }
   int offset(int body) const { return coupled.layout().offset(body); }
   int dissipated_at(int body) const { return coupled.layout().size() + body; }
   int work_at() const { return dissipated_at(size()); }
@@ -45,41 +56,56 @@ class Equations {
     return relative_rate(system.links()[body], state + offset(body));
   }
 
-  /// @return false if friction is not found, see failed_report
-  bool rates(double time, const double* state, double* to);
-  /// The same in a step, which sees the forces before the next break.
+  /// @param at  takes what is found; friction.report says why it is not
+  /// @return false if friction is not found
+  bool rates(double time, const double* state, FrictionMemory& from,
+             MotionInstant& at, double* to) const;
+  /// The same in a step, which sees the forces before the next break, and with
+  /// the memory of the motion.
   bool rates_in_step(double time, const double* state, double* to);
-  /// @param model  may be null
-  void set_forces(std::shared_ptr<const ForceModel> model);
-  /// Makes what hinges hold now the unit of the numbers for it.
-  void set_held_units();
+  /// The same with a copy of it: leaves no trace.
+  bool rates_aside(double time, const double* state, double* to);
+  /// Which hinges hold, see CoupledDynamics::resolve_rest().
+  CoupledReport resolve_rest(double time, const double* state, bool due);
+  /// A new beginning: of the numbers for what hinges hold, too.
+  void begin_at(double time, const double* state);
+  /// The next break after a time.
+  double break_after(double time) const;
+  /// A hinge does something else from now on.
+  void set_mode(int body, HingeMode mode) {
+    coupled.set_mode(body, mode, memory);
+  }
+  /// Of the last evaluation in a step or of resolve_rest().
+  const Evaluation& last() const { return here_.friction; }
   /// For when the body is released.
   void keep_hinge_angle(int body, double angle) {
-    motions_[1 + body].hinge_angle = angle;
+    here_.bodies[1 + body].hinge_angle = angle;
   }
 
   const System system;
   const Eigen::Vector3d gravity;
   const std::optional<CarrierDrive> drive;
   CoupledDynamics coupled;
-  std::shared_ptr<const ForceModel> forces;
+  FrictionMemory memory;                     ///< along the motion
+  std::shared_ptr<const ForceModel> forces;  ///< may be null
   double next_break = std::numeric_limits<double>::infinity();
-  ActiveForces<double> active;  ///< of the last evaluation
-  long evaluations = 0;
+  long evaluations = 0;  ///< along the motion
   long outer_iterations = 0;
   CoupledReport failed_report;  ///< of the last that failed
   double failed_time = 0;
 
  private:
-  double held_rate(int body) const;
+  double before_break(double time) const;
+  double held_rate(int body, Hinges& at) const;
+  void set_held_units();
 
   struct Unit {
     double force = 1;
     double moment = 1;
   };
   std::vector<Unit> held_units_;
-  std::vector<BodyForce> body_forces_;
-  std::vector<BodyMotion> motions_;
+  MotionInstant here_;
+  FrictionMemory aside_;
 };
 
 }  // namespace multibody

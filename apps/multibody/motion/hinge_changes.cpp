@@ -43,13 +43,13 @@ HingeChanges::HingeChanges(Equations& equations, MotionSample& view,
 
 void HingeChanges::change(double time, int body, HingeMode mode) {
   all_.push_back({time, body, coupled_.mode(body), mode});
-  coupled_.set_mode(body, mode);
+  equations_.set_mode(body, mode);
 }
 
 void HingeChanges::slide_straight(int body, bool straight) {
   const Vector3d rate = view_.rate_of(body);
   straight_from_[body] = rate.norm();
-  coupled_.set_direction(body, rate.normalized());
+  equations_.memory.hinges[body].direction = rate.normalized();
   coupled_.slide_straight(body, straight);
 }
 
@@ -58,12 +58,7 @@ CoupledReport HingeChanges::resolve_rest(double time,
                                          bool due) {
   std::vector<HingeMode> before;
   for (int i = 0; i < coupled_.size(); ++i) before.push_back(coupled_.mode(i));
-  // Forces at this state are those of the equations after an evaluation of it.
-  view_.show(time, state);
-  const CoupledReport report =
-      view_.work_out()
-          ? coupled_.resolve_rest(view_.state().data(), equations_.active, due)
-          : equations_.failed_report;
+  const CoupledReport report = equations_.resolve_rest(time, state.data(), due);
   for (int i = 0; i < coupled_.size(); ++i) {
     const HingeMode mode = coupled_.mode(i);
     if (mode == before[i]) continue;
@@ -72,11 +67,9 @@ CoupledReport HingeChanges::resolve_rest(double time,
     // nothing: until it has grown it has the direction of the acceleration.
     if (mode == HingeMode::sliding && !equations_.is_axis(i)) {
       straight_from_[i] = std::max(onset_speed / 2, stop_speed_);
-      coupled_.follow_acceleration(i, coupled_.hinge(i).pace);
+      coupled_.follow_acceleration(i);
     }
   }
-  view_.forget();
-  if (report.status == CoupledStatus::ok) equations_.set_held_units();
   return report;
 }
 
@@ -144,8 +137,7 @@ std::optional<std::string> HingeChanges::stalls(double time, int body) {
   if (++recent.count <= stall_changes_) return {};
   const std::string hinge =
       coupled_.mode(body) == HingeMode::resting
-          ? fmt::format("resting, utilisation {}",
-                        view_.work_out() ? coupled_.utilisation(body) : NAN)
+          ? fmt::format("resting, utilisation {}", view_.utilisation(body))
           : fmt::format("sliding at {} rad/s", view_.rate_of(body).norm());
   return fmt::format(
       "at {} s: more than {} changes between rest and slip within {} s, the "

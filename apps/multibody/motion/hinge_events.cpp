@@ -75,7 +75,7 @@ void HingeEvents::sample_slip() {
   for (int i = 0; i < equations_.size(); ++i) {
     if (!slides_to_stop(i)) continue;
     bodies.push_back(i);
-    slips_[i].direction = coupled_.direction(i);
+    slips_[i].direction = equations_.memory.hinges[i].direction;
     // Where it was going when the step began.
     const Vector3d rate = equations_.rate_of(i, stepper_.begin_state().data());
     if (coupled_.hinge(i).follows && !rate.isZero(0)) {
@@ -124,11 +124,11 @@ bool HingeEvents::stops_in_step(int body) {
   view_.show(stepper_.begin(), stepper_.begin_state());
   if (!view_.work_out()) return false;
   const Vector3d rate = view_.rate_of(body);
-  const Vector3d alpha = vec3(coupled_.dynamics().relative_acceleration(body));
+  const Vector3d alpha = view_.hinges().acceleration(body);
   // What follows is some work.
   constexpr double near = 10;
   return rate.norm() < near * h * alpha.norm() &&
-         coupled_.stops_within(body, rate, h);
+         CoupledDynamics::stops_within(body, rate, h, view_.hinges());
 }
 
 std::optional<double> HingeEvents::slowing(int body) {
@@ -173,11 +173,12 @@ std::optional<double> HingeEvents::turning(int body) {
 // whose tau is NaN: resolve_rest() tells the two apart.
 std::optional<double> HingeEvents::rest_end(int body) {
   const StepFunction tau = function([this, body] {
-    if (!view_.work_out()) return std::numeric_limits<double>::quiet_NaN();
+    const double utilisation = view_.utilisation(body);
+    if (std::isnan(utilisation)) return utilisation;
     // Without any reaction it is infinite.
     constexpr double most = 1e6;
-    return std::min(coupled_.utilisation(body), most) -
-           coupled_.slip_limit(body);
+    return std::min(utilisation, most) -
+           coupled_.slip_limit(body, view_.hinges());
   });
   const double t0 = stepper_.begin();
   double last_value = tau.at_end();

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <utility>
 
@@ -62,10 +63,11 @@ Motion::Motion(const System& system, std::vector<HingeFriction> friction,
   equations_ = std::make_unique<Equations>(system, std::move(friction),
                                            std::move(forces), options_);
   view_ = std::make_unique<MotionSample>(*equations_);
-  const auto rates = [equations = equations_.get()](
-                         double time, const double* state, double* to) {
-    return equations->rates_in_step(time, state, to);
+  const auto made_by = [equations = equations_.get()](auto function) {
+    return std::bind_front(function, equations);
   };
+  const Rates rates{made_by(&Equations::rates_in_step),
+                    made_by(&Equations::rates_aside)};
   stepper_ = options_.integrator == Integrator::rk4
                  ? make_rk4_stepper(rates, options_.step)
                  : make_adaptive_stepper(
@@ -98,8 +100,7 @@ void Motion::set_failure(const CoupledReport& report, double time) {
                            {},
                            report.joint};
   if (report.status == CoupledStatus::several_solutions) {
-    failure_->solutions.assign(equations_->coupled.solutions().begin(),
-                               equations_->coupled.solutions().end());
+    failure_->solutions = equations_->last().solutions;
   }
 }
 
@@ -140,8 +141,7 @@ void Motion::go_to(double time) {
 
 // After a break nothing of the step before it may be used.
 bool Motion::pass_break() {
-  const ForceModel* forces = equations_->forces.get();
-  const double next = forces ? forces->next_break(stepper_->end()) : infinity;
+  const double next = equations_->break_after(stepper_->end());
   if (next == equations_->next_break) return false;
   equations_->next_break = next;
   stepper_->restart_at_end();
@@ -166,7 +166,11 @@ bool Motion::keep_directions() {
   if (following.empty()) return false;
   view_->show(stepper_->begin(), stepper_->begin_state());
   view_->work_out();
-  for (const int i : following) coupled.slide_straight(i, true);
+  for (const int i : following) {
+    equations_->memory.hinges[i].direction =
+        view_->hinges().memory(i).direction;
+    coupled.slide_straight(i, true);
+  }
   stepper_->restart_at_begin();
   return true;
 }
@@ -232,7 +236,7 @@ bool Motion::step() {
   return true;
 }
 
-Stop Motion::advance_to(double time, bool look) {
+Stop Motion::advance_to(double time) {
   event_ = -1;
   for (long steps = 0; !failure_; ++steps) {
     if (!pending_.empty() && pending_.front().time <= time) {
@@ -243,7 +247,7 @@ Stop Motion::advance_to(double time, bool look) {
     }
     if (stepper_->end() >= time) {
       now_ = std::max(now_, time);
-      if (look) view_->show(*stepper_, now_);
+      view_->show(*stepper_, now_);
       return Stop::time;
     }
     if (steps >= options_.step_limit) {
@@ -364,7 +368,7 @@ void Motion::change(const MotionChange& what) {
   for (const int body : what.released) {
     if (view_->mode(body) != HingeMode::released) state = let_go(body, state);
   }
-  if (what.forces) equations_->set_forces(*what.forces);
+  if (what.forces) equations_->forces = *what.forces;
   resume(std::move(state));
 }
 
@@ -396,32 +400,27 @@ void Motion::look_back(
   look(*view_);
 }
 
-MotionState Motion::state_of(double time, std::span<const double> numbers,
-                             double step) const {
-  MotionState state;
-  state.time = time;
-  state.numbers.assign(numbers.begin(), numbers.end());
-  for (int i = 0; i < equations_->size(); ++i) {
-    const Hinge& hinge = equations_->coupled.hinge(i);
-    state.modes.push_back(hinge.mode);
-    state.directions.push_back(hinge.direction);
-    state.friction.push_back(hinge.moment);
-    state.straight_from.push_back(hinge.straight ? hinges_->straight_from(i)
-                                                 : 0);
-    state.paces.push_back(hinge.follows ? hinge.pace : 0);
-    state.hinge_angles.push_back(view_->motions()[1 + i].hinge_angle);
-  }
-  state.step = step;
-  return state;
-}
-
 MotionState Motion::save() {
   go_to(now_);
-  return state_of(now_, view_->state(), stepper_->next_step());
-}
-
-MotionState Motion::step_state() const {
-  return state_of(stepper_->begin(), stepper_->begin_state(), last_step());
+  MotionState state;
+  state.time = now_;
+  state.numbers = view_->state();
+  for (int i = 0; i < equations_->size(); ++i) {
+    const Hinge& hinge = equations_->coupled.hinge(i);
+    const HingeMemory& memory = equations_->memory.hinges[i];
+    state.modes.push_back(hinge.mode);
+    state.directions.push_back(memory.direction);
+    state.friction.push_back(memory.moment);
+    state.straight_from.push_back(hinge.straight ? hinges_->straight_from(i)
+                                                 : 0);
+    state.paces.push_back(hinge.follows ? memory.pace : 0);
+    state.hinge_angles.push_back(view_->motions()[1 + i].hinge_angle);
+  }
+  state.step = stepper_->next_step();
+  const std::optional<MotionFailure> failure = failure_;
+  restore(state);
+  failure_ = failure;
+  return state;
 }
 
 void Motion::restore(const MotionState& state) {
@@ -429,16 +428,23 @@ void Motion::restore(const MotionState& state) {
   failure_.reset();
   now_ = state.time;
   CoupledDynamics& coupled = equations_->coupled;
+  equations_->memory = coupled.beginning();
   for (int i = 0; i < coupled.size(); ++i) {
-    coupled.set_mode(i, state.modes[i]);
-    coupled.set_direction(i, state.directions[i]);
-    coupled.set_friction_moment(i, state.friction[i]);
+    equations_->set_mode(i, state.modes[i]);
+    HingeMemory& memory = equations_->memory.hinges[i];
+    memory.direction = state.directions[i];
+    memory.moment = state.friction[i];
     coupled.slide_straight(i, state.straight_from[i] > 0);
-    if (state.paces[i] > 0) coupled.follow_acceleration(i, state.paces[i]);
+    if (state.paces[i] > 0) {
+      memory.pace = state.paces[i];
+      coupled.follow_acceleration(i);
+    }
     hinges_->restore(i, state.straight_from[i]);
     view_->keep_hinge_angle(i, state.hinge_angles[i]);
     equations_->keep_hinge_angle(i, state.hinge_angles[i]);
   }
+  equations_->begin_at(now_, state.numbers.data());
+  changes_here_ = 0;
   stepper_->set_next_step(state.step);
   pending_.clear();
   stepper_->restart(now_, state.numbers);

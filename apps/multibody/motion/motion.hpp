@@ -61,10 +61,10 @@ class Motion {
   double time() const { return now_; }
   /// Moves on to `time`, or to the first event or failure before it. Each
   /// event stops once at each crossing.
+  /// Where it stops, and what is asked of it there, changes nothing of what
+  /// follows, to the last bit.
   /// @param time  >= time()
-  /// @param look  false: sample() is not made that of `time`, which leaves no
-  ///   trace: what follows is the same to the last bit as without this stop
-  Stop advance_to(double time, bool look = true);
+  Stop advance_to(double time);
   /// Index of the event that stopped advance_to().
   int event() const { return event_; }
   /// Set if advance_to(), or anything else that changes the motion, failed.
@@ -116,11 +116,8 @@ class Motion {
   /// Sticking, sliding, locking and releasing so far, in order.
   const std::vector<HingeChange>& changes() const;
 
-  /// The beginning of the step that time() is in: another motion that is
-  /// restored there comes to time() too, and what is asked of it leaves no
-  /// trace here. (Friction is found from what was found before: whoever looks
-  /// changes the last bits of what follows.)
-  MotionState step_state() const;
+  /// Begins the steps anew: from now on this motion goes on as one that
+  /// restores the state does, to the last bit.
   MotionState save();
   /// @throws contact::Error, having changed nothing, if no motion of this
   ///   system and friction has such a state
@@ -142,8 +139,6 @@ class Motion {
   void restart(std::vector<double> state);
   bool resume(std::vector<double> state, bool due = false);
   void set_failure(const CoupledReport& report, double time);
-  MotionState state_of(double time, std::span<const double> numbers,
-                       double step) const;
 
   // Where they are they refer to each other.
   std::unique_ptr<Equations> equations_;

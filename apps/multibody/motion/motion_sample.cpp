@@ -12,15 +12,34 @@ namespace multibody {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-MotionSample::MotionSample(Equations& equations)
-    : equations_(equations), motions_(1 + equations.size()) {}
+struct MotionSample::Instant : MotionInstant {
+  explicit Instant(const Equations& equations)
+      : MotionInstant(equations.system), memory(equations.memory) {}
+
+  FrictionMemory memory;
+  std::vector<double> rates;
+  bool is_worked_out = false, is_found = false;
+};
+
+MotionSample::MotionSample(const Equations& equations)
+    : equations_(equations), now_(std::make_unique<Instant>(equations)) {}
+
+MotionSample::~MotionSample() = default;
+
+std::span<const BodyMotion> MotionSample::motions() const {
+  return now_->bodies;
+}
+
+void MotionSample::keep_hinge_angle(int body, double angle) {
+  now_->bodies[1 + body].hinge_angle = angle;
+}
 
 void MotionSample::show(double time, std::span<const double> state) {
   time_ = time;
   state_.assign(state.begin(), state.end());
   set_bodies(equations_.system, equations_.coupled.layout(), equations_.modes(),
-             state_.data(), motions_);
-  worked_out_ = false;
+             state_.data(), now_->bodies);
+  now_->is_worked_out = false;
 }
 
 void MotionSample::show(Stepper& stepper, double time) {
@@ -37,12 +56,24 @@ void MotionSample::show_estimate(Stepper& stepper, double time) {
 
 bool MotionSample::work_out() const {
   asked_ = true;
-  if (!worked_out_) {
-    rates_.resize(state_.size());
-    worked_well_ = equations_.rates(time_, state_.data(), rates_.data());
-    worked_out_ = true;
+  Instant& now = *now_;
+  if (!now.is_worked_out) {
+    now.rates.resize(state_.size());
+    now.memory = equations_.memory;
+    now.is_found = equations_.rates(time_, state_.data(), now.memory, now,
+                                    now.rates.data());
+    now.is_worked_out = true;
   }
-  return worked_well_;
+  return now.is_found;
+}
+
+Hinges MotionSample::hinges() const {
+  return equations_.coupled.at(now_->memory, now_->friction);
+}
+
+double MotionSample::utilisation(int body) const {
+  return work_out() ? equations_.coupled.utilisation(body, hinges())
+                    : std::numeric_limits<double>::quiet_NaN();
 }
 
 HingeMode MotionSample::mode(int body) const {
@@ -84,17 +115,18 @@ HingeSample MotionSample::hinge(int body) const {
     s.friction_moment.setConstant(nan);
     return s;
   }
-  const Reaction<double>& reaction = equations_.coupled.reaction(body);
+  Hinges hinges = this->hinges();
+  const Reaction<double>& reaction = hinges.reaction(body);
   s.reaction_force = link.axes * vec3(reaction.force);
   s.reaction_moment = link.axes * vec3(reaction.moment);
   if (equations_.coupled.hinge(body).has_friction &&
       s.mode != HingeMode::locked) {
-    s.joints = equations_.coupled.joints(body);
+    s.joints = hinges.joints(body);
     if (s.mode == HingeMode::sliding) {
-      s.friction_moment = link.axes * equations_.coupled.friction_moment(body);
+      s.friction_moment = link.axes * hinges.memory(body).moment;
       s.utilisation = 1;
     } else {
-      s.utilisation = equations_.coupled.utilisation(body);
+      s.utilisation = utilisation(body);
     }
   }
   return s;
@@ -103,41 +135,39 @@ HingeSample MotionSample::hinge(int body) const {
 Vector3d MotionSample::acceleration(int place) const {
   if (!work_out()) return Vector3d::Constant(NAN);
   constexpr int v = StateLayout::velocity;
-  if (place == 0) return Eigen::Map<const Vector3d>(&rates_[v]);
+  if (place == 0) return Eigen::Map<const Vector3d>(&now_->rates[v]);
   const int body = place - 1;
   if (equations_.coupled.mode(body) == HingeMode::released) {
-    return Eigen::Map<const Vector3d>(&rates_[equations_.offset(body) + v]);
+    return Eigen::Map<const Vector3d>(
+        &now_->rates[equations_.offset(body) + v]);
   }
   // (F + R)/m and gravity
   const Link& link = equations_.system.links()[body];
-  const Vector3d force = vec3(equations_.active.bodies[body].force) +
-                         vec3(equations_.coupled.reaction(body).force);
+  const Vector3d force = vec3(now_->friction.forces.bodies[body].force) +
+                         vec3(hinges().reaction(body).force);
   return equations_.gravity +
-         motions_[place].rotation * link.axes * force / link.mass;
+         motions()[place].rotation * link.axes * force / link.mass;
 }
 
 Vector3d MotionSample::angular_acceleration(int place) const {
   if (!work_out()) return Vector3d::Constant(NAN);
   if (place == 0) {
-    return motions_[0].rotation *
-           vec3(equations_.coupled.dynamics().carrier().angular);
+    return carrier().rotation * vec3(now_->friction.dynamics.carrier().angular);
   }
-  return motions_[place].rotation * equations_.system.links()[place - 1].axes *
-         vec3(equations_.coupled.dynamics().angular_acceleration(place - 1));
+  return motions()[place].rotation * equations_.system.links()[place - 1].axes *
+         vec3(now_->friction.dynamics.angular_acceleration(place - 1));
 }
 
 EnergyBook MotionSample::energy() const {
   EnergyBook book{};
   const Carrier& carrier = equations_.system.carrier();
   book.kinetic = kinetic_energy(carrier.mass, carrier.inertia,
-                                Matrix3d::Identity(), motions_[0]);
-  book.gravity = -carrier.mass * equations_.gravity.dot(motions_[0].position);
+                                Matrix3d::Identity(), motions()[0]);
+  book.gravity = -carrier.mass * equations_.gravity.dot(motions()[0].position);
   for (int i = 0; i < equations_.size(); ++i) {
     const Link& link = equations_.system.links()[i];
-    book.kinetic +=
-        kinetic_energy(link.mass, link.inertia, link.axes, motions_[1 + i]);
-    book.gravity -=
-        link.mass * equations_.gravity.dot(motions_[1 + i].position);
+    book.kinetic += kinetic_energy(link.mass, link.inertia, link.axes, body(i));
+    book.gravity -= link.mass * equations_.gravity.dot(body(i).position);
     book.dissipated += state_[equations_.dissipated_at(i)];
   }
   book.active_work = state_[equations_.work_at()];

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <functional>
+#include <memory>
 #include <span>
 #include <utility>
 #include <vector>
@@ -53,15 +54,17 @@ struct EnergyBook {
 };
 
 class Equations;
+class Hinges;
 class Stepper;
 
 /// The motion at one time, possibly in the middle of a step. Kinematics are
-/// there at once; forces are worked out when they are first asked for.
+/// there at once; forces are worked out when they are first asked for, from a
+/// copy of what the motion remembers: to look leaves no trace.
 class MotionSample {
  public:
   double time() const { return time_; }
   /// Carrier, then the bodies.
-  std::span<const BodyMotion> motions() const { return motions_; }
+  std::span<const BodyMotion> motions() const;
   const BodyMotion& carrier() const { return motions()[0]; }
   const BodyMotion& body(int body) const { return motions()[1 + body]; }
   HingeMode mode(int body) const;
@@ -77,7 +80,8 @@ class MotionSample {
 
   // What follows is for the motion itself: it changes what is shown.
   /// Refers to the equations.
-  explicit MotionSample(Equations& equations);
+  explicit MotionSample(const Equations& equations);
+  ~MotionSample();
   MotionSample(const MotionSample&) = delete;
   MotionSample& operator=(const MotionSample&) = delete;
   void show(double time, std::span<const double> state);
@@ -87,25 +91,26 @@ class MotionSample {
   void show_estimate(Stepper& stepper, double time);
   /// Accelerations and reactions, once; false: there are none.
   bool work_out() const;
-  /// They are no longer those of the hinges.
-  void forget() { worked_out_ = false; }
+  /// All hinges, once they have been worked out.
+  Hinges hinges() const;
+  /// Of a resting hinge; NaN where nothing can be worked out.
+  double utilisation(int body) const;
   const std::vector<double>& state() const { return state_; }
   /// Relative angular velocity, link axes.
   Eigen::Vector3d rate_of(int body) const;
   /// For when the body is released.
-  void keep_hinge_angle(int body, double angle) {
-    motions_[1 + body].hinge_angle = angle;
-  }
+  void keep_hinge_angle(int body, double angle);
   /// Whether accelerations and reactions were asked for since the last time.
   bool was_asked() { return std::exchange(asked_, false); }
 
  private:
-  Equations& equations_;
+  struct Instant;
+
+  const Equations& equations_;
   double time_ = 0;
   std::vector<double> state_, trial_;
-  std::vector<BodyMotion> motions_;
-  mutable std::vector<double> rates_;
-  mutable bool asked_ = false, worked_out_ = false, worked_well_ = false;
+  std::unique_ptr<Instant> now_;
+  mutable bool asked_ = false;
 };
 
 /// An application's event: a function that crosses 0, continuous between

@@ -81,7 +81,6 @@ MotionOptions checked_options(const System& system, const MotionStart& start,
 std::vector<double> start_state(Equations& equations,
                                 const MotionStart& start) {
   const System& system = equations.system;
-  CoupledDynamics& coupled = equations.coupled;
   if (static_cast<int>(start.bodies.size()) != system.size()) {
     throw contact::Error(contact::detail::must_be(
         fmt::format("start of {} bodies", start.bodies.size()),
@@ -97,18 +96,20 @@ std::vector<double> start_state(Equations& equations,
     double* to = &state[equations.offset(i)];
     if (link.kind == HingeKind::none) {
       put_body(checked_body(body.body, place), link.axes, to);
-      coupled.set_mode(i, HingeMode::released);
+      equations.set_mode(i, HingeMode::released);
       continue;
     }
     put_hinged(body, link, place, to);
     const Vector3d rate = equations.rate_of(i, state.data());
     if (body.locked) {
-      coupled.set_mode(i, HingeMode::locked);
-    } else if (rate.isZero(0) && coupled.hinge(i).can_rest) {
-      coupled.set_mode(i, HingeMode::resting);
+      equations.set_mode(i, HingeMode::locked);
+    } else if (rate.isZero(0) && equations.coupled.hinge(i).can_rest) {
+      equations.set_mode(i, HingeMode::resting);
     } else {
-      coupled.set_mode(i, HingeMode::sliding);
-      if (!rate.isZero(0)) coupled.set_direction(i, rate.normalized());
+      equations.set_mode(i, HingeMode::sliding);
+      if (!rate.isZero(0)) {
+        equations.memory.hinges[i].direction = rate.normalized();
+      }
     }
   }
   return state;

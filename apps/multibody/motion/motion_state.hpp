@@ -34,7 +34,7 @@ struct StepEvent {
   bool rises = false;  ///< user: which way
 };
 
-/// Work so far.
+/// Work so far along the motion, without that of looks.
 struct MotionCounts {
   long evaluations = 0;  ///< of accelerations
   long steps = 0;

@@ -9,7 +9,7 @@ namespace {
 
 class Rk4Stepper final : public Stepper {
  public:
-  Rk4Stepper(RateFunction rates, double step) : Stepper(std::move(rates)) {
+  Rk4Stepper(Rates rates, double step) : Stepper(std::move(rates)) {
     next_step_ = step;
   }
 
@@ -17,7 +17,7 @@ class Rk4Stepper final : public Stepper {
     if (time == end_) {
       std::ranges::copy(to_, state.begin());
     } else {
-      advance(time - begin_, state);
+      advance(rates_.aside, time - begin_, state);
     }
   }
 
@@ -30,13 +30,13 @@ class Rk4Stepper final : public Stepper {
     const bool last = limit - begin_ <= (1 + rounding) * next_step_;
     end_ = last ? limit : begin_ + next_step_;
     if (!begin_known_) {
-      begin_known_ = rates_(begin_, from_.data(), begin_rates_.data());
+      begin_known_ = rates_.in_step(begin_, from_.data(), begin_rates_.data());
     }
-    return begin_known_ && advance(end_ - begin_, to_);
+    return begin_known_ && advance(rates_.in_step, end_ - begin_, to_);
   }
 
   // From the beginning of the step, whose rates are known.
-  bool advance(double h, std::span<double> to) {
+  bool advance(const RateFunction& rates, double h, std::span<double> to) {
     const std::size_t n = from_.size();
     for (auto* v : {&k2_, &k3_, &k4_, &trial_}) v->resize(n);
     const std::vector<double>& k1 = begin_rates_;
@@ -45,7 +45,7 @@ class Rk4Stepper final : public Stepper {
       for (std::size_t i = 0; i < n; ++i) {
         trial_[i] = from_[i] + share * h * k[i];
       }
-      return rates_(begin_ + share * h, trial_.data(), out.data());
+      return rates(begin_ + share * h, trial_.data(), out.data());
     };
     if (!stage(k1, 0.5, k2_) || !stage(k2_, 0.5, k3_) || !stage(k3_, 1, k4_)) {
       return false;
@@ -61,7 +61,7 @@ class Rk4Stepper final : public Stepper {
 
 }  // namespace
 
-std::unique_ptr<Stepper> make_rk4_stepper(RateFunction rates, double step) {
+std::unique_ptr<Stepper> make_rk4_stepper(Rates rates, double step) {
   return std::make_unique<Rk4Stepper>(std::move(rates), step);
 }
 

@@ -13,10 +13,16 @@ namespace multibody {
 using RateFunction =
     std::function<bool(double time, const double* state, double* rates)>;
 
+/// The same function twice: along the motion, where what was found before may
+/// change the last bits, and aside, where nothing follows from it.
+struct Rates {
+  RateFunction in_step, aside;
+};
+
 /// Steps through time, one at a time. One step lies between start and end.
 class Stepper {
  public:
-  explicit Stepper(RateFunction rates) : rates_(std::move(rates)) {}
+  explicit Stepper(Rates rates) : rates_(std::move(rates)) {}
   virtual ~Stepper() = default;
   Stepper(const Stepper&) = delete;
   Stepper& operator=(const Stepper&) = delete;
@@ -33,7 +39,8 @@ class Stepper {
   double end() const { return end_; }
   std::span<const double> begin_state() const { return from_; }
   std::span<const double> end_state() const { return to_; }
-  /// In the last step, begin() <= time <= end().
+  /// In the last step, begin() <= time <= end(); leaves no trace, as does
+  /// estimate().
   virtual void interpolate(double time, std::span<double> state) = 0;
   /// The same as nearly as it can be had for next to nothing: Hermite's cubic
   /// between the ends.
@@ -49,20 +56,19 @@ class Stepper {
   /// From begin_ and from_ to end_ and to_.
   virtual bool make_step(double limit) = 0;
 
-  RateFunction rates_;
+  const Rates rates_;
   double begin_ = 0;
   double end_ = 0;
   double next_step_ = 0;
   std::vector<double> from_, to_;
-  // Rates at the beginning of a step, and those of the last evaluation.
-  bool begin_known_ = false;
-  double last_time_ = 0;  ///< NaN: not known
-  std::vector<double> begin_rates_, last_state_, last_rates_;
+  // Rates at the ends of a step.
+  bool begin_known_ = false, end_known_ = false;
+  std::vector<double> begin_rates_, end_rates_;
 };
 
 /// Classical Runge-Kutta of fourth order with a fixed step; between, the same
 /// formula with a shorter step.
-std::unique_ptr<Stepper> make_rk4_stepper(RateFunction rates, double step);
+std::unique_ptr<Stepper> make_rk4_stepper(Rates rates, double step);
 
 struct AdaptiveOptions {
   double relative_tolerance;
@@ -75,7 +81,7 @@ struct AdaptiveOptions {
 
 /// Explicit Runge-Kutta of order 5 with error control and dense output, by
 /// ARKODE of SUNDIALS.
-std::unique_ptr<Stepper> make_adaptive_stepper(RateFunction rates,
+std::unique_ptr<Stepper> make_adaptive_stepper(Rates rates,
                                                const AdaptiveOptions& options);
 
 }  // namespace multibody

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+#include "multibody/dynamics/dynamics.hpp"
+#include "multibody/friction/coupled_report.hpp"
+
+namespace multibody {
+
+/// One hinge at one instant, link axes.
+struct HingeInstant {
+  Eigen::Vector3d rate = Eigen::Vector3d::Zero();
+  /// M_t(R) for the moment that the motion has been worked out with.
+  Eigen::Vector3d solved = Eigen::Vector3d::Zero();
+  Eigen::Vector3d last_moment, last_solved;  ///< a step of the loop before
+  /// The joints' solutions are not those of this evaluation.
+  bool solver_is_behind = false;
+  double utilisation = 0;
+  long utilisation_of = -1;  ///< Evaluation::number that it belongs to
+};
+
+/// One instant with friction: what is given, and what an evaluation makes of
+/// it. The next one finds nothing here but memory to use again.
+struct Evaluation {
+  explicit Evaluation(const System& system);
+
+  /// The state evaluated.
+  std::vector<double> state;
+  /// Given; the friction moments are those found.
+  ActiveForces<double> forces;
+  /// The carrier's accelerations are given, or (nullopt) result.
+  std::optional<CarrierAcceleration<double>> prescribed;
+
+  Dynamics dynamics;
+  CoupledProgress report;
+  /// What a search found; empty if there was none.
+  std::vector<CoupledSolution> solutions;
+
+  // What follows is for Hinges.
+  std::vector<HingeInstant> hinges;
+  std::vector<int> active;           ///< those that slide with friction
+  std::vector<Vec3<double>> change;  ///< of moments, about to be made
+  std::vector<Reaction<double>> reactions;
+  bool reactions_known = true;  ///< none before the first evaluation
+  bool is_refined = false;      ///< to Hinges::refined_tolerance
+  long number = 0;              ///< counts the sets of moments
+};
+
+}  // namespace multibody
