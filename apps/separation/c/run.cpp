@@ -19,9 +19,12 @@ using separation::Case;
 using separation::Run;
 
 /// What C holds of a run.
-struct contact_run {  // NOLINT(readability-identifier-naming)
+struct contact_run  // NOLINT(readability-identifier-naming)
+    : contact::c::Handle {
   explicit contact_run(Case c)
       : identity(identity_of(c, {})), run(std::move(c)) {}
+  explicit contact_run(contact_run& other)
+      : identity(other.identity), run(other.run) {}
 
   const std::string identity;
   Run run;
@@ -48,15 +51,15 @@ contact_status contact_run_open(const char* path,
                                 const contact_setting* settings,
                                 std::size_t count, contact_run** run) {
   return call([=] {
-    given(run, "contact_run_open: run");
     return contact::c::hand_over(
-        run, separation::read_case(
-                 &given(path, "contact_run_open: path"), {},
-                 contact::c::settings_of(settings, count, "contact_run_open")));
+        contact::c::emptied(run, "contact_run_open: run"),
+        separation::read_case(
+            &given(path, "contact_run_open: path"), {},
+            contact::c::settings_of(settings, count, "contact_run_open")));
   });
 }
 
-void contact_run_free(contact_run* run) { delete run; }
+void contact_run_free(contact_run* run) { contact::c::give_back(run); }
 
 contact_status contact_run_advance(contact_run* run, double time) {
   return call([=] {
@@ -135,11 +138,20 @@ contact_status contact_run_event(const contact_run* run, std::size_t i,
   });
 }
 
+contact_status contact_run_copy(contact_run* run, contact_run** copy) {
+  return call([=] {
+    contact_run** const to =
+        contact::c::emptied(copy, "contact_run_copy: copy");
+    *to = new contact_run(given(run, "contact_run_copy: run"));
+    return CONTACT_OK;
+  });
+}
+
 contact_status contact_run_save(contact_run* run, void** bytes,
                                 std::size_t* size) {
   return call([=] {
+    void*& to = *contact::c::emptied(bytes, "contact_run_save: bytes");
     contact_run& r = given(run, "contact_run_save: run");
-    void*& to = given(bytes, "contact_run_save: bytes");
     std::size_t& length = given(size, "contact_run_save: size");
     const std::string saved = separation::saved_bytes(r.run.save(), r.identity);
     void* const copy = std::malloc(saved.size());

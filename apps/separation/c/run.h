@@ -61,6 +61,10 @@ size_t contact_run_event_count(const contact_run* run);
 contact_status contact_run_event(const contact_run* run, size_t i,
                                  contact_event* event);
 
+/* A run that goes on from here as this one does, to the last bit. To take a
+ * copy begins the steps of both anew, as contact_run_save() does. */
+contact_status contact_run_copy(contact_run* run, contact_run** copy);
+
 /* All that a run of the same file and settings needs to go on from here, as
  * bytes, with its history; give them back by contact_free(). To save begins the
  * steps anew: this run and restored ones then go on the same to the last bit,

@@ -23,6 +23,14 @@ struct ForceInstant {
   const multibody::BodyMotion& carrier() const { return bodies[0]; }
 };
 
+/// The points at which a force enters bodies, from their centres of mass, in
+/// their axes, m.
+struct ForceEnds {
+  Eigen::Vector3d point;  ///< of its body
+  int other = -1;         ///< rigid body with the opposite force; -1: none
+  Eigen::Vector3d other_point = Eigen::Vector3d::Zero();
+};
+
 /// What a force does between its begin and its end.
 class ForceLaw {
  public:
@@ -31,6 +39,9 @@ class ForceLaw {
   /// Adds what it does, as ForceModel::add_forces().
   virtual void add(const ForceInstant& at,
                    std::span<multibody::BodyForce> forces) const = 0;
+  /// The points at which it enters, as pictures show it; a moment is drawn at
+  /// its point too.
+  virtual ForceEnds where(const Case& of, int body) const = 0;
   /// A time at which it has a kink, beside its begin and its end.
   virtual Clock own_clock() const { return never; }
   /// Appends the times of its other kinks and jumps.

@@ -66,26 +66,30 @@ Clock ForceTable::clock(const std::string& key, const Clock& otherwise) const {
   return time ? Clock{*time, -1, 0} : otherwise;
 }
 
-std::vector<Force> read_force(const TomlTable& table, const CaseNames& names) {
+Force read_force(const TomlTable& table, const CaseNames& names, int copy) {
   const ForceKind& kind = read_kind(table);
-  ForceTable from{table, names, 0, 0, 0};
+  ForceTable from{table, names, 0, copy, 0};
   const std::string name = table.text("name");
   Force force{name, 0, from.clock("starts", Clock{}), from.clock("ends", never),
               nullptr};
   check_clocks(table, force);
   const auto bodies = names.rigid_bodies_of(table, "body");
   from.copies = static_cast<int>(bodies.size());
-  std::vector<Force> result;
-  for (const int body : bodies) {
-    if (body == 0 && names.of.carrier.fixed) {
-      table.must_be("body", "a body, not the carrier, which is fixed");
-    }
-    from.body = force.body = body;
-    force.law = kind.read(from);
-    result.push_back(force);
-    ++from.copy;
+  from.body = force.body = bodies[copy];
+  if (force.body == 0 && names.of.carrier.fixed) {
+    table.must_be("body", "a body, not the carrier, which is fixed");
   }
-  return result;
+  force.law = kind.read(from);
+  return force;
+}
+
+std::vector<Force> read_forces(const TomlTable& table, const CaseNames& names) {
+  std::vector<Force> forces = {read_force(table, names, 0)};
+  const auto bodies = names.rigid_bodies_of(table, "body");
+  for (std::size_t copy = 1; copy < bodies.size(); ++copy) {
+    forces.push_back(read_force(table, names, static_cast<int>(copy)));
+  }
+  return forces;
 }
 
 }  // namespace separation

@@ -65,6 +65,7 @@ struct Aerodynamic final : ForceLaw {
                            force * (c(normal) * side - c(axial) * nose));
     forces[at.body].moment += force * length * c(moment) * nose.cross(side);
   }
+  ForceEnds where(const Case&, int) const override { return {point}; }
   void add_breaks(double begin, std::vector<double>& breaks) const override {
     dynamic_pressure.add_breaks(begin, breaks);
   }

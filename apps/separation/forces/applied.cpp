@@ -26,6 +26,7 @@ struct Applied final : ForceLaw {
     forces[at.body].add_at(body, body.point(point), f);
     forces[at.body].moment += m;
   }
+  ForceEnds where(const Case&, int) const override { return {point}; }
   void add_breaks(double begin, std::vector<double>& breaks) const override {
     if (variable != Variable::time) return;
     force.add_breaks(begin, breaks);

@@ -14,30 +14,21 @@ constexpr std::string_view fault_texts[] = {
 /// length, the opposite one on the other body. Forces are linear in the rate,
 /// without friction or preload.
 struct Damper final : ForceLaw {
-  int other;  ///< rigid body
-  Eigen::Vector3d point;
-  Eigen::Vector3d other_point;  ///< from its centre of mass, its own axes
-  double damping;               ///< N s/m
+  LineForce ends;
+  double damping;  ///< N s/m
 
-  Line line(const ForceInstant& at) const {
-    return {at.bodies[other], other_point, at.on(), point};
-  }
   void add(const ForceInstant& at,
            std::span<multibody::BodyForce> forces) const override {
-    const Line l = line(at);
-    const double length = l.span.norm();
-    if (length == 0) return;
-    const Eigen::Vector3d unit = l.span / length;
-    add_opposite({at.body, other}, at.bodies, l.end,
-                 -damping * unit.dot(l.velocity) * unit, forces);
+    ends.add(at, forces,
+             [this](double, double rate) { return -damping * rate; });
   }
+  ForceEnds where(const Case&, int) const override { return ends.where(); }
 
   std::span<const std::string_view> faults() const override {
     return fault_texts;
   }
   int find_fault(const ForceInstant& at, bool begins, bool) const override {
-    // Of places that are some 1e3 m at most: their rounding.
-    return begins && line(at).span.norm() < 1e-12 ? 1 : 0;
+    return begins && ends.is_point(at) ? 1 : 0;
   }
 };
 
@@ -63,15 +54,15 @@ std::shared_ptr<const ForceLaw> read(const ForceTable& from) {
   from.refuse_carrier();
   const TomlTable& table = from.table;
   auto law = std::make_shared<Damper>();
-  law->point = from.point();
+  const Eigen::Vector3d point = from.point();
   if (table.has("other_body")) {
-    law->other = read_other(from);
-    law->other_point =
-        vector(table, "other_point") - from.names.of.rigid_body(law->other).com;
+    const int other = read_other(from);
+    law->ends = {
+        point, other,
+        vector(table, "other_point") - from.names.of.rigid_body(other).com};
   } else {
     if (table.has("other_point")) table.needs("other_point", "other_body");
-    law->other = 0;
-    law->other_point = from.carrier_point();
+    law->ends = {point, 0, from.carrier_point()};
   }
   law->damping = table.number("damping_N_s_per_m", Interval::non_negative());
   return law;

@@ -4,7 +4,7 @@
 #include <array>
 #include <span>
 
-#include "multibody/system/force_model.hpp"
+#include "separation/case/force_law.hpp"
 
 namespace separation {
 
@@ -32,6 +32,35 @@ struct Line {
         span(end - from.point(from_point)),
         velocity(to.point_velocity(to_point) -
                  from.point_velocity(from_point)) {}
+};
+
+/// A force along the line between a point of a body and one of another.
+struct LineForce {
+  Eigen::Vector3d point;
+  int other = 0;                ///< rigid body
+  Eigen::Vector3d other_point;  ///< from its centre of mass, its own axes
+
+  ForceEnds where() const { return {point, other, other_point}; }
+  Line line(const ForceInstant& at) const {
+    return {at.bodies[other], other_point, at.on(), point};
+  }
+  /// Adds it and the opposite one; nothing where the points are one.
+  /// @param push  N, of the length, m, and its rate, m/s; apart if positive
+  template <class Push>
+  void add(const ForceInstant& at, std::span<multibody::BodyForce> forces,
+           const Push& push) const {
+    const Line l = line(at);
+    const double length = l.span.norm();
+    if (length == 0) return;
+    const Eigen::Vector3d unit = l.span / length;
+    add_opposite({at.body, other}, at.bodies, l.end,
+                 push(length, unit.dot(l.velocity)) * unit, forces);
+  }
+  /// It has no direction: of places that are some 1e3 m at most, their
+  /// rounding.
+  bool is_point(const ForceInstant& at) const {
+    return line(at).span.norm() < 1e-12;
+  }
 };
 
 }  // namespace separation

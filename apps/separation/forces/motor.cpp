@@ -18,6 +18,9 @@ struct Motor final : ForceLaw {
     forces[at.body].moment += m;
     forces[0].moment -= m;
   }
+  ForceEnds where(const Case& of, int body) const override {
+    return {of.bodies[body - 1].hinge.body_point};
+  }
   void add_breaks(double begin, std::vector<double>& breaks) const override {
     if (variable == Variable::time) moment.add_breaks(begin, breaks);
   }

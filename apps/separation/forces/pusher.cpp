@@ -41,6 +41,9 @@ struct Pusher final : ForceLaw {
     add_opposite({at.body, 0}, at.bodies, at.on().point(point),
                  at.carrier().rotation * (force * direction), forces);
   }
+  ForceEnds where(const Case&, int) const override {
+    return {point, 0, carrier_point};
+  }
   std::optional<double> overrun(
       int body, std::span<const BodyMotion> bodies) const override {
     return stroke_used(body, bodies) - stroke;

@@ -14,26 +14,18 @@ enum Fault { none, no_direction, pulls_back };
 
 /// A spring between a point of the body and one of the carrier.
 struct Spring final : ForceLaw {
-  Eigen::Vector3d point;
-  Eigen::Vector3d carrier_point;
+  LineForce ends;
   double stiffness;    ///< N/m
   double free_length;  ///< m
   double damping;      ///< N s/m
 
-  Line line(const ForceInstant& at) const {
-    return {at.carrier(), carrier_point, at.on(), point};
-  }
   void add(const ForceInstant& at,
            std::span<multibody::BodyForce> forces) const override {
-    const Line l = line(at);
-    const double length = l.span.norm();
-    if (length == 0) return;
-    const Eigen::Vector3d unit = l.span / length;
-    const double rate = unit.dot(l.velocity);
-    add_opposite({at.body, 0}, at.bodies, l.end,
-                 (stiffness * (free_length - length) - damping * rate) * unit,
-                 forces);
+    ends.add(at, forces, [this](double length, double rate) {
+      return stiffness * (free_length - length) - damping * rate;
+    });
   }
+  ForceEnds where(const Case&, int) const override { return ends.where(); }
 
   std::span<const std::string_view> faults() const override {
     return fault_texts;
@@ -41,14 +33,12 @@ struct Spring final : ForceLaw {
   int find_fault(const ForceInstant& at, bool begins,
                  bool released) const override {
     if (!(stiffness > 0)) return none;
-    const double length = line(at).span.norm();
-    // Of places that are some 1e3 m at most: their rounding.
-    if (begins && length < 1e-12 && free_length > 0) return no_direction;
+    if (begins && ends.is_point(at) && free_length > 0) return no_direction;
     const Hinge& hinge = at.of.bodies[at.body - 1].hinge;
     const bool has_come_off =
         released && hinge.kind != multibody::HingeKind::none;
     // Longer than rounding of lengths and tolerances of steps make it.
-    const bool pulls = length > (1 + 1e-6) * free_length;
+    const bool pulls = ends.line(at).span.norm() > (1 + 1e-6) * free_length;
     return has_come_off && pulls ? pulls_back : none;
   }
   bool is_watched() const override { return true; }
@@ -58,8 +48,7 @@ std::shared_ptr<const ForceLaw> read(const ForceTable& from) {
   from.refuse_carrier();
   const TomlTable& table = from.table;
   auto law = std::make_shared<Spring>();
-  law->point = from.point();
-  law->carrier_point = from.carrier_point();
+  law->ends = {from.point(), 0, from.carrier_point()};
   law->stiffness = table.number("stiffness", Interval::non_negative());
   law->free_length = table.number("free_length", Interval::non_negative());
   law->damping =

@@ -22,6 +22,7 @@ struct Thrust final : ForceLaw {
     forces[at.body].add_at(body, body.point(point),
                            body.rotation * (part * force));
   }
+  ForceEnds where(const Case&, int) const override { return {point}; }
   Clock own_clock() const override { return cutoff; }
 };
 

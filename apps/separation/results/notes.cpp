@@ -82,15 +82,14 @@ Texts joint_texts(const Case& c, const TextsOf& texts_of) {
 }
 
 contact::ContactLimits limits_of(const HingeJoint& joint) {
-  return {joint.contact.half_angle_law(), joint.contact.pair()};
+  return joint.contact.limits();
 }
 
 }  // namespace
 
-std::vector<std::string> fit_notes(const Case& c) {
+std::vector<std::string> clearance_notes(const Case& c) {
   return joint_texts(c, [](const HingeJoint& joint, auto...) -> Texts {
-    if (!joint.joint.fit) return {};
-    return {to_string(*joint.joint.fit)};
+    return joint.joint.clearance_notes();
   });
 }
 

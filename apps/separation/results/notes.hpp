@@ -9,8 +9,9 @@
 /// What is to be said of a case and its run, for every program and language.
 namespace separation {
 
-/// How the fits of the joints were read, each once.
-std::vector<std::string> fit_notes(const Case& c);
+/// Where the clearances of the joints are from, fits and temperatures, each
+/// once.
+std::vector<std::string> clearance_notes(const Case& c);
 /// Joints that leave the theory, once for each reason.
 std::vector<std::string> joint_notes(const Case& c);
 /// Joints whose largest contact leaves the theory or what its materials bear,

@@ -459,7 +459,7 @@ void Recorder::look(const Simulation& simulation) {
   look_at_changes(simulation);
   const auto& sample = simulation.sample();
   if (keep_rows_) {
-    add(simulation.time());
+    add(sample.time());
     add_motion(sample.carrier());
   }
   for (int i = 0; i < static_cast<int>(case_.bodies.size()); ++i) {

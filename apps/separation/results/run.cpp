@@ -19,19 +19,28 @@ Run::Run(Case c, RunOptions options)
       options_(std::move(options)),
       outputs_(case_, options_.only_events),
       recorder_(case_, options_.rows, options_.clearance,
-                !options_.only_events) {
-  take(make_simulation());
+                !options_.only_events),
+      simulation_(make_simulation()) {
+  watch();
   record();
+}
+
+Run::Run(Run& other, RunOptions options)
+    : Run(other.case_, std::move(options)) {
+  RunState state = other.save();
+  simulation_->restore(state.simulation);
+  go_on_with(std::move(simulation_), std::move(state.memory));
+  next_ = other.next_;
+  status_ = other.status_;
+  message_ = other.message_;
 }
 
 std::unique_ptr<Simulation> Run::make_simulation() const {
   return std::make_unique<Simulation>(case_, friction());
 }
 
-void Run::take(std::unique_ptr<Simulation> simulation) {
-  simulation_ = std::move(simulation);
+void Run::watch() {
   time_ = simulation_->time();
-  copy_.reset();
   simulation_->halt_when([this] {
     pace_.note(*simulation_);
     return !recorder_.fault().empty() || is_due_to_stop();
@@ -41,9 +50,19 @@ void Run::take(std::unique_ptr<Simulation> simulation) {
     if (!options_.only_events) recorder_.look_between(*simulation_);
     if (!options_.progress) return;
     time_ = sample.time();
-    copy_.reset();
     options_.progress(*this);
   });
+}
+
+void Run::go_on_with(std::unique_ptr<Simulation> simulation,
+                     Recorder::Memory memory) {
+  simulation_ = std::move(simulation);
+  watch();
+  recorder_.restore(std::move(memory));
+  recorder_.go_on_with(*simulation_);
+  next_ = outputs_.after(time_);
+  status_ = Status::running;
+  message_.clear();
 }
 
 bool Run::is_due_to_stop() {
@@ -70,11 +89,10 @@ bool Run::record() {
 }
 
 // Moves on to `time` with all events on the way; false: status() says why.
-bool Run::move_on(double time, bool look) {
+bool Run::move_on(double time) {
   for (;;) {
-    const Simulation::Stop stop = simulation_->advance_to(time, look);
+    const Simulation::Stop stop = simulation_->advance_to(time);
     time_ = simulation_->time();
-    copy_.reset();
     if (!is_recorded()) return false;
     switch (stop) {
       case Simulation::Stop::time:
@@ -101,26 +119,17 @@ Run::Status Run::advance_to(double time) {
   if (status_ == Status::failed) return status_;
   if (!outputs_.has(next_)) return status_ = Status::finished;
   if (!(time >= time_ - outputs_.instant())) {
-    throw contact::Error(must_be(fmt::format("advance_to: time = {}", time),
+    throw contact::Error(must_be(fmt::format("time = {}", time),
                                  fmt::format("{} s or later", time_)));
   }
   status_ = Status::running;
   message_.clear();
   for (const long last = outputs_.after(time); next_ < last; ++next_) {
-    if (!move_on(outputs_[next_], true) || !record()) return status_;
+    if (!move_on(outputs_[next_]) || !record()) return status_;
   }
   if (!outputs_.has(next_)) return status_ = Status::finished;
-  move_on(time, false);
+  move_on(time);
   return status_;
-}
-
-const Simulation& Run::copy() const {
-  if (!copy_) {
-    copy_ = make_simulation();
-    copy_->restore(simulation_->step_state());
-    copy_->advance_to(time_);
-  }
-  return *copy_;
 }
 
 std::vector<double> Run::values() const {
@@ -130,14 +139,8 @@ std::vector<double> Run::values() const {
             rows.numbers.end()};
   }
   Recorder recorder(case_, true, options_.clearance, false);
-  recorder.look(copy());
+  recorder.look(*simulation_);
   return recorder.take_memory().rows.numbers;
-}
-
-multibody::MotionCounts Run::counts() const {
-  const multibody::MotionCounts now = simulation_->motion().counts();
-  return {gone_.evaluations + now.evaluations, gone_.steps + now.steps,
-          gone_.outer_iterations + now.outer_iterations};
 }
 
 Outcome Run::outcome_with(Recorder::Memory memory) const {
@@ -150,30 +153,14 @@ Outcome Run::outcome_with(Recorder::Memory memory) const {
   return outcome;
 }
 
-// Where advance_to() has not looked.
-void Run::look_here() {
-  if (simulation_->sample().time() != time_) simulation_->advance_to(time_);
-}
-
 Outcome Run::end() && {
-  if (time_ > memory().last_time) {
-    look_here();
-    record();
-  }
+  if (time_ > memory().last_time) record();
   return outcome_with(recorder_.take_memory());
 }
 
 SimulationState Run::renew() {
-  if (time_ > memory().last_time) {
-    look_here();
-    recorder_.catch_up(*simulation_);
-  }
+  if (time_ > memory().last_time) recorder_.catch_up(*simulation_);
   SimulationState state = simulation_->save();
-  // As a restored run has one.
-  auto simulation = make_simulation();
-  simulation->restore(state);
-  gone_ = counts();
-  take(std::move(simulation));
   recorder_.go_on_with(*simulation_);
   return state;
 }
@@ -184,13 +171,7 @@ void Run::restore(RunState state) {
   simulation->restore(state.simulation);
   multibody::check_numbers(state.simulation.motion, system_of(case_));
   // Nothing is refused from here on.
-  take(std::move(simulation));
-  recorder_.restore(std::move(state.memory));
-  recorder_.go_on_with(*simulation_);
-  gone_ = {};
-  next_ = outputs_.after(time_);
-  status_ = Status::running;
-  message_.clear();
+  go_on_with(std::move(simulation), std::move(state.memory));
 }
 
 Outcome run_case(const Case& c, const RunOptions& options) {

@@ -58,7 +58,11 @@ class Run {
   /// At the start, with the row of it.
   /// @throws contact::Error if the motion cannot begin
   explicit Run(Case c, RunOptions options = {});
-  Run(const Run&) = delete;
+  /// A copy goes on as the other run does, to the last bit: to take one begins
+  /// the steps of both anew, as save() does.
+  Run(Run& other) : Run(other, other.options_) {}
+  /// @param options  as those of the other run, but for who is asked on the way
+  Run(Run& other, RunOptions options);
   Run& operator=(const Run&) = delete;
 
   enum class Status {
@@ -77,6 +81,7 @@ class Run {
   const std::string& message() const { return message_; }
 
   const Case& of() const { return case_; }
+  const RunOptions& options() const { return options_; }
   double time() const { return time_; }
   /// The output time after this one, or the end.
   double next_output() const { return outputs_[next_]; }
@@ -87,11 +92,15 @@ class Run {
   }
   std::vector<double> values() const;
   /// The motion at time(): to look at until the run goes on.
-  const multibody::MotionSample& sample() const { return copy().sample(); }
+  const multibody::MotionSample& sample() const {
+    return simulation_->sample();
+  }
   /// Rows, events (`notes`) and peaks so far.
   const Recorder::Memory& memory() const { return recorder_.memory(); }
 
-  multibody::MotionCounts counts() const;
+  multibody::MotionCounts counts() const {
+    return simulation_->motion().counts();
+  }
   double last_step() const { return simulation_->motion().last_step(); }
   /// What keeps its steps short: Pace::text().
   std::string pace() const { return pace_.text(*simulation_); }
@@ -113,17 +122,17 @@ class Run {
 
  private:
   std::unique_ptr<Simulation> make_simulation() const;
-  void take(std::unique_ptr<Simulation> simulation);
-  bool move_on(double time, bool look);
+  void go_on_with(std::unique_ptr<Simulation> simulation,
+                  Recorder::Memory memory);
+  void watch();
+  bool move_on(double time);
   bool record();
   bool is_recorded();
-  void look_here();
   bool give_up(Status status, std::string why);
   bool is_due_to_stop();
   FrictionChoice friction() const {
     return options_.friction.value_or(case_.friction);
   }
-  const Simulation& copy() const;
   Outcome outcome_with(Recorder::Memory memory) const;
 
   const Case case_;
@@ -135,11 +144,8 @@ class Run {
   Status status_ = Status::running;
   std::string message_;
   std::string stopped_by_;
-  multibody::MotionCounts gone_ = {};  // of simulations that are gone
   Pace pace_;
   double time_ = 0;
-  // Who looks leaves a trace (Motion::step_state()): others look at a copy.
-  mutable std::unique_ptr<Simulation> copy_;
 };
 
 /// From start to end, or as far as it comes.

@@ -234,12 +234,11 @@ void Simulation::note_motion_event() {
   }
 }
 
-Simulation::Stop Simulation::advance_to(double end, bool look) {
+Simulation::Stop Simulation::advance_to(double end) {
   due_.clear();
   find_due();
   while (due_.empty() && time() < end) {
-    const double next = next_time();
-    switch (motion_.advance_to(std::min(end, next), look || next <= end)) {
+    switch (motion_.advance_to(std::min(end, next_time()))) {
       case multibody::Stop::failed:
         message_ = failure_text();
         return Stop::failed;
@@ -253,11 +252,7 @@ Simulation::Stop Simulation::advance_to(double end, bool look) {
         find_due();
     }
   }
-  if (due_.empty()) {
-    // It has come there before, and did not look.
-    if (look && sample().time() != time()) motion_.advance_to(time());
-    return Stop::time;
-  }
+  if (due_.empty()) return Stop::time;
   // Together: all bodies of an event when it comes for one.
   const auto own = due_;
   for (const Happening& h : own) {
@@ -316,6 +311,13 @@ bool Simulation::apply() {
   }
   changed_ = true;
   return true;
+}
+
+SimulationState Simulation::save() {
+  // As restore() has it.
+  due_.clear();
+  changed_ = true;
+  return {motion_.save(), history_};
 }
 
 void Simulation::restore(const SimulationState& state) {

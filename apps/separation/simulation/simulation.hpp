@@ -76,8 +76,7 @@ class Simulation {
     failed,  ///< message() says why
     halted,  ///< as halt_when() wanted
   };
-  /// @param look  as for Motion::advance_to()
-  Stop advance_to(double time, bool look = true);
+  Stop advance_to(double time);
   const std::vector<Happening>& happenings() const { return due_; }
   /// Breaks what the events that are due break.
   /// @return false if that cannot be: message() says why
@@ -89,11 +88,8 @@ class Simulation {
   double angle(int body) const;
   double angle(const multibody::MotionSample& sample, int body) const;
 
-  /// As Motion::step_state().
-  SimulationState step_state() const {
-    return {motion_.step_state(), history_};
-  }
-  SimulationState save() { return {motion_.save(), history_}; }
+  /// As Motion::save().
+  SimulationState save();
   /// @throws contact::Error as Motion::restore()
   void restore(const SimulationState& state);
 

@@ -1,0 +1,151 @@
+#include "separation/case/case_form.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "libcontact/base/complaint.hpp"
+#include "libcontact/base/error.hpp"
+#include "separation/case/case_keys.hpp"
+#include "separation/case/case_names.hpp"
+#include "separation/case/case_parts.hpp"
+#include "separation/case/event_reader.hpp"
+#include "separation/case/force_reader.hpp"
+
+namespace separation {
+
+using contact::Error;
+using contact::TomlTable;
+
+CaseForm::CaseForm(const contact::TomlFiles& files,
+                   const std::filesystem::path& file,
+                   const contact::KeySettings& keys, const Case& nominal,
+                   const contact::SharedLaws& made)
+    : form_(files, file, case_keys, keys), nominal_(nominal), made_(made) {
+  for (std::size_t key = 0; key < keys.size(); ++key) {
+    const std::string& of = form_.place(key);
+    if (!of.ends_with(".pattern.count")) continue;
+    throw Error(
+        contact::detail::needs(of, "no draws of other keys for each copy"));
+  }
+  const auto place = [](std::vector<Part>& parts, const auto& items,
+                        const auto& name) {
+    for (Part& part : parts) {
+      const std::string wanted = part.table.text("name");
+      const auto is_of = [&](const auto& item) { return name(item) == wanted; };
+      const auto first = std::ranges::find_if(items, is_of);
+      part.first = static_cast<int>(first - items.begin());
+      part.count = static_cast<int>(std::ranges::count_if(items, is_of));
+    }
+  };
+  const TomlTable& table = form_.table();
+  place(bodies_ = parts(table, "body"), nominal.bodies,
+        [](const Body& body) { return body.group; });
+  place(forces_ = parts(table, "force"), nominal.forces,
+        [](const Force& force) { return force.name; });
+  place(events_ = parts(table, "event"), nominal.events,
+        [](const Event& event) { return event.name; });
+  for (const Part& body : bodies_) {
+    const Pattern pattern =
+        read_pattern(body.table, nominal.bodies[body.first].hinge);
+    for (int copy = 0; copy < body.count; ++copy) {
+      turns_.push_back(pattern.turn(copy));
+    }
+  }
+  for (const Event& event : nominal.events) event_names_.push_back(event.name);
+  for (std::size_t key = 0; key < keys.size(); ++key) {
+    keys_of(form_.place(key)).push_back(key);
+  }
+}
+
+std::vector<CaseForm::Part> CaseForm::parts(const TomlTable& file,
+                                            std::string_view key) {
+  std::vector<Part> result;
+  for (const TomlTable& table : file.tables(key)) {
+    result.push_back({table, 0, 0});
+  }
+  return result;
+}
+
+// Of "body[2].com[1]", those of the second body.
+CaseForm::Keys& CaseForm::keys_of(const std::string& place) {
+  const std::string step = place.substr(0, place.find('.'));
+  const auto bracket = std::min(step.find('['), step.size());
+  const std::string table = step.substr(0, bracket);
+  if (table == "run" || table == "gravity") return run_;
+  if (table == "carrier") return carrier_;
+  for (auto [name, parts] : {std::pair{"body", &bodies_},
+                             {"force", &forces_},
+                             {"event", &events_}}) {
+    if (table != name) continue;
+    return parts->at(std::stoul(step.substr(bracket + 1)) - 1).keys;
+  }
+  throw Error(contact::detail::must_be(
+      place, "a key of the run, the carrier, a body, an event or a force"));
+}
+
+void CaseForm::set(const Keys& keys, const Numbers& numbers, int copy) {
+  for (const std::size_t key : keys) {
+    const auto& values = numbers[key];
+    form_.set(key, values.size() == 1 ? values[0] : values[copy]);
+  }
+}
+
+void CaseForm::read_bodies(const Part& part, const Numbers& numbers,
+                           contact::SharedLaws& made, Case& c,
+                           std::vector<Eigen::Matrix3d>& turns) {
+  const bool is_each = std::ranges::any_of(
+      part.keys, [&](std::size_t key) { return numbers[key].size() > 1; });
+  Body body;
+  Pattern pattern;
+  for (int copy = 0; copy < part.count; ++copy) {
+    if (copy == 0 || is_each) {
+      set(part.keys, numbers, copy);
+      body = read_body(part.table, c.carrier, {}, made);
+      pattern = read_pattern(part.table, body.hinge);
+    }
+    const int place = part.first + copy;
+    c.bodies[place] = pattern.copy_of(body, copy, c.carrier.com);
+    turns[place] = pattern.turn(copy);
+  }
+}
+
+std::vector<Force> CaseForm::read_forces(const Numbers& numbers,
+                                         const CaseNames& names) {
+  std::vector<Force> forces;
+  for (const Part& part : forces_) {
+    for (int copy = 0; copy < part.count; ++copy) {
+      set(part.keys, numbers, copy);
+      forces.push_back(read_force(part.table, names, copy));
+    }
+  }
+  return forces;
+}
+
+Case CaseForm::with(const Numbers& numbers) {
+  Case c = nominal_;
+  contact::SharedLaws made = made_;
+  const TomlTable& file = form_.table();
+  set(run_, numbers, 0);
+  if (!run_.empty()) read_run_of(file, c);
+  set(carrier_, numbers, 0);
+  if (!carrier_.empty()) read_carrier_of(file, c);
+  CaseNames names{c, turns_, event_names_};
+  bool read = !carrier_.empty();
+  const auto has_keys = [](const Part& part) { return !part.keys.empty(); };
+  for (const Part& body : bodies_) {
+    if (carrier_.empty() && body.keys.empty()) continue;
+    read_bodies(body, numbers, made, c, names.turns);
+    read = true;
+  }
+  for (const Part& event : events_) {
+    if (event.keys.empty()) continue;
+    set(event.keys, numbers, 0);
+    c.events[event.first] = read_event(event.table, names);
+  }
+  if (read || std::ranges::any_of(forces_, has_keys)) {
+    c.forces = read_forces(numbers, names);
+  }
+  return c;
+}
+
+}  // namespace separation

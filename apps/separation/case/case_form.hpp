@@ -1,0 +1,65 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "libcontact/files/toml_form.hpp"
+#include "libcontact/joint/spec.hpp"
+#include "separation/case/case.hpp"
+#include "separation/case/case_names.hpp"
+
+namespace separation {
+
+/// A case that is read again and again, by one thread at a time, with other
+/// numbers of some keys: only its parts with these keys, and what stands on
+/// them (case_parts.hpp). The numbers are those of case_of_file().
+class CaseForm {
+ public:
+  /// @param keys  as TomlForm's
+  /// @param nominal  the case without them; has to outlive this object
+  /// @param made  laws of joints; those that a key changes are made anew
+  /// @throws contact::Error of a key that has no number, or changes how many
+  ///   bodies there are
+  CaseForm(const contact::TomlFiles& files, const std::filesystem::path& file,
+           const contact::KeySettings& keys, const Case& nominal,
+           const contact::SharedLaws& made);
+
+  /// @param numbers  of each key a number, or one for each copy of its body or
+  ///   each body of its force
+  /// @throws contact::Error if they make no case
+  Case with(const std::vector<std::span<const double>>& numbers);
+
+ private:
+  using Numbers = std::vector<std::span<const double>>;
+  using Keys = std::vector<std::size_t>;
+  /// A [[body]], a [[force]] or an [[event]], and where its copies are.
+  struct Part {
+    contact::TomlTable table;
+    int first;
+    int count;
+    Keys keys = {};
+  };
+
+  static std::vector<Part> parts(const contact::TomlTable& file,
+                                 std::string_view key);
+  Keys& keys_of(const std::string& place);
+  void set(const Keys& keys, const Numbers& numbers, int copy);
+  void read_bodies(const Part& part, const Numbers& numbers,
+                   contact::SharedLaws& made, Case& c,
+                   std::vector<Eigen::Matrix3d>& turns);
+  std::vector<Force> read_forces(const Numbers& numbers, const CaseNames&);
+
+  contact::TomlForm form_;
+  const Case& nominal_;
+  contact::SharedLaws made_;
+  std::vector<Part> bodies_, forces_, events_;
+  Keys run_, carrier_;
+  std::vector<Eigen::Matrix3d> turns_;  ///< CaseNames'
+  std::vector<std::string> event_names_;
+};
+
+}  // namespace separation

@@ -1,0 +1,230 @@
+#include "separation/case/case_parts.hpp"
+
+#include <fmt/format.h>
+
+#include <numbers>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "libcontact/base/error.hpp"
+#include "multibody/system/system.hpp"
+#include "separation/case/body_reader.hpp"
+#include "separation/case/hinge_reader.hpp"
+#include "separation/case/hinges/hinge_type.hpp"
+#include "separation/case/reading.hpp"
+#include "separation/case/system_of.hpp"
+
+namespace separation {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+using multibody::BodyMotion;
+using multibody::HingeKind;
+
+// Looser than Motion's own: 1e-8 m or rad is more than any case knows.
+constexpr double default_absolute_tolerance = 1e-8;
+
+// Keys that the other integrator reads.
+void refuse_idle_keys(const TomlTable& table,
+                      multibody::Integrator integrator) {
+  const auto refuse = [&](std::string_view key, const char* other) {
+    if (table.has(key)) table.needs(key, other);
+  };
+  if (integrator == multibody::Integrator::adaptive) {
+    refuse("step", "integrator = \"rk4\"");
+  } else {
+    for (const char* key :
+         {"relative_tolerance", "absolute_tolerance", "longest_step"}) {
+      refuse(key, "integrator = \"adaptive\"");
+    }
+  }
+}
+
+void read_run(const TomlTable& table, Case& c) {
+  auto& options = c.options;
+  c.end_time = table.number("end_time", Interval::positive());
+  c.output_step = table.optional_number("output_step", Interval::positive())
+                      .value_or(c.end_time / 200);
+  if (c.end_time / c.output_step > most_rows) {
+    table.must_be("output_step",
+                  fmt::format("{:g} s or above: {:g} rows at most",
+                              c.end_time / most_rows, most_rows));
+  }
+  c.friction = static_cast<FrictionChoice>(
+      table.optional_choice("friction", {"full", "ideal", "traditional"})
+          .value_or(0));
+  options.integrator =
+      table.optional_choice("integrator", {"adaptive", "rk4"}).value_or(0) == 0
+          ? multibody::Integrator::adaptive
+          : multibody::Integrator::rk4;
+  const Interval tolerance{1e-14, 1e-2};
+  refuse_idle_keys(table, options.integrator);
+  options.relative_tolerance =
+      table.optional_number("relative_tolerance", tolerance)
+          .value_or(options.relative_tolerance);
+  options.absolute_tolerance =
+      table.optional_number("absolute_tolerance", tolerance)
+          .value_or(default_absolute_tolerance);
+  options.step = table.optional_number("step", Interval::positive())
+                     .value_or(options.step);
+  options.longest_step =
+      table.optional_number("longest_step", Interval::positive())
+          .value_or(options.longest_step);
+}
+
+// Of the carrier or of a body of its own.
+BodyMotion read_free_start(const std::optional<TomlTable>& table) {
+  BodyMotion start{Vector3d::Zero(), Vector3d::Zero(), Matrix3d::Identity(),
+                   Vector3d::Zero()};
+  if (!table) return start;
+  start.position = vector_or_zero(*table, "position");
+  start.velocity = vector_or_zero(*table, "velocity");
+  start.rotation =
+      optional_rotation(*table, "rotation").value_or(Matrix3d::Identity());
+  start.angular_velocity =
+      start.rotation * vector_or_zero(*table, "angular_velocity");
+  return start;
+}
+
+BodyMotion read_carrier_start(const TomlTable& carrier, bool fixed) {
+  const auto table = carrier.optional_table("start");
+  if (table && fixed) {
+    for (const char* key : {"velocity", "angular_velocity"}) {
+      if (table->has(key)) {
+        table->must_be(key, "left out: the carrier is fixed");
+      }
+    }
+  }
+  return read_free_start(table);
+}
+
+multibody::BodyStart read_body_start(const std::optional<TomlTable>& table,
+                                     const Hinge& hinge) {
+  multibody::BodyStart start;
+  start.rotation = hinge.zero_rotation;
+  if (hinge.kind == HingeKind::none) {
+    start.body = read_free_start(table);
+  } else if (table) {
+    hinge_type(hinge).read_start(*table, start);
+  }
+  return start;
+}
+
+std::optional<Lock> read_lock(const TomlTable& body, const Vector3d& com,
+                              const Hinge& hinge) {
+  const auto table = body.optional_table("lock");
+  if (!table) return {};
+  if (hinge.kind == HingeKind::none) {
+    body.needs("lock", "a hinge");
+  }
+  Lock lock{table->optional_text("name").value_or("lock"),
+            vector(*table, "body_point") - com};
+  const Vector3d arm = lock.body_point - hinge.body_point;
+  if (!(arm.norm() > 0)) {
+    table->must_be("body_point", "a point apart from the hinge");
+  }
+  if (hinge.kind == HingeKind::axis) {
+    const Vector3d axis = hinge.zero_rotation.transpose() * hinge.axis;
+    const double scale = lock.body_point.norm() + hinge.body_point.norm();
+    // Rounding of the points' entries and of the axis.
+    if (!(arm.cross(axis).norm() > 1e-12 * scale)) {
+      table->must_be("body_point",
+                     "a point off the hinge's axis: on it a lock holds "
+                     "nothing");
+    }
+  }
+  return lock;
+}
+
+// Bodies that the equations of motion cannot take: no inertia in a direction
+// that turns, numbers beyond all bounds.
+void check_system(const TomlTable& table, const RigidBody& carrier,
+                  std::vector<Body> bodies) {
+  Case part{};
+  part.carrier = carrier;
+  part.bodies = std::move(bodies);
+  try {
+    system_of(part);
+  } catch (const contact::Error& error) {
+    const std::string message = error.what();
+    const auto colon = message.find(": ");
+    table.fail(table.has("principal_inertia") ? "principal_inertia" : "inertia",
+               colon == message.npos ? message : message.substr(colon + 2));
+  }
+}
+
+}  // namespace
+
+void read_run_of(const TomlTable& file, Case& c) {
+  read_run(file.table("run"), c);
+  c.options.gravity = vector_or_zero(file, "gravity");
+}
+
+void read_carrier_of(const TomlTable& file, Case& c) {
+  const TomlTable carrier = file.table("carrier");
+  c.carrier = read_carrier(carrier);
+  if (c.carrier.fixed && file.tables("body").empty()) {
+    carrier.needs("fixed", "one or more [[body]]");
+  }
+  check_system(carrier, c.carrier, {});
+  c.carrier_start = read_carrier_start(carrier, c.carrier.fixed);
+  if (const auto drive = carrier.optional_table("drive")) {
+    c.options.carrier_drive = {vector_or_zero(*drive, "acceleration"),
+                               vector_or_zero(*drive, "angular_acceleration")};
+  }
+}
+
+Body read_body(const TomlTable& table, const RigidBody& carrier,
+               const JointLaws& laws, contact::SharedLaws& made) {
+  Body body;
+  body.rigid = read_rigid_body(table);
+  body.group = body.rigid.name;
+  if (const auto hinge = table.optional_table("hinge")) {
+    body.hinge = read_hinge(*hinge, body.rigid, carrier, laws, made);
+  }
+  body.lock = read_lock(table, body.rigid.com, body.hinge);
+  const auto start = table.optional_table("start");
+  body.start = read_body_start(start, body.hinge);
+  body.start.locked = body.lock.has_value();
+  if (body.lock && (body.start.angle_rate != 0 ||
+                    body.start.relative_angular_velocity.norm() > 0)) {
+    start->must_be(hinge_type(body.hinge).rate_key,
+                   "0 while the body is locked");
+  }
+  check_system(table, carrier, {body});
+  return body;
+}
+
+Pattern read_pattern(const TomlTable& body, const Hinge& hinge) {
+  const auto table = body.optional_table("pattern");
+  if (!table) return {};
+  if (hinge.kind == HingeKind::none) {
+    body.needs("pattern", "a hinge");
+  }
+  return {static_cast<int>(table->integer("count", 2, 1000)),
+          direction(*table, "axis"),
+          table->optional_number("first", Interval::any()).value_or(0)};
+}
+
+Matrix3d Pattern::turn(int copy) const {
+  if (count == 1) return Matrix3d::Identity();
+  return rotation_of((first + 2 * std::numbers::pi * copy / count) * axis);
+}
+
+Body Pattern::copy_of(Body body, int copy, const Vector3d& carrier_com) const {
+  if (count == 1) return body;
+  const Matrix3d turn = this->turn(copy);
+  Hinge& hinge = body.hinge;
+  hinge.carrier_point =
+      turn * (hinge.carrier_point + carrier_com) - carrier_com;
+  hinge.zero_rotation = turn * hinge.zero_rotation;
+  hinge.axis = turn * hinge.axis;
+  hinge.carrier_direction = turn * hinge.carrier_direction;
+  body.start.rotation = turn * body.start.rotation;
+  body.rigid.name = fmt::format("{} {}", body.group, copy + 1);
+  return body;
+}
+
+}  // namespace separation

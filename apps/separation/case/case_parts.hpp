@@ -1,0 +1,35 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "libcontact/files/toml_reader.hpp"
+#include "separation/case/case.hpp"
+
+/// Parts of a case as case files describe them. A part depends on its own
+/// tables, the carrier, bodies on the carrier, forces on both.
+namespace separation {
+
+/// Gravity and [run].
+void read_run_of(const contact::TomlTable& file, Case& c);
+/// [carrier] with its start and its drive.
+void read_carrier_of(const contact::TomlTable& file, Case& c);
+
+/// A [[body]], all copies of which are turned ones of it.
+/// @param made  laws of the case's joints
+Body read_body(const contact::TomlTable& table, const RigidBody& carrier,
+               const JointLaws& laws, contact::SharedLaws& made);
+
+/// Copies of a body around an axis through the carrier's origin.
+struct Pattern {
+  int count = 1;
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitX();
+  double first = 0;
+
+  /// Carrier axes as written to carrier axes.
+  /// @param copy  from 0
+  Eigen::Matrix3d turn(int copy) const;
+  Body copy_of(Body body, int copy, const Eigen::Vector3d& carrier_com) const;
+};
+Pattern read_pattern(const contact::TomlTable& body, const Hinge& hinge);
+
+}  // namespace separation
