@@ -90,7 +90,7 @@ Study::Study(const std::filesystem::path& file, const PlanChanges& changes)
   design_ = std::make_unique<Design>(plan_, copies);
   check_draws();
   refuse_repeated_keys();
-  nominal_ = model_->run({{}}, {.remarks = true}, {});
+  nominal_ = model_->run(contact::KeySettings{}, {.remarks = true}, {});
   if (!nominal_.failure.empty()) {
     throw Error("the nominal run failed: " + nominal_.failure);
   }
@@ -99,11 +99,10 @@ Study::Study(const std::filesystem::path& file, const PlanChanges& changes)
 
 // What the distributions allow has to be allowed by the files.
 void Study::check_draws() const {
-  for (std::size_t i = 0; i < plan_.dispersions.size(); ++i) {
-    const Dispersion& dispersion = plan_.dispersions[i];
+  for (const Dispersion& dispersion : plan_.dispersions) {
     for (const double u : {lowest_uniform, 0.5, highest_uniform}) {
       try {
-        model_->check(settings_of(i, rounded(dispersion.quantile(u))));
+        model_->check({dispersion.setting(rounded(dispersion.quantile(u)))});
       } catch (const Error& error) {
         dispersion.table.fail("key", error.what());
       }
@@ -113,7 +112,7 @@ void Study::check_draws() const {
 
 // One key under two names is found out when both are set.
 void Study::refuse_repeated_keys() const {
-  const auto is_repeated = [this](const Model::Settings& settings) {
+  const auto is_repeated = [this](const contact::KeySettings& settings) {
     try {
       model_->check(settings);
     } catch (const contact::RepeatedSetting&) {
@@ -124,15 +123,14 @@ void Study::refuse_repeated_keys() const {
     return false;
   };
   const std::size_t count = plan_.dispersions.size();
-  const auto middle = [this](std::size_t i) {
-    return setting_of(i, rounded(plan_.dispersions[i].quantile(0.5)));
-  };
   contact::KeySettings all;
-  for (std::size_t i = 0; i < count; ++i) all.push_back(middle(i));
-  if (!is_repeated({all})) return;
+  for (const Dispersion& dispersion : plan_.dispersions) {
+    all.push_back(dispersion.setting(rounded(dispersion.quantile(0.5))));
+  }
+  if (!is_repeated(all)) return;
   for (std::size_t i = 0; i < count; ++i) {
     for (std::size_t other = 0; other < i; ++other) {
-      if (!is_repeated({{all[other], all[i]}})) continue;
+      if (!is_repeated({all[other], all[i]})) continue;
       plan_.dispersions[i].table.must_be(
           "key", fmt::format("another key than \"{}\", by whatever name",
                              plan_.dispersions[other].key));
@@ -218,41 +216,9 @@ double Study::value_of(std::size_t requirement, const Row& row) const {
   return worst;
 }
 
-Model::Settings Study::settings_of(const std::vector<double>& numbers) const {
-  int readings = 1;
-  for (const Draw& draw : design_->draws()) {
-    readings = std::max(readings, draw.copy);
-  }
-  Model::Settings settings(static_cast<std::size_t>(readings));
-  for (int reading = 1; reading <= readings; ++reading) {
-    for (std::size_t i = 0; i < numbers.size(); ++i) {
-      const Draw& draw = design_->draws()[i];
-      if (draw.copy != 0 && draw.copy != reading) continue;
-      settings[static_cast<std::size_t>(reading - 1)].push_back(
-          setting_of(draw.dispersion, numbers[i]));
-    }
-  }
-  return settings;
-}
-
-contact::KeySetting Study::setting_of(std::size_t dispersion,
-                                      double number) const {
-  const Dispersion& d = plan_.dispersions[dispersion];
-  return {d.key, fmt::format("{}{}", d.relative ? "*" : "", number)};
-}
-
-// One key alone, of all copies alike.
-Model::Settings Study::settings_of(std::size_t dispersion,
-                                   double number) const {
-  const int copies = std::max(1, model_->copies(plan_.dispersions[dispersion]));
-  return Model::Settings(static_cast<std::size_t>(copies),
-                         {setting_of(dispersion, number)});
-}
-
 Row Study::row(std::uint64_t run,
                const std::function<std::string()>& stop) const {
   Row row{run, {}, {}};
-  Model::Settings settings = {{}};
   if (run == 0) {
     for (const Draw& draw : design_->draws()) {
       const bool relative = plan_.dispersions[draw.dispersion].relative;
@@ -260,11 +226,11 @@ Row Study::row(std::uint64_t run,
     }
   } else {
     row.numbers = design_->numbers(run);
-    settings = settings_of(row.numbers);
   }
   Result result;
   try {
-    result = model_->run(settings, effort_, stop);
+    result = run == 0 ? model_->run(contact::KeySettings{}, effort_, stop)
+                      : model_->run(row.numbers, effort_, stop);
   } catch (const Error& error) {
     result.failure = error.what();
   }
@@ -282,14 +248,15 @@ separation::Case Study::case_of(std::uint64_t run) const {
   if (model == nullptr) {
     throw Error(contact::detail::needs("a history", "the study of a case"));
   }
-  return model->case_of(run == 0 ? Model::Settings{{}}
-                                 : settings_of(design_->numbers(run)));
+  return run == 0 ? model->case_of(contact::KeySettings{})
+                  : model->case_of(design_->numbers(run));
 }
 
 bool Study::has_effect(std::size_t dispersion, double u,
                        const std::vector<double>& notable) const {
-  const double number = plan_.dispersions[dispersion].quantile(u);
-  const Result result = model_->run(settings_of(dispersion, number), {}, {});
+  const Dispersion& of = plan_.dispersions[dispersion];
+  const Result result =
+      model_->run(contact::KeySettings{of.setting(of.quantile(u))}, {}, {});
   if (!result.failure.empty()) return true;
   for (std::size_t i = 0; i < quantities_.size(); ++i) {
     const std::string& name = quantities_[i];

@@ -65,9 +65,6 @@ class Study {
   std::string identity() const;
 
  private:
-  Model::Settings settings_of(const std::vector<double>& numbers) const;
-  Model::Settings settings_of(std::size_t dispersion, double number) const;
-  contact::KeySetting setting_of(std::size_t dispersion, double number) const;
   void check_draws() const;
   void refuse_repeated_keys() const;
   bool has_effect(std::size_t dispersion, double u,

@@ -29,8 +29,10 @@ void write_file(const std::string& name, const std::string& text) {
   output.commit();
 }
 
+// @param missing  set if there are some of them and not all
 std::map<std::string, std::string> drawn(const std::vector<Picture>& pictures,
-                                         const std::string& file) {
+                                         const std::string& file,
+                                         bool& missing) {
   std::map<std::string, std::string> result;
   std::string problem;
   for (const auto& [name, script] : pictures) {
@@ -41,7 +43,11 @@ std::map<std::string, std::string> drawn(const std::vector<Picture>& pictures,
       problem = error.what();
     }
   }
-  if (!problem.empty()) warn("no pictures in " + file + ": " + problem);
+  missing = !problem.empty() && !result.empty();
+  if (!problem.empty()) {
+    warn(fmt::format("{} pictures in {}: {}", missing ? "not all" : "no", file,
+                     problem));
+  }
   return result;
 }
 
@@ -70,14 +76,27 @@ std::string case_text(const Study& study, const separation::Case& c,
   return text;
 }
 
+// A run that is made again, for its replay.
+struct Repeated {
+  explicit Repeated(const Study& study, std::uint64_t run)
+      : of(study.case_of(run)), outcome(separation::run_case(of)) {}
+  separation::Case of;
+  separation::Outcome outcome;
+};
+
+// A replay shows the run beside the nominal one, which is faint.
 std::string replay_of(const Study& study, std::uint64_t run,
-                      const PageParts& parts) {
-  const separation::Case c = study.case_of(run);
+                      const Repeated& nominal, const PageParts& parts) {
+  const Repeated worst(study, run);
+  const separation::Case& c = worst.of;
   separation::Warnings warnings(false);
   warn_of_joints(c, warnings);
-  const separation::Outcome outcome = separation::run_case(c);
-  warn_of_run(c, outcome, warnings);
-  separation::Replay replay{c, {{"", &outcome}}, {}, case_text(study, c, run)};
+  warn_of_run(c, worst.outcome, warnings);
+  separation::Replay replay{c,
+                            {{fmt::format("run {}", run), &worst.outcome},
+                             {"nominal", &nominal.outcome, &nominal.of}},
+                            {},
+                            case_text(study, c, run)};
   warn_of_replay(replay, warnings);
   return separation::replay_page(replay, parts).text;
 }
@@ -96,12 +115,16 @@ bool write_report(const Study& study, const Findings& findings,
                   const std::vector<Picture>& pictures,
                   const std::string& command, const std::string& file,
                   cli::OutputNames& names) {
-  PageExtras extras{drawn(pictures, file), {}, study_text(study.plan())};
+  bool missing = false;
+  PageExtras extras{
+      drawn(pictures, file, missing), {}, study_text(study.plan())};
   std::optional<PageParts> parts;
+  std::optional<Repeated> nominal;
   if (study.plan().joint_file.empty() && !findings.requirements.empty()) {
     parts = parts_of_replays(file);
+    if (parts) nominal.emplace(study, 0);
   }
-  bool good = true;
+  bool good = !missing;
   for (const Judgement& judgement : findings.requirements) {
     for (const RunValue& worst : judgement.worst) {
       if (!parts || extras.replays.contains(worst.run)) continue;
@@ -110,7 +133,8 @@ bool write_report(const Study& study, const Findings& findings,
                                         worst.run, name.extension().string()));
       try {
         names.keep("--report", name.string());
-        write_file(name.string(), replay_of(study, worst.run, *parts));
+        write_file(name.string(),
+                   replay_of(study, worst.run, *nominal, *parts));
         extras.replays[worst.run] = name.filename().string();
       } catch (const std::exception& error) {
         warn(fmt::format("no replay of run {}: {}", worst.run, error.what()));

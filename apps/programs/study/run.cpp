@@ -14,7 +14,8 @@
 #include "cli/progress.hpp"
 #include "cli/refuse.hpp"
 #include "cli/stream/file_name.hpp"
-#include "cli/table.hpp"
+#include "cli/stream/quoting.hpp"
+#include "cli/stream/report.hpp"
 #include "programs/separation/output/history_file.hpp"
 #include "programs/study/findings/findings.hpp"
 #include "programs/study/findings/pictures.hpp"
@@ -39,7 +40,7 @@ PlanChanges changes_of(const Options& o) {
 
 // The options that a run of this study depends on.
 std::string command_of(const Options& o) {
-  std::string command = fmt::format("{} {}", program, o.file);
+  std::string command = fmt::format("{} {}", program, cli::shell_word(o.file));
   if (o.runs > 0) command += fmt::format(" --runs {}", o.runs);
   if (o.seed) command += fmt::format(" --seed {}", *o.seed);
   return command;
@@ -74,30 +75,15 @@ std::string journal_of(const Options& o) {
   return std::filesystem::path(o.file).stem().string() + ".journal";
 }
 
-// What stands on standard output and in --output of --check, --run and
-// --quantities.
-template <class Fill>
-void write_table(const Options& o, std::vector<std::string> names,
-                 const Fill& fill) {
-  cli::Output output(o.output.output);
-  const cli::Table table(o.output, std::move(names));
-  cli::TableWriter writer(output, table);
-  cli::Text text;
-  cli::RowWriter cells(table, text);
-  fill(cells);
-  writer.write(text.view());
-  writer.finish();
-  output.commit();
-}
-
 cli::ExitStatus list_quantities(const Options& o, const Study& study) {
-  write_table(o, {"quantity", "nominal"}, [&](cli::RowWriter& cells) {
-    for (const auto& [name, value] : study.nominal()) {
-      cells.text(name);
-      cells.number(value);
-      cells.end();
-    }
-  });
+  cli::write_table(o.output, {"quantity", "nominal"},
+                   [&](cli::RowWriter& cells) {
+                     for (const auto& [name, value] : study.nominal()) {
+                       cells.text(name);
+                       cells.number(value);
+                       cells.end();
+                     }
+                   });
   return cli::all_good;
 }
 
@@ -105,7 +91,7 @@ cli::ExitStatus check(const Options& o, const Study& study) {
   std::vector<std::string> names = {"run"};
   for (const Draw& draw : study.design().draws()) names.push_back(draw.name);
   constexpr std::uint64_t shown = 10;
-  write_table(o, std::move(names), [&](cli::RowWriter& cells) {
+  cli::write_table(o.output, names, [&](cli::RowWriter& cells) {
     for (std::uint64_t run = 1; run <= std::min(shown, study.runs()); ++run) {
       cells.count(run);
       for (const double x : study.design().numbers(run)) cells.number(x);
@@ -144,7 +130,7 @@ cli::ExitStatus repeat(const Options& o, const Study& study) {
   }
   const Row row = study.row(run);
   const auto names = study.columns();
-  write_table(o, {"name", "value"}, [&](cli::RowWriter& cells) {
+  cli::write_table(o.output, {"name", "value"}, [&](cli::RowWriter& cells) {
     for (std::size_t i = 0; i < names.size(); ++i) {
       cells.text(names[i]);
       cells.number(row.numbers[i]);

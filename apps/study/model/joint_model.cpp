@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "libcontact/files/joint_tables.hpp"
+#include "libcontact/files/toml_form.hpp"
 #include "libcontact/joint/joint.hpp"
 #include "libcontact/pressure/validity.hpp"
 #include "libcontact/quantities/tables.hpp"
@@ -23,14 +24,26 @@ struct JointModel::Loaded {
   double rate;      ///< rad/s
 };
 
-JointModel::JointModel(const Plan& plan)
-    : joint_(plan.joint_file), study_(plan.path) {
+namespace {
+
+bool is_of_load(const std::string& key) { return key.starts_with("load."); }
+
+}  // namespace
+
+/// The files with the drawn keys.
+struct JointModel::Form {
+  contact::TomlForm joint, study;
+};
+
+JointModel::JointModel(const Plan& plan) : plan_(plan) {
   for (const auto& q : contact::solution_quantities()) {
     std::ranges::move(columns_of(q), std::back_inserter(columns_));
   }
-  contact::read_joint(joint_).contact(laws_);
-  read({}, laws_);
+  contact::read_joint(plan.joint_file).contact(laws_);
+  read(KeySettings{});
 }
+
+JointModel::~JointModel() = default;
 
 int JointModel::copies(const Dispersion& dispersion) const {
   if (dispersion.each) {
@@ -39,33 +52,74 @@ int JointModel::copies(const Dispersion& dispersion) const {
   return 0;
 }
 
-JointModel::Loaded JointModel::read(const KeySettings& settings,
-                                    contact::SharedLaws& laws) const {
-  KeySettings of_joint;
-  KeySettings of_study;
-  for (const contact::KeySetting& setting : settings) {
-    (setting.key.starts_with("load.") ? of_study : of_joint).push_back(setting);
-  }
-  const contact::JointSpec joint = contact::joint_of_file(
-      files_.open(joint_, contact::joint_keys, of_joint));
-  const TomlTable load =
-      files_.open(study_, study_keys, of_study).table("load");
-  return {contact::Joint(joint.contact(laws)),
+JointModel::Loaded JointModel::loaded(const TomlTable& joint,
+                                      const TomlTable& study) const {
+  contact::SharedLaws laws = laws_;
+  const contact::JointSpec spec = contact::joint_of_file(joint);
+  const TomlTable load = study.table("load");
+  return {contact::Joint(spec.contact(laws)),
           load.number("reaction", Interval::positive()),
           load.optional_number("beta", {0, std::numbers::pi})
               .value_or(std::numbers::pi / 2),
           load.optional_number("rate", Interval::positive()).value_or(1)};
 }
 
-void JointModel::check(const Settings& settings) const {
-  contact::SharedLaws laws = laws_;
-  read(settings[0], laws);
+JointModel::Loaded JointModel::read(const KeySettings& settings) const {
+  KeySettings of_joint;
+  KeySettings of_study;
+  for (const contact::KeySetting& setting : settings) {
+    (is_of_load(setting.key) ? of_study : of_joint).push_back(setting);
+  }
+  return loaded(files_.open(plan_.joint_file, contact::joint_keys, of_joint),
+                files_.open(plan_.path, study_keys, of_study));
 }
 
-Result JointModel::run(const Settings& settings, const Effort& effort,
+// Numbers that make no joint are read as settings: messages name them.
+JointModel::Loaded JointModel::read(const std::vector<double>& draws) const {
+  KeySettings of_joint;
+  KeySettings of_study;
+  for (const Dispersion& d : plan_.dispersions) {
+    (is_of_load(d.key) ? of_study : of_joint).push_back(d.setting(1));
+  }
+  const auto form = [&] {
+    return Form{{files_, plan_.joint_file, contact::joint_keys, of_joint},
+                {files_, plan_.path, study_keys, of_study}};
+  };
+  try {
+    return forms_.with_one(form, [&](Form& one) {
+      std::size_t joint = 0;
+      std::size_t study = 0;
+      for (std::size_t i = 0; i < draws.size(); ++i) {
+        if (is_of_load(plan_.dispersions[i].key)) {
+          one.study.set(study++, draws[i]);
+        } else {
+          one.joint.set(joint++, draws[i]);
+        }
+      }
+      return loaded(one.joint.table(), one.study.table());
+    });
+  } catch (const contact::Error&) {
+    KeySettings settings;
+    for (std::size_t i = 0; i < draws.size(); ++i) {
+      settings.push_back(plan_.dispersions[i].setting(draws[i]));
+    }
+    return read(settings);
+  }
+}
+
+void JointModel::check(const KeySettings& settings) const { read(settings); }
+
+Result JointModel::run(const KeySettings& settings, const Effort& effort,
                        const std::function<std::string()>& /*stop*/) const {
-  contact::SharedLaws laws = laws_;
-  const Loaded loaded = read(settings[0], laws);
+  return run(read(settings), effort);
+}
+
+Result JointModel::run(const std::vector<double>& draws, const Effort& effort,
+                       const std::function<std::string()>& /*stop*/) const {
+  return run(read(draws), effort);
+}
+
+Result JointModel::run(const Loaded& loaded, const Effort& effort) const {
   const contact::JointSolution s = loaded.joint.solve(
       {loaded.reaction *
            Eigen::Vector3d(std::sin(loaded.beta), 0, std::cos(loaded.beta)),
@@ -77,7 +131,7 @@ Result JointModel::run(const Settings& settings, const Effort& effort,
             {}};
   }
   const contact::JointContact& contact = loaded.joint.contact();
-  const contact::ContactLimits limits(contact.half_angle_law(), contact.pair());
+  const contact::ContactLimits limits = contact.limits();
   std::vector<std::string> warnings;
   if (effort.remarks) {
     warnings = contact.validity_notes();
@@ -95,8 +149,8 @@ Result JointModel::run(const Settings& settings, const Effort& effort,
 }
 
 std::string JointModel::identity() const {
-  return contact::read_joint(joint_).canonical_text() +
-         files_.open(study_, study_keys).table("load").canonical_text();
+  return contact::read_joint(plan_.joint_file).canonical_text() +
+         files_.open(plan_.path, study_keys).table("load").canonical_text();
 }
 
 }  // namespace study

@@ -3,31 +3,41 @@
 #include "libcontact/files/joint_file.hpp"
 #include "libcontact/quantities/quantity.hpp"
 #include "study/model/model.hpp"
+#include "study/model/pool.hpp"
 
 namespace study {
 
 /// A joint under a reaction at an angle to its angular velocity: [load] of the
-/// study file. Numbers are named as hinge-joint's columns.
+/// study file. Numbers are named as hinge-joint's columns. Files are parsed and
+/// keys that are drawn looked up once.
 class JointModel : public Model {
  public:
+  /// @param plan  has to outlive this object
   explicit JointModel(const Plan& plan);
+  ~JointModel() override;
 
   int copies(const Dispersion& dispersion) const override;
-  void check(const Settings& settings) const override;
-  Result run(const Settings& settings, const Effort& effort,
+  void check(const contact::KeySettings& settings) const override;
+  Result run(const contact::KeySettings& settings, const Effort& effort,
+             const std::function<std::string()>& stop) const override;
+  Result run(const std::vector<double>& draws, const Effort& effort,
              const std::function<std::string()>& stop) const override;
   std::string identity() const override;
 
  private:
   struct Loaded;
-  Loaded read(const contact::KeySettings& settings,
-              contact::SharedLaws& laws) const;
+  struct Form;
+  Loaded loaded(const contact::TomlTable& joint,
+                const contact::TomlTable& study) const;
+  Loaded read(const contact::KeySettings& settings) const;
+  Loaded read(const std::vector<double>& draws) const;
+  Result run(const Loaded& loaded, const Effort& effort) const;
 
-  std::filesystem::path joint_;
-  std::filesystem::path study_;
+  const Plan& plan_;
   contact::TomlFiles files_;
   contact::SharedLaws laws_;  ///< of the nominal joint
   std::vector<contact::Column<contact::JointSolution>> columns_;
+  mutable Pool<Form> forms_;
 };
 
 }  // namespace study

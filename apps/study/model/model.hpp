@@ -47,14 +47,16 @@ class Model {
   /// @throws contact::Error of a key that has no copies
   virtual int copies(const Dispersion& dispersion) const = 0;
 
-  /// Settings of the keys: the first ones are of all copies and of the first,
-  /// the second ones of all and of the second ...
-  using Settings = std::vector<contact::KeySettings>;
-  /// Reads with these values only.
+  /// Reads with these values.
   /// @throws contact::Error if they make no case
-  virtual void check(const Settings& settings) const = 0;
+  virtual void check(const contact::KeySettings& settings) const = 0;
+  /// With these values.
   /// @throws contact::Error if they make no case
-  virtual Result run(const Settings& settings, const Effort& effort,
+  virtual Result run(const contact::KeySettings& settings, const Effort& effort,
+                     const std::function<std::string()>& stop) const = 0;
+  /// With a draw of each key, as of Design::numbers().
+  /// @throws contact::Error if they make no case
+  virtual Result run(const std::vector<double>& draws, const Effort& effort,
                      const std::function<std::string()>& stop) const = 0;
   /// What the numbers depend on beside the settings.
   virtual std::string identity() const = 0;

@@ -29,10 +29,9 @@ std::string which_of(const std::string& key, const std::string& table) {
   return key.substr(from, key.find(']') - from);
 }
 
-// Places of the items whose name is `which`, or that of the which-th name.
+// How many items have the name `which`, or that of the which-th name.
 template <class Items, class Name>
-std::vector<std::size_t> places(const Items& items, const std::string& which,
-                                const Name& name) {
+int count_of(const Items& items, const std::string& which, const Name& name) {
   std::string wanted = which;
   std::size_t number = 0;
   const char* end = which.data() + which.size();
@@ -45,11 +44,8 @@ std::vector<std::size_t> places(const Items& items, const std::string& which,
     }
     if (number >= 1 && number <= names.size()) wanted = names[number - 1];
   }
-  std::vector<std::size_t> result;
-  for (std::size_t i = 0; i < items.size(); ++i) {
-    if (name(items[i]) == wanted) result.push_back(i);
-  }
-  return result;
+  return static_cast<int>(std::ranges::count_if(
+      items, [&](const auto& item) { return name(item) == wanted; }));
 }
 
 using Numbers = std::map<std::string, double>;
@@ -179,66 +175,76 @@ Numbers numbers_of(const Case& c, const separation::Outcome& outcome) {
 }
 
 SeparationModel::SeparationModel(const Plan& plan)
-    : file_(plan.case_file),
-      nominal_(separation::case_of_file(
-          contact::TomlTable::from_file(file_, separation::case_keys()), {},
-          laws_)) {
+    : plan_(plan),
+      nominal_(
+          separation::case_of_file(contact::TomlTable::from_file(
+                                       plan.case_file, separation::case_keys()),
+                                   {}, laws_)) {
   for (const Dispersion& dispersion : plan.dispersions) {
-    if (!dispersion.each) continue;
-    each_.push_back(places_of(dispersion.key));
-    if (each_.back().places.size() > 1) continue;
+    if (!dispersion.each || copies(dispersion) > 1) continue;
     dispersion.table.needs("each",
                            "a key of a body with a pattern, or of a "
                            "force on one: body[NAME].KEY or force[NAME].KEY");
   }
 }
 
-SeparationModel::Copies SeparationModel::places_of(
-    const std::string& key) const {
-  const std::string body = which_of(key, "body");
-  if (!body.empty()) {
-    return {false, places(nominal_.bodies, body,
-                          [](const separation::Body& b) { return b.group; })};
-  }
-  const std::string force = which_of(key, "force");
-  return {true, places(nominal_.forces, force,
-                       [](const separation::Force& f) { return f.name; })};
-}
-
 int SeparationModel::copies(const Dispersion& dispersion) const {
-  return dispersion.each
-             ? static_cast<int>(places_of(dispersion.key).places.size())
-             : 0;
-}
-
-Case SeparationModel::read(const contact::KeySettings& settings,
-                           contact::SharedLaws& laws) const {
-  return separation::case_of_file(
-      files_.open(file_, separation::case_keys, settings), {}, laws);
-}
-
-// Each copy from a reading of its own.
-Case SeparationModel::case_of(const Settings& settings) const {
-  contact::SharedLaws laws = laws_;
-  Case c = read(settings[0], laws);
-  for (std::size_t copy = 1; copy < settings.size(); ++copy) {
-    const Case other = read(settings[copy], laws);
-    for (const Copies& each : each_) {
-      if (copy >= each.places.size()) continue;
-      const std::size_t place = each.places[copy];
-      if (each.of_forces) {
-        c.forces[place] = other.forces[place];
-      } else {
-        c.bodies[place] = other.bodies[place];
-      }
-    }
+  if (!dispersion.each) return 0;
+  const std::string body = which_of(dispersion.key, "body");
+  if (!body.empty()) {
+    return count_of(nominal_.bodies, body,
+                    [](const separation::Body& b) { return b.group; });
   }
-  return c;
+  return count_of(nominal_.forces, which_of(dispersion.key, "force"),
+                  [](const separation::Force& f) { return f.name; });
 }
 
-Result SeparationModel::run(const Settings& settings, const Effort& effort,
+Case SeparationModel::case_of(const contact::KeySettings& settings) const {
+  contact::SharedLaws laws = laws_;
+  return separation::case_of_file(
+      files_.open(plan_.case_file, separation::case_keys, settings), {}, laws);
+}
+
+separation::CaseForm SeparationModel::form() const {
+  contact::KeySettings keys;
+  for (const Dispersion& d : plan_.dispersions) keys.push_back(d.setting(1));
+  return {files_, plan_.case_file, keys, nominal_, laws_};
+}
+
+// Numbers that make no case, or another number of bodies, are read as settings:
+// messages name them.
+Case SeparationModel::case_of(const std::vector<double>& draws) const {
+  std::vector<std::span<const double>> numbers;
+  std::size_t readings = 1;
+  std::span<const double> rest = draws;
+  for (const Dispersion& dispersion : plan_.dispersions) {
+    const auto count = static_cast<std::size_t>(copies(dispersion));
+    numbers.push_back(rest.first(std::max<std::size_t>(count, 1)));
+    rest = rest.subspan(numbers.back().size());
+    readings = std::max(readings, count);
+  }
+  try {
+    return forms_.with_one(
+        [this] { return form(); },
+        [&](separation::CaseForm& form) { return form.with(numbers); });
+  } catch (const contact::Error&) {
+    for (std::size_t copy = 0; copy < readings; ++copy) {
+      contact::KeySettings settings;
+      for (std::size_t i = 0; i < numbers.size(); ++i) {
+        const auto& values = numbers[i];
+        if (values.size() > 1 && copy >= values.size()) continue;
+        settings.push_back(
+            plan_.dispersions[i].setting(values[values.size() > 1 ? copy : 0]));
+      }
+      Case c = case_of(settings);
+      if (readings == 1) return c;
+    }
+    throw;
+  }
+}
+
+Result SeparationModel::run(Case c, const Effort& effort,
                             const std::function<std::string()>& stop) const {
-  Case c = case_of(settings);
   // What a number is does not depend on when rows of a history would be.
   c.output_step = c.end_time;
   separation::RunOptions options;
@@ -257,7 +263,7 @@ Result SeparationModel::run(const Settings& settings, const Effort& effort,
 
 std::string SeparationModel::identity() const {
   return separation::identity(nominal_) +
-         files_.open(file_, separation::case_keys).canonical_text();
+         files_.open(plan_.case_file, separation::case_keys).canonical_text();
 }
 
 }  // namespace study

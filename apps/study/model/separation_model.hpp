@@ -3,41 +3,48 @@
 #include <vector>
 
 #include "libcontact/files/joint_file.hpp"
-#include "separation/case/case.hpp"
+#include "separation/case/case_form.hpp"
 #include "separation/results/run.hpp"
 #include "study/model/model.hpp"
+#include "study/model/pool.hpp"
 
 namespace study {
 
-/// A case of hinge-separation. Its files are parsed once; laws are made again
-/// where a key changes geometry or material only.
+/// A case of hinge-separation. Its files are parsed once, keys that are drawn
+/// looked up once; laws are made again where a key changes geometry or material
+/// only.
 class SeparationModel : public Model {
  public:
+  /// @param plan  has to outlive this object
   explicit SeparationModel(const Plan& plan);
 
   int copies(const Dispersion& dispersion) const override;
-  void check(const Settings& settings) const override { case_of(settings); }
-  Result run(const Settings& settings, const Effort& effort,
-             const std::function<std::string()>& stop) const override;
+  void check(const contact::KeySettings& settings) const override {
+    case_of(settings);
+  }
+  Result run(const contact::KeySettings& settings, const Effort& effort,
+             const std::function<std::string()>& stop) const override {
+    return run(case_of(settings), effort, stop);
+  }
+  Result run(const std::vector<double>& draws, const Effort& effort,
+             const std::function<std::string()>& stop) const override {
+    return run(case_of(draws), effort, stop);
+  }
   std::string identity() const override;
 
-  separation::Case case_of(const Settings& settings) const;
+  separation::Case case_of(const contact::KeySettings& settings) const;
+  separation::Case case_of(const std::vector<double>& draws) const;
 
  private:
-  /// Where the copies of a key are in the case.
-  struct Copies {
-    bool of_forces;
-    std::vector<std::size_t> places;
-  };
-  Copies places_of(const std::string& key) const;
-  separation::Case read(const contact::KeySettings& settings,
-                        contact::SharedLaws& laws) const;
+  Result run(separation::Case c, const Effort& effort,
+             const std::function<std::string()>& stop) const;
+  separation::CaseForm form() const;
 
-  std::filesystem::path file_;
+  const Plan& plan_;
   contact::TomlFiles files_;
   contact::SharedLaws laws_;  ///< of the nominal case
   separation::Case nominal_;
-  std::vector<Copies> each_;  ///< of the dispersions that have copies
+  mutable Pool<separation::CaseForm> forms_;
 };
 
 /// The numbers of a summary by their names: BODY.KEY, BODY.joint[1].KEY,

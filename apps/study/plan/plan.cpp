@@ -131,6 +131,10 @@ std::uint64_t read_runs(const TomlTable& file, const Plan& plan) {
 
 }  // namespace
 
+contact::KeySetting Dispersion::setting(double number) const {
+  return {key, fmt::format("{}{}", relative ? "*" : "", number)};
+}
+
 Plan read_plan(const std::filesystem::path& path, const PlanChanges& changes) {
   const TomlTable file = TomlTable::from_file(path, study_keys());
   Plan plan{.name = file.text("name"),

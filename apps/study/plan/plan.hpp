@@ -39,6 +39,9 @@ struct Dispersion {
   std::string content;
   /// For messages: its table in the file.
   contact::TomlTable table;
+
+  /// Of its key with this draw.
+  contact::KeySetting setting(double number) const;
 };
 
 /// What has to be.

@@ -47,6 +47,7 @@ class Samples {
     constexpr double most = 300;
     step_ *= std::ceil(c.end_time / step_ / most);
     values_.resize(static_cast<std::size_t>(c.end_time / step_) + 1);
+    counts_.resize(values_.size());
   }
 
   void add(const Rows& rows) {
@@ -59,10 +60,12 @@ class Samples {
       while (row + 1 < rows.size() && is_before(row + 1)) ++row;
       // A run that failed ends before.
       if (row + 1 == rows.size() && rows.at(row, 0) < time(i) - step_) break;
+      const std::size_t before = values_[i].size();
       for (const double x : numbers_(rows, row)) {
         if (!std::isnan(x)) values_[i].push_back(x);
         special_[i] = std::fmax(special_[i], x);
       }
+      if (values_[i].size() > before) ++counts_[i];
     }
   }
   Envelope envelope() {
@@ -71,6 +74,7 @@ class Samples {
       if (values_[i].empty()) continue;
       std::ranges::sort(values_[i]);
       result.times.push_back(time(i));
+      result.counts.push_back(counts_[i]);
       auto& shares = result.shares.emplace_back();
       std::size_t k = 0;
       for (const double p : {0.0, 0.05, 0.5, 0.95, 1.0}) {
@@ -88,6 +92,7 @@ class Samples {
   double step_;
   Numbers numbers_;
   std::vector<std::vector<double>> values_;  // at each time
+  std::vector<std::size_t> counts_;          // of runs with any
   std::vector<double> special_;              // of the last run
 };
 

@@ -18,6 +18,7 @@ struct Envelope {
   /// Smallest, 5 %, 50 %, 95 %, largest, and that of the special run; NaN where
   /// there is none.
   std::vector<std::array<double, 6>> shares;
+  std::vector<std::size_t> counts;  ///< runs that have a number, at each time
 
   /// All above 0, and far apart.
   bool is_wide() const;

@@ -14,8 +14,9 @@ struct Picture {
 };
 
 /// "1", ...: the histogram of each requirement with its limit and bounds,
-/// "ranking_1", ...: what drives it, and of a case "clearance" and "angles",
-/// between which values the first runs and the worst ones were over the time.
+/// "ranking_1", ...: what drives it, "inputs_1", ...: what was drawn, and of a
+/// case "clearance" and "angles", between which values the first runs and the
+/// worst ones were over the time.
 std::vector<Picture> pictures_of(const Study& study, const Findings& findings,
                                  const Journal& journal);
 

@@ -7,6 +7,8 @@
 #include <cmath>
 
 #include "cli/number.hpp"
+#include "cli/stream/quoting.hpp"
+#include "programs/study/findings/histograms.hpp"
 
 namespace study {
 namespace {
@@ -59,11 +61,16 @@ const char* to_string(Answer answer) {
 }
 
 std::string line(const Cells& cells) {
-  return fmt::format("| {} |\n", fmt::join(cells, " | "));
+  std::string text = "|";
+  for (const std::string& cell : cells) {
+    text += ' ' + cli::markdown_text(cell) + " |";
+  }
+  return text + '\n';
 }
 
 std::string markdown(const Part& part) {
-  std::string text = part.text.empty() ? "" : part.text + "\n\n";
+  std::string text =
+      part.text.empty() ? "" : cli::markdown_text(part.text) + "\n\n";
   if (part.header.empty()) return text;
   text += line(part.header);
   text += '|';
@@ -84,12 +91,13 @@ std::string verdict_text(const Judgement& judgement, std::size_t runs) {
 
 void add_requirements(const Study& study, const Findings& findings,
                       std::vector<Part>& parts) {
-  Part verdicts{.heading = "Verdicts",
-                .header = {"requirement", "success", "risk", "misses",
-                           "verdict", "a miss has at least", "at most"}};
+  Part verdicts{
+      .heading = "Verdicts",
+      .header = {"requirement", "success", "risk", "misses", "verdict",
+                 "probability of a miss: lower bound", "upper bound"}};
   Part percentiles{.heading = "Percentiles",
-                   .header = {"requirement", "percentile", "at least",
-                              "estimate", "at most"}};
+                   .header = {"requirement", "percentile", "lower bound",
+                              "estimate", "upper bound"}};
   const auto& requirements = study.plan().requirements;
   for (std::size_t i = 0; i < requirements.size(); ++i) {
     const Requirement& r = requirements[i];
@@ -298,6 +306,9 @@ std::vector<Part> inputs_of(const Study& study) {
                      d.each ? ", for each copy" : ""),
          d.distribution, fmt::format("{}", fmt::join(factors, ", "))});
   }
+  for (std::size_t i = 0; i < count_input_pictures(study); ++i) {
+    part.pictures.push_back(input_picture(i));
+  }
   std::vector<Part> parts = {std::move(part)};
   if (!plan.factors.empty()) {
     parts.push_back({.text = fmt::format("Factors, standard normal numbers: {}",
@@ -353,7 +364,8 @@ std::string command_of(const Study& study, const std::string& command,
 
 std::string to_text(const Study& study, const Findings& findings,
                     const std::string& command) {
-  std::string text = fmt::format("# {}\n\n", study.plan().name);
+  std::string text =
+      fmt::format("# {}\n\n", cli::markdown_text(study.plan().name));
   for (const Part& part : parts_of(study, findings)) text += markdown(part);
   if (!findings.requirements.empty()) {
     const std::uint64_t worst = findings.requirements[0].worst[0].run;

@@ -1,0 +1,194 @@
+#include "programs/study/findings/histograms.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "cli/gnuplot.hpp"
+#include "cli/number.hpp"
+
+namespace study {
+
+std::string heading(const std::string& title, const std::string& x_label,
+                    const std::string& y_label) {
+  return fmt::format("set title {}\nset xlabel {}\nset ylabel {}\n",
+                     cli::gnuplot_text(title), cli::gnuplot_text(x_label),
+                     cli::gnuplot_text(y_label));
+}
+
+namespace {
+
+// Counts of equal classes between the smallest and the largest number: as wide
+// as Freedman and Diaconis have them, 80 at most; as many as Sturges has where
+// half of the numbers are one.
+struct Classes {
+  double low;
+  double width;
+  std::vector<int> counts;
+};
+Classes classes_of(const std::vector<double>& sorted) {
+  constexpr double most = 80;
+  const double low = sorted.front();
+  const double span = sorted.back() - low;
+  const auto at = [&](double p) {
+    return sorted[static_cast<std::size_t>(
+        p * static_cast<double>(sorted.size() - 1))];
+  };
+  const auto size = static_cast<double>(sorted.size());
+  const double wanted = 2 * (at(0.75) - at(0.25)) / std::cbrt(size);
+  const double count = wanted > 0
+                           ? std::clamp(std::ceil(span / wanted), 1., most)
+                       : span > 0 ? 1 + std::ceil(std::log2(size))
+                                  : 1;
+  Classes classes{low, span > 0 ? span / count : 1,
+                  std::vector<int>(static_cast<std::size_t>(count))};
+  for (const double x : sorted) {
+    const auto i = static_cast<std::size_t>((x - low) / classes.width);
+    ++classes.counts[std::min(i, classes.counts.size() - 1)];
+  }
+  return classes;
+}
+
+// The middle of each class and its count.
+std::string data_of(const Classes& classes, const std::string& name) {
+  std::string script = fmt::format("${} << END\n", name);
+  for (std::size_t i = 0; i < classes.counts.size(); ++i) {
+    script += fmt::format(
+        "{} {}\n",
+        cli::number_text(classes.low +
+                         (static_cast<double>(i) + 0.5) * classes.width),
+        classes.counts[i]);
+  }
+  return script + "END\n";
+}
+
+// A line across the picture; none at infinity.
+std::string upright(double x, int style, int dash, const std::string& label) {
+  if (std::isinf(x)) return {};
+  return fmt::format(
+      ", '+' using ({0}):($0 > 0 ? top : 0) every 2 with lines lw 2 lt {1} "
+      "dt {2} title {3}",
+      cli::number_text(x), style, dash, cli::gnuplot_text(label));
+}
+
+}  // namespace
+
+std::string histogram(const Study& study, const Journal& journal,
+                      const Judgement& judgement, std::size_t place) {
+  const Requirement& requirement = study.plan().requirements[place];
+  std::vector<double> values = column(study, journal, [&](const Row& row) {
+    return study.value_of(place, row);
+  });
+  std::erase_if(values, [](double x) { return std::isnan(x); });
+  if (values.empty()) return {};
+  std::ranges::sort(values);
+  const Classes classes = classes_of(values);
+  const int top = std::ranges::max(classes.counts);
+  std::string script = data_of(classes, "counts") +
+                       heading(study.plan().name, requirement.quantity, "runs");
+  script += fmt::format(
+      "top = {}\nset samples 3\nset yrange [0:*]\nset style fill solid 0.5\n"
+      "set key above\n"
+      "plot $counts using 1:2:({}) with boxes lt 1 lw 0.5 title '{} runs{}'",
+      1.05 * top, cli::number_text(classes.width), values.size(),
+      judgement.missing == 0
+          ? ""
+          : fmt::format(", {} have no number", judgement.missing));
+  script += upright(requirement.limit, 2, 1, "limit");
+  const Percentile& p = judgement.percentile;
+  const std::string share = fmt::format("{:.6g} %", 100 * judgement.share);
+  script += upright(p.value, 3, 1, share);
+  if (p.low) script += upright(*p.low, 3, 2, "lower bound");
+  if (p.high) script += upright(*p.high, 3, 3, "upper bound");
+  return script + '\n';
+}
+
+namespace {
+
+// Panels of a picture; more leave no room for their names.
+constexpr std::size_t most_panels = 9;
+
+// All draws of a dispersion, in all runs.
+std::vector<double> drawn(const Study& study, const Journal& journal,
+                          std::size_t dispersion) {
+  std::vector<double> all;
+  const auto& draws = study.design().draws();
+  for (std::size_t i = 0; i < draws.size(); ++i) {
+    if (draws[i].dispersion != dispersion) continue;
+    const auto values =
+        column(study, journal, [i](const Row& row) { return row.numbers[i]; });
+    all.insert(all.end(), values.begin(), values.end());
+  }
+  std::erase_if(all, [](double x) { return std::isnan(x); });
+  std::ranges::sort(all);
+  return all;
+}
+
+// The end of a long key tells more of it than its beginning.
+std::string end_of(std::string_view key) {
+  constexpr std::size_t longest = 32;
+  if (key.size() <= longest) return std::string(key);
+  key.remove_prefix(key.size() - longest);
+  // The cut is not within a character.
+  while ((static_cast<unsigned char>(key.front()) & 0xc0) == 0x80) {
+    key.remove_prefix(1);
+  }
+  return "..." + std::string(key);
+}
+
+std::string panel(const Study& study, const Journal& journal,
+                  std::size_t dispersion) {
+  const Dispersion& d = study.plan().dispersions[dispersion];
+  const std::vector<double> values = drawn(study, journal, dispersion);
+  const Classes classes = classes_of(values);
+  const std::string name = fmt::format("input{}", dispersion);
+  const std::string title = end_of(d.key) + (d.relative ? ", factor" : "");
+  const auto tic = [](double x) {
+    return fmt::format("{} {}", cli::gnuplot_tic(fmt::format("{:.4g}", x)),
+                       cli::number_text(x));
+  };
+  const double high =
+      classes.low + classes.width * static_cast<double>(classes.counts.size());
+  return data_of(classes, name) +
+         fmt::format(
+             "set title {}\nset xtics ({}, {})\nset xrange [{}:{}]\n"
+             "plot ${} using 1:2:({}) with boxes lt 1 lw 0.5\n",
+             cli::gnuplot_text(title), tic(classes.low), tic(high),
+             cli::number_text(classes.low), cli::number_text(high), name,
+             cli::number_text(classes.width));
+}
+
+}  // namespace
+
+std::size_t count_input_pictures(const Study& study) {
+  return (study.plan().dispersions.size() + most_panels - 1) / most_panels;
+}
+
+std::string input_picture(std::size_t number) {
+  return fmt::format("inputs_{}", number + 1);
+}
+
+std::string input_histograms(const Study& study, const Journal& journal,
+                             std::size_t number) {
+  const std::size_t first = number * most_panels;
+  const std::size_t end =
+      std::min(first + most_panels, study.plan().dispersions.size());
+  const std::size_t panels = end - first;
+  const std::size_t columns = panels == 1 ? 1 : panels <= 4 ? 2 : 3;
+  std::string script = fmt::format(
+      "unset key\nunset ytics\nunset grid\nset xtics font ',13' nomirror "
+      "scale 0.4 offset 0,0.3\nset tmargin 1.6\nset bmargin 1.8\n"
+      "set title font ',13' offset 0,-0.6\nset yrange [0:*]\n"
+      "set style fill solid 0.5\nset lmargin 3\nset rmargin 4\n"
+      "set multiplot layout {},{} title {}\n",
+      (panels + columns - 1) / columns, columns,
+      cli::gnuplot_text(
+          fmt::format("What was drawn in {} runs", study.runs())));
+  for (std::size_t i = first; i < end; ++i) {
+    script += panel(study, journal, i);
+  }
+  return script + "unset multiplot\n";
+}
+
+}  // namespace study

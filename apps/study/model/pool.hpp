@@ -1,0 +1,39 @@
+#pragma once
+
+#include <memory>
+#include <mutex>
+#include <utility>
+#include <vector>
+
+namespace study {
+
+/// Objects that one thread at a time may use: as many as threads at once.
+template <class T>
+class Pool {
+ public:
+  /// Lends one, that of `make` if all are lent. It is not given back if what it
+  /// is used for throws.
+  template <class Make, class Use>
+  auto with_one(const Make& make, const Use& use) {
+    std::unique_ptr<T> one = take();
+    if (!one) one = std::make_unique<T>(make());
+    auto result = use(*one);
+    const std::lock_guard lock(mutex_);
+    idle_.push_back(std::move(one));
+    return result;
+  }
+
+ private:
+  std::unique_ptr<T> take() {
+    const std::lock_guard lock(mutex_);
+    if (idle_.empty()) return {};
+    std::unique_ptr<T> one = std::move(idle_.back());
+    idle_.pop_back();
+    return one;
+  }
+
+  std::mutex mutex_;
+  std::vector<std::unique_ptr<T>> idle_;
+};
+
+}  // namespace study
