@@ -137,8 +137,10 @@ cli::ExitStatus compare(const Case& c, const Options& o) {
     status = cli::some_bad;
   }
   std::swap(outcomes[0], outcomes[1]);  // ideal, full, traditional
-  if (!replays.write(c, {{"full", &outcomes[1]}, {"ideal", &outcomes[0]}},
-                     warnings)) {
+  if (!replays.write(
+          c,
+          {{"friction full", &outcomes[1]}, {"friction ideal", &outcomes[0]}},
+          warnings)) {
     status = cli::some_bad;
   }
   write_comparison(c, outcomes, o.output);

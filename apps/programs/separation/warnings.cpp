@@ -17,7 +17,7 @@ void Warnings::note(const std::string& text) const {
 }
 
 void warn_of_joints(const Case& c, Warnings& warnings) {
-  for (const std::string& fit : fit_notes(c)) warnings.note(fit);
+  for (const std::string& text : clearance_notes(c)) warnings.note(text);
   for (const std::string& note : joint_notes(c)) warnings.add(note);
 }
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <functional>
 
-#include "cli/table.hpp"
+#include "cli/stream/report.hpp"
 #include "libcontact/base/units.hpp"
 #include "separation/results/summary.hpp"
 
@@ -99,26 +99,20 @@ void write_comparison(const Case& c, const std::vector<Outcome>& outcomes,
   for (const Outcome& outcome : outcomes) {
     columns.emplace_back(to_string(outcome.friction));
   }
-  cli::Output output(options.output);
-  const cli::Table table(options, columns);
-  cli::TableWriter writer(output, table);
-  cli::Text text;
-  cli::RowWriter row(table, text);
   const auto all = quantities(c);
-  for (int body = 0; body < static_cast<int>(c.bodies.size()); ++body) {
-    if (c.bodies[body].hinge.kind == multibody::HingeKind::none) continue;
-    for (const Quantity& quantity : all) {
-      row.text(c.bodies[body].rigid.name);
-      row.text(quantity.name);
-      for (const Outcome& outcome : outcomes) {
-        row.number(quantity.value(outcome, body));
+  cli::write_table(options, columns, [&](cli::RowWriter& row) {
+    for (int body = 0; body < static_cast<int>(c.bodies.size()); ++body) {
+      if (c.bodies[body].hinge.kind == multibody::HingeKind::none) continue;
+      for (const Quantity& quantity : all) {
+        row.text(c.bodies[body].rigid.name);
+        row.text(quantity.name);
+        for (const Outcome& outcome : outcomes) {
+          row.number(quantity.value(outcome, body));
+        }
+        row.end();
       }
-      row.end();
     }
-  }
-  writer.write(text.view());
-  writer.finish();
-  output.commit();
+  });
 }
 
 }  // namespace separation

@@ -12,15 +12,14 @@ namespace {
 
 using multibody::HingeMode;
 
-// A column over time; `scale` turns its unit into the picture's. Curves of a
-// hinge end where it breaks.
+// A column over time. Curves of a hinge end where it breaks.
 cli::Curve curve(const Rows& rows, const std::string& label,
-                 const std::string& column, double scale) {
+                 const std::string& column) {
   cli::Curve result{label, {}, {}, false};
   const std::size_t j = rows.column(column);
   for (std::size_t i = 0; i < rows.size(); ++i) {
     result.x.push_back(rows.at(i, 0));
-    result.y.push_back(scale * rows.at(i, j));
+    result.y.push_back(rows.at(i, j));
   }
   return result;
 }
@@ -53,45 +52,33 @@ void for_hinged(const Case& c, F call) {
   }
 }
 
-cli::LinePlot plot_of(const Case& c, const std::string& y_label) {
+cli::LinePlot plot_of(const Case& c, cli::Axis y) {
   cli::LinePlot plot;
   plot.title = c.name;
-  plot.x_label = "time, s";
-  plot.y_label = y_label;
+  plot.x = {"time", "s"};
+  plot.y = std::move(y);
   return plot;
 }
 
-cli::LinePlot hinges(const Case& c, const Rows& rows, const char* label,
+cli::LinePlot hinges(const Case& c, const Rows& rows, cli::Axis y,
                      const char* quantity) {
-  cli::LinePlot plot = plot_of(c, label);
+  cli::LinePlot plot = plot_of(c, std::move(y));
   for_hinged(c, [&](const Body& body, const std::string& column) {
-    plot.curves.push_back(curve(rows, body.rigid.name, column + quantity, 1));
+    plot.curves.push_back(curve(rows, body.rigid.name, column + quantity));
     end_at_release(rows, column, plot.curves.back());
   });
   return plot;
 }
 
 cli::LinePlot reactions(const Case& c, const Rows& rows) {
-  // kN where anything reaches 1 kN.
-  double largest = 0;
-  for_hinged(c, [&](const Body&, const std::string& column) {
-    for (const char* name : {".reaction_N", ".lock_reaction_N"}) {
-      const auto values = curve(rows, "", column + name, 1).y;
-      largest =
-          std::max(largest, *std::max_element(values.begin(), values.end()));
-    }
-  });
-  const bool kilo = largest >= 1000;
-  const double scale = kilo ? 1e-3 : 1;
-  cli::LinePlot plot = plot_of(c, kilo ? "reaction, kN" : "reaction, N");
+  cli::LinePlot plot = plot_of(c, {"reaction", "N"});
   int bodies = 0;
   for_hinged(c, [&](const Body& body, const std::string& column) {
-    plot.curves.push_back(
-        curve(rows, body.rigid.name, column + ".reaction_N", scale));
+    plot.curves.push_back(curve(rows, body.rigid.name, column + ".reaction_N"));
     plot.curves.back().colour = ++bodies;
     end_at_release(rows, column, plot.curves.back());
-    cli::Curve lock = curve(rows, body.rigid.name + ", lock",
-                            column + ".lock_reaction_N", scale);
+    cli::Curve lock =
+        curve(rows, body.rigid.name + ", lock", column + ".lock_reaction_N");
     end_curve(
         rows, column, [](HingeMode mode) { return mode == HingeMode::locked; },
         lock);
@@ -117,16 +104,16 @@ bool is_wide(const std::vector<cli::Curve>& curves) {
 }
 
 cli::LinePlot clearances(const Case& c, const Rows& rows) {
-  cli::LinePlot plot = plot_of(c, "clearance, m");
+  cli::LinePlot plot = plot_of(c, {"clearance", "m"});
   for (const auto& [a, b] : c.clearance) {
     const std::string column =
         fmt::format("clearance.{}.{}_m", column_name(c.rigid_body(a).name),
                     column_name(c.rigid_body(b).name));
     plot.curves.push_back(curve(
         rows, fmt::format("{}, {}", c.rigid_body(a).name, c.rigid_body(b).name),
-        column, 1));
+        column));
   }
-  plot.logarithmic_y = is_wide(plot.curves);
+  plot.y.logarithmic = is_wide(plot.curves);
   return plot;
 }
 
@@ -155,8 +142,8 @@ std::string draw_pictures(const Case& c, const Rows& rows, bool clearance,
                           const std::string& file) {
   std::vector<cli::LinePlot> plots;
   if (c.has_hinges()) {
-    plots = {hinges(c, rows, "angle of the hinge, deg", ".angle_deg"),
-             hinges(c, rows, "rate of the hinge, deg/s", ".rate_deg_per_s"),
+    plots = {hinges(c, rows, {"angle of the hinge", "deg"}, ".angle_deg"),
+             hinges(c, rows, {"rate of the hinge", "deg/s"}, ".rate_deg_per_s"),
              reactions(c, rows)};
   }
   if (clearance && !c.clearance.empty()) plots.push_back(clearances(c, rows));

@@ -59,15 +59,58 @@ function extremes(value, from, to) {
   return low < high ? [value(low), value(high)] : [value(high), value(low)];
 }
 
+// Counts the curves before each one that it lies on, to the eye, for a third of
+// its way or more, as mirror images do. Some 200 rows are compared.
+function curvesBelow(curves, logarithmic) {
+  const values = curves.map(({run, at: value}) => {
+    const step = Math.max(1, Math.floor(run.time.length / 200));
+    return Array.from({length: Math.ceil(run.time.length / step)}, (_, i) => {
+      const y = value(i * step);
+      return y !== null && logarithmic ? Math.log(y) : y;
+    });
+  });
+  const all = values.flat().filter((y) => y !== null && Number.isFinite(y));
+  // Two px.
+  const seen = 0.015 * (Math.max(...all) - Math.min(...all));
+  const same = (a, b) => {
+    const apart = values[a].map((y, i) => Math.abs(y - values[b][i]))
+        .filter((_, i) => values[a][i] !== null && values[b][i] !== null);
+    return apart.length > 0 &&
+        3 * apart.filter((y) => y <= seen).length >= apart.length;
+  };
+  return curves.map((curve, i) => curves.slice(0, i).filter((other, j) =>
+      other.run === curve.run && other.dashed === curve.dashed &&
+      same(i, j)).length);
+}
+
+// The second, third, ... curve of those on each other has every second, fourth,
+// ... dash, so that all are seen.
+function strokePattern(curve, below) {
+  if (curve.dashed) return [2, 3];
+  if (curve.faint) return [7, 4];
+  return below === 0 ? null : [6, 6 * (2 ** Math.min(below, 5) - 1)];
+}
+
+// Names beside their colours.
+function addKey(parent, items) {
+  const key = make('ul', parent, undefined, 'key');
+  for (const [name, colour] of items) {
+    const item = make('li', key);
+    if (colour) make('span', item, undefined, 'swatch').style.background = colour;
+    item.append(name);
+  }
+}
+
 function addGraph(title, curves, unit, logarithmic) {
   const box = make('div', at('curves'), undefined, 'curve');
   make('h2', box, title);
   const place = make('div', box, undefined, 'graph');
   const style = getComputedStyle(document.documentElement);
   const options = {};
+  const below = curvesBelow(curves, logarithmic);
   curves.forEach((curve, i) => {
     options[`c${i}`] = {
-      strokePattern: curve.dashed ? [2, 3] : curve.faint ? [7, 4] : null,
+      strokePattern: strokePattern(curve, below[i]),
       strokeWidth: curve.faint ? 1.2 : 1.8,
     };
   });
@@ -90,6 +133,7 @@ function addGraph(title, curves, unit, logarithmic) {
   });
   const cursor = make('div', place, undefined, 'cursor');
   graphs.push({graph, cursor});
+  return box;
 }
 
 function spread(curves) {
@@ -105,16 +149,13 @@ function spread(curves) {
 }
 
 function addCurves() {
-  const key = make('ul', at('curves'), undefined, 'key');
-  const add = (name, colour) => {
-    const item = make('li', key);
-    make('span', item, undefined, 'swatch').style.background = colour;
-    item.append(name);
-  };
-  hinged.forEach((body) => add(body.name, body.colour));
-  if (takes.length > 1) {
-    make('li', key, `line: ${takes[0].name}, dashed: ${takes[1].name}`);
-  }
+  addKey(at('curves'), [
+    ...hinged.map((body) => [body.name, body.colour]),
+    ...(takes.length > 1 ?
+        [[`line: ${takes[0].name}, dashed: ${takes[1].name}`]] : []),
+    ...(hinged.length > 1 || data.pairs.length > 1 ?
+        [['dashes of several colours: curves on each other']] : []),
+  ]);
   if (hinged.length > 0) {
     addGraph('Angle of the hinge, deg', hingeCurves('angle_deg'), '');
     addGraph('Rate of the hinge, deg/s', hingeCurves('rate_deg_per_s'), '');
@@ -127,25 +168,24 @@ function addCurves() {
     }
   }
   if (take.nearest) {
-    // The carrier to a body has that body's colour.
-    const curves = plainCurves(data.pairs.map(([, b], i) =>
-        [pairColumn(i), data.bodies[b].colour]));
-    const wide = spread(curves) > 50;
-    addGraph('Clearance of ' + (data.pairs.length > 1 ?
-        'each two bodies (colour: of the second)' : pairName(0)),
-             curves, 'm', wide);
+    const colour = (i) => pairColours[i % pairColours.length];
+    const curves = plainCurves(
+        data.pairs.map((_, i) => [pairColumn(i), colour(i)]));
+    addKey(addGraph('Clearance', curves, 'm', spread(curves) > 50),
+           data.pairs.map((_, i) => [pairName(i), colour(i)]));
   }
   const energies = {kinetic: '#0072b2', gravity: '#009e73',
                     active_work: '#e69f00', dissipated: '#d55e00'};
-  addGraph('Energy', plainCurves(Object.entries(energies).map(
+  const box = addGraph('Energy', plainCurves(Object.entries(energies).map(
       ([name, colour]) => [`energy.${name}_J`, colour])), 'J');
-  const words = make('ul', at('curves').lastChild, undefined, 'key');
-  for (const [name, colour] of Object.entries(energies)) {
-    const item = make('li', words);
-    make('span', item, undefined, 'swatch').style.background = colour;
-    item.append(name.replace('_', ' '));
-  }
+  addKey(box, Object.entries(energies).map(
+      ([name, colour]) => [name.replace('_', ' '), colour]));
 }
+
+// Colours of pairs of bodies, as far from each other as so many can be.
+const pairColours = [
+  '#0072b2', '#d55e00', '#009e73', '#cc79a7', '#e69f00', '#56b4e9', '#8c564b',
+  '#7f3fbf', '#b5b500', '#17becf', '#e7298a', '#666666'];
 
 function placeCursors() {
   for (const {graph, cursor} of graphs) {

@@ -40,13 +40,14 @@ const seconds = (time) => `${time.toFixed(3)} s`;
 // A run: its rows under the names of the history's columns.
 class Take {
   constructor(json) {
-    this.name = json.name;
+    this.name = json.name || `friction ${json.friction}`;
     this.summary = json.summary;
     this.time = new Float64Array(bytes(json.time).buffer);
     this.packed = json.columns;
     this.columns = new Map();
     this.nearest =
         json.nearest && new Float32Array(bytes(json.nearest).buffer);
+    this.forces = json.forces && new Float32Array(bytes(json.forces).buffer);
     this.row = 0;
     this.part = 0;
   }
@@ -79,6 +80,20 @@ class Take {
     return this.part > 0 ?
         from + this.part * (column[this.row + 1] - from) : from;
   }
+  // A force of the case and its moment about its point; nothing while it does
+  // not act. A force that ends before the next row stays as it is until then.
+  force(number) {
+    const of = (row) => {
+      const from = 6 * (row * data.forces.length + number);
+      return [...this.forces.subarray(from, from + 6)];
+    };
+    const from = of(this.row);
+    if (Number.isNaN(from[0])) return undefined;
+    const to = this.part > 0 ? of(this.row + 1) : from;
+    const part = Number.isNaN(to[0]) ? 0 : this.part;
+    const is = from.map((x, i) => x + part * ((to[i] || 0) - x));
+    return {force: is.slice(0, 3), moment: is.slice(3)};
+  }
   mode(body) {
     const column = this.column(`${body.column}.mode`);
     return column ? column[this.row] : NaN;
@@ -91,6 +106,22 @@ const takes = data.takes.map((json) => new Take(json));
 const take = takes[0];
 const hinged = data.bodies.filter((body) => body.hinge);
 const events = take.summary.events;
+// Events that happen at one instant, in their order.
+const instants = [];
+for (const event of events) {
+  const last = instants[instants.length - 1];
+  if (last && event.time_s - last.time <= 1e-9) last.events.push(event);
+  else instants.push({time: event.time_s, events: [event]});
+}
+const eventText = ({body, what}) => `${body}: ${what}`;
+// Bodies to which the same happens are named together.
+const instantText = ({time, events: all}) => {
+  const bodies = new Map(all.map(({what}) => [what, []]));
+  for (const {body, what} of all) bodies.get(what).push(body);
+  const texts = [...bodies].map(
+      ([what, names]) => eventText({body: names.join(', '), what}));
+  return `${seconds(time)}  ${texts.join(' · ')}`;
+};
 const pairName = (pair) =>
     data.pairs[pair].map((body) => data.bodies[body].name).join(', ');
 const pairColumn = (pair) => 'clearance.' +

@@ -4,24 +4,19 @@ let now = take.start;
 let playing = false;
 let picture;
 let labels;
+let compass;
 let lastFill = 0;
 let ownTime = 0;  // ms of this script in the last frame, without drawing
 
-// The last event not after now, in words.
+// The last events not after now, in words.
 function sayEvent() {
-  let text = '';
-  let current = -1;
-  events.forEach((event, i) => {
-    if (event.time_s <= now + 1e-9) current = i;
-  });
-  if (current >= 0) {
-    const {time_s: time, body, what} = events[current];
-    text = `${seconds(time)}  ${body}: ${what}`;
-  }
+  const last = instants.filter(({time}) => time <= now + 1e-9).pop();
+  const text = last ? instantText(last) : '';
   if (at('now').textContent !== text) {
     at('now').textContent = text;
     const items = at('events').querySelectorAll('button');
-    items.forEach((item, i) => item.classList.toggle('current', i === current));
+    items.forEach((item, i) => item.classList.toggle(
+        'current', last !== undefined && last.events.includes(events[i])));
   }
 }
 
@@ -35,6 +30,7 @@ function update(clock) {
   if (picture) {
     picture.set(now);
     labels.place();
+    compass.place();
   }
   // Numbers that change sixty times a second nobody reads.
   if (!playing || clock - lastFill > 120) {
@@ -87,7 +83,7 @@ function play(on) {
 }
 
 function jump(direction) {
-  const times = [take.start, ...events.map((event) => event.time_s), take.end];
+  const times = [take.start, ...instants.map(({time}) => time), take.end];
   const next = direction > 0 ? times.find((time) => time > now + 1e-9) :
       times.reverse().find((time) => time < now - 1e-9);
   if (next !== undefined) go(next);
@@ -124,6 +120,10 @@ function onKey(event) {
     picture.fit();
   } else if (picture && key === 'f' && target.tagName !== 'SELECT') {
     return follow((picture.follow + 1) % data.bodies.length);
+  } else if (picture && key === 'a' && target.tagName !== 'SELECT') {
+    at('all').click();
+  } else if (picture && key === 'p' && target.tagName !== 'SELECT') {
+    savePicture();
   } else if (picture && key === 't' && target.tagName !== 'SELECT') {
     at('turning').click();
   } else if (key === ' ' && !['BUTTON', 'SUMMARY'].includes(target.tagName) &&
@@ -183,6 +183,12 @@ function addControls() {
     picture.fit();
     refresh();
   };
+  at('all').onchange = () => {
+    picture.chosen = picture.distance;
+    refresh();
+  };
+  at('save_picture').onclick = savePicture;
+  at('save_film').onclick = saveFilm;
   for (const id of ['show_forces', 'show_distance', 'show_names']) {
     at(id).onchange = refresh;
   }
@@ -196,6 +202,7 @@ async function addPicture() {
     picture = made;
     picture.controls.addEventListener('change', refresh);
     labels = new Labels(picture);
+    compass = new Compass(picture);
     addLegend(picture);
     new ResizeObserver(() => {
       picture.resize();
@@ -204,6 +211,7 @@ async function addPicture() {
   } catch (error) {
     console.info(`no picture: ${error.message}`);
     at('view').hidden = true;
+    at('corner').hidden = true;
     at('no_webgl').hidden = false;
     document.querySelectorAll('.needs_scene').forEach((element) => {
       element.hidden = true;
@@ -221,7 +229,7 @@ const ready = addPicture().then(() => update(performance.now()));
 
 // For whoever wants to ask the page from its console.
 window.replay = {
-  ready, go, play,
+  ready, go, play, snapshot,
   get time() { return now; },
   get ownTime() { return ownTime; },
   update: () => update(performance.now()),
@@ -237,12 +245,21 @@ window.replay = {
         .applyQuaternion(quaternion).add(position));
     return [x - picture.width / 2, y - picture.height / 2];
   },
+  // The 'arrow', 'opposite' or 'moment' of a force of the case, as below.
+  force: (number, kind) => tipsOf(picture.forces.marks[number][kind]),
+  // Length of its arrow when it is largest, m.
+  mostForce: (number) => {
+    const {kind} = picture.forces.marks[number];
+    return arrowLength * picture.size * mostOf(number).force /
+        picture.forces.most[kind];
+  },
   // A body's 'reaction', 'lock' or 'moment': where the arrow begins and its
   // tip, in the same axes as poses; nothing where none is drawn.
-  arrow: (body, kind) => {
-    const {shaft, heads} = picture.hinges.find(
-        (hinge) => hinge.body === data.bodies[body])[kind] || {shaft: {}};
-    return shaft.visible ?
-        [shaft.position, heads[0].position].map((p) => p.toArray()) : undefined;
-  },
+  arrow: (body, kind) => tipsOf(picture.hinges.find(
+      (hinge) => hinge.body === data.bodies[body])[kind]),
 };
+
+function tipsOf(arrow) {
+  if (!arrow || !arrow.shaft.visible) return undefined;
+  return [arrow.shaft, arrow.heads[0]].map(({position}) => position.toArray());
+}

@@ -9,6 +9,8 @@
 #include "libcontact/version.hpp"
 #include "programs/separation/replay/motion.hpp"
 #include "programs/separation/replay/scene.hpp"
+#include "programs/separation/replay/shown_forces.hpp"
+#include "separation/case/force_law.hpp"
 #include "separation/clearance/clearance.hpp"
 #include "separation/results/summary.hpp"
 
@@ -66,6 +68,18 @@ ordered_json body_json(const Case& c, int i) {
         inner == contact::JointBody::carrier ? "carrier" : "body";
   }
   if (body.lock) j["lock"] = {{"point", numbers(body.lock->body_point)}};
+  return j;
+}
+
+ordered_json force_json(const Case& c, const Force& force) {
+  const ForceEnds ends = force.law->where(c, force.body);
+  ordered_json j = {{"name", force.name},
+                    {"body", force.body},
+                    {"point", numbers(ends.point)}};
+  if (ends.other >= 0) {
+    j["other"] = ends.other;
+    j["other_point"] = numbers(ends.other_point);
+  }
   return j;
 }
 
@@ -146,14 +160,14 @@ std::string nearest_points(const Case& c, const Take& take) {
   return base64(result);
 }
 
-ordered_json take_json(const Replay& replay, const ShownRun& run,
-                       const Take& take) {
-  const Case& c = replay.c;
+ordered_json take_json(const ShownRun& run, const Take& take) {
+  const Case& c = *take.of;
   const auto& names = take.rows->columns;
   std::vector<double> times;
   for (const std::size_t row : take.kept)
     times.push_back(take.rows->at(row, 0));
-  ordered_json j = {{"name", to_string(run.outcome->friction)},
+  ordered_json j = {{"name", run.name},
+                    {"friction", to_string(run.outcome->friction)},
                     {"time", base64(times)}};
   for (std::size_t i = 1; i < names.size(); ++i) {
     if (is_shown(c, names[i]))
@@ -162,6 +176,10 @@ ordered_json take_json(const Replay& replay, const ShownRun& run,
   const bool has_distances = std::ranges::any_of(
       names, [](const auto& name) { return name.starts_with("clearance."); });
   if (has_distances) j["nearest"] = nearest_points(c, take);
+  // Only those of the first one are drawn.
+  if (!take.faint && !c.forces.empty()) {
+    j["forces"] = base64(shown_forces(take, run.outcome->history));
+  }
   j["summary"] = summary(c, *run.outcome);
   return j;
 }
@@ -171,7 +189,7 @@ ordered_json take_json(const Replay& replay, const ShownRun& run,
 std::string page_data(const Replay& replay, int every) {
   const Case& c = replay.c;
   const std::vector<Take> takes = takes_of(replay, every);
-  const Scene scene = make_scene(c, takes, every);
+  const Scene scene = make_scene(takes, every);
   ordered_json j = {{"program", fmt::format("hinge-separation (libcontact) {}",
                                             contact::version)},
                     {"size", scene.size},
@@ -179,10 +197,14 @@ std::string page_data(const Replay& replay, int every) {
   for (int i = 0; i <= static_cast<int>(c.bodies.size()); ++i) {
     j["bodies"].push_back(body_json(c, i));
   }
+  j["gravity"] = numbers(c.options.gravity);
+  j["forces"] = ordered_json::array();
+  for (const Force& force : c.forces)
+    j["forces"].push_back(force_json(c, force));
   j["pairs"] = ordered_json::array();
   for (const auto& [a, b] : c.clearance) j["pairs"].push_back({a, b});
   for (std::size_t i = 0; i < takes.size(); ++i) {
-    j["takes"].push_back(take_json(replay, replay.runs[i], takes[i]));
+    j["takes"].push_back(take_json(replay.runs[i], takes[i]));
   }
   j["warnings"] = replay.warnings;
   j["case"] = replay.case_text;

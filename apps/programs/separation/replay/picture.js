@@ -1,7 +1,8 @@
 // The bodies in motion, with what is drawn and written beside them.
 
 const colours = {reaction: '#e0345c', lock: '#0e9aa7', moment: '#9a5fe0',
-                 distance: '#e0218a'};
+                 distance: '#e0218a', applied: '#e08a00', between: '#5b9f3c',
+                 drive: '#a0703c'};
 // Dark to light, as the legend: of 0 to 1.
 const scale = ['#440154', '#3b528b', '#21918c', '#5ec962', '#fde725'];
 function scaleColour(part, into) {
@@ -13,6 +14,32 @@ function scaleColour(part, into) {
 // Of glTF's animations, in three.js.
 const properties =
     {translation: 'position', rotation: 'quaternion', scale: 'scale'};
+
+// The length of the longest arrow of a kind, as a part of the scene's size.
+const arrowLength = 0.42;
+const onTop = (colour) => new THREE.MeshBasicMaterial(
+    {color: new THREE.Color(colour).convertSRGBToLinear(), depthTest: false,
+     transparent: true});
+// The parts of an arrow have length 1, from the origin along y and to it.
+const shaft = new THREE.CylinderBufferGeometry(1, 1, 1, 12);
+shaft.translate(0, 0.5, 0);
+const head = new THREE.ConeBufferGeometry(1, 1, 16);
+head.translate(0, -0.5, 0);
+
+// The corners of the box about a body with its marks, in its axes.
+function cornersOf(body) {
+  const box = new THREE.Box3();
+  body.traverse((part) => {
+    if (!part.isMesh) return;
+    part.geometry.computeBoundingBox();
+    part.updateMatrix();
+    const own = part.geometry.boundingBox.clone();
+    box.union(part === body ? own : own.applyMatrix4(part.matrix));
+  });
+  const {min, max} = box;
+  return [0, 1, 2, 3, 4, 5, 6, 7].map((k) => new THREE.Vector3(
+      k & 1 ? min.x : max.x, k & 2 ? min.y : max.y, k & 4 ? min.z : max.z));
+}
 
 class Picture {
   constructor(canvas) {
@@ -61,39 +88,41 @@ class Picture {
     }
     this.bodies = [];
     for (const i of data.nodes) this.bodies.push(await node(i));
+    this.corners = this.bodies.map(cornersOf);
     this.addMarks();
     this.resize();
     this.fit();
   }
 
-  // What is drawn beside the bodies, in inertial axes about the carrier.
+  // Marks are drawn beside the bodies, in inertial axes about the carrier, and
+  // over all that is behind them.
+  add(geometry, material, order) {
+    const mesh = new THREE.Mesh(geometry, material);
+    mesh.renderOrder = order;
+    mesh.frustumCulled = false;
+    mesh.visible = false;
+    this.root.add(mesh);
+    return mesh;
+  }
+
+  addLine(colour, order) {
+    return this.add(shaft, onTop(colour), order);
+  }
+
+  addArrow(colour, heads) {
+    const material = onTop(colour);
+    return {shaft: this.add(shaft, material, 3), heads: Array.from(
+        {length: heads}, () => this.add(head, material, 3))};
+  }
+
   addMarks() {
-    const top = (colour) => new THREE.MeshBasicMaterial(
-        {color: new THREE.Color(colour).convertSRGBToLinear(),
-         depthTest: false, transparent: true});
-    const shaft = new THREE.CylinderBufferGeometry(1, 1, 1, 12);
-    shaft.translate(0, 0.5, 0);
-    const head = new THREE.ConeBufferGeometry(1, 1, 16);
-    head.translate(0, -0.5, 0);
-    const add = (geometry, material, order) => {
-      const mesh = new THREE.Mesh(geometry, material);
-      mesh.renderOrder = order;
-      mesh.frustumCulled = false;
-      this.root.add(mesh);
-      return mesh;
-    };
-    const arrow = (colour, heads) => {
-      const material = top(colour);
-      return {shaft: add(shaft, material, 3), heads: Array.from(
-          {length: heads}, () => add(head, material, 3))};
-    };
     this.hinges = hinged.map((body) => ({
       body,
-      object: this.bodies[data.bodies.indexOf(body)],
-      reaction: arrow(colours.reaction, 1),
-      lock: body.lock && arrow(colours.lock, 1),
-      moment: arrow(colours.moment, 2),
-      patch: add(new THREE.BufferGeometry(), new THREE.MeshBasicMaterial(
+      number: data.bodies.indexOf(body),
+      reaction: this.addArrow(colours.reaction, 1),
+      lock: body.lock && this.addArrow(colours.lock, 1),
+      moment: this.addArrow(colours.moment, 2),
+      patch: this.add(new THREE.BufferGeometry(), new THREE.MeshBasicMaterial(
           {side: THREE.DoubleSide, depthTest: false, transparent: true,
            opacity: 0.92}), 2),
     }));
@@ -102,8 +131,8 @@ class Picture {
                  lock: largest('lock_reaction_N'),
                  moment: largest('friction_moment_N_m'),
                  pressure: largest('peak_pressure_Pa')};
-    this.line = add(shaft, top(colours.distance), 4);
-    this.line.visible = false;
+    this.forces = new ForceMarks(this);
+    this.line = this.addLine(colours.distance, 4);
   }
 
   // A cap of a ball about y, or a strip of a pin along z, of a half-angle in
@@ -135,8 +164,17 @@ class Picture {
     }
     this.setStage();
     for (const hinge of this.hinges) this.setHinge(hinge);
+    this.forces.set();
     this.setLine();
     this.setTarget();
+    this.setDistance();
+  }
+
+  // A point of a body's axes in those of the root.
+  place(body, point) {
+    const {quaternion, position} = this.bodies[body];
+    return new THREE.Vector3(...point).applyQuaternion(quaternion)
+        .add(position);
   }
 
   vector(body, quantity, unit, into) {
@@ -145,14 +183,13 @@ class Picture {
   }
 
   setHinge(hinge) {
-    const {body, object, patch} = hinge;
+    const {body, number, patch} = hinge;
     const on = at('show_forces').checked && take.held(body);
-    const place = (point) => new THREE.Vector3(...point)
-        .applyQuaternion(object.quaternion).add(object.position);
-    hinge.centre = place(body.hinge.point);
+    hinge.centre = this.place(number, body.hinge.point);
     if (body.lock) {
       this.setArrow(
-          hinge.lock, on && take.mode(body) === locked, place(body.lock.point),
+          hinge.lock, on && take.mode(body) === locked,
+          this.place(number, body.lock.point),
           this.vector(body, 'lock_reaction', 'N', new THREE.Vector3()),
           this.most.lock);
     }
@@ -196,7 +233,7 @@ class Picture {
   setArrow({shaft, heads}, on, from, vector, most) {
     for (const part of [shaft, ...heads]) part.visible = on && most > 0;
     if (!shaft.visible) return;
-    const length = 0.42 * this.size * vector.length() / most;
+    const length = arrowLength * this.size * vector.length() / most;
     const headLength = Math.min(0.035 * this.size, 0.6 * length / heads.length);
     const width = 0.3 * headLength;
     const way = vector.clone().normalize();
@@ -222,17 +259,19 @@ class Picture {
     this.line.visible =
         at('show_distance').checked && points !== undefined && points[i] >= 0;
     if (!this.line.visible) return;
-    const ends = data.pairs[points[i]].map((body, j) =>
-        new THREE.Vector3().fromArray(points, i + 1 + 3 * j)
-            .applyQuaternion(this.bodies[body].quaternion)
-            .add(this.bodies[body].position));
-    const span = ends[1].clone().sub(ends[0]);
-    this.line.position.copy(ends[0]);
-    this.line.quaternion.setFromUnitVectors(
+    const [from, to] = data.pairs[points[i]].map((body, j) => this.place(
+        body, points.subarray(i + 1 + 3 * j, i + 4 + 3 * j)));
+    this.stretch(this.line, from, to, 0.0018 * this.size);
+    this.gap = {pair: points[i], middle: from.lerp(to, 0.5)};
+  }
+
+  // A line from one place to another.
+  stretch(line, from, to, width) {
+    const span = to.clone().sub(from);
+    line.position.copy(from);
+    line.quaternion.setFromUnitVectors(
         new THREE.Vector3(0, 1, 0), span.clone().normalize());
-    const width = 0.0018 * this.size;
-    this.line.scale.set(width, Math.max(1e-9, span.length()), width);
-    this.gap = {pair: points[i], middle: ends[0].lerp(ends[1], 0.5)};
+    line.scale.set(width, Math.max(1e-9, span.length()), width);
   }
 
   placeOf(body) {
@@ -280,6 +319,7 @@ class Picture {
 
   resize() {
     const {clientWidth, clientHeight} = at('scene');
+    if (clientWidth === 0 || clientHeight === 0) return;
     this.width = clientWidth;
     this.height = clientHeight;
     this.renderer.setSize(clientWidth, clientHeight, false);
@@ -287,30 +327,63 @@ class Picture {
     this.camera.updateProjectionMatrix();
   }
 
+  // The distance from its target at which the camera sees all bodies in the
+  // inner 0.9 of the picture.
+  neededDistance() {
+    const [right, up, back] =
+        [0, 1, 2].map(() => new THREE.Vector3());
+    this.camera.matrixWorld.extractBasis(right, up, back);
+    const high = 0.9 * Math.tan(this.camera.fov * Math.PI / 360);
+    const wide = high * this.camera.aspect;
+    let needed = 0;
+    this.corners.forEach((corners, body) => {
+      for (const corner of corners) {
+        const p = this.root.localToWorld(this.place(body, corner.toArray()))
+            .sub(this.controls.target);
+        needed = Math.max(needed, p.dot(back) + Math.max(
+            Math.abs(p.dot(right)) / wide, Math.abs(p.dot(up)) / high));
+      }
+    });
+    return needed;
+  }
+
+  // The camera is as far as was chosen, or further if bodies would be out of
+  // view. Going nearer by hand ends that.
+  setDistance() {
+    const way = this.camera.position.clone().sub(this.controls.target);
+    const distance = way.length();
+    if (Math.abs(distance - this.distance) > 1e-6 * distance) {
+      if (distance < this.distance) at('all').checked = false;
+      this.chosen = distance;
+    }
+    this.distance = at('all').checked ?
+        Math.max(this.chosen, this.neededDistance()) : this.chosen;
+    this.camera.position.copy(this.controls.target)
+        .addScaledVector(way, this.distance / distance);
+    // The depths that are drawn go with it.
+    this.camera.near = Math.max(0.01 * this.size, 1e-4 * this.distance);
+    this.camera.far = Math.max(400 * this.size, 4 * this.distance);
+    this.camera.updateProjectionMatrix();
+  }
+
   // All bodies, as they are now, from where the camera is.
   fit() {
     this.root.updateWorldMatrix(true, true);
-    const boxes = this.bodies.map(
-        (body) => new THREE.Box3().setFromObject(body));
-    const box = boxes.reduce((all, one) => all.union(one), new THREE.Box3());
-    const corners = boxes.flatMap(({min, max}) => [0, 1, 2, 3, 4, 5, 6, 7].map(
-        (k) => new THREE.Vector3(k & 1 ? min.x : max.x, k & 2 ? min.y : max.y,
-                                 k & 4 ? min.z : max.z)));
+    const box = new THREE.Box3();
+    this.corners.forEach((corners, body) => corners.forEach((corner) =>
+        box.expandByPoint(
+            this.root.localToWorld(this.place(body, corner.toArray())))));
     const from = this.camera.position.length() > 0 ?
         this.camera.position.clone().sub(this.controls.target).normalize() :
         new THREE.Vector3(0.4, 0.35, 1).normalize();
     box.getCenter(this.controls.target);
-    let distance = 4 * box.getBoundingSphere(new THREE.Sphere()).radius;
-    // Nearer, until they fill most of the picture.
-    for (let i = 0; i < 4; ++i) {
-      this.camera.position.copy(this.controls.target)
-          .addScaledVector(from, distance);
-      this.controls.update();
-      this.camera.updateMatrixWorld();
-      const reach = corners.map((corner) => corner.clone().project(this.camera))
-          .map((p) => Math.max(Math.abs(p.x), Math.abs(p.y)));
-      distance *= Math.max(...reach) / 0.9;
-    }
+    this.camera.position.copy(this.controls.target).add(from);
+    this.camera.lookAt(this.controls.target);
+    this.camera.updateMatrixWorld();
+    this.distance = this.chosen = this.neededDistance();
+    this.camera.position.copy(this.controls.target)
+        .addScaledVector(from, this.distance);
+    this.controls.update();
   }
 
   turn(across, up) {
@@ -339,66 +412,4 @@ class Picture {
     this.controls.update();
     this.renderer.render(this.scene, this.camera);
   }
-}
-
-// Names of bodies and the smallest distance, over the picture.
-class Labels {
-  constructor(picture) {
-    this.picture = picture;
-    this.names = data.bodies.map((body) => {
-      const label = make('div', at('labels'), body.name, 'body');
-      label.style.borderColor = body.colour;
-      return label;
-    });
-    this.distance = make('div', at('labels'), '', 'distance');
-  }
-  place() {
-    const {picture} = this;
-    const placed = [];
-    const move = (label, point, on, down) => {
-      const {x, y, visible} = on ? picture.project(point) : {visible: false};
-      label.hidden = !visible;
-      if (!visible) return;
-      // Below those that are in its place.
-      const width = label.textContent.length * 7 + 14;
-      const here = {x, y: y + down, width};
-      const covers = (other) => Math.abs(here.y - other.y) < 16 &&
-          2 * Math.abs(x - other.x) < width + other.width;
-      for (let tries = 0; tries < 6 && placed.some(covers); ++tries) {
-        here.y += 16;
-      }
-      placed.push(here);
-      label.style.transform = `translate(${x.toFixed(1)}px, ` +
-          `${here.y.toFixed(1)}px) translate(-50%, -50%)`;
-    };
-    const {gap} = picture;
-    if (gap) {
-      const text = show(take.at(pairColumn(gap.pair)), 'm');
-      if (this.distance.textContent !== text) this.distance.textContent = text;
-    }
-    move(this.distance, gap && gap.middle, gap !== undefined, -16);
-    const named = at('show_names').checked;
-    this.names.forEach((label, i) =>
-        move(label, picture.bodies[i].position, named, 16));
-  }
-}
-
-function addLegend({most}) {
-  const line = (text) => make('p', at('legend'), text);
-  if (hinged.length === 0) return;
-  const entry = (mark, colour, text) => {
-    const p = line('');
-    make('b', p, mark).style.color = colour;
-    p.append(text);
-  };
-  entry('→', colours.reaction, `reaction, up to ${show(most.reaction, 'N')}`);
-  if (most.lock > 0) {
-    entry('→', colours.lock,
-          `reaction of locks, up to ${show(most.lock, 'N')}`);
-  }
-  if (!(most.moment > 0)) return;
-  entry('↠', colours.moment, `friction, up to ${show(most.moment, 'N m')}`);
-  const p = line('pressure 0');
-  make('i', p);
-  p.append(show(most.pressure, 'Pa'));
 }

@@ -9,14 +9,14 @@ std::vector<Take> takes_of(const Replay& replay, int every) {
   std::vector<Take> takes;
   for (const ShownRun& run : replay.runs) {
     const Rows& rows = run.outcome->memory.rows;
-    takes.push_back(
-        {run.name, !takes.empty(), &rows, replay_rows(rows, every)});
+    takes.push_back({run.of != nullptr ? run.of : &replay.c, run.name,
+                     !takes.empty(), &rows, replay_rows(rows, every)});
   }
   return takes;
 }
 
 std::string replay_glb(const Replay& replay) {
-  return make_scene(replay.c, takes_of(replay, 1), 1).glb;
+  return make_scene(takes_of(replay, 1), 1).glb;
 }
 
 std::vector<std::string> replay_faults(const Replay& replay) {

@@ -13,6 +13,8 @@ namespace separation {
 struct ShownRun {
   std::string name;  ///< "" for the only one
   const Outcome* outcome;
+  /// Its own case if numbers differ from those of the replay's.
+  const Case* of = nullptr;
 };
 
 /// What is written of one or of two runs of a case; the second one is faint.

@@ -51,6 +51,9 @@ class Stage {
 
   // The numbers of its bodies' nodes.
   std::vector<int> add(const Take& take) {
+    // Bodies of another case may have their shapes elsewhere.
+    if (solids_of_ != take.of) solids_.clear();
+    solids_of_ = take.of;
     std::vector<int> nodes;
     for (int i = 0; i <= static_cast<int>(case_.bodies.size()); ++i) {
       nodes.push_back(add_body(take, i));
@@ -79,16 +82,16 @@ class Stage {
       lock_mesh_ = gltf_.add_mesh(gltf_.add_solid(cube), "lock", "#b01010", 1);
   }
 
-  // A body's shapes; the same for all takes but for the colour.
-  Mesh mesh_of(int i) const {
-    const RigidBody& body = case_.rigid_body(i);
+  // A body's shapes; the same for all takes of a case but for the colour.
+  Mesh mesh_of(const Case& c, int i) const {
+    const RigidBody& body = c.rigid_body(i);
     Mesh mesh;
     for (const Shape& shape : body.shapes) mesh.add(shape);
     if (!body.shapes.empty()) return mesh;
     mesh = cross_mesh(0.3 * size_);
-    if (i > 0 && !case_.bodies[i - 1].hinge.body_point.isZero()) {
+    if (i > 0 && !c.bodies[i - 1].hinge.body_point.isZero()) {
       mesh.add({.kind = ShapeKind::cylinder,
-                .to = case_.bodies[i - 1].hinge.body_point,
+                .to = c.bodies[i - 1].hinge.body_point,
                 .radius = 0.006 * size_});
     }
     return mesh;
@@ -98,11 +101,11 @@ class Stage {
     const std::string name = case_.rigid_body(i).name +
                              (take.name.empty() ? "" : " (" + take.name + ")");
     if (i == static_cast<int>(solids_.size())) {
-      solids_.push_back(gltf_.add_solid(mesh_of(i)));
+      solids_.push_back(gltf_.add_solid(mesh_of(*take.of, i)));
     }
     const int mesh =
         gltf_.add_mesh(solids_[i], name, colour_of(i), take.faint ? 0.35 : 1);
-    const BodyPath path(case_, *take.rows, take.kept, i);
+    const BodyPath path(*take.of, *take.rows, take.kept, i);
     // Of what may be wrong a tenth is for what happens between the rows.
     const double most = 0.9 * tolerance_;
     const KeyFrames keys =
@@ -113,7 +116,7 @@ class Stage {
                          {"translation", numbers(first.position)},
                          {"rotation", numbers(first.rotation)}};
     if (i > 0) {
-      const Body& body = case_.bodies[i - 1];
+      const Body& body = take.of->bodies[i - 1];
       if (hinge_mesh_ >= 0 && body.hinge.kind != multibody::HingeKind::none) {
         node["children"].push_back(
             add_mark(take, i, hinge_mesh_, name + ": " + body.hinge.name,
@@ -183,12 +186,14 @@ class Stage {
   double tolerance_;
   Gltf gltf_;
   std::vector<ordered_json> solids_;  // of bodies
+  const Case* solids_of_ = nullptr;
   int hinge_mesh_ = -1;
   int lock_mesh_ = -1;
 };
 
 // How far from the carrier's centre of mass bodies reach in the first row.
-double size_of(const Case& c, const Take& take) {
+double size_of(const Take& take) {
+  const Case& c = *take.of;
   double size = 0;
   for (int i = 0; i <= static_cast<int>(c.bodies.size()); ++i) {
     const BodyPath path(c, *take.rows, take.kept, i);
@@ -218,10 +223,9 @@ std::vector<std::string> shapeless(const Case& c) {
   return names;
 }
 
-Scene make_scene(const Case& c, const std::vector<Take>& takes,
-                 double tolerance) {
-  Scene scene{{}, size_of(c, takes.front()), {}};
-  Stage stage(c, scene.size, tolerance);
+Scene make_scene(const std::vector<Take>& takes, double tolerance) {
+  Scene scene{{}, size_of(takes.front()), {}};
+  Stage stage(*takes.front().of, scene.size, tolerance);
   for (const Take& take : takes) {
     const auto nodes = stage.add(take);
     if (scene.nodes.empty()) scene.nodes = nodes;

@@ -11,6 +11,7 @@ namespace separation {
 
 /// A run that is shown.
 struct Take {
+  const Case* of;    ///< with the bodies of the others, in their order
   std::string name;  ///< added to names of bodies; "" for the only one
   bool faint;        ///< for comparison with the other one
   const Rows* rows;
@@ -41,8 +42,8 @@ std::vector<std::string> shapeless(const Case& c);
 /// carrier's centre of mass, in m. Bodies without shapes are crosses of axes
 /// with a bar to their hinge. Hinges and locks are marked by balls and cubes,
 /// of size 0 from the row on at which they are broken.
+/// @param takes  the first one is looked at
 /// @param tolerance  times shown_position and shown_turn
-Scene make_scene(const Case& c, const std::vector<Take>& takes,
-                 double tolerance);
+Scene make_scene(const std::vector<Take>& takes, double tolerance);
 
 }  // namespace separation

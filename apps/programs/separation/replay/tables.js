@@ -12,18 +12,47 @@ const quantities = [
     largest(column) > 0);
 const cells = [];
 
+// A row with the name of a body.
+function bodyRow(table, item) {
+  const row = make('tr', table);
+  const name = make('th', row);
+  make('span', name, undefined, 'swatch').style.background = item.colour;
+  name.append(item.name);
+  return row;
+}
+
+function addForceValues() {
+  at('force_values').hidden = !take.forces;
+  if (!take.forces) return;
+  const head = make('tr', make('thead', at('force_values')));
+  for (const name of ['body', 'force of the case', 'force', 'moment']) {
+    make('th', head, name);
+  }
+  const table = make('tbody', at('force_values'));
+  data.forces.forEach(({name, body}, i) => {
+    const row = bodyRow(table, data.bodies[body]);
+    make('td', row, name);
+    for (const [what, unit] of [['force', 'N'], ['moment', 'N m']]) {
+      cells.push({element: make('td', row), text: () => {
+        const acts = take.force(i);
+        const size = acts ? Math.hypot(...acts[what]) : 0;
+        return size > 0 ? show(size, unit) : '–';
+      }});
+    }
+  });
+}
+
 function addValues() {
-  at('readout').hidden = hinged.length === 0;
+  at('readout').hidden = hinged.length === 0 && !take.forces;
+  addForceValues();
+  if (hinged.length === 0) return;
   const head = make('tr', make('thead', at('values')));
   for (const name of ['body', 'hinge', ...quantities.map((q) => q[0])]) {
     make('th', head, name);
   }
   const body = make('tbody', at('values'));
   for (const item of hinged) {
-    const row = make('tr', body);
-    const name = make('th', row);
-    make('span', name, undefined, 'swatch').style.background = item.colour;
-    name.append(item.name);
+    const row = bodyRow(body, item);
     const mode = make('td', row);
     cells.push({element: mode, text: () => modes[take.mode(item)]});
     for (const [, column, unit] of quantities) {
@@ -83,7 +112,7 @@ function addTable(parent, title, objects) {
 function addSummary() {
   for (const {name, summary} of takes) {
     const box = takes.length > 1 ? make('div', at('summary')) : at('summary');
-    if (takes.length > 1) make('h2', box, `Friction: ${name}`);
+    if (takes.length > 1) make('h2', box, name);
     const {bodies, clearance, ...rest} = summary;
     addTable(box, 'Run', [rest]);
     addTable(box, 'Bodies', bodies.filter((body) => body.hinge));
@@ -97,13 +126,15 @@ function addEvents() {
   for (const event of events) {
     const button = make('button', make('li', at('events')));
     make('time', button, seconds(event.time_s));
-    make('span', button, `${event.body}: ${event.what}`);
+    make('span', button, eventText(event));
     button.onclick = () => go(event.time_s);
+  }
+  for (const instant of instants) {
     const mark = make('i', at('marks'));
-    mark.style.left = `${100 * (event.time_s - take.start) /
+    mark.style.left = `${100 * (instant.time - take.start) /
         Math.max(1e-300, take.end - take.start)}%`;
-    mark.title = `${seconds(event.time_s)}, ${event.body}: ${event.what}`;
-    mark.onclick = () => go(event.time_s);
+    mark.title = instantText(instant);
+    mark.onclick = () => go(instant.time);
   }
   if (events.length === 0) make('li', at('events'), 'none');
 }
@@ -113,7 +144,7 @@ function addWords() {
       (body.joints || []).map((joint) =>
           `${joint.half_angle_law} and ${joint.pressure_law}`)));
   at('about').textContent = [
-    `friction ${takes.map((run) => run.name).join(' beside ')}`,
+    takes.map((run) => run.name).join(' beside '),
     ...(laws.size > 0 ? [`laws ${[...laws].join('; ')}`] : []),
     ...(data.every > 1 ? [`one of ${data.every} rows of the history`] : []),
     data.program].join(' · ');
