@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cerrno>
+#include <cmath>
 #include <cstdio>
 #include <cstring>
 #include <fstream>
@@ -20,23 +21,30 @@
 namespace cli {
 namespace {
 
-// Kinds of pictures: gnuplot's terminal, its options, and the end of a whole
-// picture but for line ends. Sizes and fonts keep text readable when the
-// picture is shown at a third of its width.
+// Kinds of pictures: gnuplot's terminal, what its size is multiplied by and
+// given in, its other options, and the end of a whole picture but for line
+// ends. Sizes and fonts keep text readable when the picture is shown at a third
+// of its width.
 struct Kind {
   std::string_view suffix;
   std::string_view terminal;
+  double scale;
+  std::string_view unit;
   std::string_view options;
   std::string_view end;
+
+  std::string size(double stretch) const {
+    return fmt::format("size {0:.5g}{2},{1:.5g}{2}", scale * picture_width,
+                       std::round(picture_height * stretch) * scale, unit);
+  }
 };
 constexpr std::array<Kind, 3> kinds = {{
-    {".svg", "svg",
-     "size 840,560 font 'sans,19' rounded linewidth 1.2 background 'white'",
-     "</svg>"},
+    {".svg", "svg", 1, "",
+     "font 'sans,19' rounded linewidth 1.2 background 'white'", "</svg>"},
     // The chunk that ends a PNG: its name and check sum.
-    {".png", "pngcairo", "size 1260,840 font 'sans,20' rounded linewidth 1.5",
+    {".png", "pngcairo", 1.5, "", "font 'sans,20' rounded linewidth 1.5",
      "IEND\xae\x42\x60\x82"},
-    {".pdf", "pdfcairo", "size 7in,4.67in font 'sans,14' rounded", "%%EOF"},
+    {".pdf", "pdfcairo", 1. / 120, "in", "font 'sans,14' rounded", "%%EOF"},
 }};
 
 const Kind* kind_of(std::string_view file) {
@@ -124,15 +132,16 @@ void run_gnuplot(const MemoryFile& script, const MemoryFile& picture) {
 }
 
 // Throws contact::Error why there is no picture.
-std::string drawn(std::string_view script, std::string_view file) {
+std::string drawn(std::string_view script, std::string_view file,
+                  double stretch = 1) {
   const Kind& kind = *kind_of(file);
   const std::string reason = why_not(kind);
   if (!reason.empty()) throw contact::Error(reason);
   const MemoryFile commands;
-  commands.write(
-      fmt::format("set encoding utf8\nset terminal {} noenhanced "
-                  "{}\nset output\n{}\n{}",
-                  kind.terminal, kind.options, plot_style, script));
+  commands.write(fmt::format(
+      "set encoding utf8\nset terminal {} noenhanced "
+      "{} {}\nset output\n{}\n{}",
+      kind.terminal, kind.size(stretch), kind.options, plot_style, script));
   const MemoryFile picture;
   run_gnuplot(commands, picture);
   std::string text = picture.text();
@@ -154,17 +163,26 @@ bool is_whole_picture(std::string_view picture, std::string_view file) {
 }
 
 std::string gnuplot_text(std::string_view text) {
-  std::string quoted = "'";
+  std::string quoted = "\"";
   for (const char c : contact::detail::printable(text, text.npos)) {
-    quoted += c;
-    if (c == '\'') quoted += c;
+    constexpr std::string_view special = "\"\\`'";
+    quoted += special.find(c) == special.npos
+                  ? std::string(1, c)
+                  : fmt::format("\\{:03o}", static_cast<unsigned>(c));
   }
-  return quoted + '\'';
+  return quoted + '"';
 }
 
-std::string draw_script(std::string_view script, const std::string& file) {
+std::string gnuplot_tic(std::string_view text) {
+  std::string format;
+  for (const char c : text) format += c == '%' ? "%%" : std::string(1, c);
+  return gnuplot_text(format);
+}
+
+std::string draw_script(std::string_view script, const std::string& file,
+                        double stretch) {
   try {
-    const std::string picture = drawn(script, file);
+    const std::string picture = drawn(script, file, stretch);
     Output output(file);
     output.write(picture);
     output.commit();

@@ -13,6 +13,7 @@
 #include <mutex>
 
 #include "cli/files_in_use.hpp"
+#include "cli/stream/quoting.hpp"
 #include "libcontact/base/error.hpp"
 
 namespace cli {
@@ -40,7 +41,10 @@ void remember(const std::string& name) {
     struct sigaction action = {};
     action.sa_handler = remove_unfinished;
     action.sa_flags = static_cast<int>(SA_RESETHAND | SA_NODEFER);
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGPIPE, SIGXFSZ}) {
+    // All that end a program from outside; schedulers send the last ones before
+    // its time is over.
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE, SIGXFSZ,
+                             SIGALRM, SIGXCPU, SIGUSR1, SIGUSR2}) {
       struct sigaction before = {};
       sigaction(signal, nullptr, &before);
       if (before.sa_handler != SIG_IGN) sigaction(signal, &action, nullptr);
@@ -127,6 +131,11 @@ void Output::discard() {
 }
 
 void Output::write(std::string_view text) {
+  if (isatty(descriptor_) == 0) return write_all(text);
+  write_all(terminal_text(text));
+}
+
+void Output::write_all(std::string_view text) {
   while (!text.empty()) {
     const ssize_t count = ::write(descriptor_, text.data(), text.size());
     if (count < 0 && errno != EINTR) fail("cannot write");
@@ -135,6 +144,11 @@ void Output::write(std::string_view text) {
 }
 
 void Output::commit() {
+  // Before it has its name, or after a power cut the file would be there
+  // without its text. File systems that do not know this say EINVAL.
+  if (!temporary_.empty() && fsync(descriptor_) != 0 && errno != EINVAL) {
+    fail("cannot write");
+  }
   if (is_own()) {
     const int closed = close(descriptor_);
     descriptor_ = -1;

@@ -9,7 +9,10 @@ namespace cli {
 /// Where a program's result goes: standard output, or a file that appears
 /// under its name when it is complete and not at all otherwise. Until
 /// `commit` the text is in a file with a temporary name in the same folder,
-/// which is removed on errors, interrupts and termination.
+/// which is removed on errors, interrupts and termination. It is on the disk
+/// before it gets its name, so that a power cut leaves it whole or not there.
+///
+/// On a terminal text is shown by terminal_text().
 ///
 /// Something that is there and is not a regular file (/dev/null, a pipe) is
 /// written directly.
@@ -37,6 +40,7 @@ class Output {
  private:
   /// Whether the descriptor is to be closed.
   bool is_own() const { return descriptor_ >= 0 && !path_.empty(); }
+  void write_all(std::string_view text);
   void discard();
   [[noreturn]] void fail(std::string_view what) const;
 

@@ -1,14 +1,14 @@
 #include "cli/plot.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "cli/gnuplot.hpp"
 #include "cli/number.hpp"
+#include "cli/picture/canvas.hpp"
+#include "cli/picture/text_size.hpp"
 #include "cli/refuse.hpp"
 #include "libcontact/base/text.hpp"
 
@@ -17,110 +17,135 @@ namespace {
 
 // In plots/style.gp.
 constexpr std::size_t plain_colours = 7;
-// Of a legend, in bytes: from 60 on it lies over the curves, and from 100 on
-// gnuplot leaves it out.
-constexpr std::size_t longest_label = 40;
+// Of a legend, in bytes.
+constexpr std::size_t longest_label = 60;
+
+// A plot among those over one x.
+struct Stacked {
+  Axis axis;
+  Extent extent;
+  double share = 1;   // of the height
+  bool whole = true;  // its axis ends with ticks
+  std::string marks = {};
+  std::string curves = {};  // what `plot` says of them
+};
+
+std::string style_of(const Curve& curve, std::size_t i, std::size_t count,
+                     bool family) {
+  const double part = static_cast<double>(i) /
+                      static_cast<double>(std::max<std::size_t>(count - 1, 1));
+  const std::string colour =
+      family ? fmt::format("lw 2.5 lc palette frac {:.3f}", part)
+             : fmt::format("lt {}", curve.colour > 0
+                                        ? static_cast<std::size_t>(curve.colour)
+                                        : i % plain_colours + 1);
+  // What goes round the colours again is dotted.
+  const int dashes = curve.dashed ? 2 : !family && i >= plain_colours ? 3 : 1;
+  return fmt::format("{} dt {}", colour, dashes);
+}
+
+std::vector<LegendEntry> legend_of(const std::vector<Curve>& curves,
+                                   bool family) {
+  std::vector<LegendEntry> legend;
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    legend.push_back(
+        {contact::detail::printable(curves[i].label, longest_label),
+         style_of(curves[i], i, curves.size(), family)});
+  }
+  return legend;
+}
 
 // The data of the curves, added to the script, and what `plot` says of them.
 std::string add_curves(std::string& script, const std::string& name,
-                       const std::vector<Curve>& curves, bool family) {
+                       const std::vector<Curve>& curves, bool family,
+                       const Prefix& x, const Prefix& y) {
   std::string lines;
   for (std::size_t i = 0; i < curves.size(); ++i) {
     const Curve& curve = curves[i];
     script += fmt::format("${}{} << END\n", name, i);
     for (std::size_t j = 0; j < curve.x.size(); ++j) {
-      script += number_text(curve.x[j]) + ' ' + number_text(curve.y[j]) + '\n';
+      script += number_text(x.factor * curve.x[j]) + ' ' +
+                number_text(y.factor * curve.y[j]) + '\n';
     }
     script += "END\n";
-    const std::string colour =
-        family
-            ? fmt::format("lw 2.5 lc palette frac {:.3f}",
-                          static_cast<double>(i) /
-                              static_cast<double>(
-                                  std::max<std::size_t>(curves.size() - 1, 1)))
-            : fmt::format("lt {}", curve.colour > 0
-                                       ? static_cast<std::size_t>(curve.colour)
-                                       : i % plain_colours + 1);
-    // What goes round the colours again is dotted.
-    const int dashes = curve.dashed ? 2 : !family && i >= plain_colours ? 3 : 1;
-    lines += fmt::format(
-        "{}${}{} using 1:2 with lines {} dt {} title {}",
-        lines.empty() ? "" : ", \\\n  ", name, i, colour, dashes,
-        gnuplot_text(contact::detail::printable(curve.label, longest_label)));
+    lines += fmt::format("{}${}{} using 1:2 with lines {}",
+                         lines.empty() ? "" : ", \\\n  ", name, i,
+                         style_of(curve, i, curves.size(), family));
   }
   return lines;
 }
 
-// Of the values that a logarithmic axis has a place for.
-struct Extent {
-  double low = std::numeric_limits<double>::infinity();
-  double high = 0;
-};
-Extent extent(const std::vector<Curve>& curves,
-              std::vector<double> Curve::*values) {
-  Extent all;
+Extent all_of(const std::vector<Curve>& curves,
+              std::vector<double> Curve::*values, bool logarithmic) {
+  Extent all = extent_of(std::vector<double>(), logarithmic);
   for (const Curve& curve : curves) {
-    for (const double value : curve.*values) {
-      if (!(value > 0 && std::isnormal(value))) continue;
-      all.low = std::min(all.low, value);
-      all.high = std::max(all.high, value);
-    }
+    all = joined(all, extent_of(curve.*values, logarithmic));
   }
   return all;
 }
 
-// Where the axis is labelled; none for gnuplot's own labels, the decades.
-std::vector<double> labels_within(const Extent& e) {
-  std::vector<double> labels;
-  if (e.high >= 1000 * e.low) return labels;
-  if (e.high >= 10 * e.low) {  // 1, 2, 5, 10, ...: three or more
-    const int first = static_cast<int>(std::floor(std::log10(e.low)));
-    for (int decade = first; decade <= first + 3; ++decade) {
-      for (const int digit : {1, 2, 5}) {
-        labels.push_back(digit * std::pow(10, decade));
-      }
+Extent scaled(const Extent& extent, const Prefix& prefix) {
+  return {prefix.factor * extent.low, prefix.factor * extent.high};
+}
+
+constexpr double gap = 0.9;  // between plots, em
+
+// Plots one above the other, x below the lowest.
+// @param data  blocks that the plots read
+std::string stack_script(const Canvas& canvas, std::string data, const Axis& x,
+                         const Extent& x_extent, const std::string& x_label,
+                         const std::vector<Stacked>& plots,
+                         const std::vector<std::string>& labels) {
+  const Box& room = canvas.room();
+  double shares = 0;
+  for (const Stacked& plot : plots) shares += plot.share;
+  const double height = room.height() - under_axis - line_step / 2 -
+                        gap * static_cast<double>(plots.size() - 1);
+  std::vector<Ticks> ticks;
+  std::vector<Box> boxes;
+  double left = 0;
+  double top = room.top + line_step / 2;  // of half a number beyond the axis
+  for (std::size_t i = 0; i < plots.size(); ++i) {
+    const double own = height * plots[i].share / shares;
+    boxes.push_back({0, 0, top, top + own});
+    top += own + gap;
+    ticks.push_back(
+        ticks_of(plots[i].axis, plots[i].extent, Run::up, own, plots[i].whole));
+    left = std::max(left, ticks.back().width() + beside_axis +
+                              Canvas::upward_width(own + gap, labels[i]));
+  }
+  // The last number of x may reach half of itself beyond its axis.
+  const double right = room.right - 1.2;
+  const Ticks across =
+      ticks_of(x, x_extent, Run::across, right - room.left - left, false);
+  std::string script = std::move(data) + canvas.script() +
+                       "unset key\nunset colorbox\nset multiplot\n" +
+                       std::string(tick_style) +
+                       (x.logarithmic ? "set logscale x\n" : "");
+  for (std::size_t i = 0; i < plots.size(); ++i) {
+    Box& box = boxes[i];
+    box.left = room.left + left;
+    box.right = right;
+    const bool lowest = i + 1 == plots.size();
+    script += canvas.margins(box) + across.script("x", lowest);
+    if (lowest) {
+      script += canvas.text((box.left + box.right) / 2,
+                            box.bottom + under_axis - line_step / 2, x_label);
     }
-    return labels;
+    const Box beside{box.left, box.right, box.top - gap / 2,
+                     box.bottom + gap / 2};
+    script += (plots[i].axis.logarithmic ? "set logscale y\n"
+                                         : "unset logscale y\n") +
+              ticks[i].script("y") +
+              canvas.upward(
+                  room.left + Canvas::upward_width(beside.height(), labels[i]) -
+                      line_step / 2,
+                  beside, labels[i]) +
+              plots[i].marks + "plot " + plots[i].curves +
+              "\nunset label\nunset arrow\n";
   }
-  // Multiples of a round number: three to eight.
-  const double largest_step = (e.high - e.low) / 3;
-  const double power = std::pow(10, std::floor(std::log10(largest_step)));
-  const double step = power * (largest_step >= 5 * power   ? 5
-                               : largest_step >= 2 * power ? 2
-                                                           : 1);
-  // 1e-9 of a step: a rounding error before the end is the end.
-  for (double n = std::ceil(e.low / step); n <= e.high / step + 1e-9; ++n) {
-    labels.push_back(n * step);
-  }
-  return labels;
+  return script + "unset multiplot\n";
 }
-
-// Over the data and no further: gnuplot itself goes on to whole decades, and
-// to one too many where it rounds the logarithm of a power of ten. For the same
-// reason it loses labels at the very ends: 1e-9 is no width of a line.
-std::string logarithmic_axis(char axis, const Extent& e) {
-  std::string script =
-      fmt::format("set logscale {0}\nset format {0} '%g'\n", axis);
-  constexpr double beyond = 1e-9;
-  if (!(e.high > (1 + beyond) * e.low)) return script;  // nothing to resolve
-  script += fmt::format("set {}range [{}:{}]\n", axis,
-                        number_text((1 - beyond) * e.low),
-                        number_text((1 + beyond) * e.high));
-  const std::vector<double> labels = labels_within(e);
-  if (labels.empty()) return script;
-  return script +
-         fmt::format("set {}tics ({:.12g})\n", axis, fmt::join(labels, ", "));
-}
-
-// The upper panel's share and the room for text, as parts of the picture; the
-// key of all laws in one column.
-constexpr std::string_view upper_panel =
-    "set multiplot\nset lmargin at screen 0.13\nset rmargin at screen 0.79\n"
-    "set tmargin at screen 0.89\nset bmargin at screen 0.48\n"
-    "set key spacing 1\nset format x ''\n";
-constexpr std::string_view lower_panel =
-    "unset title\nunset key\nset tmargin at screen 0.44\n"
-    "set bmargin at screen 0.19\nset format x '%g'\n";
 
 // Places of the values that a picture of some 1,000 dots across can show: all,
 // or of each stretch the lowest and the highest.
@@ -142,47 +167,6 @@ std::vector<std::size_t> shown(const std::vector<double>& y) {
   return places;
 }
 
-// A round number of which at most five make up the largest value: there is no
-// room for more labels.
-double label_step(double largest) {
-  if (!(largest > 0)) return 1;
-  const double step = largest / 5;
-  const double power = std::pow(10, std::floor(std::log10(step)));
-  for (const int digit : {1, 2, 5}) {
-    if (digit * power >= step) return digit * power;
-  }
-  return 10 * power;
-}
-
-// A panel's data and axis; the prefix leaves its labels few digits.
-std::string panel_script(const std::vector<double>& x, const Panel& panel,
-                         std::size_t number) {
-  double largest = 0;
-  for (const double y : panel.y) largest = std::max(largest, y);
-  const auto [unit, prefix] = largest >= 1e6   ? std::pair{1e6, "M"}
-                              : largest >= 1e4 ? std::pair{1e3, "k"}
-                                               : std::pair{1., ""};
-  std::string script = fmt::format("$panel{} << END\n", number);
-  for (const std::size_t i : shown(panel.y)) {
-    script += number_text(x[i]) + ' ' + number_text(panel.y[i] / unit) + '\n';
-  }
-  script += "END\nunset label\n";
-  if (panel.mark) {
-    const double y = panel.y[*panel.mark] / unit;
-    script += fmt::format(
-        "set label '{:.3g}' at {},{} center front offset 0,-1 point pt 7 "
-        "ps 0.6\n",
-        y, number_text(x[*panel.mark]), number_text(y));
-  }
-  const std::string label =
-      fmt::format("{}, {}{}", panel.label, prefix, panel.unit);
-  return script + fmt::format(
-                      "set ylabel {}\nset ytics {}\n"
-                      "plot $panel{} using 1:2 with lines lt {}\n",
-                      gnuplot_text(label), label_step(largest / unit), number,
-                      number + 1);
-}
-
 }  // namespace
 
 void check_curves(std::size_t curves) {
@@ -192,74 +176,67 @@ void check_curves(std::size_t curves) {
 }
 
 std::string draw(const LinePlot& plot, const std::string& file) {
-  std::string script;
-  const std::string lines =
-      add_curves(script, "curve", plot.curves, plot.family);
-  script += fmt::format("set title {}\nset ylabel {}\nunset colorbox\n",
-                        gnuplot_text(plot.title), gnuplot_text(plot.y_label));
-  if (plot.logarithmic_x) {
-    script += logarithmic_axis('x', extent(plot.curves, &Curve::x));
+  const Extent x_extent = all_of(plot.curves, &Curve::x, plot.x.logarithmic);
+  const Extent y_extent = all_of(plot.curves, &Curve::y, plot.y.logarithmic);
+  const Prefix x = prefix_of(plot.x, x_extent);
+  const Prefix y = prefix_of(plot.y, y_extent);
+  std::string data;
+  std::vector<Stacked> plots = {
+      {.axis = plot.y, .extent = scaled(y_extent, y)}};
+  plots[0].curves = add_curves(data, "curve", plot.curves, plot.family, x, y);
+  std::vector<std::string> labels = {label_of(plot.y, y)};
+  if (plot.lower) {
+    const double range = plot.lower->half_range;
+    plots[0].share = 1.5;
+    plots.push_back({.axis = plot.lower->y,
+                     .extent = {-range, range},
+                     .whole = false,
+                     .curves = add_curves(data, "lower", plot.lower->curves,
+                                          false, x, {})});
+    labels.push_back(label_of(plot.lower->y, {}));
   }
-  if (plot.logarithmic_y) {
-    script += logarithmic_axis('y', extent(plot.curves, &Curve::y));
-  }
-  const std::string x_label =
-      fmt::format("set xlabel {}\n", gnuplot_text(plot.x_label));
-  if (!plot.lower) {
-    // Beside long labels there is little room for the curves, above many.
-    constexpr std::size_t long_label = 20;
-    constexpr std::ptrdiff_t few = 4;
-    const auto labels = [&plot](std::size_t size) {
-      return std::ranges::count_if(plot.curves, [size](const Curve& curve) {
-        return curve.label.size() > size;
-      });
-    };
-    if (labels(long_label) > 0 && labels(0) <= few) {
-      script += "set key outside bottom center Left reverse maxcols 1\n";
-    }
-    return draw_script(script + x_label + "plot " + lines + '\n', file);
-  }
-  const std::string lower =
-      add_curves(script, "lower", plot.lower->curves, false);
-  script += upper_panel;
-  script += "plot " + lines + '\n';
-  script += lower_panel;
-  script += x_label;
-  script += fmt::format("set ylabel {}\nset yrange [{}:{}]\nplot {}\n",
-                        gnuplot_text(plot.lower->y_label),
-                        number_text(-plot.lower->half_range),
-                        number_text(plot.lower->half_range), lower);
-  return draw_script(script + "unset multiplot\n", file);
+  const Canvas canvas(plot.title, legend_of(plot.curves, plot.family));
+  return draw_script(
+      stack_script(canvas, std::move(data), plot.x, scaled(x_extent, x),
+                   label_of(plot.x, x), plots, labels),
+      file, canvas.stretch());
 }
 
 std::string draw(const PanelPlot& plot, const std::string& file) {
-  // Parts of the picture's height.
-  constexpr double top = 0.89;
-  constexpr double bottom = 0.19;
-  constexpr double gap = 0.04;
-  const double step =
-      (top - bottom + gap) / static_cast<double>(plot.panels.size());
-  std::string script = fmt::format(
-      "set title {}\nset multiplot\nset lmargin at screen 0.16\n"
-      "set rmargin at screen 0.96\nunset key\nset format x ''\n"
-      "set yrange [0:*]\n",
-      gnuplot_text(plot.title));
-  if (!plot.x.empty() && plot.x.front() < plot.x.back()) {
-    script += fmt::format("set xrange [{}:{}]\n", number_text(plot.x.front()),
-                          number_text(plot.x.back()));
-  }
-  for (std::size_t i = 0; i < plot.panels.size(); ++i) {
-    const double upper = top - step * static_cast<double>(i);
-    script += fmt::format(
-        "set tmargin at screen {:.4f}\nset bmargin at screen {:.4f}\n", upper,
-        upper - step + gap);
-    if (i + 1 == plot.panels.size()) {
-      script += fmt::format("set format x '%g'\nset xlabel {}\n",
-                            gnuplot_text(plot.x_label));
+  const Extent x_extent = extent_of(plot.values, false);
+  const Prefix x = prefix_of(plot.x, x_extent);
+  std::string data;
+  std::vector<Stacked> plots;
+  std::vector<std::string> labels;
+  for (const Panel& panel : plot.panels) {
+    const std::size_t number = plots.size();
+    Extent extent = joined(extent_of(panel.y, false), {0, 0});
+    const Prefix y = prefix_of(panel.axis, extent);
+    data += fmt::format("$panel{} << END\n", number);
+    for (const std::size_t i : shown(panel.y)) {
+      data += number_text(x.factor * plot.values[i]) + ' ' +
+              number_text(y.factor * panel.y[i]) + '\n';
     }
-    script += panel_script(plot.x, plot.panels[i], i) + "unset title\n";
+    data += "END\n";
+    Stacked& to = plots.emplace_back(
+        Stacked{.axis = panel.axis, .extent = scaled(extent, y)});
+    to.curves =
+        fmt::format("$panel{} using 1:2 with lines lt {}", number, number + 1);
+    if (panel.mark) {
+      const double value = y.factor * panel.y[*panel.mark];
+      to.marks = fmt::format(
+          "set label '{:.3g}' at {},{} center front offset 0,-1 point pt 7 "
+          "ps 0.6\n",
+          value, number_text(x.factor * plot.values[*panel.mark]),
+          number_text(value));
+    }
+    labels.push_back(label_of(panel.axis, y));
   }
-  return draw_script(script + "unset multiplot\n", file);
+  const Canvas canvas(plot.title);
+  return draw_script(
+      stack_script(canvas, std::move(data), plot.x, scaled(x_extent, x),
+                   label_of(plot.x, x), plots, labels),
+      file, canvas.stretch());
 }
 
 }  // namespace cli

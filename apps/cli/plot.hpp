@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "cli/picture/axis.hpp"
+
 namespace cli {
 
 /// What a legend holds.
@@ -14,7 +16,7 @@ void check_curves(std::size_t curves);
 
 /// One line of a line plot.
 struct Curve {
-  std::string label;
+  std::string label;  ///< "" for none
   std::vector<double> x;
   std::vector<double> y;  ///< NaN leaves a gap
   bool dashed = false;
@@ -23,33 +25,31 @@ struct Curve {
 
 /// A second, lower panel over the same x: errors of what is above.
 struct LowerPanel {
-  std::string y_label;
+  Axis y;
   double half_range = 1;  ///< y from -half_range to half_range
   std::vector<Curve> curves;
 };
 
-/// A line plot with a legend beside it.
+/// A line plot with a legend beside or below it.
 struct LinePlot {
   std::string title;
-  std::string x_label;  ///< with its unit
-  std::string y_label;
-  bool logarithmic_x = false;
-  bool logarithmic_y = false;
+  Axis x;
+  Axis y;
   /// The curves are one family in order, coloured from dark to light.
   bool family = false;
   std::vector<Curve> curves;
   std::optional<LowerPanel> lower = {};
 };
 
-/// Draws a line plot with gnuplot, in the style of plots/style.gp.
+/// Draws a line plot with gnuplot, in the style of plots/style.gp. Units take
+/// prefixes that leave the axes short numbers.
 /// @param file  name of the picture; appears when it is complete
 /// @return as for draw_script()
 std::string draw(const LinePlot& plot, const std::string& file);
 
-/// A curve with an axis of its own.
+/// A curve with an axis of its own, from 0 up.
 struct Panel {
-  std::string label;
-  std::string unit;                      ///< takes a prefix for large values
+  Axis axis;
   std::vector<double> y;                 ///< not below 0; NaN leaves a gap
   std::optional<std::size_t> mark = {};  ///< a point to be shown, with its y
 };
@@ -57,8 +57,8 @@ struct Panel {
 /// Panels one above the other over the same x.
 struct PanelPlot {
   std::string title;
-  std::string x_label;  ///< with its unit
-  std::vector<double> x;
+  Axis x;
+  std::vector<double> values;  ///< of x
   std::vector<Panel> panels;
 };
 

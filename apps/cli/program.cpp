@@ -8,6 +8,7 @@
 #include <array>
 #include <exception>
 #include <iterator>
+#include <sstream>
 #include <utility>
 
 #include "cli/choice.hpp"
@@ -89,6 +90,15 @@ void refuse_control_characters(int argc, char** argv) {
     throw contact::Error(must_be(contact::detail::printable(text),
                                  "without control characters"));
   }
+}
+
+// To standard output, or as an error that it cannot be written.
+ExitStatus say_requested(const CLI::App& app, const CLI::Success& request) {
+  std::ostringstream text;
+  app.exit(request, text);
+  Output output("");
+  output.write(text.str());
+  return all_good;
 }
 
 // What they are of each other; sets the separator beside decimal commas.
@@ -229,7 +239,11 @@ int Program::run(int argc, char** argv, std::string_view help,
     open_missing_streams();
     note_reading();
     refuse_control_characters(argc, argv);
-    app_->parse(argc, argv);
+    try {
+      app_->parse(argc, argv);
+    } catch (const CLI::Success& request) {  // --help, --version
+      return say_requested(*app_, request);
+    }
     contact::detail::check_instruction_set();
     for (const auto& check : checks_) check();
     check_rows();
@@ -244,8 +258,6 @@ int Program::run(int argc, char** argv, std::string_view help,
     const ExitStatus status = body();
     note_thousands(*app_);
     return status;
-  } catch (const CLI::Success& request) {
-    return app_->exit(request);        // --help, --version
   } catch (const CLI::ExtrasError&) {  // whose text has them backwards
     complain(name(), fmt::format("not expected: {} (see {} --help)",
                                  fmt::join(app_->remaining(), " "), name()));

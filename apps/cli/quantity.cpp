@@ -40,12 +40,6 @@ const Unit* find_unit(std::string_view text, Dimension dimension) {
   return unit == all.end() ? nullptr : &*unit;
 }
 
-// That of a plain number.
-const Unit* plain_unit(Dimension dimension) {
-  return dimension == Dimension::angle ? find_unit("deg", dimension)
-                                       : &contact::units_of(dimension).front();
-}
-
 bool is_blank(std::string_view text) {
   return text.find_first_not_of(" \t") == text.npos;
 }
@@ -81,7 +75,7 @@ std::optional<double> read_quantity(std::string_view option,
   if (!number || is_blank(rest)) return number;
   const Unit* unit = find_unit(rest, dimension);
   if (unit == nullptr) refuse(option, text, unit_rule(dimension));
-  const Unit* plain = plain_unit(dimension);
+  const Unit* plain = &contact::printed_unit(dimension);
   return unit == plain ? *number : plain->from_si(unit->to_si(*number));
 }
 
@@ -89,8 +83,8 @@ contact::KeySetting quantity_key(std::string_view option, std::string_view text,
                                  std::string_view key, Dimension dimension) {
   std::string_view rest = text;
   const auto number = take_number(rest);
-  const Unit* unit =
-      is_blank(rest) ? plain_unit(dimension) : find_unit(rest, dimension);
+  const Unit* unit = is_blank(rest) ? &contact::printed_unit(dimension)
+                                    : find_unit(rest, dimension);
   if (!number || unit == nullptr) refuse(option, text, unit_rule(dimension));
   return {fmt::format("{}_{}", key, unit->ending), number_text(*number),
           given(option, text)};

@@ -34,21 +34,49 @@ Vector3d SphereView::point(double x, double y) const {
          (1 - square / 2) * up;
 }
 
-std::string SphereView::axis_labels() const {
-  std::string script;
+std::vector<Vector3d> SphereView::axes() const {
+  std::vector<Vector3d> seen;
   for (int k = 0; k < 3; ++k) {
     for (const int sign : {1, -1}) {
       const Vector3d axis = sign * Vector3d::Unit(k);
-      if ((axis - up).norm() >= radius) continue;
-      const Vector2d place = at(axis);
-      script += fmt::format(
-          "set label '{}{}' at {},{} front point pt 7 ps 0.4 lc rgb '#ee6677' "
-          "offset 0.4,0.4 textcolor rgb '#ee6677'\n",
-          sign < 0 ? "−" : "", "XYZ"[k], number_text(place.x()),
-          number_text(place.y()));
+      if ((axis - up).norm() < 0.95 * radius) seen.push_back(axis);
     }
   }
+  return seen;
+}
+
+std::string SphereView::axis_labels() const {
+  std::string script;
+  for (const Vector3d& axis : axes()) {
+    const Vector2d place = at(axis);
+    Eigen::Index k = 0;
+    axis.cwiseAbs().maxCoeff(&k);
+    script += fmt::format(
+        "set label '{}{}' at {},{} front point pt 7 ps 0.4 lc rgb '#ee6677' "
+        "offset 0.4,0.4 textcolor rgb '#ee6677'\n",
+        axis[k] < 0 ? "−" : "", "XYZ"[k], number_text(place.x()),
+        number_text(place.y()));
+  }
   return script;
+}
+
+Vector2d SphereView::free_place(double size) const {
+  const auto distance = [this](const Vector2d& place) {
+    double nearest = 2;
+    for (const Vector3d& axis : axes()) {
+      nearest = std::min(nearest, (at(axis) - place).norm());
+    }
+    return nearest;
+  };
+  Vector2d best(0, -size);
+  constexpr double step = 45 * degree;
+  for (int i = 1; i < 8; ++i) {
+    const Vector2d place =
+        size * Vector2d(std::sin(i * step), -std::cos(i * step));
+    // What is as far from all axes stands at the bottom.
+    if (distance(place) > distance(best) + 0.1 * radius) best = place;
+  }
+  return best;
 }
 
 std::string SphereView::circles() const {
@@ -56,11 +84,12 @@ std::string SphereView::circles() const {
   for (int t = 30; t < 180; t += 30) {
     const double size = 2 * std::sin(t * degree / 2);
     if (size > radius) break;
+    const Vector2d place = free_place(size);
     script += fmt::format(
         "set object circle at 0,0 size {0} front fs empty border lc rgb "
-        "'#888888' lw 0.7\nset label '{1}°' at 0,-{0} center front offset "
+        "'#888888' lw 0.7\nset label '{1}°' at {2},{3} center front offset "
         "0,0.5 textcolor rgb '#888888'\n",
-        number_text(size), t);
+        number_text(size), t, number_text(place.x()), number_text(place.y()));
   }
   return script;
 }

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <string>
+#include <vector>
 
 namespace cli {
 
@@ -26,6 +27,12 @@ struct SphereView {
   std::string axis_labels() const;
   /// gnuplot's circles at 30, 60, ... deg from the middle.
   std::string circles() const;
+
+ private:
+  /// Those of the directions X, -X, ... that can be seen.
+  std::vector<Eigen::Vector3d> axes() const;
+  /// On a circle, away from the axes.
+  Eigen::Vector2d free_place(double size) const;
 };
 
 }  // namespace cli

@@ -12,6 +12,7 @@
 
 #include "cli/number.hpp"
 #include "cli/stream/csv.hpp"
+#include "cli/stream/quoting.hpp"
 #include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
 #include "libcontact/base/text.hpp"
@@ -25,47 +26,6 @@ constexpr int printed_digits = 4;
 std::string json_text(std::string_view value) {
   return nlohmann::json(value).dump(-1, ' ', false,
                                     nlohmann::json::error_handler_t::replace);
-}
-
-// Text that prints as itself.
-std::string markdown_text(std::string_view value) {
-  std::string text;
-  for (const char c : value) {
-    if (std::string_view("|\\`*<").find(c) != std::string_view::npos) {
-      text += '\\';
-    }
-    text += c;
-  }
-  return text;
-}
-
-std::string latex_text(std::string_view value) {
-  std::string text;
-  for (const char c : value) {
-    switch (c) {
-      case '\\':
-        text += "\\textbackslash{}";
-        break;
-      case '~':
-        text += "\\textasciitilde{}";
-        break;
-      case '^':
-        text += "\\textasciicircum{}";
-        break;
-      case '#':
-      case '$':
-      case '%':
-      case '&':
-      case '_':
-      case '{':
-      case '}':
-        text += '\\';
-        [[fallthrough]];
-      default:
-        text += c;
-    }
-  }
-  return text;
 }
 
 // -1.234e-07 as $-1.234\cdot10^{-7}$

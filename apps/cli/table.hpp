@@ -21,6 +21,11 @@ struct TableStyle {
   std::vector<std::string> columns = {};
   char separator = ',';        ///< of CSV
   bool decimal_comma = false;  ///< of CSV
+
+  /// That of files beside a table, which are CSV with all their columns.
+  TableStyle beside() const {
+    return {.separator = separator, .decimal_comma = decimal_comma};
+  }
 };
 
 /// A table's columns in one style. Rows are built in any Text by any thread

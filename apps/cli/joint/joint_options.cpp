@@ -15,6 +15,7 @@
 #include "libcontact/base/error.hpp"
 #include "libcontact/files/joint_file.hpp"
 #include "libcontact/files/joint_tables.hpp"
+#include "libcontact/files/material_table.hpp"
 
 namespace cli {
 namespace {
@@ -28,7 +29,8 @@ bool is_file(const std::string& name) { return name.ends_with(".toml"); }
 struct KeyOption {
   const char* flag;
   std::string_view key;
-  /// Of a length, m: a larger number without a unit is hardly meant. 0: a text.
+  Dimension dimension;  ///< number: a text
+  /// Of a length, m: a larger number without a unit is hardly meant.
   double most;
   JointUse use;  ///< and those behind it
   const char* kind;
@@ -39,54 +41,76 @@ struct KeyOption {
 
 constexpr std::string_view wall_key = "wall.layer";
 
+constexpr Dimension as_text = Dimension::number;
+constexpr Dimension as_length = Dimension::length;
+constexpr Dimension as_temperature = Dimension::temperature;
+
 constexpr KeyOption key_options[] = {
-    {"--radius", "geometry.radius", 1, JointUse::contact, "LENGTH",
-     "of the ball or pin", "--pair; --clearance or --diametral-clearance",
+    {"--radius", "geometry.radius", as_length, 1, JointUse::contact, "LENGTH",
+     "of the ball or pin",
+     "--pair; --clearance, --diametral-clearance or --interference",
      "--diameter --hole"},
-    {"--diameter", "geometry.diameter", 2, JointUse::contact, "LENGTH",
-     "in place of --radius; of a fit the nominal size",
-     "--pair; --clearance, --diametral-clearance, or --hole and --shaft"},
-    {"--clearance", "geometry.radial_clearance", 1, JointUse::contact, "LENGTH",
-     "difference of the radii", "--pair; --radius or --diameter",
-     "--diametral-clearance --hole"},
-    {"--diametral-clearance", "geometry.diametral_clearance", 2,
+    {"--diameter", "geometry.diameter", as_length, 2, JointUse::contact,
+     "LENGTH", "in place of --radius; of a fit the nominal size",
+     "--pair; --clearance, --diametral-clearance, --interference, or --hole "
+     "and "
+     "--shaft"},
+    {"--clearance", "geometry.radial_clearance", as_length, 1,
+     JointUse::contact, "LENGTH", "difference of the radii",
+     "--pair; --radius or --diameter",
+     "--diametral-clearance --hole --interference"},
+    {"--diametral-clearance", "geometry.diametral_clearance", as_length, 2,
      JointUse::contact, "LENGTH", "of the diameters",
+     "--pair; --radius or --diameter", "--hole --interference"},
+    {"--interference", "geometry.radial_interference", as_length, 1,
+     JointUse::contact, "LENGTH",
+     "in place of a clearance: of the radii, a positive number",
      "--pair; --radius or --diameter", "--hole"},
-    {"--hole", "geometry.hole", 0, JointUse::contact, "NAME",
+    {"--hole", "geometry.hole", as_text, 0, JointUse::contact, "NAME",
      "in place of a clearance: a fit by ISO 286, as H7",
      "--pair; --shaft; --diameter"},
-    {"--shaft", "geometry.shaft", 0, JointUse::contact, "NAME",
+    {"--shaft", "geometry.shaft", as_text, 0, JointUse::contact, "NAME",
      "of the ball or pin in that hole, as g6", "--pair; --hole"},
-    {"--fit-clearance", "geometry.clearance", 0, JointUse::contact, "NAME",
-     "of a fit: minimum, mean (default) or maximum", "--pair; --hole"},
-    {"--length", "geometry.length", 2, JointUse::contact, "LENGTH", "of a pin",
-     "--radius or --diameter"},
-    {"--inner-body", "inner_body", 0, JointUse::friction, "NAME",
+    {"--fit-clearance", "geometry.clearance", as_text, 0, JointUse::contact,
+     "NAME", "of a fit: minimum, mean (default) or maximum", "--pair; --hole"},
+    {"--length", "geometry.length", as_length, 2, JointUse::contact, "LENGTH",
+     "of a pin", "--radius or --diameter"},
+    {"--temperature", "temperature", as_temperature, 0, JointUse::contact,
+     "TEMPERATURE", "of both bodies, C, of materials that expand",
+     "--radius or --diameter", "--inner-temperature --outer-temperature"},
+    {"--inner-temperature", "inner_temperature", as_temperature, 0,
+     JointUse::contact, "TEMPERATURE", "of the ball or pin",
+     "--radius or --diameter; --outer-temperature"},
+    {"--outer-temperature", "outer_temperature", as_temperature, 0,
+     JointUse::contact, "TEMPERATURE", "of the seat or hole",
+     "--radius or --diameter; --inner-temperature"},
+    {"--reference-temperature", "reference_temperature", as_temperature, 0,
+     JointUse::contact, "TEMPERATURE", "of the clearance; default 20 C",
+     "--temperature or --inner-temperature"},
+    {"--inner-body", "inner_body", as_text, 0, JointUse::friction, "NAME",
      "body with the ball or pin: carrier (default) or body"},
-    {"--wall", wall_key, 2, JointUse::pressure, "LENGTH",
+    {"--wall", wall_key, as_length, 2, JointUse::pressure, "LENGTH",
      "thickness of the seat or hole; default: no end", "--backing"},
-    {"--backing", "wall.backing", 0, JointUse::pressure, "NAME|FILE",
+    {"--backing", "wall.backing", as_text, 0, JointUse::pressure, "NAME|FILE",
      "behind the wall: rigid, held or a material", "--wall"}};
 
 // The key of a joint file that an option is.
 contact::KeySetting setting_of(const KeyOption& option, const std::string& text,
                                bool has_size) {
   const bool wall = option.key == wall_key;
-  if (option.most == 0) {
-    // The backing of a file is exchanged later.
-    const std::string word = is_file(text) ? "rigid" : text;
-    return {std::string(option.key), fmt::format("'{}'", word),
+  if (option.dimension == Dimension::number) {
+    return {std::string(option.key), fmt::format("'{}'", text),
             given(option.flag, text)};
   }
   if (wall && !has_size && !parse_number(text)) {
     refuse(option.flag, text, "a number, thickness over radius");
   }
-  contact::KeySetting length = quantity_key(
-      option.flag, text, wall ? "thickness" : option.key, Dimension::length);
-  if (!wall) return length;
+  contact::KeySetting number = quantity_key(
+      option.flag, text, wall ? "thickness" : option.key, option.dimension);
+  if (!wall) return number;
   return {std::string(wall_key),
-          fmt::format("[{{ {} = {} }}]", length.key, length.value),
-          length.origin};
+          fmt::format("[{{ {} = {} }}]", number.key, number.value),
+          number.origin};
 }
 
 // A number without a unit is in m, which is hardly meant of a large one.
@@ -95,7 +119,8 @@ std::vector<std::string> length_notes(const JointOptions& o) {
   for (const KeyOption& option : key_options) {
     const std::string text = o.key(option.flag);
     const auto plain = parse_number(text);
-    if (!plain || option.most == 0 || *plain <= option.most) continue;
+    if (!plain || option.dimension != Dimension::length) continue;
+    if (*plain <= option.most) continue;
     notes.push_back(
         fmt::format("{0} {1} is {1} m; {1}mm is {1} mm", option.flag, text));
   }
@@ -145,13 +170,22 @@ bool check_size(const JointOptions& o, bool pin) {
   return has_size;
 }
 
-// A file of a material is put in its place by joint_from_options().
-void check_backing(const std::string& backing) {
-  if (backing.empty() || backing == "rigid" || backing == "held" ||
-      is_file(backing)) {
-    return;
+// The table of a joint file that a material's file is; "" of a word.
+std::string backing_table(const JointOptions& o) {
+  const std::string backing = o.key("--backing");
+  if (is_file(backing)) {
+    if (!o.modulus_ratio.empty()) {
+      refuse_beside(given("--backing", backing), "--modulus-ratio");
+    }
+    contact::read_material(backing);  // its messages name the file
+    return "[wall.backing]\n" +
+           contact::TomlTable::from_file(backing, contact::material_keys())
+               .toml_text();
   }
-  refuse("--backing", backing, "rigid, held or a material's .toml file");
+  if (!backing.empty() && backing != "rigid" && backing != "held") {
+    refuse("--backing", backing, "rigid, held or a material's .toml file");
+  }
+  return "";
 }
 
 // A joint file in memory, whose keys the options are.
@@ -159,28 +193,24 @@ Joint joint_from_options(const JointOptions& o) {
   const bool pin = is_pin(o);
   const contact::MaterialPair materials = materials_of(o);
   const bool has_size = check_size(o, pin);
-  check_backing(o.key("--backing"));
+  const std::string backing = backing_table(o);
   std::string text = fmt::format(
       "name = \"joint\"\nkind = \"{}\"\n[geometry]\n", pin ? "pin" : "ball");
   if (pin) text += "length_m = 1\n";
   if (!has_size) text += "radius_m = 1\nradial_clearance_m = 1e-3\n";
+  text += backing;
   contact::KeySettings settings;
   for (const KeyOption& option : key_options) {
     const std::string given = o.key(option.flag);
-    if (given.empty()) continue;
+    if (given.empty() || (!backing.empty() && option.key == "wall.backing")) {
+      continue;
+    }
     settings.push_back(setting_of(option, given, has_size));
   }
   contact::JointSpec spec =
       contact::joint_of_file(contact::TomlTable::from_text(
                                  text, "", contact::joint_keys(), {}, settings),
                              &materials);
-  if (const std::string backing = o.key("--backing"); is_file(backing)) {
-    if (!o.modulus_ratio.empty()) {
-      refuse_beside(given("--backing", backing), "--modulus-ratio");
-    }
-    spec.outer.backing =
-        contact::Backing::medium(contact::read_material(backing));
-  }
   if (o.materials().empty()) spec.pressure_law = "cosine";  // the paper's
   const std::string& of = materials.name;
   Joint joint{.spec = spec,
@@ -359,6 +389,55 @@ std::string difference_text(const std::vector<Difference>& differences) {
   return text;
 }
 
+namespace {
+
+// The unit in the name of a joint's key that is a length, stress, ...; "" if
+// there is none.
+std::string_view unit_ending(std::string_view key) {
+  using contact::Dimension;
+  std::string_view longest;
+  for (const Dimension measured :
+       {Dimension::length, Dimension::stress, Dimension::velocity,
+        Dimension::viscous_constant, Dimension::inverse_velocity,
+        Dimension::hersey}) {
+    for (const contact::Unit& unit : contact::units_of(measured)) {
+      const bool ends = key.ends_with(fmt::format("_{}", unit.ending));
+      if (ends && unit.ending.size() > longest.size()) longest = unit.ending;
+    }
+  }
+  return longest;
+}
+
+}  // namespace
+
+std::string difference_label(const std::vector<Difference>& differences) {
+  std::string text;
+  for (const Difference& difference : differences) {
+    text += text.empty() ? "" : ", ";
+    const std::string key =
+        difference.column.substr(difference.column.rfind('.') + 1);
+    const std::string_view unit = unit_ending(key);
+    if (unit.empty()) {
+      text += difference_text({difference});
+      continue;
+    }
+    std::string name = key.substr(0, key.size() - unit.size() - 1);
+    std::ranges::replace(name, '_', ' ');
+    text += fmt::format("{} {} {}", name, difference.value,
+                        contact::unit_symbol(unit));
+  }
+  return text;
+}
+
+std::string shared_title(const std::vector<Joint>& joints,
+                         const std::string& behind) {
+  const std::string& title = joints[0].title;
+  const bool shared = std::ranges::all_of(
+      joints, [&](const Joint& joint) { return joint.title == title; });
+  if (!shared || title.empty()) return behind;
+  return behind.empty() ? title : title + ", " + behind;
+}
+
 std::vector<Joint> make_joints(const JointOptions& o) {
   const std::vector<contact::KeySettings> variants = key_settings(o.settings);
   const bool several = o.joints.size() > 1;
@@ -386,6 +465,10 @@ std::vector<Joint> make_joints(const JointOptions& o) {
       }
       joints.push_back(std::move(joint));
     }
+  }
+  for (Joint& joint : joints) {
+    if (joints.size() == 1) break;
+    joint.among_several = difference_text(joint.differences);
   }
   return joints;
 }
@@ -440,7 +523,8 @@ void warn_of_validity(std::string_view program,
   std::set<std::string> said;
   for (const Joint& joint : joints) {
     std::vector<std::string> plain_notes = joint.notes;
-    if (joint.spec.fit) plain_notes.push_back(to_string(*joint.spec.fit));
+    std::ranges::copy(joint.spec.clearance_notes(),
+                      std::back_inserter(plain_notes));
     for (const std::string& text : plain_notes) {
       if (said.insert(text).second) note(program, text);
     }
@@ -448,6 +532,9 @@ void warn_of_validity(std::string_view program,
     if (joint.has_size) {
       std::ranges::copy(joint.spec.geometry.validity_notes(),
                         std::inserter(notes, notes.begin()));
+    }
+    if (const auto& growth = joint.spec.thermal_growth) {
+      std::ranges::copy(growth->validity_notes(), std::back_inserter(notes));
     }
     const auto& friction = joint.spec.friction;
     const auto* stress =

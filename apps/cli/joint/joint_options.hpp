@@ -72,6 +72,8 @@ struct Difference {
 
 /// "radius_mm = 20, ..."; "" for the only joint.
 std::string difference_text(const std::vector<Difference>& differences);
+/// The same for pictures: "radius 20 mm, ..."
+std::string difference_label(const std::vector<Difference>& differences);
 
 /// A joint, and the laws that are asked for.
 struct Joint {
@@ -84,6 +86,7 @@ struct Joint {
   bool has_length = true;
   std::string title = {};  ///< of pictures
   std::vector<Difference> differences = {};
+  std::string among_several = {};  ///< its name in messages; "" if it is alone
   std::vector<std::string> notes = {};  ///< on options that are hardly meant
   std::vector<NamedLaw> laws = {};      ///< not for JointUse::pressure
   std::vector<NamedPressure> pressures = {};
@@ -95,6 +98,11 @@ struct Joint {
                                 std::size_t law = 0,
                                 std::size_t pressure = 0) const;
 };
+
+/// What is above pictures of joints: the title that they share, and what comes
+/// behind it.
+std::string shared_title(const std::vector<Joint>& joints,
+                         const std::string& behind);
 
 /// The joints that the options describe: one, or one for each file of --joint
 /// and combination of the values of --set. Throws contact::Error if they do

@@ -37,13 +37,19 @@ std::vector<std::string> law_names(std::string_view option,
 template <class Entries>
 std::vector<std::string> all_names(
     const Entries& entries, const contact::ContactConditions& conditions) {
-  std::vector<std::string> names;
-  for (const auto* entry : entries) {
-    if (entry->about.is_among_all && entry->about.allows(conditions)) {
-      names.emplace_back(entry->about.name);
-    }
-  }
-  return names;
+  return contact::detail::names_of(entries, [&](const auto& entry) {
+    return entry.about.is_among_all && entry.about.allows(conditions);
+  });
+}
+
+// Whether the law of this name, if it is one of these, is another one with
+// another loading.
+template <class Entries>
+bool depends_on_loading(const Entries& entries, std::string_view name) {
+  return std::ranges::any_of(entries, [&](const auto* entry) {
+    using Needs = contact::detail::LawEntry::Needs;
+    return entry->about.name == name && entry->about.needs == Needs::conditions;
+  });
 }
 
 }  // namespace
@@ -98,7 +104,8 @@ void set_limit_angle(const std::string& text,
   }
   if (std::none_of(laws.begin(), laws.end(),
                    contact::takes_half_angle_options)) {
-    const auto takers = contact::detail::half_angle_names(
+    const auto takers = contact::detail::names_of(
+        contact::detail::half_angle_entries(),
         [](const auto& entry) { return entry.takes_options; });
     refuse_without(given("--limit-angle", text),
                    fmt::format("one of the laws {}; none of them is asked for",
@@ -108,15 +115,10 @@ void set_limit_angle(const std::string& text,
 
 std::string with_loading(const std::string& name,
                          const contact::InnerLoading& loading) {
-  const auto depends = [&](const auto& entries) {
-    return std::any_of(entries.begin(), entries.end(), [&](const auto* entry) {
-      using Needs = contact::detail::LawEntry::Needs;
-      return entry->about.name == name &&
-             entry->about.needs == Needs::conditions;
-    });
-  };
-  if (!loading.is_back() || !(depends(contact::detail::half_angle_entries()) ||
-                              depends(contact::detail::pressure_entries()))) {
+  namespace laws = contact::detail;
+  if (!loading.is_back() ||
+      !(depends_on_loading(laws::half_angle_entries(), name) ||
+        depends_on_loading(laws::pressure_entries(), name))) {
     return name;
   }
   return fmt::format("{}_{}", name, to_string(loading));

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "cli/output.hpp"
+#include "cli/program.hpp"
 #include "cli/table.hpp"
 #include "libcontact/quantities/quantity.hpp"
 
@@ -72,6 +73,15 @@ void write_table(const TableStyle& style,
   TableWriter writer(output, table);
   writer.write(text.view());
   writer.finish();
+}
+
+/// The same of a program's table, whole or not at all.
+template <class Rows>
+void write_table(const OutputOptions& options,
+                 const std::vector<std::string>& columns, const Rows& write) {
+  Output output(options.output);
+  write_table(options, columns, output, write);
+  output.commit();
 }
 
 }  // namespace cli

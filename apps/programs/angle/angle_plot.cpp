@@ -7,23 +7,30 @@
 
 #include "cli/plot.hpp"
 #include "libcontact/base/units.hpp"
+#include "libcontact/quantities/tables.hpp"
 
 namespace hinge_angle {
 namespace {
 
-std::string load_label(LoadVariable variable, const cli::Joint& joint) {
+cli::Axis axis_of(std::string_view key) {
+  return cli::axis_of(
+      *contact::find_quantity(contact::solution_quantities(), key));
+}
+
+cli::Axis load_axis(LoadVariable variable, const cli::Joint& joint) {
   const bool ball = joint.kind() == contact::JointKind::ball;
   switch (variable) {
     case LoadVariable::load:
-      return joint.has_length ? "normal force, N" : "force per length, N/m";
+      if (joint.has_length) return axis_of("normal_force");
+      [[fallthrough]];
     case LoadVariable::line_load:
-      return "force per length, N/m";
+      return {"force per length", "N/m"};
     case LoadVariable::x:
-      return ball ? "x = cbrt(μ)" : "x = 2 sqrt(λ)";
+      return {ball ? "x = cbrt(μ)" : "x = 2 sqrt(λ)"};
     case LoadVariable::load_parameter:
       break;
   }
-  return ball ? "load parameter μ" : "load parameter λ";
+  return {ball ? "load parameter μ" : "load parameter λ"};
 }
 
 // What a picture of some 1,000 dots across can show.
@@ -59,7 +66,7 @@ double error_range(const std::vector<cli::Curve>& curves) {
 // curves above.
 cli::LowerPanel error_panel(const std::vector<cli::Curve>& curves,
                             const cli::Curve& exact) {
-  cli::LowerPanel panel{"error, %", 1, {}};
+  cli::LowerPanel panel{{"error", "%"}, 1, {}};
   for (const cli::Curve& curve : curves) {
     if (curve.label == exact.label) continue;
     cli::Curve error = curve;
@@ -116,21 +123,20 @@ std::string draw(const std::vector<Input>& inputs,
   const Input& first = inputs[0];
   const bool several = joints.size() > 1;
   cli::LinePlot plot;
-  plot.title = several ? "" : joints[0].title;
-  if (several && joints[0].laws.size() == 1) {
-    plot.title = "law " + joints[0].laws[0].name;
-  }
+  plot.title = shared_title(joints, several && joints[0].laws.size() == 1
+                                        ? "law " + joints[0].laws[0].name
+                                        : "");
   plot.family = several && joints[0].laws.size() == 1;
-  plot.x_label = load_label(first.variable, joints[0]);
-  plot.y_label = "contact half-angle θ₀, deg";
+  plot.x = load_axis(first.variable, joints[0]);
+  plot.y = axis_of("half_angle");
   // Laws reach a half-angle at loads that are decades apart.
-  plot.logarithmic_x = first.inverse || first.values.is_logarithmic();
+  plot.x.logarithmic = first.inverse || first.values.is_logarithmic();
   for (std::size_t i = 0; i < joints.size(); ++i) {
     for (const NamedLaw& law : joints[i].laws) {
       if (is_twin(law, joints[i])) continue;
       cli::Curve curve = curve_of(law, joints[i], inputs[i]);
       if (several) {
-        curve.label = difference_text(joints[i].differences) +
+        curve.label = difference_label(joints[i].differences) +
                       (plot.family ? "" : ", " + law.name);
       }
       if (plot.family) curve.dashed = false;

@@ -4,12 +4,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "cli/column_of.hpp"
 #include "libcontact/base/units.hpp"
 #include "libcontact/pressure/hertz.hpp"
 
 namespace hinge_angle {
 namespace {
+
+std::string patch_column(std::string_view key, std::string_view law = "") {
+  return cli::column_of(contact::patch_quantities(), key, law);
+}
 
 // Counts what the laws of one row could not give.
 class RowCount {
@@ -56,6 +62,10 @@ AngleTable::AngleTable(const cli::Joint& joint, const Input& input,
   for (const NamedLaw& law : laws_) {
     if (cli::JointApproach::of(*law.law)) approach_.emplace(law.law, joint);
   }
+  if (joint.spec.geometry.radial_clearance() > 0) return;
+  for (std::size_t i = 0; i < laws_.size(); ++i) {
+    preloaded_.push_back(joint.contact(contact::FrictionLaw(0), i, 0));
+  }
 }
 
 bool AngleTable::is_own_hertz(const NamedLaw& law) const {
@@ -64,9 +74,11 @@ bool AngleTable::is_own_hertz(const NamedLaw& law) const {
 
 void AngleTable::add_columns(const NamedLaw& law,
                              std::vector<std::string>& names) const {
-  names.push_back(fmt::format("p_peak_{}_by_{}_{}", law.name,
-                              is_own_hertz(law) ? "hertz" : pressure_.name,
-                              loads_.have_load() ? "Pa" : "over_nominal"));
+  const std::string by = fmt::format(
+      "{}_by_{}", law.name, is_own_hertz(law) ? law.name : pressure_.name);
+  names.push_back(loads_.have_load()
+                      ? patch_column("peak_pressure", by)
+                      : fmt::format("p_peak_{}_over_nominal", by));
   if (!approach_ || !cli::JointApproach::of(*law.law)) return;
   for (std::string& name : approach_->columns()) {
     names.push_back(std::move(name));
@@ -74,9 +86,13 @@ void AngleTable::add_columns(const NamedLaw& law,
 }
 
 void AngleTable::write(const NamedLaw& law, double half_angle,
-                       double load_parameter, cli::RowWriter& row,
+                       double load_parameter, double force, cli::RowWriter& row,
                        Findings& findings) const {
-  const double peak = peak_pressure(law, half_angle, load_parameter);
+  const double peak =
+      preloaded_.empty()
+          ? peak_pressure(law, half_angle, load_parameter)
+          : preloaded_[static_cast<std::size_t>(&law - laws_.data())]
+                .peak_pressure(force, half_angle);
   row.number(peak);
   findings.largest.add(half_angle, loads_.have_load() ? peak : 0);
   if (!approach_ || !cli::JointApproach::of(*law.law)) return;
@@ -88,24 +104,24 @@ void AngleTable::write(const NamedLaw& law, double half_angle,
 std::vector<std::string> AngleTable::columns() const {
   std::vector<std::string> names;
   if (input_.inverse) {
-    names.emplace_back("theta0_deg");
+    names.push_back(patch_column("half_angle"));
     for (const NamedLaw& law : laws_) {
       if (loads_.have_load()) names.push_back(loads_.column(law.name));
-      names.push_back("load_parameter_" + law.name);
+      names.push_back(patch_column("load_parameter", law.name));
       names.push_back("x_" + law.name);
       if (loads_.have_load()) {
-        names.push_back(fmt::format("p_nominal_{}_Pa", law.name));
+        names.push_back(patch_column("nominal_pressure", law.name));
       }
       add_columns(law, names);
     }
     return names;
   }
   if (loads_.have_load()) names.push_back(loads_.column());
-  names.emplace_back("load_parameter");
+  names.push_back(patch_column("load_parameter"));
   names.emplace_back("x");
-  if (loads_.have_load()) names.emplace_back("p_nominal_Pa");
+  if (loads_.have_load()) names.push_back(patch_column("nominal_pressure"));
   for (const NamedLaw& law : laws_) {
-    names.push_back(fmt::format("theta0_{}_deg", law.name));
+    names.push_back(patch_column("half_angle", law.name));
     add_columns(law, names);
   }
   return names;
@@ -129,16 +145,21 @@ void AngleTable::write_load_row(double load, cli::RowWriter& row,
     return loads_.convert(input_.variable, load, variable);
   };
   const double parameter = load_as(LoadVariable::load_parameter);
-  if (loads_.have_load()) row.number(load_as(LoadVariable::load));
+  const double force = loads_.have_load() ? load_as(LoadVariable::load) : 0;
+  if (loads_.have_load()) row.number(force);
   row.number(parameter);
   row.number(load_as(LoadVariable::x));
-  if (loads_.have_load()) row.number(loads_.nominal_pressure(parameter));
+  if (loads_.have_load()) {
+    row.number(preloaded_.empty()
+                   ? loads_.nominal_pressure(parameter)
+                   : joint_.spec.geometry.nominal_pressure(force));
+  }
   RowCount count(findings);
   for (std::size_t i = 0; i < laws_.size(); ++i) {
     const contact::HalfAngleResult result = laws_[i].law->half_angle(parameter);
     count.add(i, result.status);
     row.number(result.half_angle / contact::degree);
-    write(laws_[i], result.half_angle, parameter, row, findings[i]);
+    write(laws_[i], result.half_angle, parameter, force, row, findings[i]);
   }
   count.end();
 }
@@ -149,18 +170,24 @@ void AngleTable::write_half_angle_row(double theta0_deg, cli::RowWriter& row,
   row.number(theta0_deg);
   RowCount count(findings);
   for (std::size_t i = 0; i < laws_.size(); ++i) {
-    const contact::LoadParameterResult result =
+    contact::LoadParameterResult result =
         laws_[i].law->load_parameter(half_angle);
+    // Half-angles of another sign of the clearance.
+    if (loads_.have_load() && loads_.law_load(result.load_parameter) < 0) {
+      result = {std::numeric_limits<double>::quiet_NaN(),
+                contact::Status::out_of_range};
+    }
     const double parameter = result.load_parameter;
     count.add(i, result.status);
     const auto load_as = [&](LoadVariable variable) {
       return loads_.convert(LoadVariable::load_parameter, parameter, variable);
     };
-    if (loads_.have_load()) row.number(load_as(LoadVariable::load));
+    const double force = loads_.have_load() ? load_as(LoadVariable::load) : 0;
+    if (loads_.have_load()) row.number(force);
     row.number(parameter);
     row.number(load_as(LoadVariable::x));
     if (loads_.have_load()) row.number(loads_.nominal_pressure(parameter));
-    write(laws_[i], half_angle, parameter, row, findings[i]);
+    write(laws_[i], half_angle, parameter, force, row, findings[i]);
   }
   count.end();
 }

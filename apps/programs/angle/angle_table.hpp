@@ -57,7 +57,7 @@ class AngleTable {
   /// The columns behind the half-angle or the load.
   void add_columns(const NamedLaw& law, std::vector<std::string>& names) const;
   void write(const NamedLaw& law, double half_angle, double load_parameter,
-             cli::RowWriter& row, Findings& findings) const;
+             double force, cli::RowWriter& row, Findings& findings) const;
   bool is_own_hertz(const NamedLaw& law) const;
   // Pa, or over the nominal pressure without a geometry.
   double peak_pressure(const NamedLaw& law, double half_angle,
@@ -70,6 +70,8 @@ class AngleTable {
   const std::vector<NamedLaw>& laws_;
   const cli::NamedPressure& pressure_;
   std::optional<cli::JointApproach> approach_;
+  // Of a joint without clearance, for each law.
+  std::vector<contact::JointContact> preloaded_;
 };
 
 }  // namespace hinge_angle

@@ -8,7 +8,7 @@
 
 #include "cli/output.hpp"
 #include "cli/refuse.hpp"
-#include "cli/table.hpp"
+#include "cli/stream/report.hpp"
 #include "libcontact/base/units.hpp"
 #include "libcontact/half_angle/factory.hpp"
 #include "libcontact/half_angle/registry.hpp"
@@ -120,32 +120,26 @@ void write_comparison(const std::vector<LawComparison>& laws,
                            "theta0_law_deg", "cost_tanh", "recommended"}) {
     columns.emplace_back(name);
   }
-  cli::Output output(options.output);
-  const cli::Table table(options, columns);
-  cli::TableWriter writer(output, table);
-  cli::Text rows;
-  cli::RowWriter row(table, rows);
-  for (const LawComparison& law : laws) {
-    row.text(law.name);
-    row.number(law.error_percent);
-    if (joint.has_size) {
-      row.number(loads.convert(LoadVariable::load_parameter, law.load_parameter,
-                               LoadVariable::load));
+  cli::write_table(options, columns, [&](cli::RowWriter& row) {
+    for (const LawComparison& law : laws) {
+      row.text(law.name);
+      row.number(law.error_percent);
+      if (joint.has_size) {
+        row.number(loads.convert(LoadVariable::load_parameter,
+                                 law.load_parameter, LoadVariable::load));
+      }
+      row.number(law.load_parameter);
+      row.number(law.exact / contact::degree);
+      row.number(law.half_angle / contact::degree);
+      row.number(law.cost);
+      if (law.recommended) {
+        row.text("yes");
+      } else {
+        row.empty();
+      }
+      row.end();
     }
-    row.number(law.load_parameter);
-    row.number(law.exact / contact::degree);
-    row.number(law.half_angle / contact::degree);
-    row.number(law.cost);
-    if (law.recommended) {
-      row.text("yes");
-    } else {
-      row.empty();
-    }
-    row.end();
-  }
-  writer.write(rows.view());
-  writer.finish();
-  output.commit();
+  });
 }
 
 }  // namespace hinge_angle

@@ -14,6 +14,9 @@ std::string Loads::column(const std::string& law) const {
 
 double Loads::convert(LoadVariable from, double load, LoadVariable to) const {
   if (from == to) return load;
+  if (from == LoadVariable::line_load && to == LoadVariable::load) {
+    return geometry_.force_from_load(load);
+  }
   double parameter = load;
   if (from == LoadVariable::load) {
     parameter = scale_->load_parameter(geometry_.load_from_force(load));

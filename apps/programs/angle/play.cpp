@@ -12,7 +12,7 @@
 #include "cli/output.hpp"
 #include "cli/plot.hpp"
 #include "cli/refuse.hpp"
-#include "cli/table.hpp"
+#include "cli/stream/report.hpp"
 #include "libcontact/base/units.hpp"
 #include "libcontact/play/impact.hpp"
 #include "libcontact/play/published_forces.hpp"
@@ -70,21 +70,6 @@ std::vector<double> penetrations(const PlayOptions& options,
   return all;
 }
 
-// One table, whole or not at all.
-template <class Rows>
-void write_rows(const cli::OutputOptions& options,
-                const std::vector<std::string>& columns, const Rows& rows) {
-  cli::Output output(options.output);
-  const cli::Table table(options, columns);
-  cli::TableWriter writer(output, table);
-  cli::Text text;
-  cli::RowWriter row(table, text);
-  rows(row);
-  writer.write(text.view());
-  writer.finish();
-  output.commit();
-}
-
 // Rows without a value, and contacts that leave the theory.
 cli::ExitStatus report(const cli::Joint& joint, const ForceLaw& law,
                        const contact::LargestContact& largest,
@@ -121,14 +106,15 @@ void write_state(double penetration, const ForceState& at, double peak,
 // Force and stiffness, from 0 to the largest penetration that has values.
 std::string draw_law(const cli::Joint& joint, const ForceLaw& law,
                      double largest, const std::string& file) {
-  cli::PanelPlot plot{.title = joint.title,
-                      .x_label = "penetration, m",
-                      .x = {},
-                      .panels = {{"force", "N", {}}, {"stiffness", "N/m", {}}}};
+  cli::PanelPlot plot{
+      .title = joint.title,
+      .x = {"penetration", "m"},
+      .values = {},
+      .panels = {{{"force", "N"}, {}}, {{"stiffness", "N/m"}, {}}}};
   constexpr int points = 400;
   for (int i = 0; i <= points; ++i) {
     const double x = largest * i / points;
-    plot.x.push_back(x);
+    plot.values.push_back(x);
     plot.panels[0].y.push_back(law.force(x));
     plot.panels[1].y.push_back(law.slope(x));
   }
@@ -140,9 +126,8 @@ std::string draw_comparison(const cli::Joint& joint, const ForceLaw& law,
                             const std::string& file) {
   cli::LinePlot plot;
   plot.title = joint.title;
-  plot.x_label = "penetration, m";
-  plot.y_label = "force, N";
-  plot.logarithmic_x = plot.logarithmic_y = true;
+  plot.x = {"penetration", "m", true};
+  plot.y = {"force", "N", true};
   const auto ends = std::ranges::minmax(deltas);
   const double low = std::max(ends.min, law.smallest_penetration());
   cli::Curve exact{"exact", {}, {}, true};
@@ -178,7 +163,7 @@ void write_comparison(const cli::Joint& joint, const ForceLaw& law,
   const auto published =
       contact::published_force_laws(joint.spec.geometry, joint.pair);
   std::set<std::string> notes;
-  write_rows(
+  cli::write_table(
       output,
       {"law", "source", "load_N", "theta0_deg", "penetration_m",
        "stiffness_N_per_m", "error_percent", "outside"},
@@ -285,16 +270,16 @@ cli::ExitStatus run_force_law(const PlayOptions& options,
   if (compare) {
     write_comparison(joint, law, deltas, output);
   } else {
-    write_rows(output,
-               {"penetration_m", "force_N", "stiffness_N_per_m", "energy_J",
-                "theta0_deg", "force_ratio", "p_peak_Pa", "exponent",
-                "coefficient_N_per_m_to_exponent"},
-               [&](cli::RowWriter& row) {
-                 for (const double delta : deltas) {
-                   const ForceState at = law.at(delta);
-                   write_state(delta, at, peak_at(at), row);
-                 }
-               });
+    cli::write_table(output,
+                     {"penetration_m", "force_N", "stiffness_N_per_m",
+                      "energy_J", "theta0_deg", "force_ratio", "p_peak_Pa",
+                      "exponent", "coefficient_N_per_m_to_exponent"},
+                     [&](cli::RowWriter& row) {
+                       for (const double delta : deltas) {
+                         const ForceState at = law.at(delta);
+                         write_state(delta, at, peak_at(at), row);
+                       }
+                     });
   }
   const cli::ExitStatus status =
       report(joint, law, contacts, without, deltas.size());
@@ -317,7 +302,7 @@ cli::ExitStatus run_impact(const PlayOptions& options,
       contact::approximate_restitution(options.restitution);
   std::set<std::string> notes;
   std::size_t without = 0;
-  write_rows(
+  cli::write_table(
       output,
       {"speed_m_per_s", "restitution", "damping_s_per_m", "penetration_m",
        "elastic_force_N", "peak_force_N", "theta0_deg", "p_peak_Pa",

@@ -90,8 +90,9 @@ cli::ExitStatus report(const std::vector<cli::Joint>& joints,
     for (std::size_t j = 0; j < joints.size(); ++j) {
       const Findings& one = findings[j][i];
       all.add(one);
-      const contact::ContactLimits limits(*joints[j].laws[i].law,
-                                          joints[j].pair);
+      const contact::ContactLimits limits(
+          *joints[j].laws[i].law, joints[j].pair,
+          joints[j].spec.conditions().clearance);
       for (const std::string& note : limits.notes(one.largest)) {
         notes.insert(fmt::format("law {}: {}", law, note));
       }
@@ -119,11 +120,12 @@ cli::Joint compared_joint(cli::JointOptions options) {
   if (options.laws.empty()) options.laws = {"all"};
   cli::Joint joint = make_joint(options);
   const contact::ContactConditions conditions = joint.spec.conditions();
-  if (conditions.loading.is_back() || conditions.walls) {
-    cli::refuse_beside("--compare",
-                       to_string(conditions) +
-                           ": its laws are of a force at the centre and an "
-                           "infinite outer body");
+  if (conditions.loading.is_back() || conditions.walls ||
+      conditions.clearance != contact::Clearance::positive) {
+    cli::refuse_beside(
+        "--compare", to_string(conditions) +
+                         ": its laws are of a force at the centre, an infinite "
+                         "outer body and a clearance");
   }
   return joint;
 }

@@ -59,8 +59,8 @@ void add_wear(cli::Program& program, Options& o) {
         "points of each body; default 2000",
         "--map, --map-plot, --wear-seat or --wear-inner"},
        {"--cycles", any("--cycles", o.cycles, "", 0, 1e15), "N",
-        "number of cycles in which wear of the seat changes the contact",
-        "--wear-seat"},
+        "number of cycles in which wear changes the contact",
+        "--wear-seat or --wear-inner"},
        {"--blocks", &o.blocks, "FILE", "CSV file of the joint as it wears",
         "--cycles"}});
 }

@@ -8,6 +8,8 @@
 
 #include "cli/gnuplot.hpp"
 #include "cli/number.hpp"
+#include "cli/picture/canvas.hpp"
+#include "cli/picture/text_size.hpp"
 #include "cli/plot.hpp"
 #include "cli/sphere_view.hpp"
 #include "libcontact/base/units.hpp"
@@ -20,13 +22,11 @@ using contact::JointCycle;
 using contact::WearMap;
 using Eigen::Vector3d;
 
-constexpr double mega = 1e6;
-
 std::string label(const BodyWear& wear) {
   std::string text = fmt::format("{} ({})", wear.surface, wear.body);
   if (!wear.k) return text;
-  return text +
-         fmt::format(": deepest {:.2g} mm", wear.depth(wear.deepest.wear));
+  return text + fmt::format(": deepest {:.3g} mm in 10⁶ cycles",
+                            1e6 * wear.depth(wear.deepest.wear));
 }
 
 // Straight above the middle of the wear.
@@ -45,17 +45,16 @@ cli::SphereView view_of(const BodyWear& wear) {
 }
 
 std::string data_block(const WearMap& map, const cli::SphereView& view,
-                       int number) {
+                       double factor, int number) {
   constexpr int half = 60;  // dots on each side of the middle
   std::string script = fmt::format("$map{} << END\n", number);
   for (int j = -half; j <= half; ++j) {
     for (int i = -half; i <= half; ++i) {
       const double x = view.radius * i / half;
       const double y = view.radius * j / half;
-      const double pv =
-          std::hypot(x, y) < 2 ? map.at(view.point(x, y)).pv / mega : 0;
+      const double pv = std::hypot(x, y) < 2 ? map.at(view.point(x, y)).pv : 0;
       script += cli::number_text(x) + ' ' + cli::number_text(y) + ' ' +
-                (pv > 0 ? cli::number_text(pv) : "NaN") + '\n';
+                (pv > 0 ? cli::number_text(factor * pv) : "NaN") + '\n';
     }
   }
   return script + "END\n";
@@ -66,52 +65,96 @@ std::string draw_balls(const JointCycle& cycle,
                        const std::string& title, const std::string& file) {
   double largest = 0;
   for (const BodyWear& w : wear) {
-    largest = std::max(largest, w.deepest.wear.pv / mega);
+    largest = std::max(largest, w.deepest.wear.pv);
   }
-  std::string script = fmt::format(
-      "set multiplot title {} offset 0,-0.5\nunset border\nunset tics\n"
-      "unset key\nunset grid\nset size ratio -1\n"
-      "set cbrange [0:{}]\nset cblabel '∫ p v dt, MPa m'\nset cbtics\n"
-      "set tmargin at screen 0.78\nset bmargin at screen 0.12\n",
-      cli::gnuplot_text(title), cli::number_text(largest));
+  const cli::Canvas canvas(title);
+  const cli::Box& room = canvas.room();
+  constexpr double scale_width = 7;  // of the colours, their numbers and label
+  const double width = (room.width() - scale_width) / 2;
+  std::array<cli::Box, 2> boxes;
+  double titles = 0;
+  for (int n = 0; n < 2; ++n) {
+    const double left = room.left + n * width;
+    boxes[n] = {left, left + width - 1, 0, room.bottom - cli::line_step};
+    titles =
+        std::max(titles, cli::Canvas::above_height(boxes[n], label(wear[n])));
+  }
+  for (cli::Box& box : boxes) box.top = room.top + titles + cli::line_step / 2;
+  const cli::Box colours{room.right - scale_width + 1,
+                         room.right - scale_width + 2, boxes[0].top + 2,
+                         boxes[0].bottom - 2};
+  const cli::Axis axis{"∫ p v dt", "Pa m"};
+  const cli::Prefix prefix = cli::prefix_of(axis, {0, largest});
+  const cli::Ticks ticks = cli::ticks_of(axis, {0, prefix.factor * largest},
+                                         cli::Run::up, colours.height(), false);
+  std::string script =
+      "set multiplot\nunset border\nunset xtics\nunset ytics\nunset key\n"
+      "unset grid\nset size ratio -1\n" +
+      canvas.script() + ticks.script("cb") +
+      canvas.upward(room.right - cli::line_step / 2, colours,
+                    cli::label_of(axis, prefix));
   std::array<cli::SphereView, 2> views = {view_of(wear[0]), view_of(wear[1])};
   const double radius = std::max(views[0].radius, views[1].radius);
   for (int n = 0; n < 2; ++n) {
     const BodyWear& w = wear[n];
     cli::SphereView& view = views[n];
     view.radius = radius;  // to the same scale
-    const double left = 0.02 + 0.41 * n;
-    script += data_block(WearMap(cycle, w.part), view, n);
+    script += data_block(WearMap(cycle, w.part), view, prefix.factor, n);
     script += view.axis_labels() + view.circles();
-    script += fmt::format(
-        "set lmargin at screen {}\nset rmargin at screen {}\n"
-        "set title {}\nset xrange [-{}:{}]\nset yrange [-{}:{}]\n{}"
-        "plot $map{} using 1:2:3 with image\nunset label\nunset object\n",
-        left, left + 0.38, cli::gnuplot_text(label(w)), radius, radius, radius,
-        radius,
-        n == 0 ? "unset colorbox\n"
-               : "set colorbox user origin screen 0.84,0.17 size screen "
-                 "0.025,0.56\n",
-        n);
+    script += canvas.margins(boxes[n]) + canvas.above(boxes[n], label(w)) +
+              (n == 0 ? "unset colorbox\n" : canvas.colour_box(colours)) +
+              fmt::format(
+                  "set xrange [-{0}:{0}]\nset yrange [-{0}:{0}]\n"
+                  "plot $map{1} using 1:2:3 with image\n"
+                  "unset label\nunset object\n",
+                  cli::number_text(radius), n);
   }
   return cli::draw_script(script + "unset multiplot\n", file);
+}
+
+// Where the circle is cut for an axis over it, deg: at the end of a quarter,
+// where the least wears.
+double cut_of(const std::vector<BodyWear>& wear) {
+  const auto at = [&](double beta_deg) {
+    double all = 0;
+    for (const BodyWear& w : wear) {
+      const Vector3d place(std::cos(beta_deg * degree),
+                           std::sin(beta_deg * degree), 0);
+      const auto nearest = std::ranges::max_element(
+          w.points, {},
+          [&](const Vector3d& point) { return point.dot(place); });
+      all += w.wear[nearest - w.points.begin()].pv;
+    }
+    return all;
+  };
+  constexpr std::array<double, 4> quarters = {-180, -90, 0, 90};
+  return *std::ranges::min_element(quarters, {}, at);
 }
 
 std::string draw_pins(const std::vector<BodyWear>& wear,
                       const std::string& title, const std::string& file) {
   cli::LinePlot plot{.title = title,
-                     .x_label = "β from X towards Y, deg",
-                     .y_label = "∫ p v dt, MPa m",
+                     .x = {"β from X towards Y", "deg"},
+                     .y = {"∫ p v dt", "Pa m"},
                      .curves = {}};
+  const double cut = cut_of(wear);
   for (const BodyWear& w : wear) {
-    cli::Curve curve{.label = label(w), .x = {}, .y = {}};
+    std::vector<std::pair<double, double>> points;
     for (std::size_t i = 0; i < w.points.size(); ++i) {
-      curve.x.push_back(std::atan2(w.points[i].y(), w.points[i].x()) / degree);
-      curve.y.push_back(w.wear[i].pv / mega);
+      const double beta = std::atan2(w.points[i].y(), w.points[i].x()) / degree;
+      // The point at the cut may come out on either side of it.
+      constexpr double rounding = 1e-9;
+      const double turns = std::floor((beta - cut + rounding) / 360);
+      points.emplace_back(beta - 360 * turns, w.wear[i].pv);
     }
-    // The first one, at -180 deg, may come out as 180.
-    curve.x.front() = -180;
-    plot.curves.push_back(curve);
+    std::ranges::sort(points);
+    points.emplace_back(points.front().first + 360, points.front().second);
+    cli::Curve curve{.label = label(w), .x = {}, .y = {}};
+    for (const auto& [beta, pv] : points) {
+      curve.x.push_back(beta);
+      curve.y.push_back(pv);
+    }
+    plot.curves.push_back(std::move(curve));
   }
   return cli::draw(plot, file);
 }

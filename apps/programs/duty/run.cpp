@@ -3,13 +3,14 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <filesystem>
+#include <deque>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "cli/gnuplot.hpp"
+#include "cli/joint/joint_reports.hpp"
 #include "cli/output.hpp"
 #include "cli/quantity.hpp"
 #include "cli/refuse.hpp"
@@ -62,53 +63,63 @@ void warn_of(std::string_view option, const std::string& note) {
   if (note.empty()) return;
   cli::warn("hinge-duty", fmt::format("{}: {}", option, note));
 }
+void warn_of(const cli::Joint& joint, const std::string& note) {
+  if (note.empty()) return;
+  cli::warn("hinge-duty", said_of(joint, note));
+}
 
 // The joint in the course of --cycles; empty without it.
 std::vector<contact::WearIn::State> worn_states(const Options& options,
-                                                const JointCycle& cycle) {
+                                                const JointDuty& duty) {
   if (!options.cycles) return {};
-  if (options.wear_inner && *options.wear_inner > 0) {
-    cli::warn("hinge-duty",
-              "--cycles: wear of the ball or pin does not change the contact");
+  const JointCycle& cycle = duty.cycle;
+  const contact::WearIn worn = made_of(duty.joint, [&] {
+    return contact::wear_in(cycle.cycle(), cycle.contact(),
+                            {options.wear_seat.value_or(0) * si_coefficient,
+                             options.wear_inner.value_or(0) * si_coefficient},
+                            *options.cycles);
+  });
+  for (const std::string& note : worn.notes) {
+    warn_of(duty.joint, "--cycles: " + note);
   }
-  const contact::WearIn worn =
-      contact::wear_in(cycle.cycle(), cycle.contact(),
-                       *options.wear_seat * si_coefficient, *options.cycles);
-  for (const std::string& note : worn.notes) warn_of("--cycles", note);
   return worn.states;
 }
 
-// Of coefficients, but of one that wear_in() has had, and of the unworn joint's
-// wear in one cycle.
-void warn_of_wear(const Options& options, const JointCycle& cycle,
-                  const std::vector<BodyWear>& bodies) {
+// Of coefficients, but of those that wear_in() has had.
+void warn_of_coefficients(const Options& options) {
   if (options.wear_seat && !options.cycles) {
     warn_of("--wear-seat", contact::WearMap::coefficient_note(
                                *options.wear_seat * si_coefficient));
   }
-  if (options.wear_inner) {
+  if (options.wear_inner && !options.cycles) {
     warn_of("--wear-inner", contact::WearMap::coefficient_note(
                                 *options.wear_inner * si_coefficient));
   }
-  for (const BodyWear& body : bodies) {
+}
+
+// Of the unworn joint's wear in one cycle.
+void warn_of_wear(const JointDuty& duty) {
+  for (const BodyWear& body : duty.wear) {
     if (!body.k) continue;
-    warn_of("--wear-" + body.surface + ": one cycle",
-            contact::WearMap::depth_note(1e-3 * body.depth(body.deepest.wear),
-                                         cycle.contact().geometry()));
+    const std::string note = contact::WearMap::depth_note(
+        1e-3 * body.depth(body.deepest.wear), duty.cycle.contact().geometry());
+    if (note.empty()) continue;
+    warn_of(duty.joint,
+            fmt::format("--wear-{}: one cycle: {}", body.surface, note));
   }
 }
 
 // Where the wear comes through a wall.
-void warn_of_walls(const cli::Joint& joint,
-                   const std::vector<contact::WearIn::State>& worn) {
-  const auto& layers = joint.spec.outer.layers;
-  if (worn.empty() || layers.empty()) return;
+void warn_of_walls(const JointDuty& duty) {
+  const auto& layers = duty.joint.spec.outer.layers;
+  if (duty.worn.empty() || layers.empty()) return;
   const double thickness = layers.front().thickness;
-  if (worn.back().penetration < thickness / 2) return;
-  cli::warn("hinge-duty",
-            fmt::format("--cycles: {:.3g} mm of a layer of {:.3g} mm are gone; "
-                        "the contact is that of the whole layer",
-                        worn.back().penetration * 1e3, thickness * 1e3));
+  const double penetration = duty.worn.back().penetration;
+  if (penetration < thickness / 2) return;
+  warn_of(duty.joint,
+          fmt::format("--cycles: {:.3g} mm of a layer of {:.3g} mm are gone; "
+                      "the contact is that of the whole layer",
+                      penetration * 1e3, thickness * 1e3));
 }
 
 BodyWear wear_of(const JointCycle& cycle, JointBody body,
@@ -127,6 +138,7 @@ BodyWear wear_of(const JointCycle& cycle, JointBody body,
   return wear;
 }
 
+// What is true of the cycle on all joints.
 void warn_of_cycle(const JointCycle& cycle) {
   const double closure = cycle.cycle().closure() / degree;
   if (closure > 0.1) {
@@ -136,12 +148,7 @@ void warn_of_cycle(const JointCycle& cycle) {
                           "axes are not those of a cycle",
                           closure));
   }
-  const contact::JointContact& contact = cycle.contact();
-  const contact::ContactLimits limits(contact.half_angle_law(), contact.pair());
-  for (const std::string& note : limits.notes(cycle.largest_contact())) {
-    cli::warn("hinge-duty", note);
-  }
-  if (contact.geometry().kind() != contact::JointKind::pin) return;
+  if (cycle.contact().geometry().kind() != contact::JointKind::pin) return;
   double axial = 0;
   for (const Instant& row : cycle.rows()) {
     axial = std::max(axial, std::abs(row.state.reaction.z()));
@@ -153,55 +160,98 @@ void warn_of_cycle(const JointCycle& cycle) {
                         axial));
 }
 
+void warn_of_contact(const JointDuty& duty) {
+  const contact::JointContact& contact = duty.cycle.contact();
+  const contact::ContactLimits limits = contact.limits();
+  for (const std::string& note : limits.notes(duty.cycle.largest_contact())) {
+    warn_of(duty.joint, note);
+  }
+}
+
+void check_pictures(const Options& options, std::size_t joints) {
+  if (joints == 1) return;
+  for (const auto& [option, file] : {std::pair("--plot", &options.output.plot),
+                                     {"--map-plot", &options.map_plot}}) {
+    if (!file->empty()) cli::refuse_without(option, "one joint");
+  }
+}
+
+// All joints on the one cycle.
+std::vector<JointDuty> run_joints(const Options& options,
+                                  const std::vector<cli::Joint>& joints) {
+  std::vector<contact::Joint> friction;
+  for (const cli::Joint& joint : joints) {
+    friction.push_back(made_of(joint, [&] {
+      return contact::Joint(joint.contact(
+          make_friction(options.friction, joint.spec.friction, options.joint)));
+    }));
+  }
+  const contact::DutyCycle cycle = read_cycle(options, joints[0].is_pin());
+  std::vector<JointDuty> duties;
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    const JointDuty& duty = duties.emplace_back(JointDuty{
+        joints[i],
+        made_of(joints[i], [&] { return JointCycle(cycle, friction[i]); })});
+    if (!wants_wear(options)) continue;
+    for (const JointBody body : {JointBody::carrier, JointBody::body}) {
+      duties.back().wear.push_back(wear_of(duty.cycle, body, options));
+    }
+  }
+  return duties;
+}
+
+// What is to be known before the numbers are used.
+void warn(const Options& options, const std::vector<cli::Joint>& joints,
+          const std::vector<JointDuty>& duties) {
+  warn_of_coefficients(options);
+  for (const JointDuty& duty : duties) warn_of_wear(duty);
+  cli::warn_of_validity("hinge-duty", joints);
+  warn_of_cycle(duties[0].cycle);
+  for (const JointDuty& duty : duties) {
+    warn_of_contact(duty);
+    warn_of_walls(duty);
+  }
+}
+
+void write_tables(const Options& options, const std::vector<cli::Joint>& joints,
+                  const std::vector<JointDuty>& duties) {
+  std::vector<cli::Report> reports;
+  for (const JointDuty& duty : duties) {
+    reports.push_back(summary_of(duty, measured_wear(options)));
+  }
+  cli::Output output(options.output.output);
+  write_reports(joints, reports, output, options.output);
+  std::deque<cli::Output> beside;  // all whole before the first appears
+  for (const auto& [file, write] : {std::pair(&options.states, &write_states),
+                                    {&options.blocks, &write_blocks},
+                                    {&options.map, &write_map}}) {
+    if (file->empty()) continue;
+    write(duties, beside.emplace_back(*file), options.output);
+  }
+  for (cli::Output& table : beside) table.commit();
+  output.commit();
+}
+
 }  // namespace
 
 cli::ExitStatus run(const Options& options) {
   check_files(options);
-  const cli::Joint joint = make_joint(options.joint);
-  const contact::Joint friction(joint.contact(
-      make_friction(options.friction, joint.spec.friction, options.joint)));
-  const JointCycle cycle(read_cycle(options, friction.is_pin()), friction);
-  std::vector<BodyWear> wear;
-  if (wants_wear(options)) {
-    for (const JointBody body : {JointBody::carrier, JointBody::body}) {
-      wear.push_back(wear_of(cycle, body, options));
-    }
-  }
-  const auto worn = worn_states(options, cycle);
-  warn_of_wear(options, cycle, wear);
-  cli::warn_of_validity("hinge-duty", {joint});
-  warn_of_cycle(cycle);
-  warn_of_walls(joint, worn);
-
-  cli::Output output(options.output.output);
-  std::optional<cli::Output> states;
-  std::optional<cli::Output> map;
-  std::optional<cli::Output> blocks;
-  write_summary(cycle, wear, measured_wear(options), worn, output,
-                options.output);
-  if (!options.states.empty()) {
-    states.emplace(options.states);
-    write_states(cycle, *states, options.output);
-  }
-  if (!options.map.empty()) {
-    map.emplace(options.map);
-    write_map(wear, friction.is_pin(), *map, options.output);
-  }
-  if (!options.blocks.empty()) {
-    blocks.emplace(options.blocks);
-    write_blocks(worn, *blocks, options.output);
-  }
-  if (states) states->commit();
-  if (blocks) blocks->commit();
-  if (map) map->commit();
-  output.commit();
+  const std::vector<cli::Joint> joints = make_joints(options.joint);
+  check_one_kind(joints);
+  check_pictures(options, joints.size());
+  std::vector<JointDuty> duties = run_joints(options, joints);
+  for (JointDuty& duty : duties) duty.worn = worn_states(options, duty);
+  warn(options, joints, duties);
+  write_tables(options, joints, duties);
+  const JointDuty& duty = duties[0];
   cli::ExitStatus status = cli::all_good;
   if (const std::string& plot = options.output.plot; !plot.empty()) {
-    status =
-        cli::drawn("hinge-duty", draw_cycle(cycle, joint.title, plot), status);
+    status = cli::drawn("hinge-duty",
+                        draw_cycle(duty.cycle, duty.joint.title, plot), status);
   }
   if (const std::string& plot = options.map_plot; !plot.empty()) {
-    status = cli::drawn("hinge-duty", draw_map(cycle, wear, joint.title, plot),
+    status = cli::drawn("hinge-duty",
+                        draw_map(duty.cycle, duty.wear, duty.joint.title, plot),
                         status);
   }
   return status;

@@ -6,7 +6,6 @@
 #include <string_view>
 #include <utility>
 
-#include "cli/stream/report.hpp"
 #include "libcontact/quantities/tables.hpp"
 #include "programs/duty/tables.hpp"
 
@@ -117,24 +116,22 @@ void add_measured(const MeasuredWear& measured, double pv_integral,
 
 }  // namespace
 
-void write_summary(const JointCycle& cycle, const std::vector<BodyWear>& wear,
-                   const std::optional<MeasuredWear>& measured,
-                   const std::vector<contact::WearIn::State>& worn,
-                   cli::Output& output, const cli::TableStyle& style) {
+cli::Report summary_of(const JointDuty& duty,
+                       const std::optional<MeasuredWear>& measured) {
   Report report({"at_time_s", "x", "y", "z"});
-  for (const auto& q : contact::cycle_quantities()) report.add(q, cycle);
+  for (const auto& q : contact::cycle_quantities()) report.add(q, duty.cycle);
   const double pv_integral = report.number("pv_integral_J");
-  add_peaks(cycle, report);
-  for (const BodyWear& w : wear) add_wear(w, pv_integral, report);
+  add_peaks(duty.cycle, report);
+  for (const BodyWear& w : duty.wear) add_wear(w, pv_integral, report);
   if (measured) add_measured(*measured, pv_integral, report);
-  if (!worn.empty()) {
+  if (!duty.worn.empty()) {
     for (const auto& column : worn_columns()) {
       report.add(
           column.name.starts_with("worn") ? column.name : "worn_" + column.name,
-          column(worn.back()), column.meaning);
+          column(duty.worn.back()), column.meaning);
     }
   }
-  report.write(output, style);
+  return report;
 }
 
 }  // namespace hinge_duty

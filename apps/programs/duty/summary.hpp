@@ -1,13 +1,9 @@
 #pragma once
 
 #include <optional>
-#include <vector>
 
-#include "cli/output.hpp"
-#include "cli/table.hpp"
-#include "libcontact/duty/joint_cycle.hpp"
-#include "libcontact/duty/wear_in.hpp"
-#include "programs/duty/body_wear.hpp"
+#include "cli/stream/report.hpp"
+#include "programs/duty/joint_duty.hpp"
 
 namespace hinge_duty {
 
@@ -20,11 +16,7 @@ struct MeasuredWear {
 
 /// A line for each quantity of the cycle.
 /// @param measured  for k, if there is one
-/// @param worn      of wear_in(); may be empty
-void write_summary(const contact::JointCycle& cycle,
-                   const std::vector<BodyWear>& wear,
-                   const std::optional<MeasuredWear>& measured,
-                   const std::vector<contact::WearIn::State>& worn,
-                   cli::Output& output, const cli::TableStyle& style);
+cli::Report summary_of(const JointDuty& duty,
+                       const std::optional<MeasuredWear>& measured);
 
 }  // namespace hinge_duty

@@ -74,10 +74,20 @@ std::vector<std::string> names_of(const Columns& columns) {
   return names;
 }
 
-// Those of a run's other tables.
-cli::TableStyle with_all_columns(cli::TableStyle style) {
-  style.columns.clear();
-  return style;
+// Rows of all joints, each begun by the cells that tell its joint.
+// @param write  void(const JointDuty&, RowWriter&, begin): calls begin() first
+template <class Write>
+void write_rows(const std::vector<JointDuty>& duties,
+                const std::vector<std::string>& columns, cli::Output& output,
+                const cli::TableStyle& style, const Write& write) {
+  cli::write_table(
+      style.beside(), cli::joint_columns({duties[0].joint}, {columns}), output,
+      [&](cli::RowWriter& to) {
+        for (const JointDuty& duty : duties) {
+          write(duty, to,
+                [&] { write_differences(duty.joint.differences, to); });
+        }
+      });
 }
 
 }  // namespace
@@ -97,60 +107,62 @@ std::vector<Column<contact::WearIn::State>> worn_columns() {
   return all;
 }
 
-void write_blocks(const std::vector<contact::WearIn::State>& worn,
-                  cli::Output& output, cli::TableStyle style) {
+void write_blocks(const std::vector<JointDuty>& duties, cli::Output& output,
+                  const cli::TableStyle& style) {
   const auto columns = worn_columns();
-  cli::write_table(with_all_columns(std::move(style)), names_of(columns),
-                   output, [&](cli::RowWriter& to) {
-                     for (const contact::WearIn::State& state : worn) {
-                       for (const auto& column : columns) {
-                         to.number(column(state));
-                       }
-                       to.end();
-                     }
-                   });
+  write_rows(duties, names_of(columns), output, style,
+             [&](const JointDuty& duty, cli::RowWriter& to, const auto& begin) {
+               for (const contact::WearIn::State& state : duty.worn) {
+                 begin();
+                 for (const auto& column : columns) to.number(column(state));
+                 to.end();
+               }
+             });
 }
 
-void write_states(const contact::JointCycle& cycle, cli::Output& output,
-                  cli::TableStyle style) {
+void write_states(const std::vector<JointDuty>& duties, cli::Output& output,
+                  const cli::TableStyle& style) {
   const auto columns = state_columns();
-  cli::write_table(with_all_columns(std::move(style)), names_of(columns),
-                   output, [&](cli::RowWriter& to) {
-                     for (const Instant& i : cycle.rows()) {
-                       const Rating rating = cycle.sliding(i).rating();
-                       for (const StateColumn& column : columns) {
-                         to.number(column.of({i, rating}) + 0.0);  // no -0
-                       }
-                       to.end();
-                     }
-                   });
+  write_rows(duties, names_of(columns), output, style,
+             [&](const JointDuty& duty, cli::RowWriter& to, const auto& begin) {
+               for (const Instant& i : duty.cycle.rows()) {
+                 const Rating rating = duty.cycle.sliding(i).rating();
+                 begin();
+                 for (const StateColumn& column : columns) {
+                   to.number(column.of({i, rating}) + 0.0);  // no -0
+                 }
+                 to.end();
+               }
+             });
 }
 
-void write_map(const std::vector<BodyWear>& wear, bool is_pin,
-               cli::Output& output, cli::TableStyle style) {
+void write_map(const std::vector<JointDuty>& duties, cli::Output& output,
+               const cli::TableStyle& style) {
+  const bool is_pin = duties[0].joint.is_pin();
   std::vector<std::string> columns = {"body", "beta_deg"};
   if (!is_pin) columns = {"body", "x", "y", "z"};
   columns.insert(columns.end(),
                  {"pv_integral_Pa_m", "depth_mm", "cross_shear"});
-  cli::write_table(with_all_columns(std::move(style)), columns, output,
-                   [&](cli::RowWriter& to) {
-                     for (const BodyWear& w : wear) {
-                       for (std::size_t i = 0; i < w.points.size(); ++i) {
-                         if (w.wear[i].pv == 0) continue;
-                         const Vector3d& point = w.points[i];
-                         to.text(w.body);
-                         if (is_pin) {
-                           to.number(std::atan2(point.y(), point.x()) / degree);
-                         } else {
-                           for (const double x : point) to.number(x);
-                         }
-                         to.number(w.wear[i].pv);
-                         to.number(w.depth(w.wear[i]));
-                         to.number(w.wear[i].cross_shear);
-                         to.end();
-                       }
-                     }
-                   });
+  write_rows(duties, columns, output, style,
+             [&](const JointDuty& duty, cli::RowWriter& to, const auto& begin) {
+               for (const BodyWear& w : duty.wear) {
+                 for (std::size_t i = 0; i < w.points.size(); ++i) {
+                   if (w.wear[i].pv == 0) continue;
+                   const Vector3d& point = w.points[i];
+                   begin();
+                   to.text(w.body);
+                   if (is_pin) {
+                     to.number(std::atan2(point.y(), point.x()) / degree);
+                   } else {
+                     for (const double x : point) to.number(x);
+                   }
+                   to.number(w.wear[i].pv);
+                   to.number(w.depth(w.wear[i]));
+                   to.number(w.wear[i].cross_shear);
+                   to.end();
+                 }
+               }
+             });
 }
 
 }  // namespace hinge_duty

@@ -9,6 +9,9 @@
 
 #include "cli/gnuplot.hpp"
 #include "cli/number.hpp"
+#include "cli/picture/axis.hpp"
+#include "cli/picture/canvas.hpp"
+#include "cli/picture/text_size.hpp"
 #include "libcontact/base/units.hpp"
 #include "programs/identify/report.hpp"
 
@@ -101,51 +104,109 @@ std::string curve(const FrictionFit& fit, const Range& loads, double b_deg,
   return text;
 }
 
-std::string upper_panel(const FrictionFit& fit,
-                        std::span<const MeasuredMoment> data, double level) {
-  const double radius = fit.joint->geometry().radius();
-  const Range loads = range(data, load);
-  const std::vector<double> all = directions(fit, data);
-  std::string script;
-  std::string bands;
-  std::string lines;
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    script += fmt::format("$fit{} << END\n{}END\n", i,
-                          curve(fit, loads, all[i], level, radius));
-    bands += fmt::format(
-        "$fit{0} using 1:3:4 with filledcurves lt {1} fs transparent solid "
-        "0.25 notitle, ",
-        i, i + 1);
-    lines += fmt::format(
-        "$fit{} using 1:2 with lines lt {} title 'fit{}', ", i, i + 1,
-        all.size() == 1 ? "" : fmt::format(", β = {}°", all[i]));
-  }
-  return script + fmt::format(
-                      "set xrange [{}:{}]\nplot {}{}$data using 1:4:5 with "
-                      "yerrorbars lc rgb '#333333' lw 1 pt 7 ps 0.35 title "
-                      "'measured'\n",
-                      cli::number_text(0.95 * loads.low),
-                      cli::number_text(1.05 * loads.high), bands, lines);
-}
-
-// Some more, so that points are not on the frame.
-Range wider(const Range& values) {
+// Values of a panel's x axis, with some room, so that points are not on the
+// frame.
+cli::Extent wider(const cli::Extent& values, bool logarithmic) {
+  if (logarithmic) return {0.95 * values.low, 1.05 * values.high};
   const double margin = values.high > values.low
                             ? 0.05 * (values.high - values.low)
                             : 0.5 * std::max(values.high, 1.0);
   return {values.low - margin, values.high + margin};
 }
 
-// The panel of residuals over a column.
-std::string residual_panel(int column, const Range& values, const char* label,
-                           double left, double right) {
-  return fmt::format(
-      "set lmargin at screen {:.3f}\nset rmargin at screen {:.3f}\n"
-      "set xlabel {}\nset xrange [{}:{}]\n"
-      "plot 0 lt 7 lw 1 notitle, $residual using {}:4 with points lt 1 pt 7 ps "
-      "0.35 notitle\nset ylabel ''\nset format y ''\n",
-      left, right, cli::gnuplot_text(label), cli::number_text(values.low),
-      cli::number_text(values.high), column);
+// A panel of the picture: its place, and its axes.
+struct Panel {
+  cli::Box box;
+  cli::Axis x;
+  cli::Ticks across;
+  cli::Prefix prefix = {};
+
+  Panel(const cli::Box& place, cli::Axis axis, const cli::Extent& values)
+      : box(place), x(std::move(axis)) {
+    const cli::Extent shown = wider(values, x.logarithmic);
+    prefix = prefix_of(x, shown);
+    across =
+        ticks_of(x, {prefix.factor * shown.low, prefix.factor * shown.high},
+                 cli::Run::across, box.width(), false);
+  }
+  // All but the plot itself.
+  std::string script(const cli::Canvas& canvas) const {
+    return canvas.margins(box) + across.script("x") +
+           (x.logarithmic ? "set logscale x\n" : "unset logscale x\n") +
+           canvas.text((box.left + box.right) / 2,
+                       box.bottom + cli::under_axis - cli::line_step / 2,
+                       label_of(x, prefix));
+  }
+};
+
+struct Fitted {
+  std::string data;
+  std::string plot;
+  std::vector<cli::LegendEntry> legend;
+};
+Fitted fitted(const FrictionFit& fit, std::span<const MeasuredMoment> data,
+              double level) {
+  const double radius = fit.joint->geometry().radius();
+  const Range loads = range(data, load);
+  const std::vector<double> all = directions(fit, data);
+  Fitted to;
+  std::string lines;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    to.data += fmt::format("$fit{} << END\n{}END\n", i,
+                           curve(fit, loads, all[i], level, radius));
+    to.plot += fmt::format(
+        "$fit{0} using ($1*k):3:4 with filledcurves lt {1} fs transparent "
+        "solid 0.25, ",
+        i, i + 1);
+    lines += fmt::format("$fit{} using ($1*k):2 with lines lt {}, ", i, i + 1);
+    to.legend.push_back(
+        {"fit" + (all.size() == 1 ? "" : fmt::format(", β = {}°", all[i])),
+         fmt::format("lt {}", i + 1)});
+  }
+  constexpr const char* point = "lc rgb '#333333' lw 1 pt 7 ps 0.35";
+  to.plot +=
+      fmt::format("{}$data using ($1*k):4:5 with yerrorbars {}", lines, point);
+  to.legend.push_back(
+      {"measured", "lc rgb '#333333' lw 1", "pt 7 ps 0.35 lc rgb '#333333'"});
+  return to;
+}
+
+// Of the moments with their errors over rho R.
+cli::Extent moments(std::span<const MeasuredMoment> data, double radius) {
+  std::vector<double> all;
+  for (const MeasuredMoment& d : data) {
+    const double unit = radius * load(d);
+    all.push_back((torque(d) - d.sigma) / unit);
+    all.push_back((torque(d) + d.sigma) / unit);
+  }
+  return cli::extent_of(all, false);
+}
+
+// The residuals over load, direction and rate, side by side in a box.
+std::string residual_panels(const cli::Canvas& canvas, const cli::Box& box,
+                            const cli::Ticks& residuals,
+                            std::span<const MeasuredMoment> data) {
+  constexpr double gap = 2.2;  // of numbers at the ends of neighbours
+  const double width = (box.width() - 2 * gap) / 3;
+  struct Over {
+    cli::Axis axis;
+    Range values;
+  };
+  const Over panels[] = {{{"R", "N", true}, range(data, load)},
+                         {{"β", "deg"}, range(data, direction_deg)},
+                         {{"|Δω|", "rad/s"}, range(data, rate)}};
+  std::string script;
+  for (int i = 0; i < 3; ++i) {
+    const double left = box.left + i * (width + gap);
+    const Panel panel({left, left + width, box.top, box.bottom}, panels[i].axis,
+                      {panels[i].values.low, panels[i].values.high});
+    script += panel.script(canvas) + residuals.script("y", i == 0) +
+              fmt::format(
+                  "plot 0 lt 7 lw 1, $residual using (${}*{}):4 with points lt "
+                  "1 pt 7 ps 0.35\nunset label\n",
+                  i + 1, cli::number_text(panel.prefix.factor));
+  }
+  return script;
 }
 
 }  // namespace
@@ -156,29 +217,39 @@ std::string draw_fit(const std::string& title, const FrictionFit& fit,
   if (fit.status != contact::Status::ok) {
     return fmt::format("no picture {}: the fit has not converged", file);
   }
+  const double radius = fit.joint->geometry().radius();
+  const Fitted curves = fitted(fit, data, level);
+  const cli::Canvas canvas(title, curves.legend);
+  const cli::Box& room = canvas.room();
+  const double height = room.height() - 2 * cli::under_axis - 2;
+  const cli::Box above{0, 0, room.top + 0.7, room.top + 0.7 + 0.6 * height};
+  const cli::Box below{0, 0, above.bottom + cli::under_axis + 0.7,
+                       room.bottom - cli::under_axis};
+  const std::vector<double> residuals(fit.residual.begin(), fit.residual.end());
+  const cli::Ticks upper =
+      ticks_of({}, moments(data, radius), cli::Run::up, above.height(), true);
+  const cli::Ticks lower = ticks_of({}, cli::extent_of(residuals, false),
+                                    cli::Run::up, below.height(), true);
+  constexpr const char* moment_label = "moment about Δω over ρR";
+  const double labels = cli::Canvas::upward_width(above.height(), moment_label);
+  const double left = room.left + cli::beside_axis +
+                      std::max(upper.width(), lower.width()) + labels;
+  const double right = room.right - 1;
+  const Panel panel({left, right, above.top, above.bottom},
+                    {"reaction R", "N", true},
+                    {range(data, load).low, range(data, load).high});
+  const double label_at = room.left + labels - cli::line_step / 2;
   std::string script =
-      data_blocks(fit, data, fit.joint->geometry().radius()) +
-      fmt::format(
-          "set title {}\nset multiplot\nset lmargin at screen 0.13\n"
-          "set rmargin at screen 0.78\nset tmargin at screen 0.90\n"
-          "set bmargin at screen 0.56\nset logscale x\n"
-          "set xlabel 'reaction R, N' offset 0,0.5\n"
-          "set ylabel 'moment about Δω over ρR'\n",
-          cli::gnuplot_text(title));
-  script += upper_panel(fit, data, level);
-  script +=
-      "unset title\nset tmargin at screen 0.40\nset bmargin at screen 0.16\n"
-      "set ylabel 'residual, σ'\n";
-  script += "set xtics auto\n";
-  const Range loads = range(data, load);
-  script += residual_panel(1, {0.85 * loads.low, 1.15 * loads.high}, "R, N",
-                           0.13, 0.38);
-  script += "unset logscale x\n";
-  script += residual_panel(2, wider(range(data, direction_deg)), "β, deg", 0.42,
-                           0.67);
-  script +=
-      residual_panel(3, wider(range(data, rate)), "|Δω|, rad/s", 0.71, 0.96);
-  return cli::draw_script(script + "unset multiplot\n", file);
+      data_blocks(fit, data, radius) + curves.data + canvas.script() +
+      fmt::format("k = {}\n", cli::number_text(panel.prefix.factor)) +
+      "unset key\nset multiplot\n" + std::string(cli::tick_style) +
+      panel.script(canvas) + upper.script("y") +
+      canvas.upward(label_at, above, moment_label) + "plot " + curves.plot +
+      "\nunset label\nunset arrow\n" +
+      canvas.upward(label_at, below, "residual, σ") +
+      residual_panels(canvas, {left, right, below.top, below.bottom}, lower,
+                      data);
+  return cli::draw_script(script + "unset multiplot\n", file, canvas.stretch());
 }
 
 }  // namespace hinge_identify

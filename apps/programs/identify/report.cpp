@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cli/stream/report.hpp"
 #include "libcontact/base/units.hpp"
 #include "libcontact/quantities/fit.hpp"
 
@@ -19,18 +18,8 @@ using contact::FrictionFit;
 using contact::FrictionParameter;
 using contact::MeasuredMoment;
 
-struct Parameter {
-  std::string_view column;
-  std::string_view name;
-  std::string_view meaning;
-};
-constexpr Parameter parameters[] = {
-    {"f0", "f0", "friction coefficient at high pressure"},
-    {"A_Pa", "A", "adhesion"},
-    {"radial_clearance_m", "clearance", "difference of the radii"}};
-
-const Parameter& of(FrictionParameter parameter) {
-  return parameters[static_cast<std::size_t>(parameter)];
+const contact::FitParameter& of(FrictionParameter parameter) {
+  return contact::fit_parameter(parameter);
 }
 
 // Standard error, interval and, if there is one, that of the profile.
@@ -53,7 +42,7 @@ void add_correlations(const FrictionFit& fit, cli::Report& to) {
 
 void add_lines(const FrictionFit& fit, bool profile, cli::Report& to) {
   for (std::size_t i = 0; i < fit.estimates.size(); ++i) {
-    const Parameter& p = of(fit.parameters[i]);
+    const contact::FitParameter& p = of(fit.parameters[i]);
     const Estimate& e = fit.estimates[i];
     to.add(p.column, e.value, p.meaning, errors(e, profile));
   }
@@ -113,6 +102,28 @@ void add_unknown_ends(const FrictionFit& fit, std::vector<std::string>& to) {
   }
 }
 
+void write_residuals_of(const cli::Joint& joint, const FrictionFit& fit,
+                        std::span<const MeasuredMoment> data,
+                        cli::RowWriter& row) {
+  constexpr std::string_view axes[] = {"x", "y", "z"};
+  Eigen::Index at = 0;
+  for (std::size_t i = 0; i < data.size(); ++i) {
+    for (int component = 0; component < data[i].size(); ++component, ++at) {
+      write_differences(joint.differences, row);
+      row.count(i + 1);
+      row.text(data[i].is_vector() ? axes[component] : "about_rate");
+      for (const double x :
+           {data[i].reaction.norm(), direction_deg(data[i]),
+            data[i].angular_velocity.norm(), measured(data[i], component),
+            data[i].sigma, fit.moment[at], fit.moment_error[at],
+            fit.residual[at], fit.weight[at]}) {
+        row.number(x);
+      }
+      row.end();
+    }
+  }
+}
+
 }  // namespace
 
 std::string_view column_of(FrictionParameter parameter) {
@@ -125,48 +136,28 @@ double direction_deg(const MeasuredMoment& datum) {
          contact::degree;
 }
 
-void write_report(const FrictionFit& fit, bool profile,
-                  const cli::OutputOptions& options) {
+cli::Report report_of(const FrictionFit& fit, bool profile) {
   std::vector<std::string> beside = {"standard_error", "low", "high"};
   if (profile) beside.insert(beside.end(), {"profile_low", "profile_high"});
-  cli::Output output(options.output);
   cli::Report report(beside);
   add_lines(fit, profile, report);
-  report.write(output, options);
-  output.commit();
+  return report;
 }
 
-void write_residuals(const FrictionFit& fit,
-                     std::span<const MeasuredMoment> data,
-                     const std::string& file,
-                     const cli::OutputOptions& options) {
-  cli::TableStyle style = options;
-  style.format = cli::Format::csv;
-  style.columns = {};
+void write_residuals(const std::vector<cli::Joint>& joints,
+                     const std::vector<FrictionFit>& fits,
+                     std::span<const MeasuredMoment> data, cli::Output& output,
+                     const cli::TableStyle& style) {
   const std::vector<std::string> columns = {
       "datum",          "component",    "R_N",       "b_deg",
       "rate_rad_per_s", "measured_N_m", "sigma_N_m", "fit_N_m",
       "fit_error_N_m",  "residual",     "weight"};
-  cli::Output output(file);
-  cli::write_table(style, columns, output, [&](cli::RowWriter& row) {
-    Eigen::Index at = 0;
-    for (std::size_t i = 0; i < data.size(); ++i) {
-      for (int component = 0; component < data[i].size(); ++component, ++at) {
-        row.count(i + 1);
-        constexpr std::string_view axes[] = {"x", "y", "z"};
-        row.text(data[i].is_vector() ? axes[component] : "about_rate");
-        for (const double x :
-             {data[i].reaction.norm(), direction_deg(data[i]),
-              data[i].angular_velocity.norm(), measured(data[i], component),
-              data[i].sigma, fit.moment[at], fit.moment_error[at],
-              fit.residual[at], fit.weight[at]}) {
-          row.number(x);
-        }
-        row.end();
-      }
-    }
-  });
-  output.commit();
+  cli::write_table(style.beside(), joint_columns(joints, {columns}), output,
+                   [&](cli::RowWriter& row) {
+                     for (std::size_t i = 0; i < joints.size(); ++i) {
+                       write_residuals_of(joints[i], fits[i], data, row);
+                     }
+                   });
 }
 
 std::vector<std::string> warnings(const FrictionFit& fit,
@@ -198,12 +189,12 @@ std::vector<std::string> warnings(const FrictionFit& fit,
     all.push_back(std::move(text));
   }
   if (options.profile) add_unknown_ends(fit, all);
-  const contact::ContactLimits limits(fit.joint->half_angle_law(),
-                                      fit.joint->pair());
+  const contact::ContactLimits limits = fit.joint->limits();
   for (std::string& note : limits.notes(fit.largest_contact)) {
     all.push_back(std::move(note));
   }
-  if (clearance) {
+  // With a plateau up to lift-off it is well known.
+  if (clearance && fit.joint->geometry().radial_clearance() > 0) {
     all.emplace_back(
         "a fitted clearance is badly known and its interval is skew: take "
         "that of --profile, or measure it");

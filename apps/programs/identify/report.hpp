@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/program.hpp"
+#include "cli/joint/joint_reports.hpp"
 #include "libcontact/identify/identify.hpp"
 
 namespace hinge_identify {
@@ -12,16 +12,14 @@ namespace hinge_identify {
 /// "f0", "A_Pa", "radial_clearance_m".
 std::string_view column_of(contact::FrictionParameter parameter);
 
-/// The table: a row for each parameter and each number that says how well they
-/// are known.
-void write_report(const contact::FrictionFit& fit, bool profile,
-                  const cli::OutputOptions& options);
+/// A line for each parameter and each number that says how well they are known.
+cli::Report report_of(const contact::FrictionFit& fit, bool profile);
 
-/// A row for each number that was measured.
-void write_residuals(const contact::FrictionFit& fit,
+/// A row for each joint and number that was measured.
+void write_residuals(const std::vector<cli::Joint>& joints,
+                     const std::vector<contact::FrictionFit>& fits,
                      std::span<const contact::MeasuredMoment> data,
-                     const std::string& file,
-                     const cli::OutputOptions& options);
+                     cli::Output& output, const cli::TableStyle& style);
 
 /// What the data cannot tell, and what does not fit.
 std::vector<std::string> warnings(const contact::FrictionFit& fit,

@@ -65,33 +65,65 @@ contact::FrictionModel given_friction(
   return law;
 }
 
+// The fits are whole before anything is written.
+void write_tables(const Options& options, const std::vector<cli::Joint>& joints,
+                  const std::vector<contact::FrictionFit>& fits,
+                  std::span<const contact::MeasuredMoment> data) {
+  std::vector<cli::Report> reports;
+  for (const contact::FrictionFit& fit : fits) {
+    reports.push_back(report_of(fit, options.profile));
+  }
+  cli::Output output(options.output.output);
+  write_reports(joints, reports, output, options.output);
+  if (!options.residuals.empty()) {
+    cli::Output residuals(options.residuals);
+    write_residuals(joints, fits, data, residuals, options.output);
+    residuals.commit();
+  }
+  output.commit();
+}
+
 }  // namespace
 
 cli::ExitStatus run(const Options& options) {
   names_of(options.output).add("--residuals", options.residuals);
-  const cli::Joint joint = make_joint(options.joint);
-  const contact::IdentifyOptions identify = identify_options(options);
-  const contact::JointContact contact =
-      joint.contact(given_friction(options, joint, identify.parameters));
-  const auto data = read_data(options, joint.is_pin());
-  const contact::FrictionFit fit = identify_friction(contact, data, identify);
-  cli::warn_of_validity(program, {joint});
-  for (const std::string& text : warnings(fit, data, identify)) {
-    cli::warn(program, text);
-  }
-  if (!options.residuals.empty()) {
-    write_residuals(fit, data, options.residuals, options.output);
-  }
-  write_report(fit, identify.profile, options.output);
-  cli::ExitStatus status = cli::all_good;
-  if (fit.status != contact::Status::ok) {
-    cli::warn(program, "the fit has not converged");
-    status = cli::some_bad;
-  }
+  const std::vector<cli::Joint> joints = make_joints(options.joint);
+  check_one_kind(joints);
   const std::string& plot = options.output.plot;
+  if (!plot.empty() && joints.size() > 1) {
+    cli::refuse_without("--plot", "one joint");
+  }
+  const contact::IdentifyOptions identify = identify_options(options);
+  std::vector<contact::JointContact> contacts;
+  for (const cli::Joint& joint : joints) {
+    contacts.push_back(made_of(joint, [&] {
+      return joint.contact(given_friction(options, joint, identify.parameters));
+    }));
+  }
+  const auto data = read_data(options, joints[0].is_pin());
+  std::vector<contact::FrictionFit> fits;
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    fits.push_back(made_of(joints[i], [&] {
+      return identify_friction(contacts[i], data, identify);
+    }));
+  }
+  cli::warn_of_validity(program, joints);
+  cli::ExitStatus status = cli::all_good;
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    std::vector<std::string> notes = warnings(fits[i], data, identify);
+    if (fits[i].status != contact::Status::ok) {
+      notes.emplace_back("the fit has not converged");
+      status = cli::some_bad;
+    }
+    for (const std::string& text : notes) {
+      cli::warn(program, said_of(joints[i], text));
+    }
+  }
+  write_tables(options, joints, fits, data);
   if (plot.empty()) return status;
   return cli::drawn(
-      program, draw_fit(joint.title, fit, data, identify.level, plot), status);
+      program, draw_fit(joints[0].title, fits[0], data, identify.level, plot),
+      status);
 }
 
 }  // namespace hinge_identify

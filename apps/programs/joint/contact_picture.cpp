@@ -10,6 +10,8 @@
 
 #include "cli/gnuplot.hpp"
 #include "cli/number.hpp"
+#include "cli/picture/axis.hpp"
+#include "cli/picture/canvas.hpp"
 #include "cli/plot.hpp"
 #include "cli/sphere_view.hpp"
 #include "libcontact/base/units.hpp"
@@ -124,42 +126,52 @@ std::string draw_ball(const SlidingContact& contact, double half_angle,
     std::string over;  // what is drawn over the dots
     std::string plot;
   };
-  const auto peak_title = [](const char* name, const Peak& peak) {
-    return fmt::format("{}: {:.3g} at {:.3g}°", name, peak.value / mega,
-                       peak.theta / degree + 0.0);
+  const auto peak_title = [](const char* name, const Peak& peak,
+                             const char* unit) {
+    return fmt::format("{}: {:.3g} {} at {:.3g}°", name, peak.value / mega,
+                       unit, peak.theta / degree + 0.0);
   };
   const std::array<Panel, 3> panels = {
-      Panel{peak_title("p, MPa", p), p.value / mega, mark(p, view), ""},
-      Panel{peak_title("p v, MPa m/s", pv), pv.value / mega, mark(pv, view),
+      Panel{peak_title("p", p, "MPa"), p.value / mega, mark(p, view), ""},
+      Panel{peak_title("p v", pv, "MPa m/s"), pv.value / mega, mark(pv, view),
             ""},
-      Panel{fmt::format("slip, m/s: to {:.3g}", slip), slip, "",
+      Panel{fmt::format("slip: to {:.3g} m/s", slip), slip, "",
             ", $slip using 1:2:3:4 with vectors head filled size graph "
             "0.03,20 lw 1 lc rgb 'white'"}};
+  const cli::Canvas canvas(title);
+  const cli::Box& room = canvas.room();
+  const double width = room.width() / 3;
+  double titles = 0;
+  for (const Panel& panel : panels) {
+    titles = std::max(
+        titles, cli::Canvas::above_height({0, width - 1, 0, 0}, panel.title));
+  }
   std::string script =
       dots(contact, half_angle, view) +
       arrows(contact, half_angle, view, slip) +
       fmt::format(
-          "set multiplot title {0} offset 0,-0.5\nunset border\nunset tics\n"
+          "set multiplot\nunset border\nunset xtics\nunset ytics\n"
           "unset key\nunset grid\nset size ratio -1\n"
-          "set xrange [-{1}:{1}]\nset yrange [-{1}:{1}]\n"
-          "set tmargin at screen 0.78\nset bmargin at screen 0.24\n"
-          "set format cb '%.3g'\n",
-          cli::gnuplot_text(title), cli::number_text(view.radius));
+          "set xrange [-{0}:{0}]\nset yrange [-{0}:{0}]\n",
+          cli::number_text(view.radius)) +
+      canvas.script();
   for (int n = 0; n < 3; ++n) {
     const Panel& panel = panels[n];
-    const double left = 0.02 + 0.325 * n;
+    const double left = room.left + n * width + 0.5;
+    const cli::Box box{left, left + width - 1, room.top + titles + 0.5,
+                       room.bottom - 5};
+    const cli::Box colours{left + 1, left + width - 2, room.bottom - 3.5,
+                           room.bottom - 2.7};
+    const cli::Ticks ticks = cli::ticks_of(
+        {}, {0, panel.largest}, cli::Run::across, colours.width(), false);
     script += view.axis_labels() + view.circles() + panel.over +
+              canvas.margins(box) + canvas.above(box, panel.title) +
+              ticks.script("cb") + "set colorbox horizontal\n" +
+              canvas.colour_box(colours) +
               fmt::format(
-                  "set lmargin at screen {0}\nset rmargin at screen {1}\n"
-                  "set title {2} font ',15'\nset cbrange [0:{3}]\n"
-                  "set cbtics 0,{4} font ',15'\n"
-                  "set colorbox horizontal user origin screen {5},0.17 size "
-                  "screen 0.25,0.03\nplot $map using 1:2:{6} with image{7}\n"
+                  "plot $map using 1:2:{} with image{}\n"
                   "unset label\nunset object\n",
-                  left, left + 0.31, cli::gnuplot_text(panel.title),
-                  cli::number_text(panel.largest),
-                  cli::number_text(panel.largest / 2), left + 0.03, n + 3,
-                  panel.plot);
+                  n + 3, panel.plot);
   }
   return cli::draw_script(script + "unset multiplot\n", file);
 }
@@ -170,16 +182,16 @@ std::string draw_pin(const SlidingContact& contact, double half_angle,
   const Vector3d along = contact.slip(centre).stableNormalized();
   cli::PanelPlot plot{
       .title = title,
-      .x_label = "angle from the contact's centre, the way the body slips, deg",
-      .x = {},
-      .panels = {{.label = "p", .unit = "Pa", .y = {}},
-                 {.label = "p v", .unit = "W/m²", .y = {}},
-                 {.label = "slip", .unit = "m/s", .y = {}}}};
+      .x = {"angle from the contact's centre, the way the body slips", "deg"},
+      .values = {},
+      .panels = {{.axis = {"p", "Pa"}, .y = {}},
+                 {.axis = {"p v", "W/m²"}, .y = {}},
+                 {.axis = {"slip", "m/s"}, .y = {}}}};
   constexpr int half = 200;  // points on each side
   for (int i = -half; i <= half; ++i) {
     const double theta = half_angle * i / half;
     const Vector3d place = std::cos(theta) * centre + std::sin(theta) * along;
-    plot.x.push_back(theta / degree);
+    plot.values.push_back(theta / degree);
     plot.panels[0].y.push_back(contact.pressure(place));
     plot.panels[1].y.push_back(contact.pv(place));
     plot.panels[2].y.push_back(contact.slip(place).norm());

@@ -11,6 +11,7 @@
 #include "libcontact/base/error.hpp"
 #include "libcontact/base/units.hpp"
 #include "libcontact/joint/fixed_point.hpp"
+#include "libcontact/quantities/tables.hpp"
 
 namespace hinge_joint {
 namespace {
@@ -77,9 +78,26 @@ class NumberTable {
   std::size_t count_ = 0;
 };
 
-const std::vector<std::string> step_columns = {
-    "step", "g_deg",          "a_deg",      "R_n_N",
-    "Abar", "load_parameter", "theta0_deg", "f"};
+// The keys of what both loops say of a contact, in order.
+constexpr const char* contact_keys[] = {"friction_angle", "slip_axis_angle",
+                                        "normal_force",   "adhesion_number",
+                                        "load_parameter", "half_angle"};
+
+void add_columns(std::span<const char* const> keys,
+                 std::vector<std::string>& to) {
+  for (const char* key : keys) {
+    const auto& q = *find_quantity(contact::solution_quantities(), key);
+    for (const auto& column : contact::columns_of(q)) to.push_back(column.name);
+  }
+}
+
+std::vector<std::string> step_columns() {
+  std::vector<std::string> names = {"step"};
+  add_columns(contact_keys, names);
+  constexpr const char* coefficient[] = {"force_coefficient"};
+  add_columns(coefficient, names);
+  return names;
+}
 
 std::vector<double> step_values(const FixedPointStep& step) {
   return {static_cast<double>(step.step), step.friction_angle / degree,
@@ -201,7 +219,7 @@ cli::ExitStatus write_trace(const NamedJoint& joint, const Input& input,
   const auto result =
       contact::fixed_point(joint.joint, {input.force, input.turn}, steps,
                            {.step_limit = step_limit});
-  NumberTable table(joint, step_columns, beside, options);
+  NumberTable table(joint, step_columns(), beside, options);
   for (int i = 0; i < result.steps; ++i) table.row(step_values(steps[i]), 1);
   table.finish();
   if (result.status == Status::ok) return cli::all_good;
@@ -214,14 +232,15 @@ cli::ExitStatus write_outer(const NamedJoint& joint, const Input& input,
   const bool inner = options.trace;
   std::vector<std::string> columns = {"round"};
   if (inner) {
-    columns.insert(columns.end(), step_columns.begin(), step_columns.end());
+    for (std::string& name : step_columns()) {
+      columns.push_back(std::move(name));
+    }
   } else {
     columns.emplace_back("M_N_m");
     if (options.braking) columns.emplace_back("braking_deg_per_s2");
-    for (const char* name : {"R_N", "R_x_N", "R_y_N", "R_z_N", "g_deg", "a_deg",
-                             "R_n_N", "Abar", "load_parameter", "theta0_deg"}) {
-      columns.emplace_back(name);
-    }
+    constexpr const char* reaction[] = {"reaction"};
+    add_columns(reaction, columns);
+    add_columns(contact_keys, columns);
   }
   NumberTable table(joint, columns, beside, options.output);
   OuterLoop loop(joint, input, options);

@@ -41,7 +41,7 @@ std::string help_with_columns() {
   constexpr std::string_view place = "%COLUMNS%\n";
   std::string columns;
   for (const auto& column :
-       hinge_joint::answer_columns(true, true, true, true)) {
+       hinge_joint::answer_columns(true, true, true, true, true)) {
     columns += column.meaning.empty()
                    ? fmt::format("  {}\n", column.name)
                    : fmt::format("  {:<19} {}\n", column.name, column.meaning);

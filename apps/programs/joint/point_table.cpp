@@ -84,9 +84,9 @@ void add(const Block& block, Problems& problems) {
 Problems write_rows(Points& points, const NamedJoint& joint,
                     const Options& options, PointSeries* series) {
   const cli::PointColumns& columns = points.columns();
-  const std::vector<AnswerColumn> shown =
-      answer_columns(points.question() == Question::rest,
-                     joint.approach.has_value(), false, options.pv);
+  const std::vector<AnswerColumn> shown = answer_columns(
+      points.question() == Question::rest, joint.approach.has_value(),
+      joint.has_preload(), false, options.pv);
   std::vector<std::string> names = solution_columns(joint, shown, {});
   const std::size_t cells = names.size();
   for (std::string& name : cli::distinct_names(columns.riding, names)) {

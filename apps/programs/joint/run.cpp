@@ -83,8 +83,7 @@ void warn_of_contacts(const Problems& problems, const Setup& setup) {
   std::set<std::string> notes;
   for (std::size_t i = 0; i < problems.largest.size(); ++i) {
     const contact::JointContact& contact = setup.joints[i].joint.contact();
-    const contact::ContactLimits limits(contact.half_angle_law(),
-                                        contact.pair());
+    const contact::ContactLimits limits = contact.limits();
     for (const std::string& note : limits.notes(problems.largest[i])) {
       notes.insert(fmt::format("law {}, pressure {}: {}", setup.joints[i].law,
                                setup.joints[i].pressure, note));

@@ -64,6 +64,11 @@ struct NamedJoint {
   std::vector<cli::Difference> differences = {};
   /// Whether p v and heat are wanted.
   bool pv = false;
+
+  /// Whether it is without clearance or has interference.
+  bool has_preload() const {
+    return joint.contact().geometry().radial_clearance() <= 0;
+  }
 };
 
 /// The joints that are asked for, all of one kind, each once for each pair of
@@ -80,6 +85,10 @@ struct Setup {
     return std::ranges::any_of(joints, [](const NamedJoint& joint) {
       return joint.approach.has_value();
     });
+  }
+  /// Whether any of them is without clearance or has interference.
+  bool has_preload() const {
+    return std::ranges::any_of(joints, &NamedJoint::has_preload);
   }
 };
 

@@ -93,8 +93,10 @@ double AnswerColumn::operator()(const Answer& a) const {
     solved = (*column)(a.rating);
   } else if (const auto* column = std::get_if<3>(&of)) {
     solved = (*column)(a.rest);
+  } else if (const auto* column = std::get_if<4>(&of)) {
+    solved = (*column)(a.approach);
   } else {
-    solved = std::get<4>(of)(a.approach);
+    solved = std::get<5>(of)(*a.patch);
   }
   const bool is_given =
       given && a.given && a.question == given_in && !std::isnan(solved);
@@ -112,7 +114,8 @@ Answer answer(const NamedJoint& named, Question question, const Input& input) {
            .nominal_pressure = nan,
            .coefficient = nan,
            .rating = {},
-           .approach = {nan, nan}};
+           .approach = {nan, nan},
+           .patch = {}};
   a.rest.utilisation = nan;
   switch (question) {
     case Question::reaction:
@@ -131,14 +134,17 @@ Answer answer(const NamedJoint& named, Question question, const Input& input) {
     }
   }
   const contact::JointSolution& s = a.solution();
+  a.patch.emplace(joint.contact(), s.normal_force, s.half_angle);
   if (named.approach) a.approach = (*named.approach)(s.half_angle);
   const double force = s.reaction.stableNorm();
   const contact::JointSolution traditional = joint.solve_contact(
       {.normal_force = s.reaction, .angular_velocity = a.rate});
   a.traditional = traditional.friction_moment.stableNorm();
-  a.mean_pressure = s.normal_force == 0 ? 0
-                                        : joint.contact().mean_pressure(
-                                              s.normal_force, s.half_angle);
+  const bool is_pressed =
+      s.normal_force != 0 || joint.contact().has_interference();
+  a.mean_pressure =
+      is_pressed ? joint.contact().mean_pressure(s.normal_force, s.half_angle)
+                 : 0;
   a.nominal_pressure = joint.contact().geometry().nominal_pressure(force);
   if (const auto* dry =
           std::get_if<contact::FrictionLaw>(&joint.contact().friction())) {
@@ -157,11 +163,25 @@ std::string_view state_text(const Answer& a) {
   return to_string(a.solution().state);
 }
 
-std::vector<AnswerColumn> answer_columns(bool rest, bool approach,
+std::string_view contact_state_text(const Answer& a) {
+  return to_string(a.solution().contact_state);
+}
+
+bool have_preload(std::span<const AnswerColumn> columns) {
+  return std::ranges::any_of(
+      columns, [](const AnswerColumn& c) { return c.of.index() == 5; });
+}
+
+std::vector<AnswerColumn> answer_columns(bool rest, bool approach, bool preload,
                                          bool friction, bool pv) {
   std::vector<AnswerColumn> all = solution_columns();
   if (approach) {
     for (const auto& quantity : contact::approach_quantities()) {
+      add(quantity, all);
+    }
+  }
+  if (preload) {
+    for (const auto& quantity : contact::preload_quantities()) {
       add(quantity, all);
     }
   }

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -30,6 +31,8 @@ struct Answer {
   contact::SlidingContact::Rating rating;
   /// Of the half-angle law exact, SI units; NaN of others.
   contact::ContactApproach approach;
+  /// Of the joint that answered; it must not outlive this.
+  std::optional<contact::ContactPatch> patch;
 
   const contact::JointSolution& solution() const { return rest.slip; }
 };
@@ -39,6 +42,9 @@ Answer answer(const NamedJoint& joint, Question question, const Input& input);
 /// "sliding", "resting", "unloaded"; of Question::rest "holds" or "slips".
 std::string_view state_text(const Answer& a);
 
+/// "closed", "lifted", "zero" or "clearance".
+std::string_view contact_state_text(const Answer& a);
+
 /// A number of an answer.
 struct AnswerColumn {
   std::string name;
@@ -46,7 +52,8 @@ struct AnswerColumn {
   std::variant<contact::Column<contact::JointSolution>, contact::Column<Answer>,
                contact::Column<contact::SlidingContact::Rating>,
                contact::Column<contact::RestSolution>,
-               contact::Column<contact::ContactApproach>>
+               contact::Column<contact::ContactApproach>,
+               contact::Column<contact::ContactPatch>>
       of;
   /// A force or an angle that was given is shown as it was given: what the
   /// solution says of it differs in the last digits, and rows would not be
@@ -60,9 +67,14 @@ struct AnswerColumn {
 /// All of them in the order of the columns.
 /// @param rest      with those of Question::rest
 /// @param approach  with those of the half-angle law exact
+/// @param preload   with those of joints without clearance
 /// @param friction  with f0
 /// @param pv        with those of NamedJoint::pv
-std::vector<AnswerColumn> answer_columns(bool rest, bool approach,
+std::vector<AnswerColumn> answer_columns(bool rest, bool approach, bool preload,
                                          bool friction, bool pv);
+
+/// Whether they are those of joints without clearance, with the word
+/// contact_state.
+bool have_preload(std::span<const AnswerColumn> columns);
 
 }  // namespace hinge_joint

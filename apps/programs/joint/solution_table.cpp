@@ -16,8 +16,8 @@ struct Block : cli::RowBlock {
 
 std::vector<AnswerColumn> columns_of(const Setup& setup, const Inputs& inputs) {
   return answer_columns(inputs.question() == Question::rest,
-                        setup.has_approach(), setup.friction_found,
-                        setup.joints[0].pv);
+                        setup.has_approach(), setup.has_preload(),
+                        setup.friction_found, setup.joints[0].pv);
 }
 
 }  // namespace
@@ -48,6 +48,7 @@ std::vector<std::string> solution_columns(const NamedJoint& joint,
     names.push_back(difference.column);
   }
   names.insert(names.end(), {"law", "pressure", "state", "status"});
+  if (have_preload(columns)) names.emplace_back("contact_state");
   for (const AnswerColumn& column : columns) {
     names.push_back(column.name);
   }
@@ -62,6 +63,7 @@ void write_cells(cli::RowWriter& to, const NamedJoint& joint,
   to.text(joint.pressure);
   to.text(state_text(a));
   to.text(to_string(a.solution().status));
+  if (have_preload(columns)) to.text(contact_state_text(a));
   for (const AnswerColumn& column : columns) {
     write_number(to, column(a), column.name, row, beside);
   }
@@ -112,6 +114,10 @@ Problems write_summary(const Setup& setup, const Inputs& inputs,
   report.add("state", std::string(state_text(a)), "");
   report.add("status", std::string(to_string(a.solution().status)),
              "of the solver");
+  if (setup.has_preload()) {
+    report.add("contact_state", std::string(contact_state_text(a)),
+               "what clearance and load make of the contact");
+  }
   for (const AnswerColumn& column : columns_of(setup, inputs)) {
     std::vector<cli::Cell> cells;
     if (!beside.empty()) cells = {beside.at(1, column.name)};

@@ -6,22 +6,11 @@
 #include <vector>
 
 #include "cli/plot.hpp"
+#include "libcontact/quantities/tables.hpp"
 #include "programs/joint/solution_row.hpp"
 
 namespace hinge_joint {
 namespace {
-
-// A unit in which the largest value has few digits.
-struct Unit {
-  double factor;
-  const char* prefix;
-};
-Unit unit_for(double largest, bool logarithmic) {
-  if (logarithmic) return {1, ""};
-  if (largest >= 1e6) return {1e-6, "M"};
-  if (largest >= 1e4) return {1e-3, "k"};
-  return {1, ""};
-}
 
 // What the curves of a plot have in common and in what they differ.
 class Labels {
@@ -39,9 +28,10 @@ class Labels {
   }
 
   std::string title(const Setup& setup, double member) const {
-    const std::string& name = setup.given[0].spec.name;
-    std::string text =
-        name.empty() || setup.given.size() > 1 ? "friction moment" : name;
+    std::string text = shared_title(setup.given, "");
+    if (setup.given[0].spec.name.empty() || text.empty()) {
+      text = "friction moment";
+    }
     const NamedJoint& first = setup.joints[0];
     if (!members_ && member_) text += ", " + member_text(member);
     if (!laws_) text += ", law " + first.law;
@@ -54,21 +44,29 @@ class Labels {
       text += (text.empty() ? "" : ", ") + part;
     };
     if (members_) add(member_text(member));
-    if (!joint.differences.empty()) add(difference_text(joint.differences));
+    if (!joint.differences.empty()) add(difference_label(joint.differences));
     if (laws_) add(joint.law);
     if (pressures_) add(joint.pressure);
     return text;
   }
-  std::string x(const Unit& unit) const {
+  cli::Axis x() const {
     if (over_angle_) {
-      return reaction_ ? "angle β between R and Δω, deg"
-                       : "slip axis angle α, deg";
+      return {reaction_ ? "angle β between R and Δω" : "slip axis angle α",
+              "deg"};
     }
-    return fmt::format("{}, {}N", reaction_ ? "reaction R" : "normal force",
-                       unit.prefix);
+    return axis(reaction_ ? "reaction" : "normal_force");
+  }
+  cli::Axis y() const {
+    cli::Axis moment = axis("friction_moment");
+    if (reaction_) moment.name += "; dashed: from R";
+    return moment;
   }
 
  private:
+  static cli::Axis axis(std::string_view key) {
+    return cli::axis_of(
+        *contact::find_quantity(contact::solution_quantities(), key));
+  }
   std::string member_text(double member) const {
     return over_angle_
                ? fmt::format("{} = {} N", reaction_ ? "R" : "Rₙ", member)
@@ -97,11 +95,12 @@ std::string draw_torque(const Setup& setup, const Inputs& inputs,
 
   cli::LinePlot plot;
   plot.title = labels.title(setup, family[0]);
-  plot.logarithmic_x = plot.logarithmic_y = x.is_logarithmic();
+  plot.x = labels.x();
+  plot.y = labels.y();
+  plot.x.logarithmic = plot.y.logarithmic = x.is_logarithmic();
   const std::size_t most_members = std::max<std::size_t>(
       1, std::min<std::size_t>(6, most_pairs_of_laws / setup.joints.size()));
   int colour = 0;
-  double largest = 0;
   for (const NamedJoint& joint : setup.joints) {
     for (const double member : cli::spread(family, most_members)) {
       const std::string label = labels.curve(joint, member);
@@ -115,7 +114,6 @@ std::string draw_torque(const Setup& setup, const Inputs& inputs,
             joint, inputs.question(),
             over_angle ? inputs.at(member, value) : inputs.at(value, member));
         const double moment = a.solution().friction_moment.stableNorm();
-        largest = std::max({largest, moment, a.traditional});
         solved.x.push_back(value);
         solved.y.push_back(moment);
         traditional.x.push_back(value);
@@ -125,16 +123,6 @@ std::string draw_torque(const Setup& setup, const Inputs& inputs,
       if (reaction) plot.curves.push_back(std::move(traditional));
     }
   }
-  const Unit force =
-      over_angle ? Unit{1, ""} : unit_for(x[x.size() - 1], plot.logarithmic_x);
-  const Unit moment = unit_for(largest, plot.logarithmic_y);
-  for (cli::Curve& curve : plot.curves) {
-    for (double& value : curve.x) value *= force.factor;
-    for (double& value : curve.y) value *= moment.factor;
-  }
-  plot.x_label = labels.x(force);
-  plot.y_label = fmt::format("friction moment, {}N m{}", moment.prefix,
-                             reaction ? "; dashed: from R" : "");
   return cli::draw(plot, file);
 }
 

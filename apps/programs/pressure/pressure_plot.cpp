@@ -13,7 +13,6 @@ namespace hinge_pressure {
 namespace {
 
 constexpr int points = 201;
-constexpr double megapascal = 1e6;
 
 // "2000 N", "μ = 0.5"
 std::string load_text(const cli::Joint& joint, const LoadedContact& contact) {
@@ -54,15 +53,17 @@ struct Labels {
                     std::size_t law) const {
     if (laws_have_colours()) return joint.pressures[law].name;
     if (law > 0) return "";
-    std::string text = difference_text(joint.differences);
+    std::string text = difference_label(joint.differences);
     if (loads || !joints) {
       text += (text.empty() ? "" : ", ") + load_text(joint, contact);
     }
     return text;
   }
-  std::string title(const cli::Joint& joint,
+  std::string title(const std::vector<cli::Joint>& all,
                     const std::vector<LoadedContact>& contacts) const {
-    std::string text = joints ? "pressure" : joint.title;
+    const cli::Joint& joint = all[0];
+    std::string text = shared_title(all, "");
+    if (text.empty()) text = "pressure";
     if (joint.spec.loading.is_back()) {
       text += ", loading " + to_string(joint.spec.loading);
     }
@@ -79,13 +80,13 @@ struct Labels {
   }
 };
 
-cli::Curve curve_of(const PressureTable& table, const NamedPressure& law,
-                    const LoadedContact& contact, double unit) {
+cli::Curve curve_of(const PressureTable& table, std::size_t law,
+                    const LoadedContact& contact) {
   cli::Curve curve;
   for (int j = 0; j < points; ++j) {
     const double theta = contact.half_angle * j / (points - 1);
     curve.x.push_back(theta / contact::degree);
-    curve.y.push_back(table.pressure(law, contact, theta) / unit);
+    curve.y.push_back(table.pressure(law, contact, theta));
   }
   return curve;
 }
@@ -111,9 +112,10 @@ std::string draw(const std::vector<PressureTable>& tables,
   };
   const Labels labels{joints.size() > 1, shown(0).size() > 1, laws};
   cli::LinePlot plot;
-  plot.title = labels.title(first, shown(0));
-  plot.x_label = "angle from the centre of the contact, deg";
-  plot.y_label = first.has_size ? "pressure, MPa" : "pressure over nominal";
+  plot.title = labels.title(joints, shown(0));
+  plot.x = {"angle from the centre of the contact", "deg"};
+  plot.y = first.has_size ? cli::Axis{"pressure", "Pa"}
+                          : cli::Axis{"pressure over nominal"};
   plot.family = labels.family() && laws == 1;
   int group = 0;  // a joint and a load
   for (std::size_t j = 0; j < joints.size(); ++j) {
@@ -121,8 +123,7 @@ std::string draw(const std::vector<PressureTable>& tables,
       ++group;
       for (std::size_t i = 0; i < laws; ++i) {
         const NamedPressure& law = joints[j].pressures[i];
-        cli::Curve curve =
-            curve_of(tables[j], law, contact, first.has_size ? megapascal : 1);
+        cli::Curve curve = curve_of(tables[j], i, contact);
         const bool by_law = labels.laws_have_colours();
         if (!by_law || group == 1) {
           curve.label = labels.curve(joints[j], contact, i);

@@ -3,18 +3,31 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 
+#include "cli/column_of.hpp"
 #include "libcontact/base/units.hpp"
 #include "libcontact/friction/friction_integrals.hpp"
 
 namespace hinge_pressure {
+namespace {
+
+std::string patch_column(std::string_view key) {
+  return cli::column_of(contact::patch_quantities(), key);
+}
+
+}  // namespace
 
 PressureTable::PressureTable(const cli::Joint& joint)
     : joint_(joint), loads_(joint) {
   const auto& law = joint.laws[0].law;
   if (joint.has_size && cli::JointApproach::of(*law)) {
     approach_.emplace(law, joint);
+  }
+  if (!joint.has_size || joint.spec.geometry.radial_clearance() > 0) return;
+  for (std::size_t i = 0; i < joint.pressures.size(); ++i) {
+    preloaded_.push_back(joint.contact(contact::FrictionLaw(0), 0, i));
   }
 }
 
@@ -25,12 +38,15 @@ double PressureTable::scale(const LoadedContact& contact) const {
                          : cli::nominal_area(joint_.kind());
 }
 
-double PressureTable::pressure(const NamedPressure& law,
-                               const LoadedContact& contact,
+double PressureTable::pressure(std::size_t i, const LoadedContact& contact,
                                double theta) const {
+  if (!preloaded_.empty()) {
+    return preloaded_[i].pressure(theta, contact.load, contact.half_angle);
+  }
   // The contact shrinks with the load, but slower.
   if (joint_.has_size && contact.load == 0) return 0;
-  return scale(contact) * law.law->pressure(theta, contact.half_angle);
+  return scale(contact) *
+         joint_.pressures[i].law->pressure(theta, contact.half_angle);
 }
 
 void PressureTable::write_contact(const LoadedContact& contact,
@@ -45,7 +61,8 @@ void PressureTable::write_contact(const LoadedContact& contact,
 std::vector<std::string> PressureTable::contact_columns() const {
   std::vector<std::string> names;
   if (joint_.has_size) names.push_back(loads_.column());
-  names.insert(names.end(), {"load_parameter", "theta0_deg"});
+  names.push_back(patch_column("load_parameter"));
+  names.push_back(patch_column("half_angle"));
   if (joint_.spec.loading.is_back()) names.emplace_back("loading");
   return names;
 }
@@ -65,8 +82,8 @@ void PressureTable::write_profile(const LoadedContact& contact, int points,
     const double theta = contact.half_angle * i / (points - 1);
     write_contact(contact, row);
     row.number(theta / contact::degree);
-    for (const NamedPressure& law : joint_.pressures) {
-      row.number(pressure(law, contact, theta));
+    for (std::size_t k = 0; k < joint_.pressures.size(); ++k) {
+      row.number(pressure(k, contact, theta));
     }
     row.end();
   }
@@ -75,17 +92,27 @@ void PressureTable::write_profile(const LoadedContact& contact, int points,
 std::vector<std::string> PressureTable::summary_columns() const {
   std::vector<std::string> names = contact_columns();
   names.insert(names.end(), {"law", "pressure"});
-  names.push_back("p_peak_" + unit());
-  names.push_back("p_mean_" + unit());
-  if (joint_.has_size) names.emplace_back("p_nominal_Pa");
   const bool ball = joint_.kind() == contact::JointKind::ball;
   if (joint_.has_size) {
-    names.emplace_back(ball ? "contact_area_m2" : "contact_width_m");
+    for (const char* key :
+         {"peak_pressure", "mean_pressure", "nominal_pressure"}) {
+      names.push_back(patch_column(key));
+    }
+    names.push_back(ball ? patch_column("contact_area") : "contact_width_m");
   } else {
-    names.emplace_back(ball ? "contact_area_over_R2" : "contact_width_over_R");
+    names.insert(names.end(),
+                 {"p_peak_" + unit(), "p_mean_" + unit(),
+                  ball ? "contact_area_over_R2" : "contact_width_over_R"});
   }
   names.emplace_back("S");
-  if (ball) names.insert(names.end(), {"chi_0", "sigma_Y_0", "sigma_Z_90"});
+  if (ball) {
+    // At the slip axis angle of each: sliding, sliding, spinning.
+    for (const auto& [key, angle] :
+         {std::pair("force", "_0"), {"sliding", "_0"}, {"spinning", "_90"}}) {
+      names.push_back(cli::column_of(contact::coefficient_quantities(), key) +
+                      angle);
+    }
+  }
   if (approach_) {
     for (auto& name : approach_->columns()) names.push_back(std::move(name));
   }
@@ -103,21 +130,39 @@ void PressureTable::write_summary(const LoadedContact& contact,
   const bool unloaded = joint_.has_size && contact.load == 0;
   const contact::ContactApproach approach =
       approach_ ? (*approach_)(half_angle) : contact::ContactApproach{};
-  for (const NamedPressure& law : joint_.pressures) {
+  for (std::size_t i = 0; i < joint_.pressures.size(); ++i) {
+    const NamedPressure& law = joint_.pressures[i];
+    const contact::JointContact* preloaded =
+        preloaded_.empty() ? nullptr : &preloaded_[i];
     write_contact(contact, row);
     row.text(joint_.laws[0].name);
     row.text(law.name);
-    row.number(unloaded ? 0 : scale(contact) * law.law->peak(half_angle));
-    row.number(unloaded ? 0 : scale(contact) * law.law->mean(half_angle));
-    if (joint_.has_size) {
-      row.number(loads_.nominal_pressure(contact.load_parameter));
+    if (preloaded != nullptr) {
+      row.number(preloaded->peak_pressure(contact.load, half_angle));
+      row.number(preloaded->mean_pressure(contact.load, half_angle));
+      row.number(joint_.spec.geometry.nominal_pressure(contact.load));
+    } else {
+      row.number(unloaded ? 0 : scale(contact) * law.law->peak(half_angle));
+      row.number(unloaded ? 0 : scale(contact) * law.law->mean(half_angle));
+      if (joint_.has_size) {
+        row.number(loads_.nominal_pressure(contact.load_parameter));
+      }
     }
     row.number(area);
-    row.number(law.law->force_ratio(half_angle));
+    // What is over the load has no value without one.
+    const double load = contact.load == 0
+                            ? std::numeric_limits<double>::quiet_NaN()
+                            : contact.load;
+    row.number(preloaded != nullptr
+                   ? preloaded->sum_of_pressures(load, half_angle) / load
+                   : law.law->force_ratio(half_angle));
     if (joint_.kind() == contact::JointKind::ball) {
       const auto coefficients = [&](contact::SlipAxis axis) {
-        return contact::friction_integrals(*law.law, half_angle, axis)
-            .coefficient;
+        return preloaded != nullptr
+                   ? preloaded->integrals(half_angle, axis, {load, 0})
+                         .coefficient
+                   : contact::friction_integrals(*law.law, half_angle, axis)
+                         .coefficient;
       };
       const contact::FrictionTriple slide = coefficients({0, 1});
       row.number(slide.force);

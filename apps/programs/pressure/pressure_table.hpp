@@ -37,8 +37,8 @@ class PressureTable {
   /// A row for each law.
   void write_summary(const LoadedContact& contact, cli::RowWriter& row) const;
 
-  /// p at an angle from the centre, rad.
-  double pressure(const NamedPressure& law, const LoadedContact& contact,
+  /// p at an angle from the centre, rad, of the joint's pressure law i.
+  double pressure(std::size_t i, const LoadedContact& contact,
                   double theta) const;
   /// "Pa" or "over_nominal".
   std::string unit() const { return joint_.has_size ? "Pa" : "over_nominal"; }
@@ -51,6 +51,9 @@ class PressureTable {
   const cli::Joint& joint_;
   hinge_angle::Loads loads_;
   std::optional<cli::JointApproach> approach_;
+  // Of a joint without clearance, for each pressure law: its contacts do not
+  // follow from load parameter and half-angle alone.
+  std::vector<contact::JointContact> preloaded_;
 };
 
 }  // namespace hinge_pressure

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/joint/joint_reports.hpp"
 #include "cli/output.hpp"
 #include "cli/quantity.hpp"
 #include "cli/stream/row_blocks.hpp"
@@ -30,7 +31,8 @@ class Findings {
   Findings(const cli::Joint& joint, const PressureTable& table)
       : joint_(joint),
         table_(table),
-        limits_(*joint.laws[0].law, joint.pair),
+        limits_(*joint.laws[0].law, joint.pair,
+                joint.spec.conditions().clearance),
         beyond_(joint.pressures.size()),
         peak_(joint.pressures.size()) {}
 
@@ -42,10 +44,9 @@ class Findings {
     if (contact.half_angle > half_angle_) half_angle_ = contact.half_angle;
     for (std::size_t i = 0; i < beyond_.size(); ++i) {
       const NamedPressure& law = joint_.pressures[i];
-      const double largest = law.law->largest_half_angle();
-      if (contact.half_angle > largest) ++beyond_[i];
+      if (contact.half_angle > largest_half_angle(law)) ++beyond_[i];
       if (!joint_.has_size) continue;
-      const double peak = table_.pressure(law, contact, 0);
+      const double peak = table_.pressure(i, contact, 0);
       if (peak > peak_[i]) peak_[i] = peak;
     }
   }
@@ -71,10 +72,15 @@ class Findings {
   }
 
  private:
+  double largest_half_angle(const NamedPressure& law) const {
+    return joint_.spec.conditions().clearance == contact::Clearance::positive
+               ? law.law->largest_half_angle()
+               : law.law->closing_half_angle();
+  }
   void report_pressure(std::size_t i) const {
     const NamedPressure& law = joint_.pressures[i];
     if (beyond_[i] > 0) {
-      const double largest = law.law->largest_half_angle();
+      const double largest = largest_half_angle(law);
       say(
           fmt::format("pressure {}: none for {} of {} loads, whose half-angle "
                       "is above {:.6g} deg",
@@ -85,8 +91,7 @@ class Findings {
     }
   }
   void say(const std::string& text) const {
-    const std::string which = difference_text(joint_.differences);
-    cli::warn("hinge-pressure", which.empty() ? text : which + ": " + text);
+    cli::warn("hinge-pressure", said_of(joint_, text));
   }
 
   const cli::Joint& joint_;

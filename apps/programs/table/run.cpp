@@ -18,6 +18,7 @@
 #include "cli/table.hpp"
 #include "libcontact/base/units.hpp"
 #include "libcontact/pressure/registry.hpp"
+#include "libcontact/quantities/tables.hpp"
 #include "programs/table/method.hpp"
 #include "programs/table/point_block.hpp"
 
@@ -207,10 +208,12 @@ std::string draw(const Grid& grid, const Method& method, std::size_t quantity,
   plot.title = fmt::format("{}, method {}, pressure {}", quantities[quantity],
                            options.method, method.pressure);
   if (!joint.empty()) plot.title += ", " + joint;
-  plot.x_label =
-      over_alpha ? "slip axis angle α, deg" : "contact half-angle θ₀, deg";
-  plot.y_label = quantities[quantity];
-  plot.logarithmic_x = x.is_logarithmic();
+  const auto& shown =
+      *contact::find_quantity(contact::solution_quantities(),
+                              over_alpha ? "slip_axis_angle" : "half_angle");
+  plot.x = cli::axis_of(shown);
+  plot.x.logarithmic = x.is_logarithmic();
+  plot.y.name = quantities[quantity];
   plot.family = true;
   for (const double member : cli::spread(family, most_curves)) {
     const std::vector<double> xs = cli::spread(x, most_points);

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "cli/plot.hpp"
+#include "libcontact/quantities/tables.hpp"
 
 namespace hinge_joint {
 namespace {
@@ -23,18 +24,23 @@ std::string draw_points(const Setup& setup, const PointSeries& series,
     return fmt::format("no picture {}: no state has a solution", file);
   }
   const NamedJoint& joint = setup.joints[0];
-  const bool contact = series.question() == Question::contact;
-  const std::size_t shown[] = {moment, contact ? normal_force : reaction,
+  const bool is_contact = series.question() == Question::contact;
+  const std::size_t shown[] = {moment, is_contact ? normal_force : reaction,
                                peak_pressure};
   cli::PanelPlot plot;
   plot.title = fmt::format("{}, law {}, pressure {}", setup.given[0].title,
                            joint.law, joint.pressure);
-  plot.x_label = series.has_time() ? "time, s" : "state";
-  plot.panels = {
-      {"Mₜ", "N m", {}}, {contact ? "Rₙ" : "R", "N", {}}, {"peak p", "Pa", {}}};
+  plot.x = series.has_time() ? cli::Axis{"time", "s"} : cli::Axis{"state"};
+  for (const char* key :
+       {"friction_moment", is_contact ? "normal_force" : "reaction",
+        "peak_pressure"}) {
+    plot.panels.push_back({cli::short_axis_of(*contact::find_quantity(
+                               contact::solution_quantities(), key)),
+                           {}});
+  }
   std::size_t last = 0;
   const auto add = [&](double x, const PointRow* row) {
-    plot.x.push_back(x);
+    plot.values.push_back(x);
     for (std::size_t i = 0; i < plot.panels.size(); ++i) {
       plot.panels[i].y.push_back(row == nullptr
                                      ? std::numeric_limits<double>::quiet_NaN()

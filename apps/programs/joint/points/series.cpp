@@ -36,7 +36,7 @@ std::vector<AnswerColumn> point_columns(Question question) {
       "theta0_deg",
       rest ? "utilisation" : "power_W"};
   const std::vector<AnswerColumn> all =
-      answer_columns(rest, false, false, false);
+      answer_columns(rest, false, false, false, false);
   std::vector<AnswerColumn> found;
   for (const std::string_view name : names) {
     found.push_back(*std::ranges::find(all, name, &AnswerColumn::name));

@@ -1,0 +1,156 @@
+#include "cli/picture/canvas.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "cli/gnuplot.hpp"
+#include "cli/picture/text_size.hpp"
+
+namespace cli {
+namespace {
+
+constexpr double margin = 0.5;
+constexpr double sample = 2.2;      // length of a legend's line
+constexpr double sample_gap = 0.5;  // and of what is between it and its text
+constexpr double column_gap = 1.2;
+
+double width_of(const std::vector<LegendEntry>& legend) {
+  double widest = 0;
+  for (const LegendEntry& entry : legend) {
+    widest = std::max(widest, text_width(entry.label));
+  }
+  return sample + sample_gap + widest;
+}
+
+}  // namespace
+
+Canvas::Canvas(std::string_view title, const std::vector<LegendEntry>& legend)
+    : room_{margin, canvas_width - margin, margin, canvas_height - margin} {
+  std::vector<LegendEntry> named = legend;
+  std::erase_if(named, [](const LegendEntry& e) { return e.label.empty(); });
+  // Below the plots it makes the canvas higher: places are known then only.
+  const double width = width_of(named);
+  constexpr double most_beside = 0.34;  // of the width
+  const bool below =
+      !named.empty() &&
+      (width > most_beside * canvas_width ||
+       static_cast<double>(named.size()) * line_step > 0.8 * canvas_height);
+  const auto columns = static_cast<std::size_t>(std::max(
+      1., std::floor((room_.width() + column_gap) / (width + column_gap))));
+  const std::size_t rows = (named.size() + columns - 1) / columns;
+  const double legend_height = static_cast<double>(rows) * line_step + margin;
+  if (below) {
+    stretch_ = 1 + legend_height / canvas_height;
+    room_.bottom += legend_height;
+  }
+  if (!title.empty()) {
+    for (const std::string& line : wrapped(title, room_.width())) {
+      script_ +=
+          text((room_.left + room_.right) / 2, room_.top + line_step / 2, line);
+      room_.top += line_step;
+    }
+    room_.top += margin;
+  }
+  if (below) {
+    room_.bottom -= legend_height;
+    for (std::size_t i = 0; i < named.size(); ++i) {
+      script_ += entry(
+          room_.left + static_cast<double>(i / rows) * (width + column_gap),
+          room_.bottom + margin +
+              (static_cast<double>(i % rows) + 0.5) * line_step,
+          named[i]);
+    }
+  } else if (!named.empty()) {
+    room_.right -= width;
+    const double top = (room_.top + room_.bottom -
+                        static_cast<double>(named.size()) * line_step) /
+                       2;
+    for (std::size_t i = 0; i < named.size(); ++i) {
+      script_ +=
+          entry(room_.right, top + (static_cast<double>(i) + 0.5) * line_step,
+                named[i]);
+    }
+    room_.right -= 2 * margin;
+  }
+}
+
+std::string Canvas::at(double x, double y) const {
+  return fmt::format("{:.5f},{:.5f}", x / canvas_width,
+                     1 - y / (stretch_ * canvas_height));
+}
+
+std::string Canvas::text(double x, double y, std::string_view text,
+                         Anchor anchor) const {
+  constexpr std::string_view anchors[] = {"left", "center", "right"};
+  return fmt::format("set label {} at screen {} {} front\n", gnuplot_text(text),
+                     at(x, y), anchors[static_cast<int>(anchor)]);
+}
+
+double Canvas::upward_width(double room, std::string_view text) {
+  return line_step * static_cast<double>(wrapped(text, room).size());
+}
+
+std::string Canvas::upward(double x, const Box& beside,
+                           std::string_view text) const {
+  const auto lines = wrapped(text, beside.height());
+  std::string script;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    // The canvas has room above the highest plot and below the lowest.
+    const double half = text_width(lines[i]) / 2;
+    const double middle = std::clamp(
+        (beside.top + beside.bottom) / 2, margin + half,
+        std::max(margin + half, stretch_ * canvas_height - margin - half));
+    script += fmt::format(
+        "set label {} at screen {} center rotate by 90 front\n",
+        gnuplot_text(lines[i]),
+        at(x - line_step * static_cast<double>(lines.size() - 1 - i), middle));
+  }
+  return script;
+}
+
+double Canvas::above_height(const Box& plot, std::string_view text) {
+  return line_step * static_cast<double>(wrapped(text, plot.width()).size());
+}
+
+std::string Canvas::above(const Box& plot, std::string_view text) const {
+  std::string script;
+  double y = plot.top - above_height(plot, text) + line_step / 2;
+  for (const std::string& line : wrapped(text, plot.width())) {
+    script += this->text((plot.left + plot.right) / 2, y, line);
+    y += line_step;
+  }
+  return script;
+}
+
+std::string Canvas::colour_box(const Box& box) const {
+  return fmt::format(
+      "set colorbox user origin screen {} size screen {:.5f},{:.5f}\n",
+      at(box.left, box.bottom), box.width() / canvas_width,
+      box.height() / (stretch_ * canvas_height));
+}
+
+std::string Canvas::margins(const Box& plot) const {
+  const double height = stretch_ * canvas_height;
+  return fmt::format(
+      "set lmargin at screen {:.5f}\nset rmargin at screen {:.5f}\n"
+      "set tmargin at screen {:.5f}\nset bmargin at screen {:.5f}\n",
+      plot.left / canvas_width, plot.right / canvas_width,
+      1 - plot.top / height, 1 - plot.bottom / height);
+}
+
+std::string Canvas::entry(double x, double y, const LegendEntry& of) const {
+  std::string script;
+  if (!of.line.empty()) {
+    script += fmt::format("set arrow from screen {} to screen {} nohead {}\n",
+                          at(x, y), at(x + sample, y), of.line);
+  }
+  if (!of.point.empty()) {
+    script += fmt::format("set label '' at screen {} front point {}\n",
+                          at(x + sample / 2, y), of.point);
+  }
+  return script + text(x + sample + sample_gap, y, of.label, Anchor::left);
+}
+
+}  // namespace cli

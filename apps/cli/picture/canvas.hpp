@@ -1,0 +1,70 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace cli {
+
+/// A part of a picture; em from its left and its top.
+struct Box {
+  double left;
+  double right;
+  double top;
+  double bottom;
+  double width() const { return right - left; }
+  double height() const { return bottom - top; }
+};
+
+/// What a legend says of a curve.
+struct LegendEntry {
+  std::string label;
+  std::string line = {};   ///< gnuplot's style of it; "" for none
+  std::string point = {};  ///< the same
+};
+
+enum class Anchor { left, center, right };
+
+/// Where the texts of a picture stand: each is placed by its measured size, so
+/// that none leaves the canvas or lies over another one.
+class Canvas {
+ public:
+  /// Takes the room of the title, in as many lines as it needs, and of the
+  /// legend: to the right of the plots, or, where it is wide, below them on a
+  /// canvas that is higher.
+  explicit Canvas(std::string_view title,
+                  const std::vector<LegendEntry>& legend = {});
+
+  /// Where there is nothing yet.
+  const Box& room() const { return room_; }
+  /// Over that of a canvas without a legend below the plots.
+  double stretch() const { return stretch_; }
+  /// The title and the legend.
+  const std::string& script() const { return script_; }
+
+  /// A text, its anchor and the middle of its height at a place.
+  std::string text(double x, double y, std::string_view text,
+                   Anchor anchor = Anchor::center) const;
+  /// Upwards, in as many lines as it needs, the last with its middle at x.
+  std::string upward(double x, const Box& beside, std::string_view text) const;
+  /// How much room upward() takes beside its last line's middle.
+  static double upward_width(double room, std::string_view text);
+  /// Above a plot, in as many lines as it needs.
+  std::string above(const Box& plot, std::string_view text) const;
+  static double above_height(const Box& plot, std::string_view text);
+  /// gnuplot's margins of a plot.
+  std::string margins(const Box& plot) const;
+  /// Where gnuplot's colours stand.
+  std::string colour_box(const Box& box) const;
+  /// "X,Y" of gnuplot's screen.
+  std::string at(double x, double y) const;
+
+ private:
+  std::string entry(double x, double y, const LegendEntry& of) const;
+
+  Box room_;
+  double stretch_ = 1;
+  std::string script_;
+};
+
+}  // namespace cli

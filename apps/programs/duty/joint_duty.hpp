@@ -1,0 +1,20 @@
+#pragma once
+
+#include <vector>
+
+#include "cli/joint/joint_options.hpp"
+#include "libcontact/duty/joint_cycle.hpp"
+#include "libcontact/duty/wear_in.hpp"
+#include "programs/duty/body_wear.hpp"
+
+namespace hinge_duty {
+
+/// One of the joints of a run on its cycle.
+struct JointDuty {
+  const cli::Joint& joint;
+  contact::JointCycle cycle;
+  std::vector<BodyWear> wear = {};                ///< of both bodies, or none
+  std::vector<contact::WearIn::State> worn = {};  ///< of --cycles
+};
+
+}  // namespace hinge_duty
