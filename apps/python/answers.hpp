@@ -1,6 +1,6 @@
 #pragma once
 
-#include <array>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -31,14 +31,14 @@ std::string documentation(const Quantity<Row>& q) {
                                          : ".");
 }
 
-/// Rows as they were computed; arrays of a quantity are made when asked for.
-/// Unpickled ones have the arrays in their place, and with them all that can be
-/// asked of the rows.
+/// Rows as they were computed; the array of a quantity is made when it is asked
+/// for, once, and nobody writes into it. Unpickled ones have the arrays in the
+/// place of rows, and with them all that can be asked of the rows.
 template <class Row>
 struct Answers {
   Shape shape;
   std::vector<Row> rows = {};
-  py::object arrays = {};  ///< a dict by the names of the fields, or nothing
+  mutable py::object arrays = {};  ///< a dict by the names of the fields
 };
 
 /// The rows of `row(numbers)`.
@@ -61,9 +61,31 @@ namespace detail {
                                  bool is_vector);
 /// Arrays of a pickle beside those that there are.
 [[noreturn]] void refuse_pickled_names(const py::dict& arrays);
+/// The quantities that are asked for.
+std::vector<std::string> chosen_names(
+    const std::optional<std::vector<std::string>>& names,
+    const std::optional<py::dict>& out);
+[[noreturn]] void refuse_field(const std::string& name,
+                               std::vector<std::string> known);
+template <class Row>
+[[noreturn]] void refuse_field(const std::string& name,
+                               std::span<const Quantity<Row>> table) {
+  std::vector<std::string> known;
+  for (const Quantity<Row>& q : table) known.emplace_back(q.key);
+  refuse_field(name, std::move(known));
+}
+/// That of an array in which results are put.
+/// @throws contact::Error if it is of another type, shape or order of memory
+void* memory_of(const char* name, const py::object& array,
+                const py::dtype& type, const Shape& shape);
+/// Nobody writes into an array any more.
+void protect(py::array& array);
+/// Some rows of an array.
+py::array rows_of(const py::array& array, const py::array_t<std::size_t>& which,
+                  bool is_vector);
 
 template <class Row, class Value>
-py::array column(const Answers<Row>& a, Value (*of)(const Row&)) {
+py::array made(const Answers<Row>& a, Value (*of)(const Row&)) {
   py::array_t<Number<Value>> array(a.shape);
   auto* to = array.mutable_data();
   for (const Row& row : a.rows) *to++ = static_cast<Number<Value>>(of(row));
@@ -71,8 +93,8 @@ py::array column(const Answers<Row>& a, Value (*of)(const Row&)) {
 }
 
 template <class Row>
-py::array column(const Answers<Row>& a,
-                 const Eigen::Vector3d& (*of)(const Row&)) {
+py::array made(const Answers<Row>& a,
+               const Eigen::Vector3d& (*of)(const Row&)) {
   Shape shape = a.shape;
   shape.push_back(3);
   py::array_t<double> array(shape);
@@ -85,28 +107,15 @@ py::array column(const Answers<Row>& a,
 
 template <class Row>
 py::array column(const Answers<Row>& a, const Quantity<Row>& q) {
-  if (a.arrays) return a.arrays[q.key.data()].attr("copy")();
-  return std::visit([&](auto of) { return column(a, of); }, q.of);
-}
-
-// Columns of tables have one dimension: vectors are three columns.
-template <class Row>
-py::dict to_dict(const Answers<Row>& a, std::span<const Quantity<Row>> fields) {
-  py::dict columns;
-  for (const Quantity<Row>& field : fields) {
-    const py::object array = column(a, field);
-    if (field.is_vector()) {
-      const py::object rows = array.attr("reshape")(-1, 3);
-      constexpr std::array ends = {"_x", "_y", "_z"};
-      for (std::size_t i = 0; i < ends.size(); ++i) {
-        columns[py::str(std::string(field.key) + ends[i])] =
-            rows[py::make_tuple(py::ellipsis(), i)];
-      }
-    } else {
-      columns[field.key.data()] = array.attr("ravel")();
-    }
+  if (!a.arrays) a.arrays = py::dict();
+  const py::str key(q.key.data(), q.key.size());
+  if (PyObject* const known = PyDict_GetItem(a.arrays.ptr(), key.ptr())) {
+    return py::reinterpret_borrow<py::array>(known);
   }
-  return columns;
+  py::array array = std::visit([&](auto of) { return made(a, of); }, q.of);
+  protect(array);
+  a.arrays[key] = array;
+  return array;
 }
 
 template <class Row>
@@ -133,7 +142,11 @@ py::array array_in(const py::dict& arrays, const Quantity<Row>& field,
           const Shape shape(array.shape(), array.shape() + array.ndim());
           Shape wanted = rows.value_or(shape);
           if (is_vector && rows) wanted.push_back(3);
-          if (shape == wanted) return py::array_t<Number>(shape, array.data());
+          if (shape == wanted) {
+            py::array own = py::array_t<Number>(shape, array.data());
+            protect(own);
+            return own;
+          }
         }
         refuse_pickled(field.key.data(), py::dtype::of<Number>(), rows,
                        is_vector);
@@ -155,9 +168,92 @@ Answers<Row> from_arrays(const py::dict& arrays,
   return {std::move(*shape), {}, std::move(own)};
 }
 
+// Some rows, in any shape.
+template <class Row>
+Answers<Row> taken(const Answers<Row>& a, std::span<const Quantity<Row>> fields,
+                   const py::array_t<std::size_t>& which) {
+  Answers<Row> some{Shape(which.shape(), which.shape() + which.ndim())};
+  if (!a.rows.empty()) {
+    for (py::ssize_t i = 0; i < which.size(); ++i)
+      some.rows.push_back(a.rows.at(which.data()[i]));
+    return some;
+  }
+  py::dict arrays;
+  for (const Quantity<Row>& field : fields) {
+    py::array array = rows_of(column(a, field), which, field.is_vector());
+    protect(array);
+    arrays[field.key.data()] = array;
+  }
+  some.arrays = arrays;
+  return some;
+}
+
+template <class Row, class Value>
+const char* words_of(Value (*)(const Row&)) {
+  if (std::is_same_v<Value, contact::Status>) return "Status";
+  return std::is_same_v<Value, contact::JointState> ? "State" : "";
+}
+
+// For people, and for labels: key, symbol, unit, meaning, and the enumeration
+// of words or "".
+template <class Row>
+py::list quantities_of(std::span<const Quantity<Row>> fields) {
+  py::list all;
+  for (const Quantity<Row>& q : fields) {
+    all.append(
+        py::make_tuple(q.key, q.symbol, unit_text(q.dimension), q.meaning,
+                       std::visit([](auto of) { return words_of(of); }, q.of)));
+  }
+  return all;
+}
+
 }  // namespace detail
 
-/// The Python class of such results.
+/// Some quantities of rows, in arrays that may be the caller's.
+template <class Row>
+class ChosenColumns {
+ public:
+  /// @throws contact::Error for other names and for arrays that do not fit
+  ChosenColumns(std::span<const Quantity<Row>> table,
+                const std::optional<std::vector<std::string>>& names,
+                const std::optional<py::dict>& out, const Shape& shape) {
+    if (out) arrays_ = *out;
+    for (const std::string& name : detail::chosen_names(names, out)) {
+      const Quantity<Row>* const q = find_quantity(table, name);
+      if (!q) detail::refuse_field(name, table);
+      std::visit([&](auto of) { add(*q, of, shape, out.has_value()); }, q->of);
+    }
+  }
+
+  void operator()(std::size_t i, const Row& row) const {
+    for (const auto& put : columns_) put(i, row);
+  }
+  const py::dict& arrays() const { return arrays_; }
+
+ private:
+  template <class Value>
+  void add(const Quantity<Row>& q, Value (*of)(const Row&), Shape shape,
+           bool is_given) {
+    using Number = Number<Value>;
+    if (q.is_vector()) shape.push_back(3);
+    const py::str key(q.key.data(), q.key.size());
+    if (!is_given) arrays_[key] = py::array_t<Number>(shape);
+    Number* const to = static_cast<Number*>(detail::memory_of(
+        q.key.data(), arrays_[key], py::dtype::of<Number>(), shape));
+    columns_.push_back([to, of](std::size_t i, const Row& row) {
+      if constexpr (std::is_same_v<Value, const Eigen::Vector3d&>) {
+        Eigen::Map<Eigen::Vector3d>(to + 3 * i) = of(row);
+      } else {
+        to[i] = static_cast<Number>(of(row));
+      }
+    });
+  }
+
+  py::dict arrays_;
+  std::vector<std::function<void(std::size_t, const Row&)>> columns_;
+};
+
+/// The Python class of such results; libcontact/_results.py has more of it.
 /// @param fields  a table; the first is a number
 template <class Row>
 void bind_answers(py::module_& m, const char* name,
@@ -171,29 +267,16 @@ void bind_answers(py::module_& m, const char* name,
         },
         documentation(field).c_str());
   }
+  type.attr("_quantities") = detail::quantities_of(fields);
   type.def_property_readonly(
           "shape",
           [](const Answers<Row>& a) { return py::tuple(py::cast(a.shape)); },
           "Shape of the rows: that of the arguments broadcast.")
-      .def("__len__",
-           [](const Answers<Row>& a) {
-             if (a.shape.empty()) throw py::type_error("a single row");
-             return a.shape[0];
+      .def("_rows",
+           [fields](const Answers<Row>& a,
+                    const py::array_t<std::size_t, py::array::c_style>& which) {
+             return detail::taken(a, fields, which);
            })
-      .def("__repr__",
-           [name = std::string(name)](const Answers<Row>& a) {
-             return "<" + name + " of shape " +
-                    py::str(py::tuple(py::cast(a.shape))).cast<std::string>() +
-                    ">";
-           })
-      .def(
-          "to_dict",
-          [fields](const Answers<Row>& a) {
-            return detail::to_dict(a, fields);
-          },
-          "to_dict(self)\n--\n\nAll quantities as columns of one dimension, "
-          "vectors as three\n(NAME_x, NAME_y, NAME_z): "
-          "pandas.DataFrame(s.to_dict()).")
       .def(py::pickle(
           [fields](const Answers<Row>& a) {
             return detail::arrays_of(a, fields);

@@ -7,14 +7,15 @@
 namespace contact_python {
 
 /// Gives Python a ContactWarning for each limit that the contact has passed.
-/// @param level  how many frames of Python up the line is that it is about
+/// @param level  how many frames of Python up the line is that it is about; the
+///   first is that of libcontact/_calls.py
 /// @throws pybind11::error_already_set where Python makes warnings errors
 void warn_of(const contact::ContactLimits& limits,
-             const contact::LargestContact& largest, int level = 1);
+             const contact::LargestContact& largest, int level = 2);
 
-/// The level of Joint.cycle() and identify(): these frames are _Made's, theirs
-/// and the one that calls.
-inline constexpr int frames_of_maker = 3;
+/// The level of Joint.cycle() and identify(): these frames are that of
+/// _calls.py, _Made's, theirs and the one that calls.
+inline constexpr int frames_of_maker = 4;
 
 void bind_warning(pybind11::module_& m);
 

@@ -72,7 +72,7 @@ std::unique_ptr<Cycle> make_cycle(const FileJoint& joint, const Numbers& time,
                                 vectors("force", force),
                                 vectors(sequence ? "angles" : "rates", motion),
                                 period};
-  warn(rows.make_one_period(), 3);  // that of Joint.cycle()
+  warn(rows.make_one_period(), frames_of_maker);
   if (!rows.period) {
     throw contact::Error(contact::detail::needs(
         "times with uneven steps",
@@ -168,14 +168,14 @@ py::dict wear(const Cycle& cycle, const std::string& body, int points) {
 }
 
 Answers<contact::WearIn::State> wear_in(const Cycle& cycle, double coefficient,
-                                        double cycles) {
+                                        double cycles, double inner) {
   contact::WearIn worn;
   {
     const Unlocked unlocked;
-    worn = contact::wear_in(cycle.on().cycle(), cycle.contact(), coefficient,
-                            cycles);
+    worn = contact::wear_in(cycle.on().cycle(), cycle.contact(),
+                            {coefficient, inner}, cycles);
   }
-  for (const std::string& note : worn.notes) warn(note, 1);
+  for (const std::string& note : worn.notes) warn(note, 2);
   return {{py::ssize_t(worn.states.size())}, std::move(worn.states)};
 }
 
@@ -198,6 +198,7 @@ void bind_duty(py::module_& m) {
   type.def(py::init(&make_cycle), py::arg("joint"), py::arg("time"),
            py::arg("force"), py::arg("motion"), py::arg("sequence"),
            py::arg("period"), py::arg("force_on"), py::arg("force_in"));
+  type.attr("_quantities") = detail::quantities_of(contact::cycle_quantities());
   bind_sums(type);
   type.def_property_readonly(
       "time",
@@ -229,7 +230,8 @@ quantity: an attribute of Solution or Rating; of a vector its length.)");
   bind_answers(m, "WearIn", contact::worn_quantities(),
                "What Cycle.wear_in() returns.");
   type.def("wear_in", &wear_in, py::arg("coefficient"), py::arg("cycles"),
-           R"(wear_in(self, coefficient, cycles)
+           py::kw_only(), py::arg("inner") = 0,
+           R"(wear_in(self, coefficient, cycles, *, inner=0)
 --
 
 The joint in the course of many cycles, whose wear of the seat or hole widens
@@ -241,7 +243,9 @@ Known where the load stands still in the seat: a RuntimeWarning where
 contact_spread is above 0.3 of the half-angle, refused where it is above it.
 
 coefficient: k of the seat or hole, m^2/N; 1 mm^3/(N m) is 1e-9 m^2/N.
-cycles: how many.)");
+cycles: how many.
+inner: k of the ball or pin; counts for a pin without clearance or with
+    interference only (docs/preload_wear.md).)");
   type.def("_wear", &wear, py::arg("body"), py::arg("points"));
 }
 

@@ -20,22 +20,13 @@ using contact::FrictionFit;
 using contact::FrictionParameter;
 using contact::MeasuredMoment;
 
-constexpr std::pair<const char*, FrictionParameter> parameters[] = {
-    {"coefficient", FrictionParameter::coefficient},
-    {"adhesion", FrictionParameter::adhesion},
-    {"clearance", FrictionParameter::clearance}};
-
 FrictionParameter parameter_of(const std::string& text) {
-  for (const auto& [name, parameter] : parameters) {
-    if (text == name) return parameter;
-  }
+  const auto all = contact::fit_parameters();
+  const auto found = std::ranges::find(all, text, &contact::FitParameter::key);
+  if (found != all.end()) return found->parameter;
   throw contact::Error(contact::detail::must_be(
       "parameters: \"" + text + "\"",
       "\"coefficient\", \"adhesion\" or \"clearance\""));
-}
-
-std::string name_of(FrictionParameter parameter) {
-  return parameters[static_cast<int>(parameter)].first;
 }
 
 std::unique_ptr<FrictionFit> identify(const FileJoint& joint,
@@ -51,7 +42,8 @@ std::unique_ptr<FrictionFit> identify(const FileJoint& joint,
   }
   // A vector of each state, or its component.
   const Rows states({{"reaction", reaction, 3}});
-  const bool is_vector = moment.ndim() > py::ssize_t(states.shape().size());
+  const bool is_vector = moment.ndim() > py::ssize_t(states.shape().size()) &&
+                         moment.shape(moment.ndim() - 1) == 3;
   std::vector<MeasuredMoment> data;
   Rows({{"reaction", reaction, 3},
         {"angular_velocity", rate, 3},
@@ -107,6 +99,7 @@ void bind_estimate(py::module_& m) {
           "Low and high, where the others are fitted anew; NaN unless asked.")
       .def_readonly("at_bound", &Estimate::at_bound,
                     "Held at 0, below which the data would have it.")
+      .def("__float__", [](const Estimate& e) { return e.value; })
       .def("__repr__", [](const Estimate& e) {
         return py::str("{:.6g} +- {:.2g}").format(e.value, e.standard_error);
       });
@@ -118,6 +111,14 @@ void bind_identify(py::module_& m) {
   bind_estimate(m);
   py::class_<FrictionFit> type(
       m, "Fit", "Friction parameters that fit measured moments.");
+  py::list names;
+  for (const auto& p : contact::fit_parameters())
+    names.append(py::make_tuple(p.key, p.column, p.name, p.meaning));
+  type.attr("_parameters") = names;
+  py::list quantities;
+  for (const auto& q : contact::fit_quantities())
+    quantities.append(py::make_tuple(q.key, q.symbol, q.meaning));
+  type.attr("_quantities") = quantities;
   type.def(py::init(&identify), py::arg("joint"), py::arg("reaction"),
            py::arg("angular_velocity"), py::arg("moment"), py::arg("sigma"),
            py::arg("parameters"), py::arg("huber"), py::arg("profile"),
@@ -130,7 +131,8 @@ void bind_identify(py::module_& m) {
       [](const FrictionFit& f) {
         py::dict all;
         for (std::size_t i = 0; i < f.parameters.size(); ++i) {
-          all[py::str(name_of(f.parameters[i]))] = f.estimates[i];
+          const auto key = contact::fit_parameter(f.parameters[i]).key;
+          all[py::str(key.data(), key.size())] = f.estimates[i];
         }
         return all;
       },

@@ -1,6 +1,9 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
+#include <mutex>
+
+#include "libcontact/base/complaint.hpp"
 #include "libcontact/half_angle/registry.hpp"
 #include "libcontact/pressure/registry.hpp"
 #include "libcontact/quantities/tables.hpp"
@@ -34,22 +37,111 @@ Answers<JointSolution> solutions(const FileJoint& self,
   return all;
 }
 
-Answers<JointSolution> solve(const FileJoint& self, const Numbers& reaction,
-                             const Numbers& angular_velocity,
-                             const std::optional<Numbers>& axis, bool warm) {
+// What rows start from: each from that of the same number, or all from one.
+// Unpickled results have nothing to start from.
+template <class Row>
+class Starts {
+ public:
+  Starts(const Answers<Row>* last, const Rows& rows)
+      : last_(last && !last->rows.empty() ? &last->rows : nullptr) {
+    if (last && !last->shape.empty() && last->shape != rows.shape()) {
+      throw contact::Error(contact::detail::must_be(
+          "last", "one result, or of the shape of the rows"));
+    }
+  }
+  // Null where there is nothing.
+  const Row* operator()(std::size_t i) const {
+    if (!last_) return nullptr;
+    return &(*last_)[last_->size() == 1 ? 0 : i];
+  }
+
+ private:
+  const std::vector<Row>* last_;
+};
+
+// The largest contact of many threads.
+class LargestOfAll {
+ public:
+  void add(const contact::LargestContact& other) {
+    const std::lock_guard lock(mutex_);
+    largest_.add(other);
+  }
+  const contact::LargestContact& operator()() const { return largest_; }
+
+ private:
+  std::mutex mutex_;
+  contact::LargestContact largest_;
+};
+
+// Solutions of rows in turn, one from the other if they are warm.
+class Solver {
+ public:
+  using Start = Starts<JointSolution>;
+  Solver(const contact::Joint& joint, const Start& start, bool warm,
+         LargestOfAll& largest)
+      : joint_(joint), start_(start), warm_(warm), all_(largest) {}
+  Solver(const Solver&) = delete;
+  Solver& operator=(const Solver&) = delete;
+  ~Solver() { all_.add(largest_); }
+
+  const JointSolution& operator()(const double* const* at, std::size_t i) {
+    const contact::Joint::Slip slip{vector_at(at[0]), vector_at(at[1]),
+                                    vector_at(at[2])};
+    const JointSolution* start = start_(i);
+    if (warm_ && has_last_) start = &last_;
+    last_ = start ? joint_.solve(slip, *start) : joint_.solve(slip);
+    has_last_ = true;
+    largest_.add(last_.half_angle, last_.peak_pressure);
+    return last_;
+  }
+
+ private:
+  const contact::Joint& joint_;
+  const Start& start_;
+  bool warm_;
+  bool has_last_ = false;
+  JointSolution last_;
+  contact::LargestContact largest_;
+  LargestOfAll& all_;
+};
+
+py::object solve(const FileJoint& self, const Numbers& reaction,
+                 const Numbers& angular_velocity,
+                 const std::optional<Numbers>& axis, bool warm,
+                 const Answers<JointSolution>* last,
+                 const std::optional<std::vector<std::string>>& fields,
+                 const std::optional<py::dict>& out, int threads) {
+  if (threads < 1) {
+    throw contact::Error(contact::detail::must_be(
+        "threads = " + std::to_string(threads), "1 or more"));
+  }
   const contact::Joint& joint = self.joint();
   const Vector3d none = Vector3d::Zero();
-  JointSolution last;
-  return solutions(self,
-                   {{"reaction", reaction, 3},
-                    {"angular_velocity", angular_velocity, 3},
-                    axis ? Argument("axis", *axis, 3) : Argument(none)},
-                   [&](const double* const* at) {
-                     const contact::Joint::Slip slip{
-                         vector_at(at[0]), vector_at(at[1]), vector_at(at[2])};
-                     if (!warm) return joint.solve(slip);
-                     return last = joint.solve(slip, last);
-                   });
+  const Rows rows({{"reaction", reaction, 3},
+                   {"angular_velocity", angular_velocity, 3},
+                   axis ? Argument("axis", *axis, 3) : Argument(none)});
+  const Starts starts(last, rows);
+  LargestOfAll largest;
+  const auto solve_into = [&](const auto& put) {
+    rows.for_each(threads, [&] {
+      return [&put,
+              solver = std::make_unique<Solver>(joint, starts, warm, largest)](
+                 const double* const* at, std::size_t i) {
+        put(i, (*solver)(at, i));
+      };
+    });
+    warn_of(self.limits(), largest());
+  };
+  if (fields || out) {
+    const ChosenColumns<JointSolution> chosen(contact::solution_quantities(),
+                                              fields, out, rows.shape());
+    solve_into(chosen);
+    return chosen.arrays();
+  }
+  Answers<JointSolution> all{rows.shape()};
+  all.rows.resize(rows.size());
+  solve_into([&](std::size_t i, const JointSolution& s) { all.rows[i] = s; });
+  return py::cast(std::move(all));
 }
 
 Answers<JointSolution> solve_contact(const FileJoint& self,
@@ -71,20 +163,26 @@ Answers<JointSolution> solve_contact(const FileJoint& self,
 
 Answers<RestSolution> at_rest(const FileJoint& self, const Numbers& reaction,
                               const Numbers& moment,
-                              const std::optional<Numbers>& axis) {
+                              const std::optional<Numbers>& axis,
+                              const Answers<RestSolution>* last) {
   const contact::Joint& joint = self.joint();
   const Vector3d none = Vector3d::Zero();
+  const Rows rows({{"reaction", reaction, 3},
+                   {"moment", moment, 3},
+                   axis ? Argument("axis", *axis, 3) : Argument(none)});
+  const Starts starts(last, rows);
   contact::LargestContact largest;
-  auto all = answers<RestSolution>(
-      {{"reaction", reaction, 3},
-       {"moment", moment, 3},
-       axis ? Argument("axis", *axis, 3) : Argument(none)},
-      [&](const double* const* at) {
-        const RestSolution s = joint.at_rest(
-            {vector_at(at[0]), vector_at(at[1]), vector_at(at[2])});
-        largest.add(s.slip.half_angle, s.slip.peak_pressure);
-        return s;
-      });
+  Answers<RestSolution> all{rows.shape()};
+  all.rows.reserve(rows.size());
+  rows.for_each([&](const double* const* at) {
+    const contact::Joint::Hold hold{vector_at(at[0]), vector_at(at[1]),
+                                    vector_at(at[2])};
+    const RestSolution* const start = starts(all.rows.size());
+    const RestSolution s =
+        start ? joint.at_rest(hold, *start) : joint.at_rest(hold);
+    largest.add(s.slip.half_angle, s.slip.peak_pressure);
+    all.rows.push_back(s);
+  });
   warn_of(self.limits(), largest);
   return all;
 }
@@ -153,7 +251,7 @@ std::string file_toml(const std::string& kind,
 }
 
 constexpr const char* solve_doc =
-    R"(solve(self, reaction, angular_velocity, *, axis=None, warm=False)
+    R"(solve(self, reaction, angular_velocity, *, axis=None, warm=False, last=None, fields=None, out=None, threads=1)
 --
 
 Friction of the joint while its halves turn, under a known reaction.
@@ -163,14 +261,23 @@ angular_velocity: Dw, body against carrier, rad/s, (..., 3); 0 rests.
 axis: of a pin, unit vector, (..., 3); the direction of Dw if it is None.
 warm: begin each row from the solution of the row before. Rows that are near
     each other take 0.2 to 0.7 of the time; the last digits differ.
+last: a Solution of this joint for similar rows, from which each row begins,
+    of their shape or a single one; an unpickled one has nothing to begin from.
+fields: names of the quantities that are wanted, as "friction_moment": they
+    alone are kept, and returned as a dict of arrays.
+out: arrays for them by their names, as a dict, which is returned.
+threads: how many share the rows; rows do not change by it unless they are
+    warm: these begin anew every 1024.
 
-Returns a Solution of the shape to which the arguments broadcast. To 2e-13 of
+ a Solution of the shape to which the arguments broadcast. To 2e-13 of
 the equations; NaN in an argument gives NaN with Status.OUT_OF_RANGE.)";
 
 void bind_solutions(py::class_<FileJoint>& type) {
   const auto keyword_axis = py::arg("axis") = py::none();
   type.def("solve", &solve, py::arg("reaction"), py::arg("angular_velocity"),
-           py::kw_only(), keyword_axis, py::arg("warm") = false, solve_doc);
+           py::kw_only(), keyword_axis, py::arg("warm") = false,
+           py::arg("last") = py::none(), py::arg("fields") = py::none(),
+           py::arg("out") = py::none(), py::arg("threads") = 1, solve_doc);
   type.def("solve_contact", &solve_contact, py::arg("normal_force"),
            py::arg("angular_velocity"), py::kw_only(), keyword_axis,
            R"(solve_contact(self, normal_force, angular_velocity, *, axis=None)
@@ -182,8 +289,8 @@ place it is the traditional estimate.
 normal_force: R_n n on the body, N, (..., 3).
 angular_velocity, axis: as in solve().)");
   type.def("at_rest", &at_rest, py::arg("reaction"), py::arg("moment"),
-           py::kw_only(), keyword_axis,
-           R"(at_rest(self, reaction, moment, *, axis=None)
+           py::kw_only(), keyword_axis, py::arg("last") = py::none(),
+           R"(at_rest(self, reaction, moment, *, axis=None, last=None)
 --
 
 Whether the joint rests under a reaction while friction supplies a moment, and
@@ -191,6 +298,7 @@ how near it is to sliding.
 
 reaction: R on the body, N, (..., 3).
 moment: M on the body that friction has to supply, N m, (..., 3).
+last: a RestSolution for similar rows, as in solve(): a fifth of the time.
 
 Returns a RestSolution.)");
   type.def("pv", &pv, py::arg("reaction"), py::arg("angular_velocity"),
@@ -230,7 +338,7 @@ FileJoint::FileJoint(const TomlTable& file)
       spec_(checked_spec(file)),
       canonical_(spec_.canonical_text()),
       joint_(contact_of(spec_)),
-      limits_(contact().half_angle_law(), contact().pair()) {}
+      limits_(contact().limits()) {}
 
 contact::KeySettings key_settings(const Settings& settings) {
   contact::KeySettings all;
@@ -245,26 +353,49 @@ const contact::Joint& FileJoint::joint() const {
 
 namespace {
 
-// Laws that do without materials.
-std::vector<std::string_view> plain_laws() {
-  std::vector<std::string_view> names;
-  const auto add = [&](const auto& entries) {
-    for (const auto* entry : entries) {
-      using Needs = contact::detail::LawEntry::Needs;
-      if (entry->about.needs == Needs::nothing) {
-        names.push_back(entry->about.name);
-      }
-    }
+// Laws that depend on the materials.
+std::vector<std::string> material_laws() {
+  namespace laws = contact::detail;
+  const auto depends = [](const auto& entry) {
+    return entry.about.needs != laws::LawEntry::Needs::nothing;
   };
-  add(contact::detail::half_angle_entries());
-  add(contact::detail::pressure_entries());
+  auto names = laws::names_of(laws::half_angle_entries(), depends);
+  for (auto& name : laws::names_of(laws::pressure_entries(), depends)) {
+    names.push_back(std::move(name));
+  }
   return names;
+}
+
+// A key with each unit that it may have.
+std::vector<std::string> spellings(const contact::KnownKey& known) {
+  const std::string key(known.key);
+  std::vector<std::string> all;
+  for (const contact::Unit& unit : units_of(known.dimension)) {
+    all.push_back(key + (unit.ending.empty() ? "" : "_") +
+                  std::string(unit.ending));
+  }
+  if (all.front() != key) all.insert(all.begin(), key);
+  return all;
+}
+
+// The keys of joint files: of tables the spellings of theirs.
+py::dict joint_keys() {
+  py::dict tables;
+  for (const contact::KnownKey& known : contact::joint_keys()) {
+    py::list inside;
+    for (const contact::KnownKey& key : known.inside)
+      for (const std::string& name : spellings(key)) inside.append(name);
+    for (const std::string& name : spellings(known))
+      tables[name.c_str()] = inside;
+  }
+  return tables;
 }
 
 }  // namespace
 
 void bind_joint(py::module_& m) {
-  m.attr("_plain_laws") = plain_laws();
+  m.attr("_material_laws") = material_laws();
+  m.attr("_joint_keys") = joint_keys();
   bind_answers(m, "Solution", contact::solution_quantities(),
                "What Joint.solve() returns, and Joint.solve_contact().");
   bind_answers(m, "RestSolution", contact::rest_quantities(),

@@ -1,6 +1,7 @@
 #include "python/rows.hpp"
 
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "libcontact/base/complaint.hpp"
@@ -18,7 +19,46 @@ std::string text_of(const Shape& shape) {
   return text + ")";
 }
 
+// Doubles in one piece, and no subclass, whose values may be more than these.
+bool is_plain(py::handle given) {
+  return Py_TYPE(given.ptr()) == py::detail::npy_api::get().PyArray_Type_ &&
+         py::isinstance<py::array_t<double, py::array::c_style>>(given);
+}
+
+bool is_masked(py::handle given) {
+  return py::isinstance<py::array>(given) &&
+         py::isinstance(given,
+                        py::module_::import("numpy.ma").attr("MaskedArray"));
+}
+
+// As NumPy has it without being told of which type.
+py::array natural(py::handle given) {
+  const auto from_any = py::detail::npy_api::get().PyArray_FromAny_;
+  auto array = py::reinterpret_steal<py::array>(
+      from_any(given.ptr(), nullptr, 0, 0, 0, nullptr));
+  if (!array) throw py::error_already_set();
+  return array;
+}
+
+py::object numbers_of(py::handle given) {
+  if (is_plain(given)) return py::reinterpret_borrow<py::object>(given);
+  if (is_masked(given)) {
+    throw py::type_error(contact::detail::must_be(
+        "a masked array", "filled or compressed: its mask is not looked at"));
+  }
+  py::array array = natural(given);
+  if (std::string_view("fiub").find(array.dtype().kind()) ==
+      std::string_view::npos) {
+    throw py::type_error(contact::detail::must_be(
+        "an array of " + std::string(py::str(py::object(array.dtype()))),
+        "of floats, integers or booleans"));
+  }
+  return array;
+}
+
 }  // namespace
+
+Numbers::Numbers(py::handle given) : array_t(numbers_of(given)) {}
 
 Argument::Argument(const char* name, const Numbers& array, int row_width)
     : data(array.data()),
@@ -64,8 +104,17 @@ Rows::Rows(std::initializer_list<Argument> arguments) {
   }
 }
 
-Rows::Cursor::Cursor(const Rows& rows)
-    : rows_(rows), at_(rows.begin_), index_(rows.shape_.size(), 0) {}
+Rows::Cursor::Cursor(const Rows& rows, std::size_t begin)
+    : rows_(rows), at_(rows.begin_), index_(rows.shape_.size(), 0) {
+  if (begin == 0) return;
+  for (std::size_t d = index_.size(); d-- > 0;) {
+    const auto length = static_cast<std::size_t>(rows.shape_[d]);
+    index_[d] = static_cast<py::ssize_t>(begin % length);
+    begin /= length;
+    for (std::size_t k = 0; k < at_.size(); ++k)
+      at_[k] += rows.strides_[k][d] * index_[d];
+  }
+}
 
 void Rows::Cursor::next() {
   for (std::size_t d = index_.size(); d-- > 0;) {
@@ -87,6 +136,53 @@ void Rows::heed_signals() {
 
 py::object returned(const py::array& array) {
   return array.ndim() == 0 ? array[py::tuple()] : py::object(array);
+}
+
+std::vector<std::string> detail::chosen_names(
+    const std::optional<std::vector<std::string>>& names,
+    const std::optional<py::dict>& out) {
+  if (names && out) {
+    throw contact::Error(contact::detail::must_be(
+        "fields", "left out beside out, which names them"));
+  }
+  if (names) return *names;
+  std::vector<std::string> all;
+  for (const auto& item : *out) all.push_back(item.first.cast<std::string>());
+  return all;
+}
+
+void detail::refuse_field(const std::string& name,
+                          std::vector<std::string> known) {
+  throw contact::Error(contact::detail::unknown("quantity", name, known));
+}
+
+void* detail::memory_of(const char* name, const py::object& array,
+                        const py::dtype& type, const Shape& shape) {
+  if (py::isinstance<py::array>(array)) {
+    auto to = py::reinterpret_borrow<py::array>(array);
+    if (to.dtype().equal(type) && to.writeable() &&
+        (to.flags() & py::array::c_style) != 0 &&
+        Shape(to.shape(), to.shape() + to.ndim()) == shape) {
+      return to.mutable_data();
+    }
+  }
+  throw contact::Error(contact::detail::must_be(
+      "out[\"" + std::string(name) + "\"]",
+      "a writable array of " + std::string(py::str(py::object(type))) +
+          " of shape " + text_of(shape) + " in the order of C"));
+}
+
+void detail::protect(py::array& array) {
+  py::detail::array_proxy(array.ptr())->flags &=
+      ~py::detail::npy_api::NPY_ARRAY_WRITEABLE_;
+}
+
+py::array detail::rows_of(const py::array& array,
+                          const py::array_t<std::size_t>& which,
+                          bool is_vector) {
+  const py::object flat =
+      is_vector ? array.attr("reshape")(-1, 3) : array.attr("ravel")();
+  return py::array(flat[which]);
 }
 
 void detail::refuse_pickled(const char* name, const py::dtype& type,

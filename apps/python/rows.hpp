@@ -5,8 +5,12 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
+#include <exception>
 #include <initializer_list>
+#include <mutex>
+#include <thread>
 #include <vector>
 
 #include "python/interpreter_lock.hpp"
@@ -15,8 +19,17 @@ namespace contact_python {
 
 namespace py = pybind11;
 
-/// Whatever NumPy makes an array of numbers of.
-using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
+/// Floats, integers and booleans of any shape, in one piece. An array of
+/// doubles that lies so is not copied.
+class Numbers
+    : public py::array_t<double, py::array::c_style | py::array::forcecast> {
+ public:
+  Numbers() : array_t(py::handle(), stolen_t{}) {}
+  /// Throws Python's TypeError for anything else that NumPy makes an array of,
+  /// as text, dates, complex numbers and masks, and NumPy's own error for what
+  /// it makes none of.
+  explicit Numbers(py::handle given);
+};
 using Shape = std::vector<py::ssize_t>;
 
 /// Arguments of an evaluation for many rows.
@@ -59,6 +72,11 @@ class Rows {
     }
   }
 
+  /// The same on several threads: each block of rows has a function
+  /// `begin()(numbers, i)` of its own, i the number of the row.
+  template <class Begin>
+  void for_each(int threads, const Begin& begin) const;
+
  private:
   // As many rows as nobody waits for.
   static constexpr std::size_t block = 1024;
@@ -66,7 +84,8 @@ class Rows {
   // Where the numbers of a row are.
   class Cursor {
    public:
-    explicit Cursor(const Rows& rows);
+    /// At row `begin`.
+    explicit Cursor(const Rows& rows, std::size_t begin = 0);
     const double* const* at() const { return at_.data(); }
     void next();
 
@@ -83,6 +102,41 @@ class Rows {
   std::vector<const double*> begin_;
   std::vector<Shape> strides_;  // of each argument
 };
+
+template <class Begin>
+void Rows::for_each(int threads, const Begin& begin) const {
+  if (threads == 1) {
+    auto row = begin();
+    std::size_t i = 0;
+    for_each([&](const double* const* at) { row(at, i++); });
+    return;
+  }
+  std::atomic<std::size_t> next = 0;
+  std::exception_ptr failure;
+  std::mutex of_failure;
+  const auto work = [&](bool is_caller) {
+    try {
+      for (std::size_t i; (i = next.fetch_add(block)) < size_;) {
+        auto row = begin();
+        Cursor cursor(*this, i);
+        const std::size_t end = std::min(i + block, size_);
+        for (; i < end; ++i, cursor.next()) row(cursor.at(), i);
+        if (is_caller) heed_signals();
+      }
+    } catch (...) {
+      const std::lock_guard lock(of_failure);
+      failure = std::current_exception();
+      next = size_;
+    }
+  };
+  {
+    const Unlocked unlocked;
+    std::vector<std::jthread> others;
+    for (int k = 1; k < threads; ++k) others.emplace_back(work, false);
+    work(true);
+  }
+  if (failure) std::rethrow_exception(failure);
+}
 
 inline Eigen::Vector3d vector_at(const double* numbers) {
   return Eigen::Map<const Eigen::Vector3d>(numbers);
@@ -103,3 +157,13 @@ py::object evaluate(std::initializer_list<Argument> arguments,
 }
 
 }  // namespace contact_python
+
+/// Arguments of functions.
+template <>
+struct pybind11::detail::type_caster<contact_python::Numbers> {
+  PYBIND11_TYPE_CASTER(contact_python::Numbers, const_name("array of numbers"));
+  bool load(handle given, bool /*convert*/) {
+    value = contact_python::Numbers(given);
+    return true;
+  }
+};

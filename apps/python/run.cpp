@@ -100,8 +100,10 @@ class CaseRun {
  public:
   CaseRun(const FileCase& file, bool clearance)
       : identity_(identity_of(file.of, {.clearance = clearance})),
-        run_(file.of, options(clearance)) {}
-  CaseRun(const CaseRun&) = delete;
+        run_(file.of, heard({.clearance = clearance})) {}
+  explicit CaseRun(CaseRun& other)
+      : identity_(other.identity_),
+        run_(other.run_, heard(other.run_.options())) {}
   CaseRun& operator=(const CaseRun&) = delete;
 
   const separation::Run& run() const {
@@ -127,6 +129,12 @@ class CaseRun {
     alone([&] { run_.restore(separation::saved_state(bytes, identity_)); });
   }
 
+  static std::unique_ptr<CaseRun> copy_of(CaseRun& other) {
+    std::unique_ptr<CaseRun> made;
+    other.alone([&] { made = std::make_unique<CaseRun>(other); });
+    return made;
+  }
+
   const std::vector<double>& values() {
     if (values_.empty()) values_ = run().values();
     return values_;
@@ -142,9 +150,8 @@ class CaseRun {
   }
 
  private:
-  separation::RunOptions options(bool clearance) {
-    separation::RunOptions options;
-    options.clearance = clearance;
+  // Whoever listens to this run is asked.
+  separation::RunOptions heard(separation::RunOptions options) {
     options.progress = [this](const separation::Run& r) {
       if (listener_) listener_->come_to(r.time());
     };
@@ -222,6 +229,7 @@ void bind_place(py::class_<CaseRun>& type) {
 void bind_run(py::module_& m) {
   py::class_<CaseRun> type(m, "Run", "A case on its way.");
   type.def(py::init(&make_run), py::arg("case"), py::arg("clearance"));
+  type.def(py::init(&CaseRun::copy_of), py::arg("other"));
   type.def("_advance_to", &CaseRun::advance_to, py::arg("time"),
            py::arg("progress"));
   type.def(

@@ -16,6 +16,7 @@ ContactWarning; Joint.notes() has their numbers.
 
 import enum
 
+from . import _calls, _results, study  # the first two complete _core
 from ._case import Case, Event, Outcome, Run
 from ._core import (
     Coefficients,
@@ -33,6 +34,7 @@ from ._core import (
     __version__,
     damping_of_restitution,
 )
+from ._examples import examples, materials
 from ._joint import (
     Cycle,
     Fit,
@@ -87,9 +89,12 @@ __all__ = [
     "WearIn",
     "__version__",
     "damping_of_restitution",
+    "examples",
     "friction_coefficients",
     "half_angle",
     "identify",
     "load_parameter",
+    "materials",
     "pressure",
+    "study",
 ]

@@ -5,7 +5,7 @@ import warnings
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 from os import PathLike, fspath
-from typing import Any, Literal, NamedTuple
+from typing import Any, Literal, NamedTuple, Self
 
 import numpy as np
 from numpy.typing import NDArray
@@ -101,11 +101,27 @@ class Run(_core.Run):
     and so on.
 
     Runs have nothing in common: each may have a thread of its own.
+
+    copy.copy(run) is a run that goes on from here as this one does, to the last
+    bit. To take it begins the steps of both anew, as save() does.
     """
 
     def __init__(self, case: Case, *, clearance: bool = True) -> None:
         """At the start. clearance: whether to work out distances."""
         super().__init__(case, clearance)
+
+    def __repr__(self) -> str:
+        return (
+            f"<libcontact.Run at {self.time:.6g} s of {self.end_time:.6g} s, "
+            f"{self.status}>"
+        )
+
+    def __copy__(self) -> Self:
+        """A run that goes on from here as this one does."""
+        made = type(self).__new__(type(self))
+        _core.Run.__init__(made, self)
+        made.__dict__.update(self.__dict__)
+        return made
 
     def advance_to(
         self,

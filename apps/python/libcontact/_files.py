@@ -1,9 +1,12 @@
 """What joints and cases have in common: both are a TOML text with settings."""
 
+import copy
+import difflib
+import functools
 import json
 import numbers
 import tomllib
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from os import PathLike
 from pathlib import Path
 from typing import Any, Self
@@ -15,6 +18,8 @@ type_of_settings = tuple[tuple[str, str], ...]
 
 def value_text(value: object) -> str:
     """A value as TOML."""
+    if getattr(value, "ndim", None) == 0:
+        value = value.item()  # type: ignore
     if isinstance(value, Mapping):
         inside = (f"{key_text(k)} = {value_text(v)}" for k, v in value.items())
         return "{" + ", ".join(inside) + "}"
@@ -51,11 +56,9 @@ def walk(tables: Any, key: str) -> tuple[Any, str]:
         step, _, behind = rest.partition(".")
         name, _, which = step.partition("[")
         if name not in tables:
-            if isinstance(tables, Mapping) and not {"file", "pair"}.isdisjoint(
-                tables
-            ):
+            if isinstance(tables, Mapping) and _file_of(tables):
                 return tables, rest
-            raise KeyError(key)
+            raise _absent(key, tables, rest)
         tables = tables[name]
         if which:
             tables = among(tables, which.removesuffix("]"), key)
@@ -65,35 +68,90 @@ def walk(tables: Any, key: str) -> tuple[Any, str]:
     return tables, ""
 
 
+def _absent(key: str, tables: Any, rest: str) -> KeyError:
+    """What there is in the place of a key that is not there."""
+    known = list(dotted(tables))
+    near = difflib.get_close_matches(rest, known, 1)
+    said = f"there is {near[0]}" if near else f"there are {', '.join(known)}"
+    before = key.removesuffix(rest).removesuffix(".")
+    return KeyError(f"{key}: {f'in {before} ' if before else ''}{said}")
+
+
 def among(tables: Any, which: str, key: str) -> Any:
     """The one of several tables that has this number or name."""
     for number, table in enumerate(tables, 1):
         if which == str(number) or table.get("name") == which:
             return table
-    raise KeyError(key)
+    raise KeyError(f"{key}: there are {len(tables)}")
 
 
-def is_of_file(tables: Any, key: str) -> bool:
-    return bool(walk(tables, key)[1])
+def dotted(tables: Mapping[str, Any], before: str = "") -> Iterator[str]:
+    """All keys of tables in tables, as "wall.layer[1].thickness_mm"."""
+    for name, value in tables.items():
+        if isinstance(value, Mapping):
+            yield from dotted(value, f"{before}{name}.")
+        elif isinstance(value, list) and value and isinstance(value[0], Mapping):
+            for number, table in enumerate(value, 1):
+                yield from dotted(table, f"{before}{name}[{number}].")
+        else:
+            yield before + name
 
 
-def value_at(
-    tables: Any, folder: Path, settings: type_of_settings, key: str
-) -> Any:
-    """The value of a key.
+def _file_of(table: Mapping[str, Any]) -> str | None:
+    """The key by which a table names a file that has its keys."""
+    return next(
+        (k for k in ("file", "pair") if isinstance(table.get(k), str)), None
+    )
+
+
+def with_files(tables: Any, folder: Path, settings: type_of_settings) -> Any:
+    """Tables with those of the files that they name.
 
     tables: of a file that has its own settings already.
     settings: those of files that it names count.
     """
-    found, rest = walk(tables, key)
-    if not rest:
-        return found
-    kind = "file" if "file" in found else "pair"
-    walked = [(walk(tables, k), value) for k, value in settings]
-    its_own = tuple((r, v) for (table, r), v in walked if table is found and r)
-    path = folder / found[kind]
-    text = _core._file_toml(kind, path, its_own)
-    return value_at(tomllib.loads(text), path.parent, its_own, rest)
+    walked = [(walk(tables, key), value) for key, value in settings]
+
+    def whole(found: Any) -> Any:
+        if isinstance(found, list):
+            return [whole(value) for value in found]
+        if not isinstance(found, dict):
+            return found
+        inside = {name: whole(value) for name, value in found.items()}
+        kind = _file_of(found)
+        if kind is None:
+            return inside
+        its_own = tuple((r, v) for (table, r), v in walked if table is found and r)
+        path = folder / found[kind]
+        text = _core._file_toml(kind, path, its_own)
+        return with_files(tomllib.loads(text), path.parent, its_own) | inside
+
+    return whole(tables)
+
+
+def without_names(tables: Any) -> Any:
+    """Tables of with_files() that name no files. The friction of a pair of
+    materials is that of the joint, unless it has its own."""
+    if isinstance(tables, list):
+        return [without_names(value) for value in tables]
+    if not isinstance(tables, dict):
+        return tables
+    inside = {name: without_names(value) for name, value in tables.items()}
+    if _file_of(inside) == "file":
+        del inside["file"]
+    materials = inside.get("materials", {})
+    if _file_of(materials) == "pair":
+        bodies = {name: materials[name] for name in ("inner", "outer")}
+        own = {"friction": materials["friction"]} if "friction" in materials else {}
+        return own | inside | {"materials": bodies}
+    return inside
+
+
+def _frozen(value: Any) -> Any:
+    """Equal for equal tables, whatever the order of their keys."""
+    if isinstance(value, dict):
+        return frozenset((name, _frozen(inside)) for name, inside in value.items())
+    return tuple(map(_frozen, value)) if isinstance(value, list) else value
 
 
 class FileText:
@@ -139,11 +197,26 @@ class FileText:
         """
         settings = dict(self._settings)
         for key, value in keys.items():
+            key = self._here(key)
             settings.pop(key, None)
             settings[key] = value_text(value)
         return self._of(
             self._text, self._source, self._folder, tuple(settings.items())
         )
+
+    def _here(self, key: str) -> str:
+        """A key of a pair's friction, which is the joint's where to_dict() has
+        put it."""
+        before, materials, behind = key.partition("materials.friction.")
+        if materials and before + "materials.friction" not in self:
+            return f"{before}friction.{behind}"
+        return key
+
+    @functools.cached_property
+    def _tables(self) -> dict[str, Any]:
+        """With those of the files that it names."""
+        tables = tomllib.loads(self._toml)
+        return with_files(tables, Path(self._folder), self._settings)  # type: ignore
 
     def __getitem__(self, key: str) -> Any:
         """The value of a key, in its unit; a table as a dict.
@@ -151,34 +224,52 @@ class FileText:
         key: as in replace(). KeyError if the file leaves it out, or has it in
             another unit.
         """
-        return value_at(
-            self.to_dict(), Path(self._folder), self._settings, key
-        )
+        found, rest = walk(self._tables, self._here(key))
+        if rest:
+            raise _absent(key, found, rest)
+        return copy.deepcopy(found)
+
+    def get(self, key: str, default: Any = None) -> Any:
+        """The value of a key; `default` if the file leaves it out."""
+        try:
+            return self[key]
+        except KeyError:
+            return default
+
+    def __contains__(self, key: str) -> bool:
+        """Whether the file has a key or a table."""
+        return self.get(key) is not None
+
+    def keys(self) -> list[str]:
+        """All keys, as in replace(), those of files that it names too."""
+        return list(dotted(self._tables))
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self.keys())
 
     def to_dict(self) -> dict[str, Any]:
-        """The file as nested dicts, but for files that it names."""
-        return tomllib.loads(self._toml)
+        """The file as nested dicts, with the tables of files that it names in
+        the place of their names."""
+        return without_names(self._tables)  # type: ignore
 
     def to_toml(self) -> str:
-        """The file as TOML, with its replaced keys, but for files that it
-        names."""
+        """The file as TOML that needs no other file, with its replaced keys."""
         return toml_text(self.to_dict())
 
-    def _identity(self) -> tuple[object, ...]:
-        tables = self.to_dict()
-        of_files = [s for s in self._settings if is_of_file(tables, s[0])]
-        return type(self), self._canonical, self._folder, sorted(of_files)
-
     def __eq__(self, other: object) -> bool:
-        if not isinstance(other, FileText):
+        if not isinstance(other, type(self)):
             return NotImplemented
-        return self._identity() == other._identity()
+        return self.to_dict() == other.to_dict()
 
     def __hash__(self) -> int:
-        return hash(self._canonical)
+        return hash(_frozen(self.to_dict()))
 
     def __reduce__(self) -> tuple[Any, ...]:
-        state = (self._text, self._source, self._folder, self._settings)
+        tables = tomllib.loads(self._toml)
+        if self._tables == tables:  # it names no files
+            state = self._text, self._source, self._folder, self._settings
+        else:
+            state = self.to_toml(), "", "", ()
         return type(self)._of, state
 
     # Nothing of it changes.

@@ -2,34 +2,19 @@
 
 import copy
 import functools
-from collections.abc import Mapping, Sequence
-from typing import Any
+import tomllib
+from collections.abc import Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
-from ._files import FileText, toml_text, value_text
+from ._calls import unexpected_keyword
+from ._files import FileText, toml_text
 
 Key = float | str | Mapping[str, object] | Sequence[object] | None
 
-# Tables of the joint file whose keys are keywords, without unit.
-_tables = {
-    "geometry": (
-        "radius diameter radial_clearance diametral_clearance "
-        "relative_clearance hole shaft clearance length"
-    ),
-    "materials": "pair inner outer",
-    "friction": (
-        "coefficient adhesion viscous_constant viscous_pressure_slope "
-        "static_coefficient dynamic_coefficient stribeck_velocity "
-        "reference_pressure exponent pressures speeds_over_pressure "
-        "coefficients curve"
-    ),
-    "half_angle": "limit_half_angle limit_formula degrees_per_radian",
-    "loading": "patch_half_angle",
-}
-_table_of = {k: table for table, keys in _tables.items() for k in keys.split()}
 # What a text is in these tables.
 _main_key = {
     "half_angle": "law",
@@ -37,16 +22,13 @@ _main_key = {
     "friction": "law",
     "loading": "kind",
 }
-
-
-def _table_with(keyword: str) -> str | None:
-    """The table of a keyword such as radius_mm; None: it is one, or unknown."""
-    if keyword == "inner_body":
-        return None
-    matching = [
-        k for k in _table_of if keyword == k or keyword.startswith(k + "_")
-    ]
-    return _table_of[max(matching, key=len)] if matching else None
+# Tables of the joint file whose keys are keywords, and the table of each.
+_table_of = {
+    key: table
+    for table in ("geometry", "materials", "friction", "half_angle", "loading")
+    for key in _core._joint_keys[table]
+    if key != _main_key.get(table)
+}
 
 
 def _nested(keywords: Mapping[str, Key]) -> dict[str, Any]:
@@ -55,11 +37,13 @@ def _nested(keywords: Mapping[str, Key]) -> dict[str, Any]:
     for keyword, value in keywords.items():
         if value is None:
             continue
-        if isinstance(value, str) and keyword in _main_key:
+        if keyword in _main_key and isinstance(value, str):
             value = {_main_key[keyword]: value}
-        table = _table_with(keyword)
-        if table is not None:
-            tables.setdefault(table, {})[keyword] = value
+        if keyword in _table_of:
+            tables.setdefault(_table_of[keyword], {})[keyword] = value
+        elif keyword not in _core._joint_keys:
+            known = [*_table_of, *_core._joint_keys]
+            raise unexpected_keyword("Joint", keyword, known)
         elif isinstance(value, Mapping):
             tables.setdefault(keyword, {}).update(value)
         else:
@@ -91,16 +75,46 @@ class Joint(FileText, _core.Joint):
     they say, may be pickled and shared by threads, and go through fork.
     """
 
-    def __init__(self, *, kind: str, **keys: Key) -> None:
-        tables = _nested({"name": "joint", "kind": kind} | keys)
-        self._read(toml_text(tables), "", "", ())
+    if not TYPE_CHECKING:  # the stub of _core has all keys
+
+        def __init__(self, *, kind: str, **keys: Key) -> None:
+            tables = _nested({"name": "joint", "kind": kind} | keys)
+            self._read(toml_text(tables), "", "", ())
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Joint):
             return NotImplemented
         return self._canonical == other._canonical
 
-    __hash__ = FileText.__hash__
+    def __hash__(self) -> int:
+        return hash(self._canonical)
+
+    @property
+    def _friction(self) -> dict[str, Any]:
+        """In SI units, wherever the file has it."""
+        return tomllib.loads(self._canonical).get("friction", {})
+
+    @property
+    def friction_law(self) -> str | None:
+        """"dry", "viscous" or the name of a friction stress; None without
+        friction."""
+        friction = self._friction
+        dry_or_viscous = "dry" if "coefficient" in friction else "viscous"
+        return friction.get("law", dry_or_viscous) if friction else None
+
+    @property
+    def coefficient(self) -> float | None:
+        """f0 of dry friction; None of other."""
+        return self._friction.get("coefficient") if self._is_dry else None
+
+    @property
+    def adhesion(self) -> float | None:
+        """A of dry friction, Pa; None of other."""
+        return self._friction.get("adhesion_Pa", 0.0) if self._is_dry else None
+
+    @property
+    def _is_dry(self) -> bool:
+        return self.friction_law == "dry"
 
     def cycle(
         self,
@@ -166,6 +180,13 @@ class Wear:
     def __init__(self, attributes: dict[str, Any]) -> None:
         self.__dict__.update(attributes)
 
+    def __repr__(self) -> str:
+        place = ", ".join(f"{x:.4g}" for x in self.deepest_point)
+        return (
+            f"libcontact.Wear of the {self.body} at {len(self.points)} points: "
+            f"{self.deepest_pv_integral:.6g} Pa m at the deepest, ({place})"
+        )
+
 
 class _Made:
     """Mixed into a class of _core: pickled as what it was made of."""
@@ -202,6 +223,12 @@ class Fit(_Made, _core.Fit):
     def __getitem__(self, parameter: str) -> _core.Estimate:
         return self.parameters[parameter]
 
+    def __contains__(self, parameter: str) -> bool:
+        return parameter in self.parameters
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self.parameters)
+
 
 def identify(
     joint: Joint,
@@ -210,7 +237,7 @@ def identify(
     moment: ArrayLike,
     *,
     sigma: ArrayLike = 1.0,
-    parameters: Sequence[str] = ("coefficient", "adhesion"),
+    parameters: str | Sequence[str] = ("coefficient", "adhesion"),
     huber: bool = False,
     profile: bool = False,
     level: float = 0.95,
@@ -227,9 +254,10 @@ def identify(
     profile: intervals by refitting too.
     level: probability of the intervals.
     """
+    names = [parameters] if isinstance(parameters, str) else list(parameters)
     return Fit(
-        joint, reaction, angular_velocity, moment, sigma, list(parameters),
-        huber, profile, level,
+        joint, reaction, angular_velocity, moment, sigma, names, huber, profile,
+        level,
     )  # fmt: skip
 
 
@@ -254,13 +282,20 @@ _any_material = {"youngs_modulus": 1e9, "poissons_ratio": 0.3}
 
 def _law_joint(law: str, keys: Mapping[str, Key]) -> Joint:
     """The same, where one law counts."""
+    has_materials = not {"inner", "outer", "pair"}.isdisjoint(keys)
+    if has_materials:
+        return _unit_joint(keys)
+    if law in _core._material_laws:
+        raise _core.Error(
+            f'law "{law}" requires inner and outer, the two materials, or pair'
+        )
     same = {"inner": _any_material, "outer": _any_material}
-    return _unit_joint(same | keys if law in _core._plain_laws else keys)
+    return _unit_joint(same | keys)
 
 
 def half_angle(
     load_parameter: ArrayLike,
-    law: str = "fitted",
+    law: "_core._HalfAngle" = "fitted",
     *,
     kind: str = "ball",
     **keys: Key,
@@ -281,7 +316,7 @@ def half_angle(
 
 def load_parameter(
     half_angle: ArrayLike,
-    law: str = "fitted",
+    law: "_core._HalfAngle" = "fitted",
     *,
     kind: str = "ball",
     **keys: Key,
@@ -306,7 +341,7 @@ def _pressure_for(keys: Mapping[str, Key]) -> str:
 def pressure(
     theta: ArrayLike,
     half_angle: ArrayLike,
-    pressure: str = "exact",
+    pressure: "_core._Pressure" = "exact",
     *,
     kind: str = "ball",
     **keys: Key,
@@ -326,7 +361,7 @@ def pressure(
 def friction_coefficients(
     theta0: ArrayLike,
     alpha: ArrayLike,
-    pressure: str = "cosine",
+    pressure: "_core._Pressure" = "cosine",
     **keys: Key,
 ) -> _core.Coefficients:
     """Coefficients of a ball's friction: chi, sigma_Y and sigma_Z as

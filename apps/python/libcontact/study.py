@@ -11,11 +11,14 @@ is computed again, by the executor or by the same call repeated.
     >>> with ThreadPoolExecutor() as executor:
     ...     print(libcontact.study.run("study.toml", executor, ["--csv", "rows.csv"]))
 
-Workers need hinge-study on their PATH, and the study's files by the same name.
+Workers need hinge-study, beside their Python or on their PATH, and the study's
+files by the same name.
 """
 
 import os
+import shutil
 import subprocess
+import sysconfig
 import tempfile
 from collections.abc import Sequence
 from concurrent.futures import Executor, as_completed
@@ -27,8 +30,15 @@ __all__ = ["compute_part", "run"]
 
 
 def _hinge_study(*arguments: str) -> str:
+    places = os.pathsep.join([sysconfig.get_path("scripts"), os.environ["PATH"]])
+    program = shutil.which("hinge-study", path=places)
+    if program is None:
+        raise Error(
+            "hinge-study must be beside this Python, where pip install puts it, "
+            "or on the PATH"
+        )
     done = subprocess.run(
-        ["hinge-study", *arguments], text=True, capture_output=True, check=False
+        [program, *arguments], text=True, capture_output=True, check=False
     )
     # 1: runs or a picture failed, and the rest is there.
     if done.returncode not in (0, 1):

@@ -1,0 +1,104 @@
+"""Wrong calls of the compiled functions, said as Python says them."""
+
+import difflib
+import functools
+import inspect
+from collections.abc import Callable, Iterable
+from typing import Any
+
+from . import _core
+
+
+def meant(word: str, known: Iterable[str]) -> str:
+    """The end of a sentence about a word that is not known."""
+    near = difflib.get_close_matches(word, list(known), 1)
+    return f". Did you mean '{near[0]}'?" if near else ""
+
+
+def unexpected_keyword(
+    function: str, keyword: str, known: Iterable[str]
+) -> TypeError:
+    return TypeError(
+        f"{function}() got an unexpected keyword argument '{keyword}'"
+        + meant(keyword, known)
+    )
+
+
+def _refusal(
+    name: str,
+    function: Callable[..., Any],
+    arguments: tuple[Any, ...],
+    keywords: dict[str, Any],
+) -> TypeError:
+    """What is wrong with arguments that pybind11 did not take."""
+    try:
+        signature = inspect.signature(function)
+    except ValueError:
+        return _wrong_types(name, arguments, keywords)
+    for keyword in keywords:
+        if keyword not in signature.parameters:
+            known = [k for k in signature.parameters if k != "self"]
+            return unexpected_keyword(name, keyword, known)
+    try:
+        signature.bind(*arguments, **keywords)
+    except TypeError as error:
+        return TypeError(f"{name}() {error}")
+    # The object itself is no argument for people.
+    is_method = next(iter(signature.parameters), "") == "self"
+    return _wrong_types(name, arguments[is_method:], keywords)
+
+
+def _wrong_types(
+    name: str, arguments: tuple[Any, ...], keywords: dict[str, Any]
+) -> TypeError:
+    types = [type(value).__name__ for value in arguments]
+    types += [f"{k}: {type(value).__name__}" for k, value in keywords.items()]
+    return TypeError(f"{name}() does not take ({', '.join(types)})")
+
+
+def _checked(name: str, function: Callable[..., Any]) -> Callable[..., Any]:
+    @functools.wraps(function)
+    def call(*arguments: Any, **keywords: Any) -> Any:
+        try:
+            return function(*arguments, **keywords)
+        except TypeError as error:
+            text = str(error)
+            if "(): incompatible " not in text.partition("\n")[0]:
+                raise
+        raise _refusal(name, function, arguments, keywords)
+
+    return call
+
+
+def _checked_init(
+    owner: type, init: Callable[..., None]
+) -> Callable[..., None]:
+    @functools.wraps(init)
+    def call(self: Any, *arguments: Any, **keywords: Any) -> None:
+        try:
+            init(self, *arguments, **keywords)
+            return
+        except TypeError as error:
+            if "incompatible constructor" not in str(error).partition("\n")[0]:
+                raise
+        raise _wrong_types(owner.__name__, arguments, keywords)
+
+    return call
+
+
+def _check_calls() -> None:
+    """Puts such sentences in the place of pybind11's."""
+    for name, value in list(vars(_core).items()):
+        if inspect.isbuiltin(value):
+            setattr(_core, name, _checked(name, value))
+        if not (isinstance(value, type) and value.__module__ == _core.__name__):
+            continue
+        for member, function in list(vars(value).items()):
+            if member == "__init__":
+                value.__init__ = _checked_init(value, function)  # type: ignore
+            elif callable(function) and not member.startswith("__"):
+                full_name = f"{value.__name__}.{member}"
+                setattr(value, member, _checked(full_name, function))
+
+
+_check_calls()

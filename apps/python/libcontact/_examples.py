@@ -1,0 +1,48 @@
+"""Files that come with the package, and the materials in them."""
+
+import functools
+import tomllib
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+from types import MappingProxyType
+from typing import Any
+
+_data = Path(__file__).parent / "data"
+
+examples: Mapping[str, Path] = MappingProxyType(
+    {
+        f"{folder}/{file.name}": file
+        for folder in ("backings", "cases", "duty", "joints", "materials", "studies")
+        for file in sorted((_data / folder).glob("*.*"))
+    }
+)
+"""Joints, pairs of materials, cases, studies and cycles, by the names of their
+files in the source's data/: Joint.from_file(examples["joints/pin_joint.toml"])."""
+
+
+class Materials(Mapping[str, Mapping[str, Any]]):
+    """Materials by name, as Joint's inner and outer take them. Where the
+    numbers are from, the files in examples say."""
+
+    @functools.cached_property
+    def _all(self) -> dict[str, Mapping[str, Any]]:
+        texts = (file.read_text() for file in (_data / "materials").glob("*.toml"))
+        pairs = [tomllib.loads(text) for text in texts]
+        bodies = [pair[body] for pair in pairs for body in ("inner", "outer")]
+        named = {body["name"]: MappingProxyType(body) for body in bodies}
+        return dict(sorted(named.items()))
+
+    def __getitem__(self, name: str) -> Mapping[str, Any]:
+        return self._all[name]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._all)
+
+    def __len__(self) -> int:
+        return len(self._all)
+
+    def __repr__(self) -> str:
+        return f"<libcontact.materials: {', '.join(self)}>"
+
+
+materials = Materials()
