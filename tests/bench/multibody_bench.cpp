@@ -147,20 +147,23 @@ template <AxisHinge axis_hinge>
 void with_friction(benchmark::State& state, Mix mix, InstructionSet set) {
   Stretch run(mix, static_cast<int>(state.range(0)), axis_hinge);
   const contact::detail::WithInstructionSet with(set);
-  multibody::CoupledDynamics coupled(run.prepared.system, run.friction);
+  const multibody::CoupledDynamics coupled(run.prepared.system, run.friction);
+  multibody::FrictionMemory memory = coupled.beginning();
+  multibody::Evaluation found(run.prepared.system);
+  found.forces = run.prepared.forces;
   for (int i = 0; i < coupled.size(); ++i) {
     const double* s = run.next() + coupled.layout().offset(i);
     if (mix == Mix::axes) {
-      coupled.set_direction(i, {0, 0, s[1] > 0 ? 1.0 : -1.0});
+      memory.hinges[i].direction.z() = s[1] > 0 ? 1 : -1;
     }
   }
   std::vector<double> rates(run.states[0].size());
   double evaluations = 0, iterations = 0;
   measure(state, 1, [&] {
     const double* s = run.next();
-    iterations += coupled.evaluate(s, run.prepared.forces).iterations;
+    iterations += coupled.evaluate(s, memory, found).iterations;
     evaluations += 1;
-    coupled.dynamics().rates(s, {}, rates.data());
+    found.dynamics.rates(s, {}, rates.data());
   });
   state.counters["outer"] = iterations / evaluations;
 }

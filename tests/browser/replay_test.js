@@ -251,6 +251,7 @@ test('who turns with a body sees it at rest and the others from it', async () =>
     const later = await seen(others[0], marks(0));
     assert.ok(difference(later, inertial) > 50);
     await seen(begin, []);
+    await page.uncheck('#all');
     await page.focus('#view');
     await page.keyboard.press('t');
     assert.ok(await page.isChecked('#turning'));
@@ -322,6 +323,183 @@ test('arrows of locks are their reactions until they break', async () => {
   run(path.join(cases, 'two_stage_turn.toml'), '--replay', 'a.html');
   assert.ok(!fs.readFileSync(file('a.html'), 'utf8').includes(
       '.lock_reaction_x_N'));
+});
+
+test('forces of the case are drawn where they act', async () => {
+  run(path.join(cases, 'soyuz.toml'), '--history', 'a.csv', '--replay',
+      'a.html');
+  const rows = history('a.csv');
+  rows.carrier = 'core';
+  await withPage(file('a.html'), {}, async (page, said) => {
+    const {size, forces, bodies} = await page.evaluate(() => JSON.parse(
+        document.getElementById('data').textContent));
+    const engine = forces.findIndex(({name}) => name === 'core engine');
+    const most = await page.evaluate((i) => replay.mostForce(i), engine);
+    for (const time of [0.2, 1, 3]) {
+      const arrow = (kind) => page.evaluate(([t, i, name]) => {
+        replay.go(t);
+        replay.update();
+        return replay.force(i, name);
+      }, [time, engine, kind]);
+      const {position, rotation} =
+          poseOf(rows, rowAt(rows, time), bodies[forces[engine].body].column);
+      const {point} = forces[engine];
+      const [from, tip] = await arrow('arrow');
+      assert.ok(difference(from, turned(rotation, point).map(
+          (x, i) => x + position[i])) < 1e-3 * size);
+      // The largest of those from outside, along the core.
+      const way = turned(rotation, [1, 0, 0]);
+      assert.ok(difference(tip, from.map((x, i) => x + most * way[i])) <
+          2e-3 * size);
+      assert.strictEqual(await arrow('opposite'), undefined);
+    }
+    assert.ok(Math.abs(most - 0.42 * size) < 1e-3 * size);
+    assert.match(await page.textContent('#legend'),
+                 /forces from outside, up to 990.2 kN/);
+    assert.match(await page.textContent('#force_values'), /990.2 kN/);
+    await page.uncheck('#show_forces');
+    assert.strictEqual(await page.evaluate((i) => {
+      replay.update();
+      return replay.force(i, 'arrow');
+    }, engine), undefined);
+    assert.deepStrictEqual(said, []);
+  });
+});
+
+test('forces between two bodies are on both until they end', async () => {
+  fs.writeFileSync(file('spring.toml'), `
+name = "spring"
+run = { end_time_s = 1, output_step_s = 0.01 }
+carrier = { name = "a", mass_kg = 1, principal_inertia_kg_m2 = [1, 1, 1] }
+[[body]]
+name = "b"
+mass_kg = 1
+principal_inertia_kg_m2 = [1, 1, 1]
+start = { position_m = [0, 0, 1] }
+[[force]]
+name = "push"
+body = "b"
+kind = "spring"
+point_m = [0, 0, -0.2]
+carrier_point_m = [0, 0, 0.2]
+stiffness_N_per_m = 1
+free_length_m = 2
+ends_at_s = 0.5
+`);
+  run(file('spring.toml'), '--replay', 'a.html');
+  await withPage(file('a.html'), {}, async (page, said) => {
+    const arrows = (time) => page.evaluate((t) => {
+      replay.go(t);
+      replay.update();
+      return ['arrow', 'opposite'].map((kind) => replay.force(0, kind));
+    }, time);
+    const [[from, tip], [other, back]] = await arrows(0);
+    assert.ok(difference(from, [0, 0, 0.8]) < 1e-6);
+    assert.ok(difference(other, [0, 0, 0.2]) < 1e-6);
+    assert.ok(tip[2] > from[2]);
+    assert.ok(Math.abs(tip[2] - from[2] + back[2] - other[2]) < 1e-6);
+    assert.deepStrictEqual(await arrows(0.6), [undefined, undefined]);
+    assert.ok((await page.textContent('#legend')).includes(
+        'forces between bodies, up to 1.4 N'));
+    assert.deepStrictEqual(said, []);
+  });
+});
+
+test('bodies that are let go stay in view until one goes nearer', async () => {
+  run(path.join(cases, 'soyuz.toml'), '--replay', 'a.html');
+  await withPage(file('a.html'), {}, async (page, said) => {
+    const outside = (time) => page.evaluate((t) => {
+      replay.go(t);
+      replay.update();
+      const {clientWidth, clientHeight} = document.getElementById('scene');
+      return [0, 1, 2, 3, 4].filter((body) => {
+        const [x, y] = replay.offset(body);
+        return Math.abs(x) > clientWidth / 2 || Math.abs(y) > clientHeight / 2;
+      });
+    }, time);
+    const lengthOf = () => page.evaluate(() => {
+      const scale = document.getElementById('scale');
+      return [scale.textContent, parseFloat(scale.style.width)];
+    });
+    assert.deepStrictEqual(await outside(0), []);
+    const first = await lengthOf();
+    assert.match(first[0], /^\d+ m$/);
+    assert.ok(first[1] >= 40 && first[1] <= 100);
+    assert.deepStrictEqual(await outside(6), []);
+    assert.notDeepStrictEqual(await lengthOf(), first);
+    // And back.
+    await outside(0);
+    assert.deepStrictEqual(await lengthOf(), first);
+    await page.focus('#view');
+    await page.keyboard.press('+');
+    await outside(0.1);
+    assert.ok(!await page.isChecked('#all'));
+    assert.notDeepStrictEqual(await outside(6), []);
+    await page.keyboard.press('a');
+    assert.deepStrictEqual(await outside(6), []);
+    assert.deepStrictEqual(said, []);
+  });
+});
+
+test('the nearest two and all events of an instant are named', async () => {
+  run(path.join(cases, 'soyuz.toml'), '--replay', 'a.html');
+  await withPage(file('a.html'), {}, async (page, said) => {
+    await page.evaluate(() => {
+      replay.go(0.5);
+      replay.update();
+    });
+    const now = await page.textContent('#now');
+    assert.ok(now.includes('booster 1, booster 2, booster 3, booster 4: ' +
+        'lower nodes break: lower node breaks · '), now);
+    assert.ok(await page.locator('#events .current').count() >= 4);
+    assert.match(await page.textContent('#labels .distance'),
+                 /^(core|booster \d), booster \d: [\d.]+ m?m$/);
+    assert.deepStrictEqual(
+        await page.locator('#compass text').allTextContents(),
+        ['x', 'y', 'z', 'g']);
+    // A colour and a name for each pair.
+    const key = page.locator('.curve', {hasText: 'Clearance'}).locator('li');
+    const data = await page.evaluate(() => JSON.parse(
+        document.getElementById('data').textContent));
+    assert.strictEqual(await key.count(), data.pairs.length);
+    const colours = await key.locator('.swatch').evaluateAll(
+        (all) => all.map((swatch) => swatch.style.background));
+    assert.strictEqual(new Set(colours).size, data.pairs.length);
+    assert.deepStrictEqual(said, []);
+  });
+});
+
+test('pictures and films are saved', async () => {
+  run(path.join(cases, 'two_stage_turn.toml'), '--replay', 'a.html');
+  await withPage(file('a.html'), {acceptDownloads: true}, async (page) => {
+    const saved = async (act) => {
+      const [download] =
+          await Promise.all([page.waitForEvent('download'), act()]);
+      return {name: download.suggestedFilename(),
+              bytes: fs.readFileSync(await download.path())};
+    };
+    await page.evaluate(() => {
+      replay.go(1.25);
+      replay.update();
+    });
+    await page.focus('#view');
+    const picture = await saved(() => page.keyboard.press('p'));
+    assert.match(picture.name, /^[\w-]+_1_250s\.png$/);
+    assert.strictEqual(picture.bytes.toString('latin1', 1, 4), 'PNG');
+    // As wide as the canvas; more than one colour.
+    const width = await page.evaluate(
+        () => document.getElementById('view').width);
+    assert.strictEqual(picture.bytes.readUInt32BE(16), width);
+    assert.ok(picture.bytes.length > 10000);
+    await page.selectOption('#speed', '5');
+    const film = await saved(() => page.click('#save_film'));
+    assert.match(film.name, /_frames\.zip$/);
+    // 2.6 s in steps of 0.2 s.
+    const names = film.bytes.toString('latin1').match(/frame_\d{4}\.png/g);
+    assert.deepStrictEqual([...new Set(names)], Array.from(
+        {length: 14}, (_, i) => `frame_${String(i).padStart(4, '0')}.png`));
+    assert.strictEqual(await page.textContent('#save_film'), 'Film');
+  });
 });
 
 test('on a phone, in the dark and in the light nothing is wider than the screen',

@@ -30,9 +30,9 @@ test('a report has tables and pictures and asks for nothing', async () => {
                    async (page, said) => {
       assert.strictEqual(await page.textContent('h1'), report.study);
       // Each requirement has a histogram with its name and a ranking; the
-      // clearance and the angles are over time.
+      // clearance and the angles are over time; eleven inputs take two.
       const pictures = await page.locator('figure svg').all();
-      assert.strictEqual(pictures.length, 2 * worst.length + 2);
+      assert.strictEqual(pictures.length, 2 * worst.length + 4);
       for (const picture of pictures) {
         const box = await picture.boundingBox();
         assert.ok(box.width > 300 && box.height > 150, JSON.stringify(box));
@@ -71,6 +71,9 @@ test('the worst runs link to their replays', async () => {
     assert.ok((await page.textContent('#case pre')).includes(
         `# run ${links[0].run}: `));
     assert.ok(await page.isVisible('#fit'));
+    // The nominal run beside it, faint.
+    assert.ok((await page.textContent('#about')).startsWith(
+        `run ${links[0].run} beside nominal`));
     assert.deepStrictEqual(said, [links[0].address]);
   });
   await withPage(fileURLToPath(links.at(-1).address), {}, async (page, said) => {

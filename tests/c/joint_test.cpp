@@ -14,6 +14,7 @@
 #include "c/door.hpp"
 #include "libcontact/files/joint_file.hpp"
 #include "libcontact/half_angle/factory.hpp"
+#include "libcontact/joint/step.hpp"
 #include "libcontact/pressure/factory.hpp"
 #include "support/error_message.hpp"
 #include "support/random_slip.hpp"
@@ -295,10 +296,10 @@ TEST(JointFromC, IsTheSameFromAFileATextAndNumbers) {
   contact_joint* made = nullptr;
   const contact_setting longer = {"geometry.length_mm", "70"};
   ASSERT_EQ(contact_joint_read(file.c_str(), &longer, 1, &read), CONTACT_OK);
-  std::string text = contents(file);
-  text.replace(text.find("length_mm = 50"), 14, "length_mm = 70");
-  ASSERT_EQ(contact_joint_parse(text.c_str(), joints.c_str(), &parsed),
-            CONTACT_OK)
+  const std::string text = contents(file);
+  ASSERT_EQ(
+      contact_joint_parse(text.c_str(), joints.c_str(), &longer, 1, &parsed),
+      CONTACT_OK)
       << contact_last_message();
   const auto spec = read_joint(file);
   contact_joint_numbers numbers = {};
@@ -316,6 +317,14 @@ TEST(JointFromC, IsTheSameFromAFileATextAndNumbers) {
   contact_solution s[3];
   contact_joint* all[] = {read, parsed, made};
   for (int i = 0; i < 3; ++i) {
+    contact_joint_size size = {};
+    ASSERT_EQ(contact_joint_get_size(all[i], &size), CONTACT_OK);
+    EXPECT_EQ(size.kind, CONTACT_PIN);
+    EXPECT_EQ(size.body_has_inner, 0);
+    EXPECT_EQ(size.radius, spec.geometry.radius());
+    EXPECT_EQ(size.radial_clearance, spec.geometry.radial_clearance());
+    EXPECT_EQ(size.length, 0.07);
+    EXPECT_EQ(size.effective_modulus, spec.pair().effective_modulus());
     ASSERT_EQ(contact_joint_solve(all[i], &slip, nullptr, &s[i]), CONTACT_OK);
     contact_joint_free(all[i]);
   }
@@ -376,6 +385,72 @@ TEST(JointFromC, SaysWhereItLeavesTheTheory) {
   ASSERT_NE(contact_joint_note(joint, 0), nullptr);
   EXPECT_TRUE(has_text(std::string(contact_joint_note(joint, 0)), "clearance"));
   contact_joint_free(joint);
+}
+
+TEST(CJoint, StepsAreThoseOfCpp) {
+  const CJoint ball = c_joint(joints + "paper_example_2.toml");
+  const CJoint pin = c_joint(joints + "wheel_pin.toml");
+  const Joint cpp_ball(read_joint(joints + "paper_example_2.toml"));
+  const Joint cpp_pin(read_joint(joints + "wheel_pin.toml"));
+  const auto expect_step = [](const contact_step& a, const JointStep& b) {
+    EXPECT_EQ(static_cast<int>(a.status), static_cast<int>(b.status));
+    EXPECT_EQ(a.holds, b.holds);
+    expect_same(a.angular_velocity, b.angular_velocity);
+    expect_same(a.moment, b.moment);
+    expect_same(a.solution, b.solution);
+    expect_same(a.rest.utilisation, b.rest.utilisation);
+  };
+  const auto cpp = [](const contact_step_start& s) {
+    return StepStart{Vector3d(s.reaction), Vector3d(s.angular_velocity),
+                     Vector3d(s.free), Vector3d(s.axis)};
+  };
+  std::vector<contact_step_start> starts = {
+      {{3e5, 1e5, 2e4}, {0, 1, 0.5}, {2, 1, 0}, {0, 0, 0}},
+      {{3e2, 1e2, 0}, {0, 0, 0}, {0, 0, 0.1}, {0, 0, 1}}};
+  const double w[9] = {2e4, 1e3, 0, 1e3, 3e4, 0, 0, 0, 1e4};
+  const Eigen::Matrix3d matrix(w);
+  contact_step step = {};
+  JointStep last;
+  for (int i = 0; i < 3; ++i) {
+    ASSERT_EQ(contact_joint_step(ball.get(), &starts[0], w, &step, &step),
+              CONTACT_OK);
+    last = contact::step(cpp_ball, cpp(starts[0]), matrix, last);
+    expect_step(step, last);
+    std::copy_n(step.angular_velocity, 3, starts[0].angular_velocity);
+  }
+
+  const contact_joint* both[] = {ball.get(), pin.get()};
+  const Joint* cpp_both[] = {&cpp_ball, &cpp_pin};
+  const StepStart cpp_starts[] = {cpp(starts[0]), cpp(starts[1])};
+  Eigen::Matrix4d mass = Eigen::Matrix4d::Identity();
+  mass.topLeftCorner<3, 3>() = matrix;
+  mass.row(3) << 3, 2, 1, 50;
+  mass.col(3) << 3, 2, 1, 50;
+  std::vector<contact_step> steps(2);
+  std::vector<JointStep> cpp_steps(2);
+  contact_sweeps sweeps;
+  for (int i = 0; i < 2; ++i) {
+    ASSERT_EQ(contact_joints_step(both, 2, starts.data(), mass.data(),
+                                  steps.data(), &sweeps),
+              CONTACT_OK);
+    const StepSweeps done =
+        contact::step(cpp_both, cpp_starts, mass, cpp_steps);
+    EXPECT_EQ(sweeps.sweeps, done.sweeps);
+    expect_same(sweeps.residual, done.residual);
+    for (int k = 0; k < 2; ++k) expect_step(steps[k], cpp_steps[k]);
+  }
+
+  starts[1].axis[2] = 0;
+  expect_failure(contact_joints_step(both, 2, starts.data(), mass.data(),
+                                     steps.data(), nullptr),
+                 CONTACT_BAD_INPUT, "step: pin 1 requires axis");
+  starts[0].free[0] = NAN;
+  EXPECT_EQ(contact_joint_step(ball.get(), &starts[0], w, nullptr, &step),
+            CONTACT_OUT_OF_RANGE);
+  EXPECT_TRUE(std::isnan(step.moment[0]));
+  expect_failure(
+      contact_joint_step(ball.get(), &starts[0], nullptr, nullptr, &step),
+      CONTACT_BAD_INPUT, "contact_joint_step: inertia must be other than NULL");
 }
 
 }  // namespace

@@ -93,6 +93,21 @@ TEST(CQuantities, OfPatchesAreThoseOfCpp) {
                });
 }
 
+TEST(CQuantities, OfRatingsAreThoseOfCpp) {
+  const Joint cpp(contact::read_joint(hip).contact());
+  const CJoint c = c_joint(hip);
+  const contact_slip slip = {{100, 0, 2000}, {0.8, 0, 0.8}, {}};
+  contact_solution s;
+  ASSERT_EQ(contact_joint_solve(c.get(), &slip, nullptr, &s), CONTACT_OK);
+  const Eigen::Vector3d rate(0.8, 0, 0.8);
+  const auto solution = cpp.solve({{100, 0, 2000}, rate});
+  expect_table(contact::rating_quantities(),
+               contact::SlidingContact(cpp.contact(), solution, rate).rating(),
+               contact_rating_quantity, [&](const char* key, double* to) {
+                 return contact_rating_get(c.get(), &slip, &s, key, to);
+               });
+}
+
 TEST(CQuantities, RefuseWhatIsNotThere) {
   const contact_solution s = {};
   double value;

@@ -91,6 +91,25 @@ TEST_P(CaseRuns, GoOnFromSavedBytes) {
   }
 }
 
+TEST_P(CaseRuns, CopiesGoOnAsTheOriginal) {
+  const CRun run = c_run(cases + GetParam() + ".toml");
+  const double end = contact_run_end_time(run.get());
+  ASSERT_EQ(contact_run_advance(run.get(), 0.4 * end), CONTACT_OK);
+  contact_run* made = nullptr;
+  ASSERT_EQ(contact_run_copy(run.get(), &made), CONTACT_OK);
+  const CRun copy(made, run.get_deleter());
+  EXPECT_EQ(contact_run_time(copy.get()), contact_run_time(run.get()));
+  for (const CRun* each : {&copy, &run}) {
+    ASSERT_EQ(contact_run_advance(each->get(), end), CONTACT_OK);
+  }
+  const std::size_t rows = contact_run_row_count(run.get());
+  ASSERT_EQ(contact_run_row_count(copy.get()), rows);
+  for (std::size_t i = 0; i < rows; ++i) {
+    expect_same(contact_run_row(run.get(), i), contact_run_row(copy.get(), i),
+                contact_run_column_count(run.get()));
+  }
+}
+
 // The [run] of the file says which, as for the program.
 TEST(RunFromC, HasTheFrictionOfItsCase) {
   const contact_setting ideal = {"run.friction", "ideal"};

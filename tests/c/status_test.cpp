@@ -59,6 +59,8 @@ constexpr contact_slip good = {{0, 100, 1000}, {1, 0, 0}, {}};
 
 TEST(CStatus, VersionIsThatOfTheLibrary) {
   EXPECT_STREQ(contact_version(), contact::version);
+  EXPECT_STREQ(contact_version(), CONTACT_VERSION);
+  EXPECT_EQ(contact_solution_size(), sizeof(contact_solution));
 }
 
 TEST(CStatus, NullIsRefusedByName) {
@@ -91,9 +93,9 @@ TEST(CStatus, NullIsRefusedByName) {
   const contact_setting bad[] = {{"name", "x"}, {"name", nullptr}};
   refuses(contact_joint_read(hip.c_str(), bad, 2, &made),
           "contact_joint_read: settings[1].value");
-  refuses(contact_joint_parse(nullptr, nullptr, &made),
+  refuses(contact_joint_parse(nullptr, nullptr, nullptr, 0, &made),
           "contact_joint_parse: text");
-  refuses(contact_joint_parse("", nullptr, nullptr),
+  refuses(contact_joint_parse("", nullptr, nullptr, 0, nullptr),
           "contact_joint_parse: joint");
   refuses(contact_joint_make(nullptr, &made), "contact_joint_make: numbers");
   refuses(contact_joint_make(&numbers, nullptr), "contact_joint_make: joint");
@@ -163,6 +165,8 @@ TEST(CStatus, NullIsRefusedByName) {
   refuses(contact_run_values(r, nullptr, 1), "contact_run_values: values");
   refuses(contact_run_event(nullptr, 0, &event), "contact_run_event: run");
   refuses(contact_run_event(r, 0, nullptr), "contact_run_event: event");
+  refuses(contact_run_copy(nullptr, &r), "contact_run_copy: run");
+  refuses(contact_run_copy(r, nullptr), "contact_run_copy: copy");
   refuses(contact_run_save(nullptr, &bytes, &n), "contact_run_save: run");
   refuses(contact_run_save(r, nullptr, &n), "contact_run_save: bytes");
   refuses(contact_run_save(r, &bytes, nullptr), "contact_run_save: size");
@@ -194,7 +198,7 @@ TEST(CStatus, BadInputHasTheMessagesOfCpp) {
           hip +
               " with geometry.radius_mm = -1: geometry.radius_mm = -1 must be "
               "above 0");
-  refuses(contact_joint_parse("kind = 3", nullptr, &joint),
+  refuses(contact_joint_parse("kind = 3", nullptr, nullptr, 0, &joint),
           "joint:1: the file requires name");
   contact_joint_numbers numbers = {};
   refuses(contact_joint_make(&numbers, &joint),
@@ -236,9 +240,9 @@ TEST(CStatus, BadInputHasTheMessagesOfCpp) {
   EXPECT_EQ(other, nullptr);
   ASSERT_EQ(contact_run_advance(run.get(), 1), CONTACT_OK);
   refuses(contact_run_advance(run.get(), 0.5),
-          "advance_to: time = 0.5 must be 1 s or later");
+          "time = 0.5 must be 1 s or later");
   refuses(contact_run_advance(run.get(), nan),
-          "advance_to: time = nan must be 1 s or later");
+          "time = nan must be 1 s or later");
   std::size_t i;
   refuses(contact_run_find_column(run.get(), "stage.angel_deg", &i),
           "unknown column \"stage.angel_deg\": did you mean "
@@ -285,13 +289,22 @@ TEST(CStatus, OutOfRangeGivesNan) {
          "contact_joint_pressure: normal_force = nan must be in the range of "
          "the laws");
   is_out(contact_joint_approach(fitted.get(), 100, &x, &y),
-         "contact_joint_approach: normal_force = 100 must be of a joint that "
-         "has an approach");
+         "contact_joint_approach: joint must be one that has an approach: of "
+         "the half-angle law \"exact\", loaded through its centre, no pin in "
+         "an infinite hole");
   EXPECT_TRUE(std::isnan(x) && std::isnan(y));
+  is_out(contact_joint_approach(joint.get(), 0, &x, &y),
+         "contact_joint_approach: normal_force = 0 must be above 0 and in the "
+         "range of the laws");
+  is_out(contact_joint_pressure(joint.get(), 100, nan, &x),
+         "contact_joint_pressure: theta = nan must be a number");
   contact_friction friction;
   is_out(contact_joint_friction(joint.get(), -1, 0, &friction),
          "contact_joint_friction: half_angle = -1 must be in the range of the "
          "laws");
+  is_out(contact_joint_friction(joint.get(), 0.5, 9, &friction),
+         "contact_joint_friction: slip_axis_angle = 9 must be -pi/2 to pi/2 "
+         "rad");
   contact_slip bad = good;
   bad.reaction[1] = nan;
   const std::string why =
@@ -321,6 +334,88 @@ TEST(CStatus, OutOfRangeGivesNan) {
   EXPECT_EQ(rows[3].status, CONTACT_OUT_OF_RANGE);
   EXPECT_EQ(rows[4].status, CONTACT_OK);
   EXPECT_EQ(rows[4].normal_force, rows[0].normal_force);
+}
+
+TEST(CStatus, RefusedCallsLeaveNoHandle) {
+  contact_joint* joint = nullptr;
+  contact_play* play = nullptr;
+  const auto garbage = [&] {
+    joint = reinterpret_cast<contact_joint*>(0x1230);
+    play = reinterpret_cast<contact_play*>(0x1230);
+  };
+  garbage();
+  EXPECT_NE(contact_joint_read("none.toml", nullptr, 0, &joint), CONTACT_OK);
+  EXPECT_EQ(joint, nullptr);
+  garbage();
+  EXPECT_NE(contact_joint_read(nullptr, nullptr, 0, &joint), CONTACT_OK);
+  EXPECT_EQ(joint, nullptr);
+  garbage();
+  EXPECT_NE(contact_joint_parse("kind", nullptr, nullptr, 0, &joint),
+            CONTACT_OK);
+  EXPECT_EQ(joint, nullptr);
+  garbage();
+  EXPECT_NE(contact_joint_make(nullptr, &joint), CONTACT_OK);
+  EXPECT_EQ(joint, nullptr);
+  EXPECT_NE(contact_play_make(nullptr, nullptr, &play), CONTACT_OK);
+  EXPECT_EQ(play, nullptr);
+}
+
+TEST(CStatus, RefusedCallsSaySoInTheirResults) {
+  const CJoint joint = c_joint(hip);
+  contact_solution s;
+  ASSERT_EQ(contact_joint_solve(joint.get(), &good, nullptr, &s), CONTACT_OK);
+  const contact_solution solved = s;
+  const auto is_refused = [](const contact_solution& of) {
+    return of.status == CONTACT_BAD_INPUT && std::isnan(of.residual) &&
+           std::isnan(of.friction_moment[2]) && std::isnan(of.half_angle) &&
+           std::isnan(of.contact_area) && std::isnan(of.slip_axis_angle);
+  };
+  EXPECT_NE(contact_joint_solve(nullptr, &good, nullptr, &s), CONTACT_OK);
+  EXPECT_TRUE(is_refused(s));
+  s = solved;
+  EXPECT_NE(contact_joint_solve_contact(joint.get(), nullptr, &s), CONTACT_OK);
+  EXPECT_TRUE(is_refused(s));
+  s = solved;
+  contact_slips slips = {};
+  slips.count = 1;
+  EXPECT_NE(contact_joint_solve_rows(joint.get(), &slips, &s, sizeof s),
+            CONTACT_OK);
+  EXPECT_TRUE(is_refused(s));
+  contact_rest rest = {};
+  EXPECT_NE(contact_joint_at_rest(joint.get(), nullptr, nullptr, &rest),
+            CONTACT_OK);
+  EXPECT_EQ(rest.status, CONTACT_BAD_INPUT);
+  EXPECT_TRUE(std::isnan(rest.utilisation) && std::isnan(rest.direction[1]));
+  EXPECT_TRUE(is_refused(rest.slip));
+  contact_patch patch = {};
+  contact_friction friction = {};
+  double x = 0, y = 0;
+  EXPECT_NE(contact_joint_patch(nullptr, 1, &patch), CONTACT_OK);
+  EXPECT_TRUE(std::isnan(patch.half_angle) && std::isnan(patch.area));
+  EXPECT_NE(contact_joint_friction(nullptr, 1, 0, &friction), CONTACT_OK);
+  EXPECT_TRUE(std::isnan(friction.coefficient[0]) &&
+              std::isnan(friction.area[2]));
+  EXPECT_NE(contact_joint_approach(nullptr, 1, &x, &y), CONTACT_OK);
+  EXPECT_TRUE(std::isnan(x) && std::isnan(y));
+  x = 0;
+  EXPECT_NE(contact_solution_get(&solved, "colour", &x), CONTACT_OK);
+  EXPECT_TRUE(std::isnan(x));
+}
+
+// In builds with assertions; others know nothing of it.
+TEST(CStatus, FreedHandlesAreRefusedWhereAssertionsAre) {
+#ifdef NDEBUG
+  GTEST_SKIP() << "a build without assertions";
+#else
+  contact_joint* joint = c_joint(hip).release();
+  contact_joint_free(joint);
+  contact_solution s;
+  expect_failure(contact_joint_solve(joint, &good, nullptr, &s),
+                 CONTACT_BAD_INPUT,
+                 "contact_joint_solve: joint must be one that has not been "
+                 "freed");
+  contact_joint_free(joint);
+#endif
 }
 
 // Of doubles no residual but 0 is so small, and it is often 0.

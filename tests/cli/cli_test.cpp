@@ -1,5 +1,8 @@
 // Plumbing of the programs: sweeps, numbers, CSV, tables, files, threads.
 #include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <array>
 #include <cmath>
@@ -27,6 +30,7 @@
 #include "cli/stream/csv.hpp"
 #include "cli/stream/line_blocks.hpp"
 #include "cli/stream/ordered_blocks.hpp"
+#include "cli/stream/quoting.hpp"
 #include "cli/sweep.hpp"
 #include "cli/table.hpp"
 #include "libcontact/base/error.hpp"
@@ -35,6 +39,7 @@
 #include "libcontact/base/units.hpp"
 #include "support/error_message.hpp"
 #include "support/numbers.hpp"
+#include "support/program.hpp"
 
 namespace contact::test {
 namespace {
@@ -155,8 +160,55 @@ TEST(Text, PrintableIsOneLineOfUtf8) {
   // "/", half of a pair.
   EXPECT_EQ(printable("\xc2\x9b|\xce|\xe0\x80\xaf|\xed\xa0\x80|\xe2\x82"),
             R"(\xc2\x9b|\xce|\xe0\x80\xaf|\xed\xa0\x80|\xe2\x82)");
+  // Right to left, an isolate, a line separator.
+  EXPECT_EQ(printable("a\u202eb\u2067c\u2028"),
+            R"(a\xe2\x80\xaeb\xe2\x81\xa7c\xe2\x80\xa8)");
   EXPECT_EQ(printable("θθθ", 3), "θθ...");
   EXPECT_EQ(printable("θθ", 4), "θθ");
+}
+
+TEST(Text, ControlCharactersOfAnyLengthAreFound) {
+  for (const char* text :
+       {"a\n", "\xc2\x9b", "θ\u202e", "\u2066a", "\xff\x7f"}) {
+    EXPECT_TRUE(detail::has_control_characters(text)) << text;
+  }
+  for (const char* text : {"", "θ₀ ~", "\xff\x80", "مرحبا", "\u2027\u202f"}) {
+    EXPECT_FALSE(detail::has_control_characters(text)) << text;
+  }
+}
+
+// As CommonMark and GitHub read it.
+TEST(Quoting, MarkdownShowsTheText) {
+  EXPECT_EQ(cli::markdown_text("wall.layer[1].thickness_mm, p|N & m > 0"),
+            R"(wall.layer[1].thickness_mm, p\|N & m > 0)");
+  EXPECT_EQ(cli::markdown_text("[x](javascript:1) [x][1]"),
+            R"([x\](javascript:1) [x\][1])");
+  EXPECT_EQ(cli::markdown_text("_e_ *e* ~~d~~ &copy; &#65; <b> `c` $m$ \\"),
+            R"(\_e\_ \*e\* \~\~d\~\~ \&copy; \&#65; \<b> \`c\` \$m\$ \\)");
+  EXPECT_EQ(cli::markdown_text("a\nb\u202e"), R"(a\\x0ab\\xe2\\x80\\xae)");
+}
+
+TEST(Quoting, LatexTakesNoArgument) {
+  EXPECT_EQ(cli::latex_text("[3mm] a"), "{}[3mm] a");
+  EXPECT_EQ(cli::latex_text("*"), "{}*");
+  EXPECT_EQ(cli::latex_text("a[1]*_%\\"), R"(a[1]*\_\%\textbackslash{})");
+}
+
+TEST(Quoting, ShellsReadOneWord) {
+  EXPECT_EQ(cli::shell_word("data/a_1.toml"), "data/a_1.toml");
+  EXPECT_EQ(cli::shell_word(""), "''");
+  EXPECT_EQ(cli::shell_word("it's"), R"('it'\''s')");
+  const ProgramFolder folder;
+  for (const std::string word : {"a b", "$(touch pwned)", "`x`", "'", "\"'\\",
+                                 "~", "*", "#a", "a;b", "[!x]", "θ"}) {
+    EXPECT_EQ(folder.run_well("printf %s " + cli::shell_word(word)).out, word);
+  }
+  EXPECT_TRUE(folder.files().empty());
+}
+
+TEST(Quoting, TerminalsSeeLines) {
+  EXPECT_EQ(cli::terminal_text("a\tθ\n\n\x1b[2J\r\nb"),
+            "a\tθ\n\n\\x1b[2J\\x0d\nb");
 }
 
 TEST(Csv, SplitsAndKeepsRawText) {
@@ -221,11 +273,11 @@ TEST(Table, Print) {
   EXPECT_EQ(table_text(cli::Format::markdown),
             "|   name |   p_Pa |\n"
             "| -----: | -----: |\n"
-            "| a_\"\\|, | 0.1000 |\n"
-            "| a_\"\\|, | 1.000e-07 |\n"
-            "| a_\"\\|, |      - |\n"
-            "| a_\"\\|, |    inf |\n"
-            "| a_\"\\|, |   -inf |\n");
+            "| a\\_\"\\|, | 0.1000 |\n"
+            "| a\\_\"\\|, | 1.000e-07 |\n"
+            "| a\\_\"\\|, |      - |\n"
+            "| a\\_\"\\|, |    inf |\n"
+            "| a\\_\"\\|, |   -inf |\n");
   EXPECT_EQ(table_text(cli::Format::latex),
             "\\begin{tabular}{rr}\n\\hline\n"
             "name & p\\_Pa \\\\\n\\hline\n"
@@ -531,6 +583,28 @@ TEST_F(OutputFile, AppearsOnlyWhenComplete) {
 }
 
 // The last line of defence, whoever has named the file.
+TEST_F(OutputFile, LeavesNothingWhenASignalEndsTheProgram) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE, SIGXFSZ,
+                           SIGALRM, SIGXCPU, SIGUSR1, SIGUSR2}) {
+    const pid_t child = fork();
+    if (child == 0) {
+      const rlimit no_core = {0, 0};
+      setrlimit(RLIMIT_CORE, &no_core);
+      struct sigaction before = {};
+      sigaction(signal, nullptr, &before);
+      if (before.sa_handler == SIG_IGN) std::signal(signal, SIG_DFL);
+      cli::Output output(folder_ / "a.csv");
+      output.write("half");
+      raise(signal);
+      _exit(0);
+    }
+    int status = 0;
+    waitpid(child, &status, 0);
+    EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == signal) << signal;
+    EXPECT_EQ(files(), 0U) << signal;
+  }
+}
+
 TEST_F(OutputFile, IsNoFileThatWasRead) {
   const std::string name = folder_ / "measured.csv";
   std::ofstream(name) << "measured";

@@ -13,7 +13,7 @@
 #include "libcontact/base/gauss_legendre.hpp"
 #include "libcontact/base/units.hpp"
 #include "libcontact/conforming/back_displacement.hpp"
-#include "libcontact/conforming/ball_kernel.hpp"
+#include "libcontact/conforming/kernel/ball_kernel.hpp"
 #include "libcontact/conforming/legendre_galerkin.hpp"
 #include "support/accuracy_report.hpp"
 #include "support/numbers.hpp"

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "libcontact/base/error.hpp"
-#include "libcontact/conforming/ball_kernel.hpp"
+#include "libcontact/conforming/kernel/ball_kernel.hpp"
 #include "libcontact/pair/layers.hpp"
 #include "support/accuracy_report.hpp"
 #include "support/error_message.hpp"

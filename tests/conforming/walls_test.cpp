@@ -8,8 +8,8 @@
 
 #include "libcontact/base/units.hpp"
 #include "libcontact/conforming/ball.hpp"
+#include "libcontact/conforming/kernel/pin_wall_modes.hpp"
 #include "libcontact/conforming/pin.hpp"
-#include "libcontact/conforming/pin_wall_modes.hpp"
 #include "support/accuracy_report.hpp"
 #include "support/error_message.hpp"
 #include "support/numbers.hpp"

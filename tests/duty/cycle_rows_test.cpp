@@ -70,6 +70,22 @@ TEST(CycleRows, UnevenSteps) {
   EXPECT_EQ(open.times.size(), 21u);
 }
 
+// Steps are even if a thousandth of one is all that they differ by.
+TEST(CycleRows, NearlyEvenSteps) {
+  for (const auto& [difference, is_even] :
+       {std::pair{0.9e-3, true}, {1.1e-3, false}, {0.1, false}}) {
+    DutyCycle::Rows rows = swing(20, 1);
+    rows.motion.back().y() = 1e-3;  // no row returns
+    for (std::size_t i = 10; i < rows.times.size(); ++i) {
+      rows.times[i] += difference;
+    }
+    rows.times.back() -= difference;
+    // The last step is short, the tenth long.
+    EXPECT_EQ(rows.make_one_period(), "");
+    EXPECT_EQ(rows.period.has_value(), is_even) << difference;
+  }
+}
+
 // Nothing moves and no force changes: no row says that a period is over.
 TEST(CycleRows, AllAlikeRepeatNothing) {
   DutyCycle::Rows rows{{0, 1, 2, 3},

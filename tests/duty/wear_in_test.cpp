@@ -58,7 +58,7 @@ TEST(WearIn, PinWithoutElasticity) {
   const double cycle = radius * speed * 4;
   for (const double cycles : {1e3, 3e4, 1e6}) {
     const WearIn::State worn =
-        wear_in(steady(), pin(1e15, 1e-6), k, cycles).states.back();
+        wear_in(steady(), pin(1e15, 1e-6), {k}, cycles).states.back();
     EXPECT_EQ(worn.cycles, cycles);
     EXPECT_GT(worn.worn_share, 0.999);
     const double t = worn.half_angle;
@@ -85,7 +85,7 @@ TEST(WearIn, BeginsWithTheUnwornJoint) {
     return fresh.sliding(i).pv_total();
   });
   const double k = 1e-15;
-  const auto worn = wear_in(cycle, contact, k, 1e6).states;
+  const auto worn = wear_in(cycle, contact, {k}, 1e6).states;
   ASSERT_GT(worn.size(), 3u);
   EXPECT_EQ(worn.front().volume, 0);
   EXPECT_EQ(worn.front().worn_share, 0);
@@ -97,7 +97,7 @@ TEST(WearIn, BeginsWithTheUnwornJoint) {
     EXPECT_GT(worn[i].wear_number, worn[i - 1].wear_number);
   }
   // Without wear nothing changes.
-  const auto none = wear_in(cycle, contact, 0, 1e9).states;
+  const auto none = wear_in(cycle, contact, {0}, 1e9).states;
   ASSERT_EQ(none.size(), 2u);
   EXPECT_EQ(none[1].cycles, 1e9);
   EXPECT_EQ(none[1].half_angle, none[0].half_angle);
@@ -210,7 +210,7 @@ TEST(WearIn, AgainstStepByStep) {
             : lined(name == "ball" ? JointKind::ball : JointKind::pin);
     const double load = name == "ball" ? 3e4 : name == "lined" ? 6e4 : 4e4;
     const WearIn wear =
-        wear_in(swing(load, JointBody::body), contact, k, cycles);
+        wear_in(swing(load, JointBody::body), contact, {k}, cycles);
     const WearIn::State& worn = wear.states.back();
     const std::string label = name + ", " + std::to_string(cycles);
     half_angle.add_error(std::abs(worn.half_angle / degree - theta0_deg),
@@ -220,7 +220,7 @@ TEST(WearIn, AgainstStepByStep) {
   }
   // WornPressure is not that of a ball, cos theta/w: step by step 31.0 MPa.
   const WearIn::State ball =
-      wear_in(swing(3e4, JointBody::body), lined(JointKind::ball), k, 3e6)
+      wear_in(swing(3e4, JointBody::body), lined(JointKind::ball), {k}, 3e6)
           .states.back();
   EXPECT_NEAR(ball.half_angle / degree, 78.2, 0.15);
   EXPECT_GT(ball.peak_pressure, 31.0e6);
@@ -232,7 +232,7 @@ TEST(WearIn, AgainstStepByStep) {
 TEST(WearIn, RunsInWithoutAJump) {
   for (const JointKind kind : {JointKind::pin, JointKind::ball}) {
     const auto states =
-        wear_in(swing(3e4, JointBody::body), lined(kind), 1e-16, 1e6).states;
+        wear_in(swing(3e4, JointBody::body), lined(kind), {1e-16}, 1e6).states;
     ASSERT_GT(states.size(), 10u);
     EXPECT_GT(states.back().worn_share, 0.9);
     for (std::size_t i = 1; i < states.size(); ++i) {
@@ -276,7 +276,8 @@ TEST(WearIn, SpreadOfTheContact) {
 
 TEST(WearIn, LoadsThatMove) {
   const auto notes = [](double load) {
-    return wear_in(swing(load, JointBody::carrier), pin(1e11, 1e-6), 1e-16, 100)
+    return wear_in(swing(load, JointBody::carrier), pin(1e11, 1e-6), {1e-16},
+                   100)
         .notes;
   };
   // Half-angles around 45, 12 and 4 deg; the spread is 5.8 deg.
@@ -295,7 +296,7 @@ TEST(WearIn, LoadsThatMove) {
 
 TEST(WearIn, DepthBesideTheRadius) {
   const auto wear = [](double k, double cycles) {
-    return wear_in(steady(), pin(1e11, 0.1), k, cycles);
+    return wear_in(steady(), pin(1e11, 0.1), {k}, cycles);
   };
   // 1.6e-7 J/m of volume in a cycle: over the projected area 0.08 um.
   EXPECT_TRUE(wear(1e-13, 1e4).notes.empty());
@@ -326,13 +327,24 @@ TEST(WearIn, CoefficientsOfBearings) {
         std::string::npos)
         << WearMap::coefficient_note(k);
   }
-  EXPECT_EQ(wear_in(steady(), pin(1e11, 0.1), 1e-20, 1).notes.size(), 1u);
+  EXPECT_EQ(wear_in(steady(), pin(1e11, 0.1), {1e-20}, 1).notes.size(), 1u);
+}
+
+// What wears beyond a tenth of its overlap in a cycle goes on by whole cycles.
+TEST(WearIn, BlocksHaveACycleAtLeast) {
+  const WearIn wear = wear_in(steady(), pin(1e11, 0.1, 1.7), 1e-11, 5.5);
+  ASSERT_GT(wear.states.size(), 2u);
+  for (std::size_t i = 1; i + 1 < wear.states.size(); ++i) {
+    EXPECT_GE(wear.states[i].cycles - wear.states[i - 1].cycles, 1) << i;
+  }
+  EXPECT_EQ(wear.states[1].cycles, 1);
+  EXPECT_EQ(wear.states.back().cycles, 5.5);
 }
 
 TEST(WearIn, Messages) {
   const auto message = [](double k, double cycles, double modulus) {
     return error_message(
-        [&] { wear_in(steady(), pin(modulus, 0.1, 1.7), k, cycles); });
+        [&] { wear_in(steady(), pin(modulus, 0.1, 1.7), {k}, cycles); });
   };
   EXPECT_EQ(message(-1, 1, 1e11),
             "wear: coefficient = -1 must be 0 m^2/N or above and finite");

@@ -407,6 +407,24 @@ TEST(Identify, Trends) {
                              .direction_trend.value));
 }
 
+// Points that Huber's loss counts little make no trend: at the largest loads
+// moments are far too large.
+TEST(Identify, OutliersMakeNoTrend) {
+  const JointContact truth =
+      steel_in_bronze(JointKind::ball, FrictionLaw(0.12, 1e6));
+  auto data = exact_data(truth, 2e3, 20, false);
+  add_noise(data, 0.005);
+  std::get<double>(data[19].moment) *= 3;
+  std::get<double>(data[18].moment) *= 3;
+  const FrictionFit fit =
+      identify_friction(truth, data, {.huber = true, .level = 0.95});
+  ASSERT_LT(fit.weight[19], 0.1);
+  EXPECT_LT(fit.load_trend.interval.low, 0);
+  EXPECT_GT(fit.load_trend.interval.high, 0);
+  // Tens of deviations, were they counted in full.
+  EXPECT_LT(std::abs(fit.load_trend.value), 5);
+}
+
 // A prediction at a measured state is the fit there.
 TEST(Identify, Prediction) {
   const auto data = reference_data("wide");

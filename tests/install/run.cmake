@@ -32,6 +32,30 @@ if(EXISTS ${BUILD}/bin/hinge-angle)
   message(STATUS "installed program and joint: ${output}")
 endif()
 
+if(NOT EXISTS ${prefix}/share/doc/libcontact/LICENSE)
+  message(FATAL_ERROR "the licence is not installed")
+endif()
+
+# What fails says why.
+function(run_fails expected)
+  execute_process(COMMAND ${ARGN} RESULT_VARIABLE status
+    OUTPUT_VARIABLE output ERROR_VARIABLE output)
+  string(REGEX REPLACE "[ \n]+" " " output "${output}")
+  if(status EQUAL 0 OR NOT output MATCHES "${expected}")
+    message(FATAL_ERROR "${ARGN}\n(${status}): ${output}")
+  endif()
+endfunction()
+file(WRITE ${WORK}/misspelt/CMakeLists.txt "
+cmake_minimum_required(VERSION 3.25)
+project(misspelt LANGUAGES CXX)
+find_package(contact REQUIRED COMPONENTS fils)
+")
+run_fails("no component fils; its components are c, runs_c, files, "
+  ${CMAKE_COMMAND} -S ${WORK}/misspelt -B ${WORK}/misspelt/build
+  -D CMAKE_PREFIX_PATH=${prefix} -D CMAKE_CXX_COMPILER=${COMPILER})
+run_fails("error: #error .libcontact needs C..20; "
+  ${COMPILER} -std=c++17 -fsyntax-only -I${prefix}/include ${SOURCE}/main.cpp)
+
 run(${CMAKE_COMMAND} -S ${SOURCE} -B ${WORK}/build
   -D CMAKE_PREFIX_PATH=${prefix} -D CMAKE_CXX_COMPILER=${COMPILER}
   -D "CMAKE_CXX_FLAGS=${FLAGS}" -D CMAKE_BUILD_TYPE=Release
@@ -75,14 +99,14 @@ endif()
 file(GLOB_RECURSE pc ${prefix}/*/contact.pc)
 get_filename_component(pc_folder ${pc} DIRECTORY)
 set(ENV{PKG_CONFIG_PATH} ${pc_folder})
-run(pkg-config --cflags --libs --define-prefix contact)
+run(pkg-config --cflags --libs contact)
 separate_arguments(pc_flags UNIX_COMMAND "${output}")
 separate_arguments(flags UNIX_COMMAND "${FLAGS}")
 run(${COMPILER} -std=c++20 ${flags} ${SOURCE}/main.cpp
   -o ${WORK}/by_pkg_config ${pc_flags})
 run(${WORK}/by_pkg_config)
 message(STATUS "pkg-config: ${output}")
-run(pkg-config --cflags --libs --define-prefix contact-files)
+run(pkg-config --cflags --libs contact-files)
 separate_arguments(pc_flags UNIX_COMMAND "${output}")
 run(${COMPILER} -std=c++20 ${flags} ${SOURCE}/files.cpp
   -o ${WORK}/files_by_pkg_config ${pc_flags})
@@ -117,7 +141,7 @@ if(with_apps)
   set(stages_by_cmake "${output}")
   message(STATUS "contact::runs_c: ${output}")
 endif()
-run(pkg-config --cflags --libs --define-prefix contact-c)
+run(pkg-config --cflags --libs contact-c)
 separate_arguments(pc_flags UNIX_COMMAND "${output}")
 get_filename_component(folder ${library} DIRECTORY)
 run(${C_COMPILER} -std=c11 -pedantic -Wall -Werror ${flags}
@@ -128,7 +152,7 @@ if(NOT output STREQUAL by_cmake)
   message(FATAL_ERROR "by pkg-config: ${output}")
 endif()
 if(with_apps)
-  run(pkg-config --cflags --libs --define-prefix contact-runs-c)
+  run(pkg-config --cflags --libs contact-runs-c)
   separate_arguments(pc_flags UNIX_COMMAND "${output}")
   run(${C_COMPILER} -std=c11 -pedantic -Wall -Werror ${flags}
     ${SOURCE}_c/stages.c -o ${WORK}/stages_by_pkg_config ${pc_flags}

@@ -222,8 +222,9 @@ TEST(JointPressure, NodesMixPressures) {
   EXPECT_LT(s.power, 0);
 }
 
-TEST(JointPressure, HalfAnglesBeyondTheLawHaveNoResult) {
-  // A half-angle law may go beyond what a pressure law has.
+TEST(JointPressure, HalfAnglesBeyondTheTableAreThoseOfInterference) {
+  // A half-angle law may go beyond the 120 deg of the usual table; nothing
+  // jumps there.
   const ElasticPair pair = unlike_pair();
   HalfAngleOptions options;
   options.limit_half_angle = 150 * degree;
@@ -231,12 +232,19 @@ TEST(JointPressure, HalfAnglesBeyondTheLawHaveNoResult) {
       {JointGeometry::ball(0.05, 0.05e-3), pair, FrictionLaw(0.1),
        make_half_angle_law("tanh", JointKind::ball, pair, options),
        make_pressure_law("exact", JointKind::ball, pair)});
-  const JointSolution s =
-      joint.solve_contact({Vector3d(0, 0, 1e12), Vector3d(0, 1, 1)});
-  EXPECT_TRUE(std::isnan(s.friction_moment.norm()));
-  EXPECT_EQ(joint.contact().validity_notes().back(),
-            "pressure law exact ends at 120 deg, before the limit half-angle "
-            "of law tanh");
+  const auto moment = [&joint](double half_angle) {
+    const double load = joint.contact()
+                            .half_angle_law()
+                            .load_parameter(half_angle)
+                            .load_parameter;
+    const double force = load / joint.contact().load_parameter(1);
+    const JointSolution s =
+        joint.solve_contact({Vector3d(0, 0, force), Vector3d(0, 1, 1)});
+    return s.friction_moment.norm() / force;
+  };
+  EXPECT_GT(moment(149 * degree), moment(121 * degree));
+  EXPECT_NEAR(moment(120.0001 * degree) / moment(119.9999 * degree), 1, 1e-5);
+  EXPECT_TRUE(joint.contact().validity_notes().empty());
   // An exact half-angle law ends where the exact pressure does.
   const ElasticPair soft({1e8, 0.49}, {2e11, 0.3});
   const Joint same({JointGeometry::ball(0.05, 0.05e-3), soft, FrictionLaw(0.1),

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "multibody/system/eigen_conversion.hpp"
+#include "multibody_support/coupled.hpp"
 #include "multibody_support/friction_parts.hpp"
 #include "multibody_support/prepared.hpp"
 #include "multibody_support/random_instant.hpp"
@@ -65,7 +66,7 @@ Case mixed_case(int bodies, std::uint64_t seed, int resting = -1) {
   return case_of(instant, false, 0.01);
 }
 
-void set_signs(CoupledDynamics& coupled, const Case& c) {
+void set_signs(Coupled& coupled, const Case& c) {
   for (int i = 0; i < coupled.size(); ++i) {
     if (c.prepared.system.links()[i].kind != HingeKind::axis) continue;
     const double rate = c.prepared.state[coupled.layout().offset(i) + 1];
@@ -79,10 +80,10 @@ TEST(CoupledDynamics, FrictionFitsTheReactionsItCauses) {
     for (const int bodies : {1, 4, 16}) {
       for (std::uint64_t seed = 1; seed <= 30; ++seed) {
         Case c = random_case(mix, bodies, seed, false, 0.01);
-        CoupledDynamics coupled(c.prepared.system, c.friction);
+        Coupled coupled(c.prepared.system, c.friction);
         set_signs(coupled, c);
         const CoupledReport report =
-            coupled.evaluate(c.prepared.state.data(), c.prepared.forces);
+            coupled.evaluate(c.prepared.state, c.prepared.forces);
         ASSERT_EQ(report.status, CoupledStatus::ok);
         iterations += report.iterations;
         ++cases;
@@ -119,7 +120,7 @@ struct Tracked {
 };
 
 // Of the friction moments, against the solvers under the reactions found.
-double largest_miss(const Case& c, const CoupledDynamics& coupled) {
+double largest_miss(const Case& c, Coupled& coupled) {
   double largest = 0;
   for (int i = 0; i < coupled.size(); ++i) {
     if (coupled.mode(i) != HingeMode::sliding) continue;
@@ -140,13 +141,12 @@ double largest_miss(const Case& c, const CoupledDynamics& coupled) {
 }
 
 // Along a run; steps of two kinds, as stages of a step see them.
-void track(Case& c, CoupledDynamics& coupled, int steps, Tracked& tracked) {
+void track(Case& c, Coupled& coupled, int steps, Tracked& tracked) {
   std::vector<double>& state = c.prepared.state;
   std::vector<double> rates(state.size());
   for (int k = 0; k < steps; ++k) {
     set_signs(coupled, c);
-    const CoupledReport report =
-        coupled.evaluate(state.data(), c.prepared.forces);
+    const CoupledReport report = coupled.evaluate(state, c.prepared.forces);
     ASSERT_EQ(report.status, CoupledStatus::ok);
     ++tracked.evaluations;
     tracked.iterations += report.iterations;
@@ -171,7 +171,7 @@ TEST(CoupledDynamics, TrackedFrictionFitsTheReactionsItCauses) {
             friction = GroupFriction{ball_and_pin(FrictionLaw(0.2, 1e4), 0.2)};
           }
         }
-        CoupledDynamics coupled(c.prepared.system, c.friction);
+        Coupled coupled(c.prepared.system, c.friction);
         ASSERT_NO_FATAL_FAILURE(track(c, coupled, 40, tracked));
       }
     }
@@ -189,7 +189,7 @@ TEST(CoupledDynamics, FrictionOfBallsAndPinsIsTracked) {
       for (std::uint64_t seed = 1; seed <= 10; ++seed) {
         const int resting = static_cast<int>(seed) % bodies;
         Case c = mixed_case(bodies, seed, resting);
-        CoupledDynamics coupled(c.prepared.system, c.friction);
+        Coupled coupled(c.prepared.system, c.friction);
         coupled.set_mode(resting, HingeMode::resting);
         if (prescribed) {
           coupled.prescribe_carrier(
@@ -216,19 +216,18 @@ TEST(CoupledDynamics, MomentsSetInBetweenLeadToTheSame) {
     for (std::uint64_t seed = 1; seed <= 5; ++seed) {
       for (const double share : {0.0, 0.9, -0.5}) {
         Case c = mixed_case(bodies, seed);
-        CoupledDynamics coupled(c.prepared.system, c.friction);
+        Coupled coupled(c.prepared.system, c.friction);
         Tracked tracked;
         ASSERT_NO_FATAL_FAILURE(track(c, coupled, 5, tracked));
         set_signs(coupled, c);
         for (int i = 0; i < bodies; ++i) {
           coupled.set_friction_moment(i, share * coupled.friction_moment(i));
         }
-        CoupledDynamics fresh(c.prepared.system, c.friction);
+        Coupled fresh(c.prepared.system, c.friction);
         set_signs(fresh, c);
-        for (CoupledDynamics* const each : {&coupled, &fresh}) {
-          ASSERT_EQ(
-              each->evaluate(c.prepared.state.data(), c.prepared.forces).status,
-              CoupledStatus::ok);
+        for (Coupled* const each : {&coupled, &fresh}) {
+          ASSERT_EQ(each->evaluate(c.prepared.state, c.prepared.forces).status,
+                    CoupledStatus::ok);
         }
         for (int i = 0; i < bodies; ++i) {
           const Vector3d& expected = fresh.friction_moment(i);
@@ -265,14 +264,14 @@ struct StickyPin {
     state[StateLayout::rotation] = 1;
     state.back() = 1e-9;
   }
-  CoupledDynamics coupled() const {
-    CoupledDynamics result(system, friction);
+  Coupled coupled() const {
+    Coupled result(system, friction);
     result.set_direction(0, Vector3d(0, 0, 1));
     return result;
   }
-  CoupledReport evaluate(CoupledDynamics& with, double angle) {
+  CoupledReport evaluate(Coupled& with, double angle) {
     state[StateLayout::body_size] = angle;
-    return with.evaluate(state.data(), forces);
+    return with.evaluate(state, forces);
   }
 
   static constexpr double sine = 0.97, radius = 0.15, mass = 1, arm = 0.05;
@@ -293,7 +292,7 @@ TEST(CoupledDynamics, SeveralMomentsAreSeenAfterOneWasTracked) {
   // Held and without motion R = -F + m a, a_y half of F_y.
   StickyPin pin({0.11, 50 * Eigen::Matrix3d::Identity()}, Vector3d(0, 0, 0),
                 Vector3d(-1, 20, 0));
-  CoupledDynamics coupled = pin.coupled();
+  Coupled coupled = pin.coupled();
   for (int k = 10; k >= 0; --k) {
     ASSERT_EQ(pin.evaluate(coupled, 1e-4 * k).status, CoupledStatus::ok);
     EXPECT_LT(coupled.kappa(0), 0.5);
@@ -323,8 +322,8 @@ TEST(CoupledDynamics, TrackingDoesNotHideSeveralMoments) {
   inertia(2, 2) = 0.1;
   StickyPin pin({100, inertia}, Vector3d(0, 1, 0), Vector3d(-1, 20, 0));
   constexpr double right = std::numbers::pi / 2;
-  const auto same = [&](CoupledDynamics& tracked, double angle) {
-    CoupledDynamics fresh = pin.coupled();
+  const auto same = [&](Coupled& tracked, double angle) {
+    Coupled fresh = pin.coupled();
     const CoupledStatus expected = pin.evaluate(fresh, angle).status;
     EXPECT_EQ(pin.evaluate(tracked, angle).status, expected) << angle;
     EXPECT_EQ(tracked.solutions().size(), fresh.solutions().size()) << angle;
@@ -335,14 +334,14 @@ TEST(CoupledDynamics, TrackingDoesNotHideSeveralMoments) {
     }
     return expected;
   };
-  CoupledDynamics jumping = pin.coupled();
+  Coupled jumping = pin.coupled();
   for (int k = 0; k < 5; ++k) {
     EXPECT_EQ(same(jumping, right + 1e-4 * k), CoupledStatus::ok);
   }
   EXPECT_EQ(same(jumping, 0), CoupledStatus::several_solutions);
   EXPECT_EQ(same(jumping, right), CoupledStatus::ok);
 
-  CoupledDynamics walking = pin.coupled();
+  Coupled walking = pin.coupled();
   int one = 0, several = 0;
   for (int k = 0; k <= 50; ++k) {
     const CoupledStatus status = same(walking, right * (1 - k / 50.0));
@@ -355,21 +354,58 @@ TEST(CoupledDynamics, TrackingDoesNotHideSeveralMoments) {
 
 TEST(CoupledDynamics, NothingIsAllocatedOnTheWay) {
   Case c = random_case(Mix::balls, 4, 1, false, 0.01);
-  CoupledDynamics coupled(c.prepared.system, c.friction);
-  coupled.evaluate(c.prepared.state.data(), c.prepared.forces);
+  Coupled coupled(c.prepared.system, c.friction);
+  coupled.evaluate(c.prepared.state, c.prepared.forces);
   for (double& x : c.prepared.state) x *= 1.001;
   const std::size_t before = contact::test::allocation_count();
-  coupled.evaluate(c.prepared.state.data(), c.prepared.forces);
+  coupled.evaluate(c.prepared.state, c.prepared.forces);
   EXPECT_EQ(contact::test::allocation_count(), before);
+}
+
+// What is evaluated in between, at other instants with copies of the memory,
+// is not seen by what follows: all is the same to the last bit.
+TEST(CoupledDynamics, EvaluationsAsideLeaveNoTrace) {
+  for (const Mix mix : {Mix::balls, Mix::axes}) {
+    for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+      Case c = random_case(mix, 5, seed, false, 0.01);
+      Coupled plain(c.prepared.system, c.friction);
+      Coupled looked(c.prepared.system, c.friction);
+      std::vector<double>& state = c.prepared.state;
+      std::vector<double> rates(state.size());
+      double moved = 0;
+      for (int k = 0; k < 40; ++k) {
+        for (Coupled* each : {&plain, &looked}) set_signs(*each, c);
+        for (int look = 0; look < k % 4; ++look) {
+          std::vector<double> other = state;
+          for (double& x : other) x *= 1 + 1e-3 * (look + 1);
+          looked.evaluate_aside(other, c.prepared.forces);
+          moved += std::abs(looked.dynamics().carrier().linear.x);
+        }
+        for (Coupled* each : {&plain, &looked}) {
+          ASSERT_EQ(each->evaluate(state, c.prepared.forces).status,
+                    CoupledStatus::ok);
+        }
+        for (int i = 0; i < plain.size(); ++i) {
+          ASSERT_EQ(plain.friction_moment(i), looked.friction_moment(i));
+          ASSERT_EQ(plain.reaction(i).force.z, looked.reaction(i).force.z);
+        }
+        plain.dynamics().rates(state.data(), {}, rates.data());
+        for (std::size_t n = 0; n < state.size(); ++n) {
+          state[n] += 5e-4 * rates[n];
+        }
+      }
+      EXPECT_GT(moved, 0);
+    }
+  }
 }
 
 TEST(CoupledDynamics, TraceShowsTheOuterLoop) {
   Case c = random_case(Mix::balls, 4, 1, false, 0.01);
-  CoupledDynamics coupled(c.prepared.system, c.friction);
+  Coupled coupled(c.prepared.system, c.friction);
   std::vector<OuterStep> trace;
   coupled.set_trace(&trace);
   const CoupledReport report =
-      coupled.evaluate(c.prepared.state.data(), c.prepared.forces);
+      coupled.evaluate(c.prepared.state, c.prepared.forces);
   ASSERT_EQ(static_cast<int>(trace.size()), report.iterations);
   EXPECT_NEAR(trace[0].residual, 1, 1e-2);
   for (std::size_t i = 1; i < trace.size(); ++i) {
@@ -386,15 +422,14 @@ TEST(CoupledDynamics, TheOnlyConsistentPatternOfRestIsFound) {
     const double radius = seed % 3 == 0 ? 0.02 : seed % 3 == 1 ? 0.05 : 0.1;
     Case c = random_case(Mix::axes, 3, seed, true, radius, 0.05);
     const int bodies = 3;
-    const auto evaluate = [&](CoupledDynamics& coupled) {
-      return coupled.evaluate(c.prepared.state.data(), c.prepared.forces)
-          .status;
+    const auto evaluate = [&](Coupled& coupled) {
+      return coupled.evaluate(c.prepared.state, c.prepared.forces).status;
     };
     std::vector<std::array<int, 3>> consistent;
     for (int pattern = 0; pattern < 27; ++pattern) {
       const std::array<int, 3> p = {pattern % 3 - 1, pattern / 3 % 3 - 1,
                                     pattern / 9 - 1};
-      CoupledDynamics coupled(c.prepared.system, c.friction);
+      Coupled coupled(c.prepared.system, c.friction);
       for (int i = 0; i < bodies; ++i) {
         if (p[i] == 0) {
           coupled.set_mode(i, HingeMode::resting);
@@ -413,11 +448,10 @@ TEST(CoupledDynamics, TheOnlyConsistentPatternOfRestIsFound) {
     }
     ASSERT_EQ(consistent.size(), 1u) << seed;
 
-    CoupledDynamics coupled(c.prepared.system, c.friction);
+    Coupled coupled(c.prepared.system, c.friction);
     for (int i = 0; i < bodies; ++i) coupled.set_mode(i, HingeMode::resting);
-    ASSERT_EQ(
-        coupled.resolve_rest(c.prepared.state.data(), c.prepared.forces).status,
-        CoupledStatus::ok);
+    ASSERT_EQ(coupled.resolve_rest(c.prepared.state, c.prepared.forces).status,
+              CoupledStatus::ok);
     for (int i = 0; i < bodies; ++i) {
       const bool slides = coupled.mode(i) == HingeMode::sliding;
       ++(slides ? sliding : resting);
@@ -439,14 +473,14 @@ TEST(CoupledDynamics, RestEndsAtItsLimit) {
     int tried = 0;
     for (std::uint64_t seed = 1; seed <= 200; ++seed) {
       Case c = random_case(mix, 3, seed, true, 0.3, 0.005);
-      const double* state = c.prepared.state.data();
+      const std::vector<double>& state = c.prepared.state;
       auto& forces = c.prepared.forces;
       const auto at_rest = [&] {
-        CoupledDynamics coupled(c.prepared.system, c.friction);
+        Coupled coupled(c.prepared.system, c.friction);
         for (int i = 0; i < 3; ++i) coupled.set_mode(i, HingeMode::resting);
         return coupled;
       };
-      CoupledDynamics held = at_rest();
+      Coupled held = at_rest();
       // What turns body 0 about z, for a utilisation of it.
       const double before = forces.bodies[0].moment.z;
       const auto utilisation = [&](double moment) {
@@ -468,7 +502,7 @@ TEST(CoupledDynamics, RestEndsAtItsLimit) {
         }
         ASSERT_NEAR(utilisation(low), 1 + part * threshold, 0.1 * threshold);
         for (const bool due : {false, true}) {
-          CoupledDynamics coupled = at_rest();
+          Coupled coupled = at_rest();
           ASSERT_EQ(coupled.resolve_rest(state, forces, due).status,
                     CoupledStatus::ok);
           const bool slides = part > 1 || (due && part > 0.5);
@@ -492,10 +526,10 @@ TEST(CoupledDynamics, BallJointsBeginToSlideWhereTheyAccelerate) {
   for (std::uint64_t seed = 1; seed <= 200; ++seed) {
     const double radius = seed % 3 == 0 ? 0.05 : seed % 3 == 1 ? 0.2 : 0.5;
     Case c = random_case(Mix::balls, 4, seed, true, radius, 0.02);
-    CoupledDynamics coupled(c.prepared.system, c.friction);
+    Coupled coupled(c.prepared.system, c.friction);
     for (int i = 0; i < 4; ++i) coupled.set_mode(i, HingeMode::resting);
     const CoupledReport report =
-        coupled.resolve_rest(c.prepared.state.data(), c.prepared.forces);
+        coupled.resolve_rest(c.prepared.state, c.prepared.forces);
     if (report.status != CoupledStatus::ok) {
       // Balls half a metre in radius on light bodies: kappa up to 2.6, where
       // there may be several answers or none. Said so, not guessed.

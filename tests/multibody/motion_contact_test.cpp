@@ -241,13 +241,13 @@ TEST_P(ContactEnds, WhenTheLockOpens) {
 // A trial state without rates ends no motion that never gets there.
 TEST(AdaptiveStepper, TriesShorterStepsWhereThereAreNoRates) {
   double least = 1;
-  const auto stepper = multibody::make_adaptive_stepper(
-      [&](double, const double* y, double* rates) {
-        least = std::min(least, y[0]);
-        rates[0] = -y[0];
-        return y[0] >= 0;
-      },
-      {1e-9, 1e-10});
+  const auto rates = [&](double, const double* y, double* to) {
+    least = std::min(least, y[0]);
+    to[0] = -y[0];
+    return y[0] >= 0;
+  };
+  const auto stepper =
+      multibody::make_adaptive_stepper({rates, rates}, {1e-9, 1e-10});
   stepper->set_next_step(10);
   stepper->restart(0, std::vector<double>{1});
   while (stepper->end() < 1) ASSERT_TRUE(stepper->step(10)) << stepper->end();

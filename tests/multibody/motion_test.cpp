@@ -479,6 +479,68 @@ TEST(Motion, RotationsStayOrthogonalOverAMillionSteps) {
   }
 }
 
+// All that can be asked of it, where it is and back in its step.
+void look_around(const Motion& motion, multibody::test::Random& random,
+                 double& seen) {
+  const auto ask = [&](const MotionSample& sample) {
+    for (int i = 0; i < 4; ++i) {
+      const HingeSample hinge = sample.hinge(i);
+      seen += hinge.reaction_force.norm() + hinge.friction_moment.norm();
+      for (const auto& joint : hinge.joints) seen += joint.half_angle;
+      seen += sample.angular_acceleration(1 + i).norm();
+    }
+    seen += sample.energy().kinetic;
+  };
+  if (random.uniform(0, 1) < 0.5) ask(motion.sample());
+  const double begin = motion.step_begin();
+  const double time =
+      begin + random.uniform(0, 1) * (motion.sample().time() - begin);
+  if (random.uniform(0, 1) < 0.5) motion.look_back(time, ask);
+  if (random.uniform(0, 1) < 0.5) ask(motion.sample());
+}
+
+TEST(Motion, LooksOnTheWayLeaveNoTrace) {
+  for (const Integrator integrator : {Integrator::adaptive, Integrator::rk4}) {
+    for (const bool events : {false, true}) {
+      const Mixed m = mixed_system(3, true);
+      MotionOptions options;
+      options.integrator = integrator;
+      options.step = 5e-3;
+      const auto begin = [&] {
+        auto motion = std::make_unique<Motion>(
+            System(m.carrier, m.bodies), m.friction, nullptr, m.start, options);
+        if (events) {
+          motion->add_event({[](const MotionSample& s) {
+            return s.hinge(0).reaction_force.norm() - 20;
+          }});
+        }
+        return motion;
+      };
+      const auto plain = begin();
+      while (plain->advance_to(10) == Stop::event) continue;
+      const auto looked = begin();
+      multibody::test::Random random(1);
+      double seen = 0;
+      looked->watch_steps([&](const MotionSample&) {
+        if (random.uniform(0, 1) < 0.3) look_around(*looked, random, seen);
+      });
+      for (double t = 0; t < 10;) {
+        t = std::min(10.0, t + random.uniform(0, 0.1));
+        while (looked->advance_to(t) == Stop::event) continue;
+        ASSERT_EQ(looked->time(), t);
+        look_around(*looked, random, seen);
+      }
+      EXPECT_GT(seen, 0);
+      EXPECT_GT(plain->changes().size(), 3u);  // hinges that come to rest
+      EXPECT_EQ(looked->counts().evaluations, plain->counts().evaluations);
+      EXPECT_EQ(looked->changes().size(), plain->changes().size());
+      EXPECT_EQ(looked->sample().hinge(1).reaction_force,
+                plain->sample().hinge(1).reaction_force);
+      EXPECT_EQ(looked->save().numbers, plain->save().numbers);
+    }
+  }
+}
+
 TEST(Motion, GoesOnFromASavedStateAsIfNothingHadHappened) {
   const Mixed m = mixed_system(3, true);
   const System system(m.carrier, m.bodies);

@@ -73,8 +73,9 @@ TEST_F(EveryJoint, HingeJointAnswersAsTheLibrary) {
 TEST_F(EveryJoint, CAnswersAsTheLibrary) {
   for (const JointText& joint : every_joint()) {
     contact_joint* made = nullptr;
-    ASSERT_EQ(contact_joint_parse(joint.toml.c_str(), nullptr, &made),
-              CONTACT_OK)
+    ASSERT_EQ(
+        contact_joint_parse(joint.toml.c_str(), nullptr, nullptr, 0, &made),
+        CONTACT_OK)
         << joint.name << contact_last_message();
     const CJoint owner(made, contact_joint_free);
     const contact_slip slip = {{reaction, 0, 0}, {0, 0, rate}, {0, 0, 1}};

@@ -609,8 +609,8 @@ TEST(HingeAngle, Plots) {
       "10:5000:log50 --law hertz,arctan,tanh --plot hip.svg --output hip.csv");
   EXPECT_EQ(folder.files(), (std::vector<std::string>{"hip.csv", "hip.svg"}));
   const std::string picture = folder.read("hip.svg");
-  for (const char* text : {"hertz", "arctan", "tanh", "normal force, N",
-                           "contact half-angle θ₀, deg", "</svg>"}) {
+  for (const char* text : {"hertz", "arctan", "tanh", "normal force Rₙ, N",
+                           "half-angle of the contact θ₀, deg", "</svg>"}) {
     EXPECT_TRUE(has_text(picture, text)) << text;
   }
   folder.run_well(

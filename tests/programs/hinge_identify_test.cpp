@@ -38,6 +38,28 @@ TEST(HingeIdentify, PrintsTheFit) {
   EXPECT_GT(cell(result, "f0_effective"), 0.14);
 }
 
+// A row for each joint, with what its own fit says.
+TEST(HingeIdentify, SeveralJoints) {
+  const ProgramFolder folder;
+  const std::string key = "geometry.radial_clearance_um";
+  const auto all = csv_rows(
+      folder.run_well(wide + "--set " + key + "=20,60 --residuals r.csv").out);
+  ASSERT_EQ(all.size(), 1 + 2u);
+  const std::size_t residuals = csv_rows(folder.read("r.csv")).size() - 1;
+  for (const std::size_t row : {0u, 1u}) {
+    const std::string value = row == 0 ? "20" : "60";
+    const ProgramResult one = folder.run_well(wide + "--set " + key + '=' +
+                                              value + " --residuals one.csv");
+    EXPECT_EQ(csv_column(all, key)[row], value);
+    for (const std::string column : {"value", "standard_error", "high"}) {
+      const std::string name = column == "value" ? "A_Pa" : "A_Pa_" + column;
+      EXPECT_EQ(std::stod(csv_column(all, name)[row]),
+                cell(one, "A_Pa", column));
+    }
+    EXPECT_EQ(2 * (csv_rows(folder.read("one.csv")).size() - 1), residuals);
+  }
+}
+
 // Moments that hinge-joint prints, with its columns, give its friction back.
 TEST(HingeIdentify, ReadsWhatHingeJointPrints) {
   const ProgramFolder folder;

@@ -195,7 +195,7 @@ TEST(Points, AreDrawn) {
   for (const char* text : {"time, s", "Mₜ, N m", "R, N", "peak p, MPa"}) {
     EXPECT_TRUE(has(svg, text)) << text;
   }
-  EXPECT_TRUE(has(svg, " 8000"));  // on the axis of R
+  EXPECT_TRUE(has(svg, "8000"));  // on the axis of R
   folder.write("contact.csv", "R_n_N,a_deg\n1e5,20\n2e5,20\n");
   const std::string contact = drawn("--summary --points contact.csv");
   EXPECT_TRUE(has_text(folder.read("t.csv"), "largest_R_n_N,2e+05,2,"));

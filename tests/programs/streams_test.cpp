@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "support/program.hpp"
@@ -61,6 +62,61 @@ TEST(StandardStreams, MissingOnesAreNotWrittenOrRead) {
   EXPECT_EQ(message("hinge-table --points - <&-"),
             "hinge-table: cannot read standard input: Bad file descriptor\n");
   EXPECT_TRUE(folder.files().empty());
+}
+
+TEST(StandardStreams, HelpThatCannotBeWrittenIsAnError) {
+  const ProgramFolder folder;
+  for (const std::string option : {"--help", "--version"}) {
+    for (const auto& [where, why] :
+         {std::pair{" >&-", "Bad file descriptor"},
+          {" >/dev/full", "No space left on device"}}) {
+      const ProgramResult result = folder.run("hinge-table " + option + where);
+      EXPECT_EQ(result.status, 2) << option << where;
+      EXPECT_EQ(result.err, "hinge-table: cannot write standard output: " +
+                                std::string(why) + "\n");
+    }
+    EXPECT_TRUE(has_text(folder.run_well("hinge-table " + option).out,
+                         option == "--help" ? "--theta0" : "(libcontact)"));
+  }
+}
+
+// Names speak to no terminal; elsewhere they are data.
+TEST(StandardStreams, TerminalsAreNotSpokenTo) {
+  const ProgramFolder folder;
+  folder.write("j.toml",
+               "name = 'ball'\nkind = 'ball'\n"
+               "geometry = { radius_mm = 50, radial_clearance_um = 100 }\n"
+               "materials = { pair = 'data/materials/steel_steel.toml' }\n"
+               "friction = { coefficient = 0.1 }\n");
+  folder.write("s.toml",
+               "name = \"\\u001b[31mred \\u202e* _red_\"\njoint = 'j.toml'\n"
+               "runs = 5\nload = { reaction_kN = 100, beta_deg = 60 }\n"
+               "quantities = ['M_t_N_m']\n"
+               "[[factor]]\nname = \"\\u001b[2J\"\n"
+               "[[dispersion]]\nkey = 'friction.coefficient'\n"
+               "kind = 'uniform'\nlow = 0.05\nhigh = 0.15\n"
+               "factors = [\"\\u001b[2J\"]\nloadings = [0.5]\n");
+  const auto on_terminal = [&](const std::string& command) {
+    return folder.run_well("script -qec '" + command + "' /dev/null").out;
+  };
+  folder.write("c.toml",
+               "name = 'c'\nrun = { end_time_s = 0.1 }\n"
+               "carrier = { name = 'a', fixed = true }\n"
+               "[[body]]\nname = \"\\u001b[2J\"\nmass_kg = 1\n"
+               "principal_inertia_kg_m2 = [1, 1, 1]\n");
+  const std::string history =
+      "hinge-separation c.toml --history - --output o.json";
+  EXPECT_TRUE(has_text(folder.run_well(history).out, "\x1b[2J"));
+  const std::string shown = on_terminal(history);
+  EXPECT_FALSE(has_text(shown, "\x1b")) << shown;
+  EXPECT_TRUE(has_text(shown, "\\x1b[2J"));
+  // The table for people has none anywhere.
+  for (const std::string& text : {folder.run_well("hinge-study s.toml").out,
+                                  on_terminal("hinge-study s.toml")}) {
+    EXPECT_TRUE(text.starts_with(R"(# \\x1b[31mred \\xe2\\x80\\xae\* \_red\_)"))
+        << text;
+    EXPECT_FALSE(has_text(text, "\x1b"));
+  }
 }
 
 // The table that has no place to go to was written over the journal's rows.
@@ -150,6 +206,18 @@ TEST(FullDisk, ResultsAreWholeOrNotThere) {
       EXPECT_TRUE(folder.files().empty());
     }
   }
+}
+
+// A file has its name when it is on the disk and not before.
+TEST(FullDisk, FilesAreKeptBeforeTheyHaveTheirNames) {
+  const ProgramFolder folder;
+  const ProgramResult result = folder.run(
+      "CONTACT_TEST_LATE=1 " +
+      with_room(0, "hinge-table --theta0 45 --alpha 30 --output result"));
+  EXPECT_EQ(result.status, 2);
+  EXPECT_EQ(result.err,
+            "hinge-table: cannot write result: No space left on device\n");
+  EXPECT_TRUE(folder.files().empty());
 }
 
 // The history and the events of a separation cost nothing but themselves,

@@ -83,9 +83,18 @@ class Numbers(unittest.TestCase):
             libcontact.half_angle(0.001, "hertz"), np.arcsin(0.1))
         self.assertGreater(libcontact.pressure(0, 0.3, "cosine"), 0)
         with self.assertRaisesRegex(
-            libcontact.Error, "^a joint requires inner and outer"
+            libcontact.Error, "^law \"exact\" requires inner and outer"
         ):  # fmt: skip
             libcontact.half_angle(1, "exact")
+        for wrong in (
+            lambda: libcontact.half_angle(1, "hertzz"),
+            lambda: libcontact.pressure(0, 1, "hertzz"),
+            lambda: libcontact.friction_coefficients(0.5, 0.1, "hertzz"),
+        ):
+            with self.assertRaisesRegex(
+                libcontact.Error, 'law = "hertzz": unknown'
+            ):  # fmt: skip
+                wrong()
 
     def test_of_a_pin_are_about_its_axis(self):
         pin = libcontact.Joint.from_file(pin_file)
@@ -269,7 +278,8 @@ class Files(unittest.TestCase):
              "geometry.radius_mm = -50 must be above 0"),
             ({"radius_mm": 50, **materials},
              "geometry requires radial_clearance, diametral_clearance, "
-             "relative_clearance, or hole and shaft"),
+             "relative_clearance, radial_interference, "
+             "diametral_interference, or hole and shaft"),
             ({"diametral_clearance_um": 5, **materials}, "geometry requires radius or "
              "diameter"),
         ):  # fmt: skip
@@ -298,6 +308,21 @@ class Files(unittest.TestCase):
             with self.assertRaises(KeyError):
                 other[key]
         self.assertEqual(hip["geometry.radius_mm"], 14)
+
+    def test_have_the_clearance_of_their_temperatures(self):
+        steel = {"youngs_modulus_GPa": 210, "poissons_ratio": 0.3,
+                 "thermal_expansion_per_K": 11.5e-6}
+        bronze = {"youngs_modulus_GPa": 110, "poissons_ratio": 0.34,
+                  "thermal_expansion_per_K": 18e-6}
+        warm = libcontact.Joint(
+            kind="ball", radius_mm=25, radial_clearance_um=60, inner=steel,
+            outer=bronze, coefficient=0.1, inner_temperature_C=100,
+            outer_temperature_C=60)
+        grown = 60e-6 + 0.025 * (18e-6 * 40 - 11.5e-6 * 80)
+        self.assertAlmostEqual(warm.radial_clearance / grown, 1, 12)
+        even = warm.replace({"inner_temperature_C": 20,
+                             "outer_temperature_K": 293.15})
+        self.assertEqual(even.radial_clearance, 60e-6)
 
     def test_say_where_the_theory_ends(self):
         self.assertEqual(hip.notes([500, 2000]), [])

@@ -67,8 +67,10 @@ class Pickled(unittest.TestCase):
 
     def test_nobody_writes_into_them(self):
         again = pickle.loads(pickle.dumps(answers["Solution"]))
-        again.power[:] = 7
-        np.testing.assert_array_equal(again.power, answers["Solution"].power)
+        for one in again, answers["Solution"], answers["Solution"][1:]:
+            with self.assertRaisesRegex(ValueError, "read-only"):
+                one.power[:] = 7
+            self.assertIs(one.power, one.power)
 
     def test_that_do_not_fit_are_refused(self):
         state = answers["Solution"].__getstate__()

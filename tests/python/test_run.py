@@ -1,6 +1,7 @@
 """Runs that stop on their way: to the last bit what the whole run is, and what
 C says of them."""
 
+import copy
 import ctypes
 import itertools
 import pickle
@@ -144,7 +145,7 @@ class Stepped(Test):
         for time in 0.5, float("nan"):
             self.assertEqual(
                 message_of(run.advance_to, time),
-                f"advance_to: time = {time} must be 1 s or later")
+                f"time = {time} must be 1 s or later")
         self.assertEqual(
             message_of(lambda: run["stage.angle_dg"]),
             'unknown column "stage.angle_dg": did you mean "stage.angle_deg"?')
@@ -213,6 +214,30 @@ class Interrupted(Test):
             "a run that moves on must be left alone until advance_to() returns"
         })
         self.assertEqual(run.status, "finished")
+
+
+class Copied(Test):
+    def test_goes_on_as_the_original(self):
+        for case in stages, slosh:
+            run = libcontact.Run(case)
+            run.advance_to(0.4321 * run.end_time)
+            other = copy.copy(run)
+            self.assertIs(type(other), libcontact.Run)
+            self.assertEqual(other.time, run.time)
+            np.testing.assert_array_equal(other.values(), run.values())
+            other.advance_to(other.end_time)
+            self.assertLess(run.time, run.end_time)
+            run.advance_to(run.end_time)
+            self.assert_same(other.outcome(), run.outcome(), restored=True)
+            self.assertEqual(copy.copy(run).status, "finished")
+
+    def test_tells_its_own_listener_how_far_it_is(self):
+        run = libcontact.Run(slow)
+        other = copy.copy(run)
+        times = []
+        other.advance_to(other.end_time, progress=lambda *at: times.append(at))
+        self.assertGreater(len(times), 0)
+        self.assertEqual(run.time, 0)
 
 
 class Saved(Test):

@@ -26,6 +26,7 @@ table() {
 ball='--joint data/joints/hip_cocr_uhmwpe.toml'
 open='--joint data/joints/hip_cocr_uhmwpe_infinite.toml'
 pin='--joint data/joints/pin_joint.toml'
+pressed='--joint data/joints/lined_bush_pressed.toml'
 one='--reaction 2000 --beta 50'
 rest='--reaction-xyz 0,0,2000 --moment-xyz 0.5,0,0.2'
 printf 'time_s,R_N,b_deg\n0,10,90\n1,20,80\n' >"$out/points.csv"
@@ -33,6 +34,7 @@ printf 'R_x_N,R_y_N,R_z_N,M_x_N_m,M_y_N_m,M_z_N_m\n0,0,9,1,0,0\n' \
   >"$out/rest.csv"
 table columns hinge-joint hinge-joint $ball $one --pv
 table columns hinge-joint-fitted hinge-joint $open $one --law fitted
+table columns hinge-joint-pressed hinge-joint $pressed --reaction 2000
 table columns hinge-joint-rest hinge-joint $ball $rest
 table columns hinge-joint-f0 hinge-joint $pin --reaction 2e4 --measured-moment 40
 table lines hinge-joint-summary hinge-joint $ball $one --pv --summary

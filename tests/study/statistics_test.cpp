@@ -428,6 +428,15 @@ TEST(Drivers, SobolErrorsAreAsLargeAsTheySay) {
 }
 
 // Runs that failed take their group with them.
+// Two shifts of a point each, by hand: the variances of the points are 25/16
+// and 45/16, the squares of the changes half of 1 and of 25.
+TEST(Drivers, SobolErrorsOfTwoShifts) {
+  const std::vector<double> outputs = {1, 3, 2, 2, 5, 7};
+  const auto index = study::sobol_indices(outputs, 1, 2)[0];
+  EXPECT_NEAR(index.total, 104.0 / 35, 1e-14);
+  EXPECT_NEAR(index.total_error, 58 / 30.625, 1e-14);
+}
+
 TEST(Drivers, SobolIndicesWithoutSomeGroups) {
   std::vector<double> outputs;
   for (int i = 0; i < 16 * 3; ++i) {
@@ -509,6 +518,17 @@ TEST(Design, IdentitiesDiffer) {
   const auto plan = plan_of(study::Sampling::latin_hypercube, 80, 3);
   EXPECT_TRUE(
       identities.insert(study::Design(plan, {0, 0, 0}).identity()).second);
+}
+
+// Scores of factors and their own beyond all doubles below 1.
+TEST(Design, FactorsLeaveNoDrawAtAnEnd) {
+  auto plan = plan_of(study::Sampling::random, 1, 2);
+  plan.factors = {"weather"};
+  plan.dispersions[0].shares = {{0, 0.7}};
+  const study::Design design(plan, {0, 0});
+  for (const double u : {study::lowest_uniform, study::highest_uniform}) {
+    EXPECT_EQ(design.numbers_of({u, u, 0.5})[0], design.number(0, u));
+  }
 }
 
 TEST(Design, FactorsCorrelateDraws) {

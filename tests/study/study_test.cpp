@@ -9,6 +9,7 @@
 #include <fstream>
 #include <limits>
 #include <numbers>
+#include <set>
 #include <string>
 #include <thread>
 #include <vector>
@@ -115,6 +116,34 @@ TEST_F(BallStudy, RowsAreWhatTheJointSays) {
   }
 }
 
+// Whatever changes a row, so that no journal goes on with rows of another
+// study.
+TEST_F(BallStudy, IdentitiesDifferWithWhatRowsDependOn) {
+  std::set<std::string> identities = {Study(ball()).identity()};
+  const std::pair<const char*, const char*> changes[] = {
+      {"high = 0.15", "high = 0.16"},
+      {"deviation = 5000", "deviation = 5001"},
+      {"kind = 'uniform'", "kind = 'uniform'\nrelative = true"},
+      {"runs = 40", "runs = 40\nseed = 2"},
+      {"runs = 40", "runs = 40\nsampling = 'latin_hypercube'"},
+      {"runs = 40", "runs = 41\nsampling = 'latin_hypercube'"},
+      {"runs = 40", "runs = 40\nsampling = 'sobol'"},
+      {"reaction_kN = 100", "reaction_kN = 101"},
+      {"'R_n_N'", "'Abar'"}};
+  for (const auto& [from, to] : changes) {
+    EXPECT_TRUE(identities.insert(Study(ball(from, to)).identity()).second)
+        << to;
+  }
+  write("j.toml", joint_text + "inner_body = 'body'\n");
+  EXPECT_TRUE(identities.insert(Study(ball()).identity()).second);
+  write("j.toml", joint_text + "# as it was\n");
+  for (const auto& [from, to] :
+       {std::pair{"runs = 40", "runs = 50"}, {"high = 0.15", "high = 15e-2"}}) {
+    EXPECT_FALSE(identities.insert(Study(ball(from, to)).identity()).second)
+        << to;
+  }
+}
+
 TEST_F(BallStudy, RunZeroIsNominal) {
   const Study study(ball());
   const Row row = study.row(0);
@@ -179,16 +208,15 @@ TEST_F(BallStudy, WhatDoesNotFitIsNamed) {
             "that have a pattern");
 }
 
-// Programs warn of it, but no number of the study depends on what a material
-// bears.
+// Dry friction does not know how fast it slides.
 TEST_F(BallStudy, KeysWithoutEffectAreNamed) {
-  const std::vector<double> any(2, 0.0);
+  const std::vector<double> any(3, 0.0);
   EXPECT_EQ(Study(ball()).idle_keys(any), std::vector<std::string>{});
-  const std::string key = "materials.outer.limit_pressure_MPa";
+  const std::string key = "load.rate_rad_per_s";
   const std::string file =
       ball("[[dispersion]]", "[[dispersion]]\nkey = '" + key +
-                                 "'\nkind = 'uniform'\nlow = 100\n"
-                                 "high = 200\n[[dispersion]]");
+                                 "'\nkind = 'uniform'\nlow = 1\n"
+                                 "high = 2\n[[dispersion]]");
   EXPECT_EQ(Study(file).idle_keys(any), std::vector<std::string>{key});
 }
 
@@ -412,6 +440,33 @@ TEST_F(StudyFolder, StepsThatBecomeOthersAreNoEffect) {
             std::vector<std::string>{inertia});
 }
 
+// A signal comes while a run is on its way: the run is no failure of the case.
+TEST_F(StudyFolder, ARunThatIsStoppedIsNoRow) {
+  write("c.toml", arm_case);
+  const Study study(write("s.toml",
+                          "name = 's'\ncase = 'c.toml'\nruns = 10\n"
+                          "quantities = 'arm.peak_reaction_N'\n" +
+                              dispersion("body[arm].mass_kg", 0.9, 1.1)));
+  Journal journal(path("j"), study.identity(), study.columns(),
+                  Journal::Use::write);
+  int steps = 0;
+  study.row(1, [&] {
+    ++steps;
+    return "";
+  });
+  int asked = 0;
+  int done = 0;
+  const auto stop = [&] { return ++asked > 5 * steps / 2 ? "a signal" : ""; };
+  study::compute(study, {1, 2, 3, 4, 5, 6, 7, 8, 9, 10}, 1, journal, stop,
+                 [&] { ++done; });
+  EXPECT_GT(done, 0);
+  EXPECT_LT(done, 10);
+  EXPECT_EQ(journal.size(), static_cast<std::size_t>(done));
+  for (std::uint64_t run = 1; run <= 10; ++run) {
+    if (journal.has(run)) EXPECT_EQ(journal.at(run).failure, "");
+  }
+}
+
 TEST_F(StudyFolder, OneKeyUnderTwoNamesIsRefused) {
   write("c.toml", arm_case);
   const auto message = [&](const std::string& one, const std::string& two) {
@@ -461,26 +516,6 @@ TEST_F(StudyFolder, WhatTheNominalRunDoesNotReachIsSaid) {
                 "*\" must be a name of one kind of number, not of "
                 "arm.peak_reaction_N and arm.peak_reaction_time_s");
   EXPECT_EQ(message("arm.*_N"), "(no error)");
-}
-// Keys that change neither geometry nor materials leave the laws as they are.
-TEST_F(StudyFolder, LawsAreSharedWithTheNominalCase) {
-  const study::Plan plan = study::read_plan(
-      write("s.toml", "name = 's'\ncase = '" + case_text +
-                          "'\nruns = 1\n[[dispersion]]\nkey = 'carrier.mass_t'"
-                          "\nkind = 'uniform'\nlow = 90\nhigh = 99\n"));
-  const study::SeparationModel model(plan);
-  const std::string joint = "body[1].hinge.joint[1].";
-  const auto law = [&](const KeySettings& settings) {
-    return &model.case_of({settings})
-                .bodies[0]
-                .hinge.joints[0]
-                .contact.pressure_law();
-  };
-  const auto* nominal = law({});
-  EXPECT_EQ(nominal, law({{joint + "friction.coefficient", "0.2"},
-                          {joint + "friction.adhesion_MPa", "1"},
-                          {"carrier.mass_t", "90"}}));
-  EXPECT_NE(nominal, law({{joint + "materials.inner.poissons_ratio", "0.25"}}));
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 // Preloaded into a program: a disk with room for CONTACT_TEST_ROOM more bytes.
 // What is written to a file beyond them fails as on a full disk; pipes, files
-// in memory and the standard streams have room.
+// in memory and the standard streams have room. With CONTACT_TEST_LATE set a
+// disk that has room for all, and says only when it is to keep it that it has
+// none, as one over a network may.
 #include <dlfcn.h>
 #include <sys/stat.h>
 #include <sys/uio.h>
@@ -20,6 +22,8 @@ std::size_t& room() {
   return bytes;
 }
 
+bool is_late() { return std::getenv("CONTACT_TEST_LATE") != nullptr; }
+
 bool on_disk(int descriptor) {
   struct stat status = {};
   return descriptor > STDERR_FILENO && fstat(descriptor, &status) == 0 &&
@@ -29,7 +33,7 @@ bool on_disk(int descriptor) {
 // As much of a write as there is room for.
 template <class Write>
 ssize_t limited(int descriptor, std::size_t size, const Write& write) {
-  if (!on_disk(descriptor)) return write(size);
+  if (!on_disk(descriptor) || is_late()) return write(size);
   if (room() == 0 && size > 0) {
     errno = ENOSPC;
     return -1;
@@ -75,12 +79,19 @@ ssize_t writev(int descriptor, const iovec* pieces, int count) {
   static auto* const next = original<decltype(::writev)>("writev");
   std::size_t size = 0;
   for (int i = 0; i < count; ++i) size += pieces[i].iov_len;
-  if (on_disk(descriptor) && size > room()) {
+  if (on_disk(descriptor) && !is_late() && size > room()) {
     errno = ENOSPC;
     return -1;
   }
   return limited(descriptor, size,
                  [&](std::size_t) { return next(descriptor, pieces, count); });
+}
+
+int fsync(int descriptor) {
+  static auto* const next = original<decltype(::fsync)>("fsync");
+  if (!on_disk(descriptor) || !is_late()) return next(descriptor);
+  errno = ENOSPC;
+  return -1;
 }
 
 }  // extern "C"

@@ -21,27 +21,26 @@ int main() {
   const Vector3d weight(0, 0, -9.81 * m), centre(0, 0, -0.4);  // body axes
   const Vector3d inertia(0.9, 0.9, 0.02);  // about the joint, body axes
   Eigen::Quaterniond attitude(Eigen::AngleAxisd(1.0, Vector3d::UnitX()));
-  Vector3d w(0, 1, 0.5);     // angular velocity against the carrier
-  Vector3d R = -weight;      // reaction on the pendulum
-  contact::JointSolution s;  // the last one is where the next solve starts
+  Vector3d w(0, 1, 0.5);  // angular velocity against the carrier
+  Vector3d R = -weight;   // reaction on the pendulum
+  contact::JointStep s;   // the last one is where the next begins
   double time = 0, work = 0;
   for (; time < 60; time += dt) {
     const Eigen::Matrix3d A = attitude.toRotationMatrix();
     const Eigen::Matrix3d J = A * inertia.asDiagonal() * A.transpose();
     const Vector3d c = A * centre, torque = c.cross(weight);
-    const contact::Joint::Hold hold = {.reaction = R, .moment = -torque};
-    if (w.isZero(0) && joint.at_rest(hold).utilisation <= 1) break;
-    // Friction under this reaction.
-    s = joint.solve({.reaction = R, .angular_velocity = w}, s);
-    // One implicit step: where the joint holds the velocity becomes exactly 0.
+    // Where it would be without friction, and where it is with it: a velocity
+    // of exactly 0 as long as the joint holds.
     const Vector3d free = w + dt * J.inverse() * (torque - w.cross(J * w));
-    const auto next = joint.moment_set(s).prox(J / dt, free);
-    const Vector3d acceleration = (next.angular_velocity - w) / dt;
-    work += dt * next.moment.dot(next.angular_velocity);
+    s = step(joint, {.reaction = R, .angular_velocity = w, .free = free},
+             J / dt, s);
+    if (s.holds && w.isZero(0)) break;
+    const Vector3d acceleration = (s.angular_velocity - w) / dt;
+    work += dt * s.moment.dot(s.angular_velocity);
     R = m * (acceleration.cross(c) + w.cross(w.cross(c))) - weight;
-    w = next.angular_velocity;
-    const Vector3d step = 0.5 * dt * w;
-    attitude = Eigen::Quaterniond(1, step.x(), step.y(), step.z()) * attitude;
+    w = s.angular_velocity;
+    const Vector3d turn = 0.5 * dt * w;
+    attitude = Eigen::Quaterniond(1, turn.x(), turn.y(), turn.z()) * attitude;
     attitude.normalize();
   }
   const double tilt = (attitude * centre).normalized().dot(-Vector3d::UnitZ());

@@ -10,7 +10,9 @@
 
 #include "programs/separation/replay/mesh.hpp"
 #include "programs/separation/replay/page.hpp"
+#include "programs/separation/replay/page_data.hpp"
 #include "programs/separation/replay/scene.hpp"
+#include "programs/separation/replay/shown_forces.hpp"
 #include "separation/case/case_reader.hpp"
 #include "separation/clearance/clearance.hpp"
 #include "support/program.hpp"
@@ -131,8 +133,7 @@ TEST(Replay, KeyFramesKeepToTheMotion) {
     c.output_step /= 16;
     const Outcome fine = separation::run_case(c);
     const double size = separation::make_scene(
-                            c,
-                            {{"", false, &fine.memory.rows,
+                            {{&c, "", false, &fine.memory.rows,
                               separation::replay_rows(fine.memory.rows, 64)}},
                             64)
                             .size;
@@ -198,6 +199,176 @@ TEST(Replay, NearestPointsAreAsFarAsTheBodies) {
   }
   bodies[1].position = bodies[0].position;
   EXPECT_FALSE(clearance.nearest_points(bodies, 0));
+}
+
+// A body that tumbles through 0.6 rad between two rows, by the terms of its
+// rates that the cubic has: the next one is left.
+TEST(Replay, TumblingBodiesAreRightBetweenRows) {
+  Case c = separation::parse_case(R"(
+name = "tumble"
+run = { end_time_s = 8, output_step_s = 0.2, relative_tolerance = 1e-11, absolute_tolerance = 1e-11 }
+carrier = { name = "a", mass_kg = 1, principal_inertia_kg_m2 = [1, 1, 1] }
+[[body]]
+name = "top"
+mass_kg = 1
+principal_inertia_kg_m2 = [1, 1.4, 2]
+start = { angular_velocity_deg_per_s = [20, 170, 60] }
+)",
+                                  "tumble.toml");
+  const Outcome coarse = separation::run_case(c);
+  c.output_step /= 4;
+  const Outcome fine = separation::run_case(c);
+  const auto path = [&c](const Outcome& outcome) {
+    const Rows& rows = outcome.memory.rows;
+    return BodyPath(c, rows, separation::replay_rows(rows, 1), 1);
+  };
+  const BodyPath between = path(coarse);
+  const BodyPath want = path(fine);
+  double worst = 0;
+  for (std::size_t i = 0; i < want.size(); ++i) {
+    const auto place = static_cast<double>(i);
+    worst = std::max(worst, between.pose(place / 4).rotation.angularDistance(
+                                want.pose(place).rotation));
+  }
+  std::printf("between rows: %.2e rad\n", worst);
+  EXPECT_LT(worst, 8e-5);
+}
+
+// However few rows are shown, those on both sides of an event are.
+TEST(Replay, RowsAboutEventsAreKept) {
+  const Rows rows{{"time_s"}, {0, 1, 2, 3, 4, 5, 5, 6, 7, 8, 9}};
+  EXPECT_EQ(separation::replay_rows(rows, 4),
+            (std::vector<std::size_t>{0, 4, 5, 6, 8, 10}));
+  EXPECT_EQ(separation::replay_rows(rows, 100),
+            (std::vector<std::size_t>{0, 5, 6, 10}));
+  EXPECT_EQ(separation::replay_rows(rows, 1).size(), rows.size());
+}
+
+// Thrust that decays after its event, a spring until its event, a pusher until
+// its stroke is used up, air and a moment: by their definitions, from the rows.
+TEST(Replay, ForcesAreThoseOfTheCase) {
+  const Case c = separation::parse_case(R"(
+name = "forces"
+run = { end_time_s = 3, output_step_s = 0.05 }
+carrier = { name = "a", mass_kg = 50, principal_inertia_kg_m2 = [9, 9, 9] }
+[[body]]
+name = "b"
+mass_kg = 2
+principal_inertia_kg_m2 = [1, 1, 1]
+start = { position_m = [0, 0, 1], angular_velocity_deg_per_s = [0, 40, 0] }
+[[event]]
+name = "cut"
+time_s = 1
+breaks = "hinge"
+bodies = "c"
+[[body]]
+name = "c"
+mass_kg = 3
+principal_inertia_kg_m2 = [1, 1, 1]
+hinge = { kind = "axis", axis = [0, 0, 1], carrier_point_m = [4, 0, 0] }
+[[force]]
+name = "engine"
+body = "b"
+kind = "thrust"
+point_m = [0, 0.1, -0.2]
+direction = [0, 0, 1]
+thrust_N = 5
+cutoff_at_event = "cut"
+decay_s = 0.5
+[[force]]
+name = "spring"
+body = "b"
+kind = "spring"
+point_m = [0, 0, -0.2]
+carrier_point_m = [0, 0, 0.2]
+stiffness_N_per_m = 10
+free_length_m = 2
+ends_at_event = "cut"
+[[force]]
+name = "pusher"
+body = "b"
+kind = "pusher"
+point_m = [0, 0, -0.2]
+carrier_point_m = [0, 0, 0.6]
+direction = [0, 0, 1]
+first_force_N = 3
+last_force_N = 3
+stroke_m = 0.5
+[[force]]
+name = "motor"
+body = "c"
+kind = "motor"
+moment_N_m = 0.3
+)",
+                                        "forces.toml");
+  const Outcome outcome = separation::run_case(c);
+  const Rows& rows = outcome.memory.rows;
+  const separation::Take take{&c, "", false, &rows,
+                              separation::replay_rows(rows, 1)};
+  const auto numbers = separation::shown_forces(take, outcome.history);
+  ASSERT_EQ(numbers.size(), 24 * rows.size());
+  const auto vector = [&](std::size_t row, std::size_t force, bool moment) {
+    const float* at = &numbers[24 * row + 6 * force + (moment ? 3 : 0)];
+    return Vector3d(at[0], at[1], at[2]);
+  };
+  const BodyPath path(c, rows, take.kept, 1);
+  const BodyPath carrier(c, rows, take.kept, 0);
+  bool spent = false;
+  std::size_t place = 0;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const double time = rows.at(i, 0);
+    const bool before = i + 1 < rows.size() && rows.at(i + 1, 0) == time;
+    if (time > path.time(static_cast<double>(place))) ++place;
+    const Pose pose = path.pose(static_cast<double>(place));
+    const Eigen::Quaterniond turn =
+        carrier.pose(static_cast<double>(place)).rotation;
+    const bool cut = time > 1 || (time == 1 && !before);
+    const double thrust = cut ? 5 * std::exp(-(time - 1) / 0.5) : 5;
+    EXPECT_LT(
+        (vector(i, 0, false) - pose.rotation * Vector3d(0, 0, thrust)).norm(),
+        1e-6);
+    EXPECT_EQ(vector(i, 0, true), Vector3d::Zero());
+    const Vector3d point = pose.position + pose.rotation * Vector3d(0, 0, -0.2);
+    const Vector3d span = point - turn * Vector3d(0, 0, 0.2);
+    if (cut) {
+      EXPECT_TRUE(std::isnan(vector(i, 1, false).x())) << time;
+    } else {
+      EXPECT_LT(
+          (vector(i, 1, false) - 10 * (2 - span.norm()) * span.normalized())
+              .norm(),
+          1e-5);
+    }
+    const double used =
+        (point - turn * Vector3d(0, 0, 0.6)).dot(turn * Vector3d(0, 0, 1));
+    spent = spent || (used > 0.5 - 1e-9 && !before);
+    if (spent) {
+      EXPECT_TRUE(std::isnan(vector(i, 2, false).x())) << time;
+    } else {
+      EXPECT_LT((vector(i, 2, false) - turn * Vector3d(0, 0, 3)).norm(), 1e-6);
+    }
+    if (cut) {
+      EXPECT_TRUE(std::isnan(vector(i, 3, true).x())) << time;
+    } else {
+      EXPECT_LT((vector(i, 3, true) - turn * Vector3d(0, 0, 0.3)).norm(), 1e-6);
+      EXPECT_EQ(vector(i, 3, false), Vector3d::Zero());
+    }
+  }
+  EXPECT_TRUE(spent);
+}
+
+// Text of a case ends no element and begins none.
+TEST(Replay, DataOfAPageHaveNoMarkup) {
+  const std::string nasty = "</script><script>alert(1)</script><!--";
+  Case c = case_of("two_stage_turn");
+  c.name = nasty;
+  c.bodies[0].hinge.name = nasty;
+  const Outcome outcome = separation::run_case(c);
+  const std::string data = separation::page_data(
+      {c, {{"", &outcome}}, {nasty + " of " + nasty}, "# " + nasty}, 8);
+  EXPECT_EQ(data.find('<'), data.npos);
+  const json read = json::parse(data);
+  EXPECT_EQ(read["warnings"][0], nasty + " of " + nasty);
+  EXPECT_EQ(read["case"], "# " + nasty);
 }
 
 // The JSON in a page.

@@ -148,6 +148,43 @@ TEST_F(HingeStudy, Hdf5HasTheSameNumbers) {
   }
 }
 
+// Whenever it is written: HDF5 would note the second.
+TEST_F(HingeStudy, Hdf5IsTheSameBytesLater) {
+  run("s.toml --runs 5 --journal j --hdf5 a.h5");
+  folder_.run_well("sleep 1.1");
+  run("s.toml --runs 5 --journal j --hdf5 b.h5");
+  EXPECT_TRUE(folder_.read("a.h5") == folder_.read("b.h5"));
+}
+
+// As it stands there, for a shell.
+TEST_F(HingeStudy, TheCommandThatRepeatsARunIsOne) {
+  folder_.write("a $(touch pwned) 'b'.toml", balls);
+  const std::string text =
+      run("\"a \\$(touch pwned) 'b'.toml\" --runs 5 --journal j");
+  const std::string mark = "To repeat one: ";
+  const auto at = text.find(mark) + mark.size();
+  const auto result =
+      folder_.run_well(text.substr(at, text.find('\n', at) - at));
+  EXPECT_TRUE(has_text(result.out, "M_t_N_m,"));
+  EXPECT_FALSE(folder_.has("pwned"));
+}
+
+// gnuplot takes labels of tics for formats.
+TEST_F(HingeStudy, FactorsAreDrawnAsTheyAreCalled) {
+  if (folder_.run("gnuplot --version").status != 0) GTEST_SKIP() << "gnuplot";
+  const std::string factor = "rain 50 %g ''wet'' [1](x)";
+  std::string study = balls;
+  study.replace(study.find("runs = 300"), 10,
+                "runs = 320\nsampling = 'saltelli'");
+  folder_.write("f.toml", study + "factors = [\"" + factor +
+                              "\"]\nloadings = [0.5]\n[[factor]]\nname = \"" +
+                              factor + "\"\n");
+  const std::string text = run("f.toml --plot p.svg");
+  EXPECT_TRUE(has_text(text, R"(| factor rain 50 %g ''wet'' [1\](x) |)"))
+      << text;
+  EXPECT_TRUE(has_text(folder_.read("p_ranking_1.svg"), factor));
+}
+
 TEST_F(HingeStudy, TheTableSaysWhatTheVerdictRestsOn) {
   const std::string text = results("a")[2];
   for (const char* words :
@@ -232,6 +269,7 @@ TEST_F(HingeStudy, TheReportIsTheTableAsAPage) {
        {R"(<h1>a &lt;/script>&lt;b onload="x" 'y'> &amp; study</h1>)",
         "default-src 'none'", "<h2>Verdicts</h2>", "<h2>Percentiles</h2>",
         "<th>M_t_N_m at most 700</th><td>99 %</td><td>10 %</td>",
+        "<th>probability of a miss: lower bound</th><th>upper bound</th>",
         "What drives M_t_N_m", "The worst runs for M_t_N_m at most 700",
         "<code>hinge-study s.toml --run "}) {
     EXPECT_TRUE(has_text(page, words)) << words;
@@ -240,7 +278,9 @@ TEST_F(HingeStudy, TheReportIsTheTableAsAPage) {
     EXPECT_FALSE(has_text(page, words)) << words;
   }
   if (folder_.run("gnuplot --version").status == 0) {
-    EXPECT_EQ(times_in(page, "<svg"), 2);  // histogram, ranking
+    // Histogram, ranking, inputs.
+    EXPECT_EQ(times_in(page, "<svg"), 3);
+    EXPECT_TRUE(has_text(page, "load.reaction_N, factor</text>"));
   }
   // The same study, the same page.
   run("s.toml --report again.html --jobs 2");
@@ -349,6 +389,20 @@ TEST_F(HingeStudy, WithoutGnuplotAReportHasTables) {
   EXPECT_EQ(times_in(result.err, "\n"), 1) << result.err;
   EXPECT_EQ(times_in(folder_.read("r.html"), "<svg"), 0);
   EXPECT_EQ(times_in(folder_.read("r.html"), "<code>"), 5);
+}
+
+// Without gnuplot there are tables; where one picture fails, that is a failure.
+TEST_F(HingeStudy, AReportWithoutAPictureSaysSo) {
+  if (folder_.run("gnuplot --version").status != 0) GTEST_SKIP() << "gnuplot";
+  const auto result = folder_.run(
+      "printf '#!/bin/sh\\ngrep -q input0 $1 && exit 1\\nexec '"
+      "\"$(command -v gnuplot)\"' \"$@\"\\n' >gnuplot; chmod +x gnuplot; "
+      "PATH=.:$PATH; hinge-study s.toml --report r.html --output -");
+  EXPECT_EQ(result.status, 1);
+  EXPECT_EQ(result.err,
+            "hinge-study: warning: not all pictures in r.html: gnuplot: "
+            "failed\n");
+  EXPECT_EQ(times_in(folder_.read("r.html"), "<svg"), 2);
 }
 
 const std::string turns =

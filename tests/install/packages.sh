@@ -1,0 +1,22 @@
+#!/bin/sh
+# In a clean root: the packages install, programs, C and Python work, and
+# nothing is left of them when they are removed.
+set -eu
+apt-get install -y -q --no-install-recommends /packages/*.deb
+cd /usr/share/libcontact
+hinge-joint --joint joints/hip_cocr_uhmwpe.toml --reaction 2000 --beta 60
+hinge-study studies/hip.toml --runs 48 --journal /tmp/journal
+hinge-separation cases/two_stage_turn.toml --compare
+cd /
+ln -s /usr/share/libcontact data
+# shellcheck disable=SC2046  # words
+cc turning.c -o turning $(pkg-config --cflags --libs contact-c)
+./turning
+python3 -c 'import libcontact
+hip = libcontact.Joint.from_file(libcontact.examples["joints/pin_joint.toml"])
+print(hip.peak_pressure(1000))'
+rm data turning turning.c
+packages=$(dpkg-query -f '${Package}\n' -W '*libcontact*')
+apt-get purge -y -q $packages
+rm -r /packages
+! find / -xdev -ipath '*libcontact*' | grep .

@@ -1,0 +1,297 @@
+"""Manners: joints and results behave as Python's and NumPy's own."""
+
+import os
+import pickle
+import tempfile
+import unittest
+from pathlib import Path
+
+import libcontact
+import numpy as np
+from support import hip_file, pin_file, program, python, random_rows, source
+
+hip = libcontact.Joint.from_file(hip_file)
+rig_file = source / "data/duty/torque_rig.toml"
+rig_data = source / "data/duty/torque_rig.csv"
+case_file = source / "data/cases/two_stage_turn.toml"
+
+
+def fit_of_rig():
+    load, b, torque, sigma = np.genfromtxt(
+        rig_data, delimiter=",", skip_header=2).T
+    b = np.radians(b)[:, None]
+    return libcontact.identify(
+        libcontact.Joint.from_file(rig_file), load[:, None] * [0, 0, 1],
+        np.sin(b) * [1, 0, 0] + np.cos(b) * [0, 0, 1], torque, sigma=sigma)
+
+
+class Results(unittest.TestCase):
+    def setUp(self):
+        rows = (a.reshape(4, 6, 3) for a in random_rows(24))
+        self.s = hip.solve(*rows)
+
+    def test_have_some_of_their_rows(self):
+        s = self.s
+        mask = s.half_angle > np.median(s.half_angle)
+        for index in (2, -1, (1, 3), slice(1, 3), ..., (..., 0), mask, [0, 2],
+                      (slice(None), None, 1), np.array(3)):  # fmt: skip
+            some = s[index]
+            self.assertIs(type(some), libcontact.Solution)
+            np.testing.assert_array_equal(some.power, s.power[index])
+            self.assertEqual(some.shape, np.shape(s.power[index]))
+            np.testing.assert_array_equal(
+                some.normal, s.normal.reshape(24, 3)[
+                    np.arange(24).reshape(4, 6)[index]])  # fmt: skip
+            again = pickle.loads(pickle.dumps(s))[index]
+            np.testing.assert_array_equal(again.status, some.status)
+            np.testing.assert_array_equal(again.normal, some.normal)
+        with self.assertRaises(IndexError):
+            s[4]
+
+    def test_are_iterated_and_reshaped(self):
+        s = self.s
+        self.assertEqual([row.shape for row in s], [(6,)] * 4)
+        flat = s.reshape(-1)
+        np.testing.assert_array_equal(flat.power, s.power.ravel())
+        self.assertEqual(s.reshape(2, 12).normal.shape, (2, 12, 3))
+        one = s[0, 0]
+        self.assertTrue(one)
+        self.assertFalse(s[:0])
+        with self.assertRaises(TypeError):
+            len(one)
+        with self.assertRaises(TypeError):
+            iter(one)
+
+    def test_keep_their_shape_in_dicts(self):
+        columns = self.s.to_dict()
+        self.assertEqual({c.shape for c in columns.values()}, {(4, 6)})
+        np.testing.assert_array_equal(
+            columns["normal_z"], self.s.normal[..., 2])
+
+    def test_print_values_with_units(self):
+        one = self.s[0, 0]
+        lines = repr(one).splitlines()
+        self.assertEqual(lines[0], "libcontact.Solution")
+        line = next(x for x in lines if x.startswith("half_angle"))
+        self.assertEqual(line.split(), ["half_angle", "rad", f"{one.half_angle:.6g}"])
+        self.assertRegex(repr(one), "status +OK\n")
+        many = repr(self.s)
+        self.assertIn("of shape (4, 6)", many)
+        self.assertIn(f"{self.s.power[0, 3]:.4g}", many)
+        self.assertIn("<td>friction_moment</td><td>N m</td>", self.s._repr_html_())
+        for result in (
+            hip.at_rest([0, 0, 9], [1, 0, 1]), hip.pv([0, 0, 9], [1, 0, 1]),
+            libcontact.friction_coefficients([0.1, 0.2], 0.3),
+        ):  # fmt: skip
+            self.assertGreater(len(repr(result).splitlines()), 2)
+
+    def test_nobody_writes_into_them(self):
+        with self.assertRaises(ValueError):
+            self.s.power[0] = 1
+        self.assertIs(self.s.power, self.s.power)
+
+    def test_are_what_the_next_ones_start_from(self):
+        reaction, rate = random_rows(50)
+        near = reaction * (1 + 1e-6)
+        first = hip.solve(reaction, rate)
+        cold, warm = hip.solve(near, rate), hip.solve(near, rate, last=first)
+        np.testing.assert_allclose(warm.power, cold.power, rtol=1e-12)
+        self.assertLess(warm.evaluations.sum(), cold.evaluations.sum())
+        one = hip.solve(near[7], rate[7], last=first[7])
+        self.assertEqual(one.power, warm.power[7])
+        unpickled = pickle.loads(pickle.dumps(first))
+        np.testing.assert_array_equal(
+            hip.solve(near, rate, last=unpickled).power, cold.power)
+        with self.assertRaisesRegex(libcontact.Error, "^last must be"):
+            hip.solve(near, rate, last=first[:9])
+        held = hip.at_rest(reaction[0], [1e-3, 0, 2e-3])
+        again = hip.at_rest(near[0], [1e-3, 0, 2e-3], last=held)
+        self.assertAlmostEqual(again.utilisation / held.utilisation, 1, delta=1e-5)
+
+    def test_may_be_some_quantities(self):
+        rows = random_rows(3000)
+        whole = hip.solve(*rows)
+        some = hip.solve(*rows, fields=("friction_moment", "status"))
+        self.assertEqual(list(some), ["friction_moment", "status"])
+        for name, values in some.items():
+            np.testing.assert_array_equal(values, getattr(whole, name))
+        out = {"power": np.empty(3000)}
+        self.assertIs(hip.solve(*rows, out=out)["power"], out["power"])
+        np.testing.assert_array_equal(out["power"], whole.power)
+        for wrong in ({"power": np.empty(2)}, {"power": np.empty(3000, "f4")},
+                      {"power": whole.power}, {"powr": np.empty(3000)}):  # fmt: skip
+            with self.assertRaises(libcontact.Error):
+                hip.solve(*rows, out=wrong)
+
+    def test_are_the_same_on_several_threads(self):
+        rows = random_rows(10_000)
+        alone, shared = hip.solve(*rows), hip.solve(*rows, threads=3)
+        np.testing.assert_array_equal(alone.power, shared.power)
+        soft = hip.replace({"materials.outer.limit_pressure_MPa": 1})
+        with self.assertWarns(libcontact.ContactWarning):
+            soft.solve(*rows, threads=2)
+
+    def test_of_ten_million_rows_need_little_memory(self):
+        done = python(
+            "import libcontact, numpy as np, resource\n"
+            f"hip = libcontact.Joint.from_file({str(pin_file)!r})\n"
+            "R = np.ones((1_000_000, 3)); w = np.ones((1_000_000, 3))\n"
+            "used = lambda: resource.getrusage(resource.RUSAGE_SELF).ru_maxrss\n"
+            "before = used()\n"
+            "hip.solve(R, w, fields=('friction_moment',))\n"
+            "print((used() - before) / 1024)")
+        # 24 bytes a row are 23 MiB; rows of all quantities are 15 times that.
+        self.assertLess(float(done.stdout), 30, done.stderr)
+
+
+class Others(unittest.TestCase):
+    def test_a_fit_prints_the_report_of_hinge_identify(self):
+        fit = fit_of_rig()
+        printed, _ = program(
+            "hinge-identify", "--joint", rig_file, "--data", rig_data,
+            "--format", "csv")  # fmt: skip
+        symbols = [line.split(",")[0] for line in printed.splitlines()[1:]]
+        lines = repr(fit).splitlines()[2:]
+        self.assertEqual([line.split()[0] for line in lines], symbols)
+        f0 = fit["coefficient"]
+        self.assertIn(f"{f0.value:.6g}  ", lines[0])
+        self.assertEqual(float(f0), f0.value)
+        self.assertEqual(list(fit), ["coefficient", "adhesion"])
+        self.assertIn("<table>", fit._repr_html_())
+
+    def test_cycles_wear_and_runs_print_what_they_are(self):
+        cycle = hip.cycle([0, 1, 2, 3], [[0, 0, 9], [0, 0, 12], [0, 0, 9], [0, 0, 8]],
+                          rates=[[1, 0, 1]] * 4)  # fmt: skip
+        self.assertRegex(repr(cycle), f"energy +J +{cycle.energy:.6g}")
+        self.assertRegex(repr(cycle.wear(points=20)), "^libcontact.Wear of the body")
+        run = libcontact.Run(libcontact.Case.from_file(case_file))
+        self.assertEqual(repr(run), "<libcontact.Run at 0 s of 2.6 s, running>")
+
+
+class Arguments(unittest.TestCase):
+    def test_that_are_no_numbers_are_refused_as_numpy_does(self):
+        for wrong, said in (
+            ("500", "array of <U3"), (["1", "2"], "array of <U1"),
+            (np.array(["2020-01-01"], "M8[s]"), "array of datetime64"),
+            (1 + 2j, "array of complex128"), (None, "array of object"),
+            ([1, None], "array of object"), ({}, "array of object"),
+            (np.ma.array([500.0, 600.0], mask=[0, 1]), "masked array"),
+        ):  # fmt: skip
+            with self.assertRaisesRegex(TypeError, said):
+                hip.half_angle(wrong)
+            with self.assertRaises(TypeError):
+                hip.solve(wrong, [1, 0, 1])
+        with self.assertRaisesRegex(ValueError, "inhomogeneous"):
+            hip.solve([[1, 2, 3], [1, 2]], [1, 0, 1])
+
+    def test_of_all_kinds_of_numbers_are_taken(self):
+        exact = hip.half_angle([1.0, 1.0])
+        for ones in (
+            [1, 1], [True, True], np.ones(2, "f4"), np.ones(2, ">f8"),
+            np.ones(2, "u1"), np.ones(4)[::2], np.ones((2, 2))[:, 0],
+            np.ones(2, "g"),
+        ):  # fmt: skip
+            np.testing.assert_array_equal(hip.half_angle(ones), exact)
+
+    def test_that_do_not_go_have_the_sentences_of_python(self):
+        for call, said in (
+            (lambda: hip.solve([0, 0, 1], axes=0),
+             "Joint.solve() got an unexpected keyword argument 'axes'. Did you "
+             "mean 'axis'?"),
+            (lambda: hip.solve([0, 0, 1], omega=[0, 0, 1]),
+             "Joint.solve() got an unexpected keyword argument 'omega'"),
+            (lambda: hip.solve([0, 0, 1]),
+             "Joint.solve() missing a required argument: 'angular_velocity'"),
+            (lambda: libcontact.Run(3), "Run() does not take (int, bool)"),
+            (lambda: libcontact.Play(3), "Play() does not take (int)"),
+            (lambda: libcontact.damping_of_restitution(0.5),
+             "damping_of_restitution() missing a required argument: 'speed'"),
+            (lambda: libcontact.Joint(kind="ball", radial_clearence_um=20),
+             "Joint() got an unexpected keyword argument 'radial_clearence_um'. "
+             "Did you mean 'radial_clearance_um'?"),
+        ):  # fmt: skip
+            with self.assertRaises(TypeError) as caught:
+                call()
+            self.assertEqual(str(caught.exception), said)
+
+    def test_of_one_key_in_two_units_are_refused_without_lines(self):
+        metal = {"youngs_modulus_GPa": 200, "poissons_ratio": 0.3}
+        with self.assertRaises(libcontact.Error) as caught:
+            libcontact.Joint(
+                kind="ball", radius_mm=14, radius_m=0.014, inner=metal,
+                outer=metal, radial_clearance_um=10)  # fmt: skip
+        self.assertEqual(
+            str(caught.exception),
+            "duplicate key geometry.radius_m as geometry.radius_mm")
+
+    def test_may_be_one_name_or_an_array_without_dimension(self):
+        rig = libcontact.Joint.from_file(rig_file)
+        fit = libcontact.identify(
+            rig, np.arange(9, 36).reshape(9, 3), [1, 0, 0], np.ones(9),
+            parameters="coefficient")  # fmt: skip
+        self.assertEqual(list(fit), ["coefficient"])
+        key = "materials.friction.coefficient"
+        self.assertEqual(hip.replace({key: np.array(0.1)})[key], 0.1)
+
+
+class Files(unittest.TestCase):
+    def test_have_keys_as_dicts_have(self):
+        self.assertIn("geometry.radius_mm", hip)
+        self.assertIn("materials.friction", hip)
+        self.assertNotIn("geometry.radius_m", hip)
+        self.assertEqual(hip.get("geometry.radius_m", 7), 7)
+        self.assertEqual(list(hip), hip.keys())
+        for key in hip:
+            self.assertIsNotNone(hip[key])
+        self.assertIn("materials.outer.youngs_modulus_GPa", hip.keys())
+        case = libcontact.Case.from_file(case_file)
+        self.assertIn("body[1].hinge.joint[1].geometry.radius_mm", case.keys())
+
+    def test_say_which_key_there_is(self):
+        for key, said in (
+            ("geometry.radius_m", "in geometry there is radius_mm"),
+            ("geometri.radius_mm", "there is geometry.radius_mm"),
+            ("wall.layer[2]", "there are 1"),
+            ("friction.coefficient", "there is materials.friction.coefficient"),
+        ):  # fmt: skip
+            with self.assertRaises(KeyError) as caught:
+                hip[key]
+            self.assertEqual(caught.exception.args[0], f"{key}: {said}")
+
+    def test_need_no_other_files(self):
+        case = libcontact.Case.from_file(case_file)
+        key = "body[1].hinge.joint[1].friction.coefficient"
+        rougher = hip.replace({"materials.friction.coefficient": 0.1})
+        before = Path.cwd()
+        with tempfile.TemporaryDirectory() as empty:
+            os.chdir(empty)
+            try:
+                for joint in hip, rougher:
+                    Path("joint.toml").write_text(joint.to_toml())
+                    self.assertEqual(libcontact.Joint.from_file("joint.toml"), joint)
+                    self.assertEqual(libcontact.Joint(**joint.to_dict()), joint)
+                    self.assertNotIn(str(source), pickle.dumps(joint).decode("latin1"))
+                for one in case, case.replace({key: 0.5}):
+                    self.assertEqual(libcontact.Case(one.to_dict()), one)
+                    self.assertNotIn(str(source), pickle.dumps(one).decode("latin1"))
+            finally:
+                os.chdir(before)
+        again = pickle.loads(pickle.dumps(hip))
+        key = "materials.friction.coefficient"
+        self.assertEqual(again[key], hip[key])
+        self.assertEqual(again.replace({key: 0.1}), rougher)
+
+    def test_have_friction_wherever_it_stands(self):
+        pin = source / "data/duty/stribeck_pin.toml"
+        for joint, of in (
+            (hip, ("dry", 0.062, 0)),
+            (pickle.loads(pickle.dumps(hip)), ("dry", 0.062, 0)),
+            (libcontact.Joint.from_file(rig_file), (None, None, None)),
+            (libcontact.Joint.from_file(pin), ("stribeck", None, None)),
+        ):  # fmt: skip
+            said = joint.friction_law, joint.coefficient, joint.adhesion
+            self.assertEqual(said, of)
+
+
+if __name__ == "__main__":
+    unittest.main()

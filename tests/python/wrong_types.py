@@ -1,0 +1,18 @@
+"""Mistakes that mypy finds: in every line that ends in "# wrong", no other."""
+
+import libcontact
+import numpy as np
+
+metal = {"youngs_modulus_GPa": 200, "poissons_ratio": 0.3}
+ball = libcontact.Joint(
+    kind="ball", radius_mm=14, radial_clearance_um=10, coefficient=0.1,
+    inner=metal, outer=metal, half_angle="exact")  # fmt: skip
+libcontact.Joint(kind="ball", radius_mmm=14)  # wrong
+libcontact.Joint(kind="ball", half_angle="hertzz")  # wrong
+libcontact.half_angle(1.0, "hertzz")  # wrong
+theta0: float = ball.half_angle(500.0)
+several: float = ball.half_angle([500.0, 600.0])  # wrong
+s = ball.solve([0, 0, 1], [1, 0, 1], last=None)
+ball.solve([0, 0, 1], omega=[1, 0, 1])  # wrong
+print(s[s.half_angle > 0.1].reshape(-1).powr)  # wrong
+moments = ball.solve(np.ones((9, 3)), [1, 0, 1], fields=("power",))["power"]
