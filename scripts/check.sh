@@ -8,13 +8,14 @@
 #   tidy      clang-tidy finds nothing (an hour)
 #   sanitize  no test has errors of memory or undefined behaviour (an hour)
 #   fuzz      every fuzz program runs for a minute
+#   packages  Debian packages of build/ install, work and go in a clean root
 #   all       all of them
 # The first two are tests of the gate too.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
 usage() {
-  sed -n '2,12s/^# \{0,1\}//p' "$0" >&2
+  sed -n '2,13s/^# \{0,1\}//p' "$0" >&2
   exit 2
 }
 
@@ -106,9 +107,25 @@ check_fuzz() {
   fuzz saved_state
 }
 
+check_packages() {
+  command -v mmdebstrap >/dev/null || missing mmdebstrap
+  [ "$(id -u)" -eq 0 ] || unshare --user true 2>/dev/null ||
+    missing "the right to make a root"
+  cmake --build build --target installed contact_python
+  rm -rf build/packages
+  (cd build && cpack -G DEB -B packages)
+  # shellcheck disable=SC2016  # the hook's own $1
+  mmdebstrap --variant=apt --format=null --include=gcc,libc6-dev,pkg-config \
+    --customize-hook="copy-in build/packages /" \
+    --customize-hook="copy-in tests/install/packages.sh /" \
+    --customize-hook="copy-in tests/install/outside_c/turning.c /" \
+    --customize-hook='chroot "$1" /packages.sh' \
+    "$(. /etc/os-release && echo "$VERSION_CODENAME")" -
+}
+
 [ $# -gt 0 ] || usage
 checks=("$@")
-[ "$*" = all ] && checks=(format symbols clang tidy sanitize fuzz)
+[ "$*" = all ] && checks=(format symbols clang tidy sanitize fuzz packages)
 for check in "${checks[@]}"; do
   declare -F "check_$check" >/dev/null || usage
 done

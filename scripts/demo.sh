@@ -6,8 +6,7 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 scripts/setup.sh
 cmake --preset release
-cmake --build --preset release --target hinge-table hinge-angle \
-  hinge-pressure hinge-joint hinge-separation hinge-study
+cmake --build --preset release --target installed
 
 out=demo-output
 mkdir -p "$out"
