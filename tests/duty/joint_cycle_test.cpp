@@ -41,8 +41,9 @@ std::vector<Vector3d> vectors(const ReferenceTable& table,
   return all;
 }
 
-const Columns forces = {"R_x_N", "R_y_N", "R_z_N"};
-const Columns rates = {"w_x_rad_per_s", "w_y_rad_per_s", "w_z_rad_per_s"};
+const Columns force_columns = {"R_x_N", "R_y_N", "R_z_N"};
+const Columns rate_columns = {"w_x_rad_per_s", "w_y_rad_per_s",
+                              "w_z_rad_per_s"};
 
 // A cycle of the reference data: "hip" or "pin".
 struct Reference {
@@ -72,8 +73,8 @@ struct Reference {
     const Columns angles =
         pin ? Columns{"angle_deg"}
             : Columns{"flexion_deg", "adduction_deg", "internal_rotation_deg"};
-    return {rows(vectors(in, forces), vectors(in, angles, degree)), frame,
-            DutyCycle::TurnSequence(pin ? "z" : "zxy")};
+    return {rows(vectors(in, force_columns), vectors(in, angles, degree)),
+            frame, DutyCycle::TurnSequence(pin ? "z" : "zxy")};
   }
   JointCycle run(const DutyCycle& duty) const { return {duty, joint}; }
 
@@ -274,8 +275,9 @@ TEST(DutyCycle, RatesAreTheTurnsDerivative) {
 // and the turn closes.
 TEST(DutyCycle, OfRates) {
   const Reference hip("hip");
-  const DutyCycle duty(
-      hip.rows(vectors(hip.in, forces), vectors(hip.states, rates)), {});
+  const DutyCycle duty(hip.rows(vectors(hip.in, force_columns),
+                                vectors(hip.states, rate_columns)),
+                       {});
   // A spline of rates is not the derivative of that of angles: 1e-6 was seen.
   EXPECT_LT(duty.closure(), 1e-5);
   EXPECT_NEAR(hip.run(duty).integral([](const JointCycle::Instant& i) {

@@ -205,7 +205,7 @@ TEST(WearInPressed, OpensTheInterference) {
     // Before wear it is the joint's own cycle, but for the circle's points.
     const JointCycle fresh(steady(force, swing), Joint(contact));
     const double energy = -fresh.integral(
-        [](const JointCycle::Instant& i) { return i.solution.power; });
+        [](const JointCycle::Instant& at) { return at.solution.power; });
     EXPECT_NEAR(worn.states.front().energy / energy, 1, 1e-3);
     for (const WearIn::State& state : worn.states) {
       const double left = std::exp(-k * distance * state.cycles / c0);

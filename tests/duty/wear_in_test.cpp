@@ -332,7 +332,7 @@ TEST(WearIn, CoefficientsOfBearings) {
 
 // What wears beyond a tenth of its overlap in a cycle goes on by whole cycles.
 TEST(WearIn, BlocksHaveACycleAtLeast) {
-  const WearIn wear = wear_in(steady(), pin(1e11, 0.1, 1.7), 1e-11, 5.5);
+  const WearIn wear = wear_in(steady(), pin(1e11, 0.1, 1.7), {1e-11}, 5.5);
   ASSERT_GT(wear.states.size(), 2u);
   for (std::size_t i = 1; i + 1 < wear.states.size(); ++i) {
     EXPECT_GE(wear.states[i].cycles - wear.states[i - 1].cycles, 1) << i;

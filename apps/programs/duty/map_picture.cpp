@@ -9,9 +9,9 @@
 #include "cli/gnuplot.hpp"
 #include "cli/number.hpp"
 #include "cli/picture/canvas.hpp"
+#include "cli/picture/sphere_view.hpp"
 #include "cli/picture/text_size.hpp"
 #include "cli/plot.hpp"
-#include "cli/sphere_view.hpp"
 #include "libcontact/base/units.hpp"
 
 namespace hinge_duty {

@@ -12,8 +12,8 @@
 #include "cli/number.hpp"
 #include "cli/picture/axis.hpp"
 #include "cli/picture/canvas.hpp"
+#include "cli/picture/sphere_view.hpp"
 #include "cli/plot.hpp"
-#include "cli/sphere_view.hpp"
 #include "libcontact/base/units.hpp"
 
 namespace hinge_joint {

@@ -9,9 +9,9 @@
 #include "libcontact/base/error.hpp"
 #include "separation/case/case_keys.hpp"
 #include "separation/case/case_names.hpp"
-#include "separation/case/case_parts.hpp"
 #include "separation/case/event_reader.hpp"
 #include "separation/case/force_reader.hpp"
+#include "separation/case/form/case_parts.hpp"
 #include "separation/case/reading.hpp"
 
 namespace separation {

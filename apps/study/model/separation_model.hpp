@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "libcontact/files/joint_file.hpp"
-#include "separation/case/case_form.hpp"
+#include "separation/case/form/case_form.hpp"
 #include "separation/results/run.hpp"
 #include "study/model/model.hpp"
 #include "study/model/pool.hpp"

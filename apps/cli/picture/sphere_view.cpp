@@ -1,4 +1,4 @@
-#include "cli/sphere_view.hpp"
+#include "cli/picture/sphere_view.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "separation/case/case_parts.hpp"
+#include "separation/case/form/case_parts.hpp"
 
 #include <fmt/format.h>
 
