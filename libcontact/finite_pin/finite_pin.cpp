@@ -294,35 +294,34 @@ Vector4d FinitePin::start(const Vector2d& force,
 }
 
 // Newton's steps to the least of U - F.a - G.psi, which is convex.
-FinitePinState FinitePin::solved(const Vector4d& load, int unknowns,
+FinitePinState FinitePin::solved(const Vector4d& load, bool tilts,
                                  const Vector2d& tilt) const noexcept {
   // Lengths, and forces, of one size.
-  Vector4d unit(1, 1, 1 / half_length_, 1 / half_length_);
+  const double turn = tilts ? 1 / half_length_ : 0;
+  const Vector4d unit(1, 1, turn, turn);
   const double size = load.cwiseProduct(unit).norm();
   Vector4d place = start(load.head<2>(), tilt);
   Sums now = sums(place);
-  const auto rest = [&](const Sums& of) -> Eigen::VectorXd {
-    return (of.load - load).cwiseProduct(unit).head(unknowns);
+  const auto rest = [&](const Sums& of) -> Vector4d {
+    return (of.load - load).cwiseProduct(unit);
   };
   const auto merit = [&](const Sums& of, const Vector4d& at) {
-    return of.energy - load.head(unknowns).dot(at.head(unknowns));
+    return of.energy - load.dot(at);
   };
   constexpr int most = 60;
   constexpr double tolerance = 1e-12;
   FinitePinState found;
   Status status = Status::not_converged;
   for (found.iterations = 0; found.iterations < most; ++found.iterations) {
-    const Eigen::VectorXd missing = rest(now);
+    const Vector4d missing = rest(now);
     if (missing.norm() <= tolerance * size) {
       status = Status::ok;
       break;
     }
-    const Eigen::MatrixXd k =
-        (unit.asDiagonal() * now.stiffness * unit.asDiagonal())
-            .topLeftCorner(unknowns, unknowns);
-    Vector4d step = Vector4d::Zero();
-    step.head(unknowns) = -k.ldlt().solve(missing);
-    step = step.cwiseProduct(unit);
+    Eigen::Matrix4d k = unit.asDiagonal() * now.stiffness * unit.asDiagonal();
+    // A tilt that is known has no equations.
+    if (!tilts) k.bottomRightCorner<2, 2>() = Matrix2d::Identity();
+    const Vector4d step = -unit.cwiseProduct(k.ldlt().solve(missing));
     bool taken = false;
     for (double share = 1; share > 1e-9 && !taken; share /= 2) {
       const Vector4d there = place + share * step;
@@ -350,14 +349,14 @@ FinitePinState FinitePin::under(const Vector2d& force,
                                 const Vector2d& tilt) const noexcept {
   Vector4d load;
   load << force, Vector2d::Zero();
-  return solved(load, 2, tilt);
+  return solved(load, false, tilt);
 }
 
 FinitePinState FinitePin::under_moment(const Vector2d& force,
                                        const Vector2d& moment) const noexcept {
   Vector4d load;
   load << force, moment;
-  return solved(load, 4, Vector2d::Zero());
+  return solved(load, true, Vector2d::Zero());
 }
 
 // R = (s - sign f0 J) F - sign A T_A, J the turn by 90 deg: without adhesion F

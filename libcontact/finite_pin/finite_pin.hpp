@@ -105,7 +105,7 @@ class FinitePin {
   FinitePinState state(const Eigen::Vector4d& place) const noexcept;
   Eigen::Vector4d start(const Eigen::Vector2d& force,
                         const Eigen::Vector2d& tilt) const noexcept;
-  FinitePinState solved(const Eigen::Vector4d& load, int unknowns,
+  FinitePinState solved(const Eigen::Vector4d& load, bool tilts,
                         const Eigen::Vector2d& tilt) const noexcept;
 
   JointSpec joint_;

@@ -11,6 +11,7 @@
 #include "cli/output.hpp"
 #include "cli/plot.hpp"
 #include "cli/refuse.hpp"
+#include "cli/stream/report.hpp"
 #include "libcontact/base/units.hpp"
 #include "libcontact/play/force_law.hpp"
 #include "libcontact/play/published_forces.hpp"

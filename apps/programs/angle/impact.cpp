@@ -6,6 +6,7 @@
 #include <string>
 
 #include "cli/output.hpp"
+#include "cli/stream/report.hpp"
 #include "libcontact/base/units.hpp"
 #include "libcontact/play/hunt_crossley.hpp"
 #include "libcontact/play/impact.hpp"
