@@ -293,6 +293,23 @@ bool is_slow(const Entry* law) {
   return law && law->about.is_slow_to_make;
 }
 
+// [relief] of a pin.
+Relief relief_from_table(const TomlTable& file, const JointSpec& joint) {
+  const auto table = file.optional_table("relief");
+  if (!table) return Relief::none();
+  if (joint.geometry.kind() != JointKind::pin) {
+    file.needs("relief", "kind = \"pin\"");
+  }
+  const bool barrel = table->choice("kind", {"barrel", "ends"}) == 0;
+  const double depth = table->number("depth", Interval::positive());
+  if (!barrel) {
+    const double half = joint.geometry.length() / 2;
+    return Relief::ends(depth, table->number("length", {0, half, true}));
+  }
+  if (table->has("length")) table->needs("length", "kind = \"ends\"");
+  return Relief::barrel(depth);
+}
+
 // [loading], which fits the laws and walls that have been read.
 InnerLoading loading_from_table(const TomlTable& file, const JointSpec& joint) {
   const auto table = file.optional_table("loading");
@@ -417,6 +434,7 @@ JointSpec joint_of(const TomlTable& table, const MaterialPair* known) {
     }
   }
   joint.loading = loading_from_table(table, joint);
+  joint.relief = relief_from_table(table, joint);
   return joint;
 }
 
@@ -456,7 +474,10 @@ KnownKeys joint_keys() {
                                {"limit_formula"},
                                {"degrees_per_radian"}}),
       table_key("pressure", {{"law"}}),
-      table_key("loading", {{"kind"}, {"patch_half_angle", Dimension::angle}})};
+      table_key("loading", {{"kind"}, {"patch_half_angle", Dimension::angle}}),
+      table_key("relief", {{"kind"},
+                           {"depth", Dimension::length},
+                           {"length", Dimension::length}})};
   std::ranges::copy(wall_keys(), std::back_inserter(keys));
   return keys;
 }

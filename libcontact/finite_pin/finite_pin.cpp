@@ -99,11 +99,11 @@ struct FinitePin::Sums {
   double peak_place = nan;
 };
 
-FinitePin::FinitePin(const JointSpec& joint, Relief relief)
+FinitePin::FinitePin(const JointSpec& joint)
     : joint_(with_exact_laws(joint)),
       law_(joint_),
       pressure_(joint_.make_pressure_law()),
-      pieces_(relief.pieces(joint.geometry.length())),
+      pieces_(joint.relief.pieces(joint.geometry.length())),
       clearance_(joint.geometry.radial_clearance()),
       half_length_(joint.geometry.length() / 2) {}
 
@@ -312,6 +312,7 @@ FinitePinState FinitePin::solved(const Vector4d& load, bool tilts,
   constexpr double tolerance = 1e-12;
   FinitePinState found;
   Status status = Status::not_converged;
+  bool beyond = false;  // the force law's end lies before the load
   for (found.iterations = 0; found.iterations < most; ++found.iterations) {
     const Vector4d missing = rest(now);
     if (missing.norm() <= tolerance * size) {
@@ -326,6 +327,7 @@ FinitePinState FinitePin::solved(const Vector4d& load, bool tilts,
     for (double share = 1; share > 1e-9 && !taken; share /= 2) {
       const Vector4d there = place + share * step;
       const Sums next = sums(there);
+      if (share == 1) beyond = !next.load.allFinite();
       // Rounding hides the energy's last steps.
       taken =
           next.load.allFinite() && (merit(next, there) < merit(now, place) ||
@@ -336,6 +338,7 @@ FinitePinState FinitePin::solved(const Vector4d& load, bool tilts,
     }
     if (!taken) break;
   }
+  if (status != Status::ok && beyond) place.setConstant(nan);
   const int iterations = found.iterations;
   const double residual = size == 0 ? 0 : rest(now).norm() / size;
   found = state(place);
@@ -359,11 +362,11 @@ FinitePinState FinitePin::under_moment(const Vector2d& force,
   return solved(load, true, Vector2d::Zero());
 }
 
-// R = (s - sign f0 J) F - sign A T_A, J the turn by 90 deg: without adhesion F
-// is known at once.
-FinitePinSolution FinitePin::solve(const Vector2d& reaction,
-                                   const Vector2d& tilt,
-                                   double rate) const noexcept {
+// R = (s - sign f0 J) F - sign A T_A, J the turn by 90 deg, and the same of
+// the z-moments: without adhesion F and G are known at once.
+FinitePinSolution FinitePin::sliding(const Vector4d& load, bool tilts,
+                                     const Vector2d& tilt,
+                                     double rate) const noexcept {
   const FrictionLaw friction = joint_.friction
                                    ? std::get<FrictionLaw>(*joint_.friction)
                                    : FrictionLaw(0);
@@ -375,24 +378,48 @@ FinitePinSolution FinitePin::solve(const Vector2d& reaction,
   of_force << s, slip, -slip, s;
   const Matrix2d to_force = of_force.inverse();
   FinitePinSolution found;
-  Vector2d area = Vector2d::Zero();
+  FinitePinState& at = found.contact;
+  Vector4d area = Vector4d::Zero();
   constexpr int most = 100;
   for (int i = 0; i < most; ++i) {
-    const Vector2d force = to_force * (reaction + stick * area);
-    found.contact = under(force, tilt);
-    const double change =
-        stick * (found.contact.area_tangent - area).norm() / reaction.norm();
-    area = found.contact.area_tangent;
-    if (!(std::abs(change) > 1e-12)) break;
-    if (i + 1 == most) found.contact.status = Status::not_converged;
+    Vector4d normal = load + stick * area;
+    normal.head<2>() = to_force * normal.head<2>();
+    normal.tail<2>() =
+        tilts ? Vector2d(to_force * normal.tail<2>()) : Vector2d::Zero();
+    at = solved(normal, tilts, tilt);
+    Vector4d next;
+    next << at.area_tangent, at.area_tangent_moment;
+    Vector4d change = stick * (next - area);
+    area = next;
+    if (tilts) {
+      change.tail<2>() /= half_length_;
+    } else {
+      change.tail<2>().setZero();
+    }
+    if (!(change.norm() > 1e-12 * load.head<2>().norm())) break;
+    if (i + 1 == most) at.status = Status::not_converged;
   }
-  const FinitePinState& at = found.contact;
   found.friction_force = -slip * turned(at.force) - stick * at.area_tangent;
   const Vector2d g = s * at.force_moment - slip * turned(at.force_moment) -
                      stick * at.area_tangent_moment;
   found.moment = {-g.y(), g.x(),
                   -slip * at.pressure_moment - stick * at.area_moment};
   return found;
+}
+
+FinitePinSolution FinitePin::solve(const Vector2d& reaction,
+                                   const Vector2d& tilt,
+                                   double rate) const noexcept {
+  Vector4d load;
+  load << reaction, Vector2d::Zero();
+  return sliding(load, false, tilt, rate);
+}
+
+FinitePinSolution FinitePin::solve_at(const Vector2d& reaction, double place,
+                                      double rate) const noexcept {
+  Vector4d load;
+  load << reaction, place * reaction;
+  return sliding(load, true, Vector2d::Zero(), rate);
 }
 
 double FinitePin::largest_pv(const FinitePinState& state,

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "libcontact/base/error.hpp"
-#include "libcontact/finite_pin/relief.hpp"
+#include "libcontact/pair/relief.hpp"
 #include "libcontact/play/force_law.hpp"
 
 namespace contact {
@@ -66,11 +66,10 @@ struct FinitePinSolution {
 /// independent solutions, with liners thinner than 0.05 radii 5e-8.
 class FinitePin {
  public:
-  /// @param joint  a pin whose laws are exact, with the materials, clearance,
-  ///               length and friction of JointSpec
+  /// @param joint  a pin, whose laws are taken as exact
   /// @throws Error of a ball, of friction that is not dry, of a relief that
   ///   does not fit, and as ForceLaw does
-  explicit FinitePin(const JointSpec& joint, Relief relief = Relief::none());
+  explicit FinitePin(const JointSpec& joint);
 
   /// With a shift and a tilt; out_of_range and NaN beyond the force law's end.
   FinitePinState at(const Eigen::Vector2d& shift,
@@ -88,6 +87,10 @@ class FinitePin {
   FinitePinSolution solve(const Eigen::Vector2d& reaction,
                           const Eigen::Vector2d& tilt,
                           double rate) const noexcept;
+
+  /// The same of a reaction that acts at z = place, m: the tilt is found.
+  FinitePinSolution solve_at(const Eigen::Vector2d& reaction, double place,
+                             double rate) const noexcept;
 
   /// p v: the largest pressure times the sliding speed rho |rate|, W/m^2.
   double largest_pv(const FinitePinState& state, double rate) const noexcept;
@@ -107,6 +110,9 @@ class FinitePin {
                         const Eigen::Vector2d& tilt) const noexcept;
   FinitePinState solved(const Eigen::Vector4d& load, bool tilts,
                         const Eigen::Vector2d& tilt) const noexcept;
+  FinitePinSolution sliding(const Eigen::Vector4d& load, bool tilts,
+                            const Eigen::Vector2d& tilt,
+                            double rate) const noexcept;
 
   JointSpec joint_;
   ForceLaw law_;

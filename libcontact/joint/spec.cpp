@@ -129,10 +129,8 @@ JointContact JointSpec::contact(SharedLaws& laws) const {
   }
   JointContact result(geometry, pair(), *friction, laws.half_angle(*this),
                       laws.pressure(*this), conditions());
-  if (thermal_growth) {
-    for (std::string& note : thermal_growth->validity_notes()) {
-      result.add_validity_note(std::move(note));
-    }
+  for (std::string& note : own_notes()) {
+    result.add_validity_note(std::move(note));
   }
   return result;
 }
@@ -154,12 +152,18 @@ std::vector<std::string> JointSpec::clearance_notes() const {
   return notes;
 }
 
-std::vector<std::string> JointSpec::validity_notes() const {
-  std::vector<std::string> notes = geometry.validity_notes();
+std::vector<std::string> JointSpec::own_notes() const {
+  std::vector<std::string> notes = relief.notes();
   if (thermal_growth) {
     std::ranges::copy(thermal_growth->validity_notes(),
                       std::back_inserter(notes));
   }
+  return notes;
+}
+
+std::vector<std::string> JointSpec::validity_notes() const {
+  std::vector<std::string> notes = geometry.validity_notes();
+  std::ranges::copy(own_notes(), std::back_inserter(notes));
   for (std::string& note : make_half_angle_law()->validity_notes(pair())) {
     notes.push_back(std::move(note));
   }

@@ -14,6 +14,7 @@
 #include "libcontact/pair/inner_loading.hpp"
 #include "libcontact/pair/joint_geometry.hpp"
 #include "libcontact/pair/layers.hpp"
+#include "libcontact/pair/relief.hpp"
 #include "libcontact/pair/temperatures.hpp"
 #include "libcontact/pressure/factory.hpp"
 
@@ -61,6 +62,8 @@ struct JointSpec {
   LayeredBody outer;
   std::optional<FrictionModel> friction = {};
   InnerLoading loading = InnerLoading::centre();
+  /// Of the ends of a pin or its hole; FinitePin alone knows it.
+  Relief relief = Relief::none();
   /// For make_half_angle_law(); "": exact with layers and with interference,
   /// else fitted.
   std::string half_angle_law = {};
@@ -95,7 +98,10 @@ struct JointSpec {
   /// Where the clearance is from if it is not given itself, a sentence each:
   /// fit and temperatures.
   std::vector<std::string> clearance_notes() const;
-  /// Notes of the geometry, of its growth and of the half-angle law.
+  /// Notes of the description alone: of its growth, and of a relief, which no
+  /// joint knows.
+  std::vector<std::string> own_notes() const;
+  /// Notes of the geometry, own_notes(), and those of the half-angle law.
   std::vector<std::string> validity_notes() const;
 
   /// The joint as the text of a joint file (docs/joint_file.md) that needs no

@@ -189,6 +189,14 @@ void write_laws(Toml& toml, const JointSpec& joint) {
   }
   toml.table("[pressure]");
   toml.text("law", joint.pressure_law_name());
+  const Relief& relief = joint.relief;
+  if (relief.kind() != Relief::Kind::none) {
+    const bool ends = relief.kind() == Relief::Kind::ends;
+    toml.table("[relief]");
+    toml.text("kind", ends ? "ends" : "barrel");
+    toml.number("depth_m", relief.depth());
+    if (ends) toml.number("length_m", relief.length());
+  }
   if (!joint.loading.is_back()) return;
   toml.table("[loading]");
   toml.text("kind", "back");

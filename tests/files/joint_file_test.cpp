@@ -367,7 +367,7 @@ TEST(DataFiles, MaterialsAndJoints) {
         << entry.path();
     ++joints;
   }
-  EXPECT_EQ(joints, 10u);
+  EXPECT_EQ(joints, 11u);
 }
 
 TEST(DataFiles, LedgerNamesEveryFile) {

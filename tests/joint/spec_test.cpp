@@ -55,8 +55,10 @@ TEST(JointSpec, CanonicalTextHasFitsLawsAndLoading) {
       "\"maximum\"\nlength_mm = 30\n" +
           bodies +
           "[half_angle]\nlaw = \"blend:0.3\"\nlimit_half_angle_deg = 80\n"
-          "degrees_per_radian = 57.3\n[pressure]\nlaw = \"cosine\"\n",
+          "degrees_per_radian = 57.3\n[pressure]\nlaw = \"cosine\"\n"
+          "[relief]\nkind = \"ends\"\ndepth_um = 7\nlength_mm = 5\n",
       "fit");
+  EXPECT_EQ(fitted.relief, Relief::ends(7e-6, 5e-3));
   EXPECT_EQ(parse_joint(fitted.canonical_text(), "text"), fitted);
   const JointSpec pressed = parse_joint(
       "name = \"b\"\nkind = \"ball\"\n[geometry]\nradius_mm = 20\n"
@@ -71,7 +73,7 @@ TEST(JointSpec, CanonicalTextHasFitsLawsAndLoading) {
 // Whatever is said of a joint counts when two are compared.
 TEST(JointSpec, ADifferenceAnywhereIsSeen) {
   const JointSpec joint = lined_ball();
-  std::vector<JointSpec> others(12, joint);
+  std::vector<JointSpec> others(14, joint);
   others[0].name = "b";
   others[1].geometry = JointGeometry::ball(0.02, 41e-6);
   others[2].geometry = JointGeometry::ball(0.02, 40e-6, JointBody::body);
@@ -84,6 +86,8 @@ TEST(JointSpec, ADifferenceAnywhereIsSeen) {
   others[9].half_angle_law = "fitted";
   others[10].pressure_law = "worn";
   others[11].loading = InnerLoading::back(0.1);
+  others[12].relief = Relief::barrel(1e-5);
+  others[13].relief = Relief::ends(1e-5, 0.01);
   for (std::size_t i = 0; i < others.size(); ++i) {
     EXPECT_NE(others[i], joint) << i;
     EXPECT_NE(others[i].canonical_text(), joint.canonical_text()) << i;

@@ -13,6 +13,7 @@
 #include "libcontact/base/units.hpp"
 #include "libcontact/duty/sliding_contact.hpp"
 #include "libcontact/files/joint_file.hpp"
+#include "libcontact/finite_pin/finite_pin.hpp"
 #include "libcontact/half_angle/exact.hpp"
 #include "libcontact/joint/joint.hpp"
 #include "libcontact/pressure/exact.hpp"
@@ -708,6 +709,40 @@ TEST(HingeJoint, Pv) {
   EXPECT_NEAR(table.at(1, "pv_nominal_W_per_m2") /
                   (table.at(1, "p_nominal_Pa") * rho * rate.norm()),
               1, 1e-15);
+}
+
+// What FinitePin says, and who leaves a relief out says so.
+TEST(HingeJoint, TiltsAPinThatEnds) {
+  const ProgramFolder folder;
+  const std::string file = "data/joints/relieved_bush.toml";
+  const std::string run = "hinge-joint --joint " + file + " --reaction 1e5 ";
+  const Columns tilted(folder.run(run + "--tilt 0:0.1:0.05 --twist 0.02 --pv"));
+  const FinitePin pin(joint_file("relieved_bush"));
+  ASSERT_EQ(tilted.size(), 3u);
+  for (std::size_t row = 1; row <= 3; ++row) {
+    const Eigen::Vector2d tilt(0.05 * (double(row) - 1), 0.02);
+    const FinitePinSolution s = pin.solve({1e5, 0}, degree * tilt, 1);
+    EXPECT_EQ(tilted.at(row, "p_peak_Pa"), s.contact.peak_pressure);
+    EXPECT_EQ(tilted.at(row, "z_low_m"), s.contact.low);
+    EXPECT_EQ(tilted.at(row, "M_z_N_m"), s.moment.z());
+    EXPECT_NEAR(tilted.at(row, "tilt_x_deg"), tilt.x(), 1e-15);
+    EXPECT_NEAR(tilted.at(row, "pv_max_W_per_m2"),
+                s.contact.peak_pressure * 0.02, 1e-6);
+  }
+  const Columns placed(folder.run(run + "--load-at 10mm"));
+  EXPECT_NEAR(placed.at(1, "M_y_N_m"), 1000, 1e-9);
+  const std::string note = "warning: the relief of the ends is left out";
+  EXPECT_EQ(folder.run(run + "--tilt 0").err, "");
+  for (const std::string& other :
+       {run, "hinge-angle --joint " + file + " --load 1e5",
+        "hinge-pressure --joint " + file + " --load 1e5"}) {
+    EXPECT_NE(folder.run(other).err.find(note), std::string::npos) << other;
+  }
+  const auto far = folder.run(run + "--tilt 9");
+  EXPECT_EQ(far.status, 1);
+  EXPECT_EQ(far.err,
+            "hinge-joint: warning: rows without a value: 1, rows that have not "
+            "converged: 0\n");
 }
 
 }  // namespace

@@ -35,6 +35,8 @@ printf 'R_x_N,R_y_N,R_z_N,M_x_N_m,M_y_N_m,M_z_N_m\n0,0,9,1,0,0\n' \
 table columns hinge-joint hinge-joint $ball $one --pv
 table columns hinge-joint-fitted hinge-joint $open $one --law fitted
 table columns hinge-joint-pressed hinge-joint $pressed --reaction 2000
+table columns hinge-joint-tilt hinge-joint --joint data/joints/relieved_bush.toml \
+  --reaction 1e4 --tilt 0.01 --pv
 table columns hinge-joint-rest hinge-joint $ball $rest
 table columns hinge-joint-f0 hinge-joint $pin --reaction 2e4 --measured-moment 40
 table lines hinge-joint-summary hinge-joint $ball $one --pv --summary

@@ -533,9 +533,7 @@ void warn_of_validity(std::string_view program,
       std::ranges::copy(joint.spec.geometry.validity_notes(),
                         std::inserter(notes, notes.begin()));
     }
-    if (const auto& growth = joint.spec.thermal_growth) {
-      std::ranges::copy(growth->validity_notes(), std::back_inserter(notes));
-    }
+    std::ranges::copy(joint.spec.own_notes(), std::back_inserter(notes));
     const auto& friction = joint.spec.friction;
     const auto* stress =
         friction ? std::get_if<contact::FrictionStress>(&*friction) : nullptr;

@@ -90,6 +90,27 @@ void add_state(cli::Program& program, Options& o) {
         "NUMBER", "|Dw|, rad/s; default 1"}});
 }
 
+void add_tilt(cli::Program& program, Options& o) {
+  // Each of them excludes the other one too.
+  constexpr std::string_view tilt_excludes =
+      "--load-at --reaction-xyz --beta --normal-force --alpha --points --trace "
+      "--outer --measured-moment --map --beside --summary --plot --jobs --law "
+      "--pressure";
+  constexpr std::string_view others =
+      tilt_excludes.substr(tilt_excludes.find(' '));
+  program.add(
+      "Tilt",
+      {{"--tilt", &o.tilt, "ANGLES",
+        "of a pin that ends, in the plane of the reaction, deg, -10 to 10",
+        "--reaction", tilt_excludes},
+       {"--twist",
+        cli::number("--twist", o.twist, Dimension::angle, {-10, 10, "deg"}),
+        "ANGLE", "tilt across that plane, deg; default 0", "--tilt"},
+       {"--load-at", &o.load_at, "VALUES",
+        "where the reaction acts along a pin, m from its middle", "--reaction",
+        others}});
+}
+
 void add_loops(cli::Program& program, Options& o) {
   program.add(
       "Loops",
@@ -133,6 +154,7 @@ int main(int argc, char** argv) {
   Options options;
   add_joint_options(program, options.joint);
   add_state(program, options);
+  add_tilt(program, options);
   add_friction(program, options);
   add_law_options(program, options.joint, cli::Laws::several,
                   cli::Laws::several);

@@ -20,6 +20,7 @@
 #include "programs/joint/point_table.hpp"
 #include "programs/joint/points/plot.hpp"
 #include "programs/joint/solution_table.hpp"
+#include "programs/joint/tilt_table.hpp"
 #include "programs/joint/torque_plot.hpp"
 
 namespace hinge_joint {
@@ -171,6 +172,9 @@ void check_summary(const Setup& setup, const Inputs& inputs) {
 }  // namespace
 
 cli::ExitStatus run(const Options& options) {
+  if (!options.tilt.empty() || !options.load_at.empty()) {
+    return run_tilted(options);
+  }
   Setup setup = make_setup(options);
   if (!options.points.empty()) return run_points(options, setup);
   const Inputs inputs(options, setup.joints[0].joint.is_pin());

@@ -35,6 +35,11 @@ struct Options {
   std::string alpha;
   std::optional<double> rate;  ///< rad/s
   std::string points;
+  /// Of a pin that ends: sweeps of its tilt in the plane of the reaction, or of
+  /// the place of the load.
+  std::string tilt;
+  std::string load_at;
+  std::optional<double> twist;  ///< deg
 
   bool trace = false;
   /// A reaction that answers to the friction moment: R = R_0 + M r, with M the

@@ -1,4 +1,4 @@
-#include "libcontact/finite_pin/relief.hpp"
+#include "libcontact/pair/relief.hpp"
 
 #include <limits>
 
@@ -23,6 +23,13 @@ Relief Relief::ends(double depth, double length) {
   detail::require(length > 0 && length < infinity, "relief", "length", length,
                   "above 0 m");
   return {Kind::ends, depth, length};
+}
+
+std::vector<std::string> Relief::notes() const {
+  if (*this == none()) return {};
+  return {
+      "the relief of the ends is left out: the contact is taken level and even "
+      "along the joint's length"};
 }
 
 std::vector<Relief::Piece> Relief::pieces(double length) const {

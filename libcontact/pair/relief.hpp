@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 namespace contact {
@@ -36,10 +37,18 @@ class Relief {
   /// @throws Error if it is less than two lengths of relief
   std::vector<Piece> pieces(double length) const;
 
-  double depth() const { return depth_; }
+  /// What whoever takes the contact for level and endless leaves out: a
+  /// sentence, or none.
+  std::vector<std::string> notes() const;
+
+  enum class Kind { none, barrel, ends };
+  Kind kind() const { return kind_; }
+  double depth() const { return depth_; }    ///< m
+  double length() const { return length_; }  ///< of ends, m; else 0
+
+  friend bool operator==(const Relief&, const Relief&) = default;
 
  private:
-  enum class Kind { none, barrel, ends };
   Relief(Kind kind, double depth, double length)
       : kind_(kind), depth_(depth), length_(length) {}
 

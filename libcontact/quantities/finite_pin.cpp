@@ -1,0 +1,55 @@
+#include "libcontact/quantities/finite_pin.hpp"
+
+namespace contact {
+namespace {
+
+using S = FinitePinSolution;
+
+bool touches(const S& s) { return s.contact.pieces > 0; }
+
+constexpr Quantity<S> of_finite_pin[] = {
+    {"tilt_x", "", Dimension::angle, "tilt in the plane of the reaction",
+     [](const S& s) { return s.contact.tilt.x(); }},
+    {"tilt_y", "", Dimension::angle, "tilt across it",
+     [](const S& s) { return s.contact.tilt.y(); }},
+    {"pieces", "", Dimension::number, "pieces of contact along the pin",
+     [](const S& s) { return s.contact.pieces; }},
+    {"low", "z_low", Dimension::length,
+     "where contact begins along the pin, from its middle",
+     [](const S& s) { return s.contact.low; }, "", touches},
+    {"high", "z_high", Dimension::length, "where it ends",
+     [](const S& s) { return s.contact.high; }, "", touches},
+    {"peak_pressure", "p_peak", Dimension::stress, "peak pressure",
+     [](const S& s) { return s.contact.peak_pressure; }},
+    {"peak_place", "z_peak", Dimension::length, "where along the pin",
+     [](const S& s) { return s.contact.peak_place; }, "", touches},
+    {"low_pressure", "p_low", Dimension::stress,
+     "largest pressure at the end of the pin at -length/2",
+     [](const S& s) { return s.contact.end_pressure[0]; }},
+    {"high_pressure", "p_high", Dimension::stress, "at that at length/2",
+     [](const S& s) { return s.contact.end_pressure[1]; }},
+    {"low_half_angle", "theta0_low", Dimension::angle,
+     "half-angle at the end at -length/2",
+     [](const S& s) { return s.contact.end_half_angle[0]; }},
+    {"high_half_angle", "theta0_high", Dimension::angle, "at that at length/2",
+     [](const S& s) { return s.contact.end_half_angle[1]; }},
+    {"tilting_moment_x", "G_x", Dimension::moment,
+     "sum of z times the normal force, along the reaction",
+     [](const S& s) { return s.contact.force_moment.x(); }},
+    {"tilting_moment_y", "G_y", Dimension::moment, "across it",
+     [](const S& s) { return s.contact.force_moment.y(); }},
+    {"tilting_stiffness", "", Dimension::moment,
+     "dG_x/dtilt_x at a known shift, per rad",
+     [](const S& s) { return s.contact.stiffness(2, 2); }},
+    {"moment", "M", Dimension::moment,
+     "about the middle: x and y of all that acts, z of friction",
+     [](const S& s) -> const Eigen::Vector3d& { return s.moment; }},
+};
+
+}  // namespace
+
+std::span<const Quantity<FinitePinSolution>> finite_pin_quantities() {
+  return of_finite_pin;
+}
+
+}  // namespace contact
