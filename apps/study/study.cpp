@@ -83,7 +83,7 @@ std::vector<std::string> reasons(const std::vector<Unreached>& unreached,
 
 Study::Study(const std::filesystem::path& file, const PlanChanges& changes)
     : plan_(read_plan(file, changes)), model_(make_model(plan_)) {
-  std::vector<int> copies;
+  std::vector<std::vector<std::string>> copies;
   for (const Dispersion& dispersion : plan_.dispersions) {
     copies.push_back(model_->copies(dispersion));
   }

@@ -142,9 +142,11 @@ class JointContact {
   /// with a clearance. NaN where the laws have none.
   double shift(double normal_force, double half_angle) const noexcept;
 
-  /// mu or lambda; infinite without clearance, below 0 with interference.
+  /// mu or lambda; infinite without clearance, below 0 with interference; NaN
+  /// of a pull.
   /// @param normal_force  R_n, N, >= 0
   double load_parameter(double normal_force) const noexcept {
+    if (!(normal_force >= 0)) return std::numeric_limits<double>::quiet_NaN();
     return unit_force_ == 0 ? std::numeric_limits<double>::infinity()
                             : normal_force / unit_force_;
   }

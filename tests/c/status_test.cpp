@@ -151,7 +151,9 @@ TEST(CStatus, NullIsRefusedByName) {
           "contact_joint_at_rest: hold");
   refuses(contact_joint_at_rest(j, &hold, nullptr, nullptr),
           "contact_joint_at_rest: rest");
-  refuses(contact_run_open(nullptr, nullptr, 0, &r), "contact_run_open: path");
+  contact_run* opened = nullptr;
+  refuses(contact_run_open(nullptr, nullptr, 0, &opened),
+          "contact_run_open: path");
   refuses(contact_run_open(turn.c_str(), nullptr, 0, nullptr),
           "contact_run_open: run");
   refuses(contact_run_advance(nullptr, 1), "contact_run_advance: run");
@@ -165,7 +167,7 @@ TEST(CStatus, NullIsRefusedByName) {
   refuses(contact_run_values(r, nullptr, 1), "contact_run_values: values");
   refuses(contact_run_event(nullptr, 0, &event), "contact_run_event: run");
   refuses(contact_run_event(r, 0, nullptr), "contact_run_event: event");
-  refuses(contact_run_copy(nullptr, &r), "contact_run_copy: run");
+  refuses(contact_run_copy(nullptr, &opened), "contact_run_copy: run");
   refuses(contact_run_copy(r, nullptr), "contact_run_copy: copy");
   refuses(contact_run_save(nullptr, &bytes, &n), "contact_run_save: run");
   refuses(contact_run_save(r, nullptr, &n), "contact_run_save: bytes");
@@ -224,10 +226,14 @@ TEST(CStatus, BadInputHasTheMessagesOfCpp) {
   slips.count = 2;
   slips.reaction = good.reaction;
   slips.angular_velocity = good.angular_velocity;
-  refuses(contact_joint_solve_rows(c.get(), &slips, s, 8),
-          "contact_joint_solve_rows: stride = 8 must be a multiple of 8, "
-          "sizeof(contact_solution) = " +
-              std::to_string(sizeof s[0]) + " or above");
+  // Too short, and long enough but not aligned.
+  for (const std::size_t stride : {std::size_t{8}, sizeof s[0] + 4}) {
+    refuses(contact_joint_solve_rows(c.get(), &slips, s,
+                                     static_cast<std::ptrdiff_t>(stride)),
+            "contact_joint_solve_rows: stride = " + std::to_string(stride) +
+                " must be a multiple of 8, sizeof(contact_solution) = " +
+                std::to_string(sizeof s[0]) + " or above");
+  }
 
   const CRun run = c_run(turn);
   contact_run* other = nullptr;

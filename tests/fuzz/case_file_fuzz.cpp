@@ -6,37 +6,30 @@
 #include <string>
 #include <string_view>
 
-#include "libcontact/base/error.hpp"
+#include "fuzz.hpp"
 #include "separation/case/case_reader.hpp"
 #include "separation/case/system_of.hpp"
 #include "separation/simulation/case_forces.hpp"
 
-namespace {
-
-void check(bool holds) {
-  if (!holds) std::abort();
-}
-
-}  // namespace
+using contact::test::check;
 
 // NOLINTNEXTLINE(readability-identifier-naming): libFuzzer calls it so.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
                                       std::size_t size) {
   const std::string_view text(reinterpret_cast<const char*>(data), size);
-  try {
-    const separation::Case c = separation::parse_case(text, "fuzz");
-    check(separation::system_of(c).size() == static_cast<int>(c.bodies.size()));
-    check(c.end_time > 0 && c.output_step > 0);
-    const separation::CaseForces forces(c, separation::History(c));
-    check(forces.next_break(0) > 0);
-    for (const auto& [a, b] : c.clearance) {
-      check(a < b && !c.rigid_body(a).shapes.empty() &&
-            !c.rigid_body(b).shapes.empty());
-    }
-  } catch (const contact::Error& error) {
-    const std::string message = error.what();
-    check(message.starts_with("fuzz:"));
-    check(message.find_first_of("\n\r") == message.npos);
-  }
+  contact::test::read_or_one_line(
+      [&] {
+        const separation::Case c = separation::parse_case(text, "fuzz");
+        check(separation::system_of(c).size() ==
+              static_cast<int>(c.bodies.size()));
+        check(c.end_time > 0 && c.output_step > 0);
+        const separation::CaseForces forces(c, separation::History(c));
+        check(forces.next_break(0) > 0);
+        for (const auto& [a, b] : c.clearance) {
+          check(a < b && !c.rigid_body(a).shapes.empty() &&
+                !c.rigid_body(b).shapes.empty());
+        }
+      },
+      "fuzz:");
   return 0;
 }

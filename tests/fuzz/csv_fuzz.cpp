@@ -15,6 +15,7 @@
 #include "cli/stream/line_blocks.hpp"
 #include "cli/stream/points.hpp"
 #include "cli/table.hpp"
+#include "fuzz.hpp"
 #include "libcontact/base/error.hpp"
 #include "libcontact/pressure/cosine.hpp"
 #include "programs/table/method.hpp"
@@ -22,9 +23,7 @@
 
 namespace {
 
-void check(bool holds) {
-  if (!holds) std::abort();
-}
+using contact::test::check;
 
 std::size_t count(std::string_view text, char c) {
   return static_cast<std::size_t>(std::count(text.begin(), text.end(), c));

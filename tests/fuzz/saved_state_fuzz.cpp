@@ -17,6 +17,7 @@
 #include <string_view>
 #include <vector>
 
+#include "fuzz.hpp"
 #include "libcontact/base/error.hpp"
 #include "separation/case/case_reader.hpp"
 #include "separation/results/cbor.hpp"
@@ -107,9 +108,7 @@ a = "core"
 b = "tip"
 )";
 
-void check(bool holds) {
-  if (!holds) std::abort();
-}
+using contact::test::check;
 
 // Tells a run that has changed from one that has not.
 struct Sight {

@@ -380,7 +380,7 @@ std::vector<study::SobolIndex> indices_of(const Known& known,
   constexpr std::uint64_t shifts = study::Design::shifts;
   auto plan = plan_of(study::Sampling::saltelli, points * shifts * 5, 3);
   plan.seed = seed;
-  const study::Design design(plan, {0, 0, 0});
+  const study::Design design(plan, {{}, {}, {}});
   std::vector<double> outputs;
   for (std::uint64_t run = 1; run <= plan.runs; ++run) {
     outputs.push_back(known.f(design.numbers(run)));
@@ -456,7 +456,7 @@ TEST(Drivers, SobolIndicesWithoutSomeGroups) {
 TEST(Design, ALatinHypercubeHasOneRunInEachCell) {
   constexpr std::uint64_t runs = 97;
   const auto plan = plan_of(study::Sampling::latin_hypercube, runs, 2);
-  const study::Design design(plan, {0, 0});
+  const study::Design design(plan, {{}, {}});
   std::set<int> cells[2];
   for (std::uint64_t run = 1; run <= runs; ++run) {
     const auto u = design.uniforms(run);
@@ -470,7 +470,7 @@ TEST(Design, ALatinHypercubeHasOneRunInEachCell) {
 // 2^k strips: in any half of the digits, scrambled or not.
 TEST(Design, SobolPointsFillTheSquareEvenly) {
   const auto plan = plan_of(study::Sampling::sobol, 4096, 2);
-  const study::Design design(plan, {0, 0});
+  const study::Design design(plan, {{}, {}});
   double sum = 0;
   for (std::uint64_t run = 1; run <= plan.runs; ++run) {
     const auto u = design.uniforms(run);
@@ -492,8 +492,8 @@ TEST(Design, SobolPointsFillTheSquareEvenly) {
 TEST(Design, SaltellisRunsAreDealtOutToShifts) {
   const auto few = plan_of(study::Sampling::saltelli, 40, 3);
   const auto more = plan_of(study::Sampling::saltelli, 400, 3);
-  const study::Design a(few, {0, 0, 0});
-  const study::Design b(more, {0, 0, 0});
+  const study::Design a(few, {{}, {}, {}});
+  const study::Design b(more, {{}, {}, {}});
   std::set<double> first;
   for (std::uint64_t run = 1; run <= 40; ++run) {
     EXPECT_EQ(a.uniforms(run), b.uniforms(run));
@@ -509,15 +509,15 @@ TEST(Design, IdentitiesDiffer) {
        {study::Sampling::random, study::Sampling::latin_hypercube,
         study::Sampling::sobol, study::Sampling::saltelli}) {
     auto plan = plan_of(sampling, 40, 3);
-    identities.insert(study::Design(plan, {0, 0, 0}).identity());
+    identities.insert(study::Design(plan, {{}, {}, {}}).identity());
     plan.seed = 6;
-    identities.insert(study::Design(plan, {0, 0, 0}).identity());
+    identities.insert(study::Design(plan, {{}, {}, {}}).identity());
   }
   EXPECT_EQ(identities.size(), 8u);
   // Cells of a Latin hypercube are as many as runs.
   const auto plan = plan_of(study::Sampling::latin_hypercube, 80, 3);
   EXPECT_TRUE(
-      identities.insert(study::Design(plan, {0, 0, 0}).identity()).second);
+      identities.insert(study::Design(plan, {{}, {}, {}}).identity()).second);
 }
 
 // Scores of factors and their own beyond all doubles below 1.
@@ -525,7 +525,7 @@ TEST(Design, FactorsLeaveNoDrawAtAnEnd) {
   auto plan = plan_of(study::Sampling::random, 1, 2);
   plan.factors = {"weather"};
   plan.dispersions[0].shares = {{0, 0.7}};
-  const study::Design design(plan, {0, 0});
+  const study::Design design(plan, {{}, {}});
   for (const double u : {study::lowest_uniform, study::highest_uniform}) {
     EXPECT_EQ(design.numbers_of({u, u, 0.5})[0], design.number(0, u));
   }
@@ -536,7 +536,7 @@ TEST(Design, FactorsCorrelateDraws) {
   plan.factors = {"weather"};
   plan.dispersions[0].shares = {{0, 0.8}};
   plan.dispersions[1].shares = {{0, -0.6}};
-  const study::Design design(plan, {0, 0, 0});
+  const study::Design design(plan, {{}, {}, {}});
   const boost::math::normal normal;
   std::vector<double> scores[3];
   for (std::uint64_t run = 1; run <= plan.runs; ++run) {
@@ -560,10 +560,11 @@ TEST(Design, FactorsCorrelateDraws) {
 TEST(Design, DrawsAreOfSeedRunAndKeyAlone) {
   const auto two = plan_of(study::Sampling::random, 10, 2);
   const auto three = plan_of(study::Sampling::random, 1000, 3);
-  const study::Design a(two, {0, 0});
-  const study::Design b(three, {0, 0, 4});
+  const study::Design a(two, {{}, {}});
+  const study::Design b(three, {{}, {}, {"c 1", "c 2", "c 3", "c 4"}});
   EXPECT_EQ(b.draws().size(), 6u);
   EXPECT_EQ(b.draws()[3].name, "c@2");
+  EXPECT_EQ(b.source_label(3), "c, c 2");
   for (std::uint64_t run = 1; run <= 10; ++run) {
     const auto x = a.numbers(run);
     const auto y = b.numbers(run);
@@ -576,7 +577,7 @@ TEST(Design, DrawsAreOfSeedRunAndKeyAlone) {
 TEST(Design, SaltellisRunsComeInGroups) {
   const auto plan = plan_of(study::Sampling::saltelli, 21, 3);
   EXPECT_ERROR(
-      study::Design(plan, {0, 0, 0}),
+      study::Design(plan, {{}, {}, {}}),
       "runs = 21 with sampling = \"saltelli\" must be a multiple of 40: 8 "
       "shifts of 2 runs and one for each of 3 inputs");
 }

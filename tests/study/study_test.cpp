@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <map>
 #include <numbers>
 #include <set>
 #include <string>
@@ -352,6 +353,10 @@ TEST_F(StudyFolder, CopiesHaveDrawsOfTheirOwn) {
       "high = 99\n";
   const Study study(write("s.toml", text));
   ASSERT_EQ(study.inputs(), 9u);
+  EXPECT_EQ(study.design().source_label(2),
+            "force[booster engine, booster 3].thrust_kN");
+  EXPECT_EQ(study.design().source_label(5), "body[booster 2].mass_t");
+  EXPECT_EQ(study.design().source_label(8), "carrier.mass_t");
   const auto draws = study.design().numbers(2);
   const separation::Case c = study.case_of(2);
   EXPECT_DOUBLE_EQ(c.carrier.mass, 1000 * draws[8]);
@@ -464,6 +469,30 @@ TEST_F(StudyFolder, ARunThatIsStoppedIsNoRow) {
   EXPECT_EQ(journal.size(), static_cast<std::size_t>(done));
   for (std::uint64_t run = 1; run <= 10; ++run) {
     if (journal.has(run)) EXPECT_EQ(journal.at(run).failure, "");
+  }
+}
+
+// A pressed bush is judged by what it has without load.
+TEST_F(StudyFolder, InterferenceHasItsNumbers) {
+  const std::string joint = CONTACT_DATA_DIR "/joints/lined_bush_pressed.toml";
+  const Study pressed(
+      write("s.toml",
+            "name = 'bush'\njoint = '" + joint +
+                "'\nruns = 2\nload = { reaction_kN = 6 }\nquantities = "
+                "['M_0_N_m', 'R_lift_off_N', 'p_0_Pa', 'sum_p_N', 'shift_m']\n"
+                "[[dispersion]]\nkey = 'friction.coefficient'\n"
+                "kind = 'uniform'\nlow = 0.05\nhigh = 0.15\n"));
+  const JointContact contact = read_joint(joint).contact();
+  const double theta0 = contact.half_angle(6000);
+  const std::map<std::string, double> expected = {
+      {"M_0_N_m", contact.unloaded_moment(0)},
+      {"R_lift_off_N", contact.lift_off_force()},
+      {"p_0_Pa", contact.interference_pressure()},
+      {"sum_p_N", contact.sum_of_pressures(6000, theta0)},
+      {"shift_m", contact.shift(6000, theta0)}};
+  for (const auto& [name, value] : expected) {
+    ASSERT_TRUE(pressed.nominal().contains(name)) << name;
+    EXPECT_NEAR(pressed.nominal().at(name) / value, 1, 1e-12) << name;
   }
 }
 

@@ -9,7 +9,6 @@
 #include "libcontact/files/toml_form.hpp"
 #include "libcontact/joint/joint.hpp"
 #include "libcontact/pressure/validity.hpp"
-#include "libcontact/quantities/tables.hpp"
 
 namespace study {
 
@@ -39,17 +38,24 @@ JointModel::JointModel(const Plan& plan) : plan_(plan) {
   for (const auto& q : contact::solution_quantities()) {
     std::ranges::move(columns_of(q), std::back_inserter(columns_));
   }
-  contact::read_joint(plan.joint_file).contact(laws_);
+  const contact::JointSpec nominal = contact::read_joint(plan.joint_file);
+  nominal.contact(laws_);
+  if (nominal.geometry.radial_clearance() <= 0) {
+    for (const auto& q : contact::preload_quantities()) {
+      std::ranges::move(columns_of(q), std::back_inserter(preload_columns_));
+    }
+  }
   read(KeySettings{});
 }
 
 JointModel::~JointModel() = default;
 
-int JointModel::copies(const Dispersion& dispersion) const {
+std::vector<std::string> JointModel::copies(
+    const Dispersion& dispersion) const {
   if (dispersion.each) {
     dispersion.table.needs("each", "a case with bodies that have a pattern");
   }
-  return 0;
+  return {};
 }
 
 JointModel::Loaded JointModel::loaded(const TomlTable& joint,
@@ -144,6 +150,10 @@ Result JointModel::run(const Loaded& loaded, const Effort& effort) const {
                 std::move(warnings)};
   for (const auto& column : columns_) {
     result.numbers.emplace(column.name, column(s));
+  }
+  const contact::ContactPatch patch{contact, s.normal_force, s.half_angle};
+  for (const auto& column : preload_columns_) {
+    result.numbers.emplace(column.name, column(patch));
   }
   return result;
 }

@@ -1,14 +1,15 @@
 #pragma once
 
 #include "libcontact/files/joint_file.hpp"
-#include "libcontact/quantities/quantity.hpp"
+#include "libcontact/quantities/tables.hpp"
 #include "study/model/model.hpp"
 #include "study/model/pool.hpp"
 
 namespace study {
 
 /// A joint under a reaction at an angle to its angular velocity: [load] of the
-/// study file. Numbers are named as hinge-joint's columns. Files are parsed and
+/// study file. Numbers are named as hinge-joint's columns, with those of
+/// interference where the nominal joint has no clearance. Files are parsed and
 /// keys that are drawn looked up once.
 class JointModel : public Model {
  public:
@@ -16,7 +17,7 @@ class JointModel : public Model {
   explicit JointModel(const Plan& plan);
   ~JointModel() override;
 
-  int copies(const Dispersion& dispersion) const override;
+  std::vector<std::string> copies(const Dispersion& dispersion) const override;
   void check(const contact::KeySettings& settings) const override;
   Result run(const contact::KeySettings& settings, const Effort& effort,
              const std::function<std::string()>& stop) const override;
@@ -37,6 +38,7 @@ class JointModel : public Model {
   contact::TomlFiles files_;
   contact::SharedLaws laws_;  ///< of the nominal joint
   std::vector<contact::Column<contact::JointSolution>> columns_;
+  std::vector<contact::Column<contact::ContactPatch>> preload_columns_;
   mutable Pool<Form> forms_;
 };
 

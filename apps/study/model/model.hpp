@@ -42,10 +42,11 @@ class Model {
  public:
   virtual ~Model() = default;
 
-  /// Bodies or forces that a dispersion has a draw for, each; 0 if it has one
-  /// for all.
+  /// Names of the bodies, or of those that forces act on, that a dispersion has
+  /// a draw for, each; none if it has one for all.
   /// @throws contact::Error of a key that has no copies
-  virtual int copies(const Dispersion& dispersion) const = 0;
+  virtual std::vector<std::string> copies(
+      const Dispersion& dispersion) const = 0;
 
   /// Reads with these values.
   /// @throws contact::Error if they make no case

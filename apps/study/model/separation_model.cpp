@@ -29,9 +29,10 @@ std::string which_of(const std::string& key, const std::string& table) {
   return key.substr(from, key.find(']') - from);
 }
 
-// How many items have the name `which`, or that of the which-th name.
-template <class Items, class Name>
-int count_of(const Items& items, const std::string& which, const Name& name) {
+// Labels of the items with the name `which`, or that of the which-th name.
+template <class Items, class Name, class Label>
+std::vector<std::string> labels_of(const Items& items, const std::string& which,
+                                   const Name& name, const Label& label) {
   std::string wanted = which;
   std::size_t number = 0;
   const char* end = which.data() + which.size();
@@ -44,8 +45,11 @@ int count_of(const Items& items, const std::string& which, const Name& name) {
     }
     if (number >= 1 && number <= names.size()) wanted = names[number - 1];
   }
-  return static_cast<int>(std::ranges::count_if(
-      items, [&](const auto& item) { return name(item) == wanted; }));
+  std::vector<std::string> labels;
+  for (const auto& item : items) {
+    if (name(item) == wanted) labels.push_back(label(item));
+  }
+  return labels;
 }
 
 using Numbers = std::map<std::string, double>;
@@ -181,22 +185,29 @@ SeparationModel::SeparationModel(const Plan& plan)
                                        plan.case_file, separation::case_keys()),
                                    {}, laws_)) {
   for (const Dispersion& dispersion : plan.dispersions) {
-    if (!dispersion.each || copies(dispersion) > 1) continue;
+    if (!dispersion.each || copies(dispersion).size() > 1) continue;
     dispersion.table.needs("each",
                            "a key of a body with a pattern, or of a "
                            "force on one: body[NAME].KEY or force[NAME].KEY");
   }
 }
 
-int SeparationModel::copies(const Dispersion& dispersion) const {
-  if (!dispersion.each) return 0;
+std::vector<std::string> SeparationModel::copies(
+    const Dispersion& dispersion) const {
+  if (!dispersion.each) return {};
   const std::string body = which_of(dispersion.key, "body");
   if (!body.empty()) {
-    return count_of(nominal_.bodies, body,
-                    [](const separation::Body& b) { return b.group; });
+    return labels_of(
+        nominal_.bodies, body,
+        [](const separation::Body& b) { return b.group; },
+        [](const separation::Body& b) { return b.rigid.name; });
   }
-  return count_of(nominal_.forces, which_of(dispersion.key, "force"),
-                  [](const separation::Force& f) { return f.name; });
+  return labels_of(
+      nominal_.forces, which_of(dispersion.key, "force"),
+      [](const separation::Force& f) { return f.name; },
+      [&](const separation::Force& f) {
+        return nominal_.rigid_body(f.body).name;
+      });
 }
 
 Case SeparationModel::case_of(const contact::KeySettings& settings) const {
@@ -218,7 +229,7 @@ Case SeparationModel::case_of(const std::vector<double>& draws) const {
   std::size_t readings = 1;
   std::span<const double> rest = draws;
   for (const Dispersion& dispersion : plan_.dispersions) {
-    const auto count = static_cast<std::size_t>(copies(dispersion));
+    const std::size_t count = copies(dispersion).size();
     numbers.push_back(rest.first(std::max<std::size_t>(count, 1)));
     rest = rest.subspan(numbers.back().size());
     readings = std::max(readings, count);

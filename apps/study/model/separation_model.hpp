@@ -18,7 +18,7 @@ class SeparationModel : public Model {
   /// @param plan  has to outlive this object
   explicit SeparationModel(const Plan& plan);
 
-  int copies(const Dispersion& dispersion) const override;
+  std::vector<std::string> copies(const Dispersion& dispersion) const override;
   void check(const contact::KeySettings& settings) const override {
     case_of(settings);
   }

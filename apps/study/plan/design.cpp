@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <boost/math/distributions/normal.hpp>
 #include <boost/random/sobol.hpp>
 #include <cmath>
@@ -12,15 +13,36 @@
 
 namespace study {
 
-Design::Design(const Plan& plan, const std::vector<int>& copies) : plan_(plan) {
+namespace {
+
+// "body[booster 3].mass_kg" of body[booster].mass_kg, and
+// "force[push, booster 3].force_N" of a force on that body.
+std::string label_of(const std::string& key, const std::string& copy) {
+  const auto from = key.find('[') + 1;
+  const auto to = std::min(key.find(']'), key.size());
+  return key.substr(0, from) +
+         (key.starts_with("body[")
+              ? copy
+              : key.substr(from, to - from) + ", " + copy) +
+         key.substr(to);
+}
+
+}  // namespace
+
+Design::Design(const Plan& plan,
+               const std::vector<std::vector<std::string>>& copies)
+    : plan_(plan) {
   for (const std::string& factor : plan.factors) {
     sources_.push_back("factor " + factor);
   }
   for (std::size_t i = 0; i < plan.dispersions.size(); ++i) {
     const std::string& key = plan.dispersions[i].key;
-    if (copies[i] == 0) draws_.push_back({key, i, 0});
-    for (int copy = 1; copy <= copies[i]; ++copy) {
-      draws_.push_back({fmt::format("{}@{}", key, copy), i, copy});
+    if (copies[i].empty()) draws_.push_back({key, key, i, 0});
+    int number = 0;
+    for (const std::string& copy : copies[i]) {
+      ++number;
+      draws_.push_back(
+          {fmt::format("{}@{}", key, number), label_of(key, copy), i, number});
     }
   }
   for (const Draw& draw : draws_) sources_.push_back(draw.name);

@@ -11,7 +11,8 @@ namespace study {
 
 /// A number that is drawn: of a dispersion, or of one copy of it.
 struct Draw {
-  std::string name;  ///< the key; of the second copy "KEY@2"
+  std::string name;   ///< the key; of the second copy "KEY@2"
+  std::string label;  ///< the key, with the copy's name for people
   std::size_t dispersion;
   int copy;  ///< from 1; 0: of all
 };
@@ -19,13 +20,18 @@ struct Draw {
 /// What the numbers of each run are. Run 0 is the nominal one and has none.
 class Design {
  public:
-  /// @param copies  of each dispersion; 0: one draw for all
+  /// @param copies  names of each dispersion's; none: one draw for all
   /// @throws contact::Error if the runs do not fit the sampling
-  Design(const Plan& plan, const std::vector<int>& copies);
+  Design(const Plan& plan, const std::vector<std::vector<std::string>>& copies);
 
   const std::vector<Draw>& draws() const { return draws_; }
   /// What scatters by itself: the factors, then the draws.
   const std::vector<std::string>& sources() const { return sources_; }
+  /// A source's name for people.
+  const std::string& source_label(std::size_t source) const {
+    const std::size_t factors = plan_.factors.size();
+    return source < factors ? sources_[source] : draws_[source - factors].label;
+  }
 
   /// In (0, 1), one of each source.
   std::vector<double> uniforms(std::uint64_t run) const;

@@ -135,8 +135,10 @@ contact::KeySetting Dispersion::setting(double number) const {
   return {key, fmt::format("{}{}", relative ? "*" : "", number)};
 }
 
-Plan read_plan(const std::filesystem::path& path, const PlanChanges& changes) {
-  const TomlTable file = TomlTable::from_file(path, study_keys());
+namespace {
+
+Plan plan_of(const TomlTable& file, const std::filesystem::path& path,
+             const PlanChanges& changes) {
   Plan plan{.name = file.text("name"),
             .case_file = {},
             .joint_file = {},
@@ -173,6 +175,16 @@ Plan read_plan(const std::filesystem::path& path, const PlanChanges& changes) {
   plan.runs = changes.runs.value_or(read_runs(file, plan));
   plan.seed = changes.seed.value_or(plan.seed);
   return plan;
+}
+
+}  // namespace
+
+Plan read_plan(const std::filesystem::path& path, const PlanChanges& changes) {
+  return plan_of(TomlTable::from_file(path, study_keys()), path, changes);
+}
+
+Plan parse_plan(std::string_view text, const std::string& source) {
+  return plan_of(TomlTable::from_text(text, source, study_keys()), source, {});
 }
 
 }  // namespace study

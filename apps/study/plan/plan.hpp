@@ -88,6 +88,9 @@ struct PlanChanges {
 ///   what is allowed
 Plan read_plan(const std::filesystem::path& path,
                const PlanChanges& changes = {});
+/// The same of a text.
+/// @param source  what messages call it
+Plan parse_plan(std::string_view text, const std::string& source);
 
 /// All keys that a study file may have.
 contact::KnownKeys study_keys();

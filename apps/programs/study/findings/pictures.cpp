@@ -71,9 +71,9 @@ std::string ranking(const Study& study, const Driven& driven) {
   for (std::size_t i = 0; i < size; ++i) {
     const double strength =
         sobol ? driven.sobol[i].total : driven.regression.standardised[i];
-    bars.emplace_back(
-        std::isnan(strength) ? 0 : strength,
-        sobol ? study.design().sources()[i] : study.design().draws()[i].name);
+    bars.emplace_back(std::isnan(strength) ? 0 : strength,
+                      sobol ? study.design().source_label(i)
+                            : study.design().draws()[i].label);
   }
   std::ranges::stable_sort(bars, std::greater(),
                            [](const auto& bar) { return std::abs(bar.first); });

@@ -155,7 +155,7 @@ Part drivers_part(const Study& study, const Driven& driven) {
       const double strength = std::abs(driven.regression.standardised[i]);
       rows.push_back(
           {std::isnan(strength) ? 0 : strength,
-           {study.design().draws()[i].name, number(driven.spearman[i]),
+           {study.design().draws()[i].label, number(driven.spearman[i]),
             number(driven.regression.standardised[i])}});
     }
   } else {
@@ -163,7 +163,7 @@ Part drivers_part(const Study& study, const Driven& driven) {
       const SobolIndex& s = driven.sobol[i];
       rows.push_back(
           {std::isnan(s.total) ? 0 : s.total,
-           {study.design().sources()[i], with_error(s.first, s.first_error),
+           {study.design().source_label(i), with_error(s.first, s.first_error),
             with_error(s.total, s.total_error)}});
     }
   }

@@ -1,0 +1,36 @@
+// Cycles for hinge-duty: any text is a cycle that can be asked for its forces
+// and rates, or one contact::Error. Input whose first byte is odd is of a pin,
+// the next bit makes it an OpenSim table.
+#include <cmath>
+#include <string>
+
+#include "fuzz.hpp"
+#include "programs/duty/cycle_file.hpp"
+
+using contact::test::check;
+
+// NOLINTNEXTLINE(readability-identifier-naming): libFuzzer calls it so.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
+                                      std::size_t size) {
+  if (size == 0) return 0;
+  const bool is_pin = (data[0] & 1U) != 0;
+  const bool is_sto = (data[0] & 2U) != 0;
+  hinge_duty::Options options;
+  options.cycle = contact::test::written(
+      {reinterpret_cast<const char*>(data) + 1, size - 1},
+      is_sto ? ".sto" : ".csv");
+  if (!is_pin && (data[0] & 4U) != 0) options.euler = "XYZ";
+  if (is_sto) {
+    options.force_columns = "fx,fy,fz";
+    options.angle_columns = is_pin ? "a" : "a,b,c";
+    options.euler = is_pin ? "" : "XYZ";
+  }
+  contact::test::read_or_one_line(
+      [&] {
+        const contact::DutyCycle cycle =
+            hinge_duty::read_cycle(options, is_pin);
+        check(cycle.period() > 0);
+      },
+      "");
+  return 0;
+}
