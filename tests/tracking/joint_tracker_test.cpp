@@ -338,8 +338,8 @@ Path pressed(JointKind kind, double clearance) {
 }
 
 // Closed all round, lifted off and without clearance, with R that grows by
-// 20 %. Where a contact lifts off on the way its slopes have a kink, which
-// error() tells of behind it.
+// 20 %: 2e-12 measured. Where a contact lifts off the slopes of a pin have a
+// kink: 4e-7 in the one step of 1e-3 over it.
 TEST(JointTracker, JointsWithoutClearanceAreTracked) {
   for (const JointKind kind : {JointKind::pin, JointKind::ball}) {
     for (const double share : {0.2, 0.9, 1.5, 0.0}) {
@@ -358,7 +358,7 @@ TEST(JointTracker, JointsWithoutClearanceAreTracked) {
       }
       std::printf("%s at %g of lift-off: %.1e\n", to_string(kind).c_str(),
                   share, largest);
-      EXPECT_LT(largest, 1e-8) << share;
+      EXPECT_LT(largest, share == 0.9 ? 1e-6 : 1e-11) << share;
     }
     // Without load the solver alone has an answer.
     const Path path = pressed(kind, -2e-5);
