@@ -1,6 +1,8 @@
 // What depends on a normal force, or on the laws alone.
 #include <pybind11/stl.h>
 
+#include <limits>
+
 #include "libcontact/friction/friction_integrals.hpp"
 #include "libcontact/pressure/validity.hpp"
 #include "libcontact/quantities/tables.hpp"
@@ -168,7 +170,8 @@ void bind_quantity(py::class_<FileJoint>& type, const contact::Quantity<T>& q,
       },
       py::arg("normal_force"),
       (std::string(q.key) + "(self, normal_force)\n--\n\n" + documentation(q) +
-       more + "\n\nnormal_force: R_n, N, (...), above 0.")
+       more +
+       "\n\nnormal_force: R_n, N, (...), above 0; with interference 0 too.")
           .c_str());
 }
 
@@ -177,7 +180,10 @@ void bind_quantities(py::class_<FileJoint>& type) {
   for (const auto& q : contact::patch_quantities()) {
     const auto value = [&q](const JointContact& c, double half_angle,
                             const double* const* at) {
-      return number_of(q, contact::ContactPatch{c, *at[0], half_angle});
+      const contact::ContactPatch patch{c, *at[0], half_angle};
+      return q.exists && !q.exists(patch)
+                 ? std::numeric_limits<double>::quiet_NaN()
+                 : number_of(q, patch);
     };
     bind_quantity(type, q, "",
                   [&q, value](const FileJoint& self, Arguments force) {

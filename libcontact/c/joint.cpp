@@ -233,7 +233,7 @@ contact_status contact_joint_friction(const contact_joint* joint,
                                        "alone, dry or viscous"));
         }
         const auto i = contact.integrals(
-            half_angle, contact::SlipAxis::from_angle(slip_axis_angle), {});
+            half_angle, contact::SlipAxis::from_angle(slip_axis_angle));
         given(friction, "contact_joint_friction: friction") = {
             {i.coefficient.force, i.coefficient.sliding,
              i.coefficient.spinning},
@@ -244,8 +244,13 @@ contact_status contact_joint_friction(const contact_joint* joint,
           return status_of(results, "contact_joint_friction: slip_axis_angle",
                            slip_axis_angle, "-pi/2 to pi/2 rad");
         }
+        const bool closed =
+            contact.has_interference() && half_angle == std::numbers::pi;
         return status_of(results, "contact_joint_friction: half_angle",
-                         half_angle);
+                         half_angle,
+                         closed ? "below pi rad: coefficients of a contact "
+                                  "that is closed all round depend on its load"
+                                : "in the range of the laws");
       },
       friction);
 }

@@ -74,7 +74,7 @@ contact_status contact_joint_get_size(const contact_joint* joint,
  * NULL behind the last one. Valid as long as the joint. */
 const char* contact_joint_note(const contact_joint* joint, size_t i);
 
-/* The contact under a normal force R_n, N, above 0. */
+/* The contact under a normal force R_n, N, above 0; with interference 0 too. */
 typedef struct contact_patch {
   double load_parameter; /* mu (ball) or lambda (pin) */
   double half_angle;     /* theta0, rad */
@@ -113,7 +113,8 @@ typedef struct contact_friction {
 } contact_friction;
 /* half_angle: theta0, rad. slip_axis_angle: a, rad, -pi/2 to pi/2, from pure
  * sliding (0) to pure spinning; without influence for a pin. CONTACT_BAD_INPUT
- * for a stress of pressure and speed, which has no such integrals. */
+ * for a stress of pressure and speed, which has no such integrals;
+ * CONTACT_OUT_OF_RANGE for pi with interference, where they depend on R_n. */
 contact_status contact_joint_friction(const contact_joint* joint,
                                       double half_angle, double slip_axis_angle,
                                       contact_friction* friction);

@@ -35,12 +35,14 @@ Vector3d vector(const double* first, std::ptrdiff_t stride, std::size_t i) {
   return v;
 }
 
-// What the next solution starts from, and the accurate forms of the angles.
+// What the next solution starts from, the accurate forms of the angles, and
+// what has a name of its own in no language but C++.
 struct Memory {
   JointSolution::Memory slip;
   SineCosine reaction;
   SineCosine friction;
   SlipAxis axis;
+  double contact_state;  // a ContactState
 };
 static_assert(std::is_trivially_copyable_v<Memory> &&
               sizeof(Memory) == sizeof(contact_solution::memory));
@@ -227,7 +229,7 @@ void put(contact_solution& to, const JointSolution& s) {
   to.friction_angle = s.friction_angle();
   to.slip_axis_angle = s.slip_axis_angle();
   const Memory memory{s.memory, s.reaction_direction, s.friction_direction,
-                      s.slip_axis};
+                      s.slip_axis, static_cast<double>(s.contact_state)};
   std::memcpy(to.memory, &memory, sizeof to.memory);
 }
 
@@ -254,6 +256,11 @@ JointSolution solution_of(const contact_solution& solution) {
   JointSolution s = start_of(&solution);
   s.status = status_of(solution.status);
   s.state = static_cast<JointState>(solution.state);
+  // A refused solution has none.
+  const double state = memory_of(solution).contact_state;
+  if (state >= 0 && state <= static_cast<double>(ContactState::clearance)) {
+    s.contact_state = static_cast<ContactState>(state);
+  }
   s.evaluations = solution.evaluations;
   each_number(solution, s, FromC());
   return s;

@@ -15,7 +15,7 @@ extern "C" {
 typedef enum contact_state {
   CONTACT_SLIDING = 0,
   CONTACT_RESTING = 1, /* angular velocity exactly 0: no friction */
-  CONTACT_UNLOADED = 2 /* no reaction: no contact, no friction */
+  CONTACT_UNLOADED = 2 /* no reaction, no interference: no friction */
 } contact_state;
 
 /* Forces and moments act on the body, the opposite ones on the carrier. */
@@ -47,7 +47,7 @@ typedef struct contact_solution {
   double peak_pressure;  /* Pa */
   double contact_area;   /* m^2 */
 
-  double memory[19]; /* for the next solution, which starts from this one */
+  double memory[20]; /* for the next solution, which starts from this one */
 } contact_solution;
 
 /* sizeof(contact_solution) of the library: that of a program whose headers are

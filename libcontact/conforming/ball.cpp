@@ -341,7 +341,7 @@ ForcePoint BallContact::force_point(double half_angle) const noexcept {
 detail::SignedContact BallContact::signed_contact(
     double half_angle) const noexcept {
   if (!(half_angle > 0 && half_angle <= largest_) || tables_->back) {
-    return {nan, nan, nan, nan, nan, nan};
+    return {nan, nan, nan, nan, nan};
   }
   const Solution s = Galerkin(*tables_, half_angle).solve(unknowns_);
   const double inverse = pi / 2 * s.reciprocal();
@@ -350,8 +350,7 @@ detail::SignedContact BallContact::signed_contact(
           inverse + tables_->mean,
           1 - s.force_ratio / 3,
           pi / 3 * (s.delta + s.clearance) - 2.0 / 3,
-          pi / 3 / s.stiffness - 2.0 / 3,
-          4 * pi / 3 * pressure(half_angle).pressure(0)};
+          pi / 3 / s.stiffness - 2.0 / 3};
 }
 
 int BallContact::terms() const noexcept {

@@ -440,7 +440,7 @@ ForcePoint PinContact::force_point(double half_angle) const noexcept {
 detail::SignedContact PinContact::signed_contact(
     double half_angle) const noexcept {
   if (!(half_angle > 0 && half_angle <= largest_) || loading_.is_back()) {
-    return {nan, nan, nan, nan, nan, nan};
+    return {nan, nan, nan, nan, nan};
   }
   const System system(*this, half_angle);
   const Solution solution = system.solve(unknowns_);
@@ -452,8 +452,7 @@ detail::SignedContact PinContact::signed_contact(
           inverse + (constants_.mean_share - constants_.beta),
           1 - solution.mean,
           yielding.approach / 2 + inverse - first,
-          yielding.rate / 2 - first,
-          pi * pressure(half_angle).pressure(0)};
+          yielding.rate / 2 - first};
 }
 
 int PinContact::terms() const noexcept {

@@ -17,13 +17,14 @@ double square(double v) { return v * v; }
 }  // namespace
 
 ClosingTable::ClosingTable(const Solver& solver, double largest,
-                           double thickness, double mean, double first)
+                           double thickness, double mean, double first,
+                           int nodes)
     : largest_(largest),
       thickness_(std::min({thickness, 1.0, std::sqrt(mean)})),
       range_(std::log1p(largest / thickness_)),
       mean_(mean),
       first_(first) {
-  for (const int count : {24, 48, 96}) {
+  for (const int count : {nodes, 64, 96}) {
     tabulate(solver, count);
     if (is_resolved()) break;
   }
@@ -39,7 +40,7 @@ void ClosingTable::tabulate(const Solver& solver, int count) {
     const SignedContact c = solver(opening);
     const double unit = square(std::sin(opening / 2));
     values.row(i) << std::log(c.beyond_closure / unit), c.mean_deficit / unit,
-        c.gap_shift, c.gap_compliance, c.centre;
+        c.gap_shift, c.gap_compliance;
     for (int k = 0; k < count; ++k) {
       chebyshev(k, i) = (k == 0 ? 1.0 : 2.0) / count * std::cos(k * phi);
     }
@@ -91,7 +92,7 @@ SignedContact ClosingTable::at(double opening) const {
   const Eigen::RowVectorXd s = series(opening);
   const double unit = square(std::sin(opening / 2));
   const double beyond = unit * std::exp(s(0));
-  return {beyond - mean_, beyond, unit * s(1), s(2), s(3), s(4)};
+  return {beyond - mean_, beyond, unit * s(1), s(2), s(3)};
 }
 
 ClosingTable::Root ClosingTable::opening(double inverse) const {

@@ -26,8 +26,10 @@ class ClosingTable {
   /// @param thickness t; infinite without walls
   /// @param mean      c_0 > 0
   /// @param first     c_1, may be NaN
+  /// @param nodes     of the first series; where its last coefficients are not
+  ///                  below 1e-8 a finer one follows
   ClosingTable(const Solver& solver, double largest, double thickness,
-               double mean, double first);
+               double mean, double first, int nodes);
 
   double mean_compliance() const { return mean_; }
   double first_compliance() const { return first_; }
@@ -46,7 +48,7 @@ class ClosingTable {
   Root opening(double inverse) const;
 
  private:
-  static constexpr int columns = 5;
+  static constexpr int columns = 4;
   struct Value {
     double value;
     double slope;  // over psi

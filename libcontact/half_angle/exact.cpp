@@ -56,10 +56,18 @@ constexpr double pi = std::numbers::pi;
 // the gap: both are good to 1e-11 for 15 deg on either side.
 constexpr double from_gap = 115 * degree;
 
+// Nodes that resolve the table of walls down to 0.03 radii. What is left of
+// thick and homogeneous bodies is the psi^2 ln psi of a pin.
+int closing_nodes(JointKind kind, const LayeredPair& pair) {
+  if (pair.relative_thickness() < 0.5) return 40;
+  return kind == JointKind::ball ? 24 : 48;
+}
+
 template <class Contact, class Gap>
-std::unique_ptr<ClosingTable> make_closing(const LayeredPair& pair,
+std::unique_ptr<ClosingTable> make_closing(JointKind kind,
+                                           const LayeredPair& pair,
                                            double limit) {
-  const Gap gap(pair);
+  const Gap gap = Gap::coarse(pair);
   // More unknowns than for narrow contacts.
   const Contact contact(pair, InnerLoading::centre(),
                         std::max(24, detail::gap_unknowns(pair)));
@@ -69,13 +77,14 @@ std::unique_ptr<ClosingTable> make_closing(const LayeredPair& pair,
   };
   return std::make_unique<ClosingTable>(
       solver, pi - limit, pair.relative_thickness(), gap.mean_compliance(),
-      gap.first_compliance());
+      gap.first_compliance(), closing_nodes(kind, pair));
 }
 
 template <class... Types>
-void add_closing(ExactRelation& relation, const LayeredPair& pair) {
-  relation.make_closing = [pair](double limit) {
-    return make_closing<Types...>(pair, limit);
+void add_closing(ExactRelation& relation, JointKind kind,
+                 const LayeredPair& pair) {
+  relation.make_closing = [kind, pair](double limit) {
+    return make_closing<Types...>(kind, pair, limit);
   };
 }
 
@@ -83,9 +92,9 @@ void add_closing(ExactRelation& relation, JointKind kind,
                  const LayeredPair& pair, const InnerLoading& loading) {
   if (loading.is_back() || !detail::can_have_interference(kind, pair)) return;
   if (kind == JointKind::pin) {
-    add_closing<PinContact, detail::PinGap>(relation, pair);
+    add_closing<PinContact, detail::PinGap>(relation, kind, pair);
   } else {
-    add_closing<BallContact, detail::BallGap>(relation, pair);
+    add_closing<BallContact, detail::BallGap>(relation, kind, pair);
   }
 }
 

@@ -42,7 +42,6 @@ JointTracker::JointTracker(std::vector<JointContact> contacts)
       throw Error(detail::must_be("friction of a joint that is tracked",
                                   "dry or viscous"));
     }
-    contact.require_clearance("a joint that is tracked");
     const JointGeometry& geometry = contact.geometry();
     const JointContact::Strength strength = contact.strength(1);
     State s = state(i);
@@ -180,6 +179,8 @@ void JointTracker::start(int joint, const JointSolution& solution,
   if (solution.status != Status::ok || solution.state != JointState::sliding) {
     return;
   }
+  // Sliding under interference alone: logarithms of R_n have no value.
+  if (solution.normal_force == 0) return;
   State s = state(joint);
   const bool ball = s.is_ball != 0;
   const double force = solution.normal_force;

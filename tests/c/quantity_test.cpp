@@ -19,6 +19,7 @@ using contact::test::c_joint;
 using contact::test::CJoint;
 
 const std::string hip = CONTACT_DATA_DIR "/joints/hip_cocr_uhmwpe.toml";
+const std::string pressed = CONTACT_DATA_DIR "/joints/lined_bush_pressed.toml";
 
 // NaN too.
 void expect_same(double a, double b, std::string_view key) {
@@ -54,18 +55,20 @@ void expect_table(std::span<const contact::Quantity<T>> table, const T& of,
 }
 
 TEST(CQuantities, OfSolutionsAreThoseOfCpp) {
-  const Joint cpp(contact::read_joint(hip).contact());
-  const CJoint c = c_joint(hip);
-  // One slides, one rests.
-  for (const double rate : {0.8, 0.0}) {
-    const contact_slip slip = {{100, 0, 2000}, {rate, 0, rate}, {}};
-    contact_solution s;
-    ASSERT_EQ(contact_joint_solve(c.get(), &slip, nullptr, &s), CONTACT_OK);
-    expect_table(contact::solution_quantities(),
-                 cpp.solve({{100, 0, 2000}, {rate, 0, rate}}),
-                 contact_solution_quantity, [&](const char* key, double* to) {
-                   return contact_solution_get(&s, key, to);
-                 });
+  for (const std::string& file : {hip, pressed}) {
+    const Joint cpp(contact::read_joint(file).contact());
+    const CJoint c = c_joint(file);
+    // One slides, one rests.
+    for (const double rate : {0.8, 0.0}) {
+      const contact_slip slip = {{100, 0, 2000}, {rate, 0, rate}, {}};
+      contact_solution s;
+      ASSERT_EQ(contact_joint_solve(c.get(), &slip, nullptr, &s), CONTACT_OK);
+      expect_table(contact::solution_quantities(),
+                   cpp.solve({{100, 0, 2000}, {rate, 0, rate}}),
+                   contact_solution_quantity, [&](const char* key, double* to) {
+                     return contact_solution_get(&s, key, to);
+                   });
+    }
   }
 }
 
@@ -83,14 +86,16 @@ TEST(CQuantities, OfRestAreThoseOfCpp) {
 }
 
 TEST(CQuantities, OfPatchesAreThoseOfCpp) {
-  const Joint cpp(contact::read_joint(hip).contact());
-  const CJoint c = c_joint(hip);
-  const contact::ContactPatch patch = {
-      cpp.contact(), 2000, cpp.contact().half_angle(2000).half_angle};
-  expect_table(contact::patch_quantities(), patch, contact_patch_quantity,
-               [&](const char* key, double* to) {
-                 return contact_patch_get(c.get(), 2000, key, to);
-               });
+  for (const std::string& file : {hip, pressed}) {
+    const Joint cpp(contact::read_joint(file).contact());
+    const CJoint c = c_joint(file);
+    const contact::ContactPatch patch = {
+        cpp.contact(), 2000, cpp.contact().half_angle(2000).half_angle};
+    expect_table(contact::patch_quantities(), patch, contact_patch_quantity,
+                 [&](const char* key, double* to) {
+                   return contact_patch_get(c.get(), 2000, key, to);
+                 });
+  }
 }
 
 TEST(CQuantities, OfRatingsAreThoseOfCpp) {

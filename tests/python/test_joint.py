@@ -452,5 +452,63 @@ class Side(unittest.TestCase):
             hip.solve(*rows)
 
 
+class Interference(unittest.TestCase):
+    pressed = libcontact.Joint.from_file(
+        hip_file.parent / "lined_bush_pressed.toml")
+    forces = [0, 2000, 3500, 9000]
+
+    def test_has_the_numbers_of_hinge_joint(self):
+        rows = table(
+            "hinge-joint", "--joint", hip_file.parent / "lined_bush_pressed.toml",
+            "--reaction", "0,2000,3500,9000")  # fmt: skip
+        column = lambda name: [float(row[name]) for row in rows]
+        s = self.pressed.solve(
+            [[force, 0, 0] for force in self.forces], [0, 0, 1], axis=[0, 0, 1])
+        np.testing.assert_allclose(
+            np.linalg.norm(s.friction_moment, axis=1), column("M_t_N_m"),
+            rtol=1e-13)  # fmt: skip
+        force = s.normal_force
+        for name, values in (
+            ("p_0_Pa", self.pressed.interference_pressure(force)),
+            ("R_lift_off_N", self.pressed.lift_off_force(force)),
+            ("M_0_N_m", self.pressed.unloaded_moment(force)),
+            ("sum_p_N", self.pressed.sum_of_pressures(force)),
+            ("shift_m", self.pressed.shift(force)),
+            ("stiffness_N_per_m", self.pressed.stiffness(force)),
+        ):
+            np.testing.assert_allclose(
+                values, column(name), rtol=1e-13, err_msg=name)  # fmt: skip
+        self.assertTrue(np.isnan(self.pressed.approach(2000)))
+        self.assertEqual(
+            [str(state) for state in s.contact_state],
+            [row["contact_state"] for row in rows])
+        # One with a clearance has none.
+        self.assertTrue(np.isnan(hip.lift_off_force(500)))
+        self.assertTrue(np.isnan(hip.unloaded_moment(500)))
+
+    def test_turns_hard_without_load(self):
+        moment = self.pressed.unloaded_moment(0)
+        s = self.pressed.solve([0, 0, 0], [0, 0, 2], axis=[0, 0, 1])
+        self.assertAlmostEqual(-s.friction_moment[2] / moment, 1, 13)
+        rest = self.pressed.at_rest([0, 0, 0], [0, 0, moment / 4], axis=[0, 0, 1])
+        self.assertAlmostEqual(rest.utilisation, 0.25, 13)
+
+    def test_is_refused_where_there_is_none(self):
+        with self.assertRaisesRegex(
+            libcontact.Error, "^half-angle law fitted must be exact"
+        ):  # fmt: skip
+            self.pressed.replace({"half_angle.law": "fitted"}).half_angle(1)
+        solid = {"youngs_modulus_GPa": 200, "poissons_ratio": 0.5}
+        with self.assertRaisesRegex(libcontact.Error, "incompressible"):
+            libcontact.Joint(
+                kind="pin", radius_mm=10, length_mm=10, coefficient=0.1,
+                radial_interference_um=1, inner=solid,
+                outer={"youngs_modulus_GPa": float("inf"),
+                       "poissons_ratio": 0.3}).half_angle(1)  # fmt: skip
+
+    def test_says_what_it_leaves_out(self):
+        self.assertTrue(any("hoop stress" in n for n in self.pressed.notes()))
+
+
 if __name__ == "__main__":
     unittest.main()

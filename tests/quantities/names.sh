@@ -55,6 +55,7 @@ table lines hinge-duty $duty --wear-seat 1e-6 --cycles 1e4 \
 for file in states map blocks; do columns "hinge-duty-$file" "$out/$file"; done
 table columns hinge-angle hinge-angle $open --load 1e3 --law exact,fitted
 table columns hinge-angle-pin hinge-angle $pin --load 1e3
+table columns hinge-angle-pressed hinge-angle $pressed --load 2kN
 table columns hinge-angle-half-angle hinge-angle $open --inverse --theta0 30
 table columns hinge-angle-compare hinge-angle $open --load 1e3 --compare
 play="hinge-angle $ball --force-law --load 1e3"
@@ -63,7 +64,7 @@ table columns hinge-angle-force-law-compare $play --compare
 table columns hinge-angle-impact hinge-angle $ball --impact --mass 1 \
   --speed 0.1 --restitution 0.5
 table columns hinge-pressure hinge-pressure $ball --load 2kN
-for joint in ball pin; do
+for joint in ball pin pressed; do
   table columns "hinge-pressure-summary-$joint" \
     hinge-pressure ${!joint} --load 2kN --law exact --summary
 done

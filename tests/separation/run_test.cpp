@@ -2,12 +2,14 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <string>
 #include <utility>
 
 #include "libcontact/base/units.hpp"
+#include "libcontact/files/joint_file.hpp"
 #include "separation/case/case_reader.hpp"
 #include "separation/results/run.hpp"
 #include "separation/results/summary.hpp"
@@ -23,6 +25,8 @@ using separation::Rows;
 using separation::run_case;
 
 const std::string pin_joint = CONTACT_DATA_DIR "/joints/pin_joint.toml";
+const std::string pressed_joint =
+    CONTACT_DATA_DIR "/joints/lined_bush_pressed.toml";
 const std::string ball_joint =
     CONTACT_DATA_DIR "/joints/spherical_plain_bearing_infinite.toml";
 
@@ -41,10 +45,11 @@ Vector3d vector(const Rows& rows, std::size_t row, const std::string& name,
 // A balanced wheel of 20 kg and 2 kg m^2 on a horizontal pin along y, on a
 // carrier that is turned and held. Its reaction is its weight, so the friction
 // moment on it is constant, against its turn.
-Case wheel() {
+Case wheel(const std::string& joint = pin_joint, double weight = 10) {
   return parse_case(R"(
 name = "wheel"
-gravity_m_per_s2 = [0, 0, -10]
+gravity_m_per_s2 = [0, 0, -)" +
+                        std::to_string(weight) + R"(]
 run = { end_time_s = 0.5, output_step_s = 0.01 }
 [carrier]
 name = "base"
@@ -63,7 +68,7 @@ axis = [1, 0, 0]
 carrier_point_m = [1, 2, 3]
 zero_rotation_deg = [10, 0, 0]
 [[body.hinge.joint]]
-file = ")" + pin_joint + "\"\n",
+file = ")" + joint + "\"\n",
                     "c.toml");
 }
 
@@ -107,6 +112,64 @@ TEST(FrictionWork, IsPositiveAndWhatTheMotionLoses) {
   }
   EXPECT_EQ(separation::summary(c, outcome)["bodies"][0]["work_of_friction_J"],
             before);
+}
+
+// A wheel on a bush with interference turns against the same moment under its
+// weight, which leaves the contact closed, and without any.
+TEST(PressedHinge, BrakesWithoutLoad) {
+  const double expected =
+      read_joint(pressed_joint).contact().unloaded_moment(0);
+  for (const double weight : {10., 0.}) {
+    const Outcome outcome = run_case(wheel(pressed_joint, weight), {});
+    ASSERT_EQ(outcome.failure, "");
+    const Rows& rows = outcome.memory.rows;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      EXPECT_NEAR(value(rows, i, "wheel.friction_moment_N_m"), expected,
+                  1e-9 * expected);
+      EXPECT_NEAR(value(rows, i, "wheel.reaction_N"), 20 * weight, 1e-9);
+    }
+    EXPECT_LE(outcome.memory.largest_drift,
+              1e-8 * outcome.memory.largest_energy);
+  }
+}
+
+// A pendulum whose bush lifts off and closes as it swings.
+TEST(PressedHinge, SwingsThroughLiftOff) {
+  const Case c = parse_case(R"(
+name = "pendulum"
+gravity_m_per_s2 = [0, 0, -10]
+run = { end_time_s = 6, output_step_s = 0.01 }
+[carrier]
+name = "base"
+mass_kg = 100
+principal_inertia_kg_m2 = [1, 1, 1]
+drive = { acceleration_m_per_s2 = [0, 0, 0] }
+[[body]]
+name = "arm"
+mass_kg = 200
+principal_inertia_kg_m2 = [2, 3, 3]
+com_m = [0, 0, -0.3]
+start = { angle_deg = 80 }
+[body.hinge]
+kind = "axis"
+axis = [1, 0, 0]
+[[body.hinge.joint]]
+file = ")" + pressed_joint + "\"\n",
+                            "c.toml");
+  const double lift_off = read_joint(pressed_joint).contact().lift_off_force();
+  const Outcome outcome = run_case(c, {});
+  ASSERT_EQ(outcome.failure, "");
+  const Rows& rows = outcome.memory.rows;
+  double least = INFINITY;
+  double most = 0;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const double force = value(rows, i, "arm.reaction_N");
+    least = std::min(least, force);
+    most = std::max(most, force);
+  }
+  EXPECT_LT(least, 0.5 * lift_off);
+  EXPECT_GT(most, 1.5 * lift_off);
+  EXPECT_LE(outcome.memory.largest_drift, 1e-7 * outcome.memory.largest_energy);
 }
 
 TEST(HistoryVectors, HaveTheLengthsOfTheOtherColumns) {

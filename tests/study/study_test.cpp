@@ -499,6 +499,31 @@ TEST_F(StudyFolder, InterferenceHasItsNumbers) {
   }
 }
 
+// It turns hard without any load; a joint with a clearance does not.
+TEST_F(StudyFolder, InterferenceMayBeUnloaded) {
+  const auto file = [&](const std::string& joint) {
+    return write("s.toml", "name = 'bush'\njoint = '" CONTACT_DATA_DIR
+                           "/joints/" +
+                               joint +
+                               ".toml'\nruns = 2\nload = { reaction_kN = 0 }\n"
+                               "quantities = 'M_t_N_m'\n[[dispersion]]\n"
+                               "key = 'friction.coefficient'\n"
+                               "kind = 'uniform'\nlow = 0.05\nhigh = 0.15\n");
+  };
+  const Study pressed(file("lined_bush_pressed"));
+  const JointContact contact =
+      read_joint(CONTACT_DATA_DIR "/joints/lined_bush_pressed.toml").contact();
+  EXPECT_NEAR(pressed.nominal().at("M_t_N_m") / contact.unloaded_moment(0), 1,
+              1e-12);
+  EXPECT_EQ(pressed.row(1).failure, "");
+  const std::string text =
+      error_message([&] { const Study open(file("pin_joint")); });
+  EXPECT_TRUE(text.ends_with(
+      ":4: load.reaction_kN = 0 must be above 0, as a joint without "
+      "interference has no friction without load"))
+      << text;
+}
+
 TEST_F(StudyFolder, OneKeyUnderTwoNamesIsRefused) {
   write("c.toml", arm_case);
   const auto message = [&](const std::string& one, const std::string& two) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "cli/column_of.hpp"
@@ -51,7 +52,7 @@ void Findings::add(const Findings& more) {
 }
 
 AngleTable::AngleTable(const cli::Joint& joint, const Input& input,
-                       bool own_hertz)
+                       bool own_hertz, bool preload)
     : joint_(joint),
       input_(input),
       loads_(joint),
@@ -62,9 +63,11 @@ AngleTable::AngleTable(const cli::Joint& joint, const Input& input,
   for (const NamedLaw& law : laws_) {
     if (cli::JointApproach::of(*law.law)) approach_.emplace(law.law, joint);
   }
-  if (joint.spec.geometry.radial_clearance() > 0) return;
+  if (!preload) return;
+  has_clearance_ = joint.spec.geometry.radial_clearance() > 0;
   for (std::size_t i = 0; i < laws_.size(); ++i) {
-    preloaded_.push_back(joint.contact(contact::FrictionLaw(0), i, 0));
+    preload_.emplace_back(joint, i);
+    if (cli::JointApproach::of(*laws_[i].law)) preload_law_ = i;
   }
 }
 
@@ -85,20 +88,29 @@ void AngleTable::add_columns(const NamedLaw& law,
   }
 }
 
-void AngleTable::write(const NamedLaw& law, double half_angle,
-                       double load_parameter, double force, cli::RowWriter& row,
+void AngleTable::write(std::size_t i, const Cell& cell, cli::RowWriter& row,
                        Findings& findings) const {
+  const NamedLaw& law = laws_[i];
   const double peak =
-      preloaded_.empty()
-          ? peak_pressure(law, half_angle, load_parameter)
-          : preloaded_[static_cast<std::size_t>(&law - laws_.data())]
-                .peak_pressure(force, half_angle);
+      has_clearance_
+          ? peak_pressure(law, cell.half_angle, cell.load_parameter)
+          : preload_[i].contact().peak_pressure(cell.force, cell.half_angle);
   row.number(peak);
-  findings.largest.add(half_angle, loads_.have_load() ? peak : 0);
+  findings.largest.add(cell.half_angle, loads_.have_load() ? peak : 0);
   if (!approach_ || !cli::JointApproach::of(*law.law)) return;
-  const contact::ContactApproach value = (*approach_)(half_angle);
+  const contact::ContactApproach value = (*approach_)(cell.half_angle);
   row.number(value.approach);
   row.number(value.stiffness);
+}
+
+void AngleTable::write_preload(const Cell& cell, cli::RowWriter& row) const {
+  if (preload_.empty()) return;
+  preload_[preload_law_].write(cell.force, cell.half_angle, row);
+}
+
+void AngleTable::add_preload_columns(std::vector<std::string>& names) const {
+  if (preload_.empty()) return;
+  std::ranges::move(preload_[0].columns(), std::back_inserter(names));
 }
 
 std::vector<std::string> AngleTable::columns() const {
@@ -114,6 +126,7 @@ std::vector<std::string> AngleTable::columns() const {
       }
       add_columns(law, names);
     }
+    add_preload_columns(names);
     return names;
   }
   if (loads_.have_load()) names.push_back(loads_.column());
@@ -124,6 +137,7 @@ std::vector<std::string> AngleTable::columns() const {
     names.push_back(patch_column("half_angle", law.name));
     add_columns(law, names);
   }
+  add_preload_columns(names);
   return names;
 }
 
@@ -150,18 +164,21 @@ void AngleTable::write_load_row(double load, cli::RowWriter& row,
   row.number(parameter);
   row.number(load_as(LoadVariable::x));
   if (loads_.have_load()) {
-    row.number(preloaded_.empty()
-                   ? loads_.nominal_pressure(parameter)
-                   : joint_.spec.geometry.nominal_pressure(force));
+    row.number(has_clearance_ ? loads_.nominal_pressure(parameter)
+                              : joint_.spec.geometry.nominal_pressure(force));
   }
   RowCount count(findings);
+  Cell of_preload{};
   for (std::size_t i = 0; i < laws_.size(); ++i) {
     const contact::HalfAngleResult result = laws_[i].law->half_angle(parameter);
     count.add(i, result.status);
     row.number(result.half_angle / contact::degree);
-    write(laws_[i], result.half_angle, parameter, force, row, findings[i]);
+    const Cell cell{result.half_angle, parameter, force};
+    write(i, cell, row, findings[i]);
+    if (i == preload_law_) of_preload = cell;
   }
   count.end();
+  write_preload(of_preload, row);
 }
 
 void AngleTable::write_half_angle_row(double theta0_deg, cli::RowWriter& row,
@@ -169,11 +186,13 @@ void AngleTable::write_half_angle_row(double theta0_deg, cli::RowWriter& row,
   const double half_angle = theta0_deg * contact::degree;
   row.number(theta0_deg);
   RowCount count(findings);
+  Cell of_preload{};
   for (std::size_t i = 0; i < laws_.size(); ++i) {
     contact::LoadParameterResult result =
         laws_[i].law->load_parameter(half_angle);
-    // Half-angles of another sign of the clearance.
-    if (loads_.have_load() && loads_.law_load(result.load_parameter) < 0) {
+    // Half-angles of another sign of the clearance. Without clearance there is
+    // one, which every load makes.
+    if (loads_.have_load() && !loads_.makes(result.load_parameter)) {
       result = {std::numeric_limits<double>::quiet_NaN(),
                 contact::Status::out_of_range};
     }
@@ -187,9 +206,12 @@ void AngleTable::write_half_angle_row(double theta0_deg, cli::RowWriter& row,
     row.number(parameter);
     row.number(load_as(LoadVariable::x));
     if (loads_.have_load()) row.number(loads_.nominal_pressure(parameter));
-    write(laws_[i], half_angle, parameter, force, row, findings[i]);
+    const Cell cell{half_angle, parameter, force};
+    write(i, cell, row, findings[i]);
+    if (i == preload_law_) of_preload = cell;
   }
   count.end();
+  write_preload(of_preload, row);
 }
 
 double AngleTable::peak_pressure(const NamedLaw& law, double half_angle,

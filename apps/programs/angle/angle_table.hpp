@@ -7,6 +7,7 @@
 
 #include "cli/joint/joint_approach.hpp"
 #include "cli/joint/joint_options.hpp"
+#include "cli/joint/joint_preload.hpp"
 #include "cli/joint/laws.hpp"
 #include "cli/table.hpp"
 #include "libcontact/pressure/validity.hpp"
@@ -34,7 +35,9 @@ class AngleTable {
   /// @param joint  with one pressure law; must outlive the table
   /// @param input  of that joint; must outlive the table
   /// @param own_hertz  whether the peaks of the law hertz are Hertz' own
-  AngleTable(const cli::Joint& joint, const Input& input, bool own_hertz);
+  /// @param preload    whether it has the columns of cli::JointPreload
+  AngleTable(const cli::Joint& joint, const Input& input, bool own_hertz,
+             bool preload);
 
   /// load_N or load_N_per_m (if the joint has a geometry), load_parameter, x,
   /// p_nominal_Pa (with a geometry), then for each law theta0_LAW_deg and
@@ -43,6 +46,7 @@ class AngleTable {
   /// Of half-angles: theta0_deg, then for each law load_LAW_N or
   /// load_LAW_N_per_m, load_parameter_LAW, x_LAW, p_nominal_LAW_Pa, and the
   /// peak pressure, approach and stiffness as above.
+  /// Behind all laws those of cli::JointPreload, by exact or the first law.
   std::vector<std::string> columns() const;
   /// @param findings  for each law; added to
   void write_row(std::size_t index, cli::RowWriter& row,
@@ -56,8 +60,16 @@ class AngleTable {
                             std::vector<Findings>& findings) const;
   /// The columns behind the half-angle or the load.
   void add_columns(const NamedLaw& law, std::vector<std::string>& names) const;
-  void write(const NamedLaw& law, double half_angle, double load_parameter,
-             double force, cli::RowWriter& row, Findings& findings) const;
+  /// One law's cells there.
+  struct Cell {
+    double half_angle;  ///< rad
+    double load_parameter;
+    double force;  ///< as Loads has it; 0 without a geometry
+  };
+  void write(std::size_t law, const Cell& cell, cli::RowWriter& row,
+             Findings& findings) const;
+  void add_preload_columns(std::vector<std::string>& names) const;
+  void write_preload(const Cell& cell, cli::RowWriter& row) const;
   bool is_own_hertz(const NamedLaw& law) const;
   // Pa, or over the nominal pressure without a geometry.
   double peak_pressure(const NamedLaw& law, double half_angle,
@@ -70,8 +82,11 @@ class AngleTable {
   const std::vector<NamedLaw>& laws_;
   const cli::NamedPressure& pressure_;
   std::optional<cli::JointApproach> approach_;
-  // Of a joint without clearance, for each law.
-  std::vector<contact::JointContact> preloaded_;
+  // For each law, where the tables have these columns.
+  std::vector<cli::JointPreload> preload_;
+  // Whose columns they are: those of exact, or of the first law.
+  std::size_t preload_law_ = 0;
+  bool has_clearance_ = true;
 };
 
 }  // namespace hinge_angle

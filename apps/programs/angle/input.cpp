@@ -1,6 +1,7 @@
 #include "programs/angle/input.hpp"
 
 #include <limits>
+#include <utility>
 
 #include "cli/program.hpp"
 #include "cli/quantity.hpp"
@@ -46,6 +47,19 @@ Input load_input(const std::string& text, const cli::Joint& joint) {
                      per_length ? Dimension::line_force : Dimension::force)};
 }
 
+// Load parameters of a joint without clearance are infinite or negative.
+void check_clearance(const LoadOptions& options, const cli::Joint& joint) {
+  if (!joint.has_size || joint.spec.geometry.radial_clearance() > 0) return;
+  for (const auto& [flag, given] :
+       {std::pair("--load-parameter", &options.load_parameter),
+        {"--x", &options.x}}) {
+    if (!given->empty()) {
+      cli::refuse_without(flag,
+                          "a clearance above 0; without one there is --load");
+    }
+  }
+}
+
 }  // namespace
 
 Input make_input(const LoadOptions& options, const cli::Joint& joint) {
@@ -56,6 +70,7 @@ Input make_input(const LoadOptions& options, const cli::Joint& joint) {
             cli::Sweep("--theta0", options.theta0, {0, 180, "deg"},
                        Dimension::angle)};
   }
+  check_clearance(options, joint);
   if (!options.load_parameter.empty()) {
     return {LoadVariable::load_parameter, false,
             cli::Sweep("--load-parameter", options.load_parameter,

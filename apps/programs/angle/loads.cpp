@@ -19,9 +19,9 @@ double Loads::convert(LoadVariable from, double load, LoadVariable to) const {
   }
   double parameter = load;
   if (from == LoadVariable::load) {
-    parameter = scale_->load_parameter(geometry_.load_from_force(load));
+    parameter = load_parameter(geometry_.load_from_force(load));
   }
-  if (from == LoadVariable::line_load) parameter = scale_->load_parameter(load);
+  if (from == LoadVariable::line_load) parameter = load_parameter(load);
   if (from == LoadVariable::x) {
     parameter =
         contact::LoadScale::load_parameter_from_x(geometry_.kind(), load);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <string>
 
@@ -35,6 +36,17 @@ class Loads {
   /// The load of the laws, R_n, N, or P, N/m.
   double law_load(double load_parameter) const {
     return scale_->load(load_parameter);
+  }
+  /// Infinite without clearance, at every load.
+  double load_parameter(double law_load) const {
+    return geometry_.radial_clearance() == 0
+               ? std::numeric_limits<double>::infinity()
+               : scale_->load_parameter(law_load);
+  }
+  /// Whether a load makes a load parameter of the laws: of the clearance's
+  /// sign, and none without clearance.
+  bool makes(double load_parameter) const {
+    return geometry_.radial_clearance() != 0 && law_load(load_parameter) >= 0;
   }
   /// Nominal pressure, Pa.
   double nominal_pressure(double load_parameter) const {

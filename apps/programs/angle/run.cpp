@@ -31,9 +31,10 @@ class Tables {
  public:
   Tables(const std::vector<cli::Joint>& joints,
          const std::vector<Input>& inputs, bool own_hertz) {
+    const bool preload = cli::JointPreload::any_of(joints);
     std::vector<std::vector<std::string>> columns;
     for (std::size_t i = 0; i < joints.size(); ++i) {
-      tables_.emplace_back(joints[i], inputs[i], own_hertz);
+      tables_.emplace_back(joints[i], inputs[i], own_hertz, preload);
       columns.push_back(tables_.back().columns());
       none_.emplace_back(joints[i].laws.size());
     }

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numbers>
 
@@ -19,15 +21,16 @@ std::string patch_column(std::string_view key) {
 
 }  // namespace
 
-PressureTable::PressureTable(const cli::Joint& joint)
+PressureTable::PressureTable(const cli::Joint& joint, bool preload)
     : joint_(joint), loads_(joint) {
   const auto& law = joint.laws[0].law;
   if (joint.has_size && cli::JointApproach::of(*law)) {
     approach_.emplace(law, joint);
   }
-  if (!joint.has_size || joint.spec.geometry.radial_clearance() > 0) return;
+  if (!joint.has_size || !preload) return;
+  has_clearance_ = joint.spec.geometry.radial_clearance() > 0;
   for (std::size_t i = 0; i < joint.pressures.size(); ++i) {
-    preloaded_.push_back(joint.contact(contact::FrictionLaw(0), 0, i));
+    preload_.emplace_back(joint, 0, i);
   }
 }
 
@@ -40,8 +43,9 @@ double PressureTable::scale(const LoadedContact& contact) const {
 
 double PressureTable::pressure(std::size_t i, const LoadedContact& contact,
                                double theta) const {
-  if (!preloaded_.empty()) {
-    return preloaded_[i].pressure(theta, contact.load, contact.half_angle);
+  if (!has_clearance_) {
+    return preload_[i].contact().pressure(theta, contact.load,
+                                          contact.half_angle);
   }
   // The contact shrinks with the load, but slower.
   if (joint_.has_size && contact.load == 0) return 0;
@@ -116,6 +120,9 @@ std::vector<std::string> PressureTable::summary_columns() const {
   if (approach_) {
     for (auto& name : approach_->columns()) names.push_back(std::move(name));
   }
+  if (!preload_.empty()) {
+    std::ranges::move(preload_[0].columns(), std::back_inserter(names));
+  }
   return names;
 }
 
@@ -133,7 +140,7 @@ void PressureTable::write_summary(const LoadedContact& contact,
   for (std::size_t i = 0; i < joint_.pressures.size(); ++i) {
     const NamedPressure& law = joint_.pressures[i];
     const contact::JointContact* preloaded =
-        preloaded_.empty() ? nullptr : &preloaded_[i];
+        has_clearance_ ? nullptr : &preload_[i].contact();
     write_contact(contact, row);
     row.text(joint_.laws[0].name);
     row.text(law.name);
@@ -173,6 +180,7 @@ void PressureTable::write_summary(const LoadedContact& contact,
       row.number(approach.approach);
       row.number(approach.stiffness);
     }
+    if (!preload_.empty()) preload_[i].write(contact.load, half_angle, row);
     row.end();
   }
 }

@@ -6,6 +6,7 @@
 
 #include "cli/joint/joint_approach.hpp"
 #include "cli/joint/joint_options.hpp"
+#include "cli/joint/joint_preload.hpp"
 #include "cli/joint/laws.hpp"
 #include "cli/table.hpp"
 #include "programs/pressure/loaded_contacts.hpp"
@@ -18,8 +19,9 @@ using cli::NamedPressure;
 /// has no geometry.
 class PressureTable {
  public:
-  /// @param joint  with one half-angle law; must outlive the table
-  explicit PressureTable(const cli::Joint& joint);
+  /// @param joint    with one half-angle law; must outlive the table
+  /// @param preload  whether the summary has the columns of cli::JointPreload
+  PressureTable(const cli::Joint& joint, bool preload);
 
   /// load_N or load_N_per_m (if the joint has a geometry), load_parameter,
   /// theta0_deg, loading (if it is through the back), theta_deg, p_LAW_Pa or
@@ -32,7 +34,8 @@ class PressureTable {
   /// The first columns as above, law, pressure, p_peak, p_mean and p_nominal
   /// (with a geometry), area of the contact, S, and for a ball the friction
   /// coefficients of pure sliding and pure spinning; approach and stiffness if
-  /// the joint has a geometry and the half-angles are exact.
+  /// the joint has a geometry and the half-angles are exact; those of
+  /// cli::JointPreload.
   std::vector<std::string> summary_columns() const;
   /// A row for each law.
   void write_summary(const LoadedContact& contact, cli::RowWriter& row) const;
@@ -51,9 +54,10 @@ class PressureTable {
   const cli::Joint& joint_;
   hinge_angle::Loads loads_;
   std::optional<cli::JointApproach> approach_;
-  // Of a joint without clearance, for each pressure law: its contacts do not
-  // follow from load parameter and half-angle alone.
-  std::vector<contact::JointContact> preloaded_;
+  // For each pressure law, where the summary has these columns.
+  std::vector<cli::JointPreload> preload_;
+  // Without it contacts do not follow from load parameter and half-angle alone.
+  bool has_clearance_ = true;
 };
 
 }  // namespace hinge_pressure

@@ -158,9 +158,10 @@ cli::ExitStatus run(const Options& options) {
   }
   std::vector<LoadedContacts> contacts;
   std::vector<PressureTable> tables;
+  const bool preload = cli::JointPreload::any_of(joints);
   for (std::size_t i = 0; i < joints.size(); ++i) {
     contacts.emplace_back(inputs[i], joints[i]);
-    tables.emplace_back(joints[i]);
+    tables.emplace_back(joints[i], preload);
   }
   const cli::Table table(options.output,
                          columns(joints, tables, options.summary));

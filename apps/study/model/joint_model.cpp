@@ -45,7 +45,14 @@ JointModel::JointModel(const Plan& plan) : plan_(plan) {
       std::ranges::move(columns_of(q), std::back_inserter(preload_columns_));
     }
   }
-  read(KeySettings{});
+  const Loaded first = read(KeySettings{});
+  // One that scatters about a clearance of 0 may be unloaded in some runs.
+  if (first.reaction == 0 && !first.joint.contact().has_interference()) {
+    plan.file.table("load").must_be(
+        "reaction",
+        "above 0, as a joint without interference has no friction "
+        "without load");
+  }
 }
 
 JointModel::~JointModel() = default;
@@ -64,7 +71,7 @@ JointModel::Loaded JointModel::loaded(const TomlTable& joint,
   const contact::JointSpec spec = contact::joint_of_file(joint);
   const TomlTable load = study.table("load");
   return {contact::Joint(spec.contact(laws)),
-          load.number("reaction", Interval::positive()),
+          load.number("reaction", Interval::non_negative()),
           load.optional_number("beta", {0, std::numbers::pi})
               .value_or(std::numbers::pi / 2),
           load.optional_number("rate", Interval::positive()).value_or(1)};

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "libcontact/base/gauss_legendre.hpp"
+#include "libcontact/conforming/gap/harmonic_fade.hpp"
 #include "libcontact/conforming/gap/odd_bessel.hpp"
 #include "libcontact/conforming/wall_harmonics.hpp"
 
@@ -15,10 +16,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-// Harmonics of the pressure at the centre: what is left of them after their
-// limit falls like n^-3 with changing signs.
-constexpr int centre_harmonics = 3000;
-// The same elsewhere, where 1e-7 is enough.
+// Harmonics of the pressure near the edge, where 1e-7 is enough.
 constexpr int profile_harmonics = 400;
 
 BallConstants constants_of(const ElasticPair& pair) {
@@ -124,36 +122,9 @@ GapField BallGap::field(double psi) const {
   const double k1_rate = 1.5 * (1 - phi1_rate);
 
   const Eigen::VectorXd phi = u.col(1) - y * u.col(0);
-  // ∫ phi'/(2 cos(f/2)) df by parts.
-  Eigen::VectorXd weight(galerkin_.projection_node.size());
-  for (Eigen::Index k = 0; k < weight.size(); ++k) {
-    const double f = psi * galerkin_.projection_node(k);
-    const double c = std::cos(f / 2);
-    weight(k) = std::sin(f / 2) / (4 * c * c);
-  }
-  const double by_parts = -psi / 2 * (galerkin_.projection * weight).dot(phi);
-  // sum (-1)^n (1/c_n - N) Phi_n, n >= 2; of a constant in the bracket the
-  // whole sum, n >= 0, is 0.
-  const double limit = rest_limit();
-  double opposite = -limit * (phi0 - phi1);
-  Eigen::VectorXd bessel(count);
-  const int last =
-      std::max(centre_harmonics, static_cast<int>(correction_.size()));
-  for (int n = 2; n < last; ++n) {
-    odd_spherical_bessel((n + 0.5) * psi, bessel);
-    double moment = 0;
-    for (int j = 0; j < count; ++j) {
-      moment += (j % 2 == 0 ? 1 : -1) * bessel(j) * phi(j);
-    }
-    opposite +=
-        (n % 2 == 0 ? 1 : -1) * (stiffness_rest(n) - limit) * psi * moment;
-  }
-  const double k0 = k1 + k0_less_k1;
-  const double centre = k0 + k1 + by_parts - phi0 / 2 + 1.5 * phi1 + opposite;
-
   const double beyond = (phi0 - mean_ * k0_less_k1) / k1;
   return {{beyond - mean_, beyond, -k0_less_k1 / k1, phi1 / k1,
-           phi1_rate / k1_rate, centre / k1},
+           phi1_rate / k1_rate},
           psi,
           phi0 / k1,
           phi / k1};
@@ -182,6 +153,46 @@ void BallGap::harmonics(const GapField& field, std::span<double> out) const {
     const int order = static_cast<int>(n);
     out[n] *= (order % 2 == 0 ? 1 : -1) * (stiffness_rest(order) + order + 0.5);
   }
+}
+
+// sum (1/c_n - N) Phi_n P_n(cos t'), n >= 2. Of a constant in the bracket the
+// whole sum, n >= 0, is 0 beyond the gap.
+double BallGap::smooth(const GapField& field, double opposite) const {
+  const HarmonicFade fade(
+      opposite - field.opening,
+      std::max(profile_harmonics, static_cast<int>(correction_.size())));
+  std::vector<double> moment(static_cast<std::size_t>(fade.end()));
+  moments(field, moment);
+  const double limit = rest_limit();
+  const double cosine = std::cos(opposite);
+  double before = 1;
+  double legendre = cosine;
+  double sum = -limit * (moment[0] + moment[1] * cosine);
+  for (int n = 2; n < fade.end(); ++n) {
+    const double next =
+        ((2 * n - 1) * cosine * legendre - (n - 1) * before) / n;
+    before = legendre;
+    legendre = next;
+    sum += fade(n) * (stiffness_rest(n) - limit) *
+           moment[static_cast<std::size_t>(n)] * legendre;
+  }
+  return sum;
+}
+
+double BallGap::centre(const GapField& field) const {
+  const double psi = field.opening;
+  // ∫ phi'/(2 cos(f/2)) df by parts.
+  Eigen::VectorXd weight(galerkin_.projection_node.size());
+  for (Eigen::Index k = 0; k < weight.size(); ++k) {
+    const double f = psi * galerkin_.projection_node(k);
+    const double c = std::cos(f / 2);
+    weight(k) = std::sin(f / 2) / (4 * c * c);
+  }
+  const double by_parts =
+      -psi / 2 * (galerkin_.projection * weight).dot(field.series);
+  const SignedContact& c = field.contact;
+  return 2 - c.mean_deficit + by_parts - field.mean_gap / 2 +
+         1.5 * c.gap_shift + smooth(field, pi);
 }
 
 double BallGap::pressure(const GapField& field, double theta) const {
@@ -218,25 +229,10 @@ double BallGap::pressure(const GapField& field, double theta) const {
   }
   integral *= largest / 2 * opposite / psi;
 
-  std::vector<double> moment(
-      std::max<std::size_t>(profile_harmonics, correction_.size()));
-  moments(field, moment);
-  const double limit = rest_limit();
   const double cosine = std::cos(opposite);
-  double before = 1;
-  double legendre = cosine;
-  double smooth = -limit * (moment[0] + moment[1] * cosine);
-  for (std::size_t n = 2; n < moment.size(); ++n) {
-    const double order = static_cast<double>(n);
-    const double next =
-        ((2 * order - 1) * cosine * legendre - (order - 1) * before) / order;
-    before = legendre;
-    legendre = next;
-    smooth +=
-        (stiffness_rest(static_cast<int>(n)) - limit) * moment[n] * legendre;
-  }
   return 1 - field.contact.mean_deficit - cosine + integral -
-         field.mean_gap / 2 - 1.5 * field.contact.gap_shift * cosine + smooth;
+         field.mean_gap / 2 - 1.5 * field.contact.gap_shift * cosine +
+         smooth(field, opposite);
 }
 
 }  // namespace contact::detail

@@ -28,6 +28,8 @@ class BallGap {
   /// @param pair      layers may be none
   /// @param unknowns  [8, 64]; 0 for as many as the walls ask for
   explicit BallGap(const LayeredPair& pair, int unknowns = 0);
+  /// As PinGap has it: the same.
+  static BallGap coarse(const LayeredPair& pair) { return BallGap(pair); }
 
   /// @param opening  psi = pi - theta0, (0, pi - smallest_half_angle], rad
   SignedContact solve(double opening) const { return field(opening).contact; }
@@ -37,6 +39,8 @@ class BallGap {
   /// p(theta)/p_1; 0 outside the contact.
   /// @param theta  from the contact's centre, rad, [0, pi]
   double pressure(const GapField& field, double theta) const;
+  /// p(0)/p_1, more accurate than pressure().
+  double centre(const GapField& field) const;
   /// p_n/p_1, n < out.size().
   void harmonics(const GapField& field, std::span<double> out) const;
 
@@ -47,6 +51,7 @@ class BallGap {
   /// (n + 1/2) e_n = 1/c_n - (n + 1/2), n >= 2, which tends to rest_limit().
   double stiffness_rest(int n) const;
   double rest_limit() const;
+  double smooth(const GapField& field, double opposite) const;
   void moments(const GapField& field, std::span<double> out) const;
 
   BallConstants constants_;

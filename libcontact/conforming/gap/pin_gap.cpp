@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "libcontact/conforming/gap/harmonic_fade.hpp"
 #include "libcontact/conforming/kernel/pin_wall_modes.hpp"
 #include "libcontact/conforming/pin_integrals.hpp"
 #include "libcontact/conforming/wall_harmonics.hpp"
@@ -17,22 +18,20 @@ namespace {
 constexpr double pi = std::numbers::pi;
 
 // Of the harmonics of a gap: the rest of the sums leaves 1/(3 psi N^3) of x.
-int harmonics(double opening, std::size_t corrected) {
-  const double smooth = std::max(2500.0, 3500 / std::cbrt(opening));
+int harmonics(double opening, double share, std::size_t corrected) {
+  const double smooth = share * std::max(2500.0, 3500 / std::cbrt(opening));
   return std::max(static_cast<int>(smooth), static_cast<int>(corrected));
 }
 
-// Harmonics of the pressure at the centre, opposite the gap: they fall like
-// n^-3.5 with changing signs.
-constexpr int centre_harmonics = 1500;
-// The same elsewhere, where 1e-7 is enough.
+// Harmonics of the pressure near the edge, where 1e-7 is enough.
 constexpr int profile_harmonics = 400;
 
 }  // namespace
 
-PinGap::PinGap(const LayeredPair& pair, int unknowns)
+PinGap::PinGap(const LayeredPair& pair, int unknowns, double harmonics)
     : beta_(pair.surfaces().dundurs_beta()),
-      unknowns_(unknowns == 0 ? gap_unknowns(pair) : unknowns) {
+      unknowns_(unknowns == 0 ? gap_unknowns(pair) : unknowns),
+      harmonics_(harmonics) {
   const WallHarmonics walls(JointKind::pin, pair);
   mean_ = walls.mean;
   first_ = walls.first;
@@ -63,7 +62,7 @@ GapField PinGap::field(double psi) const {
   const Eigen::MatrixXd& t = modes.transformation();
 
   // sum r_n G_n G_n^T, and the edge's sum r_n om_n G_n.
-  const int end = harmonics(psi, correction_.size());
+  const int end = harmonics(psi, harmonics_, correction_.size());
   const HarmonicSamples samples(psi, end);
   const std::vector<double> average = edge_averages(psi, end);
   Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(t.rows(), t.rows());
@@ -115,31 +114,43 @@ GapField PinGap::field(double psi) const {
   const double g1_rate = first(1) - rate * first(0);
   const double k1_rate = 1 - (1 - beta_) * g1_rate;
 
-  // sum r_n g_n cos(n pi)
   const Eigen::VectorXd gap = y.col(1) - excess * y.col(0);
-  const Eigen::VectorXd series = b / pi * (t * gap);
+  const double beyond = (g0 - mean_ * k0_less_k1) / k1;
+  return {
+      {beyond - mean_, beyond, -k0_less_k1 / k1, g1 / k1, g1_rate / k1_rate},
+      psi,
+      g0 / k1,
+      gap / k1};
+}
+
+// sum r_n g_n cos(n t'), n >= 2
+double PinGap::smooth(const GapField& field, double opposite) const {
+  const double b = std::tan(field.opening / 2);
+  const PinWallModes modes(field.opening,
+                           static_cast<int>(field.series.size()));
+  const Eigen::VectorXd series =
+      b / pi * (modes.transformation() * field.series);
+  const HarmonicFade fade(
+      opposite - field.opening,
+      std::max(profile_harmonics, static_cast<int>(correction_.size())));
   std::vector<double> order;
-  const int last =
-      std::max(centre_harmonics, static_cast<int>(correction_.size()));
-  for (int n = 2; n < last; ++n) order.push_back(n);
-  double opposite = 0;
+  for (int n = 2; n < fade.end(); ++n) order.push_back(n);
+  double sum = 0;
   modes.visit(order, [&](int start, const auto& g) {
     const Eigen::VectorXd harmonic = g * series;
     for (int i = 0; i < g.rows(); ++i) {
       const int n = static_cast<int>(order[start + i]);
-      opposite += (n % 2 == 0 ? 1 : -1) * stiffness_rest(n) * harmonic(i);
+      sum += fade(n) * stiffness_rest(n) * harmonic(i) * std::cos(n * opposite);
     }
   });
-  const double k0 = k1 + k0_less_k1;
-  const double centre =
-      k0 + k1 - b * b / 4 * gap(0) + beta_ * g0 + (1 - beta_) * g1 + opposite;
+  return sum;
+}
 
-  const double beyond = (g0 - mean_ * k0_less_k1) / k1;
-  return {{beyond - mean_, beyond, -k0_less_k1 / k1, g1 / k1, g1_rate / k1_rate,
-           centre / k1},
-          psi,
-          g0 / k1,
-          gap / k1};
+double PinGap::centre(const GapField& field) const {
+  const SignedContact& c = field.contact;
+  const double b = std::tan(field.opening / 2);
+  return 2 - c.mean_deficit - b * b / 4 * field.series(0) +
+         beta_ * field.mean_gap + (1 - beta_) * c.gap_shift + smooth(field, pi);
 }
 
 double PinGap::pressure(const GapField& field, double theta) const {
@@ -161,25 +172,9 @@ double PinGap::pressure(const GapField& field, double theta) const {
   }
   // The gap's series has the factor b.
   const double singular = (1 + b * b * s * s) / (2 * root) * sum;
-  const PinWallModes modes(psi, static_cast<int>(field.series.size()));
-  const Eigen::VectorXd series =
-      b / pi * (modes.transformation() * field.series);
-  std::vector<double> order;
-  const int last =
-      std::max(profile_harmonics, static_cast<int>(correction_.size()));
-  for (int n = 2; n < last; ++n) order.push_back(n);
-  double smooth = 0;
-  modes.visit(order, [&](int start, const auto& g) {
-    const Eigen::VectorXd harmonic = g * series;
-    for (int i = 0; i < g.rows(); ++i) {
-      const double n = order[start + i];
-      smooth += stiffness_rest(static_cast<int>(n)) * harmonic(i) *
-                std::cos(n * opposite);
-    }
-  });
   const SignedContact& c = field.contact;
   return 1 - c.mean_deficit - cosine - singular + beta_ * field.mean_gap -
-         (1 - beta_) * c.gap_shift * cosine + smooth;
+         (1 - beta_) * c.gap_shift * cosine + smooth(field, opposite);
 }
 
 }  // namespace contact::detail

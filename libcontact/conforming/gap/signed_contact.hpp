@@ -20,8 +20,6 @@ struct SignedContact {
   double gap_shift;
   /// dD/dK_1 - c_1 at constant clearance. NaN if it has no value.
   double gap_compliance;
-  /// p(0)/p_1
-  double centre;
 };
 
 /// The gap of a contact with the coefficients of its series, over K_1.

@@ -31,13 +31,16 @@ struct LiftedPressure::Gap {
 
   Gap(JointKind kind, const LayeredPair& pair) {
     if (kind == JointKind::pin) {
-      pin.emplace(pair);
+      pin.emplace(PinGap::coarse(pair));
     } else {
       ball.emplace(pair);
     }
   }
   GapField field(double opening) const {
     return pin ? pin->field(opening) : ball->field(opening);
+  }
+  double centre(const GapField& field) const {
+    return pin ? pin->centre(field) : ball->centre(field);
   }
 };
 
@@ -55,7 +58,7 @@ LiftedPressure::LiftedPressure(JointKind kind, const LayeredPair& pair,
     const double opening = thickness_ * std::expm1(range_ * cosine * cosine);
     const GapField f = gap_->field(opening);
     if (i == 0) values.resize(count, leading + f.series.size());
-    values.row(i) << f.contact.centre, f.contact.mean_deficit / unit(opening),
+    values.row(i) << gap_->centre(f), f.contact.mean_deficit / unit(opening),
         f.contact.gap_shift / unit(opening), f.mean_gap / unit(opening),
         f.series.transpose() / unit(opening);
     for (int k = 0; k < count; ++k) {
@@ -83,7 +86,6 @@ GapField LiftedPressure::field(double opening) const {
       row(opening, static_cast<int>(coefficients_.cols()));
   GapField f{};
   f.opening = opening;
-  f.contact.centre = values(0);
   f.contact.mean_deficit = unit(opening) * values(1);
   f.contact.gap_shift = unit(opening) * values(2);
   f.mean_gap = unit(opening) * values(3);

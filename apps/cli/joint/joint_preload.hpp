@@ -1,0 +1,84 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "cli/joint/joint_options.hpp"
+#include "cli/table.hpp"
+#include "libcontact/joint/contact.hpp"
+#include "libcontact/quantities/tables.hpp"
+
+namespace cli {
+
+/// What interference and a clearance of 0 make of a contact, as columns of
+/// tables: contact_state and contact::preload_quantities().
+class JointPreload {
+ public:
+  /// Whether one of the joints has a size and no clearance: then the tables of
+  /// all of them have the columns.
+  static bool any_of(const std::vector<Joint>& joints) {
+    return std::ranges::any_of(joints, [](const Joint& joint) {
+      return joint.has_size && joint.spec.geometry.radial_clearance() <= 0;
+    });
+  }
+
+  /// @param joint     with a size
+  /// @param law       which of its half-angle laws
+  /// @param pressure  which of its pressure laws
+  explicit JointPreload(const Joint& joint, std::size_t law = 0,
+                        std::size_t pressure = 0)
+      : contact_(joint.contact(contact::FrictionLaw(0), law, pressure)),
+        rubbing_(contact_.with_friction(
+            joint.spec.friction.value_or(contact_.friction()))),
+        has_friction_(joint.spec.friction.has_value()),
+        per_length_(!joint.has_length) {}
+
+  /// "contact_state", "p_0_Pa", ...; forces and moments of a pin without a
+  /// length are per m of it: "R_lift_off_N_per_m".
+  std::vector<std::string> columns() const {
+    std::vector<std::string> names = {"contact_state"};
+    for (const auto& q : contact::preload_quantities()) {
+      names.push_back(columns_of(q)[0].name);
+      const bool grows = q.dimension == contact::Dimension::force ||
+                         q.dimension == contact::Dimension::moment;
+      if (per_length_ && grows) names.back() += "_per_m";
+    }
+    return names;
+  }
+
+  /// The cells under a normal force, N; empty where it is NaN. The moment of a
+  /// joint whose friction is not known is empty too.
+  void write(double force, double half_angle, RowWriter& row) const {
+    if (std::isnan(force)) {
+      for (std::size_t i = 0; i < columns().size(); ++i) row.empty();
+      return;
+    }
+    // A load that was found from 180 deg may be off by a rounding.
+    const bool closed =
+        contact_.has_interference() && half_angle == std::numbers::pi;
+    row.text(to_string(closed ? contact::ContactState::closed
+                              : contact_.state(force)));
+    const contact::ContactPatch patch{rubbing_, force, half_angle};
+    for (const auto& q : contact::preload_quantities()) {
+      if (q.dimension == contact::Dimension::moment && !has_friction_) {
+        row.empty();
+      } else {
+        row.number(columns_of(q)[0](patch));
+      }
+    }
+  }
+
+  /// The contact without friction.
+  const contact::JointContact& contact() const { return contact_; }
+
+ private:
+  contact::JointContact contact_;
+  contact::JointContact rubbing_;  // with the joint's friction, if it has one
+  bool has_friction_;
+  bool per_length_;
+};
+
+}  // namespace cli
