@@ -10,4 +10,5 @@
 #include "libcontact/joint/joint.hpp"
 #include "libcontact/joint/group.hpp"
 #include "libcontact/joint/step.hpp"
+#include "libcontact/joint/derivatives.hpp"
 // clang-format on

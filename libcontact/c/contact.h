@@ -18,6 +18,7 @@
 #define LIBCONTACT_C_CONTACT_H
 
 #include "libcontact/c/joint.h"
+#include "libcontact/c/moments.h"
 #include "libcontact/c/play.h"
 #include "libcontact/c/quantity.h"
 #include "libcontact/c/slip.h"

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "libcontact/base/complaint.hpp"
 #include "libcontact/base/text.hpp"
 #include "libcontact/c/call.hpp"
 #include "libcontact/c/joint.hpp"
@@ -52,7 +53,13 @@ contact_status step_all(const contact_joint* const* joints, std::size_t count,
     all.push_back(&given(joints[i], name.c_str()).joint);
     all_starts.push_back(start_of(starts[i]));
     all_steps.push_back(last_of(&steps[i]));
-    size += all.back()->is_pin() ? 1 : 3;
+    const bool is_pin = all.back()->is_pin();
+    if (is_pin && all_starts.back().axis.isZero(0)) {
+      throw Error(detail::must_be(
+          detail::message("contact_joints_step: starts[{}].axis", i),
+          "the axis of the pin, other than 0"));
+    }
+    size += is_pin ? 1 : 3;
   }
   // Symmetric, so that the order of its numbers does not matter.
   const StepSweeps done =

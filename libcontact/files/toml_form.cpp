@@ -1,17 +1,20 @@
 #include "libcontact/files/toml_form.hpp"
 
 #include <algorithm>
+#include <iterator>
+#include <utility>
 
 #include "libcontact/base/complaint.hpp"
 #include "libcontact/files/toml_file.hpp"
 
 namespace contact {
 
-TomlForm::TomlForm(const TomlFiles& files, const std::filesystem::path& path,
-                   KnownKeys (*keys)(), const KeySettings& settings)
-    : table_(files.open(path, keys, settings)) {
+TomlForm::TomlForm(TomlTable table, const KeySettings& settings)
+    : table_(std::move(table)) {
+  auto& places = table_.file_->settings;
+  places.erase(places.begin(), places.end() - std::ssize(settings));
   for (std::size_t i = 0; i < settings.size(); ++i) {
-    keys_.push_back(key_at(table_.file_->settings[i], settings[i]));
+    keys_.push_back(key_at(places[i], settings[i]));
   }
 }
 

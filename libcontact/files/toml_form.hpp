@@ -18,7 +18,11 @@ class TomlForm {
   /// @param settings  of these keys: some number, or "*" and some factor
   /// @throws Error as TomlFiles::open(), or of a key that has no number
   TomlForm(const TomlFiles& files, const std::filesystem::path& path,
-           KnownKeys (*keys)(), const KeySettings& settings);
+           KnownKeys (*keys)(), const KeySettings& settings)
+      : TomlForm(files.open(path, keys, settings), settings) {}
+  /// Of a table that nothing else reads.
+  /// @param settings  the last of those that the table was made with
+  TomlForm(TomlTable table, const KeySettings& settings);
 
   /// With the numbers that were set last.
   const TomlTable& table() const { return table_; }

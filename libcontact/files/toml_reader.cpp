@@ -200,6 +200,14 @@ TomlTable TomlFiles::open(const std::filesystem::path& path,
   return TomlTable::cached(cache_, path, keys, settings);
 }
 
+TomlTable TomlFiles::text(std::string_view text, const std::string& source,
+                          KnownKeys (*keys)(),
+                          const std::filesystem::path& folder,
+                          const KeySettings& settings) const {
+  return TomlTable::of(TomlTable::parsed(text, source, keys()), source, folder,
+                       settings, cache_);
+}
+
 const KnownKey& TomlTable::declared(std::string_view key) const {
   const KnownKey* known = detail::known_key(as_table(table_), *keys_, key);
   if (known == nullptr) {

@@ -194,6 +194,10 @@ class TomlFiles {
   /// As TomlTable::from_file() when it was opened first.
   TomlTable open(const std::filesystem::path& path, KnownKeys (*keys)(),
                  const KeySettings& settings = {}) const;
+  /// The same of a text, which is parsed anew.
+  TomlTable text(std::string_view text, const std::string& source,
+                 KnownKeys (*keys)(), const std::filesystem::path& folder,
+                 const KeySettings& settings = {}) const;
 
  private:
   std::shared_ptr<TomlTable::Cache> cache_;

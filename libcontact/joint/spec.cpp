@@ -49,11 +49,13 @@ bool has_walls(const JointSpec& joint) {
          joint.outer.backing.kind() == Backing::Kind::held;
 }
 
-// Whether any law of the same name and options serves both.
-bool are_alike(const JointSpec& a, const JointSpec& b) {
-  return a.geometry.kind() == b.geometry.kind() && a.inner == b.inner &&
-         a.outer == b.outer && a.loading == b.loading &&
-         (!has_walls(a) || a.geometry.radius() == b.geometry.radius());
+// Whether a law that was made for one joint is that of another.
+template <class Law>
+bool serves(const Law& law, const JointSpec& joint,
+            const ContactConditions& conditions, bool is_allowed) {
+  if (law.joint_kind() != joint.geometry.kind()) return false;
+  const auto& made_for = law.made_for();
+  return made_for ? made_for->fits(joint.pair(), conditions) : is_allowed;
 }
 
 }  // namespace
@@ -172,25 +174,32 @@ std::vector<std::string> JointSpec::validity_notes() const {
 
 std::shared_ptr<const HalfAngleLaw> SharedLaws::half_angle(
     const JointSpec& joint) {
-  for (const auto& [other, law] : half_angle_) {
-    if (are_alike(joint, other) &&
-        joint.half_angle_law_name() == other.half_angle_law_name() &&
-        joint.half_angle_options == other.half_angle_options) {
+  const std::string name = joint.half_angle_law_name();
+  const ContactConditions conditions = joint.conditions();
+  const bool is_allowed = half_angle_law_allows(name, conditions);
+  for (const auto& [its_name, options, law] : half_angle_) {
+    if (its_name == name && options == joint.half_angle_options &&
+        serves(*law, joint, conditions, is_allowed)) {
       return law;
     }
   }
-  return half_angle_.emplace_back(joint, joint.make_half_angle_law()).second;
+  half_angle_.push_back(
+      {name, joint.half_angle_options, joint.make_half_angle_law()});
+  return half_angle_.back().law;
 }
 
 std::shared_ptr<const PressureLaw> SharedLaws::pressure(
     const JointSpec& joint) {
-  for (const auto& [other, law] : pressure_) {
-    if (are_alike(joint, other) &&
-        joint.pressure_law_name() == other.pressure_law_name()) {
+  const std::string name = joint.pressure_law_name();
+  const ContactConditions conditions = joint.conditions();
+  const bool is_allowed = pressure_law_allows(name, conditions);
+  for (const auto& [its_name, law] : pressure_) {
+    if (its_name == name && serves(*law, joint, conditions, is_allowed)) {
       return law;
     }
   }
-  return pressure_.emplace_back(joint, joint.make_pressure_law()).second;
+  pressure_.push_back({name, joint.make_pressure_law()});
+  return pressure_.back().law;
 }
 
 }  // namespace contact

@@ -1,9 +1,9 @@
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "libcontact/half_angle/factory.hpp"
@@ -114,18 +114,31 @@ struct JointSpec {
   friend bool operator==(const JointSpec&, const JointSpec&) = default;
 };
 
-/// The laws of joints that belong together: those that are alike share one.
+/// The laws of joints that belong together: one for all that it is made for, as
+/// MadeFor says. Friction, clearance and radius do not count (the latter only
+/// where there are walls), nor do moduli of the same ratio.
 class SharedLaws {
  public:
   /// As the functions of JointSpec make them.
   std::shared_ptr<const HalfAngleLaw> half_angle(const JointSpec& joint);
   std::shared_ptr<const PressureLaw> pressure(const JointSpec& joint);
 
+  /// How many laws there are, of both kinds.
+  std::size_t size() const { return half_angle_.size() + pressure_.size(); }
+
  private:
-  std::vector<std::pair<JointSpec, std::shared_ptr<const HalfAngleLaw>>>
-      half_angle_;
-  std::vector<std::pair<JointSpec, std::shared_ptr<const PressureLaw>>>
-      pressure_;
+  struct HalfAngle {
+    std::string name;
+    HalfAngleOptions options;
+    std::shared_ptr<const HalfAngleLaw> law;
+  };
+  struct Pressure {
+    std::string name;
+    std::shared_ptr<const PressureLaw> law;
+  };
+
+  std::vector<HalfAngle> half_angle_;
+  std::vector<Pressure> pressure_;
 };
 
 }  // namespace contact

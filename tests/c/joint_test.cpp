@@ -506,7 +506,9 @@ TEST(CJoint, StepsAreThoseOfCpp) {
   starts[1].axis[2] = 0;
   expect_failure(contact_joints_step(both, 2, starts.data(), mass.data(),
                                      steps.data(), nullptr),
-                 CONTACT_BAD_INPUT, "step: pin 1 requires axis");
+                 CONTACT_BAD_INPUT,
+                 "contact_joints_step: starts[1].axis must be the axis of the "
+                 "pin, other than 0");
   starts[0].free[0] = NAN;
   EXPECT_EQ(contact_joint_step(ball.get(), &starts[0], w, nullptr, &step),
             CONTACT_OUT_OF_RANGE);

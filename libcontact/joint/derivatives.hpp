@@ -1,0 +1,38 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "libcontact/joint/joint.hpp"
+
+namespace contact {
+
+/// How the friction moment of a sliding joint answers to what causes it: for
+/// implicit integrators and Newton's method. Rows are parts of M_t.
+struct SlipDerivatives {
+  /// out_of_range, and all NaN, where there are none: at rest, of an
+  /// interference without load, of a solution that is not ok.
+  Status status = Status::out_of_range;
+  /// dM_t/dDw at fixed n, R_n and theta0, N m s. If friction does not depend
+  /// on the speed, it is symmetric, and Dw is in its kernel: the curvature of
+  /// the power that MomentSet has.
+  Eigen::Matrix3d at_contact = Eigen::Matrix3d::Zero();
+  /// dM_t/dDw at fixed R, N m s: n, R_n and theta0 follow.
+  Eigen::Matrix3d over_rate = Eigen::Matrix3d::Zero();
+  /// dM_t/dR at fixed Dw, m.
+  Eigen::Matrix3d over_reaction = Eigen::Matrix3d::Zero();
+};
+
+/// The derivatives of Joint::solve(). docs/joint.md has the formulas: closed
+/// ones in the vectors and in n, R_n of the solution; what the contact's
+/// friction has over R_n, a and |Dw| is differences of fourth order.
+///
+/// A pin's Dw stays along its axis, and R normal to it.
+///
+/// @param solution  Joint::solve() of the slip
+/// @return to 1e-7 of the largest element against differences of solve(), where
+///         the slip axis is not within 1e-3 rad of the contact's edge
+///         (joint/derivatives_test.cpp)
+SlipDerivatives derivatives(const Joint& joint, const Joint::Slip& slip,
+                            const JointSolution& solution) noexcept;
+
+}  // namespace contact
