@@ -1,0 +1,101 @@
+#include "libcontact/files/friction_table.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "libcontact/base/error.hpp"
+#include "libcontact/pair/stress_registry.hpp"
+
+namespace contact {
+namespace {
+
+FrictionStress curve_from_table(const TomlTable& friction,
+                                const detail::StressEntry& entry) {
+  const ArrayShape two_or_more{.rows = 2, .or_more = true};
+  FrictionStress::Table table;
+  table.points =
+      friction.numbers(entry.points, two_or_more, Interval::positive());
+  table.coefficients =
+      friction.numbers("coefficients", two_or_more, Interval::non_negative());
+  if (friction.optional_choice("curve", {"spline", "linear"}).value_or(0)) {
+    table.curve = FrictionStress::Table::Curve::linear;
+  }
+  try {
+    return entry.make({}, table);
+  } catch (const Error& error) {
+    friction.fail("coefficients", error.what());
+  }
+}
+
+// A stress of pressure and speed, by the name of its law.
+FrictionStress stress_from_table(const TomlTable& friction) {
+  std::vector<std::string> names;
+  for (const detail::StressEntry* entry : detail::stress_entries()) {
+    names.emplace_back(entry->name);
+  }
+  const detail::StressEntry& entry =
+      *detail::stress_entries()[friction.choice("law", names)];
+  if (entry.is_table()) return curve_from_table(friction, entry);
+  std::vector<double> numbers;
+  for (const auto& [key, unit, is_above_zero, largest] : entry.numbers) {
+    numbers.push_back(friction.number(
+        key, {0, std::min(largest, Interval::largest), is_above_zero}));
+  }
+  return entry.make(numbers, {});
+}
+
+// What a key measures by its SI unit.
+Dimension dimension_of(std::string_view unit) {
+  for (int i = 0; i <= static_cast<int>(Dimension::hersey); ++i) {
+    const auto dimension = static_cast<Dimension>(i);
+    if (units_of(dimension)[0].ending == unit) return dimension;
+  }
+  throw std::logic_error("no key is in this unit");
+}
+
+}  // namespace
+
+// Viscous friction has either of its two numbers, dry friction a coefficient.
+std::optional<FrictionModel> friction_from_table(const TomlTable& table) {
+  const auto friction = table.optional_table("friction");
+  if (!friction) return {};
+  if (friction->has("law")) return stress_from_table(*friction);
+  const Interval range = Interval::non_negative();
+  const auto constant = friction->optional_number("viscous_constant", range);
+  const auto slope = friction->optional_number("viscous_pressure_slope", range);
+  const auto adhesion = friction->optional_number("adhesion", range);
+  if (!constant && !slope) {
+    return FrictionLaw(friction->number("coefficient", range),
+                       adhesion.value_or(0));
+  }
+  const char* const viscous =
+      constant ? "viscous_constant" : "viscous_pressure_slope";
+  friction->refuse_both(viscous, "coefficient");
+  friction->refuse_both(viscous, "adhesion");
+  return ViscousLaw(constant.value_or(0), slope.value_or(0));
+}
+
+KnownKeys friction_keys() {
+  KnownKeys keys = {{"coefficient"},
+                    {"adhesion", Dimension::stress},
+                    {"viscous_constant", Dimension::viscous_constant},
+                    {"viscous_pressure_slope", Dimension::inverse_velocity},
+                    {"law"}};
+  const auto add = [&](std::string_view key, std::string_view unit) {
+    if (std::ranges::find(keys, key, &KnownKey::key) != keys.end()) return;
+    keys.push_back({key, dimension_of(unit)});
+  };
+  for (const detail::StressEntry* entry : detail::stress_entries()) {
+    for (const detail::StressNumber& number : entry->numbers) {
+      add(number.key, number.unit);
+    }
+    if (entry->is_table()) add(entry->points, entry->points_unit);
+  }
+  add("coefficients", "");
+  add("curve", "");
+  return keys;
+}
+
+}  // namespace contact

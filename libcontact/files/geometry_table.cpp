@@ -1,0 +1,181 @@
+#include "libcontact/files/geometry_table.hpp"
+
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "libcontact/base/error.hpp"
+#include "libcontact/base/text.hpp"
+
+namespace contact {
+namespace {
+
+// What their values are to be multiplied by for a radial clearance; 0 for the
+// radius. Interference is said by positive numbers.
+struct ClearanceKey {
+  std::string_view key;
+  double scale;
+};
+constexpr ClearanceKey clearance_keys[] = {{"radial_clearance", 1},
+                                           {"diametral_clearance", 0.5},
+                                           {"relative_clearance", 0},
+                                           {"radial_interference", -1},
+                                           {"diametral_interference", -0.5}};
+
+double radius_from_table(const TomlTable& table) {
+  table.refuse_both("diameter", "radius");
+  const auto diameter = table.optional_number("diameter", Interval::positive());
+  if (diameter) return *diameter / 2;
+  if (!table.has("radius")) table.needs("radius or diameter");
+  return table.number("radius", Interval::positive());
+}
+
+// The radial clearance by the only one of clearance_keys that is there.
+double clearance_from_table(const TomlTable& table, double radius) {
+  for (const auto& [key, factor] : clearance_keys) {
+    const double scale = factor == 0 ? radius : factor;
+    const double largest = radius / std::abs(scale);
+    const auto value = table.optional_number(
+        key, {scale > 0 ? -largest : 0, largest, true, true});
+    if (!value) continue;
+    for (const auto& [other, of_other] : clearance_keys) {
+      if (other != key) table.refuse_both(other, key);
+    }
+    const double clearance = *value * scale;
+    if (!(std::abs(clearance) < radius)) {
+      table.fail(key, "the clearance rounds to the radius");
+    }
+    return clearance;
+  }
+  table.needs(
+      "radial_clearance, diametral_clearance, relative_clearance, "
+      "radial_interference, diametral_interference, or hole and shaft");
+}
+
+std::optional<Temperatures> temperatures_from_table(const TomlTable& joint) {
+  const auto kelvin = [&](std::string_view key) {
+    return joint.optional_number(
+        key, {Temperatures::coldest, Temperatures::hottest});
+  };
+  const auto both = kelvin("temperature");
+  const auto inner = kelvin("inner_temperature");
+  const auto outer = kelvin("outer_temperature");
+  const auto reference = kelvin("reference_temperature");
+  const auto axial = joint.optional_choice("axial_growth", {"free", "held"});
+  for (const char* key : {"inner_temperature", "outer_temperature"}) {
+    joint.refuse_both("temperature", key);
+  }
+  if (!both && !inner && !outer) {
+    for (const char* key : {"reference_temperature", "axial_growth"}) {
+      if (joint.has(key)) joint.needs(key, "a temperature");
+    }
+    return {};
+  }
+  if (!both && !outer) joint.needs("inner_temperature", "outer_temperature");
+  if (!both && !inner) joint.needs("outer_temperature", "inner_temperature");
+  Temperatures result{both ? *both : *inner, both ? *both : *outer};
+  result.reference = reference.value_or(result.reference);
+  result.axial = static_cast<AxialGrowth>(axial.value_or(0));
+  return result;
+}
+
+}  // namespace
+
+std::optional<Fit> fit_from_table(const TomlTable& table) {
+  for (const auto& [key, other] : {std::pair{"hole", "shaft"},
+                                   {"shaft", "hole"},
+                                   {"clearance", "hole"},
+                                   {"hole", "diameter"}}) {
+    if (table.has(key) && !table.has(other)) table.needs(key, other);
+  }
+  if (!table.has("hole")) return {};
+  for (const auto& [key, scale] : clearance_keys) {
+    table.refuse_both("hole", key);
+  }
+  const std::string hole = table.text("hole");
+  if (!Fit::holes.contains(hole)) table.must_be("hole", Fit::holes.rule);
+  const std::string shaft = table.text("shaft");
+  if (!Fit::shafts.contains(shaft)) table.must_be("shaft", Fit::shafts.rule);
+  const double diameter = table.number("diameter", Interval::positive());
+  if (!Fit::has_size(shaft, diameter)) {
+    table.must_be("diameter",
+                  detail::message("3 to {:g} mm with shaft {}",
+                                  Fit::largest_size(shaft) * 1e3, shaft));
+  }
+  const auto taken =
+      table.optional_choice("clearance", {"minimum", "mean", "maximum"});
+  return Fit(
+      hole, shaft, diameter,
+      taken ? static_cast<Fit::Clearance>(*taken) : Fit::Clearance::mean);
+}
+
+JointSpec at_temperatures(const TomlTable& table, const JointSpec& joint) {
+  const auto temperatures = temperatures_from_table(table);
+  if (!temperatures) return joint;
+  if (table.has("axial_growth") && joint.geometry.kind() == JointKind::ball) {
+    table.needs("axial_growth", "kind = \"pin\"");
+  }
+  const char* const key =
+      table.has("temperature") ? "temperature" : "inner_temperature";
+  try {
+    return joint.at(*temperatures);
+  } catch (const Error& error) {
+    table.fail(key, error.what());
+  }
+}
+
+JointGeometry geometry_from_table(const TomlTable& joint,
+                                  const TomlTable& table,
+                                  const std::optional<Fit>& fit) {
+  const bool ball = joint.choice("kind", {"ball", "pin"}) == 0;
+  const JointBody inner_body =
+      joint.optional_choice("inner_body", {"carrier", "body"}).value_or(0) == 0
+          ? JointBody::carrier
+          : JointBody::body;
+  const double radius = radius_from_table(table);
+  const double clearance =
+      fit ? fit->radial_clearance() : clearance_from_table(table, radius);
+  if (ball) return JointGeometry::ball(radius, clearance, inner_body);
+  const double length = table.number("length", Interval::positive());
+  return JointGeometry::pin(radius, clearance, length, inner_body);
+}
+
+Relief relief_from_table(const TomlTable& file, const JointGeometry& geometry) {
+  const auto table = file.optional_table("relief");
+  if (!table) return Relief::none();
+  if (geometry.kind() != JointKind::pin) {
+    file.needs("relief", "kind = \"pin\"");
+  }
+  const bool barrel = table->choice("kind", {"barrel", "ends"}) == 0;
+  const double depth = table->number("depth", Interval::positive());
+  if (!barrel) {
+    const double half = geometry.length() / 2;
+    return Relief::ends(depth, table->number("length", {0, half, true}));
+  }
+  if (table->has("length")) table->needs("length", "kind = \"ends\"");
+  return Relief::barrel(depth);
+}
+
+KnownKeys geometry_keys() {
+  return {{"temperature", Dimension::temperature},
+          {"inner_temperature", Dimension::temperature},
+          {"outer_temperature", Dimension::temperature},
+          {"reference_temperature", Dimension::temperature},
+          {"axial_growth"},
+          table_key("geometry", {{"radius", Dimension::length},
+                                 {"diameter", Dimension::length},
+                                 {"radial_clearance", Dimension::length},
+                                 {"diametral_clearance", Dimension::length},
+                                 {"relative_clearance"},
+                                 {"radial_interference", Dimension::length},
+                                 {"diametral_interference", Dimension::length},
+                                 {"hole"},
+                                 {"shaft"},
+                                 {"clearance"},
+                                 {"length", Dimension::length}}),
+          table_key("relief", {{"kind"},
+                               {"depth", Dimension::length},
+                               {"length", Dimension::length}})};
+}
+
+}  // namespace contact

@@ -1,0 +1,175 @@
+// A pin of finite length under known loads.
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+
+#include "libcontact/finite_pin/sums.hpp"
+
+namespace contact {
+
+using detail::turned;
+using Eigen::Matrix2d;
+using Eigen::Vector2d;
+using Eigen::Vector4d;
+
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+}  // namespace
+
+// Where the pin first lies a third of the clearance deep, as the force pushes:
+// there the stiffness is regular.
+Vector4d FinitePin::start(const Vector2d& force,
+                          const Vector2d& tilt) const noexcept {
+  Vector4d place = (Vector4d() << Vector2d::Zero(), tilt).finished();
+  const Vector2d step = clearance_ / 4 * force.stableNormalized();
+  if (step.isZero(0)) return place;
+  const auto depth = [&](const Relief::Piece& piece, double z) {
+    return (place.head<2>() + z * tilt).norm() - clearance_ - piece.at(z);
+  };
+  constexpr int most = 8;
+  for (int i = 0; i < most; ++i) {
+    double deepest = 0;
+    for (const Relief::Piece& piece : pieces_) {
+      for (const double z :
+           {piece.from, (piece.from + piece.to) / 2, piece.to}) {
+        deepest = std::max(deepest, depth(piece, z));
+      }
+    }
+    if (deepest > clearance_ / 3) break;
+    place.head<2>() += step;
+  }
+  return place;
+}
+
+// Newton's steps to the least of U - F.a - G.psi, which is convex.
+FinitePinState FinitePin::solved(const Vector4d& load, bool tilts,
+                                 const Vector2d& tilt) const noexcept {
+  // Lengths, and forces, of one size.
+  const double turn = tilts ? 1 / half_length_ : 0;
+  const Vector4d unit(1, 1, turn, turn);
+  const double size = load.cwiseProduct(unit).norm();
+  Vector4d place = start(load.head<2>(), tilt);
+  Sums now = sums(place);
+  const auto rest = [&](const Sums& of) -> Vector4d {
+    return (of.load - load).cwiseProduct(unit);
+  };
+  const auto merit = [&](const Sums& of, const Vector4d& at) {
+    return of.energy - load.dot(at);
+  };
+  constexpr int most = 60;
+  constexpr double tolerance = 1e-12;
+  FinitePinState found;
+  Status status = Status::not_converged;
+  bool beyond = false;  // the force law's end lies before the load
+  for (found.iterations = 0; found.iterations < most; ++found.iterations) {
+    const Vector4d missing = rest(now);
+    if (missing.norm() <= tolerance * size) {
+      status = Status::ok;
+      break;
+    }
+    Eigen::Matrix4d k = unit.asDiagonal() * now.stiffness * unit.asDiagonal();
+    // A tilt that is known has no equations.
+    if (!tilts) k.bottomRightCorner<2, 2>() = Matrix2d::Identity();
+    const Vector4d step = -unit.cwiseProduct(k.ldlt().solve(missing));
+    bool taken = false;
+    for (double share = 1; share > 1e-9 && !taken; share /= 2) {
+      const Vector4d there = place + share * step;
+      const Sums next = sums(there);
+      if (share == 1) beyond = !next.load.allFinite();
+      // Rounding hides the energy's last steps.
+      taken =
+          next.load.allFinite() && (merit(next, there) < merit(now, place) ||
+                                    rest(next).norm() < missing.norm() / 2);
+      if (!taken) continue;
+      place = there;
+      now = next;
+    }
+    if (!taken) break;
+  }
+  if (status != Status::ok && beyond) place.setConstant(nan);
+  const int iterations = found.iterations;
+  const double residual = size == 0 ? 0 : rest(now).norm() / size;
+  found = state(place);
+  found.iterations = iterations;
+  found.residual = residual;
+  if (found.status == Status::ok && !(residual <= 1e-9)) found.status = status;
+  return found;
+}
+
+FinitePinState FinitePin::under(const Vector2d& force,
+                                const Vector2d& tilt) const noexcept {
+  Vector4d load;
+  load << force, Vector2d::Zero();
+  return solved(load, false, tilt);
+}
+
+FinitePinState FinitePin::under_moment(const Vector2d& force,
+                                       const Vector2d& moment) const noexcept {
+  Vector4d load;
+  load << force, moment;
+  return solved(load, true, Vector2d::Zero());
+}
+
+// R = (s - sign f0 J) F - sign A T_A, J the turn by 90 deg, and the same of
+// the z-moments: without adhesion F and G are known at once.
+FinitePinSolution FinitePin::sliding(const Vector4d& load, bool tilts,
+                                     const Vector2d& tilt,
+                                     double rate) const noexcept {
+  const FrictionLaw friction = joint_.friction
+                                   ? std::get<FrictionLaw>(*joint_.friction)
+                                   : FrictionLaw(0);
+  const double s = joint_.geometry.inner_body() == JointBody::carrier ? 1 : -1;
+  const double sign = rate > 0 ? 1 : rate < 0 ? -1 : 0;
+  const double slip = sign * friction.coefficient();
+  const double stick = sign * friction.adhesion();
+  Matrix2d of_force;
+  of_force << s, slip, -slip, s;
+  const Matrix2d to_force = of_force.inverse();
+  FinitePinSolution found;
+  FinitePinState& at = found.contact;
+  Vector4d area = Vector4d::Zero();
+  constexpr int most = 100;
+  for (int i = 0; i < most; ++i) {
+    Vector4d normal = load + stick * area;
+    normal.head<2>() = to_force * normal.head<2>();
+    normal.tail<2>() =
+        tilts ? Vector2d(to_force * normal.tail<2>()) : Vector2d::Zero();
+    at = solved(normal, tilts, tilt);
+    Vector4d next;
+    next << at.area_tangent, at.area_tangent_moment;
+    Vector4d change = stick * (next - area);
+    area = next;
+    if (tilts) {
+      change.tail<2>() /= half_length_;
+    } else {
+      change.tail<2>().setZero();
+    }
+    if (!(change.norm() > 1e-12 * load.head<2>().norm())) break;
+    if (i + 1 == most) at.status = Status::not_converged;
+  }
+  found.friction_force = -slip * turned(at.force) - stick * at.area_tangent;
+  const Vector2d g = s * at.force_moment - slip * turned(at.force_moment) -
+                     stick * at.area_tangent_moment;
+  found.moment = {-g.y(), g.x(),
+                  -slip * at.pressure_moment - stick * at.area_moment};
+  return found;
+}
+
+FinitePinSolution FinitePin::solve(const Vector2d& reaction,
+                                   const Vector2d& tilt,
+                                   double rate) const noexcept {
+  Vector4d load;
+  load << reaction, Vector2d::Zero();
+  return sliding(load, false, tilt, rate);
+}
+
+FinitePinSolution FinitePin::solve_at(const Vector2d& reaction, double place,
+                                      double rate) const noexcept {
+  Vector4d load;
+  load << reaction, place * reaction;
+  return sliding(load, true, Vector2d::Zero(), rate);
+}
+
+}  // namespace contact
