@@ -7,12 +7,12 @@
 #include <utility>
 
 #include "libcontact/base/error.hpp"
-#include "libcontact/files/friction_table.hpp"
-#include "libcontact/files/geometry_table.hpp"
 #include "libcontact/files/joint_tables.hpp"
-#include "libcontact/files/law_tables.hpp"
-#include "libcontact/files/material_table.hpp"
-#include "libcontact/files/wall_tables.hpp"
+#include "libcontact/files/tables/friction_table.hpp"
+#include "libcontact/files/tables/geometry_table.hpp"
+#include "libcontact/files/tables/law_tables.hpp"
+#include "libcontact/files/tables/material_table.hpp"
+#include "libcontact/files/tables/wall_tables.hpp"
 
 namespace contact {
 namespace {

@@ -15,7 +15,7 @@
 #include "libcontact/base/error.hpp"
 #include "libcontact/files/joint_file.hpp"
 #include "libcontact/files/joint_tables.hpp"
-#include "libcontact/files/material_table.hpp"
+#include "libcontact/files/tables/material_table.hpp"
 
 namespace cli {
 namespace {

@@ -1,4 +1,4 @@
-#include "libcontact/files/law_tables.hpp"
+#include "libcontact/files/tables/law_tables.hpp"
 
 #include <numbers>
 #include <span>

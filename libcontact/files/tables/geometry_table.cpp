@@ -1,4 +1,4 @@
-#include "libcontact/files/geometry_table.hpp"
+#include "libcontact/files/tables/geometry_table.hpp"
 
 #include <cmath>
 #include <string>

@@ -1,10 +1,10 @@
-#include "libcontact/files/wall_tables.hpp"
+#include "libcontact/files/tables/wall_tables.hpp"
 
 #include <cmath>
 #include <utility>
 
 #include "libcontact/base/text.hpp"
-#include "libcontact/files/material_table.hpp"
+#include "libcontact/files/tables/material_table.hpp"
 
 namespace contact {
 namespace {

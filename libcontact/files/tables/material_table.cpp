@@ -1,4 +1,4 @@
-#include "libcontact/files/material_table.hpp"
+#include "libcontact/files/tables/material_table.hpp"
 
 #include <cmath>
 #include <string>

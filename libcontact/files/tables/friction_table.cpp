@@ -1,4 +1,4 @@
-#include "libcontact/files/friction_table.hpp"
+#include "libcontact/files/tables/friction_table.hpp"
 
 #include <algorithm>
 #include <stdexcept>
