@@ -104,10 +104,8 @@ SeatCells::Rule SeatCells::rule_of_shape(int degree) const {
   std::vector<int> cell;
   for (int i = 0; i + 1 < bound.size(); ++i) {
     const double low = bound(i), high = bound(i + 1), size = high - low;
-    const bool lower =
-        window.rim[0] && low - window.from < 6 * size;
-    const bool upper =
-        !lower && window.rim[1] && window.to - high < 6 * size;
+    const bool lower = window.rim[0] && low - window.from < 6 * size;
+    const bool upper = !lower && window.rim[1] && window.to - high < 6 * size;
     // N_nm turns n h/pi times by half a turn; fewer points alias.
     const GaussLegendre gauss(
         8 + static_cast<int>(std::ceil(1.6 * degree * size / pi)));
@@ -115,10 +113,10 @@ SeatCells::Rule SeatCells::rule_of_shape(int degree) const {
       double v = low + size * (1 + gauss.node(k)) / 2;
       double dv = size / 2 * gauss.weight(k);
       if (lower || upper) {
-        const double near = std::sqrt(lower ? low - window.from
-                                            : window.to - high);
-        const double far = std::sqrt(lower ? high - window.from
-                                           : window.to - low);
+        const double near =
+            std::sqrt(lower ? low - window.from : window.to - high);
+        const double far =
+            std::sqrt(lower ? high - window.from : window.to - low);
         const double root = near + (far - near) * (1 + gauss.node(k)) / 2;
         v = lower ? window.from + root * root : window.to - root * root;
         dv = (far - near) * root * gauss.weight(k);

@@ -21,15 +21,16 @@ struct SeatWindow {
   std::array<bool, 2> rim;  ///< lower, upper
 };
 
-/// Cells of latitude over a window of a seat, and the shape that the pressure has in
-/// each: docs/seats.md, "Cells". In cell i it is p_i w_i(v), w_i = a_i g(v)
-/// with the singular shape of a punch's edge at each rim,
+/// Cells of latitude over a window of a seat, and the shape that the pressure
+/// has in each: docs/seats.md, "Cells". In cell i it is p_i w_i(v), w_i = a_i
+/// g(v) with the singular shape of a punch's edge at each rim,
 ///
 ///     g = prod sqrt(1 + b/s),   s = distance from the rim, rad,
 ///
 /// and the mean of w_i over the cell's surface 1.
 struct SeatCells {
-  /// @param count      of even cells over the window; those near a rim shrink by
+  /// @param count      of even cells over the window; those near a rim shrink
+  /// by
   ///                   1.25 from one to the next, so that there are more
   /// @param thickness  of the thinner surface layer over the radius; infinite
   ///                   without layers

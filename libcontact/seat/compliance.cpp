@@ -22,7 +22,8 @@ class LegendreFunctions {
       : z_(v.cos()), log_sine_(v.sin().log()) {}
 
   // Columns: angles; rows: n = m, m + 1, ..., degree. m by steps of 1 from 0.
-  void next(int m, int degree, Eigen::Array<double, Eigen::Dynamic, lanes>& out) {
+  void next(int m, int degree,
+            Eigen::Array<double, Eigen::Dynamic, lanes>& out) {
     if (m > 0) log_norm_ += 0.5 * std::log((2 * m + 1) / (2.0 * m));
     const Lanes log_first = log_norm_ + m * log_sine_;
     const double log_factor = 250 * std::log(10.0);
@@ -102,8 +103,8 @@ Eigen::MatrixXd tail(const SeatCells& cells, int degree) {
 
 // Near a pole the harmonics of an order m only begin at the degree m/sin v. Of
 // cells where that is beyond the last one the whole pressure is missing from
-// the sum, by sum_n B_n^2 = ∫ w_i^2 sin v dv: it begins there. Without, pressures
-// that change from longitude to longitude would press in nothing.
+// the sum, by sum_n B_n^2 = ∫ w_i^2 sin v dv: it begins there. Without,
+// pressures that change from longitude to longitude would press in nothing.
 void add_pole(int m, int degree, const SeatCells& cells,
               const Eigen::ArrayXd& square, Eigen::MatrixXd& matrix,
               const Eigen::MatrixXd& b) {

@@ -25,8 +25,9 @@ constexpr double pi = std::numbers::pi;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 JointContact exact_contact(JointSpec joint) {
-  detail::require(joint.geometry.kind() == JointKind::ball, "seat",
-                  "kind of joint", 0, "ball");
+  if (joint.geometry.kind() != JointKind::ball) {
+    throw Error(detail::needs("a seat that ends", "a ball"));
+  }
   if (joint.loading.is_back()) {
     throw Error(detail::needs("a seat that ends", "loading = centre"));
   }
@@ -73,12 +74,12 @@ SeatContact::SeatContact(const JointSpec& joint, const SeatZone& zone,
   detail::require(grid.report_distance > 0 && grid.report_distance < 1, "seat",
                   "report_distance", grid.report_distance,
                   "above 0 and below 1 radius");
-  detail::require(pair_.relative_thickness() >= smallest_relative_thickness,
-                  "seat", "thickness of the surface layer",
-                  pair_.relative_thickness() * pair_.radius(),
-                  detail::message("at least 0.001 radii ({:.4g} m)",
-                                  smallest_relative_thickness *
-                                      pair_.radius()));
+  detail::require(
+      pair_.relative_thickness() >= smallest_relative_thickness, "seat",
+      "thickness of the surface layer",
+      pair_.relative_thickness() * pair_.radius(),
+      detail::message("at least 0.001 radii ({:.4g} m)",
+                      smallest_relative_thickness * pair_.radius()));
 }
 
 SeatContact::~SeatContact() = default;
@@ -224,16 +225,14 @@ void SeatContact::set_confined(double direction, SeatState& state) const {
   state.peak_place = {peak.polar_angle, is_axial ? nan : peak.longitude};
   for (const int rim : {0, 1}) {
     const auto at = read.rim(rim);
-    state.rims[rim].intensity =
-        at.strength * unit * std::sqrt(2 * pi * radius);
+    state.rims[rim].intensity = at.strength * unit * std::sqrt(2 * pi * radius);
     state.rims[rim].longitude = is_axial ? nan : at.longitude;
     state.rims[rim].half_arc = at.half_arc;
   }
   const auto ends = read.ends(0);
   state.lower_end = ends.lower;
   state.upper_end = ends.upper;
-  state.force_ratio =
-      patch.sum * modulus * radius / 4 / state.force.norm();
+  state.force_ratio = patch.sum * modulus * radius / 4 / state.force.norm();
   state.area = radius * radius * read.area();
   set_rims(state);
 }
@@ -254,8 +253,8 @@ Eigen::Matrix3d SeatContact::stiffness(const SeatState& state) const {
     const double along =
         contact_.approach(contact_.half_angle(load).half_angle).stiffness;
     const Eigen::Matrix3d at_load = n * n.transpose();
-    return along * at_load + load / state.shift.norm() *
-                                 (Eigen::Matrix3d::Identity() - at_load);
+    return along * at_load +
+           load / state.shift.norm() * (Eigen::Matrix3d::Identity() - at_load);
   }
   if (!state.solution) return Eigen::Matrix3d::Constant(nan);
   const detail::SeatSolution& of = *state.solution;
@@ -268,15 +267,16 @@ Eigen::Matrix3d SeatContact::stiffness(const SeatState& state) const {
                        patch);
       return patch.force;
     };
-    k.col(axis) = (8 * (force_at(1) - force_at(-1)) - force_at(2) +
-                   force_at(-2)) /
-                  (12 * h);
+    k.col(axis) =
+        (8 * (force_at(1) - force_at(-1)) - force_at(2) + force_at(-2)) /
+        (12 * h);
   }
   const double cross = (k(0, 1) + k(1, 0)) / 2;
   const Eigen::Vector2d force = of.patch.force;
   // A turn about the seat's axis turns F with D.
-  const double across =
-      force.x() > 1e-6 * force.norm() ? force.x() / of.patch.shift.x() : k(0, 0);
+  const double across = force.x() > 1e-6 * force.norm()
+                            ? force.x() / of.patch.shift.x()
+                            : k(0, 0);
   Eigen::Matrix3d in_axes;
   in_axes << k(0, 0), 0, cross, 0, across, 0, cross, 0, k(1, 1);
   const Eigen::Matrix3d axes = plane_axes(state.force);

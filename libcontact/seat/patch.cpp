@@ -28,7 +28,8 @@ int columns_of(const Eigen::ArrayXXd& contact) {
 }  // namespace
 
 SeatPatchSolver::SeatPatchSolver(const LayeredPair& pair,
-                                 const SeatWindow& window, int cells, int order, double clearance)
+                                 const SeatWindow& window, int cells, int order,
+                                 double clearance)
     : cells_(window, cells, pair.relative_thickness()),
       compliance_(pair, cells_, order),
       order_(order),
@@ -73,8 +74,7 @@ SeatPatchSolver::Map SeatPatchSolver::apply(const std::vector<Map>& by_order,
   for (int m = 0; m <= order_; ++m) {
     result.col(m).noalias() = by_order[m] * harmonics.col(m);
   }
-  harmonics.leftCols(leading).noalias() =
-      result * transform_.leftCols(leading);
+  harmonics.leftCols(leading).noalias() = result * transform_.leftCols(leading);
   harmonics.rightCols(of.cols() - leading).setZero();
   return harmonics;
 }
@@ -127,8 +127,7 @@ void SeatPatchSolver::solve(Eigen::Vector2d shift, SeatPatch& patch) const {
     const Map gap = apply(compliance_.matrix, y, order_ + 1) - right;
     patch.applications += 1;
     const auto outside = patch.contact == 0;
-    const Eigen::ArrayXXd drop =
-        (!outside && y.array() < 0).cast<double>();
+    const Eigen::ArrayXXd drop = (!outside && y.array() < 0).cast<double>();
     const Eigen::ArrayXXd add =
         (outside && gap.array() < -1e-7 * overlap).cast<double>();
     if (drop.sum() == 0 && add.sum() == 0) {
@@ -180,8 +179,8 @@ Eigen::Matrix2d SeatPatchSolver::tangent(SeatPatch& patch) const {
   for (const Map* lever : {&lever_x_, &lever_z_}) {
     Map y = Map::Zero(lever->rows(), lever->cols());
     patch.applications += conjugate_gradients(*lever, patch.contact, 1e-4, y);
-    k.col(column++) = weight * Eigen::Vector2d(dot(y, lever_x_),
-                                               dot(y, lever_z_));
+    k.col(column++) =
+        weight * Eigen::Vector2d(dot(y, lever_x_), dot(y, lever_z_));
   }
   return (k + k.transpose()) / 2;
 }

@@ -14,12 +14,21 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
 
-SeatReadout::Run SeatReadout::run(int j) const {
-  Run run{cells_.size(), -1};
+std::vector<SeatReadout::Run> SeatReadout::runs(int j) const {
+  std::vector<Run> runs;
   for (int i = 0; i < cells_.size(); ++i) {
     if (patch_.contact(i, j) == 0) continue;
-    run.first = std::min(run.first, i);
-    run.last = i;
+    if (i == 0 || patch_.contact(i - 1, j) == 0) runs.push_back({i, i});
+    runs.back().last = i;
+  }
+  return runs;
+}
+
+SeatReadout::Run SeatReadout::run_of(int cell, int j) const {
+  Run run{cell, cell};
+  while (run.first > 0 && patch_.contact(run.first - 1, j) > 0) --run.first;
+  while (run.last + 1 < cells_.size() && patch_.contact(run.last + 1, j) > 0) {
+    ++run.last;
   }
   return run;
 }
@@ -27,7 +36,7 @@ SeatReadout::Run SeatReadout::run(int j) const {
 // Of f = p/g about the middle of the cell, whose means over cells with the
 // weight w_i sin v are a_i p_i.
 Eigen::Vector3d SeatReadout::parabola(int cell, int j) const {
-  const Run in = run(j);
+  const Run in = run_of(cell, j);
   const int first = std::max(in.first, std::min(cell - 2, in.last - 4));
   const int last = std::min(in.last, std::max(cell + 2, in.first + 4));
   const int count = last - first + 1;
@@ -93,7 +102,7 @@ double SeatReadout::rim_strength(int rim, int j) const {
   const double slope = patch_.contact(next, j) == 0
                            ? 0
                            : (f(next) - f(i)) / (distance(next) - distance(i));
-  return (f(i) - slope * distance(i)) * cells_.rim_shape(rim);
+  return std::max(f(i) - slope * distance(i), 0.0) * cells_.rim_shape(rim);
 }
 
 SeatReadout::Rim SeatReadout::rim(int rim) const {
@@ -135,25 +144,30 @@ double SeatReadout::end(const Run& run, int j, int side) const {
     square(k) = std::pow(patch_.pressure(i, j), 2);
   }
   const Eigen::Vector3d c = powers.colPivHouseholderQr().solve(square);
-  const double root = c(1) * c(1) - 4 * c(0) * c(2);
-  if (!(root >= 0) || !(c(1) > 0)) return bound;
-  const double x = -2 * c(0) / (c(1) + std::sqrt(root));
-  return bound + inwards * std::clamp(x, -size, size);
+  const double rest = c(1) * c(1) - 4 * c(0) * c(2);
+  // Over a thin layer p itself is smooth, and the root a double one.
+  const double slope = c(1) + 2 * c(2) * powers(0, 1);
+  const bool is_double = rest < 0.1 * slope * slope;
+  const double x = is_double  ? -c(1) / (2 * c(2))
+                   : c(1) > 0 ? -2 * c(0) / (c(1) + std::sqrt(rest))
+                              : (std::sqrt(rest) - c(1)) / (2 * c(2));
+  return std::isfinite(x) ? bound + inwards * std::clamp(x, -size, size)
+                          : bound;
 }
 
 SeatReadout::Ends SeatReadout::ends(int j) const {
-  const Run in = run(j);
-  if (in.last < in.first) return {nan, nan};
-  return {end(in, j, 0), end(in, j, 1)};
+  const std::vector<Run> all = runs(j);
+  if (all.empty()) return {nan, nan};
+  return {end(all.front(), j, 0), end(all.back(), j, 1)};
 }
 
 double SeatReadout::area() const {
   double sum = 0;
   for (int j = 0; j <= solver_.order(); ++j) {
-    const Ends at = ends(j);
-    if (std::isnan(at.lower)) continue;
-    sum += solver_.longitude_weight(j) *
-           (std::cos(at.lower) - std::cos(at.upper));
+    for (const Run& run : runs(j)) {
+      sum += solver_.longitude_weight(j) *
+             (std::cos(end(run, j, 0)) - std::cos(end(run, j, 1)));
+    }
   }
   return sum;
 }

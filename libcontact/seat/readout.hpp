@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <vector>
 
 #include "libcontact/seat/patch.hpp"
 
@@ -35,7 +36,8 @@ class SeatReadout {
   };
   Rim rim(int rim) const;
 
-  /// Where the contact ends on one longitude; both NaN without contact.
+  /// Where the contact begins and ends on one longitude; both NaN without
+  /// contact. Between the two it may be open: thin rings bend.
   struct Ends {
     double lower, upper;
   };
@@ -45,10 +47,12 @@ class SeatReadout {
   double area() const;
 
  private:
+  // Neighbouring cells in contact.
   struct Run {
-    int first, last;  // cells in contact; none: last < first
+    int first, last;
   };
-  Run run(int j) const;
+  std::vector<Run> runs(int j) const;
+  Run run_of(int cell, int j) const;
   Eigen::Vector3d parabola(int cell, int j) const;
   double end(const Run& run, int j, int side) const;
   double rim_strength(int rim, int j) const;

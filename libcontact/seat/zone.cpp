@@ -15,8 +15,7 @@ constexpr double pi = std::numbers::pi;
 }  // namespace
 
 SeatZone::SeatZone(double from, double to) : from_(from), to_(to) {
-  detail::require(from >= 0 && from < pi, "seat", "from", from,
-                  "0 to pi rad");
+  detail::require(from >= 0 && from < pi, "seat", "from", from, "0 to pi rad");
   detail::require(to > 0 && to <= pi, "seat", "to", to, "above 0 to pi rad");
   // Degrees that are 1 apart are so to rounding.
   detail::require(to - from >= smallest_width * (1 - 1e-12), "seat",
