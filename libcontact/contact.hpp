@@ -17,6 +17,7 @@
 #include "libcontact/pressure.hpp"
 #include "libcontact/friction.hpp"
 #include "libcontact/joint.hpp"
+#include "libcontact/seat.hpp"
 #include "libcontact/play.hpp"
 #include "libcontact/finite_pin.hpp"
 #include "libcontact/duty.hpp"

@@ -25,6 +25,7 @@ const std::vector<std::string> rooms = {
     "libcontact/pressure",
     "libcontact/friction",
     "libcontact/joint",
+    "libcontact/seat",
     "libcontact/play",
     "libcontact/finite_pin",
     "libcontact/duty",

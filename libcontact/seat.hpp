@@ -1,0 +1,7 @@
+#pragma once
+
+/// Seats that end: the contact of a ball in a ring, a cup or a socket.
+// clang-format off
+#include "libcontact/seat/zone.hpp"
+#include "libcontact/seat/contact.hpp"
+// clang-format on

@@ -1,0 +1,161 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <limits>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+
+#include "libcontact/joint/contact.hpp"
+#include "libcontact/joint/spec.hpp"
+#include "libcontact/pair/layers.hpp"
+#include "libcontact/seat/zone.hpp"
+
+namespace contact {
+
+namespace detail {
+class SeatPatchSolver;
+struct SeatSolution;
+}  // namespace detail
+
+enum class SeatStatus {
+  ok,
+  not_converged,  ///< the best contact that was found
+  out_of_seat,    ///< no pressure on the seat can carry the load
+  no_load,        ///< the force is 0 or not finite
+};
+
+/// A place on a seat. The longitude is counted about the seat's axis from the
+/// plane of the load, on whose side it is 0; NaN where every one is alike.
+struct SeatPlace {
+  double polar_angle = std::numeric_limits<double>::quiet_NaN();  ///< rad
+  double longitude = std::numeric_limits<double>::quiet_NaN();    ///< rad
+};
+
+/// What a contact does at a rim of its seat.
+struct SeatRim {
+  /// K = lim p sqrt(2 pi s), s the distance from the rim, at the longitude
+  /// where it is largest, Pa m^(1/2); 0 if the contact does not reach it. The
+  /// pressure at the rim itself is infinite in the model.
+  double intensity = 0;
+  double longitude = std::numeric_limits<double>::quiet_NaN();  ///< 0 or pi
+  /// How far the contact follows the rim to each side, rad; pi: all round.
+  double half_arc = 0;
+  /// From the contact's end to the rim in the plane of the load, rad; 0 if
+  /// reached, infinite without a rim.
+  double distance = std::numeric_limits<double>::infinity();
+};
+
+/// The contact of a ball in a seat that ends, under one load.
+struct SeatState {
+  SeatStatus status = SeatStatus::no_load;
+  /// Whether it does not reach a rim: all is then from the exact laws of the
+  /// seat without end.
+  bool is_free = false;
+  /// Of the ball's centre from concentric, m, in the axes of the force.
+  Eigen::Vector3d shift =
+      Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
+  /// Where the load pierces the seat, Pa; NaN where there is no seat.
+  double pressure_at_load = std::numeric_limits<double>::quiet_NaN();
+  /// The largest pressure at the reported distance or more from every rim, Pa.
+  double peak_pressure = std::numeric_limits<double>::quiet_NaN();
+  SeatPlace peak_place = {};
+  std::array<SeatRim, 2> rims = {};  ///< lower, upper
+  /// Ends of the contact in the plane of the load, on its side, polar angles,
+  /// rad; 0 or pi where it goes on over the pole. NaN if nothing is there.
+  double lower_end = std::numeric_limits<double>::quiet_NaN();
+  double upper_end = std::numeric_limits<double>::quiet_NaN();
+  /// S: the sum of the pressures without regard to their direction over |F|.
+  double force_ratio = std::numeric_limits<double>::quiet_NaN();
+  double area = std::numeric_limits<double>::quiet_NaN();  ///< m^2
+
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();  ///< F, N
+  /// The grid's solution; none if free.
+  std::shared_ptr<const detail::SeatSolution> solution = {};
+};
+
+/// Pressure on a rim that is rounded (Hertz' shape of a punch's edge).
+struct RoundedRim {
+  double peak_pressure;  ///< Pa
+  double reach;          ///< of the contact beyond the old rim, m
+};
+
+/// The exact contact of a ball in a seat that ends at rims: a ring, a cup, a
+/// socket, for any elastic pair and any walls, under any load. The bodies go on
+/// beyond the rims as they do in the laws without rims; only the contact ends
+/// there. What that leaves out, 1 to 18 %, says docs/seats.md, with the method.
+///
+/// Axes: z is the seat's axis, which a SeatZone counts its angles from; forces
+/// act on the seat, shifts are those of the ball's centre.
+///
+/// Where the contact of the seat without end lies inside the rims, that contact
+/// answers, to the last bit. Else a grid is solved: make one object per joint,
+/// as the constructor takes 0.1 to 1 s for its matrices. A contact much
+/// narrower than its zone gets finer grids, made when first asked for and kept.
+/// Any number of threads may ask.
+///
+/// Accuracy (seat/seat_test.cpp, against two-grid references): docs/seats.md,
+/// "Accuracy".
+class SeatContact {
+ public:
+  struct Grid {
+    int cells = 28;       ///< of latitude, 8 to 200; some more near rims
+    int longitudes = 90;  ///< over half a turn, 16 to 720
+    /// From every rim, over the radius, for peak_pressure, (0, 1).
+    double report_distance = 0.02;
+  };
+  /// Thinner surface layers, over the radius, would take too many cells.
+  static constexpr double smallest_relative_thickness = 1e-3;
+
+  /// @param joint  a ball; its laws and friction are without influence
+  /// @throws Error for pins, for a ball that is loaded through the back, for
+  ///   layers that are too thin, and for a grid out of range.
+  SeatContact(const JointSpec& joint, const SeatZone& zone)
+      : SeatContact(joint, zone, Grid()) {}
+  SeatContact(const JointSpec& joint, const SeatZone& zone, const Grid& grid);
+  ~SeatContact();
+
+  /// The contact under a force on the seat, N.
+  SeatState under(const Eigen::Vector3d& force) const;
+  /// The same, begun from a state that is near.
+  SeatState under(const Eigen::Vector3d& force, const SeatState& near) const;
+
+  /// dF/dD at a state, N/m: symmetric. By central differences of fourth order
+  /// (a set of cells has a stiffness of its own): eight solutions. NaN without
+  /// a shift.
+  Eigen::Matrix3d stiffness(const SeatState& state) const;
+
+  /// What a rim does that is rounded along the meridian, for a radius much
+  /// smaller than the contact and than the thickness of the surface layer:
+  /// p = 0.582 (K^2 E*/r)^(1/3), over d = (1.880 K r/E*)^(2/3).
+  /// @param intensity  K, Pa m^(1/2)
+  /// @param radius     r, m
+  RoundedRim rounded_rim(double intensity, double radius) const;
+
+  /// Why there is no answer, a sentence; "" if there is one.
+  std::string note(const SeatState& state) const;
+
+  const SeatZone& zone() const { return zone_; }
+  /// The contact of the seat without end.
+  const JointContact& unbounded() const { return contact_; }
+
+ private:
+  struct Window;
+  using Solver = std::shared_ptr<const detail::SeatPatchSolver>;
+  Solver solver(int end, int step) const;
+  bool solve(const Eigen::Vector3d& force, detail::SeatSolution& to) const;
+  void set_free(double half_angle, double direction, SeatState& state) const;
+  void set_confined(double direction, SeatState& state) const;
+  void set_rims(SeatState& state) const;
+
+  LayeredPair pair_;
+  JointContact contact_;
+  SeatZone zone_;
+  Grid grid_;
+  mutable std::mutex making_;
+  mutable std::map<std::pair<int, int>, Solver> solvers_;
+};
+
+}  // namespace contact

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "libcontact/seat/cells.hpp"
+#include "libcontact/seat/compliance.hpp"
+
+namespace contact::detail {
+
+/// A pressure on a seat and what it carries, in the plane of load and shift.
+struct SeatPatch {
+  SeatPatch() = default;
+  explicit SeatPatch(const Eigen::Vector2d& at) : shift(at) {}
+
+  /// p_i at the longitudes pi j/M, (i, j), in units of E/(4 rho) per metre of
+  /// shift: a cosine polynomial in the longitude, alike on both sides of the
+  /// plane.
+  Eigen::MatrixXd pressure;
+  /// 1 in contact, 0 outside.
+  Eigen::ArrayXXd contact;
+  Eigen::Vector2d shift = {0, 0};  ///< D_x, D_z, m
+  Eigen::Vector2d force = {0, 0};  ///< F_x, F_z in units of E rho/4 times m
+  double sum = 0;                  ///< Q in the same units
+  bool converged = false;
+  int applications = 0;  ///< of the compliance, since it began
+};
+
+/// The contact of a ball in a seat that ends, for a given shift D of its centre
+/// from where the two are concentric:
+///
+///     u = D.r - eps, p > 0   or   u >= D.r - eps, p = 0      in the zone,
+///
+/// u what p presses in, as mean over each cell at each longitude. Solved by
+/// conjugate gradients on the set of cells in contact, which is improved until
+/// no pressure pulls and nothing overlaps outside: docs/seats.md, "Solution".
+class SeatPatchSolver {
+ public:
+  /// @param order      M: longitudes pi j/M
+  /// @param clearance  eps, m
+  SeatPatchSolver(const LayeredPair& pair, const SeatWindow& window, int cells,
+                  int order, double clearance);
+
+  /// The contact at a shift, from the contact that it was in before.
+  void solve(Eigen::Vector2d shift, SeatPatch& patch) const;
+
+  /// The contact under a force, from the shift that the patch has.
+  /// @param force  F_x, F_z in the units of SeatPatch
+  void balance(Eigen::Vector2d force, SeatPatch& patch) const;
+
+  /// dF/dD of the set in contact: within 1e-3 to 5e-3, as its edge moves by
+  /// whole cells.
+  Eigen::Matrix2d tangent(SeatPatch& patch) const;
+
+  /// The largest D.r - eps over the cells, m; below 0 there is no contact.
+  double overlap(Eigen::Vector2d shift) const;
+
+  const SeatCells& cells() const { return cells_; }
+  int order() const { return order_; }
+  double longitude(int j) const;
+  /// Of a node in sums over the whole turn, rad.
+  double longitude_weight(int j) const;
+  int degree() const { return compliance_.degree; }
+
+ private:
+  using Map = Eigen::MatrixXd;
+  Map apply(const std::vector<Map>& by_order, const Map& of, int columns) const;
+  Map gap_side(Eigen::Vector2d shift) const;
+  int conjugate_gradients(const Map& right, const Eigen::ArrayXXd& contact,
+                          double tolerance, Map& solution) const;
+
+  SeatCells cells_;
+  SeatCompliance compliance_;
+  int order_;
+  double clearance_;
+  Eigen::RowVectorXd root_;  // of the longitudes' weights over pi 2/M
+  Map transform_;            // symmetric, orthogonal
+  Map lever_x_, lever_z_, unit_;
+};
+
+}  // namespace contact::detail

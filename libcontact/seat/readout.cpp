@@ -1,0 +1,175 @@
+#include "libcontact/seat/readout.hpp"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace contact::detail {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+}  // namespace
+
+std::vector<SeatReadout::Run> SeatReadout::runs(int j) const {
+  std::vector<Run> runs;
+  for (int i = 0; i < cells_.size(); ++i) {
+    if (patch_.contact(i, j) == 0) continue;
+    if (i == 0 || patch_.contact(i - 1, j) == 0) runs.push_back({i, i});
+    runs.back().last = i;
+  }
+  return runs;
+}
+
+SeatReadout::Run SeatReadout::run_of(int cell, int j) const {
+  Run run{cell, cell};
+  while (run.first > 0 && patch_.contact(run.first - 1, j) > 0) --run.first;
+  while (run.last + 1 < cells_.size() && patch_.contact(run.last + 1, j) > 0) {
+    ++run.last;
+  }
+  return run;
+}
+
+// Of f = p/g about the middle of the cell, whose means over cells with the
+// weight w_i sin v are a_i p_i.
+Eigen::Vector3d SeatReadout::parabola(int cell, int j) const {
+  const Run in = run_of(cell, j);
+  const int first = std::max(in.first, std::min(cell - 2, in.last - 4));
+  const int last = std::min(in.last, std::max(cell + 2, in.first + 4));
+  const int count = last - first + 1;
+  const int terms = std::min(3, count);
+  const double middle = cells_.mean_angle(cell);
+  Eigen::MatrixXd moments(count, 3);
+  Eigen::VectorXd means(count);
+  for (int k = 0; k < count; ++k) {
+    const int i = first + k;
+    const double v = cells_.mean_angle(i);
+    moments.row(k) << 1, v - middle,
+        cells_.mean_square(i) + middle * (middle - 2 * v);
+    means(k) = cells_.mean_shape(i) * patch_.pressure(i, j);
+  }
+  Eigen::Vector3d f = Eigen::Vector3d::Zero();
+  f.head(terms) = moments.leftCols(terms).colPivHouseholderQr().solve(means);
+  return f;
+}
+
+double SeatReadout::pressure(double v, int j) const {
+  const double* begin = cells_.bound.data();
+  const auto above = std::upper_bound(begin, begin + cells_.bound.size(), v);
+  const int cell =
+      std::clamp(static_cast<int>(above - begin) - 1, 0, cells_.size() - 1);
+  if (patch_.contact(cell, j) == 0) return 0;
+  const Eigen::Vector3d f = parabola(cell, j);
+  const double x = v - cells_.mean_angle(cell);
+  return cells_.shape(v) * (f(0) + x * (f(1) + x * f(2)));
+}
+
+SeatReadout::Peak SeatReadout::peak(double rim_distance) const {
+  constexpr int parts = 16;  // of a cell: a maximum is flat
+  const SeatWindow& window = cells_.window;
+  const double low = window.from + (window.rim[0] ? rim_distance : 0);
+  const double high = window.to - (window.rim[1] ? rim_distance : 0);
+  Peak peak{0, nan, nan};
+  for (const int j : {0, solver_.order()}) {
+    for (int i = 0; i < cells_.size(); ++i) {
+      const double from = std::max(low, cells_.bound(i));
+      const double to = std::min(high, cells_.bound(i + 1));
+      if (patch_.contact(i, j) == 0 || !(to >= from)) continue;
+      const Eigen::Vector3d f = parabola(i, j);
+      for (int k = 0; k <= parts; ++k) {
+        const double v = from + (to - from) * k / parts;
+        const double x = v - cells_.mean_angle(i);
+        const double p = cells_.shape(v) * (f(0) + x * (f(1) + x * f(2)));
+        if (p > peak.pressure) peak = {p, v, solver_.longitude(j)};
+      }
+    }
+  }
+  return peak;
+}
+
+// f at the rim by the line through the two cells there.
+double SeatReadout::rim_strength(int rim, int j) const {
+  const int i = cells_.rim_cell(rim), next = rim == 0 ? i + 1 : i - 1;
+  const auto f = [&](int cell) {
+    return cells_.mean_shape(cell) * patch_.pressure(cell, j);
+  };
+  const auto distance = [&](int cell) {
+    return std::abs(cells_.mean_angle(cell) - cells_.window.angle(rim));
+  };
+  const double slope = patch_.contact(next, j) == 0
+                           ? 0
+                           : (f(next) - f(i)) / (distance(next) - distance(i));
+  return std::max(f(i) - slope * distance(i), 0.0) * cells_.rim_shape(rim);
+}
+
+SeatReadout::Rim SeatReadout::rim(int rim) const {
+  if (!cells_.window.rim[rim]) return {0, nan, 0};
+  const int last = solver_.order();
+  const int cell = cells_.rim_cell(rim);
+  const bool far = rim_strength(rim, last) > rim_strength(rim, 0);
+  // From the longitude where it is largest.
+  const auto node = [&](int k) { return far ? last - k : k; };
+  if (patch_.contact(cell, node(0)) == 0) return {0, nan, 0};
+  int end = 0;
+  while (end < last && patch_.contact(cell, node(end + 1)) > 0) ++end;
+  double steps = end;
+  if (end < last && end > 1) {
+    // Like a root.
+    const double p = std::pow(rim_strength(rim, node(end)), 2);
+    const double before = std::pow(rim_strength(rim, node(end - 1)), 2);
+    steps += before > p ? std::clamp(p / (before - p), 0.0, 1.0) : 0.5;
+  }
+  return {rim_strength(rim, node(0)), far ? pi : 0.0,
+          solver_.longitude(1) * steps};
+}
+
+// Like a root: p^2 is smooth, but for the last cells, which are in contact to a
+// part only or not counted at all.
+double SeatReadout::end(const Run& run, int j, int side) const {
+  const int edge = side == 0 ? run.first : run.last;
+  const int inwards = side == 0 ? 1 : -1;
+  const double bound = cells_.bound(edge + side);
+  if (edge == cells_.rim_cell(side)) return bound;
+  const double size = cells_.bound(edge + 1) - cells_.bound(edge);
+  if (run.last - run.first < 4) return bound;
+  Eigen::Matrix3d powers;
+  Eigen::Vector3d square;
+  for (int k = 0; k < 3; ++k) {
+    const int i = edge + inwards * (2 + k);
+    const double x = (cells_.mean_angle(i) - bound) * inwards;
+    powers.row(k) << 1, x, x * x;
+    square(k) = std::pow(patch_.pressure(i, j), 2);
+  }
+  const Eigen::Vector3d c = powers.colPivHouseholderQr().solve(square);
+  const double rest = c(1) * c(1) - 4 * c(0) * c(2);
+  // Over a thin layer p itself is smooth, and the root a double one.
+  const double slope = c(1) + 2 * c(2) * powers(0, 1);
+  const bool is_double = rest < 0.1 * slope * slope;
+  const double x = is_double  ? -c(1) / (2 * c(2))
+                   : c(1) > 0 ? -2 * c(0) / (c(1) + std::sqrt(rest))
+                              : (std::sqrt(rest) - c(1)) / (2 * c(2));
+  return std::isfinite(x) ? bound + inwards * std::clamp(x, -size, size)
+                          : bound;
+}
+
+SeatReadout::Ends SeatReadout::ends(int j) const {
+  const std::vector<Run> all = runs(j);
+  if (all.empty()) return {nan, nan};
+  return {end(all.front(), j, 0), end(all.back(), j, 1)};
+}
+
+double SeatReadout::area() const {
+  double sum = 0;
+  for (int j = 0; j <= solver_.order(); ++j) {
+    for (const Run& run : runs(j)) {
+      sum += solver_.longitude_weight(j) *
+             (std::cos(end(run, j, 0)) - std::cos(end(run, j, 1)));
+    }
+  }
+  return sum;
+}
+
+}  // namespace contact::detail

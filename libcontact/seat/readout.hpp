@@ -1,0 +1,65 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "libcontact/seat/patch.hpp"
+
+namespace contact::detail {
+
+/// What a patch on a seat says of its contact, in the patch's own unit of
+/// pressure and in radians: pressures at points, the strength of the rims'
+/// singularities, where the contact ends.
+class SeatReadout {
+ public:
+  SeatReadout(const SeatPatchSolver& solver, const SeatPatch& patch)
+      : cells_(solver.cells()), solver_(solver), patch_(patch) {}
+
+  /// Pressure at a node's longitude and any polar angle: g(v) times the
+  /// parabola through the means of five cells, 1e-3 away from rims.
+  double pressure(double v, int j) const;
+
+  struct Peak {
+    double pressure;
+    double polar_angle;
+    double longitude;  ///< 0 or pi
+  };
+  /// The largest pressure at some distance or more from every rim, which lies
+  /// in the plane of the load.
+  Peak peak(double rim_distance) const;
+
+  struct Rim {
+    /// lim p sqrt(s), s in rad, where it is largest; 0 if not reached
+    double strength;
+    double longitude;  ///< 0 or pi, there
+    double half_arc;   ///< over which the contact follows the rim, rad
+  };
+  Rim rim(int rim) const;
+
+  /// Where the contact begins and ends on one longitude; both NaN without
+  /// contact. Between the two it may be open: thin rings bend.
+  struct Ends {
+    double lower, upper;
+  };
+  Ends ends(int j) const;
+
+  /// Over rho^2.
+  double area() const;
+
+ private:
+  // Neighbouring cells in contact.
+  struct Run {
+    int first, last;
+  };
+  std::vector<Run> runs(int j) const;
+  Run run_of(int cell, int j) const;
+  Eigen::Vector3d parabola(int cell, int j) const;
+  double end(const Run& run, int j, int side) const;
+  double rim_strength(int rim, int j) const;
+
+  const SeatCells& cells_;
+  const SeatPatchSolver& solver_;
+  const SeatPatch& patch_;
+};
+
+}  // namespace contact::detail

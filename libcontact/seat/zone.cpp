@@ -1,0 +1,54 @@
+#include "libcontact/seat/zone.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "libcontact/base/check.hpp"
+
+namespace contact {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+}  // namespace
+
+SeatZone::SeatZone(double from, double to) : from_(from), to_(to) {
+  detail::require(from >= 0 && from < pi, "seat", "from", from, "0 to pi rad");
+  detail::require(to > 0 && to <= pi, "seat", "to", to, "above 0 to pi rad");
+  // Degrees that are 1 apart are so to rounding.
+  detail::require(to - from >= smallest_width * (1 - 1e-12), "seat",
+                  "to - from", to - from, "at least 1 deg (0.01745 rad)");
+}
+
+SeatZone SeatZone::ring(double width, double radius) {
+  detail::require(radius > 0 && std::isfinite(radius), "seat", "radius", radius,
+                  "above 0 m");
+  detail::require(width > 0 && width < 2 * radius, "seat", "ring width", width,
+                  "above 0 m and less than the ball's diameter");
+  const double half = std::asin(width / (2 * radius));
+  return {pi / 2 - half, pi / 2 + half};
+}
+
+SeatZone SeatZone::cup(double half_angle) { return {0, half_angle}; }
+
+bool SeatZone::has_upper_rim() const { return to_ < pi; }
+
+bool SeatZone::carries(double direction) const {
+  if (to_ <= pi / 2) return direction < to_;
+  if (from_ >= pi / 2) return direction > from_;
+  return direction >= 0 && direction <= pi;
+}
+
+double SeatZone::margin(double direction, double half_angle) const {
+  constexpr double none = std::numeric_limits<double>::infinity();
+  return std::min(has_lower_rim() ? direction - half_angle - from_ : none,
+                  has_upper_rim() ? to_ - direction - half_angle : none);
+}
+
+double SeatZone::nearest(double direction) const {
+  return std::clamp(direction, from_, to_);
+}
+
+}  // namespace contact

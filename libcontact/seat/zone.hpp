@@ -1,0 +1,56 @@
+#pragma once
+
+namespace contact {
+
+/// Where a ball's seat is: the zone from <= v <= to of polar angles v from the
+/// seat's axis, a surface of revolution that ends at its rims. A ring, a cup, a
+/// socket with an opening; a value, validated once.
+class SeatZone {
+ public:
+  /// Narrower zones are refused: 1 deg.
+  static constexpr double smallest_width = 0.017453292519943295;
+
+  /// @param from, to  polar angles, rad, 0 <= from < to <= pi; at 0 and pi the
+  ///                  zone goes on over the pole and has no rim there
+  /// @throws Error if they are out of range or less than smallest_width apart.
+  SeatZone(double from, double to);
+
+  /// A radial bearing's ring: pi/2 -+ asin(width/(2 radius)).
+  /// @param width   along the axis, m, (0, 2 radius)
+  /// @param radius  rho of the ball, m
+  static SeatZone ring(double width, double radius);
+
+  /// A cup about the axis.
+  /// @param half_angle  of its opening, rad, (0, pi]
+  static SeatZone cup(double half_angle);
+
+  double from() const { return from_; }
+  double to() const { return to_; }
+  double width() const { return to_ - from_; }
+  bool has_lower_rim() const { return from_ > 0; }
+  bool has_upper_rim() const;
+
+  /// Whether pressures on the zone can carry a load in this direction: whether
+  /// it lies inside the convex cone of the zone. A zone with points on both
+  /// sides of its equator carries every load, one on a side of it only loads
+  /// steeper than its outer rim.
+  /// @param direction  polar angle of the load, rad, [0, pi]
+  bool carries(double direction) const;
+
+  /// How far a cap about a direction stays inside the rims, rad; below 0 it
+  /// crosses one, infinite if there is none.
+  /// @param direction   of the cap's middle, rad, [0, pi]
+  /// @param half_angle  of the cap, rad
+  double margin(double direction, double half_angle) const;
+
+  /// The polar angle of the zone that is nearest to a direction, rad.
+  double nearest(double direction) const;
+
+  friend bool operator==(const SeatZone&, const SeatZone&) = default;
+
+ private:
+  double from_;
+  double to_;
+};
+
+}  // namespace contact

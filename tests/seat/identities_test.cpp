@@ -1,0 +1,256 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "libcontact/base/units.hpp"
+#include "libcontact/seat/contact.hpp"
+#include "libcontact/seat/patch.hpp"
+#include "support/error_message.hpp"
+#include "support/numbers.hpp"
+
+// What holds of every seat that ends, and what is refused.
+namespace contact::test {
+namespace {
+
+const Material steel{2.1e11, 0.3};
+const Material bronze{1.1e11, 0.34};
+
+JointSpec bearing(double clearance = 2.5e-5) {
+  return {.geometry = JointGeometry::ball(0.025, clearance),
+          .inner = steel,
+          .outer = bronze};
+}
+
+Eigen::Vector3d towards(double polar_deg, double azimuth_deg, double load) {
+  const double v = polar_deg * degree, phi = azimuth_deg * degree;
+  return load * Eigen::Vector3d(std::sin(v) * std::cos(phi),
+                                std::sin(v) * std::sin(phi), std::cos(v));
+}
+
+SeatZone cup(double degrees) { return SeatZone::cup(degrees * degree); }
+
+TEST(SeatZone, IsWhatItIsMadeFrom) {
+  const SeatZone ring = SeatZone::ring(0.028, 0.033);
+  EXPECT_NEAR(ring.from() / degree, 64.9, 0.01);  // GE 50
+  EXPECT_DOUBLE_EQ(ring.from() + ring.to(), pi);
+  EXPECT_TRUE(ring.carries(0) && ring.carries(pi / 2) && ring.carries(pi));
+  EXPECT_TRUE(cup(60).carries(59.9 * degree));
+  EXPECT_FALSE(cup(60).carries(60 * degree));
+  EXPECT_FALSE(SeatZone(100 * degree, pi).carries(pi / 2));
+  EXPECT_TRUE(SeatZone(100 * degree, pi).carries(pi));
+  EXPECT_NEAR(cup(60).margin(10 * degree, 30 * degree), 20 * degree, 1e-15);
+  EXPECT_EQ(SeatZone(0, pi).margin(1, 3), HUGE_VAL);
+}
+
+TEST(SeatZone, Refuses) {
+  const auto message = [](double from, double to) {
+    return error_message([&] { SeatZone(from * degree, to * degree); });
+  };
+  EXPECT_EQ(message(10, 11), "(no error)");
+  EXPECT_TRUE(has_text(message(10, 10.9), "must be at least 1 deg"));
+  EXPECT_TRUE(has_text(message(-1, 30), "from = -0.01745"));
+  EXPECT_TRUE(has_text(message(30, 181), "must be above 0 to pi rad"));
+  EXPECT_TRUE(has_text(message(NAN, 30), "must be 0 to pi rad"));
+  EXPECT_TRUE(
+      has_text(error_message([] { SeatZone::ring(0.1, 0.05); }),
+               "ring width = 0.1 must be above 0 m and less than the ball's"));
+}
+
+TEST(Seat, RefusesWhatItHasNoCellsFor) {
+  const SeatZone zone = cup(60);
+  const auto message = [&](const JointSpec& joint, SeatContact::Grid grid) {
+    return error_message([&] { SeatContact(joint, zone, grid); });
+  };
+  JointSpec lined = bearing();
+  lined.outer = {{{2.4e-5, {1e9, 0.4}}}, Backing::medium(steel)};
+  EXPECT_TRUE(has_text(message(lined, {}), "must be at least 0.001 radii"));
+  JointSpec back = bearing();
+  back.loading = InnerLoading::back(20 * degree);
+  EXPECT_TRUE(has_text(message(back, {}), "requires loading = centre"));
+  const JointSpec pin{.geometry = JointGeometry::pin(0.01, 1e-5, 0.02),
+                      .inner = steel,
+                      .outer = steel};
+  EXPECT_TRUE(has_text(message(pin, {}), "requires a ball"));
+  EXPECT_TRUE(has_text(message(bearing(), {.cells = 7}), "must be 8 to 200"));
+  EXPECT_TRUE(has_text(message(bearing(), {.longitudes = 1000}), "16 to 720"));
+  EXPECT_TRUE(has_text(message(bearing(), {.report_distance = 0}), "above 0"));
+}
+
+TEST(Seat, SaysWhatItCannotCarry) {
+  const SeatContact seat(bearing(), cup(60), {.cells = 12, .longitudes = 30});
+  const SeatState out = seat.under(towards(60.1, 0, 1e4));
+  EXPECT_EQ(out.status, SeatStatus::out_of_seat);
+  EXPECT_TRUE(std::isnan(out.shift.x()) && std::isnan(out.peak_pressure));
+  EXPECT_TRUE(seat.stiffness(out).array().isNaN().all());
+  EXPECT_TRUE(has_text(seat.note(out),
+                       "points 60.1 deg from the seat's axis, and the seat "
+                       "carries loads below 60 deg only"));
+  // The contact shrinks onto the rim as the load nears the cone's edge.
+  double before = 0;
+  for (const double v : {50.0, 56.0, 59.0}) {
+    const SeatState state = seat.under(towards(v, 0, 1e4));
+    EXPECT_EQ(state.status, SeatStatus::ok) << v;
+    EXPECT_GT(state.shift.norm(), before);
+    before = state.shift.norm();
+  }
+  EXPECT_EQ(seat.under(Eigen::Vector3d::Zero()).status, SeatStatus::no_load);
+  EXPECT_EQ(seat.under(towards(10, 0, NAN)).status, SeatStatus::no_load);
+}
+
+// To the last bit.
+TEST(Seat, FreeContactIsTheExactLaw) {
+  const SeatContact seat(bearing(), cup(60));
+  const JointContact& exact = seat.unbounded();
+  const double load = 2e4;
+  const double theta0 = exact.half_angle(load).half_angle;
+  const SeatState state = seat.under(towards(0, 0, load));
+  EXPECT_TRUE(state.is_free);
+  EXPECT_EQ(state.shift.z(), exact.shift(load, theta0));
+  EXPECT_EQ(state.peak_pressure, exact.peak_pressure(load, theta0));
+  EXPECT_EQ(state.pressure_at_load, exact.pressure(0, load, theta0));
+  EXPECT_EQ(state.area, exact.area(theta0));
+  EXPECT_EQ(state.force_ratio, exact.sum_of_pressures(load, theta0) / load);
+  EXPECT_EQ(state.upper_end, theta0);
+  EXPECT_EQ(state.rims[1].distance, 60 * degree - theta0);
+  EXPECT_EQ(seat.stiffness(state)(2, 2), exact.approach(theta0).stiffness);
+}
+
+// The shift is continuous where the contact reaches the rim: within the grid's
+// 1e-4.
+TEST(Seat, ReachesTheRimWithoutAJump) {
+  const SeatContact seat(bearing(), cup(60));
+  const double load = 2e4;
+  const double theta0 = seat.unbounded().half_angle(load).half_angle / degree;
+  const SeatState in = seat.under(towards(60 - theta0 - 1e-6, 0, load));
+  const SeatState at = seat.under(towards(60 - theta0 + 1e-6, 0, load));
+  EXPECT_TRUE(in.is_free);
+  EXPECT_FALSE(at.is_free);
+  EXPECT_LT((in.shift - at.shift).norm() / in.shift.norm(), 1e-4);
+  EXPECT_NEAR(at.peak_pressure / in.peak_pressure, 1, 2e-3);
+  EXPECT_NEAR(at.force_ratio, in.force_ratio, 2e-4);
+}
+
+// A turn about the seat's axis turns everything; so does a mirror.
+TEST(Seat, TurnsWithTheLoad) {
+  const SeatContact::Grid grid{.cells = 20, .longitudes = 60};
+  const SeatContact ring(bearing(), {70 * degree, 120 * degree}, grid);
+  const SeatContact mirrored(bearing(), {60 * degree, 110 * degree}, grid);
+  const SeatState state = ring.under(towards(80, 0, 1e5));
+  const SeatState turned = ring.under(towards(80, 130, 1e5));
+  const SeatState other = mirrored.under(towards(100, 0, 1e5));
+  ASSERT_EQ(state.status, SeatStatus::ok);
+  const auto turn = Eigen::AngleAxisd(130 * degree, Eigen::Vector3d::UnitZ())
+                        .toRotationMatrix();
+  const double size = state.shift.norm();
+  // Rounding, and where Newton stops.
+  EXPECT_LT((turn * state.shift - turned.shift).norm() / size, 1e-7);
+  EXPECT_LT(
+      (turn * ring.stiffness(state) * turn.transpose() - ring.stiffness(turned))
+              .norm() /
+          ring.stiffness(state).norm(),
+      1e-6);
+  EXPECT_NEAR(other.shift.x() / state.shift.x(), 1, 1e-7);
+  EXPECT_NEAR(-other.shift.z() / state.shift.z(), 1, 1e-7);
+  EXPECT_NEAR(other.rims[1].intensity / state.rims[0].intensity, 1, 1e-6);
+}
+
+TEST(Seat, WarmStartsGiveTheSame) {
+  const SeatContact seat(bearing(), cup(60), {.cells = 20, .longitudes = 60});
+  const SeatState near = seat.under(towards(30, 0, 8e4));
+  const SeatState cold = seat.under(towards(36, 20, 9e4));
+  const SeatState warm = seat.under(towards(36, 20, 9e4), near);
+  ASSERT_EQ(warm.status, SeatStatus::ok);
+  // Sets that differ by a cell whose pressure is nearly 0.
+  EXPECT_LT((warm.shift - cold.shift).norm() / cold.shift.norm(), 1e-6);
+}
+
+// The energy U = (D.F - eps Q)/2 has the gradient F, and F and Q are of first
+// degree in D and eps: K D = F + eps dQ/dD.
+TEST(Seat, HasAPotential) {
+  const LayeredPair pair(0.025, steel, bronze);
+  const double eps = 2.5e-5;
+  const auto solver = [&](double clearance) {
+    return detail::SeatPatchSolver(pair, detail::SeatWindow(cup(60)), 24, 60,
+                                   clearance);
+  };
+  const detail::SeatPatchSolver seat = solver(eps);
+  const auto at = [](const detail::SeatPatchSolver& of, Eigen::Vector2d shift) {
+    detail::SeatPatch patch;
+    of.solve(shift, patch);
+    EXPECT_TRUE(patch.converged);
+    return patch;
+  };
+  const Eigen::Vector2d shift(3e-5, 4e-5);
+  const double h = 0.1 * seat.overlap(shift);
+  const detail::SeatPatch middle = at(seat, shift);
+  const auto energy = [&](const detail::SeatPatch& p) {
+    return (p.shift.dot(p.force) - eps * p.sum) / 2;
+  };
+  Eigen::Matrix2d k;
+  Eigen::Vector2d gradient, sums;
+  for (const int axis : {0, 1}) {
+    const Eigen::Vector2d step = h * Eigen::Vector2d::Unit(axis);
+    const auto difference = [&](const auto& quantity) {
+      return ((8 * (quantity(at(seat, shift + step)) -
+                    quantity(at(seat, shift - step))) -
+               (quantity(at(seat, shift + 2 * step)) -
+                quantity(at(seat, shift - 2 * step)))) /
+              (12 * h));
+    };
+    gradient(axis) = difference(energy);
+    sums(axis) = difference([](const auto& p) { return p.sum; });
+    k(0, axis) = difference([](const auto& p) { return p.force.x(); });
+    k(1, axis) = difference([](const auto& p) { return p.force.y(); });
+  }
+  const double size = middle.force.norm();
+  // The set in contact changes by whole cells: 1e-3 in second derivatives, the
+  // step times that in first ones.
+  EXPECT_LT((gradient - middle.force).norm() / size, 1e-4);
+  EXPECT_LT((k * shift - middle.force - eps * sums).norm() / size, 2e-3);
+  EXPECT_LT(std::abs(k(0, 1) - k(1, 0)) / k.norm(), 1e-3);
+  const detail::SeatPatch twice = at(solver(2 * eps), 2 * shift);
+  EXPECT_LT((twice.force - 2 * middle.force).norm() / size, 1e-8);
+}
+
+// No clearance and interference: no jump either.
+TEST(Seat, AnyClearance) {
+  const SeatContact::Grid grid{.cells = 20, .longitudes = 60};
+  const Eigen::Vector3d force = towards(30, 0, 2e5);
+  double sums[3];
+  int i = 0;
+  for (const double clearance : {1e-9, 0.0, -1e-9}) {
+    const SeatContact seat(bearing(clearance), cup(60), grid);
+    const SeatState state = seat.under(force);
+    EXPECT_EQ(state.status, SeatStatus::ok) << clearance;
+    sums[i++] = state.force_ratio;
+  }
+  // eps over the shift, 2e-5.
+  EXPECT_NEAR(sums[0] / sums[1], 1, 2e-4);
+  EXPECT_NEAR(sums[2] / sums[1], 1, 2e-4);
+}
+
+// The pressure on a rounding by its closed form, whose largest value and place
+// the two numbers are (0.70 d inside the edge).
+TEST(Seat, RoundedRimIsThePunchsShape) {
+  const SeatContact seat(bearing(), cup(60), {.cells = 8, .longitudes = 16});
+  const double intensity = 2e7, radius = 1e-3;
+  const RoundedRim rim = seat.rounded_rim(intensity, radius);
+  const double modulus = seat.unbounded().pair().contact_modulus();
+  const double d = rim.reach;
+  double largest = 0, place = 0;
+  for (double y = d / 1000; y < 2 * d; y += d / 1000) {
+    if (std::abs(y - d) < 1e-9 * d) continue;
+    const double root = std::sqrt(d), other = std::sqrt(y);
+    const double p =
+        modulus / (2 * pi * radius) *
+        (2 * std::sqrt(d * y) +
+         (d - y) * std::log(std::abs((root + other) / (root - other))));
+    if (p > largest) largest = p, place = y / d;
+  }
+  EXPECT_NEAR(largest / rim.peak_pressure, 1, 2e-3);  // of three digits
+  EXPECT_NEAR(place, 0.70, 0.01);
+}
+
+}  // namespace
+}  // namespace contact::test
